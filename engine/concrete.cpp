@@ -1,0 +1,45 @@
+// State layout and real functions of the concrete domain.
+#include "engine/concrete.hpp"
+
+namespace rungproof {
+
+namespace {
+/// Frames of local memory: main, eight nesting levels, interrupt routine and its subroutine (001:1367).
+constexpr std::uint32_t localBytes = 11 * 64;
+}  // namespace
+
+Concrete::Store::Store(const Target& target, std::uint32_t edges) {
+  for (int a = 0; a < areaCount; ++a) {
+    const Area area = static_cast<Area>(a);
+    const bool inRegisters = area == Area::T || area == Area::C || area == Area::AC || area == Area::HC;
+    areas_[static_cast<std::size_t>(a)].assign(inRegisters ? 0 : area == Area::L ? localBytes : areaSize(target, area), 0);
+  }
+  std::uint32_t next = 0;
+  for (const RegInfo& info : regTable) {
+    first_[static_cast<std::size_t>(info.reg)] = next;
+    next += info.count == 0 ? edges : info.count;
+  }
+  first_.back() = next;
+  registers_.assign(next, 0);
+}
+
+Concrete::Bits Concrete::rfunction(std::uint64_t f, Bits a) const {
+  const float x = real(a);
+  switch (static_cast<RealFunction>(f)) {
+    case RealFunction::Sqrt: return pattern(std::sqrt(x));
+    case RealFunction::Sin: return pattern(std::sin(x));
+    case RealFunction::Cos: return pattern(std::cos(x));
+    case RealFunction::Tan: return pattern(std::tan(x));
+    case RealFunction::Ln: return pattern(std::log(x));
+    case RealFunction::Exp: return pattern(std::exp(x));
+  }
+  return 0;
+}
+
+Concrete::Bits Concrete::rtoInt(Bits a, bool round) const {
+  const double x = real(a);
+  if (!(std::abs(x) < 9.0e18)) return x < 0 ? Bits{1} << 63 : mask(63);
+  return static_cast<Bits>(static_cast<std::int64_t>(round ? std::round(x) : std::trunc(x)));
+}
+
+}  // namespace rungproof

@@ -1,0 +1,196 @@
+// What a descriptor of an instruction says: spelling, operands, stack effect, class of execution.
+// One constexpr Desc stands in each instruction's struct in ir/isa/*.hpp; names, look-ups, operand checks,
+// printing, completion and dispatch derive from it. The table is compared row by row with
+// tests/data/*.tsv by tests/ir/isa_table_test.cpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+#include <string_view>
+
+#include "ir/cpu.hpp"
+
+namespace rungproof {
+
+/// Data type of an operand as the manual's operand tables name it, plus the kinds of number.
+enum class Type : std::uint8_t {
+  Bool, Byte, Word, Int, DWord, DInt, Real, String,
+  Timer, Counter,               ///< a T or C number; word access is its current value
+  Label, Subroutine, Interrupt, ///< numbers of LBL, SBR, INT
+  Parameter                     ///< an actual parameter of CALL: its type comes from the called block
+};
+
+enum class Direction : std::uint8_t { In, Out, InOut };
+
+/// Areas and forms an operand may take; the width follows from its type.
+using Forms = std::uint32_t;
+namespace form {
+constexpr Forms area(Area a) { return 1U << static_cast<unsigned>(a); }
+inline constexpr Forms I = area(Area::I), Q = area(Area::Q), AI = area(Area::AI), AQ = area(Area::AQ), V = area(Area::V),
+                       M = area(Area::M), S = area(Area::S), SM = area(Area::SM), L = area(Area::L), T = area(Area::T),
+                       C = area(Area::C), AC = area(Area::AC), HC = area(Area::HC);
+inline constexpr Forms PtrV = 1U << 16, PtrL = 1U << 17, PtrAC = 1U << 18;  ///< *VD, *LD, *AC (AC1-AC3, 001:1459)
+inline constexpr Forms Const = 1U << 19;
+inline constexpr Forms Address = 1U << 20;  ///< &VB and the like (001:5619)
+inline constexpr Forms Pointers = PtrV | PtrL | PtrAC;
+/// Bit operands of contacts and coils (001:2750, 001:2811).
+inline constexpr Forms bitAny = I | Q | V | M | SM | S | T | C | L;
+/// Byte, word and double word destinations and sources of chapter 6.
+inline constexpr Forms byteOut = I | Q | V | M | SM | S | L | AC | Pointers;
+inline constexpr Forms byteIn = byteOut | Const;
+inline constexpr Forms wordOut = byteOut | T | C;
+inline constexpr Forms wordIn = wordOut | AI | Const;
+inline constexpr Forms dwordOut = byteOut;
+inline constexpr Forms dwordIn = dwordOut | HC | Const;
+inline constexpr Forms realIn = dwordOut | Const;
+/// Buffers and strings that start at a byte: no accumulator.
+inline constexpr Forms byteBuffer = I | Q | V | M | SM | S | L | Pointers;
+inline constexpr Forms stringOut = V | L | Pointers;
+inline constexpr Forms stringIn = stringOut | Const;
+}  // namespace form
+
+/// Permitted values of a constant on some CPUs; an operand may have several ranges.
+struct ValueRange {
+  std::int64_t low = 0;
+  std::int64_t high = 0;
+  CpuSet cpus = everyCpu;
+};
+
+/// Number of elements of a buffer that starts at the operand: 1, 1 = a plain operand; 0 high = given at run time.
+struct BufferLength {
+  int low = 1;
+  int high = 1;
+};
+
+struct OperandDesc {
+  std::string_view name;
+  Direction direction = Direction::In;
+  Type type = Type::Bool;
+  Forms forms = 0;
+  std::array<ValueRange, 5> ranges{};  ///< unused rows have cpus == 0
+  BufferLength buffer{};
+  bool optional = false;
+
+  constexpr bool hasRanges() const { return ranges[0].cpus != 0; }
+  constexpr OperandDesc within(std::initializer_list<ValueRange> list) const {
+    OperandDesc copy = *this;
+    std::size_t i = 0;
+    for (const ValueRange& range : list) copy.ranges[i++] = range;
+    return copy;
+  }
+  constexpr OperandDesc elements(int low, int high) const {
+    OperandDesc copy = *this;
+    copy.buffer = {low, high};
+    return copy;
+  }
+};
+
+constexpr OperandDesc operandDesc(std::string_view name, Direction direction, Type type, Forms forms) {
+  OperandDesc desc;
+  desc.name = name;
+  desc.direction = direction;
+  desc.type = type;
+  desc.forms = forms;
+  for (ValueRange& range : desc.ranges) range.cpus = 0;
+  return desc;
+}
+constexpr OperandDesc in(std::string_view name, Type type, Forms forms) {
+  return operandDesc(name, Direction::In, type, forms);
+}
+constexpr OperandDesc out(std::string_view name, Type type, Forms forms) {
+  return operandDesc(name, Direction::Out, type, forms);
+}
+constexpr OperandDesc inout(std::string_view name, Type type, Forms forms) {
+  return operandDesc(name, Direction::InOut, type, forms);
+}
+
+/// When an instruction runs and what it does with the top of the stack (s7200 digest part A 0.4, part B 0.3).
+enum class Execution : std::uint8_t {
+  Stack,        ///< always executed, reads or writes the logic stack
+  Compare,      ///< always executed even without power flow; errors are fatal (001:3384-3391)
+  Coil,         ///< always executed; copies the top to a bit
+  Conditional,  ///< executed only with power flow (001:2274); otherwise nothing changes
+  Sampled,      ///< always executed; takes stack levels as data (timers, counters, PID)
+  Control       ///< moves the flow of the program; its meaning is in ir/scan.hpp
+};
+
+/// Which control instruction, for ir/flow.hpp and ir/scan.hpp.
+enum class Control : std::uint8_t {
+  None, Jump, LabelMark, For, Next, Call, ReturnConditional, Return, InterruptReturnConditional, InterruptReturn,
+  End, MainEnd, Stop, Lscr, Scrt, ScrEndConditional, ScrEnd, SubroutineHead, InterruptHead
+};
+
+/// Stack effect for depth analysis: levels it needs filled, levels popped, levels pushed.
+struct StackEffect {
+  std::uint8_t needs = 0;
+  std::uint8_t pops = 0;
+  std::uint8_t pushes = 0;
+};
+
+/// Special-memory status bits SM1.0-SM1.7 that an instruction may change, one bit each (001:14063-14073).
+using StatusBits = std::uint8_t;
+namespace status {
+inline constexpr StatusBits Zero = 1, Overflow = 2, Negative = 4, DivideByZero = 8, TableFull = 16, TableEmpty = 32,
+                            NotBcd = 64, NotAscii = 128;
+}
+
+inline constexpr int maxOperands = 4;
+
+struct Desc {
+  std::string_view stl;         ///< international mnemonic, "LDW>="
+  std::string_view german = {}; ///< SIMATIC German mnemonic where it differs, "UW>="
+  std::string_view family = {}; ///< "LDWx" for comparison families; empty: the mnemonic itself
+  std::string_view meaning = {};///< a few words for explain, xref and completion
+  std::string_view group = {};  ///< manual section, "boolean", "timers and counters"
+  std::array<OperandDesc, maxOperands> operands{};
+  std::uint8_t operandCount = 0;
+  Execution execution = Execution::Conditional;
+  StackEffect stack{};
+  bool eno = false;             ///< sets the ENO bit (001:2276-2278)
+  StatusBits affects = 0;       ///< SM1.x bits it may change
+  Control control = Control::None;
+  CpuSet cpus = everyCpu;
+  bool since2004 = false;       ///< absent from the 2003 edition (001:130)
+  bool olderDialectOnly = false;///< RET, RETI, MEND: written only in the one-text dialect
+  bool drawingOnly = false;     ///< SR, RS and the IEC boxes: exist in LAD/FBD only, named so in the IR
+  bool notInInterrupt = false;  ///< 001:5426, 001:3353
+  std::uint16_t time = 0;       ///< execution time with power flow in 0.01 us (Appendix F), 0 unknown
+  std::string_view manual = {}; ///< "001:4814"
+  std::uint16_t opcode = 0;     ///< position in the joined table, set by isa_list.hpp
+
+  constexpr const OperandDesc& operand(int i) const { return operands[static_cast<std::size_t>(i)]; }
+  constexpr std::string_view familyName() const { return family.empty() ? stl : family; }
+};
+
+constexpr Desc withOperands(Desc desc, std::initializer_list<OperandDesc> list) {
+  for (const OperandDesc& operand : list) desc.operands[desc.operandCount++] = operand;
+  return desc;
+}
+
+/// Width of a value of that type; String and buffers: Byte; numbers of timers and counters: Word.
+constexpr Width widthOf(Type type) {
+  switch (type) {
+    case Type::Bool: return Width::Bit;
+    case Type::Byte:
+    case Type::String:
+    case Type::Interrupt: return Width::Byte;
+    case Type::DWord:
+    case Type::DInt:
+    case Type::Real:
+    case Type::Parameter: return Width::DWord;
+    default: return Width::Word;
+  }
+}
+constexpr Width widthOf(DataType type) {
+  switch (type) {
+    case DataType::Bool: return Width::Bit;
+    case DataType::Byte: return Width::Byte;
+    case DataType::Word:
+    case DataType::Int: return Width::Word;
+    default: return Width::DWord;
+  }
+}
+constexpr bool isSigned(Type type) { return type == Type::Int || type == Type::DInt; }
+
+}  // namespace rungproof

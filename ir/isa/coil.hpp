@@ -1,0 +1,68 @@
+// Coils: assignment and its immediate form, set, reset (001:2775-2821; s7200 digest A 3).
+// Order decides: the last write of a scan wins, and "=" overrides S and R on the same bit (001:2821).
+#pragma once
+
+#include "ir/isa/group.hpp"
+
+namespace rungproof::isa {
+
+/// = : the top of the stack to a bit, 0 as well as 1. Q goes to the image only (001:2777).
+struct Assign {
+  static constexpr Desc desc = withOperands({.stl = "=", .meaning = "assign bit", .group = "boolean", .execution = Execution::Coil,
+                                             .stack = {1, 0, 0}, .time = 110, .manual = "001:2811"},
+                                            {out("bit", Type::Bool, form::bitAny)});
+  template <class D>
+  static void run(Machine<D>& m, Args<D>& a) {
+    a.storeBit(0, m.powerFlow());
+  }
+};
+
+/// =I : to the physical output and to the image at once (001:2781).
+struct AssignImmediate {
+  static constexpr Desc desc = withOperands({.stl = "=I", .meaning = "assign bit immediate", .group = "boolean", .execution = Execution::Coil,
+                                             .stack = {1, 0, 0}, .time = 2400, .manual = "001:2812"},
+                                            {out("bit", Type::Bool, form::Q)});
+  template <class D>
+  static void run(Machine<D>& m, Args<D>& a) {
+    a.storeBit(0, m.powerFlow());
+    m.setBit(Reg::PhysicalOutput, a.operand(0).offset * 8 + a.operand(0).bit, m.powerFlow());
+  }
+};
+
+/// S, R, SI, RI: N consecutive bits to 1 or 0. R on T or C clears the current value as well (001:2791).
+template <bool value, bool immediate, Name stlName, Name germanName, Name meaning>
+struct Latch {
+  static constexpr int limit = immediate ? 128 : 255;  // 001:2789, 001:2800
+  static constexpr Desc desc = withOperands(
+      {.stl = stlName.view(), .german = germanName.view(), .meaning = meaning.view(), .group = "boolean", .stack = {1, 0, 0}, .eno = true,
+       .time = 500, .manual = immediate ? "001:2812" : "001:2811"},
+      {out("bit", Type::Bool, immediate ? form::Q : form::bitAny),
+       in("N", Type::Byte, form::byteIn).within({{1, limit, everyCpu}})});
+  template <class D>
+  static void run(Machine<D>& m, Args<D>& a) {
+    const auto count = a.value(1);
+    const std::uint32_t room = a.bitsLeft(0);
+    const auto outside = m.d.ult(m.number(std::min<std::uint32_t>(room, 255), 8), count, 8);
+    m.hazard(Hazard::OutOfRange, outside);
+    m.when(m.d.lnot(outside), [&] {
+      m.repeat(count, 8, static_cast<int>(std::min<std::uint32_t>(room, 255)), [&](int k) {
+        a.storeBitAt(0, k, m.d.constant(value));
+        const Ref<D>& r = a.ref(0);
+        if constexpr (!value) {
+          if (r.area == Area::T || r.area == Area::C) m.save(r.area, r.offset + static_cast<std::uint32_t>(k), Width::Word, m.number(0, 16));
+          if (r.area == Area::T) m.setBit(Reg::TimerRunning, r.offset + static_cast<std::uint32_t>(k), m.d.constant(false));
+        }
+        if constexpr (immediate) m.setBit(Reg::PhysicalOutput, r.offset * 8 + r.bit + static_cast<std::uint32_t>(k), m.d.constant(value));
+      });
+    });
+  }
+};
+
+using Set = Latch<true, false, "S", "S", "set N bits">;
+using Reset = Latch<false, false, "R", "R", "reset N bits">;
+using SetImmediate = Latch<true, true, "SI", "SI", "set N bits immediate">;
+using ResetImmediate = Latch<false, true, "RI", "RI", "reset N bits immediate">;
+
+using CoilGroup = Group<Assign, AssignImmediate, Set, Reset, SetImmediate, ResetImmediate>;
+
+}  // namespace rungproof::isa

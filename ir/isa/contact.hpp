@@ -1,0 +1,72 @@
+// Contacts: LD A O with their negated and immediate forms, NOT (001:2719-2739; s7200 digest A 2.1-2.3).
+// A contact of I or Q reads the process image; an immediate one the physical input at that moment (001:2731).
+#pragma once
+
+#include "ir/isa/group.hpp"
+
+namespace rungproof::isa {
+
+/// How a contact joins the stack: pushed, ANDed with the top, ORed with it.
+enum class Joint { Load, And, Or };
+
+template <Joint joint, class D>
+void join(Machine<D>& m, typename D::Bool value) {
+  if constexpr (joint == Joint::Load) m.push(value);
+  if constexpr (joint == Joint::And) m.setTop(m.d.land(m.top(), value));
+  if constexpr (joint == Joint::Or) m.setTop(m.d.lor(m.top(), value));
+}
+
+constexpr StackEffect stackOf(Joint joint) { return joint == Joint::Load ? StackEffect{0, 0, 1} : StackEffect{1, 0, 0}; }
+
+template <Joint joint, bool negated, Name stlName, Name germanName, Name meaning, std::uint16_t time>
+struct Contact {
+  static constexpr Desc desc = withOperands(
+      {.stl = stlName.view(), .german = germanName.view(), .meaning = meaning.view(), .group = "boolean", .execution = Execution::Stack,
+       .stack = stackOf(joint), .time = time, .manual = "001:2750"},
+      {in("bit", Type::Bool, form::bitAny)});
+  template <class D>
+  static void run(Machine<D>& m, Args<D>& a) {
+    join<joint>(m, negated ? m.d.lnot(a.bit(0)) : a.bit(0));
+  }
+};
+
+template <Joint joint, bool negated, Name stlName, Name germanName, Name meaning>
+struct ImmediateContact {
+  static constexpr Desc desc = withOperands(
+      {.stl = stlName.view(), .german = germanName.view(), .meaning = meaning.view(), .group = "boolean", .execution = Execution::Stack,
+       .stack = stackOf(joint), .time = 1500, .manual = "001:2751"},
+      {in("bit", Type::Bool, form::I)});
+  template <class D>
+  static void run(Machine<D>& m, Args<D>& a) {
+    const Operand& o = a.operand(0);
+    const auto value = m.externalBit(External::ImmediateInput, o.offset * 8 + o.bit);
+    join<joint>(m, negated ? m.d.lnot(value) : value);
+  }
+};
+
+/// NOT inverts the top; the other levels stay (001:2735).
+struct Not {
+  static constexpr Desc desc{.stl = "NOT", .meaning = "invert the top of the stack", .group = "boolean", .execution = Execution::Stack,
+                             .stack = {1, 0, 0}, .time = 22, .manual = "001:2735"};
+  template <class D>
+  static void run(Machine<D>& m, Args<D>&) {
+    m.setTop(m.d.lnot(m.top()));
+  }
+};
+
+using Ld = Contact<Joint::Load, false, "LD", "LD", "load bit", 80>;
+using Ldn = Contact<Joint::Load, true, "LDN", "LDN", "load inverted bit", 90>;
+using And = Contact<Joint::And, false, "A", "U", "AND bit", 72>;
+using Andn = Contact<Joint::And, true, "AN", "UN", "AND inverted bit", 72>;
+using Or = Contact<Joint::Or, false, "O", "O", "OR bit", 72>;
+using Orn = Contact<Joint::Or, true, "ON", "ON", "OR inverted bit", 72>;
+using Ldi = ImmediateContact<Joint::Load, false, "LDI", "LDI", "load bit immediate">;
+using Ldni = ImmediateContact<Joint::Load, true, "LDNI", "LDNI", "load inverted bit immediate">;
+using Ai = ImmediateContact<Joint::And, false, "AI", "UI", "AND bit immediate">;
+using Ani = ImmediateContact<Joint::And, true, "ANI", "UNI", "AND inverted bit immediate">;
+using Oi = ImmediateContact<Joint::Or, false, "OI", "OI", "OR bit immediate">;
+using Oni = ImmediateContact<Joint::Or, true, "ONI", "ONI", "OR inverted bit immediate">;
+
+using ContactGroup = Group<Ld, Ldn, And, Andn, Or, Orn, Ldi, Ldni, Ai, Ani, Oi, Oni, Not>;
+
+}  // namespace rungproof::isa

@@ -1,0 +1,10 @@
+// Placeholder group, to be filled.
+#pragma once
+
+#include "ir/isa/group.hpp"
+
+namespace rungproof::isa {
+
+using HscGroup = Group<>;
+
+}  // namespace rungproof::isa

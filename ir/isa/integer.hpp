@@ -1,0 +1,84 @@
+// Integer arithmetic: +I -I *I /I, +D -D *D /D, MUL, DIV (001:4786-4936; s7200 digest B 1-2).
+// On overflow SM1.1 is set and the operands stay as they were; on division by zero SM1.3 is set and the other
+// status bits keep their values (001:4814).
+#pragma once
+
+#include "ir/isa/group.hpp"
+
+namespace rungproof::isa {
+
+inline constexpr StatusBits arithmeticBits = status::Zero | status::Overflow | status::Negative;
+
+/// Sets SM1.0-SM1.2 from a signed result of width w and clears SM1.1.
+template <class D>
+void arithmeticFlags(Machine<D>& m, typename D::Bits result, int w) {
+  m.flag(status::Zero, m.d.equal(result, m.number(0, w), w));
+  m.flag(status::Overflow, m.d.constant(false));
+  m.flag(status::Negative, m.d.bit(result, w - 1));
+}
+
+/// The overflow case: SM1.1, meaningless SM1.0 and SM1.2 (001:4814), ENO 0.
+template <class D>
+void arithmeticOverflow(Machine<D>& m, typename D::Bool overflow) {
+  m.hazard(Hazard::Overflow, overflow);
+  m.when(overflow, [&] {
+    m.flag(status::Overflow, m.d.constant(true));
+    m.flag(status::Zero, m.externalBit(External::UnknownStatus, 0));
+    m.flag(status::Negative, m.externalBit(External::UnknownStatus, 2));
+  });
+}
+
+enum class Integer { Add, Sub, Mul, Div };
+
+template <Integer operation, bool wide, Name stlName, Name meaning, std::uint16_t time>
+struct IntegerMath {
+  static constexpr Type type = wide ? Type::DInt : Type::Int;
+  static constexpr int w = wide ? 32 : 16;
+  static constexpr Desc desc = withOperands(
+      {.stl = stlName.view(), .meaning = meaning.view(), .group = "math, increment, decrement", .stack = {1, 0, 0}, .eno = true,
+       .affects = static_cast<StatusBits>(arithmeticBits | (operation == Integer::Div ? status::DivideByZero : 0)),
+       .time = time, .manual = "001:4814"},
+      {in("IN1", type, wide ? form::dwordIn : form::wordIn), inout("OUT", type, wide ? form::dwordOut : form::wordOut)});
+
+  template <class D>
+  static void run(Machine<D>& m, Args<D>& a) {
+    D& d = m.d;
+    const auto operand = a.value(0);
+    const auto old = a.value(1);
+    auto legal = d.constant(true);
+    if constexpr (operation == Integer::Div) {
+      const auto byZero = d.equal(operand, m.number(0, w), w);
+      m.hazard(Hazard::DivideByZero, byZero);
+      m.flag(status::DivideByZero, byZero);
+      legal = d.lnot(byZero);
+    }
+    m.when(legal, [&] {
+      const auto x = d.sext(old, w, 2 * w), y = d.sext(operand, w, 2 * w);
+      typename D::Bits exact{};
+      if constexpr (operation == Integer::Add) exact = d.add(x, y, 2 * w);
+      if constexpr (operation == Integer::Sub) exact = d.sub(x, y, 2 * w);
+      if constexpr (operation == Integer::Mul) exact = d.mul(x, y, 2 * w);
+      if constexpr (operation == Integer::Div) exact = d.sdiv(x, y, 2 * w);
+      const auto result = d.extract(exact, w - 1, 0);
+      const auto overflow = d.lnot(d.equal(d.sext(result, w, 2 * w), exact, 2 * w));
+      arithmeticOverflow(m, overflow);
+      m.when(d.lnot(overflow), [&] {
+        a.store(1, result);
+        arithmeticFlags(m, result, w);
+      });
+    });
+  }
+};
+
+using AddInt = IntegerMath<Integer::Add, false, "+I", "add integers", 2600>;
+using SubInt = IntegerMath<Integer::Sub, false, "-I", "subtract integers", 2600>;
+using MulInt = IntegerMath<Integer::Mul, false, "*I", "multiply integers", 3700>;
+using DivInt = IntegerMath<Integer::Div, false, "/I", "divide integers", 4800>;
+using AddDInt = IntegerMath<Integer::Add, true, "+D", "add double integers", 2900>;
+using SubDInt = IntegerMath<Integer::Sub, true, "-D", "subtract double integers", 2900>;
+using MulDInt = IntegerMath<Integer::Mul, true, "*D", "multiply double integers", 5400>;
+using DivDInt = IntegerMath<Integer::Div, true, "/D", "divide double integers", 9300>;
+
+using IntegerGroup = Group<AddInt, SubInt, MulInt, DivInt, AddDInt, SubDInt, MulDInt, DivDInt>;
+
+}  // namespace rungproof::isa

@@ -1,0 +1,10 @@
+// Placeholder group, to be filled.
+#pragma once
+
+#include "ir/isa/group.hpp"
+
+namespace rungproof::isa {
+
+using PulseGroup = Group<>;
+
+}  // namespace rungproof::isa

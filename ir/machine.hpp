@@ -1,0 +1,281 @@
+// Machine<D>: the S7-200 as instruction meanings see it, over a domain D of values. It offers the logic stack,
+// typed operands, guarded writes, hazards and the ENO bit; the state itself lives in D::Store.
+//
+// Guards replace branches: `guard` is the condition under which the current instruction runs. Every write
+// takes effect only under it. For Concrete the guard is always true where code runs at all; for Graph a write
+// becomes "if guard then new else old". Meanings use when() instead of `if` on values.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "ir/check.hpp"
+#include "ir/choices.hpp"
+#include "ir/cpu.hpp"
+#include "ir/desc.hpp"
+#include "ir/domain.hpp"
+#include "ir/hazard.hpp"
+#include "ir/plan.hpp"
+#include "ir/program.hpp"
+#include "ir/register.hpp"
+
+namespace rungproof {
+
+/// Sources of values that the program does not determine. Concrete takes them from the stimulus or a fixed
+/// choice; Graph makes a fresh input of the scan for each.
+enum class External : std::uint8_t {
+  ImmediateInput,   ///< physical input read in mid-scan; index = bit number 0..127
+  AnalogInput,      ///< AIW; index = word address
+  StackBottom,      ///< level shifted in by a pop (001:2868)
+  LocalMemory,      ///< L on entry to a block (001:1373); index = byte
+  ClockByte,        ///< byte of the real-time clock; index = offset in the TODR buffer
+  IntervalClock,    ///< free-running ms counter of BITIM
+  NetworkStatus,    ///< NETR/NETW completion; index = table byte
+  ReceivedByte,
+  StationAddress,
+  LibraryOutput,    ///< result of a library block; index = parameter
+  AsyncTicks,       ///< 1 ms ticks that elapse before this instruction
+  EventFires,       ///< whether interrupt event `index` occurs before this instruction
+  UnknownStatus     ///< status bits that the manual calls meaningless after an error (001:4814)
+};
+
+/// Where an external value is asked for; with the order of execution it identifies the value within a scan.
+struct ExternalSite {
+  External kind;
+  std::uint32_t index = 0;
+  std::uint32_t instruction = 0;  ///< Instruction::id
+};
+
+/// One target of a pointer: used if `condition` holds.
+template <class D>
+struct PointerTarget {
+  typename D::Bool condition;
+  Area area;
+  std::uint32_t offset;  ///< byte, or number for T and C
+};
+
+/// Numeric form of a pointer: area tag in the high byte, byte offset below (timers and counters: 2 * number,
+/// because the step from one current value to the next is 2, 001:1478). The manual leaves the form open.
+namespace pointer {
+constexpr std::optional<Area> areaOf(std::uint32_t value) {
+  switch (value >> 24) {
+    case 0x00: return Area::I;
+    case 0x01: return Area::Q;
+    case 0x02: return Area::AI;
+    case 0x03: return Area::AQ;
+    case 0x04: return Area::M;
+    case 0x05: return Area::SM;
+    case 0x06: return Area::S;
+    case 0x08: return Area::V;
+    case 0x09: return Area::T;
+    case 0x0A: return Area::C;
+    default: return std::nullopt;
+  }
+}
+constexpr std::uint32_t encode(Area area, std::uint32_t offset) {
+  std::uint32_t tag = 0;
+  switch (area) {
+    case Area::I: tag = 0x00; break;
+    case Area::Q: tag = 0x01; break;
+    case Area::AI: tag = 0x02; break;
+    case Area::AQ: tag = 0x03; break;
+    case Area::M: tag = 0x04; break;
+    case Area::SM: tag = 0x05; break;
+    case Area::S: tag = 0x06; break;
+    case Area::V: tag = 0x08; break;
+    case Area::T: tag = 0x09; offset *= 2; break;
+    case Area::C: tag = 0x0A; offset *= 2; break;
+    default: tag = 0xFF; break;
+  }
+  return tag << 24 | offset;
+}
+constexpr std::uint32_t offsetOf(std::uint32_t value) {
+  const std::uint32_t offset = value & 0xFFFFFF;
+  const bool byNumber = value >> 24 == 0x09 || value >> 24 == 0x0A;
+  return byNumber ? offset / 2 : offset;
+}
+/// Whether the pointer names a whole element of that area on that CPU.
+inline bool isLegal(const Target& target, std::uint32_t value, Width width) {
+  const std::optional<Area> area = areaOf(value);
+  if (!area) return false;
+  if ((*area == Area::T || *area == Area::C) && ((value & 1) != 0 || width != Width::Word)) return false;
+  if ((*area == Area::AI || *area == Area::AQ) && width != Width::Word) return false;
+  return addressExists(target, *area, width, offsetOf(value), 0);
+}
+}  // namespace pointer
+
+/// An operand made ready for an access: a constant, one place, or the possible targets of a pointer.
+template <class D>
+struct Ref {
+  const Operand* operand = nullptr;
+  Area area = Area::V;
+  std::uint32_t offset = 0;  ///< byte or number
+  std::uint8_t bit = 0;
+  bool isPlace = false;
+  bool isUnresolved = false;                ///< pointer whose targets are not known: reads give anything
+  typename D::Bits value{};                 ///< constant
+  typename D::Targets targets{};            ///< a container of PointerTarget<D>; empty unless a pointer with several targets
+};
+
+template <class D>
+class Machine {
+ public:
+  using Bool = typename D::Bool;
+  using Bits = typename D::Bits;
+
+  Machine(D& domain, typename D::Store& state, const Plan& programPlan, const Choices& choiceTable)
+      : d(domain), store(state), plan(programPlan), target(programPlan.program->target), choices(choiceTable),
+        guard(domain.constant(true)), halted(domain.constant(false)), scrActive(domain.constant(true)), ticks100(domain.literal(0, 16)) {
+    stack.fill(domain.constant(false));
+  }
+
+  D& d;
+  typename D::Store& store;
+  const Plan& plan;
+  const Target target;
+  const Choices& choices;
+
+  Bool guard;        ///< the current instruction runs under this condition
+  Bool halted;       ///< STOP or a fatal error has ended the program
+  Bool scrActive;    ///< true outside segments; inside: the SCR stack
+  std::array<Bool, 9> stack;  ///< logic stack, [0] is the top (001:2753)
+  unsigned frame = 0;         ///< local memory in use: 0 main, 1..8 nesting, 9 interrupt, 10 its subroutine
+  bool inInterrupt = false;
+  const Instruction* current = nullptr;
+  Bits ticks100;  ///< 100 ms ticks between the starts of the previous and of this scan, width 16 (001:6611)
+
+  // ---- Flow of values --------------------------------------------------------------------------
+
+  /// Runs body under `condition`. Concrete skips it when false.
+  template <class Body>
+  void when(Bool condition, Body&& body) {
+    if (const std::optional<bool> known = d.truth(condition); known && !*known) return;
+    const Bool saved = guard;
+    guard = d.land(saved, condition);
+    if (const std::optional<bool> known = d.truth(guard); !known || *known) body();
+    guard = d.land(saved, d.lnot(halted));
+  }
+  /// Runs body(k) for k = 0 .. count-1; `count` has width w and at most `limit` rounds are followed.
+  template <class Body>
+  void repeat(Bits count, int w, int limit, Body&& body) {
+    for (int k = 0; k < limit; ++k) {
+      const Bool more = d.ult(d.literal(static_cast<std::uint64_t>(k), w), count, w);
+      if (const std::optional<bool> known = d.truth(more); known && !*known) return;
+      when(more, [&] { body(k); });
+    }
+  }
+  Bits number(std::uint64_t value, int w) { return d.literal(value, w); }
+
+  // ---- Logic stack ------------------------------------------------------------------------------
+
+  void push(Bool value) {
+    for (std::size_t i = stack.size() - 1; i > 0; --i) setLevel(i, stack[i - 1]);
+    setLevel(0, value);
+  }
+  Bool pop() {
+    const Bool top = stack[0];
+    for (std::size_t i = 0; i + 1 < stack.size(); ++i) setLevel(i, stack[i + 1]);
+    setLevel(stack.size() - 1, externalBit(External::StackBottom));
+    return top;
+  }
+  Bool top() const { return stack[0]; }
+  Bool level(std::size_t i) const { return stack[i]; }
+  void setTop(Bool value) { setLevel(0, value); }
+  void setLevel(std::size_t i, Bool value) { stack[i] = d.select(guard, value, stack[i]); }
+  /// What coils, boxes, timers and counters see of a level: gated by the SCR segment they stand in (001:5830).
+  Bool powerFlow(std::size_t i = 0) { return d.land(stack[i], scrActive); }
+
+  // ---- State --------------------------------------------------------------------------------------
+
+  Bits get(Reg reg, std::uint32_t index = 0) { return store.get(reg, index); }
+  Bool getBit(Reg reg, std::uint32_t index = 0) { return d.bit(store.get(reg, index), 0); }
+  void set(Reg reg, std::uint32_t index, Bits value) { store.set(reg, index, value, guard); }
+  void setBit(Reg reg, std::uint32_t index, Bool value) { store.set(reg, index, d.fromBool(value, 1), guard); }
+
+  /// One bit of a memory area; `bit` may exceed 7 and then reaches into the following bytes.
+  Bool loadBit(Area area, std::uint32_t byte, std::uint32_t bit = 0) {
+    return d.bit(store.load(area, addressBits(area, byte) + bit, 1), 0);
+  }
+  void saveBit(Area area, std::uint32_t byte, std::uint32_t bit, Bool value) {
+    store.save(area, addressBits(area, byte) + bit, 1, d.fromBool(value, 1), guard);
+  }
+  Bool sm(std::uint32_t byte, std::uint32_t bit) { return loadBit(Area::SM, byte, bit); }
+  void setSm(std::uint32_t byte, std::uint32_t bit, Bool value) { saveBit(Area::SM, byte, bit, value); }
+  /// SM1.0-SM1.7 by status bit (status::Zero ...).
+  void flag(StatusBits which, Bool value) {
+    for (std::uint32_t bit = 0; bit < 8; ++bit) {
+      if ((which >> bit & 1) != 0) setSm(1, bit, value);
+    }
+  }
+
+  /// Value of `width` at byte `offset` of an area (T, C, AC, HC: number). AC uses its low bits (001:1344).
+  Bits load(Area area, std::uint32_t offset, Width width, std::uint32_t bit = 0);
+  void save(Area area, std::uint32_t offset, Width width, Bits value, std::uint32_t bit = 0);
+
+  // ---- Externals, errors --------------------------------------------------------------------------
+
+  Bits external(External kind, std::uint32_t index, int width) {
+    return d.external(ExternalSite{kind, index, current == nullptr ? 0 : current->id}, width);
+  }
+  Bool externalBit(External kind, std::uint32_t index = 0) { return d.bit(external(kind, index, 1), 0); }
+
+  /// Reports that `condition` means that error here: SM4.3 for non-fatal ones, end of the program for fatal
+  /// ones, nothing but the report for status-only ones (the meaning itself sets the SM1 bit). ENO drops in all cases.
+  void hazard(Hazard which, Bool condition) {
+    if (const std::optional<bool> known = d.truth(condition); known && !*known) return;
+    const Bool happens = d.land(guard, condition);
+    if (const std::optional<bool> known = d.truth(happens); known && !*known) return;
+    d.report(which, happens, current);
+    const Bool saved = guard;
+    guard = happens;
+    setBit(Reg::Eno, 0, d.constant(false));
+    if (hazardInfo(which).kind == HazardClass::NonFatal) setSm(4, 3, d.constant(true));
+    guard = saved;
+    if (hazardInfo(which).kind == HazardClass::Fatal) halt(condition);
+  }
+  /// Ends the program under `condition` (STOP in the main program, fatal errors).
+  void halt(Bool condition) {
+    halted = d.lor(halted, d.land(guard, condition));
+    guard = d.land(guard, d.lnot(condition));
+  }
+
+ private:
+  std::uint32_t addressBits(Area area, std::uint32_t byte) const {
+    return (area == Area::L ? frame * 64 + byte : byte) * 8;
+  }
+};
+
+template <class D>
+typename D::Bits Machine<D>::load(Area area, std::uint32_t offset, Width width, std::uint32_t bit) {
+  switch (area) {
+    case Area::T: return get(width == Width::Bit ? Reg::TimerBit : Reg::TimerCurrent, offset);
+    case Area::C: return get(width == Width::Bit ? Reg::CounterBit : Reg::CounterCurrent, offset);
+    case Area::HC: return get(Reg::HscCurrent, offset);
+    case Area::AC: {
+      const Bits all = get(Reg::Accumulator, offset);
+      return width == Width::DWord ? all : d.extract(all, bits(width) - 1, 0);
+    }
+    case Area::AI: return external(External::AnalogInput, offset, 16);
+    default: return store.load(area, addressBits(area, offset) + (width == Width::Bit ? bit : 0), bits(width));
+  }
+}
+
+template <class D>
+void Machine<D>::save(Area area, std::uint32_t offset, Width width, Bits value, std::uint32_t bit) {
+  switch (area) {
+    case Area::T: set(width == Width::Bit ? Reg::TimerBit : Reg::TimerCurrent, offset, value); return;
+    case Area::C: set(width == Width::Bit ? Reg::CounterBit : Reg::CounterCurrent, offset, value); return;
+    case Area::HC: return;  // write-protected (001:1336); ADR003 reports it
+    case Area::AC: {
+      const int w = bits(width);
+      const Bits high = get(Reg::Accumulator, offset);
+      set(Reg::Accumulator, offset, w == 32 ? value : d.concat(d.extract(high, 31, w), 32 - w, value, w));
+      return;
+    }
+    default: store.save(area, addressBits(area, offset) + (width == Width::Bit ? bit : 0), bits(width), value, guard); return;
+  }
+}
+
+}  // namespace rungproof

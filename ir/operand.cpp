@@ -1,0 +1,95 @@
+// Spelling of operands.
+#include "ir/operand.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+
+namespace rungproof {
+
+std::string_view areaName(Area area) {
+  static constexpr std::array<std::string_view, areaCount> names = {"I", "Q", "AI", "AQ", "V", "M", "S",
+                                                                    "SM", "L", "T", "C", "AC", "HC"};
+  return names[static_cast<std::size_t>(area)];
+}
+
+std::string addressName(Area area, Width width, std::uint32_t offset, unsigned bit) {
+  switch (area) {
+    case Area::T:
+    case Area::C:
+    case Area::AC:
+    case Area::HC: return fmt::format("{}{}", areaName(area), offset);
+    case Area::AI:
+    case Area::AQ: return fmt::format("{}W{}", areaName(area), offset);
+    default: break;
+  }
+  switch (width) {
+    case Width::Bit: return fmt::format("{}{}.{}", areaName(area), offset, bit);
+    case Width::Byte: return fmt::format("{}B{}", areaName(area), offset);
+    case Width::Word: return fmt::format("{}W{}", areaName(area), offset);
+    case Width::DWord: return fmt::format("{}D{}", areaName(area), offset);
+  }
+  return {};
+}
+
+namespace {
+
+std::string constantText(const Operand& operand) {
+  switch (operand.form) {
+    case ConstantForm::Hex: return fmt::format("16#{:X}", static_cast<std::uint64_t>(operand.value));
+    case ConstantForm::Binary: return fmt::format("2#{:b}", static_cast<std::uint64_t>(operand.value));
+    case ConstantForm::SignedDecimal: return fmt::format("{:+}", operand.value);
+    case ConstantForm::Real: {
+      const float real = std::bit_cast<float>(static_cast<std::uint32_t>(operand.value));
+      std::string text = fmt::format("{}", real);
+      if (text.find_first_of(".eni") == std::string::npos) text += ".0";
+      return text;
+    }
+    case ConstantForm::Ascii: {
+      std::string characters;
+      for (int shift = 24; shift >= 0; shift -= 8) {
+        const char c = static_cast<char>(operand.value >> shift);
+        if (c != 0) characters += c;
+      }
+      return "'" + characters + "'";
+    }
+    case ConstantForm::Boolean: return operand.value != 0 ? "TRUE" : "FALSE";
+    default: return fmt::format("{}", operand.value);
+  }
+}
+
+}  // namespace
+
+std::string toString(const Operand& operand) {
+  switch (operand.kind) {
+    case OperandKind::Direct: return addressName(operand.area, operand.width, operand.offset, operand.bit);
+    case OperandKind::Indirect: return "*" + addressName(operand.area, Width::DWord, operand.offset);
+    case OperandKind::Address: return "&" + addressName(operand.area, Width::Byte, operand.offset);
+    case OperandKind::Constant: return constantText(operand);
+    case OperandKind::Text: return "\"" + operand.text + "\"";
+    case OperandKind::Symbol: return operand.text;
+    case OperandKind::Missing: return "????";
+  }
+  return {};
+}
+
+Operand direct(Area area, Width width, std::uint32_t offset, unsigned bit) {
+  Operand operand;
+  operand.kind = OperandKind::Direct;
+  operand.area = area;
+  operand.width = width;
+  operand.offset = offset;
+  operand.bit = static_cast<std::uint8_t>(bit);
+  return operand;
+}
+
+Operand constant(std::int64_t value, ConstantForm form) {
+  Operand operand;
+  operand.kind = OperandKind::Constant;
+  operand.value = value;
+  operand.form = form;
+  return operand;
+}
+
+}  // namespace rungproof

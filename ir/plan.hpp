@@ -1,0 +1,37 @@
+// What is known about a program before it runs: the flow of each block, a number for each EU and ED, and which
+// timers are of which kind. Engine and encoder build it once per program.
+#pragma once
+
+#include <map>
+#include <string_view>
+#include <vector>
+
+#include "ir/flow.hpp"
+
+namespace rungproof {
+
+/// A timer box that occurs in the program. A number used by boxes of two kinds has two entries (TIM002).
+struct TimerUse {
+  std::uint32_t number;
+  const Desc* desc;  ///< TON, TOF, TONR or an IEC box
+  int resolution;    ///< ms
+};
+
+struct Plan {
+  explicit Plan(const Program& program);
+
+  const Program* program;
+  std::vector<Flow> flows;            ///< parallel to Program::pous
+  std::vector<std::uint32_t> edge;    ///< by Instruction::id: number of the EU or ED, else noPartner
+  std::uint32_t edgeCount = 0;
+  std::vector<TimerUse> timers;       ///< in the order of first use
+
+  const Flow* main() const { return find(PouKind::Main, -1); }
+  const Flow* subroutine(int number) const { return find(PouKind::Subroutine, number); }
+  const Flow* interrupt(int number) const { return find(PouKind::Interrupt, number); }
+
+ private:
+  const Flow* find(PouKind kind, int number) const;
+};
+
+}  // namespace rungproof

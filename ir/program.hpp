@@ -1,0 +1,112 @@
+// A program: blocks (POUs), networks, instructions, declarations. Every reader produces it; rules, engine,
+// encoder and printers consume it. Operands keep the place where they were written.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ir/cpu.hpp"
+#include "ir/finding.hpp"
+#include "ir/operand.hpp"
+#include "ir/source.hpp"
+
+namespace rungproof {
+
+struct Desc;  // descriptor of an instruction, isa.hpp
+
+enum class PouKind : std::uint8_t { Main, Subroutine, Interrupt };
+enum class VarSection : std::uint8_t { Input, InOut, Output, Temp };
+enum class Form : std::uint8_t { Stl, Ladder, Fbd };
+
+/// A row of a local variable table with its place in L memory (001:6817-6821).
+struct LocalVariable {
+  std::string name;
+  VarSection section = VarSection::Temp;
+  DataType type = DataType::Bool;
+  Operand address;  ///< L operand assigned by the layout rule
+  Span span;
+};
+
+struct Instruction {
+  const Desc* desc = nullptr;  ///< never null in a program; unknown mnemonics become findings, not instructions
+  std::vector<Operand> operands;
+  Span span;             ///< mnemonic through last operand
+  Span mnemonic;         ///< the mnemonic as written
+  std::uint32_t id = 0;  ///< number over the whole program, in program order; set by Program::number()
+};
+
+struct Comment {
+  Span span;  ///< the comment with its marker
+};
+
+struct Network {
+  int number = 0;  ///< as written, or counted from 1
+  std::string title;
+  std::vector<Comment> comments;
+  std::vector<Instruction> instructions;
+  Span span;        ///< heading through last line
+  Form form = Form::Stl;
+  bool complete = true;  ///< false: a line of it could not be read; its findings stand in Program::findings
+};
+
+struct Pou {
+  PouKind kind = PouKind::Main;
+  std::string name;  ///< "MAIN", "SBR_0", or the symbolic name
+  int number = 0;    ///< of SBRn, INTn, OBn
+  std::string title;
+  std::vector<LocalVariable> locals;
+  std::vector<Network> networks;
+  std::vector<Comment> comments;  ///< outside networks
+  Span span;
+  bool protectedBlock = false;  ///< password-protected: no instruction is visible
+};
+
+/// A row of a symbol table.
+struct Symbol {
+  std::string name;
+  Operand address;
+  std::string comment;
+  Span span;
+};
+
+/// An initial value of V memory from a data block: `width` bytes big-endian at VB`offset`, or a text.
+struct DataInit {
+  std::uint32_t offset = 0;
+  std::vector<std::uint8_t> bytes;
+  Span span;
+};
+
+/// A line `//@ ...` or a statement of a property file, kept as text for analysis/property.
+struct Directive {
+  std::string text;
+  Span span;
+  int pou = -1;  ///< index of the block that contains it, -1 outside
+  int network = 0;
+};
+
+struct Program {
+  std::shared_ptr<SourceSet> sources = std::make_shared<SourceSet>();
+  Target target;
+  std::vector<Pou> pous;  ///< main first when there is one
+  std::vector<Symbol> symbols;
+  std::vector<DataInit> data;
+  std::vector<Directive> directives;
+  std::vector<Finding> findings;  ///< of the readers
+  bool olderDialect = false;      ///< one-text dialect of the S7-212/214 time (MEND, SBR n)
+
+  /// Numbers all instructions in program order; call after the last block was added.
+  void number();
+  std::size_t instructionCount() const;
+  const Pou* main() const;
+  const Pou* subroutine(int number) const;
+  const Pou* interrupt(int number) const;
+  /// The symbol of an address, or nullptr.
+  const Symbol* symbolOf(const Operand& address) const;
+  const Symbol* symbolNamed(std::string_view name) const;
+};
+
+}  // namespace rungproof

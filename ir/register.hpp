@@ -1,0 +1,87 @@
+// Registers of the machine that are not addressable memory: timers, counters, edge memories, devices, clocks.
+// One row per kind: width and count. Together with the memory areas they are the whole state of the machine.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace rungproof {
+
+enum class Reg : std::uint8_t {
+  Accumulator,
+  TimerCurrent, TimerBit, TimerRunning, TimerPreset, TimerInput,
+  CounterCurrent, CounterBit, CounterUp, CounterDown,
+  EdgeMemory, EdgeSeen,
+  PhysicalInput, PhysicalOutput,
+  EventRoutine, InterruptsEnabled,
+  HscCurrent, HscPreset, HscMode, HscEnabled, HscUp,
+  PulseBusy, PulsePending, PulseCycle, PulseWidth, PulseCount, PulseIsPwm,
+  PortBusy, NetActive,
+  PidHistory,
+  PhaseTen, PhaseHundred, PhaseSecond, PhaseMinute,
+  Eno, FirstScan, Running, DiagnosticLed,
+  count
+};
+
+struct RegInfo {
+  Reg reg;
+  std::string_view name;
+  std::uint8_t width;   ///< bits
+  std::uint32_t count;  ///< 0: one per EU/ED of the program
+};
+
+inline constexpr std::array<RegInfo, static_cast<std::size_t>(Reg::count)> regTable = {{
+    {Reg::Accumulator, "AC", 32, 4},
+    {Reg::TimerCurrent, "T.value", 16, 256},
+    {Reg::TimerBit, "T", 1, 256},
+    {Reg::TimerRunning, "T.running", 1, 256},  // TON, TONR: enabled; TOF, TP: timing
+    {Reg::TimerPreset, "T.preset", 16, 256},   // of the last execution, for refreshes between executions
+    {Reg::TimerInput, "T.in", 1, 256},         // input of the last execution
+    {Reg::CounterCurrent, "C.value", 16, 256},
+    {Reg::CounterBit, "C", 1, 256},
+    {Reg::CounterUp, "C.up", 1, 256},          // count inputs of the last execution
+    {Reg::CounterDown, "C.down", 1, 256},
+    {Reg::EdgeMemory, "edge", 1, 0},
+    {Reg::EdgeSeen, "edge.seen", 1, 0},
+    {Reg::PhysicalInput, "input", 1, 128},
+    {Reg::PhysicalOutput, "output", 1, 128},
+    {Reg::EventRoutine, "event", 8, 34},       // 0: detached, else interrupt number + 1
+    {Reg::InterruptsEnabled, "interrupts", 1, 1},
+    {Reg::HscCurrent, "HC", 32, 6},
+    {Reg::HscPreset, "HC.preset", 32, 6},
+    {Reg::HscMode, "HC.mode", 8, 6},           // 0: no HDEF yet, else mode + 1
+    {Reg::HscEnabled, "HC.enabled", 1, 6},
+    {Reg::HscUp, "HC.up", 1, 6},
+    {Reg::PulseBusy, "PLS.busy", 1, 2},
+    {Reg::PulsePending, "PLS.pending", 1, 2},
+    {Reg::PulseCycle, "PLS.cycle", 16, 2},
+    {Reg::PulseWidth, "PLS.width", 16, 2},
+    {Reg::PulseCount, "PLS.count", 32, 2},
+    {Reg::PulseIsPwm, "PLS.pwm", 1, 2},
+    {Reg::PortBusy, "port.busy", 2, 2},        // bit 0: XMT, bit 1: RCV
+    {Reg::NetActive, "net.active", 4, 1},
+    {Reg::PidHistory, "PID.history", 1, 8},
+    {Reg::PhaseTen, "phase10", 4, 1},          // ms since the last 10 ms tick
+    {Reg::PhaseHundred, "phase100", 7, 1},
+    {Reg::PhaseSecond, "phase1000", 10, 1},
+    {Reg::PhaseMinute, "phase60000", 16, 1},
+    {Reg::Eno, "ENO", 1, 1},
+    {Reg::FirstScan, "first scan", 1, 1},
+    {Reg::Running, "RUN", 1, 1},
+    {Reg::DiagnosticLed, "DIAG", 1, 1},
+}};
+
+constexpr const RegInfo& regInfo(Reg reg) { return regTable[static_cast<std::size_t>(reg)]; }
+
+namespace detail {
+constexpr bool regTableIsInOrder() {
+  for (std::size_t i = 0; i < regTable.size(); ++i) {
+    if (static_cast<std::size_t>(regTable[i].reg) != i) return false;
+  }
+  return true;
+}
+static_assert(regTableIsInOrder(), "regTable must follow the enumeration");
+}  // namespace detail
+
+}  // namespace rungproof

@@ -1,0 +1,310 @@
+// Scan<D, Hooks>: one pass of the program over a domain. It gives control instructions their meaning (JMP, FOR,
+// CALL, SCR, END, STOP, interrupt entry) and walks the rest through the dispatch table.
+//
+// Branches are guards: branch(condition, target) sends the part of the current guard where `condition` holds to
+// `target` and keeps the rest here. Concrete follows the one part that exists. Graph walks on in program order,
+// collecting what was sent forward until its target is reached, and repeats a loop body for what was sent back
+// until nothing can be sent any more or `loopLimit` rounds were made (Hazard::LoopBound).
+//
+// Hooks: before(scan, step) is called in front of every instruction; interrupts and time within a scan live there.
+#pragma once
+
+#include <map>
+
+#include "ir/args.hpp"
+#include "ir/dispatch.hpp"
+#include "ir/plan.hpp"
+
+namespace rungproof {
+
+template <class D, class Hooks>
+class Scan {
+ public:
+  using Bool = typename D::Bool;
+  using Bits = typename D::Bits;
+  static constexpr bool isConcrete = std::same_as<Bool, bool>;
+
+  Scan(Machine<D>& machine, Hooks& hooks, int loopLimit = 256) : m_(machine), hooks_(hooks), dispatch_(dispatchTable<D>()), loopLimit_(loopLimit) {}
+
+  Machine<D>& machine() { return m_; }
+
+  /// Runs the main program once. The stack at its start is not stated; it is taken as all 0.
+  void program() {
+    const Flow* main = m_.plan.main();
+    if (main == nullptr) return;
+    enterStack(m_.d.constant(false));
+    m_.frame = 0;
+    walk(*main);
+  }
+
+  /// Runs interrupt routine `number` where `condition` holds: stack, accumulators and SM1 are saved around it
+  /// (001:5430). Its stack starts like a subroutine's.
+  void interrupt(int number, Bool condition) {
+    const Flow* routine = m_.plan.interrupt(number);
+    if (routine == nullptr) return;
+    m_.when(condition, [&] {
+      const Context saved = enter(9);
+      std::array<Bits, 4> accumulators;
+      for (std::uint32_t i = 0; i < 4; ++i) accumulators[i] = m_.get(Reg::Accumulator, i);
+      const Bits status = m_.load(Area::SM, 1, Width::Byte);
+      m_.inInterrupt = true;
+      walk(*routine);
+      m_.inInterrupt = false;
+      m_.save(Area::SM, 1, Width::Byte, status);
+      for (std::uint32_t i = 0; i < 4; ++i) m_.set(Reg::Accumulator, i, accumulators[i]);
+      leave(saved);
+    });
+  }
+
+ private:
+  struct Context {
+    std::array<Bool, 9> stack;
+    Bool scrActive;
+    unsigned frame;
+    const Instruction* current;
+  };
+
+  void enterStack(Bool top) {
+    m_.stack.fill(m_.d.constant(false));
+    m_.stack[0] = top;
+    m_.scrActive = m_.d.constant(true);
+  }
+  /// Called block: stack 1, 0, ... (001:6765), local memory undefined (001:1373).
+  Context enter(unsigned frame) {
+    Context saved{m_.stack, m_.scrActive, m_.frame, m_.current};
+    enterStack(m_.d.constant(true));
+    m_.frame = frame;
+    return saved;
+  }
+  void leave(const Context& saved) {
+    m_.stack = saved.stack;
+    m_.scrActive = saved.scrActive;
+    m_.frame = saved.frame;
+    m_.current = saved.current;
+  }
+
+  /// State of the walk over one block.
+  struct Walk {
+    const Flow& flow;
+    std::uint32_t next = 0;
+    std::map<std::uint32_t, Bool> sent{};           ///< guards on their way to a later instruction
+    std::map<std::uint32_t, int> rounds{};          ///< rounds made by each backward branch
+  };
+
+  void walk(const Flow& flow) {
+    const Bool entry = m_.guard;
+    Walk w{flow};
+    const auto end = static_cast<std::uint32_t>(flow.steps.size());
+    while (w.next < end) {
+      const std::uint32_t at = w.next++;
+      if constexpr (isConcrete) {
+        if (!m_.guard) break;
+      } else {
+        arrive(w, at);
+        if (const auto known = m_.d.truth(m_.guard); known && !*known) continue;
+      }
+      const FlowStep& step = flow.steps[at];
+      m_.current = step.instruction;
+      hooks_.before(*this, step);
+      if (step.instruction->desc->control == Control::None) {
+        dispatch_[step.instruction->desc->opcode](m_, *step.instruction);
+      } else {
+        control(w, at);
+      }
+    }
+    m_.guard = m_.d.land(entry, m_.d.lnot(m_.halted));
+  }
+
+  void arrive(Walk& w, std::uint32_t at) {
+    const auto found = w.sent.find(at);
+    if (found == w.sent.end()) return;
+    m_.guard = m_.d.lor(m_.guard, found->second);
+    w.sent.erase(found);
+  }
+  void send(Walk& w, std::uint32_t target, Bool guard) {
+    const auto [place, isNew] = w.sent.emplace(target, guard);
+    if (!isNew) place->second = m_.d.lor(place->second, guard);
+  }
+
+  /// Continues at `target` where `condition` holds. The end of the block is target steps.size().
+  void branch(Walk& w, Bool condition, std::uint32_t target) {
+    if constexpr (isConcrete) {
+      if (condition) w.next = target;
+    } else {
+      const std::uint32_t from = w.next;
+      const Bool taken = m_.d.land(m_.guard, condition);
+      const Bool stays = m_.d.land(m_.guard, m_.d.lnot(condition));
+      if (const auto known = m_.d.truth(taken); known && !*known) return;
+      if (target >= from) {
+        send(w, target, taken);
+        m_.guard = stays;
+        return;
+      }
+      if (++w.rounds[from] > loopLimit_) {
+        m_.hazard(Hazard::LoopBound, condition);
+        m_.guard = stays;
+        return;
+      }
+      send(w, from, stays);
+      m_.guard = taken;
+      w.next = target;
+    }
+  }
+
+  void control(Walk& w, std::uint32_t at);
+  void call(const Instruction& instruction);
+  void copyIn(const Instruction& instruction, const Pou& callee, unsigned calleeFrame);
+  void copyOut(const Instruction& instruction, const Pou& callee, unsigned calleeFrame);
+  void forLoop(Walk& w, std::uint32_t at);
+  void nextRound(Walk& w, std::uint32_t at);
+  void stop(Walk& w);
+
+  Machine<D>& m_;
+  Hooks& hooks_;
+  std::span<const Execute<D>> dispatch_;
+  int loopLimit_;
+};
+
+template <class D, class Hooks>
+void Scan<D, Hooks>::control(Walk& w, std::uint32_t at) {
+  const FlowStep& step = w.flow.steps[at];
+  const Instruction& instruction = *step.instruction;
+  const auto end = static_cast<std::uint32_t>(w.flow.steps.size());
+  switch (instruction.desc->control) {
+    case Control::Jump:
+      if (step.partner != noPartner) branch(w, m_.powerFlow(), step.partner);
+      break;
+    case Control::For: forLoop(w, at); break;
+    case Control::Next: nextRound(w, at); break;
+    case Control::Call: m_.when(m_.powerFlow(), [&] { call(instruction); }); break;
+    case Control::ReturnConditional:
+    case Control::InterruptReturnConditional:
+    case Control::End: branch(w, m_.powerFlow(), end); break;
+    case Control::Return:
+    case Control::InterruptReturn:
+    case Control::MainEnd: branch(w, m_.d.constant(true), end); break;
+    case Control::Stop: stop(w); break;
+    case Control::Lscr: {
+      const Operand& s = instruction.operands[0];
+      const Bool active = m_.loadBit(Area::S, s.offset, s.bit);
+      m_.setTop(active);
+      m_.scrActive = m_.d.select(m_.guard, active, m_.scrActive);
+      if (m_.choices.is(Choice::InactiveScr, "skipped") && step.partner != noPartner) branch(w, m_.d.lnot(active), step.partner);
+      break;
+    }
+    case Control::Scrt: {
+      const Operand& to = instruction.operands[0];
+      m_.when(m_.powerFlow(), [&] {
+        if (step.partner != noPartner) {
+          const Operand& from = w.flow.steps[step.partner].instruction->operands[0];
+          m_.saveBit(Area::S, from.offset, from.bit, m_.d.constant(false));
+        }
+        m_.saveBit(Area::S, to.offset, to.bit, m_.d.constant(true));
+      });
+      break;
+    }
+    case Control::ScrEndConditional:
+      if (step.partner != noPartner) branch(w, m_.powerFlow(), step.partner);
+      break;
+    case Control::ScrEnd: m_.scrActive = m_.d.select(m_.guard, m_.d.constant(true), m_.scrActive); break;
+    default: break;
+  }
+}
+
+/// FOR INDX, INIT, FINAL: without power flow, or with INIT above FINAL, the body is skipped (001:5762-5768).
+template <class D, class Hooks>
+void Scan<D, Hooks>::forLoop(Walk& w, std::uint32_t at) {
+  const FlowStep& step = w.flow.steps[at];
+  if (step.partner == noPartner) return;
+  Bool skip = m_.d.lnot(m_.powerFlow());
+  m_.when(m_.powerFlow(), [&] {
+    Args<D> args(m_, *step.instruction, *step.instruction->desc);
+    const Bool legal = args.resolve();
+    m_.hazard(Hazard::BadIndirectAddress, m_.d.lnot(legal));
+    const Bits init = args.value(1);
+    m_.when(legal, [&] { args.store(0, init); });
+    skip = m_.d.lor(skip, m_.d.lor(m_.d.lnot(legal), m_.d.slt(args.value(2), init, 16)));
+  });
+  branch(w, skip, step.partner + 1);
+}
+
+/// NEXT: INDX + 1; the loop ends when INDX exceeds FINAL, which is read anew in every round (001:5762).
+template <class D, class Hooks>
+void Scan<D, Hooks>::nextRound(Walk& w, std::uint32_t at) {
+  const FlowStep& step = w.flow.steps[at];
+  if (step.partner == noPartner) return;
+  const Instruction& head = *w.flow.steps[step.partner].instruction;
+  Args<D> args(m_, head, *head.desc);
+  const Bool legal = args.resolve();
+  m_.hazard(Hazard::BadIndirectAddress, m_.d.lnot(legal));
+  const Bits old = args.value(0);
+  const Bits index = m_.d.add(old, m_.d.literal(1, 16), 16);
+  // FINAL 32767: the increment would wrap; the loop ends there instead of running for ever (the manual is silent).
+  const Bool last = m_.d.sle(args.value(2), old, 16);
+  m_.when(legal, [&] { args.store(0, index); });
+  m_.setTop(m_.d.constant(true));
+  branch(w, m_.d.land(legal, m_.d.lnot(last)), step.partner + 1);
+}
+
+template <class D, class Hooks>
+void Scan<D, Hooks>::stop(Walk& w) {
+  const Bool stopped = m_.powerFlow();
+  m_.when(stopped, [&] { m_.setBit(Reg::Running, 0, m_.d.constant(false)); });
+  if (m_.inInterrupt) {
+    branch(w, stopped, static_cast<std::uint32_t>(w.flow.steps.size()));  // the rest of the scan is completed (001:5695)
+  } else if (m_.choices.is(Choice::MainStop, "at-once")) {
+    m_.halt(stopped);
+  }
+}
+
+template <class D, class Hooks>
+void Scan<D, Hooks>::call(const Instruction& instruction) {
+  const Flow* callee = m_.plan.subroutine(static_cast<int>(instruction.operands.empty() ? -1 : instruction.operands[0].value));
+  if (callee == nullptr) return hooks_.callWithoutBody(*this, instruction);
+  const unsigned calleeFrame = m_.frame + 1;
+  const bool tooDeep = m_.inInterrupt ? calleeFrame > 10 : calleeFrame > 8;  // 001:6744, 001:5444
+  m_.setBit(Reg::Eno, 0, m_.d.constant(true));
+  m_.hazard(Hazard::NestingTooDeep, m_.d.constant(tooDeep));
+  if (tooDeep) return;
+  for (std::uint32_t byte = 0; byte < 64; ++byte) hooks_.freshLocal(*this, calleeFrame, byte);
+  copyIn(instruction, *callee->pou, calleeFrame);
+  const Context saved = enter(calleeFrame);
+  walk(*callee);
+  leave(saved);
+  copyOut(instruction, *callee->pou, calleeFrame);
+}
+
+/// IN and IN_OUT: the value to the parameter's place in the callee's local memory (001:6815).
+template <class D, class Hooks>
+void Scan<D, Hooks>::copyIn(const Instruction& instruction, const Pou& callee, unsigned calleeFrame) {
+  const unsigned callerFrame = m_.frame;
+  std::size_t i = 1;
+  for (const LocalVariable& local : callee.locals) {
+    if (local.section == VarSection::Temp || i >= instruction.operands.size()) continue;
+    const std::size_t at = i++;
+    if (local.section == VarSection::Output) continue;
+    Args<D> args(m_, instruction, *instruction.desc);
+    const Bits value = args.parameter(at, local.type);
+    m_.frame = calleeFrame;
+    m_.save(Area::L, local.address.offset, local.address.width, value, local.address.bit);
+    m_.frame = callerFrame;
+  }
+}
+
+template <class D, class Hooks>
+void Scan<D, Hooks>::copyOut(const Instruction& instruction, const Pou& callee, unsigned calleeFrame) {
+  const unsigned callerFrame = m_.frame;
+  std::size_t i = 1;
+  for (const LocalVariable& local : callee.locals) {
+    if (local.section == VarSection::Temp || i >= instruction.operands.size()) continue;
+    const std::size_t at = i++;
+    if (local.section == VarSection::Input) continue;
+    m_.frame = calleeFrame;
+    const Bits value = m_.load(Area::L, local.address.offset, local.address.width, local.address.bit);
+    m_.frame = callerFrame;
+    Args<D> args(m_, instruction, *instruction.desc);
+    args.storeParameter(at, local.type, value);
+  }
+}
+
+}  // namespace rungproof
