@@ -1,0 +1,126 @@
+// Look-ups in the table of rules, and the sink that completes findings. Tested by tests/analysis/rule_table_test.cpp.
+#include "analysis/rule.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "ir/check.hpp"
+
+namespace rungproof {
+
+namespace {
+
+constexpr std::array groups = {
+    RuleGroup{"ADR", "Operands and addresses"},
+    RuleGroup{"SYM", "Symbols"},
+    RuleGroup{"STK", "Logic stack"},
+    RuleGroup{"OUT", "Outputs and latches"},
+    RuleGroup{"TIM", "Timers, counters, edges"},
+    RuleGroup{"CTL", "Program control"},
+    RuleGroup{"SUB", "Subroutines and local data"},
+    RuleGroup{"INT", "Interrupts"},
+    RuleGroup{"ARI", "Arithmetic and flags"},
+    RuleGroup{"PTR", "Pointers, tables, blocks"},
+    RuleGroup{"HSP", "Fast counters, pulses, communication, PID"},
+    RuleGroup{"SCR", "Sequence control relays"},
+    RuleGroup{"LOG", "Logic that cannot mean what it says"},
+    RuleGroup{"SAF", "Declared properties and built-in safety templates"},
+    RuleGroup{"GRF", "Ladder and FBD drawings"},
+    RuleGroup{"STY", "Style"},
+    RuleGroup{"SYN", "Reading the program text"},
+    RuleGroup{"SUP", "The tool itself"},
+};
+
+char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+bool sameId(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return upper(x) == upper(y); });
+}
+
+}  // namespace
+
+std::span<const RuleGroup> ruleGroups() { return groups; }
+
+const Rule* ruleNamed(std::string_view id) {
+  for (const Rule* rule : allRules()) {
+    if (sameId(rule->id, id)) return rule;
+  }
+  return nullptr;
+}
+
+std::string_view severityName(Severity severity) {
+  switch (severity) {
+    case Severity::Error: return "error";
+    case Severity::Warning: return "warning";
+    default: return "note";
+  }
+}
+
+std::string_view needsName(Needs needs) {
+  switch (needs) {
+    case Needs::Text: return "T";
+    case Needs::Flow: return "F";
+    case Needs::FlowThenSolver: return "F>Z";
+    default: return "Z";
+  }
+}
+
+PlaceIndex::PlaceIndex(const Program& program) {
+  for (const Pou& pou : program.pous) {
+    pous_.push_back({pou.span, {&pou, nullptr}});
+    for (const Network& network : pou.networks) networks_.push_back({network.span, {&pou, &network}});
+  }
+  const auto byPlace = [](const Entry& a, const Entry& b) {
+    return std::pair(a.span.file, a.span.offset) < std::pair(b.span.file, b.span.offset);
+  };
+  std::sort(pous_.begin(), pous_.end(), byPlace);
+  std::sort(networks_.begin(), networks_.end(), byPlace);
+}
+
+const PlaceIndex::Entry* PlaceIndex::containing(const std::vector<Entry>& entries, Span span) const {
+  const auto after = std::upper_bound(entries.begin(), entries.end(), span, [](const Span& s, const Entry& entry) {
+    return std::pair(s.file, s.offset) < std::pair(entry.span.file, entry.span.offset);
+  });
+  if (after == entries.begin()) return nullptr;
+  const Entry& entry = *(after - 1);
+  const bool inside = entry.span.file == span.file && span.offset < entry.span.offset + entry.span.length;
+  return inside ? &entry : nullptr;
+}
+
+ProgramPlace PlaceIndex::at(Span span) const {
+  if (const Entry* entry = containing(networks_, span)) return entry->place;
+  if (const Entry* entry = containing(pous_, span)) return entry->place;
+  return {};
+}
+
+void PlaceIndex::complete(Finding& finding) const {
+  if (!finding.pou.empty()) return;
+  const ProgramPlace place = at(finding.span);
+  if (place.pou != nullptr) finding.pou = place.pou->name;
+  if (place.network != nullptr && finding.network == 0) finding.network = place.network->number;
+}
+
+Finding& FindingSink::report(Span span, std::string message) {
+  CHECK(rule_ != nullptr, "a finding needs a rule that speaks");
+  Finding& finding = findings_.emplace_back();
+  finding.rule = std::string(rule_->id);
+  finding.severity = rule_->severity;
+  finding.message = std::move(message);
+  finding.span = span;
+  if (rule_->needs == Needs::FlowThenSolver) finding.confirmation = Confirmation::Unconfirmed;
+  places_.complete(finding);
+  return finding;
+}
+
+int FindingSink::option(std::string_view name) const {
+  CHECK(rule_ != nullptr, "an option needs a rule that asks");
+  for (const RuleOption& option : rule_->options) {
+    if (option.name != name) continue;
+    const auto found = settings_.find(std::string(rule_->id) + "." + std::string(name));
+    return found == settings_.end() ? option.initial : found->second;
+  }
+  CHECK(false, "the rule has no such option");
+  return 0;
+}
+
+}  // namespace rungproof

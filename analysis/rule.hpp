@@ -1,0 +1,136 @@
+// The rule descriptor: everything the tool knows about one rule stands in one file of analysis/checks, as one
+// object named after the file. From it come the check itself, the pages of `explain`, the list of `rules`, the
+// SARIF rules array, the configuration keys and the completion list. tests/analysis/rule_table_test.cpp demands
+// unique ids and complete pages; the good and bad examples are run by the tests of the rules.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ir/finding.hpp"
+#include "ir/program.hpp"
+
+namespace rungproof {
+
+class Facts;  // what rules may ask about a program; analysis/facts.hpp
+class FindingSink;
+
+/// How much has to be known before the rule can speak.
+enum class Needs : std::uint8_t {
+  Text,            ///< T: the text, the IR and tables
+  Flow,            ///< F: data flow or the abstract run
+  FlowThenSolver,  ///< F>Z: `check` names candidates, marked unconfirmed; the prover confirms or drops each
+  Solver           ///< Z: only the prover can answer; runs under `lint --prove` and `prove --builtin`
+};
+
+enum class RuleStatus : std::uint8_t { Stable, Preview };
+enum class FixClass : std::uint8_t { None, Safe, Unsafe };
+
+/// A set of dialects, one bit each.
+using Dialects = std::uint8_t;
+namespace dialect {
+inline constexpr Dialects S7200 = 1, S7300 = 2, Every = 3;
+}
+
+/// An integer option of a rule: configuration key `[rules.STY002] contacts = 24`.
+struct RuleOption {
+  std::string_view name;
+  int low = 0;
+  int high = 0;
+  int initial = 0;
+  std::string_view meaning;
+};
+
+struct Rule {
+  std::string_view id;        ///< "ADR001": three letters of the group, three digits; never reused
+  std::string_view title;     ///< a few words, as in the list of rules
+  Severity severity = Severity::Warning;
+  Needs needs = Needs::Text;
+  std::string_view detects;   ///< what the rule reports
+  std::string_view why;       ///< why it matters on this controller
+  std::string_view manual = {};    ///< places of the manual, "001:2677-2716, 001:13997"; empty: not in the manual text
+  std::string_view bad = {};       ///< STL of a MAIN block that the rule reports, lines ended by \n; empty: `check` is null
+  std::string_view good = {};      ///< the same mended; the rule is silent on it
+  std::string_view falsePositives = {};  ///< when it speaks without cause, and what to do then; empty: none known
+  std::string_view peers = {};     ///< rules of other tools, "SA0005; ironplc P4025"; empty: none has it
+  Dialects dialects = dialect::Every;
+  FixClass fix = FixClass::None;
+  RuleStatus status = RuleStatus::Stable;
+  bool enabledByDefault = true;
+  std::string_view since = "0.1";
+  std::span<const RuleOption> options{};
+  /// Reports into the sink. Null for rules that are spoken by the tool itself (SUP, SYN) or by the prover (Z).
+  void (*check)(const Facts&, FindingSink&) = nullptr;
+
+  constexpr std::string_view group() const { return id.substr(0, 3); }
+};
+
+/// Every rule, sorted by file name and so by id.
+std::span<const Rule* const> allRules();
+/// The rule of that id (case does not matter), or nullptr.
+const Rule* ruleNamed(std::string_view id);
+
+/// The groups: the three letters and what they are about.
+struct RuleGroup {
+  std::string_view prefix;
+  std::string_view title;
+};
+std::span<const RuleGroup> ruleGroups();
+
+std::string_view severityName(Severity severity);  ///< "error", "warning", "note"
+std::string_view needsName(Needs needs);           ///< "T", "F", "F>Z", "Z"
+
+/// Values of rule options that differ from their initial ones, keyed "STY002.contacts".
+using RuleSettings = std::map<std::string, int, std::less<>>;
+
+/// Block and network that contain a place.
+struct ProgramPlace {
+  const Pou* pou = nullptr;
+  const Network* network = nullptr;
+};
+
+/// Finds block and network of a place by their spans; built once per program, then logarithmic per question.
+class PlaceIndex {
+ public:
+  explicit PlaceIndex(const Program& program);
+  ProgramPlace at(Span span) const;
+  /// Fills Finding::pou and Finding::network where they are empty.
+  void complete(Finding& finding) const;
+
+ private:
+  struct Entry {
+    Span span;
+    ProgramPlace place;
+  };
+  const Entry* containing(const std::vector<Entry>& entries, Span span) const;
+  std::vector<Entry> pous_;
+  std::vector<Entry> networks_;
+};
+
+/// Where rules put what they found. Sets rule, severity, confirmation, block and network; the rule gives the rest.
+class FindingSink {
+ public:
+  FindingSink(const Program& program, const RuleSettings& settings) : places_(program), settings_(settings) {}
+
+  /// Adds a finding of the current rule; the reference stays valid until the next call. The rule may add help,
+  /// related places, a fix, the address, or another severity.
+  Finding& report(Span span, std::string message);
+  /// The value of an option of the current rule.
+  int option(std::string_view name) const;
+
+  /// For the runner: the rule that speaks next.
+  void begin(const Rule& rule) { rule_ = &rule; }
+  std::vector<Finding> take() { return std::move(findings_); }
+
+ private:
+  PlaceIndex places_;
+  const RuleSettings& settings_;
+  const Rule* rule_ = nullptr;
+  std::vector<Finding> findings_;
+};
+
+}  // namespace rungproof
