@@ -62,8 +62,8 @@ inline constexpr std::array<RegInfo, static_cast<std::size_t>(Reg::count)> regTa
     {Reg::PortBusy, "port.busy", 2, 2},        // bit 0: XMT, bit 1: RCV
     {Reg::NetActive, "net.active", 4, 1},
     {Reg::PidHistory, "PID.history", 1, 8},
-    {Reg::PhaseTen, "phase10", 4, 1},          // ms since the last 10 ms tick
-    {Reg::PhaseHundred, "phase100", 7, 1},
+    {Reg::PhaseTen, "phase10", 16, 1},         // ms since the last 10 ms tick that a scan took
+    {Reg::PhaseHundred, "phase100", 16, 1},
     {Reg::PhaseSecond, "phase1000", 10, 1},
     {Reg::PhaseMinute, "phase60000", 16, 1},
     {Reg::Eno, "ENO", 1, 1},

@@ -1,0 +1,72 @@
+// Interrupt events: cause, priority group and rank (tables 6-46 and 6-50, 001:5378-5415, 001:5504-5538). Which CPU
+// has which event is in cpu.hpp. Covered by tests/engine/interrupt_test.cpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace rungproof {
+
+/// Priority groups, highest first; each has its own queue (001:5480-5491).
+enum class EventGroup : std::uint8_t { Communication, InputOutput, Timed };
+inline constexpr int eventGroupCount = 3;
+
+struct EventInfo {
+  int event;
+  EventGroup group;
+  std::uint8_t rank;  ///< within the group; 0 is served first
+  std::string_view text;
+};
+
+inline constexpr std::array<EventInfo, 34> eventTable = {{
+    {0, EventGroup::InputOutput, 2, "rising edge of I0.0"},
+    {1, EventGroup::InputOutput, 6, "falling edge of I0.0"},
+    {2, EventGroup::InputOutput, 3, "rising edge of I0.1"},
+    {3, EventGroup::InputOutput, 7, "falling edge of I0.1"},
+    {4, EventGroup::InputOutput, 4, "rising edge of I0.2"},
+    {5, EventGroup::InputOutput, 8, "falling edge of I0.2"},
+    {6, EventGroup::InputOutput, 5, "rising edge of I0.3"},
+    {7, EventGroup::InputOutput, 9, "falling edge of I0.3"},
+    {8, EventGroup::Communication, 0, "port 0: character received"},
+    {9, EventGroup::Communication, 0, "port 0: transmission complete"},
+    {10, EventGroup::Timed, 0, "timed interrupt 0, SMB34"},
+    {11, EventGroup::Timed, 1, "timed interrupt 1, SMB35"},
+    {12, EventGroup::InputOutput, 10, "HSC0: current value equals preset"},
+    {13, EventGroup::InputOutput, 13, "HSC1: current value equals preset"},
+    {14, EventGroup::InputOutput, 14, "HSC1: direction changed"},
+    {15, EventGroup::InputOutput, 15, "HSC1: external reset"},
+    {16, EventGroup::InputOutput, 16, "HSC2: current value equals preset"},
+    {17, EventGroup::InputOutput, 17, "HSC2: direction changed"},
+    {18, EventGroup::InputOutput, 18, "HSC2: external reset"},
+    {19, EventGroup::InputOutput, 0, "PTO0: train complete"},
+    {20, EventGroup::InputOutput, 1, "PTO1: train complete"},
+    {21, EventGroup::Timed, 2, "T32: current value equals preset"},
+    {22, EventGroup::Timed, 3, "T96: current value equals preset"},
+    {23, EventGroup::Communication, 0, "port 0: message received"},
+    {24, EventGroup::Communication, 1, "port 1: message received"},
+    {25, EventGroup::Communication, 1, "port 1: character received"},
+    {26, EventGroup::Communication, 1, "port 1: transmission complete"},
+    {27, EventGroup::InputOutput, 11, "HSC0: direction changed"},
+    {28, EventGroup::InputOutput, 12, "HSC0: external reset"},
+    {29, EventGroup::InputOutput, 20, "HSC4: current value equals preset"},
+    {30, EventGroup::InputOutput, 21, "HSC4: direction changed"},
+    {31, EventGroup::InputOutput, 22, "HSC4: external reset"},
+    {32, EventGroup::InputOutput, 19, "HSC3: current value equals preset"},
+    {33, EventGroup::InputOutput, 23, "HSC5: current value equals preset"},
+}};
+inline constexpr int eventCount = static_cast<int>(eventTable.size());
+
+constexpr const EventInfo& eventInfo(int event) { return eventTable[static_cast<std::size_t>(event)]; }
+
+namespace detail {
+constexpr bool eventTableIsInOrder() {
+  for (std::size_t i = 0; i < eventTable.size(); ++i) {
+    if (eventTable[i].event != static_cast<int>(i)) return false;
+  }
+  return true;
+}
+static_assert(eventTableIsInOrder(), "eventTable must be sorted by event number");
+}  // namespace detail
+
+}  // namespace rungproof
