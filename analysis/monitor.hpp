@@ -1,0 +1,236 @@
+// Monitor<D>: the exact meaning of properties, over a domain of values. It is asked once at every scan end; over
+// Graph it becomes part of the transition system that is proved, over Concrete it judges the replay of a
+// counterexample. Both therefore mean the same by construction; tests/property checks it against hand-written traces.
+//
+// Time: dt is the number of ms between this scan end and the previous one. There is no edge in the first scan.
+#pragma once
+
+#include <algorithm>
+
+#include "analysis/property.hpp"
+#include "ir/check.hpp"
+#include "ir/domain.hpp"
+
+namespace rungproof {
+
+/// What a monitor sees of one scan end (or of one instruction boundary).
+template <class D>
+struct Moment {
+  typename D::Bool firstScan;
+  typename D::Bits dt;   ///< ms since the previous scan end
+  int dtWidth = 16;
+};
+
+/// Leaf: Bits leaf(const Operand&, int width): the value at this moment, `width` bits as the operand has them.
+template <class D, class Leaf>
+class Monitor {
+ public:
+  using Bool = typename D::Bool;
+  using Bits = typename D::Bits;
+
+  /// `before`: cell values at the previous scan end; `after` receives the new ones. Both have Property::cells.size() entries.
+  Monitor(D& domain, const Property& property, Leaf& leaf, const Moment<D>& moment, const std::vector<Bits>& before, std::vector<Bits>& after)
+      : d(domain), p(property), leaf_(leaf), now(moment), before_(before), after_(after) {}
+
+  /// Assume, Pulse: whether the run may go on. Goals: whether this scan end is bad; Reach: whether it is reached.
+  Bool evaluate() {
+    const Bool first = truth(p.first);
+    const Bool second = p.second.empty() ? d.constant(true) : truth(p.second);
+    switch (p.kind) {
+      case PropertyKind::Assume:
+      case PropertyKind::Reach:
+      case PropertyKind::Never: return first;
+      case PropertyKind::Always: return d.lnot(first);
+      case PropertyKind::LeadsToScans: return leadsToScans(first, second);
+      case PropertyKind::LeadsToTime: return leadsToTime(first, second);
+      case PropertyKind::OnlyAfter: return d.land(first, d.lnot(latch(p.patternCell, second)));
+      case PropertyKind::Unless: {
+        const Bool owed = cell(p.patternCell);
+        setCell(p.patternCell, d.land(first, d.lnot(second)));
+        return d.land(owed, d.lnot(d.lor(first, second)));
+      }
+      case PropertyKind::HeldImplies: return d.land(held(first, p.bound, p.patternCell), d.lnot(second));
+      case PropertyKind::Pulse: return pulse(first);
+    }
+    return d.constant(false);
+  }
+
+ private:
+  // ---- Expressions --------------------------------------------------------------------------------
+
+  Bool truth(const Expr& expr) {
+    std::vector<Bits> value(expr.nodes.size());
+    for (std::size_t i = 0; i < expr.nodes.size(); ++i) value[i] = node(expr, expr.nodes[i], value);
+    return d.bit(value.back(), 0);
+  }
+
+  Bits node(const Expr& expr, const ExprNode& n, const std::vector<Bits>& value) {
+    const auto arg = [&](std::size_t i) { return value[n.args[i]]; };
+    const auto flag = [&](std::size_t i) { return d.bit(value[n.args[i]], 0); };
+    const auto bits = [&](Bool b) { return d.fromBool(b, 1); };
+    const auto argNode = [&](std::size_t i) -> const ExprNode& { return expr.nodes[n.args[i]]; };
+    const auto widened = [&](std::size_t i, int to) { return number(value[n.args[i]], argNode(i), to); };
+    switch (n.op) {
+      case ExprOp::Constant: return d.literal(static_cast<std::uint64_t>(n.value), n.width);
+      case ExprOp::Address: return address(n);
+      case ExprOp::FirstScan: return bits(now.firstScan);
+      case ExprOp::Not: return bits(d.lnot(flag(0)));
+      case ExprOp::And: return bits(d.land(flag(0), flag(1)));
+      case ExprOp::Or: return bits(d.lor(flag(0), flag(1)));
+      case ExprOp::Xor: return bits(d.lxor(flag(0), flag(1)));
+      case ExprOp::Implies: return bits(d.lor(d.lnot(flag(0)), flag(1)));
+      case ExprOp::Equal:
+      case ExprOp::NotEqual:
+      case ExprOp::Less:
+      case ExprOp::LessEqual:
+      case ExprOp::Greater:
+      case ExprOp::GreaterEqual: return bits(compare(n, argNode(0), arg(0), argNode(1), arg(1)));
+      case ExprOp::Add: return n.type == ExprType::Real ? d.radd(real(0, expr, n, value), real(1, expr, n, value)) : d.add(widened(0, n.width), widened(1, n.width), n.width);
+      case ExprOp::Sub: return n.type == ExprType::Real ? d.rsub(real(0, expr, n, value), real(1, expr, n, value)) : d.sub(widened(0, n.width), widened(1, n.width), n.width);
+      case ExprOp::Mul: return n.type == ExprType::Real ? d.rmul(real(0, expr, n, value), real(1, expr, n, value)) : d.mul(widened(0, n.width), widened(1, n.width), n.width);
+      case ExprOp::Negate:
+        return n.type == ExprType::Real ? d.bxor(arg(0), d.literal(0x80000000U, 32), 32) : d.sub(d.literal(0, n.width), widened(0, n.width), n.width);
+      case ExprOp::Rises: {
+        const Bool was = cell(n.cell), is = flag(0);
+        setCell(n.cell, is);
+        return bits(d.land(d.lnot(now.firstScan), d.land(is, d.lnot(was))));
+      }
+      case ExprOp::Falls: {
+        const Bool was = cell(n.cell), is = flag(0);
+        setCell(n.cell, is);
+        return bits(d.land(d.lnot(now.firstScan), d.land(was, d.lnot(is))));
+      }
+      case ExprOp::Prev: {
+        const Bits was = before_[n.cell];
+        after_[n.cell] = arg(0);
+        return d.select(now.firstScan, arg(0), was, n.width);
+      }
+      case ExprOp::Once: return bits(latch(n.cell, flag(0)));
+      case ExprOp::Since: {
+        const Bool since = d.lor(flag(1), d.land(cell(n.cell), flag(0)));
+        setCell(n.cell, since);
+        return bits(since);
+      }
+      case ExprOp::Held: return bits(held(flag(0), n.milliseconds, n.cell));
+    }
+    CHECK(false, "expression operator without meaning");
+    return d.literal(0, 1);
+  }
+
+  /// Number leaves are widened to a signed value one bit wider than an unsigned byte; REAL leaves keep the pattern.
+  Bits address(const ExprNode& n) {
+    const int raw = n.type == ExprType::Truth ? 1 : bits(n.operand);
+    const Bits value = leaf_(n.operand, raw);
+    if (n.type != ExprType::Number) return value;
+    return raw == 8 ? d.zext(value, 8, n.width) : n.width == raw ? value : d.sext(value, raw, n.width);
+  }
+  static int bits(const Operand& o) {
+    if (o.area == Area::T || o.area == Area::C || o.area == Area::AI || o.area == Area::AQ) return 16;
+    if (o.area == Area::AC || o.area == Area::HC) return 32;
+    return rungproof::bits(o.width);
+  }
+  Bits number(Bits value, const ExprNode& n, int to) { return n.width == to ? value : d.sext(value, n.width, to); }
+  Bits real(std::size_t i, const Expr& expr, const ExprNode& n, const std::vector<Bits>& value) { return asReal(value[n.args[i]], expr.nodes[n.args[i]]); }
+  Bits asReal(Bits value, const ExprNode& n) { return n.type == ExprType::Real ? value : d.rfromInt(number(value, n, 32)); }
+
+  Bool compare(const ExprNode& n, const ExprNode& left, Bits a, const ExprNode& right, Bits b) {
+    if (left.type == ExprType::Real || right.type == ExprType::Real) {
+      const Bits x = asReal(a, left), y = asReal(b, right);
+      const Bool less = d.rless(x, y), more = d.rless(y, x), same = d.requal(x, y);
+      return relation(n.op, same, less, more);
+    }
+    if (left.type == ExprType::Truth) return relation(n.op, d.equal(a, b, 1), d.ult(a, b, 1), d.ult(b, a, 1));
+    const int w = std::max(left.width, right.width);
+    const Bits x = number(a, left, w), y = number(b, right, w);
+    return relation(n.op, d.equal(x, y, w), d.slt(x, y, w), d.slt(y, x, w));
+  }
+  /// NaN makes every relation but "not equal" false.
+  Bool relation(ExprOp op, Bool same, Bool less, Bool more) {
+    switch (op) {
+      case ExprOp::Equal: return same;
+      case ExprOp::NotEqual: return d.lnot(same);
+      case ExprOp::Less: return less;
+      case ExprOp::LessEqual: return d.lor(less, same);
+      case ExprOp::Greater: return more;
+      default: return d.lor(more, same);
+    }
+  }
+
+  // ---- Cells and patterns ---------------------------------------------------------------------------
+
+  Bool cell(std::uint32_t i) { return d.bit(before_[i], 0); }
+  void setCell(std::uint32_t i, Bool value) { after_[i] = d.fromBool(value, 1); }
+  /// True from the first scan with `set` on.
+  Bool latch(std::uint32_t i, Bool set) {
+    const Bool now_ = d.lor(cell(i), set);
+    setCell(i, now_);
+    return now_;
+  }
+
+  /// min(cell + dt, cap), with the cell's width.
+  Bits elapsed(std::uint32_t i, std::int64_t cap) {
+    const int w = p.cells[i].width;
+    const int wide = std::max(w, now.dtWidth) + 1;
+    const Bits sum = d.add(d.zext(before_[i], w, wide), d.zext(now.dt, now.dtWidth, wide), wide);
+    const Bits limit = d.literal(static_cast<std::uint64_t>(cap), wide);
+    return d.extract(d.select(d.ult(sum, limit, wide), sum, limit, wide), w - 1, 0);
+  }
+
+  /// e at every scan end from one at least `ms` ago until now.
+  Bool held(Bool e, std::int64_t ms, std::uint32_t run) {
+    const std::uint32_t time = run + 1;
+    const int w = p.cells[time].width;
+    const Bits zero = d.literal(0, w);
+    const Bits passed = d.select(d.land(e, cell(run)), elapsed(time, ms), zero, w);
+    setCell(run, e);
+    after_[time] = passed;
+    return d.land(e, d.ule(d.literal(static_cast<std::uint64_t>(ms), w), passed, w));
+  }
+
+  Bool leadsToScans(Bool trigger, Bool answer) {
+    const std::uint32_t pending = p.patternCell, scans = p.patternCell + 1;
+    const int w = p.cells[scans].width;
+    const Bool owed = cell(pending);
+    const Bool open = d.land(d.lor(owed, trigger), d.lnot(answer));
+    const Bits bound = d.literal(static_cast<std::uint64_t>(p.bound), w);
+    const Bits next = d.select(d.ult(before_[scans], bound, w), d.add(before_[scans], d.literal(1, w), w), bound, w);
+    const Bits age = d.select(d.land(open, owed), next, d.literal(0, w), w);
+    setCell(pending, open);
+    after_[scans] = age;
+    return d.land(open, d.equal(age, bound, w));
+  }
+
+  Bool leadsToTime(Bool trigger, Bool answer) {
+    const std::uint32_t pending = p.patternCell, time = p.patternCell + 1;
+    const int w = p.cells[time].width;
+    const Bool owed = cell(pending);
+    const Bits passed = elapsed(time, p.bound + 1);
+    const Bool late = d.land(owed, d.ult(d.literal(static_cast<std::uint64_t>(p.bound), w), passed, w));
+    const Bool open = d.lor(late, d.land(d.lor(owed, trigger), d.lnot(answer)));
+    setCell(pending, open);
+    after_[time] = d.select(d.land(open, owed), passed, d.literal(0, w), w);
+    return late;
+  }
+
+  /// Rising edges at least `bound` ms apart, measured between scan ends.
+  Bool pulse(Bool signal) {
+    const std::uint32_t was = p.patternCell, risen = was + 1, time = was + 2;
+    const int w = p.cells[time].width;
+    const Bool rise = d.land(d.lnot(now.firstScan), d.land(signal, d.lnot(cell(was))));
+    const Bits passed = elapsed(time, p.bound);
+    const Bool tooSoon = d.land(rise, d.land(cell(risen), d.ult(passed, d.literal(static_cast<std::uint64_t>(p.bound), w), w)));
+    setCell(was, signal);
+    setCell(risen, d.lor(cell(risen), rise));
+    after_[time] = d.select(rise, d.literal(0, w), passed, w);
+    return d.lnot(tooSoon);
+  }
+
+  D& d;
+  const Property& p;
+  Leaf& leaf_;
+  Moment<D> now;
+  const std::vector<Bits>& before_;
+  std::vector<Bits>& after_;
+};
+
+}  // namespace rungproof

@@ -1,0 +1,125 @@
+// The property language: binding, types, statements, mistakes.
+#include <gtest/gtest.h>
+
+#include "frontend/property_reader.hpp"
+
+namespace rungproof {
+namespace {
+
+/// A lookup for the few spellings that these tests use.
+std::optional<Operand> lookUp(std::string_view name) {
+  if (name == "start") return direct(Area::I, Width::Bit, 0, 0);
+  const auto number = [](std::string_view text) { return static_cast<std::uint32_t>(std::stoul(std::string(text))); };
+  if (name.size() == 4 && (name[0] == 'I' || name[0] == 'Q' || name[0] == 'M') && name[2] == '.') {
+    return direct(name[0] == 'I' ? Area::I : name[0] == 'Q' ? Area::Q : Area::M, Width::Bit, number(name.substr(1, 1)), number(name.substr(3)));
+  }
+  if (name.substr(0, 2) == "VB") return direct(Area::V, Width::Byte, number(name.substr(2)));
+  if (name.substr(0, 2) == "VW") return direct(Area::V, Width::Word, number(name.substr(2)));
+  if (name.substr(0, 2) == "VD") return direct(Area::V, Width::DWord, number(name.substr(2)));
+  if (name[0] == 'T' && name.size() > 1) return direct(Area::T, Width::Bit, number(name.substr(1)));
+  return std::nullopt;
+}
+
+struct Reading {
+  PropertySet set;
+  std::vector<Finding> findings;
+  explicit Reading(std::string_view text) { readPropertyText(0, text, 0, lookUp, set, findings); }
+};
+
+/// The tree in prefix form.
+std::string shape(const Expr& e, std::uint32_t i) {
+  static const char* const names[] = {"c", "a", "not", "and", "or", "xor", "implies", "=", "<>", "<", "<=", ">", ">=", "+", "-", "*", "neg", "rises", "falls", "prev", "once", "since", "held", "first"};
+  const ExprNode& n = e.nodes[i];
+  if (n.op == ExprOp::Address) return toString(n.operand) + (n.type != ExprType::Truth && n.operand.area == Area::T ? ".value" : "");
+  if (n.op == ExprOp::Constant) return std::to_string(n.value);
+  std::string text = std::string("(") + names[static_cast<int>(n.op)];
+  for (const std::uint32_t arg : n.args) text += " " + shape(e, arg);
+  return text + ")";
+}
+std::string shapeOf(std::string_view expression) {
+  Reading reading("prove p: " + std::string(expression));
+  if (!reading.findings.empty()) return reading.findings[0].message;
+  const Expr& e = reading.set.properties[0].first;
+  return shape(e, static_cast<std::uint32_t>(e.nodes.size() - 1));
+}
+
+// The contract's order: unary minus; *; + -; comparisons; not; and; xor; or; implies.
+TEST(PropertyLanguage, BindsAsTheContractSays) {
+  EXPECT_EQ(shapeOf("not I0.0 and I0.1"), "(and (not I0.0) I0.1)");
+  EXPECT_EQ(shapeOf("I0.0 or I0.1 and I0.2"), "(or I0.0 (and I0.1 I0.2))");
+  EXPECT_EQ(shapeOf("I0.0 xor I0.1 or I0.2"), "(or (xor I0.0 I0.1) I0.2)");
+  EXPECT_EQ(shapeOf("I0.0 xor I0.1 and I0.2"), "(xor I0.0 (and I0.1 I0.2))");
+  EXPECT_EQ(shapeOf("I0.0 implies I0.1 implies I0.2"), "(implies I0.0 (implies I0.1 I0.2))");
+  EXPECT_EQ(shapeOf("not VW0 = 3"), "(not (= VW0 3))");
+  EXPECT_EQ(shapeOf("VW0 + 2 * VW2 < -VW4"), "(< (+ VW0 (* 2 VW2)) (neg VW4))");
+  EXPECT_EQ(shapeOf("(I0.0 or I0.1) and I0.2"), "(and (or I0.0 I0.1) I0.2)");
+  EXPECT_EQ(shapeOf("since(I0.0, rises(I0.1)) and held(start, 2s)"), "(and (since I0.0 (rises I0.1)) (held I0.0))");
+}
+
+TEST(PropertyLanguage, TimersAreBitsOrValues) {
+  EXPECT_EQ(shapeOf("T37 and not T38"), "(and T37 (not T38))");
+  EXPECT_EQ(shapeOf("T37.value >= 50"), "(>= T37.value 50)");
+  EXPECT_EQ(shapeOf("T37 >= 50"), "(>= T37.value 50)");
+}
+
+TEST(PropertyLanguage, NumbersAreSignedForWordsAndUnsignedForBytes) {
+  Reading reading("prove a: VB0 = 255\nprove b: VW0 = 16#FFFF\nprove c: VD0 > 1.5\n");
+  ASSERT_TRUE(reading.findings.empty()) << reading.findings[0].message;
+  const Expr& a = reading.set.properties[0].first;
+  EXPECT_EQ(a.nodes[0].width, 9) << "a byte as a signed number needs nine bits";
+  EXPECT_EQ(reading.set.properties[1].first.nodes[1].value, -1) << "16#FFFF beside a word is its bit pattern";
+  EXPECT_EQ(reading.set.properties[2].first.nodes[0].type, ExprType::Real) << "VD0 beside a REAL constant is a REAL";
+}
+
+TEST(PropertyLanguage, ReadsEveryStatement) {
+  Reading reading(R"(# a comment line
+assume healthy: not (I0.0 and I0.1)
+prove a: always Q0.0 implies I0.0
+prove b: never Q0.0 and Q0.1        # trailing comment
+prove c: I0.0 leads to Q0.0 within 3 scans
+prove d: I0.0 leads to Q0.0 within 500ms
+prove e: Q0.1 only after Q0.0
+prove f: Q0.0 unless I0.1
+prove g: I0.0 held 2s implies Q0.0
+at every instruction prove h: never Q0.0 and Q0.1
+reach r: Q0.2
+external VB100..VB199
+initial retentive
+pulse I0.0 at most every 50ms
+)");
+  ASSERT_TRUE(reading.findings.empty()) << reading.findings[0].message;
+  const auto& p = reading.set.properties;
+  ASSERT_EQ(p.size(), 11U);
+  const PropertyKind kinds[] = {PropertyKind::Assume, PropertyKind::Always, PropertyKind::Never, PropertyKind::LeadsToScans, PropertyKind::LeadsToTime, PropertyKind::OnlyAfter,
+                                PropertyKind::Unless, PropertyKind::HeldImplies, PropertyKind::Never, PropertyKind::Reach, PropertyKind::Pulse};
+  for (std::size_t i = 0; i < p.size(); ++i) EXPECT_EQ(p[i].kind, kinds[i]) << p[i].text;
+  EXPECT_EQ(p[3].bound, 3);
+  EXPECT_EQ(p[4].bound, 500);
+  EXPECT_EQ(p[7].bound, 2000);
+  EXPECT_TRUE(p[8].atEveryInstruction);
+  EXPECT_EQ(p[2].first.text, "Q0.0 and Q0.1");
+  ASSERT_EQ(reading.set.externals.size(), 1U);
+  EXPECT_EQ(reading.set.externals[0].last.offset, 199U);
+  EXPECT_TRUE(reading.set.initialRetentive);
+}
+
+TEST(PropertyLanguage, MistakesHaveAPlaceAndTheRestIsRead) {
+  Reading reading("prove a: Q0.0 and\nprove b: Zork implies Q0.0\nprove c: VW0 and Q0.0\nprove d: Q0.0\nprove d: Q0.1\nnonsense\nprove e: Q0.2");
+  ASSERT_EQ(reading.findings.size(), 5U);
+  const char* const rules[] = {"PRP001", "PRP002", "PRP003", "PRP004", "PRP001"};
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(reading.findings[i].rule, rules[i]) << reading.findings[i].message;
+  EXPECT_EQ(reading.findings[1].span.offset, 27U) << "the place is the unknown name";
+  EXPECT_EQ(reading.findings[1].span.length, 4U);
+  ASSERT_EQ(reading.set.properties.size(), 2U);
+  EXPECT_EQ(reading.set.properties[1].name, "e");
+}
+
+TEST(PropertyLanguage, DeepNestingIsAMistakeNotACrash) {
+  const std::string deep = "prove p: " + std::string(100000, '(') + "Q0.0" + std::string(100000, ')');
+  Reading reading(deep);
+  ASSERT_EQ(reading.findings.size(), 1U);
+  EXPECT_EQ(reading.findings[0].rule, "PRP001");
+}
+
+}  // namespace
+}  // namespace rungproof
