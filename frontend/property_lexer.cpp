@@ -35,7 +35,7 @@ class Lexer {
     const std::size_t start = at_;
     if (isDigit(text_[at_])) return number(start);
     if (isWordStart(text_[at_])) {
-      while (at_ < text_.size() && isWordPart(text_[at_])) ++at_;
+      while (at_ < text_.size() && isWordPart(text_[at_]) && text_.substr(at_, 2) != "..") ++at_;
       while (at_ > start + 1 && text_[at_ - 1] == '.') --at_;
       return token(PropertyToken::Word, start);
     }
