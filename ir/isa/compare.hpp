@@ -1,10 +1,135 @@
-// Placeholder group, to be filled.
+// Compare contacts: 72 numeric ones and 6 for strings (001:3362-3431; s7200 digest A 10). They run without power
+// flow, and a bad pointer, an illegal REAL or a string outside its area stops the CPU (001:3384-3391, 001:3417-3419).
+// Bytes compare unsigned; INT, DINT and REAL signed (001:3371-3374). Tests: tests/manual_a/compare_test.cpp.
 #pragma once
 
-#include "ir/isa/group.hpp"
+#include <algorithm>
+
+#include "ir/isa/contact.hpp"
 
 namespace rungproof::isa {
 
-using CompareGroup = Group<>;
+enum class Relation { Less, LessEqual, Equal, GreaterEqual, Greater, NotEqual };
+
+constexpr std::string_view symbolOf(Relation r) {
+  constexpr std::string_view symbols[] = {"<", "<=", "=", ">=", ">", "<>"};
+  return symbols[static_cast<std::size_t>(r)];
+}
+constexpr std::string_view prefixOf(Joint j, bool german) { return j == Joint::Load ? "LD" : j == Joint::Or ? "O" : german ? "U" : "A"; }
+constexpr std::string_view effectOf(Joint j) {
+  return j == Joint::Load ? "load the result" : j == Joint::And ? "AND the result with the top of stack" : "OR the result with the top of stack";
+}
+
+/// A text put together at compile time, for names of families.
+struct JoinedText {
+  std::array<char, 96> characters{};
+  std::size_t length = 0;
+  constexpr JoinedText(std::initializer_list<std::string_view> parts) {
+    for (const std::string_view part : parts) {
+      for (const char c : part) characters[length++] = c;
+    }
+  }
+  constexpr std::string_view view() const { return {characters.data(), length}; }
+};
+
+constexpr std::string_view letterOf(Type type) {
+  return type == Type::Byte ? "B" : type == Type::Int ? "W" : type == Type::DInt ? "D" : type == Type::Real ? "R" : "S";
+}
+
+template <Joint joint, Type type, Relation relation, std::uint16_t time>
+struct Compare {
+  static constexpr JoinedText stl{prefixOf(joint, false), letterOf(type), symbolOf(relation)};
+  static constexpr JoinedText german{prefixOf(joint, true), letterOf(type), symbolOf(relation)};
+  static constexpr JoinedText family{prefixOf(joint, false), letterOf(type), "x"};
+  static constexpr JoinedText meaning{
+      type == Type::Byte ? "compare bytes (unsigned)" : type == Type::Int ? "compare integers (words)"
+                       : type == Type::DInt ? "compare double words" : "compare reals",
+      ": IN1 ", symbolOf(relation), " IN2, ", effectOf(joint)};
+  static constexpr Forms forms =
+      type == Type::Byte ? form::byteIn : type == Type::Int ? form::wordIn : type == Type::DInt ? form::dwordIn : form::realIn;
+  static constexpr Desc desc = withOperands(
+      {.stl = stl.view(), .german = german.view(), .family = family.view(), .meaning = meaning.view(), .group = "boolean / compare",
+       .execution = Execution::Compare, .stack = stackOf(joint), .time = time, .manual = "001:3371"},
+      {in("IN1", type, forms), in("IN2", type, forms)});
+
+  template <class D>
+  static void run(Machine<D>& m, Args<D>& a) {
+    D& d = m.d;
+    const auto x = a.value(0), y = a.value(1);
+    const auto less = [&](const auto& p, const auto& q) {
+      if constexpr (type == Type::Real) {
+        return d.rless(p, q);
+      } else if constexpr (type == Type::Byte) {
+        return d.ult(p, q, 8);
+      } else {
+        return d.slt(p, q, bits(widthOf(type)));
+      }
+    };
+    const auto equal = [&] {
+      if constexpr (type == Type::Real) {
+        return d.requal(x, y);
+      } else {
+        return d.equal(x, y, bits(widthOf(type)));
+      }
+    };
+    if constexpr (type == Type::Real) m.hazard(Hazard::FatalReal, d.lnot(d.land(d.rlegal(x), d.rlegal(y))));
+    auto result = d.constant(false);
+    if constexpr (relation == Relation::Less) result = less(x, y);
+    if constexpr (relation == Relation::LessEqual) result = d.lor(less(x, y), equal());
+    if constexpr (relation == Relation::Equal) result = equal();
+    if constexpr (relation == Relation::GreaterEqual) result = d.lor(less(y, x), equal());
+    if constexpr (relation == Relation::Greater) result = less(y, x);
+    if constexpr (relation == Relation::NotEqual) result = d.lnot(equal());
+    join<joint>(m, result);
+  }
+};
+
+/// LDS=, AS<> and so on: equal length and equal bytes. A constant may stand first only (001:3429-3430).
+template <Joint joint, Relation relation>
+struct CompareString {
+  static constexpr JoinedText stl{prefixOf(joint, false), "S", symbolOf(relation)};
+  static constexpr JoinedText german{prefixOf(joint, true), "S", symbolOf(relation)};
+  static constexpr JoinedText family{prefixOf(joint, false), "Sx"};
+  static constexpr JoinedText meaning{"compare strings: IN1 ", symbolOf(relation), " IN2, ", effectOf(joint)};
+  static constexpr Desc desc = withOperands(
+      {.stl = stl.view(), .german = german.view(), .family = family.view(), .meaning = meaning.view(), .group = "boolean / compare",
+       .execution = Execution::Compare, .stack = stackOf(joint), .time = 3300, .manual = "001:3405"},
+      {in("IN1", Type::String, form::stringIn), in("IN2", Type::String, form::stringOut)});
+
+  template <class D>
+  static void run(Machine<D>& m, Args<D>& a) {
+    D& d = m.d;
+    const auto length = a.byteAt(0, 0), other = a.byteAt(1, 0);
+    auto outside = d.constant(false);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto total = d.add(d.zext(i == 0 ? length : other, 8, 16), m.number(1, 16), 16);
+      outside = d.lor(outside, d.lor(d.ult(m.number(255, 16), total, 16), d.lnot(a.fits(i, total, Width::Byte))));
+    }
+    m.hazard(Hazard::FatalRange, outside);
+    auto equal = d.equal(length, other, 8);
+    const auto known = d.known(length) ? d.known(length) : d.known(other);
+    const int limit = known ? static_cast<int>(std::min<std::uint64_t>(*known, 254)) : 254;
+    for (int k = 0; k < limit; ++k) {
+      if (const auto truth = d.truth(equal); truth && !*truth) break;
+      const auto beyond = d.ule(length, m.number(static_cast<std::uint64_t>(k), 8), 8);
+      equal = d.land(equal, d.lor(beyond, d.equal(a.byteAt(0, k + 1), a.byteAt(1, k + 1), 8)));
+    }
+    join<joint>(m, relation == Relation::Equal ? equal : d.lnot(equal));
+  }
+};
+
+template <Joint j, Type t, std::uint16_t time>
+using CompareFamily = Group<Compare<j, t, Relation::Less, time>, Compare<j, t, Relation::LessEqual, time>, Compare<j, t, Relation::Equal, time>,
+                            Compare<j, t, Relation::GreaterEqual, time>, Compare<j, t, Relation::Greater, time>,
+                            Compare<j, t, Relation::NotEqual, time>>;
+template <Joint j>
+using CompareStringFamily = Group<CompareString<j, Relation::Equal>, CompareString<j, Relation::NotEqual>>;
+
+using CompareGroup =
+    Join<CompareFamily<Joint::Load, Type::Byte, 1800>, CompareFamily<Joint::And, Type::Byte, 1800>, CompareFamily<Joint::Or, Type::Byte, 1800>,
+         CompareFamily<Joint::Load, Type::Int, 2400>, CompareFamily<Joint::And, Type::Int, 2300>, CompareFamily<Joint::Or, Type::Int, 2400>,
+         CompareFamily<Joint::Load, Type::DInt, 2700>, CompareFamily<Joint::And, Type::DInt, 2700>, CompareFamily<Joint::Or, Type::DInt, 2600>,
+         CompareFamily<Joint::Load, Type::Real, 2900>, CompareFamily<Joint::And, Type::Real, 2900>, CompareFamily<Joint::Or, Type::Real, 2900>,
+         CompareStringFamily<Joint::Load>, CompareStringFamily<Joint::And>, CompareStringFamily<Joint::Or>>::type;
 
 }  // namespace rungproof::isa
