@@ -20,6 +20,23 @@ enum class Choice : std::uint8_t {
   ScanClockStart,     // C18
   WatchdogMs,         // C1
   FirstEdge,          // A 2.4
+  DivideFlags,        // B 2
+  LatchZeroCount,     // A 20.4
+  LatchOverBorder,    // A 20.4
+  RealFromDInt,       // A 20.5
+  BcdErrorResult,     // A 20.6
+  AthError,           // A 20.6
+  SubstringOverflow,  // A 20.6
+  EncodeZero,         // A 20.7
+  EncodeHighNibble,   // A 20.7
+  CountUpDownAtPreset,  // A 20.1
+  CountDownFirstScan,   // A 20.2
+  CounterFirstEdge,     // A 20.3
+  IecCounterPriority,   // A 20.9
+  ClockData,            // A 20.10
+  ClockModule,          // A 6
+  PortAgain,            // A 20.13
+  NetworkAgain,         // A 20.13
   StringResultOverflow,
   count
 };
@@ -47,6 +64,30 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
     {Choice::WatchdogMs, "watchdog", {"500ms", "300ms", ""}, "scan watchdog: the text says 500 ms, the quick reference 300 ms", "001:5718"},
     {Choice::FirstEdge, "first-edge", {"first-scan-only", "first-execution", ""},
      "EU/ED first executed after the first scan: compares with 0, or stores silently as in the first scan", "001:2763"},
+    {Choice::DivideFlags, "div-flags", {"double-word", "quotient", ""},
+     "what SM1.0 and SM1.2 describe after DIV: remainder and quotient as one double word, or the quotient", "001:4898"},
+    {Choice::LatchZeroCount, "latch-zero-count", {"nothing", "error", ""}, "S, R, SI, RI with N = 0: no bit, or error 0091", "001:2789"},
+    {Choice::LatchOverBorder, "latch-over-border", {"nothing", "up-to-border", ""},
+     "which bits S and R change before error 0091 is found: none, or those inside the area", "001:2796"},
+    {Choice::RealFromDInt, "dtr-rounding", {"nearest", "truncated", ""}, "DTR of a number with more than 24 binary digits", "001:3465"},
+    {Choice::BcdErrorResult, "bcd-error-result", {"unchanged", "unknown", ""}, "OUT of BCDI and IBCD after SM1.6", "001:3460"},
+    {Choice::AthError, "ath-error", {"stops-there", "nothing", ""}, "how many bytes ATH writes before an illegal character", "001:3587"},
+    {Choice::SubstringOverflow, "substring-overflow", {"unchanged", "unknown", ""}, "OUT of STI and STD when the number is too large", "001:3877"},
+    {Choice::EncodeZero, "enco-zero", {"zero", "unchanged", ""}, "ENCO of a word without a 1", "001:3941"},
+    {Choice::EncodeHighNibble, "enco-high-nibble", {"cleared", "kept", ""}, "upper four bits of OUT after ENCO; the example shows them 0", "000:3312"},
+    {Choice::CountUpDownAtPreset, "ctud-at-preset", {"wraps", "stops", ""},
+     "one sentence of 2003 stops CTUD at PV; the text above it and the table let it count on", "000:3376"},
+    {Choice::CountDownFirstScan, "ctd-first-scan", {"on", "off", ""},
+     "bit of a CTD at 0 in the first scan: on by the rule current = 0, off by the table of power-up", "001:4030"},
+    {Choice::CounterFirstEdge, "counter-first-edge", {"stored", "counts", ""},
+     "a count input that is 1 in the first scan: stored as EU does, or counted", "001:2763"},
+    {Choice::IecCounterPriority, "iec-counter-priority", {"reset", "load", ""}, "R and LD of the IEC up/down counter together", "001:4097"},
+    {Choice::ClockData, "clock-data", {"bcd-and-range", "bcd", "any"},
+     "which data TODW refuses with error 0007: not BCD or out of its field's range, not BCD only, or none", "001:2924"},
+    {Choice::ClockModule, "clock-module", {"absent", "fitted", ""}, "CPU 221 and 222 have the clock as a plug-in module", "001:11666"},
+    {Choice::PortAgain, "port-again", {"ignored", "error", ""},
+     "XMT during a transmission, RCV during a reception: ignored, or error 0009/000B as for XMT against RCV", "001:3141"},
+    {Choice::NetworkAgain, "network-again", {"ignored", "queued", ""}, "NETR, NETW on a table that is still active", "001:3031"},
     {Choice::StringResultOverflow, "string-overflow", {"unchanged", "cut", ""}, "SCAT result over 254 characters", "001:6093"},
 }};
 

@@ -135,7 +135,7 @@ inline constexpr StatusBits Zero = 1, Overflow = 2, Negative = 4, DivideByZero =
                             NotBcd = 64, NotAscii = 128;
 }
 
-inline constexpr int maxOperands = 4;
+inline constexpr int maxOperands = 5;  ///< CTUD.IEC has most
 
 struct Desc {
   std::string_view stl;         ///< international mnemonic, "LDW>="
@@ -155,7 +155,7 @@ struct Desc {
   bool olderDialectOnly = false;///< RET, RETI, MEND: written only in the one-text dialect
   bool drawingOnly = false;     ///< SR, RS and the IEC boxes: exist in LAD/FBD only, named so in the IR
   bool notInInterrupt = false;  ///< 001:5426, 001:3353
-  std::uint16_t time = 0;       ///< execution time with power flow in 0.01 us (Appendix F), 0 unknown
+  std::uint32_t time = 0;       ///< execution time with power flow in 0.01 us (Appendix F), 0 unknown
   std::string_view manual = {}; ///< "001:4814"
   std::uint16_t opcode = 0;     ///< position in the joined table, set by isa_list.hpp
 

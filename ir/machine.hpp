@@ -38,7 +38,8 @@ enum class External : std::uint8_t {
   LibraryOutput,    ///< result of a library block; index = parameter
   AsyncTicks,       ///< 1 ms ticks that elapse before this instruction
   EventFires,       ///< whether interrupt event `index` occurs before this instruction
-  UnknownStatus     ///< status bits that the manual calls meaningless after an error (001:4814)
+  UnknownStatus,    ///< status bits that the manual calls meaningless after an error (001:4814)
+  UnknownResult     ///< result that the manual leaves open after an error
 };
 
 /// Where an external value is asked for; with the order of execution it identifies the value within a scan.

@@ -8,8 +8,8 @@ namespace rungproof::isa {
 
 /// = : the top of the stack to a bit, 0 as well as 1. Q goes to the image only (001:2777).
 struct Assign {
-  static constexpr Desc desc = withOperands({.stl = "=", .meaning = "assign bit", .group = "boolean", .execution = Execution::Coil,
-                                             .stack = {1, 0, 0}, .time = 110, .manual = "001:2811"},
+  static constexpr Desc desc = withOperands({.stl = "=", .meaning = "assign", .group = "boolean", .execution = Execution::Coil,
+                                             .stack = {1, 0, 0}, .time = 24, .manual = "001:2811"},
                                             {out("bit", Type::Bool, form::bitAny)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -19,8 +19,8 @@ struct Assign {
 
 /// =I : to the physical output and to the image at once (001:2781).
 struct AssignImmediate {
-  static constexpr Desc desc = withOperands({.stl = "=I", .meaning = "assign bit immediate", .group = "boolean", .execution = Execution::Coil,
-                                             .stack = {1, 0, 0}, .time = 2400, .manual = "001:2812"},
+  static constexpr Desc desc = withOperands({.stl = "=I", .meaning = "assign immediate", .group = "boolean", .execution = Execution::Coil,
+                                             .stack = {1, 0, 0}, .time = 1600, .manual = "001:2812"},
                                             {out("bit", Type::Bool, form::Q)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -35,26 +35,31 @@ struct Latch {
   static constexpr int limit = immediate ? 128 : 255;  // 001:2789, 001:2800
   static constexpr Desc desc = withOperands(
       {.stl = stlName.view(), .german = germanName.view(), .meaning = meaning.view(), .group = "boolean", .stack = {1, 0, 0}, .eno = true,
-       .time = 500, .manual = immediate ? "001:2812" : "001:2811"},
+       .time = immediate ? 2190 : 290, .manual = immediate ? "001:2812" : "001:2811"},
       {out("bit", Type::Bool, immediate ? form::Q : form::bitAny),
        in("N", Type::Byte, form::byteIn).within({{1, limit, everyCpu}})});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     const auto count = a.value(1);
-    const std::uint32_t room = a.bitsLeft(0);
-    const auto outside = m.d.ult(m.number(std::min<std::uint32_t>(room, 255), 8), count, 8);
+    const std::uint32_t room = std::min<std::uint32_t>(a.bitsLeft(0), 255);
+    const auto outside = m.d.ult(m.number(room, 8), count, 8);
     m.hazard(Hazard::OutOfRange, outside);
-    m.when(m.d.lnot(outside), [&] {
-      m.repeat(count, 8, static_cast<int>(std::min<std::uint32_t>(room, 255)), [&](int k) {
-        a.storeBitAt(0, k, m.d.constant(value));
-        const Ref<D>& r = a.ref(0);
-        if constexpr (!value) {
-          if (r.area == Area::T || r.area == Area::C) m.save(r.area, r.offset + static_cast<std::uint32_t>(k), Width::Word, m.number(0, 16));
-          if (r.area == Area::T) m.setBit(Reg::TimerRunning, r.offset + static_cast<std::uint32_t>(k), m.d.constant(false));
-        }
-        if constexpr (immediate) m.setBit(Reg::PhysicalOutput, r.offset * 8 + r.bit + static_cast<std::uint32_t>(k), m.d.constant(value));
-      });
+    if (m.choices.is(Choice::LatchZeroCount, "error")) m.hazard(Hazard::OutOfRange, m.d.equal(count, m.number(0, 8), 8));
+    const bool partly = m.choices.is(Choice::LatchOverBorder, "up-to-border");
+    m.when(partly ? m.d.constant(true) : m.d.lnot(outside), [&] {
+      m.repeat(count, 8, static_cast<int>(room), [&](int k) { write(m, a, k); });
     });
+  }
+  template <class D>
+  static void write(Machine<D>& m, Args<D>& a, int k) {
+    const Ref<D>& r = a.ref(0);
+    a.storeBitAt(0, k, m.d.constant(value));
+    const std::uint32_t number = r.offset + static_cast<std::uint32_t>(k);
+    if constexpr (!value) {
+      if (r.area == Area::T || r.area == Area::C) m.save(r.area, number, Width::Word, m.number(0, 16));
+      if (r.area == Area::T) m.setBit(Reg::TimerRunning, number, m.d.constant(false));
+    }
+    if constexpr (immediate) m.setBit(Reg::PhysicalOutput, r.offset * 8 + r.bit + static_cast<std::uint32_t>(k), m.d.constant(value));
   }
 };
 

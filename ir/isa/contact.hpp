@@ -46,7 +46,7 @@ struct ImmediateContact {
 
 /// NOT inverts the top; the other levels stay (001:2735).
 struct Not {
-  static constexpr Desc desc{.stl = "NOT", .meaning = "invert the top of the stack", .group = "boolean", .execution = Execution::Stack,
+  static constexpr Desc desc{.stl = "NOT", .meaning = "invert the top of stack", .group = "boolean", .execution = Execution::Stack,
                              .stack = {1, 0, 0}, .time = 22, .manual = "001:2735"};
   template <class D>
   static void run(Machine<D>& m, Args<D>&) {
@@ -54,12 +54,12 @@ struct Not {
   }
 };
 
-using Ld = Contact<Joint::Load, false, "LD", "LD", "load bit", 80>;
-using Ldn = Contact<Joint::Load, true, "LDN", "LDN", "load inverted bit", 90>;
-using And = Contact<Joint::And, false, "A", "U", "AND bit", 72>;
-using Andn = Contact<Joint::And, true, "AN", "UN", "AND inverted bit", 72>;
-using Or = Contact<Joint::Or, false, "O", "O", "OR bit", 72>;
-using Orn = Contact<Joint::Or, true, "ON", "ON", "OR inverted bit", 72>;
+using Ld = Contact<Joint::Load, false, "LD", "LD", "load bit", 22>;
+using Ldn = Contact<Joint::Load, true, "LDN", "LDN", "load inverted bit", 30>;
+using And = Contact<Joint::And, false, "A", "U", "AND bit", 22>;
+using Andn = Contact<Joint::And, true, "AN", "UN", "AND inverted bit", 22>;
+using Or = Contact<Joint::Or, false, "O", "O", "OR bit", 22>;
+using Orn = Contact<Joint::Or, true, "ON", "ON", "OR inverted bit", 22>;
 using Ldi = ImmediateContact<Joint::Load, false, "LDI", "LDI", "load bit immediate">;
 using Ldni = ImmediateContact<Joint::Load, true, "LDNI", "LDNI", "load inverted bit immediate">;
 using Ai = ImmediateContact<Joint::And, false, "AI", "UI", "AND bit immediate">;

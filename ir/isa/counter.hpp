@@ -108,11 +108,11 @@ constexpr OperandDesc currentPin = open(out("CV", Type::Int, currentOut));
 
 /// Writes an output pin unless it was left open.
 template <class D>
-void setPin(Args<D>& a, std::size_t i, typename D::Bool value) {
+void setFlagPin(Args<D>& a, std::size_t i, typename D::Bool value) {
   if (i < a.size() && a.operand(i).kind != OperandKind::Missing) a.storeBit(i, value);
 }
 template <class D>
-void setPin(Args<D>& a, std::size_t i, typename D::Bits value, int) {
+void setWordPin(Args<D>& a, std::size_t i, typename D::Bits value) {
   if (i < a.size() && a.operand(i).kind != OperandKind::Missing) a.store(i, value);
 }
 
@@ -130,8 +130,8 @@ struct CountUp {
     const auto next = d.select(m.powerFlow(0), m.number(0, 16), counted, 16);
     const auto reached = d.sle(preset, next, 16);
     setCounter(m, number, next, reached);
-    setPin(a, 2, reached);
-    setPin(a, 3, next, 16);
+    setFlagPin(a, 2, reached);
+    setWordPin(a, 3, next);
   }
 };
 
@@ -149,8 +149,8 @@ struct CountDown {
     const auto next = d.select(m.powerFlow(0), preset, counted, 16);
     const auto empty = d.equal(next, zero, 16);
     setCounter(m, number, next, empty);
-    setPin(a, 2, empty);
-    setPin(a, 3, next, 16);
+    setFlagPin(a, 2, empty);
+    setWordPin(a, 3, next);
   }
 };
 
@@ -175,9 +175,9 @@ struct CountUpDown {
                           : d.select(load, preset, d.select(reset, zero, counted, 16), 16);
     const auto full = d.equal(next, preset, 16);
     setCounter(m, number, next, full);
-    setPin(a, 2, full);
-    setPin(a, 3, d.equal(next, zero, 16));
-    setPin(a, 4, next, 16);
+    setFlagPin(a, 2, full);
+    setFlagPin(a, 3, d.equal(next, zero, 16));
+    setWordPin(a, 4, next);
   }
 };
 

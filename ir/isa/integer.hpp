@@ -1,6 +1,6 @@
 // Integer arithmetic: +I -I *I /I, +D -D *D /D, MUL, DIV (001:4786-4936; s7200 digest B 1-2).
 // On overflow SM1.1 is set and the operands stay as they were; on division by zero SM1.3 is set and the other
-// status bits keep their values (001:4814).
+// status bits keep their values (001:4814). Tests: tests/manual_a/integer_test.cpp.
 #pragma once
 
 #include "ir/isa/group.hpp"
@@ -70,15 +70,63 @@ struct IntegerMath {
   }
 };
 
-using AddInt = IntegerMath<Integer::Add, false, "+I", "add integers", 2600>;
-using SubInt = IntegerMath<Integer::Sub, false, "-I", "subtract integers", 2600>;
-using MulInt = IntegerMath<Integer::Mul, false, "*I", "multiply integers", 3700>;
-using DivInt = IntegerMath<Integer::Div, false, "/I", "divide integers", 4800>;
-using AddDInt = IntegerMath<Integer::Add, true, "+D", "add double integers", 2900>;
-using SubDInt = IntegerMath<Integer::Sub, true, "-D", "subtract double integers", 2900>;
-using MulDInt = IntegerMath<Integer::Mul, true, "*D", "multiply double integers", 5400>;
-using DivDInt = IntegerMath<Integer::Div, true, "/D", "divide double integers", 9300>;
+using AddInt = IntegerMath<Integer::Add, false, "+I", "add integers, IN1 + OUT = OUT", 2500>;
+using SubInt = IntegerMath<Integer::Sub, false, "-I", "subtract integers, OUT - IN1 = OUT", 2500>;
+using MulInt = IntegerMath<Integer::Mul, false, "*I", "multiply integers, IN1 * OUT = OUT", 3700>;
+using DivInt = IntegerMath<Integer::Div, false, "/I", "divide integers, OUT / IN1 = OUT", 6400>;
+using AddDInt = IntegerMath<Integer::Add, true, "+D", "add double integers, IN1 + OUT = OUT", 2900>;
+using SubDInt = IntegerMath<Integer::Sub, true, "-D", "subtract double integers, OUT - IN1 = OUT", 2900>;
+using MulDInt = IntegerMath<Integer::Mul, true, "*D", "multiply double integers, IN1 * OUT = OUT", 4700>;
+using DivDInt = IntegerMath<Integer::Div, true, "/D", "divide double integers, OUT / IN1 = OUT", 25000>;
 
-using IntegerGroup = Group<AddInt, SubInt, MulInt, DivInt, AddDInt, SubDInt, MulDInt, DivDInt>;
+constexpr Desc wideDesc(std::string_view stl, std::string_view meaning, std::uint32_t time, std::string_view manual) {
+  return withOperands({.stl = stl, .meaning = meaning, .group = "math, increment, decrement", .stack = {1, 0, 0}, .eno = true,
+                       .affects = static_cast<StatusBits>(arithmeticBits | status::DivideByZero), .time = time, .manual = manual},
+                      {in("IN1", Type::Int, form::wordIn), inout("OUT", Type::DInt, form::dwordOut)});
+}
+
+/// MUL: IN1 times the low word of OUT into the double word OUT (001:4881).
+struct MulWide {
+  static constexpr Desc desc = wideDesc("MUL", "multiply integers, 16*16 -> 32", 3700, "001:4881");
+  template <class D>
+  static void run(Machine<D>& m, Args<D>& a) {
+    D& d = m.d;
+    const auto product = d.mul(d.sext(a.value(0), 16, 32), d.sext(d.extract(a.value(1), 15, 0), 16, 32), 32);
+    a.store(1, product);
+    arithmeticFlags(m, product, 32);
+    m.flag(status::DivideByZero, d.constant(false));
+  }
+};
+
+/// DIV: low word of OUT by IN1; remainder to the high word of OUT, quotient to the low one (001:4890-4894). The
+/// remainder has the dividend's sign; -32768 / -1 overflows and leaves OUT (the manual is silent on both).
+struct DivWide {
+  static constexpr Desc desc = wideDesc("DIV", "divide integers with remainder, 16/16 -> 32 (remainder high word, quotient low word)", 6700,
+                                        "001:4890");
+  template <class D>
+  static void run(Machine<D>& m, Args<D>& a) {
+    D& d = m.d;
+    const auto divisor = a.value(0), dividend = d.extract(a.value(1), 15, 0);
+    const auto byZero = d.equal(divisor, m.number(0, 16), 16);
+    m.hazard(Hazard::DivideByZero, byZero);
+    m.flag(status::DivideByZero, byZero);
+    m.when(d.lnot(byZero), [&] {
+      const auto overflow = d.land(d.equal(divisor, m.number(0xFFFF, 16), 16), d.equal(dividend, m.number(0x8000, 16), 16));
+      arithmeticOverflow(m, overflow);
+      m.when(d.lnot(overflow), [&] {
+        const auto quotient = d.sdiv(dividend, divisor, 16);
+        const auto result = d.concat(d.srem(dividend, divisor, 16), 16, quotient, 16);
+        a.store(1, result);
+        if (m.choices.is(Choice::DivideFlags, "quotient")) {
+          arithmeticFlags(m, quotient, 16);
+        } else {
+          arithmeticFlags(m, result, 32);
+        }
+      });
+    });
+  }
+};
+
+using IntegerGroup = Group<AddInt, SubInt, MulInt, DivInt, AddDInt, SubDInt, MulDInt, DivDInt, MulWide, DivWide>;
 
 }  // namespace rungproof::isa
