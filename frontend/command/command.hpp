@@ -1,0 +1,66 @@
+// A command of the program: one file of this folder each, nothing else to edit. `setup` declares the command's own
+// arguments and options on a CLI11 app and returns what is to run after parsing; the common options (options.hpp) are
+// added by the framework and arrive in Context::settings.
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "frontend/exit.hpp"
+#include "frontend/failure.hpp"
+#include "frontend/options.hpp"
+#include "frontend/report/report.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace rungproof {
+
+/// One `--format NAME[=FILE]`; no file: standard output.
+struct OutputRequest {
+  std::string name;
+  std::string file;
+};
+
+/// What a command works with. Results go to `out`; diagnostics of the tool itself and progress to `err`.
+struct Context {
+  const Settings& settings;
+  std::istream& in;
+  std::ostream& out;
+  std::ostream& err;
+  bool color = false;     ///< colours on `out`
+  bool progress = false;  ///< `err` is a terminal and --quiet was not given
+  std::vector<OutputRequest> outputs;  ///< never empty; names are permitted ones
+
+  /// Prints the reason to `err` and gives the exit code for it.
+  Exit fail(const Failure& failure) const;
+  /// Writes the text of one output: to `out`, or as a whole file that is there completely or not at all.
+  bool write(const OutputRequest& output, std::string_view text) const;
+};
+
+/// Drops findings below --level, sorts, writes the report in every requested form, and gives the exit code.
+Exit finish(const Context& context, Report report);
+
+using Action = std::function<Exit(Context&)>;
+
+struct Command {
+  std::string_view name;
+  std::string_view usage;     ///< arguments after the name: "FILE... [--props FILE]..."
+  std::string_view summary;   ///< one line, for the list of commands
+  std::string_view details;   ///< paragraphs and examples for `CMD --help`; may be empty
+  OptionGroups shows = option_group::All;  ///< common options that its help lists
+  std::string_view formats = {};           ///< "text|json": forms of its output, default first; empty: every Reporter
+  Action (*setup)(CLI::App& app) = nullptr;
+};
+
+std::span<const Command* const> allCommands();
+const Command* commandNamed(std::string_view name);
+/// Forms that the command can write, default first.
+std::vector<std::string_view> formatsOf(const Command& command);
+
+}  // namespace rungproof

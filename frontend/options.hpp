@@ -1,0 +1,115 @@
+// The common options: one row per option, and the values they have in this run. Command line, help, completion,
+// configuration file and `rungproof config` all come from this table. Options of a single command are declared by
+// the command itself. Golden tests: tests/golden/help.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/rule.hpp"
+#include "frontend/failure.hpp"
+#include "ir/choices.hpp"
+#include "ir/cpu.hpp"
+
+namespace rungproof {
+
+enum class Opt : std::uint8_t {
+  Cpu, Edition, Dialect, Mnemonics, Encoding, Symbols, StdinFilename,
+  ScanTime, Timeout, Bound, Jobs, Seed, ChoiceOf,
+  Select, Ignore, Level, NoSuppress, Baseline,
+  Format, Color, Quiet,
+  Isolated, Config,
+  count
+};
+
+/// Which commands show an option in their help. Every command accepts all of them.
+using OptionGroups = std::uint8_t;
+namespace option_group {
+inline constexpr OptionGroups Reading = 1, Running = 2, Rules = 4, Output = 8, Configuration = 16;
+inline constexpr OptionGroups All = 31;
+}  // namespace option_group
+
+enum class Arity : std::uint8_t { Flag, One, List };  ///< List: may be repeated, values are separated by commas
+
+struct OptionInfo {
+  Opt id;
+  OptionGroups group;
+  Arity arity;
+  std::string_view name;     ///< without the dashes; also the configuration key
+  std::string_view value;    ///< "CPU", or the permitted words "auto|always|never"; empty for flags
+  std::string_view initial;  ///< default as text; empty: none, or the command decides
+  std::string_view help;
+  bool inConfig = true;      ///< may stand in rungproof.toml
+};
+
+/// All rows, in the order of Opt.
+std::span<const OptionInfo> optionTable();
+const OptionInfo& optionInfo(Opt id);
+const OptionInfo* optionNamed(std::string_view name);
+/// The words of "a|b|c"; empty if the row takes free text.
+std::vector<std::string_view> permittedWords(std::string_view value);
+/// Why the text is no value for the option, or nothing.
+std::optional<Failure> checkValue(const OptionInfo& info, std::string_view text);
+
+using Duration = std::chrono::microseconds;
+/// "5ms", "1.5s", "200us", "2min"; nothing for anything else, a negative or a too large duration.
+std::optional<Duration> durationNamed(std::string_view text);
+
+/// The length of a scan: anything between the two, ends included.
+struct ScanTime {
+  Duration low;
+  Duration high;
+};
+/// "5ms..20ms" or one value; nothing if it cannot be read, is zero, or its ends are swapped.
+std::optional<ScanTime> scanTimeNamed(std::string_view text);
+
+/// Values of all options, with the place each comes from.
+class Settings {
+ public:
+  Settings();
+
+  bool flag(Opt id) const { return !values_[index(id)].texts.empty(); }
+  bool isSet(Opt id) const { return values_[index(id)].origin != "default"; }
+  const std::vector<std::string>& list(Opt id) const { return values_[index(id)].texts; }
+  /// The value of an option with Arity::One; empty if it has none.
+  std::string_view text(Opt id) const;
+  /// The value as a number; `initial` where the option has none.
+  std::int64_t number(Opt id, std::int64_t initial) const;
+  /// "default", "command line" or "rungproof.toml:3".
+  const std::string& origin(Opt id) const { return values_[index(id)].origin; }
+
+  Target target() const;
+  Severity level() const;
+  std::optional<ScanTime> scanTime() const;
+  std::optional<Duration> timeout() const;
+  Choices choices() const;
+  const std::string& choiceOrigin(Choice choice) const { return choiceOrigins_[static_cast<std::size_t>(choice)]; }
+  const RuleSettings& ruleSettings() const { return ruleSettings_; }
+
+  /// Sets a value that checkValue() has passed; lists are split at commas.
+  void set(Opt id, const std::vector<std::string>& texts, const std::string& origin);
+  std::optional<Failure> setChoice(std::string_view key, std::string_view value, const std::string& origin);
+  std::optional<Failure> setRuleOption(std::string_view rule, std::string_view option, std::int64_t value);
+  /// Errors that only values together show, such as a CPU that the edition does not know.
+  std::optional<Failure> check() const;
+
+ private:
+  struct Value {
+    std::vector<std::string> texts;
+    std::string origin = "default";
+  };
+  static std::size_t index(Opt id) { return static_cast<std::size_t>(id); }
+  std::array<Value, static_cast<std::size_t>(Opt::count)> values_;
+  Choices choices_;
+  std::array<std::string, static_cast<std::size_t>(Choice::count)> choiceOrigins_;
+  RuleSettings ruleSettings_;
+};
+
+}  // namespace rungproof

@@ -1,0 +1,75 @@
+// Counting and ordering of results. Tested by tests/frontend/report_test.cpp.
+#include "frontend/report/report.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace rungproof {
+
+std::string verdictText(VerdictWord verdict, int depth) {
+  switch (verdict) {
+    case VerdictWord::Proved: return "PROVED";
+    case VerdictWord::Violated: return "VIOLATED";
+    case VerdictWord::Reachable: return "REACHABLE";
+    case VerdictWord::Unreachable: return "UNREACHABLE";
+    case VerdictWord::HoldsToBound: return fmt::format("HOLDS TO BOUND {}", depth);
+    case VerdictWord::Vacuous: return "VACUOUS";
+    case VerdictWord::NotCovered: return "NOT COVERED";
+    default: return "UNKNOWN";
+  }
+}
+
+std::string_view propertyKindName(PropertyKind kind) {
+  return kind == PropertyKind::Prove ? "prove" : kind == PropertyKind::Reach ? "reach" : "builtin";
+}
+
+Summary summaryOf(const Report& report) {
+  Summary summary;
+  for (const Finding& finding : report.findings) {
+    if (finding.severity == Severity::Error) ++summary.errors;
+    if (finding.severity == Severity::Warning) ++summary.warnings;
+    if (finding.severity == Severity::Note) ++summary.notes;
+  }
+  for (const PropertyResult& property : report.properties) {
+    switch (property.verdict) {
+      case VerdictWord::Proved:
+      case VerdictWord::Reachable: ++summary.proved; break;
+      case VerdictWord::Violated:
+      case VerdictWord::Unreachable:
+      case VerdictWord::Vacuous: ++summary.violated; break;
+      default: ++summary.undecided; break;
+    }
+  }
+  return summary;
+}
+
+Exit exitOf(const Report& report) {
+  const bool unread = std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& finding) {
+    return finding.severity == Severity::Error && finding.rule.starts_with("SYN");
+  });
+  if (unread) return Exit::Failed;
+  const Summary summary = summaryOf(report);
+  const bool differs = report.comparison && !report.comparison->equal;
+  if (!report.findings.empty() || summary.violated > 0 || differs) return Exit::Found;
+  return summary.undecided > 0 ? Exit::Undecided : Exit::Clean;
+}
+
+void sortFindings(Report& report) {
+  const auto key = [](const Finding& f) {
+    return std::tuple(f.span.file, f.span.offset, -static_cast<int>(f.severity), std::string_view(f.rule), std::string_view(f.message));
+  };
+  std::stable_sort(report.findings.begin(), report.findings.end(), [&](const Finding& a, const Finding& b) { return key(a) < key(b); });
+  const auto same = [&](const Finding& a, const Finding& b) { return key(a) == key(b); };
+  report.findings.erase(std::unique(report.findings.begin(), report.findings.end(), same), report.findings.end());
+}
+
+const Reporter* reporterNamed(std::string_view name) {
+  for (const Reporter* reporter : allReporters()) {
+    if (reporter->name == name) return reporter;
+  }
+  return nullptr;
+}
+
+}  // namespace rungproof

@@ -1,0 +1,37 @@
+// One line for each result, "file:line:col: error[ADR001] message", for editors, grep and problem matchers.
+#include <fmt/core.h>
+
+#include <ostream>
+
+#include "analysis/rule.hpp"
+#include "frontend/excerpt.hpp"
+#include "frontend/report/report.hpp"
+
+namespace rungproof {
+
+namespace {
+
+void write(const Report& report, const ReportStyle& style, std::ostream& out) {
+  const Paint paint{style.color};
+  for (const Finding& finding : report.findings) {
+    const std::string head = fmt::format("{}[{}]", severityName(finding.severity), finding.rule);
+    out << fmt::format("{}: {} {}{}\n", placeText(*report.sources, finding.span),
+                       finding.severity == Severity::Error ? paint.red(head) : paint.yellow(head), finding.message,
+                       finding.confirmation == Confirmation::Unconfirmed ? " (unconfirmed)" : "");
+  }
+  for (const PropertyResult& property : report.properties) {
+    const std::string place = property.span ? placeText(*report.sources, *property.span) + ": " : std::string();
+    out << fmt::format("{}{} {}{}\n", place, verdictText(property.verdict, property.depth), property.name,
+                       property.trace.empty() ? "" : " (" + property.trace + ")");
+  }
+  if (report.comparison && !report.comparison->equal) {
+    const Comparison& c = *report.comparison;
+    out << fmt::format("scan {}, {:g} ms, {}: expected {:g}, actual {:g}\n", c.scan, c.timeMs, c.signal, c.expected, c.actual);
+  }
+}
+
+}  // namespace
+
+extern constexpr Reporter conciseReport = {.name = "concise", .summary = "one line for each result", .write = write};
+
+}  // namespace rungproof

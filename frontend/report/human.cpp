@@ -1,0 +1,174 @@
+// The report for people: findings with excerpt, related places and help; verdict lines; the first difference of
+// traces with the scans around it; one closing line. Golden tests: tests/golden/lint.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <ostream>
+
+#include "frontend/excerpt.hpp"
+#include "frontend/report/report.hpp"
+
+#include "analysis/rule.hpp"
+
+namespace rungproof {
+
+namespace {
+
+using Painter = std::string (Paint::*)(std::string_view) const;
+
+Painter painterOf(Severity severity) {
+  return severity == Severity::Error ? &Paint::red : severity == Severity::Warning ? &Paint::yellow : &Paint::cyan;
+}
+
+int digits(std::uint32_t number) { return static_cast<int>(std::to_string(number).size()); }
+
+class HumanWriter {
+ public:
+  HumanWriter(const Report& report, const ReportStyle& style, std::ostream& out)
+      : report_(report), style_(style), paint_{style.color}, out_(out) {}
+
+  void write() {
+    for (const Finding& finding : report_.findings) writeFinding(finding);
+    for (const PropertyResult& property : report_.properties) writeProperty(property);
+    if (report_.comparison) writeComparison(*report_.comparison);
+    if (!report_.properties.empty()) writeBasis();
+    if (!style_.quiet) out_ << closingLine() << '\n';
+  }
+
+ private:
+  bool hasPlace(Span span) const { return report_.sources != nullptr && span.file < report_.sources->size(); }
+
+  void writePlace(Span span, int gutter, std::string_view context, char mark, Painter painter) {
+    out_ << fmt::format("{}{} {}{}\n", std::string(static_cast<std::size_t>(gutter), ' '), paint_.blue("-->"),
+                        placeText(*report_.sources, span), context);
+    out_ << drawExcerpt(excerptOf(report_.sources->file(span.file), span), gutter, mark, paint_, painter);
+  }
+
+  void writeFinding(const Finding& finding) {
+    const Painter painter = painterOf(finding.severity);
+    const std::string head = fmt::format("{}[{}]", severityName(finding.severity), finding.rule);
+    out_ << fmt::format("{}: {}{}\n", (paint_.*painter)(head), paint_.bold(finding.message),
+                        finding.confirmation == Confirmation::Unconfirmed ? " (unconfirmed)" : "");
+    int gutter = 1;
+    if (hasPlace(finding.span)) {
+      gutter = digits(report_.sources->position(finding.span).line);
+      for (const RelatedPlace& related : finding.related) {
+        if (hasPlace(related.span)) gutter = std::max(gutter, digits(report_.sources->position(related.span).line));
+      }
+      writePlace(finding.span, gutter, contextOf(finding), '^', painter);
+    }
+    for (const RelatedPlace& related : finding.related) {
+      if (!hasPlace(related.span)) continue;
+      out_ << fmt::format("{}: {}\n", paint_.cyan("note"), related.message);
+      writePlace(related.span, gutter, "", '-', &Paint::blue);
+    }
+    const std::string margin(static_cast<std::size_t>(gutter) + 1, ' ');
+    if (!finding.help.empty()) out_ << fmt::format("{}{} help: {}\n", margin, paint_.blue("="), finding.help);
+    if (finding.fix) {
+      const std::string_view instead = finding.fix->replacement;
+      out_ << fmt::format("{}{} fix: {}\n", margin, paint_.blue("="),
+                          instead.empty() ? "remove it" : fmt::format("write '{}'", instead));
+    }
+    if (!finding.trace.empty()) out_ << fmt::format("{}{} trace: {}\n", margin, paint_.blue("="), finding.trace);
+    out_ << '\n';
+  }
+
+  static std::string contextOf(const Finding& finding) {
+    if (finding.pou.empty()) return {};
+    return finding.network == 0 ? fmt::format(" in {}", finding.pou) : fmt::format(" in {}, network {}", finding.pou, finding.network);
+  }
+
+  void writeProperty(const PropertyResult& property) {
+    const bool good = property.verdict == VerdictWord::Proved || property.verdict == VerdictWord::Reachable;
+    const bool bad = property.verdict == VerdictWord::Violated || property.verdict == VerdictWord::Unreachable ||
+                     property.verdict == VerdictWord::Vacuous;
+    const Painter painter = good ? &Paint::green : bad ? &Paint::red : &Paint::yellow;
+    out_ << fmt::format("{}  {}", (paint_.*painter)(verdictText(property.verdict, property.depth)), paint_.bold(property.name));
+    if (!property.method.empty()) out_ << fmt::format("  by {}", property.method);
+    out_ << fmt::format("  in {:.2f} s\n", property.seconds);
+    if (property.span && hasPlace(*property.span)) {
+      writePlace(*property.span, digits(report_.sources->position(*property.span).line), "", '^', painter);
+    }
+    for (const std::string& note : property.notes) out_ << fmt::format("  {} {}\n", paint_.blue("="), note);
+    for (const std::string& assumption : property.assumptions) out_ << fmt::format("  {} assumes: {}\n", paint_.blue("="), assumption);
+    if (!property.trace.empty()) out_ << fmt::format("  {} trace: {}\n", paint_.blue("="), property.trace);
+  }
+
+  /// What the verdicts rest on.
+  void writeBasis() {
+    out_ << '\n';
+    for (const std::string& assumption : report_.assumptions) out_ << fmt::format("assumes: {}\n", assumption);
+    for (const std::string& place : report_.coverage.approximated) out_ << fmt::format("approximated: {}\n", place);
+  }
+
+  void writeComparison(const Comparison& comparison) {
+    if (comparison.equal) {
+      out_ << "traces agree\n";
+      return;
+    }
+    out_ << fmt::format("{} scan {}, {:g} ms, {}: expected {:g}, actual {:g}\n", paint_.red("first difference:"), comparison.scan,
+                        comparison.timeMs, comparison.signal, comparison.expected, comparison.actual);
+    if (comparison.around.empty()) return;
+    std::vector<std::size_t> widths;
+    for (std::size_t i = 0; i < comparison.signals.size(); ++i) {
+      std::size_t width = comparison.signals[i].size();
+      for (const ComparedScan& scan : comparison.around) width = std::max({width, scan.expected[i].size(), scan.actual[i].size()});
+      widths.push_back(width);
+    }
+    const auto row = [&](std::string_view scan, std::string_view time, std::string_view kind, const std::vector<std::string>& cells) {
+      std::string line = fmt::format("  {:>6}  {:>8}  {:<8}", scan, time, kind);
+      for (std::size_t i = 0; i < cells.size(); ++i) line += fmt::format("  {:>{}}", cells[i], widths[i]);
+      line.erase(line.find_last_not_of(' ') + 1);
+      return line + '\n';
+    };
+    out_ << row("scan", "ms", "", comparison.signals);
+    for (const ComparedScan& scan : comparison.around) {
+      const bool first = scan.scan == comparison.scan;
+      const std::string time = fmt::format("{:g}", scan.timeMs);
+      const std::string number = fmt::format("{}{}", first ? "> " : "", scan.scan);
+      out_ << row(number, time, "expected", scan.expected);
+      const std::string actual = row("", "", "actual", scan.actual);
+      out_ << (first ? paint_.red(actual.substr(0, actual.size() - 1)) + '\n' : actual);
+    }
+  }
+
+  std::string closingLine() const {
+    const Summary summary = summaryOf(report_);
+    std::string text;
+    const auto add = [&](std::size_t count, std::string_view one, std::string_view many) {
+      if (count == 0) return;
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, count == 1 ? one : many);
+    };
+    if (report_.properties.empty() || !report_.findings.empty()) {
+      add(summary.errors, "error", "errors");
+      add(summary.warnings, "warning", "warnings");
+      add(summary.notes, "note", "notes");
+    }
+    add(summary.proved, "property proved or reached", "properties proved or reached");
+    add(summary.violated, "violated", "violated");
+    add(summary.undecided, "undecided", "undecided");
+    if (text.empty()) text = report_.comparison ? std::string("compared") : std::string("no findings");
+    std::string tail;
+    if (report_.coverage.instructions > 0) {
+      tail = fmt::format(" in {} instruction{}", report_.coverage.instructions, report_.coverage.instructions == 1 ? "" : "s");
+      if (report_.coverage.understood < report_.coverage.instructions) tail += fmt::format(", {} understood", report_.coverage.understood);
+    }
+    if (report_.files.size() > 1) tail += fmt::format(" of {} files", report_.files.size());
+    if (report_.suppressed > 0) tail += fmt::format("; {} suppressed", report_.suppressed);
+    if (report_.baselined > 0) tail += fmt::format("; {} in the baseline", report_.baselined);
+    return text + tail;
+  }
+
+  const Report& report_;
+  const ReportStyle& style_;
+  Paint paint_;
+  std::ostream& out_;
+};
+
+void write(const Report& report, const ReportStyle& style, std::ostream& out) { HumanWriter(report, style, out).write(); }
+
+}  // namespace
+
+extern constexpr Reporter humanReport = {.name = "human", .summary = "excerpts and help for people", .write = write};
+
+}  // namespace rungproof

@@ -1,0 +1,102 @@
+// The JSON report, a stable contract: schema.json beside this file describes it.
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "analysis/rule.hpp"
+#include "frontend/cli.hpp"
+#include "frontend/report/report.hpp"
+
+namespace rungproof {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json textOrNull(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+/// Whole numbers without a decimal point, as traces hold mostly bits and words.
+Json number(double value) {
+  const bool whole = std::nearbyint(value) == value && std::abs(value) < 9e15;
+  return whole ? Json(static_cast<std::int64_t>(value)) : Json(value);
+}
+
+Json findingJson(const Finding& finding, const SourceSet& sources) {
+  const Position position = sources.position(finding.span);
+  const Position end = sources.file(finding.span.file).position(finding.span.offset + finding.span.length);
+  Json json = {{"rule", finding.rule},
+               {"severity", severityName(finding.severity)},
+               {"message", finding.message},
+               {"file", sources.file(finding.span.file).name()},
+               {"line", position.line},
+               {"column", position.column},
+               {"end_line", end.line},
+               {"end_column", end.column},
+               {"pou", textOrNull(finding.pou)},
+               {"network", finding.network == 0 ? Json(nullptr) : Json(finding.network)},
+               {"address", textOrNull(finding.address)},
+               {"confirmed", finding.confirmation != Confirmation::Unconfirmed},
+               {"trace", textOrNull(finding.trace)},
+               {"help", textOrNull(finding.help)}};
+  json["related"] = Json::array();
+  for (const RelatedPlace& related : finding.related) {
+    const Position place = sources.position(related.span);
+    json["related"].push_back({{"message", related.message},
+                               {"file", sources.file(related.span.file).name()},
+                               {"line", place.line},
+                               {"column", place.column}});
+  }
+  return json;
+}
+
+Json propertyJson(const PropertyResult& property) {
+  return {{"name", property.name},
+          {"kind", propertyKindName(property.kind)},
+          {"verdict", verdictText(property.verdict, property.depth)},
+          {"method", property.method},
+          {"depth", property.depth},
+          {"seconds", property.seconds},
+          {"trace", textOrNull(property.trace)},
+          {"assumptions", property.assumptions},
+          {"notes", property.notes}};
+}
+
+Json comparisonJson(const std::optional<Comparison>& comparison) {
+  if (!comparison) return nullptr;
+  if (comparison->equal) return {{"equal", true}};
+  return {{"equal", false},
+          {"scan", comparison->scan},
+          {"time_ms", number(comparison->timeMs)},
+          {"signal", comparison->signal},
+          {"expected", number(comparison->expected)},
+          {"actual", number(comparison->actual)}};
+}
+
+void write(const Report& report, const ReportStyle&, std::ostream& out) {
+  const Summary summary = summaryOf(report);
+  Json json = {{"tool", "rungproof"}, {"version", programVersion()}, {"command", report.command}};
+  json["findings"] = Json::array();
+  for (const Finding& finding : report.findings) json["findings"].push_back(findingJson(finding, *report.sources));
+  json["properties"] = Json::array();
+  for (const PropertyResult& property : report.properties) {
+    Json row = propertyJson(property);
+    // The assumptions of the run hold for each property; who reads one row must see all of them.
+    Json all = report.assumptions;
+    for (const std::string& own : property.assumptions) all.push_back(own);
+    row["assumptions"] = std::move(all);
+    json["properties"].push_back(std::move(row));
+  }
+  json["comparison"] = comparisonJson(report.comparison);
+  json["coverage"] = {{"instructions", report.coverage.instructions},
+                      {"understood", report.coverage.understood},
+                      {"approximated", report.coverage.approximated}};
+  json["summary"] = {{"errors", summary.errors},   {"warnings", summary.warnings}, {"notes", summary.notes},
+                     {"proved", summary.proved},   {"violated", summary.violated}, {"undecided", summary.undecided}};
+  out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+}  // namespace
+
+extern constexpr Reporter jsonReport = {.name = "json", .summary = "stable form for programs", .write = write};
+
+}  // namespace rungproof

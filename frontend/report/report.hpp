@@ -1,0 +1,109 @@
+// What a run found, ready to be reported: findings, properties, comparison, coverage. Every command that judges a
+// program fills one Report and hands it to finish(); one file of this folder per output form prints it.
+// The JSON form is a contract, see schema.json beside this file; tests/frontend/report_test.cpp validates against it.
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "frontend/exit.hpp"
+#include "ir/finding.hpp"
+#include "ir/source.hpp"
+
+namespace rungproof {
+
+enum class VerdictWord : std::uint8_t { Proved, Violated, Reachable, Unreachable, HoldsToBound, Vacuous, Unknown, NotCovered };
+/// "PROVED", "HOLDS TO BOUND 20".
+std::string verdictText(VerdictWord verdict, int depth);
+
+enum class PropertyKind : std::uint8_t { Prove, Reach, Builtin };
+std::string_view propertyKindName(PropertyKind kind);
+
+/// The verdict on one property.
+struct PropertyResult {
+  std::string name;
+  PropertyKind kind = PropertyKind::Prove;
+  VerdictWord verdict = VerdictWord::Unknown;
+  std::string method;       ///< "k-induction, k = 3"
+  int depth = 0;            ///< scans: length of the witness, or how far it was looked
+  double seconds = 0;
+  std::string trace;        ///< file that holds the witness, or empty
+  std::string statement;    ///< the property as written
+  std::optional<Span> span; ///< where it is declared, in the sources of the report
+  std::vector<std::string> assumptions;  ///< of this property only; those of the run are in Report::assumptions
+  std::vector<std::string> notes;        ///< what was tried, which lines are not covered, what the witness shows
+};
+
+/// A row of the table around the first difference: the values of all compared signals in one scan.
+struct ComparedScan {
+  int scan = 0;
+  double timeMs = 0;
+  std::vector<std::string> expected;
+  std::vector<std::string> actual;
+};
+
+/// The outcome of a comparison of traces: the first difference, if there is one.
+struct Comparison {
+  bool equal = true;
+  int scan = 0;
+  double timeMs = 0;
+  std::string signal;
+  double expected = 0;
+  double actual = 0;
+  std::vector<std::string> signals;     ///< names of the columns of `around`
+  std::vector<ComparedScan> around;     ///< scans before and after the difference
+};
+
+/// How much of the program the tool understood; a verdict is worth no more than this.
+struct Coverage {
+  std::size_t instructions = 0;
+  std::size_t understood = 0;
+  std::vector<std::string> approximated;  ///< "PID at press.awl:41: result is any value"
+};
+
+struct Report {
+  std::string command;  ///< "lint", "prove", ...
+  std::shared_ptr<const SourceSet> sources;
+  std::vector<Finding> findings;
+  std::vector<PropertyResult> properties;
+  std::optional<Comparison> comparison;
+  Coverage coverage;
+  std::vector<std::string> assumptions;  ///< CPU, scan time, initial memory, external writers
+  std::vector<std::string> files;        ///< as given; for the closing line
+  std::size_t suppressed = 0;            ///< findings that an allow-comment silenced
+  std::size_t baselined = 0;             ///< findings that the baseline lists
+};
+
+struct Summary {
+  std::size_t errors = 0, warnings = 0, notes = 0, proved = 0, violated = 0, undecided = 0;
+};
+Summary summaryOf(const Report& report);
+
+/// Exit code of the contract for what the report holds: 2 if the readers could not read everything, else 1, 3 or 0.
+Exit exitOf(const Report& report);
+
+/// Sorts findings by place and removes those that say the same of the same place.
+void sortFindings(Report& report);
+
+/// How a report is to look.
+struct ReportStyle {
+  bool color = false;
+  bool quiet = false;
+};
+
+/// One output form; each file of frontend/report defines one.
+struct Reporter {
+  std::string_view name;
+  std::string_view summary;  ///< for the help
+  void (*write)(const Report& report, const ReportStyle& style, std::ostream& out);
+};
+std::span<const Reporter* const> allReporters();
+const Reporter* reporterNamed(std::string_view name);
+
+}  // namespace rungproof
