@@ -20,6 +20,8 @@ class Outside {
   /// Value of an external site, `width` bits.
   virtual std::uint64_t external(const ExternalSite& site, int width) = 0;
   virtual void report(Hazard hazard, const Instruction* place) = 0;
+  /// Interrupt queues, timed interrupts and the watchdog live outside the program.
+  virtual void signal(Signal, std::uint32_t /*index*/) {}
 };
 
 class Concrete {
@@ -145,6 +147,9 @@ class Concrete {
 
   Bits external(const ExternalSite& site, int width) { return outside_->external(site, width) & mask(width); }
   void report(Hazard hazard, bool, const Instruction* place) { outside_->report(hazard, place); }
+  void signal(Signal which, std::uint32_t index, bool guard) {
+    if (guard) outside_->signal(which, index);
+  }
   bool targets(Machine<Concrete>&, Bits, Width, Ref<Concrete>&) { return false; }
   Bits unresolved(Machine<Concrete>&, int) { return 0; }
   void havoc(Machine<Concrete>&) {}

@@ -98,11 +98,25 @@ class Args {
   }
   /// Whether `count` elements (width 16 number) from operand i stay inside the area on this CPU.
   Bool fits(std::size_t i, Bits count, Width w);
+  /// The largest count that can fit, at most `cap`: how far a loop over the buffer has to look.
+  int room(std::size_t i, Width w, int cap) const;
+  /// Calls visit(condition, area, offset) for each place that operand i may be.
+  template <class Visit>
+  void eachPlace(std::size_t i, Visit&& visit) {
+    const Ref<D>& ref = refs_[i];
+    if (ref.isPlace) visit(m_.d.constant(true), ref.area, ref.offset);
+    for (const PointerTarget<D>& t : ref.targets) visit(t.condition, t.area, t.offset);
+  }
   /// Width of operand i by its type.
   Width width(std::size_t i) const { return widthOf(desc_.operands[i].type); }
 
  private:
   Bool resolveOne(const Operand& o, Width w, Ref<D>& ref);
+  std::uint32_t left(Area area, std::uint32_t offset, Width w) const {
+    const bool byNumber = area == Area::T || area == Area::C;
+    const std::uint32_t size = areaSize(m_.target, area);
+    return offset >= size ? 0 : (size - offset) / static_cast<std::uint32_t>(byNumber ? 1 : bytes(w));
+  }
   Bits load(Ref<D>& ref, int element, Width w);
   void save(Ref<D>& ref, int element, Width w, Bits value);
   static std::uint32_t advance(Area area, std::uint32_t offset, int element, Width w) {
@@ -151,7 +165,10 @@ typename D::Bits Args<D>::load(Ref<D>& ref, int element, Width w) {
   if (ref.isUnresolved) return m_.d.unresolved(m_, bits(w));
   if (ref.targets.empty()) return ref.value;
   Bits result = m_.d.literal(0, bits(w));
-  for (const PointerTarget<D>& t : ref.targets) result = m_.d.select(t.condition, m_.load(t.area, advance(t.area, t.offset, element, w), w), result, bits(w));
+  for (const PointerTarget<D>& t : ref.targets) {
+    const std::uint32_t at = advance(t.area, t.offset, element, w);
+    if (at < areaSize(m_.target, t.area)) result = m_.d.select(t.condition, m_.load(t.area, at, w), result, bits(w));
+  }
   return result;
 }
 
@@ -160,23 +177,30 @@ void Args<D>::save(Ref<D>& ref, int element, Width w, Bits value) {
   if (ref.isPlace) return m_.save(ref.area, advance(ref.area, ref.offset, element, w), w, value, ref.bit);
   if (ref.isUnresolved) return m_.d.havoc(m_);
   for (const PointerTarget<D>& t : ref.targets) {
-    m_.when(t.condition, [&] { m_.save(t.area, advance(t.area, t.offset, element, w), w, value); });
+    const std::uint32_t at = advance(t.area, t.offset, element, w);
+    if (at < areaSize(m_.target, t.area)) m_.when(t.condition, [&] { m_.save(t.area, at, w, value); });
   }
 }
 
 template <class D>
 typename D::Bool Args<D>::fits(std::size_t i, Bits count, Width w) {
   const Ref<D>& ref = refs_[i];
-  const auto room = [&](Area area, std::uint32_t offset) {
-    const bool byNumber = area == Area::T || area == Area::C;
-    const std::uint32_t size = areaSize(m_.target, area);
-    const std::uint32_t left = offset >= size ? 0 : (size - offset) / static_cast<std::uint32_t>(byNumber ? 1 : bytes(w));
-    return m_.d.ule(count, m_.d.literal(std::min<std::uint32_t>(left, 0xFFFF), 16), 16);
+  const auto enough = [&](Area area, std::uint32_t offset) {
+    return m_.d.ule(count, m_.d.literal(std::min<std::uint32_t>(left(area, offset, w), 0xFFFF), 16), 16);
   };
-  if (ref.isPlace) return room(ref.area, ref.offset);
+  if (ref.isPlace) return enough(ref.area, ref.offset);
   Bool result = m_.d.constant(true);
-  for (const PointerTarget<D>& t : ref.targets) result = m_.d.select(t.condition, room(t.area, t.offset), result);
+  for (const PointerTarget<D>& t : ref.targets) result = m_.d.select(t.condition, enough(t.area, t.offset), result);
   return result;
+}
+
+template <class D>
+int Args<D>::room(std::size_t i, Width w, int cap) const {
+  const Ref<D>& ref = refs_[i];
+  if (ref.isUnresolved) return cap;
+  std::uint32_t most = ref.isPlace ? left(ref.area, ref.offset, w) : 0;
+  for (const PointerTarget<D>& t : ref.targets) most = std::max(most, left(t.area, t.offset, w));
+  return std::min(cap, static_cast<int>(most));
 }
 
 /// Runs one instruction of type Op: the frame that its class of execution prescribes, around its meaning.
@@ -186,15 +210,14 @@ void execute(Machine<D>& m, const Instruction& instruction) {
   const auto body = [&] {
     Args<D> args(m, instruction, desc);
     const typename D::Bool legal = args.resolve();
-    if constexpr (desc.eno) m.setBit(Reg::Eno, 0, m.d.constant(true));
+    if constexpr (desc.eno) m.enoAfter(desc.execution == Execution::Sampled ? m.powerFlow() : m.d.constant(true));
     m.hazard(desc.execution == Execution::Compare ? Hazard::FatalIndirectAddress : Hazard::BadIndirectAddress, m.d.lnot(legal));
     m.when(legal, [&] { Op::run(m, args); });
   };
   if constexpr (desc.execution == Execution::Conditional) {
-    if constexpr (desc.eno) {
-      if (m.choices[Choice::SkippedEno] == 0) m.when(m.d.lnot(m.powerFlow()), [&] { m.setBit(Reg::Eno, 0, m.d.constant(false)); });
-    }
-    m.when(m.powerFlow(), body);
+    const typename D::Bool runs = m.powerFlow();
+    if constexpr (desc.eno) m.when(m.d.lnot(runs), [&] { m.enoAfter(m.d.constant(false)); });
+    m.when(runs, body);
   } else {
     body();
   }

@@ -38,6 +38,13 @@ enum class Choice : std::uint8_t {
   PortAgain,            // A 20.13
   NetworkAgain,         // A 20.13
   StringResultOverflow,
+  PidTimeUnit,         // B 5
+  InterruptStack,      // B 6.3
+  InterruptCallStack,  // B 6.4
+  BlockMoveNothing,    // B 8.3
+  BlockMoveOverlap,    // B 8.3
+  BlockMoveTooFar,     // B 8.3
+  ForAtMaximum,        // B 12
   count
 };
 
@@ -89,6 +96,19 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      "XMT during a transmission, RCV during a reception: ignored, or error 0009/000B as for XMT against RCV", "001:3141"},
     {Choice::NetworkAgain, "network-again", {"ignored", "queued", ""}, "NETR, NETW on a table that is still active", "001:3031"},
     {Choice::StringResultOverflow, "string-overflow", {"unchanged", "cut", ""}, "SCAT result over 254 characters", "001:6093"},
+    {Choice::PidTimeUnit, "pid-time-unit", {"minutes", "seconds", ""},
+     "Ti and Td of the PID table are in minutes and Ts in seconds, but the printed formulas show no factor 60; the default applies it", "001:5315"},
+    {Choice::InterruptStack, "interrupt-stack", {"one", "zero", ""},
+     "top of the logic stack at the start of an interrupt routine; the default is that of a subroutine", "001:5430"},
+    {Choice::InterruptCallStack, "interrupt-call-stack", {"saved", "shared", ""},
+     "whether CALL in an interrupt routine saves the logic stack as every CALL does, or shares it as the text on interrupts says", "001:5444"},
+    {Choice::BlockMoveNothing, "block-move-zero", {"nothing", "error", ""}, "BMB, BMW, BMD and FILL with N = 0: no effect, or error 0091", "001:5654"},
+    {Choice::BlockMoveOverlap, "block-move-overlap", {"ascending", "buffered", ""},
+     "block move onto itself: element by element from the first, or as if all were read before the first is written", "001:5654"},
+    {Choice::BlockMoveTooFar, "block-move-range", {"nothing", "up-to-the-end", ""},
+     "what a block move or FILL writes when a block leaves its area (error 0091)", "001:5648"},
+    {Choice::ForAtMaximum, "for-at-maximum", {"ends", "wraps", ""},
+     "FOR with FINAL = 32767: the loop ends after the pass with 32767, or INDX wraps and it never ends", "001:5768"},
 }};
 
 /// The value chosen for each open point, as an index into ChoiceInfo::values.

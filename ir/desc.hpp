@@ -105,6 +105,11 @@ constexpr OperandDesc inout(std::string_view name, Type type, Forms forms) {
   return operandDesc(name, Direction::InOut, type, forms);
 }
 
+constexpr OperandDesc optional(OperandDesc desc) {
+  desc.optional = true;
+  return desc;
+}
+
 /// When an instruction runs and what it does with the top of the stack (s7200 digest part A 0.4, part B 0.3).
 enum class Execution : std::uint8_t {
   Stack,        ///< always executed, reads or writes the logic stack
@@ -155,7 +160,8 @@ struct Desc {
   bool olderDialectOnly = false;///< RET, RETI, MEND: written only in the one-text dialect
   bool drawingOnly = false;     ///< SR, RS and the IEC boxes: exist in LAD/FBD only, named so in the IR
   bool notInInterrupt = false;  ///< 001:5426, 001:3353
-  std::uint32_t time = 0;       ///< execution time with power flow in 0.01 us (Appendix F), 0 unknown
+  std::uint32_t time = 0;       ///< execution time with power flow in 0.01 us (Appendix F), 0 unknown; where it depends
+                                ///< on operands: inputs, local points, constant count, one element; typical, not maximum
   std::string_view manual = {}; ///< "001:4814"
   std::uint16_t opcode = 0;     ///< position in the joined table, set by isa_list.hpp
 

@@ -42,6 +42,14 @@ enum class External : std::uint8_t {
   UnknownResult     ///< result that the manual leaves open after an error
 };
 
+/// What an instruction tells the system around the program, beyond the registers it changes.
+enum class Signal : std::uint8_t {
+  EventAttached,     ///< ATCH; index = event. A timed event takes over its interval and starts anew (001:5472)
+  EventDetached,     ///< DTCH; index = event
+  EventsCleared,     ///< CEVNT; index = event: its queued entries are dropped (001:5357)
+  WatchdogRestarted  ///< WDR
+};
+
 /// Where an external value is asked for; with the order of execution it identifies the value within a scan.
 struct ExternalSite {
   External kind;
@@ -222,6 +230,11 @@ class Machine {
   }
   Bool externalBit(External kind, std::uint32_t index = 0) { return d.bit(external(kind, index, 1), 0); }
 
+  /// Tells the outside, where the domain has one, that the current instruction does this.
+  void signal(Signal which, std::uint32_t index = 0) {
+    if constexpr (requires { d.signal(which, index, guard); }) d.signal(which, index, guard);
+  }
+
   /// Reports that `condition` means that error here: SM4.3 for non-fatal ones, end of the program for fatal
   /// ones, nothing but the report for status-only ones (the meaning itself sets the SM1 bit). ENO drops in all cases.
   void hazard(Hazard which, Bool condition) {
@@ -235,6 +248,11 @@ class Machine {
     if (hazardInfo(which).kind == HazardClass::NonFatal) setSm(4, 3, d.constant(true));
     guard = saved;
     if (hazardInfo(which).kind == HazardClass::Fatal) halt(condition);
+  }
+  /// ENO at the start of a box: 1 if it runs (its hazards clear it), otherwise as Choice::SkippedEno says.
+  void enoAfter(Bool runs) {
+    const Bool skipped = choices[Choice::SkippedEno] == 0 ? d.constant(false) : getBit(Reg::Eno);
+    setBit(Reg::Eno, 0, d.select(runs, d.constant(true), skipped));
   }
   /// Ends the program under `condition` (STOP in the main program, fatal errors).
   void halt(Bool condition) {

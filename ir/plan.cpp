@@ -2,8 +2,29 @@
 #include "ir/plan.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
+
+#include "ir/check.hpp"
 
 namespace rungproof {
+
+TimerKind timerKind(const Desc& desc) {
+  static constexpr std::array<std::pair<std::string_view, TimerKind>, 6> kinds = {{{"TON", TimerKind::OnDelay},
+                                                                                   {"TONR", TimerKind::Retentive},
+                                                                                   {"TOF", TimerKind::OffDelay},
+                                                                                   {"TON.IEC", TimerKind::IecOnDelay},
+                                                                                   {"TOF.IEC", TimerKind::OffDelay},
+                                                                                   {"TP.IEC", TimerKind::IecPulse}}};
+  const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) { return kind.first == desc.stl; });
+  CHECK(found != kinds.end(), "instruction with a timer operand that is no timer");
+  return found->second;
+}
+
+const TimerUse* Plan::timer(std::uint32_t number) const {
+  const auto found = std::find_if(timers.begin(), timers.end(), [&](const TimerUse& use) { return use.number == number; });
+  return found == timers.end() ? nullptr : &*found;
+}
 
 Plan::Plan(const Program& source) : program(&source) {
   edge.assign(source.instructionCount(), noPartner);
@@ -14,7 +35,8 @@ Plan::Plan(const Program& source) : program(&source) {
       if (instruction.desc->stl == "EU" || instruction.desc->stl == "ED") edge[instruction.id] = edgeCount++;
       const bool isTimer = instruction.desc->operandCount > 0 && instruction.desc->operands[0].type == Type::Timer;
       if (!isTimer || instruction.operands.empty()) continue;
-      const TimerUse use{instruction.operands[0].offset, instruction.desc, timerResolution(static_cast<int>(instruction.operands[0].offset))};
+      const TimerUse use{instruction.operands[0].offset, instruction.desc, timerResolution(static_cast<int>(instruction.operands[0].offset)),
+                         timerKind(*instruction.desc)};
       const bool isKnown = std::any_of(timers.begin(), timers.end(), [&](const TimerUse& t) { return t.number == use.number && t.desc == use.desc; });
       if (!isKnown) timers.push_back(use);
     }

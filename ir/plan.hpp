@@ -10,11 +10,17 @@
 
 namespace rungproof {
 
+/// What a timer box does with time (tables 6-73 and 6-76, 001:6551-6586, 001:6693-6706).
+enum class TimerKind : std::uint8_t { OnDelay, Retentive, OffDelay, IecOnDelay, IecPulse };
+/// IEC TOF behaves as TOF. CHECKs that the instruction is a timer.
+TimerKind timerKind(const Desc& desc);
+
 /// A timer box that occurs in the program. A number used by boxes of two kinds has two entries (TIM002).
 struct TimerUse {
   std::uint32_t number;
   const Desc* desc;  ///< TON, TOF, TONR or an IEC box
   int resolution;    ///< ms
+  TimerKind kind;
 };
 
 struct Plan {
@@ -25,6 +31,9 @@ struct Plan {
   std::vector<std::uint32_t> edge;    ///< by Instruction::id: number of the EU or ED, else noPartner
   std::uint32_t edgeCount = 0;
   std::vector<TimerUse> timers;       ///< in the order of first use
+
+  /// First use of a timer number, or nullptr. It decides how the number counts.
+  const TimerUse* timer(std::uint32_t number) const;
 
   const Flow* main() const { return find(PouKind::Main, -1); }
   const Flow* subroutine(int number) const { return find(PouKind::Subroutine, number); }

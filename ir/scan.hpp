@@ -32,25 +32,32 @@ class Scan {
   void program() {
     const Flow* main = m_.plan.main();
     if (main == nullptr) return;
-    enterStack(m_.d.constant(false));
     m_.frame = 0;
+    freshLocals(0);
+    enterStack(m_.d.constant(false));
+    ended_ = m_.d.constant(false);
     walk(*main);
   }
 
-  /// Runs interrupt routine `number` where `condition` holds: stack, accumulators and SM1 are saved around it
-  /// (001:5430). Its stack starts like a subroutine's.
+  /// Runs interrupt routine `number` where `condition` holds: stack, accumulators, SM1 and ENO are saved around it
+  /// (001:5430). Its stack starts as Choice::InterruptStack says.
   void interrupt(int number, Bool condition) {
     const Flow* routine = m_.plan.interrupt(number);
     if (routine == nullptr) return;
     m_.when(condition, [&] {
+      freshLocals(9);
       const Context saved = enter(9);
+      if (m_.choices.is(Choice::InterruptStack, "zero")) enterStack(m_.d.constant(false));
       std::array<Bits, 4> accumulators;
       for (std::uint32_t i = 0; i < 4; ++i) accumulators[i] = m_.get(Reg::Accumulator, i);
       const Bits status = m_.load(Area::SM, 1, Width::Byte);
+      const Bool eno = m_.getBit(Reg::Eno);
       m_.inInterrupt = true;
       walk(*routine);
       m_.inInterrupt = false;
+      ended_ = m_.d.constant(false);
       m_.save(Area::SM, 1, Width::Byte, status);
+      m_.setBit(Reg::Eno, 0, eno);
       for (std::uint32_t i = 0; i < 4; ++i) m_.set(Reg::Accumulator, i, accumulators[i]);
       leave(saved);
     });
@@ -75,6 +82,9 @@ class Scan {
     enterStack(m_.d.constant(true));
     m_.frame = frame;
     return saved;
+  }
+  void freshLocals(unsigned frame) {
+    for (std::uint32_t byte = 0; byte < 64; ++byte) hooks_.freshLocal(*this, frame, byte);
   }
   void leave(const Context& saved) {
     m_.stack = saved.stack;
@@ -140,6 +150,7 @@ class Scan {
         m_.guard = stays;
         return;
       }
+      w.rounds.erase(w.rounds.lower_bound(target), w.rounds.lower_bound(from));  // loops inside start anew
       if (++w.rounds[from] > loopLimit_) {
         m_.hazard(Hazard::LoopBound, condition);
         m_.guard = stays;
@@ -163,6 +174,7 @@ class Scan {
   Hooks& hooks_;
   std::span<const Execute<D>> dispatch_;
   int loopLimit_;
+  Bool ended_ = m_.d.constant(false);  ///< STOP has ended the interrupt routine that runs
 };
 
 template <class D, class Hooks>
@@ -176,7 +188,11 @@ void Scan<D, Hooks>::control(Walk& w, std::uint32_t at) {
       break;
     case Control::For: forLoop(w, at); break;
     case Control::Next: nextRound(w, at); break;
-    case Control::Call: m_.when(m_.powerFlow(), [&] { call(instruction); }); break;
+    case Control::Call:
+      m_.enoAfter(m_.powerFlow());
+      m_.when(m_.powerFlow(), [&] { call(instruction); });
+      m_.guard = m_.d.land(m_.guard, m_.d.lnot(ended_));
+      break;
     case Control::ReturnConditional:
     case Control::InterruptReturnConditional:
     case Control::End: branch(w, m_.powerFlow(), end); break;
@@ -217,6 +233,7 @@ void Scan<D, Hooks>::forLoop(Walk& w, std::uint32_t at) {
   const FlowStep& step = w.flow.steps[at];
   if (step.partner == noPartner) return;
   Bool skip = m_.d.lnot(m_.powerFlow());
+  m_.enoAfter(m_.powerFlow());
   m_.when(m_.powerFlow(), [&] {
     Args<D> args(m_, *step.instruction, *step.instruction->desc);
     const Bool legal = args.resolve();
@@ -239,19 +256,22 @@ void Scan<D, Hooks>::nextRound(Walk& w, std::uint32_t at) {
   m_.hazard(Hazard::BadIndirectAddress, m_.d.lnot(legal));
   const Bits old = args.value(0);
   const Bits index = m_.d.add(old, m_.d.literal(1, 16), 16);
-  // FINAL 32767: the increment would wrap; the loop ends there instead of running for ever (the manual is silent).
-  const Bool last = m_.d.sle(args.value(2), old, 16);
   m_.when(legal, [&] { args.store(0, index); });
+  Bool last = m_.d.slt(args.value(2), index, 16);
+  if (m_.choices.is(Choice::ForAtMaximum, "ends")) last = m_.d.lor(last, m_.d.equal(old, m_.d.literal(0x7FFF, 16), 16));
   m_.setTop(m_.d.constant(true));
   branch(w, m_.d.land(legal, m_.d.lnot(last)), step.partner + 1);
 }
 
+/// STOP: in an interrupt routine, and in the subroutine it called, the routine ends and the scan is completed
+/// (001:5695); in the main program Choice::MainStop says whether the rest of the scan runs.
 template <class D, class Hooks>
 void Scan<D, Hooks>::stop(Walk& w) {
   const Bool stopped = m_.powerFlow();
   m_.when(stopped, [&] { m_.setBit(Reg::Running, 0, m_.d.constant(false)); });
   if (m_.inInterrupt) {
-    branch(w, stopped, static_cast<std::uint32_t>(w.flow.steps.size()));  // the rest of the scan is completed (001:5695)
+    ended_ = m_.d.lor(ended_, m_.d.land(m_.guard, stopped));
+    branch(w, stopped, static_cast<std::uint32_t>(w.flow.steps.size()));
   } else if (m_.choices.is(Choice::MainStop, "at-once")) {
     m_.halt(stopped);
   }
@@ -263,13 +283,15 @@ void Scan<D, Hooks>::call(const Instruction& instruction) {
   if (callee == nullptr) return hooks_.callWithoutBody(*this, instruction);
   const unsigned calleeFrame = m_.frame + 1;
   const bool tooDeep = m_.inInterrupt ? calleeFrame > 10 : calleeFrame > 8;  // 001:6744, 001:5444
-  m_.setBit(Reg::Eno, 0, m_.d.constant(true));
   m_.hazard(Hazard::NestingTooDeep, m_.d.constant(tooDeep));
   if (tooDeep) return;
-  for (std::uint32_t byte = 0; byte < 64; ++byte) hooks_.freshLocal(*this, calleeFrame, byte);
+  freshLocals(calleeFrame);
   copyIn(instruction, *callee->pou, calleeFrame);
-  const Context saved = enter(calleeFrame);
+  Context saved = enter(calleeFrame);
+  const bool shared = m_.inInterrupt && m_.choices.is(Choice::InterruptCallStack, "shared");
+  if (shared) m_.stack = saved.stack;
   walk(*callee);
+  if (shared) saved.stack = m_.stack;
   leave(saved);
   copyOut(instruction, *callee->pou, calleeFrame);
 }

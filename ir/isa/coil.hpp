@@ -57,9 +57,18 @@ struct Latch {
     const std::uint32_t number = r.offset + static_cast<std::uint32_t>(k);
     if constexpr (!value) {
       if (r.area == Area::T || r.area == Area::C) m.save(r.area, number, Width::Word, m.number(0, 16));
-      if (r.area == Area::T) m.setBit(Reg::TimerRunning, number, m.d.constant(false));
+      if (r.area == Area::T) stopTimer(m, number);
     }
     if constexpr (immediate) m.setBit(Reg::PhysicalOutput, r.offset * 8 + r.bit + static_cast<std::uint32_t>(k), m.d.constant(value));
+  }
+
+ private:
+  /// A timer that runs off a signal needs a new edge after R (001:6586); the others go on from 0 while they are enabled.
+  template <class D>
+  static void stopTimer(Machine<D>& m, std::uint32_t number) {
+    const TimerUse* use = m.plan.timer(number);
+    if (use == nullptr || (use->kind != TimerKind::OffDelay && use->kind != TimerKind::IecPulse)) return;
+    m.setBit(Reg::TimerRunning, number, m.d.constant(false));
   }
 };
 

@@ -1,10 +1,113 @@
-// Placeholder group, to be filled.
+// Interrupts: ENI DISI ATCH DTCH CEVNT, and the returns CRETI RETI (001:5327-5547; s7200 digest B 6).
+// The registers hold what is attached and whether interrupts are enabled; the queues belong to the engine, which
+// learns of ATCH, DTCH and CEVNT by signals. Tests: tests/manual_b/interrupt_test.cpp.
 #pragma once
 
-#include "ir/isa/group.hpp"
+#include "ir/hsc_inputs.hpp"
+#include "ir/isa/control.hpp"
 
 namespace rungproof::isa {
 
-using InterruptGroup = Group<>;
+/// Events of each CPU (001:5366; 226XM: 000:6980-6986).
+constexpr OperandDesc eventOperand() {
+  constexpr CpuSet small = cpuBit(Cpu::Cpu221) | cpuBit(Cpu::Cpu222);
+  constexpr CpuSet middle = cpuBit(Cpu::Cpu224);
+  constexpr CpuSet large = cpuBit(Cpu::Cpu224XP) | cpuBit(Cpu::Cpu226) | cpuBit(Cpu::Cpu226XM);
+  constexpr CpuSet old = cpuBit(Cpu::Cpu212) | cpuBit(Cpu::Cpu214);
+  return in("EVNT", Type::Byte, form::Const)
+      .within({{0, 12, small}, {0, 23, middle}, {19, 23, static_cast<CpuSet>(small)}, {27, 33, small | middle}, {0, 33, large | old}});
+}
+
+/// ENI, DISI: SM4.4 shows the state (001:14108). Forbidden in interrupt routines (001:5426, code 0004).
+template <bool enable, Name stlName, Name meaning, std::uint32_t time>
+struct GlobalEnable {
+  static constexpr Desc desc{.stl = stlName.view(), .meaning = meaning.view(), .group = "interrupt", .stack = {1, 0, 0}, .eno = true,
+                             .notInInterrupt = true, .time = time, .manual = "001:5331"};
+  template <class D>
+  static void run(Machine<D>& m, Args<D>&) {
+    const auto forbidden = m.d.constant(m.inInterrupt);
+    m.hazard(Hazard::NotInInterrupt, forbidden);
+    m.when(m.d.lnot(forbidden), [&] {
+      m.setBit(Reg::InterruptsEnabled, 0, m.d.constant(enable));
+      m.setSm(4, 4, m.d.constant(enable));
+    });
+  }
+};
+
+/// ATCH INT, EVNT: one routine per event, a new one replaces it (001:5345, 001:5370). Error 0002 if the event needs
+/// an input that a defined high-speed counter uses.
+struct Attach {
+  static constexpr Desc desc = withOperands({.stl = "ATCH", .meaning = "attach an interrupt routine to an event", .group = "interrupt",
+                                             .stack = {1, 0, 0}, .eno = true, .time = 1200, .manual = "001:5345"},
+                                            {in("INT", Type::Interrupt, form::Const).within({{0, 127, everyCpu}}), eventOperand()});
+  template <class D>
+  static void run(Machine<D>& m, Args<D>& a) {
+    const std::uint32_t event = a.number(1);
+    if (event >= regInfo(Reg::EventRoutine).count) return;
+    auto taken = m.d.constant(false);
+    if (event < 8) taken = hscUses(m, static_cast<int>(event / 2));
+    m.hazard(Hazard::InputConflict, taken);
+    m.when(m.d.lnot(taken), [&] {
+      m.set(Reg::EventRoutine, event, m.number(a.number(0) + 1, 8));
+      m.signal(Signal::EventAttached, event);
+    });
+  }
+
+ private:
+  /// Whether a counter is defined in a mode that uses input I0.n; events 2n and 2n + 1 are its edges.
+  template <class D>
+  static typename D::Bool hscUses(Machine<D>& m, int input) {
+    auto used = m.d.constant(false);
+    for (int counter = 0; counter < 6; ++counter) {
+      for (int mode = 0; mode <= 12; ++mode) {
+        if (!hscUsesInput(counter, mode, input)) continue;
+        const auto defined = m.get(Reg::HscMode, static_cast<std::uint32_t>(counter));
+        used = m.d.lor(used, m.d.equal(defined, m.number(static_cast<std::uint64_t>(mode) + 1, 8), 8));
+      }
+    }
+    return used;
+  }
+};
+
+/// DTCH EVNT: the event is ignored from now on; entries that wait in a queue stay (001:5353).
+struct Detach {
+  static constexpr Desc desc = withOperands({.stl = "DTCH", .meaning = "detach an event", .group = "interrupt", .stack = {1, 0, 0},
+                                             .eno = true, .time = 1200, .manual = "001:5353"},
+                                            {eventOperand()});
+  template <class D>
+  static void run(Machine<D>& m, Args<D>& a) {
+    const std::uint32_t event = a.number(0);
+    if (event >= regInfo(Reg::EventRoutine).count) return;
+    m.set(Reg::EventRoutine, event, m.number(0, 8));
+    m.signal(Signal::EventDetached, event);
+  }
+};
+
+/// CEVNT EVNT: drops the queued entries of the event (001:5357).
+struct ClearEvents {
+  static constexpr Desc desc = withOperands({.stl = "CEVNT", .meaning = "clear the queued entries of an event", .group = "interrupt",
+                                             .stack = {1, 0, 0}, .eno = true, .since2004 = true, .time = 2400, .manual = "001:5357"},
+                                            {eventOperand()});
+  template <class D>
+  static void run(Machine<D>& m, Args<D>& a) {
+    m.signal(Signal::EventsCleared, a.number(0));
+  }
+};
+
+struct InterruptReturnConditional : InScan {
+  static constexpr Desc desc{.stl = "CRETI", .meaning = "leave the interrupt routine if there is power flow", .group = "interrupt",
+                             .execution = Execution::Control, .stack = {1, 0, 0}, .control = Control::InterruptReturnConditional, .time = 20,
+                             .manual = "001:5341"};
+};
+struct InterruptReturn : InScan {
+  static constexpr Desc desc{.stl = "RETI", .meaning = "end of the interrupt routine", .group = "only in Appendix F or C",
+                             .execution = Execution::Control, .control = Control::InterruptReturn, .olderDialectOnly = true, .manual = "001:13991"};
+};
+
+using EnableInterrupts = GlobalEnable<true, "ENI", "enable interrupts", 1100>;
+using DisableInterrupts = GlobalEnable<false, "DISI", "disable interrupts", 900>;
+
+using InterruptGroup =
+    Group<InterruptReturnConditional, InterruptReturn, EnableInterrupts, DisableInterrupts, Attach, Detach, ClearEvents>;
 
 }  // namespace rungproof::isa

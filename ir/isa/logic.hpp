@@ -1,10 +1,66 @@
-// Placeholder group, to be filled.
+// Bitwise logic on bytes, words and double words: INV, AND, OR, XOR (001:5551-5599; INV: 000:7387-7442, its page is
+// missing in the 2004 text; s7200 digest B 7). SM1.0 tells whether the result is 0; no other status bit changes.
+// Tests: tests/manual_b/logic_test.cpp.
 #pragma once
 
 #include "ir/isa/group.hpp"
 
 namespace rungproof::isa {
 
-using LogicGroup = Group<>;
+enum class Bitwise { And, Or, Xor };
+
+/// Unsigned type and operand forms of a width, for instructions that exist for bytes, words and double words.
+constexpr Type unsignedType(Width w) { return w == Width::Byte ? Type::Byte : w == Width::Word ? Type::Word : Type::DWord; }
+constexpr Forms sourceForms(Width w) { return w == Width::Byte ? form::byteIn : w == Width::Word ? form::wordIn : form::dwordIn; }
+constexpr Forms targetForms(Width w) { return w == Width::Byte ? form::byteOut : w == Width::Word ? form::wordOut : form::dwordOut; }
+
+template <Bitwise operation, Width width, Name stlName, Name germanName, Name meaning, std::uint32_t time>
+struct BitwiseLogic {
+  static constexpr Desc desc = withOperands(
+      {.stl = stlName.view(), .german = germanName.view(), .meaning = meaning.view(), .group = "logic (bitwise)", .stack = {1, 0, 0},
+       .eno = true, .affects = status::Zero, .time = time, .manual = "001:5553"},
+      {in("IN1", unsignedType(width), sourceForms(width)), inout("OUT", unsignedType(width), targetForms(width))});
+  template <class D>
+  static void run(Machine<D>& m, Args<D>& a) {
+    constexpr int w = bits(width);
+    typename D::Bits result{};
+    if constexpr (operation == Bitwise::And) result = m.d.band(a.value(0), a.value(1), w);
+    if constexpr (operation == Bitwise::Or) result = m.d.bor(a.value(0), a.value(1), w);
+    if constexpr (operation == Bitwise::Xor) result = m.d.bxor(a.value(0), a.value(1), w);
+    a.store(1, result);
+    m.flag(status::Zero, m.d.equal(result, m.number(0, w), w));
+  }
+};
+
+/// One's complement in place.
+template <Width width, Name stlName, Name meaning, std::uint32_t time>
+struct Invert {
+  static constexpr Desc desc = withOperands({.stl = stlName.view(), .meaning = meaning.view(), .group = "logic (bitwise)", .stack = {1, 0, 0},
+                                             .eno = true, .affects = status::Zero, .time = time, .manual = "000:7387"},
+                                            {inout("OUT", unsignedType(width), targetForms(width))});
+  template <class D>
+  static void run(Machine<D>& m, Args<D>& a) {
+    constexpr int w = bits(width);
+    const auto result = m.d.bnot(a.value(0), w);
+    a.store(0, result);
+    m.flag(status::Zero, m.d.equal(result, m.number(0, w), w));
+  }
+};
+
+using AndByte = BitwiseLogic<Bitwise::And, Width::Byte, "ANDB", "UNDB", "bitwise AND of bytes", 1900>;
+using AndWord = BitwiseLogic<Bitwise::And, Width::Word, "ANDW", "UNDW", "bitwise AND of words", 2500>;
+using AndDWord = BitwiseLogic<Bitwise::And, Width::DWord, "ANDD", "UNDD", "bitwise AND of double words", 3000>;
+using OrByte = BitwiseLogic<Bitwise::Or, Width::Byte, "ORB", "ORB", "bitwise OR of bytes", 1900>;
+using OrWord = BitwiseLogic<Bitwise::Or, Width::Word, "ORW", "ORW", "bitwise OR of words", 2500>;
+using OrDWord = BitwiseLogic<Bitwise::Or, Width::DWord, "ORD", "ORD", "bitwise OR of double words", 2900>;
+using XorByte = BitwiseLogic<Bitwise::Xor, Width::Byte, "XORB", "XORB", "bitwise exclusive OR of bytes", 1900>;
+using XorWord = BitwiseLogic<Bitwise::Xor, Width::Word, "XORW", "XORW", "bitwise exclusive OR of words", 2500>;
+using XorDWord = BitwiseLogic<Bitwise::Xor, Width::DWord, "XORD", "XORD", "bitwise exclusive OR of double words", 2900>;
+using InvertByte = Invert<Width::Byte, "INVB", "one's complement of a byte", 1600>;
+using InvertWord = Invert<Width::Word, "INVW", "one's complement of a word", 2000>;
+using InvertDWord = Invert<Width::DWord, "INVD", "one's complement of a double word", 2200>;
+
+using LogicGroup =
+    Group<AndByte, AndWord, AndDWord, OrByte, OrWord, OrDWord, XorByte, XorWord, XorDWord, InvertByte, InvertWord, InvertDWord>;
 
 }  // namespace rungproof::isa
