@@ -1,0 +1,137 @@
+// Builds the lists in two passes (count, fill) and the coverage marks.
+#include "analysis/access_index.hpp"
+
+#include <algorithm>
+
+#include "analysis/instruction_kind.hpp"
+
+namespace rungproof {
+
+CellMap::CellMap(const Target& target, std::size_t blocks) : blocks_(std::max<std::size_t>(blocks, 1)) {
+  for (std::size_t a = 0; a < areaCount; ++a) {
+    const Area area = static_cast<Area>(a);
+    base_[a] = size_;
+    length_[a] = areaSize(target, area);
+    size_ += length_[a] * static_cast<std::uint32_t>(area == Area::L ? blocks_ : 1);
+  }
+}
+
+Area CellMap::areaOf(std::uint32_t cell) const {
+  std::size_t a = areaCount - 1;
+  while (a > 0 && (base_[a] > cell || length_[a] == 0)) --a;
+  return static_cast<Area>(a);
+}
+
+std::uint32_t CellMap::offsetOf(std::uint32_t cell) const {
+  const Area area = areaOf(cell);
+  const std::uint32_t offset = cell - base_[static_cast<std::size_t>(area)];
+  return area == Area::L ? offset % length(area) : offset;
+}
+
+namespace {
+
+/// Calls `visit(cell)` for `length` cells from the start of an access, as far as they exist.
+template <class Visit>
+void eachCell(const CellMap& cells, const Access& access, std::uint32_t block, std::uint32_t length, Visit visit) {
+  for (std::uint32_t k = 0; k < length; ++k) {
+    const std::uint32_t cell = cells.cell(access.area, access.offset + k, block);
+    if (cell == cells.size()) return;
+    visit(cell);
+  }
+}
+
+}  // namespace
+
+AccessIndex::AccessIndex(const Program& program, const AccessTable& table, std::span<const std::uint32_t> blockOf)
+    : cells_(program.target, program.pous.size()) {
+  first_.assign(cells_.size() + 1, 0);
+  const auto isNarrow = [](const Access& a) { return !a.viaPointer && a.certainLength() <= longest; };
+  const std::span<const Access> all = table.all();
+  for (const Access& a : all) {
+    if (isNarrow(a)) eachCell(cells_, a, blockOf[a.instruction], a.certainLength(), [&](std::uint32_t cell) { ++first_[cell + 1]; });
+  }
+  for (std::uint32_t c = 0; c < cells_.size(); ++c) first_[c + 1] += first_[c];
+  entries_.resize(first_.back());
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    const Access& a = all[i];
+    if (isNarrow(a)) {
+      eachCell(cells_, a, blockOf[a.instruction], a.certainLength(), [&](std::uint32_t cell) { entries_[next[cell]++] = i; });
+    } else {
+      wide_.push_back(i);
+    }
+  }
+  written_.assign(cells_.size(), 0);
+  read_.assign(cells_.size(), 0);
+  pointed_.assign(cells_.size(), 0);
+  cover(table, blockOf);
+  coverPointers(program, table);
+  for (const DataInit& init : program.data) {
+    for (std::uint32_t k = 0; k < init.bytes.size(); ++k) {
+      const std::uint32_t cell = cells_.cell(Area::V, init.offset + k, 0);
+      if (cell != cells_.size()) written_[cell] = 1;
+    }
+  }
+}
+
+/// Long accesses are collected as the farthest end per start cell and spread in one sweep.
+void AccessIndex::cover(const AccessTable& table, std::span<const std::uint32_t> blockOf) {
+  std::vector<std::uint32_t> readEnd(cells_.size(), 0), writeEnd(cells_.size(), 0);
+  for (const Access& a : table.all()) {
+    if (a.viaPointer) continue;
+    const std::uint32_t start = cells_.cell(a.area, a.offset, blockOf[a.instruction]);
+    if (start == cells_.size()) continue;
+    const std::uint32_t room = cells_.length(a.area) - a.offset;
+    const std::uint32_t end = start + std::min(a.possibleLength(), room);
+    if (a.write) writeEnd[start] = std::max(writeEnd[start], end);
+    if (!a.write || a.maybe) readEnd[start] = std::max(readEnd[start], end);
+  }
+  std::uint32_t readUntil = 0, writeUntil = 0;
+  for (std::uint32_t c = 0; c < cells_.size(); ++c) {
+    readUntil = std::max(readUntil, readEnd[c]);
+    writeUntil = std::max(writeUntil, writeEnd[c]);
+    read_[c] = c < readUntil;
+    written_[c] = c < writeUntil;
+  }
+}
+
+/// A pointer made with & walks upwards from its address, so cells from there to the end of the area may be reached.
+/// Pointers that no & explains may reach everything that a pointer can name (001:1461).
+void AccessIndex::coverPointers(const Program& program, const AccessTable& table) {
+  bool reads = false, writes = false;
+  for (const std::uint32_t i : wide_) {
+    const Access& a = table.all()[i];
+    if (!a.viaPointer) continue;
+    (a.write ? writes : reads) = true;
+  }
+  std::array<std::uint32_t, areaCount> from{};
+  from.fill(~0U);
+  bool anyAddress = false, anyUnknownCall = false;
+  const auto note = [&](const Instruction& instruction) {
+    for (const Operand& o : instruction.operands) {
+      if (o.kind != OperandKind::Address) continue;
+      anyAddress = true;
+      std::uint32_t& start = from[static_cast<std::size_t>(o.area)];
+      start = std::min(start, o.offset);
+      if (instruction.desc->control == Control::Call) anyUnknownCall = true;
+    }
+  };
+  for (const Pou& pou : program.pous) {
+    for (const Network& network : pou.networks) {
+      for (const Instruction& instruction : network.instructions) note(instruction);
+    }
+  }
+  if (anyUnknownCall) reads = writes = true;
+  if (!reads && !writes) return;
+  for (std::uint32_t c = 0; c < cells_.size(); ++c) {
+    const Area area = cells_.areaOf(c);
+    if (area == Area::L || area == Area::HC || area == Area::AC) continue;
+    const bool reached = anyAddress ? cells_.offsetOf(c) >= from[static_cast<std::size_t>(area)] : true;
+    if (!reached) continue;
+    pointed_[c] = 1;
+    if (reads) read_[c] = 1;
+    if (writes) written_[c] = 1;
+  }
+}
+
+}  // namespace rungproof

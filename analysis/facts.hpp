@@ -1,0 +1,104 @@
+// Facts: everything that rules may ask about a program, built once and shared by all of them. Construction and every
+// question are linear in the program or constant, so that linting on save stays free.
+// Tested by tests/rules/facts_test.cpp; cost by tests/rules/scale_test.cpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "analysis/access.hpp"
+#include "analysis/access_index.hpp"
+#include "analysis/call_graph.hpp"
+#include "analysis/execution.hpp"
+#include "analysis/instruction_kind.hpp"
+#include "analysis/stack_depth.hpp"
+#include "ir/program.hpp"
+
+namespace rungproof {
+
+/// Where an instruction stands.
+struct InstructionPlace {
+  const Instruction* instruction;
+  std::uint32_t block;    ///< index in Program::pous and Plan::flows
+  std::uint32_t step;     ///< index in Flow::steps
+  std::uint32_t network;  ///< index in Pou::networks
+};
+
+class Facts {
+ public:
+  explicit Facts(const Program& program);
+
+  const Program& program() const { return program_; }
+  const Target& target() const { return program_.target; }
+  const Plan& plan() const { return plan_; }
+
+  /// All instructions in program order; the index is Instruction::id.
+  std::span<const InstructionPlace> instructions() const { return places_; }
+  const Instruction& instruction(std::uint32_t id) const { return *places_[id].instruction; }
+  const InstructionPlace& place(std::uint32_t id) const { return places_[id]; }
+  const Pou& pouOf(std::uint32_t id) const { return program_.pous[places_[id].block]; }
+  const Network& networkOf(std::uint32_t id) const { return pouOf(id).networks[places_[id].network]; }
+  const Flow& flowOf(std::uint32_t id) const { return plan_.flows[places_[id].block]; }
+  std::uint32_t blockOf(std::uint32_t id) const { return places_[id].block; }
+
+  const AccessTable& accesses() const { return accesses_; }
+  const AccessIndex& index() const { return index_; }
+  const CallGraph& calls() const { return calls_; }
+  const StackRun& stack() const { return stack_; }
+  const Execution& execution() const { return execution_; }
+
+  /// Ids of the boxes with that timer or counter number, in program order.
+  std::span<const std::uint32_t> timerBoxes(std::uint32_t number) const { return number < 256 ? std::span<const std::uint32_t>(timers_[number]) : std::span<const std::uint32_t>(); }
+  std::span<const std::uint32_t> counterBoxes(std::uint32_t number) const { return number < 256 ? std::span<const std::uint32_t>(counters_[number]) : std::span<const std::uint32_t>(); }
+
+  /// What is known about the condition under which the instruction acts: its power flow and that of its block.
+  Condition conditionOf(std::uint32_t id) const;
+  /// Whether the cell is declared external: a panel, a network partner or a person may write and read it.
+  bool isExternal(std::uint32_t cell) const { return external_[cell] != 0; }
+  std::uint32_t cellOf(const Access& access) const { return index_.cells().cell(access.area, access.offset, blockOf(access.instruction)); }
+
+  /// First symbol of an address, or nullptr; constant time.
+  const Symbol* symbolOf(const Operand& address) const;
+  /// First symbol of that name, or nullptr; constant time.
+  const Symbol* symbolNamed(std::string_view name) const;
+  /// "Q0.1", with its symbol if there is one: "Q0.1 (Pump)".
+  std::string name(const Operand& operand) const;
+  /// Mnemonic and operands: "TON T37, +10".
+  static std::string text(const Instruction& instruction);
+
+ private:
+  static std::vector<InstructionPlace> placesOf(const Program& program, const Plan& plan);
+  static std::vector<std::uint32_t> blocksOf(std::span<const InstructionPlace> places);
+  KnownBits pulseBits(const StackRun& first) const;
+  void collectBoxes();
+  void collectSymbols();
+  void collectExternals();
+
+  const Program& program_;
+  Plan plan_;
+  std::vector<InstructionPlace> places_;
+  AccessTable accesses_;
+  AccessIndex index_;
+  CallGraph calls_;
+  StackRun stack_;
+  Execution execution_;
+  std::array<std::vector<std::uint32_t>, 256> timers_, counters_;
+  std::vector<std::uint8_t> external_;
+  std::unordered_map<std::uint64_t, const Symbol*> symbolByAddress_;
+  std::unordered_map<std::string_view, const Symbol*> symbolByName_;
+};
+
+/// Values of `external A..B` in a directive, as areas and byte ranges; empty for other directives.
+struct ExternalRange {
+  Area area;
+  std::uint32_t first;
+  std::uint32_t last;  ///< last byte, included
+};
+std::vector<ExternalRange> externalRanges(std::string_view directive);
+
+}  // namespace rungproof

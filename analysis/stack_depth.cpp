@@ -1,0 +1,354 @@
+// The run: a stack of entries without a bottom, on which every entry remembers where it came from.
+#include "analysis/stack_depth.hpp"
+
+#include <algorithm>
+
+#include "analysis/instruction_kind.hpp"
+
+namespace rungproof {
+
+Condition conjunction(Condition a, Condition b) {
+  Condition result = (a | b) & static_cast<Condition>(~condition::Always);
+  if ((a & b & condition::Always) != 0) result |= condition::Always;
+  return result;
+}
+
+Condition disjunction(Condition a, Condition b) {
+  if ((a & condition::Never) != 0) return b;
+  if ((b & condition::Never) != 0) return a;
+  Condition result = a & b;
+  if (((a | b) & condition::Always) != 0) result |= condition::Always;
+  return static_cast<Condition>(result | ((a | b) & condition::ByArithmetic));
+}
+
+Condition negation(Condition a) {
+  Condition result = a & condition::ByArithmetic;
+  if ((a & condition::Always) != 0) result |= condition::Never;
+  if ((a & condition::Never) != 0) result |= condition::Always;
+  return result;
+}
+
+Condition conditionOf(const Operand& bit, bool negated, const KnownBits& known) {
+  if (bit.kind != OperandKind::Direct) return 0;
+  Condition result = 0;
+  if (bit.area == Area::SM && bit.offset == 0) {
+    if (bit.bit == 0) result = condition::Always;
+    if (bit.bit >= 1 && bit.bit <= 3) result = condition::FirstScan | condition::Pulse;
+  } else if (bit.area == Area::SM && bit.offset == 1) {
+    result = condition::ByArithmetic;
+  } else if (!known.empty() && bit.area != Area::T && bit.area != Area::C) {
+    const auto found = known.find(bitKey(bit.area, bit.offset, bit.bit));
+    if (found != known.end()) result = found->second;
+  }
+  return negated ? negation(result) : result;
+}
+
+namespace {
+
+enum class Given : std::uint8_t { No, BlockEntry, Loop, Segment };
+
+struct Entry {
+  const Instruction* by = nullptr;      ///< load, or operation that made the value
+  const Instruction* lostAt = nullptr;  ///< push that moved the entry out of the bottom
+  Condition flow = 0;
+  Given given = Given::No;
+  bool isRead = false;
+  bool isLowerInput = false;            ///< read by a box as its second or third input
+  bool isFromEditor = false;            ///< stored in L60-L63 for a call drawn as ladder (001:6809)
+};
+
+/// An LPS that waits for its LPP, with the size of the stack right after it.
+struct Bracket {
+  std::size_t size;
+  const Instruction* by;
+};
+
+class Run {
+ public:
+  Run(const Program& program, const KnownBits& known, std::vector<StackFault>& faults, std::vector<StackPoint>& points)
+      : known_(known), faults_(faults), points_(points), showsRungs_(!program.olderDialect) {}
+
+  void block(const Flow& flow) {
+    entries_.clear();
+    brackets_.clear();
+    own_ = flowsFrom_ = foreignBrackets_ = 0;
+    inSegment_ = false;
+    targets_.assign(flow.steps.size(), 0);
+    for (const FlowStep& step : flow.steps) {
+      if (step.instruction->desc->control == Control::Jump && step.partner != noPartner) targets_[step.partner] = 1;
+    }
+    if (flow.pou->kind != PouKind::Main) give(Given::BlockEntry, condition::Always);
+    std::uint32_t network = noPartner;
+    for (std::uint32_t i = 0; i < flow.steps.size(); ++i) {
+      if (flow.steps[i].network != network) {
+        endNetwork();
+        network = flow.steps[i].network;
+      }
+      step(*flow.steps[i].instruction, targets_[i] != 0);
+    }
+    endNetwork();
+    for (const Entry& entry : entries_) {
+      const bool isLoad = entry.by != nullptr && isLogic(kindOf(*entry.by));
+      if (isLoad && !entry.isRead) fault(StackFaultKind::LoadUnused, *entry.by);
+    }
+  }
+
+ private:
+  std::size_t size() const { return entries_.size(); }
+  std::size_t ownLevels() const { return size() - own_; }
+  Entry* level(std::size_t k) { return k < size() ? &entries_[size() - 1 - k] : nullptr; }
+  bool isOwn(std::size_t k) const { return k < ownLevels(); }
+  Condition flowOf(std::size_t k) {
+    const Entry* entry = level(k);
+    return entry == nullptr || size() - 1 - k < flowsFrom_ ? 0 : entry->flow;
+  }
+  void fault(StackFaultKind kind, const Instruction& at, const Instruction* other = nullptr, int found = 0, int needed = 0) {
+    faults_.push_back({kind, &at, other, found, needed});
+  }
+
+  void endNetwork() {
+    for (const Bracket& bracket : brackets_) fault(StackFaultKind::LpsNotPopped, *bracket.by);
+    foreignBrackets_ += brackets_.size();
+    brackets_.clear();
+    if (showsRungs_) countRungs();
+    own_ = size();
+    isReported_ = hasBox_ = false;
+  }
+
+  /// Entries left by a network, apart from lower inputs of boxes and the editor's own stores, are its rungs.
+  void countRungs() {
+    const Entry* first = nullptr;
+    for (std::size_t i = own_; i < size(); ++i) {
+      const Entry& entry = entries_[i];
+      if (entry.isLowerInput || entry.isFromEditor || entry.given != Given::No || !entry.isRead) continue;
+      if (first != nullptr && entry.by != nullptr) return fault(StackFaultKind::SecondRung, *entry.by, first->by);
+      first = &entry;
+    }
+  }
+
+  void give(Given given, Condition flow) {
+    Entry entry;
+    entry.given = given;
+    entry.flow = flow;
+    entry.isRead = true;
+    entries_.push_back(entry);
+  }
+  void giveTop(Given given, Condition flow) {
+    if (entries_.empty()) return give(given, flow);
+    Entry& top = entries_.back();
+    top = Entry{};
+    top.given = given;
+    top.flow = flow;
+    top.isRead = true;
+    flowsFrom_ = std::min(flowsFrom_, size() - 1);
+  }
+
+  void push(const Instruction& by, Condition flow) {
+    Entry entry;
+    entry.by = &by;
+    entry.flow = inSegment_ ? static_cast<Condition>(flow & ~condition::Always) : flow;
+    entries_.push_back(entry);
+    flowsFrom_ = std::min(flowsFrom_, size() - 1);
+    if (size() <= stackLevels) return;
+    Entry& lost = entries_[size() - 1 - stackLevels];
+    if (lost.lostAt == nullptr) lost.lostAt = &by;
+  }
+
+  /// Marks level k as used by `at` and reports where it comes from if that is not this network.
+  void use(std::size_t k, const Instruction& at) {
+    Entry* entry = level(k);
+    if (entry == nullptr) return fromBelow(at, nullptr);
+    entry->isRead = true;
+    if (entry->lostAt != nullptr) {
+      fault(StackFaultKind::TooDeep, *entry->lostAt, &at);
+      entry->lostAt = nullptr;
+    }
+    if (!isOwn(k) && entry->given == Given::No) fromBelow(at, entry->by);
+  }
+  void fromBelow(const Instruction& at, const Instruction* load) {
+    if (!isReported_) fault(StackFaultKind::FromBelow, at, load);
+    isReported_ = true;
+  }
+  /// After an operation the top belongs to this network.
+  void adopt() { own_ = std::min(own_, size() == 0 ? 0 : size() - 1); }
+
+  void change(const Instruction& by, Condition flow) {
+    use(0, by);
+    if (entries_.empty()) push(by, 0);
+    Entry& top = entries_.back();
+    const bool isRead = top.isRead && top.given != Given::No;
+    top.flow = flow;
+    top.given = Given::No;
+    top.by = &by;
+    top.isRead = isRead;
+    flowsFrom_ = std::min(flowsFrom_, size() - 1);
+    adopt();
+  }
+
+  /// ALD, OLD: two levels become one.
+  void combine(const Instruction& by, bool isAnd) {
+    const Condition flow = isAnd ? conjunction(flowOf(0), flowOf(1)) : disjunction(flowOf(0), flowOf(1));
+    use(0, by);
+    use(1, by);
+    if (size() >= 2) entries_.pop_back();
+    if (entries_.empty()) push(by, 0);
+    Entry& top = entries_.back();
+    top = Entry{};
+    top.by = &by;
+    top.flow = flow;
+    flowsFrom_ = std::min(flowsFrom_, size() - 1);
+    adopt();
+    if (!brackets_.empty() && size() < brackets_.back().size) brackets_.pop_back();
+  }
+
+  void pushCopy(const Instruction& at) {
+    use(0, at);
+    const Condition flow = flowOf(0);
+    adopt();
+    push(at, flow);
+    entries_.back().isRead = true;
+    brackets_.push_back({size(), &at});
+  }
+
+  void readOrPop(const Instruction& at, bool isPop) {
+    if (brackets_.empty()) {
+      if (foreignBrackets_ > 0) {
+        fromBelow(at, nullptr);
+        if (isPop) --foreignBrackets_;
+      } else {
+        fault(isPop ? StackFaultKind::LppWithoutLps : StackFaultKind::LrdWithoutLps, at);
+      }
+    } else {
+      const std::size_t bracket = brackets_.back().size;
+      if (size() > bracket) {
+        fault(StackFaultKind::Covered, at, entries_[bracket].by);
+        entries_.resize(bracket);
+      }
+      if (isPop) brackets_.pop_back();
+    }
+    use(1, at);
+    if (size() < 2) return;
+    if (isPop) {
+      entries_.pop_back();
+    } else {
+      const Entry below = entries_[size() - 2];
+      entries_.back().flow = size() - 2 < flowsFrom_ ? 0 : below.flow;
+      entries_.back().isRead = true;
+    }
+    adopt();
+  }
+
+  void loadLevel(const Instruction& at) {
+    const auto n = at.operands.empty() ? 0 : static_cast<std::size_t>(std::clamp<std::int64_t>(at.operands[0].value, 0, 8));
+    Entry* entry = level(n);
+    if (entry == nullptr || (!isOwn(n) && entry->given == Given::No)) {
+      fault(StackFaultKind::LdsBeyond, at, nullptr, static_cast<int>(ownLevels()), static_cast<int>(n));
+    } else {
+      use(n, at);
+    }
+    push(at, flowOf(n));
+    entries_.back().isRead = entries_.back().isLowerInput = true;
+  }
+
+  /// A box that takes its lower inputs from the stack (001:3994-4004).
+  void boxInputs(const Instruction& at, std::size_t needed) {
+    std::size_t found = 0;
+    for (std::size_t k = 0; k < needed; ++k) {
+      Entry* entry = level(k);
+      const bool isForeign = entry != nullptr && !isOwn(k);
+      const bool isLeftover = isForeign && (entry->given == Given::BlockEntry || entry->given == Given::Loop || (entry->given == Given::No && entry->isRead));
+      if (entry == nullptr || isLeftover) break;
+      use(k, at);
+      entry->isLowerInput = k > 0;
+      ++found;
+    }
+    if (found < needed) {
+      isReported_ = true;
+      return fault(StackFaultKind::TooFewInputs, at, nullptr, static_cast<int>(found), static_cast<int>(needed));
+    }
+    Entry* below = level(needed);
+    if (below == nullptr || !isOwn(needed) || below->isRead || below->given != Given::No) return;
+    fault(StackFaultKind::TooManyInputs, at, below->by, static_cast<int>(needed) + 1, static_cast<int>(needed));
+    below->isRead = true;
+  }
+
+  /// Everything below a label comes from elsewhere on one of its paths.
+  void join() {
+    own_ = flowsFrom_ = size();
+  }
+
+  void step(const Instruction& at, bool isTarget) {
+    if (isTarget) join();
+    const Desc& desc = *at.desc;
+    const Kind kind = kindOf(desc);
+    points_[at.id] = {flowOf(0), static_cast<std::uint8_t>(std::min<std::size_t>(ownLevels(), 255)), entries_.empty() ? nullptr : entries_.back().by};
+    const bool isNegated = desc.stl.size() > 1 && desc.stl.back() == 'N';
+    const bool isImmediateNegated = desc.stl.size() > 2 && desc.stl.ends_with("NI");
+    const auto contact = [&] {
+      return at.operands.empty() || desc.execution == Execution::Compare ? Condition{0} : conditionOf(at.operands[0], isNegated || isImmediateNegated, known_);
+    };
+    switch (kind) {
+      case Kind::Load: return push(at, contact());
+      case Kind::And: return change(at, conjunction(flowOf(0), contact()));
+      case Kind::Or: return change(at, disjunction(flowOf(0), contact()));
+      case Kind::Not: return change(at, negation(flowOf(0)));
+      case Kind::Eu:
+      case Kind::Ed: return change(at, static_cast<Condition>(condition::Pulse | (flowOf(0) & condition::FirstScan)));
+      case Kind::Ald: return combine(at, true);
+      case Kind::Old: return combine(at, false);
+      case Kind::Lps: return pushCopy(at);
+      case Kind::Lrd: return readOrPop(at, false);
+      case Kind::Lpp: return readOrPop(at, true);
+      case Kind::Lds: return loadLevel(at);
+      case Kind::Aeno:
+        if (!hasBox_) fault(StackFaultKind::AenoWithoutBox, at);
+        return change(at, flowOf(0) & static_cast<Condition>(~condition::Always));
+      default: break;
+    }
+    control(at, desc);
+  }
+
+  void control(const Instruction& at, const Desc& desc) {
+    if (desc.eno) hasBox_ = true;
+    switch (desc.control) {
+      case Control::Lscr:
+        inSegment_ = true;
+        return giveTop(Given::Segment, 0);
+      case Control::ScrEnd: inSegment_ = false; break;
+      case Control::For:
+        use(0, at);
+        return giveTop(Given::Loop, 0);
+      case Control::Next: return giveTop(Given::Loop, 0);
+      default: break;
+    }
+    if (desc.stack.needs > 1) return boxInputs(at, desc.stack.needs);
+    if (desc.stack.needs == 0) return;
+    use(0, at);
+    const bool isStore = isCoil(kindOf(desc)) && !at.operands.empty() && at.operands[0].area == Area::L && at.operands[0].offset >= 60;
+    if (isStore && !entries_.empty()) entries_.back().isFromEditor = true;
+  }
+
+  const KnownBits& known_;
+  std::vector<StackFault>& faults_;
+  std::vector<StackPoint>& points_;
+  bool showsRungs_;
+  std::vector<Entry> entries_;
+  std::vector<Bracket> brackets_;       ///< open LPS of this network
+  std::vector<std::uint8_t> targets_;   ///< by step: a jump leads here
+  std::size_t own_ = 0;                 ///< entries below belong to earlier networks
+  std::size_t flowsFrom_ = 0;           ///< conditions of entries below are not known any more
+  std::size_t foreignBrackets_ = 0;
+  bool isReported_ = false;             ///< FromBelow was reported for this network
+  bool hasBox_ = false;                 ///< a box with ENO stood in this network
+  bool inSegment_ = false;
+};
+
+}  // namespace
+
+StackRun::StackRun(const Program& program, const Plan& plan, const KnownBits& known) {
+  points_.resize(program.instructionCount());
+  Run run(program, known, faults_, points_);
+  for (const Flow& flow : plan.flows) run.block(flow);
+}
+
+}  // namespace rungproof
