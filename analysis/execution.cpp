@@ -16,7 +16,7 @@ bool isNever(const StackRun& stack, const Instruction& instruction) {
 
 }  // namespace
 
-Execution::Execution(const Program& program, const Plan& plan, const CallGraph& calls, const StackRun& stack) {
+ExecutionTable::ExecutionTable(const Program& program, const Plan& plan, const CallGraph& calls, const StackRun& stack) {
   points_.resize(program.instructionCount());
   for (const Flow& flow : plan.flows) {
     reach(flow, stack);
@@ -26,7 +26,7 @@ Execution::Execution(const Program& program, const Plan& plan, const CallGraph& 
 }
 
 /// Follows every branch whose condition is not a constant.
-void Execution::reach(const Flow& flow, const StackRun& stack) {
+void ExecutionTable::reach(const Flow& flow, const StackRun& stack) {
   const auto end = static_cast<std::uint32_t>(flow.steps.size());
   std::vector<std::uint8_t> seen(end + 1, 0);
   std::vector<std::uint32_t> open;
@@ -68,7 +68,7 @@ void Execution::reach(const Flow& flow, const StackRun& stack) {
 }
 
 /// Marks what jumps, steps and returns may leave out, and what loops repeat.
-void Execution::sweep(const Flow& flow, const StackRun& stack) {
+void ExecutionTable::sweep(const Flow& flow, const StackRun& stack) {
   const auto end = static_cast<std::uint32_t>(flow.steps.size());
   std::vector<std::int32_t> loops(end + 1, 0);
   std::uint32_t skipEnd = 0;
@@ -116,7 +116,7 @@ void Execution::sweep(const Flow& flow, const StackRun& stack) {
 }
 
 /// Adds up the calls of each block, callers first; calls that certainly run count as Once.
-void Execution::count(const Program& program, const CallGraph& calls, const StackRun& stack) {
+void ExecutionTable::count(const Program& program, const CallGraph& calls, const StackRun& stack) {
   const std::size_t blocks = program.pous.size();
   runs_.assign(blocks, Runs::Never);
   conditions_.assign(blocks, 0);

@@ -20,9 +20,9 @@ struct ExecutionPoint {
   const Instruction* skippedBy = nullptr;     ///< JMP, LSCR, CRET ... that may leave it out in a scan; null: none
 };
 
-class Execution {
+class ExecutionTable {
  public:
-  Execution(const Program& program, const Plan& plan, const CallGraph& calls, const StackRun& stack);
+  ExecutionTable(const Program& program, const Plan& plan, const CallGraph& calls, const StackRun& stack);
 
   const ExecutionPoint& at(std::uint32_t instruction) const { return points_[instruction]; }
   /// How often the block runs in a scan, called from the main program; interrupt routines: AtMostOnce per event.

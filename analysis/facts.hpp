@@ -16,6 +16,7 @@
 #include "analysis/call_graph.hpp"
 #include "analysis/execution.hpp"
 #include "analysis/instruction_kind.hpp"
+#include "analysis/property.hpp"
 #include "analysis/stack_depth.hpp"
 #include "ir/program.hpp"
 
@@ -31,7 +32,7 @@ struct InstructionPlace {
 
 class Facts {
  public:
-  explicit Facts(const Program& program);
+  explicit Facts(const Program& program, std::span<const ExternalRange> externals = {});
 
   const Program& program() const { return program_; }
   const Target& target() const { return program_.target; }
@@ -50,7 +51,7 @@ class Facts {
   const AccessIndex& index() const { return index_; }
   const CallGraph& calls() const { return calls_; }
   const StackRun& stack() const { return stack_; }
-  const Execution& execution() const { return execution_; }
+  const ExecutionTable& execution() const { return execution_; }
 
   /// Ids of the boxes with that timer or counter number, in program order.
   std::span<const std::uint32_t> timerBoxes(std::uint32_t number) const { return number < 256 ? std::span<const std::uint32_t>(timers_[number]) : std::span<const std::uint32_t>(); }
@@ -60,6 +61,8 @@ class Facts {
   Condition conditionOf(std::uint32_t id) const;
   /// Whether the cell is declared external: a panel, a network partner or a person may write and read it.
   bool isExternal(std::uint32_t cell) const { return external_[cell] != 0; }
+  /// Accesses that write the bit directly, 0, 1 or 2 for "more"; accesses through pointers and long blocks are not counted.
+  int writers(std::uint32_t cell, unsigned bit) const { return writers_[cell * 8 + bit]; }
   std::uint32_t cellOf(const Access& access) const { return index_.cells().cell(access.area, access.offset, blockOf(access.instruction)); }
 
   /// First symbol of an address, or nullptr; constant time.
@@ -77,28 +80,23 @@ class Facts {
   KnownBits pulseBits(const StackRun& first) const;
   void collectBoxes();
   void collectSymbols();
-  void collectExternals();
+  void collectExternals(std::span<const ExternalRange> externals);
+  void countWriters();
 
   const Program& program_;
   Plan plan_;
   std::vector<InstructionPlace> places_;
   AccessTable accesses_;
+  std::vector<std::uint32_t> blocks_;  ///< by Instruction::id
   AccessIndex index_;
+  std::vector<std::uint8_t> writers_;
   CallGraph calls_;
   StackRun stack_;
-  Execution execution_;
+  ExecutionTable execution_;
   std::array<std::vector<std::uint32_t>, 256> timers_, counters_;
   std::vector<std::uint8_t> external_;
   std::unordered_map<std::uint64_t, const Symbol*> symbolByAddress_;
   std::unordered_map<std::string_view, const Symbol*> symbolByName_;
 };
-
-/// Values of `external A..B` in a directive, as areas and byte ranges; empty for other directives.
-struct ExternalRange {
-  Area area;
-  std::uint32_t first;
-  std::uint32_t last;  ///< last byte, included
-};
-std::vector<ExternalRange> externalRanges(std::string_view directive);
 
 }  // namespace rungproof

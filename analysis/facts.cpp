@@ -1,0 +1,154 @@
+// Builds the facts in the order in which they depend on each other.
+#include "analysis/facts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rungproof {
+
+namespace {
+
+std::uint64_t addressKey(const Operand& o) {
+  const bool byNumber = o.area == Area::T || o.area == Area::C;
+  const std::uint64_t shape = byNumber ? 0 : static_cast<std::uint64_t>(o.width) << 4 | o.bit;
+  return static_cast<std::uint64_t>(o.area) << 48 | shape << 40 | o.offset;
+}
+
+}  // namespace
+
+Facts::Facts(const Program& program, std::span<const ExternalRange> externals)
+    : program_(program),
+      plan_(program),
+      places_(placesOf(program, plan_)),
+      accesses_(program, plan_),
+      blocks_(blocksOf(places_)),
+      index_(program, accesses_, blocks_),
+      calls_(program, plan_),
+      stack_(program, plan_, {}),
+      execution_(program, plan_, calls_, stack_) {
+  countWriters();
+  const KnownBits pulses = pulseBits(stack_);
+  if (!pulses.empty()) {
+    stack_ = StackRun(program, plan_, pulses);
+    execution_ = ExecutionTable(program, plan_, calls_, stack_);
+  }
+  collectBoxes();
+  collectSymbols();
+  collectExternals(externals);
+}
+
+std::vector<InstructionPlace> Facts::placesOf(const Program& program, const Plan& plan) {
+  std::vector<InstructionPlace> places;
+  places.reserve(program.instructionCount());
+  for (std::uint32_t block = 0; block < plan.flows.size(); ++block) {
+    const Flow& flow = plan.flows[block];
+    for (std::uint32_t step = 0; step < flow.steps.size(); ++step) {
+      places.push_back({flow.steps[step].instruction, block, step, flow.steps[step].network});
+    }
+  }
+  return places;
+}
+
+std::vector<std::uint32_t> Facts::blocksOf(std::span<const InstructionPlace> places) {
+  std::vector<std::uint32_t> blocks;
+  blocks.reserve(places.size());
+  for (const InstructionPlace& place : places) blocks.push_back(place.block);
+  return blocks;
+}
+
+void Facts::countWriters() {
+  const CellMap& cells = index_.cells();
+  writers_.assign(static_cast<std::size_t>(cells.size()) * 8, 0);
+  const auto note = [&](std::size_t bit) { writers_[bit] = static_cast<std::uint8_t>(std::min(writers_[bit] + 1, 2)); };
+  for (const Access& a : accesses_.all()) {
+    if (!a.write || a.viaPointer || a.certainLength() > AccessIndex::longest) continue;
+    const std::uint32_t cell = cellOf(a);
+    if (cell == cells.size()) continue;
+    const std::size_t end = (static_cast<std::size_t>(cell) + std::min(a.certainLength(), cells.length(a.area) - a.offset)) * 8;
+    const std::size_t start = static_cast<std::size_t>(cell) * 8 + a.bit;
+    const bool isBits = a.width == Width::Bit && !a.byNumber();
+    const std::size_t stop = isBits ? std::min(start + a.count, end) : end;
+    for (std::size_t bit = isBits ? start : static_cast<std::size_t>(cell) * 8; bit < stop; ++bit) note(bit);
+  }
+}
+
+/// Bits with a single coil, in the main program, whose rung is true for one scan or in the first scan only.
+KnownBits Facts::pulseBits(const StackRun& first) const {
+  KnownBits bits;
+  for (const InstructionPlace& place : places_) {
+    const Instruction& instruction = *place.instruction;
+    if (kindOf(instruction) != Kind::Assign || instruction.operands.empty()) continue;
+    const Condition flow = first.at(instruction.id).flow & (condition::FirstScan | condition::Pulse);
+    if (flow == 0 || program_.pous[place.block].kind != PouKind::Main) continue;
+    if (execution_.at(instruction.id).skippedBy != nullptr || !execution_.at(instruction.id).isReachable) continue;
+    const Operand& o = instruction.operands[0];
+    if (o.kind != OperandKind::Direct || o.area == Area::L || o.area == Area::T || o.area == Area::C || o.bit > 7) continue;
+    const std::uint32_t cell = index_.cells().cell(o.area, o.offset, place.block);
+    if (cell == index_.cells().size() || writers(cell, o.bit) != 1 || index_.mayBePointedTo(cell)) continue;
+    bits.emplace(bitKey(o.area, o.offset, o.bit), flow);
+  }
+  return bits;
+}
+
+void Facts::collectBoxes() {
+  for (const InstructionPlace& place : places_) {
+    const Instruction& instruction = *place.instruction;
+    const Kind kind = kindOf(instruction);
+    if ((!isTimerBox(kind) && !isCounterBox(kind)) || instruction.operands.empty()) continue;
+    const Operand& o = instruction.operands[0];
+    if (o.kind != OperandKind::Direct || o.offset >= 256) continue;
+    (isTimerBox(kind) ? timers_ : counters_)[o.offset].push_back(instruction.id);
+  }
+}
+
+void Facts::collectSymbols() {
+  for (const Symbol& symbol : program_.symbols) {
+    symbolByName_.emplace(symbol.name, &symbol);
+    if (symbol.address.kind == OperandKind::Direct) symbolByAddress_.emplace(addressKey(symbol.address), &symbol);
+  }
+}
+
+void Facts::collectExternals(std::span<const ExternalRange> externals) {
+  const CellMap& cells = index_.cells();
+  external_.assign(cells.size(), 0);
+  for (const ExternalRange& range : externals) {
+    const bool byNumber = range.first.area == Area::T || range.first.area == Area::C;
+    const std::uint32_t end = range.last.offset + static_cast<std::uint32_t>(byNumber ? 1 : bytes(range.last.width));
+    for (std::uint32_t at = range.first.offset; at < end; ++at) {
+      const std::uint32_t cell = cells.cell(range.first.area, at, 0);
+      if (cell == cells.size()) break;
+      external_[cell] = 1;
+    }
+  }
+}
+
+Condition Facts::conditionOf(std::uint32_t id) const {
+  const Condition flow = stack_.at(id).flow;
+  return static_cast<Condition>(flow | execution_.condition(blockOf(id)));
+}
+
+const Symbol* Facts::symbolOf(const Operand& address) const {
+  const auto found = symbolByAddress_.find(addressKey(address));
+  return found == symbolByAddress_.end() ? nullptr : found->second;
+}
+
+const Symbol* Facts::symbolNamed(std::string_view name) const {
+  const auto found = symbolByName_.find(name);
+  return found == symbolByName_.end() ? nullptr : found->second;
+}
+
+std::string Facts::name(const Operand& operand) const {
+  const std::string address = toString(operand);
+  if (operand.kind != OperandKind::Direct) return address;
+  const Symbol* symbol = symbolOf(operand);
+  return symbol == nullptr ? address : fmt::format("{} ({})", address, symbol->name);
+}
+
+std::string Facts::text(const Instruction& instruction) {
+  std::string text(instruction.desc->stl);
+  for (std::size_t i = 0; i < instruction.operands.size(); ++i) text += (i == 0 ? " " : ", ") + toString(instruction.operands[i]);
+  return text;
+}
+
+}  // namespace rungproof
