@@ -5,44 +5,13 @@
 #include <CLI/CLI.hpp>
 
 #include "frontend/cli.hpp"
+#include "frontend/columns.hpp"
 
 namespace rungproof {
 
 namespace {
 
-constexpr std::size_t pageWidth = 100;
 constexpr std::size_t helpColumn = 30;
-
-struct Row {
-  std::string left;
-  std::string right;
-};
-
-/// Two columns; the right one is wrapped between words.
-void appendRows(std::string& text, const std::vector<Row>& rows, std::size_t column) {
-  for (const Row& row : rows) {
-    std::string line = "  " + row.left;
-    if (line.size() + 2 > column) {
-      text += line + '\n';
-      line.clear();
-    }
-    line.resize(std::max(column, line.size()), ' ');
-    std::size_t begin = 0;
-    while (begin < row.right.size()) {
-      const std::size_t room = pageWidth - column;
-      std::size_t end = row.right.size();
-      if (end - begin > room) {
-        const std::size_t space = row.right.rfind(' ', begin + room);
-        end = space == std::string::npos || space <= begin ? row.right.find(' ', begin) : space;
-        if (end == std::string::npos) end = row.right.size();
-      }
-      text += line + row.right.substr(begin, end - begin) + '\n';
-      line.assign(column, ' ');
-      begin = end + 1;
-    }
-    if (row.right.empty()) text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
-  }
-}
 
 std::string commonHelp(const OptionInfo& info) {
   std::string text(info.help);
@@ -51,23 +20,23 @@ std::string commonHelp(const OptionInfo& info) {
   return text;
 }
 
-Row commonRow(const OptionInfo& info) {
+TextRow commonRow(const OptionInfo& info) {
   std::string left = "--" + std::string(info.name);
   if (info.id == Opt::Quiet) left = "-q, " + left;
   if (!info.value.empty()) left += " " + std::string(info.value);
   return {left, commonHelp(info)};
 }
 
-Row formatRow(const Command& command) {
+TextRow formatRow(const Command& command) {
   return {"--format NAME[=FILE]",
           fmt::format("form of the output: {}; with FILE written there; may be repeated [default: {}]",
                       fmt::join(formatsOf(command), ", "), formatsOf(command).front())};
 }
 
-Row ownRow(const CLI::Option& option) {
+TextRow ownRow(const CLI::Option& option) {
   std::string left = option.get_positional() && option.get_lnames().empty() ? option.get_single_name() : option.get_name();
   for (std::size_t comma = left.find(','); comma != std::string::npos; comma = left.find(',', comma + 2)) left.insert(comma + 1, " ");
-  const bool takesValue = option.get_type_size_max() != 0 && !option.get_positional();
+  const bool takesValue = option.get_items_expected_max() != 0 && !option.get_positional();
   const std::string value = option.get_type_name();
   if (takesValue) left += " " + (value.empty() || value == "TEXT" ? std::string("VALUE") : value);
   std::string right = option.get_description();
@@ -89,7 +58,7 @@ std::string programHelp() {
   std::string text =
       "rungproof - checks, runs and proves S7-200 and S7-300/400 programs\n\n"
       "Usage: rungproof COMMAND [OPTIONS] FILE...\n\nCommands:\n";
-  std::vector<Row> rows;
+  std::vector<TextRow> rows;
   for (const Command* command : allCommands()) rows.push_back({std::string(command->name), std::string(command->summary)});
   appendRows(text, rows, 16);
   text += "\nOptions:\n";
@@ -109,8 +78,8 @@ std::string commandHelp(const Command& command, const CLI::App& app) {
                                  command.usage.empty() ? "" : " ", command.usage);
   if (!command.details.empty()) text += fmt::format("\n{}", command.details);
 
-  std::vector<Row> arguments;
-  std::vector<Row> options;
+  std::vector<TextRow> arguments;
+  std::vector<TextRow> options;
   for (const CLI::Option* option : app.get_options()) {
     const bool isCommon = !option->get_lnames().empty() && optionNamed(option->get_lnames().front()) != nullptr;
     if (isCommon && option->get_lnames().front() != "format") continue;
@@ -126,7 +95,7 @@ std::string commandHelp(const Command& command, const CLI::App& app) {
   appendRows(text, options, helpColumn);
   for (const GroupTitle& group : groupTitles) {
     if ((command.shows & group.group) == 0) continue;
-    std::vector<Row> rows;
+    std::vector<TextRow> rows;
     for (const OptionInfo& info : optionTable()) {
       if (info.group != group.group) continue;
       rows.push_back(info.id == Opt::Format ? formatRow(command) : commonRow(info));

@@ -1,0 +1,136 @@
+// `rungproof explain CODE`: the page of a rule, a group, a run-time error, an instruction, or one of the topics.
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "frontend/columns.hpp"
+#include "frontend/command/command.hpp"
+#include "frontend/instruction_page.hpp"
+#include "frontend/rule_page.hpp"
+#include "ir/hazard.hpp"
+#include "ir/isa.hpp"
+
+namespace rungproof {
+
+namespace {
+
+/// A page in both forms; nothing if the word is no topic.
+struct Page {
+  std::string text;
+  nlohmann::ordered_json json;
+};
+
+std::string_view hazardClassText(HazardClass kind) {
+  switch (kind) {
+    case HazardClass::Fatal: return "fatal: the CPU goes to STOP";
+    case HazardClass::NonFatal: return "not fatal: SM4.3 is set, the program goes on";
+    default: return "status bit only";
+  }
+}
+
+nlohmann::ordered_json hazardJson(const HazardInfo& info) {
+  return {{"code", info.code}, {"class", hazardClassText(info.kind)}, {"text", info.text}, {"manual", info.manual}};
+}
+
+Page hazardsPage(const Paint& paint) {
+  Page page{paint.bold("What can go wrong while an instruction runs") + "\n\n", nlohmann::ordered_json::array()};
+  std::vector<TextRow> rows;
+  for (const HazardInfo& info : hazardTable) {
+    rows.push_back({std::string(info.code.empty() ? "-" : info.code), fmt::format("{} ({}; {})", info.text, hazardClassText(info.kind), info.manual)});
+    page.json.push_back(hazardJson(info));
+  }
+  appendRows(page.text, rows, 10);
+  return page;
+}
+
+Page choicesPage(const Paint& paint, const Settings& settings) {
+  Page page{paint.bold("Points that the manual leaves open") + "\n\nEach is read in one way, which --choice KEY=VALUE or [choices] changes.\n",
+            nlohmann::ordered_json::array()};
+  for (const ChoiceInfo& info : choiceTable) {
+    std::string values;
+    nlohmann::ordered_json names = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < info.values.size() && !info.values[i].empty(); ++i) {
+      const bool current = settings.choices()[info.choice] == i;
+      values += fmt::format("{}{}{}", values.empty() ? "" : ", ", info.values[i], current ? " (chosen)" : "");
+      names.push_back(info.values[i]);
+    }
+    page.text += fmt::format("\n  {}: {}\n", paint.bold(info.key), values);
+    appendParagraph(page.text, fmt::format("{} ({})", info.why, info.manual), 4);
+    page.json.push_back({{"key", info.key}, {"values", names}, {"chosen", info.values[settings.choices()[info.choice]]},
+                         {"why", info.why}, {"manual", info.manual}});
+  }
+  return page;
+}
+
+std::optional<Page> groupPage(std::string_view word, const Paint& paint) {
+  for (const RuleGroup& group : ruleGroups()) {
+    if (group.prefix != word) continue;
+    Page page{fmt::format("{} {}\n\n", paint.bold(group.prefix), paint.bold(group.title)), nlohmann::ordered_json::array()};
+    std::vector<TextRow> rows;
+    for (const Rule* rule : allRules()) {
+      if (rule->group() != word) continue;
+      rows.push_back({std::string(rule->id), fmt::format("{}: {}", rule->title, rule->detects)});
+      page.json.push_back(ruleJson(*rule));
+    }
+    appendRows(page.text, rows, 10);
+    return page;
+  }
+  return std::nullopt;
+}
+
+std::optional<Page> pageOf(const std::string& word, const Settings& settings, const Paint& paint) {
+  std::string upper = word;
+  std::transform(upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  if (const Rule* rule = ruleNamed(word)) return Page{rulePage(*rule, paint), ruleJson(*rule)};
+  if (word == "hazards") return hazardsPage(paint);
+  if (word == "choices") return choicesPage(paint, settings);
+  if (auto page = groupPage(upper, paint)) return page;
+  for (const HazardInfo& info : hazardTable) {
+    if (info.code != upper) continue;
+    return Page{fmt::format("{}: {}\n\n  {} ({})\n", paint.bold(info.code), info.text, hazardClassText(info.kind), info.manual), hazardJson(info)};
+  }
+  const Desc* desc = instructionNamed(upper);
+  if (desc == nullptr) desc = instructionAlias(upper);
+  if (desc == nullptr) desc = instructionNamedGerman(upper);
+  if (desc != nullptr) return Page{instructionPage(*desc, paint), instructionJson(*desc)};
+  return std::nullopt;
+}
+
+Failure unknown(const std::string& word) {
+  std::vector<std::string_view> words = {"hazards", "choices"};
+  for (const Rule* rule : allRules()) words.push_back(rule->id);
+  const std::string_view meant = closest(word, words);
+  return {fmt::format("there is no page called '{}'", word), {},
+          meant.empty() ? "give a rule (ADR001), a group (ADR), an instruction (TON), a run-time error (0006), 'hazards' or 'choices'"
+                        : fmt::format("did you mean '{}'?", meant)};
+}
+
+Action setup(CLI::App& app) {
+  auto word = std::make_shared<std::string>();
+  app.add_option("CODE", *word, "rule (ADR001), group (ADR), instruction (TON), run-time error (0006), 'hazards' or 'choices'")->required();
+  return [word](Context& context) {
+    Exit exit = Exit::Clean;
+    for (const OutputRequest& output : context.outputs) {
+      const auto page = pageOf(*word, context.settings, Paint{context.color && output.file.empty()});
+      if (!page) return context.fail(unknown(*word));
+      if (!context.write(output, output.name == "json" ? page->json.dump(2) + "\n" : page->text)) exit = Exit::Failed;
+    }
+    return exit;
+  };
+}
+
+}  // namespace
+
+extern constexpr Command explainCommand = {
+    .name = "explain",
+    .usage = "CODE",
+    .summary = "show the page of a rule, an instruction or a run-time error",
+    .details = "",
+    .shows = option_group::Output,
+    .formats = "text|json",
+    .setup = setup,
+};
+
+}  // namespace rungproof
