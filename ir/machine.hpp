@@ -47,7 +47,8 @@ enum class Signal : std::uint8_t {
   EventAttached,     ///< ATCH; index = event. A timed event takes over its interval and starts anew (001:5472)
   EventDetached,     ///< DTCH; index = event
   EventsCleared,     ///< CEVNT; index = event: its queued entries are dropped (001:5357)
-  WatchdogRestarted  ///< WDR
+  WatchdogRestarted, ///< WDR
+  Stopped            ///< STOP
 };
 
 /// Where an external value is asked for; with the order of execution it identifies the value within a scan.

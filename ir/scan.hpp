@@ -116,6 +116,9 @@ class Scan {
       const FlowStep& step = flow.steps[at];
       m_.current = step.instruction;
       hooks_.before(*this, step);
+      if constexpr (isConcrete) {
+        if (!m_.guard) break;  // an interrupt routine in front of the instruction has ended the program
+      }
       if (step.instruction->desc->control == Control::None) {
         dispatch_[step.instruction->desc->opcode](m_, *step.instruction);
       } else {
@@ -268,7 +271,10 @@ void Scan<D, Hooks>::nextRound(Walk& w, std::uint32_t at) {
 template <class D, class Hooks>
 void Scan<D, Hooks>::stop(Walk& w) {
   const Bool stopped = m_.powerFlow();
-  m_.when(stopped, [&] { m_.setBit(Reg::Running, 0, m_.d.constant(false)); });
+  m_.when(stopped, [&] {
+    m_.setBit(Reg::Running, 0, m_.d.constant(false));
+    m_.signal(Signal::Stopped);
+  });
   if (m_.inInterrupt) {
     ended_ = m_.d.lor(ended_, m_.d.land(m_.guard, stopped));
     branch(w, stopped, static_cast<std::uint32_t>(w.flow.steps.size()));
@@ -279,7 +285,8 @@ void Scan<D, Hooks>::stop(Walk& w) {
 
 template <class D, class Hooks>
 void Scan<D, Hooks>::call(const Instruction& instruction) {
-  const Flow* callee = m_.plan.subroutine(static_cast<int>(instruction.operands.empty() ? -1 : instruction.operands[0].value));
+  const bool hasNumber = !instruction.operands.empty() && instruction.operands[0].kind == OperandKind::Constant;
+  const Flow* callee = hasNumber ? m_.plan.subroutine(static_cast<int>(instruction.operands[0].value)) : nullptr;
   if (callee == nullptr) return hooks_.callWithoutBody(*this, instruction);
   const unsigned calleeFrame = m_.frame + 1;
   const bool tooDeep = m_.inInterrupt ? calleeFrame > 10 : calleeFrame > 8;  // 001:6744, 001:5444

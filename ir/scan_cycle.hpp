@@ -4,11 +4,12 @@
 // Time: a scan lasts `elapsed` ms from the reading of its inputs to the writing of its outputs. The 10 ms and 100 ms
 // ticks of that time reach the timers in the next scan: 10 ms at its start, 100 ms when the timer is executed. In
 // between they are held in PhaseTen and PhaseHundred, which are reduced only by takeTicks(). The 1 ms ticks are not
-// handled here: they come at any instruction, see ir/timer_refresh.hpp.
+// handled here: they come at any instruction (refreshTimers).
 // Covered by tests/engine/scan_cycle_test.cpp.
 #pragma once
 
 #include "ir/scan.hpp"
+#include "ir/timer_refresh.hpp"
 
 namespace rungproof {
 
@@ -41,6 +42,7 @@ void beginScan(Machine<D>& m, const Ticks<D>& ticks) {
   m.halted = m.d.constant(false);
   for (std::uint32_t bit = 0; bit < regInfo(Reg::PhysicalInput).count; ++bit) m.saveBit(Area::I, bit / 8, bit % 8, m.getBit(Reg::PhysicalInput, bit));
   m.ticks100 = ticks.hundred;
+  refreshTimers(m, 10, ticks.ten);
 }
 
 /// Part 2 of the scan: the program, in RUN only (001:1683).

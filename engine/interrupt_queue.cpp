@@ -1,0 +1,50 @@
+// Queues of interrupt events.
+#include "engine/interrupt_queue.hpp"
+
+#include <algorithm>
+
+#include "ir/check.hpp"
+
+namespace rungproof {
+
+InterruptQueue::InterruptQueue(const Target& target) {
+  const CpuFeatures features = cpuFeatures(target);
+  depth_ = {static_cast<std::size_t>(features.queueCommunication), static_cast<std::size_t>(features.queueIo),
+            static_cast<std::size_t>(features.queueTimed)};
+}
+
+bool InterruptQueue::add(int event, std::uint64_t moment) {
+  CHECK(event >= 0 && event < eventCount, "events are numbered 0 to 33");
+  const EventInfo& info = eventInfo(event);
+  std::vector<Entry>& entries = queue(info.group);
+  if (entries.size() >= depth_[static_cast<std::size_t>(info.group)]) return false;
+  const auto later = std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) {
+    return entry.moment == moment && eventInfo(entry.event).rank > info.rank;
+  });
+  entries.insert(later, {event, moment});
+  return true;
+}
+
+std::optional<int> InterruptQueue::take() {
+  for (std::vector<Entry>& entries : queues_) {
+    if (entries.empty()) continue;
+    const int event = entries.front().event;
+    entries.erase(entries.begin());
+    return event;
+  }
+  return std::nullopt;
+}
+
+void InterruptQueue::drop(int event) {
+  std::erase_if(queue(eventInfo(event).group), [&](const Entry& entry) { return entry.event == event; });
+}
+
+void InterruptQueue::clear() {
+  for (std::vector<Entry>& entries : queues_) entries.clear();
+}
+
+bool InterruptQueue::empty() const {
+  return std::all_of(queues_.begin(), queues_.end(), [](const std::vector<Entry>& entries) { return entries.empty(); });
+}
+
+}  // namespace rungproof

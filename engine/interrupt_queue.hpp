@@ -1,0 +1,46 @@
+// The three interrupt queues of the CPU: communication, I/O, timed (001:5480-5500). An attached event enters the queue
+// of its group; a full queue loses it. The highest group that is not empty is served first, inside a group in order of
+// arrival; events that arrive at the same moment stand in the order of their rank (table 6-50, the manual leaves
+// the combination open). Covered by tests/engine/interrupt_test.cpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "ir/cpu.hpp"
+#include "ir/event.hpp"
+
+namespace rungproof {
+
+class InterruptQueue {
+ public:
+  explicit InterruptQueue(const Target& target);
+
+  /// Takes event 0..33 that occurred at `moment` (any unit that does not decrease). False: the queue is full, the event is lost.
+  bool add(int event, std::uint64_t moment);
+  /// The event to be served next, removed from its queue.
+  std::optional<int> take();
+  /// CEVNT: drops all entries of that event (001:5357).
+  void drop(int event);
+  /// STOP in an interrupt routine drops everything that waits (001:5695).
+  void clear();
+
+  bool empty() const;
+  bool empty(EventGroup group) const { return queue(group).empty(); }
+  std::size_t size(EventGroup group) const { return queue(group).size(); }
+
+ private:
+  struct Entry {
+    int event;
+    std::uint64_t moment;
+  };
+  const std::vector<Entry>& queue(EventGroup group) const { return queues_[static_cast<std::size_t>(group)]; }
+  std::vector<Entry>& queue(EventGroup group) { return queues_[static_cast<std::size_t>(group)]; }
+
+  std::array<std::size_t, eventGroupCount> depth_;
+  std::array<std::vector<Entry>, eventGroupCount> queues_;
+};
+
+}  // namespace rungproof

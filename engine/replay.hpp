@@ -1,0 +1,49 @@
+// Replay: the reference engine driven by a script, so that a run which the prover found can be repeated exactly. For
+// every scan the script gives inputs, length and ticks, the values of external sites, and the interrupts and 1 ms
+// ticks in front of given instructions. Nothing else happens: devices and the clock inside the scan stand still.
+// Covered by tests/engine/replay_test.cpp.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/concrete.hpp"
+#include "engine/run_time_error.hpp"
+#include "engine/scan_script.hpp"
+#include "ir/choices.hpp"
+#include "ir/plan.hpp"
+
+namespace rungproof {
+
+/// Value of an external site that the run reaches.
+struct ExternalValue {
+  ExternalSite site;
+  std::uint64_t value;
+};
+
+/// A direct operand set before a scan: I the physical input, others the memory itself.
+struct PresetValue {
+  Operand operand;
+  std::uint64_t value;
+};
+
+struct ReplayScan {
+  std::vector<PresetValue> inputs;
+  std::uint32_t lengthMs = 10;
+  ScanScript script;
+  /// For every kind, index and instruction the values in the order in which the run asks for them. A value that is
+  /// missing is 0 (Choice::UnknownBits decides for stack bottom, local memory and unknown status).
+  std::vector<ExternalValue> externals;
+};
+
+struct ReplayResult {
+  std::vector<Concrete::Store> states;  ///< after each scan, the last one included that a fatal error or STOP ended
+  std::vector<RunTimeError> errors;
+  std::size_t unusedExternals = 0;      ///< values that the run did not ask for; more than 0: prover and engine walked apart
+};
+
+/// Runs the scans from `initial`, or from power-up if it is nullptr.
+ReplayResult replay(const Program& program, const Choices& choices, const std::vector<ReplayScan>& scans,
+                    const Concrete::Store* initial = nullptr);
+
+}  // namespace rungproof

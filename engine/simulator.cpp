@@ -1,0 +1,170 @@
+// The run of a program: switches, environment, one scan. What happens at instruction boundaries is in
+// simulator_time.cpp.
+#include "engine/simulator.hpp"
+
+#include "engine/simulator_hooks.hpp"
+#include "ir/check.hpp"
+
+namespace rungproof {
+
+namespace {
+
+constexpr std::uint32_t analogBits = 16;
+
+}  // namespace
+
+Simulator::Simulator(const Program& program, EngineOptions options, Outside* outside)
+    : plan_(program), options_(std::move(options)), outside_(outside), domain_(*this), store_(powerUpState(plan_, options_.choices, options_.dataLost)),
+      queue_(program.target), devices_(options_.clock), random_(options_.seed) {
+  prepareCosts();
+}
+
+void Simulator::powerCycle() {
+  store_ = powerCycledState(plan_, options_.choices, store_, options_.retentive);
+  queue_.clear();
+  errors_.clear();
+  timedPeriod_ = {};
+  stoppedBy_ = nullptr;
+}
+
+void Simulator::run() {
+  if (isRunning()) return;
+  enterRun(store_, options_.choices, options_.retentive);
+  queue_.clear();
+  errors_.clear();
+  timedPeriod_ = {};
+  stoppedBy_ = nullptr;
+}
+
+void Simulator::stop() { store_.set(Reg::Running, 0, 0, true); }
+
+void Simulator::scan(const ScanRequest& request) {
+  Machine<Concrete> machine(domain_, store_, plan_, options_.choices);
+  machine_ = &machine;
+  Hooks hooks{*this};
+  Runner runner(machine, hooks);
+  ++scanCount_;
+  ++moment_;
+  script_ = request.script;
+  position_ = watchdogFrom_ = pending_ = 0;
+  startMs_ = clockMs_;
+  nextMs_ = script_ != nullptr ? 0 : Cost::perMs - sinceTick_;
+  scanTicks_ = scriptedTicks_ = 0;
+  if (script_ != nullptr) visits_.assign(costs_.size(), 0);
+
+  Ticks<Concrete> ticks = takeTicks(machine);
+  if (script_ != nullptr && script_->ticks10) ticks.ten = *script_->ticks10;
+  if (script_ != nullptr && script_->ticks100) ticks.hundred = *script_->ticks100;
+  const std::uint32_t lengthUs = request.lengthUs != 0 ? request.lengthUs : options_.scanUs;
+  if (script_ == nullptr) raiseInputEdges();
+  beginScan(machine, ticks);
+  for (const Area area : {Area::I, Area::AI}) forced_.apply(area, store_);
+  for (const int event : request.events) raise(event);
+  runProgram(runner);
+  passRest(runner, lengthUs);
+  finishScan(machine, lengthUs);
+  machine_ = nullptr;
+}
+
+void Simulator::finishScan(Machine<Concrete>& machine, std::uint32_t lengthUs) {
+  const auto spentUs = static_cast<std::uint32_t>((position_ + Cost::perUs - 1) / Cost::perUs);
+  lastScanUs_ = script_ != nullptr ? lengthUs : std::max(lengthUs, spentUs);
+  const std::uint64_t total = sinceTick_ + static_cast<std::uint64_t>(lastScanUs_) * Cost::perUs;
+  scanTicks_ = static_cast<std::uint32_t>(total / Cost::perMs);
+  sinceTick_ = static_cast<std::uint32_t>(total % Cost::perMs);
+  machine.guard = true;
+  if (machine.halted) store_.set(Reg::Running, 0, 0, true);
+  for (const Area area : {Area::V, Area::M, Area::Q, Area::AQ}) forced_.apply(area, store_);
+  std::uint32_t left = scanTicks_;
+  for (; left > longestStep; left -= longestStep) advanceClocks(machine, longestStep);
+  advanceClocks(machine, left);
+  refreshSpecialMemory(machine, std::min(lastScanUs_ / 1000, 0xFFFFU));
+  writeOutputs(machine);
+  store_.save(Area::SM, 4 * 8 + 7, 1, forced_.empty() ? 0 : 1, true);
+  now_ += lastScanUs_;
+  clockMs_ = startMs_ + scanTicks_;
+  if (!isRunning()) queue_.clear();
+}
+
+std::uint64_t Simulator::read(const Operand& operand) const {
+  CHECK(operand.kind == OperandKind::Direct, "only direct operands have a value of their own");
+  const std::uint32_t offset = operand.offset;
+  switch (operand.area) {
+    case Area::T: return store_.get(operand.width == Width::Bit ? Reg::TimerBit : Reg::TimerCurrent, offset);
+    case Area::C: return store_.get(operand.width == Width::Bit ? Reg::CounterBit : Reg::CounterCurrent, offset);
+    case Area::AC: return store_.get(Reg::Accumulator, offset) & Concrete::mask(bits(operand.width));
+    case Area::HC: return store_.get(Reg::HscCurrent, offset);
+    case Area::AI:
+    case Area::AQ: return store_.load(operand.area, offset * 8, analogBits);
+    default: return store_.load(operand.area, offset * 8 + (operand.width == Width::Bit ? operand.bit : 0), bits(operand.width));
+  }
+}
+
+void Simulator::write(const Operand& operand, std::uint64_t value) {
+  CHECK(operand.kind == OperandKind::Direct, "only direct operands have a value of their own");
+  const std::uint32_t offset = operand.offset;
+  switch (operand.area) {
+    case Area::I: {
+      const int width = bits(operand.width);
+      if (width == 1) return store_.set(Reg::PhysicalInput, offset * 8 + operand.bit, value & 1, true);
+      for (int i = 0; i < width; ++i) {
+        const auto byte = offset + static_cast<std::uint32_t>(i / 8);
+        store_.set(Reg::PhysicalInput, byte * 8 + static_cast<std::uint32_t>(i % 8), value >> (width - 8 * (i / 8 + 1) + i % 8) & 1, true);
+      }
+      return;
+    }
+    case Area::T: return store_.set(operand.width == Width::Bit ? Reg::TimerBit : Reg::TimerCurrent, offset, value, true);
+    case Area::C: return store_.set(operand.width == Width::Bit ? Reg::CounterBit : Reg::CounterCurrent, offset, value, true);
+    case Area::AC: return store_.set(Reg::Accumulator, offset, value, true);
+    case Area::HC: return store_.set(Reg::HscCurrent, offset, value, true);
+    case Area::AI:
+    case Area::AQ: return store_.save(operand.area, offset * 8, analogBits, value, true);
+    default: return store_.save(operand.area, offset * 8 + (operand.width == Width::Bit ? operand.bit : 0), bits(operand.width), value, true);
+  }
+}
+
+bool Simulator::force(const Operand& operand, std::uint64_t value) { return forced_.set(operand, value); }
+void Simulator::unforce(const Operand& operand) { forced_.remove(operand); }
+
+std::uint64_t Simulator::unknown(int width) {
+  if (options_.choices.is(Choice::UnknownBits, "zero")) return 0;
+  if (options_.choices.is(Choice::UnknownBits, "one")) return Concrete::mask(width);
+  random_ += 0x9E3779B97F4A7C15ULL;  // splitmix64
+  std::uint64_t mixed = random_;
+  mixed = (mixed ^ mixed >> 30) * 0xBF58476D1CE4E5B9ULL;
+  mixed = (mixed ^ mixed >> 27) * 0x94D049BB133111EBULL;
+  return (mixed ^ mixed >> 31) & Concrete::mask(width);
+}
+
+std::uint64_t Simulator::external(const ExternalSite& site, int width) {
+  switch (site.kind) {
+    case External::StackBottom:
+    case External::LocalMemory:
+    case External::UnknownStatus:
+    case External::UnknownResult:
+      if (!options_.choices.is(Choice::UnknownBits, "zero") && outside_ == nullptr) return unknown(width);
+      break;
+    case External::ImmediateInput:
+      if (const std::optional<bool> forced = forced_.bit(Area::I, site.index)) return *forced ? 1 : 0;
+      if (outside_ == nullptr) return store_.get(Reg::PhysicalInput, site.index);
+      break;
+    case External::AnalogInput:
+      if (outside_ == nullptr) return store_.load(Area::AI, site.index * 8, width);
+      break;
+    case External::ClockByte:
+      if (outside_ == nullptr) return devices_.clock.byteAt(site.index, clockMs_);
+      break;
+    case External::IntervalClock:
+      if (outside_ == nullptr) return clockMs_;
+      break;
+    default: break;
+  }
+  return outside_ == nullptr ? 0 : outside_->external(site, width);
+}
+
+void Simulator::report(Hazard hazard, const Instruction* place) {
+  errors_.add(hazard, place, scanCount_, now_ + position_ / Cost::perUs);
+  if (outside_ != nullptr) outside_->report(hazard, place);
+}
+
+}  // namespace rungproof

@@ -1,0 +1,152 @@
+// Simulator: the reference engine. It runs a program scan by scan on the concrete machine: power-up, RUN and STOP, the
+// scan cycle of ir/scan_cycle.hpp, instruction times and what they move (1 ms timers, timed interrupts, pulse trains,
+// watchdog), interrupts at instruction boundaries, devices and forced values.
+//
+// Time within a scan: every instruction takes its time of Appendix F; when a full ms of the CPU's clock has passed,
+// everything that hangs on the 1 ms clock happens before the next instruction. After the program the rest of the scan
+// passes the same way, then SM is refreshed and the outputs are written. A scan lasts as long as was asked for, or
+// longer when program and interrupt routines need more.
+//
+// Replay of a run found by the prover (engine/replay.hpp) is the same engine with a script instead of the clock.
+// Covered by tests/engine/*.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "engine/concrete.hpp"
+#include "engine/devices.hpp"
+#include "engine/force.hpp"
+#include "engine/interrupt_queue.hpp"
+#include "engine/run_time_error.hpp"
+#include "engine/scan_script.hpp"
+#include "engine/start_up.hpp"
+#include "ir/choices.hpp"
+#include "ir/plan.hpp"
+
+namespace rungproof {
+
+struct EngineOptions {
+  Choices choices;
+  std::uint32_t scanUs = 10000;  ///< length of a scan in us for which nothing else is asked
+  std::vector<RetentiveRange> retentive = defaultRetentiveRanges();
+  bool dataLost = false;      ///< first scan with SM0.2 = 1
+  std::uint64_t seed = 1;     ///< for bits that the manual calls unknown, if Choice::UnknownBits is "random"
+  ClockTime clock;            ///< real-time clock at power-up
+};
+
+template <class D, class Hooks>
+class Scan;
+
+/// What is asked of one scan.
+struct ScanRequest {
+  std::uint32_t lengthUs = 0;  ///< 0: EngineOptions::scanUs
+  std::vector<int> events{};   ///< interrupt events that occur at its start
+  const ScanScript* script = nullptr;
+};
+
+class Simulator final : private Outside {
+ public:
+  /// Powers up into RUN after a download. The program must outlive the simulator. `outside`: gives the external values
+  /// and hears of errors in place of the simulator's own devices; may be nullptr.
+  explicit Simulator(const Program& program, EngineOptions options = {}, Outside* outside = nullptr);
+
+  /// Power off and on; retentive cells keep their values.
+  void powerCycle();
+  /// The mode switch.
+  void run();
+  void stop();
+  bool isRunning() const { return store_.get(Reg::Running, 0) != 0; }
+
+  /// One scan; in STOP without the program.
+  void scan(const ScanRequest& request = {});
+  std::uint64_t scanCount() const { return scanCount_; }
+  /// Time since power-up at the end of the last scan, and the length of that scan.
+  std::uint64_t timeUs() const { return now_; }
+  std::uint32_t lastScanUs() const { return lastScanUs_; }
+
+  /// Value of a direct operand: I and Q from the image, T and C by width (Bit: the bit, Word: the current value).
+  std::uint64_t read(const Operand& operand) const;
+  /// State of the environment before the next scan: I sets the physical inputs, AI the analog inputs; other areas are
+  /// written like by a panel. T and C by width.
+  void write(const Operand& operand, std::uint64_t value);
+  bool physicalOutput(std::uint32_t byte, std::uint32_t bit) const { return store_.get(Reg::PhysicalOutput, byte * 8 + bit) != 0; }
+
+  bool force(const Operand& operand, std::uint64_t value);
+  void unforce(const Operand& operand);
+  Devices& devices() { return devices_; }
+
+  const Concrete::Store& store() const { return store_; }
+  /// Replaces the state, for a replay that starts elsewhere than at power-up.
+  void setStore(const Concrete::Store& store) { store_ = store; }
+  const Plan& plan() const { return plan_; }
+  const RunTimeErrors& errors() const { return errors_; }
+  /// The instruction that executed STOP last, or nullptr.
+  const Instruction* stoppedBy() const { return stoppedBy_; }
+
+ private:
+  struct Hooks;
+  using Runner = Scan<Concrete, Hooks>;
+  /// Time of one instruction, by Instruction::id, in 10 ns.
+  struct Cost {
+    static constexpr std::uint32_t perUs = 100;
+    static constexpr std::uint32_t perMs = 1000 * perUs;
+    std::uint32_t withFlow;
+    std::uint32_t withoutFlow;
+  };
+
+  std::uint64_t external(const ExternalSite& site, int width) override;
+  void report(Hazard hazard, const Instruction* place) override;
+  void signal(Signal which, std::uint32_t index) override;
+  std::uint64_t unknown(int width);
+
+  void prepareCosts();
+  void raiseInputEdges();
+  void raise(int event);
+  void boundary(Runner& runner, const FlowStep* step);
+  void scripted(Runner& runner, ScanPlace place);
+  void expireWatchdog(Machine<Concrete>& machine);
+  void passMillisecond(Machine<Concrete>& machine);
+  void serveInterrupts(Runner& runner);
+  void runRoutine(Runner& runner, int event);
+  void passRest(Runner& runner, std::uint32_t lengthUs);
+  void finishScan(Machine<Concrete>& machine, std::uint32_t lengthUs);
+
+  Plan plan_;
+  EngineOptions options_;
+  Outside* outside_;
+  Concrete domain_;
+  Concrete::Store store_;
+  InterruptQueue queue_;
+  ForceTable forced_;
+  Devices devices_;
+  RunTimeErrors errors_;
+  std::vector<Cost> costs_;
+
+  std::uint64_t now_ = 0;        ///< us since power-up, at the start of the scan
+  std::uint64_t clockMs_ = 0;    ///< ticks of the 1 ms clock since power-up
+  std::uint32_t sinceTick_ = 0;  ///< from the last of them to the start of the scan, 10 ns
+  std::uint32_t scanTicks_ = 0;  ///< 1 ms ticks in this scan
+  std::uint64_t startMs_ = 0;    ///< clockMs_ at the start of the scan
+  std::uint64_t scanCount_ = 0;
+  std::uint32_t lastScanUs_ = 0;
+  std::uint64_t moment_ = 0;     ///< grows with every instant at which events may occur together
+  std::uint64_t position_ = 0;   ///< within the scan, 10 ns
+  std::uint64_t nextMs_ = 0;     ///< position of the next tick of the 1 ms clock
+  std::uint64_t watchdogFrom_ = 0;
+  std::uint32_t pending_ = 0;    ///< time of the instruction that is running
+  bool attention_ = false;       ///< events wait in the queue
+  const Machine<Concrete>* machine_ = nullptr;  ///< of the scan that runs
+  const Instruction* stoppedBy_ = nullptr;
+  std::array<std::uint32_t, 2> timedPeriod_{};   ///< of events 10 and 11, taken over by ATCH (001:5472)
+  std::array<std::uint32_t, 2> timedElapsed_{};
+  std::uint64_t random_;
+  std::uint32_t edgeInputs_ = 0;                 ///< I0.0-I0.3 as the edge events saw them last
+  const ScanScript* script_ = nullptr;
+  std::vector<std::uint32_t> visits_;            ///< executions of each instruction in this scan, under a script only
+  std::uint32_t scriptedTicks_ = 0;
+};
+
+}  // namespace rungproof

@@ -1,0 +1,31 @@
+// What the walk over the program calls back: time and interrupts in front of every instruction, library blocks, fresh
+// local memory. Part of the simulator, kept apart because only its own sources see the walk.
+#pragma once
+
+#include "engine/simulator.hpp"
+#include "ir/scan_cycle.hpp"
+
+namespace rungproof {
+
+struct Simulator::Hooks {
+  Simulator& simulator;
+
+  void before(Runner& runner, const FlowStep& step) {
+    Simulator& s = simulator;
+    const Cost& cost = s.costs_[step.instruction->id];
+    s.position_ += s.pending_;
+    s.pending_ = 0;
+    if (s.position_ >= s.nextMs_ || s.attention_) s.boundary(runner, &step);
+    s.pending_ = runner.machine().powerFlow() ? cost.withFlow : cost.withoutFlow;
+  }
+
+  void callWithoutBody(Runner&, const Instruction&) {}
+
+  void freshLocal(Runner& runner, unsigned frame, std::uint32_t byte) {
+    const bool isZero = simulator.outside_ == nullptr && simulator.options_.choices.is(Choice::UnknownBits, "zero");
+    const std::uint64_t value = isZero ? 0 : runner.machine().external(External::LocalMemory, byte, 8);
+    simulator.store_.save(Area::L, (frame * 64 + byte) * 8, 8, value, runner.machine().guard);
+  }
+};
+
+}  // namespace rungproof

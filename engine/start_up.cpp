@@ -1,0 +1,114 @@
+// State at power-up and at the change to RUN.
+#include "engine/start_up.hpp"
+
+#include <algorithm>
+
+namespace rungproof {
+
+namespace {
+
+void setSm(Concrete::Store& store, std::uint32_t byte, std::uint32_t bit, bool value) {
+  store.save(Area::SM, byte * 8 + bit, 1, value ? 1 : 0, true);
+}
+
+void fill(Concrete::Store& store, Reg reg, std::uint64_t value) {
+  for (std::uint32_t i = 0; i < store.count(reg); ++i) store.set(reg, i, value, true);
+}
+
+/// SM6.4-SM6.7 by CPU (001:14138). CPU 224XP has no code in the text; it shows that of the 224.
+std::uint8_t cpuCode(Cpu cpu) {
+  switch (cpu) {
+    case Cpu::Cpu224:
+    case Cpu::Cpu224XP: return 0x20;
+    case Cpu::Cpu221: return 0x60;
+    case Cpu::Cpu226:
+    case Cpu::Cpu226XM: return 0x90;
+    default: return 0x00;
+  }
+}
+
+/// What the first scan after entering RUN finds in SM and in the registers of devices.
+void prepareRun(Concrete::Store& store, const Choices& choices) {
+  const bool clockStartsOn = choices.is(Choice::ScanClockStart, "on");
+  setSm(store, 0, 0, true);
+  setSm(store, 0, 1, true);
+  for (std::uint32_t bit = 4; bit <= 6; ++bit) setSm(store, 0, bit, clockStartsOn);
+  setSm(store, 0, 7, true);  // mode switch in RUN
+  for (std::uint32_t bit = 0; bit <= 4; ++bit) setSm(store, 4, bit, false);
+  setSm(store, 4, 5, true);
+  setSm(store, 4, 6, true);
+  for (const std::uint32_t status : {66U, 76U}) {
+    setSm(store, status, 6, false);  // 001:4651
+    setSm(store, status, 7, true);
+  }
+  for (const Reg reg : {Reg::EdgeMemory, Reg::EdgeSeen, Reg::EventRoutine, Reg::InterruptsEnabled, Reg::HscMode, Reg::HscEnabled,
+                        Reg::PulseBusy, Reg::PulsePending, Reg::PortBusy, Reg::NetActive, Reg::TimerRunning, Reg::TimerInput,
+                        Reg::CounterUp, Reg::CounterDown, Reg::PhaseTen, Reg::PhaseHundred, Reg::PhaseSecond, Reg::PhaseMinute}) {
+    fill(store, reg, 0);
+  }
+  fill(store, Reg::PidHistory, 1);  // 001:5295
+  fill(store, Reg::FirstScan, 1);
+  fill(store, Reg::Running, 1);
+}
+
+void loadDataBlock(const Program& program, Concrete::Store& store) {
+  std::vector<std::uint8_t>& memory = store.area(Area::V);
+  for (const DataInit& init : program.data) {
+    for (std::size_t i = 0; i < init.bytes.size(); ++i) {
+      if (init.offset + i < memory.size()) memory[init.offset + i] = init.bytes[i];
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<RetentiveRange> defaultRetentiveRanges() {
+  return {{Area::V, 0, 0xFFFFFFFF}, {Area::M, 14, 31}, {Area::T, 0, 31}, {Area::T, 64, 95}, {Area::C, 0, 255}};
+}
+
+bool isRetentive(const std::vector<RetentiveRange>& ranges, Area area, std::uint32_t index) {
+  if (area == Area::T && !timerIsRetentive(static_cast<int>(index))) return false;  // 001:6556
+  return std::any_of(ranges.begin(), ranges.end(), [&](const RetentiveRange& range) {
+    return range.area == area && range.first <= index && index <= range.last;
+  });
+}
+
+Concrete::Store powerUpState(const Plan& plan, const Choices& choices, bool dataLost) {
+  Concrete::Store store(plan.program->target, plan.edgeCount);
+  loadDataBlock(*plan.program, store);
+  prepareRun(store, choices);
+  setSm(store, 0, 2, dataLost);
+  setSm(store, 0, 3, true);
+  store.area(Area::SM)[6] = cpuCode(plan.program->target.cpu);
+  return store;
+}
+
+Concrete::Store powerCycledState(const Plan& plan, const Choices& choices, const Concrete::Store& before,
+                                 const std::vector<RetentiveRange>& ranges) {
+  Concrete::Store store = powerUpState(plan, choices);
+  for (const Area area : {Area::V, Area::M}) {
+    const std::vector<std::uint8_t>& old = before.area(area);
+    for (std::uint32_t i = 0; i < old.size(); ++i) {
+      if (isRetentive(ranges, area, i)) store.area(area)[i] = old[i];
+    }
+  }
+  for (std::uint32_t i = 0; i < 256; ++i) {
+    if (isRetentive(ranges, Area::T, i)) store.set(Reg::TimerCurrent, i, before.get(Reg::TimerCurrent, i), true);
+    if (isRetentive(ranges, Area::C, i)) store.set(Reg::CounterCurrent, i, before.get(Reg::CounterCurrent, i), true);
+  }
+  return store;
+}
+
+void enterRun(Concrete::Store& store, const Choices& choices, const std::vector<RetentiveRange>& ranges) {
+  for (std::uint32_t i = 0; i < 256; ++i) {
+    store.set(Reg::TimerBit, i, 0, true);
+    store.set(Reg::CounterBit, i, 0, true);
+    if (!isRetentive(ranges, Area::T, i)) store.set(Reg::TimerCurrent, i, 0, true);
+    if (!isRetentive(ranges, Area::C, i)) store.set(Reg::CounterCurrent, i, 0, true);
+  }
+  prepareRun(store, choices);
+  setSm(store, 0, 2, false);
+  setSm(store, 0, 3, false);
+}
+
+}  // namespace rungproof
