@@ -77,9 +77,10 @@ struct ShiftRegister {
     m.hazard(Hazard::OutOfRange, tooFar);
     m.when(d.lnot(d.lor(badCount, tooFar)), [&] {
       const auto data = a.bit(0);
-      std::vector<typename D::Bool> old(static_cast<std::size_t>(room) + 1, d.constant(false));
+      std::array<typename D::Bool, longest + 1> old;
+      old.fill(d.constant(false));
       for (int k = 0; k < room; ++k) old[static_cast<std::size_t>(k)] = a.bitAt(1, k);
-      auto top = old[0];
+      typename D::Bool top = old[0];
       m.repeat(count, 8, room, [&](int k) {
         const auto isTop = d.equal(count, m.number(static_cast<std::uint64_t>(k) + 1, 8), 8);
         const auto at = static_cast<std::size_t>(k);
