@@ -21,8 +21,8 @@ std::string verdictText(VerdictWord verdict, int depth) {
   }
 }
 
-std::string_view propertyKindName(PropertyKind kind) {
-  return kind == PropertyKind::Prove ? "prove" : kind == PropertyKind::Reach ? "reach" : "builtin";
+std::string_view resultKindName(ResultKind kind) {
+  return kind == ResultKind::Prove ? "prove" : kind == ResultKind::Reach ? "reach" : "builtin";
 }
 
 Summary summaryOf(const Report& report) {

@@ -51,7 +51,7 @@ Json findingJson(const Finding& finding, const SourceSet& sources) {
 
 Json propertyJson(const PropertyResult& property) {
   return {{"name", property.name},
-          {"kind", propertyKindName(property.kind)},
+          {"kind", resultKindName(property.kind)},
           {"verdict", verdictText(property.verdict, property.depth)},
           {"method", property.method},
           {"depth", property.depth},

@@ -22,13 +22,13 @@ enum class VerdictWord : std::uint8_t { Proved, Violated, Reachable, Unreachable
 /// "PROVED", "HOLDS TO BOUND 20".
 std::string verdictText(VerdictWord verdict, int depth);
 
-enum class PropertyKind : std::uint8_t { Prove, Reach, Builtin };
-std::string_view propertyKindName(PropertyKind kind);
+enum class ResultKind : std::uint8_t { Prove, Reach, Builtin };
+std::string_view resultKindName(ResultKind kind);
 
 /// The verdict on one property.
 struct PropertyResult {
   std::string name;
-  PropertyKind kind = PropertyKind::Prove;
+  ResultKind kind = ResultKind::Prove;
   VerdictWord verdict = VerdictWord::Unknown;
   std::string method;       ///< "k-induction, k = 3"
   int depth = 0;            ///< scans: length of the witness, or how far it was looked

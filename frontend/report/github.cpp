@@ -1,0 +1,62 @@
+// Workflow commands that GitHub Actions shows as annotations on the changed lines.
+#include <fmt/core.h>
+
+#include <ostream>
+
+#include "frontend/report/report.hpp"
+
+namespace rungproof {
+
+namespace {
+
+/// Data of a workflow command: percent, line ends, and in properties also colon and comma, are escaped.
+std::string escaped(std::string_view text, bool inProperty) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '%': result += "%25"; break;
+      case '\r': result += "%0D"; break;
+      case '\n': result += "%0A"; break;
+      case ':': result += inProperty ? "%3A" : ":"; break;
+      case ',': result += inProperty ? "%2C" : ","; break;
+      default: result += c;
+    }
+  }
+  return result;
+}
+
+std::string_view levelName(Severity severity) {
+  return severity == Severity::Error ? "error" : severity == Severity::Warning ? "warning" : "notice";
+}
+
+void write(const Report& report, const ReportStyle&, std::ostream& out) {
+  for (const Finding& finding : report.findings) {
+    const SourceFile& file = report.sources->file(finding.span.file);
+    const Position begin = file.position(finding.span.offset);
+    const Position end = file.position(finding.span.offset + finding.span.length);
+    out << fmt::format("::{} file={},line={},endLine={},col={},title={}::{}\n", levelName(finding.severity), escaped(file.name(), true),
+                       begin.line, end.line, begin.column, escaped(finding.rule, true), escaped(finding.message, false));
+  }
+  for (const PropertyResult& property : report.properties) {
+    const bool good = property.verdict == VerdictWord::Proved || property.verdict == VerdictWord::Reachable;
+    if (good) continue;
+    std::string place;
+    if (property.span) {
+      const SourceFile& file = report.sources->file(property.span->file);
+      place = fmt::format("file={},line={},", escaped(file.name(), true), file.position(property.span->offset).line);
+    }
+    out << fmt::format("::error {}title={}::{}\n", place, escaped(verdictText(property.verdict, property.depth), true),
+                       escaped(property.name, false));
+  }
+  if (report.comparison && !report.comparison->equal) {
+    const Comparison& c = *report.comparison;
+    out << fmt::format("::error title=traces differ::scan {}, {:g} ms, {}: expected {:g}, actual {:g}\n", c.scan, c.timeMs,
+                       escaped(c.signal, false), c.expected, c.actual);
+  }
+}
+
+}  // namespace
+
+extern constexpr Reporter githubReport = {.name = "github", .summary = "annotations of GitHub Actions", .write = write};
+
+}  // namespace rungproof

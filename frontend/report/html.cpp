@@ -1,0 +1,149 @@
+// One HTML file without outside references: findings with excerpts, verdicts, comparison, what the results rest on.
+#include <fmt/core.h>
+
+#include <ostream>
+
+#include "analysis/rule.hpp"
+#include "frontend/cli.hpp"
+#include "frontend/excerpt.hpp"
+#include "frontend/report/report.hpp"
+
+namespace rungproof {
+
+namespace {
+
+constexpr std::string_view pageStyle =
+    "body{font:15px/1.5 system-ui,sans-serif;max-width:70em;margin:2em auto;padding:0 1em;color:#1a1f26;background:#fff}"
+    "h1{font-size:1.4em}h2{font-size:1.15em;margin-top:2em;border-bottom:1px solid #d8dee4}"
+    "table{border-collapse:collapse}td,th{padding:.25em .8em;border:1px solid #d8dee4;text-align:left;vertical-align:top}"
+    "td.n{text-align:right}pre{background:#f6f8fa;padding:.6em;overflow-x:auto;margin:.4em 0}"
+    "article{margin:1.2em 0;padding-left:.8em;border-left:4px solid #8b949e}.error{border-color:#c62828}"
+    ".warning{border-color:#b26a00}.note{border-color:#1565c0}.good{color:#1b7f37}.bad{color:#c62828}.open{color:#b26a00}"
+    "mark{background:#ffd6d6;color:inherit}.place{color:#57606a}"
+    "@media(prefers-color-scheme:dark){body{color:#e6edf3;background:#0d1117}pre{background:#161b22}"
+    "td,th,h2{border-color:#30363d}mark{background:#6e2b2b}.place{color:#9198a1}.good{color:#4ac26b}.bad{color:#ff7b72}.open{color:#d29922}}";
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&': result += "&amp;"; break;
+      case '<': result += "&lt;"; break;
+      case '>': result += "&gt;"; break;
+      case '"': result += "&quot;"; break;
+      default: result += c;
+    }
+  }
+  return result;
+}
+
+class HtmlWriter {
+ public:
+  HtmlWriter(const Report& report, std::ostream& out) : report_(report), out_(out) {}
+
+  void write() {
+    const Summary summary = summaryOf(report_);
+    out_ << fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">"
+        "<title>rungproof {}</title><style>{}</style></head><body>\n<h1>rungproof {}</h1>\n",
+        report_.command, pageStyle, report_.command);
+    out_ << "<table><tr><th>errors</th><th>warnings</th><th>notes</th><th>proved or reached</th><th>violated</th><th>undecided</th></tr>";
+    out_ << fmt::format("<tr><td class=n>{}</td><td class=n>{}</td><td class=n>{}</td><td class=n>{}</td><td class=n>{}</td><td class=n>{}</td></tr></table>\n",
+                        summary.errors, summary.warnings, summary.notes, summary.proved, summary.violated, summary.undecided);
+    writeProperties();
+    if (report_.comparison) writeComparison(*report_.comparison);
+    writeFindings();
+    writeBasis();
+    out_ << fmt::format("<p class=place>rungproof {}</p>\n</body></html>\n", programVersion());
+  }
+
+ private:
+  void writeFindings() {
+    if (report_.findings.empty()) return;
+    out_ << "<h2>Findings</h2>\n";
+    for (const Finding& finding : report_.findings) {
+      out_ << fmt::format("<article class={}><b>{}[{}]</b>: {}{}<br>\n", severityName(finding.severity), severityName(finding.severity), finding.rule,
+                          escaped(finding.message), finding.confirmation == Confirmation::Unconfirmed ? " (unconfirmed)" : "");
+      writePlace(finding.span, finding.pou.empty() ? "" : finding.network == 0 ? finding.pou : fmt::format("{}, network {}", finding.pou, finding.network));
+      for (const RelatedPlace& related : finding.related) {
+        out_ << fmt::format("note: {}<br>\n", escaped(related.message));
+        writePlace(related.span, "");
+      }
+      if (!finding.help.empty()) out_ << fmt::format("<i>help:</i> {}\n", escaped(finding.help));
+      out_ << "</article>\n";
+    }
+  }
+
+  void writePlace(Span span, const std::string& context) {
+    const SourceFile& file = report_.sources->file(span.file);
+    const std::uint32_t number = file.position(span.offset).line;
+    const std::string_view line = file.line(number);
+    const std::size_t begin = std::min<std::size_t>(span.offset - file.lineStart(number), line.size());
+    const std::size_t end = std::min<std::size_t>(begin + span.length, line.size());
+    out_ << fmt::format("<span class=place>{}{}{}</span><pre>{} | {}<mark>{}</mark>{}</pre>\n", escaped(placeText(*report_.sources, span)),
+                        context.empty() ? "" : " in ", escaped(context), number, escaped(line.substr(0, begin)),
+                        escaped(line.substr(begin, end - begin)), escaped(line.substr(end)));
+  }
+
+  void writeProperties() {
+    if (report_.properties.empty()) return;
+    out_ << "<h2>Properties</h2>\n<table><tr><th>Verdict</th><th>Property</th><th>Method</th><th>Scans</th><th>Seconds</th><th>Trace</th></tr>\n";
+    for (const PropertyResult& property : report_.properties) {
+      const bool good = property.verdict == VerdictWord::Proved || property.verdict == VerdictWord::Reachable;
+      const bool bad = property.verdict == VerdictWord::Violated || property.verdict == VerdictWord::Unreachable || property.verdict == VerdictWord::Vacuous;
+      std::string text = fmt::format("<b>{}</b>", escaped(property.name));
+      if (!property.statement.empty()) text += fmt::format("<br><code>{}</code>", escaped(property.statement));
+      for (const std::string& note : property.notes) text += fmt::format("<br>{}", escaped(note));
+      for (const std::string& assumption : property.assumptions) text += fmt::format("<br>assumes: {}", escaped(assumption));
+      const std::string trace = property.trace.empty() ? "" : fmt::format("<a href=\"{0}\">{0}</a>", escaped(property.trace));
+      out_ << fmt::format("<tr><td class={}>{}</td><td>{}</td><td>{}</td><td class=n>{}</td><td class=n>{:.2f}</td><td>{}</td></tr>\n",
+                          good ? "good" : bad ? "bad" : "open", verdictText(property.verdict, property.depth), text, escaped(property.method),
+                          property.depth, property.seconds, trace);
+    }
+    out_ << "</table>\n";
+  }
+
+  void writeComparison(const Comparison& comparison) {
+    out_ << "<h2>Comparison</h2>\n";
+    if (comparison.equal) {
+      out_ << "<p class=good>The traces agree.</p>\n";
+      return;
+    }
+    out_ << fmt::format("<p class=bad>First difference: scan {}, {:g} ms, {}: expected {:g}, actual {:g}</p>\n", comparison.scan,
+                        comparison.timeMs, escaped(comparison.signal), comparison.expected, comparison.actual);
+    if (comparison.around.empty()) return;
+    out_ << "<table><tr><th>scan</th><th>ms</th>";
+    for (const std::string& signal : comparison.signals) out_ << fmt::format("<th>{}</th>", escaped(signal));
+    out_ << "</tr>\n";
+    for (const ComparedScan& scan : comparison.around) {
+      out_ << fmt::format("<tr><td class=n>{}</td><td class=n>{:g}</td>", scan.scan, scan.timeMs);
+      for (std::size_t i = 0; i < comparison.signals.size(); ++i) {
+        const bool differs = !scan.expected[i].empty() && scan.expected[i] != scan.actual[i];
+        out_ << (differs ? fmt::format("<td class=\"n bad\">{} (expected {})</td>", escaped(scan.actual[i]), escaped(scan.expected[i]))
+                         : fmt::format("<td class=n>{}</td>", escaped(scan.actual[i])));
+      }
+      out_ << "</tr>\n";
+    }
+    out_ << "</table>\n";
+  }
+
+  void writeBasis() {
+    out_ << "<h2>Basis</h2>\n<ul>\n";
+    for (const std::string& file : report_.files) out_ << fmt::format("<li>file {}</li>\n", escaped(file));
+    out_ << fmt::format("<li>{} of {} instructions understood</li>\n", report_.coverage.understood, report_.coverage.instructions);
+    for (const std::string& place : report_.coverage.approximated) out_ << fmt::format("<li>approximated: {}</li>\n", escaped(place));
+    for (const std::string& assumption : report_.assumptions) out_ << fmt::format("<li>assumes: {}</li>\n", escaped(assumption));
+    out_ << "</ul>\n";
+  }
+
+  const Report& report_;
+  std::ostream& out_;
+};
+
+void write(const Report& report, const ReportStyle&, std::ostream& out) { HtmlWriter(report, out).write(); }
+
+}  // namespace
+
+extern constexpr Reporter htmlReport = {.name = "html", .summary = "one page for the browser", .write = write};
+
+}  // namespace rungproof

@@ -1,0 +1,133 @@
+// JUnit XML: a test suite for each file (findings) and one for the properties, as CI servers read it.
+#include <fmt/core.h>
+
+#include <ostream>
+#include <pugixml.hpp>
+
+#include "analysis/rule.hpp"
+#include "frontend/excerpt.hpp"
+#include "frontend/report/report.hpp"
+
+namespace rungproof {
+
+namespace {
+
+pugi::xml_node addCase(pugi::xml_node suite, const std::string& className, const std::string& name, double seconds) {
+  pugi::xml_node test = suite.append_child("testcase");
+  test.append_attribute("classname") = className.c_str();
+  test.append_attribute("name") = name.c_str();
+  test.append_attribute("time") = fmt::format("{:.3f}", seconds).c_str();
+  return test;
+}
+
+void addFailure(pugi::xml_node test, const std::string& type, const std::string& message, const std::string& text) {
+  pugi::xml_node failure = test.append_child("failure");
+  failure.append_attribute("type") = type.c_str();
+  failure.append_attribute("message") = message.c_str();
+  failure.text() = text.c_str();
+}
+
+void setCounts(pugi::xml_node node, std::size_t tests, std::size_t failures, std::size_t skipped) {
+  node.append_attribute("tests") = static_cast<unsigned long long>(tests);
+  node.append_attribute("failures") = static_cast<unsigned long long>(failures);
+  node.append_attribute("errors") = 0;
+  if (node.name() == std::string_view("testsuite")) node.append_attribute("skipped") = static_cast<unsigned long long>(skipped);
+}
+
+class JunitWriter {
+ public:
+  JunitWriter(const Report& report, pugi::xml_node root) : report_(report), root_(root) {}
+
+  void write() {
+    for (std::uint32_t file = 0; report_.sources != nullptr && file < report_.sources->size(); ++file) writeFile(file);
+    writeProperties();
+    writeComparison();
+    setCounts(root_, tests_, failures_, 0);
+  }
+
+ private:
+  /// A file without findings is one passed case, so that it does not vanish from the statistics.
+  void writeFile(std::uint32_t file) {
+    const std::string& name = report_.sources->file(file).name();
+    pugi::xml_node suite = root_.append_child("testsuite");
+    suite.append_attribute("name") = name.c_str();
+    std::size_t count = 0;
+    for (const Finding& finding : report_.findings) {
+      if (finding.span.file != file) continue;
+      const Position place = report_.sources->position(finding.span);
+      pugi::xml_node test = addCase(suite, name, fmt::format("{} line {} column {}", finding.rule, place.line, place.column), 0);
+      std::string text = fmt::format("{}: {}", placeText(*report_.sources, finding.span), finding.message);
+      if (!finding.help.empty()) text += "\nhelp: " + finding.help;
+      addFailure(test, std::string(severityName(finding.severity)), finding.message, text);
+      ++count;
+    }
+    if (count == 0) addCase(suite, name, report_.command, 0);
+    setCounts(suite, std::max<std::size_t>(count, 1), count, 0);
+    tests_ += std::max<std::size_t>(count, 1);
+    failures_ += count;
+  }
+
+  void writeProperties() {
+    if (report_.properties.empty()) return;
+    pugi::xml_node suite = root_.append_child("testsuite");
+    suite.append_attribute("name") = "properties";
+    std::size_t failed = 0;
+    std::size_t skipped = 0;
+    for (const PropertyResult& property : report_.properties) {
+      pugi::xml_node test = addCase(suite, "properties", property.name, property.seconds);
+      const std::string verdict = verdictText(property.verdict, property.depth);
+      switch (property.verdict) {
+        case VerdictWord::Proved:
+        case VerdictWord::Reachable: break;
+        case VerdictWord::Violated:
+        case VerdictWord::Unreachable:
+        case VerdictWord::Vacuous:
+          addFailure(test, verdict, property.statement.empty() ? property.name : property.statement, property.trace);
+          ++failed;
+          break;
+        default:
+          test.append_child("skipped").append_attribute("message") = verdict.c_str();
+          ++skipped;
+      }
+    }
+    setCounts(suite, report_.properties.size(), failed, skipped);
+    tests_ += report_.properties.size();
+    failures_ += failed;
+  }
+
+  void writeComparison() {
+    if (!report_.comparison) return;
+    const Comparison& c = *report_.comparison;
+    pugi::xml_node suite = root_.append_child("testsuite");
+    suite.append_attribute("name") = "comparison";
+    pugi::xml_node test = addCase(suite, "comparison", report_.command, 0);
+    if (!c.equal) {
+      addFailure(test, "difference", fmt::format("scan {}, {:g} ms, {}: expected {:g}, actual {:g}", c.scan, c.timeMs, c.signal, c.expected, c.actual), "");
+      ++failures_;
+    }
+    setCounts(suite, 1, c.equal ? 0 : 1, 0);
+    ++tests_;
+  }
+
+  const Report& report_;
+  pugi::xml_node root_;
+  std::size_t tests_ = 0;
+  std::size_t failures_ = 0;
+};
+
+void write(const Report& report, const ReportStyle&, std::ostream& out) {
+  pugi::xml_document document;
+  pugi::xml_node declaration = document.append_child(pugi::node_declaration);
+  declaration.append_attribute("version") = "1.0";
+  declaration.append_attribute("encoding") = "UTF-8";
+  pugi::xml_node root = document.append_child("testsuites");
+  root.append_attribute("name") = "rungproof";
+  JunitWriter(report, root).write();
+  document.save(out, "  ");
+}
+
+}  // namespace
+
+extern constexpr Reporter junitReport = {.name = "junit", .summary = "JUnit XML for CI servers", .write = write};
+
+}  // namespace rungproof

@@ -1,0 +1,115 @@
+// SARIF 2.1.0, the exchange form of static analysers: rules with their pages, results with regions, related places,
+// fixes and stable fingerprints. tests/frontend/report_forms_test.cpp checks the requirements of the standard.
+#include <fmt/core.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "analysis/rule.hpp"
+#include "frontend/cli.hpp"
+#include "frontend/fingerprint.hpp"
+#include "frontend/report/report.hpp"
+
+namespace rungproof {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string_view levelName(Severity severity) {
+  return severity == Severity::Error ? "error" : severity == Severity::Warning ? "warning" : "note";
+}
+
+/// A relative reference as RFC 3986 wants it: bytes outside the unreserved set are percent-encoded.
+std::string uriOf(std::string_view path) {
+  std::string uri;
+  for (const char c : path) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || std::string_view("-._~/").find(c) != std::string_view::npos;
+    uri += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return path.starts_with('/') ? "file://" + uri : uri;
+}
+
+Json regionOf(const SourceSet& sources, Span span) {
+  const SourceFile& file = sources.file(span.file);
+  const Position begin = file.position(span.offset);
+  const Position end = file.position(span.offset + span.length);
+  return {{"startLine", begin.line}, {"startColumn", begin.column}, {"endLine", end.line}, {"endColumn", end.column}};
+}
+
+Json physicalLocation(const SourceSet& sources, Span span) {
+  return {{"artifactLocation", {{"uri", uriOf(sources.file(span.file).name())}}}, {"region", regionOf(sources, span)}};
+}
+
+Json ruleObject(const std::string& id) {
+  Json json = {{"id", id}};
+  const Rule* rule = ruleNamed(id);
+  if (rule == nullptr) return json;
+  json["name"] = rule->title;
+  json["shortDescription"] = {{"text", rule->title}};
+  json["fullDescription"] = {{"text", fmt::format("{}. {}.", rule->detects, rule->why)}};
+  json["help"] = {{"text", fmt::format("rungproof explain {}", id)}};
+  json["defaultConfiguration"] = {{"level", levelName(rule->severity)}, {"enabled", rule->enabledByDefault}};
+  return json;
+}
+
+Json resultOf(const Finding& finding, const Report& report, std::size_t ruleIndex) {
+  const SourceSet& sources = *report.sources;
+  Json result = {{"ruleId", finding.rule}, {"ruleIndex", ruleIndex}, {"level", levelName(finding.severity)}, {"message", {{"text", finding.message}}}};
+  Json location = {{"physicalLocation", physicalLocation(sources, finding.span)}};
+  if (!finding.pou.empty()) {
+    const std::string name = finding.network == 0 ? finding.pou : fmt::format("{}/network {}", finding.pou, finding.network);
+    location["logicalLocations"] = Json::array({{{"fullyQualifiedName", name}, {"kind", "function"}}});
+  }
+  result["locations"] = Json::array({location});
+  if (!finding.related.empty()) {
+    result["relatedLocations"] = Json::array();
+    for (const RelatedPlace& related : finding.related) {
+      result["relatedLocations"].push_back({{"physicalLocation", physicalLocation(sources, related.span)}, {"message", {{"text", related.message}}}});
+    }
+  }
+  if (finding.fix) {
+    const Json change = {{"artifactLocation", {{"uri", uriOf(sources.file(finding.fix->span.file).name())}}},
+                         {"replacements", Json::array({{{"deletedRegion", regionOf(sources, finding.fix->span)},
+                                                        {"insertedContent", {{"text", finding.fix->replacement}}}}})}};
+    result["fixes"] = Json::array({{{"description", {{"text", finding.help.empty() ? "replace the text" : finding.help}}},
+                                    {"artifactChanges", Json::array({change})}}});
+  }
+  result["partialFingerprints"] = {{"rungproof/v1", fingerprintOf(finding, sources)}};
+  return result;
+}
+
+/// Verdicts on properties are results too; proofs have kind "pass".
+Json resultOf(const PropertyResult& property, const Report& report) {
+  Json result = {{"ruleId", "property/" + property.name}, {"message", {{"text", fmt::format("{}: {}", verdictText(property.verdict, property.depth), property.name)}}}};
+  const bool good = property.verdict == VerdictWord::Proved || property.verdict == VerdictWord::Reachable;
+  const bool bad = property.verdict == VerdictWord::Violated || property.verdict == VerdictWord::Unreachable || property.verdict == VerdictWord::Vacuous;
+  result["kind"] = good ? "pass" : bad ? "fail" : "open";
+  result["level"] = bad ? "error" : "none";
+  if (property.span) result["locations"] = Json::array({{{"physicalLocation", physicalLocation(*report.sources, *property.span)}}});
+  return result;
+}
+
+void write(const Report& report, const ReportStyle&, std::ostream& out) {
+  std::map<std::string, std::size_t> ruleIndex;
+  Json rules = Json::array();
+  Json results = Json::array();
+  for (const Finding& finding : report.findings) {
+    const auto [entry, isNew] = ruleIndex.emplace(finding.rule, rules.size());
+    if (isNew) rules.push_back(ruleObject(finding.rule));
+    results.push_back(resultOf(finding, report, entry->second));
+  }
+  for (const PropertyResult& property : report.properties) results.push_back(resultOf(property, report));
+  const Json run = {{"tool", {{"driver", {{"name", "rungproof"}, {"semanticVersion", programVersion()}, {"rules", rules}}}}},
+                    {"columnKind", "unicodeCodePoints"},
+                    {"results", results}};
+  const Json log = {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"}, {"version", "2.1.0"}, {"runs", Json::array({run})}};
+  out << log.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+}  // namespace
+
+extern constexpr Reporter sarifReport = {.name = "sarif", .summary = "SARIF 2.1.0 for code scanning", .write = write};
+
+}  // namespace rungproof
