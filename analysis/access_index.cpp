@@ -61,37 +61,36 @@ AccessIndex::AccessIndex(const Program& program, const AccessTable& table, std::
       wide_.push_back(i);
     }
   }
-  written_.assign(cells_.size(), 0);
-  read_.assign(cells_.size(), 0);
-  pointed_.assign(cells_.size(), 0);
-  cover(table, blockOf);
+  for (std::vector<std::uint8_t>* marks : {&written_, &read_, &writtenAtLarge_, &readAtLarge_, &pointed_}) marks->assign(cells_.size(), 0);
+  cover(table, blockOf, true, {&written_, &writtenAtLarge_});
+  cover(table, blockOf, false, {&read_, &readAtLarge_});
   coverPointers(program, table);
   for (const DataInit& init : program.data) {
     for (std::uint32_t k = 0; k < init.bytes.size(); ++k) {
       const std::uint32_t cell = cells_.cell(Area::V, init.offset + k, 0);
-      if (cell != cells_.size()) written_[cell] = 1;
+      if (cell != cells_.size()) written_[cell] = writtenAtLarge_[cell] = 1;
     }
   }
 }
 
-/// Long accesses are collected as the farthest end per start cell and spread in one sweep.
-void AccessIndex::cover(const AccessTable& table, std::span<const std::uint32_t> blockOf) {
-  std::vector<std::uint32_t> readEnd(cells_.size(), 0), writeEnd(cells_.size(), 0);
+/// Accesses are collected as the farthest end per start cell and spread in one sweep.
+void AccessIndex::cover(const AccessTable& table, std::span<const std::uint32_t> blockOf, bool writes, Cover marks) {
+  std::vector<std::uint32_t> end(cells_.size(), 0), endAtLarge(cells_.size(), 0);
   for (const Access& a : table.all()) {
-    if (a.viaPointer) continue;
+    if (a.viaPointer || (a.write != writes && !a.maybe)) continue;
     const std::uint32_t start = cells_.cell(a.area, a.offset, blockOf[a.instruction]);
     if (start == cells_.size()) continue;
-    const std::uint32_t room = cells_.length(a.area) - a.offset;
-    const std::uint32_t end = start + std::min(a.possibleLength(), room);
-    if (a.write) writeEnd[start] = std::max(writeEnd[start], end);
-    if (!a.write || a.maybe) readEnd[start] = std::max(readEnd[start], end);
+    const std::uint32_t last = start + std::min(a.possibleLength(), cells_.length(a.area) - a.offset);
+    end[start] = std::max(end[start], last);
+    const bool isAtLarge = a.most > a.count || a.maybe || a.certainLength() > longest;
+    if (isAtLarge) endAtLarge[start] = std::max(endAtLarge[start], last);
   }
-  std::uint32_t readUntil = 0, writeUntil = 0;
+  std::uint32_t until = 0, untilAtLarge = 0;
   for (std::uint32_t c = 0; c < cells_.size(); ++c) {
-    readUntil = std::max(readUntil, readEnd[c]);
-    writeUntil = std::max(writeUntil, writeEnd[c]);
-    read_[c] = c < readUntil;
-    written_[c] = c < writeUntil;
+    until = std::max(until, end[c]);
+    untilAtLarge = std::max(untilAtLarge, endAtLarge[c]);
+    (*marks.any)[c] = c < until;
+    (*marks.atLarge)[c] = c < untilAtLarge;
   }
 }
 
@@ -129,8 +128,8 @@ void AccessIndex::coverPointers(const Program& program, const AccessTable& table
     const bool reached = anyAddress ? cells_.offsetOf(c) >= from[static_cast<std::size_t>(area)] : true;
     if (!reached) continue;
     pointed_[c] = 1;
-    if (reads) read_[c] = 1;
-    if (writes) written_[c] = 1;
+    if (reads) read_[c] = readAtLarge_[c] = 1;
+    if (writes) written_[c] = writtenAtLarge_[c] = 1;
   }
 }
 

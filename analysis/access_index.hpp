@@ -53,18 +53,24 @@ class AccessIndex {
   /// Whether some access, block operation or data block may have written the cell, or may read it.
   bool mayBeWritten(std::uint32_t cell) const { return written_[cell] != 0; }
   bool mayBeRead(std::uint32_t cell) const { return read_[cell] != 0; }
+  /// The same by accesses that the lists do not show in full: through pointers, long, of open length, or a data block.
+  bool isWrittenAtLarge(std::uint32_t cell) const { return writtenAtLarge_[cell] != 0; }
+  bool isReadAtLarge(std::uint32_t cell) const { return readAtLarge_[cell] != 0; }
   /// Whether accesses through pointers may reach the cell.
   bool mayBePointedTo(std::uint32_t cell) const { return pointed_[cell] != 0; }
 
  private:
-  void cover(const AccessTable& table, std::span<const std::uint32_t> blockOf);
+  struct Cover {
+    std::vector<std::uint8_t>*any, *atLarge;
+  };
+  void cover(const AccessTable& table, std::span<const std::uint32_t> blockOf, bool writes, Cover marks);
   void coverPointers(const Program& program, const AccessTable& table);
 
   CellMap cells_;
   std::vector<std::uint32_t> entries_;
   std::vector<std::uint32_t> first_;
   std::vector<std::uint32_t> wide_;
-  std::vector<std::uint8_t> written_, read_, pointed_;
+  std::vector<std::uint8_t> written_, read_, writtenAtLarge_, readAtLarge_, pointed_;
 };
 
 }  // namespace rungproof

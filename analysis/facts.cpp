@@ -27,7 +27,7 @@ Facts::Facts(const Program& program, std::span<const ExternalRange> externals)
       calls_(program, plan_),
       stack_(program, plan_, {}),
       execution_(program, plan_, calls_, stack_) {
-  countWriters();
+  countUses();
   const KnownBits pulses = pulseBits(stack_);
   if (!pulses.empty()) {
     stack_ = StackRun(program, plan_, pulses);
@@ -57,19 +57,23 @@ std::vector<std::uint32_t> Facts::blocksOf(std::span<const InstructionPlace> pla
   return blocks;
 }
 
-void Facts::countWriters() {
+void Facts::countUses() {
   const CellMap& cells = index_.cells();
   writers_.assign(static_cast<std::size_t>(cells.size()) * 8, 0);
-  const auto note = [&](std::size_t bit) { writers_[bit] = static_cast<std::uint8_t>(std::min(writers_[bit] + 1, 2)); };
+  readers_.assign(static_cast<std::size_t>(cells.size()) * 8, 0);
   for (const Access& a : accesses_.all()) {
-    if (!a.write || a.viaPointer || a.certainLength() > AccessIndex::longest) continue;
+    if (a.viaPointer || a.certainLength() > AccessIndex::longest) continue;
+    const Desc& desc = *instruction(a.instruction).desc;
+    const bool isOwn = a.operand < desc.operandCount && desc.operands[a.operand].direction == Direction::InOut;
+    if (!a.write && isOwn) continue;
+    std::vector<std::uint8_t>& counts = a.write ? writers_ : readers_;
     const std::uint32_t cell = cellOf(a);
     if (cell == cells.size()) continue;
     const std::size_t end = (static_cast<std::size_t>(cell) + std::min(a.certainLength(), cells.length(a.area) - a.offset)) * 8;
-    const std::size_t start = static_cast<std::size_t>(cell) * 8 + a.bit;
     const bool isBits = a.width == Width::Bit && !a.byNumber();
+    const std::size_t start = static_cast<std::size_t>(cell) * 8 + (isBits ? std::min<unsigned>(a.bit, 7) : 0);
     const std::size_t stop = isBits ? std::min(start + a.count, end) : end;
-    for (std::size_t bit = isBits ? start : static_cast<std::size_t>(cell) * 8; bit < stop; ++bit) note(bit);
+    for (std::size_t bit = start; bit < stop; ++bit) counts[bit] = static_cast<std::uint8_t>(std::min(counts[bit] + 1, 2));
   }
 }
 

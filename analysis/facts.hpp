@@ -63,6 +63,8 @@ class Facts {
   bool isExternal(std::uint32_t cell) const { return external_[cell] != 0; }
   /// Accesses that write the bit directly, 0, 1 or 2 for "more"; accesses through pointers and long blocks are not counted.
   int writers(std::uint32_t cell, unsigned bit) const { return writers_[cell * 8 + bit]; }
+  /// The same for reads, without those of an instruction that reads only to change the place itself.
+  int readers(std::uint32_t cell, unsigned bit) const { return readers_[cell * 8 + bit]; }
   std::uint32_t cellOf(const Access& access) const { return index_.cells().cell(access.area, access.offset, blockOf(access.instruction)); }
 
   /// First symbol of an address, or nullptr; constant time.
@@ -81,7 +83,7 @@ class Facts {
   void collectBoxes();
   void collectSymbols();
   void collectExternals(std::span<const ExternalRange> externals);
-  void countWriters();
+  void countUses();
 
   const Program& program_;
   Plan plan_;
@@ -89,7 +91,7 @@ class Facts {
   AccessTable accesses_;
   std::vector<std::uint32_t> blocks_;  ///< by Instruction::id
   AccessIndex index_;
-  std::vector<std::uint8_t> writers_;
+  std::vector<std::uint8_t> writers_, readers_;
   CallGraph calls_;
   StackRun stack_;
   ExecutionTable execution_;

@@ -1,0 +1,47 @@
+// SYM001: a symbolic operand that no table resolves. Tested by its examples and tests/rules/symbol_rules_test.cpp.
+#include <fmt/format.h>
+
+#include <unordered_map>
+
+#include "analysis/facts.hpp"
+#include "analysis/rule.hpp"
+
+namespace rungproof {
+
+namespace {
+
+void check(const Facts& facts, FindingSink& sink) {
+  std::unordered_map<std::string_view, std::size_t> places;  // name to the number of its uses
+  std::vector<const Operand*> first;
+  for (const InstructionPlace& place : facts.instructions()) {
+    for (const Operand& operand : place.instruction->operands) {
+      if (operand.kind == OperandKind::Symbol && ++places[operand.text] == 1) first.push_back(&operand);
+    }
+  }
+  const bool hasTable = !facts.program().symbols.empty();
+  for (const Operand* operand : first) {
+    const std::size_t count = places[operand->text];
+    const std::string more = count == 1 ? std::string() : fmt::format(" (used {} times)", count);
+    Finding& finding = sink.report(operand->span, fmt::format("{} is not defined: no symbol, local variable or block has that name{}", operand->text, more));
+    finding.address = operand->text;
+    finding.help = hasTable ? "correct the name, or add it to the symbol table" : "give the symbol table of the project with --symbols FILE";
+  }
+}
+
+}  // namespace
+
+extern constexpr Rule sym001_undefined_symbol = {
+    .id = "SYM001",
+    .title = "Undefined symbol",
+    .severity = Severity::Error,
+    .needs = Needs::Text,
+    .detects = "a symbolic operand without an entry in the global or local table",
+    .why = "the download needs an address; without one nothing can be said about the instruction",
+    .bad = "Network 1\nLD StartButton\n= Q0.0\n",
+    .good = "Network 1\nLD I0.0\n= Q0.0\n",
+    .falsePositives = "the symbol table was not given: name it with --symbols",
+    .peers = "ironplc P4007; plceye S0002",
+    .check = check,
+};
+
+}  // namespace rungproof
