@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "ir/german.hpp"
 #include "ir/isa_list.hpp"
 
 namespace rungproof {
@@ -14,12 +15,9 @@ namespace {
 /// Mnemonics sorted for binary search, each with the index of its descriptor.
 using Index = std::vector<std::pair<std::string_view, const Desc*>>;
 
-Index makeIndex(bool german) {
+Index makeIndex() {
   Index index;
-  for (const Desc& desc : isa::instructionTable) {
-    const std::string_view name = german && !desc.german.empty() ? desc.german : desc.stl;
-    index.emplace_back(name, &desc);
-  }
+  for (const Desc& desc : isa::instructionTable) index.emplace_back(desc.stl, &desc);
   std::sort(index.begin(), index.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   return index;
 }
@@ -40,13 +38,13 @@ constexpr std::pair<std::string_view, std::string_view> aliases[] = {
 std::span<const Desc> instructionTable() { return isa::instructionTable; }
 
 const Desc* instructionNamed(std::string_view mnemonic) {
-  static const Index index = makeIndex(false);
+  static const Index index = makeIndex();
   return lookUp(index, mnemonic);
 }
 
 const Desc* instructionNamedGerman(std::string_view mnemonic) {
-  static const Index index = makeIndex(true);
-  return lookUp(index, mnemonic);
+  const auto row = std::find_if(germanMnemonics.begin(), germanMnemonics.end(), [&](const GermanMnemonic& entry) { return entry.german == mnemonic; });
+  return instructionNamed(row == germanMnemonics.end() ? mnemonic : row->international);
 }
 
 const Desc* instructionAlias(std::string_view mnemonic) {

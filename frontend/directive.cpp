@@ -1,0 +1,13 @@
+// Recognises comments with the property sign.
+#include "frontend/directive.hpp"
+
+#include "frontend/stl_lexer.hpp"
+
+namespace rungproof {
+
+std::optional<std::string_view> directiveText(std::string_view comment) {
+  if (comment.substr(0, 3) != "//@") return std::nullopt;
+  return trimmed(comment.substr(3));
+}
+
+}  // namespace rungproof

@@ -1,0 +1,83 @@
+// What the readers can say: one row per message, with id, title, severity and help. `explain SYN010` prints from
+// here. Ids are stable and never reused. Look-alike characters speak as rule STY004 of the catalogue.
+// Tested by tests/reader/syntax_message_test.cpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "ir/finding.hpp"
+
+namespace rungproof {
+
+enum class Syntax : std::uint8_t {
+  FileUnreadable, FileUnknown, BadCharacters, ControlCharacters, Converted, NoInstruction, NoText,
+  UnknownInstruction, OtherFamily, OperandCount, BadOperand, BadConstant, StrayText, LadderName, QuoteOpen, LenientSpelling, GermanSpelling,
+  BlockOpen, BlockNotOpen, BlockTwice, BlockHeading, NetworkHeading, OutsideBlock, ProtectedBlock,
+  Declaration, LocalTableFull, SymbolRow, DataRow, DataValue, DataAddress,
+  count
+};
+
+struct SyntaxMessage {
+  Syntax code;
+  std::string_view id;
+  std::string_view title;
+  Severity severity;
+  std::string_view help;
+};
+
+inline constexpr std::array<SyntaxMessage, static_cast<std::size_t>(Syntax::count)> syntaxMessages = {{
+    {Syntax::FileUnreadable, "SYN001", "File cannot be read", Severity::Error, "check the path and the permissions"},
+    {Syntax::FileUnknown, "SYN002", "Not a known kind of file", Severity::Error,
+     "expected a statement list (Micro/WIN export or the older one-text form), a data block, a symbol table or another supported source"},
+    {Syntax::BadCharacters, "SYN003", "Bytes that the encoding does not know", Severity::Warning,
+     "name the encoding with --encoding utf-8, cp1252, cp1251 or gb18030"},
+    {Syntax::ControlCharacters, "SYN004", "Control characters in the text", Severity::Error,
+     "the file is damaged or is not a text; the characters were read as blanks"},
+    {Syntax::Converted, "SYN005", "Text was converted", Severity::Note, "save the file as UTF-8 or in the code page of the editor"},
+    {Syntax::NoInstruction, "SYN006", "No instruction found", Severity::Error, "the files given hold no program text"},
+    {Syntax::NoText, "SYN007", "File is empty", Severity::Error, "export the program again"},
+    {Syntax::UnknownInstruction, "SYN010", "Unknown instruction", Severity::Error, "correct the mnemonic; the line was left out of its network"},
+    {Syntax::OtherFamily, "SYN011", "Instruction of another controller family", Severity::Error,
+     "the S7-200 does not have it; the line was left out of its network"},
+    {Syntax::OperandCount, "SYN012", "Wrong number of operands", Severity::Error, "see the operand list of the instruction with `rungproof explain`"},
+    {Syntax::BadOperand, "SYN013", "Operand cannot be read", Severity::Error,
+     "write an address such as I0.0, VB10, VW10, T37, *VD10 or &VB10, a constant, or a symbol"},
+    {Syntax::BadConstant, "SYN014", "Constant cannot be read", Severity::Error,
+     "write 100, +100, 16#FF, 2#1010, 1.5, 'AB' or \"text\"; at most 32 bits"},
+    {Syntax::StrayText, "SYN015", "Text without comment sign", Severity::Note, "begin comments with //"},
+    {Syntax::LadderName, "SYN016", "Name of a ladder box instead of the mnemonic", Severity::Warning, "write the mnemonic of the statement list"},
+    {Syntax::QuoteOpen, "SYN017", "Quotation mark without its partner", Severity::Error, "close the text with the same quotation mark"},
+    {Syntax::LenientSpelling, "SYN018", "Spelling that the editor would not accept", Severity::Note, "it was read as the fix shows"},
+    {Syntax::GermanSpelling, "SYN019", "German spelling in an international text", Severity::Error,
+     "read the file with --mnemonics german, or write I, Q, C, AI, AQ"},
+    {Syntax::BlockOpen, "SYN020", "Block without its end", Severity::Error, "the file may be cut off; end the block with its END_ line"},
+    {Syntax::BlockNotOpen, "SYN021", "End of a block that is not open", Severity::Error, "remove the line or add the heading of the block"},
+    {Syntax::BlockTwice, "SYN022", "Block number or name used twice", Severity::Error, "every block needs a number of its own and there is one main program"},
+    {Syntax::BlockHeading, "SYN023", "Block heading cannot be read", Severity::Error, "write for example SUBROUTINE_BLOCK SBR_0:SBR0"},
+    {Syntax::NetworkHeading, "SYN024", "Network line cannot be read", Severity::Error, "write Network and a number, then // and a title"},
+    {Syntax::OutsideBlock, "SYN025", "Line outside of any block", Severity::Error, "move it between BEGIN and the end of a block"},
+    {Syntax::ProtectedBlock, "SYN026", "Password-protected block", Severity::Note, "its instructions are not in the file; what it does is not covered"},
+    {Syntax::Declaration, "SYN027", "Declaration cannot be read", Severity::Error, "write NAME:TYPE; with BOOL, BYTE, WORD, INT, DWORD, DINT, REAL or STRING"},
+    {Syntax::LocalTableFull, "SYN028", "Local variables do not fit", Severity::Error, "a block has 64 bytes of local memory"},
+    {Syntax::SymbolRow, "SYN029", "Row of the symbol table cannot be read", Severity::Error, "write name, address and comment, separated by tabs or commas"},
+    {Syntax::DataRow, "SYN030", "Line of the data block cannot be read", Severity::Error, "write an address of V memory and its values, for example VW100 10, 20"},
+    {Syntax::DataValue, "SYN031", "Value does not fit its place", Severity::Error, "use VW or VD for larger values"},
+    {Syntax::DataAddress, "SYN032", "Data without an address", Severity::Error, "the first line of a data block needs an address"},
+}};
+
+constexpr const SyntaxMessage& syntaxMessage(Syntax code) { return syntaxMessages[static_cast<std::size_t>(code)]; }
+
+namespace detail {
+constexpr bool syntaxTableIsInOrder() {
+  for (std::size_t i = 0; i < syntaxMessages.size(); ++i) {
+    if (static_cast<std::size_t>(syntaxMessages[i].code) != i) return false;
+    if (i > 0 && syntaxMessages[i].id <= syntaxMessages[i - 1].id) return false;
+  }
+  return true;
+}
+static_assert(syntaxTableIsInOrder(), "syntaxMessages must follow the enumeration, ids rising");
+}  // namespace detail
+
+}  // namespace rungproof

@@ -1,0 +1,47 @@
+// Where the readers put what they have to say: fills in file, block and network of a finding.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "frontend/syntax_message.hpp"
+#include "ir/program.hpp"
+
+namespace rungproof {
+
+class SyntaxSink {
+ public:
+  SyntaxSink(Program& program, std::uint32_t file) : program_(program), file_(file) {}
+
+  /// Block and network of the findings that follow.
+  void setPlace(std::string pou, int network) {
+    pou_ = std::move(pou);
+    network_ = network;
+  }
+  void setNetwork(int network) { network_ = network; }
+
+  Span span(std::size_t begin, std::size_t end) const {
+    return {file_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end - begin)};
+  }
+  void report(Syntax code, Span span, std::string message, std::optional<Fix> fix = std::nullopt);
+  /// Rule STY004: `written` was read as `meant` because characters look alike.
+  void lookAlike(Span span, std::string_view written, std::string meant);
+  /// Note that `written` is accepted although the editor would not take it.
+  void lenient(Span span, std::string_view written, std::string meant);
+
+  Program& program() { return program_; }
+  std::uint32_t file() const { return file_; }
+
+ private:
+  Finding& add(std::string_view rule, Severity severity, Span span, std::string message);
+
+  Program& program_;
+  std::uint32_t file_;
+  std::string pou_;
+  int network_ = 0;
+};
+
+/// "abc" shortened for a message: at most 40 bytes, control characters as blanks.
+std::string excerpt(std::string_view text);
+
+}  // namespace rungproof
