@@ -107,6 +107,10 @@ class Args {
     if (ref.isPlace) visit(m_.d.constant(true), ref.area, ref.offset);
     for (const PointerTarget<D>& t : ref.targets) visit(t.condition, t.area, t.offset);
   }
+  /// Follows an address that stands in no operand (pointer form, width 32); gives whether it is legal.
+  Bool follow(Bits address, Width w, Ref<D>& ref);
+  /// Element k of what follow() found.
+  Bits elementOf(Ref<D>& ref, int k, Width w) { return load(ref, k, w); }
   /// Width of operand i by its type.
   Width width(std::size_t i) const { return widthOf(desc_.operands[i].type); }
 
@@ -142,20 +146,21 @@ typename D::Bool Args<D>::resolveOne(const Operand& o, Width w, Ref<D>& ref) {
       ref.offset = o.offset;
       ref.bit = o.bit;
       break;
-    case OperandKind::Indirect: {
-      const Bits value = m_.load(o.area, o.offset, Width::DWord);
-      if (const auto known = m_.d.known(value)) {
-        const auto address = static_cast<std::uint32_t>(*known);
-        if (!pointer::isLegal(m_.target, address, w)) return m_.d.constant(false);
-        ref.isPlace = true;
-        ref.area = *pointer::areaOf(address);
-        ref.offset = pointer::offsetOf(address);
-        break;
-      }
-      return m_.d.targets(m_, value, w, ref);
-    }
+    case OperandKind::Indirect: return follow(m_.load(o.area, o.offset, Width::DWord), w, ref);
     default: break;
   }
+  return m_.d.constant(true);
+}
+
+template <class D>
+typename D::Bool Args<D>::follow(Bits address, Width w, Ref<D>& ref) {
+  const auto known = m_.d.known(address);
+  if (!known) return m_.d.targets(m_, address, w, ref);
+  const auto value = static_cast<std::uint32_t>(*known);
+  if (!pointer::isLegal(m_.target, value, w)) return m_.d.constant(false);
+  ref.isPlace = true;
+  ref.area = *pointer::areaOf(value);
+  ref.offset = pointer::offsetOf(value);
   return m_.d.constant(true);
 }
 

@@ -13,7 +13,7 @@ enum class Hazard : std::uint8_t {
   SimultaneousPort0, HdefTwice, SimultaneousPort1, NoClock, PulseOutputBusy, NoSegments, BadCompareNumber, PulseMode, PulseCommand,
   PulseProfile, BadPidTable, OutOfRange, BadCount, StringIndexZero, FreeportInInterrupt, ModuleAccess,
   FatalWatchdog, FatalIndirectAddress, FatalReal, FatalRange,
-  Overflow, DivideByZero, TableFull, TableEmpty, NotBcd, NotAscii, BadFormat, QueueOverflow, LoopBound
+  Overflow, DivideByZero, TableFull, TableEmpty, NotBcd, NotAscii, BadFormat, QueueOverflow, LoopBound, PortMode, PortParameter
 };
 
 /// How the CPU takes it: a status bit only, a logged non-fatal error with SM4.3, or STOP.
@@ -65,6 +65,8 @@ inline constexpr std::array hazardTable = {
     HazardInfo{Hazard::BadFormat, "", HazardClass::StatusOnly, "format operand not legal", "001:3655"},
     HazardInfo{Hazard::QueueOverflow, "SM4.x", HazardClass::StatusOnly, "interrupt queue is full", "001:5491"},
     HazardInfo{Hazard::LoopBound, "", HazardClass::StatusOnly, "loop runs longer than the analysis follows it", "001:5718"},
+    HazardInfo{Hazard::PortMode, "", HazardClass::StatusOnly, "port is not in the mode that the instruction needs", "001:3147"},
+    HazardInfo{Hazard::PortParameter, "", HazardClass::StatusOnly, "communication parameters not legal, or too many requests", "001:3145"},
 };
 
 constexpr const HazardInfo& hazardInfo(Hazard hazard) { return hazardTable[static_cast<std::size_t>(hazard)]; }
@@ -74,7 +76,7 @@ constexpr bool hazardTableIsInOrder() {
   for (std::size_t i = 0; i < hazardTable.size(); ++i) {
     if (static_cast<std::size_t>(hazardTable[i].hazard) != i) return false;
   }
-  return hazardTable.size() == static_cast<std::size_t>(Hazard::LoopBound) + 1;
+  return hazardTable.size() == static_cast<std::size_t>(Hazard::PortParameter) + 1;
 }
 static_assert(hazardTableIsInOrder(), "hazardTable must list the hazards in the order of the enumeration");
 }  // namespace detail

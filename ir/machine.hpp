@@ -48,7 +48,14 @@ enum class Signal : std::uint8_t {
   EventDetached,     ///< DTCH; index = event
   EventsCleared,     ///< CEVNT; index = event: its queued entries are dropped (001:5357)
   WatchdogRestarted, ///< WDR
-  Stopped            ///< STOP
+  Stopped,           ///< STOP
+  ClockSet,          ///< TODW, TODWX; index = bytes that Reg::ClockSetting holds, 8 or 19
+  HscLoaded,         ///< HSC; index = counter
+  PulseCommand,      ///< PLS started, changed or stopped output `index`
+  TransmitStarted,   ///< XMT; index = port
+  ReceiveStarted,    ///< RCV; index = port
+  ReceiveEnded,      ///< RCV with the enable bit off ended a reception; index = port
+  NetworkStarted     ///< NETR, NETW; index = entry of Reg::NetTable
 };
 
 /// Where an external value is asked for; with the order of execution it identifies the value within a scan.

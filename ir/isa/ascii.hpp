@@ -3,6 +3,8 @@
 // tests/manual_a/ascii_test.cpp.
 #pragma once
 
+#include <algorithm>
+
 #include "ir/isa/decimal.hpp"
 
 namespace rungproof::isa {
@@ -28,11 +30,12 @@ typename D::Bool digitsFit(Machine<D>& m, Args<D>& a, std::size_t wide, std::siz
   return fits;
 }
 
-/// Number of digits to follow: LEN where it is known, else the most that a byte can say.
+/// Number of digits to follow: LEN where it is known, else what the buffers can hold.
 template <class D>
-int digitLimit(Machine<D>& m, typename D::Bits length) {
+int digitLimit(Machine<D>& m, Args<D>& a, std::size_t wide, std::size_t packed, typename D::Bits length) {
   const auto known = m.d.known(length);
-  return known ? static_cast<int>(*known) : maximumDigits;
+  return std::min({known ? static_cast<int>(*known) : maximumDigits, a.room(wide, Width::Byte, maximumDigits),
+                   2 * a.room(packed, Width::Byte, maximumDigits)});
 }
 
 /// ATH: characters 0-9 and A-F to digits, high nibble first; the low nibble left over by an odd LEN keeps its value
@@ -47,7 +50,7 @@ struct AsciiToHex {
       std::vector<typename D::Bits> digits;
       std::vector<typename D::Bool> legal;  // digit k and all before it
       auto bad = d.constant(false);
-      const int limit = digitLimit(m, length);
+      const int limit = digitLimit(m, a, 0, 1, length);
       for (int k = 0; k < limit; ++k) {
         const auto c = a.element(0, k, Width::Byte);
         const auto isDigit = d.land(d.ule(m.number('0', 8), c, 8), d.ule(c, m.number('9', 8), 8));
@@ -81,7 +84,7 @@ struct HexToAscii {
     const auto length = a.value(2);
     m.when(digitsFit(m, a, 1, 0, length), [&] {
       std::vector<typename D::Bits> characters;
-      const int limit = digitLimit(m, length);
+      const int limit = digitLimit(m, a, 1, 0, length);
       for (int k = 0; k < limit; ++k) {
         const auto pair = a.element(0, k / 2, Width::Byte);
         const auto digit = d.zext(k % 2 == 0 ? d.extract(pair, 7, 4) : d.extract(pair, 3, 0), 4, 8);

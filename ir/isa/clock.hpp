@@ -1,10 +1,95 @@
-// Placeholder group, to be filled.
+// Real-time clock: TODR, TODW and, since 2004, TODRX, TODWX with the daylight-saving rule (001:2910-3018; s7200 digest
+// A 6). Buffer in BCD: year, month, day, hour, minute, second, 0, weekday (1 = Sunday, 0 = none); the long form adds the
+// mode and ten bytes of the user's own rule. The time itself lies outside the program; a setting goes to
+// Reg::ClockSetting. Tests: tests/manual_a/clock_test.cpp.
 #pragma once
 
 #include "ir/isa/group.hpp"
 
 namespace rungproof::isa {
 
-using ClockGroup = Group<>;
+/// Legal values of a byte of the buffer, as plain numbers.
+struct ClockField {
+  std::uint8_t low, high;
+};
+inline constexpr std::array<ClockField, 8> clockFields = {{{0, 99}, {1, 12}, {1, 31}, {0, 23}, {0, 59}, {0, 59}, {0, 99}, {0, 7}}};
+/// Bytes 9-18, which count for mode FFh only: correction hours and minutes, begin and end (month, day, hour, minute).
+inline constexpr std::array<ClockField, 10> clockRuleFields = {
+    {{0, 23}, {0, 59}, {1, 12}, {1, 31}, {0, 23}, {0, 59}, {1, 12}, {1, 31}, {0, 23}, {0, 59}}};
+inline constexpr std::array<std::uint8_t, 10> clockModes = {0x00, 0x01, 0x02, 0x03, 0x08, 0x10, 0x11, 0x12, 0x13, 0xFF};
+inline constexpr int clockModeAt = 8;
+
+template <bool writes, bool extended, Name stlName, Name meaning, std::uint32_t time>
+struct Clock {
+  static constexpr int size = extended ? 19 : 8;
+  static constexpr Desc desc = withOperands(
+      {.stl = stlName.view(), .meaning = meaning.view(), .group = "real-time clock", .stack = {1, 0, 0}, .eno = true, .since2004 = extended,
+       .time = time, .manual = extended ? "001:2984" : "001:2933"},
+      {operandDesc("T", writes ? Direction::In : Direction::Out, Type::Byte, form::byteBuffer).elements(size, size)});
+
+  template <class D>
+  static void run(Machine<D>& m, Args<D>& a) {
+    D& d = m.d;
+    const bool hasClock = cpuFeatures(m.target).clockBuiltIn || m.choices.is(Choice::ClockModule, "fitted");
+    m.hazard(Hazard::NoClock, d.constant(!hasClock));
+    const auto fits = a.fits(0, m.number(size, 16), Width::Byte);
+    m.hazard(Hazard::OutOfRange, d.lnot(fits));
+    m.when(d.land(fits, d.constant(hasClock)), [&] {
+      if constexpr (writes) {
+        set(m, a);
+      } else {
+        for (int k = 0; k < size; ++k) {
+          const auto byte = k == 6 ? m.number(0, 8) : m.external(External::ClockByte, static_cast<std::uint32_t>(k), 8);
+          a.storeElement(0, k, Width::Byte, byte);
+        }
+      }
+    });
+  }
+
+  /// Whether a byte is BCD (where the choice checks that) and inside its field (likewise).
+  template <class D>
+  static typename D::Bool isLegal(Machine<D>& m, typename D::Bits byte, ClockField field) {
+    D& d = m.d;
+    if (m.choices.is(Choice::ClockData, "any")) return d.constant(true);
+    const auto tens = d.extract(byte, 7, 4), ones = d.extract(byte, 3, 0), nine = m.number(9, 4);
+    const auto isBcd = d.land(d.ule(tens, nine, 4), d.ule(ones, nine, 4));
+    if (m.choices.is(Choice::ClockData, "bcd")) return isBcd;
+    const auto value = d.add(d.mul(d.zext(tens, 4, 8), m.number(10, 8), 8), d.zext(ones, 4, 8), 8);
+    return d.land(isBcd, d.land(d.ule(m.number(field.low, 8), value, 8), d.ule(value, m.number(field.high, 8), 8)));
+  }
+
+  /// Which data are refused is Choice::ClockData; 30 February is not (001:2947).
+  template <class D>
+  static void set(Machine<D>& m, Args<D>& a) {
+    D& d = m.d;
+    auto legal = d.constant(true);
+    for (int k = 0; k < 8; ++k) {
+      if (k == 6) continue;
+      ClockField field = clockFields[static_cast<std::size_t>(k)];
+      if (extended && k == 7) field.low = 1;
+      legal = d.land(legal, isLegal(m, a.element(0, k, Width::Byte), field));
+    }
+    if constexpr (extended) {
+      const auto mode = a.element(0, clockModeAt, Width::Byte);
+      auto known = d.constant(m.choices.is(Choice::ClockData, "any"));
+      for (const std::uint8_t value : clockModes) known = d.lor(known, d.equal(mode, m.number(value, 8), 8));
+      auto rule = d.constant(true);
+      for (int k = 0; k < 10; ++k) rule = d.land(rule, isLegal(m, a.element(0, k + 9, Width::Byte), clockRuleFields[static_cast<std::size_t>(k)]));
+      legal = d.land(d.land(legal, known), d.lor(rule, d.lnot(d.equal(mode, m.number(0xFF, 8), 8))));
+    }
+    m.hazard(Hazard::ClockData, d.lnot(legal));
+    m.when(legal, [&] {
+      for (int k = 0; k < size; ++k) m.set(Reg::ClockSetting, static_cast<std::uint32_t>(k), a.element(0, k, Width::Byte));
+      m.signal(Signal::ClockSet, size);
+    });
+  }
+};
+
+using ReadClock = Clock<false, false, "TODR", "read the real-time clock", 33100>;
+using WriteClock = Clock<true, false, "TODW", "write the real-time clock", 43600>;
+using ReadClockExtended = Clock<false, true, "TODRX", "read the extended clock (daylight saving)", 39100>;
+using WriteClockExtended = Clock<true, true, "TODWX", "set the extended clock (daylight saving)", 55400>;
+
+using ClockGroup = Group<ReadClock, WriteClock, ReadClockExtended, WriteClockExtended>;
 
 }  // namespace rungproof::isa

@@ -87,6 +87,12 @@ struct Compare {
 /// LDS=, AS<> and so on: equal length and equal bytes. A constant may stand first only (001:3429-3430).
 template <Joint joint, Relation relation>
 struct CompareString {
+  /// Characters that can stand behind the length byte of operand i.
+  template <class D>
+  static int roomAfterLength(const Args<D>& a, std::size_t i) {
+    return a.operand(i).kind == OperandKind::Text ? 254 : std::max(a.room(i, Width::Byte, 255) - 1, 0);
+  }
+
   static constexpr JoinedText stl{prefixOf(joint, false), "S", symbolOf(relation)};
   static constexpr JoinedText german{prefixOf(joint, true), "S", symbolOf(relation)};
   static constexpr JoinedText family{prefixOf(joint, false), "Sx"};
@@ -108,7 +114,7 @@ struct CompareString {
     m.hazard(Hazard::FatalRange, outside);
     auto equal = d.equal(length, other, 8);
     const auto known = d.known(length) ? d.known(length) : d.known(other);
-    const int limit = known ? static_cast<int>(std::min<std::uint64_t>(*known, 254)) : 254;
+    const int limit = std::min({known ? static_cast<int>(*known) : 254, roomAfterLength(a, 0), roomAfterLength(a, 1)});
     for (int k = 0; k < limit; ++k) {
       if (const auto truth = d.truth(equal); truth && !*truth) break;
       const auto beyond = d.ule(length, m.number(static_cast<std::uint64_t>(k), 8), 8);

@@ -94,17 +94,13 @@ inline constexpr Forms presetIn = form::wordIn & ~(form::T | form::C);          
 inline constexpr Forms flagOut = form::I | form::Q | form::V | form::M | form::SM | form::S | form::L;  // 001:4110
 inline constexpr Forms currentOut = form::wordOut & ~(form::T | form::C | form::SM);    // 001:4111
 
-constexpr OperandDesc open(OperandDesc pin) {
-  pin.optional = true;
-  return pin;
-}
 constexpr Desc boxDesc(std::string_view stl, std::string_view meaning, std::uint8_t inputs, std::uint16_t time) {
   return {.stl = stl, .meaning = meaning, .group = "timers and counters", .execution = Execution::Sampled, .stack = {inputs, 0, 0},
           .drawingOnly = true, .time = time, .manual = "001:4107"};
 }
 constexpr OperandDesc numberPin = inout("Cxx", Type::Counter, form::C);
 constexpr OperandDesc presetPin = in("PV", Type::Int, presetIn);
-constexpr OperandDesc currentPin = open(out("CV", Type::Int, currentOut));
+constexpr OperandDesc currentPin = optional(out("CV", Type::Int, currentOut));
 
 /// Writes an output pin unless it was left open.
 template <class D>
@@ -119,7 +115,7 @@ void setWordPin(Args<D>& a, std::size_t i, typename D::Bits value) {
 /// Counts up and stops at PV; Q is CV >= PV.
 struct CountUp {
   static constexpr Desc desc = withOperands(boxDesc("CTU.IEC", "count up (IEC)", 2, 3100),
-                                            {numberPin, presetPin, open(out("Q", Type::Bool, flagOut)), currentPin});
+                                            {numberPin, presetPin, optional(out("Q", Type::Bool, flagOut)), currentPin});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -138,7 +134,7 @@ struct CountUp {
 /// Counts down and stops at 0; LD takes PV; Q is CV = 0.
 struct CountDown {
   static constexpr Desc desc = withOperands(boxDesc("CTD.IEC", "count down (IEC)", 2, 2700),
-                                            {numberPin, presetPin, open(out("Q", Type::Bool, flagOut)), currentPin});
+                                            {numberPin, presetPin, optional(out("Q", Type::Bool, flagOut)), currentPin});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -158,7 +154,7 @@ struct CountDown {
 struct CountUpDown {
   static constexpr Desc desc =
       withOperands(boxDesc("CTUD.IEC", "count up/down (IEC)", 4, 3700),
-                   {numberPin, presetPin, open(out("QU", Type::Bool, flagOut)), open(out("QD", Type::Bool, flagOut)), currentPin});
+                   {numberPin, presetPin, optional(out("QU", Type::Bool, flagOut)), optional(out("QD", Type::Bool, flagOut)), currentPin});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;

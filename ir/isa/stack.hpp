@@ -75,13 +75,9 @@ struct AndEno {
 
 /// NOP N: no effect. The manual only gives its time (001:14609); the operand is general knowledge.
 struct NoOperation {
-  static constexpr Desc desc = [] {
-    OperandDesc mark = in("N", Type::Byte, form::Const).within({{0, 255, everyCpu}});
-    mark.optional = true;
-    return withOperands({.stl = "NOP", .meaning = "no operation", .group = "only in Appendix F or C", .execution = Execution::Stack,
-                         .time = 22, .manual = "001:14609"},
-                        {mark});
-  }();
+  static constexpr Desc desc = withOperands({.stl = "NOP", .meaning = "no operation", .group = "only in Appendix F or C",
+                                             .execution = Execution::Stack, .time = 22, .manual = "001:14609"},
+                                            {optional(in("N", Type::Byte, form::Const).within({{0, 255, everyCpu}}))});
   template <class D>
   static void run(Machine<D>&, Args<D>&) {}
 };

@@ -121,7 +121,8 @@ struct SubstringToNumber {
     m.when(d.lnot(d.lor(outside, indexIsZero)), [&] {
       NumberReader<D> reader(m, kind == NumberKind::Real);
       const auto known = d.known(length);
-      const int limit = known ? static_cast<int>(std::min<std::uint64_t>(*known, 254)) : 254;
+      const int room = a.operand(0).kind == OperandKind::Text ? 254 : a.room(0, Width::Byte, 255) - 1;
+      const int limit = std::min(known ? static_cast<int>(*known) : 254, room);
       for (int k = 1; k <= limit; ++k) {
         const auto position = m.number(static_cast<std::uint64_t>(k), 8);
         reader.take(a.byteAt(0, k), d.land(d.ule(index, position, 8), d.ule(position, length, 8)));
