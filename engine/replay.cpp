@@ -50,19 +50,25 @@ class Script final : public Outside {
 
 }  // namespace
 
-ReplayResult replay(const Program& program, const Choices& choices, const std::vector<ReplayScan>& scans, const Concrete::Store* initial) {
+ReplayResult replay(const Program& program, const Choices& choices, const std::vector<ReplayScan>& scans, const Concrete::Store* initial,
+                    const ReplayObserver& observer) {
   Script script(choices);
   EngineOptions options;
   options.choices = choices;
   Simulator simulator(program, options, &script);
   if (initial != nullptr) simulator.setStore(*initial);
   ReplayResult result;
-  for (const ReplayScan& scan : scans) {
+  bool goesOn = true;
+  for (std::size_t i = 0; i < scans.size() && goesOn; ++i) {
+    const ReplayScan& scan = scans[i];
     for (const PresetValue& input : scan.inputs) simulator.write(input.operand, input.value);
-    script.load(scan.externals);
-    simulator.scan({.lengthUs = scan.lengthMs * 1000, .script = &scan.script});
-    result.states.push_back(simulator.store());
-    if (!simulator.isRunning()) break;
+    for (std::uint32_t round = 0; round < scan.repeats && goesOn; ++round) {
+      script.load(scan.externals);
+      simulator.scan({.lengthUs = scan.lengthMs * 1000, .script = &scan.script});
+      if (observer) goesOn = observer(simulator.store(), i);
+      else result.states.push_back(simulator.store());
+      goesOn = goesOn && simulator.isRunning();
+    }
   }
   result.errors = simulator.errors().list();
   result.unusedExternals = script.unused();

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "engine/concrete.hpp"
@@ -34,6 +35,7 @@ struct ReplayScan {
   /// For every kind, index and instruction the values in the order in which the run asks for them. A value that is
   /// missing is 0 (Choice::UnknownBits decides for stack bottom, local memory and unknown status).
   std::vector<ExternalValue> externals;
+  std::uint32_t repeats = 1;  ///< the same scan is made that many times, one after the other
 };
 
 struct ReplayResult {
@@ -42,8 +44,12 @@ struct ReplayResult {
   std::size_t unusedExternals = 0;      ///< values that the run did not ask for; more than 0: prover and engine walked apart
 };
 
-/// Runs the scans from `initial`, or from power-up if it is nullptr.
+/// Is shown the state after each scan and the index of its ReplayScan; false ends the replay.
+using ReplayObserver = std::function<bool(const Concrete::Store& state, std::size_t scan)>;
+
+/// Runs the scans from `initial`, or from power-up if it is nullptr. With an observer no states are kept, so that
+/// stretches of any length can be replayed.
 ReplayResult replay(const Program& program, const Choices& choices, const std::vector<ReplayScan>& scans,
-                    const Concrete::Store* initial = nullptr);
+                    const Concrete::Store* initial = nullptr, const ReplayObserver& observer = {});
 
 }  // namespace rungproof
