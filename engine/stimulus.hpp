@@ -1,0 +1,63 @@
+// Stimulus: what the surroundings do in a run, scan by scan or at given times (product contract, section 4). An empty
+// cell keeps the last value. A row keyed by time counts from the first scan that begins at that time or later.
+// Covered by tests/trace/stimulus_test.cpp.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/simulator.hpp"
+#include "engine/trace.hpp"
+
+namespace rungproof {
+
+/// What a column acts on.
+enum class StimulusTarget : std::uint8_t {
+  Memory,         ///< a direct operand: I and AI the physical value, other areas written like by a panel
+  LibraryOutput,  ///< output of a library block: "USS_CTRL.9" is the ninth operand of its calls
+  None            ///< read and passed over: a column of a recorded trace that the program itself computes
+};
+
+struct StimulusColumn {
+  StimulusTarget target = StimulusTarget::None;
+  TraceSignal signal;
+  std::string block{};         ///< LibraryOutput: name in the call
+  std::uint32_t position = 0;  ///< LibraryOutput: operand, from 1
+};
+
+struct StimulusRow {
+  std::uint64_t scan = 0;    ///< from 1, if keyed by scan
+  std::uint64_t timeUs = 0;  ///< if keyed by time
+  std::optional<std::uint32_t> scanUs{};  ///< length of the scans from here on
+  std::vector<int> events{};
+  std::vector<std::optional<double>> values{};  ///< by column
+};
+
+struct Stimulus {
+  std::vector<StimulusColumn> columns;
+  std::vector<StimulusRow> rows;  ///< in ascending order of their key
+  bool isByTime = false;
+};
+
+/// Plays a stimulus into a simulator.
+class StimulusPlayer {
+ public:
+  StimulusPlayer(Simulator& simulator, const Stimulus& stimulus) : simulator_(simulator), stimulus_(stimulus) {}
+
+  /// Sets the environment for the next scan and says what that scan is to be. Call once in front of every scan.
+  ScanRequest next();
+  /// All rows have been played.
+  bool isDone() const { return row_ >= stimulus_.rows.size(); }
+
+ private:
+  void apply(const StimulusRow& row, ScanRequest& request);
+
+  Simulator& simulator_;
+  const Stimulus& stimulus_;
+  std::size_t row_ = 0;
+  std::uint32_t scanUs_ = 0;
+};
+
+}  // namespace rungproof

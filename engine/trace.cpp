@@ -1,0 +1,199 @@
+// Signals of a program, their types, and their values.
+#include "engine/trace.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "engine/simulator.hpp"
+#include "ir/desc.hpp"
+
+namespace rungproof {
+
+namespace {
+
+using Cell = std::tuple<Area, std::uint32_t, unsigned, Width>;
+
+Cell cellOf(const Operand& o) { return {o.area, o.offset, o.bit, o.width}; }
+
+/// Operands of T and C take the width of the instruction's operand; everything else its written width.
+Operand accessed(const Operand& operand, Type type) {
+  Operand result = operand;
+  const bool byNumber = operand.area == Area::T || operand.area == Area::C;
+  if (byNumber) result.width = type == Type::Bool ? Width::Bit : Width::Word;
+  if (operand.area == Area::AI || operand.area == Area::AQ) result.width = Width::Word;
+  if (operand.area == Area::HC) result.width = Width::DWord;
+  return result;
+}
+
+bool isTraced(const Operand& operand) {
+  return operand.kind == OperandKind::Direct && operand.area != Area::L && operand.area != Area::AC;
+}
+
+/// Calls visit(operand, type) for every direct memory operand of the program that has a value between scans.
+template <class Visit>
+void forEachOperand(const Program& program, Visit&& visit) {
+  for (const Pou& pou : program.pous) {
+    for (const Network& network : pou.networks) {
+      for (const Instruction& instruction : network.instructions) {
+        for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
+          const Operand& operand = instruction.operands[i];
+          if (!isTraced(operand)) continue;
+          const bool listed = i < instruction.desc->operandCount;
+          visit(instruction, i, operand, listed ? instruction.desc->operands[i].type : Type::Parameter);
+        }
+      }
+    }
+  }
+}
+
+bool isUsedAsReal(const Program& program, const Operand& operand) {
+  bool found = false;
+  forEachOperand(program, [&](const Instruction&, std::size_t, const Operand& other, Type type) {
+    if (type == Type::Real && cellOf(other) == cellOf(operand)) found = true;
+  });
+  return found;
+}
+
+/// Order of the groups in a trace.
+int groupOf(Area area) {
+  switch (area) {
+    case Area::I:
+    case Area::AI: return 0;
+    case Area::Q:
+    case Area::AQ: return 1;
+    case Area::T: return 2;
+    case Area::C: return 3;
+    case Area::SM: return 5;
+    default: return 4;
+  }
+}
+
+/// Number of bits that S, R, SI, RI reach with a constant count; 1 for everything else.
+unsigned bitCount(const Instruction& instruction, std::size_t operand) {
+  const bool hasCount = operand == 0 && instruction.desc->operandCount == 2 && instruction.desc->operands[1].name == "N" &&
+                        instruction.desc->operands[0].type == Type::Bool && instruction.operands.size() == 2;
+  if (!hasCount || instruction.operands[1].kind != OperandKind::Constant) return 1;
+  return static_cast<unsigned>(std::clamp<std::int64_t>(instruction.operands[1].value, 1, 255));
+}
+
+}  // namespace
+
+int Trace::signalNamed(std::string_view name) const {
+  const auto sameLetter = [](char a, char b) { return (a >= 'a' && a <= 'z' ? a - 32 : a) == (b >= 'a' && b <= 'z' ? b - 32 : b); };
+  const auto isCalled = [&](const std::string& other) { return std::equal(name.begin(), name.end(), other.begin(), other.end(), sameLetter); };
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    if (isCalled(signals[i].name)) return static_cast<int>(i);
+  }
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    if (!signals[i].symbol.empty() && isCalled(signals[i].symbol)) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+int Trace::indexOf(const TraceSignal& signal) const {
+  if (signal.operand.isMemory()) {
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+      if (signals[i].operand.isMemory() && cellOf(signals[i].operand) == cellOf(signal.operand)) return static_cast<int>(i);
+    }
+  }
+  return signalNamed(signal.name);
+}
+
+TraceSignal signalOf(const Program& program, const Operand& operand) {
+  TraceSignal signal;
+  signal.operand = operand;
+  const bool byNumber = operand.area == Area::T || operand.area == Area::C;
+  const Symbol* symbol = program.symbolOf(operand);
+  if (symbol != nullptr) signal.symbol = symbol->name;
+  signal.name = toString(operand);
+  if (byNumber && operand.width != Width::Bit) signal.name += ".value";
+  if (operand.width == Width::Bit) signal.type = SignalType::Bool;
+  if (operand.width == Width::Byte) signal.type = SignalType::Unsigned;
+  if (operand.width == Width::Word || operand.width == Width::DWord) signal.type = SignalType::Signed;
+  if (operand.width == Width::DWord && isUsedAsReal(program, operand)) signal.type = SignalType::Real;
+  return signal;
+}
+
+std::vector<TraceSignal> touchedSignals(const Program& program) {
+  std::vector<Operand> operands;
+  std::set<Cell> seen;
+  const auto add = [&](const Operand& operand) {
+    if (seen.insert(cellOf(operand)).second) operands.push_back(operand);
+  };
+  forEachOperand(program, [&](const Instruction& instruction, std::size_t i, const Operand& operand, Type type) {
+    const Operand first = accessed(operand, type);
+    for (unsigned k = 0; k < bitCount(instruction, i); ++k) {
+      Operand next = first;
+      if (operand.area == Area::T || operand.area == Area::C) {
+        next.offset += k;
+      } else {
+        next.offset += (first.bit + k) / 8;
+        next.bit = static_cast<std::uint8_t>((first.bit + k) % 8);
+      }
+      if (addressExists(program.target, next.area, next.width, next.offset, next.bit)) add(next);
+    }
+    const bool isTimer = type == Type::Timer || type == Type::Counter;
+    if (!isTimer) return;
+    Operand bit = first;
+    bit.width = Width::Bit;
+    add(bit);
+  });
+  std::sort(operands.begin(), operands.end(), [](const Operand& a, const Operand& b) {
+    return std::tuple(groupOf(a.area), a.area, a.offset, a.width, a.bit) < std::tuple(groupOf(b.area), b.area, b.offset, b.width, b.bit);
+  });
+  std::vector<TraceSignal> signals;
+  for (const Operand& operand : operands) signals.push_back(signalOf(program, operand));
+  return signals;
+}
+
+double numberOf(std::uint64_t value, SignalType type, int width) {
+  switch (type) {
+    case SignalType::Bool: return static_cast<double>(value & 1);
+    case SignalType::Unsigned: return static_cast<double>(value & Concrete::mask(width));
+    case SignalType::Signed: return static_cast<double>(Concrete::toSigned(value, width));
+    case SignalType::Real: return Concrete::real(value);
+  }
+  return 0;
+}
+
+std::uint64_t valueOf(double number, SignalType type, int width) {
+  if (type == SignalType::Real) return Concrete::pattern(static_cast<float>(number));
+  if (type == SignalType::Bool) return number != 0 ? 1 : 0;
+  if (!(std::abs(number) < 9e18)) return 0;
+  return static_cast<std::uint64_t>(static_cast<std::int64_t>(number)) & Concrete::mask(width);
+}
+
+std::string numberText(double number, SignalType type) {
+  if (type == SignalType::Real) return fmt::format("{}", static_cast<float>(number));
+  return fmt::format("{}", number);
+}
+
+TraceRow sampleRow(const Simulator& simulator, const std::vector<TraceSignal>& signals) {
+  TraceRow row;
+  row.scan = simulator.scanCount();
+  row.timeUs = simulator.timeUs();
+  row.scanUs = simulator.lastScanUs();
+  row.values.reserve(signals.size());
+  for (const TraceSignal& signal : signals) {
+    const Operand& o = signal.operand;
+    std::uint64_t value = simulator.read(o);
+    if (o.area == Area::Q && !simulator.isRunning()) {
+      value = 0;
+      for (int i = 0; i < signal.width(); ++i) {  // the lowest address holds the most significant byte
+        const auto byte = o.offset + static_cast<std::uint32_t>(i / 8);
+        const auto bit = o.width == Width::Bit ? o.bit : static_cast<std::uint32_t>(i % 8);
+        const int place = o.width == Width::Bit ? 0 : signal.width() - 8 * (i / 8 + 1) + i % 8;
+        if (simulator.physicalOutput(byte, bit)) value |= 1ULL << place;
+      }
+    }
+    row.values.emplace_back(numberOf(value, signal.type, signal.width()));
+  }
+  return row;
+}
+
+}  // namespace rungproof

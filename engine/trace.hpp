@@ -1,0 +1,64 @@
+// Trace: the values of chosen signals at the end of every scan, recorded by a run, read from a file, or expected. Values
+// are numbers as people write them: 0 and 1, unsigned bytes, signed words and double words (001:3371-3374), REAL.
+// Covered by tests/trace/*.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ir/program.hpp"
+
+namespace rungproof {
+
+class Simulator;
+
+enum class SignalType : std::uint8_t { Bool, Unsigned, Signed, Real };
+
+/// One column of a trace.
+struct TraceSignal {
+  std::string name;    ///< column heading: address, or what the file calls it
+  std::string symbol;  ///< name that the program has for the address, or empty
+  Operand operand{};   ///< Direct; Missing in a trace that was read without a program. T and C: Bit, or Word for the value
+  SignalType type = SignalType::Bool;
+
+  int width() const { return operand.isMemory() ? bits(operand.width) : type == SignalType::Bool ? 1 : 32; }
+};
+
+struct TraceRow {
+  std::uint64_t scan = 0;    ///< from 1; 0 in a trace that is keyed by time
+  std::uint64_t timeUs = 0;  ///< end of the scan, since power-up; keyed by time: the moment as written
+  std::uint32_t scanUs = 0;  ///< length of the scan, 0 if not known
+  std::vector<std::optional<double>> values;  ///< by signal; nothing: any value
+};
+
+struct Trace {
+  std::vector<TraceSignal> signals;
+  std::vector<TraceRow> rows;
+  bool isByTime = false;  ///< rows are keyed by time, not by scan
+
+  /// Index of the signal of that name or symbol (case does not matter), or -1.
+  int signalNamed(std::string_view name) const;
+  /// Index of the signal with the same operand, else of the same name, or -1.
+  int indexOf(const TraceSignal& signal) const;
+};
+
+/// The signal of a direct operand, named by its address ("T37.value" for a current value). Its type follows from the
+/// width, or is REAL where the program uses it so.
+TraceSignal signalOf(const Program& program, const Operand& operand);
+/// All signals that the program touches by direct addresses: inputs first, then outputs, timers, counters, memory; each
+/// group in order of address. L and AC are left out, they have no value between scans.
+std::vector<TraceSignal> touchedSignals(const Program& program);
+
+/// The number that `width` bits mean, and back; numbers outside the range are reduced to the width.
+double numberOf(std::uint64_t value, SignalType type, int width);
+std::uint64_t valueOf(double number, SignalType type, int width);
+/// "1", "-20", "1.5": shortest text that reads back as the same number.
+std::string numberText(double number, SignalType type);
+
+/// Values of the signals as they stand after the last scan. In STOP, Q shows the physical outputs.
+TraceRow sampleRow(const Simulator& simulator, const std::vector<TraceSignal>& signals);
+
+}  // namespace rungproof

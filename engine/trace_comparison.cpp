@@ -1,0 +1,99 @@
+// Row by row, signal by signal.
+#include "engine/trace_comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rungproof {
+
+namespace {
+
+bool agree(double expected, double actual, double tolerance, SignalType type) {
+  if (expected == actual || (std::isnan(expected) && std::isnan(actual))) return true;
+  if (type == SignalType::Real && static_cast<float>(expected) == static_cast<float>(actual)) return true;
+  return std::abs(expected - actual) <= tolerance;
+}
+
+/// Where the scan of a row begins.
+std::uint64_t startOf(const Trace& trace, std::size_t row) {
+  const TraceRow& r = trace.rows[row];
+  if (r.scanUs != 0) return r.timeUs - std::min<std::uint64_t>(r.scanUs, r.timeUs);
+  return row == 0 ? 0 : trace.rows[row - 1].timeUs;
+}
+
+}  // namespace
+
+std::vector<std::string> missingSignals(const Trace& expected, const Trace& actual) {
+  std::vector<std::string> missing;
+  for (const TraceSignal& signal : expected.signals) {
+    if (actual.indexOf(signal) < 0) missing.push_back(signal.name);
+  }
+  return missing;
+}
+
+std::optional<std::size_t> matchingRow(const Trace& expected, const TraceRow& row, const Trace& actual) {
+  const std::vector<TraceRow>& rows = actual.rows;
+  if (rows.empty()) return std::nullopt;
+  if (!expected.isByTime && !actual.isByTime) {
+    const auto found = std::lower_bound(rows.begin(), rows.end(), row.scan, [](const TraceRow& r, std::uint64_t scan) { return r.scan < scan; });
+    if (found == rows.end() || found->scan != row.scan) return std::nullopt;
+    return static_cast<std::size_t>(found - rows.begin());
+  }
+  if (!expected.isByTime) return row.scan >= 1 && row.scan <= rows.size() ? std::optional<std::size_t>(row.scan - 1) : std::nullopt;
+  if (actual.isByTime) {  // the value holds until the next row
+    const auto later = std::upper_bound(rows.begin(), rows.end(), row.timeUs, [](std::uint64_t time, const TraceRow& r) { return time < r.timeUs; });
+    if (later == rows.begin() || (later == rows.end() && rows.back().timeUs < row.timeUs)) return std::nullopt;
+    return static_cast<std::size_t>(later - rows.begin()) - 1;
+  }
+  const auto found = std::upper_bound(rows.begin(), rows.end(), row.timeUs, [](std::uint64_t time, const TraceRow& r) { return time < r.timeUs; });
+  if (found != rows.end()) {
+    const auto index = static_cast<std::size_t>(found - rows.begin());
+    return startOf(actual, index) <= row.timeUs ? std::optional<std::size_t>(index) : std::nullopt;
+  }
+  if (rows.back().timeUs == row.timeUs) return rows.size() - 1;
+  return std::nullopt;
+}
+
+std::optional<TraceDifference> firstDifference(const Trace& expected, const Trace& actual, const CompareOptions& options) {
+  struct Pair {
+    std::size_t expected;
+    std::size_t actual;
+    SignalType type;
+    double tolerance;
+  };
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < expected.signals.size(); ++i) {
+    const int other = actual.indexOf(expected.signals[i]);
+    if (other < 0) continue;
+    double tolerance = 0;
+    for (const Tolerance& given : options.tolerances) {
+      if (expected.signalNamed(given.signal) == static_cast<int>(i)) tolerance = given.value;
+    }
+    pairs.push_back({i, static_cast<std::size_t>(other), actual.signals[static_cast<std::size_t>(other)].type, tolerance});
+  }
+  for (std::size_t e = 0; e < expected.rows.size(); ++e) {
+    const TraceRow& row = expected.rows[e];
+    const std::optional<std::size_t> match = matchingRow(expected, row, actual);
+    for (const Pair& pair : pairs) {
+      const std::optional<double> wanted = row.values[pair.expected];
+      if (!wanted) continue;
+      TraceDifference difference{e, match, pair.expected, row.scan, row.timeUs, *wanted, std::nullopt};
+      if (!match) return difference;
+      const std::size_t low = *match >= options.slack ? *match - options.slack : 0;
+      const std::size_t high = std::min<std::size_t>(*match + options.slack, actual.rows.size() - 1);
+      bool found = false;
+      for (std::size_t a = low; a <= high && !found; ++a) {
+        const std::optional<double> seen = actual.rows[a].values[pair.actual];
+        found = seen && agree(*wanted, *seen, pair.tolerance, pair.type);
+      }
+      if (found) continue;
+      difference.actual = actual.rows[*match].values[pair.actual];
+      difference.scan = actual.isByTime ? row.scan : actual.rows[*match].scan;
+      difference.timeUs = actual.rows[*match].timeUs;
+      return difference;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace rungproof

@@ -1,0 +1,46 @@
+// Compares an actual trace with an expected one and gives the first difference (product contract, section 4).
+// Covered by tests/trace/comparison_test.cpp.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/trace.hpp"
+
+namespace rungproof {
+
+/// How far a numeric signal may be off.
+struct Tolerance {
+  std::string signal;
+  double value;
+};
+
+struct CompareOptions {
+  std::vector<Tolerance> tolerances;
+  unsigned slack = 0;  ///< an expected value may come up to so many scans earlier or later
+};
+
+/// The first expected value that the actual trace does not show.
+struct TraceDifference {
+  std::size_t expectedRow = 0;
+  std::optional<std::size_t> actualRow;  ///< nothing: the actual trace ends before
+  std::size_t expectedSignal = 0;        ///< index in the expected trace
+  std::uint64_t scan = 0;
+  std::uint64_t timeUs = 0;
+  double expected = 0;
+  std::optional<double> actual;          ///< nothing: the actual trace has no value there
+};
+
+/// Signals of the expected trace that the actual one lacks.
+std::vector<std::string> missingSignals(const Trace& expected, const Trace& actual);
+
+/// The row of `actual` that belongs to a row of `expected`: the same scan, or the scan in which the time falls, its
+/// end excluded (a time equal to the end of the run belongs to the last scan). Nothing: beyond the end.
+std::optional<std::size_t> matchingRow(const Trace& expected, const TraceRow& row, const Trace& actual);
+
+/// Nothing: every expected value is there. Signals are matched by name; missing ones are passed over.
+std::optional<TraceDifference> firstDifference(const Trace& expected, const Trace& actual, const CompareOptions& options);
+
+}  // namespace rungproof

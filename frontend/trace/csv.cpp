@@ -1,0 +1,39 @@
+// Traces as CSV: scan, time_ms at the end of the scan, scan_ms, then one column per signal. The file is a stimulus as
+// well: having time_ms behind scan, it is known as a recording (frontend/stimulus_reader.hpp).
+// Tested by tests/trace/csv_test.cpp.
+#include <ostream>
+
+#include "frontend/trace/format.hpp"
+
+namespace rungproof {
+
+namespace {
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + "\"";
+}
+
+void write(const Trace& trace, std::string_view, std::ostream& out) {
+  out << (trace.isByTime ? "time_ms" : "scan,time_ms,scan_ms");
+  for (const TraceSignal& signal : trace.signals) out << ',' << quoted(signal.name);
+  out << '\n';
+  for (const TraceRow& row : trace.rows) {
+    if (!trace.isByTime) out << row.scan << ',';
+    out << millisecondsText(row.timeUs);
+    if (!trace.isByTime) out << ',' << millisecondsText(row.scanUs);
+    for (std::size_t i = 0; i < trace.signals.size(); ++i) {
+      out << ',';
+      if (row.values[i]) out << numberText(*row.values[i], trace.signals[i].type);
+    }
+    out << '\n';
+  }
+}
+
+}  // namespace
+
+extern constexpr TraceFormat csvTrace = {.ending = ".csv", .summary = "comma-separated values, also a stimulus", .write = write};
+
+}  // namespace rungproof

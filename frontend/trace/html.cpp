@@ -1,0 +1,142 @@
+// Traces as one HTML page without outside references: lanes with zoom, a cursor that steps from scan to scan or from
+// change to change, and the values at the cursor. The data stand in the page as JSON; a reader without scripts still
+// sees the static diagram. Tested by tests/trace/html_test.cpp.
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "frontend/timing_diagram.hpp"
+#include "frontend/trace/format.hpp"
+
+namespace rungproof {
+
+namespace {
+
+constexpr std::string_view style = R"(
+body{font:14px/1.4 system-ui,sans-serif;margin:1em;color:#1a1f26;background:#fff}
+button{font:inherit;padding:.1em .6em}
+#view{overflow-x:auto;border:1px solid #d8dee4;margin:.6em 0}
+svg text{font:12px sans-serif}.w{fill:none;stroke:#000;stroke-width:1.5}.b{fill:#fff;stroke:#000}.x{fill:#ddd;stroke:#999}
+.n{text-anchor:middle}.a{text-anchor:middle;fill:#57606a}.g{stroke:#e4e7eb}.c{stroke:#c62828;stroke-width:1.5}
+table{border-collapse:collapse}td,th{border:1px solid #d8dee4;padding:.1em .6em;text-align:left}td.v{text-align:right}
+.changed{background:#fff3cd}
+)";
+
+constexpr std::string_view script = R"(
+"use strict";
+const trace = JSON.parse(document.getElementById("data").textContent);
+const rows = trace.rows, signals = trace.signals, lane = 30, level = 16, top = 10;
+const labelWidth = 20 + 8 * signals.reduce((m, s) => Math.max(m, s.name.length), 4);
+let unit = Math.max(4, Math.min(40, 900 / Math.max(rows.length, 1))), cursor = 0;
+const shown = v => v === null ? "x" : String(v);
+const escapeText = t => t.replace(/[&<>"]/g, c => ({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;"})[c]);
+function runs(i) {
+  const list = [];
+  for (let r = 0; r < rows.length; ++r) {
+    const value = rows[r].values[i];
+    if (list.length && list[list.length - 1].value === value) ++list[list.length - 1].count;
+    else list.push({row: r, count: 1, value});
+  }
+  return list;
+}
+const lanes = signals.map((s, i) => runs(i));
+function drawLane(i) {
+  const y = top + i * lane;
+  let text = `<text x="4" y="${y + level - 3}">${escapeText(signals[i].name)}</text>`, path = "", pen = false;
+  for (const run of lanes[i]) {
+    const x = labelWidth + run.row * unit, end = x + run.count * unit;
+    if (run.value === null) {
+      text += `<rect class="x" x="${x}" y="${y}" width="${end - x}" height="${level}"/>`;
+      pen = false;
+    } else if (signals[i].bits === 1) {
+      const h = run.value ? y : y + level;
+      path += (pen ? `V${h}` : `M${x} ${h}`) + `H${end}`;
+      pen = true;
+    } else {
+      text += `<rect class="b" x="${x}" y="${y}" width="${end - x}" height="${level}"/>`;
+      if (shown(run.value).length * 7 < end - x) text += `<text class="n" x="${(x + end) / 2}" y="${y + level - 3}">${shown(run.value)}</text>`;
+    }
+  }
+  return text + `<path class="w" d="${path}"/>`;
+}
+function draw() {
+  const width = labelWidth + rows.length * unit + 20, bottom = top + signals.length * lane;
+  let text = "", free = 0;
+  for (let r = 0; r < rows.length; ++r) {
+    const x = labelWidth + r * unit;
+    if (x < free) continue;
+    text += `<path class="g" d="M${x} ${top}V${bottom}"/><text class="a" x="${x}" y="${bottom + 14}">${rows[r].scan || rows[r].time_ms}</text>`;
+    free = x + 44;
+  }
+  for (let i = 0; i < signals.length; ++i) text += drawLane(i);
+  const at = labelWidth + (cursor + 0.5) * unit;
+  text += `<path class="c" d="M${at} 0V${bottom}"/>`;
+  document.getElementById("view").innerHTML = `<svg width="${width}" height="${bottom + 24}">${text}</svg>`;
+  showValues();
+}
+function showValues() {
+  if (!rows.length) return;
+  const row = rows[cursor], before = cursor ? rows[cursor - 1] : row;
+  document.getElementById("where").textContent = (row.scan ? `scan ${row.scan}, ` : "") + `${row.time_ms} ms`;
+  document.getElementById("values").innerHTML = "<tr><th>signal</th><th>value</th></tr>" + signals.map((s, i) =>
+    `<tr${row.values[i] !== before.values[i] ? ' class="changed"' : ""}><td>${escapeText(s.name)}</td><td class="v">${shown(row.values[i])}</td></tr>`).join("");
+}
+function go(to) {
+  cursor = Math.max(0, Math.min(rows.length - 1, to));
+  draw();
+  const view = document.getElementById("view"), at = labelWidth + cursor * unit;
+  if (at < view.scrollLeft + labelWidth || at > view.scrollLeft + view.clientWidth - 40) view.scrollLeft = at - view.clientWidth / 2;
+}
+const differs = (a, b) => rows[a].values.some((v, i) => v !== rows[b].values[i]);
+function nextChange(step) {
+  let r = cursor;
+  while (r + step >= 0 && r + step < rows.length) {
+    r += step;
+    if (differs(r, r - step)) break;
+  }
+  go(r);
+}
+function zoom(factor) { unit = Math.max(1, Math.min(200, unit * factor)); go(cursor); }
+const actions = {first: () => go(0), back: () => go(cursor - 1), forward: () => go(cursor + 1), last: () => go(rows.length - 1),
+  previous: () => nextChange(-1), next: () => nextChange(1), closer: () => zoom(1.5), wider: () => zoom(1 / 1.5)};
+for (const id in actions) document.getElementById(id).onclick = actions[id];
+const keys = {ArrowLeft: "back", ArrowRight: "forward", Home: "first", End: "last", "+": "closer", "-": "wider", n: "next", p: "previous"};
+document.onkeydown = e => { if (keys[e.key]) { actions[keys[e.key]](); e.preventDefault(); } };
+document.getElementById("view").onclick = e => {
+  const view = document.getElementById("view");
+  const x = e.clientX - view.getBoundingClientRect().left + view.scrollLeft - labelWidth;
+  if (x >= 0) go(Math.floor(x / unit));
+};
+document.getElementById("view").onwheel = e => { if (e.ctrlKey) { zoom(e.deltaY < 0 ? 1.2 : 1 / 1.2); e.preventDefault(); } };
+draw();
+)";
+
+std::string dataJson(const Trace& trace) {
+  nlohmann::ordered_json json = {{"signals", nlohmann::ordered_json::array()}, {"rows", nlohmann::ordered_json::array()}};
+  for (const TraceSignal& signal : trace.signals) {
+    json["signals"].push_back({{"name", signal.symbol.empty() ? signal.name : signal.name + " " + signal.symbol}, {"bits", signal.width()}});
+  }
+  for (const TraceRow& row : trace.rows) {
+    nlohmann::ordered_json values = nlohmann::ordered_json::array();
+    for (const std::optional<double>& value : row.values) values.push_back(value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json());
+    json["rows"].push_back({{"scan", row.scan}, {"time_ms", static_cast<double>(row.timeUs) / 1000}, {"values", values}});
+  }
+  std::string text = json.dump(-1, ' ', true);
+  for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at + 3)) text.replace(at, 2, "<\\/");
+  return text;
+}
+
+void write(const Trace& trace, std::string_view title, std::ostream& out) {
+  const std::string heading = xmlText(title.empty() ? "trace" : title);
+  out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" << heading << "</title><style>" << style << "</style></head><body>\n<h1>" << heading
+      << "</h1>\n<p><button id=\"first\">first</button> <button id=\"previous\">previous change</button> <button id=\"back\">scan back</button> "
+         "<button id=\"forward\">scan forward</button> <button id=\"next\">next change</button> <button id=\"last\">last</button> "
+         "<button id=\"wider\">zoom out</button> <button id=\"closer\">zoom in</button> <b id=\"where\"></b></p>\n<div id=\"view\">\n"
+      << timingDiagram(trace, "") << "</div>\n<table id=\"values\"></table>\n<script type=\"application/json\" id=\"data\">" << dataJson(trace) << "</script>\n<script>"
+      << script << "</script>\n</body></html>\n";
+}
+
+}  // namespace
+
+extern constexpr TraceFormat htmlTrace = {.ending = ".html", .summary = "page with zoom and steps", .write = write};
+
+}  // namespace rungproof

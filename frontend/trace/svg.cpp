@@ -1,0 +1,17 @@
+// Traces as a drawing: a timing diagram in the look of the manual. Tested by tests/trace/svg_test.cpp.
+#include <ostream>
+
+#include "frontend/timing_diagram.hpp"
+#include "frontend/trace/format.hpp"
+
+namespace rungproof {
+
+namespace {
+
+void write(const Trace& trace, std::string_view title, std::ostream& out) { out << timingDiagram(trace, title); }
+
+}  // namespace
+
+extern constexpr TraceFormat svgTrace = {.ending = ".svg", .summary = "timing diagram", .write = write};
+
+}  // namespace rungproof

@@ -1,0 +1,71 @@
+// Traces as WaveDrom JSON: one character per scan, '.' repeats, numbers as labelled segments. Inputs, outputs and the rest
+// stand in groups. Tested by tests/trace/wavedrom_test.cpp.
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "frontend/trace/format.hpp"
+
+namespace rungproof {
+
+namespace {
+
+std::string groupName(const TraceSignal& signal) {
+  if (!signal.operand.isMemory()) return "";
+  switch (signal.operand.area) {
+    case Area::I:
+    case Area::AI: return "inputs";
+    case Area::Q:
+    case Area::AQ: return "outputs";
+    case Area::T: return "timers";
+    case Area::C: return "counters";
+    default: return "memory";
+  }
+}
+
+nlohmann::ordered_json lane(const Trace& trace, std::size_t column) {
+  const TraceSignal& signal = trace.signals[column];
+  std::string wave;
+  std::vector<std::string> data;
+  std::optional<double> last;
+  for (std::size_t r = 0; r < trace.rows.size(); ++r) {
+    const std::optional<double> value = trace.rows[r].values[column];
+    if (r > 0 && value == last) {
+      wave += '.';
+    } else if (!value) {
+      wave += 'x';
+    } else if (signal.width() == 1) {
+      wave += *value != 0 ? '1' : '0';
+    } else {
+      wave += '=';
+      data.push_back(numberText(*value, signal.type));
+    }
+    last = value;
+  }
+  nlohmann::ordered_json result = {{"name", signal.symbol.empty() ? signal.name : signal.name + " " + signal.symbol}, {"wave", wave}};
+  if (!data.empty()) result["data"] = data;
+  return result;
+}
+
+void write(const Trace& trace, std::string_view title, std::ostream& out) {
+  nlohmann::ordered_json lanes = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < trace.signals.size(); ++i) {
+    const std::string group = groupName(trace.signals[i]);
+    const bool isOpen = !lanes.empty() && lanes.back().is_array() && lanes.back()[0] == group;
+    if (group.empty()) {
+      lanes.push_back(lane(trace, i));
+    } else if (isOpen) {
+      lanes.back().push_back(lane(trace, i));
+    } else {
+      lanes.push_back(nlohmann::ordered_json::array({group, lane(trace, i)}));
+    }
+  }
+  const std::uint64_t first = trace.rows.empty() ? 1 : std::max<std::uint64_t>(trace.rows[0].scan, 1);
+  const nlohmann::ordered_json json = {{"signal", lanes}, {"head", {{"text", std::string(title)}, {"tick", first}}}};
+  out << json.dump(2) << '\n';
+}
+
+}  // namespace
+
+extern constexpr TraceFormat wavedromTrace = {.ending = ".json", .summary = "WaveDrom timing diagram", .write = write};
+
+}  // namespace rungproof
