@@ -6,12 +6,17 @@
 // concat of neighbouring extracts, (g & t) | (g & !t) -> g ...), so that what a guarded write leaves unchanged
 // is the same node again. Real operations are nodes of their own: Z3 knows them, bit-level engines treat them
 // as free inputs and say so.
+//
+// Normal form: Or of width 1 is a negated And; Ule and Sle are negated Ult and Slt; Concat with 0 is Zext;
+// constants stand on the right of commutative operators.
+// Covered by tests/encoder/graph_test.cpp and tests/differential/domain_laws_test.cpp.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "ir/domain.hpp"
@@ -61,13 +66,22 @@ class Graph {
   using Targets = std::vector<PointerTarget<Graph>>;
   class Store;  // analysis/symbolic_store.hpp
 
+  /// The highest value of a width.
+  static constexpr std::uint64_t maskOf(int width) { return width >= 64 ? ~0ULL : (1ULL << width) - 1; }
+
   const NodeData& operator[](Node n) const { return nodes_[indexOf(n)]; }
   std::size_t size() const { return nodes_.size(); }
   const std::vector<Variable>& variables() const { return variables_; }
   Node variable(std::string name, int width, bool isState);
+  /// Unsigned bounds that every value of the node keeps.
+  std::uint64_t lowest(Node n) const { return facts_[indexOf(n)].low; }
+  std::uint64_t highest(Node n) const { return facts_[indexOf(n)].high; }
   Node constantNode(std::uint64_t value, int width);
   /// The one constructor: simplifies, then looks the node up or adds it.
   Node make(Op op, int width, Node a, Node b = noNode, Node c = noNode, std::uint64_t value = 0);
+
+  /// A node that equals `n` wherever `guard` (width 1) holds; simpler if the guard decides conditions in n.
+  Node given(Node n, Node guard);
 
   // ---- Domain interface (ir/domain.hpp); laws there ----------------------------------------------
   Bool constant(bool v);
@@ -137,19 +151,81 @@ class Graph {
   void listen(Listener* listener) { listener_ = listener; }
 
  private:
-  struct Key {
-    NodeData data;
-    bool operator==(const Key& other) const;
+  /// What every value of a node satisfies: bits that are always 0 or 1, and unsigned bounds.
+  struct Facts {
+    std::uint64_t zeros, ones, low, high;
   };
-  struct KeyHash {
-    std::size_t operator()(const Key& key) const;
+  /// Truth values under an assumption; see graph_boolean.cpp.
+  enum class Truth : std::uint8_t { False, True, Open };
+  static constexpr std::size_t conjunctLimit = 12;
+  static constexpr int workLimit = 400;  ///< rewriting steps of one make()
+  struct Conjuncts {
+    std::array<Node, conjunctLimit> item;
+    std::size_t count = 0;
+    std::span<const Node> all() const { return {item.data(), count}; }
   };
+
+  // graph.cpp
   Node intern(const NodeData& data);
   Node simplify(Op op, int width, Node a, Node b, Node c, std::uint64_t value);
+  void growTable();
+  bool widthsAgree(Op op, int width, Node a, Node b, Node c, std::uint64_t value) const;
+  bool isConstant(Node n) const { return (*this)[n].op == Op::Constant; }
+  bool isConstant(Node n, std::uint64_t value) const { return isConstant(n) && (*this)[n].value == value; }
+  bool isZero(Node n) const { return isConstant(n, 0); }
+  bool isOnes(Node n) const;
+  bool is(Node n, Op op) const { return (*this)[n].op == op; }
+  int widthOf(Node n) const { return (*this)[n].width; }
+  Node child(Node n, int i) const { return (*this)[n].child[static_cast<std::size_t>(i)]; }
+
+  // graph_facts.cpp
+  Facts factsOf(const NodeData& data) const;
+  std::optional<std::uint64_t> fold(Op op, int width, Node a, Node b, Node c, std::uint64_t value) const;
+
+  // graph_boolean.cpp
+  Node makeNot(Node a);
+  Node makeAnd(Node a, Node b);
+  Node makeXor(Node a, Node b);
+  Node makeOr(Node a, Node b) { return makeNot(makeAnd(makeNot(a), makeNot(b))); }
+  Node joinNegated(Node a, Node b);
+  Conjuncts conjunctsOf(Node a) const;
+  Truth under(Node condition, std::span<const Node> assumed) const;
+  Truth underOne(Node condition, Node assumed) const;
+  Truth underFalse(Node condition, Node refuted) const;
+  Node makeIte(int width, Node c, Node a, Node b);
+  Node makeIteBool(Node c, Node a, Node b);
+  Node follow(Node arm, Node c, bool value) const;
+  Node reduce(Node n, std::span<const Node> known, int depth);
+
+  // graph_words.cpp
+  Node makeBitwise(Op op, int width, Node a, Node b);
+  Node makeAdd(int width, Node a, Node b);
+  Node makeSub(int width, Node a, Node b);
+  Node makeMul(int width, Node a, Node b);
+  Node makeDivision(Op op, int width, Node a, Node b);
+  Node makeShift(Op op, int width, Node a, Node b);
+  Node makeReal(Op op, int width, Node a, Node b, std::uint64_t value);
+
+  // graph_compare.cpp
+  Node makeEqual(Node a, Node b);
+  Node equalToConstant(Node a, std::uint64_t value);
+  Node makeLess(Op op, Node a, Node b);
+  Node withoutOverflow(Node a, Node b);
+
+  // graph_slices.cpp
+  Node makeExtract(Node a, int high, int low);
+  bool isCheapSlice(Node a, int high, int low, int depth) const;
+  Node makeConcat(Node a, Node b);
+  Node joined(Node a, Node b);
+  Node makeZext(int width, Node a);
+  Node makeSext(int width, Node a);
 
   std::vector<NodeData> nodes_;
+  std::vector<Facts> facts_;
   std::vector<Variable> variables_;
-  std::unordered_map<Key, Node, KeyHash> index_;
+  std::vector<std::uint32_t> table_;  ///< open addressing: node index + 1, 0 free
+  int depth_ = 0;                     ///< of nested rewriting; beyond a limit nodes are made as they are
+  int work_ = 0;                      ///< rewriting steps left in the outermost make()
   Listener* listener_ = nullptr;
 };
 

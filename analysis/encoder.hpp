@@ -1,0 +1,124 @@
+// Encoder: the exact transition system of one scan of a program. It runs the templated scan once over graph nodes and
+// gathers what the run asked for and met: state and inputs, external values with their places, hazards, writes to
+// single bits, and everything it could only approximate.
+//
+// A run is a sequence of scans from power-up. It ends with the scan in which STOP or a fatal error ends the program;
+// a constraint says that each scan starts in RUN.
+// Covered by tests/encoder/encoder_test.cpp and tests/differential.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "analysis/symbolic_store.hpp"
+#include "analysis/time_model.hpp"
+#include "analysis/transition_system.hpp"
+#include "engine/start_up.hpp"
+#include "ir/choices.hpp"
+#include "ir/plan.hpp"
+
+namespace rungproof {
+
+/// Bytes `first` to `last` of an area that a panel or the network may write before any scan.
+struct ExternalBytes {
+  Area area = Area::V;
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
+};
+
+struct EncoderOptions {
+  Choices choices;
+  TimeRange time;
+  bool initialRetentive = false;  ///< retentive cells start with any value
+  std::vector<RetentiveRange> retentive = defaultRetentiveRanges();
+  std::vector<ExternalBytes> externals;
+  std::vector<Operand> observed;  ///< direct operands that properties read: they shape the state variables
+  bool interrupts = true;
+  int loopLimit = 256;            ///< rounds of a backward jump that are followed
+  /// Called in front of every instruction that may run, for properties that hold at every instruction.
+  std::function<void(Machine<Graph>&, const Instruction&)> atInstruction;
+};
+
+/// Something that can go wrong: `condition` ranges over the state at the start of the scan and its inputs.
+struct HazardRecord {
+  Hazard hazard;
+  Node condition;
+  const Instruction* place;  ///< nullptr: not at an instruction
+};
+
+/// What is not exact, and where. A run of the transition system may then have no counterpart on the machine.
+struct Approximation {
+  const Instruction* place;  ///< nullptr: the whole program
+  std::string reason;
+  /// Nodes that carry the inexact values; a property whose cone has none of them does not depend on it.
+  std::vector<Node> carriers;
+};
+
+/// An external value, in the order in which the scan asks; asked for only where `guard` holds.
+struct ExternalInput {
+  ExternalSite site;
+  Node node;  ///< noNode: asked for but used nowhere
+  int width;
+  Node guard;
+};
+
+/// A place in the scan at which ticks or interrupts can come: in front of one execution of an instruction.
+struct BoundarySite {
+  std::uint32_t instruction;  ///< Instruction::id, or ScanPlace::afterProgram
+  std::vector<Node> earlier;  ///< guards of the executions of that instruction before this one
+  Node guard;                 ///< whether the scan comes here
+};
+struct TickSite {
+  BoundarySite where;
+  Node ticks;  ///< of 1 ms
+};
+struct EventSite {
+  BoundarySite where;
+  int event;
+  Node fires;
+};
+
+/// One scan as a transition system, with the meaning of its variables.
+class Encoding {
+ public:
+  Encoding(const Program& program, const EncoderOptions& options);
+  ~Encoding();
+  Encoding(Encoding&&) noexcept;
+  Encoding& operator=(Encoding&&) noexcept;
+
+  Graph& graph() const;
+  const Plan& plan() const;
+  const TimeModel& time() const;
+  const EncoderOptions& options() const;
+
+  /// Value of a direct operand at the end of the scan, `width` bits; T and C by width. AI: noNode if the program
+  /// does not read it.
+  Node atEnd(const Operand& operand, int width);
+  Node atEnd(const Place& place);
+  /// Value at the start of the scan, before inputs act.
+  Node atStart(const Place& place);
+  /// Whether this is the first scan.
+  Node firstScan() const;
+
+  /// State, inputs and constraints of all that has been touched up to now. Call after the last atEnd().
+  TransitionSystem system();
+
+  const std::vector<HazardRecord>& hazards() const;
+  const std::vector<BitWrite>& bitWrites() const;
+  const std::vector<Approximation>& approximations() const;
+  const std::vector<ExternalInput>& externals() const;
+  const std::vector<TickSite>& tickSites() const;
+  const std::vector<EventSite>& eventSites() const;
+  /// Places whose values at the start of a scan are inputs (I, external memory, status written by devices) or state.
+  const std::vector<Cell>& cells() const;
+  /// What is left of dt after the ticks of tickSites(); it passes after the program.
+  Node lastTicks() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace rungproof

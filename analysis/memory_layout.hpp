@@ -1,0 +1,48 @@
+// How memory is cut into state variables: bytes that the program touches bit by bit become eight variables of one
+// bit; bytes that it only touches as words stay words. A good cut keeps bit logic free of slices and arithmetic free
+// of concatenations; any cut is correct.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "ir/plan.hpp"
+
+namespace rungproof {
+
+/// Bytes of local memory: main, eight nesting levels, interrupt routine and its subroutine (001:1367).
+inline constexpr std::uint32_t localBytes = 11 * 64;
+
+class MemoryLayout {
+ public:
+  explicit MemoryLayout(const Target& target);
+
+  /// Takes the direct operands of the program into account, each in the width of its instruction.
+  void add(const Program& program, const Plan& plan);
+  /// One more access, for example of a property.
+  void add(Area area, Width width, std::uint32_t byte);
+
+  /// Size of an area in bytes.
+  std::uint32_t size(Area area) const { return static_cast<std::uint32_t>(cuts_[static_cast<std::size_t>(area)].size()); }
+  bool isSingleBits(Area area, std::uint32_t byte) const { return cut(area, byte).isSingleBits; }
+  /// First byte and number of bytes of the word that holds `byte`; at most four.
+  struct Word {
+    std::uint32_t first;
+    std::uint32_t bytes;
+  };
+  Word wordOf(Area area, std::uint32_t byte) const;
+
+ private:
+  struct Cut {
+    bool isSingleBits = false;
+    bool joinsNext = false;      ///< some word covers this byte and the next
+    bool startsHere = false;     ///< some word starts at this byte or ended before it
+  };
+  const Cut& cut(Area area, std::uint32_t byte) const { return cuts_[static_cast<std::size_t>(area)][byte]; }
+  bool isJoined(Area area, std::uint32_t byte) const;
+
+  std::array<std::vector<Cut>, areaCount> cuts_;
+};
+
+}  // namespace rungproof

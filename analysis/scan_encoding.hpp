@@ -1,0 +1,77 @@
+// One run of the scan over graph nodes: the part of the encoder that talks to the machine. It gives touched places
+// their values at the start of the scan, answers the machine's questions for external values and pointers, and lets
+// ticks and interrupts come at instruction boundaries. encoder.cpp repeats it until what it knows is stable.
+#pragma once
+
+#include <map>
+#include <set>
+
+#include "analysis/encoder.hpp"
+#include "ir/scan_cycle.hpp"
+
+namespace rungproof {
+
+/// What earlier runs have found out about the program.
+struct Knowledge {
+  std::map<Place, std::uint64_t> constants;  ///< places that keep one value in all runs
+};
+
+class ScanEncoding final : private CellSource, private Graph::Listener {
+ public:
+  using Runner = Scan<Graph, ScanEncoding>;
+
+  ScanEncoding(const Program& program, const EncoderOptions& options, const Plan& plan, const MemoryLayout& layout, const Knowledge& knowledge);
+
+  /// Hooks of the walk over the program.
+  void before(Runner& runner, const FlowStep& step);
+  void callWithoutBody(Runner& runner, const Instruction& instruction);
+  void freshLocal(Runner& runner, unsigned frame, std::uint32_t byte);
+
+  Node value(const Place& place) { return store_.value(place); }
+  Node start(const Place& place);
+  TransitionSystem system();
+
+  Graph graph;
+  TimeModel time;
+  std::vector<HazardRecord> hazards;
+  std::vector<Approximation> approximations;
+  std::vector<ExternalInput> externals;
+  std::vector<TickSite> tickSites;
+  std::vector<EventSite> eventSites;
+  Node lastTicks = noNode;
+  const std::vector<Cell>& cells() const { return store_.cells(); }
+  const std::vector<BitWrite>& bitWrites() const { return store_.bitWrites(); }
+  /// External analog input read last, by word address; noNode if none.
+  Node analogInput(std::uint32_t byte) const;
+
+ private:
+  Cell cellAt(const Place& place) override;
+  Node localByte(std::uint32_t entry, std::uint32_t byte) override;
+  Graph::Bits external(const ExternalSite& site, int width) override;
+  void report(Hazard hazard, Graph::Bool condition, const Instruction* place) override;
+  Graph::Bool targets(Machine<Graph>& machine, Graph::Bits pointer, Width width, Ref<Graph>& ref) override;
+  Graph::Bits unresolved(Machine<Graph>& machine, int width) override;
+  void havoc(Machine<Graph>& machine) override;
+
+  void run();
+  void endOfScan();
+  bool isInput(const Place& place) const;
+  Node init(const Place& place) const;
+  Node input(std::string name, int width);
+  Approximation& approximate(const Instruction* place, std::string_view reason);
+
+  const Program& program_;
+  const EncoderOptions& options_;
+  const Plan& plan_;
+  const Knowledge& knowledge_;
+  Concrete::Store initial_;
+  Graph::Store store_;
+  Machine<Graph> machine_;
+  std::vector<Node> inputs_;
+  std::vector<Node> constraints_;
+  std::vector<Node> totalConstraints_;
+  std::vector<std::vector<std::size_t>> localEntries_;  ///< by entry: index in externals of each byte
+  std::map<std::pair<Area, std::uint32_t>, Node> analog_;
+};
+
+}  // namespace rungproof
