@@ -1,16 +1,21 @@
 // BitSystem: a transition system of bits, an and-inverter graph with latches, as the AIGER format has it. The
-// bit-level engines (BMC, k-induction, IC3) work on it alone, so they can be tested on hand-made systems.
+// bit-level engines (BMC, k-induction, IC3) work on it alone, so they can be tested on hand-made systems. It also
+// serves as plain and-inverter graph for unrollings. Tested by tests/solver/bit_system_test.cpp.
 #pragma once
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rungproof {
 
 /// A literal: 2 * variable + sign. Variable 0 is the constant false, so literal 0 is false and 1 is true.
 using Lit = std::uint32_t;
+constexpr Lit falseLit = 0;
+constexpr Lit trueLit = 1;
 constexpr Lit negate(Lit l) { return l ^ 1U; }
+constexpr Lit positive(std::uint32_t variable) { return 2 * variable; }
 constexpr std::uint32_t variableOf(Lit l) { return l >> 1U; }
 constexpr bool isNegative(Lit l) { return (l & 1U) != 0; }
 
@@ -24,10 +29,11 @@ struct Latch {
 };
 
 struct AndGate {
-  Lit left = 0, right = 0;  ///< both smaller than the gate's own literal
+  Lit left = 0, right = 0;  ///< left < right, both smaller than the gate's own literal
 };
 
-/// Variables are numbered 0 constant, then inputs, latches and gates in any topological order.
+/// Every variable's children have smaller numbers: variables are in topological order. A run chooses inputs for
+/// each scan such that all constraints are true in it; it is bad when some `bads` literal is true in a scan.
 struct BitSystem {
   enum class Kind : std::uint8_t { Constant, Input, Latch, Gate };
   std::vector<Kind> kind{Kind::Constant};
@@ -40,19 +46,30 @@ struct BitSystem {
   std::vector<Lit> constraints;
   std::vector<Lit> bads;
 
-  Lit addInput(std::string name);
+  Lit addInput(std::string name = {});
   Lit addLatch(std::string name, LatchInit init);
   void setNext(Lit latch, Lit next);
-  /// Hash-consed, with constant and identity simplification.
+  /// Hash-consed, with constant and identity simplification over two levels.
   Lit addAnd(Lit a, Lit b);
   Lit addOr(Lit a, Lit b) { return negate(addAnd(negate(a), negate(b))); }
   Lit addXor(Lit a, Lit b);
   Lit addIte(Lit c, Lit a, Lit b);
   std::uint32_t variableCount() const { return static_cast<std::uint32_t>(kind.size()); }
+  bool isGate(Lit l) const { return kind[variableOf(l)] == Kind::Gate; }
+  const AndGate& gateOf(Lit l) const { return gates[position[variableOf(l)]]; }
 
  private:
-  struct Hash;
+  std::uint32_t addVariable(Kind k, std::size_t index);
+  std::uint32_t* slot(Lit a, Lit b);
+  void growTable();
   std::vector<std::uint32_t> gateTable_;  ///< open addressing: gate index + 1 by (left, right)
 };
+
+/// If the gate of `l` is an exclusive or or a choice in disguise: condition, then, else of the *positive* gate's
+/// value; recognised as !(c & !t) & !(!c & !e). An exclusive or has `otherwise` = !`then`.
+struct Choice {
+  Lit condition = 0, then = 0, otherwise = 0;
+};
+bool recogniseChoice(const BitSystem& system, Lit l, Choice& choice);
 
 }  // namespace rungproof

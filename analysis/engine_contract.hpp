@@ -1,10 +1,13 @@
 // The contract of bit-level engines: a verdict that brings its evidence. Proved comes with an inductive
 // invariant, violated with the inputs of a run, unknown with the bound reached. Two engines that disagree stop
-// the program: that is a defect, never an average.
+// the program: that is a defect, never an average. Engines are resumable: advance() works until the budget is
+// used up or an answer is there, and goes on where it stopped when called again.
 #pragma once
 
 #include <atomic>
 #include <chrono>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,18 +24,21 @@ struct BitTrace {
   std::vector<std::vector<bool>> inputs;  ///< by scan, by input index
 };
 
-/// An inductive invariant over the latches: a conjunction of clauses over latch literals (as BitSystem literals)
-/// that holds initially, is kept by every scan together with itself over the last k scans, and excludes the bad
-/// states. k = 1 is plain induction; k-induction proofs carry their k and simple-path flag instead of clauses.
+/// Why bad is unreachable. With k = 0: the clauses, together with the invariants the engine was given, hold
+/// initially, are kept by every scan and exclude bad. With k >= 1: bad does not occur in the first k scans, and no
+/// k scans without bad whose states satisfy the given invariants are followed by a bad one; with simplePath the
+/// k + 1 states are pairwise different in the latches. Literals are those of the system; variables beyond it are
+/// the gates added here, defined over latches and earlier gates only.
 struct Certificate {
   std::vector<std::vector<Lit>> clauses;
-  int k = 1;
+  std::vector<AndGate> gates;  ///< variable variableCount() + i
+  int k = 0;
   bool simplePath = false;
 };
 
 struct Verdict {
   Answer answer = Answer::Unknown;
-  int depth = 0;  ///< Violated: length of the run - 1; Unknown: bad is unreachable within depth scans
+  int depth = 0;  ///< Violated: length of the run - 1; Unknown: bad is unreachable in the first `depth` scans
   std::string method;
   std::optional<BitTrace> trace;
   std::optional<Certificate> certificate;
@@ -42,12 +48,48 @@ struct Verdict {
 class Budget {
  public:
   using Clock = std::chrono::steady_clock;
-  explicit Budget(Clock::time_point deadline, const std::atomic<bool>* cancel = nullptr) : deadline_(deadline), cancel_(cancel) {}
-  bool isExhausted() const { return (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) || Clock::now() >= deadline_; }
+  explicit Budget(Clock::time_point deadline, const std::atomic<bool>* cancel = nullptr)
+      : deadline_(deadline), cancel_(cancel) {}
+  /// A budget of that many seconds from now.
+  static Budget seconds(double s, const std::atomic<bool>* cancel = nullptr) {
+    return Budget(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(s)), cancel);
+  }
+  /// The same cancellation, but at most that many seconds from now.
+  Budget slice(double s) const {
+    const Budget other = seconds(s, cancel_);
+    return other.deadline_ < deadline_ ? other : *this;
+  }
+  bool isExhausted() const {
+    return (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) || Clock::now() >= deadline_;
+  }
 
  private:
   Clock::time_point deadline_;
   const std::atomic<bool>* cancel_;
 };
+
+struct EngineOptions {
+  int bound = 1 << 30;     ///< BMC and k-induction look at that many scans at most
+  std::uint64_t seed = 1;  ///< of random choices
+  bool simplePath = true;  ///< k-induction: require different states on the path
+  /// Clauses that hold in every reachable state of the system (proved elsewhere), over latches and gates that
+  /// depend on latches only.
+  std::vector<std::vector<Lit>> invariants;
+};
+
+/// An engine at work on one system: can some `bads` literal be true in some scan? The system must outlive it.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+  virtual Verdict advance(const Budget& budget) = 0;
+  /// True when more time cannot help (bound reached, state space too large for the method).
+  virtual bool isExhausted() const { return false; }
+};
+
+std::unique_ptr<Engine> makeBmc(const BitSystem& system, const EngineOptions& options);
+std::unique_ptr<Engine> makeKInduction(const BitSystem& system, const EngineOptions& options);
+std::unique_ptr<Engine> makeIc3(const BitSystem& system, const EngineOptions& options);
+std::unique_ptr<Engine> makeExhaustive(const BitSystem& system, const EngineOptions& options);
+std::unique_ptr<Engine> makeSimulation(const BitSystem& system, const EngineOptions& options);
 
 }  // namespace rungproof

@@ -24,6 +24,7 @@ Facts::Facts(const Program& program, std::span<const ExternalRange> externals)
       accesses_(program, plan_),
       blocks_(blocksOf(places_)),
       index_(program, accesses_, blocks_),
+      bits_(accesses_, index_.cells(), blocks_),
       calls_(program, plan_),
       stack_(program, plan_, {}),
       execution_(program, plan_, calls_, stack_) {
@@ -147,6 +148,11 @@ std::string Facts::name(const Operand& operand) const {
   if (operand.kind != OperandKind::Direct) return address;
   const Symbol* symbol = symbolOf(operand);
   return symbol == nullptr ? address : fmt::format("{} ({})", address, symbol->name);
+}
+
+std::string Facts::bitName(std::uint32_t key) const {
+  const CellMap& cells = index_.cells();
+  return name(direct(cells.areaOf(key / 8), Width::Bit, cells.offsetOf(key / 8), key % 8));
 }
 
 std::string Facts::text(const Instruction& instruction) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "analysis/access.hpp"
+#include "analysis/access_bits.hpp"
 #include "analysis/access_index.hpp"
 #include "analysis/call_graph.hpp"
 #include "analysis/execution.hpp"
@@ -49,6 +50,8 @@ class Facts {
 
   const AccessTable& accesses() const { return accesses_; }
   const AccessIndex& index() const { return index_; }
+  const BitWrites& bits() const { return bits_; }
+  const Access& access(std::uint32_t i) const { return accesses_.all()[i]; }
   const CallGraph& calls() const { return calls_; }
   const StackRun& stack() const { return stack_; }
   const ExecutionTable& execution() const { return execution_; }
@@ -67,6 +70,8 @@ class Facts {
   int readers(std::uint32_t cell, unsigned bit) const { return readers_[cell * 8 + bit]; }
   std::uint32_t cellOf(const Access& access) const { return index_.cells().cell(access.area, access.offset, blockOf(access.instruction)); }
 
+  /// "Q0.1" for a bit of a cell.
+  std::string bitName(std::uint32_t key) const;
   /// First symbol of an address, or nullptr; constant time.
   const Symbol* symbolOf(const Operand& address) const;
   /// First symbol of that name, or nullptr; constant time.
@@ -91,6 +96,7 @@ class Facts {
   AccessTable accesses_;
   std::vector<std::uint32_t> blocks_;  ///< by Instruction::id
   AccessIndex index_;
+  BitWrites bits_;
   std::vector<std::uint8_t> writers_, readers_;
   CallGraph calls_;
   StackRun stack_;

@@ -27,7 +27,6 @@ constexpr std::array groups = {
     RuleGroup{"SAF", "Declared properties and built-in safety templates"},
     RuleGroup{"GRF", "Ladder and FBD drawings"},
     RuleGroup{"STY", "Style"},
-    RuleGroup{"SYN", "Reading the program text"},
     RuleGroup{"SUP", "The tool itself"},
 };
 

@@ -4,7 +4,7 @@
 
 #include <fmt/core.h>
 
-#include "ir/check.hpp"
+#include "frontend/code_list.hpp"
 
 namespace rungproof {
 
@@ -86,9 +86,9 @@ std::optional<Failure> checkForm(const OptionInfo& info, std::string_view text) 
   if (info.id == Opt::Select || info.id == Opt::Ignore) {
     if (text == "ALL") return std::nullopt;
     std::vector<std::string_view> ids;
-    for (const Rule* rule : allRules()) {
-      if (rule->id.starts_with(text) && !text.empty()) return std::nullopt;
-      ids.push_back(rule->id);
+    for (const Code& code : allCodes()) {
+      if (code.id.starts_with(text) && !text.empty()) return std::nullopt;
+      ids.push_back(code.id);
     }
     const std::string_view meant = closest(text, ids);
     return Failure{fmt::format("no rule is called '{}' or begins so", text), {},

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "frontend/property_lexer.hpp"
+#include "frontend/property_message.hpp"
 #include "ir/desc.hpp"
 
 namespace rungproof {
@@ -24,10 +25,10 @@ struct Mistake {
   std::string help;
 };
 
-constexpr const char* syntaxRule = "PRP001";
-constexpr const char* addressRule = "PRP002";
-constexpr const char* typeRule = "PRP003";
-constexpr const char* nameRule = "PRP004";
+constexpr const char* syntaxRule = propertyMessages[0].id.data();
+constexpr const char* addressRule = propertyMessages[1].id.data();
+constexpr const char* typeRule = propertyMessages[2].id.data();
+constexpr const char* nameRule = propertyMessages[3].id.data();
 
 std::string lower(std::string_view text) {
   std::string result(text);

@@ -45,11 +45,12 @@ Summary summaryOf(const Report& report) {
   return summary;
 }
 
+bool isReadError(const Finding& finding) {
+  return finding.severity == Severity::Error && (finding.rule.starts_with("SYN") || finding.rule.starts_with("PRP"));
+}
+
 Exit exitOf(const Report& report) {
-  const bool unread = std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& finding) {
-    return finding.severity == Severity::Error && finding.rule.starts_with("SYN");
-  });
-  if (unread) return Exit::Failed;
+  if (std::any_of(report.findings.begin(), report.findings.end(), isReadError)) return Exit::Failed;
   const Summary summary = summaryOf(report);
   const bool differs = report.comparison && !report.comparison->equal;
   if (!report.findings.empty() || summary.violated > 0 || differs) return Exit::Found;

@@ -59,8 +59,12 @@ std::string rulePage(const Rule& rule, const Paint& paint) {
   appendRows(text, rows, 14);
   appendSection(text, paint, "Detects", rule.detects);
   appendSection(text, paint, "Why it matters", rule.why);
+  if (!rule.exampleSymbols.empty()) {
+    text += fmt::format("\n  {}\n", paint.bold("Symbol table of the examples"));
+    appendProgram(text, rule.exampleSymbols);
+  }
   if (!rule.bad.empty()) {
-    text += fmt::format("\n  {}\n", paint.bold("Reported"));
+    text += fmt::format("\n  {}\n", paint.bold(rule.exampleCpu == "226" ? "Reported" : fmt::format("Reported on a CPU {}", rule.exampleCpu)));
     appendProgram(text, rule.bad);
   }
   if (!rule.good.empty()) {
@@ -95,6 +99,8 @@ nlohmann::ordered_json ruleJson(const Rule& rule) {
                                  {"manual", rule.manual},
                                  {"bad", rule.bad},
                                  {"good", rule.good},
+                                 {"example_cpu", rule.exampleCpu},
+                                 {"example_symbols", rule.exampleSymbols},
                                  {"false_positives", rule.falsePositives},
                                  {"peers", rule.peers}};
   json["options"] = nlohmann::ordered_json::array();

@@ -104,8 +104,9 @@ extern constexpr Rule adr009_feature_not_on_cpu = {
                "instruction newer than the chosen edition, the clock on a CPU that has it only as a module",
     .why = "the program is refused at download with a general error 0082 or 0090",
     .manual = "001:4166, 001:2670, 001:5366, 001:2666, 001:6751, 001:565",
-    .bad = "Network 1\nLD SM0.1\nCALL 200\n",
-    .good = "Network 1\nLD SM0.1\nMOVB 0, VB0\n",
+    .bad = "Network 1\nLD SM0.1\nMOVB 16#F8, SMB47\nHDEF 1, 0\nHSC 1\n",
+    .good = "Network 1\nLD SM0.1\nMOVB 16#F8, SMB37\nHDEF 0, 0\nHSC 0\n",
+    .exampleCpu = "222",
     .falsePositives = "a program for another CPU than the chosen one: name it with --cpu; subroutine numbers above 63 on a 224XP, where the manual "
                       "contradicts itself",
     .dialects = dialect::S7200,

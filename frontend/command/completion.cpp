@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "frontend/cli.hpp"
+#include "frontend/code_list.hpp"
 #include "frontend/command/command.hpp"
 
 namespace rungproof {
@@ -39,7 +40,7 @@ std::vector<Completed> optionsOf(const Command& command) {
 
 std::vector<std::string_view> ruleWords() {
   std::vector<std::string_view> words = {"hazards", "choices"};
-  for (const Rule* rule : allRules()) words.push_back(rule->id);
+  for (const Code& code : allCodes()) words.push_back(code.id);
   return words;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "frontend/code_list.hpp"
 #include "frontend/columns.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/instruction_page.hpp"
@@ -87,6 +88,11 @@ std::optional<Page> pageOf(const std::string& word, const Settings& settings, co
   if (word == "hazards") return hazardsPage(paint);
   if (word == "choices") return choicesPage(paint, settings);
   if (auto page = groupPage(upper, paint)) return page;
+  if (const auto code = codeNamed(upper)) {
+    return Page{fmt::format("{}: {}\n\n  {} of the readers, cannot be silenced if it is an error\n\n  {}\n    {}\n", paint.bold(code->id), paint.bold(code->title),
+                            severityName(code->severity), paint.bold("Help"), code->help),
+                {{"id", code->id}, {"title", code->title}, {"severity", severityName(code->severity)}, {"help", code->help}}};
+  }
   for (const HazardInfo& info : hazardTable) {
     if (info.code != upper) continue;
     return Page{fmt::format("{}: {}\n\n  {} ({})\n", paint.bold(info.code), info.text, hazardClassText(info.kind), info.manual), hazardJson(info)};
@@ -100,7 +106,7 @@ std::optional<Page> pageOf(const std::string& word, const Settings& settings, co
 
 Failure unknown(const std::string& word) {
   std::vector<std::string_view> words = {"hazards", "choices"};
-  for (const Rule* rule : allRules()) words.push_back(rule->id);
+  for (const Code& code : allCodes()) words.push_back(code.id);
   const std::string_view meant = closest(word, words);
   return {fmt::format("there is no page called '{}'", word), {},
           meant.empty() ? "give a rule (ADR001), a group (ADR), an instruction (TON), a run-time error (0006), 'hazards' or 'choices'"

@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "frontend/columns.hpp"
+#include "frontend/code_list.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/rule_page.hpp"
 
@@ -34,6 +34,11 @@ std::string listText(const Paint& paint) {
     }
     text += '\n';
   }
+  text += paint.bold("SYN, PRP Reading programs and properties") + "\n";
+  for (const Code& code : allCodes()) {
+    if (!code.isRule) text += fmt::format("  {}  {:<7}  {:<3}  {}\n", code.id, severityName(code.severity), "", code.title);
+  }
+  text += '\n';
   text += fmt::format(
       "{} rules. Needs: T text and tables, F data flow, F>Z the solver confirms under --prove, Z solver only.\n"
       "'rungproof explain CODE' shows a rule's page.\n",

@@ -39,8 +39,10 @@ class HumanWriter {
   bool hasPlace(Span span) const { return report_.sources != nullptr && span.file < report_.sources->size(); }
 
   void writePlace(Span span, int gutter, std::string_view context, char mark, Painter painter) {
+    const bool isEmpty = report_.sources->file(span.file).text().empty();  // a file that could not be read has no lines
     out_ << fmt::format("{}{} {}{}\n", std::string(static_cast<std::size_t>(gutter), ' '), paint_.blue("-->"),
-                        placeText(*report_.sources, span), context);
+                        isEmpty ? report_.sources->file(span.file).name() : placeText(*report_.sources, span), context);
+    if (isEmpty) return;
     out_ << drawExcerpt(excerptOf(report_.sources->file(span.file), span), gutter, mark, paint_, painter);
   }
 

@@ -1,0 +1,66 @@
+// OUT001: two coils on one bit. Both run in one scan unless jumps, steps or conditional calls keep them apart; where
+// that cannot be excluded the finding is unconfirmed until the prover has seen both run.
+// Tested by its examples and tests/rules/output_rules_test.cpp.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/facts.hpp"
+#include "analysis/rule.hpp"
+
+namespace rungproof {
+
+namespace {
+
+constexpr std::size_t mostRelated = 8;
+
+/// Whether the instruction runs in every scan.
+bool runsAlways(const Facts& facts, std::uint32_t id) {
+  const ExecutionPoint& point = facts.execution().at(id);
+  return point.isReachable && point.skippedBy == nullptr && facts.execution().runs(facts.blockOf(id)) == Runs::Once;
+}
+
+void check(const Facts& facts, FindingSink& sink) {
+  std::vector<std::uint32_t> coils;
+  for (std::uint32_t key = 0; key < facts.bits().size(); ++key) {
+    if (facts.bits().at(key).size() < 2) continue;
+    coils.clear();
+    for (const std::uint32_t i : facts.bits().at(key)) {
+      const Access& access = facts.access(i);
+      const bool isDead = !facts.execution().at(access.instruction).isReachable || facts.execution().runs(facts.blockOf(access.instruction)) == Runs::Never;
+      if (access.area != Area::L && isCoil(kindOf(facts.instruction(access.instruction))) && !isDead) coils.push_back(access.instruction);
+    }
+    if (coils.size() < 2) continue;
+    const Instruction& second = facts.instruction(coils[1]);
+    const std::string bit = facts.bitName(key);
+    Finding& finding = sink.report(second.span, fmt::format("{} is driven by {} coils; the last one that runs in a scan wins", bit, coils.size()));
+    finding.address = toString(second.operands[0]);
+    finding.help = "join the conditions with OLD in one network, or use S and R";
+    for (std::size_t i = 0; i < std::min(coils.size(), mostRelated + 1); ++i) {
+      if (i == 1) continue;
+      finding.related.push_back({facts.instruction(coils[i]).span, fmt::format("coil of {} in {}, network {}", bit, facts.pouOf(coils[i]).name, facts.networkOf(coils[i]).number)});
+    }
+    const auto certain = std::count_if(coils.begin(), coils.end(), [&](std::uint32_t id) { return runsAlways(facts, id); });
+    if (certain >= 2) finding.confirmation = Confirmation::NotNeeded;
+  }
+}
+
+}  // namespace
+
+extern constexpr Rule out001_double_coil = {
+    .id = "OUT001",
+    .title = "Double coil",
+    .severity = Severity::Warning,
+    .needs = Needs::FlowThenSolver,
+    .detects = "two or more = (or =I) on the same bit whose networks can run in the same scan",
+    .why = "outputs leave only at the end of the scan, so the last coil wins and the others do nothing; the manual never warns of it",
+    .manual = "001:1254, 001:2777",
+    .bad = "Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\n= Q0.0\n",
+    .good = "Network 1\nLD I0.0\nO I0.1\n= Q0.0\n",
+    .falsePositives = "coils in code of which only one part runs per scan (jumps, steps, conditional calls): the prover drops them, lint alone "
+                      "marks them unconfirmed",
+    .peers = "SA0004; CP12; Rockwell duplicate destructive bit; Omron duplicate outputs",
+    .check = check,
+};
+
+}  // namespace rungproof

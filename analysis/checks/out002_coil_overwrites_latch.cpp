@@ -1,0 +1,56 @@
+// OUT002: = and S or R on one bit: the coil writes 0 as well as 1 in every scan. A reset in the first scan only is
+// initialisation and harmless. Tested by its examples and tests/rules/output_rules_test.cpp.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/facts.hpp"
+#include "analysis/rule.hpp"
+
+namespace rungproof {
+
+namespace {
+
+void check(const Facts& facts, FindingSink& sink) {
+  for (std::uint32_t key = 0; key < facts.bits().size(); ++key) {
+    const std::span<const std::uint32_t> writers = facts.bits().at(key);
+    if (writers.size() < 2) continue;
+    const Instruction* coil = nullptr;
+    const Instruction* latch = nullptr;
+    for (const std::uint32_t i : writers) {
+      const Access& access = facts.access(i);
+      const Instruction& instruction = facts.instruction(access.instruction);
+      const Kind kind = kindOf(instruction);
+      if (access.area == Area::L) continue;
+      if (isCoil(kind) && coil == nullptr) coil = &instruction;
+      const bool isInitial = isReset(kind) && (facts.conditionOf(instruction.id) & condition::FirstScan) != 0;
+      const bool isFirstBit = access.offset == facts.index().cells().offsetOf(key / 8) && access.bit == key % 8;
+      if ((isSet(kind) || isReset(kind)) && isFirstBit && !isInitial && latch == nullptr) latch = &instruction;
+    }
+    if (coil == nullptr || latch == nullptr) continue;
+    const std::string bit = facts.bitName(key);
+    Finding& finding = sink.report(coil->span, fmt::format("the coil of {} overwrites what {} does to it", bit, Facts::text(*latch)));
+    finding.address = toString(coil->operands[0]);
+    finding.related.push_back({latch->span, fmt::format("{} is latched here", bit)});
+    finding.help = "drive the bit either by = or by S and R (001:2821)";
+  }
+}
+
+}  // namespace
+
+extern constexpr Rule out002_coil_overwrites_latch = {
+    .id = "OUT002",
+    .title = "Coil overwrites a latch",
+    .severity = Severity::Warning,
+    .needs = Needs::Text,
+    .detects = "= and S or R on the same bit",
+    .why = "the coil writes the bit in every scan, 0 as well as 1; the manual says to make sure that no other assignment overwrites set and reset bits",
+    .manual = "001:2821",
+    .bad = "Network 1\nLD I0.0\nS Q0.0, 1\nNetwork 2\nLD I0.1\n= Q0.0\nNetwork 3\nLD I0.2\nR Q0.0, 1\n",
+    .good = "Network 1\nLD I0.0\nO I0.1\nS Q0.0, 1\nNetwork 2\nLD I0.2\nR Q0.0, 1\n",
+    .falsePositives = "a coil that runs only while the latch is not used, such as in another operating mode",
+    .peers = "Rockwell duplicate destructive bit; Omron duplicate outputs",
+    .check = check,
+};
+
+}  // namespace rungproof

@@ -1,0 +1,93 @@
+// OUT004: S without R, or R without S. Coils, moves, block operations, pointers, steps and `external` lines count as
+// the other hand. Tested by its examples and tests/rules/output_rules_test.cpp.
+#include <fmt/format.h>
+
+#include "analysis/facts.hpp"
+#include "analysis/rule.hpp"
+
+namespace rungproof {
+
+namespace {
+
+/// Who writes each bit, one flag each.
+struct Hands {
+  bool set = false, reset = false, other = false;
+};
+
+Hands handsOf(const Facts& facts, std::uint32_t key) {
+  const std::uint32_t cell = key / 8;
+  Hands hands;
+  hands.other = facts.index().isWrittenAtLarge(cell) || facts.isExternal(cell);
+  for (const std::uint32_t i : facts.bits().at(key)) {
+    const Kind kind = kindOf(facts.instruction(facts.access(i).instruction));
+    if (isSet(kind)) hands.set = true;
+    else if (isReset(kind)) hands.reset = true;
+    else hands.other = true;
+  }
+  return hands;
+}
+
+/// Bytes, words and double words written as a whole clear or set their bits.
+void addWiderWrites(const Facts& facts, std::uint32_t cell, Hands& hands) {
+  for (const std::uint32_t i : facts.index().at(cell)) {
+    const Access& access = facts.access(i);
+    if (access.write && access.width != Width::Bit) hands.other = true;
+  }
+}
+
+void checkInstruction(const Facts& facts, FindingSink& sink, const Instruction& instruction, const Access& access, std::vector<std::uint8_t>& seen) {
+  const bool sets = isSet(kindOf(instruction));
+  const std::uint32_t start = facts.cellOf(access) * 8 + access.bit;
+  if (facts.cellOf(access) == facts.index().cells().size()) return;
+  std::uint32_t lonely = 0, first = 0;
+  for (std::uint32_t k = 0; k < access.count && start + k < facts.bits().size(); ++k) {
+    const std::uint32_t key = start + k;
+    Hands hands = handsOf(facts, key);
+    if (!hands.other && !(sets ? hands.reset : hands.set)) addWiderWrites(facts, key / 8, hands);
+    const bool isLonely = !hands.other && !(sets ? hands.reset : hands.set);
+    if (isLonely && seen[key] == 0) {
+      if (lonely++ == 0) first = key;
+      seen[key] = 1;
+    } else if (!isLonely && !sets) {
+      return;  // a reset of many bits is meant for those that are set
+    }
+  }
+  if (lonely == 0) return;
+  const std::string bits = lonely == 1 ? facts.bitName(first) : fmt::format("{} and {} more", facts.bitName(first), lonely - 1);
+  const std::string_view text = sets ? "is set but never reset; once on it stays on" : "is reset but never set";
+  Finding& finding = sink.report(instruction.span, fmt::format("{} {}", bits, text));
+  finding.address = toString(instruction.operands[0]);
+  finding.help = sets ? "add the R that ends it, or use = if the bit should follow its condition" : "correct the address, or remove the reset";
+}
+
+void check(const Facts& facts, FindingSink& sink) {
+  std::vector<std::uint8_t> seen(facts.bits().size(), 0);
+  for (const InstructionPlace& place : facts.instructions()) {
+    const Instruction& instruction = *place.instruction;
+    const Kind kind = kindOf(instruction);
+    if (!isSet(kind) && !isReset(kind)) continue;
+    for (const Access& access : facts.accesses().of(instruction.id)) {
+      const bool isBit = access.write && access.width == Width::Bit && !access.byNumber() && access.bit <= 7;
+      if (isBit && access.area != Area::SM && access.area != Area::L && access.most == access.count) checkInstruction(facts, sink, instruction, access, seen);
+    }
+  }
+}
+
+}  // namespace
+
+extern constexpr Rule out004_latch_with_one_hand = {
+    .id = "OUT004",
+    .title = "Latch with one hand",
+    .severity = Severity::Warning,
+    .needs = Needs::Text,
+    .detects = "S on a bit that nothing resets, or R on a bit that nothing sets",
+    .why = "the bit stays on for ever, also over STOP when it is retentive",
+    .manual = "001:2787-2796",
+    .bad = "Network 1\nLD I0.0\nS Q0.0, 1\n",
+    .good = "Network 1\nLD I0.0\nS Q0.0, 1\nNetwork 2\nLD I0.1\nR Q0.0, 1\n",
+    .falsePositives = "a fault bit that only an operator panel clears: declare it with //@ external",
+    .peers = "TU Automation missing reset",
+    .check = check,
+};
+
+}  // namespace rungproof

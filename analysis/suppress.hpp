@@ -1,0 +1,43 @@
+// Silencing of findings by comments `// rungproof: allow ADR001 REASON`. A comment behind an instruction, or alone on
+// the line before one, speaks for that instruction's line; before the first instruction of a network for the network;
+// in the head of a block for the block. A comment that silences nothing is a finding itself (SUP001), and so is one
+// that names no rule or gives no reason (SUP002). Tested by tests/analysis/suppress_test.cpp.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ir/program.hpp"
+
+namespace rungproof {
+
+enum class AllowScope : std::uint8_t { Line, Network, Block };
+
+/// One allow-comment.
+struct Allow {
+  Span comment;
+  std::vector<std::string> ids;  ///< as written, in capitals
+  std::string reason;
+  std::string problem;           ///< why it silences nothing; empty if it is well formed
+  AllowScope scope = AllowScope::Line;
+  std::uint32_t line = 0;        ///< Line: the line it speaks for
+  const Pou* pou = nullptr;
+  const Network* network = nullptr;
+};
+
+/// All allow-comments of a program, in program order; comments that do not begin with "rungproof:" are not among them.
+std::vector<Allow> allowsOf(const Program& program);
+
+/// What the run knows about rule ids.
+struct KnownRules {
+  std::function<bool(std::string_view)> exists;
+  std::function<bool(std::string_view)> ran;  ///< a comment for a rule that did not run is not called unused
+};
+
+/// Removes the silenced findings and adds those of SUP001 and SUP002; gives the number that was removed. Errors of the
+/// readers stay, because a program that was not read cannot be judged.
+std::size_t applySuppressions(const Program& program, const KnownRules& rules, std::vector<Finding>& findings);
+
+}  // namespace rungproof

@@ -1,0 +1,101 @@
+// The baseline file.
+#include "frontend/baseline.hpp"
+
+#include <fmt/core.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+#include "frontend/fingerprint.hpp"
+
+namespace rungproof {
+
+namespace {
+
+constexpr int formatVersion = 1;
+
+/// The readers' errors and the tool's own findings are never part of a baseline.
+bool belongsIn(const Finding& finding) { return !isReadError(finding) && !finding.rule.starts_with("SUP"); }
+
+using Key = std::pair<std::string, std::string>;  // file, fingerprint
+
+Key keyOf(const Finding& finding, const SourceSet& sources) { return {sources.file(finding.span.file).name(), fingerprintOf(finding, sources)}; }
+
+}  // namespace
+
+Baseline baselineOf(const Report& report) {
+  std::map<std::tuple<std::string, std::string, std::string>, BaselineEntry> sorted;  // file, rule, fingerprint
+  for (const Finding& finding : report.findings) {
+    if (!belongsIn(finding)) continue;
+    const auto [file, fingerprint] = keyOf(finding, *report.sources);
+    const auto [entry, isNew] = sorted.emplace(std::tuple(file, finding.rule, fingerprint), BaselineEntry{fingerprint, finding.rule, file, finding.message});
+    if (!isNew) ++entry->second.count;
+  }
+  Baseline baseline;
+  for (auto& [key, entry] : sorted) baseline.entries.push_back(std::move(entry));
+  return baseline;
+}
+
+std::string toJson(const Baseline& baseline) {
+  using Json = nlohmann::ordered_json;
+  std::string text = fmt::format("{{\n  \"rungproof_baseline\": {},\n  \"findings\": [", formatVersion);
+  for (std::size_t i = 0; i < baseline.entries.size(); ++i) {
+    const BaselineEntry& entry = baseline.entries[i];
+    const Json row = {{"fingerprint", entry.fingerprint}, {"rule", entry.rule}, {"file", entry.file}, {"count", entry.count}, {"message", entry.message}};
+    text += fmt::format("{}\n    {}", i == 0 ? "" : ",", row.dump(-1, ' ', false, Json::error_handler_t::replace));
+  }
+  return text + (baseline.entries.empty() ? "]\n}\n" : "\n  ]\n}\n");
+}
+
+std::optional<Failure> readBaseline(const std::string& text, const std::string& name, Baseline& baseline) {
+  const Failure damaged = {"the baseline file is damaged", name, "write it again with 'rungproof baseline FILE... > " + name + "'"};
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("findings") || !json["findings"].is_array()) return damaged;
+  if (json.value("rungproof_baseline", 0) != formatVersion) {
+    return Failure{"the baseline file has a form that this version does not know", name, damaged.help};
+  }
+  std::size_t from = 0;
+  for (const nlohmann::json& row : json["findings"]) {
+    const bool complete = row.is_object() && row.contains("fingerprint") && row["fingerprint"].is_string() && row.contains("rule") &&
+                          row["rule"].is_string() && row.contains("file") && row["file"].is_string();
+    if (!complete) return damaged;
+    BaselineEntry entry{row["fingerprint"], row["rule"], row["file"], {}};
+    if (row.contains("message") && row["message"].is_string()) entry.message = row["message"];
+    if (row.contains("count") && row["count"].is_number_unsigned()) entry.count = row["count"];
+    const std::size_t at = text.find(entry.fingerprint, from);
+    if (at != std::string::npos) {
+      entry.offset = static_cast<std::uint32_t>(at);
+      from = at + entry.fingerprint.size();
+    }
+    baseline.entries.push_back(std::move(entry));
+  }
+  return std::nullopt;
+}
+
+void applyBaseline(const Baseline& baseline, std::uint32_t file, Report& report) {
+  std::map<Key, std::size_t> left;
+  for (const BaselineEntry& entry : baseline.entries) left[{entry.file, entry.fingerprint}] += entry.count;
+  const std::size_t before = report.findings.size();
+  std::erase_if(report.findings, [&](const Finding& finding) {
+    if (!belongsIn(finding)) return false;
+    const auto found = left.find(keyOf(finding, *report.sources));
+    if (found == left.end() || found->second == 0) return false;
+    --found->second;
+    return true;
+  });
+  report.baselined += before - report.findings.size();
+  for (const BaselineEntry& entry : baseline.entries) {
+    std::size_t& rest = left[{entry.file, entry.fingerprint}];
+    if (rest == 0) continue;
+    Finding& stale = report.findings.emplace_back();
+    stale.rule = "SUP003";
+    stale.severity = Severity::Note;
+    stale.span = {file, entry.offset, static_cast<std::uint32_t>(entry.fingerprint.size())};
+    stale.message = fmt::format("{} in {} is gone{}: {}", entry.rule, entry.file, rest < entry.count ? fmt::format(" in {} of {} places", rest, entry.count) : "", entry.message);
+    stale.help = "write the baseline again to remove the entry";
+    rest = 0;
+  }
+}
+
+}  // namespace rungproof

@@ -1,0 +1,62 @@
+// `rungproof lint`: every rule that needs no solver, over one or several programs.
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <sstream>
+
+#include "frontend/baseline.hpp"
+#include "frontend/command/command.hpp"
+#include "frontend/lint_run.hpp"
+
+namespace rungproof {
+
+namespace {
+
+std::optional<Failure> subtractBaseline(const std::string& name, Report& report) {
+  std::ifstream stream(name, std::ios::binary);
+  if (!stream) return Failure{"the baseline file cannot be read", name, "write one with 'rungproof baseline FILE... > " + name + "'"};
+  std::ostringstream text;
+  text << stream.rdbuf();
+  Baseline baseline;
+  if (auto failure = readBaseline(text.str(), name, baseline)) return failure;
+  // The baseline becomes a source of the report, so that stale entries have a place.
+  auto sources = std::make_shared<SourceSet>();
+  for (std::uint32_t i = 0; i < report.sources->size(); ++i) sources->add(report.sources->file(i).name(), std::string(report.sources->file(i).text()));
+  const std::uint32_t file = sources->add(name, text.str());
+  report.sources = sources;
+  applyBaseline(baseline, file, report);
+  return std::nullopt;
+}
+
+Action setup(CLI::App& app) {
+  auto files = std::make_shared<std::vector<std::string>>();
+  app.add_option("FILE", *files, "programs, symbol tables and data blocks; '-' is standard input")->required();
+  return [files](Context& context) {
+    Report report = lintFiles(context, *files);
+    if (context.settings.isSet(Opt::Baseline)) {
+      if (auto failure = subtractBaseline(std::string(context.settings.text(Opt::Baseline)), report)) return context.fail(*failure);
+    }
+    return finish(context, std::move(report));
+  };
+}
+
+}  // namespace
+
+extern constexpr Command lintCommand = {
+    .name = "lint",
+    .usage = "FILE...",
+    .summary = "check programs against the rules",
+    .details =
+        "Files without a main program (symbol tables, data blocks, libraries) belong to every program given.\n"
+        "A finding is silenced by a comment with the rule and a reason, on its line, before the first\n"
+        "instruction of its network, or in the head of its block:\n"
+        "    // rungproof: allow OUT001 the two networks exclude each other\n"
+        "\n"
+        "Examples:\n"
+        "    rungproof lint press.awl\n"
+        "    rungproof lint --cpu 224 --select ADR,STK --format concise *.awl\n"
+        "    rungproof lint --baseline known.json --format sarif=report.sarif --format human press.awl\n",
+    .shows = option_group::Reading | option_group::Rules | option_group::Output | option_group::Configuration,
+    .setup = setup,
+};
+
+}  // namespace rungproof

@@ -1,0 +1,193 @@
+// `rungproof xref`: who reads and who writes each address, at which width, overlaps and free areas.
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "analysis/xref.hpp"
+#include "frontend/columns.hpp"
+#include "frontend/command/command.hpp"
+#include "frontend/excerpt.hpp"
+#include "frontend/program_input.hpp"
+
+namespace rungproof {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+class XrefWriter {
+ public:
+  XrefWriter(const Facts& facts, const Xref& xref, std::vector<std::size_t> shown, bool whole)
+      : facts_(facts), xref_(xref), shown_(std::move(shown)), whole_(whole) {
+    for (const std::size_t i : shown_) {
+      for (const Access* use : xref_.entries[i].uses) useColumn_ = std::max(useColumn_, useRow(*use).left.size() + 4);
+    }
+    for (const Access* access : xref_.throughPointers) useColumn_ = std::max(useColumn_, useRow(*access).left.size() + 4);
+    useColumn_ = std::min<std::size_t>(useColumn_, 60);
+  }
+
+  std::string text(const Paint& paint) const {
+    std::string text;
+    for (const std::size_t i : shown_) appendEntry(text, xref_.entries[i], paint);
+    if (!xref_.throughPointers.empty()) {
+      text += fmt::format("{} (these may touch other addresses too)\n", paint.bold("Through pointers"));
+      std::vector<TextRow> rows;
+      for (const Access* access : xref_.throughPointers) rows.push_back(useRow(*access));
+      appendRows(text, rows, useColumn_);
+      text += '\n';
+    }
+    if (whole_) appendFree(text, paint);
+    return text;
+  }
+
+  std::string json() const {
+    Json json = {{"tool", "rungproof"}, {"command", "xref"}, {"addresses", Json::array()}, {"pointers", Json::array()}, {"free", Json::array()}};
+    for (const std::size_t i : shown_) {
+      const XrefEntry& entry = xref_.entries[i];
+      Json row = {{"address", entryName(entry)}, {"symbol", symbolOf(entry)}, {"width", bits(entry.width)}, {"elements", entry.count},
+                  {"block", entry.area == Area::L ? Json(facts_.program().pous[entry.block].name) : Json(nullptr)},
+                  {"uses", Json::array()}, {"overlaps", Json::array()}};
+      for (const Access* use : entry.uses) row["uses"].push_back(useJson(*use));
+      for (const std::size_t other : entry.overlaps) row["overlaps"].push_back(entryName(xref_.entries[other]));
+      json["addresses"].push_back(std::move(row));
+    }
+    for (const Access* access : xref_.throughPointers) json["pointers"].push_back(useJson(*access));
+    if (whole_) {
+      for (const FreeRange& range : xref_.free) json["free"].push_back({{"area", areaName(range.area)}, {"first", range.first}, {"last", range.last}});
+    }
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  }
+
+ private:
+  std::string symbolOf(const XrefEntry& entry) const {
+    const Symbol* symbol = facts_.symbolOf(direct(entry.area, entry.width, entry.offset, entry.bit));
+    return symbol == nullptr ? std::string() : symbol->name;
+  }
+
+  static std::string_view kindOf(const Access& access) { return access.maybe ? "read/write?" : access.write ? access.isBox ? "box" : "write" : "read"; }
+
+  TextRow useRow(const Access& access) const {
+    const InstructionPlace& place = facts_.place(access.instruction);
+    const Pou& pou = facts_.pouOf(access.instruction);
+    const Network& network = facts_.networkOf(access.instruction);
+    const SourceSet& sources = *facts_.program().sources;
+    return {fmt::format("  {:<6} {}", kindOf(access), placeText(sources, place.instruction->span)),
+            fmt::format("{}, network {}: {}", pou.name, network.number, Facts::text(*place.instruction))};
+  }
+
+  Json useJson(const Access& access) const {
+    const InstructionPlace& place = facts_.place(access.instruction);
+    const SourceSet& sources = *facts_.program().sources;
+    const Position position = sources.position(place.instruction->span);
+    return {{"access", kindOf(access)},
+            {"file", sources.file(place.instruction->span.file).name()},
+            {"line", position.line},
+            {"column", position.column},
+            {"pou", facts_.pouOf(access.instruction).name},
+            {"network", facts_.networkOf(access.instruction).number},
+            {"instruction", Facts::text(*place.instruction)}};
+  }
+
+  void appendEntry(std::string& text, const XrefEntry& entry, const Paint& paint) const {
+    const std::string symbol = symbolOf(entry);
+    text += paint.bold(entryName(entry));
+    if (!symbol.empty()) text += fmt::format("  {}", symbol);
+    if (entry.area == Area::L) text += fmt::format("  in {}", facts_.program().pous[entry.block].name);
+    text += '\n';
+    std::vector<TextRow> rows;
+    for (const Access* use : entry.uses) rows.push_back(useRow(*use));
+    appendRows(text, rows, useColumn_);
+    if (!entry.overlaps.empty()) {
+      std::vector<std::string> names;
+      for (const std::size_t other : entry.overlaps) names.push_back(entryName(xref_.entries[other]));
+      appendParagraph(text, fmt::format("overlaps {}", fmt::join(names, ", ")), 4);
+    }
+    text += '\n';
+  }
+
+  void appendFree(std::string& text, const Paint& paint) const {
+    text += fmt::format("{} on the CPU {}\n", paint.bold("Free"), cpuName(facts_.target().cpu));
+    std::vector<TextRow> rows;
+    for (std::size_t i = 0; i < xref_.free.size();) {
+      const Area area = xref_.free[i].area;
+      std::vector<std::string> names;
+      for (; i < xref_.free.size() && xref_.free[i].area == area; ++i) names.push_back(rangeName(xref_.free[i]));
+      rows.push_back({std::string(areaName(area)), fmt::format("{}", fmt::join(names, ", "))});
+    }
+    appendRows(text, rows, 6);
+  }
+
+  const Facts& facts_;
+  const Xref& xref_;
+  std::vector<std::size_t> shown_;
+  bool whole_;
+  std::size_t useColumn_ = 0;  ///< where the second column begins
+};
+
+/// The last argument is an address if no file has that name and the program knows it.
+std::optional<Operand> takeAddress(std::vector<std::string>& arguments, const Context& context) {
+  std::error_code error;
+  if (arguments.size() < 2 || std::filesystem::exists(arguments.back(), error)) return std::nullopt;
+  const std::vector<std::string> files(arguments.begin(), arguments.end() - 1);
+  Operand address;
+  if (auto direct = lookupIn(Program{})(arguments.back())) {
+    address = *direct;
+  } else if (auto named = lookupIn(readProgram(files, readOptionsOf(context.settings)))(arguments.back())) {
+    address = *named;
+  } else {
+    return std::nullopt;
+  }
+  arguments = files;
+  return address;
+}
+
+Exit run(Context& context, std::vector<std::string> arguments) {
+  const std::optional<Operand> address = takeAddress(arguments, context);
+  ProgramInput input = readInput(context, arguments);
+  if (hasReadErrors(input.program)) {
+    // The list would be wrong where the program was not understood, so the places are shown instead.
+    Report report = startReport("xref", input.program, arguments);
+    sortFindings(report);
+    reporterNamed("human")->write(report, {false, context.settings.flag(Opt::Quiet)}, context.err);
+  }
+  const Facts facts(input.program, input.properties.externals);
+  const Xref xref = crossReference(facts);
+  std::vector<std::size_t> shown;
+  if (address) {
+    shown = entriesTouching(xref, *address);
+  } else {
+    for (std::size_t i = 0; i < xref.entries.size(); ++i) shown.push_back(i);
+  }
+  const XrefWriter writer(facts, xref, std::move(shown), !address);
+  Exit exit = hasReadErrors(input.program) ? Exit::Failed : Exit::Clean;
+  for (const OutputRequest& output : context.outputs) {
+    const std::string text = output.name == "json" ? writer.json() : writer.text(Paint{context.color && output.file.empty()});
+    if (!context.write(output, text)) exit = Exit::Failed;
+  }
+  return exit;
+}
+
+Action setup(CLI::App& app) {
+  auto arguments = std::make_shared<std::vector<std::string>>();
+  app.add_option("FILE", *arguments, "files of the program; a last argument that is no file is an address or symbol to show")->required();
+  return [arguments](Context& context) { return run(context, *arguments); };
+}
+
+}  // namespace
+
+extern constexpr Command xrefCommand = {
+    .name = "xref",
+    .usage = "FILE... [ADDRESS]",
+    .summary = "list who reads and writes each address, overlaps and free areas",
+    .details =
+        "Examples:\n"
+        "    rungproof xref press.awl\n"
+        "    rungproof xref press.awl VW10\n",
+    .shows = option_group::Reading | option_group::Output | option_group::Configuration,
+    .formats = "text|json",
+    .setup = setup,
+};
+
+}  // namespace rungproof

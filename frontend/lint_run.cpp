@@ -1,0 +1,54 @@
+// One lint run.
+#include "frontend/lint_run.hpp"
+
+#include <algorithm>
+
+#include "analysis/lint.hpp"
+#include "analysis/suppress.hpp"
+#include "frontend/code_list.hpp"
+
+namespace rungproof {
+
+Report lintProgram(const Settings& settings, const ProgramInput& input, const std::vector<std::string>& files) {
+  const Program& program = input.program;
+  const RuleSelection selection(settings.list(Opt::Select), settings.list(Opt::Ignore));
+  const Facts facts(program, input.properties.externals);
+  Report report = startReport("lint", program, files);
+
+  const auto isSelected = [&](std::string_view id) {
+    const auto code = codeNamed(id);
+    return !code || selection.includes(id, code->onByDefault);
+  };
+  // Errors of the readers cannot be ignored: what was not read was not checked.
+  std::erase_if(report.findings, [&](const Finding& finding) { return !isReadError(finding) && !isSelected(finding.rule); });
+  std::vector<Finding> found = runRules(facts, selection, settings.ruleSettings());
+  std::move(found.begin(), found.end(), std::back_inserter(report.findings));
+  const PlaceIndex places(program);
+  for (Finding& finding : report.findings) places.complete(finding);
+
+  if (!settings.flag(Opt::NoSuppress)) {
+    const KnownRules known{[](std::string_view id) { return codeNamed(id).has_value(); },
+                           [&](std::string_view id) {
+                             const Rule* rule = ruleNamed(id);
+                             return isSelected(id) && (rule == nullptr || rule->check != nullptr);
+                           }};
+    report.suppressed = applySuppressions(program, known, report.findings);
+    std::erase_if(report.findings, [&](const Finding& finding) { return finding.rule.starts_with("SUP") && !isSelected(finding.rule); });
+  }
+  return report;
+}
+
+Report lintFiles(const Context& context, const std::vector<std::string>& files) {
+  Report report;
+  bool isFirst = true;
+  for (const std::vector<std::string>& group : groupByProgram(context, files)) {
+    Report part = lintProgram(context.settings, readInput(context, group), group);
+    if (isFirst) report = std::move(part);
+    else mergeReport(report, part);
+    isFirst = false;
+  }
+  sortFindings(report);
+  return report;
+}
+
+}  // namespace rungproof

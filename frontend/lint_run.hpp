@@ -1,0 +1,18 @@
+// One lint run: reading, rules, suppression, baseline. The commands lint, baseline and lsp share it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "frontend/command/command.hpp"
+#include "frontend/program_input.hpp"
+
+namespace rungproof {
+
+/// Findings of the readers and of all selected rules, allow-comments applied unless --no-suppress.
+Report lintProgram(const Settings& settings, const ProgramInput& input, const std::vector<std::string>& files);
+
+/// The same for the files of a command line, which may hold several programs.
+Report lintFiles(const Context& context, const std::vector<std::string>& files);
+
+}  // namespace rungproof

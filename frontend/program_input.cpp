@@ -1,0 +1,126 @@
+// From arguments to programs and reports.
+#include "frontend/program_input.hpp"
+
+#include <algorithm>
+
+#include "frontend/operand_reader.hpp"
+
+namespace rungproof {
+
+namespace {
+
+Dialect dialectOf(std::string_view name) {
+  if (name == "s7-200") return Dialect::S7200;
+  if (name == "s7-300") return Dialect::S7300;
+  return name == "s7-400" ? Dialect::S7400 : Dialect::Auto;
+}
+
+Mnemonics mnemonicsOf(std::string_view name) {
+  if (name == "international") return Mnemonics::International;
+  return name == "german" ? Mnemonics::German : Mnemonics::Auto;
+}
+
+/// Index in `into` of the file with that name and text; added if it is not there.
+std::uint32_t indexOf(SourceSet& into, const SourceFile& file) {
+  for (std::uint32_t i = 0; i < into.size(); ++i) {
+    if (into.file(i).name() == file.name() && into.file(i).text() == file.text()) return i;
+  }
+  return into.add(file.name(), std::string(file.text()));
+}
+
+}  // namespace
+
+ReadOptions readOptionsOf(const Settings& settings) {
+  ReadOptions options;
+  options.target = settings.target();
+  options.dialect = dialectOf(settings.text(Opt::Dialect));
+  options.mnemonics = mnemonicsOf(settings.text(Opt::Mnemonics));
+  options.encoding = *encodingNamed(settings.text(Opt::Encoding));
+  options.symbolFiles = settings.list(Opt::Symbols);
+  if (settings.isSet(Opt::StdinFilename)) options.stdinName = std::string(settings.text(Opt::StdinFilename));
+  return options;
+}
+
+OperandLookup lookupIn(const Program& program) {
+  return [&program](std::string_view text) -> std::optional<Operand> {
+    Operand operand;
+    if (readAddress(text, Spelling::International, operand)) return operand;
+    if (const Symbol* symbol = program.symbolNamed(text)) {
+      operand = symbol->address;
+      operand.text = symbol->name;
+      return operand;
+    }
+    if (readAddress(text, Spelling::German, operand)) return operand;
+    return std::nullopt;
+  };
+}
+
+ProgramInput readInput(const Context& context, const std::vector<std::string>& files, const std::vector<std::string>& propertyFiles) {
+  ProgramInput input;
+  input.program = readProgram(files, readOptionsOf(context.settings));
+  input.properties = readProperties(input.program, propertyFiles, lookupIn(input.program));
+  return input;
+}
+
+Report startReport(std::string_view command, const Program& program, const std::vector<std::string>& files) {
+  Report report;
+  report.command = std::string(command);
+  report.sources = program.sources;
+  report.findings = program.findings;
+  report.files = files;
+  report.coverage.understood = program.instructionCount();
+  const auto lost = std::count_if(program.findings.begin(), program.findings.end(), [](const Finding& finding) {
+    return isReadError(finding) && finding.network != 0;
+  });
+  report.coverage.instructions = report.coverage.understood + static_cast<std::size_t>(lost);
+  return report;
+}
+
+std::vector<std::vector<std::string>> groupByProgram(const Context& context, const std::vector<std::string>& files) {
+  if (files.size() < 2 || std::find(files.begin(), files.end(), "-") != files.end()) return {files};
+  ReadOptions options = readOptionsOf(context.settings);
+  options.symbolFiles.clear();
+  std::vector<std::string> mains;
+  std::vector<std::string> others;
+  for (const std::string& file : files) {
+    const Program alone = readProgram({file}, options);
+    (alone.main() != nullptr ? mains : others).push_back(file);
+  }
+  if (mains.size() < 2) return {files};
+  std::vector<std::vector<std::string>> groups;
+  for (const std::string& file : mains) {
+    std::vector<std::string>& group = groups.emplace_back(others);
+    group.insert(group.begin(), file);
+  }
+  return groups;
+}
+
+void mergeReport(Report& report, const Report& part) {
+  auto sources = std::make_shared<SourceSet>();
+  std::vector<std::uint32_t> indices;
+  const auto collect = [&](const SourceSet* set) {
+    indices.clear();
+    for (std::uint32_t i = 0; set != nullptr && i < set->size(); ++i) indices.push_back(indexOf(*sources, set->file(i)));
+  };
+  const auto shifted = [&](Finding finding) {
+    finding.span.file = indices[finding.span.file];
+    for (RelatedPlace& related : finding.related) related.span.file = indices[related.span.file];
+    if (finding.fix) finding.fix->span.file = indices[finding.fix->span.file];
+    return finding;
+  };
+  collect(report.sources.get());
+  for (Finding& finding : report.findings) finding = shifted(std::move(finding));
+  collect(part.sources.get());
+  for (const Finding& finding : part.findings) report.findings.push_back(shifted(finding));
+  report.sources = sources;
+  report.coverage.instructions += part.coverage.instructions;
+  report.coverage.understood += part.coverage.understood;
+  for (const std::string& place : part.coverage.approximated) report.coverage.approximated.push_back(place);
+  for (const std::string& file : part.files) {
+    if (std::find(report.files.begin(), report.files.end(), file) == report.files.end()) report.files.push_back(file);
+  }
+  report.suppressed += part.suppressed;
+  report.baselined += part.baselined;
+}
+
+}  // namespace rungproof

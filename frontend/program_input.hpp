@@ -1,0 +1,40 @@
+// From the arguments of a command to a program, its properties and the beginning of a report. Every command that reads
+// programs goes through here, so that options, standard input and reading errors behave alike everywhere.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/property.hpp"
+#include "frontend/command/command.hpp"
+#include "frontend/project.hpp"
+#include "frontend/property_reader.hpp"
+
+namespace rungproof {
+
+/// What the options say about reading.
+ReadOptions readOptionsOf(const Settings& settings);
+
+/// A program with the properties of its comments and of property files. Findings of both readers are in
+/// Program::findings.
+struct ProgramInput {
+  Program program;
+  PropertySet properties;
+};
+ProgramInput readInput(const Context& context, const std::vector<std::string>& files, const std::vector<std::string>& propertyFiles = {});
+
+/// The operand that an address or a symbol of the program means, for property files, stimuli and command lines.
+OperandLookup lookupIn(const Program& program);
+
+/// A report with sources, findings of the readers and coverage filled in.
+Report startReport(std::string_view command, const Program& program, const std::vector<std::string>& files);
+
+/// The files as programs: one group for each file that holds a main program, together with all files that hold none
+/// (libraries, symbol tables, data blocks). One group if there is at most one main program.
+std::vector<std::vector<std::string>> groupByProgram(const Context& context, const std::vector<std::string>& files);
+
+/// Adds the findings and counts of another program's report; files that both read stand in it once.
+void mergeReport(Report& report, const Report& part);
+
+}  // namespace rungproof
