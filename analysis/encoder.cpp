@@ -6,7 +6,7 @@
 
 namespace rungproof {
 
-class Encoding::Impl {
+class EncodedScan::Impl {
  public:
   Impl(const Program& program, const EncoderOptions& given) : options(given), plan(program), layout(program.target) {
     layout.add(program, plan);
@@ -23,19 +23,19 @@ class Encoding::Impl {
   std::unique_ptr<ScanEncoding> scan;
 };
 
-Encoding::Encoding(const Program& program, const EncoderOptions& options) : impl_(std::make_unique<Impl>(program, options)) {}
-Encoding::~Encoding() = default;
-Encoding::Encoding(Encoding&&) noexcept = default;
-Encoding& Encoding::operator=(Encoding&&) noexcept = default;
+EncodedScan::EncodedScan(const Program& program, const EncoderOptions& options) : impl_(std::make_unique<Impl>(program, options)) {}
+EncodedScan::~EncodedScan() = default;
+EncodedScan::EncodedScan(EncodedScan&&) noexcept = default;
+EncodedScan& EncodedScan::operator=(EncodedScan&&) noexcept = default;
 
-Graph& Encoding::graph() const { return impl_->scan->graph; }
-const Plan& Encoding::plan() const { return impl_->plan; }
-const TimeModel& Encoding::time() const { return impl_->scan->time; }
-const EncoderOptions& Encoding::options() const { return impl_->options; }
+Graph& EncodedScan::graph() const { return impl_->scan->graph; }
+const Plan& EncodedScan::plan() const { return impl_->plan; }
+const TimeModel& EncodedScan::time() const { return impl_->scan->time; }
+const EncoderOptions& EncodedScan::options() const { return impl_->options; }
 
-Node Encoding::atEnd(const Place& place) { return impl_->scan->value(place); }
+Node EncodedScan::atEnd(const Place& place) { return impl_->scan->value(place); }
 
-Node Encoding::atEnd(const Operand& operand, int width) {
+Node EncodedScan::atEnd(const Operand& operand, int width) {
   CHECK(operand.kind == OperandKind::Direct, "only direct operands have a value of their own");
   const auto low = [&](Node n) { return graph().make(Op::Extract, width, n); };
   switch (operand.area) {
@@ -51,17 +51,17 @@ Node Encoding::atEnd(const Operand& operand, int width) {
   }
 }
 
-Node Encoding::atStart(const Place& place) { return impl_->scan->start(place); }
-Node Encoding::firstScan() const { return impl_->scan->start(registerPlace(Reg::FirstScan, 0)); }
-TransitionSystem Encoding::system() { return impl_->scan->system(); }
+Node EncodedScan::atStart(const Place& place) { return impl_->scan->start(place); }
+Node EncodedScan::firstScan() const { return impl_->scan->start(registerPlace(Reg::FirstScan, 0)); }
+TransitionSystem EncodedScan::system() { return impl_->scan->system(); }
 
-const std::vector<HazardRecord>& Encoding::hazards() const { return impl_->scan->hazards; }
-const std::vector<BitWrite>& Encoding::bitWrites() const { return impl_->scan->bitWrites(); }
-const std::vector<Approximation>& Encoding::approximations() const { return impl_->scan->approximations; }
-const std::vector<ExternalInput>& Encoding::externals() const { return impl_->scan->externals; }
-const std::vector<TickSite>& Encoding::tickSites() const { return impl_->scan->tickSites; }
-const std::vector<EventSite>& Encoding::eventSites() const { return impl_->scan->eventSites; }
-const std::vector<Cell>& Encoding::cells() const { return impl_->scan->cells(); }
-Node Encoding::lastTicks() const { return impl_->scan->lastTicks; }
+const std::vector<HazardRecord>& EncodedScan::hazards() const { return impl_->scan->hazards; }
+const std::vector<BitWrite>& EncodedScan::bitWrites() const { return impl_->scan->bitWrites(); }
+const std::vector<Approximation>& EncodedScan::approximations() const { return impl_->scan->approximations; }
+const std::vector<ExternalInput>& EncodedScan::externals() const { return impl_->scan->externals; }
+const std::vector<TickSite>& EncodedScan::tickSites() const { return impl_->scan->tickSites; }
+const std::vector<EventSite>& EncodedScan::eventSites() const { return impl_->scan->eventSites; }
+const std::vector<Cell>& EncodedScan::cells() const { return impl_->scan->cells(); }
+Node EncodedScan::lastTicks() const { return impl_->scan->lastTicks; }
 
 }  // namespace rungproof

@@ -81,12 +81,12 @@ struct EventSite {
 };
 
 /// One scan as a transition system, with the meaning of its variables.
-class Encoding {
+class EncodedScan {
  public:
-  Encoding(const Program& program, const EncoderOptions& options);
-  ~Encoding();
-  Encoding(Encoding&&) noexcept;
-  Encoding& operator=(Encoding&&) noexcept;
+  EncodedScan(const Program& program, const EncoderOptions& options);
+  ~EncodedScan();
+  EncodedScan(EncodedScan&&) noexcept;
+  EncodedScan& operator=(EncodedScan&&) noexcept;
 
   Graph& graph() const;
   const Plan& plan() const;

@@ -8,17 +8,17 @@
 namespace rungproof {
 namespace {
 
-Node cellOf(const Encoding& encoding, std::string_view name) {
+Node cellOf(const EncodedScan& encoding, std::string_view name) {
   for (const Variable& v : encoding.graph().variables()) {
     if (v.name == name) return v.node;
   }
   return noNode;
 }
-Node bitAtEnd(Encoding& encoding, std::string_view operand) { return encoding.atEnd(operandOf(operand), 1); }
+Node bitAtEnd(EncodedScan& encoding, std::string_view operand) { return encoding.atEnd(operandOf(operand), 1); }
 
 TEST(Encoder, SeriesContactIsOneAnd) {
   const Program program = programOf("LD I0.0\nAN I0.1\n= Q0.0");
-  Encoding encoding(program, {});
+  EncodedScan encoding(program, {});
   Graph& g = encoding.graph();
   const Node expected = g.make(Op::And, 1, cellOf(encoding, "I0.0"), g.make(Op::Not, 1, cellOf(encoding, "I0.1")));
   EXPECT_EQ(bitAtEnd(encoding, "Q0.0"), expected);
@@ -26,7 +26,7 @@ TEST(Encoder, SeriesContactIsOneAnd) {
 
 TEST(Encoder, LatchIsSetOrHeldAndNotReset) {
   const Program program = programOf("LD I0.0\nS Q0.0, 1\nLD I0.1\nR Q0.0, 1");
-  Encoding encoding(program, {});
+  EncodedScan encoding(program, {});
   Graph& g = encoding.graph();
   const Node set = cellOf(encoding, "I0.0"), reset = cellOf(encoding, "I0.1"), old = cellOf(encoding, "Q0.0");
   EXPECT_EQ(bitAtEnd(encoding, "Q0.0"), g.make(Op::And, 1, g.make(Op::Or, 1, set, old), g.make(Op::Not, 1, reset)));
@@ -37,7 +37,7 @@ TEST(Encoder, LatchIsSetOrHeldAndNotReset) {
 
 TEST(Encoder, WordsThatAreOnlyMovedAreOneVariable) {
   const Program program = programOf("LD I0.0\nMOVW VW10, VW20");
-  Encoding encoding(program, {});
+  EncodedScan encoding(program, {});
   Graph& g = encoding.graph();
   const Node from = cellOf(encoding, "VW10"), to = cellOf(encoding, "VW20"), enable = cellOf(encoding, "I0.0");
   EXPECT_EQ(encoding.atEnd(operandOf("VW20"), 16), g.make(Op::Ite, 16, enable, from, to));
@@ -46,7 +46,7 @@ TEST(Encoder, WordsThatAreOnlyMovedAreOneVariable) {
 
 TEST(Encoder, JumpedOverCodeKeepsItsOutput) {
   const Program program = programOf("LD I0.0\nJMP 1\nLD I0.1\n= Q0.0\nLBL 1\nLD I0.2\n= Q0.1");
-  Encoding encoding(program, {});
+  EncodedScan encoding(program, {});
   Graph& g = encoding.graph();
   const Node jump = cellOf(encoding, "I0.0");
   EXPECT_EQ(bitAtEnd(encoding, "Q0.0"), g.make(Op::Ite, 1, jump, cellOf(encoding, "Q0.0"), cellOf(encoding, "I0.1")));
@@ -56,7 +56,7 @@ TEST(Encoder, JumpedOverCodeKeepsItsOutput) {
 TEST(Encoder, ForLoopIsUnrolledByItsConstantBounds) {
   // Three rounds add VW2 three times; INDX ends one above FINAL (001:5768).
   const Program program = programOf("LD I0.0\nFOR VW10, 1, 3\nLD SM0.0\nXORW VW2, VW0\nNEXT");
-  Encoding encoding(program, {});
+  EncodedScan encoding(program, {});
   Graph& g = encoding.graph();
   const Node enable = cellOf(encoding, "I0.0"), sum = cellOf(encoding, "VW0");
   EXPECT_EQ(encoding.atEnd(operandOf("VW10"), 16), g.make(Op::Ite, 16, enable, g.constantNode(4, 16), cellOf(encoding, "VW10")));
