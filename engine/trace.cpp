@@ -156,13 +156,14 @@ double numberOf(std::uint64_t value, SignalType type, int width) {
     case SignalType::Bool: return static_cast<double>(value & 1);
     case SignalType::Unsigned: return static_cast<double>(value & Concrete::mask(width));
     case SignalType::Signed: return static_cast<double>(Concrete::toSigned(value, width));
-    case SignalType::Real: return Concrete::real(value);
+    case SignalType::Real:
+    case SignalType::Number: return Concrete::real(value);
   }
   return 0;
 }
 
 std::uint64_t valueOf(double number, SignalType type, int width) {
-  if (type == SignalType::Real) return Concrete::pattern(static_cast<float>(number));
+  if (type == SignalType::Real || type == SignalType::Number) return Concrete::pattern(static_cast<float>(number));
   if (type == SignalType::Bool) return number != 0 ? 1 : 0;
   if (!(std::abs(number) < 9e18)) return 0;
   return static_cast<std::uint64_t>(static_cast<std::int64_t>(number)) & Concrete::mask(width);

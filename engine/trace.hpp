@@ -15,7 +15,8 @@ namespace rungproof {
 
 class Simulator;
 
-enum class SignalType : std::uint8_t { Bool, Unsigned, Signed, Real };
+/// Number: any number, of a column that no program explains.
+enum class SignalType : std::uint8_t { Bool, Unsigned, Signed, Real, Number };
 
 /// One column of a trace.
 struct TraceSignal {
@@ -25,6 +26,7 @@ struct TraceSignal {
   SignalType type = SignalType::Bool;
 
   int width() const { return operand.isMemory() ? bits(operand.width) : type == SignalType::Bool ? 1 : 32; }
+  bool isReal() const { return type == SignalType::Real || type == SignalType::Number; }
 };
 
 struct TraceRow {
@@ -38,6 +40,7 @@ struct Trace {
   std::vector<TraceSignal> signals;
   std::vector<TraceRow> rows;
   bool isByTime = false;  ///< rows are keyed by time, not by scan
+  bool hasTimes = true;   ///< TraceRow::timeUs is known
 
   /// Index of the signal of that name or symbol (case does not matter), or -1.
   int signalNamed(std::string_view name) const;

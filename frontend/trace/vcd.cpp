@@ -34,14 +34,14 @@ std::string plainName(const std::string& name, std::set<std::string>& taken) {
 }
 
 std::string change(const TraceSignal& signal, const std::optional<double>& value, const std::string& id) {
-  if (signal.type == SignalType::Real) return fmt::format("r{:.16g} {}\n", value.value_or(0), id);
+  if (signal.isReal()) return fmt::format("r{:.16g} {}\n", value.value_or(0), id);
   if (signal.width() == 1) return fmt::format("{}{}\n", !value ? 'x' : *value != 0 ? '1' : '0', id);
   if (!value) return fmt::format("bx {}\n", id);
   return fmt::format("b{:b} {}\n", valueOf(*value, signal.type, signal.width()), id);
 }
 
 std::string_view variableType(const TraceSignal& signal) {
-  return signal.type == SignalType::Real ? "real" : "wire";
+  return signal.isReal() ? "real" : "wire";
 }
 
 void write(const Trace& trace, std::string_view title, std::ostream& out) {
@@ -55,7 +55,7 @@ void write(const Trace& trace, std::string_view title, std::ostream& out) {
     const TraceSignal& signal = trace.signals[i];
     const std::string plain = plainName(signal.name, taken);
     names += fmt::format("  {} = {}{}{}\n", plain, signal.name, signal.symbol.empty() ? "" : " ", signal.symbol);
-    variables += fmt::format("$var {} {} {} {} $end\n", variableType(signal), signal.type == SignalType::Real ? 64 : signal.width(), identifier(i), plain);
+    variables += fmt::format("$var {} {} {} {} $end\n", variableType(signal), signal.isReal() ? 64 : signal.width(), identifier(i), plain);
   }
   out << names << "$end\n$scope module " << scope << " $end\n" << variables << "$upscope $end\n$enddefinitions $end\n";
 

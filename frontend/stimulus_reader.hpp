@@ -1,0 +1,31 @@
+// Reads stimulus and trace files (product contract, section 4). The first column is `scan` or `time_ms`; `scan_ms` and
+// `event` have their own meaning; every other column is an address, a symbol, "T37.value", or "BLOCK.n" for output n of a
+// library block. A file with time_ms behind scan is a recorded trace: as a stimulus it sets the inputs, and memory that
+// the program does not write; what the program computes is passed over. Mistakes become failures with file, line and
+// column. Tested by tests/trace/stimulus_test.cpp.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/stimulus.hpp"
+#include "engine/trace.hpp"
+#include "frontend/failure.hpp"
+#include "ir/program.hpp"
+
+namespace rungproof {
+
+/// Reads a stimulus for a program. With failures, the result is not to be used.
+Stimulus readStimulus(const std::string& name, std::string_view text, const Program& program, std::vector<Failure>& failures);
+
+/// Reads an expected or recorded trace; columns become signals of the program.
+Trace readTrace(const std::string& name, std::string_view text, const Program& program, std::vector<Failure>& failures);
+
+/// Reads a trace without a program: columns that are no addresses keep their names, values are taken as numbers.
+Trace readTrace(const std::string& name, std::string_view text, std::vector<Failure>& failures);
+
+/// The signal that an address, a symbol, or one of them with ".value" means; failure text otherwise.
+std::optional<TraceSignal> signalNamed(const Program& program, std::string_view name, Failure& failure);
+
+}  // namespace rungproof
