@@ -39,7 +39,7 @@ std::optional<std::size_t> matchingRow(const Trace& expected, const TraceRow& ro
     if (found == rows.end() || found->scan != row.scan) return std::nullopt;
     return static_cast<std::size_t>(found - rows.begin());
   }
-  if (!expected.isByTime) return row.scan >= 1 && row.scan <= rows.size() ? std::optional<std::size_t>(row.scan - 1) : std::nullopt;
+  if (!expected.isByTime) return std::nullopt;
   if (actual.isByTime) {  // the value holds until the next row
     const auto later = std::upper_bound(rows.begin(), rows.end(), row.timeUs, [](std::uint64_t time, const TraceRow& r) { return time < r.timeUs; });
     if (later == rows.begin() || (later == rows.end() && rows.back().timeUs < row.timeUs)) return std::nullopt;

@@ -1,0 +1,259 @@
+// `rungproof sim`: runs a program on the reference engine with a stimulus, writes traces, compares with an expected one.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <ostream>
+
+#include "engine/stimulus.hpp"
+#include "frontend/command/command.hpp"
+#include "frontend/comparison.hpp"
+#include "frontend/program_input.hpp"
+#include "frontend/run_report.hpp"
+#include "frontend/stimulus_reader.hpp"
+#include "frontend/trace_file.hpp"
+
+namespace rungproof {
+
+namespace {
+
+constexpr std::uint64_t scansByDefault = 100;
+
+struct Arguments {
+  std::vector<std::string> files;
+  std::string stimulus;
+  std::string expect;
+  std::vector<std::string> traces;
+  std::vector<std::string> signals;
+  std::vector<std::string> tolerances;
+  unsigned slack = 0;
+  std::uint64_t scans = 0;
+  std::string duration;
+};
+
+/// What the arguments and files ask for, ready to run.
+struct Job {
+  Stimulus stimulus;
+  std::optional<Trace> expected;
+  CompareOptions compare;
+  std::vector<TraceSignal> signals;
+  std::uint64_t scans = 0;      ///< run at least so many scans
+  std::uint64_t durationUs = 0; ///< and until a scan has begun at this time or later
+  ScanTime scanTime{};
+};
+
+class Preparation {
+ public:
+  Preparation(const Arguments& arguments, const Context& context, const Program& program) : arguments_(arguments), context_(context), program_(program) {}
+
+  Job job() {
+    Job job;
+    readFiles(job);
+    chooseSignals(job);
+    chooseLength(job);
+    using namespace std::chrono_literals;
+    job.scanTime = context_.settings.scanTime().value_or(ScanTime{10ms, 10ms});
+    for (const std::string& name : arguments_.traces) {
+      if (auto failure = checkTraceName(name)) failures.push_back(*failure);
+    }
+    return job;
+  }
+
+  std::vector<Failure> failures;
+
+ private:
+  void readFiles(Job& job) {
+    if (!arguments_.stimulus.empty()) {
+      const std::optional<std::string> text = readFile(context_, arguments_.stimulus, failures);
+      if (text) job.stimulus = readStimulus(arguments_.stimulus, *text, program_, failures);
+    }
+    if (arguments_.expect.empty()) {
+      if (!arguments_.tolerances.empty() || arguments_.slack != 0) failures.push_back({"--tolerance and --slack belong to --expect"});
+      return;
+    }
+    const std::optional<std::string> text = readFile(context_, arguments_.expect, failures);
+    if (!text) return;
+    job.expected = readTrace(arguments_.expect, *text, program_, failures);
+    job.compare.slack = arguments_.slack;
+    for (const std::string& given : arguments_.tolerances) {
+      Failure failure;
+      if (const std::optional<Tolerance> tolerance = toleranceIn(given, *job.expected, failure)) {
+        job.compare.tolerances.push_back(*tolerance);
+      } else {
+        failures.push_back(failure);
+      }
+    }
+  }
+
+  void chooseSignals(Job& job) {
+    if (arguments_.signals.empty()) job.signals = touchedSignals(program_);
+    for (const std::string& name : arguments_.signals) {
+      Failure failure;
+      if (const std::optional<TraceSignal> signal = signalNamed(program_, name, failure)) {
+        job.signals.push_back(signalOf(program_, signal->operand));
+      } else {
+        failures.push_back(failure);
+      }
+    }
+    if (!job.expected) return;
+    Trace known;
+    known.signals = job.signals;
+    for (const TraceSignal& signal : job.expected->signals) {
+      if (known.indexOf(signal) < 0) job.signals.push_back(signalOf(program_, signal.operand));
+    }
+  }
+
+  void chooseLength(Job& job) {
+    const bool isGiven = arguments_.scans != 0 || !arguments_.duration.empty();
+    job.scans = arguments_.scans;
+    if (!arguments_.duration.empty()) {
+      const std::optional<Duration> duration = durationNamed(arguments_.duration);
+      if (!duration || duration->count() <= 0) {
+        failures.push_back({fmt::format("'{}' is no duration", arguments_.duration), {}, "write a number with its unit, such as 30s or 500ms"});
+        return;
+      }
+      job.durationUs = static_cast<std::uint64_t>(duration->count());
+    }
+    if (isGiven) return;
+    if (arguments_.stimulus.empty() && arguments_.expect.empty()) job.scans = scansByDefault;
+    const auto reach = [&](bool isByTime, std::uint64_t scan, std::uint64_t timeUs) {
+      if (isByTime) job.durationUs = std::max(job.durationUs, timeUs + 1);
+      if (!isByTime) job.scans = std::max(job.scans, scan);
+    };
+    if (!job.stimulus.rows.empty()) reach(job.stimulus.isByTime, job.stimulus.rows.back().scan, job.stimulus.rows.back().timeUs);
+    if (job.expected && !job.expected->rows.empty()) reach(job.expected->isByTime, job.expected->rows.back().scan, job.expected->rows.back().timeUs);
+  }
+
+  const Arguments& arguments_;
+  const Context& context_;
+  const Program& program_;
+};
+
+/// Shows on a terminal how far the run is.
+class Progress {
+ public:
+  explicit Progress(const Context& context) : context_(context) {}
+  void show(std::uint64_t scan, std::uint64_t timeUs) {
+    if (!context_.progress || scan % 1024 != 0) return;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ < std::chrono::milliseconds(200)) return;
+    last_ = now;
+    isShown_ = true;
+    context_.err << fmt::format("\rsim: scan {}, {:.1f} s", scan, static_cast<double>(timeUs) / 1e6) << std::flush;
+  }
+  void clear() {
+    if (isShown_) context_.err << "\r\x1B[K" << std::flush;
+  }
+
+ private:
+  const Context& context_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  bool isShown_ = false;
+};
+
+/// Lengths of scans for which the stimulus says nothing: one value, or anything in a range, drawn with --seed.
+class ScanLengths {
+ public:
+  ScanLengths(const ScanTime& range, std::uint64_t seed) : low_(count(range.low)), high_(count(range.high)), state_(seed * 2654435769U + 1) {}
+  std::uint32_t next() {
+    if (low_ == high_) return low_;
+    state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
+    const std::uint32_t unit = low_ % 1000 == 0 && high_ % 1000 == 0 ? 1000 : 1;
+    return low_ + static_cast<std::uint32_t>((state_ >> 33) % ((high_ - low_) / unit + 1)) * unit;
+  }
+
+ private:
+  static std::uint32_t count(Duration duration) { return static_cast<std::uint32_t>(std::min<std::int64_t>(duration.count(), 60000000)); }
+  std::uint32_t low_;
+  std::uint32_t high_;
+  std::uint64_t state_;
+};
+
+Trace record(Simulator& simulator, const Job& job, std::uint64_t seed, const Context& context) {
+  Trace trace;
+  trace.signals = job.signals;
+  StimulusPlayer player(simulator, job.stimulus);
+  ScanLengths lengths(job.scanTime, seed);
+  Progress progress(context);
+  while (simulator.scanCount() < job.scans || simulator.timeUs() < job.durationUs) {
+    ScanRequest request = player.next();
+    if (request.lengthUs == 0) request.lengthUs = lengths.next();
+    simulator.scan(request);
+    trace.rows.push_back(sampleRow(simulator, trace.signals));
+    progress.show(simulator.scanCount(), simulator.timeUs());
+    if (!simulator.isRunning() && !job.expected) break;
+  }
+  progress.clear();
+  return trace;
+}
+
+Exit run(const Arguments& arguments, Context& context) {
+  const Program program = readProgram(arguments.files, readOptionsOf(context.settings));
+  Report report = startReport("sim", program, arguments.files);
+  if (hasReadErrors(program)) return finish(context, std::move(report));
+  report.findings.clear();  // warnings of the readers are lint's
+  if (program.main() == nullptr) return context.fail({"there is no main program to run", arguments.files.front(), "give the file that holds the main program"});
+
+  Preparation preparation(arguments, context, program);
+  const Job job = preparation.job();
+  if (!preparation.failures.empty()) return failAll(context, preparation.failures);
+
+  EngineOptions options;
+  options.choices = context.settings.choices();
+  options.seed = context.settings.seed();
+  Simulator simulator(program, options);
+  const Trace trace = record(simulator, job, options.seed, context);
+
+  for (const std::string& name : arguments.traces) {
+    if (!writeTrace(context, name, trace, program.sources->file(0).name())) return Exit::Failed;
+  }
+  describeRun(report, simulator, job.scanTime);
+  if (job.expected) report.comparison = comparisonOf(*job.expected, trace, firstDifference(*job.expected, trace, job.compare));
+  const bool isFiltered = arguments.traces.empty() && !job.expected && context.outputs.size() == 1 && context.outputs[0].file.empty() &&
+                          context.outputs[0].name == "human";
+  if (!isFiltered) return finish(context, std::move(report));
+  // Nothing else was asked for: the trace itself is the result, and what there is to say goes beside it.
+  if (!writeTrace(context, "-", trace, "")) return Exit::Failed;
+  if (report.findings.empty()) return Exit::Clean;
+  Context beside{context.settings, context.in, context.err, context.err, false, context.progress, context.outputs};
+  return finish(beside, std::move(report));
+}
+
+Action setup(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  app.add_option("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input")->required();
+  app.add_option("--stimulus", arguments->stimulus, "what the inputs do, scan by scan or by time (CSV)")->type_name("FILE");
+  app.add_option("--expect", arguments->expect, "the trace as it should be (CSV)")->type_name("FILE");
+  app.add_option("--trace", arguments->traces, "write the trace: .csv .vcd .json .svg .html, or '-'; may be repeated")->type_name("FILE");
+  app.add_option("--signals", arguments->signals, "addresses or symbols to trace; all that the program touches")->type_name("LIST")->delimiter(',');
+  app.add_option("--scans", arguments->scans, "run so many scans; until stimulus and expected trace end, or 100")->type_name("N");
+  app.add_option("--duration", arguments->duration, "run for this time, such as 30s")->type_name("TIME");
+  app.add_option("--tolerance", arguments->tolerances, "how far a value may be off; may be repeated")->type_name("SIGNAL=VALUE");
+  app.add_option("--slack", arguments->slack, "scans by which a value may come earlier or later")->type_name("N");
+  return [arguments](Context& context) { return run(*arguments, context); };
+}
+
+}  // namespace
+
+extern constexpr Command simCommand = {
+    .name = "sim",
+    .usage = "FILE... [--stimulus FILE] [--expect FILE] [--trace FILE]...",
+    .summary = "run a program on the reference engine",
+    .details =
+        "The first column of a stimulus or an expected trace is 'scan' (from 1) or 'time_ms'; the others are\n"
+        "addresses, symbols, or T37.value for a current value. An empty cell keeps the last value, in an\n"
+        "expected trace it matches anything. Column 'scan_ms' gives the length of scans, column 'event' fires\n"
+        "interrupt events. Expected values are compared with the values at the end of the scan, or of the\n"
+        "scan in which the time falls. A written CSV trace is a stimulus as well.\n"
+        "\n"
+        "Examples:\n"
+        "    rungproof sim press.awl --stimulus start.csv --expect start.expected.csv\n"
+        "    rungproof sim press.awl --stimulus start.csv --trace start.vcd --trace start.html\n"
+        "    rungproof sim press.awl --duration 10s --scan-time 5ms --signals I0.0,Q0.0,T37.value --trace -\n",
+    .shows = option_group::Reading | option_group::Running | option_group::Output | option_group::Configuration,
+    .setup = setup,
+};
+
+}  // namespace rungproof
