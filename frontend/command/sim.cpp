@@ -202,7 +202,7 @@ Exit run(const Arguments& arguments, Context& context) {
 
   EngineOptions options;
   options.choices = context.settings.choices();
-  options.seed = context.settings.seed();
+  options.seed = static_cast<std::uint64_t>(std::stoull(std::string(context.settings.text(Opt::Seed))));
   Simulator simulator(program, options);
   const Trace trace = record(simulator, job, options.seed, context);
 
