@@ -1,0 +1,161 @@
+// Builds monitors into the transition system.
+#include "analysis/obligation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/monitor.hpp"
+
+namespace rungproof {
+
+namespace {
+
+void addObserved(const Property& property, EncoderOptions& options) {
+  for (const Operand* operand : addressesOf(property)) options.observed.push_back(*operand);
+}
+
+Width leafWidth(int bits) { return bits == 1 ? Width::Bit : bits == 8 ? Width::Byte : bits == 16 ? Width::Word : Width::DWord; }
+
+}  // namespace
+
+struct Obligations::Leaf {
+  Obligations& owner;
+  Graph::Bits operator()(const Operand& operand, int width) { return {owner.leaf(operand, width)}; }
+};
+
+Obligations::Obligations(const Program& program, const PropertySet& set, const std::vector<Property>& goals, EncoderOptions options) {
+  for (const Property& property : goals) addObserved(property, options);
+  std::vector<const Property*> everyInstruction;
+  for (const Property& property : goals) {
+    if (property.atEveryInstruction) everyInstruction.push_back(&property);
+  }
+  for (const Property& property : set.properties) {
+    if (!property.isGoal()) addObserved(property, options);
+  }
+  for (const ExternalRange& range : set.externals) {
+    const std::uint32_t last = range.last.offset + static_cast<std::uint32_t>(bytes(range.last.width)) - 1;
+    options.externals.push_back({range.first.area, range.first.offset, last});
+  }
+  options.initialRetentive = options.initialRetentive || set.initialRetentive;
+
+  // Properties over single instructions look at the machine as it is there; their edges and cells are of scan ends.
+  std::vector<Node> badSoFar(everyInstruction.size(), noNode);
+  if (!everyInstruction.empty()) {
+    options.atInstruction = [&](Machine<Graph>& machine, const Instruction&) {
+      Graph& graph = machine.d;
+      for (std::size_t i = 0; i < everyInstruction.size(); ++i) {
+        const auto here = [&](const Operand& o, int width) -> Graph::Bits { return machine.load(o.area, o.offset, leafWidth(width), o.bit); };
+        std::vector<Graph::Bits> none(everyInstruction[i]->cells.size(), graph.literal(0, 1)), ignored = none;
+        const Moment<Graph> moment{graph.constant(false), graph.literal(0, 1), 1};
+        const Graph::Bool bad = Monitor<Graph, decltype(here)>(graph, *everyInstruction[i], here, moment, none, ignored).evaluate();
+        const Graph::Bool now = graph.land(machine.guard, bad);
+        badSoFar[i] = badSoFar[i] == noNode ? now.node : graph.lor({badSoFar[i]}, now).node;
+      }
+    };
+  }
+
+  encoding_ = std::make_unique<Encoding>(program, options);
+  std::size_t next = 0;
+  for (const Property& property : goals) {
+    goals_.push_back({property, noNode, {}});
+    addMonitor(goals_.back());
+    if (property.atEveryInstruction) {
+      const Node within = badSoFar[next++];
+      if (within != noNode) goals_.back().answer = encoding_->graph().lor({goals_.back().answer}, {within}).node;
+    }
+  }
+  for (const Property& property : set.properties) {
+    if (property.isGoal()) continue;
+    assumptions_.push_back({property, noNode, {}});
+    addMonitor(assumptions_.back());
+  }
+}
+
+Node Obligations::leaf(const Operand& operand, int width) {
+  Operand address = operand;
+  if (width != 1 || (operand.area != Area::T && operand.area != Area::C)) address.width = leafWidth(width);
+  const Node node = encoding_->atEnd(address, width);
+  if (node != noNode) return node;
+  const Node fresh = encoding_->graph().variable(toString(operand), width, false);
+  freeAnalog_.push_back(fresh);
+  return fresh;
+}
+
+void Obligations::addMonitor(Obligation& obligation) {
+  Graph& graph = encoding_->graph();
+  std::vector<Graph::Bits> before, after;
+  for (const MonitorCell& cell : obligation.property.cells) before.push_back({graph.variable(cell.name, cell.width, true)});
+  after = before;
+  Leaf look{*this};
+  const Moment<Graph> moment{{encoding_->firstScan()}, {encoding_->time().dt()}, encoding_->time().width()};
+  obligation.answer = Monitor<Graph, Leaf>(graph, obligation.property, look, moment, before, after).evaluate().node;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const MonitorCell& cell = obligation.property.cells[i];
+    cells_.push_back({before[i].node, graph.constantNode(0, cell.width), after[i].node});
+    if (cell.width > 1 && cell.name.find(".time") != std::string::npos) timeCells_.push_back(before[i].node);
+    obligation.state.before.push_back(before[i].node);
+    obligation.state.after.push_back(after[i].node);
+  }
+}
+
+TransitionSystem Obligations::system() {
+  TransitionSystem result = encoding_->system();
+  result.states.insert(result.states.end(), cells_.begin(), cells_.end());
+  result.inputs.insert(result.inputs.end(), freeAnalog_.begin(), freeAnalog_.end());
+  for (const Obligation& assumption : assumptions_) result.constraints.push_back(assumption.answer);
+  result.questions.clear();
+  for (const Obligation& goal : goals_) result.questions.push_back({goal.property.name, goal.answer});
+  result.questions.insert(result.questions.end(), extra_.begin(), extra_.end());
+  return result;
+}
+
+bool Obligations::isTimeState(Node variable) const {
+  if (std::find(timeCells_.begin(), timeCells_.end(), variable) != timeCells_.end()) return true;
+  for (const StateVariable& state : encoding_->time().states()) {
+    if (state.node == variable) return true;
+  }
+  for (const Cell& cell : encoding_->cells()) {
+    if (cell.start != variable) continue;
+    if (cell.place.isRegister) {
+      const Reg reg = cell.place.reg;
+      return reg == Reg::TimerCurrent || reg == Reg::PhaseTen || reg == Reg::PhaseHundred || reg == Reg::PhaseSecond || reg == Reg::PhaseMinute;
+    }
+    return cell.place.area == Area::SM && cell.place.byte() == 0;
+  }
+  return false;
+}
+
+std::optional<Property> premiseOf(const Property& property) {
+  Property premise;
+  premise.kind = PropertyKind::Reach;
+  premise.name = property.name + " (premise)";
+  premise.span = property.span;
+  switch (property.kind) {
+    case PropertyKind::Always: {
+      const ExprNode& root = property.first.root();
+      if (root.op != ExprOp::Implies) return std::nullopt;
+      premise.first.nodes.assign(property.first.nodes.begin(), property.first.nodes.begin() + root.args[0] + 1);
+      break;
+    }
+    case PropertyKind::LeadsToScans:
+    case PropertyKind::LeadsToTime:
+    case PropertyKind::OnlyAfter:
+    case PropertyKind::Unless: premise.first = property.first; break;
+    case PropertyKind::HeldImplies: {
+      premise.first = property.first;
+      ExprNode held;
+      held.op = ExprOp::Held;
+      held.milliseconds = property.bound;
+      held.args = {static_cast<std::uint32_t>(premise.first.nodes.size() - 1)};
+      premise.first.nodes.push_back(held);
+      break;
+    }
+    default: return std::nullopt;
+  }
+  premise.text = premise.first.text = property.first.text;
+  layoutCells(premise);
+  return premise;
+}
+
+}  // namespace rungproof

@@ -1,0 +1,62 @@
+// Obligations: the properties of a program as questions about its encoding. Each property's monitor becomes part of
+// the transition system: its cells are state, its answer is the bad state of a question; assumptions and pulses are
+// constraints. Covered by tests/prover.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "analysis/encoder.hpp"
+#include "analysis/property.hpp"
+
+namespace rungproof {
+
+/// The state variables that stand for one property's cells, in their order.
+struct MonitorState {
+  std::vector<Node> before;
+  std::vector<Node> after;
+};
+
+/// A property with what became of it.
+struct Obligation {
+  Property property;
+  Node answer = noNode;  ///< Monitor::evaluate() at the end of the scan (or at some instruction of it)
+  MonitorState state;
+};
+
+class Obligations {
+ public:
+  /// Encodes the program with the properties' addresses and external ranges in mind. `goals` are what is asked;
+  /// assumptions and pulses among `set` constrain all of them.
+  Obligations(const Program& program, const PropertySet& set, const std::vector<Property>& goals, EncoderOptions options);
+
+  Encoding& encoding() { return *encoding_; }
+  const std::vector<Obligation>& goals() const { return goals_; }
+  const std::vector<Obligation>& assumptions() const { return assumptions_; }
+
+  /// The whole system; questions are those of the goals in their order, then the added ones.
+  TransitionSystem system();
+  /// A further question over nodes of the encoding, for built-in checks.
+  void ask(std::string name, Node bad) { extra_.push_back({std::move(name), bad}); }
+  /// Names of state variables that only measure time: their change does not count as a change of the program.
+  bool isTimeState(Node variable) const;
+
+ private:
+  struct Leaf;
+  void addMonitor(Obligation& obligation);
+  Node leaf(const Operand& operand, int width);
+
+  std::unique_ptr<Encoding> encoding_;
+  std::vector<Obligation> goals_;
+  std::vector<Obligation> assumptions_;
+  std::vector<StateVariable> cells_;
+  std::vector<Node> timeCells_;
+  std::vector<Node> freeAnalog_;
+  std::vector<Question> extra_;
+};
+
+/// What must be reachable so that the property does not hold for want of occasions, as a reach property; nothing for
+/// plain invariants.
+std::optional<Property> premiseOf(const Property& property);
+
+}  // namespace rungproof

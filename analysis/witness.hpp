@@ -1,0 +1,61 @@
+// Witnesses: a run that the solver found, as scans for the reference engine, and what the engine and the property's
+// monitor say about it. Only a run that the engine repeats with the same outcome counts (product contract, section 2).
+// Covered by tests/prover.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "analysis/obligation.hpp"
+#include "engine/replay.hpp"
+
+namespace rungproof {
+
+/// A run at word level: values of state variables before the first scan, and of inputs in every scan. Variables that
+/// are not listed do not matter.
+struct WordTrace {
+  std::vector<std::pair<Node, std::uint64_t>> initial;
+  std::vector<std::vector<std::pair<Node, std::uint64_t>>> inputs;
+};
+
+/// A run of the engine that shows what was asked.
+struct Witness {
+  std::vector<ReplayScan> scans;                 ///< up to and including the scan that shows it
+  std::optional<Concrete::Store> initial;        ///< where retentive memory starts with other values than power-up
+  std::uint64_t scanCount = 0;                   ///< scans of the engine, repeats included
+  std::uint64_t milliseconds = 0;                ///< from the start to the end of the last scan
+};
+
+/// Judges engine runs by the monitors of assumptions and of one goal.
+class Judge {
+ public:
+  Judge(const Program& program, const Choices& choices, const std::vector<Property>& assumptions, const Property& goal);
+
+  struct Outcome {
+    bool shown = false;             ///< the goal's monitor answered true in some scan, with all assumptions kept until then
+    std::uint64_t scan = 0;         ///< engine scans made until then, from 1
+    std::size_t step = 0;           ///< index of its ReplayScan
+    std::uint32_t round = 0;        ///< repeat of that ReplayScan, from 0
+    std::uint64_t milliseconds = 0;
+    bool assumptionBroken = false;
+  };
+  Outcome run(const std::vector<ReplayScan>& scans, const Concrete::Store* initial) const;
+  /// The same run, cut behind the scan that shows the goal; nothing if it is not shown.
+  std::optional<Witness> witness(std::vector<ReplayScan> scans, std::optional<Concrete::Store> initial) const;
+
+ private:
+  const Program& program_;
+  const Choices& choices_;
+  const std::vector<Property>& assumptions_;
+  const Property& goal_;
+};
+
+/// Turns a word-level run of an encoding into scans of the engine. Scans longer than `longest` ms become several.
+std::vector<ReplayScan> scansOf(Encoding& encoding, const TransitionSystem& system, const WordTrace& trace, std::uint32_t longest);
+/// The state that the run starts from, or nothing if it is that of power-up.
+std::optional<Concrete::Store> initialOf(Encoding& encoding, const Program& program, const Choices& choices, const WordTrace& trace);
+
+/// Value of a direct operand in a state, in the width in which it is written; T and C: bit or current value by width.
+std::uint64_t valueIn(const Concrete::Store& state, const Operand& operand);
+
+}  // namespace rungproof
