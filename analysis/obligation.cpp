@@ -24,7 +24,7 @@ struct Obligations::Leaf {
   Graph::Bits operator()(const Operand& operand, int width) { return {owner.leaf(operand, width)}; }
 };
 
-Obligations::Obligations(const Program& program, const PropertySet& set, const std::vector<Property>& goals, EncoderOptions options) {
+Obligations::Obligations(const Program& program, const PropertySet& set, const std::vector<Property>& goals, EncoderOptions options, bool recordExecutions) {
   for (const Property& property : goals) addObserved(property, options);
   std::vector<const Property*> everyInstruction;
   for (const Property& property : goals) {
@@ -41,9 +41,10 @@ Obligations::Obligations(const Program& program, const PropertySet& set, const s
 
   // Properties over single instructions look at the machine as it is there; their edges and cells are of scan ends.
   std::vector<Node> badSoFar(everyInstruction.size(), noNode);
-  if (!everyInstruction.empty()) {
-    options.atInstruction = [&](Machine<Graph>& machine, const Instruction&) {
+  if (!everyInstruction.empty() || recordExecutions) {
+    options.atInstruction = [&](Machine<Graph>& machine, const Instruction& instruction) {
       Graph& graph = machine.d;
+      if (recordExecutions) executions_.emplace_back(&instruction, machine.guard.node);
       for (std::size_t i = 0; i < everyInstruction.size(); ++i) {
         const auto here = [&](const Operand& o, int width) -> Graph::Bits { return machine.load(o.area, o.offset, leafWidth(width), o.bit); };
         std::vector<Graph::Bits> none(everyInstruction[i]->cells.size(), graph.literal(0, 1)), ignored = none;

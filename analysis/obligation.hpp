@@ -28,11 +28,16 @@ class Obligations {
  public:
   /// Encodes the program with the properties' addresses and external ranges in mind. `goals` are what is asked;
   /// assumptions and pulses among `set` constrain all of them.
-  Obligations(const Program& program, const PropertySet& set, const std::vector<Property>& goals, EncoderOptions options);
+  /// recordExecutions: keep under which guard each instruction runs, for built-in checks.
+  Obligations(const Program& program, const PropertySet& set, const std::vector<Property>& goals, EncoderOptions options,
+              bool recordExecutions = false);
 
   Encoding& encoding() { return *encoding_; }
   const std::vector<Obligation>& goals() const { return goals_; }
   const std::vector<Obligation>& assumptions() const { return assumptions_; }
+
+  /// Executions of instructions in one scan, in order, with their guards.
+  const std::vector<std::pair<const Instruction*, Node>>& executions() const { return executions_; }
 
   /// The whole system; questions are those of the goals in their order, then the added ones.
   TransitionSystem system();
@@ -49,6 +54,7 @@ class Obligations {
   std::unique_ptr<Encoding> encoding_;
   std::vector<Obligation> goals_;
   std::vector<Obligation> assumptions_;
+  std::vector<std::pair<const Instruction*, Node>> executions_;
   std::vector<StateVariable> cells_;
   std::vector<Node> timeCells_;
   std::vector<Node> freeAnalog_;

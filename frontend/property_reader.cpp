@@ -88,6 +88,9 @@ class Parser {
       throw Mistake{syntaxRule, head.span, "'at every instruction' goes with always and never only", "leave it out, or state an invariant"};
     }
     layoutCells(property);
+    if (everyInstruction && !property.cells.empty()) {
+      throw Mistake{syntaxRule, head.span, "functions that look back in time are about scan ends, not about single instructions", "leave out 'at every instruction', or the function"};
+    }
     set.properties.push_back(std::move(property));
   }
 
@@ -261,6 +264,12 @@ class Parser {
   }
   std::uint32_t unary(Expr& e) {
     const Token at = peek();
+    if (accept("not")) {  // behind a comparison sign, as in Q0.2 = not Q0.0
+      Nesting nesting(*this);
+      const std::uint32_t arg = unary(e);
+      needTruth(e, arg);
+      return add(e, {.op = ExprOp::Not, .args = {arg}});
+    }
     if (accept("-")) {
       Nesting nesting(*this);
       const std::uint32_t arg = unary(e);

@@ -52,6 +52,7 @@ TEST(PropertyLanguage, BindsAsTheContractSays) {
   EXPECT_EQ(shapeOf("I0.0 implies I0.1 implies I0.2"), "(implies I0.0 (implies I0.1 I0.2))");
   EXPECT_EQ(shapeOf("not VW0 = 3"), "(not (= VW0 3))");
   EXPECT_EQ(shapeOf("VW0 + 2 * VW2 < -VW4"), "(< (+ VW0 (* 2 VW2)) (neg VW4))");
+  EXPECT_EQ(shapeOf("Q0.2 = not (I0.0 or I0.1) and I0.2"), "(and (= Q0.2 (not (or I0.0 I0.1))) I0.2)");
   EXPECT_EQ(shapeOf("(I0.0 or I0.1) and I0.2"), "(and (or I0.0 I0.1) I0.2)");
   EXPECT_EQ(shapeOf("since(I0.0, rises(I0.1)) and held(start, 2s)"), "(and (since I0.0 (rises I0.1)) (held I0.0))");
 }

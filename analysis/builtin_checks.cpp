@@ -1,0 +1,149 @@
+// Gathers the built-in questions from what the encoder recorded.
+#include "analysis/builtin_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "ir/isa.hpp"
+
+namespace rungproof {
+
+namespace {
+
+class Gatherer {
+ public:
+  explicit Gatherer(Obligations& obligations) : obligations_(obligations), encoding_(obligations.encoding()), graph_(encoding_.graph()) {}
+
+  std::vector<BuiltinCheck> run() {
+    setResetConflicts();
+    hazards();
+    timers();
+    return std::move(checks_);
+  }
+
+ private:
+
+  /// Two instructions that write different constants to one bit in one scan, or a latch against a coil that writes the
+  /// opposite (001:2821). S and R in one instruction's row, or the same instruction met twice, do not count.
+  void setResetConflicts() {
+    std::map<Place, std::vector<const BitWrite*>> writes;
+    for (const BitWrite& write : encoding_.bitWrites()) {
+      if (write.instruction != nullptr && isLatchOrCoil(*write.instruction)) writes[write.place].push_back(&write);
+    }
+    for (const auto& [place, list] : writes) {
+      std::map<std::pair<const Instruction*, const Instruction*>, Node> pairs;
+      for (std::size_t i = 0; i < list.size(); ++i) {
+        for (std::size_t k = i + 1; k < list.size(); ++k) addConflict(*list[i], *list[k], pairs);
+      }
+      for (const auto& [pair, bad] : pairs) {
+        BuiltinCheck check{BuiltinKind::SetReset, fmt::format("set/reset conflict on {}", nameOf(place)), "OUT003",
+                           fmt::format("{} is set and reset in one scan; {} comes last and wins", nameOf(place), pair.second->desc->stl), nameOf(place), pair.second, pair.first, bad};
+        checks_.push_back(std::move(check));
+      }
+    }
+  }
+  static bool isLatchOrCoil(const Instruction& instruction) {
+    const std::string_view stl = instruction.desc->stl;
+    return stl == "S" || stl == "R" || stl == "SI" || stl == "RI" || stl == "=" || stl == "=I" || stl == "SR" || stl == "RS";
+  }
+  static bool isLatch(const Instruction& instruction) { return instruction.desc->stl[0] == 'S' || instruction.desc->stl[0] == 'R'; }
+  void addConflict(const BitWrite& a, const BitWrite& b, std::map<std::pair<const Instruction*, const Instruction*>, Node>& pairs) {
+    if (a.instruction == b.instruction || (!isLatch(*a.instruction) && !isLatch(*b.instruction))) return;
+    const Graph::Bool both = graph_.land(graph_.land({a.guard}, {b.guard}), graph_.lxor({a.value}, {b.value}));
+    if (const auto known = graph_.truth(both); known && !*known) return;
+    Node& bad = pairs.try_emplace({a.instruction, b.instruction}, graph_.constant(false).node).first->second;
+    bad = graph_.lor({bad}, both).node;
+  }
+
+  static std::optional<std::pair<BuiltinKind, const char*>> kindOf(Hazard hazard) {
+    switch (hazard) {
+      case Hazard::BadIndirectAddress: return {{BuiltinKind::OperandRange, "PTR001"}};
+      case Hazard::OutOfRange:
+      case Hazard::BadCount: return {{BuiltinKind::OperandRange, "PTR004"}};
+      case Hazard::StringIndexZero: return {{BuiltinKind::OperandRange, "PTR005"}};
+      case Hazard::NestingTooDeep: return {{BuiltinKind::Nesting, "SUB002"}};
+      case Hazard::DivideByZero: return {{BuiltinKind::Division, "ARI001"}};
+      case Hazard::Overflow: return {{BuiltinKind::Overflow, "ARI002"}};
+      case Hazard::FatalIndirectAddress:
+      case Hazard::FatalReal:
+      case Hazard::FatalRange: return {{BuiltinKind::Comparison, "ARI003"}};
+      case Hazard::LoopBound:
+      case Hazard::FatalWatchdog: return {{BuiltinKind::LoopBound, "CTL004"}};
+      default: return std::nullopt;
+    }
+  }
+  void hazards() {
+    std::map<std::pair<const Instruction*, Hazard>, Node> byPlace;
+    std::vector<std::pair<const Instruction*, Hazard>> order;
+    for (const HazardRecord& record : encoding_.hazards()) {
+      if (!kindOf(record.hazard) || record.place == nullptr) continue;
+      const std::pair key{record.place, record.hazard};
+      const auto [found, isNew] = byPlace.try_emplace(key, record.condition);
+      if (isNew) order.push_back(key);
+      else found->second = graph_.lor({found->second}, {record.condition}).node;
+    }
+    for (const auto& key : order) {
+      const auto [kind, rule] = *kindOf(key.second);
+      const HazardInfo& info = hazardInfo(key.second);
+      checks_.push_back({kind, fmt::format("{} at {}", info.text, textOf(*key.first)), rule, fmt::format("{}: {}", textOf(*key.first), info.text), "", key.first, nullptr, byPlace[key]});
+    }
+  }
+
+  static std::string textOf(const Instruction& instruction) {
+    std::string text(instruction.desc->stl);
+    for (std::size_t i = 0; i < instruction.operands.size(); ++i) text += (i == 0 ? " " : ", ") + toString(instruction.operands[i]);
+    return text;
+  }
+
+  void timers() {
+    std::set<std::pair<Area, std::uint32_t>> seen;
+    for (const Flow& flow : encoding_.plan().flows) {
+      for (const FlowStep& step : flow.steps) {
+        const Instruction& box = *step.instruction;
+        if (box.operands.empty() || box.desc->operandCount == 0) continue;
+        const Type type = box.desc->operands[0].type;
+        if (type != Type::Timer && type != Type::Counter) continue;
+        if (!seen.emplace(box.operands[0].area, box.operands[0].offset).second) continue;
+        reachability(box, type == Type::Timer);
+      }
+    }
+  }
+  void reachability(const Instruction& box, bool isTimer) {
+    const Operand& o = box.operands[0];
+    const Place bit = registerPlace(isTimer ? Reg::TimerBit : Reg::CounterBit, o.offset);
+    const Node now = encoding_.atEnd(bit), before = encoding_.atStart(bit);
+    const std::string name = toString(o);
+    checks_.push_back({BuiltinKind::TimerReachable, fmt::format("{} can come on", name), "TIM008", fmt::format("the bit of {} can never be 1", name), name, &box, nullptr, now});
+    const Node falls = graph_.land({before}, graph_.lnot({now})).node;
+    checks_.push_back({BuiltinKind::TimerResettable, fmt::format("{} can be reset", name), "TIM008", fmt::format("once on, the bit of {} never returns to 0", name), name, &box, nullptr, falls});
+    if (isTimer && timerResolution(static_cast<int>(o.offset)) == 100) oncePerScan(o, box);
+  }
+  /// 001:6611: boxes of a 100 ms timer run exactly once in every scan; more than one, or none, makes it run wrongly.
+  void oncePerScan(const Operand& timer, const Instruction& box) {
+    Graph::Bool some = graph_.constant(false), twice = some;
+    for (const auto& [instruction, guard] : obligations_.executions()) {
+      const bool sameTimer = !instruction->operands.empty() && instruction->desc->operandCount > 0 && instruction->desc->operands[0].type == Type::Timer && instruction->operands[0].offset == timer.offset;
+      if (!sameTimer) continue;
+      twice = graph_.lor(twice, graph_.land(some, {guard}));
+      some = graph_.lor(some, {guard});
+    }
+    const Node bad = graph_.lor(graph_.lnot(some), twice).node;
+    if (const auto known = graph_.truth({bad}); known && !*known) return;
+    checks_.push_back({BuiltinKind::TimerOncePerScan, fmt::format("{} runs once a scan", toString(timer)), "TIM004",
+                       fmt::format("{} has a resolution of 100 ms, but its box does not run exactly once in every scan", toString(timer)), toString(timer), &box, nullptr, bad});
+  }
+
+  Obligations& obligations_;
+  Encoding& encoding_;
+  Graph& graph_;
+  std::vector<BuiltinCheck> checks_;
+};
+
+}  // namespace
+
+std::vector<BuiltinCheck> builtinChecks(Obligations& obligations) { return Gatherer(obligations).run(); }
+
+}  // namespace rungproof
