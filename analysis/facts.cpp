@@ -34,6 +34,9 @@ Facts::Facts(const Program& program, std::span<const ExternalRange> externals)
     stack_ = StackRun(program, plan_, pulses);
     execution_ = ExecutionTable(program, plan_, calls_, stack_);
   }
+  hasHiddenCode_ = std::any_of(program.pous.begin(), program.pous.end(), [](const Pou& pou) {
+    return pou.protectedBlock || std::any_of(pou.networks.begin(), pou.networks.end(), [](const Network& n) { return !n.complete; });
+  });
   collectBoxes();
   collectSymbols();
   collectExternals(externals);

@@ -56,6 +56,10 @@ class Facts {
   const StackRun& stack() const { return stack_; }
   const ExecutionTable& execution() const { return execution_; }
 
+  /// Whether some code is not visible: protected blocks, networks that could not be read. Rules that speak of
+  /// something missing are silent then.
+  bool hasHiddenCode() const { return hasHiddenCode_; }
+
   /// Ids of the boxes with that timer or counter number, in program order.
   std::span<const std::uint32_t> timerBoxes(std::uint32_t number) const { return number < 256 ? std::span<const std::uint32_t>(timers_[number]) : std::span<const std::uint32_t>(); }
   std::span<const std::uint32_t> counterBoxes(std::uint32_t number) const { return number < 256 ? std::span<const std::uint32_t>(counters_[number]) : std::span<const std::uint32_t>(); }
@@ -103,6 +107,7 @@ class Facts {
   ExecutionTable execution_;
   std::array<std::vector<std::uint32_t>, 256> timers_, counters_;
   std::vector<std::uint8_t> external_;
+  bool hasHiddenCode_ = false;
   std::unordered_map<std::uint64_t, const Symbol*> symbolByAddress_;
   std::unordered_map<std::string_view, const Symbol*> symbolByName_;
 };

@@ -65,8 +65,9 @@ struct Bracket {
 
 class Run {
  public:
-  Run(const Program& program, const KnownBits& known, std::vector<StackFault>& faults, std::vector<StackPoint>& points)
-      : known_(known), faults_(faults), points_(points), showsRungs_(!program.olderDialect) {}
+  using Inputs = std::unordered_map<std::uint32_t, std::vector<Condition>>;
+  Run(const Program& program, const KnownBits& known, std::vector<StackFault>& faults, std::vector<StackPoint>& points, Inputs& inputs)
+      : known_(known), faults_(faults), points_(points), inputs_(inputs), showsRungs_(!program.olderDialect) {}
 
   void block(const Flow& flow) {
     entries_.clear();
@@ -253,6 +254,8 @@ class Run {
   /// A box that takes its lower inputs from the stack (001:3994-4004).
   void boxInputs(const Instruction& at, std::size_t needed) {
     std::size_t found = 0;
+    std::vector<Condition>& conditions = inputs_[at.id];
+    for (std::size_t k = 0; k < needed; ++k) conditions.push_back(flowOf(k));
     for (std::size_t k = 0; k < needed; ++k) {
       Entry* entry = level(k);
       const bool isForeign = entry != nullptr && !isOwn(k);
@@ -331,6 +334,7 @@ class Run {
   const KnownBits& known_;
   std::vector<StackFault>& faults_;
   std::vector<StackPoint>& points_;
+  Inputs& inputs_;
   bool showsRungs_;
   std::vector<Entry> entries_;
   std::vector<Bracket> brackets_;       ///< open LPS of this network
@@ -347,7 +351,7 @@ class Run {
 
 StackRun::StackRun(const Program& program, const Plan& plan, const KnownBits& known) {
   points_.resize(program.instructionCount());
-  Run run(program, known, faults_, points_);
+  Run run(program, known, faults_, points_, inputs_);
   for (const Flow& flow : plan.flows) run.block(flow);
 }
 

@@ -72,10 +72,16 @@ class StackRun {
 
   std::span<const StackFault> faults() const { return faults_; }
   const StackPoint& at(std::uint32_t instruction) const { return points_[instruction]; }
+  /// Conditions of the inputs of a box with several, top first; empty for other instructions.
+  std::span<const Condition> inputs(std::uint32_t instruction) const {
+    const auto found = inputs_.find(instruction);
+    return found == inputs_.end() ? std::span<const Condition>() : std::span<const Condition>(found->second);
+  }
 
  private:
   std::vector<StackFault> faults_;
   std::vector<StackPoint> points_;
+  std::unordered_map<std::uint32_t, std::vector<Condition>> inputs_;
 };
 
 /// Condition of a contact on that bit: SM0.0, SM0.1 and bits in `known`.

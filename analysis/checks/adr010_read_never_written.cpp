@@ -28,6 +28,7 @@ bool isWritten(const Facts& facts, const Access& access) {
 }
 
 void check(const Facts& facts, FindingSink& sink) {
+  if (facts.hasHiddenCode()) return;
   std::unordered_set<std::uint64_t> seen;
   for (const Access& access : facts.accesses().all()) {
     if (access.write || access.maybe || access.viaPointer || access.operand == impliedOperand || access.bit > 7) continue;

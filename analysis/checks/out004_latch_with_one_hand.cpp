@@ -61,6 +61,7 @@ void checkInstruction(const Facts& facts, FindingSink& sink, const Instruction& 
 }
 
 void check(const Facts& facts, FindingSink& sink) {
+  if (facts.hasHiddenCode()) return;
   std::vector<std::uint8_t> seen(facts.bits().size(), 0);
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;

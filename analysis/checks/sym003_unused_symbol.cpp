@@ -28,7 +28,7 @@ bool addressIsUsed(const Facts& facts, const Operand& address) {
 }
 
 void check(const Facts& facts, FindingSink& sink) {
-  if (facts.program().symbols.empty()) return;
+  if (facts.program().symbols.empty() || facts.hasHiddenCode()) return;
   std::unordered_set<std::string_view> used;
   for (const InstructionPlace& place : facts.instructions()) {
     for (const Operand& operand : place.instruction->operands) {
