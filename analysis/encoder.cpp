@@ -62,6 +62,17 @@ const std::vector<ExternalInput>& EncodedScan::externals() const { return impl_-
 const std::vector<TickSite>& EncodedScan::tickSites() const { return impl_->scan->tickSites; }
 const std::vector<EventSite>& EncodedScan::eventSites() const { return impl_->scan->eventSites; }
 const std::vector<Cell>& EncodedScan::cells() const { return impl_->scan->cells(); }
-Node EncodedScan::lastTicks() const { return impl_->scan->lastTicks; }
+std::vector<const BoundarySite*> EncodedScan::boundaries() const {
+  std::vector<const BoundarySite*> all;
+  for (const TickSite& t : tickSites()) all.push_back(&t.where);
+  for (const EventSite& e : eventSites()) all.push_back(&e.where);
+  return all;
+}
+const std::vector<Node>& EncodedScan::visits(std::uint32_t instruction) const {
+  static const std::vector<Node> none;
+  const auto found = impl_->scan->visits.find(instruction);
+  return found == impl_->scan->visits.end() ? none : found->second;
+}
+std::vector<Place> EncodedScan::places() const { return impl_->scan->places(); }
 
 }  // namespace rungproof

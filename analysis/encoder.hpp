@@ -15,6 +15,7 @@
 #include "analysis/symbolic_store.hpp"
 #include "analysis/time_model.hpp"
 #include "analysis/transition_system.hpp"
+#include "engine/scan_script.hpp"
 #include "engine/start_up.hpp"
 #include "ir/choices.hpp"
 #include "ir/plan.hpp"
@@ -67,17 +68,17 @@ struct ExternalInput {
 /// A place in the scan at which ticks or interrupts can come: in front of one execution of an instruction.
 struct BoundarySite {
   std::uint32_t instruction;  ///< Instruction::id, or ScanPlace::afterProgram
-  std::vector<Node> earlier;  ///< guards of the executions of that instruction before this one
+  std::uint32_t visit;        ///< index in EncodedScan::visits(instruction)
   Node guard;                 ///< whether the scan comes here
 };
 struct TickSite {
   BoundarySite where;
-  Node ticks;  ///< of 1 ms
+  Node ticks;  ///< of 1 ms, 16 bits
 };
 struct EventSite {
   BoundarySite where;
   int event;
-  Node fires;
+  Node fires;  ///< the event comes, is attached and enabled
 };
 
 /// One scan as a transition system, with the meaning of its variables.
@@ -111,10 +112,13 @@ class EncodedScan {
   const std::vector<ExternalInput>& externals() const;
   const std::vector<TickSite>& tickSites() const;
   const std::vector<EventSite>& eventSites() const;
+  /// All places of tick and event sites, and the guards of the executions of an instruction in the order of the scan.
+  std::vector<const BoundarySite*> boundaries() const;
+  const std::vector<Node>& visits(std::uint32_t instruction) const;
   /// Places whose values at the start of a scan are inputs (I, external memory, status written by devices) or state.
   const std::vector<Cell>& cells() const;
-  /// What is left of dt after the ticks of tickSites(); it passes after the program.
-  Node lastTicks() const;
+  /// Everything that has been read or written up to now except local memory, as runs of bits and registers.
+  std::vector<Place> places() const;
 
  private:
   class Impl;

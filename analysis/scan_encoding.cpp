@@ -67,6 +67,7 @@ void ScanEncoding::endOfScan() {
     }
   }
   refreshSpecialMemory(m, elapsed);
+  m.setSm(4, 7, graph.constant(false));  // nothing is forced
 }
 
 void ScanEncoding::before(Runner& runner, const FlowStep& step) {

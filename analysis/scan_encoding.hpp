@@ -38,7 +38,8 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   std::vector<ExternalInput> externals;
   std::vector<TickSite> tickSites;
   std::vector<EventSite> eventSites;
-  Node lastTicks = noNode;
+  std::map<std::uint32_t, std::vector<Node>> visits;  ///< by instruction that has a site: guards of its executions
+  std::vector<Place> places() const { return store_.places(); }
   const std::vector<Cell>& cells() const { return store_.cells(); }
   const std::vector<BitWrite>& bitWrites() const { return store_.bitWrites(); }
   /// External analog input read last, by word address; noNode if none.

@@ -179,24 +179,37 @@ void Graph::Store::forgetLocal(std::uint32_t frame, std::uint32_t byte, std::uin
   for (std::uint32_t i = 0; i < 8; ++i) bits[at * 8 + i] = {};
 }
 
-void Graph::Store::havoc(Bool guard, std::function<Node(const Place&)> fresh) {
-  // What has a value changes now; the rest when it is touched.
-  for (const Area area : {Area::I, Area::Q, Area::AQ, Area::V, Area::M, Area::S, Area::SM}) {
-    const std::vector<BitRef>& bits = bits_[static_cast<std::size_t>(area)];
+std::vector<Place> Graph::Store::places() const {
+  std::vector<Place> result;
+  for (int a = 0; a < areaCount; ++a) {
+    const Area area = static_cast<Area>(a);
+    const std::vector<BitRef>& bits = bits_[static_cast<std::size_t>(a)];
+    if (area == Area::L) continue;
     for (std::uint32_t at = 0; at < bits.size(); ++at) {
       if (bits[at].node == noNode) continue;
       std::uint32_t run = 1;
       while (run < 64 && at + run < bits.size() && bits[at + run].node == bits[at].node && bits[at + run].low + run == bits[at].low) ++run;
-      const Place place{false, area, Reg::Accumulator, at, static_cast<std::uint8_t>(run)};
-      put(area, at, place.width, graph_.make(Op::Ite, place.width, guard.node, fresh(place), value(place)));
+      result.push_back({false, area, Reg::Accumulator, at, static_cast<std::uint8_t>(run)});
       at += run - 1;
     }
   }
-  for (const Reg reg : {Reg::TimerCurrent, Reg::CounterCurrent}) {
-    std::vector<Node>& nodes = registers_[static_cast<std::size_t>(reg)];
+  for (const RegInfo& info : regTable) {
+    const std::vector<Node>& nodes = registers_[static_cast<std::size_t>(info.reg)];
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-      if (nodes[i] != noNode) nodes[i] = graph_.make(Op::Ite, regInfo(reg).width, guard.node, fresh(registerPlace(reg, i)), nodes[i]);
+      if (nodes[i] != noNode) result.push_back(registerPlace(info.reg, i));
     }
+  }
+  return result;
+}
+
+void Graph::Store::havoc(Bool guard, std::function<Node(const Place&)> fresh) {
+  // What has a value changes now; the rest when it is touched.
+  for (const Place& place : places()) {
+    const bool isReachable = !place.isRegister || place.reg == Reg::TimerCurrent || place.reg == Reg::CounterCurrent;
+    if (!isReachable) continue;
+    const Node changed = graph_.make(Op::Ite, place.width, guard.node, fresh(place), value(place));
+    if (place.isRegister) registers_[static_cast<std::size_t>(place.reg)][place.at] = changed;
+    else put(place.area, place.at, place.width, changed);
   }
   havocs_.push_back({guard.node, std::move(fresh)});
 }

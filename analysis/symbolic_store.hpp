@@ -86,6 +86,8 @@ class Graph::Store {
   /// Any value may stand in any place that a pointer can reach, where `guard` holds; fresh(place) makes the values.
   void havoc(Bool guard, std::function<Node(const Place&)> fresh);
 
+  /// What has a value except local memory: runs of bits of one node, and registers.
+  std::vector<Place> places() const;
   /// Cells in the order of first touch.
   const std::vector<Cell>& cells() const { return cells_; }
   const std::vector<BitWrite>& bitWrites() const { return bitWrites_; }

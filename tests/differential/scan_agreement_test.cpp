@@ -1,0 +1,127 @@
+// The transition system and the reference engine, on random programs: the same inputs, times and external values lead
+// to the same state after every scan, in every place that the program touches. A failing program is shrunk before it
+// is shown. RUNGPROOF_SEED chooses other programs, RUNGPROOF_PROGRAMS how many.
+#include <gtest/gtest.h>
+
+#include "analysis/scan_run.hpp"
+#include "tests/differential/program_generator.hpp"
+
+namespace rungproof {
+namespace {
+
+struct Outcome {
+  std::string difference;  ///< empty: both sides agree
+  int scans = 0;
+  bool isExact = true;     ///< false: the encoder approximated, so the run proves nothing
+};
+
+std::uint64_t valueIn(const Concrete::Store& store, const Place& place) {
+  if (place.isRegister) return store.get(place.reg, place.at);
+  std::uint64_t value = 0;
+  for (std::uint32_t i = 0; i < place.width; ++i) {
+    const std::uint32_t at = place.at + i;
+    value = value << 1 | store.load(place.area, at / 8 * 8 + 7 - at % 8, 1);
+  }
+  return value;
+}
+
+/// What both sides must agree on. The phases of the tick clocks are kept as digits in the transition system.
+bool isCompared(const Place& place) {
+  return !place.isRegister || (place.reg != Reg::PhaseTen && place.reg != Reg::PhaseHundred && place.reg != Reg::PhysicalOutput);
+}
+
+Outcome compare(const RandomProgram& random, std::uint64_t seed, int scanCount, const EncoderOptions& options) {
+  const Program program = random.program();
+  EncodedScan scan(program, options);
+  const TransitionSystem system = scan.system();
+  Outcome outcome;
+  outcome.isExact = scan.approximations().empty();
+  if (!outcome.isExact) return outcome;
+  std::vector<Place> places;
+  std::vector<Node> ends;
+  for (const Place& place : scan.places()) {
+    if (!isCompared(place)) continue;
+    places.push_back(place);
+    ends.push_back(scan.atEnd(place));
+  }
+  ScanRun run(scan, system, ends);
+  RandomSource inputs(seed);
+  run.start();
+  std::vector<ReplayScan> script;
+  std::vector<std::vector<std::uint64_t>> expected;
+  for (int k = 0; k < scanCount; ++k) {
+    bool isScan = false;
+    for (int tries = 0; tries < 200 && !isScan; ++tries) {
+      for (const Node input : system.inputs) {
+        if (tries == 0 && k > 0 && inputs.chance(60)) continue;  // most inputs keep their values for a while
+        const int width = scan.graph()[input].width;
+        run.set(input, tries > 20 && inputs.chance(50) ? inputs.below(10) : inputs.value(width));
+      }
+      isScan = run.evaluate();
+    }
+    if (!isScan) break;  // the program has stopped
+    script.push_back(run.script());
+    expected.emplace_back();
+    for (const Node end : ends) expected.back().push_back(run[end]);
+    run.advance();
+  }
+  const ReplayResult result = replay(program, options.choices, script);
+  outcome.scans = static_cast<int>(result.states.size());
+  if (result.states.size() != script.size()) outcome.difference = "engine made " + std::to_string(result.states.size()) + " of " + std::to_string(script.size()) + " scans";
+  for (std::size_t k = 0; k < result.states.size() && outcome.difference.empty(); ++k) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const std::uint64_t actual = valueIn(result.states[k], places[i]);
+      if (actual == expected[k][i]) continue;
+      outcome.difference += "scan " + std::to_string(k + 1) + ", " + nameOf(places[i]) + ": engine " + std::to_string(actual) + ", transition system " +
+                            std::to_string(expected[k][i]) + "\n";
+    }
+  }
+  if (outcome.difference.empty() && result.unusedExternals != 0) outcome.difference = std::to_string(result.unusedExternals) + " external values unused";
+  return outcome;
+}
+
+RandomProgram shrunk(RandomProgram program, std::uint64_t seed, int scans, const EncoderOptions& options) {
+  for (std::size_t i = program.size(); i-- > 0;) {
+    const RandomProgram smaller = program.without(i);
+    if (!compare(smaller, seed, scans, options).difference.empty()) program = smaller;
+  }
+  return program;
+}
+
+int programCount(int standard) {
+  const char* given = std::getenv("RUNGPROOF_PROGRAMS");
+  return given == nullptr ? standard : std::atoi(given);
+}
+
+void runAll(const GeneratorOptions& generator, const EncoderOptions& options, int programs, int scans, std::uint64_t offset) {
+  int total = 0, exact = 0;
+  programs = programCount(programs);
+  for (int i = 0; i < programs; ++i) {
+    const std::uint64_t seed = testSeed() + offset + static_cast<std::uint64_t>(i);
+    RandomSource random(seed);
+    const RandomProgram program = randomProgram(random, generator);
+    const Outcome outcome = compare(program, seed, scans, options);
+    total += outcome.scans;
+    exact += outcome.isExact ? 1 : 0;
+    if (outcome.difference.empty()) continue;
+    const RandomProgram small = shrunk(program, seed, scans, options);
+    FAIL() << "seed " << seed << "\n" << small.text() << compare(small, seed, scans, options).difference;
+  }
+  std::printf("%d scans of %d programs compared, %d programs not exact\n", total, programs, programs - exact);
+  EXPECT_GT(exact * 2, programs) << "too many programs were approximated";
+}
+
+TEST(ScanAgreement, PlainPrograms) {
+  runAll({.rungs = 8, .jumps = false, .loops = false, .subroutines = false}, {}, 300, 40, 0);
+}
+
+TEST(ScanAgreement, ControlFlow) { runAll({.rungs = 8}, {}, 300, 40, 10000); }
+
+TEST(ScanAgreement, FixedScanTime) {
+  EncoderOptions options;
+  options.time = {13, 13, false};
+  runAll({.rungs = 6}, options, 80, 40, 20000);
+}
+
+}  // namespace
+}  // namespace rungproof
