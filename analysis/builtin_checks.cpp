@@ -137,7 +137,7 @@ class Gatherer {
   }
 
   Obligations& obligations_;
-  Encoding& encoding_;
+  EncodedScan& encoding_;
   Graph& graph_;
   std::vector<BuiltinCheck> checks_;
 };

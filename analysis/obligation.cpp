@@ -56,7 +56,7 @@ Obligations::Obligations(const Program& program, const PropertySet& set, const s
     };
   }
 
-  encoding_ = std::make_unique<Encoding>(program, options);
+  encoding_ = std::make_unique<EncodedScan>(program, options);
   std::size_t next = 0;
   for (const Property& property : goals) {
     goals_.push_back({property, noNode, {}});

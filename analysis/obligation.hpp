@@ -32,7 +32,7 @@ class Obligations {
   Obligations(const Program& program, const PropertySet& set, const std::vector<Property>& goals, EncoderOptions options,
               bool recordExecutions = false);
 
-  Encoding& encoding() { return *encoding_; }
+  EncodedScan& encoding() { return *encoding_; }
   const std::vector<Obligation>& goals() const { return goals_; }
   const std::vector<Obligation>& assumptions() const { return assumptions_; }
 
@@ -51,7 +51,7 @@ class Obligations {
   void addMonitor(Obligation& obligation);
   Node leaf(const Operand& operand, int width);
 
-  std::unique_ptr<Encoding> encoding_;
+  std::unique_ptr<EncodedScan> encoding_;
   std::vector<Obligation> goals_;
   std::vector<Obligation> assumptions_;
   std::vector<std::pair<const Instruction*, Node>> executions_;

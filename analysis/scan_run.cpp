@@ -38,10 +38,8 @@ ScanRun::ScanRun(const EncodedScan& scan, const TransitionSystem& system, std::s
     : scan_(scan), system_(system), values_(scan.graph(), rootsOf(scan, system, watched)) {}
 
 void ScanRun::start() {
-  for (const StateVariable& s : system_.states) {
-    const bool isKnown = s.init != noNode && scan_.graph()[s.init].op == Op::Constant;
-    values_.set(s.node, isKnown ? scan_.graph()[s.init].value : 0);
-  }
+  values_.run();
+  for (const StateVariable& s : system_.states) values_.set(s.node, s.init == noNode ? 0 : values_[s.init]);
 }
 
 bool ScanRun::evaluate() {

@@ -2,10 +2,9 @@
 #include "analysis/witness.hpp"
 
 #include <algorithm>
-#include <unordered_map>
 
-#include "analysis/evaluate.hpp"
 #include "analysis/monitor.hpp"
+#include "analysis/scan_run.hpp"
 #include "engine/start_up.hpp"
 
 namespace rungproof {
@@ -95,109 +94,17 @@ std::optional<Witness> Judge::witness(std::vector<ReplayScan> scans, std::option
   return Witness{std::move(scans), std::move(initial), outcome.scan, outcome.milliseconds};
 }
 
-namespace {
-
-/// The valuation of one scan over all nodes of interest.
-class Valuation {
- public:
-  Valuation(Encoding& encoding, const TransitionSystem& system, const WordTrace& trace) : system_(system), trace_(trace), evaluator_(encoding.graph(), roots(encoding, system)) {
-    for (const StateVariable& state : system.states) {
-      Evaluator init(encoding.graph(), std::span(&state.init, state.init == noNode ? 0 : 1));
-      if (state.init != noNode) {
-        init.run();
-        before_[state.node] = init[state.init];
-      }
-    }
-    for (const auto& [node, value] : trace.initial) before_[node] = value;
-  }
-
-  void load(std::size_t scan) {
-    for (const Node input : system_.inputs) evaluator_.set(input, 0);
-    for (const auto& [node, value] : before_) evaluator_.set(node, value);
-    for (const auto& [node, value] : trace_.inputs[scan]) evaluator_.set(node, value);
-    evaluator_.run();
-  }
-  void advance() {
-    std::unordered_map<Node, std::uint64_t> after;
-    for (const StateVariable& state : system_.states) after[state.node] = evaluator_[state.next];
-    before_ = std::move(after);
-  }
-  std::uint64_t operator[](Node n) const { return n == noNode ? 0 : evaluator_[n]; }
-
- private:
-  static std::vector<Node> roots(Encoding& encoding, const TransitionSystem& system) {
-    std::vector<Node> nodes{encoding.time().dt(), encoding.lastTicks()};
-    const auto add = [&](Node n) {
-      if (n != noNode) nodes.push_back(n);
-    };
-    for (const StateVariable& state : system.states) add(state.next);
-    for (const Node input : system.inputs) add(input);
-    for (const ExternalInput& external : encoding.externals()) {
-      add(external.node);
-      add(external.guard);
-    }
-    const auto addSite = [&](const BoundarySite& where) {
-      add(where.guard);
-      for (const Node earlier : where.earlier) add(earlier);
-    };
-    for (const TickSite& site : encoding.tickSites()) {
-      addSite(site.where);
-      add(site.ticks);
-    }
-    for (const EventSite& site : encoding.eventSites()) {
-      addSite(site.where);
-      add(site.fires);
-    }
-    for (const Cell& cell : encoding.cells()) add(cell.start);
-    nodes.erase(std::remove(nodes.begin(), nodes.end(), noNode), nodes.end());
-    return nodes;
-  }
-
-  const TransitionSystem& system_;
-  const WordTrace& trace_;
-  Evaluator evaluator_;
-  std::unordered_map<Node, std::uint64_t> before_;
-};
-
-ScanPlace placeOf(const BoundarySite& where, const Valuation& value) {
-  const auto visits = std::count_if(where.earlier.begin(), where.earlier.end(), [&](Node n) { return value[n] != 0; });
-  return {where.instruction, static_cast<std::uint32_t>(visits)};
-}
-
-void addPresets(const Cell& cell, std::uint64_t value, std::vector<PresetValue>& presets) {
-  if (cell.place.isRegister) return;
-  for (std::uint32_t i = 0; i < cell.place.width; ++i) {
-    const std::uint32_t at = cell.place.at + i;
-    presets.push_back({direct(cell.place.area, Width::Bit, at / 8, 7 - at % 8), value >> (cell.place.width - 1U - i) & 1U});
-  }
-}
-
-ReplayScan scanAt(Encoding& encoding, const Valuation& value) {
-  ReplayScan scan;
-  for (const Cell& cell : encoding.cells()) {
-    if (cell.kind == CellKind::Input) addPresets(cell, value[cell.start], scan.inputs);
-  }
-  for (const ExternalInput& external : encoding.externals()) {
-    if (value[external.guard] != 0) scan.externals.push_back({external.site, value[external.node]});
-  }
-  for (const TickSite& site : encoding.tickSites()) {
-    if (value[site.where.guard] != 0 && value[site.ticks] != 0) scan.script.ticks1.push_back({placeOf(site.where, value), static_cast<std::uint32_t>(value[site.ticks])});
-  }
-  for (const EventSite& site : encoding.eventSites()) {
-    if (value[site.where.guard] != 0 && value[site.fires] != 0) scan.script.events.push_back({placeOf(site.where, value), site.event});
-  }
-  return scan;
-}
-
-}  // namespace
-
-std::vector<ReplayScan> scansOf(Encoding& encoding, const TransitionSystem& system, const WordTrace& trace, std::uint32_t longest) {
+std::vector<ReplayScan> scansOf(EncodedScan& encoding, const TransitionSystem& system, const WordTrace& trace, std::uint32_t longest) {
   std::vector<ReplayScan> scans;
-  Valuation value(encoding, system, trace);
-  for (std::size_t i = 0; i < trace.inputs.size(); ++i) {
-    value.load(i);
-    ReplayScan scan = scanAt(encoding, value);
-    const auto length = static_cast<std::uint32_t>(std::max<std::uint64_t>(value[encoding.time().dt()], 1));
+  ScanRun run(encoding, system);
+  run.start();
+  for (const auto& [node, value] : trace.initial) run.set(node, value);
+  for (const auto& inputs : trace.inputs) {
+    for (const Node input : system.inputs) run.set(input, 0);
+    for (const auto& [node, value] : inputs) run.set(node, value);
+    run.evaluate();
+    ReplayScan scan = run.script();
+    const std::uint32_t length = std::max(scan.lengthMs, 1U);
     scan.lengthMs = std::min(length, longest);
     if (length > longest) {
       // Ticks and events of the scan belong to its first part; the stretch repeats the same inputs.
@@ -211,27 +118,23 @@ std::vector<ReplayScan> scansOf(Encoding& encoding, const TransitionSystem& syst
     } else {
       scans.push_back(std::move(scan));
     }
-    value.advance();
+    run.advance();
   }
   return scans;
 }
 
-std::optional<Concrete::Store> initialOf(Encoding& encoding, const Program&, const Choices& choices, const WordTrace& trace) {
-  std::unordered_map<Node, std::uint64_t> values(trace.initial.begin(), trace.initial.end());
-  std::optional<Concrete::Store> state;
-  for (const Cell& cell : encoding.cells()) {
-    const auto found = values.find(cell.start);
-    if (found == values.end() || cell.kind != CellKind::State) continue;
-    if (!state) state = powerUpState(encoding.plan(), choices);
-    if (cell.place.isRegister) {
-      state->set(cell.place.reg, cell.place.at, found->second, true);
-      continue;
-    }
-    std::vector<PresetValue> presets;
-    addPresets(cell, found->second, presets);
-    for (const PresetValue& preset : presets) state->save(preset.operand.area, preset.operand.offset * 8 + preset.operand.bit, 1, preset.value, true);
-  }
-  return state;
+std::optional<Concrete::Store> initialOf(EncodedScan& encoding, const Program&, const Choices&, const WordTrace& trace) {
+  const std::vector<Cell>& cells = encoding.cells();
+  const bool isGiven = std::any_of(trace.initial.begin(), trace.initial.end(), [&](const auto& given) {
+    return std::any_of(cells.begin(), cells.end(), [&](const Cell& cell) { return cell.kind == CellKind::State && cell.start == given.first; });
+  });
+  if (!isGiven) return std::nullopt;
+  const TransitionSystem system = encoding.system();
+  ScanRun run(encoding, system);
+  run.start();
+  for (const auto& [node, value] : trace.initial) run.set(node, value);
+  run.evaluate();
+  return run.initialState();
 }
 
 }  // namespace rungproof

@@ -51,9 +51,9 @@ class Judge {
 };
 
 /// Turns a word-level run of an encoding into scans of the engine. Scans longer than `longest` ms become several.
-std::vector<ReplayScan> scansOf(Encoding& encoding, const TransitionSystem& system, const WordTrace& trace, std::uint32_t longest);
+std::vector<ReplayScan> scansOf(EncodedScan& encoding, const TransitionSystem& system, const WordTrace& trace, std::uint32_t longest);
 /// The state that the run starts from, or nothing if it is that of power-up.
-std::optional<Concrete::Store> initialOf(Encoding& encoding, const Program& program, const Choices& choices, const WordTrace& trace);
+std::optional<Concrete::Store> initialOf(EncodedScan& encoding, const Program& program, const Choices& choices, const WordTrace& trace);
 
 /// Value of a direct operand in a state, in the width in which it is written; T and C: bit or current value by width.
 std::uint64_t valueIn(const Concrete::Store& state, const Operand& operand);
