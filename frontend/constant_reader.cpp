@@ -77,7 +77,7 @@ ConstantResult readDecimal(std::string_view text) {
   return give(value, isSigned ? ConstantForm::SignedDecimal : ConstantForm::Decimal);
 }
 
-ConstantResult readQuoted(std::string_view text, Encoding encoding) {
+ConstantResult readQuoted(std::string_view text, TextEncoding encoding) {
   const char kind = quoteAt(text, 0).kind;
   const std::optional<std::string> characters = unquoted(text, encoding);
   if (!characters) return fail(ConstantFault::BadDigits);
@@ -112,7 +112,7 @@ ConstantResult readTyped(std::string_view prefix, std::string_view rest) {
 
 }  // namespace
 
-std::optional<std::string> unquoted(std::string_view text, Encoding encoding) {
+std::optional<std::string> unquoted(std::string_view text, TextEncoding encoding) {
   if (text.empty()) return std::nullopt;
   const Quote open = quoteAt(text, 0);
   if (open.length == 0) return std::nullopt;
@@ -146,7 +146,7 @@ std::optional<std::string> unquoted(std::string_view text, Encoding encoding) {
   return std::nullopt;
 }
 
-ConstantResult readConstant(std::string_view text, Encoding encoding) {
+ConstantResult readConstant(std::string_view text, TextEncoding encoding) {
   if (text.empty()) return fail(ConstantFault::NotAConstant);
   if (quoteAt(text, 0).length > 0) return readQuoted(text, encoding);
   const char first = text[0];

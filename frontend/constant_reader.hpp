@@ -22,11 +22,11 @@ struct ConstantResult {
 /// Reads 12, +12, -12, 16#FF, 2#1010_1010, 1.5, 1E-3, 'AB', "text", B#1, W#16#1F, DW#5, TRUE, OFF. Integers up to 32 bits
 /// (16# and 2#: up to 64 bits are kept, so that a rule can report the place); reals as IEEE single.
 /// NotAConstant: the text begins like something else (an address, a name).
-ConstantResult readConstant(std::string_view text, Encoding encoding = Encoding::Utf8);
+ConstantResult readConstant(std::string_view text, TextEncoding encoding = TextEncoding::Utf8);
 
 /// Characters between quotation marks, escapes undone: $$ $' $" $L $N $P $R $T $hh. Typographic marks count as marks.
 /// Nothing if `text` is not enclosed.
-std::optional<std::string> unquoted(std::string_view text, Encoding encoding = Encoding::Utf8);
+std::optional<std::string> unquoted(std::string_view text, TextEncoding encoding = TextEncoding::Utf8);
 
 /// What is wrong, for a message: "has a digit that does not belong to its base".
 std::string_view faultText(ConstantFault fault);

@@ -11,7 +11,7 @@ namespace rungproof {
 
 class DataBlockReader {
  public:
-  DataBlockReader(std::string_view text, SyntaxSink& sink, Encoding encoding) : text_(text), sink_(sink), encoding_(encoding) {}
+  DataBlockReader(std::string_view text, SyntaxSink& sink, TextEncoding encoding) : text_(text), sink_(sink), encoding_(encoding) {}
 
   /// Forgets the running address.
   void begin();
@@ -25,7 +25,7 @@ class DataBlockReader {
 
   std::string_view text_;
   SyntaxSink& sink_;
-  Encoding encoding_;
+  TextEncoding encoding_;
   bool hasPlace_ = false;
   bool isOlder_ = false;     ///< "B 100": a text is its characters without a length byte
   std::uint32_t offset_ = 0;

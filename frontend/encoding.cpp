@@ -83,7 +83,7 @@ void repairUtf8(DecodedText& result) {
 
 /// How well the bytes above 0x7F fit each code page: GB18030 needs pairs; CP1251 Cyrillic has words of many high
 /// letters; CP1252 has single high letters between ASCII ones.
-Encoding guess(std::string_view bytes) {
+TextEncoding guess(std::string_view bytes) {
   std::size_t pairs = 0, broken = 0, cyrillic = 0, highRuns = 0, high = 0;
   for (std::size_t i = 0; i < bytes.size();) {
     const auto byte = static_cast<unsigned char>(bytes[i]);
@@ -110,7 +110,7 @@ Encoding guess(std::string_view bytes) {
     }
     i = end;
   }
-  if (high == 0) return Encoding::Utf8;
+  if (high == 0) return TextEncoding::Utf8;
   const bool everyRunIsPaired = broken == 0 && pairs * 2 >= high - high / 8;
   const bool isMostlyCyrillic = cyrillic * 10 >= high * 8 && high >= highRuns * 2;
   if (everyRunIsPaired && !(isMostlyCyrillic && pairs * 2 < high)) {
@@ -121,9 +121,9 @@ Encoding guess(std::string_view bytes) {
       if (byte >= 0xE0) ++lower;
       if (byte >= 0xB0 && byte <= 0xD7) ++firstLevel;
     }
-    return lower > 2 * firstLevel && isMostlyCyrillic ? Encoding::Cp1251 : Encoding::Gb18030;
+    return lower > 2 * firstLevel && isMostlyCyrillic ? TextEncoding::Cp1251 : TextEncoding::Gb18030;
   }
-  return isMostlyCyrillic ? Encoding::Cp1251 : Encoding::Cp1252;
+  return isMostlyCyrillic ? TextEncoding::Cp1251 : TextEncoding::Cp1252;
 }
 
 bool startsWith(std::string_view bytes, std::string_view mark) { return bytes.substr(0, mark.size()) == mark; }
@@ -159,14 +159,14 @@ void tidy(DecodedText& result) {
 
 }  // namespace
 
-std::optional<Encoding> encodingNamed(std::string_view name) {
+std::optional<TextEncoding> encodingNamed(std::string_view name) {
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i].first == name) return static_cast<Encoding>(i);
+    if (names[i].first == name) return static_cast<TextEncoding>(i);
   }
   return std::nullopt;
 }
 
-std::string_view encodingName(Encoding encoding) { return names[static_cast<std::size_t>(encoding)].first; }
+std::string_view encodingName(TextEncoding encoding) { return names[static_cast<std::size_t>(encoding)].first; }
 
 bool isValidUtf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
@@ -177,7 +177,7 @@ bool isValidUtf8(std::string_view text) {
   return true;
 }
 
-DecodedText decode(std::string_view bytes, Encoding encoding) {
+DecodedText decode(std::string_view bytes, TextEncoding encoding) {
   DecodedText result;
   if (const char* utf16 = utf16Kind(bytes)) {
     result.wasUtf16 = true;
@@ -186,11 +186,11 @@ DecodedText decode(std::string_view bytes, Encoding encoding) {
   } else {
     if (startsWith(bytes, "\xEF\xBB\xBF")) {
       bytes.remove_prefix(3);
-      encoding = Encoding::Utf8;
+      encoding = TextEncoding::Utf8;
     }
-    if (encoding == Encoding::Auto) encoding = isValidUtf8(bytes) ? Encoding::Utf8 : guess(bytes);
+    if (encoding == TextEncoding::Auto) encoding = isValidUtf8(bytes) ? TextEncoding::Utf8 : guess(bytes);
     result.encoding = encoding;
-    if (encoding == Encoding::Utf8) {
+    if (encoding == TextEncoding::Utf8) {
       result.text = bytes;
     } else {
       result.text = convert(bytes, names[static_cast<std::size_t>(encoding)].second);
@@ -204,8 +204,8 @@ DecodedText decode(std::string_view bytes, Encoding encoding) {
   return result;
 }
 
-std::string encodeForController(std::string_view utf8, Encoding encoding) {
-  const bool singleByteLatin = encoding == Encoding::Auto || encoding == Encoding::Utf8;
+std::string encodeForController(std::string_view utf8, TextEncoding encoding) {
+  const bool singleByteLatin = encoding == TextEncoding::Auto || encoding == TextEncoding::Utf8;
   const Converter target = singleByteLatin ? nullptr : open(names[static_cast<std::size_t>(encoding)].second);
   std::string result;
   for (std::size_t i = 0; i < utf8.size();) {

@@ -10,15 +10,15 @@
 
 namespace rungproof {
 
-enum class Encoding : std::uint8_t { Auto, Utf8, Cp1252, Cp1251, Gb18030 };
+enum class TextEncoding : std::uint8_t { Auto, Utf8, Cp1252, Cp1251, Gb18030 };
 
 /// "utf-8", "cp1252", "cp1251", "gb18030", "auto", or nothing.
-std::optional<Encoding> encodingNamed(std::string_view name);
-std::string_view encodingName(Encoding encoding);
+std::optional<TextEncoding> encodingNamed(std::string_view name);
+std::string_view encodingName(TextEncoding encoding);
 
 struct DecodedText {
   std::string text;  ///< valid UTF-8 without byte order mark; a lone CR became LF
-  Encoding encoding = Encoding::Utf8;
+  TextEncoding encoding = TextEncoding::Utf8;
   bool wasUtf16 = false;
   std::size_t badBytes = 0;       ///< places that the encoding does not know, now U+FFFD
   std::size_t firstBad = 0;       ///< offset of the first in `text`
@@ -26,11 +26,11 @@ struct DecodedText {
   std::size_t firstControl = 0;
 };
 
-DecodedText decode(std::string_view bytes, Encoding encoding);
+DecodedText decode(std::string_view bytes, TextEncoding encoding);
 
 /// Bytes of a UTF-8 text in that code page, as the controller would hold them; characters that the code page
-/// lacks, and all characters under Encoding::Utf8 above U+00FF, keep their UTF-8 bytes.
-std::string encodeForController(std::string_view utf8, Encoding encoding);
+/// lacks, and all characters under TextEncoding::Utf8 above U+00FF, keep their UTF-8 bytes.
+std::string encodeForController(std::string_view utf8, TextEncoding encoding);
 
 bool isValidUtf8(std::string_view text);
 

@@ -21,7 +21,7 @@ inline constexpr int Certain = 100;  ///< a heading that no other kind has, or t
 /// One text on its way into the program.
 struct InputText {
   std::uint32_t file = 0;  ///< index in Program::sources
-  Encoding encoding = Encoding::Utf8;
+  TextEncoding encoding = TextEncoding::Utf8;
   bool isSymbolFile = false;  ///< named by --symbols
 };
 

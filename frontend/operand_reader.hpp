@@ -23,7 +23,7 @@ struct OperandResult {
 
 struct OperandContext {
   Spelling spelling = Spelling::International;
-  Encoding encoding = Encoding::Utf8;
+  TextEncoding encoding = TextEncoding::Utf8;
 };
 
 /// Reads one operand; names become OperandKind::Symbol (value -1) for the resolver, with * & # kept in the text.

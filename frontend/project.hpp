@@ -17,7 +17,7 @@ struct ReadOptions {
   Target target{};
   Dialect dialect = Dialect::Auto;
   Mnemonics mnemonics = Mnemonics::Auto;
-  Encoding encoding = Encoding::Auto;
+  TextEncoding encoding = TextEncoding::Auto;
   std::vector<std::string> symbolFiles{};   ///< read as symbol tables whatever they look like
   std::string stdinName = "<stdin>";        ///< name of the file `-` in messages
 };
