@@ -1,5 +1,5 @@
 // Running rules over a program: which of them, in which order, and what they found. Reports and suppression come
-// after. Tested by tests/analysis/lint_test.cpp.
+// after. Tested by tests/cli/rule_table_test.cpp.
 #pragma once
 
 #include <span>

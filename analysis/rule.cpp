@@ -1,4 +1,4 @@
-// Look-ups in the table of rules, and the sink that completes findings. Tested by tests/analysis/rule_table_test.cpp.
+// Look-ups in the table of rules, and the sink that completes findings. Tested by tests/cli/rule_table_test.cpp.
 #include "analysis/rule.hpp"
 
 #include <algorithm>

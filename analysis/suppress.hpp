@@ -1,7 +1,7 @@
 // Silencing of findings by comments `// rungproof: allow ADR001 REASON`. A comment behind an instruction, or alone on
 // the line before one, speaks for that instruction's line; before the first instruction of a network for the network;
 // in the head of a block for the block. A comment that silences nothing is a finding itself (SUP001), and so is one
-// that names no rule or gives no reason (SUP002). Tested by tests/analysis/suppress_test.cpp.
+// that names no rule or gives no reason (SUP002). Tested by tests/cli/suppress_test.cpp.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,6 @@
 // The cross reference: for every address the instructions that read and write it, at which width, what overlaps it,
 // and which parts of each area nobody uses. A view of the access lists that the rules use too (access.hpp); the
-// commands `xref` and the editor server print it. Tested by tests/analysis/xref_test.cpp.
+// commands `xref` and the editor server print it. Tested by tests/cli/xref_test.cpp.
 #pragma once
 
 #include <cstdint>

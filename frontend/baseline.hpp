@@ -1,6 +1,6 @@
 // The baseline: findings of an old project that are known and not to be reported again. A JSON file, one entry for
 // each fingerprint with its count, so that it is readable in reviews and merges line by line. It only ever shrinks:
-// entries that match nothing are findings (SUP003). Tested by tests/frontend/baseline_test.cpp.
+// entries that match nothing are findings (SUP003). Tested by tests/cli/baseline_test.cpp.
 #pragma once
 
 #include <cstdint>

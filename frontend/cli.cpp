@@ -59,6 +59,10 @@ Failure usageFailure(const CLI::ParseError& error, const CLI::App& app, const Co
   if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
     return {error.what(), {}, fmt::format("usage: rungproof {} {}", command.name, command.usage)};
   }
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+    const std::string what = error.what();
+    return {fmt::format("{} needs a value", what.substr(0, what.find(':'))), {}, seeHelp};
+  }
   return {error.what(), {}, seeHelp};
 }
 

@@ -1,4 +1,4 @@
-// Text in two columns. Tested by tests/frontend/columns_test.cpp.
+// Text in two columns. Tested by the golden tests of help pages.
 #include "frontend/columns.hpp"
 
 #include <algorithm>

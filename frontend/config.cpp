@@ -1,5 +1,5 @@
 // Reading of rungproof.toml with toml++. Every unknown key, wrong type and bad value is an error with its place: a
-// setting that is silently ignored is worse than none. Tested by tests/frontend/config_test.cpp.
+// setting that is silently ignored is worse than none. Tested by tests/golden/config and tests/cli/exit_test.cpp.
 #include "frontend/config.hpp"
 
 #include <fmt/core.h>

@@ -1,6 +1,6 @@
 // Excerpts of source text with a marked range, as compilers print them: correct with tabs, wide characters (CJK takes
 // two columns of a terminal), combining marks and very long lines, of which a window around the range is shown.
-// Tested by tests/frontend/excerpt_test.cpp.
+// Tested by tests/cli/excerpt_test.cpp.
 #pragma once
 
 #include <string>

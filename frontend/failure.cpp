@@ -1,4 +1,4 @@
-// Printing of failures, and the distance between words behind "did you mean". Tested by tests/frontend/failure_test.cpp
+// Printing of failures, and the distance between words behind "did you mean". Tested by tests/cli/settings_test.cpp
 // and the golden tests of usage errors.
 #include "frontend/failure.hpp"
 

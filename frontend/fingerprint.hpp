@@ -1,6 +1,6 @@
 // A name for a finding that survives edits elsewhere in the file: rule, block, address, and the text of its line
 // without spaces. Line and network numbers are left out, because inserting a network must not make old findings new.
-// The baseline file and the SARIF report use it. Tested by tests/frontend/baseline_test.cpp.
+// The baseline file and the SARIF report use it. Tested by tests/cli/baseline_test.cpp.
 #pragma once
 
 #include <string>

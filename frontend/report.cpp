@@ -1,4 +1,4 @@
-// Counting and ordering of results. Tested by tests/frontend/report_test.cpp.
+// Counting and ordering of results. Tested by tests/cli/report_test.cpp.
 #include "frontend/report/report.hpp"
 
 #include <fmt/core.h>

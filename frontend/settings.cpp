@@ -1,5 +1,5 @@
 // Values of the common options in this run: defaults, configuration file, command line, in rising order of rank.
-// Tested by tests/frontend/settings_test.cpp.
+// Tested by tests/cli/settings_test.cpp.
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SUP001: an allow-comment that silences nothing. Spoken by analysis/suppress.cpp, which knows what each comment
-// silenced; tested by tests/analysis/suppress_test.cpp.
+// silenced; tested by tests/cli/suppress_test.cpp.
 #include "analysis/rule.hpp"
 
 namespace rungproof {

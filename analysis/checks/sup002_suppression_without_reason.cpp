@@ -1,5 +1,5 @@
 // SUP002: an allow-comment without a rule id or without a reason. Spoken by analysis/suppress.cpp; tested by
-// tests/analysis/suppress_test.cpp.
+// tests/cli/suppress_test.cpp.
 #include "analysis/rule.hpp"
 
 namespace rungproof {

@@ -89,8 +89,8 @@ std::optional<Page> pageOf(const std::string& word, const Settings& settings, co
   if (word == "choices") return choicesPage(paint, settings);
   if (auto page = groupPage(upper, paint)) return page;
   if (const auto code = codeNamed(upper)) {
-    return Page{fmt::format("{}: {}\n\n  {} of the readers, cannot be silenced if it is an error\n\n  {}\n    {}\n", paint.bold(code->id), paint.bold(code->title),
-                            severityName(code->severity), paint.bold("Help"), code->help),
+    return Page{fmt::format("{}: {}\n\n  {} of the readers{}\n\n  {}\n    {}\n", paint.bold(code->id), paint.bold(code->title), severityName(code->severity),
+                            code->severity == Severity::Error ? "; it cannot be silenced, and the exit code is 2" : "", paint.bold("Help"), code->help),
                 {{"id", code->id}, {"title", code->title}, {"severity", severityName(code->severity)}, {"help", code->help}}};
   }
   for (const HazardInfo& info : hazardTable) {

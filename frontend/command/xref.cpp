@@ -30,6 +30,7 @@ class XrefWriter {
 
   std::string text(const Paint& paint) const {
     std::string text;
+    if (shown_.empty()) text += "no instruction names it\n\n";
     for (const std::size_t i : shown_) appendEntry(text, xref_.entries[i], paint);
     if (!xref_.throughPointers.empty()) {
       text += fmt::format("{} (these may touch other addresses too)\n", paint.bold("Through pointers"));
@@ -39,6 +40,7 @@ class XrefWriter {
       text += '\n';
     }
     if (whole_) appendFree(text, paint);
+    if (text.ends_with("\n\n")) text.pop_back();
     return text;
   }
 

@@ -32,7 +32,8 @@ class HumanWriter {
     for (const PropertyResult& property : report_.properties) writeProperty(property);
     if (report_.comparison) writeComparison(*report_.comparison);
     if (!report_.properties.empty()) writeBasis();
-    if (!style_.quiet) out_ << closingLine() << '\n';
+    const bool saidAll = report_.comparison && report_.findings.empty() && report_.properties.empty();
+    if (!style_.quiet && !saidAll) out_ << closingLine() << '\n';
   }
 
  private:
@@ -149,7 +150,7 @@ class HumanWriter {
     add(summary.proved, "property proved or reached", "properties proved or reached");
     add(summary.violated, "violated", "violated");
     add(summary.undecided, "undecided", "undecided");
-    if (text.empty()) text = report_.comparison ? std::string("compared") : std::string("no findings");
+    if (text.empty()) text = "no findings";
     std::string tail;
     if (report_.coverage.instructions > 0) {
       tail = fmt::format(" in {} instruction{}", report_.coverage.instructions, report_.coverage.instructions == 1 ? "" : "s");

@@ -1,6 +1,6 @@
 // What a run found, ready to be reported: findings, properties, comparison, coverage. Every command that judges a
 // program fills one Report and hands it to finish(); one file of this folder per output form prints it.
-// The JSON form is a contract, see schema.json beside this file; tests/frontend/report_test.cpp validates against it.
+// The JSON form is a contract, see schema.json beside this file; tests/cli/report_test.cpp validates against it.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SARIF 2.1.0, the exchange form of static analysers: rules with their pages, results with regions, related places,
-// fixes and stable fingerprints. tests/frontend/report_forms_test.cpp checks the requirements of the standard.
+// fixes and stable fingerprints. tests/cli/report_test.cpp checks the requirements of the standard.
 #include <fmt/core.h>
 
 #include <map>

@@ -1,0 +1,171 @@
+// Counting, exit codes and the JSON contract of reports, on reports made by hand.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "frontend/report/report.hpp"
+#include "program_run.hpp"
+#include "schema_check.hpp"
+
+namespace rungproof {
+namespace {
+
+Finding finding(const std::string& rule, Severity severity, std::uint32_t offset = 0) {
+  Finding f;
+  f.rule = rule;
+  f.severity = severity;
+  f.message = "message of " + rule;
+  f.span = {0, offset, 2};
+  return f;
+}
+
+PropertyResult property(VerdictWord verdict) {
+  PropertyResult result;
+  result.name = "p";
+  result.verdict = verdict;
+  result.depth = 7;
+  return result;
+}
+
+Report reportWith(std::vector<Finding> findings, std::vector<PropertyResult> properties = {}) {
+  Report report;
+  report.command = "lint";
+  auto sources = std::make_shared<SourceSet>();
+  sources->add("a.awl", "LD I0.0\n= Q0.0\n");
+  report.sources = sources;
+  report.findings = std::move(findings);
+  report.properties = std::move(properties);
+  return report;
+}
+
+std::string written(std::string_view form, const Report& report) {
+  std::ostringstream out;
+  reporterNamed(form)->write(report, {}, out);
+  return out.str();
+}
+
+nlohmann::json schema() { return nlohmann::json::parse(test::contentOf(std::string(RUNGPROOF_SOURCE_DIR) + "/frontend/report/schema.json")); }
+
+TEST(ExitOf, FollowsTheContract) {
+  EXPECT_EQ(exitOf(reportWith({})), Exit::Clean);
+  EXPECT_EQ(exitOf(reportWith({finding("ADR011", Severity::Note)})), Exit::Found);
+  EXPECT_EQ(exitOf(reportWith({finding("SYN010", Severity::Error), finding("ADR001", Severity::Error)})), Exit::Failed);
+  EXPECT_EQ(exitOf(reportWith({finding("PRP001", Severity::Error)})), Exit::Failed);
+  EXPECT_EQ(exitOf(reportWith({finding("SYN018", Severity::Note)})), Exit::Found);
+  EXPECT_EQ(exitOf(reportWith({}, {property(VerdictWord::Proved), property(VerdictWord::Reachable)})), Exit::Clean);
+  EXPECT_EQ(exitOf(reportWith({}, {property(VerdictWord::Unknown), property(VerdictWord::Violated)})), Exit::Found);
+  for (const VerdictWord verdict : {VerdictWord::Unreachable, VerdictWord::Vacuous}) EXPECT_EQ(exitOf(reportWith({}, {property(verdict)})), Exit::Found);
+  for (const VerdictWord verdict : {VerdictWord::Unknown, VerdictWord::HoldsToBound, VerdictWord::NotCovered}) {
+    EXPECT_EQ(exitOf(reportWith({}, {property(verdict)})), Exit::Undecided);
+  }
+  Report compared = reportWith({});
+  compared.comparison = Comparison{};
+  EXPECT_EQ(exitOf(compared), Exit::Clean);
+  compared.comparison->equal = false;
+  EXPECT_EQ(exitOf(compared), Exit::Found);
+}
+
+TEST(Worse, PrefersFailedThenFoundThenUndecided) {
+  EXPECT_EQ(worse(Exit::Undecided, Exit::Found), Exit::Found);
+  EXPECT_EQ(worse(Exit::Failed, Exit::Found), Exit::Failed);
+  EXPECT_EQ(worse(Exit::Clean, Exit::Undecided), Exit::Undecided);
+}
+
+TEST(SortFindings, OrdersByPlaceAndDropsRepetitions) {
+  Report report = reportWith({finding("B", Severity::Note, 9), finding("A", Severity::Error, 0), finding("B", Severity::Note, 9)});
+  sortFindings(report);
+  ASSERT_EQ(report.findings.size(), 2u);
+  EXPECT_EQ(report.findings[0].rule, "A");
+}
+
+TEST(JsonReport, ConformsToItsSchema) {
+  Report report = reportWith({finding("ADR001", Severity::Error), finding("STK006", Severity::Note, 8)},
+                             {property(VerdictWord::HoldsToBound), property(VerdictWord::Proved)});
+  report.findings[0].related.push_back({{0, 8, 1}, "second place"});
+  report.findings[0].pou = "MAIN";
+  report.findings[0].network = 3;
+  report.comparison = Comparison{false, 7, 70, "Q0.0", 1, 0, {}, {}};
+  report.assumptions = {"CPU 226"};
+  report.properties[1].assumptions = {"inputs are free"};
+  const nlohmann::json json = nlohmann::json::parse(written("json", report));
+  EXPECT_EQ(test::schemaFaults(json, schema()), std::vector<std::string>());
+  EXPECT_EQ(json["findings"][1]["line"], 2);
+  EXPECT_EQ(json["findings"][1]["column"], 1);
+  EXPECT_EQ(json["properties"][0]["verdict"], "HOLDS TO BOUND 7");
+  EXPECT_EQ(json["properties"][1]["assumptions"], (std::vector<std::string>{"CPU 226", "inputs are free"}));
+  EXPECT_EQ(json["comparison"], nlohmann::json({{"equal", false}, {"scan", 7}, {"time_ms", 70}, {"signal", "Q0.0"}, {"expected", 1}, {"actual", 0}}));
+  EXPECT_EQ(json["summary"], nlohmann::json({{"errors", 1}, {"warnings", 0}, {"notes", 1}, {"proved", 1}, {"violated", 0}, {"undecided", 1}}));
+}
+
+TEST(JsonReport, KeepsTextThatIsNotUtf8Readable) {
+  Report report = reportWith({finding("ADR001", Severity::Error)});
+  report.findings[0].message = "name \xFF";
+  EXPECT_FALSE(nlohmann::json::parse(written("json", report), nullptr, false).is_discarded());
+}
+
+TEST(SchemaCheck, NoticesWhatDoesNotConform) {
+  nlohmann::json json = nlohmann::json::parse(written("json", reportWith({finding("ADR001", Severity::Error)})));
+  json["findings"][0]["severity"] = "fatal";
+  json["findings"][0].erase("rule");
+  json["extra"] = 1;
+  json["summary"]["errors"] = "one";
+  EXPECT_EQ(test::schemaFaults(json, schema()).size(), 4u);
+}
+
+// SARIF 2.1.0: section 3.27.5 ruleId, 3.27.6 ruleIndex into tool.driver.rules, 3.30 regions from 1, 3.4.3 URIs.
+TEST(SarifReport, MeetsTheRequirementsOfTheStandard) {
+  Report report = reportWith({finding("ADR001", Severity::Error), finding("STK006", Severity::Note, 8), finding("ADR001", Severity::Error, 8)});
+  auto sources = std::make_shared<SourceSet>();
+  sources->add("pump station #2.awl", "LD I0.0\n= Q0.0\n");
+  report.sources = sources;
+  const nlohmann::json log = nlohmann::json::parse(written("sarif", report));
+  EXPECT_EQ(log["version"], "2.1.0");
+  const nlohmann::json& sarifRun = log["runs"][0];
+  const nlohmann::json& rules = sarifRun["tool"]["driver"]["rules"];
+  ASSERT_EQ(sarifRun["results"].size(), 3u);
+  EXPECT_EQ(rules.size(), 2u);
+  for (const nlohmann::json& result : sarifRun["results"]) {
+    EXPECT_EQ(rules[result["ruleIndex"].get<std::size_t>()]["id"], result["ruleId"]);
+    const nlohmann::json& place = result["locations"][0]["physicalLocation"];
+    EXPECT_EQ(place["artifactLocation"]["uri"], "pump%20station%20%232.awl");
+    EXPECT_GE(place["region"]["startLine"].get<int>(), 1);
+    EXPECT_GE(place["region"]["startColumn"].get<int>(), 1);
+    EXPECT_GT(place["region"]["endColumn"].get<int>(), place["region"]["startColumn"].get<int>());
+  }
+}
+
+TEST(GithubReport, EscapesWhatTheCommandFormReserves) {
+  Report report = reportWith({finding("ADR001", Severity::Error)});
+  report.findings[0].message = "50 % of a: b,\nnext";
+  EXPECT_EQ(written("github", report), "::error file=a.awl,line=1,endLine=1,col=1,title=ADR001::50 %25 of a: b,%0Anext\n");
+}
+
+TEST(JunitReport, CountsTestsAndFailures) {
+  const std::string text = written("junit", reportWith({finding("ADR001", Severity::Error)}, {property(VerdictWord::Proved), property(VerdictWord::Unknown)}));
+  EXPECT_NE(text.find("<testsuites name=\"rungproof\" tests=\"3\" failures=\"1\" errors=\"0\">"), std::string::npos) << text;
+  EXPECT_NE(text.find("<skipped message=\"UNKNOWN\""), std::string::npos) << text;
+}
+
+TEST(HtmlReport, EscapesTextOfTheProgram) {
+  Report report = reportWith({finding("ADR001", Severity::Error)});
+  report.findings[0].message = "<script>\"&";
+  const std::string text = written("html", report);
+  EXPECT_EQ(text.find("<script>"), std::string::npos);
+  EXPECT_NE(text.find("&lt;script&gt;&quot;&amp;"), std::string::npos);
+}
+
+TEST(HumanReport, PrintsTheFirstDifferenceWithTheScansAround) {
+  Report report = reportWith({});
+  report.command = "compare";
+  report.comparison = Comparison{false, 2, 20, "Q0.0", 1, 0, {"I0.0", "Q0.0"}, {{1, 10, {"0", "0"}, {"0", "0"}}, {2, 20, {"1", "1"}, {"1", "0"}}}};
+  EXPECT_EQ(written("human", report),
+            "first difference: scan 2, 20 ms, Q0.0: expected 1, actual 0\n"
+            "    scan        ms            I0.0  Q0.0\n"
+            "       1        10  expected     0     0\n"
+            "                    actual       0     0\n"
+            "     > 2        20  expected     1     1\n"
+            "                    actual       1     0\n");
+}
+
+}  // namespace
+}  // namespace rungproof
