@@ -7,6 +7,7 @@
 #include <map>
 
 #include "analysis/instruction_kind.hpp"
+#include "analysis/library_block.hpp"
 
 namespace rungproof {
 
@@ -183,6 +184,11 @@ class Collector {
         if (local.section != VarSection::Input) add(i, op(i), width, {}, true);
         ++i;
       }
+    }
+    const LibraryBlock* library = count > 0 && op(0).kind == OperandKind::Symbol ? libraryBlockNamed(op(0).text) : nullptr;
+    for (; library != nullptr && i < count && i <= library->parameters.size(); ++i) {
+      const LibraryParameter& parameter = library->parameters[i - 1];
+      add(i, op(i), widthOf(parameter.type), {}, parameter.direction == Direction::Out);
     }
     for (; i < count; ++i) {
       const bool isFixed = op(i).kind == OperandKind::Direct && (op(i).area == Area::T || op(i).area == Area::C);

@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "analysis/facts.hpp"
+#include "analysis/library_block.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -14,7 +15,10 @@ void check(const Facts& facts, FindingSink& sink) {
   std::unordered_map<std::string_view, std::size_t> places;  // name to the number of its uses
   std::vector<const Operand*> first;
   for (const InstructionPlace& place : facts.instructions()) {
+    const bool isCall = place.instruction->desc->control == Control::Call;
     for (const Operand& operand : place.instruction->operands) {
+      const bool isCallee = isCall && &operand == &place.instruction->operands[0];
+      if (isCallee && libraryBlockNamed(operand.text) != nullptr) continue;
       if (operand.kind == OperandKind::Symbol && ++places[operand.text] == 1) first.push_back(&operand);
     }
   }

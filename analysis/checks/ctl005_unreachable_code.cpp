@@ -1,0 +1,69 @@
+// CTL005: code that no path reaches, by jumps and returns whose condition is constant. One finding for each stretch.
+// Tested by its examples and tests/rules/control_rules_test.cpp.
+#include <fmt/format.h>
+
+#include "analysis/facts.hpp"
+#include "analysis/rule.hpp"
+
+namespace rungproof {
+
+namespace {
+
+/// Marks and ends stand behind other code without being reached themselves.
+bool isStructure(const Instruction& instruction) {
+  switch (instruction.desc->control) {
+    case Control::LabelMark:
+    case Control::Next:
+    case Control::ScrEnd:
+    case Control::Return:
+    case Control::InterruptReturn:
+    case Control::MainEnd:
+    case Control::SubroutineHead:
+    case Control::InterruptHead: return true;
+    default: return false;
+  }
+}
+
+void check(const Facts& facts, FindingSink& sink) {
+  for (const Flow& flow : facts.plan().flows) {
+    const Instruction* first = nullptr;
+    std::size_t count = 0;
+    const auto report = [&] {
+      if (first == nullptr) return;
+      const std::string more = count == 1 ? std::string() : fmt::format(" and {} instructions after it", count - 1);
+      Finding& finding = sink.report(first->span, fmt::format("no path reaches {}{}", Facts::text(*first), more));
+      finding.confirmation = Confirmation::NotNeeded;
+      finding.help = "remove the code, or the constant condition of the jump or return before it";
+      first = nullptr;
+      count = 0;
+    };
+    for (const FlowStep& step : flow.steps) {
+      if (facts.execution().at(step.instruction->id).isReachable) {
+        report();
+      } else if (!isStructure(*step.instruction)) {
+        if (first == nullptr) first = step.instruction;
+        ++count;
+      }
+    }
+    report();
+  }
+}
+
+}  // namespace
+
+extern constexpr Rule ctl005_unreachable_code = {
+    .id = "CTL005",
+    .title = "Unreachable code",
+    .severity = Severity::Warning,
+    .needs = Needs::FlowThenSolver,
+    .detects = "instructions that no path reaches",
+    .why = "dead code is downloaded and trusted",
+    .manual = "001:5782-5801, 001:6735",
+    .bad = "Network 1\nLD SM0.0\nJMP 1\nNetwork 2\nLD I0.0\n= Q0.0\nNetwork 3\nLBL 1\n",
+    .good = "Network 1\nLD I0.1\nJMP 1\nNetwork 2\nLD I0.0\n= Q0.0\nNetwork 3\nLBL 1\n",
+    .falsePositives = "code switched off for a time by a jump on SM0.0",
+    .peers = "SA0001; CP2; iec-checker CP2",
+    .check = check,
+};
+
+}  // namespace rungproof

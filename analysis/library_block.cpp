@@ -1,0 +1,112 @@
+// The table of library blocks. Parameters in the order of CALL: NAME, < for an input or > for an output, and the type:
+// b BOOL, B BYTE, W WORD, D DWORD, I DINT, R REAL, N DINT or REAL.
+#include "analysis/library_block.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace rungproof {
+
+namespace {
+
+struct Row {
+  std::string_view name;
+  std::string_view parameters;
+  std::string_view manual;
+};
+
+// clang-format off
+constexpr Row rows[] = {
+    {"PWMx_RUN", "Cycle<W Pulse<W Error>B", "001:8073"},
+    {"PTOx_CTRL", "I_STOP<b D_STOP<b Done>b Error>B C_Pos>D", "001:8205"},
+    {"PTOx_RUN", "START<b Profile<B Abort<b Done>b Error>B C_Profile>B C_Step>B C_Pos>I", "001:8231"},
+    {"PTOx_MAN", "RUN<b Speed<I Error>B C_Pos>I", "001:8261"},
+    {"PTOx_LDPOS", "START<b New_Pos<I Done>b Error>B C_Pos>I", "001:8291"},
+    {"PTOx_ADV", "", "001:8314"},
+    {"POSx_CTRL", "MOD_EN<b Done>b Error>B C_Pos>N C_Speed>N C_Dir>b", "001:8601"},
+    {"POSx_MAN", "RUN<b JOG_P<b JOG_N<b Speed<N Dir<b Error>B C_Pos>N C_Speed>N C_Dir>b", "001:8637"},
+    {"POSx_GOTO", "START<b Pos<N Speed<N Mode<B Abort<b Done>b Error>B C_Pos>N C_Speed>N", "001:8678"},
+    {"POSx_RUN", "START<b Profile<B Abort<b Done>b Error>B C_Profile>B C_Step>B C_Pos>N C_Speed>N", "001:8719"},
+    {"POSx_RSEEK", "START<b Done>b Error>B", "001:8756"},
+    {"POSx_LDOFF", "START<b Done>b Error>B", "001:8781"},
+    {"POSx_LDPOS", "START<b New_Pos<N Done>b Error>B C_Pos>N", "001:8802"},
+    {"POSx_SRATE", "START<b ACCEL_Time<I DECEL_Time<I JERK_Time<I Done>b Error>B", "001:8828"},
+    {"POSx_DIS", "DIS_ON<B Error>B", "001:8851"},
+    {"POSx_CLR", "START<b Done>b Error>B", "001:8866"},
+    {"POSx_CFG", "START<b Done>b Error>B", "001:8886"},
+    {"MODx_CTRL", "", "001:9695"},
+    {"MODx_XFR", "START<b Phone<B Data<B Done>b Error>B", "001:9703"},
+    {"MODx_MSG", "START<b Phone<B Msg<B Done>b Error>B", "001:9727"},
+    {"USS_INIT", "Mode<B Baud<D Active<D Done>b Error>B", "001:10105-10107"},
+    {"USS_CTRL", "RUN<b OFF2<b OFF3<b F_ACK<b DIR<b Drive<B Type<B Speed_SP<R Resp_R>b Error>B Status>W Speed>R Run_EN>b D_Dir>b Inhibit>b Fault>b", "001:10149"},
+    {"USS_RPM_W", "XMT_REQ<b Drive<B Param<W Index<W DB_Ptr<D Done>b Error>B Value>W", "001:10252"},
+    {"USS_RPM_D", "XMT_REQ<b Drive<B Param<W Index<W DB_Ptr<D Done>b Error>B Value>D", "001:10252"},
+    {"USS_RPM_R", "XMT_REQ<b Drive<B Param<W Index<W DB_Ptr<D Done>b Error>B Value>R", "001:10252"},
+    {"USS_WPM_W", "XMT_REQ<b EEPROM<b Drive<B Param<W Index<W Value<W DB_Ptr<D Done>b Error>B", "001:10285"},
+    {"USS_WPM_D", "XMT_REQ<b EEPROM<b Drive<B Param<W Index<W Value<D DB_Ptr<D Done>b Error>B", "001:10285"},
+    {"USS_WPM_R", "XMT_REQ<b EEPROM<b Drive<B Param<W Index<W Value<R DB_Ptr<D Done>b Error>B", "001:10285"},
+    {"MBUS_INIT", "Mode<B Addr<B Baud<D Parity<B Delay<W MaxIQ<W MaxAI<W MaxHold<W HoldStart<D Done>b Error>B", "001:10726-10728"},
+    {"MBUS_SLAVE", "Done>b Error>B", "001:10773"},
+    {"RCPx_READ", "Rcp<W Error>B", "001:11020"},
+    {"RCPx_WRITE", "Rcp<W Error>B", "001:11034"},
+    {"DATx_WRITE", "Error>B", "001:11235"},
+};
+// clang-format on
+
+DataType typeOf(char letter) {
+  switch (letter) {
+    case 'b': return DataType::Bool;
+    case 'B': return DataType::Byte;
+    case 'W': return DataType::Word;
+    case 'D': return DataType::DWord;
+    case 'R': return DataType::Real;
+    default: return DataType::DInt;
+  }
+}
+
+std::vector<LibraryParameter> parametersOf(std::string_view text) {
+  std::vector<LibraryParameter> parameters;
+  while (!text.empty()) {
+    const std::string_view word = text.substr(0, text.find(' '));
+    text.remove_prefix(std::min(text.size(), word.size() + 1));
+    const std::size_t mark = word.find_first_of("<>");
+    parameters.push_back({word.substr(0, mark), word[mark] == '<' ? Direction::In : Direction::Out, typeOf(word.back()), word.back() == 'N'});
+  }
+  return parameters;
+}
+
+struct Table {
+  std::vector<std::vector<LibraryParameter>> parameters;
+  std::vector<LibraryBlock> blocks;
+  Table() {
+    for (const Row& row : rows) parameters.push_back(parametersOf(row.parameters));
+    for (std::size_t i = 0; i < parameters.size(); ++i) blocks.push_back({rows[i].name, parameters[i], rows[i].manual});
+  }
+};
+
+char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+bool matches(std::string_view pattern, std::string_view name) {
+  if (pattern.size() != name.size()) return false;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const bool isDigit = pattern[i] == 'x' && name[i] >= '0' && name[i] <= '9';
+    if (!isDigit && upper(pattern[i]) != upper(name[i])) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::span<const LibraryBlock> libraryBlocks() {
+  static const Table table;
+  return table.blocks;
+}
+
+const LibraryBlock* libraryBlockNamed(std::string_view name) {
+  for (const LibraryBlock& block : libraryBlocks()) {
+    if (matches(block.name, name)) return &block;
+  }
+  return nullptr;
+}
+
+}  // namespace rungproof
