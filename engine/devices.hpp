@@ -1,13 +1,16 @@
-// What surrounds the program in a simulated run: real-time clock and the values that library blocks and the network
-// deliver. High-speed counters, pulse outputs and ports have files of their own.
+// What surrounds the program in a simulated run: clock, counters, pulse outputs, ports, network, library blocks.
 #pragma once
 
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <string>
+#include <utility>
 
+#include "engine/high_speed_counters.hpp"
+#include "engine/network_requests.hpp"
+#include "engine/pulse_outputs.hpp"
 #include "engine/real_time_clock.hpp"
+#include "engine/serial_ports.hpp"
 
 namespace rungproof {
 
@@ -16,12 +19,29 @@ class Devices {
   explicit Devices(const ClockTime& time) : clock(time) {}
 
   RealTimeClock clock;
+  HighSpeedCounters counters;
+  PulseOutputs pulses;
+  SerialPorts ports;
+  NetworkRequests network;
 
   /// Output parameter `position` (place in the operand list of CALL, from 1) of library block `name`.
   void setLibraryOutput(const std::string& name, std::uint32_t position, std::uint64_t value) { library_[{name, position}] = value; }
   std::uint64_t libraryOutput(const std::string& name, std::uint32_t position) const {
     const auto found = library_.find({name, position});
     return found == library_.end() ? 0 : found->second;
+  }
+
+  /// One tick of the 1 ms clock.
+  void passMillisecond(Concrete::Store& store, const RaiseEvent& raise) {
+    counters.passMillisecond(store, pulses.passMillisecond(store, raise), raise);
+    ports.passMillisecond(store, raise);
+  }
+  /// The CPU enters RUN or loses power; what is on the way from outside stays on the way.
+  void reset() {
+    counters.reset();
+    pulses.reset();
+    ports.reset();
+    network.reset();
   }
 
  private:

@@ -10,6 +10,7 @@ namespace rungproof {
 namespace {
 
 constexpr std::uint32_t analogBits = 16;
+constexpr std::uint64_t defaultStation = 2;  // of a CPU as delivered (not in the manual text)
 
 }  // namespace
 
@@ -23,6 +24,7 @@ void Simulator::powerCycle() {
   store_ = powerCycledState(plan_, options_.choices, store_, options_.retentive);
   queue_.clear();
   errors_.clear();
+  devices_.reset();
   timedPeriod_ = {};
   stoppedBy_ = nullptr;
 }
@@ -32,6 +34,7 @@ void Simulator::run() {
   enterRun(store_, options_.choices, options_.retentive);
   queue_.clear();
   errors_.clear();
+  devices_.reset();
   timedPeriod_ = {};
   stoppedBy_ = nullptr;
 }
@@ -56,7 +59,10 @@ void Simulator::scan(const ScanRequest& request) {
   if (script_ != nullptr && script_->ticks10) ticks.ten = *script_->ticks10;
   if (script_ != nullptr && script_->ticks100) ticks.hundred = *script_->ticks100;
   const std::uint32_t lengthUs = request.lengthUs != 0 ? request.lengthUs : options_.scanUs;
-  if (script_ == nullptr) raiseInputEdges();
+  if (script_ == nullptr) {
+    raiseInputEdges();
+    devices_.counters.beginScan(store_, std::max(lengthUs / 1000, 1U), [this](int event) { raise(event); });
+  }
   beginScan(machine, ticks);
   for (const Area area : {Area::I, Area::AI}) forced_.apply(area, store_);
   for (const int event : request.events) raise(event);
@@ -81,6 +87,7 @@ void Simulator::finishScan(Machine<Concrete>& machine, std::uint32_t lengthUs) {
   refreshSpecialMemory(machine, std::min(lastScanUs_ / 1000, 0xFFFFU));
   writeOutputs(machine);
   store_.save(Area::SM, 4 * 8 + 7, 1, forced_.empty() ? 0 : 1, true);
+  if (script_ == nullptr) devices_.network.endScan(store_);
   now_ += lastScanUs_;
   clockMs_ = startMs_ + scanTicks_;
   if (!isRunning()) queue_.clear();
@@ -156,6 +163,12 @@ std::uint64_t Simulator::external(const ExternalSite& site, int width) {
       break;
     case External::IntervalClock:
       if (outside_ == nullptr) return clockMs_;
+      break;
+    case External::StationAddress:
+      if (outside_ == nullptr) return defaultStation;
+      break;
+    case External::LibraryOutput:
+      if (outside_ == nullptr) return devices_.libraryOutput(*calledBlock_, site.index);
       break;
     default: break;
   }

@@ -108,7 +108,8 @@ class Simulator final : private Outside {
   void boundary(Runner& runner, const FlowStep* step);
   void scripted(Runner& runner, ScanPlace place);
   void expireWatchdog(Machine<Concrete>& machine);
-  void passMillisecond(Machine<Concrete>& machine);
+  void setClock();
+  void passMillisecond(Runner& runner);
   void serveInterrupts(Runner& runner);
   void runRoutine(Runner& runner, int event);
   void passRest(Runner& runner, std::uint32_t lengthUs);
@@ -140,6 +141,7 @@ class Simulator final : private Outside {
   bool attention_ = false;       ///< events wait in the queue
   const Machine<Concrete>* machine_ = nullptr;  ///< of the scan that runs
   const Instruction* stoppedBy_ = nullptr;
+  const std::string* calledBlock_ = nullptr;     ///< library block whose outputs are being asked for
   std::array<std::uint32_t, 2> timedPeriod_{};   ///< of events 10 and 11, taken over by ATCH (001:5472)
   std::array<std::uint32_t, 2> timedElapsed_{};
   std::uint64_t random_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/simulator.hpp"
+#include "ir/library_block.hpp"
 #include "ir/scan_cycle.hpp"
 
 namespace rungproof {
@@ -19,7 +20,14 @@ struct Simulator::Hooks {
     s.pending_ = runner.machine().powerFlow() ? cost.withFlow : cost.withoutFlow;
   }
 
-  void callWithoutBody(Runner&, const Instruction&) {}
+  /// A block that is in no file changes its outputs, if it is known, and nothing else.
+  void callWithoutBody(Runner& runner, const Instruction& instruction) {
+    if (instruction.operands.empty() || instruction.operands[0].kind != OperandKind::Symbol) return;
+    const LibraryBlock* block = libraryBlockNamed(instruction.operands[0].text);
+    if (block == nullptr) return;
+    simulator.calledBlock_ = &instruction.operands[0].text;
+    callLibraryBlock(runner.machine(), instruction, *block);
+  }
 
   void freshLocal(Runner& runner, unsigned frame, std::uint32_t byte) {
     const bool isZero = simulator.outside_ == nullptr && simulator.options_.choices.is(Choice::UnknownBits, "zero");

@@ -59,7 +59,7 @@ void Simulator::boundary(Runner& runner, const FlowStep* step) {
   }
   while (position_ >= nextMs_ && machine.guard) {
     nextMs_ += Cost::perMs;
-    passMillisecond(machine);
+    passMillisecond(runner);
   }
   serveInterrupts(runner);
   attention_ = !queue_.empty();
@@ -88,12 +88,29 @@ void Simulator::signal(Signal which, std::uint32_t index) {
     case Signal::EventsCleared: queue_.drop(static_cast<int>(index)); break;
     case Signal::WatchdogRestarted: watchdogFrom_ = position_; break;
     case Signal::Stopped: stoppedBy_ = machine_->current; break;
-    default: break;  // the registers say the rest
+    case Signal::ClockSet: setClock(); break;
+    case Signal::PulseCommand: devices_.pulses.command(store_, index); break;
+    case Signal::TransmitStarted: devices_.ports.transmitStarted(store_, index); break;
+    case Signal::ReceiveStarted: devices_.ports.receiveStarted(store_, index); break;
+    case Signal::ReceiveEnded: devices_.ports.receiveEnded(index, [this](int event) { raise(event); }); break;
+    case Signal::NetworkStarted: devices_.network.started(index); break;
+    case Signal::HscLoaded:
+    case Signal::EventDetached: break;  // the registers say it all
   }
 }
 
+/// TODW and TODWX: the bytes are BCD and stand in Reg::ClockSetting.
+void Simulator::setClock() {
+  const auto field = [&](std::uint32_t i) {
+    const auto byte = static_cast<int>(store_.get(Reg::ClockSetting, i));
+    return byte / 16 * 10 + byte % 16;
+  };
+  devices_.clock.set({field(0), field(1), field(2), field(3), field(4), field(5), field(7)}, clockMs_);
+}
+
 /// One tick of the 1 ms clock.
-void Simulator::passMillisecond(Machine<Concrete>& machine) {
+void Simulator::passMillisecond(Runner& runner) {
+  Machine<Concrete>& machine = runner.machine();
   ++moment_;
   ++clockMs_;
   refreshTimers(machine, 1, 1, [&](const TimerUse& use, bool reached) {
@@ -107,6 +124,10 @@ void Simulator::passMillisecond(Machine<Concrete>& machine) {
     timedElapsed_[timer] = 0;
     raise(static_cast<int>(event));
   }
+  devices_.passMillisecond(store_, [this, &runner](int event) {
+    raise(event);
+    serveInterrupts(runner);
+  });
   if (position_ - watchdogFrom_ > static_cast<std::uint64_t>(options_.choices.watchdogMs()) * Cost::perMs) expireWatchdog(machine);
 }
 

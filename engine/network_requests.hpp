@@ -1,0 +1,41 @@
+// NETR and NETW as a device: a request ends at the end of the scan after the one that made it, without error unless the
+// stimulus gives one; the answer of NETR is whatever the stimulus writes into the table (001:3022-3131). The manual
+// gives no time. Covered by tests/engine/device_test.cpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "engine/concrete.hpp"
+
+namespace rungproof {
+
+class NetworkRequests {
+ public:
+  /// Error code 0..15 of requests that end from now on (001:3052-3065).
+  void setError(std::uint8_t code) { error_ = code; }
+  /// While held, no request ends.
+  void setHeld(bool held) { isHeld_ = held; }
+
+  void started(std::uint32_t entry) { age_[entry] = 0; }
+  /// End of a scan.
+  void endScan(Concrete::Store& store) {
+    for (std::uint32_t entry = 0; entry < age_.size(); ++entry) {
+      const auto table = static_cast<std::uint32_t>(store.get(Reg::NetTable, entry));
+      if (table == 0 || isHeld_ || age_[entry]++ == 0) continue;
+      const auto area = pointer::areaOf(table);
+      const std::uint64_t status = error_ == 0 ? 0x80U : 0xA0U | error_;  // D, E and the code
+      if (area) store.save(*area, pointer::offsetOf(table) * 8, 8, status, true);
+      store.set(Reg::NetTable, entry, 0, true);
+      store.set(Reg::NetActive, 0, store.get(Reg::NetActive, 0) - 1, true);
+    }
+  }
+  void reset() { age_ = {}; }
+
+ private:
+  std::array<std::uint32_t, 8> age_{};
+  std::uint8_t error_ = 0;
+  bool isHeld_ = false;
+};
+
+}  // namespace rungproof
