@@ -39,13 +39,14 @@ Report lintProgram(const Settings& settings, const ProgramInput& input, const st
 }
 
 Report lintFiles(const Context& context, const std::vector<std::string>& files) {
+  const std::vector<std::vector<std::string>> groups = groupByProgram(context, files);
   Report report;
-  bool isFirst = true;
-  for (const std::vector<std::string>& group : groupByProgram(context, files)) {
-    Report part = lintProgram(context.settings, readInput(context, group), group);
-    if (isFirst) report = std::move(part);
-    else mergeReport(report, part);
-    isFirst = false;
+  if (groups.size() == 1) {
+    report = lintProgram(context.settings, readInput(context, groups.front()), groups.front());
+  } else {
+    ReportMerger merger;
+    for (const std::vector<std::string>& group : groups) merger.add(lintProgram(context.settings, readInput(context, group), group));
+    report = merger.take();
   }
   sortFindings(report);
   return report;

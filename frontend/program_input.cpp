@@ -20,14 +20,6 @@ Mnemonics mnemonicsOf(std::string_view name) {
   return name == "german" ? Mnemonics::German : Mnemonics::Auto;
 }
 
-/// Index in `into` of the file with that name and text; added if it is not there.
-std::uint32_t indexOf(SourceSet& into, const SourceFile& file) {
-  for (std::uint32_t i = 0; i < into.size(); ++i) {
-    if (into.file(i).name() == file.name() && into.file(i).text() == file.text()) return i;
-  }
-  return into.add(file.name(), std::string(file.text()));
-}
-
 }  // namespace
 
 ReadOptions readOptionsOf(const Settings& settings) {
@@ -95,32 +87,35 @@ std::vector<std::vector<std::string>> groupByProgram(const Context& context, con
   return groups;
 }
 
-void mergeReport(Report& report, const Report& part) {
-  auto sources = std::make_shared<SourceSet>();
-  std::vector<std::uint32_t> indices;
-  const auto collect = [&](const SourceSet* set) {
-    indices.clear();
-    for (std::uint32_t i = 0; set != nullptr && i < set->size(); ++i) indices.push_back(indexOf(*sources, set->file(i)));
-  };
-  const auto shifted = [&](Finding finding) {
-    finding.span.file = indices[finding.span.file];
-    for (RelatedPlace& related : finding.related) related.span.file = indices[related.span.file];
-    if (finding.fix) finding.fix->span.file = indices[finding.fix->span.file];
-    return finding;
-  };
-  collect(report.sources.get());
-  for (Finding& finding : report.findings) finding = shifted(std::move(finding));
-  collect(part.sources.get());
-  for (const Finding& finding : part.findings) report.findings.push_back(shifted(finding));
-  report.sources = sources;
-  report.coverage.instructions += part.coverage.instructions;
-  report.coverage.understood += part.coverage.understood;
-  for (const std::string& place : part.coverage.approximated) report.coverage.approximated.push_back(place);
-  for (const std::string& file : part.files) {
-    if (std::find(report.files.begin(), report.files.end(), file) == report.files.end()) report.files.push_back(file);
+void ReportMerger::add(const Report& part) {
+  std::vector<std::uint32_t> places;  // index in sources_ of each file of the part
+  for (std::uint32_t i = 0; i < part.sources->size(); ++i) {
+    const SourceFile& file = part.sources->file(i);
+    const auto [entry, isNew] = indices_.emplace(file.name(), static_cast<std::uint32_t>(sources_->size()));
+    if (isNew) sources_->add(file.name(), std::string(file.text()));
+    places.push_back(entry->second);
   }
-  report.suppressed += part.suppressed;
-  report.baselined += part.baselined;
+  for (Finding finding : part.findings) {
+    finding.span.file = places[finding.span.file];
+    for (RelatedPlace& related : finding.related) related.span.file = places[related.span.file];
+    if (finding.fix) finding.fix->span.file = places[finding.fix->span.file];
+    report_.findings.push_back(std::move(finding));
+  }
+  if (isEmpty_) report_.command = part.command;
+  isEmpty_ = false;
+  report_.coverage.instructions += part.coverage.instructions;
+  report_.coverage.understood += part.coverage.understood;
+  for (const std::string& place : part.coverage.approximated) report_.coverage.approximated.push_back(place);
+  for (const std::string& file : part.files) {
+    if (std::find(report_.files.begin(), report_.files.end(), file) == report_.files.end()) report_.files.push_back(file);
+  }
+  report_.suppressed += part.suppressed;
+  report_.baselined += part.baselined;
+}
+
+Report ReportMerger::take() {
+  report_.sources = sources_;
+  return std::move(report_);
 }
 
 }  // namespace rungproof

@@ -2,8 +2,10 @@
 // programs goes through here, so that options, standard input and reading errors behave alike everywhere.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "analysis/property.hpp"
@@ -34,7 +36,17 @@ Report startReport(std::string_view command, const Program& program, const std::
 /// (libraries, symbol tables, data blocks). One group if there is at most one main program.
 std::vector<std::vector<std::string>> groupByProgram(const Context& context, const std::vector<std::string>& files);
 
-/// Adds the findings and counts of another program's report; files that both read stand in it once.
-void mergeReport(Report& report, const Report& part);
+/// Joins the reports of several programs; files that more than one of them read stand in the result once.
+class ReportMerger {
+ public:
+  void add(const Report& part);
+  Report take();
+
+ private:
+  std::shared_ptr<SourceSet> sources_ = std::make_shared<SourceSet>();
+  std::unordered_map<std::string, std::uint32_t> indices_;  ///< by file name
+  Report report_;
+  bool isEmpty_ = true;
+};
 
 }  // namespace rungproof
