@@ -132,6 +132,15 @@ void DataBlockReader::store(Span span, std::int64_t value, int count, bool isRea
   sink_.program().data.push_back(std::move(init));
 }
 
+bool isDataLine(std::string_view text, const Line& line) {
+  const auto word = [&](std::size_t i) {
+    return i < line.words.size() ? text.substr(line.words[i].begin, line.words[i].end - line.words[i].begin) : std::string_view();
+  };
+  std::size_t used = 0;
+  const Place place = placeOf(word(0), word(1), used);
+  return place.isPlace && used < line.words.size() && readConstant(word(used)).fault == ConstantFault::None;
+}
+
 int dataLineShare(std::string_view text) {
   StlLexer lexer(text);
   Line line;
@@ -140,12 +149,8 @@ int dataLineShare(std::string_view text) {
   while (lines < 200 && lexer.next(line)) {
     if (line.words.empty()) continue;
     ++lines;
-    std::size_t used = 0;
-    const std::string_view second = line.words.size() > 1 ? lexer.slice(line.words[1]) : std::string_view();
-    const Place place = placeOf(lexer.slice(line.words[0]), second, used);
-    const std::string_view value = place.isPlace && used < line.words.size() ? lexer.slice(line.words[used]) : lexer.slice(line.words[0]);
-    const bool isFirst = hits == 0;
-    if ((place.isPlace || !isFirst) && !value.empty() && readConstant(value).fault == ConstantFault::None) ++hits;
+    const bool isValue = readConstant(lexer.slice(line.words[0])).fault == ConstantFault::None;
+    if (isDataLine(text, line) || (isValue && hits > 0)) ++hits;
   }
   return lines == 0 ? 0 : hits * 100 / lines;
 }

@@ -32,6 +32,9 @@ class DataBlockReader {
   int size_ = 0;             ///< bytes of a value; 0: V without size letter, the value decides
 };
 
+/// Whether a line begins with an address of V memory (or B 100 of the older dialect) and a constant.
+bool isDataLine(std::string_view text, const Line& line);
+
 /// How sure it is that the text is a data block without DATA_BLOCK heading: share of its lines, 0 to 100.
 int dataLineShare(std::string_view text);
 

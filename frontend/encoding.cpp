@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <memory>
 #include <utility>
 
@@ -148,9 +149,9 @@ void tidy(DecodedText& result) {
   std::string& text = result.text;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto c = static_cast<unsigned char>(text[i]);
+    if (c >= ' ' && c != 0x7F) continue;
     if (c == '\r' && (i + 1 == text.size() || text[i + 1] != '\n')) text[i] = '\n';
     const bool isBlank = c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v' || (c == 0x1A && i + 1 == text.size());
-    if (c >= ' ' && c != 0x7F) continue;
     if (isBlank && c != '\f' && c != '\v' && c != 0x1A) continue;
     text[i] = ' ';
     if (!isBlank && result.controls++ == 0) result.firstControl = i;
@@ -170,6 +171,14 @@ std::string_view encodingName(TextEncoding encoding) { return names[static_cast<
 
 bool isValidUtf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
+    std::uint64_t eight = 0;
+    if (i + 8 <= text.size()) {
+      std::memcpy(&eight, text.data() + i, 8);
+      if ((eight & 0x8080808080808080ULL) == 0) {
+        i += 8;
+        continue;
+      }
+    }
     const std::size_t length = sequenceLength(text, i);
     if (length == 0) return false;
     i += length;

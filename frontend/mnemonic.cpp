@@ -150,6 +150,14 @@ std::string_view nearestMnemonic(std::string_view word) {
   return best;
 }
 
+std::string_view nearestHeading(std::string_view word) {
+  if (word.size() < 2 || word.size() > 4) return {};
+  for (const std::string_view heading : {std::string_view("SBR"), std::string_view("INT")}) {
+    if (editDistance(capitals(word), heading) == 1) return heading;
+  }
+  return {};
+}
+
 std::string_view familyOfForeignInstruction(std::string_view word) {
   static constexpr std::array<std::string_view, 5> smart = {"GET", "PUT", "GIP", "SIP", "RTUM"};
   static constexpr std::array<std::string_view, 33> s7300 = {"L",   "T",   "X",   "XN",  "FP",   "FN",  "SET",  "CLR", "SAVE", "JU",  "JC",

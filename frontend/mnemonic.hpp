@@ -25,6 +25,8 @@ MnemonicResult findComparison(std::string_view word, std::string_view next, cons
 
 /// The known mnemonic that is nearest in spelling, or empty.
 std::string_view nearestMnemonic(std::string_view word);
+/// SBR or INT if the word is one letter away from it, or empty.
+std::string_view nearestHeading(std::string_view word);
 /// "S7-200 SMART" or "S7-300/400" for instructions of these families that the S7-200 lacks, or empty.
 std::string_view familyOfForeignInstruction(std::string_view word);
 

@@ -113,6 +113,9 @@ OperandResult readAddressOf(std::string_view target, std::string_view whole, Spe
 
 bool isName(std::string_view text) {
   if (text.empty() || isDigit(text[0])) return false;
+  // General punctuation, mathematical signs, CJK punctuation and full-width ASCII are no letters.
+  static constexpr std::array<std::string_view, 5> signs = {"\xE2\x80", "\xE2\x88", "\xE3\x80", "\xEF\xBC", "\xEF\xBD"};
+  if (std::any_of(signs.begin(), signs.end(), [&](std::string_view sign) { return text.find(sign) != std::string_view::npos; })) return false;
   return std::all_of(text.begin(), text.end(), [](char c) { return isLetter(c) || isDigit(c) || c == '_' || static_cast<unsigned char>(c) >= 0x80; });
 }
 
@@ -274,7 +277,8 @@ std::string mendedOperand(std::string_view text, Spelling spelling, bool bitOnly
     const std::string digits = mendedDigits(std::string_view(body).substr(k));
     if (!digits.empty() && isAreaPrefix(letters, spelling) && isReadable(sign + letters + digits)) return sign + letters + digits;
   }
-  if (bitOnly || isPointer || !isDigit(plain[0])) return {};
+  const bool isSigned = plain.size() > 1 && (plain[0] == '+' || plain[0] == '-');
+  if (bitOnly || isPointer || !(isSigned || isDigit(plain[0]))) return {};
   std::string number = plain;
   const std::size_t hash = plain.find('#');
   const bool isHex = hash != std::string::npos && plain.substr(0, hash) == "16";

@@ -45,7 +45,9 @@ class Resolver {
  public:
   explicit Resolver(Program& program) : program_(program) {
     for (std::size_t i = 0; i < program.symbols.size(); ++i) symbols_.add(program.symbols[i].name, i);
-    for (const Pou& pou : program.pous) (pou.kind == PouKind::Interrupt ? interrupts_ : subroutines_).add(pou.name, pou.number);
+    for (const Pou& pou : program.pous) {
+      if (pou.kind != PouKind::Main) (pou.kind == PouKind::Interrupt ? interrupts_ : subroutines_).add(pou.name, pou.number);
+    }
   }
 
   void run() {

@@ -5,26 +5,18 @@
 
 namespace rungproof {
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-bool isLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
-char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; }
-
 bool equalsIgnoringCase(std::string_view a, std::string_view b) {
   return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) { return upper(x) == upper(y); });
 }
 
-std::size_t blankLength(std::string_view text, std::size_t at) {
-  const char c = text[at];
-  if (c == ' ' || c == '\t' || c == '\r') return 1;
-  if (static_cast<unsigned char>(c) < 0xC2) return 0;
+std::size_t wideBlankLength(std::string_view text, std::size_t at) {
   if (text.substr(at, 2) == "\xC2\xA0") return 2;
   const std::string_view three = text.substr(at, 3);
   return three == "\xE3\x80\x80" || three == "\xEF\xBB\xBF" || three == "\xE2\x80\x8B" ? 3 : 0;
 }
 
-Quote quoteAt(std::string_view text, std::size_t at) {
+Quote wideQuoteAt(std::string_view text, std::size_t at) {
   const char c = text[at];
-  if (c == '"' || c == '\'') return {1, c};
   if (c == '\xE2') {
     const std::string_view three = text.substr(at, 3);
     if (three == "\xE2\x80\x9C" || three == "\xE2\x80\x9D" || three == "\xE2\x80\x9E") return {3, '"'};

@@ -51,19 +51,29 @@ class StlLexer {
 };
 
 /// Length of the blank at text[at]: blank, tab, no-break space, ideographic space, byte order mark; else 0.
-std::size_t blankLength(std::string_view text, std::size_t at);
+std::size_t wideBlankLength(std::string_view text, std::size_t at);
+inline std::size_t blankLength(std::string_view text, std::size_t at) {
+  const char c = text[at];
+  if (c == ' ' || c == '\t' || c == '\r') return 1;
+  return static_cast<unsigned char>(c) < 0xC2 ? 0 : wideBlankLength(text, at);
+}
 /// Length of an opening or closing quotation mark at text[at] and its kind: ' or "; length 0 if there is none.
 struct Quote {
   std::size_t length = 0;
   char kind = 0;
 };
-Quote quoteAt(std::string_view text, std::size_t at);
+Quote wideQuoteAt(std::string_view text, std::size_t at);
+inline Quote quoteAt(std::string_view text, std::size_t at) {
+  const char c = text[at];
+  if (c == '"' || c == '\'') return {1, c};
+  return static_cast<unsigned char>(c) < 0xC2 ? Quote{} : wideQuoteAt(text, at);
+}
 /// Without blanks at both ends.
 std::string_view trimmed(std::string_view text);
-bool isDigit(char c);
-bool isLetter(char c);
-char upper(char c);
-/// Capitals of an ASCII text.
+inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
+inline bool isLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+inline char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; }
+/// ASCII letters compare in any case.
 bool equalsIgnoringCase(std::string_view a, std::string_view b);
 
 }  // namespace rungproof

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "frontend/data_block.hpp"
@@ -151,6 +152,8 @@ class StlParser {
     }
     pou_.name = heading.name;
     pou_.number = heading.number;
+    int& next = nextNumber_[static_cast<std::size_t>(heading.kind)];
+    next = std::max(next, heading.number + 1);
     pou_.span = span;
     isOpen_ = true;
     isFramed_ = false;
@@ -164,13 +167,8 @@ class StlParser {
     sink_.setPlace(pou_.name, 0);
   }
 
-  int freeNumber(PouKind kind) const {
-    int number = kind == PouKind::Main ? 1 : 0;
-    for (const Pou& pou : program_.pous) {
-      if (pou.kind == kind && pou.number >= number) number = pou.number + 1;
-    }
-    return number;
-  }
+  /// One above the highest number that this file used for the kind.
+  int freeNumber(PouKind kind) const { return nextNumber_[static_cast<std::size_t>(kind)]; }
 
   void reportOpen() { sink_.report(Syntax::BlockOpen, headingSpan_, fmt::format("block {} has no end", pou_.name)); }
 
@@ -390,18 +388,30 @@ class StlParser {
     pending_.clear();
   }
 
+  /// Comment lines behind the last instruction of a block belong to the heading that follows.
+  void takeLeadingComments() {
+    if (!isOpen_ || !inNetwork_ || network_.instructions.empty()) return;
+    const Span& last = network_.instructions.back().span;
+    const std::size_t newline = std::min(text_.find('\n', last.offset + last.length), text_.size());
+    std::vector<Comment>& comments = network_.comments;
+    const auto first = std::find_if(comments.begin(), comments.end(), [&](const Comment& comment) { return comment.span.offset > newline; });
+    pending_.insert(pending_.end(), first, comments.end());
+    comments.erase(first, comments.end());
+  }
+
   void openOlder(Heading heading) {
     const std::uint32_t begin = line_.begin;
+    takeLeadingComments();
     closePou(begin);
     const Span span = sink_.span(begin, line_.end);
     openPou(heading, span);
     program_.olderDialect = program_.olderDialect || heading.kind != PouKind::Main;
+    pou_.comments = std::move(pending_);
+    pending_.clear();
     section_ = Section::Body;
     localsDeclared_ = true;
     startNetwork(1, line_.end);
     isImplicit_ = true;
-    network_.comments = std::move(pending_);
-    pending_.clear();
     keepComment();
   }
 
@@ -423,6 +433,10 @@ class StlParser {
   void instructionLine() {
     if (!isOpen_ || !isFramed_) {
       if (const auto heading = readOlderHeading(word(0), word(1), line_.words.size())) return openOlder(*heading);
+    }
+    if (!(isOpen_ && isFramed_) && isDataLine(text_, line_)) {  // data under the listing, as in the older dialect
+      data_.line(line_);
+      return keepComment();
     }
     if (!isOpen_) {
       if (hadBlock_) return outside();
@@ -452,7 +466,8 @@ class StlParser {
 
   /// A statement that ends with a comma goes on in the next line, unless that line begins with an instruction.
   void joinContinuations() {
-    while (line_.endsWithComma && !line_.hasComment()) {
+    constexpr std::size_t mostWords = 64;  // far above the 17 operands of a CALL
+    while (line_.endsWithComma && !line_.hasComment() && line_.words.size() < mostWords) {
       const std::uint32_t back = lexer_.position();
       if (!lexer_.next(continuation_) || continuation_.words.empty() || continuation_.isBanner ||
           instructionNamed(lexer_.slice(continuation_.words[0])) != nullptr) {
@@ -503,6 +518,7 @@ class StlParser {
   bool hasNetworkLines_ = false;
   bool hadBlock_ = false;
   bool localsDeclared_ = false;
+  std::array<int, 3> nextNumber_ = {1, 0, 0};  ///< by PouKind
   std::vector<std::uint32_t> damaged_;
   std::vector<Comment> pending_;
   std::size_t firstFinding_ = 0;

@@ -55,7 +55,9 @@ StatementKind StatementReader::unknown(const Line& line) {
     return StatementKind::Failed;
   }
   std::string message = fmt::format("unknown instruction \"{}\"", excerpt(word));
-  const std::string_view nearest = nearestMnemonic(word);
+  const bool hasNumber = line.words.size() == 2 && allDigits(slice(line.words[1].begin, line.words[1].end));
+  const std::string_view heading = hasNumber ? nearestHeading(word) : std::string_view();
+  const std::string_view nearest = heading.empty() ? nearestMnemonic(word) : heading;
   if (!nearest.empty()) message += fmt::format("; did you mean {}?", nearest);
   sink_.report(Syntax::UnknownInstruction, at, std::move(message), nearest.empty() ? std::nullopt : std::optional<Fix>(Fix{at, std::string(nearest), false}));
   return StatementKind::Failed;
@@ -87,6 +89,10 @@ StatementKind StatementReader::read(const Line& line, Instruction& instruction) 
     gluedBegin = mnemonicEnd;
   }
   const Desc& desc = *found.desc;
+  if (desc.drawingOnly) {
+    sink_.report(Syntax::UnknownInstruction, sink_.span(first.begin, first.end), fmt::format("{} exists as a box of LAD and FBD only", desc.stl));
+    return StatementKind::Failed;
+  }
   const Span mnemonic = sink_.span(first.begin, mnemonicEnd);
   const std::string_view written = slice(first.begin, mnemonicEnd);
   if (found.match == MnemonicMatch::LookAlike) sink_.lookAlike(mnemonic, written, std::string(desc.stl));

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "frontend/stl_lexer.hpp"
+#include "ir/isa.hpp"
 
 namespace rungproof {
 
@@ -100,7 +101,9 @@ bool isComment(std::string_view line) { return line.substr(0, 2) == "//" || line
 
 bool readSymbolRow(std::string_view text, std::uint32_t begin, std::uint32_t end, Spelling spelling, SyntaxSink& sink) {
   const std::string_view line = text.substr(begin, end - begin);
-  const std::size_t comment = line.find("//");
+  // In cells a comment may hold "//"; between blanks it begins the comment.
+  const bool hasCells = separatorOf(line) != ' ' && line.find("//") > line.find_first_of("\t,;");
+  const std::size_t comment = hasCells ? std::string_view::npos : line.find("//");
   const std::string_view head = line.substr(0, comment);
   const Row row = cellsOf(text, begin, begin + static_cast<std::uint32_t>(head.size()), separatorOf(head));
   std::size_t name = 0, address = 0;
@@ -113,7 +116,9 @@ bool readSymbolRow(std::string_view text, std::uint32_t begin, std::uint32_t end
     symbol.comment = trimmed(line.substr(comment + 2));
   } else if (address + 1 < row.count) {
     const Cell& last = row.cells[row.count - 1];
-    symbol.comment = trimmed(text.substr(row.cells[address + 1].begin, last.end - row.cells[address + 1].begin));
+    std::string_view words = trimmed(text.substr(row.cells[address + 1].begin, last.end - row.cells[address + 1].begin));
+    if (words.substr(0, 2) == "//") words = trimmed(words.substr(2));
+    symbol.comment = words;
   }
   sink.program().symbols.push_back(std::move(symbol));
   return true;
@@ -145,10 +150,13 @@ int symbolRowShare(std::string_view text) {
     if (line.empty() || isComment(line)) continue;
     ++lines;
     const std::string_view head = text.substr(begin, end - begin);
-    const Row row = cellsOf(text, begin, end, separatorOf(head));
+    const char separator = separatorOf(head);
+    if (separator == ' ') continue;  // blanks separate instructions as well
+    const Row row = cellsOf(text, begin, end, separator);
     std::size_t name = 0, address = 0;
     Operand operand;
-    const bool isRow = findRow(text, row, Spelling::International, name, address, operand) || findRow(text, row, Spelling::German, name, address, operand);
+    const bool isInstruction = instructionNamed(trimmed(head.substr(0, head.find_first_of("\t,; ")))) != nullptr;
+    const bool isRow = !isInstruction && (findRow(text, row, Spelling::International, name, address, operand) || findRow(text, row, Spelling::German, name, address, operand));
     if (isRow || (lines == 1 && isHeader(line))) ++rows;
   }
   return lines == 0 ? 0 : rows * 100 / lines;

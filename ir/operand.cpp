@@ -33,6 +33,22 @@ std::string addressName(Area area, Width width, std::uint32_t offset, unsigned b
   return {};
 }
 
+std::string quoted(std::string_view characters, char mark) {
+  std::string result(1, mark);
+  for (std::size_t i = 0; i < characters.size(); ++i) {
+    const auto c = static_cast<unsigned char>(characters[i]);
+    if (c == '$' || characters[i] == mark) {
+      result += '$';
+      result += characters[i];
+    } else if (c >= ' ' && c < 0x7F) {
+      result += characters[i];
+    } else {
+      result += fmt::format("${:02X}", c);
+    }
+  }
+  return result + mark;
+}
+
 namespace {
 
 std::string constantText(const Operand& operand) {
@@ -50,9 +66,13 @@ std::string constantText(const Operand& operand) {
       std::string characters;
       for (int shift = 24; shift >= 0; shift -= 8) {
         const char c = static_cast<char>(operand.value >> shift);
-        if (c != 0) characters += c;
+        if (c != 0 || !characters.empty() || shift == 0) characters += c;
       }
-      return "'" + characters + "'";
+      return quoted(characters, '\'');
+    }
+    case ConstantForm::Typed: {
+      const std::string_view prefix = operand.width == Width::Byte ? "B" : operand.width == Width::Word ? "W" : "DW";
+      return fmt::format("{}#{}", prefix, operand.value);
     }
     case ConstantForm::Boolean: return operand.value != 0 ? "TRUE" : "FALSE";
     default: return fmt::format("{}", operand.value);
@@ -67,7 +87,7 @@ std::string toString(const Operand& operand) {
     case OperandKind::Indirect: return "*" + addressName(operand.area, Width::DWord, operand.offset);
     case OperandKind::Address: return "&" + addressName(operand.area, Width::Byte, operand.offset);
     case OperandKind::Constant: return constantText(operand);
-    case OperandKind::Text: return "\"" + operand.text + "\"";
+    case OperandKind::Text: return quoted(operand.text, '"');
     case OperandKind::Symbol: return operand.text;
     case OperandKind::Missing: return "????";
   }

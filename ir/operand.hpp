@@ -54,6 +54,8 @@ struct Operand {
 std::string_view areaName(Area area);
 /// "I0.0", "VW10", "T37", "AC1", "*VD10", "&VB10", "16#FF", "sym"; the canonical international spelling.
 std::string toString(const Operand& operand);
+/// Characters between marks (' or "), with $ escapes for the mark, $, and bytes outside printable ASCII.
+std::string quoted(std::string_view characters, char mark);
 /// "V10.3" or "VW10" for an access of that width at byte `offset`.
 std::string addressName(Area area, Width width, std::uint32_t offset, unsigned bit = 0);
 

@@ -1,5 +1,6 @@
 // Reader of symbol tables.
 #include "frontend/file_reader.hpp"
+#include "frontend/stl_parser.hpp"
 #include "frontend/symbol_table.hpp"
 
 namespace rungproof {
@@ -15,8 +16,10 @@ int rate(const SourceFile& file, const InputText& input, const ReadOptions&) {
 
 void read(Program& program, const InputText& input, const ReadOptions& options) {
   SyntaxSink sink(program, input.file);
-  const Spelling spelling = options.mnemonics == Mnemonics::German ? Spelling::German : Spelling::International;
-  readSymbolTable(program.sources->file(input.file).text(), spelling, sink);
+  const std::string_view text = program.sources->file(input.file).text();
+  Spelling spelling = options.mnemonics == Mnemonics::German ? Spelling::German : Spelling::International;
+  if (options.mnemonics == Mnemonics::Auto) spelling = detectSpelling(text);
+  readSymbolTable(text, spelling, sink);
 }
 
 }  // namespace
