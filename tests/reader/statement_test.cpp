@@ -78,7 +78,7 @@ TEST(Statement, LooksAlike) {
       {"MOVB \xD0\x9C\xD0\x92" "0, VB0", "MOVB MB0,VB0", "STY004<\xD0\x9C\xD0\x92" "0>"},
       {"\xEF\xBC\xAC\xEF\xBC\xA4 \xEF\xBC\xA9\xEF\xBC\x90.0", "LD I0.0", "STY004<\xEF\xBC\xAC\xEF\xBC\xA4> STY004<\xEF\xBC\xA9\xEF\xBC\x90.0>"},
       {"MOVW \xE2\x80\x93" "5, VW0", "MOVW -5,VW0", "STY004<\xE2\x80\x93" "5>"},
-      {"DTCH +O", "DTCH 0", "STY004<+O>"},
+      {"DTCH +O", "DTCH +0", "STY004<+O>"},
   });
 }
 
