@@ -49,6 +49,7 @@ enum class Given : std::uint8_t { No, BlockEntry, Loop, Segment };
 
 struct Entry {
   const Instruction* by = nullptr;      ///< load, or operation that made the value
+  const Instruction* start = nullptr;   ///< first load of the value
   const Instruction* lostAt = nullptr;  ///< push that moved the entry out of the bottom
   Condition flow = 0;
   Given given = Given::No;
@@ -122,7 +123,7 @@ class Run {
     for (std::size_t i = own_; i < size(); ++i) {
       const Entry& entry = entries_[i];
       if (entry.isLowerInput || entry.isFromEditor || entry.given != Given::No || !entry.isRead) continue;
-      if (first != nullptr && entry.by != nullptr) return fault(StackFaultKind::SecondRung, *entry.by, first->by);
+      if (first != nullptr && entry.by != nullptr) return fault(StackFaultKind::SecondRung, *entry.start, first->start);
       first = &entry;
     }
   }
@@ -146,7 +147,7 @@ class Run {
 
   void push(const Instruction& by, Condition flow) {
     Entry entry;
-    entry.by = &by;
+    entry.by = entry.start = &by;
     entry.flow = inSegment_ ? static_cast<Condition>(flow & ~condition::Always) : flow;
     entries_.push_back(entry);
     flowsFrom_ = std::min(flowsFrom_, size() - 1);
@@ -181,6 +182,7 @@ class Run {
     top.flow = flow;
     top.given = Given::No;
     top.by = &by;
+    if (top.start == nullptr) top.start = &by;
     top.isRead = isRead;
     flowsFrom_ = std::min(flowsFrom_, size() - 1);
     adopt();
@@ -194,8 +196,10 @@ class Run {
     if (size() >= 2) entries_.pop_back();
     if (entries_.empty()) push(by, 0);
     Entry& top = entries_.back();
+    const Instruction* start = top.start == nullptr ? &by : top.start;
     top = Entry{};
     top.by = &by;
+    top.start = start;
     top.flow = flow;
     flowsFrom_ = std::min(flowsFrom_, size() - 1);
     adopt();
@@ -353,6 +357,12 @@ StackRun::StackRun(const Program& program, const Plan& plan, const KnownBits& kn
   points_.resize(program.instructionCount());
   Run run(program, known, faults_, points_, inputs_);
   for (const Flow& flow : plan.flows) run.block(flow);
+  // A network with an unreadable line has lost an instruction; what the stack misses there says nothing.
+  std::vector<std::uint8_t> isDamaged(points_.size(), 0);
+  for (const Flow& flow : plan.flows) {
+    for (const FlowStep& step : flow.steps) isDamaged[step.instruction->id] = !flow.pou->networks[step.network].complete;
+  }
+  std::erase_if(faults_, [&](const StackFault& fault) { return isDamaged[fault.instruction->id] != 0; });
 }
 
 }  // namespace rungproof

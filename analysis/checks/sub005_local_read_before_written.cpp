@@ -1,0 +1,42 @@
+// SUB005: local memory that is read before the block has written it. Tested by its examples and
+// tests/rules/local_memory_test.cpp.
+#include <fmt/format.h>
+
+#include "analysis/dataflow_locals.hpp"
+#include "analysis/rule.hpp"
+
+namespace rungproof {
+
+namespace {
+
+void check(const Facts& facts, FindingSink& sink) {
+  for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block) {
+    if (facts.program().pous[block].protectedBlock) continue;
+    for (const LocalRead& read : localFlow(facts, block).unwritten) {
+      const Instruction& instruction = facts.instruction(read.access->instruction);
+      const Operand& operand = instruction.operands[read.access->operand];
+      Finding& finding = sink.report(operand.span, fmt::format("{} reads {} before {} has written it", Facts::text(instruction), toString(operand), facts.pouOf(instruction.id).name));
+      finding.address = toString(operand);
+      finding.help = "local memory is not initialised and may hold leftovers of other blocks; write it first, or use V or M memory for values that last";
+    }
+  }
+}
+
+}  // namespace
+
+extern constexpr Rule sub005_local_read_before_written = {
+    .id = "SUB005",
+    .title = "Local memory read before written",
+    .severity = Severity::Warning,
+    .needs = Needs::Flow,
+    .detects = "L memory or a TEMP variable that some path reads first",
+    .why = "local memory is not initialised: any value may be read, also one of another block",
+    .manual = "001:1371-1373",
+    .bad = "Network 1\nLD I0.0\nINCW LW0\nMOVW LW0, VW0\n",
+    .good = "Network 1\nLD SM0.0\nMOVW VW0, LW0\nINCW LW0\nMOVW LW0, VW0\n",
+    .peers = "CP3",
+    .dialects = dialect::S7200,
+    .check = check,
+};
+
+}  // namespace rungproof
