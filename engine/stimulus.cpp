@@ -20,8 +20,23 @@ void StimulusPlayer::apply(const StimulusRow& row, ScanRequest& request) {
     const StimulusColumn& column = stimulus_.columns[i];
     if (!row.values[i]) continue;
     const std::uint64_t value = valueOf(*row.values[i], column.signal.type, column.signal.width());
-    if (column.target == StimulusTarget::Memory) simulator_.write(column.signal.operand, value);
-    if (column.target == StimulusTarget::LibraryOutput) simulator_.devices().setLibraryOutput(column.block, column.position, value);
+    act(column, value);
+  }
+  for (const auto& [port, character] : row.characters) simulator_.devices().ports.send(port, character);
+}
+
+void StimulusPlayer::act(const StimulusColumn& column, std::uint64_t value) {
+  Devices& devices = simulator_.devices();
+  const auto number = static_cast<std::uint32_t>(value);
+  switch (column.target) {
+    case StimulusTarget::Memory: simulator_.write(column.signal.operand, value); break;
+    case StimulusTarget::LibraryOutput: devices.setLibraryOutput(column.block, column.position, value); break;
+    case StimulusTarget::Pulses: devices.counters.setPulses(column.position, number, devices.counters.pulses(column.position)[1]); break;
+    case StimulusTarget::DownPulses: devices.counters.setPulses(column.position, devices.counters.pulses(column.position)[0], number); break;
+    case StimulusTarget::NetworkError: devices.network.setError(static_cast<std::uint8_t>(value & 15)); break;
+    case StimulusTarget::NetworkHold: devices.network.setHeld(value != 0); break;
+    case StimulusTarget::Characters:
+    case StimulusTarget::None: break;
   }
 }
 

@@ -16,7 +16,12 @@ namespace rungproof {
 /// What a column acts on.
 enum class StimulusTarget : std::uint8_t {
   Memory,         ///< a direct operand: I and AI the physical value, other areas written like by a panel
-  LibraryOutput,  ///< output of a library block: "USS_CTRL.9" is the ninth operand of its calls
+  LibraryOutput,  ///< output of a library block: "USS_CTRL.Speed", or "USS_CTRL.12" for the twelfth operand of its calls
+  Pulses,         ///< "HSC0.pulses": pulses at the clock or up-clock input of a counter in every scan
+  DownPulses,     ///< "HSC0.down": at the down-clock input
+  Characters,     ///< "PORT0.receive": characters that another station sends
+  NetworkError,   ///< "NET.error": error code of NETR and NETW requests that end
+  NetworkHold,    ///< "NET.hold": 1 keeps requests from ending
   None            ///< read and passed over: a column of a recorded trace that the program itself computes
 };
 
@@ -24,7 +29,7 @@ struct StimulusColumn {
   StimulusTarget target = StimulusTarget::None;
   TraceSignal signal;
   std::string block{};         ///< LibraryOutput: name in the call
-  std::uint32_t position = 0;  ///< LibraryOutput: operand, from 1
+  std::uint32_t position = 0;  ///< LibraryOutput: operand, from 1; Pulses, Characters: number of the counter or port
 };
 
 struct StimulusRow {
@@ -33,6 +38,8 @@ struct StimulusRow {
   std::optional<std::uint32_t> scanUs{};  ///< length of the scans from here on
   std::vector<int> events{};
   std::vector<std::optional<double>> values{};  ///< by column
+  /// Port and character (SerialPorts::breakSignal: a break), in the order in which they are sent.
+  std::vector<std::pair<std::uint32_t, int>> characters{};
 };
 
 struct Stimulus {
@@ -53,6 +60,7 @@ class StimulusPlayer {
 
  private:
   void apply(const StimulusRow& row, ScanRequest& request);
+  void act(const StimulusColumn& column, std::uint64_t value);
 
   Simulator& simulator_;
   const Stimulus& stimulus_;

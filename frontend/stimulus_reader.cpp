@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <set>
 
 #include "frontend/csv_table.hpp"
 #include "frontend/operand_reader.hpp"
+#include "ir/library_block.hpp"
 
 namespace rungproof {
 
@@ -164,6 +166,35 @@ class TableReader {
     return list;
   }
 
+  /// "65 'BC' 16#0A break": numbers, texts in quotes and breaks.
+  std::vector<int> characters(const CsvCell& cell) {
+    std::vector<int> list;
+    const std::string& text = cell.text;
+    for (std::size_t at = 0; at < text.size();) {
+      if (text[at] == ' ') {
+        ++at;
+        continue;
+      }
+      const bool isQuoted = text[at] == '\'';
+      const std::size_t end = std::min(isQuoted ? text.find('\'', at + 1) : text.find(' ', at), text.size());
+      const std::string word = text.substr(at + (isQuoted ? 1 : 0), end - at - (isQuoted ? 1 : 0));
+      at = end + 1;
+      if (isQuoted) {
+        for (const char c : word) list.push_back(static_cast<unsigned char>(c));
+        continue;
+      }
+      const std::optional<double> number = numberIn(word);
+      if (lowered(word) == "break") {
+        list.push_back(SerialPorts::breakSignal);
+      } else if (number && *number == std::floor(*number) && *number >= 0 && *number <= 255) {
+        list.push_back(static_cast<int>(*number));
+      } else {
+        fail(cell, fmt::format("'{}' is no character", word), "write codes from 0 to 255, texts in single quotes, or break, with blanks between them");
+      }
+    }
+    return list;
+  }
+
   std::optional<double> value(const CsvCell& cell, const TraceSignal& signal) {
     if (isOpen(cell.text)) return std::nullopt;
     std::string reason;
@@ -218,31 +249,74 @@ bool isSurrounding(const Program& program, const Operand& operand) {
   }
 }
 
-/// "BLOCK.3" if the program calls a library block of that name.
+/// Type of the values of a column that stands for `type`.
+SignalType signalTypeOf(DataType type) {
+  switch (type) {
+    case DataType::Bool: return SignalType::Bool;
+    case DataType::Real: return SignalType::Real;
+    case DataType::Byte: return SignalType::Unsigned;
+    default: return SignalType::Signed;
+  }
+}
+
+/// "BLOCK.Done" or "BLOCK.3" if the program calls a library block of that name.
 std::optional<StimulusColumn> libraryColumn(const Program& program, const std::string& name) {
   const std::size_t dot = name.rfind('.');
   if (dot == std::string::npos) return std::nullopt;
-  const std::optional<double> position = numberIn(std::string_view(name).substr(dot + 1));
-  if (!position || *position < 1 || *position > 16 || *position != std::floor(*position)) return std::nullopt;
-  const std::string block = name.substr(0, dot);
+  const std::string blockName = name.substr(0, dot);
+  const LibraryBlock* block = libraryBlockNamed(blockName);
+  if (block == nullptr) return std::nullopt;
+  std::uint32_t position = libraryOutputNamed(*block, name.substr(dot + 1));
+  const std::optional<double> number = numberIn(std::string_view(name).substr(dot + 1));
+  if (number && *number >= block->first && *number < block->first + block->outputs.size()) position = static_cast<std::uint32_t>(*number);
+  if (position == 0 || block->outputs[position - block->first].name.empty()) return std::nullopt;
   for (const Pou& pou : program.pous) {
     for (const Network& network : pou.networks) {
       for (const Instruction& instruction : network.instructions) {
         const bool isCall = instruction.desc->control == Control::Call && !instruction.operands.empty();
-        if (!isCall || instruction.operands[0].kind != OperandKind::Symbol || lowered(instruction.operands[0].text) != lowered(block)) continue;
+        if (!isCall || instruction.operands[0].kind != OperandKind::Symbol || lowered(instruction.operands[0].text) != lowered(blockName)) continue;
         StimulusColumn column;
         column.target = StimulusTarget::LibraryOutput;
         column.block = instruction.operands[0].text;
-        column.position = static_cast<std::uint32_t>(*position);
+        column.position = position;
+        const DataType type = block->outputs[position - block->first].type;
         column.signal.name = name;
-        column.signal.type = SignalType::Signed;
-        if (column.position < instruction.operands.size()) {
-          const TraceSignal actual = signalOf(program, instruction.operands[column.position]);
-          if (actual.operand.kind == OperandKind::Direct) column.signal.type = actual.type == SignalType::Real ? SignalType::Real : SignalType::Signed;
-        }
+        column.signal.operand = direct(Area::V, widthOf(type), 0);  // only its width counts
+        column.signal.type = signalTypeOf(type);
         return column;
       }
     }
+  }
+  return std::nullopt;
+}
+
+/// "HSC0.pulses", "HSC0.down", "PORT0.receive", "NET.error", "NET.hold".
+std::optional<StimulusColumn> deviceColumn(const std::string& name) {
+  struct DeviceName {
+    std::string_view before, after;
+    StimulusTarget target;
+    std::uint32_t count;  ///< how many there are; 0: no number in the name
+  };
+  static constexpr std::array<DeviceName, 5> names = {{{"hsc", ".pulses", StimulusTarget::Pulses, HighSpeedCounters::count},
+                                                       {"hsc", ".down", StimulusTarget::DownPulses, HighSpeedCounters::count},
+                                                       {"port", ".receive", StimulusTarget::Characters, 2},
+                                                       {"net.error", "", StimulusTarget::NetworkError, 0},
+                                                       {"net.hold", "", StimulusTarget::NetworkHold, 0}}};
+  const std::string lower = lowered(name);
+  for (const DeviceName& device : names) {
+    if (!lower.starts_with(device.before) || !lower.ends_with(device.after)) continue;
+    const std::string middle = lower.size() < device.before.size() + device.after.size()
+                                   ? "?"
+                                   : lower.substr(device.before.size(), lower.size() - device.before.size() - device.after.size());
+    const bool isNumber = middle.size() == 1 && middle[0] >= '0' && static_cast<std::uint32_t>(middle[0] - '0') < device.count;
+    if (device.count == 0 ? !middle.empty() : !isNumber) continue;
+    StimulusColumn column;
+    column.target = device.target;
+    column.position = device.count == 0 ? 0 : static_cast<std::uint32_t>(middle[0] - '0');
+    column.signal.name = name;
+    column.signal.operand = direct(Area::V, Width::DWord, 0);  // only its width counts
+    column.signal.type = SignalType::Unsigned;
+    return column;
   }
   return std::nullopt;
 }
@@ -304,6 +378,8 @@ Stimulus readStimulus(const std::string& name, std::string_view text, const Prog
     StimulusColumn column;
     if (auto library = libraryColumn(program, cell.text)) {
       column = *library;
+    } else if (auto device = deviceColumn(cell.text)) {
+      column = *device;
     } else {
       Failure failure;
       const std::optional<TraceSignal> signal = signalNamed(program, cell.text, failure);
@@ -328,7 +404,14 @@ Stimulus readStimulus(const std::string& name, std::string_view text, const Prog
       if (us != 0) row.scanUs = us;
     }
     if (frame.event >= 0) row.events = reader.events(cells[static_cast<std::size_t>(frame.event)], program.target);
-    for (std::size_t k = 0; k < frame.signals.size(); ++k) row.values.push_back(reader.value(cells[frame.signals[k]], stimulus.columns[k].signal));
+    for (std::size_t k = 0; k < frame.signals.size(); ++k) {
+      const StimulusColumn& column = stimulus.columns[k];
+      const CsvCell& cell = cells[frame.signals[k]];
+      const bool isText = column.target == StimulusTarget::Characters;
+      row.values.push_back(isText ? std::nullopt : reader.value(cell, column.signal));
+      if (!isText) continue;
+      for (const int character : reader.characters(cell)) row.characters.emplace_back(column.position, character);
+    }
     stimulus.rows.push_back(std::move(row));
   }
   return stimulus;

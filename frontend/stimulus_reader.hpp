@@ -1,6 +1,6 @@
 // Reads stimulus and trace files (product contract, section 4). The first column is `scan` or `time_ms`; `scan_ms` and
-// `event` have their own meaning; every other column is an address, a symbol, "T37.value", or "BLOCK.n" for output n of a
-// library block. A file with time_ms behind scan is a recorded trace: as a stimulus it sets the inputs, and memory that
+// `event` have their own meaning; every other column is an address, a symbol, "T37.value", an output of a library block
+// ("USS_CTRL.Speed"), or a device: "HSC0.pulses", "HSC0.down", "PORT0.receive", "NET.error", "NET.hold". A file with time_ms behind scan is a recorded trace: as a stimulus it sets the inputs, and memory that
 // the program does not write; what the program computes is passed over. Mistakes become failures with file, line and
 // column. Tested by tests/trace/stimulus_test.cpp.
 #pragma once
