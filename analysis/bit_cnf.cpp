@@ -47,7 +47,7 @@ void BitCnf::encode(std::uint32_t variable) {
       stack_.pop_back();
       continue;
     }
-    Choice choice;
+    BitChoice choice;
     const bool isChoice = recogniseChoice(graph_, positive(v), choice);
     const AndGate& gate = graph_.gateOf(positive(v));
     const std::array<Lit, 3> children =

@@ -123,7 +123,7 @@ Lit BitSystem::addIte(Lit c, Lit a, Lit b) {
   return negate(addAnd(negate(addAnd(c, a)), negate(addAnd(negate(c), b))));
 }
 
-bool recogniseChoice(const BitSystem& system, Lit l, Choice& choice) {
+bool recogniseChoice(const BitSystem& system, Lit l, BitChoice& choice) {
   if (!system.isGate(l)) return false;
   const auto [a, b] = system.gateOf(l);
   if (!isNegative(a) || !isNegative(b) || !system.isGate(a) || !system.isGate(b)) return false;

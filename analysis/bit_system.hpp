@@ -67,9 +67,9 @@ struct BitSystem {
 
 /// If the gate of `l` is an exclusive or or a choice in disguise: condition, then, else of the *positive* gate's
 /// value; recognised as !(c & !t) & !(!c & !e). An exclusive or has `otherwise` = !`then`.
-struct Choice {
+struct BitChoice {
   Lit condition = 0, then = 0, otherwise = 0;
 };
-bool recogniseChoice(const BitSystem& system, Lit l, Choice& choice);
+bool recogniseChoice(const BitSystem& system, Lit l, BitChoice& choice);
 
 }  // namespace rungproof

@@ -1,0 +1,37 @@
+// The portfolio: answers the questions of a transition system with all engines, easy questions first. Shares what
+// can be shared (blasting, simulation, short inductions, invariants), then lets the engines race for each open
+// question on its own cone. Proved comes with a certificate, violated with a run; two engines that disagree stop the
+// program. Tested by tests/solver/portfolio_test.cpp.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/bit_blast.hpp"
+#include "analysis/certificate.hpp"
+
+namespace rungproof {
+
+struct PortfolioOptions {
+  double seconds = 30;     ///< wall time for each question
+  int jobs = 2;            ///< threads
+  std::uint64_t seed = 1;
+  int bound = 0;           ///< BMC and k-induction look at that many scans at most; 0: no limit
+  bool check = true;       ///< check certificates with Z3; without, proofs are reported as they are
+};
+
+struct QuestionAnswer {
+  Answer answer = Answer::Unknown;
+  int depth = 0;       ///< Violated: index of the bad scan; Unknown: bad is unreachable in the first `depth` scans
+  std::string method;  ///< "2-induction", "IC3", "simulation" ...; Unknown: what was tried
+  double seconds = 0;
+  std::optional<WordTrace> trace;
+  std::optional<WordCertificate> certificate;
+  bool usesFreeReals = false;  ///< Violated: the run may rest on values of REAL operations that the CPU does not give
+};
+
+/// By question of the system. Adds nodes (of invariants) to its graph.
+std::vector<QuestionAnswer> answerQuestions(const TransitionSystem& system, const PortfolioOptions& options);
+
+}  // namespace rungproof
