@@ -2,7 +2,9 @@
 #include "frontend/program_input.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
+#include "frontend/file_reader.hpp"
 #include "frontend/operand_reader.hpp"
 
 namespace rungproof {
@@ -66,6 +68,25 @@ Report startReport(std::string_view command, const Program& program, const std::
   });
   report.coverage.instructions = report.coverage.understood + static_cast<std::size_t>(lost);
   return report;
+}
+
+std::vector<std::string> expandFolders(const std::vector<std::string>& names) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> files;
+  for (const std::string& name : names) {
+    std::error_code error;
+    if (!fs::is_directory(name, error)) {
+      files.push_back(name);
+      continue;
+    }
+    std::vector<std::string> found;
+    for (fs::recursive_directory_iterator entry(name, fs::directory_options::skip_permission_denied, error), end; !error && entry != end; entry.increment(error)) {
+      if (entry->is_regular_file(error) && endsInAny(entry->path().string(), {".awl", ".stl", ".xml"})) found.push_back(entry->path().string());
+    }
+    std::sort(found.begin(), found.end());
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  return files;
 }
 
 std::vector<std::vector<std::string>> groupByProgram(const Context& context, const std::vector<std::string>& files) {

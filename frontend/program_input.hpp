@@ -32,6 +32,9 @@ OperandLookup lookupIn(const Program& program);
 /// A report with sources, findings of the readers and coverage filled in.
 Report startReport(std::string_view command, const Program& program, const std::vector<std::string>& files);
 
+/// Folders replaced by the programs in and below them (.awl, .stl, .xml), sorted by name; other names unchanged.
+std::vector<std::string> expandFolders(const std::vector<std::string>& names);
+
 /// The files as programs: one group for each file that holds a main program, together with all files that hold none
 /// (libraries, symbol tables, data blocks). One group if there is at most one main program.
 std::vector<std::vector<std::string>> groupByProgram(const Context& context, const std::vector<std::string>& files);

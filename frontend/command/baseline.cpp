@@ -19,7 +19,9 @@ Action setup(CLI::App& app) {
   app.add_option("FILE", state->files, "programs, symbol tables and data blocks; '-' is standard input")->required();
   app.add_option("-o,--output", state->output, "file to write; standard output without")->type_name("FILE");
   return [state](Context& context) {
-    Report report = lintFiles(context, state->files);
+    const std::vector<std::string> files = expandFolders(state->files);
+    if (files.empty()) return context.fail({"the folder holds no program", state->files.front(), "programs end in .awl, .stl or .xml"});
+    Report report = lintFiles(context, files);
     std::erase_if(report.findings, [&](const Finding& finding) { return finding.severity < context.settings.level(); });
     for (const Finding& finding : report.findings) {
       if (isReadError(finding)) return context.fail({"the program could not be read: " + finding.message, {}, "'rungproof lint' shows the places"});

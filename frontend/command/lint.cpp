@@ -5,11 +5,17 @@
 
 #include "frontend/baseline.hpp"
 #include "frontend/command/command.hpp"
+#include "frontend/fix.hpp"
 #include "frontend/lint_run.hpp"
 
 namespace rungproof {
 
 namespace {
+
+struct State {
+  std::vector<std::string> files;
+  bool fix = false;
+};
 
 std::optional<Failure> subtractBaseline(const std::string& name, Report& report) {
   std::ifstream stream(name, std::ios::binary);
@@ -28,10 +34,18 @@ std::optional<Failure> subtractBaseline(const std::string& name, Report& report)
 }
 
 Action setup(CLI::App& app) {
-  auto files = std::make_shared<std::vector<std::string>>();
-  app.add_option("FILE", *files, "programs, symbol tables and data blocks; '-' is standard input")->required();
-  return [files](Context& context) {
-    Report report = lintFiles(context, *files);
+  auto state = std::make_shared<State>();
+  app.add_option("FILE", state->files, "programs, symbol tables and data blocks; '-' is standard input; a folder stands for its programs")->required();
+  app.add_flag("--fix", state->fix, "write the safe fixes into the files, then report what is left");
+  return [state](Context& context) {
+    const std::vector<std::string> files = expandFolders(state->files);
+    if (files.empty()) return context.fail({"the folder holds no program", state->files.front(), "programs end in .awl, .stl or .xml"});
+    Report report = lintFiles(context, files);
+    if (state->fix) {
+      const bool written = applyFixes(context, report);
+      report = lintFiles(context, files);
+      if (!written) return worse(Exit::Failed, finish(context, std::move(report)));
+    }
     if (context.settings.isSet(Opt::Baseline)) {
       if (auto failure = subtractBaseline(std::string(context.settings.text(Opt::Baseline)), report)) return context.fail(*failure);
     }
@@ -43,7 +57,7 @@ Action setup(CLI::App& app) {
 
 extern constexpr Command lintCommand = {
     .name = "lint",
-    .usage = "FILE...",
+    .usage = "[--fix] FILE...",
     .summary = "check programs against the rules",
     .details =
         "Files without a main program (symbol tables, data blocks, libraries) belong to every program given.\n"
