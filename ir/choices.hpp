@@ -45,6 +45,9 @@ enum class Choice : std::uint8_t {
   BlockMoveOverlap,    // B 8.3
   BlockMoveTooFar,     // B 8.3
   ForAtMaximum,        // B 12
+  SubstringBeyondEnd,  // B 17
+  FindEmpty,           // B 17
+  FindStartBeyond,     // B 17
   count
 };
 
@@ -104,11 +107,15 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      "whether CALL in an interrupt routine saves the logic stack as every CALL does, or shares it as the text on interrupts says", "001:5444"},
     {Choice::BlockMoveNothing, "block-move-zero", {"nothing", "error", ""}, "BMB, BMW, BMD and FILL with N = 0: no effect, or error 0091", "001:5654"},
     {Choice::BlockMoveOverlap, "block-move-overlap", {"ascending", "buffered", ""},
-     "block move onto itself: element by element from the first, or as if all were read before the first is written", "001:5654"},
+     "block move or string copy onto itself: element by element from the first, or as if all were read before the first is written", "001:5654"},
     {Choice::BlockMoveTooFar, "block-move-range", {"nothing", "up-to-the-end", ""},
      "what a block move or FILL writes when a block leaves its area (error 0091)", "001:5648"},
     {Choice::ForAtMaximum, "for-at-maximum", {"ends", "wraps", ""},
      "FOR with FINAL = 32767: the loop ends after the pass with 32767, or INDX wraps and it never ends", "001:5768"},
+    {Choice::SubstringBeyondEnd, "substring-beyond-end", {"cut", "error", ""},
+     "SSCPY asks for more characters than there are: those that are there, or error 0091", "001:6133"},
+    {Choice::FindEmpty, "find-empty", {"not-found", "at-start", ""}, "SFND for an empty string", "001:6158"},
+    {Choice::FindStartBeyond, "find-start-beyond", {"not-found", "error", ""}, "SFND, CFND from a position behind the end: 0, or error 0091", "001:6158"},
 }};
 
 /// The value chosen for each open point, as an index into ChoiceInfo::values.

@@ -161,7 +161,7 @@ struct Desc {
   bool drawingOnly = false;     ///< SR, RS and the IEC boxes: exist in LAD/FBD only, named so in the IR
   bool notInInterrupt = false;  ///< 001:5426, 001:3353
   std::uint32_t time = 0;       ///< execution time with power flow in 0.01 us (Appendix F), 0 unknown; where it depends
-                                ///< on operands: inputs, local points, constant count, one element; typical, not maximum
+                                ///< on operands: inputs, local points, constant count, without elements; typical value
   std::string_view manual = {}; ///< "001:4814"
   std::uint16_t opcode = 0;     ///< position in the joined table, set by isa_list.hpp
 

@@ -27,12 +27,13 @@
 #include "ir/isa/shift.hpp"
 #include "ir/isa/stack.hpp"
 #include "ir/isa/string.hpp"
+#include "ir/isa/string_edit.hpp"
 #include "ir/isa/table.hpp"
 #include "ir/isa/timer.hpp"
 
 namespace rungproof::isa {
 
-using AllInstructions = Join<ContactGroup, CoilGroup, StackGroup, EdgeGroup, BistableGroup, ClockGroup, CommGroup, CompareGroup, ConvertGroup, AsciiGroup, StringGroup, CounterGroup, HscGroup, PulseGroup, IntegerGroup, RealGroup, IncrementGroup, PidGroup, InterruptGroup, LogicGroup, MoveGroup, ControlGroup, CallGroup, ScrGroup, ShiftGroup, TableGroup, TimerGroup>::type;
+using AllInstructions = Join<ContactGroup, CoilGroup, StackGroup, EdgeGroup, BistableGroup, ClockGroup, CommGroup, CompareGroup, ConvertGroup, AsciiGroup, StringGroup, StringEditGroup, CounterGroup, HscGroup, PulseGroup, IntegerGroup, RealGroup, IncrementGroup, PidGroup, InterruptGroup, LogicGroup, MoveGroup, ControlGroup, CallGroup, ScrGroup, ShiftGroup, TableGroup, TimerGroup>::type;
 
 template <class... Ops>
 constexpr std::array<Desc, sizeof...(Ops)> makeTable(Group<Ops...>) {

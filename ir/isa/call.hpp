@@ -7,7 +7,7 @@
 namespace rungproof::isa {
 
 /// Every form that some kind of parameter may take.
-inline constexpr Forms parameterForms =
+inline constexpr Forms anyParameter =
     form::bitAny | form::AC | form::HC | form::AI | form::AQ | form::Pointers | form::Const | form::Address;
 
 /// The second operand stands for 0 to 16 actual parameters (001:6775). Subroutine numbers: table 6-78 (001:6751)
@@ -19,7 +19,7 @@ struct Call : InScan {
       {.stl = "CALL", .meaning = "call a subroutine with up to 16 parameters", .group = "program control", .execution = Execution::Control,
        .stack = {1, 0, 0}, .eno = true, .control = Control::Call, .time = 900, .manual = "001:6733"},
       {in("SBR_N", Type::Subroutine, form::Const).within({{0, 15, cpuBit(Cpu::Cpu212)}, {0, 63, small}, {0, 127, large}}),
-       optional(inout("parameter", Type::Parameter, parameterForms))});
+       optional(inout("parameter", Type::Parameter, anyParameter))});
 };
 struct ReturnConditional : InScan {
   static constexpr Desc desc{.stl = "CRET", .meaning = "return from the subroutine if there is power flow", .group = "program control",

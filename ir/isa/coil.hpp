@@ -35,7 +35,7 @@ struct Latch {
   static constexpr int limit = immediate ? 128 : 255;  // 001:2789, 001:2800
   static constexpr Desc desc = withOperands(
       {.stl = stlName.view(), .german = germanName.view(), .meaning = meaning.view(), .group = "boolean", .stack = {1, 0, 0}, .eno = true,
-       .time = immediate ? 2190 : 290, .manual = immediate ? "001:2812" : "001:2811"},
+       .time = immediate ? 890 : 290, .manual = immediate ? "001:2812" : "001:2811"},
       {out("bit", Type::Bool, immediate ? form::Q : form::bitAny),
        in("N", Type::Byte, form::byteIn).within({{1, limit, everyCpu}})});
   template <class D>

@@ -10,7 +10,7 @@ namespace rungproof::isa {
 /// PLS Q0.X: X = 0 or 1. Offsets are those of SMB67 or SMB77: status byte before, values behind (001:4656-4680).
 struct PulseOutput {
   static constexpr Desc desc = withOperands({.stl = "PLS", .meaning = "pulse output", .group = "high-speed", .stack = {1, 0, 0}, .eno = true,
-                                             .time = 3600, .manual = "001:4533"},
+                                             .time = 3100, .manual = "001:4533"},
                                             {in("Q0.X", Type::Word, form::Const).within({{0, 1, everyCpu}})});
 
   /// Bits of the status byte.
