@@ -119,6 +119,13 @@ bool isName(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return isLetter(c) || isDigit(c) || c == '_' || static_cast<unsigned char>(c) >= 0x80; });
 }
 
+/// VB9999999999: an address whose number cannot be held.
+static bool hasTooManyDigits(std::string_view text, Spelling spelling) {
+  const std::size_t count = countLetters(text);
+  const std::string_view digits = text.substr(count);
+  return digits.size() > 9 && isAreaPrefix(text.substr(0, count), spelling) && std::all_of(digits.begin(), digits.end(), isDigit);
+}
+
 bool isAreaPrefix(std::string_view letters, Spelling spelling) { return lettersOf(letters, spelling).row != nullptr; }
 
 bool isPartOfAddress(std::string_view text, Spelling spelling) {
@@ -183,6 +190,7 @@ OperandResult readOperand(std::string_view text, const OperandContext& context) 
     result.fault = OperandFault::None;
     return result;
   }
+  if (hasTooManyDigits(text, context.spelling)) return failed(OperandFault::Number);
   ConstantResult value = readConstant(text, context.encoding);
   if (value.fault == ConstantFault::None) {
     result.fault = OperandFault::None;

@@ -62,7 +62,7 @@ class ProjectReader {
 
   void addText(std::string name, std::string_view bytes, bool isSymbolFile) {
     DecodedText decoded = decode(bytes, options_.encoding);
-    const bool isEmpty = trimmed(decoded.text).find_first_not_of('\n') == std::string_view::npos;
+    const bool isEmpty = decoded.text.find_first_not_of(" \t\r\n") == std::string::npos;
     const std::size_t length = decoded.text.size();
     const std::uint32_t file = program_.sources->add(std::move(name), std::move(decoded.text));
     SyntaxSink sink(program_, file);

@@ -241,6 +241,7 @@ void StatementReader::reportUnreadable(const Piece& piece, const OperandResult& 
     case OperandFault::Constant: sink_.report(Syntax::BadConstant, place, fmt::format("constant \"{}\" {}", name, faultText(result.constantFault))); break;
     case OperandFault::Pointer: sink_.report(Syntax::BadOperand, place, fmt::format("\"{}\" is no pointer: pointers are kept in VD, LD or AC", name)); break;
     case OperandFault::AddressOf: sink_.report(Syntax::BadOperand, place, fmt::format("\"{}\": only bytes, words, timers and counters have an address", name)); break;
+    case OperandFault::Number: sink_.report(Syntax::BadOperand, place, fmt::format("the number of address \"{}\" is too large", name)); break;
     default: sink_.report(Syntax::BadOperand, place, fmt::format("operand \"{}\" cannot be read", name)); break;
   }
 }

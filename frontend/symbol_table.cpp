@@ -141,7 +141,7 @@ void readSymbolTable(std::string_view text, Spelling spelling, SyntaxSink& sink)
   }
 }
 
-int symbolRowShare(std::string_view text) {
+int symbolRowShare(std::string_view text, Spelling spelling) {
   StlLexer lexer(text);
   std::uint32_t begin = 0, end = 0;
   int lines = 0, rows = 0;
@@ -156,7 +156,7 @@ int symbolRowShare(std::string_view text) {
     std::size_t name = 0, address = 0;
     Operand operand;
     const bool isInstruction = instructionNamed(trimmed(head.substr(0, head.find_first_of("\t,; ")))) != nullptr;
-    const bool isRow = !isInstruction && (findRow(text, row, Spelling::International, name, address, operand) || findRow(text, row, Spelling::German, name, address, operand));
+    const bool isRow = !isInstruction && findRow(text, row, spelling, name, address, operand);
     if (isRow || (lines == 1 && isHeader(line))) ++rows;
   }
   return lines == 0 ? 0 : rows * 100 / lines;

@@ -14,7 +14,7 @@ bool readSymbolRow(std::string_view text, std::uint32_t begin, std::uint32_t end
 /// Reads a whole table; reports rows that are none.
 void readSymbolTable(std::string_view text, Spelling spelling, SyntaxSink& sink);
 
-/// Share of the lines that are rows, 0 to 100.
-int symbolRowShare(std::string_view text);
+/// Share of the lines that are rows in that spelling, 0 to 100.
+int symbolRowShare(std::string_view text, Spelling spelling);
 
 }  // namespace rungproof
