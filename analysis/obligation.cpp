@@ -83,7 +83,7 @@ Node Obligations::leaf(const Operand& operand, int width) {
   return fresh;
 }
 
-void Obligations::addMonitor(Obligation& obligation) {
+void Obligations::addMonitor(AskedProperty& obligation) {
   Graph& graph = encoding_->graph();
   std::vector<Graph::Bits> before, after;
   for (const MonitorCell& cell : obligation.property.cells) before.push_back({graph.variable(cell.name, cell.width, true)});
@@ -104,9 +104,9 @@ TransitionSystem Obligations::system() {
   TransitionSystem result = encoding_->system();
   result.states.insert(result.states.end(), cells_.begin(), cells_.end());
   result.inputs.insert(result.inputs.end(), freeAnalog_.begin(), freeAnalog_.end());
-  for (const Obligation& assumption : assumptions_) result.constraints.push_back(assumption.answer);
+  for (const AskedProperty& assumption : assumptions_) result.constraints.push_back(assumption.answer);
   result.questions.clear();
-  for (const Obligation& goal : goals_) result.questions.push_back({goal.property.name, goal.answer});
+  for (const AskedProperty& goal : goals_) result.questions.push_back({goal.property.name, goal.answer});
   result.questions.insert(result.questions.end(), extra_.begin(), extra_.end());
   return result;
 }

@@ -18,7 +18,7 @@ struct MonitorState {
 };
 
 /// A property with what became of it.
-struct Obligation {
+struct AskedProperty {
   Property property;
   Node answer = noNode;  ///< Monitor::evaluate() at the end of the scan (or at some instruction of it)
   MonitorState state;
@@ -33,8 +33,8 @@ class Obligations {
               bool recordExecutions = false);
 
   EncodedScan& encoding() { return *encoding_; }
-  const std::vector<Obligation>& goals() const { return goals_; }
-  const std::vector<Obligation>& assumptions() const { return assumptions_; }
+  const std::vector<AskedProperty>& goals() const { return goals_; }
+  const std::vector<AskedProperty>& assumptions() const { return assumptions_; }
 
   /// Executions of instructions in one scan, in order, with their guards.
   const std::vector<std::pair<const Instruction*, Node>>& executions() const { return executions_; }
@@ -48,12 +48,12 @@ class Obligations {
 
  private:
   struct Leaf;
-  void addMonitor(Obligation& obligation);
+  void addMonitor(AskedProperty& obligation);
   Node leaf(const Operand& operand, int width);
 
   std::unique_ptr<EncodedScan> encoding_;
-  std::vector<Obligation> goals_;
-  std::vector<Obligation> assumptions_;
+  std::vector<AskedProperty> goals_;
+  std::vector<AskedProperty> assumptions_;
   std::vector<std::pair<const Instruction*, Node>> executions_;
   std::vector<StateVariable> cells_;
   std::vector<Node> timeCells_;

@@ -6,17 +6,11 @@
 #include <optional>
 #include <vector>
 
+#include "analysis/bit_blast.hpp"
 #include "analysis/obligation.hpp"
 #include "engine/replay.hpp"
 
 namespace rungproof {
-
-/// A run at word level: values of state variables before the first scan, and of inputs in every scan. Variables that
-/// are not listed do not matter.
-struct WordTrace {
-  std::vector<std::pair<Node, std::uint64_t>> initial;
-  std::vector<std::vector<std::pair<Node, std::uint64_t>>> inputs;
-};
 
 /// A run of the engine that shows what was asked.
 struct Witness {
@@ -50,10 +44,15 @@ class Judge {
   const Property& goal_;
 };
 
-/// Turns a word-level run of an encoding into scans of the engine. Scans longer than `longest` ms become several.
-std::vector<ReplayScan> scansOf(EncodedScan& encoding, const TransitionSystem& system, const WordTrace& trace, std::uint32_t longest);
+/// Turns a word-level run of an encoding into scans of the engine. Scans longer than the range become several.
+std::vector<ReplayScan> scansOf(EncodedScan& encoding, const TransitionSystem& system, const WordTrace& trace, const TimeRange& range);
 /// The state that the run starts from, or nothing if it is that of power-up.
-std::optional<Concrete::Store> initialOf(EncodedScan& encoding, const Program& program, const Choices& choices, const WordTrace& trace);
+std::optional<Concrete::Store> initialOf(EncodedScan& encoding, const TransitionSystem& system, const WordTrace& trace);
+
+/// The same for questions without a property: the found run, in real scans, is followed on the exact system until
+/// `bad` holds, and on the engine; both must have the same state after every scan.
+std::optional<Witness> agreedRun(const Program& program, const Choices& choices, EncodedScan& exact, const TransitionSystem& exactSystem, Node bad,
+                                 const TransitionSystem& found, const WordTrace& trace, const TimeRange& range);
 
 /// Value of a direct operand in a state, in the width in which it is written; T and C: bit or current value by width.
 std::uint64_t valueIn(const Concrete::Store& state, const Operand& operand);

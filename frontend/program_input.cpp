@@ -122,6 +122,13 @@ void ReportMerger::add(const Report& part) {
     if (finding.fix) finding.fix->span.file = places[finding.fix->span.file];
     report_.findings.push_back(std::move(finding));
   }
+  for (PropertyResult property : part.properties) {
+    if (property.span) property.span->file = places[property.span->file];
+    report_.properties.push_back(std::move(property));
+  }
+  for (const std::string& assumption : part.assumptions) {
+    if (std::find(report_.assumptions.begin(), report_.assumptions.end(), assumption) == report_.assumptions.end()) report_.assumptions.push_back(assumption);
+  }
   if (isEmpty_) report_.command = part.command;
   isEmpty_ = false;
   report_.coverage.instructions += part.coverage.instructions;

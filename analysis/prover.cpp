@@ -1,0 +1,354 @@
+// The course of a proof: easy questions together, then each open one with two searches side by side - the engines on
+// the exact system, and a search for witnesses on the accelerated one, in which time passes in long scans.
+#include "analysis/prover.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+#include <unordered_set>
+
+#include "analysis/accelerate.hpp"
+#include "analysis/portfolio.hpp"
+
+namespace rungproof {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// An encoding with its system, and what the questions of that system depend on.
+class Side {
+ public:
+  Side(const Program& program, const PropertySet& set, const std::vector<Property>& goals, const EncoderOptions& options, bool builtin)
+      : obligations_(program, set, goals, options, builtin) {
+    if (builtin) {
+      checks_ = builtinChecks(obligations_);
+      for (const BuiltinCheck& check : checks_) obligations_.ask(check.name, check.bad);
+    }
+    system_ = obligations_.system();
+  }
+
+  Obligations& obligations() { return obligations_; }
+  TransitionSystem& system() { return system_; }
+  const std::vector<BuiltinCheck>& checks() const { return checks_; }
+
+  /// The system with one question only.
+  TransitionSystem only(std::size_t question) const {
+    TransitionSystem one = system_;
+    one.questions = {system_.questions[question]};
+    return one;
+  }
+  /// Variables that the question depends on, through any number of scans. Constraints count, except total ones.
+  std::unordered_set<std::uint32_t> variablesOf(std::size_t question) const {
+    const Graph& graph = *system_.graph;
+    std::unordered_map<std::uint32_t, Node> next;
+    for (const StateVariable& state : system_.states) next[indexOf(state.node)] = state.next;
+    std::vector<Node> open{system_.questions[question].bad};
+    for (const Node constraint : system_.constraints) {
+      if (std::find(system_.totalConstraints.begin(), system_.totalConstraints.end(), constraint) == system_.totalConstraints.end()) open.push_back(constraint);
+    }
+    std::unordered_set<std::uint32_t> seen, variables;
+    while (!open.empty()) {
+      const Node node = open.back();
+      open.pop_back();
+      if (node == noNode || !seen.insert(indexOf(node)).second) continue;
+      const NodeData& data = graph[node];
+      if (data.op == Op::Variable) {
+        variables.insert(indexOf(node));
+        if (const auto found = next.find(indexOf(node)); found != next.end()) open.push_back(found->second);
+      }
+      for (const Node child : data.child) open.push_back(child);
+    }
+    return variables;
+  }
+  bool dependsOnTime(const std::unordered_set<std::uint32_t>& variables) const {
+    return std::any_of(system_.states.begin(), system_.states.end(), [&](const StateVariable& s) { return variables.contains(indexOf(s.node)) && obligations_.isTimeState(s.node); });
+  }
+  /// Keeps only what the question depends on, so that unrelated changes do not end a stretch of equal scans.
+  TransitionSystem accelerated(std::size_t question, std::uint32_t longest) {
+    TransitionSystem one = only(question);
+    const auto variables = variablesOf(question);
+    const TimeModel& time = obligations_.encoding().time();
+    std::unordered_set<std::uint32_t> ofTime;
+    for (const StateVariable& s : time.states()) ofTime.insert(indexOf(s.node));
+    for (const Node input : time.inputs()) ofTime.insert(indexOf(input));
+    const auto isIdle = [&](Node n) { return !variables.contains(indexOf(n)) && !ofTime.contains(indexOf(n)); };
+    std::erase_if(one.states, [&](const StateVariable& s) { return isIdle(s.node); });
+    std::erase_if(one.inputs, isIdle);
+    accelerate(one, time.dt(), time.width(), longest, [&](Node n) { return obligations_.isTimeState(n); });
+    return one;
+  }
+
+ private:
+  Obligations obligations_;
+  std::vector<BuiltinCheck> checks_;
+  TransitionSystem system_;
+};
+
+class Session {
+ public:
+  Session(const Program& program, const PropertySet& set, const ProverOptions& options)
+      : program_(program), set_(set), options_(options), goals_(goalsOf(set)), exact_(program, set, goals_, encoderOptions(false), options.builtin) {
+    for (const Property& property : set.properties) {
+      if (!property.isGoal()) assumptions_.push_back(property);
+    }
+  }
+
+  ProofRun run(const ProofProgress& progress) {
+    ProofRun result;
+    describe(result);
+    const std::size_t declared = declaredCount();
+    const std::size_t total = declared + exact_.checks().size();
+    quick_ = answerQuestions(exact_.system(), portfolio(std::min(options_.timeout, 0.5)));
+    for (std::size_t i = 0; i < total; ++i) {
+      const auto start = Clock::now();
+      const std::size_t question = i < declared ? i : goals_.size() + (i - declared);
+      ProofResult row;
+      if (i < declared) row.property = goals_[i];
+      else {
+        row.builtin = exact_.checks()[i - declared];
+        row.property.name = row.builtin->name;
+        if (row.builtin->place != nullptr) row.property.span = row.builtin->place->span;
+      }
+      settle(question, row, result);
+      row.seconds = secondsSince(start) + quick_[question].seconds;
+      result.results.push_back(std::move(row));
+      if (progress && !progress(result.results.back(), i + 1, total)) break;
+    }
+    return result;
+  }
+
+ private:
+  static std::vector<Property> goalsOf(const PropertySet& set) {
+    std::vector<Property> goals;
+    for (const Property& property : set.properties) {
+      if (property.isGoal()) goals.push_back(property);
+    }
+    const std::size_t declared = goals.size();
+    for (std::size_t i = 0; i < declared; ++i) {
+      if (auto premise = premiseOf(goals[i])) goals.push_back(std::move(*premise));
+    }
+    if (declared < set.properties.size()) goals.push_back(someRun());
+    return goals;
+  }
+  /// Reached in the first scan of any run at all: unreachable only if the assumptions contradict each other.
+  static Property someRun() {
+    Property property;
+    property.kind = PropertyKind::Reach;
+    property.name = "a run that meets the assumptions";
+    ExprNode always;
+    always.value = 1;
+    property.first.nodes.push_back(always);
+    layoutCells(property);
+    return property;
+  }
+  std::size_t declaredCount() const {
+    return static_cast<std::size_t>(std::count_if(set_.properties.begin(), set_.properties.end(), [](const Property& p) { return p.isGoal(); }));
+  }
+  std::optional<std::size_t> goalNamed(const std::string& name) const {
+    const auto found = std::find_if(goals_.begin(), goals_.end(), [&](const Property& p) { return p.name == name; });
+    if (found == goals_.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - goals_.begin());
+  }
+
+  EncoderOptions encoderOptions(bool relaxed) const {
+    EncoderOptions options;
+    options.choices = options_.choices;
+    options.time = options_.time;
+    options.time.relaxed = relaxed;
+    return options;
+  }
+  PortfolioOptions portfolio(double seconds, const std::atomic<bool>* cancel = nullptr) const {
+    PortfolioOptions options;
+    options.seconds = seconds;
+    options.jobs = options_.jobs;
+    options.seed = options_.seed;
+    options.bound = options_.bound;
+    options.cancel = cancel;
+    return options;
+  }
+
+  void describe(ProofRun& result) const {
+    result.assumptions.push_back(fmt::format("CPU {}, {} edition", cpuName(program_.target.cpu), program_.target.edition == Edition::Edition2003 ? 2003 : 2004));
+    result.assumptions.push_back(options_.time.low == options_.time.high ? fmt::format("every scan lasts {} ms", options_.time.low)
+                                                                         : fmt::format("every scan lasts {} to {} ms", options_.time.low, options_.time.high));
+    result.assumptions.push_back(set_.initialRetentive ? "retentive memory starts with any value, the rest with zero" : "memory starts with zero and the data block");
+    for (const ExternalRange& range : set_.externals) result.assumptions.push_back(fmt::format("{} to {} may be written from outside in any scan", toString(range.first), toString(range.last)));
+    for (const Property& assumption : assumptions_) result.assumptions.push_back(assumption.text);
+    for (const Approximation& approximation : exact_.obligations().encoding().approximations()) result.approximations.push_back(textOf(approximation));
+  }
+  std::string textOf(const Approximation& approximation) const {
+    if (approximation.place == nullptr) return approximation.reason;
+    const Span span = approximation.place->span;
+    return fmt::format("{} at {}:{}: {}", approximation.place->desc->stl, program_.sources->file(span.file).name(), program_.sources->position(span).line, approximation.reason);
+  }
+
+  // ---- One question -----------------------------------------------------------------------------------
+
+  void settle(std::size_t question, ProofResult& row, ProofRun& run) {
+    QuestionAnswer answer = quick_[question];
+    std::optional<Witness> witness;
+    if (answer.answer == Answer::Violated) witness = replayed(exact_, exact_.system(), question, *answer.trace);
+    const bool isOpen = answer.answer == Answer::Unknown || (answer.answer == Answer::Violated && !witness);
+    if (isOpen && options_.timeout > 0.5) std::tie(answer, witness) = race(question, options_.timeout - 0.5);
+    row.method = answer.method;
+    row.depth = answer.depth;
+    const bool wantsYes = row.builtin ? isWanted(row.builtin->kind) : row.property.kind == PropertyKind::Reach;
+    if (witness) {
+      row.outcome = wantsYes ? Outcome::Reachable : Outcome::Violated;
+      row.depth = static_cast<int>(std::min<std::uint64_t>(witness->scanCount, 1U << 30));
+      row.witness = std::move(witness);
+    } else if (answer.answer == Answer::Proved) {
+      row.outcome = wantsYes ? Outcome::Unreachable : Outcome::Proved;
+      writeCertificate(question, answer, row);
+      checkVacuity(row);
+    } else if (answer.answer == Answer::Violated) {
+      unconfirmed(question, answer, row, run);
+    } else {
+      row.outcome = answer.depth > 0 && options_.bound > 0 ? Outcome::HoldsToBound : Outcome::Unknown;
+      row.notes.push_back(fmt::format("no violation in the first {} scans; {}", answer.depth, answer.method));
+    }
+    noteApproximations(question, row);
+  }
+
+  /// The exact system and the accelerated one at the same time; the first valid result ends both. Witnesses of built-in
+  /// checks are followed on the exact graph, which the other search extends: they wait for its end.
+  std::pair<QuestionAnswer, std::optional<Witness>> race(std::size_t question, double seconds) {
+    std::atomic<bool> cancelExact{false}, cancelFast{false};
+    std::optional<Witness> witness;
+    std::optional<QuestionAnswer> fastAnswer;
+    std::optional<TransitionSystem> accelerated;
+    std::thread fast;
+    if (exact_.dependsOnTime(exact_.variablesOf(question))) {
+      accelerated = relaxedSide().accelerated(question, options_.time.high);
+      fast = std::thread([&] {
+        PortfolioOptions options = portfolio(seconds, &cancelFast);
+        options.jobs = 1;
+        options.check = false;
+        QuestionAnswer answer = answerQuestions(*accelerated, options)[0];
+        if (answer.answer != Answer::Violated) return;
+        if (question < goals_.size()) witness = replayed(*relaxed_, *accelerated, question, *answer.trace);
+        fastAnswer = std::move(answer);
+        if (witness || question >= goals_.size()) cancelExact = true;
+      });
+    }
+    const auto start = Clock::now();
+    QuestionAnswer answer = answerQuestions(exact_.only(question), portfolio(seconds, &cancelExact))[0];
+    if (answer.answer != Answer::Unknown) cancelFast = true;
+    if (fast.joinable()) fast.join();
+    if (fastAnswer && !witness && question >= goals_.size()) {
+      witness = replayed(*relaxed_, *accelerated, question, *fastAnswer->trace);
+      const double left = seconds - secondsSince(start);
+      if (!witness && answer.answer == Answer::Unknown && left > 0) answer = answerQuestions(exact_.only(question), portfolio(left))[0];
+    }
+    CHECK(!(witness && answer.answer == Answer::Proved), "a proved property has a witness that the engine repeats");
+    if (witness) {
+      answer.method = "accelerated search";
+    } else if (answer.answer == Answer::Violated) {
+      witness = replayed(exact_, exact_.system(), question, *answer.trace);
+    }
+    return {std::move(answer), std::move(witness)};
+  }
+
+  Side& relaxedSide() {
+    if (!relaxed_) relaxed_ = std::make_unique<Side>(program_, set_, goals_, encoderOptions(true), options_.builtin);
+    return *relaxed_;
+  }
+
+  /// The run as the engine repeats it, if it shows the same.
+  std::optional<Witness> replayed(Side& side, const TransitionSystem& system, std::size_t question, const WordTrace& trace) {
+    EncodedScan& encoding = side.obligations().encoding();
+    if (question >= goals_.size()) {
+      return agreedRun(program_, options_.choices, exact_.obligations().encoding(), exact_.system(), exact_.system().questions[question].bad, system, trace, options_.time);
+    }
+    std::vector<ReplayScan> scans = scansOf(encoding, system, trace, options_.time);
+    return Judge(program_, options_.choices, assumptions_, goals_[question]).witness(std::move(scans), initialOf(encoding, system, trace));
+  }
+
+  void unconfirmed(std::size_t question, const QuestionAnswer& answer, ProofResult& row, ProofRun& run) {
+    row.outcome = Outcome::Unknown;
+    const bool rests = answer.usesFreeReals || !approximationsOf(question).empty();
+    if (rests) {
+      row.outcome = Outcome::NotCovered;
+      row.notes.push_back("the run that was found rests on values that are not modelled exactly; the engine does not repeat it");
+      return;
+    }
+    run.disagreements.push_back({row.property.name, fmt::format("the solver's run of {} scans is not repeated by the engine", answer.depth + 1)});
+  }
+
+  void writeCertificate(std::size_t question, const QuestionAnswer& answer, ProofResult& row) const {
+    if (options_.certificates.empty() || !answer.certificate) return;
+    std::string stem;
+    for (const char c : row.property.name) stem += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+    const std::filesystem::path directory(options_.certificates);
+    std::error_code error;
+    std::filesystem::create_directories(directory, error);
+    const std::filesystem::path file = directory / (stem + ".smt2"), part = directory / (stem + ".smt2.part");
+    std::ofstream(part, std::ios::binary) << certificateText(exact_.system(), exact_.system().questions[question], *answer.certificate);
+    std::filesystem::rename(part, file, error);
+    if (error) row.notes.push_back(fmt::format("the certificate could not be written to {}", file.string()));
+    else row.certificate = file.string();
+  }
+
+  /// A property whose premise can never be met, or assumptions that no run meets, prove nothing.
+  void checkVacuity(ProofResult& row) {
+    if (row.builtin) return;
+    if (const auto some = goalNamed(someRun().name); some && quick_[*some].answer == Answer::Proved) {
+      row.outcome = Outcome::Vacuous;
+      row.notes.push_back("the assumptions contradict each other: no run meets them");
+      return;
+    }
+    const auto premise = goalNamed(row.property.name + " (premise)");
+    if (!premise || row.outcome != Outcome::Proved) return;
+    Answer answer = quick_[*premise].answer;
+    if (answer == Answer::Unknown) {
+      const auto [found, witness] = race(*premise, std::min(options_.timeout, 5.0));
+      answer = witness ? Answer::Violated : found.answer;
+    }
+    if (answer == Answer::Proved) {
+      row.outcome = Outcome::Vacuous;
+      row.notes.push_back(fmt::format("the premise '{}' can never be met", goals_[*premise].text));
+    } else if (answer == Answer::Unknown) {
+      row.notes.push_back(fmt::format("no run was found that meets the premise '{}'", goals_[*premise].text));
+    }
+  }
+
+  std::vector<const Approximation*> approximationsOf(std::size_t question) {
+    std::vector<const Approximation*> found;
+    const auto variables = exact_.variablesOf(question);
+    for (const Approximation& approximation : exact_.obligations().encoding().approximations()) {
+      if (std::any_of(approximation.carriers.begin(), approximation.carriers.end(), [&](Node n) { return n != noNode && variables.contains(indexOf(n)); })) found.push_back(&approximation);
+    }
+    return found;
+  }
+  void noteApproximations(std::size_t question, ProofResult& row) {
+    for (const Approximation* approximation : approximationsOf(question)) {
+      if (row.outcome == Outcome::Unknown) row.outcome = Outcome::NotCovered;
+      row.notes.push_back("depends on " + textOf(*approximation));
+    }
+  }
+
+  const Program& program_;
+  const PropertySet& set_;
+  const ProverOptions& options_;
+  std::vector<Property> goals_;
+  std::vector<Property> assumptions_;
+  mutable Side exact_;
+  std::unique_ptr<Side> relaxed_;
+  std::vector<QuestionAnswer> quick_;
+};
+
+}  // namespace
+
+ProofRun prove(const Program& program, const PropertySet& set, const ProverOptions& options, const ProofProgress& progress) {
+  return Session(program, set, options).run(progress);
+}
+
+}  // namespace rungproof

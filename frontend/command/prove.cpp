@@ -1,0 +1,219 @@
+// `rungproof prove`: declared properties and built-in checks, each with a verdict and its evidence.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <filesystem>
+#include <sstream>
+
+#include "analysis/prover.hpp"
+#include "frontend/command/command.hpp"
+#include "frontend/program_input.hpp"
+#include "frontend/trace/format.hpp"
+#include "frontend/witness_report.hpp"
+
+namespace rungproof {
+
+namespace {
+
+struct Arguments {
+  std::vector<std::string> files;
+  std::vector<std::string> properties;
+  bool builtin = false;
+  std::string certificates;
+  std::string traces;
+};
+
+volatile std::sig_atomic_t interrupted = 0;
+void onInterrupt(int) { interrupted = 1; }
+
+VerdictWord wordOf(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::Proved: return VerdictWord::Proved;
+    case Outcome::Violated: return VerdictWord::Violated;
+    case Outcome::Reachable: return VerdictWord::Reachable;
+    case Outcome::Unreachable: return VerdictWord::Unreachable;
+    case Outcome::HoldsToBound: return VerdictWord::HoldsToBound;
+    case Outcome::Vacuous: return VerdictWord::Vacuous;
+    case Outcome::NotCovered: return VerdictWord::NotCovered;
+    case Outcome::Unknown: return VerdictWord::Unknown;
+  }
+  return VerdictWord::Unknown;
+}
+
+/// A file name made of a property's name.
+std::string fileStem(std::string_view name) {
+  std::string stem;
+  for (const char c : name) stem += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.' ? c : '_';
+  return stem.empty() ? "property" : stem;
+}
+
+/// Writes the witness as CSV (also a stimulus), VCD and SVG; gives the name of the CSV file.
+std::string writeTraces(const Context& context, const std::string& directory, const Program& program, const Choices& choices, const ProofResult& result) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  const Trace trace = traceOf(program, choices, *result.witness, touchedSignals(program));
+  std::string first;
+  for (const char* ending : {".csv", ".vcd", ".svg"}) {
+    const std::string name = (std::filesystem::path(directory) / (fileStem(result.property.name) + ending)).string();
+    std::ostringstream text;
+    traceFormatOf(name)->write(trace, result.property.name, text);
+    if (!context.write({ending + 1, name}, text.str())) continue;
+    if (first.empty()) first = name;
+  }
+  return first;
+}
+
+PropertyResult rowOf(const Context& context, const Arguments& arguments, const Program& program, const Choices& choices, const ProofResult& result) {
+  PropertyResult row;
+  row.name = result.property.name;
+  row.kind = result.builtin ? ResultKind::Builtin : result.property.kind == PropertyKind::Reach ? ResultKind::Reach : ResultKind::Prove;
+  row.verdict = wordOf(result.outcome);
+  row.method = result.method;
+  row.depth = result.depth;
+  row.seconds = result.seconds;
+  row.statement = result.property.text;
+  if (result.property.span.length > 0) row.span = result.property.span;
+  row.notes = result.notes;
+  if (result.witness) {
+    const Trace trace = traceOf(program, choices, *result.witness, signalsThatMatter(program, result));
+    for (const std::string& line : tableOf(trace)) row.notes.push_back(line);
+    if (!arguments.traces.empty()) row.trace = writeTraces(context, arguments.traces, program, choices, result);
+  }
+  if (!result.certificate.empty()) row.notes.push_back(fmt::format("certificate: {}", result.certificate));
+  return row;
+}
+
+/// The built-in checks that found something are findings as well.
+std::optional<Finding> findingOf(const Program& program, const ProofResult& result) {
+  if (!result.builtin) return std::nullopt;
+  const bool bad = isWanted(result.builtin->kind) ? result.outcome == Outcome::Unreachable : result.outcome == Outcome::Violated;
+  if (!bad) return std::nullopt;
+  Finding finding;
+  finding.rule = result.builtin->rule;
+  finding.severity = Severity::Warning;
+  finding.message = result.builtin->message;
+  finding.address = result.builtin->address;
+  finding.confirmation = Confirmation::Confirmed;
+  if (result.builtin->place != nullptr) {
+    finding.span = result.builtin->place->span;
+    for (const Pou& pou : program.pous) {
+      for (const Network& network : pou.networks) {
+        for (const Instruction& instruction : network.instructions) {
+          if (&instruction != result.builtin->place) continue;
+          finding.pou = pou.name;
+          finding.network = network.number;
+        }
+      }
+    }
+  }
+  if (result.builtin->other != nullptr) finding.related.push_back({result.builtin->other->span, "the other half of the conflict"});
+  return finding;
+}
+
+ProverOptions optionsOf(const Settings& settings, const Arguments& arguments) {
+  ProverOptions options;
+  options.choices = settings.choices();
+  options.time.high = static_cast<std::uint32_t>(options.choices.watchdogMs());
+  if (const auto range = settings.scanTime()) {
+    options.time.low = static_cast<std::uint32_t>(std::max<std::int64_t>(range->low.count() / 1000, 1));
+    options.time.high = static_cast<std::uint32_t>(std::max<std::int64_t>(range->high.count() / 1000, options.time.low));
+  }
+  if (const auto timeout = settings.timeout()) options.timeout = static_cast<double>(timeout->count()) / 1e6;
+  options.bound = static_cast<int>(settings.number(Opt::Bound, 0));
+  options.jobs = static_cast<int>(settings.number(Opt::Jobs, 2));
+  options.seed = static_cast<std::uint64_t>(settings.number(Opt::Seed, 1));
+  options.builtin = arguments.builtin;
+  options.certificates = arguments.certificates;
+  return options;
+}
+
+Exit run(const Arguments& arguments, Context& context) {
+  ReportMerger merger;
+  bool failed = false;
+  for (const std::vector<std::string>& files : groupByProgram(context, arguments.files)) {
+    const ProgramInput input = readInput(context, files, arguments.properties);
+    Report part = startReport("prove", input.program, files);
+    std::erase_if(part.findings, [](const Finding& finding) { return finding.severity != Severity::Error; });
+    if (!part.findings.empty()) failed = true;
+    if (!hasReadErrors(input.program)) {
+      const ProverOptions options = optionsOf(context.settings, arguments);
+      interrupted = 0;
+      const auto before = std::signal(SIGINT, onInterrupt);
+      const ProofRun proof = prove(input.program, input.properties, options, [&](const ProofResult& result, std::size_t done, std::size_t total) {
+        if (context.progress) context.err << fmt::format("\rprove: {} of {}: {}\x1B[K", done, total, result.property.name) << std::flush;
+        return interrupted == 0;
+      });
+      std::signal(SIGINT, before);
+      if (context.progress) context.err << "\r\x1B[K" << std::flush;
+      for (const ProofResult& result : proof.results) {
+        part.properties.push_back(rowOf(context, arguments, input.program, options.choices, result));
+        part.properties.back().assumptions = {};
+        if (auto finding = findingOf(input.program, result)) part.findings.push_back(std::move(*finding));
+      }
+      part.assumptions = proof.assumptions;
+      part.coverage.approximated = proof.approximations;
+      for (const Disagreement& disagreement : proof.disagreements) {
+        failed = true;
+        context.err << fmt::format("rungproof: internal disagreement on '{}': {}\n", disagreement.name, disagreement.explanation);
+      }
+      if (proof.results.empty() && !arguments.builtin) {
+        context.err << fmt::format("rungproof: no property is declared in {}; see 'rungproof prove --help', or give --builtin\n", files.front());
+      }
+    }
+    merger.add(part);
+  }
+  const Exit exit = finish(context, merger.take());
+  return failed ? Exit::Failed : exit;
+}
+
+Action setup(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  app.add_option("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input")->required();
+  app.add_option("--props", arguments->properties, "property file; may be repeated")->type_name("FILE");
+  app.add_flag("--builtin", arguments->builtin, "also the built-in checks: set/reset conflicts, operand ranges, timers, division, loops");
+  app.add_option("--certificate", arguments->certificates, "write the proof of each PROVED as SMT-LIB 2, for another solver to check")->type_name("DIR");
+  app.add_option("--traces", arguments->traces, "write each witness as CSV (also a stimulus), VCD and SVG")->type_name("DIR");
+  return [arguments](Context& context) { return run(*arguments, context); };
+}
+
+}  // namespace
+
+extern constexpr Command proveCommand = {
+    .name = "prove",
+    .usage = "FILE... [--props FILE]...",
+    .summary = "prove declared properties, or show the run that breaks them",
+    .details =
+        "Properties stand in comments that begin with //@ or in property files, one statement a line:\n"
+        "    assume NAME: EXPR                          holds in every scan\n"
+        "    prove NAME: always EXPR                    invariant pattern; 'always' may be left out\n"
+        "    prove NAME: never EXPR                     forbidden pattern\n"
+        "    prove NAME: EXPR implies EXPR              implication pattern\n"
+        "    prove NAME: prev(EXPR) implies EXPR        state change during a cycle\n"
+        "    prove NAME: prev(A) and B implies C        state change between cycles\n"
+        "    prove NAME: A only after B                 leads-to pattern: B in this or an earlier scan\n"
+        "    prove NAME: A implies once(prev(B) and C)  leads-to with a trigger from B to C\n"
+        "    prove NAME: A implies once(prev(B))        leads-to, earlier\n"
+        "    prove NAME: A held 2s implies B            timed trigger\n"
+        "    reach NAME: EXPR                           reachability pattern\n"
+        "    reach NAME: EXPR and once(not EXPR)        repeatability: comes again after it was gone\n"
+        "    prove NAME: A leads to B within 3 scans    or: within 500ms\n"
+        "    prove NAME: A unless B                     once true, stays true until\n"
+        "    external VB100..VB199                      any value in any scan\n"
+        "    initial retentive                          retentive memory starts with any value\n"
+        "    pulse I0.0 at most every 50ms              how fast an input may rise\n"
+        "Operators: not, and, xor, or, implies, = <> < <= > >=, + - *; functions: rises, falls, prev, once,\n"
+        "since, held, first_scan. T37 is the bit of a timer, T37.value its current value.\n"
+        "\n"
+        "Verdicts: PROVED, VIOLATED, REACHABLE, UNREACHABLE, HOLDS TO BOUND n, VACUOUS, UNKNOWN, NOT COVERED.\n"
+        "Every VIOLATED and REACHABLE has been repeated by the reference engine.\n"
+        "\n"
+        "Examples:\n"
+        "    rungproof prove press.awl\n"
+        "    rungproof prove press.awl --props press.prop --scan-time 5ms..20ms --timeout 30s\n"
+        "    rungproof prove press.awl --builtin --traces witnesses --certificate proofs\n",
+    .shows = option_group::Reading | option_group::Running | option_group::Output | option_group::Configuration,
+    .setup = setup,
+};
+
+}  // namespace rungproof

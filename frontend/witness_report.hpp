@@ -1,0 +1,22 @@
+// A witness as people read it: a trace of the engine's run, and a table of the scans that matter with inputs first.
+// Stretches in which nothing but time passes are one row. Tested by tests/prover and tests/golden.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/prover.hpp"
+#include "engine/trace.hpp"
+
+namespace rungproof {
+
+/// Every scan of the run with the given signals; at most `limit` rows, the last ones.
+Trace traceOf(const Program& program, const Choices& choices, const Witness& witness, const std::vector<TraceSignal>& signals, std::size_t limit = 100000);
+
+/// The addresses of the property first, then the inputs that the witness sets, each once.
+std::vector<TraceSignal> signalsThatMatter(const Program& program, const ProofResult& result);
+
+/// Lines of a table: scan, time at its end, values. Runs of equal rows are drawn together; at most `rows` rows.
+std::vector<std::string> tableOf(const Trace& trace, std::size_t rows = 24);
+
+}  // namespace rungproof
