@@ -48,24 +48,27 @@ struct Verdict {
 class Budget {
  public:
   using Clock = std::chrono::steady_clock;
-  explicit Budget(Clock::time_point deadline, const std::atomic<bool>* cancel = nullptr)
-      : deadline_(deadline), cancel_(cancel) {}
+  explicit Budget(Clock::time_point deadline, const std::atomic<bool>* cancel = nullptr, const std::atomic<bool>* outer = nullptr)
+      : deadline_(deadline), cancel_(cancel), outer_(outer) {}
   /// A budget of that many seconds from now.
-  static Budget seconds(double s, const std::atomic<bool>* cancel = nullptr) {
-    return Budget(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(s)), cancel);
+  static Budget seconds(double s, const std::atomic<bool>* cancel = nullptr, const std::atomic<bool>* outer = nullptr) {
+    return Budget(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(s)), cancel, outer);
   }
   /// The same cancellation, but at most that many seconds from now.
   Budget slice(double s) const {
-    const Budget other = seconds(s, cancel_);
+    const Budget other = seconds(s, cancel_, outer_);
     return other.deadline_ < deadline_ ? other : *this;
   }
   bool isExhausted() const {
-    return (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) || Clock::now() >= deadline_;
+    return isSet(cancel_) || isSet(outer_) || Clock::now() >= deadline_;
   }
 
  private:
+  static bool isSet(const std::atomic<bool>* flag) { return flag != nullptr && flag->load(std::memory_order_relaxed); }
+
   Clock::time_point deadline_;
   const std::atomic<bool>* cancel_;
+  const std::atomic<bool>* outer_;
 };
 
 struct EngineOptions {

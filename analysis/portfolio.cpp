@@ -26,7 +26,7 @@ class Portfolio {
     std::vector<std::size_t> all;
     for (std::size_t q = 0; q < system_.questions.size(); ++q) all.push_back(q);
     blast_ = std::make_unique<BitBlast>(system_, all);
-    const Budget budget = Budget::seconds(options_.seconds * static_cast<double>(all.size()));
+    const Budget budget = Budget::seconds(options_.seconds * static_cast<double>(all.size()), options_.cancel);
     SharedSearch shared(blast_->bits(), options_.seed);
     shared.simulate(simulatedScans, budget.slice(options_.seconds * 0.1));
     const int most = options_.bound > 0 ? std::min(shortInduction, options_.bound) : shortInduction;
@@ -54,7 +54,7 @@ class Portfolio {
       questions[i].system = &cones[i].system;
       questions[i].verdict.depth = answers_[open[i]].depth;
     }
-    race(questions, {options_.seconds, options_.jobs, options_.seed, options_.bound});
+    race(questions, {options_.seconds, options_.jobs, options_.seed, options_.bound, options_.cancel});
     for (std::size_t i = 0; i < open.size(); ++i) {
       answers_[open[i]].seconds += questions[i].seconds / std::max(options_.jobs, 1);
       if (questions[i].verdict.answer == Answer::Unknown) questions[i].verdict.method = "BMC, k-induction, IC3, simulation, explicit search";

@@ -4,6 +4,7 @@
 // program. Tested by tests/solver/portfolio_test.cpp.
 #pragma once
 
+#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ struct PortfolioOptions {
   std::uint64_t seed = 1;
   int bound = 0;           ///< BMC and k-induction look at that many scans at most; 0: no limit
   bool check = true;       ///< check certificates with Z3; without, proofs are reported as they are
+  const std::atomic<bool>* cancel = nullptr;  ///< ends the search from outside; what is open stays unknown
 };
 
 struct QuestionAnswer {

@@ -22,6 +22,7 @@ struct RaceOptions {
   int jobs = 2;
   std::uint64_t seed = 1;
   int bound = 0;  ///< 0: no limit
+  const std::atomic<bool>* cancel = nullptr;
 };
 
 void race(std::vector<RaceQuestion>& questions, const RaceOptions& options);
