@@ -1,0 +1,81 @@
+// ARI002: a result that can leave its type although neither ENO nor SM1.1 is tested. Candidates are products of two
+// values and sums that only ever grow; the prover decides. Tested by its examples and
+// tests/rules/arithmetic_rules_test.cpp.
+#include <fmt/format.h>
+
+#include "analysis/facts.hpp"
+#include "analysis/rule.hpp"
+
+namespace rungproof {
+
+namespace {
+
+bool isProduct(std::string_view stl) { return stl == "*I" || stl == "*D"; }
+bool isGrowth(std::string_view stl) { return stl == "INCW" || stl == "INCD" || stl == "INCB" || stl == "DECW" || stl == "DECD" || stl == "DECB" || stl == "+I" || stl == "+D"; }
+
+/// Whether one of the next instructions asks ENO or SM1.1: in the same network or the one after it.
+bool isTested(const Facts& facts, const InstructionPlace& place) {
+  const Flow& flow = facts.plan().flows[place.block];
+  for (std::uint32_t at = place.step + 1; at < flow.steps.size() && flow.steps[at].network <= place.network + 1; ++at) {
+    const Instruction& instruction = *flow.steps[at].instruction;
+    if (kindOf(instruction) == Kind::Aeno) return true;
+    if (instruction.desc->affects != 0 && at > place.step + 4) return false;
+    for (const Operand& o : instruction.operands) {
+      if (o.kind == OperandKind::Direct && o.area == Area::SM && o.offset == 1 && o.bit == 1) return true;
+    }
+  }
+  return false;
+}
+
+/// Whether nothing else writes the place and no comparison looks at it: the value only grows.
+bool growsForEver(const Facts& facts, const Access& target) {
+  const std::uint32_t cell = facts.cellOf(target);
+  if (cell == facts.index().cells().size() || target.area == Area::AC || target.byNumber()) return false;
+  if (facts.index().isWrittenAtLarge(cell) || facts.isExternal(cell)) return false;
+  for (const std::uint32_t i : facts.index().at(cell)) {
+    const Access& access = facts.access(i);
+    if (access.instruction == target.instruction) continue;
+    if (access.write || facts.instruction(access.instruction).desc->execution == Execution::Compare) return false;
+  }
+  return true;
+}
+
+void check(const Facts& facts, FindingSink& sink) {
+  for (const InstructionPlace& place : facts.instructions()) {
+    const Instruction& instruction = *place.instruction;
+    const std::string_view stl = instruction.desc->stl;
+    if ((!isProduct(stl) && !isGrowth(stl)) || !facts.execution().at(instruction.id).isReachable) continue;
+    const Access* target = nullptr;
+    for (const Access& access : facts.accesses().of(instruction.id)) {
+      if (access.write && !access.viaPointer) target = &access;
+    }
+    if (target == nullptr) continue;
+    const bool hasConstant = instruction.operands[0].kind == OperandKind::Constant;
+    const bool isCandidate = isProduct(stl) ? !hasConstant : growsForEver(facts, *target);
+    if (!isCandidate || isTested(facts, place)) continue;
+    const std::string name = accessName(*target);
+    const std::string text = isProduct(stl) ? fmt::format("the product in {} can leave its type, and neither ENO nor SM1.1 is asked", Facts::text(instruction))
+                                            : fmt::format("{} only ever grows by {}; in the end it overflows, and neither ENO nor SM1.1 is asked", name, Facts::text(instruction));
+    Finding& finding = sink.report(instruction.span, text);
+    finding.address = name;
+    finding.help = "on overflow the operands stay as they were (001:4814); add AENO and a reaction, limit the value, or use a wider type";
+  }
+}
+
+}  // namespace
+
+extern constexpr Rule ari002_overflow_unnoticed = {
+    .id = "ARI002",
+    .title = "Overflow goes unnoticed",
+    .severity = Severity::Warning,
+    .needs = Needs::FlowThenSolver,
+    .detects = "a product of two variables, or a value that only grows, whose overflow neither ENO nor SM1.1 shows to the program",
+    .why = "on overflow the operands stay as they were, so the program goes on with the old value",
+    .manual = "001:4814",
+    .bad = "Network 1\nLD SM0.0\nMOVW AIW0, VW0\n*I VW2, VW0\n",
+    .good = "Network 1\nLD SM0.0\nMOVW AIW0, VW0\n*I VW2, VW0\nAENO\nNOT\n= M0.0\n",
+    .falsePositives = "values whose range is known from elsewhere: the prover drops them",
+    .check = check,
+};
+
+}  // namespace rungproof

@@ -1,0 +1,40 @@
+// ARI004: = or <> between REAL values. Tested by its examples.
+#include <fmt/format.h>
+
+#include "analysis/facts.hpp"
+#include "analysis/rule.hpp"
+
+namespace rungproof {
+
+namespace {
+
+void check(const Facts& facts, FindingSink& sink) {
+  for (const InstructionPlace& place : facts.instructions()) {
+    const Instruction& instruction = *place.instruction;
+    const Desc& desc = *instruction.desc;
+    if (desc.execution != Execution::Compare || desc.operandCount == 0 || desc.operands[0].type != Type::Real) continue;
+    const bool isEquality = desc.stl.ends_with("<>") || (desc.stl.ends_with("=") && !desc.stl.ends_with(">=") && !desc.stl.ends_with("<="));
+    if (!isEquality) continue;
+    Finding& finding = sink.report(instruction.span, fmt::format("{} compares real numbers for equality", Facts::text(instruction)));
+    finding.help = "results are rounded to about six digits (001:1401); compare with a lower and an upper limit";
+  }
+}
+
+}  // namespace
+
+extern constexpr Rule ari004_real_equality = {
+    .id = "ARI004",
+    .title = "REAL compared for equality",
+    .severity = Severity::Warning,
+    .needs = Needs::Text,
+    .detects = "= or <> between real numbers",
+    .why = "results are rounded, so two ways to the same value may differ in the last digit",
+    .manual = "001:1401-1410",
+    .bad = "Network 1\nLDR= VD0, 1.5\n= Q0.0\n",
+    .good = "Network 1\nLDR>= VD0, 1.49\nAR<= VD0, 1.51\n= Q0.0\n",
+    .falsePositives = "comparison with a value that was moved, not computed",
+    .peers = "SA0054; CP8; iec-checker CP8; Frama-PLC E2.1",
+    .check = check,
+};
+
+}  // namespace rungproof

@@ -1,0 +1,74 @@
+// HSP001: HSC without HDEF, HDEF twice, HSC in front of its HDEF. Tested by its examples and
+// tests/rules/device_rules_test.cpp.
+#include <fmt/format.h>
+
+#include <array>
+
+#include "analysis/facts.hpp"
+#include "analysis/rule.hpp"
+
+namespace rungproof {
+
+namespace {
+
+constexpr int counters = 6;
+
+int counterOf(const Instruction& instruction) {
+  if (instruction.operands.empty() || instruction.operands[0].kind != OperandKind::Constant) return -1;
+  const std::int64_t number = instruction.operands[0].value;
+  return number >= 0 && number < counters ? static_cast<int>(number) : -1;
+}
+
+void check(const Facts& facts, FindingSink& sink) {
+  std::array<const Instruction*, counters> definition{}, use{};
+  for (const InstructionPlace& place : facts.instructions()) {
+    const Instruction& instruction = *place.instruction;
+    const Kind kind = kindOf(instruction);
+    if (kind != Kind::Hdef && kind != Kind::Hsc) continue;
+    const int counter = counterOf(instruction);
+    if (counter < 0) continue;
+    const auto n = static_cast<std::size_t>(counter);
+    if (kind == Kind::Hsc) {
+      if (use[n] == nullptr) use[n] = &instruction;
+      continue;
+    }
+    if (definition[n] == nullptr) {
+      definition[n] = &instruction;
+      continue;
+    }
+    Finding& finding = sink.report(instruction.span, fmt::format("{} defines HSC{} a second time; only the first definition counts", Facts::text(instruction), counter));
+    finding.related.push_back({definition[n]->span, "first definition"});
+    finding.help = "define a counter once, in the first scan (error 000A, 001:13958, 001:4360)";
+  }
+  if (facts.hasHiddenCode()) return;
+  for (std::size_t n = 0; n < counters; ++n) {
+    if (use[n] == nullptr) continue;
+    if (definition[n] == nullptr) {
+      sink.report(use[n]->span, fmt::format("{} runs, but no HDEF defines HSC{}", Facts::text(*use[n]), n)).help = "run HDEF once before, in the first scan (error 0001, 001:13949)";
+    } else if (use[n]->id < definition[n]->id && facts.blockOf(use[n]->id) == facts.blockOf(definition[n]->id) &&
+               (facts.conditionOf(use[n]->id) & condition::FirstScan) != 0) {
+      Finding& finding = sink.report(use[n]->span, fmt::format("{} runs before the HDEF of its counter", Facts::text(*use[n])));
+      finding.related.push_back({definition[n]->span, "the definition follows here"});
+      finding.help = "put HDEF first (error 0001, 001:4188)";
+    }
+  }
+}
+
+}  // namespace
+
+extern constexpr Rule hsp001_counter_definition = {
+    .id = "HSP001",
+    .title = "HSC without or with double HDEF",
+    .severity = Severity::Error,
+    .needs = Needs::Flow,
+    .detects = "HSC reached before HDEF or without one, HDEF twice for one counter",
+    .why = "run-time errors 0001 and 000A: the instruction does nothing",
+    .manual = "001:4188, 001:4360, 001:13949, 001:13958",
+    .bad = "Network 1\nLD SM0.1\nMOVB 16#F8, SMB37\nHSC 0\n",
+    .good = "Network 1\nLD SM0.1\nMOVB 16#F8, SMB37\nHDEF 0, 0\nHSC 0\n",
+    .falsePositives = "two HDEF of which only one runs",
+    .dialects = dialect::S7200,
+    .check = check,
+};
+
+}  // namespace rungproof

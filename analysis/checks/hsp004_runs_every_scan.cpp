@@ -1,0 +1,109 @@
+// HSP004: something that should run once but stands behind a level. Edges, the first scan, interrupt routines, a condition
+// that the same rung resets, and for NETR and NETW the status bits of their own table are guards.
+// Tested by its examples and tests/rules/device_rules_test.cpp.
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "analysis/facts.hpp"
+#include "analysis/rule.hpp"
+
+namespace rungproof {
+
+namespace {
+
+/// Whether the instruction starts a save to permanent memory: a 1 into SM31.7 (001:1629).
+bool savesToEeprom(const Instruction& instruction) {
+  const Kind kind = kindOf(instruction);
+  if (instruction.operands.empty()) return false;
+  const Operand& target = instruction.operands.back();
+  const Operand& bit = instruction.operands[0];
+  if (isSet(kind)) return bit.area == Area::SM && bit.offset == 31 && bit.bit == 7;
+  if (kind != Kind::MoveByte || target.kind != OperandKind::Direct || target.area != Area::SM || target.offset != 31) return false;
+  return bit.kind == OperandKind::Constant && (bit.value & 0x80) != 0;
+}
+
+std::string_view harmOf(const Instruction& instruction) {
+  switch (kindOf(instruction)) {
+    case Kind::Att:
+    case Kind::Lifo:
+    case Kind::Fifo: return "the table fills or empties within a few scans (001:6511)";
+    case Kind::Netr:
+    case Kind::Netw: return "the transfer is started again before it is done";
+    case Kind::Hdef: return "a counter can be defined once only (001:4360)";
+    case Kind::Pls: return "the pulse output is started anew in every scan";
+    default: return "permanent memory is good for about 100 000 writes: with a scan of 50 ms that is 5 000 seconds (001:1637-1639)";
+  }
+}
+
+bool isOnce(const Instruction& instruction) {
+  switch (kindOf(instruction)) {
+    case Kind::Att:
+    case Kind::Lifo:
+    case Kind::Fifo:
+    case Kind::Netr:
+    case Kind::Netw:
+    case Kind::Hdef:
+    case Kind::Pls: return true;
+    default: return savesToEeprom(instruction);
+  }
+}
+
+/// Whether the network itself ends the condition: it resets a bit that it reads, or asks the table's own status bits.
+bool endsItself(const Facts& facts, const InstructionPlace& place) {
+  const Flow& flow = facts.plan().flows[place.block];
+  std::uint32_t from = place.step, to = place.step;
+  while (from > 0 && flow.steps[from - 1].network == place.network) --from;
+  while (to + 1 < flow.steps.size() && flow.steps[to + 1].network == place.network) ++to;
+  const Operand* table = nullptr;
+  const Kind kind = kindOf(*place.instruction);
+  if (kind == Kind::Netr || kind == Kind::Netw) table = &place.instruction->operands[0];
+  for (std::uint32_t i = from; i <= to; ++i) {
+    for (const Access& read : facts.accesses().of(flow.steps[i].instruction->id)) {
+      const bool isContact = !read.write && read.width == Width::Bit && !read.viaPointer;
+      if (!isContact) continue;
+      if (table != nullptr && table->kind == OperandKind::Direct && read.area == table->area && read.offset == table->offset) return true;
+      for (std::uint32_t k = i + 1; k <= to; ++k) {
+        if (!isReset(kindOf(*flow.steps[k].instruction)) && !isSet(kindOf(*flow.steps[k].instruction)) && !isCoil(kindOf(*flow.steps[k].instruction))) continue;
+        for (const Access& write : facts.accesses().of(flow.steps[k].instruction->id)) {
+          if (write.write && write.area == read.area && write.offset == read.offset && write.bit == read.bit) return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+void check(const Facts& facts, FindingSink& sink) {
+  for (const InstructionPlace& place : facts.instructions()) {
+    const Instruction& instruction = *place.instruction;
+    if (!isOnce(instruction) || !facts.execution().at(instruction.id).isReachable) continue;
+    const Condition known = facts.conditionOf(instruction.id);
+    if ((known & (condition::Pulse | condition::FirstScan | condition::Never)) != 0) continue;
+    if (facts.calls().reachedFromInterrupt(place.block) && !facts.calls().reachedFromMain(place.block)) continue;
+    if (endsItself(facts, place)) continue;
+    const bool isAlways = (known & condition::Always) != 0;
+    Finding& finding = sink.report(instruction.span, fmt::format("{} runs in every scan{}: {}", Facts::text(instruction), isAlways ? "" : " while its condition holds", harmOf(instruction)));
+    if (isAlways) finding.confirmation = Confirmation::NotNeeded;
+    finding.help = "put EU in front of it, or a condition that is true for one scan";
+  }
+}
+
+}  // namespace
+
+extern constexpr Rule hsp004_runs_every_scan = {
+    .id = "HSP004",
+    .title = "Should run once, runs every scan",
+    .severity = Severity::Warning,
+    .needs = Needs::FlowThenSolver,
+    .detects = "a save to permanent memory (SM31.7), ATT, LIFO, FIFO, NETR, NETW, HDEF or PLS without an edge or first-scan condition",
+    .why = "permanent memory wears out, tables fill up, transfers and pulse trains start anew in every scan",
+    .manual = "001:1637-1639, 001:6511, 001:4360",
+    .bad = "Network 1\nLD SM0.1\nMOVW +10, VW200\nNetwork 2\nLD I0.0\nATT VW0, VW200\n",
+    .good = "Network 1\nLD SM0.1\nMOVW +10, VW200\nNetwork 2\nLD I0.0\nEU\nATT VW0, VW200\n",
+    .falsePositives = "a condition that another network ends in the next scan: the prover drops it",
+    .dialects = dialect::S7200,
+    .check = check,
+};
+
+}  // namespace rungproof

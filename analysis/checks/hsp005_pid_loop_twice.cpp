@@ -1,0 +1,44 @@
+// HSP005: two PID boxes with one loop number. Tested by its examples.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "analysis/facts.hpp"
+#include "analysis/rule.hpp"
+
+namespace rungproof {
+
+namespace {
+
+void check(const Facts& facts, FindingSink& sink) {
+  std::map<std::int64_t, const Instruction*> loops;
+  for (const InstructionPlace& place : facts.instructions()) {
+    const Instruction& instruction = *place.instruction;
+    if (kindOf(instruction) != Kind::Pid || instruction.operands.size() < 2 || instruction.operands[1].kind != OperandKind::Constant) continue;
+    const auto [found, isNew] = loops.emplace(instruction.operands[1].value, &instruction);
+    if (isNew) continue;
+    Finding& finding = sink.report(instruction.span, fmt::format("{} uses loop number {} a second time", Facts::text(instruction), instruction.operands[1].value));
+    finding.related.push_back({found->second->span, "first PID with that number"});
+    finding.help = "give each PID its own number, 0 to 7";
+  }
+}
+
+}  // namespace
+
+extern constexpr Rule hsp005_pid_loop_twice = {
+    .id = "HSP005",
+    .title = "PID loop number used twice",
+    .severity = Severity::Error,
+    .needs = Needs::Text,
+    .detects = "two PID boxes with one loop number",
+    .why = "the two calculations disturb each other and the output is unpredictable, even with different tables",
+    .manual = "001:5073",
+    .bad = "Network 1\nLD SM0.0\nPID VB100, 0\nNetwork 2\nLD SM0.0\nPID VB200, 0\n",
+    .good = "Network 1\nLD SM0.0\nPID VB100, 0\nNetwork 2\nLD SM0.0\nPID VB200, 1\n",
+    .falsePositives = "two boxes of which only one runs per scan",
+    .peers = "CP20 (nearest)",
+    .dialects = dialect::S7200,
+    .check = check,
+};
+
+}  // namespace rungproof

@@ -1,0 +1,120 @@
+// LOG003: a network of which everything it writes is overwritten before anything reads it. A walk backwards through each
+// block remembers what later code certainly overwrites; jumps, calls and labels forget it.
+// Tested by its examples and tests/rules/logic_rules_test.cpp.
+#include <fmt/format.h>
+
+#include <unordered_map>
+
+#include "analysis/facts.hpp"
+#include "analysis/rule.hpp"
+
+namespace rungproof {
+
+namespace {
+
+/// By bit: the instruction that will overwrite it.
+using Overwrites = std::unordered_map<std::uint32_t, const Instruction*>;
+
+template <class Visit>
+void eachBit(const Facts& facts, const Access& access, Visit visit) {
+  const std::uint32_t cell = facts.cellOf(access);
+  if (cell == facts.index().cells().size()) return;
+  const bool isBits = access.width == Width::Bit && !access.byNumber();
+  const std::uint32_t from = cell * 8 + (isBits ? access.bit : 0U);
+  const std::uint32_t count = isBits ? access.count : access.certainLength() * 8;
+  for (std::uint32_t k = 0; k < count; ++k) visit(from + k);
+}
+
+bool isMemory(const Access& access) {
+  if (access.viaPointer || access.maybe || access.isBox || access.most != access.count || access.certainLength() > 4) return false;
+  return access.area == Area::Q || access.area == Area::M || access.area == Area::V || access.area == Area::L || access.area == Area::AC;
+}
+
+/// An instruction whose only effect is to write memory, and all of it is overwritten later.
+const Instruction* overwriter(const Facts& facts, const Instruction& instruction, const Overwrites& later) {
+  const Kind kind = kindOf(instruction);
+  const bool isPlain = kind == Kind::Assign || kind == Kind::Set || kind == Kind::Reset || (kind >= Kind::MoveByte && kind <= Kind::MoveReal);
+  if (!isPlain) return nullptr;
+  const Instruction* by = nullptr;
+  for (const Access& access : facts.accesses().of(instruction.id)) {
+    if (!access.write) continue;
+    if (!isMemory(access)) return nullptr;
+    bool isDead = true;
+    eachBit(facts, access, [&](std::uint32_t key) {
+      const auto found = later.find(key);
+      if (found == later.end()) isDead = false;
+      else by = found->second;
+    });
+    if (!isDead) return nullptr;
+  }
+  return by;
+}
+
+void remember(const Facts& facts, const Instruction& instruction, Overwrites& later) {
+  const bool isAlways = (facts.stack().at(instruction.id).flow & condition::Always) != 0;
+  for (const Access& access : facts.accesses().of(instruction.id)) {
+    if (!access.write || !isMemory(access) || (access.conditional && !isAlways)) continue;
+    eachBit(facts, access, [&](std::uint32_t key) { later[key] = &instruction; });
+  }
+  for (const Access& access : facts.accesses().of(instruction.id)) {
+    if (access.viaPointer || access.certainLength() != access.possibleLength() || access.certainLength() > 40) later.clear();
+    else if (!access.write) eachBit(facts, access, [&](std::uint32_t key) { later.erase(key); });
+  }
+}
+
+void checkBlock(const Facts& facts, FindingSink& sink, const Flow& flow) {
+  Overwrites later;
+  std::uint32_t network = noPartner;
+  bool isDead = false, hasEffect = false;
+  const Instruction* first = nullptr;
+  const Instruction* by = nullptr;
+  const auto close = [&] {
+    if (network == noPartner || !isDead || hasEffect || first == nullptr) return;
+    Finding& finding = sink.report(first->span, "this network has no effect: everything it writes is overwritten before it is read");
+    finding.related.push_back({by->span, "overwritten here"});
+    finding.help = "join the conditions, or remove the network";
+  };
+  for (std::size_t i = flow.steps.size(); i-- > 0;) {
+    const FlowStep& step = flow.steps[i];
+    const Instruction& instruction = *step.instruction;
+    if (step.network != network) {
+      close();
+      network = step.network;
+      isDead = hasEffect = false;
+    }
+    if (instruction.desc->control != Control::None) later.clear();
+    if (!isLogic(kindOf(instruction))) {
+      const Instruction* overwrite = overwriter(facts, instruction, later);
+      if (overwrite == nullptr) hasEffect = true;
+      else by = overwrite;
+      isDead = isDead || overwrite != nullptr;
+    } else if (kindOf(instruction) == Kind::Eu || kindOf(instruction) == Kind::Ed) {
+      hasEffect = true;  // the edge memory
+    }
+    first = &instruction;
+    remember(facts, instruction, later);
+  }
+  close();
+}
+
+void check(const Facts& facts, FindingSink& sink) {
+  for (const Flow& flow : facts.plan().flows) checkBlock(facts, sink, flow);
+}
+
+}  // namespace
+
+extern constexpr Rule log003_network_without_effect = {
+    .id = "LOG003",
+    .title = "Network without effect",
+    .severity = Severity::Note,
+    .needs = Needs::Flow,
+    .detects = "a network of which everything it writes is overwritten before it is read",
+    .why = "outputs leave at the end of the scan only, so the network does nothing",
+    .manual = "001:1254",
+    .bad = "Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\n= Q0.0\n",
+    .good = "Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\nA Q0.0\n= Q0.1\n",
+    .peers = "SA0168; SA0003",
+    .check = check,
+};
+
+}  // namespace rungproof
