@@ -22,18 +22,37 @@ std::string valueText(const OptionInfo& info, const Settings& settings) {
 
 std::string_view chosen(const ChoiceInfo& info, const Settings& settings) { return info.values[settings.choices()[info.choice]]; }
 
+struct ConfigLine {
+  std::string text;
+  std::string comment;
+};
+
+void appendLines(std::string& text, const std::vector<ConfigLine>& lines) {
+  std::size_t width = 0;
+  for (const ConfigLine& line : lines) width = std::max(width, line.text.size());
+  for (const ConfigLine& line : lines) text += fmt::format("{:<{}}  # {}\n", line.text, width, line.comment);
+}
+
 /// TOML, so that it can be saved as rungproof.toml; origins are comments.
 std::string configText(const Settings& settings) {
-  std::string text;
+  std::vector<ConfigLine> options;
   for (const OptionInfo& info : optionTable()) {
     if (!info.inConfig) continue;
     const std::string line = fmt::format("{} = {}", info.name, valueText(info, settings));
     const bool unset = valueText(info, settings) == "\"\"" || valueText(info, settings) == "[]";
-    text += fmt::format("{:<30} # {}\n", (unset ? "# " : "") + line, settings.origin(info.id));
+    options.push_back({(unset ? "# " : "") + line, settings.origin(info.id)});
   }
-  text += "\n[choices]                      # points that the manual leaves open\n";
+  std::vector<ConfigLine> choices;
   for (const ChoiceInfo& info : choiceTable) {
-    text += fmt::format("{:<30} # {}\n", fmt::format("{} = \"{}\"", info.key, chosen(info, settings)), settings.choiceOrigin(info.choice));
+    choices.push_back({fmt::format("{} = \"{}\"", info.key, chosen(info, settings)), settings.choiceOrigin(info.choice)});
+  }
+  std::string text;
+  appendLines(text, options);
+  text += "\n# points that the manual leaves open, see 'rungproof explain choices'\n[choices]\n";
+  appendLines(text, choices);
+  for (const auto& [key, value] : settings.ruleSettings()) {
+    const std::size_t dot = key.find('.');
+    text += fmt::format("\n[rules.{}]\n{} = {}\n", key.substr(0, dot), key.substr(dot + 1), value);
   }
   return text;
 }
@@ -57,14 +76,55 @@ std::string configJson(const Settings& settings) {
   return json.dump(2) + "\n";
 }
 
+/// JSON schema of rungproof.toml, for editors that complete and check TOML.
+std::string configSchema() {
+  using Json = nlohmann::ordered_json;
+  Json properties;
+  for (const OptionInfo& info : optionTable()) {
+    if (!info.inConfig) continue;
+    Json value = {{"type", info.arity == Arity::Flag ? "boolean" : "string"}};
+    if (const auto words = permittedWords(info.value); !words.empty()) value = {{"enum", words}};
+    if (info.arity == Arity::List) value = {{"type", Json::array({"array", "string"})}, {"items", value}};
+    value["description"] = info.help;
+    if (!info.initial.empty()) value["default"] = info.initial;
+    properties[std::string(info.name)] = value;
+  }
+  Json choices;
+  for (const ChoiceInfo& info : choiceTable) {
+    Json words = Json::array();
+    for (const std::string_view word : info.values) {
+      if (!word.empty()) words.push_back(word);
+    }
+    choices[std::string(info.key)] = {{"enum", words}, {"default", info.values[0]}, {"description", fmt::format("{} ({})", info.why, info.manual)}};
+  }
+  Json rules = Json::object();
+  for (const Rule* rule : allRules()) {
+    for (const RuleOption& option : rule->options) {
+      Json& of = rules[std::string(rule->id)];
+      of["type"] = "object";
+      of["additionalProperties"] = false;
+      of["properties"][std::string(option.name)] = {{"type", "integer"}, {"minimum", option.low}, {"maximum", option.high}, {"default", option.initial}, {"description", option.meaning}};
+    }
+  }
+  properties["choices"] = {{"type", "object"}, {"additionalProperties", false}, {"properties", choices}};
+  properties["rules"] = {{"type", "object"}, {"additionalProperties", false}, {"properties", rules}};
+  const Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "rungproof.toml"}, {"type", "object"},
+                       {"additionalProperties", false}, {"properties", properties}};
+  return schema.dump(2) + "\n";
+}
+
+std::string textIn(const std::string& form, const Settings& settings) {
+  if (form == "json") return configJson(settings);
+  return form == "schema" ? configSchema() : configText(settings);
+}
+
 Action setup(CLI::App& app) {
   auto files = std::make_shared<std::vector<std::string>>();
   app.add_option("FILE", *files, "files whose configuration is wanted; the current folder without");
   return [files](Context& context) {
     Exit exit = Exit::Clean;
     for (const OutputRequest& output : context.outputs) {
-      const std::string text = output.name == "json" ? configJson(context.settings) : configText(context.settings);
-      if (!context.write(output, text)) exit = Exit::Failed;
+      if (!context.write(output, textIn(output.name, context.settings))) exit = Exit::Failed;
     }
     return exit;
   };
@@ -78,9 +138,10 @@ extern constexpr Command configCommand = {
     .summary = "show the resolved configuration and where each value comes from",
     .details =
         "The text is a complete rungproof.toml. Values come from the command line, else from the nearest\n"
-        "rungproof.toml beside FILE or above it, else from the defaults.\n",
+        "rungproof.toml beside FILE or above it, else from the defaults. --format schema prints the JSON\n"
+        "schema of the file, for editors.\n",
     .shows = option_group::All,
-    .formats = "text|json",
+    .formats = "text|json|schema",
     .setup = setup,
 };
 

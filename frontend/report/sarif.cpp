@@ -10,6 +10,7 @@
 #include "frontend/cli.hpp"
 #include "frontend/fingerprint.hpp"
 #include "frontend/report/report.hpp"
+#include "frontend/rule_page.hpp"
 
 namespace rungproof {
 
@@ -48,8 +49,8 @@ Json ruleObject(const std::string& id) {
   if (rule == nullptr) return json;
   json["name"] = rule->title;
   json["shortDescription"] = {{"text", rule->title}};
-  json["fullDescription"] = {{"text", fmt::format("{}. {}.", rule->detects, rule->why)}};
-  json["help"] = {{"text", fmt::format("rungproof explain {}", id)}};
+  json["fullDescription"] = {{"text", rule->detects}};
+  json["help"] = {{"text", rulePage(*rule, Paint{})}};
   json["defaultConfiguration"] = {{"level", levelName(rule->severity)}, {"enabled", rule->enabledByDefault}};
   return json;
 }

@@ -126,6 +126,16 @@ TEST(Config, WhatItPrintsCanBeReadAgain) {
   EXPECT_EQ(again["choices"]["watchdog"]["value"], "300ms");
 }
 
+TEST(Config, TheSchemaKnowsEveryKeyOfTheOutput) {
+  const nlohmann::json schema = nlohmann::json::parse(run({"config", "--isolated", "--format", "schema"}).out);
+  const nlohmann::json now = nlohmann::json::parse(run({"config", "--isolated", "--format", "json"}).out);
+  for (const auto& [key, value] : now["options"].items()) EXPECT_TRUE(schema["properties"].contains(key)) << key;
+  for (const auto& [key, value] : now["choices"].items()) {
+    const nlohmann::json& known = schema["properties"]["choices"]["properties"][key]["enum"];
+    EXPECT_NE(std::find(known.begin(), known.end(), value["value"]), known.end()) << key;
+  }
+}
+
 // bash itself reads the script and completes commands, options and values.
 TEST(Completion, BashCompletes) {
   const TemporaryFolder folder;
