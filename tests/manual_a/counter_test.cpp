@@ -214,6 +214,7 @@ TEST(IecCountDown, LoadsAndStopsAtZero) {
   bench.set("I0.1", 1);
   bench.scan();
   EXPECT_EQ(bench.value("VW10"), 2U);
+  EXPECT_EQ(bench.current("C1"), 2);
   EXPECT_EQ(bench.value("Q0.0"), 0U);
   bench.set("I0.1", 0);
   pulse(bench, "I0.0");
@@ -230,6 +231,7 @@ TEST(IecCountUpDown, StaysBetweenZeroAndThePreset) {
   bench.scan();
   EXPECT_EQ(bench.value("QB0"), 0b10U) << "QD at 0";
   pulse(bench, "I0.0");
+  EXPECT_EQ(bench.current("C1"), 1);
   EXPECT_EQ(bench.value("QB0"), 0U);
   pulse(bench, "I0.0", 2);
   EXPECT_EQ(bench.value("VW10"), 2U);
