@@ -160,6 +160,30 @@ TEST(Coil, BadPointerOfTheCountIsError0006) {
   EXPECT_EQ(bench.value("VB10"), 7U);
 }
 
+TEST(Coil, CountsOfTheDescriptor) {
+  // 001:2789 and 001:2800.
+  for (const auto& [name, most] : std::vector<std::pair<const char*, int>>{{"S", 255}, {"R", 255}, {"SI", 128}, {"RI", 128}}) {
+    const OperandDesc& count = instructionNamed(name)->operand(1);
+    EXPECT_EQ(count.ranges[0].low, 1) << name;
+    EXPECT_EQ(count.ranges[0].high, most) << name;
+    EXPECT_EQ(count.ranges[1].cpus, 0) << name;
+  }
+}
+
+TEST(Coil, ResetEndsAnOffDelayButNotAnOnDelay) {
+  // 001:6586: TOF needs a new falling edge after R; TON goes on from 0 while its input is on.
+  Bench bench({"LD I0.0", "TOF T37, 100", "LDN I0.0", "TON T38, 100", "LD I0.1", "R T37, 2", "R C37, 1", "LD I0.2", "R C37, 2"});
+  for (const std::uint32_t timer : {37U, 38U}) bench.store.set(Reg::TimerRunning, timer, 1, true);
+  bench.set("IB0", 0b100);
+  bench.scan();
+  EXPECT_EQ(bench.reg(Reg::TimerRunning, 38), 1U);
+  EXPECT_EQ(bench.reg(Reg::TimerRunning, 37), 1U) << "R of a counter leaves the timer of that number";
+  bench.set("IB0", 0b010);
+  bench.scan();
+  EXPECT_EQ(bench.reg(Reg::TimerRunning, 37), 0U);
+  EXPECT_EQ(bench.reg(Reg::TimerRunning, 38), 1U);
+}
+
 TEST(Coil, SetAndResetImmediate) {
   Bench bench({"LD I0.0", "SI Q0.6, 4", "LD I0.1", "RI Q0.7, 2", "LD I0.2", "SI Q0.0, 128", "LD I0.3", "SI Q0.1, 128", "RI Q15.7, 2"});
   const auto pins = [&](unsigned inputs) {
@@ -179,6 +203,9 @@ TEST(Coil, SetAndResetImmediate) {
   EXPECT_EQ(pins(4), 0xFFFFU) << "128 is the whole image";
   EXPECT_EQ(bench.reg(Reg::PhysicalOutput, 127), 1U);
   EXPECT_TRUE(bench.quiet());
+  Bench high({"LD SM0.0", "SI Q2.3, 2"});
+  high.scan();
+  for (std::uint32_t pin = 0; pin < 128; ++pin) EXPECT_EQ(high.reg(Reg::PhysicalOutput, pin), pin == 19 || pin == 20 ? 1U : 0U) << pin;
   pins(8);
   EXPECT_EQ(bench.world.hazards, (std::vector<Hazard>{Hazard::OutOfRange, Hazard::OutOfRange})) << "128 from Q0.1, and 2 from Q15.7";
 }
