@@ -1,4 +1,5 @@
 // Exit codes of whole runs, where results and diagnostics go, and files that are written as a whole.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -6,6 +7,7 @@
 
 #include "frontend/command/command.hpp"
 #include "frontend/config.hpp"
+#include "ir/hazard.hpp"
 #include "program_run.hpp"
 #include "schema_check.hpp"
 
@@ -114,6 +116,44 @@ TEST(Config, TheNearestFileCounts) {
   EXPECT_EQ(run({"lint", "--select", "ADR001", "--isolated", outer}).exit, 0);
   EXPECT_EQ(run({"lint", "--select", "ADR001", "--cpu", "226", outer}).exit, 0);
   EXPECT_EQ(run({"lint", "--select", "ADR001", "--isolated", "--config", folder.path("rungproof.toml"), inner}).exit, 1);
+}
+
+/// The line of `rungproof config` for a key, without runs of blanks.
+std::string configLine(const std::string& text, const std::string& key) {
+  const std::size_t begin = text.find("\n" + key + " = ");
+  if (begin == std::string::npos) return {};
+  std::string line = text.substr(begin + 1, text.find('\n', begin + 1) - begin - 1);
+  for (std::size_t at = line.find("  "); at != std::string::npos; at = line.find("  ")) line.erase(at, 1);
+  return line;
+}
+
+TEST(Config, EveryValueNamesItsOrigin) {
+  const TemporaryFolder folder;
+  folder.file("rungproof.toml", "# the plant\nlevel = \"warning\"\nselect = [\"ADR\", \"SUP\"]\nquiet = true\n\n[choices]\nwatchdog = \"300ms\"\n");
+  const std::string program = folder.file("sub/a.awl", clean);
+  const std::string text = run({"config", program, "--seed", "7", "--choice", "first-edge=first-execution"}).out;
+  const auto endsWith = [&](const std::string& key, const std::string& value, const std::string& place) {
+    const std::string line = configLine(text, key);
+    EXPECT_TRUE(line.starts_with(key + " = " + value + " # ")) << line;
+    EXPECT_TRUE(line.ends_with(place)) << line;
+  };
+  endsWith("level", "\"warning\"", "rungproof.toml:2");
+  endsWith("select", "[\"ADR\", \"SUP\"]", "rungproof.toml:3");
+  endsWith("quiet", "true", "rungproof.toml:4");
+  endsWith("watchdog", "\"300ms\"", "rungproof.toml:7");
+  endsWith("seed", "\"7\"", "# command line");
+  endsWith("first-edge", "\"first-execution\"", "# command line");
+  endsWith("edition", "\"2004\"", "# default");
+}
+
+// The pages of run-time errors and open points are made from their tables; each row must be there.
+TEST(Explain, TablesAreShownWhole) {
+  const std::string hazards = run({"explain", "hazards"}).out;
+  for (const HazardInfo& info : hazardTable) EXPECT_NE(hazards.find(info.manual), std::string::npos) << info.text;
+  const std::string choices = run({"explain", "choices"}).out;
+  for (const ChoiceInfo& info : choiceTable) {
+    EXPECT_NE(choices.find(fmt::format("  {}: {} (chosen)", info.key, info.values[0])), std::string::npos) << info.key;
+  }
 }
 
 TEST(Config, WhatItPrintsCanBeReadAgain) {
