@@ -66,6 +66,8 @@ class Parser {
     Property property;
     property.atEveryInstruction = everyInstruction;
     property.span = head.span;
+    const Token& last = tokens_[tokens_.size() - 2];
+    property.span.length = last.span.offset + last.span.length - head.span.offset;
     property.text = std::string(text_);
     if (word == "pulse") {
       take();
