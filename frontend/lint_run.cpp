@@ -6,10 +6,11 @@
 #include "analysis/lint.hpp"
 #include "analysis/suppress.hpp"
 #include "frontend/code_list.hpp"
+#include "frontend/proof_input.hpp"
 
 namespace rungproof {
 
-Report lintProgram(const Settings& settings, const ProgramInput& input, const std::vector<std::string>& files) {
+Report lintProgram(const Settings& settings, const ProgramInput& input, const std::vector<std::string>& files, bool prove) {
   const Program& program = input.program;
   const RuleSelection selection(settings.list(Opt::Select), settings.list(Opt::Ignore));
   const Facts facts(program, input.properties.externals);
@@ -23,6 +24,7 @@ Report lintProgram(const Settings& settings, const ProgramInput& input, const st
   std::erase_if(report.findings, [&](const Finding& finding) { return !isReadError(finding) && !isSelected(finding.rule); });
   std::vector<Finding> found = runRules(facts, selection, settings.ruleSettings());
   std::move(found.begin(), found.end(), std::back_inserter(report.findings));
+  if (prove && !hasReadErrors(program)) confirmBySolver(settings, input, report);
   const PlaceIndex places(program);
   for (Finding& finding : report.findings) places.complete(finding);
 
@@ -38,14 +40,14 @@ Report lintProgram(const Settings& settings, const ProgramInput& input, const st
   return report;
 }
 
-Report lintFiles(const Context& context, const std::vector<std::string>& files) {
+Report lintFiles(const Context& context, const std::vector<std::string>& files, bool prove) {
   const std::vector<std::vector<std::string>> groups = groupByProgram(context, files);
   Report report;
   if (groups.size() == 1) {
-    report = lintProgram(context.settings, readInput(context, groups.front()), groups.front());
+    report = lintProgram(context.settings, readInput(context, groups.front()), groups.front(), prove);
   } else {
     ReportMerger merger;
-    for (const std::vector<std::string>& group : groups) merger.add(lintProgram(context.settings, readInput(context, group), group));
+    for (const std::vector<std::string>& group : groups) merger.add(lintProgram(context.settings, readInput(context, group), group, prove));
     report = merger.take();
   }
   sortFindings(report);

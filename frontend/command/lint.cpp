@@ -15,6 +15,7 @@ namespace {
 struct State {
   std::vector<std::string> files;
   bool fix = false;
+  bool prove = false;
 };
 
 std::optional<Failure> subtractBaseline(const std::string& name, Report& report) {
@@ -37,13 +38,14 @@ Action setup(CLI::App& app) {
   auto state = std::make_shared<State>();
   app.add_option("FILE", state->files, "programs, symbol tables and data blocks; '-' is standard input; a folder stands for its programs")->required();
   app.add_flag("--fix", state->fix, "write the safe fixes into the files, then report what is left");
+  app.add_flag("--prove", state->prove, "also the rules that need the prover: candidates are confirmed by a replayed run, or dropped");
   return [state](Context& context) {
     const std::vector<std::string> files = expandFolders(state->files);
     if (files.empty()) return context.fail({"the folder holds no program", state->files.front(), "programs end in .awl, .stl or .xml"});
-    Report report = lintFiles(context, files);
+    Report report = lintFiles(context, files, state->prove);
     if (state->fix) {
       const bool written = applyFixes(context, report);
-      report = lintFiles(context, files);
+      report = lintFiles(context, files, state->prove);
       if (!written) return worse(Exit::Failed, finish(context, std::move(report)));
     }
     if (context.settings.isSet(Opt::Baseline)) {
@@ -57,7 +59,7 @@ Action setup(CLI::App& app) {
 
 extern constexpr Command lintCommand = {
     .name = "lint",
-    .usage = "[--fix] FILE...",
+    .usage = "[--fix] [--prove] FILE...",
     .summary = "check programs against the rules",
     .details =
         "Files without a main program (symbol tables, data blocks, libraries) belong to every program given.\n"

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <sstream>
 
-#include "analysis/prover.hpp"
+#include "analysis/rule.hpp"
 #include "frontend/command/command.hpp"
-#include "frontend/program_input.hpp"
+#include "frontend/proof_input.hpp"
 #include "frontend/trace/format.hpp"
 #include "frontend/witness_report.hpp"
 
@@ -84,50 +84,6 @@ PropertyResult rowOf(const Context& context, const Arguments& arguments, const P
   return row;
 }
 
-/// The built-in checks that found something are findings as well.
-std::optional<Finding> findingOf(const Program& program, const ProofResult& result) {
-  if (!result.builtin) return std::nullopt;
-  const bool bad = isWanted(result.builtin->kind) ? result.outcome == Outcome::Unreachable : result.outcome == Outcome::Violated;
-  if (!bad) return std::nullopt;
-  Finding finding;
-  finding.rule = result.builtin->rule;
-  finding.severity = Severity::Warning;
-  finding.message = result.builtin->message;
-  finding.address = result.builtin->address;
-  finding.confirmation = Confirmation::Confirmed;
-  if (result.builtin->place != nullptr) {
-    finding.span = result.builtin->place->span;
-    for (const Pou& pou : program.pous) {
-      for (const Network& network : pou.networks) {
-        for (const Instruction& instruction : network.instructions) {
-          if (&instruction != result.builtin->place) continue;
-          finding.pou = pou.name;
-          finding.network = network.number;
-        }
-      }
-    }
-  }
-  if (result.builtin->other != nullptr) finding.related.push_back({result.builtin->other->span, "the other half of the conflict"});
-  return finding;
-}
-
-ProverOptions optionsOf(const Settings& settings, const Arguments& arguments) {
-  ProverOptions options;
-  options.choices = settings.choices();
-  options.time.high = static_cast<std::uint32_t>(options.choices.watchdogMs());
-  if (const auto range = settings.scanTime()) {
-    options.time.low = static_cast<std::uint32_t>(std::max<std::int64_t>(range->low.count() / 1000, 1));
-    options.time.high = static_cast<std::uint32_t>(std::max<std::int64_t>(range->high.count() / 1000, options.time.low));
-  }
-  if (const auto timeout = settings.timeout()) options.timeout = static_cast<double>(timeout->count()) / 1e6;
-  options.bound = static_cast<int>(settings.number(Opt::Bound, 0));
-  options.jobs = static_cast<int>(settings.number(Opt::Jobs, 2));
-  options.seed = static_cast<std::uint64_t>(settings.number(Opt::Seed, 1));
-  options.builtin = arguments.builtin;
-  options.certificates = arguments.certificates;
-  return options;
-}
-
 Exit run(const Arguments& arguments, Context& context) {
   ReportMerger merger;
   bool failed = false;
@@ -137,7 +93,9 @@ Exit run(const Arguments& arguments, Context& context) {
     std::erase_if(part.findings, [](const Finding& finding) { return finding.severity != Severity::Error; });
     if (!part.findings.empty()) failed = true;
     if (!hasReadErrors(input.program)) {
-      const ProverOptions options = optionsOf(context.settings, arguments);
+      ProverOptions options = proverOptionsOf(context.settings);
+      options.builtin = arguments.builtin;
+      options.certificates = arguments.certificates;
       interrupted = 0;
       const auto before = std::signal(SIGINT, onInterrupt);
       const ProofRun proof = prove(input.program, input.properties, options, [&](const ProofResult& result, std::size_t done, std::size_t total) {
@@ -149,7 +107,7 @@ Exit run(const Arguments& arguments, Context& context) {
       for (const ProofResult& result : proof.results) {
         part.properties.push_back(rowOf(context, arguments, input.program, options.choices, result));
         part.properties.back().assumptions = {};
-        if (auto finding = findingOf(input.program, result)) part.findings.push_back(std::move(*finding));
+        if (auto finding = findingOf(result)) part.findings.push_back(std::move(*finding));
       }
       part.assumptions = proof.assumptions;
       part.coverage.approximated = proof.approximations;
@@ -161,6 +119,8 @@ Exit run(const Arguments& arguments, Context& context) {
         context.err << fmt::format("rungproof: no property is declared in {}; see 'rungproof prove --help', or give --builtin\n", files.front());
       }
     }
+    const PlaceIndex places(input.program);
+    for (Finding& finding : part.findings) places.complete(finding);
     merger.add(part);
   }
   const Exit exit = finish(context, merger.take());

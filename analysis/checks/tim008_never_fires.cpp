@@ -1,0 +1,19 @@
+// TIM008: timer or counter can never fire. Spoken by the prover (analysis/builtin_checks, analysis/prover); this file is its page.
+// Tested by tests/prover and tests/corpus.
+#include "analysis/rule.hpp"
+
+namespace rungproof {
+
+extern constexpr Rule tim008_never_fires = {
+    .id = "TIM008",
+    .title = "Timer or counter can never fire",
+    .severity = Severity::Warning,
+    .needs = Needs::Solver,
+    .detects = "a timer or counter whose bit can never become 1, or once 1 never returns to 0",
+    .why = "a dead alarm or a dead step looks like a live one in the listing",
+    .manual = "001:6569",
+    .falsePositives = "a timer that is only used through its current value",
+    .peers = "",
+};
+
+}  // namespace rungproof
