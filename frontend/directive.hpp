@@ -10,5 +10,7 @@ namespace rungproof {
 
 /// Text behind `//@` without surrounding blanks; nothing if the comment is none of the kind.
 std::optional<std::string_view> directiveText(std::string_view comment);
+/// Whether the comment is meant for the tool, `//@ ...` or `// rungproof: ...`, and so no title of a network.
+bool speaksToTool(std::string_view comment);
 
 }  // namespace rungproof

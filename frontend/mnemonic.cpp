@@ -140,7 +140,8 @@ std::string_view nearestMnemonic(std::string_view word) {
   std::string_view best;
   std::size_t bestDistance = name.size() <= 3 ? 2 : 3;
   for (const Desc& desc : instructionTable()) {
-    if (desc.drawingOnly) continue;
+    const std::size_t longer = std::max(name.size(), desc.stl.size());
+    if (desc.drawingOnly || 2 * longer - name.size() - desc.stl.size() >= bestDistance) continue;
     const std::size_t distance = editDistance(name, desc.stl);
     if (distance < bestDistance && distance < name.size()) {
       bestDistance = distance;

@@ -168,7 +168,7 @@ class Resolver {
       const bool isHex = upper(text[1]) == 'H' && text.size() > 2;
       ConstantResult value = readConstant(isHex ? "16#" + text.substr(2) : text.substr(1));
       if (value.fault == ConstantFault::None) {
-        SyntaxSink sink = sinkFor(operand);
+        SyntaxSink& sink = sinkFor(operand);
         sink.lenient(operand.span, text, toString(value.operand));
         value.operand.span = operand.span;
         operand = std::move(value.operand);
@@ -182,7 +182,7 @@ class Resolver {
     const std::string mended = hasDigit ? mendedOperand(text, Spelling::International, true) : std::string();
     if (mended.empty()) return true;
     OperandResult result = readOperand(mended, {});
-    SyntaxSink sink = sinkFor(operand);
+    SyntaxSink& sink = sinkFor(operand);
     sink.lookAlike(operand.span, text, mended);
     result.operand.span = operand.span;
     operand = std::move(result.operand);
@@ -190,17 +190,18 @@ class Resolver {
   }
 
   bool fault(const Operand& operand, std::string message) {
-    SyntaxSink sink = sinkFor(operand);
+    SyntaxSink& sink = sinkFor(operand);
     sink.report(Syntax::BadOperand, operand.span, std::move(message));
     return false;
   }
-  SyntaxSink sinkFor(const Operand& operand) const {
-    SyntaxSink sink(program_, operand.span.file);
+  SyntaxSink& sinkFor(const Operand& operand) {
+    SyntaxSink& sink = sinks_.try_emplace(operand.span.file, program_, operand.span.file).first->second;
     sink.setPlace(pou_->name, network_);
     return sink;
   }
 
   Program& program_;
+  std::unordered_map<std::uint32_t, SyntaxSink> sinks_;  ///< by file
   NameIndex<std::size_t> symbols_;
   NameIndex<int> subroutines_;
   NameIndex<int> interrupts_;

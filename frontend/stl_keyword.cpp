@@ -16,14 +16,16 @@ struct KeywordRow {
   std::string_view spelling;
   Keyword keyword;
 };
-constexpr std::array<KeywordRow, 23> keywords = {{
+/// NETZWERK and SEGMENTO stand in exports of the German and Spanish editor.
+constexpr std::array<KeywordRow, 26> keywords = {{
     {"ORGANIZATION_BLOCK", Keyword::OrganizationBlock}, {"SUBROUTINE_BLOCK", Keyword::SubroutineBlock}, {"INTERRUPT_BLOCK", Keyword::InterruptBlock},
     {"END_ORGANIZATION_BLOCK", Keyword::EndOrganizationBlock}, {"END_SUBROUTINE_BLOCK", Keyword::EndSubroutineBlock},
     {"END_INTERRUPT_BLOCK", Keyword::EndInterruptBlock}, {"DATA_BLOCK", Keyword::DataBlock}, {"DATA_BLOCK_TAB", Keyword::DataBlock},
     {"END_DATA_BLOCK", Keyword::EndDataBlock}, {"END_DATA_BLOCK_TAB", Keyword::EndDataBlock}, {"SYMBOL_TABLE", Keyword::SymbolTable},
     {"END_SYMBOL_TABLE", Keyword::EndSymbolTable}, {"VAR_INPUT", Keyword::VarInput}, {"VAR_IN_OUT", Keyword::VarInOut},
     {"VAR_OUTPUT", Keyword::VarOutput}, {"VAR", Keyword::Var}, {"VAR_TEMP", Keyword::Var}, {"END_VAR", Keyword::EndVar}, {"BEGIN", Keyword::Begin},
-    {"NETWORK", Keyword::Network}, {"NETWORK_COMMENT", Keyword::NetworkComment}, {"NETWORK_TITLE", Keyword::NetworkTitle}, {"TITLE", Keyword::Title},
+    {"NETWORK", Keyword::Network}, {"NETZWERK", Keyword::Network}, {"SEGMENTO", Keyword::Network},
+    {"SEGMENT", Keyword::Network}, {"NETWORK_COMMENT", Keyword::NetworkComment}, {"NETWORK_TITLE", Keyword::NetworkTitle}, {"TITLE", Keyword::Title},
 }};
 
 std::string_view prefixOf(PouKind kind) { return kind == PouKind::Main ? "OB" : kind == PouKind::Subroutine ? "SBR" : "INT"; }

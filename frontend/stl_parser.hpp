@@ -5,21 +5,10 @@
 #pragma once
 
 #include "frontend/file_reader.hpp"
-#include "frontend/operand_reader.hpp"
 
 namespace rungproof {
 
-/// What the beginning of a text looks like.
-struct StlLikeness {
-  bool hasHeading = false;  ///< ORGANIZATION_BLOCK, SUBROUTINE_BLOCK, INTERRUPT_BLOCK or DATA_BLOCK
-  bool isMarkup = false;    ///< begins as XML or JSON
-  int share = 0;            ///< per cent of its statement lines that begin with a mnemonic
-};
-StlLikeness stlLikeness(std::string_view text);
-
-/// Whether the text writes E, A, Z and U rather than I, Q, C and A: counts the evidence of both.
-Spelling detectSpelling(std::string_view text);
-
+/// Reads one statement list into the program.
 void readStatementList(Program& program, const InputText& input, const ReadOptions& options);
 
 }  // namespace rungproof

@@ -104,7 +104,7 @@ StatementKind StatementReader::read(const Line& line, Instruction& instruction) 
   pieces_.clear();
   if (gluedBegin < wordEnd) {
     const std::string_view glued = slice(first.begin, wordEnd);
-    if (!isApart && desc.stl != "=") sink_.lenient(sink_.span(first.begin, wordEnd), glued, fmt::format("{} {}", written, slice(gluedBegin, wordEnd)));
+    if (!isApart && desc.stl != "=") sink_.lenient(sink_.span(first.begin, wordEnd), glued, fmt::format("{} {}", desc.stl, slice(gluedBegin, wordEnd)));
     pieces_.push_back({gluedBegin, wordEnd});
   }
   gather(line, nextWord, gluedBegin);

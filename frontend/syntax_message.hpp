@@ -12,7 +12,7 @@
 namespace rungproof {
 
 enum class Syntax : std::uint8_t {
-  FileUnreadable, FileUnknown, BadCharacters, ControlCharacters, Converted, NoInstruction, NoText,
+  FileUnreadable, FileUnknown, BadCharacters, ControlCharacters, Converted, NoInstruction, NoText, TooMany,
   UnknownInstruction, OtherFamily, OperandCount, BadOperand, BadConstant, StrayText, LadderName, QuoteOpen, LenientSpelling, GermanSpelling,
   BlockOpen, BlockNotOpen, BlockTwice, BlockHeading, NetworkHeading, OutsideBlock, ProtectedBlock,
   Declaration, LocalTableFull, SymbolRow, DataRow, DataValue, DataAddress,
@@ -38,6 +38,7 @@ inline constexpr std::array<SyntaxMessage, static_cast<std::size_t>(Syntax::coun
     {Syntax::Converted, "SYN005", "Text was converted", Severity::Note, "save the file as UTF-8 or in the code page of the editor"},
     {Syntax::NoInstruction, "SYN006", "No instruction found", Severity::Error, "the files given hold no program text"},
     {Syntax::NoText, "SYN007", "File is empty", Severity::Error, "export the program again"},
+    {Syntax::TooMany, "SYN008", "Too many problems", Severity::Error, "mend the first ones and read the file again"},
     {Syntax::UnknownInstruction, "SYN010", "Unknown instruction", Severity::Error, "correct the mnemonic; the line was left out of its network"},
     {Syntax::OtherFamily, "SYN011", "Instruction of another controller family", Severity::Error,
      "the S7-200 does not have it; the line was left out of its network"},

@@ -17,7 +17,25 @@ std::string excerpt(std::string_view text) {
   return result;
 }
 
-Finding& SyntaxSink::add(std::string_view rule, Severity severity, Span span, std::string message) {
+void SyntaxSink::countOnly(Span span) {
+  const SyntaxMessage& row = syntaxMessage(Syntax::TooMany);
+  if (uncounted_++ == 0) {
+    limitFinding_ = program_.findings.size();
+    Finding finding;
+    finding.rule = row.id;
+    finding.severity = row.severity;
+    finding.span = span;
+    finding.help = row.help;
+    program_.findings.push_back(std::move(finding));
+  }
+  program_.findings[limitFinding_].message = fmt::format("{} further problem{} from here on {} not listed", uncounted_, uncounted_ == 1 ? "" : "s", uncounted_ == 1 ? "is" : "are");
+}
+
+Finding* SyntaxSink::add(std::string_view rule, Severity severity, Span span, std::string message) {
+  if (count_++ >= limit) {
+    countOnly(span);
+    return nullptr;
+  }
   Finding finding;
   finding.rule = rule;
   finding.severity = severity;
@@ -25,21 +43,23 @@ Finding& SyntaxSink::add(std::string_view rule, Severity severity, Span span, st
   finding.span = span;
   finding.pou = pou_;
   finding.network = network_;
-  return program_.findings.emplace_back(std::move(finding));
+  return &program_.findings.emplace_back(std::move(finding));
 }
 
 void SyntaxSink::report(Syntax code, Span span, std::string message, std::optional<Fix> fix) {
   const SyntaxMessage& row = syntaxMessage(code);
-  Finding& finding = add(row.id, row.severity, span, std::move(message));
-  finding.help = row.help;
-  finding.fix = std::move(fix);
+  Finding* finding = add(row.id, row.severity, span, std::move(message));
+  if (finding == nullptr) return;
+  finding->help = row.help;
+  finding->fix = std::move(fix);
 }
 
 void SyntaxSink::lookAlike(Span span, std::string_view written, std::string meant) {
-  Finding& finding = add("STY004", Severity::Error, span, fmt::format("\"{}\" contains look-alike characters, read as {}", excerpt(written), meant));
-  finding.help = "replace the characters";
-  finding.address = meant;
-  finding.fix = Fix{span, std::move(meant), true};
+  Finding* finding = add("STY004", Severity::Error, span, fmt::format("\"{}\" contains look-alike characters, read as {}", excerpt(written), meant));
+  if (finding == nullptr) return;
+  finding->help = "replace the characters";
+  finding->address = meant;
+  finding->fix = Fix{span, std::move(meant), true};
 }
 
 void SyntaxSink::lenient(Span span, std::string_view written, std::string meant) {

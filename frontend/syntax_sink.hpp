@@ -1,4 +1,5 @@
-// Where the readers put what they have to say: fills in file, block and network of a finding.
+// Where the readers put what they have to say: fills in file, block and network of a finding. After ten thousand
+// findings of one file the rest is only counted, in one finding (SYN008), so that a damaged file of any size fits.
 #pragma once
 
 #include <optional>
@@ -33,12 +34,18 @@ class SyntaxSink {
   std::uint32_t file() const { return file_; }
 
  private:
-  Finding& add(std::string_view rule, Severity severity, Span span, std::string message);
+  static constexpr std::size_t limit = 10000;
+  /// The new finding, or nullptr beyond the limit.
+  Finding* add(std::string_view rule, Severity severity, Span span, std::string message);
+  void countOnly(Span span);
 
   Program& program_;
   std::uint32_t file_;
   std::string pou_;
   int network_ = 0;
+  std::size_t count_ = 0;
+  std::size_t uncounted_ = 0;      ///< findings beyond the limit
+  std::size_t limitFinding_ = 0;   ///< index of the SYN008 that counts them
 };
 
 /// "abc" shortened for a message: at most 40 bytes, control characters as blanks.

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "frontend/file_reader.hpp"
+#include "frontend/stl_likeness.hpp"
 #include "frontend/stl_parser.hpp"
 
 namespace rungproof {

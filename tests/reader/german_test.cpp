@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "frontend/stl_parser.hpp"
+#include "frontend/stl_likeness.hpp"
 #include "ir/isa.hpp"
 #include "tests/reader/read.hpp"
 

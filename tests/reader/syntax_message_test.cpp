@@ -1,0 +1,52 @@
+// The table of reader messages is complete, and every message can be provoked by some text.
+#include "frontend/syntax_message.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/reader/read.hpp"
+
+namespace rungproof {
+namespace {
+
+TEST(SyntaxMessages, RowsAreComplete) {
+  std::set<std::string_view> titles;
+  for (const SyntaxMessage& row : syntaxMessages) {
+    EXPECT_EQ(row.id.substr(0, 3), "SYN");
+    EXPECT_EQ(row.id.size(), 6U);
+    EXPECT_FALSE(row.help.empty()) << row.id;
+    EXPECT_TRUE(titles.insert(row.title).second) << row.title;
+  }
+}
+
+TEST(SyntaxMessages, EveryMessageOccurs) {
+  std::set<std::string> seen;
+  const auto collect = [&](const Program& program) {
+    for (const Finding& finding : program.findings) seen.insert(finding.rule);
+  };
+  const std::string frame = "ORGANIZATION_BLOCK M:OB1\nBEGIN\nNetwork 1\n";
+  collect(readProgram({"/nonexistent/program.awl"}));
+  collect(readText("x", "neither fish nor flesh\n"));
+  ReadOptions utf8;
+  utf8.encoding = TextEncoding::Utf8;
+  collect(readText("x", "NOT // \xFF\n", utf8));
+  collect(readText("x", std::string("NOT\0", 4)));
+  collect(readText("x", std::string("\xFF\xFEN\0O\0T\0", 8)));
+  collect(readText("x", frame + "END_ORGANIZATION_BLOCK\n"));
+  collect(readText("x", ""));
+  std::string many;
+  for (int i = 0; i < 10001; ++i) many += "FOO\n";
+  collect(readText("x", frame + many));
+  collect(readText("x", frame + "GET VB0\nLD\nLD I0..0\nMOVW 3#1, VW0\n***\nMOV_B 1, VB0\nLDS= \"a, VB0\nCALL1\nA I0.0\nA E0.0\nA I0.1\n"));
+  collect(readText("x", frame + "SUBROUTINE_BLOCK A\nBEGIN\nNetwork 99999999\nNOT\nEND_SUBROUTINE_BLOCK\nEND_SUBROUTINE_BLOCK\nNOT\n"));
+  collect(readText("x", frame + "NOT\nEND_ORGANIZATION_BLOCK\n" + frame + "END_ORGANIZATION_BLOCK\n"));
+  collect(readText("x", frame + "NOT\nEND_ORGANIZATION_BLOCK\nSUBROUTINE_BLOCK S:SBR0\nBEGIN\nNetwork 1 // This POU is password-protected against editing and viewing.\nEND_SUBROUTINE_BLOCK\n"));
+  std::string locals;
+  for (int i = 0; i < 17; ++i) locals += fmt::format("v{}:REAL;\n", i);
+  collect(readText("x", "ORGANIZATION_BLOCK M:OB1\nVAR\nx:FOO;\n" + locals + "END_VAR\nBEGIN\nNOT\nEND_ORGANIZATION_BLOCK\nSYMBOL_TABLE\n1 2\nEND_SYMBOL_TABLE\nDATA_BLOCK\n5\nVB0 x\nVB1 300\nEND_DATA_BLOCK\n"));
+  for (const SyntaxMessage& row : syntaxMessages) EXPECT_TRUE(seen.count(std::string(row.id)) > 0) << row.id << ' ' << row.title;
+}
+
+}  // namespace
+}  // namespace rungproof
