@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "ir/german.hpp"
 #include "ir/isa_list.hpp"
 
 namespace rungproof {
@@ -15,9 +14,11 @@ namespace {
 /// Mnemonics sorted for binary search, each with the index of its descriptor.
 using Index = std::vector<std::pair<std::string_view, const Desc*>>;
 
-Index makeIndex() {
+Index makeIndex(std::string_view Desc::*name) {
   Index index;
-  for (const Desc& desc : isa::instructionTable) index.emplace_back(desc.stl, &desc);
+  for (const Desc& desc : isa::instructionTable) {
+    if (!(desc.*name).empty()) index.emplace_back(desc.*name, &desc);
+  }
   std::sort(index.begin(), index.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   return index;
 }
@@ -38,13 +39,14 @@ constexpr std::pair<std::string_view, std::string_view> aliases[] = {
 std::span<const Desc> instructionTable() { return isa::instructionTable; }
 
 const Desc* instructionNamed(std::string_view mnemonic) {
-  static const Index index = makeIndex();
+  static const Index index = makeIndex(&Desc::stl);
   return lookUp(index, mnemonic);
 }
 
 const Desc* instructionNamedGerman(std::string_view mnemonic) {
-  const auto row = std::find_if(germanMnemonics.begin(), germanMnemonics.end(), [&](const GermanMnemonic& entry) { return entry.german == mnemonic; });
-  return instructionNamed(row == germanMnemonics.end() ? mnemonic : row->international);
+  static const Index index = makeIndex(&Desc::german);
+  const Desc* desc = lookUp(index, mnemonic);
+  return desc != nullptr ? desc : instructionNamed(mnemonic);
 }
 
 const Desc* instructionAlias(std::string_view mnemonic) {
