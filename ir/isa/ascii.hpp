@@ -10,10 +10,16 @@
 namespace rungproof::isa {
 
 constexpr Desc hexDesc(std::string_view stl, std::string_view meaning, std::uint32_t time, StatusBits affects) {
-  return withOperands({.stl = stl, .meaning = meaning, .group = "table, find, conversion", .stack = {1, 0, 0}, .eno = true,
-                       .affects = affects, .time = time, .manual = "001:3583"},
-                      {in("IN", Type::Byte, form::byteBuffer).elements(1, 0), out("OUT", Type::Byte, form::byteBuffer).elements(1, 0),
-                       in("LEN", Type::Byte, form::byteIn)});
+  return withOperands({.stl = stl,
+                       .meaning = meaning,
+                       .group = "table, find, conversion",
+                       .stack = {1, 0, 0},
+                       .eno = true,
+                       .affects = affects,
+                       .time = time,
+                       .manual = "001:3583"},
+                      {in("IN", Type::Byte, form::byteBuffer).elements(1, 0),
+                       out("OUT", Type::Byte, form::byteBuffer).elements(1, 0), in("LEN", Type::Byte, form::byteIn)});
 }
 
 /// LEN hexadecimal digits: one byte each as characters, two in a byte as digits.
@@ -68,7 +74,8 @@ struct AsciiToHex {
         m.when(allOrNothing ? d.lnot(bad) : legal[at], [&] {
           const auto old = a.element(1, k / 2, Width::Byte);
           a.storeElement(1, k / 2, Width::Byte,
-                         k % 2 == 0 ? d.concat(digits[at], 4, d.extract(old, 3, 0), 4) : d.concat(d.extract(old, 7, 4), 4, digits[at], 4));
+                         k % 2 == 0 ? d.concat(digits[at], 4, d.extract(old, 3, 0), 4)
+                                    : d.concat(d.extract(old, 7, 4), 4, digits[at], 4));
         });
       });
     });
@@ -91,24 +98,40 @@ struct HexToAscii {
         const auto base = d.select(d.ult(digit, m.number(10, 8), 8), m.number('0', 8), m.number('A' - 10, 8), 8);
         characters.push_back(d.add(digit, base, 8));
       }
-      m.repeat(length, 8, limit, [&](int k) { a.storeElement(1, k, Width::Byte, characters[static_cast<std::size_t>(k)]); });
+      m.repeat(length, 8, limit,
+               [&](int k) { a.storeElement(1, k, Width::Byte, characters[static_cast<std::size_t>(k)]); });
     });
   }
 };
 
-constexpr Type typeOf(NumberKind kind) { return kind == NumberKind::Int ? Type::Int : kind == NumberKind::DInt ? Type::DInt : Type::Real; }
+constexpr Type typeOf(NumberKind kind) {
+  return kind == NumberKind::Int ? Type::Int : kind == NumberKind::DInt ? Type::DInt : Type::Real;
+}
 
 /// ITA, DTA, RTA (001:3601-3693).
 template <NumberKind kind, Name stlName, Name meaning, std::uint32_t time>
 struct NumberToAscii {
-  static constexpr Forms source = kind == NumberKind::Int ? form::wordIn : kind == NumberKind::DInt ? form::dwordIn : form::realIn;
-  static constexpr OperandDesc buffer =
-      out("OUT", Type::Byte, form::byteBuffer).elements(kind == NumberKind::Int ? 8 : kind == NumberKind::DInt ? 12 : 3,
-                                                        kind == NumberKind::Int ? 8 : kind == NumberKind::DInt ? 12 : 15);
-  static constexpr Desc desc = withOperands(
-      {.stl = stlName.view(), .meaning = meaning.view(), .group = "table, find, conversion", .stack = {1, 0, 0}, .eno = true, .time = time,
-       .manual = kind == NumberKind::Int ? "001:3601" : kind == NumberKind::DInt ? "001:3655" : "001:3674"},
-      {in("IN", typeOf(kind), source), buffer, in("FMT", Type::Byte, form::byteIn)});
+  static constexpr Forms source = kind == NumberKind::Int    ? form::wordIn
+                                  : kind == NumberKind::DInt ? form::dwordIn
+                                                             : form::realIn;
+  static constexpr OperandDesc buffer = out("OUT", Type::Byte, form::byteBuffer)
+                                            .elements(kind == NumberKind::Int    ? 8
+                                                      : kind == NumberKind::DInt ? 12
+                                                                                 : 3,
+                                                      kind == NumberKind::Int    ? 8
+                                                      : kind == NumberKind::DInt ? 12
+                                                                                 : 15);
+  static constexpr Desc desc =
+      withOperands({.stl = stlName.view(),
+                    .meaning = meaning.view(),
+                    .group = "table, find, conversion",
+                    .stack = {1, 0, 0},
+                    .eno = true,
+                    .time = time,
+                    .manual = kind == NumberKind::Int    ? "001:3601"
+                              : kind == NumberKind::DInt ? "001:3655"
+                                                         : "001:3674"},
+                   {in("IN", typeOf(kind), source), buffer, in("FMT", Type::Byte, form::byteIn)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     writeDecimal<kind>(m, a, 1, 2, 0);

@@ -1,7 +1,7 @@
 // Bistables SR (set dominant) and RS (reset dominant) (001:2876-2908; s7200 digest A 5). They exist in LAD and FBD
 // only; the IR writes `SR bit` and `RS bit` with the set input on level 1 and the reset input on top, as after
-// `LD set / LD reset`. The reset level is popped and OUT, which mirrors the bit, becomes the new top, so that a coil may
-// follow. Evaluated in every pass. Tests: tests/manual_a/coil_test.cpp.
+// `LD set / LD reset`. The reset level is popped and OUT, which mirrors the bit, becomes the new top, so that a coil
+// may follow. Evaluated in every pass. Tests: tests/manual_a/coil_test.cpp.
 #pragma once
 
 #include "ir/isa/group.hpp"
@@ -11,14 +11,20 @@ namespace rungproof::isa {
 template <bool setDominant, Name stlName, Name meaning>
 struct Bistable {
   static constexpr Desc desc =
-      withOperands({.stl = stlName.view(), .meaning = meaning.view(), .group = "boolean", .execution = Execution::Sampled,
-                    .stack = {2, 1, 0}, .drawingOnly = true, .manual = "001:2892"},
+      withOperands({.stl = stlName.view(),
+                    .meaning = meaning.view(),
+                    .group = "boolean",
+                    .execution = Execution::Sampled,
+                    .stack = {2, 1, 0},
+                    .drawingOnly = true,
+                    .manual = "001:2892"},
                    {inout("bit", Type::Bool, form::I | form::Q | form::V | form::M | form::S)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
     const auto set = m.powerFlow(1), reset = m.powerFlow(0), before = a.bit(0);
-    const auto after = setDominant ? d.lor(set, d.land(d.lnot(reset), before)) : d.land(d.lnot(reset), d.lor(set, before));
+    const auto after =
+        setDominant ? d.lor(set, d.land(d.lnot(reset), before)) : d.land(d.lnot(reset), d.lor(set, before));
     a.storeBit(0, after);
     m.pop();
     m.setTop(after);

@@ -1,6 +1,6 @@
 // Real-time clock: TODR, TODW and, since 2004, TODRX, TODWX with the daylight-saving rule (001:2910-3018; s7200 digest
-// A 6). Buffer in BCD: year, month, day, hour, minute, second, 0, weekday (1 = Sunday, 0 = none); the long form adds the
-// mode and ten bytes of the user's own rule. The time itself lies outside the program; a setting goes to
+// A 6). Buffer in BCD: year, month, day, hour, minute, second, 0, weekday (1 = Sunday, 0 = none); the long form adds
+// the mode and ten bytes of the user's own rule. The time itself lies outside the program; a setting goes to
 // Reg::ClockSetting. Tests: tests/manual_a/clock_test.cpp.
 #pragma once
 
@@ -12,7 +12,8 @@ namespace rungproof::isa {
 struct ClockField {
   std::uint8_t low, high;
 };
-inline constexpr std::array<ClockField, 8> clockFields = {{{0, 99}, {1, 12}, {1, 31}, {0, 23}, {0, 59}, {0, 59}, {0, 99}, {0, 7}}};
+inline constexpr std::array<ClockField, 8> clockFields = {
+    {{0, 99}, {1, 12}, {1, 31}, {0, 23}, {0, 59}, {0, 59}, {0, 99}, {0, 7}}};
 /// Bytes 9-18, which count for mode FFh only: correction hours and minutes, begin and end (month, day, hour, minute).
 inline constexpr std::array<ClockField, 10> clockRuleFields = {
     {{0, 23}, {0, 59}, {1, 12}, {1, 31}, {0, 23}, {0, 59}, {1, 12}, {1, 31}, {0, 23}, {0, 59}}};
@@ -23,8 +24,14 @@ template <bool writes, bool extended, Name stlName, Name meaning, std::uint32_t 
 struct Clock {
   static constexpr int size = extended ? 19 : 8;
   static constexpr Desc desc = withOperands(
-      {.stl = stlName.view(), .meaning = meaning.view(), .group = "real-time clock", .stack = {1, 0, 0}, .eno = true, .since2004 = extended,
-       .time = time, .manual = extended ? "001:2984" : "001:2933"},
+      {.stl = stlName.view(),
+       .meaning = meaning.view(),
+       .group = "real-time clock",
+       .stack = {1, 0, 0},
+       .eno = true,
+       .since2004 = extended,
+       .time = time,
+       .manual = extended ? "001:2984" : "001:2933"},
       {operandDesc("T", writes ? Direction::In : Direction::Out, Type::Byte, form::byteBuffer).elements(size, size)});
 
   template <class D>
@@ -74,12 +81,14 @@ struct Clock {
       auto known = d.constant(m.choices.is(Choice::ClockData, "any"));
       for (const std::uint8_t value : clockModes) known = d.lor(known, d.equal(mode, m.number(value, 8), 8));
       auto rule = d.constant(true);
-      for (int k = 0; k < 10; ++k) rule = d.land(rule, isLegal(m, a.element(0, k + 9, Width::Byte), clockRuleFields[static_cast<std::size_t>(k)]));
+      for (int k = 0; k < 10; ++k)
+        rule = d.land(rule, isLegal(m, a.element(0, k + 9, Width::Byte), clockRuleFields[static_cast<std::size_t>(k)]));
       legal = d.land(d.land(legal, known), d.lor(rule, d.lnot(d.equal(mode, m.number(0xFF, 8), 8))));
     }
     m.hazard(Hazard::ClockData, d.lnot(legal));
     m.when(legal, [&] {
-      for (int k = 0; k < size; ++k) m.set(Reg::ClockSetting, static_cast<std::uint32_t>(k), a.element(0, k, Width::Byte));
+      for (int k = 0; k < size; ++k)
+        m.set(Reg::ClockSetting, static_cast<std::uint32_t>(k), a.element(0, k, Width::Byte));
       m.signal(Signal::ClockSet, size);
     });
   }

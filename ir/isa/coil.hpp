@@ -8,8 +8,13 @@ namespace rungproof::isa {
 
 /// = : the top of the stack to a bit, 0 as well as 1. Q goes to the image only (001:2777).
 struct Assign {
-  static constexpr Desc desc = withOperands({.stl = "=", .meaning = "assign", .group = "boolean", .execution = Execution::Coil,
-                                             .stack = {1, 0, 0}, .time = 24, .manual = "001:2811"},
+  static constexpr Desc desc = withOperands({.stl = "=",
+                                             .meaning = "assign",
+                                             .group = "boolean",
+                                             .execution = Execution::Coil,
+                                             .stack = {1, 0, 0},
+                                             .time = 24,
+                                             .manual = "001:2811"},
                                             {out("bit", Type::Bool, form::bitAny)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -19,8 +24,13 @@ struct Assign {
 
 /// =I : to the physical output and to the image at once (001:2781).
 struct AssignImmediate {
-  static constexpr Desc desc = withOperands({.stl = "=I", .meaning = "assign immediate", .group = "boolean", .execution = Execution::Coil,
-                                             .stack = {1, 0, 0}, .time = 1600, .manual = "001:2812"},
+  static constexpr Desc desc = withOperands({.stl = "=I",
+                                             .meaning = "assign immediate",
+                                             .group = "boolean",
+                                             .execution = Execution::Coil,
+                                             .stack = {1, 0, 0},
+                                             .time = 1600,
+                                             .manual = "001:2812"},
                                             {out("bit", Type::Bool, form::Q)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -33,22 +43,27 @@ struct AssignImmediate {
 template <bool value, bool immediate, Name stlName, Name germanName, Name meaning>
 struct Latch {
   static constexpr int limit = immediate ? 128 : 255;  // 001:2789, 001:2800
-  static constexpr Desc desc = withOperands(
-      {.stl = stlName.view(), .german = germanName.view(), .meaning = meaning.view(), .group = "boolean", .stack = {1, 0, 0}, .eno = true,
-       .time = immediate ? 890 : 290, .manual = immediate ? "001:2812" : "001:2811"},
-      {out("bit", Type::Bool, immediate ? form::Q : form::bitAny),
-       in("N", Type::Byte, form::byteIn).within({{1, limit, everyCpu}})});
+  static constexpr Desc desc = withOperands({.stl = stlName.view(),
+                                             .german = germanName.view(),
+                                             .meaning = meaning.view(),
+                                             .group = "boolean",
+                                             .stack = {1, 0, 0},
+                                             .eno = true,
+                                             .time = immediate ? 890 : 290,
+                                             .manual = immediate ? "001:2812" : "001:2811"},
+                                            {out("bit", Type::Bool, immediate ? form::Q : form::bitAny),
+                                             in("N", Type::Byte, form::byteIn).within({{1, limit, everyCpu}})});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     const auto count = a.value(1);
     const std::uint32_t room = std::min<std::uint32_t>(a.bitsLeft(0), 255);
     const auto outside = m.d.ult(m.number(room, 8), count, 8);
     m.hazard(Hazard::OutOfRange, outside);
-    if (m.choices.is(Choice::LatchZeroCount, "error")) m.hazard(Hazard::OutOfRange, m.d.equal(count, m.number(0, 8), 8));
+    if (m.choices.is(Choice::LatchZeroCount, "error"))
+      m.hazard(Hazard::OutOfRange, m.d.equal(count, m.number(0, 8), 8));
     const bool partly = m.choices.is(Choice::LatchOverBorder, "up-to-border");
-    m.when(partly ? m.d.constant(true) : m.d.lnot(outside), [&] {
-      m.repeat(count, 8, static_cast<int>(room), [&](int k) { write(m, a, k); });
-    });
+    m.when(partly ? m.d.constant(true) : m.d.lnot(outside),
+           [&] { m.repeat(count, 8, static_cast<int>(room), [&](int k) { write(m, a, k); }); });
   }
   template <class D>
   static void write(Machine<D>& m, Args<D>& a, int k) {
@@ -59,11 +74,13 @@ struct Latch {
       if (r.area == Area::T || r.area == Area::C) m.save(r.area, number, Width::Word, m.number(0, 16));
       if (r.area == Area::T) stopTimer(m, number);
     }
-    if constexpr (immediate) m.setBit(Reg::PhysicalOutput, r.offset * 8 + r.bit + static_cast<std::uint32_t>(k), m.d.constant(value));
+    if constexpr (immediate)
+      m.setBit(Reg::PhysicalOutput, r.offset * 8 + r.bit + static_cast<std::uint32_t>(k), m.d.constant(value));
   }
 
  private:
-  /// A timer that runs off a signal needs a new edge after R (001:6586); the others go on from 0 while they are enabled.
+  /// A timer that runs off a signal needs a new edge after R (001:6586); the others go on from 0 while they are
+  /// enabled.
   template <class D>
   static void stopTimer(Machine<D>& m, std::uint32_t number) {
     const TimerUse* use = m.plan.timer(number);

@@ -1,6 +1,6 @@
 // Communication: XMT, RCV in Freeport mode, NETR, NETW as PPI master, GPA, SPA (001:3022-3360; s7200 digest A 7-9). The
-// instructions check and start; what arrives and when a request ends come from outside. Port 0 is set by SMB30 and SMB86
-// to SMB94, port 1 by SMB130 and SMB186 to SMB194. Tests: tests/manual_a/comm_test.cpp.
+// instructions check and start; what arrives and when a request ends come from outside. Port 0 is set by SMB30 and
+// SMB86 to SMB94, port 1 by SMB130 and SMB186 to SMB194. Tests: tests/manual_a/comm_test.cpp.
 #pragma once
 
 #include "ir/isa/group.hpp"
@@ -11,8 +11,15 @@ constexpr OperandDesc portOperand() {
   constexpr CpuSet two = cpuBit(Cpu::Cpu224XP) | cpuBit(Cpu::Cpu226) | cpuBit(Cpu::Cpu226XM);
   return in("PORT", Type::Byte, form::Const).within({{0, 0, everyCpu & ~two}, {0, 1, two}});  // 001:3041
 }
-constexpr Desc commDesc(std::string_view stl, std::string_view meaning, OperandDesc first, std::uint32_t time, std::string_view manual) {
-  return withOperands({.stl = stl, .meaning = meaning, .group = "communication", .stack = {1, 0, 0}, .eno = true, .time = time, .manual = manual},
+constexpr Desc commDesc(std::string_view stl, std::string_view meaning, OperandDesc first, std::uint32_t time,
+                        std::string_view manual) {
+  return withOperands({.stl = stl,
+                       .meaning = meaning,
+                       .group = "communication",
+                       .stack = {1, 0, 0},
+                       .eno = true,
+                       .time = time,
+                       .manual = manual},
                       {first, portOperand()});
 }
 
@@ -43,7 +50,7 @@ typename D::Bits addressOf(Machine<D>& m, Args<D>& a, std::size_t i) {
   return address;
 }
 
-inline constexpr int sending = 0, receiving = 1;  ///< bits of Reg::PortBusy
+inline constexpr int sending = 0, receiving = 1;                     ///< bits of Reg::PortBusy
 inline constexpr Forms messageBuffer = form::byteBuffer & ~form::L;  // 001:3153
 
 /// The common gate of XMT and RCV: Freeport mode, the other direction idle; `busy` itself by Choice::PortAgain.
@@ -66,7 +73,8 @@ void setPortBusy(Machine<D>& m, std::uint32_t port, std::uint64_t state) {
 /// XMT TBL, PORT: byte 0 is the number of characters behind it, 0 a break (001:3194). SM4.5 or SM4.6 is 0 until the
 /// transmission has ended.
 struct Transmit {
-  static constexpr Desc desc = commDesc("XMT", "transmit in freeport mode", in("TBL", Type::Byte, messageBuffer).elements(1, 256), 4200, "001:3153");
+  static constexpr Desc desc = commDesc("XMT", "transmit in freeport mode",
+                                        in("TBL", Type::Byte, messageBuffer).elements(1, 256), 4200, "001:3153");
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -87,7 +95,8 @@ struct Transmit {
 /// RCV TBL, PORT: with the enable bit off it ends a running reception (n = 1, 001:3217); otherwise it checks the start
 /// and end conditions (r = 1 and ENO 0 if one is missing) and starts; SMB86 or SMB186 is 0 while it runs (001:3207).
 struct Receive {
-  static constexpr Desc desc = commDesc("RCV", "receive a message in freeport mode", out("TBL", Type::Byte, messageBuffer).elements(1, 256), 5100, "001:3153");
+  static constexpr Desc desc = commDesc("RCV", "receive a message in freeport mode",
+                                        out("TBL", Type::Byte, messageBuffer).elements(1, 256), 5100, "001:3153");
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -125,7 +134,8 @@ struct Receive {
 template <bool writes, Name stlName, Name meaning, std::uint32_t time>
 struct Network {
   static constexpr Desc desc =
-      commDesc(stlName.view(), meaning.view(), inout("TBL", Type::Byte, form::V | form::M | form::Pointers).elements(7, 23), time, "001:3040");
+      commDesc(stlName.view(), meaning.view(),
+               inout("TBL", Type::Byte, form::V | form::M | form::Pointers).elements(7, 23), time, "001:3040");
   static constexpr std::uint64_t active = 0x40, error = 0x20, queueFull = 4, notMaster = 5, badParameter = 6;
   static constexpr std::uint32_t queueSize = 8;
 
@@ -144,7 +154,8 @@ struct Network {
     m.hazard(Hazard::OutOfRange, d.land(d.lnot(lengthBad), d.lnot(fits)));
     m.when(d.land(d.lnot(again), d.lor(lengthBad, fits)), [&] {
       const auto master = portIs(m, *port, ppiMaster);
-      const auto code = d.select(d.lnot(master), m.number(notMaster, 8), d.select(lengthBad, m.number(badParameter, 8), m.number(queueFull, 8), 8), 8);
+      const auto code = d.select(d.lnot(master), m.number(notMaster, 8),
+                                 d.select(lengthBad, m.number(badParameter, 8), m.number(queueFull, 8), 8), 8);
       const auto refused = d.lor(d.lnot(master), d.lor(lengthBad, full));
       m.hazard(Hazard::PortParameter, refused);
       a.store(0, d.select(refused, d.bor(code, m.number(error, 8), 8), m.number(active, 8), 8));
@@ -174,7 +185,8 @@ struct Network {
 
 /// GPA ADDR, PORT: the station address in use, from SPA or else the system block (001:3348).
 struct GetPortAddress {
-  static constexpr Desc desc = commDesc("GPA", "get port address", out("ADDR", Type::Byte, form::byteOut), 1600, "001:3348");
+  static constexpr Desc desc =
+      commDesc("GPA", "get port address", out("ADDR", Type::Byte, form::byteOut), 1600, "001:3348");
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     const auto port = portOf(m, a);

@@ -15,9 +15,13 @@ constexpr std::string_view symbolOf(Relation r) {
   constexpr std::string_view symbols[] = {"<", "<=", "=", ">=", ">", "<>"};
   return symbols[static_cast<std::size_t>(r)];
 }
-constexpr std::string_view prefixOf(Joint j, bool german) { return j == Joint::Load ? "LD" : j == Joint::Or ? "O" : german ? "U" : "A"; }
+constexpr std::string_view prefixOf(Joint j, bool german) {
+  return j == Joint::Load ? "LD" : j == Joint::Or ? "O" : german ? "U" : "A";
+}
 constexpr std::string_view effectOf(Joint j) {
-  return j == Joint::Load ? "load the result" : j == Joint::And ? "AND the result with the top of stack" : "OR the result with the top of stack";
+  return j == Joint::Load  ? "load the result"
+         : j == Joint::And ? "AND the result with the top of stack"
+                           : "OR the result with the top of stack";
 }
 
 /// A text put together at compile time, for names of families.
@@ -41,16 +45,25 @@ struct Compare {
   static constexpr JoinedText stl{prefixOf(joint, false), letterOf(type), symbolOf(relation)};
   static constexpr JoinedText german{prefixOf(joint, true), letterOf(type), symbolOf(relation)};
   static constexpr JoinedText family{prefixOf(joint, false), letterOf(type), "x"};
-  static constexpr JoinedText meaning{
-      type == Type::Byte ? "compare bytes (unsigned)" : type == Type::Int ? "compare integers (words)"
-                       : type == Type::DInt ? "compare double words" : "compare reals",
-      ": IN1 ", symbolOf(relation), " IN2, ", effectOf(joint)};
-  static constexpr Forms forms =
-      type == Type::Byte ? form::byteIn : type == Type::Int ? form::wordIn : type == Type::DInt ? form::dwordIn : form::realIn;
-  static constexpr Desc desc = withOperands(
-      {.stl = stl.view(), .german = german.view(), .family = family.view(), .meaning = meaning.view(), .group = "boolean / compare",
-       .execution = Execution::Compare, .stack = stackOf(joint), .time = time, .manual = "001:3371"},
-      {in("IN1", type, forms), in("IN2", type, forms)});
+  static constexpr JoinedText meaning{type == Type::Byte   ? "compare bytes (unsigned)"
+                                      : type == Type::Int  ? "compare integers (words)"
+                                      : type == Type::DInt ? "compare double words"
+                                                           : "compare reals",
+                                      ": IN1 ", symbolOf(relation), " IN2, ", effectOf(joint)};
+  static constexpr Forms forms = type == Type::Byte   ? form::byteIn
+                                 : type == Type::Int  ? form::wordIn
+                                 : type == Type::DInt ? form::dwordIn
+                                                      : form::realIn;
+  static constexpr Desc desc = withOperands({.stl = stl.view(),
+                                             .german = german.view(),
+                                             .family = family.view(),
+                                             .meaning = meaning.view(),
+                                             .group = "boolean / compare",
+                                             .execution = Execution::Compare,
+                                             .stack = stackOf(joint),
+                                             .time = time,
+                                             .manual = "001:3371"},
+                                            {in("IN1", type, forms), in("IN2", type, forms)});
 
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -97,10 +110,17 @@ struct CompareString {
   static constexpr JoinedText german{prefixOf(joint, true), "S", symbolOf(relation)};
   static constexpr JoinedText family{prefixOf(joint, false), "Sx"};
   static constexpr JoinedText meaning{"compare strings: IN1 ", symbolOf(relation), " IN2, ", effectOf(joint)};
-  static constexpr Desc desc = withOperands(
-      {.stl = stl.view(), .german = german.view(), .family = family.view(), .meaning = meaning.view(), .group = "boolean / compare",
-       .execution = Execution::Compare, .stack = stackOf(joint), .time = 3300, .manual = "001:3405"},
-      {in("IN1", Type::String, form::stringIn), in("IN2", Type::String, form::stringOut)});
+  static constexpr Desc desc =
+      withOperands({.stl = stl.view(),
+                    .german = german.view(),
+                    .family = family.view(),
+                    .meaning = meaning.view(),
+                    .group = "boolean / compare",
+                    .execution = Execution::Compare,
+                    .stack = stackOf(joint),
+                    .time = 3300,
+                    .manual = "001:3405"},
+                   {in("IN1", Type::String, form::stringIn), in("IN2", Type::String, form::stringOut)});
 
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -125,17 +145,19 @@ struct CompareString {
 };
 
 template <Joint j, Type t, std::uint16_t time>
-using CompareFamily = Group<Compare<j, t, Relation::Less, time>, Compare<j, t, Relation::LessEqual, time>, Compare<j, t, Relation::Equal, time>,
-                            Compare<j, t, Relation::GreaterEqual, time>, Compare<j, t, Relation::Greater, time>,
-                            Compare<j, t, Relation::NotEqual, time>>;
+using CompareFamily = Group<Compare<j, t, Relation::Less, time>, Compare<j, t, Relation::LessEqual, time>,
+                            Compare<j, t, Relation::Equal, time>, Compare<j, t, Relation::GreaterEqual, time>,
+                            Compare<j, t, Relation::Greater, time>, Compare<j, t, Relation::NotEqual, time>>;
 template <Joint j>
 using CompareStringFamily = Group<CompareString<j, Relation::Equal>, CompareString<j, Relation::NotEqual>>;
 
 using CompareGroup =
-    Join<CompareFamily<Joint::Load, Type::Byte, 1800>, CompareFamily<Joint::And, Type::Byte, 1800>, CompareFamily<Joint::Or, Type::Byte, 1800>,
-         CompareFamily<Joint::Load, Type::Int, 2400>, CompareFamily<Joint::And, Type::Int, 2300>, CompareFamily<Joint::Or, Type::Int, 2400>,
-         CompareFamily<Joint::Load, Type::DInt, 2700>, CompareFamily<Joint::And, Type::DInt, 2700>, CompareFamily<Joint::Or, Type::DInt, 2600>,
-         CompareFamily<Joint::Load, Type::Real, 2900>, CompareFamily<Joint::And, Type::Real, 2900>, CompareFamily<Joint::Or, Type::Real, 2900>,
+    Join<CompareFamily<Joint::Load, Type::Byte, 1800>, CompareFamily<Joint::And, Type::Byte, 1800>,
+         CompareFamily<Joint::Or, Type::Byte, 1800>, CompareFamily<Joint::Load, Type::Int, 2400>,
+         CompareFamily<Joint::And, Type::Int, 2300>, CompareFamily<Joint::Or, Type::Int, 2400>,
+         CompareFamily<Joint::Load, Type::DInt, 2700>, CompareFamily<Joint::And, Type::DInt, 2700>,
+         CompareFamily<Joint::Or, Type::DInt, 2600>, CompareFamily<Joint::Load, Type::Real, 2900>,
+         CompareFamily<Joint::And, Type::Real, 2900>, CompareFamily<Joint::Or, Type::Real, 2900>,
          CompareStringFamily<Joint::Load>, CompareStringFamily<Joint::And>, CompareStringFamily<Joint::Or>>::type;
 
 }  // namespace rungproof::isa

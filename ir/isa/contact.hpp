@@ -16,14 +16,21 @@ void join(Machine<D>& m, typename D::Bool value) {
   if constexpr (joint == Joint::Or) m.setTop(m.d.lor(m.top(), value));
 }
 
-constexpr StackEffect stackOf(Joint joint) { return joint == Joint::Load ? StackEffect{0, 0, 1} : StackEffect{1, 0, 0}; }
+constexpr StackEffect stackOf(Joint joint) {
+  return joint == Joint::Load ? StackEffect{0, 0, 1} : StackEffect{1, 0, 0};
+}
 
 template <Joint joint, bool negated, Name stlName, Name germanName, Name meaning, std::uint16_t time>
 struct Contact {
-  static constexpr Desc desc = withOperands(
-      {.stl = stlName.view(), .german = germanName.view(), .meaning = meaning.view(), .group = "boolean", .execution = Execution::Stack,
-       .stack = stackOf(joint), .time = time, .manual = "001:2750"},
-      {in("bit", Type::Bool, form::bitAny)});
+  static constexpr Desc desc = withOperands({.stl = stlName.view(),
+                                             .german = germanName.view(),
+                                             .meaning = meaning.view(),
+                                             .group = "boolean",
+                                             .execution = Execution::Stack,
+                                             .stack = stackOf(joint),
+                                             .time = time,
+                                             .manual = "001:2750"},
+                                            {in("bit", Type::Bool, form::bitAny)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     join<joint>(m, negated ? m.d.lnot(a.bit(0)) : a.bit(0));
@@ -32,10 +39,15 @@ struct Contact {
 
 template <Joint joint, bool negated, Name stlName, Name germanName, Name meaning>
 struct ImmediateContact {
-  static constexpr Desc desc = withOperands(
-      {.stl = stlName.view(), .german = germanName.view(), .meaning = meaning.view(), .group = "boolean", .execution = Execution::Stack,
-       .stack = stackOf(joint), .time = 1500, .manual = "001:2751"},
-      {in("bit", Type::Bool, form::I)});
+  static constexpr Desc desc = withOperands({.stl = stlName.view(),
+                                             .german = germanName.view(),
+                                             .meaning = meaning.view(),
+                                             .group = "boolean",
+                                             .execution = Execution::Stack,
+                                             .stack = stackOf(joint),
+                                             .time = 1500,
+                                             .manual = "001:2751"},
+                                            {in("bit", Type::Bool, form::I)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     const Operand& o = a.operand(0);
@@ -46,8 +58,13 @@ struct ImmediateContact {
 
 /// NOT inverts the top; the other levels stay (001:2735).
 struct Not {
-  static constexpr Desc desc{.stl = "NOT", .meaning = "invert the top of stack", .group = "boolean", .execution = Execution::Stack,
-                             .stack = {1, 0, 0}, .time = 22, .manual = "001:2735"};
+  static constexpr Desc desc{.stl = "NOT",
+                             .meaning = "invert the top of stack",
+                             .group = "boolean",
+                             .execution = Execution::Stack,
+                             .stack = {1, 0, 0},
+                             .time = 22,
+                             .manual = "001:2735"};
   template <class D>
   static void run(Machine<D>& m, Args<D>&) {
     m.setTop(m.d.lnot(m.top()));

@@ -1,21 +1,29 @@
 // Standard conversions, seven-segment pattern, encode and decode (001:3435-3577, 001:3941-3980; s7200 digest A 11, 14).
-// A value that does not fit sets SM1.1 (SM1.6 for BCD) and leaves OUT as it was. Tests: tests/manual_a/convert_test.cpp.
+// A value that does not fit sets SM1.1 (SM1.6 for BCD) and leaves OUT as it was. Tests:
+// tests/manual_a/convert_test.cpp.
 #pragma once
 
 #include "ir/isa/group.hpp"
 
 namespace rungproof::isa {
 
-constexpr Desc conversion(std::string_view stl, std::string_view meaning, OperandDesc from, OperandDesc to, std::uint32_t time,
-                          std::string_view manual, StatusBits affects = 0) {
-  return withOperands({.stl = stl, .meaning = meaning, .group = "table, find, conversion", .stack = {1, 0, 0}, .eno = true,
-                       .affects = affects, .time = time, .manual = manual},
+constexpr Desc conversion(std::string_view stl, std::string_view meaning, OperandDesc from, OperandDesc to,
+                          std::uint32_t time, std::string_view manual, StatusBits affects = 0) {
+  return withOperands({.stl = stl,
+                       .meaning = meaning,
+                       .group = "table, find, conversion",
+                       .stack = {1, 0, 0},
+                       .eno = true,
+                       .affects = affects,
+                       .time = time,
+                       .manual = manual},
                       {from, to});
 }
 
 /// Stores `result` unless `bad`, which sets the status bit and drops ENO.
 template <class D>
-void storeUnless(Machine<D>& m, Args<D>& a, std::size_t i, typename D::Bits result, typename D::Bool bad, Hazard hazard, StatusBits bit) {
+void storeUnless(Machine<D>& m, Args<D>& a, std::size_t i, typename D::Bits result, typename D::Bool bad, Hazard hazard,
+                 StatusBits bit) {
   m.hazard(hazard, bad);
   m.flag(bit, bad);
   m.when(m.d.lnot(bad), [&] { a.store(i, result); });
@@ -23,8 +31,8 @@ void storeUnless(Machine<D>& m, Args<D>& a, std::size_t i, typename D::Bits resu
 
 /// BTI: zero-extends (001:3480).
 struct ByteToInt {
-  static constexpr Desc desc = conversion("BTI", "byte to integer", in("IN", Type::Byte, form::byteIn), out("OUT", Type::Int, form::wordOut),
-                                          1600, "001:3480");
+  static constexpr Desc desc = conversion("BTI", "byte to integer", in("IN", Type::Byte, form::byteIn),
+                                          out("OUT", Type::Int, form::wordOut), 1600, "001:3480");
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     a.store(1, m.d.zext(a.value(0), 8, 16));
@@ -33,12 +41,13 @@ struct ByteToInt {
 
 /// ITB: 0 to 255 only (001:3485).
 struct IntToByte {
-  static constexpr Desc desc = conversion("ITB", "integer to byte", in("IN", Type::Int, form::wordIn), out("OUT", Type::Byte, form::byteOut),
-                                          1700, "001:3485", status::Overflow);
+  static constexpr Desc desc = conversion("ITB", "integer to byte", in("IN", Type::Int, form::wordIn),
+                                          out("OUT", Type::Byte, form::byteOut), 1700, "001:3485", status::Overflow);
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     const auto value = a.value(0);
-    storeUnless(m, a, 1, m.d.extract(value, 7, 0), m.d.ult(m.number(255, 16), value, 16), Hazard::Overflow, status::Overflow);
+    storeUnless(m, a, 1, m.d.extract(value, 7, 0), m.d.ult(m.number(255, 16), value, 16), Hazard::Overflow,
+                status::Overflow);
   }
 };
 
@@ -59,7 +68,8 @@ struct DIntToInt {
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     const auto value = a.value(0), low = m.d.extract(value, 15, 0);
-    storeUnless(m, a, 1, low, m.d.lnot(m.d.equal(m.d.sext(low, 16, 32), value, 32)), Hazard::Overflow, status::Overflow);
+    storeUnless(m, a, 1, low, m.d.lnot(m.d.equal(m.d.sext(low, 16, 32), value, 32)), Hazard::Overflow,
+                status::Overflow);
   }
 };
 
@@ -104,8 +114,14 @@ struct RealToDInt {
 };
 
 constexpr Desc bcdDesc(std::string_view stl, std::string_view meaning, std::uint32_t time) {
-  return withOperands({.stl = stl, .meaning = meaning, .group = "table, find, conversion", .stack = {1, 0, 0}, .eno = true,
-                       .affects = status::NotBcd, .time = time, .manual = "001:3460"},
+  return withOperands({.stl = stl,
+                       .meaning = meaning,
+                       .group = "table, find, conversion",
+                       .stack = {1, 0, 0},
+                       .eno = true,
+                       .affects = status::NotBcd,
+                       .time = time,
+                       .manual = "001:3460"},
                       {inout("OUT", Type::Word, form::wordOut)});
 }
 
@@ -113,7 +129,8 @@ constexpr Desc bcdDesc(std::string_view stl, std::string_view meaning, std::uint
 template <class D>
 void storeBcd(Machine<D>& m, Args<D>& a, typename D::Bits result, typename D::Bool bad) {
   storeUnless(m, a, 0, result, bad, Hazard::NotBcd, status::NotBcd);
-  if (m.choices.is(Choice::BcdErrorResult, "unknown")) m.when(bad, [&] { a.store(0, m.external(External::UnknownResult, 0, 16)); });
+  if (m.choices.is(Choice::BcdErrorResult, "unknown"))
+    m.when(bad, [&] { a.store(0, m.external(External::UnknownResult, 0, 16)); });
 }
 
 /// BCDI: four BCD digits to a number; a digit above 9 sets SM1.6.
@@ -163,21 +180,23 @@ struct SevenSegment {
     D& d = m.d;
     const auto digit = d.extract(a.value(0), 3, 0);
     auto pattern = m.number(segments[0], 8);
-    for (std::size_t k = 1; k < segments.size(); ++k) pattern = d.select(d.equal(digit, m.number(k, 4), 4), m.number(segments[k], 8), pattern, 8);
+    for (std::size_t k = 1; k < segments.size(); ++k)
+      pattern = d.select(d.equal(digit, m.number(k, 4), 4), m.number(segments[k], 8), pattern, 8);
     a.store(1, pattern);
   }
 };
 
 /// ENCO: number of the lowest 1 bit into the low nibble of OUT (001:3947).
 struct Encode {
-  static constexpr Desc desc = conversion("ENCO", "encode", in("IN", Type::Word, form::wordIn), out("OUT", Type::Byte, form::byteOut), 2400,
-                                          "001:3947");
+  static constexpr Desc desc = conversion("ENCO", "encode", in("IN", Type::Word, form::wordIn),
+                                          out("OUT", Type::Byte, form::byteOut), 2400, "001:3947");
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
     const auto value = a.value(0);
     auto number = m.number(0, 4);
-    for (int bit = 15; bit >= 0; --bit) number = d.select(d.bit(value, bit), m.number(static_cast<std::uint64_t>(bit), 4), number, 4);
+    for (int bit = 15; bit >= 0; --bit)
+      number = d.select(d.bit(value, bit), m.number(static_cast<std::uint64_t>(bit), 4), number, 4);
     const bool keepsHigh = m.choices.is(Choice::EncodeHighNibble, "kept");
     const auto high = keepsHigh ? d.extract(a.value(1), 7, 4) : m.number(0, 4);
     const bool keepsForZero = m.choices.is(Choice::EncodeZero, "unchanged");
@@ -188,8 +207,8 @@ struct Encode {
 
 /// DECO: the bit of OUT that the low nibble of IN names, all others 0 (001:3952).
 struct Decode {
-  static constexpr Desc desc = conversion("DECO", "decode", in("IN", Type::Byte, form::byteIn), out("OUT", Type::Word, form::wordOut | form::AQ),
-                                          1900, "001:3952");
+  static constexpr Desc desc = conversion("DECO", "decode", in("IN", Type::Byte, form::byteIn),
+                                          out("OUT", Type::Word, form::wordOut | form::AQ), 1900, "001:3952");
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     a.store(1, m.d.shl(m.number(1, 16), m.d.zext(m.d.extract(a.value(0), 3, 0), 4, 16), 16));
@@ -199,6 +218,7 @@ struct Decode {
 using Round = RealToDInt<true, "ROUND", "real to double integer, rounding", 5600>;
 using Truncate = RealToDInt<false, "TRUNC", "real to double integer, truncating", 5300>;
 
-using ConvertGroup = Group<BcdToInt, IntToBcd, ByteToInt, IntToByte, IntToDInt, DIntToInt, DIntToReal, Round, Truncate, SevenSegment, Encode, Decode>;
+using ConvertGroup = Group<BcdToInt, IntToBcd, ByteToInt, IntToByte, IntToDInt, DIntToInt, DIntToReal, Round, Truncate,
+                           SevenSegment, Encode, Decode>;
 
 }  // namespace rungproof::isa

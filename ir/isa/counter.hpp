@@ -2,7 +2,8 @@
 // They run in every pass and take stack levels as inputs: reset or load on top, below it count-down, below that
 // count-up. The current value is a signed word, shared with the bit under one number. The stack stays as it is.
 // IEC boxes exist in drawings only; the IR names them CTU.IEC, CTD.IEC, CTUD.IEC with the same order of levels
-// (CTUD.IEC: CU, CD, R, LD from level 3 to the top) and the outputs as operands. Tests: tests/manual_a/counter_test.cpp.
+// (CTUD.IEC: CU, CD, R, LD from level 3 to the top) and the outputs as operands. Tests:
+// tests/manual_a/counter_test.cpp.
 #pragma once
 
 #include "ir/isa/group.hpp"
@@ -32,9 +33,16 @@ void setCounter(Machine<D>& m, std::uint32_t number, typename D::Bits current, t
   m.setBit(Reg::CounterBit, number, bit);
 }
 
-constexpr Desc counterDesc(std::string_view stl, std::string_view german, std::string_view meaning, std::uint8_t inputs, std::uint16_t time) {
-  return withOperands({.stl = stl, .german = german, .meaning = meaning, .group = "timers and counters", .execution = Execution::Sampled,
-                       .stack = {inputs, 0, 0}, .time = time, .manual = "001:4013"},
+constexpr Desc counterDesc(std::string_view stl, std::string_view german, std::string_view meaning, std::uint8_t inputs,
+                           std::uint16_t time) {
+  return withOperands({.stl = stl,
+                       .german = german,
+                       .meaning = meaning,
+                       .group = "timers and counters",
+                       .execution = Execution::Sampled,
+                       .stack = {inputs, 0, 0},
+                       .time = time,
+                       .manual = "001:4013"},
                       {inout("Cxx", Type::Counter, form::C), in("PV", Type::Int, form::wordIn)});
 }
 
@@ -49,7 +57,8 @@ struct CountUp {
     const auto reset = m.powerFlow(0);
     const auto up = countEdge(m, Reg::CounterUp, number, m.powerFlow(1));
     const auto counted = stepped(m, d.land(up, d.slt(current, m.number(32767, 16), 16)), current, plusOne);
-    setCounter(m, number, d.select(reset, m.number(0, 16), counted, 16), d.land(d.lnot(reset), d.sle(preset, counted, 16)));
+    setCounter(m, number, d.select(reset, m.number(0, 16), counted, 16),
+               d.land(d.lnot(reset), d.sle(preset, counted, 16)));
   }
 };
 
@@ -84,19 +93,26 @@ struct CountUpDown {
     const auto down = countEdge(m, Reg::CounterDown, number, m.powerFlow(1));
     if (m.choices.is(Choice::CountUpDownAtPreset, "stops")) up = d.land(up, d.slt(current, preset, 16));
     const auto counted = stepped(m, down, stepped(m, up, current, plusOne), minusOne);
-    setCounter(m, number, d.select(reset, m.number(0, 16), counted, 16), d.land(d.lnot(reset), d.sle(preset, counted, 16)));
+    setCounter(m, number, d.select(reset, m.number(0, 16), counted, 16),
+               d.land(d.lnot(reset), d.sle(preset, counted, 16)));
   }
 };
 
 namespace iec {
 
-inline constexpr Forms presetIn = form::wordIn & ~(form::T | form::C);                  // 001:4109
+inline constexpr Forms presetIn = form::wordIn & ~(form::T | form::C);                                  // 001:4109
 inline constexpr Forms flagOut = form::I | form::Q | form::V | form::M | form::SM | form::S | form::L;  // 001:4110
-inline constexpr Forms currentOut = form::wordOut & ~(form::T | form::C | form::SM);    // 001:4111
+inline constexpr Forms currentOut = form::wordOut & ~(form::T | form::C | form::SM);                    // 001:4111
 
 constexpr Desc boxDesc(std::string_view stl, std::string_view meaning, std::uint8_t inputs, std::uint16_t time) {
-  return {.stl = stl, .meaning = meaning, .group = "timers and counters", .execution = Execution::Sampled, .stack = {inputs, 0, 0},
-          .drawingOnly = true, .time = time, .manual = "001:4107"};
+  return {.stl = stl,
+          .meaning = meaning,
+          .group = "timers and counters",
+          .execution = Execution::Sampled,
+          .stack = {inputs, 0, 0},
+          .drawingOnly = true,
+          .time = time,
+          .manual = "001:4107"};
 }
 constexpr OperandDesc numberPin = inout("Cxx", Type::Counter, form::C);
 constexpr OperandDesc presetPin = in("PV", Type::Int, presetIn);
@@ -114,8 +130,9 @@ void setWordPin(Args<D>& a, std::size_t i, typename D::Bits value) {
 
 /// Counts up and stops at PV; Q is CV >= PV.
 struct CountUp {
-  static constexpr Desc desc = withOperands(boxDesc("CTU.IEC", "count up (IEC)", 2, 3100),
-                                            {numberPin, presetPin, optional(out("Q", Type::Bool, flagOut)), currentPin});
+  static constexpr Desc desc =
+      withOperands(boxDesc("CTU.IEC", "count up (IEC)", 2, 3100),
+                   {numberPin, presetPin, optional(out("Q", Type::Bool, flagOut)), currentPin});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -133,8 +150,9 @@ struct CountUp {
 
 /// Counts down and stops at 0; LD takes PV; Q is CV = 0.
 struct CountDown {
-  static constexpr Desc desc = withOperands(boxDesc("CTD.IEC", "count down (IEC)", 2, 2700),
-                                            {numberPin, presetPin, optional(out("Q", Type::Bool, flagOut)), currentPin});
+  static constexpr Desc desc =
+      withOperands(boxDesc("CTD.IEC", "count down (IEC)", 2, 2700),
+                   {numberPin, presetPin, optional(out("Q", Type::Bool, flagOut)), currentPin});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -152,9 +170,9 @@ struct CountDown {
 
 /// Counts both ways between 0 and PV; QU is CV = PV, QD is CV = 0. R against LD is Choice::IecCounterPriority.
 struct CountUpDown {
-  static constexpr Desc desc =
-      withOperands(boxDesc("CTUD.IEC", "count up/down (IEC)", 4, 3700),
-                   {numberPin, presetPin, optional(out("QU", Type::Bool, flagOut)), optional(out("QD", Type::Bool, flagOut)), currentPin});
+  static constexpr Desc desc = withOperands(boxDesc("CTUD.IEC", "count up/down (IEC)", 4, 3700),
+                                            {numberPin, presetPin, optional(out("QU", Type::Bool, flagOut)),
+                                             optional(out("QD", Type::Bool, flagOut)), currentPin});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;

@@ -18,8 +18,8 @@ struct DecimalField {
 
 /// `magnitude` (width w, unsigned) over 10^fraction in `size` characters; size must exceed fraction + 1.
 template <class D>
-DecimalField<D> decimalField(Machine<D>& m, typename D::Bits magnitude, int w, typename D::Bool negative, int fraction, typename D::Bool comma,
-                             int size) {
+DecimalField<D> decimalField(Machine<D>& m, typename D::Bits magnitude, int w, typename D::Bool negative, int fraction,
+                             typename D::Bool comma, int size) {
   D& d = m.d;
   std::vector<typename D::Bits> characters(static_cast<std::size_t>(size), m.number(' ', 8));
   const auto ten = m.number(10, w), zero = m.number(0, w);
@@ -61,7 +61,8 @@ ScaledReal<D> scaledReal(Machine<D>& m, typename D::Bits real, int fraction) {
   const auto exponent = d.extract(real, 30, 23), digits = d.zext(d.extract(real, 22, 0), 23, 64);
   const auto denormal = d.equal(exponent, m.number(0, 8), 8);
   const auto mantissa = d.select(denormal, digits, d.bor(digits, m.number(1U << 23, 64), 64), 64);
-  const auto weight = d.select(denormal, m.number(1, 64), d.zext(exponent, 8, 64), 64);  // value = mantissa * 2^(weight - 150)
+  const auto weight =
+      d.select(denormal, m.number(1, 64), d.zext(exponent, 8, 64), 64);  // value = mantissa * 2^(weight - 150)
   const auto point = m.number(150, 64);
   const auto isWhole = d.ule(point, weight, 64);
   const auto up = d.sub(weight, point, 64), down = d.sub(point, weight, 64);
@@ -84,9 +85,12 @@ void writeDecimal(Machine<D>& m, Args<D>& a, std::size_t outAt, std::size_t form
   const auto tooManyPlaces = d.ult(m.number(5, 3), places, 3);
   const auto write = [&](const std::vector<typename D::Bits>& characters) {
     if (first == 1) a.storeElement(outAt, 0, Width::Byte, m.number(characters.size(), 8));
-    for (std::size_t i = 0; i < characters.size(); ++i) a.storeElement(outAt, first + static_cast<int>(i), Width::Byte, characters[i]);
+    for (std::size_t i = 0; i < characters.size(); ++i)
+      a.storeElement(outAt, first + static_cast<int>(i), Width::Byte, characters[i]);
   };
-  const auto blanks = [&](int size) { write(std::vector<typename D::Bits>(static_cast<std::size_t>(size), m.number(' ', 8))); };
+  const auto blanks = [&](int size) {
+    write(std::vector<typename D::Bits>(static_cast<std::size_t>(size), m.number(' ', 8)));
+  };
   const auto inSize = [&](int size) {
     const auto outside = d.lnot(a.fits(outAt, m.number(static_cast<std::uint64_t>(size + first), 16), Width::Byte));
     m.hazard(Hazard::OutOfRange, outside);
@@ -98,8 +102,10 @@ void writeDecimal(Machine<D>& m, Args<D>& a, std::size_t outAt, std::size_t form
           if constexpr (kind == NumberKind::Real) {
             const auto scaled = scaledReal(m, value, fraction);
             const auto isNegative = d.land(d.bit(value, 31), d.lnot(d.equal(scaled.magnitude, m.number(0, 64), 64)));
-            auto field = decimalField(m, scaled.magnitude, 64, isNegative, fraction, d.bit(format, 3), std::max(size, fraction + 3));
-            const auto tooSmall = size < fraction + 3 ? d.constant(true) : d.lor(scaled.tooBig, field.tooLong);  // 001:3689
+            auto field = decimalField(m, scaled.magnitude, 64, isNegative, fraction, d.bit(format, 3),
+                                      std::max(size, fraction + 3));
+            const auto tooSmall =
+                size < fraction + 3 ? d.constant(true) : d.lor(scaled.tooBig, field.tooLong);  // 001:3689
             m.hazard(Hazard::BadFormat, tooSmall);
             m.when(tooSmall, [&] { blanks(size); });
             m.when(d.lnot(tooSmall), [&] { write(field.characters); });
@@ -115,7 +121,8 @@ void writeDecimal(Machine<D>& m, Args<D>& a, std::size_t outAt, std::size_t form
   };
   if constexpr (kind == NumberKind::Real) {
     m.hazard(Hazard::BadFormat, d.ult(upper, m.number(3, 4), 4));
-    for (int size = 3; size <= 15; ++size) m.when(d.equal(upper, m.number(static_cast<std::uint64_t>(size), 4), 4), [&] { inSize(size); });
+    for (int size = 3; size <= 15; ++size)
+      m.when(d.equal(upper, m.number(static_cast<std::uint64_t>(size), 4), 4), [&] { inSize(size); });
   } else {
     const auto badUpper = d.land(d.lnot(d.equal(upper, m.number(0, 4), 4)), d.lnot(tooManyPlaces));
     m.hazard(Hazard::BadFormat, badUpper);

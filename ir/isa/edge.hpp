@@ -10,8 +10,13 @@ namespace rungproof::isa {
 
 template <bool rising, Name stlName, Name meaning>
 struct Edge {
-  static constexpr Desc desc{.stl = stlName.view(), .meaning = meaning.view(), .group = "boolean", .execution = Execution::Stack,
-                             .stack = {1, 0, 0}, .time = 800, .manual = "001:2743"};
+  static constexpr Desc desc{.stl = stlName.view(),
+                             .meaning = meaning.view(),
+                             .group = "boolean",
+                             .execution = Execution::Stack,
+                             .stack = {1, 0, 0},
+                             .time = 800,
+                             .manual = "001:2743"};
   template <class D>
   static void run(Machine<D>& m, Args<D>&) {
     const std::uint32_t memory = m.plan.edge[m.current->id];

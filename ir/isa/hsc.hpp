@@ -1,6 +1,6 @@
-// High-speed counters: HDEF and HSC (001:4121-4508; s7200 digest A 17). HDEF fixes the mode once per RUN; HSC takes what
-// its control byte in SM allows. Counting, reset and events are the device's and lie outside the instructions. HDEF reads
-// bits 0-2 of the control byte, HSC bits 3-7. Tests: tests/manual_a/hsc_test.cpp.
+// High-speed counters: HDEF and HSC (001:4121-4508; s7200 digest A 17). HDEF fixes the mode once per RUN; HSC takes
+// what its control byte in SM allows. Counting, reset and events are the device's and lie outside the instructions.
+// HDEF reads bits 0-2 of the control byte, HSC bits 3-7. Tests: tests/manual_a/hsc_test.cpp.
 #pragma once
 
 #include "ir/hsc_inputs.hpp"
@@ -15,20 +15,31 @@ inline constexpr std::array<std::uint32_t, hscCount> hscControl = {37, 47, 57, 1
 
 namespace cpus {
 inline constexpr CpuSet small = cpuBit(Cpu::Cpu221) | cpuBit(Cpu::Cpu222);
-inline constexpr CpuSet large = cpuBit(Cpu::Cpu224) | cpuBit(Cpu::Cpu224XP) | cpuBit(Cpu::Cpu226) | cpuBit(Cpu::Cpu226XM);
+inline constexpr CpuSet large =
+    cpuBit(Cpu::Cpu224) | cpuBit(Cpu::Cpu224XP) | cpuBit(Cpu::Cpu226) | cpuBit(Cpu::Cpu226XM);
 }  // namespace cpus
 
 /// Numbers of counters: HSC1 and HSC2 are missing on CPU 221 and 222 (001:4166).
 constexpr OperandDesc counterNumber(std::string_view name, Type type) {
   return in(name, type, form::Const)
-      .within({{0, 0, cpus::small | cpuBit(Cpu::Cpu212)}, {3, 5, cpus::small}, {0, 5, cpus::large}, {0, 2, cpuBit(Cpu::Cpu214)}});
+      .within({{0, 0, cpus::small | cpuBit(Cpu::Cpu212)},
+               {3, 5, cpus::small},
+               {0, 5, cpus::large},
+               {0, 2, cpuBit(Cpu::Cpu214)}});
 }
 
 /// HDEF HSC, MODE: 0003 if an input of that mode is taken, 0004 in an interrupt routine, 000A the second time.
 struct DefineHsc {
-  static constexpr Desc desc = withOperands({.stl = "HDEF", .meaning = "define the high-speed counter mode", .group = "high-speed",
-                                             .stack = {1, 0, 0}, .eno = true, .notInInterrupt = true, .time = 1800, .manual = "001:4151"},
-                                            {counterNumber("HSC", Type::Byte), in("MODE", Type::Byte, form::Const).within({{0, 12, everyCpu}})});
+  static constexpr Desc desc =
+      withOperands({.stl = "HDEF",
+                    .meaning = "define the high-speed counter mode",
+                    .group = "high-speed",
+                    .stack = {1, 0, 0},
+                    .eno = true,
+                    .notInInterrupt = true,
+                    .time = 1800,
+                    .manual = "001:4151"},
+                   {counterNumber("HSC", Type::Byte), in("MODE", Type::Byte, form::Const).within({{0, 12, everyCpu}})});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -61,11 +72,13 @@ struct DefineHsc {
         if (other == counter) continue;
         const auto defined = m.get(Reg::HscMode, other);
         for (int k = 0; k <= 12; ++k) {
-          if (hscUsesInput(static_cast<int>(other), k, input)) taken = d.lor(taken, d.equal(defined, m.number(static_cast<std::uint64_t>(k) + 1, 8), 8));
+          if (hscUsesInput(static_cast<int>(other), k, input))
+            taken = d.lor(taken, d.equal(defined, m.number(static_cast<std::uint64_t>(k) + 1, 8), 8));
         }
       }
       for (std::uint32_t event = 0; event < 8; ++event) {
-        if (static_cast<int>(event / 2) == input) taken = d.lor(taken, d.lnot(d.equal(m.get(Reg::EventRoutine, event), m.number(0, 8), 8)));
+        if (static_cast<int>(event / 2) == input)
+          taken = d.lor(taken, d.lnot(d.equal(m.get(Reg::EventRoutine, event), m.number(0, 8), 8)));
       }
     }
     return taken;
@@ -75,8 +88,13 @@ struct DefineHsc {
 /// HSC N: 0001 before HDEF; otherwise takes direction, current value, preset and enable as the control byte says. In
 /// modes with an external direction input the direction is only the first one (001:4289).
 struct ActivateHsc {
-  static constexpr Desc desc = withOperands({.stl = "HSC", .meaning = "activate the high-speed counter", .group = "high-speed",
-                                             .stack = {1, 0, 0}, .eno = true, .time = 3000, .manual = "001:4152"},
+  static constexpr Desc desc = withOperands({.stl = "HSC",
+                                             .meaning = "activate the high-speed counter",
+                                             .group = "high-speed",
+                                             .stack = {1, 0, 0},
+                                             .eno = true,
+                                             .time = 3000,
+                                             .manual = "001:4152"},
                                             {counterNumber("N", Type::Word)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {

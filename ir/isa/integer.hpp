@@ -35,10 +35,16 @@ struct IntegerMath {
   static constexpr Type type = wide ? Type::DInt : Type::Int;
   static constexpr int w = wide ? 32 : 16;
   static constexpr Desc desc = withOperands(
-      {.stl = stlName.view(), .meaning = meaning.view(), .group = "math, increment, decrement", .stack = {1, 0, 0}, .eno = true,
+      {.stl = stlName.view(),
+       .meaning = meaning.view(),
+       .group = "math, increment, decrement",
+       .stack = {1, 0, 0},
+       .eno = true,
        .affects = static_cast<StatusBits>(arithmeticBits | (operation == Integer::Div ? status::DivideByZero : 0)),
-       .time = time, .manual = "001:4814"},
-      {in("IN1", type, wide ? form::dwordIn : form::wordIn), inout("OUT", type, wide ? form::dwordOut : form::wordOut)});
+       .time = time,
+       .manual = "001:4814"},
+      {in("IN1", type, wide ? form::dwordIn : form::wordIn),
+       inout("OUT", type, wide ? form::dwordOut : form::wordOut)});
 
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -80,8 +86,14 @@ using MulDInt = IntegerMath<Integer::Mul, true, "*D", "multiply double integers,
 using DivDInt = IntegerMath<Integer::Div, true, "/D", "divide double integers, OUT / IN1 = OUT", 25000>;
 
 constexpr Desc wideDesc(std::string_view stl, std::string_view meaning, std::uint32_t time, std::string_view manual) {
-  return withOperands({.stl = stl, .meaning = meaning, .group = "math, increment, decrement", .stack = {1, 0, 0}, .eno = true,
-                       .affects = static_cast<StatusBits>(arithmeticBits | status::DivideByZero), .time = time, .manual = manual},
+  return withOperands({.stl = stl,
+                       .meaning = meaning,
+                       .group = "math, increment, decrement",
+                       .stack = {1, 0, 0},
+                       .eno = true,
+                       .affects = static_cast<StatusBits>(arithmeticBits | status::DivideByZero),
+                       .time = time,
+                       .manual = manual},
                       {in("IN1", Type::Int, form::wordIn), inout("OUT", Type::DInt, form::dwordOut)});
 }
 
@@ -101,8 +113,8 @@ struct MulWide {
 /// DIV: low word of OUT by IN1; remainder to the high word of OUT, quotient to the low one (001:4890-4894). The
 /// remainder has the dividend's sign; -32768 / -1 overflows and leaves OUT (the manual is silent on both).
 struct DivWide {
-  static constexpr Desc desc = wideDesc("DIV", "divide integers with remainder, 16/16 -> 32 (remainder high word, quotient low word)", 6700,
-                                        "001:4890");
+  static constexpr Desc desc = wideDesc(
+      "DIV", "divide integers with remainder, 16/16 -> 32 (remainder high word, quotient low word)", 6700, "001:4890");
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -111,7 +123,8 @@ struct DivWide {
     m.hazard(Hazard::DivideByZero, byZero);
     m.flag(status::DivideByZero, byZero);
     m.when(d.lnot(byZero), [&] {
-      const auto overflow = d.land(d.equal(divisor, m.number(0xFFFF, 16), 16), d.equal(dividend, m.number(0x8000, 16), 16));
+      const auto overflow =
+          d.land(d.equal(divisor, m.number(0xFFFF, 16), 16), d.equal(dividend, m.number(0x8000, 16), 16));
       arithmeticOverflow(m, overflow);
       m.when(d.lnot(overflow), [&] {
         const auto quotient = d.sdiv(dividend, divisor, 16);

@@ -1,6 +1,6 @@
-// Pulse outputs: PLS for PTO and PWM on Q0.0 and Q0.1 (001:4510-4782; s7200 digest A 18). PLS takes cycle time, width and
-// count from SM as the update bits of the control byte allow and starts, continues or stops the generator; the pulses
-// themselves, their end and a profile's steps are the device's. Tests: tests/manual_a/pulse_test.cpp.
+// Pulse outputs: PLS for PTO and PWM on Q0.0 and Q0.1 (001:4510-4782; s7200 digest A 18). PLS takes cycle time, width
+// and count from SM as the update bits of the control byte allow and starts, continues or stops the generator; the
+// pulses themselves, their end and a profile's steps are the device's. Tests: tests/manual_a/pulse_test.cpp.
 #pragma once
 
 #include "ir/isa/group.hpp"
@@ -9,8 +9,13 @@ namespace rungproof::isa {
 
 /// PLS Q0.X: X = 0 or 1. Offsets are those of SMB67 or SMB77: status byte before, values behind (001:4656-4680).
 struct PulseOutput {
-  static constexpr Desc desc = withOperands({.stl = "PLS", .meaning = "pulse output", .group = "high-speed", .stack = {1, 0, 0}, .eno = true,
-                                             .time = 3100, .manual = "001:4533"},
+  static constexpr Desc desc = withOperands({.stl = "PLS",
+                                             .meaning = "pulse output",
+                                             .group = "high-speed",
+                                             .stack = {1, 0, 0},
+                                             .eno = true,
+                                             .time = 3100,
+                                             .manual = "001:4533"},
                                             {in("Q0.X", Type::Word, form::Const).within({{0, 1, everyCpu}})});
 
   /// Bits of the status byte.
@@ -42,8 +47,8 @@ struct PulseOutput {
  private:
   /// The value in SM where its update bit is set, else the one kept; at least `least` (001:4570-4574, 001:4624).
   template <class D>
-  static typename D::Bits loaded(Machine<D>& m, std::uint32_t control, std::uint32_t bit, std::uint32_t at, Reg kept, std::uint32_t q, int w,
-                                 std::uint64_t least) {
+  static typename D::Bits loaded(Machine<D>& m, std::uint32_t control, std::uint32_t bit, std::uint32_t at, Reg kept,
+                                 std::uint32_t q, int w, std::uint64_t least) {
     const auto fresh = m.load(Area::SM, control + at, w == 32 ? Width::DWord : Width::Word);
     const auto value = m.d.select(m.sm(control, bit), fresh, m.get(kept, q), w);
     return m.d.select(m.d.ult(value, m.number(least, w), w), m.number(least, w), value, w);

@@ -12,8 +12,14 @@ namespace rungproof::isa {
 /// ALD and OLD: the two upper levels become one (001:2829-2833).
 template <bool conjunction, Name stlName, Name germanName, Name meaning>
 struct CombineLevels {
-  static constexpr Desc desc{.stl = stlName.view(), .german = germanName.view(), .meaning = meaning.view(), .group = "boolean / stack",
-                             .execution = Execution::Stack, .stack = {2, 1, 0}, .time = 22, .manual = conjunction ? "001:2829" : "001:2833"};
+  static constexpr Desc desc{.stl = stlName.view(),
+                             .german = germanName.view(),
+                             .meaning = meaning.view(),
+                             .group = "boolean / stack",
+                             .execution = Execution::Stack,
+                             .stack = {2, 1, 0},
+                             .time = 22,
+                             .manual = conjunction ? "001:2829" : "001:2833"};
   template <class D>
   static void run(Machine<D>& m, Args<D>&) {
     const auto result = conjunction ? m.d.land(m.level(0), m.level(1)) : m.d.lor(m.level(0), m.level(1));
@@ -24,8 +30,13 @@ struct CombineLevels {
 
 /// LPS: pushes a copy of the top (001:2839).
 struct PushTop {
-  static constexpr Desc desc{.stl = "LPS", .meaning = "duplicate the top of stack (push)", .group = "boolean / stack",
-                             .execution = Execution::Stack, .stack = {1, 0, 1}, .time = 24, .manual = "001:2839"};
+  static constexpr Desc desc{.stl = "LPS",
+                             .meaning = "duplicate the top of stack (push)",
+                             .group = "boolean / stack",
+                             .execution = Execution::Stack,
+                             .stack = {1, 0, 1},
+                             .time = 24,
+                             .manual = "001:2839"};
   template <class D>
   static void run(Machine<D>& m, Args<D>&) {
     m.push(m.top());
@@ -34,8 +45,13 @@ struct PushTop {
 
 /// LRD: level 1 overwrites the top; nothing moves (001:2843).
 struct ReadSecond {
-  static constexpr Desc desc{.stl = "LRD", .meaning = "copy stack level 2 to the top", .group = "boolean / stack",
-                             .execution = Execution::Stack, .stack = {2, 0, 0}, .time = 22, .manual = "001:2843"};
+  static constexpr Desc desc{.stl = "LRD",
+                             .meaning = "copy stack level 2 to the top",
+                             .group = "boolean / stack",
+                             .execution = Execution::Stack,
+                             .stack = {2, 0, 0},
+                             .time = 22,
+                             .manual = "001:2843"};
   template <class D>
   static void run(Machine<D>& m, Args<D>&) {
     m.setTop(m.level(1));
@@ -44,8 +60,13 @@ struct ReadSecond {
 
 /// LPP: pops (001:2847).
 struct PopTop {
-  static constexpr Desc desc{.stl = "LPP", .meaning = "pop the stack", .group = "boolean / stack", .execution = Execution::Stack,
-                             .stack = {2, 1, 0}, .time = 22, .manual = "001:2847"};
+  static constexpr Desc desc{.stl = "LPP",
+                             .meaning = "pop the stack",
+                             .group = "boolean / stack",
+                             .execution = Execution::Stack,
+                             .stack = {2, 1, 0},
+                             .time = 22,
+                             .manual = "001:2847"};
   template <class D>
   static void run(Machine<D>& m, Args<D>&) {
     m.pop();
@@ -54,8 +75,13 @@ struct PopTop {
 
 /// LDS N: pushes a copy of level N, 0 to 8; LDS 0 is LPS (001:2857-2862). It needs N + 1 filled levels.
 struct LoadLevel {
-  static constexpr Desc desc = withOperands({.stl = "LDS", .meaning = "duplicate stack bit N on the top", .group = "boolean / stack",
-                                             .execution = Execution::Stack, .stack = {1, 0, 1}, .time = 22, .manual = "001:2857"},
+  static constexpr Desc desc = withOperands({.stl = "LDS",
+                                             .meaning = "duplicate stack bit N on the top",
+                                             .group = "boolean / stack",
+                                             .execution = Execution::Stack,
+                                             .stack = {1, 0, 1},
+                                             .time = 22,
+                                             .manual = "001:2857"},
                                             {in("N", Type::Byte, form::Const).within({{0, 8, everyCpu}})});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -65,8 +91,14 @@ struct LoadLevel {
 
 /// AENO: the top AND the ENO bit; without power flow 0 whatever ENO holds (001:2851-2853).
 struct AndEno {
-  static constexpr Desc desc{.stl = "AENO", .german = "UENO", .meaning = "AND the ENO bit with the top of stack", .group = "boolean / stack",
-                             .execution = Execution::Stack, .stack = {1, 0, 0}, .time = 40, .manual = "001:2851"};
+  static constexpr Desc desc{.stl = "AENO",
+                             .german = "UENO",
+                             .meaning = "AND the ENO bit with the top of stack",
+                             .group = "boolean / stack",
+                             .execution = Execution::Stack,
+                             .stack = {1, 0, 0},
+                             .time = 40,
+                             .manual = "001:2851"};
   template <class D>
   static void run(Machine<D>& m, Args<D>&) {
     m.setTop(m.d.land(m.top(), m.getBit(Reg::Eno)));
@@ -75,8 +107,12 @@ struct AndEno {
 
 /// NOP N: no effect. The manual only gives its time (001:14609); the operand is general knowledge.
 struct NoOperation {
-  static constexpr Desc desc = withOperands({.stl = "NOP", .meaning = "no operation", .group = "only in Appendix F or C",
-                                             .execution = Execution::Stack, .time = 22, .manual = "001:14609"},
+  static constexpr Desc desc = withOperands({.stl = "NOP",
+                                             .meaning = "no operation",
+                                             .group = "only in Appendix F or C",
+                                             .execution = Execution::Stack,
+                                             .time = 22,
+                                             .manual = "001:14609"},
                                             {optional(in("N", Type::Byte, form::Const).within({{0, 255, everyCpu}}))});
   template <class D>
   static void run(Machine<D>&, Args<D>&) {}

@@ -13,11 +13,19 @@ namespace rungproof::isa {
 /// accumulator (001:3792).
 template <NumberKind kind, Name stlName, Name meaning, std::uint32_t time>
 struct NumberToString {
-  static constexpr Forms source =
-      kind == NumberKind::Int ? form::wordIn & ~form::AC : kind == NumberKind::DInt ? form::dwordIn : form::realIn;
+  static constexpr Forms source = kind == NumberKind::Int    ? form::wordIn & ~form::AC
+                                  : kind == NumberKind::DInt ? form::dwordIn
+                                                             : form::realIn;
   static constexpr Desc desc = withOperands(
-      {.stl = stlName.view(), .meaning = meaning.view(), .group = "table, find, conversion", .stack = {1, 0, 0}, .eno = true, .time = time,
-       .manual = kind == NumberKind::Int ? "001:3770" : kind == NumberKind::DInt ? "001:3804" : "001:3821"},
+      {.stl = stlName.view(),
+       .meaning = meaning.view(),
+       .group = "table, find, conversion",
+       .stack = {1, 0, 0},
+       .eno = true,
+       .time = time,
+       .manual = kind == NumberKind::Int    ? "001:3770"
+                 : kind == NumberKind::DInt ? "001:3804"
+                                            : "001:3821"},
       {in("IN", typeOf(kind), source), in("FMT", Type::Byte, form::byteIn), out("OUT", Type::String, form::stringOut)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -33,8 +41,15 @@ struct NumberReader {
   static constexpr int w = 40;
 
   NumberReader(Machine<D>& machine, bool takesFraction)
-      : m(machine), real(takesFraction), isNegative(m.d.constant(false)), hasDigit(m.d.constant(false)), isTooLarge(m.d.constant(false)),
-        magnitude(m.number(0, w)), scale(m.number(0, 16)), started_(m.d.constant(false)), inFraction_(m.d.constant(false)),
+      : m(machine),
+        real(takesFraction),
+        isNegative(m.d.constant(false)),
+        hasDigit(m.d.constant(false)),
+        isTooLarge(m.d.constant(false)),
+        magnitude(m.number(0, w)),
+        scale(m.number(0, 16)),
+        started_(m.d.constant(false)),
+        inFraction_(m.d.constant(false)),
         ended_(m.d.constant(false)) {}
 
   Machine<D>& m;
@@ -52,7 +67,8 @@ struct NumberReader {
     const Bool digit = d.land(active, d.land(d.ule(m.number('0', 8), c, 8), d.ule(c, m.number('9', 8), 8)));
     const Bool sign = d.land(d.land(active, d.lnot(started_)), d.lor(is('+'), is('-')));
     const Bool blank = d.land(d.land(active, d.lnot(started_)), is(' '));
-    const Bool point = real ? d.land(d.land(active, hasDigit), d.land(d.lnot(inFraction_), d.lor(is('.'), is(',')))) : d.constant(false);
+    const Bool point = real ? d.land(d.land(active, hasDigit), d.land(d.lnot(inFraction_), d.lor(is('.'), is(','))))
+                            : d.constant(false);
     ended_ = d.lor(ended_, d.land(active, d.lnot(d.lor(d.lor(digit, sign), d.lor(blank, point)))));
     isNegative = d.lor(isNegative, d.land(sign, is('-')));
     started_ = d.lor(started_, d.lor(sign, digit));
@@ -72,7 +88,8 @@ struct NumberReader {
     }
     const Bool kept = d.land(digit, d.ult(magnitude, m.number(100'000'000, w), w));
     const Bool more = d.land(kept, inFraction_), less = d.land(digit, d.land(d.lnot(kept), d.lnot(inFraction_)));
-    scale = d.select(more, d.add(scale, m.number(1, 16), 16), d.select(less, d.sub(scale, m.number(1, 16), 16), scale, 16), 16);
+    scale = d.select(more, d.add(scale, m.number(1, 16), 16),
+                     d.select(less, d.sub(scale, m.number(1, 16), 16), scale, 16), 16);
     magnitude = d.select(kept, longer, magnitude, w);
   }
   Bool started_, inFraction_, ended_;
@@ -91,7 +108,8 @@ typename D::Bits realOfDecimal(Machine<D>& m, typename D::Bits magnitude, typena
     const auto part = d.select(d.ult(rest, ten, 16), rest, ten, 16);
     auto power = m.number(std::bit_cast<std::uint32_t>(powers[0]), 32);
     for (std::size_t k = 1; k < powers.size(); ++k) {
-      power = d.select(d.equal(part, m.number(k, 16), 16), m.number(std::bit_cast<std::uint32_t>(powers[k]), 32), power, 32);
+      power = d.select(d.equal(part, m.number(k, 16), 16), m.number(std::bit_cast<std::uint32_t>(powers[k]), 32), power,
+                       32);
     }
     real = d.select(isLarge, d.rmul(real, power), d.rdiv(real, power), 32);
     rest = d.sub(rest, part, 16);
@@ -99,15 +117,21 @@ typename D::Bits realOfDecimal(Machine<D>& m, typename D::Bits magnitude, typena
   return real;
 }
 
-/// STI, STD, STR (001:3865-3913). No digit where one must stand sets SM1.1 and leaves OUT; a number too large for OUT as
-/// well, by Choice::SubstringOverflow.
+/// STI, STD, STR (001:3865-3913). No digit where one must stand sets SM1.1 and leaves OUT; a number too large for OUT
+/// as well, by Choice::SubstringOverflow.
 template <NumberKind kind, Name stlName, Name meaning, std::uint32_t time>
 struct SubstringToNumber {
   static constexpr Forms target = kind == NumberKind::Int ? form::wordOut | form::AQ : form::dwordOut;
-  static constexpr Desc desc = withOperands(
-      {.stl = stlName.view(), .meaning = meaning.view(), .group = "table, find, conversion", .stack = {1, 0, 0}, .eno = true,
-       .affects = status::Overflow, .time = time, .manual = "001:3865"},
-      {in("IN", Type::String, form::byteBuffer | form::Const), in("INDX", Type::Byte, form::byteIn), out("OUT", typeOf(kind), target)});
+  static constexpr Desc desc = withOperands({.stl = stlName.view(),
+                                             .meaning = meaning.view(),
+                                             .group = "table, find, conversion",
+                                             .stack = {1, 0, 0},
+                                             .eno = true,
+                                             .affects = status::Overflow,
+                                             .time = time,
+                                             .manual = "001:3865"},
+                                            {in("IN", Type::String, form::byteBuffer | form::Const),
+                                             in("INDX", Type::Byte, form::byteIn), out("OUT", typeOf(kind), target)});
 
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -143,7 +167,8 @@ struct SubstringToNumber {
     } else {
       constexpr int n = kind == NumberKind::Int ? 16 : 32;
       constexpr int w = NumberReader<D>::w;
-      const auto limit = d.select(reader.isNegative, m.number(1ULL << (n - 1), w), m.number((1ULL << (n - 1)) - 1, w), w);
+      const auto limit =
+          d.select(reader.isNegative, m.number(1ULL << (n - 1), w), m.number((1ULL << (n - 1)) - 1, w), w);
       tooLarge = d.lor(tooLarge, d.ult(limit, reader.magnitude, w));
       const auto magnitude = d.extract(reader.magnitude, n - 1, 0);
       result = d.select(reader.isNegative, d.sub(m.number(0, n), magnitude, n), magnitude, n);
@@ -153,7 +178,8 @@ struct SubstringToNumber {
     m.flag(status::Overflow, bad);
     m.when(d.lnot(bad), [&] { a.store(2, result); });
     if (m.choices.is(Choice::SubstringOverflow, "unknown")) {
-      m.when(d.land(reader.hasDigit, tooLarge), [&] { a.store(2, m.external(External::UnknownResult, 0, bits(a.width(2)))); });
+      m.when(d.land(reader.hasDigit, tooLarge),
+             [&] { a.store(2, m.external(External::UnknownResult, 0, bits(a.width(2)))); });
     }
   }
 };

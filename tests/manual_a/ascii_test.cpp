@@ -56,9 +56,14 @@ TEST(AsciiToHex, IllegalCharacters) {
 
 TEST(AsciiToHex, BuffersMustFit) {
   const Target cpu222{Cpu::Cpu222, Edition::Edition2004};
-  for (const auto& [line, fits] : std::vector<std::pair<std::string, bool>>{
-           {"ATH VB2044, VB0, 4", true}, {"ATH VB2044, VB0, 5", false}, {"ATH VB0, VB2046, 4", true}, {"ATH VB0, VB2046, 5", false},
-           {"HTA VB2046, VB0, 4", true}, {"HTA VB2046, VB0, 5", false}, {"HTA VB0, VB2044, 4", true}, {"HTA VB0, VB2044, 5", false}}) {
+  for (const auto& [line, fits] : std::vector<std::pair<std::string, bool>>{{"ATH VB2044, VB0, 4", true},
+                                                                            {"ATH VB2044, VB0, 5", false},
+                                                                            {"ATH VB0, VB2046, 4", true},
+                                                                            {"ATH VB0, VB2046, 5", false},
+                                                                            {"HTA VB2046, VB0, 4", true},
+                                                                            {"HTA VB2046, VB0, 5", false},
+                                                                            {"HTA VB0, VB2044, 4", true},
+                                                                            {"HTA VB0, VB2044, 5", false}}) {
     Bench bench({"LD SM0.0", line}, cpu222);
     for (std::uint32_t i = 0; i < 2048; ++i) bench.store.area(Area::V)[i] = '7';
     const auto before = bench.store.area(Area::V);
@@ -203,13 +208,16 @@ TEST(RealToAscii, BuffersTooSmallAndBadFormats) {
   EXPECT_EQ(rta(1e30F, 15, 0, false), std::string(15, ' '));
   EXPECT_EQ(rta(std::nanf(""), 8, 1, false), std::string(8, ' '));
   EXPECT_EQ(rta(std::numeric_limits<float>::infinity(), 8, 1, false), std::string(8, ' '));
-  for (const int size : {0, 1, 2}) EXPECT_EQ(rta(1.0F, size, 0, false), std::string(static_cast<std::size_t>(size), '#'));
+  for (const int size : {0, 1, 2})
+    EXPECT_EQ(rta(1.0F, size, 0, false), std::string(static_cast<std::size_t>(size), '#'));
 }
 
 TEST(NumberToAscii, BuffersMustFit) {
   const Target cpu222{Cpu::Cpu222, Edition::Edition2004};
-  for (const auto& [line, fits] : std::vector<std::pair<std::string, bool>>{
-           {"ITA 1, *AC1, 0", false}, {"DTA 1, *AC1, 0", false}, {"RTA 1.0, *AC1, 16#70", true}, {"RTA 1.0, *AC1, 16#80", false}}) {
+  for (const auto& [line, fits] : std::vector<std::pair<std::string, bool>>{{"ITA 1, *AC1, 0", false},
+                                                                            {"DTA 1, *AC1, 0", false},
+                                                                            {"RTA 1.0, *AC1, 16#70", true},
+                                                                            {"RTA 1.0, *AC1, 16#80", false}}) {
     Bench bench({"LD SM0.0", line}, cpu222);
     bench.set("AC1", pointer::encode(Area::V, 2041));  // seven bytes are left
     bench.scan();

@@ -1,6 +1,6 @@
 // Bench: a few statements on the machine with plain numbers. Statements are written as in the manual's examples; the
-// bench reads them itself so that these tests depend on nothing but the instruction table and the meanings. Every run is
-// repeated on the blurred domain, and both must leave the same machine behind.
+// bench reads them itself so that these tests depend on nothing but the instruction table and the meanings. Every run
+// is repeated on the blurred domain, and both must leave the same machine behind.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -40,7 +40,8 @@ inline Operand operandOf(std::string_view text) {
     return constant(std::bit_cast<std::uint32_t>(std::strtof(s.c_str(), nullptr)), ConstantForm::Real);
   }
   static constexpr std::string_view areas[] = {"SM", "AC", "AI", "AQ", "HC", "I", "Q", "V", "M", "S", "L", "T", "C"};
-  static constexpr Area values[] = {Area::SM, Area::AC, Area::AI, Area::AQ, Area::HC, Area::I, Area::Q, Area::V, Area::M, Area::S, Area::L, Area::T, Area::C};
+  static constexpr Area values[] = {Area::SM, Area::AC, Area::AI, Area::AQ, Area::HC, Area::I, Area::Q,
+                                    Area::V,  Area::M,  Area::S,  Area::L,  Area::T,  Area::C};
   std::size_t k = 0;
   while (!s.starts_with(areas[k])) ++k;
   std::size_t at = areas[k].size();
@@ -69,8 +70,10 @@ inline Instruction statement(std::string_view line) {
   };
   for (const char c : space == std::string_view::npos ? std::string_view{} : line.substr(space)) {
     if (c == '"') quoted = !quoted;
-    if (!quoted && c == ',') flush();
-    else if (quoted || c != ' ') word += c;
+    if (!quoted && c == ',')
+      flush();
+    else if (quoted || c != ' ')
+      word += c;
   }
   flush();
   return instruction;
@@ -90,7 +93,8 @@ struct World final : Outside {
 class Bench {
  public:
   /// Main program; `interrupt` is the body of INT_0. Memory is all 0, the first scan is still to come.
-  explicit Bench(const std::vector<std::string>& lines, Target target = {}, const std::vector<std::string>& interrupt = {}) {
+  explicit Bench(const std::vector<std::string>& lines, Target target = {},
+                 const std::vector<std::string>& interrupt = {}) {
     program_.target = target;
     addBlock(PouKind::Main, lines);
     addBlock(PouKind::Interrupt, interrupt);
@@ -139,7 +143,8 @@ class Bench {
   }
   void setReal(std::string_view address, float v) { set(address, std::bit_cast<std::uint32_t>(v)); }
   void setText(std::uint32_t byte, std::string_view characters) {
-    for (std::size_t i = 0; i < characters.size(); ++i) store.area(Area::V)[byte + i] = static_cast<std::uint8_t>(characters[i]);
+    for (std::size_t i = 0; i < characters.size(); ++i)
+      store.area(Area::V)[byte + i] = static_cast<std::uint8_t>(characters[i]);
   }
   /// A string with its length byte.
   void setString(std::uint32_t byte, std::string_view characters) {
@@ -149,7 +154,9 @@ class Bench {
   bool eno() { return store.get(Reg::Eno, 0) != 0; }
   bool errorBit() { return value("SM4.3") != 0; }
   std::uint64_t reg(Reg reg, std::uint32_t index = 0) { return store.get(reg, index); }
-  bool met(Hazard hazard) const { return std::find(world.hazards.begin(), world.hazards.end(), hazard) != world.hazards.end(); }
+  bool met(Hazard hazard) const {
+    return std::find(world.hazards.begin(), world.hazards.end(), hazard) != world.hazards.end();
+  }
   bool quiet() const { return world.hazards.empty(); }
 
  private:
@@ -188,12 +195,16 @@ class Bench {
     Machine<D> machine(domain, state, *plan_, choices);
     Hooks<D> hooks{start};
     Scan<D, Hooks<D>> scan(machine, hooks);
-    if (asInterrupt) scan.interrupt(0, domain.constant(true));
-    else scan.program();
+    if (asInterrupt)
+      scan.interrupt(0, domain.constant(true));
+    else
+      scan.program();
     Outcome outcome;
     const auto plain = [](const auto& truth) {
-      if constexpr (std::same_as<std::remove_cvref_t<decltype(truth)>, bool>) return truth;
-      else return truth.v;
+      if constexpr (std::same_as<std::remove_cvref_t<decltype(truth)>, bool>)
+        return truth;
+      else
+        return truth.v;
     };
     for (std::size_t i = 0; i < outcome.stack.size(); ++i) outcome.stack[i] = plain(machine.stack[i]);
     outcome.halted = plain(machine.halted);
@@ -210,7 +221,8 @@ class Bench {
     otherWorld.values = world.values;
     Blurred blurred(otherWorld);
     Blurred::Store blurredStore(copy);
-    EXPECT_EQ(runOn(blurred, blurredStore, asInterrupt, start) == outcome, true) << "the blurred run leaves another stack";
+    EXPECT_EQ(runOn(blurred, blurredStore, asInterrupt, start) == outcome, true)
+        << "the blurred run leaves another stack";
     EXPECT_EQ(copy == store, true) << "the blurred run leaves another state";
     EXPECT_EQ(otherWorld.hazards == world.hazards, true) << "the blurred run meets other hazards";
 

@@ -1,6 +1,7 @@
 // Blurred: plain numbers that never admit to being known, with a type of their own for truth values and the width kept
-// in every vector. Meanings run on it take the ways they take for a solver: both sides of every condition, all rounds of
-// every loop, several targets of a pointer. The bench compares the result with Concrete; a width that does not fit aborts.
+// in every vector. Meanings run on it take the ways they take for a solver: both sides of every condition, all rounds
+// of every loop, several targets of a pointer. The bench compares the result with Concrete; a width that does not fit
+// aborts.
 #pragma once
 
 #include <vector>
@@ -23,7 +24,9 @@ class Blurred {
   class Store {
    public:
     explicit Store(Concrete::Store& inner) : inner_(&inner) {}
-    Bits load(Area area, std::uint32_t bitOffset, int width) const { return {inner_->load(area, bitOffset, width), width}; }
+    Bits load(Area area, std::uint32_t bitOffset, int width) const {
+      return {inner_->load(area, bitOffset, width), width};
+    }
     void save(Area area, std::uint32_t bitOffset, int width, Bits value, Bool guard) {
       CHECK(value.w == width, "width of a saved value");
       inner_->save(area, bitOffset, width, value.v, guard.v);
@@ -99,7 +102,9 @@ class Blurred {
   Bits rfromInt(Bits a) const { return {plain_.rfromInt(in(a, 32)), 32}; }
   Bits rtoInt(Bits a, bool round) const { return {plain_.rtoInt(in(a, 32), round), 64}; }
 
-  Bits external(const ExternalSite& site, int width) { return {outside_->external(site, width) & Concrete::mask(width), width}; }
+  Bits external(const ExternalSite& site, int width) {
+    return {outside_->external(site, width) & Concrete::mask(width), width};
+  }
   void report(Hazard hazard, Bool happens, const Instruction* place) {
     if (happens.v) outside_->report(hazard, place);
   }

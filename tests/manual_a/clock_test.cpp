@@ -7,7 +7,8 @@ namespace rungproof::manual {
 namespace {
 
 /// 19 bytes as TODWX takes them: 04-09-30 23:59:58 Thursday, mode FF, correction 01:00 from 04-01 02:00 to 10-31 03:00.
-const std::vector<int> sample = {0x04, 0x09, 0x30, 0x23, 0x59, 0x58, 0x00, 0x05, 0xFF, 0x01, 0x00, 0x04, 0x01, 0x02, 0x00, 0x10, 0x31, 0x03, 0x00};
+const std::vector<int> sample = {0x04, 0x09, 0x30, 0x23, 0x59, 0x58, 0x00, 0x05, 0xFF, 0x01,
+                                 0x00, 0x04, 0x01, 0x02, 0x00, 0x10, 0x31, 0x03, 0x00};
 
 void fill(Bench& bench, const std::vector<int>& bytes) {
   for (std::size_t i = 0; i < bytes.size(); ++i) bench.store.area(Area::V)[i] = static_cast<std::uint8_t>(bytes[i]);
@@ -21,14 +22,18 @@ Bench readBench(const char* line, Target target = {}) {
 }
 
 TEST(Clock, ReadsEightOrNineteenBytes) {
-  for (const auto& [line, size] : std::vector<std::pair<const char*, std::uint32_t>>{{"TODR VB0", 8}, {"TODRX VB0", 19}}) {
+  for (const auto& [line, size] :
+       std::vector<std::pair<const char*, std::uint32_t>>{{"TODR VB0", 8}, {"TODRX VB0", 19}}) {
     Bench bench = readBench(line);
     bench.set("I0.0", 0);
     EXPECT_EQ(bench.scan().value("VB0"), 0xEEU) << "no power flow";
     bench.set("I0.0", 1);
     bench.scan();
     for (std::uint32_t i = 0; i < 30; ++i) {
-      EXPECT_EQ(bench.store.area(Area::V)[i], i >= size ? 0xEE : i == 6 ? 0 : 0x10 + i) << line << " byte " << i << "; byte 6 is always 0";
+      EXPECT_EQ(bench.store.area(Area::V)[i], i >= size ? 0xEE
+                                              : i == 6  ? 0
+                                                        : 0x10 + i)
+          << line << " byte " << i << "; byte 6 is always 0";
     }
     EXPECT_TRUE(bench.eno());
     EXPECT_TRUE(bench.quiet());
@@ -42,7 +47,8 @@ TEST(Clock, CpusWithPlugInClock) {
       for (const bool fitted : {false, true}) {
         Bench bench = readBench(line, {cpu, Edition::Edition2004});
         ASSERT_TRUE(bench.choices.set("clock-module", fitted ? "fitted" : "absent"));
-        for (std::size_t i = 0; i < sample.size(); ++i) bench.store.area(Area::V)[100 + i] = static_cast<std::uint8_t>(sample[i]);
+        for (std::size_t i = 0; i < sample.size(); ++i)
+          bench.store.area(Area::V)[100 + i] = static_cast<std::uint8_t>(sample[i]);
         bench.scan();
         EXPECT_EQ(bench.met(Hazard::NoClock), !builtIn && !fitted) << line;
         EXPECT_EQ(bench.eno(), builtIn || fitted);
@@ -56,7 +62,8 @@ TEST(Clock, CpusWithPlugInClock) {
 }
 
 TEST(Clock, SettingTakesTheWholeBuffer) {
-  for (const auto& [line, size] : std::vector<std::pair<const char*, std::uint32_t>>{{"TODW VB0", 8}, {"TODWX VB0", 19}}) {
+  for (const auto& [line, size] :
+       std::vector<std::pair<const char*, std::uint32_t>>{{"TODW VB0", 8}, {"TODWX VB0", 19}}) {
     Bench bench({"LD I0.0", line});
     fill(bench, sample);
     bench.scan();
@@ -65,7 +72,8 @@ TEST(Clock, SettingTakesTheWholeBuffer) {
     bench.scan();
     EXPECT_TRUE(bench.quiet()) << line;
     EXPECT_TRUE(bench.eno());
-    for (std::uint32_t i = 0; i < 19; ++i) EXPECT_EQ(bench.reg(Reg::ClockSetting, i), i < size ? static_cast<unsigned>(sample[i]) : 0U) << i;
+    for (std::uint32_t i = 0; i < 19; ++i)
+      EXPECT_EQ(bench.reg(Reg::ClockSetting, i), i < size ? static_cast<unsigned>(sample[i]) : 0U) << i;
   }
 }
 
@@ -91,7 +99,12 @@ TEST(Clock, FieldsHaveTheRangesOfTheTable) {
     int low, high, below, above;
   };
   for (const char* line : {"TODW VB0", "TODWX VB0"}) {
-    for (const Field& f : std::vector<Field>{{1, 0x01, 0x12, 0x00, 0x13}, {2, 0x01, 0x31, 0x00, 0x32}, {3, 0x00, 0x23, -1, 0x24}, {4, 0x00, 0x59, -1, 0x60}, {5, 0x00, 0x59, -1, 0x60}, {7, 0x01, 0x07, -1, 0x08}}) {
+    for (const Field& f : std::vector<Field>{{1, 0x01, 0x12, 0x00, 0x13},
+                                             {2, 0x01, 0x31, 0x00, 0x32},
+                                             {3, 0x00, 0x23, -1, 0x24},
+                                             {4, 0x00, 0x59, -1, 0x60},
+                                             {5, 0x00, 0x59, -1, 0x60},
+                                             {7, 0x01, 0x07, -1, 0x08}}) {
       EXPECT_TRUE(takes(line, f.at, f.low)) << f.at;
       EXPECT_TRUE(takes(line, f.at, f.high)) << f.at;
       EXPECT_FALSE(takes(line, f.at, f.above)) << f.at;
@@ -142,8 +155,12 @@ TEST(Clock, UsersRuleCountsInModeFFOnly) {
 }
 
 TEST(Clock, BufferMustFit) {
-  for (const auto& [line, room, fits] : std::vector<std::tuple<const char*, int, bool>>{
-           {"TODR *AC1", 8, true}, {"TODR *AC1", 7, false}, {"TODRX *AC1", 19, true}, {"TODRX *AC1", 18, false}, {"TODW *AC1", 7, false}, {"TODWX *AC1", 18, false}}) {
+  for (const auto& [line, room, fits] : std::vector<std::tuple<const char*, int, bool>>{{"TODR *AC1", 8, true},
+                                                                                        {"TODR *AC1", 7, false},
+                                                                                        {"TODRX *AC1", 19, true},
+                                                                                        {"TODRX *AC1", 18, false},
+                                                                                        {"TODW *AC1", 7, false},
+                                                                                        {"TODWX *AC1", 18, false}}) {
     Bench bench({"LD SM0.0", line});
     bench.world.values[{External::ClockByte, 0}] = 0x42;
     const std::uint32_t start = 10240 - static_cast<std::uint32_t>(room);

@@ -12,7 +12,8 @@ TEST(Coil, AssignCopiesTheTopEveryTime) {
   for (const bool on : {true, false, true}) {
     bench.set("I0.0", on);
     bench.scan();
-    for (const char* bit : {"Q0.0", "Q0.1", "V0.0", "T37", "C5", "M31.7"}) EXPECT_EQ(bench.value(bit), on ? 1U : 0U) << bit;
+    for (const char* bit : {"Q0.0", "Q0.1", "V0.0", "T37", "C5", "M31.7"})
+      EXPECT_EQ(bench.value(bit), on ? 1U : 0U) << bit;
     EXPECT_EQ(bench.stack[0], on);
     EXPECT_EQ(bench.value("V0.1"), 0U) << "one bit only";
   }
@@ -30,10 +31,10 @@ TEST(Coil, AssignImmediateWritesImageAndTerminal) {
 }
 
 TEST(Coil, SetAndResetGroupsOfTheExample) {
-  // Networks 2 to 5 of 001:2817. Inputs: I0.1 sets, I0.2 resets Q0.2-Q0.7; I0.3 & I0.4 sets, I0.3 & I0.5 resets Q1.0-Q1.7;
-  // network 5 assigns Q1.0 in every scan.
-  Bench bench({"LD I0.1", "S Q0.2, 6", "LD I0.2", "R Q0.2, 6", "LD I0.3", "LPS", "A I0.4", "S Q1.0, 8", "LPP", "A I0.5", "R Q1.0, 8",
-               "LD I0.6", "= Q1.0"});
+  // Networks 2 to 5 of 001:2817. Inputs: I0.1 sets, I0.2 resets Q0.2-Q0.7; I0.3 & I0.4 sets, I0.3 & I0.5 resets
+  // Q1.0-Q1.7; network 5 assigns Q1.0 in every scan.
+  Bench bench({"LD I0.1", "S Q0.2, 6", "LD I0.2", "R Q0.2, 6", "LD I0.3", "LPS", "A I0.4", "S Q1.0, 8", "LPP", "A I0.5",
+               "R Q1.0, 8", "LD I0.6", "= Q1.0"});
   const auto after = [&](unsigned inputs) {
     bench.set("IB0", inputs);
     bench.scan();
@@ -162,7 +163,8 @@ TEST(Coil, BadPointerOfTheCountIsError0006) {
 
 TEST(Coil, CountsOfTheDescriptor) {
   // 001:2789 and 001:2800.
-  for (const auto& [name, most] : std::vector<std::pair<const char*, int>>{{"S", 255}, {"R", 255}, {"SI", 128}, {"RI", 128}}) {
+  for (const auto& [name, most] :
+       std::vector<std::pair<const char*, int>>{{"S", 255}, {"R", 255}, {"SI", 128}, {"RI", 128}}) {
     const OperandDesc& count = instructionNamed(name)->operand(1);
     EXPECT_EQ(count.ranges[0].low, 1) << name;
     EXPECT_EQ(count.ranges[0].high, most) << name;
@@ -172,7 +174,8 @@ TEST(Coil, CountsOfTheDescriptor) {
 
 TEST(Coil, ResetEndsAnOffDelayButNotAnOnDelay) {
   // 001:6586: TOF needs a new falling edge after R; TON goes on from 0 while its input is on.
-  Bench bench({"LD I0.0", "TOF T37, 100", "LDN I0.0", "TON T38, 100", "LD I0.1", "R T37, 2", "R C37, 1", "LD I0.2", "R C37, 2"});
+  Bench bench({"LD I0.0", "TOF T37, 100", "LDN I0.0", "TON T38, 100", "LD I0.1", "R T37, 2", "R C37, 1", "LD I0.2",
+               "R C37, 2"});
   for (const std::uint32_t timer : {37U, 38U}) bench.store.set(Reg::TimerRunning, timer, 1, true);
   bench.set("IB0", 0b100);
   bench.scan();
@@ -185,7 +188,8 @@ TEST(Coil, ResetEndsAnOffDelayButNotAnOnDelay) {
 }
 
 TEST(Coil, SetAndResetImmediate) {
-  Bench bench({"LD I0.0", "SI Q0.6, 4", "LD I0.1", "RI Q0.7, 2", "LD I0.2", "SI Q0.0, 128", "LD I0.3", "SI Q0.1, 128", "RI Q15.7, 2"});
+  Bench bench({"LD I0.0", "SI Q0.6, 4", "LD I0.1", "RI Q0.7, 2", "LD I0.2", "SI Q0.0, 128", "LD I0.3", "SI Q0.1, 128",
+               "RI Q15.7, 2"});
   const auto pins = [&](unsigned inputs) {
     bench.set("IB0", inputs);
     bench.scan();
@@ -205,9 +209,11 @@ TEST(Coil, SetAndResetImmediate) {
   EXPECT_TRUE(bench.quiet());
   Bench high({"LD SM0.0", "SI Q2.3, 2"});
   high.scan();
-  for (std::uint32_t pin = 0; pin < 128; ++pin) EXPECT_EQ(high.reg(Reg::PhysicalOutput, pin), pin == 19 || pin == 20 ? 1U : 0U) << pin;
+  for (std::uint32_t pin = 0; pin < 128; ++pin)
+    EXPECT_EQ(high.reg(Reg::PhysicalOutput, pin), pin == 19 || pin == 20 ? 1U : 0U) << pin;
   pins(8);
-  EXPECT_EQ(bench.world.hazards, (std::vector<Hazard>{Hazard::OutOfRange, Hazard::OutOfRange})) << "128 from Q0.1, and 2 from Q15.7";
+  EXPECT_EQ(bench.world.hazards, (std::vector<Hazard>{Hazard::OutOfRange, Hazard::OutOfRange}))
+      << "128 from Q0.1, and 2 from Q15.7";
 }
 
 /// Output and top of the stack of `box M0.0` with inputs and previous bit given.

@@ -12,7 +12,8 @@ struct Port {
   std::string mode, status, control, maximum, idle;
   Hazard clash;
 };
-const std::vector<Port> ports = {{0, "SMB30", "SMB86", "SMB87", "SMB94", "SM4.5", Hazard::SimultaneousPort0}, {1, "SMB130", "SMB186", "SMB187", "SMB194", "SM4.6", Hazard::SimultaneousPort1}};
+const std::vector<Port> ports = {{0, "SMB30", "SMB86", "SMB87", "SMB94", "SM4.5", Hazard::SimultaneousPort0},
+                                 {1, "SMB130", "SMB186", "SMB187", "SMB194", "SM4.6", Hazard::SimultaneousPort1}};
 
 Bench on(const Port& port, const std::string& line, int mode) {
   Bench bench({"LD I5.0", line + ", " + std::to_string(port.number)});
@@ -70,7 +71,8 @@ TEST(Freeport, OneDirectionAtATime) {
           bench.store.set(Reg::PortBusy, index(port), state, true);
           bench.scan();
           const bool same = (state == 1) == transmits;
-          EXPECT_EQ(bench.world.hazards, same && !error ? std::vector<Hazard>{} : std::vector<Hazard>{port.clash}) << line << state;
+          EXPECT_EQ(bench.world.hazards, same && !error ? std::vector<Hazard>{} : std::vector<Hazard>{port.clash})
+              << line << state;
           EXPECT_EQ(bench.reg(Reg::PortBusy, index(port)), state);
           EXPECT_EQ(bench.value(port.idle), 1U) << "nothing was started";
           EXPECT_EQ(bench.value(port.status), 0x20U);
@@ -128,7 +130,11 @@ TEST(Freeport, ReceiveWithTheEnableBitOffEndsIt) {
 
 TEST(Freeport, BuffersMustFit) {
   // From VB10239 - 4: five bytes, the count and four characters.
-  for (const auto& [line, count, fits] : std::vector<std::tuple<const char*, int, bool>>{{"XMT VB10235, 0", 4, true}, {"XMT VB10235, 0", 5, false}, {"RCV VB10235, 0", 4, true}, {"RCV VB10235, 0", 5, false}, {"XMT VB10239, 0", 0, true}}) {
+  for (const auto& [line, count, fits] : std::vector<std::tuple<const char*, int, bool>>{{"XMT VB10235, 0", 4, true},
+                                                                                         {"XMT VB10235, 0", 5, false},
+                                                                                         {"RCV VB10235, 0", 4, true},
+                                                                                         {"RCV VB10235, 0", 5, false},
+                                                                                         {"XMT VB10239, 0", 0, true}}) {
     Bench bench({"LD SM0.0", line});
     bench.set("SMB30", 1);
     bench.set("SMB87", 0xC0);
@@ -184,7 +190,13 @@ TEST(Network, RefusedRequests) {
     unsigned status;
   };
   for (const char* op : {"NETR", "NETW"}) {
-    for (const Row& row : std::vector<Row>{{4, 0, 0, 0x25}, {4, 1, 0, 0x25}, {4, 3, 0, 0x25}, {0, 2, 0, 0x26}, {17, 2, 0, 0x26}, {255, 2, 0, 0x26}, {4, 2, 8, 0x24}}) {
+    for (const Row& row : std::vector<Row>{{4, 0, 0, 0x25},
+                                           {4, 1, 0, 0x25},
+                                           {4, 3, 0, 0x25},
+                                           {0, 2, 0, 0x26},
+                                           {17, 2, 0, 0x26},
+                                           {255, 2, 0, 0x26},
+                                           {4, 2, 8, 0x24}}) {
       Bench bench = network(op, row.length, row.mode);
       bench.store.set(Reg::NetActive, 0, static_cast<unsigned>(row.active), true);
       bench.scan();
@@ -200,7 +212,8 @@ TEST(Network, RefusedRequests) {
 
 TEST(Network, EightAtATime) {
   std::vector<std::string> lines = {"LD SM0.0"};
-  for (int i = 0; i < 9; ++i) lines.push_back((i % 2 == 0 ? "NETR VB" : "NETW VB") + std::to_string(100 + 30 * i) + ", 0");
+  for (int i = 0; i < 9; ++i)
+    lines.push_back((i % 2 == 0 ? "NETR VB" : "NETW VB") + std::to_string(100 + 30 * i) + ", 0");
   Bench bench(lines);
   bench.set("SMB30", 2);
   for (int i = 0; i < 9; ++i) bench.set("VB" + std::to_string(106 + 30 * i), 2);

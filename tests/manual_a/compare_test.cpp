@@ -16,15 +16,16 @@ struct Relation {
 };
 const std::vector<Relation>& relations() {
   static const std::vector<Relation> list = {
-      {"<", [](double a, double b) { return a < b; }},   {"<=", [](double a, double b) { return a <= b; }},
-      {"=", [](double a, double b) { return a == b; }},  {">=", [](double a, double b) { return a >= b; }},
-      {">", [](double a, double b) { return a > b; }},   {"<>", [](double a, double b) { return a != b; }},
+      {"<", [](double a, double b) { return a < b; }},  {"<=", [](double a, double b) { return a <= b; }},
+      {"=", [](double a, double b) { return a == b; }}, {">=", [](double a, double b) { return a >= b; }},
+      {">", [](double a, double b) { return a > b; }},  {"<>", [](double a, double b) { return a != b; }},
   };
   return list;
 }
 
 /// Stack of three known levels after `mnemonic IN1, IN2` where the relation holds or not.
-void expectJoint(const std::string& letter, const std::string& symbol, const std::string& operands, bool holds, const std::function<void(Bench&)>& fill) {
+void expectJoint(const std::string& letter, const std::string& symbol, const std::string& operands, bool holds,
+                 const std::function<void(Bench&)>& fill) {
   for (const bool top : {false, true}) {
     const std::array<bool, 9> start{top, true, false};
     const auto stackAfter = [&](const std::string& prefix) {
@@ -52,7 +53,8 @@ TEST(Compare, BytesAreUnsigned) {
 }
 
 TEST(Compare, WordsAreSigned) {
-  for (const auto& [a, b] : std::vector<std::pair<int, int>>{{-1, 1}, {1, -1}, {-32768, 32767}, {32767, -32768}, {-5, -5}, {256, 255}}) {
+  for (const auto& [a, b] :
+       std::vector<std::pair<int, int>>{{-1, 1}, {1, -1}, {-32768, 32767}, {32767, -32768}, {-5, -5}, {256, 255}}) {
     for (const Relation& r : relations()) {
       expectJoint("W", r.symbol, "VW0, VW2", r.holds(a, b), [&](Bench& bench) {
         bench.set("VW0", a);
@@ -63,7 +65,8 @@ TEST(Compare, WordsAreSigned) {
 }
 
 TEST(Compare, DoubleWordsAreSigned) {
-  for (const auto& [a, b] : std::vector<std::pair<double, double>>{{-1, 1}, {2147483647.0, -2147483648.0}, {65536, 65535}, {-7, -7}, {-70000, -69999}}) {
+  for (const auto& [a, b] : std::vector<std::pair<double, double>>{
+           {-1, 1}, {2147483647.0, -2147483648.0}, {65536, 65535}, {-7, -7}, {-70000, -69999}}) {
     for (const Relation& r : relations()) {
       expectJoint("D", r.symbol, "VD0, VD4", r.holds(a, b), [&](Bench& bench) {
         bench.set("VD0", static_cast<std::int64_t>(a));
@@ -74,7 +77,8 @@ TEST(Compare, DoubleWordsAreSigned) {
 }
 
 TEST(Compare, RealsAreSigned) {
-  for (const auto& [a, b] : std::vector<std::pair<float, float>>{{-1.5F, 1.5F}, {1.5F, -1.5F}, {0.0F, -0.0F}, {-2.5F, -2.25F}, {1e30F, 1e-30F}}) {
+  for (const auto& [a, b] : std::vector<std::pair<float, float>>{
+           {-1.5F, 1.5F}, {1.5F, -1.5F}, {0.0F, -0.0F}, {-2.5F, -2.25F}, {1e30F, 1e-30F}}) {
     for (const Relation& r : relations()) {
       expectJoint("R", r.symbol, "VD0, VD4", r.holds(a, b), [&](Bench& bench) {
         bench.setReal("VD0", a);
@@ -85,8 +89,14 @@ TEST(Compare, RealsAreSigned) {
 }
 
 TEST(Compare, StringsByLengthAndBytes) {
-  for (const auto& [a, b] : std::vector<std::pair<std::string, std::string>>{
-           {"ABC", "ABC"}, {"ABC", "ABD"}, {"ABC", "AB"}, {"AB", "ABC"}, {"", ""}, {"abc", "ABC"}, {std::string(254, 'x'), std::string(254, 'x')}}) {
+  for (const auto& [a, b] :
+       std::vector<std::pair<std::string, std::string>>{{"ABC", "ABC"},
+                                                        {"ABC", "ABD"},
+                                                        {"ABC", "AB"},
+                                                        {"AB", "ABC"},
+                                                        {"", ""},
+                                                        {"abc", "ABC"},
+                                                        {std::string(254, 'x'), std::string(254, 'x')}}) {
     for (const char* symbol : {"=", "<>"}) {
       const bool holds = (a == b) == (symbol[0] == '=');
       expectJoint("S", symbol, "VB0, VB300", holds, [&](Bench& bench) {
@@ -106,11 +116,13 @@ TEST(Compare, ExamplesOfTheManual) {
   // 000:2183-2223: potentiometer, and network 4 with the small and the large values.
   Bench pot({"LD I0.0", "LPS", "AB<= SMB28, 50", "= Q0.0", "LPP", "AB>= SMB28, 150", "= Q0.1"});
   pot.set("I0.0", 1);
-  for (const auto& [value, outputs] : std::vector<std::pair<int, unsigned>>{{0, 1}, {50, 1}, {51, 0}, {149, 0}, {150, 2}, {255, 2}}) {
+  for (const auto& [value, outputs] :
+       std::vector<std::pair<int, unsigned>>{{0, 1}, {50, 1}, {51, 0}, {149, 0}, {150, 2}, {255, 2}}) {
     pot.set("SMB28", value);
     EXPECT_EQ(pot.scan().value("QB0"), outputs) << value;
   }
-  Bench numbers({"LD I0.3", "LPS", "AW> VW0, +10000", "= Q0.2", "LRD", "AD< -150000000, VD2", "= Q0.3", "LPP", "AR> VD6, 5.001E-006", "= Q0.4"});
+  Bench numbers({"LD I0.3", "LPS", "AW> VW0, +10000", "= Q0.2", "LRD", "AD< -150000000, VD2", "= Q0.3", "LPP",
+                 "AR> VD6, 5.001E-006", "= Q0.4"});
   numbers.set("I0.3", 1);
   numbers.set("VW0", -30000);
   numbers.set("VD2", -200000000);
@@ -123,7 +135,8 @@ TEST(Compare, ExamplesOfTheManual) {
 }
 
 TEST(Compare, OtherOperands) {
-  Bench bench({"LDW= T5, C6", "= Q0.0", "LDD= HC0, 16#FFFFFFFF", "= Q0.1", "LDB= AC0, 16#34", "= Q0.2", "LDW= AIW4, 77", "= Q0.3"});
+  Bench bench({"LDW= T5, C6", "= Q0.0", "LDD= HC0, 16#FFFFFFFF", "= Q0.1", "LDB= AC0, 16#34", "= Q0.2", "LDW= AIW4, 77",
+               "= Q0.3"});
   bench.store.set(Reg::TimerCurrent, 5, 9, true);
   bench.store.set(Reg::CounterCurrent, 6, 9, true);
   bench.store.set(Reg::HscCurrent, 0, 0xFFFFFFFF, true);
@@ -133,7 +146,8 @@ TEST(Compare, OtherOperands) {
 }
 
 TEST(Compare, BadPointerStopsTheCpuEvenWithoutPowerFlow) {
-  for (const char* line : {"AB= *VD0, 1", "AW> *VD0, 1", "OD< 1, *VD0", "AR= *VD0, 1.0", "LDB= *VD0, 1", "AS= *VD0, VB100"}) {
+  for (const char* line :
+       {"AB= *VD0, 1", "AW> *VD0, 1", "OD< 1, *VD0", "AR= *VD0, 1.0", "LDB= *VD0, 1", "AS= *VD0, VB100"}) {
     Bench bench({"LD I0.0", line, "LD SM0.0", "= Q0.0"});
     bench.set("VD0", 0xFF000000);
     bench.scan();
@@ -148,7 +162,8 @@ TEST(Compare, BadPointerStopsTheCpuEvenWithoutPowerFlow) {
 }
 
 TEST(Compare, IllegalRealStopsTheCpuEvenWithoutPowerFlow) {
-  for (const float illegal : {std::nanf(""), std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()}) {
+  for (const float illegal :
+       {std::nanf(""), std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()}) {
     for (const char* line : {"AR> VD0, VD4", "AR> VD4, VD0", "OR<> VD0, 1.0", "LDR= VD0, VD0"}) {
       Bench bench({"LD I0.0", line, "LD SM0.0", "= Q0.0"});
       bench.setReal("VD0", illegal);

@@ -22,7 +22,8 @@ TEST(Convert, ByteToIntExtendsWithZeros) {
 }
 
 TEST(Convert, IntToByteTakes0To255) {
-  for (const auto& [value, fits] : std::vector<std::pair<int, bool>>{{0, true}, {200, true}, {255, true}, {256, false}, {-1, false}, {-32768, false}}) {
+  for (const auto& [value, fits] : std::vector<std::pair<int, bool>>{
+           {0, true}, {200, true}, {255, true}, {256, false}, {-1, false}, {-32768, false}}) {
     Bench bench({"LD SM0.0", "ITB VW0, VB10"});
     bench.set("VW0", value);
     bench.set("VB10", 0x5A);
@@ -46,8 +47,13 @@ TEST(Convert, IntToDIntExtendsTheSign) {
 }
 
 TEST(Convert, DIntToIntTakesTheRangeOfInt) {
-  for (const auto& [value, fits] : std::vector<std::pair<std::int64_t, bool>>{
-           {0, true}, {32767, true}, {-32768, true}, {32768, false}, {-32769, false}, {65535, false}, {-2147483648LL, false}}) {
+  for (const auto& [value, fits] : std::vector<std::pair<std::int64_t, bool>>{{0, true},
+                                                                              {32767, true},
+                                                                              {-32768, true},
+                                                                              {32768, false},
+                                                                              {-32769, false},
+                                                                              {65535, false},
+                                                                              {-2147483648LL, false}}) {
     Bench bench({"LD SM0.0", "DTI VD0, VW10"});
     bench.set("VD0", value);
     bench.set("VW10", 0x1234);
@@ -61,10 +67,15 @@ TEST(Convert, DIntToIntTakesTheRangeOfInt) {
 
 TEST(Convert, DIntToReal) {
   // 16777217 = 2^24 + 1 and 33554431 = 2^25 - 1 do not fit 24 binary digits: nearest is 2^24 (even) and 2^25.
-  for (const auto& [value, nearest, truncated] : std::vector<std::tuple<std::int64_t, float, float>>{
-           {101, 101.0F, 101.0F}, {-101, -101.0F, -101.0F}, {0, 0.0F, 0.0F}, {16777217, 16777216.0F, 16777216.0F},
-           {33554431, 33554432.0F, 33554430.0F}, {-33554431, -33554432.0F, -33554430.0F}, {2147483647, 2147483648.0F, 2147483520.0F},
-           {-2147483648LL, -2147483648.0F, -2147483648.0F}}) {
+  for (const auto& [value, nearest, truncated] :
+       std::vector<std::tuple<std::int64_t, float, float>>{{101, 101.0F, 101.0F},
+                                                           {-101, -101.0F, -101.0F},
+                                                           {0, 0.0F, 0.0F},
+                                                           {16777217, 16777216.0F, 16777216.0F},
+                                                           {33554431, 33554432.0F, 33554430.0F},
+                                                           {-33554431, -33554432.0F, -33554430.0F},
+                                                           {2147483647, 2147483648.0F, 2147483520.0F},
+                                                           {-2147483648LL, -2147483648.0F, -2147483648.0F}}) {
     for (const bool truncates : {false, true}) {
       Bench bench({"LD SM0.0", "DTR VD0, VD10"});
       ASSERT_TRUE(bench.choices.set("dtr-rounding", truncates ? "truncated" : "nearest"));
@@ -88,9 +99,16 @@ TEST(Convert, InchesToCentimetres) {
 }
 
 TEST(Convert, RoundAndTruncate) {
-  for (const auto& [real, rounded, truncated] : std::vector<std::tuple<float, int, int>>{
-           {0.5F, 1, 0}, {0.25F, 0, 0}, {2.5F, 3, 2}, {2.75F, 3, 2}, {-0.25F, 0, 0}, {-2.75F, -3, -2}, {1234567.0F, 1234567, 1234567},
-           {-2147483648.0F, -2147483647 - 1, -2147483647 - 1}, {2147483520.0F, 2147483520, 2147483520}}) {
+  for (const auto& [real, rounded, truncated] :
+       std::vector<std::tuple<float, int, int>>{{0.5F, 1, 0},
+                                                {0.25F, 0, 0},
+                                                {2.5F, 3, 2},
+                                                {2.75F, 3, 2},
+                                                {-0.25F, 0, 0},
+                                                {-2.75F, -3, -2},
+                                                {1234567.0F, 1234567, 1234567},
+                                                {-2147483648.0F, -2147483647 - 1, -2147483647 - 1},
+                                                {2147483520.0F, 2147483520, 2147483520}}) {
     Bench bench({"LD SM0.0", "ROUND VD0, VD10", "TRUNC VD0, VD20"});
     bench.setReal("VD0", real);
     bench.set("SM1.1", 1);
@@ -103,7 +121,8 @@ TEST(Convert, RoundAndTruncate) {
 }
 
 TEST(Convert, NegativeHalvesFollowTheChoice) {
-  for (const auto& [real, away, up] : std::vector<std::tuple<float, int, int>>{{-2.5F, -3, -2}, {-0.5F, -1, 0}, {-3.5F, -4, -3}, {2.5F, 3, 3}, {-2.75F, -3, -3}}) {
+  for (const auto& [real, away, up] : std::vector<std::tuple<float, int, int>>{
+           {-2.5F, -3, -2}, {-0.5F, -1, 0}, {-3.5F, -4, -3}, {2.5F, 3, 3}, {-2.75F, -3, -3}}) {
     for (const bool upward : {false, true}) {
       Bench bench({"LD SM0.0", "ROUND VD0, VD10", "TRUNC VD0, VD20"});
       ASSERT_TRUE(bench.choices.set("round-half", upward ? "up" : "away-from-zero"));
@@ -116,7 +135,8 @@ TEST(Convert, NegativeHalvesFollowTheChoice) {
 }
 
 TEST(Convert, RealsThatDoNotFitLeaveTheOutput) {
-  for (const float bad : {2147483648.0F, -2147483904.0F, 1e30F, -1e30F, std::nanf(""), std::numeric_limits<float>::infinity()}) {
+  for (const float bad :
+       {2147483648.0F, -2147483904.0F, 1e30F, -1e30F, std::nanf(""), std::numeric_limits<float>::infinity()}) {
     for (const char* line : {"ROUND VD0, VD10", "TRUNC VD0, VD10"}) {
       Bench bench({"LD SM0.0", line});
       bench.setReal("VD0", bad);
@@ -130,7 +150,8 @@ TEST(Convert, RealsThatDoNotFitLeaveTheOutput) {
 }
 
 TEST(Convert, BcdToInt) {
-  for (const auto& [bcd, number] : std::vector<std::pair<int, int>>{{0x1234, 1234}, {0x0000, 0}, {0x9999, 9999}, {0x0070, 70}, {0x8000, 8000}}) {
+  for (const auto& [bcd, number] :
+       std::vector<std::pair<int, int>>{{0x1234, 1234}, {0x0000, 0}, {0x9999, 9999}, {0x0070, 70}, {0x8000, 8000}}) {
     Bench bench({"LD I0.3", "BCDI AC0"});
     bench.set("AC0", bcd);
     bench.set("SM1.6", 1);
@@ -156,7 +177,8 @@ TEST(Convert, BcdToInt) {
 }
 
 TEST(Convert, IntToBcd) {
-  for (const auto& [number, bcd] : std::vector<std::pair<int, int>>{{1234, 0x1234}, {0, 0}, {9999, 0x9999}, {10, 0x10}, {9070, 0x9070}}) {
+  for (const auto& [number, bcd] :
+       std::vector<std::pair<int, int>>{{1234, 0x1234}, {0, 0}, {9999, 0x9999}, {10, 0x10}, {9070, 0x9070}}) {
     Bench bench({"LD SM0.0", "IBCD VW0"});
     bench.set("VW0", number);
     bench.set("SM1.6", 1);
@@ -177,7 +199,8 @@ TEST(Convert, IntToBcd) {
 
 TEST(Convert, SegmentTable) {
   // 000:2560-2605; 9 has no lowest segment. The upper nibble of IN is not looked at.
-  const std::vector<unsigned> patterns = {0x3F, 0x06, 0x5B, 0x4F, 0x66, 0x6D, 0x7D, 0x07, 0x7F, 0x67, 0x77, 0x7C, 0x39, 0x5E, 0x79, 0x71};
+  const std::vector<unsigned> patterns = {0x3F, 0x06, 0x5B, 0x4F, 0x66, 0x6D, 0x7D, 0x07,
+                                          0x7F, 0x67, 0x77, 0x7C, 0x39, 0x5E, 0x79, 0x71};
   Bench bench({"LD I1.0", "SEG VB48, AC1"});
   bench.set("VB48", 5);
   EXPECT_EQ(bench.scan().value("AC1"), 0U);
@@ -235,8 +258,9 @@ TEST(Convert, DecodeSetsOneBit) {
 }
 
 TEST(Convert, BadPointersAreError0006) {
-  for (const char* line : {"BTI *AC1, VW0", "ITB VW0, *AC1", "ITD *AC1, VD0", "DTI *AC1, VW0", "DTR VD0, *AC1", "BCDI *AC1", "IBCD *AC1",
-                           "ROUND *AC1, VD0", "TRUNC VD0, *AC1", "SEG *AC1, VB0", "ENCO *AC1, VB0", "DECO VB0, *AC1"}) {
+  for (const char* line :
+       {"BTI *AC1, VW0", "ITB VW0, *AC1", "ITD *AC1, VD0", "DTI *AC1, VW0", "DTR VD0, *AC1", "BCDI *AC1", "IBCD *AC1",
+        "ROUND *AC1, VD0", "TRUNC VD0, *AC1", "SEG *AC1, VB0", "ENCO *AC1, VB0", "DECO VB0, *AC1"}) {
     Bench bench({"LD SM0.0", line});
     bench.set("AC1", 0x07000000);
     const Concrete::Store before = bench.store;

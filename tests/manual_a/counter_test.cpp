@@ -15,7 +15,9 @@ void pulse(Bench& bench, std::string_view input, int times = 1) {
     bench.scan();
   }
 }
-void put(Bench& bench, std::uint32_t number, int value) { bench.store.set(Reg::CounterCurrent, number, static_cast<std::uint16_t>(value), true); }
+void put(Bench& bench, std::uint32_t number, int value) {
+  bench.store.set(Reg::CounterCurrent, number, static_cast<std::uint16_t>(value), true);
+}
 
 TEST(CountUp, CountsEdgesAndGoesOnPastThePreset) {
   Bench bench({"LD I0.0", "LD I0.1", "CTU C3, +2", "LD C3", "= Q0.0"});

@@ -16,9 +16,11 @@ const Names contacts = {"LD", "LDN", "A", "AN", "O", "ON", "LDI", "LDNI", "AI", 
 const Names others = {"NOT", "EU", "ED", "ALD", "OLD", "LPS", "LRD", "LPP", "LDS", "AENO", "NOP"};
 const Names coils = {"=", "=I"};
 const Names sampled = {"SR", "RS", "CTU", "CTD", "CTUD", "CTU.IEC", "CTD.IEC", "CTUD.IEC"};
-const Names boxes = {"S", "R", "SI", "RI", "TODR", "TODW", "TODRX", "TODWX", "NETR", "NETW", "XMT", "RCV", "GPA", "SPA", "BTI", "ITB", "ITD", "DTI", "DTR",
-                     "BCDI", "IBCD", "ROUND", "TRUNC", "SEG", "ATH", "HTA", "ITA", "DTA", "RTA", "ITS", "DTS", "RTS", "STI", "STD", "STR", "ENCO", "DECO",
-                     "HDEF", "HSC", "PLS", "+I", "-I", "*I", "/I", "+D", "-D", "*D", "/D", "MUL", "DIV"};
+const Names boxes = {"S",    "R",     "SI",    "RI",  "TODR", "TODW", "TODRX", "TODWX", "NETR", "NETW",
+                     "XMT",  "RCV",   "GPA",   "SPA", "BTI",  "ITB",  "ITD",   "DTI",   "DTR",  "BCDI",
+                     "IBCD", "ROUND", "TRUNC", "SEG", "ATH",  "HTA",  "ITA",   "DTA",   "RTA",  "ITS",
+                     "DTS",  "RTS",   "STI",   "STD", "STR",  "ENCO", "DECO",  "HDEF",  "HSC",  "PLS",
+                     "+I",   "-I",    "*I",    "/I",  "+D",   "-D",   "*D",    "/D",    "MUL",  "DIV"};
 
 Names compares() {
   Names names;
@@ -58,8 +60,10 @@ TEST(Descriptor, EffectsOnTheStack) {
   Names loading = compares();
   loading.insert(contacts.begin(), contacts.end());
   for (const std::string_view name : loading) {
-    if (name.starts_with("LD")) expectStack(name, 0, 0, 1);
-    else expectStack(name, 1, 0, 0);
+    if (name.starts_with("LD"))
+      expectStack(name, 0, 0, 1);
+    else
+      expectStack(name, 1, 0, 0);
   }
   for (const std::string_view name : {"NOT", "EU", "ED", "AENO"}) expectStack(name, 1, 0, 0);
   for (const std::string_view name : {"ALD", "OLD", "LPP"}) expectStack(name, 2, 1, 0);
@@ -92,7 +96,8 @@ TEST(Descriptor, StatusBits) {
 }
 
 TEST(Descriptor, Restrictions) {
-  const Names since2004 = {"TODRX", "TODWX"}, notInInterrupt = {"HDEF", "SPA"}, drawing = {"SR", "RS", "CTU.IEC", "CTD.IEC", "CTUD.IEC"};
+  const Names since2004 = {"TODRX", "TODWX"}, notInInterrupt = {"HDEF", "SPA"},
+              drawing = {"SR", "RS", "CTU.IEC", "CTD.IEC", "CTUD.IEC"};
   for (const Names& names : {contacts, others, coils, sampled, boxes, compares()}) {
     for (const std::string_view name : names) {
       const Desc& desc = *instructionNamed(name);
@@ -129,7 +134,8 @@ TEST(Descriptor, ConstantsByCpu) {
       EXPECT_EQ(allows("HDEF", 1, value, cpu), value >= 0 && value <= 12) << value;
       EXPECT_EQ(allows("LDS", 0, value, cpu), value >= 0 && value <= 8) << value;
     }
-    for (const int value : {-1, 0, 255, 256}) EXPECT_EQ(allows("NOP", 0, value, cpu), value == 0 || value == 255) << value;
+    for (const int value : {-1, 0, 255, 256})
+      EXPECT_EQ(allows("NOP", 0, value, cpu), value == 0 || value == 255) << value;
   }
 }
 

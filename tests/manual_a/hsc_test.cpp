@@ -8,12 +8,18 @@ namespace {
 
 const std::vector<std::uint32_t> controlBytes = {37, 47, 57, 137, 147, 157};  // 001:4272-4356
 
-std::string line(const char* op, int a, int b = -1) { return std::string(op) + " " + std::to_string(a) + (b < 0 ? "" : ", " + std::to_string(b)); }
+std::string line(const char* op, int a, int b = -1) {
+  return std::string(op) + " " + std::to_string(a) + (b < 0 ? "" : ", " + std::to_string(b));
+}
 
 TEST(Hdef, ModesOfEachCounter) {
   // 001:14759-14801.
-  const std::vector<std::vector<int>> modes = {{0, 1, 3, 4, 6, 7, 9, 10, 12}, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11},
-                                               {0, 12}, {0, 1, 3, 4, 6, 7, 9, 10}, {0}};
+  const std::vector<std::vector<int>> modes = {{0, 1, 3, 4, 6, 7, 9, 10, 12},
+                                               {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11},
+                                               {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11},
+                                               {0, 12},
+                                               {0, 1, 3, 4, 6, 7, 9, 10},
+                                               {0}};
   for (int counter = 0; counter < 6; ++counter) {
     for (int mode = 0; mode <= 12; ++mode) {
       const auto& list = modes[static_cast<std::size_t>(counter)];
@@ -23,7 +29,9 @@ TEST(Hdef, ModesOfEachCounter) {
       EXPECT_EQ(bench.reg(Reg::HscMode, static_cast<std::uint32_t>(counter)), 0U) << "no power flow";
       bench.set("I5.0", 1);
       bench.scan();
-      EXPECT_EQ(bench.reg(Reg::HscMode, static_cast<std::uint32_t>(counter)), usable ? static_cast<unsigned>(mode) + 1 : 0U) << counter << " mode " << mode;
+      EXPECT_EQ(bench.reg(Reg::HscMode, static_cast<std::uint32_t>(counter)),
+                usable ? static_cast<unsigned>(mode) + 1 : 0U)
+          << counter << " mode " << mode;
       EXPECT_EQ(bench.met(Hazard::OutOfRange), !usable);
       EXPECT_EQ(bench.eno(), usable);
     }
@@ -63,12 +71,23 @@ TEST(Hdef, InputsServeOnePurpose) {
     bool conflict;
   };
   // 001:4211-4213: HSC0 modes 3-11 need I0.1, HSC4 modes 3-11 need I0.4.
-  for (const Pair& p : std::vector<Pair>{{0, 3, 3, 0, true}, {0, 1, 3, 0, false}, {0, 10, 3, 0, true}, {0, 12, 3, 0, false}, {0, 3, 3, 12, false}, {4, 3, 5, 0, true},
-                                         {4, 1, 5, 0, false}, {3, 0, 0, 6, true}, {5, 0, 4, 9, true}, {1, 11, 2, 11, false}, {0, 10, 4, 10, false}}) {
+  for (const Pair& p : std::vector<Pair>{{0, 3, 3, 0, true},
+                                         {0, 1, 3, 0, false},
+                                         {0, 10, 3, 0, true},
+                                         {0, 12, 3, 0, false},
+                                         {0, 3, 3, 12, false},
+                                         {4, 3, 5, 0, true},
+                                         {4, 1, 5, 0, false},
+                                         {3, 0, 0, 6, true},
+                                         {5, 0, 4, 9, true},
+                                         {1, 11, 2, 11, false},
+                                         {0, 10, 4, 10, false}}) {
     Bench bench({"LD SM0.0", line("HDEF", p.first, p.firstMode), line("HDEF", p.second, p.secondMode)});
     bench.scan();
-    EXPECT_EQ(bench.met(Hazard::HscInputConflict), p.conflict) << p.first << " " << p.firstMode << " / " << p.second << " " << p.secondMode;
-    EXPECT_EQ(bench.reg(Reg::HscMode, static_cast<std::uint32_t>(p.second)), p.conflict ? 0U : static_cast<unsigned>(p.secondMode) + 1);
+    EXPECT_EQ(bench.met(Hazard::HscInputConflict), p.conflict)
+        << p.first << " " << p.firstMode << " / " << p.second << " " << p.secondMode;
+    EXPECT_EQ(bench.reg(Reg::HscMode, static_cast<std::uint32_t>(p.second)),
+              p.conflict ? 0U : static_cast<unsigned>(p.secondMode) + 1);
     EXPECT_EQ(bench.reg(Reg::HscMode, static_cast<std::uint32_t>(p.first)), static_cast<unsigned>(p.firstMode) + 1);
     EXPECT_EQ(bench.eno(), !p.conflict);
   }
@@ -116,7 +135,8 @@ TEST(Hsc, TakesWhatTheControlByteAllows) {
       EXPECT_EQ(bench.reg(Reg::HscCurrent, counter), 111U) << "no power flow";
       bench.set("I7.0", 1);
       bench.scan();
-      EXPECT_EQ(bench.value("HC" + std::to_string(counter)), (bits & 0x40) != 0 ? 0xFFFFFFFBU : 111U) << counter << " " << bits;
+      EXPECT_EQ(bench.value("HC" + std::to_string(counter)), (bits & 0x40) != 0 ? 0xFFFFFFFBU : 111U)
+          << counter << " " << bits;
       EXPECT_EQ(bench.reg(Reg::HscPreset, counter), (bits & 0x20) != 0 ? 70000U : 222U);
       const bool up = (bits & 8) != 0, writesDirection = (bits & 0x10) != 0;
       EXPECT_EQ(bench.reg(Reg::HscUp, counter), (writesDirection ? up : !up) ? 1U : 0U);

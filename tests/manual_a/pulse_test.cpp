@@ -37,13 +37,19 @@ TEST(Pulse, NothingWithoutPowerFlow) {
 }
 
 TEST(Pulse, ControlBytesOfSingleTrains) {
-  // 001:4682-4699: byte, loads the cycle, loads the count, time base 1 ms. A value never loaded is 0 and becomes the least.
+  // 001:4682-4699: byte, loads the cycle, loads the count, time base 1 ms. A value never loaded is 0 and becomes the
+  // least.
   struct Row {
     unsigned byte;
     bool cycle, count, ms;
   };
   for (const Output& o : outputs) {
-    for (const Row& row : std::vector<Row>{{0x81, true, false, false}, {0x84, false, true, false}, {0x85, true, true, false}, {0x89, true, false, true}, {0x8C, false, true, true}, {0x8D, true, true, true}}) {
+    for (const Row& row : std::vector<Row>{{0x81, true, false, false},
+                                           {0x84, false, true, false},
+                                           {0x85, true, true, false},
+                                           {0x89, true, false, true},
+                                           {0x8C, false, true, true},
+                                           {0x8D, true, true, true}}) {
       Bench bench = prepared(o, row.byte);
       bench.scan();
       EXPECT_EQ(bench.reg(Reg::PulseBusy, o.q), 1U) << row.byte;
@@ -69,7 +75,8 @@ TEST(Pulse, KeptValuesAreUsedAgain) {
 
 TEST(Pulse, LeastCycleAndCount) {
   // 001:4570-4574.
-  for (const auto& [given, used] : std::vector<std::pair<int, unsigned>>{{0, 2}, {1, 2}, {2, 2}, {3, 3}, {65535, 65535}}) {
+  for (const auto& [given, used] :
+       std::vector<std::pair<int, unsigned>>{{0, 2}, {1, 2}, {2, 2}, {3, 3}, {65535, 65535}}) {
     Bench bench = prepared(outputs[0], 0x85);
     bench.set("SMW68", given);
     bench.set("SMD72", given == 65535 ? 0xFFFFFFFF : 0);
@@ -130,7 +137,12 @@ TEST(Pulse, ControlBytesOfWidthModulation) {
     bool cycle, width, ms;
   };
   for (const Output& o : outputs) {
-    for (const Row& row : std::vector<Row>{{0xD1, true, false, false}, {0xD2, false, true, false}, {0xD3, true, true, false}, {0xD9, true, false, true}, {0xDA, false, true, true}, {0xDB, true, true, true}}) {
+    for (const Row& row : std::vector<Row>{{0xD1, true, false, false},
+                                           {0xD2, false, true, false},
+                                           {0xD3, true, true, false},
+                                           {0xD9, true, false, true},
+                                           {0xDA, false, true, true},
+                                           {0xDB, true, true, true}}) {
       Bench bench = prepared(o, row.byte);
       bench.store.set(Reg::PulseCycle, o.q, 1000, true);
       bench.store.set(Reg::PulseWidth, o.q, 1, true);
@@ -199,8 +211,16 @@ TEST(Pulse, RunningOutputsAreNotRedefined) {
     unsigned first, second;
     bool taken;
   };
-  for (const Row& row : std::vector<Row>{{0x85, 0xD3, false}, {0xD3, 0x85, false}, {0x85, 0xA0, false}, {0xA0, 0x85, false}, {0xA0, 0xA0, false}, {0xA0, 0xD3, false},
-                                         {0xD3, 0xA0, false}, {0x85, 0x85, true}, {0xD3, 0xDB, true}, {0xD3, 0xF3, true}}) {
+  for (const Row& row : std::vector<Row>{{0x85, 0xD3, false},
+                                         {0xD3, 0x85, false},
+                                         {0x85, 0xA0, false},
+                                         {0xA0, 0x85, false},
+                                         {0xA0, 0xA0, false},
+                                         {0xA0, 0xD3, false},
+                                         {0xD3, 0xA0, false},
+                                         {0x85, 0x85, true},
+                                         {0xD3, 0xDB, true},
+                                         {0xD3, 0xF3, true}}) {
     Bench bench = prepared(outputs[0], row.first);
     bench.set("VB0", 1);
     bench.scan();

@@ -42,7 +42,9 @@ TEST(Stack, PushReadAndLoadLevel) {
     EXPECT_EQ(after("NOP 30", iv), iv);
     EXPECT_EQ(after("NOT", iv), (Levels{!iv[0], iv[1], iv[2], iv[3], iv[4], iv[5], iv[6], iv[7], iv[8]}));
     for (unsigned n = 0; n <= 8; ++n) {
-      EXPECT_EQ(after("LDS " + std::to_string(n), iv), (Levels{iv[n], iv[0], iv[1], iv[2], iv[3], iv[4], iv[5], iv[6], iv[7]})) << n;
+      EXPECT_EQ(after("LDS " + std::to_string(n), iv),
+                (Levels{iv[n], iv[0], iv[1], iv[2], iv[3], iv[4], iv[5], iv[6], iv[7]}))
+          << n;
     }
   });
 }
@@ -114,7 +116,8 @@ TEST(Stack, AenoReadsTheEnoBit) {
   Bench bench({"LD SM0.0", "BTI VB0, VW10", "LD I0.0", "AENO", "= Q0.0"});
   EXPECT_EQ(bench.scan().value("Q0.0"), 0U);
   EXPECT_TRUE(bench.eno());
-  EXPECT_EQ(Bench({"AENO"}).scanWithStack({true, true}).stack, (Levels{false, true})) << "ENO is 0 before any box has run";
+  EXPECT_EQ(Bench({"AENO"}).scanWithStack({true, true}).stack, (Levels{false, true}))
+      << "ENO is 0 before any box has run";
 }
 
 TEST(Stack, ExampleOfContacts) {

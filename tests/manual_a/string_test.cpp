@@ -28,7 +28,8 @@ TEST(NumberToString, WritesLengthAndCharacters) {
 }
 
 TEST(NumberToString, BadFormats) {
-  Bench bench({"LD SM0.0", "ITS 1, 6, VB100", "DTS 1, 7, VB120", "RTS 1.0, 16#87, VB140", "RTS 1000.0, 16#30, VB160", "RTS 1.0, 16#20, VB180"});
+  Bench bench({"LD SM0.0", "ITS 1, 6, VB100", "DTS 1, 7, VB120", "RTS 1.0, 16#87, VB140", "RTS 1000.0, 16#30, VB160",
+               "RTS 1.0, 16#20, VB180"});
   bench.scan();
   EXPECT_EQ(bench.world.hazards, std::vector<Hazard>(5, Hazard::BadFormat));
   EXPECT_EQ(bench.value("VB100"), 8U);
@@ -45,9 +46,13 @@ TEST(NumberToString, BadFormats) {
 
 TEST(NumberToString, MustFit) {
   const Target cpu222{Cpu::Cpu222, Edition::Edition2004};
-  for (const auto& [line, room, fits] : std::vector<std::tuple<std::string, int, bool>>{
-           {"ITS 1, 0, *AC1", 9, true}, {"ITS 1, 0, *AC1", 8, false}, {"DTS 1, 0, *AC1", 13, true}, {"DTS 1, 0, *AC1", 12, false},
-           {"RTS 1.0, 16#50, *AC1", 6, true}, {"RTS 1.0, 16#50, *AC1", 5, false}}) {
+  for (const auto& [line, room, fits] :
+       std::vector<std::tuple<std::string, int, bool>>{{"ITS 1, 0, *AC1", 9, true},
+                                                       {"ITS 1, 0, *AC1", 8, false},
+                                                       {"DTS 1, 0, *AC1", 13, true},
+                                                       {"DTS 1, 0, *AC1", 12, false},
+                                                       {"RTS 1.0, 16#50, *AC1", 6, true},
+                                                       {"RTS 1.0, 16#50, *AC1", 5, false}}) {
     Bench bench({"LD SM0.0", line}, cpu222);
     bench.set("AC1", pointer::encode(Area::V, static_cast<std::uint32_t>(2048 - room)));
     bench.scan();
@@ -85,35 +90,81 @@ void expectReads(const std::string& op, const std::string& out, const std::vecto
 TEST(SubstringToInt, ListsOfTheManual) {
   // 001:3888-3913, the limits of 001:3877, and words that follow from the format.
   expectReads("STI", "VW200",
-              {{"123", true, 123}, {"-00456", true, -456}, {"123.45", true, 123}, {"+2345", true, 2345}, {"000000123ABCD", true, 123},
-               {"  7", true, 7}, {"0", true, 0}, {"32767", true, 32767}, {"-32768", true, -32768},
-               {"32768", false, 0}, {"-32769", false, 0}, {"99999999999999999999", false, 0}, {"65536", false, 0},
-               {"A123", false, 0}, {" ", false, 0}, {"++123", false, 0}, {"+-123", false, 0}, {"+ 123", false, 0}, {"", false, 0}, {"-", false, 0},
+              {{"123", true, 123},
+               {"-00456", true, -456},
+               {"123.45", true, 123},
+               {"+2345", true, 2345},
+               {"000000123ABCD", true, 123},
+               {"  7", true, 7},
+               {"0", true, 0},
+               {"32767", true, 32767},
+               {"-32768", true, -32768},
+               {"32768", false, 0},
+               {"-32769", false, 0},
+               {"99999999999999999999", false, 0},
+               {"65536", false, 0},
+               {"A123", false, 0},
+               {" ", false, 0},
+               {"++123", false, 0},
+               {"+-123", false, 0},
+               {"+ 123", false, 0},
+               {"", false, 0},
+               {"-", false, 0},
                {".5", false, 0}},
               [](Bench& b) { return static_cast<double>(static_cast<std::int16_t>(b.value("VW200"))); });
 }
 
 TEST(SubstringToDInt, ListsOfTheManual) {
   expectReads("STD", "VD200",
-              {{"123", true, 123}, {"-00456", true, -456}, {"123.45", true, 123}, {"+2345", true, 2345}, {"000000123ABCD", true, 123},
-               {"2147483647", true, 2147483647.0}, {"-2147483648", true, -2147483648.0}, {"2147483648", false, 0}, {"-2147483649", false, 0},
-               {"4294967296", false, 0}, {"123456789012345678901234567890", false, 0}, {"A123", false, 0}, {" ", false, 0}, {"++123", false, 0}, {"+-123", false, 0}, {"+ 123", false, 0}},
+              {{"123", true, 123},
+               {"-00456", true, -456},
+               {"123.45", true, 123},
+               {"+2345", true, 2345},
+               {"000000123ABCD", true, 123},
+               {"2147483647", true, 2147483647.0},
+               {"-2147483648", true, -2147483648.0},
+               {"2147483648", false, 0},
+               {"-2147483649", false, 0},
+               {"4294967296", false, 0},
+               {"123456789012345678901234567890", false, 0},
+               {"A123", false, 0},
+               {" ", false, 0},
+               {"++123", false, 0},
+               {"+-123", false, 0},
+               {"+ 123", false, 0}},
               [](Bench& b) { return static_cast<double>(static_cast<std::int32_t>(b.value("VD200"))); });
 }
 
 TEST(SubstringToReal, ListsOfTheManual) {
   expectReads("STR", "VD200",
-              {{"123", true, 123.0F}, {"-00456", true, -456.0F}, {"123.45", true, 123.45F}, {"+2345", true, 2345.0F},
-               {"00.000000123", true, 0.000000123F}, {"1.234E6", true, 1.234F}, {"98,6F", true, 98.6F}, {"1.2.3", true, 1.2F}, {"-0.5", true, -0.5F},
-               {"  5.", true, 5.0F}, {"100000000000000000000", true, 1e20F}, {"4000000000000000000000000000000000000000", false, 0},
-               {"A123", false, 0}, {" ", false, 0}, {"++123", false, 0}, {"+-123", false, 0}, {"+ 123", false, 0}, {".5", false, 0}, {"-.5", false, 0}},
+              {{"123", true, 123.0F},
+               {"-00456", true, -456.0F},
+               {"123.45", true, 123.45F},
+               {"+2345", true, 2345.0F},
+               {"00.000000123", true, 0.000000123F},
+               {"1.234E6", true, 1.234F},
+               {"98,6F", true, 98.6F},
+               {"1.2.3", true, 1.2F},
+               {"-0.5", true, -0.5F},
+               {"  5.", true, 5.0F},
+               {"100000000000000000000", true, 1e20F},
+               {"4000000000000000000000000000000000000000", false, 0},
+               {"A123", false, 0},
+               {" ", false, 0},
+               {"++123", false, 0},
+               {"+-123", false, 0},
+               {"+ 123", false, 0},
+               {".5", false, 0},
+               {"-.5", false, 0}},
               [](Bench& b) { return static_cast<double>(b.real("VD200")); });
 }
 
 TEST(SubstringToReal, LongNumbersKeepSevenDigits) {
   // 001:3679: REAL holds seven significant digits; a number with more may differ in the last of its 24 bits.
-  const std::vector<std::pair<std::string, double>> cases = {{"0.0000000000000000000000000001", 1e-28}, {"340000000000000000000000000000000000000", 3.4e38},
-                                                            {"123456789.987654321", 123456789.98}, {"-0.00000000000000000000000000000000000123", -1.23e-36}};
+  const std::vector<std::pair<std::string, double>> cases = {{"0.0000000000000000000000000001", 1e-28},
+                                                             {"340000000000000000000000000000000000000", 3.4e38},
+                                                             {"123456789.987654321", 123456789.98},
+                                                             {"-0.00000000000000000000000000000000000123", -1.23e-36}};
   for (const auto& [text, number] : cases) {
     Bench bench({"LD SM0.0", "STR VB0, 1, VD200"});
     bench.setString(0, text);
@@ -144,7 +195,8 @@ TEST(SubstringToNumber, IndexAndRange) {
   EXPECT_TRUE(zero.errorBit());
   EXPECT_EQ(zero.value("VW100") + zero.value("VD200") + zero.value("VD300"), 0U);
 
-  for (const auto& [index, number, works] : std::vector<std::tuple<int, int, bool>>{{1, 12, true}, {2, 2, true}, {3, 0, false}, {255, 0, false}}) {
+  for (const auto& [index, number, works] :
+       std::vector<std::tuple<int, int, bool>>{{1, 12, true}, {2, 2, true}, {3, 0, false}, {255, 0, false}}) {
     Bench bench({"LD SM0.0", "STI \"12\", VB50, VW100"});
     bench.set("VB50", index);
     bench.scan();
