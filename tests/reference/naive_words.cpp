@@ -1,0 +1,240 @@
+// The naive interpreter: boxes that work on bytes, words and double words.
+#include <bit>
+#include <cmath>
+
+#include "naive.hpp"
+
+namespace rungproof::naive {
+
+namespace {
+std::int64_t asSigned(std::uint32_t v, int bytes) { return bytes == 2 ? static_cast<std::int16_t>(v) : bytes == 4 ? static_cast<std::int32_t>(v) : static_cast<std::int64_t>(v); }
+float asReal(std::uint32_t v) { return std::bit_cast<float>(v); }
+}  // namespace
+
+std::uint32_t Interpreter::read(const Operand& o, int bytes, int element) {
+  if (o.kind == OperandKind::Constant) return static_cast<std::uint32_t>(o.value) & (bytes == 4 ? 0xFFFFFFFFU : (1U << bytes * 8) - 1);
+  const auto n = static_cast<std::uint32_t>(element);
+  if (o.area == Area::T) return static_cast<std::uint16_t>(timer[o.offset + n]);
+  if (o.area == Area::C) return static_cast<std::uint16_t>(counter[o.offset + n]);
+  if (o.area == Area::AC) return accumulator[o.offset] & (bytes == 4 ? 0xFFFFFFFFU : (1U << bytes * 8) - 1);
+  std::uint32_t value = 0;
+  for (int k = 0; k < bytes; ++k) value = value << 8 | memory[o.area][o.offset + static_cast<std::uint32_t>(element * bytes + k)];
+  return value;
+}
+
+void Interpreter::write(const Operand& o, int bytes, std::uint32_t value, int element) {
+  const auto n = static_cast<std::uint32_t>(element);
+  if (o.area == Area::T) { timer[o.offset + n] = static_cast<std::int16_t>(value); return; }
+  if (o.area == Area::C) { counter[o.offset + n] = static_cast<std::int16_t>(value); return; }
+  if (o.area == Area::AC) {
+    const std::uint32_t mask = bytes == 4 ? 0xFFFFFFFFU : (1U << bytes * 8) - 1;
+    accumulator[o.offset] = (accumulator[o.offset] & ~mask) | (value & mask);
+    return;
+  }
+  for (int k = bytes - 1; k >= 0; --k) {
+    memory[o.area][o.offset + static_cast<std::uint32_t>(element * bytes + k)] = static_cast<std::uint8_t>(value);
+    value >>= 8;
+  }
+}
+
+void Interpreter::box(const Instruction& i, const std::string& name) {
+  eno_ = true;
+  if (name == "S" || name == "R") setOrReset(i, name == "S");
+  else if (name == "SHRB") shiftRegister(i);
+  else if (!arithmetic(i, name) && !realArithmetic(i, name) && !bitwise(i, name) && !shifts(i, name) && !moves(i, name) && !conversions(i, name) && !tables(i, name)) std::abort();
+}
+
+bool Interpreter::arithmetic(const Instruction& i, const std::string& name) {
+  static const std::string operators = "+-*/";
+  const bool isBinary = name.size() == 2 && operators.find(name[0]) != std::string::npos && (name[1] == 'I' || name[1] == 'D');
+  if (isBinary) {
+    const int bytes = name[1] == 'I' ? 2 : 4;
+    const std::int64_t a = asSigned(read(i.operands[1], bytes), bytes), b = asSigned(read(i.operands[0], bytes), bytes);
+    if (name[0] == '/') {
+      status(3, b == 0);
+      if (b == 0) { eno_ = false; return true; }
+    }
+    const std::int64_t r = name[0] == '+' ? a + b : name[0] == '-' ? a - b : name[0] == '*' ? a * b : a / b;
+    const std::int64_t most = bytes == 2 ? 32767 : 2147483647LL;
+    const bool overflow = r > most || r < -most - 1;
+    status(1, overflow);
+    eno_ = !overflow;
+    if (overflow) { status(0, false); status(2, false); return true; }
+    write(i.operands[1], bytes, static_cast<std::uint32_t>(r));
+    status(0, r == 0);
+    status(2, r < 0);
+    return true;
+  }
+  if (name == "MUL") {
+    const std::int32_t r = static_cast<std::int16_t>(read(i.operands[0], 2)) * static_cast<std::int16_t>(read(i.operands[1], 4) & 0xFFFF);
+    write(i.operands[1], 4, static_cast<std::uint32_t>(r));
+    status(1, false); status(0, r == 0); status(2, r < 0);
+    return true;
+  }
+  if (name.size() == 4 && (name.substr(0, 3) == "INC" || name.substr(0, 3) == "DEC")) {
+    const int bytes = name[3] == 'B' ? 1 : name[3] == 'W' ? 2 : 4;
+    const std::int64_t a = asSigned(read(i.operands[0], bytes), bytes), r = a + (name[0] == 'I' ? 1 : -1);
+    const std::int64_t most = bytes == 1 ? 255 : bytes == 2 ? 32767 : 2147483647LL, least = bytes == 1 ? 0 : -most - 1;
+    const bool overflow = r > most || r < least;
+    write(i.operands[0], bytes, static_cast<std::uint32_t>(r));
+    status(1, overflow);
+    eno_ = !overflow;
+    const std::int64_t stored = asSigned(read(i.operands[0], bytes), bytes);
+    status(0, stored == 0);
+    if (bytes > 1) status(2, stored < 0);
+    return true;
+  }
+  return false;
+}
+
+bool Interpreter::realArithmetic(const Instruction& i, const std::string& name) {
+  if (name.size() != 2 || name[1] != 'R') return false;
+  const float a = asReal(read(i.operands[1], 4)), b = asReal(read(i.operands[0], 4));
+  if (name[0] == '/') {
+    status(3, b == 0);
+    if (b == 0) { eno_ = false; return true; }
+  }
+  const float r = name[0] == '+' ? a + b : name[0] == '-' ? a - b : name[0] == '*' ? a * b : a / b;
+  const bool bad = !std::isfinite(r) || !std::isfinite(a) || !std::isfinite(b);
+  status(1, bad);
+  eno_ = !bad;
+  if (bad) { status(0, false); status(2, false); return true; }
+  write(i.operands[1], 4, std::bit_cast<std::uint32_t>(r));
+  status(0, r == 0);
+  status(2, r < 0);
+  return true;
+}
+
+bool Interpreter::bitwise(const Instruction& i, const std::string& name) {
+  const int bytes = name.back() == 'B' ? 1 : name.back() == 'W' ? 2 : 4;
+  const std::string operation = name.substr(0, name.size() - 1);
+  std::uint32_t r = 0;
+  std::size_t at = 1;
+  if (operation == "INV") { at = 0; r = ~read(i.operands[0], bytes); }
+  else if (operation == "AND") r = read(i.operands[0], bytes) & read(i.operands[1], bytes);
+  else if (operation == "OR") r = read(i.operands[0], bytes) | read(i.operands[1], bytes);
+  else if (operation == "XOR") r = read(i.operands[0], bytes) ^ read(i.operands[1], bytes);
+  else return false;
+  write(i.operands[at], bytes, r);
+  status(0, read(i.operands[at], bytes) == 0);
+  return true;
+}
+
+/// Bit by bit, as the manual tells it (001:5921-5957).
+bool Interpreter::shifts(const Instruction& i, const std::string& name) {
+  if (name.size() != 3 || (name[0] != 'S' && name[0] != 'R') || (name[1] != 'L' && name[1] != 'R')) return false;
+  const int bytes = name[2] == 'B' ? 1 : name[2] == 'W' ? 2 : name[2] == 'D' ? 4 : 0;
+  if (bytes == 0) return false;
+  const int w = bytes * 8;
+  int count = static_cast<int>(read(i.operands[1], 1));
+  const bool rotate = name[0] == 'R', left = name[1] == 'L';
+  count = rotate ? count % w : std::min(count, w);
+  std::uint64_t v = read(i.operands[0], bytes);
+  for (int k = 0; k < count; ++k) {
+    const bool out = left ? (v >> (w - 1) & 1) != 0 : (v & 1) != 0;
+    v = left ? v << 1 : v >> 1;
+    if (rotate && out) v |= left ? 1ULL : 1ULL << (w - 1);
+    v &= w == 32 ? 0xFFFFFFFFULL : (1ULL << w) - 1;
+    status(1, out);
+  }
+  write(i.operands[0], bytes, static_cast<std::uint32_t>(v));
+  status(0, v == 0);
+  return true;
+}
+
+void Interpreter::shiftRegister(const Instruction& i) {
+  const Operand& first = i.operands[1];
+  const int n = static_cast<std::int8_t>(read(i.operands[2], 1)), length = std::abs(n);
+  if (n == 0 || length > 64) { eno_ = false; return; }
+  const bool data = readBit(i.operands[0]);
+  const auto get = [&](int k) { const std::uint32_t at = first.offset * 8 + first.bit + static_cast<std::uint32_t>(k); return bitAt(first.area, at / 8, at % 8); };
+  const auto put = [&](int k, bool v) { const std::uint32_t at = first.offset * 8 + first.bit + static_cast<std::uint32_t>(k); putBit(first.area, at / 8, at % 8, v); };
+  if (n > 0) {
+    const bool out = get(length - 1);
+    for (int k = length - 1; k > 0; --k) put(k, get(k - 1));
+    put(0, data);
+    status(1, out);
+  } else {
+    const bool out = get(0);
+    for (int k = 0; k + 1 < length; ++k) put(k, get(k + 1));
+    put(length - 1, data);
+    status(1, out);
+  }
+}
+
+bool Interpreter::moves(const Instruction& i, const std::string& name) {
+  if (name == "MOVB" || name == "MOVW" || name == "MOVD" || name == "MOVR") {
+    const int bytes = name[3] == 'B' ? 1 : name[3] == 'W' ? 2 : 4;
+    write(i.operands[1], bytes, read(i.operands[0], bytes));
+  } else if (name == "BMB" || name == "BMW" || name == "BMD") {
+    const int bytes = name[2] == 'B' ? 1 : name[2] == 'W' ? 2 : 4;
+    const int count = static_cast<int>(read(i.operands[2], 1));
+    for (int k = 0; k < count; ++k) write(i.operands[1], bytes, read(i.operands[0], bytes, k), k);
+  } else if (name == "SWAP") {
+    const std::uint32_t v = read(i.operands[0], 2);
+    write(i.operands[0], 2, (v >> 8 | v << 8) & 0xFFFF);
+  } else if (name == "FILL") {
+    const int count = static_cast<int>(read(i.operands[2], 1));
+    const std::uint32_t v = read(i.operands[0], 2);
+    for (int k = 0; k < count; ++k) write(i.operands[1], 2, v, k);
+  } else return false;
+  return true;
+}
+
+bool Interpreter::conversions(const Instruction& i, const std::string& name) {
+  const auto fails = [&](bool bad) {
+    status(1, bad);
+    eno_ = !bad;
+    return bad;
+  };
+  if (name == "BTI") write(i.operands[1], 2, read(i.operands[0], 1));
+  else if (name == "ITB") { const std::int64_t v = asSigned(read(i.operands[0], 2), 2); if (!fails(v < 0 || v > 255)) write(i.operands[1], 1, static_cast<std::uint32_t>(v)); }
+  else if (name == "ITD") write(i.operands[1], 4, static_cast<std::uint32_t>(asSigned(read(i.operands[0], 2), 2)));
+  else if (name == "DTI") { const std::int64_t v = asSigned(read(i.operands[0], 4), 4); if (!fails(v < -32768 || v > 32767)) write(i.operands[1], 2, static_cast<std::uint32_t>(v)); }
+  else if (name == "DTR") write(i.operands[1], 4, std::bit_cast<std::uint32_t>(static_cast<float>(asSigned(read(i.operands[0], 4), 4))));
+  else if (name == "BCDI" || name == "IBCD") {
+    std::uint32_t v = read(i.operands[0], 2), r = 0;
+    bool bad = name == "IBCD" && v > 9999;
+    if (name == "BCDI") {
+      for (int shift = 12; shift >= 0; shift -= 4) {
+        bad = bad || (v >> shift & 15) > 9;
+        r = r * 10 + (v >> shift & 15);
+      }
+    } else {
+      r = (v / 1000 % 10) << 12 | (v / 100 % 10) << 8 | (v / 10 % 10) << 4 | v % 10;
+    }
+    status(6, bad);
+    eno_ = !bad;
+    if (!bad) write(i.operands[0], 2, r);
+  } else if (name == "SEG") {
+    static constexpr std::uint8_t segments[] = {0x3F, 6, 0x5B, 0x4F, 0x66, 0x6D, 0x7D, 7, 0x7F, 0x67, 0x77, 0x7C, 0x39, 0x5E, 0x79, 0x71};
+    write(i.operands[1], 1, segments[read(i.operands[0], 1) & 15]);
+  } else if (name == "DECO") write(i.operands[1], 2, 1U << (read(i.operands[0], 1) & 15));
+  else return false;
+  return true;
+}
+
+/// Table: capacity, entries, data (001:6260-6330). FND starts one word later.
+bool Interpreter::tables(const Instruction& i, const std::string& name) {
+  if (name == "ATT") {
+    const auto capacity = static_cast<std::int16_t>(read(i.operands[1], 2)), entries = static_cast<std::int16_t>(read(i.operands[1], 2, 1));
+    status(4, entries >= capacity);
+    eno_ = entries < capacity;
+    if (!eno_) return true;
+    write(i.operands[1], 2, read(i.operands[0], 2), 2 + entries);
+    write(i.operands[1], 2, static_cast<std::uint16_t>(entries + 1), 1);
+  } else if (name == "FIFO" || name == "LIFO") {
+    const auto entries = static_cast<std::int16_t>(read(i.operands[0], 2, 1));
+    status(5, entries == 0);
+    eno_ = entries != 0;
+    if (!eno_) return true;
+    write(i.operands[1], 2, read(i.operands[0], 2, name == "FIFO" ? 2 : 1 + entries));
+    if (name == "FIFO") {
+      for (int k = 0; k + 1 < entries; ++k) write(i.operands[0], 2, read(i.operands[0], 2, 3 + k), 2 + k);
+    }
+    write(i.operands[0], 2, static_cast<std::uint16_t>(entries - 1), 1);
+  } else return false;
+  return true;
+}
+
+}  // namespace rungproof::naive
