@@ -51,6 +51,7 @@ std::size_t Interpreter::step(const std::vector<Element>& code, std::size_t at) 
     int depth = 0;
     if (name == "FOR") {
       for (tail = at + 1; depth > 0 || code[tail].name != "NEXT"; ++tail) depth += code[tail].name == "FOR" ? 1 : code[tail].name == "NEXT" ? -1 : 0;
+      eno_ = power();
       if (!power()) return tail + 1;
       write(i.operands[0], 2, read(i.operands[1], 2));
       return static_cast<std::int16_t>(read(i.operands[0], 2)) > static_cast<std::int16_t>(read(i.operands[2], 2)) ? tail + 1 : at + 1;
@@ -63,6 +64,7 @@ std::size_t Interpreter::step(const std::vector<Element>& code, std::size_t at) 
     return index + 1 > static_cast<std::int16_t>(read(loop.operands[2], 2)) ? at + 1 : head + 1;
   }
   if (name == "CALL") {
+    eno_ = power();  // a call that nests no deeper than allowed is a box without error
     if (!power()) return at + 1;
     const auto saved = stack_;
     const bool scr = scr_;
@@ -92,7 +94,11 @@ std::size_t Interpreter::step(const std::vector<Element>& code, std::size_t at) 
   }
   if (name == "TON" || name == "TOF" || name == "TONR") timerBox(i, name);
   else if (name == "CTU" || name == "CTD" || name == "CTUD") counterBox(i, name);
-  else if (!logic(i, name) && !compareInstruction(i, name) && power()) box(i, name);
+  else if (!logic(i, name) && !compareInstruction(i, name)) {
+    // Without power flow a box does nothing, and what follows it sees no ENO (001:2276; the engine's default choice).
+    if (power()) box(i, name);
+    else eno_ = false;
+  }
   return at + 1;
 }
 
@@ -138,8 +144,13 @@ bool Interpreter::compareInstruction(const Instruction& i, const std::string& na
   const char type = name[letters - 1];
   const int bytes = type == 'B' ? 1 : type == 'W' ? 2 : 4;
   const std::uint32_t x = read(i.operands[0], bytes), y = read(i.operands[1], bytes);
-  const std::int64_t a = type == 'B' ? x : type == 'W' ? static_cast<std::int16_t>(x) : static_cast<std::int32_t>(x);
-  const std::int64_t b = type == 'B' ? y : type == 'W' ? static_cast<std::int16_t>(y) : static_cast<std::int32_t>(y);
+  // Bytes are unsigned, words and double words signed (001:3371).
+  const auto number = [&](std::uint32_t v) -> std::int64_t {
+    if (type == 'B') return v;
+    if (type == 'W') return static_cast<std::int16_t>(v);
+    return static_cast<std::int32_t>(v);
+  };
+  const std::int64_t a = number(x), b = number(y);
   const bool holds = relation == "=" ? a == b : relation == "<>" ? a != b : relation == "<" ? a < b : relation == "<=" ? a <= b : relation == ">" ? a > b : a >= b;
   if (joint == "LD") push(holds);
   else if (joint == "A") stack_[0] = stack_[0] && holds;
@@ -197,7 +208,8 @@ void Interpreter::counterBox(const Instruction& i, const std::string& name) {
   auto& [up, down] = countInputs_[n];
   const bool upNow = name == "CTU" ? second : name == "CTUD" ? third : false;
   const bool downNow = name == "CTU" ? false : second;
-  const bool risesUp = upNow && !up, risesDown = downNow && !down;
+  // The manual gives no rule for the first scan; the engine's default follows that of EU: no edge there.
+  const bool risesUp = !firstScan_ && upNow && !up, risesDown = !firstScan_ && downNow && !down;
   up = upNow;
   down = downNow;
   if (control) {

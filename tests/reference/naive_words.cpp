@@ -7,7 +7,11 @@
 namespace rungproof::naive {
 
 namespace {
-std::int64_t asSigned(std::uint32_t v, int bytes) { return bytes == 2 ? static_cast<std::int16_t>(v) : bytes == 4 ? static_cast<std::int32_t>(v) : static_cast<std::int64_t>(v); }
+std::int64_t asSigned(std::uint32_t v, int bytes) {
+  if (bytes == 2) return static_cast<std::int16_t>(v);
+  if (bytes == 4) return static_cast<std::int32_t>(v);
+  return v;
+}
 float asReal(std::uint32_t v) { return std::bit_cast<float>(v); }
 }  // namespace
 
@@ -68,10 +72,10 @@ bool Interpreter::arithmetic(const Instruction& i, const std::string& name) {
   if (name == "MUL") {
     const std::int32_t r = static_cast<std::int16_t>(read(i.operands[0], 2)) * static_cast<std::int16_t>(read(i.operands[1], 4) & 0xFFFF);
     write(i.operands[1], 4, static_cast<std::uint32_t>(r));
-    status(1, false); status(0, r == 0); status(2, r < 0);
+    status(1, false); status(3, false); status(0, r == 0); status(2, r < 0);
     return true;
   }
-  if (name.size() == 4 && (name.substr(0, 3) == "INC" || name.substr(0, 3) == "DEC")) {
+  if (name != "DECO" && name.size() == 4 && (name.substr(0, 3) == "INC" || name.substr(0, 3) == "DEC")) {
     const int bytes = name[3] == 'B' ? 1 : name[3] == 'W' ? 2 : 4;
     const std::int64_t a = asSigned(read(i.operands[0], bytes), bytes), r = a + (name[0] == 'I' ? 1 : -1);
     const std::int64_t most = bytes == 1 ? 255 : bytes == 2 ? 32767 : 2147483647LL, least = bytes == 1 ? 0 : -most - 1;
@@ -79,9 +83,9 @@ bool Interpreter::arithmetic(const Instruction& i, const std::string& name) {
     write(i.operands[0], bytes, static_cast<std::uint32_t>(r));
     status(1, overflow);
     eno_ = !overflow;
-    const std::int64_t stored = asSigned(read(i.operands[0], bytes), bytes);
-    status(0, stored == 0);
-    if (bytes > 1) status(2, stored < 0);
+    // After an overflow zero and negative mean nothing (001:4814); the engine's choice for such bits is 0.
+    status(0, !overflow && r == 0);
+    if (bytes > 1) status(2, !overflow && r < 0);
     return true;
   }
   return false;
