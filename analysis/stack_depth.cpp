@@ -123,6 +123,7 @@ class Run {
     for (std::size_t i = own_; i < size(); ++i) {
       const Entry& entry = entries_[i];
       if (entry.isLowerInput || entry.isFromEditor || entry.given != Given::No || !entry.isRead) continue;
+      if (entry.by != nullptr && kindOf(*entry.by) == Kind::Lps) continue;
       if (first != nullptr && entry.by != nullptr) return fault(StackFaultKind::SecondRung, *entry.start, first->start);
       first = &entry;
     }

@@ -1,0 +1,97 @@
+// Cost of linting: facts and all rules over a long program, in processor time of this thread, so that other load on
+// the machine does not count. Ten times the instructions may cost twelve times the time; 100,000 take half a second.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <ctime>
+
+#include "tests/rules/lint.hpp"
+
+namespace rungproof::testing {
+namespace {
+
+/// A program of about `count` instructions: rungs with branches, timers, moves, comparisons, latches, steps and calls.
+std::string longProgram(int count) {
+  std::string text = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\n";
+  int network = 0;
+  for (int i = 0; i < count;) {
+    const int k = network % 97;
+    const auto bit = [&](const char* area, int n) { return std::string(area) + std::to_string(n / 8 % 16) + "." + std::to_string(n % 8); };
+    text += "Network " + std::to_string(++network) + " // rung\n";
+    switch (network % 5) {
+      case 0:
+        text += "LD " + bit("I", k) + "\nLPS\nA " + bit("M", k) + "\n= " + bit("Q", k) + "\nLRD\nAN " + bit("I", k + 1) + "\n= " + bit("M", k + 1) + "\nLPP\nA " + bit("M", k + 2) +
+                "\nS " + bit("M", k + 3) + ", 2\n";
+        i += 10;
+        break;
+      case 1:
+        text += "LD " + bit("I", k) + "\nO " + bit("Q", k) + "\nAN " + bit("I", k + 2) + "\n= " + bit("Q", k) + "\n";
+        i += 4;
+        break;
+      case 2:
+        text += "LD " + bit("I", k) + "\nTON T" + std::to_string(101 + k) + ", +10\nLD T" + std::to_string(101 + k) + "\nEU\nMOVW VW" + std::to_string(k * 4) + ", VW" + std::to_string(k * 4 + 400) +
+                "\n+I 5, VW" + std::to_string(k * 4 + 400) + "\n";
+        i += 6;
+        break;
+      case 3:
+        text += "LDW>= VW" + std::to_string(k * 4 + 400) + ", +100\nAW< VW" + std::to_string(k * 4) + ", +900\nR " + bit("M", k + 3) + ", 2\nMOVD &VB" + std::to_string(k * 4) +
+                ", AC1\nMOVW *AC1, VW1000\n";
+        i += 5;
+        break;
+      default:
+        text += "LD " + bit("M", k) + "\nLD " + bit("I", k) + "\nA " + bit("I", k + 3) + "\nOLD\nLD " + bit("M", k + 4) + "\nCTU C" + std::to_string(k) + ", +20\n";
+        i += 6;
+        break;
+    }
+  }
+  return text + "END_ORGANIZATION_BLOCK\n";
+}
+
+/// Seconds of processor time for facts and all rules; the least of three runs.
+double secondsFor(int count) {
+  const Program program = readText("long.awl", longProgram(count));
+  EXPECT_GE(program.instructionCount(), static_cast<std::size_t>(count));
+  double best = 1e9;
+  for (int run = 0; run < 3; ++run) {
+    const std::clock_t start = std::clock();
+    const Facts facts(program);
+    const RuleSettings settings;
+    FindingSink sink(program, settings);
+    for (const Rule* rule : allRules()) {
+      if (rule->check == nullptr) continue;
+      sink.begin(*rule);
+      rule->check(facts, sink);
+    }
+    best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  }
+  return best;
+}
+
+TEST(Scale, LintingIsLinear) {
+  const double small = secondsFor(10000), large = secondsFor(100000);
+  RecordProperty("milliseconds_10000", static_cast<int>(small * 1000));
+  RecordProperty("milliseconds_100000", static_cast<int>(large * 1000));
+  std::printf("10,000 instructions: %.0f ms; 100,000 instructions: %.0f ms\n", small * 1000, large * 1000);
+  EXPECT_LT(large, std::max(12 * small, 0.05));
+  EXPECT_LT(large, 1.5) << "half a second on a machine of its own; three times that where others run too";
+}
+
+/// The worst case for look-ups by address: every instruction names the same bit.
+TEST(Scale, OneBitForEverything) {
+  std::string text = "Network 1\n";
+  for (int i = 0; i < 50000; ++i) text += i % 2 == 0 ? "LD Q0.0\n" : "= Q0.0\n";
+  const Program program = readText("one.awl", text);
+  const std::clock_t start = std::clock();
+  const Facts facts(program);
+  const RuleSettings settings;
+  FindingSink sink(program, settings);
+  for (const Rule* rule : allRules()) {
+    if (rule->check == nullptr) continue;
+    sink.begin(*rule);
+    rule->check(facts, sink);
+  }
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 3.0);
+}
+
+}  // namespace
+}  // namespace rungproof::testing
