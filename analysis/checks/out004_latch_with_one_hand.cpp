@@ -2,6 +2,9 @@
 // the other hand. Tested by its examples and tests/rules/output_rules_test.cpp.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "analysis/facts.hpp"
 #include "analysis/rule.hpp"
 
@@ -14,36 +17,44 @@ struct Hands {
   bool set = false, reset = false, other = false;
 };
 
-Hands handsOf(const Facts& facts, std::uint32_t key) {
-  const std::uint32_t cell = key / 8;
-  Hands hands;
-  hands.other = facts.index().isWrittenAtLarge(cell) || facts.isExternal(cell);
-  for (const std::uint32_t i : facts.bits().at(key)) {
-    const Kind kind = kindOf(facts.instruction(facts.access(i).instruction));
-    if (isSet(kind)) hands.set = true;
-    else if (isReset(kind)) hands.reset = true;
-    else hands.other = true;
-  }
-  return hands;
-}
-
 /// Bytes, words and double words written as a whole clear or set their bits.
-void addWiderWrites(const Facts& facts, std::uint32_t cell, Hands& hands) {
-  for (const std::uint32_t i : facts.index().at(cell)) {
-    const Access& access = facts.access(i);
-    if (access.write && access.width != Width::Bit) hands.other = true;
-  }
+bool isWrittenWhole(const Facts& facts, std::uint32_t cell) {
+  const std::span<const std::uint32_t> accesses = facts.index().at(cell);
+  return std::any_of(accesses.begin(), accesses.end(), [&](std::uint32_t i) { return facts.access(i).write && facts.access(i).width != Width::Bit; });
 }
 
-void checkInstruction(const Facts& facts, FindingSink& sink, const Instruction& instruction, const Access& access, std::vector<std::uint8_t>& seen) {
+/// By bit; bits that no bit instruction writes stay empty.
+std::vector<Hands> allHands(const Facts& facts) {
+  std::vector<Hands> all(facts.bits().size());
+  std::uint32_t cell = ~0U;
+  bool isOther = false;
+  for (std::uint32_t key = 0; key < all.size(); ++key) {
+    const std::span<const std::uint32_t> writers = facts.bits().at(key);
+    if (writers.empty()) continue;
+    if (key / 8 != cell) {
+      cell = key / 8;
+      isOther = facts.index().isWrittenAtLarge(cell) || facts.isExternal(cell) || isWrittenWhole(facts, cell);
+    }
+    Hands& hands = all[key];
+    hands.other = isOther;
+    for (const std::uint32_t i : writers) {
+      const Kind kind = kindOf(facts.instruction(facts.access(i).instruction));
+      if (isSet(kind)) hands.set = true;
+      else if (isReset(kind)) hands.reset = true;
+      else hands.other = true;
+    }
+  }
+  return all;
+}
+
+void checkInstruction(const Facts& facts, FindingSink& sink, const Instruction& instruction, const Access& access, const std::vector<Hands>& all, std::vector<std::uint8_t>& seen) {
   const bool sets = isSet(kindOf(instruction));
   const std::uint32_t start = facts.cellOf(access) * 8 + access.bit;
   if (facts.cellOf(access) == facts.index().cells().size()) return;
   std::uint32_t lonely = 0, first = 0;
   for (std::uint32_t k = 0; k < access.count && start + k < facts.bits().size(); ++k) {
     const std::uint32_t key = start + k;
-    Hands hands = handsOf(facts, key);
-    if (!hands.other && !(sets ? hands.reset : hands.set)) addWiderWrites(facts, key / 8, hands);
+    const Hands& hands = all[key];
     const bool isLonely = !hands.other && !(sets ? hands.reset : hands.set);
     if (isLonely && seen[key] == 0) {
       if (lonely++ == 0) first = key;
@@ -62,14 +73,15 @@ void checkInstruction(const Facts& facts, FindingSink& sink, const Instruction& 
 
 void check(const Facts& facts, FindingSink& sink) {
   if (facts.hasHiddenCode()) return;
-  std::vector<std::uint8_t> seen(facts.bits().size(), 0);
+  const std::vector<Hands> all = allHands(facts);
+  std::vector<std::uint8_t> seen(all.size(), 0);
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
     const Kind kind = kindOf(instruction);
     if (!isSet(kind) && !isReset(kind)) continue;
     for (const Access& access : facts.accesses().of(instruction.id)) {
       const bool isBit = access.write && access.width == Width::Bit && !access.byNumber() && access.bit <= 7;
-      if (isBit && access.area != Area::SM && access.area != Area::L && access.most == access.count) checkInstruction(facts, sink, instruction, access, seen);
+      if (isBit && access.area != Area::SM && access.area != Area::L && access.most == access.count) checkInstruction(facts, sink, instruction, access, all, seen);
     }
   }
 }
