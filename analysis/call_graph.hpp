@@ -1,5 +1,5 @@
 // Who calls whom: calls of subroutines, attachments of interrupt routines, recursion and nesting depth
-// (001:6744-6746, 001:5444). Blocks are indices in Program::pous. Tested by tests/rules/call_graph_test.cpp.
+// (001:6744-6746, 001:5444). Blocks are indices in Program::pous. Tested by tests/rules/facts_test.cpp.
 #pragma once
 
 #include <cstdint>

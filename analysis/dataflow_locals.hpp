@@ -1,7 +1,7 @@
 // Definite assignment of local memory: which of the 64 bytes of a block have been written on every path to a place.
 // Local memory is not initialised (001:1373); IN and IN_OUT parameters are written by the call (001:6815). A box with
 // an enable counts as a write: whether it had power flow is another question. One pass in program order, joined at
-// labels. Tested by tests/rules/local_memory_test.cpp.
+// labels. Tested by tests/rules/control_rules_test.cpp.
 #pragma once
 
 #include <bitset>

@@ -1,7 +1,7 @@
 // Pointers: the places whose content is used as an address, with what makes them, moves them and uses them. Pointers of
 // accumulators and local memory belong to one block, those of V memory to the program. Along straight code the address
 // itself is followed, so that an access behind MOVD & and constant steps is decided without a solver.
-// Addresses and steps: 001:1459-1478. Tested by tests/rules/pointer_rules_test.cpp.
+// Addresses and steps: 001:1459-1478. Tested by tests/rules/data_rules_test.cpp.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // When instructions run: reachable at all, skipped by jumps, repeated by loops, inside a step, every scan or only in
 // the first one. All of it by sweeps over the rows of Flow, linear in the program. Loops and jumps: 001:5750-5801;
-// steps: 001:5830; returns: 001:6735. Tested by tests/rules/execution_test.cpp.
+// steps: 001:5830; returns: 001:6735. Tested by tests/rules/facts_test.cpp.
 #pragma once
 
 #include <cstdint>

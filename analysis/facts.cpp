@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "analysis/dataflow_pointers.hpp"
+
 namespace rungproof {
 
 namespace {
@@ -40,7 +42,10 @@ Facts::Facts(const Program& program, std::span<const ExternalRange> externals)
   collectBoxes();
   collectSymbols();
   collectExternals(externals);
+  pointers_ = std::make_unique<const PointerTable>(*this);
 }
+
+Facts::~Facts() = default;
 
 std::vector<InstructionPlace> Facts::placesOf(const Program& program, const Plan& plan) {
   std::vector<InstructionPlace> places;

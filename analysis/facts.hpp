@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,6 +24,8 @@
 
 namespace rungproof {
 
+class PointerTable;  // analysis/dataflow_pointers.hpp
+
 /// Where an instruction stands.
 struct InstructionPlace {
   const Instruction* instruction;
@@ -34,6 +37,9 @@ struct InstructionPlace {
 class Facts {
  public:
   explicit Facts(const Program& program, std::span<const ExternalRange> externals = {});
+  ~Facts();
+  Facts(const Facts&) = delete;
+  Facts& operator=(const Facts&) = delete;
 
   const Program& program() const { return program_; }
   const Target& target() const { return program_.target; }
@@ -55,6 +61,7 @@ class Facts {
   const CallGraph& calls() const { return calls_; }
   const StackRun& stack() const { return stack_; }
   const ExecutionTable& execution() const { return execution_; }
+  const PointerTable& pointers() const { return *pointers_; }
 
   /// Whether some code is not visible: protected blocks, networks that could not be read. Rules that speak of
   /// something missing are silent then.
@@ -105,6 +112,7 @@ class Facts {
   CallGraph calls_;
   StackRun stack_;
   ExecutionTable execution_;
+  std::unique_ptr<const PointerTable> pointers_;
   std::array<std::vector<std::uint32_t>, 256> timers_, counters_;
   std::vector<std::uint8_t> external_;
   bool hasHiddenCode_ = false;

@@ -1,6 +1,6 @@
 // Which instructions the static analyses treat on their own, as an enumeration looked up by opcode: comparing
 // mnemonics in every rule would be slow and would scatter the spellings. Everything not named here is Kind::Other
-// and is known through its descriptor alone. Tested by tests/rules/instruction_kind_test.cpp.
+// and is known through its descriptor alone. Tested by tests/rules/facts_test.cpp.
 #pragma once
 
 #include <cstdint>

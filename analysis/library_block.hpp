@@ -1,6 +1,6 @@
 // Blocks that libraries and wizards add to a project: USS, Modbus slave, PTO/PWM, positioning, modem, recipe, data
 // log (001:8048-11169). Their bodies are hidden, so a listing only calls them; their parameters are known from the
-// manual. `x` in a name stands for the number of the output or module. Tested by tests/rules/library_block_test.cpp.
+// manual. `x` in a name stands for the number of the output or module. Tested by tests/rules/facts_test.cpp.
 #pragma once
 
 #include <span>

@@ -14,7 +14,8 @@ namespace rungproof {
 namespace {
 
 bool isSpokenByOthers(const OperandDesc& desc, const Operand& operand) {
-  if (operand.kind != OperandKind::Direct) return false;
+  const bool isPlace = desc.type != Type::Label && desc.type != Type::Subroutine && desc.type != Type::Interrupt;
+  if (operand.kind != OperandKind::Direct || !isPlace) return false;
   const bool writesReadOnly = desc.direction != Direction::In && (operand.area == Area::AI || operand.area == Area::HC);
   const bool readsOutput = desc.direction == Direction::In && operand.area == Area::AQ;
   return writesReadOnly || readsOutput;

@@ -1,6 +1,6 @@
 // ARI001: a divisor that is 0 or may be. Divisors that a comparison in the same rung keeps from 0, or that only constants
 // other than 0 are moved into, are safe; the rest is the prover's. Tested by its examples and
-// tests/rules/arithmetic_rules_test.cpp.
+// tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>

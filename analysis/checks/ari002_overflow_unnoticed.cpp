@@ -1,6 +1,6 @@
 // ARI002: a result that can leave its type although neither ENO nor SM1.1 is tested. Candidates are products of two
 // values and sums that only ever grow; the prover decides. Tested by its examples and
-// tests/rules/arithmetic_rules_test.cpp.
+// tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include "analysis/facts.hpp"

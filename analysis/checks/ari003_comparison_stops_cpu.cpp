@@ -1,6 +1,6 @@
 // ARI003: a comparison whose operand may be bad: a pointer that is moved without limit, a REAL that was never made as a
 // REAL. Errors of comparisons are fatal, and they run without power flow too. Tested by its examples and
-// tests/rules/pointer_rules_test.cpp.
+// tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include "analysis/dataflow_pointers.hpp"
@@ -28,7 +28,7 @@ const Instruction* integerWriter(const Facts& facts, const Access& real) {
 }
 
 void check(const Facts& facts, FindingSink& sink) {
-  const PointerTable pointers(facts);
+  const PointerTable& pointers = facts.pointers();
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
     if (instruction.desc->execution != Execution::Compare) continue;

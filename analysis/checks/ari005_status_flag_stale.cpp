@@ -1,5 +1,5 @@
 // ARI005: a contact on SM1.0 to SM1.7 that does not belong to the last instruction which sets status bits. Loads,
-// contacts and moves leave the bits alone (s7200 E8). Tested by its examples and tests/rules/arithmetic_rules_test.cpp.
+// contacts and moves leave the bits alone (s7200 E8). Tested by its examples and tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <array>

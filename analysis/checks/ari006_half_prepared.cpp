@@ -1,5 +1,5 @@
 // ARI006: a double word is read of which only one word was prepared: in V and M memory over the whole program, in an
-// accumulator along its block. Tested by its examples and tests/rules/arithmetic_rules_test.cpp.
+// accumulator along its block. Tested by its examples and tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <array>

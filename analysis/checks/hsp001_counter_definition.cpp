@@ -1,5 +1,5 @@
 // HSP001: HSC without HDEF, HDEF twice, HSC in front of its HDEF. Tested by its examples and
-// tests/rules/device_rules_test.cpp.
+// tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <array>

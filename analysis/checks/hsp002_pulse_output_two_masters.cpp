@@ -1,5 +1,5 @@
 // HSP002: Q0.0 or Q0.1 driven by a pulse generator and by networks. Clearing the image before the start is what the manual
-// asks for (001:4539) and no finding. Tested by its examples and tests/rules/device_rules_test.cpp.
+// asks for (001:4539) and no finding. Tested by its examples and tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <array>

@@ -1,5 +1,5 @@
 // HSP003: XMT and RCV of one port in one rung, more than eight NETR and NETW in every scan, the clock in the scan and in
-// an interrupt routine. Tested by its examples and tests/rules/device_rules_test.cpp.
+// an interrupt routine. Tested by its examples and tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include "analysis/facts.hpp"

@@ -1,6 +1,6 @@
 // HSP004: something that should run once but stands behind a level. Edges, the first scan, interrupt routines, a condition
 // that the same rung resets, and for NETR and NETW the status bits of their own table are guards.
-// Tested by its examples and tests/rules/device_rules_test.cpp.
+// Tested by its examples and tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <vector>

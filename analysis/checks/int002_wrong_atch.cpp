@@ -1,5 +1,5 @@
 // INT002: an ATCH that cannot work: routine or event that does not exist, timed interval outside 1 to 255 ms or never
-// set, T32/T96 event without a 1 ms TON or TOF. Tested by its examples and tests/rules/interrupt_rules_test.cpp.
+// set, T32/T96 event without a 1 ms TON or TOF. Tested by its examples and tests/rules/control_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // INT003: ATCH without ENI, ENI without ATCH, DISI that is never undone. Tested by its examples and
-// tests/rules/interrupt_rules_test.cpp.
+// tests/rules/control_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <vector>

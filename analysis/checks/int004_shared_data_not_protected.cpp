@@ -1,6 +1,6 @@
 // INT004: a word or double word that an interrupt routine writes and the scan reads by more than one access, so that
 // the interrupt may come between them. One access is atomic (001:5439); code between DISI and ENI is protected.
-// Tested by its examples and tests/rules/interrupt_rules_test.cpp.
+// Tested by its examples and tests/rules/control_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <vector>

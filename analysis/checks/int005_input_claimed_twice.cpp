@@ -1,5 +1,5 @@
 // INT005: an input that a fast counter and an edge event, or two fast counters, use. Inputs of the modes:
-// ir/hsc_inputs.hpp. Tested by its examples and tests/rules/interrupt_rules_test.cpp.
+// ir/hsc_inputs.hpp. Tested by its examples and tests/rules/control_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <array>

@@ -1,6 +1,6 @@
 // LOG003: a network of which everything it writes is overwritten before anything reads it. A walk backwards through each
 // block remembers what later code certainly overwrites; jumps, calls and labels forget it.
-// Tested by its examples and tests/rules/logic_rules_test.cpp.
+// Tested by its examples and tests/rules/output_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <unordered_map>

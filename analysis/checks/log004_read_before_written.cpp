@@ -1,6 +1,6 @@
 // LOG004: a bit that an earlier network reads than the one whose coil writes it: the reader sees the value of the scan
 // before. One note for each bit. Latches, steps and inputs keep their values by nature and are left out.
-// Tested by its examples and tests/rules/logic_rules_test.cpp.
+// Tested by its examples and tests/rules/output_rules_test.cpp.
 #include <fmt/format.h>
 
 #include "analysis/facts.hpp"

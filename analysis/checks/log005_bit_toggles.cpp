@@ -1,6 +1,6 @@
 // LOG005: a bit that is assigned from its own inverse without an edge, so that it changes in every scan. A single
 // inverted contact is certain; with more contacts in series it toggles while they hold, which the prover confirms.
-// Tested by its examples and tests/rules/logic_rules_test.cpp.
+// Tested by its examples and tests/rules/output_rules_test.cpp.
 #include <fmt/format.h>
 
 #include "analysis/facts.hpp"

@@ -1,6 +1,6 @@
 // PTR001: an indirect access whose address can pass the end of its area. Pointers that hold a known address are decided
 // here, with the limits of ADR001; pointers that are moved without any limit are candidates for the prover.
-// Tested by its examples and tests/rules/pointer_rules_test.cpp.
+// Tested by its examples and tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include "analysis/dataflow_pointers.hpp"
@@ -27,7 +27,7 @@ void reportKnown(const Facts& facts, FindingSink& sink, const PointerUse& use) {
 }
 
 void check(const Facts& facts, FindingSink& sink) {
-  const PointerTable pointers(facts);
+  const PointerTable& pointers = facts.pointers();
   for (const PointerUse& use : pointers.knownUses()) reportKnown(facts, sink, use);
   for (const Pointer& pointer : pointers.all()) {
     if (!pointer.isUnbounded() || pointer.uses.empty()) continue;

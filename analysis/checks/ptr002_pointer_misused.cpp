@@ -1,5 +1,5 @@
 // PTR002: a pointer that stands where none may stand, points where none may point, or is never set.
-// Tested by its examples and tests/rules/pointer_rules_test.cpp.
+// Tested by its examples and tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include "analysis/dataflow_pointers.hpp"
@@ -41,7 +41,7 @@ void check(const Facts& facts, FindingSink& sink) {
     for (const Operand& operand : place.instruction->operands) checkOperand(sink, *place.instruction, operand);
   }
   if (facts.hasHiddenCode()) return;
-  const PointerTable pointers(facts);
+  const PointerTable& pointers = facts.pointers();
   for (const Pointer& pointer : pointers.all()) checkUnset(facts, sink, pointer);
 }
 

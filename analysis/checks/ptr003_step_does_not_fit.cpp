@@ -1,6 +1,6 @@
 // PTR003: a pointer to words that moves by an odd number of bytes, to double words by a number that four does not divide.
 // Steps of one network count together: INCD twice is a step of 2. Tested by its examples and
-// tests/rules/pointer_rules_test.cpp.
+// tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include "analysis/dataflow_pointers.hpp"
@@ -11,7 +11,7 @@ namespace rungproof {
 namespace {
 
 void check(const Facts& facts, FindingSink& sink) {
-  const PointerTable pointers(facts);
+  const PointerTable& pointers = facts.pointers();
   for (const PointerStride& stride : pointers.strides()) {
     if (stride.narrowest < 2 || stride.total % stride.narrowest == 0) continue;
     Finding& finding = sink.report(stride.last->span, fmt::format("{} moves the pointer by {}, but it is used for {} of {} bytes", Facts::text(*stride.last),

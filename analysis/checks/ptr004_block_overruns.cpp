@@ -1,5 +1,5 @@
 // PTR004: a block operation that leaves its area, or whose source and target overlap. A count from memory may be 255.
-// Tested by its examples and tests/rules/pointer_rules_test.cpp.
+// Tested by its examples and tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include "analysis/facts.hpp"

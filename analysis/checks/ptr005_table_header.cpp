@@ -1,5 +1,5 @@
 // PTR005: tables and searches that are not prepared: no maximum length, more than 100 entries, FND at the wrong word,
-// a search whose start position is never set. Tested by its examples and tests/rules/pointer_rules_test.cpp.
+// a search whose start position is never set. Tested by its examples and tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>

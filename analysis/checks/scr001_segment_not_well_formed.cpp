@@ -1,6 +1,6 @@
 // SCR001: LSCR without SCRE and the reverse, END or a second LSCR inside a segment, SCRT outside, SCRT to a step without a
 // segment. A step bit that contacts read is a dummy step of a convergence and needs no segment (001:5865-5872).
-// Tested by its examples and tests/rules/step_rules_test.cpp.
+// Tested by its examples and tests/rules/control_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <unordered_set>

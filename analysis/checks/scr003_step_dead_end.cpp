@@ -1,5 +1,5 @@
 // SCR003: a step that nothing activates, or that nothing ends. Whether the conditions can come true is the prover's.
-// Tested by its examples and tests/rules/step_rules_test.cpp.
+// Tested by its examples and tests/rules/control_rules_test.cpp.
 #include <fmt/format.h>
 
 #include "analysis/facts.hpp"

@@ -1,5 +1,5 @@
 // STY002: a network with many contacts, levels or branches. Off by default; the limits are options.
-// Tested by its examples and tests/rules/style_rules_test.cpp.
+// Tested by its examples and tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // STY003: a comment that is an instruction with an address. Off by default. Tested by its examples and
-// tests/rules/style_rules_test.cpp.
+// tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <string>

@@ -1,5 +1,5 @@
 // SUB001: a subroutine that reaches itself by a chain of calls. Tested by its examples and
-// tests/rules/call_rules_test.cpp.
+// tests/rules/control_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <deque>

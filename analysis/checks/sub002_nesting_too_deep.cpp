@@ -1,5 +1,5 @@
 // SUB002: more than eight levels of calls below the main program, more than one below an interrupt routine.
-// Tested by its examples and tests/rules/call_rules_test.cpp.
+// Tested by its examples and tests/rules/control_rules_test.cpp.
 #include <fmt/format.h>
 
 #include "analysis/facts.hpp"

@@ -1,6 +1,6 @@
 // SUB003: a call whose parameters do not fit the table of the called block, or the manual's for a library block:
 // number, direction, width, kind of constant. No conversion is made. Tested by its examples and
-// tests/rules/call_rules_test.cpp.
+// tests/rules/control_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SUB004: an OUT parameter that a path through the block leaves untouched, or that only S, R or one box with an enable
-// write. Tested by its examples and tests/rules/local_memory_test.cpp.
+// write. Tested by its examples and tests/rules/control_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>

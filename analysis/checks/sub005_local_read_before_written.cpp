@@ -1,5 +1,5 @@
 // SUB005: local memory that is read before the block has written it. Tested by its examples and
-// tests/rules/local_memory_test.cpp.
+// tests/rules/control_rules_test.cpp.
 #include <fmt/format.h>
 
 #include "analysis/dataflow_locals.hpp"

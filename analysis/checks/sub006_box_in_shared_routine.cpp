@@ -1,5 +1,5 @@
 // SUB006: an edge, timer or counter in a subroutine that is called several times in a scan. Calls on conditions may
-// exclude each other; then the finding is a warning. Tested by its examples and tests/rules/call_rules_test.cpp.
+// exclude each other; then the finding is a warning. Tested by its examples and tests/rules/control_rules_test.cpp.
 #include <fmt/format.h>
 
 #include "analysis/facts.hpp"

@@ -1,6 +1,6 @@
 // SUB007: an accumulator is written, a subroutine that overwrites it is called, and then the accumulator is read. A
 // subroutine that reads the accumulator first takes it as an argument; then the caller expects the change.
-// Tested by its examples and tests/rules/call_rules_test.cpp.
+// Tested by its examples and tests/rules/control_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <array>

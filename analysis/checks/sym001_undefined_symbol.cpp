@@ -1,4 +1,4 @@
-// SYM001: a symbolic operand that no table resolves. Tested by its examples and tests/rules/symbol_rules_test.cpp.
+// SYM001: a symbolic operand that no table resolves. Tested by its examples and tests/rules/address_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <unordered_map>

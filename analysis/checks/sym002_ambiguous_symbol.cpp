@@ -1,5 +1,5 @@
 // SYM002: two symbols for one address, one name twice, a local name that hides a global one.
-// Tested by tests/rules/symbol_rules_test.cpp.
+// Tested by tests/rules/address_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <unordered_map>

@@ -1,4 +1,4 @@
-// SYM003: a symbol that nothing uses, by its name or by its address. Tested by tests/rules/symbol_rules_test.cpp.
+// SYM003: a symbol that nothing uses, by its name or by its address. Tested by tests/rules/address_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <unordered_set>

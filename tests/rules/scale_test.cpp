@@ -1,4 +1,4 @@
-// Cost of linting: facts and all rules over a long program, in processor time of this thread, so that other load on
+// Cost of linting: reading, facts and all rules over a long program, in processor time of this thread, so that other load on
 // the machine does not count. Ten times the instructions may cost twelve times the time; 100,000 take half a second.
 #include <gtest/gtest.h>
 
@@ -47,13 +47,12 @@ std::string longProgram(int count) {
   return text + "END_ORGANIZATION_BLOCK\n";
 }
 
-/// Seconds of processor time for facts and all rules; the least of three runs.
-double secondsFor(int count) {
-  const Program program = readText("long.awl", longProgram(count));
-  EXPECT_GE(program.instructionCount(), static_cast<std::size_t>(count));
+/// Seconds of processor time to read a text, build the facts and run all rules; the least of three runs.
+double secondsFor(const std::string& text) {
   double best = 1e9;
   for (int run = 0; run < 3; ++run) {
     const std::clock_t start = std::clock();
+    const Program program = readText("long.awl", text);
     const Facts facts(program);
     const RuleSettings settings;
     FindingSink sink(program, settings);
@@ -68,11 +67,11 @@ double secondsFor(int count) {
 }
 
 TEST(Scale, LintingIsLinear) {
-  const double small = secondsFor(10000), large = secondsFor(100000);
+  const double small = secondsFor(longProgram(10000)), large = secondsFor(longProgram(100000));
   RecordProperty("milliseconds_10000", static_cast<int>(small * 1000));
   RecordProperty("milliseconds_100000", static_cast<int>(large * 1000));
   std::printf("10,000 instructions: %.0f ms; 100,000 instructions: %.0f ms\n", small * 1000, large * 1000);
-  EXPECT_LT(large, std::max(12 * small, 0.05));
+  EXPECT_LT(large, 16 * small) << "twelve times on a machine of its own; caches shared with other work cost more";
   EXPECT_LT(large, 1.5) << "half a second on a machine of its own; three times that where others run too";
 }
 

@@ -1,0 +1,80 @@
+// Facts about calls, execution and conditions on small programs whose answers follow from the text beside them.
+#include <gtest/gtest.h>
+
+#include "analysis/library_block.hpp"
+#include "ir/isa.hpp"
+#include "tests/rules/lint.hpp"
+
+namespace rungproof::testing {
+namespace {
+
+TEST(InstructionKind, TellsContactsFromStackOperations) {
+  const auto kind = [](const char* name) { return kindOf(*instructionNamed(name)); };
+  EXPECT_EQ(kind("LD"), Kind::Load);
+  EXPECT_EQ(kind("LDW>="), Kind::Load);
+  EXPECT_EQ(kind("AN"), Kind::And);
+  EXPECT_EQ(kind("OR="), Kind::Or);   // a comparison of reals
+  EXPECT_EQ(kind("ORB"), Kind::Other);  // a word operation
+  EXPECT_EQ(kind("ALD"), Kind::Ald);
+  EXPECT_EQ(kind("LDS"), Kind::Lds);
+  EXPECT_EQ(kind("STR"), Kind::StringConvert);
+}
+
+TEST(LibraryBlock, NamesHaveADigit) {
+  ASSERT_NE(libraryBlockNamed("pto1_run"), nullptr);
+  EXPECT_EQ(libraryBlockNamed("PTO1_RUN")->parameters.size(), 8U);
+  EXPECT_EQ(libraryBlockNamed("USS_CTRL")->parameters.size(), 16U);  // the most that a call may have (001:6775)
+  EXPECT_EQ(libraryBlockNamed("PTOA_RUN"), nullptr);
+  EXPECT_EQ(libraryBlockNamed("MOTOR"), nullptr);
+}
+
+TEST(CallGraph, CountsLevelsAndFindsCycles) {
+  const Linted linted("LD SM0.0\nCALL 1\nMEND\nSBR 1\nCALL 2\nRET\nSBR 2\nCALL 3\nRET\nSBR 3\nCALL 2\nRET\n");
+  const CallGraph& calls = linted.facts->calls();
+  EXPECT_EQ(calls.sites().size(), 4U);
+  EXPECT_GE(calls.depthBelow(0), 3);
+  EXPECT_FALSE(calls.recursionThrough(1));
+  EXPECT_TRUE(calls.recursionThrough(2));
+  EXPECT_TRUE(calls.recursionThrough(3));
+  EXPECT_TRUE(calls.reachedFromMain(3));
+}
+
+TEST(Execution, FollowsConstantConditions) {
+  // The jump on SM0.0 always goes, so the coil behind it is never reached; the conditional one may skip.
+  const Linted linted("Network 1\nLD SM0.0\nJMP 1\nNetwork 2\nLD I0.0\n= Q0.0\nNetwork 3\nLBL 1\nNetwork 4\nLD I0.1\nJMP 2\nNetwork 5\nLD I0.2\n= Q0.1\nNetwork 6\nLBL 2\n");
+  const ExecutionTable& execution = linted.facts->execution();
+  EXPECT_FALSE(execution.at(3).isReachable);
+  EXPECT_TRUE(execution.at(8).isReachable);
+  ASSERT_NE(execution.at(8).skippedBy, nullptr);
+  EXPECT_EQ(execution.at(8).skippedBy->id, 6U);
+  EXPECT_EQ(execution.at(4 + 1).skippedBy, nullptr);
+}
+
+TEST(Execution, CountsCallsPerScan) {
+  const Linted linted("LD SM0.0\nCALL 1\nLD I0.0\nCALL 2\nLD I0.1\nCALL 3\nLD I0.2\nCALL 3\nLD SM0.1\nCALL 4\nMEND\nSBR 1\n= Q0.0\nRET\nSBR 2\n= Q0.1\nRET\nSBR 3\n= Q0.2\nRET\nSBR 4\n= Q0.3\nRET\nSBR 5\n= Q0.4\nRET\n");
+  const ExecutionTable& execution = linted.facts->execution();
+  EXPECT_EQ(execution.runs(1), Runs::Once);
+  EXPECT_EQ(execution.runs(2), Runs::AtMostOnce);
+  EXPECT_EQ(execution.runs(3), Runs::Several);
+  EXPECT_EQ(execution.runs(5), Runs::Never);
+  EXPECT_NE(execution.condition(4) & condition::FirstScan, 0);
+}
+
+TEST(Conditions, FlowThroughTheStack) {
+  // SM0.1 AND anything is a first-scan condition; OR with an input is not; an edge bit with one coil stays a pulse.
+  const Linted linted("Network 1\nLD SM0.1\nA I0.0\nMOVB 1, VB0\nNetwork 2\nLD SM0.1\nO I0.0\nMOVB 1, VB0\nNetwork 3\nLD I0.0\nEU\n= M0.0\nNetwork 4\nLD M0.0\nMOVB 1, VB0\n");
+  const StackRun& stack = linted.facts->stack();
+  EXPECT_NE(stack.at(2).flow & condition::FirstScan, 0);
+  EXPECT_EQ(stack.at(5).flow & condition::FirstScan, 0);
+  EXPECT_NE(stack.at(10).flow & condition::Pulse, 0);
+}
+
+TEST(Facts, FindsSymbolsByNameAndAddress) {
+  const Linted linted("Network 1\nLD Start\n= Q0.0\n", {}, "Symbol\tAddress\tComment\nStart\tI0.0\tbutton\n");
+  ASSERT_NE(linted.facts->symbolNamed("Start"), nullptr);
+  EXPECT_EQ(linted.facts->name(direct(Area::I, Width::Bit, 0, 0)), "I0.0 (Start)");
+  EXPECT_EQ(linted.facts->name(direct(Area::I, Width::Bit, 0, 1)), "I0.1");
+}
+
+}  // namespace
+}  // namespace rungproof::testing
