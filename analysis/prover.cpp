@@ -216,6 +216,23 @@ class Session {
       row.notes.push_back(fmt::format("no violation in the first {} scans; {}", answer.depth, answer.method));
     }
     noteApproximations(question, row);
+    guardInterrupts(row);
+  }
+
+  /// A routine that is attached but whose events the encoding does not know leaves every proof open.
+  void guardInterrupts(ProofResult& row) {
+    EncodedScan& encoding = exact_.obligations().encoding();
+    if (!encoding.eventSites().empty() || (row.outcome != Outcome::Proved && row.outcome != Outcome::Unreachable)) return;
+    for (const Flow& flow : encoding.plan().flows) {
+      for (const FlowStep& step : flow.steps) {
+        if (step.instruction->desc->stl != "ATCH") continue;
+        row.outcome = Outcome::NotCovered;
+        row.certificate.clear();
+        const Span span = step.instruction->span;
+        row.notes.push_back(fmt::format("the interrupt routine attached at {}:{} is not followed", program_.sources->file(span.file).name(), program_.sources->position(span).line));
+        return;
+      }
+    }
   }
 
   /// The exact system and the accelerated one at the same time; the first valid result ends both. Witnesses of built-in
