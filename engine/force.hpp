@@ -1,6 +1,6 @@
 // Forced values (001:7954-7976): any number of I and Q, up to 16 of V, M, AI and AQ. They replace inputs when these are
 // read, immediate inputs, memory after the program, and outputs when these are written. Covered by
-// tests/engine/force_test.cpp.
+// tests/engine/mode_test.cpp.
 #pragma once
 
 #include <cstdint>

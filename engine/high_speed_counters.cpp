@@ -72,22 +72,21 @@ void HighSpeedCounters::takeInputs(Concrete::Store& store, std::uint32_t counter
 
 void HighSpeedCounters::passMillisecond(Concrete::Store& store, const std::array<std::uint32_t, 2>& ptoPulses, const RaiseEvent& raise) {
   const auto share = [&](std::uint32_t total) {
-    const std::uint64_t before = static_cast<std::uint64_t>(total) * passed_ / scanMs_;
-    const std::uint64_t after = static_cast<std::uint64_t>(total) * (passed_ + 1) / scanMs_;
-    return static_cast<std::uint32_t>(passed_ < scanMs_ ? after - before : 0);
+    const std::uint64_t before = static_cast<std::uint64_t>(total) * (passed_ - 1) / scanMs_;
+    const std::uint64_t after = static_cast<std::uint64_t>(total) * passed_ / scanMs_;
+    return static_cast<std::uint32_t>(passed_ <= scanMs_ ? after - before : 0);
   };
-  std::array<std::array<std::uint32_t, 2>, count> due;
-  for (std::uint32_t counter = 0; counter < count; ++counter) due[counter] = {share(pulses_[counter][0]), share(pulses_[counter][1])};
   ++passed_;
   for (std::uint32_t counter = 0; counter < count; ++counter) {
     const int mode = modeOf(store, counter);
     if (mode < 0) continue;
+    const std::uint32_t up = share(pulses_[counter][0]), down = share(pulses_[counter][1]);
     if (mode == 12) {
       feed(store, counter, ptoPulses[counter == 0 ? 0 : 1], 0, raise);
       continue;
     }
     const std::uint32_t factor = isQuadrature(mode) && !setupBit(store, counter, 2) ? 4 : 1;
-    feed(store, counter, due[counter][0] * factor, due[counter][1] * factor, raise);
+    feed(store, counter, up * factor, down * factor, raise);
   }
 }
 

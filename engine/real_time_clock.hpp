@@ -1,6 +1,6 @@
 // The real-time clock of the CPU as TODR reads it: eight BCD bytes (001:2927-2949). It runs with the time of the
 // simulation. After a long power loss it stands at 1 January 1990, Sunday (001:2918-2922).
-// Covered by tests/engine/real_time_clock_test.cpp.
+// Covered by tests/engine/device_test.cpp.
 #pragma once
 
 #include <array>

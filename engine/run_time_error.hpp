@@ -1,5 +1,5 @@
 // Run-time errors of a simulated run: the hazards that the machine reported, each with the place and the scan where it
-// first happened (tables C-1 and C-2, 001:13917-13973). Covered by tests/engine/run_time_error_test.cpp.
+// first happened (tables C-1 and C-2, 001:13917-13973). Covered by tests/engine/mode_test.cpp.
 #pragma once
 
 #include <cstdint>

@@ -77,6 +77,7 @@ void SerialPorts::receiveEnded(std::uint32_t port, const RaiseEvent& raise) {
 void SerialPorts::passMillisecond(Concrete::Store& store, const RaiseEvent& raise) {
   for (std::uint32_t port = 0; port < ports.size(); ++port) {
     Line& line = lines_[port];
+    if (store.get(Reg::PortBusy, port) == 0 && line.incoming.empty()) continue;
     if ((store.get(Reg::PortBusy, port) & 1) != 0) {
       line.transmitLeftUs -= line.transmitLeftUs > 1000 ? 1000 : line.transmitLeftUs;
       if (line.transmitLeftUs == 0) {

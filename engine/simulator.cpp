@@ -2,21 +2,21 @@
 // simulator_time.cpp.
 #include "engine/simulator.hpp"
 
+#include "engine/cell_value.hpp"
 #include "engine/simulator_hooks.hpp"
-#include "ir/check.hpp"
 
 namespace rungproof {
 
 namespace {
 
-constexpr std::uint32_t analogBits = 16;
 constexpr std::uint64_t defaultStation = 2;  // of a CPU as delivered (not in the manual text)
 
 }  // namespace
 
 Simulator::Simulator(const Program& program, EngineOptions options, Outside* outside)
     : plan_(program), options_(std::move(options)), outside_(outside), domain_(*this), store_(powerUpState(plan_, options_.choices, options_.dataLost)),
-      queue_(program.target), devices_(options_.clock), random_(options_.seed) {
+      machine_(domain_, store_, plan_, options_.choices), queue_(program.target), devices_(options_.clock),
+      unknownIsZero_(outside == nullptr && options_.choices.is(Choice::UnknownBits, "zero")), random_(options_.seed) {
   prepareCosts();
 }
 
@@ -42,10 +42,30 @@ void Simulator::run() {
 void Simulator::stop() { store_.set(Reg::Running, 0, 0, true); }
 
 void Simulator::scan(const ScanRequest& request) {
-  Machine<Concrete> machine(domain_, store_, plan_, options_.choices);
-  machine_ = &machine;
+  const std::uint32_t lengthUs = request.lengthUs != 0 ? request.lengthUs : options_.scanUs;
+  if (isRunning()) {
+    scanInRun(request, lengthUs);
+  } else {
+    scanInStop(lengthUs);
+  }
+}
+
+/// Inputs are read and time passes, but nothing that belongs to the program goes on.
+void Simulator::scanInStop(std::uint32_t lengthUs) {
+  ++scanCount_;
+  script_ = nullptr;
+  position_ = 0;
+  startMs_ = clockMs_;
+  machine_.guard = true;
+  machine_.halted = false;
+  readInputs(machine_);
+  for (const Area area : {Area::I, Area::AI}) forced_.apply(area, store_);
+  finishScan(lengthUs);
+}
+
+void Simulator::scanInRun(const ScanRequest& request, std::uint32_t lengthUs) {
   Hooks hooks{*this};
-  Runner runner(machine, hooks);
+  Runner runner(machine_, hooks);
   ++scanCount_;
   ++moment_;
   script_ = request.script;
@@ -55,37 +75,35 @@ void Simulator::scan(const ScanRequest& request) {
   scanTicks_ = scriptedTicks_ = 0;
   if (script_ != nullptr) visits_.assign(costs_.size(), 0);
 
-  Ticks<Concrete> ticks = takeTicks(machine);
+  Ticks<Concrete> ticks = takeTicks(machine_);
   if (script_ != nullptr && script_->ticks10) ticks.ten = *script_->ticks10;
   if (script_ != nullptr && script_->ticks100) ticks.hundred = *script_->ticks100;
-  const std::uint32_t lengthUs = request.lengthUs != 0 ? request.lengthUs : options_.scanUs;
   if (script_ == nullptr) {
     raiseInputEdges();
     devices_.counters.beginScan(store_, std::max(lengthUs / 1000, 1U), [this](int event) { raise(event); });
   }
-  beginScan(machine, ticks);
+  beginScan(machine_, ticks);
   for (const Area area : {Area::I, Area::AI}) forced_.apply(area, store_);
   for (const int event : request.events) raise(event);
   runProgram(runner);
   passRest(runner, lengthUs);
-  finishScan(machine, lengthUs);
-  machine_ = nullptr;
+  finishScan(lengthUs);
 }
 
-void Simulator::finishScan(Machine<Concrete>& machine, std::uint32_t lengthUs) {
+void Simulator::finishScan(std::uint32_t lengthUs) {
   const auto spentUs = static_cast<std::uint32_t>((position_ + Cost::perUs - 1) / Cost::perUs);
   lastScanUs_ = script_ != nullptr ? lengthUs : std::max(lengthUs, spentUs);
   const std::uint64_t total = sinceTick_ + static_cast<std::uint64_t>(lastScanUs_) * Cost::perUs;
   scanTicks_ = static_cast<std::uint32_t>(total / Cost::perMs);
   sinceTick_ = static_cast<std::uint32_t>(total % Cost::perMs);
-  machine.guard = true;
-  if (machine.halted) store_.set(Reg::Running, 0, 0, true);
+  machine_.guard = true;
+  if (machine_.halted) store_.set(Reg::Running, 0, 0, true);
   for (const Area area : {Area::V, Area::M, Area::Q, Area::AQ}) forced_.apply(area, store_);
   std::uint32_t left = scanTicks_;
-  for (; left > longestStep; left -= longestStep) advanceClocks(machine, longestStep);
-  advanceClocks(machine, left);
-  refreshSpecialMemory(machine, std::min(lastScanUs_ / 1000, 0xFFFFU));
-  writeOutputs(machine);
+  for (; left > longestStep; left -= longestStep) advanceClocks(machine_, longestStep);
+  advanceClocks(machine_, left);
+  refreshSpecialMemory(machine_, std::min(lastScanUs_ / 1000, 0xFFFFU));
+  writeOutputs(machine_);
   store_.save(Area::SM, 4 * 8 + 7, 1, forced_.empty() ? 0 : 1, true);
   if (script_ == nullptr) devices_.network.endScan(store_);
   now_ += lastScanUs_;
@@ -93,42 +111,8 @@ void Simulator::finishScan(Machine<Concrete>& machine, std::uint32_t lengthUs) {
   if (!isRunning()) queue_.clear();
 }
 
-std::uint64_t Simulator::read(const Operand& operand) const {
-  CHECK(operand.kind == OperandKind::Direct, "only direct operands have a value of their own");
-  const std::uint32_t offset = operand.offset;
-  switch (operand.area) {
-    case Area::T: return store_.get(operand.width == Width::Bit ? Reg::TimerBit : Reg::TimerCurrent, offset);
-    case Area::C: return store_.get(operand.width == Width::Bit ? Reg::CounterBit : Reg::CounterCurrent, offset);
-    case Area::AC: return store_.get(Reg::Accumulator, offset) & Concrete::mask(bits(operand.width));
-    case Area::HC: return store_.get(Reg::HscCurrent, offset);
-    case Area::AI:
-    case Area::AQ: return store_.load(operand.area, offset * 8, analogBits);
-    default: return store_.load(operand.area, offset * 8 + (operand.width == Width::Bit ? operand.bit : 0), bits(operand.width));
-  }
-}
-
-void Simulator::write(const Operand& operand, std::uint64_t value) {
-  CHECK(operand.kind == OperandKind::Direct, "only direct operands have a value of their own");
-  const std::uint32_t offset = operand.offset;
-  switch (operand.area) {
-    case Area::I: {
-      const int width = bits(operand.width);
-      if (width == 1) return store_.set(Reg::PhysicalInput, offset * 8 + operand.bit, value & 1, true);
-      for (int i = 0; i < width; ++i) {
-        const auto byte = offset + static_cast<std::uint32_t>(i / 8);
-        store_.set(Reg::PhysicalInput, byte * 8 + static_cast<std::uint32_t>(i % 8), value >> (width - 8 * (i / 8 + 1) + i % 8) & 1, true);
-      }
-      return;
-    }
-    case Area::T: return store_.set(operand.width == Width::Bit ? Reg::TimerBit : Reg::TimerCurrent, offset, value, true);
-    case Area::C: return store_.set(operand.width == Width::Bit ? Reg::CounterBit : Reg::CounterCurrent, offset, value, true);
-    case Area::AC: return store_.set(Reg::Accumulator, offset, value, true);
-    case Area::HC: return store_.set(Reg::HscCurrent, offset, value, true);
-    case Area::AI:
-    case Area::AQ: return store_.save(operand.area, offset * 8, analogBits, value, true);
-    default: return store_.save(operand.area, offset * 8 + (operand.width == Width::Bit ? operand.bit : 0), bits(operand.width), value, true);
-  }
-}
+std::uint64_t Simulator::read(const Operand& operand) const { return cellValue(store_, operand); }
+void Simulator::write(const Operand& operand, std::uint64_t value) { setCell(store_, operand, value); }
 
 bool Simulator::force(const Operand& operand, std::uint64_t value) { return forced_.set(operand, value); }
 void Simulator::unforce(const Operand& operand) { forced_.remove(operand); }
@@ -149,7 +133,8 @@ std::uint64_t Simulator::external(const ExternalSite& site, int width) {
     case External::LocalMemory:
     case External::UnknownStatus:
     case External::UnknownResult:
-      if (!options_.choices.is(Choice::UnknownBits, "zero") && outside_ == nullptr) return unknown(width);
+      if (unknownIsZero_) return 0;
+      if (outside_ == nullptr) return unknown(width);
       break;
     case External::ImmediateInput:
       if (const std::optional<bool> forced = forced_.bit(Area::I, site.index)) return *forced ? 1 : 0;

@@ -18,6 +18,7 @@
 
 #include "engine/concrete.hpp"
 #include "engine/devices.hpp"
+#include "engine/dispatch_concrete.hpp"
 #include "engine/force.hpp"
 #include "engine/interrupt_queue.hpp"
 #include "engine/run_time_error.hpp"
@@ -89,12 +90,12 @@ class Simulator final : private Outside {
  private:
   struct Hooks;
   using Runner = Scan<Concrete, Hooks>;
-  /// Time of one instruction, by Instruction::id, in 10 ns.
+  /// One instruction, by Instruction::id: its time in 10 ns, and the form of its meaning to run.
   struct Cost {
     static constexpr std::uint32_t perUs = 100;
     static constexpr std::uint32_t perMs = 1000 * perUs;
-    std::uint32_t withFlow;
-    std::uint32_t withoutFlow;
+    std::array<std::uint32_t, 2> time;  ///< without and with power flow
+    Execute<Concrete> run;
   };
 
   std::uint64_t external(const ExternalSite& site, int width) override;
@@ -103,28 +104,32 @@ class Simulator final : private Outside {
   std::uint64_t unknown(int width);
 
   void prepareCosts();
+  void scanInRun(const ScanRequest& request, std::uint32_t lengthUs);
+  void scanInStop(std::uint32_t lengthUs);
   void raiseInputEdges();
   void raise(int event);
   void boundary(Runner& runner, const FlowStep* step);
   void scripted(Runner& runner, ScanPlace place);
-  void expireWatchdog(Machine<Concrete>& machine);
+  void checkWatchdog();
   void setClock();
   void passMillisecond(Runner& runner);
   void serveInterrupts(Runner& runner);
   void runRoutine(Runner& runner, int event);
   void passRest(Runner& runner, std::uint32_t lengthUs);
-  void finishScan(Machine<Concrete>& machine, std::uint32_t lengthUs);
+  void finishScan(std::uint32_t lengthUs);
 
   Plan plan_;
   EngineOptions options_;
   Outside* outside_;
   Concrete domain_;
   Concrete::Store store_;
+  Machine<Concrete> machine_;
   InterruptQueue queue_;
   ForceTable forced_;
   Devices devices_;
   RunTimeErrors errors_;
   std::vector<Cost> costs_;
+  bool unknownIsZero_;           ///< bits that the manual calls unknown are read as 0
 
   std::uint64_t now_ = 0;        ///< us since power-up, at the start of the scan
   std::uint64_t clockMs_ = 0;    ///< ticks of the 1 ms clock since power-up
@@ -139,7 +144,6 @@ class Simulator final : private Outside {
   std::uint64_t watchdogFrom_ = 0;
   std::uint32_t pending_ = 0;    ///< time of the instruction that is running
   bool attention_ = false;       ///< events wait in the queue
-  const Machine<Concrete>* machine_ = nullptr;  ///< of the scan that runs
   const Instruction* stoppedBy_ = nullptr;
   const std::string* calledBlock_ = nullptr;     ///< library block whose outputs are being asked for
   std::array<std::uint32_t, 2> timedPeriod_{};   ///< of events 10 and 11, taken over by ATCH (001:5472)

@@ -13,11 +13,11 @@ struct Simulator::Hooks {
 
   void before(Runner& runner, const FlowStep& step) {
     Simulator& s = simulator;
-    const Cost& cost = s.costs_[step.instruction->id];
+    const Cost& cost = s.costs_[step.id];
     s.position_ += s.pending_;
     s.pending_ = 0;
     if (s.position_ >= s.nextMs_ || s.attention_) s.boundary(runner, &step);
-    s.pending_ = runner.machine().powerFlow() ? cost.withFlow : cost.withoutFlow;
+    s.pending_ = cost.time[runner.machine().powerFlow() ? 1 : 0];
   }
 
   /// A block that is in no file changes its outputs, if it is known, and nothing else.
@@ -29,10 +29,11 @@ struct Simulator::Hooks {
     callLibraryBlock(runner.machine(), instruction, *block);
   }
 
+  Execute<Concrete> entry(const FlowStep& step) const { return simulator.costs_[step.id].run; }
+
   void freshLocal(Runner& runner, unsigned frame, std::uint32_t byte) {
-    const bool isZero = simulator.outside_ == nullptr && simulator.options_.choices.is(Choice::UnknownBits, "zero");
-    const std::uint64_t value = isZero ? 0 : runner.machine().external(External::LocalMemory, byte, 8);
-    simulator.store_.save(Area::L, (frame * 64 + byte) * 8, 8, value, runner.machine().guard);
+    const std::uint64_t value = simulator.unknownIsZero_ ? 0 : runner.machine().external(External::LocalMemory, byte, 8);
+    simulator.store_.area(Area::L)[frame * 64 + byte] = static_cast<std::uint8_t>(value);
   }
 };
 

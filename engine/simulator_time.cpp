@@ -16,16 +16,15 @@ constexpr std::uint32_t firstTimedEvent = 10;
 }  // namespace
 
 void Simulator::prepareCosts() {
-  costs_.assign(plan_.program->instructionCount(), Cost{unlistedTime, unlistedTime});
+  costs_.assign(plan_.program->instructionCount(), Cost{{unlistedTime, unlistedTime}, nullptr});
   for (const Flow& flow : plan_.flows) {
     for (const FlowStep& step : flow.steps) {
       const Desc& desc = *step.instruction->desc;
-      Cost cost{desc.time == 0 ? unlistedTime : desc.time, idleTime};
+      std::uint32_t time = desc.time == 0 ? unlistedTime : desc.time;
       for (const Operand& operand : step.instruction->operands) {
-        if (operand.kind == OperandKind::Indirect) cost.withFlow += pointerTime;
+        if (operand.kind == OperandKind::Indirect) time += pointerTime;
       }
-      if (desc.execution != Execution::Conditional) cost.withoutFlow = cost.withFlow;
-      costs_[step.instruction->id] = cost;
+      costs_[step.id] = {{desc.execution == Execution::Conditional ? idleTime : time, time}, executionOf(*step.instruction)};
     }
   }
 }
@@ -49,15 +48,14 @@ void Simulator::raise(int event) {
 }
 
 void Simulator::boundary(Runner& runner, const FlowStep* step) {
-  Machine<Concrete>& machine = runner.machine();
-  if (!machine.guard) return;
+  if (!machine_.guard) return;
   if (script_ != nullptr) {
-    if (position_ - watchdogFrom_ > static_cast<std::uint64_t>(options_.choices.watchdogMs()) * Cost::perMs) expireWatchdog(machine);
+    checkWatchdog();
     const std::uint32_t id = step == nullptr ? ScanPlace::afterProgram : step->instruction->id;
     scripted(runner, {id, step == nullptr ? 0 : visits_[id]++});
     return;
   }
-  while (position_ >= nextMs_ && machine.guard) {
+  while (position_ >= nextMs_ && machine_.guard) {
     nextMs_ += Cost::perMs;
     passMillisecond(runner);
   }
@@ -69,7 +67,7 @@ void Simulator::scripted(Runner& runner, ScanPlace place) {
   const auto isHere = [&](const ScanPlace& other) { return other.instruction == place.instruction && other.visit == place.visit; };
   for (const ScanScript::Tick& tick : script_->ticks1) {
     if (!isHere(tick.place)) continue;
-    refreshTimers(runner.machine(), 1, tick.ticks);
+    refreshTimers(machine_, 1, tick.ticks);
     scriptedTicks_ += tick.ticks;
   }
   for (const ScanScript::Event& event : script_->events) {
@@ -87,7 +85,7 @@ void Simulator::signal(Signal which, std::uint32_t index) {
       break;
     case Signal::EventsCleared: queue_.drop(static_cast<int>(index)); break;
     case Signal::WatchdogRestarted: watchdogFrom_ = position_; break;
-    case Signal::Stopped: stoppedBy_ = machine_->current; break;
+    case Signal::Stopped: stoppedBy_ = machine_.current; break;
     case Signal::ClockSet: setClock(); break;
     case Signal::PulseCommand: devices_.pulses.command(store_, index); break;
     case Signal::TransmitStarted: devices_.ports.transmitStarted(store_, index); break;
@@ -110,10 +108,9 @@ void Simulator::setClock() {
 
 /// One tick of the 1 ms clock.
 void Simulator::passMillisecond(Runner& runner) {
-  Machine<Concrete>& machine = runner.machine();
   ++moment_;
   ++clockMs_;
-  refreshTimers(machine, 1, 1, [&](const TimerUse& use, bool reached) {
+  refreshTimers(machine_, 1, 1, [&](const TimerUse& use, bool reached) {
     if (reached && use.number == 32) raise(21);
     if (reached && use.number == 96) raise(22);
   });
@@ -128,15 +125,16 @@ void Simulator::passMillisecond(Runner& runner) {
     raise(event);
     serveInterrupts(runner);
   });
-  if (position_ - watchdogFrom_ > static_cast<std::uint64_t>(options_.choices.watchdogMs()) * Cost::perMs) expireWatchdog(machine);
+  checkWatchdog();
 }
 
-void Simulator::expireWatchdog(Machine<Concrete>& machine) { machine.hazard(Hazard::FatalWatchdog, true); }
+void Simulator::checkWatchdog() {
+  machine_.hazard(Hazard::FatalWatchdog, position_ - watchdogFrom_ > static_cast<std::uint64_t>(options_.choices.watchdogMs()) * Cost::perMs);
+}
 
 void Simulator::serveInterrupts(Runner& runner) {
-  const Machine<Concrete>& machine = runner.machine();
-  if (machine.inInterrupt) return;
-  while (!queue_.empty() && machine.guard && isRunning() && store_.get(Reg::InterruptsEnabled, 0) != 0) {
+  if (machine_.inInterrupt) return;
+  while (!queue_.empty() && machine_.guard && isRunning() && store_.get(Reg::InterruptsEnabled, 0) != 0) {
     runRoutine(runner, *queue_.take());
   }
   if (queue_.empty()) {
@@ -147,7 +145,7 @@ void Simulator::serveInterrupts(Runner& runner) {
 /// Runs the routine of an event, if it still has one.
 void Simulator::runRoutine(Runner& runner, int event) {
   const std::uint64_t routine = store_.get(Reg::EventRoutine, static_cast<std::uint32_t>(event));
-  if (routine == 0 || store_.get(Reg::InterruptsEnabled, 0) == 0 || runner.machine().inInterrupt) return;
+  if (routine == 0 || store_.get(Reg::InterruptsEnabled, 0) == 0 || machine_.inInterrupt) return;
   runner.interrupt(static_cast<int>(routine) - 1, true);
   position_ += pending_;
   pending_ = 0;
@@ -156,24 +154,23 @@ void Simulator::runRoutine(Runner& runner, int event) {
 
 /// The rest of the scan after the program, tick by tick.
 void Simulator::passRest(Runner& runner, std::uint32_t lengthUs) {
-  Machine<Concrete>& machine = runner.machine();
   position_ += pending_;
   pending_ = 0;
-  machine.guard = !machine.halted;
+  machine_.guard = !machine_.halted;
   boundary(runner, nullptr);
   if (script_ != nullptr) {
     const std::uint32_t ticks = lengthUs / 1000;
-    if (machine.guard && ticks > scriptedTicks_) refreshTimers(machine, 1, ticks - scriptedTicks_);
-    machine.guard = true;
+    if (machine_.guard && ticks > scriptedTicks_) refreshTimers(machine_, 1, ticks - scriptedTicks_);
+    machine_.guard = true;
     return;
   }
   const std::uint64_t asked = static_cast<std::uint64_t>(lengthUs) * Cost::perUs;
   const auto end = [&] { return std::max(asked, (position_ + Cost::perUs - 1) / Cost::perUs * Cost::perUs); };
-  while (machine.guard && nextMs_ <= end()) {
+  while (machine_.guard && nextMs_ <= end()) {
     position_ = std::max(position_, nextMs_);
     boundary(runner, nullptr);
   }
-  machine.guard = true;
+  machine_.guard = true;
 }
 
 }  // namespace rungproof

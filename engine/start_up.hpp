@@ -1,6 +1,6 @@
 // The state of the machine at its start: power-up with and without retained data, and the change from STOP to RUN
 // (001:1623-1625, 001:14045-14056, state at the first scan: 001:6552-6554, 001:4028-4030, 001:5295).
-// Covered by tests/engine/start_up_test.cpp.
+// Covered by tests/engine/mode_test.cpp.
 #pragma once
 
 #include <vector>

@@ -9,6 +9,7 @@
 #include <set>
 #include <tuple>
 
+#include "engine/cell_value.hpp"
 #include "engine/simulator.hpp"
 #include "ir/desc.hpp"
 
@@ -174,27 +175,29 @@ std::string numberText(double number, SignalType type) {
   return fmt::format("{}", number);
 }
 
-TraceRow sampleRow(const Simulator& simulator, const std::vector<TraceSignal>& signals) {
-  TraceRow row;
-  row.scan = simulator.scanCount();
-  row.timeUs = simulator.timeUs();
-  row.scanUs = simulator.lastScanUs();
-  row.values.reserve(signals.size());
+std::vector<std::optional<double>> sampleValues(const Concrete::Store& store, const std::vector<TraceSignal>& signals) {
+  const bool isRunning = store.get(Reg::Running, 0) != 0;
+  std::vector<std::optional<double>> values;
+  values.reserve(signals.size());
   for (const TraceSignal& signal : signals) {
     const Operand& o = signal.operand;
-    std::uint64_t value = simulator.read(o);
-    if (o.area == Area::Q && !simulator.isRunning()) {
+    std::uint64_t value = cellValue(store, o);
+    if (o.area == Area::Q && !isRunning) {
       value = 0;
       for (int i = 0; i < signal.width(); ++i) {  // the lowest address holds the most significant byte
         const auto byte = o.offset + static_cast<std::uint32_t>(i / 8);
         const auto bit = o.width == Width::Bit ? o.bit : static_cast<std::uint32_t>(i % 8);
         const int place = o.width == Width::Bit ? 0 : signal.width() - 8 * (i / 8 + 1) + i % 8;
-        if (simulator.physicalOutput(byte, bit)) value |= 1ULL << place;
+        value |= store.get(Reg::PhysicalOutput, byte * 8 + bit) << place;
       }
     }
-    row.values.emplace_back(numberOf(value, signal.type, signal.width()));
+    values.emplace_back(numberOf(value, signal.type, signal.width()));
   }
-  return row;
+  return values;
+}
+
+TraceRow sampleRow(const Simulator& simulator, const std::vector<TraceSignal>& signals) {
+  return {simulator.scanCount(), simulator.timeUs(), simulator.lastScanUs(), sampleValues(simulator.store(), signals)};
 }
 
 }  // namespace rungproof

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/concrete.hpp"
 #include "ir/program.hpp"
 
 namespace rungproof {
@@ -61,7 +62,9 @@ std::uint64_t valueOf(double number, SignalType type, int width);
 /// "1", "-20", "1.5": shortest text that reads back as the same number.
 std::string numberText(double number, SignalType type);
 
-/// Values of the signals as they stand after the last scan. In STOP, Q shows the physical outputs.
+/// Values of the signals in a state at the end of a scan. In STOP, Q shows the physical outputs.
+std::vector<std::optional<double>> sampleValues(const Concrete::Store& store, const std::vector<TraceSignal>& signals);
+/// The same with number, time and length of the simulator's last scan.
 TraceRow sampleRow(const Simulator& simulator, const std::vector<TraceSignal>& signals);
 
 }  // namespace rungproof

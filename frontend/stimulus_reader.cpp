@@ -1,79 +1,22 @@
-// Columns to signals, cells to numbers.
+// Tables to stimuli and traces.
 #include "frontend/stimulus_reader.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <set>
 
 #include "frontend/csv_table.hpp"
-#include "frontend/operand_reader.hpp"
-#include "ir/library_block.hpp"
+#include "frontend/stimulus_column.hpp"
+#include "frontend/trace_cell.hpp"
 
 namespace rungproof {
 
 namespace {
 
 constexpr double largestTimeMs = 1e12;
-
-std::string lowered(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-  return result;
-}
-
-/// "1", "-20", "16#FF", "2#1010", "1.5", "true"; nothing if it is no number.
-std::optional<double> numberIn(std::string_view text) {
-  const std::string lower = lowered(text);
-  if (lower == "true") return 1;
-  if (lower == "false") return 0;
-  const auto whole = [](std::string_view digits, int base) -> std::optional<double> {
-    std::uint64_t value = 0;
-    if (digits.empty() || digits.size() > 64) return std::nullopt;
-    for (const char c : digits) {
-      if (c == '_') continue;
-      const int digit = c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : 99;
-      if (digit >= base || value >> 32 != 0) return std::nullopt;
-      value = value * static_cast<unsigned>(base) + static_cast<unsigned>(digit);
-    }
-    return static_cast<double>(value);
-  };
-  if (lower.starts_with("16#")) return whole(std::string_view(lower).substr(3), 16);
-  if (lower.starts_with("2#")) return whole(std::string_view(lower).substr(2), 2);
-  std::size_t used = 0;
-  try {
-    const double value = std::stod(std::string(text), &used);
-    const bool isPlain = lower.find_first_of("xp") == std::string::npos;
-    return used == text.size() && isPlain ? std::optional<double>(value) : std::nullopt;
-  } catch (const std::exception&) {
-    return std::nullopt;
-  }
-}
-
-/// The value of a cell in the form of its signal, or the reason why it has none.
-std::optional<double> valueIn(std::string_view text, const TraceSignal& signal, std::string& reason) {
-  const std::optional<double> number = numberIn(text);
-  if (!number) {
-    reason = fmt::format("'{}' is no value for {}", text, signal.name);
-    return std::nullopt;
-  }
-  if (signal.isReal()) return number;
-  if (*number != std::floor(*number)) {
-    reason = fmt::format("{} takes whole numbers, not {}", signal.name, text);
-    return std::nullopt;
-  }
-  const double range = std::exp2(signal.width());
-  const double low = signal.type == SignalType::Signed ? -range / 2 : 0;
-  if (*number < low || *number >= range) {
-    reason = signal.type == SignalType::Bool ? fmt::format("{} is a bit: 0 or 1, not {}", signal.name, text)
-                                             : fmt::format("{} does not hold {}: the range is {:.0f} to {:.0f}", signal.name, text, low, range - 1);
-    return std::nullopt;
-  }
-  return numberOf(valueOf(*number, signal.type, signal.width()), signal.type, signal.width());
-}
 
 bool isOpen(const std::string& text) { return text.empty() || text == "x" || text == "X"; }
 
@@ -211,162 +154,7 @@ class TableReader {
   CsvTable table_;
 };
 
-bool overlaps(const Operand& a, const Operand& b) {
-  if (a.area != b.area) return false;
-  if (a.area == Area::T || a.area == Area::C) return a.offset == b.offset;
-  const auto range = [](const Operand& o) {
-    const std::uint32_t first = o.offset * 8 + (o.width == Width::Bit ? o.bit : 0);
-    return std::pair(first, first + static_cast<std::uint32_t>(bits(o.width)));
-  };
-  return range(a).first < range(b).second && range(b).first < range(a).second;
-}
-
-/// Whether some instruction writes the operand by its direct address.
-bool isWritten(const Program& program, const Operand& operand) {
-  for (const Pou& pou : program.pous) {
-    for (const Network& network : pou.networks) {
-      for (const Instruction& instruction : network.instructions) {
-        for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
-          const bool writes = i >= instruction.desc->operandCount || instruction.desc->operands[i].direction != Direction::In;
-          if (writes && instruction.operands[i].kind == OperandKind::Direct && overlaps(instruction.operands[i], operand)) return true;
-        }
-      }
-    }
-  }
-  return false;
-}
-
-/// What a column of a recorded trace may set.
-bool isSurrounding(const Program& program, const Operand& operand) {
-  switch (operand.area) {
-    case Area::I:
-    case Area::AI: return true;
-    case Area::V:
-    case Area::M:
-    case Area::S: return !isWritten(program, operand);
-    case Area::SM: return operand.offset == 28 || operand.offset == 29;  // potentiometers (001:14162)
-    default: return false;
-  }
-}
-
-/// Type of the values of a column that stands for `type`.
-SignalType signalTypeOf(DataType type) {
-  switch (type) {
-    case DataType::Bool: return SignalType::Bool;
-    case DataType::Real: return SignalType::Real;
-    case DataType::Byte: return SignalType::Unsigned;
-    default: return SignalType::Signed;
-  }
-}
-
-/// "BLOCK.Done" or "BLOCK.3" if the program calls a library block of that name.
-std::optional<StimulusColumn> libraryColumn(const Program& program, const std::string& name) {
-  const std::size_t dot = name.rfind('.');
-  if (dot == std::string::npos) return std::nullopt;
-  const std::string blockName = name.substr(0, dot);
-  const LibraryBlock* block = libraryBlockNamed(blockName);
-  if (block == nullptr) return std::nullopt;
-  std::uint32_t position = libraryOutputNamed(*block, name.substr(dot + 1));
-  const std::optional<double> number = numberIn(std::string_view(name).substr(dot + 1));
-  if (number && *number >= block->first && *number < block->first + block->outputs.size()) position = static_cast<std::uint32_t>(*number);
-  if (position == 0 || block->outputs[position - block->first].name.empty()) return std::nullopt;
-  for (const Pou& pou : program.pous) {
-    for (const Network& network : pou.networks) {
-      for (const Instruction& instruction : network.instructions) {
-        const bool isCall = instruction.desc->control == Control::Call && !instruction.operands.empty();
-        if (!isCall || instruction.operands[0].kind != OperandKind::Symbol || lowered(instruction.operands[0].text) != lowered(blockName)) continue;
-        StimulusColumn column;
-        column.target = StimulusTarget::LibraryOutput;
-        column.block = instruction.operands[0].text;
-        column.position = position;
-        const DataType type = block->outputs[position - block->first].type;
-        column.signal.name = name;
-        column.signal.operand = direct(Area::V, widthOf(type), 0);  // only its width counts
-        column.signal.type = signalTypeOf(type);
-        return column;
-      }
-    }
-  }
-  return std::nullopt;
-}
-
-/// "HSC0.pulses", "HSC0.down", "PORT0.receive", "NET.error", "NET.hold".
-std::optional<StimulusColumn> deviceColumn(const std::string& name) {
-  struct DeviceName {
-    std::string_view before, after;
-    StimulusTarget target;
-    std::uint32_t count;  ///< how many there are; 0: no number in the name
-  };
-  static constexpr std::array<DeviceName, 5> names = {{{"hsc", ".pulses", StimulusTarget::Pulses, HighSpeedCounters::count},
-                                                       {"hsc", ".down", StimulusTarget::DownPulses, HighSpeedCounters::count},
-                                                       {"port", ".receive", StimulusTarget::Characters, 2},
-                                                       {"net.error", "", StimulusTarget::NetworkError, 0},
-                                                       {"net.hold", "", StimulusTarget::NetworkHold, 0}}};
-  const std::string lower = lowered(name);
-  for (const DeviceName& device : names) {
-    if (!lower.starts_with(device.before) || !lower.ends_with(device.after)) continue;
-    const std::string middle = lower.size() < device.before.size() + device.after.size()
-                                   ? "?"
-                                   : lower.substr(device.before.size(), lower.size() - device.before.size() - device.after.size());
-    const bool isNumber = middle.size() == 1 && middle[0] >= '0' && static_cast<std::uint32_t>(middle[0] - '0') < device.count;
-    if (device.count == 0 ? !middle.empty() : !isNumber) continue;
-    StimulusColumn column;
-    column.target = device.target;
-    column.position = device.count == 0 ? 0 : static_cast<std::uint32_t>(middle[0] - '0');
-    column.signal.name = name;
-    column.signal.operand = direct(Area::V, Width::DWord, 0);  // only its width counts
-    column.signal.type = SignalType::Unsigned;
-    return column;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
-
-std::optional<TraceSignal> signalNamed(const Program& program, std::string_view name, Failure& failure) {
-  std::string_view bare = name;
-  const bool asValue = lowered(name).ends_with(".value");
-  if (asValue) bare.remove_suffix(6);
-  Operand operand;
-  std::string symbolName;
-  bool isKnown = readAddress(bare, Spelling::International, operand);
-  if (!isKnown) {
-    for (const Symbol& symbol : program.symbols) {
-      if (lowered(symbol.name) != lowered(bare) || symbol.address.kind != OperandKind::Direct) continue;
-      operand = symbol.address;
-      symbolName = symbol.name;
-      isKnown = true;
-    }
-  }
-  isKnown = isKnown || readAddress(bare, Spelling::German, operand);
-  if (!isKnown) {
-    std::vector<std::string> names;
-    for (const Symbol& symbol : program.symbols) names.push_back(symbol.name);
-    const std::string_view meant = closest(bare, names);
-    failure = {fmt::format("'{}' is no address and no symbol of the program", name), {}, meant.empty() ? "give the symbol table with --symbols, or write the address" : fmt::format("did you mean '{}'?", meant)};
-    return std::nullopt;
-  }
-  const bool byNumber = operand.area == Area::T || operand.area == Area::C;
-  if (asValue && !byNumber) {
-    failure = {fmt::format("'.value' belongs to timers and counters, not to {}", bare)};
-    return std::nullopt;
-  }
-  if (byNumber) operand.width = asValue ? Width::Word : Width::Bit;
-  if (operand.area == Area::AI || operand.area == Area::AQ) operand.width = Width::Word;
-  if (operand.area == Area::HC) operand.width = Width::DWord;
-  if (operand.area == Area::L) {
-    failure = {fmt::format("{} has no value between scans: local memory belongs to one call (001:1367)", name)};
-    return std::nullopt;
-  }
-  if (!addressExists(program.target, operand.area, operand.width, operand.offset, operand.bit)) {
-    failure = {fmt::format("{} does not exist on CPU {}", name, cpuName(program.target.cpu)), {}, "choose the CPU with --cpu"};
-    return std::nullopt;
-  }
-  TraceSignal signal = signalOf(program, operand);
-  signal.name = std::string(name);
-  if (!symbolName.empty()) signal.symbol = symbolName;
-  return signal;
-}
 
 Stimulus readStimulus(const std::string& name, std::string_view text, const Program& program, std::vector<Failure>& failures) {
   TableReader reader(name, text, failures);
@@ -375,23 +163,12 @@ Stimulus readStimulus(const std::string& name, std::string_view text, const Prog
   stimulus.isByTime = frame.isByTime;
   for (const std::size_t i : frame.signals) {
     const CsvCell& cell = reader.table().heading[i];
-    StimulusColumn column;
-    if (auto library = libraryColumn(program, cell.text)) {
-      column = *library;
-    } else if (auto device = deviceColumn(cell.text)) {
-      column = *device;
+    Failure failure;
+    if (const auto column = stimulusColumn(program, cell.text, frame.isRecorded, failure)) {
+      stimulus.columns.push_back(*column);
     } else {
-      Failure failure;
-      const std::optional<TraceSignal> signal = signalNamed(program, cell.text, failure);
-      if (!signal) {
-        reader.fail(cell, failure.message, failure.help);
-        continue;
-      }
-      column.signal = *signal;
-      const bool applies = !frame.isRecorded || isSurrounding(program, signal->operand);
-      column.target = applies ? StimulusTarget::Memory : StimulusTarget::None;
+      reader.fail(cell, failure.message, failure.help);
     }
-    stimulus.columns.push_back(column);
   }
   if (!failures.empty()) return stimulus;
   std::optional<std::uint64_t> last;

@@ -25,7 +25,4 @@ Trace readTrace(const std::string& name, std::string_view text, const Program& p
 /// Reads a trace without a program: columns that are no addresses keep their names, values are taken as numbers.
 Trace readTrace(const std::string& name, std::string_view text, std::vector<Failure>& failures);
 
-/// The signal that an address, a symbol, or one of them with ".value" means; failure text otherwise.
-std::optional<TraceSignal> signalNamed(const Program& program, std::string_view name, Failure& failure);
-
 }  // namespace rungproof

@@ -22,6 +22,16 @@ class Args {
     return legal;
   }
 
+  /// Operand i is known to be a direct address in `area`: what resolve() finds, without looking.
+  void bind(std::size_t i, Area area) {
+    const Operand& o = instruction_.operands[i];
+    refs_[i].operand = &o;
+    refs_[i].isPlace = true;
+    refs_[i].area = area;
+    refs_[i].offset = o.offset;
+    refs_[i].bit = o.bit;
+  }
+
   const Instruction& instruction() const { return instruction_; }
   const Operand& operand(std::size_t i) const { return instruction_.operands[i]; }
   std::size_t size() const { return instruction_.operands.size(); }
@@ -63,7 +73,7 @@ class Args {
   /// How many bits there are from bit operand i to the end of its area.
   std::uint32_t bitsLeft(std::size_t i) const {
     const Ref<D>& r = refs_[i];
-    const std::uint32_t size = areaSize(m_.target, r.area);
+    const std::uint32_t size = m_.areaSize(r.area);
     if (r.offset >= size) return 0;
     return r.area == Area::T || r.area == Area::C ? size - r.offset : (size - r.offset) * 8 - r.bit;
   }
@@ -118,7 +128,7 @@ class Args {
   Bool resolveOne(const Operand& o, Width w, Ref<D>& ref);
   std::uint32_t left(Area area, std::uint32_t offset, Width w) const {
     const bool byNumber = area == Area::T || area == Area::C;
-    const std::uint32_t size = areaSize(m_.target, area);
+    const std::uint32_t size = m_.areaSize(area);
     return offset >= size ? 0 : (size - offset) / static_cast<std::uint32_t>(byNumber ? 1 : bytes(w));
   }
   Bits load(Ref<D>& ref, int element, Width w);

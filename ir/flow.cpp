@@ -105,7 +105,7 @@ Flow flowOf(const Pou& pou) {
   Flow flow;
   flow.pou = &pou;
   for (std::uint32_t n = 0; n < pou.networks.size(); ++n) {
-    for (const Instruction& instruction : pou.networks[n].instructions) flow.steps.push_back({&instruction, noPartner, n});
+    for (const Instruction& instruction : pou.networks[n].instructions) flow.steps.push_back({&instruction, noPartner, n, instruction.id});
   }
   Pairing(flow).run();
   return flow;

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <vector>
 
@@ -146,6 +147,7 @@ class Machine {
       : d(domain), store(state), plan(programPlan), target(programPlan.program->target), choices(choiceTable),
         guard(domain.constant(true)), halted(domain.constant(false)), scrActive(domain.constant(true)), ticks100(domain.literal(0, 16)) {
     stack.fill(domain.constant(false));
+    for (int a = 0; a < areaCount; ++a) areaSizes_[static_cast<std::size_t>(a)] = rungproof::areaSize(target, static_cast<Area>(a));
   }
 
   D& d;
@@ -188,11 +190,24 @@ class Machine {
   // ---- Logic stack ------------------------------------------------------------------------------
 
   void push(Bool value) {
+    if constexpr (std::same_as<Bool, bool>) {  // what follows, in one move
+      if (!guard) return;
+      std::memmove(&stack[1], &stack[0], stack.size() - 1);
+      stack[0] = value;
+      return;
+    }
     for (std::size_t i = stack.size() - 1; i > 0; --i) setLevel(i, stack[i - 1]);
     setLevel(0, value);
   }
   Bool pop() {
     const Bool top = stack[0];
+    if constexpr (std::same_as<Bool, bool>) {  // what follows, in one move
+      const Bool bottom = externalBit(External::StackBottom);
+      if (!guard) return top;
+      std::memmove(&stack[0], &stack[1], stack.size() - 1);
+      stack[stack.size() - 1] = bottom;
+      return top;
+    }
     for (std::size_t i = 0; i + 1 < stack.size(); ++i) setLevel(i, stack[i + 1]);
     setLevel(stack.size() - 1, externalBit(External::StackBottom));
     return top;
@@ -203,6 +218,9 @@ class Machine {
   void setLevel(std::size_t i, Bool value) { stack[i] = d.select(guard, value, stack[i]); }
   /// What coils, boxes, timers and counters see of a level: gated by the SCR segment they stand in (001:5830).
   Bool powerFlow(std::size_t i = 0) { return d.land(stack[i], scrActive); }
+
+  /// Size of an area in bytes on this CPU (T, C, AC, HC: count).
+  std::uint32_t areaSize(Area area) const { return areaSizes_[static_cast<std::size_t>(area)]; }
 
   // ---- State --------------------------------------------------------------------------------------
 
@@ -269,6 +287,8 @@ class Machine {
   }
 
  private:
+  std::array<std::uint32_t, areaCount> areaSizes_{};
+
   std::uint32_t addressBits(Area area, std::uint32_t byte) const {
     return (area == Area::L ? frame * 64 + byte : byte) * 8;
   }

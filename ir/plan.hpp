@@ -21,6 +21,7 @@ struct TimerUse {
   const Desc* desc;  ///< TON, TOF, TONR or an IEC box
   int resolution;    ///< ms
   TimerKind kind;
+  bool decides = true;  ///< first use of its number: it says how the number counts
 };
 
 struct Plan {

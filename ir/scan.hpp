@@ -7,6 +7,7 @@
 // until nothing can be sent any more or `loopLimit` rounds were made (Hazard::LoopBound).
 //
 // Hooks: before(scan, step) is called in front of every instruction; interrupts and time within a scan live there.
+// A hook entry(step), if there is one, gives the function to run for the instruction, nullptr for control instructions.
 #pragma once
 
 #include <map>
@@ -119,7 +120,13 @@ class Scan {
       if constexpr (isConcrete) {
         if (!m_.guard) break;  // an interrupt routine in front of the instruction has ended the program
       }
-      if (step.instruction->desc->control == Control::None) {
+      if constexpr (requires { hooks_.entry(step); }) {
+        if (const Execute<D> run = hooks_.entry(step); run != nullptr) {
+          run(m_, *step.instruction);
+        } else {
+          control(w, at);
+        }
+      } else if (step.instruction->desc->control == Control::None) {
         dispatch_[step.instruction->desc->opcode](m_, *step.instruction);
       } else {
         control(w, at);

@@ -35,12 +35,26 @@ Ticks<D> takeTicks(Machine<D>& m) {
   return {take(Reg::PhaseTen, 10), take(Reg::PhaseHundred, 100)};
 }
 
-/// Part 1 of the scan: the physical inputs to the I image, and the ticks of the 10 ms and 100 ms time bases.
+/// The physical inputs to the I image.
+template <class D>
+void readInputs(Machine<D>& m) {
+  if constexpr (std::same_as<typename D::Bool, bool>) {  // the same, byte by byte
+    for (std::uint32_t byte = 0; byte < regInfo(Reg::PhysicalInput).count / 8; ++byte) {
+      typename D::Bits value = 0;
+      for (std::uint32_t bit = 0; bit < 8; ++bit) value |= m.get(Reg::PhysicalInput, byte * 8 + bit) << bit;
+      m.save(Area::I, byte, Width::Byte, value);
+    }
+  } else {
+    for (std::uint32_t bit = 0; bit < regInfo(Reg::PhysicalInput).count; ++bit) m.saveBit(Area::I, bit / 8, bit % 8, m.getBit(Reg::PhysicalInput, bit));
+  }
+}
+
+/// Part 1 of the scan: the inputs, and the ticks of the 10 ms and 100 ms time bases.
 template <class D>
 void beginScan(Machine<D>& m, const Ticks<D>& ticks) {
   m.guard = m.d.constant(true);
   m.halted = m.d.constant(false);
-  for (std::uint32_t bit = 0; bit < regInfo(Reg::PhysicalInput).count; ++bit) m.saveBit(Area::I, bit / 8, bit % 8, m.getBit(Reg::PhysicalInput, bit));
+  readInputs(m);
   m.ticks100 = ticks.hundred;
   refreshTimers(m, 10, ticks.ten);
 }

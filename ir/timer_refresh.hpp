@@ -37,8 +37,7 @@ typename D::Bool advanceTimer(Machine<D>& m, TimerKind kind, std::uint32_t numbe
 template <class D, class Reached>
 void refreshTimers(Machine<D>& m, int resolution, typename D::Bits ticks, Reached&& reached) {
   for (const TimerUse& use : m.plan.timers) {
-    const bool decides = m.plan.timer(use.number) == &use;
-    if (use.resolution == resolution && decides) reached(use, advanceTimer(m, use.kind, use.number, ticks));
+    if (use.resolution == resolution && use.decides) reached(use, advanceTimer(m, use.kind, use.number, ticks));
   }
 }
 template <class D>

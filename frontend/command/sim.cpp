@@ -12,6 +12,7 @@
 #include "frontend/comparison.hpp"
 #include "frontend/program_input.hpp"
 #include "frontend/run_report.hpp"
+#include "frontend/stimulus_column.hpp"
 #include "frontend/stimulus_reader.hpp"
 #include "frontend/trace_file.hpp"
 

@@ -43,6 +43,21 @@ TEST(Mode, RunAgainStartsWithTheFirstScanBit) {
   EXPECT_EQ(rig.get("VW2"), 1);  // SM0.3 only after power-up
 }
 
+TEST(Mode, TimersStandStillInStop) {
+  Rig rig("LD I0.0\nSTOP\nLD SM0.0\nTON T33, +500\nTON T32, +500\n");
+  rig.scans(5);
+  rig.set("I0.0", 1);
+  rig.scans(1);
+  ASSERT_FALSE(rig.simulator->isRunning());
+  const std::int64_t ten = rig.get("T33.value"), one = rig.get("T32.value");
+  rig.set("I0.1", 1);
+  rig.scans(10);
+  EXPECT_EQ(rig.get("T33.value"), ten);
+  EXPECT_EQ(rig.get("T32.value"), one);
+  EXPECT_EQ(rig.get("I0.1"), 1);  // inputs are read in STOP too
+  EXPECT_EQ(rig.simulator->timeUs(), 160000U);
+}
+
 TEST(StartUp, NoEdgeInTheFirstScan) {
   Rig rig("LD I0.0\nEU\nINCW VW0\n");
   rig.set("I0.0", 1);
