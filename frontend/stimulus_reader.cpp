@@ -45,8 +45,9 @@ class TableReader {
       const std::string name = lowered(cell.text);
       if (!seen.insert(name).second) fail(cell, fmt::format("column '{}' stands here twice", cell.text));
       if (i == 0) continue;
-      if (name.empty()) fail(cell, "this column has no heading");
-      if (name == "scan_ms") {
+      if (name.empty()) {
+        fail(cell, "this column has no heading");
+      } else if (name == "scan_ms") {
         frame.scanMs = static_cast<int>(i);
       } else if (name == "event") {
         frame.event = static_cast<int>(i);

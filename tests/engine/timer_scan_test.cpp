@@ -62,6 +62,8 @@ struct SelfReset {
   std::string preset;
   bool byOutput;      ///< enabled by the inverted output instead of the inverted timer bit
   int pulsesExpected; ///< one-scan pulses of Q0.0 in 100 scans of 10 ms
+
+  friend std::ostream& operator<<(std::ostream& out, const SelfReset& row) { return out << row.timer << (row.byOutput ? " by output" : " by bit"); }
 };
 
 class SelfResettingTimer : public testing::TestWithParam<SelfReset> {};

@@ -82,7 +82,7 @@ struct Vcd {
       in >> id;
       ASSERT_TRUE(widths.contains(id)) << id;
       EXPECT_EQ(token[0] == 'r', widths[id] == 0);
-      if (token[0] == 'b') EXPECT_LE(static_cast<int>(token.size()) - 1, widths[id]);
+      EXPECT_TRUE(token[0] == 'r' || static_cast<int>(token.size()) - 1 <= widths[id]) << token;
     } else {
       EXPECT_NE(std::string("01xz").find(token[0]), std::string::npos) << token;
       value = token.substr(0, 1);

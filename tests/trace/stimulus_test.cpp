@@ -87,6 +87,8 @@ struct Mistake {
   std::string text;
   std::string place;
   std::string message;  ///< part of it
+
+  friend std::ostream& operator<<(std::ostream& out, const Mistake& mistake) { return out << mistake.place << ' ' << mistake.message; }
 };
 
 class StimulusMistake : public testing::TestWithParam<Mistake> {};
