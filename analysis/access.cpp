@@ -13,9 +13,9 @@ namespace rungproof {
 
 namespace {
 
-constexpr int tableWords = 102;    // TL, EC and at most 100 entries (001:6260)
-constexpr int findWords = 101;     // FND starts at EC (001:6441)
-constexpr int stringBytes = 255;   // length byte and at most 254 characters (001:1414)
+constexpr int tableWords = 102;   // TL, EC and at most 100 entries (001:6260)
+constexpr int findWords = 101;    // FND starts at EC (001:6441)
+constexpr int stringBytes = 255;  // length byte and at most 254 characters (001:1414)
 
 /// How many elements an operand covers: at least, at most.
 struct Extent {
@@ -35,7 +35,8 @@ class Collector {
     instruction_ = step.instruction;
     desc_ = instruction_->desc;
     kind_ = kindOf(*desc_);
-    conditional_ = desc_->execution == Execution::Conditional || (desc_->execution == Execution::Control && desc_->stack.needs > 0);
+    conditional_ = desc_->execution == Execution::Conditional ||
+                   (desc_->execution == Execution::Control && desc_->stack.needs > 0);
     if (desc_->control == Control::Call) return call();
     const std::size_t count = std::min<std::size_t>(instruction_->operands.size(), desc_->operandCount);
     for (std::size_t i = 0; i < count; ++i) operand(i);
@@ -120,7 +121,8 @@ class Collector {
       add(i, o, width, extent, false);
     }
     if (writes) add(i, o, width, extent, true);
-    if (writes && isReset(kind_) && i == 0 && o.kind == OperandKind::Direct && (o.area == Area::T || o.area == Area::C)) {
+    if (writes && isReset(kind_) && i == 0 && o.kind == OperandKind::Direct &&
+        (o.area == Area::T || o.area == Area::C)) {
       add(i, o, Width::Word, extent, true);
     }
   }
@@ -185,7 +187,8 @@ class Collector {
         ++i;
       }
     }
-    const LibraryBlock* library = count > 0 && op(0).kind == OperandKind::Symbol ? libraryBlockNamed(op(0).text) : nullptr;
+    const LibraryBlock* library =
+        count > 0 && op(0).kind == OperandKind::Symbol ? libraryBlockNamed(op(0).text) : nullptr;
     for (; library != nullptr && i < count && i <= library->parameters.size(); ++i) {
       const LibraryParameter& parameter = library->parameters[i - 1];
       add(i, op(i), widthOf(parameter.type), {}, parameter.direction == Direction::Out);

@@ -30,10 +30,10 @@ struct Access {
   Width width = Width::Bit;       ///< T and C: Bit is the timer or counter bit, Word its current value
   std::uint8_t bit = 0;           ///< first bit
   bool write = false;
-  bool conditional = false;       ///< only with power flow; otherwise in every execution
-  bool viaPointer = false;        ///< the place is what the pointer at area/offset points to
-  bool isBox = false;             ///< the number of a timer or counter box
-  bool maybe = false;             ///< the direction is not known (parameter of a block without text)
+  bool conditional = false;  ///< only with power flow; otherwise in every execution
+  bool viaPointer = false;   ///< the place is what the pointer at area/offset points to
+  bool isBox = false;        ///< the number of a timer or counter box
+  bool maybe = false;        ///< the direction is not known (parameter of a block without text)
 
   bool byNumber() const { return area == Area::T || area == Area::C || area == Area::AC || area == Area::HC; }
   /// Bytes (numbers for T, C, AC, HC) from `offset` that `elements` elements cover.

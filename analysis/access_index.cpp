@@ -48,7 +48,8 @@ AccessIndex::AccessIndex(const Program& program, const AccessTable& table, std::
   const auto isNarrow = [](const Access& a) { return !a.viaPointer && a.certainLength() <= longest; };
   const std::span<const Access> all = table.all();
   for (const Access& a : all) {
-    if (isNarrow(a)) eachCell(cells_, a, blockOf[a.instruction], a.certainLength(), [&](std::uint32_t cell) { ++first_[cell + 1]; });
+    if (isNarrow(a))
+      eachCell(cells_, a, blockOf[a.instruction], a.certainLength(), [&](std::uint32_t cell) { ++first_[cell + 1]; });
   }
   for (std::uint32_t c = 0; c < cells_.size(); ++c) first_[c + 1] += first_[c];
   entries_.resize(first_.back());
@@ -56,12 +57,14 @@ AccessIndex::AccessIndex(const Program& program, const AccessTable& table, std::
   for (std::uint32_t i = 0; i < all.size(); ++i) {
     const Access& a = all[i];
     if (isNarrow(a)) {
-      eachCell(cells_, a, blockOf[a.instruction], a.certainLength(), [&](std::uint32_t cell) { entries_[next[cell]++] = i; });
+      eachCell(cells_, a, blockOf[a.instruction], a.certainLength(),
+               [&](std::uint32_t cell) { entries_[next[cell]++] = i; });
     } else {
       wide_.push_back(i);
     }
   }
-  for (std::vector<std::uint8_t>* marks : {&written_, &read_, &writtenAtLarge_, &readAtLarge_, &pointed_}) marks->assign(cells_.size(), 0);
+  for (std::vector<std::uint8_t>* marks : {&written_, &read_, &writtenAtLarge_, &readAtLarge_, &pointed_})
+    marks->assign(cells_.size(), 0);
   cover(table, blockOf, true, {&written_, &writtenAtLarge_});
   cover(table, blockOf, false, {&read_, &readAtLarge_});
   coverPointers(program, table);

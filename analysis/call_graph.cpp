@@ -15,7 +15,11 @@ namespace {
 class Components {
  public:
   Components(std::span<const CallSite> sites, const std::vector<std::vector<std::uint32_t>>& callsIn)
-      : sites_(sites), callsIn_(callsIn), order_(callsIn.size(), 0), low_(callsIn.size(), 0), component_(callsIn.size(), 0) {
+      : sites_(sites),
+        callsIn_(callsIn),
+        order_(callsIn.size(), 0),
+        low_(callsIn.size(), 0),
+        component_(callsIn.size(), 0) {
     for (std::uint32_t b = 0; b < callsIn.size(); ++b) {
       if (order_[b] == 0) visit(b);
     }
@@ -93,7 +97,8 @@ CallGraph::CallGraph(const Program& program, const Plan& plan) {
   attached_.assign(blocks, 0);
 
   std::map<std::pair<PouKind, int>, std::uint32_t> byNumber;
-  for (std::uint32_t b = 0; b < blocks; ++b) byNumber.emplace(std::pair(program.pous[b].kind, program.pous[b].number), b);
+  for (std::uint32_t b = 0; b < blocks; ++b)
+    byNumber.emplace(std::pair(program.pous[b].kind, program.pous[b].number), b);
   const auto find = [&](PouKind kind, int number) {
     const auto found = byNumber.find({kind, number});
     return found == byNumber.end() ? noBlock : found->second;

@@ -14,7 +14,8 @@ void fill(LocalBits& bits, std::uint32_t from, std::uint32_t count) {
 
 class Pass {
  public:
-  Pass(const Facts& facts, std::uint32_t block) : facts_(facts), flow_(facts.plan().flows[block]), pou_(facts.program().pous[block]) {}
+  Pass(const Facts& facts, std::uint32_t block)
+      : facts_(facts), flow_(facts.plan().flows[block]), pou_(facts.program().pous[block]) {}
 
   LocalFlow run() {
     for (const LocalVariable& local : pou_.locals) {
@@ -74,7 +75,8 @@ class Pass {
   void read(const Access& access) {
     if (access.write || access.area != Area::L || access.viaPointer || access.operand == impliedOperand) return;
     const Desc& desc = *facts_.instruction(access.instruction).desc;
-    const bool isOwn = access.operand < desc.operandCount && desc.operands[access.operand].direction == Direction::InOut && access.width == Width::Bit;
+    const bool isOwn = access.operand < desc.operandCount &&
+                       desc.operands[access.operand].direction == Direction::InOut && access.width == Width::Bit;
     const LocalBits bits = localBitsOf(access);
     if (isOwn || (bits & ~(written_ | reported_)).none()) return;
     result_.unwritten.push_back({&access});
@@ -86,7 +88,8 @@ class Pass {
       if (local.section != VarSection::Output) continue;
       const LocalBits bits = localBitsOf(local);
       if ((bits & ~written_).none()) continue;
-      const bool isKnown = std::any_of(result_.exits.begin(), result_.exits.end(), [&](const LocalExit& e) { return e.parameter == &local; });
+      const bool isKnown = std::any_of(result_.exits.begin(), result_.exits.end(),
+                                       [&](const LocalExit& e) { return e.parameter == &local; });
       if (!isKnown) result_.exits.push_back({&local, exit, !isWrittenAnywhere(bits)});
     }
   }
@@ -113,15 +116,18 @@ class Pass {
 
 LocalBits localBitsOf(const Access& access) {
   LocalBits bits;
-  if (access.width == Width::Bit) fill(bits, access.offset * 8 + access.bit, access.count);
-  else fill(bits, access.offset * 8, access.certainLength() * 8);
+  if (access.width == Width::Bit)
+    fill(bits, access.offset * 8 + access.bit, access.count);
+  else
+    fill(bits, access.offset * 8, access.certainLength() * 8);
   return bits;
 }
 
 LocalBits localBitsOf(const LocalVariable& local) {
   LocalBits bits;
   const bool isBit = local.address.width == Width::Bit;
-  fill(bits, local.address.offset * 8 + (isBit ? local.address.bit : 0), static_cast<std::uint32_t>(rungproof::bits(local.address.width)));
+  fill(bits, local.address.offset * 8 + (isBit ? local.address.bit : 0),
+       static_cast<std::uint32_t>(rungproof::bits(local.address.width)));
   return bits;
 }
 

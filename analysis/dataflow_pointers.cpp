@@ -26,7 +26,9 @@ std::optional<std::int64_t> stepOf(const Instruction& instruction) {
   }
 }
 
-bool isStep(Kind kind) { return kind == Kind::IncDWord || kind == Kind::DecDWord || kind == Kind::AddDInt || kind == Kind::SubDInt; }
+bool isStep(Kind kind) {
+  return kind == Kind::IncDWord || kind == Kind::DecDWord || kind == Kind::AddDInt || kind == Kind::SubDInt;
+}
 
 }  // namespace
 
@@ -34,22 +36,24 @@ bool isStep(Kind kind) { return kind == Kind::IncDWord || kind == Kind::DecDWord
 struct PointerTable::Life {
   const Instruction* set = nullptr;  ///< the MOVD & in force, if the address is known
   Area area = Area::V;
-  std::int64_t offset = 0;           ///< bytes from the start of the area
-  const Access* use = nullptr;       ///< narrowest use
+  std::int64_t offset = 0;      ///< bytes from the start of the area
+  const Access* use = nullptr;  ///< narrowest use
   int narrowest = 0;
-  std::uint32_t network = noPartner; ///< of the running sum of steps
+  std::uint32_t network = noPartner;  ///< of the running sum of steps
   std::int64_t total = 0;
   const Instruction* last = nullptr;
-  bool isComputed = false;           ///< some step is not a constant
-  std::vector<PointerStride> sums;   ///< of the networks before
+  bool isComputed = false;          ///< some step is not a constant
+  std::vector<PointerStride> sums;  ///< of the networks before
 };
 
 PointerTable::PointerTable(const Facts& facts) {
   collectUses(facts);
   if (pointers_.empty()) return;
   collectWrites(facts);
-  for (std::uint32_t block = 0; block < facts.plan().flows.size(); ++block) followBlock(facts, facts.plan().flows[block], block);
-  std::sort(strides_.begin(), strides_.end(), [](const PointerStride& a, const PointerStride& b) { return a.last->id < b.last->id; });
+  for (std::uint32_t block = 0; block < facts.plan().flows.size(); ++block)
+    followBlock(facts, facts.plan().flows[block], block);
+  std::sort(strides_.begin(), strides_.end(),
+            [](const PointerStride& a, const PointerStride& b) { return a.last->id < b.last->id; });
 }
 
 std::uint64_t PointerTable::key(Area area, std::uint32_t offset, std::uint32_t block) const {
@@ -83,11 +87,13 @@ void PointerTable::collectUses(const Facts& facts) {
   for (Pointer& pointer : pointers_) {
     const std::uint32_t cell = facts.index().cells().cell(pointer.area, pointer.offset, pointer.block);
     const bool isOutside = cell == facts.index().cells().size();
-    if (isOutside || facts.index().isWrittenAtLarge(cell) || facts.isExternal(cell)) pointer.isSet = pointer.isSetAgain = true;
+    if (isOutside || facts.index().isWrittenAtLarge(cell) || facts.isExternal(cell))
+      pointer.isSet = pointer.isSetAgain = true;
     if (pointer.area != Area::L) continue;
     for (const LocalVariable& local : facts.program().pous[pointer.block].locals) {
       const bool isParameter = local.section == VarSection::Input || local.section == VarSection::InOut;
-      if (isParameter && local.address.offset <= pointer.offset && pointer.offset < local.address.offset + 4) pointer.isSet = pointer.isSetAgain = true;
+      if (isParameter && local.address.offset <= pointer.offset && pointer.offset < local.address.offset + 4)
+        pointer.isSet = pointer.isSetAgain = true;
     }
   }
 }
@@ -102,7 +108,8 @@ void PointerTable::collectWrites(const Facts& facts) {
       Pointer* pointer = at(access.area, access.offset - back, block);
       if (pointer == nullptr) continue;
       if (!access.write) {
-        const bool isValue = access.operand < instruction.operands.size() && instruction.operands[access.operand].kind == OperandKind::Direct;
+        const bool isValue = access.operand < instruction.operands.size() &&
+                             instruction.operands[access.operand].kind == OperandKind::Direct;
         if (instruction.desc->execution == Execution::Compare && back == 0 && isValue) pointer->isCompared = true;
         continue;
       }
@@ -120,13 +127,15 @@ void PointerTable::collectWrites(const Facts& facts) {
     if (pointer.area != Area::AC || pointer.isSet) continue;
     const std::uint32_t cell = facts.index().cells().cell(Area::AC, pointer.offset, 0);
     for (const std::uint32_t i : facts.index().at(cell)) {
-      if (facts.access(i).write && !isStep(kindOf(facts.instruction(facts.access(i).instruction)))) pointer.isSet = pointer.isSetAgain = true;
+      if (facts.access(i).write && !isStep(kindOf(facts.instruction(facts.access(i).instruction))))
+        pointer.isSet = pointer.isSetAgain = true;
     }
   }
 }
 
 void PointerTable::closeStrides(Life& life) {
-  if (life.last != nullptr && life.use != nullptr && !life.isComputed) life.sums.push_back({life.use, life.narrowest, life.total, life.last});
+  if (life.last != nullptr && life.use != nullptr && !life.isComputed)
+    life.sums.push_back({life.use, life.narrowest, life.total, life.last});
   for (PointerStride& sum : life.sums) {
     if (life.use == nullptr) continue;
     sum.use = life.use;
@@ -141,7 +150,8 @@ void PointerTable::followBlock(const Facts& facts, const Flow& flow, std::uint32
   for (const FlowStep& step : flow.steps) {
     const Instruction& instruction = *step.instruction;
     const Control control = instruction.desc->control;
-    if (control == Control::LabelMark || control == Control::For || control == Control::Next || control == Control::Call) {
+    if (control == Control::LabelMark || control == Control::For || control == Control::Next ||
+        control == Control::Call) {
       for (auto& [pointer, life] : lives) life.set = nullptr;
     }
     const std::span<const Access> accesses = facts.accesses().of(instruction.id);
@@ -165,17 +175,20 @@ void PointerTable::followBlock(const Facts& facts, const Flow& flow, std::uint32
       if (isStep(kindOf(instruction))) {
         const std::optional<std::int64_t> distance = stepOf(instruction);
         if (!distance) life.isComputed = true;
-        if (life.network != step.network && life.last != nullptr) life.sums.push_back({life.use, life.narrowest, life.total, life.last});
+        if (life.network != step.network && life.last != nullptr)
+          life.sums.push_back({life.use, life.narrowest, life.total, life.last});
         if (life.network != step.network) life.total = 0;
         life.network = step.network;
         life.total += distance.value_or(0);
         life.last = &instruction;
         life.offset += distance.value_or(0);
-        if (!distance || access.conditional) life.set = (facts.stack().at(instruction.id).flow & condition::Always) != 0 && distance ? life.set : nullptr;
+        if (!distance || access.conditional)
+          life.set = (facts.stack().at(instruction.id).flow & condition::Always) != 0 && distance ? life.set : nullptr;
         continue;
       }
       closeStrides(life);
-      const bool isAddress = kindOf(instruction) == Kind::MoveDWord && instruction.operands[0].kind == OperandKind::Address;
+      const bool isAddress =
+          kindOf(instruction) == Kind::MoveDWord && instruction.operands[0].kind == OperandKind::Address;
       if (!isAddress) continue;
       life.set = &instruction;
       life.area = instruction.operands[0].area;

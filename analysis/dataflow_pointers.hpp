@@ -16,12 +16,12 @@ namespace rungproof {
 struct Pointer {
   Area area = Area::V;
   std::uint32_t offset = 0;
-  std::uint32_t block = 0;                  ///< of accumulators and L; V pointers: the first block that uses them
-  std::vector<const Access*> uses;          ///< accesses through it
-  std::vector<const Instruction*> steps;    ///< INCD, DECD, +D, -D on it
-  bool isSet = false;                       ///< something writes it that could make an address
-  bool isSetAgain = false;                  ///< set in other scans than the first
-  bool isCompared = false;                  ///< a comparison asks its value
+  std::uint32_t block = 0;                ///< of accumulators and L; V pointers: the first block that uses them
+  std::vector<const Access*> uses;        ///< accesses through it
+  std::vector<const Instruction*> steps;  ///< INCD, DECD, +D, -D on it
+  bool isSet = false;                     ///< something writes it that could make an address
+  bool isSetAgain = false;                ///< set in other scans than the first
+  bool isCompared = false;                ///< a comparison asks its value
 
   /// Whether it is moved on for ever: steps outside the first scan, never set back, never compared.
   bool isUnbounded() const { return !steps.empty() && isSet && !isSetAgain && !isCompared; }
@@ -32,7 +32,7 @@ struct PointerUse {
   const Access* access;
   const Instruction* set;  ///< the MOVD & that made the address
   Area area;
-  std::int64_t offset;     ///< byte, or number of a T or C; negative: before the area
+  std::int64_t offset;  ///< byte, or number of a T or C; negative: before the area
 };
 
 /// What the steps of one network add to a pointer between two settings of it.

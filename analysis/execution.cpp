@@ -16,7 +16,8 @@ bool isNever(const StackRun& stack, const Instruction& instruction) {
 
 }  // namespace
 
-ExecutionTable::ExecutionTable(const Program& program, const Plan& plan, const CallGraph& calls, const StackRun& stack) {
+ExecutionTable::ExecutionTable(const Program& program, const Plan& plan, const CallGraph& calls,
+                               const StackRun& stack) {
   points_.resize(program.instructionCount());
   for (const Flow& flow : plan.flows) {
     reach(flow, stack);
@@ -136,7 +137,10 @@ void ExecutionTable::count(const Program& program, const CallGraph& calls, const
     if (isLive(b) && missing[b] == 0) close(b);
   }
   const auto propagate = [&](std::uint32_t block) {
-    runs_[block] = possible[block] == 0 ? Runs::Never : possible[block] > 1 ? Runs::Several : certain[block] > 0 ? Runs::Once : Runs::AtMostOnce;
+    runs_[block] = possible[block] == 0  ? Runs::Never
+                   : possible[block] > 1 ? Runs::Several
+                   : certain[block] > 0  ? Runs::Once
+                                         : Runs::AtMostOnce;
     for (const std::uint32_t s : calls.callsIn(block)) {
       const CallSite& site = calls.sites()[s];
       if (site.callee == noBlock || isDone[site.callee] != 0) continue;
@@ -148,7 +152,8 @@ void ExecutionTable::count(const Program& program, const CallGraph& calls, const
         if ((flow & condition::Always) != 0 && point.skippedBy == nullptr) certain[site.callee] += certain[block];
         Condition known = flow | conditions_[block];
         known &= condition::FirstScan | condition::Pulse;
-        conditions_[site.callee] = isFirst[site.callee] != 0 ? known : static_cast<Condition>(conditions_[site.callee] & known);
+        conditions_[site.callee] =
+            isFirst[site.callee] != 0 ? known : static_cast<Condition>(conditions_[site.callee] & known);
         isFirst[site.callee] = 0;
       }
       if (--missing[site.callee] == 0) close(site.callee);

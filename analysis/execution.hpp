@@ -15,9 +15,9 @@ namespace rungproof {
 enum class Runs : std::uint8_t { Never, AtMostOnce, Once, Several };
 
 struct ExecutionPoint {
-  bool isReachable = true;                    ///< some path from the start of its block leads here
-  bool inLoop = false;                        ///< between FOR and NEXT, or between a label and a jump back to it
-  const Instruction* skippedBy = nullptr;     ///< JMP, LSCR, CRET ... that may leave it out in a scan; null: none
+  bool isReachable = true;                 ///< some path from the start of its block leads here
+  bool inLoop = false;                     ///< between FOR and NEXT, or between a label and a jump back to it
+  const Instruction* skippedBy = nullptr;  ///< JMP, LSCR, CRET ... that may leave it out in a scan; null: none
 };
 
 class ExecutionTable {

@@ -37,7 +37,8 @@ Facts::Facts(const Program& program, std::span<const ExternalRange> externals)
     execution_ = ExecutionTable(program, plan_, calls_, stack_);
   }
   hasHiddenCode_ = std::any_of(program.pous.begin(), program.pous.end(), [](const Pou& pou) {
-    return pou.protectedBlock || std::any_of(pou.networks.begin(), pou.networks.end(), [](const Network& n) { return !n.complete; });
+    return pou.protectedBlock ||
+           std::any_of(pou.networks.begin(), pou.networks.end(), [](const Network& n) { return !n.complete; });
   });
   collectBoxes();
   collectSymbols();
@@ -78,11 +79,13 @@ void Facts::countUses() {
     std::vector<std::uint8_t>& counts = a.write ? writers_ : readers_;
     const std::uint32_t cell = cellOf(a);
     if (cell == cells.size()) continue;
-    const std::size_t end = (static_cast<std::size_t>(cell) + std::min(a.certainLength(), cells.length(a.area) - a.offset)) * 8;
+    const std::size_t end =
+        (static_cast<std::size_t>(cell) + std::min(a.certainLength(), cells.length(a.area) - a.offset)) * 8;
     const bool isBits = a.width == Width::Bit && !a.byNumber();
     const std::size_t start = static_cast<std::size_t>(cell) * 8 + (isBits ? std::min<unsigned>(a.bit, 7) : 0);
     const std::size_t stop = isBits ? std::min(start + a.count, end) : end;
-    for (std::size_t bit = start; bit < stop; ++bit) counts[bit] = static_cast<std::uint8_t>(std::min(counts[bit] + 1, 2));
+    for (std::size_t bit = start; bit < stop; ++bit)
+      counts[bit] = static_cast<std::uint8_t>(std::min(counts[bit] + 1, 2));
   }
 }
 
@@ -96,7 +99,8 @@ KnownBits Facts::pulseBits(const StackRun& first) const {
     if (flow == 0 || program_.pous[place.block].kind != PouKind::Main) continue;
     if (execution_.at(instruction.id).skippedBy != nullptr || !execution_.at(instruction.id).isReachable) continue;
     const Operand& o = instruction.operands[0];
-    if (o.kind != OperandKind::Direct || o.area == Area::L || o.area == Area::T || o.area == Area::C || o.bit > 7) continue;
+    if (o.kind != OperandKind::Direct || o.area == Area::L || o.area == Area::T || o.area == Area::C || o.bit > 7)
+      continue;
     const std::uint32_t cell = index_.cells().cell(o.area, o.offset, place.block);
     if (cell == index_.cells().size() || writers(cell, o.bit) != 1 || index_.mayBePointedTo(cell)) continue;
     bits.emplace(bitKey(o.area, o.offset, o.bit), flow);
@@ -165,7 +169,8 @@ std::string Facts::bitName(std::uint32_t key) const {
 
 std::string Facts::text(const Instruction& instruction) {
   std::string text(instruction.desc->stl);
-  for (std::size_t i = 0; i < instruction.operands.size(); ++i) text += (i == 0 ? " " : ", ") + toString(instruction.operands[i]);
+  for (std::size_t i = 0; i < instruction.operands.size(); ++i)
+    text += (i == 0 ? " " : ", ") + toString(instruction.operands[i]);
   return text;
 }
 

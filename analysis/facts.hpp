@@ -68,18 +68,25 @@ class Facts {
   bool hasHiddenCode() const { return hasHiddenCode_; }
 
   /// Ids of the boxes with that timer or counter number, in program order.
-  std::span<const std::uint32_t> timerBoxes(std::uint32_t number) const { return number < 256 ? std::span<const std::uint32_t>(timers_[number]) : std::span<const std::uint32_t>(); }
-  std::span<const std::uint32_t> counterBoxes(std::uint32_t number) const { return number < 256 ? std::span<const std::uint32_t>(counters_[number]) : std::span<const std::uint32_t>(); }
+  std::span<const std::uint32_t> timerBoxes(std::uint32_t number) const {
+    return number < 256 ? std::span<const std::uint32_t>(timers_[number]) : std::span<const std::uint32_t>();
+  }
+  std::span<const std::uint32_t> counterBoxes(std::uint32_t number) const {
+    return number < 256 ? std::span<const std::uint32_t>(counters_[number]) : std::span<const std::uint32_t>();
+  }
 
   /// What is known about the condition under which the instruction acts: its power flow and that of its block.
   Condition conditionOf(std::uint32_t id) const;
   /// Whether the cell is declared external: a panel, a network partner or a person may write and read it.
   bool isExternal(std::uint32_t cell) const { return external_[cell] != 0; }
-  /// Accesses that write the bit directly, 0, 1 or 2 for "more"; accesses through pointers and long blocks are not counted.
+  /// Accesses that write the bit directly, 0, 1 or 2 for "more"; accesses through pointers and long blocks are not
+  /// counted.
   int writers(std::uint32_t cell, unsigned bit) const { return writers_[cell * 8 + bit]; }
   /// The same for reads, without those of an instruction that reads only to change the place itself.
   int readers(std::uint32_t cell, unsigned bit) const { return readers_[cell * 8 + bit]; }
-  std::uint32_t cellOf(const Access& access) const { return index_.cells().cell(access.area, access.offset, blockOf(access.instruction)); }
+  std::uint32_t cellOf(const Access& access) const {
+    return index_.cells().cell(access.area, access.offset, blockOf(access.instruction));
+  }
 
   /// "Q0.1" for a bit of a cell.
   std::string bitName(std::uint32_t key) const;

@@ -70,7 +70,8 @@ std::vector<LibraryParameter> parametersOf(std::string_view text) {
     const std::string_view word = text.substr(0, text.find(' '));
     text.remove_prefix(std::min(text.size(), word.size() + 1));
     const std::size_t mark = word.find_first_of("<>");
-    parameters.push_back({word.substr(0, mark), word[mark] == '<' ? Direction::In : Direction::Out, typeOf(word.back()), word.back() == 'N'});
+    parameters.push_back({word.substr(0, mark), word[mark] == '<' ? Direction::In : Direction::Out, typeOf(word.back()),
+                          word.back() == 'N'});
   }
   return parameters;
 }

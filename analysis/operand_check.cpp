@@ -27,7 +27,8 @@ bool formIsAllowed(const OperandDesc& desc, const Operand& operand) {
   switch (operand.kind) {
     case OperandKind::Direct: return (desc.forms & form::area(operand.area)) != 0;
     case OperandKind::Indirect:
-      return pointerForm(operand.area) == 0 ? (desc.forms & form::Pointers) != 0 : (desc.forms & pointerForm(operand.area)) != 0;
+      return pointerForm(operand.area) == 0 ? (desc.forms & form::Pointers) != 0
+                                            : (desc.forms & pointerForm(operand.area)) != 0;
     case OperandKind::Address: return (desc.forms & form::Address) != 0;
     case OperandKind::Constant: return (desc.forms & form::Const) != 0;
     case OperandKind::Text: return desc.type == Type::String && (desc.forms & form::Const) != 0;
@@ -56,7 +57,8 @@ bool notationIsAllowed(const OperandDesc& desc, const Operand& operand) {
   if (operand.kind != OperandKind::Constant) return true;
   const bool isReal = operand.form == ConstantForm::Real;
   if (desc.type != Type::Real) return !isReal && operand.form != ConstantForm::Boolean;
-  const bool isPattern = operand.form == ConstantForm::Hex || operand.form == ConstantForm::Binary || operand.form == ConstantForm::Typed;
+  const bool isPattern =
+      operand.form == ConstantForm::Hex || operand.form == ConstantForm::Binary || operand.form == ConstantForm::Typed;
   return isReal || isPattern || operand.value == 0;
 }
 
@@ -81,7 +83,10 @@ std::string allowedForms(const OperandDesc& desc) {
     const Area area = static_cast<Area>(a);
     if ((desc.forms & form::area(area)) == 0) continue;
     const bool isFixed = isNumber(area);
-    words.push_back(fmt::format("{}{}", areaName(area), isFixed ? "" : area == Area::AI || area == Area::AQ ? "W" : suffix));
+    words.push_back(fmt::format("{}{}", areaName(area),
+                                isFixed                                ? ""
+                                : area == Area::AI || area == Area::AQ ? "W"
+                                                                       : suffix));
   }
   if ((desc.forms & form::PtrV) != 0) words.emplace_back("*VD");
   if ((desc.forms & form::PtrL) != 0) words.emplace_back("*LD");
@@ -89,7 +94,8 @@ std::string allowedForms(const OperandDesc& desc) {
   if ((desc.forms & form::Address) != 0) words.emplace_back("an address with &");
   if ((desc.forms & form::Const) != 0) words.emplace_back(desc.type == Type::String ? "a text" : "a constant");
   std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
   return text;
 }
 

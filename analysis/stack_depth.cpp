@@ -54,8 +54,8 @@ struct Entry {
   Condition flow = 0;
   Given given = Given::No;
   bool isRead = false;
-  bool isLowerInput = false;            ///< read by a box as its second or third input
-  bool isFromEditor = false;            ///< stored in L60-L63 for a call drawn as ladder (001:6809)
+  bool isLowerInput = false;  ///< read by a box as its second or third input
+  bool isFromEditor = false;  ///< stored in L60-L63 for a call drawn as ladder (001:6809)
 };
 
 /// An LPS that waits for its LPP, with the size of the stack right after it.
@@ -67,7 +67,8 @@ struct Bracket {
 class Run {
  public:
   using Inputs = std::unordered_map<std::uint32_t, std::vector<Condition>>;
-  Run(const Program& program, const KnownBits& known, std::vector<StackFault>& faults, std::vector<StackPoint>& points, Inputs& inputs)
+  Run(const Program& program, const KnownBits& known, std::vector<StackFault>& faults, std::vector<StackPoint>& points,
+      Inputs& inputs)
       : known_(known), faults_(faults), points_(points), inputs_(inputs), showsRungs_(!program.olderDialect) {}
 
   void block(const Flow& flow) {
@@ -104,7 +105,8 @@ class Run {
     const Entry* entry = level(k);
     return entry == nullptr || size() - 1 - k < flowsFrom_ ? 0 : entry->flow;
   }
-  void fault(StackFaultKind kind, const Instruction& at, const Instruction* other = nullptr, int found = 0, int needed = 0) {
+  void fault(StackFaultKind kind, const Instruction& at, const Instruction* other = nullptr, int found = 0,
+             int needed = 0) {
     faults_.push_back({kind, &at, other, found, needed});
   }
 
@@ -245,7 +247,8 @@ class Run {
   }
 
   void loadLevel(const Instruction& at) {
-    const auto n = at.operands.empty() ? 0 : static_cast<std::size_t>(std::clamp<std::int64_t>(at.operands[0].value, 0, 8));
+    const auto n =
+        at.operands.empty() ? 0 : static_cast<std::size_t>(std::clamp<std::int64_t>(at.operands[0].value, 0, 8));
     Entry* entry = level(n);
     if (entry == nullptr || (!isOwn(n) && entry->given == Given::No)) {
       fault(StackFaultKind::LdsBeyond, at, nullptr, static_cast<int>(ownLevels()), static_cast<int>(n));
@@ -264,7 +267,8 @@ class Run {
     for (std::size_t k = 0; k < needed; ++k) {
       Entry* entry = level(k);
       const bool isForeign = entry != nullptr && !isOwn(k);
-      const bool isLeftover = isForeign && (entry->given == Given::BlockEntry || entry->given == Given::Loop || (entry->given == Given::No && entry->isRead));
+      const bool isLeftover = isForeign && (entry->given == Given::BlockEntry || entry->given == Given::Loop ||
+                                            (entry->given == Given::No && entry->isRead));
       if (entry == nullptr || isLeftover) break;
       use(k, at);
       entry->isLowerInput = k > 0;
@@ -281,19 +285,20 @@ class Run {
   }
 
   /// Everything below a label comes from elsewhere on one of its paths.
-  void join() {
-    own_ = flowsFrom_ = size();
-  }
+  void join() { own_ = flowsFrom_ = size(); }
 
   void step(const Instruction& at, bool isTarget) {
     if (isTarget) join();
     const Desc& desc = *at.desc;
     const Kind kind = kindOf(desc);
-    points_[at.id] = {flowOf(0), static_cast<std::uint8_t>(std::min<std::size_t>(ownLevels(), 255)), entries_.empty() ? nullptr : entries_.back().by};
+    points_[at.id] = {flowOf(0), static_cast<std::uint8_t>(std::min<std::size_t>(ownLevels(), 255)),
+                      entries_.empty() ? nullptr : entries_.back().by};
     const bool isNegated = desc.stl.size() > 1 && desc.stl.back() == 'N';
     const bool isImmediateNegated = desc.stl.size() > 2 && desc.stl.ends_with("NI");
     const auto contact = [&] {
-      return at.operands.empty() || desc.execution == Execution::Compare ? Condition{0} : conditionOf(at.operands[0], isNegated || isImmediateNegated, known_);
+      return at.operands.empty() || desc.execution == Execution::Compare
+                 ? Condition{0}
+                 : conditionOf(at.operands[0], isNegated || isImmediateNegated, known_);
     };
     switch (kind) {
       case Kind::Load: return push(at, contact());
@@ -319,20 +324,17 @@ class Run {
   void control(const Instruction& at, const Desc& desc) {
     if (desc.eno) hasBox_ = true;
     switch (desc.control) {
-      case Control::Lscr:
-        inSegment_ = true;
-        return giveTop(Given::Segment, 0);
+      case Control::Lscr: inSegment_ = true; return giveTop(Given::Segment, 0);
       case Control::ScrEnd: inSegment_ = false; break;
-      case Control::For:
-        use(0, at);
-        return giveTop(Given::Loop, 0);
+      case Control::For: use(0, at); return giveTop(Given::Loop, 0);
       case Control::Next: return giveTop(Given::Loop, 0);
       default: break;
     }
     if (desc.stack.needs > 1) return boxInputs(at, desc.stack.needs);
     if (desc.stack.needs == 0) return;
     use(0, at);
-    const bool isStore = isCoil(kindOf(desc)) && !at.operands.empty() && at.operands[0].area == Area::L && at.operands[0].offset >= 60;
+    const bool isStore =
+        isCoil(kindOf(desc)) && !at.operands.empty() && at.operands[0].area == Area::L && at.operands[0].offset >= 60;
     if (isStore && !entries_.empty()) entries_.back().isFromEditor = true;
   }
 
@@ -342,13 +344,13 @@ class Run {
   Inputs& inputs_;
   bool showsRungs_;
   std::vector<Entry> entries_;
-  std::vector<Bracket> brackets_;       ///< open LPS of this network
-  std::vector<std::uint8_t> targets_;   ///< by step: a jump leads here
-  std::size_t own_ = 0;                 ///< entries below belong to earlier networks
-  std::size_t flowsFrom_ = 0;           ///< conditions of entries below are not known any more
+  std::vector<Bracket> brackets_;      ///< open LPS of this network
+  std::vector<std::uint8_t> targets_;  ///< by step: a jump leads here
+  std::size_t own_ = 0;                ///< entries below belong to earlier networks
+  std::size_t flowsFrom_ = 0;          ///< conditions of entries below are not known any more
   std::size_t foreignBrackets_ = 0;
-  bool isReported_ = false;             ///< FromBelow was reported for this network
-  bool hasBox_ = false;                 ///< a box with ENO stood in this network
+  bool isReported_ = false;  ///< FromBelow was reported for this network
+  bool hasBox_ = false;      ///< a box with ENO stood in this network
   bool inSegment_ = false;
 };
 
@@ -361,7 +363,8 @@ StackRun::StackRun(const Program& program, const Plan& plan, const KnownBits& kn
   // A network with an unreadable line has lost an instruction; what the stack misses there says nothing.
   std::vector<std::uint8_t> isDamaged(points_.size(), 0);
   for (const Flow& flow : plan.flows) {
-    for (const FlowStep& step : flow.steps) isDamaged[step.instruction->id] = !flow.pou->networks[step.network].complete;
+    for (const FlowStep& step : flow.steps)
+      isDamaged[step.instruction->id] = !flow.pou->networks[step.network].complete;
   }
   std::erase_if(faults_, [&](const StackFault& fault) { return isDamaged[fault.instruction->id] != 0; });
 }

@@ -23,25 +23,26 @@ inline constexpr int stackLevels = 9;
 /// What is known about a bit or about the power flow. Several may hold.
 using Condition = std::uint8_t;
 namespace condition {
-inline constexpr Condition Always = 1;     ///< 1 in every scan (SM0.0)
-inline constexpr Condition Never = 2;      ///< 0 in every scan
-inline constexpr Condition FirstScan = 4;  ///< 1 at most in the first scan after the change to RUN (SM0.1)
-inline constexpr Condition Pulse = 8;      ///< 1 for one scan at a time (EU, ED, SM0.1)
+inline constexpr Condition Always = 1;         ///< 1 in every scan (SM0.0)
+inline constexpr Condition Never = 2;          ///< 0 in every scan
+inline constexpr Condition FirstScan = 4;      ///< 1 at most in the first scan after the change to RUN (SM0.1)
+inline constexpr Condition Pulse = 8;          ///< 1 for one scan at a time (EU, ED, SM0.1)
 inline constexpr Condition ByArithmetic = 16;  ///< takes part: a status bit SM1.0-SM1.7
 }  // namespace condition
 
 enum class StackFaultKind : std::uint8_t {
-  TooDeep,         ///< a level was pushed out of the bottom and is used later; other: the use
-  FromBelow,       ///< a level that the network did not load; other: the load it comes from, if any
-  LrdWithoutLps, LppWithoutLps,
-  LpsNotPopped,    ///< LPS still open at the end of its network
-  Covered,         ///< LRD or LPP meets a level pushed after the LPS; other: the load of that level
-  LoadUnused,      ///< nothing ever uses the loaded value
-  TooFewInputs,    ///< a box needs `needed` levels and finds `found`
-  TooManyInputs,   ///< an unused level lies below the inputs of a box; other: its load
-  LdsBeyond,       ///< LDS copies level `needed`, only `found` are filled
+  TooDeep,    ///< a level was pushed out of the bottom and is used later; other: the use
+  FromBelow,  ///< a level that the network did not load; other: the load it comes from, if any
+  LrdWithoutLps,
+  LppWithoutLps,
+  LpsNotPopped,   ///< LPS still open at the end of its network
+  Covered,        ///< LRD or LPP meets a level pushed after the LPS; other: the load of that level
+  LoadUnused,     ///< nothing ever uses the loaded value
+  TooFewInputs,   ///< a box needs `needed` levels and finds `found`
+  TooManyInputs,  ///< an unused level lies below the inputs of a box; other: its load
+  LdsBeyond,      ///< LDS copies level `needed`, only `found` are filled
   AenoWithoutBox,
-  SecondRung       ///< a second rung begins in the network; other: first output of the rung before
+  SecondRung  ///< a second rung begins in the network; other: first output of the rung before
 };
 
 struct StackFault {
@@ -54,8 +55,8 @@ struct StackFault {
 
 /// What the run learned about one instruction.
 struct StackPoint {
-  Condition flow = 0;        ///< of the top of the stack in front of the instruction
-  std::uint8_t levels = 0;   ///< levels that its network has loaded, 0-255
+  Condition flow = 0;                   ///< of the top of the stack in front of the instruction
+  std::uint8_t levels = 0;              ///< levels that its network has loaded, 0-255
   const Instruction* source = nullptr;  ///< load or operation that made the top; null: given by the system, or unknown
 };
 

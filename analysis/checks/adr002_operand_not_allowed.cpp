@@ -32,25 +32,31 @@ std::string formText(const Operand& operand) {
   }
 }
 
-void checkOperand(const Facts& facts, FindingSink& sink, const Instruction& instruction, const OperandDesc& desc, const Operand& operand) {
+void checkOperand(const Facts& facts, FindingSink& sink, const Instruction& instruction, const OperandDesc& desc,
+                  const Operand& operand) {
   const auto report = [&](std::string message) {
     Finding& finding = sink.report(operand.span, std::move(message));
     finding.address = toString(operand);
-    finding.help = fmt::format("{} of {} takes {} ({})", desc.name, instruction.desc->stl, allowedForms(desc), instruction.desc->manual);
+    finding.help = fmt::format("{} of {} takes {} ({})", desc.name, instruction.desc->stl, allowedForms(desc),
+                               instruction.desc->manual);
   };
   if (isSpokenByOthers(desc, operand)) return;
   if (!formIsAllowed(desc, operand)) {
-    report(fmt::format("{} does not take {} as {}: {} is not allowed there", instruction.desc->stl, toString(operand), desc.name, formText(operand)));
+    report(fmt::format("{} does not take {} as {}: {} is not allowed there", instruction.desc->stl, toString(operand),
+                       desc.name, formText(operand)));
   } else if (!widthIsAllowed(desc, operand)) {
-    report(fmt::format("{} needs {} as {}, but {} is {}", instruction.desc->stl, widthName(widthOf(desc.type)), desc.name, toString(operand),
-                       widthName(operand.width)));
+    report(fmt::format("{} needs {} as {}, but {} is {}", instruction.desc->stl, widthName(widthOf(desc.type)),
+                       desc.name, toString(operand), widthName(operand.width)));
   } else if (!notationIsAllowed(desc, operand)) {
-    const std::string_view wanted = desc.type == Type::Real ? "a real number such as 5.0" : desc.type == Type::String ? "a text in double quotes" : "a whole number";
+    const std::string_view wanted = desc.type == Type::Real     ? "a real number such as 5.0"
+                                    : desc.type == Type::String ? "a text in double quotes"
+                                                                : "a whole number";
     report(fmt::format("{} needs {} as {}, not {}", instruction.desc->stl, wanted, desc.name, toString(operand)));
   } else if (operand.kind == OperandKind::Address && facts.target().edition == Edition::Edition2003 &&
              (operand.area == Area::SM || operand.area == Area::AI || operand.area == Area::AQ)) {
-    report(fmt::format("{} in {} is not in the operand list of the 2003 edition (000:7587), only in that of 2004 (001:5619)", toString(operand),
-                       instruction.desc->stl));
+    report(fmt::format(
+        "{} in {} is not in the operand list of the 2003 edition (000:7587), only in that of 2004 (001:5619)",
+        toString(operand), instruction.desc->stl));
   }
 }
 
@@ -72,8 +78,10 @@ extern constexpr Rule adr002_operand_not_allowed = {
     .title = "Area or width not allowed here",
     .severity = Severity::Error,
     .needs = Needs::Text,
-    .detects = "an operand whose area, width or kind of constant is not in the operand list of its instruction: an immediate contact on anything "
-               "but I, an immediate coil on anything but Q, a constant as an output, a byte where a word is due",
+    .detects =
+        "an operand whose area, width or kind of constant is not in the operand list of its instruction: an immediate "
+        "contact on anything "
+        "but I, an immediate coil on anything but Q, a constant as an output, a byte where a word is due",
     .why = "each instruction has its own list of operands; the download is refused with error 0090",
     .manual = "001:2747-2752, 001:2808-2813, 001:13996",
     .bad = "Network 1\nLD I0.0\n=I M0.0\n",

@@ -24,9 +24,11 @@ void check(const Facts& facts, FindingSink& sink) {
     const std::string_view reason = isStatus                  ? "SM0.0 to SM29.7 are read-only (001:2652)"
                                     : access.area == Area::AI ? "analogue inputs are read-only (001:2647)"
                                                               : "the value of a fast counter is read-only (001:1336)";
-    Finding& finding = sink.report(operand.span, fmt::format("{} writes {}, but {}", Facts::text(instruction), toString(operand), reason));
+    Finding& finding = sink.report(
+        operand.span, fmt::format("{} writes {}, but {}", Facts::text(instruction), toString(operand), reason));
     finding.address = toString(operand);
-    finding.help = access.area == Area::HC ? "load the new current value through its SM double word and HSC (001:4308)" : "write to M or V memory instead";
+    finding.help = access.area == Area::HC ? "load the new current value through its SM double word and HSC (001:4308)"
+                                           : "write to M or V memory instead";
   }
 }
 

@@ -12,10 +12,13 @@ namespace {
 
 void check(const Facts& facts, FindingSink& sink) {
   for (const Access& access : facts.accesses().all()) {
-    if (access.write || access.maybe || access.viaPointer || access.area != Area::AQ || access.operand == impliedOperand) continue;
+    if (access.write || access.maybe || access.viaPointer || access.area != Area::AQ ||
+        access.operand == impliedOperand)
+      continue;
     const Instruction& instruction = facts.instruction(access.instruction);
     const Operand& operand = instruction.operands[access.operand];
-    Finding& finding = sink.report(operand.span, fmt::format("{} reads {}, but analogue outputs can only be written", Facts::text(instruction), toString(operand)));
+    Finding& finding = sink.report(operand.span, fmt::format("{} reads {}, but analogue outputs can only be written",
+                                                             Facts::text(instruction), toString(operand)));
     finding.address = toString(operand);
     finding.help = "keep the value in a word of V or M memory and copy it to the output from there";
   }

@@ -19,7 +19,8 @@ int shiftedBits(const Instruction& instruction) { return bits(widthOf(instructio
 void checkOperand(const Facts& facts, FindingSink& sink, const Instruction& instruction, std::size_t i) {
   const OperandDesc& desc = instruction.desc->operands[i];
   const Operand& operand = instruction.operands[i];
-  if (operand.kind != OperandKind::Constant || operand.form == ConstantForm::Real || !notationIsAllowed(desc, operand)) return;
+  if (operand.kind != OperandKind::Constant || operand.form == ConstantForm::Real || !notationIsAllowed(desc, operand))
+    return;
   const Kind kind = kindOf(instruction);
   const std::int64_t value = kind == Kind::Shrb ? signedByteValue(operand.value) : operand.value;
   const auto report = [&](std::string message) -> Finding& {
@@ -30,24 +31,28 @@ void checkOperand(const Facts& facts, FindingSink& sink, const Instruction& inst
   if (desc.hasRanges()) {
     if (valueIsInRange(desc, value, everyCpu)) return;  // some CPU has it: ADR009 asks whether this one has
     const std::string limits = rangesText(desc, facts.target().cpu);
-    report(fmt::format("{} of {} must be {}, not {}", desc.name, Facts::text(instruction), limits, operand.value)).help =
-        fmt::format("the limit stands with the instruction ({}); error 0092 or 0090 at download", instruction.desc->manual);
+    report(fmt::format("{} of {} must be {}, not {}", desc.name, Facts::text(instruction), limits, operand.value))
+        .help = fmt::format("the limit stands with the instruction ({}); error 0092 or 0090 at download",
+                            instruction.desc->manual);
     return;
   }
   const std::optional<TypeLimits> limits = typeLimits(desc.type);
   if (limits && (value < limits->low || value > limits->high)) {
-    report(fmt::format("{} of {} does not hold {}: {} has {} bits", desc.name, Facts::text(instruction), toString(operand),
-                       widthName(widthOf(desc.type)), bits(widthOf(desc.type)))).help = "use a smaller constant or a wider instruction";
+    report(fmt::format("{} of {} does not hold {}: {} has {} bits", desc.name, Facts::text(instruction),
+                       toString(operand), widthName(widthOf(desc.type)), bits(widthOf(desc.type))))
+        .help = "use a smaller constant or a wider instruction";
     return;
   }
   if (kind == Kind::Shift && i == 1 && value >= shiftedBits(instruction)) {
-    Finding& finding = report(fmt::format("{} shifts {} bits by {}: nothing of the value is left", Facts::text(instruction), shiftedBits(instruction), value));
+    Finding& finding = report(fmt::format("{} shifts {} bits by {}: nothing of the value is left",
+                                          Facts::text(instruction), shiftedBits(instruction), value));
     finding.severity = Severity::Warning;
     finding.help = "the count is cut to the width (001:5925); use MOV with 0 if the value is to be cleared";
   }
   const bool isIndex = kind == Kind::StringConvert || kind == Kind::StringPart;
   if (isIndex && i == 1 && value == 0) {
-    report(fmt::format("INDX of {} is 0; characters of a string are counted from 1", Facts::text(instruction))).help = "error 009B (001:14005)";
+    report(fmt::format("INDX of {} is 0; characters of a string are counted from 1", Facts::text(instruction))).help =
+        "error 009B (001:14005)";
   }
 }
 
@@ -66,9 +71,12 @@ extern constexpr Rule adr006_constant_outside_limit = {
     .title = "Constant outside its own limit",
     .severity = Severity::Error,
     .needs = Needs::Text,
-    .detects = "a constant that its operand does not take: N of S and R not 1-255, of SI and RI not 1-128, SHRB longer than 64, FILL and block moves "
-               "not 1-255, label above 255, PID loop above 7, depth of LDS above 8, string index 0; a constant too large for its type; a shift "
-               "count that leaves nothing",
+    .detects =
+        "a constant that its operand does not take: N of S and R not 1-255, of SI and RI not 1-128, SHRB longer than "
+        "64, FILL and block moves "
+        "not 1-255, label above 255, PID loop above 7, depth of LDS above 8, string index 0; a constant too large for "
+        "its type; a shift "
+        "count that leaves nothing",
     .why = "the limits stand with each instruction; the download is refused with error 0092",
     .manual = "001:2789, 001:2800, 001:6024, 001:6385, 001:2665, 001:2669, 001:2859, 001:5925, 001:13998",
     .bad = "Network 1\nLD I0.0\nSI Q0.0, 200\n",

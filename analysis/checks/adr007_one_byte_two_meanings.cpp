@@ -30,7 +30,9 @@ Uses collect(const Facts& facts) {
   Uses uses;
   uses.at.resize(cells.size());
   for (const Access& access : facts.accesses().all()) {
-    if (access.viaPointer || access.maybe || access.width == Width::Bit || access.byNumber() || access.most > 1 || access.operand == impliedOperand) continue;
+    if (access.viaPointer || access.maybe || access.width == Width::Bit || access.byNumber() || access.most > 1 ||
+        access.operand == impliedOperand)
+      continue;
     if (access.area == Area::I || access.area == Area::AI || access.area == Area::AQ) continue;
     const std::uint32_t cell = facts.cellOf(access);
     if (cell == cells.size()) continue;
@@ -46,13 +48,17 @@ void reportOverlap(const Facts& facts, FindingSink& sink, const Access& low, con
   const Access& earlier = &later == &low ? high : low;
   const Instruction& instruction = facts.instruction(later.instruction);
   const std::uint32_t shared = low.offset + low.certainLength() - high.offset;
-  Finding& finding = sink.report(instruction.operands[later.operand].span,
-                                 fmt::format("{} in {} shares {} with {} but is neither a part of it nor the whole", accessName(later),
-                                             Facts::text(instruction), shared == 1 ? std::string("one byte") : fmt::format("{} bytes", shared), accessName(earlier)));
+  Finding& finding = sink.report(
+      instruction.operands[later.operand].span,
+      fmt::format("{} in {} shares {} with {} but is neither a part of it nor the whole", accessName(later),
+                  Facts::text(instruction), shared == 1 ? std::string("one byte") : fmt::format("{} bytes", shared),
+                  accessName(earlier)));
   finding.address = accessName(later);
   const Instruction& other = facts.instruction(earlier.instruction);
-  finding.related.push_back({other.operands[earlier.operand].span, fmt::format("{} is used here", accessName(earlier))});
-  finding.help = "words need two bytes each and double words four: leave that distance between addresses (001:1272-1277)";
+  finding.related.push_back(
+      {other.operands[earlier.operand].span, fmt::format("{} is used here", accessName(earlier))});
+  finding.help =
+      "words need two bytes each and double words four: leave that distance between addresses (001:1272-1277)";
 }
 
 /// A word that only arithmetic or moves of words write, and of which nothing but the upper byte is ever read.
@@ -71,12 +77,14 @@ void reportUpperHalf(const Facts& facts, FindingSink& sink, const Uses& uses, st
     }
   }
   const Instruction& instruction = facts.instruction(upper.first->instruction);
-  Finding& finding = sink.report(instruction.operands[upper.first->operand].span,
-                                 fmt::format("{} reads {}, the upper byte of {}; the lower byte, which holds the values 0 to 255, is {}",
-                                             Facts::text(instruction), accessName(*upper.first), accessName(*word.write),
-                                             addressName(word.write->area, Width::Byte, word.write->offset + 1)));
+  Finding& finding = sink.report(
+      instruction.operands[upper.first->operand].span,
+      fmt::format("{} reads {}, the upper byte of {}; the lower byte, which holds the values 0 to 255, is {}",
+                  Facts::text(instruction), accessName(*upper.first), accessName(*word.write),
+                  addressName(word.write->area, Width::Byte, word.write->offset + 1)));
   finding.address = accessName(*upper.first);
-  finding.related.push_back({facts.instruction(word.write->instruction).span, fmt::format("{} is written as a word here", accessName(*word.write))});
+  finding.related.push_back({facts.instruction(word.write->instruction).span,
+                             fmt::format("{} is written as a word here", accessName(*word.write))});
   finding.help = "the lower address holds the more significant byte (001:14372)";
 }
 
@@ -91,7 +99,9 @@ void check(const Facts& facts, FindingSink& sink) {
       for (std::uint32_t distance = 1; distance < length && cell + distance < cells.size(); ++distance) {
         for (const Width otherWidth : {Width::Word, Width::DWord}) {
           const Use& high = uses.at[cell + distance][column(otherWidth)];
-          if (high.first == nullptr || high.first->area != low.first->area || high.first->offset != low.first->offset + distance) continue;
+          if (high.first == nullptr || high.first->area != low.first->area ||
+              high.first->offset != low.first->offset + distance)
+            continue;
           const bool isInside = distance + static_cast<std::uint32_t>(bytes(otherWidth)) <= length;
           if (isInside || (low.write == nullptr && high.write == nullptr)) continue;
           reportOverlap(facts, sink, *low.first, *high.first);
@@ -109,9 +119,13 @@ extern constexpr Rule adr007_one_byte_two_meanings = {
     .title = "One byte, two meanings",
     .severity = Severity::Warning,
     .needs = Needs::Flow,
-    .detects = "two word or double word operands that overlap by a part of their bytes (VW100 and VW101), one of them written; a word of which "
-               "only the upper byte is read",
-    .why = "V, M, L, S and SM are one array of bytes seen at four widths; there are no declarations which would show the overlap",
+    .detects =
+        "two word or double word operands that overlap by a part of their bytes (VW100 and VW101), one of them "
+        "written; a word of which "
+        "only the upper byte is read",
+    .why =
+        "V, M, L, S and SM are one array of bytes seen at four widths; there are no declarations which would show the "
+        "overlap",
     .manual = "001:1272-1277",
     .bad = "Network 1\nLD SM0.0\nMOVW +1, VW100\nMOVW +2, VW101\n",
     .good = "Network 1\nLD SM0.0\nMOVW +1, VW100\nMOVW +2, VW102\n",

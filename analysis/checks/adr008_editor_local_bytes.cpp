@@ -14,7 +14,8 @@ namespace {
 constexpr std::uint32_t firstReserved = 60;
 
 bool isReserved(const Access& access) {
-  return access.area == Area::L && !access.viaPointer && access.offset + access.certainLength() > firstReserved && access.operand != impliedOperand;
+  return access.area == Area::L && !access.viaPointer && access.offset + access.certainLength() > firstReserved &&
+         access.operand != impliedOperand;
 }
 
 /// What the editor writes: a bit stored by = and read in the same network by LD or as a parameter.
@@ -35,14 +36,17 @@ void check(const Facts& facts, FindingSink& sink) {
     network = here;
     for (const Access& access : facts.accesses().of(place.instruction->id)) {
       if (!isReserved(access)) continue;
-      const bool isBit = access.width == Width::Bit && access.offset >= firstReserved && access.offset < 64 && access.bit < 8;
+      const bool isBit =
+          access.width == Width::Bit && access.offset >= firstReserved && access.offset < 64 && access.bit < 8;
       std::uint32_t* stored = isBit ? &storedIn[(access.offset - firstReserved) * 8 + access.bit] : nullptr;
       const bool isEditors = stored != nullptr && isEditorForm(facts, access) && (access.write || *stored == position);
       if (stored != nullptr && access.write) *stored = position;
       if (isEditors) continue;
       const Operand& operand = place.instruction->operands[access.operand];
-      Finding& finding = sink.report(operand.span, fmt::format("{} uses {}; LB60 to LB63 belong to Micro/WIN when a program is shown as LAD or FBD",
-                                                               Facts::text(*place.instruction), toString(operand)));
+      Finding& finding =
+          sink.report(operand.span,
+                      fmt::format("{} uses {}; LB60 to LB63 belong to Micro/WIN when a program is shown as LAD or FBD",
+                                  Facts::text(*place.instruction), toString(operand)));
       finding.address = toString(operand);
       finding.help = "use LB0 to LB59 (001:1364, 001:2672)";
       break;
@@ -52,8 +56,9 @@ void check(const Facts& facts, FindingSink& sink) {
     for (const LocalVariable& local : pou.locals) {
       const std::uint32_t end = local.address.offset + static_cast<std::uint32_t>(bytes(local.address.width));
       if (local.address.area != Area::L || end <= firstReserved) continue;
-      Finding& finding = sink.report(local.span, fmt::format("local variable {} of {} lies at {}, in the bytes that belong to Micro/WIN", local.name,
-                                                             pou.name, toString(local.address)));
+      Finding& finding = sink.report(
+          local.span, fmt::format("local variable {} of {} lies at {}, in the bytes that belong to Micro/WIN",
+                                  local.name, pou.name, toString(local.address)));
       finding.address = toString(local.address);
       finding.help = "a block has 60 bytes for its own variables (001:1362-1364)";
     }
@@ -67,8 +72,11 @@ extern constexpr Rule adr008_editor_local_bytes = {
     .title = "Local bytes reserved by the editor",
     .severity = Severity::Warning,
     .needs = Needs::Text,
-    .detects = "use of LB60-LB63 other than the stores and loads that Micro/WIN itself makes around a CALL drawn as ladder",
-    .why = "the last four local bytes belong to Micro/WIN when the program is shown as LAD or FBD: it stores the power flow of calls there",
+    .detects =
+        "use of LB60-LB63 other than the stores and loads that Micro/WIN itself makes around a CALL drawn as ladder",
+    .why =
+        "the last four local bytes belong to Micro/WIN when the program is shown as LAD or FBD: it stores the power "
+        "flow of calls there",
     .manual = "001:1364, 001:2672, 001:6809",
     .bad = "Network 1\nLD SM0.0\nMOVB VB0, LB62\n",
     .good = "Network 1\nLD SM0.0\nMOVB VB0, LB10\n",

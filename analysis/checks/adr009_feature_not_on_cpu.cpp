@@ -23,7 +23,8 @@ class Checker {
     if ((desc.cpus & cpuBit(target.cpu)) == 0) {
       report(instruction.mnemonic, fmt::format("the {} has no instruction {} ({})", cpu(), desc.stl, desc.manual));
     } else if (desc.since2004 && target.edition == Edition::Edition2003) {
-      report(instruction.mnemonic, fmt::format("{} does not exist in the 2003 edition; it came with 2004 (001:130)", desc.stl));
+      report(instruction.mnemonic,
+             fmt::format("{} does not exist in the 2003 edition; it came with 2004 (001:130)", desc.stl));
     }
     const std::size_t count = std::min<std::size_t>(instruction.operands.size(), desc.operandCount);
     for (std::size_t i = 0; i < count; ++i) operand(instruction, i);
@@ -41,35 +42,45 @@ class Checker {
   void operand(const Instruction& instruction, std::size_t i) {
     const Operand& operand = instruction.operands[i];
     const OperandDesc& desc = instruction.desc->operands[i];
-    if (operand.kind == OperandKind::Direct && operand.area == Area::HC) return fastCounter(instruction, operand, static_cast<int>(operand.offset));
+    if (operand.kind == OperandKind::Direct && operand.area == Area::HC)
+      return fastCounter(instruction, operand, static_cast<int>(operand.offset));
     if (operand.kind != OperandKind::Constant || operand.form == ConstantForm::Real) return;
     const int value = static_cast<int>(std::clamp<std::int64_t>(operand.value, -1, 100000));
     const Kind kind = kindOf(instruction);
     if ((kind == Kind::Hsc || kind == Kind::Hdef) && i == 0) return fastCounter(instruction, operand, value);
     if (desc.type == Type::Subroutine) return subroutine(instruction, operand, value);
     if (desc.name == "EVNT") return event(instruction, operand, value);
-    if (!desc.hasRanges() || !valueIsInRange(desc, operand.value, everyCpu) || valueIsInRange(desc, operand.value, cpuBit(facts_.target().cpu))) return;
+    if (!desc.hasRanges() || !valueIsInRange(desc, operand.value, everyCpu) ||
+        valueIsInRange(desc, operand.value, cpuBit(facts_.target().cpu)))
+      return;
     report(operand.span, fmt::format("{} of {} must be {} on the {}, not {} ({})", desc.name, Facts::text(instruction),
-                                     rangesText(desc, facts_.target().cpu), cpu(), value, instruction.desc->manual)).address = toString(operand);
+                                     rangesText(desc, facts_.target().cpu), cpu(), value, instruction.desc->manual))
+        .address = toString(operand);
   }
 
   void fastCounter(const Instruction& instruction, const Operand& operand, int number) {
     if (number < 0 || number > 5 || hscExists(facts_.target(), number)) return;
-    report(operand.span, fmt::format("the {} has no fast counter HSC{}, which {} needs (001:4166-4168; tables 6-1 and 6-2 print HC0 to HC5, 001:2662, 001:2716)",
-                                     cpu(), number, Facts::text(instruction))).address = toString(operand);
+    report(operand.span, fmt::format("the {} has no fast counter HSC{}, which {} needs (001:4166-4168; tables 6-1 and "
+                                     "6-2 print HC0 to HC5, 001:2662, 001:2716)",
+                                     cpu(), number, Facts::text(instruction)))
+        .address = toString(operand);
   }
 
   void event(const Instruction& instruction, const Operand& operand, int number) {
     if (number < 0 || number > 33 || eventExists(facts_.target(), number)) return;
-    report(operand.span, fmt::format("the {} has no interrupt event {}, which {} names (001:5366)", cpu(), number, Facts::text(instruction))).address = toString(operand);
+    report(operand.span, fmt::format("the {} has no interrupt event {}, which {} names (001:5366)", cpu(), number,
+                                     Facts::text(instruction)))
+        .address = toString(operand);
   }
 
   void subroutine(const Instruction& instruction, const Operand& operand, int number) {
     if (number < features_.subroutines || number > 127) return;
     const bool isDisputed = facts_.target().cpu == Cpu::Cpu224XP;
-    Finding& finding = report(operand.span, fmt::format("{} names subroutine {}; the {} has {} of them, numbers 0 to {} (001:2666{})", Facts::text(instruction),
-                                                        number, cpu(), features_.subroutines, features_.subroutines - 1,
-                                                        isDisputed ? "; table 6-78 gives 0 to 127, 001:6751" : ""));
+    Finding& finding =
+        report(operand.span,
+               fmt::format("{} names subroutine {}; the {} has {} of them, numbers 0 to {} (001:2666{})",
+                           Facts::text(instruction), number, cpu(), features_.subroutines, features_.subroutines - 1,
+                           isDisputed ? "; table 6-78 gives 0 to 127, 001:6751" : ""));
     finding.address = toString(operand);
     if (!isDisputed) return;
     finding.severity = Severity::Warning;
@@ -78,7 +89,9 @@ class Checker {
 
   void clock(const Instruction& instruction) {
     if (features_.clockBuiltIn) return;
-    Finding& finding = report(instruction.span, fmt::format("{} needs a clock; the {} has one only as a plug-in module (001:565)", Facts::text(instruction), cpu()));
+    Finding& finding =
+        report(instruction.span, fmt::format("{} needs a clock; the {} has one only as a plug-in module (001:565)",
+                                             Facts::text(instruction), cpu()));
     finding.severity = Severity::Warning;
     finding.help = "without the module the instruction ends with error 000C (001:13960)";
   }
@@ -100,15 +113,19 @@ extern constexpr Rule adr009_feature_not_on_cpu = {
     .title = "Feature not on this CPU",
     .severity = Severity::Error,
     .needs = Needs::Text,
-    .detects = "HSC1 or HSC2 on a 221 or 222, port 1 on a 221, 222 or 224, an interrupt event or subroutine number which the CPU lacks, an "
-               "instruction newer than the chosen edition, the clock on a CPU that has it only as a module",
+    .detects =
+        "HSC1 or HSC2 on a 221 or 222, port 1 on a 221, 222 or 224, an interrupt event or subroutine number which the "
+        "CPU lacks, an "
+        "instruction newer than the chosen edition, the clock on a CPU that has it only as a module",
     .why = "the program is refused at download with a general error 0082 or 0090",
     .manual = "001:4166, 001:2670, 001:5366, 001:2666, 001:6751, 001:565",
     .bad = "Network 1\nLD SM0.1\nMOVB 16#F8, SMB47\nHDEF 1, 0\nHSC 1\n",
     .good = "Network 1\nLD SM0.1\nMOVB 16#F8, SMB37\nHDEF 0, 0\nHSC 0\n",
     .exampleCpu = "222",
-    .falsePositives = "a program for another CPU than the chosen one: name it with --cpu; subroutine numbers above 63 on a 224XP, where the manual "
-                      "contradicts itself",
+    .falsePositives =
+        "a program for another CPU than the chosen one: name it with --cpu; subroutine numbers above 63 on a 224XP, "
+        "where the manual "
+        "contradicts itself",
     .dialects = dialect::S7200,
     .check = check,
 };

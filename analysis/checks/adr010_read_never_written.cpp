@@ -19,7 +19,8 @@ bool isWritten(const Facts& facts, const Access& access) {
   for (std::uint32_t k = 0; k < access.certainLength(); ++k) {
     const std::uint32_t cell = start + k;
     if (cell >= cells.size() || facts.index().isWrittenAtLarge(cell) || facts.isExternal(cell)) return true;
-    const unsigned low = access.width == Width::Bit ? access.bit : 0, high = access.width == Width::Bit ? access.bit : 7;
+    const unsigned low = access.width == Width::Bit ? access.bit : 0,
+                   high = access.width == Width::Bit ? access.bit : 7;
     for (unsigned bit = low; bit <= high && bit < 8; ++bit) {
       if (facts.writers(cell, bit) > 0) return true;
     }
@@ -31,19 +32,24 @@ void check(const Facts& facts, FindingSink& sink) {
   if (facts.hasHiddenCode()) return;
   std::unordered_set<std::uint64_t> seen;
   for (const Access& access : facts.accesses().all()) {
-    if (access.write || access.maybe || access.viaPointer || access.operand == impliedOperand || access.bit > 7) continue;
+    if (access.write || access.maybe || access.viaPointer || access.operand == impliedOperand || access.bit > 7)
+      continue;
     if (access.area != Area::V && access.area != Area::M && access.area != Area::S) continue;
     const Instruction& instruction = facts.instruction(access.instruction);
     const Desc& desc = *instruction.desc;
     if (desc.control == Control::Lscr || access.most > access.count) continue;
-    const bool isOwn = access.operand < desc.operandCount && desc.operands[access.operand].direction == Direction::InOut;
+    const bool isOwn =
+        access.operand < desc.operandCount && desc.operands[access.operand].direction == Direction::InOut;
     if (isOwn || isWritten(facts, access)) continue;
-    const std::uint64_t key = static_cast<std::uint64_t>(facts.cellOf(access)) << 8 | static_cast<std::uint64_t>(access.width) << 4 | access.bit;
+    const std::uint64_t key = static_cast<std::uint64_t>(facts.cellOf(access)) << 8 |
+                              static_cast<std::uint64_t>(access.width) << 4 | access.bit;
     if (!seen.insert(key).second) continue;
     const Operand& operand = instruction.operands[access.operand];
-    Finding& finding = sink.report(operand.span, fmt::format("{} reads {}, which nothing in the program writes", Facts::text(instruction), facts.name(operand)));
+    Finding& finding = sink.report(operand.span, fmt::format("{} reads {}, which nothing in the program writes",
+                                                             Facts::text(instruction), facts.name(operand)));
     finding.address = toString(operand);
-    finding.help = fmt::format("correct the address; if a panel or a network writes it, say so with //@ external {}", toString(operand));
+    finding.help = fmt::format("correct the address; if a panel or a network writes it, say so with //@ external {}",
+                               toString(operand));
   }
 }
 
@@ -54,12 +60,15 @@ extern constexpr Rule adr010_read_never_written = {
     .title = "Read but never written",
     .severity = Severity::Warning,
     .needs = Needs::Flow,
-    .detects = "a V, M or S address, or the preset of a timer or counter, that is read although nothing writes it and it is not declared external",
+    .detects =
+        "a V, M or S address, or the preset of a timer or counter, that is read although nothing writes it and it is "
+        "not declared external",
     .why = "it reads 0 after the first start, or an old retentive value; M0 to M13 are not retentive unless configured",
     .manual = "001:1619, 001:1623-1625",
     .bad = "Network 1\nLD M1.0\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\n= M1.0\nNetwork 2\nLD M1.0\n= Q0.0\n",
-    .falsePositives = "values from an operator panel, a network partner or another tool: declare them with //@ external VB100..VB199",
+    .falsePositives =
+        "values from an operator panel, a network partner or another tool: declare them with //@ external VB100..VB199",
     .peers = "CP3; Frama-PLC missing inputs",
     .dialects = dialect::S7200,
     .check = check,

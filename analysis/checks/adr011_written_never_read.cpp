@@ -11,7 +11,9 @@ namespace rungproof {
 
 namespace {
 
-bool isStorage(Area area) { return area == Area::V || area == Area::M || area == Area::S || area == Area::L || area == Area::T || area == Area::C; }
+bool isStorage(Area area) {
+  return area == Area::V || area == Area::M || area == Area::S || area == Area::L || area == Area::T || area == Area::C;
+}
 
 bool isRead(const Facts& facts, const Access& access) {
   const CellMap& cells = facts.index().cells();
@@ -54,18 +56,25 @@ void check(const Facts& facts, FindingSink& sink) {
   if (facts.hasHiddenCode()) return;
   std::unordered_set<std::uint64_t> seen;
   for (const Access& access : facts.accesses().all()) {
-    if (!access.write || access.maybe || access.viaPointer || access.operand == impliedOperand || access.bit > 7) continue;
+    if (!access.write || access.maybe || access.viaPointer || access.operand == impliedOperand || access.bit > 7)
+      continue;
     if (!isStorage(access.area) || (access.byNumber() && !access.isBox)) continue;
     if (access.most > access.count || isParameter(facts, access)) continue;
-    const std::uint64_t key = static_cast<std::uint64_t>(facts.cellOf(access)) << 8 | static_cast<std::uint64_t>(access.isBox ? Width::Bit : access.width) << 4 | access.bit;
+    const std::uint64_t key = static_cast<std::uint64_t>(facts.cellOf(access)) << 8 |
+                              static_cast<std::uint64_t>(access.isBox ? Width::Bit : access.width) << 4 | access.bit;
     if (!seen.insert(key).second || isRead(facts, access) || hasEvent(facts, access)) continue;
     const Instruction& instruction = facts.instruction(access.instruction);
     const Operand& operand = instruction.operands[access.operand];
-    const std::string text = access.isBox ? fmt::format("neither the bit nor the value of {} is used anywhere", facts.name(operand))
-                                          : fmt::format("{} writes {}, which nothing reads", Facts::text(instruction), facts.name(operand));
+    const std::string text =
+        access.isBox ? fmt::format("neither the bit nor the value of {} is used anywhere", facts.name(operand))
+                     : fmt::format("{} writes {}, which nothing reads", Facts::text(instruction), facts.name(operand));
     Finding& finding = sink.report(operand.span, text);
     finding.address = toString(operand);
-    finding.help = access.isBox ? "remove the box, or correct the number" : fmt::format("correct the address or remove the write; if a panel reads it, say so with //@ external {}", toString(operand));
+    finding.help =
+        access.isBox
+            ? "remove the box, or correct the number"
+            : fmt::format("correct the address or remove the write; if a panel reads it, say so with //@ external {}",
+                          toString(operand));
   }
 }
 
@@ -76,7 +85,9 @@ extern constexpr Rule adr011_written_never_read = {
     .title = "Written but never read",
     .severity = Severity::Note,
     .needs = Needs::Flow,
-    .detects = "a V, M, S or L address, a timer or a counter that is written or run although nothing reads it and it is not declared external",
+    .detects =
+        "a V, M, S or L address, a timer or a counter that is written or run although nothing reads it and it is not "
+        "declared external",
     .why = "dead memory, and usually the other end of an address that was mistyped",
     .bad = "Network 1\nLD I0.0\n= M5.0\n",
     .good = "Network 1\nLD I0.0\n= M5.0\nNetwork 2\nLD M5.0\n= Q0.0\n",

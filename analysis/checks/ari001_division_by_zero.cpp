@@ -1,5 +1,5 @@
-// ARI001: a divisor that is 0 or may be. Divisors that a comparison in the same rung keeps from 0, or that only constants
-// other than 0 are moved into, are safe; the rest is the prover's. Tested by its examples and
+// ARI001: a divisor that is 0 or may be. Divisors that a comparison in the same rung keeps from 0, or that only
+// constants other than 0 are moved into, are safe; the rest is the prover's. Tested by its examples and
 // tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
@@ -12,7 +12,9 @@ namespace rungproof {
 
 namespace {
 
-bool isDivision(Kind kind) { return kind == Kind::Div || kind == Kind::DivInt || kind == Kind::DivDInt || kind == Kind::DivReal; }
+bool isDivision(Kind kind) {
+  return kind == Kind::Div || kind == Kind::DivInt || kind == Kind::DivDInt || kind == Kind::DivReal;
+}
 
 bool samePlace(const Operand& a, const Operand& b) {
   return a.kind == b.kind && a.area == b.area && a.offset == b.offset && (a.area == Area::AC || a.width == b.width);
@@ -24,7 +26,9 @@ bool isCompared(const Facts& facts, const InstructionPlace& place, const Operand
   for (std::uint32_t at = place.step; at > 0 && flow.steps[at - 1].network == place.network; --at) {
     const Instruction& instruction = *flow.steps[at - 1].instruction;
     if (instruction.desc->execution != Execution::Compare) continue;
-    if (std::any_of(instruction.operands.begin(), instruction.operands.end(), [&](const Operand& o) { return samePlace(o, divisor); })) return true;
+    if (std::any_of(instruction.operands.begin(), instruction.operands.end(),
+                    [&](const Operand& o) { return samePlace(o, divisor); }))
+      return true;
   }
   return false;
 }
@@ -32,7 +36,9 @@ bool isCompared(const Facts& facts, const InstructionPlace& place, const Operand
 /// Whether the place is written by nothing but moves of constants other than 0.
 bool isNeverZero(const Facts& facts, const Access& divisor) {
   const std::uint32_t cell = facts.cellOf(divisor);
-  if (cell == facts.index().cells().size() || divisor.area == Area::AC || facts.index().isWrittenAtLarge(cell) || facts.isExternal(cell)) return false;
+  if (cell == facts.index().cells().size() || divisor.area == Area::AC || facts.index().isWrittenAtLarge(cell) ||
+      facts.isExternal(cell))
+    return false;
   bool isWritten = false;
   for (const std::uint32_t i : facts.index().at(cell)) {
     const Access& access = facts.access(i);
@@ -59,9 +65,12 @@ void check(const Facts& facts, FindingSink& sink) {
     }
     if (isCompared(facts, place, divisor)) continue;
     const std::span<const Access> accesses = facts.accesses().of(instruction.id);
-    const bool isSafe = std::any_of(accesses.begin(), accesses.end(), [&](const Access& a) { return a.operand == 0 && !a.write && !a.viaPointer && isNeverZero(facts, a); });
+    const bool isSafe = std::any_of(accesses.begin(), accesses.end(), [&](const Access& a) {
+      return a.operand == 0 && !a.write && !a.viaPointer && isNeverZero(facts, a);
+    });
     if (isSafe) continue;
-    Finding& finding = sink.report(divisor.span, fmt::format("{} divides by {}, which may be 0", Facts::text(instruction), facts.name(divisor)));
+    Finding& finding = sink.report(
+        divisor.span, fmt::format("{} divides by {}, which may be 0", Facts::text(instruction), facts.name(divisor)));
     finding.address = toString(divisor);
     finding.help = "compare the divisor with 0 in the same rung, or test SM1.3 behind the division";
   }

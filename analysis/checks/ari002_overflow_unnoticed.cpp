@@ -11,7 +11,10 @@ namespace rungproof {
 namespace {
 
 bool isProduct(std::string_view stl) { return stl == "*I" || stl == "*D"; }
-bool isGrowth(std::string_view stl) { return stl == "INCW" || stl == "INCD" || stl == "INCB" || stl == "DECW" || stl == "DECD" || stl == "DECB" || stl == "+I" || stl == "+D"; }
+bool isGrowth(std::string_view stl) {
+  return stl == "INCW" || stl == "INCD" || stl == "INCB" || stl == "DECW" || stl == "DECD" || stl == "DECB" ||
+         stl == "+I" || stl == "+D";
+}
 
 /// Whether one of the next instructions asks ENO or SM1.1: in the same network or the one after it.
 bool isTested(const Facts& facts, const InstructionPlace& place) {
@@ -54,11 +57,17 @@ void check(const Facts& facts, FindingSink& sink) {
     const bool isCandidate = isProduct(stl) ? !hasConstant : growsForEver(facts, *target);
     if (!isCandidate || isTested(facts, place)) continue;
     const std::string name = accessName(*target);
-    const std::string text = isProduct(stl) ? fmt::format("the product in {} can leave its type, and neither ENO nor SM1.1 is asked", Facts::text(instruction))
-                                            : fmt::format("{} only ever grows by {}; in the end it overflows, and neither ENO nor SM1.1 is asked", name, Facts::text(instruction));
+    const std::string text =
+        isProduct(stl)
+            ? fmt::format("the product in {} can leave its type, and neither ENO nor SM1.1 is asked",
+                          Facts::text(instruction))
+            : fmt::format("{} only ever grows by {}; in the end it overflows, and neither ENO nor SM1.1 is asked", name,
+                          Facts::text(instruction));
     Finding& finding = sink.report(instruction.span, text);
     finding.address = name;
-    finding.help = "on overflow the operands stay as they were (001:4814); add AENO and a reaction, limit the value, or use a wider type";
+    finding.help =
+        "on overflow the operands stay as they were (001:4814); add AENO and a reaction, limit the value, or use a "
+        "wider type";
   }
 }
 
@@ -69,7 +78,9 @@ extern constexpr Rule ari002_overflow_unnoticed = {
     .title = "Overflow goes unnoticed",
     .severity = Severity::Warning,
     .needs = Needs::FlowThenSolver,
-    .detects = "a product of two variables, or a value that only grows, whose overflow neither ENO nor SM1.1 shows to the program",
+    .detects =
+        "a product of two variables, or a value that only grows, whose overflow neither ENO nor SM1.1 shows to the "
+        "program",
     .why = "on overflow the operands stay as they were, so the program goes on with the old value",
     .manual = "001:4814",
     .bad = "Network 1\nLD SM0.0\nMOVW AIW0, VW0\n*I VW2, VW0\n",

@@ -13,7 +13,9 @@ namespace {
 /// An instruction that makes a whole number where the comparison wants a REAL, if nothing else writes the place.
 const Instruction* integerWriter(const Facts& facts, const Access& real) {
   const std::uint32_t cell = facts.cellOf(real);
-  if (cell == facts.index().cells().size() || real.area == Area::AC || facts.index().isWrittenAtLarge(cell) || facts.isExternal(cell)) return nullptr;
+  if (cell == facts.index().cells().size() || real.area == Area::AC || facts.index().isWrittenAtLarge(cell) ||
+      facts.isExternal(cell))
+    return nullptr;
   const Instruction* writer = nullptr;
   for (const std::uint32_t i : facts.index().at(cell)) {
     const Access& access = facts.access(i);
@@ -36,19 +38,27 @@ void check(const Facts& facts, FindingSink& sink) {
       if (access.viaPointer) {
         const Pointer* pointer = pointers.find(access, place.block);
         if (pointer == nullptr || !pointer->isUnbounded()) continue;
-        Finding& finding = sink.report(instruction.operands[access.operand].span, fmt::format("{} compares through {}, which nothing keeps inside its area; a bad pointer stops the CPU",
-                                                                                              Facts::text(instruction), accessName(access)));
+        Finding& finding = sink.report(
+            instruction.operands[access.operand].span,
+            fmt::format("{} compares through {}, which nothing keeps inside its area; a bad pointer stops the CPU",
+                        Facts::text(instruction), accessName(access)));
         finding.address = accessName(access);
         finding.related.push_back({pointer->steps.front()->span, "the pointer is moved here"});
-        finding.help = "compare the pointer with its end before this network runs, for example by a jump: contacts in front do not help (001:3391)";
-      } else if (access.operand < instruction.desc->operandCount && instruction.desc->operands[access.operand].type == Type::Real) {
+        finding.help =
+            "compare the pointer with its end before this network runs, for example by a jump: contacts in front do "
+            "not help (001:3391)";
+      } else if (access.operand < instruction.desc->operandCount &&
+                 instruction.desc->operands[access.operand].type == Type::Real) {
         const Instruction* writer = integerWriter(facts, access);
         if (writer == nullptr) continue;
-        Finding& finding = sink.report(instruction.operands[access.operand].span, fmt::format("{} compares {} as a REAL, but {} makes a whole number there", Facts::text(instruction),
-                                                                                              accessName(access), Facts::text(*writer)));
+        Finding& finding = sink.report(instruction.operands[access.operand].span,
+                                       fmt::format("{} compares {} as a REAL, but {} makes a whole number there",
+                                                   Facts::text(instruction), accessName(access), Facts::text(*writer)));
         finding.address = accessName(access);
         finding.related.push_back({writer->span, "written as a whole number"});
-        finding.help = "convert it by DTR, or compare as a double integer; an illegal REAL in a comparison stops the CPU (001:3384-3389)";
+        finding.help =
+            "convert it by DTR, or compare as a double integer; an illegal REAL in a comparison stops the CPU "
+            "(001:3384-3389)";
       }
     }
   }

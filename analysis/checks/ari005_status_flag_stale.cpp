@@ -12,21 +12,28 @@ namespace rungproof {
 namespace {
 
 void checkBlock(FindingSink& sink, const Flow& flow) {
-  const Instruction* last = nullptr;                // that set any status bit, or a call
-  std::array<const Instruction*, 8> setter{};       // of each bit
+  const Instruction* last = nullptr;           // that set any status bit, or a call
+  std::array<const Instruction*, 8> setter{};  // of each bit
   for (const FlowStep& step : flow.steps) {
     const Instruction& instruction = *step.instruction;
     for (const Operand& o : instruction.operands) {
-      if (o.kind != OperandKind::Direct || o.area != Area::SM || o.width != Width::Bit || o.offset != 1 || o.bit > 7) continue;
+      if (o.kind != OperandKind::Direct || o.area != Area::SM || o.width != Width::Bit || o.offset != 1 || o.bit > 7)
+        continue;
       const Instruction* own = setter[o.bit];
       const bool isFresh = own != nullptr && own == last;
       if (isFresh || instruction.desc->execution == Execution::Coil) continue;
       const std::string name = toString(o);
-      Finding& finding = sink.report(o.span, last == nullptr ? fmt::format("{} reads {}, but no instruction before it in {} sets status bits", Facts::text(instruction), name, flow.pou->name)
-                                             : own == nullptr ? fmt::format("{} reads {}, which {} does not set", Facts::text(instruction), name, Facts::text(*last))
-                                                              : fmt::format("{} reads {}, but {} has run since {} set it", Facts::text(instruction), name, Facts::text(*last), Facts::text(*own)));
+      Finding& finding = sink.report(
+          o.span,
+          last == nullptr ? fmt::format("{} reads {}, but no instruction before it in {} sets status bits",
+                                        Facts::text(instruction), name, flow.pou->name)
+          : own == nullptr
+              ? fmt::format("{} reads {}, which {} does not set", Facts::text(instruction), name, Facts::text(*last))
+              : fmt::format("{} reads {}, but {} has run since {} set it", Facts::text(instruction), name,
+                            Facts::text(*last), Facts::text(*own)));
       finding.address = name;
-      if (last != nullptr) finding.related.push_back({last->span, "the last instruction before it that sets status bits"});
+      if (last != nullptr)
+        finding.related.push_back({last->span, "the last instruction before it that sets status bits"});
       if (own != nullptr) finding.related.push_back({own->span, fmt::format("{} was set here", name)});
       finding.help = "read the status bit directly behind the instruction that it is about";
     }
@@ -50,7 +57,9 @@ extern constexpr Rule ari005_status_flag_stale = {
     .title = "Status flag is stale",
     .severity = Severity::Warning,
     .needs = Needs::Flow,
-    .detects = "SM1.0-SM1.7 read although the last instruction before it that sets status bits does not set this one, or none does",
+    .detects =
+        "SM1.0-SM1.7 read although the last instruction before it that sets status bits does not set this one, or none "
+        "does",
     .why = "the bits keep the result of an earlier instruction until one that affects them runs",
     .manual = "001:4814-4827, 001:14063-14073",
     .bad = "Network 1\nLD SM0.0\n/I VW0, VW2\nANDW VW4, VW6\nNetwork 2\nLD SM1.3\n= Q0.0\n",

@@ -37,7 +37,9 @@ const Access* writtenHalf(const Facts& facts, const Access& access) {
 void checkMemory(const Facts& facts, FindingSink& sink) {
   std::unordered_set<std::uint32_t> reported;
   for (const Access& access : facts.accesses().all()) {
-    if (access.write || access.viaPointer || access.maybe || access.width != Width::DWord || access.count != 1 || access.operand == impliedOperand) continue;
+    if (access.write || access.viaPointer || access.maybe || access.width != Width::DWord || access.count != 1 ||
+        access.operand == impliedOperand)
+      continue;
     if (access.area != Area::V && access.area != Area::M) continue;
     const std::uint32_t cell = facts.cellOf(access);
     if (cell >= facts.index().cells().size() || reported.contains(cell)) continue;
@@ -46,9 +48,11 @@ void checkMemory(const Facts& facts, FindingSink& sink) {
     reported.insert(cell);
     const Instruction& instruction = facts.instruction(access.instruction);
     const std::uint32_t missing = half->offset == access.offset ? access.offset + 2 : access.offset;
-    Finding& finding = sink.report(instruction.operands[access.operand].span, fmt::format("{} reads {}, but only its {} word {} is ever written; {} is not", Facts::text(instruction),
-                                                                                          accessName(access), missing > access.offset ? "upper" : "lower", accessName(*half),
-                                                                                          addressName(access.area, Width::Word, missing)));
+    Finding& finding = sink.report(
+        instruction.operands[access.operand].span,
+        fmt::format("{} reads {}, but only its {} word {} is ever written; {} is not", Facts::text(instruction),
+                    accessName(access), missing > access.offset ? "upper" : "lower", accessName(*half),
+                    addressName(access.area, Width::Word, missing)));
     finding.address = accessName(access);
     finding.related.push_back({facts.instruction(half->instruction).span, "one half is written here"});
     finding.help = "extend the word by ITD, or clear the other half";
@@ -67,12 +71,15 @@ void checkAccumulators(const Facts& facts, FindingSink& sink, const Flow& flow) 
     if (control == Control::LabelMark || control == Control::Call || control == Control::Next) fill.fill(Fill::Full);
     for (const bool writes : {false, true}) {
       for (const Access& access : facts.accesses().of(instruction.id)) {
-        if (access.area != Area::AC || access.offset > 3 || access.write != writes || access.operand == impliedOperand) continue;
+        if (access.area != Area::AC || access.offset > 3 || access.write != writes || access.operand == impliedOperand)
+          continue;
         Fill& state = fill[access.offset];
         const bool isPointer = access.viaPointer;
         if (!writes && access.width == Width::DWord && !isPointer && state == Fill::WordOnly) {
-          Finding& finding = sink.report(instruction.operands[access.operand].span, fmt::format("{} reads all of AC{}, but {} wrote only its lower word", Facts::text(instruction), access.offset,
-                                                                                                Facts::text(*writer[access.offset])));
+          Finding& finding =
+              sink.report(instruction.operands[access.operand].span,
+                          fmt::format("{} reads all of AC{}, but {} wrote only its lower word",
+                                      Facts::text(instruction), access.offset, Facts::text(*writer[access.offset])));
           finding.address = fmt::format("AC{}", access.offset);
           finding.related.push_back({writer[access.offset]->span, "only 16 bits are written here"});
           finding.help = "extend the word by ITD, or clear the accumulator by MOVD 0 first";

@@ -11,12 +11,15 @@ namespace rungproof {
 
 namespace {
 
-std::int64_t labelOf(const Instruction& instruction) { return instruction.operands.empty() ? -1 : instruction.operands[0].value; }
+std::int64_t labelOf(const Instruction& instruction) {
+  return instruction.operands.empty() ? -1 : instruction.operands[0].value;
+}
 
 void check(const Facts& facts, FindingSink& sink) {
   std::unordered_map<std::int64_t, const Instruction*> labels;
   for (const InstructionPlace& place : facts.instructions()) {
-    if (place.instruction->desc->control == Control::LabelMark) labels.emplace(labelOf(*place.instruction), place.instruction);
+    if (place.instruction->desc->control == Control::LabelMark)
+      labels.emplace(labelOf(*place.instruction), place.instruction);
   }
   for (const Flow& flow : facts.plan().flows) {
     for (const FlowFault& fault : flow.faults) {
@@ -24,17 +27,23 @@ void check(const Facts& facts, FindingSink& sink) {
       const std::int64_t number = labelOf(instruction);
       if (fault.problem == FlowProblem::LabelMissing) {
         const auto elsewhere = labels.find(number);
-        Finding& finding = sink.report(instruction.span, fmt::format("{} jumps to label {}, which {} does not have", Facts::text(instruction), number, flow.pou->name));
+        Finding& finding = sink.report(instruction.span, fmt::format("{} jumps to label {}, which {} does not have",
+                                                                     Facts::text(instruction), number, flow.pou->name));
         finding.help = "add LBL in the same block (error 0087, 001:13989)";
         if (elsewhere != labels.end()) {
-          finding.related.push_back({elsewhere->second->span, fmt::format("{} has a label of that number, but jumps do not leave a block (001:5788)", facts.pouOf(elsewhere->second->id).name)});
+          finding.related.push_back(
+              {elsewhere->second->span,
+               fmt::format("{} has a label of that number, but jumps do not leave a block (001:5788)",
+                           facts.pouOf(elsewhere->second->id).name)});
         }
       } else if (fault.problem == FlowProblem::LabelTwice) {
-        Finding& finding = sink.report(instruction.span, fmt::format("label {} is defined twice in {}", number, flow.pou->name));
+        Finding& finding =
+            sink.report(instruction.span, fmt::format("label {} is defined twice in {}", number, flow.pou->name));
         finding.related.push_back({fault.other->span, "first definition"});
         finding.help = "give each label of a block its own number (error 008C, 001:13994)";
       } else if (fault.problem == FlowProblem::JumpAcrossScr) {
-        Finding& finding = sink.report(instruction.span, fmt::format("{} crosses the border of an SCR segment", Facts::text(instruction)));
+        Finding& finding = sink.report(
+            instruction.span, fmt::format("{} crosses the border of an SCR segment", Facts::text(instruction)));
         finding.related.push_back({fault.other->span, "the label stands here"});
         finding.help = "jump inside the segment or over whole segments only (001:5818; error 008B, 001:13993)";
       }

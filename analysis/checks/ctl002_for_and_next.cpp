@@ -15,14 +15,17 @@ void check(const Facts& facts, FindingSink& sink) {
       const std::string text = Facts::text(*fault.instruction);
       switch (fault.problem) {
         case FlowProblem::ForWithoutNext:
-          sink.report(fault.instruction->span, fmt::format("{} has no NEXT in {}", text, flow.pou->name)).help = "close the loop (error 0086, 001:13988)";
+          sink.report(fault.instruction->span, fmt::format("{} has no NEXT in {}", text, flow.pou->name)).help =
+              "close the loop (error 0086, 001:13988)";
           break;
         case FlowProblem::NextWithoutFor:
-          sink.report(fault.instruction->span, fmt::format("NEXT without FOR in {}", flow.pou->name)).help = "add the FOR or remove the NEXT (error 0085, 001:13987)";
+          sink.report(fault.instruction->span, fmt::format("NEXT without FOR in {}", flow.pou->name)).help =
+              "add the FOR or remove the NEXT (error 0085, 001:13987)";
           break;
         case FlowProblem::ForTooDeep:
-          sink.report(fault.instruction->span, fmt::format("{} is the ninth loop inside each other; eight are allowed", text)).help =
-              "move the inner loops into a subroutine (001:5752; error 0093, 001:13999)";
+          sink.report(fault.instruction->span,
+                      fmt::format("{} is the ninth loop inside each other; eight are allowed", text))
+              .help = "move the inner loops into a subroutine (001:5752; error 0093, 001:13999)";
           break;
         default: break;
       }

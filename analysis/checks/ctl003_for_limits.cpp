@@ -34,12 +34,14 @@ void checkBody(const Facts& facts, FindingSink& sink, const Flow& flow, std::uin
       if (!access.write || access.viaPointer || access.maybe) continue;
       const bool isIndex = index != nullptr && meet(access, *index), isFinal = final != nullptr && meet(access, *final);
       if (!isIndex && !isFinal) continue;
-      Finding& finding = sink.report(instruction.span, fmt::format("{} writes {} inside the loop that it {}", Facts::text(instruction), accessName(access),
-                                                                   isIndex ? "counts" : "ends"));
+      Finding& finding =
+          sink.report(instruction.span, fmt::format("{} writes {} inside the loop that it {}", Facts::text(instruction),
+                                                    accessName(access), isIndex ? "counts" : "ends"));
       finding.address = accessName(access);
       finding.confirmation = Confirmation::NotNeeded;
       finding.related.push_back({loop.span, "the loop begins here"});
-      finding.help = "the change takes effect in the same loop (001:5762); use another place, or leave the loop by a jump";
+      finding.help =
+          "the change takes effect in the same loop (001:5762); use another place, or leave the loop by a jump";
       return;
     }
   }
@@ -57,7 +59,8 @@ void check(const Facts& facts, FindingSink& sink) {
       const Operand& init = loop.operands[1];
       const Operand& final = loop.operands[2];
       if (init.kind == OperandKind::Constant && final.kind == OperandKind::Constant && init.value > final.value) {
-        Finding& finding = sink.report(loop.span, fmt::format("{} never runs its body: it starts at {} and ends at {}", Facts::text(loop), init.value, final.value));
+        Finding& finding = sink.report(loop.span, fmt::format("{} never runs its body: it starts at {} and ends at {}",
+                                                              Facts::text(loop), init.value, final.value));
         finding.confirmation = Confirmation::NotNeeded;
         finding.help = "loops count upwards (001:5762-5768)";
       }
@@ -74,7 +77,9 @@ extern constexpr Rule ctl003_for_limits = {
     .severity = Severity::Warning,
     .needs = Needs::FlowThenSolver,
     .detects = "a loop whose start is above its end; an end value or index that is written inside the loop",
-    .why = "the end is read anew in every round, so a change of it or of the index makes the loop shorter, longer or endless",
+    .why =
+        "the end is read anew in every round, so a change of it or of the index makes the loop shorter, longer or "
+        "endless",
     .manual = "001:5762-5768",
     .bad = "Network 1\nLD I0.0\nFOR VW0, +1, VW2\nNetwork 2\nLD SM0.0\nINCW VW2\nNetwork 3\nNEXT\n",
     .good = "Network 1\nLD I0.0\nFOR VW0, +1, VW2\nNetwork 2\nLD SM0.0\nINCW VW4\nNetwork 3\nNEXT\n",

@@ -20,7 +20,8 @@ constexpr double unknownMicroseconds = 10;   // instructions whose time is lost 
 /// Times of blocks in microseconds, loops at their largest number of rounds.
 class Times {
  public:
-  explicit Times(const Facts& facts) : facts_(facts), block_(facts.program().pous.size(), -1), rounds_(facts.instructions().size(), 0) {
+  explicit Times(const Facts& facts)
+      : facts_(facts), block_(facts.program().pous.size(), -1), rounds_(facts.instructions().size(), 0) {
     for (std::uint32_t b = 0; b < block_.size(); ++b) of(b, 0);
   }
   /// Time of all rounds of the loop that begins with that FOR; 0 if it has no end.
@@ -78,7 +79,9 @@ class Times {
 
 void check(const Facts& facts, FindingSink& sink) {
   const double watchdog = Choices().watchdogMs() * 1000.0;
-  const bool hasLoop = std::any_of(facts.instructions().begin(), facts.instructions().end(), [](const InstructionPlace& p) { return p.instruction->desc->control == Control::For; });
+  const bool hasLoop =
+      std::any_of(facts.instructions().begin(), facts.instructions().end(),
+                  [](const InstructionPlace& p) { return p.instruction->desc->control == Control::For; });
   const Times* times = nullptr;
   std::vector<Times> storage;
   if (hasLoop) times = &storage.emplace_back(facts);
@@ -87,12 +90,18 @@ void check(const Facts& facts, FindingSink& sink) {
     const FlowStep& step = facts.plan().flows[place.block].steps[place.step];
     if (!facts.execution().at(instruction.id).isReachable || step.partner == noPartner) continue;
     if (instruction.desc->control == Control::Jump && step.partner < place.step) {
-      Finding& finding = sink.report(instruction.span, fmt::format("{} jumps back; nothing bounds the number of rounds within the watchdog time of 500 ms", Facts::text(instruction)));
-      finding.related.push_back({facts.plan().flows[place.block].steps[step.partner].instruction->span, "the loop begins here"});
+      Finding& finding = sink.report(
+          instruction.span,
+          fmt::format("{} jumps back; nothing bounds the number of rounds within the watchdog time of 500 ms",
+                      Facts::text(instruction)));
+      finding.related.push_back(
+          {facts.plan().flows[place.block].steps[step.partner].instruction->span, "the loop begins here"});
       finding.help = "do one round per scan, or use FOR with a small constant (001:5718; fatal error 0003, 001:13920)";
     } else if (instruction.desc->control == Control::For && times->ofLoop(instruction.id) >= watchdog) {
-      Finding& finding = sink.report(instruction.span, fmt::format("{} may run for {:.0f} ms by the times of Appendix F, longer than the watchdog of 500 ms", Facts::text(instruction),
-                                                                   times->ofLoop(instruction.id) / 1000));
+      Finding& finding = sink.report(
+          instruction.span,
+          fmt::format("{} may run for {:.0f} ms by the times of Appendix F, longer than the watchdog of 500 ms",
+                      Facts::text(instruction), times->ofLoop(instruction.id) / 1000));
       finding.help = "use a smaller limit, or spread the rounds over several scans (001:5718)";
     }
   }
@@ -105,7 +114,9 @@ extern constexpr Rule ctl004_loop_may_outlast_watchdog = {
     .title = "Loop may outlast the watchdog",
     .severity = Severity::Warning,
     .needs = Needs::FlowThenSolver,
-    .detects = "a backward jump, or a FOR whose rounds may take longer than the watchdog time by the execution times of Appendix F",
+    .detects =
+        "a backward jump, or a FOR whose rounds may take longer than the watchdog time by the execution times of "
+        "Appendix F",
     .why = "a scan of more than 500 ms is the fatal error 0003: the CPU stops and switches its outputs off",
     .manual = "001:5718, 001:13920, 001:14522-14660",
     .bad = "Network 1\nLBL 1\nNetwork 2\nLD SM0.0\nINCW VW0\nNetwork 3\nLDN I0.0\nJMP 1\n",

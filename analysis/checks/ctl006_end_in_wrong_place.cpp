@@ -10,7 +10,9 @@ namespace rungproof {
 namespace {
 
 std::string_view kindName(PouKind kind) {
-  return kind == PouKind::Main ? "the main program" : kind == PouKind::Subroutine ? "a subroutine" : "an interrupt routine";
+  return kind == PouKind::Main         ? "the main program"
+         : kind == PouKind::Subroutine ? "a subroutine"
+                                       : "an interrupt routine";
 }
 
 /// Where a control instruction belongs, or nothing if it may stand anywhere.
@@ -27,9 +29,13 @@ std::optional<PouKind> homeOf(Control control) {
 }
 
 Control endOf(PouKind kind) {
-  return kind == PouKind::Main ? Control::MainEnd : kind == PouKind::Subroutine ? Control::Return : Control::InterruptReturn;
+  return kind == PouKind::Main         ? Control::MainEnd
+         : kind == PouKind::Subroutine ? Control::Return
+                                       : Control::InterruptReturn;
 }
-std::string_view endName(PouKind kind) { return kind == PouKind::Main ? "MEND" : kind == PouKind::Subroutine ? "RET" : "RETI"; }
+std::string_view endName(PouKind kind) {
+  return kind == PouKind::Main ? "MEND" : kind == PouKind::Subroutine ? "RET" : "RETI";
+}
 
 void checkPlace(const Facts& facts, FindingSink& sink, const InstructionPlace& place) {
   const Instruction& instruction = *place.instruction;
@@ -37,15 +43,19 @@ void checkPlace(const Facts& facts, FindingSink& sink, const InstructionPlace& p
   const Control control = instruction.desc->control;
   const std::optional<PouKind> home = homeOf(control);
   if (home && *home != pou.kind && !(control == Control::End && pou.kind == PouKind::Interrupt)) {
-    Finding& finding = sink.report(instruction.span, fmt::format("{} belongs into {}, but {} is {}", instruction.desc->stl, kindName(*home), pou.name, kindName(pou.kind)));
+    Finding& finding =
+        sink.report(instruction.span, fmt::format("{} belongs into {}, but {} is {}", instruction.desc->stl,
+                                                  kindName(*home), pou.name, kindName(pou.kind)));
     finding.severity = Severity::Error;
-    finding.help = pou.kind == PouKind::Subroutine ? "use CRET in a subroutine (error 0088, 001:13990)"
+    finding.help = pou.kind == PouKind::Subroutine  ? "use CRET in a subroutine (error 0088, 001:13990)"
                    : pou.kind == PouKind::Interrupt ? "use CRETI in an interrupt routine (error 0089, 001:13991)"
                                                     : "use END in the main program (error 0083, 001:13985)";
   }
-  if (control == Control::Stop && (facts.stack().at(instruction.id).flow & condition::Always) != 0 && facts.execution().at(instruction.id).isReachable &&
-      facts.execution().at(instruction.id).skippedBy == nullptr && pou.kind == PouKind::Main) {
-    sink.report(instruction.span, "STOP runs in the first scan, whatever the inputs are").help = "put the condition for the stop in front of it (001:5691)";
+  if (control == Control::Stop && (facts.stack().at(instruction.id).flow & condition::Always) != 0 &&
+      facts.execution().at(instruction.id).isReachable && facts.execution().at(instruction.id).skippedBy == nullptr &&
+      pou.kind == PouKind::Main) {
+    sink.report(instruction.span, "STOP runs in the first scan, whatever the inputs are").help =
+        "put the condition for the stop in front of it (001:5691)";
   }
 }
 
@@ -56,8 +66,10 @@ void checkEnds(const Facts& facts, FindingSink& sink) {
     if (flow.steps.empty()) continue;
     const Instruction& last = *flow.steps.back().instruction;
     if (last.desc->control == endOf(flow.pou->kind)) continue;
-    Finding& finding = sink.report(last.span, fmt::format("{} does not end with {}", flow.pou->name, endName(flow.pou->kind)));
-    finding.help = fmt::format("add {} behind the last instruction of the block (errors 0083, 0088, 0089)", endName(flow.pou->kind));
+    Finding& finding =
+        sink.report(last.span, fmt::format("{} does not end with {}", flow.pou->name, endName(flow.pou->kind)));
+    finding.help = fmt::format("add {} behind the last instruction of the block (errors 0083, 0088, 0089)",
+                               endName(flow.pou->kind));
   }
 }
 
@@ -73,9 +85,12 @@ extern constexpr Rule ctl006_end_in_wrong_place = {
     .title = "END, STOP, RET in the wrong place",
     .severity = Severity::Warning,
     .needs = Needs::Text,
-    .detects = "END outside the main program, CRET or CRETI in the wrong kind of block, STOP without a condition, a block of the older dialect "
-               "without its end",
-    .why = "the download is refused with error 0083, 0088 or 0089; an unconditional STOP ends the run in its first scan",
+    .detects =
+        "END outside the main program, CRET or CRETI in the wrong kind of block, STOP without a condition, a block of "
+        "the older dialect "
+        "without its end",
+    .why =
+        "the download is refused with error 0083, 0088 or 0089; an unconditional STOP ends the run in its first scan",
     .manual = "001:5689, 001:5691, 001:13985-13991",
     .bad = "Network 1\nLD I0.0\nCRET\nNetwork 2\nLD I0.1\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\nEND\nNetwork 2\nLD I0.1\n= Q0.0\n",

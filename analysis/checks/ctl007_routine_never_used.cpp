@@ -19,9 +19,11 @@ void check(const Facts& facts, FindingSink& sink) {
     if (pou.kind == PouKind::Main || flow.steps.empty()) continue;
     const bool isInterrupt = pou.kind == PouKind::Interrupt;
     const std::span<const std::uint32_t> calls = facts.calls().callsOf(block);
-    const bool isCalled = std::any_of(calls.begin(), calls.end(), [&](std::uint32_t s) { return facts.calls().sites()[s].caller != block; });
+    const bool isCalled = std::any_of(calls.begin(), calls.end(),
+                                      [&](std::uint32_t s) { return facts.calls().sites()[s].caller != block; });
     if (isInterrupt ? facts.calls().isAttached(block) : isCalled) continue;
-    Finding& finding = sink.report(flow.steps.front().instruction->span, fmt::format("nothing {} {}", isInterrupt ? "attaches" : "calls", pou.name));
+    Finding& finding = sink.report(flow.steps.front().instruction->span,
+                                   fmt::format("nothing {} {}", isInterrupt ? "attaches" : "calls", pou.name));
     finding.help = isInterrupt ? "attach it to its event by ATCH, or remove it" : "call it, or remove it";
   }
 }
@@ -36,10 +38,13 @@ extern constexpr Rule ctl007_routine_never_used = {
     .detects = "a subroutine without a CALL, an interrupt routine without an ATCH",
     .why = "a dead routine, or a forgotten call",
     .manual = "001:2062, 001:2078",
-    .bad = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\n= Q0.0\nEND_ORGANIZATION_BLOCK\n"
-           "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\n= Q0.1\nEND_SUBROUTINE_BLOCK\n",
-    .good = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD SM0.0\nCALL SBR0\nEND_ORGANIZATION_BLOCK\n"
-            "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\n= Q0.1\nEND_SUBROUTINE_BLOCK\n",
+    .bad =
+        "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\n= Q0.0\nEND_ORGANIZATION_BLOCK\n"
+        "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\n= Q0.1\nEND_SUBROUTINE_BLOCK\n",
+    .good =
+        "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD SM0.0\nCALL "
+        "SBR0\nEND_ORGANIZATION_BLOCK\n"
+        "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\n= Q0.1\nEND_SUBROUTINE_BLOCK\n",
     .falsePositives = "routines kept for another variant of the machine",
     .peers = "SA0031; CP2; plceye S0003/S0004",
     .check = check,

@@ -36,7 +36,9 @@ void check(const Facts& facts, FindingSink& sink) {
       definition[n] = &instruction;
       continue;
     }
-    Finding& finding = sink.report(instruction.span, fmt::format("{} defines HSC{} a second time; only the first definition counts", Facts::text(instruction), counter));
+    Finding& finding =
+        sink.report(instruction.span, fmt::format("{} defines HSC{} a second time; only the first definition counts",
+                                                  Facts::text(instruction), counter));
     finding.related.push_back({definition[n]->span, "first definition"});
     finding.help = "define a counter once, in the first scan (error 000A, 001:13958, 001:4360)";
   }
@@ -44,10 +46,12 @@ void check(const Facts& facts, FindingSink& sink) {
   for (std::size_t n = 0; n < counters; ++n) {
     if (use[n] == nullptr) continue;
     if (definition[n] == nullptr) {
-      sink.report(use[n]->span, fmt::format("{} runs, but no HDEF defines HSC{}", Facts::text(*use[n]), n)).help = "run HDEF once before, in the first scan (error 0001, 001:13949)";
+      sink.report(use[n]->span, fmt::format("{} runs, but no HDEF defines HSC{}", Facts::text(*use[n]), n)).help =
+          "run HDEF once before, in the first scan (error 0001, 001:13949)";
     } else if (use[n]->id < definition[n]->id && facts.blockOf(use[n]->id) == facts.blockOf(definition[n]->id) &&
                (facts.conditionOf(use[n]->id) & condition::FirstScan) != 0) {
-      Finding& finding = sink.report(use[n]->span, fmt::format("{} runs before the HDEF of its counter", Facts::text(*use[n])));
+      Finding& finding =
+          sink.report(use[n]->span, fmt::format("{} runs before the HDEF of its counter", Facts::text(*use[n])));
       finding.related.push_back({definition[n]->span, "the definition follows here"});
       finding.help = "put HDEF first (error 0001, 001:4188)";
     }

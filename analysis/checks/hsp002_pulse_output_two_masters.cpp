@@ -1,5 +1,5 @@
-// HSP002: Q0.0 or Q0.1 driven by a pulse generator and by networks. Clearing the image before the start is what the manual
-// asks for (001:4539) and no finding. Tested by its examples and tests/rules/data_rules_test.cpp.
+// HSP002: Q0.0 or Q0.1 driven by a pulse generator and by networks. Clearing the image before the start is what the
+// manual asks for (001:4539) and no finding. Tested by its examples and tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <array>
@@ -15,9 +15,11 @@ namespace {
 int pulseOutput(const Instruction& instruction) {
   if (instruction.operands.empty()) return -1;
   const Operand& o = instruction.operands[0];
-  if (kindOf(instruction) == Kind::Pls && o.kind == OperandKind::Constant && (o.value == 0 || o.value == 1)) return static_cast<int>(o.value);
-  const bool isWizard = instruction.desc->control == Control::Call && o.kind == OperandKind::Symbol && o.text.size() > 4 &&
-                        (o.text.starts_with("PTO") || o.text.starts_with("PWM")) && (o.text[3] == '0' || o.text[3] == '1');
+  if (kindOf(instruction) == Kind::Pls && o.kind == OperandKind::Constant && (o.value == 0 || o.value == 1))
+    return static_cast<int>(o.value);
+  const bool isWizard = instruction.desc->control == Control::Call && o.kind == OperandKind::Symbol &&
+                        o.text.size() > 4 && (o.text.starts_with("PTO") || o.text.starts_with("PWM")) &&
+                        (o.text[3] == '0' || o.text[3] == '1');
   return isWizard ? o.text[3] - '0' : -1;
 }
 
@@ -31,7 +33,8 @@ void check(const Facts& facts, FindingSink& sink) {
   std::array<const Instruction*, 2> generator{};
   for (const InstructionPlace& place : facts.instructions()) {
     const int output = pulseOutput(*place.instruction);
-    if (output >= 0 && generator[static_cast<std::size_t>(output)] == nullptr) generator[static_cast<std::size_t>(output)] = place.instruction;
+    if (output >= 0 && generator[static_cast<std::size_t>(output)] == nullptr)
+      generator[static_cast<std::size_t>(output)] = place.instruction;
   }
   const std::uint32_t cell = facts.index().cells().cell(Area::Q, 0, 0);
   for (unsigned bit = 0; bit < 2; ++bit) {
@@ -40,12 +43,17 @@ void check(const Facts& facts, FindingSink& sink) {
       const Access& access = facts.access(i);
       const Instruction& instruction = facts.instruction(access.instruction);
       if (!access.write || clears(instruction)) continue;
-      const bool covers = access.width != Width::Bit || (access.offset == 0 && bit >= access.bit && bit < access.bit + access.count);
+      const bool covers =
+          access.width != Width::Bit || (access.offset == 0 && bit >= access.bit && bit < access.bit + access.count);
       if (!covers) continue;
-      Finding& finding = sink.report(instruction.span, fmt::format("{} writes Q0.{}, which {} drives as a pulse output", Facts::text(instruction), bit, Facts::text(*generator[bit])));
+      Finding& finding =
+          sink.report(instruction.span, fmt::format("{} writes Q0.{}, which {} drives as a pulse output",
+                                                    Facts::text(instruction), bit, Facts::text(*generator[bit])));
       finding.address = fmt::format("Q0.{}", bit);
       finding.related.push_back({generator[bit]->span, "the pulse generator"});
-      finding.help = "while the generator runs the image has no effect, and when it stops the image decides: keep the bit 0 (001:4528-4539)";
+      finding.help =
+          "while the generator runs the image has no effect, and when it stops the image decides: keep the bit 0 "
+          "(001:4528-4539)";
       break;
     }
   }
@@ -59,10 +67,16 @@ extern constexpr Rule hsp002_pulse_output_two_masters = {
     .severity = Severity::Warning,
     .needs = Needs::Flow,
     .detects = "a pulse output in use whose image bit networks write",
-    .why = "an active generator owns the output; its image bit sets the level before and after the train, so it must be 0 at the start",
+    .why =
+        "an active generator owns the output; its image bit sets the level before and after the train, so it must be 0 "
+        "at the start",
     .manual = "001:4528, 001:4539, 001:13961",
-    .bad = "Network 1\nLD SM0.1\nMOVB 16#85, SMB67\nMOVW +500, SMW68\nMOVD +1000, SMD72\nPLS 0\nNetwork 2\nLD I0.0\n= Q0.0\n",
-    .good = "Network 1\nLD SM0.1\nR Q0.0, 1\nMOVB 16#85, SMB67\nMOVW +500, SMW68\nMOVD +1000, SMD72\nPLS 0\nNetwork 2\nLD I0.0\n= Q0.2\n",
+    .bad =
+        "Network 1\nLD SM0.1\nMOVB 16#85, SMB67\nMOVW +500, SMW68\nMOVD +1000, SMD72\nPLS 0\nNetwork 2\nLD I0.0\n= "
+        "Q0.0\n",
+    .good =
+        "Network 1\nLD SM0.1\nR Q0.0, 1\nMOVB 16#85, SMB67\nMOVW +500, SMW68\nMOVD +1000, SMD72\nPLS 0\nNetwork 2\nLD "
+        "I0.0\n= Q0.2\n",
     .falsePositives = "an output that is switched by hand while the generator is off, on purpose",
     .peers = "SA0004 (nearest)",
     .dialects = dialect::S7200,

@@ -1,5 +1,5 @@
-// HSP003: XMT and RCV of one port in one rung, more than eight NETR and NETW in every scan, the clock in the scan and in
-// an interrupt routine. Tested by its examples and tests/rules/data_rules_test.cpp.
+// HSP003: XMT and RCV of one port in one rung, more than eight NETR and NETW in every scan, the clock in the scan and
+// in an interrupt routine. Tested by its examples and tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include "analysis/facts.hpp"
@@ -12,8 +12,8 @@ namespace {
 constexpr int mostTransfers = 8;  // 001:3033
 
 bool sharesRung(const Facts& facts, const Instruction& a, const Instruction& b) {
-  return facts.blockOf(a.id) == facts.blockOf(b.id) && facts.place(a.id).network == facts.place(b.id).network && facts.stack().at(a.id).source == facts.stack().at(b.id).source &&
-         facts.stack().at(a.id).source != nullptr;
+  return facts.blockOf(a.id) == facts.blockOf(b.id) && facts.place(a.id).network == facts.place(b.id).network &&
+         facts.stack().at(a.id).source == facts.stack().at(b.id).source && facts.stack().at(a.id).source != nullptr;
 }
 
 void checkClock(const Facts& facts, FindingSink& sink) {
@@ -22,11 +22,15 @@ void checkClock(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Kind kind = kindOf(*place.instruction);
     if (kind != Kind::Todr && kind != Kind::Todw) continue;
-    if (facts.calls().reachedFromInterrupt(place.block)) interrupt = place.instruction;
-    else scan = place.instruction;
+    if (facts.calls().reachedFromInterrupt(place.block))
+      interrupt = place.instruction;
+    else
+      scan = place.instruction;
   }
   if (scan == nullptr || interrupt == nullptr) return;
-  Finding& finding = sink.report(interrupt->span, fmt::format("{} uses the clock in an interrupt routine, and the scan uses it too", Facts::text(*interrupt)));
+  Finding& finding = sink.report(
+      interrupt->span,
+      fmt::format("{} uses the clock in an interrupt routine, and the scan uses it too", Facts::text(*interrupt)));
   finding.related.push_back({scan->span, "the clock is used here in the scan"});
   finding.help = "read the clock in the scan only; the second use at one time is not executed (001:2949; error 0007)";
 }
@@ -38,8 +42,10 @@ void checkTransfers(const Facts& facts, FindingSink& sink) {
     if (kindOf(instruction) != Kind::Netr && kindOf(instruction) != Kind::Netw) continue;
     const bool isAlways = (facts.stack().at(instruction.id).flow & condition::Always) != 0;
     if (!isAlways || ++count != mostTransfers + 1) continue;
-    sink.report(instruction.span, fmt::format("{} is the ninth NETR or NETW that runs in every scan; eight may be active at one time", Facts::text(instruction))).help =
-        "start the next transfer when the one before is done (001:3033)";
+    sink.report(instruction.span,
+                fmt::format("{} is the ninth NETR or NETW that runs in every scan; eight may be active at one time",
+                            Facts::text(instruction)))
+        .help = "start the next transfer when the one before is done (001:3033)";
   }
 }
 
@@ -54,10 +60,15 @@ void check(const Facts& facts, FindingSink& sink) {
     if ((kind != Kind::Xmt && kind != Kind::Rcv) || instruction.operands.size() < 2) continue;
     const Instruction* other = kind == Kind::Xmt ? receive : send;
     (kind == Kind::Xmt ? send : receive) = &instruction;
-    if (other == nullptr || other->operands[1].value != instruction.operands[1].value || !sharesRung(facts, *other, instruction)) continue;
-    Finding& finding = sink.report(instruction.span, fmt::format("{} and {} run at the same time on one port", Facts::text(*other), Facts::text(instruction)));
+    if (other == nullptr || other->operands[1].value != instruction.operands[1].value ||
+        !sharesRung(facts, *other, instruction))
+      continue;
+    Finding& finding = sink.report(instruction.span, fmt::format("{} and {} run at the same time on one port",
+                                                                 Facts::text(*other), Facts::text(instruction)));
     finding.related.push_back({other->span, "the other transfer"});
-    finding.help = "start RCV when the transmission is complete, in the routine of event 9 or 26 (errors 0009 and 000B, 001:13957-13959)";
+    finding.help =
+        "start RCV when the transmission is complete, in the routine of event 9 or 26 (errors 0009 and 000B, "
+        "001:13957-13959)";
   }
 }
 
@@ -68,7 +79,9 @@ extern constexpr Rule hsp003_too_much_at_once = {
     .title = "Too much at once",
     .severity = Severity::Warning,
     .needs = Needs::Flow,
-    .detects = "XMT and RCV started together on one port, more than eight NETR and NETW in every scan, the clock used in the scan and in an interrupt routine",
+    .detects =
+        "XMT and RCV started together on one port, more than eight NETR and NETW in every scan, the clock used in the "
+        "scan and in an interrupt routine",
     .why = "the second one is not executed and gives run-time error 0009, 000B or 0007",
     .manual = "001:2949, 001:3033, 001:13957-13959",
     .bad = "Network 1\nLD I0.0\nEU\nXMT VB100, 0\nRCV VB200, 0\n",

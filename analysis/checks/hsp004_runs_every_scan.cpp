@@ -1,6 +1,6 @@
-// HSP004: something that should run once but stands behind a level. Edges, the first scan, interrupt routines, a condition
-// that the same rung resets, and for NETR and NETW the status bits of their own table are guards.
-// Tested by its examples and tests/rules/data_rules_test.cpp.
+// HSP004: something that should run once but stands behind a level. Edges, the first scan, interrupt routines, a
+// condition that the same rung resets, and for NETR and NETW the status bits of their own table are guards. Tested by
+// its examples and tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <vector>
@@ -19,7 +19,8 @@ bool savesToEeprom(const Instruction& instruction) {
   const Operand& target = instruction.operands.back();
   const Operand& bit = instruction.operands[0];
   if (isSet(kind)) return bit.area == Area::SM && bit.offset == 31 && bit.bit == 7;
-  if (kind != Kind::MoveByte || target.kind != OperandKind::Direct || target.area != Area::SM || target.offset != 31) return false;
+  if (kind != Kind::MoveByte || target.kind != OperandKind::Direct || target.area != Area::SM || target.offset != 31)
+    return false;
   return bit.kind == OperandKind::Constant && (bit.value & 0x80) != 0;
 }
 
@@ -32,7 +33,9 @@ std::string_view harmOf(const Instruction& instruction) {
     case Kind::Netw: return "the transfer is started again before it is done";
     case Kind::Hdef: return "a counter can be defined once only (001:4360)";
     case Kind::Pls: return "the pulse output is started anew in every scan";
-    default: return "permanent memory is good for about 100 000 writes: with a scan of 50 ms that is 5 000 seconds (001:1637-1639)";
+    default:
+      return "permanent memory is good for about 100 000 writes: with a scan of 50 ms that is 5 000 seconds "
+             "(001:1637-1639)";
   }
 }
 
@@ -62,11 +65,16 @@ bool endsItself(const Facts& facts, const InstructionPlace& place) {
     for (const Access& read : facts.accesses().of(flow.steps[i].instruction->id)) {
       const bool isContact = !read.write && read.width == Width::Bit && !read.viaPointer;
       if (!isContact) continue;
-      if (table != nullptr && table->kind == OperandKind::Direct && read.area == table->area && read.offset == table->offset) return true;
+      if (table != nullptr && table->kind == OperandKind::Direct && read.area == table->area &&
+          read.offset == table->offset)
+        return true;
       for (std::uint32_t k = i + 1; k <= to; ++k) {
-        if (!isReset(kindOf(*flow.steps[k].instruction)) && !isSet(kindOf(*flow.steps[k].instruction)) && !isCoil(kindOf(*flow.steps[k].instruction))) continue;
+        if (!isReset(kindOf(*flow.steps[k].instruction)) && !isSet(kindOf(*flow.steps[k].instruction)) &&
+            !isCoil(kindOf(*flow.steps[k].instruction)))
+          continue;
         for (const Access& write : facts.accesses().of(flow.steps[k].instruction->id)) {
-          if (write.write && write.area == read.area && write.offset == read.offset && write.bit == read.bit) return true;
+          if (write.write && write.area == read.area && write.offset == read.offset && write.bit == read.bit)
+            return true;
         }
       }
     }
@@ -83,7 +91,9 @@ void check(const Facts& facts, FindingSink& sink) {
     if (facts.calls().reachedFromInterrupt(place.block) && !facts.calls().reachedFromMain(place.block)) continue;
     if (endsItself(facts, place)) continue;
     const bool isAlways = (known & condition::Always) != 0;
-    Finding& finding = sink.report(instruction.span, fmt::format("{} runs in every scan{}: {}", Facts::text(instruction), isAlways ? "" : " while its condition holds", harmOf(instruction)));
+    Finding& finding =
+        sink.report(instruction.span, fmt::format("{} runs in every scan{}: {}", Facts::text(instruction),
+                                                  isAlways ? "" : " while its condition holds", harmOf(instruction)));
     if (isAlways) finding.confirmation = Confirmation::NotNeeded;
     finding.help = "put EU in front of it, or a condition that is true for one scan";
   }
@@ -96,7 +106,9 @@ extern constexpr Rule hsp004_runs_every_scan = {
     .title = "Should run once, runs every scan",
     .severity = Severity::Warning,
     .needs = Needs::FlowThenSolver,
-    .detects = "a save to permanent memory (SM31.7), ATT, LIFO, FIFO, NETR, NETW, HDEF or PLS without an edge or first-scan condition",
+    .detects =
+        "a save to permanent memory (SM31.7), ATT, LIFO, FIFO, NETR, NETW, HDEF or PLS without an edge or first-scan "
+        "condition",
     .why = "permanent memory wears out, tables fill up, transfers and pulse trains start anew in every scan",
     .manual = "001:1637-1639, 001:6511, 001:4360",
     .bad = "Network 1\nLD SM0.1\nMOVW +10, VW200\nNetwork 2\nLD I0.0\nATT VW0, VW200\n",

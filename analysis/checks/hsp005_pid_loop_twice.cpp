@@ -14,10 +14,14 @@ void check(const Facts& facts, FindingSink& sink) {
   std::map<std::int64_t, const Instruction*> loops;
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
-    if (kindOf(instruction) != Kind::Pid || instruction.operands.size() < 2 || instruction.operands[1].kind != OperandKind::Constant) continue;
+    if (kindOf(instruction) != Kind::Pid || instruction.operands.size() < 2 ||
+        instruction.operands[1].kind != OperandKind::Constant)
+      continue;
     const auto [found, isNew] = loops.emplace(instruction.operands[1].value, &instruction);
     if (isNew) continue;
-    Finding& finding = sink.report(instruction.span, fmt::format("{} uses loop number {} a second time", Facts::text(instruction), instruction.operands[1].value));
+    Finding& finding = sink.report(
+        instruction.span,
+        fmt::format("{} uses loop number {} a second time", Facts::text(instruction), instruction.operands[1].value));
     finding.related.push_back({found->second->span, "first PID with that number"});
     finding.help = "give each PID its own number, 0 to 7";
   }

@@ -10,7 +10,8 @@ namespace rungproof {
 namespace {
 
 bool isStep(Control control) {
-  return control == Control::Lscr || control == Control::Scrt || control == Control::ScrEnd || control == Control::ScrEndConditional;
+  return control == Control::Lscr || control == Control::Scrt || control == Control::ScrEnd ||
+         control == Control::ScrEndConditional;
 }
 
 /// MOVB of a constant with protocol 01 (freeport) into SMB30 or SMB130 (001:13971).
@@ -18,7 +19,8 @@ bool switchesToFreeport(const Instruction& instruction) {
   if (kindOf(instruction) != Kind::MoveByte || instruction.operands.size() != 2) return false;
   const Operand& value = instruction.operands[0];
   const Operand& port = instruction.operands[1];
-  const bool isPort = port.kind == OperandKind::Direct && port.area == Area::SM && (port.offset == 30 || port.offset == 130);
+  const bool isPort =
+      port.kind == OperandKind::Direct && port.area == Area::SM && (port.offset == 30 || port.offset == 130);
   return isPort && value.kind == OperandKind::Constant && (value.value & 3) == 1;
 }
 
@@ -31,11 +33,16 @@ void check(const Facts& facts, FindingSink& sink) {
     const bool isForbidden = instruction.desc->notInInterrupt || (isRoutine && isStep(instruction.desc->control));
     const bool isFreeport = switchesToFreeport(instruction);
     if (!isForbidden && !isFreeport) continue;
-    const std::string where = isRoutine ? fmt::format("the interrupt routine {}", pou.name) : fmt::format("{}, which an interrupt routine calls", pou.name);
-    Finding& finding = sink.report(instruction.span, isFreeport ? fmt::format("{} switches a port to freeport mode in {}", Facts::text(instruction), where)
-                                                                : fmt::format("{} is not allowed in {}", Facts::text(instruction), where));
-    finding.help = isFreeport ? "switch the port in the main program (error 009A, 001:13971)"
-                              : "do it in the main program, asked for by a bit that the routine sets (001:5426; errors 0004 and 0089)";
+    const std::string where = isRoutine ? fmt::format("the interrupt routine {}", pou.name)
+                                        : fmt::format("{}, which an interrupt routine calls", pou.name);
+    Finding& finding = sink.report(
+        instruction.span,
+        isFreeport ? fmt::format("{} switches a port to freeport mode in {}", Facts::text(instruction), where)
+                   : fmt::format("{} is not allowed in {}", Facts::text(instruction), where));
+    finding.help =
+        isFreeport
+            ? "switch the port in the main program (error 009A, 001:13971)"
+            : "do it in the main program, asked for by a bit that the routine sets (001:5426; errors 0004 and 0089)";
   }
 }
 
@@ -46,13 +53,20 @@ extern constexpr Rule int001_not_in_interrupt = {
     .title = "Instruction not allowed in an interrupt routine",
     .severity = Severity::Error,
     .needs = Needs::Text,
-    .detects = "DISI, ENI, HDEF, END, SPA, an SCR instruction or the switch to freeport mode in an interrupt routine or in a subroutine that it calls",
-    .why = "run-time error 0004 or 009A: the instruction is not executed; the compiler refuses most of them with error 0089",
+    .detects =
+        "DISI, ENI, HDEF, END, SPA, an SCR instruction or the switch to freeport mode in an interrupt routine or in a "
+        "subroutine that it calls",
+    .why =
+        "run-time error 0004 or 009A: the instruction is not executed; the compiler refuses most of them with error "
+        "0089",
     .manual = "001:5426, 001:3353, 001:13952, 001:13971",
-    .bad = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.1\nATCH INT0, 0\nENI\nEND_ORGANIZATION_BLOCK\n"
-           "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nDISI\nEND_INTERRUPT_BLOCK\n",
-    .good = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.1\nATCH INT0, 0\nENI\nNetwork 2\nLD M0.0\nR M0.0, 1\nDTCH 0\nEND_ORGANIZATION_BLOCK\n"
-            "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nS M0.0, 1\nEND_INTERRUPT_BLOCK\n",
+    .bad =
+        "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.1\nATCH INT0, 0\nENI\nEND_ORGANIZATION_BLOCK\n"
+        "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nDISI\nEND_INTERRUPT_BLOCK\n",
+    .good =
+        "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.1\nATCH INT0, 0\nENI\nNetwork 2\nLD M0.0\nR M0.0, "
+        "1\nDTCH 0\nEND_ORGANIZATION_BLOCK\n"
+        "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nS M0.0, 1\nEND_INTERRUPT_BLOCK\n",
     .dialects = dialect::S7200,
     .check = check,
 };

@@ -45,15 +45,19 @@ void check(const Facts& facts, FindingSink& sink) {
       if (isInterrupt && !facts.calls().reachedFromMain(facts.blockOf(access.instruction))) {
         if (access.write && isWide(access) && write == nullptr) write = &access;
       } else if (!access.write && isProtected[access.instruction] == 0) {
-        if (first == nullptr) first = &access;
-        else if (second == nullptr && access.instruction != first->instruction) second = &access;
+        if (first == nullptr)
+          first = &access;
+        else if (second == nullptr && access.instruction != first->instruction)
+          second = &access;
       }
     }
     if (write == nullptr || first == nullptr || second == nullptr || write->instruction == lastReported) continue;
     lastReported = write->instruction;
     const Instruction& reader = facts.instruction(second->instruction);
-    Finding& finding = sink.report(reader.span, fmt::format("{} is written by the interrupt routine {} and read here a second time in the scan; the interrupt may come between the reads",
-                                                            accessName(*write), facts.pouOf(write->instruction).name));
+    Finding& finding =
+        sink.report(reader.span, fmt::format("{} is written by the interrupt routine {} and read here a second time in "
+                                             "the scan; the interrupt may come between the reads",
+                                             accessName(*write), facts.pouOf(write->instruction).name));
     finding.address = accessName(*write);
     finding.related.push_back({facts.instruction(write->instruction).span, "written in the interrupt routine"});
     finding.related.push_back({facts.instruction(first->instruction).span, "first read in the scan"});
@@ -68,13 +72,19 @@ extern constexpr Rule int004_shared_data_not_protected = {
     .title = "Shared data not protected",
     .severity = Severity::Warning,
     .needs = Needs::Flow,
-    .detects = "a word or double word written in an interrupt routine and read elsewhere by more than one access, without DISI and ENI around them",
+    .detects =
+        "a word or double word written in an interrupt routine and read elsewhere by more than one access, without "
+        "DISI and ENI around them",
     .why = "the interrupt can come between two instructions, so the two reads may belong to different events",
     .manual = "001:2084, 001:5434-5440",
-    .bad = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.1\nATCH INT0, 0\nENI\nNetwork 2\nLDW>= VW0, +10\n= Q0.0\nNetwork 3\nLDW< VW0, +10\n= Q0.1\nEND_ORGANIZATION_BLOCK\n"
-           "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nINCW VW0\nEND_INTERRUPT_BLOCK\n",
-    .good = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.1\nATCH INT0, 0\nENI\nNetwork 2\nLD SM0.0\nMOVW VW0, VW2\nNetwork 3\nLDW>= VW2, +10\n= Q0.0\nNetwork 4\nLDW< VW2, +10\n= Q0.1\nEND_ORGANIZATION_BLOCK\n"
-            "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nINCW VW0\nEND_INTERRUPT_BLOCK\n",
+    .bad =
+        "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.1\nATCH INT0, 0\nENI\nNetwork 2\nLDW>= VW0, +10\n= "
+        "Q0.0\nNetwork 3\nLDW< VW0, +10\n= Q0.1\nEND_ORGANIZATION_BLOCK\n"
+        "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nINCW VW0\nEND_INTERRUPT_BLOCK\n",
+    .good =
+        "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.1\nATCH INT0, 0\nENI\nNetwork 2\nLD SM0.0\nMOVW VW0, "
+        "VW2\nNetwork 3\nLDW>= VW2, +10\n= Q0.0\nNetwork 4\nLDW< VW2, +10\n= Q0.1\nEND_ORGANIZATION_BLOCK\n"
+        "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nINCW VW0\nEND_INTERRUPT_BLOCK\n",
     .falsePositives = "reads that need not agree with each other",
     .peers = "SA0006; SA0103; CP10; CP11; CP15; Frama-PLC task lists",
     .dialects = dialect::S7200,

@@ -19,7 +19,9 @@ struct Claim {
   int counter = -1;  ///< -1: an edge event
 };
 
-std::string ownerText(const Claim& claim) { return claim.counter >= 0 ? fmt::format("HSC{}", claim.counter) : std::string("an edge event"); }
+std::string ownerText(const Claim& claim) {
+  return claim.counter >= 0 ? fmt::format("HSC{}", claim.counter) : std::string("an edge event");
+}
 
 void check(const Facts& facts, FindingSink& sink) {
   std::array<Claim, inputCount> claims{};
@@ -31,17 +33,22 @@ void check(const Facts& facts, FindingSink& sink) {
     }
     const bool isSame = owner.counter == next.counter;
     if (isSame) return;
-    Finding& finding = sink.report(next.instruction->span, fmt::format("{} needs input I{}.{} for {}, but {} uses it already", Facts::text(*next.instruction), input / 8, input % 8,
-                                                                       ownerText(next), ownerText(owner)));
+    Finding& finding =
+        sink.report(next.instruction->span,
+                    fmt::format("{} needs input I{}.{} for {}, but {} uses it already", Facts::text(*next.instruction),
+                                input / 8, input % 8, ownerText(next), ownerText(owner)));
     finding.address = fmt::format("I{}.{}", input / 8, input % 8);
     finding.related.push_back({owner.instruction->span, fmt::format("{} claims the input", ownerText(owner))});
-    finding.help = "use another mode, counter or input: an input serves one purpose (001:4211-4213; errors 0002 and 0003)";
+    finding.help =
+        "use another mode, counter or input: an input serves one purpose (001:4211-4213; errors 0002 and 0003)";
   };
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
     if (kindOf(instruction) != Kind::Hdef || instruction.operands.size() < 2) continue;
-    if (instruction.operands[0].kind != OperandKind::Constant || instruction.operands[1].kind != OperandKind::Constant) continue;
-    const int counter = static_cast<int>(instruction.operands[0].value), mode = static_cast<int>(instruction.operands[1].value);
+    if (instruction.operands[0].kind != OperandKind::Constant || instruction.operands[1].kind != OperandKind::Constant)
+      continue;
+    const int counter = static_cast<int>(instruction.operands[0].value),
+              mode = static_cast<int>(instruction.operands[1].value);
     for (int input = 0; input < inputCount; ++input) {
       if (hscUsesInput(counter, mode, input)) claim(input, {&instruction, counter});
     }
@@ -61,10 +68,14 @@ extern constexpr Rule int005_input_claimed_twice = {
     .detects = "an input used by a fast counter and by an I/O interrupt, or by two fast counters",
     .why = "the second claim is refused at run time with error 0002 or 0003",
     .manual = "001:4211-4213, 001:13950-13951",
-    .bad = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.1\nMOVB 16#F8, SMB37\nHDEF 0, 0\nHSC 0\nATCH INT0, 0\nENI\nEND_ORGANIZATION_BLOCK\n"
-           "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nINCW VW0\nEND_INTERRUPT_BLOCK\n",
-    .good = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.1\nMOVB 16#F8, SMB37\nHDEF 0, 0\nHSC 0\nATCH INT0, 2\nENI\nEND_ORGANIZATION_BLOCK\n"
-            "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nINCW VW0\nEND_INTERRUPT_BLOCK\n",
+    .bad =
+        "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.1\nMOVB 16#F8, SMB37\nHDEF 0, 0\nHSC 0\nATCH INT0, "
+        "0\nENI\nEND_ORGANIZATION_BLOCK\n"
+        "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nINCW VW0\nEND_INTERRUPT_BLOCK\n",
+    .good =
+        "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.1\nMOVB 16#F8, SMB37\nHDEF 0, 0\nHSC 0\nATCH INT0, "
+        "2\nENI\nEND_ORGANIZATION_BLOCK\n"
+        "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nINCW VW0\nEND_INTERRUPT_BLOCK\n",
     .dialects = dialect::S7200,
     .check = check,
 };

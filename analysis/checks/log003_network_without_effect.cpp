@@ -1,6 +1,6 @@
-// LOG003: a network of which everything it writes is overwritten before anything reads it. A walk backwards through each
-// block remembers what later code certainly overwrites; jumps, calls and labels forget it.
-// Tested by its examples and tests/rules/output_rules_test.cpp.
+// LOG003: a network of which everything it writes is overwritten before anything reads it. A walk backwards through
+// each block remembers what later code certainly overwrites; jumps, calls and labels forget it. Tested by its examples
+// and tests/rules/output_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <unordered_map>
@@ -26,14 +26,17 @@ void eachBit(const Facts& facts, const Access& access, Visit visit) {
 }
 
 bool isMemory(const Access& access) {
-  if (access.viaPointer || access.maybe || access.isBox || access.most != access.count || access.certainLength() > 4) return false;
-  return access.area == Area::Q || access.area == Area::M || access.area == Area::V || access.area == Area::L || access.area == Area::AC;
+  if (access.viaPointer || access.maybe || access.isBox || access.most != access.count || access.certainLength() > 4)
+    return false;
+  return access.area == Area::Q || access.area == Area::M || access.area == Area::V || access.area == Area::L ||
+         access.area == Area::AC;
 }
 
 /// An instruction whose only effect is to write memory, and all of it is overwritten later.
 const Instruction* overwriter(const Facts& facts, const Instruction& instruction, const Overwrites& later) {
   const Kind kind = kindOf(instruction);
-  const bool isPlain = kind == Kind::Assign || kind == Kind::Set || kind == Kind::Reset || (kind >= Kind::MoveByte && kind <= Kind::MoveReal);
+  const bool isPlain = kind == Kind::Assign || kind == Kind::Set || kind == Kind::Reset ||
+                       (kind >= Kind::MoveByte && kind <= Kind::MoveReal);
   if (!isPlain) return nullptr;
   const Instruction* by = nullptr;
   for (const Access& access : facts.accesses().of(instruction.id)) {
@@ -42,8 +45,10 @@ const Instruction* overwriter(const Facts& facts, const Instruction& instruction
     bool isDead = true;
     eachBit(facts, access, [&](std::uint32_t key) {
       const auto found = later.find(key);
-      if (found == later.end()) isDead = false;
-      else by = found->second;
+      if (found == later.end())
+        isDead = false;
+      else
+        by = found->second;
     });
     if (!isDead) return nullptr;
   }
@@ -57,8 +62,10 @@ void remember(const Facts& facts, const Instruction& instruction, Overwrites& la
     eachBit(facts, access, [&](std::uint32_t key) { later[key] = &instruction; });
   }
   for (const Access& access : facts.accesses().of(instruction.id)) {
-    if (access.viaPointer || access.certainLength() != access.possibleLength() || access.certainLength() > 40) later.clear();
-    else if (!access.write) eachBit(facts, access, [&](std::uint32_t key) { later.erase(key); });
+    if (access.viaPointer || access.certainLength() != access.possibleLength() || access.certainLength() > 40)
+      later.clear();
+    else if (!access.write)
+      eachBit(facts, access, [&](std::uint32_t key) { later.erase(key); });
   }
 }
 
@@ -70,7 +77,8 @@ void checkBlock(const Facts& facts, FindingSink& sink, const Flow& flow) {
   const Instruction* by = nullptr;
   const auto close = [&] {
     if (network == noPartner || !isDead || hasEffect || first == nullptr) return;
-    Finding& finding = sink.report(first->span, "this network has no effect: everything it writes is overwritten before it is read");
+    Finding& finding =
+        sink.report(first->span, "this network has no effect: everything it writes is overwritten before it is read");
     finding.related.push_back({by->span, "overwritten here"});
     finding.help = "join the conditions, or remove the network";
   };
@@ -85,8 +93,10 @@ void checkBlock(const Facts& facts, FindingSink& sink, const Flow& flow) {
     if (instruction.desc->control != Control::None) later.clear();
     if (!isLogic(kindOf(instruction))) {
       const Instruction* overwrite = overwriter(facts, instruction, later);
-      if (overwrite == nullptr) hasEffect = true;
-      else by = overwrite;
+      if (overwrite == nullptr)
+        hasEffect = true;
+      else
+        by = overwrite;
       isDead = isDead || overwrite != nullptr;
     } else if (kindOf(instruction) == Kind::Eu || kindOf(instruction) == Kind::Ed) {
       hasEffect = true;  // the edge memory

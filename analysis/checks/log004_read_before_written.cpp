@@ -13,9 +13,11 @@ namespace {
 /// The only coil of the bit, in a block without loops around it, or nullptr.
 const Access* onlyCoil(const Facts& facts, std::uint32_t key) {
   const std::span<const std::uint32_t> writers = facts.bits().at(key);
-  if (writers.size() != 1 || facts.writers(key / 8, key % 8) != 1 || facts.index().isWrittenAtLarge(key / 8)) return nullptr;
+  if (writers.size() != 1 || facts.writers(key / 8, key % 8) != 1 || facts.index().isWrittenAtLarge(key / 8))
+    return nullptr;
   const Access& access = facts.access(writers.front());
-  const bool isPlain = isCoil(kindOf(facts.instruction(access.instruction))) && !facts.execution().at(access.instruction).inLoop;
+  const bool isPlain =
+      isCoil(kindOf(facts.instruction(access.instruction))) && !facts.execution().at(access.instruction).inLoop;
   return isPlain && (access.area == Area::Q || access.area == Area::M || access.area == Area::V) ? &access : nullptr;
 }
 
@@ -31,13 +33,17 @@ void check(const Facts& facts, FindingSink& sink) {
       const Access& access = facts.access(i);
       if (access.write || access.width != Width::Bit || access.bit != key % 8) continue;
       const InstructionPlace& place = facts.place(access.instruction);
-      if (place.block != home.block || place.network > home.network) isReadLater = true;
-      else if (place.network < home.network && early == nullptr) early = &access;
+      if (place.block != home.block || place.network > home.network)
+        isReadLater = true;
+      else if (place.network < home.network && early == nullptr)
+        early = &access;
     }
     if (early == nullptr || isReadLater) continue;
     const Instruction& instruction = facts.instruction(early->instruction);
-    Finding& finding = sink.report(instruction.span, fmt::format("{} reads {} before network {} writes it: it sees the value of the scan before", Facts::text(instruction), facts.bitName(key),
-                                                                 facts.networkOf(coil->instruction).number));
+    Finding& finding = sink.report(
+        instruction.span,
+        fmt::format("{} reads {} before network {} writes it: it sees the value of the scan before",
+                    Facts::text(instruction), facts.bitName(key), facts.networkOf(coil->instruction).number));
     finding.address = toString(instruction.operands[early->operand]);
     finding.related.push_back({facts.instruction(coil->instruction).span, "written here"});
     finding.help = "put the network with the coil first if one scan of delay matters";

@@ -15,7 +15,8 @@ enum class Toggle { No, While, Always };
 bool isContactOn(const Instruction& instruction, const Operand& bit) {
   if (instruction.desc->execution != Execution::Stack || instruction.operands.empty()) return false;
   const Operand& o = instruction.operands[0];
-  return o.kind == OperandKind::Direct && o.area == bit.area && o.offset == bit.offset && o.bit == bit.bit && o.width == Width::Bit;
+  return o.kind == OperandKind::Direct && o.area == bit.area && o.offset == bit.offset && o.bit == bit.bit &&
+         o.width == Width::Bit;
 }
 
 /// The rung in front of the coil at step `at`: contacts in series only, one of them the inverse of the coil's bit.
@@ -31,7 +32,9 @@ Toggle rungOf(const Flow& flow, std::uint32_t at, const Operand& bit) {
       if (!isNegated) return Toggle::No;
       hasOwn = true;
     } else {
-      const Condition known = instruction.operands.empty() || instruction.desc->execution != Execution::Stack ? Condition{0} : conditionOf(instruction.operands[0], isNegated, {});
+      const Condition known = instruction.operands.empty() || instruction.desc->execution != Execution::Stack
+                                  ? Condition{0}
+                                  : conditionOf(instruction.operands[0], isNegated, {});
       if ((known & condition::Pulse) != 0) return Toggle::No;
       if ((known & condition::Always) == 0) isPlain = false;
     }
@@ -43,14 +46,18 @@ Toggle rungOf(const Flow& flow, std::uint32_t at, const Operand& bit) {
 void check(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
-    if (kindOf(instruction) != Kind::Assign || instruction.operands.empty() || instruction.operands[0].kind != OperandKind::Direct) continue;
+    if (kindOf(instruction) != Kind::Assign || instruction.operands.empty() ||
+        instruction.operands[0].kind != OperandKind::Direct)
+      continue;
     const Operand& bit = instruction.operands[0];
     const std::uint32_t cell = facts.index().cells().cell(bit.area, bit.offset, place.block);
     if (cell == facts.index().cells().size() || bit.bit > 7 || facts.writers(cell, bit.bit) != 1) continue;
     const Toggle toggle = rungOf(facts.plan().flows[place.block], place.step, bit);
     if (toggle == Toggle::No) continue;
-    Finding& finding = sink.report(instruction.span, fmt::format("{} is assigned from its own inverse{}: it changes in every scan", facts.name(bit),
-                                                                 toggle == Toggle::Always ? "" : " while the other contacts hold"));
+    Finding& finding =
+        sink.report(instruction.span,
+                    fmt::format("{} is assigned from its own inverse{}: it changes in every scan", facts.name(bit),
+                                toggle == Toggle::Always ? "" : " while the other contacts hold"));
     finding.address = toString(bit);
     if (toggle == Toggle::Always) finding.confirmation = Confirmation::NotNeeded;
     finding.help = "put EU in front, so that it changes once per press";
@@ -68,7 +75,9 @@ extern constexpr Rule log005_bit_toggles = {
     .why = "a lamp flickers at scan rate, a motor contactor chatters",
     .manual = "001:2777, 001:2741",
     .bad = "Network 1\nLDN M0.0\n= M0.0\nNetwork 2\nLD M0.0\n= Q0.0\n",
-    .good = "Network 1\nLD I0.0\nEU\nLPS\nAN M0.0\n= M0.1\nLPP\nA M0.0\n= M0.2\nNetwork 2\nLD M0.1\nS M0.0, 1\nNetwork 3\nLD M0.2\nR M0.0, 1\n",
+    .good =
+        "Network 1\nLD I0.0\nEU\nLPS\nAN M0.0\n= M0.1\nLPP\nA M0.0\n= M0.2\nNetwork 2\nLD M0.1\nS M0.0, 1\nNetwork "
+        "3\nLD M0.2\nR M0.0, 1\n",
     .falsePositives = "a scan clock on purpose: SM0.6 is one already",
     .check = check,
 };

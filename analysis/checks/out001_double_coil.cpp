@@ -27,20 +27,26 @@ void check(const Facts& facts, FindingSink& sink) {
     coils.clear();
     for (const std::uint32_t i : facts.bits().at(key)) {
       const Access& access = facts.access(i);
-      const bool isDead = !facts.execution().at(access.instruction).isReachable || facts.execution().runs(facts.blockOf(access.instruction)) == Runs::Never;
-      if (access.area != Area::L && isCoil(kindOf(facts.instruction(access.instruction))) && !isDead) coils.push_back(access.instruction);
+      const bool isDead = !facts.execution().at(access.instruction).isReachable ||
+                          facts.execution().runs(facts.blockOf(access.instruction)) == Runs::Never;
+      if (access.area != Area::L && isCoil(kindOf(facts.instruction(access.instruction))) && !isDead)
+        coils.push_back(access.instruction);
     }
     if (coils.size() < 2) continue;
     const Instruction& second = facts.instruction(coils[1]);
     const std::string bit = facts.bitName(key);
-    Finding& finding = sink.report(second.span, fmt::format("{} is driven by {} coils; the last one that runs in a scan wins", bit, coils.size()));
+    Finding& finding = sink.report(
+        second.span, fmt::format("{} is driven by {} coils; the last one that runs in a scan wins", bit, coils.size()));
     finding.address = toString(second.operands[0]);
     finding.help = "join the conditions with OLD in one network, or use S and R";
     for (std::size_t i = 0; i < std::min(coils.size(), mostRelated + 1); ++i) {
       if (i == 1) continue;
-      finding.related.push_back({facts.instruction(coils[i]).span, fmt::format("coil of {} in {}, network {}", bit, facts.pouOf(coils[i]).name, facts.networkOf(coils[i]).number)});
+      finding.related.push_back({facts.instruction(coils[i]).span,
+                                 fmt::format("coil of {} in {}, network {}", bit, facts.pouOf(coils[i]).name,
+                                             facts.networkOf(coils[i]).number)});
     }
-    const auto certain = std::count_if(coils.begin(), coils.end(), [&](std::uint32_t id) { return runsAlways(facts, id); });
+    const auto certain =
+        std::count_if(coils.begin(), coils.end(), [&](std::uint32_t id) { return runsAlways(facts, id); });
     if (certain >= 2) finding.confirmation = Confirmation::NotNeeded;
   }
 }
@@ -53,12 +59,16 @@ extern constexpr Rule out001_double_coil = {
     .severity = Severity::Warning,
     .needs = Needs::FlowThenSolver,
     .detects = "two or more = (or =I) on the same bit whose networks can run in the same scan",
-    .why = "outputs leave only at the end of the scan, so the last coil wins and the others do nothing; the manual never warns of it",
+    .why =
+        "outputs leave only at the end of the scan, so the last coil wins and the others do nothing; the manual never "
+        "warns of it",
     .manual = "001:1254, 001:2777",
     .bad = "Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\nO I0.1\n= Q0.0\n",
-    .falsePositives = "coils in code of which only one part runs per scan (jumps, steps, conditional calls): the prover drops them, lint alone "
-                      "marks them unconfirmed",
+    .falsePositives =
+        "coils in code of which only one part runs per scan (jumps, steps, conditional calls): the prover drops them, "
+        "lint alone "
+        "marks them unconfirmed",
     .peers = "SA0004; CP12; Rockwell duplicate destructive bit; Omron duplicate outputs",
     .check = check,
 };

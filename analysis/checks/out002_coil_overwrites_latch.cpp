@@ -29,7 +29,8 @@ void check(const Facts& facts, FindingSink& sink) {
     }
     if (coil == nullptr || latch == nullptr) continue;
     const std::string bit = facts.bitName(key);
-    Finding& finding = sink.report(coil->span, fmt::format("the coil of {} overwrites what {} does to it", bit, Facts::text(*latch)));
+    Finding& finding =
+        sink.report(coil->span, fmt::format("the coil of {} overwrites what {} does to it", bit, Facts::text(*latch)));
     finding.address = toString(coil->operands[0]);
     finding.related.push_back({latch->span, fmt::format("{} is latched here", bit)});
     finding.help = "drive the bit either by = or by S and R (001:2821)";
@@ -44,7 +45,9 @@ extern constexpr Rule out002_coil_overwrites_latch = {
     .severity = Severity::Warning,
     .needs = Needs::Text,
     .detects = "= and S or R on the same bit",
-    .why = "the coil writes the bit in every scan, 0 as well as 1; the manual says to make sure that no other assignment overwrites set and reset bits",
+    .why =
+        "the coil writes the bit in every scan, 0 as well as 1; the manual says to make sure that no other assignment "
+        "overwrites set and reset bits",
     .manual = "001:2821",
     .bad = "Network 1\nLD I0.0\nS Q0.0, 1\nNetwork 2\nLD I0.1\n= Q0.0\nNetwork 3\nLD I0.2\nR Q0.0, 1\n",
     .good = "Network 1\nLD I0.0\nO I0.1\nS Q0.0, 1\nNetwork 2\nLD I0.2\nR Q0.0, 1\n",

@@ -20,7 +20,8 @@ struct Hands {
 /// Bytes, words and double words written as a whole clear or set their bits.
 bool isWrittenWhole(const Facts& facts, std::uint32_t cell) {
   const std::span<const std::uint32_t> accesses = facts.index().at(cell);
-  return std::any_of(accesses.begin(), accesses.end(), [&](std::uint32_t i) { return facts.access(i).write && facts.access(i).width != Width::Bit; });
+  return std::any_of(accesses.begin(), accesses.end(),
+                     [&](std::uint32_t i) { return facts.access(i).write && facts.access(i).width != Width::Bit; });
 }
 
 /// By bit; bits that no bit instruction writes stay empty.
@@ -39,15 +40,19 @@ std::vector<Hands> allHands(const Facts& facts) {
     hands.other = isOther;
     for (const std::uint32_t i : writers) {
       const Kind kind = kindOf(facts.instruction(facts.access(i).instruction));
-      if (isSet(kind)) hands.set = true;
-      else if (isReset(kind)) hands.reset = true;
-      else hands.other = true;
+      if (isSet(kind))
+        hands.set = true;
+      else if (isReset(kind))
+        hands.reset = true;
+      else
+        hands.other = true;
     }
   }
   return all;
 }
 
-void checkInstruction(const Facts& facts, FindingSink& sink, const Instruction& instruction, const Access& access, const std::vector<Hands>& all, std::vector<std::uint8_t>& seen) {
+void checkInstruction(const Facts& facts, FindingSink& sink, const Instruction& instruction, const Access& access,
+                      const std::vector<Hands>& all, std::vector<std::uint8_t>& seen) {
   const bool sets = isSet(kindOf(instruction));
   const std::uint32_t start = facts.cellOf(access) * 8 + access.bit;
   if (facts.cellOf(access) == facts.index().cells().size()) return;
@@ -64,11 +69,13 @@ void checkInstruction(const Facts& facts, FindingSink& sink, const Instruction& 
     }
   }
   if (lonely == 0) return;
-  const std::string bits = lonely == 1 ? facts.bitName(first) : fmt::format("{} and {} more", facts.bitName(first), lonely - 1);
+  const std::string bits =
+      lonely == 1 ? facts.bitName(first) : fmt::format("{} and {} more", facts.bitName(first), lonely - 1);
   const std::string_view text = sets ? "is set but never reset; once on it stays on" : "is reset but never set";
   Finding& finding = sink.report(instruction.span, fmt::format("{} {}", bits, text));
   finding.address = toString(instruction.operands[0]);
-  finding.help = sets ? "add the R that ends it, or use = if the bit should follow its condition" : "correct the address, or remove the reset";
+  finding.help = sets ? "add the R that ends it, or use = if the bit should follow its condition"
+                      : "correct the address, or remove the reset";
 }
 
 void check(const Facts& facts, FindingSink& sink) {
@@ -81,7 +88,8 @@ void check(const Facts& facts, FindingSink& sink) {
     if (!isSet(kind) && !isReset(kind)) continue;
     for (const Access& access : facts.accesses().of(instruction.id)) {
       const bool isBit = access.write && access.width == Width::Bit && !access.byNumber() && access.bit <= 7;
-      if (isBit && access.area != Area::SM && access.area != Area::L && access.most == access.count) checkInstruction(facts, sink, instruction, access, all, seen);
+      if (isBit && access.area != Area::SM && access.area != Area::L && access.most == access.count)
+        checkInstruction(facts, sink, instruction, access, all, seen);
     }
   }
 }

@@ -34,7 +34,8 @@ void check(const Facts& facts, FindingSink& sink) {
     if (!isSet(kind) && !isReset(kind)) continue;
     if ((facts.conditionOf(instruction.id) & condition::FirstScan) != 0) continue;
     for (const Access& access : facts.accesses().of(instruction.id)) {
-      if (!access.write || access.width != Width::Bit || access.byNumber() || access.count < 2 || access.bit > 7) continue;
+      if (!access.write || access.width != Width::Bit || access.byNumber() || access.count < 2 || access.bit > 7)
+        continue;
       const std::uint32_t cell = facts.cellOf(access);
       if (cell == facts.index().cells().size() || access.area == Area::L) continue;
       for (std::uint32_t k = 1; k < access.count && cell * 8 + access.bit + k < facts.bits().size(); ++k) {
@@ -42,10 +43,13 @@ void check(const Facts& facts, FindingSink& sink) {
         const Instruction* other = driver(facts, key, instruction);
         if (other == nullptr) continue;
         const std::string bit = facts.bitName(key);
-        Finding& finding = sink.report(instruction.span, fmt::format("{} covers {}, which {} drives", Facts::text(instruction), bit, Facts::text(*other)));
+        Finding& finding = sink.report(
+            instruction.span,
+            fmt::format("{} covers {}, which {} drives", Facts::text(instruction), bit, Facts::text(*other)));
         finding.address = toString(instruction.operands[0]);
         finding.related.push_back({other->span, fmt::format("{} is driven here", bit)});
-        finding.help = fmt::format("the count reaches from {} over {} bits; check it", toString(instruction.operands[0]), access.count);
+        finding.help = fmt::format("the count reaches from {} over {} bits; check it",
+                                   toString(instruction.operands[0]), access.count);
         break;
       }
     }
@@ -64,7 +68,9 @@ extern constexpr Rule out005_block_covers_foreign_bit = {
     .manual = "001:2789",
     .bad = "Network 1\nLD I0.0\nS Q0.0, 8\nNetwork 2\nLD I0.1\nR Q0.0, 8\nNetwork 3\nLD I0.2\n= Q0.5\n",
     .good = "Network 1\nLD I0.0\nS Q0.0, 4\nNetwork 2\nLD I0.1\nR Q0.0, 4\nNetwork 3\nLD I0.2\n= Q0.5\n",
-    .falsePositives = "a general switch-off over outputs that coils drive later in the scan: put it behind them, or into their conditions",
+    .falsePositives =
+        "a general switch-off over outputs that coils drive later in the scan: put it behind them, or into their "
+        "conditions",
     .peers = "SA0028 (nearest)",
     .check = check,
 };

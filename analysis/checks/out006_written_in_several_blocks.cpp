@@ -14,13 +14,17 @@ namespace {
 
 bool counts(const Facts& facts, const Access& access) {
   if (!access.write || access.maybe || access.operand == impliedOperand || access.isBox) return false;
-  if (access.area != Area::Q && access.area != Area::V && access.area != Area::M && access.area != Area::AQ) return false;
+  if (access.area != Area::Q && access.area != Area::V && access.area != Area::M && access.area != Area::AQ)
+    return false;
   const Execution execution = facts.instruction(access.instruction).desc->execution;
-  if (execution == Execution::Control && facts.instruction(access.instruction).desc->control != Control::Call) return false;
+  if (execution == Execution::Control && facts.instruction(access.instruction).desc->control != Control::Call)
+    return false;
   return (facts.conditionOf(access.instruction) & condition::FirstScan) == 0;
 }
 
-bool isInterrupt(const Facts& facts, const Access& access) { return facts.pouOf(access.instruction).kind == PouKind::Interrupt; }
+bool isInterrupt(const Facts& facts, const Access& access) {
+  return facts.pouOf(access.instruction).kind == PouKind::Interrupt;
+}
 
 bool isHandshake(const Facts& facts, const Access& a, const Access& b) {
   if (isInterrupt(facts, a) == isInterrupt(facts, b) || a.width != Width::Bit || b.width != Width::Bit) return false;
@@ -54,15 +58,21 @@ void check(const Facts& facts, FindingSink& sink) {
       }
       if (facts.blockOf(first->instruction) == facts.blockOf(access.instruction)) continue;
       if (!bitsMeet(*first, access, cells.offsetOf(cell)) || isHandshake(facts, *first, access)) continue;
-      const std::uint64_t key = static_cast<std::uint64_t>(first->instruction) << 32 | facts.blockOf(access.instruction);
+      const std::uint64_t key =
+          static_cast<std::uint64_t>(first->instruction) << 32 | facts.blockOf(access.instruction);
       if (!seen.insert(key).second) continue;
       const Instruction& instruction = facts.instruction(access.instruction);
       const std::string place = toString(instruction.operands[access.operand]);
-      const std::string_view when = isInterrupt(facts, *first) != isInterrupt(facts, access) ? "; the interrupt can come at any point of the scan" : "";
-      Finding& finding = sink.report(instruction.operands[access.operand].span, fmt::format("{} is written in {} and in {}{}", facts.name(instruction.operands[access.operand]),
-                                                                                             facts.pouOf(first->instruction).name, facts.pouOf(access.instruction).name, when));
+      const std::string_view when = isInterrupt(facts, *first) != isInterrupt(facts, access)
+                                        ? "; the interrupt can come at any point of the scan"
+                                        : "";
+      Finding& finding =
+          sink.report(instruction.operands[access.operand].span,
+                      fmt::format("{} is written in {} and in {}{}", facts.name(instruction.operands[access.operand]),
+                                  facts.pouOf(first->instruction).name, facts.pouOf(access.instruction).name, when));
       finding.address = place;
-      finding.related.push_back({facts.instruction(first->instruction).span, fmt::format("{} writes it here", facts.pouOf(first->instruction).name)});
+      finding.related.push_back({facts.instruction(first->instruction).span,
+                                 fmt::format("{} writes it here", facts.pouOf(first->instruction).name)});
       finding.help = "let one block own the place, and give the others a request bit";
     }
   }
@@ -78,10 +88,14 @@ extern constexpr Rule out006_written_in_several_blocks = {
     .detects = "one bit or word written in two blocks, or in a block of the scan and in an interrupt routine",
     .why = "the order of the calls decides which value stays, and interrupts come anywhere in the scan",
     .manual = "001:2084, 001:5434-5440",
-    .bad = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\nCALL SBR0\nNetwork 2\nLD I0.1\n= Q0.0\nEND_ORGANIZATION_BLOCK\n"
-           "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.2\n= Q0.0\nEND_SUBROUTINE_BLOCK\n",
-    .good = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\nCALL SBR0\nNetwork 2\nLD I0.1\nO M0.0\n= Q0.0\nEND_ORGANIZATION_BLOCK\n"
-            "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.2\n= M0.0\nEND_SUBROUTINE_BLOCK\n",
+    .bad =
+        "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\nCALL SBR0\nNetwork 2\nLD I0.1\n= "
+        "Q0.0\nEND_ORGANIZATION_BLOCK\n"
+        "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.2\n= Q0.0\nEND_SUBROUTINE_BLOCK\n",
+    .good =
+        "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\nCALL SBR0\nNetwork 2\nLD I0.1\nO M0.0\n= "
+        "Q0.0\nEND_ORGANIZATION_BLOCK\n"
+        "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.2\n= M0.0\nEND_SUBROUTINE_BLOCK\n",
     .falsePositives = "blocks of which only one is called, such as one for each operating mode",
     .peers = "SA0006; CP10; CP26; Frama-PLC common outputs of two tasks",
     .check = check,

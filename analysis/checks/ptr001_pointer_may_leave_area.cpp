@@ -14,12 +14,16 @@ void reportKnown(const Facts& facts, FindingSink& sink, const PointerUse& use) {
   const Access& access = *use.access;
   const Target& target = facts.target();
   const bool isNumber = use.area == Area::T || use.area == Area::C;
-  if (use.offset >= 0 && addressExists(target, use.area, isNumber ? Width::Word : access.width, static_cast<std::uint32_t>(use.offset), 0)) return;
+  if (use.offset >= 0 &&
+      addressExists(target, use.area, isNumber ? Width::Word : access.width, static_cast<std::uint32_t>(use.offset), 0))
+    return;
   const Instruction& instruction = facts.instruction(access.instruction);
-  const std::string place = use.offset < 0 ? fmt::format("{} bytes before the {} area", -use.offset, areaName(use.area))
-                                           : addressName(use.area, access.width, static_cast<std::uint32_t>(use.offset));
-  Finding& finding = sink.report(instruction.operands[access.operand].span, fmt::format("{} in {} points to {}, which the CPU {} does not have", accessName(access), Facts::text(instruction), place,
-                                                                                        cpuName(target.cpu)));
+  const std::string place = use.offset < 0
+                                ? fmt::format("{} bytes before the {} area", -use.offset, areaName(use.area))
+                                : addressName(use.area, access.width, static_cast<std::uint32_t>(use.offset));
+  Finding& finding = sink.report(instruction.operands[access.operand].span,
+                                 fmt::format("{} in {} points to {}, which the CPU {} does not have",
+                                             accessName(access), Facts::text(instruction), place, cpuName(target.cpu)));
   finding.address = accessName(access);
   finding.confirmation = Confirmation::NotNeeded;
   finding.related.push_back({use.set->span, "the pointer is made here"});
@@ -33,8 +37,10 @@ void check(const Facts& facts, FindingSink& sink) {
     if (!pointer.isUnbounded() || pointer.uses.empty()) continue;
     const Access& access = *pointer.uses.front();
     const Instruction& instruction = facts.instruction(access.instruction);
-    Finding& finding = sink.report(instruction.operands[access.operand].span, fmt::format("{} in {} may leave its area: the pointer is moved on and nothing sets it back or limits it",
-                                                                                          accessName(access), Facts::text(instruction)));
+    Finding& finding = sink.report(
+        instruction.operands[access.operand].span,
+        fmt::format("{} in {} may leave its area: the pointer is moved on and nothing sets it back or limits it",
+                    accessName(access), Facts::text(instruction)));
     finding.address = accessName(access);
     finding.related.push_back({pointer.steps.front()->span, "the pointer is moved here"});
     finding.help = "set the pointer to its start with MOVD & before each pass, or compare it with its end";

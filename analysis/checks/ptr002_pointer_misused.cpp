@@ -12,7 +12,9 @@ namespace {
 
 void checkOperand(FindingSink& sink, const Instruction& instruction, const Operand& operand) {
   if (operand.kind == OperandKind::Indirect && !pointerMayStandThere(operand)) {
-    Finding& finding = sink.report(operand.span, fmt::format("{} in {}: a pointer may stand in V or L memory or in AC1 to AC3 only", toString(operand), Facts::text(instruction)));
+    Finding& finding =
+        sink.report(operand.span, fmt::format("{} in {}: a pointer may stand in V or L memory or in AC1 to AC3 only",
+                                              toString(operand), Facts::text(instruction)));
     finding.address = toString(operand);
     finding.help = "move the address to one of these places (001:1459)";
   }
@@ -20,8 +22,10 @@ void checkOperand(FindingSink& sink, const Instruction& instruction, const Opera
   const bool isBadArea = operand.area == Area::L || operand.area == Area::HC || operand.area == Area::AC;
   const bool isBit = operand.width == Width::Bit && operand.area != Area::T && operand.area != Area::C;
   if (!isBadArea && !isBit) return;
-  Finding& finding = sink.report(operand.span, fmt::format("{} takes the address of {}; pointers cannot point there", Facts::text(instruction),
-                                                           isBadArea ? fmt::format("area {}", areaName(operand.area)) : std::string("a single bit")));
+  Finding& finding = sink.report(
+      operand.span,
+      fmt::format("{} takes the address of {}; pointers cannot point there", Facts::text(instruction),
+                  isBadArea ? fmt::format("area {}", areaName(operand.area)) : std::string("a single bit")));
   finding.address = toString(operand);
   finding.help = "pointers name bytes of I, Q, V, M, S, AI, AQ, SM and the values of T and C (001:1461)";
 }
@@ -31,7 +35,9 @@ void checkUnset(const Facts& facts, FindingSink& sink, const Pointer& pointer) {
   if (pointer.isSet || pointer.uses.empty()) return;
   const Access& access = *pointer.uses.front();
   const Instruction& instruction = facts.instruction(access.instruction);
-  Finding& finding = sink.report(instruction.operands[access.operand].span, fmt::format("{} in {} is used, but nothing makes the pointer", accessName(access), Facts::text(instruction)));
+  Finding& finding = sink.report(
+      instruction.operands[access.operand].span,
+      fmt::format("{} in {} is used, but nothing makes the pointer", accessName(access), Facts::text(instruction)));
   finding.address = accessName(access);
   finding.help = "set it by MOVD &address first (001:1459)";
 }
@@ -52,7 +58,9 @@ extern constexpr Rule ptr002_pointer_misused = {
     .title = "Pointer misused",
     .severity = Severity::Error,
     .needs = Needs::Flow,
-    .detects = "a pointer that is used though nothing sets it, that is kept elsewhere than in V, L or AC1-AC3, or that is aimed at HC, L, an accumulator or a single bit",
+    .detects =
+        "a pointer that is used though nothing sets it, that is kept elsewhere than in V, L or AC1-AC3, or that is "
+        "aimed at HC, L, an accumulator or a single bit",
     .why = "run-time error 0006, in a comparison the fatal error 0011",
     .manual = "001:1459-1461, 001:13954",
     .bad = "Network 1\nLD SM0.0\nMOVW *AC1, VW0\n",

@@ -17,9 +17,12 @@ void checkEnd(const Facts& facts, FindingSink& sink, const Instruction& instruct
   const bool isCertain = access.offset + access.certainLength() > size;
   if (!isCertain && access.offset + access.possibleLength() <= size) return;
   const std::uint16_t count = isCertain ? access.count : access.most;
-  Finding& finding = sink.report(instruction.operands[access.operand].span, fmt::format("{} {} {} elements from {}; the {} area of the CPU {} ends at {}", Facts::text(instruction),
-                                                                                        isCertain ? "covers" : "may cover", count, accessName(access), areaName(access.area),
-                                                                                        cpuName(facts.target().cpu), addressName(access.area, access.byNumber() ? access.width : Width::Byte, size - 1)));
+  Finding& finding =
+      sink.report(instruction.operands[access.operand].span,
+                  fmt::format("{} {} {} elements from {}; the {} area of the CPU {} ends at {}",
+                              Facts::text(instruction), isCertain ? "covers" : "may cover", count, accessName(access),
+                              areaName(access.area), cpuName(facts.target().cpu),
+                              addressName(access.area, access.byNumber() ? access.width : Width::Byte, size - 1)));
   finding.address = accessName(access);
   finding.confirmation = isCertain ? Confirmation::NotNeeded : Confirmation::Unconfirmed;
   if (!isCertain) finding.severity = Severity::Warning;
@@ -29,13 +32,16 @@ void checkEnd(const Facts& facts, FindingSink& sink, const Instruction& instruct
 void checkOverlap(FindingSink& sink, const Instruction& instruction, const Access& source, const Access& target) {
   if (source.area != target.area || source.offset == target.offset) return;
   if (source.count != source.most) return;
-  const bool meet = source.offset < target.offset + target.certainLength() && target.offset < source.offset + source.certainLength();
+  const bool meet =
+      source.offset < target.offset + target.certainLength() && target.offset < source.offset + source.certainLength();
   if (!meet) return;
-  Finding& finding = sink.report(instruction.span, fmt::format("source and target of {} overlap", Facts::text(instruction)));
+  Finding& finding =
+      sink.report(instruction.span, fmt::format("source and target of {} overlap", Facts::text(instruction)));
   finding.address = accessName(target);
   finding.severity = Severity::Warning;
   finding.confirmation = Confirmation::NotNeeded;
-  finding.help = target.offset > source.offset ? "the order of the copy is not stated; upwards it repeats the first elements. Use a third place, or FIFO for queues"
+  finding.help = target.offset > source.offset ? "the order of the copy is not stated; upwards it repeats the first "
+                                                 "elements. Use a third place, or FIFO for queues"
                                                : "the order of the copy is not stated; use a third place";
 }
 

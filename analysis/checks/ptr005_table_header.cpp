@@ -26,13 +26,16 @@ bool isPrepared(const Facts& facts, std::uint32_t cell, const Instruction& own) 
   if (facts.index().mayBePointedTo(cell) || facts.isExternal(cell)) return true;
   for (const DataInit& init : facts.program().data) {
     const std::uint32_t offset = facts.index().cells().offsetOf(cell);
-    if (facts.index().cells().areaOf(cell) == Area::V && offset >= init.offset && offset < init.offset + init.bytes.size()) return true;
+    if (facts.index().cells().areaOf(cell) == Area::V && offset >= init.offset &&
+        offset < init.offset + init.bytes.size())
+      return true;
   }
   const std::span<const std::uint32_t> accesses = facts.index().at(cell);
   const bool isWritten = std::any_of(accesses.begin(), accesses.end(), [&](std::uint32_t i) {
     const Access& access = facts.access(i);
     const Kind kind = kindOf(facts.instruction(access.instruction));
-    return access.write && access.instruction != own.id && kind != Kind::Att && kind != Kind::Fifo && kind != Kind::Lifo;
+    return access.write && access.instruction != own.id && kind != Kind::Att && kind != Kind::Fifo &&
+           kind != Kind::Lifo;
   });
   if (isWritten) return true;
   const std::span<const std::uint32_t> wide = facts.index().wide();
@@ -47,7 +50,9 @@ void checkLength(const Facts& facts, FindingSink& sink, const Instruction& instr
   const std::uint32_t cell = facts.cellOf(table);
   if (cell == facts.index().cells().size()) return;
   if (!isPrepared(facts, cell, instruction)) {
-    Finding& finding = sink.report(instruction.span, fmt::format("nothing writes {}, the maximum length of the table of {}; it takes no entry", accessName(table), Facts::text(instruction)));
+    Finding& finding = sink.report(
+        instruction.span, fmt::format("nothing writes {}, the maximum length of the table of {}; it takes no entry",
+                                      accessName(table), Facts::text(instruction)));
     finding.address = accessName(table);
     finding.help = "move the number of entries (1 to 100) there in the first scan (001:6511)";
     return;
@@ -55,9 +60,12 @@ void checkLength(const Facts& facts, FindingSink& sink, const Instruction& instr
   for (const std::uint32_t i : facts.index().at(cell)) {
     const Access& access = facts.access(i);
     const Instruction& move = facts.instruction(access.instruction);
-    const bool isMove = access.write && kindOf(move) == Kind::MoveWord && access.offset == table.offset && move.operands[0].kind == OperandKind::Constant;
+    const bool isMove = access.write && kindOf(move) == Kind::MoveWord && access.offset == table.offset &&
+                        move.operands[0].kind == OperandKind::Constant;
     if (!isMove || (move.operands[0].value >= 1 && move.operands[0].value <= mostEntries)) continue;
-    Finding& finding = sink.report(move.operands[0].span, fmt::format("the table at {} gets a maximum length of {}; 1 to {} are allowed", accessName(table), move.operands[0].value, mostEntries));
+    Finding& finding = sink.report(move.operands[0].span,
+                                   fmt::format("the table at {} gets a maximum length of {}; 1 to {} are allowed",
+                                               accessName(table), move.operands[0].value, mostEntries));
     finding.address = accessName(table);
     finding.related.push_back({instruction.span, "the table is used here"});
     finding.help = "split the data into several tables (001:6262)";
@@ -70,7 +78,9 @@ void checkSearch(const Facts& facts, FindingSink& sink, const Instruction& instr
     if (!access.write || access.viaPointer || access.area == Area::AC) continue;
     const std::uint32_t cell = facts.cellOf(access);
     if (cell == facts.index().cells().size() || isPrepared(facts, cell, instruction)) continue;
-    Finding& finding = sink.report(instruction.operands[access.operand].span, fmt::format("{} starts its search at {}, which nothing sets; 0 is error 009B", Facts::text(instruction), accessName(access)));
+    Finding& finding = sink.report(instruction.operands[access.operand].span,
+                                   fmt::format("{} starts its search at {}, which nothing sets; 0 is error 009B",
+                                               Facts::text(instruction), accessName(access)));
     finding.address = accessName(access);
     finding.help = "move 1 there before each search; after a search without success it is 0 (001:6165)";
   }
@@ -94,7 +104,10 @@ void check(const Facts& facts, FindingSink& sink) {
     const Access* table = tableOf(facts, instruction, 0);
     const auto found = table == nullptr ? tables.end() : tables.find(facts.cellOf(*table));
     if (found == tables.end()) continue;
-    Finding& finding = sink.report(instruction.operands[0].span, fmt::format("{} names the table at its maximum length; it needs the entry count, two bytes further on", Facts::text(instruction)));
+    Finding& finding = sink.report(
+        instruction.operands[0].span,
+        fmt::format("{} names the table at its maximum length; it needs the entry count, two bytes further on",
+                    Facts::text(instruction)));
     finding.address = accessName(*table);
     finding.related.push_back({found->second->span, "the table instruction with the same address"});
     finding.help = fmt::format("write {} (001:6441)", addressName(table->area, Width::Word, table->offset + 2));
@@ -108,8 +121,10 @@ extern constexpr Rule ptr005_table_header = {
     .title = "Table or string header wrong",
     .severity = Severity::Warning,
     .needs = Needs::Flow,
-    .detects = "ATT on a table whose maximum length nothing sets or that is not 1-100; FND at the maximum length instead of the entry count; SFND or CFND "
-               "whose start position nothing sets",
+    .detects =
+        "ATT on a table whose maximum length nothing sets or that is not 1-100; FND at the maximum length instead of "
+        "the entry count; SFND or CFND "
+        "whose start position nothing sets",
     .why = "a table of length 0 takes no entry, FND would compare the header, a search from position 0 is error 009B",
     .manual = "001:6262, 001:6441, 001:6511, 001:6165, 001:13972",
     .bad = "Network 1\nLD I0.0\nEU\nATT VW0, VW200\n",

@@ -30,10 +30,14 @@ Hands handsOf(const Facts& facts, std::uint32_t key) {
     if (at < from || at >= from + access.count) continue;
     const Instruction& instruction = facts.instruction(access.instruction);
     const Kind kind = kindOf(instruction);
-    if (isSet(kind)) hands.sets = true;
-    else if (isReset(kind)) hands.resets = true;
-    else if (instruction.desc->control == Control::Scrt) (access.operand == impliedOperand ? hands.resets : hands.sets) = true;
-    else hands = {true, true};
+    if (isSet(kind))
+      hands.sets = true;
+    else if (isReset(kind))
+      hands.resets = true;
+    else if (instruction.desc->control == Control::Scrt)
+      (access.operand == impliedOperand ? hands.resets : hands.sets) = true;
+    else
+      hands = {true, true};
   }
   return hands;
 }
@@ -44,17 +48,20 @@ void check(const Facts& facts, FindingSink& sink) {
     const Instruction& instruction = *place.instruction;
     if (instruction.desc->control != Control::Lscr || instruction.operands.empty()) continue;
     const Operand& bit = instruction.operands[0];
-    const std::uint32_t cell = bit.kind == OperandKind::Direct ? facts.index().cells().cell(Area::S, bit.offset, 0) : facts.index().cells().size();
+    const std::uint32_t cell = bit.kind == OperandKind::Direct ? facts.index().cells().cell(Area::S, bit.offset, 0)
+                                                               : facts.index().cells().size();
     if (cell == facts.index().cells().size() || bit.bit > 7) continue;
     const Hands hands = handsOf(facts, cell * 8 + bit.bit);
     const std::string name = facts.name(bit);
     if (!hands.sets) {
-      Finding& finding = sink.report(instruction.span, fmt::format("nothing activates step {}: no SCRT leads to it and no S sets it", name));
+      Finding& finding = sink.report(
+          instruction.span, fmt::format("nothing activates step {}: no SCRT leads to it and no S sets it", name));
       finding.address = toString(bit);
       finding.confirmation = Confirmation::NotNeeded;
       finding.help = "add the transition that leads here; a first step is set in the first scan by S";
     } else if (!hands.resets) {
-      Finding& finding = sink.report(instruction.span, fmt::format("step {} is never left: it has no SCRT and nothing resets it", name));
+      Finding& finding = sink.report(instruction.span,
+                                     fmt::format("step {} is never left: it has no SCRT and nothing resets it", name));
       finding.address = toString(bit);
       finding.confirmation = Confirmation::NotNeeded;
       finding.help = "add the transition to the next step";
@@ -72,10 +79,12 @@ extern constexpr Rule scr003_step_dead_end = {
     .detects = "a step that nothing activates, or that has no way out",
     .why = "the sequence hangs, or a part of it never runs",
     .manual = "001:5803-5841",
-    .bad = "Network 1\nLD SM0.1\nS S0.0, 1\nNetwork 2\nLSCR S0.0\nNetwork 3\nLD I0.0\nSCRT S0.1\nNetwork 4\nSCRE\n"
-           "Network 5\nLSCR S0.1\nNetwork 6\nLD SM0.0\n= Q0.0\nNetwork 7\nSCRE\n",
-    .good = "Network 1\nLD SM0.1\nS S0.0, 1\nNetwork 2\nLSCR S0.0\nNetwork 3\nLD I0.0\nSCRT S0.1\nNetwork 4\nSCRE\n"
-            "Network 5\nLSCR S0.1\nNetwork 6\nLD I0.1\nSCRT S0.0\nNetwork 7\nSCRE\n",
+    .bad =
+        "Network 1\nLD SM0.1\nS S0.0, 1\nNetwork 2\nLSCR S0.0\nNetwork 3\nLD I0.0\nSCRT S0.1\nNetwork 4\nSCRE\n"
+        "Network 5\nLSCR S0.1\nNetwork 6\nLD SM0.0\n= Q0.0\nNetwork 7\nSCRE\n",
+    .good =
+        "Network 1\nLD SM0.1\nS S0.0, 1\nNetwork 2\nLSCR S0.0\nNetwork 3\nLD I0.0\nSCRT S0.1\nNetwork 4\nSCRE\n"
+        "Network 5\nLSCR S0.1\nNetwork 6\nLD I0.1\nSCRT S0.0\nNetwork 7\nSCRE\n",
     .falsePositives = "a last step in which the machine is meant to stay",
     .peers = "Frama-PLC E4.3 (transition constant)",
     .dialects = dialect::S7200,

@@ -13,8 +13,10 @@ namespace {
 void check(const Facts& facts, FindingSink& sink) {
   for (const StackFault& fault : facts.stack().faults()) {
     if (fault.kind != StackFaultKind::TooDeep) continue;
-    Finding& finding = sink.report(fault.instruction->span, fmt::format("{} pushes a tenth level; the stack has nine, and the lowest level is lost though {} uses it later",
-                                                                        Facts::text(*fault.instruction), Facts::text(*fault.other)));
+    Finding& finding = sink.report(
+        fault.instruction->span,
+        fmt::format("{} pushes a tenth level; the stack has nine, and the lowest level is lost though {} uses it later",
+                    Facts::text(*fault.instruction), Facts::text(*fault.other)));
     finding.related.push_back({fault.other->span, "the lost level is used here, where the CPU finds 0 or 1 by chance"});
     finding.help = "split the network, or keep an intermediate result in an M bit (error 0081, 001:13983)";
   }
@@ -27,11 +29,18 @@ extern constexpr Rule stk001_stack_too_deep = {
     .title = "Stack deeper than nine",
     .severity = Severity::Error,
     .needs = Needs::Flow,
-    .detects = "a load or LPS when nine levels are in use, so that a level which is needed later is pushed out of the bottom",
-    .why = "the ninth level is lost silently at run time, a pop brings an unknown value, and the compiler may refuse the network with error 0081",
+    .detects =
+        "a load or LPS when nine levels are in use, so that a level which is needed later is pushed out of the bottom",
+    .why =
+        "the ninth level is lost silently at run time, a pop brings an unknown value, and the compiler may refuse the "
+        "network with error 0081",
     .manual = "001:2759, 001:2870, 001:2868, 001:13983",
-    .bad = "Network 1\nLD I0.0\nLD I0.1\nLD I0.2\nLD I0.3\nLD I0.4\nLD I0.5\nLD I0.6\nLD I0.7\nLD I1.0\nLD I1.1\nOLD\nOLD\nOLD\nOLD\nOLD\nOLD\nOLD\nOLD\nOLD\n= Q0.0\n",
-    .good = "Network 1\nLD I0.0\nLD I0.1\nLD I0.2\nLD I0.3\nLD I0.4\nLD I0.5\nLD I0.6\nLD I0.7\nLD I1.0\nOLD\nOLD\nOLD\nOLD\nOLD\nOLD\nOLD\nOLD\n= Q0.0\n",
+    .bad =
+        "Network 1\nLD I0.0\nLD I0.1\nLD I0.2\nLD I0.3\nLD I0.4\nLD I0.5\nLD I0.6\nLD I0.7\nLD I1.0\nLD "
+        "I1.1\nOLD\nOLD\nOLD\nOLD\nOLD\nOLD\nOLD\nOLD\nOLD\n= Q0.0\n",
+    .good =
+        "Network 1\nLD I0.0\nLD I0.1\nLD I0.2\nLD I0.3\nLD I0.4\nLD I0.5\nLD I0.6\nLD I0.7\nLD "
+        "I1.0\nOLD\nOLD\nOLD\nOLD\nOLD\nOLD\nOLD\nOLD\n= Q0.0\n",
     .falsePositives = "none known; at which depth the compiler itself refuses is not stated in the manual",
     .peers = "Omron stack overflows",
     .dialects = dialect::S7200,

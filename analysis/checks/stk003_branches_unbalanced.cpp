@@ -15,16 +15,21 @@ void check(const Facts& facts, FindingSink& sink) {
     switch (fault.kind) {
       case StackFaultKind::LrdWithoutLps:
       case StackFaultKind::LppWithoutLps:
-        sink.report(fault.instruction->span, fmt::format("{} without an LPS before it", text)).help = "add the LPS where the branch begins, or remove the instruction";
+        sink.report(fault.instruction->span, fmt::format("{} without an LPS before it", text)).help =
+            "add the LPS where the branch begins, or remove the instruction";
         break;
       case StackFaultKind::LpsNotPopped:
-        sink.report(fault.instruction->span, "LPS is not followed by its LPP in this network; the level stays on the stack").help =
-            "end the last branch with LPP instead of LRD";
+        sink.report(fault.instruction->span,
+                    "LPS is not followed by its LPP in this network; the level stays on the stack")
+            .help = "end the last branch with LPP instead of LRD";
         break;
       case StackFaultKind::Covered: {
-        Finding& finding = sink.report(fault.instruction->span, fmt::format("{} finds the value of {} on the stack instead of the one that LPS saved", text,
-                                                                            fault.other == nullptr ? "another load" : Facts::text(*fault.other)));
-        if (fault.other != nullptr) finding.related.push_back({fault.other->span, "this level was pushed after the LPS and is still there"});
+        Finding& finding =
+            sink.report(fault.instruction->span,
+                        fmt::format("{} finds the value of {} on the stack instead of the one that LPS saved", text,
+                                    fault.other == nullptr ? "another load" : Facts::text(*fault.other)));
+        if (fault.other != nullptr)
+          finding.related.push_back({fault.other->span, "this level was pushed after the LPS and is still there"});
         finding.help = "join the load with ALD or OLD before the branch ends";
         break;
       }
@@ -44,8 +49,10 @@ extern constexpr Rule stk003_branches_unbalanced = {
     .title = "LPS/LRD/LPP unbalanced",
     .severity = Severity::Warning,
     .needs = Needs::Flow,
-    .detects = "LRD or LPP without LPS, LPS never popped at the end of its network, a branch that ends over an unjoined load, a loaded value that "
-               "nothing uses",
+    .detects =
+        "LRD or LPP without LPS, LPS never popped at the end of its network, a branch that ends over an unjoined load, "
+        "a loaded value that "
+        "nothing uses",
     .why = "leftover levels shift every later result",
     .manual = "001:2838-2849",
     .bad = "Network 1\nLD I0.0\nLPS\nA I0.1\n= Q0.0\nLRD\nA I0.2\n= Q0.1\n",

@@ -23,19 +23,24 @@ std::string_view inputsOf(const Instruction& instruction) {
 
 std::string orderText(const Instruction& instruction) {
   const std::string_view inputs = inputsOf(instruction);
-  return inputs.empty() ? "load one level for each input of the box" : fmt::format("load in this order: {} (001:3994-4004)", inputs);
+  return inputs.empty() ? "load one level for each input of the box"
+                        : fmt::format("load in this order: {} (001:3994-4004)", inputs);
 }
 
 void check(const Facts& facts, FindingSink& sink) {
   for (const StackFault& fault : facts.stack().faults()) {
     if (fault.kind == StackFaultKind::TooFewInputs) {
-      Finding& finding = sink.report(fault.instruction->span, fmt::format("{} takes {} stack levels, its network loads {}", Facts::text(*fault.instruction), fault.needed,
-                                                                          fault.found));
+      Finding& finding =
+          sink.report(fault.instruction->span, fmt::format("{} takes {} stack levels, its network loads {}",
+                                                           Facts::text(*fault.instruction), fault.needed, fault.found));
       finding.help = orderText(*fault.instruction);
     } else if (fault.kind == StackFaultKind::TooManyInputs) {
-      Finding& finding = sink.report(fault.instruction->span, fmt::format("{} takes {} stack levels, but another unused level lies below them", Facts::text(*fault.instruction),
-                                                                          fault.needed));
-      if (fault.other != nullptr) finding.related.push_back({fault.other->span, fmt::format("{} is not an input of the box", Facts::text(*fault.other))});
+      Finding& finding = sink.report(fault.instruction->span,
+                                     fmt::format("{} takes {} stack levels, but another unused level lies below them",
+                                                 Facts::text(*fault.instruction), fault.needed));
+      if (fault.other != nullptr)
+        finding.related.push_back(
+            {fault.other->span, fmt::format("{} is not an input of the box", Facts::text(*fault.other))});
       finding.help = orderText(*fault.instruction);
     }
   }
@@ -49,7 +54,9 @@ extern constexpr Rule stk004_box_inputs = {
     .severity = Severity::Error,
     .needs = Needs::Flow,
     .detects = "a counter, bistable or similar box fed with too few or too many stack levels",
-    .why = "CTU and CTD take reset or load from the top of the stack and the count input from the second level; a missing LD shifts them",
+    .why =
+        "CTU and CTD take reset or load from the top of the stack and the count input from the second level; a missing "
+        "LD shifts them",
     .manual = "001:3994-4004, 000:3378-3381",
     .bad = "Network 1\nLD I0.0\nCTU C1, +10\n",
     .good = "Network 1\nLD I0.0\nLD I0.1\nCTU C1, +10\n",

@@ -18,14 +18,17 @@ void check(const Facts& facts, FindingSink& sink) {
   if (facts.program().olderDialect) return;
   for (const StackFault& fault : facts.stack().faults()) {
     if (fault.kind != StackFaultKind::SecondRung) continue;
-    Finding& finding = sink.report(fault.instruction->span, fmt::format("{} belongs to a second rung in this network; LAD and FBD show one circuit per network",
-                                                                        Facts::text(*fault.instruction)));
+    Finding& finding =
+        sink.report(fault.instruction->span,
+                    fmt::format("{} belongs to a second rung in this network; LAD and FBD show one circuit per network",
+                                Facts::text(*fault.instruction)));
     if (fault.other != nullptr) finding.related.push_back({fault.other->span, "the first rung"});
     finding.help = "begin a new network here";
   }
   for (const InstructionPlace& place : facts.instructions()) {
     if (kindOf(*place.instruction) == Kind::Lds) {
-      report(sink, *place.instruction, fmt::format("{} has no picture in LAD or FBD", Facts::text(*place.instruction)), "use LPS and LPP");
+      report(sink, *place.instruction, fmt::format("{} has no picture in LAD or FBD", Facts::text(*place.instruction)),
+             "use LPS and LPP");
     }
   }
 }

@@ -12,7 +12,9 @@ void check(const Facts& facts, FindingSink& sink) {
   for (const Pou& pou : facts.program().pous) {
     for (const Network& network : pou.networks) {
       if (network.instructions.empty() || !network.title.empty() || !network.comments.empty()) continue;
-      sink.report(network.instructions.front().span, fmt::format("network {} of {} has no comment", network.number, pou.name)).help = "say in one line what the network is for";
+      sink.report(network.instructions.front().span,
+                  fmt::format("network {} of {} has no comment", network.number, pou.name))
+          .help = "say in one line what the network is for";
     }
   }
 }

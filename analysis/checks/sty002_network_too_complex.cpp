@@ -19,7 +19,8 @@ constexpr std::array options = {
 };
 
 void check(const Facts& facts, FindingSink& sink) {
-  const int mostContacts = sink.option("contacts"), mostLevels = sink.option("levels"), mostBranches = sink.option("branches");
+  const int mostContacts = sink.option("contacts"), mostLevels = sink.option("levels"),
+            mostBranches = sink.option("branches");
   for (const Pou& pou : facts.program().pous) {
     for (const Network& network : pou.networks) {
       int contacts = 0, levels = 0, branches = 0;
@@ -38,7 +39,9 @@ void check(const Facts& facts, FindingSink& sink) {
       note(levels, mostLevels, "stack levels");
       note(branches, mostBranches, "branch instructions");
       if (text.empty()) continue;
-      sink.report(network.instructions.front().span, fmt::format("network {} of {} has {}", network.number, pou.name, text)).help = "split it, and keep intermediate results in M bits";
+      sink.report(network.instructions.front().span,
+                  fmt::format("network {} of {} has {}", network.number, pou.name, text))
+          .help = "split it, and keep intermediate results in M bits";
     }
   }
 }

@@ -51,7 +51,8 @@ bool isInstruction(std::string_view text) {
     if (text.starts_with(",")) text.remove_prefix(1);
     const std::string_view operand = word();
     if (operand.empty()) break;
-    const bool isNumber = isDigit(operand.back()) && (isDigit(operand.front()) || operand.front() == '+' || operand.front() == '-');
+    const bool isNumber =
+        isDigit(operand.back()) && (isDigit(operand.front()) || operand.front() == '+' || operand.front() == '-');
     if (!isNumber && !isAddress(operand)) return false;
     hasAddress = hasAddress || isAddress(operand);
     ++operands;
@@ -63,7 +64,8 @@ void check(const Facts& facts, FindingSink& sink) {
   const SourceSet& sources = *facts.program().sources;
   const auto look = [&](const Comment& comment) {
     if (!isInstruction(sources.text(comment.span))) return;
-    sink.report(comment.span, "this comment is program text").help = "remove it; old versions belong into the version control";
+    sink.report(comment.span, "this comment is program text").help =
+        "remove it; old versions belong into the version control";
   };
   for (const Pou& pou : facts.program().pous) {
     for (const Comment& comment : pou.comments) look(comment);

@@ -43,7 +43,8 @@ void check(const Facts& facts, FindingSink& sink) {
       reported.insert(b);
     }
     reported.insert(block);
-    Finding& finding = sink.report(call.instruction->span, fmt::format("{} calls itself: {}", facts.program().pous[block].name, names));
+    Finding& finding = sink.report(call.instruction->span,
+                                   fmt::format("{} calls itself: {}", facts.program().pous[block].name, names));
     finding.help = "use a loop; local memory and the eight levels of nesting are limited (001:6744-6746)";
   }
 }
@@ -56,12 +57,16 @@ extern constexpr Rule sub001_recursion = {
     .severity = Severity::Warning,
     .needs = Needs::Text,
     .detects = "a subroutine that reaches itself by any chain of calls",
-    .why = "allowed \"with care\", but each call takes a level of nesting and its own local memory, and there are eight levels",
+    .why =
+        "allowed \"with care\", but each call takes a level of nesting and its own local memory, and there are eight "
+        "levels",
     .manual = "001:6744-6746",
-    .bad = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\nCALL SBR0\nEND_ORGANIZATION_BLOCK\n"
-           "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\nCALL SBR0\nEND_SUBROUTINE_BLOCK\n",
-    .good = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\nCALL SBR0\nEND_ORGANIZATION_BLOCK\n"
-            "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\n= Q0.1\nEND_SUBROUTINE_BLOCK\n",
+    .bad =
+        "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\nCALL SBR0\nEND_ORGANIZATION_BLOCK\n"
+        "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\nCALL SBR0\nEND_SUBROUTINE_BLOCK\n",
+    .good =
+        "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\nCALL SBR0\nEND_ORGANIZATION_BLOCK\n"
+        "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\n= Q0.1\nEND_SUBROUTINE_BLOCK\n",
     .peers = "SA0160; CP13; ironplc P4005; iec-checker CP13 (direct calls only)",
     .check = check,
 };

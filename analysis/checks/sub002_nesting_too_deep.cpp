@@ -12,7 +12,8 @@ namespace {
 constexpr int levelsFromMain = 8;       // 001:6744
 constexpr int levelsFromInterrupt = 1;  // 001:5444, 001:6746
 
-void checkFrom(const Facts& facts, FindingSink& sink, std::uint32_t root, int allowed, std::vector<std::uint8_t>& reported) {
+void checkFrom(const Facts& facts, FindingSink& sink, std::uint32_t root, int allowed,
+               std::vector<std::uint8_t>& reported) {
   if (facts.calls().depthBelow(root) <= allowed) return;
   std::string names = facts.program().pous[root].name;
   std::uint32_t block = root;
@@ -27,8 +28,10 @@ void checkFrom(const Facts& facts, FindingSink& sink, std::uint32_t root, int al
   }
   if (call == nullptr || reported[call->caller] != 0) return;
   reported[call->caller] = 1;
-  Finding& finding = sink.report(call->instruction->span, fmt::format("{} is call level {} below {}; {} {} allowed: {}", Facts::text(*call->instruction), allowed + 1,
-                                                                      facts.program().pous[root].name, allowed, allowed == 1 ? "is" : "are", names));
+  Finding& finding = sink.report(
+      call->instruction->span,
+      fmt::format("{} is call level {} below {}; {} {} allowed: {}", Facts::text(*call->instruction), allowed + 1,
+                  facts.program().pous[root].name, allowed, allowed == 1 ? "is" : "are", names));
   finding.help = "call from a higher level; at run time the call ends with error 0008 (001:13956)";
 }
 
@@ -51,13 +54,15 @@ extern constexpr Rule sub002_nesting_too_deep = {
     .detects = "calls nested more than 8 levels below the main program, or more than 1 below an interrupt routine",
     .why = "the ninth call is not executed and gives run-time error 0008",
     .manual = "001:5444, 001:6744-6746, 001:13956",
-    .bad = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.1\nATCH INT0, 0\nENI\nEND_ORGANIZATION_BLOCK\n"
-           "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR1\nEND_SUBROUTINE_BLOCK\n"
-           "SUBROUTINE_BLOCK SBR_1:SBR1\nBEGIN\nNetwork 1\nLD I0.1\n= Q0.1\nEND_SUBROUTINE_BLOCK\n"
-           "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0\nEND_INTERRUPT_BLOCK\n",
-    .good = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.1\nATCH INT0, 0\nENI\nEND_ORGANIZATION_BLOCK\n"
-            "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\n= Q0.1\nEND_SUBROUTINE_BLOCK\n"
-            "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0\nEND_INTERRUPT_BLOCK\n",
+    .bad =
+        "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.1\nATCH INT0, 0\nENI\nEND_ORGANIZATION_BLOCK\n"
+        "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR1\nEND_SUBROUTINE_BLOCK\n"
+        "SUBROUTINE_BLOCK SBR_1:SBR1\nBEGIN\nNetwork 1\nLD I0.1\n= Q0.1\nEND_SUBROUTINE_BLOCK\n"
+        "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0\nEND_INTERRUPT_BLOCK\n",
+    .good =
+        "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.1\nATCH INT0, 0\nENI\nEND_ORGANIZATION_BLOCK\n"
+        "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\n= Q0.1\nEND_SUBROUTINE_BLOCK\n"
+        "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0\nEND_INTERRUPT_BLOCK\n",
     .falsePositives = "a chain of conditional calls that never runs to its end",
     .peers = "Omron illegal nesting",
     .dialects = dialect::S7200,

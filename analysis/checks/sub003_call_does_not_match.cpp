@@ -25,7 +25,8 @@ struct Formal {
 };
 
 std::string_view typeName(DataType type) {
-  static constexpr std::string_view names[] = {"BOOL", "BYTE", "WORD", "INT", "DWORD", "DINT", "REAL", "STRING", "TIME"};
+  static constexpr std::string_view names[] = {"BOOL", "BYTE", "WORD",   "INT", "DWORD",
+                                               "DINT", "REAL", "STRING", "TIME"};
   return names[static_cast<std::size_t>(type)];
 }
 
@@ -47,7 +48,8 @@ class CallCheck {
   void run(std::string_view callee, const std::vector<Formal>& formals, Span declaration) {
     const std::size_t given = call_.operands.size() - 1;
     if (given != formals.size()) {
-      Finding& finding = sink_.report(call_.span, fmt::format("{} has {} parameters, this call gives {}", callee, formals.size(), given));
+      Finding& finding = sink_.report(
+          call_.span, fmt::format("{} has {} parameters, this call gives {}", callee, formals.size(), given));
       if (declaration.length > 0) finding.related.push_back({declaration, "the parameters are declared here"});
       finding.help = "give inputs, then IN_OUT, then outputs, in the order of the table (001:6823)";
       return;
@@ -57,7 +59,8 @@ class CallCheck {
 
  private:
   void report(const Formal& formal, const Operand& actual, std::string_view why, std::string_view help) {
-    Finding& finding = sink_.report(actual.span, fmt::format("{} does not fit parameter {} ({}): {}", toString(actual), formal.name, typeName(formal.type), why));
+    Finding& finding = sink_.report(actual.span, fmt::format("{} does not fit parameter {} ({}): {}", toString(actual),
+                                                             formal.name, typeName(formal.type), why));
     finding.address = toString(actual);
     finding.help = std::string(help);
   }
@@ -66,18 +69,24 @@ class CallCheck {
     const bool isOutput = formal.direction != Direction::In;
     if (actual.kind == OperandKind::Symbol || actual.kind == OperandKind::Missing) return;
     if (isOutput && actual.kind != OperandKind::Direct && actual.kind != OperandKind::Indirect) {
-      return report(formal, actual, "an output needs a place to write to", "give an address; constants and & are for inputs only (001:6784)");
+      return report(formal, actual, "an output needs a place to write to",
+                    "give an address; constants and & are for inputs only (001:6784)");
     }
     if (isOutput && actual.kind == OperandKind::Direct && actual.area == Area::SM && actual.offset <= smReadOnlyLast) {
-      return report(formal, actual, "SM0 to SM29 are read-only", "use an address from SMB30 on, or V or M memory (001:6757)");
+      return report(formal, actual, "SM0 to SM29 are read-only",
+                    "use an address from SMB30 on, or V or M memory (001:6757)");
     }
     if (formal.type == DataType::String) {
-      if (actual.kind == OperandKind::Direct) report(formal, actual, "a string is passed by a pointer or as a text", "write *VD or a text in double quotes (001:6804)");
+      if (actual.kind == OperandKind::Direct)
+        report(formal, actual, "a string is passed by a pointer or as a text",
+               "write *VD or a text in double quotes (001:6804)");
       return;
     }
-    if (actual.kind == OperandKind::Text) return report(formal, actual, "a text is no number", "give an address or a number");
+    if (actual.kind == OperandKind::Text)
+      return report(formal, actual, "a text is no number", "give an address or a number");
     if (!widthFits(actual, formal.type)) {
-      return report(formal, actual, fmt::format("it is {}", widthName(actual.width)), "no conversion is made (001:6813); give an operand of the same width");
+      return report(formal, actual, fmt::format("it is {}", widthName(actual.width)),
+                    "no conversion is made (001:6813); give an operand of the same width");
     }
     if (formal.type == DataType::Bool && actual.kind != OperandKind::Direct) {
       return report(formal, actual, "a BOOL needs the address of a bit", "use SM0.0 for 1, or a bit of memory");
@@ -92,13 +101,18 @@ class CallCheck {
     if (actual.kind != OperandKind::Constant) return;
     const bool isReal = actual.form == ConstantForm::Real;
     const bool wantsReal = formal.type == DataType::Real;
-    const bool isPattern = actual.form == ConstantForm::Hex || actual.form == ConstantForm::Binary || actual.form == ConstantForm::Typed || actual.value == 0;
+    const bool isPattern = actual.form == ConstantForm::Hex || actual.form == ConstantForm::Binary ||
+                           actual.form == ConstantForm::Typed || actual.value == 0;
     if (isReal != wantsReal && !(wantsReal && isPattern) && !(isReal && formal.mayBeReal)) {
-      return report(formal, actual, wantsReal ? "it is a whole number" : "it is a real number", "no conversion is made (001:6813)");
+      return report(formal, actual, wantsReal ? "it is a whole number" : "it is a real number",
+                    "no conversion is made (001:6813)");
     }
-    const std::int64_t high = widthOf(formal.type) == Width::Byte ? 255 : widthOf(formal.type) == Width::Word ? 65535 : 4294967295LL;
+    const std::int64_t high = widthOf(formal.type) == Width::Byte   ? 255
+                              : widthOf(formal.type) == Width::Word ? 65535
+                                                                    : 4294967295LL;
     if (!isReal && (actual.value > high || actual.value < -(high + 1) / 2)) {
-      report(formal, actual, fmt::format("it does not fit {} bits", bits(widthOf(formal.type))), "use a smaller constant or a wider type");
+      report(formal, actual, fmt::format("it does not fit {} bits", bits(widthOf(formal.type))),
+             "use a smaller constant or a wider type");
     }
   }
 
@@ -111,7 +125,9 @@ std::vector<Formal> formalsOf(const Pou& pou) {
   std::vector<Formal> formals;
   for (const LocalVariable& local : pou.locals) {
     if (local.section == VarSection::Temp) continue;
-    const Direction direction = local.section == VarSection::Input ? Direction::In : local.section == VarSection::InOut ? Direction::InOut : Direction::Out;
+    const Direction direction = local.section == VarSection::Input   ? Direction::In
+                                : local.section == VarSection::InOut ? Direction::InOut
+                                                                     : Direction::Out;
     formals.push_back({local.name, direction, local.type});
   }
   return formals;
@@ -124,12 +140,14 @@ void checkTables(const Facts& facts, FindingSink& sink) {
     for (const LocalVariable& local : pou.locals) {
       if (local.section == VarSection::Temp) continue;
       if (++count == mostParameters + 1) {
-        sink.report(local.span, fmt::format("{} is parameter {} of {}; a subroutine has at most {}", local.name, count, pou.name, mostParameters)).help =
-            "pass a pointer to a block of V memory (001:6775; error 009E, 001:14008)";
+        sink.report(local.span, fmt::format("{} is parameter {} of {}; a subroutine has at most {}", local.name, count,
+                                            pou.name, mostParameters))
+            .help = "pass a pointer to a block of V memory (001:6775; error 009E, 001:14008)";
       }
       if (local.section < last) {
-        sink.report(local.span, fmt::format("{} of {} stands behind parameters of a later section", local.name, pou.name)).help =
-            "declare inputs, then IN_OUT, then outputs (001:6823)";
+        sink.report(local.span,
+                    fmt::format("{} of {} stands behind parameters of a later section", local.name, pou.name))
+            .help = "declare inputs, then IN_OUT, then outputs (001:6823)";
       }
       last = std::max(last, local.section);
     }
@@ -144,16 +162,18 @@ void check(const Facts& facts, FindingSink& sink) {
     const Operand& target = call.operands[0];
     if (site.callee != noBlock) {
       const Pou& callee = facts.program().pous[site.callee];
-      CallCheck(sink, call).run(callee.name, formalsOf(callee), callee.locals.empty() ? Span{} : callee.locals.front().span);
+      CallCheck(sink, call)
+          .run(callee.name, formalsOf(callee), callee.locals.empty() ? Span{} : callee.locals.front().span);
     } else if (target.kind == OperandKind::Symbol) {
       const LibraryBlock* library = libraryBlockNamed(target.text);
       if (library == nullptr) continue;  // SYM001 speaks
       std::vector<Formal> formals;
-      for (const LibraryParameter& p : library->parameters) formals.push_back({p.name, p.direction, p.type, p.mayBeReal});
+      for (const LibraryParameter& p : library->parameters)
+        formals.push_back({p.name, p.direction, p.type, p.mayBeReal});
       CallCheck(sink, call).run(target.text, formals, {});
     } else if (target.kind == OperandKind::Constant && facts.program().main() != nullptr) {
-      sink.report(call.span, fmt::format("{} calls a subroutine that the program does not have", Facts::text(call))).help =
-          "add the subroutine, or correct the number (error 0087, 001:13989)";
+      sink.report(call.span, fmt::format("{} calls a subroutine that the program does not have", Facts::text(call)))
+          .help = "add the subroutine, or correct the number (error 0087, 001:13989)";
     }
   }
 }
@@ -165,14 +185,22 @@ extern constexpr Rule sub003_call_does_not_match = {
     .title = "CALL does not match the table",
     .severity = Severity::Error,
     .needs = Needs::Text,
-    .detects = "number, direction, width or kind of the actual parameters that do not fit the local variable table of the called block; more than 16 "
-               "parameters; a call of a subroutine that does not exist",
-    .why = "no conversion is made and the order is fixed, so the values land in the wrong bytes; error 009E or 0087 at download",
+    .detects =
+        "number, direction, width or kind of the actual parameters that do not fit the local variable table of the "
+        "called block; more than 16 "
+        "parameters; a call of a subroutine that does not exist",
+    .why =
+        "no conversion is made and the order is fixed, so the values land in the wrong bytes; error 009E or 0087 at "
+        "download",
     .manual = "001:6813, 001:6823, 001:6775, 001:14008",
-    .bad = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0, VB10\nEND_ORGANIZATION_BLOCK\n"
-           "SUBROUTINE_BLOCK SBR_0:SBR0\nVAR_INPUT\nLevel:WORD;\nEND_VAR\nBEGIN\nNetwork 1\nLD SM0.0\nMOVW LW0, VW100\nEND_SUBROUTINE_BLOCK\n",
-    .good = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0, VW10\nEND_ORGANIZATION_BLOCK\n"
-            "SUBROUTINE_BLOCK SBR_0:SBR0\nVAR_INPUT\nLevel:WORD;\nEND_VAR\nBEGIN\nNetwork 1\nLD SM0.0\nMOVW LW0, VW100\nEND_SUBROUTINE_BLOCK\n",
+    .bad =
+        "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0, VB10\nEND_ORGANIZATION_BLOCK\n"
+        "SUBROUTINE_BLOCK SBR_0:SBR0\nVAR_INPUT\nLevel:WORD;\nEND_VAR\nBEGIN\nNetwork 1\nLD SM0.0\nMOVW LW0, "
+        "VW100\nEND_SUBROUTINE_BLOCK\n",
+    .good =
+        "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0, VW10\nEND_ORGANIZATION_BLOCK\n"
+        "SUBROUTINE_BLOCK SBR_0:SBR0\nVAR_INPUT\nLevel:WORD;\nEND_VAR\nBEGIN\nNetwork 1\nLD SM0.0\nMOVW LW0, "
+        "VW100\nEND_SUBROUTINE_BLOCK\n",
     .peers = "CP17; SA0107; ironplc P4018; iec-checker CP17",
     .dialects = dialect::S7200,
     .check = check,

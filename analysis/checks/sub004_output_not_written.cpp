@@ -41,18 +41,22 @@ void check(const Facts& facts, FindingSink& sink) {
     std::vector<const LocalVariable*> reported;
     for (const LocalExit& exit : locals.exits) {
       reported.push_back(exit.parameter);
-      Finding& finding = sink.report(exit.parameter->span,
-                                     exit.isNeverWritten ? fmt::format("output {} of {} is never written", exit.parameter->name, pou.name)
-                                                         : fmt::format("output {} of {} is not written on every path through it", exit.parameter->name, pou.name));
+      Finding& finding = sink.report(
+          exit.parameter->span,
+          exit.isNeverWritten
+              ? fmt::format("output {} of {} is never written", exit.parameter->name, pou.name)
+              : fmt::format("output {} of {} is not written on every path through it", exit.parameter->name, pou.name));
       finding.address = toString(exit.parameter->address);
       if (exit.exit != nullptr) finding.related.push_back({exit.exit->span, "the block can be left here"});
       finding.help = "write the output at the start of the block; it keeps nothing between calls (001:6784)";
     }
     for (const LocalVariable& local : pou.locals) {
-      if (local.section != VarSection::Output || std::find(reported.begin(), reported.end(), &local) != reported.end()) continue;
+      if (local.section != VarSection::Output || std::find(reported.begin(), reported.end(), &local) != reported.end())
+        continue;
       const Instruction* writer = conditionalWriter(facts, flow, local);
       if (writer == nullptr) continue;
-      Finding& finding = sink.report(writer->span, fmt::format("output {} of {} is written only with power flow, by {}", local.name, pou.name, Facts::text(*writer)));
+      Finding& finding = sink.report(writer->span, fmt::format("output {} of {} is written only with power flow, by {}",
+                                                               local.name, pou.name, Facts::text(*writer)));
       finding.address = toString(local.address);
       finding.related.push_back({local.span, fmt::format("{} is declared here", local.name)});
       finding.help = "give it a value in every call, with = for a bit or a first MOV behind LD SM0.0 (001:6784)";
@@ -67,13 +71,21 @@ extern constexpr Rule sub004_output_not_written = {
     .title = "OUT parameter not written on some path",
     .severity = Severity::Warning,
     .needs = Needs::Flow,
-    .detects = "a path through the routine that leaves an OUT parameter untouched; an OUT parameter written only by S and R, or by one box with an enable",
-    .why = "the caller gets whatever local memory held: outputs keep nothing between calls, and S and R write only with power flow",
+    .detects =
+        "a path through the routine that leaves an OUT parameter untouched; an OUT parameter written only by S and R, "
+        "or by one box with an enable",
+    .why =
+        "the caller gets whatever local memory held: outputs keep nothing between calls, and S and R write only with "
+        "power flow",
     .manual = "001:1373, 001:6782-6784",
-    .bad = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0, I0.0, Q0.0\nEND_ORGANIZATION_BLOCK\n"
-           "SUBROUTINE_BLOCK SBR_0:SBR0\nVAR_INPUT\nStart:BOOL;\nEND_VAR\nVAR_OUTPUT\nRun:BOOL;\nEND_VAR\nBEGIN\nNetwork 1\nLD L0.0\nS L0.1, 1\nEND_SUBROUTINE_BLOCK\n",
-    .good = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0, I0.0, Q0.0\nEND_ORGANIZATION_BLOCK\n"
-            "SUBROUTINE_BLOCK SBR_0:SBR0\nVAR_INPUT\nStart:BOOL;\nEND_VAR\nVAR_OUTPUT\nRun:BOOL;\nEND_VAR\nBEGIN\nNetwork 1\nLD L0.0\n= L0.1\nEND_SUBROUTINE_BLOCK\n",
+    .bad =
+        "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0, I0.0, Q0.0\nEND_ORGANIZATION_BLOCK\n"
+        "SUBROUTINE_BLOCK SBR_0:SBR0\nVAR_INPUT\nStart:BOOL;\nEND_VAR\nVAR_OUTPUT\nRun:BOOL;\nEND_VAR\nBEGIN\nNetwork "
+        "1\nLD L0.0\nS L0.1, 1\nEND_SUBROUTINE_BLOCK\n",
+    .good =
+        "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0, I0.0, Q0.0\nEND_ORGANIZATION_BLOCK\n"
+        "SUBROUTINE_BLOCK SBR_0:SBR0\nVAR_INPUT\nStart:BOOL;\nEND_VAR\nVAR_OUTPUT\nRun:BOOL;\nEND_VAR\nBEGIN\nNetwork "
+        "1\nLD L0.0\n= L0.1\nEND_SUBROUTINE_BLOCK\n",
     .peers = "SA0022",
     .dialects = dialect::S7200,
     .check = check,

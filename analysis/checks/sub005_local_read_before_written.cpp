@@ -15,9 +15,13 @@ void check(const Facts& facts, FindingSink& sink) {
     for (const LocalRead& read : localFlow(facts, block).unwritten) {
       const Instruction& instruction = facts.instruction(read.access->instruction);
       const Operand& operand = instruction.operands[read.access->operand];
-      Finding& finding = sink.report(operand.span, fmt::format("{} reads {} before {} has written it", Facts::text(instruction), toString(operand), facts.pouOf(instruction.id).name));
+      Finding& finding =
+          sink.report(operand.span, fmt::format("{} reads {} before {} has written it", Facts::text(instruction),
+                                                toString(operand), facts.pouOf(instruction.id).name));
       finding.address = toString(operand);
-      finding.help = "local memory is not initialised and may hold leftovers of other blocks; write it first, or use V or M memory for values that last";
+      finding.help =
+          "local memory is not initialised and may hold leftovers of other blocks; write it first, or use V or M "
+          "memory for values that last";
     }
   }
 }

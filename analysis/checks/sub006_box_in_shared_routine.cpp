@@ -17,25 +17,31 @@ bool isCertain(const Facts& facts, std::uint32_t block) {
   for (const std::uint32_t s : facts.calls().callsOf(block)) {
     const CallSite& site = facts.calls().sites()[s];
     const std::uint32_t id = site.instruction->id;
-    const bool isAlways = (facts.stack().at(id).flow & condition::Always) != 0 && facts.execution().at(id).skippedBy == nullptr;
+    const bool isAlways =
+        (facts.stack().at(id).flow & condition::Always) != 0 && facts.execution().at(id).skippedBy == nullptr;
     const Runs runs = facts.execution().runs(site.caller);
-    if (isAlways && facts.execution().at(id).isReachable && (runs == Runs::Once || runs == Runs::Several)) certain += facts.execution().at(id).inLoop ? 2 : 1;
+    if (isAlways && facts.execution().at(id).isReachable && (runs == Runs::Once || runs == Runs::Several))
+      certain += facts.execution().at(id).inLoop ? 2 : 1;
   }
   return certain >= 2;
 }
 
 void check(const Facts& facts, FindingSink& sink) {
   for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block) {
-    if (facts.program().pous[block].kind != PouKind::Subroutine || facts.execution().runs(block) != Runs::Several) continue;
+    if (facts.program().pous[block].kind != PouKind::Subroutine || facts.execution().runs(block) != Runs::Several)
+      continue;
     const bool isSure = isCertain(facts, block);
     for (const FlowStep& step : facts.plan().flows[block].steps) {
       const Instruction& instruction = *step.instruction;
       if (!keepsState(kindOf(instruction))) continue;
-      Finding& finding = sink.report(instruction.span, fmt::format("{} stands in {}, which is called {} in a scan; all calls share its state", Facts::text(instruction),
-                                                                   facts.program().pous[block].name, isSure ? "more than once" : "from several places"));
+      Finding& finding = sink.report(
+          instruction.span, fmt::format("{} stands in {}, which is called {} in a scan; all calls share its state",
+                                        Facts::text(instruction), facts.program().pous[block].name,
+                                        isSure ? "more than once" : "from several places"));
       int calls = 0;
       for (const std::uint32_t s : facts.calls().callsOf(block)) {
-        if (++calls <= 4) finding.related.push_back({facts.calls().sites()[s].instruction->span, "a call of the block"});
+        if (++calls <= 4)
+          finding.related.push_back({facts.calls().sites()[s].instruction->span, "a call of the block"});
       }
       if (!isSure) {
         finding.severity = Severity::Warning;
@@ -56,10 +62,12 @@ extern constexpr Rule sub006_box_in_shared_routine = {
     .detects = "EU, ED, a timer or a counter in a subroutine that is called more than once in a scan",
     .why = "the manual forbids it: the box has one memory for all calls, so each call sees what the other left",
     .manual = "001:6771",
-    .bad = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0\nCALL SBR0\nEND_ORGANIZATION_BLOCK\n"
-           "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.0\nEU\n= Q0.0\nEND_SUBROUTINE_BLOCK\n",
-    .good = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0\nEND_ORGANIZATION_BLOCK\n"
-            "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.0\nEU\n= Q0.0\nEND_SUBROUTINE_BLOCK\n",
+    .bad =
+        "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0\nCALL SBR0\nEND_ORGANIZATION_BLOCK\n"
+        "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.0\nEU\n= Q0.0\nEND_SUBROUTINE_BLOCK\n",
+    .good =
+        "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0\nEND_ORGANIZATION_BLOCK\n"
+        "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.0\nEU\n= Q0.0\nEND_SUBROUTINE_BLOCK\n",
     .falsePositives = "calls on conditions that exclude each other: reported as an unconfirmed warning",
     .peers = "SA0105 (nearest)",
     .dialects = dialect::S7200,

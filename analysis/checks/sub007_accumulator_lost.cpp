@@ -15,8 +15,8 @@ namespace {
 using Accumulators = std::uint8_t;  // one bit each
 
 struct Summary {
-  Accumulators writes = 0;     ///< in the block or its callees
-  Accumulators readsFirst = 0; ///< before it writes them
+  Accumulators writes = 0;      ///< in the block or its callees
+  Accumulators readsFirst = 0;  ///< before it writes them
   bool isDone = false;
 };
 
@@ -29,8 +29,10 @@ Summary summaryOf(const Facts& facts, std::uint32_t block, std::vector<Summary>&
     for (const Access& access : facts.accesses().of(step.instruction->id)) {
       if (access.area != Area::AC || access.offset > 3) continue;
       const auto bit = static_cast<Accumulators>(1U << access.offset);
-      if (access.write && !access.viaPointer) result.writes |= bit;
-      else if ((result.writes & bit) == 0) result.readsFirst |= bit;
+      if (access.write && !access.viaPointer)
+        result.writes |= bit;
+      else if ((result.writes & bit) == 0)
+        result.readsFirst |= bit;
     }
     if (step.instruction->desc->control != Control::Call) continue;
     const std::uint32_t callee = facts.calls().sites()[facts.calls().callsIn(block)[call++]].callee;
@@ -59,11 +61,14 @@ void checkBlock(const Facts& facts, FindingSink& sink, std::uint32_t block, std:
         if (access.area != Area::AC || access.offset > 3 || (access.write && !access.viaPointer) != writes) continue;
         Value& value = values[access.offset];
         if (!writes && value.call != nullptr && value.write != nullptr) {
-          Finding& finding = sink.report(instruction.span, fmt::format("{} reads AC{}, which {} has overwritten since {}", Facts::text(instruction), access.offset,
-                                                                       Facts::text(*value.call), Facts::text(*value.write)));
+          Finding& finding =
+              sink.report(instruction.span,
+                          fmt::format("{} reads AC{}, which {} has overwritten since {}", Facts::text(instruction),
+                                      access.offset, Facts::text(*value.call), Facts::text(*value.write)));
           finding.address = fmt::format("AC{}", access.offset);
           finding.related.push_back({value.call->span, "the called block writes the same accumulator"});
-          finding.help = "keep the value in V, M or L memory over the call; accumulators are shared and not saved (001:6769)";
+          finding.help =
+              "keep the value in V, M or L memory over the call; accumulators are shared and not saved (001:6769)";
           value = {};
         }
         if (writes) value = {&instruction, nullptr};
@@ -75,8 +80,10 @@ void checkBlock(const Facts& facts, FindingSink& sink, std::uint32_t block, std:
     const Summary summary = summaryOf(facts, callee, known, 0);
     for (std::uint32_t n = 0; n < 4; ++n) {
       const auto bit = static_cast<Accumulators>(1U << n);
-      if ((summary.writes & bit) != 0 && (summary.readsFirst & bit) == 0) values[n].call = &instruction;
-      else if ((summary.writes & bit) != 0) values[n] = {};
+      if ((summary.writes & bit) != 0 && (summary.readsFirst & bit) == 0)
+        values[n].call = &instruction;
+      else if ((summary.writes & bit) != 0)
+        values[n] = {};
     }
   }
 }
@@ -96,10 +103,16 @@ extern constexpr Rule sub007_accumulator_lost = {
     .detects = "an accumulator value that is needed after a CALL whose routine writes the same accumulator",
     .why = "accumulators are shared between blocks and a call does not save them",
     .manual = "001:6769",
-    .bad = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nMOVW VW0, AC0\nCALL SBR0\nMOVW AC0, VW2\nEND_ORGANIZATION_BLOCK\n"
-           "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD SM0.0\nMOVW VW10, AC0\n+I 5, AC0\nMOVW AC0, VW12\nEND_SUBROUTINE_BLOCK\n",
-    .good = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0\nMOVW VW0, AC0\nMOVW AC0, VW2\nEND_ORGANIZATION_BLOCK\n"
-            "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD SM0.0\nMOVW VW10, AC0\n+I 5, AC0\nMOVW AC0, VW12\nEND_SUBROUTINE_BLOCK\n",
+    .bad =
+        "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nMOVW VW0, AC0\nCALL SBR0\nMOVW AC0, "
+        "VW2\nEND_ORGANIZATION_BLOCK\n"
+        "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD SM0.0\nMOVW VW10, AC0\n+I 5, AC0\nMOVW AC0, "
+        "VW12\nEND_SUBROUTINE_BLOCK\n",
+    .good =
+        "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0\nMOVW VW0, AC0\nMOVW AC0, "
+        "VW2\nEND_ORGANIZATION_BLOCK\n"
+        "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD SM0.0\nMOVW VW10, AC0\n+I 5, AC0\nMOVW AC0, "
+        "VW12\nEND_SUBROUTINE_BLOCK\n",
     .falsePositives = "a routine that returns its result in the accumulator",
     .dialects = dialect::S7200,
     .check = check,

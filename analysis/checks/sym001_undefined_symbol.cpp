@@ -26,9 +26,12 @@ void check(const Facts& facts, FindingSink& sink) {
   for (const Operand* operand : first) {
     const std::size_t count = places[operand->text];
     const std::string more = count == 1 ? std::string() : fmt::format(" (used {} times)", count);
-    Finding& finding = sink.report(operand->span, fmt::format("{} is not defined: no symbol, local variable or block has that name{}", operand->text, more));
+    Finding& finding = sink.report(
+        operand->span,
+        fmt::format("{} is not defined: no symbol, local variable or block has that name{}", operand->text, more));
     finding.address = operand->text;
-    finding.help = hasTable ? "correct the name, or add it to the symbol table" : "give the symbol table of the project with --symbols FILE";
+    finding.help = hasTable ? "correct the name, or add it to the symbol table"
+                            : "give the symbol table of the project with --symbols FILE";
   }
 }
 

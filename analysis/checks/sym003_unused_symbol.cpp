@@ -13,14 +13,16 @@ namespace {
 /// Whether any access touches a byte of the address.
 bool addressIsUsed(const Facts& facts, const Operand& address) {
   const AccessIndex& index = facts.index();
-  const auto length = static_cast<std::uint32_t>(address.area == Area::T || address.area == Area::C ? 1 : bytes(address.width));
+  const auto length =
+      static_cast<std::uint32_t>(address.area == Area::T || address.area == Area::C ? 1 : bytes(address.width));
   for (std::uint32_t k = 0; k < length; ++k) {
     const std::uint32_t cell = index.cells().cell(address.area, address.offset + k, 0);
     if (cell == index.cells().size()) return true;  // outside the CPU: another mistake
     const bool isBit = address.width == Width::Bit && length == 1 && address.area != Area::T && address.area != Area::C;
     if (!isBit) {
       if (!index.at(cell).empty() || index.mayBeRead(cell) || index.mayBeWritten(cell)) return true;
-    } else if (facts.readers(cell, address.bit & 7) > 0 || facts.writers(cell, address.bit & 7) > 0 || index.isReadAtLarge(cell) || index.isWrittenAtLarge(cell)) {
+    } else if (facts.readers(cell, address.bit & 7) > 0 || facts.writers(cell, address.bit & 7) > 0 ||
+               index.isReadAtLarge(cell) || index.isWrittenAtLarge(cell)) {
       return true;
     }
   }
@@ -36,9 +38,11 @@ void check(const Facts& facts, FindingSink& sink) {
     }
   }
   for (const Symbol& symbol : facts.program().symbols) {
-    if (used.contains(symbol.name) || symbol.address.kind != OperandKind::Direct || symbol.address.area == Area::L) continue;
+    if (used.contains(symbol.name) || symbol.address.kind != OperandKind::Direct || symbol.address.area == Area::L)
+      continue;
     if (addressIsUsed(facts, symbol.address)) continue;
-    Finding& finding = sink.report(symbol.span, fmt::format("symbol {} ({}) is never used", symbol.name, toString(symbol.address)));
+    Finding& finding =
+        sink.report(symbol.span, fmt::format("symbol {} ({}) is never used", symbol.name, toString(symbol.address)));
     finding.address = toString(symbol.address);
     finding.help = "remove the row, or find out which rung forgot it";
   }

@@ -18,7 +18,8 @@ void checkBoxes(const Facts& facts, FindingSink& sink, std::span<const std::uint
     const Instruction& box = facts.instruction(boxes[i]);
     if (isTonTofPair(kindOf(first), kindOf(box))) continue;
     const std::string number = facts.name(box.operands[0]);
-    Finding& finding = sink.report(box.span, fmt::format("{} is used by a second box, {}; both share one current value", number, Facts::text(box)));
+    Finding& finding = sink.report(box.span, fmt::format("{} is used by a second box, {}; both share one current value",
+                                                         number, Facts::text(box)));
     finding.address = toString(box.operands[0]);
     finding.related.push_back({first.span, fmt::format("first box of {}", number)});
     finding.help = "give each box its own number";

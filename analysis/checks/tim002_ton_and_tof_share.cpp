@@ -20,7 +20,8 @@ void check(const Facts& facts, FindingSink& sink) {
     if (on == nullptr || off == nullptr) continue;
     const Instruction& later = on->id > off->id ? *on : *off;
     const Instruction& earlier = &later == on ? *off : *on;
-    Finding& finding = sink.report(later.span, fmt::format("{} is a TON and a TOF in one program", facts.name(later.operands[0])));
+    Finding& finding =
+        sink.report(later.span, fmt::format("{} is a TON and a TOF in one program", facts.name(later.operands[0])));
     finding.address = toString(later.operands[0]);
     finding.related.push_back({earlier.span, fmt::format("{} stands here", Facts::text(earlier))});
     finding.help = "give one of them another number (001:6541)";

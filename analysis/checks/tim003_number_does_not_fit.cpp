@@ -20,10 +20,12 @@ void check(const Facts& facts, FindingSink& sink) {
     const OperandDesc& desc = instruction.desc->operands[0];
     if (valueIsInRange(desc, timer.offset, everyCpu)) continue;
     const bool isRetentive = timerIsRetentive(static_cast<int>(timer.offset));
-    Finding& finding = sink.report(timer.span, fmt::format("{} cannot be a {}: the number belongs to {} with {} ms resolution", toString(timer), instruction.desc->stl,
-                                                           isRetentive ? "TONR" : "TON and TOF", resolution));
+    Finding& finding = sink.report(
+        timer.span, fmt::format("{} cannot be a {}: the number belongs to {} with {} ms resolution", toString(timer),
+                                instruction.desc->stl, isRetentive ? "TONR" : "TON and TOF", resolution));
     finding.address = toString(timer);
-    finding.help = fmt::format("{} has the numbers {} (table 6-74, 001:6595-6603)", instruction.desc->stl, rangesText(desc, facts.target().cpu));
+    finding.help = fmt::format("{} has the numbers {} (table 6-74, 001:6595-6603)", instruction.desc->stl,
+                               rangesText(desc, facts.target().cpu));
   }
 }
 

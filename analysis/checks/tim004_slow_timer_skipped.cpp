@@ -17,12 +17,15 @@ std::string reason(const Facts& facts, const InstructionPlace& place, const Inst
   if (!point.isReachable || facts.execution().runs(place.block) == Runs::Never) return {};
   if (point.inLoop) return "it stands in a loop and would gain time in every round";
   if (pou.kind == PouKind::Interrupt) return "it stands in an interrupt routine, which runs when its event comes";
-  if (facts.execution().runs(place.block) == Runs::Several) return fmt::format("{} may be called several times in a scan", pou.name);
-  if (point.skippedBy != nullptr && point.skippedBy->desc->control != Control::Lscr && point.skippedBy->desc->control != Control::ScrEndConditional) {
+  if (facts.execution().runs(place.block) == Runs::Several)
+    return fmt::format("{} may be called several times in a scan", pou.name);
+  if (point.skippedBy != nullptr && point.skippedBy->desc->control != Control::Lscr &&
+      point.skippedBy->desc->control != Control::ScrEndConditional) {
     cause = point.skippedBy;
     return fmt::format("{} may leave it out", Facts::text(*point.skippedBy));
   }
-  if (facts.execution().runs(place.block) == Runs::AtMostOnce) return fmt::format("{} is not called in every scan", pou.name);
+  if (facts.execution().runs(place.block) == Runs::AtMostOnce)
+    return fmt::format("{} is not called in every scan", pou.name);
   return {};
 }
 
@@ -30,12 +33,15 @@ void check(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
     const Kind kind = kindOf(instruction);
-    if (!isTimerBox(kind) || instruction.operands.empty() || instruction.operands[0].kind != OperandKind::Direct) continue;
+    if (!isTimerBox(kind) || instruction.operands.empty() || instruction.operands[0].kind != OperandKind::Direct)
+      continue;
     if (timerResolution(static_cast<int>(instruction.operands[0].offset)) != 100) continue;
     const Instruction* cause = nullptr;
     const std::string text = reason(facts, place, cause);
     if (text.empty()) continue;
-    Finding& finding = sink.report(instruction.span, fmt::format("the 100 ms timer {} does not run exactly once in every scan: {}", facts.name(instruction.operands[0]), text));
+    Finding& finding =
+        sink.report(instruction.span, fmt::format("the 100 ms timer {} does not run exactly once in every scan: {}",
+                                                  facts.name(instruction.operands[0]), text));
     finding.address = toString(instruction.operands[0]);
     if (cause != nullptr) finding.related.push_back({cause->span, "this decides whether the timer runs"});
     finding.help = "put the box where it runs once in every scan, or use a timer of 1 or 10 ms (001:6607-6611)";
@@ -49,9 +55,13 @@ extern constexpr Rule tim004_slow_timer_skipped = {
     .title = "100 ms timer not run exactly once per scan",
     .severity = Severity::Warning,
     .needs = Needs::Flow,
-    .detects = "a 100 ms timer in code that may be skipped, in a loop, in an interrupt routine, or in a subroutine called twice in a scan or not in "
-               "every scan",
-    .why = "the value of a 100 ms timer moves only when its box runs: skipped scans lose time, a second run in a scan counts the time twice",
+    .detects =
+        "a 100 ms timer in code that may be skipped, in a loop, in an interrupt routine, or in a subroutine called "
+        "twice in a scan or not in "
+        "every scan",
+    .why =
+        "the value of a 100 ms timer moves only when its box runs: skipped scans lose time, a second run in a scan "
+        "counts the time twice",
     .manual = "001:6611, 004:4596",
     .bad = "Network 1\nLD I0.0\nJMP 1\nNetwork 2\nLD I0.1\nTON T37, +10\nNetwork 3\nLBL 1\nNetwork 4\nLD T37\n= Q0.0\n",
     .good = "Network 1\nLDN I0.0\nA I0.1\nTON T37, +10\nNetwork 2\nLD T37\n= Q0.0\n",

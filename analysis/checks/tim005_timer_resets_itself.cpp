@@ -23,7 +23,8 @@ const Instruction* ownContact(const Flow& flow, std::uint32_t at, std::uint32_t 
     if (isContact && instruction.desc->execution == Execution::Stack && !instruction.operands.empty()) {
       const Operand& o = instruction.operands[0];
       const bool isNegated = instruction.desc->stl.back() == 'N';
-      if (o.kind == OperandKind::Direct && o.area == Area::T && o.offset == number && isNegated != isInverted) return &instruction;
+      if (o.kind == OperandKind::Direct && o.area == Area::T && o.offset == number && isNegated != isInverted)
+        return &instruction;
     }
     if (kind == Kind::Not) isInverted = !isInverted;
     if (kind == Kind::Load) --needed;
@@ -42,14 +43,17 @@ void check(const Facts& facts, FindingSink& sink) {
     if (contact == nullptr) continue;
     const int resolution = timerResolution(static_cast<int>(number));
     const std::string name = facts.name(instruction.operands[0]);
-    const std::string_view effect = resolution == 10  ? "a 10 ms timer clears its bit before any later network sees it"
-                                    : resolution == 1 ? "the bit of a 1 ms timer is seen only if it rises between the two contacts"
-                                                      : "it works for 100 ms timers only";
-    Finding& finding = sink.report(contact->span, fmt::format("{} is enabled by its own inverted bit: {}", name, effect));
+    const std::string_view effect = resolution == 10 ? "a 10 ms timer clears its bit before any later network sees it"
+                                    : resolution == 1
+                                        ? "the bit of a 1 ms timer is seen only if it rises between the two contacts"
+                                        : "it works for 100 ms timers only";
+    Finding& finding =
+        sink.report(contact->span, fmt::format("{} is enabled by its own inverted bit: {}", name, effect));
     if (resolution == 100) finding.severity = Severity::Note;
     finding.address = toString(instruction.operands[0]);
     finding.related.push_back({instruction.span, fmt::format("the box of {}", name)});
-    finding.help = fmt::format("enable {} by the inverse of the output that its bit drives (001:6623)", toString(instruction.operands[0]));
+    finding.help = fmt::format("enable {} by the inverse of the output that its bit drives (001:6623)",
+                               toString(instruction.operands[0]));
   }
 }
 
@@ -61,7 +65,8 @@ extern constexpr Rule tim005_timer_resets_itself = {
     .severity = Severity::Warning,
     .needs = Needs::Text,
     .detects = "a timer whose enable contains the inverse of its own bit",
-    .why = "a 10 ms bit is never seen by the later network, a 1 ms bit only if the update falls between the two contacts",
+    .why =
+        "a 10 ms bit is never seen by the later network, a 1 ms bit only if the update falls between the two contacts",
     .manual = "001:6623, 004:4604-4622",
     .bad = "Network 1\nLDN T33\nTON T33, +100\nNetwork 2\nLD T33\n= Q0.0\n",
     .good = "Network 1\nLDN M0.0\nTON T33, +100\nNetwork 2\nLD T33\n= M0.0\nNetwork 3\nLD M0.0\n= Q0.0\n",

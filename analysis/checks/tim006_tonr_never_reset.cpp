@@ -27,7 +27,8 @@ void check(const Facts& facts, FindingSink& sink) {
       const Instruction& box = facts.instruction(id);
       if (kindOf(box) != Kind::Tonr || isReset(facts, number)) continue;
       const std::string name = facts.name(box.operands[0]);
-      Finding& finding = sink.report(box.span, fmt::format("{} is a retentive timer that nothing resets; once elapsed its bit stays on", name));
+      Finding& finding = sink.report(
+          box.span, fmt::format("{} is a retentive timer that nothing resets; once elapsed its bit stays on", name));
       finding.address = toString(box.operands[0]);
       finding.help = fmt::format("add R {}, 1, or use a TON (001:6581)", toString(box.operands[0]));
       break;

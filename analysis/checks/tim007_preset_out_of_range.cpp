@@ -18,13 +18,15 @@ bool isBad(std::int64_t value) { return value < 1 || value > largest; }
 /// A move of a constant outside the range into the word at the access, if nothing but such moves writes it.
 const Instruction* badMove(const Facts& facts, const Access& preset) {
   const std::uint32_t cell = facts.cellOf(preset);
-  if (cell == facts.index().cells().size() || facts.index().isWrittenAtLarge(cell) || facts.isExternal(cell)) return nullptr;
+  if (cell == facts.index().cells().size() || facts.index().isWrittenAtLarge(cell) || facts.isExternal(cell))
+    return nullptr;
   const Instruction* bad = nullptr;
   for (const std::uint32_t i : facts.index().at(cell)) {
     const Access& access = facts.access(i);
     if (!access.write) continue;
     const Instruction& instruction = facts.instruction(access.instruction);
-    const bool isMove = kindOf(instruction) == Kind::MoveWord && access.offset == preset.offset && instruction.operands.size() == 2;
+    const bool isMove =
+        kindOf(instruction) == Kind::MoveWord && access.offset == preset.offset && instruction.operands.size() == 2;
     if (!isMove || instruction.operands[0].kind != OperandKind::Constant) return nullptr;
     if (bad == nullptr && isBad(instruction.operands[0].value)) bad = &instruction;
   }
@@ -36,8 +38,10 @@ void checkBox(const Facts& facts, FindingSink& sink, const Instruction& box) {
   const Operand& preset = box.operands[1];
   const std::string_view effect = isTimer ? "the timer fires at once" : "the counter bit is on at once";
   const auto report = [&](Span span, std::int64_t value) -> Finding& {
-    const std::string why = value > largest ? fmt::format("as a signed word it is {}", value - 65536) : std::string(effect);
-    Finding& finding = sink.report(span, fmt::format("the preset of {} is {}, not within 1 to 32767: {}", Facts::text(box), value, why));
+    const std::string why =
+        value > largest ? fmt::format("as a signed word it is {}", value - 65536) : std::string(effect);
+    Finding& finding = sink.report(
+        span, fmt::format("the preset of {} is {}, not within 1 to 32767: {}", Facts::text(box), value, why));
     finding.address = toString(box.operands[0]);
     finding.confirmation = Confirmation::NotNeeded;
     finding.help = "the preset is a signed word (001:6569); choose a number with a coarser resolution for longer times";
@@ -51,14 +55,16 @@ void checkBox(const Facts& facts, FindingSink& sink, const Instruction& box) {
     if (access.operand != 1 || access.write || access.viaPointer || access.byNumber()) continue;
     const Instruction* move = badMove(facts, access);
     if (move == nullptr) continue;
-    report(move->operands[0].span, move->operands[0].value).related.push_back({box.span, fmt::format("{} takes its preset from there", Facts::text(box))});
+    report(move->operands[0].span, move->operands[0].value)
+        .related.push_back({box.span, fmt::format("{} takes its preset from there", Facts::text(box))});
   }
 }
 
 void check(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Kind kind = kindOf(*place.instruction);
-    if ((isTimerBox(kind) || isCounterBox(kind)) && place.instruction->operands.size() >= 2) checkBox(facts, sink, *place.instruction);
+    if ((isTimerBox(kind) || isCounterBox(kind)) && place.instruction->operands.size() >= 2)
+      checkBox(facts, sink, *place.instruction);
   }
 }
 

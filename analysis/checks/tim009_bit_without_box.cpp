@@ -15,17 +15,24 @@ void check(const Facts& facts, FindingSink& sink) {
   std::array<bool, 512> reported{};
   for (const Access& access : facts.accesses().all()) {
     const bool isTimer = access.area == Area::T;
-    if ((!isTimer && access.area != Area::C) || access.write || access.viaPointer || access.maybe || access.offset >= 256) continue;
-    if (access.operand == impliedOperand || !(isTimer ? facts.timerBoxes(access.offset) : facts.counterBoxes(access.offset)).empty()) continue;
+    if ((!isTimer && access.area != Area::C) || access.write || access.viaPointer || access.maybe ||
+        access.offset >= 256)
+      continue;
+    if (access.operand == impliedOperand ||
+        !(isTimer ? facts.timerBoxes(access.offset) : facts.counterBoxes(access.offset)).empty())
+      continue;
     const std::uint32_t cell = facts.cellOf(access);
-    if (cell == facts.index().cells().size() || facts.index().isWrittenAtLarge(cell) || facts.isExternal(cell) || facts.writers(cell, 0) > 0) continue;
+    if (cell == facts.index().cells().size() || facts.index().isWrittenAtLarge(cell) || facts.isExternal(cell) ||
+        facts.writers(cell, 0) > 0)
+      continue;
     bool& isDone = reported[access.offset + (isTimer ? 0 : 256)];
     if (isDone) continue;
     isDone = true;
     const Instruction& instruction = facts.instruction(access.instruction);
     const Operand& operand = instruction.operands[access.operand];
-    Finding& finding = sink.report(operand.span, fmt::format("{} reads {}, but the program has no {} box with that number", Facts::text(instruction), facts.name(operand),
-                                                             isTimer ? "timer" : "counter"));
+    Finding& finding = sink.report(
+        operand.span, fmt::format("{} reads {}, but the program has no {} box with that number",
+                                  Facts::text(instruction), facts.name(operand), isTimer ? "timer" : "counter"));
     finding.address = toString(operand);
     finding.help = "correct the number, or add the box; without it bit and value stay 0";
   }

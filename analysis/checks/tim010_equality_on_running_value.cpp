@@ -14,20 +14,24 @@ namespace {
 
 bool isEquality(const Desc& desc) {
   if (desc.execution != Execution::Compare) return false;
-  return desc.stl.ends_with("<>") || (desc.stl.ends_with("=") && !desc.stl.ends_with(">=") && !desc.stl.ends_with("<="));
+  return desc.stl.ends_with("<>") ||
+         (desc.stl.ends_with("=") && !desc.stl.ends_with(">=") && !desc.stl.ends_with("<="));
 }
 
 void check(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
     if (!isEquality(*instruction.desc)) continue;
-    const bool isWithZero = std::any_of(instruction.operands.begin(), instruction.operands.end(),
-                                        [](const Operand& o) { return o.kind == OperandKind::Constant && o.value == 0; });
+    const bool isWithZero = std::any_of(instruction.operands.begin(), instruction.operands.end(), [](const Operand& o) {
+      return o.kind == OperandKind::Constant && o.value == 0;
+    });
     if (isWithZero) continue;
     for (const Operand& o : instruction.operands) {
       if (o.kind != OperandKind::Direct || (o.area != Area::T && o.area != Area::C && o.area != Area::HC)) continue;
       const std::string_view what = o.area == Area::T ? "timer" : o.area == Area::C ? "counter" : "fast counter";
-      Finding& finding = sink.report(instruction.span, fmt::format("{} compares the running value of {} {} for equality", Facts::text(instruction), what, facts.name(o)));
+      Finding& finding =
+          sink.report(instruction.span, fmt::format("{} compares the running value of {} {} for equality",
+                                                    Facts::text(instruction), what, facts.name(o)));
       if (o.area == Area::C) finding.severity = Severity::Note;
       finding.address = toString(o);
       finding.help = "use >= or <=; the value may pass the number between two scans (001:6607-6611)";

@@ -22,7 +22,9 @@ void checkTimer(const Facts& facts, FindingSink& sink, std::uint32_t number) {
     if (first->instruction == access.instruction) continue;
     const Instruction& instruction = facts.instruction(access.instruction);
     const Operand& operand = instruction.operands[access.operand];
-    Finding& finding = sink.report(operand.span, fmt::format("{} is a 1 ms timer and read twice in a scan; the two reads may differ", facts.name(operand)));
+    Finding& finding = sink.report(
+        operand.span,
+        fmt::format("{} is a 1 ms timer and read twice in a scan; the two reads may differ", facts.name(operand)));
     finding.address = toString(operand);
     finding.related.push_back({facts.instruction(first->instruction).span, "first read"});
     finding.help = "copy the bit or value once, or use a timer of 10 or 100 ms, which changes at one point of the scan";

@@ -15,7 +15,8 @@ bool hasOwnReset(const Facts& facts, std::uint32_t number) {
   const std::uint32_t cell = facts.index().cells().cell(Area::C, number, 0);
   if (cell == facts.index().cells().size() || facts.index().isWrittenAtLarge(cell)) return true;
   const std::span<const std::uint32_t> accesses = facts.index().at(cell);
-  return std::any_of(accesses.begin(), accesses.end(), [&](std::uint32_t i) { return facts.access(i).write && !facts.access(i).isBox; });
+  return std::any_of(accesses.begin(), accesses.end(),
+                     [&](std::uint32_t i) { return facts.access(i).write && !facts.access(i).isBox; });
 }
 
 void check(const Facts& facts, FindingSink& sink) {
@@ -33,13 +34,15 @@ void check(const Facts& facts, FindingSink& sink) {
     };
     const std::string_view top = kind == Kind::Ctd ? "load" : "reset";
     if ((inputs[0] & condition::Always) != 0) {
-      report(fmt::format("the {} input of {} is always on, so it never counts", top, name), "the last load before the box is the reset or load input (001:3994-4004)");
+      report(fmt::format("the {} input of {} is always on, so it never counts", top, name),
+             "the last load before the box is the reset or load input (001:3994-4004)");
     } else if ((inputs[0] & condition::Never) != 0 && !hasOwnReset(facts, instruction.operands[0].offset)) {
       report(fmt::format("the {} input of {} is never on", top, name), "connect it, or reset the counter by R");
     }
     for (std::size_t k = 1; k < inputs.size(); ++k) {
       if ((inputs[k] & (condition::Always | condition::Never)) == 0) continue;
-      report(fmt::format("a count input of {} never changes, so it has no rising edge", name), "count inputs count the change from 0 to 1");
+      report(fmt::format("a count input of {} never changes, so it has no rising edge", name),
+             "count inputs count the change from 0 to 1");
     }
   }
 }

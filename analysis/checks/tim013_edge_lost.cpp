@@ -19,18 +19,22 @@ void check(const Facts& facts, FindingSink& sink) {
     if (kind != Kind::Eu && kind != Kind::Ed) continue;
     (instruction.operands.empty() ? plain : numbered) = &instruction;
     if (++count == limit + 1) {
-      sink.report(instruction.span, fmt::format("{} is edge number {}; a program has at most {} EU and ED together", instruction.desc->stl, count, limit)).help =
-          "replace edges by a bit that remembers the last value (001:2668)";
+      sink.report(instruction.span, fmt::format("{} is edge number {}; a program has at most {} EU and ED together",
+                                                instruction.desc->stl, count, limit))
+          .help = "replace edges by a bit that remembers the last value (001:2668)";
     }
     const Condition flow = facts.stack().at(instruction.id).flow;
     const bool isFirst = (facts.conditionOf(instruction.id) & condition::FirstScan) != 0;
     if ((flow & condition::Always) == 0 && !(kind == Kind::Eu && isFirst)) continue;
-    const std::string_view why = isFirst ? "no edge is seen in the first scan, and this value is 1 only there" : "the value before it is always 1";
+    const std::string_view why = isFirst ? "no edge is seen in the first scan, and this value is 1 only there"
+                                         : "the value before it is always 1";
     sink.report(instruction.span, fmt::format("{} never gives an edge: {}", instruction.desc->stl, why)).help =
-        isFirst ? "leave the edge out: SM0.1 is a pulse of one scan already (001:2763)" : "take the edge of the signal that changes";
+        isFirst ? "leave the edge out: SM0.1 is a pulse of one scan already (001:2763)"
+                : "take the edge of the signal that changes";
   }
   if (numbered != nullptr && plain != nullptr) {
-    Finding& finding = sink.report(plain->span, fmt::format("{} has no number while other edges of the program have one", plain->desc->stl));
+    Finding& finding = sink.report(
+        plain->span, fmt::format("{} has no number while other edges of the program have one", plain->desc->stl));
     finding.related.push_back({numbered->span, "an edge with a number"});
     finding.help = "number all edges or none (error 0097, 001:14002)";
   }
@@ -43,8 +47,10 @@ extern constexpr Rule tim013_edge_lost = {
     .title = "Edge that is lost",
     .severity = Severity::Warning,
     .needs = Needs::Text,
-    .detects = "EU behind a condition that is true in the first scan only, EU or ED behind a constant, more than 256 edges, numbered and unnumbered "
-               "edges mixed",
+    .detects =
+        "EU behind a condition that is true in the first scan only, EU or ED behind a constant, more than 256 edges, "
+        "numbered and unnumbered "
+        "edges mixed",
     .why = "no edge is seen in the first scan; a program has 256 edge memories; error 0097",
     .manual = "001:2763, 001:2668, 001:14002",
     .bad = "Network 1\nLD SM0.1\nEU\nS Q0.0, 1\nNetwork 2\nLD I0.0\nR Q0.0, 1\n",

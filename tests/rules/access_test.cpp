@@ -22,20 +22,22 @@ TEST(Access, FollowsTheOperandsOfEachInstruction) {
   EXPECT_EQ(accessesOf("MOVW VW0, VW2"), "r VW0 w VW2");
   EXPECT_EQ(accessesOf("+I VW0, VW2"), "r VW0 r VW2 w VW2");
   EXPECT_EQ(accessesOf("S Q0.3, 8"), "w Q0.3*8");
-  EXPECT_EQ(accessesOf("R T37, 2"), "w T37*2 w T37*2");              // bit and current value (001:2791)
-  EXPECT_EQ(accessesOf("S Q0.0, VB10"), "w Q0.0..255 r VB10");       // N from memory
-  EXPECT_EQ(accessesOf("MUL VW0, VD10"), "r VW0 r VW12 w VD10");     // low word in, double word out (001:4881)
+  EXPECT_EQ(accessesOf("R T37, 2"), "w T37*2 w T37*2");           // bit and current value (001:2791)
+  EXPECT_EQ(accessesOf("S Q0.0, VB10"), "w Q0.0..255 r VB10");    // N from memory
+  EXPECT_EQ(accessesOf("MUL VW0, VD10"), "r VW0 r VW12 w VD10");  // low word in, double word out (001:4881)
   EXPECT_EQ(accessesOf("BMW VW0, VW100, 5"), "r VW0*5 w VW100*5");
   EXPECT_EQ(accessesOf("FILL +0, VW100, 3"), "w VW100*3");
   EXPECT_EQ(accessesOf("MOVW *VD4, AC0"), "r VD4 r *VD4 w AC0");
   EXPECT_EQ(accessesOf("SHRB I0.0, V10.5, -4"), "r I0.0 r V10.5*4 w V10.5*4");
-  EXPECT_EQ(accessesOf("TON T37, VW0"), "w T37 w T37 r VW0");        // the box owns bit and value
-  EXPECT_EQ(accessesOf("HTA VB0, VB10, 3"), "r VB0*2 w VB10*3");     // two digits in a byte
+  EXPECT_EQ(accessesOf("TON T37, VW0"), "w T37 w T37 r VW0");     // the box owns bit and value
+  EXPECT_EQ(accessesOf("HTA VB0, VB10, 3"), "r VB0*2 w VB10*3");  // two digits in a byte
 }
 
 TEST(Access, CallTakesDirectionsFromTheTableOfTheBlock) {
-  const Linted linted("ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0, VB0, VW2\nEND_ORGANIZATION_BLOCK\n"
-                      "SUBROUTINE_BLOCK SBR_0:SBR0\nVAR_INPUT\nA:BYTE;\nEND_VAR\nVAR_OUTPUT\nB:WORD;\nEND_VAR\nBEGIN\nNetwork 1\nLD SM0.0\nBTI LB0, LW1\nEND_SUBROUTINE_BLOCK\n");
+  const Linted linted(
+      "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0, VB0, VW2\nEND_ORGANIZATION_BLOCK\n"
+      "SUBROUTINE_BLOCK SBR_0:SBR0\nVAR_INPUT\nA:BYTE;\nEND_VAR\nVAR_OUTPUT\nB:WORD;\nEND_VAR\nBEGIN\nNetwork 1\nLD "
+      "SM0.0\nBTI LB0, LW1\nEND_SUBROUTINE_BLOCK\n");
   const std::span<const Access> call = linted.facts->accesses().of(1);
   ASSERT_EQ(call.size(), 2U);
   EXPECT_FALSE(call[0].write);

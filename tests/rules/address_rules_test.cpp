@@ -17,23 +17,27 @@ TEST(AddressRules, ReadOnlyMemory) {
 TEST(AddressRules, HalvesAreNoOverlapButPartsAre) {
   EXPECT_EQ(lines("ADR007", "Network 1\nLD SM0.0\nMOVD +1, VD100\nMOVW VW102, VW0\nMOVB VB103, VB2\n"), Lines());
   EXPECT_EQ(lines("ADR007", "Network 1\nLD SM0.0\nMOVD +1, VD100\nMOVW +1, VW103\n"), Lines{4});
-  EXPECT_EQ(lines("ADR007", "Network 1\nLD SM0.0\nMOVW VW101, VW0\nMOVW VW102, VW2\n"), Lines());  // nothing writes them
+  EXPECT_EQ(lines("ADR007", "Network 1\nLD SM0.0\nMOVW VW101, VW0\nMOVW VW102, VW2\n"),
+            Lines());  // nothing writes them
 }
 
 TEST(AddressRules, EditorBytesAreForTheEditor) {
-  EXPECT_EQ(lines("ADR008", "Network 1\nLD I0.0\n= L60.0\nNetwork 2\nLD L60.0\n= Q0.0\n"), Lines{5});  // read in another network
+  EXPECT_EQ(lines("ADR008", "Network 1\nLD I0.0\n= L60.0\nNetwork 2\nLD L60.0\n= Q0.0\n"),
+            Lines{5});  // read in another network
 }
 
 TEST(AddressRules, WritersOfAnyKindCount) {
   EXPECT_EQ(lines("ADR010", "Network 1\nLD V10.0\n= Q0.0\nNetwork 2\nLD SM0.1\nFILL +0, VW0, 20\n"), Lines());
-  EXPECT_EQ(lines("ADR010", "Network 1\nLD V10.0\n= Q0.0\nNetwork 2\nLD I0.0\n= V10.1\n"), Lines{2});  // another bit of the byte
+  EXPECT_EQ(lines("ADR010", "Network 1\nLD V10.0\n= Q0.0\nNetwork 2\nLD I0.0\n= V10.1\n"),
+            Lines{2});  // another bit of the byte
   EXPECT_EQ(lines("ADR010", "Network 1\nLD I0.0\nTON T37, VW20\nNetwork 2\nLD T37\n= Q0.0\n"), Lines{3});
 }
 
 TEST(AddressRules, ReadersOfAnyKindCount) {
   EXPECT_EQ(lines("ADR011", "Network 1\nLD SM0.0\nMOVW AIW0, VW0\nBMB VB0, QB0, 2\n"), Lines());
   EXPECT_EQ(lines("ADR011", "Network 1\nLD I0.0\nINCW VW0\n"), Lines{3});  // reads itself only
-  EXPECT_EQ(lines("ADR011", "Network 1\nLD SM0.1\nATCH 0, 21\nENI\nNetwork 2\nLD I0.0\nTON T32, +100\n"), Lines());  // T32 has its event
+  EXPECT_EQ(lines("ADR011", "Network 1\nLD SM0.1\nATCH 0, 21\nENI\nNetwork 2\nLD I0.0\nTON T32, +100\n"),
+            Lines());  // T32 has its event
 }
 
 TEST(SymbolRules, TablesAreCompared) {

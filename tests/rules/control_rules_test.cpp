@@ -11,13 +11,19 @@ Lines lines(const char* rule, const char* text) { return Linted(text).lines(rule
 
 TEST(ControlRules, LabelsBelongToBlocks) {
   // Both blocks have a label 1: legal (s7200 E13). The jump to label 2 finds it in the other block only.
-  EXPECT_EQ(lines("CTL001", "LD I0.0\nJMP 1\nINCB VB0\nLBL 1\nLD I0.1\nJMP 2\nLD SM0.0\nCALL 1\nMEND\nSBR 1\nLD I0.2\nJMP 1\nINCB VB1\nLBL 1\nLBL 2\nRET\n"), Lines{6});
+  EXPECT_EQ(lines("CTL001",
+                  "LD I0.0\nJMP 1\nINCB VB0\nLBL 1\nLD I0.1\nJMP 2\nLD SM0.0\nCALL 1\nMEND\nSBR 1\nLD I0.2\nJMP "
+                  "1\nINCB VB1\nLBL 1\nLBL 2\nRET\n"),
+            Lines{6});
 }
 
 TEST(ControlRules, LoopTimeIsBounded) {
-  EXPECT_EQ(lines("CTL004", "Network 1\nLD I0.0\nFOR VW0, +1, +100\nNetwork 2\nLD SM0.0\nINCW VW2\nNetwork 3\nNEXT\n"), Lines());
+  EXPECT_EQ(lines("CTL004", "Network 1\nLD I0.0\nFOR VW0, +1, +100\nNetwork 2\nLD SM0.0\nINCW VW2\nNetwork 3\nNEXT\n"),
+            Lines());
   // 30,000 rounds of a REAL function of more than 100 us each.
-  EXPECT_EQ(lines("CTL004", "Network 1\nLD I0.0\nFOR VW0, +1, +30000\nNetwork 2\nLD SM0.0\nSIN VD2, VD6\nNetwork 3\nNEXT\n"), Lines{3});
+  EXPECT_EQ(
+      lines("CTL004", "Network 1\nLD I0.0\nFOR VW0, +1, +30000\nNetwork 2\nLD SM0.0\nSIN VD2, VD6\nNetwork 3\nNEXT\n"),
+      Lines{3});
 }
 
 TEST(ControlRules, BlocksOfTheOlderDialectNeedTheirEnds) {
@@ -26,7 +32,9 @@ TEST(ControlRules, BlocksOfTheOlderDialectNeedTheirEnds) {
 
 TEST(CallRules, NineLevelsAreTooMany) {
   std::string text = "LD SM0.0\nCALL 1\nMEND\n";
-  for (int n = 1; n <= 9; ++n) text += "SBR " + std::to_string(n) + "\n" + (n < 9 ? "CALL " + std::to_string(n + 1) : std::string("INCB VB0")) + "\nRET\n";
+  for (int n = 1; n <= 9; ++n)
+    text += "SBR " + std::to_string(n) + "\n" + (n < 9 ? "CALL " + std::to_string(n + 1) : std::string("INCB VB0")) +
+            "\nRET\n";
   EXPECT_EQ(lines("SUB002", text.c_str()).size(), 1U);
 }
 
@@ -43,20 +51,30 @@ TEST(CallRules, ArgumentsInAccumulatorsAreNoLoss) {
 
 TEST(LocalMemory, PathsAreJoined) {
   // LW0 is written on one side of the jump only.
-  EXPECT_EQ(lines("SUB005", "Network 1\nLD I0.0\nJMP 1\nNetwork 2\nLD SM0.0\nMOVW +1, LW0\nNetwork 3\nLBL 1\nNetwork 4\nLD SM0.0\nMOVW LW0, VW0\n"), Lines{11});
-  EXPECT_EQ(lines("SUB005", "Network 1\nLD SM0.0\nMOVW +1, LW0\nNetwork 2\nLD I0.0\nJMP 1\nNetwork 3\nLD SM0.0\nMOVW +2, LW0\nNetwork 4\nLBL 1\nNetwork 5\nLD SM0.0\nMOVW LW0, VW0\n"), Lines());
+  EXPECT_EQ(lines("SUB005",
+                  "Network 1\nLD I0.0\nJMP 1\nNetwork 2\nLD SM0.0\nMOVW +1, LW0\nNetwork 3\nLBL 1\nNetwork 4\nLD "
+                  "SM0.0\nMOVW LW0, VW0\n"),
+            Lines{11});
+  EXPECT_EQ(lines("SUB005",
+                  "Network 1\nLD SM0.0\nMOVW +1, LW0\nNetwork 2\nLD I0.0\nJMP 1\nNetwork 3\nLD SM0.0\nMOVW +2, "
+                  "LW0\nNetwork 4\nLBL 1\nNetwork 5\nLD SM0.0\nMOVW LW0, VW0\n"),
+            Lines());
 }
 
 TEST(InterruptRules, TimedIntervals) {
-  EXPECT_EQ(lines("INT002", "LD SM0.1\nATCH 0, 10\nENI\nMEND\nINT 0\nINCB VB0\nRETI\n"), Lines{2});                 // SMB34 is never set
-  EXPECT_EQ(lines("INT002", "LD SM0.1\nMOVB 0, SMB34\nATCH 0, 10\nENI\nMEND\nINT 0\nINCB VB0\nRETI\n"), Lines{2});  // 0 ms
-  EXPECT_EQ(lines("INT002", "LD SM0.1\nATCH 0, 21\nENI\nMEND\nINT 0\nINCB VB0\nRETI\n"), Lines{2});                 // no T32
+  EXPECT_EQ(lines("INT002", "LD SM0.1\nATCH 0, 10\nENI\nMEND\nINT 0\nINCB VB0\nRETI\n"),
+            Lines{2});  // SMB34 is never set
+  EXPECT_EQ(lines("INT002", "LD SM0.1\nMOVB 0, SMB34\nATCH 0, 10\nENI\nMEND\nINT 0\nINCB VB0\nRETI\n"),
+            Lines{2});                                                                               // 0 ms
+  EXPECT_EQ(lines("INT002", "LD SM0.1\nATCH 0, 21\nENI\nMEND\nINT 0\nINCB VB0\nRETI\n"), Lines{2});  // no T32
 }
 
 TEST(StepRules, DummyStepsOfAConvergenceNeedNoSegment) {
   // 001:5865-5872: two branches end in steps without a segment, and a network outside tests both.
-  const char* text = "Network 1\nLD SM0.1\nS S0.0, 2\nNetwork 2\nLSCR S0.0\nNetwork 3\nLD I0.0\nSCRT S1.0\nNetwork 4\nSCRE\nNetwork 5\nLSCR S0.1\nNetwork 6\nLD I0.1\nSCRT S1.1\nNetwork 7\nSCRE\n"
-                     "Network 8\nLD S1.0\nA S1.1\nS S0.0, 2\nR S1.0, 2\n";
+  const char* text =
+      "Network 1\nLD SM0.1\nS S0.0, 2\nNetwork 2\nLSCR S0.0\nNetwork 3\nLD I0.0\nSCRT S1.0\nNetwork 4\nSCRE\nNetwork "
+      "5\nLSCR S0.1\nNetwork 6\nLD I0.1\nSCRT S1.1\nNetwork 7\nSCRE\n"
+      "Network 8\nLD S1.0\nA S1.1\nS S0.0, 2\nR S1.0, 2\n";
   EXPECT_EQ(lines("SCR001", text), Lines());
   EXPECT_EQ(lines("SCR003", text), Lines());
 }

@@ -26,7 +26,8 @@ TEST(ArithmeticRules, AccumulatorsHaveUpperHalves) {
 }
 
 TEST(PointerRules, KnownAddressesAreFollowed) {
-  EXPECT_EQ(lines("PTR001", "Network 1\nLD SM0.0\nMOVD &VB10238, AC1\n+D +2, AC1\nMOVB *AC1, VB0\n"), Lines{5});  // VB10240
+  EXPECT_EQ(lines("PTR001", "Network 1\nLD SM0.0\nMOVD &VB10238, AC1\n+D +2, AC1\nMOVB *AC1, VB0\n"),
+            Lines{5});  // VB10240
   EXPECT_EQ(lines("PTR001", "Network 1\nLD SM0.0\nMOVD &VB10238, AC1\nMOVW *AC1, VW0\n"), Lines());
 }
 
@@ -42,14 +43,19 @@ TEST(PointerRules, TwoStepsOfOneByteAreAWord) {
 TEST(PointerRules, BlocksAndTables) {
   EXPECT_EQ(lines("PTR004", "Network 1\nLD I0.0\nBMB VB0, VB5, 10\n"), Lines{3});     // overlap
   EXPECT_EQ(lines("PTR004", "Network 1\nLD I0.0\nBMW VW10230, VW0, 6\n"), Lines{3});  // VW10230 to VW10240
-  EXPECT_EQ(lines("PTR005", "Network 1\nLD SM0.1\nMOVW +200, VW100\nNetwork 2\nLD I0.0\nEU\nATT VW0, VW100\n"), Lines{3});
-  EXPECT_EQ(lines("PTR005", "Network 1\nLD SM0.1\nMOVW +20, VW100\nNetwork 2\nLD I0.0\nEU\nATT VW0, VW100\nFND= VW100, +5, VW50\n"), Lines{8});
+  EXPECT_EQ(lines("PTR005", "Network 1\nLD SM0.1\nMOVW +200, VW100\nNetwork 2\nLD I0.0\nEU\nATT VW0, VW100\n"),
+            Lines{3});
+  EXPECT_EQ(
+      lines("PTR005",
+            "Network 1\nLD SM0.1\nMOVW +20, VW100\nNetwork 2\nLD I0.0\nEU\nATT VW0, VW100\nFND= VW100, +5, VW50\n"),
+      Lines{8});
 }
 
 TEST(DeviceRules, GuardsOfOneScan) {
-  EXPECT_EQ(lines("HSP004", "Network 1\nLD I0.0\nEU\n= M0.0\nNetwork 2\nLD M0.0\nATT VW0, VW100\n"), Lines());            // a bit with an edge
-  EXPECT_EQ(lines("HSP004", "Network 1\nLD M0.0\nATT VW0, VW100\nR M0.0, 1\n"), Lines());                                // resets its own request
-  EXPECT_EQ(lines("HSP004", "Network 1\nLD SM0.0\nAN V200.6\nAN V200.5\nNETR VB200, 0\n"), Lines());                      // 000:1400
+  EXPECT_EQ(lines("HSP004", "Network 1\nLD I0.0\nEU\n= M0.0\nNetwork 2\nLD M0.0\nATT VW0, VW100\n"),
+            Lines());                                                                      // a bit with an edge
+  EXPECT_EQ(lines("HSP004", "Network 1\nLD M0.0\nATT VW0, VW100\nR M0.0, 1\n"), Lines());  // resets its own request
+  EXPECT_EQ(lines("HSP004", "Network 1\nLD SM0.0\nAN V200.6\nAN V200.5\nNETR VB200, 0\n"), Lines());  // 000:1400
   EXPECT_EQ(lines("HSP004", "Network 1\nLD I0.0\nS SM31.7, 1\n"), Lines{3});
   EXPECT_EQ(lines("HSP001", "Network 1\nLD SM0.1\nHDEF 0, 0\nHSC 0\nNetwork 2\nLD I0.0\nHDEF 0, 3\n"), Lines{7});
 }

@@ -13,7 +13,7 @@ TEST(InstructionKind, TellsContactsFromStackOperations) {
   EXPECT_EQ(kind("LD"), Kind::Load);
   EXPECT_EQ(kind("LDW>="), Kind::Load);
   EXPECT_EQ(kind("AN"), Kind::And);
-  EXPECT_EQ(kind("OR="), Kind::Or);   // a comparison of reals
+  EXPECT_EQ(kind("OR="), Kind::Or);     // a comparison of reals
   EXPECT_EQ(kind("ORB"), Kind::Other);  // a word operation
   EXPECT_EQ(kind("ALD"), Kind::Ald);
   EXPECT_EQ(kind("LDS"), Kind::Lds);
@@ -41,7 +41,9 @@ TEST(CallGraph, CountsLevelsAndFindsCycles) {
 
 TEST(Execution, FollowsConstantConditions) {
   // The jump on SM0.0 always goes, so the coil behind it is never reached; the conditional one may skip.
-  const Linted linted("Network 1\nLD SM0.0\nJMP 1\nNetwork 2\nLD I0.0\n= Q0.0\nNetwork 3\nLBL 1\nNetwork 4\nLD I0.1\nJMP 2\nNetwork 5\nLD I0.2\n= Q0.1\nNetwork 6\nLBL 2\n");
+  const Linted linted(
+      "Network 1\nLD SM0.0\nJMP 1\nNetwork 2\nLD I0.0\n= Q0.0\nNetwork 3\nLBL 1\nNetwork 4\nLD I0.1\nJMP 2\nNetwork "
+      "5\nLD I0.2\n= Q0.1\nNetwork 6\nLBL 2\n");
   const ExecutionTable& execution = linted.facts->execution();
   EXPECT_FALSE(execution.at(3).isReachable);
   EXPECT_TRUE(execution.at(8).isReachable);
@@ -51,7 +53,9 @@ TEST(Execution, FollowsConstantConditions) {
 }
 
 TEST(Execution, CountsCallsPerScan) {
-  const Linted linted("LD SM0.0\nCALL 1\nLD I0.0\nCALL 2\nLD I0.1\nCALL 3\nLD I0.2\nCALL 3\nLD SM0.1\nCALL 4\nMEND\nSBR 1\n= Q0.0\nRET\nSBR 2\n= Q0.1\nRET\nSBR 3\n= Q0.2\nRET\nSBR 4\n= Q0.3\nRET\nSBR 5\n= Q0.4\nRET\n");
+  const Linted linted(
+      "LD SM0.0\nCALL 1\nLD I0.0\nCALL 2\nLD I0.1\nCALL 3\nLD I0.2\nCALL 3\nLD SM0.1\nCALL 4\nMEND\nSBR 1\n= "
+      "Q0.0\nRET\nSBR 2\n= Q0.1\nRET\nSBR 3\n= Q0.2\nRET\nSBR 4\n= Q0.3\nRET\nSBR 5\n= Q0.4\nRET\n");
   const ExecutionTable& execution = linted.facts->execution();
   EXPECT_EQ(execution.runs(1), Runs::Once);
   EXPECT_EQ(execution.runs(2), Runs::AtMostOnce);
@@ -62,7 +66,9 @@ TEST(Execution, CountsCallsPerScan) {
 
 TEST(Conditions, FlowThroughTheStack) {
   // SM0.1 AND anything is a first-scan condition; OR with an input is not; an edge bit with one coil stays a pulse.
-  const Linted linted("Network 1\nLD SM0.1\nA I0.0\nMOVB 1, VB0\nNetwork 2\nLD SM0.1\nO I0.0\nMOVB 1, VB0\nNetwork 3\nLD I0.0\nEU\n= M0.0\nNetwork 4\nLD M0.0\nMOVB 1, VB0\n");
+  const Linted linted(
+      "Network 1\nLD SM0.1\nA I0.0\nMOVB 1, VB0\nNetwork 2\nLD SM0.1\nO I0.0\nMOVB 1, VB0\nNetwork 3\nLD I0.0\nEU\n= "
+      "M0.0\nNetwork 4\nLD M0.0\nMOVB 1, VB0\n");
   const StackRun& stack = linted.facts->stack();
   EXPECT_NE(stack.at(2).flow & condition::FirstScan, 0);
   EXPECT_EQ(stack.at(5).flow & condition::FirstScan, 0);

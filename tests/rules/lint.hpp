@@ -45,7 +45,8 @@ struct Linted {
       if (rule->check == nullptr || !rule->enabledByDefault) continue;
       for (const Finding& finding : of(rule->id)) {
         if (finding.severity < atLeast) continue;
-        result.push_back(finding.rule + " " + std::to_string(program.sources->position(finding.span).line) + ": " + finding.message);
+        result.push_back(finding.rule + " " + std::to_string(program.sources->position(finding.span).line) + ": " +
+                         finding.message);
       }
     }
     return result;

@@ -55,20 +55,24 @@ std::vector<Form> allForms(const OperandDesc& desc) {
   for (const Area area : {Area::I, Area::Q, Area::V, Area::M, Area::S, Area::SM, Area::L}) {
     for (const Width width : {Width::Bit, Width::Byte, Width::Word, Width::DWord}) {
       // SM from byte 30, so that no rule on read-only memory joins in.
-      forms.push_back({std::string(areaName(area)) + letters[static_cast<int>(width)], direct(area, width, area == Area::SM ? 30 : 0)});
+      forms.push_back({std::string(areaName(area)) + letters[static_cast<int>(width)],
+                       direct(area, width, area == Area::SM ? 30 : 0)});
     }
   }
-  for (const Area area : {Area::T, Area::C}) forms.push_back({std::string(areaName(area)), direct(area, Width::Bit, 40)});
+  for (const Area area : {Area::T, Area::C})
+    forms.push_back({std::string(areaName(area)), direct(area, Width::Bit, 40)});
   forms.push_back({"AC", direct(Area::AC, Width::DWord, 1)});
   forms.push_back({"HC", direct(Area::HC, Width::DWord, 0)});
   forms.push_back({"AIW", direct(Area::AI, Width::Word, 0)});
   forms.push_back({"AQW", direct(Area::AQ, Width::Word, 0)});
-  for (const auto& [token, area, offset] : {std::tuple("*VD", Area::V, 0U), std::tuple("*LD", Area::L, 0U), std::tuple("*AC", Area::AC, 1U)}) {
+  for (const auto& [token, area, offset] :
+       {std::tuple("*VD", Area::V, 0U), std::tuple("*LD", Area::L, 0U), std::tuple("*AC", Area::AC, 1U)}) {
     Operand pointer = direct(area, Width::DWord, offset);
     pointer.kind = OperandKind::Indirect;
     forms.push_back({token, pointer});
   }
-  for (const auto& [token, area] : {std::pair("&VB", Area::V), std::pair("&T", Area::T), std::pair("&SMB", Area::SM), std::pair("&AIW", Area::AI)}) {
+  for (const auto& [token, area] : {std::pair("&VB", Area::V), std::pair("&T", Area::T), std::pair("&SMB", Area::SM),
+                                    std::pair("&AIW", Area::AI)}) {
     Operand address = direct(area, Width::Byte, 0);
     address.kind = OperandKind::Address;
     forms.push_back({token, address});
@@ -138,7 +142,9 @@ TEST(OperandRules, EveryFormOfEveryOperandIsJudgedAsInTheTables) {
       ASSERT_GE(row.size(), 5U);
       for (const std::string& name : split(row[0], ',')) {
         for (const std::string& operand : split(row[1], ',')) {
-          if (operand.find('@') != std::string::npos || name.find(':') != std::string::npos || name == "CALL" || name == "*") continue;
+          if (operand.find('@') != std::string::npos || name.find(':') != std::string::npos || name == "CALL" ||
+              name == "*")
+            continue;
           for (const std::string& word : split(row[4], ',')) allowed[{name, operand}].insert(tokenOf(word));
         }
       }
@@ -165,9 +171,9 @@ TEST(OperandRules, EveryFormOfEveryOperandIsJudgedAsInTheTables) {
   }
   EXPECT_GT(operands, 300);
   const std::set<std::uint32_t> found = cases.run({"ADR002", "ADR003", "ADR004", "PTR002"});
-  for (const auto& [id, e] : expected) EXPECT_EQ(found.contains(id), !e.isLegal) << e.text << (e.isLegal ? " is legal" : " is not in the table");
+  for (const auto& [id, e] : expected)
+    EXPECT_EQ(found.contains(id), !e.isLegal) << e.text << (e.isLegal ? " is legal" : " is not in the table");
 }
-
 
 /// An instruction and operand that take that area at that width.
 std::pair<const Desc*, std::size_t> carrier(const std::string& area, Width width) {
@@ -181,9 +187,12 @@ std::pair<const Desc*, std::size_t> carrier(const std::string& area, Width width
 }
 
 TEST(OperandRules, EveryLimitOfTable62IsExact) {
-  const std::map<std::string, Area> areas = {{"I", Area::I}, {"Q", Area::Q}, {"V", Area::V}, {"M", Area::M}, {"SM", Area::SM}, {"S", Area::S}, {"T", Area::T},
-                                             {"C", Area::C}, {"L", Area::L}, {"AC", Area::AC}, {"AI", Area::AI}, {"AQ", Area::AQ}, {"HC", Area::HC}};
-  const std::map<std::string, Width> widths = {{"bit", Width::Bit}, {"byte", Width::Byte}, {"word", Width::Word}, {"dword", Width::DWord}};
+  const std::map<std::string, Area> areas = {{"I", Area::I},   {"Q", Area::Q},   {"V", Area::V},   {"M", Area::M},
+                                             {"SM", Area::SM}, {"S", Area::S},   {"T", Area::T},   {"C", Area::C},
+                                             {"L", Area::L},   {"AC", Area::AC}, {"AI", Area::AI}, {"AQ", Area::AQ},
+                                             {"HC", Area::HC}};
+  const std::map<std::string, Width> widths = {
+      {"bit", Width::Bit}, {"byte", Width::Byte}, {"word", Width::Word}, {"dword", Width::DWord}};
   int checked = 0;
   std::map<std::pair<std::string, std::string>, std::map<std::pair<std::string, std::string>, std::int64_t>> tables;
   for (const std::vector<std::string>& row : rowsOf("operand-ranges.tsv")) {
@@ -205,10 +214,15 @@ TEST(OperandRules, EveryLimitOfTable62IsExact) {
       const bool isNumber = area == Area::T || area == Area::C;
       const std::uint32_t step = area == Area::AI || area == Area::AQ ? 2 : 1;
       const Width written = isNumber ? Width::Bit : width;
-      const std::string text = place.first + " " + place.second + " " + form.second + " " + form.first + std::to_string(high);
-      legal[cases.add(*desc, position, direct(area, written, static_cast<std::uint32_t>(high), isNumber || width != Width::Bit ? 0 : 7))] = text;
-      illegal[cases.add(*desc, position, direct(area, written, static_cast<std::uint32_t>(high) + step))] = text + " + " + std::to_string(step);
-      if (width == Width::Bit && !isNumber) illegal[cases.add(*desc, position, direct(area, width, 0, 8))] = text + ", bit 8";
+      const std::string text =
+          place.first + " " + place.second + " " + form.second + " " + form.first + std::to_string(high);
+      legal[cases.add(
+          *desc, position,
+          direct(area, written, static_cast<std::uint32_t>(high), isNumber || width != Width::Bit ? 0 : 7))] = text;
+      illegal[cases.add(*desc, position, direct(area, written, static_cast<std::uint32_t>(high) + step))] =
+          text + " + " + std::to_string(step);
+      if (width == Width::Bit && !isNumber)
+        illegal[cases.add(*desc, position, direct(area, width, 0, 8))] = text + ", bit 8";
       ++checked;
     }
     const std::set<std::uint32_t> found = cases.run({"ADR001"});
@@ -221,17 +235,21 @@ TEST(OperandRules, EveryLimitOfTable62IsExact) {
 TEST(OperandRules, ConstantsHaveTheirLimits) {
   const auto lines = [](const char* text) { return Linted(text).lines("ADR006"); };
   using Lines = std::vector<std::uint32_t>;
-  EXPECT_EQ(lines("Network 1\nLD I0.0\nS Q0.0, 255\nS Q0.0, 1\nSHRB I0.1, V100.0, -64\nFILL +0, VW0, 255\nMOVB 255, VB0\nMOVW 65535, VW0\nMOVD 16#FFFFFFFF, VD0\n"), Lines());
-  EXPECT_EQ(lines("Network 1\nLD I0.0\nS Q0.0, 0\n"), Lines{3});              // 001:2789
-  EXPECT_EQ(lines("Network 1\nLD I0.0\nSI Q0.0, 129\n"), Lines{3});           // 001:2800
-  EXPECT_EQ(lines("Network 1\nLD I0.0\nSHRB I0.1, V100.0, +65\n"), Lines{3}); // 001:6024
-  EXPECT_EQ(lines("Network 1\nLD I0.0\nMOVB 256, VB0\n"), Lines{3});          // a byte has 8 bits
-  EXPECT_EQ(lines("Network 1\nLD I0.0\nPID VB100, 8\n"), Lines{3});           // 001:2669
-  EXPECT_EQ(lines("Network 1\nLD I0.0\nJMP 256\n"), Lines{3});                // 001:2665
+  EXPECT_EQ(lines("Network 1\nLD I0.0\nS Q0.0, 255\nS Q0.0, 1\nSHRB I0.1, V100.0, -64\nFILL +0, VW0, 255\nMOVB 255, "
+                  "VB0\nMOVW 65535, VW0\nMOVD 16#FFFFFFFF, VD0\n"),
+            Lines());
+  EXPECT_EQ(lines("Network 1\nLD I0.0\nS Q0.0, 0\n"), Lines{3});               // 001:2789
+  EXPECT_EQ(lines("Network 1\nLD I0.0\nSI Q0.0, 129\n"), Lines{3});            // 001:2800
+  EXPECT_EQ(lines("Network 1\nLD I0.0\nSHRB I0.1, V100.0, +65\n"), Lines{3});  // 001:6024
+  EXPECT_EQ(lines("Network 1\nLD I0.0\nMOVB 256, VB0\n"), Lines{3});           // a byte has 8 bits
+  EXPECT_EQ(lines("Network 1\nLD I0.0\nPID VB100, 8\n"), Lines{3});            // 001:2669
+  EXPECT_EQ(lines("Network 1\nLD I0.0\nJMP 256\n"), Lines{3});                 // 001:2665
 }
 
 TEST(OperandRules, FeaturesDependOnTheCpu) {
-  const auto count = [](const char* text, Cpu cpu, Edition edition = Edition::Edition2004) { return Linted(text, {cpu, edition}).of("ADR009").size(); };
+  const auto count = [](const char* text, Cpu cpu, Edition edition = Edition::Edition2004) {
+    return Linted(text, {cpu, edition}).of("ADR009").size();
+  };
   const char* hsc = "Network 1\nLD SM0.1\nHDEF 1, 0\n";  // 001:4166
   EXPECT_EQ(count(hsc, Cpu::Cpu222), 1U);
   EXPECT_EQ(count(hsc, Cpu::Cpu224), 0U);

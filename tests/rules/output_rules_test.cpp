@@ -13,7 +13,8 @@ TEST(OutputRules, DoubleCoilIsCertainOnlyWhereBothRun) {
   const Linted certain("Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\n= Q0.0\n");
   ASSERT_EQ(certain.of("OUT001").size(), 1U);
   EXPECT_EQ(certain.of("OUT001")[0].confirmation, Confirmation::NotNeeded);
-  const Linted maybe("Network 1\nLD I0.0\nJMP 1\nNetwork 2\nLD I0.1\n= Q0.0\nNetwork 3\nLBL 1\nNetwork 4\nLD I0.2\n= Q0.0\n");
+  const Linted maybe(
+      "Network 1\nLD I0.0\nJMP 1\nNetwork 2\nLD I0.1\n= Q0.0\nNetwork 3\nLBL 1\nNetwork 4\nLD I0.2\n= Q0.0\n");
   ASSERT_EQ(maybe.of("OUT001").size(), 1U);
   EXPECT_EQ(maybe.of("OUT001")[0].confirmation, Confirmation::Unconfirmed);
 }
@@ -25,7 +26,8 @@ TEST(OutputRules, FirstScanResetIsNoConflict) {
 
 TEST(OutputRules, LatchesMayBeClearedByBytes) {
   EXPECT_EQ(lines("OUT004", "Network 1\nLD I0.0\nS M0.0, 1\nNetwork 2\nLD I0.1\nMOVB 0, MB0\n"), Lines());
-  EXPECT_EQ(lines("OUT004", "Network 1\nLD I0.0\nS Q0.0, 2\nNetwork 2\nLD I0.1\nR Q0.0, 1\n"), Lines{3});  // Q0.1 stays on
+  EXPECT_EQ(lines("OUT004", "Network 1\nLD I0.0\nS Q0.0, 2\nNetwork 2\nLD I0.1\nR Q0.0, 1\n"),
+            Lines{3});  // Q0.1 stays on
 }
 
 TEST(OutputRules, HandshakeWithAnInterruptIsNoConflict) {
@@ -34,8 +36,10 @@ TEST(OutputRules, HandshakeWithAnInterruptIsNoConflict) {
 }
 
 TEST(LogicRules, OverwrittenCoilHasNoEffectUnlessRead) {
-  EXPECT_EQ(lines("LOG003", "Network 1\nLD I0.0\n= M0.0\nNetwork 2\nLD M0.0\n= Q0.0\nNetwork 3\nLD I0.1\n= M0.0\n"), Lines());
-  EXPECT_EQ(lines("LOG003", "Network 1\nLD I0.0\n= M0.0\nNetwork 2\nLD I0.1\n= M0.0\nNetwork 3\nLD M0.0\n= Q0.0\n"), Lines{2});
+  EXPECT_EQ(lines("LOG003", "Network 1\nLD I0.0\n= M0.0\nNetwork 2\nLD M0.0\n= Q0.0\nNetwork 3\nLD I0.1\n= M0.0\n"),
+            Lines());
+  EXPECT_EQ(lines("LOG003", "Network 1\nLD I0.0\n= M0.0\nNetwork 2\nLD I0.1\n= M0.0\nNetwork 3\nLD M0.0\n= Q0.0\n"),
+            Lines{2});
 }
 
 TEST(LogicRules, EdgeStopsTheToggle) {

@@ -1,5 +1,6 @@
-// Cost of linting: reading, facts and all rules over a long program, in processor time of this thread, so that other load on
-// the machine does not count. Ten times the instructions may cost twelve times the time; 100,000 take half a second.
+// Cost of linting: reading, facts and all rules over a long program, in processor time of this thread, so that other
+// load on the machine does not count. Ten times the instructions may cost twelve times the time; 100,000 take half a
+// second.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,12 +17,15 @@ std::string longProgram(int count) {
   int network = 0;
   for (int i = 0; i < count;) {
     const int k = network % 97;
-    const auto bit = [&](const char* area, int n) { return std::string(area) + std::to_string(n / 8 % 16) + "." + std::to_string(n % 8); };
+    const auto bit = [&](const char* area, int n) {
+      return std::string(area) + std::to_string(n / 8 % 16) + "." + std::to_string(n % 8);
+    };
     text += "Network " + std::to_string(++network) + " // rung\n";
     switch (network % 5) {
       case 0:
-        text += "LD " + bit("I", k) + "\nLPS\nA " + bit("M", k) + "\n= " + bit("Q", k) + "\nLRD\nAN " + bit("I", k + 1) + "\n= " + bit("M", k + 1) + "\nLPP\nA " + bit("M", k + 2) +
-                "\nS " + bit("M", k + 3) + ", 2\n";
+        text += "LD " + bit("I", k) + "\nLPS\nA " + bit("M", k) + "\n= " + bit("Q", k) + "\nLRD\nAN " +
+                bit("I", k + 1) + "\n= " + bit("M", k + 1) + "\nLPP\nA " + bit("M", k + 2) + "\nS " + bit("M", k + 3) +
+                ", 2\n";
         i += 10;
         break;
       case 1:
@@ -29,17 +33,19 @@ std::string longProgram(int count) {
         i += 4;
         break;
       case 2:
-        text += "LD " + bit("I", k) + "\nTON T" + std::to_string(101 + k) + ", +10\nLD T" + std::to_string(101 + k) + "\nEU\nMOVW VW" + std::to_string(k * 4) + ", VW" + std::to_string(k * 4 + 400) +
-                "\n+I 5, VW" + std::to_string(k * 4 + 400) + "\n";
+        text += "LD " + bit("I", k) + "\nTON T" + std::to_string(101 + k) + ", +10\nLD T" + std::to_string(101 + k) +
+                "\nEU\nMOVW VW" + std::to_string(k * 4) + ", VW" + std::to_string(k * 4 + 400) + "\n+I 5, VW" +
+                std::to_string(k * 4 + 400) + "\n";
         i += 6;
         break;
       case 3:
-        text += "LDW>= VW" + std::to_string(k * 4 + 400) + ", +100\nAW< VW" + std::to_string(k * 4) + ", +900\nR " + bit("M", k + 3) + ", 2\nMOVD &VB" + std::to_string(k * 4) +
-                ", AC1\nMOVW *AC1, VW1000\n";
+        text += "LDW>= VW" + std::to_string(k * 4 + 400) + ", +100\nAW< VW" + std::to_string(k * 4) + ", +900\nR " +
+                bit("M", k + 3) + ", 2\nMOVD &VB" + std::to_string(k * 4) + ", AC1\nMOVW *AC1, VW1000\n";
         i += 5;
         break;
       default:
-        text += "LD " + bit("M", k) + "\nLD " + bit("I", k) + "\nA " + bit("I", k + 3) + "\nOLD\nLD " + bit("M", k + 4) + "\nCTU C" + std::to_string(k) + ", +20\n";
+        text += "LD " + bit("M", k) + "\nLD " + bit("I", k) + "\nA " + bit("I", k + 3) + "\nOLD\nLD " +
+                bit("M", k + 4) + "\nCTU C" + std::to_string(k) + ", +20\n";
         i += 6;
         break;
     }

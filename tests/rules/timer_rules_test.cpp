@@ -16,8 +16,11 @@ TEST(TimerRules, ResolutionIsNamed) {
 }
 
 TEST(TimerRules, SkippedTimersMatterForHundredMilliseconds) {
-  EXPECT_EQ(lines("TIM004", "LD I0.0\nCALL 1\nMEND\nSBR 1\nLD I0.1\nTON T37, +10\nTON T33, +10\nLD T37\nA T33\n= Q0.0\nRET\n"), Lines{6});
-  EXPECT_EQ(lines("TIM004", "Network 1\nLSCR S0.0\nNetwork 2\nLD SM0.0\nTON T37, +10\nNetwork 3\nSCRE\n"), Lines());  // steps are left out
+  EXPECT_EQ(lines("TIM004",
+                  "LD I0.0\nCALL 1\nMEND\nSBR 1\nLD I0.1\nTON T37, +10\nTON T33, +10\nLD T37\nA T33\n= Q0.0\nRET\n"),
+            Lines{6});
+  EXPECT_EQ(lines("TIM004", "Network 1\nLSCR S0.0\nNetwork 2\nLD SM0.0\nTON T37, +10\nNetwork 3\nSCRE\n"),
+            Lines());  // steps are left out
 }
 
 TEST(TimerRules, OwnBitByResolution) {
@@ -39,8 +42,9 @@ TEST(TimerRules, EqualityWithZeroIsSound) {
 }
 
 TEST(TimerRules, EdgesInTheFirstScan) {
-  EXPECT_EQ(lines("TIM013", "LD SM0.1\nCALL 1\nMEND\nSBR 1\nLD I0.0\nEU\n= Q0.0\nRET\n"), Lines{6});  // the block runs in the first scan only
-  EXPECT_EQ(lines("TIM013", "Network 1\nLD SM0.1\nED\n= Q0.0\n"), Lines());                           // falls in the second scan
+  EXPECT_EQ(lines("TIM013", "LD SM0.1\nCALL 1\nMEND\nSBR 1\nLD I0.0\nEU\n= Q0.0\nRET\n"),
+            Lines{6});                                                       // the block runs in the first scan only
+  EXPECT_EQ(lines("TIM013", "Network 1\nLD SM0.1\nED\n= Q0.0\n"), Lines());  // falls in the second scan
 }
 
 }  // namespace
