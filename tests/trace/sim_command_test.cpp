@@ -90,6 +90,14 @@ TEST_F(SimCommand, RunTimeErrorsAreFindings) {
   EXPECT_EQ(json["findings"][0]["severity"], "error");
 }
 
+TEST_F(SimCommand, BlocksWithoutTextAreNamed) {
+  write("call.awl", "LD SM0.0\nCALL MBUS_SLAVE, Q0.1, VB10\n");
+  EXPECT_EQ(run({"sim", path("call.awl"), "--format", "json"}), 0) << out_ << err_;
+  const nlohmann::json approximated = nlohmann::json::parse(out_)["coverage"]["approximated"];
+  ASSERT_EQ(approximated.size(), 1U);
+  EXPECT_NE(approximated[0].get<std::string>().find("MBUS_SLAVE at"), std::string::npos);
+}
+
 TEST_F(SimCommand, CompareCommand) {
   write("e.csv", "scan,Q0.0,VW10\n1,1,100\n2,1,100\n");
   write("a.csv", "scan,Q0.0,VW10,M0.0\n1,1,100,0\n2,1,104,0\n");
