@@ -1,133 +1,145 @@
-// Obligations of a certificate as text, and their check by Z3's own reader and solver.
+// Obligations of certificates as text, and their check by Z3's own reader and solver.
 #include "analysis/certificate.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <z3++.h>
 
 #include <algorithm>
 #include <chrono>
 
-#include "analysis/smt_text.hpp"
-
 namespace rungproof {
 
 namespace {
 
-/// Not all of the invariant holds.
-void denyInvariant(SmtText& smt, const std::vector<Node>& invariant, int frame) {
-  std::string line = "(assert (not (and true true";
-  for (const Node n : invariant) line += " " + smt.truth(n, frame);
-  smt.add(line + ")))\n");
-}
+constexpr double quickSeconds = 0.2;  ///< for Z3's incremental core, before its bit-blasting strategy
 
-Obligation initiation(const TransitionSystem& system, const WordCertificate& certificate) {
-  SmtText smt(system);
-  smt.assertInitial(smt.statesUnder(certificate.invariant));
-  denyInvariant(smt, certificate.invariant, 0);
-  return {"initiation", smt.text()};
-}
-
-Obligation consecution(const TransitionSystem& system, const WordCertificate& certificate) {
-  SmtText smt(system);
-  for (const Node n : certificate.invariant) smt.assertTrue(n, 0);
-  for (const Node n : system.constraints) smt.assertTrue(n, 0);
-  denyInvariant(smt, certificate.invariant, 1);
-  return {"consecution", smt.text()};
-}
-
-/// k good scans of states in the invariant, then a bad one; k = 0: one bad scan.
-Obligation step(const TransitionSystem& system, const Question& question, const WordCertificate& certificate) {
-  SmtText smt(system);
-  for (int frame = 0; frame <= certificate.k; ++frame) {
-    for (const Node n : certificate.invariant) smt.assertTrue(n, frame);
-    for (const Node n : system.constraints) smt.assertTrue(n, frame);
-    if (frame < certificate.k) smt.assertFalse(question.bad, frame);
+CheckResult checkFormula(z3::context& context, const z3::expr& formula, double seconds) {
+  for (const bool quick : {true, false}) {
+    const double limit = quick ? std::min(seconds, quickSeconds) : seconds;
+    if (limit <= 0) return CheckResult::Unknown;
+    z3::solver solver = quick ? z3::solver(context, z3::solver::simple()) : z3::solver(context, "QF_BV");
+    solver.set("timeout", static_cast<unsigned>(std::max(1.0, limit * 1000)));
+    solver.add(formula);
+    const z3::check_result result = solver.check();
+    if (result == z3::unsat) return CheckResult::Valid;
+    if (result == z3::sat) return CheckResult::Invalid;
   }
-  smt.assertTrue(question.bad, certificate.k);
-  for (int later = 1; certificate.simplePath && later <= certificate.k; ++later) {
-    for (int earlier = 0; earlier < later; ++earlier) {
-      std::string line = "(assert (or false false";
-      for (const Node n : certificate.pathBits) line += fmt::format(" (xor {} {})", smt.truth(n, earlier), smt.truth(n, later));
-      smt.add(line + "))\n");
-    }
-  }
-  return {"safety", smt.text()};
-}
-
-/// Some of the first k scans from an initial state is bad.
-Obligation base(const TransitionSystem& system, const Question& question, const WordCertificate& certificate) {
-  SmtText smt(system);
-  std::vector<Node> roots = system.constraints;
-  roots.push_back(question.bad);
-  // A bad scan needs the constraints of the scans up to it only; each scan gets its own disjunct.
-  std::string line = "(assert (or false false";
-  std::string legal = "true";
-  for (int frame = 0; frame < certificate.k; ++frame) {
-    for (const Node n : system.constraints) legal += " " + smt.truth(n, frame);
-    line += fmt::format(" (and {} {})", smt.truth(question.bad, frame), legal);
-  }
-  // Only variables that the unrolling reached matter; the others would be declared for nothing.
-  std::unordered_set<std::uint32_t> reached;
-  std::unordered_set<std::uint32_t> frontier = smt.statesUnder(roots);
-  for (int frame = 0; frame < certificate.k && !frontier.empty(); ++frame) {
-    std::vector<Node> next;
-    for (const StateVariable& state : system.states) {
-      if (frontier.contains(indexOf(state.node)) && reached.insert(indexOf(state.node)).second) next.push_back(state.next);
-    }
-    frontier = smt.statesUnder(next);
-  }
-  reached.insert(frontier.begin(), frontier.end());
-  smt.assertInitial(reached);
-  smt.add(line + "))\n");
-  return {"base", smt.text()};
-}
-
-CheckResult check(const std::string& text, double seconds) {
-  if (seconds <= 0) return CheckResult::Unknown;
-  try {
-    z3::context context;
-    z3::solver solver(context, "QF_BV");
-    solver.set("timeout", static_cast<unsigned>(std::max(1.0, seconds * 1000)));
-    solver.from_string(text.c_str());
-    switch (solver.check()) {
-      case z3::unsat: return CheckResult::Valid;
-      case z3::sat: return CheckResult::Invalid;
-      default: return CheckResult::Unknown;
-    }
-  } catch (const z3::exception&) {
-    return CheckResult::Unknown;
-  }
+  return CheckResult::Unknown;
 }
 
 }  // namespace
 
-std::vector<Obligation> obligationsOf(const TransitionSystem& system, const Question& question, const WordCertificate& certificate) {
-  std::vector<Obligation> result;
-  result.push_back(initiation(system, certificate));
-  result.push_back(consecution(system, certificate));
-  if (certificate.k > 0) result.push_back(base(system, question, certificate));
-  result.push_back(step(system, question, certificate));
-  return result;
+void CertificateWriter::oblige(const char* name, const Terms& terms) {
+  obligations_.push_back({questions_.size() - 1, name, fmt::format("(and true true {})", fmt::join(terms, " "))});
 }
 
-std::string certificateText(const TransitionSystem& system, const Question& question, const WordCertificate& certificate) {
-  std::string text = "(set-logic QF_BV)\n";
-  for (const Obligation& obligation : obligationsOf(system, question, certificate)) {
-    text += fmt::format("(push 1)\n; {}\n{}(check-sat) ; expected: unsat\n(pop 1)\n", obligation.name, obligation.text);
+void CertificateWriter::addAll(Terms& terms, const std::vector<Node>& nodes, int frame) {
+  for (const Node n : nodes) terms.push_back(smt_.term(n, frame));
+}
+
+std::string CertificateWriter::notAll(const std::vector<Node>& nodes, int frame) {
+  Terms terms;
+  addAll(terms, nodes, frame);
+  return fmt::format("(not (and true true {}))", fmt::join(terms, " "));
+}
+
+void CertificateWriter::initiation(const WordCertificate& certificate) {
+  Terms terms = smt_.initialEquations(smt_.statesUnder(certificate.invariant));
+  terms.push_back(notAll(certificate.invariant, 0));
+  oblige("initiation", terms);
+}
+
+void CertificateWriter::consecution(const WordCertificate& certificate) {
+  Terms terms;
+  addAll(terms, certificate.invariant, 0);
+  if (!certificate.invariant.empty()) addAll(terms, system_.constraints, 0);
+  terms.push_back(notAll(certificate.invariant, 1));
+  oblige("consecution", terms);
+}
+
+/// k good scans of states in the invariant, then a bad one; k = 0: one bad scan.
+void CertificateWriter::step(const Question& question, const WordCertificate& certificate) {
+  Terms terms;
+  for (int frame = 0; frame <= certificate.k; ++frame) {
+    addAll(terms, certificate.invariant, frame);
+    addAll(terms, system_.constraints, frame);
+    const std::string bad = smt_.term(question.bad, frame);
+    terms.push_back(frame < certificate.k ? fmt::format("(not {})", bad) : bad);
+  }
+  for (int later = 1; certificate.simplePath && later <= certificate.k; ++later) {
+    for (int earlier = 0; earlier < later; ++earlier) {
+      Terms differences;
+      for (const Node n : certificate.pathBits) differences.push_back(fmt::format("(xor {} {})", smt_.term(n, earlier), smt_.term(n, later)));
+      terms.push_back(fmt::format("(or false false {})", fmt::join(differences, " ")));
+    }
+  }
+  oblige("safety", terms);
+}
+
+/// Some of the first k scans from an initial state is bad.
+void CertificateWriter::base(const Question& question, const WordCertificate& certificate) {
+  Terms bads;
+  std::string legal = "true";
+  for (int frame = 0; frame < certificate.k; ++frame) {
+    for (const Node n : system_.constraints) legal += " " + smt_.term(n, frame);
+    bads.push_back(fmt::format("(and {} {})", smt_.term(question.bad, frame), legal));
+  }
+  std::vector<Node> roots = system_.constraints;
+  roots.push_back(question.bad);
+  std::unordered_set<std::uint32_t> reached;
+  std::unordered_set<std::uint32_t> frontier = smt_.statesUnder(roots);
+  for (int frame = 0; frame < certificate.k && !frontier.empty(); ++frame) {
+    std::vector<Node> next;
+    for (const StateVariable& state : system_.states) {
+      if (frontier.contains(indexOf(state.node)) && reached.insert(indexOf(state.node)).second) next.push_back(state.next);
+    }
+    frontier = smt_.statesUnder(next);
+  }
+  Terms terms = smt_.initialEquations(reached);
+  terms.push_back(fmt::format("(or false false {})", fmt::join(bads, " ")));
+  oblige("base", terms);
+}
+
+void CertificateWriter::add(const Question& question, const WordCertificate& certificate) {
+  questions_.push_back(question.name);
+  initiation(certificate);
+  consecution(certificate);
+  if (certificate.k > 0) base(question, certificate);
+  step(question, certificate);
+}
+
+std::string CertificateWriter::text() const {
+  std::string text = "(set-logic QF_BV)\n" + smt_.text();
+  for (const Obligation& o : obligations_) {
+    std::string name = questions_[o.certificate];
+    std::replace_if(name.begin(), name.end(), [](unsigned char c) { return c < 32; }, ' ');
+    text += fmt::format("; {} of: {}\n(push 1)\n(assert {})\n(check-sat) ; expected: unsat\n(pop 1)\n", o.name, name, o.formula);
   }
   return text;
 }
 
-CheckResult checkCertificate(const TransitionSystem& system, const Question& question, const WordCertificate& certificate, double seconds) {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-  CheckResult result = CheckResult::Valid;
-  for (const Obligation& obligation : obligationsOf(system, question, certificate)) {
-    const CheckResult one = check(obligation.text, std::chrono::duration<double>(end - Clock::now()).count());
-    if (one == CheckResult::Invalid) return one;
-    if (one == CheckResult::Unknown) result = one;
+std::vector<CheckResult> CertificateWriter::check(double seconds) const {
+  std::vector<CheckResult> results(questions_.size(), CheckResult::Valid);
+  std::string text = smt_.text();
+  for (const Obligation& o : obligations_) text += fmt::format("(assert {})\n", o.formula);
+  try {
+    z3::context context;
+    const z3::expr_vector formulas = context.parse_string(text.c_str());
+    if (formulas.size() != obligations_.size()) return std::vector<CheckResult>(questions_.size(), CheckResult::Unknown);
+    std::vector<double> left(questions_.size(), seconds);
+    for (unsigned i = 0; i < formulas.size(); ++i) {
+      const std::size_t c = obligations_[i].certificate;
+      if (results[c] == CheckResult::Invalid) continue;
+      const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+      const CheckResult one = checkFormula(context, formulas[static_cast<int>(i)], left[c]);
+      left[c] -= std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      if (one != CheckResult::Valid) results[c] = one;
+    }
+  } catch (const z3::exception&) {
+    return std::vector<CheckResult>(questions_.size(), CheckResult::Unknown);
   }
-  return result;
+  return results;
 }
 
 }  // namespace rungproof

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/transition_system.hpp"
+#include "analysis/smt_text.hpp"
 
 namespace rungproof {
 
@@ -21,19 +21,38 @@ struct WordCertificate {
   std::vector<Node> pathBits;
 };
 
-/// One obligation: assertions that must be unsatisfiable together.
-struct Obligation {
-  std::string name;  ///< "initiation", "consecution", "safety", "base"
-  std::string text;  ///< SMT-LIB 2 declarations, definitions and assertions, without check-sat
+enum class CheckResult : std::uint8_t { Valid, Invalid, Unknown };  ///< Unknown: not within the time
+
+/// The obligations of one certificate or several, over shared declarations and definitions.
+class CertificateWriter {
+ public:
+  explicit CertificateWriter(const TransitionSystem& system) : system_(system), smt_(system) {}
+  void add(const Question& question, const WordCertificate& certificate);
+  /// A self-contained file: each obligation between push and pop, with the expected answer unsat.
+  std::string text() const;
+  /// Checks the obligations with Z3, as their text says. By certificate, in the order of add(). `seconds`: for each
+  /// certificate.
+  std::vector<CheckResult> check(double seconds) const;
+
+ private:
+  struct Obligation {
+    std::size_t certificate;
+    std::string name;     ///< "initiation", "consecution", "base", "safety"
+    std::string formula;  ///< must be unsatisfiable
+  };
+  using Terms = std::vector<std::string>;
+  void oblige(const char* name, const Terms& terms);
+  std::string notAll(const std::vector<Node>& nodes, int frame);
+  void addAll(Terms& terms, const std::vector<Node>& nodes, int frame);
+  void initiation(const WordCertificate& certificate);
+  void consecution(const WordCertificate& certificate);
+  void step(const Question& question, const WordCertificate& certificate);
+  void base(const Question& question, const WordCertificate& certificate);
+
+  const TransitionSystem& system_;
+  SmtText smt_;
+  std::vector<std::string> questions_;
+  std::vector<Obligation> obligations_;
 };
-
-std::vector<Obligation> obligationsOf(const TransitionSystem& system, const Question& question, const WordCertificate& certificate);
-
-/// A self-contained file: the obligations between push and pop, each with the expected answer unsat.
-std::string certificateText(const TransitionSystem& system, const Question& question, const WordCertificate& certificate);
-
-enum class CheckResult : std::uint8_t { Valid, Invalid, Unknown };
-/// Checks all obligations with Z3. Unknown: not within the time.
-CheckResult checkCertificate(const TransitionSystem& system, const Question& question, const WordCertificate& certificate, double seconds);
 
 }  // namespace rungproof

@@ -40,6 +40,7 @@ class Portfolio {
       take(q, verdict, nullptr);
     }
     raceFor(open);
+    if (options_.check) checkCertificates();
     return std::move(answers_);
   }
 
@@ -74,19 +75,28 @@ class Portfolio {
       answer.trace = blast_->wordTrace(*trace);
       answer.usesFreeReals = !blast_->unmodelled().empty();
     }
-    if (verdict.answer == Answer::Proved) certify(q, *verdict.certificate, cone);
+    if (verdict.answer == Answer::Proved) answer.certificate = wordCertificate(*verdict.certificate, cone);
   }
 
-  void certify(std::size_t q, const Certificate& certificate, const BitCone* cone) {
-    QuestionAnswer& answer = answers_[q];
-    answer.certificate = wordCertificate(certificate, cone);
-    if (!options_.check) return;
-    const CheckResult result = checkCertificate(system_, system_.questions[q], *answer.certificate, std::max(options_.seconds, 10.0));
-    CHECK(result != CheckResult::Invalid, "a certificate is wrong");
-    if (result == CheckResult::Valid) return;
-    answer.answer = Answer::Unknown;
-    answer.method += " (certificate not checked in time)";
-    answer.certificate.reset();
+  /// A proof whose certificate Z3 does not confirm is not reported as one.
+  void checkCertificates() {
+    CertificateWriter writer(system_);
+    std::vector<std::size_t> certified;
+    for (std::size_t q = 0; q < answers_.size(); ++q) {
+      if (!answers_[q].certificate) continue;
+      certified.push_back(q);
+      writer.add(system_.questions[q], *answers_[q].certificate);
+    }
+    if (certified.empty()) return;
+    const std::vector<CheckResult> results = writer.check(std::max(options_.seconds, 10.0));
+    for (std::size_t i = 0; i < certified.size(); ++i) {
+      CHECK(results[i] != CheckResult::Invalid, "a certificate is wrong");
+      if (results[i] == CheckResult::Valid) continue;
+      QuestionAnswer& answer = answers_[certified[i]];
+      answer.answer = Answer::Unknown;
+      answer.method += " (certificate not checked in time)";
+      answer.certificate.reset();
+    }
   }
 
   WordCertificate wordCertificate(const Certificate& certificate, const BitCone* cone) {

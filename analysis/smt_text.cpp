@@ -172,12 +172,14 @@ std::unordered_set<std::uint32_t> SmtText::statesUnder(const std::vector<Node>& 
   return result;
 }
 
-void SmtText::assertInitial(const std::unordered_set<std::uint32_t>& variables) {
+std::vector<std::string> SmtText::initialEquations(const std::unordered_set<std::uint32_t>& variables) {
+  std::vector<std::string> result;
   for (const StateVariable& state : system_.states) {
     if (state.init == noNode || !variables.contains(indexOf(state.node))) continue;
     const std::string name = term(state.node, 0);
-    text_ += fmt::format("(assert (= {} {}))\n", name, term(state.init, 0));
+    result.push_back(fmt::format("(= {} {})", name, term(state.init, 0)));
   }
+  return result;
 }
 
 }  // namespace rungproof

@@ -6,6 +6,7 @@
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
+#include <vector>
 
 #include "analysis/transition_system.hpp"
 
@@ -15,16 +16,11 @@ class SmtText {
  public:
   explicit SmtText(const TransitionSystem& system);
 
-  /// The term of a node in scan `frame`; declares and defines what is missing. The state of scan 0 is declared, that
+  /// The term of a node in scan `frame`, sort Bool if its width is 1; declares and defines what is missing. The state of scan 0 is declared, that
   /// of later scans is defined by the next-state functions.
   std::string term(Node n, int frame);
-  /// Like term(), but sort Bool; width 1.
-  std::string truth(Node n, int frame) { return term(n, frame); }
-  void assertTrue(Node n, int frame) { text_ += "(assert " + truth(n, frame) + ")\n"; }
-  void assertFalse(Node n, int frame) { text_ += "(assert (not " + truth(n, frame) + "))\n"; }
-  /// Equations of the initial state at scan 0.
-  void assertInitial(const std::unordered_set<std::uint32_t>& variables);
-  void add(const std::string& line) { text_ += line; }
+  /// Equations of the initial values of those variables at scan 0.
+  std::vector<std::string> initialEquations(const std::unordered_set<std::uint32_t>& variables);
   const std::string& text() const { return text_; }
 
   /// State variables (node indices) that the nodes depend on within one scan.
