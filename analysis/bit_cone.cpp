@@ -1,6 +1,8 @@
 // Cone of influence by a backward search from the bad literal over gates and next-state functions.
 #include "analysis/bit_cone.hpp"
 
+#include <algorithm>
+
 #include "analysis/bit_cnf.hpp"
 #include "analysis/bit_simulator.hpp"
 #include "ir/check.hpp"
@@ -60,11 +62,43 @@ class ConeSearch {
   std::vector<std::uint32_t> stack_;
 };
 
+/// Marks the gates under the literals, without going through latches.
+std::vector<bool> gatesUnder(const BitSystem& system, const std::vector<Lit>& roots) {
+  std::vector<bool> marked(roots.empty() ? 0 : system.variableCount(), false);
+  std::vector<std::uint32_t> stack;
+  for (const Lit l : roots) stack.push_back(variableOf(l));
+  while (!stack.empty()) {
+    const std::uint32_t v = stack.back();
+    stack.pop_back();
+    if (marked[v] || system.kind[v] != BitSystem::Kind::Gate) continue;
+    marked[v] = true;
+    stack.push_back(variableOf(system.gateOf(positive(v)).left));
+    stack.push_back(variableOf(system.gateOf(positive(v)).right));
+  }
+  return marked;
+}
+
 }  // namespace
 
-BitCone makeCone(const BitSystem& system, Lit bad, const std::vector<bool>& isTotal, const Substitution& equal) {
+std::vector<std::vector<Lit>> BitCone::translated(const std::vector<std::vector<Lit>>& clauses) const {
+  std::vector<std::vector<Lit>> result;
+  for (const std::vector<Lit>& clause : clauses) {
+    std::vector<Lit> inCone;
+    bool useful = true;
+    for (const Lit l : clause) {
+      const Lit t = translated(l);
+      useful = useful && t != outside && t != trueLit && std::find(inCone.begin(), inCone.end(), negate(t)) == inCone.end();
+      if (t != falseLit) inCone.push_back(t);
+    }
+    if (useful) result.push_back(std::move(inCone));
+  }
+  return result;
+}
+
+BitCone makeCone(const BitSystem& system, const std::vector<Lit>& bads, const std::vector<bool>& isTotal, const Substitution& equal,
+                 const std::vector<Lit>& wanted) {
   ConeSearch search(system, equal);
-  search.need(bad);
+  for (const Lit bad : bads) search.need(bad);
   std::vector<bool> kept(system.constraints.size(), false);
   const auto keep = [&](std::size_t i) {
     kept[i] = true;
@@ -106,9 +140,12 @@ BitCone makeCone(const BitSystem& system, Lit bad, const std::vector<bool>& isTo
     CHECK(result != BitCone::outside, "the cone is closed");
     return result;
   };
+  const std::vector<bool> isWanted = gatesUnder(system, wanted);
   for (std::size_t i = 0; i < system.gates.size(); ++i) {
     const auto [a, b] = system.gates[i];
-    if (search.isNeeded(system.gateVariables[i])) cone.toCone[system.gateVariables[i]] = cone.system.addAnd(literal(a), literal(b));
+    const std::uint32_t v = system.gateVariables[i];
+    const bool possible = !isWanted.empty() && isWanted[v] && cone.translated(a) != BitCone::outside && cone.translated(b) != BitCone::outside;
+    if (search.isNeeded(v) || possible) cone.toCone[v] = cone.system.addAnd(literal(a), literal(b));
   }
   for (std::size_t i = 0; i < cone.latches.size(); ++i) {
     cone.system.setNext(positive(cone.system.latches[i].variable), literal(system.latches[cone.latches[i]].next));
@@ -116,9 +153,11 @@ BitCone makeCone(const BitSystem& system, Lit bad, const std::vector<bool>& isTo
   for (std::size_t i = 0; i < kept.size(); ++i) {
     if (!kept[i]) continue;
     const Lit l = literal(system.constraints[i]);
-    if (l != trueLit) cone.system.constraints.push_back(l);
+    if (l == trueLit) continue;
+    cone.system.constraints.push_back(l);
+    cone.isTotal.push_back(isTotal[i]);
   }
-  cone.system.bads.push_back(literal(bad));
+  for (const Lit bad : bads) cone.system.bads.push_back(literal(bad));
   return cone;
 }
 

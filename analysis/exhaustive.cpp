@@ -18,6 +18,7 @@ constexpr std::size_t stateLimit = 4U << 20U;
 constexpr std::size_t inputLimit = 12;
 constexpr std::size_t freeLimit = 16;   ///< latches of unknown initial value
 constexpr std::size_t latchLimit = 64;  ///< a state is one word
+constexpr std::size_t gateLimit = 3000;  ///< of a certificate that another solver can still check
 
 using State = std::uint64_t;  ///< bit i: latch i
 
@@ -41,8 +42,11 @@ class Exhaustive final : public Engine {
       if (states_.size() > stateLimit) tooLarge_ = true;
     }
     if (tooLarge_) return verdict;
+    Certificate evidence = certificate();
+    tooLarge_ = evidence.gates.size() > gateLimit;
+    if (tooLarge_) return verdict;
     verdict.answer = Answer::Proved;
-    verdict.certificate = certificate();
+    verdict.certificate = std::move(evidence);
     return verdict;
   }
 

@@ -1,12 +1,17 @@
-// Order of work: blast all questions at once; simulate; short inductions; then cones and the race. What the engines
-// found on their bits is turned into runs and certificates of the given system, and certificates are checked.
+// Order of work: all questions together by simulation and plain induction; those left by mined invariants and short
+// inductions under them; those left by the race on their cones. What was found on bits is turned into runs and
+// certificates of the given system, and certificates are checked.
 #include "analysis/portfolio.hpp"
 
 #include <algorithm>
+#include <deque>
 
 #include "analysis/bit_cone.hpp"
+#include "analysis/invariants.hpp"
+#include "analysis/invariants_words.hpp"
 #include "analysis/portfolio_race.hpp"
 #include "analysis/portfolio_shared.hpp"
+#include "analysis/truths.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
@@ -15,6 +20,7 @@ namespace {
 
 constexpr int simulatedScans = 256;
 constexpr int shortInduction = 3;
+constexpr std::size_t truthLimit = 600;
 
 class Portfolio {
  public:
@@ -22,49 +28,95 @@ class Portfolio {
       : system_(system), options_(options), answers_(system.questions.size()) {}
 
   std::vector<QuestionAnswer> run() {
-    if (system_.questions.empty()) return {};
-    std::vector<std::size_t> all;
-    for (std::size_t q = 0; q < system_.questions.size(); ++q) all.push_back(q);
-    blast_ = std::make_unique<BitBlast>(system_, all);
-    const Budget budget = Budget::seconds(options_.seconds * static_cast<double>(all.size()), options_.cancel);
-    SharedSearch shared(blast_->bits(), options_.seed);
-    shared.simulate(simulatedScans, budget.slice(options_.seconds * 0.1));
-    const int most = options_.bound > 0 ? std::min(shortInduction, options_.bound) : shortInduction;
-    shared.induce(most, {}, budget.slice(options_.seconds * 0.5 * static_cast<double>(all.size())));
-    const double sharedSeconds = since() / static_cast<double>(all.size());
-    std::vector<std::size_t> open;
-    for (std::size_t q = 0; q < all.size(); ++q) {
-      answers_[q].seconds = sharedSeconds;
-      const Verdict& verdict = shared.answers()[q].verdict;
-      if (verdict.answer == Answer::Unknown) open.push_back(q);
-      take(q, verdict, nullptr);
+    for (std::size_t q = 0; q < answers_.size(); ++q) open_.push_back(q);
+    begin({});
+    if (!open_.empty()) searchTogether(1, true);
+    if (!open_.empty()) {
+      beginWithCandidates();
+      mine();
+      searchTogether(shortInduction, false);
     }
-    raceFor(open);
+    if (!open_.empty()) raceApart();
     if (options_.check) checkCertificates();
     return std::move(answers_);
   }
 
  private:
-  double since() const { return std::chrono::duration<double>(Budget::Clock::now() - begin_).count(); }
-
-  void raceFor(const std::vector<std::size_t>& open) {
-    std::vector<BitCone> cones;
-    for (const std::size_t q : open) cones.push_back(makeCone(blast_->bits(), blast_->bits().bads[q], blast_->isTotal()));
-    std::vector<RaceQuestion> questions(open.size());
-    for (std::size_t i = 0; i < open.size(); ++i) {
-      questions[i].system = &cones[i].system;
-      questions[i].verdict.depth = answers_[open[i]].depth;
+  /// Starts a stage: blasts the open questions.
+  void begin(const std::vector<Node>& truths) {
+    blast_ = std::make_unique<BitBlast>(system_, open_, truths);
+    stageBegin_ = Budget::Clock::now();
+  }
+  /// Blasts the open questions with the nodes that candidate invariants speak about.
+  void beginWithCandidates() {
+    const std::vector<Node> truths = stateTruths(system_, open_, truthLimit);
+    const std::vector<NodeClause> guesses = guessDifferences(system_, *blast_, options_.seed);
+    std::vector<Node> nodes = truths;
+    for (const NodeClause& clause : guesses) nodes.insert(nodes.end(), clause.begin(), clause.end());
+    begin(nodes);
+    for (const Node n : truths) truths_.push_back(blast_->of(n)[0]);
+    for (const NodeClause& clause : guesses) {
+      std::vector<Lit>& literals = guesses_.emplace_back();
+      for (const Node n : clause) literals.push_back(blast_->of(n)[0]);
     }
-    race(questions, {options_.seconds, options_.jobs, options_.seed, options_.bound, options_.cancel});
-    for (std::size_t i = 0; i < open.size(); ++i) {
-      answers_[open[i]].seconds += questions[i].seconds / std::max(options_.jobs, 1);
+  }
+  double share() const {
+    return std::chrono::duration<double>(Budget::Clock::now() - stageBegin_).count() / static_cast<double>(std::max<std::size_t>(open_.size(), 1));
+  }
+
+  void searchTogether(int most, bool simulate) {
+    const double seconds = options_.seconds * static_cast<double>(open_.size());
+    std::vector<int> clean;
+    for (const std::size_t q : open_) clean.push_back(answers_[q].depth);
+    SharedSearch search(blast_->bits(), options_.seed, clean);
+    if (simulate) search.simulate(simulatedScans, Budget::seconds(seconds * 0.1));
+    search.induce(options_.bound > 0 ? std::min(most, options_.bound) : most, invariants_.clauses, Budget::seconds(seconds * 0.3));
+    const double each = share();
+    std::vector<std::size_t> open;
+    positions_.clear();
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      answers_[open_[i]].seconds += each;
+      const Verdict& verdict = search.answers()[i].verdict;
+      if (verdict.answer == Answer::Unknown) {
+        open.push_back(open_[i]);
+        positions_.push_back(i);
+      }
+      take(open_[i], i, verdict, nullptr);
+    }
+    open_ = std::move(open);
+  }
+
+  void mine() {
+    const double seconds = std::min(options_.seconds * 0.3, 10.0);
+    MiningOptions mining;
+    mining.seed = options_.seed;
+    const Budget budget = Budget::seconds(seconds);
+    invariants_ = mineInvariants(blast_->bits(), truths_, guesses_, mining, budget);
+  }
+
+  void raceApart() {
+    std::deque<BitCone> cones;
+    std::vector<Lit> wanted;
+    for (const std::vector<Lit>& clause : invariants_.clauses) wanted.insert(wanted.end(), clause.begin(), clause.end());
+    std::vector<RaceQuestion> questions(open_.size());
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      const Lit bad = blast_->bits().bads[positions_[i]];
+      cones.push_back(makeCone(blast_->bits(), {bad}, blast_->isTotal(), invariants_.equal, wanted));
+      questions[i].system = &cones[i].system;
+      questions[i].invariants = cones[i].translated(invariants_.clauses);
+      questions[i].verdict.depth = answers_[open_[i]].depth;
+    }
+    race(questions, {options_.seconds, options_.jobs, options_.seed, options_.bound});
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      answers_[open_[i]].seconds += questions[i].seconds / std::max(options_.jobs, 1);
       if (questions[i].verdict.answer == Answer::Unknown) questions[i].verdict.method = "BMC, k-induction, IC3, simulation, explicit search";
-      take(open[i], questions[i].verdict, &cones[i]);
+      take(open_[i], positions_[i], questions[i].verdict, &cones[i]);
     }
   }
 
-  /// Turns a verdict about the cone (nullptr: about the whole bit system) into the answer of question q.
-  void take(std::size_t q, const Verdict& verdict, const BitCone* cone) {
+  /// Turns a verdict about the cone (nullptr: about the whole bit system), for bad literal `position` of this stage,
+  /// into the answer of question q.
+  void take(std::size_t q, std::size_t position, const Verdict& verdict, const BitCone* cone) {
     QuestionAnswer& answer = answers_[q];
     answer.answer = verdict.answer;
     answer.depth = verdict.depth;
@@ -75,7 +127,53 @@ class Portfolio {
       answer.trace = blast_->wordTrace(*trace);
       answer.usesFreeReals = !blast_->unmodelled().empty();
     }
-    if (verdict.answer == Answer::Proved) answer.certificate = wordCertificate(*verdict.certificate, cone);
+    if (verdict.answer == Answer::Proved) answer.certificate = wordCertificate(position, *verdict.certificate, cone);
+  }
+
+  /// The certificate over the whole bit system, then in words, with the mined invariants it rests on.
+  WordCertificate wordCertificate(std::size_t position, const Certificate& given, const BitCone* cone) {
+    Certificate whole = cone == nullptr ? given : onWholeSystem(given, *cone);
+    const BitSystem& bits = blast_->bits();
+    const std::vector<std::vector<Lit>> needed = neededInvariants(bits, bits.bads[position], invariants_.clauses, whole, Budget::seconds(options_.seconds));
+    whole.clauses.insert(whole.clauses.end(), needed.begin(), needed.end());
+    WordCertificate result;
+    result.k = given.k;
+    result.simplePath = given.simplePath;
+    for (const std::vector<Lit>& clause : whole.clauses) {
+      Node n = system_.graph->constantNode(0, 1);
+      for (const Lit l : clause) n = system_.graph->make(Op::Or, 1, n, blast_->nodeOf(l));
+      result.invariant.push_back(n);
+    }
+    if (given.simplePath) {
+      const std::size_t count = cone == nullptr ? bits.latches.size() : cone->latches.size();
+      for (std::size_t i = 0; i < count; ++i) {
+        result.pathBits.push_back(blast_->nodeOf(positive(bits.latches[cone == nullptr ? i : cone->latches[i]].variable)));
+      }
+    }
+    return result;
+  }
+
+  /// Adds the certificate's own gates to the bit system of the stage.
+  Certificate onWholeSystem(const Certificate& given, const BitCone& cone) {
+    BitSystem& bits = blast_->bits();
+    std::vector<Lit> extra;
+    std::vector<Lit> back(cone.system.variableCount(), falseLit);
+    for (std::size_t i = 0; i < cone.latches.size(); ++i) {
+      back[cone.system.latches[i].variable] = positive(bits.latches[cone.latches[i]].variable);
+    }
+    const auto literal = [&](Lit l) {
+      const std::uint32_t v = variableOf(l);
+      return (v < back.size() ? back[v] : extra[v - back.size()]) ^ (l & 1U);
+    };
+    for (const AndGate& gate : given.gates) extra.push_back(bits.addAnd(literal(gate.left), literal(gate.right)));
+    Certificate whole;
+    whole.k = given.k;
+    whole.simplePath = given.simplePath;
+    for (const std::vector<Lit>& clause : given.clauses) {
+      std::vector<Lit>& translated = whole.clauses.emplace_back();
+      for (const Lit l : clause) translated.push_back(literal(l));
+    }
+    return whole;
   }
 
   /// A proof whose certificate Z3 does not confirm is not reported as one.
@@ -99,44 +197,15 @@ class Portfolio {
     }
   }
 
-  WordCertificate wordCertificate(const Certificate& certificate, const BitCone* cone) {
-    Graph& graph = *system_.graph;
-    const auto latchNode = [&](std::uint32_t latch) { return blast_->nodeOf(positive(blast_->bits().latches[latch].variable)); };
-    WordCertificate result;
-    result.k = certificate.k;
-    result.simplePath = certificate.simplePath;
-    const BitSystem& bits = cone == nullptr ? blast_->bits() : cone->system;
-    const auto original = [&](std::uint32_t latch) { return cone == nullptr ? latch : cone->latches[latch]; };
-    std::vector<Node> gateNodes;
-    const auto literal = [&](Lit l) {
-      const std::uint32_t v = variableOf(l);
-      Node n = noNode;
-      if (v >= bits.variableCount()) {
-        n = gateNodes[v - bits.variableCount()];
-      } else if (bits.kind[v] == BitSystem::Kind::Latch) {
-        n = latchNode(original(bits.position[v]));
-      } else {
-        CHECK(v == 0, "certificates are over latches");
-        n = graph.constantNode(0, 1);
-      }
-      return isNegative(l) ? graph.make(Op::Not, 1, n) : n;
-    };
-    for (const AndGate& gate : certificate.gates) gateNodes.push_back(graph.make(Op::And, 1, literal(gate.left), literal(gate.right)));
-    for (const std::vector<Lit>& clause : certificate.clauses) {
-      Node n = graph.constantNode(0, 1);
-      for (const Lit l : clause) n = graph.make(Op::Or, 1, n, literal(l));
-      result.invariant.push_back(n);
-    }
-    if (certificate.simplePath) {
-      for (std::uint32_t latch = 0; latch < bits.latches.size(); ++latch) result.pathBits.push_back(latchNode(original(latch)));
-    }
-    return result;
-  }
-
   const TransitionSystem& system_;
   const PortfolioOptions options_;
-  const Budget::Clock::time_point begin_ = Budget::Clock::now();
-  std::unique_ptr<BitBlast> blast_;
+  Budget::Clock::time_point stageBegin_{};
+  std::unique_ptr<BitBlast> blast_;      ///< of this stage
+  std::vector<Lit> truths_;              ///< literals of blast_
+  std::vector<std::vector<Lit>> guesses_;  ///< further candidate invariants, in literals of blast_
+  Invariants invariants_;                ///< of blast_'s system
+  std::vector<std::size_t> open_;        ///< questions without answer
+  std::vector<std::size_t> positions_;   ///< of the open questions among the bad literals of blast_
   std::vector<QuestionAnswer> answers_;
 };
 

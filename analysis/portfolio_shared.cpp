@@ -13,9 +13,9 @@ namespace {
 constexpr double querySeconds = 0.05;
 }  // namespace
 
-SharedSearch::SharedSearch(const BitSystem& system, std::uint64_t seed)
+SharedSearch::SharedSearch(const BitSystem& system, std::uint64_t seed, std::vector<int> cleanScans)
     : system_(system), seed_(seed), answers_(system.bads.size()), base_(system, Unrolling::Start::Initial), baseSat_(Sat::Use::Many),
-      baseCnf_(base_.graph(), baseSat_), cleanScans_(system.bads.size(), 0) {}
+      baseCnf_(base_.graph(), baseSat_), cleanScans_(std::move(cleanScans)) {}
 
 std::size_t SharedSearch::openCount() const {
   return static_cast<std::size_t>(std::count_if(answers_.begin(), answers_.end(), [](const SharedAnswer& a) { return a.open(); }));
@@ -48,6 +48,7 @@ void SharedSearch::simulate(int scans, const Budget& budget) {
 }
 
 void SharedSearch::extendBase(int depth, const Budget& budget) {
+  if (std::find(cleanScans_.begin(), cleanScans_.end(), depth) == cleanScans_.end()) return;
   for (; baseFrames_ <= depth; ++baseFrames_) {
     for (const Lit constraint : system_.constraints) {
       const Lit l = base_.at(baseFrames_, constraint);

@@ -18,7 +18,8 @@ struct SharedAnswer {
 
 class SharedSearch {
  public:
-  SharedSearch(const BitSystem& system, std::uint64_t seed);
+  /// `cleanScans`, by question: bad is known to be unreachable in that many first scans.
+  SharedSearch(const BitSystem& system, std::uint64_t seed, std::vector<int> cleanScans);
 
   const std::vector<SharedAnswer>& answers() const { return answers_; }
   std::size_t openCount() const;

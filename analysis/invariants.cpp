@@ -1,0 +1,236 @@
+// Houdini over equivalence classes and pairs. A counterexample to induction drops what its successor breaks, and so
+// do the successors of the same state under 63 other random inputs.
+#include "analysis/invariants.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "analysis/simulation_runs.hpp"
+#include "analysis/bit_unrolling.hpp"
+#include "ir/check.hpp"
+
+namespace rungproof {
+
+namespace {
+
+using Signature = std::vector<std::uint64_t>;
+
+/// Literals with equal values in all reachable states, presumably; the first represents the others.
+using Class = std::vector<Lit>;
+/// At least one of them holds.
+using Clause = std::vector<Lit>;
+
+class Miner {
+ public:
+  Miner(const BitSystem& system, const std::vector<Lit>& truths, const std::vector<Clause>& guesses, const MiningOptions& options,
+        const Budget& budget)
+      : system_(system), truths_(truths), options_(options), budget_(budget), clauses_(guesses), steps_(system, Unrolling::Start::Any), sat_(Sat::Use::Many),
+        cnf_(steps_.graph(), sat_) {}
+
+  Invariants run() {
+    sample();
+    makeClasses();
+    makePairs();
+    if (!holdInitially() || !makeInductive()) return {};
+    return result();
+  }
+
+ private:
+  std::uint64_t sampled(const BitSimulator& simulator, std::uint64_t live, Lit l) const {
+    const std::uint64_t value = simulator.value(l);
+    if (live == ~0ULL) return value;
+    const bool first = (value & (live & -live)) != 0;  // ended runs repeat a live one
+    return (value & live) | (first ? ~live : 0);
+  }
+
+  void sample() {
+    for (const Latch& latch : system_.latches) watched_.push_back(positive(latch.variable));
+    for (const Lit l : truths_) {
+      if (system_.isGate(l)) watched_.push_back(l & ~1U);
+    }
+    std::sort(watched_.begin(), watched_.end());
+    watched_.erase(std::unique(watched_.begin(), watched_.end()), watched_.end());
+    signatures_.resize(watched_.size());
+    SimulationRuns runs(system_, options_.seed);
+    for (int scan = 0; scan < options_.scans && !budget_.isExhausted(); ++scan) {
+      if (scan == options_.scans / 2) runs.restart();
+      if (!runs.choose()) runs.restart();
+      else {
+        for (std::size_t i = 0; i < watched_.size(); ++i) signatures_[i].push_back(sampled(runs.simulator(), runs.live(), watched_[i]));
+        runs.step();
+      }
+    }
+  }
+
+  void makeClasses() {
+    std::map<Signature, std::size_t> index;
+    classes_.push_back({falseLit});
+    index.emplace(Signature(signatures_.empty() ? 0 : signatures_[0].size(), 0), 0);
+    for (std::size_t i = 0; i < watched_.size(); ++i) {
+      Signature signature = signatures_[i];
+      const bool complement = !signature.empty() && (signature[0] & 1U) != 0;
+      if (complement) {
+        for (std::uint64_t& word : signature) word = ~word;
+      }
+      const auto [at, isNew] = index.emplace(std::move(signature), classes_.size());
+      if (isNew) classes_.emplace_back();
+      classes_[at->second].push_back(complement ? negate(watched_[i]) : watched_[i]);
+    }
+  }
+
+  void makePairs() {
+    std::vector<std::size_t> representatives;  // of truths, by index in watched_
+    std::vector<bool> isTruth(system_.variableCount(), false);
+    for (const Lit l : truths_) isTruth[variableOf(l)] = true;
+    for (const Class& c : classes_) {
+      const auto first = std::find_if(c.begin(), c.end(), [&](Lit l) { return isTruth[variableOf(l)]; });
+      if (first == c.end() || c[0] == falseLit) continue;
+      representatives.push_back(static_cast<std::size_t>(std::lower_bound(watched_.begin(), watched_.end(), *first & ~1U) - watched_.begin()));
+    }
+    for (std::size_t i = 0; i < representatives.size(); ++i) {
+      for (std::size_t j = i + 1; j < representatives.size(); ++j) {
+        const Signature& a = signatures_[representatives[i]];
+        const Signature& b = signatures_[representatives[j]];
+        for (unsigned polarity = 0; polarity < 4; ++polarity) {
+          const std::uint64_t flipA = (polarity & 1U) != 0 ? ~0ULL : 0, flipB = (polarity & 2U) != 0 ? ~0ULL : 0;
+          bool holds = true;
+          for (std::size_t w = 0; w < a.size() && holds; ++w) holds = ((a[w] ^ flipA) | (b[w] ^ flipB)) == ~0ULL;
+          if (!holds) continue;
+          clauses_.push_back({watched_[representatives[i]] ^ (polarity & 1U), watched_[representatives[j]] ^ (polarity >> 1U)});
+          if (clauses_.size() >= options_.implicationLimit) return;
+        }
+      }
+    }
+  }
+
+  Lit same(Unrolling& u, int frame, Lit a, Lit b) { return negate(u.graph().addXor(u.at(frame, a), u.at(frame, b))); }
+  Lit some(Unrolling& u, int frame, const Clause& clause) {
+    Lit result = falseLit;
+    for (const Lit l : clause) result = u.graph().addOr(result, u.at(frame, l));
+    return result;
+  }
+
+  /// Drops and splits what `value` (64 states at once, those of `lanes` count) contradicts; true if anything.
+  template <class Value>
+  bool refine(Value&& value, std::uint64_t lanes) {
+    bool changed = false;
+    for (std::size_t c = 0; c < classes_.size(); ++c) {
+      if (classes_[c].size() < 2) continue;
+      const std::uint64_t expected = value(classes_[c][0]) & lanes;
+      std::map<std::uint64_t, Class> others;
+      std::erase_if(classes_[c], [&](Lit l) {
+        const std::uint64_t v = value(l) & lanes;
+        if (v == expected) return false;
+        others[v].push_back(l);
+        return true;
+      });
+      changed = changed || !others.empty();
+      for (auto& [v, members] : others) classes_.push_back(std::move(members));
+    }
+    const auto isBroken = [&](const Clause& clause) {
+      std::uint64_t holds = 0;
+      for (const Lit l : clause) holds |= value(l);
+      return (holds & lanes) != lanes;
+    };
+    changed = std::erase_if(clauses_, isBroken) != 0 || changed;
+    return changed;
+  }
+
+  bool holdInitially() {
+    Unrolling start(system_, Unrolling::Start::Initial);
+    Sat sat(Sat::Use::Many);
+    BitCnf cnf(start.graph(), sat);
+    for (;;) {
+      std::vector<int> broken;
+      const auto candidate = [&](Lit l) {
+        if (l != trueLit) broken.push_back(-cnf.literal(l));
+      };
+      for (const Class& c : classes_) {
+        for (std::size_t i = 1; i < c.size(); ++i) candidate(same(start, 0, c[0], c[i]));
+      }
+      for (const Clause& c : clauses_) candidate(some(start, 0, c));
+      if (broken.empty()) return true;
+      const Sat::Outcome outcome = sat.solve({}, budget_, broken);
+      if (outcome == Sat::Outcome::Unsatisfiable) return true;
+      if (outcome == Sat::Outcome::Unknown) return false;
+      const auto value = [&](Lit l) { return cnf.value(start.at(0, l)) ? ~0ULL : 0; };
+      CHECK(refine(value, 1), "an initial state breaks a candidate");
+    }
+  }
+
+  bool makeInductive() {
+    for (const Lit constraint : system_.constraints) sat_.add({cnf_.literal(steps_.at(0, constraint))});
+    std::mt19937_64 random(options_.seed);
+    BitSimulator simulator(system_);
+    for (;;) {
+      std::vector<int> assumed, broken;
+      const auto candidate = [&](Lit before, Lit after) {
+        if (before != trueLit) assumed.push_back(cnf_.literal(before));
+        if (after != trueLit) broken.push_back(-cnf_.literal(after));
+      };
+      for (const Class& c : classes_) {
+        for (std::size_t i = 1; i < c.size(); ++i) candidate(same(steps_, 0, c[0], c[i]), same(steps_, 1, c[0], c[i]));
+      }
+      for (const Clause& c : clauses_) candidate(some(steps_, 0, c), some(steps_, 1, c));
+      if (broken.empty()) return true;
+      const Sat::Outcome outcome = sat_.solve(assumed, budget_, broken);
+      if (outcome == Sat::Outcome::Unsatisfiable) return true;
+      if (outcome == Sat::Outcome::Unknown) return false;
+      for (std::size_t i = 0; i < system_.latches.size(); ++i) {
+        simulator.setLatch(i, cnf_.value(steps_.at(0, positive(system_.latches[i].variable))) ? ~0ULL : 0);
+      }
+      for (std::size_t i = 0; i < system_.inputs.size(); ++i) {
+        const bool model = cnf_.value(steps_.at(0, positive(system_.inputs[i])));
+        simulator.setInput(i, (random() & ~1ULL) | (model ? 1U : 0U));
+      }
+      simulator.evaluate();
+      std::uint64_t lanes = ~0ULL;
+      for (const Lit constraint : system_.constraints) lanes &= simulator.value(constraint);
+      simulator.step();
+      simulator.evaluate();
+      CHECK((lanes & 1U) != 0 && refine([&](Lit l) { return simulator.value(l); }, lanes), "a counterexample breaks a candidate");
+    }
+  }
+
+  Invariants result() const {
+    Invariants invariants;
+    for (std::uint32_t v = 0; v < system_.variableCount(); ++v) invariants.equal.push_back(positive(v));
+    for (Class c : classes_) {
+      // A latch represents latches; gates are tied to it by clauses only.
+      const auto byKind = [&](Lit l) { return std::pair(system_.isGate(l), l); };
+      if (c[0] != falseLit) std::sort(c.begin(), c.end(), [&](Lit a, Lit b) { return byKind(a) < byKind(b); });
+      for (std::size_t i = 1; i < c.size(); ++i) {
+        if (!system_.isGate(c[i])) invariants.equal[variableOf(c[i])] = c[0] ^ (c[i] & 1U);
+        if (c[0] == falseLit) {
+          invariants.clauses.push_back({negate(c[i])});
+        } else {
+          invariants.clauses.push_back({negate(c[0]), c[i]});
+          invariants.clauses.push_back({c[0], negate(c[i])});
+        }
+      }
+    }
+    invariants.clauses.insert(invariants.clauses.end(), clauses_.begin(), clauses_.end());
+    return invariants;
+  }
+
+  const BitSystem& system_;
+  const std::vector<Lit>& truths_;
+  const MiningOptions options_;
+  const Budget& budget_;
+  std::vector<Lit> watched_;  ///< positive literals
+  std::vector<Signature> signatures_;
+  std::vector<Class> classes_;
+  std::vector<Clause> clauses_;
+  Unrolling steps_;
+  Sat sat_;
+  BitCnf cnf_;
+};
+
+}  // namespace
+
+Invariants mineInvariants(const BitSystem& system, const std::vector<Lit>& truths, const std::vector<std::vector<Lit>>& guesses,
+                          const MiningOptions& options, const Budget& budget) {
+  return Miner(system, truths, guesses, options, budget).run();
+}
+
+}  // namespace rungproof
