@@ -55,4 +55,11 @@ class CertificateWriter {
   std::vector<Obligation> obligations_;
 };
 
+/// The file for one certificate.
+inline std::string certificateText(const TransitionSystem& system, const Question& question, const WordCertificate& certificate) {
+  CertificateWriter writer(system);
+  writer.add(question, certificate);
+  return writer.text();
+}
+
 }  // namespace rungproof

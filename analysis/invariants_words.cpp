@@ -87,15 +87,22 @@ class DifferenceGuess {
     return different.size() >= 4;
   }
 
-  /// Mostly the same positive growth wherever both are on their way.
+  /// Mostly the same positive growth wherever both are on their way, and never far apart.
   static bool growTogether(const Word& x, const Word& y) {
     int same = 0, other = 0;
+    std::int64_t low = 0, high = 0, most = 0;
+    const std::int64_t capX = x.caps.empty() ? 0 : static_cast<std::int64_t>(x.caps.front());
+    const std::int64_t capY = y.caps.empty() ? 0 : static_cast<std::int64_t>(y.caps.front());
     for (std::size_t i = lanes; i < x.values.size(); ++i) {
-      const std::int64_t dx = x.values[i] - x.values[i - lanes], dy = y.values[i] - y.values[i - lanes];
-      if (dx <= 0 && dy <= 0) continue;
-      (dx == dy ? same : other) += 1;
+      const std::int64_t vx = x.values[i], vy = y.values[i];
+      const std::int64_t dx = vx - x.values[i - lanes], dy = vy - y.values[i - lanes];
+      if (dx > 0 || dy > 0) (dx == dy ? same : other) += 1;
+      most = std::max(most, std::min(vx, vy));
+      if ((capX != 0 && vx >= capX) || (capY != 0 && vy >= capY)) continue;
+      low = std::min(low, vx - vy);
+      high = std::max(high, vx - vy);
     }
-    return same >= 16 && same > 3 * other;
+    return same >= 16 && same > 3 * other && high - low <= most / 3;
   }
 
   /// Clauses "x - y <= hi or y >= cap" for no cap and each cap of y.

@@ -60,6 +60,7 @@ class Portfolio {
       for (const Node n : clause) literals.push_back(blast_->of(n)[0]);
     }
   }
+  Budget budget(double seconds) const { return Budget::seconds(seconds, options_.cancel); }
   double share() const {
     return std::chrono::duration<double>(Budget::Clock::now() - stageBegin_).count() / static_cast<double>(std::max<std::size_t>(open_.size(), 1));
   }
@@ -69,8 +70,8 @@ class Portfolio {
     std::vector<int> clean;
     for (const std::size_t q : open_) clean.push_back(answers_[q].depth);
     SharedSearch search(blast_->bits(), options_.seed, clean);
-    if (simulate) search.simulate(simulatedScans, Budget::seconds(seconds * 0.1));
-    search.induce(options_.bound > 0 ? std::min(most, options_.bound) : most, invariants_.clauses, Budget::seconds(seconds * 0.3));
+    if (simulate) search.simulate(simulatedScans, budget(seconds * 0.1));
+    search.induce(options_.bound > 0 ? std::min(most, options_.bound) : most, invariants_.clauses, budget(seconds * 0.3));
     const double each = share();
     std::vector<std::size_t> open;
     positions_.clear();
@@ -90,8 +91,8 @@ class Portfolio {
     const double seconds = std::min(options_.seconds * 0.3, 10.0);
     MiningOptions mining;
     mining.seed = options_.seed;
-    const Budget budget = Budget::seconds(seconds);
-    invariants_ = mineInvariants(blast_->bits(), truths_, guesses_, mining, budget);
+    const Budget limit = budget(seconds);
+    invariants_ = mineInvariants(blast_->bits(), truths_, guesses_, mining, limit);
   }
 
   void raceApart() {
@@ -106,7 +107,7 @@ class Portfolio {
       questions[i].invariants = cones[i].translated(invariants_.clauses);
       questions[i].verdict.depth = answers_[open_[i]].depth;
     }
-    race(questions, {options_.seconds, options_.jobs, options_.seed, options_.bound});
+    race(questions, {options_.seconds, options_.jobs, options_.seed, options_.bound, options_.cancel});
     for (std::size_t i = 0; i < open_.size(); ++i) {
       answers_[open_[i]].seconds += questions[i].seconds / std::max(options_.jobs, 1);
       if (questions[i].verdict.answer == Answer::Unknown) questions[i].verdict.method = "BMC, k-induction, IC3, simulation, explicit search";
@@ -134,7 +135,7 @@ class Portfolio {
   WordCertificate wordCertificate(std::size_t position, const Certificate& given, const BitCone* cone) {
     Certificate whole = cone == nullptr ? given : onWholeSystem(given, *cone);
     const BitSystem& bits = blast_->bits();
-    const std::vector<std::vector<Lit>> needed = neededInvariants(bits, bits.bads[position], invariants_.clauses, whole, Budget::seconds(options_.seconds));
+    const std::vector<std::vector<Lit>> needed = neededInvariants(bits, bits.bads[position], invariants_.clauses, whole, budget(options_.seconds));
     whole.clauses.insert(whole.clauses.end(), needed.begin(), needed.end());
     WordCertificate result;
     result.k = given.k;
