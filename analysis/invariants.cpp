@@ -17,6 +17,8 @@ using Signature = std::vector<std::uint64_t>;
 
 /// Literals with equal values in all reachable states, presumably; the first represents the others.
 using Class = std::vector<Lit>;
+constexpr int neighbourBatches = 6;  ///< of 64 states near a counterexample
+
 /// At least one of them holds.
 using Clause = std::vector<Lit>;
 
@@ -166,7 +168,9 @@ class Miner {
       std::vector<int> assumed, broken;
       const auto candidate = [&](Lit before, Lit after) {
         if (before != trueLit) assumed.push_back(cnf_.literal(before));
-        if (after != trueLit) broken.push_back(-cnf_.literal(after));
+        if (after == trueLit) return;
+        broken.push_back(-cnf_.literal(after));
+        sat_.prefer(broken.back());  // one counterexample should break many
       };
       for (const Class& c : classes_) {
         for (std::size_t i = 1; i < c.size(); ++i) candidate(same(steps_, 0, c[0], c[i]), same(steps_, 1, c[0], c[i]));
@@ -176,20 +180,52 @@ class Miner {
       const Sat::Outcome outcome = sat_.solve(assumed, budget_, broken);
       if (outcome == Sat::Outcome::Unsatisfiable) return true;
       if (outcome == Sat::Outcome::Unknown) return false;
-      for (std::size_t i = 0; i < system_.latches.size(); ++i) {
-        simulator.setLatch(i, cnf_.value(steps_.at(0, positive(system_.latches[i].variable))) ? ~0ULL : 0);
-      }
-      for (std::size_t i = 0; i < system_.inputs.size(); ++i) {
-        const bool model = cnf_.value(steps_.at(0, positive(system_.inputs[i])));
-        simulator.setInput(i, (random() & ~1ULL) | (model ? 1U : 0U));
+      CHECK(dropBroken(simulator, random), "a counterexample breaks a candidate");
+    }
+  }
+
+  /// Drops what the model's scan breaks, and what scans from states nearby break that satisfy all candidates too.
+  bool dropBroken(BitSimulator& simulator, std::mt19937_64& random) {
+    std::vector<bool> state, inputs;
+    for (const Latch& latch : system_.latches) state.push_back(cnf_.value(steps_.at(0, positive(latch.variable))));
+    for (const std::uint32_t v : system_.inputs) inputs.push_back(cnf_.value(steps_.at(0, positive(v))));
+    bool changed = false;
+    for (int batch = 0; batch < neighbourBatches; ++batch) {
+      for (std::size_t i = 0; i < state.size(); ++i) simulator.setLatch(i, state[i] ? ~0ULL : 0);
+      for (std::size_t i = 0; i < inputs.size(); ++i) simulator.setInput(i, (batch == 0 ? random() & ~1ULL : random()) | (inputs[i] && batch == 0 ? 1U : 0U));
+      // Members of a class change together; the first run stays the model itself.
+      for (std::size_t c = 1; c < classes_.size(); ++c) {
+        std::uint64_t flips = random();
+        for (int i = 0; i < batch; ++i) flips &= random();
+        if (batch == 0) flips &= ~1ULL;
+        for (const Lit l : classes_[c]) {
+          if (classes_[c][0] == falseLit || system_.isGate(l)) continue;
+          const std::uint32_t latch = system_.position[variableOf(l)];
+          simulator.setLatch(latch, simulator.latch(latch) ^ flips);
+        }
       }
       simulator.evaluate();
-      std::uint64_t lanes = ~0ULL;
-      for (const Lit constraint : system_.constraints) lanes &= simulator.value(constraint);
+      const std::uint64_t lanes = satisfying(simulator);
       simulator.step();
       simulator.evaluate();
-      CHECK((lanes & 1U) != 0 && refine([&](Lit l) { return simulator.value(l); }, lanes), "a counterexample breaks a candidate");
+      changed = refine([&](Lit l) { return simulator.value(l); }, lanes) || changed;
     }
+    return changed;
+  }
+
+  /// Runs whose state satisfies all candidates and whose inputs meet the constraints.
+  std::uint64_t satisfying(const BitSimulator& simulator) const {
+    std::uint64_t lanes = ~0ULL;
+    for (const Lit constraint : system_.constraints) lanes &= simulator.value(constraint);
+    for (const Class& c : classes_) {
+      for (std::size_t i = 1; i < c.size(); ++i) lanes &= ~(simulator.value(c[0]) ^ simulator.value(c[i]));
+    }
+    for (const Clause& clause : clauses_) {
+      std::uint64_t holds = 0;
+      for (const Lit l : clause) holds |= simulator.value(l);
+      lanes &= holds;
+    }
+    return lanes;
   }
 
   Invariants result() const {

@@ -97,6 +97,7 @@ class DifferenceGuess {
       const std::int64_t vx = x.values[i], vy = y.values[i];
       const std::int64_t dx = vx - x.values[i - lanes], dy = vy - y.values[i - lanes];
       if (dx > 0 || dy > 0) (dx == dy ? same : other) += 1;
+      if (3 * other > same + 48) return false;
       most = std::max(most, std::min(vx, vy));
       if ((capX != 0 && vx >= capX) || (capY != 0 && vy >= capY)) continue;
       low = std::min(low, vx - vy);

@@ -1,5 +1,5 @@
-// Order of work: all questions together by simulation and plain induction; those left by mined invariants and short
-// inductions under them; those left by the race on their cones. What was found on bits is turned into runs and
+// Order of work: all questions together by simulation and plain induction; those left, cluster by cluster, by mined
+// invariants and short inductions under them; those left by the race on their cones. What was found on bits is turned into runs and
 // certificates of the given system, and certificates are checked.
 #include "analysis/portfolio.hpp"
 
@@ -9,6 +9,7 @@
 #include "analysis/bit_cone.hpp"
 #include "analysis/invariants.hpp"
 #include "analysis/invariants_words.hpp"
+#include "analysis/portfolio_clusters.hpp"
 #include "analysis/portfolio_race.hpp"
 #include "analysis/portfolio_shared.hpp"
 #include "analysis/truths.hpp"
@@ -31,12 +32,15 @@ class Portfolio {
     for (std::size_t q = 0; q < answers_.size(); ++q) open_.push_back(q);
     begin({});
     if (!open_.empty()) searchTogether(1, true);
-    if (!open_.empty()) {
+    const std::vector<std::vector<std::size_t>> clusters = clustersOf(system_, open_);
+    for (const std::vector<std::size_t>& cluster : clusters) {
+      open_ = cluster;
+      begin({});
       beginWithCandidates();
       mine();
       searchTogether(shortInduction, false);
+      if (!open_.empty()) raceApart();
     }
-    if (!open_.empty()) raceApart();
     if (options_.check) checkCertificates();
     return std::move(answers_);
   }
@@ -54,6 +58,8 @@ class Portfolio {
     std::vector<Node> nodes = truths;
     for (const NodeClause& clause : guesses) nodes.insert(nodes.end(), clause.begin(), clause.end());
     begin(nodes);
+    truths_.clear();
+    guesses_.clear();
     for (const Node n : truths) truths_.push_back(blast_->of(n)[0]);
     for (const NodeClause& clause : guesses) {
       std::vector<Lit>& literals = guesses_.emplace_back();

@@ -10,7 +10,7 @@
 namespace rungproof {
 
 namespace {
-constexpr double querySeconds = 0.05;
+constexpr double querySeconds = 0.25;
 }  // namespace
 
 SharedSearch::SharedSearch(const BitSystem& system, std::uint64_t seed, std::vector<int> cleanScans)
