@@ -25,6 +25,10 @@ BitBlast::BitBlast(const TransitionSystem& system, const std::vector<std::size_t
     total_.push_back(std::find(system.totalConstraints.begin(), system.totalConstraints.end(), n) != system.totalConstraints.end());
   }
   for (const std::size_t q : questions) bits_.bads.push_back(of(system.questions[q].bad)[0]);
+  for (const Node n : extra) {
+    const Lit l = of(n)[0];
+    if (graph_[n].width == 1 && bits_.isGate(l)) nodes_.emplace(variableOf(l), isNegative(l) ? graph_.make(Op::Not, 1, n) : n);
+  }
 }
 
 void BitBlast::collectCone(const std::vector<Node>& roots) {

@@ -42,7 +42,8 @@ class BitBlast {
     std::uint32_t bit;
   };
   const StateBit& stateBit(std::uint32_t latch) const { return stateBits_[latch]; }
-  /// The node of a literal that depends on latches only: extracts of state variables joined by And and Not.
+  /// The node of a literal that depends on latches only: one of `extra`, or extracts of state variables joined by And
+  /// and Not.
   Node nodeOf(Lit l);
   /// State variables without bits here keep their initial value or 0, inputs without bits are 0.
   WordTrace wordTrace(const BitTrace& trace) const;
