@@ -2,6 +2,8 @@
 // followed once, before the meaning runs; a bad one is error 0006, in a compare contact fatal (001:2347, 001:3384).
 #pragma once
 
+#include <algorithm>
+
 #include "ir/machine.hpp"
 
 namespace rungproof {
@@ -18,7 +20,7 @@ class Args {
   Bool resolve() {
     Bool legal = m_.d.constant(true);
     const std::size_t count = std::min<std::size_t>(instruction_.operands.size(), desc_.operandCount);
-    for (std::size_t i = 0; i < count; ++i) legal = m_.d.land(legal, resolveOne(instruction_.operands[i], widthOf(desc_.operands[i].type), refs_[i]));
+    for (std::size_t i = 0; i < count; ++i) legal = m_.d.land(legal, resolveOne(instruction_.operands[i], widthOf(desc_.operands[i].type), desc_.operands[i].direction, refs_[i]));
     return legal;
   }
 
@@ -53,11 +55,7 @@ class Args {
   void storeElement(std::size_t i, int k, Width w, Bits value) { save(refs_[i], k, w, value); }
   /// Byte k of a string operand: 0 is the length; string constants read the same way.
   Bits byteAt(std::size_t i, int k) {
-    const Operand& o = instruction_.operands[i];
-    if (o.kind != OperandKind::Text) return element(i, k, Width::Byte);
-    if (k == 0) return m_.d.literal(o.text.size(), 8);
-    const std::size_t at = static_cast<std::size_t>(k) - 1;
-    return m_.d.literal(at < o.text.size() ? static_cast<unsigned char>(o.text[at]) : 0, 8);
+    return element(i, k, Width::Byte);
   }
   /// Bit k counted from a bit operand, over byte borders; T and C: bit of the k-th number further on.
   Bool bitAt(std::size_t i, int k) {
@@ -93,8 +91,14 @@ class Args {
   Bits parameter(std::size_t i, DataType type) {
     const Operand& o = instruction_.operands[i];
     if (type == DataType::String && o.kind == OperandKind::Indirect) return m_.load(o.area, o.offset, Width::DWord);
+    if (type == DataType::String && o.kind == OperandKind::Text) {
+      const auto& texts = m_.plan.texts;
+      const auto found = std::find(texts.begin(), texts.end(), &o);
+      CHECK(found != texts.end(), "string constant that the plan does not know");
+      return m_.d.literal(pointer::encodeText(static_cast<std::size_t>(found - texts.begin())), 32);
+    }
     Ref<D> ref;
-    const Bool legal = resolveOne(o, widthOf(type), ref);
+    const Bool legal = resolveOne(o, widthOf(type), Direction::In, ref);
     m_.hazard(Hazard::BadIndirectAddress, m_.d.lnot(legal));
     return load(ref, 0, widthOf(type));
   }
@@ -102,7 +106,7 @@ class Args {
     const Operand& o = instruction_.operands[i];
     if (type == DataType::String) return;
     Ref<D> ref;
-    const Bool legal = resolveOne(o, widthOf(type), ref);
+    const Bool legal = resolveOne(o, widthOf(type), Direction::Out, ref);
     m_.hazard(Hazard::BadIndirectAddress, m_.d.lnot(legal));
     m_.when(legal, [&] { save(ref, 0, widthOf(type), value); });
   }
@@ -125,7 +129,9 @@ class Args {
   Width width(std::size_t i) const { return widthOf(desc_.operands[i].type); }
 
  private:
-  Bool resolveOne(const Operand& o, Width w, Ref<D>& ref);
+  Bool resolveOne(const Operand& o, Width w, Direction direction, Ref<D>& ref);
+  Bool followText(Bits address, Ref<D>& ref);
+  Bits loadText(const Ref<D>& ref, int element, Width w, Bits otherwise);
   std::uint32_t left(Area area, std::uint32_t offset, Width w) const {
     const bool byNumber = area == Area::T || area == Area::C;
     const std::uint32_t size = m_.areaSize(area);
@@ -145,7 +151,7 @@ class Args {
 };
 
 template <class D>
-typename D::Bool Args<D>::resolveOne(const Operand& o, Width w, Ref<D>& ref) {
+typename D::Bool Args<D>::resolveOne(const Operand& o, Width w, Direction direction, Ref<D>& ref) {
   ref.operand = &o;
   switch (o.kind) {
     case OperandKind::Constant: ref.value = m_.d.literal(static_cast<std::uint64_t>(o.value) & (~0ULL >> (64 - bits(w))), bits(w)); break;
@@ -156,10 +162,42 @@ typename D::Bool Args<D>::resolveOne(const Operand& o, Width w, Ref<D>& ref) {
       ref.offset = o.offset;
       ref.bit = o.bit;
       break;
-    case OperandKind::Indirect: return follow(m_.load(o.area, o.offset, Width::DWord), w, ref);
+    case OperandKind::Indirect: {
+      const Bits address = m_.load(o.area, o.offset, Width::DWord);
+      const Bool legal = follow(address, w, ref);
+      if (direction != Direction::In || w != Width::Byte || m_.plan.texts.empty()) return legal;
+      return m_.d.lor(legal, followText(address, ref));
+    }
+    case OperandKind::Text: ref.text = &o; break;
     default: break;
   }
   return m_.d.constant(true);
+}
+
+/// Lets ref name the string constants that the address may be; gives whether it is one of them.
+template <class D>
+typename D::Bool Args<D>::followText(Bits address, Ref<D>& ref) {
+  Bool isText = m_.d.constant(false);
+  for (std::size_t i = 0; i < m_.plan.texts.size(); ++i) isText = m_.d.lor(isText, m_.d.equal(address, m_.d.literal(pointer::encodeText(i), 32), 32));
+  const auto known = m_.d.truth(isText);
+  ref.mayBeText = !known || *known;
+  if (ref.mayBeText) ref.value = address;
+  return isText;
+}
+
+template <class D>
+typename D::Bits Args<D>::loadText(const Ref<D>& ref, int element, Width w, Bits otherwise) {
+  const auto byteOf = [&](const std::string& text) {
+    const auto at = static_cast<std::size_t>(element);
+    return m_.d.literal(at == 0 ? text.size() : at <= text.size() ? static_cast<unsigned char>(text[at - 1]) : 0, bits(w));
+  };
+  if (ref.text != nullptr) return byteOf(ref.text->text);
+  Bits result = otherwise;
+  for (std::size_t i = 0; i < m_.plan.texts.size(); ++i) {
+    const Bool isThis = m_.d.equal(ref.value, m_.d.literal(pointer::encodeText(i), 32), 32);
+    result = m_.d.select(isThis, byteOf(m_.plan.texts[i]->text), result, bits(w));
+  }
+  return result;
 }
 
 template <class D>
@@ -178,13 +216,14 @@ template <class D>
 typename D::Bits Args<D>::load(Ref<D>& ref, int element, Width w) {
   if (ref.isPlace) return m_.load(ref.area, advance(ref.area, ref.offset, element, w), w, ref.bit);
   if (ref.isUnresolved) return m_.d.unresolved(m_, bits(w));
-  if (ref.targets.empty()) return ref.value;
+  if (ref.text != nullptr) return loadText(ref, element, w, {});
+  if (ref.targets.empty() && !ref.mayBeText) return ref.value;
   Bits result = m_.d.literal(0, bits(w));
   for (const PointerTarget<D>& t : ref.targets) {
     const std::uint32_t at = advance(t.area, t.offset, element, w);
     if (at < areaSize(m_.target, t.area)) result = m_.d.select(t.condition, m_.load(t.area, at, w), result, bits(w));
   }
-  return result;
+  return ref.mayBeText ? loadText(ref, element, w, result) : result;
 }
 
 template <class D>
@@ -206,14 +245,16 @@ typename D::Bool Args<D>::fits(std::size_t i, Bits count, Width w) {
   if (ref.isPlace) return enough(ref.area, ref.offset);
   Bool result = m_.d.constant(true);
   for (const PointerTarget<D>& t : ref.targets) result = m_.d.select(t.condition, enough(t.area, t.offset), result);
-  return result;
+  return result;  // a string constant is as long as its length byte says
 }
 
 template <class D>
 int Args<D>::room(std::size_t i, Width w, int cap) const {
   const Ref<D>& ref = refs_[i];
   if (ref.isUnresolved) return cap;
-  std::uint32_t most = ref.isPlace ? left(ref.area, ref.offset, w) : 0;
+  std::size_t longest = ref.text == nullptr ? 0 : ref.text->text.size() + 1;
+  for (const Operand* text : m_.plan.texts) longest = std::max(longest, ref.mayBeText ? text->text.size() + 1 : 0);
+  std::uint32_t most = ref.isPlace ? left(ref.area, ref.offset, w) : static_cast<std::uint32_t>(longest);
   for (const PointerTarget<D>& t : ref.targets) most = std::max(most, left(t.area, t.offset, w));
   return std::min(cap, static_cast<int>(most));
 }

@@ -83,10 +83,20 @@ CpuFeatures cpuFeatures(const Target& target) {
       target.cpu == Cpu::Cpu226XM || (target.cpu == Cpu::Cpu226 && target.edition == Edition::Edition2004);
   if (manySubroutines) features.subroutines = 128;
   if (target.cpu == Cpu::Cpu221 || target.cpu == Cpu::Cpu222) features.clockBuiltIn = false;
+  // No table of the CPUs before 22x is at hand: general knowledge, except that the 212 lacks pulse outputs and clock
+  // (004:345, 004:734).
+  if (isOld(target.cpu)) {
+    features.pidLoops = 0;
+    features.queueTimed = 4;
+  }
   if (target.cpu == Cpu::Cpu212) {
     features.subroutines = 16;
     features.interruptRoutines = 32;
     features.labels = 64;
+    features.queueIo = 4;
+    features.queueTimed = 2;
+    features.pulseOutputs = 0;
+    features.clockBuiltIn = false;
   }
   return features;
 }

@@ -114,6 +114,9 @@ constexpr std::uint32_t offsetOf(std::uint32_t value) {
   const bool byNumber = value >> 24 == 0x09 || value >> 24 == 0x0A;
   return byNumber ? offset / 2 : offset;
 }
+/// Pointer to string constant number `index` of Plan::texts, for STRING parameters (001:6804). It can only be read.
+constexpr std::uint32_t textTag = 0x0C;
+constexpr std::uint32_t encodeText(std::size_t index) { return textTag << 24 | static_cast<std::uint32_t>(index); }
 /// Whether the pointer names a whole element of that area on that CPU.
 inline bool isLegal(const Target& target, std::uint32_t value, Width width) {
   const std::optional<Area> area = areaOf(value);
@@ -131,9 +134,11 @@ struct Ref {
   Area area = Area::V;
   std::uint32_t offset = 0;  ///< byte or number
   std::uint8_t bit = 0;
+  const Operand* text = nullptr;   ///< string constant that stands in the operand
+  bool mayBeText = false;          ///< pointer that may name a string constant of Plan::texts
   bool isPlace = false;
   bool isUnresolved = false;                ///< pointer whose targets are not known: reads give anything
-  typename D::Bits value{};                 ///< constant
+  typename D::Bits value{};                 ///< constant; mayBeText: the pointer
   typename D::Targets targets{};            ///< a container of PointerTarget<D>; empty unless a pointer with several targets
 };
 

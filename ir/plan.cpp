@@ -33,6 +33,11 @@ Plan::Plan(const Program& source) : program(&source) {
     for (const FlowStep& step : flows.back().steps) {
       const Instruction& instruction = *step.instruction;
       if (instruction.desc->stl == "EU" || instruction.desc->stl == "ED") edge[instruction.id] = edgeCount++;
+      if (instruction.desc->control == Control::Call) {
+        for (const Operand& operand : instruction.operands) {
+          if (operand.kind == OperandKind::Text) texts.push_back(&operand);
+        }
+      }
       const bool isTimer = instruction.desc->operandCount > 0 && instruction.desc->operands[0].type == Type::Timer;
       if (!isTimer || instruction.operands.empty()) continue;
       const TimerUse use{instruction.operands[0].offset, instruction.desc, timerResolution(static_cast<int>(instruction.operands[0].offset)),

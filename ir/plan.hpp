@@ -32,6 +32,7 @@ struct Plan {
   std::vector<std::uint32_t> edge;    ///< by Instruction::id: number of the EU or ED, else noPartner
   std::uint32_t edgeCount = 0;
   std::vector<TimerUse> timers;       ///< in the order of first use
+  std::vector<const Operand*> texts;  ///< string constants given to subroutines; pointers name them by their index
 
   /// First use of a timer number, or nullptr. It decides how the number counts.
   const TimerUse* timer(std::uint32_t number) const;

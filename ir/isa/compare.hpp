@@ -103,7 +103,7 @@ struct CompareString {
   /// Characters that can stand behind the length byte of operand i.
   template <class D>
   static int roomAfterLength(const Args<D>& a, std::size_t i) {
-    return a.operand(i).kind == OperandKind::Text ? 254 : std::max(a.room(i, Width::Byte, 255) - 1, 0);
+    return std::max(a.room(i, Width::Byte, 255) - 1, 0);
   }
 
   static constexpr JoinedText stl{prefixOf(joint, false), "S", symbolOf(relation)};

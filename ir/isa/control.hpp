@@ -26,16 +26,22 @@ struct Stop : InScan {
   static constexpr Desc desc{.stl = "STOP", .meaning = "go to STOP mode", .group = "program control", .execution = Execution::Control,
                              .stack = {1, 0, 0}, .control = Control::Stop, .manual = "001:5693"};
 };
+/// Labels of JMP and LBL (001:5798; CPU 212: general knowledge).
+constexpr OperandDesc labelOperand() {
+  constexpr CpuSet c212 = cpuBit(Cpu::Cpu212);
+  return in("N", Type::Label, form::Const).within({{0, 63, c212}, {0, 255, static_cast<CpuSet>(everyCpu & ~c212)}});
+}
+
 struct Jump : InScan {
   static constexpr Desc desc = withOperands({.stl = "JMP", .meaning = "jump to the label", .group = "program control",
                                              .execution = Execution::Control, .stack = {1, 0, 0}, .control = Control::Jump, .time = 180,
                                              .manual = "001:5784"},
-                                            {in("N", Type::Label, form::Const).within({{0, 255, everyCpu}})});
+                                            {labelOperand()});
 };
 struct Label : InScan {
   static constexpr Desc desc = withOperands({.stl = "LBL", .meaning = "jump label", .group = "program control",
                                              .execution = Execution::Control, .control = Control::LabelMark, .time = 22, .manual = "001:5786"},
-                                            {in("N", Type::Label, form::Const).within({{0, 255, everyCpu}})});
+                                            {labelOperand()});
 };
 struct For : InScan {
   static constexpr Desc desc = withOperands({.stl = "FOR", .meaning = "start of a loop", .group = "program control",

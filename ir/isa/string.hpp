@@ -145,7 +145,7 @@ struct SubstringToNumber {
     m.when(d.lnot(d.lor(outside, indexIsZero)), [&] {
       NumberReader<D> reader(m, kind == NumberKind::Real);
       const auto known = d.known(length);
-      const int room = a.operand(0).kind == OperandKind::Text ? 254 : a.room(0, Width::Byte, 255) - 1;
+      const int room = a.room(0, Width::Byte, 255) - 1;
       const int limit = std::min(known ? static_cast<int>(*known) : 254, room);
       for (int k = 1; k <= limit; ++k) {
         const auto position = m.number(static_cast<std::uint64_t>(k), 8);

@@ -24,7 +24,7 @@ struct StringSource {
     const Bits byte = a.byteAt(i, 0);
     length = d.zext(byte, 8, 16);
     isLegal = d.land(d.ule(byte, m.number(maxString, 8), 8), a.fits(i, d.add(length, m.number(1, 16), 16), Width::Byte));
-    const int room = a.operand(i).kind == OperandKind::Text ? maxString : a.room(i, Width::Byte, maxString + 1) - 1;
+    const int room = a.room(i, Width::Byte, maxString + 1) - 1;
     const auto known = d.known(length);
     limit = std::clamp(known ? static_cast<int>(*known) : maxString, 0, std::max(room, 0));
   }

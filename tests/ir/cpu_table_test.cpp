@@ -176,6 +176,42 @@ TEST(CpuTable, EventsCountersAndTimers) {
   EXPECT_EQ(timerResolution(-1), 0);
 }
 
+TEST(CpuTable, CpusBefore22x) {
+  // 004:4565-4566 gives the timers: T0 to T63 on the 212, T0 to T127 on the 214. The program at 004:2500 writes up to
+  // VD1056, which the 212 does not have; 004:359 and 004:4241 count with HSC 0, 1 and 2 of the 214; 004:67: only the 214
+  // has the second timed interrupt. The rest is general knowledge.
+  for (const Edition edition : {Edition::Edition2003, Edition::Edition2004}) {
+    const Target small{Cpu::Cpu212, edition}, large{Cpu::Cpu214, edition};
+    EXPECT_EQ(areaSize(small, Area::T), 64U);
+    EXPECT_EQ(areaSize(large, Area::T), 128U);
+    EXPECT_FALSE(addressExists(small, Area::V, Width::DWord, 1056, 0));
+    EXPECT_TRUE(addressExists(large, Area::V, Width::DWord, 1056, 0));
+    EXPECT_EQ(areaSize(small, Area::V), 1024U);
+    EXPECT_EQ(areaSize(large, Area::V), 4096U);
+    EXPECT_FALSE(addressExists(small, Area::L, Width::Byte, 0, 0));
+    EXPECT_FALSE(addressExists(large, Area::L, Width::Byte, 0, 0));
+    for (int counter = 0; counter <= 5; ++counter) {
+      EXPECT_EQ(hscExists(small, counter), counter == 0) << counter;
+      EXPECT_EQ(hscExists(large, counter), counter <= 2) << counter;
+    }
+    for (int event = 0; event <= 33; ++event) {
+      EXPECT_EQ(eventExists(small, event), listed("0-1,8-10,12", event)) << event;
+      EXPECT_EQ(eventExists(large, event), event <= 20) << event;
+    }
+    EXPECT_EQ(cpuFeatures(small).pulseOutputs, 0);
+    EXPECT_EQ(cpuFeatures(large).pulseOutputs, 2);
+    EXPECT_FALSE(cpuFeatures(small).clockBuiltIn);
+    EXPECT_TRUE(cpuFeatures(large).clockBuiltIn);
+    EXPECT_EQ(cpuFeatures(small).subroutines, 16);
+    EXPECT_EQ(cpuFeatures(large).subroutines, 64);
+    EXPECT_EQ(cpuFeatures(small).labels, 64);
+    EXPECT_EQ(cpuFeatures(large).labels, 256);
+    EXPECT_EQ(cpuFeatures(small).queueTimed, 2);
+    EXPECT_EQ(cpuFeatures(large).queueTimed, 4);
+    EXPECT_EQ(cpuFeatures(large).pidLoops, 0);
+  }
+}
+
 TEST(CpuTable, EditionsCoverTheirCpus) {
   for (const Cpu cpu : {Cpu::Cpu221, Cpu::Cpu222, Cpu::Cpu224, Cpu::Cpu226}) {
     EXPECT_TRUE(editionCovers(Edition::Edition2003, cpu));

@@ -86,6 +86,19 @@ TEST(Call, PointersConstantsAndAddresses) {
   EXPECT_FLOAT_EQ(plant.real("VD80"), 2.5F);
 }
 
+TEST(Call, StringConstantsAreReadThroughAPointer) {
+  // 001:6804, 001:6836: the subroutine uses *LD0; the text itself cannot be written.
+  Plant plant({{mainBlock, 0, "LD SM0.0; CALL 0, \"FIRST\"; CALL 0, \"2ND\"; CALL 1, \"2ND\""},
+               {sub, 0, "SCPY *LD0, VB0; SLEN *LD0, AC0; MOVB AC0, VB20; INCB VB21", {"IN STRING LD0"}},
+               {sub, 1, "SCPY VB0, *LD0", {"IN STRING LD0"}}});
+  plant.scan();
+  EXPECT_EQ(plant.value("VD0"), 0x03'32'4E'44U) << "3, 2, N, D";
+  EXPECT_EQ(plant.value("VW4"), 0x5354U) << "what the longer text left";
+  EXPECT_EQ(plant.value("VB20"), 3U);
+  EXPECT_EQ(plant.value("VB21"), 2U);
+  EXPECT_EQ(plant.outside.hazards, std::vector<Hazard>{Hazard::BadIndirectAddress});
+}
+
 TEST(Call, OutputsGoThroughPointers) {
   Plant plant({{mainBlock, 0, "LD SM0.0; CALL 0, *VD0, *VD4"}, {sub, 0, "INCW LW0; MOVB 3, LB2", {"IN_OUT INT LW0", "OUT BYTE LB2"}}});
   plant.set("VD0=16#08000014 VD4=16#04000002 VW20=41").scan();
