@@ -195,7 +195,8 @@ class Graph {
   Node makeIte(int width, Node c, Node a, Node b);
   Node makeIteBool(Node c, Node a, Node b);
   Node follow(Node arm, Node c, bool value) const;
-  Node reduce(Node n, std::span<const Node> known, int depth);
+  Node reduce(Node n, std::span<const Node> known, int& budget);
+  Node reduced(Node n, std::span<const Node> known);
 
   // graph_words.cpp
   Node makeBitwise(Op op, int width, Node a, Node b);

@@ -10,7 +10,8 @@ namespace rungproof {
 
 namespace {
 
-constexpr int reduceDepth = 3;
+/// Nodes that one reduction looks at.
+constexpr int reduceBudget = 24;
 
 /// A comparison of a node with constants as an interval; signed values are shifted so that order is unsigned.
 struct Range {
@@ -74,10 +75,17 @@ Graph::Truth Graph::underOne(Node condition, Node assumed) const {
   const bool negated = is(condition, Op::Not), assumedNegated = is(assumed, Op::Not);
   if (negated && child(condition, 0) == assumed) return Truth::False;
   if (assumedNegated && child(assumed, 0) == condition) return Truth::False;
+  const auto subjectOf = [&](Node literal) {
+    const NodeData& n = (*this)[is(literal, Op::Not) ? child(literal, 0) : literal];
+    if (n.op != Op::Equal && n.op != Op::Ult && n.op != Op::Slt) return noNode;
+    return is(n.child[1], Op::Constant) ? n.child[0] : is(n.child[0], Op::Constant) ? n.child[1] : noNode;
+  };
+  const Node subject = subjectOf(condition);
+  if (subject == noNode || subject != subjectOf(assumed)) return Truth::Open;
   const std::optional<Range> given = rangeOf(*this, assumed);
   if (!given || given->isInverted) return Truth::Open;
   std::optional<Range> asked = rangeOf(*this, condition);
-  if (!asked || asked->subject != given->subject) return Truth::Open;
+  if (!asked) return Truth::Open;
   Range g = *given, q = *asked;
   const std::uint64_t mask = maskOf(widthOf(g.subject)), sign = mask ^ mask >> 1;
   if (g.isPoint && q.isSigned) g.low = g.high = g.low ^ sign;
@@ -94,31 +102,32 @@ Graph::Truth Graph::underOne(Node condition, Node assumed) const {
 Graph::Truth Graph::underFalse(Node condition, Node refuted) const {
   const bool isNegated = is(condition, Op::Not);
   const Node positive = isNegated ? child(condition, 0) : condition;
+  if (positive == refuted) return isNegated ? Truth::True : Truth::False;
+  if (!is(positive, Op::And)) return Truth::Open;
   const Conjuncts have = conjunctsOf(positive), needed = conjunctsOf(refuted);
   const bool contains = std::all_of(needed.all().begin(), needed.all().end(), [&](Node n) {
     return std::find(have.all().begin(), have.all().end(), n) != have.all().end();
   });
-  if (contains) return isNegated ? Truth::True : Truth::False;
-  return Truth::Open;
+  if (!contains) return Truth::Open;
+  return isNegated ? Truth::True : Truth::False;
 }
 
 Graph::Truth Graph::under(Node condition, std::span<const Node> assumed) const {
   const bool isNegated = is(condition, Op::Not);
-  const auto known = [&](Node part) {
-    for (const Node a : assumed) {
-      if (const Truth t = underOne(part, a); t != Truth::Open) return t;
-      if (is(a, Op::Not) && is(child(a, 0), Op::And)) {
-        if (const Truth t = underFalse(part, child(a, 0)); t != Truth::Open) return t;
-      }
-    }
-    return Truth::Open;
-  };
-  if (const Truth t = known(condition); t != Truth::Open) return t;
   const Node positive = isNegated ? child(condition, 0) : condition;
-  if (!is(positive, Op::And)) return Truth::Open;
+  const bool isProduct = is(positive, Op::And);
+  for (const Node a : assumed) {
+    if (const Truth t = underOne(condition, a); t != Truth::Open) return t;
+    // A refuted product refutes every product that contains it.
+    if (isProduct && is(a, Op::Not) && is(child(a, 0), Op::And)) {
+      if (const Truth t = underFalse(condition, child(a, 0)); t != Truth::Open) return t;
+    }
+  }
+  if (!isProduct) return Truth::Open;
   bool allTrue = true;
   for (const Node part : conjunctsOf(positive).all()) {
-    const Truth t = known(part);
+    Truth t = Truth::Open;
+    for (std::size_t i = 0; i < assumed.size() && t == Truth::Open; ++i) t = underOne(part, assumed[i]);
     if (t == Truth::False) return isNegated ? Truth::True : Truth::False;
     if (t == Truth::Open) allTrue = false;
   }
@@ -135,7 +144,7 @@ Node Graph::makeNot(Node a) {
 
 /// !P & !Q where P and Q are conjunctions: their common part negated if they differ in one sign, or an equivalence.
 Node Graph::joinNegated(Node a, Node b) {
-  if (!is(a, Op::Not) || !is(b, Op::Not)) return noNode;
+  if (!is(a, Op::Not) || !is(b, Op::Not) || !is(child(a, 0), Op::And) || !is(child(b, 0), Op::And)) return noNode;
   const Conjuncts p = conjunctsOf(child(a, 0)), q = conjunctsOf(child(b, 0));
   if (p.count != q.count || p.count < 2) return noNode;
   const auto isComplement = [&](Node x, Node y) {
@@ -162,39 +171,34 @@ Node Graph::joinNegated(Node a, Node b) {
   return noNode;
 }
 
-/// A truth value that equals `n` where the known literals hold, with what they decide inside it replaced.
-Node Graph::reduce(Node n, std::span<const Node> known, int depth) {
-  if (isConstant(n)) return n;
+/// A truth value that equals `n` where the known literals hold, with what they decide inside it replaced. `budget`:
+/// how many nodes may still be looked at.
+Node Graph::reduce(Node n, std::span<const Node> known, int& budget) {
+  if (isConstant(n) || --budget < 0) return n;
   switch (under(n, known)) {
     case Truth::True: return constantNode(1, 1);
     case Truth::False: return constantNode(0, 1);
     case Truth::Open: break;
   }
-  if (depth == 0) return n;
   if (is(n, Op::Not)) {
-    const Node inner = reduce(child(n, 0), known, depth);
+    const Node inner = reduce(child(n, 0), known, budget);
     return inner == child(n, 0) ? n : makeNot(inner);
   }
   if (is(n, Op::And)) {
-    const Conjuncts parts = conjunctsOf(n);
-    std::array<Node, conjunctLimit> kept{};
-    bool isChanged = false;
-    for (std::size_t i = 0; i < parts.count; ++i) {
-      kept[i] = reduce(parts.item[i], known, depth - 1);
-      isChanged = isChanged || kept[i] != parts.item[i];
-    }
-    if (!isChanged) return n;
-    Node result = kept[0];
-    for (std::size_t i = 1; i < parts.count; ++i) result = make(Op::And, 1, result, kept[i]);
-    return result;
+    const Node left = reduce(child(n, 0), known, budget), right = reduce(child(n, 1), known, budget);
+    return left == child(n, 0) && right == child(n, 1) ? n : make(Op::And, 1, left, right);
   }
   if (is(n, Op::Ite)) {
     const Truth t = under(child(n, 0), known);
-    if (t != Truth::Open) return reduce(child(n, t == Truth::True ? 1 : 2), known, depth);
-    const Node whenTrue = reduce(child(n, 1), known, depth - 1), whenFalse = reduce(child(n, 2), known, depth - 1);
+    if (t != Truth::Open) return reduce(child(n, t == Truth::True ? 1 : 2), known, budget);
+    const Node whenTrue = reduce(child(n, 1), known, budget), whenFalse = reduce(child(n, 2), known, budget);
     if (whenTrue != child(n, 1) || whenFalse != child(n, 2)) return make(Op::Ite, 1, child(n, 0), whenTrue, whenFalse);
   }
   return n;
+}
+Node Graph::reduced(Node n, std::span<const Node> known) {
+  int budget = reduceBudget;
+  return reduce(n, known, budget);
 }
 
 Node Graph::given(Node n, Node guard) {
@@ -202,7 +206,7 @@ Node Graph::given(Node n, Node guard) {
   const Node followed = is(guard, Op::Not) ? follow(n, child(guard, 0), false) : follow(n, guard, true);
   if (widthOf(n) != 1) return followed;
   work_ = workLimit;
-  return reduce(followed, conjunctsOf(guard).all(), reduceDepth);
+  return reduced(followed, conjunctsOf(guard).all());
 }
 
 Node Graph::makeAnd(Node a, Node b) {
@@ -220,18 +224,17 @@ Node Graph::makeAnd(Node a, Node b) {
     case Truth::False: return constantNode(0, 1);
     case Truth::Open: break;
   }
-  if (const Node n = reduce(b, ofA.all(), reduceDepth); n != b) return make(Op::And, 1, a, n);
-  if (const Node n = reduce(a, ofB.all(), reduceDepth); n != a) return make(Op::And, 1, b, n);
-  for (std::size_t i = 0; i < ofA.count; ++i) {
-    for (std::size_t k = 0; k < ofB.count; ++k) {
-      const Node merged = joinNegated(ofA.item[i], ofB.item[k]);
-      if (merged == noNode) continue;
-      Node result = merged;
-      for (std::size_t n = 0; n < ofA.count; ++n) {
-        if (n != i) result = make(Op::And, 1, result, ofA.item[n]);
-      }
-      for (std::size_t n = 0; n < ofB.count; ++n) {
-        if (n != k) result = make(Op::And, 1, result, ofB.item[n]);
+  if (const Node n = reduced(b, ofA.all()); n != b) return make(Op::And, 1, a, n);
+  if (const Node n = reduced(a, ofB.all()); n != a) return make(Op::And, 1, b, n);
+  // One side a single negated conjunction that joins with a part of the other.
+  if (ofA.count == 1 || ofB.count == 1) {
+    const Conjuncts& parts = ofB.count == 1 ? ofA : ofB;
+    const Node single = ofB.count == 1 ? b : a;
+    for (std::size_t i = 0; i < parts.count; ++i) {
+      Node result = joinNegated(parts.item[i], single);
+      if (result == noNode) continue;
+      for (std::size_t n = 0; n < parts.count; ++n) {
+        if (n != i) result = make(Op::And, 1, result, parts.item[n]);
       }
       return result;
     }
@@ -303,9 +306,9 @@ Node Graph::makeIteBool(Node c, Node a, Node b) {
   if (isConstant(a)) return isZero(a) ? make(Op::And, 1, makeNot(c), b) : make(Op::Or, 1, c, b);
   if (isConstant(b)) return isZero(b) ? make(Op::And, 1, c, a) : make(Op::Or, 1, makeNot(c), a);
   if (isComplement(a, b)) return makeNot(make(Op::Xor, 1, c, a));
-  if (const Node n = reduce(a, known.all(), reduceDepth); n != a) return make(Op::Ite, 1, c, n, b);
+  if (const Node n = reduced(a, known.all()); n != a) return make(Op::Ite, 1, c, n, b);
   const Node refuted[] = {makeNot(c)};
-  if (const Node n = reduce(b, refuted, reduceDepth); n != b) return make(Op::Ite, 1, c, a, n);
+  if (const Node n = reduced(b, refuted); n != b) return make(Op::Ite, 1, c, a, n);
   if (is(a, Op::Not) && is(b, Op::Not)) return makeNot(make(Op::Ite, 1, c, child(a, 0), child(b, 0)));
   if (is(b, Op::Ite)) {
     if (child(b, 1) == a) return make(Op::Ite, 1, make(Op::Or, 1, c, child(b, 0)), a, child(b, 2));
