@@ -69,6 +69,16 @@ class Graph {
   /// The highest value of a width.
   static constexpr std::uint64_t maskOf(int width) { return width >= 64 ? ~0ULL : (1ULL << width) - 1; }
 
+  /// What all values of a node satisfy: bits that are always 0 or 1 (above the width: 0), and unsigned bounds.
+  struct Facts {
+    std::uint64_t zeros, ones, low, high;
+    friend bool operator==(const Facts&, const Facts&) = default;
+  };
+  static constexpr Facts anyValue(int width) { return {~maskOf(width), 0, 0, maskOf(width)}; }
+  static constexpr Facts exactly(std::uint64_t value) { return {~value, value, value, value}; }
+  /// What follows for the result of an operation (NodeData's fields) from what is known of its operands.
+  static Facts combine(Op op, int width, std::uint64_t value, std::array<int, 2> childWidth, const std::array<Facts, 3>& operand);
+
   const NodeData& operator[](Node n) const { return nodes_[indexOf(n)]; }
   std::size_t size() const { return nodes_.size(); }
   const std::vector<Variable>& variables() const { return variables_; }
@@ -151,10 +161,6 @@ class Graph {
   void listen(Listener* listener) { listener_ = listener; }
 
  private:
-  /// What every value of a node satisfies: bits that are always 0 or 1, and unsigned bounds.
-  struct Facts {
-    std::uint64_t zeros, ones, low, high;
-  };
   /// Truth values under an assumption; see graph_boolean.cpp.
   enum class Truth : std::uint8_t { False, True, Open };
   static constexpr std::size_t conjunctLimit = 12;

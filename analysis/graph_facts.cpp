@@ -23,9 +23,19 @@ std::optional<std::uint64_t> Graph::fold(Op op, int width, Node a, Node b, Node 
 }
 
 Graph::Facts Graph::factsOf(const NodeData& n) const {
-  const std::uint64_t mask = maskOf(n.width);
-  Facts f{~mask, 0, 0, mask};
-  const auto of = [&](std::size_t i) { return facts_[indexOf(n.child[i])]; };
+  std::array<Facts, 3> operand{};
+  std::array<int, 2> widths{};
+  for (std::size_t i = 0; i < 3 && n.child[i] != noNode; ++i) {
+    operand[i] = facts_[indexOf(n.child[i])];
+    if (i < 2) widths[i] = widthOf(n.child[i]);
+  }
+  return combine(n.op, n.width, n.value, widths, operand);
+}
+
+Graph::Facts Graph::combine(Op op, int width, std::uint64_t value, std::array<int, 2> childWidth, const std::array<Facts, 3>& operand) {
+  const std::uint64_t mask = maskOf(width);
+  Facts f = anyValue(width);
+  const auto of = [&](std::size_t i) -> const Facts& { return operand[i]; };
   const auto bounds = [&](std::uint64_t low, std::uint64_t high) {
     f.low = low;
     f.high = high;
@@ -34,8 +44,8 @@ Graph::Facts Graph::factsOf(const NodeData& n) const {
     if (isTrue) f = {~1ULL, 1, 1, 1};
     if (isFalse) f = {~0ULL, 0, 0, 0};
   };
-  switch (n.op) {
-    case Op::Constant: return {~n.value, n.value, n.value, n.value};
+  switch (op) {
+    case Op::Constant: return exactly(value);
     case Op::Not:
       f.zeros = of(0).ones | ~mask;
       f.ones = of(0).zeros & mask;
@@ -74,7 +84,7 @@ Graph::Facts Graph::factsOf(const NodeData& n) const {
     case Op::Equal: truth(false, ((of(0).ones & of(1).zeros) | (of(0).zeros & of(1).ones)) != 0 || of(0).high < of(1).low || of(1).high < of(0).low); break;
     case Op::Ult: truth(of(0).high < of(1).low, of(0).low >= of(1).high); break;
     case Op::Slt: {
-      const int sign = widthOf(n.child[0]) - 1;
+      const int sign = childWidth[0] - 1;
       const auto negative = [&](std::size_t i) { return (of(i).ones >> sign & 1) != 0; };
       const auto positive = [&](std::size_t i) { return (of(i).zeros >> sign & 1) != 0; };
       if (negative(0) && positive(1)) truth(true, false);
@@ -87,16 +97,16 @@ Graph::Facts Graph::factsOf(const NodeData& n) const {
       bounds(std::min(of(1).low, of(2).low), std::max(of(1).high, of(2).high));
       break;
     case Op::Concat: {
-      const int low = widthOf(n.child[1]);
+      const int low = childWidth[1];
       f.zeros = of(0).zeros << low | (of(1).zeros & maskOf(low));
       f.ones = of(0).ones << low | of(1).ones;
       bounds(of(0).low << low | of(1).low, of(0).high << low | of(1).high);
       break;
     }
     case Op::Extract: {
-      f.zeros = of(0).zeros >> n.value | ~mask;
-      f.ones = of(0).ones >> n.value & mask;
-      if (of(0).high >> n.value <= mask) bounds(of(0).low >> n.value, of(0).high >> n.value);
+      f.zeros = of(0).zeros >> value | ~mask;
+      f.ones = of(0).ones >> value & mask;
+      if (of(0).high >> value <= mask) bounds(of(0).low >> value, of(0).high >> value);
       break;
     }
     case Op::Zext:
@@ -105,7 +115,7 @@ Graph::Facts Graph::factsOf(const NodeData& n) const {
       bounds(of(0).low, of(0).high);
       break;
     case Op::Sext: {
-      const int from = widthOf(n.child[0]);
+      const int from = childWidth[0];
       const std::uint64_t upper = mask & ~maskOf(from);
       f.zeros = (of(0).zeros & maskOf(from)) | ~mask;
       f.ones = of(0).ones;
