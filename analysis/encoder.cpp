@@ -8,19 +8,74 @@ namespace rungproof {
 
 class EncodedScan::Impl {
  public:
-  Impl(const Program& program, const EncoderOptions& given) : options(given), plan(program), layout(program.target) {
+  Impl(const Program& source, const EncoderOptions& given) : program(source), options(given), plan(source), layout(source.target) {
     layout.add(program, plan);
     for (const Operand& operand : options.observed) layout.add(operand.area, operand.width, operand.offset);
-    // SM0.0 is always on; SM0.7 is the mode switch, in RUN (001:14050, 001:14057).
+    // SM0.0 is always on, SM0.7 is the mode switch in RUN (001:14050, 001:14057), unless the program overwrites them.
     knowledge.constants = {{memoryPlace(Area::SM, 0, Width::Bit, 0), 1}, {memoryPlace(Area::SM, 0, Width::Bit, 7), 1}};
-    scan = std::make_unique<ScanEncoding>(program, options, plan, layout, knowledge);
+    for (int round = 0; !learn(); ++round) {
+      if (round == roundLimit) knowledge.followsPointers = false;
+    }
+    knowledge.isFinal = true;
+    encode();
+    scan->close();
   }
 
+  const Program& program;
   EncoderOptions options;
   Plan plan;
   MemoryLayout layout;
   Knowledge knowledge;
   std::unique_ptr<ScanEncoding> scan;
+
+ private:
+  /// Rounds until pointers that still gain values are given up.
+  static constexpr int roundLimit = 12;
+
+  void encode() { scan = std::make_unique<ScanEncoding>(program, options, plan, layout, knowledge); }
+
+  /// One round. True if it confirmed what it was built on; then the constants it found are adopted as well.
+  bool learn() {
+    encode();
+    const TransitionSystem system = scan->system();
+    VariableValues values;
+    for (const Cell& cell : scan->cells()) {
+      const auto known = knowledge.values.find(cell.place);
+      if (cell.kind == CellKind::State && known != knowledge.values.end()) values[cell.start] = known->second;
+    }
+    closeValues(system, scan->pointerCells(), values);
+    const std::vector<Place> changing = refuted(values);
+    for (const Place& place : changing) knowledge.constants.erase(place);
+    const bool isNewFootprint = knowledge.footprints.merge(scan->footprints());
+    bool isConfirmed = changing.empty() && !isNewFootprint;
+    std::map<Place, std::uint64_t> found;
+    for (const Cell& cell : scan->cells()) {
+      if (cell.kind != CellKind::State) continue;
+      const ValueSet& set = values.at(cell.start);
+      const auto known = knowledge.values.find(cell.place);
+      const bool isNew = known == knowledge.values.end() || known->second != set;
+      if (isNew && !scan->pointerCells().empty()) isConfirmed = false;
+      knowledge.values[cell.place] = set;
+      if (set.isSingle()) found.emplace(cell.place, set.facts().low);
+    }
+    if (isConfirmed) knowledge.constants.insert(found.begin(), found.end());
+    return isConfirmed;
+  }
+
+  /// Constants of the round that do not stay what they are.
+  std::vector<Place> refuted(const VariableValues& values) {
+    std::vector<Place> result;
+    ValueEvaluator evaluator(scan->graph, values);
+    for (std::size_t i = 0; i < scan->cells().size(); ++i) {
+      const Cell cell = scan->cells()[i];
+      if (cell.kind != CellKind::Constant) continue;
+      const Node next = scan->value(cell.place);
+      if (next == cell.start) continue;
+      const ValueSet set = evaluator.valuesOf(next, scan->graph.constantNode(1, 1), valueLimit);
+      if (!set.isSingle() || set.facts().low != scan->graph[cell.start].value) result.push_back(cell.place);
+    }
+    return result;
+  }
 };
 
 EncodedScan::EncodedScan(const Program& program, const EncoderOptions& options) : impl_(std::make_unique<Impl>(program, options)) {}

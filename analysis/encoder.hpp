@@ -38,6 +38,7 @@ struct EncoderOptions {
   std::vector<Operand> observed;  ///< direct operands that properties read: they shape the state variables
   bool interrupts = true;
   int loopLimit = 256;            ///< rounds of a backward jump that are followed
+  std::size_t stepLimit = 50000;  ///< instructions of one scan, loops unrolled, after which no loop is followed further
   /// Called in front of every instruction that may run, for properties that hold at every instruction.
   std::function<void(Machine<Graph>&, const Instruction&)> atInstruction;
 };
@@ -49,12 +50,15 @@ struct HazardRecord {
   const Instruction* place;  ///< nullptr: not at an instruction
 };
 
-/// What is not exact, and where. A run of the transition system may then have no counterpart on the machine.
+/// What is not exact, and where.
 struct Approximation {
   const Instruction* place;  ///< nullptr: the whole program
   std::string reason;
-  /// Nodes that carry the inexact values; a property whose cone has none of them does not depend on it.
-  std::vector<Node> carriers;
+  /// Nodes that may have more values than on the machine: a run may then have no counterpart there, and proofs hold.
+  /// A property whose cone has none of them does not depend on it.
+  std::vector<Node> carriers{};
+  /// Scans in which this is 1 are not followed to their end: no proof holds unless it can never be 1. noNode: none.
+  Node leftOut = noNode;
 };
 
 /// An external value, in the order in which the scan asks; asked for only where `guard` holds.

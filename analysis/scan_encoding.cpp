@@ -1,10 +1,13 @@
 // Encoding of one scan: inputs and time, the program, the end of the scan.
 #include "analysis/scan_encoding.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "analysis/device_memory.hpp"
 #include "ir/check.hpp"
+#include "ir/event.hpp"
 #include "ir/timer_refresh.hpp"
 
 namespace rungproof {
@@ -21,6 +24,8 @@ std::string siteName(const ExternalSite& site) {
   }
 }
 
+constexpr std::string_view unresolvedReason = "pointer whose targets could not be found";
+
 }  // namespace
 
 ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options, const Plan& plan, const MemoryLayout& layout,
@@ -33,22 +38,39 @@ ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options
     constraints_.push_back(time.constraint());
     totalConstraints_.push_back(time.constraint());
   }
+  if (options.interrupts) attachments_ = attachmentsOf(plan);
+  for (const auto& [event, routines] : attachments_) events_.push_back(event);
+  std::stable_sort(events_.begin(), events_.end(), [](int a, int b) {
+    return std::pair(eventInfo(a).group, eventInfo(a).rank) < std::pair(eventInfo(b).group, eventInfo(b).rank);
+  });
+  prepareTicks();
+  const bool records = !knowledge.isFinal && (!events_.empty() || !tickKeys_.empty());
+  if (records) {
+    store_.observe([this](const Touch& touch) {
+      // Saving and restoring around a routine is not its doing.
+      const bool isOfRoutine = routine_ < 0 || machine_.inInterrupt;
+      if (isRecording_ && isOfRoutine && machine_.current != nullptr) footprints_.record(machine_.current->id, routine_, touch);
+    });
+  }
   run();
 }
 
 void ScanEncoding::run() {
+  isRecording_ = false;
   machine_.ticks100 = {time.ticks100()};
   refreshTimers(machine_, 10, {time.ticks10()});
-  Runner runner(machine_, *this, options_.loopLimit);
+  isRecording_ = true;
+  Runner runner(machine_, *this, options_.loopLimit, options_.stepLimit);
   runner.program();
+  isRecording_ = false;
   machine_.current = nullptr;
+  machine_.guard = graph.lnot(machine_.halted);
+  boundary(runner, ScanPlace::afterProgram);
   endOfScan();
 }
 
 void ScanEncoding::endOfScan() {
   Machine<Graph>& m = machine_;
-  m.guard = graph.lnot(m.halted);
-  refreshTimers(m, 1, {time.dt16()});
   m.guard = m.halted;
   m.setBit(Reg::Running, 0, graph.constant(false));
   m.guard = graph.constant(true);
@@ -71,13 +93,13 @@ void ScanEncoding::endOfScan() {
 }
 
 void ScanEncoding::before(Runner& runner, const FlowStep& step) {
-  if (options_.atInstruction) options_.atInstruction(runner.machine(), *step.instruction);
+  boundary(runner, step.instruction->id);
+  if (options_.atInstruction && knowledge_.isFinal) options_.atInstruction(runner.machine(), *step.instruction);
 }
 
 void ScanEncoding::callWithoutBody(Runner& runner, const Instruction& instruction) {
   Machine<Graph>& m = runner.machine();
-  approximate(&instruction, "calls a block without visible text, which may change any memory");
-  havoc(m);
+  havocBy(m, approximate(&instruction, "calls a block without visible text, which may change any memory"));
 }
 
 void ScanEncoding::freshLocal(Runner& runner, unsigned frame, std::uint32_t byte) {
@@ -130,45 +152,90 @@ Cell ScanEncoding::cellAt(const Place& place) {
   if (const auto known = knowledge_.constants.find(place); known != knowledge_.constants.end()) {
     return {place, CellKind::Constant, graph.constantNode(known->second, place.width)};
   }
-  return {place, CellKind::State, graph.variable(nameOf(place), place.width, true)};
+  const Node first = init(place);
+  if (isClosed_ && !hasHavoc_ && first != noNode) return {place, CellKind::Constant, first};
+  const Node node = graph.variable(nameOf(place), place.width, true);
+  const auto values = knowledge_.values.find(place);
+  if (values != knowledge_.values.end()) known_[node] = values->second;
+  else if (first != noNode) known_[node] = ValueSet::of(graph[first].value);
+  return {place, CellKind::State, node};
 }
 
 Graph::Bits ScanEncoding::external(const ExternalSite& site, int width) {
   const Node node = input(siteName(site), width);
   externals.push_back({site, node, width, machine_.guard.node});
-  if (site.kind == External::AnalogInput) analog_[{Area::AI, site.index}] = node;
+  if (site.kind == External::AnalogInput) analog_[site.index] = node;
   return {node};
 }
 
 Node ScanEncoding::analogInput(std::uint32_t byte) const {
-  const auto found = analog_.find({Area::AI, byte});
+  const auto found = analog_.find(byte);
   return found == analog_.end() ? noNode : found->second;
 }
 
-void ScanEncoding::report(Hazard hazard, Graph::Bool condition, const Instruction* place) { hazards.push_back({hazard, condition.node, place}); }
+void ScanEncoding::report(Hazard hazard, Graph::Bool condition, const Instruction* place) {
+  hazards.push_back({hazard, condition.node, place});
+  if (hazard == Hazard::LoopBound) {
+    Approximation& a = approximate(place, "loop that runs longer than it is followed");
+    a.leftOut = a.leftOut == noNode ? condition.node : graph.lor({a.leftOut}, condition).node;
+  }
+  // What ends the program keeps later interrupts from running.
+  if (place != nullptr && hazardInfo(hazard).kind == HazardClass::Fatal) footprints_.record(place->id, routine_, {registerPlace(Reg::Running, 0), true});
+}
 
 Approximation& ScanEncoding::approximate(const Instruction* place, std::string_view reason) {
   for (Approximation& a : approximations) {
     if (a.place == place && a.reason == reason) return a;
   }
-  return approximations.emplace_back(Approximation{place, std::string(reason), {}});
+  return approximations.emplace_back(Approximation{place, std::string(reason)});
 }
 
-Graph::Bool ScanEncoding::targets(Machine<Graph>& machine, Graph::Bits, Width, Ref<Graph>& ref) {
-  ref.isUnresolved = true;
-  Approximation& a = approximate(machine.current, "pointer whose targets could not be found");
-  a.carriers.push_back(input("pointer is legal", 1));
-  return {a.carriers.back()};
+/// The values that the pointer can have here decide between a few places; a legal one is always among them.
+Graph::Bool ScanEncoding::targets(Machine<Graph>& machine, Graph::Bits pointer, Width width, Ref<Graph>& ref) {
+  for (const Node n : variablesOf(graph, pointer.node)) {
+    if (graph.variables()[graph[n].value].isState) pointerCells_.insert(n);
+  }
+  ValueSet values = ValueSet::any(32);
+  if (knowledge_.followsPointers) {
+    ValueEvaluator evaluator(graph, known_);
+    values = evaluator.valuesOf(pointer.node, machine.guard.node, pointerValueLimit);
+    // A short range is as good as a list.
+    values.restrict(values.facts().low, values.facts().high, pointerValueLimit);
+  }
+  if (!values.isListed()) {
+    ref.isUnresolved = true;
+    Approximation& a = approximate(machine.current, unresolvedReason);
+    a.carriers.push_back(input("pointer is legal", 1));
+    return {a.carriers.back()};
+  }
+  Graph::Bool legal = graph.constant(true);
+  for (const std::uint64_t value : values.values()) {
+    const Graph::Bool isValue = graph.equal(pointer, graph.literal(value, 32), 32);
+    const auto address = static_cast<std::uint32_t>(value);
+    if (pointer::isLegal(machine.target, address, width)) ref.targets.push_back({isValue, *pointer::areaOf(address), pointer::offsetOf(address)});
+    else legal = graph.land(legal, graph.lnot(isValue));
+  }
+  if (ref.targets.empty()) return graph.constant(false);
+  if (values.isSingle()) {
+    ref.isPlace = true;
+    ref.area = ref.targets[0].area;
+    ref.offset = ref.targets[0].offset;
+    ref.targets.clear();
+  }
+  return legal;
 }
 
 Graph::Bits ScanEncoding::unresolved(Machine<Graph>& machine, int width) {
-  Approximation& a = approximate(machine.current, "pointer whose targets could not be found");
+  Approximation& a = approximate(machine.current, unresolvedReason);
   a.carriers.push_back(input("value behind a pointer", width));
   return {a.carriers.back()};
 }
 
-void ScanEncoding::havoc(Machine<Graph>& machine) {
-  const std::size_t index = static_cast<std::size_t>(&approximate(machine.current, "pointer whose targets could not be found") - approximations.data());
+void ScanEncoding::havoc(Machine<Graph>& machine) { havocBy(machine, approximate(machine.current, unresolvedReason)); }
+
+void ScanEncoding::havocBy(const Machine<Graph>& machine, const Approximation& cause) {
+  const std::size_t index = static_cast<std::size_t>(&cause - approximations.data());
+  hasHavoc_ = true;
   store_.havoc(machine.guard, [this, index](const Place& place) {
     const Node any = input("overwritten " + nameOf(place), place.width);
     approximations[index].carriers.push_back(any);

@@ -7,14 +7,24 @@
 #include <set>
 
 #include "analysis/encoder.hpp"
+#include "analysis/footprint.hpp"
+#include "analysis/pointer_values.hpp"
 #include "ir/scan_cycle.hpp"
 
 namespace rungproof {
 
 /// What earlier runs have found out about the program.
 struct Knowledge {
-  std::map<Place, std::uint64_t> constants;  ///< places that keep one value in all runs
+  std::map<Place, ValueSet> values;          ///< of cells at the start of scans, as far as they are known
+  std::map<Place, std::uint64_t> constants;  ///< cells that keep one value in all runs
+  Footprints footprints;
+  bool followsPointers = true;               ///< false: pointers that are not constant stay unresolved
+  bool isFinal = false;                      ///< nothing is left to be learned
 };
+
+/// Events that the program attaches, with the routines they may have.
+using Attachments = std::map<int, std::set<int>>;
+Attachments attachmentsOf(const Plan& plan);
 
 class ScanEncoding final : private CellSource, private Graph::Listener {
  public:
@@ -42,6 +52,12 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   std::vector<Place> places() const { return store_.places(); }
   const std::vector<Cell>& cells() const { return store_.cells(); }
   const std::vector<BitWrite>& bitWrites() const { return store_.bitWrites(); }
+  /// What the run has learned: footprints, and the state variables that pointers are made of.
+  const Footprints& footprints() const { return footprints_; }
+  const std::set<Node>& pointerCells() const { return pointerCells_; }
+  bool hasEvents() const { return !attachments_.empty(); }
+  /// No more of the program follows: what is touched from now on has never been written.
+  void close() { isClosed_ = true; }
   /// External analog input read last, by word address; noNode if none.
   Node analogInput(std::uint32_t byte) const;
 
@@ -53,9 +69,16 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   Graph::Bool targets(Machine<Graph>& machine, Graph::Bits pointer, Width width, Ref<Graph>& ref) override;
   Graph::Bits unresolved(Machine<Graph>& machine, int width) override;
   void havoc(Machine<Graph>& machine) override;
+  void havocBy(const Machine<Graph>& machine, const Approximation& cause);
 
   void run();
   void endOfScan();
+  void boundary(Runner& runner, std::uint32_t instruction);
+  void tick(std::uint32_t instruction, std::uint32_t visit);
+  void interrupts(Runner& runner, std::uint32_t instruction, std::uint32_t visit);
+  bool needsTicks(std::uint32_t instruction) const;
+  bool mayInterrupt(int event, std::uint32_t instruction) const;
+  void prepareTicks();
   bool isInput(const Place& place) const;
   Node init(const Place& place) const;
   Node input(std::string name, int width);
@@ -72,7 +95,18 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   std::vector<Node> constraints_;
   std::vector<Node> totalConstraints_;
   std::vector<std::vector<std::size_t>> localEntries_;  ///< by entry: index in externals of each byte
-  std::map<std::pair<Area, std::uint32_t>, Node> analog_;
+  std::map<std::uint32_t, Node> analog_;
+  Attachments attachments_;
+  std::vector<int> events_;              ///< attached ones, by priority
+  std::set<std::uint32_t> tickKeys_;     ///< footprint keys of all 1 ms timers
+  Footprints footprints_;
+  Node consumed_ = noNode;               ///< ms of this scan that have reached the 1 ms timers
+  int routine_ = -1;                     ///< interrupt routine that runs
+  bool isRecording_ = true;
+  bool isClosed_ = false;
+  bool hasHavoc_ = false;
+  VariableValues known_;
+  std::set<Node> pointerCells_;
 };
 
 }  // namespace rungproof

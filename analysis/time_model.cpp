@@ -82,8 +82,6 @@ Node TimeModel::saturated16(Node value) {
   return graph_.make(Op::Extract, 16, cut);
 }
 
-Node TimeModel::dt16() { return saturated16(dt_); }
-
 Node TimeModel::ticks100() { return saturated16(hundreds_); }
 
 Node TimeModel::ticks10() {

@@ -35,7 +35,9 @@ class TimeModel {
   int width() const { return width_; }
   std::uint32_t high() const { return high_; }
   /// dt cut to 16 bits with saturation: enough for timers, which stop at 32767.
-  Node dt16();
+  Node dt16() { return saturated16(dt_); }
+  /// A number of ms or ticks cut to 16 bits with saturation.
+  Node saturated16(Node value);
   /// Ticks at the start of this scan, 16 bits, saturated.
   Node ticks10();
   Node ticks100();
@@ -51,8 +53,6 @@ class TimeModel {
   void fixed(std::uint32_t length);
   Node number(std::uint64_t value, int width) { return graph_.constantNode(value, width); }
   Node state(const char* name, int width, Node next);
-  Node saturated16(Node value);
-
   Graph& graph_;
   std::uint32_t low_, high_;
   bool relaxed_;

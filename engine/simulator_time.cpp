@@ -157,6 +157,7 @@ void Simulator::passRest(Runner& runner, std::uint32_t lengthUs) {
   position_ += pending_;
   pending_ = 0;
   machine_.guard = !machine_.halted;
+  machine_.current = nullptr;
   boundary(runner, nullptr);
   if (script_ != nullptr) {
     const std::uint32_t ticks = lengthUs / 1000;

@@ -4,7 +4,8 @@
 // Branches are guards: branch(condition, target) sends the part of the current guard where `condition` holds to
 // `target` and keeps the rest here. Concrete follows the one part that exists. Graph walks on in program order,
 // collecting what was sent forward until its target is reached, and repeats a loop body for what was sent back
-// until nothing can be sent any more or `loopLimit` rounds were made (Hazard::LoopBound).
+// until nothing can be sent any more, `loopLimit` rounds were made or `stepLimit` instructions were walked
+// (Hazard::LoopBound).
 //
 // Hooks: before(scan, step) is called in front of every instruction; interrupts and time within a scan live there.
 // A hook entry(step), if there is one, gives the function to run for the instruction, nullptr for control instructions.
@@ -25,7 +26,8 @@ class Scan {
   using Bits = typename D::Bits;
   static constexpr bool isConcrete = std::same_as<Bool, bool>;
 
-  Scan(Machine<D>& machine, Hooks& hooks, int loopLimit = 256) : m_(machine), hooks_(hooks), dispatch_(dispatchTable<D>()), loopLimit_(loopLimit) {}
+  Scan(Machine<D>& machine, Hooks& hooks, int loopLimit = 256, std::size_t stepLimit = ~std::size_t{0})
+      : m_(machine), hooks_(hooks), dispatch_(dispatchTable<D>()), loopLimit_(loopLimit), stepLimit_(stepLimit) {}
 
   Machine<D>& machine() { return m_; }
 
@@ -116,6 +118,7 @@ class Scan {
       }
       const FlowStep& step = flow.steps[at];
       m_.current = step.instruction;
+      ++steps_;
       hooks_.before(*this, step);
       if constexpr (isConcrete) {
         if (!m_.guard) break;  // an interrupt routine in front of the instruction has ended the program
@@ -161,7 +164,7 @@ class Scan {
         return;
       }
       w.rounds.erase(w.rounds.lower_bound(target), w.rounds.lower_bound(from));  // loops inside start anew
-      if (++w.rounds[from] > loopLimit_) {
+      if (++w.rounds[from] > loopLimit_ || steps_ > stepLimit_) {
         m_.hazard(Hazard::LoopBound, condition);
         m_.guard = stays;
         return;
@@ -184,6 +187,8 @@ class Scan {
   Hooks& hooks_;
   std::span<const Execute<D>> dispatch_;
   int loopLimit_;
+  std::size_t stepLimit_;
+  std::size_t steps_ = 0;  ///< instructions walked so far
   Bool ended_ = m_.d.constant(false);  ///< STOP has ended the interrupt routine that runs
 };
 
