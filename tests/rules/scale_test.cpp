@@ -77,7 +77,7 @@ TEST(Scale, LintingIsLinear) {
   RecordProperty("milliseconds_10000", static_cast<int>(small * 1000));
   RecordProperty("milliseconds_100000", static_cast<int>(large * 1000));
   std::printf("10,000 instructions: %.0f ms; 100,000 instructions: %.0f ms\n", small * 1000, large * 1000);
-  EXPECT_LT(large, 16 * small) << "twelve times on a machine of its own; caches shared with other work cost more";
+  EXPECT_LT(large, std::max(16 * small, 0.5)) << "twelve times on a machine of its own; caches shared with other work cost more";
   EXPECT_LT(large, 1.5) << "half a second on a machine of its own; three times that where others run too";
 }
 
