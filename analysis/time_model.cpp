@@ -9,7 +9,7 @@ namespace rungproof {
 
 TimeModel::TimeModel(Graph& graph, const TimeRange& range)
     : graph_(graph), low_(range.low), high_(range.relaxed ? std::max(range.high, relaxedHigh) : range.high), relaxed_(range.relaxed),
-      width_(std::bit_width(high_) + 1) {
+      width_(std::bit_width(high_ + 198)) {  // dt as computed from digits lies in -99 .. high + 198 and must not wrap into the range
   CHECK(range.low >= 1 && range.low <= range.high && range.high <= 65535, "scan time range");
   if (low_ == high_) fixed(low_);
   else free();
