@@ -113,6 +113,10 @@ class Btor2Text {
 
 }  // namespace
 
-std::string exportBtor2(const TransitionSystem& system) { return Btor2Text(system).run(); }
+std::string exportBtor2(const TransitionSystem& system, const ExportRemarks& remarks) {
+  std::string text;
+  for (const std::string& remark : remarks) text += "; " + exportLine(remark) + "\n";
+  return text + Btor2Text(system).run();
+}
 
 }  // namespace rungproof

@@ -10,10 +10,9 @@
 #include <filesystem>
 #include <fstream>
 #include <thread>
-#include <unordered_set>
 
-#include "analysis/accelerate.hpp"
 #include "analysis/portfolio.hpp"
+#include "analysis/proof_side.hpp"
 
 namespace rungproof {
 
@@ -23,79 +22,10 @@ using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// An encoding with its system, and what the questions of that system depend on.
-class Side {
- public:
-  Side(const Program& program, const PropertySet& set, const std::vector<Property>& goals, const EncoderOptions& options, bool builtin)
-      : obligations_(program, set, goals, options, builtin) {
-    if (builtin) {
-      checks_ = builtinChecks(obligations_);
-      for (const BuiltinCheck& check : checks_) obligations_.ask(check.name, check.bad);
-    }
-    system_ = obligations_.system();
-  }
-
-  Obligations& obligations() { return obligations_; }
-  TransitionSystem& system() { return system_; }
-  const std::vector<BuiltinCheck>& checks() const { return checks_; }
-
-  /// The system with one question only.
-  TransitionSystem only(std::size_t question) const {
-    TransitionSystem one = system_;
-    one.questions = {system_.questions[question]};
-    return one;
-  }
-  /// Variables that the question depends on, through any number of scans. Constraints count, except total ones.
-  std::unordered_set<std::uint32_t> variablesOf(std::size_t question) const {
-    const Graph& graph = *system_.graph;
-    std::unordered_map<std::uint32_t, Node> next;
-    for (const StateVariable& state : system_.states) next[indexOf(state.node)] = state.next;
-    std::vector<Node> open{system_.questions[question].bad};
-    for (const Node constraint : system_.constraints) {
-      if (std::find(system_.totalConstraints.begin(), system_.totalConstraints.end(), constraint) == system_.totalConstraints.end()) open.push_back(constraint);
-    }
-    std::unordered_set<std::uint32_t> seen, variables;
-    while (!open.empty()) {
-      const Node node = open.back();
-      open.pop_back();
-      if (node == noNode || !seen.insert(indexOf(node)).second) continue;
-      const NodeData& data = graph[node];
-      if (data.op == Op::Variable) {
-        variables.insert(indexOf(node));
-        if (const auto found = next.find(indexOf(node)); found != next.end()) open.push_back(found->second);
-      }
-      for (const Node child : data.child) open.push_back(child);
-    }
-    return variables;
-  }
-  bool dependsOnTime(const std::unordered_set<std::uint32_t>& variables) const {
-    return std::any_of(system_.states.begin(), system_.states.end(), [&](const StateVariable& s) { return variables.contains(indexOf(s.node)) && obligations_.isTimeState(s.node); });
-  }
-  /// Keeps only what the question depends on, so that unrelated changes do not end a stretch of equal scans.
-  TransitionSystem accelerated(std::size_t question, std::uint32_t longest) {
-    TransitionSystem one = only(question);
-    const auto variables = variablesOf(question);
-    const TimeModel& time = obligations_.encoding().time();
-    std::unordered_set<std::uint32_t> ofTime;
-    for (const StateVariable& s : time.states()) ofTime.insert(indexOf(s.node));
-    for (const Node input : time.inputs()) ofTime.insert(indexOf(input));
-    const auto isIdle = [&](Node n) { return !variables.contains(indexOf(n)) && !ofTime.contains(indexOf(n)); };
-    std::erase_if(one.states, [&](const StateVariable& s) { return isIdle(s.node); });
-    std::erase_if(one.inputs, isIdle);
-    accelerate(one, time.dt(), time.width(), longest, [&](Node n) { return obligations_.isTimeState(n); });
-    return one;
-  }
-
- private:
-  Obligations obligations_;
-  std::vector<BuiltinCheck> checks_;
-  TransitionSystem system_;
-};
-
 class Session {
  public:
   Session(const Program& program, const PropertySet& set, const ProverOptions& options)
-      : program_(program), set_(set), options_(options), goals_(goalsOf(set)), exact_(program, set, goals_, encoderOptions(false), options.builtin) {
+      : program_(program), set_(set), options_(options), goals_(goalsOf(set)), exact_(program, set, goals_, encoderOptionsOf(options), options.builtin) {
     for (const Property& property : set.properties) {
       if (!property.isGoal()) assumptions_.push_back(property);
     }
@@ -103,7 +33,8 @@ class Session {
 
   ProofRun run(const ProofProgress& progress) {
     ProofRun result;
-    describe(result);
+    result.assumptions = environmentTexts(program_, set_, options_.time);
+    result.approximations = approximationTexts(program_, exact_.obligations().encoding());
     const std::size_t declared = declaredCount();
     const std::size_t total = declared + exact_.checks().size();
     quick_ = answerQuestions(exact_.system(), portfolio(std::min(options_.timeout, 0.5)));
@@ -158,13 +89,6 @@ class Session {
     return static_cast<std::size_t>(found - goals_.begin());
   }
 
-  EncoderOptions encoderOptions(bool relaxed) const {
-    EncoderOptions options;
-    options.choices = options_.choices;
-    options.time = options_.time;
-    options.time.relaxed = relaxed;
-    return options;
-  }
   PortfolioOptions portfolio(double seconds, const std::atomic<bool>* cancel = nullptr) const {
     PortfolioOptions options;
     options.seconds = seconds;
@@ -173,21 +97,6 @@ class Session {
     options.bound = options_.bound;
     options.cancel = cancel;
     return options;
-  }
-
-  void describe(ProofRun& result) const {
-    result.assumptions.push_back(fmt::format("CPU {}, {} edition", cpuName(program_.target.cpu), program_.target.edition == Edition::Edition2003 ? 2003 : 2004));
-    result.assumptions.push_back(options_.time.low == options_.time.high ? fmt::format("every scan lasts {} ms", options_.time.low)
-                                                                         : fmt::format("every scan lasts {} to {} ms", options_.time.low, options_.time.high));
-    result.assumptions.push_back(set_.initialRetentive ? "retentive memory starts with any value, the rest with zero" : "memory starts with zero and the data block");
-    for (const ExternalRange& range : set_.externals) result.assumptions.push_back(fmt::format("{} to {} may be written from outside in any scan", toString(range.first), toString(range.last)));
-    for (const Property& assumption : assumptions_) result.assumptions.push_back(assumption.text);
-    for (const Approximation& approximation : exact_.obligations().encoding().approximations()) result.approximations.push_back(textOf(approximation));
-  }
-  std::string textOf(const Approximation& approximation) const {
-    if (approximation.place == nullptr) return approximation.reason;
-    const Span span = approximation.place->span;
-    return fmt::format("{} at {}:{}: {}", approximation.place->desc->stl, program_.sources->file(span.file).name(), program_.sources->position(span).line, approximation.reason);
   }
 
   // ---- One question -----------------------------------------------------------------------------------
@@ -274,13 +183,13 @@ class Session {
     return {std::move(answer), std::move(witness)};
   }
 
-  Side& relaxedSide() {
-    if (!relaxed_) relaxed_ = std::make_unique<Side>(program_, set_, goals_, encoderOptions(true), options_.builtin);
+  ProofSide& relaxedSide() {
+    if (!relaxed_) relaxed_ = std::make_unique<ProofSide>(program_, set_, goals_, encoderOptionsOf(options_, true), options_.builtin);
     return *relaxed_;
   }
 
   /// The run as the engine repeats it, if it shows the same.
-  std::optional<Witness> replayed(Side& side, const TransitionSystem& system, std::size_t question, const WordTrace& trace) {
+  std::optional<Witness> replayed(ProofSide& side, const TransitionSystem& system, std::size_t question, const WordTrace& trace) {
     EncodedScan& encoding = side.obligations().encoding();
     if (question >= goals_.size()) {
       return agreedRun(program_, options_.choices, exact_.obligations().encoding(), exact_.system(), exact_.system().questions[question].bad, system, trace, options_.time);
@@ -348,7 +257,7 @@ class Session {
   void noteApproximations(std::size_t question, ProofResult& row) {
     for (const Approximation* approximation : approximationsOf(question)) {
       if (row.outcome == Outcome::Unknown) row.outcome = Outcome::NotCovered;
-      row.notes.push_back("depends on " + textOf(*approximation));
+      row.notes.push_back("depends on " + approximationText(program_, *approximation));
     }
   }
 
@@ -357,12 +266,20 @@ class Session {
   const ProverOptions& options_;
   std::vector<Property> goals_;
   std::vector<Property> assumptions_;
-  mutable Side exact_;
-  std::unique_ptr<Side> relaxed_;
+  mutable ProofSide exact_;
+  std::unique_ptr<ProofSide> relaxed_;
   std::vector<QuestionAnswer> quick_;
 };
 
 }  // namespace
+
+EncoderOptions encoderOptionsOf(const ProverOptions& options, bool relaxed) {
+  EncoderOptions result;
+  result.choices = options.choices;
+  result.time = options.time;
+  result.time.relaxed = relaxed;
+  return result;
+}
 
 ProofRun prove(const Program& program, const PropertySet& set, const ProverOptions& options, const ProofProgress& progress) {
   return Session(program, set, options).run(progress);

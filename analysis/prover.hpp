@@ -24,6 +24,9 @@ struct ProverOptions {
   std::string certificates;  ///< directory for SMT-LIB 2 files, or empty
 };
 
+/// How the program is encoded; relaxed: with scans of any length (time_model.hpp).
+EncoderOptions encoderOptionsOf(const ProverOptions& options, bool relaxed = false);
+
 enum class Outcome : std::uint8_t { Proved, Violated, Reachable, Unreachable, HoldsToBound, Vacuous, Unknown, NotCovered };
 
 struct ProofResult {

@@ -2,6 +2,7 @@
 #include "analysis/scan_encoding.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -254,7 +255,12 @@ Node ScanEncoding::start(const Place& place) {
     if (c.isRegister || place.isRegister || c.area != place.area || c.at > place.at || c.at + c.width < place.at + place.width) continue;
     return graph.make(Op::Extract, place.width, cell.start, noNode, noNode, c.at + c.width - place.at - place.width);
   }
-  return noNode;
+  if (!place.isRegister && place.width > 1) return noNode;
+  // The scan writes it before it reads it: nothing asked for its value until now.
+  const bool wasClosed = std::exchange(isClosed_, false);
+  store_.add(cellAt(place));
+  isClosed_ = wasClosed;
+  return cells().back().start;
 }
 
 TransitionSystem ScanEncoding::system() {

@@ -90,6 +90,8 @@ class Graph::Store {
   std::vector<Place> places() const;
   /// Cells in the order of first touch.
   const std::vector<Cell>& cells() const { return cells_; }
+  /// A cell for a place that has a value but none at the start of the scan.
+  void add(const Cell& cell) { cells_.push_back(cell); }
   const std::vector<BitWrite>& bitWrites() const { return bitWrites_; }
   /// The machine that uses the store: its current instruction is recorded with writes, and since a value that is
   /// read matters only under the guard, reads are simplified by it.

@@ -1,0 +1,98 @@
+// `rungproof export`: the transition system of a program with its properties, for other model checkers.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "analysis/export_system.hpp"
+#include "analysis/proof_side.hpp"
+#include "frontend/command/command.hpp"
+#include "frontend/proof_input.hpp"
+
+namespace rungproof {
+
+namespace {
+
+struct Arguments {
+  std::vector<std::string> files;
+  std::vector<std::string> properties;
+  bool builtin = false;
+  std::string output;
+};
+
+std::string textOf(const std::string& format, const TransitionSystem& system, int bound, const ExportRemarks& remarks) {
+  if (format == "aiger") return exportAiger(system, remarks);
+  if (format == "aiger-ascii") return exportAigerText(system, remarks);
+  if (format == "smt2") return exportSmt2(system, std::max(bound, 1), remarks);
+  if (format == "smv") return exportSmv(system, remarks);
+  return exportBtor2(system, remarks);
+}
+
+/// What the reader of the file must know to read its answers as ours.
+ExportRemarks remarksOf(const ProgramInput& input, ProofSide& side, const ProverOptions& options) {
+  ExportRemarks remarks;
+  for (const std::string& text : environmentTexts(input.program, input.properties, options.time)) remarks.push_back("assumes: " + text);
+  for (const std::string& text : approximationTexts(input.program, side.obligations().encoding())) remarks.push_back("approximated: " + text);
+  return remarks;
+}
+
+Exit run(const Arguments& arguments, Context& context) {
+  const ProgramInput input = readInput(context, arguments.files, arguments.properties);
+  if (hasReadErrors(input.program)) {
+    // A system of what was understood would prove the wrong thing, so the errors are shown instead.
+    Report report = startReport("export", input.program, arguments.files);
+    sortFindings(report);
+    reporterNamed("human")->write(report, {false, context.settings.flag(Opt::Quiet)}, context.err);
+    return Exit::Failed;
+  }
+  const ProverOptions options = proverOptionsOf(context.settings);
+  std::vector<Property> goals;
+  for (const Property& property : input.properties.properties) {
+    if (property.isGoal()) goals.push_back(property);
+  }
+  ProofSide side(input.program, input.properties, goals, encoderOptionsOf(options), arguments.builtin);
+  if (side.system().questions.empty()) {
+    return context.fail({fmt::format("no property is declared in {}", arguments.files.front()), {}, "declare some, or give --builtin; see 'rungproof prove --help'"});
+  }
+  const ExportRemarks remarks = remarksOf(input, side, options);
+  bool isWritten = true;
+  for (const OutputRequest& request : context.outputs) {
+    const OutputRequest target{request.name, request.file.empty() ? arguments.output : request.file};
+    isWritten = context.write(target, textOf(request.name, side.system(), options.bound, remarks)) && isWritten;
+  }
+  return isWritten ? Exit::Clean : Exit::Failed;
+}
+
+Action setup(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  app.add_option("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input")->required();
+  app.add_option("--props", arguments->properties, "property file; may be repeated")->type_name("FILE");
+  app.add_flag("--builtin", arguments->builtin, "also the questions of the built-in checks");
+  app.add_option("-o,--output", arguments->output, "write there instead of standard output")->type_name("FILE");
+  return [arguments](Context& context) { return run(*arguments, context); };
+}
+
+}  // namespace
+
+extern constexpr Command exportCommand = {
+    .name = "export",
+    .usage = "FILE... --format btor2|aiger|smt2|smv",
+    .summary = "write the transition system with its properties for other model checkers",
+    .details =
+        "One scan is one step of the system. A 'prove' is a bad state at its violation, a 'reach' one at its goal, so that\n"
+        "an unreachable bad state means PROVED or UNREACHABLE. Assumptions are constraints; comments name everything\n"
+        "that was assumed or approximated. Operations on REAL numbers are free inputs.\n"
+        "    btor2        words, for btormc, Pono, AVR\n"
+        "    aiger        bits, binary, latches from 0 and no constraints, for ABC and rIC3\n"
+        "    aiger-ascii  bits, AIGER 1.9 with constraints and resets, to be read\n"
+        "    smt2         words, --bound N scans in a row (1), one check-sat for each property\n"
+        "    smv          words, for NuSMV and nuXmv\n"
+        "\n"
+        "Examples:\n"
+        "    rungproof export press.awl --format aiger -o press.aig\n"
+        "    rungproof export press.awl --format smv --scan-time 10ms\n",
+    .shows = option_group::Reading | option_group::Running | option_group::Output | option_group::Configuration,
+    .formats = "btor2|aiger|aiger-ascii|smt2|smv",
+    .setup = setup,
+};
+
+}  // namespace rungproof

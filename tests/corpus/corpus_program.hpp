@@ -1,0 +1,87 @@
+// The programs of the corpus for tests that go through all of them: files, expected verdicts, and the program read
+// with its properties. The form of the expectations is described in corpus_test.cpp.
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "analysis/prover.hpp"
+#include "frontend/program_input.hpp"
+
+namespace rungproof::test {
+
+/// Files in corpus/, or in one folder of it, sorted by name.
+inline std::vector<std::filesystem::path> corpusFiles(const std::string& folder = "") {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(std::filesystem::path(RUNGPROOF_SOURCE_DIR) / "corpus" / folder)) {
+    const std::string ending = entry.path().extension().string();
+    if (ending == ".awl" || ending == ".stl" || ending == ".xml") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// What the head of a program says about each property, what is still owed included.
+inline std::map<std::string, std::string> trueVerdicts(const std::filesystem::path& file) {
+  std::map<std::string, std::string> verdicts;
+  std::ifstream stream(file, std::ios::binary);
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    for (const std::string head : {"//! verdict ", "//! open "}) {
+      const std::size_t colon = line.rfind(": ");
+      if (line.rfind(head, 0) == 0) verdicts[line.substr(head.size(), colon - head.size())] = line.substr(colon + 2);
+    }
+  }
+  return verdicts;
+}
+
+/// The options that the head of a program gives, such as --cpu 222.
+inline std::map<std::string, std::string> optionsOf(const std::filesystem::path& file) {
+  std::map<std::string, std::string> options;
+  std::ifstream stream(file, std::ios::binary);
+  for (std::string line; std::getline(stream, line);) {
+    std::istringstream words(line);
+    std::string head, kind, name, value;
+    words >> head >> kind;
+    while (head == "//!" && kind == "options" && words >> name >> value) options[name] = value;
+  }
+  return options;
+}
+
+/// How the prover sees the program: the default environment and the scan time of its head.
+inline ProverOptions proverOptions(const std::filesystem::path& file) {
+  ProverOptions options;
+  options.time.high = static_cast<std::uint32_t>(options.choices.watchdogMs());
+  const auto given = optionsOf(file);
+  if (const auto range = given.find("--scan-time"); range != given.end()) {
+    const auto time = scanTimeNamed(range->second);
+    options.time.low = static_cast<std::uint32_t>(time->low.count() / 1000);
+    options.time.high = static_cast<std::uint32_t>(time->high.count() / 1000);
+  }
+  return options;
+}
+
+inline ProgramInput corpusInput(const std::filesystem::path& file) {
+  ProgramInput input;
+  ReadOptions reading;
+  const auto given = optionsOf(file);
+  if (const auto cpu = given.find("--cpu"); cpu != given.end()) reading.target.cpu = *cpuNamed(cpu->second);
+  input.program = readProgram({file.string()}, reading);
+  input.properties = readProperties(input.program, {}, lookupIn(input.program));
+  return input;
+}
+
+inline std::vector<Property> goalsOf(const PropertySet& set) {
+  std::vector<Property> goals;
+  for (const Property& property : set.properties) {
+    if (property.isGoal()) goals.push_back(property);
+  }
+  return goals;
+}
+
+}  // namespace rungproof::test
