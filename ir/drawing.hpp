@@ -2,6 +2,8 @@
 // recovered from them. The readers of graphical files build one and have it lowered; STL networks are raised to one
 // to be shown or converted. An element is an instruction of the table, so nothing about instructions is said twice.
 //
+// Both directions between drawings and instructions: analysis/drawing_lower.hpp and analysis/drawing_raise.hpp.
+//
 // Ladder and FBD are two ways of drawing the same structure: a Contact with one input stands in series with what is on
 // its left, an Or joins branches, an And is the FBD gate. A Rail is power itself (ladder) or the constant 1 (FBD).
 #pragma once
@@ -26,11 +28,14 @@ enum class Shape : std::uint8_t {
             ///< EU, ED, NOT the instruction itself, which transforms its input
   And,      ///< two inputs or more; no desc
   Or,       ///< two inputs or more; no desc
-  Box,      ///< an instruction with power inputs in the manual's order, top first (EN; or IN; or CU, CD, R);
-            ///< output: ENO where desc->eno, the power output where the box has one (SR, RS, IEC boxes), else none
+  Box,      ///< an instruction with power inputs in the manual's order, top first (EN; or IN; or CU, CD, R; S, R);
+            ///< output: ENO where desc->eno, the power output where the box has one (SR, RS, IEC boxes), else none.
+            ///< CALL: behind EN one input for each parameter operand of kind Missing, in order (001:6805-6809)
   Coil      ///< one input, no output: =, S, R, their immediate forms, and JMP, END, SCRT, CRET and the like; also the
             ///< headings without input LBL, LSCR, SCRE, NEXT
 };
+
+inline constexpr std::uint32_t noInstruction = 0xFFFFFFFF;
 
 struct Element {
   Shape shape = Shape::Rail;
@@ -38,6 +43,9 @@ struct Element {
   std::vector<Operand> operands;  ///< as in the instruction
   std::vector<Wire> inputs;       ///< topmost first
   Span span;                      ///< place in the source
+  /// Position in Network::instructions of the instruction that is this element; of a gate, of the last that joins its
+  /// inputs. noInstruction: a rail, or not lowered yet.
+  std::uint32_t instruction = noInstruction;
 };
 
 /// Elements in order of execution: an input refers to an earlier element only. One drawing is one network.

@@ -16,7 +16,8 @@
 
 namespace rungproof {
 
-struct Desc;  // descriptor of an instruction, isa.hpp
+struct Desc;     // descriptor of an instruction, isa.hpp
+struct Drawing;  // ladder or FBD, drawing.hpp
 
 enum class PouKind : std::uint8_t { Main, Subroutine, Interrupt };
 enum class VarSection : std::uint8_t { Input, InOut, Output, Temp };
@@ -50,6 +51,7 @@ struct Network {
   std::vector<Instruction> instructions;
   Span span;        ///< heading through last line
   Form form = Form::Stl;
+  std::shared_ptr<const Drawing> drawing;  ///< of a network that was read as a drawing, lowered to `instructions`
   bool complete = true;  ///< false: a line of it could not be read; its findings stand in Program::findings
 };
 
