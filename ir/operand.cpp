@@ -68,7 +68,7 @@ std::string constantText(const Operand& operand) {
         const char c = static_cast<char>(operand.value >> shift);
         if (c != 0 || !characters.empty() || shift == 0) characters += c;
       }
-      return quoted(characters, '\'');
+      return rungproof::quoted(characters, '\'');
     }
     case ConstantForm::Typed: {
       const std::string_view prefix = operand.width == Width::Byte ? "B" : operand.width == Width::Word ? "W" : "DW";
@@ -87,7 +87,7 @@ std::string toString(const Operand& operand) {
     case OperandKind::Indirect: return "*" + addressName(operand.area, Width::DWord, operand.offset);
     case OperandKind::Address: return "&" + addressName(operand.area, Width::Byte, operand.offset);
     case OperandKind::Constant: return constantText(operand);
-    case OperandKind::Text: return quoted(operand.text, '"');
+    case OperandKind::Text: return rungproof::quoted(operand.text, '"');
     case OperandKind::Symbol: return operand.text;
     case OperandKind::Missing: return "????";
   }
