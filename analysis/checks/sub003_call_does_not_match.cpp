@@ -1,5 +1,5 @@
 // SUB003: a call whose parameters do not fit the table of the called block, or the manual's for a library block:
-// number, direction, width, kind of constant. No conversion is made. Tested by its examples and
+// number, direction, area, width, kind of constant. No conversion is made. Tested by its examples and
 // tests/rules/control_rules_test.cpp.
 #include <fmt/format.h>
 
@@ -10,16 +10,15 @@
 #include "analysis/library_block.hpp"
 #include "analysis/operand_check.hpp"
 #include "analysis/rule.hpp"
+#include "ir/call_parameters.hpp"
 
 namespace rungproof {
 
 namespace {
 
-constexpr std::size_t mostParameters = 16;  // 001:6775
-
 struct Formal {
   std::string_view name;
-  Direction direction;
+  VarSection section;
   DataType type;
   bool mayBeReal = false;
 };
@@ -39,6 +38,19 @@ bool widthFits(const Operand& actual, DataType type) {
     case Area::HC: return widthOf(type) == Width::DWord;
     default: return actual.width == widthOf(type);
   }
+}
+
+std::string_view sectionName(VarSection section) {
+  return section == VarSection::Input ? "an input" : section == VarSection::InOut ? "an IN_OUT" : "an output";
+}
+
+/// What may stand for the parameter, as an operand of an instruction.
+OperandDesc allowedFor(const Formal& formal) {
+  const Type type = formal.type == DataType::Bool   ? Type::Bool
+                    : widthOf(formal.type) == Width::Byte ? Type::Byte
+                    : widthOf(formal.type) == Width::Word ? Type::Word
+                                                          : Type::DWord;
+  return operandDesc(formal.name, Direction::InOut, type, parameterForms(formal.section, formal.type));
 }
 
 class CallCheck {
@@ -66,13 +78,14 @@ class CallCheck {
   }
 
   void parameter(const Formal& formal, const Operand& actual) {
-    const bool isOutput = formal.direction != Direction::In;
+    const bool isOutput = formal.section != VarSection::Input;
     if (actual.kind == OperandKind::Symbol || actual.kind == OperandKind::Missing) return;
     if (isOutput && actual.kind != OperandKind::Direct && actual.kind != OperandKind::Indirect) {
       return report(formal, actual, "an output needs a place to write to",
                     "give an address; constants and & are for inputs only (001:6784)");
     }
-    if (isOutput && actual.kind == OperandKind::Direct && actual.area == Area::SM && actual.offset <= smReadOnlyLast) {
+    if (isOutput && actual.kind == OperandKind::Direct && actual.area == Area::SM &&
+        actual.offset < firstParameterSm(formal.section)) {
       return report(formal, actual, "SM0 to SM29 are read-only",
                     "use an address from SMB30 on, or V or M memory (001:6757)");
     }
@@ -93,6 +106,11 @@ class CallCheck {
     }
     if (actual.kind == OperandKind::Address && widthOf(formal.type) != Width::DWord) {
       return report(formal, actual, "an address is a double word", "declare the parameter as DWORD (001:6811)");
+    }
+    const OperandDesc allowed = allowedFor(formal);
+    if (!formIsAllowed(allowed, actual)) {
+      return report(formal, actual, "table 6-78 does not list it",
+                    fmt::format("{} may be {} (001:6753)", sectionName(formal.section), allowedForms(allowed)));
     }
     constantParameter(formal, actual);
   }
@@ -120,15 +138,18 @@ class CallCheck {
   const Instruction& call_;
 };
 
-/// Parameters of a block; reports sections out of order (001:6823).
+VarSection sectionOf(Direction direction) {
+  return direction == Direction::In      ? VarSection::Input
+         : direction == Direction::InOut ? VarSection::InOut
+                                         : VarSection::Output;
+}
+
+/// Parameters of a block in the order of its table.
 std::vector<Formal> formalsOf(const Pou& pou) {
   std::vector<Formal> formals;
   for (const LocalVariable& local : pou.locals) {
     if (local.section == VarSection::Temp) continue;
-    const Direction direction = local.section == VarSection::Input   ? Direction::In
-                                : local.section == VarSection::InOut ? Direction::InOut
-                                                                     : Direction::Out;
-    formals.push_back({local.name, direction, local.type});
+    formals.push_back({local.name, local.section, local.type});
   }
   return formals;
 }
@@ -139,9 +160,9 @@ void checkTables(const Facts& facts, FindingSink& sink) {
     std::size_t count = 0;
     for (const LocalVariable& local : pou.locals) {
       if (local.section == VarSection::Temp) continue;
-      if (++count == mostParameters + 1) {
+      if (++count == maxParameters + 1) {
         sink.report(local.span, fmt::format("{} is parameter {} of {}; a subroutine has at most {}", local.name, count,
-                                            pou.name, mostParameters))
+                                            pou.name, maxParameters))
             .help = "pass a pointer to a block of V memory (001:6775; error 009E, 001:14008)";
       }
       if (local.section < last) {
@@ -169,7 +190,7 @@ void check(const Facts& facts, FindingSink& sink) {
       if (library == nullptr) continue;  // SYM001 speaks
       std::vector<Formal> formals;
       for (const LibraryParameter& p : library->parameters)
-        formals.push_back({p.name, p.direction, p.type, p.mayBeReal});
+        formals.push_back({p.name, sectionOf(p.direction), p.type, p.mayBeReal});
       CallCheck(sink, call).run(target.text, formals, {});
     } else if (target.kind == OperandKind::Constant && facts.program().main() != nullptr) {
       sink.report(call.span, fmt::format("{} calls a subroutine that the program does not have", Facts::text(call)))

@@ -79,5 +79,21 @@ TEST(StepRules, DummyStepsOfAConvergenceNeedNoSegment) {
   EXPECT_EQ(lines("SCR003", text), Lines());
 }
 
+TEST(ControlRules, ParametersOfCallTakeTheAreasOfTable678) {
+  // 001:6753-6757: a WORD input may be AIW but not AQW; an output AQW but not AIW; HC only as a double word input.
+  const auto messages = [](const std::string& actuals) {
+    const Linted linted("ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0, " + actuals +
+                        "\nEND_ORGANIZATION_BLOCK\nSUBROUTINE_BLOCK SBR_0:SBR0\nVAR_INPUT\na:WORD;\nb:DINT;\nEND_VAR\n"
+                        "VAR_OUTPUT\nc:WORD;\nd:DINT;\nEND_VAR\nBEGIN\nNetwork 1\nLD SM0.0\nMOVW #a, #c\nMOVD #b, #d\n"
+                        "END_SUBROUTINE_BLOCK\n");
+    return linted.messages("SUB003");
+  };
+  using Messages = std::vector<std::string>;
+  EXPECT_EQ(messages("AIW0, HC1, AQW0, AC1"), Messages());
+  EXPECT_EQ(messages("AQW0, VD0, VW4, VD8"), Messages{"AQW0 does not fit parameter a (WORD): table 6-78 does not list it"});
+  EXPECT_EQ(messages("VW0, VD2, AIW0, VD8"), Messages{"AIW0 does not fit parameter c (WORD): table 6-78 does not list it"});
+  EXPECT_EQ(messages("VW0, VD2, VW6, HC1"), Messages{"HC1 does not fit parameter d (DINT): table 6-78 does not list it"});
+}
+
 }  // namespace
 }  // namespace rungproof::testing
