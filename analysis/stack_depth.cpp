@@ -49,13 +49,10 @@ enum class Given : std::uint8_t { No, BlockEntry, Loop, Segment };
 
 struct Entry {
   const Instruction* by = nullptr;      ///< load, or operation that made the value
-  const Instruction* start = nullptr;   ///< first load of the value
   const Instruction* lostAt = nullptr;  ///< push that moved the entry out of the bottom
   Condition flow = 0;
   Given given = Given::No;
   bool isRead = false;
-  bool isLowerInput = false;  ///< read by a box as its second or third input
-  bool isFromEditor = false;  ///< stored in L60-L63 for a call drawn as ladder (001:6809)
 };
 
 /// An LPS that waits for its LPP, with the size of the stack right after it.
@@ -67,9 +64,8 @@ struct Bracket {
 class Run {
  public:
   using Inputs = std::unordered_map<std::uint32_t, std::vector<Condition>>;
-  Run(const Program& program, const KnownBits& known, std::vector<StackFault>& faults, std::vector<StackPoint>& points,
-      Inputs& inputs)
-      : known_(known), faults_(faults), points_(points), inputs_(inputs), showsRungs_(!program.olderDialect) {}
+  Run(const KnownBits& known, std::vector<StackFault>& faults, std::vector<StackPoint>& points, Inputs& inputs)
+      : known_(known), faults_(faults), points_(points), inputs_(inputs) {}
 
   void block(const Flow& flow) {
     entries_.clear();
@@ -114,21 +110,8 @@ class Run {
     for (const Bracket& bracket : brackets_) fault(StackFaultKind::LpsNotPopped, *bracket.by);
     foreignBrackets_ += brackets_.size();
     brackets_.clear();
-    if (showsRungs_) countRungs();
     own_ = size();
     isReported_ = hasBox_ = false;
-  }
-
-  /// Entries left by a network, apart from lower inputs of boxes and the editor's own stores, are its rungs.
-  void countRungs() {
-    const Entry* first = nullptr;
-    for (std::size_t i = own_; i < size(); ++i) {
-      const Entry& entry = entries_[i];
-      if (entry.isLowerInput || entry.isFromEditor || entry.given != Given::No || !entry.isRead) continue;
-      if (entry.by != nullptr && kindOf(*entry.by) == Kind::Lps) continue;
-      if (first != nullptr && entry.by != nullptr) return fault(StackFaultKind::SecondRung, *entry.start, first->start);
-      first = &entry;
-    }
   }
 
   void give(Given given, Condition flow) {
@@ -150,7 +133,7 @@ class Run {
 
   void push(const Instruction& by, Condition flow) {
     Entry entry;
-    entry.by = entry.start = &by;
+    entry.by = &by;
     entry.flow = inSegment_ ? static_cast<Condition>(flow & ~condition::Always) : flow;
     entries_.push_back(entry);
     flowsFrom_ = std::min(flowsFrom_, size() - 1);
@@ -185,7 +168,6 @@ class Run {
     top.flow = flow;
     top.given = Given::No;
     top.by = &by;
-    if (top.start == nullptr) top.start = &by;
     top.isRead = isRead;
     flowsFrom_ = std::min(flowsFrom_, size() - 1);
     adopt();
@@ -199,10 +181,8 @@ class Run {
     if (size() >= 2) entries_.pop_back();
     if (entries_.empty()) push(by, 0);
     Entry& top = entries_.back();
-    const Instruction* start = top.start == nullptr ? &by : top.start;
     top = Entry{};
     top.by = &by;
-    top.start = start;
     top.flow = flow;
     flowsFrom_ = std::min(flowsFrom_, size() - 1);
     adopt();
@@ -256,7 +236,7 @@ class Run {
       use(n, at);
     }
     push(at, flowOf(n));
-    entries_.back().isRead = entries_.back().isLowerInput = true;
+    entries_.back().isRead = true;
   }
 
   /// A box that takes its lower inputs from the stack (001:3994-4004).
@@ -271,7 +251,6 @@ class Run {
                                             (entry->given == Given::No && entry->isRead));
       if (entry == nullptr || isLeftover) break;
       use(k, at);
-      entry->isLowerInput = k > 0;
       ++found;
     }
     if (found < needed) {
@@ -333,16 +312,12 @@ class Run {
     if (desc.stack.needs > 1) return boxInputs(at, desc.stack.needs);
     if (desc.stack.needs == 0) return;
     use(0, at);
-    const bool isStore =
-        isCoil(kindOf(desc)) && !at.operands.empty() && at.operands[0].area == Area::L && at.operands[0].offset >= 60;
-    if (isStore && !entries_.empty()) entries_.back().isFromEditor = true;
   }
 
   const KnownBits& known_;
   std::vector<StackFault>& faults_;
   std::vector<StackPoint>& points_;
   Inputs& inputs_;
-  bool showsRungs_;
   std::vector<Entry> entries_;
   std::vector<Bracket> brackets_;      ///< open LPS of this network
   std::vector<std::uint8_t> targets_;  ///< by step: a jump leads here
@@ -358,7 +333,7 @@ class Run {
 
 StackRun::StackRun(const Program& program, const Plan& plan, const KnownBits& known) {
   points_.resize(program.instructionCount());
-  Run run(program, known, faults_, points_, inputs_);
+  Run run(known, faults_, points_, inputs_);
   for (const Flow& flow : plan.flows) run.block(flow);
   // A network with an unreadable line has lost an instruction; what the stack misses there says nothing.
   std::vector<std::uint8_t> isDamaged(points_.size(), 0);

@@ -41,8 +41,7 @@ enum class StackFaultKind : std::uint8_t {
   TooFewInputs,   ///< a box needs `needed` levels and finds `found`
   TooManyInputs,  ///< an unused level lies below the inputs of a box; other: its load
   LdsBeyond,      ///< LDS copies level `needed`, only `found` are filled
-  AenoWithoutBox,
-  SecondRung  ///< a second rung begins in the network; other: first output of the rung before
+  AenoWithoutBox
 };
 
 struct StackFault {
