@@ -2,8 +2,10 @@
 // drawings follow from what each stack instruction does (001:2825-2872).
 #include <gtest/gtest.h>
 
+#include "analysis/facts.hpp"
+#include "analysis/rule.hpp"
+#include "frontend/project.hpp"
 #include "tests/drawing/networks.hpp"
-#include "tests/rules/lint.hpp"
 
 namespace rungproof::testing {
 namespace {
@@ -117,8 +119,17 @@ TEST(RaiseReason, CallWithFlowInputsNeedsTheEditorsForm) {  // 001:6808: plain b
 }
 
 TEST(RaiseRule, SpeaksOncePerNetworkAndOnlyWithoutAnyPicture) {
-  Linted linted("Network 1\nLD I0.0\n= Q0.0\nLD I0.1\n= Q0.1\nLD I0.2\n= Q0.2\nNetwork 2\nLD I0.0\nLD I0.1\nEU\nALD\n= Q0.3\n");
-  EXPECT_EQ(linted.lines("STK006"), std::vector<std::uint32_t>{4});
+  const Program program = readText(
+      "test.awl", "Network 1\nLD I0.0\n= Q0.0\nLD I0.1\n= Q0.1\nLD I0.2\n= Q0.2\nNetwork 2\nLD I0.0\nLD I0.1\nEU\nALD\n= Q0.3\n", ReadOptions{});
+  const Facts facts(program, {});
+  const Rule* rule = ruleNamed("STK006");
+  const RuleSettings settings;
+  FindingSink sink(program, settings);
+  sink.begin(*rule);
+  rule->check(facts, sink);
+  const std::vector<Finding> findings = sink.take();
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(program.sources->position(findings[0].span).line, 4U);
 }
 
 }  // namespace
