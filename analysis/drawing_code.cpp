@@ -115,7 +115,7 @@ void CircuitCode::call(std::uint32_t n, const std::vector<unsigned>& bits) {
 }
 
 bool CircuitCode::iecOutput(std::uint32_t n) {
-  constexpr std::size_t q = 2;  // behind the number and the preset
+  constexpr std::size_t q = iecOutputOperand;
   std::vector<Operand>& operands = lowered_.instructions.back().operands;
   if (operands.size() <= q) operands.resize(q + 1);
   if (operands[q].kind == OperandKind::Missing) {

@@ -71,6 +71,9 @@ class CircuitCode {
   Lowered lowered_;
 };
 
+/// Position of Q (QU) in the operands of IEC boxes: behind the number and the preset (001:6693, 001:4107).
+inline constexpr std::size_t iecOutputOperand = 2;
+
 /// Whether the power output of the node is a Q operand rather than ENO or the top of the stack.
 inline bool isIecBox(const CircuitNode& node) {
   return node.shape == Shape::Box && node.desc->drawingOnly && node.desc->stack.pops == 0;

@@ -93,7 +93,7 @@ class Raising {
   void step(const Instruction& instruction) {
     if (idiom_.roles[at_] != CallRole::None) return callStep(instruction);
     switch (kindOf(instruction)) {
-      case Kind::Load: return levels_.push_back(loaded(instruction.desc));
+      case Kind::Load: return load();
       case Kind::And: return series();
       case Kind::Or: return parallel();
       case Kind::Not:
@@ -111,6 +111,23 @@ class Raising {
     if (instruction.desc->stl == "NOP") return refuseHere("has no picture in LAD or FBD");
     if (shapeOf(*instruction.desc) == Shape::Coil) return coil();
     box();
+  }
+
+  void load() {
+    if (!loadsIecOutput()) return levels_.push_back(loaded(current().desc));
+    const auto box = static_cast<std::uint32_t>(elements_.size() - 1);
+    Operand& output = elements_[box].operands[iecOutputOperand];
+    if (output.area == Area::L && output.offset >= 60) output.kind = OperandKind::Missing;  // the editor's own bit
+    levels_.push_back({box, false, false, false, false, {}});
+  }
+  /// LD of the Q operand of the IEC box in front: the power output of the box.
+  bool loadsIecOutput() const {
+    if (at_ == 0 || current().desc->stl != "LD") return false;
+    const Instruction& box = network_.instructions[at_ - 1];
+    if (!box.desc->drawingOnly || box.desc->stack.pops > 0 || box.operands.size() <= iecOutputOperand) return false;
+    const Operand& q = box.operands[iecOutputOperand];
+    const Operand& loaded = current().operands[0];
+    return q.kind == OperandKind::Direct && q.kind == loaded.kind && q.area == loaded.area && q.offset == loaded.offset && q.bit == loaded.bit;
   }
 
   void series() {
@@ -346,7 +363,7 @@ class Raising {
     const Branches branches = lowerAlongBranches(drawing_, circuit, PinOrder::AsDrawn, editorBitsUsed(drawing_));
     if (branches.circuits > 1) {
       const Instruction* second = instructionOf(branches.second);
-      return refuse(second, fmt::format("{} begins a second rung; LAD and FBD show one circuit per network", textOf(*second)));
+      return refuse(second, fmt::format("{} begins a second rung in the network", textOf(*second)));
     }
     if (branches.lowered.fault) return refuse(instructionOf(branches.lowered.fault->element), branches.lowered.fault->message);
   }

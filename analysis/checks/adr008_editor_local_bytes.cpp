@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "analysis/drawing_lower.hpp"
 #include "analysis/facts.hpp"
 #include "analysis/rule.hpp"
 
@@ -34,6 +35,7 @@ void check(const Facts& facts, FindingSink& sink) {
     const Network* here = &facts.networkOf(place.instruction->id);
     if (here != network) ++position;
     network = here;
+    if (here->drawing != nullptr && editorBitsUsed(*here->drawing) == 0) continue;  // what stands there was lowered
     for (const Access& access : facts.accesses().of(place.instruction->id)) {
       if (!isReserved(access)) continue;
       const bool isBit =

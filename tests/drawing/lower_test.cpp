@@ -106,13 +106,28 @@ TEST(Lower, WhatTheStackCannotFollowWaitsInBits) {
 
 TEST(Lower, IecTimerHandsOnItsOutput) {  // Q left open: the bit is read behind the box
   Element timer = box("TON T37, +5", {w(1)});
-  timer.desc = nullptr;
-  for (const Desc& desc : instructionTable()) {
-    if (desc.stl == "TON.IEC") timer.desc = &desc;
-  }
-  ASSERT_NE(timer.desc, nullptr);
-  EXPECT_EQ(proven(drawingOf({contact("LD I0.0", w(0)), std::move(timer), contact("LD I0.1", w(2)), coil("= Q0.0", w(3))})),
-            "LD I0.0; TON.IEC T37, +5, L60.0; LD L60.0; A I0.1; = Q0.0");
+  timer.desc = instructionNamed("TON.IEC");
+  const Drawing drawing = drawingOf({contact("LD I0.0", w(0)), std::move(timer), contact("LD I0.1", w(2)), coil("= Q0.0", w(3))});
+  EXPECT_EQ(proven(drawing), "LD I0.0; TON.IEC T37, +5, L60.0; LD L60.0; A I0.1; = Q0.0");
+  Network network;
+  network.instructions = lower(drawing).instructions;
+  const Raised again = raise(network, Form::Ladder);
+  ASSERT_TRUE(again.drawing) << again.reason;
+  EXPECT_EQ(lowered(*again.drawing), textOf(network.instructions));
+}
+
+TEST(Lower, BistableTakesTwoLevelsAndLeavesItsOutput) {  // S deepest, R on top; as a drawing it comes back
+  Element bistable = box("= M0.0", {w(2), w(3)});
+  bistable.desc = instructionNamed("SR");
+  const Drawing drawing = drawingOf({contact("LD I0.0", w(0)), contact("LD I0.1", w(1)), contact("LD I0.2", w(0)), std::move(bistable),
+                                     coil("= Q0.0", w(4)), contact("LD I0.3", w(4)), coil("= Q0.1", w(6))});
+  const std::string text = "LD I0.0; A I0.1; LD I0.2; SR M0.0; = Q0.0; A I0.3; = Q0.1";
+  EXPECT_EQ(proven(drawing), text);
+  Network network;
+  network.instructions = lower(drawing).instructions;
+  const Raised again = raise(network, Form::Ladder);
+  ASSERT_TRUE(again.drawing) << again.reason;
+  EXPECT_EQ(textOf(*again.drawing), textOf(drawing));
 }
 
 TEST(Lower, MoreThanNineLevels) {  // twelve nested groups: the innermost is computed first

@@ -105,13 +105,13 @@ TEST(RaiseReason, SaysWhatHasNoPicture) {
     EXPECT_TRUE(ladder(statements).starts_with("refused: ")) << statements;
     return fbd(statements);
   };
-  EXPECT_EQ(both("LD I0.0; = Q0.0; LD I0.1; = Q0.1"), "refused: LD I0.1 begins a second rung; LAD and FBD show one circuit per network");
+  EXPECT_EQ(both("LD I0.0; = Q0.0; LD I0.1; = Q0.1"), "refused: LD I0.1 begins a second rung in the network");
   EXPECT_EQ(both("A I0.0; = Q0.0"), "refused: A I0.0 takes a value that this network has not loaded");
   EXPECT_EQ(both("LD I0.0; LDS 0; = Q0.0"), "refused: LDS 0 has no picture in LAD or FBD");
   EXPECT_EQ(both("LD I0.0; LD I0.1; = Q0.0"), "refused: the branch of I0.0 ends without a coil or box");
   EXPECT_EQ(both("LD I0.0; AENO; = Q0.0"), "refused: AENO stands behind no box with ENO");
   EXPECT_EQ(both("LD I0.0; MOVB 1, VB0; A I0.1; AENO; = Q0.0"), "refused: AENO joins ENO to the power flow of another circuit");
-  EXPECT_EQ(both("LBL 1; LD I0.0; = Q0.0"), "refused: LD I0.0 begins a second rung; LAD and FBD show one circuit per network");
+  EXPECT_EQ(both("LBL 1; LD I0.0; = Q0.0"), "refused: LD I0.0 begins a second rung in the network");
 }
 
 TEST(RaiseReason, CallWithFlowInputsNeedsTheEditorsForm) {  // 001:6808: plain bits are STL only, but then no flow input

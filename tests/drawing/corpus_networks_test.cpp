@@ -1,0 +1,115 @@
+// Every STL network of the corpus: drawn as ladder and as FBD and lowered again to the same instructions, or with a
+// reason why it has no picture. Programs that are about such networks are named here; in all others every network
+// has one.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "frontend/project.hpp"
+#include "tests/drawing/equality.hpp"
+#include "tests/drawing/networks.hpp"
+
+namespace rungproof::testing {
+namespace {
+
+struct Place {
+  std::string text;  ///< "timers/blinker.awl MAIN 3"
+  const Network* network;
+};
+
+/// The programs of the corpus, read once.
+const std::vector<std::pair<std::string, Program>>& corpus() {
+  static const std::vector<std::pair<std::string, Program>> programs = [] {
+    const std::filesystem::path folder = std::filesystem::path(RUNGPROOF_SOURCE_DIR) / "corpus";
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+      const std::string ending = entry.path().extension().string();
+      if (ending == ".awl" || ending == ".stl") files.push_back(entry.path().string());
+    }
+    std::sort(files.begin(), files.end());
+    std::vector<std::pair<std::string, Program>> result;
+    for (const std::string& file : files) {
+      result.emplace_back(std::filesystem::relative(file, folder).string(), readProgram({file}));
+      result.back().second.number();
+    }
+    return result;
+  }();
+  return programs;
+}
+
+std::vector<Place> networks() {
+  std::vector<Place> result;
+  for (const auto& [file, program] : corpus()) {
+    for (const Pou& pou : program.pous) {
+      for (const Network& network : pou.networks) {
+        if (network.complete && !network.instructions.empty()) result.push_back({fmt::format("{} {} {}", file, pou.name, network.number), &network});
+      }
+    }
+  }
+  return result;
+}
+
+bool mayLackPictures(std::string_view place) {
+  return place.starts_with("faulty/") || place.starts_with("older/");  // faults of the stack; a dialect without networks
+}
+
+TEST(CorpusNetworks, EveryNetworkHasAPictureOrAReason) {
+  std::size_t all = 0, ladder = 0, fbd = 0, neither = 0;
+  for (const Place& place : networks()) {
+    const Raised asLadder = raise(*place.network, Form::Ladder), asFbd = raise(*place.network, Form::Fbd);
+    ++all;
+    ladder += asLadder.drawing ? 1 : 0;
+    fbd += asFbd.drawing ? 1 : 0;
+    EXPECT_NE(asLadder.drawing.has_value(), !asLadder.reason.empty()) << place.text;
+    EXPECT_NE(asFbd.drawing.has_value(), !asFbd.reason.empty()) << place.text;
+    if (asLadder.drawing || asFbd.drawing) continue;
+    ++neither;
+    EXPECT_TRUE(mayLackPictures(place.text)) << place.text << ": " << asFbd.reason;
+  }
+  RecordProperty("networks", static_cast<int>(all));
+  fmt::print("{} networks: {} as ladder, {} as FBD, {} as neither\n", all, ladder, fbd, neither);
+  EXPECT_GE(all, 200U);
+}
+
+TEST(CorpusNetworks, ComeBackAsTheSameInstructions) {
+  std::size_t same = 0, other = 0;
+  for (const Place& place : networks()) {
+    for (const Form form : {Form::Ladder, Form::Fbd}) {
+      const Raised raised = raise(*place.network, form);
+      if (!raised.drawing) continue;
+      const Lowered result = lower(*raised.drawing);
+      ASSERT_FALSE(result.fault) << place.text;
+      EXPECT_EQ(textOf(result.instructions), textOf(place.network->instructions)) << place.text;
+      (textOf(result.instructions) == textOf(place.network->instructions) ? same : other) += 1;
+    }
+  }
+  fmt::print("{} drawings come back as they were, {} otherwise\n", same, other);
+}
+
+TEST(CorpusNetworks, DrawingsDoWhatTheNetworksDo) {
+  std::size_t proven = 0, pointers = 0;
+  for (const Place& place : networks()) {
+    for (const Form form : {Form::Ladder, Form::Fbd}) {
+      const Raised raised = raise(*place.network, form);
+      if (!raised.drawing) continue;
+      std::vector<std::uint32_t> positions;
+      for (const Element& element : raised.drawing->elements) positions.push_back(element.instruction);
+      const std::string result = difference(*raised.drawing, place.network->instructions, positions);
+      if (result == "pointers") {
+        ++pointers;
+        continue;
+      }
+      EXPECT_EQ(result, "") << place.text;
+      ++proven;
+    }
+  }
+  fmt::print("{} drawings proved equal, {} with pointers not asked\n", proven, pointers);
+  EXPECT_GT(proven, 300U);
+}
+
+}  // namespace
+}  // namespace rungproof::testing
