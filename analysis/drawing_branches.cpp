@@ -70,7 +70,6 @@ class Writer {
     isBlock_.assign(count, 0);
     isBlockHead_.assign(count, 0);
     chains_.assign(count, {});
-    blockUses_.assign(count, 0);
     firstPin_.assign(count, 0);
     for (std::uint32_t n = 0; n < count; ++n) {
       const CircuitNode& node = nodes_[n];
@@ -79,13 +78,12 @@ class Writer {
       firstPin_[n] = pinOf(n);
       const std::uint32_t from = node.inputs[firstPin_[n]];
       parent_[n] = from;
-      if (node.isContact()) chains_[n] = from == railNode ? Chain{true, railNode, n} : chainBehind(from, n);
+      if (node.isContact()) chains_[n] = from == railNode ? Chain{true, railNode, n} : chainBehind(from, n, 1);
     }
   }
-  /// The chain of a contact behind `from`, or of `from` itself when `n` is noNode.
-  Chain chainBehind(std::uint32_t from, std::uint32_t n) const {
-    const bool isShared = nodes_[from].uses.size() > 1 && nodes_[from].uses.size() != blockUses_[from];
-    if (!isShared && chains_[from].isPure) return chains_[from];
+  /// The chain of a contact or block behind `from`, which makes `uses` of the uses of `from`.
+  Chain chainBehind(std::uint32_t from, std::uint32_t n, std::size_t uses) const {
+    if (nodes_[from].uses.size() == uses && chains_[from].isPure) return chains_[from];
     return {true, from, n};
   }
   std::uint32_t pinOf(std::uint32_t n) const {
@@ -112,7 +110,6 @@ class Writer {
       if (isBlock_[head] != 0) {  // a block on the same node: inside this one it begins the branch itself
         isBlock_[head] = 0;
         parent_[head] = nodes_[head].inputs[0];
-        blockUses_[source] -= static_cast<std::uint32_t>(heads_[head]);
         heads_[n] += heads_[head];
         continue;
       }
@@ -122,8 +119,7 @@ class Writer {
     }
     isBlock_[n] = 1;
     parent_[n] = source;
-    blockUses_[source] += static_cast<std::uint32_t>(heads_[n]);
-    chains_[n] = chainBehind(source, n);
+    chains_[n] = chainBehind(source, n, heads_[n]);
     return true;
   }
 
@@ -155,7 +151,7 @@ class Writer {
   /// Children of each node in the order of the first coil or box behind them; the value that leaves comes last.
   void collectKids() {
     const std::uint32_t count = static_cast<std::uint32_t>(nodes_.size());
-    std::vector<std::uint32_t> firstEffect(count, noNode);
+    std::vector<std::uint32_t> firstEffect(count, noNode - 1);
     for (std::uint32_t n = count; n-- > 0;) {
       if (nodes_[n].isEffect()) firstEffect[n] = n;
       if (parent_[n] != railNode) firstEffect[parent_[n]] = std::min(firstEffect[parent_[n]], firstEffect[n]);
@@ -404,7 +400,6 @@ class Writer {
   std::vector<std::uint8_t> isBlock_;       ///< OR in series with its parent
   std::vector<std::uint8_t> isBlockHead_;   ///< begins a branch of a block
   std::vector<Chain> chains_;
-  std::vector<std::uint32_t> blockUses_;    ///< by node: how many of its uses begin branches of blocks
   std::unordered_map<std::uint32_t, std::size_t> heads_;  ///< by block: branches that begin at its source
   std::vector<std::uint32_t> firstPin_;     ///< pin of the parent
   std::vector<std::uint32_t> root_;

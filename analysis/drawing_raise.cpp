@@ -10,6 +10,7 @@
 #include "analysis/drawing_code.hpp"
 #include "analysis/drawing_levels.hpp"
 #include "analysis/instruction_kind.hpp"
+#include "analysis/stack_depth.hpp"
 #include "ir/isa.hpp"
 
 namespace rungproof {
@@ -65,8 +66,14 @@ class Raising {
 
   bool has(std::size_t count) {
     if (levels_.size() >= count) return true;
-    refuseHere("takes a value that this network has not loaded");
+    refuseHere(isLost_ ? "takes a value that was pushed out of the nine levels" : "takes a value that this network has not loaded");
     return false;
+  }
+  void push(DrawnLevel level) {
+    levels_.push_back(std::move(level));
+    if (levels_.size() <= stackLevels) return;
+    levels_.erase(levels_.begin());
+    isLost_ = true;
   }
   DrawnLevel& top() { return levels_.back(); }
   /// The value on the top is used by an element.
@@ -114,11 +121,11 @@ class Raising {
   }
 
   void load() {
-    if (!loadsIecOutput()) return levels_.push_back(loaded(current().desc));
+    if (!loadsIecOutput()) return push(loaded(current().desc));
     const auto box = static_cast<std::uint32_t>(elements_.size() - 1);
     Operand& output = elements_[box].operands[iecOutputOperand];
     if (output.area == Area::L && output.offset >= 60) output.kind = OperandKind::Missing;  // the editor's own bit
-    levels_.push_back({box, false, false, false, false, {}});
+    push({box, false, false, false, false, {}});
   }
   /// LD of the Q operand of the IEC box in front: the power output of the box.
   bool loadsIecOutput() const {
@@ -209,7 +216,7 @@ class Raising {
   void copy() {
     if (!mayUseTop()) return;
     tap(top());
-    levels_.push_back(top());
+    push(top());
   }
   void restore(bool pops) {
     if (!has(2)) return;
@@ -282,7 +289,7 @@ class Raising {
         tap(top());
         return;
       case CallRole::Recall:
-        levels_.push_back(enabled_);
+        push(enabled_);
         return;
       default: break;
     }
@@ -382,6 +389,7 @@ class Raising {
   DrawnLevel enabled_;
   Drawing drawing_;
   Raised result_;
+  bool isLost_ = false;  ///< a level was pushed out
   bool failed_ = false;
 };
 

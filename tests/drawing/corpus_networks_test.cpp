@@ -1,6 +1,6 @@
 // Every STL network of the corpus: drawn as ladder and as FBD and lowered again to the same instructions, or with a
-// reason why it has no picture. Programs that are about such networks are named here; in all others every network
-// has one.
+// reason why it has no picture. Outside the programs with faults, and of the dialect without networks, the only reason
+// is a second rung.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -53,7 +53,7 @@ std::vector<Place> networks() {
   return result;
 }
 
-bool mayLackPictures(std::string_view place) {
+bool mayBeFaulty(std::string_view place) {
   return place.starts_with("faulty/") || place.starts_with("older/");  // faults of the stack; a dialect without networks
 }
 
@@ -68,7 +68,8 @@ TEST(CorpusNetworks, EveryNetworkHasAPictureOrAReason) {
     EXPECT_NE(asFbd.drawing.has_value(), !asFbd.reason.empty()) << place.text;
     if (asLadder.drawing || asFbd.drawing) continue;
     ++neither;
-    EXPECT_TRUE(mayLackPictures(place.text)) << place.text << ": " << asFbd.reason;
+    if (mayBeFaulty(place.text)) continue;
+    EXPECT_NE(asFbd.reason.find("begins a second rung"), std::string::npos) << place.text << ": " << asFbd.reason;
   }
   RecordProperty("networks", static_cast<int>(all));
   fmt::print("{} networks: {} as ladder, {} as FBD, {} as neither\n", all, ladder, fbd, neither);
@@ -83,7 +84,11 @@ TEST(CorpusNetworks, ComeBackAsTheSameInstructions) {
       if (!raised.drawing) continue;
       const Lowered result = lower(*raised.drawing);
       ASSERT_FALSE(result.fault) << place.text;
-      EXPECT_EQ(textOf(result.instructions), textOf(place.network->instructions)) << place.text;
+      if (!mayBeFaulty(place.text)) {
+        EXPECT_EQ(textOf(result.instructions), textOf(place.network->instructions)) << place.text;
+      }
+      const std::string differs = difference(result.instructions, place.network->instructions);
+      EXPECT_TRUE(differs.empty() || differs == "pointers") << place.text << ": " << differs;
       (textOf(result.instructions) == textOf(place.network->instructions) ? same : other) += 1;
     }
   }

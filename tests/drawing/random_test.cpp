@@ -32,7 +32,7 @@ TEST(RandomRungs, LadderRungsAreDrawnAsFbdToo) {
 
 TEST(RandomRungs, DrawingsDoWhatTheirRungsDo) {
   std::mt19937_64 random(drawingSeed() + 2);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 100; ++i) {
     for (const Form form : {Form::Ladder, Form::Fbd}) {
       const std::string statements = randomRung(random, form);
       const Program program = programOf(statements);
