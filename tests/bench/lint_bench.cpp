@@ -3,7 +3,6 @@
 #include <benchmark/benchmark.h>
 
 #include "tests/bench/long_program.hpp"
-#include "tests/rules/lint.hpp"
 
 namespace rungproof::testing {
 namespace {
@@ -12,16 +11,7 @@ void lint(benchmark::State& state) {
   const std::string text = longProgram(static_cast<int>(state.range(0)));
   std::size_t instructions = 0;
   for (auto _ : state) {
-    const Program program = readText("long.awl", text);
-    const Facts facts(program);
-    const RuleSettings settings;
-    FindingSink sink(program, settings);
-    for (const Rule* rule : allRules()) {
-      if (rule->check == nullptr) continue;
-      sink.begin(*rule);
-      rule->check(facts, sink);
-    }
-    instructions += program.instructionCount();
+    instructions += readAndLint(text);
   }
   state.SetItemsProcessed(static_cast<std::int64_t>(instructions));
 }

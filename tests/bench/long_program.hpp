@@ -1,7 +1,9 @@
-// A long program for measuring the cost of reading and linting. Used by tests/rules/scale_test.cpp and the benchmark.
+// A long program, and the work whose cost is measured on it: reading, building the facts, every rule. Used by tests/rules/scale_test.cpp and the benchmark.
 #pragma once
 
 #include <string>
+
+#include "tests/rules/lint.hpp"
 
 namespace rungproof::testing {
 
@@ -45,6 +47,20 @@ inline std::string longProgram(int count) {
     }
   }
   return text + "END_ORGANIZATION_BLOCK\n";
+}
+
+/// Reads the text and runs every rule that needs no solver; number of instructions.
+inline std::size_t readAndLint(const std::string& text) {
+  const Program program = readText("long.awl", text);
+  const Facts facts(program);
+  const RuleSettings settings;
+  FindingSink sink(program, settings);
+  for (const Rule* rule : allRules()) {
+    if (rule->check == nullptr) continue;
+    sink.begin(*rule);
+    rule->check(facts, sink);
+  }
+  return program.instructionCount();
 }
 
 }  // namespace rungproof::testing

@@ -17,15 +17,7 @@ double secondsFor(const std::string& text) {
   double best = 1e9;
   for (int run = 0; run < 3; ++run) {
     const std::clock_t start = std::clock();
-    const Program program = readText("long.awl", text);
-    const Facts facts(program);
-    const RuleSettings settings;
-    FindingSink sink(program, settings);
-    for (const Rule* rule : allRules()) {
-      if (rule->check == nullptr) continue;
-      sink.begin(*rule);
-      rule->check(facts, sink);
-    }
+    EXPECT_GT(readAndLint(text), 0U);
     best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
   }
   return best;
