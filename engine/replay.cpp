@@ -51,12 +51,13 @@ class Script final : public Outside {
 }  // namespace
 
 ReplayResult replay(const Program& program, const Choices& choices, const std::vector<ReplayScan>& scans, const Concrete::Store* initial,
-                    const ReplayObserver& observer) {
+                    const ReplayObserver& observer, InstructionObserver* watcher) {
   Script script(choices);
   EngineOptions options;
   options.choices = choices;
   Simulator simulator(program, options, &script);
   if (initial != nullptr) simulator.setStore(*initial);
+  if (watcher != nullptr) simulator.observe(watcher);
   ReplayResult result;
   bool goesOn = true;
   for (std::size_t i = 0; i < scans.size() && goesOn; ++i) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/concrete.hpp"
+#include "engine/instruction_observer.hpp"
 #include "engine/run_time_error.hpp"
 #include "engine/scan_script.hpp"
 #include "ir/choices.hpp"
@@ -48,8 +49,8 @@ struct ReplayResult {
 using ReplayObserver = std::function<bool(const Concrete::Store& state, std::size_t scan)>;
 
 /// Runs the scans from `initial`, or from power-up if it is nullptr. With an observer no states are kept, so that
-/// stretches of any length can be replayed.
+/// stretches of any length can be replayed. `watcher`: is shown every instruction; may be nullptr.
 ReplayResult replay(const Program& program, const Choices& choices, const std::vector<ReplayScan>& scans,
-                    const Concrete::Store* initial = nullptr, const ReplayObserver& observer = {});
+                    const Concrete::Store* initial = nullptr, const ReplayObserver& observer = {}, InstructionObserver* watcher = nullptr);
 
 }  // namespace rungproof

@@ -86,6 +86,7 @@ void Simulator::scanInRun(const ScanRequest& request, std::uint32_t lengthUs) {
   for (const Area area : {Area::I, Area::AI}) forced_.apply(area, store_);
   for (const int event : request.events) raise(event);
   runProgram(runner);
+  if (observer_ != nullptr) observer_->programEnded(machine_);
   passRest(runner, lengthUs);
   finishScan(lengthUs);
 }
@@ -128,6 +129,12 @@ std::uint64_t Simulator::unknown(int width) {
 }
 
 std::uint64_t Simulator::external(const ExternalSite& site, int width) {
+  const std::uint64_t value = externalValue(site, width);
+  if (observer_ != nullptr) observer_->external(site, value);
+  return value;
+}
+
+std::uint64_t Simulator::externalValue(const ExternalSite& site, int width) {
   switch (site.kind) {
     case External::StackBottom:
     case External::LocalMemory:

@@ -20,6 +20,7 @@
 #include "engine/devices.hpp"
 #include "engine/dispatch_concrete.hpp"
 #include "engine/force.hpp"
+#include "engine/instruction_observer.hpp"
 #include "engine/interrupt_queue.hpp"
 #include "engine/run_time_error.hpp"
 #include "engine/scan_script.hpp"
@@ -79,6 +80,12 @@ class Simulator final : private Outside {
   void unforce(const Operand& operand);
   Devices& devices() { return devices_; }
 
+  /// Shows every instruction of the following scans to the observer; nullptr: to nobody.
+  void observe(InstructionObserver* observer) {
+    observer_ = observer;
+    attention_ = true;
+  }
+
   const Concrete::Store& store() const { return store_; }
   /// Replaces the state, for a replay that starts elsewhere than at power-up.
   void setStore(const Concrete::Store& store) { store_ = store; }
@@ -99,6 +106,7 @@ class Simulator final : private Outside {
   };
 
   std::uint64_t external(const ExternalSite& site, int width) override;
+  std::uint64_t externalValue(const ExternalSite& site, int width);
   void report(Hazard hazard, const Instruction* place) override;
   void signal(Signal which, std::uint32_t index) override;
   std::uint64_t unknown(int width);
@@ -143,7 +151,8 @@ class Simulator final : private Outside {
   std::uint64_t nextMs_ = 0;     ///< position of the next tick of the 1 ms clock
   std::uint64_t watchdogFrom_ = 0;
   std::uint32_t pending_ = 0;    ///< time of the instruction that is running
-  bool attention_ = false;       ///< events wait in the queue
+  bool attention_ = false;       ///< events wait in the queue, or an observer looks
+  InstructionObserver* observer_ = nullptr;
   const Instruction* stoppedBy_ = nullptr;
   const std::string* calledBlock_ = nullptr;     ///< library block whose outputs are being asked for
   std::array<std::uint32_t, 2> timedPeriod_{};   ///< of events 10 and 11, taken over by ATCH (001:5472)

@@ -53,14 +53,15 @@ void Simulator::boundary(Runner& runner, const FlowStep* step) {
     checkWatchdog();
     const std::uint32_t id = step == nullptr ? ScanPlace::afterProgram : step->instruction->id;
     scripted(runner, {id, step == nullptr ? 0 : visits_[id]++});
-    return;
+  } else {
+    while (position_ >= nextMs_ && machine_.guard) {
+      nextMs_ += Cost::perMs;
+      passMillisecond(runner);
+    }
+    serveInterrupts(runner);
+    attention_ = !queue_.empty() || observer_ != nullptr;
   }
-  while (position_ >= nextMs_ && machine_.guard) {
-    nextMs_ += Cost::perMs;
-    passMillisecond(runner);
-  }
-  serveInterrupts(runner);
-  attention_ = !queue_.empty();
+  if (observer_ != nullptr && step != nullptr && machine_.guard) observer_->before(machine_, *step->instruction);
 }
 
 void Simulator::scripted(Runner& runner, ScanPlace place) {
