@@ -20,6 +20,7 @@ struct Stretch {
   std::size_t count;
   double x;
   double width;
+  bool isCut = false;  ///< drawn shorter than it lasts
 };
 
 bool sameValues(const TraceRow& a, const TraceRow& b) { return a.values == b.values; }
@@ -34,11 +35,12 @@ std::vector<Stretch> stretches(const Trace& trace, std::size_t maxScans, double 
       ++list.back().count;
       const double grown = mayCompress ? std::min(list.back().width + unit, 4 * unit) : list.back().width + unit;
       x += grown - list.back().width;
+      list.back().isCut = list.back().isCut || grown < list.back().width + unit;
       list.back().width = grown;
       continue;
     }
     if (list.size() >= maxScans) break;
-    list.push_back({r, 1, x, unit});
+    list.push_back({r, 1, x, unit, false});
     x += unit;
   }
   return list;
@@ -95,6 +97,7 @@ std::string axis(const Trace& trace, const std::vector<Stretch>& list, double y)
     const TraceRow& row = trace.rows[s.row];
     const std::string number = trace.isByTime ? millisecondsText(row.timeUs) : fmt::format("{}", row.scan);
     text += fmt::format("<path class=\"t\" d=\"M{:.1f} {:.1f}v4\"/>", s.x, y);
+    if (s.isCut) text += fmt::format("<path class=\"t\" d=\"M{0:.1f} {1:.1f}l4 -8m3 0l-4 8\"/>", s.x + s.width - 9, y + 4);
     if (s.x < free) continue;
     text += fmt::format("<text class=\"a\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", s.x, y + 16, number);
     free = s.x + static_cast<double>(number.size() * charWidth) + 6;
@@ -131,7 +134,7 @@ std::string timingDiagram(const Trace& trace, std::string_view title, std::size_
 
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\" font-size=\"12\">\n"
-      "<style>.w{{fill:none;stroke:#000;stroke-width:1.5}}.b{{fill:#fff;stroke:#000}}.x{{fill:#ddd;stroke:#999}}.t{{stroke:#000}}.g{{stroke:#ccc;stroke-dasharray:2 3}}"
+      "<style>.w{{fill:none;stroke:#000;stroke-width:1.5}}.b{{fill:#fff;stroke:#000}}.x{{fill:#ddd;stroke:#999}}.t{{fill:none;stroke:#000}}.g{{stroke:#ccc;stroke-dasharray:2 3}}"
       ".n{{text-anchor:middle;font-size:11px}}.a{{text-anchor:middle;font-size:10px;fill:#444}}</style>\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
       right + 30, bottom + 40);

@@ -68,6 +68,14 @@ std::vector<OperandPin> callPins(std::size_t count, const Pou* callee) {
 
 }  // namespace
 
+std::vector<std::string> callPowerPins(const std::vector<Operand>& operands, const Pou* callee) {
+  std::vector<std::string> names = {"EN"};
+  for (const OperandPin& pin : callPins(operands.size(), callee)) {
+    if (operands[pin.operand].kind == OperandKind::Missing) names.push_back(pin.name);
+  }
+  return names;
+}
+
 std::string boxName(const Desc& desc) {
   if (const std::string_view name = lookUp(boxNames, desc.stl); !name.empty()) return std::string(name);
   if (desc.stl.starts_with("FND")) return "TBL_FIND " + std::string(desc.stl.substr(3));

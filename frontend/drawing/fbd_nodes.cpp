@@ -142,7 +142,7 @@ class FbdPlan {
 
   int box(int i) {
     PlanNode node = boxNode(texts_, at(i), i, uses_[static_cast<std::size_t>(i)] > 0);
-    const std::vector<std::string> pins = powerPins(*at(i).desc, at(i).inputs.size());
+    const std::vector<std::string> pins = powerPinsOf(texts_, at(i));
     for (std::size_t k = 0; k < at(i).inputs.size(); ++k) node.inputs.push_back(pin(at(i).inputs[k], k < pins.size() ? pins[k] : std::string()));
     return add(std::move(node));
   }
@@ -152,6 +152,7 @@ class FbdPlan {
     PlanNode node = nodeOf(texts_, i);
     node.kind = NodeKind::Box;
     node.hasOutput = false;
+    node.isLast = !element.inputs.empty();
     node.name = coilSign(*element.desc);
     if (node.name == " ") node.name = "=";
     if (node.name == "I") node.name = "=I";

@@ -131,7 +131,7 @@ class LadderPlan {
 
   int box(int i, int source) {
     PlanNode node = boxNode(texts_, at(i), i, uses_[static_cast<std::size_t>(i)] > 0);
-    const std::vector<std::string> pins = powerPins(*at(i).desc, at(i).inputs.size());
+    const std::vector<std::string> pins = powerPinsOf(texts_, at(i));
     for (std::size_t k = 0; k < at(i).inputs.size(); ++k) {
       node.inputs.push_back({input(at(i).inputs[k], source), false, k < pins.size() ? pins[k] : std::string()});
     }

@@ -21,4 +21,7 @@ const Pou* calleeOf(const ElementTexts& texts, const Element& element);
 /// A box with its name and data pins, still without inputs. `isOutputUsed`: something is wired to its power output.
 PlanNode boxNode(const ElementTexts& texts, const Element& element, int index, bool isOutputUsed);
 
+/// Names of the power inputs of a box.
+std::vector<std::string> powerPinsOf(const ElementTexts& texts, const Element& element);
+
 }  // namespace rungproof

@@ -64,7 +64,7 @@ class Drawer {
     picture_.symbols.push_back({SymbolKind::Box, node_.element, x, frame_.row - nameRows, width, bottom - frame_.row + nameRows + 1, {}, node_.state});
     centre_ = 2 * x + width;
     centredLabels(frame_.row - nameRows, bottom + 1);
-    label(LabelRole::BoxName, (centre_ - displayWidth(node_.name)) / 2, frame_.row - 1, node_.name, Align::Centre);
+    centred(LabelRole::BoxName, frame_.row - 1, node_.name);
     for (std::size_t k = 0; k < node_.inputs.size(); ++k) pinName(x + 1, frame_.pinRows[k], node_.inputs[k].pin);
     int row = node_.inputs.empty() ? frame_.row : frame_.pinRows.back() + 1;
     for (const DataPin& pin : node_.left) {
@@ -92,13 +92,18 @@ class Drawer {
   static constexpr int noNet = -1;
 
   void label(LabelRole role, int x, int y, const std::string& text, Align align) {
-    if (!text.empty()) picture_.labels.push_back({role, node_.element, x, y, text, align, -1});
+    if (!text.empty()) picture_.labels.push_back({role, node_.element, x, y, text, align, -1, false});
+  }
+  void centred(LabelRole role, int y, const std::string& text) {
+    const int twice = centre_ - displayWidth(text);
+    label(role, twice / 2, y, text, Align::Centre);
+    if (!text.empty()) picture_.labels.back().halfRight = twice % 2 != 0;
   }
   void pinName(int x, int y, const std::string& name) { label(LabelRole::PinName, x, y, name, Align::Left); }
   void operand(const DataPin& pin, int x, int y, Align align) {
     label(pin.isConstant ? LabelRole::Constant : LabelRole::Address, x, y, pin.operand, align);
   }
-  void mark(int x, int y) { picture_.labels.push_back({LabelRole::Mark, node_.element, x, y, node_.mark, Align::Left, node_.severity}); }
+  void mark(int x, int y) { picture_.labels.push_back({LabelRole::Mark, node_.element, x, y, node_.mark, Align::Left, node_.severity, false}); }
 
   /// Lines that end above row `top`, and lines from row `bottom` on.
   void centredLabels(int top, int bottom) {
@@ -106,9 +111,9 @@ class Drawer {
     for (int k = 0; k < count; ++k) {
       const std::string& text = node_.above[static_cast<std::size_t>(k)];
       const bool isName = k == 0 && node_.namedAbove;
-      label(isName ? LabelRole::Symbol : LabelRole::Address, (centre_ - displayWidth(text)) / 2, top - count + k, text, Align::Centre);
+      centred(isName ? LabelRole::Symbol : LabelRole::Address, top - count + k, text);
     }
-    for (const std::string& text : node_.below) label(LabelRole::Address, (centre_ - displayWidth(text)) / 2, bottom++, text, Align::Centre);
+    for (const std::string& text : node_.below) centred(LabelRole::Address, bottom++, text);
     if (!node_.mark.empty()) mark((centre_ - displayWidth(node_.mark)) / 2, bottom);
   }
 

@@ -42,6 +42,7 @@ struct PictureLabel {
   std::string text;
   Align align = Align::Left;  ///< which of its points stands exactly, where a font is narrower than a cell
   int severity = -1;          ///< Mark: Severity of the worst finding
+  bool halfRight = false;     ///< Centre: the true middle is half a cell further to the right
 };
 
 /// A straight line from cell to cell, both included. Lines of one net that touch are connected.

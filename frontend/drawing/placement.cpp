@@ -74,6 +74,8 @@ class Placement {
       s.exit = n.kind == NodeKind::Join || n.kind == NodeKind::Rail ? s.column : s.column + 1;
       if (n.kind != NodeKind::Join) ++depth[i];
     }
+    columns_ = 0;
+    for (const Spot& s : spots_) columns_ = std::max(columns_, s.exit);
     moveToTheRight();
     columns_ = 0;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -92,10 +94,11 @@ class Placement {
     width_.assign(index(columns_), 2);
   }
 
-  /// In FBD, what feeds one pin only stands directly before it.
+  /// In FBD, outputs stand in the last column, and what feeds one pin only stands directly before it.
   void moveToTheRight() {
     if (hasRails_) return;
     for (std::size_t i = nodes_.size(); i-- > 0;) {
+      if (nodes_[i].isLast) spots_[i] = {columns_ - 1, columns_, notPlaced, {}};
       for (const NodeInput& input : nodes_[i].inputs) {
         if (uses_[index(input.from)] != 1) continue;
         Spot& before = spot(input.from);
@@ -251,8 +254,6 @@ class Placement {
     if (hasRails_ && border_.back() < usualWidth - 1) {
       const int more = usualWidth - 1 - border_.back();
       border_[index(columns_)] += more;
-      if (columns_ > 1 && hasCoils_) border_[index(columns_ - 1)] += more;
-      else if (hasCoils_) width_[0] += more;
     }
   }
 
@@ -290,7 +291,9 @@ class Placement {
   void drawNode(int i) {
     const Spot& s = spot(i);
     const PlanNode& n = node(i);
-    const int entry = n.kind == NodeKind::Join ? borderX(s.column) : columnX(s.column) + entryOffset(n, width_[index(s.column)]);
+    const int width = n.kind == NodeKind::Join ? 0 : width_[index(s.column)];
+    const int x = n.kind == NodeKind::Coil ? borderX(s.exit) - width : columnX(s.column);
+    const int entry = n.kind == NodeKind::Join ? borderX(s.column) : x + entryOffset(n, width);
     for (std::size_t k = 0; k < n.inputs.size(); ++k) {
       const int from = n.inputs[k].from;
       const int start = isRail(from) ? borderX(0) : borderX(spot(from).exit);
@@ -303,7 +306,7 @@ class Placement {
       addVertical(s.column, s.row, s.pinRows.back(), i);
       return;
     }
-    const NodeFrame frame{columnX(s.column), width_[index(s.column)], s.row, s.pinRows};
+    const NodeFrame frame{x, width, s.row, s.pinRows};
     const int exit = drawSymbol(n, frame, picture_);
     if (hasWireBehind(i)) wire(exit, s.row, borderX(s.exit), s.row, i);
   }

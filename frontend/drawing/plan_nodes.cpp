@@ -65,7 +65,9 @@ PlanNode boxNode(const ElementTexts& texts, const Element& element, int index, b
   for (const OperandPin& pin : operandPins(desc, element.operands.size(), calleeOf(texts, element))) {
     const Operand& operand = element.operands[pin.operand];
     const OperandText text = texts.operand(index, pin.operand);
-    const bool isOpen = operand.kind == OperandKind::Missing && pin.operand < desc.operandCount && desc.operands[pin.operand].optional;
+    // An output that is not used, or a parameter that is given as power flow.
+    const bool isOptional = desc.control == Control::Call || (pin.operand < desc.operandCount && desc.operands[pin.operand].optional);
+    const bool isOpen = operand.kind == OperandKind::Missing && isOptional;
     if (pin.side == PinSide::Above) {
       addAbove(node, text);
     } else if (!isOpen) {
@@ -78,6 +80,11 @@ PlanNode boxNode(const ElementTexts& texts, const Element& element, int index, b
     }
   }
   return node;
+}
+
+std::vector<std::string> powerPinsOf(const ElementTexts& texts, const Element& element) {
+  if (element.desc->control == Control::Call) return callPowerPins(element.operands, calleeOf(texts, element));
+  return powerPins(*element.desc, element.inputs.size());
 }
 
 }  // namespace rungproof

@@ -50,6 +50,7 @@ struct PlanNode {
   std::string note{};                     ///< Box: small text in its lower right corner, "100 ms"
   std::string outputPin{};                ///< Box: name of the power output; empty and hasOutput: unnamed
   bool hasOutput = true;
+  bool isLast = false;                    ///< Box: stands in the last column, as coils do
   std::vector<DataPin> left{};
   std::vector<DataPin> right{};
   Flow3 output = Flow3::Unknown;        ///< power on the output wire

@@ -21,7 +21,9 @@ table{border-collapse:collapse}td,th{border:1px solid #d8dee4;padding:.1em .6em;
 .changed{background:#fff3cd}
 )";
 
+// In a function of its own: names such as `top` belong to the window.
 constexpr std::string_view script = R"(
+(() => {
 "use strict";
 const trace = JSON.parse(document.getElementById("data").textContent);
 const rows = trace.rows, signals = trace.signals, lane = 30, level = 16, top = 10;
@@ -108,6 +110,7 @@ document.getElementById("view").onclick = e => {
 };
 document.getElementById("view").onwheel = e => { if (e.ctrlKey) { zoom(e.deltaY < 0 ? 1.2 : 1 / 1.2); e.preventDefault(); } };
 draw();
+})();
 )";
 
 std::string dataJson(const Trace& trace) {

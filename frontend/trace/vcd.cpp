@@ -49,7 +49,8 @@ void write(const Trace& trace, std::string_view title, std::ostream& out) {
   for (const TraceRow& row : trace.rows) wholeMs = wholeMs && row.timeUs % 1000 == 0;
   out << "$version rungproof $end\n$timescale 1 " << (wholeMs ? "ms" : "us") << " $end\n";
   std::set<std::string> taken;
-  const std::string scope = plainName(std::string(title.empty() ? "program" : title), taken);
+  const std::string_view file = title.substr(title.find_last_of("/\\") + 1);
+  const std::string scope = plainName(std::string(file.empty() ? "program" : file), taken);
   std::string names = "$comment\n", variables;
   for (std::size_t i = 0; i < trace.signals.size(); ++i) {
     const TraceSignal& signal = trace.signals[i];

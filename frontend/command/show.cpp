@@ -1,0 +1,224 @@
+// `rungproof show`: networks as ladder, FBD or STL, as text or SVG; with --at the power flow of one scan of a recorded run.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <memory>
+
+#include "engine/instruction_recorder.hpp"
+#include "engine/stimulus.hpp"
+#include "frontend/command/command.hpp"
+#include "frontend/drawing/network_view.hpp"
+#include "frontend/lint_run.hpp"
+#include "frontend/program_input.hpp"
+#include "frontend/stimulus_reader.hpp"
+#include "frontend/trace_file.hpp"
+
+namespace rungproof {
+
+namespace {
+
+struct Arguments {
+  std::vector<std::string> files;
+  std::string form = "lad";
+  bool svg = false;
+  bool ascii = false;
+  bool noFindings = false;
+  std::vector<std::string> networks;
+  std::vector<std::string> pous;
+  std::string output;
+  std::string at;
+  int width = 100;
+};
+
+/// "3" or "2-5".
+struct NumberRange {
+  int low = 0;
+  int high = 0;
+};
+
+std::optional<NumberRange> rangeNamed(std::string_view text) {
+  NumberRange range;
+  const char* const end = text.data() + text.size();
+  auto [next, error] = std::from_chars(text.data(), end, range.low);
+  if (error != std::errc()) return std::nullopt;
+  range.high = range.low;
+  if (next != end && *next == '-') {
+    const auto second = std::from_chars(next + 1, end, range.high);
+    if (second.ec != std::errc()) return std::nullopt;
+    next = second.ptr;
+  }
+  return next == end && range.low <= range.high ? std::optional(range) : std::nullopt;
+}
+
+/// The run whose scan is lit.
+struct LitScan {
+  std::string trace;
+  std::uint64_t scan = 0;
+};
+
+std::optional<LitScan> scanNamed(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos || colon == 0) return std::nullopt;
+  LitScan lit{text.substr(0, colon), 0};
+  const char* const end = text.data() + text.size();
+  const auto [next, error] = std::from_chars(text.data() + colon + 1, end, lit.scan);
+  return error == std::errc() && next == end && lit.scan > 0 ? std::optional(lit) : std::nullopt;
+}
+
+class Show {
+ public:
+  Show(const Arguments& arguments, const Context& context) : arguments_(arguments), context_(context) {}
+
+  Exit run() {
+    readArguments();
+    if (!failures_.empty()) return failAll(context_, failures_);
+    std::vector<BlockView> blocks;
+    bool isWhole = true;
+    for (const std::vector<std::string>& files : groupByProgram(context_, arguments_.files)) {
+      const ProgramInput input = readInput(context_, files);
+      isWhole = isWhole && !hasReadErrors(input.program);
+      addProgram(input, files, blocks);
+      if (!failures_.empty()) return failAll(context_, failures_);
+    }
+    if (const auto failure = unusedSelection()) return context_.fail(*failure);
+    const std::string text = isSvg_ ? viewSvg(blocks) : viewText(blocks, {arguments_.ascii, context_.color && arguments_.output.empty()});
+    if (!context_.write({"", arguments_.output}, text)) return Exit::Failed;
+    return isWhole ? Exit::Clean : Exit::Failed;
+  }
+
+ private:
+  void readArguments() {
+    options_.form = arguments_.form == "fbd" ? Form::Fbd : arguments_.form == "stl" ? Form::Stl : Form::Ladder;
+    options_.width = arguments_.width;
+    isSvg_ = arguments_.svg || context_.outputs.front().name == "svg" || arguments_.output.ends_with(".svg");
+    if (isSvg_ && arguments_.ascii) failures_.push_back({"--ascii is a form of text, not of SVG"});
+    for (const std::string& text : arguments_.networks) {
+      if (const auto range = rangeNamed(text)) ranges_.push_back(*range);
+      else failures_.push_back({fmt::format("'{}' is no network number", text), {}, "write a number or a range, such as 3 or 2-5"});
+    }
+    if (arguments_.at.empty()) return;
+    lit_ = scanNamed(arguments_.at);
+    if (!lit_) failures_.push_back({fmt::format("'{}' names no scan of a trace", arguments_.at), {}, "write TRACE:SCAN, such as run.csv:12"});
+  }
+
+  void addProgram(const ProgramInput& input, const std::vector<std::string>& files, std::vector<BlockView>& blocks) {
+    const Program& program = input.program;
+    if (hasReadErrors(program)) {
+      Report report = startReport("show", program, files);
+      sortFindings(report);
+      reporterNamed("human")->write(report, {false, context_.settings.flag(Opt::Quiet)}, context_.err);
+    }
+    std::optional<InstructionRecorder> recorder;
+    if (lit_) {
+      recorder.emplace(program.instructionCount());
+      if (!record(program, *recorder)) return;
+    }
+    Report report;
+    if (!arguments_.noFindings) report = lintProgram(context_.settings, input, files);
+    sortFindings(report);
+    ViewOptions options = options_;
+    options.recorder = recorder ? &*recorder : nullptr;
+    for (const Finding& finding : report.findings) {
+      if (finding.severity >= context_.settings.level()) options.findings.push_back(&finding);
+    }
+    for (const Pou& pou : program.pous) {
+      if (!isWanted(pou)) continue;
+      BlockView block{blockHeading(pou), {}};
+      for (const Network& network : pou.networks) {
+        if (isWanted(network)) block.networks.push_back(networkView(program, pou, network, options));
+      }
+      if (!block.networks.empty()) blocks.push_back(std::move(block));
+    }
+    isFound_ = isFound_ || !blocks.empty() || (ranges_.empty() && arguments_.pous.empty());
+  }
+
+  bool isWanted(const Pou& pou) {
+    return arguments_.pous.empty() || std::ranges::any_of(arguments_.pous, [&](const std::string& name) { return CLI::detail::to_lower(name) == CLI::detail::to_lower(pou.name); });
+  }
+  bool isWanted(const Network& network) const {
+    return ranges_.empty() || std::ranges::any_of(ranges_, [&](const NumberRange& range) { return range.low <= network.number && network.number <= range.high; });
+  }
+  std::optional<Failure> unusedSelection() const {
+    if (isFound_) return std::nullopt;
+    return Failure{"no network of the program is selected", {}, "see its blocks and networks with 'rungproof show' without --network and --pou"};
+  }
+
+  /// Runs the program with the trace as stimulus up to the scan. False: `failures_` says why not.
+  bool record(const Program& program, InstructionRecorder& recorder) {
+    const std::optional<std::string> text = readFile(context_, lit_->trace, failures_);
+    if (!text) return false;
+    const Stimulus stimulus = readStimulus(lit_->trace, *text, program, failures_);
+    if (!failures_.empty()) return false;
+    if (program.main() == nullptr) {
+      failures_.push_back({"there is no main program to run", arguments_.files.front(), "give the file that holds the main program"});
+      return false;
+    }
+    EngineOptions engine;
+    engine.choices = context_.settings.choices();
+    engine.seed = static_cast<std::uint64_t>(context_.settings.number(Opt::Seed, 1));
+    if (const auto scanTime = context_.settings.scanTime()) engine.scanUs = static_cast<std::uint32_t>(scanTime->low.count());
+    Simulator simulator(program, engine);
+    simulator.observe(&recorder);
+    StimulusPlayer player(simulator, stimulus);
+    while (simulator.scanCount() < lit_->scan) {
+      if (!simulator.isRunning()) {
+        failures_.push_back({fmt::format("the program stops after scan {}; scan {} does not run it", simulator.scanCount(), lit_->scan)});
+        return false;
+      }
+      recorder.beginScan(simulator.scanCount() + 1 == lit_->scan);
+      simulator.scan(player.next());
+    }
+    return true;
+  }
+
+  const Arguments& arguments_;
+  const Context& context_;
+  ViewOptions options_;
+  bool isSvg_ = false;
+  bool isFound_ = false;
+  std::vector<NumberRange> ranges_;
+  std::optional<LitScan> lit_;
+  std::vector<Failure> failures_;
+};
+
+Action setup(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  app.add_option("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input")->required();
+  app.add_option("--as", arguments->form, "draw as ladder, function block diagram or statement list (lad)")->type_name("lad|fbd|stl")->check(CLI::IsMember({"lad", "fbd", "stl"}));
+  app.add_flag("--svg", arguments->svg, "one SVG document instead of text");
+  app.add_flag("--ascii", arguments->ascii, "text without box-drawing characters");
+  app.add_option("--network", arguments->networks, "only these networks, such as 3 or 2-5; may be repeated")->type_name("N")->delimiter(',');
+  app.add_option("--pou", arguments->pous, "only these blocks; may be repeated")->type_name("NAME")->delimiter(',');
+  app.add_option("-o,--output", arguments->output, "write to this file; one that ends in .svg is SVG")->type_name("FILE");
+  app.add_option("--at", arguments->at, "light the power flow of a scan of a trace (CSV)")->type_name("TRACE:SCAN");
+  app.add_option("--width", arguments->width, "columns of a page; longer rungs are wrapped (100)")->type_name("N")->check(CLI::Range(40, 1000));
+  app.add_flag("--no-findings", arguments->noFindings, "do not mark what lint finds");
+  return [arguments](Context& context) { return Show(*arguments, context).run(); };
+}
+
+}  // namespace
+
+extern constexpr Command showCommand = {
+    .name = "show",
+    .usage = "FILE... [--as lad|fbd|stl] [--svg] [--at TRACE:SCAN]",
+    .summary = "draw networks as ladder, FBD or STL",
+    .details =
+        "A network that has no picture in the wanted form is shown as STL with the reason. Findings of lint are\n"
+        "marked below the element they are about. With --at the program runs with the trace as stimulus: wires\n"
+        "with power are heavy (in ASCII '='), closed contacts and energised coils are filled, and values stand\n"
+        "behind the addresses.\n"
+        "\n"
+        "Examples:\n"
+        "    rungproof show press.awl\n"
+        "    rungproof show press.awl --as fbd --pou SBR_0 --network 2-5\n"
+        "    rungproof show press.awl --svg -o press.svg\n"
+        "    rungproof show press.awl --at run.csv:12 --network 3\n",
+    .shows = option_group::Reading | option_group::Rules | option_group::Output | option_group::Configuration,
+    .formats = "text|svg",
+    .setup = setup,
+};
+
+}  // namespace rungproof

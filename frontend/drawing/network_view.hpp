@@ -1,0 +1,53 @@
+// A network ready to be shown: heading, comments, its picture or its statement list, findings. A network that has no picture
+// in the wanted form is shown as STL with the reason. Tested by tests/show/network_view_test.cpp.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/instruction_recorder.hpp"
+#include "frontend/drawing/picture.hpp"
+#include "frontend/drawing/text_picture.hpp"
+#include "ir/finding.hpp"
+#include "ir/program.hpp"
+
+namespace rungproof {
+
+struct ViewOptions {
+  Form form = Form::Ladder;
+  int width = 100;  ///< columns of a page
+  std::vector<const Finding*> findings{};         ///< of the whole program; those in the network are taken
+  const InstructionRecorder* recorder = nullptr;  ///< a scan to light, or nullptr
+};
+
+struct ViewNote {
+  Severity severity = Severity::Note;
+  std::string text;
+};
+
+struct NetworkView {
+  std::string heading;                ///< "Network 3  inlet"
+  std::vector<std::string> comments;  ///< without their signs
+  Picture picture;                    ///< empty if there is none
+  std::vector<std::string> statements;
+  std::string reason;                 ///< why there is no picture; empty: there is one, or STL was asked for
+  std::vector<ViewNote> notes;        ///< findings
+  bool notExecuted = false;           ///< the scan to be lit did not run it
+};
+
+NetworkView networkView(const Program& program, const Pou& pou, const Network& network, const ViewOptions& options);
+
+/// Networks of one block.
+struct BlockView {
+  std::string heading;  ///< "MAIN (OB1)  Tank filling"
+  std::vector<NetworkView> networks;
+};
+std::string blockHeading(const Pou& pou);
+
+std::string viewText(const std::vector<BlockView>& blocks, const TextStyle& style);
+/// One SVG document with everything below each other.
+std::string viewSvg(const std::vector<BlockView>& blocks);
+/// The picture or statements of one network without heading, as an SVG element for an HTML page that brings svgStyle().
+std::string pictureSvg(const NetworkView& view);
+
+}  // namespace rungproof
