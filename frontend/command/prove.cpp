@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <sstream>
@@ -10,6 +11,7 @@
 #include "frontend/command/command.hpp"
 #include "frontend/proof_input.hpp"
 #include "frontend/trace/format.hpp"
+#include "frontend/witness_drawing.hpp"
 #include "frontend/witness_report.hpp"
 
 namespace rungproof {
@@ -22,7 +24,10 @@ struct Arguments {
   bool builtin = false;
   std::string certificates;
   std::string traces;
+  std::string show;
 };
+
+constexpr std::size_t scansInText = 3, scansInPage = 24;  // the last ones of a witness
 
 volatile std::sig_atomic_t interrupted = 0;
 void onInterrupt(int) { interrupted = 1; }
@@ -64,6 +69,20 @@ std::string writeTraces(const Context& context, const std::string& directory, co
   return first;
 }
 
+/// The last scans as drawings: a few for people, more for a page that steps through them.
+std::vector<ShownScan> drawnScans(const Arguments& arguments, const Program& program, const Choices& choices, const ProofResult& result, bool hasPage) {
+  WitnessDrawingOptions options;
+  options.form = arguments.show == "fbd" ? Form::Fbd : arguments.show == "stl" ? Form::Stl : Form::Ladder;
+  options.scans = hasPage ? scansInPage : scansInText;
+  options.text = !arguments.show.empty();
+  options.svg = hasPage;
+  std::vector<ShownScan> scans = shownScans(program, choices, result, options);
+  for (std::size_t i = 0; i + scansInText < scans.size(); ++i) {
+    for (ShownNetwork& network : scans[i].networks) network.text.clear();
+  }
+  return scans;
+}
+
 PropertyResult rowOf(const Context& context, const Arguments& arguments, const Program& program, const Choices& choices, const ProofResult& result) {
   PropertyResult row;
   row.name = result.property.name;
@@ -78,6 +97,8 @@ PropertyResult rowOf(const Context& context, const Arguments& arguments, const P
   if (result.witness) {
     const Trace trace = traceOf(program, choices, *result.witness, signalsThatMatter(program, result));
     for (const std::string& line : tableOf(trace)) row.notes.push_back(line);
+    const bool hasPage = std::ranges::any_of(context.outputs, [](const OutputRequest& output) { return output.name == "html"; });
+    if (!arguments.show.empty() || hasPage) row.scans = drawnScans(arguments, program, choices, result, hasPage);
     if (!arguments.traces.empty()) row.trace = writeTraces(context, arguments.traces, program, choices, result);
   }
   if (!result.certificate.empty()) row.notes.push_back(fmt::format("certificate: {}", result.certificate));
@@ -134,6 +155,7 @@ Action setup(CLI::App& app) {
   app.add_flag("--builtin", arguments->builtin, "also the built-in checks: set/reset conflicts, operand ranges, timers, division, loops");
   app.add_option("--certificate", arguments->certificates, "write the proof of each PROVED as SMT-LIB 2, for another solver to check")->type_name("DIR");
   app.add_option("--traces", arguments->traces, "write each witness as CSV (also a stimulus), VCD and SVG")->type_name("DIR");
+  app.add_option("--show", arguments->show, "draw the networks that matter, with the power flow of the last 3 scans of each witness")->type_name("ladder|fbd|stl")->check(CLI::IsMember({"ladder", "fbd", "stl"}));
   return [arguments](Context& context) { return run(*arguments, context); };
 }
 
@@ -171,6 +193,7 @@ extern constexpr Command proveCommand = {
         "Examples:\n"
         "    rungproof prove press.awl\n"
         "    rungproof prove press.awl --props press.prop --scan-time 5ms..20ms --timeout 30s\n"
+        "    rungproof prove press.awl --show ladder --format html=press.html\n"
         "    rungproof prove press.awl --builtin --traces witnesses --certificate proofs\n",
     .shows = option_group::Reading | option_group::Running | option_group::Output | option_group::Configuration,
     .setup = setup,

@@ -143,6 +143,22 @@ std::string blockHeading(const Pou& pou) {
   return heading;
 }
 
+std::vector<std::string> contentLines(const NetworkView& view, const TextStyle& style) {
+  const Paint paint{style.color};
+  std::vector<std::string> lines;
+  if (!view.reason.empty()) lines.push_back("shown as STL: " + view.reason);
+  if (view.notExecuted) lines.emplace_back("not executed in this scan");
+  if (view.picture.height > 0) {
+    for (std::string& line : textLines(view.picture, style)) lines.push_back(std::move(line));
+  }
+  for (const std::string& line : view.statements) lines.push_back("  " + line);
+  for (const ViewNote& note : view.notes) {
+    const std::string word = note.severity == Severity::Error ? paint.red("error") : note.severity == Severity::Warning ? paint.yellow("warning") : paint.blue("note");
+    lines.push_back(fmt::format("  {} {}", word, note.text));
+  }
+  return lines;
+}
+
 std::string viewText(const std::vector<BlockView>& blocks, const TextStyle& style) {
   const Paint paint{style.color};
   std::string text;
@@ -152,16 +168,7 @@ std::string viewText(const std::vector<BlockView>& blocks, const TextStyle& styl
     for (const NetworkView& view : block.networks) {
       text += "\n" + paint.bold(view.heading) + "\n";
       for (const std::string& comment : view.comments) text += "// " + comment + "\n";
-      if (!view.reason.empty()) text += "shown as STL: " + view.reason + "\n";
-      if (view.notExecuted) text += "not executed in this scan\n";
-      for (const std::string& line : textLines(view.picture, style)) {
-        if (view.picture.height > 0) text += line + "\n";
-      }
-      for (const std::string& line : view.statements) text += "  " + line + "\n";
-      for (const ViewNote& note : view.notes) {
-        const std::string word = note.severity == Severity::Error ? paint.red("error") : note.severity == Severity::Warning ? paint.yellow("warning") : paint.blue("note");
-        text += fmt::format("  {} {}\n", word, note.text);
-      }
+      for (const std::string& line : contentLines(view, style)) text += line + "\n";
     }
   }
   return text;

@@ -44,6 +44,8 @@ struct BlockView {
 };
 std::string blockHeading(const Pou& pou);
 
+/// The lines of one network below its comments: remarks, picture or statements, findings.
+std::vector<std::string> contentLines(const NetworkView& view, const TextStyle& style);
 std::string viewText(const std::vector<BlockView>& blocks, const TextStyle& style);
 /// One SVG document with everything below each other.
 std::string viewSvg(const std::vector<BlockView>& blocks);

@@ -5,6 +5,7 @@
 
 #include "analysis/rule.hpp"
 #include "frontend/cli.hpp"
+#include "frontend/drawing/svg_picture.hpp"
 #include "frontend/excerpt.hpp"
 #include "frontend/report/report.hpp"
 
@@ -22,6 +23,35 @@ constexpr std::string_view pageStyle =
     "mark{background:#ffd6d6;color:inherit}.place{color:#57606a}"
     "@media(prefers-color-scheme:dark){body{color:#e6edf3;background:#0d1117}pre{background:#161b22}"
     "td,th,h2{border-color:#30363d}mark{background:#6e2b2b}.place{color:#9198a1}.good{color:#4ac26b}.bad{color:#ff7b72}.open{color:#d29922}}";
+
+/// Ladder stays dark on white, as on paper.
+constexpr std::string_view runStyle =
+    ".run{border:1px solid #d8dee4;margin:1em 0;padding:.6em .8em;background:#fff;color:#1a1f26}.run h3{margin:.1em 0 .4em;font-size:1em}"
+    ".run:focus{outline:2px solid #0b62d6}.run figure{margin:.4em 0;overflow-x:auto}.run figcaption{font-weight:bold;font-size:.92em}"
+    ".steps button{font:inherit;padding:.1em .6em}.scan h4{margin:.5em 0 .2em}";
+
+/// Steps through the scans of each run: buttons, and arrow keys for the run that has the focus. Without scripts all scans
+/// stand below each other.
+constexpr std::string_view runScript = R"(
+(() => {
+"use strict";
+for (const run of document.querySelectorAll(".run")) {
+  const scans = [...run.querySelectorAll(".scan")], where = run.querySelector(".where");
+  let at = scans.length - 1;
+  const show = to => {
+    at = Math.max(0, Math.min(scans.length - 1, to));
+    scans.forEach((scan, i) => { scan.hidden = i !== at; });
+    where.textContent = `${at + 1} of ${scans.length}`;
+  };
+  const steps = {first: () => 0, back: () => at - 1, forward: () => at + 1, last: () => scans.length - 1};
+  for (const name in steps) run.querySelector("." + name).onclick = () => show(steps[name]());
+  const keys = {ArrowLeft: "back", ArrowRight: "forward", Home: "first", End: "last"};
+  run.onkeydown = e => { if (keys[e.key]) { show(steps[keys[e.key]]()); e.preventDefault(); } };
+  run.querySelector(".steps").hidden = false;
+  show(at);
+}
+})();
+)";
 
 std::string escaped(std::string_view text) {
   std::string result;
@@ -51,6 +81,7 @@ class HtmlWriter {
     out_ << fmt::format("<tr><td class=n>{}</td><td class=n>{}</td><td class=n>{}</td><td class=n>{}</td><td class=n>{}</td><td class=n>{}</td></tr></table>\n",
                         summary.errors, summary.warnings, summary.notes, summary.proved, summary.violated, summary.undecided);
     writeProperties();
+    writeRuns();
     if (report_.comparison) writeComparison(*report_.comparison);
     writeFindings();
     writeBasis();
@@ -93,7 +124,7 @@ class HtmlWriter {
       const bool bad = property.verdict == VerdictWord::Violated || property.verdict == VerdictWord::Unreachable || property.verdict == VerdictWord::Vacuous;
       std::string text = fmt::format("<b>{}</b>", escaped(property.name));
       if (!property.statement.empty()) text += fmt::format("<br><code>{}</code>", escaped(property.statement));
-      for (const std::string& note : property.notes) text += fmt::format("<br>{}", escaped(note));
+      writeNotes(property.notes, text);
       for (const std::string& assumption : property.assumptions) text += fmt::format("<br>assumes: {}", escaped(assumption));
       const std::string trace = property.trace.empty() ? "" : fmt::format("<a href=\"{0}\">{0}</a>", escaped(property.trace));
       out_ << fmt::format("<tr><td class={}>{}</td><td>{}</td><td>{}</td><td class=n>{}</td><td class=n>{:.2f}</td><td>{}</td></tr>\n",
@@ -101,6 +132,41 @@ class HtmlWriter {
                           property.depth, property.seconds, trace);
     }
     out_ << "</table>\n";
+  }
+
+  /// Lines with columns keep them.
+  static void writeNotes(const std::vector<std::string>& notes, std::string& text) {
+    bool isTable = false;
+    for (const std::string& note : notes) {
+      const bool hasColumns = note.find("  ") != std::string::npos;
+      if (hasColumns != isTable) text += hasColumns ? "<pre>" : "</pre>";
+      text += hasColumns ? escaped(note) + "\n" : (isTable ? "" : "<br>") + escaped(note);
+      isTable = hasColumns;
+    }
+    if (isTable) text += "</pre>";
+  }
+
+  /// The last scans of each witness, as ladder with power flow.
+  void writeRuns() {
+    bool isFirst = true;
+    for (const PropertyResult& property : report_.properties) {
+      if (property.scans.empty() || property.scans.front().networks.empty() || property.scans.front().networks.front().svg.empty()) continue;
+      if (isFirst) out_ << fmt::format("<h2>Runs</h2>\n<style>{}{}</style>\n", runStyle, svgStyle());
+      isFirst = false;
+      out_ << fmt::format(
+          "<section class=run tabindex=0><h3>{}: {}</h3>\n<p class=steps hidden><button class=first>first</button> <button class=back>scan back</button> "
+          "<button class=forward>scan forward</button> <button class=last>last</button> <span class=where></span></p>\n",
+          verdictText(property.verdict, property.depth), escaped(property.name));
+      for (const ShownScan& scan : property.scans) {
+        out_ << fmt::format("<div class=scan><h4>scan {}, {:g} ms</h4>\n", scan.scan, scan.timeMs);
+        for (const ShownNetwork& network : scan.networks) {
+          out_ << fmt::format("<figure><figcaption>{}</figcaption>\n{}</figure>\n", escaped(network.heading), network.svg);
+        }
+        out_ << "</div>\n";
+      }
+      out_ << "</section>\n";
+    }
+    if (!isFirst) out_ << fmt::format("<script>{}</script>\n", runScript);
   }
 
   void writeComparison(const Comparison& comparison) {

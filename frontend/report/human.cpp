@@ -95,6 +95,18 @@ class HumanWriter {
     for (const std::string& note : property.notes) out_ << fmt::format("  {} {}\n", paint_.blue("="), note);
     for (const std::string& assumption : property.assumptions) out_ << fmt::format("  {} assumes: {}\n", paint_.blue("="), assumption);
     if (!property.trace.empty()) out_ << fmt::format("  {} trace: {}\n", paint_.blue("="), property.trace);
+    for (const ShownScan& scan : property.scans) writeScan(scan);
+  }
+
+  void writeScan(const ShownScan& scan) {
+    bool isFirst = true;
+    for (const ShownNetwork& network : scan.networks) {
+      if (network.text.empty()) continue;
+      if (isFirst) out_ << fmt::format("\n  {}\n", paint_.bold(fmt::format("scan {}, {:g} ms", scan.scan, scan.timeMs)));
+      isFirst = false;
+      out_ << fmt::format("  {}\n", network.heading);
+      for (const std::string& line : network.text) out_ << fmt::format("  {}\n", line);
+    }
   }
 
   /// What the verdicts rest on.

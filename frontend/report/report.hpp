@@ -25,6 +25,18 @@ std::string verdictText(VerdictWord verdict, int depth);
 enum class ResultKind : std::uint8_t { Prove, Reach, Builtin };
 std::string_view resultKindName(ResultKind kind);
 
+/// A network as it was in one scan of a witness, power flow lit.
+struct ShownNetwork {
+  std::string heading;            ///< "MAIN, Network 3  Star contactor"
+  std::vector<std::string> text;  ///< lines; empty: not asked for
+  std::string svg;                ///< an element for an HTML page that brings svgStyle(); empty: not asked for
+};
+struct ShownScan {
+  std::uint64_t scan = 0;
+  double timeMs = 0;  ///< at its end
+  std::vector<ShownNetwork> networks;
+};
+
 /// The verdict on one property.
 struct PropertyResult {
   std::string name;
@@ -38,6 +50,7 @@ struct PropertyResult {
   std::optional<Span> span; ///< where it is declared, in the sources of the report
   std::vector<std::string> assumptions;  ///< of this property only; those of the run are in Report::assumptions
   std::vector<std::string> notes;        ///< what was tried, which lines are not covered, what the witness shows
+  std::vector<ShownScan> scans{};        ///< the last scans of the witness as drawings
 };
 
 /// A row of the table around the first difference: the values of all compared signals in one scan.

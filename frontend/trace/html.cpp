@@ -43,7 +43,7 @@ function runs(i) {
 const lanes = signals.map((s, i) => runs(i));
 function drawLane(i) {
   const y = top + i * lane;
-  let text = `<text x="4" y="${y + level - 3}">${escapeText(signals[i].name)}</text>`, path = "", pen = false;
+  let text = "", path = "", pen = false;
   for (const run of lanes[i]) {
     const x = labelWidth + run.row * unit, end = x + run.count * unit;
     if (run.value === null) {
@@ -72,8 +72,13 @@ function draw() {
   for (let i = 0; i < signals.length; ++i) text += drawLane(i);
   const at = labelWidth + (cursor + 0.5) * unit;
   text += `<path class="c" d="M${at} 0V${bottom}"/>`;
-  document.getElementById("view").innerHTML = `<svg width="${width}" height="${bottom + 24}">${text}</svg>`;
+  const names = signals.map((s, i) => `<text x="4" y="${top + i * lane + level - 3}">${escapeText(s.name)}</text>`).join("");
+  document.getElementById("view").innerHTML = `<svg width="${width}" height="${bottom + 24}">${text}<g id="names"><rect width="${labelWidth - 6}" height="${bottom}" fill="#fff"/>${names}</g></svg>`;
+  keepNames();
   showValues();
+}
+function keepNames() {
+  document.getElementById("names").setAttribute("transform", `translate(${document.getElementById("view").scrollLeft})`);
 }
 function showValues() {
   if (!rows.length) return;
@@ -108,6 +113,7 @@ document.getElementById("view").onclick = e => {
   const x = e.clientX - view.getBoundingClientRect().left + view.scrollLeft - labelWidth;
   if (x >= 0) go(Math.floor(x / unit));
 };
+document.getElementById("view").onscroll = keepNames;
 document.getElementById("view").onwheel = e => { if (e.ctrlKey) { zoom(e.deltaY < 0 ? 1.2 : 1 / 1.2); e.preventDefault(); } };
 draw();
 })();
