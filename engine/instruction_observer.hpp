@@ -1,6 +1,6 @@
 // Watches a run from instruction to instruction, for displays of power flow. A simulator without an observer does not
 // pay for it: observed runs take the path of pending interrupts in front of every instruction.
-// Covered by tests/show/power_flow_test.cpp.
+// Covered by tests/show/scan_test.cpp.
 #pragma once
 
 #include "engine/concrete.hpp"

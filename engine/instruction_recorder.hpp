@@ -1,5 +1,5 @@
 // Keeps what each instruction saw and did when it ran last in a scan: logic stack and operand values in front of it and
-// behind it. Displays of power flow read it. Covered by tests/show/power_flow_test.cpp.
+// behind it. Displays of power flow read it. Covered by tests/show/scan_test.cpp.
 #pragma once
 
 #include <array>

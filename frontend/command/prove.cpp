@@ -27,7 +27,7 @@ struct Arguments {
   std::string show;
 };
 
-constexpr std::size_t scansInText = 3, scansInPage = 24;  // the last ones of a witness
+constexpr std::size_t scansInText = 3, scansInPage = 16;  // the last ones of a witness
 
 volatile std::sig_atomic_t interrupted = 0;
 void onInterrupt(int) { interrupted = 1; }

@@ -1,5 +1,5 @@
 // A network ready to be shown: heading, comments, its picture or its statement list, findings. A network that has no picture
-// in the wanted form is shown as STL with the reason. Tested by tests/show/network_view_test.cpp.
+// in the wanted form is shown as STL with the reason. Tested by tests/show/scan_test.cpp.
 #pragma once
 
 #include <string>

@@ -54,7 +54,7 @@ class Drawer {
     const std::string& name = node_.above.at(0);
     const int x = frame_.x + frame_.width - displayWidth(name) - 2;
     label(LabelRole::Address, x, frame_.row, name, Align::Right);
-    if (!node_.mark.empty()) mark(x, frame_.row + 1);
+    if (!node_.mark.empty()) mark(std::min(x, frame_.x + frame_.width - displayWidth(node_.mark) - 2), frame_.row + 1);
     return frame_.x + frame_.width - 1;
   }
 
@@ -142,7 +142,7 @@ int boxRowsBelow(const PlanNode& node, const std::vector<int>& pinRows) {
 }
 
 int columnWidth(const PlanNode& node) {
-  if (node.kind == NodeKind::Leaf) return displayWidth(node.above.at(0)) + 2 + stub;
+  if (node.kind == NodeKind::Leaf) return std::max(displayWidth(node.above.at(0)), displayWidth(node.mark)) + 2 + stub;
   if (node.kind != NodeKind::Box) return std::max(displayWidth(node.sign) + 2 + 2 * wireEnds, labelWidth(node) + 2);
   const int frame = operandWidth(node.left) + frameWidth(node) + operandWidth(node.right);
   return std::max(frame, labelWidth(node) + 2 * stub);

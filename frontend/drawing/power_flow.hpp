@@ -1,6 +1,6 @@
 // Power flow in a drawn network: what a recorded scan means for each element. Contacts are judged by the values that their
 // instructions saw; wires follow from the elements, as on the screen of the editor in status mode. In an inactive SCR
-// segment nothing flows (001:5830). Tested by tests/show/power_flow_test.cpp.
+// segment nothing flows (001:5830). Tested by tests/show/scan_test.cpp.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // A picture as SVG, in the look of the editor: thin black wires on white, blue where power flows. A fragment stands in
-// a page with others; the page brings the style sheet once. Tested by tests/show/svg_picture_test.cpp.
+// a page with others; the page brings the style sheet once. Tested by tests/show/rendering_test.cpp.
 #pragma once
 
 #include <string>

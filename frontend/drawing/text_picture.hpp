@@ -1,5 +1,5 @@
 // A picture as lines of text: box-drawing characters, or plain ASCII. Wires with power are heavy (═ in ASCII '='),
-// closed contacts are filled; on a terminal both are green as well. Tested by tests/show/text_picture_test.cpp.
+// closed contacts are filled; on a terminal both are green as well. Tested by tests/show/rendering_test.cpp.
 #pragma once
 
 #include <string>
