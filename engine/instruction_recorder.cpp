@@ -69,16 +69,16 @@ void InstructionRecorder::before(const Machine<Concrete>& machine, const Instruc
 
 void InstructionRecorder::external(const ExternalSite& site, std::uint64_t value) {
   if (!isOn_ || site.instruction >= records_.size()) return;
-  const bool isInput = site.kind == External::ImmediateInput || site.kind == External::AnalogInput;
-  if (!isInput) return;
-  const Area area = site.kind == External::AnalogInput ? Area::AI : Area::I;
+  const bool isImmediate = site.kind == External::ImmediateInput;  // whatever area a faulty program names
+  if (!isImmediate && site.kind != External::AnalogInput) return;
   for (Running& running : running_) {
     if (running.instruction == nullptr || running.instruction->id != site.instruction) continue;
     InstructionRecord& record = records_[site.instruction];
     for (std::size_t i = 0; i < record.read.size(); ++i) {
       const Operand& operand = running.instruction->operands[i];
-      const std::uint32_t index = area == Area::I ? operand.offset * 8 + operand.bit : operand.offset;
-      if (operand.kind == OperandKind::Direct && operand.area == area && index == site.index) record.read[i] = value;
+      const std::uint32_t index = isImmediate ? operand.offset * 8 + operand.bit : operand.offset;
+      const bool isHere = operand.kind == OperandKind::Direct && (isImmediate || operand.area == Area::AI);
+      if (isHere && index == site.index) record.read[i] = value;
     }
   }
 }

@@ -1,5 +1,5 @@
 // A witness as electricians read it: the networks that matter, as ladder with the power flow of the last scans.
-// Tested by tests/show/scan_test.cpp.
+// Tested by tests/show/witness_drawing_test.cpp.
 #pragma once
 
 #include <vector>

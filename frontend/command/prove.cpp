@@ -155,7 +155,7 @@ Action setup(CLI::App& app) {
   app.add_flag("--builtin", arguments->builtin, "also the built-in checks: set/reset conflicts, operand ranges, timers, division, loops");
   app.add_option("--certificate", arguments->certificates, "write the proof of each PROVED as SMT-LIB 2, for another solver to check")->type_name("DIR");
   app.add_option("--traces", arguments->traces, "write each witness as CSV (also a stimulus), VCD and SVG")->type_name("DIR");
-  app.add_option("--show", arguments->show, "draw the networks that matter, with the power flow of the last 3 scans of each witness")->type_name("ladder|fbd|stl")->check(CLI::IsMember({"ladder", "fbd", "stl"}));
+  app.add_option("--show", arguments->show, "draw the networks that matter, with the power flow of the last 3 scans of each witness")->type_name("ladder|fbd|stl")->check(CLI::IsMember({"ladder", "lad", "fbd", "stl"}).description(""));
   return [arguments](Context& context) { return run(*arguments, context); };
 }
 

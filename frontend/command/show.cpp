@@ -187,14 +187,14 @@ class Show {
 Action setup(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   app.add_option("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input")->required();
-  app.add_option("--as", arguments->form, "draw as ladder, function block diagram or statement list (lad)")->type_name("lad|fbd|stl")->check(CLI::IsMember({"lad", "fbd", "stl"}));
+  app.add_option("--as", arguments->form, "draw as ladder, function block diagram or statement list (lad)")->type_name("lad|fbd|stl")->check(CLI::IsMember({"lad", "ladder", "fbd", "stl"}).description(""));
   app.add_flag("--svg", arguments->svg, "one SVG document instead of text");
   app.add_flag("--ascii", arguments->ascii, "text without box-drawing characters");
   app.add_option("--network", arguments->networks, "only these networks, such as 3 or 2-5; may be repeated")->type_name("N")->delimiter(',');
   app.add_option("--pou", arguments->pous, "only these blocks; may be repeated")->type_name("NAME")->delimiter(',');
   app.add_option("-o,--output", arguments->output, "write to this file; one that ends in .svg is SVG")->type_name("FILE");
   app.add_option("--at", arguments->at, "light the power flow of a scan of a trace (CSV)")->type_name("TRACE:SCAN");
-  app.add_option("--width", arguments->width, "columns of a page; longer rungs are wrapped (100)")->type_name("N")->check(CLI::Range(40, 1000));
+  app.add_option("--width", arguments->width, "columns of a page; longer rungs are wrapped (100)")->type_name("N")->check(CLI::Range(40, 1000).description(""));
   app.add_flag("--no-findings", arguments->noFindings, "do not mark what lint finds");
   return [arguments](Context& context) { return Show(*arguments, context).run(); };
 }

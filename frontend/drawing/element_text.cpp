@@ -68,7 +68,7 @@ void ElementTexts::setFindings(const std::vector<const Finding*>& findings) {
       if (!contains(drawing_.elements[i].span, finding->span)) continue;
       ElementMark& mark = marks_[i];
       mark.severity = std::max(mark.severity, static_cast<int>(finding->severity));
-      if (mark.text.find(finding->rule) == std::string::npos) mark.text += (mark.text.empty() ? "" : " ") + finding->rule;
+      if (mark.text.find(finding->rule) == std::string::npos) mark.text += (mark.text.empty() ? "^" : " ") + finding->rule;
       break;
     }
   }

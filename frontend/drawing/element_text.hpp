@@ -47,7 +47,7 @@ class ElementTexts {
   Flow3 output(int element) const { return flow_ == nullptr || element < 0 ? Flow3::Unknown : (*flow_)[static_cast<std::size_t>(element)].output; }
   Flow3 state(int element) const { return flow_ == nullptr || element < 0 ? Flow3::Unknown : (*flow_)[static_cast<std::size_t>(element)].state; }
   bool showsScan() const { return flow_ != nullptr; }
-  /// "OUT001" or "OUT001 +1", and the worst severity; empty: none.
+  /// "^OUT001 LOG003", and the worst severity; empty: none.
   const std::string& mark(int element) const { return marks_.empty() || element < 0 ? noMark_ : marks_[static_cast<std::size_t>(element)].text; }
   int severity(int element) const { return marks_.empty() || element < 0 ? -1 : marks_[static_cast<std::size_t>(element)].severity; }
   const Program* program() const { return program_; }

@@ -24,7 +24,7 @@ int labelWidth(const PlanNode& node) { return std::max({widest(node.above), wide
 int operandWidth(const std::vector<DataPin>& pins) {
   int width = 0;
   for (const DataPin& pin : pins) width = std::max(width, displayWidth(pin.operand));
-  return width + (width > 0 ? stub - 1 : stub);
+  return width + stub;
 }
 
 int frameWidth(const PlanNode& node) {
@@ -143,7 +143,10 @@ int boxRowsBelow(const PlanNode& node, const std::vector<int>& pinRows) {
 
 int columnWidth(const PlanNode& node) {
   if (node.kind == NodeKind::Leaf) return std::max(displayWidth(node.above.at(0)), displayWidth(node.mark)) + 2 + stub;
-  if (node.kind != NodeKind::Box) return std::max(displayWidth(node.sign) + 2 + 2 * wireEnds, labelWidth(node) + 2);
+  if (node.kind != NodeKind::Box) {
+    const int body = displayWidth(node.sign) + 2, width = std::max(body + 2 * wireEnds, labelWidth(node) + 2);
+    return width + (width - body) % 2;  // the same on both sides
+  }
   const int frame = operandWidth(node.left) + frameWidth(node) + operandWidth(node.right);
   return std::max(frame, labelWidth(node) + 2 * stub);
 }

@@ -92,6 +92,7 @@ class Placement {
     owner_.assign(low_.size(), -1);
     taken_.resize(index(columns_ + 1));
     width_.assign(index(columns_), 2);
+    lead_.assign(index(columns_), 0);
   }
 
   /// In FBD, outputs stand in the last column, and what feeds one pin only stands directly before it.
@@ -247,6 +248,14 @@ class Placement {
       if (nodes_[i].kind == NodeKind::Rail || nodes_[i].kind == NodeKind::Join) continue;
       int& width = width_[index(spots_[i].column)];
       width = std::max(width, columnWidth(nodes_[i]));
+      int& lead = lead_[index(spots_[i].column)];
+      if (nodes_[i].kind == NodeKind::Box) lead = std::max(lead, entryOffset(nodes_[i], 0));
+    }
+    // Boxes below each other begin at the same column.
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (nodes_[i].kind != NodeKind::Box) continue;
+      int& width = width_[index(spots_[i].column)];
+      width = std::max(width, columnWidth(nodes_[i]) + lead_[index(spots_[i].column)] - entryOffset(nodes_[i], 0));
     }
     border_.assign(index(columns_ + 1), 0);
     for (int c = 0; c < columns_; ++c) border_[index(c + 1)] = border_[index(c)] + 1 + width_[index(c)];
@@ -292,7 +301,8 @@ class Placement {
     const Spot& s = spot(i);
     const PlanNode& n = node(i);
     const int width = n.kind == NodeKind::Join ? 0 : width_[index(s.column)];
-    const int x = n.kind == NodeKind::Coil ? borderX(s.exit) - width : columnX(s.column);
+    int x = n.kind == NodeKind::Coil ? borderX(s.exit) - width : columnX(s.column);
+    if (n.kind == NodeKind::Box) x += lead_[index(s.column)] - entryOffset(n, 0);
     const int entry = n.kind == NodeKind::Join ? borderX(s.column) : x + entryOffset(n, width);
     for (std::size_t k = 0; k < n.inputs.size(); ++k) {
       const int from = n.inputs[k].from;
@@ -361,6 +371,7 @@ class Placement {
   std::vector<int> owner_;  ///< by slot: net of the lowest thing in it
   std::vector<std::vector<Taken>> taken_;  ///< by border
   std::vector<int> width_;
+  std::vector<int> lead_;  ///< by column: from its left end to the boxes in it
   std::vector<int> border_;
   std::map<std::pair<int, int>, std::pair<int, int>> verticals_;  ///< border and net: first and last row
   std::string reason_;

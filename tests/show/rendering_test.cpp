@@ -89,21 +89,22 @@ TEST(Text, LatchAsFbd) {
 )");
 }
 
-// Two power inputs: each on the row of its branch, PV below them; the number of the counter above the box.
+// Two power inputs: each on the row of its branch, PV below them with a blank before its value; the number of the counter above the
+// box.
 TEST(Text, Counter) {
   Builder b;
   const Index rail = b.rail();
   const Index up = b.no("I0.0", rail);
   b.box("CTU", {bitOf("C4"), constant(10)}, {up, b.no("I0.1", rail)});
   EXPECT_EQ(textOf(b.drawing, Form::Ladder), R"(
-│            C4                                                        │
-│          ┌─────┐                                                     │
-│ I0.0     │ CTU │                                                     │
-├──┤ ├─────┤CU   │                                                     │
-│ I0.1     │     │                                                     │
-├──┤ ├─────┤R    │                                                     │
-│       10─┤PV   │                                                     │
-│          └─────┘                                                     │
+│              C4                                                      │
+│            ┌─────┐                                                   │
+│ I0.0       │ CTU │                                                   │
+├──┤ ├───────┤CU   │                                                   │
+│ I0.1       │     │                                                   │
+├──┤ ├───────┤R    │                                                   │
+│         10─┤PV   │                                                   │
+│            └─────┘                                                   │
 )");
 }
 

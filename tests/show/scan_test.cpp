@@ -17,7 +17,6 @@
 #include "frontend/drawing/power_flow.hpp"
 #include "frontend/operand_reader.hpp"
 #include "frontend/project.hpp"
-#include "frontend/witness_drawing.hpp"
 #include "tests/show/drawings.hpp"
 
 namespace rungproof::show_test {
@@ -45,7 +44,7 @@ std::string wholeFile(const fs::path& path) {
 }
 
 /// Power at the first input of an element as the picture has it.
-bool lightsInput(const Drawing& drawing, const std::vector<ElementFlow>& flows, const Element& element) {
+bool lightsInput(const std::vector<ElementFlow>& flows, const Element& element) {
   const Wire& wire = element.inputs.at(0);
   return (flows.at(wire.from).output == Flow3::On) != wire.negated;
 }
@@ -64,7 +63,7 @@ int compareScan(const Program& program, const InstructionRecorder& recorder, For
         const Instruction& instruction = network.instructions[element.instruction];
         const InstructionRecord& record = recorder.of(instruction);
         if (record.executions == 0 || instruction.desc->control == Control::Call) continue;
-        EXPECT_EQ(lightsInput(*raised.drawing, flows, element) && record.scrActive, record.powerFlow())
+        EXPECT_EQ(lightsInput(flows, element) && record.scrActive, record.powerFlow())
             << pou.name << ", network " << network.number << ": " << instruction.desc->stl;
         ++compared;
       }
@@ -170,20 +169,6 @@ TEST(NetworkView, WhatHasNoPictureIsShownAsStl) {
   EXPECT_EQ(view.picture.height, 0);
   EXPECT_NE(view.reason, "");
   EXPECT_EQ(view.statements, (std::vector<std::string>{"LD     I0.0", "=      Q0.0", "LD     I0.1", "=      Q0.1"}));
-}
-
-/// The networks that drive the property's output, and those that drive what they read; not the others.
-TEST(WitnessDrawing, NetworksThatMatter) {
-  const Program program = mainOf(
-      "Network 1\nLD I0.0\n= M0.0\nNetwork 2\nLD I0.5\n= Q1.0\nNetwork 3\nLD M0.0\n= Q0.0\nNetwork 4\nLD Q0.0\nTON T37, 10");
-  ProofResult result;
-  ExprNode node;
-  node.op = ExprOp::Address;
-  node.operand = direct(Area::Q, Width::Bit, 0, 0);
-  result.property.first.nodes.push_back(node);
-  std::string numbers;
-  for (const auto& [pou, network] : networksThatMatter(program, result)) numbers += std::to_string(network->number) + " ";
-  EXPECT_EQ(numbers, "1 3 ");
 }
 
 /// 1,000 networks to SVG in at most 1 s, reading the statements aside: raising, layout, rendering.
