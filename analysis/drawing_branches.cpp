@@ -382,8 +382,8 @@ class Writer {
   void checkOrder() {
     std::uint32_t place = 0;
     for (const std::uint32_t n : written_) {
-      if (nodes_[n].isEffect()) {
-        if (reads_.effects()[place] != n) return refuse(n, "its branch is executed in another order than the picture would be");
+      if (reads_.isFixed(n)) {
+        if (reads_.fixed()[place] != n) return refuse(n, "its branch is executed in another order than the picture would be");
         ++place;
       } else if (!nodes_[n].isGate() && !reads_.mayMove(n, reads_.placeOf(n), place)) {
         return refuse(n, "its branch is executed in another order than the picture would be");

@@ -133,8 +133,7 @@ std::optional<Stretch> stretchOf(const Operand& operand, Type type, std::uint64_
   return Stretch{operand.area, first, first + elements * static_cast<std::uint64_t>(bits(widthOf(type)))};
 }
 
-/// A contact whose moment of reading matters whatever stands beside it: the physical input, an analogue input, a 1 ms
-/// timer, a comparison that can stop the CPU.
+/// A contact whose moment of reading matters whatever stands beside it.
 bool isMomentary(const CircuitNode& node) {
   if (node.desc->stl.ends_with("I") && node.desc->operandCount == 1) return true;
   for (std::size_t i = 0; i < node.operands->size(); ++i) {
@@ -187,7 +186,7 @@ bool writes(const CircuitNode& effect, const Stretch& place) {
 bool disturbs(const CircuitNode& effect, const CircuitNode& contact) {
   // An edge is executed or not; what it remembers is its own.
   if (contact.isTransform()) return effect.desc->execution == Execution::Control && contact.desc->stl != "NOT";
-  if (isMomentary(contact) || isSweeping(effect)) return true;
+  if (isSweeping(effect)) return true;
   for (std::size_t i = 0; i < contact.operands->size(); ++i) {
     const Type type = contact.desc->operand(static_cast<int>(i)).type;
     const std::optional<Stretch> place = stretchOf((*contact.operands)[i], type, 1);
@@ -204,22 +203,28 @@ bool disturbs(const CircuitNode& effect, const CircuitNode& contact) {
 
 Circuit circuitOf(const Drawing& drawing) { return Dissolve(drawing).run(); }
 
-ReadOrder::ReadOrder(const Circuit& circuit) : circuit_(circuit) {
+ReadOrder::ReadOrder(const Circuit& circuit) : circuit_(circuit), isFixed_(circuit.nodes.size(), 0) {
   for (std::uint32_t n = 0; n < circuit.nodes.size(); ++n) {
-    if (circuit.nodes[n].isEffect()) effects_.push_back(n);
+    const CircuitNode& node = circuit.nodes[n];
+    if (!node.isEffect() && !(node.isContact() && isMomentary(node))) continue;
+    isFixed_[n] = 1;
+    fixed_.push_back(n);
   }
 }
 
 std::uint32_t ReadOrder::placeOf(std::uint32_t node) const {
-  return static_cast<std::uint32_t>(std::lower_bound(effects_.begin(), effects_.end(), node) - effects_.begin());
+  return static_cast<std::uint32_t>(std::lower_bound(fixed_.begin(), fixed_.end(), node) - fixed_.begin());
 }
 
 bool ReadOrder::mayMove(std::uint32_t node, std::uint32_t drawn, std::uint32_t actual) {
   constexpr std::uint64_t mostWork = 2'000'000;
   const CircuitNode& moved = circuit_.nodes[node];
   if (moved.operands == nullptr) return true;
-  for (std::uint32_t e = std::min(drawn, actual); e < std::max(drawn, actual); ++e) {
-    if (++work_ > mostWork || disturbs(circuit_.nodes[effects_[e]], moved)) return false;
+  for (std::uint32_t at = std::min(drawn, actual); at < std::max(drawn, actual); ++at) {
+    const std::uint32_t other = fixed_[at];
+    if (other == node) continue;
+    if (isFixed(node) || ++work_ > mostWork) return false;
+    if (circuit_.nodes[other].isEffect() && disturbs(circuit_.nodes[other], moved)) return false;
   }
   return true;
 }

@@ -52,20 +52,23 @@ std::size_t flowParameters(const CircuitNode& node);
 /// Name for messages: "I0.0", "CTU C1", "the OR".
 std::string nameOf(const Element& element);
 
-/// Answers whether contacts may move against coils and boxes.
+/// Answers whether contacts may move against coils and boxes, which keep their order, as do contacts whose moment of
+/// reading matters whatever stands beside them: physical and analogue inputs, 1 ms timers, comparisons that can stop.
 class ReadOrder {
  public:
   explicit ReadOrder(const Circuit& circuit);
 
-  /// Positions of the effects in order; a node's place is the number of effects with a lower index.
-  const std::vector<std::uint32_t>& effects() const { return effects_; }
+  /// Nodes that keep their order; a node's place is the number of those with a lower index.
+  const std::vector<std::uint32_t>& fixed() const { return fixed_; }
+  bool isFixed(std::uint32_t node) const { return isFixed_[node] != 0; }
   std::uint32_t placeOf(std::uint32_t node) const;
   /// A contact or edge drawn at place `drawn` gives the same at place `actual`. Gives up (false) when asked too much.
   bool mayMove(std::uint32_t node, std::uint32_t drawn, std::uint32_t actual);
 
  private:
   const Circuit& circuit_;
-  std::vector<std::uint32_t> effects_;
+  std::vector<std::uint32_t> fixed_;
+  std::vector<std::uint8_t> isFixed_;  ///< by node
   std::uint64_t work_ = 0;
 };
 

@@ -27,4 +27,8 @@ struct Raised {
 /// Draws a network of STL. `form`: Ladder or Fbd. Does not look at Network::drawing.
 Raised raise(const Network& network, Form form);
 
+/// The same circuit with gates in place of contacts in series and of joined branches; exists for every ladder. In
+/// the elements `instruction` stays; a gate made from a contact has that of the contact.
+Drawing asFbd(const Drawing& ladder);
+
 }  // namespace rungproof

@@ -59,6 +59,7 @@ class Steps {
   bool isReadLater(std::uint32_t n) {
     const CircuitNode& node = nodes_[n];
     if (!node.isContact() || node.inputs[0] != railNode || node.uses.empty()) return false;
+    if (reads_.isFixed(n) && node.uses.size() > 1) return false;
     const std::uint32_t drawn = reads_.placeOf(n);
     return std::all_of(node.uses.begin(), node.uses.end(), [&](const CircuitUse& use) { return reads_.mayMove(n, drawn, reads_.placeOf(use.node)); });
   }

@@ -74,7 +74,8 @@ void Facts::countUses() {
   for (const Access& a : accesses_.all()) {
     if (a.viaPointer || a.certainLength() > AccessIndex::longest) continue;
     const Desc& desc = *instruction(a.instruction).desc;
-    const bool isOwn = a.operand < desc.operandCount && desc.operands[a.operand].direction == Direction::InOut;
+    const bool isOwn = desc.control != Control::Call && a.operand < desc.operandCount &&
+                       desc.operands[a.operand].direction == Direction::InOut;
     if (!a.write && isOwn) continue;
     std::vector<std::uint8_t>& counts = a.write ? writers_ : readers_;
     const std::uint32_t cell = cellOf(a);

@@ -174,6 +174,7 @@ Drawing randomDrawing(std::mt19937_64& random, std::size_t size) {
   static constexpr Choice choices[] = {
       {Shape::Contact, "LD I0.0", 1, true},    {Shape::Contact, "LDN I0.1", 1, true},  {Shape::Contact, "LD M0.0", 1, true},
       {Shape::Contact, "LD Q0.0", 1, true},    {Shape::Contact, "LD T37", 1, true},    {Shape::Contact, "LDW>= VW0, +3", 1, true},
+      {Shape::Contact, "LDI I0.0", 1, true},   {Shape::Contact, "LDB= SMB4, 0", 1, true},
       {Shape::Contact, "LD SM1.1", 1, true},   {Shape::Contact, "EU", 1, true},        {Shape::Contact, "NOT", 1, true},
       {Shape::And, "", 2, true},               {Shape::And, "", 3, true},              {Shape::Or, "", 2, true},
       {Shape::Or, "", 3, true},                {Shape::Box, "+I VW2, VW0", 1, true},   {Shape::Box, "MOVB 1, MB0", 1, true},
