@@ -20,7 +20,8 @@ class Page {
   void line(std::string_view text, std::string_view className, int indent = 0) {
     appendSvgText(body_, pageMargin + indent, y_ + 13, text, className);
     y_ += lineHeight;
-    width_ = std::max(width_, pageMargin * 2 + indent + displayWidth(text) * svgCellWidth);
+    const int letter = className == "rp" ? 12 : className == "rh" ? 10 : svgCellWidth;  // bold headings are wider
+    width_ = std::max(width_, pageMargin * 2 + indent + displayWidth(text) * letter);
   }
   void gap(int height) { y_ += height; }
   void picture(const Picture& picture) {

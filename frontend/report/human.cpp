@@ -96,6 +96,7 @@ class HumanWriter {
     for (const std::string& assumption : property.assumptions) out_ << fmt::format("  {} assumes: {}\n", paint_.blue("="), assumption);
     if (!property.trace.empty()) out_ << fmt::format("  {} trace: {}\n", paint_.blue("="), property.trace);
     for (const ShownScan& scan : property.scans) writeScan(scan);
+    if (!property.scans.empty() && !property.scans.back().networks.empty() && !property.scans.back().networks.back().text.empty()) out_ << '\n';
   }
 
   void writeScan(const ShownScan& scan) {
