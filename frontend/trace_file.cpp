@@ -49,6 +49,12 @@ bool writeTrace(const Context& context, const std::string& name, const Trace& tr
   return context.write({std::string(format->ending), name}, text.view());
 }
 
+bool writePage(const Context& context, const std::string& name, const Trace& trace, std::string_view title, const TraceDrawings& drawings) {
+  std::ostringstream text;
+  writeTracePage(trace, title, drawings, text);
+  return context.write({"html", name}, text.view());
+}
+
 Exit failAll(const Context& context, const std::vector<Failure>& failures) {
   for (std::size_t i = 0; i < failures.size() && i < mostFailures; ++i) context.fail(failures[i]);
   if (failures.size() > mostFailures) context.err << fmt::format("and {} more\n", failures.size() - mostFailures);

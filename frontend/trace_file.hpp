@@ -7,6 +7,7 @@
 
 #include "engine/trace.hpp"
 #include "frontend/command/command.hpp"
+#include "frontend/trace/page.hpp"
 
 namespace rungproof {
 
@@ -17,6 +18,9 @@ std::optional<std::string> readFile(const Context& context, const std::string& n
 std::optional<Failure> checkTraceName(const std::string& name);
 /// Writes in the form that the ending names.
 bool writeTrace(const Context& context, const std::string& name, const Trace& trace, std::string_view title);
+
+/// Writes the HTML page, with the networks of the program lit where there are drawings.
+bool writePage(const Context& context, const std::string& name, const Trace& trace, std::string_view title, const TraceDrawings& drawings);
 
 /// Prints failures, the first ten of them, and gives the exit code for it.
 Exit failAll(const Context& context, const std::vector<Failure>& failures);

@@ -12,6 +12,7 @@
 #include "frontend/comparison.hpp"
 #include "frontend/program_input.hpp"
 #include "frontend/run_report.hpp"
+#include "frontend/scan_drawings.hpp"
 #include "frontend/stimulus_column.hpp"
 #include "frontend/stimulus_reader.hpp"
 #include "frontend/trace_file.hpp"
@@ -172,17 +173,20 @@ class ScanLengths {
   std::uint64_t state_;
 };
 
-Trace record(Simulator& simulator, const Job& job, std::uint64_t seed, const Context& context) {
+/// `drawings`: networks to be drawn for every scan, or nullptr.
+Trace record(Simulator& simulator, const Job& job, std::uint64_t seed, const Context& context, ScanDrawings* drawings) {
   Trace trace;
   trace.signals = job.signals;
   StimulusPlayer player(simulator, job.stimulus);
   ScanLengths lengths(job.scanTime, seed);
   Progress progress(context);
+  if (drawings != nullptr) simulator.observe(&drawings->recorder());
   while (simulator.scanCount() < job.scans || simulator.timeUs() < job.durationUs) {
     ScanRequest request = player.next();
     if (request.lengthUs == 0) request.lengthUs = lengths.next();
     simulator.scan(request);
     trace.rows.push_back(sampleRow(simulator, trace.signals));
+    if (drawings != nullptr) drawings->add();
     progress.show(simulator.scanCount(), simulator.timeUs());
     if (!simulator.isRunning() && !job.expected) break;
   }
@@ -205,10 +209,15 @@ Exit run(const Arguments& arguments, Context& context) {
   options.choices = context.settings.choices();
   options.seed = static_cast<std::uint64_t>(std::stoull(std::string(context.settings.text(Opt::Seed))));
   Simulator simulator(program, options);
-  const Trace trace = record(simulator, job, options.seed, context);
+  const auto isPage = [](const std::string& name) { return name.ends_with(".html"); };
+  std::optional<ScanDrawings> drawings;
+  if (std::ranges::any_of(arguments.traces, isPage)) drawings.emplace(program);
+  const Trace trace = record(simulator, job, options.seed, context, drawings ? &*drawings : nullptr);
+  const TraceDrawings drawn = drawings ? drawings->take() : TraceDrawings{};
 
   for (const std::string& name : arguments.traces) {
-    if (!writeTrace(context, name, trace, program.sources->file(0).name())) return Exit::Failed;
+    const std::string& title = program.sources->file(0).name();
+    if (!(isPage(name) ? writePage(context, name, trace, title, drawn) : writeTrace(context, name, trace, title))) return Exit::Failed;
   }
   describeRun(report, simulator, job.scanTime);
   if (job.expected) report.comparison = comparisonOf(*job.expected, trace, firstDifference(*job.expected, trace, job.compare));

@@ -88,7 +88,7 @@ class SvgDrawer {
       add("<rect class=\"rm s{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"15\" rx=\"3\"/>", l.severity, left - 2, cy(l.y) - 7, right - left + 4);
     }
     const int x = l.align == Align::Left ? left : l.align == Align::Right ? right : (left + right) / 2 + (l.halfRight ? svgCellWidth / 2 : 0);
-    add("<text class=\"rt{}{}\" x=\"{}\" y=\"{}\">{}</text>", l.align == Align::Left ? "" : l.align == Align::Right ? " e" : " m", roleClass(l.role), x, baseline, xmlText(l.text));
+    add("<text class=\"rt{}{}\" x=\"{}\" y=\"{}\">{}</text>", l.align == Align::Left ? "" : l.align == Align::Right ? " e" : " m", roleClass(l.role), x, baseline, xmlText(l.role == LabelRole::Mark ? " " + l.text.substr(1) : l.text));
   }
   static std::string_view roleClass(LabelRole role) {
     switch (role) {

@@ -6,6 +6,7 @@
 
 #include "frontend/timing_diagram.hpp"
 #include "frontend/trace/format.hpp"
+#include "frontend/trace/page.hpp"
 
 namespace rungproof {
 
@@ -19,6 +20,7 @@ svg text{font:12px sans-serif}.w{fill:none;stroke:#000;stroke-width:1.5}.b{fill:
 .n{text-anchor:middle}.a{text-anchor:middle;fill:#57606a}.g{stroke:#e4e7eb}.c{stroke:#c62828;stroke-width:1.5}
 table{border-collapse:collapse}td,th{border:1px solid #d8dee4;padding:.1em .6em;text-align:left}td.v{text-align:right}
 .changed{background:#fff3cd}
+#below{display:flex;gap:2em;align-items:flex-start;flex-wrap:wrap}#drawings{display:flex;flex-direction:column}.drawn h3{margin:.6em 0 .2em;font-size:1em}.drawn[hidden]{display:none}.drawn svg{display:block}
 )";
 
 // In a function of its own: names such as `top` belong to the window.
@@ -26,7 +28,7 @@ constexpr std::string_view script = R"(
 (() => {
 "use strict";
 const trace = JSON.parse(document.getElementById("data").textContent);
-const rows = trace.rows, signals = trace.signals, lane = 30, level = 16, top = 10;
+const pagesOf = trace.pages, rows = trace.rows, signals = trace.signals, lane = 30, level = 16, top = 10;
 const labelWidth = 20 + 8 * signals.reduce((m, s) => Math.max(m, s.name.length), 4);
 let unit = Math.max(4, Math.min(40, 900 / Math.max(rows.length, 1))), cursor = 0;
 const shown = v => v === null ? "x" : String(v);
@@ -82,6 +84,8 @@ function keepNames() {
 }
 function showValues() {
   if (!rows.length) return;
+  const now = new Set(pagesOf[cursor]);
+  document.querySelectorAll(".drawn").forEach((page, i) => { page.hidden = !now.has(i); });
   const row = rows[cursor], before = cursor ? rows[cursor - 1] : row;
   document.getElementById("where").textContent = (row.scan ? `scan ${row.scan}, ` : "") + `${row.time_ms} ms`;
   document.getElementById("values").innerHTML = "<tr><th>signal</th><th>value</th></tr>" + signals.map((s, i) =>
@@ -119,8 +123,8 @@ draw();
 })();
 )";
 
-std::string dataJson(const Trace& trace) {
-  nlohmann::ordered_json json = {{"signals", nlohmann::ordered_json::array()}, {"rows", nlohmann::ordered_json::array()}};
+std::string dataJson(const Trace& trace, const TraceDrawings& drawings) {
+  nlohmann::ordered_json json = {{"signals", nlohmann::ordered_json::array()}, {"rows", nlohmann::ordered_json::array()}, {"pages", drawings.pagesOf}};
   for (const TraceSignal& signal : trace.signals) {
     json["signals"].push_back({{"name", signal.symbol.empty() ? signal.name : signal.name + " " + signal.symbol}, {"bits", signal.width()}});
   }
@@ -134,17 +138,22 @@ std::string dataJson(const Trace& trace) {
   return text;
 }
 
-void write(const Trace& trace, std::string_view title, std::ostream& out) {
+void write(const Trace& trace, std::string_view title, std::ostream& out) { writeTracePage(trace, title, {}, out); }
+
+}  // namespace
+
+void writeTracePage(const Trace& trace, std::string_view title, const TraceDrawings& drawings, std::ostream& out) {
   const std::string heading = xmlText(title.empty() ? "trace" : title);
-  out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" << heading << "</title><style>" << style << "</style></head><body>\n<h1>" << heading
+  out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" << heading << "</title><style>" << style << drawings.style << "</style></head><body>\n<h1>" << heading
       << "</h1>\n<p><button id=\"first\">first</button> <button id=\"previous\">previous change</button> <button id=\"back\">scan back</button> "
          "<button id=\"forward\">scan forward</button> <button id=\"next\">next change</button> <button id=\"last\">last</button> "
          "<button id=\"wider\">zoom out</button> <button id=\"closer\">zoom in</button> <b id=\"where\"></b></p>\n<div id=\"view\">\n"
-      << timingDiagram(trace, "") << "</div>\n<table id=\"values\"></table>\n<script type=\"application/json\" id=\"data\">" << dataJson(trace) << "</script>\n<script>"
+      << timingDiagram(trace, "") << "</div>\n<div id=\"below\"><table id=\"values\"></table>\n<div id=\"drawings\">\n";
+  for (const std::string& page : drawings.pages) out << page;
+  if (drawings.pagesOf.size() < trace.rows.size() && !drawings.pages.empty()) out << "<p>Scans behind the first " << drawings.pagesOf.size() << " are not drawn.</p>\n";
+  out << "</div></div>\n<script type=\"application/json\" id=\"data\">" << dataJson(trace, drawings) << "</script>\n<script>"
       << script << "</script>\n</body></html>\n";
 }
-
-}  // namespace
 
 extern constexpr TraceFormat htmlTrace = {.ending = ".html", .summary = "page with zoom and steps", .write = write};
 
