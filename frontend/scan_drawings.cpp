@@ -22,7 +22,8 @@ std::string lookOf(const Network& network, const InstructionRecorder& recorder) 
       look += '-';
       continue;
     }
-    look += fmt::format("{}{}{}{}{}", record.before[0] ? 1 : 0, record.after[0] ? 1 : 0, record.scrActive ? 1 : 0, record.eno ? 1 : 0, record.elementBit ? 1 : 0);
+    const bool joins = instruction.desc->execution == Execution::Compare && record.before[0];  // strings are judged by the stack
+    look += fmt::format("{}{}{}{}{}", joins ? 1 : 0, record.after[0] ? 1 : 0, record.scrActive ? 1 : 0, record.eno ? 1 : 0, record.elementBit ? 1 : 0);
     for (std::size_t i = 0; i < record.read.size(); ++i) look += fmt::format(",{:x},{:x}", record.read[i].value_or(0), record.written[i].value_or(0));
   }
   return look;

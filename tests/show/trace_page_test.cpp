@@ -11,8 +11,7 @@
 namespace rungproof {
 namespace {
 
-/// Three scans with I0.0 = 0, 1, 1: network 1 has two looks (off; on), the third scan shows the same as the second but for
-/// the value that M0.0 had before. Network 2 reads an input that never changes: one look.
+/// Three scans with I0.0 = 0, 1, 1: network 1 is off, then on. Network 2 reads an input that never changes: one look.
 TEST(TracePage, NetworksAreDrawnOncePerLook) {
   const Program program =
       readText("test.awl", "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1 // <in>\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.5\n= Q0.1\nEND_ORGANIZATION_BLOCK\n", {});
