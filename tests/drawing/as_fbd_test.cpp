@@ -33,7 +33,7 @@ TEST(AsFbd, EdgesAndBoxesStandBehindTheirInput) {
 
 TEST(AsFbd, DoesTheSameWithGatesOfAtMost32Inputs) {
   std::mt19937_64 random(drawingSeed() + 4);
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < 15; ++i) {
     const std::string statements = randomRung(random, Form::Ladder);
     const Program program = programOf(statements);
     const Drawing fbd = asFbd(*raise(onlyNetwork(program), Form::Ladder).drawing);

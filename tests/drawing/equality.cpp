@@ -182,7 +182,7 @@ std::string compare(World& world, Side& a, Side& b) {
   std::vector<Node> wanted;
   for (const auto& [node, name] : questions) wanted.push_back(node);
   std::vector<std::uint64_t> values;
-  const std::optional<bool> differs = satisfiable(g, std::array{any.node}, 20000, wanted, &values);
+  const std::optional<bool> differs = satisfiable(g, std::array{any.node}, 120000, wanted, &values);
   if (!differs) return "the solver gave up";
   if (!*differs) return "";
   for (std::size_t i = 0; i < questions.size(); ++i) {

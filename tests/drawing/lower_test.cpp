@@ -144,20 +144,24 @@ TEST(Lower, MoreThanNineLevels) {  // twelve nested groups: the innermost is com
 
 TEST(Lower, ADeepDrawingDoesNotOverflow) {
   constexpr std::uint32_t depth = 100'000;
-  const Element contactOfInput = contact("LD I0.0", w(0));
-  Drawing nested = drawingOf({contactOfInput}), chain = nested, comb = nested;
+  const Element input = contact("LD I0.0", w(0)), output = coil("= Q0.0", w(0));
+  const auto fedBy = [](Element sample, std::uint32_t from) {
+    sample.inputs = {w(from)};
+    return sample;
+  };
+  Drawing nested = drawingOf({input}), chain = nested, comb = nested;
   for (std::uint32_t i = 1; i <= depth; ++i) {
     // A gate around a gate, each with a contact of its own on the left.
-    const std::uint32_t inner = 2 * i - 1;
-    nested.elements.push_back(contactOfInput);
-    nested.elements.push_back(gate(i % 2 == 0 ? Shape::And : Shape::Or, {w(inner + 1), w(inner)}));
-    chain.elements.push_back(contact("LD I0.0", w(i)));
-    // Each contact feeds a coil behind another contact and the next contact.
-    comb.elements.push_back(contactOfInput);
-    comb.elements.back().inputs = {w(3 * i - 2)};
-    comb.elements.push_back(coil("= Q0.0", w(3 * i - 1)));
-    comb.elements.push_back(contactOfInput);
-    comb.elements.back().inputs = {w(3 * i - 2)};
+    nested.elements.push_back(input);
+    Element gate;
+    gate.shape = i % 2 == 0 ? Shape::And : Shape::Or;
+    gate.inputs = {w(2 * i), w(2 * i - 1)};
+    nested.elements.push_back(gate);
+    chain.elements.push_back(fedBy(input, i));
+    // Each contact feeds a coil behind another contact, and the next contact.
+    comb.elements.push_back(fedBy(input, 3 * i - 2));
+    comb.elements.push_back(fedBy(output, 3 * i - 1));
+    comb.elements.push_back(fedBy(input, 3 * i - 2));
   }
   nested.elements.push_back(coil("= Q0.0", w(2 * depth + 1)));
   chain.elements.push_back(coil("= Q0.0", w(depth + 1)));

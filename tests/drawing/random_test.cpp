@@ -13,7 +13,7 @@ std::string spelled(std::string_view statements) { return textOf(onlyNetwork(pro
 
 void expectRoundTrips(Form form) {
   std::mt19937_64 random(drawingSeed());
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < 1000; ++i) {
     const std::string statements = randomRung(random, form);
     ASSERT_EQ(roundTrip(statements, form), spelled(statements)) << "seed " << drawingSeed() << ", rung " << i;
   }
@@ -32,7 +32,7 @@ TEST(RandomRungs, LadderRungsAreDrawnAsFbdToo) {
 
 TEST(RandomRungs, DrawingsDoWhatTheirRungsDo) {
   std::mt19937_64 random(drawingSeed() + 2);
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < 40; ++i) {
     for (const Form form : {Form::Ladder, Form::Fbd}) {
       const std::string statements = randomRung(random, form);
       const Program program = programOf(statements);
