@@ -25,10 +25,21 @@ BitBlast::BitBlast(const TransitionSystem& system, const std::vector<std::size_t
     total_.push_back(std::find(system.totalConstraints.begin(), system.totalConstraints.end(), n) != system.totalConstraints.end());
   }
   for (const std::size_t q : questions) bits_.bads.push_back(of(system.questions[q].bad)[0]);
-  for (const Node n : extra) {
-    const Lit l = of(n)[0];
-    if (graph_[n].width == 1 && bits_.isGate(l)) nodes_.emplace(variableOf(l), isNegative(l) ? graph_.make(Op::Not, 1, n) : n);
+  for (const Node n : extra) remember(n);
+}
+
+void BitBlast::remember(Node n) {
+  const Lit l = of(n)[0];
+  if (graph_[n].width == 1 && bits_.isGate(l)) nodes_.emplace(variableOf(l), isNegative(l) ? graph_.make(Op::Not, 1, n) : n);
+}
+
+void BitBlast::add(const std::vector<Node>& nodes) {
+  for (const Node n : coneOf(graph_, nodes)) {
+    if (contains(n)) continue;
+    CHECK(graph_[n].op != Op::Variable, "a node over variables outside the cone");
+    blast(n);
   }
+  for (const Node n : nodes) remember(n);
 }
 
 void BitBlast::collectCone(const std::vector<Node>& roots) {

@@ -32,6 +32,9 @@ class BitBlast {
   const std::vector<bool>& isTotal() const { return total_; }
   /// Literals of a node of the cone, lowest bit first.
   const LitVector& of(Node n) const;
+  bool contains(Node n) const { return literals_.contains(indexOf(n)); }
+  /// Adds nodes over variables of the cone; they count as `extra`.
+  void add(const std::vector<Node>& nodes);
   /// REAL operations that were replaced by free inputs.
   const std::vector<Node>& unmodelled() const { return unmodelled_; }
   /// Input indices of bits() that stand for REAL operations.
@@ -51,6 +54,7 @@ class BitBlast {
  private:
   void collectCone(const std::vector<Node>& roots);
   void blast(Node n);
+  void remember(Node n);
   void blastDivision(const NodeData& node, const LitVector& a, const LitVector& b, LitVector& out);
   LitVector freshInputs(const std::string& name, int width);
 

@@ -6,6 +6,7 @@
 #include <z3++.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 
 namespace rungproof {
@@ -61,8 +62,44 @@ void CertificateWriter::consecution(const WordCertificate& certificate) {
   Terms terms;
   addAll(terms, certificate.invariant, 0);
   if (!certificate.invariant.empty()) addAll(terms, system_.constraints, 0);
+  for (const KeptDifference& d : certificate.differences) {
+    theorem(d);
+    terms.push_back(keeps(d));
+  }
   terms.push_back(notAll(certificate.invariant, 1));
   oblige("consecution", terms);
+}
+
+/// The theorem for the scan from state 0 to state 1.
+std::string CertificateWriter::keeps(const KeptDifference& d) {
+  const auto increment = [&](const Summand& s) { return smt_.term(s.increment, s.isPending ? 1 : 0); };
+  const auto counts = [&](const Summand& s) { return fmt::format("(= {} {})", smt_.term(s.word, 1), smt_.term(s.next, 0)); };
+  return fmt::format("(=> (and {} {} (= {} {})) (= {} {}))", counts(d.left), counts(d.right), increment(d.left), increment(d.right), smt_.term(d.difference, 1),
+                     smt_.term(d.difference, 0));
+}
+
+/// The same for any words of that width, once for each form of it.
+void CertificateWriter::theorem(const KeptDifference& d) {
+  const int width = system_.graph->operator[](d.difference).width;
+  const std::string form = fmt::format("{} {} {}", width, d.left.isPending, d.right.isPending);
+  const auto [at, isNew] = proved_.emplace(form, static_cast<int>(proved_.size()));
+  if (!isNew) return;
+  const int k = at->second;
+  // x0, i0 before the step and x1, i1 after it; a pending increment i0 is added by the step, else i1.
+  const auto variable = [&](const char* side, const char* name) {
+    const std::string symbol = fmt::format("theorem{}.{}{}", k, side, name);
+    theorems_ += fmt::format("(declare-fun {} () (_ BitVec {}))\n", symbol, width);
+    return symbol;
+  };
+  const auto formOf = [&](const char* side, bool isPending) {
+    const std::string x0 = variable(side, "x0"), x1 = variable(side, "x1"), i0 = variable(side, "i0"), i1 = variable(side, "i1");
+    const std::string next = fmt::format("(bvadd {} {})", x0, isPending ? i0 : i1);
+    const std::string later = isPending ? fmt::format("(bvadd {} {})", x1, i1) : x1;
+    return std::array<std::string, 4>{fmt::format("(= {} {})", x1, next), i1, isPending ? next : x0, later};
+  };
+  const auto left = formOf("left.", d.left.isPending), right = formOf("right.", d.right.isPending);
+  oblige("arithmetic", {left[0], right[0], fmt::format("(= {} {})", left[1], right[1]),
+                        fmt::format("(not (= (bvsub {} {}) (bvsub {} {})))", left[3], right[3], left[2], right[2])});
 }
 
 /// k good scans of states in the invariant, then a bad one; k = 0: one bad scan.
@@ -117,7 +154,7 @@ void CertificateWriter::add(const Question& question, const WordCertificate& cer
 }
 
 std::string CertificateWriter::text() const {
-  std::string text = "(set-logic QF_BV)\n" + smt_.text();
+  std::string text = "(set-logic QF_BV)\n" + theorems_ + smt_.text();
   for (const Obligation& o : obligations_) {
     std::string name = questions_[o.certificate];
     std::replace_if(name.begin(), name.end(), [](unsigned char c) { return c < 32; }, ' ');
@@ -128,7 +165,7 @@ std::string CertificateWriter::text() const {
 
 std::vector<CheckResult> CertificateWriter::check(double seconds) const {
   std::vector<CheckResult> results(questions_.size(), CheckResult::Valid);
-  std::string text = smt_.text();
+  std::string text = theorems_ + smt_.text();
   for (const Obligation& o : obligations_) text += fmt::format("(assert {})\n", o.formula);
   try {
     z3::context context;

@@ -4,11 +4,31 @@
 #pragma once
 
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "analysis/smt_text.hpp"
 
 namespace rungproof {
+
+/// A word as part of a sum: at a step at which it counts it becomes `next` = word + increment. Nodes of one width over
+/// states and, unless the increment is pending, inputs.
+struct Summand {
+  Node word = noNode;
+  Node increment = noNode;
+  Node next = noNode;
+  /// The increment is known at the start of the scan, because it came about in the scan before.
+  bool isPending = false;
+  /// What two words are compared by: with a pending increment, what the word is about to become.
+  Node progress() const { return isPending ? next : word; }
+};
+
+/// A theorem that spares solvers the reasoning about adders: two words that count on by the same amount keep the
+/// difference of what they are compared by. Holds by modular arithmetic, whatever the words are.
+struct KeptDifference {
+  Summand left, right;
+  Node difference = noNode;  ///< left.progress() - right.progress()
+};
 
 /// With I the conjunction of `invariant` (width-1 nodes over states): I holds initially, I and the constraints keep
 /// I, and: k = 0: I and the constraints exclude bad; k > 0: bad does not occur in the first k scans, and k scans
@@ -19,6 +39,7 @@ struct WordCertificate {
   int k = 0;
   bool simplePath = false;
   std::vector<Node> pathBits;
+  std::vector<KeptDifference> differences;  ///< used in the step from I to I; each is an obligation of its own
 };
 
 enum class CheckResult : std::uint8_t { Valid, Invalid, Unknown };  ///< Unknown: not within the time
@@ -46,6 +67,8 @@ class CertificateWriter {
   void addAll(Terms& terms, const std::vector<Node>& nodes, int frame);
   void initiation(const WordCertificate& certificate);
   void consecution(const WordCertificate& certificate);
+  std::string keeps(const KeptDifference& d);
+  void theorem(const KeptDifference& d);
   void step(const Question& question, const WordCertificate& certificate);
   void base(const Question& question, const WordCertificate& certificate);
 
@@ -53,6 +76,8 @@ class CertificateWriter {
   SmtText smt_;
   std::vector<std::string> questions_;
   std::vector<Obligation> obligations_;
+  std::string theorems_;                           ///< declarations of their variables
+  std::unordered_map<std::string, int> proved_;    ///< theorems that are obligations already, by their form
 };
 
 /// The file for one certificate.

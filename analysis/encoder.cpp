@@ -85,7 +85,7 @@ EncodedScan& EncodedScan::operator=(EncodedScan&&) noexcept = default;
 
 Graph& EncodedScan::graph() const { return impl_->scan->graph; }
 const Plan& EncodedScan::plan() const { return impl_->plan; }
-const TimeModel& EncodedScan::time() const { return impl_->scan->time; }
+TimeModel& EncodedScan::time() const { return impl_->scan->time; }
 const EncoderOptions& EncodedScan::options() const { return impl_->options; }
 
 Node EncodedScan::atEnd(const Place& place) { return impl_->scan->value(place); }

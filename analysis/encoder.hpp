@@ -95,7 +95,7 @@ class EncodedScan {
 
   Graph& graph() const;
   const Plan& plan() const;
-  const TimeModel& time() const;
+  TimeModel& time() const;
   const EncoderOptions& options() const;
 
   /// Value of a direct operand at the end of the scan, `width` bits; T and C by width. AI: noNode if the program

@@ -17,6 +17,7 @@ using Signature = std::vector<std::uint64_t>;
 
 /// Literals with equal values in all reachable states, presumably; the first represents the others.
 using Class = std::vector<Lit>;
+constexpr std::size_t unseenLimit = 32;  ///< truths that are 0 in all samples
 constexpr int neighbourBatches = 6;  ///< of 64 states near a counterexample
 
 /// At least one of them holds.
@@ -101,6 +102,29 @@ class Miner {
           clauses_.push_back({watched_[representatives[i]] ^ (polarity & 1U), watched_[representatives[j]] ^ (polarity >> 1U)});
           if (clauses_.size() >= options_.implicationLimit) return;
         }
+      }
+    }
+    makePairsOfUnseen(isTruth, representatives);
+  }
+
+  /// Truths that no sample shows may still exclude each other, and need or exclude what is seen.
+  void makePairsOfUnseen(const std::vector<bool>& isTruth, const std::vector<std::size_t>& seen) {
+    std::vector<Lit> unseen;
+    for (const Lit l : classes_[0]) {
+      if (variableOf(l) != 0 && isTruth[variableOf(l)] && unseen.size() < unseenLimit) unseen.push_back(l);
+    }
+    for (std::size_t i = 0; i < unseen.size(); ++i) {
+      for (std::size_t j = i + 1; j < unseen.size(); ++j) {
+        clauses_.push_back({negate(unseen[i]), negate(unseen[j])});
+        clauses_.push_back({unseen[i], negate(unseen[j])});
+        clauses_.push_back({negate(unseen[i]), unseen[j]});
+      }
+    }
+    for (const Lit l : unseen) {
+      for (const std::size_t i : seen) {
+        if (clauses_.size() + 2 > options_.implicationLimit) return;
+        clauses_.push_back({negate(l), watched_[i]});
+        clauses_.push_back({negate(l), negate(watched_[i])});
       }
     }
   }

@@ -37,16 +37,31 @@ class Needed {
   }
   int literal(int frame, Lit l) { return cnf_.literal(steps_.at(frame, l)); }
 
-  /// Marks the invariants that make `denied` impossible; false if they do not, or not in time.
+  /// Marks the invariants that make `denied` impossible, in addition to those that are marked already; false if they do
+  /// not, or not in time.
   bool require(const std::vector<int>& denied) {
-    std::vector<int> assumptions = switches_;
-    assumptions.insert(assumptions.end(), denied.begin(), denied.end());
-    if (sat_.solve(assumptions, budget_) != Sat::Outcome::Unsatisfiable) return false;
+    std::vector<std::size_t> candidates;
     for (std::size_t i = 0; i < switches_.size(); ++i) {
-      if (!isNeeded_[i] && sat_.failed(switches_[i])) {
-        isNeeded_[i] = true;
-        open_.push_back(i);
-      }
+      if (isNeeded_[i]) candidates.push_back(i);
+    }
+    const Sat::Outcome marked = solve(denied, candidates);
+    if (marked == Sat::Outcome::Unknown) return false;
+    if (marked == Sat::Outcome::Unsatisfiable) return true;
+    candidates.clear();
+    for (std::size_t i = 0; i < switches_.size(); ++i) candidates.push_back(i);
+    for (int round = 0; round < coreRounds; ++round) {
+      if (solve(denied, candidates) != Sat::Outcome::Unsatisfiable) return false;
+      const std::size_t before = candidates.size();
+      std::erase_if(candidates, [&](std::size_t i) { return !isNeeded_[i] && !sat_.failed(switches_[i]); });
+      if (candidates.size() == before) break;
+      // The last ones are tried to be left out first: the solver takes assumptions in their order.
+      std::stable_partition(candidates.begin(), candidates.end(), [&](std::size_t i) { return isNeeded_[i]; });
+      std::reverse(std::find_if(candidates.begin(), candidates.end(), [&](std::size_t i) { return !isNeeded_[i]; }), candidates.end());
+    }
+    for (const std::size_t i : candidates) {
+      if (isNeeded_[i]) continue;
+      isNeeded_[i] = true;
+      open_.push_back(i);
     }
     return true;
   }
@@ -72,6 +87,14 @@ class Needed {
   }
 
  private:
+  static constexpr int coreRounds = 4;
+
+  Sat::Outcome solve(const std::vector<int>& denied, const std::vector<std::size_t>& candidates) {
+    std::vector<int> assumptions = denied;
+    for (const std::size_t i : candidates) assumptions.push_back(switches_[i]);
+    return sat_.solve(assumptions, budget_);
+  }
+
   const BitSystem& system_;
   const std::vector<std::vector<Lit>>& invariants_;
   const Budget& budget_;

@@ -2,7 +2,10 @@
 // Graph it becomes part of the transition system that is proved, over Concrete it judges the replay of a
 // counterexample. Both therefore mean the same by construction; tests/property checks it against hand-written traces.
 //
-// Time: dt is the number of ms between this scan end and the previous one. There is no edge in the first scan.
+// Time: a clock counts ticks of Property::timeBase between scan ends, on the grid of absolute time, and remembers the
+// digits below the grid at its start: with ticks k since then, digits r0 then and r now, exactly base * k + r - r0 ms
+// have passed. In base 1 the ticks are ms and there are no digits. A clock on the grid of the program's timers runs in
+// step with them, which makes proofs that relate the two easy. There is no edge in the first scan.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +20,9 @@ namespace rungproof {
 template <class D>
 struct Moment {
   typename D::Bool firstScan;
-  typename D::Bits dt;   ///< ms since the previous scan end
+  typename D::Bits dt;   ///< ticks of the property's time base since the previous scan end
   int dtWidth = 16;
+  typename D::Bits digits{};  ///< ms above the last tick of the time base, 8 bits; unused if that is 1 ms
 };
 
 /// Leaf: Bits leaf(const Operand&, int width): the value at this moment, `width` bits as the operand has them.
@@ -119,15 +123,10 @@ class Monitor {
 
   /// Number leaves are widened to a signed value one bit wider than an unsigned byte; REAL leaves keep the pattern.
   Bits address(const ExprNode& n) {
-    const int raw = n.type == ExprType::Truth ? 1 : bits(n.operand);
+    const int raw = n.type == ExprType::Truth ? 1 : numberBits(n.operand);
     const Bits value = leaf_(n.operand, raw);
     if (n.type != ExprType::Number) return value;
     return raw == 8 ? d.zext(value, 8, n.width) : n.width == raw ? value : d.sext(value, raw, n.width);
-  }
-  static int bits(const Operand& o) {
-    if (o.area == Area::T || o.area == Area::C || o.area == Area::AI || o.area == Area::AQ) return 16;
-    if (o.area == Area::AC || o.area == Area::HC) return 32;
-    return rungproof::bits(o.width);
   }
   Bits number(Bits value, const ExprNode& n, int to) { return n.width == to ? value : d.sext(value, n.width, to); }
   Bits real(std::size_t i, const Expr& expr, const ExprNode& n, const std::vector<Bits>& value) { return asReal(value[n.args[i]], expr.nodes[n.args[i]]); }
@@ -167,24 +166,45 @@ class Monitor {
     return now_;
   }
 
-  /// min(cell + dt, cap), with the cell's width.
-  Bits elapsed(std::uint32_t i, std::int64_t cap) {
+  /// A clock in the cells i and, if the base is coarse, i + 1; it tells exactly whether `limit` ms have passed.
+  struct Clock {
+    std::uint32_t cell;
+    std::int64_t limit;
+    Bits ticks;   ///< since the start, up to now
+    Bool passed;  ///< at least `limit` ms
+  };
+  Clock clock(std::uint32_t i, std::int64_t limit) {
     const int w = p.cells[i].width;
     const int wide = std::max(w, now.dtWidth) + 1;
     const Bits sum = d.add(d.zext(before_[i], w, wide), d.zext(now.dt, now.dtWidth, wide), wide);
-    const Bits limit = d.literal(static_cast<std::uint64_t>(cap), wide);
-    return d.extract(d.select(d.ult(sum, limit, wide), sum, limit, wide), w - 1, 0);
+    const Bits cap = d.literal(static_cast<std::uint64_t>(clockCap(limit, p.timeBase)), wide);
+    const Bits ticks = d.extract(d.select(d.ult(sum, cap, wide), sum, cap, wide), w - 1, 0);
+    return {i, limit, ticks, hasPassed(i, limit, ticks)};
+  }
+  /// base * ticks + now - then >= limit, where now and then are digits below the base.
+  Bool hasPassed(std::uint32_t i, std::int64_t limit, Bits ticks) {
+    const int w = p.cells[i].width;
+    const auto whole = static_cast<std::uint64_t>(limit / p.timeBase), rest = static_cast<std::uint64_t>(limit % p.timeBase);
+    const auto atLeast = [&](std::uint64_t n) { return d.ule(d.literal(n, w), ticks, w); };
+    if (p.timeBase == 1) return atLeast(whole);
+    const Bits then = d.add(d.zext(before_[i + 1], 8, 9), d.literal(rest, 9), 9), here = d.zext(now.digits, 8, 9);
+    const Bits further = d.add(here, d.literal(static_cast<std::uint64_t>(p.timeBase), 9), 9);
+    return d.lor(atLeast(whole + 2), d.lor(d.land(atLeast(whole + 1), d.ule(then, further, 9)), d.land(atLeast(whole), d.ule(then, here, 9))));
+  }
+  /// The clock goes on where `runs`, else stands at 0; it starts now where `starts` as well.
+  void setClock(const Clock& clock, Bool runs, Bool starts) {
+    const int w = p.cells[clock.cell].width;
+    after_[clock.cell] = d.select(runs, clock.ticks, d.literal(0, w), w);
+    if (p.timeBase > 1) after_[clock.cell + 1] = d.select(runs, before_[clock.cell + 1], d.select(starts, now.digits, d.literal(0, 8), 8), 8);
   }
 
   /// e at every scan end from one at least `ms` ago until now.
   Bool held(Bool e, std::int64_t ms, std::uint32_t run) {
-    const std::uint32_t time = run + 1;
-    const int w = p.cells[time].width;
-    const Bits zero = d.literal(0, w);
-    const Bits passed = d.select(d.land(e, cell(run)), elapsed(time, ms), zero, w);
+    const Bool goesOn = d.land(e, cell(run));
+    const Clock time = clock(run + 1, ms);
     setCell(run, e);
-    after_[time] = passed;
-    return d.land(e, d.ule(d.literal(static_cast<std::uint64_t>(ms), w), passed, w));
+    setClock(time, goesOn, e);
+    return ms == 0 ? e : d.land(goesOn, time.passed);
   }
 
   Bool leadsToScans(Bool trigger, Bool answer) {
@@ -201,27 +221,25 @@ class Monitor {
   }
 
   Bool leadsToTime(Bool trigger, Bool answer) {
-    const std::uint32_t pending = p.patternCell, time = p.patternCell + 1;
-    const int w = p.cells[time].width;
+    const std::uint32_t pending = p.patternCell;
     const Bool owed = cell(pending);
-    const Bits passed = elapsed(time, p.bound + 1);
-    const Bool late = d.land(owed, d.ult(d.literal(static_cast<std::uint64_t>(p.bound), w), passed, w));
-    const Bool open = d.lor(late, d.land(d.lor(owed, trigger), d.lnot(answer)));
+    const Clock time = clock(pending + 1, p.bound + 1);
+    const Bool late = d.land(owed, time.passed);
+    const Bool open = d.land(d.lor(owed, trigger), d.lnot(answer));
     setCell(pending, open);
-    after_[time] = d.select(d.land(open, owed), passed, d.literal(0, w), w);
+    setClock(time, d.land(open, owed), open);
     return late;
   }
 
   /// Rising edges at least `bound` ms apart, measured between scan ends.
   Bool pulse(Bool signal) {
-    const std::uint32_t was = p.patternCell, risen = was + 1, time = was + 2;
-    const int w = p.cells[time].width;
+    const std::uint32_t was = p.patternCell, risen = was + 1;
     const Bool rise = d.land(d.lnot(now.firstScan), d.land(signal, d.lnot(cell(was))));
-    const Bits passed = elapsed(time, p.bound);
-    const Bool tooSoon = d.land(rise, d.land(cell(risen), d.ult(passed, d.literal(static_cast<std::uint64_t>(p.bound), w), w)));
+    const Clock time = clock(was + 2, p.bound);
+    const Bool tooSoon = d.land(rise, d.land(cell(risen), d.lnot(time.passed)));
     setCell(was, signal);
     setCell(risen, d.lor(cell(risen), rise));
-    after_[time] = d.select(rise, d.literal(0, w), passed, w);
+    setClock(time, d.lnot(rise), rise);
     return d.lnot(tooSoon);
   }
 

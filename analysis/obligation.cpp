@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "analysis/monitor.hpp"
 
@@ -57,9 +59,10 @@ Obligations::Obligations(const Program& program, const PropertySet& set, const s
   }
 
   encoding_ = std::make_unique<EncodedScan>(program, options);
+  chooseTimeBases(set, goals);
   std::size_t next = 0;
   for (const Property& property : goals) {
-    goals_.push_back({property, noNode, {}});
+    goals_.push_back({inItsBase(property), noNode, {}});
     addMonitor(goals_.back());
     if (property.atEveryInstruction) {
       const Node within = badSoFar[next++];
@@ -68,9 +71,61 @@ Obligations::Obligations(const Program& program, const PropertySet& set, const s
   }
   for (const Property& property : set.properties) {
     if (property.isGoal()) continue;
-    assumptions_.push_back({property, noNode, {}});
+    assumptions_.push_back({inItsBase(property), noNode, {}});
     addMonitor(assumptions_.back());
   }
+}
+
+/// Clocks count in the finest base of the timers that their property depends on.
+void Obligations::chooseTimeBases(const PropertySet& set, const std::vector<Property>& goals) {
+  std::vector<const Property*> timed;
+  for (const std::vector<Property>* list : {&goals, &set.properties}) {
+    for (const Property& property : *list) {
+      if (hasClock(property)) timed.push_back(&property);
+    }
+  }
+  if (timed.empty()) return;
+  const Graph& graph = encoding_->graph();
+  const auto leavesOf = [&](const Property& property) {
+    std::vector<Node> leaves;
+    for (const Expr* expr : {&property.first, &property.second}) {
+      for (const ExprNode& n : expr->nodes) {
+        if (n.op == ExprOp::Address) leaves.push_back(leaf(n.operand, n.type == ExprType::Truth ? 1 : numberBits(n.operand)));
+      }
+    }
+    return leaves;
+  };
+  for (const Property* property : timed) leavesOf(*property);  // all are touched before the next-state functions are read
+  std::unordered_map<std::uint32_t, Node> next;
+  for (const StateVariable& state : encoding_->system().states) next[indexOf(state.node)] = state.next;
+  std::unordered_map<std::uint32_t, int> resolution;
+  for (const Cell& cell : encoding_->cells()) {
+    if (cell.place.isRegister && cell.place.reg == Reg::TimerCurrent) resolution[indexOf(cell.start)] = timerResolution(static_cast<int>(cell.place.at));
+  }
+  for (const Property* property : timed) {
+    int finest = 0;
+    std::vector<Node> open = leavesOf(*property);
+    std::unordered_set<std::uint32_t> seen;
+    while (!open.empty()) {
+      const Node n = open.back();
+      open.pop_back();
+      if (n == noNode || !seen.insert(indexOf(n)).second) continue;
+      if (const auto timer = resolution.find(indexOf(n)); timer != resolution.end()) finest = finest == 0 ? timer->second : std::min(finest, timer->second);
+      if (const auto state = next.find(indexOf(n)); state != next.end()) open.push_back(state->second);
+      if (graph[n].op == Op::Variable) continue;
+      for (const Node child : graph[n].child) open.push_back(child);
+    }
+    timeBases_[property->name] = std::max(finest, 1);
+  }
+}
+
+Property Obligations::inItsBase(const Property& property) const {
+  Property result = property;
+  if (const auto base = timeBases_.find(property.name); base != timeBases_.end()) {
+    result.timeBase = base->second;
+    layoutCells(result);
+  }
+  return result;
 }
 
 Node Obligations::leaf(const Operand& operand, int width) {
@@ -89,7 +144,16 @@ void Obligations::addMonitor(AskedProperty& obligation) {
   for (const MonitorCell& cell : obligation.property.cells) before.push_back({graph.variable(cell.name, cell.width, true)});
   after = before;
   Leaf look{*this};
-  const Moment<Graph> moment{{encoding_->firstScan()}, {encoding_->time().dt()}, encoding_->time().width()};
+  TimeModel& time = encoding_->time();
+  const int base = obligation.property.timeBase;
+  const Node ticks = time.ticksWithin(base);
+  Node digits = noNode;
+  if (base > 1) {
+    const auto wide = [&](Node n) { return graph.make(Op::Zext, 8, n); };
+    digits = wide(time.onesNow());
+    if (base == 100) digits = graph.make(Op::Add, 8, graph.make(Op::Mul, 8, wide(time.tensNow()), graph.constantNode(10, 8)), digits);
+  }
+  const Moment<Graph> moment{{encoding_->firstScan()}, {ticks}, graph[ticks].width, {digits}};
   obligation.answer = Monitor<Graph, Leaf>(graph, obligation.property, look, moment, before, after).evaluate().node;
   for (std::size_t i = 0; i < before.size(); ++i) {
     const MonitorCell& cell = obligation.property.cells[i];

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "analysis/encoder.hpp"
@@ -49,6 +51,8 @@ class Obligations {
  private:
   struct Leaf;
   void addMonitor(AskedProperty& obligation);
+  void chooseTimeBases(const PropertySet& set, const std::vector<Property>& goals);
+  Property inItsBase(const Property& property) const;
   Node leaf(const Operand& operand, int width);
 
   std::unique_ptr<EncodedScan> encoding_;
@@ -57,6 +61,7 @@ class Obligations {
   std::vector<std::pair<const Instruction*, Node>> executions_;
   std::vector<StateVariable> cells_;
   std::vector<Node> timeCells_;
+  std::unordered_map<std::string, int> timeBases_;  ///< by property name; of those with clocks
   std::vector<Node> freeAnalog_;
   std::vector<Question> extra_;
 };

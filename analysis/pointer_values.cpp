@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "analysis/evaluate.hpp"
+#include "analysis/pointer_walk.hpp"
 
 namespace rungproof {
 
@@ -90,6 +91,18 @@ void ValueEvaluator::collectBounds(Node guard) {
     }
     const bool isNegated = graph_[n].op == Op::Not;
     const NodeData& test = graph_[isNegated ? graph_[n].child[0] : n];
+    const auto narrow = [](auto& table, Node subject, const Bounds& bounds) {
+      const auto [place, isNew] = table.try_emplace(subject, bounds);
+      if (isNew) return;
+      place->second.low = std::max(place->second.low, bounds.low);
+      place->second.high = std::min(place->second.high, bounds.high);
+    };
+    if (test.op == Op::Extract && test.width == 1 && test.value + 1 == graph_[test.child[0]].width) {
+      // The sign bit: what x < 0 has become.
+      const std::uint64_t all = Graph::maskOf(graph_[test.child[0]].width), half = all ^ all >> 1;
+      narrow(signed_, test.child[0], isNegated ? Bounds{half, all} : Bounds{0, half - 1});
+      continue;
+    }
     if (test.op != Op::Equal && test.op != Op::Ult && test.op != Op::Slt) continue;
     const bool isRight = graph_[test.child[1]].op == Op::Constant;
     if (!isRight && graph_[test.child[0]].op != Op::Constant) continue;
@@ -108,14 +121,34 @@ void ValueEvaluator::collectBounds(Node guard) {
       if (isNegated) bounds.high = k;
       else bounds.low = k + 1;
     }
-    auto& table = test.op == Op::Slt ? signed_ : unsigned_;
-    const auto [place, isNew] = table.try_emplace(subject, bounds);
-    if (!isNew) {
-      place->second.low = std::max(place->second.low, bounds.low);
-      place->second.high = std::min(place->second.high, bounds.high);
-    }
+    narrow(test.op == Op::Slt ? signed_ : unsigned_, subject, bounds);
   }
 }
+
+namespace {
+
+/// Value by value: what does the cell become from each of its values? False if they become too many.
+bool followPointer(const Graph& graph, const StateVariable& cell, ValueEvaluator& evaluator, ValueSet& values, bool& isChanged) {
+  if (!values.isListed()) return false;
+  const Node next[] = {cell.next};
+  const std::vector<Node> own = coneOf(graph, next);
+  std::vector<std::uint64_t> open = values.values();
+  while (!open.empty()) {
+    const ValueSet from = ValueSet::of(open.back());
+    open.pop_back();
+    const ValueSet to = evaluator.valuesWith(own, cell.node, from, pointerValueLimit);
+    const ValueSet before = values;
+    if (!values.join(to, pointerValueLimit)) continue;
+    isChanged = true;
+    if (!values.isListed()) return false;
+    for (const std::uint64_t v : values.values()) {
+      if (!before.contains(v)) open.push_back(v);
+    }
+  }
+  return true;
+}
+
+}  // namespace
 
 void closeValues(const TransitionSystem& system, const std::set<Node>& pointerCells, VariableValues& values) {
   const Graph& graph = *system.graph;
@@ -128,6 +161,7 @@ void closeValues(const TransitionSystem& system, const std::set<Node>& pointerCe
   }
   const std::vector<Node> cone = coneOf(graph, roots);
   ValueEvaluator evaluator(graph, values);
+  std::set<Node> walked;
   for (int round = 0;; ++round) {
     bool isChanged = false;
     evaluator.run(cone, valueLimit);
@@ -140,29 +174,16 @@ void closeValues(const TransitionSystem& system, const std::set<Node>& pointerCe
       isChanged = true;
     }
     for (const StateVariable& s : system.states) {
-      if (!pointerCells.contains(s.node)) continue;
-      const Node next[] = {s.next};
-      const std::vector<Node> own = coneOf(graph, next);
-      // Value by value: what does the cell become from each of its values?
-      std::vector<std::uint64_t> open = values[s.node].isListed() ? values[s.node].values() : std::vector<std::uint64_t>{};
-      if (!values[s.node].isListed() && values[s.node].join(evaluator.at(s.next), pointerValueLimit)) {
+      if (!pointerCells.contains(s.node) || walked.contains(s.node)) continue;
+      if (!followPointer(graph, s, evaluator, values[s.node], isChanged)) {
+        // Its own values do not end; perhaps another cell makes it start again.
+        walked.insert(s.node);
         values[s.node] = ValueSet::any(graph[s.node].width);
-        isChanged = true;
-      }
-      while (!open.empty() && values[s.node].isListed()) {
-        const ValueSet from = ValueSet::of(open.back());
-        open.pop_back();
-        const ValueSet to = evaluator.valuesWith(own, s.node, from, pointerValueLimit);
-        const ValueSet before = values[s.node];
-        if (!values[s.node].join(to, pointerValueLimit)) continue;
-        isChanged = true;
-        if (!values[s.node].isListed()) {
-          values[s.node] = ValueSet::any(graph[s.node].width);
-          break;
+        if (const auto walk = walkOf(system, s.node, pointerValueLimit)) {
+          values[s.node] = ValueSet();
+          for (const std::uint64_t v : *walk) values[s.node].join(ValueSet::of(v), pointerValueLimit);
         }
-        for (const std::uint64_t v : values[s.node].values()) {
-          if (!before.contains(v)) open.push_back(v);
-        }
+        isChanged = true;
       }
       evaluator.run(cone, valueLimit);
     }

@@ -7,7 +7,10 @@
 #include <deque>
 
 #include "analysis/bit_cone.hpp"
+#include "analysis/evaluate.hpp"
 #include "analysis/invariants.hpp"
+#include "analysis/invariants_bounds.hpp"
+#include "analysis/invariants_timers.hpp"
 #include "analysis/invariants_words.hpp"
 #include "analysis/portfolio_clusters.hpp"
 #include "analysis/portfolio_race.hpp"
@@ -32,13 +35,15 @@ class Portfolio {
     for (std::size_t q = 0; q < answers_.size(); ++q) open_.push_back(q);
     begin({});
     if (!open_.empty()) searchTogether(1, true);
-    const std::vector<std::vector<std::size_t>> clusters = clustersOf(system_, open_);
+    std::vector<std::vector<std::size_t>> clusters;
+    if (options_.effort == Effort::Full) clusters = clustersOf(system_, open_);
     for (const std::vector<std::size_t>& cluster : clusters) {
       open_ = cluster;
       begin({});
       beginWithCandidates();
-      mine();
+      if (options_.check) mine();
       searchTogether(shortInduction, false);
+      if (!open_.empty() && options_.check && mineDifferences()) searchTogether(shortInduction, false);
       if (!open_.empty()) raceApart();
     }
     if (options_.check) checkCertificates();
@@ -48,13 +53,17 @@ class Portfolio {
  private:
   /// Starts a stage: blasts the open questions.
   void begin(const std::vector<Node>& truths) {
+    differences_.clear();
     blast_ = std::make_unique<BitBlast>(system_, open_, truths);
     stageBegin_ = Budget::Clock::now();
   }
   /// Blasts the open questions with the nodes that candidate invariants speak about.
   void beginWithCandidates() {
     const std::vector<Node> truths = stateTruths(system_, open_, truthLimit);
-    const std::vector<NodeClause> guesses = guessDifferences(system_, *blast_, options_.seed);
+    std::vector<NodeClause> guesses = guessDifferences(system_, *blast_, options_.seed);
+    for (NodeClause& clause : guessTimerStates(system_)) {
+      if (std::all_of(clause.begin(), clause.end(), [&](Node n) { return isInCone(n); })) guesses.push_back(std::move(clause));
+    }
     std::vector<Node> nodes = truths;
     for (const NodeClause& clause : guesses) nodes.insert(nodes.end(), clause.begin(), clause.end());
     begin(nodes);
@@ -65,6 +74,10 @@ class Portfolio {
       std::vector<Lit>& literals = guesses_.emplace_back();
       for (const Node n : clause) literals.push_back(blast_->of(n)[0]);
     }
+  }
+  bool isInCone(Node n) const {
+    const NodeData& node = (*system_.graph)[n];
+    return blast_->contains(node.op == Op::Not ? node.child[0] : n);
   }
   Budget budget(double seconds) const { return Budget::seconds(seconds, options_.cancel); }
   double share() const {
@@ -99,6 +112,23 @@ class Portfolio {
     mining.seed = options_.seed;
     const Budget limit = budget(seconds);
     invariants_ = mineInvariants(blast_->bits(), truths_, guesses_, mining, limit);
+  }
+
+  /// Bounds on differences of words that count together; false if there are none.
+  bool mineDifferences() {
+    const MinedBounds mined = mineBounds(system_, *blast_, invariants_, options_.seed, budget(std::min(options_.seconds * 2, 10.0)));
+    if (mined.clauses.empty()) return false;
+    blast_->add(mined.clauses);
+    for (const Node n : mined.clauses) {
+      const Lit l = blast_->of(n)[0];
+      if (l != trueLit) invariants_.clauses.push_back({l});
+    }
+    differences_ = mined.differences;
+    // The questions that are left, in the stage's order.
+    std::vector<Lit> bads;
+    for (const std::size_t position : positions_) bads.push_back(blast_->bits().bads[position]);
+    blast_->bits().bads = bads;
+    return true;
   }
 
   void raceApart() {
@@ -150,6 +180,11 @@ class Portfolio {
       Node n = system_.graph->constantNode(0, 1);
       for (const Lit l : clause) n = system_.graph->make(Op::Or, 1, n, blast_->nodeOf(l));
       result.invariant.push_back(n);
+    }
+    std::vector<bool> isUsed(system_.graph->size(), false);
+    for (const Node n : coneOf(*system_.graph, result.invariant)) isUsed[indexOf(n)] = true;
+    for (const KeptDifference& d : differences_) {
+      if (isUsed[indexOf(d.difference)]) result.differences.push_back(d);
     }
     if (given.simplePath) {
       const std::size_t count = cone == nullptr ? bits.latches.size() : cone->latches.size();
@@ -211,12 +246,22 @@ class Portfolio {
   std::vector<Lit> truths_;              ///< literals of blast_
   std::vector<std::vector<Lit>> guesses_;  ///< further candidate invariants, in literals of blast_
   Invariants invariants_;                ///< of blast_'s system
+  std::vector<KeptDifference> differences_;  ///< that bounds among invariants_ speak of
   std::vector<std::size_t> open_;        ///< questions without answer
   std::vector<std::size_t> positions_;   ///< of the open questions among the bad literals of blast_
   std::vector<QuestionAnswer> answers_;
 };
 
 }  // namespace
+
+std::optional<WordTrace> shallowSearch(const TransitionSystem& system, int depth, double seconds) {
+  const BitBlast blast(system, {0});
+  EngineOptions options;
+  options.bound = depth;
+  const Verdict verdict = makeBmc(blast.bits(), options)->advance(Budget::seconds(seconds));
+  if (verdict.answer != Answer::Violated) return std::nullopt;
+  return blast.wordTrace(*verdict.trace);
+}
 
 std::vector<QuestionAnswer> answerQuestions(const TransitionSystem& system, const PortfolioOptions& options) {
   return Portfolio(system, options).run();

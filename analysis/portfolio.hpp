@@ -14,7 +14,11 @@
 
 namespace rungproof {
 
+/// Together: only what treats all questions at once, within milliseconds. Full: then groups of questions, then each.
+enum class Effort : std::uint8_t { Together, Full };
+
 struct PortfolioOptions {
+  Effort effort = Effort::Full;
   double seconds = 30;     ///< wall time for each question
   int jobs = 2;            ///< threads
   std::uint64_t seed = 1;
@@ -32,6 +36,9 @@ struct QuestionAnswer {
   std::optional<WordCertificate> certificate;
   bool usesFreeReals = false;  ///< Violated: the run may rest on values of REAL operations that the CPU does not give
 };
+
+/// Bounded search alone for the first question: a run of at most `depth` scans, if there is one and it is found in time.
+std::optional<WordTrace> shallowSearch(const TransitionSystem& system, int depth, double seconds);
 
 /// By question of the system. Adds nodes (of invariants) to its graph.
 std::vector<QuestionAnswer> answerQuestions(const TransitionSystem& system, const PortfolioOptions& options);

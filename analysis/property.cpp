@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace rungproof {
 
 int bitsFor(std::uint64_t highest) {
@@ -13,7 +15,13 @@ int bitsFor(std::uint64_t highest) {
 
 namespace {
 
-void layoutExpr(Expr& expr, const std::string& prefix, std::vector<MonitorCell>& cells) {
+/// A clock is two cells: the ticks since it was started, and with a coarse base the digits below them at its start.
+void addClock(std::vector<MonitorCell>& cells, const std::string& name, std::int64_t milliseconds, int timeBase) {
+  cells.push_back({name + "time", static_cast<std::uint8_t>(bitsFor(static_cast<std::uint64_t>(clockCap(milliseconds, timeBase))))});
+  if (timeBase > 1) cells.push_back({name + "digits", 8});
+}
+
+void layoutExpr(Expr& expr, const std::string& prefix, std::vector<MonitorCell>& cells, int timeBase) {
   for (std::size_t i = 0; i < expr.nodes.size(); ++i) {
     ExprNode& node = expr.nodes[i];
     node.cell = static_cast<std::uint32_t>(cells.size());
@@ -28,7 +36,7 @@ void layoutExpr(Expr& expr, const std::string& prefix, std::vector<MonitorCell>&
       case ExprOp::Since: add("since", 1); break;
       case ExprOp::Held:
         add("run", 1);
-        add("time", bitsFor(static_cast<std::uint64_t>(node.milliseconds)));
+        addClock(cells, fmt::format("{}.{}.", prefix, i), node.milliseconds, timeBase);
         break;
       default: break;
     }
@@ -39,35 +47,47 @@ void layoutExpr(Expr& expr, const std::string& prefix, std::vector<MonitorCell>&
 
 void layoutCells(Property& property) {
   property.cells.clear();
-  layoutExpr(property.first, property.name, property.cells);
-  layoutExpr(property.second, property.name, property.cells);
+  layoutExpr(property.first, property.name, property.cells, property.timeBase);
+  layoutExpr(property.second, property.name, property.cells, property.timeBase);
   property.patternCell = static_cast<std::uint32_t>(property.cells.size());
   const auto add = [&](const char* what, int width) {
     property.cells.push_back({fmt::format("{}.{}", property.name, what), static_cast<std::uint8_t>(width)});
   };
-  const int boundBits = bitsFor(static_cast<std::uint64_t>(property.bound) + 1);
+  const auto addTime = [&](std::int64_t milliseconds) { addClock(property.cells, property.name + ".", milliseconds, property.timeBase); };
   switch (property.kind) {
     case PropertyKind::LeadsToScans:
       add("pending", 1);
-      add("scans", boundBits);
+      add("scans", bitsFor(static_cast<std::uint64_t>(property.bound) + 1));
       break;
     case PropertyKind::LeadsToTime:
       add("pending", 1);
-      add("time", boundBits);
+      addTime(property.bound + 1);
       break;
     case PropertyKind::OnlyAfter: add("seen", 1); break;
     case PropertyKind::Unless: add("bound", 1); break;
     case PropertyKind::HeldImplies:
       add("run", 1);
-      add("time", boundBits);
+      addTime(property.bound);
       break;
     case PropertyKind::Pulse:
       add("before", 1);
       add("risen", 1);
-      add("time", boundBits);
+      addTime(property.bound);
       break;
     default: break;
   }
+}
+
+int numberBits(const Operand& o) {
+  if (o.area == Area::T || o.area == Area::C || o.area == Area::AI || o.area == Area::AQ) return 16;
+  if (o.area == Area::AC || o.area == Area::HC) return 32;
+  return bits(o.width);
+}
+
+bool hasClock(const Property& property) {
+  const auto holds = [](const Expr& expr) { return std::any_of(expr.nodes.begin(), expr.nodes.end(), [](const ExprNode& n) { return n.op == ExprOp::Held; }); };
+  return property.kind == PropertyKind::LeadsToTime || property.kind == PropertyKind::HeldImplies || property.kind == PropertyKind::Pulse ||
+         holds(property.first) || holds(property.second);
 }
 
 std::vector<const Operand*> addressesOf(const Property& property) {

@@ -75,6 +75,9 @@ struct Property {
   bool atEveryInstruction = false;
   std::vector<MonitorCell> cells; ///< of the expressions and of the pattern itself; filled by layoutCells()
   std::uint32_t patternCell = 0;  ///< first cell of the pattern
+  /// Unit in which its clocks count, 1, 10 or 100 ms: with that of the program's timers they run in step with them.
+  /// What the property means does not depend on it.
+  int timeBase = 1;
   Span span{};
   std::string text;               ///< the statement as written
 
@@ -95,10 +98,16 @@ struct PropertySet {
   bool initialRetentive = false;
 };
 
-/// Gives each function that looks back, and the pattern, its cells. Call once after parsing.
+/// Gives each function that looks back, and the pattern, its cells. Call after parsing and after a change of timeBase.
 void layoutCells(Property& property);
+/// Whether it measures time.
+bool hasClock(const Property& property);
+/// Ticks at which a clock that tells whether `milliseconds` have passed stops (monitor.hpp).
+constexpr std::int64_t clockCap(std::int64_t milliseconds, int timeBase) { return milliseconds / timeBase + (timeBase == 1 ? 0 : 2); }
 /// Bits needed to hold 0 .. highest.
 int bitsFor(std::uint64_t highest);
+/// Bits of the number that an address stands for; T and C: of the current value.
+int numberBits(const Operand& operand);
 /// All addresses that the property reads.
 std::vector<const Operand*> addressesOf(const Property& property);
 

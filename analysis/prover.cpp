@@ -9,6 +9,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <thread>
 
 #include "analysis/portfolio.hpp"
@@ -19,6 +20,9 @@ namespace rungproof {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr int shallowDepth = 12;         ///< scans of a short accelerated run
+constexpr double shallowSeconds = 0.25;  ///< for all of them
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -37,7 +41,7 @@ class Session {
     result.approximations = approximationTexts(program_, exact_.obligations().encoding());
     const std::size_t declared = declaredCount();
     const std::size_t total = declared + exact_.checks().size();
-    quick_ = answerQuestions(exact_.system(), portfolio(std::min(options_.timeout, 0.5)));
+    answerQuickly();
     for (std::size_t i = 0; i < total; ++i) {
       const auto start = Clock::now();
       const std::size_t question = i < declared ? i : goals_.size() + (i - declared);
@@ -99,13 +103,57 @@ class Session {
     return options;
   }
 
+  // ---- All questions ---------------------------------------------------------------------------------
+
+  /// What takes milliseconds for all questions; then short runs in which time passes in long scans, so that what a
+  /// timer brings about costs the same whatever its preset; then half a second for what is left.
+  void answerQuickly() {
+    PortfolioOptions together = portfolio(std::min(options_.timeout, 0.5));
+    together.effort = Effort::Together;
+    quick_ = answerQuestions(exact_.system(), together);
+    const auto start = Clock::now();
+    TransitionSystem rest = exact_.system();
+    std::vector<std::size_t> open;
+    rest.questions.clear();
+    for (std::size_t q = 0; q < quick_.size(); ++q) {
+      if (quick_[q].answer != Answer::Unknown) continue;
+      const bool mayWait = q >= goals_.size() || options_.bound > 0 || secondsSince(start) > shallowSeconds;
+      if (!mayWait && searchShallow(q)) continue;
+      open.push_back(q);
+      rest.questions.push_back(exact_.system().questions[q]);
+    }
+    if (open.empty()) return;
+    std::vector<QuestionAnswer> answers = answerQuestions(rest, portfolio(std::min(options_.timeout, 0.5)));
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      answers[i].seconds += quick_[open[i]].seconds;
+      quick_[open[i]] = std::move(answers[i]);
+    }
+  }
+  /// A short run of the accelerated system that the engine repeats.
+  bool searchShallow(std::size_t question) {
+    const auto start = Clock::now();
+    if (!exact_.dependsOnTime(exact_.variablesOf(question))) return false;
+    const TransitionSystem accelerated = relaxedSide().accelerated(question, options_.time.high);
+    if (const auto trace = shallowSearch(accelerated, shallowDepth, shallowSeconds / 4)) {
+      if (auto witness = replayed(*relaxed_, accelerated, question, *trace)) {
+        quick_[question].method = "accelerated search";
+        quick_[question].answer = Answer::Violated;
+        quick_[question].seconds += secondsSince(start);
+        found_.emplace(question, std::move(*witness));
+        return true;
+      }
+    }
+    return false;
+  }
+
   // ---- One question -----------------------------------------------------------------------------------
 
   void settle(std::size_t question, ProofResult& row, ProofRun& run) {
     QuestionAnswer answer = quick_[question];
     std::optional<Witness> witness;
-    if (answer.answer == Answer::Violated) witness = replayed(exact_, exact_.system(), question, *answer.trace);
-    const bool isOpen = answer.answer == Answer::Unknown || (answer.answer == Answer::Violated && !witness);
+    if (const auto found = found_.find(question); found != found_.end()) witness = found->second;
+    else if (answer.answer == Answer::Violated) witness = replayed(exact_, exact_.system(), question, *answer.trace);
+    const bool isOpen = (answer.answer == Answer::Unknown && !witness) || (answer.answer == Answer::Violated && !witness);
     if (isOpen && options_.timeout > 0.5) std::tie(answer, witness) = race(question, options_.timeout - 0.5);
     row.method = answer.method;
     row.depth = answer.depth;
@@ -269,6 +317,7 @@ class Session {
   mutable ProofSide exact_;
   std::unique_ptr<ProofSide> relaxed_;
   std::vector<QuestionAnswer> quick_;
+  std::map<std::size_t, Witness> found_;  ///< by question: witnesses of the short search
 };
 
 }  // namespace

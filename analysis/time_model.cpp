@@ -32,6 +32,9 @@ void TimeModel::free() {
   const Node d = graph_.variable("time.tens", 4, false);
   const Node u = graph_.variable("time.ones", 4, false);
   inputs_ = {n, d, u};
+  hundredsNow_ = n;
+  tensNow_ = d;
+  onesNow_ = u;
   ten_ = state("time.tens.start", 4, d);
   const Node ones = state("time.ones.start", 4, u);
   tenBefore_ = state("time.tens.before", 4, ten_);
@@ -72,6 +75,9 @@ void TimeModel::fixed(std::uint32_t length) {
   states_[1].next = one.value;
   states_[2].next = ten_;
   states_[3].next = graph_.make(Op::Add, w, number(length / 100, w), graph_.make(Op::Zext, w, ten.carry));
+  hundredsNow_ = states_[3].next;
+  tensNow_ = ten.value;
+  onesNow_ = one.value;
 }
 
 Node TimeModel::saturated16(Node value) {
@@ -80,6 +86,16 @@ Node TimeModel::saturated16(Node value) {
   const Node most = number(0xFFFF, w);
   const Node cut = graph_.make(Op::Ite, w, graph_.make(Op::Ult, 1, most, value), most, value);
   return graph_.make(Op::Extract, 16, cut);
+}
+
+/// Never negative: the tens digit can fall only by as much as the hundreds have grown.
+Node TimeModel::ticksWithin(int base) {
+  if (base == 1) return dt_;
+  if (base == 100) return hundredsNow_;
+  const int w = graph_[hundredsNow_].width + 4;
+  const auto wide = [&](Node n) { return graph_.make(Op::Zext, w, n); };
+  const Node tens = graph_.make(Op::Mul, w, wide(hundredsNow_), number(10, w));
+  return graph_.make(Op::Add, w, tens, graph_.make(Op::Sub, w, wide(tensNow_), wide(ten_)));
 }
 
 Node TimeModel::ticks100() { return saturated16(hundreds_); }

@@ -41,6 +41,11 @@ class TimeModel {
   /// Ticks at the start of this scan, 16 bits, saturated.
   Node ticks10();
   Node ticks100();
+  /// Ticks of `base` (1, 10 or 100 ms) that fall into this scan; any width.
+  Node ticksWithin(int base);
+  /// The digits of the absolute time at the end of this scan, 4 bits each.
+  Node tensNow() const { return tensNow_; }
+  Node onesNow() const { return onesNow_; }
 
   /// What the transition system gets: state, inputs, and the constraint, which can always be met.
   const std::vector<StateVariable>& states() const { return states_; }
@@ -58,6 +63,7 @@ class TimeModel {
   bool relaxed_;
   int width_;
   Node dt_ = noNode;
+  Node hundredsNow_ = noNode, tensNow_ = noNode, onesNow_ = noNode;
   Node hundreds_ = noNode;  ///< ticks of 100 ms since the scan before
   Node ten_ = noNode;       ///< digit d at the start of this scan
   Node tenBefore_ = noNode; ///< and at the start of the scan before

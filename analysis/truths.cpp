@@ -57,7 +57,10 @@ class TruthSearch {
         const Node bound = graph_.constantNode(split, width);
         const Node truth = node.op == Op::Equal ? graph_.make(Op::Equal, 1, word, graph_.constantNode(value & Graph::maskOf(width), width))
                                                 : graph_.make(Op::Ule, 1, bound, word);
-        if (graph_[truth].op != Op::Constant && result.size() < limit_ && seen_.insert(truth).second) result.push_back(truth);
+        // Whether it stands at 0 tells whether it has been started.
+        for (const Node candidate : {truth, graph_.make(Op::Ule, 1, graph_.constantNode(1, width), word)}) {
+          if (graph_[candidate].op != Op::Constant && result.size() < limit_ && seen_.insert(candidate).second) result.push_back(candidate);
+        }
       }
     }
   }

@@ -125,18 +125,24 @@ EncoderOptions anyMemory() {
 }
 
 TEST(ScanAgreement, PlainPrograms) {
-  runAll({.rungs = 8, .jumps = false, .loops = false, .subroutines = false}, anyMemory(), 250, 40, 0);
+  runAll({.rungs = 8, .jumps = false, .loops = false, .subroutines = false}, anyMemory(), 180, 60, 0);
 }
 
-TEST(ScanAgreement, ControlFlow) { runAll({.rungs = 8}, anyMemory(), 250, 40, 10000); }
+TEST(ScanAgreement, ControlFlow) { runAll({.rungs = 7}, anyMemory(), 110, 60, 10000); }
 
-TEST(ScanAgreement, FromPowerUp) { runAll({.rungs = 8}, {}, 100, 40, 20000); }
+TEST(ScanAgreement, FromPowerUp) { runAll({.rungs = 7}, {}, 60, 60, 20000); }
 
 TEST(ScanAgreement, FixedScanTime) {
   EncoderOptions options = anyMemory();
   options.time = {13, 13, false};
-  runAll({.rungs = 6}, options, 60, 40, 30000);
+  runAll({.rungs = 6}, options, 40, 60, 30000);
 }
+
+TEST(ScanAgreement, Interrupts) {
+  runAll({.rungs = 5, .loops = false, .subroutines = false, .interrupts = true}, anyMemory(), 40, 60, 40000);
+}
+
+TEST(ScanAgreement, Pointers) { runAll({.rungs = 6, .loops = false, .subroutines = false, .pointers = true}, {}, 40, 60, 50000); }
 
 }  // namespace
 }  // namespace rungproof

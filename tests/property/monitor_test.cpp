@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "engine/concrete.hpp"
 #include "frontend/property_reader.hpp"
 
@@ -87,6 +89,54 @@ TEST(Monitor, OnlyAfterAndUnless) {
 TEST(Monitor, PulseKeepsEdgesApart) {
   EXPECT_EQ(run("pulse a at most every 50ms", {{""}, {"a"}, {""}, {"a", 30}}), "1110") << "the second edge comes after 40 ms";
   EXPECT_EQ(run("pulse a at most every 50ms", {{""}, {"a"}, {""}, {"a", 40}}), "1111") << "50 ms apart is allowed";
+}
+
+/// Answers at the ends of scans of the given lengths, with clocks that count in `base` ms from time 0 on.
+std::string answers(Property property, int base, const std::vector<std::pair<unsigned, std::uint64_t>>& scans) {
+  property.timeBase = base;
+  layoutCells(property);
+  Silent outside;
+  Concrete domain(outside);
+  std::vector<std::uint64_t> before(property.cells.size(), 0), after(property.cells.size(), 0);
+  std::string result;
+  std::uint64_t now = 0;
+  for (const auto& [bits, length] : scans) {
+    const auto unit = static_cast<std::uint64_t>(base);
+    const std::uint64_t ticks = (now + length) / unit - now / unit;
+    now += length;
+    const Moment<Concrete> moment{result.empty(), ticks, 32, now % unit};
+    const auto leaf = [&, pattern = bits](const Operand& o, int) -> std::uint64_t { return pattern >> o.bit & 1U; };
+    result += Monitor<Concrete, decltype(leaf)>(domain, property, leaf, moment, before, after).evaluate() ? '1' : '0';
+    before = after;
+  }
+  return result;
+}
+
+// A clock in ticks of 10 or 100 ms with the digits at its start says the same as one in ms, for every statement that
+// measures time: 400 random runs with bits that stay for a while.
+TEST(Monitor, CoarseClocksAreExact) {
+  const unsigned seed = 20261122;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  std::mt19937 random(seed);
+  for (int round = 0; round < 400; ++round) {
+    const int limit = static_cast<int>(random() % 3 == 0 ? random() % 12 : random() % 900);
+    const std::string ms = std::to_string(limit) + "ms";
+    const std::string texts[] = {"prove p: a held " + ms + " implies b", "prove p: b or held(a, " + ms + ")", "prove p: a leads to b within " + ms, "pulse M0.0 at most every " + ms};
+    PropertySet set;
+    std::vector<Finding> findings;
+    readPropertyText(0, texts[round % 4], 0, [](std::string_view name) { return name == "M0.0" ? bitNamed("a") : bitNamed(name); }, set, findings);
+    ASSERT_TRUE(findings.empty()) << texts[round % 4] << ": " << findings[0].message;
+    std::vector<std::pair<unsigned, std::uint64_t>> scans;
+    unsigned bits = random() % 4;
+    const unsigned change = 1 + random() % 6, longest = random() % 2 == 0 ? 30 : 260;
+    for (int scan = 0; scan < 60; ++scan) {
+      if (random() % change == 0) bits = random() % 4;
+      scans.emplace_back(bits, 1 + random() % longest);
+    }
+    const std::string exact = answers(set.properties.at(0), 1, scans);
+    EXPECT_EQ(answers(set.properties[0], 10, scans), exact) << texts[round % 4] << ", round " << round;
+    EXPECT_EQ(answers(set.properties[0], 100, scans), exact) << texts[round % 4] << ", round " << round;
+  }
 }
 
 }  // namespace

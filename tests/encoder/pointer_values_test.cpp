@@ -1,0 +1,83 @@
+// Pointers whose targets follow from the transition relation, and one whose targets do not.
+#include "analysis/pointer_values.hpp"
+
+#include <gtest/gtest.h>
+
+#include "analysis/encoder.hpp"
+#include "tests/encoder/statements.hpp"
+
+namespace rungproof {
+namespace {
+
+/// Cell x of 32 bits with that initial value and next function; the values it can take.
+ValueSet closed(Graph& graph, Node x, std::uint64_t init, Node next) {
+  TransitionSystem system;
+  system.graph = &graph;
+  system.states = {{x, graph.constantNode(init, 32), next}};
+  VariableValues values;
+  closeValues(system, {x}, values);
+  return values.at(x);
+}
+
+TEST(PointerValues, WalkThatStartsAgainHasItsExactSteps) {
+  // x + 2 until 10, then 4 again, from 4: the values 4, 6, 8, 10.
+  Graph g;
+  const Node x = g.variable("x", 32, true);
+  const Node atEnd = g.make(Op::Equal, 1, x, g.constantNode(10, 32));
+  const Node next = g.make(Op::Ite, 32, atEnd, g.constantNode(4, 32), g.make(Op::Add, 32, x, g.constantNode(2, 32)));
+  EXPECT_EQ(closed(g, x, 4, next).values(), (std::vector<std::uint64_t>{4, 6, 8, 10}));
+}
+
+TEST(PointerValues, CounterThatLimitsTheWalkIsFollowedWithIt) {
+  // Sometimes x + 2 and n + 1; when n would be 8, x is 40 and n is 0 again: 40, 42 .. 54.
+  Graph g;
+  const Node x = g.variable("VD0", 32, true), n = g.variable("VW16", 16, true), steps = g.variable("I0.0", 1, false);
+  const Node more = g.make(Op::Add, 16, n, g.constantNode(1, 16));
+  const Node ends = g.make(Op::Sle, 1, g.constantNode(8, 16), more);
+  const Node further = g.make(Op::Ite, 32, ends, g.constantNode(40, 32), g.make(Op::Add, 32, x, g.constantNode(2, 32)));
+  TransitionSystem system;
+  system.graph = &g;
+  system.states = {{x, g.constantNode(40, 32), g.make(Op::Ite, 32, steps, further, x)},
+                   {n, g.constantNode(0, 16), g.make(Op::Ite, 16, steps, g.make(Op::Ite, 16, ends, g.constantNode(0, 16), more), n)}};
+  system.inputs = {steps};
+  VariableValues values;
+  closeValues(system, {x}, values);
+  EXPECT_EQ(values.at(x).values(), (std::vector<std::uint64_t>{40, 42, 44, 46, 48, 50, 52, 54}));
+}
+
+TEST(PointerValues, WalkWithoutEndHasNoList) {
+  Graph g;
+  const Node x = g.variable("x", 32, true);
+  EXPECT_FALSE(closed(g, x, 0, g.make(Op::Add, 32, x, g.constantNode(1, 32))).isListed());
+}
+
+TEST(PointerValues, GuardNarrowsWhatItCompares) {
+  // Signed 0 <= i and i < 3 leave 0, 1, 2, so 100 + 2 i is 100, 102 or 104.
+  Graph g;
+  const Node i = g.variable("i", 32, false);
+  const Node low = g.make(Op::Sle, 1, g.constantNode(0, 32), i), high = g.make(Op::Slt, 1, i, g.constantNode(3, 32));
+  const Node address = g.make(Op::Add, 32, g.make(Op::Mul, 32, i, g.constantNode(2, 32)), g.constantNode(100, 32));
+  const VariableValues none;
+  ValueEvaluator evaluator(g, none);
+  const Node guard = g.make(Op::And, 1, low, high);
+  EXPECT_EQ(evaluator.valuesOf(address, guard, pointerValueLimit).values(), (std::vector<std::uint64_t>{100, 102, 104}));
+}
+
+TEST(PointerValues, PointerSetInTheFirstScanIsResolved) {
+  const Program program = programOf("LD SM0.1\nMOVD &VB100, VD10\nLD I0.0\nMOVB *VD10, VB0");
+  EncodedScan scan(program, {});
+  EXPECT_TRUE(scan.approximations().empty());
+}
+
+TEST(PointerValues, PointerFromOutsideIsReportedAsUnresolved) {
+  const Program program = programOf("LD I0.0\nMOVB *VD10, VB0");
+  EncoderOptions options;
+  options.externals = {{Area::V, 10, 13}};
+  EncodedScan scan(program, options);
+  ASSERT_EQ(scan.approximations().size(), 1U);
+  EXPECT_EQ(scan.approximations()[0].place->desc->stl, "MOVB");
+  EXPECT_FALSE(scan.approximations()[0].carriers.empty());
+}
+
+}  // namespace
+}  // namespace rungproof

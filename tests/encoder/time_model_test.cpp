@@ -1,0 +1,75 @@
+// Time as digits, compared with counting ms one by one.
+#include "analysis/time_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include "analysis/evaluate.hpp"
+
+namespace rungproof {
+namespace {
+
+/// Runs scans of the given lengths and checks dt and the ticks against floor(time / 10) and floor(time / 100).
+void follow(const TimeRange& range, const std::vector<std::uint32_t>& lengths) {
+  Graph graph;
+  TimeModel time(graph, range);
+  const Node ten = time.ticks10(), hundred = time.ticks100();
+  const Node tens = time.ticksWithin(10), hundreds = time.ticksWithin(100);
+  std::vector<Node> roots{time.dt(), ten, hundred, tens, hundreds, time.tensNow(), time.onesNow()};
+  for (const StateVariable& s : time.states()) {
+    roots.push_back(s.node);
+    roots.push_back(s.next);
+  }
+  for (const Node input : time.inputs()) roots.push_back(input);
+  if (time.constraint() != noNode) roots.push_back(time.constraint());
+  Evaluator value(graph, roots);
+  for (const StateVariable& s : time.states()) value.set(s.node, 0);
+  std::uint64_t before = 0, now = 0;  // start of the scan before, and of this one
+  for (const std::uint32_t length : lengths) {
+    const std::uint64_t after = now + length;
+    if (!time.inputs().empty()) {
+      value.set(time.inputs()[0], after / 100 - now / 100);
+      value.set(time.inputs()[1], after / 10 % 10);
+      value.set(time.inputs()[2], after % 10);
+    }
+    value.run();
+    EXPECT_EQ(value[time.dt()], length);
+    EXPECT_EQ(value[ten], std::min<std::uint64_t>(now / 10 - before / 10, 0xFFFF));
+    EXPECT_EQ(value[hundred], std::min<std::uint64_t>(now / 100 - before / 100, 0xFFFF));
+    EXPECT_EQ(value[tens], after / 10 - now / 10);
+    EXPECT_EQ(value[hundreds], after / 100 - now / 100);
+    EXPECT_EQ(value[time.tensNow()] * 10 + value[time.onesNow()], after % 100);
+    if (time.constraint() != noNode) {
+      EXPECT_EQ(value[time.constraint()], 1U);
+    }
+    std::vector<std::uint64_t> next;
+    for (const StateVariable& s : time.states()) next.push_back(value[s.next]);
+    for (std::size_t i = 0; i < next.size(); ++i) value.set(time.states()[i].node, next[i]);
+    before = now;
+    now = after;
+  }
+}
+
+TEST(TimeModel, TicksFollowFromTheLengths) { follow({1, 500, false}, {1, 9, 10, 99, 100, 101, 499, 500, 1, 33, 67, 250}); }
+TEST(TimeModel, FixedLengthNeedsNoInputs) {
+  follow({13, 13, false}, std::vector<std::uint32_t>(40, 13));
+  follow({250, 250, false}, std::vector<std::uint32_t>(12, 250));
+}
+TEST(TimeModel, RelaxedScansMayBeLong) { follow({1, 500, true}, {1, 4000000, 7, 300000, 12}); }
+
+TEST(TimeModel, ScansOutsideTheRangeBreakTheConstraint) {
+  Graph graph;
+  TimeModel time(graph, {5, 20, false});
+  const Node roots[] = {time.constraint(), time.dt()};
+  Evaluator value(graph, roots);
+  for (const StateVariable& s : time.states()) value.set(s.node, 0);
+  for (const auto& [tens, ones, isLegal] : {std::tuple{0, 4, 0}, std::tuple{0, 5, 1}, std::tuple{2, 0, 1}, std::tuple{2, 1, 0}, std::tuple{1, 10, 0}}) {
+    value.set(time.inputs()[0], 0);
+    value.set(time.inputs()[1], static_cast<std::uint64_t>(tens));
+    value.set(time.inputs()[2], static_cast<std::uint64_t>(ones));
+    value.run();
+    EXPECT_EQ(value[time.constraint()], static_cast<std::uint64_t>(isLegal)) << tens << ones;
+  }
+}
+
+}  // namespace
+}  // namespace rungproof
