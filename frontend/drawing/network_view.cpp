@@ -167,7 +167,10 @@ std::string viewText(const std::vector<BlockView>& blocks, const TextStyle& styl
     text += paint.bold(block.heading) + "\n";
     for (const NetworkView& view : block.networks) {
       text += "\n" + paint.bold(view.heading) + "\n";
-      for (const std::string& comment : view.comments) text += "// " + comment + "\n";
+      for (const std::string& comment : view.comments) {
+        const bool isDirective = comment.starts_with('@') || comment.starts_with('!');
+        text += (isDirective ? "//" : "// ") + comment + "\n";
+      }
       for (const std::string& line : contentLines(view, style)) text += line + "\n";
     }
   }
