@@ -12,6 +12,7 @@
 #include <map>
 #include <thread>
 
+#include "analysis/hidden_code.hpp"
 #include "analysis/portfolio.hpp"
 #include "analysis/proof_side.hpp"
 
@@ -174,6 +175,17 @@ class Session {
     }
     noteApproximations(question, row);
     guardInterrupts(row);
+    guardHiddenCode(question, row);
+  }
+
+  /// Nothing is decided that depends on code which was not read.
+  void guardHiddenCode(std::size_t question, ProofResult& row) const {
+    const std::vector<std::string> reasons = hidden_.reasons(exact_.obligations().encoding(), exact_.variablesOf(question));
+    if (reasons.empty()) return;
+    row.outcome = Outcome::NotCovered;
+    row.witness.reset();
+    row.certificate.clear();
+    row.notes.insert(row.notes.end(), reasons.begin(), reasons.end());
   }
 
   /// A routine that is attached but whose events the encoding does not know leaves every proof open.
@@ -312,6 +324,7 @@ class Session {
   const Program& program_;
   const PropertySet& set_;
   const ProverOptions& options_;
+  HiddenCode hidden_{program_, set_};
   std::vector<Property> goals_;
   std::vector<Property> assumptions_;
   mutable ProofSide exact_;

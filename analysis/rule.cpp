@@ -67,7 +67,12 @@ std::string_view needsName(Needs needs) {
 PlaceIndex::PlaceIndex(const Program& program) {
   for (const Pou& pou : program.pous) {
     pous_.push_back({pou.span, {&pou, nullptr}});
-    for (const Network& network : pou.networks) networks_.push_back({network.span, {&pou, &network}});
+    for (const Network& network : pou.networks) {
+      networks_.push_back({network.span, {&pou, &network}});
+      if (network.form == Form::Stl) continue;
+      // Elements of several drawn networks stand mixed in one file.
+      for (const Instruction& instruction : network.instructions) networks_.push_back({instruction.span, {&pou, &network}});
+    }
   }
   const auto byPlace = [](const Entry& a, const Entry& b) {
     return std::pair(a.span.file, a.span.offset) < std::pair(b.span.file, b.span.offset);

@@ -9,6 +9,8 @@
 
 namespace rungproof {
 
+struct DrawnProject;
+
 /// How sure a reader is that a text is of its kind: the surest reader reads it, at 0 nobody does.
 namespace sureness {
 inline constexpr int None = 0;
@@ -23,6 +25,7 @@ struct InputText {
   std::uint32_t file = 0;  ///< index in Program::sources
   TextEncoding encoding = TextEncoding::Utf8;
   bool isSymbolFile = false;  ///< named by --symbols
+  DrawnProject* drawn = nullptr;  ///< readers of drawings append here; built when all files are read
 };
 
 struct FileReader {

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <set>
 
+#include "frontend/drawn/drawn_build.hpp"
 #include "frontend/file_reader.hpp"
 #include "frontend/resolve.hpp"
 #include "frontend/stl_lexer.hpp"
@@ -80,10 +81,11 @@ class ProjectReader {
       const auto at = static_cast<std::uint32_t>(decoded.firstBad);
       sink.report(Syntax::BadCharacters, {file, at, 3}, fmt::format("{} place{} not valid in {}, the first here", decoded.badBytes, decoded.badBytes == 1 ? " is" : "s are", encodingName(decoded.encoding)));
     }
-    read({file, decoded.encoding, isSymbolFile});
+    read({file, decoded.encoding, isSymbolFile, &drawn_});
   }
 
   Program finish() {
+    buildDrawnProject(program_, drawn_);
     mainFirst();
     reportTwins();
     resolveNames(program_);
@@ -148,6 +150,7 @@ class ProjectReader {
 
   const ReadOptions& options_;
   Program program_;
+  DrawnProject drawn_;
 };
 
 }  // namespace
@@ -167,7 +170,7 @@ Program readText(std::string name, std::string text, const ReadOptions& options)
 }
 
 bool hasReadErrors(const Program& program) {
-  return std::any_of(program.findings.begin(), program.findings.end(), [](const Finding& finding) { return finding.severity == Severity::Error && finding.rule.compare(0, 3, "SYN") == 0; });
+  return std::any_of(program.findings.begin(), program.findings.end(), [](const Finding& finding) { return finding.severity == Severity::Error && (finding.rule.starts_with("SYN") || finding.rule.starts_with("GRF")); });
 }
 
 }  // namespace rungproof

@@ -27,7 +27,7 @@ Program readProgram(const std::vector<std::string>& files, const ReadOptions& op
 /// The same for a text in memory (bytes in any encoding); `name` decides where the content does not.
 Program readText(std::string name, std::string text, const ReadOptions& options = {});
 
-/// Whether a reader found an error: the program is then not wholly known, and the exit code is 2.
+/// Whether a reader found an error (SYN, or GRF in a drawing): the program is then not wholly known, and the exit code is 2.
 bool hasReadErrors(const Program& program);
 
 }  // namespace rungproof

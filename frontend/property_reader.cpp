@@ -56,7 +56,7 @@ class Parser {
     }
     const Token head = peek();
     const std::string word = lower(head.text);
-    if (word == "external") return external(set);
+    if (word == "external" || word == "hidden") return external(set);
     if (word == "initial") {
       take();
       expect("retentive");
@@ -174,6 +174,7 @@ class Parser {
     do {
       ExternalRange range;
       range.span = head.span;
+      range.isHidden = head.text == "hidden";
       range.first = range.last = address(take());
       if (accept("..")) range.last = address(take());
       if (range.first.area != range.last.area || range.first.width != range.last.width) {

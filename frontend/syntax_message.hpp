@@ -16,6 +16,7 @@ enum class Syntax : std::uint8_t {
   UnknownInstruction, OtherFamily, OperandCount, BadOperand, BadConstant, StrayText, LadderName, QuoteOpen, LenientSpelling, GermanSpelling,
   BlockOpen, BlockNotOpen, BlockTwice, BlockHeading, NetworkHeading, OutsideBlock, ProtectedBlock,
   Declaration, LocalTableFull, SymbolRow, DataRow, DataValue, DataAddress,
+  XmlDamaged, XmlEntities, XmlTooDeep, XmlStructure, BodyNotCovered, PresetRounded,
   count
 };
 
@@ -66,6 +67,15 @@ inline constexpr std::array<SyntaxMessage, static_cast<std::size_t>(Syntax::coun
     {Syntax::DataRow, "SYN030", "Line of the data block cannot be read", Severity::Error, "write an address of V memory and its values, for example VW100 10, 20"},
     {Syntax::DataValue, "SYN031", "Value does not fit its place", Severity::Error, "use VW or VD for larger values"},
     {Syntax::DataAddress, "SYN032", "Data without an address", Severity::Error, "the first line of a data block needs an address"},
+    {Syntax::XmlDamaged, "SYN033", "XML is damaged", Severity::Error, "export the program again; what could be saved was read"},
+    {Syntax::XmlEntities, "SYN034", "XML with entities of its own", Severity::Error, "no editor writes such a file; remove the document type"},
+    {Syntax::XmlTooDeep, "SYN035", "XML nested too deep", Severity::Error, "no editor writes such a file; export the program again"},
+    {Syntax::XmlStructure, "SYN036", "Part of an XML export is missing or cannot be read", Severity::Error,
+     "export the program again, with all blocks, variables and their types"},
+    {Syntax::BodyNotCovered, "SYN037", "Language of a body is not covered", Severity::Warning,
+     "write the body as LD, FBD or IL; properties that depend on it get the verdict NOT COVERED"},
+    {Syntax::PresetRounded, "SYN038", "Timer preset is taken in coarser steps", Severity::Note,
+     "give the preset as a constant, then a timer whose resolution divides it is chosen"},
 }};
 
 constexpr const SyntaxMessage& syntaxMessage(Syntax code) { return syntaxMessages[static_cast<std::size_t>(code)]; }

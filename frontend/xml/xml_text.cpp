@@ -1,0 +1,158 @@
+// Parsing with pugixml, which neither expands entities nor follows references to other files.
+#include "frontend/xml/xml_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rungproof {
+
+namespace {
+
+constexpr unsigned parseFlags = pugi::parse_default | pugi::parse_comments | pugi::parse_doctype | pugi::parse_fragment;
+
+std::string_view reasonOf(pugi::xml_parse_status status) {
+  switch (status) {
+    case pugi::status_bad_start_element: return "a start tag is not well formed";
+    case pugi::status_bad_attribute: return "an attribute is not well formed";
+    case pugi::status_bad_end_element: return "an end tag is not well formed";
+    case pugi::status_end_element_mismatch: return "an end tag does not belong to the element that is open, or elements are left open";
+    case pugi::status_bad_pi: return "a processing instruction is not well formed";
+    case pugi::status_bad_comment: return "a comment is not closed";
+    case pugi::status_bad_cdata: return "a CDATA section is not closed";
+    case pugi::status_bad_doctype: return "the document type is not well formed";
+    case pugi::status_bad_pcdata: return "characters are not well formed";
+    case pugi::status_unrecognized_tag: return "a tag begins with a character that no name has";
+    default: return "the text is not XML";
+  }
+}
+
+}  // namespace
+
+bool looksLikeXml(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && text[first] == '<';
+}
+
+std::string_view localName(const pugi::xml_node& node) {
+  const std::string_view name = node.name();
+  const std::size_t colon = name.find(':');
+  return colon == std::string_view::npos ? name : name.substr(colon + 1);
+}
+
+pugi::xml_node childNamed(const pugi::xml_node& node, std::string_view name) {
+  for (const pugi::xml_node& child : node.children()) {
+    if (localName(child) == name) return child;
+  }
+  return {};
+}
+
+std::string allText(const pugi::xml_node& node) {
+  std::string text;
+  pugi::xml_node at = node.first_child();
+  while (at) {
+    if (at.type() == pugi::node_pcdata || at.type() == pugi::node_cdata) text += at.value();
+    if (at.first_child()) {
+      at = at.first_child();
+      continue;
+    }
+    while (at && at != node && !at.next_sibling()) at = at.parent();
+    if (!at || at == node) break;
+    at = at.next_sibling();
+  }
+  return text;
+}
+
+XmlText::XmlText(const SourceFile& file, SyntaxSink& sink, std::initializer_list<std::string_view> restart) : file_(file), sink_(sink) {
+  parse(0, static_cast<std::uint32_t>(file.text().size()), true, restart);
+  if (declaresEntities()) {
+    parts_.clear();
+  } else {
+    refuseDepth();
+  }
+}
+
+void XmlText::parse(std::uint32_t begin, std::uint32_t end, bool isWhole, std::initializer_list<std::string_view> restart) {
+  const std::string_view text = file_.text();
+  Part part{std::make_unique<pugi::xml_document>(), begin, false};
+  const pugi::xml_parse_result result = part.document->load_buffer(text.data() + begin, end - begin, parseFlags, pugi::encoding_utf8);
+  part.isDamaged = result.status != pugi::status_ok;
+  if (result.status == pugi::status_ok && !part.document->first_child()) return;
+  const auto at = static_cast<std::uint32_t>(std::clamp<std::ptrdiff_t>(result.offset, 0, end - begin)) + begin;
+  parts_.push_back(std::move(part));
+  if (result.status == pugi::status_ok) return;
+  sink_.report(Syntax::XmlDamaged, sink_.span(at, std::min<std::size_t>(at + 1, text.size())), fmt::format("{}; reading goes on at the next block", reasonOf(result.status)));
+  if (!isWhole) return;
+  // Blocks behind the damage, each for itself: every character is parsed at most once more.
+  std::size_t from = at;
+  while (true) {
+    std::size_t next = std::string_view::npos;
+    std::string_view name;
+    for (const std::string_view candidate : restart) {
+      std::size_t found = text.find(fmt::format("<{} ", candidate), from);
+      if (found < next) {
+        next = found;
+        name = candidate;
+      }
+    }
+    if (next == std::string_view::npos) return;
+    const std::string close = fmt::format("</{}>", name);
+    const std::size_t closing = text.find(close, next);
+    const std::size_t stop = closing == std::string_view::npos ? text.size() : closing + close.size();
+    parse(static_cast<std::uint32_t>(next), static_cast<std::uint32_t>(stop), false, restart);
+    from = stop;
+  }
+}
+
+bool XmlText::declaresEntities() {
+  for (const Part& part : parts_) {
+    for (const pugi::xml_node& node : part.document->children()) {
+      if (node.type() != pugi::node_doctype || std::string_view(node.value()).find("<!ENTITY") == std::string_view::npos) continue;
+      sink_.report(Syntax::XmlEntities, span(part, node), "the document type declares entities; the file is not read");
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Cuts off what is nested too deeply, so that nobody behind has to think of the depth of a tree.
+void XmlText::refuseDepth() {
+  for (const Part& part : parts_) {
+    pugi::xml_node at = part.document->first_child();
+    int depth = 1;
+    while (at) {
+      if (depth > deepestXml) {
+        sink_.report(Syntax::XmlTooDeep, span(part, at), fmt::format("elements are nested more than {} deep; the rest of this branch is left out", deepestXml));
+        pugi::xml_node parent = at.parent();
+        // Renamed, not removed: taking a deep tree apart recurses.
+        parent.set_name("too-deep");
+        at = parent;
+        --depth;
+      } else if (at.first_child() && std::string_view(at.name()) != "too-deep") {
+        at = at.first_child();
+        ++depth;
+        continue;
+      }
+      while (at && !at.next_sibling()) {
+        at = at.parent();
+        --depth;
+      }
+      if (at) at = at.next_sibling();
+    }
+  }
+}
+
+Span XmlText::span(const Part& part, const pugi::xml_node& node) const {
+  const std::ptrdiff_t inPart = node.offset_debug();
+  const std::string_view text = file_.text();
+  if (inPart < 0) return {sink_.file(), part.base, 0};
+  std::size_t offset = part.base + static_cast<std::size_t>(inPart);
+  if (node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata || node.type() == pugi::node_comment) {
+    return sink_.span(offset, std::min(offset + std::string_view(node.value()).size(), text.size()));
+  }
+  if (offset > 0 && node.type() == pugi::node_element) --offset;
+  const std::size_t end = std::min(text.find('>', offset), text.size() - 1);
+  return sink_.span(offset, end + 1);
+}
+
+}  // namespace rungproof
