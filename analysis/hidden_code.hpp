@@ -1,6 +1,6 @@
 // Code of the program that nobody read: a body in a language that is not covered. What it may write is declared
 // `hidden` and gets any value in any scan. That is not enough to believe a verdict: the code may also write in the
-// middle of a scan. So nothing that depends on such a place is decided. Tested by tests/graphical/not_covered_test.cpp.
+// middle of a scan. So nothing that depends on such a place is decided. Tested by tests/graphical/simatic_test.cpp.
 #pragma once
 
 #include <string>

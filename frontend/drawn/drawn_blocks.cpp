@@ -171,16 +171,18 @@ bool DrawnBlocks::elapsedTime(const DrawnElement& element, DrawnCopy& instance, 
   return true;
 }
 
-/// The latch is set by the rising edge, times while it is on, and ends itself together with its timer, which is ready
-/// for the next pulse at once.
+/// The latch is set by the rising edge and held until the timer has run out; the output is the latch while it has not.
+/// An edge right after the end finds the timer still on and sets it back.
 void DrawnBlocks::pulse(DrawnCopy& instance, const Operand& preset, Wire in) {
-  const Operand latch = instance.places.at("Q").operand;
+  const Operand latch = l_.temporary(IecType::Bool);
+  const Operand start = l_.temporary(IecType::Bool);
   const Operand number = timerOperand(instance);
-  l_.assign(latch, l_.gate(Shape::Or, {l_.edge(in, DrawnEdge::Rising), l_.contact(latch, l_.rail())}));
+  const auto stillOn = [&](Wire input) { return l_.add(Shape::Contact, "LDN", {number}, {input}); };
+  l_.assign(start, l_.edge(in, DrawnEdge::Rising));
+  l_.assign(latch, l_.gate(Shape::Or, {stillOn(l_.contact(latch, l_.rail())), l_.contact(start, l_.rail())}));
+  l_.coil("R", {number, constant(1)}, l_.contact(number, l_.contact(start, l_.rail())));
   l_.add(Shape::Box, "TON", {number, preset}, {l_.contact(latch, l_.rail())});
-  const Wire over = l_.contact(number, l_.rail());
-  l_.coil("R", {latch, constant(1)}, over);
-  l_.coil("R", {number, constant(1)}, over);
+  l_.assign(instance.places.at("Q").operand, stillOn(l_.contact(latch, l_.rail())));
 }
 
 bool DrawnBlocks::timer(const DrawnElement& element, DrawnCopy& instance, Wire in) {

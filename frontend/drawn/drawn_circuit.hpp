@@ -3,7 +3,7 @@
 // editor's order where it is stated, otherwise top to bottom, then left to right, an element always after what feeds
 // it. A loop through a function block is cut at the block: whoever is computed before it sees its outputs of the
 // previous scan. A loop without a function block needs a connector, which then keeps the value; any other is an error.
-// Tested by tests/graphical/circuit_test.cpp.
+// Tested by tests/graphical/plcopen_test.cpp.
 #pragma once
 
 #include <string>

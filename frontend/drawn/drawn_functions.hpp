@@ -1,6 +1,6 @@
 // Standard functions of IEC 61131-3 as instructions of the S7-200: logic, arithmetic, comparisons, selection, shifts,
 // conversions. Functions of the standard that the S7-200 has no instruction for are findings, never guesses.
-// Tested by tests/graphical/function_test.cpp.
+// Tested by tests/graphical/block_test.cpp.
 #pragma once
 
 #include <string_view>

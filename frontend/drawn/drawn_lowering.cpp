@@ -57,6 +57,34 @@ Wire DrawnLowering::gate(Shape shape, std::vector<Wire> inputs) {
   return add(shape, "", {}, std::move(kept));
 }
 
+std::vector<std::uint32_t> DrawnLowering::seriesOf(Wire wire) const {
+  std::vector<std::uint32_t> series;
+  while (wire.from != 0 && !wire.negated) {
+    series.push_back(wire.from);
+    const Element& element = drawing_.elements[wire.from];
+    if (element.shape != Shape::Contact || element.inputs.size() != 1) break;
+    wire = element.inputs[0];
+  }
+  std::reverse(series.begin(), series.end());
+  return series;
+}
+
+Wire DrawnLowering::parallel(std::vector<Wire> wires, std::size_t shared) {
+  if (wires.size() < 3) return gate(Shape::Or, std::move(wires));
+  std::vector<std::pair<std::uint32_t, std::vector<Wire>>> groups;  // by the element behind the shared beginning
+  for (const Wire wire : wires) {
+    const std::vector<std::uint32_t> series = seriesOf(wire);
+    const std::uint32_t at = shared < series.size() ? series[shared] : 0;
+    const auto found = std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return group.first == at && at != 0; });
+    if (found == groups.end()) groups.push_back({at, {wire}});
+    else found->second.push_back(wire);
+  }
+  if (groups.size() == wires.size()) return gate(Shape::Or, std::move(wires));
+  std::vector<Wire> joined;
+  for (auto& [at, members] : groups) joined.push_back(members.size() == 1 ? members.front() : parallel(std::move(members), shared + 1));
+  return gate(Shape::Or, std::move(joined));
+}
+
 Operand DrawnLowering::temporary(IecType type) {
   const auto place = build_.temporary(type);
   return place ? *place : direct(Area::V, widthOf(type), 0);
@@ -158,7 +186,7 @@ DrawnValue DrawnLowering::input(const DrawnElement& element, const DrawnPin& pin
       }
       wires.push_back(one.wire);
     }
-    value = power(gate(Shape::Or, std::move(wires)));
+    value = power(parallel(std::move(wires), 0));
   } else if (pin.links.size() == 1) {
     const int from = circuit_->sourceOf(pin.links[0]);
     if (from == DrawnCircuit::nothing) return {};

@@ -55,6 +55,10 @@ class DrawnLowering {
   Wire compare(std::string_view mnemonic, const Operand& a, const Operand& b, Wire input);
   Wire edge(Wire input, DrawnEdge kind);
   Wire gate(Shape shape, std::vector<Wire> inputs);
+  /// Lines that meet: those that part from one line at the same place meet again before they meet the others.
+  Wire parallel(std::vector<Wire> wires, std::size_t shared);
+  /// The contacts in series that end in this wire, from the left rail on.
+  std::vector<std::uint32_t> seriesOf(Wire wire) const;
   Wire box(std::string_view mnemonic, std::vector<Operand> operands, Wire enable);
   void coil(std::string_view mnemonic, std::vector<Operand> operands, Wire input) { add(Shape::Coil, mnemonic, std::move(operands), {input}); }
   void assign(const Operand& bit, Wire input) { coil("=", {bit}, input); }
@@ -112,6 +116,7 @@ class DrawnLowering {
   int current_ = 0;          ///< drawn element that is being computed
   int depth_ = 0;
   std::vector<bool> damaged_;
+  std::vector<bool> idle_;   ///< circuits with elements that lead nowhere
   std::vector<Operand> connectorBits_;
   std::map<std::string, int> labels_;
   int nextNumber_ = 1;

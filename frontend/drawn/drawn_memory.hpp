@@ -1,6 +1,6 @@
 // Memory of drawn programs: variables without an address get places in V memory that nobody else uses, standard
 // function blocks get timers and counters, blocks get subroutine numbers, jumps labels. Areas and limits come from
-// ir/cpu. Tested by tests/graphical/memory_test.cpp.
+// ir/cpu. Tested by tests/graphical/iec_type_test.cpp.
 #pragma once
 
 #include <array>

@@ -19,6 +19,7 @@ void DrawnLowering::begin() {
   drawing_.elements[0].span = network_->span;
   owner_.assign(1, DrawnCircuit::nothing);
   damaged_ = circuit_->damaged();
+  idle_.assign(damaged_.size(), false);
 }
 
 /// Members of the pieces: connected by power, not through the rail, and not entangled in time with others.
@@ -90,6 +91,7 @@ void DrawnLowering::reportIdle() {
     if (!matters || states_[static_cast<std::size_t>(i)].isDone || damaged_[static_cast<std::size_t>(circuit_->circuitOf(i))]) continue;
     if (circuit_->isInLoop(i)) continue;
     sink_.idle(e, "it leads to no coil and to no variable");
+    idle_[static_cast<std::size_t>(circuit_->circuitOf(i))] = true;
   }
 }
 
@@ -118,7 +120,8 @@ std::vector<int> DrawnLowering::appendNetworks(Form form) {
   for (const std::vector<std::uint32_t>& piece : list) isThere[static_cast<std::size_t>(circuitOfPiece(piece))] = true;
   std::vector<int> missing;
   for (int circuit = 0; circuit < static_cast<int>(damaged_.size()); ++circuit) {
-    if (damaged_[static_cast<std::size_t>(circuit)] && !isThere[static_cast<std::size_t>(circuit)]) missing.push_back(circuit);
+    const bool matters = damaged_[static_cast<std::size_t>(circuit)] || idle_[static_cast<std::size_t>(circuit)];
+    if (matters && !isThere[static_cast<std::size_t>(circuit)]) missing.push_back(circuit);
   }
   const auto rankOf = [&](int circuit) { return rank[static_cast<std::size_t>(circuit)]; };
   std::stable_sort(missing.begin(), missing.end(), [&](int a, int b) { return rankOf(a) < rankOf(b); });

@@ -302,6 +302,7 @@ void DrawnBuild::restoreLocals(DrawnCopy& copy, Pou& pou) {
 /// verdict that depends on them is NOT COVERED.
 void DrawnBuild::addUncovered(DrawnCopy& copy, Pou& pou) {
   const UncoveredBody& body = *copy.block->uncovered;
+  sink_.setNetwork(1);
   sink_.report(Syntax::BodyNotCovered, body.span, fmt::format("the body of {} is written in {} and is not covered", copy.block->name, body.language));
   Network network;
   network.number = 1;
@@ -309,7 +310,10 @@ void DrawnBuild::addUncovered(DrawnCopy& copy, Pou& pou) {
   network.form = Form::Fbd;
   network.complete = false;
   pou.networks.push_back(std::move(network));
-  std::set<std::string> seen;
+  std::set<std::string> seen, inputs;
+  for (const DrawnVariable& variable : copy.block->variables) {
+    if (variable.section == DrawnSection::Input) inputs.insert(foldedName(variable.name));
+  }
   const auto hide = [&](const Place& place) {
     const Area area = place.operand.area;
     if (place.copy != nullptr || place.constant || place.operand.kind != OperandKind::Direct || area == Area::I || area == Area::AI || area == Area::T || area == Area::C) return;
@@ -333,7 +337,7 @@ void DrawnBuild::addUncovered(DrawnCopy& copy, Pou& pou) {
     if (const auto address = locatedAddress(word)) hide({IecType::None, *address, std::nullopt, nullptr});
     const Place* place = lookUp(copy, word);
     if (place == nullptr) place = lookUp(copy, word.substr(0, word.find('.')));
-    if (place != nullptr) hide(*place);
+    if (place != nullptr && !inputs.contains(foldedName(word))) hide(*place);
   }
   for (const DrawnVariable& variable : copy.block->variables) {
     if (variable.section != DrawnSection::Output && variable.section != DrawnSection::InOut) continue;

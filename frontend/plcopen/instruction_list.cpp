@@ -1,6 +1,6 @@
 // Instruction list of IEC 61131-3 (2nd edition): one current result, operators with C and N, parentheses, jumps, calls
 // of function blocks. Each operator becomes the element that a drawing would have, so that IL and FBD share one meaning.
-// Tested by tests/graphical/instruction_list_test.cpp.
+// Tested by tests/graphical/block_test.cpp.
 #include <fmt/format.h>
 
 #include <array>

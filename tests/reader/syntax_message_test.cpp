@@ -45,6 +45,17 @@ TEST(SyntaxMessages, EveryMessageOccurs) {
   std::string locals;
   for (int i = 0; i < 17; ++i) locals += fmt::format("v{}:REAL;\n", i);
   collect(readText("x", "ORGANIZATION_BLOCK M:OB1\nVAR\nx:FOO;\n" + locals + "END_VAR\nBEGIN\nNOT\nEND_ORGANIZATION_BLOCK\nSYMBOL_TABLE\n1 2\nEND_SYMBOL_TABLE\nDATA_BLOCK\n5\nVB0 x\nVB1 300\nEND_DATA_BLOCK\n"));
+  const std::string project = "<project xmlns=\"http://www.plcopen.org/xml/tc6_0201\"><pou name=\"M\" pouType=\"program\">";
+  collect(readText("x", project + "<body"));
+  collect(readText("x", "<!DOCTYPE p [<!ENTITY e \"e\">]>" + project + "</pou></project>"));
+  std::string deep;
+  for (int i = 0; i < 300; ++i) deep += "<a>";
+  collect(readText("x", project + deep));
+  collect(readText("x", project + "<body><ST/></body></pou></project>"));
+  collect(readText("x", project + "<interface><localVars><variable name=\"T\"><type><derived name=\"TON\"/></type></variable><variable name=\"v\"><type><TIME/></type></variable></localVars></interface><body><FBD>"
+                                  "<inVariable localId=\"1\"><expression>v</expression></inVariable><block localId=\"2\" typeName=\"TON\" instanceName=\"T\"><inputVariables><variable formalParameter=\"IN\"><connectionPointIn>"
+                                  "<expression>TRUE</expression></connectionPointIn></variable><variable formalParameter=\"PT\"><connectionPointIn><connection refLocalId=\"1\"/></connectionPointIn></variable></inputVariables>"
+                                  "</block></FBD></body></pou></project>"));
   for (const SyntaxMessage& row : syntaxMessages) EXPECT_TRUE(seen.count(std::string(row.id)) > 0) << row.id << ' ' << row.title;
 }
 

@@ -1,0 +1,142 @@
+// Damaged XML: cut off anywhere, bytes changed anywhere, bombs, depth, size. Whatever comes: a finding with a place or
+// a program, never a crash, and no hang. What stands before and behind the damage is read.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include "tests/graphical/plcopen_text.hpp"
+#include "tests/reader/read.hpp"
+
+namespace rungproof {
+namespace {
+
+const std::vector<std::string> bits = {"a:BOOL@%IX0.0", "y:BOOL@%QX0.0", "z:BOOL@%QX0.1"};
+const std::string rung = railElement(1) + contactElement(2, {"1"}, "a") + coilElement(3, {"2"}, "y");
+
+std::vector<std::string> corpusTexts() {
+  std::vector<std::string> texts;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(std::filesystem::path(RUNGPROOF_SOURCE_DIR) / "corpus")) {
+    if (entry.path().extension() != ".xml") continue;
+    std::ifstream stream(entry.path(), std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    texts.push_back(text.str());
+  }
+  std::sort(texts.begin(), texts.end());
+  return texts;
+}
+
+double secondsFor(const std::string& text, Program& program) {
+  const auto start = std::chrono::steady_clock::now();
+  program = readText("t.xml", text);
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::string rules(const Program& program) {
+  std::string text;
+  for (const Finding& finding : program.findings) text += finding.rule + " ";
+  return text;
+}
+
+TEST(XmlDamage, CutAnywhere) {
+  std::mt19937 random(99);
+  for (const std::string& text : corpusTexts()) {
+    for (int i = 0; i < 12; ++i) {
+      const std::size_t length = 60 + random() % (text.size() - 70);
+      const Program program = readText("t.xml", text.substr(0, length));
+      EXPECT_TRUE(hasReadErrors(program)) << length;
+      for (const Finding& finding : program.findings) EXPECT_LE(finding.span.offset, length);
+    }
+  }
+}
+
+TEST(XmlDamage, BytesChangedAnywhere) {
+  std::mt19937 random(100);
+  const std::vector<std::string> texts = corpusTexts();
+  ASSERT_GE(texts.size(), 18U);
+  for (int i = 0; i < 400; ++i) {
+    std::string text = texts[random() % texts.size()];
+    const int changes = 1 + static_cast<int>(random() % 6);
+    for (int k = 0; k < changes; ++k) {
+      const std::size_t place = random() % text.size();
+      const std::size_t other = random() % text.size();
+      switch (random() % 4) {
+        case 0: text[place] = static_cast<char>(random()); break;
+        case 1: text.erase(place, random() % 40); break;
+        case 2: text.insert(place, text.substr(other, random() % 60)); break;
+        default: text[place] = '0' + static_cast<char>(random() % 10); break;
+      }
+    }
+    const Program program = readText("t.xml", text);
+    EXPECT_TRUE(program.instructionCount() > 0 || !program.findings.empty());
+  }
+}
+
+TEST(XmlDamage, WhatStandsBehindTheDamageIsRead) {
+  const std::string first = pouText("One", "program", "<localVars>" + declarations(bits) + "</localVars>", "LD", rung);
+  const std::string broken = "<pou name=\"Two\" pouType=\"program\"><interface><<<</pou>\n";
+  const std::string last = pouText("Three", "functionBlock", "<localVars>" + declarations(bits) + "</localVars>", "LD", rung);
+  const Program program = readText("t.xml", projectText(first + broken + last));
+  EXPECT_NE(rules(program).find("SYN033"), std::string::npos);
+  ASSERT_FALSE(program.pous.empty());
+  EXPECT_EQ(show(program.pous[0]).substr(0, 16), "LD I0.0; = Q0.0");
+  const Program both = readText("t.xml", projectText(broken + first + last));
+  ASSERT_FALSE(both.pous.empty());
+}
+
+TEST(XmlDamage, EntitiesAreRefused) {
+  const Program program = readText("t.xml", "<?xml version=\"1.0\"?>\n<!DOCTYPE lolz [<!ENTITY lol \"lol\"><!ENTITY lol2 \"&lol;&lol;&lol;&lol;\">]>\n" + plcopen(bits, "LD", rung).substr(22));
+  EXPECT_EQ(rules(program), "SYN034 ");
+  EXPECT_EQ(program.sources->position(program.findings[0].span).line, 2U);
+}
+
+TEST(XmlDamage, DepthIsBounded) {
+  std::string deep;
+  for (int i = 0; i < 100'000; ++i) deep += "<a>";
+  for (int i = 0; i < 100'000; ++i) deep += "</a>";
+  Program program;
+  EXPECT_LT(secondsFor(plcopen(bits, "LD", rung + deep), program), 5.0);
+  EXPECT_NE(rules(program).find("SYN035"), std::string::npos);
+  ASSERT_FALSE(program.pous.empty());
+  EXPECT_EQ(show(program.pous[0]), "!LD I0.0; = Q0.0");  // an element of a drawing that is not known
+  EXPECT_LT(secondsFor("<project>" + deep.substr(0, 300'000), program), 5.0);
+}
+
+TEST(XmlDamage, SizeIsLinear) {
+  // 10 MB: one body with thousands of circuits, and one with a row of contacts that has no end.
+  std::string wide = railElement(1);
+  int id = 2;
+  for (int i = 0; wide.size() < 5'000'000; ++i, id += 2) wide += contactElement(id, {"1"}, "a", "", 10, 100 * i) + coilElement(id + 1, {fmt::format("{}", id)}, "y", "", 20, 100 * i);
+  Program program;
+  EXPECT_LT(secondsFor(plcopen(bits, "LD", wide), program), 20.0);
+  EXPECT_GT(program.instructionCount(), 30'000U);
+  std::string row = railElement(1) + contactElement(2, {"1"}, "a");
+  for (id = 3; row.size() < 10'000'000; ++id) row += contactElement(id, {fmt::format("{}", id - 1)}, "a");
+  row += coilElement(id, {fmt::format("{}", id - 1)}, "y");
+  EXPECT_LT(secondsFor(plcopen(bits, "LD", row), program), 20.0);
+  EXPECT_NE(rules(program).find("GRF001"), std::string::npos);
+}
+
+TEST(XmlDamage, ControlCharactersAndEncodings) {
+  std::string text = plcopen(bits, "LD", rung);
+  text[text.find("<coil") + 10] = '\0';
+  EXPECT_NE(rules(readText("t.xml", text)).find("SYN004"), std::string::npos);
+  std::string german = plcopen({"a:BOOL@%IX0.0", "Tür:BOOL@%QX0.0"}, "LD", railElement(1) + contactElement(2, {"1"}, "a") + coilElement(3, {"2"}, "Tür"));
+  EXPECT_EQ(show(readText("t.xml", german).pous[0]), "LD I0.0; = Q0.0");
+  for (std::size_t at = german.find("\xC3\xBC"); at != std::string::npos; at = german.find("\xC3\xBC")) german.replace(at, 2, "\xFC");
+  EXPECT_EQ(show(readText("t.xml", german).pous[0]), "LD I0.0; = Q0.0");  // CP1252 whatever the first line says
+}
+
+TEST(XmlDamage, MissingParts) {
+  EXPECT_EQ(rules(readText("t.xml", "<project xmlns=\"http://www.plcopen.org/xml/tc6_0201\"/>")), "SYN036 ");
+  EXPECT_EQ(rules(readText("t.xml", projectText("<pou name=\"M\" pouType=\"program\"/>"))), "SYN036 ");
+  EXPECT_EQ(rules(readText("t.xml", "<Document><SW.Blocks.OB ID=\"0\"/></Document>")).substr(0, 7), "SYN036 ");
+  EXPECT_NE(rules(readText("t.xml", "<html><body/></html>")), "");
+}
+
+}  // namespace
+}  // namespace rungproof
