@@ -123,6 +123,7 @@ bool DrawnBlocks::isAsked(int i, const DrawnElement& element, std::string_view n
 void DrawnBlocks::deliver(int i, const DrawnElement& element, std::string_view name, const Place& place) {
   if (!isAsked(i, element, name)) return;
   DrawnValue value = l_.readPlace(place, element);
+  l_.fresh_ = 0;
   for (const DrawnPin& out : element.outputs) {
     if (foldedName(out.name) != name) continue;
     if (out.negated && value.isPower()) value.wire = l_.inverted(value.wire);
@@ -350,6 +351,7 @@ bool DrawnBlocks::project(int i, const DrawnElement& element, const DrawnBlock& 
     for (const DrawnCircuit::Consumer& consumer : l_.circuit_->consumersOf(i)) isWanted = isWanted || consumer.link->pin.empty() || foldedName(consumer.link->pin) == name;
     if (!isWanted) continue;
     DrawnValue value = l_.readPlace(place->second, element);
+    l_.fresh_ = 0;
     if (isFunction && value.isPower()) value.wire = l_.throughMemory(value.wire);
     if (isFunction && value.isData()) {
       const Operand own = l_.temporary(value.type);

@@ -65,6 +65,7 @@ class DrawnBuild {
   DrawnProject& project_;
   DrawnSink sink_;
   DrawnMemory memory_;
+  std::size_t tableSymbols_;  ///< symbols of tables beside the drawing; those behind are the drawing's own
   std::map<std::string, Place> globals_;
   std::map<std::string, const DrawnBlock*> blocks_;
   std::map<std::string, DrawnCopy*> functions_;

@@ -78,6 +78,7 @@ DrawnValue DrawnFunctions::run(const Place* target) {
     }
     DrawnValue value = l_.input(e_, pin);
     if (value.kind == DrawnValue::Kind::Nothing) return {};
+    if (in_.size() + 2 < e_.inputs.size() || plainName(e_.text) != "NOT") l_.fresh_ = 0;
     in_.push_back(std::move(value));
   }
   DrawnValue result;
@@ -129,7 +130,7 @@ DrawnValue DrawnFunctions::boolGate(std::string_view name) {
   for (const DrawnValue& value : in_) wires.push_back(value.wire);
   if (name == "AND") return l_.power(l_.gate(Shape::And, std::move(wires)));
   if (name == "OR") return l_.power(l_.gate(Shape::Or, std::move(wires)));
-  if (name == "NOT") return l_.power(l_.inverted(wires[0]));
+  if (name == "NOT") return l_.power(l_.negation(wires[0]));
   Wire sum = wires[0];
   for (std::size_t i = 1; i < wires.size(); ++i) {
     const Wire one = l_.gate(Shape::And, {sum, l_.inverted(wires[i])});
@@ -229,8 +230,11 @@ bool DrawnFunctions::arithmetic(std::string_view name, DrawnValue& result) {
   }
   const IecType worked = typeOf(kind);
   const bool isNarrower = widthOf(worked) != widthOf(type);
-  const Operand place = isNarrower ? l_.temporary(worked) : resultPlace(type);
-  move(operands[0], place, worked, enable_);
+  // The S7-200 adds to a place: a variable that goes up by itself needs no copy.
+  const bool isInPlace = !isNarrower && target_ != nullptr && target_->type == type && operands[0].kind == OperandKind::Direct && toString(operands[0]) == toString(target_->operand) &&
+                         std::none_of(operands.begin() + 1, operands.end(), [&](const Operand& operand) { return overlaps(operand, target_->operand); });
+  const Operand place = isNarrower ? l_.temporary(worked) : isInPlace ? target_->operand : resultPlace(type);
+  if (!isInPlace) move(operands[0], place, worked, enable_);
   for (std::size_t i = 1; i < operands.size(); ++i) l_.box(fmt::format("{}{}", found->second, letterOf(kind)), {operands[i], place}, enable_);
   result = l_.data(isNarrower ? l_.lowPart(place, widthOf(type)) : place, type);
   return true;

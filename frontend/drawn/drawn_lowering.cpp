@@ -45,6 +45,13 @@ Wire DrawnLowering::edge(Wire input, DrawnEdge kind) {
   return add(Shape::Contact, kind == DrawnEdge::Rising ? "EU" : "ED", {}, {input});
 }
 
+Wire DrawnLowering::negation(Wire wire) {
+  if (wire.from == 0 || wire.from != fresh_ || wire.negated) return inverted(wire);
+  Element& element = drawing_.elements[wire.from];
+  element.desc = instructionNamed(element.desc->stl == "LD" ? "LDN" : "LD");
+  return wire;
+}
+
 Wire DrawnLowering::gate(Shape shape, std::vector<Wire> inputs) {
   const bool isAnd = shape == Shape::And;
   std::vector<Wire> kept;
@@ -111,7 +118,11 @@ DrawnValue DrawnLowering::readPlace(const Place& place, const DrawnElement& elem
     sink_.operand(element, "an instance of a function block has no value of its own; name one of its outputs");
     return {};
   }
-  if (place.type == IecType::Bool) return power(contact(place.operand, rail()));
+  if (place.type == IecType::Bool) {
+    const Wire wire = contact(place.operand, rail());
+    fresh_ = wire.from;
+    return power(wire);
+  }
   return data(place.operand, place.type);
 }
 
@@ -200,7 +211,8 @@ DrawnValue DrawnLowering::input(const DrawnElement& element, const DrawnPin& pin
       return {};
     }
     if (value.isPower()) {
-      if (pin.negated) value.wire = inverted(value.wire);
+      if (pin.negated) value.wire = negation(value.wire);
+      fresh_ = 0;
       value.wire = edge(value.wire, pin.edge);
     }
   }
@@ -239,12 +251,13 @@ DrawnValue DrawnLowering::outputOf(int i, std::string_view pin, const DrawnEleme
       if (e.readsOnce && !state.outputs.empty()) return state.outputs.front().second;
       DrawnValue value = expression(e.text, asker);
       if (e.negated) {
-        if (value.isPower()) value.wire = inverted(value.wire);
+        if (value.isPower()) value.wire = negation(value.wire);
         else if (value.isData()) {
           sink_.negation(e, "the negation stands on a value that is not Boolean");
           return {};
         }
       }
+      if (e.readsOnce) fresh_ = 0;
       if (e.readsOnce && value.isPower()) state.outputs.emplace_back("", value);
       return value;
     }

@@ -48,6 +48,8 @@ class DrawnLowering {
   // elements
   Wire rail() const { return {0, false}; }
   static Wire inverted(Wire wire) { return {wire.from, !wire.negated}; }
+  /// The opposite; a variable that was just read for one reader becomes a negated contact.
+  Wire negation(Wire wire);
   bool isTrue(Wire wire) const { return wire.from == 0 && !wire.negated; }
   bool isFalse(Wire wire) const { return wire.from == 0 && wire.negated; }
   Wire add(Shape shape, std::string_view mnemonic, std::vector<Operand> operands, std::vector<Wire> inputs);
@@ -112,7 +114,9 @@ class DrawnLowering {
   DrawnCircuit* circuit_ = nullptr;
   std::vector<State> states_;
   Drawing drawing_;
+  std::vector<std::uint32_t> place_;  ///< by element of the drawing: its index in its network
   std::vector<int> owner_;   ///< by element of the drawing: the drawn element it comes from
+  std::uint32_t fresh_ = 0;  ///< contact that was just read and has no reader yet
   int current_ = 0;          ///< drawn element that is being computed
   int depth_ = 0;
   std::vector<bool> damaged_;

@@ -19,6 +19,7 @@ void DrawnLowering::begin() {
   drawing_.elements[0].span = network_->span;
   owner_.assign(1, DrawnCircuit::nothing);
   damaged_ = circuit_->damaged();
+  place_.clear();
   idle_.assign(damaged_.size(), false);
 }
 
@@ -41,7 +42,9 @@ std::vector<std::vector<std::uint32_t>> DrawnLowering::pieces() const {
   std::vector<std::vector<std::uint32_t>> result;
   std::uint32_t end = 0;  // last element of the piece that is open
   for (std::uint32_t i = 1; i < size; ++i) {
-    if (i > end) result.emplace_back();
+    // Boxes that one element became stay together.
+    const bool isBox = drawing_.elements[i].shape == Shape::Box && !result.empty() && owner_[i] == owner_[result.back().back()] && drawing_.elements[result.back().back()].shape == Shape::Box;
+    if (i > end && !isBox) result.emplace_back();
     end = std::max(end, last[rootOf(i)]);
     result.back().push_back(i);
   }
@@ -49,6 +52,7 @@ std::vector<std::vector<std::uint32_t>> DrawnLowering::pieces() const {
 }
 
 void DrawnLowering::appendNetwork(std::vector<std::uint32_t> members, Form form, int circuit) {
+  place_.resize(drawing_.elements.size(), 0);
   Network network;
   network.number = network_->isWhole ? network_->number : nextNumber_++;
   network.form = form;
@@ -56,12 +60,11 @@ void DrawnLowering::appendNetwork(std::vector<std::uint32_t> members, Form form,
   network.complete = !network_->isDamaged && (circuit == DrawnCircuit::nothing || !damaged_[static_cast<std::size_t>(circuit)]);
   Drawing drawing;
   drawing.elements.push_back(drawing_.elements[0]);
-  std::vector<std::uint32_t> place(drawing_.elements.size(), 0);
   std::uint32_t first = 0xFFFFFFFF, end = 0;
   for (const std::uint32_t member : members) {
     Element element = drawing_.elements[member];
-    for (Wire& wire : element.inputs) wire.from = place[wire.from];
-    place[member] = static_cast<std::uint32_t>(drawing.elements.size());
+    for (Wire& wire : element.inputs) wire.from = wire.from == 0 ? 0 : place_[wire.from];
+    place_[member] = static_cast<std::uint32_t>(drawing.elements.size());
     first = std::min(first, element.span.offset);
     end = std::max(end, element.span.offset + element.span.length);
     drawing.elements.push_back(std::move(element));

@@ -44,7 +44,7 @@ void buildDrawnProject(Program& program, DrawnProject& project) {
   if (!project.isEmpty()) DrawnBuild(program, project).run();
 }
 
-DrawnBuild::DrawnBuild(Program& program, DrawnProject& project) : program_(program), project_(project), sink_(program), memory_(program) {}
+DrawnBuild::DrawnBuild(Program& program, DrawnProject& project) : program_(program), project_(project), sink_(program), memory_(program), tableSymbols_(program.symbols.size()) {}
 
 void DrawnBuild::run() {
   for (DrawnBlock& block : project_.blocks) {
@@ -114,7 +114,8 @@ Place* DrawnBuild::lookUp(DrawnCopy& copy, std::string_view name) {
   if (local != copy.places.end()) return &local->second;
   const auto global = globals_.find(folded);
   if (global != globals_.end()) return &global->second;
-  for (const Symbol& symbol : program_.symbols) {  // of a symbol table beside the drawing
+  for (std::size_t i = 0; i < tableSymbols_; ++i) {
+    const Symbol& symbol = program_.symbols[i];
     if (symbol.address.kind != OperandKind::Direct || foldedName(symbol.name) != folded) continue;
     const Width width = symbol.address.width;
     const IecType type = width == Width::Bit ? IecType::Bool : width == Width::Byte ? IecType::Byte : width == Width::Word ? IecType::Word : IecType::Dword;

@@ -127,7 +127,7 @@ TEST(InstructionList, LogicParenthesesAndStores) {
   EXPECT_EQ(list("LD a\nANDN b\nSTN y\n"), "LD I0.0; AN I0.1; NOT; = Q0.0");
   EXPECT_EQ(list("LD a\nAND( b\nOR z\n)\nS y\n"), "LD I0.0; LD I0.1; O Q0.1; ALD; S Q0.0,1");
   EXPECT_EQ(list("LD n\nGT 5\nST y\n"), "LDW> MW2,5; = Q0.0");
-  EXPECT_EQ(list("LD n (* one more *)\nADD 1\nST n\n"), "LD SM0.0; MOVW MW2,VW0; +I 1,VW0; MOVW VW0,MW2");
+  EXPECT_EQ(list("LD n (* one more *)\nADD 1\nST n\n"), "LD SM0.0; +I 1,MW2");
 }
 
 TEST(InstructionList, CallsJumpsAndMistakes) {

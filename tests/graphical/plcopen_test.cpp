@@ -54,7 +54,7 @@ TEST(Plcopen, GatesWithNegatedPins) {
 }
 
 TEST(Plcopen, VariablesGetPlacesAndInitialValues) {
-  const Program program = readText("t.xml", plcopen({"a:BOOL@%IX0.0", "n:INT=7", "b:BOOL=TRUE", "m:INT@%MW4=3", "y:BOOL@%QX0.0"}, "LD", railElement(1) + contactElement(2, {"1"}, "b") + coilElement(3, {"2"}, "y")));
+  const Program program = readText("t.xml", plcopen({"a:BOOL@%IX0.0", "n:INT=7", "b:BOOL=TRUE", "m:INT=3@%MW4", "y:BOOL@%QX0.0"}, "LD", railElement(1) + contactElement(2, {"1"}, "b") + coilElement(3, {"2"}, "y")));
   EXPECT_EQ(findings(program), "");
   const Symbol* n = program.symbolNamed("n");
   const Symbol* b = program.symbolNamed("b");

@@ -74,15 +74,17 @@ TEST(Simatic, SeveralFilesMakeOneProject) {
   fs::remove_all(folder);
 }
 
-struct Run {
+struct ProofRunText {
   int exit = 0;
   std::string out;
 };
-Run prove(const std::string& text) {
-  std::istringstream in(text);
+ProofRunText prove(const std::string& text) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "rungproof_not_covered_test.xml";
+  std::ofstream(file) << text;
+  std::istringstream in;
   std::ostringstream out, err;
-  Run run;
-  run.exit = static_cast<int>(runProgram({"prove", "-", "--stdin-filename", "t.xml", "--isolated", "--format", "concise"}, {in, out, err}));
+  ProofRunText run;
+  run.exit = static_cast<int>(runProgram({"prove", file.string(), "--isolated", "--format", "concise"}, {in, out, err}));
   run.out = out.str() + err.str();
   return run;
 }
@@ -91,7 +93,7 @@ TEST(NotCovered, WhatDependsOnStructuredTextIsNotDecided) {
   const std::string fb = pouText("F", "functionBlock", "<inputVars>" + declarations({"x:BOOL"}) + "</inputVars><outputVars>" + declarations({"q:BOOL"}) + "</outputVars>", "ST", "<xhtml:p>q := x;</xhtml:p>");
   const std::string body = inElement(1, "a") + blockElement(2, "F", "f", {{"x", {"1"}}}, {"q"}) + outElement(3, {"2.q"}, "y", "", 0, 0) + inElement(4, "a", "", 0, 90) + outElement(5, {"4"}, "z", "", 0, 90) +
                            "<comment localId=\"9\"><position x=\"0\" y=\"0\"/><content><xhtml:p>//@ prove one: y implies a\n//@ prove two: z = a\n//@ reach three: y</xhtml:p></content></comment>\n";
-  const Run run = prove(projectText(fb + pouText("Main", "program", "<localVars>" + declarations({"a:BOOL@%IX0.0", "y:BOOL@%QX0.0", "z:BOOL@%QX0.1", "f:F"}) + "</localVars>", "FBD", body)));
+  const ProofRunText run = prove(projectText(fb + pouText("Main", "program", "<localVars>" + declarations({"a:BOOL@%IX0.0", "y:BOOL@%QX0.0", "z:BOOL@%QX0.1", "f:F"}) + "</localVars>", "FBD", body)));
   EXPECT_NE(run.out.find("NOT COVERED one"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("PROVED two"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("NOT COVERED three"), std::string::npos) << run.out;
@@ -104,7 +106,7 @@ TEST(NotCovered, TwoHandsOnOneVariableLeaveNothingCertain) {
   // The text writes y itself, by its address.
   std::string both = text;
   both.replace(both.find("g := FALSE"), 10, "%QX0.0 := FALSE");
-  const Run run = prove(projectText(both + pouText("Main", "program", "<localVars>" + declarations({"a:BOOL@%IX0.0", "y:BOOL@%QX0.0", "f:F"}) + "</localVars>", "FBD", body)));
+  const ProofRunText run = prove(projectText(both + pouText("Main", "program", "<localVars>" + declarations({"a:BOOL@%IX0.0", "y:BOOL@%QX0.0", "f:F"}) + "</localVars>", "FBD", body)));
   EXPECT_NE(run.out.find("NOT COVERED one"), std::string::npos) << run.out;
 }
 
