@@ -396,6 +396,7 @@ bool DrawnLowering::block(int i, const DrawnElement& e) {
     if (!wire) return false;
     enable = *wire;
   }
+  fresh_ = 0;
   State& state = states_[static_cast<std::size_t>(i)];
   if (DrawnBlocks::hasMemory(build_, e)) {
     if (!DrawnBlocks(*this).call(i, e, enable)) return false;

@@ -78,7 +78,7 @@ DrawnValue DrawnFunctions::run(const Place* target) {
     }
     DrawnValue value = l_.input(e_, pin);
     if (value.kind == DrawnValue::Kind::Nothing) return {};
-    if (in_.size() + 2 < e_.inputs.size() || plainName(e_.text) != "NOT") l_.fresh_ = 0;
+    if (name != "NOT") l_.fresh_ = 0;
     in_.push_back(std::move(value));
   }
   DrawnValue result;

@@ -49,6 +49,7 @@ Wire DrawnLowering::negation(Wire wire) {
   if (wire.from == 0 || wire.from != fresh_ || wire.negated) return inverted(wire);
   Element& element = drawing_.elements[wire.from];
   element.desc = instructionNamed(element.desc->stl == "LD" ? "LDN" : "LD");
+  fresh_ = 0;
   return wire;
 }
 
@@ -330,6 +331,7 @@ bool DrawnLowering::evaluate(int i) {
   }
   if (e.kind == DrawnKind::Connector) {
     const DrawnValue value = e.inputs.empty() ? DrawnValue{} : input(e, e.inputs[0]);
+    fresh_ = 0;
     isGood = value.kind != DrawnValue::Kind::Nothing;
     if (isGood) states_[static_cast<std::size_t>(i)].outputs.emplace_back("", value);
   }

@@ -56,7 +56,7 @@ class ListReader {
     if (name == "&") name = "AND";
     if (name == "&N") name = "ANDN";
     if (name == "LD" || name == "LDN") {
-      current_ = value(operand);
+      current_ = value(operand, name == "LD");
       if (name == "LDN") current_ = function("NOT", {current_});
     } else if (name == "ST" || name == "STN") {
       store(operand, name == "STN", DrawnStorage::None);
@@ -98,10 +98,11 @@ class ListReader {
     return network_.elements.back();
   }
 
-  std::string value(std::string_view operand) {
+  /// `isKept`: several operators may look at the value.
+  std::string value(std::string_view operand, bool isKept = false) {
     DrawnElement& e = element(DrawnKind::InVariable);
     e.text = std::string(operand);
-    e.readsOnce = true;
+    e.readsOnce = isKept;
     return e.id;
   }
 
@@ -192,7 +193,7 @@ class ListReader {
       const std::string_view first = trimmed(operand.substr(1));
       open_.push_back({name, isNegated, current_});
       if (open_.size() > 64) return fault("parentheses are nested too deep");
-      if (!first.empty()) current_ = value(first);
+      if (!first.empty()) current_ = value(first, true);
       return;
     }
     if (operand.empty()) return fault(fmt::format("{} needs an operand", name));
