@@ -299,6 +299,7 @@ DrawnValue DrawnLowering::outputOf(int i, std::string_view pin, const DrawnEleme
     return value;
   }
   if (!evaluate(i)) return {};
+  if (e.kind != DrawnKind::Block) pin = {};  // some editors name the only output
   const State& state = states_[static_cast<std::size_t>(i)];
   const std::string name = foldedName(pin);
   for (const auto& [output, value] : state.outputs) {

@@ -115,6 +115,7 @@ struct DrawnInstance {
 struct DrawnProject {
   std::vector<DrawnBlock> blocks;
   std::vector<DrawnVariable> globals;
+  std::vector<std::string> globalLists;  ///< names of lists: "GVL" in GVL.Speed
   std::vector<DrawnInstance> instances;
   std::vector<Directive> directives;
 

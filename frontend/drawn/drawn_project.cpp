@@ -114,6 +114,11 @@ Place* DrawnBuild::lookUp(DrawnCopy& copy, std::string_view name) {
   if (local != copy.places.end()) return &local->second;
   const auto global = globals_.find(folded);
   if (global != globals_.end()) return &global->second;
+  for (const std::string& list : project_.globalLists) {
+    if (folded.size() <= list.size() + 1 || folded[list.size()] != '.' || !folded.starts_with(foldedName(list))) continue;
+    const auto listed = globals_.find(folded.substr(list.size() + 1));
+    if (listed != globals_.end()) return &listed->second;
+  }
   for (std::size_t i = 0; i < tableSymbols_; ++i) {
     const Symbol& symbol = program_.symbols[i];
     if (symbol.address.kind != OperandKind::Direct || foldedName(symbol.name) != folded) continue;

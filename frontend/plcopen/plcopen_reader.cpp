@@ -73,6 +73,7 @@ class PlcopenReader {
     }
     if (name == "globalVars") {
       readVariables(node, DrawnSection::Global, project_.globals);
+      if (const std::string list = node.attribute("name").value(); !list.empty()) project_.globalLists.push_back(list);
       return true;
     }
     if (name == "pouInstance") {

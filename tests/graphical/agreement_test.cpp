@@ -40,8 +40,8 @@ std::string memoryOf(const Simulator& simulator) {
   };
   bytesOf(Area::Q, 16);
   bytesOf(Area::M, 32);
-  bytesOf(Area::V, 512);
-  for (std::uint32_t i = 0; i < 256; ++i) {
+  bytesOf(Area::V, 192);
+  for (std::uint32_t i = 0; i < 72; ++i) {  // timers of 100 ms begin at T37, counters at C0
     text += static_cast<char>(simulator.read(direct(Area::T, Width::Bit, i)) + 2 * simulator.read(direct(Area::C, Width::Bit, i)));
     text += std::to_string(simulator.read(direct(Area::T, Width::Word, i)) + 65536 * simulator.read(direct(Area::C, Width::Word, i)));
   }

@@ -87,6 +87,18 @@ TEST(Plcopen, InstancesOfABlockHaveMemoryOfTheirOwn) {
   EXPECT_NE(toString(one->address), toString(two->address));
 }
 
+TEST(Plcopen, BlocksAndGlobalListsInsideVendorData) {
+  // As CODESYS writes it: no positions, blocks and lists of global variables inside addData, outputs with a name.
+  const std::string body = "<leftPowerRail localId=\"0\"><position x=\"0\" y=\"0\"/><connectionPointOut formalParameter=\"none\"/></leftPowerRail>" + contactElement(1, {"0.none"}, "GVL.start", "negated=\"false\" storage=\"none\" edge=\"none\"") + coilElement(2, {"1.none"}, "run");
+  const std::string text = "<?xml version=\"1.0\"?>\n<project xmlns=\"http://www.plcopen.org/xml/tc6_0200\"><types><dataTypes/><pous/></types><addData><data name=\"http://www.3s-software.com/plcopenxml/application\" handleUnknown=\"implementation\">"
+                           "<resource name=\"Application\"><task name=\"MainTask\"><pouInstance name=\"PLC_PRG\" typeName=\"\"/></task><addData><data><globalVars name=\"GVL\">" + declarations({"start:BOOL@%IX0.0"}) + "</globalVars></data><data>" +
+                           pouText("PLC_PRG", "program", "<localVars>" + declarations({"run:BOOL@%QX0.0"}) + "</localVars>", "LD", body) + "</data></addData></resource></data></addData></project>\n";
+  const Program program = readText("t.xml", text);
+  EXPECT_EQ(findings(program), "");
+  ASSERT_EQ(program.pous.size(), 1U);
+  EXPECT_EQ(show(program.pous[0]), "LD I0.0; = Q0.0");
+}
+
 TEST(Plcopen, LoopThroughABlockReadsThePreviousScan) {
   // The inverted output of a timer feeds its own input: a pulse every second, the usual blinker.
   const std::string body = blockElement(1, "NOT", "", {{"IN", {"2.Q"}}}, {"OUT"}, 10, 10) + inElement(3, "T#1s", "", 10, 40) + blockElement(2, "TON", "T1", {{"IN", {"1.OUT"}}, {"PT", {"3"}}}, {"Q"}, 50, 10) + outElement(4, {"2.Q"}, "y", "", 90, 10);
