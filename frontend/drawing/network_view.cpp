@@ -95,7 +95,11 @@ std::vector<std::string> statementLines(const Program& program, const Network& n
 /// The drawing of a network in that form, or why there is none.
 Raised drawingOf(const Network& network, Form form) {
   if (network.drawing != nullptr && network.form == form) return {*network.drawing, {}, nullptr};
-  return raise(network, form);
+  Raised raised = raise(network, form);
+  // A ladder whose values pass through memory in STL is drawn from the ladder itself.
+  const bool isLadder = network.drawing != nullptr && network.form == Form::Ladder;
+  if (!raised.drawing && form == Form::Fbd && isLadder) return {asFbd(*network.drawing), {}, nullptr};
+  return raised;
 }
 
 }  // namespace

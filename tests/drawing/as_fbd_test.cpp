@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "frontend/drawing/network_view.hpp"
 #include "ir/desc.hpp"
 #include "tests/drawing/equality.hpp"
 #include "tests/drawing/networks.hpp"
@@ -59,6 +60,30 @@ TEST(AsFbd, DoesTheSameWithGatesOfAtMost32Inputs) {
   const Drawing divided = asFbd(wide);  // 32, then 31 more, then the other 7
   const auto isOr = [](const Element& each) { return each.shape == Shape::Or; };
   EXPECT_EQ(std::count_if(divided.elements.begin(), divided.elements.end(), isOr), 3);
+}
+
+TEST(AsFbd, ShowsALadderWhoseInstructionsHaveNoPicture) {  // what stands beside a counter waits in L60.0
+  Drawing ladder;
+  ladder.elements.emplace_back();
+  const auto add = [&](Shape shape, std::string_view instruction, std::vector<Wire> inputs) {
+    ladder.elements.push_back(element(shape, instruction, std::move(inputs)));
+    return static_cast<std::uint32_t>(ladder.elements.size() - 1);
+  };
+  const std::uint32_t edge = add(Shape::Contact, "EU", {{add(Shape::Contact, "LD I0.0", {{0, false}}), false}});
+  const std::uint32_t reset = add(Shape::Contact, "LD I0.1", {{0, false}});
+  add(Shape::Box, "CTU C1, +5", {{edge, false}, {reset, false}});
+  add(Shape::Coil, "= Q0.0", {{add(Shape::Contact, "LD I0.2", {{edge, false}}), false}});
+  Program program = programOf("LD I0.0; = Q0.0");
+  Network& network = program.pous[0].networks[0];
+  network.form = Form::Ladder;
+  ASSERT_FALSE(lowerInto(network, ladder));
+  ASSERT_FALSE(raise(network, Form::Fbd).drawing);
+  program.number();
+  ViewOptions options;
+  options.form = Form::Fbd;
+  const NetworkView view = networkView(program, program.pous[0], network, options);
+  EXPECT_EQ(view.reason, "");
+  EXPECT_TRUE(view.statements.empty());
 }
 
 }  // namespace
