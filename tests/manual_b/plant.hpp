@@ -1,6 +1,6 @@
 // Plant: a program of several blocks on the machine with plain numbers, and check(): one example of the manual as
-// three short texts. Statements are spelled as in tests/manual_a/bench.hpp; as there, every scan is repeated on the
-// blurred domain, which must leave the same machine behind.
+// three short texts. Statements are spelled as in tests/manual_a/bench.hpp; as there, one source of a program of tests
+// says what a scan is: plant_run.cpp here, changed meanings in tests/mutation.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,7 +8,6 @@
 #include <cctype>
 #include <cstdlib>
 
-#include "ir/timer_refresh.hpp"
 #include "tests/manual_a/bench.hpp"
 
 namespace rungproof::manual {
@@ -73,25 +72,7 @@ class Plant {
   std::vector<std::pair<std::uint32_t, bool>> reached;  ///< timers that came to their preset in refreshes
 
   /// One scan; `ten` and `hundred` ticks have passed since the last one.
-  Plant& scan(int ten = 0, int hundred = 0) {
-    outside.hazards.clear();
-    outside.signals.clear();
-    Surroundings otherOutside = outside;
-    Concrete::Store copy = store;
-    Blurred blurred(otherOutside);
-    Blurred::Store blurredStore(copy);
-    const Outcome other = scanOn(blurred, blurredStore, ten, hundred);
-    reached.clear();
-    Concrete domain(outside);
-    const Outcome outcome = scanOn(domain, store, ten, hundred);
-    EXPECT_TRUE(other == outcome) << "the blurred scan leaves another stack";
-    EXPECT_TRUE(copy == store) << "the blurred scan leaves another state";
-    EXPECT_TRUE(otherOutside.hazards == outside.hazards) << "the blurred scan meets other hazards";
-    stack = outcome.stack;
-    halted = outcome.halted;
-    store.set(Reg::FirstScan, 0, 0, true);
-    return *this;
-  }
+  Plant& scan(int ten = 0, int hundred = 0);
   /// Scans several times, each with one tick of 100 ms and ten of 10 ms.
   Plant& scans(int count) {
     for (int i = 0; i < count; ++i) scan(10, 1);
@@ -122,61 +103,12 @@ class Plant {
   bool timerBit(std::uint32_t timer) const { return store.get(Reg::TimerBit, timer) != 0; }
   float real(std::string_view address) { return std::bit_cast<float>(static_cast<std::uint32_t>(value(address))); }
   /// Lets `count` ticks of that resolution pass outside a scan.
-  void refresh(int resolution, int count) {
-    Concrete domain(outside);
-    Machine<Concrete> machine(domain, store, *plan_, choices);
-    refresh(machine, resolution, count);
-  }
+  void refresh(int resolution, int count);
   const Program& program() const { return program_; }
 
  private:
-  struct Hooks {
-    Plant& plant;
-    template <class S>
-    void before(S& scan, const FlowStep& step) {
-      auto& m = scan.machine();
-      if (const auto passed = plant.ms.find(step.instruction->id); passed != plant.ms.end()) plant.refresh(m, 1, passed->second);
-      const auto routine = plant.interruptBefore.find(step.instruction->id);
-      if (routine != plant.interruptBefore.end() && !m.inInterrupt) scan.interrupt(routine->second, m.d.constant(true));
-    }
-    template <class S>
-    void callWithoutBody(S&, const Instruction&) {}
-    template <class S>
-    void freshLocal(S& scan, unsigned frame, std::uint32_t byte) {
-      auto& m = scan.machine();
-      m.store.save(Area::L, (frame * 64 + byte) * 8, 8, m.number(plant.freshLocal, 8), m.guard);
-    }
-  };
-  /// What a scan leaves besides the store.
-  struct Outcome {
-    std::array<bool, 9> stack{};
-    bool halted = false;
-    friend bool operator==(const Outcome&, const Outcome&) = default;
-  };
+  friend struct PlantRun;
 
-  template <class Truth>
-  static bool plain(const Truth& truth) {
-    if constexpr (std::same_as<Truth, bool>) return truth;
-    else return truth.v;
-  }
-  template <class D>
-  Outcome scanOn(D& domain, typename D::Store& state, int ten, int hundred) {
-    Machine<D> machine(domain, state, *plan_, choices);
-    machine.ticks100 = machine.number(static_cast<std::uint64_t>(hundred), 16);
-    refresh(machine, 10, ten);
-    Hooks hooks{*this};
-    Scan<D, Hooks> scan(machine, hooks);
-    scan.program();
-    Outcome outcome;
-    for (std::size_t i = 0; i < outcome.stack.size(); ++i) outcome.stack[i] = plain(machine.stack[i]);
-    outcome.halted = plain(machine.halted);
-    return outcome;
-  }
-  template <class D>
-  void refresh(Machine<D>& machine, int resolution, int count) {
-    refreshTimers(machine, resolution, machine.number(static_cast<std::uint64_t>(count), 16),
-                  [&](const TimerUse& use, auto now) { reached.emplace_back(use.number, plain(now)); });
-  }
   static std::optional<std::pair<Reg, std::uint32_t>> registerOf(std::string_view name) {
     const std::size_t open = name.find('[');
     if (open == std::string_view::npos) return std::nullopt;

@@ -1,0 +1,90 @@
+// Mutants: changes to the meaning of one instruction, made while tests run. A site is a place in the text of a meaning
+// where an operation of the domain is asked for, seen from one mnemonic; a mutant is a site and one of the changes that
+// its operation knows ("add": "sub", "plus 1"). Sites in ir/machine.hpp and ir/args.hpp, which all instructions share,
+// also carry how many times the instruction has been there, so that operands and status bits are told apart.
+// The campaign (campaign.cpp) collects the sites that the manual's tests reach, then runs those tests on each mutant.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <source_location>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ir/program.hpp"
+
+namespace rungproof::mutation {
+
+using Where = std::source_location;
+
+/// Operations that can be changed. Whole is the instruction itself, Text its place in the program.
+enum class Op : std::uint8_t {
+  Constant, Not, And, Or, Xor, SelectBool, Literal, Add, Sub, Mul, UDiv, URem, SDiv, SRem, BitAnd, BitOr, BitXor, BitNot,
+  ShiftLeft, ShiftRight, Equal, ULess, ULessEqual, SLess, SLessEqual, Select, ZeroExtend, SignExtend, Extract, Concat, Bit,
+  FromBool, RealAdd, RealSub, RealMul, RealDiv, RealFunction, RealEqual, RealLess, RealLegal, RealFromInt, RealToInt,
+  Load, Save, Get, Set, External, Report, Signal, Whole, Text, count
+};
+std::string_view opName(Op op);
+/// Names of the changes; change k of a mutant is number k + 1 for the domain.
+std::span<const std::string_view> changesOf(Op op);
+
+struct Site {
+  std::uint16_t opcode = 0;
+  std::uint8_t file = 0;     ///< number given by Mutation
+  std::uint8_t ordinal = 0;  ///< visit within the instruction, from 1; 0 where visits are not told apart
+  std::uint16_t line = 0;
+  std::uint16_t column = 0;
+  Op op = Op::Whole;
+  friend auto operator<=>(const Site&, const Site&) = default;
+};
+
+struct Mutant {
+  Site site;
+  std::uint8_t change = 1;  ///< 1 = first of changesOf
+};
+
+/// What the domain asks at every operation: which change is to be made. One per process.
+class Mutation {
+ public:
+  static Mutation& instance();
+
+  /// Notes the sites that are reached, by test; -1 ends it.
+  void recordInto(int test) { test_ = test; }
+  void activate(const Mutant& mutant) { active_ = mutant; isActive_ = true; }
+  const std::map<Site, std::set<int>>& sites() const { return sites_; }
+  const std::string& fileName(const Site& site) const { return files_[site.file]; }
+  /// Whether the site stands in Machine::powerFlow.
+  bool isPowerFlow(const Site& site) const { return powerFlow_.contains({site.line, site.column}) && fileName(site) == "machine.hpp"; }
+
+  /// Machine::current of the machine that runs; nullptr when none does.
+  void watch(const Instruction* const* current) { current_ = current; }
+  void beginInstruction() { visits_.clear(); }
+  /// The timer whose time is passing outside its instruction.
+  void advances(const Desc* timer) { timer_ = timer; visits_.clear(); }
+
+  /// 0: as the text says; k: change number k.
+  int change(Op op, const Where& where);
+  /// The same for the instruction as a whole.
+  int changeOfWhole(Op op, const Desc& desc);
+
+ private:
+  std::uint8_t fileOf(const char* path);
+  const Desc* desc() const;
+  Site siteOf(Op op, const Where& where, const Desc& desc);
+
+  int test_ = -1;
+  bool isActive_ = false;
+  Mutant active_;
+  const Instruction* const* current_ = nullptr;
+  const Desc* timer_ = nullptr;
+  std::map<Site, std::set<int>> sites_;
+  std::map<Site, int> visits_;
+  std::set<std::pair<std::uint16_t, std::uint16_t>> powerFlow_;
+  std::vector<std::string> files_;
+  std::map<const char*, std::uint8_t> fileNumbers_;
+};
+
+}  // namespace rungproof::mutation

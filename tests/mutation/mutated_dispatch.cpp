@@ -1,0 +1,32 @@
+// All instruction meanings compiled for the mutated domain, and the changes to an instruction as a whole.
+#include "ir/dispatch.hpp"
+#include "ir/isa_list.hpp"
+#include "tests/mutation/mutated.hpp"
+
+namespace rungproof {
+
+namespace {
+
+using mutation::Mutated;
+
+void executeChanged(Machine<Mutated>& m, const Instruction& instruction) {
+  static constexpr auto table = isa::makeDispatch<Mutated>(isa::AllInstructions{});
+  const int change = mutation::Mutation::instance().changeOfWhole(mutation::Op::Whole, *instruction.desc);
+  if (change != 1) table[instruction.desc->opcode](m, instruction);
+  if (change > 1) m.stack[static_cast<std::size_t>(change - 2)] = !m.stack[static_cast<std::size_t>(change - 2)];
+}
+
+template <std::size_t... i>
+constexpr std::array<Execute<Mutated>, sizeof...(i)> everyEntry(std::index_sequence<i...>) {
+  return {((void)i, &executeChanged)...};
+}
+
+}  // namespace
+
+template <>
+std::span<const Execute<Mutated>> dispatchTable<Mutated>() {
+  static constexpr auto table = everyEntry(std::make_index_sequence<isa::instructionTable.size()>{});
+  return table;
+}
+
+}  // namespace rungproof

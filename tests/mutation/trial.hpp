@@ -1,0 +1,20 @@
+// Trial: the manual's tests run on one mutant, in a process of their own, so that neither a broken invariant nor a loop
+// without end reaches the campaign.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/mutation/mutant.hpp"
+
+namespace rungproof::mutation {
+
+/// Runs every test once without a change and notes the sites that each reaches. Gives the names of the tests by number;
+/// empty when one of them fails.
+std::vector<std::string> recordTests();
+
+/// Whether one of these tests fails, aborts or does not end (2 s of processor time) on the mutant.
+bool isNoticed(const Mutant& mutant, const std::set<int>& tests, const std::vector<std::string>& names);
+
+}  // namespace rungproof::mutation
