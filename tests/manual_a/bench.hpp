@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "engine/concrete.hpp"
+#include "error_log.hpp"
 #include "ir/isa.hpp"
 
 namespace rungproof::manual {
@@ -80,12 +81,13 @@ inline Instruction statement(std::string_view line) {
 /// What the program meets outside: values by kind and index, and the errors it raised.
 struct World final : Outside {
   std::map<std::pair<External, std::uint32_t>, std::uint64_t> values;
-  std::vector<Hazard> hazards;
+  ErrorLog errors;
+  const std::vector<Hazard>& hazards() const { return errors.list(); }
   std::uint64_t external(const ExternalSite& site, int) override {
     const auto found = values.find({site.kind, site.index});
     return found == values.end() ? 0 : found->second;
   }
-  void report(Hazard hazard, const Instruction*) override { hazards.push_back(hazard); }
+  void report(Hazard hazard, const Instruction*) override { errors.add(hazard); }
 };
 
 /// What a run leaves besides the store.
@@ -110,6 +112,9 @@ class Bench {
     store.set(Reg::Running, 0, 1, true);
     store.area(Area::SM)[0] = 1;  // SM0.0
   }
+
+  ~Bench() { world.errors.clear(); }
+  Bench(Bench&&) = default;
 
   Concrete::Store store;
   World world;
@@ -156,13 +161,19 @@ class Bench {
     store.area(Area::V)[byte] = static_cast<std::uint8_t>(characters.size());
     setText(byte + 1, characters);
   }
-  bool eno() { return store.get(Reg::Eno, 0) != 0; }
-  bool errorBit() { return value("SM4.3") != 0; }
+  bool eno() {
+    world.hazards();
+    return store.get(Reg::Eno, 0) != 0;
+  }
+  bool errorBit() {
+    world.hazards();
+    return value("SM4.3") != 0;
+  }
   std::uint64_t reg(Reg reg, std::uint32_t index = 0) { return store.get(reg, index); }
   bool met(Hazard hazard) const {
-    return std::find(world.hazards.begin(), world.hazards.end(), hazard) != world.hazards.end();
+    return std::find(world.hazards().begin(), world.hazards().end(), hazard) != world.hazards().end();
   }
-  bool quiet() const { return world.hazards.empty(); }
+  bool quiet() const { return world.hazards().empty(); }
 
  private:
   void addBlock(PouKind kind, const std::vector<std::string>& lines) {

@@ -6,7 +6,7 @@ namespace rungproof::manual {
 
 Bench& Bench::run(bool asInterrupt, const Start& start) {
   const auto nothing = [](auto&) {};
-  world.hazards.clear();
+  world.errors.clear();
   Concrete::Store copy = store;
   Concrete domain(world);
   const Outcome outcome = BenchRun::on(*this, *plan_, domain, store, asInterrupt, start, nothing);
@@ -18,7 +18,7 @@ Bench& Bench::run(bool asInterrupt, const Start& start) {
   EXPECT_EQ(BenchRun::on(*this, *plan_, blurred, blurredStore, asInterrupt, start, nothing) == outcome, true)
       << "the blurred run leaves another stack";
   EXPECT_EQ(copy == store, true) << "the blurred run leaves another state";
-  EXPECT_EQ(otherWorld.hazards == world.hazards, true) << "the blurred run meets other hazards";
+  EXPECT_EQ(otherWorld.errors == world.errors, true) << "the blurred run meets other hazards";
 
   BenchRun::finish(*this, outcome, asInterrupt);
   return *this;

@@ -212,7 +212,7 @@ TEST(Coil, SetAndResetImmediate) {
   for (std::uint32_t pin = 0; pin < 128; ++pin)
     EXPECT_EQ(high.reg(Reg::PhysicalOutput, pin), pin == 19 || pin == 20 ? 1U : 0U) << pin;
   pins(8);
-  EXPECT_EQ(bench.world.hazards, (std::vector<Hazard>{Hazard::OutOfRange, Hazard::OutOfRange}))
+  EXPECT_EQ(bench.world.hazards(), (std::vector<Hazard>{Hazard::OutOfRange, Hazard::OutOfRange}))
       << "128 from Q0.1, and 2 from Q15.7";
 }
 

@@ -71,7 +71,7 @@ TEST(Freeport, OneDirectionAtATime) {
           bench.store.set(Reg::PortBusy, index(port), state, true);
           bench.scan();
           const bool same = (state == 1) == transmits;
-          EXPECT_EQ(bench.world.hazards, same && !error ? std::vector<Hazard>{} : std::vector<Hazard>{port.clash})
+          EXPECT_EQ(bench.world.hazards(), same && !error ? std::vector<Hazard>{} : std::vector<Hazard>{port.clash})
               << line << state;
           EXPECT_EQ(bench.reg(Reg::PortBusy, index(port)), state);
           EXPECT_EQ(bench.value(port.idle), 1U) << "nothing was started";
@@ -225,6 +225,7 @@ TEST(Network, EightAtATime) {
     EXPECT_EQ(bench.reg(Reg::NetIsWrite, i), i % 2);
   }
   EXPECT_EQ(bench.value("VB340"), 0x24U) << "the ninth: queue overflow";
+  EXPECT_EQ(bench.world.hazards(), std::vector<Hazard>{Hazard::PortParameter});
   EXPECT_EQ(bench.reg(Reg::NetActive), 8U);
 }
 
@@ -274,7 +275,7 @@ TEST(PortAddress, NotSetInInterruptRoutines) {
   Bench bench({"LD SM0.0"}, {}, {"SPA 5, 0", "GPA VB0, 0"});
   bench.world.values[{External::StationAddress, 0}] = 2;
   bench.interrupt();
-  EXPECT_EQ(bench.world.hazards, std::vector<Hazard>{Hazard::NotInInterrupt});
+  EXPECT_EQ(bench.world.hazards(), std::vector<Hazard>{Hazard::NotInInterrupt});
   EXPECT_EQ(bench.value("VB0"), 2U);
 }
 

@@ -265,7 +265,7 @@ TEST(Convert, BadPointersAreError0006) {
     bench.set("AC1", 0x07000000);
     const Concrete::Store before = bench.store;
     bench.scan();
-    EXPECT_EQ(bench.world.hazards, std::vector<Hazard>{Hazard::BadIndirectAddress}) << line;
+    EXPECT_EQ(bench.world.hazards(), std::vector<Hazard>{Hazard::BadIndirectAddress}) << line;
     EXPECT_FALSE(bench.eno());
     EXPECT_TRUE(bench.errorBit());
     EXPECT_EQ(bench.store.area(Area::V) == before.area(Area::V), true) << "nothing is written";

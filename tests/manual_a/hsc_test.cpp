@@ -58,7 +58,7 @@ TEST(Hdef, LatchesTheLevelsOnceOnly) {
     EXPECT_TRUE(bench.quiet());
     bench.set(control, 0x02);
     bench.scan();
-    EXPECT_EQ(bench.world.hazards, std::vector<Hazard>{Hazard::HdefTwice}) << "000A";
+    EXPECT_EQ(bench.world.hazards(), std::vector<Hazard>{Hazard::HdefTwice}) << "000A";
     EXPECT_EQ(bench.reg(Reg::HscSetup, counter), 5U) << "the first definition stays (001:4360)";
     EXPECT_FALSE(bench.eno());
     EXPECT_TRUE(bench.errorBit());
@@ -102,7 +102,7 @@ TEST(Hdef, InputsServeOnePurpose) {
 TEST(Hdef, NotInInterruptRoutines) {
   Bench bench({"LD SM0.0"}, {}, {"HDEF 1, 11"});
   bench.interrupt();
-  EXPECT_EQ(bench.world.hazards, std::vector<Hazard>{Hazard::NotInInterrupt});
+  EXPECT_EQ(bench.world.hazards(), std::vector<Hazard>{Hazard::NotInInterrupt});
   EXPECT_EQ(bench.reg(Reg::HscMode, 1), 0U);
 }
 
@@ -112,7 +112,7 @@ TEST(Hsc, NeedsADefinition) {
   EXPECT_TRUE(bench.scan().quiet());
   bench.set("I0.0", 1);
   bench.scan();
-  EXPECT_EQ(bench.world.hazards, std::vector<Hazard>{Hazard::HscWithoutHdef});
+  EXPECT_EQ(bench.world.hazards(), std::vector<Hazard>{Hazard::HscWithoutHdef});
   EXPECT_EQ(bench.reg(Reg::HscEnabled, 1), 0U);
   EXPECT_FALSE(bench.eno());
   EXPECT_TRUE(bench.errorBit());

@@ -93,7 +93,7 @@ TEST(Integer, DivisionByZeroLeavesEverythingElse) {
     EXPECT_EQ(bench.value(out), 1234U) << line;
     EXPECT_EQ(bench.value("SMB1"), 0b1111U) << "SM1.3 comes on, the others keep their values (001:4814)";
     EXPECT_FALSE(bench.eno());
-    EXPECT_EQ(bench.world.hazards, std::vector<Hazard>{Hazard::DivideByZero});
+    EXPECT_EQ(bench.world.hazards(), std::vector<Hazard>{Hazard::DivideByZero});
     bench.set("VD0", 0x00010001);
     bench.scan();
     EXPECT_EQ(bench.value("SM1.3"), 0U) << "a division that works clears it";

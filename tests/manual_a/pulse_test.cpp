@@ -190,7 +190,7 @@ TEST(Pulse, ProfileErrors) {
   Bench empty = prepared(outputs[0], 0xA0);
   empty.set("SMW168", 500);
   empty.scan();
-  EXPECT_EQ(empty.world.hazards, std::vector<Hazard>{Hazard::NoSegments}) << "000E";
+  EXPECT_EQ(empty.world.hazards(), std::vector<Hazard>{Hazard::NoSegments}) << "000E";
   EXPECT_EQ(empty.reg(Reg::PulseBusy, 0), 0U);
   EXPECT_EQ(empty.value("SMB66"), 0x80U);
   EXPECT_FALSE(empty.eno());

@@ -111,6 +111,7 @@ TEST(Stack, AenoReadsTheEnoBit) {
     bench.set("VW0", value);
     bench.scan();
     EXPECT_EQ(bench.value("Q0.0"), value == 200 ? 1U : 0U) << value;
+    EXPECT_EQ(bench.met(Hazard::Overflow), value == 300);
   }
   // Without power flow AENO gives 0 even when an earlier box left ENO at 1.
   Bench bench({"LD SM0.0", "BTI VB0, VW10", "LD I0.0", "AENO", "= Q0.0"});

@@ -31,7 +31,7 @@ TEST(NumberToString, BadFormats) {
   Bench bench({"LD SM0.0", "ITS 1, 6, VB100", "DTS 1, 7, VB120", "RTS 1.0, 16#87, VB140", "RTS 1000.0, 16#30, VB160",
                "RTS 1.0, 16#20, VB180"});
   bench.scan();
-  EXPECT_EQ(bench.world.hazards, std::vector<Hazard>(5, Hazard::BadFormat));
+  EXPECT_EQ(bench.world.hazards(), std::vector<Hazard>(5, Hazard::BadFormat));
   EXPECT_EQ(bench.value("VB100"), 8U);
   EXPECT_EQ(bench.text(101, 8), std::string(8, ' '));
   EXPECT_EQ(bench.value("VB120"), 12U);
@@ -190,7 +190,7 @@ TEST(SubstringToNumber, IndexAndRange) {
   Bench zero({"LD SM0.0", "STI VB0, 0, VW100", "STD VB0, VB50, VD200", "STR VB0, 0, VD300"});
   zero.setString(0, "12");
   zero.scan();
-  EXPECT_EQ(zero.world.hazards, std::vector<Hazard>(3, Hazard::StringIndexZero));
+  EXPECT_EQ(zero.world.hazards(), std::vector<Hazard>(3, Hazard::StringIndexZero));
   EXPECT_FALSE(zero.eno());
   EXPECT_TRUE(zero.errorBit());
   EXPECT_EQ(zero.value("VW100") + zero.value("VD200") + zero.value("VD300"), 0U);
@@ -222,9 +222,11 @@ TEST(SubstringToNumber, OverflowMayLeaveAnything) {
   bench.setString(0, "40000");
   EXPECT_EQ(bench.scan().value("VW100"), 0x1234U);
   EXPECT_EQ(bench.value("SM1.1"), 1U);
+  EXPECT_TRUE(bench.met(Hazard::Overflow));
   bench.set("VW100", 5);
   bench.setString(0, "x");
   EXPECT_EQ(bench.scan().value("VW100"), 5U) << "no number at all: unchanged (001:3879)";
+  EXPECT_TRUE(bench.met(Hazard::Overflow));
 }
 
 }  // namespace

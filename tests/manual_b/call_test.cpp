@@ -96,7 +96,7 @@ TEST(Call, StringConstantsAreReadThroughAPointer) {
   EXPECT_EQ(plant.value("VW4"), 0x5354U) << "what the longer text left";
   EXPECT_EQ(plant.value("VB20"), 3U);
   EXPECT_EQ(plant.value("VB21"), 2U);
-  EXPECT_EQ(plant.outside.hazards, std::vector<Hazard>{Hazard::BadIndirectAddress});
+  EXPECT_EQ(plant.outside.hazards(), std::vector<Hazard>{Hazard::BadIndirectAddress});
 }
 
 TEST(Call, OutputsGoThroughPointers) {
@@ -117,8 +117,8 @@ TEST(Call, AnOutputThatIsNotAssignedReturnsWhatLayThere) {
 TEST(Call, BadPointersAreErrors) {
   Plant plant({{mainBlock, 0, "LD SM0.0; CALL 0, *VD0"}, {sub, 0, "INCW LW0", {"IN_OUT INT LW0"}}});
   plant.set("VD0=16#FF000000").scan();
-  ASSERT_FALSE(plant.outside.hazards.empty());
-  EXPECT_EQ(plant.outside.hazards[0], Hazard::BadIndirectAddress);
+  ASSERT_FALSE(plant.outside.hazards().empty());
+  EXPECT_EQ(plant.outside.hazards()[0], Hazard::BadIndirectAddress);
   EXPECT_EQ(plant.value("SM4.3"), 1U);
 }
 
@@ -137,11 +137,11 @@ TEST(Call, EightLevelsFromMain) {
   Plant plant({{mainBlock, 0, "LD SM0.0; CALL 0"}, {sub, 0, "INCB VB0; LDB< VB0, VB1; CALL 0"}});
   plant.set("VB1=8").scan();
   EXPECT_EQ(plant.value("VB0"), 8U);
-  EXPECT_TRUE(plant.outside.hazards.empty());
+  EXPECT_TRUE(plant.outside.hazards().empty());
   plant.set("VB0=0 VB1=20").scan();
   EXPECT_EQ(plant.value("VB0"), 8U);
-  ASSERT_EQ(plant.outside.hazards.size(), 1U);
-  EXPECT_EQ(plant.outside.hazards[0], Hazard::NestingTooDeep);
+  ASSERT_EQ(plant.outside.hazards().size(), 1U);
+  EXPECT_EQ(plant.outside.hazards()[0], Hazard::NestingTooDeep);
   EXPECT_EQ(plant.value("SM4.3"), 1U);
 }
 
@@ -150,12 +150,12 @@ TEST(Call, OneLevelFromAnInterruptRoutine) {
   plant.interruptBefore[0] = 0;
   plant.scan();
   EXPECT_EQ(plant.value("VB0"), 1U);
-  EXPECT_TRUE(plant.outside.hazards.empty());
+  EXPECT_TRUE(plant.outside.hazards().empty());
   plant.set("I0.0=1").scan();
   EXPECT_EQ(plant.value("VB0"), 2U);
   EXPECT_EQ(plant.value("VB1"), 0U);
-  ASSERT_EQ(plant.outside.hazards.size(), 1U);
-  EXPECT_EQ(plant.outside.hazards[0], Hazard::NestingTooDeep);
+  ASSERT_EQ(plant.outside.hazards().size(), 1U);
+  EXPECT_EQ(plant.outside.hazards()[0], Hazard::NestingTooDeep);
 }
 
 TEST(Call, InterruptsInASubroutineReturnThere) {

@@ -61,7 +61,7 @@ TEST(Interrupt, ForbiddenInARoutine) {
   plant.set("interrupts[0]=0 SM4.4=1").scan();
   EXPECT_EQ(plant.value("interrupts[0]"), 0U);
   EXPECT_EQ(plant.value("SM4.4"), 1U);
-  EXPECT_EQ(plant.outside.hazards, (std::vector<Hazard>{Hazard::NotInInterrupt, Hazard::NotInInterrupt}));
+  EXPECT_EQ(plant.outside.hazards(), (std::vector<Hazard>{Hazard::NotInInterrupt, Hazard::NotInInterrupt}));
 }
 
 TEST(Interrupt, SavesStackAccumulatorsStatusAndEno) {
@@ -74,6 +74,7 @@ TEST(Interrupt, SavesStackAccumulatorsStatusAndEno) {
   EXPECT_EQ(plant.value("AC1"), 5U);
   EXPECT_EQ(plant.value("SM1.0"), 0U) << "ANDB set it in the routine";
   EXPECT_EQ(plant.value("ENO[0]"), 1U);
+  EXPECT_EQ(plant.outside.hazards(), std::vector<Hazard>{Hazard::BadIndirectAddress}) << "clears ENO in the routine";
   EXPECT_EQ(plant.value("VB0"), 0U);
   EXPECT_EQ(plant.value("VB2"), 1U);
 }

@@ -59,7 +59,7 @@ TEST(MoveImmediate, ReadPassesTheImageByAndWriteGoesToBoth) {
   EXPECT_EQ(read.value("VB0"), 0b10001001U);
   EXPECT_EQ(read.value("VB1"), 0b00000010U);
   EXPECT_EQ(read.value("IB0"), 0U) << "the image keeps its value (001:5626)";
-  EXPECT_TRUE(read.outside.hazards.empty());
+  EXPECT_TRUE(read.outside.hazards().empty());
   check({
       {"BIW VB0, QB1", "VB0=16#83", "QB1=16#83 output[8]=1 output[9]=1 output[15]=1"},
       {"BIW 0, QB0", "QB0=16#FF output[1]=1 output[7]=1", "QB0=0 output[1]=0 output[7]=0"},

@@ -37,14 +37,15 @@ struct Block {
 struct Surroundings final : Outside {
   std::map<std::pair<External, std::uint32_t>, std::uint64_t> values;
   std::uint64_t unknownStatus = 0;
-  std::vector<Hazard> hazards;
+  ErrorLog errors;
+  const std::vector<Hazard>& hazards() const { return errors.list(); }
   std::vector<std::pair<Signal, std::uint32_t>> signals;
   std::uint64_t external(const ExternalSite& site, int) override {
     if (site.kind == External::UnknownStatus) return unknownStatus;
     const auto found = values.find({site.kind, site.index});
     return found == values.end() ? 0 : found->second;
   }
-  void report(Hazard hazard, const Instruction*) override { hazards.push_back(hazard); }
+  void report(Hazard hazard, const Instruction*) override { errors.add(hazard); }
   void signal(Signal which, std::uint32_t index) override { signals.emplace_back(which, index); }
 };
 
@@ -60,6 +61,9 @@ class Plant {
     store.area(Area::SM)[0] = 1;  // SM0.0
   }
   explicit Plant(std::string_view mainProgram, Target target = {}) : Plant({Block{PouKind::Main, 0, std::string(mainProgram)}}, target) {}
+
+  ~Plant() { outside.errors.clear(); }
+  Plant(Plant&&) = default;
 
   Concrete::Store store;
   Surroundings outside;
@@ -196,7 +200,7 @@ inline void check(const Example& e) {
     }
     plant.scan();
     std::string hazards;
-    for (const Hazard hazard : plant.outside.hazards) {
+    for (const Hazard hazard : plant.outside.hazards()) {
       hazards += (hazards.empty() ? "" : " ") + std::string(hazardInfo(hazard).code);
       if (hazardInfo(hazard).kind == HazardClass::NonFatal) wanted.set("SM4.3", 1);
     }

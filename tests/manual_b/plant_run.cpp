@@ -17,7 +17,7 @@ Plant& Plant::scan(int ten, int hundred) {
   const Outcome outcome = PlantRun::on(*this, *plan_, domain, store, ten, hundred, nothing);
   EXPECT_TRUE(other == outcome) << "the blurred scan leaves another stack";
   EXPECT_TRUE(copy == store) << "the blurred scan leaves another state";
-  EXPECT_TRUE(otherOutside.hazards == outside.hazards) << "the blurred scan meets other hazards";
+  EXPECT_TRUE(otherOutside.errors == outside.errors) << "the blurred scan meets other hazards";
   PlantRun::finish(*this, outcome);
   return *this;
 }

@@ -67,7 +67,7 @@ struct PlantRun {
     });
   }
   static void begin(Plant& plant) {
-    plant.outside.hazards.clear();
+    plant.outside.errors.clear();
     plant.outside.signals.clear();
     plant.reached.clear();
   }

@@ -31,7 +31,7 @@ struct Text {
     plant.set("ENO[0]", before.get(Reg::Eno, 0));
     const bool logged = plant.value("SM4.3") == 1;
     plant.set("SM4.3", 0);
-    return logged && plant.outside.hazards == std::vector<Hazard>{hazard} && plant.store == before;
+    return logged && plant.outside.hazards() == std::vector<Hazard>{hazard} && plant.store == before;
   }
   Plant plant;
   Concrete::Store before;
@@ -46,7 +46,7 @@ TEST(Strings, ExampleOfAppendCopyLength) {
   EXPECT_EQ(text.at(100), "HELLO WORLD");
   EXPECT_EQ(text.plant.value("AC0"), 11U);
   EXPECT_EQ(text.plant.value("ENO[0]"), 1U);
-  EXPECT_TRUE(text.plant.outside.hazards.empty());
+  EXPECT_TRUE(text.plant.outside.hazards().empty());
   EXPECT_EQ(text.plant.value("VB12"), 0U) << "nothing behind the string";
 }
 
@@ -81,14 +81,14 @@ TEST(Strings, AppendRespectsTheLongestString) {
   for (const bool cut : {false, true}) {
     Text text("SCAT VB300, VB0");
     text.choose("string-overflow", cut ? "cut" : "unchanged").put(0, longest.substr(0, 252)).put(300, "abc").run();
-    EXPECT_EQ(text.plant.outside.hazards, std::vector<Hazard>{Hazard::OutOfRange});
+    EXPECT_EQ(text.plant.outside.hazards(), std::vector<Hazard>{Hazard::OutOfRange});
     EXPECT_EQ(text.at(0), longest.substr(0, 252) + (cut ? "ab" : ""));
     EXPECT_EQ(text.plant.value("ENO[0]"), 0U);
   }
   Text full("SCAT VB300, VB0");
   full.put(0, longest.substr(0, 252)).put(300, "ab").run();
   EXPECT_EQ(full.at(0), longest.substr(0, 252) + "ab");
-  EXPECT_TRUE(full.plant.outside.hazards.empty());
+  EXPECT_TRUE(full.plant.outside.hazards().empty());
   Text border("SCAT \"ab\", VB10237");
   EXPECT_TRUE(border.put(10237, "x").run().refused(Hazard::OutOfRange));
   Text illegal("SCAT VB300, VB0");
@@ -158,7 +158,7 @@ TEST(Strings, FindStartsAtOut) {
     text.plant.set("VB200", static_cast<std::uint64_t>(row.start));
     text.run();
     EXPECT_EQ(text.plant.value("VB200"), static_cast<std::uint64_t>(row.expected)) << row.statement << " " << row.text << " " << row.pattern << " " << row.start;
-    EXPECT_TRUE(text.plant.outside.hazards.empty());
+    EXPECT_TRUE(text.plant.outside.hazards().empty());
     EXPECT_EQ(text.plant.value("ENO[0]"), 1U);
   }
 }

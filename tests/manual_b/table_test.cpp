@@ -96,7 +96,7 @@ TEST(Table, FindAndAttShareOneTable) {
   plant.set("VW200=6").scan();
   EXPECT_EQ(plant.value("VW202"), 2U);
   EXPECT_EQ(plant.value("VW0"), 1U);
-  EXPECT_TRUE(plant.outside.hazards.empty());
+  EXPECT_TRUE(plant.outside.hazards().empty());
 }
 
 }  // namespace rungproof::manual

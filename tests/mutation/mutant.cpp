@@ -32,12 +32,12 @@ const OpInfo& infoOf(Op op) {
       {"sdiv", {"udiv", "plus 1"}},
       {"srem", {"urem", "plus 1"}},
       {"bit and", {"or", "xor"}},
-      {"bit or", {"and", "xor"}},
+      {"bit or", {"and"}},
       {"bit xor", {"or", "and"}},
       {"bit not", {"left out", "negated"}},
       {"shift left", {"shift right", "one more"}},
       {"shift right", {"shift left", "one more"}},
-      {"equal", {"inverted", "at most"}},
+      {"equal", {"inverted", "at least"}},
       {"below", {"inverted", "at most"}},
       {"at most", {"inverted", "below"}},
       {"signed below", {"inverted", "at most", "unsigned"}},
@@ -54,15 +54,15 @@ const OpInfo& infoOf(Op op) {
       {"real mul", {"real div", "real add"}},
       {"real div", {"real mul", "turned round"}},
       {"real function", {"next function", "argument itself"}},
-      {"real equal", {"inverted", "at most"}},
+      {"real equal", {"inverted", "at least"}},
       {"real below", {"inverted", "at most"}},
       {"real legal", {"inverted"}},
       {"integer to real", {"plus 1", "unsigned"}},
       {"real to integer", {"other rounding", "plus 1"}},
-      {"load", {"lowest bit inverted"}},
-      {"save", {"left out", "lowest bit inverted"}},
-      {"register", {"lowest bit inverted"}},
-      {"set register", {"left out", "lowest bit inverted"}},
+      {"load", {"inverted"}},
+      {"save", {"left out", "inverted"}},
+      {"register", {"inverted"}},
+      {"set register", {"left out", "inverted"}},
       {"external", {"lowest bit inverted"}},
       {"report", {"left out"}},
       {"signal", {"left out", "next index"}},
@@ -73,6 +73,22 @@ const OpInfo& infoOf(Op op) {
 }
 
 constexpr int mostVisits = 15;
+
+/// "void rungproof::Machine<D>::when(Bool, Body&&) [with D = ...]": "when".
+std::string nameOfFunction(std::string_view signature) {
+  std::string_view name = signature.substr(0, signature.find('('));
+  if (name.ends_with('>')) {
+    int depth = 0;
+    do {
+      depth += name.back() == '>' ? 1 : name.back() == '<' ? -1 : 0;
+      name.remove_suffix(1);
+    } while (depth > 0);
+  }
+  for (const char separator : {':', ' '}) {
+    if (const std::size_t at = name.rfind(separator); at != std::string_view::npos) name.remove_prefix(at + 1);
+  }
+  return std::string(name);
+}
 
 }  // namespace
 
@@ -108,23 +124,25 @@ Site Mutation::siteOf(Op op, const Where& where, const Desc& desc) {
   site.column = static_cast<std::uint16_t>(where.column());
   site.op = op;
   const std::string& name = files_[site.file];
-  if (name == "machine.hpp" || name == "args.hpp") site.ordinal = static_cast<std::uint8_t>(std::min(++visits_[site], mostVisits));
+  const auto [function, isNew] = functions_.try_emplace({site.file, site.line});
+  if (isNew) function->second = nameOfFunction(where.function_name());
+  const bool isShared = name == "machine.hpp" || name == "args.hpp";
+  if (isShared && function->second != "repeat") site.ordinal = static_cast<std::uint8_t>(std::min(++visits_[site], mostVisits));
   return site;
 }
 
 int Mutation::change(Op op, const Where& where) {
-  if (test_ < 0 && !isActive_) return 0;
+  if ((test_ < 0 && !isActive_) || isPaused_) return 0;
   const Desc* of = desc();
   if (of == nullptr || (isActive_ && (of->opcode != active_.site.opcode || op != active_.site.op))) return 0;
-  if (!isActive_ && std::string_view(where.function_name()).find("::walk(") != std::string_view::npos) return 0;
   const Site site = siteOf(op, where, *of);
   if (isActive_) return site == active_.site ? active_.change : 0;
-  if (op == Op::And && std::string_view(where.function_name()).find("::powerFlow(") != std::string_view::npos) powerFlow_.insert({site.line, site.column});
   sites_[site].insert(test_);
   return 0;
 }
 
 int Mutation::changeOfWhole(Op op, const Desc& desc) {
+  if (isPaused_) return 0;
   Site site;
   site.opcode = desc.opcode;
   site.op = op;

@@ -1,7 +1,8 @@
 // Mutants: changes to the meaning of one instruction, made while tests run. A site is a place in the text of a meaning
 // where an operation of the domain is asked for, seen from one mnemonic; a mutant is a site and one of the changes that
 // its operation knows ("add": "sub", "plus 1"). Sites in ir/machine.hpp and ir/args.hpp, which all instructions share,
-// also carry how many times the instruction has been there, so that operands and status bits are told apart.
+// also carry how many times the instruction has been there, so that operands and status bits are told apart (but for the
+// rounds of a loop).
 // The campaign (campaign.cpp) collects the sites that the manual's tests reach, then runs those tests on each mutant.
 #pragma once
 
@@ -54,10 +55,18 @@ class Mutation {
   /// Notes the sites that are reached, by test; -1 ends it.
   void recordInto(int test) { test_ = test; }
   void activate(const Mutant& mutant) { active_ = mutant; isActive_ = true; }
+  /// Switches the active mutant off and on, to see what the unchanged meaning does.
+  void pause(bool paused) { isPaused_ = paused; }
+  bool isActive() const { return isActive_; }
+  /// Some run has left another machine than the unchanged meaning would have.
+  bool outcomeDiffers = false;
   const std::map<Site, std::set<int>>& sites() const { return sites_; }
   const std::string& fileName(const Site& site) const { return files_[site.file]; }
-  /// Whether the site stands in Machine::powerFlow.
-  bool isPowerFlow(const Site& site) const { return powerFlow_.contains({site.line, site.column}) && fileName(site) == "machine.hpp"; }
+  /// The function that the site stands in: "powerFlow"; empty for Whole and Text.
+  std::string_view functionName(const Site& site) const {
+    const auto found = functions_.find({site.file, site.line});
+    return found == functions_.end() ? std::string_view{} : found->second;
+  }
 
   /// Machine::current of the machine that runs; nullptr when none does.
   void watch(const Instruction* const* current) { current_ = current; }
@@ -77,12 +86,13 @@ class Mutation {
 
   int test_ = -1;
   bool isActive_ = false;
+  bool isPaused_ = false;
   Mutant active_;
   const Instruction* const* current_ = nullptr;
   const Desc* timer_ = nullptr;
   std::map<Site, std::set<int>> sites_;
   std::map<Site, int> visits_;
-  std::set<std::pair<std::uint16_t, std::uint16_t>> powerFlow_;
+  std::map<std::pair<std::uint8_t, std::uint16_t>, std::string> functions_;  ///< by file and line
   std::vector<std::string> files_;
   std::map<const char*, std::uint8_t> fileNumbers_;
 };

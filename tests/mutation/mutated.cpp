@@ -11,18 +11,18 @@ std::uint64_t upTo(std::uint64_t v, int w) { return v & Concrete::mask(w); }
 }  // namespace
 
 Mutated::Bits Mutated::Store::load(Area area, std::uint32_t bitOffset, int width, Where at) const {
-  return inner_->load(area, bitOffset, width) ^ (change(Op::Load, at) != 0 ? 1U : 0U);
+  return inner_->load(area, bitOffset, width) ^ (change(Op::Load, at) != 0 ? Concrete::mask(width) : 0);
 }
 void Mutated::Store::save(Area area, std::uint32_t bitOffset, int width, Bits value, Bool guard, Where at) {
   const int c = change(Op::Save, at);
-  if (c != 1) inner_->save(area, bitOffset, width, c == 2 ? value ^ 1 : value, guard);
+  if (c != 1) inner_->save(area, bitOffset, width, c == 2 ? value ^ Concrete::mask(width) : value, guard);
 }
 Mutated::Bits Mutated::Store::get(Reg reg, std::uint32_t index, Where at) const {
-  return inner_->get(reg, index) ^ (change(Op::Get, at) != 0 ? 1U : 0U);
+  return inner_->get(reg, index) ^ (change(Op::Get, at) != 0 ? Concrete::mask(regInfo(reg).width) : 0);
 }
 void Mutated::Store::set(Reg reg, std::uint32_t index, Bits value, Bool guard, Where at) {
   const int c = change(Op::Set, at);
-  if (c != 1) inner_->set(reg, index, c == 2 ? value ^ 1 : value, guard);
+  if (c != 1) inner_->set(reg, index, c == 2 ? value ^ Concrete::mask(regInfo(reg).width) : value, guard);
 }
 bool Mutated::constant(bool v, Where at) const {
   return change(Op::Constant, at) == 1 ? !v : v;
@@ -114,11 +114,7 @@ Mutated::Bits Mutated::band(Bits a, Bits b, int, Where at) const {
   }
 }
 Mutated::Bits Mutated::bor(Bits a, Bits b, int, Where at) const {
-  switch (change(Op::BitOr, at)) {
-    case 1: return a & b;
-    case 2: return a ^ b;
-    default: return a | b;
-  }
+  return change(Op::BitOr, at) == 1 ? a & b : a | b;
 }
 Mutated::Bits Mutated::bxor(Bits a, Bits b, int, Where at) const {
   switch (change(Op::BitXor, at)) {
@@ -151,7 +147,7 @@ Mutated::Bits Mutated::lshr(Bits a, Bits n, int w, Where at) const {
 bool Mutated::equal(Bits a, Bits b, int, Where at) const {
   switch (change(Op::Equal, at)) {
     case 1: return a != b;
-    case 2: return a <= b;
+    case 2: return a >= b;
     default: return a == b;
   }
 }
@@ -256,7 +252,7 @@ Mutated::Bits Mutated::rfunction(std::uint64_t f, Bits a, Where at) const {
 bool Mutated::requal(Bits a, Bits b, Where at) const {
   switch (change(Op::RealEqual, at)) {
     case 1: return !plain_.requal(a, b);
-    case 2: return plain_.requal(a, b) || plain_.rless(a, b);
+    case 2: return plain_.requal(a, b) || plain_.rless(b, a);
     default: return plain_.requal(a, b);
   }
 }

@@ -39,8 +39,9 @@ bool changeText(Program& program) {
 template <class Run>
 Outcome withText(const Plan& plan, Run&& run) {
   Program copy = *plan.program;
-  if (!changeText(copy)) return run(plan);
-  return run(Plan(copy));
+  const Outcome outcome = changeText(copy) ? run(Plan(copy)) : run(plan);
+  Mutation::instance().watch(nullptr);
+  return outcome;
 }
 
 const auto watch = [](const auto& machine) { Mutation::instance().watch(&machine.current); };
@@ -48,21 +49,49 @@ const auto watch = [](const auto& machine) { Mutation::instance().watch(&machine
 }  // namespace
 
 Bench& Bench::run(bool asInterrupt, const Start& start) {
-  world.hazards.clear();
-  Mutated domain(world);
-  Mutated::Store state(store);
-  const Outcome outcome = withText(*plan_, [&](const Plan& plan) { return BenchRun::on(*this, plan, domain, state, asInterrupt, start, watch); });
-  Mutation::instance().watch(nullptr);
+  world.errors.clear();
+  const auto runOn = [&](World& outside, Concrete::Store& memory) {
+    Mutated domain(outside);
+    Mutated::Store state(memory);
+    return withText(*plan_, [&](const Plan& plan) { return BenchRun::on(*this, plan, domain, state, asInterrupt, start, watch); });
+  };
+  Mutation& mutation = Mutation::instance();
+  World otherWorld;
+  otherWorld.values = world.values;
+  Concrete::Store otherStore = store;
+  const Outcome outcome = runOn(world, store);
+  if (mutation.isActive() && !mutation.outcomeDiffers) {
+    mutation.pause(true);
+    const Outcome other = runOn(otherWorld, otherStore);
+    mutation.pause(false);
+    mutation.outcomeDiffers = !(other == outcome && otherStore == store && otherWorld.errors == world.errors);
+  }
   BenchRun::finish(*this, outcome, asInterrupt);
   return *this;
 }
 
 Plant& Plant::scan(int ten, int hundred) {
   PlantRun::begin(*this);
-  Mutated domain(outside);
-  Mutated::Store state(store);
-  const Outcome outcome = withText(*plan_, [&](const Plan& plan) { return PlantRun::on(*this, plan, domain, state, ten, hundred, watch); });
-  Mutation::instance().watch(nullptr);
+  const auto scanOn = [&](Surroundings& surroundings, Concrete::Store& memory) {
+    reached.clear();
+    Mutated domain(surroundings);
+    Mutated::Store state(memory);
+    return withText(*plan_, [&](const Plan& plan) { return PlantRun::on(*this, plan, domain, state, ten, hundred, watch); });
+  };
+  Mutation& mutation = Mutation::instance();
+  Surroundings otherOutside = outside;
+  Concrete::Store otherStore = store;
+  std::optional<Outcome> other;
+  if (mutation.isActive() && !mutation.outcomeDiffers) {
+    mutation.pause(true);
+    other = scanOn(otherOutside, otherStore);
+    mutation.pause(false);
+  }
+  const Outcome outcome = scanOn(outside, store);
+  if (other) {
+    mutation.outcomeDiffers =
+        !(*other == outcome && otherStore == store && otherOutside.errors == outside.errors && otherOutside.signals == outside.signals);
+  }
   PlantRun::finish(*this, outcome);
   return *this;
 }

@@ -29,6 +29,8 @@ class Recorder final : public testing::EmptyTestEventListener {
 /// Tests that reach a common site are tried a few at a time; most mutants fall in the first few.
 constexpr std::size_t atOnce = 8;
 
+constexpr int silent = 0, noticed = 1, unchecked = 77;  // exit codes
+
 bool someTestFails(const std::set<int>& tests, const std::vector<std::string>& names) {
   std::string filter;
   std::size_t count = 0;
@@ -56,7 +58,8 @@ std::vector<std::string> recordTests() {
   return names;
 }
 
-bool isNoticed(const Mutant& mutant, const std::set<int>& tests, const std::vector<std::string>& names) {
+Verdict tryMutant(const Mutant& mutant, const std::set<int>& tests, const std::vector<std::string>& names) {
+  std::fflush(stdout);
   const pid_t child = fork();
   CHECK(child >= 0, "fork");
   if (child == 0) {
@@ -64,15 +67,17 @@ bool isNoticed(const Mutant& mutant, const std::set<int>& tests, const std::vect
     setrlimit(RLIMIT_CPU, &seconds);
     setrlimit(RLIMIT_CORE, &noCore);
     const int nowhere = open("/dev/null", O_WRONLY);
-    dup2(nowhere, STDOUT_FILENO);
+    if (getenv("MUT_SHOW") == nullptr) dup2(nowhere, STDOUT_FILENO);
     dup2(nowhere, STDERR_FILENO);
     testing::GTEST_FLAG(fail_fast) = true;
     Mutation::instance().activate(mutant);
-    _exit(someTestFails(tests, names) ? 1 : 0);
+    const bool fails = someTestFails(tests, names);
+    _exit(fails ? noticed : Mutation::instance().outcomeDiffers ? unchecked : silent);
   }
   int status = 0;
   CHECK(waitpid(child, &status, 0) == child, "waitpid");
-  return !WIFEXITED(status) || WEXITSTATUS(status) != 0;
+  if (!WIFEXITED(status)) return Verdict::Noticed;
+  return WEXITSTATUS(status) == silent ? Verdict::Silent : WEXITSTATUS(status) == unchecked ? Verdict::Unchecked : Verdict::Noticed;
 }
 
 }  // namespace rungproof::mutation

@@ -14,7 +14,9 @@ namespace rungproof::mutation {
 /// empty when one of them fails.
 std::vector<std::string> recordTests();
 
-/// Whether one of these tests fails, aborts or does not end (2 s of processor time) on the mutant.
-bool isNoticed(const Mutant& mutant, const std::set<int>& tests, const std::vector<std::string>& names);
+/// What the tests say of a mutant. Noticed: one of them fails, aborts or does not end (2 s of processor time).
+/// Unchecked: some run ends otherwise than without the change, but no test looks there. Silent: no run ends otherwise.
+enum class Verdict { Noticed, Unchecked, Silent };
+Verdict tryMutant(const Mutant& mutant, const std::set<int>& tests, const std::vector<std::string>& names);
 
 }  // namespace rungproof::mutation
