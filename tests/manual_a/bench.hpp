@@ -87,7 +87,7 @@ struct World final : Outside {
     const auto found = values.find({site.kind, site.index});
     return found == values.end() ? 0 : found->second;
   }
-  void report(Hazard hazard, const Instruction*) override { errors.add(hazard); }
+  void report(Hazard hazard, const Instruction* place) override { errors.add(hazard, place); }
 };
 
 /// What a run leaves besides the store.

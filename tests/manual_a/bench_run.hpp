@@ -47,7 +47,6 @@ struct BenchRun {
     Start start{};
   };
 
-  static Program& program(Bench& bench) { return bench.program_; }
   static const Plan& plan(const Bench& bench) { return *bench.plan_; }
 
   /// `prepare` sees the machine before the run.
@@ -66,6 +65,7 @@ struct BenchRun {
   }
 
   static void finish(Bench& bench, const Outcome& outcome, bool asInterrupt) {
+    bench.world.errors.check(bench.store, bench.program_);
     bench.stack = outcome.stack;
     bench.halted = outcome.halted;
     if (!asInterrupt) bench.store.set(Reg::FirstScan, 0, 0, true);

@@ -45,7 +45,7 @@ struct Surroundings final : Outside {
     const auto found = values.find({site.kind, site.index});
     return found == values.end() ? 0 : found->second;
   }
-  void report(Hazard hazard, const Instruction*) override { errors.add(hazard); }
+  void report(Hazard hazard, const Instruction* place) override { errors.add(hazard, place); }
   void signal(Signal which, std::uint32_t index) override { signals.emplace_back(which, index); }
 };
 

@@ -67,11 +67,12 @@ struct PlantRun {
     });
   }
   static void begin(Plant& plant) {
-    plant.outside.errors.clear();
+    plant.outside.errors.begin(plant.store);
     plant.outside.signals.clear();
     plant.reached.clear();
   }
   static void finish(Plant& plant, const Outcome& outcome) {
+    plant.outside.errors.check(plant.store, plant.program_);
     plant.stack = outcome.stack;
     plant.halted = outcome.halted;
     plant.store.set(Reg::FirstScan, 0, 0, true);

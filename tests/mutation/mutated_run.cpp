@@ -49,7 +49,7 @@ const auto watch = [](const auto& machine) { Mutation::instance().watch(&machine
 }  // namespace
 
 Bench& Bench::run(bool asInterrupt, const Start& start) {
-  world.errors.clear();
+  world.errors.begin(store);
   const auto runOn = [&](World& outside, Concrete::Store& memory) {
     Mutated domain(outside);
     Mutated::Store state(memory);
