@@ -162,11 +162,11 @@ class Bench {
     setText(byte + 1, characters);
   }
   bool eno() {
-    world.hazards();
+    if (store.get(Reg::Eno, 0) == 0) world.hazards();  // the test knows of the error
     return store.get(Reg::Eno, 0) != 0;
   }
   bool errorBit() {
-    world.hazards();
+    if (value("SM4.3") != 0) world.hazards();
     return value("SM4.3") != 0;
   }
   std::uint64_t reg(Reg reg, std::uint32_t index = 0) { return store.get(reg, index); }

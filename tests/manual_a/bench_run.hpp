@@ -65,7 +65,7 @@ struct BenchRun {
   }
 
   static void finish(Bench& bench, const Outcome& outcome, bool asInterrupt) {
-    bench.world.errors.check(bench.store, bench.program_);
+    bench.world.errors.check(bench.store, bench.program_, outcome.halted);
     bench.stack = outcome.stack;
     bench.halted = outcome.halted;
     if (!asInterrupt) bench.store.set(Reg::FirstScan, 0, 0, true);

@@ -175,6 +175,58 @@ TEST(Compare, IllegalRealStopsTheCpuEvenWithoutPowerFlow) {
   }
 }
 
+TEST(Compare, OneIllegalRealIsEnough) {
+  for (const char* letter : {"LD", "A", "O"}) {
+    for (const Relation& relation : relations()) {
+      for (const char* operands : {" VD0, VD4", " VD4, VD0"}) {
+        const std::string line = std::string(letter) + "R" + relation.symbol + operands;
+        Bench bench({"LD I0.0", line});
+        bench.setReal("VD0", std::nanf(""));
+        bench.setReal("VD4", 1.0F);
+        bench.scan();
+        EXPECT_EQ(bench.world.hazards(), std::vector<Hazard>{Hazard::FatalReal}) << line;
+      }
+    }
+  }
+}
+
+TEST(Compare, StringsDifferInAnyPlace) {
+  struct Pair {
+    const char *left, *right;
+    bool equal;
+  };
+  for (const Pair& pair : std::vector<Pair>{{"", "", true}, {"A", "A", true}, {"A", "", false}, {"", "A", false}, {"AB", "A", false},
+                                            {"A", "AB", false}, {"B", "A", false}, {"A", "B", false}, {"ABCDEFGH", "ABCDEFGH", true},
+                                            {"XBCDEFGH", "ABCDEFGH", false}, {"ABXDEFGH", "ABCDEFGH", false}, {"ABCDXFGH", "ABCDEFGH", false},
+                                            {"ABCDEFXH", "ABCDEFGH", false}, {"ABCDEFGX", "ABCDEFGH", false}}) {
+    for (const auto& [symbol, holds] : std::vector<std::pair<std::string, bool>>{{"=", pair.equal}, {"<>", !pair.equal}}) {
+      expectJoint("S", symbol, "VB0, VB300", holds, [&](Bench& bench) {
+        bench.setString(0, pair.left);
+        bench.setString(300, pair.right);
+      });
+    }
+  }
+}
+
+TEST(Compare, EitherStringOutsideItsAreaStopsTheCpu) {
+  for (const char* mnemonic : {"LDS=", "LDS<>", "AS=", "AS<>", "OS=", "OS<>"}) {
+    for (const char* operands : {" VB10238, VB0", " VB0, VB10238"}) {
+      for (const int length : {1, 2}) {
+        Bench bench({"LD I0.0", std::string(mnemonic) + operands});
+        bench.set("VB10238", length);
+        EXPECT_EQ(bench.scan().met(Hazard::FatalRange), length == 2) << mnemonic << operands;
+      }
+    }
+    for (const char* operands : {" VB300, VB0", " VB0, VB300"}) {
+      for (const int length : {254, 255}) {
+        Bench bench({"LD I0.0", std::string(mnemonic) + operands});
+        bench.set("VB300", length);
+        EXPECT_EQ(bench.scan().met(Hazard::FatalRange), length == 255) << mnemonic << operands;
+      }
+    }
+  }
+}
+
 TEST(Compare, StringOutsideItsAreaStopsTheCpu) {
   // V of a CPU 222 ends at VB2047. A length byte of 255 is illegal as well.
   const Target cpu222{Cpu::Cpu222, Edition::Edition2004};

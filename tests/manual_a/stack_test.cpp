@@ -104,6 +104,16 @@ TEST(Stack, ImmediateContactsReadTheTerminalNotTheImage) {
   EXPECT_EQ(pushesNot.scanWithStack(iv).stack, (Levels{true, true, false, true}));
 }
 
+TEST(Stack, WhatOnlyChangesTheTopLeavesTheOtherLevels) {
+  for (const char* line : {"AI I0.0", "ANI I0.0", "OI I0.0", "ONI I0.0", "EU", "ED", "NOT", "AENO", "AB= 1, 2", "OW> VW0, 1", "AR< VD0, 1.0"}) {
+    forEveryStack([&](const Levels& iv) {
+      Levels result = after(line, iv);
+      result[0] = iv[0];
+      EXPECT_EQ(result, iv) << line;
+    });
+  }
+}
+
 TEST(Stack, AenoReadsTheEnoBit) {
   // ITB of 300 fails, of 200 succeeds (001:3485).
   for (const int value : {200, 300}) {

@@ -29,7 +29,7 @@ struct PlantRun {
     template <class S>
     void freshLocal(S& scan, unsigned frame, std::uint32_t byte) {
       auto& m = scan.machine();
-      m.store.save(Area::L, (frame * 64 + byte) * 8, 8, m.number(plant.freshLocal, 8), m.guard);
+      m.store.save(Area::L, (frame * 64 + byte) * 8, 8, m.d.literal(plant.freshLocal, 8), m.guard);
     }
   };
 
@@ -72,7 +72,7 @@ struct PlantRun {
     plant.reached.clear();
   }
   static void finish(Plant& plant, const Outcome& outcome) {
-    plant.outside.errors.check(plant.store, plant.program_);
+    plant.outside.errors.check(plant.store, plant.program_, outcome.halted);
     plant.stack = outcome.stack;
     plant.halted = outcome.halted;
     plant.store.set(Reg::FirstScan, 0, 0, true);

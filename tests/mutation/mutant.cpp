@@ -72,7 +72,7 @@ const OpInfo& infoOf(Op op) {
   return table[static_cast<std::size_t>(op)];
 }
 
-constexpr int mostVisits = 15;
+constexpr int mostVisits = 5;
 
 /// "void rungproof::Machine<D>::when(Bool, Body&&) [with D = ...]": "when".
 std::string nameOfFunction(std::string_view signature) {
@@ -113,7 +113,9 @@ std::uint8_t Mutation::fileOf(const char* path) {
 
 const Desc* Mutation::desc() const {
   if (timer_ != nullptr) return timer_;
-  return current_ == nullptr || *current_ == nullptr ? nullptr : (*current_)->desc;
+  if (running_.current == nullptr || *running_.current == nullptr) return nullptr;
+  const bool isRestoring = *running_.frame == 9 && !*running_.inInterrupt;  // after the routine's last instruction
+  return isRestoring ? nullptr : (*running_.current)->desc;
 }
 
 Site Mutation::siteOf(Op op, const Where& where, const Desc& desc) {
@@ -127,7 +129,9 @@ Site Mutation::siteOf(Op op, const Where& where, const Desc& desc) {
   const auto [function, isNew] = functions_.try_emplace({site.file, site.line});
   if (isNew) function->second = nameOfFunction(where.function_name());
   const bool isShared = name == "machine.hpp" || name == "args.hpp";
-  if (isShared && function->second != "repeat") site.ordinal = static_cast<std::uint8_t>(std::min(++visits_[site], mostVisits));
+  if (isShared && function->second != "repeat" && !function->second.ends_with("Text")) {
+    site.ordinal = static_cast<std::uint8_t>(std::min(++visits_[site], mostVisits));
+  }
   return site;
 }
 

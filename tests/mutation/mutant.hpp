@@ -1,8 +1,8 @@
 // Mutants: changes to the meaning of one instruction, made while tests run. A site is a place in the text of a meaning
 // where an operation of the domain is asked for, seen from one mnemonic; a mutant is a site and one of the changes that
 // its operation knows ("add": "sub", "plus 1"). Sites in ir/machine.hpp and ir/args.hpp, which all instructions share,
-// also carry how many times the instruction has been there, so that operands and status bits are told apart (but for the
-// rounds of a loop).
+// also carry how many times the instruction has been there, so that operands and status bits are told apart (the
+// rounds of a loop are not, nor what comes after the fifth visit).
 // The campaign (campaign.cpp) collects the sites that the manual's tests reach, then runs those tests on each mutant.
 #pragma once
 
@@ -68,8 +68,13 @@ class Mutation {
     return found == functions_.end() ? std::string_view{} : found->second;
   }
 
-  /// Machine::current of the machine that runs; nullptr when none does.
-  void watch(const Instruction* const* current) { current_ = current; }
+  /// The machine that runs: its current instruction, its frame of local memory, and whether it is in an interrupt routine.
+  struct Running {
+    const Instruction* const* current = nullptr;
+    const unsigned* frame = nullptr;
+    const bool* inInterrupt = nullptr;
+  };
+  void watch(const Running& running) { running_ = running; }
   void beginInstruction() { visits_.clear(); }
   /// The timer whose time is passing outside its instruction.
   void advances(const Desc* timer) { timer_ = timer; visits_.clear(); }
@@ -88,7 +93,7 @@ class Mutation {
   bool isActive_ = false;
   bool isPaused_ = false;
   Mutant active_;
-  const Instruction* const* current_ = nullptr;
+  Running running_;
   const Desc* timer_ = nullptr;
   std::map<Site, std::set<int>> sites_;
   std::map<Site, int> visits_;

@@ -40,11 +40,11 @@ template <class Run>
 Outcome withText(const Plan& plan, Run&& run) {
   Program copy = *plan.program;
   const Outcome outcome = changeText(copy) ? run(Plan(copy)) : run(plan);
-  Mutation::instance().watch(nullptr);
+  Mutation::instance().watch({});
   return outcome;
 }
 
-const auto watch = [](const auto& machine) { Mutation::instance().watch(&machine.current); };
+const auto watch = [](const auto& machine) { Mutation::instance().watch({&machine.current, &machine.frame, &machine.inInterrupt}); };
 
 }  // namespace
 
@@ -102,7 +102,7 @@ void Plant::refresh(int resolution, int count) {
   Machine<Mutated> machine(domain, state, *plan_, choices);
   watch(machine);
   PlantRun::refresh(*this, machine, resolution, count);
-  Mutation::instance().watch(nullptr);
+  Mutation::instance().watch({});
 }
 
 }  // namespace rungproof::manual
