@@ -1,5 +1,6 @@
 // A run of the bench: on plain numbers, then on the blurred domain; both must leave the same machine behind.
 #include "bench_run.hpp"
+
 #include "blurred.hpp"
 
 namespace rungproof::manual {

@@ -180,11 +180,12 @@ TEST(Compare, OneIllegalRealIsEnough) {
     for (const Relation& relation : relations()) {
       for (const char* operands : {" VD0, VD4", " VD4, VD0"}) {
         const std::string line = std::string(letter) + "R" + relation.symbol + operands;
-        Bench bench({"LD I0.0", line});
+        Bench bench({"LD I0.0", line, "LD SM0.0", "= Q0.0"});
         bench.setReal("VD0", std::nanf(""));
         bench.setReal("VD4", 1.0F);
         bench.scan();
         EXPECT_EQ(bench.world.hazards(), std::vector<Hazard>{Hazard::FatalReal}) << line;
+        EXPECT_EQ(bench.value("Q0.0"), 0U) << "the program has ended";
       }
     }
   }
@@ -208,13 +209,27 @@ TEST(Compare, StringsDifferInAnyPlace) {
   }
 }
 
+TEST(Compare, StringsEndWithTheirLength) {
+  // What lies in memory behind the shorter string continues the longer one: the lengths alone tell them apart.
+  for (const char* operands : {"VB0, VB300", "VB300, VB0"}) {
+    for (const auto& [symbol, holds] : std::vector<std::pair<std::string, bool>>{{"=", false}, {"<>", true}}) {
+      expectJoint("S", symbol, operands, holds, [&](Bench& bench) {
+        bench.setString(0, "AB");
+        bench.setString(300, "A");
+        bench.setText(302, "B");
+      });
+    }
+  }
+}
+
 TEST(Compare, EitherStringOutsideItsAreaStopsTheCpu) {
   for (const char* mnemonic : {"LDS=", "LDS<>", "AS=", "AS<>", "OS=", "OS<>"}) {
     for (const char* operands : {" VB10238, VB0", " VB0, VB10238"}) {
       for (const int length : {1, 2}) {
-        Bench bench({"LD I0.0", std::string(mnemonic) + operands});
+        Bench bench({"LD I0.0", std::string(mnemonic) + operands, "LD SM0.0", "= Q0.0"});
         bench.set("VB10238", length);
         EXPECT_EQ(bench.scan().met(Hazard::FatalRange), length == 2) << mnemonic << operands;
+        EXPECT_EQ(bench.value("Q0.0"), length == 2 ? 0U : 1U) << "ends the program";
       }
     }
     for (const char* operands : {" VB300, VB0", " VB0, VB300"}) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "engine/concrete.hpp"
@@ -25,9 +26,11 @@ class ErrorLog {
   }
   /// After it.
   void check(const Concrete::Store& store, const Program& program, bool halted) const {
-    const bool isFatal = std::any_of(list_.begin(), list_.end(), [](Hazard h) { return hazardInfo(h).kind == HazardClass::Fatal; });
+    const bool isFatal =
+        std::any_of(list_.begin(), list_.end(), [](Hazard h) { return hazardInfo(h).kind == HazardClass::Fatal; });
     EXPECT_TRUE(halted || !isFatal) << "a fatal error ends the program";
-    const bool sets = std::any_of(list_.begin(), list_.end(), [](Hazard h) { return hazardInfo(h).kind == HazardClass::NonFatal; });
+    const bool sets =
+        std::any_of(list_.begin(), list_.end(), [](Hazard h) { return hazardInfo(h).kind == HazardClass::NonFatal; });
     EXPECT_EQ(errorBit(store), sets || errorBitBefore_) << "SM4.3";
     if (list_.empty() || place_ == nullptr || !place_->desc->eno) return;
     bool isLastBox = false;  // of a program without other blocks
@@ -48,7 +51,8 @@ class ErrorLog {
   /// Forgets all; fails the running test if there were errors that nobody asked about.
   void clear() {
     if (!asked_) {
-      for (const Hazard hazard : list_) ADD_FAILURE() << "an error that the test does not expect: " << hazardInfo(hazard).code;
+      for (const Hazard hazard : list_)
+        ADD_FAILURE() << "an error that the test does not expect: " << hazardInfo(hazard).code;
     }
     list_.clear();
     asked_ = false;

@@ -50,7 +50,8 @@ TEST(Border, BlocksAtTheEndOfV) {
       {"BMD VD0, VD100, VB50", "VD0=1", ""},
       {"BMW VW0, VW100, VB50", "VW0=1", "", "0091", "block-move-zero=error"},
       {"BMD VD0, VD100, VB50", "VD0=1", "", "0091", "block-move-zero=error"},
-      {"BMB VB0, VB100, 7", "VB0=1 VB1=2 VB2=3 VB3=4 VB4=5 VB5=6 VB6=7 VB7=8", "VB100=1 VB101=2 VB102=3 VB103=4 VB104=5 VB105=6 VB106=7"},
+      {"BMB VB0, VB100, 7", "VB0=1 VB1=2 VB2=3 VB3=4 VB4=5 VB5=6 VB6=7 VB7=8",
+       "VB100=1 VB101=2 VB102=3 VB103=4 VB104=5 VB105=6 VB106=7"},
       {"FILL 5, VW10236, 2", "", "VW10236=5 VW10238=5"},
       {"FILL 5, VW10238, 2", "", "", "0091"},
       {"FILL 5, VW0, 6", "", "VW0=5 VW2=5 VW4=5 VW6=5 VW8=5 VW10=5"},
@@ -81,7 +82,8 @@ TEST(Border, FindFromEveryStart) {
   const std::string table = "VW0=6 VW2=4 VW4=-4 VW6=5 VW8=3 VW10=5 VW12=4 ";
   const auto finds = [&](const std::string& statement, const std::vector<int>& found) {
     for (std::size_t start = 0; start < found.size(); ++start) {
-      check(Example{statement + ", VW400", table + "VW400=" + std::to_string(start), "VW400=" + std::to_string(found[start])});
+      check(Example{statement + ", VW400", table + "VW400=" + std::to_string(start),
+                    "VW400=" + std::to_string(found[start])});
     }
   };
   finds("FND= VW0, 5", {2, 2, 2, 4, 4, 6, 6});
@@ -89,7 +91,8 @@ TEST(Border, FindFromEveryStart) {
   finds("FND< VW0, 4", {1, 1, 3, 3, 6, 6, 6});
   finds("FND> VW0, 4", {2, 2, 2, 4, 4, 6, 6});
   for (const char* statement : {"FND= VW0, 5", "FND<> VW0, 5", "FND< VW0, 4", "FND> VW0, 4"}) {
-    check({{std::string(statement) + ", VW400", "VW0=101 VW2=5", "", "0091"}, {std::string(statement) + ", VW400", "VW0=0 VW400=0", ""}});
+    check({{std::string(statement) + ", VW400", "VW0=101 VW2=5", "", "0091"},
+           {std::string(statement) + ", VW400", "VW0=0 VW400=0", ""}});
   }
 }
 

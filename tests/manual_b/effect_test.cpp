@@ -1,5 +1,5 @@
-// Effects beside the result: what an instruction tells the devices, ENO after success, and signed numbers that a program
-// has written into timers and counters.
+// Effects beside the result: what an instruction tells the devices, ENO after success, and signed numbers that a
+// program has written into timers and counters.
 #include "plant.hpp"
 
 namespace rungproof::manual {
@@ -49,8 +49,9 @@ TEST(Effect, DevicesAreToldOnceAndOnlyWithPowerFlow) {
 
 TEST(Effect, EnoIsOneAfterSuccess) {
   // 001:2276-2278.
-  for (const char* statement : {"SI Q0.0, 1", "RI Q0.0, 1", "SPA 5, 0", "GPA VB0, 0", "ROUND VD0, VD4", "TRUNC VD0, VD4", "SCAT VB0, VB100",
-                                "BIR IB0, VB0", "BIW VB0, QB0", "CALL 1", "S Q0.0, 1", "R Q0.0, 1", "FOR VW0, 1, 2; NEXT", "DTR VD0, VD4"}) {
+  for (const char* statement :
+       {"SI Q0.0, 1", "RI Q0.0, 1", "SPA 5, 0", "GPA VB0, 0", "ROUND VD0, VD4", "TRUNC VD0, VD4", "SCAT VB0, VB100",
+        "BIR IB0, VB0", "BIW VB0, QB0", "CALL 1", "S Q0.0, 1", "R Q0.0, 1", "FOR VW0, 1, 2; NEXT", "DTR VD0, VD4"}) {
     Plant plant({{PouKind::Main, 0, std::string("LD SM0.0; ") + statement}, {PouKind::Subroutine, 1, "NOP 0"}});
     EXPECT_EQ(plant.scan().value("ENO[0]"), 1U) << statement;
     EXPECT_TRUE(plant.outside.hazards().empty()) << statement;

@@ -1,5 +1,6 @@
 // A scan of the plant: on the blurred domain, then on plain numbers; both must leave the same machine behind.
 #include "plant_run.hpp"
+
 #include "tests/manual_a/blurred.hpp"
 
 namespace rungproof::manual {

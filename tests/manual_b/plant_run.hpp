@@ -15,7 +15,8 @@ struct PlantRun {
     template <class S>
     void before(S& scan, const FlowStep& step) {
       auto& m = scan.machine();
-      if (const auto passed = plant.ms.find(step.instruction->id); passed != plant.ms.end()) refresh(plant, m, 1, passed->second);
+      if (const auto passed = plant.ms.find(step.instruction->id); passed != plant.ms.end())
+        refresh(plant, m, 1, passed->second);
       const auto routine = plant.interruptBefore.find(step.instruction->id);
       if (routine != plant.interruptBefore.end() && !m.inInterrupt) {
         m.current = nullptr;
@@ -37,7 +38,8 @@ struct PlantRun {
 
   /// `prepare` sees the machine before the scan.
   template <class D, class Prepare>
-  static Outcome on(Plant& plant, const Plan& plan, D& domain, typename D::Store& state, int ten, int hundred, Prepare&& prepare) {
+  static Outcome on(Plant& plant, const Plan& plan, D& domain, typename D::Store& state, int ten, int hundred,
+                    Prepare&& prepare) {
     Machine<D> machine(domain, state, plan, plant.choices);
     prepare(machine);
     machine.ticks100 = machine.number(static_cast<std::uint64_t>(hundred), 16);
@@ -55,16 +57,18 @@ struct PlantRun {
     }
     std::size_t next = 0;
     const auto advances = [&] {
-      if constexpr (requires { machine.d.advances(nullptr); }) machine.d.advances(next < order.size() ? order[next++] : nullptr);
+      if constexpr (requires { machine.d.advances(nullptr); })
+        machine.d.advances(next < order.size() ? order[next++] : nullptr);
     };
     advances();
-    refreshTimers(machine, resolution, machine.number(static_cast<std::uint64_t>(count), 16), [&](const TimerUse& use, auto now) {
-      advances();
-      if constexpr (std::same_as<decltype(now), bool>)
-        plant.reached.emplace_back(use.number, now);
-      else
-        plant.reached.emplace_back(use.number, now.v);
-    });
+    refreshTimers(machine, resolution, machine.number(static_cast<std::uint64_t>(count), 16),
+                  [&](const TimerUse& use, auto now) {
+                    advances();
+                    if constexpr (std::same_as<decltype(now), bool>)
+                      plant.reached.emplace_back(use.number, now);
+                    else
+                      plant.reached.emplace_back(use.number, now.v);
+                  });
   }
   static void begin(Plant& plant) {
     plant.outside.errors.begin(plant.store);

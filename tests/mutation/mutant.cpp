@@ -66,7 +66,8 @@ const OpInfo& infoOf(Op op) {
       {"external", {"lowest bit inverted"}},
       {"report", {"left out"}},
       {"signal", {"left out", "next index"}},
-      {"instruction", {"does nothing", "top inverted after it", "second level inverted after it", "third level inverted after it"}},
+      {"instruction",
+       {"does nothing", "top inverted after it", "second level inverted after it", "third level inverted after it"}},
       {"text", {"removed", "one place later", "one place earlier"}},
   }};
   return table[static_cast<std::size_t>(op)];

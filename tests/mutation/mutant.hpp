@@ -23,10 +23,58 @@ using Where = std::source_location;
 
 /// Operations that can be changed. Whole is the instruction itself, Text its place in the program.
 enum class Op : std::uint8_t {
-  Constant, Not, And, Or, Xor, SelectBool, Literal, Add, Sub, Mul, UDiv, URem, SDiv, SRem, BitAnd, BitOr, BitXor, BitNot,
-  ShiftLeft, ShiftRight, Equal, ULess, ULessEqual, SLess, SLessEqual, Select, ZeroExtend, SignExtend, Extract, Concat, Bit,
-  FromBool, RealAdd, RealSub, RealMul, RealDiv, RealFunction, RealEqual, RealLess, RealLegal, RealFromInt, RealToInt,
-  Load, Save, Get, Set, External, Report, Signal, Whole, Text, count
+  Constant,
+  Not,
+  And,
+  Or,
+  Xor,
+  SelectBool,
+  Literal,
+  Add,
+  Sub,
+  Mul,
+  UDiv,
+  URem,
+  SDiv,
+  SRem,
+  BitAnd,
+  BitOr,
+  BitXor,
+  BitNot,
+  ShiftLeft,
+  ShiftRight,
+  Equal,
+  ULess,
+  ULessEqual,
+  SLess,
+  SLessEqual,
+  Select,
+  ZeroExtend,
+  SignExtend,
+  Extract,
+  Concat,
+  Bit,
+  FromBool,
+  RealAdd,
+  RealSub,
+  RealMul,
+  RealDiv,
+  RealFunction,
+  RealEqual,
+  RealLess,
+  RealLegal,
+  RealFromInt,
+  RealToInt,
+  Load,
+  Save,
+  Get,
+  Set,
+  External,
+  Report,
+  Signal,
+  Whole,
+  Text,
+  count
 };
 std::string_view opName(Op op);
 /// Names of the changes; change k of a mutant is number k + 1 for the domain.
@@ -54,7 +102,10 @@ class Mutation {
 
   /// Notes the sites that are reached, by test; -1 ends it.
   void recordInto(int test) { test_ = test; }
-  void activate(const Mutant& mutant) { active_ = mutant; isActive_ = true; }
+  void activate(const Mutant& mutant) {
+    active_ = mutant;
+    isActive_ = true;
+  }
   /// Switches the active mutant off and on, to see what the unchanged meaning does.
   void pause(bool paused) { isPaused_ = paused; }
   bool isActive() const { return isActive_; }
@@ -68,7 +119,8 @@ class Mutation {
     return found == functions_.end() ? std::string_view{} : found->second;
   }
 
-  /// The machine that runs: its current instruction, its frame of local memory, and whether it is in an interrupt routine.
+  /// The machine that runs: its current instruction, its frame of local memory, and whether it is in an interrupt
+  /// routine.
   struct Running {
     const Instruction* const* current = nullptr;
     const unsigned* frame = nullptr;
@@ -77,7 +129,10 @@ class Mutation {
   void watch(const Running& running) { running_ = running; }
   void beginInstruction() { visits_.clear(); }
   /// The timer whose time is passing outside its instruction.
-  void advances(const Desc* timer) { timer_ = timer; visits_.clear(); }
+  void advances(const Desc* timer) {
+    timer_ = timer;
+    visits_.clear();
+  }
 
   /// 0: as the text says; k: change number k.
   int change(Op op, const Where& where);

@@ -24,12 +24,8 @@ void Mutated::Store::set(Reg reg, std::uint32_t index, Bits value, Bool guard, W
   const int c = change(Op::Set, at);
   if (c != 1) inner_->set(reg, index, c == 2 ? value ^ Concrete::mask(regInfo(reg).width) : value, guard);
 }
-bool Mutated::constant(bool v, Where at) const {
-  return change(Op::Constant, at) == 1 ? !v : v;
-}
-bool Mutated::lnot(bool a, Where at) const {
-  return change(Op::Not, at) == 1 ? a : !a;
-}
+bool Mutated::constant(bool v, Where at) const { return change(Op::Constant, at) == 1 ? !v : v; }
+bool Mutated::lnot(bool a, Where at) const { return change(Op::Not, at) == 1 ? a : !a; }
 bool Mutated::land(bool a, bool b, Where at) const {
   switch (change(Op::And, at)) {
     case 1: return !(a && b);
@@ -113,9 +109,7 @@ Mutated::Bits Mutated::band(Bits a, Bits b, int, Where at) const {
     default: return a & b;
   }
 }
-Mutated::Bits Mutated::bor(Bits a, Bits b, int, Where at) const {
-  return change(Op::BitOr, at) == 1 ? a & b : a | b;
-}
+Mutated::Bits Mutated::bor(Bits a, Bits b, int, Where at) const { return change(Op::BitOr, at) == 1 ? a & b : a | b; }
 Mutated::Bits Mutated::bxor(Bits a, Bits b, int, Where at) const {
   switch (change(Op::BitXor, at)) {
     case 1: return a | b;
@@ -184,9 +178,7 @@ bool Mutated::sle(Bits a, Bits b, int w, Where at) const {
 Mutated::Bits Mutated::select(bool c, Bits a, Bits b, int, Where at) const {
   return change(Op::Select, at) == 1 ? c ? b : a : c ? a : b;
 }
-Mutated::Bits Mutated::zext(Bits a, int, int, Where at) const {
-  return change(Op::ZeroExtend, at) == 1 ? a ^ 1 : a;
-}
+Mutated::Bits Mutated::zext(Bits a, int, int, Where at) const { return change(Op::ZeroExtend, at) == 1 ? a ^ 1 : a; }
 Mutated::Bits Mutated::sext(Bits a, int from, int to, Where at) const {
   switch (change(Op::SignExtend, at)) {
     case 1: return a;

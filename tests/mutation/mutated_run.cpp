@@ -1,5 +1,7 @@
 // What a run of the bench and a scan of the plant are in this program: the meanings on the mutated domain, and, for
 // control instructions, a changed text.
+#include <optional>
+
 #include "tests/manual_a/bench_run.hpp"
 #include "tests/manual_b/plant_run.hpp"
 #include "tests/mutation/mutated.hpp"
@@ -44,7 +46,9 @@ Outcome withText(const Plan& plan, Run&& run) {
   return outcome;
 }
 
-const auto watch = [](const auto& machine) { Mutation::instance().watch({&machine.current, &machine.frame, &machine.inInterrupt}); };
+const auto watch = [](const auto& machine) {
+  Mutation::instance().watch({&machine.current, &machine.frame, &machine.inInterrupt});
+};
 
 }  // namespace
 
@@ -53,7 +57,8 @@ Bench& Bench::run(bool asInterrupt, const Start& start) {
   const auto runOn = [&](World& outside, Concrete::Store& memory) {
     Mutated domain(outside);
     Mutated::Store state(memory);
-    return withText(*plan_, [&](const Plan& plan) { return BenchRun::on(*this, plan, domain, state, asInterrupt, start, watch); });
+    return withText(
+        *plan_, [&](const Plan& plan) { return BenchRun::on(*this, plan, domain, state, asInterrupt, start, watch); });
   };
   Mutation& mutation = Mutation::instance();
   World otherWorld;
@@ -76,7 +81,8 @@ Plant& Plant::scan(int ten, int hundred) {
     reached.clear();
     Mutated domain(surroundings);
     Mutated::Store state(memory);
-    return withText(*plan_, [&](const Plan& plan) { return PlantRun::on(*this, plan, domain, state, ten, hundred, watch); });
+    return withText(*plan_,
+                    [&](const Plan& plan) { return PlantRun::on(*this, plan, domain, state, ten, hundred, watch); });
   };
   Mutation& mutation = Mutation::instance();
   Surroundings otherOutside = outside;
@@ -89,8 +95,8 @@ Plant& Plant::scan(int ten, int hundred) {
   }
   const Outcome outcome = scanOn(outside, store);
   if (other) {
-    mutation.outcomeDiffers =
-        !(*other == outcome && otherStore == store && otherOutside.errors == outside.errors && otherOutside.signals == outside.signals);
+    mutation.outcomeDiffers = !(*other == outcome && otherStore == store && otherOutside.errors == outside.errors &&
+                                otherOutside.signals == outside.signals);
   }
   PlantRun::finish(*this, outcome);
   return *this;

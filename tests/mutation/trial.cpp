@@ -67,7 +67,7 @@ Verdict tryMutant(const Mutant& mutant, const std::set<int>& tests, const std::v
     setrlimit(RLIMIT_CPU, &seconds);
     setrlimit(RLIMIT_CORE, &noCore);
     const int nowhere = open("/dev/null", O_WRONLY);
-    if (getenv("MUT_SHOW") == nullptr) dup2(nowhere, STDOUT_FILENO);
+    dup2(nowhere, STDOUT_FILENO);
     dup2(nowhere, STDERR_FILENO);
     testing::GTEST_FLAG(fail_fast) = true;
     Mutation::instance().activate(mutant);
@@ -77,7 +77,9 @@ Verdict tryMutant(const Mutant& mutant, const std::set<int>& tests, const std::v
   int status = 0;
   CHECK(waitpid(child, &status, 0) == child, "waitpid");
   if (!WIFEXITED(status)) return Verdict::Noticed;
-  return WEXITSTATUS(status) == silent ? Verdict::Silent : WEXITSTATUS(status) == unchecked ? Verdict::Unchecked : Verdict::Noticed;
+  return WEXITSTATUS(status) == silent      ? Verdict::Silent
+         : WEXITSTATUS(status) == unchecked ? Verdict::Unchecked
+                                            : Verdict::Noticed;
 }
 
 }  // namespace rungproof::mutation
