@@ -121,7 +121,7 @@ TEST(Corpus, OwesNoMoreThanIsStated) {
   }
   EXPECT_LE(open, mostOpen);
   EXPECT_GE(declared, 120U);
-  EXPECT_GE(refuted, 20U);
+  EXPECT_GE(refuted * 3, declared) << refuted << " of " << declared << " are violated or unreachable";
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, CorpusProgram, testing::ValuesIn(programs()), [](const testing::TestParamInfo<fs::path>& info) {

@@ -14,6 +14,6 @@ struct MeasuredProof {
 };
 
 /// Runs `prove` with these options; the least CPU time of `runs` runs.
-MeasuredProof measureProof(const std::string& program, const std::vector<std::string>& options = {}, int runs = 3);
+MeasuredProof measureProof(const std::string& program, const std::vector<std::string>& options = {}, int runs = 2);
 
 }  // namespace rungproof
