@@ -1,42 +1,13 @@
-// Obligations of certificates as text, and their check by Z3's own reader and solver.
+// Obligations of certificates as text.
 #include "analysis/certificate.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <z3++.h>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 
 namespace rungproof {
-
-namespace {
-
-constexpr double quickSeconds = 0.3;  ///< for a plain strategy that starts fast, before Z3's own for QF_BV
-
-z3::solver quickSolver(z3::context& context) {
-  const auto step = [&](const char* name) { return z3::tactic(context, name); };
-  return (step("simplify") & step("propagate-values") & step("solve-eqs") & step("simplify") & step("bit-blast") & step("simplify") & step("smt")).mk_solver();
-}
-
-CheckResult checkFormula(z3::context& context, const z3::expr& formula, double seconds) {
-  for (const bool quick : {true, false}) {
-    const double limit = quick ? std::min(seconds, quickSeconds) : seconds;
-    if (limit <= 0) return CheckResult::Unknown;
-    z3::solver solver = quick ? quickSolver(context) : z3::solver(context, "QF_BV");
-    z3::params params(context);
-    params.set("timeout", static_cast<unsigned>(std::max(1.0, limit * 1000)));
-    solver.set(params);
-    solver.add(formula);
-    const z3::check_result result = solver.check();
-    if (result == z3::unsat) return CheckResult::Valid;
-    if (result == z3::sat) return CheckResult::Invalid;
-  }
-  return CheckResult::Unknown;
-}
-
-}  // namespace
 
 void CertificateWriter::oblige(const char* name, const Terms& terms) {
   obligations_.push_back({questions_.size() - 1, name, fmt::format("(and true true {})", fmt::join(terms, " "))});
@@ -163,27 +134,16 @@ std::string CertificateWriter::text() const {
   return text;
 }
 
-std::vector<CheckResult> CertificateWriter::check(double seconds) const {
-  std::vector<CheckResult> results(questions_.size(), CheckResult::Valid);
+std::string CertificateWriter::formulas() const {
   std::string text = theorems_ + smt_.text();
   for (const Obligation& o : obligations_) text += fmt::format("(assert {})\n", o.formula);
-  try {
-    z3::context context;
-    const z3::expr_vector formulas = context.parse_string(text.c_str());
-    if (formulas.size() != obligations_.size()) return std::vector<CheckResult>(questions_.size(), CheckResult::Unknown);
-    std::vector<double> left(questions_.size(), seconds);
-    for (unsigned i = 0; i < formulas.size(); ++i) {
-      const std::size_t c = obligations_[i].certificate;
-      if (results[c] == CheckResult::Invalid) continue;
-      const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
-      const CheckResult one = checkFormula(context, formulas[static_cast<int>(i)], left[c]);
-      left[c] -= std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-      if (one != CheckResult::Valid) results[c] = one;
-    }
-  } catch (const z3::exception&) {
-    return std::vector<CheckResult>(questions_.size(), CheckResult::Unknown);
-  }
-  return results;
+  return text;
+}
+
+std::vector<CheckResult> CertificateWriter::check(const CheckLimits& limits) const {
+  std::vector<std::size_t> owners;
+  for (const Obligation& o : obligations_) owners.push_back(o.certificate);
+  return checkApart(formulas(), owners, questions_.size(), limits);
 }
 
 }  // namespace rungproof

@@ -1,12 +1,13 @@
 // Certificates over the original transition system: an inductive invariant in its own terms, written as SMT-LIB 2
 // that any solver of QF_BV can check without knowing this program. The check in process reads the same text with
-// Z3, so it is independent of bit-blasting and of the engines. Tested by tests/solver/certificate_test.cpp.
+// Z3, so it is independent of bit-blasting and of the engines. Tested by tests/certificate.
 #pragma once
 
 #include <string>
 #include <unordered_map>
 #include <vector>
 
+#include "analysis/certificate_check.hpp"
 #include "analysis/smt_text.hpp"
 
 namespace rungproof {
@@ -42,8 +43,6 @@ struct WordCertificate {
   std::vector<KeptDifference> differences;  ///< used in the step from I to I; each is an obligation of its own
 };
 
-enum class CheckResult : std::uint8_t { Valid, Invalid, Unknown };  ///< Unknown: not within the time
-
 /// The obligations of one certificate or several, over shared declarations and definitions.
 class CertificateWriter {
  public:
@@ -51,9 +50,8 @@ class CertificateWriter {
   void add(const Question& question, const WordCertificate& certificate);
   /// A self-contained file: each obligation between push and pop, with the expected answer unsat.
   std::string text() const;
-  /// Checks the obligations with Z3, as their text says. By certificate, in the order of add(). `seconds`: for each
-  /// certificate.
-  std::vector<CheckResult> check(double seconds) const;
+  /// Checks the obligations with Z3, as their text says. By certificate, in the order of add().
+  std::vector<CheckResult> check(const CheckLimits& limits) const;
 
  private:
   struct Obligation {
@@ -61,6 +59,7 @@ class CertificateWriter {
     std::string name;     ///< "initiation", "consecution", "base", "safety"
     std::string formula;  ///< must be unsatisfiable
   };
+  std::string formulas() const;
   using Terms = std::vector<std::string>;
   void oblige(const char* name, const Terms& terms);
   std::string notAll(const std::vector<Node>& nodes, int frame);

@@ -39,6 +39,8 @@ struct EncoderOptions {
   bool interrupts = true;
   int loopLimit = 256;            ///< rounds of a backward jump that are followed
   std::size_t stepLimit = 50000;  ///< instructions of one scan, loops unrolled, after which no loop is followed further
+  /// Asked now and then while the program is encoded; throws whatever shall end it (proof_watch.hpp).
+  std::function<void()> interruption;
   /// Called in front of every instruction that may run, for properties that hold at every instruction.
   std::function<void(Machine<Graph>&, const Instruction&)> atInstruction;
 };

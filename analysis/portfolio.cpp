@@ -25,6 +25,8 @@ namespace {
 constexpr int simulatedScans = 256;
 constexpr int shortInduction = 3;
 constexpr std::size_t truthLimit = 600;
+constexpr double searchShare = 0.9;  ///< of the time that is left for searches; the rest is for checking what they find
+constexpr double leastCheck = 0.5;   ///< seconds for checking certificates, whatever the deadline says
 
 class Portfolio {
  public:
@@ -79,7 +81,13 @@ class Portfolio {
     const NodeData& node = (*system_.graph)[n];
     return blast_->contains(node.op == Op::Not ? node.child[0] : n);
   }
-  Budget budget(double seconds) const { return Budget::seconds(seconds, options_.cancel); }
+  Budget budget(double seconds) const { return Budget(options_.deadline.value_or(Budget::Clock::time_point::max()), options_.cancel).slice(seconds); }
+  /// Seconds until the deadline.
+  double left() const { return options_.deadline ? std::chrono::duration<double>(*options_.deadline - Budget::Clock::now()).count() : 1e9; }
+  Budget::Clock::time_point searchEnd() const {
+    const std::chrono::duration<double> rest(std::max(left(), 0.0) * searchShare);
+    return options_.deadline ? Budget::Clock::now() + std::chrono::duration_cast<Budget::Clock::duration>(rest) : Budget::Clock::time_point::max();
+  }
   double share() const {
     return std::chrono::duration<double>(Budget::Clock::now() - stageBegin_).count() / static_cast<double>(std::max<std::size_t>(open_.size(), 1));
   }
@@ -143,7 +151,7 @@ class Portfolio {
       questions[i].invariants = cones[i].translated(invariants_.clauses);
       questions[i].verdict.depth = answers_[open_[i]].depth;
     }
-    race(questions, {options_.seconds, options_.jobs, options_.seed, options_.bound, options_.cancel});
+    race(questions, {options_.seconds, options_.jobs, options_.seed, options_.bound, options_.cancel, searchEnd()});
     for (std::size_t i = 0; i < open_.size(); ++i) {
       answers_[open_[i]].seconds += questions[i].seconds / std::max(options_.jobs, 1);
       if (questions[i].verdict.answer == Answer::Unknown) questions[i].verdict.method = "BMC, k-induction, IC3, simulation, explicit search";
@@ -228,7 +236,14 @@ class Portfolio {
       writer.add(system_.questions[q], *answers_[q].certificate);
     }
     if (certified.empty()) return;
-    const std::vector<CheckResult> results = writer.check(std::max(options_.seconds, 10.0));
+    // What was found before an interruption is worth a short look.
+    const bool isCancelled = options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed);
+    CheckLimits limits;
+    limits.each = std::max(options_.seconds, 10.0);
+    limits.total = isCancelled ? leastCheck : options_.deadline ? std::max(left(), leastCheck) : 1e9;
+    limits.memory = options_.memory;
+    limits.cancel = isCancelled ? nullptr : options_.cancel;
+    const std::vector<CheckResult> results = writer.check(limits);
     for (std::size_t i = 0; i < certified.size(); ++i) {
       CHECK(results[i] != CheckResult::Invalid, "a certificate is wrong");
       if (results[i] == CheckResult::Valid) continue;

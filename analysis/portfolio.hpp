@@ -23,8 +23,11 @@ struct PortfolioOptions {
   int jobs = 2;            ///< threads
   std::uint64_t seed = 1;
   int bound = 0;           ///< BMC and k-induction look at that many scans at most; 0: no limit
+  std::uint64_t memory = 0;  ///< bytes that a check of certificates may use; 0: no limit
   bool check = true;       ///< check certificates with Z3; without, proofs are reported as they are
   const std::atomic<bool>* cancel = nullptr;  ///< ends the search from outside; what is open stays unknown
+  /// When the whole call has to be back, checks of certificates included (they may take half a second more).
+  std::optional<Budget::Clock::time_point> deadline;
 };
 
 struct QuestionAnswer {

@@ -94,7 +94,7 @@ class Race {
       lock.unlock();
       const Budget::Clock::time_point begin = Budget::Clock::now();
       if (!runner.engine) runner.engine = engineKinds[task.engine].make(*questions_[task.question].system, engineOptions(task.question));
-      const Verdict verdict = runner.engine->advance(Budget::seconds(limit, &contest.cancel, options_.cancel));
+      const Verdict verdict = runner.engine->advance(Budget(options_.deadline, &contest.cancel, options_.cancel).slice(limit));
       const bool ended = runner.engine->isExhausted();
       const double used = std::chrono::duration<double>(Budget::Clock::now() - begin).count();
       lock.lock();
@@ -132,7 +132,7 @@ class Race {
     }
     if (known.answer == Answer::Unknown) known.depth = std::max(known.depth, verdict.depth);
     const bool allEnded = std::all_of(contest.runners.begin(), contest.runners.end(), [](const Runner& r) { return r.ended && !r.working; });
-    const bool stopped = options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed);
+    const bool stopped = Budget(options_.deadline, options_.cancel).isExhausted();
     if (contest.used >= perQuestion_ || allEnded || stopped) {
       contest.cancel = true;
       contest.done = true;

@@ -23,6 +23,7 @@ struct RaceOptions {
   std::uint64_t seed = 1;
   int bound = 0;  ///< 0: no limit
   const std::atomic<bool>* cancel = nullptr;
+  Budget::Clock::time_point deadline = Budget::Clock::time_point::max();  ///< of all questions
 };
 
 void race(std::vector<RaceQuestion>& questions, const RaceOptions& options);

@@ -16,6 +16,15 @@ ProofSide::ProofSide(const Program& program, const PropertySet& set, const std::
     checks_ = builtinChecks(obligations_);
     for (const BuiltinCheck& check : checks_) obligations_.ask(check.name, check.bad);
   }
+  Graph& graph = obligations_.encoding().graph();
+  Graph::Bool leftOut = graph.constant(false);
+  for (const Approximation& approximation : obligations_.encoding().approximations()) {
+    if (approximation.leftOut != noNode) leftOut = graph.lor(leftOut, {approximation.leftOut});
+  }
+  if (const auto known = graph.truth(leftOut); !known || *known) {
+    leftOutQuestion_ = goals.size() + checks_.size();
+    obligations_.ask("a scan that is not followed to its end", leftOut.node);
+  }
   system_ = obligations_.system();
 }
 

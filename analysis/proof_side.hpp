@@ -4,6 +4,7 @@
 // Covered by tests/prover and tests/export.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <unordered_set>
 #include <vector>
@@ -14,12 +15,14 @@ namespace rungproof {
 
 class ProofSide {
  public:
-  /// Questions are the goals in their order, then, with `builtin`, checks() in their order.
+  /// Questions are the goals in their order, then, with `builtin`, checks() in their order, then leftOutQuestion().
   ProofSide(const Program& program, const PropertySet& set, const std::vector<Property>& goals, const EncoderOptions& options, bool builtin);
 
   Obligations& obligations() { return obligations_; }
   TransitionSystem& system() { return system_; }
   const std::vector<BuiltinCheck>& checks() const { return checks_; }
+  /// The question whether a scan can occur that the encoding does not follow to its end; nothing if none can.
+  std::optional<std::size_t> leftOutQuestion() const { return leftOutQuestion_; }
 
   /// The system with one question only.
   TransitionSystem only(std::size_t question) const;
@@ -32,6 +35,7 @@ class ProofSide {
  private:
   Obligations obligations_;
   std::vector<BuiltinCheck> checks_;
+  std::optional<std::size_t> leftOutQuestion_;
   TransitionSystem system_;
 };
 

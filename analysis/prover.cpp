@@ -10,11 +10,16 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <thread>
+#include <utility>
 
 #include "analysis/hidden_code.hpp"
 #include "analysis/portfolio.hpp"
+#include "analysis/proof_networks.hpp"
 #include "analysis/proof_side.hpp"
+#include "analysis/proof_watch.hpp"
+#include "analysis/witness_minimal.hpp"
 
 namespace rungproof {
 
@@ -24,13 +29,16 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int shallowDepth = 12;         ///< scans of a short accelerated run
 constexpr double shallowSeconds = 0.25;  ///< for all of them
+constexpr double quickSeconds = 0.5;     ///< for each question while all are looked at together
+constexpr double minimiseSeconds = 0.25;  ///< for making a witness smaller
+constexpr double premiseSeconds = 5;     ///< for a question that a verdict is checked with
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 class Session {
  public:
   Session(const Program& program, const PropertySet& set, const ProverOptions& options)
-      : program_(program), set_(set), options_(options), goals_(goalsOf(set)), exact_(program, set, goals_, encoderOptionsOf(options), options.builtin) {
+      : program_(program), set_(set), options_(options), goals_(goalsOf(set)), watch_(options.cancel, options.memory) {
     for (const Property& property : set.properties) {
       if (!property.isGoal()) assumptions_.push_back(property);
     }
@@ -39,17 +47,27 @@ class Session {
   ProofRun run(const ProofProgress& progress) {
     ProofRun result;
     result.assumptions = environmentTexts(program_, set_, options_.time);
-    result.approximations = approximationTexts(program_, exact_.obligations().encoding());
     const std::size_t declared = declaredCount();
-    const std::size_t total = declared + exact_.checks().size();
-    answerQuickly();
+    deadline_ = begin_ + seconds(options_.timeout * static_cast<double>(std::max<std::size_t>(declared, 1)));
+    try {
+      exact_ = std::make_unique<ProofSide>(program_, set_, goals_, encoding(false), options_.builtin);
+    } catch (const EncodingStopped&) {
+      for (std::size_t i = 0; i < declared; ++i) result.results.push_back(open(goals_[i], reasonToStop() + " before the program was encoded"));
+      result.isInterrupted = watch_.isInterrupted();
+      return result;
+    }
+    result.approximations = approximationTexts(program_, exact_->obligations().encoding());
+    const std::size_t total = declared + exact_->checks().size();
+    answerQuickly(begin_ + seconds(options_.timeout * static_cast<double>(std::max<std::size_t>(total, 1))));
     for (std::size_t i = 0; i < total; ++i) {
-      const auto start = Clock::now();
+      const Clock::time_point start = Clock::now();
+      // One question may use its own time, and what those before it have left of theirs is not saved up.
+      deadline_ = std::min(start + seconds(options_.timeout), begin_ + seconds(options_.timeout * static_cast<double>(i + 1)));
       const std::size_t question = i < declared ? i : goals_.size() + (i - declared);
       ProofResult row;
       if (i < declared) row.property = goals_[i];
       else {
-        row.builtin = exact_.checks()[i - declared];
+        row.builtin = exact_->checks()[i - declared];
         row.property.name = row.builtin->name;
         if (row.builtin->place != nullptr) row.property.span = row.builtin->place->span;
       }
@@ -58,10 +76,34 @@ class Session {
       result.results.push_back(std::move(row));
       if (progress && !progress(result.results.back(), i + 1, total)) break;
     }
+    result.isInterrupted = watch_.isInterrupted();
     return result;
   }
 
  private:
+  static Clock::duration seconds(double s) { return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(s)); }
+  double left() const { return std::chrono::duration<double>(deadline_ - Clock::now()).count(); }
+
+  std::string reasonToStop() const { return watch_.isInterrupted() ? "interrupted" : watch_.isOutOfMemory() ? "the memory limit was reached" : "the time was over"; }
+  static ProofResult open(const Property& property, std::string note) {
+    ProofResult row;
+    row.property = property;
+    row.notes.push_back(std::move(note));
+    return row;
+  }
+  EncoderOptions encoding(bool relaxed) const {
+    EncoderOptions options = encoderOptionsOf(options_, relaxed);
+    options.interruption = [this] {
+      if (watch_.isStopped() || Clock::now() >= deadline_) throw EncodingStopped{};
+    };
+    return options;
+  }
+  std::vector<QuestionAnswer> ask(const TransitionSystem& system, double each, Clock::time_point deadline) {
+    std::atomic<bool> cancel{false};
+    const ProofWatch::Guard guard(watch_, cancel);
+    return answerQuestions(system, portfolio(each, deadline, &cancel));
+  }
+
   static std::vector<Property> goalsOf(const PropertySet& set) {
     std::vector<Property> goals;
     for (const Property& property : set.properties) {
@@ -94,13 +136,16 @@ class Session {
     return static_cast<std::size_t>(found - goals_.begin());
   }
 
-  PortfolioOptions portfolio(double seconds, const std::atomic<bool>* cancel = nullptr) const {
+  PortfolioOptions portfolio(double each, Clock::time_point deadline, const std::atomic<bool>* cancel) const {
     PortfolioOptions options;
-    options.seconds = seconds;
+    options.seconds = each;
     options.jobs = options_.jobs;
     options.seed = options_.seed;
     options.bound = options_.bound;
     options.cancel = cancel;
+    options.deadline = deadline;
+    options.memory = options_.memory;
+    options.check = options_.evidence;
     return options;
   }
 
@@ -108,12 +153,14 @@ class Session {
 
   /// What takes milliseconds for all questions; then short runs in which time passes in long scans, so that what a
   /// timer brings about costs the same whatever its preset; then half a second for what is left.
-  void answerQuickly() {
-    PortfolioOptions together = portfolio(std::min(options_.timeout, 0.5));
+  void answerQuickly(Clock::time_point deadline) {
+    std::atomic<bool> cancel{false};
+    const ProofWatch::Guard guard(watch_, cancel);
+    PortfolioOptions together = portfolio(std::min(options_.timeout, quickSeconds), deadline, &cancel);
     together.effort = Effort::Together;
-    quick_ = answerQuestions(exact_.system(), together);
+    quick_ = answerQuestions(exact_->system(), together);
     const auto start = Clock::now();
-    TransitionSystem rest = exact_.system();
+    TransitionSystem rest = exact_->system();
     std::vector<std::size_t> open;
     rest.questions.clear();
     for (std::size_t q = 0; q < quick_.size(); ++q) {
@@ -121,10 +168,10 @@ class Session {
       const bool mayWait = q >= goals_.size() || options_.bound > 0 || secondsSince(start) > shallowSeconds;
       if (!mayWait && searchShallow(q)) continue;
       open.push_back(q);
-      rest.questions.push_back(exact_.system().questions[q]);
+      rest.questions.push_back(exact_->system().questions[q]);
     }
     if (open.empty()) return;
-    std::vector<QuestionAnswer> answers = answerQuestions(rest, portfolio(std::min(options_.timeout, 0.5)));
+    std::vector<QuestionAnswer> answers = answerQuestions(rest, portfolio(std::min(options_.timeout, quickSeconds), deadline, &cancel));
     for (std::size_t i = 0; i < open.size(); ++i) {
       answers[i].seconds += quick_[open[i]].seconds;
       quick_[open[i]] = std::move(answers[i]);
@@ -133,10 +180,12 @@ class Session {
   /// A short run of the accelerated system that the engine repeats.
   bool searchShallow(std::size_t question) {
     const auto start = Clock::now();
-    if (!exact_.dependsOnTime(exact_.variablesOf(question))) return false;
-    const TransitionSystem accelerated = relaxedSide().accelerated(question, options_.time.high);
+    if (!exact_->dependsOnTime(exact_->variablesOf(question))) return false;
+    ProofSide* relaxed = relaxedSide();
+    if (relaxed == nullptr) return false;
+    const TransitionSystem accelerated = relaxed->accelerated(question, options_.time.high);
     if (const auto trace = shallowSearch(accelerated, shallowDepth, shallowSeconds / 4)) {
-      if (auto witness = replayed(*relaxed_, accelerated, question, *trace)) {
+      if (auto witness = replayed(*relaxed, accelerated, question, *trace)) {
         quick_[question].method = "accelerated search";
         quick_[question].answer = Answer::Violated;
         quick_[question].seconds += secondsSince(start);
@@ -153,34 +202,42 @@ class Session {
     QuestionAnswer answer = quick_[question];
     std::optional<Witness> witness;
     if (const auto found = found_.find(question); found != found_.end()) witness = found->second;
-    else if (answer.answer == Answer::Violated) witness = replayed(exact_, exact_.system(), question, *answer.trace);
-    const bool isOpen = (answer.answer == Answer::Unknown && !witness) || (answer.answer == Answer::Violated && !witness);
-    if (isOpen && options_.timeout > 0.5) std::tie(answer, witness) = race(question, options_.timeout - 0.5);
+    else if (answer.answer == Answer::Violated) witness = replayed(*exact_, exact_->system(), question, *answer.trace);
+    const bool isOpen = !witness && (answer.answer == Answer::Unknown || answer.answer == Answer::Violated);
+    watch_.release();
+    if (isOpen && left() > 0 && !watch_.isStopped()) std::tie(answer, witness) = race(question);
     row.method = answer.method;
     row.depth = answer.depth;
     const bool wantsYes = row.builtin ? isWanted(row.builtin->kind) : row.property.kind == PropertyKind::Reach;
     if (witness) {
       row.outcome = wantsYes ? Outcome::Reachable : Outcome::Violated;
+      if (options_.evidence && question < goals_.size() && !watch_.isStopped()) {
+        const double most = std::clamp(left(), 0.05, minimiseSeconds);
+        witness = minimised(Judge(program_, options_.choices, assumptions_, goals_[question]), std::move(*witness), most, options_.seed);
+      }
       row.depth = static_cast<int>(std::min<std::uint64_t>(witness->scanCount, 1U << 30));
       row.witness = std::move(witness);
     } else if (answer.answer == Answer::Proved) {
       row.outcome = wantsYes ? Outcome::Unreachable : Outcome::Proved;
       writeCertificate(question, answer, row);
       checkVacuity(row);
+      if (options_.evidence) row.networks = networksOf(question, answer);
     } else if (answer.answer == Answer::Violated) {
       unconfirmed(question, answer, row, run);
     } else {
       row.outcome = answer.depth > 0 && options_.bound > 0 ? Outcome::HoldsToBound : Outcome::Unknown;
-      row.notes.push_back(fmt::format("no violation in the first {} scans; {}", answer.depth, answer.method));
+      row.notes.push_back(fmt::format("no violation in the first {} scans; {}", answer.depth, answer.method.empty() ? "no engine came to work" : answer.method));
+      if (watch_.isStopped()) row.notes.push_back(reasonToStop());
     }
     noteApproximations(question, row);
     guardInterrupts(row);
+    guardLeftOut(row);
     guardHiddenCode(question, row);
   }
 
   /// Nothing is decided that depends on code which was not read.
   void guardHiddenCode(std::size_t question, ProofResult& row) const {
-    const std::vector<std::string> reasons = hidden_.reasons(exact_.obligations().encoding(), exact_.variablesOf(question));
+    const std::vector<std::string> reasons = hidden_.reasons(exact_->obligations().encoding(), exact_->variablesOf(question));
     if (reasons.empty()) return;
     row.outcome = Outcome::NotCovered;
     row.witness.reset();
@@ -188,9 +245,50 @@ class Session {
     row.notes.insert(row.notes.end(), reasons.begin(), reasons.end());
   }
 
+  /// What is not followed to its end leaves every proof open, unless it cannot occur.
+  void guardLeftOut(ProofResult& row) {
+    const auto question = exact_->leftOutQuestion();
+    if (!question || row.witness) return;
+    if (quick_[*question].answer == Answer::Unknown && left() > 0 && !watch_.isStopped()) {
+      quick_[*question] = ask(exact_->only(*question), std::min(left(), premiseSeconds), deadline_)[0];
+    }
+    if (quick_[*question].answer == Answer::Proved) return;
+    row.outcome = Outcome::NotCovered;
+    row.certificate.clear();
+    for (const Approximation& approximation : exact_->obligations().encoding().approximations()) {
+      if (approximation.leftOut != noNode) row.notes.push_back("not followed: " + approximationText(program_, approximation));
+    }
+  }
+
+  /// Networks that decide the property: a proof without earlier scans depends on the state that its invariant speaks of.
+  std::vector<NetworkName> networksOf(std::size_t question, const QuestionAnswer& answer) {
+    std::vector<Operand> read;
+    if (question < goals_.size()) {
+      for (const Operand* operand : addressesOf(goals_[question])) read.push_back(*operand);
+    } else {
+      const BuiltinCheck& check = exact_->checks()[question - goals_.size()];
+      for (const Instruction* place : {check.place, check.other}) {
+        if (place == nullptr) continue;
+        for (const Operand& operand : place->operands) {
+          if (operand.kind == OperandKind::Direct) read.push_back(operand);
+        }
+      }
+    }
+    if (!facts_) facts_ = std::make_unique<Facts>(program_, set_.externals);
+    std::unordered_set<std::uint32_t> variables;
+    if (answer.certificate && answer.certificate->k == 0) {
+      std::vector<Node> roots = answer.certificate->invariant;
+      roots.push_back(exact_->system().questions[question].bad);
+      variables = SmtText(exact_->system()).statesUnder(roots);
+    } else {
+      variables = exact_->variablesOf(question);
+    }
+    return networksBehind(*facts_, exact_->obligations().encoding(), read, variables);
+  }
+
   /// A routine that is attached but whose events the encoding does not know leaves every proof open.
   void guardInterrupts(ProofResult& row) {
-    EncodedScan& encoding = exact_.obligations().encoding();
+    EncodedScan& encoding = exact_->obligations().encoding();
     if (!encoding.eventSites().empty() || (row.outcome != Outcome::Proved && row.outcome != Outcome::Unreachable)) return;
     for (const Flow& flow : encoding.plan().flows) {
       for (const FlowStep& step : flow.steps) {
@@ -206,53 +304,60 @@ class Session {
 
   /// The exact system and the accelerated one at the same time; the first valid result ends both. Witnesses of built-in
   /// checks are followed on the exact graph, which the other search extends: they wait for its end.
-  std::pair<QuestionAnswer, std::optional<Witness>> race(std::size_t question, double seconds) {
+  std::pair<QuestionAnswer, std::optional<Witness>> race(std::size_t question) {
     std::atomic<bool> cancelExact{false}, cancelFast{false};
+    const ProofWatch::Guard guardExact(watch_, cancelExact), guardFast(watch_, cancelFast);
     std::optional<Witness> witness;
     std::optional<QuestionAnswer> fastAnswer;
     std::optional<TransitionSystem> accelerated;
     std::thread fast;
-    if (exact_.dependsOnTime(exact_.variablesOf(question))) {
-      accelerated = relaxedSide().accelerated(question, options_.time.high);
+    ProofSide* relaxed = exact_->dependsOnTime(exact_->variablesOf(question)) ? relaxedSide() : nullptr;
+    if (relaxed != nullptr) {
+      accelerated = relaxed->accelerated(question, options_.time.high);
       fast = std::thread([&] {
-        PortfolioOptions options = portfolio(seconds, &cancelFast);
+        PortfolioOptions options = portfolio(left(), deadline_, &cancelFast);
         options.jobs = 1;
         options.check = false;
         QuestionAnswer answer = answerQuestions(*accelerated, options)[0];
         if (answer.answer != Answer::Violated) return;
-        if (question < goals_.size()) witness = replayed(*relaxed_, *accelerated, question, *answer.trace);
+        if (question < goals_.size()) witness = replayed(*relaxed, *accelerated, question, *answer.trace);
         fastAnswer = std::move(answer);
         if (witness || question >= goals_.size()) cancelExact = true;
       });
     }
-    const auto start = Clock::now();
-    QuestionAnswer answer = answerQuestions(exact_.only(question), portfolio(seconds, &cancelExact))[0];
+    QuestionAnswer answer = answerQuestions(exact_->only(question), portfolio(std::max(left(), 0.0), deadline_, &cancelExact))[0];
     if (answer.answer != Answer::Unknown) cancelFast = true;
     if (fast.joinable()) fast.join();
     if (fastAnswer && !witness && question >= goals_.size()) {
-      witness = replayed(*relaxed_, *accelerated, question, *fastAnswer->trace);
-      const double left = seconds - secondsSince(start);
-      if (!witness && answer.answer == Answer::Unknown && left > 0) answer = answerQuestions(exact_.only(question), portfolio(left))[0];
+      witness = replayed(*relaxed, *accelerated, question, *fastAnswer->trace);
+      if (!witness && answer.answer == Answer::Unknown && left() > 0 && !watch_.isStopped()) answer = ask(exact_->only(question), left(), deadline_)[0];
     }
     CHECK(!(witness && answer.answer == Answer::Proved), "a proved property has a witness that the engine repeats");
     if (witness) {
       answer.method = "accelerated search";
     } else if (answer.answer == Answer::Violated) {
-      witness = replayed(exact_, exact_.system(), question, *answer.trace);
+      witness = replayed(*exact_, exact_->system(), question, *answer.trace);
     }
+    answer.depth = std::max(answer.depth, answer.answer == Answer::Unknown ? quick_[question].depth : answer.depth);
     return {std::move(answer), std::move(witness)};
   }
 
-  ProofSide& relaxedSide() {
-    if (!relaxed_) relaxed_ = std::make_unique<ProofSide>(program_, set_, goals_, encoderOptionsOf(options_, true), options_.builtin);
-    return *relaxed_;
+  /// Nothing if there was no time to encode it.
+  ProofSide* relaxedSide() {
+    if (relaxed_) return relaxed_.get();
+    try {
+      relaxed_ = std::make_unique<ProofSide>(program_, set_, goals_, encoding(true), options_.builtin);
+    } catch (const EncodingStopped&) {
+      return nullptr;
+    }
+    return relaxed_.get();
   }
 
   /// The run as the engine repeats it, if it shows the same.
   std::optional<Witness> replayed(ProofSide& side, const TransitionSystem& system, std::size_t question, const WordTrace& trace) {
     EncodedScan& encoding = side.obligations().encoding();
     if (question >= goals_.size()) {
-      return agreedRun(program_, options_.choices, exact_.obligations().encoding(), exact_.system(), exact_.system().questions[question].bad, system, trace, options_.time);
+      return agreedRun(program_, options_.choices, exact_->obligations().encoding(), exact_->system(), exact_->system().questions[question].bad, system, trace, options_.time);
     }
     std::vector<ReplayScan> scans = scansOf(encoding, system, trace, options_.time);
     return Judge(program_, options_.choices, assumptions_, goals_[question]).witness(std::move(scans), initialOf(encoding, system, trace));
@@ -269,15 +374,17 @@ class Session {
     run.disagreements.push_back({row.property.name, fmt::format("the solver's run of {} scans is not repeated by the engine", answer.depth + 1)});
   }
 
-  void writeCertificate(std::size_t question, const QuestionAnswer& answer, ProofResult& row) const {
+  void writeCertificate(std::size_t question, const QuestionAnswer& answer, ProofResult& row) {
     if (options_.certificates.empty() || !answer.certificate) return;
     std::string stem;
     for (const char c : row.property.name) stem += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+    const std::string plain = stem;
+    for (int i = 2; !certificateNames_.insert(stem).second; ++i) stem = fmt::format("{}_{}", plain, i);
     const std::filesystem::path directory(options_.certificates);
     std::error_code error;
     std::filesystem::create_directories(directory, error);
     const std::filesystem::path file = directory / (stem + ".smt2"), part = directory / (stem + ".smt2.part");
-    std::ofstream(part, std::ios::binary) << certificateText(exact_.system(), exact_.system().questions[question], *answer.certificate);
+    std::ofstream(part, std::ios::binary) << certificateText(exact_->system(), exact_->system().questions[question], *answer.certificate);
     std::filesystem::rename(part, file, error);
     if (error) row.notes.push_back(fmt::format("the certificate could not be written to {}", file.string()));
     else row.certificate = file.string();
@@ -294,9 +401,11 @@ class Session {
     const auto premise = goalNamed(row.property.name + " (premise)");
     if (!premise || row.outcome != Outcome::Proved) return;
     Answer answer = quick_[*premise].answer;
-    if (answer == Answer::Unknown) {
-      const auto [found, witness] = race(*premise, std::min(options_.timeout, 5.0));
+    if (answer == Answer::Unknown && left() > 0 && !watch_.isStopped()) {
+      const Clock::time_point whole = std::exchange(deadline_, std::min(deadline_, Clock::now() + seconds(premiseSeconds)));
+      const auto [found, witness] = race(*premise);
       answer = witness ? Answer::Violated : found.answer;
+      deadline_ = whole;
     }
     if (answer == Answer::Proved) {
       row.outcome = Outcome::Vacuous;
@@ -308,8 +417,8 @@ class Session {
 
   std::vector<const Approximation*> approximationsOf(std::size_t question) {
     std::vector<const Approximation*> found;
-    const auto variables = exact_.variablesOf(question);
-    for (const Approximation& approximation : exact_.obligations().encoding().approximations()) {
+    const auto variables = exact_->variablesOf(question);
+    for (const Approximation& approximation : exact_->obligations().encoding().approximations()) {
       if (std::any_of(approximation.carriers.begin(), approximation.carriers.end(), [&](Node n) { return n != noNode && variables.contains(indexOf(n)); })) found.push_back(&approximation);
     }
     return found;
@@ -325,12 +434,17 @@ class Session {
   const PropertySet& set_;
   const ProverOptions& options_;
   HiddenCode hidden_{program_, set_};
+  const Clock::time_point begin_ = Clock::now();
+  Clock::time_point deadline_ = begin_;  ///< of the question at hand
   std::vector<Property> goals_;
   std::vector<Property> assumptions_;
-  mutable ProofSide exact_;
+  ProofWatch watch_;
+  std::unique_ptr<ProofSide> exact_;
   std::unique_ptr<ProofSide> relaxed_;
+  std::unique_ptr<Facts> facts_;
   std::vector<QuestionAnswer> quick_;
   std::map<std::size_t, Witness> found_;  ///< by question: witnesses of the short search
+  std::set<std::string> certificateNames_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 // looks for occasions so that nothing holds vacuously. Covered by tests/prover and tests/corpus.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <optional>
 #include <string>
@@ -16,12 +17,15 @@ namespace rungproof {
 struct ProverOptions {
   Choices choices;
   TimeRange time;
-  double timeout = 60;  ///< seconds per question
+  double timeout = 60;  ///< seconds per question; encoding and checks of certificates count
   int bound = 0;        ///< scans that bounded search may look at; 0: no limit
   int jobs = 2;
   std::uint64_t seed = 1;
+  std::uint64_t memory = 0;  ///< bytes; 0: no limit
   bool builtin = false;
   std::string certificates;  ///< directory for SMT-LIB 2 files, or empty
+  bool evidence = true;      ///< check certificates, shorten witnesses, name networks; without: verdicts only
+  const std::atomic<bool>* cancel = nullptr;  ///< set from outside, as by Ctrl-C: the run ends with what is settled
 };
 
 /// How the program is encoded; relaxed: with scans of any length (time_model.hpp).
@@ -39,7 +43,7 @@ struct ProofResult {
   std::optional<Witness> witness;
   std::string certificate;              ///< file, or empty
   std::vector<std::string> notes;
-  std::vector<std::pair<std::string, int>> networks;  ///< blocks and networks that the question depends on
+  std::vector<std::pair<std::string, int>> networks;  ///< blocks and networks that a proof rests on
 };
 
 /// What was wrong with the tool itself: a witness that the engine does not repeat. The caller ends with exit 2.
@@ -53,6 +57,7 @@ struct ProofRun {
   std::vector<std::string> assumptions;     ///< CPU, scan time, initial memory, external writers
   std::vector<std::string> approximations;  ///< "PID at press.awl:41: result is any value"
   std::vector<Disagreement> disagreements;
+  bool isInterrupted = false;               ///< by ProverOptions::cancel; what was open is Unknown
 };
 
 /// Called with each result as it is settled; false ends the run (the results so far are returned).

@@ -95,6 +95,7 @@ void ScanEncoding::endOfScan() {
 
 void ScanEncoding::before(Runner& runner, const FlowStep& step) {
   boundary(runner, step.instruction->id);
+  if (options_.interruption) options_.interruption();
   if (options_.atInstruction && knowledge_.isFinal) options_.atInstruction(runner.machine(), *step.instruction);
 }
 

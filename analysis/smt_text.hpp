@@ -1,6 +1,6 @@
 // Graph nodes as SMT-LIB 2 text of the logic QF_BV: declarations and definitions for several scans, truth values as
 // Bool. REAL operations become declared constants, any value: what is unsatisfiable so, is so with their meaning.
-// Tested by tests/solver/certificate_test.cpp and tests/solver/export_test.cpp.
+// Tested by tests/certificate and tests/export.
 #pragma once
 
 #include <string>

@@ -15,6 +15,8 @@ namespace rungproof {
 /// A run of the engine that shows what was asked.
 struct Witness {
   std::vector<ReplayScan> scans;                 ///< up to and including the scan that shows it
+  /// By scan and input of it: whether the value matters (witness_minimal.hpp). Empty: not known.
+  std::vector<std::vector<bool>> matters{};
   std::optional<Concrete::Store> initial;        ///< where retentive memory starts with other values than power-up
   std::uint64_t scanCount = 0;                   ///< scans of the engine, repeats included
   std::uint64_t milliseconds = 0;                ///< from the start to the end of the last scan

@@ -23,6 +23,7 @@ constexpr std::array table = {
     OptionInfo{Opt::StdinFilename, Reading, Arity::One, "stdin-filename", "NAME", "", "name for standard input, which is read where FILE is '-'", false},
     OptionInfo{Opt::ScanTime, Running, Arity::One, "scan-time", "MIN..MAX", "", "length of a scan, as 5ms..20ms or one value (sim: 10ms; prove: 1ms up to the watchdog)"},
     OptionInfo{Opt::Timeout, Running, Arity::One, "timeout", "TIME", "30s", "time limit for each property"},
+    OptionInfo{Opt::Memory, Running, Arity::One, "memory", "SIZE", "", "memory limit, as 500MB or 2GB (three quarters of the machine)"},
     OptionInfo{Opt::Bound, Running, Arity::One, "bound", "N", "", "look at no more than N scans"},
     OptionInfo{Opt::Jobs, Running, Arity::One, "jobs", "N", "", "threads to use (all processors)"},
     OptionInfo{Opt::Seed, Running, Arity::One, "seed", "N", "1", "seed of everything random"},
@@ -79,6 +80,9 @@ std::optional<Failure> checkForm(const OptionInfo& info, std::string_view text) 
   if (info.id == Opt::Timeout && !durationNamed(text)) {
     return Failure{fmt::format("'{}' is no time", text), {}, "write a number with its unit, such as 30s, 500ms or 2min"};
   }
+  if (info.id == Opt::Memory && !memoryNamed(text)) {
+    return Failure{fmt::format("'{}' is no amount of memory", text), {}, "write a whole number with its unit, such as 500MB or 2GB"};
+  }
   if (info.id == Opt::ScanTime && !scanTimeNamed(text)) {
     return Failure{fmt::format("'{}' is no scan time", text), {},
                    "write one time above zero, or the shortest and the longest, such as 10ms or 5ms..20ms"};
@@ -101,6 +105,15 @@ std::optional<Failure> checkForm(const OptionInfo& info, std::string_view text) 
 
 std::span<const OptionInfo> optionTable() { return table; }
 const OptionInfo& optionInfo(Opt id) { return table[static_cast<std::size_t>(id)]; }
+
+std::optional<std::uint64_t> memoryNamed(std::string_view text) {
+  for (const auto& [unit, bytes] : {std::pair<std::string_view, std::uint64_t>{"MB", 1'000'000}, {"GB", 1'000'000'000}}) {
+    if (!text.ends_with(unit)) continue;
+    const auto value = wholeNumber(text.substr(0, text.size() - unit.size()));
+    if (value && *value > 0 && *value < 1'000'000) return static_cast<std::uint64_t>(*value) * bytes;
+  }
+  return std::nullopt;
+}
 
 const OptionInfo* optionNamed(std::string_view name) {
   for (const OptionInfo& info : table) {

@@ -22,7 +22,7 @@ namespace rungproof {
 
 enum class Opt : std::uint8_t {
   Cpu, Edition, Dialect, Mnemonics, Encoding, Symbols, StdinFilename,
-  ScanTime, Timeout, Bound, Jobs, Seed, ChoiceOf,
+  ScanTime, Timeout, Memory, Bound, Jobs, Seed, ChoiceOf,
   Select, Ignore, Level, NoSuppress, Baseline,
   Format, Color, Quiet,
   Isolated, Config,
@@ -62,6 +62,9 @@ using Duration = std::chrono::microseconds;
 /// "5ms", "1.5s", "200us", "2min"; nothing for anything else, a negative or a too large duration.
 std::optional<Duration> durationNamed(std::string_view text);
 
+/// "500MB", "2GB" in bytes; nothing for anything else or zero.
+std::optional<std::uint64_t> memoryNamed(std::string_view text);
+
 /// The length of a scan: anything between the two, ends included.
 struct ScanTime {
   Duration low;
@@ -89,6 +92,8 @@ class Settings {
   Severity level() const;
   std::optional<ScanTime> scanTime() const;
   std::optional<Duration> timeout() const;
+  /// Bytes; nothing if no limit was given.
+  std::optional<std::uint64_t> memory() const;
   Choices choices() const;
   const std::string& choiceOrigin(Choice choice) const { return choiceOrigins_[static_cast<std::size_t>(choice)]; }
   const RuleSettings& ruleSettings() const { return ruleSettings_; }

@@ -126,6 +126,10 @@ void ReportMerger::add(const Report& part) {
     if (property.span) property.span->file = places[property.span->file];
     report_.properties.push_back(std::move(property));
   }
+  if (part.selfCheck) {
+    if (!report_.selfCheck) report_.selfCheck.emplace();
+    report_.selfCheck->insert(report_.selfCheck->end(), part.selfCheck->begin(), part.selfCheck->end());
+  }
   for (const std::string& assumption : part.assumptions) {
     if (std::find(report_.assumptions.begin(), report_.assumptions.end(), assumption) == report_.assumptions.end()) report_.assumptions.push_back(assumption);
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "analysis/proof_watch.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -18,6 +19,7 @@ ProverOptions proverOptionsOf(const Settings& settings) {
     options.time.high = static_cast<std::uint32_t>(std::max<std::int64_t>(range->high.count() / 1000, options.time.low));
   }
   if (const auto timeout = settings.timeout()) options.timeout = static_cast<double>(timeout->count()) / 1e6;
+  options.memory = settings.memory().value_or(usualMemoryLimit());
   options.bound = static_cast<int>(settings.number(Opt::Bound, 0));
   options.jobs = static_cast<int>(settings.number(Opt::Jobs, 2));
   options.seed = static_cast<std::uint64_t>(settings.number(Opt::Seed, 1));

@@ -74,6 +74,8 @@ std::int64_t Settings::number(Opt id, std::int64_t initial) const {
   return value.empty() ? initial : std::strtoll(value.c_str(), nullptr, 10);
 }
 
+std::optional<std::uint64_t> Settings::memory() const { return memoryNamed(text(Opt::Memory)); }
+
 Target Settings::target() const {
   Target target;
   target.cpu = *cpuNamed(text(Opt::Cpu));

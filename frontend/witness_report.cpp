@@ -7,7 +7,25 @@
 
 namespace rungproof {
 
-Trace traceOf(const Program& program, const Choices& choices, const Witness& witness, const std::vector<TraceSignal>& signals, std::size_t limit) {
+namespace {
+
+bool matters(const Witness& witness, std::size_t scan, std::size_t input) {
+  return witness.matters.empty() ? witness.scans[scan].inputs[input].value != 0 : witness.matters[scan][input];
+}
+
+/// Whether the signal is an input of the scan that may have any value.
+bool isIdle(const Witness& witness, std::size_t scan, const Operand& signal) {
+  if (witness.matters.empty()) return false;
+  const std::vector<PresetValue>& inputs = witness.scans[scan].inputs;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (toString(inputs[i].operand) == toString(signal)) return !witness.matters[scan][i];
+  }
+  return false;
+}
+
+}  // namespace
+
+Trace traceOf(const Program& program, const Choices& choices, const Witness& witness, const std::vector<TraceSignal>& signals, std::size_t limit, bool hidesIdle) {
   Trace trace;
   trace.signals = signals;
   std::uint64_t scan = 0, timeUs = 0;
@@ -17,7 +35,10 @@ Trace traceOf(const Program& program, const Choices& choices, const Witness& wit
     timeUs += scanUs;
     if (++scan <= skipped) return true;
     TraceRow row{scan, timeUs, scanUs, {}};
-    for (const TraceSignal& signal : signals) row.values.push_back(numberOf(valueIn(state, signal.operand), signal.type, signal.width()));
+    for (const TraceSignal& signal : signals) {
+      row.values.push_back(numberOf(valueIn(state, signal.operand), signal.type, signal.width()));
+      if (hidesIdle && isIdle(witness, at, signal.operand)) row.values.back().reset();
+    }
     trace.rows.push_back(std::move(row));
     return true;
   });
@@ -33,9 +54,10 @@ std::vector<TraceSignal> signalsThatMatter(const Program& program, const ProofRe
     if (std::none_of(signals.begin(), signals.end(), [&](const TraceSignal& s) { return s.name == signal.name; })) signals.push_back(std::move(signal));
   };
   if (result.witness) {
-    for (const ReplayScan& scan : result.witness->scans) {
-      for (const PresetValue& input : scan.inputs) {
-        if (input.value != 0) add(input.operand);
+    for (std::size_t s = 0; s < result.witness->scans.size(); ++s) {
+      const std::vector<PresetValue>& inputs = result.witness->scans[s].inputs;
+      for (std::size_t i = 0; i < inputs.size(); ++i) {
+        if (matters(*result.witness, s, i)) add(inputs[i].operand);
       }
     }
   }

@@ -10,10 +10,12 @@
 
 namespace rungproof {
 
-/// Every scan of the run with the given signals; at most `limit` rows, the last ones.
-Trace traceOf(const Program& program, const Choices& choices, const Witness& witness, const std::vector<TraceSignal>& signals, std::size_t limit = 100000);
+/// Every scan of the run with the given signals; at most `limit` rows, the last ones. `hidesIdle`: inputs that do not
+/// matter have no value, for the table; a stimulus has to have them.
+Trace traceOf(const Program& program, const Choices& choices, const Witness& witness, const std::vector<TraceSignal>& signals, std::size_t limit = 100000, bool hidesIdle = false);
 
-/// The addresses of the property first, then the inputs that the witness sets, each once.
+/// The inputs that matter to the witness first (those it sets, if that is not known), then the addresses of the property,
+/// each once.
 std::vector<TraceSignal> signalsThatMatter(const Program& program, const ProofResult& result);
 
 /// Lines of a table: scan, time at its end, values. Runs of equal rows are drawn together; at most `rows` rows.

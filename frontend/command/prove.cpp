@@ -3,11 +3,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <filesystem>
 #include <sstream>
 
+#include "analysis/proof_networks.hpp"
 #include "analysis/rule.hpp"
+#include "analysis/self_check.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/proof_input.hpp"
 #include "frontend/trace/format.hpp"
@@ -22,6 +25,7 @@ struct Arguments {
   std::vector<std::string> files;
   std::vector<std::string> properties;
   bool builtin = false;
+  bool selfCheck = false;
   std::string certificates;
   std::string traces;
   std::string show;
@@ -29,8 +33,14 @@ struct Arguments {
 
 constexpr std::size_t scansInText = 3, scansInPage = 16;  // the last ones of a witness
 
-volatile std::sig_atomic_t interrupted = 0;
-void onInterrupt(int) { interrupted = 1; }
+std::atomic<bool> interrupted = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler writes it");
+
+/// The first Ctrl-C ends the search and leads to the report, the second one ends the program.
+extern "C" void onInterrupt(int) {
+  interrupted = true;
+  std::signal(SIGINT, SIG_DFL);
+}
 
 VerdictWord wordOf(Outcome outcome) {
   switch (outcome) {
@@ -95,19 +105,52 @@ PropertyResult rowOf(const Context& context, const Arguments& arguments, const P
   if (result.property.span.length > 0) row.span = result.property.span;
   row.notes = result.notes;
   if (result.witness) {
-    const Trace trace = traceOf(program, choices, *result.witness, signalsThatMatter(program, result));
+    const Trace trace = traceOf(program, choices, *result.witness, signalsThatMatter(program, result), 100000, true);
     for (const std::string& line : tableOf(trace)) row.notes.push_back(line);
     const bool hasPage = std::ranges::any_of(context.outputs, [](const OutputRequest& output) { return output.name == "html"; });
     if (!arguments.show.empty() || hasPage) row.scans = drawnScans(arguments, program, choices, result, hasPage);
     if (!arguments.traces.empty()) row.trace = writeTraces(context, arguments.traces, program, choices, result);
   }
+  row.networks = networkList(result.networks);
   if (!result.certificate.empty()) row.notes.push_back(fmt::format("certificate: {}", result.certificate));
   return row;
+}
+
+std::string_view fateName(FaultFate fate) {
+  switch (fate) {
+    case FaultFate::Noticed: return "noticed";
+    case FaultFate::Unnoticed: return "unnoticed";
+    case FaultFate::NoEffect: return "without effect";
+    case FaultFate::Undecided: return "undecided";
+  }
+  return "undecided";
+}
+
+/// Plants faults and says which of them the properties notice.
+std::vector<PlantedFault> plantFaults(const Context& context, const ProgramInput& input, const ProverOptions& options, const ProofRun& proof) {
+  SelfCheckOptions check;
+  check.prover = options;
+  check.seconds = std::min(options.timeout, check.seconds);
+  if (context.progress) {
+    check.progress = [&](std::size_t done, std::size_t total) { context.err << fmt::format("\rself-check: {} of {}\x1B[K", done, total) << std::flush; };
+  }
+  const SelfCheck found = selfCheck(input.program, input.properties, proof.results, check);
+  if (context.progress) context.err << "\r\x1B[K" << std::flush;
+  std::vector<PlantedFault> faults;
+  for (const FaultResult& result : found.results) {
+    const Pou& pou = input.program.pous[result.fault.pou];
+    const Network& network = pou.networks[result.fault.network];
+    const Span span = network.instructions[result.fault.instruction].span;
+    faults.push_back({std::string(faultKindName(result.fault.kind)), result.fault.text, std::string(input.program.sources->file(span.file).name()),
+                      input.program.sources->position(span).line, pou.name, network.number, std::string(fateName(result.fate)), result.noticedBy});
+  }
+  return faults;
 }
 
 Exit run(const Arguments& arguments, Context& context) {
   ReportMerger merger;
   bool failed = false;
+  interrupted = false;
   for (const std::vector<std::string>& files : groupByProgram(context, arguments.files)) {
     const ProgramInput input = readInput(context, files, arguments.properties);
     Report part = startReport("prove", input.program, files);
@@ -117,19 +160,21 @@ Exit run(const Arguments& arguments, Context& context) {
       ProverOptions options = proverOptionsOf(context.settings);
       options.builtin = arguments.builtin;
       options.certificates = arguments.certificates;
-      interrupted = 0;
+      options.cancel = &interrupted;
       const auto before = std::signal(SIGINT, onInterrupt);
       const ProofRun proof = prove(input.program, input.properties, options, [&](const ProofResult& result, std::size_t done, std::size_t total) {
         if (context.progress) context.err << fmt::format("\rprove: {} of {}: {}\x1B[K", done, total, result.property.name) << std::flush;
-        return interrupted == 0;
+        return true;
       });
       std::signal(SIGINT, before);
       if (context.progress) context.err << "\r\x1B[K" << std::flush;
+      if (proof.isInterrupted) context.err << "rungproof: interrupted; what was not settled is UNKNOWN\n";
       for (const ProofResult& result : proof.results) {
         part.properties.push_back(rowOf(context, arguments, input.program, options.choices, result));
         part.properties.back().assumptions = {};
         if (auto finding = findingOf(result)) part.findings.push_back(std::move(*finding));
       }
+      if (arguments.selfCheck) part.selfCheck = plantFaults(context, input, options, proof);
       part.assumptions = proof.assumptions;
       part.coverage.approximated = proof.approximations;
       for (const Disagreement& disagreement : proof.disagreements) {
@@ -153,6 +198,7 @@ Action setup(CLI::App& app) {
   app.add_option("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input")->required();
   app.add_option("--props", arguments->properties, "property file; may be repeated")->type_name("FILE");
   app.add_flag("--builtin", arguments->builtin, "also the built-in checks: set/reset conflicts, operand ranges, timers, division, loops");
+  app.add_flag("--self-check", arguments->selfCheck, "plant faults one by one and list those that no property notices");
   app.add_option("--certificate", arguments->certificates, "write the proof of each PROVED as SMT-LIB 2, for another solver to check")->type_name("DIR");
   app.add_option("--traces", arguments->traces, "write each witness as CSV (also a stimulus), VCD and SVG")->type_name("DIR");
   app.add_option("--show", arguments->show, "draw the networks that matter, with the power flow of the last 3 scans of each witness")->type_name("ladder|fbd|stl")->check(CLI::IsMember({"ladder", "lad", "fbd", "stl"}).description(""));
@@ -194,6 +240,7 @@ extern constexpr Command proveCommand = {
         "    rungproof prove press.awl\n"
         "    rungproof prove press.awl --props press.prop --scan-time 5ms..20ms --timeout 30s\n"
         "    rungproof prove press.awl --show ladder --format html=press.html\n"
+        "    rungproof prove press.awl --self-check\n"
         "    rungproof prove press.awl --builtin --traces witnesses --certificate proofs\n",
     .shows = option_group::Reading | option_group::Running | option_group::Output | option_group::Configuration,
     .setup = setup,

@@ -31,6 +31,7 @@ class HumanWriter {
     for (const Finding& finding : report_.findings) writeFinding(finding);
     for (const PropertyResult& property : report_.properties) writeProperty(property);
     if (report_.comparison) writeComparison(*report_.comparison);
+    if (report_.selfCheck) writeSelfCheck(*report_.selfCheck);
     if (!report_.properties.empty()) writeBasis();
     const bool saidAll = report_.comparison && report_.findings.empty() && report_.properties.empty();
     if (!style_.quiet && !saidAll) out_ << closingLine() << '\n';
@@ -94,6 +95,7 @@ class HumanWriter {
     }
     for (const std::string& note : property.notes) out_ << fmt::format("  {} {}\n", paint_.blue("="), note);
     for (const std::string& assumption : property.assumptions) out_ << fmt::format("  {} assumes: {}\n", paint_.blue("="), assumption);
+    if (!property.networks.empty()) out_ << fmt::format("  {} rests on networks: {}\n", paint_.blue("="), property.networks);
     if (!property.trace.empty()) out_ << fmt::format("  {} trace: {}\n", paint_.blue("="), property.trace);
     for (const ShownScan& scan : property.scans) writeScan(scan);
     if (!property.scans.empty() && !property.scans.back().networks.empty() && !property.scans.back().networks.back().text.empty()) out_ << '\n';
@@ -107,6 +109,23 @@ class HumanWriter {
       isFirst = false;
       out_ << fmt::format("  {}\n", network.heading);
       for (const std::string& line : network.text) out_ << fmt::format("  {}\n", line);
+    }
+  }
+
+  void writeSelfCheck(const std::vector<PlantedFault>& faults) {
+    const auto number = [&](std::string_view fate) {
+      return static_cast<std::size_t>(std::count_if(faults.begin(), faults.end(), [&](const PlantedFault& f) { return f.fate == fate; }));
+    };
+    const std::size_t noticed = number("noticed"), unnoticed = number("unnoticed"), matter = noticed + unnoticed;
+    out_ << fmt::format("\n{}: {} of {} planted faults that change the outputs are noticed by a property", paint_.bold("self-check"), noticed, matter);
+    if (matter > 0) out_ << fmt::format(" ({:.0f} %)", 100.0 * static_cast<double>(noticed) / static_cast<double>(matter));
+    out_ << fmt::format("; {} change nothing, {} undecided\n", number("without effect"), number("undecided"));
+    for (const std::string_view fate : {"unnoticed", "undecided"}) {
+      for (const PlantedFault& fault : faults) {
+        if (fault.fate != fate) continue;
+        out_ << fmt::format("  {}: {}:{} in {}, network {}: {}: {}\n", (paint_.*(fate == "unnoticed" ? &Paint::red : &Paint::yellow))(fate), fault.file,
+                            fault.line, fault.pou, fault.network, fault.kind, fault.text);
+      }
     }
   }
 

@@ -58,7 +58,20 @@ Json propertyJson(const PropertyResult& property) {
           {"seconds", property.seconds},
           {"trace", textOrNull(property.trace)},
           {"assumptions", property.assumptions},
+          {"networks", textOrNull(property.networks)},
           {"notes", property.notes}};
+}
+
+Json selfCheckJson(const std::vector<PlantedFault>& faults) {
+  std::size_t noticed = 0, unnoticed = 0;
+  Json rows = Json::array();
+  for (const PlantedFault& fault : faults) {
+    noticed += fault.fate == "noticed" ? 1 : 0;
+    unnoticed += fault.fate == "unnoticed" ? 1 : 0;
+    rows.push_back({{"kind", fault.kind}, {"text", fault.text}, {"file", fault.file}, {"line", fault.line}, {"pou", fault.pou},
+                    {"network", fault.network}, {"fate", fault.fate}, {"noticed_by", textOrNull(fault.noticedBy)}});
+  }
+  return {{"noticed", noticed}, {"unnoticed", unnoticed}, {"faults", std::move(rows)}};
 }
 
 Json comparisonJson(const std::optional<Comparison>& comparison) {
@@ -86,6 +99,7 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
     row["assumptions"] = std::move(all);
     json["properties"].push_back(std::move(row));
   }
+  if (report.selfCheck) json["self_check"] = selfCheckJson(*report.selfCheck);
   json["comparison"] = comparisonJson(report.comparison);
   json["coverage"] = {{"instructions", report.coverage.instructions},
                       {"understood", report.coverage.understood},

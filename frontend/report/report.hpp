@@ -49,6 +49,7 @@ struct PropertyResult {
   std::string statement;    ///< the property as written
   std::optional<Span> span; ///< where it is declared, in the sources of the report
   std::vector<std::string> assumptions;  ///< of this property only; those of the run are in Report::assumptions
+  std::string networks;                  ///< that the verdict rests on: "MAIN 1, 3-5; SBR_0 2", or empty
   std::vector<std::string> notes;        ///< what was tried, which lines are not covered, what the witness shows
   std::vector<ShownScan> scans{};        ///< the last scans of the witness as drawings
 };
@@ -73,6 +74,18 @@ struct Comparison {
   std::vector<ComparedScan> around;     ///< scans before and after the difference
 };
 
+/// A planted fault and what became of it (analysis/self_check.hpp).
+struct PlantedFault {
+  std::string kind;       ///< "removed contact"
+  std::string text;       ///< "removed: A I0.2"
+  std::string file;
+  std::uint32_t line = 0;
+  std::string pou;
+  int network = 0;
+  std::string fate;       ///< "noticed", "unnoticed", "without effect", "undecided"
+  std::string noticedBy;  ///< a property, or empty
+};
+
 /// How much of the program the tool understood; a verdict is worth no more than this.
 struct Coverage {
   std::size_t instructions = 0;
@@ -87,6 +100,7 @@ struct Report {
   std::vector<PropertyResult> properties;
   std::optional<Comparison> comparison;
   Coverage coverage;
+  std::optional<std::vector<PlantedFault>> selfCheck;
   std::vector<std::string> assumptions;  ///< CPU, scan time, initial memory, external writers
   std::vector<std::string> files;        ///< as given; for the closing line
   std::size_t suppressed = 0;            ///< findings that an allow-comment silenced

@@ -1,0 +1,16 @@
+// Do two programs drive the same outputs? Both run side by side on the same inputs and times, as one transition system;
+// the bit-level engines look for a scan that ends with different outputs (simulation first) or prove that there is none.
+// Covered by tests/selfcheck.
+#pragma once
+
+#include "analysis/prover.hpp"
+
+namespace rungproof {
+
+enum class OutputComparison : std::uint8_t { Equal, Different, Undecided };
+
+/// Outputs are all bits of Q and AQ that either program has; compared at the ends of scans in which the assumptions of
+/// `set` hold. Instructions with the same number stand for each other: ticks and interrupts come in front of both.
+OutputComparison compareOutputs(const Program& left, const Program& right, const PropertySet& set, const ProverOptions& options, double seconds);
+
+}  // namespace rungproof

@@ -1,0 +1,146 @@
+// Every certificate of the corpus, declared properties and built-in checks, is read by a second solver (the program
+// cvc5) and holds: each obligation is unsatisfiable. A certificate with a wrong invariant is refused by it and by Z3.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+
+#include "analysis/certificate.hpp"
+#include "tests/corpus/corpus_program.hpp"
+
+namespace rungproof::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Certificates that must be there, so that a corpus without proofs does not pass unnoticed.
+constexpr std::size_t leastChecked = 130;
+
+std::string outputOf(const std::string& command) {
+  std::string text;
+  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+  if (pipe == nullptr) return text;
+  std::array<char, 4096> buffer{};
+  while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) text += buffer.data();
+  pclose(pipe);
+  return text;
+}
+
+std::string contentOf(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+std::string askCvc5(const fs::path& file) { return outputOf("cvc5 --incremental --lang smt2 --tlimit=60000 '" + file.string() + "'"); }
+
+class Folder {
+ public:
+  Folder() : path_(fs::temp_directory_path() / ("rungproof-certificates-" + std::to_string(::getpid()))) {}
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+TEST(Certificate, Cvc5AgreesOnTheWholeCorpus) {
+  ASSERT_NE(outputOf("command -v cvc5"), "") << "the package cvc5 is missing; see .ci/install";
+  const Folder folder;
+  std::size_t checked = 0, obligations = 0;
+  for (const fs::path& path : corpusFiles()) {
+    const ProgramInput input = corpusInput(path);
+    ProverOptions options = proverOptions(path);
+    options.timeout = 1;
+    options.builtin = true;
+    options.certificates = (folder.path() / path.stem()).string();
+    const ProofRun run = prove(input.program, input.properties, options);
+    for (const ProofResult& result : run.results) {
+      if (result.outcome != Outcome::Proved && result.outcome != Outcome::Unreachable) continue;
+      ASSERT_NE(result.certificate, "") << path << ": " << result.property.name;
+      const std::string text = contentOf(result.certificate), answer = askCvc5(result.certificate);
+      const std::size_t asked = count(text, "(check-sat)");
+      EXPECT_EQ(count(text, "; initiation of"), 1U);
+      EXPECT_EQ(count(text, "; consecution of"), 1U);
+      EXPECT_EQ(count(text, "; safety of"), 1U);
+      EXPECT_EQ(count(answer, "unsat\n"), asked) << path << ": " << result.property.name << ": " << answer;
+      EXPECT_EQ(answer.size(), asked * 6) << answer;  // nothing else is said
+      ++checked;
+      obligations += asked;
+    }
+  }
+  EXPECT_GE(checked, leastChecked);
+  std::printf("cvc5 checked %zu certificates with %zu obligations\n", checked, obligations);
+}
+
+/// A bit x that starts with 0 and stays; y follows x. Bad is y.
+struct Pair {
+  Pair() {
+    x = graph.variable("x", 1, true);
+    y = graph.variable("y", 1, true);
+    system.graph = &graph;
+    system.states = {{x, graph.constantNode(0, 1), x}, {y, graph.constantNode(0, 1), x}};
+    system.questions = {{"y", y}};
+  }
+  Graph graph;
+  Node x{}, y{};
+  TransitionSystem system;
+};
+
+TEST(Certificate, WrongOnesAreRefused) {
+  Pair pair;
+  const Node notX = pair.graph.make(Op::Not, 1, pair.x), notY = pair.graph.make(Op::Not, 1, pair.y);
+  const Folder folder;
+  fs::create_directories(folder.path());
+  // {not x, not y} is inductive; {not y} is not kept by a scan; {} does not exclude bad; {x} does not hold initially.
+  const std::vector<std::pair<std::vector<Node>, CheckResult>> cases = {
+      {{notX, notY}, CheckResult::Valid}, {{notY}, CheckResult::Invalid}, {{}, CheckResult::Invalid}, {{pair.x, notY}, CheckResult::Invalid}};
+  for (const auto& [invariant, expected] : cases) {
+    WordCertificate certificate;
+    certificate.invariant = invariant;
+    CertificateWriter writer(pair.system);
+    writer.add(pair.system.questions[0], certificate);
+    EXPECT_EQ(writer.check({}), std::vector<CheckResult>{expected});
+    const fs::path file = folder.path() / "pair.smt2";
+    std::ofstream(file) << writer.text();
+    const std::string answer = askCvc5(file);
+    EXPECT_EQ(count(answer, "unsat\n") == 3, expected == CheckResult::Valid) << answer;
+  }
+}
+
+TEST(Certificate, InductionOfTwoScans) {
+  // Without an invariant, y after two scans without y: x is not 1, else y would have followed it.
+  Pair pair;
+  WordCertificate certificate;
+  certificate.k = 1;
+  EXPECT_EQ(CertificateWriter(pair.system).check({}), std::vector<CheckResult>{});
+  CertificateWriter one(pair.system), two(pair.system);
+  one.add(pair.system.questions[0], certificate);
+  EXPECT_EQ(one.check({}), std::vector<CheckResult>{CheckResult::Invalid});
+  certificate.k = 2;
+  two.add(pair.system.questions[0], certificate);
+  EXPECT_EQ(two.check({}), std::vector<CheckResult>{CheckResult::Valid});
+}
+
+TEST(Certificate, CheckEndsWhenCancelled) {
+  Pair pair;
+  CertificateWriter writer(pair.system);
+  writer.add(pair.system.questions[0], {});
+  const std::atomic<bool> cancel{true};
+  CheckLimits limits;
+  limits.cancel = &cancel;
+  EXPECT_EQ(writer.check(limits), std::vector<CheckResult>{CheckResult::Unknown});
+}
+
+}  // namespace
+}  // namespace rungproof::test

@@ -1,0 +1,50 @@
+// Programs as text, proved with properties given as text: what the tests of the prover share.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "analysis/prover.hpp"
+#include "frontend/program_input.hpp"
+
+namespace rungproof::test {
+
+/// A main program of these network lines; property lines begin with //@.
+inline ProgramInput inputOf(const std::string& properties, const std::string& networks, const std::string& otherBlocks = "") {
+  ProgramInput input;
+  input.program = readText("test.awl", "ORGANIZATION_BLOCK MAIN:OB1\n" + properties + "BEGIN\n" + networks + "END_ORGANIZATION_BLOCK\n" + otherBlocks);
+  input.properties = readProperties(input.program, {}, lookupIn(input.program));
+  for (const Finding& finding : input.program.findings) EXPECT_NE(finding.severity, Severity::Error) << finding.message;
+  return input;
+}
+
+/// Default environment: scans of 1 ms to the watchdog's limit.
+inline ProverOptions usualOptions(double timeout = 20) {
+  ProverOptions options;
+  options.time.high = static_cast<std::uint32_t>(options.choices.watchdogMs());
+  options.timeout = timeout;
+  return options;
+}
+
+inline const ProofResult* resultNamed(const ProofRun& run, const std::string& name) {
+  for (const ProofResult& result : run.results) {
+    if (result.property.name == name) return &result;
+  }
+  ADD_FAILURE() << "no result is called " << name;
+  return nullptr;
+}
+
+inline Outcome outcomeOf(const ProofRun& run, const std::string& name) {
+  const ProofResult* result = resultNamed(run, name);
+  return result == nullptr ? Outcome::Unknown : result->outcome;
+}
+
+inline bool hasNote(const ProofResult& result, const std::string& part) {
+  for (const std::string& note : result.notes) {
+    if (note.find(part) != std::string::npos) return true;
+  }
+  return false;
+}
+
+}  // namespace rungproof::test

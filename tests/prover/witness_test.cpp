@@ -1,0 +1,82 @@
+// Witnesses are as small as they can be made: no scan too many, and inputs that may have any value are marked.
+#include "analysis/witness_minimal.hpp"
+#include "frontend/witness_report.hpp"
+#include "proved_text.hpp"
+
+namespace rungproof::test {
+namespace {
+
+const char* const parallel =
+    "Network 1\nLD I0.0\n= Q0.0\n"
+    "Network 2\nLD I0.1\nO I0.2\n= Q0.1\n"
+    "Network 3\nLD I0.3\n= Q0.2\n";
+
+std::map<std::string, bool> lastScanOf(const Witness& witness) {
+  std::map<std::string, bool> matters;
+  const std::vector<PresetValue>& inputs = witness.scans.back().inputs;
+  for (std::size_t i = 0; i < inputs.size(); ++i) matters[toString(inputs[i].operand)] = witness.matters.back()[i];
+  return matters;
+}
+
+TEST(Witness, MarksInputsThatDoNotMatter) {
+  const ProgramInput input = inputOf("//@ prove apart: never Q0.0 and Q0.1\n//@ reach third: Q0.2\n", parallel);
+  const ProofRun run = prove(input.program, input.properties, usualOptions());
+  const ProofResult* result = resultNamed(run, "apart");
+  ASSERT_TRUE(result != nullptr && result->witness);
+  EXPECT_EQ(result->outcome, Outcome::Violated);
+  EXPECT_EQ(result->witness->scanCount, 1U);
+  std::map<std::string, bool> matters = lastScanOf(*result->witness);
+  EXPECT_TRUE(matters["I0.0"]);
+  EXPECT_FALSE(matters["I0.3"]);
+  // One of the two contacts in parallel is needed; with it, the other one may be open or closed.
+  EXPECT_NE(matters["I0.1"], matters["I0.2"]);
+}
+
+TEST(Witness, TableHidesIdleInputs) {
+  const ProgramInput input = inputOf("//@ prove apart: never Q0.0 and Q0.1\n", parallel);
+  const ProofRun run = prove(input.program, input.properties, usualOptions());
+  const ProofResult* result = resultNamed(run, "apart");
+  ASSERT_TRUE(result != nullptr && result->witness);
+  const std::vector<TraceSignal> signals = signalsThatMatter(input.program, *result);
+  // The two inputs that matter, then the outputs of the property.
+  ASSERT_EQ(signals.size(), 4U);
+  EXPECT_EQ(signals[0].name, "I0.0");
+  EXPECT_EQ(signals[2].name, "Q0.0");
+  EXPECT_EQ(signals[3].name, "Q0.1");
+}
+
+TEST(Witness, LeavesOutScansThatAreNotNeeded) {
+  // One scan off, one scan on; all others are padding.
+  const ProgramInput input = inputOf("//@ reach on: Q0.0 and once(not Q0.0)\n", "Network 1\nLD I0.0\nO Q0.0\n= Q0.0\n");
+  const Property& goal = input.properties.properties[0];
+  const std::vector<Property> none;
+  const Choices choices;
+  const Judge judge(input.program, choices, none, goal);
+  std::vector<ReplayScan> scans(10);
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    scans[i].inputs.push_back({direct(Area::I, Width::Bit, 0, 0), i == 6 ? 1U : 0U});
+    scans[i].repeats = 5;
+  }
+  std::optional<Witness> found = judge.witness(scans, std::nullopt);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->scanCount, 31U);  // six times five scans off, then on
+  const Witness small = minimised(judge, std::move(*found), 5, 1);
+  EXPECT_EQ(small.scanCount, 2U);
+  ASSERT_FALSE(small.matters.empty());
+  EXPECT_TRUE(small.matters[0][0]);
+  EXPECT_TRUE(small.matters[1][0]);
+}
+
+TEST(Witness, AssumptionsStayKept) {
+  // With the two limit switches excluding each other, neither is idle together with the other at any value.
+  const ProgramInput input = inputOf("//@ assume limits: I0.1 xor I0.2\n//@ reach on: Q0.0\n", "Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\nA I0.2\n= Q0.1\n");
+  const ProofRun run = prove(input.program, input.properties, usualOptions());
+  const ProofResult* result = resultNamed(run, "on");
+  ASSERT_TRUE(result != nullptr && result->witness);
+  std::map<std::string, bool> matters = lastScanOf(*result->witness);
+  EXPECT_TRUE(matters["I0.1"]);
+  EXPECT_TRUE(matters["I0.2"]);
+}
+
+}  // namespace
+}  // namespace rungproof::test
