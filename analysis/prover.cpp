@@ -31,6 +31,7 @@ constexpr int shallowDepth = 12;         ///< scans of a short accelerated run
 constexpr double shallowSeconds = 0.25;  ///< for all of them
 constexpr double quickSeconds = 0.5;     ///< for each question while all are looked at together
 constexpr double minimiseSeconds = 0.25;  ///< for making a witness smaller
+constexpr std::uint64_t minimisedScans = 200;  ///< longer witnesses wait for a timer; they stay as they were found
 constexpr double premiseSeconds = 5;     ///< for a question that a verdict is checked with
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
@@ -211,7 +212,7 @@ class Session {
     const bool wantsYes = row.builtin ? isWanted(row.builtin->kind) : row.property.kind == PropertyKind::Reach;
     if (witness) {
       row.outcome = wantsYes ? Outcome::Reachable : Outcome::Violated;
-      if (options_.evidence && question < goals_.size() && !watch_.isStopped()) {
+      if (options_.evidence && question < goals_.size() && witness->scanCount <= minimisedScans && !watch_.isStopped()) {
         const double most = std::clamp(left(), 0.05, minimiseSeconds);
         witness = minimised(Judge(program_, options_.choices, assumptions_, goals_[question]), std::move(*witness), most, options_.seed);
       }
