@@ -53,7 +53,7 @@ class Script final : public Outside {
 ReplayResult replay(const Program& program, const Choices& choices, const std::vector<ReplayScan>& scans, const Concrete::Store* initial,
                     const ReplayObserver& observer, InstructionObserver* watcher) {
   Script script(choices);
-  EngineOptions options;
+  SimulatorOptions options;
   options.choices = choices;
   Simulator simulator(program, options, &script);
   if (initial != nullptr) simulator.setStore(*initial);

@@ -13,7 +13,7 @@ constexpr std::uint64_t defaultStation = 2;  // of a CPU as delivered (not in th
 
 }  // namespace
 
-Simulator::Simulator(const Program& program, EngineOptions options, Outside* outside)
+Simulator::Simulator(const Program& program, SimulatorOptions options, Outside* outside)
     : plan_(program), options_(std::move(options)), outside_(outside), domain_(*this), store_(powerUpState(plan_, options_.choices, options_.dataLost)),
       machine_(domain_, store_, plan_, options_.choices), queue_(program.target), devices_(options_.clock),
       unknownIsZero_(outside == nullptr && options_.choices.is(Choice::UnknownBits, "zero")), random_(options_.seed) {

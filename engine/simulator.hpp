@@ -30,7 +30,7 @@
 
 namespace rungproof {
 
-struct EngineOptions {
+struct SimulatorOptions {
   Choices choices;
   std::uint32_t scanUs = 10000;  ///< length of a scan in us for which nothing else is asked
   std::vector<RetentiveRange> retentive = defaultRetentiveRanges();
@@ -44,7 +44,7 @@ class Scan;
 
 /// What is asked of one scan.
 struct ScanRequest {
-  std::uint32_t lengthUs = 0;  ///< 0: EngineOptions::scanUs
+  std::uint32_t lengthUs = 0;  ///< 0: SimulatorOptions::scanUs
   std::vector<int> events{};   ///< interrupt events that occur at its start
   const ScanScript* script = nullptr;
 };
@@ -53,7 +53,7 @@ class Simulator final : private Outside {
  public:
   /// Powers up into RUN after a download. The program must outlive the simulator. `outside`: gives the external values
   /// and hears of errors in place of the simulator's own devices; may be nullptr.
-  explicit Simulator(const Program& program, EngineOptions options = {}, Outside* outside = nullptr);
+  explicit Simulator(const Program& program, SimulatorOptions options = {}, Outside* outside = nullptr);
 
   /// Power off and on; retentive cells keep their values.
   void powerCycle();
@@ -127,7 +127,7 @@ class Simulator final : private Outside {
   void finishScan(std::uint32_t lengthUs);
 
   Plan plan_;
-  EngineOptions options_;
+  SimulatorOptions options_;
   Outside* outside_;
   Concrete domain_;
   Concrete::Store store_;

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "analysis/export_system.hpp"
+#include "analysis/hidden_code.hpp"
 #include "analysis/proof_side.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/proof_input.hpp"
@@ -32,6 +33,13 @@ ExportRemarks remarksOf(const ProgramInput& input, ProofSide& side, const Prover
   ExportRemarks remarks;
   for (const std::string& text : environmentTexts(input.program, input.properties, options.time)) remarks.push_back("assumes: " + text);
   for (const std::string& text : approximationTexts(input.program, side.obligations().encoding())) remarks.push_back("approximated: " + text);
+  const HiddenCode hidden(input.program, input.properties);
+  const std::vector<Question>& questions = side.system().questions;
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    for (const std::string& reason : hidden.reasons(side.obligations().encoding(), side.variablesOf(i))) {
+      remarks.push_back(fmt::format("not covered: {}: {}", questions[i].name, reason));
+    }
+  }
   return remarks;
 }
 

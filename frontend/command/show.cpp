@@ -156,7 +156,7 @@ class Show {
       failures_.push_back({"there is no main program to run", arguments_.files.front(), "give the file that holds the main program"});
       return false;
     }
-    EngineOptions engine;
+    SimulatorOptions engine;
     engine.choices = context_.settings.choices();
     engine.seed = static_cast<std::uint64_t>(context_.settings.number(Opt::Seed, 1));
     if (const auto scanTime = context_.settings.scanTime()) engine.scanUs = static_cast<std::uint32_t>(scanTime->low.count());

@@ -205,7 +205,7 @@ Exit run(const Arguments& arguments, Context& context) {
   const Job job = preparation.job();
   if (!preparation.failures.empty()) return failAll(context, preparation.failures);
 
-  EngineOptions options;
+  SimulatorOptions options;
   options.choices = context.settings.choices();
   options.seed = static_cast<std::uint64_t>(std::stoull(std::string(context.settings.text(Opt::Seed))));
   Simulator simulator(program, options);

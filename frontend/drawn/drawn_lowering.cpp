@@ -16,7 +16,7 @@ namespace rungproof {
 namespace {
 
 /// Elements in a row that are still followed; far more than fit a page.
-constexpr int deepestRow = 1000;
+constexpr int deepestRow = 400;
 
 }  // namespace
 

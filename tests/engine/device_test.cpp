@@ -224,7 +224,7 @@ TEST(Network, RequestEndsInTheNextScan) {
 }
 
 TEST(Clock, RunsWithTheSimulationAndCanBeSet) {
-  EngineOptions options;
+  SimulatorOptions options;
   options.clock = {4, 2, 28, 23, 59, 59, 7};
   Rig rig("LD SM0.0\nTODR VB0\nLD I0.0\nEU\nTODW VB100\nLD SM0.1\nMOVD 16#95021412, VD100\nMOVD 16#00000003, VD104\n", options);
   rig.scans(1);

@@ -18,7 +18,7 @@ TEST(Mode, StopInTheMainProgramEndsItAtOnce) {
 }
 
 TEST(Mode, StopMayLetTheScanEnd) {
-  EngineOptions options;
+  SimulatorOptions options;
   ASSERT_TRUE(options.choices.set("stop-in-main", "end-of-scan"));
   Rig rig("LD SM0.0\nSTOP\nINCW VW0\n", options);
   rig.scans(2);
@@ -66,7 +66,7 @@ TEST(StartUp, NoEdgeInTheFirstScan) {
 }
 
 TEST(StartUp, RetentiveCellsSurviveThePowerCycle) {
-  EngineOptions options;
+  SimulatorOptions options;
   options.retentive = {{Area::V, 0, 9}, {Area::M, 14, 31}, {Area::T, 0, 31}, {Area::C, 0, 9}};
   Rig rig(
       "LD SM0.1\nMOVW 5, VW0\nMOVW 6, VW10\nMOVB 7, MB0\nMOVB 8, MB20\n"
@@ -93,7 +93,7 @@ TEST(StartUp, RetentiveCellsSurviveThePowerCycle) {
 TEST(StartUp, DataBlockFillsWhatIsNotRetentive) {
   Rig rig("LD SM0.0\nINCW VW0\nINCW VW10\n");
   rig.program.data = {{0, {0x00, 0x64}, {}}, {10, {0x00, 0xC8}, {}}};
-  EngineOptions options;
+  SimulatorOptions options;
   options.retentive = {{Area::V, 10, 11}};
   Simulator simulator(rig.program, options);
   const auto word = [&](std::uint32_t offset) { return simulator.read(direct(Area::V, Width::Word, offset)); };
@@ -119,7 +119,7 @@ TEST(Watchdog, EndlessLoopIsFatalErrorThree) {
 }
 
 TEST(Watchdog, LimitIsAChoice) {
-  EngineOptions options;
+  SimulatorOptions options;
   ASSERT_TRUE(options.choices.set("watchdog", "300ms"));
   Rig rig("LBL 1\nLD SM0.0\nJMP 1\n", options);
   rig.scans(1);

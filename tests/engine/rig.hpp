@@ -25,7 +25,7 @@ inline Operand operandNamed(std::string name) {
 
 class Rig {
  public:
-  explicit Rig(const std::string& text, EngineOptions options = {}, Target target = {}) {
+  explicit Rig(const std::string& text, SimulatorOptions options = {}, Target target = {}) {
     ReadOptions reading;
     reading.target = target;
     program = readText("test.awl", text, reading);

@@ -13,7 +13,7 @@ TEST(ScanCycle, FirstScanBitsAreSeenByTheFirstScanOnly) {
 }
 
 TEST(ScanCycle, LostDataShowsForOneScan) {
-  EngineOptions options;
+  SimulatorOptions options;
   options.dataLost = true;
   Rig rig("LD SM0.2\n= Q0.0\n", options);
   EXPECT_EQ(rig.wave("Q0.0", 3), "100");
@@ -48,7 +48,7 @@ TEST(ScanCycle, OneSecondClock) {
 }
 
 TEST(ScanCycle, OneSecondClockMayStartOn) {
-  EngineOptions options;
+  SimulatorOptions options;
   ASSERT_TRUE(options.choices.set("scan-clock-start", "on"));
   Rig rig("LD SM0.5\n= Q0.0\n", options);
   EXPECT_EQ(rig.wave("Q0.0", 11, 100000), "11111000001");

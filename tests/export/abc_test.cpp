@@ -67,6 +67,7 @@ TEST(Abc, AnswersTheCorpusAsItsVerdictsSay) {
       const auto verdict = verdicts.find(side.system().questions[i].name);
       const bool isAsserted = answers.asserted.contains(i);
       if (verdict == verdicts.end() || (!isAsserted && !answers.isComplete) || (isAsserted && !isExact)) continue;
+      if (verdict->second == "NOT COVERED") continue;  // code that was not read: the file says so, no answer counts
       ++decided;
       asserted += isAsserted ? 1 : 0;
       const bool canBe = verdict->second == "VIOLATED" || verdict->second == "REACHABLE";

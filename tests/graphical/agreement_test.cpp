@@ -26,8 +26,8 @@ std::string errorsOf(const Program& program) {
   return text;
 }
 
-EngineOptions optionsOf() {
-  EngineOptions options;
+SimulatorOptions optionsOf() {
+  SimulatorOptions options;
   options.scanUs = scanUs;
   return options;
 }

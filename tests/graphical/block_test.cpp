@@ -80,7 +80,7 @@ TEST(DrawnBlocks, TimerOutputsAndElapsedTime) {
   const std::string body = inElement(1, "a") + inElement(2, "T#300ms") + blockElement(3, "TON", "t", {{"IN", {"1"}}, {"PT", {"2"}}}, {"Q", "ET"}) + outElement(4, {"3.Q"}, "y") + outElement(5, {"3.ET"}, "e");
   const Program program = fbd({"a:BOOL@%IX0.0", "y:BOOL@%QX0.0", "t:TON", "e:TIME"}, body);
   EXPECT_EQ(findings(program), "");
-  EngineOptions options;
+  SimulatorOptions options;
   options.scanUs = 100'000;
   Simulator simulator(program, options);
   simulator.scan();

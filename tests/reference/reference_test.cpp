@@ -174,7 +174,7 @@ std::string firstDifference(const std::string& text, std::uint64_t seed, int sca
   if (hasReadErrors(program) || !isWhole(program)) return "unreadable";
   std::mt19937_64 random(seed);
   const auto pick = [&](std::uint64_t n) { return random() % n; };
-  Simulator engine(program, EngineOptions{});
+  Simulator engine(program, SimulatorOptions{});
   naive::Interpreter plain(program);
   std::uint64_t now = 0, before = 0;
   for (int scan = 0; scan < scans; ++scan) {
