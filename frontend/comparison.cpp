@@ -35,6 +35,7 @@ Comparison comparisonOf(const Trace& expected, const Trace& actual, const std::o
   result.timeMs = static_cast<double>(difference->timeUs) / 1000;
   result.signal = expected.signals[difference->expectedSignal].name;
   result.expected = difference->expected;
+  result.hasEnded = !difference->actual.has_value();
   result.actual = difference->actual.value_or(std::numeric_limits<double>::quiet_NaN());
   const std::vector<std::size_t> columns = columnsShown(expected, difference->expectedSignal);
   for (const std::size_t i : columns) result.signals.push_back(expected.signals[i].name);

@@ -25,6 +25,11 @@ std::string_view resultKindName(ResultKind kind) {
   return kind == ResultKind::Prove ? "prove" : kind == ResultKind::Reach ? "reach" : "builtin";
 }
 
+std::string differenceText(const Comparison& comparison) {
+  return fmt::format("scan {}, {:g} ms, {}: expected {:g}, {}", comparison.scan, comparison.timeMs, comparison.signal, comparison.expected,
+                     comparison.hasEnded ? "but the trace ends before that scan" : fmt::format("actual {:g}", comparison.actual));
+}
+
 Summary summaryOf(const Report& report) {
   Summary summary;
   for (const Finding& finding : report.findings) {

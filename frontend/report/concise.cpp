@@ -25,8 +25,7 @@ void write(const Report& report, const ReportStyle& style, std::ostream& out) {
                        property.trace.empty() ? "" : " (" + property.trace + ")");
   }
   if (report.comparison && !report.comparison->equal) {
-    const Comparison& c = *report.comparison;
-    out << fmt::format("scan {}, {:g} ms, {}: expected {:g}, actual {:g}\n", c.scan, c.timeMs, c.signal, c.expected, c.actual);
+    out << differenceText(*report.comparison) << '\n';
   }
 }
 

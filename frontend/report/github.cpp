@@ -49,9 +49,7 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
                        escaped(property.name, false));
   }
   if (report.comparison && !report.comparison->equal) {
-    const Comparison& c = *report.comparison;
-    out << fmt::format("::error title=traces differ::scan {}, {:g} ms, {}: expected {:g}, actual {:g}\n", c.scan, c.timeMs,
-                       escaped(c.signal, false), c.expected, c.actual);
+    out << fmt::format("::error title=traces differ::{}\n", escaped(differenceText(*report.comparison), false));
   }
 }
 

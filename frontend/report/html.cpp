@@ -175,8 +175,7 @@ class HtmlWriter {
       out_ << "<p class=good>The traces agree.</p>\n";
       return;
     }
-    out_ << fmt::format("<p class=bad>First difference: scan {}, {:g} ms, {}: expected {:g}, actual {:g}</p>\n", comparison.scan,
-                        comparison.timeMs, escaped(comparison.signal), comparison.expected, comparison.actual);
+    out_ << fmt::format("<p class=bad>First difference: {}</p>\n", escaped(differenceText(comparison)));
     if (comparison.around.empty()) return;
     out_ << "<table><tr><th>scan</th><th>ms</th>";
     for (const std::string& signal : comparison.signals) out_ << fmt::format("<th>{}</th>", escaped(signal));

@@ -141,8 +141,7 @@ class HumanWriter {
       out_ << "traces agree\n";
       return;
     }
-    out_ << fmt::format("{} scan {}, {:g} ms, {}: expected {:g}, actual {:g}\n", paint_.red("first difference:"), comparison.scan,
-                        comparison.timeMs, comparison.signal, comparison.expected, comparison.actual);
+    out_ << fmt::format("{} {}\n", paint_.red("first difference:"), differenceText(comparison));
     if (comparison.around.empty()) return;
     std::vector<std::size_t> widths;
     for (std::size_t i = 0; i < comparison.signals.size(); ++i) {

@@ -72,7 +72,11 @@ struct Comparison {
   double actual = 0;
   std::vector<std::string> signals;     ///< names of the columns of `around`
   std::vector<ComparedScan> around;     ///< scans before and after the difference
+  bool hasEnded = false;                ///< the trace ends before that scan: there is no actual value
 };
+
+/// "scan 7, 70 ms, Q0.0: expected 1, actual 0", or that the trace ends before.
+std::string differenceText(const Comparison& comparison);
 
 /// A planted fault and what became of it (analysis/self_check.hpp).
 struct PlantedFault {

@@ -167,5 +167,12 @@ TEST(HumanReport, PrintsTheFirstDifferenceWithTheScansAround) {
             "                    actual       1     0\n");
 }
 
+TEST(Report, SaysWhenTheTraceEndsBeforeTheExpectedScan) {
+  Comparison comparison{false, 7, 70, "Q0.0", 1, 0, {}, {}};
+  EXPECT_EQ(differenceText(comparison), "scan 7, 70 ms, Q0.0: expected 1, actual 0");
+  comparison.hasEnded = true;
+  EXPECT_EQ(differenceText(comparison), "scan 7, 70 ms, Q0.0: expected 1, but the trace ends before that scan");
+}
+
 }  // namespace
 }  // namespace rungproof
