@@ -3,13 +3,13 @@
 
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <istream>
 #include <ostream>
 
+#include "frontend/argument_parser.hpp"
 #include "frontend/config.hpp"
 
 namespace rungproof {
@@ -35,58 +35,21 @@ std::size_t commandIndex(const std::vector<std::string>& arguments) {
   return arguments.size();
 }
 
-std::vector<std::string> optionNames(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  }
-  return names;
-}
-
-/// What CLI11 says of wrong arguments, in our words.
-Failure usageFailure(const CLI::ParseError& error, const CLI::App& app, const Command& command) {
-  const std::string seeHelp = fmt::format("see 'rungproof {} --help'", command.name);
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
-    const std::vector<std::string> rest = app.remaining();
-    const std::string first = rest.empty() ? std::string() : rest.front();
-    if (!first.starts_with("-")) return {fmt::format("unexpected argument '{}' for 'rungproof {}'", first, command.name), {}, seeHelp};
-    const std::string name = first.substr(0, first.find('='));
-    const std::vector<std::string> names = optionNames(app);
-    const std::string_view meant = closest(name, names);
-    return {fmt::format("unknown option '{}' for 'rungproof {}'", name, command.name), {},
-            meant.empty() ? seeHelp : fmt::format("did you mean '{}'? {}", meant, seeHelp)};
-  }
-  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
-    return {error.what(), {}, fmt::format("usage: rungproof {} {}", command.name, command.usage)};
-  }
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
-    const std::string what = error.what();
-    return {fmt::format("{} needs a value", what.substr(0, what.find(':'))), {}, seeHelp};
-  }
-  return {error.what(), {}, seeHelp};
-}
-
 /// Folder where the search for the configuration begins: that of the first file argument, else the current one.
-fs::path configFolder(const CLI::App& app) {
-  for (const CLI::Option* option : app.get_options()) {
-    if (!option->get_positional() || option->results().empty()) continue;
-    std::error_code error;
-    const fs::path file(option->results().front());
-    if (fs::exists(file, error)) return file.has_parent_path() ? file.parent_path() : fs::path(".");
-  }
-  return ".";
+fs::path configFolder(const ParsedLine& line) {
+  std::error_code error;
+  const fs::path file = line.arguments.empty() ? fs::path() : fs::path(line.arguments.front());
+  return fs::exists(file, error) && file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
 /// Values of the common options on the command line; also splits --choice KEY=VALUE.
-std::optional<Failure> readCommandLine(const CLI::App& app, Settings& settings) {
-  for (const OptionInfo& info : optionTable()) {
-    const CLI::Option* option = app.get_option_no_throw("--" + std::string(info.name));
-    if (option == nullptr || option->count() == 0) continue;
-    const std::vector<std::string> given = info.arity == Arity::Flag ? std::vector<std::string>{"true"} : option->results();
-    settings.set(info.id, given, "command line");
-    if (info.arity == Arity::Flag || info.id == Opt::Format) continue;
-    for (const std::string& text : settings.list(info.id)) {
-      if (auto failure = checkValue(info, text)) return failure;
+std::optional<Failure> readCommandLine(const ParsedLine& line, Settings& settings) {
+  for (const auto& [option, texts] : line.options) {
+    const bool isFlag = option->arity == Arity::Flag;
+    settings.set(option->id, isFlag ? std::vector<std::string>{"true"} : texts, "command line");
+    if (isFlag || option->id == Opt::Format) continue;
+    for (const std::string& text : settings.list(option->id)) {
+      if (auto failure = checkValue(*option, text)) return failure;
     }
   }
   for (const std::string& text : settings.list(Opt::ChoiceOf)) {
@@ -133,27 +96,23 @@ int failed(std::ostream& err, const Failure& failure) {
 }
 
 int runCommand(const Command& command, std::vector<std::string> arguments, const Streams& streams) {
-  CLI::App app(std::string(command.summary), std::string(command.name));
-  const Action action = command.setup(app);
-  addCommonOptions(app);
-  try {
-    std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
-    app.parse(std::move(arguments));
-  } catch (const CLI::CallForHelp&) {
-    streams.out << commandHelp(command, app);
+  ArgumentTable table;
+  const Action action = command.setup(table);
+  const ParsedLine line = parseArguments(command, table, std::move(arguments));
+  if (line.helpWanted) {
+    streams.out << commandHelp(command, table);
     return static_cast<int>(Exit::Clean);
-  } catch (const CLI::ParseError& error) {
-    return failed(streams.err, usageFailure(error, app, command));
   }
+  if (line.failure) return failed(streams.err, *line.failure);
 
   Settings settings;
-  const bool isolated = app.count("--isolated") > 0;
-  const CLI::Option* named = app.get_option("--config");
-  const fs::path config = named->count() > 0 ? fs::path(named->results().back()) : isolated ? fs::path() : findConfig(configFolder(app));
+  const ParsedLine::CommonOption* named = line.option(Opt::Config);
+  const bool isolated = line.option(Opt::Isolated) != nullptr;
+  const fs::path config = named != nullptr ? fs::path(named->texts.back()) : isolated ? fs::path() : findConfig(configFolder(line));
   if (!config.empty()) {
     if (auto failure = readConfig(config, settings)) return failed(streams.err, *failure);
   }
-  if (auto failure = readCommandLine(app, settings)) return failed(streams.err, *failure);
+  if (auto failure = readCommandLine(line, settings)) return failed(streams.err, *failure);
   if (auto failure = settings.check()) return failed(streams.err, *failure);
 
   Context context{settings, streams.in, streams.out, streams.err, wantsColor(settings, streams.outIsTerminal),
@@ -222,20 +181,6 @@ std::vector<std::string_view> formatsOf(const Command& command) {
     if (reporter->name != "human") names.push_back(reporter->name);
   }
   return names;
-}
-
-void addCommonOptions(CLI::App& app) {
-  for (const OptionInfo& info : optionTable()) {
-    std::string name = "--" + std::string(info.name);
-    if (app.get_option_no_throw(name) != nullptr) continue;
-    if (info.arity == Arity::Flag) {
-      app.add_flag(info.id == Opt::Quiet ? "-q," + name : name);
-      continue;
-    }
-    CLI::Option* option = app.add_option(name, [](const CLI::results_t&) { return true; }, std::string(info.help));
-    option->expected(1)->allow_extra_args(false);
-    option->multi_option_policy(info.arity == Arity::List ? CLI::MultiOptionPolicy::TakeAll : CLI::MultiOptionPolicy::TakeLast);
-  }
 }
 
 int runProgram(const std::vector<std::string>& arguments, const Streams& streams) {

@@ -23,11 +23,9 @@ struct Streams {
 /// Runs the program; `arguments` without the program's own name. Returns the exit code.
 int runProgram(const std::vector<std::string>& arguments, const Streams& streams);
 
-/// Declares the common options on the app of a command, as the table has them.
-void addCommonOptions(CLI::App& app);
-/// Help of the program and of one command (with its options declared on `app`).
+/// Help of the program and of one command with its own rows.
 std::string programHelp();
-std::string commandHelp(const Command& command, const CLI::App& app);
+std::string commandHelp(const Command& command, const ArgumentTable& table);
 std::string_view programVersion();
 
 }  // namespace rungproof

@@ -1,8 +1,6 @@
-// Help texts, from the table of common options, the commands and what they declared on their app.
+// Help texts, from the table of common options, the commands and the rows they declare.
 // Every page is pinned by tests/golden/help.
 #include <fmt/ranges.h>
-
-#include <CLI/CLI.hpp>
 
 #include "frontend/cli.hpp"
 #include "frontend/columns.hpp"
@@ -33,15 +31,11 @@ TextRow formatRow(const Command& command) {
                       fmt::join(formatsOf(command), ", "), formatsOf(command).front())};
 }
 
-TextRow ownRow(const CLI::Option& option) {
-  std::string left = option.get_positional() && option.get_lnames().empty() ? option.get_single_name() : option.get_name();
-  for (std::size_t comma = left.find(','); comma != std::string::npos; comma = left.find(',', comma + 2)) left.insert(comma + 1, " ");
-  const bool takesValue = option.get_items_expected_max() != 0 && !option.get_positional();
-  const std::string value = option.get_type_name();
-  if (takesValue) left += " " + (value.empty() || value == "TEXT" ? std::string("VALUE") : value);
-  std::string right = option.get_description();
-  if (!option.get_default_str().empty()) right += fmt::format(" [default: {}]", option.get_default_str());
-  return {left, right};
+TextRow ownRow(const Argument& row) {
+  std::string left(row.names);
+  if (const std::size_t comma = left.find(','); comma != std::string::npos) left.insert(comma + 1, " ");
+  if (!row.value.empty()) left += fmt::format(" {}", row.value);
+  return {left, std::string(row.help)};
 }
 
 struct GroupTitle {
@@ -73,19 +67,14 @@ std::string programHelp() {
   return text;
 }
 
-std::string commandHelp(const Command& command, const CLI::App& app) {
+std::string commandHelp(const Command& command, const ArgumentTable& table) {
   std::string text = fmt::format("rungproof {} - {}\n\nUsage: rungproof {} [OPTIONS]{}{}\n", command.name, command.summary, command.name,
                                  command.usage.empty() ? "" : " ", command.usage);
   if (!command.details.empty()) text += fmt::format("\n{}", command.details);
 
   std::vector<TextRow> arguments;
   std::vector<TextRow> options;
-  for (const CLI::Option* option : app.get_options()) {
-    const bool isCommon = !option->get_lnames().empty() && optionNamed(option->get_lnames().front()) != nullptr;
-    if (isCommon && option->get_lnames().front() != "format") continue;
-    if (isCommon || option->get_group().empty() || option->check_lname("help")) continue;
-    (option->get_positional() ? arguments : options).push_back(ownRow(*option));
-  }
+  for (const Argument& row : table.rows()) (row.isOption() ? options : arguments).push_back(ownRow(row));
   options.push_back({"-h, --help", "this text"});
   if (!arguments.empty()) {
     text += "\nArguments:\n";

@@ -1,5 +1,4 @@
 // `rungproof baseline`: writes the findings of today into a file, so that `lint --baseline` reports only new ones.
-#include <CLI/CLI.hpp>
 
 #include "frontend/baseline.hpp"
 #include "frontend/command/command.hpp"
@@ -14,10 +13,10 @@ struct State {
   std::string output;
 };
 
-Action setup(CLI::App& app) {
+Action setup(ArgumentTable& table) {
   auto state = std::make_shared<State>();
-  app.add_option("FILE", state->files, "programs, symbol tables and data blocks; '-' is standard input")->required();
-  app.add_option("-o,--output", state->output, "file to write; standard output without")->type_name("FILE");
+  table.arguments("FILE", state->files, "programs, symbol tables and data blocks; '-' is standard input");
+  table.option("-o,--output", state->output, "FILE", "file to write; standard output without");
   return [state](Context& context) {
     const std::vector<std::string> files = expandFolders(state->files);
     if (files.empty()) return context.fail({"the folder holds no program", state->files.front(), "programs end in .awl, .stl or .xml"});

@@ -1,5 +1,5 @@
 // A command of the program: one file of this folder each, nothing else to edit. `setup` declares the command's own
-// arguments and options on a CLI11 app and returns what is to run after parsing; the common options (options.hpp) are
+// arguments and options as rows and returns what is to run after parsing; the common options (options.hpp) are
 // added by the framework and arrive in Context::settings.
 #pragma once
 
@@ -10,14 +10,11 @@
 #include <string_view>
 #include <vector>
 
+#include "frontend/command/arguments.hpp"
 #include "frontend/exit.hpp"
 #include "frontend/failure.hpp"
 #include "frontend/options.hpp"
 #include "frontend/report/report.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace rungproof {
 
@@ -55,7 +52,7 @@ struct Command {
   std::string_view details;   ///< paragraphs and examples for `CMD --help`; may be empty
   OptionGroups shows = option_group::All;  ///< common options that its help lists
   std::string_view formats = {};           ///< "text|json": forms of its output, default first; empty: every Reporter
-  Action (*setup)(CLI::App& app) = nullptr;
+  Action (*setup)(ArgumentTable& table) = nullptr;
 };
 
 std::span<const Command* const> allCommands();

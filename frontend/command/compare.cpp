@@ -1,5 +1,4 @@
 // `rungproof compare`: two trace files against each other.
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "frontend/command/command.hpp"
@@ -51,12 +50,12 @@ Exit run(const Arguments& arguments, Context& context) {
   return finish(context, std::move(report));
 }
 
-Action setup(CLI::App& app) {
+Action setup(ArgumentTable& table) {
   auto arguments = std::make_shared<Arguments>();
-  app.add_option("EXPECTED", arguments->expected, "the trace as it should be (CSV)")->required();
-  app.add_option("ACTUAL", arguments->actual, "the trace as it is (CSV); '-' is standard input")->required();
-  app.add_option("--tolerance", arguments->tolerances, "how far a value may be off; may be repeated")->type_name("SIGNAL=VALUE");
-  app.add_option("--slack", arguments->slack, "scans by which a value may come earlier or later")->type_name("N");
+  table.argument("EXPECTED", arguments->expected, "the trace as it should be (CSV)");
+  table.argument("ACTUAL", arguments->actual, "the trace as it is (CSV); '-' is standard input");
+  table.option("--tolerance", arguments->tolerances, "SIGNAL=VALUE", "how far a value may be off; may be repeated");
+  table.number("--slack", arguments->slack, "N", "scans by which a value may come earlier or later");
   return [arguments](Context& context) { return run(*arguments, context); };
 }
 

@@ -2,7 +2,6 @@
 // and the option table, so that it is never behind.
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 
 #include "frontend/cli.hpp"
 #include "frontend/code_list.hpp"
@@ -21,19 +20,15 @@ struct Completed {
 };
 
 std::vector<Completed> optionsOf(const Command& command) {
-  CLI::App app;
-  command.setup(app);
-  addCommonOptions(app);
-  std::vector<Completed> options;
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) {
-      Completed completed{"--" + name, option->get_description(), {}, option->get_items_expected_max() != 0};
-      if (const OptionInfo* info = optionNamed(name)) {
-        completed.help = info->help;
-        completed.words = info->id == Opt::Format ? formatsOf(command) : permittedWords(info->value);
-      }
-      options.push_back(std::move(completed));
-    }
+  ArgumentTable table;
+  const Action action = command.setup(table);
+  std::vector<Completed> options = {{"--help", "help of the command", {}}};
+  for (const Argument& row : table.rows()) {
+    if (row.isOption()) options.push_back({std::string(row.longName()), std::string(row.help), permittedWords(row.value), !row.isFlag()});
+  }
+  for (const OptionInfo& info : optionTable()) {
+    options.push_back({"--" + std::string(info.name), std::string(info.help), info.id == Opt::Format ? formatsOf(command) : permittedWords(info.value),
+                       info.arity != Arity::Flag});
   }
   return options;
 }
@@ -137,9 +132,9 @@ std::string fishScript() {
   return text;
 }
 
-Action setup(CLI::App& app) {
+Action setup(ArgumentTable& table) {
   auto shell = std::make_shared<std::string>();
-  app.add_option("SHELL", *shell, "bash, zsh or fish")->required();
+  table.argument("SHELL", *shell, "bash, zsh or fish");
   return [shell](Context& context) {
     const bool known = *shell == "bash" || *shell == "zsh" || *shell == "fish";
     if (!known) return context.fail({fmt::format("there is no completion for '{}'", *shell), {}, "it can be bash, zsh or fish"});

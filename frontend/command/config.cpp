@@ -2,7 +2,6 @@
 // leaves open with the chosen reading.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "frontend/command/command.hpp"
@@ -118,9 +117,9 @@ std::string textIn(const std::string& form, const Settings& settings) {
   return form == "schema" ? configSchema() : configText(settings);
 }
 
-Action setup(CLI::App& app) {
+Action setup(ArgumentTable& table) {
   auto files = std::make_shared<std::vector<std::string>>();
-  app.add_option("FILE", *files, "files whose configuration is wanted; the current folder without");
+  table.arguments("FILE", *files, "files whose configuration is wanted; the current folder without", true);
   return [files](Context& context) {
     Exit exit = Exit::Clean;
     for (const OutputRequest& output : context.outputs) {

@@ -1,7 +1,6 @@
 // `rungproof explain CODE`: the page of a rule, a group, a run-time error, an instruction, or one of the topics.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -113,9 +112,9 @@ Failure unknown(const std::string& word) {
                         : fmt::format("did you mean '{}'?", meant)};
 }
 
-Action setup(CLI::App& app) {
+Action setup(ArgumentTable& table) {
   auto word = std::make_shared<std::string>();
-  app.add_option("CODE", *word, "rule (ADR001), group (ADR), instruction (TON), run-time error (0006), 'hazards' or 'choices'")->required();
+  table.argument("CODE", *word, "rule (ADR001), group (ADR), instruction (TON), run-time error (0006), 'hazards' or 'choices'");
   return [word](Context& context) {
     Exit exit = Exit::Clean;
     for (const OutputRequest& output : context.outputs) {

@@ -1,7 +1,6 @@
 // `rungproof export`: the transition system of a program with its properties, for other model checkers.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 
 #include "analysis/export_system.hpp"
 #include "analysis/hidden_code.hpp"
@@ -70,12 +69,12 @@ Exit run(const Arguments& arguments, Context& context) {
   return isWritten ? Exit::Clean : Exit::Failed;
 }
 
-Action setup(CLI::App& app) {
+Action setup(ArgumentTable& table) {
   auto arguments = std::make_shared<Arguments>();
-  app.add_option("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input")->required();
-  app.add_option("--props", arguments->properties, "property file; may be repeated")->type_name("FILE");
-  app.add_flag("--builtin", arguments->builtin, "also the questions of the built-in checks");
-  app.add_option("-o,--output", arguments->output, "write there instead of standard output")->type_name("FILE");
+  table.arguments("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input");
+  table.option("--props", arguments->properties, "FILE", "property file; may be repeated");
+  table.flag("--builtin", arguments->builtin, "also the questions of the built-in checks");
+  table.option("-o,--output", arguments->output, "FILE", "write there instead of standard output");
   return [arguments](Context& context) { return run(*arguments, context); };
 }
 

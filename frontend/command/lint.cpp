@@ -1,5 +1,4 @@
 // `rungproof lint`: every rule that needs no solver, over one or several programs.
-#include <CLI/CLI.hpp>
 #include <fstream>
 #include <sstream>
 
@@ -34,11 +33,11 @@ std::optional<Failure> subtractBaseline(const std::string& name, Report& report)
   return std::nullopt;
 }
 
-Action setup(CLI::App& app) {
+Action setup(ArgumentTable& table) {
   auto state = std::make_shared<State>();
-  app.add_option("FILE", state->files, "programs, symbol tables and data blocks; '-' is standard input; a folder stands for its programs")->required();
-  app.add_flag("--fix", state->fix, "write the safe fixes into the files, then report what is left");
-  app.add_flag("--prove", state->prove, "also the rules that need the prover: candidates are confirmed by a replayed run, or dropped");
+  table.arguments("FILE", state->files, "programs, symbol tables and data blocks; '-' is standard input; a folder stands for its programs");
+  table.flag("--fix", state->fix, "write the safe fixes into the files, then report what is left");
+  table.flag("--prove", state->prove, "also the rules that need the prover: candidates are confirmed by a replayed run, or dropped");
   return [state](Context& context) {
     const std::vector<std::string> files = expandFolders(state->files);
     if (files.empty()) return context.fail({"the folder holds no program", state->files.front(), "programs end in .awl, .stl or .xml"});

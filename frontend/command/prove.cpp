@@ -1,7 +1,6 @@
 // `rungproof prove`: declared properties and built-in checks, each with a verdict and its evidence.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
 #include <csignal>
@@ -193,15 +192,15 @@ Exit run(const Arguments& arguments, Context& context) {
   return failed ? Exit::Failed : exit;
 }
 
-Action setup(CLI::App& app) {
+Action setup(ArgumentTable& table) {
   auto arguments = std::make_shared<Arguments>();
-  app.add_option("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input")->required();
-  app.add_option("--props", arguments->properties, "property file; may be repeated")->type_name("FILE");
-  app.add_flag("--builtin", arguments->builtin, "also the built-in checks: set/reset conflicts, operand ranges, timers, division, loops");
-  app.add_flag("--self-check", arguments->selfCheck, "plant faults one by one and list those that no property notices");
-  app.add_option("--certificate", arguments->certificates, "write the proof of each PROVED as SMT-LIB 2, for another solver to check")->type_name("DIR");
-  app.add_option("--traces", arguments->traces, "write each witness as CSV (also a stimulus), VCD and SVG")->type_name("DIR");
-  app.add_option("--show", arguments->show, "draw the networks that matter, with the power flow of the last 3 scans of each witness")->type_name("ladder|fbd|stl")->check(CLI::IsMember({"ladder", "lad", "fbd", "stl"}).description(""));
+  table.arguments("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input");
+  table.option("--props", arguments->properties, "FILE", "property file; may be repeated");
+  table.flag("--builtin", arguments->builtin, "also the built-in checks: set/reset conflicts, operand ranges, timers, division, loops");
+  table.flag("--self-check", arguments->selfCheck, "plant faults one by one and list those that no property notices");
+  table.option("--certificate", arguments->certificates, "DIR", "write the proof of each PROVED as SMT-LIB 2, for another solver to check");
+  table.option("--traces", arguments->traces, "DIR", "write each witness as CSV (also a stimulus), VCD and SVG");
+  table.word("--show", arguments->show, {"ladder", "lad", "fbd", "stl"}, "ladder|fbd|stl", "draw the networks that matter, with the power flow of the last 3 scans of each witness");
   return [arguments](Context& context) { return run(*arguments, context); };
 }
 

@@ -1,7 +1,6 @@
 // `rungproof rules`: the list of rules as text, JSON or Markdown.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "frontend/code_list.hpp"
@@ -68,7 +67,7 @@ std::string listJson() {
   return json.dump(2) + "\n";
 }
 
-Action setup(CLI::App&) {
+Action setup(ArgumentTable&) {
   return [](Context& context) {
     Exit exit = Exit::Clean;
     for (const OutputRequest& output : context.outputs) {

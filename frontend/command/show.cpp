@@ -1,7 +1,6 @@
 // `rungproof show`: networks as ladder, FBD or STL, as text or SVG; with --at the power flow of one scan of a recorded run.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <chrono>
@@ -14,6 +13,7 @@
 #include "frontend/lint_run.hpp"
 #include "frontend/program_input.hpp"
 #include "frontend/stimulus_reader.hpp"
+#include "frontend/stl_lexer.hpp"
 #include "frontend/trace_file.hpp"
 
 namespace rungproof {
@@ -136,7 +136,7 @@ class Show {
   }
 
   bool isWanted(const Pou& pou) {
-    return arguments_.pous.empty() || std::ranges::any_of(arguments_.pous, [&](const std::string& name) { return CLI::detail::to_lower(name) == CLI::detail::to_lower(pou.name); });
+    return arguments_.pous.empty() || std::ranges::any_of(arguments_.pous, [&](const std::string& name) { return equalsIgnoringCase(name, pou.name); });
   }
   bool isWanted(const Network& network) const {
     return ranges_.empty() || std::ranges::any_of(ranges_, [&](const NumberRange& range) { return range.low <= network.number && network.number <= range.high; });
@@ -184,18 +184,18 @@ class Show {
   std::vector<Failure> failures_;
 };
 
-Action setup(CLI::App& app) {
+Action setup(ArgumentTable& table) {
   auto arguments = std::make_shared<Arguments>();
-  app.add_option("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input")->required();
-  app.add_option("--as", arguments->form, "draw as ladder, function block diagram or statement list (lad)")->type_name("lad|fbd|stl")->check(CLI::IsMember({"lad", "ladder", "fbd", "stl"}).description(""));
-  app.add_flag("--svg", arguments->svg, "one SVG document instead of text");
-  app.add_flag("--ascii", arguments->ascii, "text without box-drawing characters");
-  app.add_option("--network", arguments->networks, "only these networks, such as 3 or 2-5; may be repeated")->type_name("N")->delimiter(',');
-  app.add_option("--pou", arguments->pous, "only these blocks; may be repeated")->type_name("NAME")->delimiter(',');
-  app.add_option("-o,--output", arguments->output, "write to this file; one that ends in .svg is SVG")->type_name("FILE");
-  app.add_option("--at", arguments->at, "light the power flow of a scan of a trace (CSV)")->type_name("TRACE:SCAN");
-  app.add_option("--width", arguments->width, "columns of a page; longer rungs are wrapped (100)")->type_name("N")->check(CLI::Range(40, 1000).description(""));
-  app.add_flag("--no-findings", arguments->noFindings, "do not mark what lint finds");
+  table.arguments("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input");
+  table.word("--as", arguments->form, {"lad", "ladder", "fbd", "stl"}, "lad|fbd|stl", "draw as ladder, function block diagram or statement list (lad)");
+  table.flag("--svg", arguments->svg, "one SVG document instead of text");
+  table.flag("--ascii", arguments->ascii, "text without box-drawing characters");
+  table.list("--network", arguments->networks, "N", "only these networks, such as 3 or 2-5; may be repeated");
+  table.list("--pou", arguments->pous, "NAME", "only these blocks; may be repeated");
+  table.option("-o,--output", arguments->output, "FILE", "write to this file; one that ends in .svg is SVG");
+  table.option("--at", arguments->at, "TRACE:SCAN", "light the power flow of a scan of a trace (CSV)");
+  table.number("--width", arguments->width, "N", "columns of a page; longer rungs are wrapped (100)", 40, 1000);
+  table.flag("--no-findings", arguments->noFindings, "do not mark what lint finds");
   return [arguments](Context& context) { return Show(*arguments, context).run(); };
 }
 

@@ -1,7 +1,6 @@
 // `rungproof sim`: runs a program on the reference engine with a stimulus, writes traces, compares with an expected one.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <memory>
@@ -231,17 +230,17 @@ Exit run(const Arguments& arguments, Context& context) {
   return finish(beside, std::move(report));
 }
 
-Action setup(CLI::App& app) {
+Action setup(ArgumentTable& table) {
   auto arguments = std::make_shared<Arguments>();
-  app.add_option("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input")->required();
-  app.add_option("--stimulus", arguments->stimulus, "what the inputs do, scan by scan or by time (CSV)")->type_name("FILE");
-  app.add_option("--expect", arguments->expect, "the trace as it should be (CSV)")->type_name("FILE");
-  app.add_option("--trace", arguments->traces, "write the trace: .csv .vcd .json .svg .html, or '-'; may be repeated")->type_name("FILE");
-  app.add_option("--signals", arguments->signals, "addresses or symbols to trace; all that the program touches")->type_name("LIST")->delimiter(',');
-  app.add_option("--scans", arguments->scans, "run so many scans; until stimulus and expected trace end, or 100")->type_name("N");
-  app.add_option("--duration", arguments->duration, "run for this time, such as 30s")->type_name("TIME");
-  app.add_option("--tolerance", arguments->tolerances, "how far a value may be off; may be repeated")->type_name("SIGNAL=VALUE");
-  app.add_option("--slack", arguments->slack, "scans by which a value may come earlier or later")->type_name("N");
+  table.arguments("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input");
+  table.option("--stimulus", arguments->stimulus, "FILE", "what the inputs do, scan by scan or by time (CSV)");
+  table.option("--expect", arguments->expect, "FILE", "the trace as it should be (CSV)");
+  table.option("--trace", arguments->traces, "FILE", "write the trace: .csv .vcd .json .svg .html, or '-'; may be repeated");
+  table.list("--signals", arguments->signals, "LIST", "addresses or symbols to trace; all that the program touches");
+  table.number("--scans", arguments->scans, "N", "run so many scans; until stimulus and expected trace end, or 100");
+  table.option("--duration", arguments->duration, "TIME", "run for this time, such as 30s");
+  table.option("--tolerance", arguments->tolerances, "SIGNAL=VALUE", "how far a value may be off; may be repeated");
+  table.number("--slack", arguments->slack, "N", "scans by which a value may come earlier or later");
   return [arguments](Context& context) { return run(*arguments, context); };
 }
 

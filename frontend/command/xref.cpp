@@ -1,7 +1,6 @@
 // `rungproof xref`: who reads and who writes each address, at which width, overlaps and free areas.
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -171,9 +170,9 @@ Exit run(Context& context, std::vector<std::string> arguments) {
   return exit;
 }
 
-Action setup(CLI::App& app) {
+Action setup(ArgumentTable& table) {
   auto arguments = std::make_shared<std::vector<std::string>>();
-  app.add_option("FILE", *arguments, "files of the program; a last argument that is no file is an address or symbol to show")->required();
+  table.arguments("FILE", *arguments, "files of the program; a last argument that is no file is an address or symbol to show");
   return [arguments](Context& context) { return run(context, *arguments); };
 }
 
