@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "frontend/closest_word.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {

@@ -10,6 +10,7 @@
 #include <ostream>
 
 #include "frontend/argument_parser.hpp"
+#include "frontend/closest_word.hpp"
 #include "frontend/config.hpp"
 
 namespace rungproof {

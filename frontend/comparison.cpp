@@ -1,4 +1,5 @@
 // Fills the comparison of a report.
+#include "frontend/closest_word.hpp"
 #include "frontend/comparison.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 // Reading of rungproof.toml with toml++. Every unknown key, wrong type and bad value is an error with its place: a
 // setting that is silently ignored is worse than none. Tested by tests/golden/config and tests/cli/exit_test.cpp.
+#include "frontend/closest_word.hpp"
 #include "frontend/config.hpp"
 
 #include <fmt/core.h>

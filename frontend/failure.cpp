@@ -1,10 +1,7 @@
-// Printing of failures, and the distance between words behind "did you mean". Tested by tests/cli/settings_test.cpp
-// and the golden tests of usage errors.
+// Printing of failures. Tested by the golden tests of usage errors.
 #include "frontend/failure.hpp"
 
-#include <algorithm>
 #include <ostream>
-#include <vector>
 
 namespace rungproof {
 
@@ -12,21 +9,6 @@ void print(std::ostream& err, const Failure& failure) {
   err << "error: " << failure.message << '\n';
   if (!failure.place.empty()) err << "  --> " << failure.place << '\n';
   if (!failure.help.empty()) err << "  = help: " << failure.help << '\n';
-}
-
-std::size_t editDistance(std::string_view a, std::string_view b) {
-  std::vector<std::vector<std::size_t>> cost(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-  for (std::size_t i = 0; i <= a.size(); ++i) cost[i][0] = i;
-  for (std::size_t k = 0; k <= b.size(); ++k) cost[0][k] = k;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    for (std::size_t k = 1; k <= b.size(); ++k) {
-      const std::size_t change = a[i - 1] == b[k - 1] ? 0 : 1;
-      cost[i][k] = std::min({cost[i - 1][k] + 1, cost[i][k - 1] + 1, cost[i - 1][k - 1] + change});
-      const bool swapped = i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1];
-      if (swapped) cost[i][k] = std::min(cost[i][k], cost[i - 2][k - 2] + 1);
-    }
-  }
-  return cost[a.size()][b.size()];
 }
 
 }  // namespace rungproof

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "frontend/closest_word.hpp"
 #include "frontend/stl_lexer.hpp"
 
 namespace rungproof {
@@ -77,21 +78,6 @@ const Desc* lookUpLookAlike(std::string_view word, Spelling spelling) {
   name = plainCharacters(word);
   for (char& c : name) c = c == '1' || c == '|' ? 'L' : c == '0' ? 'O' : upper(c);
   return lookUp(name, spelling);
-}
-
-std::size_t editDistance(std::string_view a, std::string_view b) {
-  std::array<std::size_t, 32> row{};
-  for (std::size_t k = 0; k <= b.size(); ++k) row[k] = k;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t k = 1; k <= b.size(); ++k) {
-      const std::size_t substitution = diagonal + (a[i - 1] == b[k - 1] ? 0 : 1);
-      diagonal = row[k];
-      row[k] = std::min({row[k] + 1, row[k - 1] + 1, substitution});
-    }
-  }
-  return row[b.size()];
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "frontend/closest_word.hpp"
 #include "frontend/code_list.hpp"
 
 namespace rungproof {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "frontend/closest_word.hpp"
 #include "frontend/options.hpp"
 #include "ir/check.hpp"
 

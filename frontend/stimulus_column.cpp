@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "frontend/closest_word.hpp"
 #include "frontend/operand_reader.hpp"
 #include "frontend/trace_cell.hpp"
 #include "ir/library_block.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "frontend/closest_word.hpp"
 #include "frontend/code_list.hpp"
 #include "frontend/columns.hpp"
 #include "frontend/command/command.hpp"

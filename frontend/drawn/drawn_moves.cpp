@@ -12,15 +12,6 @@ namespace rungproof {
 
 namespace {
 
-std::string_view moveOf(IecType type) {
-  if (type == IecType::Real) return "MOVR";
-  switch (widthOf(type)) {
-    case Width::Byte: return "MOVB";
-    case Width::Word: return "MOVW";
-    default: return "MOVD";
-  }
-}
-
 bool isInteger(IecType type) { return type != IecType::None && type != IecType::Bool && type != IecType::Real && type != IecType::String; }
 
 /// Whether a value of type `from` may be stored as it is: equal, or of equal width and none of them REAL or TIME

@@ -36,8 +36,6 @@ void addFirst(Drawing& drawing, std::string_view mnemonic, std::vector<Operand> 
   drawing.elements.push_back(std::move(element));
 }
 
-std::string_view moveOf(IecType type) { return type == IecType::Real ? "MOVR" : widthOf(type) == Width::Byte ? "MOVB" : widthOf(type) == Width::Word ? "MOVW" : "MOVD"; }
-
 }  // namespace
 
 void buildDrawnProject(Program& program, DrawnProject& project) {

@@ -105,6 +105,15 @@ IecType iecTypeNamed(std::string_view name) {
 
 std::string_view iecTypeName(IecType type) { return type == IecType::None ? std::string_view("no type") : rowOf(type).name; }
 Width widthOf(IecType type) { return rowOf(type).width; }
+
+std::string_view moveOf(IecType type) {
+  if (type == IecType::Real) return "MOVR";
+  switch (widthOf(type)) {
+    case Width::Byte: return "MOVB";
+    case Width::Word: return "MOVW";
+    default: return "MOVD";
+  }
+}
 bool isSignedInteger(IecType type) { return type == IecType::Sint || type == IecType::Int || type == IecType::Dint || type == IecType::Time; }
 bool isUnsignedInteger(IecType type) { return type == IecType::Usint || type == IecType::Uint || type == IecType::Udint; }
 bool isBitString(IecType type) { return type == IecType::Byte || type == IecType::Word || type == IecType::Dword; }

@@ -17,6 +17,8 @@ std::string_view iecTypeName(IecType type);
 
 /// Width in memory; String is not a value and has Byte.
 Width widthOf(IecType type);
+/// Mnemonic of the move for values of the type: "MOVB", "MOVW", "MOVD", "MOVR".
+std::string_view moveOf(IecType type);
 bool isSignedInteger(IecType type);
 bool isUnsignedInteger(IecType type);
 bool isBitString(IecType type);

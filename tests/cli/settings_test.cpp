@@ -1,6 +1,7 @@
 // Values of the common options: defaults, forms of times, ranks of origins, values that exclude each other.
 #include <gtest/gtest.h>
 
+#include "frontend/closest_word.hpp"
 #include "frontend/options.hpp"
 
 namespace rungproof {

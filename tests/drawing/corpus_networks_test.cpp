@@ -16,7 +16,7 @@
 namespace rungproof::testing {
 namespace {
 
-struct Place {
+struct NetworkPlace {
   std::string text;  ///< "timers/blinker.awl MAIN 3"
   const Network* network;
 };
@@ -41,8 +41,8 @@ const std::vector<std::pair<std::string, Program>>& corpus() {
   return programs;
 }
 
-std::vector<Place> networks() {
-  std::vector<Place> result;
+std::vector<NetworkPlace> networks() {
+  std::vector<NetworkPlace> result;
   for (const auto& [file, program] : corpus()) {
     for (const Pou& pou : program.pous) {
       for (const Network& network : pou.networks) {
@@ -59,7 +59,7 @@ bool mayBeFaulty(std::string_view place) {
 
 TEST(CorpusNetworks, EveryNetworkHasAPictureOrAReason) {
   std::size_t all = 0, ladder = 0, fbd = 0, neither = 0;
-  for (const Place& place : networks()) {
+  for (const NetworkPlace& place : networks()) {
     const Raised asLadder = raise(*place.network, Form::Ladder), asFbd = raise(*place.network, Form::Fbd);
     ++all;
     ladder += asLadder.drawing ? 1 : 0;
@@ -78,7 +78,7 @@ TEST(CorpusNetworks, EveryNetworkHasAPictureOrAReason) {
 
 TEST(CorpusNetworks, ComeBackAsTheSameInstructions) {
   std::size_t same = 0, other = 0;
-  for (const Place& place : networks()) {
+  for (const NetworkPlace& place : networks()) {
     for (const Form form : {Form::Ladder, Form::Fbd}) {
       const Raised raised = raise(*place.network, form);
       if (!raised.drawing) continue;
@@ -97,7 +97,7 @@ TEST(CorpusNetworks, ComeBackAsTheSameInstructions) {
 
 TEST(CorpusNetworks, DrawingsDoWhatTheNetworksDo) {
   std::size_t proven = 0, pointers = 0;
-  for (const Place& place : networks()) {
+  for (const NetworkPlace& place : networks()) {
     for (const Form form : {Form::Ladder, Form::Fbd}) {
       const Raised raised = raise(*place.network, form);
       if (!raised.drawing) continue;

@@ -9,8 +9,6 @@
 namespace rungproof::testing {
 namespace {
 
-std::string spelled(std::string_view statements) { return textOf(onlyNetwork(programOf(statements)).instructions); }
-
 void expectRoundTrips(Form form) {
   std::mt19937_64 random(drawingSeed());
   for (int i = 0; i < 1000; ++i) {

@@ -42,8 +42,6 @@ constexpr std::string_view fbdOnly[] = {
     "LD I0.0; = Q0.0; O I0.1; = Q0.1",
 };
 
-std::string spelled(std::string_view statements) { return textOf(onlyNetwork(programOf(statements)).instructions); }
-
 TEST(RoundTrip, LadderGivesTheSameInstructions) {
   for (const std::string_view statements : bothForms) EXPECT_EQ(roundTrip(statements, Form::Ladder), spelled(statements));
 }

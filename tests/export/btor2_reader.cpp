@@ -7,7 +7,6 @@
 namespace rungproof::test {
 namespace {
 
-std::uint64_t mask(int width) { return width >= 64 ? ~0ULL : (1ULL << width) - 1; }
 std::int64_t asSigned(std::uint64_t v, int width) {
   const std::uint64_t sign = 1ULL << (width - 1);
   return static_cast<std::int64_t>(((v & mask(width)) ^ sign) - sign);

@@ -20,7 +20,6 @@ struct Value {
   bool isUndefined = false;  ///< a case that SMV leaves open; may only be met where it is not chosen
 };
 
-std::uint64_t mask(int width) { return width >= 64 ? ~0ULL : (1ULL << width) - 1; }
 std::int64_t asSigned(const Value& x) {
   const std::uint64_t sign = 1ULL << (x.width - 1);
   return static_cast<std::int64_t>((x.v ^ sign) - sign);

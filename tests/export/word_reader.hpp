@@ -24,6 +24,8 @@ struct WordFileShape {
   std::vector<int> inputs;  ///< widths of inputs, in order
 };
 
+inline std::uint64_t mask(int width) { return width >= 64 ? ~0ULL : (1ULL << width) - 1; }
+
 WordFileShape btor2Shape(const std::string& text);
 WordStep btor2Step(const std::string& text, const std::vector<std::uint64_t>& states, const std::vector<std::uint64_t>& inputs);
 

@@ -8,10 +8,10 @@
 namespace rungproof {
 namespace {
 
-const std::vector<std::string> bits = {"a:BOOL@%IX0.0", "b:BOOL@%IX0.1", "c:BOOL@%IX0.2", "y:BOOL@%QX0.0", "z:BOOL@%QX0.1"};
+const std::vector<std::string> fiveBits = {"a:BOOL@%IX0.0", "b:BOOL@%IX0.1", "c:BOOL@%IX0.2", "y:BOOL@%QX0.0", "z:BOOL@%QX0.1"};
 
 std::string ladder(const std::string& elements) {
-  const Program program = readText("t.xml", plcopen(bits, "LD", railElement(1) + elements));
+  const Program program = readText("t.xml", plcopen(fiveBits, "LD", railElement(1) + elements));
   return program.findings.empty() && !program.pous.empty() ? show(program.pous[0]) : findings(program);
 }
 
@@ -46,7 +46,7 @@ TEST(Plcopen, OrderIsByPositionUnlessItIsStated) {
 
 TEST(Plcopen, GatesWithNegatedPins) {
   const std::string body = inElement(1, "a") + inElement(2, "b", "negated=\"true\"") + blockElement(3, "AND", "", {{"IN1", {"1"}}, {"IN2", {"2"}}}, {"OUT"}) + outElement(4, {"3.OUT"}, "y");
-  const Program program = readText("t.xml", plcopen(bits, "FBD", body));
+  const Program program = readText("t.xml", plcopen(fiveBits, "FBD", body));
   EXPECT_EQ(findings(program), "");
   ASSERT_EQ(program.pous.size(), 1U);
   EXPECT_EQ(show(program.pous[0]), "LD I0.0; AN I0.1; = Q0.0");
@@ -73,7 +73,7 @@ TEST(Plcopen, InstancesOfABlockHaveMemoryOfTheirOwn) {
                                  railElement(1) + contactElement(2, {"1"}, "set") + contactElement(3, {"1"}, "q") + coilElement(4, {"2", "3"}, "q"));
   const std::string body = railElement(1) + contactElement(2, {"1"}, "a", "", 10, 10) + blockElement(3, "Latch", "L1", {{"set", {"2"}}}, {"q"}, 20, 10) + coilElement(4, {"3.q"}, "y", "", 30, 10) +
                            contactElement(5, {"1"}, "b", "", 10, 90) + blockElement(6, "Latch", "L2", {{"set", {"5"}}}, {"q"}, 20, 90) + coilElement(7, {"6.q"}, "z", "", 30, 90);
-  std::vector<std::string> variables = bits;
+  std::vector<std::string> variables = fiveBits;
   variables.insert(variables.end(), {"L1:Latch", "L2:Latch"});
   const Program program = readText("t.xml", projectText(fb + pouText("Main", "program", "<localVars>" + declarations(variables) + "</localVars>", "LD", body)));
   EXPECT_EQ(findings(program), "");
@@ -102,7 +102,7 @@ TEST(Plcopen, BlocksAndGlobalListsInsideVendorData) {
 TEST(Plcopen, LoopThroughABlockReadsThePreviousScan) {
   // The inverted output of a timer feeds its own input: a pulse every second, the usual blinker.
   const std::string body = blockElement(1, "NOT", "", {{"IN", {"2.Q"}}}, {"OUT"}, 10, 10) + inElement(3, "T#1s", "", 10, 40) + blockElement(2, "TON", "T1", {{"IN", {"1.OUT"}}, {"PT", {"3"}}}, {"Q"}, 50, 10) + outElement(4, {"2.Q"}, "y", "", 90, 10);
-  std::vector<std::string> variables = bits;
+  std::vector<std::string> variables = fiveBits;
   variables.push_back("T1:TON");
   const Program program = readText("t.xml", plcopen(variables, "FBD", body));
   EXPECT_EQ(findings(program), "");
@@ -112,7 +112,7 @@ TEST(Plcopen, LoopThroughABlockReadsThePreviousScan) {
 
 TEST(Plcopen, LoopOfFunctionsIsAnError) {
   const std::string body = inElement(1, "a") + blockElement(2, "OR", "", {{"IN1", {"1"}}, {"IN2", {"3.OUT"}}}, {"OUT"}) + blockElement(3, "NOT", "", {{"IN", {"2.OUT"}}}, {"OUT"}) + outElement(4, {"2.OUT"}, "y");
-  const Program program = readText("t.xml", plcopen(bits, "FBD", body));
+  const Program program = readText("t.xml", plcopen(fiveBits, "FBD", body));
   ASSERT_FALSE(program.findings.empty());
   EXPECT_EQ(program.findings[0].rule, "GRF001");
   EXPECT_TRUE(hasReadErrors(program));
@@ -121,9 +121,9 @@ TEST(Plcopen, LoopOfFunctionsIsAnError) {
 
 TEST(Plcopen, ConnectorCarriesTheLineAndCutsLoops) {
   const std::string straight = inElement(1, "a") + "<connector localId=\"2\" name=\"X\"><position x=\"50\" y=\"0\"/>" + pointIn({"1"}) + "</connector>\n<continuation localId=\"3\" name=\"X\"><position x=\"0\" y=\"90\"/><connectionPointOut/></continuation>\n" + outElement(4, {"3"}, "y", "", 50, 90);
-  EXPECT_EQ(show(readText("t.xml", plcopen(bits, "FBD", straight)).pous[0]), "LD I0.0; = Q0.0");
+  EXPECT_EQ(show(readText("t.xml", plcopen(fiveBits, "FBD", straight)).pous[0]), "LD I0.0; = Q0.0");
   const std::string loop = inElement(1, "a") + "<continuation localId=\"3\" name=\"X\"><position x=\"0\" y=\"20\"/><connectionPointOut/></continuation>\n" + blockElement(2, "OR", "", {{"IN1", {"1"}}, {"IN2", {"3"}}}, {"OUT"}, 20, 0) + "<connector localId=\"5\" name=\"X\"><position x=\"50\" y=\"50\"/>" + pointIn({"2.OUT"}) + "</connector>\n" + outElement(4, {"2.OUT"}, "y", "", 50, 0);
-  const Program program = readText("t.xml", plcopen(bits, "FBD", loop));
+  const Program program = readText("t.xml", plcopen(fiveBits, "FBD", loop));
   EXPECT_EQ(findings(program), "");
   EXPECT_EQ(show(program.pous[0]), "LD I0.0; O V0.0; = Q0.0; = V0.0");
 }
@@ -132,7 +132,7 @@ TEST(Plcopen, JumpsLabelsReturnsAndComments) {
   const std::string body = railElement(1) + contactElement(2, {"1"}, "a", "", 10, 10) + "<jump localId=\"3\" label=\"End\"><position x=\"50\" y=\"10\"/>" + pointIn({"2"}) + "</jump>\n" + contactElement(4, {"1"}, "b", "", 10, 50) + coilElement(5, {"4"}, "y", "", 50, 50) +
                            "<label localId=\"6\" label=\"End\"><position x=\"10\" y=\"90\"/></label>\n" + contactElement(7, {"1"}, "c", "", 10, 120) + "<return localId=\"8\"><position x=\"50\" y=\"120\"/>" + pointIn({"7"}) + "</return>\n" +
                            "<comment localId=\"9\"><position x=\"10\" y=\"40\"/><content><xhtml:p>second circuit</xhtml:p></content></comment>\n";
-  const Program program = readText("t.xml", plcopen(bits, "LD", body));
+  const Program program = readText("t.xml", plcopen(fiveBits, "LD", body));
   EXPECT_EQ(findings(program), "");
   EXPECT_EQ(show(program.pous[0]), "LD I0.0; JMP 0 | LD I0.1; = Q0.0 | LBL 0 | LD I0.2; END");
   ASSERT_EQ(program.pous[0].networks[1].comments.size(), 1U);
@@ -140,7 +140,7 @@ TEST(Plcopen, JumpsLabelsReturnsAndComments) {
 }
 
 TEST(Plcopen, FaultsNameElementAndPlace) {
-  const Program program = readText("t.xml", plcopen(bits, "LD", railElement(1) + contactElement(2, {"1"}, "nobody") + coilElement(3, {"2"}, "y", "", 0, 0) + coilElement(4, {"77"}, "z", "", 0, 90)));
+  const Program program = readText("t.xml", plcopen(fiveBits, "LD", railElement(1) + contactElement(2, {"1"}, "nobody") + coilElement(3, {"2"}, "y", "", 0, 0) + coilElement(4, {"77"}, "z", "", 0, 90)));
   ASSERT_EQ(program.findings.size(), 2U);
   EXPECT_EQ(program.findings[0].rule, "GRF001");
   EXPECT_EQ(program.findings[0].message, "coil z (element 4): a line comes from element 77, which does not exist");
@@ -153,7 +153,7 @@ TEST(Plcopen, FaultsNameElementAndPlace) {
 
 TEST(Plcopen, FaultsOfAllKindsAreReported) {
   const auto rule = [](const std::string& body) {
-    std::vector<std::string> variables = bits;
+    std::vector<std::string> variables = fiveBits;
     variables.insert(variables.end(), {"n:INT", "t:TON", "r:REAL"});
     const Program program = readText("t.xml", plcopen(variables, "FBD", body));
     return program.findings.empty() ? std::string() : program.findings[0].rule;

@@ -6,9 +6,6 @@
 namespace rungproof::testing {
 namespace {
 
-using Lines = std::vector<std::uint32_t>;
-Lines lines(const char* rule, const char* text) { return Linted(text).lines(rule); }
-
 TEST(AddressRules, ReadOnlyMemory) {
   EXPECT_EQ(lines("ADR003", "Network 1\nLD I0.0\nS SM29.7, 1\nS SM30.0, 1\nMOVW +1, SMW28\n"), (Lines{3, 5}));
   EXPECT_EQ(lines("ADR005", "Network 1\nLD M0.0\nMOVB 0, IB2\nMOVB IB2, MB1\n"), Lines{3});

@@ -6,9 +6,6 @@
 namespace rungproof::testing {
 namespace {
 
-using Lines = std::vector<std::uint32_t>;
-Lines lines(const char* rule, const char* text) { return Linted(text).lines(rule); }
-
 TEST(ControlRules, LabelsBelongToBlocks) {
   // Both blocks have a label 1: legal (s7200 E13). The jump to label 2 finds it in the other block only.
   EXPECT_EQ(lines("CTL001",

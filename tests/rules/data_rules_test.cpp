@@ -6,9 +6,6 @@
 namespace rungproof::testing {
 namespace {
 
-using Lines = std::vector<std::uint32_t>;
-Lines lines(const char* rule, const char* text) { return Linted(text).lines(rule); }
-
 TEST(ArithmeticRules, DivisorsThatAreNeverZero) {
   EXPECT_EQ(lines("ARI001", "Network 1\nLD SM0.1\nMOVW +4, VW0\nNetwork 2\nLD SM0.0\n/I VW0, VW2\n"), Lines());
   EXPECT_EQ(lines("ARI001", "Network 1\nLD SM0.0\n/I 0, VW2\n"), Lines{3});

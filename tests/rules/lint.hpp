@@ -65,4 +65,8 @@ struct Linted {
   std::unique_ptr<Facts> facts;
 };
 
+using Lines = std::vector<std::uint32_t>;
+/// Lines, from 1, of the findings of a rule on a text.
+inline Lines lines(const char* rule, const char* text) { return Linted(text).lines(rule); }
+
 }  // namespace rungproof::testing

@@ -234,7 +234,7 @@ TEST(OperandRules, EveryLimitOfTable62IsExact) {
 
 TEST(OperandRules, ConstantsHaveTheirLimits) {
   const auto lines = [](const char* text) { return Linted(text).lines("ADR006"); };
-  using Lines = std::vector<std::uint32_t>;
+
   EXPECT_EQ(lines("Network 1\nLD I0.0\nS Q0.0, 255\nS Q0.0, 1\nSHRB I0.1, V100.0, -64\nFILL +0, VW0, 255\nMOVB 255, "
                   "VB0\nMOVW 65535, VW0\nMOVD 16#FFFFFFFF, VD0\n"),
             Lines());

@@ -6,9 +6,6 @@
 namespace rungproof::testing {
 namespace {
 
-using Lines = std::vector<std::uint32_t>;
-Lines lines(const char* rule, const char* text) { return Linted(text).lines(rule); }
-
 TEST(OutputRules, DoubleCoilIsCertainOnlyWhereBothRun) {
   const Linted certain("Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\n= Q0.0\n");
   ASSERT_EQ(certain.of("OUT001").size(), 1U);

@@ -6,9 +6,6 @@
 namespace rungproof::testing {
 namespace {
 
-using Lines = std::vector<std::uint32_t>;
-Lines lines(const char* rule, const char* text) { return Linted(text).lines(rule); }
-
 TEST(TimerRules, ResolutionIsNamed) {
   const std::vector<std::string> messages = Linted("Network 1\nLD I0.0\nTONR T33, +10\n").messages("TIM003");
   ASSERT_EQ(messages.size(), 1U);

@@ -18,7 +18,7 @@ namespace {
 
 using families::Family;
 
-constexpr std::uint64_t seed = 7;
+constexpr std::uint64_t miningSeed = 7;
 
 /// Follows random runs; inputs that break a constraint are drawn again. Counts the scans that start in a state that
 /// violates a clause.
@@ -27,7 +27,7 @@ std::size_t violations(const Family& f, const std::vector<Node>& clauses, int ru
   for (const StateVariable& s : f.system.states) roots.push_back(s.next);
   roots.insert(roots.end(), f.system.constraints.begin(), f.system.constraints.end());
   Evaluator value(*f.graph, roots);
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random(miningSeed);
   std::size_t count = 0;
   for (int run = 0; run < runs; ++run) {
     for (const StateVariable& s : f.system.states) value.set(s.node, (*f.graph)[s.init].value);
@@ -90,7 +90,7 @@ TEST(Bounds, HoldOnRandomRuns) {
   f.ask("far ahead", f.both(f.atLeast(f.timer, 50), f.no(f.atLeast(f.clock, 40))));
   BitBlast blast(f.system, {0});
   const Invariants known = mineInvariants(blast.bits(), {}, {}, {}, Budget::seconds(10));
-  const std::vector<Node> bounds = mineBounds(f.system, blast, known, seed, Budget::seconds(10)).clauses;
+  const std::vector<Node> bounds = mineBounds(f.system, blast, known, miningSeed, Budget::seconds(10)).clauses;
   ASSERT_FALSE(bounds.empty());
   EXPECT_EQ(violations(f, bounds, 20, 200), 0U);
 }
@@ -105,7 +105,7 @@ TEST(Bounds, NothingWithoutCommonTicks) {
   f.ask("apart", f.graph->make(Op::Ult, 1, x, y));
   BitBlast blast(f.system, {0});
   const Invariants none = mineInvariants(blast.bits(), {}, {}, {}, Budget::seconds(10));
-  for (const Node n : mineBounds(f.system, blast, none, seed, Budget::seconds(10)).clauses) ADD_FAILURE() << "node " << indexOf(n);
+  for (const Node n : mineBounds(f.system, blast, none, miningSeed, Budget::seconds(10)).clauses) ADD_FAILURE() << "node " << indexOf(n);
 }
 
 TEST(Invariants, EqualAndComplementaryLatchesAreOne) {
@@ -173,7 +173,7 @@ TEST(Invariants, DifferencesOfWordsThatGrowAlike) {
   f.next(y, f.counted(y, in, 1000));
   f.ask("differ", f.graph->make(Op::Ult, 1, x, y));
   BitBlast blast(f.system, {0});
-  const std::vector<NodeClause> guesses = guessDifferences(f.system, blast, seed);
+  const std::vector<NodeClause> guesses = guessDifferences(f.system, blast, miningSeed);
   const NodeClause atMost{f.graph->make(Op::Ule, 1, x, y)}, atLeast{f.graph->make(Op::Ule, 1, y, x)};
   EXPECT_NE(std::find(guesses.begin(), guesses.end(), atMost), guesses.end());
   EXPECT_NE(std::find(guesses.begin(), guesses.end(), atLeast), guesses.end());
