@@ -97,8 +97,8 @@ class Portfolio {
     std::vector<int> clean;
     for (const std::size_t q : open_) clean.push_back(answers_[q].depth);
     SharedSearch search(blast_->bits(), options_.seed, clean);
-    if (simulate) search.simulate(simulatedScans, budget(seconds * 0.1));
-    search.induce(options_.bound > 0 ? std::min(most, options_.bound) : most, invariants_.clauses, budget(seconds * 0.3));
+    if (simulate) search.simulate(options_.bound > 0 ? std::min(simulatedScans, options_.bound) : simulatedScans, budget(seconds * 0.1));
+    search.induce(options_.bound > 0 ? std::min(most, options_.bound - 1) : most, invariants_.clauses, budget(seconds * 0.3));
     const double each = share();
     std::vector<std::size_t> open;
     positions_.clear();

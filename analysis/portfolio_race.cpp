@@ -99,7 +99,7 @@ class Race {
       const double used = std::chrono::duration<double>(Budget::Clock::now() - begin).count();
       lock.lock();
       runner.working = false;
-      runner.ended = ended;
+      runner.ended = ended || verdict.answer != Answer::Unknown;  // an engine is not asked again after an answer
       runner.used += used;
       runner.slice = std::min(runner.slice * 2, 1.0);
       contest.used += used;
@@ -118,11 +118,16 @@ class Race {
     return result;
   }
 
+  /// A run that is longer than the bound is no answer.
+  bool isAnswer(const Verdict& verdict) const {
+    return verdict.answer == Answer::Proved || (verdict.answer == Answer::Violated && (options_.bound == 0 || verdict.depth < options_.bound));
+  }
+
   void record(std::size_t question, const Verdict& verdict) {
     Contest& contest = contests_[question];
     Verdict& known = questions_[question].verdict;
     questions_[question].seconds = contest.used;
-    if (verdict.answer != Answer::Unknown) {
+    if (isAnswer(verdict)) {
       CHECK(known.answer == Answer::Unknown || known.answer == verdict.answer, "two engines disagree about a question");
       const bool better = known.answer == Answer::Unknown || (verdict.answer == Answer::Violated && verdict.depth < known.depth);
       if (better) known = verdict;
@@ -130,10 +135,11 @@ class Race {
       contest.done = true;
       return;
     }
-    if (known.answer == Answer::Unknown) known.depth = std::max(known.depth, verdict.depth);
+    if (known.answer == Answer::Unknown && verdict.answer == Answer::Unknown) known.depth = std::max(known.depth, verdict.depth);
+    const bool atBound = options_.bound > 0 && known.depth >= options_.bound;
     const bool allEnded = std::all_of(contest.runners.begin(), contest.runners.end(), [](const Runner& r) { return r.ended && !r.working; });
     const bool stopped = Budget(options_.deadline, options_.cancel).isExhausted();
-    if (contest.used >= perQuestion_ || allEnded || stopped) {
+    if (contest.used >= perQuestion_ || allEnded || stopped || atBound) {
       contest.cancel = true;
       contest.done = true;
     }

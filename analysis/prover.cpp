@@ -227,7 +227,8 @@ class Session {
       unconfirmed(question, answer, row, run);
     } else {
       row.outcome = answer.depth > 0 && options_.bound > 0 ? Outcome::HoldsToBound : Outcome::Unknown;
-      row.notes.push_back(fmt::format("no violation in the first {} scans; {}", answer.depth, answer.method.empty() ? "no engine came to work" : answer.method));
+      if (options_.bound > 0) row.depth = answer.depth = std::min(answer.depth, options_.bound);
+      row.notes.push_back(fmt::format("{} in the first {} scans; {}", wantsYes ? "not reached" : "no violation", answer.depth, answer.method.empty() ? "no engine came to work" : "tried " + answer.method));
       if (watch_.isStopped()) row.notes.push_back(reasonToStop());
     }
     noteApproximations(question, row);
@@ -312,7 +313,8 @@ class Session {
     std::optional<QuestionAnswer> fastAnswer;
     std::optional<TransitionSystem> accelerated;
     std::thread fast;
-    ProofSide* relaxed = exact_->dependsOnTime(exact_->variablesOf(question)) ? relaxedSide() : nullptr;
+    const bool isBounded = options_.bound > 0;  // by scans of the program, which the accelerated system does not count
+    ProofSide* relaxed = !isBounded && exact_->dependsOnTime(exact_->variablesOf(question)) ? relaxedSide() : nullptr;
     if (relaxed != nullptr) {
       accelerated = relaxed->accelerated(question, options_.time.high);
       fast = std::thread([&] {

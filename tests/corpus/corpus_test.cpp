@@ -103,7 +103,7 @@ TEST_P(CorpusProgram, VerdictsAreThoseExpected) {
   const Expectation expected = expectationOf(GetParam());
   if (expected.verdicts.empty()) return;
   std::vector<std::string> options = expected.options;
-  options.insert(options.end(), {"--timeout", expected.open.empty() ? "30s" : "4s"});
+  options.insert(options.end(), {"--timeout", expected.open.empty() ? "120s" : "4s"});
   const Json report = runJson("prove", GetParam(), options);
   ASSERT_TRUE(report.is_object());
   std::map<std::string, std::string> found;
@@ -118,9 +118,10 @@ TEST_P(CorpusProgram, VerdictsAreThoseExpected) {
 
 /// Verdict and depth by name, of a search through so many scans at most.
 std::map<std::string, std::pair<std::string, int>> boundedVerdicts(const fs::path& file, std::vector<std::string> options, int bound) {
-  options.insert(options.end(), {"--timeout", "30s", "--bound", std::to_string(bound)});
+  options.insert(options.end(), {"--timeout", "120s", "--bound", std::to_string(bound)});
   std::map<std::string, std::pair<std::string, int>> found;
-  for (const Json& property : runJson("prove", file, options)["properties"]) found[property["name"]] = {property["verdict"], property["depth"]};
+  const Json report = runJson("prove", file, options);
+  for (const Json& property : report["properties"]) found[property["name"]] = {property["verdict"], property["depth"]};
   return found;
 }
 
@@ -135,7 +136,8 @@ TEST_P(CorpusProgram, ShortestRunsAreThoseStated) {
     for (const auto& [name, scans] : expected.scans) {
       if (scans != length) continue;
       EXPECT_EQ(found.at(name), std::make_pair(expected.verdicts.at(name), length)) << name;
-      if (length > 1) EXPECT_EQ(shorter.at(name).first, "HOLDS TO BOUND") << name;
+      if (length == 1) continue;
+      EXPECT_EQ(shorter.at(name).first, "HOLDS TO BOUND " + std::to_string(length - 1)) << name;
     }
   }
 }
@@ -152,7 +154,7 @@ TEST(Corpus, OwesNoMoreThanIsStated) {
   EXPECT_LE(open, mostOpen);
   EXPECT_GE(declared, 120U);
   EXPECT_GE(withProperties, 25U);
-  EXPECT_GE(refuted * 3, declared) << refuted << " of " << declared << " are violated or unreachable";
+  EXPECT_GE(refuted * 4, declared) << refuted << " of " << declared << " are violated or unreachable";
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, CorpusProgram, testing::ValuesIn(programs()), [](const testing::TestParamInfo<fs::path>& info) {
