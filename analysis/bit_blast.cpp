@@ -28,6 +28,12 @@ BitBlast::BitBlast(const TransitionSystem& system, const std::vector<std::size_t
   for (const Node n : extra) remember(n);
 }
 
+BitBlast::BitBlast(const TransitionSystem& system, Node root, const std::unordered_set<std::uint32_t>& open) : system_(system), graph_(*system.graph) {
+  for (const std::uint32_t n : open) literals_.emplace(n, freshInputs({}, graph_[static_cast<Node>(n)].width));
+  collectCone({root}, open);
+  bits_.bads.push_back(of(root)[0]);
+}
+
 void BitBlast::remember(Node n) {
   const Lit l = of(n)[0];
   if (graph_[n].width == 1 && bits_.isGate(l)) nodes_.emplace(variableOf(l), isNegative(l) ? graph_.make(Op::Not, 1, n) : n);
@@ -42,13 +48,13 @@ void BitBlast::add(const std::vector<Node>& nodes) {
   for (const Node n : nodes) remember(n);
 }
 
-void BitBlast::collectCone(const std::vector<Node>& roots) {
+void BitBlast::collectCone(const std::vector<Node>& roots, const std::unordered_set<std::uint32_t>& open) {
   std::vector<bool> inCone(graph_.size(), false);
   std::vector<Node> stack = roots;
   while (!stack.empty()) {
     const Node n = stack.back();
     stack.pop_back();
-    if (inCone[indexOf(n)]) continue;
+    if (inCone[indexOf(n)] || open.contains(indexOf(n))) continue;
     inCone[indexOf(n)] = true;
     const NodeData& node = graph_[n];
     if (node.op == Op::Variable) {

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "analysis/bit_arithmetic.hpp"
@@ -25,6 +26,8 @@ class BitBlast {
  public:
   /// Covers the cone of `questions` (indices), of all constraints, and of `extra` nodes over states and inputs.
   BitBlast(const TransitionSystem& system, const std::vector<std::size_t>& questions, const std::vector<Node>& extra = {});
+  /// One node within one scan; `open` nodes (indices) and variables of any kind become free inputs.
+  BitBlast(const TransitionSystem& system, Node root, const std::unordered_set<std::uint32_t>& open);
 
   const BitSystem& bits() const { return bits_; }
   BitSystem& bits() { return bits_; }
@@ -52,7 +55,7 @@ class BitBlast {
   WordTrace wordTrace(const BitTrace& trace) const;
 
  private:
-  void collectCone(const std::vector<Node>& roots);
+  void collectCone(const std::vector<Node>& roots, const std::unordered_set<std::uint32_t>& open = {});
   void blast(Node n);
   void remember(Node n);
   void blastDivision(const NodeData& node, const LitVector& a, const LitVector& b, LitVector& out);

@@ -116,16 +116,27 @@ void CertificateWriter::base(const Question& question, const WordCertificate& ce
   oblige("base", terms);
 }
 
+/// Bad is impossible in one scan whatever the values of the open nodes; no scan needs to be known but this one.
+void CertificateWriter::surface(const Question& question, const WordCertificate& certificate) {
+  std::unordered_set<std::uint32_t> open;
+  for (const Node n : certificate.open) open.insert(indexOf(n));
+  SmtText smt(system_, fmt::format(".{}", questions_.size()), std::move(open));
+  const std::string bad = smt.term(question.bad, 0);
+  surfaces_ += smt.text();
+  oblige("safety", {bad});
+}
+
 void CertificateWriter::add(const Question& question, const WordCertificate& certificate) {
   questions_.push_back(question.name);
   initiation(certificate);
   consecution(certificate);
   if (certificate.k > 0) base(question, certificate);
-  step(question, certificate);
+  if (certificate.open.empty()) step(question, certificate);
+  else surface(question, certificate);
 }
 
 std::string CertificateWriter::text() const {
-  std::string text = "(set-logic QF_BV)\n" + theorems_ + smt_.text();
+  std::string text = "(set-logic QF_BV)\n" + theorems_ + smt_.text() + surfaces_;
   for (const Obligation& o : obligations_) {
     std::string name = questions_[o.certificate];
     std::replace_if(name.begin(), name.end(), [](unsigned char c) { return c < 32; }, ' ');
@@ -135,7 +146,7 @@ std::string CertificateWriter::text() const {
 }
 
 std::string CertificateWriter::formulas() const {
-  std::string text = theorems_ + smt_.text();
+  std::string text = theorems_ + smt_.text() + surfaces_;
   for (const Obligation& o : obligations_) text += fmt::format("(assert {})\n", o.formula);
   return text;
 }

@@ -41,6 +41,8 @@ struct WordCertificate {
   bool simplePath = false;
   std::vector<Node> pathBits;
   std::vector<KeptDifference> differences;  ///< used in the step from I to I; each is an obligation of its own
+  /// Nodes that may have any value: the proof does not look below them. Only with k = 0 and an empty invariant.
+  std::vector<Node> open;
 };
 
 /// The obligations of one certificate or several, over shared declarations and definitions.
@@ -69,10 +71,12 @@ class CertificateWriter {
   std::string keeps(const KeptDifference& d);
   void theorem(const KeptDifference& d);
   void step(const Question& question, const WordCertificate& certificate);
+  void surface(const Question& question, const WordCertificate& certificate);
   void base(const Question& question, const WordCertificate& certificate);
 
   const TransitionSystem& system_;
   SmtText smt_;
+  std::string surfaces_;  ///< definitions of certificates with open nodes
   std::vector<std::string> questions_;
   std::vector<Obligation> obligations_;
   std::string theorems_;                           ///< declarations of their variables

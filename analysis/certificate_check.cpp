@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <map>
+#include <unordered_map>
 
 namespace rungproof {
 
@@ -40,6 +42,40 @@ CheckResult checkFormula(z3::context& context, const z3::expr& formula, double s
   return CheckResult::Unknown;
 }
 
+/// The formula up to the names of its variables: each node as its operation and the numbers of its arguments, nodes and
+/// variables numbered as they are met first. Formulas with one form are satisfiable or not together.
+std::vector<unsigned> formOf(z3::context& context, const z3::expr& formula) {
+  std::vector<unsigned> form;
+  std::unordered_map<unsigned, unsigned> number;
+  std::vector<Z3_ast> stack{formula};
+  while (!stack.empty()) {
+    const Z3_ast top = stack.back();
+    const unsigned id = Z3_get_ast_id(context, top);
+    if (number.contains(id)) {
+      stack.pop_back();
+      continue;
+    }
+    const Z3_app app = Z3_to_app(context, top);
+    const unsigned count = Z3_get_app_num_args(context, app);
+    const std::size_t before = stack.size();
+    for (unsigned i = count; i-- > 0;) {
+      const Z3_ast argument = Z3_get_app_arg(context, app, i);
+      if (!number.contains(Z3_get_ast_id(context, argument))) stack.push_back(argument);
+    }
+    if (stack.size() > before) continue;
+    stack.pop_back();
+    const Z3_func_decl operation = Z3_get_app_decl(context, app);
+    if (count == 0 && Z3_get_decl_kind(context, operation) == Z3_OP_UNINTERPRETED) {
+      form.insert(form.end(), {0, Z3_get_ast_id(context, Z3_sort_to_ast(context, Z3_get_sort(context, top)))});
+    } else {
+      form.insert(form.end(), {count + 1, Z3_get_ast_id(context, Z3_func_decl_to_ast(context, operation))});
+      for (unsigned i = 0; i < count; ++i) form.push_back(number.at(Z3_get_ast_id(context, Z3_get_app_arg(context, app, i))));
+    }
+    number.emplace(id, static_cast<unsigned>(number.size()));
+  }
+  return form;
+}
+
 void writeResult(int pipe, CheckResult result) {
   const auto byte = static_cast<unsigned char>(result);
   if (write(pipe, &byte, 1) != 1) _exit(1);
@@ -57,9 +93,13 @@ void writeResult(int pipe, CheckResult result) {
     const z3::expr_vector formulas = context.parse_string(text.c_str());
     if (formulas.size() != owners.size()) _exit(1);
     std::vector<double> left(ownerCount, limits.each);
+    std::map<std::vector<unsigned>, CheckResult> known;  // properties of equal parts of a program lead to equal forms
     for (unsigned i = 0; i < formulas.size(); ++i) {
       const Clock::time_point begin = Clock::now();
-      const CheckResult result = checkFormula(context, formulas[static_cast<int>(i)], left[owners[i]]);
+      const z3::expr formula = formulas[static_cast<int>(i)];
+      const auto [at, isNew] = known.emplace(formOf(context, formula), CheckResult::Unknown);
+      if (isNew || at->second == CheckResult::Unknown) at->second = checkFormula(context, formula, left[owners[i]]);
+      const CheckResult result = at->second;
       left[owners[i]] -= std::chrono::duration<double>(Clock::now() - begin).count();
       writeResult(pipe, result);
     }

@@ -12,6 +12,8 @@
 #include "analysis/invariants_bounds.hpp"
 #include "analysis/invariants_timers.hpp"
 #include "analysis/invariants_words.hpp"
+#include "analysis/local_proof.hpp"
+#include "analysis/merging.hpp"
 #include "analysis/portfolio_clusters.hpp"
 #include "analysis/portfolio_race.hpp"
 #include "analysis/portfolio_shared.hpp"
@@ -26,6 +28,8 @@ constexpr int simulatedScans = 256;
 constexpr int shortInduction = 3;
 constexpr std::size_t truthLimit = 600;
 constexpr double searchShare = 0.9;  ///< of the time that is left for searches; the rest is for checking what they find
+constexpr double mergeShare = 0.3;   ///< of the time of a question, for merging states
+constexpr double mostMerging = 10;   ///< seconds
 constexpr double leastCheck = 0.5;   ///< seconds for checking certificates, whatever the deadline says
 
 class Portfolio {
@@ -48,7 +52,6 @@ class Portfolio {
       if (!open_.empty() && options_.check && mineDifferences()) searchTogether(shortInduction, false);
       if (!open_.empty()) raceApart();
     }
-    if (options_.check) checkCertificates();
     return std::move(answers_);
   }
 
@@ -226,6 +229,80 @@ class Portfolio {
     return whole;
   }
 
+  const TransitionSystem& system_;
+  const PortfolioOptions options_;
+  Budget::Clock::time_point stageBegin_{};
+  std::unique_ptr<BitBlast> blast_;      ///< of this stage
+  std::vector<Lit> truths_;              ///< literals of blast_
+  std::vector<std::vector<Lit>> guesses_;  ///< further candidate invariants, in literals of blast_
+  Invariants invariants_;                ///< of blast_'s system
+  std::vector<KeptDifference> differences_;  ///< that bounds among invariants_ speak of
+  std::vector<std::size_t> open_;        ///< questions without answer
+  std::vector<std::size_t> positions_;   ///< of the open questions among the bad literals of blast_
+  std::vector<QuestionAnswer> answers_;
+};
+
+/// What is settled on the surface, then what is left on the merged system, then the certificates about the given one.
+class Answers {
+ public:
+  Answers(const TransitionSystem& system, const PortfolioOptions& options) : system_(system), options_(options), answers_(system.questions.size()) {}
+
+  std::vector<QuestionAnswer> run() {
+    const Budget budget(options_.deadline.value_or(Budget::Clock::time_point::max()), options_.cancel);
+    TransitionSystem rest = system_;
+    rest.questions.clear();
+    std::vector<std::size_t> open;
+    for (std::size_t q = 0; q < answers_.size(); ++q) {
+      if (settleLocally(q, budget)) continue;
+      open.push_back(q);
+      rest.questions.push_back(system_.questions[q]);
+    }
+    if (!open.empty()) {
+      const auto begin = Budget::Clock::now();
+      const MergedSystem merged = mergeStates(rest, options_.seed, budget.slice(std::min(options_.seconds * static_cast<double>(open.size()) * mergeShare, mostMerging)));
+      const double each = std::chrono::duration<double>(Budget::Clock::now() - begin).count() / static_cast<double>(open.size());
+      std::vector<QuestionAnswer> found = Portfolio(merged.system, options_).run();
+      for (std::size_t i = 0; i < open.size(); ++i) {
+        found[i].seconds += each;
+        answers_[open[i]] = onGivenSystem(open[i], std::move(found[i]), merged);
+      }
+    }
+    if (options_.check) checkCertificates();
+    return std::move(answers_);
+  }
+
+ private:
+  bool settleLocally(std::size_t q, const Budget& budget) {
+    const auto begin = Budget::Clock::now();
+    const std::optional<std::vector<Node>> open = proveLocally(system_, system_.questions[q].bad, budget);
+    if (!open) return false;
+    QuestionAnswer& answer = answers_[q];
+    answer.answer = Answer::Proved;
+    answer.method = "one scan";
+    answer.certificate = WordCertificate{};
+    answer.certificate->open = *open;
+    answer.seconds = std::chrono::duration<double>(Budget::Clock::now() - begin).count();
+    return true;
+  }
+
+  QuestionAnswer onGivenSystem(std::size_t q, QuestionAnswer answer, const MergedSystem& merged) const {
+    if (answer.certificate) {
+      std::vector<Node> roots = answer.certificate->invariant;
+      roots.push_back(system_.questions[q].bad);
+      roots.insert(roots.end(), system_.constraints.begin(), system_.constraints.end());
+      std::vector<Node> facts = merged.factsFor(system_, roots);
+      std::vector<Node>& invariant = answer.certificate->invariant;
+      invariant.insert(invariant.begin(), facts.begin(), facts.end());
+    }
+    if (answer.trace) {
+      std::vector<std::uint64_t> initial;
+      for (const StateVariable& state : system_.states) initial.push_back(state.init == noNode ? 0 : (*system_.graph)[state.init].value);
+      for (std::size_t i = 0; i < merged.kept.size(); ++i) initial[merged.kept[i]] = answer.trace->initial[i];
+      answer.trace->initial = std::move(initial);
+    }
+    return answer;
+  }
+
   /// A proof whose certificate Z3 does not confirm is not reported as one.
   void checkCertificates() {
     CertificateWriter writer(system_);
@@ -254,16 +331,11 @@ class Portfolio {
     }
   }
 
+  /// Seconds until the deadline.
+  double left() const { return options_.deadline ? std::chrono::duration<double>(*options_.deadline - Budget::Clock::now()).count() : 1e9; }
+
   const TransitionSystem& system_;
-  const PortfolioOptions options_;
-  Budget::Clock::time_point stageBegin_{};
-  std::unique_ptr<BitBlast> blast_;      ///< of this stage
-  std::vector<Lit> truths_;              ///< literals of blast_
-  std::vector<std::vector<Lit>> guesses_;  ///< further candidate invariants, in literals of blast_
-  Invariants invariants_;                ///< of blast_'s system
-  std::vector<KeptDifference> differences_;  ///< that bounds among invariants_ speak of
-  std::vector<std::size_t> open_;        ///< questions without answer
-  std::vector<std::size_t> positions_;   ///< of the open questions among the bad literals of blast_
+  const PortfolioOptions& options_;
   std::vector<QuestionAnswer> answers_;
 };
 
@@ -279,7 +351,7 @@ std::optional<WordTrace> shallowSearch(const TransitionSystem& system, int depth
 }
 
 std::vector<QuestionAnswer> answerQuestions(const TransitionSystem& system, const PortfolioOptions& options) {
-  return Portfolio(system, options).run();
+  return Answers(system, options).run();
 }
 
 }  // namespace rungproof

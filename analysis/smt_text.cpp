@@ -46,7 +46,8 @@ const char* truthOperator(Op op) {
 
 }  // namespace
 
-SmtText::SmtText(const TransitionSystem& system) : system_(system), graph_(*system.graph) {
+SmtText::SmtText(const TransitionSystem& system, std::string tag, std::unordered_set<std::uint32_t> open)
+    : system_(system), graph_(*system.graph), tag_(std::move(tag)), open_(std::move(open)) {
   for (std::size_t i = 0; i < system.states.size(); ++i) states_.emplace(indexOf(system.states[i].node), i);
   std::unordered_map<std::string, int> uses;
   for (const Variable& variable : graph_.variables()) {
@@ -67,13 +68,13 @@ std::string SmtText::constant(std::uint64_t value, int width) {
   return fmt::format("(_ bv{} {})", value, width);
 }
 
-std::string SmtText::symbol(Node variable, int frame) const { return fmt::format("|{}@{}|", names_.at(indexOf(variable)), frame); }
+std::string SmtText::symbol(Node variable, int frame) const { return fmt::format("|{}@{}{}|", names_.at(indexOf(variable)), frame, tag_); }
 
 std::string SmtText::named(Node n, int frame) {
   const NodeData& node = graph_[n];
   if (node.op == Op::Constant) return constant(node.value, node.width);
   if (node.op == Op::Variable) return symbol(n, frame);
-  return fmt::format("n{}@{}", indexOf(n), frame);
+  return fmt::format("n{}@{}{}", indexOf(n), frame, tag_);
 }
 
 /// The node as a bit vector, also when its width is 1.
@@ -120,7 +121,7 @@ void SmtText::define(Node n, int frame) {
     } else {
       text_ += fmt::format("(declare-fun {} () {})\n", symbol(n, frame), type);
     }
-  } else if (isReal(node.op)) {
+  } else if (isReal(node.op) || open_.contains(indexOf(n))) {
     text_ += fmt::format("(declare-fun {} () {})\n", named(n, frame), type);
   } else {
     text_ += fmt::format("(define-fun {} () {} {})\n", named(n, frame), type, expression(n, frame));
@@ -142,7 +143,7 @@ std::string SmtText::term(Node n, int frame) {
     };
     const auto state = node.op == Op::Variable ? states_.find(indexOf(top)) : states_.end();
     if (state != states_.end() && f > 0) need(system_.states[state->second].next, f - 1);
-    if (node.op != Op::Variable && !isReal(node.op)) {
+    if (node.op != Op::Variable && !isReal(node.op) && !open_.contains(indexOf(top))) {
       for (const Node child : node.child) {
         if (child != noNode) need(child, f);
       }

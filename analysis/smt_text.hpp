@@ -14,7 +14,10 @@ namespace rungproof {
 
 class SmtText {
  public:
-  explicit SmtText(const TransitionSystem& system);
+  explicit SmtText(const TransitionSystem& system) : SmtText(system, {}, {}) {}
+  /// `open` nodes (indices) are declared only: any value, so that what is below them is not written. `tag` keeps the
+  /// names apart from those of other texts.
+  SmtText(const TransitionSystem& system, std::string tag, std::unordered_set<std::uint32_t> open);
 
   /// The term of a node in scan `frame`, sort Bool if its width is 1; declares and defines what is missing. The state of scan 0 is declared, that
   /// of later scans is defined by the next-state functions.
@@ -42,6 +45,8 @@ class SmtText {
   const Graph& graph_;
   std::unordered_map<std::uint32_t, std::size_t> states_;  ///< variable node index -> index in system_.states
   std::unordered_map<std::uint32_t, std::string> names_;   ///< variable node index -> unique name
+  const std::string tag_;
+  const std::unordered_set<std::uint32_t> open_;
   std::unordered_set<std::uint64_t> defined_;
   std::string text_;
 };
