@@ -17,6 +17,7 @@ using Signature = std::vector<std::uint64_t>;
 
 /// Literals with equal values in all reachable states, presumably; the first represents the others.
 using Class = std::vector<Lit>;
+constexpr std::size_t ofOneClass = 6;    ///< truths of one class that pairs are made of
 constexpr std::size_t unseenLimit = 32;  ///< truths that are 0 in all samples
 constexpr int neighbourBatches = 6;  ///< of 64 states near a counterexample
 
@@ -86,9 +87,14 @@ class Miner {
     std::vector<bool> isTruth(system_.variableCount(), false);
     for (const Lit l : truths_) isTruth[variableOf(l)] = true;
     for (const Class& c : classes_) {
-      const auto first = std::find_if(c.begin(), c.end(), [&](Lit l) { return isTruth[variableOf(l)]; });
-      if (first == c.end() || c[0] == falseLit) continue;
-      representatives.push_back(static_cast<std::size_t>(std::lower_bound(watched_.begin(), watched_.end(), *first & ~1U) - watched_.begin()));
+      if (c[0] == falseLit) continue;
+      // All truth values of the state, since what was equal up to now may part; of comparisons one is enough.
+      std::size_t taken = 0;
+      for (const Lit l : c) {
+        if (!isTruth[variableOf(l)] || taken == ofOneClass || (taken > 0 && system_.isGate(l))) continue;
+        representatives.push_back(static_cast<std::size_t>(std::lower_bound(watched_.begin(), watched_.end(), l & ~1U) - watched_.begin()));
+        ++taken;
+      }
     }
     for (std::size_t i = 0; i < representatives.size(); ++i) {
       for (std::size_t j = i + 1; j < representatives.size(); ++j) {

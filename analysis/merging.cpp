@@ -59,6 +59,8 @@ class Merger {
       items_.back().literals.push_back(positive(bits_.latches[latch].variable) ^ (bits_.latches[latch].init == LatchInit::One ? 1U : 0U));
       items_.back().latches.push_back(latch);
     }
+    // A class is represented by a truth value, if it has one: properties and invariants speak of those.
+    std::stable_partition(items_.begin(), items_.end(), [&](const Item& item) { return widthOf(item.state) == 1; });
   }
 
   /// Classes of items that have equal values in all samples; class 0: those that never change.

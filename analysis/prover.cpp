@@ -14,6 +14,7 @@
 #include <thread>
 #include <utility>
 
+#include "analysis/guided_runs.hpp"
 #include "analysis/hidden_code.hpp"
 #include "analysis/portfolio.hpp"
 #include "analysis/proof_networks.hpp"
@@ -29,6 +30,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int shallowDepth = 12;         ///< scans of a short accelerated run
 constexpr double shallowSeconds = 0.25;  ///< for all of them
+constexpr double engineSeconds = 2;      ///< for runs of the engine, which count their scans, on a busy machine
 constexpr double quickSeconds = 0.5;     ///< for each question while all are looked at together
 constexpr double minimiseSeconds = 0.25;  ///< for making a witness smaller
 constexpr std::uint64_t minimisedScans = 200;  ///< longer witnesses wait for a timer; they stay as they were found
@@ -160,22 +162,47 @@ class Session {
     PortfolioOptions together = portfolio(std::min(options_.timeout, quickSeconds), deadline, &cancel);
     together.effort = Effort::Together;
     quick_ = answerQuestions(exact_->system(), together);
+    searchOnEngine([&](std::size_t q) { return q >= declaredCount(); });
     const auto start = Clock::now();
     TransitionSystem rest = exact_->system();
     std::vector<std::size_t> open;
-    rest.questions.clear();
     for (std::size_t q = 0; q < quick_.size(); ++q) {
       if (quick_[q].answer != Answer::Unknown) continue;
       const bool mayWait = q >= goals_.size() || options_.bound > 0 || secondsSince(start) > shallowSeconds;
       if (!mayWait && searchShallow(q)) continue;
       open.push_back(q);
-      rest.questions.push_back(exact_->system().questions[q]);
     }
+    searchOnEngine([&](std::size_t q) { return q < declaredCount() && goals_[q].kind == PropertyKind::Reach; });
+    const auto isFound = [&](std::size_t q) { return quick_[q].answer != Answer::Unknown; };
+    std::erase_if(open, isFound);
+    rest.questions.clear();
+    for (const std::size_t q : open) rest.questions.push_back(exact_->system().questions[q]);
     if (open.empty()) return;
     std::vector<QuestionAnswer> answers = answerQuestions(rest, portfolio(std::min(options_.timeout, quickSeconds), deadline, &cancel));
     for (std::size_t i = 0; i < open.size(); ++i) {
       answers[i].seconds += quick_[open[i]].seconds;
       quick_[open[i]] = std::move(answers[i]);
+    }
+  }
+  /// Runs of the engine for wanted goals that are still open, all together.
+  template <class Wanted>
+  void searchOnEngine(Wanted&& wanted) {
+    if (options_.bound > 0) return;
+    std::vector<std::size_t> open;
+    std::vector<const Property*> goals;
+    for (std::size_t q = 0; q < goals_.size(); ++q) {
+      if (quick_[q].answer != Answer::Unknown || !wanted(q)) continue;
+      open.push_back(q);
+      goals.push_back(&goals_[q]);
+    }
+    if (open.empty() || watch_.isStopped()) return;
+    std::vector<std::optional<Witness>> found =
+        guidedRuns(program_, exact_->obligations().encoding(), assumptions_, goals, options_.seed, std::min(options_.timeout / 10, engineSeconds));
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      if (!found[i]) continue;
+      quick_[open[i]].answer = Answer::Violated;
+      quick_[open[i]].method = "engine runs";
+      found_.emplace(open[i], std::move(*found[i]));
     }
   }
   /// A short run of the accelerated system that the engine repeats.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "analysis/monitor.hpp"
+#include "analysis/follower.hpp"
 #include "analysis/scan_run.hpp"
 #include "engine/start_up.hpp"
 
@@ -25,39 +25,6 @@ namespace {
 struct NoOutside final : Outside {
   std::uint64_t external(const ExternalSite&, int) override { return 0; }
   void report(Hazard, const Instruction*) override {}
-};
-
-/// One property followed along a run of the engine.
-class Follower {
- public:
-  explicit Follower(const Property& property) : property_(property), cells_(property.cells.size(), 0) {}
-
-  bool evaluate(Concrete& domain, const Concrete::Store& state, const ReplayScan& scan, bool isFirst) {
-    const auto leaf = [&](const Operand& o, int width) -> std::uint64_t {
-      if (o.area == Area::AI) return analog(scan, o.offset);
-      Operand address = o;
-      if (o.area == Area::T || o.area == Area::C) address.width = width == 1 ? Width::Bit : Width::Word;
-      return valueIn(state, address);
-    };
-    std::vector<std::uint64_t> after = cells_;
-    const Moment<Concrete> moment{isFirst, scan.lengthMs, 32};
-    const bool answer = Monitor<Concrete, decltype(leaf)>(domain, property_, leaf, moment, cells_, after).evaluate();
-    cells_ = std::move(after);
-    return answer;
-  }
-
- private:
-  /// The last value that the scan read from that analog input.
-  static std::uint64_t analog(const ReplayScan& scan, std::uint32_t address) {
-    std::uint64_t value = 0;
-    for (const ExternalValue& external : scan.externals) {
-      if (external.site.kind == External::AnalogInput && external.site.index == address) value = external.value;
-    }
-    return value;
-  }
-
-  const Property& property_;
-  std::vector<std::uint64_t> cells_;
 };
 
 }  // namespace
