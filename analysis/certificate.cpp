@@ -77,7 +77,7 @@ void CertificateWriter::theorem(const KeptDifference& d) {
 void CertificateWriter::step(const Question& question, const WordCertificate& certificate) {
   Terms terms;
   for (int frame = 0; frame <= certificate.k; ++frame) {
-    addAll(terms, certificate.invariant, frame);
+    addAll(terms, certificate.immediate.empty() ? certificate.invariant : certificate.immediate, frame);
     addAll(terms, system_.constraints, frame);
     const std::string bad = smt_.term(question.bad, frame);
     terms.push_back(frame < certificate.k ? fmt::format("(not {})", bad) : bad);

@@ -40,6 +40,8 @@ struct WordCertificate {
   int k = 0;
   bool simplePath = false;
   std::vector<Node> pathBits;
+  /// Of the invariant: what excludes bad (in the step case, in every scan); empty: all of it.
+  std::vector<Node> immediate;
   std::vector<KeptDifference> differences;  ///< used in the step from I to I; each is an obligation of its own
   /// Nodes that may have any value: the proof does not look below them. Only with k = 0 and an empty invariant.
   std::vector<Node> open;

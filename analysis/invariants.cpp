@@ -48,9 +48,11 @@ class Miner {
   }
 
   void sample() {
-    for (const Latch& latch : system_.latches) watched_.push_back(positive(latch.variable));
+    for (const Latch& latch : system_.latches) {
+      if (!options_.pairsOnly) watched_.push_back(positive(latch.variable));
+    }
     for (const Lit l : truths_) {
-      if (system_.isGate(l)) watched_.push_back(l & ~1U);
+      if (options_.pairsOnly || system_.isGate(l)) watched_.push_back(l & ~1U);
     }
     std::sort(watched_.begin(), watched_.end());
     watched_.erase(std::unique(watched_.begin(), watched_.end()), watched_.end());
@@ -67,6 +69,10 @@ class Miner {
   }
 
   void makeClasses() {
+    if (options_.pairsOnly) {
+      makeSingles();
+      return;
+    }
     std::map<Signature, std::size_t> index;
     classes_.push_back({falseLit});
     index.emplace(Signature(signatures_.empty() ? 0 : signatures_[0].size(), 0), 0);
@@ -79,6 +85,16 @@ class Miner {
       const auto [at, isNew] = index.emplace(std::move(signature), classes_.size());
       if (isNew) classes_.emplace_back();
       classes_[at->second].push_back(complement ? negate(watched_[i]) : watched_[i]);
+    }
+  }
+
+  /// No classes: every watched literal stands for itself.
+  void makeSingles() {
+    classes_.push_back({falseLit});
+    for (std::size_t i = 0; i < watched_.size(); ++i) {
+      const bool isUnseen = std::all_of(signatures_[i].begin(), signatures_[i].end(), [](std::uint64_t lanes) { return lanes == 0; });
+      if (isUnseen) unseen_.push_back(watched_[i]);
+      else classes_.push_back({watched_[i]});
     }
   }
 
@@ -115,13 +131,15 @@ class Miner {
 
   /// Truths that no sample shows may still exclude each other, and need or exclude what is seen.
   void makePairsOfUnseen(const std::vector<bool>& isTruth, const std::vector<std::size_t>& seen) {
-    std::vector<Lit> unseen;
+    std::vector<Lit> unseen = unseen_;
     for (const Lit l : classes_[0]) {
       if (variableOf(l) != 0 && isTruth[variableOf(l)] && unseen.size() < unseenLimit) unseen.push_back(l);
     }
+    const bool isFew = unseen.size() <= unseenLimit;
     for (std::size_t i = 0; i < unseen.size(); ++i) {
       for (std::size_t j = i + 1; j < unseen.size(); ++j) {
         clauses_.push_back({negate(unseen[i]), negate(unseen[j])});
+        if (!isFew) continue;
         clauses_.push_back({unseen[i], negate(unseen[j])});
         clauses_.push_back({negate(unseen[i]), unseen[j]});
       }
@@ -286,6 +304,7 @@ class Miner {
   std::vector<Lit> watched_;  ///< positive literals
   std::vector<Signature> signatures_;
   std::vector<Class> classes_;
+  std::vector<Lit> unseen_;  ///< pairs only: truths that are 0 in all samples
   std::vector<Clause> clauses_;
   Unrolling steps_;
   Sat sat_;

@@ -5,6 +5,8 @@
 // Tested by tests/solver/invariants_test.cpp.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "analysis/bit_cone.hpp"
@@ -22,6 +24,8 @@ struct MiningOptions {
   std::uint64_t seed = 1;
   int scans = 192;                     ///< sampled on 64 runs
   std::size_t implicationLimit = 3000;  ///< candidates of two literals
+  /// Only clauses of two truths: for merged systems, whose constants and equal latches are known already.
+  bool pairsOnly = false;
 };
 
 /// `truths`: literals over latches between which equalities and implications are looked for, besides the equalities
@@ -30,10 +34,31 @@ struct MiningOptions {
 Invariants mineInvariants(const BitSystem& system, const std::vector<Lit>& truths, const std::vector<std::vector<Lit>>& guesses,
                           const MiningOptions& options, const Budget& budget);
 
-/// Of clauses that are inductive together, those that the proof of `goal` needs: a subset that is inductive by itself
-/// and under which one scan from `assumed` (clauses, inductive relative to it) neither breaks `assumed` nor is bad.
-/// All of them when the budget ends.
-std::vector<std::vector<Lit>> neededInvariants(const BitSystem& system, Lit bad, const std::vector<std::vector<Lit>>& invariants,
-                                               const Certificate& certificate, const Budget& budget);
+/// Which of clauses that are inductive together proofs need. Serves many proofs about one system: what one clause rests
+/// on is asked once.
+class InvariantCores {
+ public:
+  using Clauses = std::vector<std::vector<Lit>>;
+
+  /// Both must outlive the object; gates may be added to the system.
+  InvariantCores(const BitSystem& system, const Clauses& invariants);
+  ~InvariantCores();
+
+  struct Needed {
+    Clauses clauses;    ///< inductive by themselves
+    Clauses immediate;  ///< those of them under which one scan is not bad and keeps the certificate's own clauses
+  };
+  /// For the proof of `bad`: under `immediate`, the certificate's own clauses are inductive and exclude bad. All
+  /// invariants when the budget ends.
+  Needed of(Lit bad, const Certificate& certificate, const Budget& budget);
+
+ private:
+  class Question;
+
+  const BitSystem& system_;
+  const Clauses& invariants_;
+  std::unique_ptr<Question> closure_;                          ///< one scan under invariants; made when first needed
+  std::vector<std::optional<std::vector<std::size_t>>> rests_;  ///< by invariant: those that a scan needs to keep it
+};
 
 }  // namespace rungproof

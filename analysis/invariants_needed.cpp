@@ -7,13 +7,11 @@
 
 namespace rungproof {
 
-namespace {
-
-class Needed {
+class InvariantCores::Question {
  public:
-  Needed(const BitSystem& system, const std::vector<std::vector<Lit>>& invariants, const Budget& budget)
-      : system_(system), invariants_(invariants), budget_(budget), steps_(system, Unrolling::Start::Any), sat_(Sat::Use::Many),
-        cnf_(steps_.graph(), sat_), isNeeded_(invariants.size(), false) {
+  Question(const BitSystem& system, const Clauses& invariants)
+      : system_(system), invariants_(invariants), steps_(system, Unrolling::Start::Any), sat_(Sat::Use::Many), cnf_(steps_.graph(), sat_),
+        isPreferred_(invariants.size(), false) {
     constrain(0);
     assume(0);
   }
@@ -37,112 +35,109 @@ class Needed {
   }
   int literal(int frame, Lit l) { return cnf_.literal(steps_.at(frame, l)); }
 
-  /// Marks the invariants that make `denied` impossible, in addition to those that are marked already; false if they do
-  /// not, or not in time.
-  bool require(const std::vector<int>& denied) {
+  /// Invariants that make `denied` impossible, preferably such as are in use already; nothing if they do not, or not in
+  /// time.
+  std::optional<std::vector<std::size_t>> core(const std::vector<int>& denied, const Budget& budget) {
     std::vector<std::size_t> candidates;
     for (std::size_t i = 0; i < switches_.size(); ++i) {
-      if (isNeeded_[i]) candidates.push_back(i);
+      if (isPreferred_[i]) candidates.push_back(i);
     }
-    const Sat::Outcome marked = solve(denied, candidates);
-    if (marked == Sat::Outcome::Unknown) return false;
-    if (marked == Sat::Outcome::Unsatisfiable) return true;
-    candidates.clear();
-    for (std::size_t i = 0; i < switches_.size(); ++i) candidates.push_back(i);
+    Sat::Outcome outcome = candidates.empty() ? Sat::Outcome::Satisfiable : solve(denied, candidates, budget);
+    if (outcome == Sat::Outcome::Satisfiable) {
+      for (std::size_t i = 0; i < switches_.size(); ++i) {
+        if (!isPreferred_[i]) candidates.push_back(i);
+      }
+      outcome = solve(denied, candidates, budget);
+    }
+    if (outcome != Sat::Outcome::Unsatisfiable) return std::nullopt;
     for (int round = 0; round < coreRounds; ++round) {
-      if (solve(denied, candidates) != Sat::Outcome::Unsatisfiable) return false;
       const std::size_t before = candidates.size();
-      std::erase_if(candidates, [&](std::size_t i) { return !isNeeded_[i] && !sat_.failed(switches_[i]); });
-      if (candidates.size() == before) break;
-      // The last ones are tried to be left out first: the solver takes assumptions in their order.
-      std::stable_partition(candidates.begin(), candidates.end(), [&](std::size_t i) { return isNeeded_[i]; });
-      std::reverse(std::find_if(candidates.begin(), candidates.end(), [&](std::size_t i) { return !isNeeded_[i]; }), candidates.end());
+      std::erase_if(candidates, [&](std::size_t i) { return !sat_.failed(switches_[i]); });
+      if (candidates.size() == before || round + 1 == coreRounds) break;
+      // The solver takes assumptions in their order: in the next round the last ones come first.
+      std::reverse(candidates.begin(), candidates.end());
+      std::stable_partition(candidates.begin(), candidates.end(), [&](std::size_t i) { return isPreferred_[i]; });
+      if (solve(denied, candidates, budget) != Sat::Outcome::Unsatisfiable) return std::nullopt;
     }
-    for (const std::size_t i : candidates) {
-      if (isNeeded_[i]) continue;
-      isNeeded_[i] = true;
-      open_.push_back(i);
-    }
-    return true;
+    for (const std::size_t i : candidates) isPreferred_[i] = true;
+    return candidates;
   }
-  bool requireAfterScan(const std::vector<Lit>& clause) {
+  std::optional<std::vector<std::size_t>> coreAfterScan(const std::vector<Lit>& clause, const Budget& budget) {
     std::vector<int> denied;
     for (const Lit l : clause) denied.push_back(-literal(1, l));
-    return require(denied);
-  }
-  bool close() {
-    while (!open_.empty()) {
-      const std::size_t i = open_.back();
-      open_.pop_back();
-      if (!requireAfterScan(invariants_[i])) return false;
-    }
-    return true;
-  }
-  std::vector<std::vector<Lit>> result() const {
-    std::vector<std::vector<Lit>> kept;
-    for (std::size_t i = 0; i < invariants_.size(); ++i) {
-      if (isNeeded_[i]) kept.push_back(invariants_[i]);
-    }
-    return kept;
+    return core(denied, budget);
   }
 
  private:
   static constexpr int coreRounds = 4;
 
-  Sat::Outcome solve(const std::vector<int>& denied, const std::vector<std::size_t>& candidates) {
+  Sat::Outcome solve(const std::vector<int>& denied, const std::vector<std::size_t>& candidates, const Budget& budget) {
     std::vector<int> assumptions = denied;
     for (const std::size_t i : candidates) assumptions.push_back(switches_[i]);
-    return sat_.solve(assumptions, budget_);
+    return sat_.solve(assumptions, budget);
   }
 
   const BitSystem& system_;
-  const std::vector<std::vector<Lit>>& invariants_;
-  const Budget& budget_;
+  const Clauses& invariants_;
   Unrolling steps_;
   Sat sat_;
   BitCnf cnf_;
   std::vector<int> switches_;
-  std::vector<bool> isNeeded_;
-  std::vector<std::size_t> open_;
+  std::vector<bool> isPreferred_;  ///< taken by an earlier core
 };
 
-}  // namespace
+InvariantCores::InvariantCores(const BitSystem& system, const Clauses& invariants) : system_(system), invariants_(invariants), rests_(invariants.size()) {}
+InvariantCores::~InvariantCores() = default;
 
-std::vector<std::vector<Lit>> neededInvariants(const BitSystem& system, Lit bad, const std::vector<std::vector<Lit>>& invariants,
-                                               const Certificate& certificate, const Budget& budget) {
-  if (invariants.empty() || certificate.simplePath || !certificate.gates.empty()) return invariants;
-  {
-    Needed path(system, invariants, budget);
-    bool done = true;
-    if (certificate.k > 0) {
-      // The step case: invariants in every scan.
-      std::vector<int> denied{path.literal(certificate.k, bad)};
-      for (int frame = 1; frame <= certificate.k; ++frame) {
-        path.constrain(frame);
-        path.assume(frame);
-      }
-      for (int frame = 0; frame < certificate.k; ++frame) denied.push_back(-path.literal(frame, bad));
-      done = path.require(denied);
-    } else {
-      for (const std::vector<Lit>& clause : certificate.clauses) path.addClause(0, clause);
-      done = path.require({path.literal(0, bad)});
-      for (const std::vector<Lit>& clause : certificate.clauses) done = done && path.requireAfterScan(clause);
+InvariantCores::Needed InvariantCores::of(Lit bad, const Certificate& certificate, const Budget& budget) {
+  const Needed all{invariants_, invariants_};
+  if (invariants_.empty() || certificate.simplePath || !certificate.gates.empty()) return all;
+  std::vector<bool> isImmediate(invariants_.size(), false);
+  std::vector<std::size_t> open;
+  const auto take = [&](const std::optional<std::vector<std::size_t>>& core) {
+    if (!core) return false;
+    for (const std::size_t i : *core) {
+      if (!isImmediate[i]) open.push_back(i);
+      isImmediate[i] = true;
     }
-    if (!done) return invariants;
-    const std::vector<std::vector<Lit>> first = path.result();
-    if (first.empty()) return first;
-    // Closing under induction: each needed invariant is kept by a scan from states that satisfy needed ones.
-    Needed closure(system, invariants, budget);
-    for (const std::vector<Lit>& clause : first) {
-      if (!closure.requireAfterScan(clause)) return invariants;
+    return true;
+  };
+  Question path(system_, invariants_);
+  if (certificate.k > 0) {
+    // The step case: invariants in every scan.
+    std::vector<int> denied{path.literal(certificate.k, bad)};
+    for (int frame = 1; frame <= certificate.k; ++frame) {
+      path.constrain(frame);
+      path.assume(frame);
     }
-    if (!closure.close()) return invariants;
-    std::vector<std::vector<Lit>> result = closure.result();
-    for (const std::vector<Lit>& clause : first) {
-      if (std::find(result.begin(), result.end(), clause) == result.end()) result.push_back(clause);
+    for (int frame = 0; frame < certificate.k; ++frame) denied.push_back(-path.literal(frame, bad));
+    if (!take(path.core(denied, budget))) return all;
+  } else {
+    for (const std::vector<Lit>& clause : certificate.clauses) path.addClause(0, clause);
+    if (!take(path.core({path.literal(0, bad)}, budget))) return all;
+    for (const std::vector<Lit>& clause : certificate.clauses) {
+      if (!take(path.coreAfterScan(clause, budget))) return all;
     }
-    return result;
   }
+  // Closing under induction: each needed invariant is kept by a scan from states that satisfy needed ones.
+  if (!closure_) closure_ = std::make_unique<Question>(system_, invariants_);
+  std::vector<bool> isNeeded = isImmediate;
+  while (!open.empty()) {
+    const std::size_t i = open.back();
+    open.pop_back();
+    if (!rests_[i]) rests_[i] = closure_->coreAfterScan(invariants_[i], budget);
+    if (!rests_[i]) return all;
+    for (const std::size_t other : *rests_[i]) {
+      if (!isNeeded[other]) open.push_back(other);
+      isNeeded[other] = true;
+    }
+  }
+  Needed result;
+  for (std::size_t i = 0; i < invariants_.size(); ++i) {
+    if (isNeeded[i]) result.clauses.push_back(invariants_[i]);
+    if (isImmediate[i]) result.immediate.push_back(invariants_[i]);
+  }
+  return result;
 }
 
 }  // namespace rungproof

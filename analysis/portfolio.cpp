@@ -27,6 +27,8 @@ namespace {
 constexpr int simulatedScans = 256;
 constexpr int shortInduction = 3;
 constexpr std::size_t truthLimit = 600;
+constexpr std::size_t pairedTruths = 400;  ///< truth values whose pairs are looked at together
+constexpr std::size_t pairLimit = 12000;
 constexpr double searchShare = 0.9;  ///< of the time that is left for searches; the rest is for checking what they find
 constexpr double mergeShare = 0.3;   ///< of the time of a question, for merging states
 constexpr double mostMerging = 10;   ///< seconds
@@ -41,6 +43,11 @@ class Portfolio {
     for (std::size_t q = 0; q < answers_.size(); ++q) open_.push_back(q);
     begin({});
     if (!open_.empty()) searchTogether(1, true);
+    if (!open_.empty() && options_.effort == Effort::Full && options_.check) {
+      begin({});
+      minePairs();
+      if (!invariants_.empty()) searchTogether(1, false);
+    }
     std::vector<std::vector<std::size_t>> clusters;
     if (options_.effort == Effort::Full) clusters = clustersOf(system_, open_);
     for (const std::vector<std::size_t>& cluster : clusters) {
@@ -59,6 +66,8 @@ class Portfolio {
   /// Starts a stage: blasts the open questions.
   void begin(const std::vector<Node>& truths) {
     differences_.clear();
+    invariants_ = {};
+    cores_.reset();
     blast_ = std::make_unique<BitBlast>(system_, open_, truths);
     stageBegin_ = Budget::Clock::now();
   }
@@ -117,6 +126,22 @@ class Portfolio {
     open_ = std::move(open);
   }
 
+  /// What truth values of the state say about each other, for all questions at once: interlocks and steps.
+  void minePairs() {
+    std::vector<Lit> truths;
+    const BitSystem& bits = blast_->bits();
+    for (std::uint32_t latch = 0; latch < bits.latches.size(); ++latch) {
+      if ((*system_.graph)[system_.states[blast_->stateBit(latch).state].node].width == 1) truths.push_back(positive(bits.latches[latch].variable));
+    }
+    if (truths.size() < 2 || truths.size() > pairedTruths) return;
+    MiningOptions mining;
+    mining.seed = options_.seed;
+    mining.pairsOnly = true;
+    mining.implicationLimit = pairLimit;
+    const Budget limit = budget(std::min(options_.seconds * 0.3 * static_cast<double>(open_.size()), 10.0));
+    invariants_ = mineInvariants(bits, truths, {}, mining, limit);
+  }
+
   void mine() {
     const double seconds = std::min(options_.seconds * 0.3, 10.0);
     MiningOptions mining;
@@ -135,6 +160,7 @@ class Portfolio {
       if (l != trueLit) invariants_.clauses.push_back({l});
     }
     differences_ = mined.differences;
+    cores_.reset();
     // The questions that are left, in the stage's order.
     std::vector<Lit> bads;
     for (const std::size_t position : positions_) bads.push_back(blast_->bits().bads[position]);
@@ -182,16 +208,20 @@ class Portfolio {
   WordCertificate wordCertificate(std::size_t position, const Certificate& given, const BitCone* cone) {
     Certificate whole = cone == nullptr ? given : onWholeSystem(given, *cone);
     const BitSystem& bits = blast_->bits();
-    const std::vector<std::vector<Lit>> needed = neededInvariants(bits, bits.bads[position], invariants_.clauses, whole, budget(options_.seconds));
-    whole.clauses.insert(whole.clauses.end(), needed.begin(), needed.end());
+    if (!cores_) cores_ = std::make_unique<InvariantCores>(bits, invariants_.clauses);
+    const InvariantCores::Needed needed = cores_->of(bits.bads[position], whole, budget(options_.seconds));
     WordCertificate result;
     result.k = given.k;
     result.simplePath = given.simplePath;
-    for (const std::vector<Lit>& clause : whole.clauses) {
+    const auto nodeOf = [&](const std::vector<Lit>& clause) {
       Node n = system_.graph->constantNode(0, 1);
       for (const Lit l : clause) n = system_.graph->make(Op::Or, 1, n, blast_->nodeOf(l));
-      result.invariant.push_back(n);
-    }
+      return n;
+    };
+    for (const std::vector<Lit>& clause : whole.clauses) result.invariant.push_back(nodeOf(clause));
+    result.immediate = result.invariant;
+    for (const std::vector<Lit>& clause : needed.clauses) result.invariant.push_back(nodeOf(clause));
+    for (const std::vector<Lit>& clause : needed.immediate) result.immediate.push_back(nodeOf(clause));
     std::vector<bool> isUsed(system_.graph->size(), false);
     for (const Node n : coneOf(*system_.graph, result.invariant)) isUsed[indexOf(n)] = true;
     for (const KeptDifference& d : differences_) {
@@ -236,6 +266,7 @@ class Portfolio {
   std::vector<Lit> truths_;              ///< literals of blast_
   std::vector<std::vector<Lit>> guesses_;  ///< further candidate invariants, in literals of blast_
   Invariants invariants_;                ///< of blast_'s system
+  std::unique_ptr<InvariantCores> cores_;    ///< of invariants_
   std::vector<KeptDifference> differences_;  ///< that bounds among invariants_ speak of
   std::vector<std::size_t> open_;        ///< questions without answer
   std::vector<std::size_t> positions_;   ///< of the open questions among the bad literals of blast_
@@ -293,6 +324,7 @@ class Answers {
       std::vector<Node> facts = merged.factsFor(system_, roots);
       std::vector<Node>& invariant = answer.certificate->invariant;
       invariant.insert(invariant.begin(), facts.begin(), facts.end());
+      answer.certificate->immediate.insert(answer.certificate->immediate.begin(), facts.begin(), facts.end());
     }
     if (answer.trace) {
       std::vector<std::uint64_t> initial;
