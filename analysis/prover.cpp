@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <random>
 #include <set>
 #include <thread>
 #include <utility>
@@ -32,6 +33,7 @@ constexpr int shallowDepth = 12;         ///< scans of a short accelerated run
 constexpr double shallowSeconds = 0.25;  ///< for all of them
 constexpr double engineSeconds = 2;      ///< for runs of the engine, which count their scans, on a busy machine
 constexpr double quickSeconds = 0.5;     ///< for each question while all are looked at together
+constexpr int fillings = 16;             ///< of inputs that a question does not mention, tried to confirm a run
 constexpr double minimiseSeconds = 0.25;  ///< for making a witness smaller
 constexpr std::uint64_t minimisedScans = 200;  ///< longer witnesses wait for a timer; they stay as they were found
 constexpr double premiseSeconds = 5;     ///< for a question that a verdict is checked with
@@ -230,7 +232,7 @@ class Session {
     QuestionAnswer answer = quick_[question];
     std::optional<Witness> witness;
     if (const auto found = found_.find(question); found != found_.end()) witness = found->second;
-    else if (answer.answer == Answer::Violated) witness = replayed(*exact_, exact_->system(), question, *answer.trace);
+    else if (answer.answer == Answer::Violated) witness = confirmed(question, *answer.trace);
     const bool isOpen = !witness && (answer.answer == Answer::Unknown || answer.answer == Answer::Violated);
     watch_.release();
     if (isOpen && left() > 0 && !watch_.isStopped()) std::tie(answer, witness) = race(question);
@@ -366,7 +368,7 @@ class Session {
     if (witness) {
       answer.method = "accelerated search";
     } else if (answer.answer == Answer::Violated) {
-      witness = replayed(*exact_, exact_->system(), question, *answer.trace);
+      witness = confirmed(question, *answer.trace);
     }
     answer.depth = std::max(answer.depth, answer.answer == Answer::Unknown ? quick_[question].depth : answer.depth);
     return {std::move(answer), std::move(witness)};
@@ -391,6 +393,27 @@ class Session {
     }
     std::vector<ReplayScan> scans = scansOf(encoding, system, trace, options_.time);
     return Judge(program_, options_.choices, assumptions_, goals_[question]).witness(std::move(scans), initialOf(encoding, system, trace));
+  }
+
+  /// A run of the exact system. Where the question rests on values that are not modelled exactly, what it does not
+  /// mention may decide whether the engine repeats the run: some values of that are tried.
+  std::optional<Witness> confirmed(std::size_t question, const WordTrace& trace) {
+    std::optional<Witness> witness = replayed(*exact_, exact_->system(), question, trace);
+    if (witness || approximationsOf(question).empty()) return witness;
+    const TransitionSystem& system = exact_->system();
+    std::unordered_set<std::uint32_t> fixed = exact_->variablesOf(question);
+    for (const Node n : exact_->obligations().encoding().time().inputs()) fixed.insert(indexOf(n));
+    std::mt19937_64 random(options_.seed);
+    WordTrace tried = trace;
+    for (int attempt = 0; attempt < fillings && !witness && !watch_.isStopped(); ++attempt) {
+      for (std::vector<std::uint64_t>& scan : tried.inputs) {
+        for (std::size_t i = 0; i < scan.size(); ++i) {
+          if (!fixed.contains(indexOf(system.inputs[i]))) scan[i] = random() & Graph::maskOf((*system.graph)[system.inputs[i]].width);
+        }
+      }
+      witness = replayed(*exact_, system, question, tried);
+    }
+    return witness;
   }
 
   void unconfirmed(std::size_t question, const QuestionAnswer& answer, ProofResult& row, ProofRun& run) {

@@ -1,8 +1,7 @@
 // Runs a script of scans and keeps the state after each.
 #include "engine/replay.hpp"
 
-#include <deque>
-#include <map>
+#include <algorithm>
 #include <tuple>
 
 #include "engine/simulator.hpp"
@@ -14,37 +13,55 @@ namespace {
 /// Hands out the external values of one scan in the order in which they are asked for.
 class Script final : public Outside {
  public:
-  explicit Script(const Choices& choices) : choices_(choices) {}
+  explicit Script(const Choices& choices) : unknown_(choices.is(Choice::UnknownBits, "one") ? ~0ULL : 0) {}
 
+  /// The values of the scans to come, until others are loaded.
   void load(const std::vector<ExternalValue>& values) {
-    unused_ += waiting();
-    values_.clear();
-    for (const ExternalValue& value : values) values_[key(value.site)].push_back(value.value);
+    finish();
+    sites_.clear();
+    for (const ExternalValue& value : values) sites_.push_back({key(value.site), {}, 0});
+    std::sort(sites_.begin(), sites_.end(), [](const Site& a, const Site& b) { return a.key < b.key; });
+    sites_.erase(std::unique(sites_.begin(), sites_.end(), [](const Site& a, const Site& b) { return a.key == b.key; }), sites_.end());
+    for (const ExternalValue& value : values) at(key(value.site))->values.push_back(value.value);
+  }
+  /// Each scan starts with all of them.
+  void begin() {
+    finish();
+    for (Site& site : sites_) site.next = 0;
+    isBegun_ = true;
   }
   std::uint64_t external(const ExternalSite& site, int) override {
-    const auto found = values_.find(key(site));
-    if (found != values_.end() && !found->second.empty()) {
-      const std::uint64_t value = found->second.front();
-      found->second.pop_front();
-      return value;
-    }
+    const auto found = at(key(site));
+    if (found != sites_.end() && found->key == key(site) && found->next < found->values.size()) return found->values[found->next++];
     const bool isUnknown = site.kind == External::StackBottom || site.kind == External::LocalMemory || site.kind == External::UnknownStatus;
-    return isUnknown && choices_.is(Choice::UnknownBits, "one") ? ~0ULL : 0;
+    return isUnknown ? unknown_ : 0;
   }
   void report(Hazard, const Instruction*) override {}
-  std::size_t unused() const { return unused_ + waiting(); }
+  std::size_t unused() {
+    finish();
+    return unused_;
+  }
 
  private:
   using Key = std::tuple<External, std::uint32_t, std::uint32_t>;
   static Key key(const ExternalSite& site) { return {site.kind, site.index, site.instruction}; }
-  std::size_t waiting() const {
-    std::size_t count = 0;
-    for (const auto& [site, queue] : values_) count += queue.size();
-    return count;
+  struct Site {
+    Key key;
+    std::vector<std::uint64_t> values;  ///< in the order in which they are asked for
+    std::size_t next;
+  };
+  std::vector<Site>::iterator at(const Key& key) {
+    return std::lower_bound(sites_.begin(), sites_.end(), key, [](const Site& site, const Key& k) { return site.key < k; });
+  }
+  /// Counts what the scan left.
+  void finish() {
+    for (const Site& site : sites_) unused_ += isBegun_ ? site.values.size() - site.next : 0;
+    isBegun_ = false;
   }
 
-  const Choices& choices_;
-  std::map<Key, std::deque<std::uint64_t>> values_;
+  const std::uint64_t unknown_;
+  std::vector<Site> sites_;  ///< by key
+  bool isBegun_ = false;
   std::size_t unused_ = 0;
 };
 
@@ -63,8 +80,9 @@ ReplayResult replay(const Program& program, const Choices& choices, const std::v
   for (std::size_t i = 0; i < scans.size() && goesOn; ++i) {
     const ReplayScan& scan = scans[i];
     for (const PresetValue& input : scan.inputs) simulator.write(input.operand, input.value);
+    script.load(scan.externals);
     for (std::uint32_t round = 0; round < scan.repeats && goesOn; ++round) {
-      script.load(scan.externals);
+      script.begin();
       simulator.scan({.lengthUs = scan.lengthMs * 1000, .script = &scan.script});
       if (observer) goesOn = observer(simulator.store(), i);
       else result.states.push_back(simulator.store());
