@@ -15,17 +15,18 @@ namespace {
 
 class Gatherer {
  public:
-  explicit Gatherer(Obligations& obligations) : obligations_(obligations), encoding_(obligations.encoding()), graph_(encoding_.graph()) {}
+  Gatherer(Obligations& obligations, const ExecutionRecord& record, std::vector<BuiltinCheck>& checks)
+      : encoding_(obligations.encoding()), record_(record), graph_(encoding_.graph()), checks_(checks) {}
 
-  std::vector<BuiltinCheck> run() {
+  void run() {
     setResetConflicts();
+    stackLevels();
     hazards();
     timers();
-    return std::move(checks_);
+    presets();
   }
 
  private:
-
   /// Two instructions that write different constants to one bit in one scan, or a latch against a coil that writes the
   /// opposite (001:2821). S and R in one instruction's row, or the same instruction met twice, do not count.
   void setResetConflicts() {
@@ -58,6 +59,22 @@ class Gatherer {
     bad = graph_.lor({bad}, both).node;
   }
 
+  /// Levels that a push has lost (001:2759) and that are used nevertheless, on the paths that the scan can take. Where
+  /// no path uses one there is one question for the whole program, which is then proved.
+  void stackLevels() {
+    std::map<std::pair<const Instruction*, const Instruction*>, Node> lost;
+    for (const LostLevel& level : record_.lostLevels()) {
+      Node& bad = lost.try_emplace({level.use, level.push}, graph_.constant(false).node).first->second;
+      bad = graph_.lor({bad}, {level.condition}).node;
+    }
+    if (lost.empty()) checks_.push_back({BuiltinKind::StackLevels, "the logic stack loses no level that is used", "STK001", "", "", nullptr, nullptr, graph_.constant(false).node});
+    for (const auto& [places, bad] : lost) {
+      const auto [use, push] = places;
+      checks_.push_back({BuiltinKind::StackLevels, fmt::format("logic stack at {}", textOf(*use)), "STK001",
+                         fmt::format("{} takes a level that was pushed out of the nine levels of the logic stack", textOf(*use)), "", push == nullptr ? use : push, use, bad});
+    }
+  }
+
   static std::optional<std::pair<BuiltinKind, const char*>> kindOf(Hazard hazard) {
     switch (hazard) {
       case Hazard::BadIndirectAddress: return {{BuiltinKind::OperandRange, "PTR001"}};
@@ -85,17 +102,14 @@ class Gatherer {
       if (isNew) order.push_back(key);
       else found->second = graph_.lor({found->second}, {record.condition}).node;
     }
+    if (std::none_of(order.begin(), order.end(), [](const auto& key) { return key.second == Hazard::NestingTooDeep; })) {
+      checks_.push_back({BuiltinKind::Nesting, "calls nest no deeper than the CPU allows", "SUB002", "", "", nullptr, nullptr, graph_.constant(false).node});
+    }
     for (const auto& key : order) {
       const auto [kind, rule] = *kindOf(key.second);
       const HazardInfo& info = hazardInfo(key.second);
       checks_.push_back({kind, fmt::format("{} at {}", info.text, textOf(*key.first)), rule, fmt::format("{}: {}", textOf(*key.first), info.text), "", key.first, nullptr, byPlace[key]});
     }
-  }
-
-  static std::string textOf(const Instruction& instruction) {
-    std::string text(instruction.desc->stl);
-    for (std::size_t i = 0; i < instruction.operands.size(); ++i) text += (i == 0 ? " " : ", ") + toString(instruction.operands[i]);
-    return text;
   }
 
   void timers() {
@@ -124,11 +138,10 @@ class Gatherer {
   /// 001:6611: boxes of a 100 ms timer run exactly once in every scan; more than one, or none, makes it run wrongly.
   void oncePerScan(const Operand& timer, const Instruction& box) {
     Graph::Bool some = graph_.constant(false), twice = some;
-    for (const auto& [instruction, guard] : obligations_.executions()) {
-      const bool sameTimer = !instruction->operands.empty() && instruction->desc->operandCount > 0 && instruction->desc->operands[0].type == Type::Timer && instruction->operands[0].offset == timer.offset;
-      if (!sameTimer) continue;
-      twice = graph_.lor(twice, graph_.land(some, {guard}));
-      some = graph_.lor(some, {guard});
+    for (const Visit& visit : record_.visits()) {
+      if (!isBoxOf(*visit.instruction, Type::Timer) || visit.instruction->operands[0].offset != timer.offset) continue;
+      twice = graph_.lor(twice, graph_.land(some, {visit.guard}));
+      some = graph_.lor(some, {visit.guard});
     }
     const Node bad = graph_.lor(graph_.lnot(some), twice).node;
     if (const auto known = graph_.truth({bad}); known && !*known) return;
@@ -136,14 +149,53 @@ class Gatherer {
                        fmt::format("{} has a resolution of 100 ms, but its box does not run exactly once in every scan", toString(timer)), toString(timer), &box, nullptr, bad});
   }
 
-  Obligations& obligations_;
+  static bool isBoxOf(const Instruction& instruction, Type type) {
+    return !instruction.operands.empty() && instruction.desc->operandCount > 0 && instruction.desc->operands[0].type == type;
+  }
+  /// 001:6569, 001:4015: presets are signed words. At 0 and below a timer fires, and a counter is on, at once.
+  void presets() {
+    std::map<const Instruction*, Node> outside;
+    std::vector<const Instruction*> order;
+    for (const Visit& visit : record_.visits()) {
+      if (visit.preset == noNode) continue;
+      Graph::Bool bad = graph_.land({visit.guard}, graph_.slt({visit.preset}, graph_.literal(1, 16), 16));
+      if (isBoxOf(*visit.instruction, Type::Timer)) bad = graph_.land(bad, {visit.flow[0]});
+      const auto [place, isNew] = outside.try_emplace(visit.instruction, bad.node);
+      if (isNew) order.push_back(visit.instruction);
+      else place->second = graph_.lor({place->second}, bad).node;
+    }
+    for (const Instruction* box : order) {
+      const std::string preset = toString(box->operands[1]);
+      checks_.push_back({BuiltinKind::Preset, fmt::format("preset of {}", textOf(*box)), "TIM007",
+                         fmt::format("{} can be 0 or negative when {} runs", preset, textOf(*box)), toString(box->operands[0]), box, nullptr, outside[box]});
+    }
+  }
+
   EncodedScan& encoding_;
+  const ExecutionRecord& record_;
   Graph& graph_;
-  std::vector<BuiltinCheck> checks_;
+  std::vector<BuiltinCheck>& checks_;
 };
 
 }  // namespace
 
-std::vector<BuiltinCheck> builtinChecks(Obligations& obligations) { return Gatherer(obligations).run(); }
+std::string textOf(const Instruction& instruction) {
+  std::string text(instruction.desc->stl);
+  for (std::size_t i = 0; i < instruction.operands.size(); ++i) text += (i == 0 ? " " : ", ") + toString(instruction.operands[i]);
+  return text;
+}
+
+std::vector<BuiltinCheck> builtinChecks(const Program& program, const PropertySet& set, const CheckGroups& groups, Obligations& obligations,
+                                        const ExecutionRecord& record) {
+  std::vector<BuiltinCheck> checks;
+  if (groups.builtin) Gatherer(obligations, record, checks).run();
+  if (groups.rungs) {
+    addRungChecks(program, obligations, record, checks);
+    addSequenceChecks(program, obligations, record, checks);
+    addRestartChecks(set, obligations, checks);
+  }
+  if (groups.powerUp) addPowerUpChecks(program, obligations, checks);
+  return checks;
+}
 
 }  // namespace rungproof

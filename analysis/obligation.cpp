@@ -26,7 +26,7 @@ struct Obligations::Leaf {
   Graph::Bits operator()(const Operand& operand, int width) { return {owner.leaf(operand, width)}; }
 };
 
-Obligations::Obligations(const Program& program, const PropertySet& set, const std::vector<Property>& goals, EncoderOptions options, bool recordExecutions) {
+Obligations::Obligations(const Program& program, const PropertySet& set, const std::vector<Property>& goals, EncoderOptions options, ExecutionRecord* record) {
   for (const Property& property : goals) addObserved(property, options);
   std::vector<const Property*> everyInstruction;
   for (const Property& property : goals) {
@@ -43,10 +43,10 @@ Obligations::Obligations(const Program& program, const PropertySet& set, const s
 
   // Properties over single instructions look at the machine as it is there; their edges and cells are of scan ends.
   std::vector<Node> badSoFar(everyInstruction.size(), noNode);
-  if (!everyInstruction.empty() || recordExecutions) {
+  if (!everyInstruction.empty() || record != nullptr) {
     options.atInstruction = [&](Machine<Graph>& machine, const Instruction& instruction) {
       Graph& graph = machine.d;
-      if (recordExecutions) executions_.emplace_back(&instruction, machine.guard.node);
+      if (record != nullptr) record->at(machine, instruction);
       for (std::size_t i = 0; i < everyInstruction.size(); ++i) {
         const auto here = [&](const Operand& o, int width) -> Graph::Bits { return machine.load(o.area, o.offset, leafWidth(width), o.bit); };
         std::vector<Graph::Bits> none(everyInstruction[i]->cells.size(), graph.literal(0, 1)), ignored = none;
@@ -162,6 +162,14 @@ void Obligations::addMonitor(AskedProperty& obligation) {
     obligation.state.before.push_back(before[i].node);
     obligation.state.after.push_back(after[i].node);
   }
+}
+
+Node Obligations::before(std::string name, Node value) {
+  Graph& graph = encoding_->graph();
+  const int width = graph[value].width;
+  const Node cell = graph.variable(std::move(name), width, true);
+  cells_.push_back({cell, graph.constantNode(0, width), value});
+  return cell;
 }
 
 TransitionSystem Obligations::system() {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/encoder.hpp"
+#include "analysis/execution_record.hpp"
 #include "analysis/property.hpp"
 
 namespace rungproof {
@@ -30,21 +31,20 @@ class Obligations {
  public:
   /// Encodes the program with the properties' addresses and external ranges in mind. `goals` are what is asked;
   /// assumptions and pulses among `set` constrain all of them.
-  /// recordExecutions: keep under which guard each instruction runs, for built-in checks.
+  /// record: told of each instruction that the final encoding comes to.
   Obligations(const Program& program, const PropertySet& set, const std::vector<Property>& goals, EncoderOptions options,
-              bool recordExecutions = false);
+              ExecutionRecord* record = nullptr);
 
   EncodedScan& encoding() { return *encoding_; }
   const std::vector<AskedProperty>& goals() const { return goals_; }
   const std::vector<AskedProperty>& assumptions() const { return assumptions_; }
 
-  /// Executions of instructions in one scan, in order, with their guards.
-  const std::vector<std::pair<const Instruction*, Node>>& executions() const { return executions_; }
-
   /// The whole system; questions are those of the goals in their order, then the added ones.
   TransitionSystem system();
   /// A further question over nodes of the encoding, for built-in checks.
   void ask(std::string name, Node bad) { extra_.push_back({std::move(name), bad}); }
+  /// What `value` (a node of the encoding) was in the scan before; 0 in the first scan.
+  Node before(std::string name, Node value);
   /// Names of state variables that only measure time: their change does not count as a change of the program.
   bool isTimeState(Node variable) const;
 
@@ -58,7 +58,6 @@ class Obligations {
   std::unique_ptr<EncodedScan> encoding_;
   std::vector<AskedProperty> goals_;
   std::vector<AskedProperty> assumptions_;
-  std::vector<std::pair<const Instruction*, Node>> executions_;
   std::vector<StateVariable> cells_;
   std::vector<Node> timeCells_;
   std::unordered_map<std::string, int> timeBases_;  ///< by property name; of those with clocks

@@ -15,8 +15,8 @@ namespace rungproof {
 
 class ProofSide {
  public:
-  /// Questions are the goals in their order, then, with `builtin`, checks() in their order, then leftOutQuestion().
-  ProofSide(const Program& program, const PropertySet& set, const std::vector<Property>& goals, const EncoderOptions& options, bool builtin);
+  /// Questions are the goals in their order, then checks() of those groups in their order, then leftOutQuestion().
+  ProofSide(const Program& program, const PropertySet& set, const std::vector<Property>& goals, const EncoderOptions& options, const CheckGroups& groups);
 
   Obligations& obligations() { return obligations_; }
   TransitionSystem& system() { return system_; }
@@ -33,6 +33,7 @@ class ProofSide {
   TransitionSystem accelerated(std::size_t question, std::uint32_t longest);
 
  private:
+  ExecutionRecord record_;
   Obligations obligations_;
   std::vector<BuiltinCheck> checks_;
   std::optional<std::size_t> leftOutQuestion_;

@@ -55,7 +55,7 @@ class Session {
     const std::size_t declared = declaredCount();
     deadline_ = begin_ + seconds(options_.timeout * static_cast<double>(std::max<std::size_t>(declared, 1)));
     try {
-      exact_ = std::make_unique<ProofSide>(program_, set_, goals_, encoding(false), options_.builtin);
+      exact_ = std::make_unique<ProofSide>(program_, set_, goals_, encoding(false), options_.checks);
     } catch (const EncodingStopped&) {
       for (std::size_t i = 0; i < declared; ++i) result.results.push_back(open(goals_[i], reasonToStop() + " before the program was encoded"));
       result.isInterrupted = watch_.isInterrupted();
@@ -67,7 +67,9 @@ class Session {
     for (std::size_t i = 0; i < total; ++i) {
       const Clock::time_point start = Clock::now();
       // One question may use its own time, and what those before it have left of theirs is not saved up.
-      deadline_ = std::min(start + seconds(options_.timeout), begin_ + seconds(options_.timeout * static_cast<double>(i + 1)));
+      const bool isOfRule = i >= declared && isRuleQuestion(exact_->checks()[i - declared].kind);
+      const double most = isOfRule ? std::min(options_.timeout, options_.ruleTimeout) : options_.timeout;
+      deadline_ = std::min(start + seconds(most), begin_ + seconds(options_.timeout * static_cast<double>(i + 1)));
       const std::size_t question = i < declared ? i : goals_.size() + (i - declared);
       ProofResult row;
       if (i < declared) row.property = goals_[i];
@@ -378,7 +380,7 @@ class Session {
   ProofSide* relaxedSide() {
     if (relaxed_) return relaxed_.get();
     try {
-      relaxed_ = std::make_unique<ProofSide>(program_, set_, goals_, encoding(true), options_.builtin);
+      relaxed_ = std::make_unique<ProofSide>(program_, set_, goals_, encoding(true), options_.checks);
     } catch (const EncodingStopped&) {
       return nullptr;
     }

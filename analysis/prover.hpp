@@ -18,11 +18,12 @@ struct ProverOptions {
   Choices choices;
   TimeRange time;
   double timeout = 60;  ///< seconds per question; encoding and checks of certificates count
+  double ruleTimeout = 2;  ///< at most, for each question of CheckGroups::rungs and powerUp
   int bound = 0;        ///< scans that bounded search may look at; 0: no limit
   int jobs = 2;
   std::uint64_t seed = 1;
   std::uint64_t memory = 0;  ///< bytes; 0: no limit
-  bool builtin = false;
+  CheckGroups checks;  ///< what is asked beside the declared properties
   std::string certificates;  ///< directory for SMT-LIB 2 files, or empty
   bool evidence = true;      ///< check certificates, shorten witnesses, name networks; without: verdicts only
   const std::atomic<bool>* cancel = nullptr;  ///< set from outside, as by Ctrl-C: the run ends with what is settled

@@ -62,7 +62,7 @@ class Checker {
     ProverOptions options = options_.prover;
     options.timeout = options_.seconds;
     options.jobs = 1;
-    options.builtin = false;
+    options.checks = {};
     options.evidence = false;
     options.certificates.clear();
     const Program inPlace = planted(program_, result.fault);

@@ -7,6 +7,7 @@
 #include "analysis/suppress.hpp"
 #include "frontend/code_list.hpp"
 #include "frontend/proof_input.hpp"
+#include "frontend/solver_rules.hpp"
 
 namespace rungproof {
 
@@ -24,7 +25,7 @@ Report lintProgram(const Settings& settings, const ProgramInput& input, const st
   std::erase_if(report.findings, [&](const Finding& finding) { return !isReadError(finding) && !isSelected(finding.rule); });
   std::vector<Finding> found = runRules(facts, selection, settings.ruleSettings());
   std::move(found.begin(), found.end(), std::back_inserter(report.findings));
-  if (prove && !hasReadErrors(program)) confirmBySolver(settings, input, report);
+  if (prove && !hasReadErrors(program)) settleBySolver(input, proverOptionsOf(settings), isSelected, report.findings);
   const PlaceIndex places(program);
   for (Finding& finding : report.findings) places.complete(finding);
 

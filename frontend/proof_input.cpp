@@ -1,4 +1,4 @@
-// Options, findings, confirmation.
+// Options and findings.
 #include "frontend/proof_input.hpp"
 
 #include <fmt/format.h>
@@ -26,6 +26,31 @@ ProverOptions proverOptionsOf(const Settings& settings) {
   return options;
 }
 
+namespace {
+
+std::string helpOf(const BuiltinCheck& check, int scans) {
+  switch (check.kind) {
+    case BuiltinKind::TimerReachable:
+    case BuiltinKind::TimerResettable: return "proved for every run; look at the input and the preset";
+    case BuiltinKind::FlowOn:
+    case BuiltinKind::FlowOff: return "proved for every run; a contact is missing, of the wrong kind, or at the wrong address";
+    case BuiltinKind::LatchDrops: return "proved for every run; put the contact that ends it in series behind the holding contact, or mend the reset";
+    case BuiltinKind::ContactMatters: return "proved for every run; remove it, or put it where it is needed";
+    case BuiltinKind::StepEntered:
+    case BuiltinKind::StepLeft: return "proved for every run; look at the conditions of the transitions";
+    case BuiltinKind::CodeRuns: return "proved for every run; look at the conditions of the jumps, calls and loops before it";
+    case BuiltinKind::CounterReset:
+    case BuiltinKind::CountRises: return "proved for every run; the last load before the box is the reset or load input (001:3994-4004)";
+    case BuiltinKind::TwoWaysOut:
+    case BuiltinKind::StepsTogether: return fmt::format("seen in scan {} of a run that the engine repeats; make the conditions exclude each other", scans);
+    case BuiltinKind::PowerUp: return fmt::format("seen in scan {} of a run that the engine repeats; reset the bit that holds it with SM0.1", scans);
+    case BuiltinKind::Restart: return fmt::format("seen in scan {} of a run that the engine repeats; let the stop reset what starts the machine", scans);
+    default: return isRuleQuestion(check.kind) ? fmt::format("seen in scan {} of a run that the engine repeats", scans) : "'rungproof prove --builtin' shows the run";
+  }
+}
+
+}  // namespace
+
 std::optional<Finding> findingOf(const ProofResult& result) {
   if (!result.builtin) return std::nullopt;
   const bool bad = isWanted(result.builtin->kind) ? result.outcome == Outcome::Unreachable : result.outcome == Outcome::Violated;
@@ -38,49 +63,11 @@ std::optional<Finding> findingOf(const ProofResult& result) {
   finding.address = result.builtin->address;
   finding.confirmation = Confirmation::Confirmed;
   if (result.builtin->place != nullptr) finding.span = result.builtin->place->span;
-  if (result.builtin->other != nullptr) finding.related.push_back({result.builtin->other->span, "the other half of the conflict"});
-  return finding;
-}
-
-namespace {
-
-bool isAbout(const Finding& finding, const ProofResult& result) {
-  return result.builtin && finding.rule == result.builtin->rule && result.builtin->place != nullptr && finding.span.file == result.builtin->place->span.file &&
-         finding.span.offset >= result.builtin->place->span.offset && finding.span.offset < result.builtin->place->span.offset + result.builtin->place->span.length;
-}
-
-/// A declared property that fails, as a finding at its statement.
-std::optional<Finding> brokenProperty(const ProofResult& result) {
-  if (result.builtin || (result.outcome != Outcome::Violated && result.outcome != Outcome::Vacuous)) return std::nullopt;
-  Finding finding;
-  finding.rule = result.outcome == Outcome::Violated ? "SAF001" : "SAF002";
-  finding.severity = Severity::Error;
-  finding.message = result.outcome == Outcome::Violated ? fmt::format("the property '{}' is violated after {} scans", result.property.name, result.depth)
-                                                        : fmt::format("the property '{}' holds vacuously", result.property.name);
-  finding.span = result.property.span;
-  finding.help = "'rungproof prove' shows the run";
-  finding.confirmation = Confirmation::Confirmed;
-  return finding;
-}
-
-}  // namespace
-
-void confirmBySolver(const Settings& settings, const ProgramInput& input, Report& report) {
-  ProverOptions options = proverOptionsOf(settings);
-  options.builtin = true;
-  const ProofRun run = prove(input.program, input.properties, options);
-  for (const ProofResult& result : run.results) {
-    const std::optional<Finding> finding = result.builtin ? findingOf(result) : brokenProperty(result);
-    const bool dismissed = result.builtin && (isWanted(result.builtin->kind) ? result.outcome == Outcome::Reachable : result.outcome == Outcome::Proved);
-    bool isKnown = false;
-    for (Finding& known : report.findings) {
-      if (!isAbout(known, result) || known.confirmation == Confirmation::NotNeeded) continue;
-      isKnown = true;
-      if (finding) known.confirmation = Confirmation::Confirmed;
-    }
-    if (dismissed) std::erase_if(report.findings, [&](const Finding& known) { return isAbout(known, result) && known.confirmation == Confirmation::Unconfirmed; });
-    if (finding && !isKnown) report.findings.push_back(*finding);
+  if (result.builtin->other != nullptr) {
+    finding.related.push_back({result.builtin->other->span, result.builtin->kind == BuiltinKind::StackLevels ? "the level is used here" : "the other half of the conflict"});
   }
+  finding.help = helpOf(*result.builtin, result.depth);
+  return finding;
 }
 
 }  // namespace rungproof

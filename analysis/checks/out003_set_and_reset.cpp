@@ -1,5 +1,5 @@
 // OUT003: set and reset true together. Spoken by the prover (analysis/builtin_checks, analysis/prover); this file is its page.
-// Tested by tests/prover and tests/corpus.
+// Tested by tests/prover/rule_questions_test.cpp, which runs the examples.
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -12,8 +12,9 @@ extern constexpr Rule out003_set_and_reset = {
     .detects = "S and R, S or R against =, or both inputs of SR or RS, that act on one bit in one scan with opposite values",
     .why = "the order of the networks decides which one wins, and for SR and RS the type of the box does",
     .manual = "001:2821, 001:2897",
+    .bad = "Network 1\nLD I0.0\nS Q0.0, 1\nNetwork 2\nLD I0.1\nR Q0.0, 1\n",
+    .good = "Network 1\nLD I0.0\nAN I0.1\nS Q0.0, 1\nNetwork 2\nLD I0.1\nR Q0.0, 1\n",
     .falsePositives = "a stop that is written last on purpose",
-    .peers = "",
 };
 
 }  // namespace rungproof

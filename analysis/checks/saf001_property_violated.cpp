@@ -1,5 +1,5 @@
 // SAF001: declared property violated. Spoken by the prover (analysis/builtin_checks, analysis/prover); this file is its page.
-// Tested by tests/prover and tests/corpus.
+// Tested by tests/prover/rule_questions_test.cpp, which runs the examples.
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -11,8 +11,8 @@ extern constexpr Rule saf001_property_violated = {
     .needs = Needs::Solver,
     .detects = "a declared property that some run of the program breaks; the run has been repeated by the reference engine",
     .why = "the interlock that was meant is not the one that was written",
-    .manual = "",
-    .falsePositives = "",
+    .bad = "//@ prove follows: Q0.0 implies I0.0\nNetwork 1\nLD I0.0\nO I0.1\n= Q0.0\n",
+    .good = "//@ prove follows: Q0.0 implies I0.0\nNetwork 1\nLD I0.0\nA I0.1\n= Q0.0\n",
     .peers = "PLCverif all patterns; ESBMC SAFE-LD",
 };
 

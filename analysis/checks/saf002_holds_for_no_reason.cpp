@@ -1,5 +1,5 @@
 // SAF002: property holds for no good reason. Spoken by the prover (analysis/builtin_checks, analysis/prover); this file is its page.
-// Tested by tests/prover and tests/corpus.
+// Tested by tests/prover/rule_questions_test.cpp, which runs the examples.
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -11,9 +11,8 @@ extern constexpr Rule saf002_holds_for_no_reason = {
     .needs = Needs::Solver,
     .detects = "a property whose premise can never be met, or assumptions that contradict each other",
     .why = "a vacuous pass is worse than a fail: it is believed",
-    .manual = "",
-    .falsePositives = "",
-    .peers = "",
+    .bad = "//@ prove lamp: Q0.0 and Q0.1 implies M0.0\nNetwork 1\nLD I0.0\n= Q0.0\nNetwork 2\nLDN I0.0\n= Q0.1\n",
+    .good = "//@ prove lamp: Q0.0 or Q0.1 implies SM0.0\nNetwork 1\nLD I0.0\n= Q0.0\nNetwork 2\nLDN I0.0\n= Q0.1\n",
 };
 
 }  // namespace rungproof

@@ -56,7 +56,7 @@ Exit run(const Arguments& arguments, Context& context) {
   for (const Property& property : input.properties.properties) {
     if (property.isGoal()) goals.push_back(property);
   }
-  ProofSide side(input.program, input.properties, goals, encoderOptionsOf(options), arguments.builtin);
+  ProofSide side(input.program, input.properties, goals, encoderOptionsOf(options), {.builtin = arguments.builtin});
   if (side.system().questions.empty()) {
     return context.fail({fmt::format("no property is declared in {}", arguments.files.front()), {}, "declare some, or give --builtin; see 'rungproof prove --help'"});
   }

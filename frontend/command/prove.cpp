@@ -157,7 +157,7 @@ Exit run(const Arguments& arguments, Context& context) {
     if (!part.findings.empty()) failed = true;
     if (!hasReadErrors(input.program)) {
       ProverOptions options = proverOptionsOf(context.settings);
-      options.builtin = arguments.builtin;
+      options.checks.builtin = arguments.builtin;
       options.certificates = arguments.certificates;
       options.cancel = &interrupted;
       const auto before = std::signal(SIGINT, onInterrupt);

@@ -62,7 +62,7 @@ TEST(Certificate, Cvc5AgreesOnTheWholeCorpus) {
     const ProgramInput input = corpusInput(path);
     ProverOptions options = proverOptions(path);
     options.timeout = 1;
-    options.builtin = true;
+    options.checks.builtin = true;
     options.certificates = (folder.path() / path.stem()).string();
     const ProofRun run = prove(input.program, input.properties, options);
     for (const ProofResult& result : run.results) {

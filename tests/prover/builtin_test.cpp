@@ -6,7 +6,7 @@ namespace {
 
 ProofRun builtins(const ProgramInput& input) {
   ProverOptions options = usualOptions(10);
-  options.builtin = true;
+  options.checks.builtin = true;
   return prove(input.program, input.properties, options);
 }
 
