@@ -128,10 +128,15 @@ class Gatherer {
   void reachability(const Instruction& box, bool isTimer) {
     const Operand& o = box.operands[0];
     const Place bit = registerPlace(isTimer ? Reg::TimerBit : Reg::CounterBit, o.offset);
-    const Node now = encoding_.atEnd(bit), before = encoding_.atStart(bit);
+    const Node now = encoding_.atEnd(bit);
+    // A bit that is reset in the scan in which it comes on is on for the instructions between.
+    const Node seen = record_.seenOn(o.area, o.offset);
+    const Graph::Bool within{seen == noNode ? graph_.constant(false).node : seen};
+    const Node on = graph_.lor({now}, within).node;
+    const Graph::Bool before = graph_.lor({encoding_.atStart(bit)}, within);
     const std::string name = toString(o);
-    checks_.push_back({BuiltinKind::TimerReachable, fmt::format("{} can come on", name), "TIM008", fmt::format("the bit of {} can never be 1", name), name, &box, nullptr, now});
-    const Node falls = graph_.land({before}, graph_.lnot({now})).node;
+    checks_.push_back({BuiltinKind::TimerReachable, fmt::format("{} can come on", name), "TIM008", fmt::format("the bit of {} can never be 1", name), name, &box, nullptr, on});
+    const Node falls = graph_.land(before, graph_.lnot({now})).node;
     checks_.push_back({BuiltinKind::TimerResettable, fmt::format("{} can be reset", name), "TIM008", fmt::format("once on, the bit of {} never returns to 0", name), name, &box, nullptr, falls});
     if (isTimer && timerResolution(static_cast<int>(o.offset)) == 100) oncePerScan(o, box);
   }

@@ -62,6 +62,11 @@ void ExecutionRecord::at(Machine<Graph>& machine, const Instruction& instruction
     visit.preset = machine.load(instruction.operands[1].area, instruction.operands[1].offset, Width::Word).node;
   }
   visits_.push_back(visit);
+  for (const Operand& o : instruction.operands) {
+    if (o.kind != OperandKind::Direct || (o.area != Area::T && o.area != Area::C)) continue;
+    Node& seen = seenOn_.try_emplace({o.area, o.offset}, machine.d.constant(false).node).first->second;
+    seen = machine.d.lor({seen}, machine.d.land(machine.guard, machine.getBit(o.area == Area::T ? Reg::TimerBit : Reg::CounterBit, o.offset))).node;
+  }
   followHeights(machine, instruction, site);
   if (contacts_) followContacts(machine, instruction, site);
 }

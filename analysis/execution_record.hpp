@@ -39,6 +39,11 @@ class ExecutionRecord {
 
   const std::vector<Visit>& visits() const { return visits_; }
   const std::vector<LostLevel>& lostLevels() const { return lostLevels_; }
+  /// Whether the bit of a timer or counter is 1 in front of some instruction that names it; noNode: none does.
+  Node seenOn(Area area, std::uint32_t number) const {
+    const auto found = seenOn_.find({area, number});
+    return found == seenOn_.end() ? noNode : found->second;
+  }
   /// By contact: 1 in a scan in which its rung would do something else without it - bridged in a series, cut out of a
   /// parallel circuit. Contacts whose rung goes through something that the record does not follow are left out.
   const std::map<const Instruction*, Node>& contactEffects() const { return contactEffects_; }
@@ -81,6 +86,7 @@ class ExecutionRecord {
   std::vector<Visit> visits_;
   std::vector<LostLevel> lostLevels_;
   std::map<const Instruction*, Node> contactEffects_;
+  std::map<std::pair<Area, std::uint32_t>, Node> seenOn_;
 };
 
 /// Contacts and compare contacts that decide the top of the stack in front of instruction `at` of a network.

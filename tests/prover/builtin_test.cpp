@@ -100,6 +100,83 @@ TEST(Builtin, TimerThatCanComeOnAndOneThatCannot) {
   EXPECT_EQ(outcomes(run, BuiltinKind::TimerReachable, "T38"), Outcomes{Outcome::Unreachable});
 }
 
+TEST(Builtin, TimerThatIsResetInTheScanInWhichItComesOn) {
+  // T5 is on for the contact of network 2 only, which resets it: never at the end of a scan, but it does come on.
+  const ProofRun run = builtins(inputOf("", "Network 1\nLD I0.0\nTONR T5, 10\nNetwork 2\nLD T5\nR T5, 1\nINCW VW4\n"));
+  EXPECT_EQ(outcomes(run, BuiltinKind::TimerReachable, "T5"), Outcomes{Outcome::Reachable});
+  EXPECT_EQ(outcomes(run, BuiltinKind::TimerResettable, "T5"), Outcomes{Outcome::Reachable});
+}
+
+/// MAIN, a subroutine or an interrupt routine with these networks; MAIN calls or attaches it.
+ProofRun builtinsIn(const std::string& block, const std::string& networks) {
+  if (block == "MAIN") return builtins(inputOf("", networks));
+  const bool isInterrupt = block == "INT";
+  const std::string head = isInterrupt ? "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\n" : "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\n";
+  const std::string end = isInterrupt ? "END_INTERRUPT_BLOCK\n" : "END_SUBROUTINE_BLOCK\n";
+  return builtins(inputOf("", isInterrupt ? "Network 1\nLD SM0.1\nATCH INT_0, 0\nENI\n" : "Network 1\nLD I2.7\nCALL SBR_0\n", head + networks + end));
+}
+
+class BuiltinIn : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Blocks, BuiltinIn, testing::Values("MAIN", "SBR", "INT"), [](const auto& info) { return std::string(info.param); });
+
+TEST_P(BuiltinIn, LevelsThatTheStackLoses) {
+  // Ten loads; eight ALD take the upper nine levels, the ninth one takes the level that the tenth load pushed out.
+  const auto loads = [](int count, int joined) {
+    std::string text = "Network 1\n";
+    for (int i = 0; i < count; ++i) text += "LD I0." + std::to_string(i % 8) + "\n";
+    for (int i = 0; i < joined; ++i) text += "ALD\n";
+    return text + "= Q0.0\n";
+  };
+  EXPECT_EQ(outcomes(builtinsIn(GetParam(), loads(10, 9)), BuiltinKind::StackLevels, "ALD"), Outcomes{Outcome::Violated});
+  EXPECT_EQ(outcomes(builtinsIn(GetParam(), loads(10, 8)), BuiltinKind::StackLevels), Outcomes{Outcome::Proved});
+  EXPECT_EQ(outcomes(builtinsIn(GetParam(), loads(9, 8)), BuiltinKind::StackLevels), Outcomes{Outcome::Proved});
+}
+
+TEST_P(BuiltinIn, LevelsLostOnOnePathOnly) {
+  // Without the jump ten levels are loaded and the ninth ALD takes the lost one. In the second program the jump is
+  // always taken, so that nine loads meet eight ALD.
+  std::string head = "Network 1\n", tail;
+  for (int i = 0; i < 8; ++i) head += "LD I0." + std::to_string(i) + "\n";
+  for (int i = 0; i < 8; ++i) tail += "ALD\n";
+  const std::string lost = head + "LD I1.0\nJMP 1\nLD I1.1\nLBL 1\n" + tail + "ALD\n= Q0.0\n";
+  const Outcomes ofLost = outcomes(builtinsIn(GetParam(), lost), BuiltinKind::StackLevels, "ALD");
+  EXPECT_EQ(std::count(ofLost.begin(), ofLost.end(), Outcome::Violated), 1);
+  const std::string never = head + "LD I1.0\nON I1.0\nJMP 1\nLD I1.1\nLBL 1\n" + tail + "= Q0.0\n";
+  for (const Outcome outcome : outcomes(builtinsIn(GetParam(), never), BuiltinKind::StackLevels)) EXPECT_EQ(outcome, Outcome::Proved);
+}
+
+TEST_P(BuiltinIn, SetAndReset) {
+  // An interrupt routine may run twice in a scan: then each of the two can be the last one.
+  const Outcomes both = outcomes(builtinsIn(GetParam(), "Network 1\nLD I0.1\nS M0.0, 1\nNetwork 2\nLD I0.2\nR M0.0, 1\n"), BuiltinKind::SetReset, "M0.0");
+  EXPECT_FALSE(both.empty());
+  for (const Outcome outcome : both) EXPECT_EQ(outcome, Outcome::Violated);
+  for (const Outcome outcome : outcomes(builtinsIn(GetParam(), "Network 1\nLD I0.1\nS M0.0, 1\nNetwork 2\nLDN I0.1\nR M0.0, 1\n"), BuiltinKind::SetReset, "M0.0")) EXPECT_EQ(outcome, Outcome::Proved);
+}
+
+TEST_P(BuiltinIn, CountsTablesAndStringsThatLeaveTheirArea) {
+  // V ends at VB10239 on a CPU 226 (table 6-2). 200 words from VW10000 end at VB10399; 100 of them at VB10199.
+  const auto fill = [](const std::string& limit) { return "Network 1\nLDB<= IB1, " + limit + "\nAB>= IB1, 1\nFILL 0, VW10000, 120\nMOVB IB1, VB0\nBMW VW100, VW10000, VB0\n"; };
+  const Outcomes wide = outcomes(builtinsIn(GetParam(), fill("200")), BuiltinKind::OperandRange, "BMW");
+  EXPECT_NE(std::count(wide.begin(), wide.end(), Outcome::Violated), 0);
+  for (const Outcome outcome : outcomes(builtinsIn(GetParam(), fill("100")), BuiltinKind::OperandRange, "BMW")) EXPECT_EQ(outcome, Outcome::Proved);
+  // A string index of 0 is error 009B (001:13972).
+  const auto part = [](const std::string& guard) { return "Network 1\n" + guard + "SSCPY VB100, IB1, 2, VB200\n"; };
+  const Outcomes zero = outcomes(builtinsIn(GetParam(), part("LD I0.0\n")), BuiltinKind::OperandRange, "SSCPY");
+  EXPECT_NE(std::count(zero.begin(), zero.end(), Outcome::Violated), 0);
+}
+
+TEST_P(BuiltinIn, PresetOutOfRange) {
+  EXPECT_EQ(outcomes(builtinsIn(GetParam(), "Network 1\nLD I0.0\nTON T33, IW2\n"), BuiltinKind::Preset), Outcomes{Outcome::Violated});
+  EXPECT_EQ(outcomes(builtinsIn(GetParam(), "Network 1\nLDW> IW2, 0\nTON T33, IW2\n"), BuiltinKind::Preset), Outcomes{Outcome::Proved});
+  EXPECT_EQ(outcomes(builtinsIn(GetParam(), "Network 1\nLD I0.0\nLD I0.1\nCTU C1, IW2\n"), BuiltinKind::Preset), Outcomes{Outcome::Violated});
+}
+
+TEST_P(BuiltinIn, TimerThatFiresAndOneThatNeverDoes) {
+  const ProofRun run = builtinsIn(GetParam(), "Network 1\nLD I0.0\nTON T33, 5\nNetwork 2\nLD I0.1\nAN I0.1\nTON T34, 5\n");
+  EXPECT_EQ(outcomes(run, BuiltinKind::TimerReachable, "T33"), Outcomes{Outcome::Reachable});
+  EXPECT_EQ(outcomes(run, BuiltinKind::TimerReachable, "T34"), Outcomes{Outcome::Unreachable});
+}
+
 TEST(Builtin, LoopBeyondTheLimitLeavesProofsOpen) {
   // A jump back that an input keeps going is followed 256 times only; what lies behind is left out, so nothing that the
   // loop could spoil is proved.

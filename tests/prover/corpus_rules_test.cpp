@@ -1,0 +1,79 @@
+// The solver rules on the corpus: what they find on programs that are meant to be right, each with the reason why the
+// finding is right nevertheless; everything else must be silent. Programs whose encoding takes long are left out.
+#include <set>
+
+#include "frontend/solver_rules.hpp"
+#include "tests/corpus/corpus_program.hpp"
+#include "tests/prover/proved_text.hpp"
+
+namespace rungproof::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Found = std::multiset<std::string>;
+
+/// Rule and address, by file name.
+const std::map<std::string, Found>& expected() {
+  static const std::map<std::string, Found> table{
+      // Held hands count only from the moment at which both were off, which M0.0 remembers: pressed in the window while
+      // the stop is active, they start the stroke when it is released.
+      {"press_two_hand.awl", {"SAF006 Q0.0"}},
+      // The level keeps the demand while the motor protection has tripped.
+      {"pump_alternation.awl", {"SAF006 Q0.1"}},
+      // The place in the row of valves is in V memory, which is retentive; the fan's contact lets the row go on.
+      {"bag_filter.awl", {"SAF005 Q0.0", "SAF005 Q0.1", "SAF005 Q0.2", "SAF005 Q0.3", "SAF006 Q0.0", "SAF006 Q0.1", "SAF006 Q0.2", "SAF006 Q0.3"}},
+      // The start command is remembered in front of the motor protection of each belt.
+      {"conveyor.awl", {"SAF004 ", "SAF006 Q0.1", "SAF006 Q0.2"}},
+      // Declared the wrong way round on purpose: the level closes the valve one scan later.
+      {"filling.awl", {"SAF004 "}},
+      // The stop only interrupts the step, whose bit stays.
+      {"filling_same_scan.awl", {"SAF006 Q0.3"}},
+      {"reversing_faulty.awl", {"SAF003 ", "SAF004 "}},
+      // Variables of PLCopen programs and data blocks lie in V memory, which is retentive; counters are too.
+      {"batch_counter.xml", {"SAF005 Q0.0"}},
+      {"conveyor.xml", {"SAF005 Q0.0", "SAF005 Q0.1"}},
+      {"door.xml", {"SAF005 Q0.0", "SAF005 Q0.1"}},
+      {"fans.xml", {"SAF005 Q0.2"}},
+      {"lubrication.xml", {"SAF005 Q0.0", "SAF005 Q0.1"}},
+      {"pump_alternation.xml", {"SAF005 Q0.0"}},
+      {"parcel_counter.xml", {"SAF005 Q0.0", "SAF005 Q0.1"}},
+      {"tank_pump.xml", {"SAF005 Q0.0"}},
+      {"two_valves.xml", {"SAF005 Q0.2", "SAF005 Q0.3"}},
+  };
+  return table;
+}
+
+std::vector<fs::path> programs() {
+  std::vector<fs::path> files;
+  for (const char* folder : {"interlocks", "sequences", "plcopen", "simaticml"}) {
+    for (const fs::path& file : corpusFiles(folder)) {
+      if (file.stem() != "faulty_drawing") files.push_back(file);
+    }
+  }
+  return files;
+}
+
+class CorpusRules : public testing::TestWithParam<fs::path> {};
+
+TEST_P(CorpusRules, FindWhatIsExplained) {
+  const ProgramInput input = corpusInput(GetParam());
+  ProverOptions options = proverOptions(GetParam());
+  options.timeout = 10;
+  std::vector<Finding> findings;
+  settleBySolver(input, options, [](std::string_view rule) { return rule != "SAF001" && rule != "OUT003"; }, findings);
+  Found found;
+  for (const Finding& finding : findings) {
+    if (finding.severity != Severity::Note) found.insert(finding.rule + " " + finding.address);
+  }
+  const auto row = expected().find(GetParam().filename().string());
+  EXPECT_EQ(found, row == expected().end() ? Found{} : row->second);
+}
+
+INSTANTIATE_TEST_SUITE_P(Programs, CorpusRules, testing::ValuesIn(programs()), [](const testing::TestParamInfo<fs::path>& info) {
+  std::string name = info.param.parent_path().filename().string() + "_" + info.param.stem().string();
+  std::replace_if(name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+  return name;
+});
+
+}  // namespace
+}  // namespace rungproof::test
