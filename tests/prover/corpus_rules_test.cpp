@@ -10,11 +10,11 @@ namespace rungproof::test {
 namespace {
 
 namespace fs = std::filesystem;
-using Found = std::multiset<std::string>;
+using RuleAddresses = std::multiset<std::string>;
 
 /// Rule and address, by file name.
-const std::map<std::string, Found>& expected() {
-  static const std::map<std::string, Found> table{
+const std::map<std::string, RuleAddresses>& explainedFindings() {
+  static const std::map<std::string, RuleAddresses> table{
       // Held hands count only from the moment at which both were off, which M0.0 remembers: pressed in the window while
       // the stop is active, they start the stroke when it is released.
       {"press_two_hand.awl", {"SAF006 Q0.0"}},
@@ -43,7 +43,7 @@ const std::map<std::string, Found>& expected() {
   return table;
 }
 
-std::vector<fs::path> programs() {
+std::vector<fs::path> quickPrograms() {
   std::vector<fs::path> files;
   for (const char* folder : {"interlocks", "sequences", "plcopen", "simaticml"}) {
     for (const fs::path& file : corpusFiles(folder)) {
@@ -61,15 +61,15 @@ TEST_P(CorpusRules, FindWhatIsExplained) {
   options.timeout = 10;
   std::vector<Finding> findings;
   settleBySolver(input, options, [](std::string_view rule) { return rule != "SAF001" && rule != "OUT003"; }, findings);
-  Found found;
+  RuleAddresses found;
   for (const Finding& finding : findings) {
     if (finding.severity != Severity::Note) found.insert(finding.rule + " " + finding.address);
   }
-  const auto row = expected().find(GetParam().filename().string());
-  EXPECT_EQ(found, row == expected().end() ? Found{} : row->second);
+  const auto row = explainedFindings().find(GetParam().filename().string());
+  EXPECT_EQ(found, row == explainedFindings().end() ? RuleAddresses{} : row->second);
 }
 
-INSTANTIATE_TEST_SUITE_P(Programs, CorpusRules, testing::ValuesIn(programs()), [](const testing::TestParamInfo<fs::path>& info) {
+INSTANTIATE_TEST_SUITE_P(Programs, CorpusRules, testing::ValuesIn(quickPrograms()), [](const testing::TestParamInfo<fs::path>& info) {
   std::string name = info.param.parent_path().filename().string() + "_" + info.param.stem().string();
   std::replace_if(name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
   return name;
