@@ -1,7 +1,7 @@
 // Graph nodes as Z3 bit-vector terms, REAL operations as exact IEEE 754 single arithmetic. One object serves one Z3
 // context; terms are shared as the nodes are. Exceptions of Z3 stay inside: a term that Z3 refuses to build, or a
 // query that fails, answers Unknown.
-// Covered by tests/encoder/z3_terms_test.cpp and tests/differential/domain_laws_test.cpp.
+// Covered by tests/differential/domain_laws_test.cpp.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // Data blocks: initial values of V memory as free-form text (001:2374-2385). The first line needs an address; later
 // lines and further values follow it. Separators are blanks, tabs and commas. The older dialect writes `B 100 5`.
-// Tested by tests/reader/data_block_test.cpp.
+// Tested by tests/reader/table_test.cpp.
 #pragma once
 
 #include "frontend/encoding.hpp"

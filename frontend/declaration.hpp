@@ -1,4 +1,4 @@
-// Lines of a VAR section: `NAME:TYPE; // comment`. Tested by tests/reader/local_layout_test.cpp.
+// Lines of a VAR section: `NAME:TYPE; // comment`. Tested by tests/reader/table_test.cpp.
 #pragma once
 
 #include "frontend/stl_lexer.hpp"

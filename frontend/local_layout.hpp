@@ -1,6 +1,6 @@
 // Places of parameters and local variables in L memory: in the order of CALL (IN, IN_OUT, OUT, then TEMP) from L0.0,
 // up to eight consecutive BOOLs in one byte, everything else at the next byte without alignment (001:6815-6823).
-// A STRING is a pointer of four bytes (001:6804). Tested by tests/reader/local_layout_test.cpp.
+// A STRING is a pointer of four bytes (001:6804). Tested by tests/reader/table_test.cpp.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // Which instruction a word means: exact, in the German set, as a ladder name, with look-alike characters, or with
-// its first operand glued on (004:268, 004:687). Tested by tests/reader/mnemonic_test.cpp.
+// its first operand glued on (004:268, 004:687). Tested by tests/reader/every_mnemonic_test.cpp.
 #pragma once
 
 #include <string>

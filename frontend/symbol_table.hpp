@@ -1,5 +1,5 @@
 // Symbol tables: name, address, comment, separated by tabs, commas or semicolons, with or without a header row and
-// a row number (001:2395-2416). Tested by tests/reader/symbol_table_test.cpp.
+// a row number (001:2395-2416). Tested by tests/reader/table_test.cpp.
 #pragma once
 
 #include "frontend/operand_reader.hpp"

@@ -1,5 +1,5 @@
 // Timing diagrams as the manual draws them: a lane per signal, bits as levels, numbers as labelled boxes, time from
-// left to right, scans below. The SVG trace form and the HTML page use it. Tested by tests/trace/svg_test.cpp.
+// left to right, scans below. The SVG trace form and the HTML page use it. Tested by tests/trace/drawing_test.cpp.
 #pragma once
 
 #include <string>

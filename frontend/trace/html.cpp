@@ -1,6 +1,6 @@
 // Traces as one HTML page without outside references: lanes with zoom, a cursor that steps from scan to scan or from
 // change to change, and the values at the cursor. The data stand in the page as JSON; a reader without scripts still
-// sees the static diagram. Tested by tests/trace/html_test.cpp.
+// sees the static diagram. Tested by tests/trace/drawing_test.cpp.
 #include <nlohmann/json.hpp>
 #include <ostream>
 

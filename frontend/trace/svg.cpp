@@ -1,4 +1,4 @@
-// Traces as a drawing: a timing diagram in the look of the manual. Tested by tests/trace/svg_test.cpp.
+// Traces as a drawing: a timing diagram in the look of the manual. Tested by tests/trace/drawing_test.cpp.
 #include <ostream>
 
 #include "frontend/timing_diagram.hpp"

@@ -1,6 +1,6 @@
 // Traces as value change dump (IEEE 1364, clause 18), for waveform viewers. Names are made of letters, digits and '_'
 // because strict readers take nothing else; a $comment gives the address and symbol of each. Time 0 is power-up, where all
-// values are unknown; every scan shows its values at its end. Tested by tests/trace/vcd_test.cpp.
+// values are unknown; every scan shows its values at its end. Tested by tests/trace/drawing_test.cpp.
 #include <fmt/format.h>
 
 #include <ostream>

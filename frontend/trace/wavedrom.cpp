@@ -1,5 +1,5 @@
 // Traces as WaveDrom JSON: one character per scan, '.' repeats, numbers as labelled segments. Inputs, outputs and the rest
-// stand in groups. Tested by tests/trace/wavedrom_test.cpp.
+// stand in groups. Tested by tests/trace/drawing_test.cpp.
 #include <nlohmann/json.hpp>
 #include <ostream>
 
