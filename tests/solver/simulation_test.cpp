@@ -50,7 +50,7 @@ TEST(Simulation, FindsARunAsLongAsTheCounterNeeds) {
     std::uint32_t inputs = 0;
     for (std::uint32_t i = 0; i < 2; ++i) inputs |= static_cast<std::uint32_t>(verdict.trace->inputs[scan][i]) << i;
     EXPECT_TRUE(reference::isLegal(counter.system, state, inputs));
-    if (scan + 1 == verdict.trace->inputs.size()) EXPECT_TRUE(reference::isBad(counter.system, state, inputs));
+    EXPECT_EQ(reference::isBad(counter.system, state, inputs), scan + 1 == verdict.trace->inputs.size());
     state = reference::nextState(counter.system, state, inputs);
   }
 }
