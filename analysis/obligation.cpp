@@ -17,6 +17,8 @@ void addObserved(const Property& property, EncoderOptions& options) {
   for (const Operand* operand : addressesOf(property)) options.observed.push_back(*operand);
 }
 
+constexpr const char* realReason = "the result of its REAL operation is taken as any value";
+
 Width leafWidth(int bits) { return bits == 1 ? Width::Bit : bits == 8 ? Width::Byte : bits == 16 ? Width::Word : Width::DWord; }
 
 }  // namespace
@@ -43,22 +45,28 @@ Obligations::Obligations(const Program& program, const PropertySet& set, const s
 
   // Properties over single instructions look at the machine as it is there; their edges and cells are of scan ends.
   std::vector<Node> badSoFar(everyInstruction.size(), noNode);
-  if (!everyInstruction.empty() || record != nullptr) {
-    options.atInstruction = [&](Machine<Graph>& machine, const Instruction& instruction) {
-      Graph& graph = machine.d;
-      if (record != nullptr) record->at(machine, instruction);
-      for (std::size_t i = 0; i < everyInstruction.size(); ++i) {
-        const auto here = [&](const Operand& o, int width) -> Graph::Bits { return machine.load(o.area, o.offset, leafWidth(width), o.bit); };
-        std::vector<Graph::Bits> none(everyInstruction[i]->cells.size(), graph.literal(0, 1)), ignored = none;
-        const Moment<Graph> moment{graph.constant(false), graph.literal(0, 1), 1};
-        const Graph::Bool bad = Monitor<Graph, decltype(here)>(graph, *everyInstruction[i], here, moment, none, ignored).evaluate();
-        const Graph::Bool now = graph.land(machine.guard, bad);
-        badSoFar[i] = badSoFar[i] == noNode ? now.node : graph.lor({badSoFar[i]}, now).node;
-      }
-    };
-  }
+  const Instruction* last = nullptr;
+  std::vector<std::pair<const Instruction*, std::size_t>> ends;  // nodes that each instruction had made when the next one began
+  options.atInstruction = [&](Machine<Graph>& machine, const Instruction& instruction) {
+    Graph& graph = machine.d;
+    ends.emplace_back(last, graph.size());
+    last = &instruction;
+    if (record != nullptr) record->at(machine, instruction);
+    for (std::size_t i = 0; i < everyInstruction.size(); ++i) {
+      const auto here = [&](const Operand& o, int width) -> Graph::Bits { return machine.load(o.area, o.offset, leafWidth(width), o.bit); };
+      std::vector<Graph::Bits> none(everyInstruction[i]->cells.size(), graph.literal(0, 1)), ignored = none;
+      const Moment<Graph> moment{graph.constant(false), graph.literal(0, 1), 1};
+      const Graph::Bool bad = Monitor<Graph, decltype(here)>(graph, *everyInstruction[i], here, moment, none, ignored).evaluate();
+      const Graph::Bool now = graph.land(machine.guard, bad);
+      badSoFar[i] = badSoFar[i] == noNode ? now.node : graph.lor({badSoFar[i]}, now).node;
+    }
+  };
 
   encoding_ = std::make_unique<EncodedScan>(program, options);
+  approximations_ = encoding_->approximations();
+  ends.emplace_back(last, encoding_->graph().size());
+  for (std::size_t i = 1; i < ends.size(); ++i) approximateReals(ends[i].first, ends[i - 1].second, ends[i].second);
+  const std::size_t ofProgram = encoding_->graph().size();
   chooseTimeBases(set, goals);
   std::size_t next = 0;
   for (const Property& property : goals) {
@@ -74,6 +82,20 @@ Obligations::Obligations(const Program& program, const PropertySet& set, const s
     assumptions_.push_back({inItsBase(property), noNode, {}});
     addMonitor(assumptions_.back());
   }
+  approximateReals(nullptr, ofProgram, encoding_->graph().size());
+}
+
+/// REAL operations among the nodes from `first` to `end`, made by that instruction.
+void Obligations::approximateReals(const Instruction* place, std::size_t first, std::size_t end) {
+  const Graph& graph = encoding_->graph();
+  std::vector<Node> operations;
+  for (std::size_t i = first; i < end; ++i) {
+    if (isRealOperation(graph[static_cast<Node>(i)].op)) operations.push_back(static_cast<Node>(i));
+  }
+  if (operations.empty()) return;
+  const auto known = std::find_if(approximations_.begin(), approximations_.end(), [&](const Approximation& a) { return a.place == place && a.reason == realReason; });
+  if (known != approximations_.end()) known->carriers.insert(known->carriers.end(), operations.begin(), operations.end());
+  else approximations_.push_back({place, place == nullptr ? "a REAL operation in a property: its result is taken as any value" : realReason, std::move(operations)});
 }
 
 /// Clocks count in the finest base of the timers that their property depends on.

@@ -14,6 +14,8 @@
 
 namespace rungproof {
 
+constexpr bool isRealOperation(Op op) { return op >= Op::RealAdd; }
+
 /// The state variables that stand for one property's cells, in their order.
 struct MonitorState {
   std::vector<Node> before;
@@ -39,6 +41,9 @@ class Obligations {
   const std::vector<AskedProperty>& goals() const { return goals_; }
   const std::vector<AskedProperty>& assumptions() const { return assumptions_; }
 
+  /// What is not exact: what the encoder left open, and REAL operations, which the bit-level engines take as any value.
+  const std::vector<Approximation>& approximations() const { return approximations_; }
+
   /// The whole system; questions are those of the goals in their order, then the added ones.
   TransitionSystem system();
   /// A further question over nodes of the encoding, for built-in checks.
@@ -54,6 +59,7 @@ class Obligations {
   void chooseTimeBases(const PropertySet& set, const std::vector<Property>& goals);
   Property inItsBase(const Property& property) const;
   Node leaf(const Operand& operand, int width);
+  void approximateReals(const Instruction* place, std::size_t first, std::size_t end);
 
   std::unique_ptr<EncodedScan> encoding_;
   std::vector<AskedProperty> goals_;
@@ -63,6 +69,7 @@ class Obligations {
   std::unordered_map<std::string, int> timeBases_;  ///< by property name; of those with clocks
   std::vector<Node> freeAnalog_;
   std::vector<Question> extra_;
+  std::vector<Approximation> approximations_;
 };
 
 /// What must be reachable so that the property does not hold for want of occasions, as a reach property; nothing for

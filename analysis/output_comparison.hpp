@@ -1,5 +1,7 @@
-// Do two programs drive the same outputs? Both run side by side on the same inputs and times, as one transition system;
-// the bit-level engines look for a scan that ends with different outputs (simulation first) or prove that there is none.
+// Do two programs drive the same outputs? First it is tried to prove that one scan of either, from any state that the
+// first can reach, leads to the same state and outputs: then all their runs are the same. Otherwise both run side by side
+// on the same inputs and times, as one transition system; the bit-level engines look for a scan that ends with different
+// outputs (simulation first) or prove that there is none.
 // Covered by tests/selfcheck.
 #pragma once
 

@@ -16,7 +16,7 @@ ProofSide::ProofSide(const Program& program, const PropertySet& set, const std::
   for (const BuiltinCheck& check : checks_) obligations_.ask(check.name, check.bad);
   Graph& graph = obligations_.encoding().graph();
   Graph::Bool leftOut = graph.constant(false);
-  for (const Approximation& approximation : obligations_.encoding().approximations()) {
+  for (const Approximation& approximation : obligations_.approximations()) {
     if (approximation.leftOut != noNode) leftOut = graph.lor(leftOut, {approximation.leftOut});
   }
   if (const auto known = graph.truth(leftOut); !known || *known) {
@@ -46,6 +46,7 @@ std::unordered_set<std::uint32_t> ProofSide::variablesOf(std::size_t question) c
     open.pop_back();
     if (node == noNode || !seen.insert(indexOf(node)).second) continue;
     const NodeData& data = graph[node];
+    if (isRealOperation(data.op)) variables.insert(indexOf(node));
     if (data.op == Op::Variable) {
       variables.insert(indexOf(node));
       if (const auto found = next.find(indexOf(node)); found != next.end()) open.push_back(found->second);
@@ -92,9 +93,9 @@ std::string approximationText(const Program& program, const Approximation& appro
   return fmt::format("{} at {}:{}: {}", approximation.place->desc->stl, program.sources->file(span.file).name(), program.sources->position(span).line, approximation.reason);
 }
 
-std::vector<std::string> approximationTexts(const Program& program, const EncodedScan& encoding) {
+std::vector<std::string> approximationTexts(const Program& program, const Obligations& obligations) {
   std::vector<std::string> texts;
-  for (const Approximation& approximation : encoding.approximations()) texts.push_back(approximationText(program, approximation));
+  for (const Approximation& approximation : obligations.approximations()) texts.push_back(approximationText(program, approximation));
   return texts;
 }
 

@@ -26,7 +26,7 @@ class ProofSide {
 
   /// The system with one question only.
   TransitionSystem only(std::size_t question) const;
-  /// Variables that the question depends on, through any number of scans. Constraints count, except total ones.
+  /// Variables and REAL operations that the question depends on, through any number of scans. Constraints count, except total ones.
   std::unordered_set<std::uint32_t> variablesOf(std::size_t question) const;
   bool dependsOnTime(const std::unordered_set<std::uint32_t>& variables) const;
   /// Keeps only what the question depends on, so that unrelated changes do not end a stretch of equal scans.
@@ -44,6 +44,6 @@ class ProofSide {
 std::vector<std::string> environmentTexts(const Program& program, const PropertySet& set, const TimeRange& time);
 /// "PID at press.awl:41: result is any value".
 std::string approximationText(const Program& program, const Approximation& approximation);
-std::vector<std::string> approximationTexts(const Program& program, const EncodedScan& encoding);
+std::vector<std::string> approximationTexts(const Program& program, const Obligations& obligations);
 
 }  // namespace rungproof

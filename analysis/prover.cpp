@@ -61,7 +61,7 @@ class Session {
       result.isInterrupted = watch_.isInterrupted();
       return result;
     }
-    result.approximations = approximationTexts(program_, exact_->obligations().encoding());
+    result.approximations = approximationTexts(program_, exact_->obligations());
     const std::size_t total = declared + exact_->checks().size();
     answerQuickly(begin_ + seconds(options_.timeout * static_cast<double>(std::max<std::size_t>(total, 1))));
     for (std::size_t i = 0; i < total; ++i) {
@@ -288,7 +288,7 @@ class Session {
     if (quick_[*question].answer == Answer::Proved) return;
     row.outcome = Outcome::NotCovered;
     row.certificate.clear();
-    for (const Approximation& approximation : exact_->obligations().encoding().approximations()) {
+    for (const Approximation& approximation : exact_->obligations().approximations()) {
       if (approximation.leftOut != noNode) row.notes.push_back("not followed: " + approximationText(program_, approximation));
     }
   }
@@ -473,7 +473,7 @@ class Session {
   std::vector<const Approximation*> approximationsOf(std::size_t question) {
     std::vector<const Approximation*> found;
     const auto variables = exact_->variablesOf(question);
-    for (const Approximation& approximation : exact_->obligations().encoding().approximations()) {
+    for (const Approximation& approximation : exact_->obligations().approximations()) {
       if (std::any_of(approximation.carriers.begin(), approximation.carriers.end(), [&](Node n) { return n != noNode && variables.contains(indexOf(n)); })) found.push_back(&approximation);
     }
     return found;

@@ -30,6 +30,14 @@ std::string differenceText(const Comparison& comparison) {
                      comparison.hasEnded ? "but the trace ends before that scan" : fmt::format("actual {:g}", comparison.actual));
 }
 
+FaultCounts countsOf(const std::vector<PlantedFault>& faults) {
+  FaultCounts count;
+  for (const PlantedFault& fault : faults) {
+    ++(fault.fate == "noticed" ? count.noticed : fault.fate == "unnoticed" ? count.unnoticed : fault.fate == "undecided" ? count.undecided : count.withoutEffect);
+  }
+  return count;
+}
+
 Summary summaryOf(const Report& report) {
   Summary summary;
   for (const Finding& finding : report.findings) {

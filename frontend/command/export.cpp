@@ -31,7 +31,7 @@ std::string textOf(const std::string& format, const TransitionSystem& system, in
 ExportRemarks remarksOf(const ProgramInput& input, ProofSide& side, const ProverOptions& options) {
   ExportRemarks remarks;
   for (const std::string& text : environmentTexts(input.program, input.properties, options.time)) remarks.push_back("assumes: " + text);
-  for (const std::string& text : approximationTexts(input.program, side.obligations().encoding())) remarks.push_back("approximated: " + text);
+  for (const std::string& text : approximationTexts(input.program, side.obligations())) remarks.push_back("approximated: " + text);
   const HiddenCode hidden(input.program, input.properties);
   const std::vector<Question>& questions = side.system().questions;
   for (std::size_t i = 0; i < questions.size(); ++i) {

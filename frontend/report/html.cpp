@@ -8,6 +8,7 @@
 #include "frontend/drawing/svg_picture.hpp"
 #include "frontend/excerpt.hpp"
 #include "frontend/report/report.hpp"
+#include "frontend/timing_diagram.hpp"
 
 namespace rungproof {
 
@@ -53,20 +54,6 @@ for (const run of document.querySelectorAll(".run")) {
 })();
 )";
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      default: result += c;
-    }
-  }
-  return result;
-}
-
 class HtmlWriter {
  public:
   HtmlWriter(const Report& report, std::ostream& out) : report_(report), out_(out) {}
@@ -82,6 +69,7 @@ class HtmlWriter {
                         summary.errors, summary.warnings, summary.notes, summary.proved, summary.violated, summary.undecided);
     writeProperties();
     writeRuns();
+    if (report_.selfCheck) writeSelfCheck(*report_.selfCheck);
     if (report_.comparison) writeComparison(*report_.comparison);
     writeFindings();
     writeBasis();
@@ -94,13 +82,13 @@ class HtmlWriter {
     out_ << "<h2>Findings</h2>\n";
     for (const Finding& finding : report_.findings) {
       out_ << fmt::format("<article class={}><b>{}[{}]</b>: {}{}<br>\n", severityName(finding.severity), severityName(finding.severity), finding.rule,
-                          escaped(finding.message), finding.confirmation == Confirmation::Unconfirmed ? " (unconfirmed)" : "");
+                          xmlText(finding.message), finding.confirmation == Confirmation::Unconfirmed ? " (unconfirmed)" : "");
       writePlace(finding.span, finding.pou.empty() ? "" : finding.network == 0 ? finding.pou : fmt::format("{}, network {}", finding.pou, finding.network));
       for (const RelatedPlace& related : finding.related) {
-        out_ << fmt::format("note: {}<br>\n", escaped(related.message));
+        out_ << fmt::format("note: {}<br>\n", xmlText(related.message));
         writePlace(related.span, "");
       }
-      if (!finding.help.empty()) out_ << fmt::format("<i>help:</i> {}\n", escaped(finding.help));
+      if (!finding.help.empty()) out_ << fmt::format("<i>help:</i> {}\n", xmlText(finding.help));
       out_ << "</article>\n";
     }
   }
@@ -111,9 +99,9 @@ class HtmlWriter {
     const std::string_view line = file.line(number);
     const std::size_t begin = std::min<std::size_t>(span.offset - file.lineStart(number), line.size());
     const std::size_t end = std::min<std::size_t>(begin + span.length, line.size());
-    out_ << fmt::format("<span class=place>{}{}{}</span><pre>{} | {}<mark>{}</mark>{}</pre>\n", escaped(placeText(*report_.sources, span)),
-                        context.empty() ? "" : " in ", escaped(context), number, escaped(line.substr(0, begin)),
-                        escaped(line.substr(begin, end - begin)), escaped(line.substr(end)));
+    out_ << fmt::format("<span class=place>{}{}{}</span><pre>{} | {}<mark>{}</mark>{}</pre>\n", xmlText(placeText(*report_.sources, span)),
+                        context.empty() ? "" : " in ", xmlText(context), number, xmlText(line.substr(0, begin)),
+                        xmlText(line.substr(begin, end - begin)), xmlText(line.substr(end)));
   }
 
   void writeProperties() {
@@ -122,13 +110,14 @@ class HtmlWriter {
     for (const PropertyResult& property : report_.properties) {
       const bool good = property.verdict == VerdictWord::Proved || property.verdict == VerdictWord::Reachable;
       const bool bad = property.verdict == VerdictWord::Violated || property.verdict == VerdictWord::Unreachable || property.verdict == VerdictWord::Vacuous;
-      std::string text = fmt::format("<b>{}</b>", escaped(property.name));
-      if (!property.statement.empty()) text += fmt::format("<br><code>{}</code>", escaped(property.statement));
+      std::string text = fmt::format("<b>{}</b>", xmlText(property.name));
+      if (!property.statement.empty()) text += fmt::format("<br><code>{}</code>", xmlText(property.statement));
       writeNotes(property.notes, text);
-      for (const std::string& assumption : property.assumptions) text += fmt::format("<br>assumes: {}", escaped(assumption));
-      const std::string trace = property.trace.empty() ? "" : fmt::format("<a href=\"{0}\">{0}</a>", escaped(property.trace));
+      if (!property.networks.empty()) text += fmt::format("<br><span class=place>rests on networks: {}</span>", xmlText(property.networks));
+      for (const std::string& assumption : property.assumptions) text += fmt::format("<br>assumes: {}", xmlText(assumption));
+      const std::string trace = property.trace.empty() ? "" : fmt::format("<a href=\"{0}\">{0}</a>", xmlText(property.trace));
       out_ << fmt::format("<tr><td class={}>{}</td><td>{}</td><td>{}</td><td class=n>{}</td><td class=n>{:.2f}</td><td>{}</td></tr>\n",
-                          good ? "good" : bad ? "bad" : "open", verdictText(property.verdict, property.depth), text, escaped(property.method),
+                          good ? "good" : bad ? "bad" : "open", verdictText(property.verdict, property.depth), text, xmlText(property.method),
                           property.depth, property.seconds, trace);
     }
     out_ << "</table>\n";
@@ -140,7 +129,7 @@ class HtmlWriter {
     for (const std::string& note : notes) {
       const bool hasColumns = note.find("  ") != std::string::npos;
       if (hasColumns != isTable) text += hasColumns ? "<pre>" : "</pre>";
-      text += hasColumns ? escaped(note) + "\n" : (isTable ? "" : "<br>") + escaped(note);
+      text += hasColumns ? xmlText(note) + "\n" : (isTable ? "" : "<br>") + xmlText(note);
       isTable = hasColumns;
     }
     if (isTable) text += "</pre>";
@@ -156,11 +145,11 @@ class HtmlWriter {
       out_ << fmt::format(
           "<section class=run tabindex=0><h3>{}: {}</h3>\n<p class=steps hidden><button class=first>first</button> <button class=back>scan back</button> "
           "<button class=forward>scan forward</button> <button class=last>last</button> <span class=where></span></p>\n",
-          verdictText(property.verdict, property.depth), escaped(property.name));
+          verdictText(property.verdict, property.depth), xmlText(property.name));
       for (const ShownScan& scan : property.scans) {
         out_ << fmt::format("<div class=scan><h4>scan {}, {:g} ms</h4>\n", scan.scan, scan.timeMs);
         for (const ShownNetwork& network : scan.networks) {
-          out_ << fmt::format("<figure><figcaption>{}</figcaption>\n{}</figure>\n", escaped(network.heading), network.svg);
+          out_ << fmt::format("<figure><figcaption>{}</figcaption>\n{}</figure>\n", xmlText(network.heading), network.svg);
         }
         out_ << "</div>\n";
       }
@@ -169,23 +158,38 @@ class HtmlWriter {
     if (!isFirst) out_ << fmt::format("<script>{}</script>\n", runScript);
   }
 
+  /// How many planted faults the properties notice, and each that they do not.
+  void writeSelfCheck(const std::vector<PlantedFault>& faults) {
+    const FaultCounts count = countsOf(faults);
+    out_ << fmt::format("<h2>Self-check</h2>\n<p class={}>{} of {} planted faults that change the outputs are noticed by a property; {} change nothing, {} undecided</p>\n",
+                        count.unnoticed == 0 && count.undecided == 0 ? "good" : "open", count.noticed, count.noticed + count.unnoticed, count.withoutEffect, count.undecided);
+    if (count.unnoticed + count.undecided == 0) return;
+    out_ << "<table><tr><th>Fate</th><th>Place</th><th>Kind</th><th>Fault</th></tr>\n";
+    for (const PlantedFault& fault : faults) {
+      if (fault.fate != "unnoticed" && fault.fate != "undecided") continue;
+      out_ << fmt::format("<tr><td class={}>{}</td><td>{}:{} in {}, network {}</td><td>{}</td><td><code>{}</code></td></tr>\n", fault.fate == "unnoticed" ? "bad" : "open", fault.fate,
+                          xmlText(fault.file), fault.line, xmlText(fault.pou), fault.network, xmlText(fault.kind), xmlText(fault.text));
+    }
+    out_ << "</table>\n";
+  }
+
   void writeComparison(const Comparison& comparison) {
     out_ << "<h2>Comparison</h2>\n";
     if (comparison.equal) {
       out_ << "<p class=good>The traces agree.</p>\n";
       return;
     }
-    out_ << fmt::format("<p class=bad>First difference: {}</p>\n", escaped(differenceText(comparison)));
+    out_ << fmt::format("<p class=bad>First difference: {}</p>\n", xmlText(differenceText(comparison)));
     if (comparison.around.empty()) return;
     out_ << "<table><tr><th>scan</th><th>ms</th>";
-    for (const std::string& signal : comparison.signals) out_ << fmt::format("<th>{}</th>", escaped(signal));
+    for (const std::string& signal : comparison.signals) out_ << fmt::format("<th>{}</th>", xmlText(signal));
     out_ << "</tr>\n";
     for (const ComparedScan& scan : comparison.around) {
       out_ << fmt::format("<tr><td class=n>{}</td><td class=n>{:g}</td>", scan.scan, scan.timeMs);
       for (std::size_t i = 0; i < comparison.signals.size(); ++i) {
         const bool differs = !scan.expected[i].empty() && scan.expected[i] != scan.actual[i];
-        out_ << (differs ? fmt::format("<td class=\"n bad\">{} (expected {})</td>", escaped(scan.actual[i]), escaped(scan.expected[i]))
-                         : fmt::format("<td class=n>{}</td>", escaped(scan.actual[i])));
+        out_ << (differs ? fmt::format("<td class=\"n bad\">{} (expected {})</td>", xmlText(scan.actual[i]), xmlText(scan.expected[i]))
+                         : fmt::format("<td class=n>{}</td>", xmlText(scan.actual[i])));
       }
       out_ << "</tr>\n";
     }
@@ -194,10 +198,10 @@ class HtmlWriter {
 
   void writeBasis() {
     out_ << "<h2>Basis</h2>\n<ul>\n";
-    for (const std::string& file : report_.files) out_ << fmt::format("<li>file {}</li>\n", escaped(file));
+    for (const std::string& file : report_.files) out_ << fmt::format("<li>file {}</li>\n", xmlText(file));
     out_ << fmt::format("<li>{} of {} instructions understood</li>\n", report_.coverage.understood, report_.coverage.instructions);
-    for (const std::string& place : report_.coverage.approximated) out_ << fmt::format("<li>approximated: {}</li>\n", escaped(place));
-    for (const std::string& assumption : report_.assumptions) out_ << fmt::format("<li>assumes: {}</li>\n", escaped(assumption));
+    for (const std::string& place : report_.coverage.approximated) out_ << fmt::format("<li>approximated: {}</li>\n", xmlText(place));
+    for (const std::string& assumption : report_.assumptions) out_ << fmt::format("<li>assumes: {}</li>\n", xmlText(assumption));
     out_ << "</ul>\n";
   }
 

@@ -113,13 +113,11 @@ class HumanWriter {
   }
 
   void writeSelfCheck(const std::vector<PlantedFault>& faults) {
-    const auto number = [&](std::string_view fate) {
-      return static_cast<std::size_t>(std::count_if(faults.begin(), faults.end(), [&](const PlantedFault& f) { return f.fate == fate; }));
-    };
-    const std::size_t noticed = number("noticed"), unnoticed = number("unnoticed"), matter = noticed + unnoticed;
+    const FaultCounts count = countsOf(faults);
+    const std::size_t noticed = count.noticed, matter = noticed + count.unnoticed;
     out_ << fmt::format("\n{}: {} of {} planted faults that change the outputs are noticed by a property", paint_.bold("self-check"), noticed, matter);
     if (matter > 0) out_ << fmt::format(" ({:.0f} %)", 100.0 * static_cast<double>(noticed) / static_cast<double>(matter));
-    out_ << fmt::format("; {} change nothing, {} undecided\n", number("without effect"), number("undecided"));
+    out_ << fmt::format("; {} change nothing, {} undecided\n", count.withoutEffect, count.undecided);
     for (const std::string_view fate : {"unnoticed", "undecided"}) {
       for (const PlantedFault& fault : faults) {
         if (fault.fate != fate) continue;

@@ -90,6 +90,12 @@ struct PlantedFault {
   std::string noticedBy;  ///< a property, or empty
 };
 
+/// Planted faults by what became of them.
+struct FaultCounts {
+  std::size_t noticed = 0, unnoticed = 0, withoutEffect = 0, undecided = 0;
+};
+FaultCounts countsOf(const std::vector<PlantedFault>& faults);
+
 /// How much of the program the tool understood; a verdict is worth no more than this.
 struct Coverage {
   std::size_t instructions = 0;
