@@ -16,7 +16,8 @@ namespace {
 constexpr std::size_t companionLimit = 12;   ///< cells that are tried
 constexpr std::size_t tupleLimit = 1024;
 constexpr std::size_t coneLimit = 20000;     ///< nodes of the next-state functions
-constexpr double walkSeconds = 0.5;
+constexpr int solverLimit = 4000;             ///< calls of the solver, so that the answer does not depend on the machine
+constexpr double walkSeconds = 10;
 
 using Tuple = std::vector<std::uint64_t>;
 
@@ -37,7 +38,7 @@ class Walk {
     for (std::vector<Node>& others : attempts) {
       others.insert(others.begin(), pointer_);
       if (const auto values = follow(others, budget)) return values;
-      if (budget.isExhausted()) break;
+      if (budget.isExhausted() || calls_ > solverLimit) break;
     }
     return std::nullopt;
   }
@@ -95,6 +96,7 @@ class Walk {
         for (std::size_t bit = 0; bit < from[c].size(); ++bit) assumptions.push_back((tuple[c] >> bit & 1U) != 0 ? from[c][bit] : -from[c][bit]);
       }
       for (;;) {
+        if (++calls_ > solverLimit) return std::nullopt;
         const Sat::Outcome outcome = sat.solve(assumptions, budget);
         if (outcome == Sat::Outcome::Unknown) return std::nullopt;
         if (outcome == Sat::Outcome::Unsatisfiable) break;
@@ -122,6 +124,7 @@ class Walk {
   const Node pointer_;
   const std::size_t limit_;
   std::map<Node, StateVariable> states_;
+  int calls_ = 0;  ///< of the solver, in all attempts
 };
 
 }  // namespace
