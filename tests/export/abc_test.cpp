@@ -58,8 +58,8 @@ TEST(Abc, AnswersTheCorpusAsItsVerdictsSay) {
     const std::map<std::string, std::string> verdicts = trueVerdicts(path);
     if (verdicts.empty()) continue;
     const ProgramInput input = corpusInput(path);
-    ProofSide side(input.program, input.properties, goalsOf(input.properties), encoderOptionsOf(proverOptions(path)), false);
-    const bool isExact = side.obligations().encoding().approximations().empty();
+    ProofSide side(input.program, input.properties, goalsOf(input.properties), encoderOptionsOf(proverOptions(path)), CheckGroups{});
+    const bool isExact = side.obligations().approximations().empty();
     std::ofstream(file, std::ios::binary) << exportAiger(side.system());
     const AbcAnswers answers = askAbc(file.string(), 1);
     ASSERT_NE(answers.text.find("Properties:"), std::string::npos) << path << ": " << answers.text;
