@@ -59,7 +59,7 @@ class CorpusExport : public testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(CorpusExport, FilesComputeTheSameStep) {
   const ProgramInput input = corpusInput(GetParam());
-  ProofSide side(input.program, input.properties, goalsOf(input.properties), encoderOptionsOf(proverOptions(GetParam())), true);
+  ProofSide side(input.program, input.properties, goalsOf(input.properties), encoderOptionsOf(proverOptions(GetParam())), {.builtin = true});
   const TransitionSystem& system = side.system();
   const std::string btor2 = exportBtor2(system, {"a remark"}), smv = exportSmv(system, {"a remark"});
   EXPECT_GE(btor2Shape(btor2).states.size(), system.states.size());
