@@ -12,7 +12,7 @@ namespace rungproof {
 namespace {
 
 /// Where the output of a node is when it is needed.
-enum class Place : std::uint8_t {
+enum class ValuePlace : std::uint8_t {
   Inline,  ///< a contact that is read at each use
   Top,     ///< on the stack, taken by the next element
   Bit,     ///< in a bit of L60-L63
@@ -28,7 +28,7 @@ class Steps {
     decide();
     reserve();
     for (std::uint32_t n = 0; n < nodes_.size() && !fault_; ++n) {
-      if (place_[n] != Place::Inline) step(n);
+      if (place_[n] != ValuePlace::Inline) step(n);
     }
     Lowered lowered = code_.take();
     lowered.usesEditorBits = lowered.usesEditorBits || usesBits_;
@@ -40,7 +40,7 @@ class Steps {
  private:
   void decide() {
     const std::uint32_t count = static_cast<std::uint32_t>(nodes_.size());
-    place_.assign(count, Place::Bit);
+    place_.assign(count, ValuePlace::Bit);
     bit_.assign(count, 0);
     left_.assign(count, 0);
     std::uint32_t next = railNode;  // the next element that is a step of its own
@@ -48,11 +48,11 @@ class Steps {
       const CircuitNode& node = nodes_[n];
       left_[n] = static_cast<std::uint32_t>(node.uses.size());
       if (isReadLater(n)) {
-        place_[n] = Place::Inline;
+        place_[n] = ValuePlace::Inline;
         continue;
       }
-      if (node.uses.empty()) place_[n] = Place::Nowhere;
-      if (node.uses.size() == 1 && node.uses[0].node == next && takesFromTop(next, node.uses[0].pin)) place_[n] = Place::Top;
+      if (node.uses.empty()) place_[n] = ValuePlace::Nowhere;
+      if (node.uses.size() == 1 && node.uses[0].node == next && takesFromTop(next, node.uses[0].pin)) place_[n] = ValuePlace::Top;
       next = n;
     }
   }
@@ -86,11 +86,11 @@ class Steps {
       if (form != ContactForm::And) code_.power(form, nodes_[n].span);
       return;
     }
-    if (place_[from] == Place::Inline) code_.contact(from, form);
-    if (place_[from] == Place::Bit) code_.recall(bit_[from], form, n);
-    if (--left_[from] == 0 && place_[from] == Place::Bit) code_.pool().give(bit_[from]);
+    if (place_[from] == ValuePlace::Inline) code_.contact(from, form);
+    if (place_[from] == ValuePlace::Bit) code_.recall(bit_[from], form, n);
+    if (--left_[from] == 0 && place_[from] == ValuePlace::Bit) code_.pool().give(bit_[from]);
   }
-  bool isOnTop(std::uint32_t from) const { return from != railNode && place_[from] == Place::Top; }
+  bool isOnTop(std::uint32_t from) const { return from != railNode && place_[from] == ValuePlace::Top; }
 
   void step(std::uint32_t n) {
     const CircuitNode& node = nodes_[n];
@@ -137,7 +137,7 @@ class Steps {
       if (isIecBox(node) && !code_.iecOutput(n)) take(n);
       if (!isIecBox(node) && node.desc->eno) code_.operation("AENO", n);
     }
-    if (place_[n] != Place::Bit) return;
+    if (place_[n] != ValuePlace::Bit) return;
     bit_[n] = take(n);
     usesBits_ = true;
     if (!fault_) code_.store(bit_[n], n);
@@ -147,7 +147,7 @@ class Steps {
   const std::vector<CircuitNode>& nodes_;
   ReadOrder reads_;
   CircuitCode code_;
-  std::vector<Place> place_;
+  std::vector<ValuePlace> place_;
   std::vector<unsigned> bit_;
   std::vector<std::uint32_t> left_;  ///< uses still to come
   std::vector<unsigned> callBits_;   ///< EN, then the flow inputs

@@ -12,7 +12,7 @@ namespace rungproof {
 
 namespace {
 
-constexpr int scans = 384;
+constexpr int wordScans = 384;
 constexpr int laneStep = 4;              ///< every fourth run is sampled
 constexpr std::size_t wordLimit = 160;   ///< counting words looked at
 constexpr std::size_t capLimit = 6;      ///< constants per word
@@ -63,7 +63,7 @@ class DifferenceGuess {
 
   void sample() {
     int taken = 0;
-    for (; taken < scans && runs_.choose() && runs_.live() == ~0ULL; ++taken) {
+    for (; taken < wordScans && runs_.choose() && runs_.live() == ~0ULL; ++taken) {
       for (Word& word : words_) {
         std::size_t base = word.values.size();
         word.values.resize(base + lanes, 0);

@@ -43,22 +43,16 @@ constexpr std::array<AreaForms, sizeof...(Ops)> makeAreaForms(isa::Group<Ops...>
   return {areaForms<Ops>()...};
 }
 
-/// The general form with everything inlined.
-template <class Op>
-[[gnu::flatten]] void executeWhole(Machine<Concrete>& m, const Instruction& instruction) {
-  execute<Op, Concrete>(m, instruction);
-}
-
 template <class... Ops>
-constexpr std::array<Execute<Concrete>, sizeof...(Ops)> makeWhole(isa::Group<Ops...>) {
-  return {&executeWhole<Ops>...};
+constexpr std::array<Execute<Concrete>, sizeof...(Ops)> makeGeneral(isa::Group<Ops...>) {
+  return {&execute<Ops, Concrete>...};
 }
 
 }  // namespace
 
 template <>
 std::span<const Execute<Concrete>> dispatchTable<Concrete>() {
-  static constexpr auto table = makeWhole(isa::AllInstructions{});
+  static constexpr auto table = makeGeneral(isa::AllInstructions{});
   return table;
 }
 

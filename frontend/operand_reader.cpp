@@ -11,21 +11,21 @@ namespace rungproof {
 namespace {
 
 /// How an area may be written after its letters: bit ".b", sizes B W D, or just a number.
-enum class Shape : std::uint8_t { Sized, WordOnly, Numbered };
+enum class AddressShape : std::uint8_t { Sized, WordOnly, Numbered };
 
 struct AreaRow {
   std::string_view international;
   std::string_view german;
   Area area;
-  Shape shape;
+  AddressShape shape;
 };
 /// Longer spellings first, so that SM is not taken for S.
 constexpr std::array<AreaRow, 13> areaRows = {{
-    {"SM", "SM", Area::SM, Shape::Sized},    {"AI", "AE", Area::AI, Shape::WordOnly}, {"AQ", "AA", Area::AQ, Shape::WordOnly},
-    {"AC", "AC", Area::AC, Shape::Numbered}, {"HC", "HZ", Area::HC, Shape::Numbered}, {"I", "E", Area::I, Shape::Sized},
-    {"Q", "A", Area::Q, Shape::Sized},       {"V", "V", Area::V, Shape::Sized},       {"M", "M", Area::M, Shape::Sized},
-    {"S", "S", Area::S, Shape::Sized},       {"L", "L", Area::L, Shape::Sized},       {"T", "T", Area::T, Shape::Numbered},
-    {"C", "Z", Area::C, Shape::Numbered},
+    {"SM", "SM", Area::SM, AddressShape::Sized},    {"AI", "AE", Area::AI, AddressShape::WordOnly}, {"AQ", "AA", Area::AQ, AddressShape::WordOnly},
+    {"AC", "AC", Area::AC, AddressShape::Numbered}, {"HC", "HZ", Area::HC, AddressShape::Numbered}, {"I", "E", Area::I, AddressShape::Sized},
+    {"Q", "A", Area::Q, AddressShape::Sized},       {"V", "V", Area::V, AddressShape::Sized},       {"M", "M", Area::M, AddressShape::Sized},
+    {"S", "S", Area::S, AddressShape::Sized},       {"L", "L", Area::L, AddressShape::Sized},       {"T", "T", Area::T, AddressShape::Numbered},
+    {"C", "Z", Area::C, AddressShape::Numbered},
 }};
 
 struct Letters {
@@ -45,7 +45,7 @@ Letters lettersOf(std::string_view letters, Spelling spelling) {
     const std::string_view size = text.substr(name.size());
     if (size.empty()) return {&row, 0};
     if (size.size() > 1) continue;
-    const bool fits = row.shape == Shape::Sized ? size.find_first_of("BWDX") == 0 : row.shape == Shape::WordOnly && size == "W";
+    const bool fits = row.shape == AddressShape::Sized ? size.find_first_of("BWDX") == 0 : row.shape == AddressShape::WordOnly && size == "W";
     if (fits) return {&row, size[0]};
   }
   return {};
@@ -148,12 +148,12 @@ bool readAddress(std::string_view text, Spelling spelling, Operand& operand) {
   Width width = Width::Bit;
   std::uint32_t bit = 0;
   if (point != std::string_view::npos) {
-    const bool isBitOfArea = row.shape == Shape::Sized && (letters.size == 0 || letters.size == 'X');
+    const bool isBitOfArea = row.shape == AddressShape::Sized && (letters.size == 0 || letters.size == 'X');
     if (!isBitOfArea || !readNumber(rest.substr(point + 1), bit)) return false;
     bit = std::min(bit, 255U);
-  } else if (row.shape == Shape::Numbered) {
+  } else if (row.shape == AddressShape::Numbered) {
     width = row.area == Area::AC || row.area == Area::HC ? Width::DWord : Width::Bit;
-  } else if (row.shape == Shape::WordOnly) {
+  } else if (row.shape == AddressShape::WordOnly) {
     if (letters.size != 'W') return false;
     width = Width::Word;
   } else if (letters.size == 'B') {

@@ -35,7 +35,7 @@ std::optional<std::int64_t> constantPreset(DrawnBuild& build, DrawnCopy& copy, c
     }
   }
   if (const auto literal = iecLiteral(text)) return literal->value;
-  const Place* place = build.lookUp(copy, text);
+  const VariablePlace* place = build.lookUp(copy, text);
   if (place != nullptr && place->constant) return place->constant->value;
   return std::nullopt;
 }
@@ -53,12 +53,12 @@ void DrawnBlocks::prepare(DrawnBuild& build, DrawnCopy& copy, const DrawnNetwork
   for (const DrawnElement& element : network.elements) {
     if (element.kind != DrawnKind::Block || build.blockNamed(element.text) != nullptr) continue;
     const StandardBlock type = standardBlockNamed(element.text);
-    Place* place = type == StandardBlock::None ? nullptr : build.lookUp(copy, element.instance);
+    VariablePlace* place = type == StandardBlock::None ? nullptr : build.lookUp(copy, element.instance);
     if (place == nullptr || place->copy == nullptr || place->copy->standard != type) continue;
     DrawnCopy& instance = *place->copy;
     if (instance.number >= 0 || instance.isBroken || !instance.places.empty()) continue;
     const auto bit = [&](std::string_view name) {
-      if (const auto address = build.temporary(IecType::Bool)) instance.places[std::string(name)] = Place{IecType::Bool, *address, std::nullopt, nullptr};
+      if (const auto address = build.temporary(IecType::Bool)) instance.places[std::string(name)] = VariablePlace{IecType::Bool, *address, std::nullopt, nullptr};
     };
     if (isTimer(type)) {
       const auto ms = constantPreset(build, copy, network, element);
@@ -71,7 +71,7 @@ void DrawnBlocks::prepare(DrawnBuild& build, DrawnCopy& copy, const DrawnNetwork
       instance.number = chosen->number;
       instance.resolution = chosen->resolution;
       if (type == StandardBlock::Tp) bit("Q");
-      else instance.places["Q"] = Place{IecType::Bool, timerOperand(instance), std::nullopt, nullptr};
+      else instance.places["Q"] = VariablePlace{IecType::Bool, timerOperand(instance), std::nullopt, nullptr};
       const bool wantsTime = build.isMentioned(element.instance, "ET") || std::any_of(element.outputs.begin(), element.outputs.end(), [&](const DrawnPin& pin) { return foldedName(pin.name) == "ET" && !pin.expression.empty(); });
       const bool hasLine = std::any_of(network.elements.begin(), network.elements.end(), [&](const DrawnElement& other) {
         return std::any_of(other.inputs.begin(), other.inputs.end(), [&](const DrawnPin& pin) {
@@ -79,7 +79,7 @@ void DrawnBlocks::prepare(DrawnBuild& build, DrawnCopy& copy, const DrawnNetwork
         });
       });
       if (wantsTime || hasLine) {
-        if (const auto address = build.temporary(IecType::Time)) instance.places["ET"] = Place{IecType::Time, *address, std::nullopt, nullptr};
+        if (const auto address = build.temporary(IecType::Time)) instance.places["ET"] = VariablePlace{IecType::Time, *address, std::nullopt, nullptr};
       }
     } else if (isCounter(type)) {
       const auto number = build.memory().counter();
@@ -89,12 +89,12 @@ void DrawnBlocks::prepare(DrawnBuild& build, DrawnCopy& copy, const DrawnNetwork
         continue;
       }
       instance.number = *number;
-      instance.places["CV"] = Place{IecType::Int, counterOperand(instance), std::nullopt, nullptr};
+      instance.places["CV"] = VariablePlace{IecType::Int, counterOperand(instance), std::nullopt, nullptr};
       if (type == StandardBlock::Ctud) {
         bit("QU");
         bit("QD");
       } else {
-        instance.places["Q"] = Place{IecType::Bool, counterOperand(instance), std::nullopt, nullptr};
+        instance.places["Q"] = VariablePlace{IecType::Bool, counterOperand(instance), std::nullopt, nullptr};
       }
     } else {
       bit(type == StandardBlock::Sr || type == StandardBlock::Rs ? "Q1" : "Q");
@@ -120,7 +120,7 @@ bool DrawnBlocks::isAsked(int i, const DrawnElement& element, std::string_view n
 }
 
 /// Makes an output available to those who asked for it, and writes it where the drawing says so at the pin.
-void DrawnBlocks::deliver(int i, const DrawnElement& element, std::string_view name, const Place& place) {
+void DrawnBlocks::deliver(int i, const DrawnElement& element, std::string_view name, const VariablePlace& place) {
   if (!isAsked(i, element, name)) return;
   DrawnValue value = l_.readPlace(place, element);
   l_.fresh_ = 0;
@@ -303,7 +303,7 @@ bool DrawnBlocks::standard(int i, const DrawnElement& element, DrawnCopy& instan
 
 bool DrawnBlocks::project(int i, const DrawnElement& element, const DrawnBlock& block, DrawnCopy& instance, Wire enable) {
   // Inputs in the order of the drawing, then the call, then what comes back.
-  std::vector<std::pair<const DrawnPin*, Place>> inOuts;
+  std::vector<std::pair<const DrawnPin*, VariablePlace>> inOuts;
   for (const DrawnPin& in : element.inputs) {
     const std::string name = foldedName(in.name);
     if (name == "EN" || (in.links.empty() && in.expression.empty())) continue;
@@ -355,7 +355,7 @@ bool DrawnBlocks::project(int i, const DrawnElement& element, const DrawnBlock& 
     if (isFunction && value.isPower()) value.wire = l_.throughMemory(value.wire);
     if (isFunction && value.isData()) {
       const Operand own = l_.temporary(value.type);
-      l_.moveTo(Place{value.type, own, std::nullopt, nullptr}, value, enable, element);
+      l_.moveTo(VariablePlace{value.type, own, std::nullopt, nullptr}, value, enable, element);
       value.operand = own;
     }
     if (out.negated && value.isPower()) value.wire = l_.inverted(value.wire);
@@ -378,7 +378,7 @@ bool DrawnBlocks::call(int i, const DrawnElement& element, Wire& enable) {
     l_.sink_.operand(element, "it needs an instance");
     return false;
   }
-  const Place* place = l_.build_.lookUp(l_.copy_, element.instance);
+  const VariablePlace* place = l_.build_.lookUp(l_.copy_, element.instance);
   const bool isSame = place != nullptr && place->copy != nullptr && place->copy->block == block && (block != nullptr || place->copy->standard == standardBlockNamed(element.text));
   if (!isSame) {
     l_.sink_.operand(element, fmt::format("{} is not declared as an instance of {}", element.instance, element.text));
@@ -408,7 +408,7 @@ bool DrawnLowering::block(int i, const DrawnElement& e) {
     return false;
   }
   // A number with one reader goes straight into the reader's variable.
-  std::optional<Place> target;
+  std::optional<VariablePlace> target;
   int reader = DrawnCircuit::nothing;
   const DrawnPin* out = nullptr;
   for (const DrawnPin& pin : e.outputs) {

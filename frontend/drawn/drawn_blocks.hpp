@@ -37,7 +37,7 @@ class DrawnBlocks {
   std::optional<Operand> presetOf(const DrawnElement& element, const DrawnCopy& instance, DrawnValue& value);
   std::optional<Wire> powerIn(const DrawnElement& element, std::initializer_list<std::string_view> names, bool isRequired);
   const DrawnPin* pin(const DrawnElement& element, std::initializer_list<std::string_view> names) const;
-  void deliver(int i, const DrawnElement& element, std::string_view name, const Place& place);
+  void deliver(int i, const DrawnElement& element, std::string_view name, const VariablePlace& place);
   bool isAsked(int i, const DrawnElement& element, std::string_view name) const;
 
   DrawnLowering& l_;

@@ -33,7 +33,7 @@ class DrawnBuild {
   DrawnMemory& memory() { return memory_; }
 
   /// A variable by its name in the block, else a global one; nullptr if there is none.
-  Place* lookUp(DrawnCopy& copy, std::string_view name);
+  VariablePlace* lookUp(DrawnCopy& copy, std::string_view name);
   /// A block of the project, or nullptr.
   const DrawnBlock* blockNamed(std::string_view name) const;
   /// The only copy of a function, built when it is first called; nullptr while it is being built (recursion).
@@ -50,9 +50,9 @@ class DrawnBuild {
   void buildPrograms();
   DrawnCopy* newCopy(const DrawnBlock& block, const std::string& path);
   void declare(DrawnCopy& copy, const DrawnVariable& variable, const std::string& path);
-  void declareInstance(Place& place, const DrawnVariable& variable, const std::string& path);
+  void declareInstance(VariablePlace& place, const DrawnVariable& variable, const std::string& path);
   void buildBody(DrawnCopy& copy, Pou& pou);
-  void addInitialValue(const Place& place, const DrawnVariable& variable);
+  void addInitialValue(const VariablePlace& place, const DrawnVariable& variable);
   void restoreLocals(DrawnCopy& copy, Pou& pou);
   void addUncovered(DrawnCopy& copy, Pou& pou);
   void addMainOf(const std::vector<DrawnCopy*>& programs, Span span);
@@ -66,7 +66,7 @@ class DrawnBuild {
   DrawnSink sink_;
   DrawnMemory memory_;
   std::size_t tableSymbols_;  ///< symbols of tables beside the drawing; those behind are the drawing's own
-  std::map<std::string, Place> globals_;
+  std::map<std::string, VariablePlace> globals_;
   std::map<std::string, const DrawnBlock*> blocks_;
   std::map<std::string, DrawnCopy*> functions_;
   std::vector<std::unique_ptr<DrawnCopy>> copies_;

@@ -67,7 +67,7 @@ bool DrawnFunctions::isKnown(std::string_view name) {
   return plainNames().contains(plain) || conversionTypes(plain).has_value();
 }
 
-DrawnValue DrawnFunctions::run(const Place* target) {
+DrawnValue DrawnFunctions::run(const VariablePlace* target) {
   target_ = target;
   const std::string name = plainName(e_.text);
   for (const DrawnPin& pin : e_.inputs) {
@@ -119,7 +119,7 @@ void DrawnFunctions::move(const Operand& from, const Operand& to, IecType type, 
 
 DrawnValue DrawnFunctions::moved(const DrawnValue& value, IecType type, Wire enable) {
   const Operand place = resultPlace(type);
-  l_.moveTo(Place{type, place, std::nullopt, nullptr}, value, enable, e_);
+  l_.moveTo(VariablePlace{type, place, std::nullopt, nullptr}, value, enable, e_);
   return l_.data(place, type);
 }
 
@@ -262,7 +262,7 @@ Wire DrawnFunctions::related(std::string_view relation, const DrawnValue& a, con
     const std::array<const DrawnValue*, 2> values = {&a, &b};
     for (std::size_t i = 0; i < 2; ++i) {
       flipped[i] = l_.temporary(IecType::Dword);
-      l_.moveTo(Place{IecType::Dword, flipped[i], std::nullopt, nullptr}, *values[i], l_.rail(), e_);
+      l_.moveTo(VariablePlace{IecType::Dword, flipped[i], std::nullopt, nullptr}, *values[i], l_.rail(), e_);
       l_.box("XORD", {constant(0x80000000LL, ConstantForm::Hex), flipped[i]}, l_.rail());
     }
     return l_.compare(fmt::format("LDD{}", relation), flipped[0], flipped[1], input);
@@ -326,7 +326,7 @@ bool DrawnFunctions::selection(std::string_view name, DrawnValue& result) {
     }
     const IecType type = commonType();
     result = moved(in_[1], type, enable_);
-    l_.moveTo(Place{type, result.operand, std::nullopt, nullptr}, in_[2], l_.gate(Shape::And, {enable_, g}), e_);
+    l_.moveTo(VariablePlace{type, result.operand, std::nullopt, nullptr}, in_[2], l_.gate(Shape::And, {enable_, g}), e_);
     return true;
   }
   if (name == "MUX") {
@@ -341,7 +341,7 @@ bool DrawnFunctions::selection(std::string_view name, DrawnValue& result) {
     result = moved(in_[0], type, enable_);
     for (std::size_t k = 1; k < in_.size(); ++k) {
       const Wire chosen = related("=", selector, l_.data(constant(static_cast<std::int64_t>(k)), IecType::None), enable_);
-      l_.moveTo(Place{type, result.operand, std::nullopt, nullptr}, in_[k], chosen, e_);
+      l_.moveTo(VariablePlace{type, result.operand, std::nullopt, nullptr}, in_[k], chosen, e_);
     }
     return true;
   }
@@ -359,7 +359,7 @@ bool DrawnFunctions::selection(std::string_view name, DrawnValue& result) {
   };
   const auto next = [&](const DrawnValue& so, const DrawnValue& value, bool wantsSmaller) {
     const Wire replaces = related(wantsSmaller ? "<" : ">", typed(value), so, enable_);
-    l_.moveTo(Place{type, so.operand, std::nullopt, nullptr}, value, replaces, e_);
+    l_.moveTo(VariablePlace{type, so.operand, std::nullopt, nullptr}, value, replaces, e_);
   };
   if (isLimit) {  // MIN(MAX(IN, MN), MX)
     result = moved(in_[1], type, enable_);

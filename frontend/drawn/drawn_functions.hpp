@@ -17,7 +17,7 @@ class DrawnFunctions {
   /// Whether a function of that name is known: "ADD", "add", "INT_TO_REAL", "GE".
   static bool isKnown(std::string_view name);
   /// The result; Nothing if something was reported. `target`: where a number may be left at once.
-  DrawnValue run(const Place* target);
+  DrawnValue run(const VariablePlace* target);
 
  private:
   bool logic(std::string_view name, DrawnValue& result);
@@ -44,7 +44,7 @@ class DrawnFunctions {
   DrawnLowering& l_;
   const DrawnElement& e_;
   Wire enable_;
-  const Place* target_ = nullptr;
+  const VariablePlace* target_ = nullptr;
   std::vector<DrawnValue> in_;
 };
 

@@ -113,7 +113,7 @@ DrawnValue DrawnLowering::literalValue(const IecLiteral& literal) const {
   return data(constant(literal.value, form), literal.type);
 }
 
-DrawnValue DrawnLowering::readPlace(const Place& place, const DrawnElement& element) {
+DrawnValue DrawnLowering::readPlace(const VariablePlace& place, const DrawnElement& element) {
   if (place.constant) return literalValue(*place.constant);
   if (place.copy != nullptr) {
     sink_.operand(element, "an instance of a function block has no value of its own; name one of its outputs");
@@ -127,20 +127,20 @@ DrawnValue DrawnLowering::readPlace(const Place& place, const DrawnElement& elem
   return data(place.operand, place.type);
 }
 
-std::optional<Place> DrawnLowering::memberOf(DrawnCopy& copy, std::string_view pin) {
+std::optional<VariablePlace> DrawnLowering::memberOf(DrawnCopy& copy, std::string_view pin) {
   const auto found = copy.places.find(foldedName(pin));
   if (found == copy.places.end()) return std::nullopt;
   return found->second;
 }
 
-std::optional<Place> DrawnLowering::resolve(std::string_view text, const DrawnElement& element) {
+std::optional<VariablePlace> DrawnLowering::resolve(std::string_view text, const DrawnElement& element) {
   text = trimmed(text);
   if (text.empty()) {
     sink_.operand(element, "the operand is left open");
     return std::nullopt;
   }
   if (const auto literal = iecLiteral(text)) {
-    Place place;
+    VariablePlace place;
     place.type = literal->type;
     place.constant = literal;
     return place;
@@ -152,19 +152,19 @@ std::optional<Place> DrawnLowering::resolve(std::string_view text, const DrawnEl
       return std::nullopt;
     }
     const bool isBit = address->width == Width::Bit;
-    return Place{isBit ? IecType::Bool : address->width == Width::Byte ? IecType::Byte : address->width == Width::Word ? IecType::Word : IecType::Dword, *address, std::nullopt, nullptr};
+    return VariablePlace{isBit ? IecType::Bool : address->width == Width::Byte ? IecType::Byte : address->width == Width::Word ? IecType::Word : IecType::Dword, *address, std::nullopt, nullptr};
   }
-  if (const Place* whole = build_.lookUp(copy_, text)) return *whole;
+  if (const VariablePlace* whole = build_.lookUp(copy_, text)) return *whole;
   // The longest beginning that is an instance, then its pins; names of data blocks have points of their own.
   for (std::size_t point = text.rfind('.'); point != std::string_view::npos && point > 0; point = text.rfind('.', point - 1)) {
-    const Place* first = build_.lookUp(copy_, text.substr(0, point));
+    const VariablePlace* first = build_.lookUp(copy_, text.substr(0, point));
     if (first == nullptr || first->copy == nullptr) continue;
     DrawnCopy* at = first->copy;
     const std::string_view instance = text.substr(0, point);
     std::string_view rest = text.substr(point + 1);
     while (at != nullptr) {
       point = rest.find('.');
-      const std::optional<Place> member = memberOf(*at, rest.substr(0, point));
+      const std::optional<VariablePlace> member = memberOf(*at, rest.substr(0, point));
       if (!member) break;
       if (point == std::string_view::npos) return member;
       at = member->copy;
@@ -179,7 +179,7 @@ std::optional<Place> DrawnLowering::resolve(std::string_view text, const DrawnEl
 }
 
 DrawnValue DrawnLowering::expression(std::string_view text, const DrawnElement& element) {
-  const std::optional<Place> place = resolve(text, element);
+  const std::optional<VariablePlace> place = resolve(text, element);
   return place ? readPlace(*place, element) : DrawnValue{};
 }
 
@@ -282,8 +282,8 @@ DrawnValue DrawnLowering::outputOf(int i, std::string_view pin, const DrawnEleme
     default: sink_.circuit(asker, fmt::format("a line comes from the {}, which gives no power", nameOf(e))); return {};
   }
   if (e.kind == DrawnKind::Block && circuit_->isCut(i)) {
-    const Place* instance = build_.lookUp(copy_, e.instance);
-    std::optional<Place> place = instance != nullptr && instance->copy != nullptr ? memberOf(*instance->copy, pin.empty() ? "Q" : pin) : std::nullopt;
+    const VariablePlace* instance = build_.lookUp(copy_, e.instance);
+    std::optional<VariablePlace> place = instance != nullptr && instance->copy != nullptr ? memberOf(*instance->copy, pin.empty() ? "Q" : pin) : std::nullopt;
     if (!place && (pin.empty() || foldedName(pin) == "ENO")) {
       sink_.circuit(asker, "the loop runs through an output that is not kept from scan to scan");
       return {};
@@ -347,7 +347,7 @@ bool DrawnLowering::evaluateContact(int i, const DrawnElement& e) {
   const std::optional<Wire> left = joinedInput(e);
   if (!left) return false;
   current_ = i;
-  const std::optional<Place> place = resolve(e.text, e);
+  const std::optional<VariablePlace> place = resolve(e.text, e);
   if (!place) return false;
   if (place->type != IecType::Bool || place->copy != nullptr) {
     sink_.operand(e, fmt::format("a contact needs BOOL, {} is {}", excerpt(e.text), place->copy != nullptr ? "an instance" : iecTypeName(place->type)));
@@ -372,7 +372,7 @@ void DrawnLowering::coilOf(const DrawnElement& e) {
   const std::optional<Wire> left = joinedInput(e);
   if (!left) return;
   states_[static_cast<std::size_t>(current_)].outputs.emplace_back("", power(*left));
-  const std::optional<Place> place = resolve(e.text, e);
+  const std::optional<VariablePlace> place = resolve(e.text, e);
   if (!place) return;
   if (place->type != IecType::Bool || place->constant || place->copy != nullptr) {
     return sink_.operand(e, fmt::format("a coil needs a BOOL variable, {} is {}", excerpt(e.text), place->constant ? "a constant" : iecTypeName(place->type)));
@@ -389,7 +389,7 @@ void DrawnLowering::outVariable(int i, const DrawnElement& e) {
   DrawnValue value = input(e, e.inputs[0]);
   current_ = i;
   if (states_[static_cast<std::size_t>(i)].isWritten || value.kind == DrawnValue::Kind::Nothing) return;
-  const std::optional<Place> place = resolve(e.text, e);
+  const std::optional<VariablePlace> place = resolve(e.text, e);
   if (!place) return;
   if (e.negated && value.isPower()) value.wire = inverted(value.wire);
   if (e.negated && value.isData()) return sink_.negation(e, "the negation stands on a value that is not Boolean");

@@ -70,17 +70,17 @@ class DrawnLowering {
   // values
   static DrawnValue power(Wire wire);
   static DrawnValue data(Operand operand, IecType type);
-  DrawnValue readPlace(const Place& place, const DrawnElement& element);
+  DrawnValue readPlace(const VariablePlace& place, const DrawnElement& element);
   DrawnValue literalValue(const IecLiteral& literal) const;
   /// Variable, pin of an instance, address or literal; reports what it does not find.
-  std::optional<Place> resolve(std::string_view text, const DrawnElement& element);
-  std::optional<Place> memberOf(DrawnCopy& copy, std::string_view pin);
+  std::optional<VariablePlace> resolve(std::string_view text, const DrawnElement& element);
+  std::optional<VariablePlace> memberOf(DrawnCopy& copy, std::string_view pin);
   DrawnValue expression(std::string_view text, const DrawnElement& element);
   DrawnValue input(const DrawnElement& element, const DrawnPin& pin);
   /// The power at a pin; reports a pin that is open or carries a number.
   std::optional<Wire> powerAt(const DrawnElement& element, const DrawnPin* pin, std::string_view name);
   DrawnValue outputOf(int i, std::string_view pin, const DrawnElement& asker);
-  void moveTo(const Place& target, const DrawnValue& value, Wire enable, const DrawnElement& element);
+  void moveTo(const VariablePlace& target, const DrawnValue& value, Wire enable, const DrawnElement& element);
   /// The value as an operand of that kind of arithmetic, widened through a temporary where it is narrower.
   std::optional<Operand> widened(const DrawnValue& value, Arithmetic kind, Wire enable, const DrawnElement& element);
   Operand temporary(IecType type);

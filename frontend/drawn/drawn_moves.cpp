@@ -78,7 +78,7 @@ std::optional<Operand> DrawnLowering::widened(const DrawnValue& value, Arithmeti
   return wide;
 }
 
-void DrawnLowering::moveTo(const Place& target, const DrawnValue& value, Wire enable, const DrawnElement& element) {
+void DrawnLowering::moveTo(const VariablePlace& target, const DrawnValue& value, Wire enable, const DrawnElement& element) {
   if (target.constant || target.copy != nullptr) return sink_.operand(element, "the result would go to something that cannot be written");
   if (value.kind == DrawnValue::Kind::Nothing) return;
   const auto mismatch = [&](std::string_view given) { sink_.operand(element, fmt::format("a result of type {} does not fit a variable of type {}", given, iecTypeName(target.type))); };

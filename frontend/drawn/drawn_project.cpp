@@ -106,7 +106,7 @@ const DrawnBlock* DrawnBuild::blockNamed(std::string_view name) const {
   return found == blocks_.end() || found->second->kind == DrawnBlockKind::Program ? nullptr : found->second;
 }
 
-Place* DrawnBuild::lookUp(DrawnCopy& copy, std::string_view name) {
+VariablePlace* DrawnBuild::lookUp(DrawnCopy& copy, std::string_view name) {
   const std::string folded = foldedName(trimmed(name));
   const auto local = copy.places.find(folded);
   if (local != copy.places.end()) return &local->second;
@@ -122,7 +122,7 @@ Place* DrawnBuild::lookUp(DrawnCopy& copy, std::string_view name) {
     if (symbol.address.kind != OperandKind::Direct || foldedName(symbol.name) != folded) continue;
     const Width width = symbol.address.width;
     const IecType type = width == Width::Bit ? IecType::Bool : width == Width::Byte ? IecType::Byte : width == Width::Word ? IecType::Word : IecType::Dword;
-    return &globals_.emplace(folded, Place{type, symbol.address, std::nullopt, nullptr}).first->second;
+    return &globals_.emplace(folded, VariablePlace{type, symbol.address, std::nullopt, nullptr}).first->second;
   }
   return nullptr;
 }
@@ -136,7 +136,7 @@ void DrawnBuild::addSymbol(const std::string& name, const Operand& place, Span s
   program_.symbols.push_back(std::move(symbol));
 }
 
-void DrawnBuild::addInitialValue(const Place& place, const DrawnVariable& variable) {
+void DrawnBuild::addInitialValue(const VariablePlace& place, const DrawnVariable& variable) {
   if (variable.initial.empty() || place.copy != nullptr) return;
   const auto literal = iecLiteral(variable.initial);
   const bool isNumber = place.type == IecType::Real ? literal && (literal->type == IecType::Real || literal->type == IecType::None) : literal && literal->type != IecType::Real;
@@ -170,7 +170,7 @@ void DrawnBuild::addInitialValue(const Place& place, const DrawnVariable& variab
   else addFirst(firstScan_, moveOf(place.type), {constant(value, place.type == IecType::Real ? ConstantForm::Real : ConstantForm::Decimal), place.operand}, variable.span);
 }
 
-void DrawnBuild::declareInstance(Place& place, const DrawnVariable& variable, const std::string& path) {
+void DrawnBuild::declareInstance(VariablePlace& place, const DrawnVariable& variable, const std::string& path) {
   const StandardBlock standard = standardBlockNamed(variable.typeName);
   const auto found = blocks_.find(foldedName(variable.typeName));
   if (found != blocks_.end() && found->second->kind == DrawnBlockKind::FunctionBlock) {
@@ -194,7 +194,7 @@ void DrawnBuild::declareInstance(Place& place, const DrawnVariable& variable, co
 void DrawnBuild::declare(DrawnCopy& copy, const DrawnVariable& variable, const std::string& path) {
   if (variable.section == DrawnSection::External) return;
   const std::string folded = foldedName(variable.name);
-  Place place;
+  VariablePlace place;
   place.type = variable.type;
   if (variable.type == IecType::None) {
     declareInstance(place, variable, path);
@@ -318,7 +318,7 @@ void DrawnBuild::addUncovered(DrawnCopy& copy, Pou& pou) {
   for (const DrawnVariable& variable : copy.block->variables) {
     if (variable.section == DrawnSection::Input) inputs.insert(foldedName(variable.name));
   }
-  const auto hide = [&](const Place& place) {
+  const auto hide = [&](const VariablePlace& place) {
     const Area area = place.operand.area;
     if (place.copy != nullptr || place.constant || place.operand.kind != OperandKind::Direct || area == Area::I || area == Area::AI || area == Area::T || area == Area::C) return;
     const std::string address = toString(place.operand);
@@ -339,7 +339,7 @@ void DrawnBuild::addUncovered(DrawnCopy& copy, Pou& pou) {
     const std::string_view word(body.text.data() + at, end - at);
     at = end;
     if (const auto address = locatedAddress(word)) hide({IecType::None, *address, std::nullopt, nullptr});
-    const Place* place = lookUp(copy, word);
+    const VariablePlace* place = lookUp(copy, word);
     if (place == nullptr) place = lookUp(copy, word.substr(0, word.find('.')));
     if (place != nullptr && !inputs.contains(foldedName(word))) hide(*place);
   }

@@ -19,7 +19,7 @@ std::string foldedName(std::string_view name);
 struct DrawnCopy;
 
 /// Where a variable lives, or what it is.
-struct Place {
+struct VariablePlace {
   IecType type = IecType::None;
   Operand operand;
   std::optional<IecLiteral> constant;  ///< a constant, or an input variable that nobody can write
@@ -39,7 +39,7 @@ struct DrawnCopy {
   StandardBlock standard = StandardBlock::None;
   int number = -1;                   ///< of the subroutine, timer or counter
   int resolution = 0;                ///< of the timer, ms
-  std::map<std::string, Place> places;
+  std::map<std::string, VariablePlace> places;
   bool isBroken = false;             ///< no number was left; reported
   bool isRead = false;               ///< its outputs are named somewhere ("T1.ET")
 };
