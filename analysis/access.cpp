@@ -7,7 +7,7 @@
 #include <map>
 
 #include "analysis/instruction_kind.hpp"
-#include "analysis/library_block.hpp"
+#include "ir/library_block.hpp"
 
 namespace rungproof {
 

@@ -72,8 +72,9 @@ std::optional<StimulusColumn> libraryColumn(const Program& program, const std::s
   if (block == nullptr) return std::nullopt;
   std::uint32_t position = libraryOutputNamed(*block, name.substr(dot + 1));
   const std::optional<double> number = numberIn(std::string_view(name).substr(dot + 1));
-  if (number && *number >= block->first && *number < block->first + block->outputs.size()) position = static_cast<std::uint32_t>(*number);
-  if (position == 0 || block->outputs[position - block->first].name.empty()) return std::nullopt;
+  if (number && *number >= 1 && *number <= static_cast<double>(block->parameters.size())) position = static_cast<std::uint32_t>(*number);
+  const LibraryParameter* output = libraryOutput(*block, position);
+  if (output == nullptr) return std::nullopt;
   for (const Pou& pou : program.pous) {
     for (const Network& network : pou.networks) {
       for (const Instruction& instruction : network.instructions) {
@@ -83,10 +84,9 @@ std::optional<StimulusColumn> libraryColumn(const Program& program, const std::s
         column.target = StimulusTarget::LibraryOutput;
         column.block = instruction.operands[0].text;
         column.position = position;
-        const DataType type = block->outputs[position - block->first].type;
         column.signal.name = name;
-        column.signal.operand = direct(Area::V, widthOf(type), 0);  // only its width counts
-        column.signal.type = signalTypeOf(type);
+        column.signal.operand = direct(Area::V, widthOf(output->type), 0);  // only its width counts
+        column.signal.type = signalTypeOf(output->type);
         return column;
       }
     }

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "analysis/facts.hpp"
-#include "analysis/library_block.hpp"
 #include "analysis/operand_check.hpp"
 #include "analysis/rule.hpp"
 #include "ir/call_parameters.hpp"
+#include "ir/library_block.hpp"
 
 namespace rungproof {
 

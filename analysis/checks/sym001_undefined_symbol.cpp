@@ -4,8 +4,8 @@
 #include <unordered_map>
 
 #include "analysis/facts.hpp"
-#include "analysis/library_block.hpp"
 #include "analysis/rule.hpp"
+#include "ir/library_block.hpp"
 
 namespace rungproof {
 

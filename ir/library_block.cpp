@@ -1,6 +1,6 @@
 // The table of library blocks. Parameters in the order of CALL: NAME, < for an input or > for an output, and the type:
 // b BOOL, B BYTE, W WORD, D DWORD, I DINT, R REAL, N DINT or REAL.
-#include "analysis/library_block.hpp"
+#include "ir/library_block.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -90,8 +90,8 @@ char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + '
 bool matches(std::string_view pattern, std::string_view name) {
   if (pattern.size() != name.size()) return false;
   for (std::size_t i = 0; i < name.size(); ++i) {
-    const bool isDigit = pattern[i] == 'x' && name[i] >= '0' && name[i] <= '9';
-    if (!isDigit && upper(pattern[i]) != upper(name[i])) return false;
+    const bool isSame = pattern[i] == 'x' ? name[i] >= '0' && name[i] <= '9' : upper(pattern[i]) == upper(name[i]);
+    if (!isSame) return false;
   }
   return true;
 }
@@ -108,6 +108,20 @@ const LibraryBlock* libraryBlockNamed(std::string_view name) {
     if (matches(block.name, name)) return &block;
   }
   return nullptr;
+}
+
+const LibraryParameter* libraryOutput(const LibraryBlock& block, std::size_t place) {
+  if (place == 0 || place > block.parameters.size()) return nullptr;
+  const LibraryParameter& parameter = block.parameters[place - 1];
+  return parameter.direction == Direction::Out ? &parameter : nullptr;
+}
+
+std::uint32_t libraryOutputNamed(const LibraryBlock& block, std::string_view name) {
+  for (std::uint32_t place = 1; place <= block.parameters.size(); ++place) {
+    const LibraryParameter* output = libraryOutput(block, place);
+    if (output != nullptr && output->name == name) return place;
+  }
+  return 0;
 }
 
 }  // namespace rungproof
