@@ -16,13 +16,13 @@ namespace rungproof {
 namespace {
 
 constexpr std::uint32_t levels = 9;  // of the logic stack, 001:2759
-constexpr std::uint32_t noNode = railNode;
+constexpr std::uint32_t noBranchNode = railNode;
 
 /// Where the chain of contacts that ends in a node begins: the shared node (or the rail) and the first node behind it.
 struct Chain {
   bool isPure = false;
   std::uint32_t source = railNode;
-  std::uint32_t head = noNode;
+  std::uint32_t head = noBranchNode;
 };
 
 class Writer {
@@ -126,7 +126,7 @@ class Writer {
   void findCircuits() {
     const std::size_t count = nodes_.size();
     root_.resize(count);
-    exit_.assign(count, noNode);
+    exit_.assign(count, noBranchNode);
     for (std::uint32_t n = 0; n < count; ++n) root_[n] = parent_[n] == railNode ? n : root_[parent_[n]];
     for (std::uint32_t n = 0; n < count && !fault_; ++n) {
       const CircuitNode& node = nodes_[n];
@@ -135,12 +135,12 @@ class Writer {
         if (from == railNode || isParentPin(n, pin)) continue;
         std::uint32_t& exit = exit_[root_[from]];
         if (root_[from] == root_[n]) return refuse(from, "branches behind it meet again as no drawing of stack instructions can");
-        if (exit != noNode) return refuse(from, "two circuits take in its circuit");
+        if (exit != noBranchNode) return refuse(from, "two circuits take in its circuit");
         exit = from;
       }
     }
     for (std::uint32_t n = 0; n < count; ++n) {
-      if (root_[n] == n && exit_[n] == noNode) tops_.push_back(n);
+      if (root_[n] == n && exit_[n] == noBranchNode) tops_.push_back(n);
     }
   }
   bool isParentPin(std::uint32_t n, std::uint32_t pin) const {
@@ -151,23 +151,23 @@ class Writer {
   /// Children of each node in the order of the first coil or box behind them; the value that leaves comes last.
   void collectKids() {
     const std::uint32_t count = static_cast<std::uint32_t>(nodes_.size());
-    std::vector<std::uint32_t> firstEffect(count, noNode - 1);
+    std::vector<std::uint32_t> firstEffect(count, noBranchNode - 1);
     for (std::uint32_t n = count; n-- > 0;) {
       if (nodes_[n].isEffect()) firstEffect[n] = n;
       if (parent_[n] != railNode) firstEffect[parent_[n]] = std::min(firstEffect[parent_[n]], firstEffect[n]);
     }
     // The branch that ends in the value which leaves must come last: it is on the top then.
     for (std::uint32_t root = 0; root < count; ++root) {
-      if (root_[root] != root || exit_[root] == noNode) continue;
-      for (std::uint32_t n = exit_[root]; n != railNode; n = parent_[n]) firstEffect[n] = noNode;
+      if (root_[root] != root || exit_[root] == noBranchNode) continue;
+      for (std::uint32_t n = exit_[root]; n != railNode; n = parent_[n]) firstEffect[n] = noBranchNode;
     }
     firstKid_.assign(count + 1, 0);
     for (std::uint32_t n = 0; n < count; ++n) {
       if (parent_[n] != railNode) ++firstKid_[parent_[n] + 1];
-      if (root_[n] == n && exit_[n] != noNode) ++firstKid_[exit_[n] + 1];
+      if (root_[n] == n && exit_[n] != noBranchNode) ++firstKid_[exit_[n] + 1];
     }
     for (std::uint32_t n = 0; n < count; ++n) firstKid_[n + 1] += firstKid_[n];
-    kids_.assign(firstKid_[count], noNode);
+    kids_.assign(firstKid_[count], noBranchNode);
     std::vector<std::uint32_t> next(firstKid_.begin(), firstKid_.end() - 1);
     for (std::uint32_t n = 0; n < count; ++n) {
       if (parent_[n] != railNode) kids_[next[parent_[n]]++] = n;
@@ -183,7 +183,7 @@ class Writer {
 
   enum class Stage : std::uint8_t { Begin, Pins, Join, Kids };
   struct Frame {
-    std::uint32_t node = noNode;
+    std::uint32_t node = noBranchNode;
     Stage stage = Stage::Begin;
     std::uint32_t at = 0;     ///< pin, or child
     bool isSaved = false;     ///< LPS holds the value for further children
@@ -343,7 +343,7 @@ class Writer {
   }
   /// The top is another value after the child.
   bool changesTop(std::uint32_t kid) const {
-    if (kid == noNode) return false;
+    if (kid == noBranchNode) return false;
     const CircuitNode& node = nodes_[kid];
     if (node.shape == Shape::Coil) return false;
     if (node.shape != Shape::Box) return true;
@@ -374,7 +374,7 @@ class Writer {
       checkDepth(frame.node);
     }
     ++frame.at;
-    if (kid != noNode) visit(kid);
+    if (kid != noBranchNode) visit(kid);
   }
 
   // ---- Order ----------------------------------------------------------------------------------------
@@ -406,7 +406,7 @@ class Writer {
   std::vector<std::uint32_t> exit_;         ///< by root: the value that another circuit takes in
   std::vector<std::uint32_t> tops_;
   std::vector<std::uint32_t> firstKid_;
-  std::vector<std::uint32_t> kids_;         ///< noNode: the value leaves here
+  std::vector<std::uint32_t> kids_;         ///< noBranchNode: the value leaves here
   std::vector<Frame> frames_;
   std::vector<std::uint32_t> written_;      ///< nodes in the order of execution
   std::uint32_t below_ = 0;                 ///< levels below the top that are still needed

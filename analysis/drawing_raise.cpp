@@ -17,7 +17,7 @@ namespace rungproof {
 
 namespace {
 
-std::string textOf(const Instruction& instruction) {
+std::string nameOf(const Instruction& instruction) {
   std::string text(instruction.desc->stl);
   if (!instruction.operands.empty() && instruction.operands[0].kind != OperandKind::Missing) text += " " + toString(instruction.operands[0]);
   return text;
@@ -47,7 +47,7 @@ class Raising {
     result_.reason = std::move(reason);
     result_.at = at;
   }
-  void refuseHere(std::string_view reason) { refuse(&current(), fmt::format("{} {}", textOf(current()), reason)); }
+  void refuseHere(std::string_view reason) { refuse(&current(), fmt::format("{} {}", nameOf(current()), reason)); }
   const Instruction& current() const { return network_.instructions[at_]; }
 
   // ---- Elements and levels --------------------------------------------------------------------------
@@ -370,7 +370,7 @@ class Raising {
     const Branches branches = lowerAlongBranches(drawing_, circuit, PinOrder::AsDrawn, editorBitsUsed(drawing_));
     if (branches.circuits > 1) {
       const Instruction* second = instructionOf(branches.second);
-      return refuse(second, fmt::format("{} begins a second rung in the network", textOf(*second)));
+      return refuse(second, fmt::format("{} begins a second rung in the network", nameOf(*second)));
     }
     if (branches.lowered.fault) return refuse(instructionOf(branches.lowered.fault->element), branches.lowered.fault->message);
   }

@@ -21,9 +21,9 @@ constexpr double walkSeconds = 10;
 
 using Tuple = std::vector<std::uint64_t>;
 
-class Walk {
+class PointerWalk {
  public:
-  Walk(const TransitionSystem& system, Node pointer, std::size_t limit) : graph_(*system.graph), pointer_(pointer), limit_(limit) {
+  PointerWalk(const TransitionSystem& system, Node pointer, std::size_t limit) : graph_(*system.graph), pointer_(pointer), limit_(limit) {
     for (const StateVariable& s : system.states) states_.emplace(s.node, s);
   }
 
@@ -129,6 +129,6 @@ class Walk {
 
 }  // namespace
 
-std::optional<std::vector<std::uint64_t>> walkOf(const TransitionSystem& system, Node pointer, std::size_t limit) { return Walk(system, pointer, limit).run(); }
+std::optional<std::vector<std::uint64_t>> walkOf(const TransitionSystem& system, Node pointer, std::size_t limit) { return PointerWalk(system, pointer, limit).run(); }
 
 }  // namespace rungproof

@@ -11,9 +11,9 @@ namespace rungproof {
 
 namespace {
 
-class Walk {
+class UseWalk {
  public:
-  Walk(const Facts& facts, const EncodedScan& encoding, const std::unordered_set<std::uint32_t>& variables) : facts_(facts) {
+  UseWalk(const Facts& facts, const EncodedScan& encoding, const std::unordered_set<std::uint32_t>& variables) : facts_(facts) {
     for (const Cell& cell : encoding.cells()) {
       if (cell.kind == CellKind::State && variables.contains(indexOf(cell.start))) kept_.push_back(cell.place);
     }
@@ -126,7 +126,7 @@ class Walk {
 
 std::vector<NetworkName> networksBehind(const Facts& facts, const EncodedScan& encoding, const std::vector<Operand>& read,
                                         const std::unordered_set<std::uint32_t>& variables) {
-  return Walk(facts, encoding, variables).run(read);
+  return UseWalk(facts, encoding, variables).run(read);
 }
 
 std::string networkList(const std::vector<NetworkName>& networks) {

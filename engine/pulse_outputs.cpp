@@ -7,7 +7,7 @@ namespace rungproof {
 
 namespace {
 
-constexpr std::array<std::uint32_t, 2> statusByte = {66, 76};
+constexpr std::array<std::uint32_t, 2> pulseStatusByte = {66, 76};
 constexpr std::uint32_t abortedByIncrement = 4, idle = 7;
 constexpr std::int64_t shortestCycle = 2, longestCycle = 65535;  // 001:4570, 001:4600
 
@@ -124,8 +124,8 @@ void PulseOutputs::finish(Concrete::Store& store, std::uint32_t output, const Ra
   } else {
     store.set(Reg::PulseBusy, output, 0, true);
     store.set(Reg::PulseSegments, output, 0, true);
-    store.save(Area::SM, statusByte[output] * 8 + idle, 1, 1, true);
-    if (wasAborted) store.save(Area::SM, statusByte[output] * 8 + abortedByIncrement, 1, 1, true);
+    store.save(Area::SM, pulseStatusByte[output] * 8 + idle, 1, 1, true);
+    if (wasAborted) store.save(Area::SM, pulseStatusByte[output] * 8 + abortedByIncrement, 1, 1, true);
   }
   raise(output == 0 ? 19 : 20);
 }

@@ -7,7 +7,7 @@ namespace rungproof {
 
 namespace {
 
-std::string trimmed(std::string text) {
+std::string trimmedCell(std::string text) {
   const auto blank = [](char c) { return c == ' ' || c == '\t'; };
   while (!text.empty() && blank(text.back())) text.pop_back();
   std::size_t begin = 0;
@@ -66,7 +66,7 @@ class CsvReader {
       if (text_[at_] != '\r') cell.text += text_[at_];
       advance();
     }
-    cell.text = trimmed(cell.text);
+    cell.text = trimmedCell(cell.text);
     return cell;
   }
   void readQuoted(CsvCell& cell) {

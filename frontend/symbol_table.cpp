@@ -15,12 +15,12 @@ namespace {
 
 constexpr std::size_t maxCells = 8;
 
-struct Cell {
+struct TableCell {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
 };
 struct Row {
-  std::array<Cell, maxCells> cells{};
+  std::array<TableCell, maxCells> cells{};
   std::size_t count = 0;
 };
 
@@ -115,7 +115,7 @@ bool readSymbolRow(std::string_view text, std::uint32_t begin, std::uint32_t end
   if (comment != std::string_view::npos) {
     symbol.comment = trimmed(line.substr(comment + 2));
   } else if (address + 1 < row.count) {
-    const Cell& last = row.cells[row.count - 1];
+    const TableCell& last = row.cells[row.count - 1];
     std::string_view words = trimmed(text.substr(row.cells[address + 1].begin, last.end - row.cells[address + 1].begin));
     if (words.substr(0, 2) == "//") words = trimmed(words.substr(2));
     symbol.comment = words;

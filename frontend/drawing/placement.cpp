@@ -11,7 +11,6 @@ namespace rungproof {
 namespace {
 
 constexpr int notPlaced = -1;
-constexpr int usualWidth = 72;  // of a ladder, rails included
 
 /// A stretch of rows at the border of two columns that belongs to one net.
 struct Taken {

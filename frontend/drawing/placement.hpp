@@ -11,6 +11,9 @@
 
 namespace rungproof {
 
+/// Columns of a ladder, rails included, and of the last strip of a wrapped one: coils of all networks stand below each other.
+inline constexpr int usualWidth = 72;
+
 struct PlacedPicture {
   Picture picture;
   std::string reason;  ///< why there is no picture; empty: there is one

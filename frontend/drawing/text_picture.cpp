@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 81> lines = {
 
 enum class Ink : std::uint8_t { Plain, Power, Name, Faint, Error, Warning, Note };
 
-struct Cell {
+struct ScreenCell {
   std::array<std::uint8_t, 4> weight{};  ///< up, right, down, left
   std::string text;                      ///< instead of lines
   bool isCovered = false;                ///< second half of a wide character
@@ -38,7 +38,7 @@ class Canvas {
   Canvas(const Picture& picture, const TextStyle& style) : picture_(picture), style_(style) {
     int width = picture.width;
     for (const PictureLabel& label : picture.labels) width = std::max(width, label.x + displayWidth(label.text));
-    rows_.assign(static_cast<std::size_t>(std::max(picture.height, 1)), std::vector<Cell>(static_cast<std::size_t>(width)));
+    rows_.assign(static_cast<std::size_t>(std::max(picture.height, 1)), std::vector<ScreenCell>(static_cast<std::size_t>(width)));
   }
 
   std::vector<std::string> draw() {
@@ -53,7 +53,7 @@ class Canvas {
     for (const PictureDot& circle : picture_.circles) put(circle.x - 1, circle.y, "o", inkOf(circle.state));
     for (const PictureLabel& label : picture_.labels) put(label.x, label.y, label.text, inkOf(label));
     std::vector<std::string> result;
-    for (const std::vector<Cell>& row : rows_) result.push_back(textOf(row));
+    for (const std::vector<ScreenCell>& row : rows_) result.push_back(textOf(row));
     return result;
   }
 
@@ -71,12 +71,12 @@ class Canvas {
     }
   }
 
-  Cell* cell(int x, int y) {
+  ScreenCell* cell(int x, int y) {
     if (x < 0 || y < 0 || y >= static_cast<int>(rows_.size()) || x >= static_cast<int>(rows_[0].size())) return nullptr;
     return &rows_[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)];
   }
   void stroke(int x, int y, std::size_t direction, Flow3 state) {
-    Cell* c = cell(x, y);
+    ScreenCell* c = cell(x, y);
     if (c == nullptr) return;
     c->weight[direction] = std::max<std::uint8_t>(c->weight[direction], state == Flow3::On ? 2 : 1);
     if (state == Flow3::On) c->ink = Ink::Power;
@@ -100,12 +100,12 @@ class Canvas {
       while (next < text.size() && (static_cast<unsigned char>(text[next]) & 0xC0) == 0x80) ++next;
       const std::string character = text.substr(i, next - i);
       const int width = displayWidth(character);
-      if (Cell* c = cell(width == 0 ? x - 1 : x, y)) {
+      if (ScreenCell* c = cell(width == 0 ? x - 1 : x, y)) {
         if (width == 0) c->text += character;
         else c->text = character;
         c->ink = ink;
       }
-      if (Cell* c = width == 2 ? cell(x + 1, y) : nullptr) c->isCovered = true;
+      if (ScreenCell* c = width == 2 ? cell(x + 1, y) : nullptr) c->isCovered = true;
       x += width;
       i = next;
     }
@@ -133,7 +133,7 @@ class Canvas {
     put(symbol.x, symbol.y, open + inside + close, ink);
   }
 
-  std::string glyph(const Cell& c) const {
+  std::string glyph(const ScreenCell& c) const {
     if (!c.text.empty()) return c.text;
     std::array<std::uint8_t, 4> w = c.weight;
     const bool isHorizontal = w[left] + w[right] > 0, isVertical = w[up] + w[down] > 0;
@@ -158,7 +158,7 @@ class Canvas {
     }
   }
 
-  std::string textOf(const std::vector<Cell>& row) const {
+  std::string textOf(const std::vector<ScreenCell>& row) const {
     std::size_t end = row.size();
     while (end > 0 && !row[end - 1].isCovered && glyph(row[end - 1]) == " ") --end;
     std::string text;
@@ -180,7 +180,7 @@ class Canvas {
 
   const Picture& picture_;
   TextStyle style_;
-  std::vector<std::vector<Cell>> rows_;
+  std::vector<std::vector<ScreenCell>> rows_;
 };
 
 }  // namespace

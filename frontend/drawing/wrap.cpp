@@ -3,6 +3,7 @@
 #include <string>
 
 #include "frontend/drawing/picture.hpp"
+#include "frontend/drawing/placement.hpp"
 
 namespace rungproof {
 
@@ -10,7 +11,6 @@ namespace {
 
 constexpr int margin = 5;     // room for the arrow of a cut wire: "->12"
 constexpr int betweenStrips = 1;
-constexpr int usualWidth = 72;  // of the last strip, so that coils of all networks stand below each other
 
 /// Columns [first, last] of the picture, and where they go.
 struct Strip {
