@@ -102,9 +102,10 @@ InvariantCores::Needed InvariantCores::of(Lit bad, const Certificate& certificat
     }
     return true;
   };
-  Question path(system_, invariants_);
+  if (!closure_) closure_ = std::make_unique<Question>(system_, invariants_);
   if (certificate.k > 0) {
     // The step case: invariants in every scan.
+    Question path(system_, invariants_);
     std::vector<int> denied{path.literal(certificate.k, bad)};
     for (int frame = 1; frame <= certificate.k; ++frame) {
       path.constrain(frame);
@@ -112,7 +113,10 @@ InvariantCores::Needed InvariantCores::of(Lit bad, const Certificate& certificat
     }
     for (int frame = 0; frame < certificate.k; ++frame) denied.push_back(-path.literal(frame, bad));
     if (!take(path.core(denied, budget))) return all;
+  } else if (certificate.clauses.empty()) {
+    if (!take(closure_->core({closure_->literal(0, bad)}, budget))) return all;
   } else {
+    Question path(system_, invariants_);
     for (const std::vector<Lit>& clause : certificate.clauses) path.addClause(0, clause);
     if (!take(path.core({path.literal(0, bad)}, budget))) return all;
     for (const std::vector<Lit>& clause : certificate.clauses) {
@@ -120,7 +124,6 @@ InvariantCores::Needed InvariantCores::of(Lit bad, const Certificate& certificat
     }
   }
   // Closing under induction: each needed invariant is kept by a scan from states that satisfy needed ones.
-  if (!closure_) closure_ = std::make_unique<Question>(system_, invariants_);
   std::vector<bool> isNeeded = isImmediate;
   while (!open.empty()) {
     const std::size_t i = open.back();

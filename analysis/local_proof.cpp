@@ -11,9 +11,8 @@ namespace rungproof {
 
 namespace {
 
-constexpr int firstDepth = 4;
-constexpr int lastDepth = 32;
-constexpr std::size_t sizeLimit = 600;  ///< nodes of the surface
+constexpr int depths[] = {4, 16};
+constexpr std::size_t sizeLimit = 400;  ///< nodes of the surface
 constexpr double querySeconds = 0.05;
 
 /// Nodes within that distance; those at its edge are open.
@@ -50,7 +49,8 @@ Surface surfaceOf(const Graph& graph, Node root, int depth) {
 
 std::optional<std::vector<Node>> proveLocally(const TransitionSystem& system, Node bad, const Budget& budget) {
   const Graph& graph = *system.graph;
-  for (int depth = firstDepth; depth <= lastDepth && !budget.isExhausted(); depth *= 2) {
+  for (const int depth : depths) {
+    if (budget.isExhausted()) break;
     const Surface surface = surfaceOf(graph, bad, depth);
     if (surface.size > sizeLimit) return std::nullopt;
     const BitBlast blast(system, bad, surface.open);

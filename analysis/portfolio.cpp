@@ -43,7 +43,7 @@ class Portfolio {
     for (std::size_t q = 0; q < answers_.size(); ++q) open_.push_back(q);
     begin({});
     if (!open_.empty()) searchTogether(1, true);
-    if (!open_.empty() && options_.effort == Effort::Full && options_.check) {
+    if (!open_.empty() && options_.check) {
       begin({});
       minePairs();
       if (!invariants_.empty()) searchTogether(1, false);

@@ -165,10 +165,11 @@ class Session {
     const ProofWatch::Guard guard(watch_, cancel);
     PortfolioOptions together = portfolio(std::min(options_.timeout, quickSeconds), deadline, &cancel);
     together.effort = Effort::Together;
-    quick_ = answerQuestions(exact_->system(), together);
+    quick_.resize(exact_->system().questions.size());
     searchOnEngine([&](std::size_t q) { return q >= declaredCount(); });
-    const auto start = Clock::now();
     TransitionSystem rest = exact_->system();
+    answerOpen(rest, openQuestions(), together);
+    const auto start = Clock::now();
     std::vector<std::size_t> open;
     for (std::size_t q = 0; q < quick_.size(); ++q) {
       if (quick_[q].answer != Answer::Unknown) continue;
@@ -179,10 +180,20 @@ class Session {
     searchOnEngine([&](std::size_t q) { return q < declaredCount() && goals_[q].kind == PropertyKind::Reach; });
     const auto isFound = [&](std::size_t q) { return quick_[q].answer != Answer::Unknown; };
     std::erase_if(open, isFound);
+    answerOpen(rest, open, portfolio(std::min(options_.timeout, quickSeconds), deadline, &cancel));
+  }
+  std::vector<std::size_t> openQuestions() const {
+    std::vector<std::size_t> open;
+    for (std::size_t q = 0; q < quick_.size(); ++q) {
+      if (quick_[q].answer == Answer::Unknown) open.push_back(q);
+    }
+    return open;
+  }
+  void answerOpen(TransitionSystem& rest, const std::vector<std::size_t>& open, const PortfolioOptions& options) {
+    if (open.empty()) return;
     rest.questions.clear();
     for (const std::size_t q : open) rest.questions.push_back(exact_->system().questions[q]);
-    if (open.empty()) return;
-    std::vector<QuestionAnswer> answers = answerQuestions(rest, portfolio(std::min(options_.timeout, quickSeconds), deadline, &cancel));
+    std::vector<QuestionAnswer> answers = answerQuestions(rest, options);
     for (std::size_t i = 0; i < open.size(); ++i) {
       answers[i].seconds += quick_[open[i]].seconds;
       quick_[open[i]] = std::move(answers[i]);
