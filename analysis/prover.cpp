@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "analysis/guided_runs.hpp"
+#include "analysis/exact_run.hpp"
 #include "analysis/hidden_code.hpp"
 #include "analysis/portfolio.hpp"
 #include "analysis/proof_networks.hpp"
@@ -402,7 +403,17 @@ class Session {
   std::optional<Witness> replayed(ProofSide& side, const TransitionSystem& system, std::size_t question, const WordTrace& trace) {
     EncodedScan& encoding = side.obligations().encoding();
     if (question >= goals_.size()) {
-      return agreedRun(program_, options_.choices, exact_->obligations().encoding(), exact_->system(), exact_->system().questions[question].bad, system, trace, options_.time);
+      const ExactQuestion asked(exact_->obligations().encoding(), exact_->system(), exact_->system().questions[question].bad);
+      std::optional<ExactRun> run = asked.runOf(system, trace, options_.time);
+      std::optional<Witness> witness = run ? asked.witness(program_, options_.choices, *run) : std::nullopt;
+      const std::size_t check = question - goals_.size();
+      const bool isShownToPeople = options_.evidence && check < exact_->checks().size() && !isRuleQuestion(exact_->checks()[check].kind);
+      if (!witness || !isShownToPeople || witness->scanCount > minimisedScans || watch_.isStopped()) return witness;
+      std::vector<std::vector<bool>> matters;
+      if (!asked.dropIdle(*run, matters, minimiseSeconds, options_.seed)) return witness;
+      std::optional<Witness> smaller = asked.witness(program_, options_.choices, *run);
+      if (smaller) smaller->matters = std::move(matters);
+      return smaller ? smaller : witness;
     }
     std::vector<ReplayScan> scans = scansOf(encoding, system, trace, options_.time);
     return Judge(program_, options_.choices, assumptions_, goals_[question]).witness(std::move(scans), initialOf(encoding, system, trace));

@@ -51,10 +51,12 @@ std::vector<ReplayScan> scansOf(EncodedScan& encoding, const TransitionSystem& s
 /// The state that the run starts from, or nothing if it is that of power-up.
 std::optional<Concrete::Store> initialOf(EncodedScan& encoding, const TransitionSystem& system, const WordTrace& trace);
 
-/// The same for questions without a property: the found run, in real scans, is followed on the exact system until
-/// `bad` holds, and on the engine; both must have the same state after every scan.
-std::optional<Witness> agreedRun(const Program& program, const Choices& choices, EncodedScan& exact, const TransitionSystem& exactSystem, Node bad,
-                                 const TransitionSystem& found, const WordTrace& trace, const TimeRange& range);
+/// Real scans that last `length` ms together: how many of which length, nearly equal ones, the longer first.
+struct Stretch {
+  std::uint32_t length;
+  std::uint32_t count;
+};
+std::vector<Stretch> stretchOf(std::uint32_t length, const TimeRange& range);
 
 /// Value of a direct operand in a state, in the width in which it is written; T and C: bit or current value by width.
 std::uint64_t valueIn(const Concrete::Store& state, const Operand& operand);

@@ -27,6 +27,25 @@ TEST(Builtin, SetAndResetInMainAndSubroutine) {
   EXPECT_EQ(outcomes(run, BuiltinKind::SetReset, "Q0.0"), Outcomes{Outcome::Violated});
 }
 
+TEST(Builtin, WitnessesShowOnlyInputsThatMatter) {
+  // The conflict needs I0.0 and I0.1 in one scan; I0.2 to I0.4 are read but have nothing to do with it.
+  const ProofRun run = builtins(inputOf("", "Network 1\nLD I0.0\nS Q0.0, 1\nNetwork 2\nLD I0.1\nR Q0.0, 1\nNetwork 3\nLD I0.2\nA I0.3\nO I0.4\n= Q0.1\n"));
+  for (const ProofResult& result : run.results) {
+    if (!result.builtin || result.builtin->kind != BuiltinKind::SetReset) continue;
+    ASSERT_TRUE(result.witness);
+    ASSERT_EQ(result.witness->matters.size(), result.witness->scans.size());
+    const ReplayScan& last = result.witness->scans.back();
+    ASSERT_EQ(result.witness->matters.back().size(), last.inputs.size());
+    std::set<std::string> thatMatter;
+    for (std::size_t i = 0; i < last.inputs.size(); ++i) {
+      if (result.witness->matters.back()[i]) thatMatter.insert(toString(last.inputs[i].operand));
+    }
+    EXPECT_EQ(thatMatter, (std::set<std::string>{"I0.0", "I0.1"}));
+    return;
+  }
+  FAIL() << "no conflict was found";
+}
+
 TEST(Builtin, SetAndResetUnderOppositeConditionsIsNoConflict) {
   const ProofRun run = builtins(inputOf("", "Network 1\nLD I0.0\nS Q0.0, 1\nNetwork 2\nLDN I0.0\nCALL SBR_0\n",
                                         "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD SM0.0\nR Q0.0, 1\nEND_SUBROUTINE_BLOCK\n"));

@@ -11,8 +11,8 @@ namespace rungproof::test {
 namespace {
 
 constexpr double share = 95;            ///< percent that must be noticed
-constexpr double mostSeconds = 8;  ///< for one fault; an idle machine needs milliseconds, so that only a busy one comes near it
-constexpr std::size_t leastFaults = 140;  ///< that change behaviour, over all programs: so that the share means something
+constexpr double mostSeconds = 12;  ///< for one fault; an idle machine needs milliseconds, so that only a busy one comes near it
+constexpr std::size_t leastFaults = 130;  ///< that change behaviour, over all programs: so that the share means something
 
 struct Count {
   std::size_t noticed = 0, unnoticed = 0, undecided = 0, harmless = 0;
