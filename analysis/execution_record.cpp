@@ -33,6 +33,7 @@ ExecutionRecord::ExecutionRecord(const Program& program, bool contacts) : contac
       site.block = b;
       site.network = steps[i].network;
       site.isFirst = i == 0 || steps[i - 1].network != steps[i].network;
+      site.isEntry = i == 0;
       if (i + 1 < steps.size() && steps[i + 1].network == steps[i].network) site.next = steps[i + 1].instruction;
     }
     for (const FlowStep& step : steps) {
@@ -41,7 +42,9 @@ ExecutionRecord::ExecutionRecord(const Program& program, bool contacts) : contac
       const bool isLoop = control == Control::For || control == Control::Next;
       if (control != Control::Jump && !isLoop) continue;
       const std::uint32_t target = step.partner + (isLoop ? 1 : 0);
-      if (target < steps.size() && !sites_[steps[target].id].isFirst) hasEntriesWithin_[b] = true;
+      if (target >= steps.size()) continue;
+      if (target == 0) sites_[steps[target].id].isEntry = false;
+      if (!sites_[steps[target].id].isFirst) hasEntriesWithin_[b] = true;
     }
   }
   const StackRun run(program, plan, {});
@@ -76,7 +79,7 @@ void ExecutionRecord::followHeights(Machine<Graph>& machine, const Instruction& 
   const auto number = [&](std::uint64_t value) { return graph.literal(value, heightBits); };
   Heights& here = heights_[machine.frame];
   // Where no path enters a network in its middle, all paths that come here have the same heights.
-  const bool isSame = !hasEntriesWithin_[site.block];
+  const bool isSame = !hasEntriesWithin_[site.block] || site.isEntry;
   const Graph::Bool always = graph.constant(true);
   const Graph::Bool changes = isSame ? always : machine.guard;
   const auto set = [&](Node& place, Graph::Bits value) { place = place == noNode ? value.node : graph.select(changes, value, {place}, heightBits).node; };

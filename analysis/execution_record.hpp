@@ -58,6 +58,7 @@ class ExecutionRecord {
     std::uint32_t block = 0, network = 0;
     const Instruction* next = nullptr;  ///< in the same network
     bool isFirst = false;               ///< of its network
+    bool isEntry = false;               ///< of its block, and no jump leads back to it: no path is beyond it yet
   };
   /// Levels pushed up to now, and how many of them, counted from below, are lost.
   struct Heights {

@@ -3,10 +3,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <array>
-#include <cstdio>
-
 #include "analysis/certificate.hpp"
+#include "tests/corpus/command_output.hpp"
 #include "tests/corpus/corpus_program.hpp"
 
 namespace rungproof::test {
@@ -16,16 +14,6 @@ namespace fs = std::filesystem;
 
 /// Certificates that must be there, so that a corpus without proofs does not pass unnoticed.
 constexpr std::size_t leastChecked = 130;
-
-std::string outputOf(const std::string& command) {
-  std::string text;
-  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  if (pipe == nullptr) return text;
-  std::array<char, 4096> buffer{};
-  while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) text += buffer.data();
-  pclose(pipe);
-  return text;
-}
 
 std::string contentOf(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);

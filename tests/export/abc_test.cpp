@@ -4,13 +4,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <array>
 #include <cstdio>
 #include <set>
 
 #include "analysis/export_system.hpp"
 #include "analysis/proof_side.hpp"
 #include "analysis/prover.hpp"
+#include "tests/corpus/command_output.hpp"
 #include "tests/corpus/corpus_program.hpp"
 
 namespace rungproof::test {
@@ -20,16 +20,6 @@ namespace fs = std::filesystem;
 
 /// Answers that must be there, so that an export which ABC cannot read does not pass unnoticed.
 constexpr std::size_t leastDecided = 100;
-
-std::string outputOf(const std::string& command) {
-  std::string text;
-  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  if (pipe == nullptr) return text;
-  std::array<char, 4096> buffer{};
-  while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) text += buffer.data();
-  pclose(pipe);
-  return text;
-}
 
 struct AbcAnswers {
   std::set<std::size_t> asserted;

@@ -201,7 +201,7 @@ TEST(Builtin, LoopBeyondTheLimitLeavesProofsOpen) {
   // loop could spoil is proved.
   const ProgramInput input = inputOf("//@ prove counter stays small: VW0 <> 300\n",
                                      "Network 1\nLBL 1\nNetwork 2\nLD SM0.0\nINCW VW0\nNetwork 3\nLDW< VW0, 1000\nJMP 1\nNetwork 4\nLD SM0.0\nMOVW 0, VW0\n");
-  const ProofRun run = prove(input.program, input.properties, usualOptions(2));
+  const ProofRun run = prove(input.program, input.properties, usualOptions(15));
   EXPECT_EQ(outcomeOf(run, "counter stays small"), Outcome::NotCovered);
 }
 
