@@ -74,6 +74,24 @@ void collectOutputs(const EncodedScan& encoding, std::set<std::pair<Area, std::u
 
 using Outputs = std::vector<std::pair<Node, Node>>;
 
+/// Both programs encoded, and each output bit of either as the two see it.
+struct Sides {
+  Sides(const Program& left, const Program& right, const PropertySet& set, const ProverOptions& options)
+      : one(left, set, {}, encoderOptionsOf(options)), other(right, set, {}, encoderOptionsOf(options)) {
+    std::set<std::pair<Area, std::uint32_t>> bytes;
+    collectOutputs(one.encoding(), bytes);
+    collectOutputs(other.encoding(), bytes);
+    for (const auto& [area, byte] : bytes) {
+      for (std::uint32_t bit = 0; bit < 8; ++bit) {
+        const Place place = memoryPlace(area, byte, Width::Bit, bit);
+        outputs.emplace_back(one.encoding().atEnd(place), other.encoding().atEnd(place));
+      }
+    }
+  }
+  Obligations one, other;
+  Outputs outputs;
+};
+
 QuestionAnswer ask(const TransitionSystem& system, const ProverOptions& options, double seconds) {
   PortfolioOptions portfolio;
   portfolio.seconds = seconds;
@@ -114,20 +132,16 @@ bool haveSameScans(TransitionSystem first, const TransitionSystem& second, const
 
 }  // namespace
 
+bool haveSameScans(const Program& left, const Program& right, const PropertySet& set, const ProverOptions& options, double seconds) {
+  Sides sides(left, right, set, options);
+  return haveSameScans(sides.one.system(), sides.other.system(), sides.outputs, options, seconds);
+}
+
 OutputComparison compareOutputs(const Program& left, const Program& right, const PropertySet& set, const ProverOptions& options, double seconds) {
-  Obligations one(left, set, {}, encoderOptionsOf(options)), other(right, set, {}, encoderOptionsOf(options));
-  std::set<std::pair<Area, std::uint32_t>> bytes;
-  collectOutputs(one.encoding(), bytes);
-  collectOutputs(other.encoding(), bytes);
-  Outputs outputs;
-  for (const auto& [area, byte] : bytes) {
-    for (std::uint32_t bit = 0; bit < 8; ++bit) {
-      const Place place = memoryPlace(area, byte, Width::Bit, bit);
-      outputs.emplace_back(one.encoding().atEnd(place), other.encoding().atEnd(place));
-    }
-  }
-  TransitionSystem both = one.system();
-  const TransitionSystem second = other.system();
+  Sides sides(left, right, set, options);
+  TransitionSystem both = sides.one.system();
+  const TransitionSystem second = sides.other.system();
+  const Outputs& outputs = sides.outputs;
   if (haveSameScans(both, second, outputs, options, seconds / 2)) return OutputComparison::Equal;
   Graph& graph = *both.graph;
   Copier copier(graph, *second.graph, both, false);

@@ -11,6 +11,10 @@ namespace rungproof {
 
 enum class OutputComparison : std::uint8_t { Equal, Different, Undecided };
 
+/// Whether it is proved that one scan of either, from any state that the left one can reach, does the same. Cheap, and
+/// false where only a longer look could tell.
+bool haveSameScans(const Program& left, const Program& right, const PropertySet& set, const ProverOptions& options, double seconds);
+
 /// Outputs are all bits of Q and AQ that either program has; compared at the ends of scans in which the assumptions of
 /// `set` hold. Instructions with the same number stand for each other: ticks and interrupts come in front of both.
 OutputComparison compareOutputs(const Program& left, const Program& right, const PropertySet& set, const ProverOptions& options, double seconds);

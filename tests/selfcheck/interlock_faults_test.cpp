@@ -11,7 +11,7 @@ namespace rungproof::test {
 namespace {
 
 constexpr double share = 95;            ///< percent that must be noticed
-constexpr double mostSeconds = 12;  ///< for one fault; an idle machine needs milliseconds, so that only a busy one comes near it
+constexpr double mostSeconds = 4;  ///< for one fault; an idle machine needs milliseconds, so that only a busy one comes near it
 constexpr std::size_t leastFaults = 130;  ///< that change behaviour, over all programs: so that the share means something
 
 struct Count {
