@@ -114,6 +114,7 @@ const std::vector<HazardRecord>& EncodedScan::hazards() const { return impl_->sc
 const std::vector<BitWrite>& EncodedScan::bitWrites() const { return impl_->scan->bitWrites(); }
 const std::vector<Approximation>& EncodedScan::approximations() const { return impl_->scan->approximations; }
 const std::vector<ExternalInput>& EncodedScan::externals() const { return impl_->scan->externals; }
+const std::map<std::uint32_t, Node>& EncodedScan::analogInputs() const { return impl_->scan->analogInputs(); }
 const std::vector<TickSite>& EncodedScan::tickSites() const { return impl_->scan->tickSites; }
 const std::vector<EventSite>& EncodedScan::eventSites() const { return impl_->scan->eventSites; }
 const std::vector<Cell>& EncodedScan::cells() const { return impl_->scan->cells(); }

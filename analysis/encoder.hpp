@@ -116,6 +116,8 @@ class EncodedScan {
   const std::vector<BitWrite>& bitWrites() const;
   const std::vector<Approximation>& approximations() const;
   const std::vector<ExternalInput>& externals() const;
+  /// The samples of analog inputs by word address; with Choice::AnalogSampling = each-read what was read last.
+  const std::map<std::uint32_t, Node>& analogInputs() const;
   const std::vector<TickSite>& tickSites() const;
   const std::vector<EventSite>& eventSites() const;
   /// All places of tick and event sites, and the guards of the executions of an instruction in the order of the scan.

@@ -10,9 +10,9 @@ namespace rungproof {
 
 namespace {
 
-/// The last value that the scan read from that analog input.
-std::uint64_t analog(const ReplayScan& scan, std::uint32_t address) {
-  std::uint64_t value = 0;
+/// The last value that the scan read from that analog input; where it is sampled once a scan, the sample.
+std::uint64_t analog(const Concrete::Store& state, const ReplayScan& scan, std::uint32_t address) {
+  std::uint64_t value = state.load(Area::AI, address * 8, 16);
   for (const ExternalValue& external : scan.externals) {
     if (external.site.kind == External::AnalogInput && external.site.index == address) value = external.value;
   }
@@ -30,7 +30,7 @@ Follower::Follower(const Property& property) : property_(property), cells_(prope
 }
 
 std::uint64_t Follower::leaf(const Concrete::Store& state, const ReplayScan& scan, const Operand& operand, int width) const {
-  if (operand.area == Area::AI) return analog(scan, operand.offset);
+  if (operand.area == Area::AI) return analog(state, scan, operand.offset);
   Operand address = operand;
   if (operand.area == Area::T || operand.area == Area::C) address.width = width == 1 ? Width::Bit : Width::Word;
   return valueIn(state, address);

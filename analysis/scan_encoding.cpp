@@ -164,6 +164,11 @@ Cell ScanEncoding::cellAt(const Place& place) {
 }
 
 Graph::Bits ScanEncoding::external(const ExternalSite& site, int width) {
+  if (site.kind == External::AnalogInput && options_.choices.is(Choice::AnalogSampling, "each-scan")) {
+    const auto [sample, isFirst] = analog_.try_emplace(site.index, noNode);
+    if (isFirst) sample->second = input(fmt::format("AIW{}", site.index), width);
+    return {sample->second};
+  }
   const Node node = input(siteName(site), width);
   externals.push_back({site, node, width, machine_.guard.node});
   if (site.kind == External::AnalogInput) analog_[site.index] = node;

@@ -58,8 +58,9 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   bool hasEvents() const { return !attachments_.empty(); }
   /// No more of the program follows: what is touched from now on has never been written.
   void close() { isClosed_ = true; }
-  /// External analog input read last, by word address; noNode if none.
+  /// The sample of an analog input, or what was read of it last (Choice::AnalogSampling), by word address; noNode if none.
   Node analogInput(std::uint32_t byte) const;
+  const std::map<std::uint32_t, Node>& analogInputs() const { return analog_; }
 
  private:
   Cell cellAt(const Place& place) override;

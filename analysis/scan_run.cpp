@@ -19,6 +19,7 @@ std::vector<Node> ScanRun::rootsOf(const EncodedScan& scan, const TransitionSyst
     roots.push_back(e.guard);
     if (e.node != noNode) roots.push_back(e.node);
   }
+  for (const auto& [byte, sample] : scan.analogInputs()) roots.push_back(sample);
   for (const TickSite& t : scan.tickSites()) {
     roots.push_back(t.where.guard);
     roots.push_back(t.ticks);
@@ -99,6 +100,7 @@ ReplayScan ScanRun::script() const {
       }
     }
   }
+  for (const auto& [byte, sample] : scan_.analogInputs()) result.inputs.push_back({direct(Area::AI, Width::Word, byte), values_[sample]});
   result.lengthMs = static_cast<std::uint32_t>(values_[scan_.time().dt()]);
   for (const ExternalInput& e : scan_.externals()) {
     if (holds(e.guard)) result.externals.push_back({e.site, e.node == noNode ? 0 : values_[e.node]});

@@ -148,7 +148,7 @@ std::uint64_t Simulator::externalValue(const ExternalSite& site, int width) {
       if (outside_ == nullptr) return store_.get(Reg::PhysicalInput, site.index);
       break;
     case External::AnalogInput:
-      if (outside_ == nullptr) return store_.load(Area::AI, site.index * 8, width);
+      if (outside_ == nullptr || options_.choices.is(Choice::AnalogSampling, "each-scan")) return store_.load(Area::AI, site.index * 8, width);
       break;
     case External::ClockByte:
       if (outside_ == nullptr) return devices_.clock.byteAt(site.index, clockMs_);

@@ -48,7 +48,7 @@ Trace traceOf(const Program& program, const Choices& choices, const Witness& wit
 std::vector<TraceSignal> signalsThatMatter(const Program& program, const ProofResult& result) {
   std::vector<TraceSignal> signals;
   const auto add = [&](Operand operand) {
-    if (operand.area == Area::AI || operand.area == Area::L) return;
+    if (operand.area == Area::L) return;
     if (operand.area == Area::AC) operand.width = Width::DWord;
     TraceSignal signal = signalOf(program, operand);
     if (std::none_of(signals.begin(), signals.end(), [&](const TraceSignal& s) { return s.name == signal.name; })) signals.push_back(std::move(signal));

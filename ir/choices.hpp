@@ -48,6 +48,7 @@ enum class Choice : std::uint8_t {
   SubstringBeyondEnd,  // B 17
   FindEmpty,           // B 17
   FindStartBeyond,     // B 17
+  AnalogSampling,      // machine 18
   count
 };
 
@@ -116,6 +117,8 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      "SSCPY asks for more characters than there are: those that are there, or error 0091", "001:6133"},
     {Choice::FindEmpty, "find-empty", {"not-found", "at-start", ""}, "SFND for an empty string", "001:6158"},
     {Choice::FindStartBeyond, "find-start-beyond", {"not-found", "error", ""}, "SFND, CFND from a position behind the end: 0, or error 0091", "001:6158"},
+    {Choice::AnalogSampling, "analog-sampling", {"each-scan", "each-read", ""},
+     "analog inputs: sampled once a scan, as with the input filter that is on by default, or at every access, as without it", "001:1812"},
 }};
 
 /// The value chosen for each open point, as an index into ChoiceInfo::values.

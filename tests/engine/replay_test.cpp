@@ -86,13 +86,25 @@ TEST(Replay, ExternalValuesAreHandedOutInOrder) {
   std::vector<ReplayScan> scans(2);
   scans[0].externals = {{{External::AnalogInput, 0, first}, 111}, {{External::AnalogInput, 0, second}, 222}, {{External::ImmediateInput, 3, idOf(rig.program, "LDI")}, 1}};
   scans[1].externals = {{{External::AnalogInput, 0, first}, 333}, {{External::AnalogInput, 9, first}, 1}};
-  const ReplayResult result = replay(rig.program, Choices{}, scans);
+  Choices choices;
+  ASSERT_TRUE(choices.set("analog-sampling", "each-read"));
+  const ReplayResult result = replay(rig.program, choices, scans);
   EXPECT_EQ(word(result.states[0], Area::V, 0), 111U);
   EXPECT_EQ(word(result.states[0], Area::V, 2), 222U);
   EXPECT_EQ(bit(result.states[0], Area::Q, 0, 0), 1U);
   EXPECT_EQ(word(result.states[1], Area::V, 0), 333U);
   EXPECT_EQ(word(result.states[1], Area::V, 2), 0U);
   EXPECT_EQ(result.unusedExternals, 1U);  // AIW9 was never read
+}
+
+// With the input filter the CPU samples an analog input once a scan (001:1812): both reads see the same value.
+TEST(Replay, AnalogInputsAreSampledOnceAScan) {
+  Rig rig("LD SM0.0\nMOVW AIW0, VW0\nMOVW AIW0, VW2\n");
+  std::vector<ReplayScan> scans(1);
+  scans[0].inputs = {{direct(Area::AI, Width::Word, 0), 111}};
+  const ReplayResult result = replay(rig.program, Choices{}, scans);
+  EXPECT_EQ(word(result.states[0], Area::V, 0), 111U);
+  EXPECT_EQ(word(result.states[0], Area::V, 2), 111U);
 }
 
 TEST(Replay, StartsFromAGivenStateAndEndsWithAFatalError) {

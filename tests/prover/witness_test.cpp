@@ -45,6 +45,27 @@ TEST(Witness, TableHidesIdleInputs) {
   EXPECT_EQ(signals[3].name, "Q0.1");
 }
 
+// With the input filter an analog input is sampled once a scan (001:1812), so both comparisons see the same value;
+// without it the input may rise between them.
+TEST(Witness, AnalogInputsAreSampledOnceAScan) {
+  const ProgramInput input = inputOf("//@ prove apart: never Q0.0 and Q0.1\n//@ prove low: Q0.0 implies AIW4 < 90\n",
+                                     "Network 1\nLDW< AIW4, 100\n= Q0.0\nNetwork 2\nLDW> AIW4, 200\n= Q0.1\n");
+  ProverOptions options = usualOptions();
+  const ProofRun sampled = prove(input.program, input.properties, options);
+  EXPECT_EQ(resultNamed(sampled, "apart")->outcome, Outcome::Proved);
+  const ProofResult* low = resultNamed(sampled, "low");
+  ASSERT_TRUE(low->outcome == Outcome::Violated && low->witness);
+  const std::vector<TraceSignal> signals = signalsThatMatter(input.program, *low);
+  const Trace trace = traceOf(input.program, options.choices, *low->witness, signals);
+  ASSERT_EQ(trace.signals.at(0).name, "AIW4");
+  const double value = trace.rows.back().values.at(0).value_or(0);
+  EXPECT_TRUE(value >= 90 && value < 100) << value;
+
+  ASSERT_TRUE(options.choices.set("analog-sampling", "each-read"));
+  const ProofRun unfiltered = prove(input.program, input.properties, options);
+  EXPECT_EQ(resultNamed(unfiltered, "apart")->outcome, Outcome::Violated);
+}
+
 TEST(Witness, LeavesOutScansThatAreNotNeeded) {
   // One scan off, one scan on; all others are padding.
   const ProgramInput input = inputOf("//@ reach on: Q0.0 and once(not Q0.0)\n", "Network 1\nLD I0.0\nO Q0.0\n= Q0.0\n");
