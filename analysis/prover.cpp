@@ -65,13 +65,20 @@ class Session {
     result.approximations = approximationTexts(program_, exact_->obligations());
     const std::size_t total = declared + exact_->checks().size();
     answerQuickly(begin_ + seconds(options_.timeout * static_cast<double>(std::max<std::size_t>(total, 1))));
-    for (std::size_t i = 0; i < total; ++i) {
+    const auto questionOf = [&](std::size_t i) { return i < declared ? i : goals_.size() + (i - declared); };
+    std::vector<std::size_t> order(total);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    // Those with a run first: who waits for the first bad verdict need not wait for proofs.
+    std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return quick_[questionOf(i)].answer == Answer::Violated; });
+    std::vector<std::optional<ProofResult>> rows(total);
+    for (std::size_t done = 0; done < total; ++done) {
+      const std::size_t i = order[done];
       const Clock::time_point start = Clock::now();
       // One question may use its own time, and what those before it have left of theirs is not saved up.
       const bool isOfRule = i >= declared && isRuleQuestion(exact_->checks()[i - declared].kind);
       const double most = isOfRule ? std::min(options_.timeout, options_.ruleTimeout) : options_.timeout;
-      deadline_ = std::min(start + seconds(most), begin_ + seconds(options_.timeout * static_cast<double>(i + 1)));
-      const std::size_t question = i < declared ? i : goals_.size() + (i - declared);
+      deadline_ = std::min(start + seconds(most), begin_ + seconds(options_.timeout * static_cast<double>(done + 1)));
+      const std::size_t question = questionOf(i);
       ProofResult row;
       if (i < declared) row.property = goals_[i];
       else {
@@ -81,8 +88,11 @@ class Session {
       }
       settle(question, row, result);
       row.seconds = secondsSince(start) + quick_[question].seconds;
-      result.results.push_back(std::move(row));
-      if (progress && !progress(result.results.back(), i + 1, total)) break;
+      rows[i] = std::move(row);
+      if (progress && !progress(*rows[i], done + 1, total)) break;
+    }
+    for (std::optional<ProofResult>& row : rows) {
+      if (row) result.results.push_back(std::move(*row));
     }
     result.isInterrupted = watch_.isInterrupted();
     return result;

@@ -61,7 +61,8 @@ struct ProofRun {
   bool isInterrupted = false;               ///< by ProverOptions::cancel; what was open is Unknown
 };
 
-/// Called with each result as it is settled; false ends the run (the results so far are returned).
+/// Called with each result as it is settled, those with a quickly found run first; false ends the run (the results so
+/// far are returned, in the order of the questions).
 using ProofProgress = std::function<bool(const ProofResult& result, std::size_t done, std::size_t total)>;
 
 ProofRun prove(const Program& program, const PropertySet& set, const ProverOptions& options, const ProofProgress& progress = {});
