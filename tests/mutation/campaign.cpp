@@ -64,7 +64,6 @@ struct Tally {
 
 struct Survivor {
   std::string mnemonic, site, change;
-  Verdict verdict = Verdict::Silent;
 };
 
 struct Campaign {
@@ -86,10 +85,12 @@ Campaign run(const std::vector<std::string>& tests, std::string_view only) {
       tally.noticed += verdict == Verdict::Noticed ? 1 : 0;
       const std::string_view changed = changesOf(site.op)[static_cast<std::size_t>(change - 1)];
       if (verdict != Verdict::Noticed)
-        campaign.survivors.push_back({std::string(mnemonic), names.at(site), std::string(changed), verdict});
+        campaign.survivors.push_back({std::string(mnemonic), names.at(site), std::string(changed)});
       if (!only.empty())
         fmt::print("{}\t{}\tline {}: {}\n", names.at(site), changed, site.line,
-                   verdict == Verdict::Noticed ? "noticed" : "survives");
+                   verdict == Verdict::Noticed     ? "noticed"
+                   : verdict == Verdict::Unchecked ? "unchecked"
+                                                   : "silent");
     }
   }
   return campaign;
@@ -152,8 +153,7 @@ int compareWithKnown(const Campaign& campaign, int& same) {
       same += row->isSame ? 1 : 0;
       continue;
     }
-    fmt::print("unnoticed: {}\t{}\t{}\t{}\n", survivor.mnemonic, survivor.site, survivor.change,
-               survivor.verdict == Verdict::Unchecked ? "unchecked" : "silent");
+    fmt::print("unnoticed: {}\t{}\t{}\n", survivor.mnemonic, survivor.site, survivor.change);
     ++problems;
   }
   for (const KnownSurvivors& row : known) {
@@ -196,6 +196,7 @@ int main(int argc, char** argv) {
     return 1;
   }
   const std::string_view only = argc > 1 ? argv[1] : "";
+  Mutation::instance().comparesOutcomes = !only.empty();
   const Campaign campaign = run(tests, only);
   return only.empty() && judge(campaign) != 0 ? 1 : 0;
 }

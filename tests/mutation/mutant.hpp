@@ -109,7 +109,8 @@ class Mutation {
   /// Switches the active mutant off and on, to see what the unchanged meaning does.
   void pause(bool paused) { isPaused_ = paused; }
   bool isActive() const { return isActive_; }
-  /// Some run has left another machine than the unchanged meaning would have.
+  /// Whether runs are compared with the unchanged meaning, and whether one of them has left another machine.
+  bool comparesOutcomes = false;
   bool outcomeDiffers = false;
   const std::map<Site, std::set<int>>& sites() const { return sites_; }
   const std::string& fileName(const Site& site) const { return files_[site.file]; }

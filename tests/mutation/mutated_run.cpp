@@ -65,7 +65,7 @@ Bench& Bench::run(bool asInterrupt, const Start& start) {
   otherWorld.values = world.values;
   Concrete::Store otherStore = store;
   const Outcome outcome = runOn(world, store);
-  if (mutation.isActive() && !mutation.outcomeDiffers) {
+  if (mutation.isActive() && mutation.comparesOutcomes && !mutation.outcomeDiffers) {
     mutation.pause(true);
     const Outcome other = runOn(otherWorld, otherStore);
     mutation.pause(false);
@@ -88,7 +88,7 @@ Plant& Plant::scan(int ten, int hundred) {
   Surroundings otherOutside = outside;
   Concrete::Store otherStore = store;
   std::optional<Outcome> other;
-  if (mutation.isActive() && !mutation.outcomeDiffers) {
+  if (mutation.isActive() && mutation.comparesOutcomes && !mutation.outcomeDiffers) {
     mutation.pause(true);
     other = scanOn(otherOutside, otherStore);
     mutation.pause(false);
