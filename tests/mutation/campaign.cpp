@@ -1,7 +1,8 @@
 // The campaign: every mutant of every instruction is tried against the manual's tests (test_manual_a, test_manual_b).
 // It fails when an instruction is reached by no test, has fewer than 3 mutants or none that is noticed, when fewer than
 // 95 % of the mutants that mean something else are noticed, or when the survivors are not exactly those of
-// survivors.tsv, each with its reason. "test_mutation +I" tries one mnemonic and prints each of its mutants.
+// survivors.tsv, each with its reason. "test_mutation +I" tries one mnemonic, or those that fit a
+// pattern as of file names, and prints each mutant.
 #include <fmt/format.h>
 #include <fnmatch.h>
 #include <gtest/gtest.h>
@@ -76,7 +77,7 @@ Campaign run(const std::vector<std::string>& tests, std::string_view only) {
   const auto names = nameSites();
   for (const auto& [site, reachedBy] : Mutation::instance().sites()) {
     const std::string_view mnemonic = instructionTable()[site.opcode].stl;
-    if (!only.empty() && mnemonic != only) continue;
+    if (!only.empty() && fnmatch(std::string(only).c_str(), std::string(mnemonic).c_str(), 0) != 0) continue;
     for (int change = 1; change <= static_cast<int>(changesOf(site.op).size()); ++change) {
       if (!applies(site, change)) continue;
       const Verdict verdict = tryMutant({site, static_cast<std::uint8_t>(change)}, reachedBy, tests);

@@ -1,6 +1,7 @@
 // The naive interpreter: boxes that work on bytes, words and double words.
+
 #include <bit>
-#include <cmath>
+#include <cstdlib>
 
 #include "naive.hpp"
 
@@ -12,40 +13,21 @@ std::int64_t asSigned(std::uint32_t v, int bytes) {
   if (bytes == 4) return static_cast<std::int32_t>(v);
   return v;
 }
-float asReal(std::uint32_t v) { return std::bit_cast<float>(v); }
 }  // namespace
 
-std::uint32_t Interpreter::read(const Operand& o, int bytes, int element) {
-  if (o.kind == OperandKind::Constant) return static_cast<std::uint32_t>(o.value) & (bytes == 4 ? 0xFFFFFFFFU : (1U << bytes * 8) - 1);
-  const auto n = static_cast<std::uint32_t>(element);
-  if (o.area == Area::T) return static_cast<std::uint16_t>(timer[o.offset + n]);
-  if (o.area == Area::C) return static_cast<std::uint16_t>(counter[o.offset + n]);
-  if (o.area == Area::AC) return accumulator[o.offset] & (bytes == 4 ? 0xFFFFFFFFU : (1U << bytes * 8) - 1);
-  std::uint32_t value = 0;
-  for (int k = 0; k < bytes; ++k) value = value << 8 | memory[o.area][o.offset + static_cast<std::uint32_t>(element * bytes + k)];
-  return value;
-}
-
-void Interpreter::write(const Operand& o, int bytes, std::uint32_t value, int element) {
-  const auto n = static_cast<std::uint32_t>(element);
-  if (o.area == Area::T) { timer[o.offset + n] = static_cast<std::int16_t>(value); return; }
-  if (o.area == Area::C) { counter[o.offset + n] = static_cast<std::int16_t>(value); return; }
-  if (o.area == Area::AC) {
-    const std::uint32_t mask = bytes == 4 ? 0xFFFFFFFFU : (1U << bytes * 8) - 1;
-    accumulator[o.offset] = (accumulator[o.offset] & ~mask) | (value & mask);
+/// A box: nothing of it happens with a pointer that leads nowhere (001:2347).
+void Interpreter::box(const Instruction& i, const std::string& name) {
+  const std::optional<std::string_view> signature = signatureOf(name);
+  if (!signature) std::abort();
+  if (!follow(i, *signature)) {
+    fail("0006");
     return;
   }
-  for (int k = bytes - 1; k >= 0; --k) {
-    memory[o.area][o.offset + static_cast<std::uint32_t>(element * bytes + k)] = static_cast<std::uint8_t>(value);
-    value >>= 8;
-  }
-}
-
-void Interpreter::box(const Instruction& i, const std::string& name) {
-  eno_ = true;
-  if (name == "S" || name == "R") setOrReset(i, name == "S");
+  if (name == "S" || name == "R" || name == "SI" || name == "RI") setOrReset(i, name[0] == 'S', name.size() == 2);
   else if (name == "SHRB") shiftRegister(i);
-  else if (!arithmetic(i, name) && !realArithmetic(i, name) && !bitwise(i, name) && !shifts(i, name) && !moves(i, name) && !conversions(i, name) && !tables(i, name)) std::abort();
+  else if (!arithmetic(i, name) && !divide(i, name) && !realArithmetic(i, name) && !realFunction(i, name) && !bitwise(i, name) && !shifts(i, name) &&
+           !moves(i, name) && !immediateMove(i, name) && !conversions(i, name) && !digits(i, name) && !numberToText(i, name) &&
+           !textToNumber(i, name) && !strings(i, name) && !tables(i, name) && !clockBox(i, name) && !interrupts(i, name) && !ports(i, name)) std::abort();
 }
 
 bool Interpreter::arithmetic(const Instruction& i, const std::string& name) {
@@ -56,14 +38,13 @@ bool Interpreter::arithmetic(const Instruction& i, const std::string& name) {
     const std::int64_t a = asSigned(read(i.operands[1], bytes), bytes), b = asSigned(read(i.operands[0], bytes), bytes);
     if (name[0] == '/') {
       status(3, b == 0);
-      if (b == 0) { eno_ = false; return true; }
+      if (b == 0) return fail("SM1.3");
     }
     const std::int64_t r = name[0] == '+' ? a + b : name[0] == '-' ? a - b : name[0] == '*' ? a * b : a / b;
     const std::int64_t most = bytes == 2 ? 32767 : 2147483647LL;
     const bool overflow = r > most || r < -most - 1;
     status(1, overflow);
-    eno_ = !overflow;
-    if (overflow) { status(0, false); status(2, false); return true; }
+    if (overflow) { status(0, false); status(2, false); return fail("SM1.1"); }
     write(i.operands[1], bytes, static_cast<std::uint32_t>(r));
     status(0, r == 0);
     status(2, r < 0);
@@ -82,7 +63,7 @@ bool Interpreter::arithmetic(const Instruction& i, const std::string& name) {
     const bool overflow = r > most || r < least;
     write(i.operands[0], bytes, static_cast<std::uint32_t>(r));
     status(1, overflow);
-    eno_ = !overflow;
+    if (overflow) fail("SM1.1");
     // After an overflow zero and negative mean nothing (001:4814); the engine's choice for such bits is 0.
     status(0, !overflow && r == 0);
     if (bytes > 1) status(2, !overflow && r < 0);
@@ -91,21 +72,23 @@ bool Interpreter::arithmetic(const Instruction& i, const std::string& name) {
   return false;
 }
 
-bool Interpreter::realArithmetic(const Instruction& i, const std::string& name) {
-  if (name.size() != 2 || name[1] != 'R') return false;
-  const float a = asReal(read(i.operands[1], 4)), b = asReal(read(i.operands[0], 4));
-  if (name[0] == '/') {
-    status(3, b == 0);
-    if (b == 0) { eno_ = false; return true; }
+/// DIV: the remainder to the high word, the quotient to the low word of OUT (001:4890-4894).
+bool Interpreter::divide(const Instruction& i, const std::string& name) {
+  if (name != "DIV") return false;
+  const int a = static_cast<std::int16_t>(read(i.operands[1], 4) & 0xFFFF), b = static_cast<std::int16_t>(read(i.operands[0], 2));
+  status(3, b == 0);
+  if (b == 0) return fail("SM1.3");
+  const int quotient = a / b, remainder = a % b;
+  status(1, quotient > 32767);
+  if (quotient > 32767) {
+    status(0, false);
+    status(2, false);
+    return fail("SM1.1");
   }
-  const float r = name[0] == '+' ? a + b : name[0] == '-' ? a - b : name[0] == '*' ? a * b : a / b;
-  const bool bad = !std::isfinite(r) || !std::isfinite(a) || !std::isfinite(b);
-  status(1, bad);
-  eno_ = !bad;
-  if (bad) { status(0, false); status(2, false); return true; }
-  write(i.operands[1], 4, std::bit_cast<std::uint32_t>(r));
-  status(0, r == 0);
-  status(2, r < 0);
+  const std::uint32_t r = static_cast<std::uint32_t>(remainder) << 16 | (static_cast<std::uint32_t>(quotient) & 0xFFFF);
+  write(i.operands[1], 4, r);
+  status(0, r == 0);  // zero and sign are those of the double word: the default
+  status(2, (r >> 31) != 0);
   return true;
 }
 
@@ -149,7 +132,9 @@ bool Interpreter::shifts(const Instruction& i, const std::string& name) {
 void Interpreter::shiftRegister(const Instruction& i) {
   const Operand& first = i.operands[1];
   const int n = static_cast<std::int8_t>(read(i.operands[2], 1)), length = std::abs(n);
-  if (n == 0 || length > 64) { eno_ = false; return; }
+  if (n == 0 || length > 64) { fail("0092"); return; }
+  const std::uint32_t size = first.area == Area::V ? 10240 : first.area == Area::M || first.area == Area::S ? 32 : first.area == Area::L ? 64 : 16;
+  if (first.offset * 8 + first.bit + static_cast<std::uint32_t>(length) > size * 8) { fail("0091"); return; }
   const bool data = readBit(i.operands[0]);
   const auto get = [&](int k) { const std::uint32_t at = first.offset * 8 + first.bit + static_cast<std::uint32_t>(k); return bitAt(first.area, at / 8, at % 8); };
   const auto put = [&](int k, bool v) { const std::uint32_t at = first.offset * 8 + first.bit + static_cast<std::uint32_t>(k); putBit(first.area, at / 8, at % 8, v); };
@@ -173,6 +158,7 @@ bool Interpreter::moves(const Instruction& i, const std::string& name) {
   } else if (name == "BMB" || name == "BMW" || name == "BMD") {
     const int bytes = name[2] == 'B' ? 1 : name[2] == 'W' ? 2 : 4;
     const int count = static_cast<int>(read(i.operands[2], 1));
+    if (!fits(i.operands[0], count, bytes) || !fits(i.operands[1], count, bytes)) return fail("0091");
     for (int k = 0; k < count; ++k) write(i.operands[1], bytes, read(i.operands[0], bytes, k), k);
   } else if (name == "SWAP") {
     const std::uint32_t v = read(i.operands[0], 2);
@@ -180,6 +166,7 @@ bool Interpreter::moves(const Instruction& i, const std::string& name) {
   } else if (name == "FILL") {
     const int count = static_cast<int>(read(i.operands[2], 1));
     const std::uint32_t v = read(i.operands[0], 2);
+    if (!fits(i.operands[1], count, 2)) return fail("0091");
     for (int k = 0; k < count; ++k) write(i.operands[1], 2, v, k);
   } else return false;
   return true;
@@ -188,8 +175,7 @@ bool Interpreter::moves(const Instruction& i, const std::string& name) {
 bool Interpreter::conversions(const Instruction& i, const std::string& name) {
   const auto fails = [&](bool bad) {
     status(1, bad);
-    eno_ = !bad;
-    return bad;
+    return bad && fail("SM1.1");
   };
   if (name == "BTI") write(i.operands[1], 2, read(i.operands[0], 1));
   else if (name == "ITB") { const std::int64_t v = asSigned(read(i.operands[0], 2), 2); if (!fails(v < 0 || v > 255)) write(i.operands[1], 1, static_cast<std::uint32_t>(v)); }
@@ -208,35 +194,53 @@ bool Interpreter::conversions(const Instruction& i, const std::string& name) {
       r = (v / 1000 % 10) << 12 | (v / 100 % 10) << 8 | (v / 10 % 10) << 4 | v % 10;
     }
     status(6, bad);
-    eno_ = !bad;
-    if (!bad) write(i.operands[0], 2, r);
+    if (bad) fail("SM1.6");
+    else write(i.operands[0], 2, r);
   } else if (name == "SEG") {
     static constexpr std::uint8_t segments[] = {0x3F, 6, 0x5B, 0x4F, 0x66, 0x6D, 0x7D, 7, 0x7F, 0x67, 0x77, 0x7C, 0x39, 0x5E, 0x79, 0x71};
     write(i.operands[1], 1, segments[read(i.operands[0], 1) & 15]);
-  } else if (name == "DECO") write(i.operands[1], 2, 1U << (read(i.operands[0], 1) & 15));
-  else return false;
+  } else if (name == "DECO") {
+    write(i.operands[1], 2, 1U << (read(i.operands[0], 1) & 15));
+  } else if (name == "ENCO") {  // no bit at all: 0, and the high half of the byte 0: the defaults
+    const std::uint32_t v = read(i.operands[0], 2);
+    std::uint32_t number = 0;
+    while (v != 0 && (v >> number & 1) == 0) ++number;
+    write(i.operands[1], 1, number);
+  } else return false;
   return true;
 }
 
-/// Table: capacity, entries, data (001:6260-6330). FND starts one word later.
+/// Table: capacity, entries, data, at most 100 (001:6260-6330). FND starts one word later, at the entries (001:6441).
 bool Interpreter::tables(const Instruction& i, const std::string& name) {
   if (name == "ATT") {
-    const auto capacity = static_cast<std::int16_t>(read(i.operands[1], 2)), entries = static_cast<std::int16_t>(read(i.operands[1], 2, 1));
+    const Operand& table = i.operands[1];
+    const std::uint32_t capacity = read(table, 2), entries = read(table, 2, 1), data = read(i.operands[0], 2);
     status(4, entries >= capacity);
-    eno_ = entries < capacity;
-    if (!eno_) return true;
-    write(i.operands[1], 2, read(i.operands[0], 2), 2 + entries);
-    write(i.operands[1], 2, static_cast<std::uint16_t>(entries + 1), 1);
+    if (entries >= capacity) return fail("SM1.4");
+    if (entries >= 100 || !fits(table, static_cast<int>(entries) + 3, 2)) return fail("0091");
+    write(table, 2, data, 2 + static_cast<int>(entries));
+    write(table, 2, entries + 1, 1);
   } else if (name == "FIFO" || name == "LIFO") {
-    const auto entries = static_cast<std::int16_t>(read(i.operands[0], 2, 1));
+    const Operand& table = i.operands[0];
+    const auto entries = static_cast<int>(read(table, 2, 1));
     status(5, entries == 0);
-    eno_ = entries != 0;
-    if (!eno_) return true;
-    write(i.operands[1], 2, read(i.operands[0], 2, name == "FIFO" ? 2 : 1 + entries));
-    if (name == "FIFO") {
-      for (int k = 0; k + 1 < entries; ++k) write(i.operands[0], 2, read(i.operands[0], 2, 3 + k), 2 + k);
-    }
-    write(i.operands[0], 2, static_cast<std::uint16_t>(entries - 1), 1);
+    if (entries == 0) return fail("SM1.5");
+    if (entries > 100 || !fits(table, entries + 2, 2)) return fail("0091");
+    const std::uint32_t data = read(table, 2, name == "FIFO" ? 2 : 1 + entries);
+    for (int k = 0; name == "FIFO" && k + 1 < entries; ++k) write(table, 2, read(table, 2, 3 + k), 2 + k);
+    write(table, 2, static_cast<std::uint32_t>(entries - 1), 1);
+    write(i.operands[1], 2, data);
+  } else if (name.starts_with("FND")) {
+    const Operand& table = i.operands[0];
+    const auto entries = static_cast<int>(read(table, 2)), pattern = static_cast<int>(static_cast<std::int16_t>(read(i.operands[1], 2)));
+    if (entries > 100 || !fits(table, entries + 1, 2)) return fail("0091");
+    auto index = static_cast<int>(read(i.operands[2], 2));
+    const auto holds = [&](int entry) {
+      const std::string relation = name.substr(3);
+      return relation == "=" ? entry == pattern : relation == "<>" ? entry != pattern : relation == "<" ? entry < pattern : entry > pattern;
+    };
+    while (index < entries && !holds(static_cast<std::int16_t>(read(table, 2, 1 + index)))) ++index;
+    write(i.operands[2], 2, static_cast<std::uint32_t>(index));
   } else return false;
   return true;
 }
