@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 
 #include "ir/isa.hpp"
@@ -190,6 +191,7 @@ int judge(const Campaign& campaign) {
 int main(int argc, char** argv) {
   using namespace rungproof::mutation;
   testing::InitGoogleTest(&argc, argv);
+  setenv("RUNGPROOF_CASES", "25", 1);  // of each random test: more of them notice hardly more
   const std::vector<std::string> tests = recordTests();
   if (tests.empty()) return 1;
   if (!isSoundWithoutChange(tests)) {

@@ -10,7 +10,8 @@
 namespace rungproof::naive {
 
 Interpreter::Interpreter(const Program& program) : program_(program) {
-  for (const Area area : {Area::I, Area::Q, Area::V, Area::M, Area::S, Area::SM, Area::L, Area::AI, Area::AQ}) memory[area].assign(10240, 0);
+  for (const Area area : {Area::I, Area::Q, Area::V, Area::M, Area::S, Area::SM, Area::L, Area::AI, Area::AQ})
+    memory[area].assign(area == Area::V ? 10240 + 512 : 1024, 0);  // behind the end of an area stands 0
   memory[Area::SM][0] = 3;  // SM0.0, SM0.1
   pidHistory.fill(true);    // 001:5295
 }

@@ -85,9 +85,12 @@ class Sequence {
 class OverScans : public testing::TestWithParam<std::string> {};
 
 TEST_P(OverScans, AgreesWithTheNaiveInterpreter) {
-  const char* given = std::getenv("RUNGPROOF_SEED");
-  const std::uint64_t first = given == nullptr ? 1 : std::strtoull(given, nullptr, 10);
-  for (std::uint64_t seed = first; seed < first + 60; ++seed) {
+  const auto fromOutside = [](const char* name, std::uint64_t otherwise) {
+    const char* given = std::getenv(name);
+    return given == nullptr ? otherwise : std::strtoull(given, nullptr, 10);
+  };
+  const std::uint64_t first = fromOutside("RUNGPROOF_SEED", 1), cases = fromOutside("RUNGPROOF_CASES", 30);
+  for (std::uint64_t seed = first; seed < first + cases; ++seed) {
     Sequence sequence(GetParam(), seed * 7919);
     ASSERT_EQ(sequence.run(), "") << "seed " << seed << ": " << sequence.text();
   }

@@ -1,6 +1,6 @@
 // Every mnemonic that the naive interpreter knows, one at a time: random operands on a random machine, engine and naive
 // interpreter side by side. Everything is compared: memory, registers, stack, ENO, errors. The seed stands in every
-// failure; RUNGPROOF_SEED sets it.
+// failure; RUNGPROOF_SEED sets it, RUNGPROOF_CASES how many.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -38,9 +38,12 @@ std::string spelledOut(const testing::TestParamInfo<std::string>& info) {
 class Single : public testing::TestWithParam<std::string> {};
 
 TEST_P(Single, AgreesWithTheNaiveInterpreter) {
-  const char* given = std::getenv("RUNGPROOF_SEED");
-  const std::uint64_t first = given == nullptr ? 1 : std::strtoull(given, nullptr, 10);
-  for (std::uint64_t seed = first; seed < first + 120; ++seed) {
+  const auto fromOutside = [](const char* name, std::uint64_t otherwise) {
+    const char* given = std::getenv(name);
+    return given == nullptr ? otherwise : std::strtoull(given, nullptr, 10);
+  };
+  const std::uint64_t first = fromOutside("RUNGPROOF_SEED", 1), cases = fromOutside("RUNGPROOF_CASES", 60);
+  for (std::uint64_t seed = first; seed < first + cases; ++seed) {
     SingleCase drawn(GetParam(), seed * 1000003);
     naive::Interpreter plain(drawn.plant().program());
     copyState(drawn.plant(), plain);
