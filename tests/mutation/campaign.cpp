@@ -76,24 +76,28 @@ struct Campaign {
 Campaign run(const std::vector<std::string>& tests, std::string_view only) {
   Campaign campaign;
   const auto names = nameSites();
+  std::vector<Candidate> candidates;
   for (const auto& [site, reachedBy] : Mutation::instance().sites()) {
-    const std::string_view mnemonic = instructionTable()[site.opcode].stl;
-    if (!only.empty() && fnmatch(std::string(only).c_str(), std::string(mnemonic).c_str(), 0) != 0) continue;
+    const std::string mnemonic(instructionTable()[site.opcode].stl);
+    if (!only.empty() && fnmatch(std::string(only).c_str(), mnemonic.c_str(), 0) != 0) continue;
     for (int change = 1; change <= static_cast<int>(changesOf(site.op).size()); ++change) {
-      if (!applies(site, change)) continue;
-      const Verdict verdict = tryMutant({site, static_cast<std::uint8_t>(change)}, reachedBy, tests);
-      Tally& tally = campaign.byOpcode[site.opcode];
-      ++tally.mutants;
-      tally.noticed += verdict == Verdict::Noticed ? 1 : 0;
-      const std::string_view changed = changesOf(site.op)[static_cast<std::size_t>(change - 1)];
-      if (verdict != Verdict::Noticed)
-        campaign.survivors.push_back({std::string(mnemonic), names.at(site), std::string(changed)});
-      if (!only.empty())
-        fmt::print("{}\t{}\tline {}: {}\n", names.at(site), changed, site.line,
-                   verdict == Verdict::Noticed     ? "noticed"
-                   : verdict == Verdict::Unchecked ? "unchecked"
-                                                   : "silent");
+      if (applies(site, change)) candidates.push_back({{site, static_cast<std::uint8_t>(change)}, &reachedBy});
     }
+  }
+  const std::vector<Verdict> verdicts = tryMutants(candidates, tests);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const Mutant& mutant = candidates[i].mutant;
+    const std::string mnemonic(instructionTable()[mutant.site.opcode].stl);
+    const std::string changed(changesOf(mutant.site.op)[static_cast<std::size_t>(mutant.change - 1)]);
+    Tally& tally = campaign.byOpcode[mutant.site.opcode];
+    ++tally.mutants;
+    tally.noticed += verdicts[i] == Verdict::Noticed ? 1 : 0;
+    if (verdicts[i] != Verdict::Noticed) campaign.survivors.push_back({mnemonic, names.at(mutant.site), changed});
+    if (!only.empty())
+      fmt::print("{}\t{}\t{}\tline {}: {}\n", mnemonic, names.at(mutant.site), changed, mutant.site.line,
+                 verdicts[i] == Verdict::Noticed     ? "noticed"
+                 : verdicts[i] == Verdict::Unchecked ? "unchecked"
+                                                     : "silent");
   }
   return campaign;
 }
@@ -102,7 +106,8 @@ Campaign run(const std::vector<std::string>& tests, std::string_view only) {
 bool isSoundWithoutChange(const std::vector<std::string>& tests) {
   std::set<int> all;
   for (std::size_t i = 0; i < tests.size(); ++i) all.insert(static_cast<int>(i));
-  return tryMutant({Mutation::instance().sites().begin()->first, 0}, all, tests) == Verdict::Silent;
+  const Mutant none{Mutation::instance().sites().begin()->first, 0};
+  return tryMutants({{none, &all}}, tests).front() == Verdict::Silent;
 }
 
 /// A row of survivors.tsv: patterns of mnemonic, site and change, how many survivors they are, and why. "same": the

@@ -7,6 +7,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <map>
+#include <thread>
+
 #include "ir/check.hpp"
 
 namespace rungproof::mutation {
@@ -27,22 +31,50 @@ class Recorder final : public testing::EmptyTestEventListener {
 };
 
 /// Tests that reach a common site are tried a few at a time; most mutants fall in the first few.
-constexpr std::size_t atOnce = 8;
+constexpr std::size_t atFirst = 2, atOnce = 8;
 
 constexpr int silent = 0, noticed = 1, unchecked = 77;  // exit codes
 
+/// From the last test to the first: the random tests of single mnemonics stand last and notice most.
 bool someTestFails(const std::set<int>& tests, const std::vector<std::string>& names) {
   std::string filter;
-  std::size_t count = 0;
-  for (auto test = tests.begin(); test != tests.end();) {
+  std::size_t count = 0, batch = atFirst;
+  for (auto test = tests.rbegin(); test != tests.rend();) {
     filter += names[static_cast<std::size_t>(*test)] + ":";
     ++test;
-    if (++count % atOnce != 0 && test != tests.end()) continue;
+    if (++count < batch && test != tests.rend()) continue;
     testing::GTEST_FLAG(filter) = filter;
     if (RUN_ALL_TESTS() != 0) return true;
     filter.clear();
+    count = 0;
+    batch = atOnce;
   }
   return false;
+}
+
+/// The process that tries a mutant.
+pid_t start(const Candidate& candidate, const std::vector<std::string>& names) {
+  const pid_t child = fork();
+  CHECK(child >= 0, "fork");
+  if (child != 0) return child;
+  const rlim_t limit = 2 + candidate.tests->size() / 20;
+  const rlimit seconds{limit, limit}, noCore{0, 0};
+  setrlimit(RLIMIT_CPU, &seconds);
+  setrlimit(RLIMIT_CORE, &noCore);
+  const int nowhere = open("/dev/null", O_WRONLY);
+  dup2(nowhere, STDOUT_FILENO);
+  dup2(nowhere, STDERR_FILENO);
+  testing::GTEST_FLAG(fail_fast) = true;
+  Mutation::instance().activate(candidate.mutant);
+  const bool fails = someTestFails(*candidate.tests, names);
+  _exit(fails ? noticed : Mutation::instance().outcomeDiffers ? unchecked : silent);
+}
+
+Verdict verdictOf(int status) {
+  if (!WIFEXITED(status)) return Verdict::Noticed;
+  return WEXITSTATUS(status) == silent      ? Verdict::Silent
+         : WEXITSTATUS(status) == unchecked ? Verdict::Unchecked
+                                            : Verdict::Noticed;
 }
 
 }  // namespace
@@ -58,28 +90,26 @@ std::vector<std::string> recordTests() {
   return names;
 }
 
-Verdict tryMutant(const Mutant& mutant, const std::set<int>& tests, const std::vector<std::string>& names) {
+std::vector<Verdict> tryMutants(const std::vector<Candidate>& candidates, const std::vector<std::string>& names) {
   std::fflush(stdout);
-  const pid_t child = fork();
-  CHECK(child >= 0, "fork");
-  if (child == 0) {
-    const rlimit seconds{2, 2}, noCore{0, 0};
-    setrlimit(RLIMIT_CPU, &seconds);
-    setrlimit(RLIMIT_CORE, &noCore);
-    const int nowhere = open("/dev/null", O_WRONLY);
-    dup2(nowhere, STDOUT_FILENO);
-    dup2(nowhere, STDERR_FILENO);
-    testing::GTEST_FLAG(fail_fast) = true;
-    Mutation::instance().activate(mutant);
-    const bool fails = someTestFails(tests, names);
-    _exit(fails ? noticed : Mutation::instance().outcomeDiffers ? unchecked : silent);
+  const std::size_t processors = std::max(std::thread::hardware_concurrency(), 1U);
+  std::vector<Verdict> verdicts(candidates.size());
+  std::map<pid_t, std::size_t> running;
+  for (std::size_t next = 0; next < candidates.size() || !running.empty();) {
+    if (next < candidates.size() && running.size() < processors) {
+      running.emplace(start(candidates[next], names), next);
+      ++next;
+      continue;
+    }
+    int status = 0;
+    const pid_t child = waitpid(-1, &status, 0);
+    CHECK(child > 0, "waitpid");
+    const auto found = running.find(child);
+    if (found == running.end()) continue;
+    verdicts[found->second] = verdictOf(status);
+    running.erase(found);
   }
-  int status = 0;
-  CHECK(waitpid(child, &status, 0) == child, "waitpid");
-  if (!WIFEXITED(status)) return Verdict::Noticed;
-  return WEXITSTATUS(status) == silent      ? Verdict::Silent
-         : WEXITSTATUS(status) == unchecked ? Verdict::Unchecked
-                                            : Verdict::Noticed;
+  return verdicts;
 }
 
 }  // namespace rungproof::mutation

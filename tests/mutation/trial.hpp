@@ -14,9 +14,15 @@ namespace rungproof::mutation {
 /// empty when one of them fails.
 std::vector<std::string> recordTests();
 
-/// What the tests say of a mutant. Noticed: one of them fails, aborts or does not end (2 s of processor time).
+/// What the tests say of a mutant. Noticed: one of them fails, aborts or does not end (2 s of processor time and 1/20 s for each test).
 /// Unchecked: some run ends otherwise than without the change, but no test looks there. Silent: no run ends otherwise.
 enum class Verdict { Noticed, Unchecked, Silent };
-Verdict tryMutant(const Mutant& mutant, const std::set<int>& tests, const std::vector<std::string>& names);
+
+struct Candidate {
+  Mutant mutant;
+  const std::set<int>* tests;  ///< those that reach its site
+};
+/// As many at a time as the machine has processors; the verdicts in the order of the candidates.
+std::vector<Verdict> tryMutants(const std::vector<Candidate>& candidates, const std::vector<std::string>& names);
 
 }  // namespace rungproof::mutation
