@@ -38,7 +38,7 @@ class CsvReader {
       }
       table_.rows.push_back(std::move(row));
     }
-    if (table_.heading.empty()) failures_.push_back({"the file is empty: a heading with 'scan' or 'time_ms' and the signals is needed", table_.name});
+    if (table_.heading.empty()) failures_.push_back({"the file is empty", table_.name + ":1:1", "begin with a heading: 'scan' or 'time_ms' and the names of the signals"});
   }
 
  private:
@@ -80,7 +80,7 @@ class CsvReader {
       cell.text += text_[at_];
       advance();
     }
-    failures_.push_back(table_.at(cell, "the quotes that begin here are not closed"));
+    failures_.push_back(table_.at(cell, "the quotes that begin here are not closed", "end the cell with the same quotes"));
   }
   void advance() {
     const bool isContinuation = (static_cast<unsigned char>(text_[at_]) & 0xC0) == 0x80;

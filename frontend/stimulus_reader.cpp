@@ -43,10 +43,10 @@ class TableReader {
     for (std::size_t i = 0; i < table_.heading.size(); ++i) {
       const CsvCell& cell = table_.heading[i];
       const std::string name = lowered(cell.text);
-      if (!seen.insert(name).second) fail(cell, fmt::format("column '{}' stands here twice", cell.text));
+      if (!seen.insert(name).second) fail(cell, fmt::format("column '{}' stands here twice", cell.text), "take one of the two out");
       if (i == 0) continue;
       if (name.empty()) {
-        fail(cell, "this column has no heading");
+        fail(cell, "this column has no heading", "write the name of its signal in the first row");
       } else if (name == "scan_ms") {
         frame.scanMs = static_cast<int>(i);
       } else if (name == "event") {
@@ -67,7 +67,7 @@ class TableReader {
     const std::optional<double> number = numberIn(row[0].text);
     const bool isTime = frame.isByTime;
     if (!number || *number < (isTime ? 0 : 1) || *number > largestTimeMs || (!isTime && *number != std::floor(*number))) {
-      fail(row[0], fmt::format("'{}' is no {}", row[0].text, isTime ? "time in ms" : "scan number"), isTime ? "" : "scans are counted from 1");
+      fail(row[0], fmt::format("'{}' is no {}", row[0].text, isTime ? "time in ms" : "scan number"), isTime ? "write milliseconds from 0 on" : "scans are counted from 1");
       return std::nullopt;
     }
     const auto value = static_cast<std::uint64_t>(std::llround(isTime ? *number * 1000 : *number));
@@ -143,7 +143,8 @@ class TableReader {
     if (isOpen(cell.text)) return std::nullopt;
     std::string reason;
     const std::optional<double> result = valueIn(cell.text, signal, reason);
-    if (!result) fail(cell, reason, signal.type == SignalType::Bool ? "write 0 or 1; leave the cell empty or write x where it does not matter" : "");
+    if (!result) fail(cell, reason, signal.type == SignalType::Bool ? "write 0 or 1; leave the cell empty or write x where it does not matter"
+                                                                           : "write a number of its type; leave the cell empty or write x where it does not matter");
     return result;
   }
 

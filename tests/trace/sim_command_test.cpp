@@ -109,6 +109,80 @@ TEST_F(SimCommand, CompareCommand) {
   EXPECT_NE(err_.find("no column 'M0.0'"), std::string::npos) << err_;
 }
 
+/// What is wrong with a table, where it shows, and what the message says of it.
+struct BadTable {
+  std::string kind, text, place, message;
+};
+const std::vector<BadTable> badTables = {
+    {"unknown signal", "scan,Q0.0,Strat\n1,1,1\n", ":1:11", "'Strat' is no address and no symbol"},
+    {"address that the CPU lacks", "scan,Q99.0\n1,1\n", ":1:6", "does not exist on CPU 226"},
+    {"unsorted scans", "scan,Q0.0\n3,1\n2,0\n", ":3:1", "scan 2 comes after scan 3"},
+    {"unsorted times", "time_ms,Q0.0\n10,1\n10,0\n", ":3:1", "time 10 comes after 10 ms"},
+    {"wrong type", "scan,Q0.0\n1,on\n", ":2:3", "'on' is no value for Q0.0"},
+    {"fraction in a word", "scan,VW0\n1,1.5\n", ":2:3", "VW0 takes whole numbers"},
+    {"value out of range", "scan,VW0\n1,70000\n", ":2:3", "VW0 does not hold 70000"},
+    {"bit out of range", "scan,Q0.0\n1,2\n", ":2:3", "Q0.0 is a bit"},
+    {"ragged row", "scan,Q0.0\n1,1\n2\n", ":3:1", "this row has 1 cells, the heading has 2"},
+    {"missing heading", "1,1\n2,0\n", ":1:1", "the first column is '1'"},
+    {"column without heading", "scan,\n1,1\n", ":1:6", "this column has no heading"},
+    {"column twice", "scan,Q0.0,Q0.0\n1,1,1\n", ":1:11", "stands here twice"},
+    {"scan number", "scan,Q0.0\n0,1\n", ":2:1", "'0' is no scan number"},
+    {"time", "time_ms,Q0.0\n-5,1\n", ":2:1", "'-5' is no time in ms"},
+    {"empty file", "", ":1:1", "the file is empty"},
+    {"blank lines only", "\n\n", ":1:1", "the file is empty"},
+    {"open quotes", "scan,Q0.0\n1,\"1\n", ":2:3", "are not closed"},
+};
+
+TEST_F(SimCommand, BadStimulusNamesFileLineColumnAndHelp) {
+  for (const BadTable& bad : badTables) {
+    write("table.csv", bad.text);
+    EXPECT_EQ(run({"sim", path("start.awl"), "--stimulus", path("table.csv")}), 2) << bad.kind;
+    EXPECT_NE(err_.find(path("table.csv") + bad.place), std::string::npos) << bad.kind << ": " << err_;
+    EXPECT_NE(err_.find(bad.message), std::string::npos) << bad.kind << ": " << err_;
+    EXPECT_NE(err_.find("help: "), std::string::npos) << bad.kind << ": " << err_;
+    EXPECT_EQ(out_, "") << bad.kind;
+  }
+}
+
+TEST_F(SimCommand, BadExpectedTraceNamesFileLineColumnAndHelp) {
+  for (const BadTable& bad : badTables) {
+    write("table.csv", bad.text);
+    EXPECT_EQ(run({"sim", path("start.awl"), "--stimulus", path("start.csv"), "--expect", path("table.csv")}), 2) << bad.kind;
+    EXPECT_NE(err_.find(path("table.csv") + bad.place), std::string::npos) << bad.kind << ": " << err_;
+    EXPECT_NE(err_.find(bad.message), std::string::npos) << bad.kind << ": " << err_;
+    EXPECT_NE(err_.find("help: "), std::string::npos) << bad.kind << ": " << err_;
+  }
+}
+
+/// compare knows no program: any name is a signal, and its type is what its column holds.
+TEST_F(SimCommand, BadTraceOfCompareNamesFileLineColumnAndHelp) {
+  for (const BadTable& bad : badTables) {
+    if (bad.kind == "unknown signal" || bad.kind == "fraction in a word" || bad.kind == "value out of range" || bad.kind == "bit out of range" || bad.kind == "address that the CPU lacks") continue;
+    write("table.csv", bad.text);
+    for (const bool first : {true, false}) {
+      EXPECT_EQ(run({"compare", path(first ? "table.csv" : "good.csv"), path(first ? "good.csv" : "table.csv")}), 2) << bad.kind;
+      EXPECT_NE(err_.find(path("table.csv") + bad.place), std::string::npos) << bad.kind << ": " << err_;
+      EXPECT_NE(err_.find("help: "), std::string::npos) << bad.kind << ": " << err_;
+    }
+  }
+}
+
+TEST_F(SimCommand, ProgressStandsOnATerminalOnly) {
+  const auto errors = [&](bool isTerminal, std::vector<std::string> more) {
+    std::vector<std::string> arguments = {"sim", path("start.awl"), "--isolated", "--signals", "Q0.0", "--scans", "400000", "--trace", path("long.vcd")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    std::istringstream in;
+    std::ostringstream out, err;
+    EXPECT_EQ(runProgram(arguments, {in, out, err, false, isTerminal}), 0) << err.str();
+    return err.str();
+  };
+  const std::string shown = errors(true, {});
+  EXPECT_NE(shown.find("\rsim: scan "), std::string::npos) << shown;
+  EXPECT_NE(shown.find("\r\x1B[K"), std::string::npos) << "the line is taken away at the end";
+  EXPECT_EQ(errors(true, {"--quiet"}).find("sim: scan"), std::string::npos);
+  EXPECT_EQ(errors(false, {}).find("sim: scan"), std::string::npos);
+}
+
 TEST_F(SimCommand, MistakesEndWithTwoAndAReason) {
   struct Case {
     std::vector<std::string> arguments;
