@@ -1,8 +1,8 @@
-// The campaign: every mutant of every instruction is tried against the manual's tests (test_manual_a, test_manual_b).
-// It fails when an instruction is reached by no test, has fewer than 3 mutants or none that is noticed, when fewer than
-// 95 % of the mutants that mean something else are noticed, or when the survivors are not exactly those of
-// survivors.tsv, each with its reason. "test_mutation +I" tries one mnemonic, or those that fit a
-// pattern as of file names, and prints each mutant.
+// The campaign: every mutant of every instruction is tried against the manual's tests (test_manual_a, test_manual_b) and
+// the naive interpreter (tests/reference). It fails when an instruction is reached by no test, has fewer than 3 mutants
+// or none that is noticed, when fewer than 95 % of all mutants are noticed, those that mean the same included, or when the
+// survivors are not exactly those of survivors.tsv, each with its reason. "test_mutation +I" tries one mnemonic, or those
+// that fit a pattern as of file names, and prints each mutant.
 #include <fmt/format.h>
 #include <fnmatch.h>
 #include <gtest/gtest.h>
@@ -183,10 +183,13 @@ int judge(const Campaign& campaign) {
     fmt::print("{}: {} mutants, {} noticed\n", instructionTable()[i].stl, tally.mutants, tally.noticed);
     ++problems;
   }
-  const int others = all.mutants - same;
-  fmt::print("{} instructions, {} mutants, {} of them with the same meaning; {} noticed ({:.2f} %)\n",
-             campaign.byOpcode.size(), all.mutants, same, all.noticed, 100.0 * all.noticed / std::max(others, 1));
-  if (all.noticed * 100 < others * 95) ++problems;
+  const auto share = [&](int of) { return 100.0 * all.noticed / std::max(of, 1); };
+  fmt::print("{} instructions, {} mutants: {} noticed ({:.2f} %); without the {} that mean the same {:.2f} %\n",
+             campaign.byOpcode.size(), all.mutants, all.noticed, share(all.mutants), same, share(all.mutants - same));
+  if (share(all.mutants) < 95) {
+    fmt::print("fewer than 95 % of the mutants are noticed\n");
+    ++problems;
+  }
   return problems;
 }
 
@@ -196,7 +199,7 @@ int judge(const Campaign& campaign) {
 int main(int argc, char** argv) {
   using namespace rungproof::mutation;
   testing::InitGoogleTest(&argc, argv);
-  setenv("RUNGPROOF_CASES", "25", 1);  // of each random test: more of them notice hardly more
+  setenv("RUNGPROOF_CASES", "40", 1);  // of each random test: more of them notice hardly more
   const std::vector<std::string> tests = recordTests();
   if (tests.empty()) return 1;
   if (!isSoundWithoutChange(tests)) {

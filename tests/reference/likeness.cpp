@@ -134,8 +134,8 @@ std::string difference(manual::Plant& plant, naive::Interpreter& plain, const In
     if (at != static_cast<std::ptrdiff_t>(actual.size()))
       return fmt::format("{}B{}: naive {:02x}, engine {:02x}", areaName(area), at, expected[static_cast<std::size_t>(at)], actual[static_cast<std::size_t>(at)]);
   }
-  if (!plain.stopped && plain.stack != plant.stack) return fmt::format("stack: naive {}, engine {}", fmt::join(plain.stack, ""), fmt::join(plant.stack, ""));
-  if (!plain.stopped && plain.eno != (plant.store.get(Reg::Eno, 0) != 0)) return fmt::format("ENO: naive {}", plain.eno);
+  if (plain.stack != plant.stack) return fmt::format("stack: naive {}, engine {}", fmt::join(plain.stack, ""), fmt::join(plant.stack, ""));
+  if (plain.eno != (plant.store.get(Reg::Eno, 0) != 0)) return fmt::format("ENO: naive {}", plain.eno);
   return registersThatDiffer(plant.store, plain);
 }
 

@@ -205,9 +205,11 @@ bool Interpreter::fail(std::string_view code) {
   if (!code.empty() && !code.starts_with("SM")) putBit(Area::SM, 4, 3, true);
   return true;
 }
-/// An error of Table C-1: the CPU stops.
+/// An error of Table C-1: the CPU stops, the contact has no result. No ENO is printed for contacts; the engine drops it
+/// with every error.
 bool Interpreter::fatal(std::string_view code) {
   errors.emplace_back(code);
+  eno = false;
   stopped = true;
   return true;
 }

@@ -29,20 +29,26 @@ char widthLetter(int bytes) { return bytes == 1 ? 'B' : bytes == 2 ? 'W' : 'D'; 
 
 }  // namespace
 
+bool isCompare(const std::string& mnemonic) {
+  const std::size_t relation = mnemonic.find_first_of("<>=");
+  return relation != std::string::npos && relation >= 2 && !mnemonic.starts_with("FND");
+}
+
 SingleCase::SingleCase(const std::string& mnemonic, std::uint64_t seed) : random_(seed) {
   const std::string_view signature = *naive::signatureOf(mnemonic);
+  if (isCompare(mnemonic)) odds_ = 2;  // both operands in every form
   const std::string line = mnemonic + " " + operandsOf(mnemonic, signature);
   // Nine levels of the stack, power flow on top most of the time, now and then inside a segment.
   statements_ = oneIn(8) ? "LSCR S31.0; " : "";
   for (int level = 0; level < 8; ++level) statements_ += fmt::format("LD V1300.{}; ", level);
   statements_ += "LD I0.7; " + line;
   plant_ = std::make_unique<manual::Plant>(statements_);
-  fillMemory();
+  fillMemory(mnemonic);
 }
 
 const Instruction& SingleCase::instruction() const { return plant_->program().pous[0].networks[0].instructions.back(); }
 
-void SingleCase::fillMemory() {
+void SingleCase::fillMemory(const std::string& mnemonic) {
   Concrete::Store& store = plant_->store;
   const auto fill = [&](Area area, std::size_t from, std::size_t to) {
     auto& bytes = store.area(area);
@@ -82,7 +88,8 @@ void SingleCase::fillMemory() {
     else if (s.place.area == Area::C) store.set(Reg::CounterCurrent, s.place.offset, s.value & 0xFFFF, true);
     else store.save(s.place.area, s.place.offset * 8, bits(width), s.value & Concrete::mask(bits(width)), true);
   }
-  store.save(Area::I, 7, 1, oneIn(8) ? 0 : 1, true);           // I0.7
+  const bool joinsByOr = isCompare(mnemonic) && mnemonic[0] == 'O';  // its result shows without power flow only
+  store.save(Area::I, 7, 1, oneIn(joinsByOr ? 2 : 8) ? 0 : 1, true);  // I0.7
   store.save(Area::S, 31 * 8, 1, oneIn(2) ? 0 : 1, true);      // S31.0
 }
 
@@ -140,7 +147,7 @@ SingleCase::Spot SingleCase::spot(int bytes, int room, bool written) {
 /// An operand that is one place, direct or behind a pointer. firstValue goes to its first element.
 std::string SingleCase::reach(int bytes, int room, bool written, std::uint32_t firstValue, bool setFirst) {
   Spot at = spot(bytes, room, written);
-  if (!oneIn(5)) {
+  if (!oneIn(odds_)) {
     if (setFirst) put(at, bytes, firstValue);
     return at.text;
   }
@@ -163,9 +170,11 @@ std::string SingleCase::reach(int bytes, int room, bool written, std::uint32_t f
 std::string SingleCase::value(char letter) {
   const bool written = std::isupper(static_cast<unsigned char>(letter)) != 0;
   const int bytes = bytesOf(letter);
-  const std::uint32_t v = special(letter);
+  // Most of the second operands lie next to the first, or are the same.
+  const std::uint32_t v = neighbour_ && !oneIn(4) ? *neighbour_ + any({0U, 0U, 1U, 0xFFFFFFFFU}) : special(letter);
+  neighbour_ = v;
   if (!written && oneIn(4)) return fmt::format("16#{:X}", bytes == 4 ? v : v & ((1U << bytes * 8) - 1));
-  if (oneIn(5)) {
+  if (oneIn(odds_ + 1)) {
     const std::uint32_t number = pick(4);
     settings_.push_back({direct(Area::AC, Width::DWord, number), 4, bytes == 4 ? v : (static_cast<std::uint32_t>(random_()) << 8 * bytes) | (v & ((1U << bytes * 8) - 1))});
     return fmt::format("AC{}", number);
@@ -266,14 +275,19 @@ std::string SingleCase::table(char letter) {
   Spot at{fmt::format("VW{}", std::min(base, lastV - 2)), Area::V, std::min(base, lastV - 2)};
   if (letter == 't') put(at, 2, any({entries, entries + 1, 100U, pick(7), 101U}), 0);
   put(at, 2, entries, head - 1);
-  for (std::uint32_t k = 0; k < std::min(entries, 101U); ++k) put(at, 2, oneIn(2) ? pick(4) : special('w'), head + k);
+  for (std::uint32_t k = 0; k < std::min(entries, 101U); ++k) {
+    const std::uint32_t entry = oneIn(2) ? pick(4) : special('w');
+    if (oneIn(4)) neighbour_ = entry;
+    put(at, 2, entry, head + k);
+  }
   if (!oneIn(5)) return at.text;
   pointers_.push_back({direct(Area::AC, Width::DWord, 1 + static_cast<std::uint32_t>(pointers_.size()) % 3), 4, 0x08000000U | at.offset});
   return fmt::format("*AC{}", pointers_.back().place.offset);
 }
 
 std::string SingleCase::stringOperand(const std::string& mnemonic, bool constant) {
-  std::string text = characters(mnemonic);
+  std::string text = neighbourText_ && oneIn(2) ? *neighbourText_ : characters(mnemonic);
+  neighbourText_ = text;
   if (constant && oneIn(4) && text.size() <= 126) return "\"" + text + "\"";
   std::uint32_t base = nextSlot_;
   nextSlot_ += oneIn(8) ? 2 : 270;  // now and then two strings overlap

@@ -11,6 +11,9 @@
 
 namespace rungproof::reference {
 
+/// LDB= to ORS<>.
+bool isCompare(const std::string& mnemonic);
+
 class SingleCase {
  public:
   SingleCase(const std::string& mnemonic, std::uint64_t seed);
@@ -53,13 +56,16 @@ class SingleCase {
   std::uint32_t special(char letter);
   std::string characters(const std::string& mnemonic);
   void put(const Spot& at, int bytes, std::uint32_t value, std::uint32_t element = 0);
-  void fillMemory();
+  void fillMemory(const std::string& mnemonic);
 
   std::mt19937_64 random_;
   std::string statements_;
   std::vector<Setting> settings_, pointers_;
   std::unique_ptr<manual::Plant> plant_;
+  std::uint32_t odds_ = 5;  ///< one in so many operands is a pointer or an accumulator
   std::uint32_t nextSlot_ = 300;
+  std::optional<std::uint32_t> neighbour_;     ///< value of the first operand, or of an entry of the table
+  std::optional<std::string> neighbourText_;
 };
 
 }  // namespace rungproof::reference
