@@ -27,7 +27,8 @@ bool applies(const Site& site, int change) {
   // instructions.
   if (file == "machine.hpp" && function == "when") return false;
   if (file == "scan.hpp" && function == "walk") return false;
-  if (file.ends_with("_run.hpp")) return false;  // the tests' own surroundings
+  const bool hasPlace = site.op != Op::Whole && site.op != Op::Text;
+  if (hasPlace && file.ends_with("_run.hpp")) return false;  // the tests' own surroundings
   switch (site.op) {
     case Op::Whole: return change == 1 || desc.execution == Execution::Stack || desc.execution == Execution::Compare;
     case Op::Text:
