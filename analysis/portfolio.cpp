@@ -17,6 +17,7 @@
 #include "analysis/portfolio_clusters.hpp"
 #include "analysis/portfolio_race.hpp"
 #include "analysis/portfolio_shared.hpp"
+#include "analysis/saturation.hpp"
 #include "analysis/truths.hpp"
 #include "ir/check.hpp"
 
@@ -32,6 +33,7 @@ constexpr std::size_t pairLimit = 12000;
 constexpr double searchShare = 0.9;  ///< of the time that is left for searches; the rest is for checking what they find
 constexpr double mergeShare = 0.3;   ///< of the time of a question, for merging states
 constexpr double mostMerging = 10;   ///< seconds
+constexpr double unsaturatedShare = 0.7;  ///< of the time, for the system with whole words
 constexpr double leastCheck = 0.5;   ///< seconds for checking certificates, whatever the deadline says
 
 class Portfolio {
@@ -292,7 +294,7 @@ class Answers {
       const auto begin = Budget::Clock::now();
       const MergedSystem merged = mergeStates(rest, options_.seed, budget.slice(std::min(options_.seconds * static_cast<double>(open.size()) * mergeShare, mostMerging)));
       const double each = std::chrono::duration<double>(Budget::Clock::now() - begin).count() / static_cast<double>(open.size());
-      std::vector<QuestionAnswer> found = Portfolio(merged.system, options_).run();
+      std::vector<QuestionAnswer> found = search(merged.system);
       for (std::size_t i = 0; i < open.size(); ++i) {
         found[i].seconds += each;
         answers_[open[i]] = onGivenSystem(open[i], std::move(found[i]), merged);
@@ -313,6 +315,62 @@ class Answers {
     answer.certificate = WordCertificate{};
     answer.certificate->open = *open;
     answer.seconds = std::chrono::duration<double>(Budget::Clock::now() - begin).count();
+    return true;
+  }
+
+  /// The portfolio on the system as it is; where that leaves questions open, what is left of the time on the saturated one.
+  std::vector<QuestionAnswer> search(const TransitionSystem& system) const {
+    if (options_.effort != Effort::Full || !options_.check) return Portfolio(system, options_).run();
+    PortfolioOptions first = options_;
+    first.seconds *= unsaturatedShare;
+    if (first.deadline) {
+      const std::chrono::duration<double> most(std::max(left(), 0.0) * unsaturatedShare);
+      first.deadline = Budget::Clock::now() + std::chrono::duration_cast<Budget::Clock::duration>(most);
+    }
+    std::vector<QuestionAnswer> answers = Portfolio(system, first).run();
+    TransitionSystem rest = system;
+    rest.questions.clear();
+    std::vector<std::size_t> open;
+    for (std::size_t q = 0; q < answers.size(); ++q) {
+      if (answers[q].answer != Answer::Unknown) continue;
+      open.push_back(q);
+      rest.questions.push_back(system.questions[q]);
+    }
+    const Budget budget(options_.deadline.value_or(Budget::Clock::time_point::max()), options_.cancel);
+    if (open.empty() || budget.isExhausted()) return answers;
+    const SaturatedSystem saturated = saturate(rest, budget.slice(options_.seconds * mergeShare));
+    if (saturated.words.empty()) return answers;
+    PortfolioOptions second = options_;
+    second.seconds *= 1 - unsaturatedShare;
+    std::vector<QuestionAnswer> found = Portfolio(saturated.system, second).run();
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      found[i].seconds += answers[open[i]].seconds;
+      found[i].depth = std::max(found[i].depth, answers[open[i]].depth);
+      if (found[i].answer == Answer::Unknown) continue;
+      if (found[i].certificate && !unsaturate(rest, rest.questions[i], *found[i].certificate, saturated)) continue;
+      answers[open[i]] = std::move(found[i]);
+    }
+    return answers;
+  }
+
+  /// The certificate about the system with whole words; false if it rests on states being different, which it cannot say.
+  static bool unsaturate(const TransitionSystem& system, const Question& question, WordCertificate& certificate, const SaturatedSystem& saturated) {
+    if (certificate.simplePath) return false;
+    Graph& graph = *system.graph;
+    const auto whole = [&](Node& n) { n = saturated.onGivenSystem(graph, n); };
+    for (Node& n : certificate.invariant) whole(n);
+    for (Node& n : certificate.immediate) whole(n);
+    for (KeptDifference& d : certificate.differences) {
+      for (Node* n : {&d.left.word, &d.left.increment, &d.left.next, &d.right.word, &d.right.increment, &d.right.next, &d.difference}) whole(*n);
+    }
+    MergedSystem ranges;
+    for (const SaturatedWord& word : saturated.words) ranges.facts.push_back({word.given, word.given, word.range});
+    std::vector<Node> roots = certificate.invariant;
+    roots.push_back(question.bad);
+    roots.insert(roots.end(), system.constraints.begin(), system.constraints.end());
+    const std::vector<Node> facts = ranges.factsFor(system, roots);
+    certificate.invariant.insert(certificate.invariant.begin(), facts.begin(), facts.end());
+    certificate.immediate.insert(certificate.immediate.begin(), facts.begin(), facts.end());
     return true;
   }
 

@@ -14,9 +14,6 @@
 
 namespace rungproof {
 
-namespace {
-
-/// Seconds of all threads of this process and of those it has waited for: certificates are checked in one of its own.
 double cpuSeconds() {
   double sum = 0;
   for (const int whose : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
@@ -26,8 +23,6 @@ double cpuSeconds() {
   }
   return sum;
 }
-
-}  // namespace
 
 MeasuredProof measureProof(const std::string& program, const std::vector<std::string>& options, int runs) {
   MeasuredProof result;

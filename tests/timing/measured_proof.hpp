@@ -13,6 +13,10 @@ struct MeasuredProof {
   double cpuSeconds = 0;
 };
 
+/// CPU seconds so far, of all threads of this process and of those it has waited for: certificates are checked in one of
+/// its own.
+double cpuSeconds();
+
 /// Runs `prove` with these options; the least CPU time of `runs` runs.
 MeasuredProof measureProof(const std::string& program, const std::vector<std::string>& options = {}, int runs = 2);
 
