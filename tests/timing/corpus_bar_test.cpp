@@ -1,5 +1,5 @@
-// Every program of the corpus with all its properties on one core: no program may take longer than a single property
-// may, and all together a minute.
+// Motor starters, sequencers and two-hand controls of the corpus, each with all its properties on one core: no program
+// may take longer than a single property may.
 #include <gtest/gtest.h>
 
 #include "tests/corpus/corpus_program.hpp"
@@ -8,8 +8,8 @@
 namespace rungproof {
 namespace {
 
-constexpr double mostOfOne = 2;   ///< CPU seconds: the bar of one property
-constexpr double mostOfAll = 60;
+constexpr double mostOfOne = 2;  ///< CPU seconds: the bar of one property
+constexpr int attempts = 3;      ///< other work on the machine costs caches
 
 double secondsOf(const std::filesystem::path& file) {
   const ProgramInput input = test::corpusInput(file);
@@ -20,17 +20,17 @@ double secondsOf(const std::filesystem::path& file) {
   return cpuSeconds() - begin;
 }
 
-TEST(CorpusBar, EachProgramAndAllTogether) {
-  double sum = 0;
-  for (const std::filesystem::path& file : test::corpusFiles()) {
-    double seconds = secondsOf(file);
-    sum += seconds;
-    if (seconds > mostOfOne) seconds = std::min(seconds, secondsOf(file));  // other work on the machine costs caches
-    EXPECT_LE(seconds, mostOfOne) << file;
+TEST(CorpusBar, EachProgramWithAllItsProperties) {
+  std::size_t programs = 0;
+  for (const char* folder : {"interlocks", "sequences"}) {
+    for (const std::filesystem::path& file : test::corpusFiles(folder)) {
+      double seconds = secondsOf(file);
+      for (int i = 1; i < attempts && seconds > mostOfOne; ++i) seconds = std::min(seconds, secondsOf(file));
+      EXPECT_LE(seconds, mostOfOne) << file;
+      ++programs;
+    }
   }
-  std::printf("%.1f s\n", sum);
-  EXPECT_GT(sum, 0);
-  EXPECT_LE(sum, mostOfAll);
+  EXPECT_GT(programs, 0U);
 }
 
 }  // namespace

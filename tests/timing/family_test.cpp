@@ -10,7 +10,7 @@ namespace {
 
 /// `limit`: CPU seconds for everything.
 void expectProved(const std::string& program, std::size_t properties, double limit, const std::vector<std::string>& options = {"--scan-time", "100ms"}) {
-  const MeasuredProof measured = measureProof(program, options, 4);
+  const MeasuredProof measured = measureProof(program, options, 12, limit);
   EXPECT_EQ(measured.verdicts.size(), properties);
   for (const auto& [name, verdict] : measured.verdicts) EXPECT_EQ(verdict, "PROVED") << name;
   testing::Test::RecordProperty("seconds", std::to_string(measured.cpuSeconds));

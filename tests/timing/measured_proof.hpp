@@ -17,7 +17,8 @@ struct MeasuredProof {
 /// its own.
 double cpuSeconds();
 
-/// Runs `prove` with these options; the least CPU time of `runs` runs.
-MeasuredProof measureProof(const std::string& program, const std::vector<std::string>& options = {}, int runs = 2);
+/// Runs `prove` with these options; the least CPU time of at most `runs` runs, the last of which is the first to take no
+/// more than `enough` seconds.
+MeasuredProof measureProof(const std::string& program, const std::vector<std::string>& options = {}, int runs = 2, double enough = 0);
 
 }  // namespace rungproof
