@@ -34,6 +34,7 @@ constexpr double searchShare = 0.9;  ///< of the time that is left for searches;
 constexpr double mergeShare = 0.3;   ///< of the time of a question, for merging states
 constexpr double mostMerging = 10;   ///< seconds
 constexpr double unsaturatedShare = 0.7;  ///< of the time, for the system with whole words
+constexpr double leastForBoth = 5;        ///< seconds
 constexpr double leastCheck = 0.5;   ///< seconds for checking certificates, whatever the deadline says
 
 class Portfolio {
@@ -320,7 +321,7 @@ class Answers {
 
   /// The portfolio on the system as it is; where that leaves questions open, what is left of the time on the saturated one.
   std::vector<QuestionAnswer> search(const TransitionSystem& system) const {
-    if (options_.effort != Effort::Full || !options_.check) return Portfolio(system, options_).run();
+    if (options_.effort != Effort::Full || !options_.check || std::min(options_.seconds, left()) < leastForBoth) return Portfolio(system, options_).run();
     PortfolioOptions first = options_;
     first.seconds *= unsaturatedShare;
     if (first.deadline) {
