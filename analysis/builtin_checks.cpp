@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "analysis/facts.hpp"
 #include "ir/isa.hpp"
 
 namespace rungproof {
@@ -70,8 +71,8 @@ class Gatherer {
     if (lost.empty()) checks_.push_back({BuiltinKind::StackLevels, "the logic stack loses no level that is used", "STK001", "", "", nullptr, nullptr, graph_.constant(false).node});
     for (const auto& [places, bad] : lost) {
       const auto [use, push] = places;
-      checks_.push_back({BuiltinKind::StackLevels, fmt::format("logic stack at {}", textOf(*use)), "STK001",
-                         fmt::format("{} takes a level that was pushed out of the nine levels of the logic stack", textOf(*use)), "", push == nullptr ? use : push, use, bad});
+      checks_.push_back({BuiltinKind::StackLevels, fmt::format("logic stack at {}", Facts::text(*use)), "STK001",
+                         fmt::format("{} takes a level that was pushed out of the nine levels of the logic stack", Facts::text(*use)), "", push == nullptr ? use : push, use, bad});
     }
   }
 
@@ -108,7 +109,7 @@ class Gatherer {
     for (const auto& key : order) {
       const auto [kind, rule] = *kindOf(key.second);
       const HazardInfo& info = hazardInfo(key.second);
-      checks_.push_back({kind, fmt::format("{} at {}", info.text, textOf(*key.first)), rule, fmt::format("{}: {}", textOf(*key.first), info.text), "", key.first, nullptr, byPlace[key]});
+      checks_.push_back({kind, fmt::format("{} at {}", info.text, Facts::text(*key.first)), rule, fmt::format("{}: {}", Facts::text(*key.first), info.text), "", key.first, nullptr, byPlace[key]});
     }
   }
 
@@ -171,8 +172,8 @@ class Gatherer {
     }
     for (const Instruction* box : order) {
       const std::string preset = toString(box->operands[1]);
-      checks_.push_back({BuiltinKind::Preset, fmt::format("preset of {}", textOf(*box)), "TIM007",
-                         fmt::format("{} can be 0 or negative when {} runs", preset, textOf(*box)), toString(box->operands[0]), box, nullptr, outside[box]});
+      checks_.push_back({BuiltinKind::Preset, fmt::format("preset of {}", Facts::text(*box)), "TIM007",
+                         fmt::format("{} can be 0 or negative when {} runs", preset, Facts::text(*box)), toString(box->operands[0]), box, nullptr, outside[box]});
     }
   }
 
@@ -183,12 +184,6 @@ class Gatherer {
 };
 
 }  // namespace
-
-std::string textOf(const Instruction& instruction) {
-  std::string text(instruction.desc->stl);
-  for (std::size_t i = 0; i < instruction.operands.size(); ++i) text += (i == 0 ? " " : ", ") + toString(instruction.operands[i]);
-  return text;
-}
 
 std::vector<BuiltinCheck> builtinChecks(const Program& program, const PropertySet& set, const CheckGroups& groups, Obligations& obligations,
                                         const ExecutionRecord& record) {

@@ -68,8 +68,6 @@ struct CheckGroups {
 std::vector<BuiltinCheck> builtinChecks(const Program& program, const PropertySet& set, const CheckGroups& groups, Obligations& obligations,
                                         const ExecutionRecord& record);
 
-/// "S Q0.0, 1".
-std::string textOf(const Instruction& instruction);
 /// Adds the questions of one file: rung_checks.cpp, sequence_checks.cpp, safety_checks.cpp.
 void addRungChecks(const Program& program, Obligations& obligations, const ExecutionRecord& record, std::vector<BuiltinCheck>& checks);
 void addSequenceChecks(const Program& program, Obligations& obligations, const ExecutionRecord& record, std::vector<BuiltinCheck>& checks);

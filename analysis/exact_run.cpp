@@ -12,6 +12,10 @@ namespace rungproof {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
+constexpr int trials = 24;  ///< random assignments of all idle inputs together
+
 std::string nameIn(const TransitionSystem& system, Node variable) { return system.graph->variables()[(*system.graph)[variable].value].name; }
 
 /// Digits of time that the exact model chooses in a scan that lasts `length` ms and begins `now` ms after power-up.
@@ -21,15 +25,6 @@ std::optional<std::uint64_t> digitOf(const std::string& name, std::uint64_t now,
   if (name == "time.tens") return then / 10 % 10;
   if (name == "time.ones") return then % 10;
   return std::nullopt;
-}
-
-/// The value that a cell has in a state of the engine.
-std::uint64_t valueOf(const Cell& cell, const Concrete::Store& state) {
-  const Place& p = cell.place;
-  if (p.isRegister) return state.get(p.reg, p.at);
-  std::uint64_t value = 0;
-  for (std::uint32_t i = 0; i < p.width; ++i) value = value << 1 | state.load(p.area, (p.at + i) / 8 * 8 + 7 - (p.at + i) % 8, 1);
-  return value;
 }
 
 /// ms of each scan of a found run, from its time digits.
@@ -51,14 +46,6 @@ std::vector<std::uint32_t> lengthsOf(const TransitionSystem& found, const WordTr
   return lengths;
 }
 
-}  // namespace
-
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-constexpr int trials = 24;  ///< random assignments of all idle inputs together
-
 void begin(ScanRun& run, const TransitionSystem& system, const ExactRun& given) {
   run.start();
   for (std::size_t i = 0; i < system.states.size(); ++i) {
@@ -78,12 +65,6 @@ bool isShown(ScanRun& run, const TransitionSystem& system, Node bad, const Exact
     if (scan + 1 < given.inputs.size()) run.advance();
   }
   return run[bad] != 0;
-}
-
-/// How many values of a ReplayScan an input cell becomes (ScanRun::script).
-std::size_t presetsOf(const Cell& cell) {
-  if (cell.place.isRegister) return cell.place.reg == Reg::HscCurrent ? 1 : 0;
-  return cell.place.width == 1 ? 1 : cell.place.width / 8U;
 }
 
 }  // namespace
@@ -154,7 +135,7 @@ std::optional<Witness> ExactQuestion::witness(const Program& program, const Choi
       // The time model counts ticks by digits of its own; the phases that the engine counts them by mean nothing there.
       const bool isPhase = cell.place.isRegister && (cell.place.reg == Reg::PhaseTen || cell.place.reg == Reg::PhaseHundred);
       if (cell.kind != CellKind::State || place == stateOf.end() || isPhase) continue;
-      agrees = agrees && valueOf(cell, state) == predicted[at][place->second];
+      agrees = agrees && valueAt(cell.place, state) == predicted[at][place->second];
     }
     return agrees;
   });
@@ -175,13 +156,18 @@ bool ExactQuestion::dropIdle(ExactRun& given, std::vector<std::vector<bool>>& ma
   ScanRun run(encoding_, system_, watched);
   ExactRun best = given;
   std::vector<Input> idle;
+  const std::vector<ScanInput> presets = scanInputsOf(encoding_);
+  std::vector<Node> variables;
+  for (const ScanInput& preset : presets) {
+    if (std::find(variables.begin(), variables.end(), preset.node) == variables.end()) variables.push_back(preset.node);
+  }
   for (std::size_t scan = best.inputs.size(); scan-- > 0;) {
-    for (const Cell& cell : encoding_.cells()) {
-      const auto at = indexOfInput.find(cell.start);
-      if (cell.kind != CellKind::Input || at == indexOfInput.end() || presetsOf(cell) == 0) continue;
+    for (const Node input : variables) {
+      const auto at = indexOfInput.find(input);
+      if (at == indexOfInput.end()) continue;
       if (isLate()) return false;
       std::uint64_t& value = best.inputs[scan][at->second];
-      const std::uint64_t old = value, highest = Graph::maskOf(cell.place.width);
+      const std::uint64_t old = value, highest = Graph::maskOf((*system_.graph)[input].width);
       value = old == 0 ? highest : 0;
       const bool isIdle = isShown(run, system_, bad_, best);
       value = isIdle ? 0 : old;
@@ -211,11 +197,9 @@ bool ExactQuestion::dropIdle(ExactRun& given, std::vector<std::vector<bool>>& ma
   matters.clear();
   for (std::size_t scan = 0; scan < best.inputs.size(); ++scan) {
     std::vector<bool>& row = matters.emplace_back();
-    for (const Cell& cell : encoding_.cells()) {
-      if (cell.kind != CellKind::Input) continue;
-      const auto at = indexOfInput.find(cell.start);
-      const bool isIdle = at != indexOfInput.end() && std::any_of(idle.begin(), idle.end(), [&](const Input& input) { return input.scan == scan && input.index == at->second; });
-      row.insert(row.end(), presetsOf(cell), !isIdle);
+    for (const ScanInput& preset : presets) {
+      const auto at = indexOfInput.find(preset.node);
+      row.push_back(at == indexOfInput.end() || std::none_of(idle.begin(), idle.end(), [&](const Input& input) { return input.scan == scan && input.index == at->second; }));
     }
   }
   given = std::move(best);

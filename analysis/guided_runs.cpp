@@ -6,6 +6,7 @@
 #include <random>
 
 #include "analysis/follower.hpp"
+#include "analysis/scan_inputs.hpp"
 
 namespace rungproof {
 
@@ -26,12 +27,7 @@ class GuidedSearch {
                std::uint64_t seed, double seconds)
       : program_(program), choices_(encoding.options().choices), assumptions_(assumptions), goals_(goals), random_(seed), lengthMs_(encoding.options().time.high),
         begin_(Clock::now()), seconds_(seconds), found_(goals.size()) {
-    for (const Cell& cell : encoding.cells()) {
-      if (cell.kind != CellKind::Input || cell.place.isRegister) continue;
-      const Place& p = cell.place;
-      if (p.width == 1) inputs_.push_back({direct(p.area, Width::Bit, p.byte(), p.bit()), 0});
-      for (std::uint32_t i = 0; p.width > 1 && i < p.width / 8U; ++i) inputs_.push_back({direct(p.area, Width::Byte, p.byte() + i), 0});
-    }
+    for (const ScanInput& input : scanInputsOf(encoding)) inputs_.push_back({input.operand, 0});
   }
 
   std::vector<std::optional<Witness>> run() {

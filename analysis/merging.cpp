@@ -12,6 +12,7 @@
 #include "analysis/bit_blast.hpp"
 #include "analysis/bit_cnf.hpp"
 #include "analysis/simulation_runs.hpp"
+#include "analysis/substitution.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
@@ -241,6 +242,7 @@ class Merger {
     std::unordered_map<std::size_t, std::vector<std::pair<const Item*, const Item*>>> members;
     forMembers([&](const Item& member, const Item* first) { members[member.state].emplace_back(&member, first); });
     MergedSystem result;
+    std::unordered_map<std::uint32_t, Node> replaced;
     std::vector<bool> isBlasted(given_.states.size(), false);
     for (std::uint32_t latch = 0; latch < bits_.latches.size(); ++latch) isBlasted[blast_.stateBit(latch).state] = true;
     for (std::size_t s = 0; s < given_.states.size(); ++s) {
@@ -248,11 +250,12 @@ class Merger {
       const Node other = isBlasted[s] ? replacement(s, members) : word;
       if (other != word) {
         result.facts.push_back({word, other, graph_.make(Op::Equal, 1, word, other)});
-        rewritten_.emplace(indexOf(word), other);
+        replaced.emplace(indexOf(word), other);
       }
       const std::size_t replacedBits = members.contains(s) ? (static_cast<std::size_t>(widthOf(s)) > narrow ? static_cast<std::size_t>(widthOf(s)) : members[s].size()) : 0;
       if (isBlasted[s] && replacedBits < static_cast<std::size_t>(widthOf(s))) result.kept.push_back(s);
     }
+    Substitution rewritten(graph_, std::move(replaced));
     result.system.graph = given_.graph;
     result.system.inputs = given_.inputs;
     for (const std::size_t s : result.kept) result.system.states.push_back({given_.states[s].node, given_.states[s].init, rewritten(given_.states[s].next)});
@@ -266,37 +269,6 @@ class Merger {
     return result;
   }
 
-  Node rewritten(Node root) {
-    if (rewritten_.empty()) return root;
-    std::vector<Node> stack{root};
-    while (!stack.empty()) {
-      const Node n = stack.back();
-      if (rewritten_.contains(indexOf(n))) {
-        stack.pop_back();
-        continue;
-      }
-      const NodeData node = graph_[n];
-      bool isReady = true;
-      std::array<Node, 3> child = node.child;
-      if (node.op != Op::Variable && node.op != Op::Constant) {
-        for (Node& c : child) {
-          if (c == noNode) continue;
-          const auto known = rewritten_.find(indexOf(c));
-          if (known == rewritten_.end()) {
-            stack.push_back(c);
-            isReady = false;
-          } else {
-            c = known->second;
-          }
-        }
-      }
-      if (!isReady) continue;
-      stack.pop_back();
-      rewritten_.emplace(indexOf(n), child == node.child ? n : graph_.make(node.op, node.width, child[0], child[1], child[2], node.value));
-    }
-    return rewritten_.at(indexOf(root));
-  }
-
   const TransitionSystem& given_;
   Graph& graph_;
   const std::uint64_t seed_;
@@ -305,12 +277,11 @@ class Merger {
   const BitSystem& bits_;
   std::vector<Item> items_;
   std::vector<std::vector<std::size_t>> classes_;  ///< indices in items_
-  std::unordered_map<std::uint32_t, Node> rewritten_;
 };
 
 }  // namespace
 
-std::vector<Node> MergedSystem::factsFor(const TransitionSystem& given, const std::vector<Node>& roots) const {
+std::vector<Node> factsBehind(const TransitionSystem& given, const std::vector<Replaced>& facts, const std::vector<Node>& roots) {
   const Graph& graph = *given.graph;
   std::unordered_map<std::uint32_t, Node> next, other;
   for (const StateVariable& state : given.states) next.emplace(indexOf(state.node), state.next);

@@ -4,7 +4,9 @@
 // program. Tested by tests/solver/portfolio_test.cpp.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +30,11 @@ struct PortfolioOptions {
   const std::atomic<bool>* cancel = nullptr;  ///< ends the search from outside; what is open stays unknown
   /// When the whole call has to be back, checks of certificates included (they may take half a second more).
   std::optional<Budget::Clock::time_point> deadline;
+
+  /// Until the deadline or the interruption.
+  Budget budget() const { return Budget(deadline.value_or(Budget::Clock::time_point::max()), cancel); }
+  /// Seconds until the deadline, 0 at least; 1e9 without one.
+  double left() const { return deadline ? std::max(std::chrono::duration<double>(*deadline - Budget::Clock::now()).count(), 0.0) : 1e9; }
 };
 
 struct QuestionAnswer {

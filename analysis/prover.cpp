@@ -7,16 +7,13 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <random>
-#include <set>
 #include <thread>
 #include <utility>
 
-#include "analysis/guided_runs.hpp"
 #include "analysis/exact_run.hpp"
+#include "analysis/guided_runs.hpp"
 #include "analysis/hidden_code.hpp"
 #include "analysis/portfolio.hpp"
 #include "analysis/proof_networks.hpp"
@@ -273,7 +270,7 @@ class Session {
       row.witness = std::move(witness);
     } else if (answer.answer == Answer::Proved) {
       row.outcome = wantsYes ? Outcome::Unreachable : Outcome::Proved;
-      writeCertificate(question, answer, row);
+      if (options_.certificates && answer.certificate) row.certificate = certificateText(exact_->system(), exact_->system().questions[question], *answer.certificate);
       checkVacuity(row);
       if (options_.evidence) row.networks = networksOf(question, answer);
     } else if (answer.answer == Answer::Violated) {
@@ -461,22 +458,6 @@ class Session {
     run.disagreements.push_back({row.property.name, fmt::format("the solver's run of {} scans is not repeated by the engine", answer.depth + 1)});
   }
 
-  void writeCertificate(std::size_t question, const QuestionAnswer& answer, ProofResult& row) {
-    if (options_.certificates.empty() || !answer.certificate) return;
-    std::string stem;
-    for (const char c : row.property.name) stem += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-    const std::string plain = stem;
-    for (int i = 2; !certificateNames_.insert(stem).second; ++i) stem = fmt::format("{}_{}", plain, i);
-    const std::filesystem::path directory(options_.certificates);
-    std::error_code error;
-    std::filesystem::create_directories(directory, error);
-    const std::filesystem::path file = directory / (stem + ".smt2"), part = directory / (stem + ".smt2.part");
-    std::ofstream(part, std::ios::binary) << certificateText(exact_->system(), exact_->system().questions[question], *answer.certificate);
-    std::filesystem::rename(part, file, error);
-    if (error) row.notes.push_back(fmt::format("the certificate could not be written to {}", file.string()));
-    else row.certificate = file.string();
-  }
-
   /// A property whose premise can never be met, or assumptions that no run meets, prove nothing.
   void checkVacuity(ProofResult& row) {
     if (row.builtin) return;
@@ -531,7 +512,6 @@ class Session {
   std::unique_ptr<Facts> facts_;
   std::vector<QuestionAnswer> quick_;
   std::map<std::size_t, Witness> found_;  ///< by question: witnesses of the short search
-  std::set<std::string> certificateNames_;
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ struct ProverOptions {
   std::uint64_t seed = 1;
   std::uint64_t memory = 0;  ///< bytes; 0: no limit
   CheckGroups checks;  ///< what is asked beside the declared properties
-  std::string certificates;  ///< directory for SMT-LIB 2 files, or empty
+  bool certificates = false;  ///< write out the proofs as SMT-LIB 2
   bool evidence = true;      ///< check certificates, shorten witnesses, name networks; without: verdicts only
   const std::atomic<bool>* cancel = nullptr;  ///< set from outside, as by Ctrl-C: the run ends with what is settled
 };
@@ -42,7 +42,7 @@ struct ProofResult {
   int depth = 0;                        ///< scans of the witness, or without a violation
   double seconds = 0;
   std::optional<Witness> witness;
-  std::string certificate;              ///< file, or empty
+  std::string certificate;              ///< SMT-LIB 2, if asked for and proved
   std::vector<std::string> notes;
   std::vector<std::pair<std::string, int>> networks;  ///< blocks and networks that a proof rests on
 };

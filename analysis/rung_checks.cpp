@@ -9,6 +9,7 @@
 #include <set>
 
 #include "analysis/builtin_checks.hpp"
+#include "analysis/facts.hpp"
 
 namespace rungproof {
 
@@ -80,7 +81,7 @@ class RungChecks {
     if (std::all_of(contacts.begin(), contacts.end(), [](const Instruction* c) { return isSpecial(*c); })) return;
     const Graph::Bool on = anyOf(output, true), off = anyOf(output, false);
     if (!askedFlows_.emplace(on.node, off.node).second) return;
-    const std::string text = textOf(output), address = output.operands.empty() ? "" : toString(output.operands[0]);
+    const std::string text = Facts::text(output), address = output.operands.empty() ? "" : toString(output.operands[0]);
     ask(BuiltinKind::FlowOn, "LOG001", fmt::format("power can reach {}", text), fmt::format("no reachable state lets power flow to {}", text), address, output, on.node);
     ask(BuiltinKind::FlowOff, "LOG001", fmt::format("{} can be without power", text), fmt::format("power flows to {} in every reachable state", text), address, output, off.node);
   }
@@ -135,8 +136,8 @@ class RungChecks {
     const bool savesMemory = target.kind == OperandKind::Direct && target.area == Area::SM && target.offset == 31;
     if ((isSet(kind) || kind == Kind::MoveByte) && !savesMemory) return;
     const Graph::Bool now = anyOf(box, true);
-    const Graph::Bool again = graph_.land(now, {obligations_.before("run of " + textOf(box), now.node)});
-    ask(BuiltinKind::RunsTwice, "HSP004", fmt::format("{} runs in two scans in a row", textOf(box)), fmt::format("{} can run in two scans in a row", textOf(box)), "", box, again.node);
+    const Graph::Bool again = graph_.land(now, {obligations_.before("run of " + Facts::text(box), now.node)});
+    ask(BuiltinKind::RunsTwice, "HSP004", fmt::format("{} runs in two scans in a row", Facts::text(box)), fmt::format("{} can run in two scans in a row", Facts::text(box)), "", box, again.node);
   }
 
   void askDoubleCoils() {
@@ -163,7 +164,7 @@ class RungChecks {
     for (const auto& [contact, matters] : record_.contactEffects()) {
       const bool isInterlock = isNegated(*contact) && contact->operands[0].area == Area::Q;
       if (isSpecial(*contact) || isInterlock) continue;
-      const std::string text = textOf(*contact);
+      const std::string text = Facts::text(*contact);
       ask(BuiltinKind::ContactMatters, "LOG002", fmt::format("{} makes a difference", text), fmt::format("without {} the network does the same in every reachable state", text),
           contact->operands.empty() ? "" : toString(contact->operands[0]), *contact, matters);
     }

@@ -1,6 +1,7 @@
 // Outputs that old memory switches on, for lint --prove: in the first scan after power-up (SAF005), and in the scan in
-// which a declared stop is released and no other input changes (SAF006). Memory is the cause if the same scan, with the same inputs but with memory
-// at its values of power-up, leaves the output off; a start button that is held down is therefore no cause.
+// which a declared stop is released and no other input changes (SAF006). Memory is the cause if the same scan, with the
+// same inputs but with memory at its values of power-up, leaves the output off; a start button that is held down is
+// therefore no cause.
 // Covered by tests/prover/rule_questions_test.cpp.
 #include <fmt/format.h>
 
@@ -9,60 +10,37 @@
 #include <unordered_map>
 
 #include "analysis/builtin_checks.hpp"
-#include "analysis/evaluate.hpp"
 #include "analysis/safety_shape.hpp"
+#include "analysis/scan_run.hpp"
+#include "analysis/substitution.hpp"
 
 namespace rungproof {
 
 namespace {
 
-/// Values of the end of a scan if the program's memory were at rest at its start.
-class RestedScan {
- public:
-  RestedScan(EncodedScan& encoding, const Concrete::Store& rest) : graph_(encoding.graph()) {
-    for (const Cell& cell : encoding.cells()) {
-      if (cell.kind == CellKind::State && isMemory(cell.place)) copies_[indexOf(cell.start)] = graph_.constantNode(valueOf(cell.place, rest), cell.place.width);
-    }
+/// What the program remembers. Edges keep their memory: whether a button was pressed just now is no old state.
+bool isMemory(const Place& place) {
+  if (!place.isRegister) return place.area != Area::SM;
+  switch (place.reg) {
+    case Reg::Accumulator:
+    case Reg::TimerCurrent:
+    case Reg::TimerBit:
+    case Reg::TimerRunning:
+    case Reg::CounterCurrent:
+    case Reg::CounterBit: return true;
+    default: return false;
   }
+}
 
-  Node operator()(Node n) {
-    const Node roots[] = {n};
-    for (const Node inner : coneOf(graph_, roots)) {
-      if (!copies_.contains(indexOf(inner))) copies_[indexOf(inner)] = copy(inner);
-    }
-    return copies_.at(indexOf(n));
+/// Values of the end of a scan as they would be with the program's memory at rest, as power-up leaves it, at its start.
+Substitution restedScan(EncodedScan& encoding) {
+  const Concrete::Store rest = powerUpState(encoding.plan(), encoding.options().choices);
+  std::unordered_map<std::uint32_t, Node> atRest;
+  for (const Cell& cell : encoding.cells()) {
+    if (cell.kind == CellKind::State && isMemory(cell.place)) atRest[indexOf(cell.start)] = encoding.graph().constantNode(valueAt(cell.place, rest), cell.place.width);
   }
-
- private:
-  /// What the program remembers. Edges keep their memory: whether a button was pressed just now is no old state.
-  static bool isMemory(const Place& place) {
-    if (!place.isRegister) return place.area != Area::SM;
-    switch (place.reg) {
-      case Reg::Accumulator:
-      case Reg::TimerCurrent:
-      case Reg::TimerBit:
-      case Reg::TimerRunning:
-      case Reg::CounterCurrent:
-      case Reg::CounterBit: return true;
-      default: return false;
-    }
-  }
-  static std::uint64_t valueOf(const Place& p, const Concrete::Store& state) {
-    if (p.isRegister) return state.get(p.reg, p.at);
-    std::uint64_t value = 0;
-    for (std::uint32_t i = 0; i < p.width; ++i) value = value << 1 | state.load(p.area, (p.at + i) / 8 * 8 + 7 - (p.at + i) % 8, 1);
-    return value;
-  }
-  Node copy(Node n) {
-    const NodeData data = graph_[n];
-    if (data.op == Op::Constant || data.op == Op::Variable) return n;
-    const auto child = [&](std::size_t i) { return data.child[i] == noNode ? noNode : copies_.at(indexOf(data.child[i])); };
-    return graph_.make(data.op, data.width, child(0), child(1), child(2), data.value);
-  }
-
-  Graph& graph_;
-  std::unordered_map<std::uint32_t, Node> copies_;
-};
+  return Substitution(encoding.graph(), std::move(atRest));
+}
 
 /// Output bits with the first instruction that drives them.
 std::map<Place, const Instruction*> outputsOf(const EncodedScan& encoding) {
@@ -73,8 +51,6 @@ std::map<Place, const Instruction*> outputsOf(const EncodedScan& encoding) {
   return outputs;
 }
 
-Concrete::Store restOf(const EncodedScan& encoding) { return powerUpState(encoding.plan(), encoding.options().choices); }
-
 }  // namespace
 
 void addPowerUpChecks(const Program&, Obligations& obligations, std::vector<BuiltinCheck>& checks) {
@@ -83,7 +59,7 @@ void addPowerUpChecks(const Program&, Obligations& obligations, std::vector<Buil
   const auto outputs = outputsOf(encoding);
   for (const auto& [place, driver] : outputs) encoding.atEnd(place);
   const Graph::Bool first{encoding.firstScan()};
-  RestedScan rested(encoding, restOf(encoding));
+  Substitution rested = restedScan(encoding);
   for (const auto& [place, driver] : outputs) {
     const Node on = encoding.atEnd(place);
     const Graph::Bool bad = graph.land(first, graph.land({on}, graph.lnot({rested(on)})));
@@ -114,7 +90,7 @@ void addRestartChecks(const PropertySet& set, Obligations& obligations, std::vec
     }
   }
   if (pairs.empty()) return;
-  RestedScan rested(encoding, restOf(encoding));
+  Substitution rested = restedScan(encoding);
   std::map<Place, Graph::Bool> unchanged;  // by input
   for (const Cell& cell : encoding.cells()) {
     if (cell.kind != CellKind::Input || cell.place.isRegister || cell.place.area != Area::I) continue;

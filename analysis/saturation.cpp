@@ -10,6 +10,7 @@
 #include "analysis/bit_cnf.hpp"
 #include "analysis/evaluate.hpp"
 #include "analysis/sat.hpp"
+#include "analysis/substitution.hpp"
 
 namespace rungproof {
 
@@ -18,43 +19,6 @@ namespace {
 constexpr int leastWidth = 8;             ///< of words that are worth it
 constexpr std::size_t triedConstants = 8;  ///< largest ones of those that a scan has for the word
 constexpr double querySeconds = 0.1;
-
-/// The node with other nodes in place of some.
-class Substitution {
- public:
-  Substitution(Graph& graph, std::unordered_map<std::uint32_t, Node> changed) : graph_(graph), known_(std::move(changed)) {}
-  Node operator()(Node root) {
-    std::vector<Node> stack{root};
-    while (!stack.empty()) {
-      const Node n = stack.back();
-      if (known_.contains(indexOf(n))) {
-        stack.pop_back();
-        continue;
-      }
-      const NodeData node = graph_[n];
-      std::array<Node, 3> child = node.child;
-      bool isReady = true;
-      for (std::size_t i = 0; i < child.size() && node.op != Op::Variable && node.op != Op::Constant; ++i) {
-        if (child[i] == noNode) continue;
-        const auto known = known_.find(indexOf(child[i]));
-        if (known == known_.end()) {
-          stack.push_back(child[i]);
-          isReady = false;
-        } else {
-          child[i] = known->second;
-        }
-      }
-      if (!isReady) continue;
-      stack.pop_back();
-      known_.emplace(indexOf(n), child == node.child ? n : graph_.make(node.op, node.width, child[0], child[1], child[2], node.value));
-    }
-    return known_.at(indexOf(root));
-  }
-
- private:
-  Graph& graph_;
-  std::unordered_map<std::uint32_t, Node> known_;
-};
 
 class Saturation {
  public:

@@ -5,6 +5,13 @@
 
 namespace rungproof {
 
+std::uint64_t valueAt(const Place& place, const Concrete::Store& state) {
+  if (place.isRegister) return state.get(place.reg, place.at);
+  std::uint64_t value = 0;
+  for (std::uint32_t i = 0; i < place.width; ++i) value = value << 1 | state.load(place.area, (place.at + i) / 8 * 8 + 7 - (place.at + i) % 8, 1);
+  return value;
+}
+
 std::vector<Node> ScanRun::rootsOf(const EncodedScan& scan, const TransitionSystem& system, std::span<const Node> watched) {
   std::vector<Node> roots(watched.begin(), watched.end());
   for (const StateVariable& s : system.states) {
@@ -19,7 +26,7 @@ std::vector<Node> ScanRun::rootsOf(const EncodedScan& scan, const TransitionSyst
     roots.push_back(e.guard);
     if (e.node != noNode) roots.push_back(e.node);
   }
-  for (const auto& [byte, sample] : scan.analogInputs()) roots.push_back(sample);
+  for (const ScanInput& input : scanInputsOf(scan)) roots.push_back(input.node);
   for (const TickSite& t : scan.tickSites()) {
     roots.push_back(t.where.guard);
     roots.push_back(t.ticks);
@@ -36,7 +43,7 @@ std::vector<Node> ScanRun::rootsOf(const EncodedScan& scan, const TransitionSyst
 }
 
 ScanRun::ScanRun(const EncodedScan& scan, const TransitionSystem& system, std::span<const Node> watched)
-    : scan_(scan), system_(system), values_(scan.graph(), rootsOf(scan, system, watched)) {}
+    : scan_(scan), system_(system), inputs_(scanInputsOf(scan)), values_(scan.graph(), rootsOf(scan, system, watched)) {}
 
 void ScanRun::start() {
   values_.run();
@@ -86,21 +93,7 @@ ScanPlace ScanRun::placeOf(const BoundarySite& site) const {
 
 ReplayScan ScanRun::script() const {
   ReplayScan result;
-  for (const Cell& cell : scan_.cells()) {
-    if (cell.kind != CellKind::Input) continue;
-    const Place& p = cell.place;
-    const std::uint64_t value = values_[cell.start];
-    if (p.isRegister) {
-      if (p.reg == Reg::HscCurrent) result.inputs.push_back({direct(Area::HC, Width::DWord, p.at), value});
-    } else if (p.width == 1) {
-      result.inputs.push_back({direct(p.area, Width::Bit, p.byte(), p.bit()), value});
-    } else {
-      for (std::uint32_t i = 0; i < p.width / 8U; ++i) {
-        result.inputs.push_back({direct(p.area, Width::Byte, p.byte() + i), value >> (p.width - 8 - 8 * i) & 0xFF});
-      }
-    }
-  }
-  for (const auto& [byte, sample] : scan_.analogInputs()) result.inputs.push_back({direct(Area::AI, Width::Word, byte), values_[sample]});
+  for (const ScanInput& input : inputs_) result.inputs.push_back({input.operand, input.valueIn(values_[input.node])});
   result.lengthMs = static_cast<std::uint32_t>(values_[scan_.time().dt()]);
   for (const ExternalInput& e : scan_.externals()) {
     if (holds(e.guard)) result.externals.push_back({e.site, e.node == noNode ? 0 : values_[e.node]});

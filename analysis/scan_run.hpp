@@ -7,9 +7,13 @@
 
 #include "analysis/encoder.hpp"
 #include "analysis/evaluate.hpp"
+#include "analysis/scan_inputs.hpp"
 #include "engine/replay.hpp"
 
 namespace rungproof {
+
+/// The value at a place in a state of the engine, as the encoding has it: memory with its first byte highest.
+std::uint64_t valueAt(const Place& place, const Concrete::Store& state);
 
 class ScanRun {
  public:
@@ -38,6 +42,7 @@ class ScanRun {
 
   const EncodedScan& scan_;
   const TransitionSystem& system_;
+  const std::vector<ScanInput> inputs_;
   Evaluator values_;
 };
 

@@ -66,7 +66,7 @@ class Checker {
     options.jobs = 1;
     options.checks = {};
     options.evidence = false;
-    options.certificates.clear();
+    options.certificates = false;
     const Program inPlace = planted(program_, result.fault);
     // Three looks, the cheap ones first: most faults show at once, or can be seen to do nothing in any single scan.
     const double quick = std::min(quickSeconds, options.timeout);

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "analysis/builtin_checks.hpp"
+#include "analysis/facts.hpp"
 
 namespace rungproof {
 
@@ -144,7 +145,7 @@ class SequenceChecks {
       const bool isBody = i > 0 && flow.steps[i - 1].instruction->desc->control == Control::For;
       if (isBody) {
         const Instruction& loop = *flow.steps[i - 1].instruction;
-        askRun("CTL003", fmt::format("the body of {} runs", textOf(loop)), fmt::format("{} never runs its body in any reachable state", textOf(loop)), loop, guard);
+        askRun("CTL003", fmt::format("the body of {} runs", Facts::text(loop)), fmt::format("{} never runs its body in any reachable state", Facts::text(loop)), loop, guard);
       } else if (isFirst && !isStructure) {
         askRun("CTL005", fmt::format("{}, network {} runs", flow.pou->name, flow.pou->networks[network].number), "no reachable state comes to this network", instruction, guard);
       }

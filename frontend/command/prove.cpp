@@ -5,6 +5,7 @@
 #include <atomic>
 #include <csignal>
 #include <filesystem>
+#include <set>
 #include <sstream>
 
 #include "analysis/proof_networks.hpp"
@@ -55,21 +56,34 @@ VerdictWord wordOf(Outcome outcome) {
   return VerdictWord::Unknown;
 }
 
-/// A file name made of a property's name.
-std::string fileStem(std::string_view name) {
-  std::string stem;
-  for (const char c : name) stem += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.' ? c : '_';
-  return stem.empty() ? "property" : stem;
+/// File names made of the names of properties; no two properties get the same one.
+class EvidenceNames {
+ public:
+  std::string of(std::string_view name) {
+    std::string stem;
+    for (const char c : name) stem += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.' ? c : '_';
+    if (stem.empty()) stem = "property";
+    const std::string plain = stem;
+    for (int i = 2; !given_.insert(stem).second; ++i) stem = fmt::format("{}_{}", plain, i);
+    return stem;
+  }
+
+ private:
+  std::set<std::string> given_;
+};
+
+std::string fileIn(const std::string& directory, const std::string& name) {
+  std::error_code error;  // a folder that cannot be made shows when the file is written
+  std::filesystem::create_directories(directory, error);
+  return (std::filesystem::path(directory) / name).string();
 }
 
 /// Writes the witness as CSV (also a stimulus), VCD and SVG; gives the name of the CSV file.
-std::string writeTraces(const Context& context, const std::string& directory, const Program& program, const Choices& choices, const ProofResult& result) {
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
+std::string writeTraces(const Context& context, const std::string& directory, const std::string& stem, const Program& program, const Choices& choices, const ProofResult& result) {
   const Trace trace = traceOf(program, choices, *result.witness, touchedSignals(program));
   std::string first;
   for (const char* ending : {".csv", ".vcd", ".svg"}) {
-    const std::string name = (std::filesystem::path(directory) / (fileStem(result.property.name) + ending)).string();
+    const std::string name = fileIn(directory, stem + ending);
     std::ostringstream text;
     traceFormatOf(name)->write(trace, result.property.name, text);
     if (!context.write({ending + 1, name}, text.str())) continue;
@@ -92,7 +106,8 @@ std::vector<ShownScan> drawnScans(const Arguments& arguments, const Program& pro
   return scans;
 }
 
-PropertyResult rowOf(const Context& context, const Arguments& arguments, const Program& program, const Choices& choices, const ProofResult& result) {
+PropertyResult rowOf(const Context& context, const Arguments& arguments, EvidenceNames& names, const Program& program, const Choices& choices, const ProofResult& result) {
+  const std::string stem = names.of(result.property.name);
   PropertyResult row;
   row.name = result.property.name;
   row.kind = result.builtin ? ResultKind::Builtin : result.property.kind == PropertyKind::Reach ? ResultKind::Reach : ResultKind::Prove;
@@ -108,10 +123,13 @@ PropertyResult rowOf(const Context& context, const Arguments& arguments, const P
     for (const std::string& line : tableOf(trace)) row.notes.push_back(line);
     const bool hasPage = std::ranges::any_of(context.outputs, [](const OutputRequest& output) { return output.name == "html"; });
     if (!arguments.show.empty() || hasPage) row.scans = drawnScans(arguments, program, choices, result, hasPage);
-    if (!arguments.traces.empty()) row.trace = writeTraces(context, arguments.traces, program, choices, result);
+    if (!arguments.traces.empty()) row.trace = writeTraces(context, arguments.traces, stem, program, choices, result);
   }
   row.networks = networkList(result.networks);
-  if (!result.certificate.empty()) row.notes.push_back(fmt::format("certificate: {}", result.certificate));
+  if (!result.certificate.empty()) {
+    const std::string name = fileIn(arguments.certificates, stem + ".smt2");
+    if (context.write({"smt2", name}, result.certificate)) row.notes.push_back(fmt::format("certificate: {}", name));
+  }
   return row;
 }
 
@@ -148,6 +166,7 @@ std::vector<PlantedFault> plantFaults(const Context& context, const ProgramInput
 
 Exit run(const Arguments& arguments, Context& context) {
   ReportMerger merger;
+  EvidenceNames names;
   bool failed = false;
   interrupted = false;
   for (const std::vector<std::string>& files : groupByProgram(context, arguments.files)) {
@@ -158,7 +177,7 @@ Exit run(const Arguments& arguments, Context& context) {
     if (!hasReadErrors(input.program)) {
       ProverOptions options = proverOptionsOf(context.settings);
       options.checks.builtin = arguments.builtin;
-      options.certificates = arguments.certificates;
+      options.certificates = !arguments.certificates.empty();
       options.cancel = &interrupted;
       const auto before = std::signal(SIGINT, onInterrupt);
       const ProofRun proof = prove(input.program, input.properties, options, [&](const ProofResult& result, std::size_t done, std::size_t total) {
@@ -169,7 +188,7 @@ Exit run(const Arguments& arguments, Context& context) {
       if (context.progress) context.err << "\r\x1B[K" << std::flush;
       if (proof.isInterrupted) context.err << "rungproof: interrupted; what was not settled is UNKNOWN\n";
       for (const ProofResult& result : proof.results) {
-        part.properties.push_back(rowOf(context, arguments, input.program, options.choices, result));
+        part.properties.push_back(rowOf(context, arguments, names, input.program, options.choices, result));
         part.properties.back().assumptions = {};
         if (auto finding = findingOf(result)) part.findings.push_back(std::move(*finding));
       }

@@ -66,6 +66,22 @@ TEST(Witness, AnalogInputsAreSampledOnceAScan) {
   EXPECT_EQ(resultNamed(unfiltered, "apart")->outcome, Outcome::Violated);
 }
 
+// A built-in check's witness marks every input of its scans, the samples of analog inputs among them.
+TEST(Witness, MarksAnalogInputsOfBuiltinChecks) {
+  const ProgramInput input = inputOf("", "Network 1\nLD I0.0\nMOVW AIW2, VW0\n/I VW0, VW2\nNetwork 2\nLDW> AIW4, 5\n= Q0.0\n");
+  ProverOptions options = usualOptions();
+  options.checks.builtin = true;
+  const ProofRun run = prove(input.program, input.properties, options);
+  const auto division = std::find_if(run.results.begin(), run.results.end(), [](const ProofResult& r) { return r.builtin && r.builtin->kind == BuiltinKind::Division; });
+  ASSERT_TRUE(division != run.results.end() && division->witness);
+  ASSERT_EQ(division->witness->matters.size(), division->witness->scans.size());
+  for (std::size_t i = 0; i < division->witness->scans.size(); ++i) EXPECT_EQ(division->witness->matters[i].size(), division->witness->scans[i].inputs.size());
+  std::map<std::string, bool> matters = lastScanOf(*division->witness);
+  EXPECT_TRUE(matters["I0.0"]);
+  EXPECT_TRUE(matters["AIW2"]);   // 0 is the divisor that is not allowed
+  EXPECT_FALSE(matters["AIW4"]);
+}
+
 TEST(Witness, LeavesOutScansThatAreNotNeeded) {
   // One scan off, one scan on; all others are padding.
   const ProgramInput input = inputOf("//@ reach on: Q0.0 and once(not Q0.0)\n", "Network 1\nLD I0.0\nO Q0.0\n= Q0.0\n");

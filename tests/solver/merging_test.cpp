@@ -59,13 +59,13 @@ TEST(Merging, FactsAreInductiveTogether) {
   const MergedSystem m = merged(f);
   for (const Question& question : f.system.questions) {
     WordCertificate certificate;
-    certificate.invariant = m.factsFor(f.system, {question.bad});
+    certificate.invariant = factsBehind(f.system, m.facts, {question.bad});
     CertificateWriter writer(f.system);
     writer.add(question, certificate);
     EXPECT_EQ(writer.check({}), std::vector<CheckResult>{CheckResult::Valid}) << question.name;
   }
   // The question about the bits needs nothing of the words.
-  EXPECT_EQ(m.factsFor(f.system, {f.on, f.off}).size(), 1U);
+  EXPECT_EQ(factsBehind(f.system, m.facts, {f.on, f.off}).size(), 1U);
 }
 
 TEST(Merging, WordsThatPartLateStay) {
