@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "analysis/proof_watch.hpp"
+#include "analysis/proof/proof_watch.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

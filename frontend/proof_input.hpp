@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "analysis/prover.hpp"
+#include "analysis/proof/prover.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/program_input.hpp"
 

@@ -8,8 +8,8 @@
 #include <map>
 #include <set>
 
+#include "analysis/proof/safety_shape.hpp"
 #include "analysis/rule.hpp"
-#include "analysis/safety_shape.hpp"
 #include "frontend/proof_input.hpp"
 
 namespace rungproof {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/prover.hpp"
+#include "analysis/proof/prover.hpp"
 #include "frontend/program_input.hpp"
 
 namespace rungproof {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "analysis/prover.hpp"
+#include "analysis/proof/prover.hpp"
 #include "frontend/report/report.hpp"
 #include "ir/program.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/prover.hpp"
+#include "analysis/proof/prover.hpp"
 #include "engine/trace.hpp"
 
 namespace rungproof {

@@ -1,5 +1,5 @@
 // The dispatch table of a domain: what to run for an opcode. Each domain instantiates it in exactly one source
-// file (engine/dispatch_concrete.cpp, analysis/dispatch_graph.cpp), because that costs compile time.
+// file (engine/dispatch_concrete.cpp, analysis/encoding/dispatch_graph.cpp), because that costs compile time.
 #pragma once
 
 #include <span>

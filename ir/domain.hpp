@@ -1,5 +1,5 @@
 // The concept Domain: what a kind of value must offer so that instruction meanings can be executed over it.
-// Instances: Concrete (engine/concrete.hpp, plain numbers, the reference) and Graph (analysis/graph.hpp, shared
+// Instances: Concrete (engine/concrete.hpp, plain numbers, the reference) and Graph (analysis/graph/graph.hpp, shared
 // expression nodes for solvers and exports). Meanings in ir/isa/*.hpp see nothing but this interface.
 //
 // Laws (tests/differential/domain_laws_test.cpp compares every instance with Concrete):

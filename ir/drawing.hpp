@@ -2,7 +2,7 @@
 // recovered from them. The readers of graphical files build one and have it lowered; STL networks are raised to one
 // to be shown or converted. An element is an instruction of the table, so nothing about instructions is said twice.
 //
-// Both directions between drawings and instructions: analysis/drawing_lower.hpp and analysis/drawing_raise.hpp.
+// Both directions between drawings and instructions: analysis/drawing/lower.hpp and analysis/drawing/raise.hpp.
 //
 // Ladder and FBD are two ways of drawing the same structure: a Contact with one input stands in series with what is on
 // its left, an Or joins branches, an And is the FBD gate. A Rail is power itself (ladder) or the constant 1 (FBD).

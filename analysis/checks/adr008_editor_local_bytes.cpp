@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "analysis/drawing_lower.hpp"
+#include "analysis/drawing/lower.hpp"
 #include "analysis/facts.hpp"
 #include "analysis/rule.hpp"
 

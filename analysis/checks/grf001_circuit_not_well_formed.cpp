@@ -1,5 +1,5 @@
 // GRF001: a ladder or FBD network that is no closed circuit. What can be judged on the elements is in
-// analysis/drawing_check.hpp; what only the file shows (crossed or missing connections) the readers of graphical files
+// analysis/drawing/check.hpp; what only the file shows (crossed or missing connections) the readers of graphical files
 // report under the same id. Tested by tests/drawing/drawing_check_test.cpp.
 #include "analysis/rule.hpp"
 

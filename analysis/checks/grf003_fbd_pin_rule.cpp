@@ -1,4 +1,4 @@
-// GRF003: what FBD forbids at the pins of a box. The number of inputs is judged in analysis/drawing_check.hpp; a
+// GRF003: what FBD forbids at the pins of a box. The number of inputs is judged in analysis/drawing/check.hpp; a
 // negation on a pin that is not Boolean is seen by the readers of graphical files, which report it under this id.
 // Tested by tests/drawing/drawing_check_test.cpp.
 #include "analysis/rule.hpp"

@@ -1,4 +1,4 @@
-// LOG001: always true or always false. A rung with one power flow in every reachable state. Asked by analysis/rung_checks.cpp;
+// LOG001: always true or always false. A rung with one power flow in every reachable state. Asked by analysis/proof/rung_checks.cpp;
 // this file is its page. Tested by tests/prover/rule_questions_test.cpp, which runs the examples.
 #include "analysis/rule.hpp"
 

@@ -1,4 +1,4 @@
-// LOG002: contact without effect. A contact that changes nothing in any reachable state. Asked by analysis/rung_checks.cpp;
+// LOG002: contact without effect. A contact that changes nothing in any reachable state. Asked by analysis/proof/rung_checks.cpp;
 // this file is its page. Tested by tests/prover/rule_questions_test.cpp, which runs the examples.
 #include "analysis/rule.hpp"
 

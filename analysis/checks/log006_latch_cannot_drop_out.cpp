@@ -1,4 +1,4 @@
-// LOG006: latch cannot drop out. A bit that holds itself, or is set and reset, and never goes off. Asked by analysis/rung_checks.cpp;
+// LOG006: latch cannot drop out. A bit that holds itself, or is set and reset, and never goes off. Asked by analysis/proof/rung_checks.cpp;
 // this file is its page. Tested by tests/prover/rule_questions_test.cpp, which runs the examples.
 #include "analysis/rule.hpp"
 

@@ -1,4 +1,4 @@
-// OUT003: set and reset true together. Spoken by the prover (analysis/builtin_checks, analysis/prover); this file is its page.
+// OUT003: set and reset true together. Spoken by the prover (analysis/proof/builtin_checks, analysis/proof/prover); this file is its page.
 // Tested by tests/prover/rule_questions_test.cpp, which runs the examples.
 #include "analysis/rule.hpp"
 

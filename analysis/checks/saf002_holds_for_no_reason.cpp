@@ -1,4 +1,4 @@
-// SAF002: property holds for no good reason. Spoken by the prover (analysis/builtin_checks, analysis/prover); this file is its page.
+// SAF002: property holds for no good reason. Spoken by the prover (analysis/proof/builtin_checks, analysis/proof/prover); this file is its page.
 // Tested by tests/prover/rule_questions_test.cpp, which runs the examples.
 #include "analysis/rule.hpp"
 

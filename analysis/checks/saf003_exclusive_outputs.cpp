@@ -1,4 +1,4 @@
-// SAF003: exclusive outputs on together. Declared in a property, broken by a run. Asked by analysis/safety_shape.cpp;
+// SAF003: exclusive outputs on together. Declared in a property, broken by a run. Asked by analysis/proof/safety_shape.cpp;
 // this file is its page. Tested by tests/prover/rule_questions_test.cpp, which runs the examples.
 #include "analysis/rule.hpp"
 

@@ -1,4 +1,4 @@
-// SAF004: emergency stop leaves an output on. Declared in a property, broken by a run. Asked by analysis/safety_shape.cpp;
+// SAF004: emergency stop leaves an output on. Declared in a property, broken by a run. Asked by analysis/proof/safety_shape.cpp;
 // this file is its page. Tested by tests/prover/rule_questions_test.cpp, which runs the examples.
 #include "analysis/rule.hpp"
 

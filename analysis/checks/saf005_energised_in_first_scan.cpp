@@ -1,4 +1,4 @@
-// SAF005: energised in the first scan. An output that old memory switches on at power-up. Asked by analysis/safety_checks.cpp;
+// SAF005: energised in the first scan. An output that old memory switches on at power-up. Asked by analysis/proof/safety_checks.cpp;
 // this file is its page. Tested by tests/prover/rule_questions_test.cpp, which runs the examples.
 #include "analysis/rule.hpp"
 

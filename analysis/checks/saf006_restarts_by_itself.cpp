@@ -1,4 +1,4 @@
-// SAF006: restarts by itself. An output that returns when a declared stop is released. Asked by analysis/safety_checks.cpp;
+// SAF006: restarts by itself. An output that returns when a declared stop is released. Asked by analysis/proof/safety_checks.cpp;
 // this file is its page. Tested by tests/prover/rule_questions_test.cpp, which runs the examples.
 #include "analysis/rule.hpp"
 

@@ -1,4 +1,4 @@
-// SCR004: two ways out at once. Transitions of one step that do not exclude each other. Asked by analysis/sequence_checks.cpp;
+// SCR004: two ways out at once. Transitions of one step that do not exclude each other. Asked by analysis/proof/sequence_checks.cpp;
 // this file is its page. Tested by tests/prover/rule_questions_test.cpp, which runs the examples.
 #include "analysis/rule.hpp"
 

@@ -1,9 +1,9 @@
-// STK006: a network that exists in STL only. What has a picture and why not is said by analysis/drawing_raise.hpp;
+// STK006: a network that exists in STL only. What has a picture and why not is said by analysis/drawing/raise.hpp;
 // a network that one of LAD and FBD can show is left alone. The older dialect knows no networks and is left out.
 // Tested by its examples, tests/rules/stack_depth_test.cpp and tests/drawing/raise_test.cpp.
 #include <fmt/format.h>
 
-#include "analysis/drawing_raise.hpp"
+#include "analysis/drawing/raise.hpp"
 #include "analysis/facts.hpp"
 #include "analysis/rule.hpp"
 

@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 
-#include "analysis/export_system.hpp"
-#include "analysis/hidden_code.hpp"
-#include "analysis/proof_side.hpp"
+#include "analysis/export/system.hpp"
+#include "analysis/proof/hidden_code.hpp"
+#include "analysis/proof/proof_side.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/proof_input.hpp"
 

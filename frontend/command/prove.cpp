@@ -8,9 +8,9 @@
 #include <set>
 #include <sstream>
 
-#include "analysis/proof_networks.hpp"
+#include "analysis/proof/proof_networks.hpp"
+#include "analysis/proof/self_check.hpp"
 #include "analysis/rule.hpp"
-#include "analysis/self_check.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/proof_input.hpp"
 #include "frontend/trace/format.hpp"

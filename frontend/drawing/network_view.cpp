@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "analysis/drawing_raise.hpp"
+#include "analysis/drawing/raise.hpp"
 #include "frontend/drawing/placement.hpp"
 #include "frontend/drawing/power_flow.hpp"
 #include "frontend/excerpt.hpp"

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include "analysis/drawing_lower.hpp"
-#include "frontend/drawn/drawn_lowering.hpp"
+#include "analysis/drawing/lower.hpp"
 #include "frontend/drawn/drawn_blocks.hpp"
+#include "frontend/drawn/drawn_lowering.hpp"
 
 namespace rungproof {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "analysis/drawing_lower.hpp"
+#include "analysis/drawing/lower.hpp"
 #include "frontend/drawn/drawn_blocks.hpp"
 #include "frontend/drawn/drawn_build.hpp"
 #include "frontend/drawn/drawn_lowering.hpp"

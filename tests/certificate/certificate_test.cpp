@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "analysis/certificate.hpp"
+#include "analysis/portfolio/certificate.hpp"
 #include "tests/corpus/command_output.hpp"
 #include "tests/corpus/corpus_program.hpp"
 

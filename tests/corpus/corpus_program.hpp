@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/prover.hpp"
+#include "analysis/proof/prover.hpp"
 #include "frontend/program_input.hpp"
 
 namespace rungproof::test {

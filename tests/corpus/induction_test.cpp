@@ -3,8 +3,8 @@
 // is left needs longer induction or invariants about the states that can be reached.
 #include <gtest/gtest.h>
 
-#include "analysis/portfolio.hpp"
-#include "analysis/proof_side.hpp"
+#include "analysis/portfolio/portfolio.hpp"
+#include "analysis/proof/proof_side.hpp"
 #include "tests/corpus/corpus_program.hpp"
 
 namespace rungproof::test {

@@ -2,8 +2,8 @@
 // numbers (one at a time and in 64 lanes), and models of Z3. Random terms; the seed is printed with a failure.
 #include <gtest/gtest.h>
 
-#include "analysis/evaluate.hpp"
-#include "analysis/z3_terms.hpp"
+#include "analysis/graph/evaluate.hpp"
+#include "analysis/graph/z3_terms.hpp"
 #include "engine/concrete.hpp"
 #include "tests/differential/random_source.hpp"
 

@@ -3,7 +3,7 @@
 // is shown. RUNGPROOF_SEED chooses other programs, RUNGPROOF_PROGRAMS how many.
 #include <gtest/gtest.h>
 
-#include "analysis/scan_run.hpp"
+#include "analysis/proof/scan_run.hpp"
 #include "tests/differential/program_generator.hpp"
 
 namespace rungproof {

@@ -1,5 +1,5 @@
 // Faults of drawings as circuits: GRF001 and GRF003 (001:2230, 001:2304, 001:2268).
-#include "analysis/drawing_check.hpp"
+#include "analysis/drawing/check.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,9 +9,9 @@
 #include <memory>
 #include <set>
 
+#include "analysis/encoding/symbolic_store.hpp"
+#include "analysis/graph/z3_terms.hpp"
 #include "analysis/instruction_kind.hpp"
-#include "analysis/symbolic_store.hpp"
-#include "analysis/z3_terms.hpp"
 #include "ir/args.hpp"
 #include "ir/dispatch.hpp"
 

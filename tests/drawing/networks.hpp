@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/drawing_lower.hpp"
-#include "analysis/drawing_raise.hpp"
+#include "analysis/drawing/lower.hpp"
+#include "analysis/drawing/raise.hpp"
 #include "ir/program.hpp"
 
 namespace rungproof::testing {

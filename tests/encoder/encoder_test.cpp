@@ -1,5 +1,5 @@
 // Small programs whose transition system can be written down by hand.
-#include "analysis/encoder.hpp"
+#include "analysis/encoding/encoder.hpp"
 
 #include <gtest/gtest.h>
 

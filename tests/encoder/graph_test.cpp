@@ -1,11 +1,11 @@
 // The one constructor of the graph: what it simplifies keeps its value, and its normal form is one node.
-#include "analysis/graph.hpp"
+#include "analysis/graph/graph.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "analysis/evaluate.hpp"
+#include "analysis/graph/evaluate.hpp"
 
 namespace rungproof {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "analysis/encoder.hpp"
+#include "analysis/encoding/encoder.hpp"
 #include "tests/encoder/statements.hpp"
 
 namespace rungproof {

@@ -1,9 +1,9 @@
 // Pointers whose targets follow from the transition relation, and one whose targets do not.
-#include "analysis/pointer_values.hpp"
+#include "analysis/encoding/pointer_values.hpp"
 
 #include <gtest/gtest.h>
 
-#include "analysis/encoder.hpp"
+#include "analysis/encoding/encoder.hpp"
 #include "tests/encoder/statements.hpp"
 
 namespace rungproof {

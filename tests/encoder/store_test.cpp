@@ -1,5 +1,5 @@
 // The symbolic state: big-endian words over bits, guarded writes, cells made at the first touch only.
-#include "analysis/symbolic_store.hpp"
+#include "analysis/encoding/symbolic_store.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Time as digits, compared with counting ms one by one.
-#include "analysis/time_model.hpp"
+#include "analysis/encoding/time_model.hpp"
 
 #include <gtest/gtest.h>
 
-#include "analysis/evaluate.hpp"
+#include "analysis/graph/evaluate.hpp"
 
 namespace rungproof {
 namespace {

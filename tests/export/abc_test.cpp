@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <set>
 
-#include "analysis/export_system.hpp"
-#include "analysis/proof_side.hpp"
-#include "analysis/prover.hpp"
+#include "analysis/export/system.hpp"
+#include "analysis/proof/proof_side.hpp"
+#include "analysis/proof/prover.hpp"
 #include "tests/corpus/command_output.hpp"
 #include "tests/corpus/corpus_program.hpp"
 

@@ -4,10 +4,10 @@
 
 #include <random>
 
-#include "analysis/evaluate.hpp"
-#include "analysis/export_system.hpp"
-#include "analysis/proof_side.hpp"
-#include "analysis/prover.hpp"
+#include "analysis/export/system.hpp"
+#include "analysis/graph/evaluate.hpp"
+#include "analysis/proof/proof_side.hpp"
+#include "analysis/proof/prover.hpp"
 #include "tests/corpus/corpus_program.hpp"
 #include "tests/export/word_reader.hpp"
 

@@ -2,7 +2,7 @@
 // finding is right nevertheless; everything else must be silent. Programs whose encoding takes long are left out.
 #include <set>
 
-#include "analysis/safety_shape.hpp"
+#include "analysis/proof/safety_shape.hpp"
 #include "frontend/solver_rules.hpp"
 #include "tests/corpus/corpus_program.hpp"
 #include "tests/prover/proved_text.hpp"

@@ -1,7 +1,7 @@
 // Runs of the engine: they show what waits for timers, however long, and give witnesses that the judge repeats.
-#include "analysis/guided_runs.hpp"
+#include "analysis/proof/guided_runs.hpp"
 
-#include "analysis/obligation.hpp"
+#include "analysis/encoding/obligation.hpp"
 #include "proved_text.hpp"
 
 namespace rungproof::test {

@@ -10,7 +10,7 @@
 
 #include <fmt/ranges.h>
 
-#include "analysis/proof_watch.hpp"
+#include "analysis/proof/proof_watch.hpp"
 #include "frontend/cli.hpp"
 #include "proved_text.hpp"
 

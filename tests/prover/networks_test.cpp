@@ -1,5 +1,5 @@
 // The networks that a proof names: writers of what is read, over scans where the value is carried, and callers.
-#include "analysis/proof_networks.hpp"
+#include "analysis/proof/proof_networks.hpp"
 #include "proved_text.hpp"
 
 namespace rungproof::test {

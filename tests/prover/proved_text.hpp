@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "analysis/prover.hpp"
+#include "analysis/proof/prover.hpp"
 #include "frontend/program_input.hpp"
 
 namespace rungproof::test {

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "analysis/lint.hpp"
+#include "analysis/proof/safety_shape.hpp"
 #include "analysis/rule.hpp"
-#include "analysis/safety_shape.hpp"
 #include "frontend/solver_rules.hpp"
 #include "proved_text.hpp"
 

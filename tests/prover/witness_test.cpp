@@ -1,5 +1,5 @@
 // Witnesses are as small as they can be made: no scan too many, and inputs that may have any value are marked.
-#include "analysis/witness_minimal.hpp"
+#include "analysis/proof/witness_minimal.hpp"
 #include "frontend/witness_report.hpp"
 #include "proved_text.hpp"
 

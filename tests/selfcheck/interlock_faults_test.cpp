@@ -4,7 +4,7 @@
 // not found.
 #include <gtest/gtest.h>
 
-#include "analysis/self_check.hpp"
+#include "analysis/proof/self_check.hpp"
 #include "tests/corpus/corpus_program.hpp"
 
 namespace rungproof::test {

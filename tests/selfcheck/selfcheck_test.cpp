@@ -1,11 +1,11 @@
 // The self-check on programs of which it is known what their properties notice.
-#include "analysis/self_check.hpp"
+#include "analysis/proof/self_check.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "analysis/output_comparison.hpp"
+#include "analysis/proof/output_comparison.hpp"
 #include "tests/prover/proved_text.hpp"
 
 namespace rungproof::test {

@@ -9,7 +9,7 @@
 #include <random>
 #include <sstream>
 
-#include "analysis/drawing_raise.hpp"
+#include "analysis/drawing/raise.hpp"
 #include "engine/instruction_recorder.hpp"
 #include "engine/simulator.hpp"
 #include "frontend/drawing/network_view.hpp"

@@ -1,13 +1,13 @@
 // Words of literals against 64-bit arithmetic: random operands of random widths, 64 pairs at once through the
 // simulator. Results are cut to the width; divisions by 0 are as SMT-LIB has them.
-#include "analysis/bit_arithmetic.hpp"
+#include "analysis/bits/bit_arithmetic.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <random>
 
-#include "analysis/bit_simulator.hpp"
+#include "analysis/bits/bit_simulator.hpp"
 
 namespace rungproof {
 namespace {

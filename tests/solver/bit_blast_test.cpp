@@ -1,11 +1,11 @@
 // From words to bits and back: a counter whose runs are known, REAL operations as free inputs, certificates' literals
 // as nodes.
-#include "analysis/bit_blast.hpp"
+#include "analysis/bits/bit_blast.hpp"
 
 #include <gtest/gtest.h>
 
-#include "analysis/bit_simulator.hpp"
-#include "analysis/evaluate.hpp"
+#include "analysis/bits/bit_simulator.hpp"
+#include "analysis/graph/evaluate.hpp"
 
 namespace rungproof {
 namespace {

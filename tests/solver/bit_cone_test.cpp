@@ -1,5 +1,5 @@
 // Cones: what a question does not depend on is left out, and a run of the cone is a run of the whole system.
-#include "analysis/bit_cone.hpp"
+#include "analysis/bits/bit_cone.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // And-inverter graphs: whatever simplification makes of a gate, its value is that of the operation; equal gates are one.
-#include "analysis/bit_system.hpp"
+#include "analysis/bits/bit_system.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "analysis/bit_simulator.hpp"
+#include "analysis/bits/bit_simulator.hpp"
 
 namespace rungproof {
 namespace {

@@ -2,7 +2,7 @@
 // a run that is really bad or an invariant that is really inductive.
 #include <gtest/gtest.h>
 
-#include "analysis/bit_unrolling.hpp"
+#include "analysis/bits/bit_unrolling.hpp"
 #include "reference.hpp"
 
 namespace rungproof {

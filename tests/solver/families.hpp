@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "analysis/transition_system.hpp"
+#include "analysis/graph/transition_system.hpp"
 
 namespace rungproof::families {
 

@@ -1,16 +1,16 @@
 // Mined invariants: what is found on systems whose relations can be stated by hand, and that everything found holds
 // on random runs.
-#include "analysis/invariants_bounds.hpp"
+#include "analysis/portfolio/invariants_bounds.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "analysis/evaluate.hpp"
-#include "analysis/invariants_timers.hpp"
-#include "analysis/invariants_words.hpp"
-#include "analysis/portfolio.hpp"
-#include "analysis/truths.hpp"
+#include "analysis/graph/evaluate.hpp"
+#include "analysis/portfolio/invariants_timers.hpp"
+#include "analysis/portfolio/invariants_words.hpp"
+#include "analysis/portfolio/portfolio.hpp"
+#include "analysis/portfolio/truths.hpp"
 #include "families.hpp"
 
 namespace rungproof {

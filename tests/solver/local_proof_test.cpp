@@ -1,11 +1,11 @@
 // Proofs on the surface of a property: found where the reason is near, with certificates that Z3 accepts; not found
 // where the state decides.
-#include "analysis/local_proof.hpp"
+#include "analysis/portfolio/local_proof.hpp"
 
 #include <gtest/gtest.h>
 
-#include "analysis/certificate.hpp"
-#include "analysis/portfolio.hpp"
+#include "analysis/portfolio/certificate.hpp"
+#include "analysis/portfolio/portfolio.hpp"
 #include "families.hpp"
 
 namespace rungproof {

@@ -1,13 +1,13 @@
 // Merged states, on systems whose equal words can be told by hand: what is merged, that it holds, and that a proof about
 // the smaller system is one about the given system.
-#include "analysis/merging.hpp"
+#include "analysis/portfolio/merging.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "analysis/certificate.hpp"
-#include "analysis/portfolio.hpp"
+#include "analysis/portfolio/certificate.hpp"
+#include "analysis/portfolio/portfolio.hpp"
 #include "families.hpp"
 
 namespace rungproof {

@@ -1,11 +1,11 @@
 // The portfolio on families with known answers, and on random systems of words against a plain evaluation.
-#include "analysis/portfolio.hpp"
+#include "analysis/portfolio/portfolio.hpp"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 
-#include "analysis/evaluate.hpp"
+#include "analysis/graph/evaluate.hpp"
 #include "families.hpp"
 
 namespace rungproof {

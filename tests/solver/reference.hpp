@@ -5,7 +5,7 @@
 #include <optional>
 #include <random>
 
-#include "analysis/engine_contract.hpp"
+#include "analysis/bits/engine_contract.hpp"
 
 namespace rungproof::reference {
 

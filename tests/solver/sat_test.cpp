@@ -1,12 +1,12 @@
 // The SAT solver's interface: answers against trying all assignments, failed assumptions, temporary clauses, and the
 // clauses that a graph literal brings.
-#include "analysis/sat.hpp"
+#include "analysis/bits/sat.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "analysis/bit_cnf.hpp"
+#include "analysis/bits/bit_cnf.hpp"
 
 namespace rungproof {
 namespace {

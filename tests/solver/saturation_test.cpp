@@ -1,14 +1,14 @@
 // Saturation at the largest constant that a value is compared with: when it is exact, when it is refused, and that a cap at
 // a timer's own preset would be wrong where a property compares with more.
-#include "analysis/saturation.hpp"
+#include "analysis/portfolio/saturation.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "analysis/certificate.hpp"
-#include "analysis/evaluate.hpp"
-#include "analysis/portfolio.hpp"
+#include "analysis/graph/evaluate.hpp"
+#include "analysis/portfolio/certificate.hpp"
+#include "analysis/portfolio/portfolio.hpp"
 #include "families.hpp"
 
 namespace rungproof {

@@ -1,5 +1,5 @@
 // Random runs keep the constraints, and what they reach is reachable; a quick violation is found.
-#include "analysis/simulation_runs.hpp"
+#include "analysis/bits/simulation_runs.hpp"
 
 #include <gtest/gtest.h>
 

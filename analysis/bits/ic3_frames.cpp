@@ -1,0 +1,214 @@
+// One solver holds the scan and all lemmas, each switched on by the literal of its level; a second solver, with the
+// scan alone, enlarges predecessors by the core of "these inputs in these states do not lead there: impossible".
+#include "analysis/bits/ic3_frames.hpp"
+
+#include <algorithm>
+
+#include "ir/check.hpp"
+
+namespace rungproof {
+
+bool subsumes(const Cube& general, const Cube& special) {
+  if (general.size() > special.size()) return false;
+  return std::includes(special.begin(), special.end(), general.begin(), general.end());
+}
+
+Ic3Frames::Ic3Frames(const BitSystem& system, const EngineOptions& options)
+    : system_(system), options_(options), unrolling_(system, Unrolling::Start::Any), init_(system.variableCount(), LatchInit::Free),
+      activity_(system.variableCount(), 0) {
+  for (const Lit bad : system.bads) bad_ = unrolling_.graph().addOr(bad_, unrolling_.at(0, bad));
+  for (const Latch& latch : system.latches) init_[latch.variable] = latch.init;
+  frames_.resize(1);
+  build();
+}
+
+void Ic3Frames::build() {
+  sat_ = std::make_unique<Sat>(Sat::Use::Many);
+  cnf_ = std::make_unique<BitCnf>(unrolling_.graph(), *sat_);
+  const bool first = lift_ == nullptr;
+  if (first) {
+    lift_ = std::make_unique<Sat>(Sat::Use::Many);
+    liftCnf_ = std::make_unique<BitCnf>(unrolling_.graph(), *lift_);
+  }
+  for (const Lit constraint : system_.constraints) sat_->add({cnf_->literal(unrolling_.at(0, constraint))});
+  for (const std::vector<Lit>& clause : options_.invariants) {
+    std::vector<int> inFrame, inLift;
+    for (const Lit l : clause) {
+      inFrame.push_back(current(l));
+      if (first) inLift.push_back(liftCnf_->literal(unrolling_.at(0, l)));
+    }
+    sat_->add(inFrame);
+    if (first) lift_->add(inLift);
+  }
+  frameLiterals_.clear();
+  asserted_ = 0;
+  frameLiterals_.push_back(sat_->newVariable());
+  for (const Latch& latch : system_.latches) {
+    if (latch.init == LatchInit::Free) continue;
+    sat_->add({-frameLiterals_[0], current(positive(latch.variable) ^ (latch.init == LatchInit::One ? 0U : 1U))});
+  }
+  for (int level = 1; level <= top(); ++level) {
+    for (const Cube& cube : frames_[level]) assertLemma(cube, level);
+  }
+}
+
+Sat::Outcome Ic3Frames::solve(std::span<const int> assumptions, std::span<const int> temporary) {
+  const Sat::Outcome outcome = sat_->solve(assumptions, *budget_, temporary);
+  if (outcome == Sat::Outcome::Unknown) throw Ic3Interrupted{};
+  return outcome;
+}
+
+int Ic3Frames::next(Lit latchLiteral) {
+  const Latch& latch = system_.latches[system_.position[variableOf(latchLiteral)]];
+  return cnf_->literal(unrolling_.at(0, latch.next ^ (latchLiteral & 1U)));
+}
+
+bool Ic3Frames::meetsInitial(const Cube& cube) const {
+  return std::none_of(cube.begin(), cube.end(), [&](Lit l) {
+    const LatchInit init = init_[variableOf(l)];
+    return init != LatchInit::Free && (init == LatchInit::One) == isNegative(l);
+  });
+}
+
+void Ic3Frames::assumeFrame(int level) {
+  assumptions_.clear();
+  if (level == 0) assumptions_.push_back(frameLiterals_[0]);
+  for (int i = std::max(level, 1); i < static_cast<int>(frameLiterals_.size()); ++i) assumptions_.push_back(frameLiterals_[i]);
+}
+
+Ic3State Ic3Frames::model() {
+  Ic3State state;
+  for (const Latch& latch : system_.latches) {
+    const Lit l = positive(latch.variable);
+    state.whole.push_back(l ^ (cnf_->value(unrolling_.at(0, l)) ? 0U : 1U));
+  }
+  for (const std::uint32_t v : system_.inputs) state.inputs.push_back(cnf_->value(unrolling_.at(0, positive(v))));
+  state.latches = state.whole;
+  return state;
+}
+
+/// Drops latches that the inputs do not need to make all `goal` literals (of the lift solver) true.
+void Ic3Frames::enlarge(Ic3State& state, std::vector<int> goal) {
+  for (const Lit constraint : system_.constraints) goal.push_back(liftCnf_->literal(unrolling_.at(0, constraint)));
+  for (int& l : goal) l = -l;
+  std::vector<int> inputs;
+  for (std::size_t i = 0; i < system_.inputs.size(); ++i) {
+    const int l = liftCnf_->known(unrolling_.at(0, positive(system_.inputs[i])));
+    if (l != 0) inputs.push_back(state.inputs[i] ? l : -l);
+  }
+  for (int round = 0; round < 2; ++round) {
+    std::vector<int> assumptions = inputs;
+    Cube known;
+    for (const Lit l : state.latches) {
+      const int literal = liftCnf_->known(unrolling_.at(0, l));
+      if (literal == 0) continue;
+      known.push_back(l);
+      assumptions.push_back(literal);
+    }
+    if (round == 1) std::reverse(assumptions.begin() + static_cast<std::ptrdiff_t>(inputs.size()), assumptions.end());
+    const Sat::Outcome outcome = lift_->solve(assumptions, *budget_, goal);
+    if (outcome == Sat::Outcome::Unknown) throw Ic3Interrupted{};
+    CHECK(outcome == Sat::Outcome::Unsatisfiable, "state and inputs decide the next state");
+    Cube core;
+    for (const Lit l : known) {
+      if (lift_->failed(liftCnf_->known(unrolling_.at(0, l)))) core.push_back(l);
+    }
+    const bool shrunk = core.size() < state.latches.size();
+    state.latches = std::move(core);
+    if (!shrunk) break;
+  }
+}
+
+std::optional<Ic3State> Ic3Frames::findBad(int level) {
+  if (bad_ == falseLit) return std::nullopt;
+  assumeFrame(level);
+  assumptions_.push_back(cnf_->literal(bad_));
+  if (solve(assumptions_, {}) == Sat::Outcome::Unsatisfiable) return std::nullopt;
+  Ic3State state = model();
+  enlarge(state, {liftCnf_->literal(bad_)});
+  return state;
+}
+
+bool Ic3Frames::isInductive(const Cube& cube, int level, bool strengthened, Cube* core) {
+  assumeFrame(level);
+  for (const Lit l : cube) assumptions_.push_back(next(l));
+  std::vector<int> temporary;
+  if (strengthened) {
+    for (const Lit l : cube) temporary.push_back(-current(l));
+  }
+  if (solve(assumptions_, temporary) == Sat::Outcome::Satisfiable) return false;
+  if (core == nullptr) return true;
+  Cube kept;
+  for (const Lit l : cube) {
+    if (sat_->failed(next(l))) kept.push_back(l);
+  }
+  if (meetsInitial(kept)) {
+    for (const Lit l : cube) {
+      if (meetsInitial({l})) continue;
+      kept.insert(std::lower_bound(kept.begin(), kept.end(), l), l);
+      break;
+    }
+  }
+  *core = std::move(kept);
+  return true;
+}
+
+Ic3State Ic3Frames::predecessor(const Cube& cube) {
+  Ic3State state = model();
+  std::vector<int> goal;
+  for (const Lit l : cube) {
+    const Latch& latch = system_.latches[system_.position[variableOf(l)]];
+    goal.push_back(liftCnf_->literal(unrolling_.at(0, latch.next ^ (l & 1U))));
+  }
+  enlarge(state, std::move(goal));
+  return state;
+}
+
+void Ic3Frames::assertLemma(const Cube& cube, int level) {
+  while (static_cast<int>(frameLiterals_.size()) <= level) frameLiterals_.push_back(sat_->newVariable());
+  std::vector<int> clause{-frameLiterals_[level]};
+  for (const Lit l : cube) clause.push_back(-current(l));
+  sat_->add(clause);
+  ++asserted_;
+}
+
+void Ic3Frames::addLemma(const Cube& cube, int level) {
+  std::size_t alive = 0;
+  for (int i = 1; i <= top(); ++i) {
+    if (i <= level) std::erase_if(frames_[i], [&](const Cube& lemma) { return subsumes(cube, lemma); });
+    alive += frames_[i].size();
+  }
+  frames_[level].push_back(cube);
+  bump_ *= 1.05;
+  for (const Lit l : cube) activity_[variableOf(l)] += bump_;
+  if (bump_ > 1e100) {
+    for (double& a : activity_) a *= 1e-100;
+    bump_ *= 1e-100;
+  }
+  if (asserted_ > 500 + 3 * alive) build();
+  else assertLemma(cube, level);
+}
+
+bool Ic3Frames::isBlocked(const Cube& cube, int level) const {
+  for (int i = level; i <= top(); ++i) {
+    for (const Cube& lemma : frames_[i]) {
+      if (subsumes(lemma, cube)) return true;
+    }
+  }
+  return false;
+}
+
+std::optional<int> Ic3Frames::propagate() {
+  for (int level = 1; level < top(); ++level) {
+    const std::vector<Cube> lemmas = frames_[level];
+    for (const Cube& lemma : lemmas) {
+      if (std::find(frames_[level].begin(), frames_[level].end(), lemma) == frames_[level].end()) continue;
+      Cube core;
+      if (isInductive(lemma, level, false, &core)) addLemma(core, level + 1);
+    }
+    if (frames_[level].empty()) return level;
+  }
+  return std::nullopt;
+}
+
+}  // namespace rungproof

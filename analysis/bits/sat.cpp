@@ -1,0 +1,70 @@
+// CaDiCaL 1.5.3 behind the interface of the engines.
+#include "analysis/bits/sat.hpp"
+
+#include <cadical.hpp>
+
+#include "ir/check.hpp"
+
+namespace rungproof {
+
+namespace {
+
+/// CaDiCaL asks every few search steps; the clock is read at every 32nd question only.
+class BudgetTerminator final : public CaDiCaL::Terminator {
+ public:
+  explicit BudgetTerminator(const Budget& budget) : budget_(budget) {}
+  bool terminate() override {
+    if (++calls_ % 32 == 0) ended_ = ended_ || budget_.isExhausted();
+    return ended_;
+  }
+
+ private:
+  const Budget& budget_;
+  unsigned calls_ = 0;
+  bool ended_ = false;
+};
+
+}  // namespace
+
+Sat::Sat(Use use) : solver_(std::make_unique<CaDiCaL::Solver>()) {
+  solver_->set("quiet", 1);
+  solver_->set("lucky", 0);
+  if (use == Use::Many) {
+    for (const char* technique : {"walk", "probe", "elim", "subsume", "vivify", "ternary", "transred", "decompose",
+                                  "condition", "cover", "block", "rephase", "compact"}) {
+      CHECK(solver_->set(technique, 0), "CaDiCaL knows the option");
+    }
+  }
+}
+
+Sat::~Sat() = default;
+
+void Sat::add(std::span<const int> clause) {
+  for (const int literal : clause) solver_->add(literal);
+  solver_->add(0);
+}
+
+Sat::Outcome Sat::solve(std::span<const int> assumptions, const Budget& budget, std::span<const int> temporary) {
+  if (budget.isExhausted()) return Outcome::Unknown;
+  solver_->reset_assumptions();
+  for (const int literal : assumptions) solver_->assume(literal);
+  if (!temporary.empty()) {
+    for (const int literal : temporary) solver_->constrain(literal);
+    solver_->constrain(0);
+  }
+  BudgetTerminator terminator(budget);
+  solver_->connect_terminator(&terminator);
+  const int result = solver_->solve();
+  solver_->disconnect_terminator();
+  if (result == 10) return Outcome::Satisfiable;
+  if (result == 20) return Outcome::Unsatisfiable;
+  return Outcome::Unknown;
+}
+
+bool Sat::value(int literal) const { return solver_->val(literal) > 0; }
+
+bool Sat::failed(int literal) const { return solver_->failed(literal); }
+
+void Sat::prefer(int literal) { solver_->phase(literal); }
+
+}  // namespace rungproof

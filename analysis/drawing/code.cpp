@@ -1,0 +1,132 @@
+// Instructions from nodes.
+#include "analysis/drawing/code.hpp"
+
+#include <bit>
+#include <string>
+
+#include "ir/check.hpp"
+#include "ir/isa.hpp"
+
+namespace rungproof {
+
+namespace {
+
+/// Forms of each contact by opcode of any of its forms.
+struct FormTable {
+  struct Row {
+    const Desc* load = nullptr;
+    const Desc* conjunction = nullptr;
+    const Desc* disjunction = nullptr;
+  };
+  std::vector<Row> rows;
+
+  FormTable() : rows(instructionTable().size()) {
+    for (const Desc& desc : instructionTable()) {
+      if (desc.stack.pushes != 1 || desc.stack.needs != 0 || !desc.stl.starts_with("LD")) continue;
+      const std::string rest(desc.stl.substr(2));
+      const Row row{&desc, instructionNamed("A" + rest), instructionNamed("O" + rest)};
+      CHECK(row.conjunction != nullptr && row.disjunction != nullptr, "every contact has three forms");
+      rows[desc.opcode] = rows[row.conjunction->opcode] = rows[row.disjunction->opcode] = row;
+    }
+  }
+};
+
+const FormTable::Row& formsOf(const Desc& desc) {
+  static const FormTable table;
+  return table.rows[desc.opcode];
+}
+
+Operand editorOperand(unsigned bit) { return direct(Area::L, Width::Bit, 60 + bit / 8, bit % 8); }
+
+}  // namespace
+
+const Desc* contactForm(const Desc& load, ContactForm form) {
+  const FormTable::Row& row = formsOf(load);
+  return form == ContactForm::Load ? row.load : form == ContactForm::And ? row.conjunction : row.disjunction;
+}
+
+const Desc* loadForm(const Desc& contact) { return formsOf(contact).load; }
+
+std::optional<unsigned> EditorBitPool::takeLowest() {
+  if (taken_ == ~EditorBits{0}) return std::nullopt;
+  const auto bit = static_cast<unsigned>(std::countr_one(taken_));
+  taken_ |= 1U << bit;
+  return bit;
+}
+
+std::optional<unsigned> EditorBitPool::takeHighest() {
+  if (taken_ == ~EditorBits{0}) return std::nullopt;
+  const auto bit = 31U - static_cast<unsigned>(std::countl_one(taken_));
+  taken_ |= 1U << bit;
+  return bit;
+}
+
+void CircuitCode::add(const Desc* desc, std::vector<Operand> operands, Span span) {
+  CHECK(desc != nullptr, "stack operations are in the table");
+  Instruction instruction;
+  instruction.desc = desc;
+  instruction.operands = std::move(operands);
+  instruction.span = instruction.mnemonic = span;
+  lowered_.instructions.push_back(std::move(instruction));
+}
+
+void CircuitCode::mark(std::uint32_t n) {
+  const std::uint32_t element = node(n).element;
+  if (element != noElement) lowered_.instructionOf[element] = static_cast<std::uint32_t>(lowered_.instructions.size() - 1);
+}
+
+void CircuitCode::contact(std::uint32_t n, ContactForm form) {
+  add(contactForm(*node(n).desc, form), *node(n).operands, node(n).span);
+  mark(n);
+}
+
+void CircuitCode::power(ContactForm form, Span span) {
+  static const Desc* const load = instructionNamed("LD");
+  add(contactForm(*load, form), {direct(Area::SM, Width::Bit, 0, 0)}, span);
+}
+
+void CircuitCode::operation(std::string_view mnemonic, std::uint32_t n) { add(instructionNamed(mnemonic), {}, node(n).span); }
+
+void CircuitCode::store(unsigned bit, std::uint32_t n) {
+  add(instructionNamed("="), {editorOperand(bit)}, node(n).span);
+}
+
+void CircuitCode::recall(unsigned bit, ContactForm form, std::uint32_t n) {
+  static const Desc* const load = instructionNamed("LD");
+  add(contactForm(*load, form), {editorOperand(bit)}, node(n).span);
+}
+
+void CircuitCode::instruction(std::uint32_t n) {
+  add(node(n).desc, node(n).operands == nullptr ? std::vector<Operand>{} : *node(n).operands, node(n).span);
+  mark(n);
+}
+
+void CircuitCode::call(std::uint32_t n, const std::vector<unsigned>& bits) {
+  std::vector<Operand> operands = *node(n).operands;
+  std::size_t next = 0;
+  for (Operand& operand : operands) {
+    if (operand.kind != OperandKind::Missing) continue;
+    const Span span = operand.span;
+    operand = editorOperand(bits[next++]);
+    operand.span = span;
+  }
+  add(node(n).desc, std::move(operands), node(n).span);
+  mark(n);
+}
+
+bool CircuitCode::iecOutput(std::uint32_t n) {
+  constexpr std::size_t q = iecOutputOperand;
+  std::vector<Operand>& operands = lowered_.instructions.back().operands;
+  if (operands.size() <= q) operands.resize(q + 1);
+  if (operands[q].kind == OperandKind::Missing) {
+    const std::optional<unsigned> bit = pool_.takeLowest();
+    if (!bit) return false;
+    operands[q] = editorOperand(*bit);
+    pool_.give(*bit);  // read by the next instruction and never again
+    lowered_.usesEditorBits = true;
+  }
+  add(instructionNamed("LD"), {operands[q]}, node(n).span);
+  return true;
+}
+
+}  // namespace rungproof

@@ -1,0 +1,31 @@
+// The rule for long scans as constraints.
+#include "analysis/encoding/accelerate.hpp"
+
+namespace rungproof {
+
+void accelerate(TransitionSystem& system, Node dt, int width, std::uint32_t longest, const std::function<bool(Node)>& isTime) {
+  Graph& graph = *system.graph;
+  const Graph::Bool isLong = graph.ult(graph.literal(longest, width), {dt}, width);
+  Graph::Bool steady = graph.constant(true);
+  for (const StateVariable& state : system.states) {
+    if (isTime(state.node)) continue;
+    const int w = graph[state.node].width;
+    steady = graph.land(steady, graph.equal({state.next}, {state.node}, w));
+  }
+  const Graph::Bool wasLong{graph.variable("long scan before", 1, true)};
+  Graph::Bool same = graph.constant(true);
+  std::vector<StateVariable> added{{wasLong.node, graph.constantNode(0, 1), isLong.node}};
+  for (const Node input : system.inputs) {
+    const Variable& variable = graph.variables()[graph[input].value];
+    if (variable.name.rfind("time.", 0) == 0 || variable.name == "dt") continue;
+    const int w = graph[input].width;
+    const Node before = graph.variable(variable.name + " before", w, true);
+    added.push_back({before, graph.constantNode(0, w), input});
+    same = graph.land(same, graph.equal({before}, {input}, w));
+  }
+  system.states.insert(system.states.end(), added.begin(), added.end());
+  system.constraints.push_back(graph.lor(graph.lnot(isLong), steady).node);
+  system.constraints.push_back(graph.lor(graph.lnot(wasLong), same).node);
+}
+
+}  // namespace rungproof

@@ -1,0 +1,134 @@
+// The rounds of the encoder: encode a scan, learn from it, encode again with what was learned.
+#include "analysis/encoding/encoder.hpp"
+
+#include "analysis/encoding/scan_encoding.hpp"
+#include "ir/check.hpp"
+
+namespace rungproof {
+
+class EncodedScan::Impl {
+ public:
+  Impl(const Program& source, const EncoderOptions& given) : program(source), options(given), plan(source), layout(source.target) {
+    layout.add(program, plan);
+    for (const Operand& operand : options.observed) layout.add(operand.area, operand.width, operand.offset);
+    // SM0.0 is always on, SM0.7 is the mode switch in RUN (001:14050, 001:14057), unless the program overwrites them.
+    knowledge.constants = {{memoryPlace(Area::SM, 0, Width::Bit, 0), 1}, {memoryPlace(Area::SM, 0, Width::Bit, 7), 1}};
+    for (int round = 0; !learn(); ++round) {
+      if (round == roundLimit) knowledge.followsPointers = false;
+    }
+    knowledge.isFinal = true;
+    encode();
+    scan->close();
+  }
+
+  const Program& program;
+  EncoderOptions options;
+  Plan plan;
+  MemoryLayout layout;
+  Knowledge knowledge;
+  std::unique_ptr<ScanEncoding> scan;
+
+ private:
+  /// Rounds until pointers that still gain values are given up.
+  static constexpr int roundLimit = 12;
+
+  void encode() { scan = std::make_unique<ScanEncoding>(program, options, plan, layout, knowledge); }
+
+  /// One round. True if it confirmed what it was built on; then the constants it found are adopted as well.
+  bool learn() {
+    encode();
+    const TransitionSystem system = scan->system();
+    VariableValues values;
+    for (const Cell& cell : scan->cells()) {
+      const auto known = knowledge.values.find(cell.place);
+      if (cell.kind == CellKind::State && known != knowledge.values.end()) values[cell.start] = known->second;
+    }
+    closeValues(system, scan->pointerCells(), values);
+    const std::vector<Place> changing = refuted(values);
+    for (const Place& place : changing) knowledge.constants.erase(place);
+    const bool isNewFootprint = knowledge.footprints.merge(scan->footprints());
+    bool isConfirmed = changing.empty() && !isNewFootprint;
+    std::map<Place, std::uint64_t> found;
+    for (const Cell& cell : scan->cells()) {
+      if (cell.kind != CellKind::State) continue;
+      const ValueSet& set = values.at(cell.start);
+      const auto known = knowledge.values.find(cell.place);
+      const bool isNew = known == knowledge.values.end() || known->second != set;
+      if (isNew && !scan->pointerCells().empty()) isConfirmed = false;
+      knowledge.values[cell.place] = set;
+      if (set.isSingle()) found.emplace(cell.place, set.facts().low);
+    }
+    if (isConfirmed) knowledge.constants.insert(found.begin(), found.end());
+    return isConfirmed;
+  }
+
+  /// Constants of the round that do not stay what they are.
+  std::vector<Place> refuted(const VariableValues& values) {
+    std::vector<Place> result;
+    ValueEvaluator evaluator(scan->graph, values);
+    for (std::size_t i = 0; i < scan->cells().size(); ++i) {
+      const Cell cell = scan->cells()[i];
+      if (cell.kind != CellKind::Constant) continue;
+      const Node next = scan->value(cell.place);
+      if (next == cell.start) continue;
+      const ValueSet set = evaluator.valuesOf(next, scan->graph.constantNode(1, 1), valueLimit);
+      if (!set.isSingle() || set.facts().low != scan->graph[cell.start].value) result.push_back(cell.place);
+    }
+    return result;
+  }
+};
+
+EncodedScan::EncodedScan(const Program& program, const EncoderOptions& options) : impl_(std::make_unique<Impl>(program, options)) {}
+EncodedScan::~EncodedScan() = default;
+EncodedScan::EncodedScan(EncodedScan&&) noexcept = default;
+EncodedScan& EncodedScan::operator=(EncodedScan&&) noexcept = default;
+
+Graph& EncodedScan::graph() const { return impl_->scan->graph; }
+const Plan& EncodedScan::plan() const { return impl_->plan; }
+TimeModel& EncodedScan::time() const { return impl_->scan->time; }
+const EncoderOptions& EncodedScan::options() const { return impl_->options; }
+
+Node EncodedScan::atEnd(const Place& place) { return impl_->scan->value(place); }
+
+Node EncodedScan::atEnd(const Operand& operand, int width) {
+  CHECK(operand.kind == OperandKind::Direct, "only direct operands have a value of their own");
+  const auto low = [&](Node n) { return graph().make(Op::Extract, width, n); };
+  switch (operand.area) {
+    case Area::T: return atEnd(registerPlace(width == 1 ? Reg::TimerBit : Reg::TimerCurrent, operand.offset));
+    case Area::C: return atEnd(registerPlace(width == 1 ? Reg::CounterBit : Reg::CounterCurrent, operand.offset));
+    case Area::AC: return low(atEnd(registerPlace(Reg::Accumulator, operand.offset)));
+    case Area::HC: return low(atEnd(registerPlace(Reg::HscCurrent, operand.offset)));
+    case Area::AI: return impl_->scan->analogInput(operand.offset);
+    default: {
+      const Width access = width == 1 ? Width::Bit : width == 8 ? Width::Byte : width == 16 ? Width::Word : Width::DWord;
+      return atEnd(memoryPlace(operand.area, operand.offset, access, operand.bit));
+    }
+  }
+}
+
+Node EncodedScan::atStart(const Place& place) { return impl_->scan->start(place); }
+Node EncodedScan::firstScan() const { return impl_->scan->start(registerPlace(Reg::FirstScan, 0)); }
+TransitionSystem EncodedScan::system() { return impl_->scan->system(); }
+
+const std::vector<HazardRecord>& EncodedScan::hazards() const { return impl_->scan->hazards; }
+const std::vector<BitWrite>& EncodedScan::bitWrites() const { return impl_->scan->bitWrites(); }
+const std::vector<Approximation>& EncodedScan::approximations() const { return impl_->scan->approximations; }
+const std::vector<ExternalInput>& EncodedScan::externals() const { return impl_->scan->externals; }
+const std::map<std::uint32_t, Node>& EncodedScan::analogInputs() const { return impl_->scan->analogInputs(); }
+const std::vector<TickSite>& EncodedScan::tickSites() const { return impl_->scan->tickSites; }
+const std::vector<EventSite>& EncodedScan::eventSites() const { return impl_->scan->eventSites; }
+const std::vector<Cell>& EncodedScan::cells() const { return impl_->scan->cells(); }
+std::vector<const BoundarySite*> EncodedScan::boundaries() const {
+  std::vector<const BoundarySite*> all;
+  for (const TickSite& t : tickSites()) all.push_back(&t.where);
+  for (const EventSite& e : eventSites()) all.push_back(&e.where);
+  return all;
+}
+const std::vector<Node>& EncodedScan::visits(std::uint32_t instruction) const {
+  static const std::vector<Node> none;
+  const auto found = impl_->scan->visits.find(instruction);
+  return found == impl_->scan->visits.end() ? none : found->second;
+}
+std::vector<Place> EncodedScan::places() const { return impl_->scan->places(); }
+
+}  // namespace rungproof

@@ -1,0 +1,136 @@
+// Encoder: the exact transition system of one scan of a program. It runs the templated scan once over graph nodes and
+// gathers what the run asked for and met: state and inputs, external values with their places, hazards, writes to
+// single bits, and everything it could only approximate.
+//
+// A run is a sequence of scans from power-up. It ends with the scan in which STOP or a fatal error ends the program;
+// a constraint says that each scan starts in RUN.
+// Covered by tests/encoder/encoder_test.cpp and tests/differential.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "analysis/encoding/symbolic_store.hpp"
+#include "analysis/encoding/time_model.hpp"
+#include "analysis/graph/transition_system.hpp"
+#include "engine/scan_script.hpp"
+#include "engine/start_up.hpp"
+#include "ir/choices.hpp"
+#include "ir/plan.hpp"
+
+namespace rungproof {
+
+/// Bytes `first` to `last` of an area that a panel or the network may write before any scan.
+struct ExternalBytes {
+  Area area = Area::V;
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
+};
+
+struct EncoderOptions {
+  Choices choices;
+  TimeRange time;
+  bool initialRetentive = false;  ///< retentive cells start with any value
+  std::vector<RetentiveRange> retentive = defaultRetentiveRanges();
+  std::vector<ExternalBytes> externals;
+  std::vector<Operand> observed;  ///< direct operands that properties read: they shape the state variables
+  bool interrupts = true;
+  int loopLimit = 256;            ///< rounds of a backward jump that are followed
+  std::size_t stepLimit = 50000;  ///< instructions of one scan, loops unrolled, after which no loop is followed further
+  /// Asked now and then while the program is encoded; throws whatever shall end it (proof_watch.hpp).
+  std::function<void()> interruption;
+  /// Called in front of every instruction that may run, for properties that hold at every instruction.
+  std::function<void(Machine<Graph>&, const Instruction&)> atInstruction;
+};
+
+/// Something that can go wrong: `condition` ranges over the state at the start of the scan and its inputs.
+struct HazardRecord {
+  Hazard hazard;
+  Node condition;
+  const Instruction* place;  ///< nullptr: not at an instruction
+};
+
+/// What is not exact, and where.
+struct Approximation {
+  const Instruction* place;  ///< nullptr: the whole program
+  std::string reason;
+  /// Nodes that may have more values than on the machine: a run may then have no counterpart there, and proofs hold.
+  /// A property whose cone has none of them does not depend on it.
+  std::vector<Node> carriers{};
+  /// Scans in which this is 1 are not followed to their end: no proof holds unless it can never be 1. noNode: none.
+  Node leftOut = noNode;
+};
+
+/// An external value, in the order in which the scan asks; asked for only where `guard` holds.
+struct ExternalInput {
+  ExternalSite site;
+  Node node;  ///< noNode: asked for but used nowhere
+  int width;
+  Node guard;
+};
+
+/// A place in the scan at which ticks or interrupts can come: in front of one execution of an instruction.
+struct BoundarySite {
+  std::uint32_t instruction;  ///< Instruction::id, or ScanPlace::afterProgram
+  std::uint32_t visit;        ///< index in EncodedScan::visits(instruction)
+  Node guard;                 ///< whether the scan comes here
+};
+struct TickSite {
+  BoundarySite where;
+  Node ticks;  ///< of 1 ms, 16 bits
+};
+struct EventSite {
+  BoundarySite where;
+  int event;
+  Node fires;  ///< the event comes, is attached and enabled
+};
+
+/// One scan as a transition system, with the meaning of its variables.
+class EncodedScan {
+ public:
+  EncodedScan(const Program& program, const EncoderOptions& options);
+  ~EncodedScan();
+  EncodedScan(EncodedScan&&) noexcept;
+  EncodedScan& operator=(EncodedScan&&) noexcept;
+
+  Graph& graph() const;
+  const Plan& plan() const;
+  TimeModel& time() const;
+  const EncoderOptions& options() const;
+
+  /// Value of a direct operand at the end of the scan, `width` bits; T and C by width. AI: noNode if the program
+  /// does not read it.
+  Node atEnd(const Operand& operand, int width);
+  Node atEnd(const Place& place);
+  /// Value at the start of the scan, before inputs act.
+  Node atStart(const Place& place);
+  /// Whether this is the first scan.
+  Node firstScan() const;
+
+  /// State, inputs and constraints of all that has been touched up to now. Call after the last atEnd().
+  TransitionSystem system();
+
+  const std::vector<HazardRecord>& hazards() const;
+  const std::vector<BitWrite>& bitWrites() const;
+  const std::vector<Approximation>& approximations() const;
+  const std::vector<ExternalInput>& externals() const;
+  /// The samples of analog inputs by word address; with Choice::AnalogSampling = each-read what was read last.
+  const std::map<std::uint32_t, Node>& analogInputs() const;
+  const std::vector<TickSite>& tickSites() const;
+  const std::vector<EventSite>& eventSites() const;
+  /// All places of tick and event sites, and the guards of the executions of an instruction in the order of the scan.
+  std::vector<const BoundarySite*> boundaries() const;
+  const std::vector<Node>& visits(std::uint32_t instruction) const;
+  /// Places whose values at the start of a scan are inputs (I, external memory, status written by devices) or state.
+  const std::vector<Cell>& cells() const;
+  /// Everything that has been read or written up to now except local memory, as runs of bits and registers.
+  std::vector<Place> places() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace rungproof

@@ -1,0 +1,41 @@
+// Footprints: which parts of the state each instruction and each interrupt routine reads and writes, recorded while a
+// scan is encoded. They tell where 1 ms ticks and interrupts have to be let in.
+//
+// Why it is enough to let an interrupt routine R run in front of instructions that conflict with it, and after the
+// program: if instruction i writes nothing that R reads or writes, and reads nothing that R writes, then "R, i" and
+// "i, R" lead to the same state, so an interrupt in front of i can be moved behind it. What R saves and restores
+// (accumulators, SM1, ENO) does not count as written; whether R runs at all depends on the attachment, the global
+// enable and RUN, which count as read. The same argument holds for the ticks of 1 ms timers.
+// Covered by tests/encoder/interrupt_test.cpp.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "analysis/encoding/symbolic_store.hpp"
+
+namespace rungproof {
+
+struct Footprint {
+  std::set<std::uint32_t> reads;
+  std::set<std::uint32_t> writes;
+
+  bool conflictsWith(const Footprint& other) const;
+};
+
+struct Footprints {
+  std::map<std::uint32_t, Footprint> ofInstruction;  ///< by Instruction::id
+  std::map<int, Footprint> ofRoutine;                ///< by interrupt number
+
+  /// `routine`: the interrupt routine that runs, or -1.
+  void record(std::uint32_t instruction, int routine, const Touch& touch);
+  /// Adds what another run has recorded. Gives whether that was anything new.
+  bool merge(const Footprints& other);
+};
+
+/// Keys of a place in a Footprint: one per bit of memory, one per register.
+void addKeys(const Place& place, std::set<std::uint32_t>& keys);
+
+}  // namespace rungproof

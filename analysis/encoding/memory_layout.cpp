@@ -1,0 +1,56 @@
+// Cuts memory into words and bits by the accesses of the program.
+#include "analysis/encoding/memory_layout.hpp"
+
+#include "analysis/access.hpp"
+
+namespace rungproof {
+
+MemoryLayout::MemoryLayout(const Target& target) {
+  for (int a = 0; a < areaCount; ++a) {
+    const Area area = static_cast<Area>(a);
+    const bool inRegisters = area == Area::T || area == Area::C || area == Area::AC || area == Area::HC;
+    cuts_[static_cast<std::size_t>(a)].resize(inRegisters ? 0 : area == Area::L ? localBytes : areaSize(target, area));
+  }
+}
+
+void MemoryLayout::add(const Program& program, const Plan& plan) {
+  const AccessTable table(program, plan);
+  for (const Access& access : table.all()) {
+    if (access.viaPointer || access.byNumber() || access.area == Area::L) continue;
+    if (access.width == Width::Bit) {
+      for (std::uint32_t i = 0; i < access.possibleLength(); ++i) add(access.area, Width::Bit, access.offset + i);
+    } else {
+      for (std::uint32_t k = 0; k < access.most; ++k) add(access.area, access.width, access.offset + k * static_cast<std::uint32_t>(bytes(access.width)));
+    }
+  }
+}
+
+void MemoryLayout::add(Area area, Width width, std::uint32_t byte) {
+  std::vector<Cut>& cuts = cuts_[static_cast<std::size_t>(area)];
+  const std::uint32_t end = byte + static_cast<std::uint32_t>(bytes(width));
+  if (end > cuts.size()) return;
+  if (width == Width::Bit) cuts[byte].isSingleBits = true;
+  cuts[byte].startsHere = true;
+  if (end < cuts.size()) cuts[end].startsHere = true;
+  for (std::uint32_t i = byte; i + 1 < end; ++i) cuts[i].joinsNext = true;
+}
+
+/// Whether the byte and the next belong to one word.
+bool MemoryLayout::isJoined(Area area, std::uint32_t byte) const {
+  if (byte + 1 >= size(area)) return false;
+  const Cut& here = cut(area, byte);
+  const Cut& next = cut(area, byte + 1);
+  return here.joinsNext && !here.isSingleBits && !next.isSingleBits && !next.startsHere;
+}
+
+MemoryLayout::Word MemoryLayout::wordOf(Area area, std::uint32_t byte) const {
+  std::uint32_t first = byte;
+  while (first > 0 && isJoined(area, first - 1)) --first;
+  std::uint32_t count = 1;
+  while (isJoined(area, first + count - 1)) ++count;
+  // Long rows of overlapping words are cut every four bytes from their start.
+  const std::uint32_t start = first + (byte - first) / 4 * 4;
+  return {start, std::min<std::uint32_t>(4, first + count - start)};
+}
+
+}  // namespace rungproof

@@ -1,0 +1,194 @@
+// Abstract evaluation and the fixpoint over the transition relation.
+#include "analysis/encoding/pointer_values.hpp"
+
+#include <algorithm>
+
+#include "analysis/encoding/pointer_walk.hpp"
+#include "analysis/graph/evaluate.hpp"
+
+namespace rungproof {
+
+namespace {
+
+/// Rounds in which sets may grow before bounds are widened.
+constexpr int patience = 6;
+
+}  // namespace
+
+std::vector<Node> variablesOf(const Graph& graph, Node root) {
+  std::vector<Node> result;
+  const Node roots[] = {root};
+  for (const Node n : coneOf(graph, roots)) {
+    if (graph[n].op == Op::Variable) result.push_back(n);
+  }
+  return result;
+}
+
+ValueSet ValueEvaluator::evaluate(Node n, std::size_t limit) {
+  const NodeData& node = graph_[n];
+  ValueSet result;
+  if (node.op == Op::Variable) {
+    if (n == fixed_) {
+      result = fixedValue_;
+    } else {
+      const auto found = variables_.find(n);
+      result = found == variables_.end() ? ValueSet::any(node.width) : found->second;
+    }
+  } else if (node.op == Op::Constant) {
+    result = ValueSet::of(node.value);
+  } else {
+    std::array<const ValueSet*, 3> operand{};
+    std::array<int, 2> widths{};
+    for (std::size_t i = 0; i < 3 && node.child[i] != noNode; ++i) {
+      operand[i] = &values_[indexOf(node.child[i])];
+      if (i < 2) widths[i] = graph_[node.child[i]].width;
+    }
+    result = ValueSet::combine(node, widths, operand, limit);
+  }
+  if (const auto bounds = unsigned_.find(n); bounds != unsigned_.end()) result.restrict(bounds->second.low, bounds->second.high, limit);
+  if (const auto bounds = signed_.find(n); bounds != signed_.end()) {
+    const std::uint64_t mask = Graph::maskOf(node.width), sign = mask ^ mask >> 1;
+    const std::uint64_t low = bounds->second.low ^ sign, high = bounds->second.high ^ sign;
+    if (low <= high) result.restrict(low, high, limit);
+  }
+  return result;
+}
+
+void ValueEvaluator::run(std::span<const Node> cone, std::size_t limit) {
+  values_.resize(graph_.size());
+  for (const Node n : cone) values_[indexOf(n)] = evaluate(n, limit);
+}
+
+ValueSet ValueEvaluator::valuesOf(Node root, Node guard, std::size_t limit) {
+  unsigned_.clear();
+  signed_.clear();
+  collectBounds(guard);
+  const Node roots[] = {root};
+  run(coneOf(graph_, roots), limit);
+  unsigned_.clear();
+  signed_.clear();
+  return at(root);
+}
+
+ValueSet ValueEvaluator::valuesWith(std::span<const Node> cone, Node variable, const ValueSet& value, std::size_t limit) {
+  fixed_ = variable;
+  fixedValue_ = value;
+  run(cone, limit);
+  fixed_ = noNode;
+  return at(cone.back());
+}
+
+/// Comparisons with constants among the conjuncts of the guard.
+void ValueEvaluator::collectBounds(Node guard) {
+  std::vector<Node> open{guard};
+  while (!open.empty()) {
+    const Node n = open.back();
+    open.pop_back();
+    if (graph_[n].op == Op::And) {
+      open.push_back(graph_[n].child[0]);
+      open.push_back(graph_[n].child[1]);
+      continue;
+    }
+    const bool isNegated = graph_[n].op == Op::Not;
+    const NodeData& test = graph_[isNegated ? graph_[n].child[0] : n];
+    const auto narrow = [](auto& table, Node subject, const Bounds& bounds) {
+      const auto [place, isNew] = table.try_emplace(subject, bounds);
+      if (isNew) return;
+      place->second.low = std::max(place->second.low, bounds.low);
+      place->second.high = std::min(place->second.high, bounds.high);
+    };
+    if (test.op == Op::Extract && test.width == 1 && test.value + 1 == graph_[test.child[0]].width) {
+      // The sign bit: what x < 0 has become.
+      const std::uint64_t all = Graph::maskOf(graph_[test.child[0]].width), half = all ^ all >> 1;
+      narrow(signed_, test.child[0], isNegated ? Bounds{half, all} : Bounds{0, half - 1});
+      continue;
+    }
+    if (test.op != Op::Equal && test.op != Op::Ult && test.op != Op::Slt) continue;
+    const bool isRight = graph_[test.child[1]].op == Op::Constant;
+    if (!isRight && graph_[test.child[0]].op != Op::Constant) continue;
+    const Node subject = test.child[isRight ? 0 : 1];
+    const std::uint64_t mask = Graph::maskOf(graph_[subject].width), sign = mask ^ mask >> 1;
+    const std::uint64_t raw = graph_[test.child[isRight ? 1 : 0]].value;
+    const std::uint64_t k = test.op == Op::Slt ? raw ^ sign : raw;
+    Bounds bounds{0, mask};
+    if (test.op == Op::Equal) {
+      if (isNegated) continue;
+      bounds = {k, k};
+    } else if (isRight) {
+      if (isNegated) bounds.low = k;
+      else bounds.high = k - 1;
+    } else {
+      if (isNegated) bounds.high = k;
+      else bounds.low = k + 1;
+    }
+    narrow(test.op == Op::Slt ? signed_ : unsigned_, subject, bounds);
+  }
+}
+
+namespace {
+
+/// Value by value: what does the cell become from each of its values? False if they become too many.
+bool followPointer(const Graph& graph, const StateVariable& cell, ValueEvaluator& evaluator, ValueSet& values, bool& isChanged) {
+  if (!values.isListed()) return false;
+  const Node next[] = {cell.next};
+  const std::vector<Node> own = coneOf(graph, next);
+  std::vector<std::uint64_t> open = values.values();
+  while (!open.empty()) {
+    const ValueSet from = ValueSet::of(open.back());
+    open.pop_back();
+    const ValueSet to = evaluator.valuesWith(own, cell.node, from, pointerValueLimit);
+    const ValueSet before = values;
+    if (!values.join(to, pointerValueLimit)) continue;
+    isChanged = true;
+    if (!values.isListed()) return false;
+    for (const std::uint64_t v : values.values()) {
+      if (!before.contains(v)) open.push_back(v);
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+void closeValues(const TransitionSystem& system, const std::set<Node>& pointerCells, VariableValues& values) {
+  const Graph& graph = *system.graph;
+  std::vector<Node> roots;
+  for (const StateVariable& s : system.states) {
+    roots.push_back(s.next);
+    ValueSet init = ValueSet::any(graph[s.node].width);
+    if (s.init != noNode && graph[s.init].op == Op::Constant) init = ValueSet::of(graph[s.init].value);
+    values[s.node].join(init, pointerValueLimit);
+  }
+  const std::vector<Node> cone = coneOf(graph, roots);
+  ValueEvaluator evaluator(graph, values);
+  std::set<Node> walked;
+  for (int round = 0;; ++round) {
+    bool isChanged = false;
+    evaluator.run(cone, valueLimit);
+    for (const StateVariable& s : system.states) {
+      if (pointerCells.contains(s.node)) continue;
+      const ValueSet before = values[s.node];
+      ValueSet& set = values[s.node];
+      if (!set.join(evaluator.at(s.next), valueLimit)) continue;
+      if (round >= patience) set.widen(before, graph[s.node].width);
+      isChanged = true;
+    }
+    for (const StateVariable& s : system.states) {
+      if (!pointerCells.contains(s.node) || walked.contains(s.node)) continue;
+      if (!followPointer(graph, s, evaluator, values[s.node], isChanged)) {
+        // Its own values do not end; perhaps another cell makes it start again.
+        walked.insert(s.node);
+        values[s.node] = ValueSet::any(graph[s.node].width);
+        if (const auto walk = walkOf(system, s.node, pointerValueLimit)) {
+          values[s.node] = ValueSet();
+          for (const std::uint64_t v : *walk) values[s.node].join(ValueSet::of(v), pointerValueLimit);
+        }
+        isChanged = true;
+      }
+      evaluator.run(cone, valueLimit);
+    }
+    if (!isChanged) return;
+  }
+}
+
+}  // namespace rungproof

@@ -1,0 +1,63 @@
+// Value analysis of the transition relation: which values the state variables take in reachable scans, as far as the
+// domain of ValueSet can tell, and from it the values that a pointer can have where it is followed. Finds constants
+// (cells that never change) as well.
+//
+// Fixpoint from the initial values: a cell that pointers are made of is followed value by value through its own next
+// function, so that "increase until the end, then start again" gives the exact set; others by the abstract operations
+// with widening. Constraints are not used, which can only add values.
+// Covered by tests/encoder/pointer_values_test.cpp.
+#pragma once
+
+#include <set>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "analysis/graph/transition_system.hpp"
+#include "analysis/graph/value_set.hpp"
+
+namespace rungproof {
+
+/// Limits of the analysis: values listed of a pointer, and of other cells.
+inline constexpr std::size_t pointerValueLimit = 512;
+inline constexpr std::size_t valueLimit = 8;
+
+/// Known values of variables; variables that are missing may have any.
+using VariableValues = std::unordered_map<Node, ValueSet>;
+
+/// Abstract evaluation of nodes, given values of variables.
+class ValueEvaluator {
+ public:
+  ValueEvaluator(const Graph& graph, const VariableValues& variables) : graph_(graph), variables_(variables) {}
+
+  /// Values of `root` where `guard` (width 1) holds: comparisons with constants in it narrow what they compare.
+  ValueSet valuesOf(Node root, Node guard, std::size_t limit);
+  /// Values of `root` with one variable fixed.
+  ValueSet valuesWith(std::span<const Node> cone, Node variable, const ValueSet& value, std::size_t limit);
+  /// All nodes of a cone (children first); read with at().
+  void run(std::span<const Node> cone, std::size_t limit);
+  const ValueSet& at(Node n) const { return values_[indexOf(n)]; }
+
+ private:
+  struct Bounds {
+    std::uint64_t low, high;
+  };
+  void collectBounds(Node guard);
+  ValueSet evaluate(Node n, std::size_t limit);
+
+  const Graph& graph_;
+  const VariableValues& variables_;
+  std::vector<ValueSet> values_;  ///< by node; of the cone that was run last
+  std::unordered_map<Node, Bounds> unsigned_, signed_;  ///< signed bounds are shifted so that their order is unsigned
+  Node fixed_ = noNode;
+  ValueSet fixedValue_;
+};
+
+/// Grows `values` (at least the initial ones on entry, or nothing for a variable) to a set of values closed under all
+/// next functions. `pointerCells`: variables to be followed value by value.
+void closeValues(const TransitionSystem& system, const std::set<Node>& pointerCells, VariableValues& values);
+
+/// The variables that a node depends on.
+std::vector<Node> variablesOf(const Graph& graph, Node root);
+
+}  // namespace rungproof

@@ -1,0 +1,134 @@
+// Successors of a tuple are the models of the next-state functions, one after the other.
+#include "analysis/encoding/pointer_walk.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "analysis/bits/bit_blast.hpp"
+#include "analysis/bits/bit_cnf.hpp"
+#include "analysis/graph/evaluate.hpp"
+
+namespace rungproof {
+
+namespace {
+
+constexpr std::size_t companionLimit = 12;   ///< cells that are tried
+constexpr std::size_t tupleLimit = 1024;
+constexpr std::size_t coneLimit = 20000;     ///< nodes of the next-state functions
+constexpr int solverLimit = 4000;             ///< calls of the solver, so that the answer does not depend on the machine
+constexpr double walkSeconds = 10;
+
+using Tuple = std::vector<std::uint64_t>;
+
+class PointerWalk {
+ public:
+  PointerWalk(const TransitionSystem& system, Node pointer, std::size_t limit) : graph_(*system.graph), pointer_(pointer), limit_(limit) {
+    for (const StateVariable& s : system.states) states_.emplace(s.node, s);
+  }
+
+  std::optional<std::vector<std::uint64_t>> run() {
+    const std::vector<Node> near = companions();
+    std::vector<std::vector<Node>> attempts{{}};
+    for (const Node n : near) attempts.push_back({n});
+    for (std::size_t i = 0; i < near.size(); ++i) {
+      for (std::size_t j = i + 1; j < near.size(); ++j) attempts.push_back({near[i], near[j]});
+    }
+    const Budget budget = Budget::seconds(walkSeconds);
+    for (std::vector<Node>& others : attempts) {
+      others.insert(others.begin(), pointer_);
+      if (const auto values = follow(others, budget)) return values;
+      if (budget.isExhausted() || calls_ > solverLimit) break;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// Memory words that the next value of the pointer depends on, without the registers of timers and counters.
+  std::vector<Node> companions() const {
+    std::vector<Node> result;
+    const Node roots[] = {states_.at(pointer_).next};
+    for (const Node n : coneOf(graph_, roots)) {
+      const auto state = states_.find(n);
+      if (state == states_.end() || n == pointer_ || graph_[n].width < 8 || graph_[n].width > 32) continue;
+      const std::string& name = graph_.variables()[graph_[n].value].name;
+      if (name[0] == 'T' || name.rfind("time.", 0) == 0 || result.size() == companionLimit) continue;
+      result.push_back(n);
+    }
+    return result;
+  }
+
+  /// Closes the initial tuple under all steps; nothing if the tuples become too many.
+  std::optional<std::vector<std::uint64_t>> follow(const std::vector<Node>& cells, const Budget& budget) {
+    TransitionSystem step;  // variables are inputs of one step
+    step.graph = &graph_;
+    std::vector<Node> roots = cells;
+    Tuple first;
+    for (const Node n : cells) {
+      const StateVariable& state = states_.at(n);
+      if (state.init == noNode || graph_[state.init].op != Op::Constant) return std::nullopt;
+      first.push_back(graph_[state.init].value);
+      roots.push_back(state.next);
+    }
+    if (coneOf(graph_, roots).size() > coneLimit) return std::nullopt;
+    BitBlast blast(step, {}, roots);
+    Sat sat(Sat::Use::Many);
+    BitCnf cnf(blast.bits(), sat);
+    const auto literals = [&](Node n) {
+      std::vector<int> result;
+      for (const Lit l : blast.of(n)) result.push_back(cnf.literal(l));
+      return result;
+    };
+    std::vector<std::vector<int>> from, to;
+    for (const Node n : cells) {
+      from.push_back(literals(n));
+      to.push_back(literals(states_.at(n).next));
+    }
+    std::set<Tuple> seen{first};
+    std::vector<Tuple> open{first};
+    std::set<std::uint64_t> values{first[0]};
+    while (!open.empty()) {
+      const Tuple tuple = std::move(open.back());
+      open.pop_back();
+      const int round = sat.newVariable();
+      std::vector<int> assumptions{round};
+      for (std::size_t c = 0; c < cells.size(); ++c) {
+        for (std::size_t bit = 0; bit < from[c].size(); ++bit) assumptions.push_back((tuple[c] >> bit & 1U) != 0 ? from[c][bit] : -from[c][bit]);
+      }
+      for (;;) {
+        if (++calls_ > solverLimit) return std::nullopt;
+        const Sat::Outcome outcome = sat.solve(assumptions, budget);
+        if (outcome == Sat::Outcome::Unknown) return std::nullopt;
+        if (outcome == Sat::Outcome::Unsatisfiable) break;
+        Tuple next;
+        std::vector<int> differs{-round};
+        for (const std::vector<int>& cell : to) {
+          next.push_back(0);
+          for (std::size_t bit = 0; bit < cell.size(); ++bit) {
+            const bool isSet = sat.value(cell[bit]);
+            next.back() |= static_cast<std::uint64_t>(isSet) << bit;
+            differs.push_back(isSet ? -cell[bit] : cell[bit]);
+          }
+        }
+        sat.add(differs);
+        values.insert(next[0]);
+        if (seen.insert(next).second) open.push_back(std::move(next));
+        if (seen.size() > tupleLimit || values.size() > limit_) return std::nullopt;
+      }
+      sat.add({-round});
+    }
+    return std::vector<std::uint64_t>(values.begin(), values.end());
+  }
+
+  Graph& graph_;
+  const Node pointer_;
+  const std::size_t limit_;
+  std::map<Node, StateVariable> states_;
+  int calls_ = 0;  ///< of the solver, in all attempts
+};
+
+}  // namespace
+
+std::optional<std::vector<std::uint64_t>> walkOf(const TransitionSystem& system, Node pointer, std::size_t limit) { return PointerWalk(system, pointer, limit).run(); }
+
+}  // namespace rungproof

@@ -1,0 +1,289 @@
+// Encoding of one scan: inputs and time, the program, the end of the scan.
+#include "analysis/encoding/scan_encoding.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "analysis/encoding/device_memory.hpp"
+#include "ir/check.hpp"
+#include "ir/event.hpp"
+#include "ir/timer_refresh.hpp"
+
+namespace rungproof {
+
+namespace {
+
+std::string siteName(const ExternalSite& site) {
+  switch (site.kind) {
+    case External::ImmediateInput: return fmt::format("I{}.{} immediate, instruction {}", site.index / 8, site.index % 8, site.instruction);
+    case External::AnalogInput: return fmt::format("AIW{}, instruction {}", site.index, site.instruction);
+    case External::StackBottom: return fmt::format("stack bottom, instruction {}", site.instruction);
+    case External::LocalMemory: return fmt::format("LB{}, instruction {}", site.index, site.instruction);
+    default: return fmt::format("external {} {}, instruction {}", static_cast<int>(site.kind), site.index, site.instruction);
+  }
+}
+
+constexpr std::string_view unresolvedReason = "pointer whose targets could not be found";
+
+}  // namespace
+
+ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options, const Plan& plan, const MemoryLayout& layout,
+                           const Knowledge& knowledge)
+    : time(graph, options.time), program_(program), options_(options), plan_(plan), knowledge_(knowledge),
+      initial_(powerUpState(plan, options.choices)), store_(graph, layout, *this, plan.edgeCount), machine_(graph, store_, plan, options.choices) {
+  graph.listen(this);
+  store_.follow(&machine_);
+  if (time.constraint() != noNode) {
+    constraints_.push_back(time.constraint());
+    totalConstraints_.push_back(time.constraint());
+  }
+  if (options.interrupts) attachments_ = attachmentsOf(plan);
+  for (const auto& [event, routines] : attachments_) events_.push_back(event);
+  std::stable_sort(events_.begin(), events_.end(), [](int a, int b) {
+    return std::pair(eventInfo(a).group, eventInfo(a).rank) < std::pair(eventInfo(b).group, eventInfo(b).rank);
+  });
+  prepareTicks();
+  const bool records = !knowledge.isFinal && (!events_.empty() || !tickKeys_.empty());
+  if (records) {
+    store_.observe([this](const Touch& touch) {
+      // Saving and restoring around a routine is not its doing.
+      const bool isOfRoutine = routine_ < 0 || machine_.inInterrupt;
+      if (isRecording_ && isOfRoutine && machine_.current != nullptr) footprints_.record(machine_.current->id, routine_, touch);
+    });
+  }
+  run();
+}
+
+void ScanEncoding::run() {
+  isRecording_ = false;
+  machine_.ticks100 = {time.ticks100()};
+  refreshTimers(machine_, 10, {time.ticks10()});
+  isRecording_ = true;
+  Runner runner(machine_, *this, options_.loopLimit, options_.stepLimit);
+  runner.program();
+  isRecording_ = false;
+  machine_.current = nullptr;
+  machine_.guard = graph.lnot(machine_.halted);
+  boundary(runner, ScanPlace::afterProgram);
+  endOfScan();
+}
+
+void ScanEncoding::endOfScan() {
+  Machine<Graph>& m = machine_;
+  m.guard = m.halted;
+  m.setBit(Reg::Running, 0, graph.constant(false));
+  m.guard = graph.constant(true);
+  const Graph::Bits elapsed{time.dt16()};
+  if (time.high() <= longestStep) {
+    advanceClocks(m, elapsed);
+  } else {
+    // Too long for the clocks' single step: their phase becomes any phase.
+    for (const auto& [phase, period] : {std::pair{Reg::PhaseSecond, 1000ULL}, std::pair{Reg::PhaseMinute, 60000ULL}}) {
+      const int width = regInfo(phase).width;
+      const Node any = input(std::string(regInfo(phase).name), width);
+      const Node legal = graph.make(Op::Ult, 1, any, graph.constantNode(period, width));
+      constraints_.push_back(legal);
+      totalConstraints_.push_back(legal);
+      m.set(phase, 0, {any});
+    }
+  }
+  refreshSpecialMemory(m, elapsed);
+  m.setSm(4, 7, graph.constant(false));  // nothing is forced
+}
+
+void ScanEncoding::before(Runner& runner, const FlowStep& step) {
+  boundary(runner, step.instruction->id);
+  if (options_.interruption) options_.interruption();
+  if (options_.atInstruction && knowledge_.isFinal) options_.atInstruction(runner.machine(), *step.instruction);
+}
+
+void ScanEncoding::callWithoutBody(Runner& runner, const Instruction& instruction) {
+  Machine<Graph>& m = runner.machine();
+  havocBy(m, approximate(&instruction, "calls a block without visible text, which may change any memory"));
+}
+
+void ScanEncoding::freshLocal(Runner& runner, unsigned frame, std::uint32_t byte) {
+  const Machine<Graph>& m = runner.machine();
+  if (byte == 0) localEntries_.emplace_back();
+  const ExternalSite site{External::LocalMemory, byte, m.current == nullptr ? 0 : m.current->id};
+  localEntries_.back().push_back(externals.size());
+  externals.push_back({site, noNode, 8, m.guard.node});
+  store_.forgetLocal(frame, byte, static_cast<std::uint32_t>(localEntries_.size() - 1));
+}
+
+Node ScanEncoding::input(std::string name, int width) {
+  inputs_.push_back(graph.variable(std::move(name), width, false));
+  return inputs_.back();
+}
+
+Node ScanEncoding::localByte(std::uint32_t entry, std::uint32_t byte) {
+  ExternalInput& e = externals[localEntries_[entry][byte]];
+  if (e.node == noNode) e.node = input(siteName(e.site), e.width);
+  return e.node;
+}
+
+bool ScanEncoding::isInput(const Place& place) const {
+  if (place.isRegister) return place.reg == Reg::PhysicalInput || place.reg == Reg::HscCurrent;
+  if (place.area == Area::I) return true;
+  const std::uint32_t byte = place.byte();
+  if (place.area == Area::SM && isDeviceByte(byte)) return true;
+  for (const ExternalBytes& e : options_.externals) {
+    if (e.area == place.area && e.first <= byte && byte <= e.last) return true;
+  }
+  return false;
+}
+
+Node ScanEncoding::init(const Place& place) const {
+  Graph& g = const_cast<Graph&>(graph);
+  if (place.isRegister) {
+    const bool isTimer = place.reg == Reg::TimerCurrent, isCounter = place.reg == Reg::CounterCurrent;
+    if (options_.initialRetentive && (isTimer || isCounter) && isRetentive(options_.retentive, isTimer ? Area::T : Area::C, place.at)) return noNode;
+    return g.constantNode(initial_.get(place.reg, place.at), place.width);
+  }
+  if (options_.initialRetentive && isRetentive(options_.retentive, place.area, place.byte())) return noNode;
+  if (place.width == 1) return g.constantNode(initial_.load(place.area, place.byte() * 8 + place.bit(), 1), 1);
+  std::uint64_t value = 0;
+  for (std::uint32_t i = 0; i < place.width / 8U; ++i) value = value << 8 | initial_.load(place.area, (place.byte() + i) * 8, 8);
+  return g.constantNode(value, place.width);
+}
+
+Cell ScanEncoding::cellAt(const Place& place) {
+  if (isInput(place)) return {place, CellKind::Input, input(nameOf(place), place.width)};
+  if (const auto known = knowledge_.constants.find(place); known != knowledge_.constants.end()) {
+    return {place, CellKind::Constant, graph.constantNode(known->second, place.width)};
+  }
+  const Node first = init(place);
+  if (isClosed_ && !hasHavoc_ && first != noNode) return {place, CellKind::Constant, first};
+  const Node node = graph.variable(nameOf(place), place.width, true);
+  const auto values = knowledge_.values.find(place);
+  if (values != knowledge_.values.end()) known_[node] = values->second;
+  else if (first != noNode) known_[node] = ValueSet::of(graph[first].value);
+  return {place, CellKind::State, node};
+}
+
+Graph::Bits ScanEncoding::external(const ExternalSite& site, int width) {
+  if (site.kind == External::AnalogInput && options_.choices.is(Choice::AnalogSampling, "each-scan")) {
+    const auto [sample, isFirst] = analog_.try_emplace(site.index, noNode);
+    if (isFirst) sample->second = input(fmt::format("AIW{}", site.index), width);
+    return {sample->second};
+  }
+  const Node node = input(siteName(site), width);
+  externals.push_back({site, node, width, machine_.guard.node});
+  if (site.kind == External::AnalogInput) analog_[site.index] = node;
+  return {node};
+}
+
+Node ScanEncoding::analogInput(std::uint32_t byte) const {
+  const auto found = analog_.find(byte);
+  return found == analog_.end() ? noNode : found->second;
+}
+
+void ScanEncoding::report(Hazard hazard, Graph::Bool condition, const Instruction* place) {
+  hazards.push_back({hazard, condition.node, place});
+  if (hazard == Hazard::LoopBound) {
+    Approximation& a = approximate(place, "loop that runs longer than it is followed");
+    a.leftOut = a.leftOut == noNode ? condition.node : graph.lor({a.leftOut}, condition).node;
+  }
+  // What ends the program keeps later interrupts from running.
+  if (place != nullptr && hazardInfo(hazard).kind == HazardClass::Fatal) footprints_.record(place->id, routine_, {registerPlace(Reg::Running, 0), true});
+}
+
+Approximation& ScanEncoding::approximate(const Instruction* place, std::string_view reason) {
+  for (Approximation& a : approximations) {
+    if (a.place == place && a.reason == reason) return a;
+  }
+  return approximations.emplace_back(Approximation{place, std::string(reason)});
+}
+
+/// The values that the pointer can have here decide between a few places; a legal one is always among them.
+Graph::Bool ScanEncoding::targets(Machine<Graph>& machine, Graph::Bits pointer, Width width, Ref<Graph>& ref) {
+  for (const Node n : variablesOf(graph, pointer.node)) {
+    if (graph.variables()[graph[n].value].isState) pointerCells_.insert(n);
+  }
+  ValueSet values = ValueSet::any(32);
+  if (knowledge_.followsPointers) {
+    ValueEvaluator evaluator(graph, known_);
+    values = evaluator.valuesOf(pointer.node, machine.guard.node, pointerValueLimit);
+    // A short range is as good as a list.
+    values.restrict(values.facts().low, values.facts().high, pointerValueLimit);
+  }
+  if (!values.isListed()) {
+    ref.isUnresolved = true;
+    Approximation& a = approximate(machine.current, unresolvedReason);
+    a.carriers.push_back(input("pointer is legal", 1));
+    return {a.carriers.back()};
+  }
+  Graph::Bool legal = graph.constant(true);
+  for (const std::uint64_t value : values.values()) {
+    const Graph::Bool isValue = graph.equal(pointer, graph.literal(value, 32), 32);
+    const auto address = static_cast<std::uint32_t>(value);
+    if (pointer::isLegal(machine.target, address, width)) ref.targets.push_back({isValue, *pointer::areaOf(address), pointer::offsetOf(address)});
+    else legal = graph.land(legal, graph.lnot(isValue));
+  }
+  if (ref.targets.empty()) return graph.constant(false);
+  if (values.isSingle()) {
+    ref.isPlace = true;
+    ref.area = ref.targets[0].area;
+    ref.offset = ref.targets[0].offset;
+    ref.targets.clear();
+  }
+  return legal;
+}
+
+Graph::Bits ScanEncoding::unresolved(Machine<Graph>& machine, int width) {
+  Approximation& a = approximate(machine.current, unresolvedReason);
+  a.carriers.push_back(input("value behind a pointer", width));
+  return {a.carriers.back()};
+}
+
+void ScanEncoding::havoc(Machine<Graph>& machine) { havocBy(machine, approximate(machine.current, unresolvedReason)); }
+
+void ScanEncoding::havocBy(const Machine<Graph>& machine, const Approximation& cause) {
+  const std::size_t index = static_cast<std::size_t>(&cause - approximations.data());
+  hasHavoc_ = true;
+  store_.havoc(machine.guard, [this, index](const Place& place) {
+    const Node any = input("overwritten " + nameOf(place), place.width);
+    approximations[index].carriers.push_back(any);
+    return any;
+  });
+}
+
+Node ScanEncoding::start(const Place& place) {
+  store_.value(place);
+  for (const Cell& cell : cells()) {
+    if (cell.place == place) return cell.start;
+  }
+  // Part of a larger cell.
+  for (const Cell& cell : cells()) {
+    const Place& c = cell.place;
+    if (c.isRegister || place.isRegister || c.area != place.area || c.at > place.at || c.at + c.width < place.at + place.width) continue;
+    return graph.make(Op::Extract, place.width, cell.start, noNode, noNode, c.at + c.width - place.at - place.width);
+  }
+  if (!place.isRegister && place.width > 1) return noNode;
+  // The scan writes it before it reads it: nothing asked for its value until now.
+  const bool wasClosed = std::exchange(isClosed_, false);
+  store_.add(cellAt(place));
+  isClosed_ = wasClosed;
+  return cells().back().start;
+}
+
+TransitionSystem ScanEncoding::system() {
+  TransitionSystem ts;
+  ts.graph = &graph;
+  ts.states = time.states();
+  ts.inputs = time.inputs();
+  ts.constraints = constraints_;
+  for (std::size_t i = 0; i < cells().size(); ++i) {
+    const Cell cell = cells()[i];
+    if (cell.kind != CellKind::State) continue;
+    ts.states.push_back({cell.start, init(cell.place), store_.value(cell.place)});
+    if (cell.place == registerPlace(Reg::Running, 0)) ts.constraints.push_back(cell.start);
+  }
+  ts.inputs.insert(ts.inputs.end(), inputs_.begin(), inputs_.end());
+  ts.totalConstraints = totalConstraints_;
+  return ts;
+}
+
+}  // namespace rungproof

@@ -1,0 +1,110 @@
+// Digits of time as state and inputs.
+#include "analysis/encoding/time_model.hpp"
+
+#include <bit>
+
+#include "ir/check.hpp"
+
+namespace rungproof {
+
+TimeModel::TimeModel(Graph& graph, const TimeRange& range)
+    : graph_(graph), low_(range.low), high_(range.relaxed ? std::max(range.high, relaxedHigh) : range.high), relaxed_(range.relaxed),
+      width_(std::bit_width(high_ + 198)) {  // dt as computed from digits lies in -99 .. high + 198 and must not wrap into the range
+  CHECK(range.low >= 1 && range.low <= range.high && range.high <= 65535, "scan time range");
+  if (low_ == high_) fixed(low_);
+  else free();
+}
+
+Node TimeModel::state(const char* name, int width, Node next) {
+  const Node node = graph_.variable(name, width, true);
+  states_.push_back({node, number(0, width), next});
+  return node;
+}
+
+void TimeModel::free() {
+  const std::uint32_t most = (high_ + 99) / 100;
+  const int w = width_;
+  const auto wide = [&](Node n) { return graph_.make(Op::Zext, w, n); };
+  const auto times = [&](Node n, std::uint64_t k) { return graph_.make(Op::Mul, w, n, number(k, w)); };
+  const auto add = [&](Node a, Node b) { return graph_.make(Op::Add, w, a, b); };
+  const auto sub = [&](Node a, Node b) { return graph_.make(Op::Sub, w, a, b); };
+  const Node n = graph_.variable("time.hundreds", std::bit_width(most), false);
+  const Node d = graph_.variable("time.tens", 4, false);
+  const Node u = graph_.variable("time.ones", 4, false);
+  inputs_ = {n, d, u};
+  hundredsNow_ = n;
+  tensNow_ = d;
+  onesNow_ = u;
+  ten_ = state("time.tens.start", 4, d);
+  const Node ones = state("time.ones.start", 4, u);
+  tenBefore_ = state("time.tens.before", 4, ten_);
+  hundreds_ = state("time.hundreds.start", std::bit_width(most), n);
+  dt_ = add(add(times(wide(n), 100), times(sub(wide(d), wide(ten_)), 10)), sub(wide(u), wide(ones)));
+  const auto atMost = [&](Node a, std::uint64_t limit) { return graph_.make(Op::Ule, 1, a, number(limit, graph_[a].width)); };
+  const auto both = [&](Node a, Node b) { return graph_.make(Op::And, 1, a, b); };
+  const Node digits = both(both(atMost(d, 9), atMost(u, 9)), atMost(n, most));
+  const Node range = both(atMost(dt_, high_), graph_.make(Op::Ule, 1, number(low_, w), dt_));
+  constraint_ = both(digits, range);
+}
+
+/// A scan of fixed length adds its digits with carries; nothing is free.
+void TimeModel::fixed(std::uint32_t length) {
+  dt_ = number(length, width_);
+  const std::uint32_t most = length / 100 + 1;
+  const int w = std::bit_width(most);
+  const auto makeState = [&](const char* name, int width) {
+    states_.push_back({graph_.variable(name, width, true), number(0, width), noNode});
+    return states_.back().node;
+  };
+  ten_ = makeState("time.tens.start", 4);
+  const Node ones = makeState("time.ones.start", 4);
+  tenBefore_ = makeState("time.tens.before", 4);
+  hundreds_ = makeState("time.hundreds.start", w);
+  struct Digit {
+    Node value, carry;
+  };
+  const auto add = [&](Node digit, std::uint64_t amount, Node carryIn) -> Digit {
+    const Node sum = graph_.make(Op::Add, 5, graph_.make(Op::Add, 5, graph_.make(Op::Zext, 5, digit), number(amount, 5)), graph_.make(Op::Zext, 5, carryIn));
+    const Node carry = graph_.make(Op::Ule, 1, number(10, 5), sum);
+    const Node kept = graph_.make(Op::Ite, 5, carry, graph_.make(Op::Sub, 5, sum, number(10, 5)), sum);
+    return {graph_.make(Op::Extract, 4, kept), carry};
+  };
+  const Digit one = add(ones, length % 10, number(0, 1));
+  const Digit ten = add(ten_, length / 10 % 10, one.carry);
+  states_[0].next = ten.value;
+  states_[1].next = one.value;
+  states_[2].next = ten_;
+  states_[3].next = graph_.make(Op::Add, w, number(length / 100, w), graph_.make(Op::Zext, w, ten.carry));
+  hundredsNow_ = states_[3].next;
+  tensNow_ = ten.value;
+  onesNow_ = one.value;
+}
+
+Node TimeModel::saturated16(Node value) {
+  const int w = graph_[value].width;
+  if (w <= 16) return graph_.make(Op::Zext, 16, value);
+  const Node most = number(0xFFFF, w);
+  const Node cut = graph_.make(Op::Ite, w, graph_.make(Op::Ult, 1, most, value), most, value);
+  return graph_.make(Op::Extract, 16, cut);
+}
+
+/// Never negative: the tens digit can fall only by as much as the hundreds have grown.
+Node TimeModel::ticksWithin(int base) {
+  if (base == 1) return dt_;
+  if (base == 100) return hundredsNow_;
+  const int w = graph_[hundredsNow_].width + 4;
+  const auto wide = [&](Node n) { return graph_.make(Op::Zext, w, n); };
+  const Node tens = graph_.make(Op::Mul, w, wide(hundredsNow_), number(10, w));
+  return graph_.make(Op::Add, w, tens, graph_.make(Op::Sub, w, wide(tensNow_), wide(ten_)));
+}
+
+Node TimeModel::ticks100() { return saturated16(hundreds_); }
+
+Node TimeModel::ticks10() {
+  const int w = std::max(16, graph_[hundreds_].width + 4);
+  const auto wide = [&](Node n) { return graph_.make(Op::Zext, w, n); };
+  const Node tens = graph_.make(Op::Mul, w, wide(hundreds_), number(10, w));
+  return saturated16(graph_.make(Op::Add, w, tens, graph_.make(Op::Sub, w, wide(ten_), wide(tenBefore_))));
+}
+
+}  // namespace rungproof

@@ -1,0 +1,75 @@
+// Time in the transition system. A scan lasts dt ms, any number within the configured range; ticks of the 10 ms and
+// 100 ms time bases must follow from it exactly. Absolute time is split into digits, 100 N + 10 d + u: each scan
+// chooses the new digits, and
+//     dt = 100 n + 10 (d' - d) + (u' - u),   ticks of 10 ms = 10 n + d' - d,   ticks of 100 ms = n
+// so no division appears. Ticks reach the program in the next scan (ir/scan_cycle.hpp), so n and the old d are kept.
+// d and u start at 0, as the engine's clocks do.
+//
+// The relaxed range lets a scan last up to 2^22 ms. Every real run is a relaxed run, so proofs hold; a relaxed
+// witness must be expanded into real scans before it counts.
+// Covered by tests/encoder/time_model_test.cpp.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "analysis/graph/transition_system.hpp"
+
+namespace rungproof {
+
+/// Length of a scan in ms, 1 <= low <= high <= 65535.
+struct TimeRange {
+  std::uint32_t low = 1;
+  std::uint32_t high = 500;
+  bool relaxed = false;
+};
+
+class TimeModel {
+ public:
+  static constexpr std::uint32_t relaxedHigh = 1U << 22;
+
+  TimeModel(Graph& graph, const TimeRange& range);
+
+  /// ms of this scan, width() bits.
+  Node dt() const { return dt_; }
+  int width() const { return width_; }
+  std::uint32_t high() const { return high_; }
+  /// dt cut to 16 bits with saturation: enough for timers, which stop at 32767.
+  Node dt16() { return saturated16(dt_); }
+  /// A number of ms or ticks cut to 16 bits with saturation.
+  Node saturated16(Node value);
+  /// Ticks at the start of this scan, 16 bits, saturated.
+  Node ticks10();
+  Node ticks100();
+  /// Ticks of `base` (1, 10 or 100 ms) that fall into this scan; any width.
+  Node ticksWithin(int base);
+  /// The digits of the absolute time at the end of this scan, 4 bits each.
+  Node tensNow() const { return tensNow_; }
+  Node onesNow() const { return onesNow_; }
+
+  /// What the transition system gets: state, inputs, and the constraint, which can always be met.
+  const std::vector<StateVariable>& states() const { return states_; }
+  const std::vector<Node>& inputs() const { return inputs_; }
+  /// noNode if the length is fixed.
+  Node constraint() const { return constraint_; }
+
+ private:
+  void free();
+  void fixed(std::uint32_t length);
+  Node number(std::uint64_t value, int width) { return graph_.constantNode(value, width); }
+  Node state(const char* name, int width, Node next);
+  Graph& graph_;
+  std::uint32_t low_, high_;
+  bool relaxed_;
+  int width_;
+  Node dt_ = noNode;
+  Node hundredsNow_ = noNode, tensNow_ = noNode, onesNow_ = noNode;
+  Node hundreds_ = noNode;  ///< ticks of 100 ms since the scan before
+  Node ten_ = noNode;       ///< digit d at the start of this scan
+  Node tenBefore_ = noNode; ///< and at the start of the scan before
+  Node constraint_ = noNode;
+  std::vector<StateVariable> states_;
+  std::vector<Node> inputs_;
+};
+
+}  // namespace rungproof

@@ -1,0 +1,38 @@
+// TransitionSystem: one scan as state, inputs, next state, constraints and bad states over a Graph. The encoder
+// makes it from a program and its properties; reductions shrink it; engines answer questions about it; exports
+// print it. Word level; bit_system.hpp is its bit-blasted form.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/graph/graph.hpp"
+
+namespace rungproof {
+
+/// A state variable: its value at the start of a scan, at the start of the first scan, and at the scan's end.
+struct StateVariable {
+  Node node = noNode;  ///< Op::Variable with isState
+  Node init = noNode;  ///< a term without state variables; noNode: any value
+  Node next = noNode;
+};
+
+/// A question: can `bad` be 1 in some scan of some run? `bad` ranges over state, inputs (and through them the
+/// state after the scan, which the encoder has already substituted).
+struct Question {
+  std::string name;
+  Node bad = noNode;
+};
+
+struct TransitionSystem {
+  Graph* graph = nullptr;
+  std::vector<StateVariable> states;
+  std::vector<Node> inputs;
+  std::vector<Node> constraints;  ///< hold in every scan; a run that breaks one is no run
+  /// Those of `constraints` that inputs of their own can meet in every state: they can be left out of the cone of a
+  /// question that does not share variables with them.
+  std::vector<Node> totalConstraints;
+  std::vector<Question> questions;
+};
+
+}  // namespace rungproof

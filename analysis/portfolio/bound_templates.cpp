@@ -1,0 +1,228 @@
+// Finds sums "word + increment" in next-state functions, compares increments on random runs, and combines words of
+// equal increment with conditions and stops.
+#include "analysis/portfolio/bound_templates.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <unordered_set>
+
+#include "analysis/bits/simulation_runs.hpp"
+#include "analysis/graph/evaluate.hpp"
+
+namespace rungproof {
+
+namespace {
+
+constexpr int scans = 24;                ///< of random runs on which increments are compared
+constexpr std::size_t comparedBits = 24;  ///< of increments
+constexpr std::size_t groupLimit = 10;   ///< words of one increment
+constexpr std::size_t guardLimit = 14;   ///< conditions for one pair of words, each also negated
+constexpr std::size_t fewGuards = 4;     ///< the same for words that tell less about each other
+constexpr int smallWidth = 10;           ///< of words whose range is looked for without condition
+constexpr std::size_t stopLimit = 3;
+constexpr std::size_t templateLimit = 1600;
+
+class TemplateSearch {
+ public:
+  TemplateSearch(const TransitionSystem& system, const BitBlast& blast, const Invariants& known, std::uint64_t seed)
+      : system_(system), graph_(*system.graph), blast_(blast), known_(known), seed_(seed) {}
+
+  BoundTemplates run() {
+    for (std::uint32_t latch = 0; latch < blast_.bits().latches.size(); ++latch) {
+      const std::uint32_t state = blast_.stateBit(latch).state;
+      if (inCone_.insert(state).second) order_.push_back(state);
+    }
+    for (const std::uint32_t state : order_) collect(state);
+    if (words_.empty()) return {};
+    collectGuards();
+    for (const std::uint32_t state : order_) {
+      const Node n = word(state);
+      if (widthOf(n) > 1 && widthOf(n) <= smallWidth) templates_.push_back({noNode, noNode, graph_.make(Op::Zext, widthOf(n) + 1, n)});
+    }
+    const std::vector<std::vector<std::size_t>> all = groups();
+    for (const std::vector<std::size_t>& group : all) toOneWidth(group);
+    // A clock against a timer tells most, two timers least.
+    for (const int pending : {1, 0, 2}) {
+      for (const std::vector<std::size_t>& group : all) {
+        for (const std::size_t x : group) {
+          for (const std::size_t y : group) {
+            if (x != y && (words_[x].sum.isPending ? 1 : 0) + (words_[y].sum.isPending ? 1 : 0) == pending) pair(static_cast<int>(x), static_cast<int>(y), pending == 1 ? guardLimit : fewGuards);
+          }
+        }
+      }
+      for (const std::vector<std::size_t>& group : all) {
+        for (const std::size_t x : group) {
+          if (pending == 1 && group.size() > 1) single(words_[x]);
+        }
+      }
+    }
+    if (templates_.size() > templateLimit) templates_.resize(templateLimit);
+    return {std::move(words_), std::move(templates_)};
+  }
+
+ private:
+  Node word(std::size_t state) const { return system_.states[state].node; }
+  int widthOf(Node n) const { return graph_[n].width; }
+
+  bool dependsOnStatesOnly(Node root) const {
+    const Node roots[] = {root};
+    for (const Node n : coneOf(graph_, roots)) {
+      if (graph_[n].op == Op::Variable && !graph_.variables()[graph_[n].value].isState) return false;
+    }
+    return true;
+  }
+
+  /// Sums of the word with something that is no constant, and the constants in its next-state function.
+  void collect(std::size_t state) {
+    const Node self = word(state);
+    if (widthOf(self) < 2 || widthOf(self) > 32) return;
+    const Node roots[] = {system_.states[state].next};
+    std::optional<CountingWord> found;
+    std::set<std::uint64_t> constants;
+    for (const Node n : coneOf(graph_, roots)) {
+      const NodeData& node = graph_[n];
+      if (node.op == Op::Constant && node.value > 1 && node.value <= Graph::maskOf(widthOf(self))) constants.insert(node.value);
+      if (node.op != Op::Add) continue;
+      for (std::size_t side = 0; side < 2; ++side) {
+        if (!carries(node.child[side], self) || graph_[node.child[1 - side]].op == Op::Constant) continue;
+        if (found && found->sum.increment != node.child[1 - side]) return;  // increased in several places
+        found = CountingWord{state, {self, node.child[1 - side]}, {}};
+      }
+    }
+    if (!found || !isBlasted(found->sum.increment)) return;
+    found->sum.isPending = dependsOnStatesOnly(found->sum.increment);
+    found->stops.assign(constants.begin(), constants.end());
+    if (found->stops.size() > stopLimit) found->stops.erase(found->stops.begin() + 1, found->stops.end() - (stopLimit - 1));
+    words_.push_back(std::move(*found));
+  }
+  bool isBlasted(Node n) const { return blast_.contains(n); }
+  Node withoutExtension(Node n) const {
+    while (graph_[n].op == Op::Zext || graph_[n].op == Op::Sext) n = graph_[n].child[0];
+    return n;
+  }
+  /// The word itself, or constants where it is set anew.
+  bool carries(Node n, Node self, int depth = 8) const {
+    n = withoutExtension(n);
+    if (n == self) return true;
+    if (graph_[n].op != Op::Ite || depth == 0) return false;
+    const auto isArm = [&](std::size_t i) { return graph_[graph_[n].child[i]].op == Op::Constant || carries(graph_[n].child[i], self, depth - 1); };
+    return isArm(1) && isArm(2);
+  }
+
+  /// Words by equal increments: those added at once as they come about, pending ones a scan later.
+  std::vector<std::vector<std::size_t>> groups() {
+    std::vector<std::vector<std::uint64_t>> seen(words_.size());  // by scan, then bit
+    SimulationRuns runs(blast_.bits(), seed_);
+    int done = 0;
+    for (; done < scans && runs.choose(); ++done) {
+      for (std::size_t i = 0; i < words_.size(); ++i) {
+        const LitVector& bits = blast_.of(words_[i].sum.increment);
+        for (std::size_t bit = 0; bit < comparedBits; ++bit) seen[i].push_back(bit < bits.size() ? runs.simulator().value(bits[bit]) : 0);
+      }
+      runs.step();
+    }
+    for (std::size_t i = 0; i < words_.size() && done > 0; ++i) {
+      // A pending increment of one scan is that of the scan before.
+      if (words_[i].sum.isPending) seen[i].erase(seen[i].begin(), seen[i].begin() + comparedBits);
+      else seen[i].resize(seen[i].size() - comparedBits);
+      for (std::uint64_t& lanes : seen[i]) lanes &= runs.live();
+    }
+    std::map<std::vector<std::uint64_t>, std::vector<std::size_t>> byIncrement;
+    for (std::size_t i = 0; i < words_.size(); ++i) byIncrement[seen[i]].push_back(i);
+    std::vector<std::vector<std::size_t>> result;
+    for (auto& [increments, group] : byIncrement) {
+      if (group.size() > groupLimit) group.resize(groupLimit);
+      result.push_back(std::move(group));
+    }
+    return result;
+  }
+
+  /// Sums and differences of a group never wrap.
+  void toOneWidth(const std::vector<std::size_t>& group) {
+    int width = 0;
+    for (const std::size_t i : group) width = std::max({width, widthOf(words_[i].sum.word), widthOf(withoutExtension(words_[i].sum.increment))});
+    width += 2;
+    for (const std::size_t i : group) {
+      Summand& sum = words_[i].sum;
+      sum.word = wide(sum.word, width);
+      sum.increment = wide(withoutExtension(sum.increment), width);
+      sum.next = graph_.make(Op::Add, width, sum.word, sum.increment);
+    }
+  }
+
+  /// Truth values of the state, one of each class of equal ones.
+  void collectGuards() {
+    std::set<Lit> taken;
+    for (std::uint32_t latch = 0; latch < blast_.bits().latches.size(); ++latch) {
+      const std::size_t state = blast_.stateBit(latch).state;
+      if (widthOf(word(state)) != 1) continue;
+      const Lit own = positive(blast_.bits().latches[latch].variable);
+      const Lit same = variableOf(own) < known_.equal.size() ? known_.equal[variableOf(own)] : own;
+      if (variableOf(same) == 0 || !taken.insert(same & ~1U).second) continue;
+      guards_.push_back(word(state));
+    }
+  }
+
+  /// Conditions for some words: first those that decide how the words change.
+  std::vector<Node> guardsFor(const std::vector<std::size_t>& states, std::size_t most) {
+    std::vector<Node> roots;
+    for (const std::size_t s : states) roots.push_back(system_.states[s].next);
+    std::unordered_set<std::uint32_t> near;
+    for (const Node n : coneOf(graph_, roots)) near.insert(indexOf(n));
+    std::vector<Node> result = guards_;
+    std::stable_partition(result.begin(), result.end(), [&](Node n) { return near.contains(indexOf(n)); });
+    if (result.size() > most) result.resize(most);
+    const std::size_t plain = result.size();
+    for (std::size_t i = 0; i < plain; ++i) result.push_back(graph_.make(Op::Not, 1, result[i]));
+    for (const std::size_t s : states) result.push_back(graph_.make(Op::Ult, 1, graph_.constantNode(0, widthOf(word(s))), word(s)));
+    result.push_back(noNode);
+    return result;
+  }
+
+  Node wide(Node n, int width) { return widthOf(n) == width ? n : graph_.make(Op::Zext, width, n); }
+
+  void single(const CountingWord& x) {
+    const Node value = x.sum.progress();
+    const int width = widthOf(value);
+    const Node negative = graph_.make(Op::Sub, width, graph_.constantNode(0, width), value);
+    for (const Node guard : guardsFor({x.state}, guardLimit)) {
+      if (guard == noNode) continue;
+      templates_.push_back({guard, noNode, value});
+      templates_.push_back({guard, noNode, negative});
+    }
+  }
+
+  void pair(int left, int right, std::size_t most) {
+    const CountingWord& x = words_[static_cast<std::size_t>(left)];
+    const CountingWord& y = words_[static_cast<std::size_t>(right)];
+    const Node difference = graph_.make(Op::Sub, widthOf(x.sum.word), x.sum.progress(), y.sum.progress());
+    const int w = widthOf(word(y.state));
+    for (const Node guard : guardsFor({x.state, y.state}, most)) {
+      templates_.push_back({guard, noNode, difference, left, right});
+      for (const std::uint64_t stop : y.stops) {
+        templates_.push_back({guard, graph_.make(Op::Ule, 1, graph_.constantNode(stop, w), word(y.state)), difference, left, right});
+      }
+    }
+  }
+
+  const TransitionSystem& system_;
+  Graph& graph_;
+  const BitBlast& blast_;
+  const Invariants& known_;
+  const std::uint64_t seed_;
+  std::set<std::uint32_t> inCone_;
+  std::vector<std::uint32_t> order_;
+  std::vector<CountingWord> words_;
+  std::vector<Node> guards_;
+  std::vector<BoundTemplate> templates_;
+};
+
+}  // namespace
+
+BoundTemplates boundTemplates(const TransitionSystem& system, const BitBlast& blast, const Invariants& known, std::uint64_t seed) {
+  return TemplateSearch(system, blast, known, seed).run();
+}
+
+}  // namespace rungproof

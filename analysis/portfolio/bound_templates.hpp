@@ -1,0 +1,36 @@
+// What bounds are looked for (invariants_bounds.hpp): which words count the same ticks, under which conditions, and up
+// to which value. Tested by tests/solver/invariants_test.cpp.
+#pragma once
+
+#include <vector>
+
+#include "analysis/bits/bit_blast.hpp"
+#include "analysis/portfolio/certificate.hpp"
+#include "analysis/portfolio/invariants.hpp"
+
+namespace rungproof {
+
+/// A state word that counts: what is compared of it is a Summand (certificate.hpp), with the node of the increment.
+struct CountingWord {
+  std::size_t state = 0;  ///< index in TransitionSystem::states
+  Summand sum;
+  std::vector<std::uint64_t> stops;  ///< values at which it may stop
+};
+
+/// "guard implies difference <= bound, unless stopped": what is sought is the bound.
+struct BoundTemplate {
+  Node guard = noNode;       ///< width 1 over states; noNode: always
+  Node stopped = noNode;     ///< width 1: the subtracted word has reached a value at which it may stop; noNode: never
+  Node difference = noNode;  ///< signed
+  int left = -1, right = -1; ///< of a difference of two words: their indices in BoundTemplates::words
+};
+
+struct BoundTemplates {
+  std::vector<CountingWord> words;
+  std::vector<BoundTemplate> templates;
+};
+
+/// Adds the nodes to the graph of the system. `known`: of blast's bits; equal latches give one guard.
+BoundTemplates boundTemplates(const TransitionSystem& system, const BitBlast& blast, const Invariants& known, std::uint64_t seed);
+
+}  // namespace rungproof

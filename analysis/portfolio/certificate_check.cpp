@@ -1,0 +1,170 @@
+// The child writes one byte for each formula; the parent reads them as long as the limits allow, then ends it.
+#include "analysis/portfolio/certificate_check.hpp"
+
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <z3++.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <map>
+#include <unordered_map>
+
+namespace rungproof {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double quickSeconds = 3;    ///< for a plain strategy that starts fast, before Z3's own for QF_BV
+
+z3::solver quickSolver(z3::context& context) {
+  const auto step = [&](const char* name) { return z3::tactic(context, name); };
+  return (step("simplify") & step("propagate-values") & step("solve-eqs") & step("simplify") & step("bit-blast") & step("simplify") & step("smt")).mk_solver();
+}
+
+CheckResult checkFormula(z3::context& context, const z3::expr& formula, double seconds) {
+  for (const bool quick : {true, false}) {
+    const double limit = quick ? std::min(seconds, quickSeconds) : seconds;
+    if (limit <= 0) return CheckResult::Unknown;
+    z3::solver solver = quick ? quickSolver(context) : z3::solver(context, "QF_BV");
+    z3::params params(context);
+    params.set("timeout", static_cast<unsigned>(std::max(1.0, limit * 1000)));
+    solver.set(params);
+    solver.add(formula);
+    const z3::check_result result = solver.check();
+    if (result == z3::unsat) return CheckResult::Valid;
+    if (result == z3::sat) return CheckResult::Invalid;
+  }
+  return CheckResult::Unknown;
+}
+
+/// The formula up to the names of its variables: each node as its operation and the numbers of its arguments, nodes and
+/// variables numbered as they are met first. Formulas with one form are satisfiable or not together.
+std::vector<unsigned> formOf(z3::context& context, const z3::expr& formula) {
+  std::vector<unsigned> form;
+  std::unordered_map<unsigned, unsigned> number;
+  std::vector<Z3_ast> stack{formula};
+  while (!stack.empty()) {
+    const Z3_ast top = stack.back();
+    const unsigned id = Z3_get_ast_id(context, top);
+    if (number.contains(id)) {
+      stack.pop_back();
+      continue;
+    }
+    const Z3_app app = Z3_to_app(context, top);
+    const unsigned count = Z3_get_app_num_args(context, app);
+    const std::size_t before = stack.size();
+    for (unsigned i = count; i-- > 0;) {
+      const Z3_ast argument = Z3_get_app_arg(context, app, i);
+      if (!number.contains(Z3_get_ast_id(context, argument))) stack.push_back(argument);
+    }
+    if (stack.size() > before) continue;
+    stack.pop_back();
+    const Z3_func_decl operation = Z3_get_app_decl(context, app);
+    if (count == 0 && Z3_get_decl_kind(context, operation) == Z3_OP_UNINTERPRETED) {
+      form.insert(form.end(), {0, Z3_get_ast_id(context, Z3_sort_to_ast(context, Z3_get_sort(context, top)))});
+    } else {
+      form.insert(form.end(), {count + 1, Z3_get_ast_id(context, Z3_func_decl_to_ast(context, operation))});
+      for (unsigned i = 0; i < count; ++i) form.push_back(number.at(Z3_get_ast_id(context, Z3_get_app_arg(context, app, i))));
+    }
+    number.emplace(id, static_cast<unsigned>(number.size()));
+  }
+  return form;
+}
+
+void writeResult(int pipe, CheckResult result) {
+  const auto byte = static_cast<unsigned char>(result);
+  if (write(pipe, &byte, 1) != 1) _exit(1);
+}
+
+/// The child's whole life.
+[[noreturn]] void work(int pipe, const std::string& text, const std::vector<std::size_t>& owners, std::size_t ownerCount, const CheckLimits& limits) {
+  if (limits.memory > 0) {
+    const rlimit limit{limits.memory, limits.memory};
+    setrlimit(RLIMIT_DATA, &limit);
+  }
+  std::signal(SIGINT, SIG_IGN);  // the parent decides what an interruption means
+  try {
+    z3::context context;
+    const z3::expr_vector formulas = context.parse_string(text.c_str());
+    if (formulas.size() != owners.size()) _exit(1);
+    std::vector<double> left(ownerCount, limits.each);
+    std::map<std::vector<unsigned>, CheckResult> known;  // properties of equal parts of a program lead to equal forms
+    for (unsigned i = 0; i < formulas.size(); ++i) {
+      const Clock::time_point begin = Clock::now();
+      const z3::expr formula = formulas[static_cast<int>(i)];
+      const auto [at, isNew] = known.emplace(formOf(context, formula), CheckResult::Unknown);
+      if (isNew || at->second == CheckResult::Unknown) at->second = checkFormula(context, formula, left[owners[i]]);
+      const CheckResult result = at->second;
+      left[owners[i]] -= std::chrono::duration<double>(Clock::now() - begin).count();
+      writeResult(pipe, result);
+    }
+  } catch (...) {
+    _exit(1);
+  }
+  _exit(0);
+}
+
+/// The child's process and the end of its pipe that is read.
+class Child {
+ public:
+  Child(pid_t process, int pipe) : process_(process), pipe_(pipe) {}
+  ~Child() {
+    kill(process_, SIGKILL);
+    waitpid(process_, nullptr, 0);
+    close(pipe_);
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// The next result; nothing at the end of the child or of the time.
+  bool read(CheckResult& result, Clock::time_point deadline, const std::atomic<bool>* cancel) const {
+    while (Clock::now() < deadline && (cancel == nullptr || !cancel->load(std::memory_order_relaxed))) {
+      pollfd waited{pipe_, POLLIN, 0};
+      if (poll(&waited, 1, 10) <= 0) continue;
+      unsigned char byte = 0;
+      if (::read(pipe_, &byte, 1) != 1) return false;
+      result = static_cast<CheckResult>(byte);
+      return true;
+    }
+    return false;
+  }
+
+ private:
+  pid_t process_;
+  int pipe_;
+};
+
+}  // namespace
+
+std::vector<CheckResult> checkApart(const std::string& text, const std::vector<std::size_t>& owners, std::size_t ownerCount, const CheckLimits& limits) {
+  std::vector<CheckResult> results(ownerCount, CheckResult::Unknown);
+  int pipes[2];
+  if (pipe(pipes) != 0) return results;
+  const pid_t process = fork();
+  if (process == 0) work(pipes[1], text, owners, ownerCount, limits);
+  close(pipes[1]);
+  if (process < 0) {
+    close(pipes[0]);
+    return results;
+  }
+  const Child child(process, pipes[0]);
+  const Clock::time_point deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::min(limits.total, 1e6)));
+  std::vector<CheckResult> found(ownerCount, CheckResult::Valid);
+  std::vector<std::size_t> open(ownerCount, 0);
+  for (const std::size_t owner : owners) ++open[owner];
+  for (const std::size_t owner : owners) {
+    CheckResult result = CheckResult::Unknown;
+    if (!child.read(result, deadline, limits.cancel)) break;
+    --open[owner];
+    if (found[owner] == CheckResult::Valid || result == CheckResult::Invalid) found[owner] = result;
+  }
+  for (std::size_t i = 0; i < ownerCount; ++i) results[i] = open[i] == 0 || found[i] == CheckResult::Invalid ? found[i] : CheckResult::Unknown;
+  return results;
+}
+
+}  // namespace rungproof

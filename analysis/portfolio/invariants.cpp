@@ -1,0 +1,321 @@
+// Houdini over equivalence classes and pairs. A counterexample to induction drops what its successor breaks, and so
+// do the successors of the same state under 63 other random inputs.
+#include "analysis/portfolio/invariants.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "analysis/bits/bit_unrolling.hpp"
+#include "analysis/bits/simulation_runs.hpp"
+#include "ir/check.hpp"
+
+namespace rungproof {
+
+namespace {
+
+using Signature = std::vector<std::uint64_t>;
+
+/// Literals with equal values in all reachable states, presumably; the first represents the others.
+using Class = std::vector<Lit>;
+constexpr std::size_t ofOneClass = 6;    ///< truths of one class that pairs are made of
+constexpr std::size_t unseenLimit = 32;  ///< truths that are 0 in all samples
+constexpr int neighbourBatches = 6;  ///< of 64 states near a counterexample
+
+/// At least one of them holds.
+using Clause = std::vector<Lit>;
+
+class Miner {
+ public:
+  Miner(const BitSystem& system, const std::vector<Lit>& truths, const std::vector<Clause>& guesses, const MiningOptions& options,
+        const Budget& budget)
+      : system_(system), truths_(truths), options_(options), budget_(budget), clauses_(guesses), steps_(system, Unrolling::Start::Any), sat_(Sat::Use::Many),
+        cnf_(steps_.graph(), sat_) {}
+
+  Invariants run() {
+    sample();
+    makeClasses();
+    makePairs();
+    if (!holdInitially() || !makeInductive()) return {};
+    return result();
+  }
+
+ private:
+  std::uint64_t sampled(const BitSimulator& simulator, std::uint64_t live, Lit l) const {
+    const std::uint64_t value = simulator.value(l);
+    if (live == ~0ULL) return value;
+    const bool first = (value & (live & -live)) != 0;  // ended runs repeat a live one
+    return (value & live) | (first ? ~live : 0);
+  }
+
+  void sample() {
+    for (const Latch& latch : system_.latches) {
+      if (!options_.pairsOnly) watched_.push_back(positive(latch.variable));
+    }
+    for (const Lit l : truths_) {
+      if (options_.pairsOnly || system_.isGate(l)) watched_.push_back(l & ~1U);
+    }
+    std::sort(watched_.begin(), watched_.end());
+    watched_.erase(std::unique(watched_.begin(), watched_.end()), watched_.end());
+    signatures_.resize(watched_.size());
+    SimulationRuns runs(system_, options_.seed);
+    for (int scan = 0; scan < options_.scans && !budget_.isExhausted(); ++scan) {
+      if (scan == options_.scans / 2) runs.restart();
+      if (!runs.choose()) runs.restart();
+      else {
+        for (std::size_t i = 0; i < watched_.size(); ++i) signatures_[i].push_back(sampled(runs.simulator(), runs.live(), watched_[i]));
+        runs.step();
+      }
+    }
+  }
+
+  void makeClasses() {
+    if (options_.pairsOnly) {
+      makeSingles();
+      return;
+    }
+    std::map<Signature, std::size_t> index;
+    classes_.push_back({falseLit});
+    index.emplace(Signature(signatures_.empty() ? 0 : signatures_[0].size(), 0), 0);
+    for (std::size_t i = 0; i < watched_.size(); ++i) {
+      Signature signature = signatures_[i];
+      const bool complement = !signature.empty() && (signature[0] & 1U) != 0;
+      if (complement) {
+        for (std::uint64_t& word : signature) word = ~word;
+      }
+      const auto [at, isNew] = index.emplace(std::move(signature), classes_.size());
+      if (isNew) classes_.emplace_back();
+      classes_[at->second].push_back(complement ? negate(watched_[i]) : watched_[i]);
+    }
+  }
+
+  /// No classes: every watched literal stands for itself.
+  void makeSingles() {
+    classes_.push_back({falseLit});
+    for (std::size_t i = 0; i < watched_.size(); ++i) {
+      const bool isUnseen = std::all_of(signatures_[i].begin(), signatures_[i].end(), [](std::uint64_t lanes) { return lanes == 0; });
+      if (isUnseen) unseen_.push_back(watched_[i]);
+      else classes_.push_back({watched_[i]});
+    }
+  }
+
+  void makePairs() {
+    std::vector<std::size_t> representatives;  // of truths, by index in watched_
+    std::vector<bool> isTruth(system_.variableCount(), false);
+    for (const Lit l : truths_) isTruth[variableOf(l)] = true;
+    for (const Class& c : classes_) {
+      if (c[0] == falseLit) continue;
+      // All truth values of the state, since what was equal up to now may part; of comparisons one is enough.
+      std::size_t taken = 0;
+      for (const Lit l : c) {
+        if (!isTruth[variableOf(l)] || taken == ofOneClass || (taken > 0 && system_.isGate(l))) continue;
+        representatives.push_back(static_cast<std::size_t>(std::lower_bound(watched_.begin(), watched_.end(), l & ~1U) - watched_.begin()));
+        ++taken;
+      }
+    }
+    for (std::size_t i = 0; i < representatives.size(); ++i) {
+      for (std::size_t j = i + 1; j < representatives.size(); ++j) {
+        const Signature& a = signatures_[representatives[i]];
+        const Signature& b = signatures_[representatives[j]];
+        for (unsigned polarity = 0; polarity < 4; ++polarity) {
+          const std::uint64_t flipA = (polarity & 1U) != 0 ? ~0ULL : 0, flipB = (polarity & 2U) != 0 ? ~0ULL : 0;
+          bool holds = true;
+          for (std::size_t w = 0; w < a.size() && holds; ++w) holds = ((a[w] ^ flipA) | (b[w] ^ flipB)) == ~0ULL;
+          if (!holds) continue;
+          clauses_.push_back({watched_[representatives[i]] ^ (polarity & 1U), watched_[representatives[j]] ^ (polarity >> 1U)});
+          if (clauses_.size() >= options_.implicationLimit) return;
+        }
+      }
+    }
+    makePairsOfUnseen(isTruth, representatives);
+  }
+
+  /// Truths that no sample shows may still exclude each other, and need or exclude what is seen.
+  void makePairsOfUnseen(const std::vector<bool>& isTruth, const std::vector<std::size_t>& seen) {
+    std::vector<Lit> unseen = unseen_;
+    for (const Lit l : classes_[0]) {
+      if (variableOf(l) != 0 && isTruth[variableOf(l)] && unseen.size() < unseenLimit) unseen.push_back(l);
+    }
+    const bool isFew = unseen.size() <= unseenLimit;
+    for (std::size_t i = 0; i < unseen.size(); ++i) {
+      for (std::size_t j = i + 1; j < unseen.size(); ++j) {
+        clauses_.push_back({negate(unseen[i]), negate(unseen[j])});
+        if (!isFew) continue;
+        clauses_.push_back({unseen[i], negate(unseen[j])});
+        clauses_.push_back({negate(unseen[i]), unseen[j]});
+      }
+    }
+    for (const Lit l : unseen) {
+      for (const std::size_t i : seen) {
+        if (clauses_.size() + 2 > options_.implicationLimit) return;
+        clauses_.push_back({negate(l), watched_[i]});
+        clauses_.push_back({negate(l), negate(watched_[i])});
+      }
+    }
+  }
+
+  Lit same(Unrolling& u, int frame, Lit a, Lit b) { return negate(u.graph().addXor(u.at(frame, a), u.at(frame, b))); }
+  Lit some(Unrolling& u, int frame, const Clause& clause) {
+    Lit result = falseLit;
+    for (const Lit l : clause) result = u.graph().addOr(result, u.at(frame, l));
+    return result;
+  }
+
+  /// Drops and splits what `value` (64 states at once, those of `lanes` count) contradicts; true if anything.
+  template <class Value>
+  bool refine(Value&& value, std::uint64_t lanes) {
+    bool changed = false;
+    for (std::size_t c = 0; c < classes_.size(); ++c) {
+      if (classes_[c].size() < 2) continue;
+      const std::uint64_t expected = value(classes_[c][0]) & lanes;
+      std::map<std::uint64_t, Class> others;
+      std::erase_if(classes_[c], [&](Lit l) {
+        const std::uint64_t v = value(l) & lanes;
+        if (v == expected) return false;
+        others[v].push_back(l);
+        return true;
+      });
+      changed = changed || !others.empty();
+      for (auto& [v, members] : others) classes_.push_back(std::move(members));
+    }
+    const auto isBroken = [&](const Clause& clause) {
+      std::uint64_t holds = 0;
+      for (const Lit l : clause) holds |= value(l);
+      return (holds & lanes) != lanes;
+    };
+    changed = std::erase_if(clauses_, isBroken) != 0 || changed;
+    return changed;
+  }
+
+  bool holdInitially() {
+    Unrolling start(system_, Unrolling::Start::Initial);
+    Sat sat(Sat::Use::Many);
+    BitCnf cnf(start.graph(), sat);
+    for (;;) {
+      std::vector<int> broken;
+      const auto candidate = [&](Lit l) {
+        if (l != trueLit) broken.push_back(-cnf.literal(l));
+      };
+      for (const Class& c : classes_) {
+        for (std::size_t i = 1; i < c.size(); ++i) candidate(same(start, 0, c[0], c[i]));
+      }
+      for (const Clause& c : clauses_) candidate(some(start, 0, c));
+      if (broken.empty()) return true;
+      const Sat::Outcome outcome = sat.solve({}, budget_, broken);
+      if (outcome == Sat::Outcome::Unsatisfiable) return true;
+      if (outcome == Sat::Outcome::Unknown) return false;
+      const auto value = [&](Lit l) { return cnf.value(start.at(0, l)) ? ~0ULL : 0; };
+      CHECK(refine(value, 1), "an initial state breaks a candidate");
+    }
+  }
+
+  bool makeInductive() {
+    for (const Lit constraint : system_.constraints) sat_.add({cnf_.literal(steps_.at(0, constraint))});
+    std::mt19937_64 random(options_.seed);
+    BitSimulator simulator(system_);
+    for (;;) {
+      std::vector<int> assumed, broken;
+      const auto candidate = [&](Lit before, Lit after) {
+        if (before != trueLit) assumed.push_back(cnf_.literal(before));
+        if (after == trueLit) return;
+        broken.push_back(-cnf_.literal(after));
+        sat_.prefer(broken.back());  // one counterexample should break many
+      };
+      for (const Class& c : classes_) {
+        for (std::size_t i = 1; i < c.size(); ++i) candidate(same(steps_, 0, c[0], c[i]), same(steps_, 1, c[0], c[i]));
+      }
+      for (const Clause& c : clauses_) candidate(some(steps_, 0, c), some(steps_, 1, c));
+      if (broken.empty()) return true;
+      const Sat::Outcome outcome = sat_.solve(assumed, budget_, broken);
+      if (outcome == Sat::Outcome::Unsatisfiable) return true;
+      if (outcome == Sat::Outcome::Unknown) return false;
+      CHECK(dropBroken(simulator, random), "a counterexample breaks a candidate");
+    }
+  }
+
+  /// Drops what the model's scan breaks, and what scans from states nearby break that satisfy all candidates too.
+  bool dropBroken(BitSimulator& simulator, std::mt19937_64& random) {
+    std::vector<bool> state, inputs;
+    for (const Latch& latch : system_.latches) state.push_back(cnf_.value(steps_.at(0, positive(latch.variable))));
+    for (const std::uint32_t v : system_.inputs) inputs.push_back(cnf_.value(steps_.at(0, positive(v))));
+    bool changed = false;
+    for (int batch = 0; batch < neighbourBatches; ++batch) {
+      for (std::size_t i = 0; i < state.size(); ++i) simulator.setLatch(i, state[i] ? ~0ULL : 0);
+      for (std::size_t i = 0; i < inputs.size(); ++i) simulator.setInput(i, (batch == 0 ? random() & ~1ULL : random()) | (inputs[i] && batch == 0 ? 1U : 0U));
+      // Members of a class change together; the first run stays the model itself.
+      for (std::size_t c = 1; c < classes_.size(); ++c) {
+        std::uint64_t flips = random();
+        for (int i = 0; i < batch; ++i) flips &= random();
+        if (batch == 0) flips &= ~1ULL;
+        for (const Lit l : classes_[c]) {
+          if (classes_[c][0] == falseLit || system_.isGate(l)) continue;
+          const std::uint32_t latch = system_.position[variableOf(l)];
+          simulator.setLatch(latch, simulator.latch(latch) ^ flips);
+        }
+      }
+      simulator.evaluate();
+      const std::uint64_t lanes = satisfying(simulator);
+      simulator.step();
+      simulator.evaluate();
+      changed = refine([&](Lit l) { return simulator.value(l); }, lanes) || changed;
+    }
+    return changed;
+  }
+
+  /// Runs whose state satisfies all candidates and whose inputs meet the constraints.
+  std::uint64_t satisfying(const BitSimulator& simulator) const {
+    std::uint64_t lanes = ~0ULL;
+    for (const Lit constraint : system_.constraints) lanes &= simulator.value(constraint);
+    for (const Class& c : classes_) {
+      for (std::size_t i = 1; i < c.size(); ++i) lanes &= ~(simulator.value(c[0]) ^ simulator.value(c[i]));
+    }
+    for (const Clause& clause : clauses_) {
+      std::uint64_t holds = 0;
+      for (const Lit l : clause) holds |= simulator.value(l);
+      lanes &= holds;
+    }
+    return lanes;
+  }
+
+  Invariants result() const {
+    Invariants invariants;
+    for (std::uint32_t v = 0; v < system_.variableCount(); ++v) invariants.equal.push_back(positive(v));
+    for (Class c : classes_) {
+      // A latch represents latches; gates are tied to it by clauses only.
+      const auto byKind = [&](Lit l) { return std::pair(system_.isGate(l), l); };
+      if (c[0] != falseLit) std::sort(c.begin(), c.end(), [&](Lit a, Lit b) { return byKind(a) < byKind(b); });
+      for (std::size_t i = 1; i < c.size(); ++i) {
+        if (!system_.isGate(c[i])) invariants.equal[variableOf(c[i])] = c[0] ^ (c[i] & 1U);
+        if (c[0] == falseLit) {
+          invariants.clauses.push_back({negate(c[i])});
+        } else {
+          invariants.clauses.push_back({negate(c[0]), c[i]});
+          invariants.clauses.push_back({c[0], negate(c[i])});
+        }
+      }
+    }
+    invariants.clauses.insert(invariants.clauses.end(), clauses_.begin(), clauses_.end());
+    return invariants;
+  }
+
+  const BitSystem& system_;
+  const std::vector<Lit>& truths_;
+  const MiningOptions options_;
+  const Budget& budget_;
+  std::vector<Lit> watched_;  ///< positive literals
+  std::vector<Signature> signatures_;
+  std::vector<Class> classes_;
+  std::vector<Lit> unseen_;  ///< pairs only: truths that are 0 in all samples
+  std::vector<Clause> clauses_;
+  Unrolling steps_;
+  Sat sat_;
+  BitCnf cnf_;
+};
+
+}  // namespace
+
+Invariants mineInvariants(const BitSystem& system, const std::vector<Lit>& truths, const std::vector<std::vector<Lit>>& guesses,
+                          const MiningOptions& options, const Budget& budget) {
+  return Miner(system, truths, guesses, options, budget).run();
+}
+
+}  // namespace rungproof

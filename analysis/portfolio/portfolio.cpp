@@ -1,0 +1,191 @@
+// What can be settled on a property's surface, then the stages on the merged system and, where that leaves questions open,
+// on the saturated one; then the certificates, which are about the given system, are checked.
+#include "analysis/portfolio/portfolio.hpp"
+
+#include <algorithm>
+
+#include "analysis/bits/bit_blast.hpp"
+#include "analysis/bits/engine_contract.hpp"
+#include "analysis/portfolio/local_proof.hpp"
+#include "analysis/portfolio/merging.hpp"
+#include "analysis/portfolio/saturation.hpp"
+#include "analysis/portfolio/stages.hpp"
+#include "ir/check.hpp"
+
+namespace rungproof {
+
+namespace {
+
+constexpr double mergeShare = 0.3;   ///< of the time of a question, for merging states
+constexpr double mostMerging = 10;   ///< seconds
+constexpr double unsaturatedShare = 0.7;  ///< of the time, for the system with whole words
+constexpr double leastForBoth = 5;        ///< seconds
+constexpr double leastCheck = 0.5;   ///< seconds for checking certificates, whatever the deadline says
+
+/// What is settled on the surface, then what is left on the merged system, then the certificates about the given one.
+class Answers {
+ public:
+  Answers(const TransitionSystem& system, const PortfolioOptions& options) : system_(system), options_(options), answers_(system.questions.size()) {}
+
+  std::vector<QuestionAnswer> run() {
+    const Budget budget = options_.budget();
+    TransitionSystem rest = system_;
+    rest.questions.clear();
+    std::vector<std::size_t> open;
+    for (std::size_t q = 0; q < answers_.size(); ++q) {
+      if (settleLocally(q, budget)) continue;
+      open.push_back(q);
+      rest.questions.push_back(system_.questions[q]);
+    }
+    if (!open.empty()) {
+      const auto begin = Budget::Clock::now();
+      const MergedSystem merged = mergeStates(rest, options_.seed, budget.slice(std::min(options_.seconds * static_cast<double>(open.size()) * mergeShare, mostMerging)));
+      const double each = std::chrono::duration<double>(Budget::Clock::now() - begin).count() / static_cast<double>(open.size());
+      std::vector<QuestionAnswer> found = search(merged.system);
+      for (std::size_t i = 0; i < open.size(); ++i) {
+        found[i].seconds += each;
+        answers_[open[i]] = onGivenSystem(open[i], std::move(found[i]), merged);
+      }
+    }
+    if (options_.check) checkCertificates();
+    return std::move(answers_);
+  }
+
+ private:
+  bool settleLocally(std::size_t q, const Budget& budget) {
+    const auto begin = Budget::Clock::now();
+    const std::optional<std::vector<Node>> open = proveLocally(system_, system_.questions[q].bad, budget);
+    if (!open) return false;
+    QuestionAnswer& answer = answers_[q];
+    answer.answer = Answer::Proved;
+    answer.method = "one scan";
+    answer.certificate = WordCertificate{};
+    answer.certificate->open = *open;
+    answer.seconds = std::chrono::duration<double>(Budget::Clock::now() - begin).count();
+    return true;
+  }
+
+  /// The portfolio on the system as it is; where that leaves questions open, what is left of the time on the saturated one.
+  std::vector<QuestionAnswer> search(const TransitionSystem& system) const {
+    if (options_.effort != Effort::Full || !options_.check || std::min(options_.seconds, options_.left()) < leastForBoth) return runStages(system, options_);
+    PortfolioOptions first = options_;
+    first.seconds *= unsaturatedShare;
+    if (first.deadline) {
+      const std::chrono::duration<double> most(options_.left() * unsaturatedShare);
+      first.deadline = Budget::Clock::now() + std::chrono::duration_cast<Budget::Clock::duration>(most);
+    }
+    std::vector<QuestionAnswer> answers = runStages(system, first);
+    TransitionSystem rest = system;
+    rest.questions.clear();
+    std::vector<std::size_t> open;
+    for (std::size_t q = 0; q < answers.size(); ++q) {
+      if (answers[q].answer != Answer::Unknown) continue;
+      open.push_back(q);
+      rest.questions.push_back(system.questions[q]);
+    }
+    const Budget budget = options_.budget();
+    if (open.empty() || budget.isExhausted()) return answers;
+    const SaturatedSystem saturated = saturate(rest, budget.slice(options_.seconds * mergeShare));
+    if (saturated.words.empty()) return answers;
+    PortfolioOptions second = options_;
+    second.seconds *= 1 - unsaturatedShare;
+    std::vector<QuestionAnswer> found = runStages(saturated.system, second);
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      found[i].seconds += answers[open[i]].seconds;
+      found[i].depth = std::max(found[i].depth, answers[open[i]].depth);
+      if (found[i].answer == Answer::Unknown) continue;
+      if (found[i].certificate && !unsaturate(rest, rest.questions[i], *found[i].certificate, saturated)) continue;
+      answers[open[i]] = std::move(found[i]);
+    }
+    return answers;
+  }
+
+  /// The certificate about the system with whole words; false if it rests on states being different, which it cannot say.
+  static bool unsaturate(const TransitionSystem& system, const Question& question, WordCertificate& certificate, const SaturatedSystem& saturated) {
+    if (certificate.simplePath) return false;
+    Graph& graph = *system.graph;
+    const auto whole = [&](Node& n) { n = saturated.onGivenSystem(graph, n); };
+    for (Node& n : certificate.invariant) whole(n);
+    for (Node& n : certificate.immediate) whole(n);
+    for (KeptDifference& d : certificate.differences) {
+      for (Node* n : {&d.left.word, &d.left.increment, &d.left.next, &d.right.word, &d.right.increment, &d.right.next, &d.difference}) whole(*n);
+    }
+    std::vector<Replaced> ranges;
+    for (const SaturatedWord& word : saturated.words) ranges.push_back({.word = word.given, .equation = word.range});
+    std::vector<Node> roots = certificate.invariant;
+    roots.push_back(question.bad);
+    roots.insert(roots.end(), system.constraints.begin(), system.constraints.end());
+    const std::vector<Node> facts = factsBehind(system, ranges, roots);
+    certificate.invariant.insert(certificate.invariant.begin(), facts.begin(), facts.end());
+    certificate.immediate.insert(certificate.immediate.begin(), facts.begin(), facts.end());
+    return true;
+  }
+
+  QuestionAnswer onGivenSystem(std::size_t q, QuestionAnswer answer, const MergedSystem& merged) const {
+    if (answer.certificate) {
+      std::vector<Node> roots = answer.certificate->invariant;
+      roots.push_back(system_.questions[q].bad);
+      roots.insert(roots.end(), system_.constraints.begin(), system_.constraints.end());
+      std::vector<Node> facts = factsBehind(system_, merged.facts, roots);
+      std::vector<Node>& invariant = answer.certificate->invariant;
+      invariant.insert(invariant.begin(), facts.begin(), facts.end());
+      answer.certificate->immediate.insert(answer.certificate->immediate.begin(), facts.begin(), facts.end());
+    }
+    if (answer.trace) {
+      std::vector<std::uint64_t> initial;
+      for (const StateVariable& state : system_.states) initial.push_back(state.init == noNode ? 0 : (*system_.graph)[state.init].value);
+      for (std::size_t i = 0; i < merged.kept.size(); ++i) initial[merged.kept[i]] = answer.trace->initial[i];
+      answer.trace->initial = std::move(initial);
+    }
+    return answer;
+  }
+
+  /// A proof whose certificate Z3 does not confirm is not reported as one.
+  void checkCertificates() {
+    CertificateWriter writer(system_);
+    std::vector<std::size_t> certified;
+    for (std::size_t q = 0; q < answers_.size(); ++q) {
+      if (!answers_[q].certificate) continue;
+      certified.push_back(q);
+      writer.add(system_.questions[q], *answers_[q].certificate);
+    }
+    if (certified.empty()) return;
+    // What was found before an interruption is worth a short look.
+    const bool isCancelled = options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed);
+    CheckLimits limits;
+    limits.each = std::max(options_.seconds, 10.0);
+    limits.total = isCancelled ? leastCheck : options_.deadline ? std::max(options_.left(), leastCheck) : 1e9;
+    limits.memory = options_.memory;
+    limits.cancel = isCancelled ? nullptr : options_.cancel;
+    const std::vector<CheckResult> results = writer.check(limits);
+    for (std::size_t i = 0; i < certified.size(); ++i) {
+      CHECK(results[i] != CheckResult::Invalid, "a certificate is wrong");
+      if (results[i] == CheckResult::Valid) continue;
+      QuestionAnswer& answer = answers_[certified[i]];
+      answer.answer = Answer::Unknown;
+      answer.method += " (certificate not checked in time)";
+      answer.certificate.reset();
+    }
+  }
+
+  const TransitionSystem& system_;
+  const PortfolioOptions& options_;
+  std::vector<QuestionAnswer> answers_;
+};
+
+}  // namespace
+
+std::optional<WordTrace> shallowSearch(const TransitionSystem& system, int depth, double seconds) {
+  const BitBlast blast(system, {0});
+  EngineOptions options;
+  options.bound = depth;
+  const Verdict verdict = makeBmc(blast.bits(), options)->advance(Budget::seconds(seconds));
+  if (verdict.answer != Answer::Violated) return std::nullopt;
+  return blast.wordTrace(*verdict.trace);
+}
+
+std::vector<QuestionAnswer> answerQuestions(const TransitionSystem& system, const PortfolioOptions& options) {
+  return Answers(system, options).run();
+}
+
+}  // namespace rungproof

@@ -1,0 +1,162 @@
+// Workers take the question that has had the least time, and of its engines that are not at work the one with the
+// least weighted time. Slices double from 5 ms to 1 s, so that short proofs do not wait for long searches.
+#include "analysis/portfolio/race.hpp"
+
+#include <algorithm>
+#include <array>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+
+#include "ir/check.hpp"
+
+namespace rungproof {
+
+namespace {
+
+struct EngineKind {
+  std::unique_ptr<Engine> (*make)(const BitSystem&, const EngineOptions&);
+  double weight;  ///< share of time relative to the others
+};
+constexpr std::array engineKinds = {EngineKind{makeIc3, 4}, EngineKind{makeBmc, 2}, EngineKind{makeSimulation, 1}, EngineKind{makeExhaustive, 1},
+                                    EngineKind{makeKInduction, 1}};
+
+struct Runner {
+  std::unique_ptr<Engine> engine;  ///< made when first run
+  double used = 0;
+  double slice = 0.005;
+  bool working = false;
+  bool ended = false;
+};
+
+struct Contest {
+  std::array<Runner, engineKinds.size()> runners;
+  std::atomic<bool> cancel = false;
+  double used = 0;  ///< by finished slices
+  int workers = 0;
+  bool done = false;
+};
+
+class Race {
+ public:
+  Race(std::vector<RaceQuestion>& questions, const RaceOptions& options)
+      : questions_(questions), options_(options), contests_(questions.size()), perQuestion_(options.seconds * std::max(options.jobs, 1)) {}
+
+  void run() {
+    std::vector<std::thread> threads;
+    for (int i = 1; i < options_.jobs; ++i) threads.emplace_back([this] { work(); });
+    work();
+    for (std::thread& thread : threads) thread.join();
+  }
+
+ private:
+  struct Task {
+    std::size_t question, engine;
+  };
+
+  /// Waits for a task; false when all questions are done. The lock is held.
+  bool take(std::unique_lock<std::mutex>& lock, Task& task) {
+    for (;;) {
+      bool open = false;
+      double best = 0;
+      bool found = false;
+      for (std::size_t q = 0; q < contests_.size(); ++q) {
+        Contest& contest = contests_[q];
+        if (contest.done) continue;
+        open = true;
+        for (std::size_t e = 0; e < engineKinds.size(); ++e) {
+          const Runner& runner = contest.runners[e];
+          if (runner.working || runner.ended) continue;
+          // Questions with fewer workers and less time first, then engines with less weighted time.
+          const double rank = contest.workers * 1e6 + contest.used * 1e3 + runner.used / engineKinds[e].weight;
+          if (found && rank >= best) continue;
+          found = true;
+          best = rank;
+          task = {q, e};
+        }
+      }
+      if (!open) return false;
+      if (found) return true;
+      changed_.wait(lock);
+    }
+  }
+
+  void work() {
+    std::unique_lock<std::mutex> lock(mutex_);
+    Task task{};
+    while (take(lock, task)) {
+      Contest& contest = contests_[task.question];
+      Runner& runner = contest.runners[task.engine];
+      runner.working = true;
+      ++contest.workers;
+      const double limit = std::min(runner.slice, std::max(perQuestion_ - contest.used, 0.001));
+      lock.unlock();
+      const Budget::Clock::time_point begin = Budget::Clock::now();
+      if (!runner.engine) runner.engine = engineKinds[task.engine].make(*questions_[task.question].system, engineOptions(task.question));
+      const Verdict verdict = runner.engine->advance(Budget(options_.deadline, &contest.cancel, options_.cancel).slice(limit));
+      const bool ended = runner.engine->isExhausted();
+      const double used = std::chrono::duration<double>(Budget::Clock::now() - begin).count();
+      lock.lock();
+      runner.working = false;
+      runner.ended = ended || verdict.answer != Answer::Unknown;  // an engine is not asked again after an answer
+      runner.used += used;
+      runner.slice = std::min(runner.slice * 2, 1.0);
+      contest.used += used;
+      --contest.workers;
+      record(task.question, verdict);
+      changed_.notify_all();
+    }
+    changed_.notify_all();
+  }
+
+  EngineOptions engineOptions(std::size_t question) const {
+    EngineOptions result;
+    if (options_.bound > 0) result.bound = options_.bound;
+    result.seed = options_.seed + question;
+    result.invariants = questions_[question].invariants;
+    return result;
+  }
+
+  /// A run that is longer than the bound is no answer.
+  bool isAnswer(const Verdict& verdict) const {
+    return verdict.answer == Answer::Proved || (verdict.answer == Answer::Violated && (options_.bound == 0 || verdict.depth < options_.bound));
+  }
+
+  void record(std::size_t question, const Verdict& verdict) {
+    Contest& contest = contests_[question];
+    Verdict& known = questions_[question].verdict;
+    questions_[question].seconds = contest.used;
+    if (isAnswer(verdict)) {
+      CHECK(known.answer == Answer::Unknown || known.answer == verdict.answer, "two engines disagree about a question");
+      const bool better = known.answer == Answer::Unknown || (verdict.answer == Answer::Violated && verdict.depth < known.depth);
+      if (better) known = verdict;
+      contest.cancel = true;
+      contest.done = true;
+      return;
+    }
+    if (known.answer == Answer::Unknown && verdict.answer == Answer::Unknown) known.depth = std::max(known.depth, verdict.depth);
+    const bool atBound = options_.bound > 0 && known.depth >= options_.bound;
+    const bool allEnded = std::all_of(contest.runners.begin(), contest.runners.end(), [](const Runner& r) { return r.ended && !r.working; });
+    const bool stopped = Budget(options_.deadline, options_.cancel).isExhausted();
+    if (contest.used >= perQuestion_ || allEnded || stopped || atBound) {
+      contest.cancel = true;
+      contest.done = true;
+    }
+  }
+
+  std::vector<RaceQuestion>& questions_;
+  const RaceOptions options_;
+  std::deque<Contest> contests_;
+  const double perQuestion_;  ///< engine seconds
+  std::mutex mutex_;
+  std::condition_variable changed_;
+};
+
+}  // namespace
+
+void race(std::vector<RaceQuestion>& questions, const RaceOptions& options) {
+  if (!questions.empty()) Race(questions, options).run();
+}
+
+}  // namespace rungproof

@@ -1,0 +1,31 @@
+// The race: for each open question IC3, BMC, k-induction, simulation and explicit search run in slices of time, on
+// as many threads as wanted; the first conclusive answer of a question ends its other engines. A proof and a
+// violation of the same question stop the program. Tested by tests/solver/portfolio_test.cpp.
+#pragma once
+
+#include <vector>
+
+#include "analysis/bits/engine_contract.hpp"
+
+namespace rungproof {
+
+struct RaceQuestion {
+  const BitSystem* system = nullptr;
+  std::vector<std::vector<Lit>> invariants;
+  // Result:
+  Verdict verdict;
+  double seconds = 0;  ///< engine time spent
+};
+
+struct RaceOptions {
+  double seconds = 30;  ///< wall time for each question
+  int jobs = 2;
+  std::uint64_t seed = 1;
+  int bound = 0;  ///< 0: no limit
+  const std::atomic<bool>* cancel = nullptr;
+  Budget::Clock::time_point deadline = Budget::Clock::time_point::max();  ///< of all questions
+};
+
+void race(std::vector<RaceQuestion>& questions, const RaceOptions& options);
+
+}  // namespace rungproof

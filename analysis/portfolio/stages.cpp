@@ -1,0 +1,273 @@
+// Order of work: all questions together by simulation and plain induction; those left, cluster by cluster, by mined
+// invariants and short inductions under them; those left by the race on their cones. What was found on bits is turned into
+// runs and certificates in words.
+#include "analysis/portfolio/stages.hpp"
+
+#include <algorithm>
+#include <deque>
+
+#include "analysis/bits/bit_cone.hpp"
+#include "analysis/graph/evaluate.hpp"
+#include "analysis/portfolio/clusters.hpp"
+#include "analysis/portfolio/invariants.hpp"
+#include "analysis/portfolio/invariants_bounds.hpp"
+#include "analysis/portfolio/invariants_timers.hpp"
+#include "analysis/portfolio/invariants_words.hpp"
+#include "analysis/portfolio/race.hpp"
+#include "analysis/portfolio/shared.hpp"
+#include "analysis/portfolio/truths.hpp"
+#include "ir/check.hpp"
+
+namespace rungproof {
+
+namespace {
+
+constexpr int simulatedScans = 256;
+constexpr int shortInduction = 3;
+constexpr std::size_t truthLimit = 600;
+constexpr std::size_t pairedTruths = 400;  ///< truth values whose pairs are looked at together
+constexpr std::size_t pairLimit = 12000;
+constexpr double searchShare = 0.9;  ///< of the time that is left for searches; the rest is for checking what they find
+
+class Stages {
+ public:
+  Stages(const TransitionSystem& system, const PortfolioOptions& options)
+      : system_(system), options_(options), answers_(system.questions.size()) {}
+
+  std::vector<QuestionAnswer> run() {
+    for (std::size_t q = 0; q < answers_.size(); ++q) open_.push_back(q);
+    begin({});
+    if (!open_.empty()) searchTogether(1, true);
+    if (!open_.empty() && options_.check) {
+      begin({});
+      minePairs();
+      if (!invariants_.empty()) searchTogether(1, false);
+    }
+    std::vector<std::vector<std::size_t>> clusters;
+    if (options_.effort == Effort::Full) clusters = clustersOf(system_, open_);
+    for (const std::vector<std::size_t>& cluster : clusters) {
+      open_ = cluster;
+      begin({});
+      beginWithCandidates();
+      if (options_.check) mine();
+      searchTogether(shortInduction, false);
+      if (!open_.empty() && options_.check && mineDifferences()) searchTogether(shortInduction, false);
+      if (!open_.empty()) raceApart();
+    }
+    return std::move(answers_);
+  }
+
+ private:
+  /// Starts a stage: blasts the open questions.
+  void begin(const std::vector<Node>& truths) {
+    differences_.clear();
+    invariants_ = {};
+    cores_.reset();
+    blast_ = std::make_unique<BitBlast>(system_, open_, truths);
+    stageBegin_ = Budget::Clock::now();
+  }
+  /// Blasts the open questions with the nodes that candidate invariants speak about.
+  void beginWithCandidates() {
+    const std::vector<Node> truths = stateTruths(system_, open_, truthLimit);
+    std::vector<NodeClause> guesses = guessDifferences(system_, *blast_, options_.seed);
+    for (NodeClause& clause : guessTimerStates(system_)) {
+      if (std::all_of(clause.begin(), clause.end(), [&](Node n) { return isInCone(n); })) guesses.push_back(std::move(clause));
+    }
+    std::vector<Node> nodes = truths;
+    for (const NodeClause& clause : guesses) nodes.insert(nodes.end(), clause.begin(), clause.end());
+    begin(nodes);
+    truths_.clear();
+    guesses_.clear();
+    for (const Node n : truths) truths_.push_back(blast_->of(n)[0]);
+    for (const NodeClause& clause : guesses) {
+      std::vector<Lit>& literals = guesses_.emplace_back();
+      for (const Node n : clause) literals.push_back(blast_->of(n)[0]);
+    }
+  }
+  bool isInCone(Node n) const {
+    const NodeData& node = (*system_.graph)[n];
+    return blast_->contains(node.op == Op::Not ? node.child[0] : n);
+  }
+  Budget budget(double seconds) const { return options_.budget().slice(seconds); }
+  Budget::Clock::time_point searchEnd() const {
+    const std::chrono::duration<double> rest(options_.left() * searchShare);
+    return options_.deadline ? Budget::Clock::now() + std::chrono::duration_cast<Budget::Clock::duration>(rest) : Budget::Clock::time_point::max();
+  }
+  double share() const {
+    return std::chrono::duration<double>(Budget::Clock::now() - stageBegin_).count() / static_cast<double>(std::max<std::size_t>(open_.size(), 1));
+  }
+
+  void searchTogether(int most, bool simulate) {
+    const double seconds = options_.seconds * static_cast<double>(open_.size());
+    std::vector<int> clean;
+    for (const std::size_t q : open_) clean.push_back(answers_[q].depth);
+    SharedSearch search(blast_->bits(), options_.seed, clean);
+    if (simulate) search.simulate(options_.bound > 0 ? std::min(simulatedScans, options_.bound) : simulatedScans, budget(seconds * 0.1));
+    search.induce(options_.bound > 0 ? std::min(most, options_.bound - 1) : most, invariants_.clauses, budget(seconds * 0.3));
+    const double each = share();
+    std::vector<std::size_t> open;
+    positions_.clear();
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      answers_[open_[i]].seconds += each;
+      const Verdict& verdict = search.answers()[i].verdict;
+      if (verdict.answer == Answer::Unknown) {
+        open.push_back(open_[i]);
+        positions_.push_back(i);
+      }
+      take(open_[i], i, verdict, nullptr);
+    }
+    open_ = std::move(open);
+  }
+
+  /// What truth values of the state say about each other, for all questions at once: interlocks and steps.
+  void minePairs() {
+    std::vector<Lit> truths;
+    const BitSystem& bits = blast_->bits();
+    for (std::uint32_t latch = 0; latch < bits.latches.size(); ++latch) {
+      if ((*system_.graph)[system_.states[blast_->stateBit(latch).state].node].width == 1) truths.push_back(positive(bits.latches[latch].variable));
+    }
+    if (truths.size() < 2 || truths.size() > pairedTruths) return;
+    MiningOptions mining;
+    mining.seed = options_.seed;
+    mining.pairsOnly = true;
+    mining.implicationLimit = pairLimit;
+    const Budget limit = budget(std::min(options_.seconds * 0.3 * static_cast<double>(open_.size()), 10.0));
+    invariants_ = mineInvariants(bits, truths, {}, mining, limit);
+  }
+
+  void mine() {
+    const double seconds = std::min(options_.seconds * 0.3, 10.0);
+    MiningOptions mining;
+    mining.seed = options_.seed;
+    const Budget limit = budget(seconds);
+    invariants_ = mineInvariants(blast_->bits(), truths_, guesses_, mining, limit);
+  }
+
+  /// Bounds on differences of words that count together; false if there are none.
+  bool mineDifferences() {
+    const MinedBounds mined = mineBounds(system_, *blast_, invariants_, options_.seed, budget(std::min(options_.seconds * 2, 10.0)));
+    if (mined.clauses.empty()) return false;
+    blast_->add(mined.clauses);
+    for (const Node n : mined.clauses) {
+      const Lit l = blast_->of(n)[0];
+      if (l != trueLit) invariants_.clauses.push_back({l});
+    }
+    differences_ = mined.differences;
+    cores_.reset();
+    // The questions that are left, in the stage's order.
+    std::vector<Lit> bads;
+    for (const std::size_t position : positions_) bads.push_back(blast_->bits().bads[position]);
+    blast_->bits().bads = bads;
+    return true;
+  }
+
+  void raceApart() {
+    std::deque<BitCone> cones;
+    std::vector<Lit> wanted;
+    for (const std::vector<Lit>& clause : invariants_.clauses) wanted.insert(wanted.end(), clause.begin(), clause.end());
+    std::vector<RaceQuestion> questions(open_.size());
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      const Lit bad = blast_->bits().bads[positions_[i]];
+      cones.push_back(makeCone(blast_->bits(), {bad}, blast_->isTotal(), invariants_.equal, wanted));
+      questions[i].system = &cones[i].system;
+      questions[i].invariants = cones[i].translated(invariants_.clauses);
+      questions[i].verdict.depth = answers_[open_[i]].depth;
+    }
+    race(questions, {options_.seconds, options_.jobs, options_.seed, options_.bound, options_.cancel, searchEnd()});
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      answers_[open_[i]].seconds += questions[i].seconds / std::max(options_.jobs, 1);
+      if (questions[i].verdict.answer == Answer::Unknown) questions[i].verdict.method = "BMC, k-induction, IC3, simulation, explicit search";
+      take(open_[i], positions_[i], questions[i].verdict, &cones[i]);
+    }
+  }
+
+  /// Turns a verdict about the cone (nullptr: about the whole bit system), for bad literal `position` of this stage,
+  /// into the answer of question q.
+  void take(std::size_t q, std::size_t position, const Verdict& verdict, const BitCone* cone) {
+    QuestionAnswer& answer = answers_[q];
+    answer.answer = verdict.answer;
+    answer.depth = verdict.depth;
+    answer.method = verdict.method;
+    if (verdict.answer == Answer::Violated) {
+      std::optional<BitTrace> trace = cone == nullptr ? verdict.trace : completeTrace(blast_->bits(), *cone, *verdict.trace);
+      CHECK(trace.has_value(), "constraints outside the cone can always be met");
+      answer.trace = blast_->wordTrace(*trace);
+      answer.usesFreeReals = !blast_->unmodelled().empty();
+    }
+    if (verdict.answer == Answer::Proved) answer.certificate = wordCertificate(position, *verdict.certificate, cone);
+  }
+
+  /// The certificate over the whole bit system, then in words, with the mined invariants it rests on.
+  WordCertificate wordCertificate(std::size_t position, const Certificate& given, const BitCone* cone) {
+    Certificate whole = cone == nullptr ? given : onWholeSystem(given, *cone);
+    const BitSystem& bits = blast_->bits();
+    if (!cores_) cores_ = std::make_unique<InvariantCores>(bits, invariants_.clauses);
+    const InvariantCores::Needed needed = cores_->of(bits.bads[position], whole, budget(options_.seconds));
+    WordCertificate result;
+    result.k = given.k;
+    result.simplePath = given.simplePath;
+    const auto nodeOf = [&](const std::vector<Lit>& clause) {
+      Node n = system_.graph->constantNode(0, 1);
+      for (const Lit l : clause) n = system_.graph->make(Op::Or, 1, n, blast_->nodeOf(l));
+      return n;
+    };
+    for (const std::vector<Lit>& clause : whole.clauses) result.invariant.push_back(nodeOf(clause));
+    result.immediate = result.invariant;
+    for (const std::vector<Lit>& clause : needed.clauses) result.invariant.push_back(nodeOf(clause));
+    for (const std::vector<Lit>& clause : needed.immediate) result.immediate.push_back(nodeOf(clause));
+    std::vector<bool> isUsed(system_.graph->size(), false);
+    for (const Node n : coneOf(*system_.graph, result.invariant)) isUsed[indexOf(n)] = true;
+    for (const KeptDifference& d : differences_) {
+      if (isUsed[indexOf(d.difference)]) result.differences.push_back(d);
+    }
+    if (given.simplePath) {
+      const std::size_t count = cone == nullptr ? bits.latches.size() : cone->latches.size();
+      for (std::size_t i = 0; i < count; ++i) {
+        result.pathBits.push_back(blast_->nodeOf(positive(bits.latches[cone == nullptr ? i : cone->latches[i]].variable)));
+      }
+    }
+    return result;
+  }
+
+  /// Adds the certificate's own gates to the bit system of the stage.
+  Certificate onWholeSystem(const Certificate& given, const BitCone& cone) {
+    BitSystem& bits = blast_->bits();
+    std::vector<Lit> extra;
+    std::vector<Lit> back(cone.system.variableCount(), falseLit);
+    for (std::size_t i = 0; i < cone.latches.size(); ++i) {
+      back[cone.system.latches[i].variable] = positive(bits.latches[cone.latches[i]].variable);
+    }
+    const auto literal = [&](Lit l) {
+      const std::uint32_t v = variableOf(l);
+      return (v < back.size() ? back[v] : extra[v - back.size()]) ^ (l & 1U);
+    };
+    for (const AndGate& gate : given.gates) extra.push_back(bits.addAnd(literal(gate.left), literal(gate.right)));
+    Certificate whole;
+    whole.k = given.k;
+    whole.simplePath = given.simplePath;
+    for (const std::vector<Lit>& clause : given.clauses) {
+      std::vector<Lit>& translated = whole.clauses.emplace_back();
+      for (const Lit l : clause) translated.push_back(literal(l));
+    }
+    return whole;
+  }
+
+  const TransitionSystem& system_;
+  const PortfolioOptions options_;
+  Budget::Clock::time_point stageBegin_{};
+  std::unique_ptr<BitBlast> blast_;      ///< of this stage
+  std::vector<Lit> truths_;              ///< literals of blast_
+  std::vector<std::vector<Lit>> guesses_;  ///< further candidate invariants, in literals of blast_
+  Invariants invariants_;                ///< of blast_'s system
+  std::unique_ptr<InvariantCores> cores_;    ///< of invariants_
+  std::vector<KeptDifference> differences_;  ///< that bounds among invariants_ speak of
+  std::vector<std::size_t> open_;        ///< questions without answer
+  std::vector<std::size_t> positions_;   ///< of the open questions among the bad literals of blast_
+  std::vector<QuestionAnswer> answers_;
+};
+
+}  // namespace
+
+std::vector<QuestionAnswer> runStages(const TransitionSystem& system, const PortfolioOptions& options) { return Stages(system, options).run(); }
+
+}  // namespace rungproof

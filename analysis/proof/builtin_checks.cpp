@@ -1,0 +1,201 @@
+// Gathers the built-in questions from what the encoder recorded.
+#include "analysis/proof/builtin_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "analysis/facts.hpp"
+#include "ir/isa.hpp"
+
+namespace rungproof {
+
+namespace {
+
+class Gatherer {
+ public:
+  Gatherer(Obligations& obligations, const ExecutionRecord& record, std::vector<BuiltinCheck>& checks)
+      : encoding_(obligations.encoding()), record_(record), graph_(encoding_.graph()), checks_(checks) {}
+
+  void run() {
+    setResetConflicts();
+    stackLevels();
+    hazards();
+    timers();
+    presets();
+  }
+
+ private:
+  /// Two instructions that write different constants to one bit in one scan, or a latch against a coil that writes the
+  /// opposite (001:2821). S and R in one instruction's row, or the same instruction met twice, do not count.
+  void setResetConflicts() {
+    std::map<Place, std::vector<const BitWrite*>> writes;
+    for (const BitWrite& write : encoding_.bitWrites()) {
+      if (write.instruction != nullptr && isLatchOrCoil(*write.instruction)) writes[write.place].push_back(&write);
+    }
+    for (const auto& [place, list] : writes) {
+      std::map<std::pair<const Instruction*, const Instruction*>, Node> pairs;
+      for (std::size_t i = 0; i < list.size(); ++i) {
+        for (std::size_t k = i + 1; k < list.size(); ++k) addConflict(*list[i], *list[k], pairs);
+      }
+      for (const auto& [pair, bad] : pairs) {
+        BuiltinCheck check{BuiltinKind::SetReset, fmt::format("set/reset conflict on {}", nameOf(place)), "OUT003",
+                           fmt::format("{} is set and reset in one scan; {} comes last and wins", nameOf(place), pair.second->desc->stl), nameOf(place), pair.second, pair.first, bad};
+        checks_.push_back(std::move(check));
+      }
+    }
+  }
+  static bool isLatchOrCoil(const Instruction& instruction) {
+    const std::string_view stl = instruction.desc->stl;
+    return stl == "S" || stl == "R" || stl == "SI" || stl == "RI" || stl == "=" || stl == "=I" || stl == "SR" || stl == "RS";
+  }
+  static bool isLatch(const Instruction& instruction) { return instruction.desc->stl[0] == 'S' || instruction.desc->stl[0] == 'R'; }
+  void addConflict(const BitWrite& a, const BitWrite& b, std::map<std::pair<const Instruction*, const Instruction*>, Node>& pairs) {
+    if (a.instruction == b.instruction || (!isLatch(*a.instruction) && !isLatch(*b.instruction))) return;
+    const Graph::Bool both = graph_.land(graph_.land({a.guard}, {b.guard}), graph_.lxor({a.value}, {b.value}));
+    if (const auto known = graph_.truth(both); known && !*known) return;
+    Node& bad = pairs.try_emplace({a.instruction, b.instruction}, graph_.constant(false).node).first->second;
+    bad = graph_.lor({bad}, both).node;
+  }
+
+  /// Levels that a push has lost (001:2759) and that are used nevertheless, on the paths that the scan can take. Where
+  /// no path uses one there is one question for the whole program, which is then proved.
+  void stackLevels() {
+    std::map<std::pair<const Instruction*, const Instruction*>, Node> lost;
+    for (const LostLevel& level : record_.lostLevels()) {
+      Node& bad = lost.try_emplace({level.use, level.push}, graph_.constant(false).node).first->second;
+      bad = graph_.lor({bad}, {level.condition}).node;
+    }
+    if (lost.empty()) checks_.push_back({BuiltinKind::StackLevels, "the logic stack loses no level that is used", "STK001", "", "", nullptr, nullptr, graph_.constant(false).node});
+    for (const auto& [places, bad] : lost) {
+      const auto [use, push] = places;
+      checks_.push_back({BuiltinKind::StackLevels, fmt::format("logic stack at {}", Facts::text(*use)), "STK001",
+                         fmt::format("{} takes a level that was pushed out of the nine levels of the logic stack", Facts::text(*use)), "", push == nullptr ? use : push, use, bad});
+    }
+  }
+
+  static std::optional<std::pair<BuiltinKind, const char*>> kindOf(Hazard hazard) {
+    switch (hazard) {
+      case Hazard::BadIndirectAddress: return {{BuiltinKind::OperandRange, "PTR001"}};
+      case Hazard::OutOfRange:
+      case Hazard::BadCount: return {{BuiltinKind::OperandRange, "PTR004"}};
+      case Hazard::StringIndexZero: return {{BuiltinKind::OperandRange, "PTR005"}};
+      case Hazard::NestingTooDeep: return {{BuiltinKind::Nesting, "SUB002"}};
+      case Hazard::DivideByZero: return {{BuiltinKind::Division, "ARI001"}};
+      case Hazard::Overflow: return {{BuiltinKind::Overflow, "ARI002"}};
+      case Hazard::FatalIndirectAddress:
+      case Hazard::FatalReal:
+      case Hazard::FatalRange: return {{BuiltinKind::Comparison, "ARI003"}};
+      case Hazard::LoopBound:
+      case Hazard::FatalWatchdog: return {{BuiltinKind::LoopBound, "CTL004"}};
+      default: return std::nullopt;
+    }
+  }
+  void hazards() {
+    std::map<std::pair<const Instruction*, Hazard>, Node> byPlace;
+    std::vector<std::pair<const Instruction*, Hazard>> order;
+    for (const HazardRecord& record : encoding_.hazards()) {
+      if (!kindOf(record.hazard) || record.place == nullptr) continue;
+      const std::pair key{record.place, record.hazard};
+      const auto [found, isNew] = byPlace.try_emplace(key, record.condition);
+      if (isNew) order.push_back(key);
+      else found->second = graph_.lor({found->second}, {record.condition}).node;
+    }
+    if (std::none_of(order.begin(), order.end(), [](const auto& key) { return key.second == Hazard::NestingTooDeep; })) {
+      checks_.push_back({BuiltinKind::Nesting, "calls nest no deeper than the CPU allows", "SUB002", "", "", nullptr, nullptr, graph_.constant(false).node});
+    }
+    for (const auto& key : order) {
+      const auto [kind, rule] = *kindOf(key.second);
+      const HazardInfo& info = hazardInfo(key.second);
+      checks_.push_back({kind, fmt::format("{} at {}", info.text, Facts::text(*key.first)), rule, fmt::format("{}: {}", Facts::text(*key.first), info.text), "", key.first, nullptr, byPlace[key]});
+    }
+  }
+
+  void timers() {
+    std::set<std::pair<Area, std::uint32_t>> seen;
+    for (const Flow& flow : encoding_.plan().flows) {
+      for (const FlowStep& step : flow.steps) {
+        const Instruction& box = *step.instruction;
+        if (box.operands.empty() || box.desc->operandCount == 0) continue;
+        const Type type = box.desc->operands[0].type;
+        if (type != Type::Timer && type != Type::Counter) continue;
+        if (!seen.emplace(box.operands[0].area, box.operands[0].offset).second) continue;
+        reachability(box, type == Type::Timer);
+      }
+    }
+  }
+  void reachability(const Instruction& box, bool isTimer) {
+    const Operand& o = box.operands[0];
+    const Place bit = registerPlace(isTimer ? Reg::TimerBit : Reg::CounterBit, o.offset);
+    const Node now = encoding_.atEnd(bit);
+    // A bit that is reset in the scan in which it comes on is on for the instructions between.
+    const Node seen = record_.seenOn(o.area, o.offset);
+    const Graph::Bool within{seen == noNode ? graph_.constant(false).node : seen};
+    const Node on = graph_.lor({now}, within).node;
+    const Graph::Bool before = graph_.lor({encoding_.atStart(bit)}, within);
+    const std::string name = toString(o);
+    checks_.push_back({BuiltinKind::TimerReachable, fmt::format("{} can come on", name), "TIM008", fmt::format("the bit of {} can never be 1", name), name, &box, nullptr, on});
+    const Node falls = graph_.land(before, graph_.lnot({now})).node;
+    checks_.push_back({BuiltinKind::TimerResettable, fmt::format("{} can be reset", name), "TIM008", fmt::format("once on, the bit of {} never returns to 0", name), name, &box, nullptr, falls});
+    if (isTimer && timerResolution(static_cast<int>(o.offset)) == 100) oncePerScan(o, box);
+  }
+  /// 001:6611: boxes of a 100 ms timer run exactly once in every scan; more than one, or none, makes it run wrongly.
+  void oncePerScan(const Operand& timer, const Instruction& box) {
+    Graph::Bool some = graph_.constant(false), twice = some;
+    for (const Visit& visit : record_.visits()) {
+      if (!isBoxOf(*visit.instruction, Type::Timer) || visit.instruction->operands[0].offset != timer.offset) continue;
+      twice = graph_.lor(twice, graph_.land(some, {visit.guard}));
+      some = graph_.lor(some, {visit.guard});
+    }
+    const Node bad = graph_.lor(graph_.lnot(some), twice).node;
+    if (const auto known = graph_.truth({bad}); known && !*known) return;
+    checks_.push_back({BuiltinKind::TimerOncePerScan, fmt::format("{} runs once a scan", toString(timer)), "TIM004",
+                       fmt::format("{} has a resolution of 100 ms, but its box does not run exactly once in every scan", toString(timer)), toString(timer), &box, nullptr, bad});
+  }
+
+  static bool isBoxOf(const Instruction& instruction, Type type) {
+    return !instruction.operands.empty() && instruction.desc->operandCount > 0 && instruction.desc->operands[0].type == type;
+  }
+  /// 001:6569, 001:4015: presets are signed words. At 0 and below a timer fires, and a counter is on, at once.
+  void presets() {
+    std::map<const Instruction*, Node> outside;
+    std::vector<const Instruction*> order;
+    for (const Visit& visit : record_.visits()) {
+      if (visit.preset == noNode) continue;
+      Graph::Bool bad = graph_.land({visit.guard}, graph_.slt({visit.preset}, graph_.literal(1, 16), 16));
+      if (isBoxOf(*visit.instruction, Type::Timer)) bad = graph_.land(bad, {visit.flow[0]});
+      const auto [place, isNew] = outside.try_emplace(visit.instruction, bad.node);
+      if (isNew) order.push_back(visit.instruction);
+      else place->second = graph_.lor({place->second}, bad).node;
+    }
+    for (const Instruction* box : order) {
+      const std::string preset = toString(box->operands[1]);
+      checks_.push_back({BuiltinKind::Preset, fmt::format("preset of {}", Facts::text(*box)), "TIM007",
+                         fmt::format("{} can be 0 or negative when {} runs", preset, Facts::text(*box)), toString(box->operands[0]), box, nullptr, outside[box]});
+    }
+  }
+
+  EncodedScan& encoding_;
+  const ExecutionRecord& record_;
+  Graph& graph_;
+  std::vector<BuiltinCheck>& checks_;
+};
+
+}  // namespace
+
+std::vector<BuiltinCheck> builtinChecks(const Program& program, const PropertySet& set, const CheckGroups& groups, Obligations& obligations,
+                                        const ExecutionRecord& record) {
+  std::vector<BuiltinCheck> checks;
+  if (groups.builtin) Gatherer(obligations, record, checks).run();
+  if (groups.rungs) {
+    addRungChecks(program, obligations, record, checks);
+    addSequenceChecks(program, obligations, record, checks);
+    addRestartChecks(set, obligations, checks);
+  }
+  if (groups.powerUp) addPowerUpChecks(program, obligations, checks);
+  return checks;
+}
+
+}  // namespace rungproof

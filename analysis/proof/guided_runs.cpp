@@ -1,0 +1,132 @@
+// All inputs on, all off, then random ones that stay for 1 to some thousand scans.
+#include "analysis/proof/guided_runs.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <random>
+
+#include "analysis/encoding/scan_inputs.hpp"
+#include "analysis/proof/follower.hpp"
+
+namespace rungproof {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint32_t endless = 1U << 30;
+constexpr int randomPhases = 400;
+constexpr std::uint64_t looksAtClock = 64;  ///< scans between two looks at the clock
+constexpr int plainRuns = 2;                ///< all on, all off
+constexpr std::uint64_t mostInstructions = 4000000;  ///< of each of them, and of all random runs together
+constexpr std::uint64_t leastInstructions = 50;      ///< that a scan counts for
+
+class GuidedSearch {
+ public:
+  GuidedSearch(const Program& program, const EncodedScan& encoding, const std::vector<Property>& assumptions, const std::vector<const Property*>& goals,
+               std::uint64_t seed, double seconds)
+      : program_(program), choices_(encoding.options().choices), assumptions_(assumptions), goals_(goals), random_(seed), lengthMs_(encoding.options().time.high),
+        begin_(Clock::now()), seconds_(seconds), found_(goals.size()) {
+    for (const ScanInput& input : scanInputsOf(encoding)) inputs_.push_back({input.operand, 0});
+  }
+
+  std::vector<std::optional<Witness>> run() {
+    const std::uint64_t most = mostInstructions / std::max<std::uint64_t>(program_.instructionCount(), leastInstructions);
+    std::uint64_t random = 0;
+    for (int kind = 0; !isDone() && random < most && used() < seconds_; ++kind) {
+      const std::uint64_t made = follow(phases(kind), most);
+      if (kind >= plainRuns) random += made + 1;
+    }
+    return std::move(found_);
+  }
+
+ private:
+  double used() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+  bool isDone() const {
+    return std::all_of(found_.begin(), found_.end(), [](const auto& f) { return f.has_value(); });
+  }
+
+  std::vector<ReplayScan> phases(int kind) {
+    std::vector<ReplayScan> scans;
+    ReplayScan scan;
+    scan.lengthMs = lengthMs_;
+    scan.inputs = inputs_;
+    if (kind < plainRuns) {
+      for (PresetValue& input : scan.inputs) input.value = kind == 0 ? Graph::maskOf(bits(input.operand.width)) : 0;
+      scan.repeats = endless;
+      return {scan};
+    }
+    for (int i = 0; i < randomPhases; ++i) {
+      for (PresetValue& input : scan.inputs) {
+        if (i == 0 || random_() % 2 == 0) input.value = random_() & Graph::maskOf(bits(input.operand.width));
+      }
+      scan.repeats = 1 + static_cast<std::uint32_t>(random_() % (1ULL << (random_() % 12)));
+      scans.push_back(scan);
+    }
+    return scans;
+  }
+
+  /// Gives how many scans were made.
+  std::uint64_t follow(const std::vector<ReplayScan>& scans, std::uint64_t most) {
+    struct NoOutside final : Outside {
+      std::uint64_t external(const ExternalSite&, int) override { return 0; }
+      void report(Hazard, const Instruction*) override {}
+    } outside;
+    Concrete domain(outside);
+    std::vector<Follower> assumptions, goals;
+    for (const Property& assumption : assumptions_) assumptions.emplace_back(assumption);
+    for (const Property* goal : goals_) goals.emplace_back(*goal);
+    std::vector<std::optional<std::pair<std::size_t, std::uint32_t>>> hits(goals_.size());  // scan and round that showed it
+    std::uint64_t count = 0;
+    std::size_t step = ~std::size_t{0};
+    std::uint32_t round = 0;
+    replay(program_, choices_, scans, nullptr, [&](const Concrete::Store& state, std::size_t at) {
+      round = at == step ? round + 1 : 0;
+      step = at;
+      const bool isFirst = count++ == 0;
+      for (Follower& assumption : assumptions) {
+        if (!assumption.evaluate(domain, state, scans[at], isFirst)) return false;
+      }
+      bool isOpen = false;
+      for (std::size_t g = 0; g < goals.size(); ++g) {
+        if (found_[g] || hits[g]) continue;
+        if (goals[g].evaluate(domain, state, scans[at], isFirst)) hits[g] = {at, round};
+        else isOpen = true;
+      }
+      return isOpen && count < most && (count % looksAtClock != 0 || used() < seconds_);
+    });
+    for (std::size_t g = 0; g < goals_.size(); ++g) {
+      if (!hits[g]) continue;
+      const auto [at, rounds] = *hits[g];
+      std::vector<ReplayScan> shown(scans.begin(), scans.begin() + static_cast<std::ptrdiff_t>(at) + 1);
+      shown.back().repeats = rounds + 1;
+      Witness& witness = found_[g].emplace();
+      for (const ReplayScan& scan : shown) {
+        witness.scanCount += scan.repeats;
+        witness.milliseconds += static_cast<std::uint64_t>(scan.repeats) * scan.lengthMs;
+      }
+      witness.scans = std::move(shown);
+    }
+    return count;
+  }
+
+  const Program& program_;
+  const Choices& choices_;
+  const std::vector<Property>& assumptions_;
+  const std::vector<const Property*>& goals_;
+  std::mt19937_64 random_;
+  const std::uint32_t lengthMs_;
+  const Clock::time_point begin_;
+  const double seconds_;
+  std::vector<PresetValue> inputs_;
+  std::vector<std::optional<Witness>> found_;
+};
+
+}  // namespace
+
+std::vector<std::optional<Witness>> guidedRuns(const Program& program, const EncodedScan& encoding, const std::vector<Property>& assumptions,
+                                               const std::vector<const Property*>& goals, std::uint64_t seed, double seconds) {
+  return GuidedSearch(program, encoding, assumptions, goals, seed, seconds).run();
+}
+
+}  // namespace rungproof

@@ -1,0 +1,26 @@
+// The networks behind a verdict: those that write what a property looks at, in the same scan or - where the question
+// depends on it - in earlier ones, and those that decide whether these run. A network that is not named can be changed
+// without touching the verdict. Covered by tests/prover/networks_test.cpp.
+#pragma once
+
+#include <string>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "analysis/encoding/encoder.hpp"
+#include "analysis/facts.hpp"
+
+namespace rungproof {
+
+using NetworkName = std::pair<std::string, int>;  ///< block and network number
+
+/// `read`: what the property looks at, at the end of a scan; `variables`: node indices of the state that the verdict
+/// depends on. In program order.
+std::vector<NetworkName> networksBehind(const Facts& facts, const EncodedScan& encoding, const std::vector<Operand>& read,
+                                        const std::unordered_set<std::uint32_t>& variables);
+
+/// "MAIN 1, 3-5; SBR_0 2".
+std::string networkList(const std::vector<NetworkName>& networks);
+
+}  // namespace rungproof

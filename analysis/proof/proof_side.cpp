@@ -1,0 +1,102 @@
+// The cone of a question is followed through next-state functions; words for people are put together here once.
+#include "analysis/proof/proof_side.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "analysis/encoding/accelerate.hpp"
+
+namespace rungproof {
+
+ProofSide::ProofSide(const Program& program, const PropertySet& set, const std::vector<Property>& goals, const EncoderOptions& options, const CheckGroups& groups)
+    : record_(program, groups.rungs), obligations_(program, set, goals, options, groups.any() ? &record_ : nullptr) {
+  checks_ = builtinChecks(program, set, groups, obligations_, record_);
+  for (const BuiltinCheck& check : checks_) obligations_.ask(check.name, check.bad);
+  Graph& graph = obligations_.encoding().graph();
+  Graph::Bool leftOut = graph.constant(false);
+  for (const Approximation& approximation : obligations_.approximations()) {
+    if (approximation.leftOut != noNode) leftOut = graph.lor(leftOut, {approximation.leftOut});
+  }
+  if (const auto known = graph.truth(leftOut); !known || *known) {
+    leftOutQuestion_ = goals.size() + checks_.size();
+    obligations_.ask("a scan that is not followed to its end", leftOut.node);
+  }
+  system_ = obligations_.system();
+}
+
+TransitionSystem ProofSide::only(std::size_t question) const {
+  TransitionSystem one = system_;
+  one.questions = {system_.questions[question]};
+  return one;
+}
+
+std::unordered_set<std::uint32_t> ProofSide::variablesOf(std::size_t question) const {
+  const Graph& graph = *system_.graph;
+  std::unordered_map<std::uint32_t, Node> next;
+  for (const StateVariable& state : system_.states) next[indexOf(state.node)] = state.next;
+  std::vector<Node> open{system_.questions[question].bad};
+  for (const Node constraint : system_.constraints) {
+    if (std::find(system_.totalConstraints.begin(), system_.totalConstraints.end(), constraint) == system_.totalConstraints.end()) open.push_back(constraint);
+  }
+  std::unordered_set<std::uint32_t> seen, variables;
+  while (!open.empty()) {
+    const Node node = open.back();
+    open.pop_back();
+    if (node == noNode || !seen.insert(indexOf(node)).second) continue;
+    const NodeData& data = graph[node];
+    if (isRealOperation(data.op)) variables.insert(indexOf(node));
+    if (data.op == Op::Variable) {
+      variables.insert(indexOf(node));
+      if (const auto found = next.find(indexOf(node)); found != next.end()) open.push_back(found->second);
+    }
+    for (const Node child : data.child) open.push_back(child);
+  }
+  return variables;
+}
+
+bool ProofSide::dependsOnTime(const std::unordered_set<std::uint32_t>& variables) const {
+  return std::any_of(system_.states.begin(), system_.states.end(),
+                     [&](const StateVariable& s) { return variables.contains(indexOf(s.node)) && obligations_.isTimeState(s.node); });
+}
+
+TransitionSystem ProofSide::accelerated(std::size_t question, std::uint32_t longest) {
+  TransitionSystem one = only(question);
+  const auto variables = variablesOf(question);
+  const TimeModel& time = obligations_.encoding().time();
+  std::unordered_set<std::uint32_t> ofTime;
+  for (const StateVariable& s : time.states()) ofTime.insert(indexOf(s.node));
+  for (const Node input : time.inputs()) ofTime.insert(indexOf(input));
+  const auto isIdle = [&](Node n) { return !variables.contains(indexOf(n)) && !ofTime.contains(indexOf(n)); };
+  std::erase_if(one.states, [&](const StateVariable& s) { return isIdle(s.node); });
+  std::erase_if(one.inputs, isIdle);
+  accelerate(one, time.dt(), time.width(), longest, [&](Node n) { return obligations_.isTimeState(n); });
+  return one;
+}
+
+std::vector<std::string> environmentTexts(const Program& program, const PropertySet& set, const TimeRange& time) {
+  std::vector<std::string> texts;
+  texts.push_back(fmt::format("CPU {}, {} edition", cpuName(program.target.cpu), program.target.edition == Edition::Edition2003 ? 2003 : 2004));
+  texts.push_back(time.low == time.high ? fmt::format("every scan lasts {} ms", time.low) : fmt::format("every scan lasts {} to {} ms", time.low, time.high));
+  texts.push_back(set.initialRetentive ? "retentive memory starts with any value, the rest with zero" : "memory starts with zero and the data block");
+  for (const ExternalRange& range : set.externals) texts.push_back(fmt::format("{} to {} may be written from outside in any scan", toString(range.first), toString(range.last)));
+  for (const Property& property : set.properties) {
+    if (!property.isGoal()) texts.push_back(property.text);
+  }
+  return texts;
+}
+
+std::string approximationText(const Program& program, const Approximation& approximation) {
+  if (approximation.place == nullptr) return approximation.reason;
+  const Span span = approximation.place->span;
+  return fmt::format("{} at {}:{}: {}", approximation.place->desc->stl, program.sources->file(span.file).name(), program.sources->position(span).line, approximation.reason);
+}
+
+std::vector<std::string> approximationTexts(const Program& program, const Obligations& obligations) {
+  std::vector<std::string> texts;
+  for (const Approximation& approximation : obligations.approximations()) texts.push_back(approximationText(program, approximation));
+  return texts;
+}
+
+}  // namespace rungproof

@@ -1,0 +1,49 @@
+// ProofSide: a program and its properties as one transition system with questions, and what each question depends on.
+// The prover has two of them, the exact one and a relaxed one in which long scans stand for stretches of time; the
+// export prints the exact one. Also says in words what every verdict about it rests on.
+// Covered by tests/prover and tests/export.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+#include "analysis/proof/builtin_checks.hpp"
+
+namespace rungproof {
+
+class ProofSide {
+ public:
+  /// Questions are the goals in their order, then checks() of those groups in their order, then leftOutQuestion().
+  ProofSide(const Program& program, const PropertySet& set, const std::vector<Property>& goals, const EncoderOptions& options, const CheckGroups& groups);
+
+  Obligations& obligations() { return obligations_; }
+  TransitionSystem& system() { return system_; }
+  const std::vector<BuiltinCheck>& checks() const { return checks_; }
+  /// The question whether a scan can occur that the encoding does not follow to its end; nothing if none can.
+  std::optional<std::size_t> leftOutQuestion() const { return leftOutQuestion_; }
+
+  /// The system with one question only.
+  TransitionSystem only(std::size_t question) const;
+  /// Variables and REAL operations that the question depends on, through any number of scans. Constraints count, except total ones.
+  std::unordered_set<std::uint32_t> variablesOf(std::size_t question) const;
+  bool dependsOnTime(const std::unordered_set<std::uint32_t>& variables) const;
+  /// Keeps only what the question depends on, so that unrelated changes do not end a stretch of equal scans.
+  TransitionSystem accelerated(std::size_t question, std::uint32_t longest);
+
+ private:
+  ExecutionRecord record_;
+  Obligations obligations_;
+  std::vector<BuiltinCheck> checks_;
+  std::optional<std::size_t> leftOutQuestion_;
+  TransitionSystem system_;
+};
+
+/// CPU, scan time, initial memory, external writers, declared assumptions.
+std::vector<std::string> environmentTexts(const Program& program, const PropertySet& set, const TimeRange& time);
+/// "PID at press.awl:41: result is any value".
+std::string approximationText(const Program& program, const Approximation& approximation);
+std::vector<std::string> approximationTexts(const Program& program, const Obligations& obligations);
+
+}  // namespace rungproof

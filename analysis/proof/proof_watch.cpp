@@ -1,0 +1,65 @@
+// Looks at the process' resident memory in /proc; a limit on address space would make allocations fail inside solvers,
+// which cannot go on from there.
+#include "analysis/proof/proof_watch.hpp"
+
+#include <malloc.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+
+namespace rungproof {
+
+std::uint64_t residentBytes() {
+  std::ifstream stream("/proc/self/statm");
+  std::uint64_t size = 0, resident = 0;
+  stream >> size >> resident;
+  return stream ? resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
+}
+
+std::uint64_t usualMemoryLimit() {
+  const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+  return pages > 0 && size > 0 ? static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size) / 4 * 3 : 0;
+}
+
+ProofWatch::ProofWatch(const std::atomic<bool>* cancel, std::uint64_t memory) : cancel_(cancel), memory_(memory) {
+  if (cancel_ != nullptr || memory_ > 0) thread_ = std::thread([this] { look(); });
+}
+
+ProofWatch::~ProofWatch() {
+  {
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+  }
+  changed_.notify_all();
+  if (thread_.joinable()) thread_.join();
+}
+
+void ProofWatch::look() {
+  std::unique_lock lock(mutex_);
+  while (!changed_.wait_for(lock, std::chrono::milliseconds(20), [this] { return ended_; })) {
+    if (isOverLimit()) outOfMemory_ = true;
+    if (!isStopped()) continue;
+    for (std::atomic<bool>* flag : flags_) flag->store(true);
+  }
+}
+
+void ProofWatch::release() {
+  if (!isOutOfMemory()) return;
+  malloc_trim(0);
+  if (!isOverLimit()) outOfMemory_ = false;
+}
+
+ProofWatch::Guard::Guard(ProofWatch& watch, std::atomic<bool>& flag) : watch_(watch), flag_(flag) {
+  const std::lock_guard lock(watch_.mutex_);
+  watch_.flags_.push_back(&flag_);
+  if (watch_.isStopped()) flag_ = true;
+}
+
+ProofWatch::Guard::~Guard() {
+  const std::lock_guard lock(watch_.mutex_);
+  std::erase(watch_.flags_, &flag_);
+}
+
+}  // namespace rungproof

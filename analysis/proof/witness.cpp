@@ -1,0 +1,122 @@
+// From valuations of variables to scans, and the verdict of engine and monitors on them.
+#include "analysis/proof/witness.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "analysis/proof/follower.hpp"
+#include "analysis/proof/scan_run.hpp"
+#include "engine/start_up.hpp"
+
+namespace rungproof {
+
+std::uint64_t valueIn(const Concrete::Store& state, const Operand& o) {
+  switch (o.area) {
+    case Area::T: return state.get(o.width == Width::Bit ? Reg::TimerBit : Reg::TimerCurrent, o.offset);
+    case Area::C: return state.get(o.width == Width::Bit ? Reg::CounterBit : Reg::CounterCurrent, o.offset);
+    case Area::AC: return state.get(Reg::Accumulator, o.offset);
+    case Area::HC: return state.get(Reg::HscCurrent, o.offset);
+    default: return state.load(o.area, o.offset * 8 + (o.width == Width::Bit ? o.bit : 0), bits(o.width));
+  }
+}
+
+namespace {
+
+struct NoOutside final : Outside {
+  std::uint64_t external(const ExternalSite&, int) override { return 0; }
+  void report(Hazard, const Instruction*) override {}
+};
+
+}  // namespace
+
+Judge::Judge(const Program& program, const Choices& choices, const std::vector<Property>& assumptions, const Property& goal)
+    : program_(program), choices_(choices), assumptions_(assumptions), goal_(goal) {}
+
+Judge::Outcome Judge::run(const std::vector<ReplayScan>& scans, const Concrete::Store* initial) const {
+  NoOutside outside;
+  Concrete domain(outside);
+  Follower goal(goal_);
+  std::vector<Follower> assumptions;
+  for (const Property& assumption : assumptions_) assumptions.emplace_back(assumption);
+  Outcome outcome;
+  std::size_t step = ~std::size_t{0};
+  replay(program_, choices_, scans, initial, [&](const Concrete::Store& state, std::size_t at) {
+    outcome.round = at == step ? outcome.round + 1 : 0;
+    outcome.step = step = at;
+    const bool isFirst = outcome.scan++ == 0;
+    outcome.milliseconds += scans[at].lengthMs;
+    for (Follower& assumption : assumptions) {
+      if (!assumption.evaluate(domain, state, scans[at], isFirst)) outcome.assumptionBroken = true;
+    }
+    outcome.shown = !outcome.assumptionBroken && goal.evaluate(domain, state, scans[at], isFirst);
+    return !outcome.shown && !outcome.assumptionBroken;
+  });
+  return outcome;
+}
+
+std::optional<Witness> Judge::witness(std::vector<ReplayScan> scans, std::optional<Concrete::Store> initial) const {
+  const Outcome outcome = run(scans, initial ? &*initial : nullptr);
+  if (!outcome.shown) return std::nullopt;
+  scans.resize(outcome.step + 1);
+  scans.back().repeats = outcome.round + 1;
+  return Witness{std::move(scans), {}, std::move(initial), outcome.scan, outcome.milliseconds};
+}
+
+namespace {
+
+void setInitial(ScanRun& run, const TransitionSystem& system, const WordTrace& trace) {
+  for (std::size_t i = 0; i < system.states.size(); ++i) {
+    if (system.states[i].init == noNode) run.set(system.states[i].node, trace.initial[i]);
+  }
+}
+
+
+}  // namespace
+
+std::vector<Stretch> stretchOf(std::uint32_t length, const TimeRange& range) {
+  length = std::max(length, range.low);
+  const std::uint32_t scans = (length + range.high - 1) / range.high;
+  if (range.low == range.high || scans == 1) return {{std::min(length, range.high), scans}};
+  const std::uint32_t longer = length % scans;
+  std::vector<Stretch> parts;
+  if (longer > 0) parts.push_back({length / scans + 1, longer});
+  parts.push_back({length / scans, scans - longer});
+  return parts;
+}
+
+std::vector<ReplayScan> scansOf(EncodedScan& encoding, const TransitionSystem& system, const WordTrace& trace, const TimeRange& range) {
+  std::vector<ReplayScan> scans;
+  ScanRun run(encoding, system);
+  run.start();
+  setInitial(run, system, trace);
+  for (const std::vector<std::uint64_t>& inputs : trace.inputs) {
+    for (std::size_t i = 0; i < system.inputs.size(); ++i) run.set(system.inputs[i], inputs[i]);
+    run.evaluate();
+    ReplayScan scan = run.script();
+    scan.script.ticks10.reset();  // the engine counts its own: stretches have become several scans
+    scan.script.ticks100.reset();
+    for (const Stretch& part : stretchOf(scan.lengthMs, range)) {
+      // Ticks and events inside the scan belong to its first part.
+      scan.lengthMs = part.length;
+      scan.repeats = 1;
+      scans.push_back(scan);
+      scan.script = {};
+      scan.repeats = part.count - 1;
+      if (scan.repeats > 0) scans.push_back(scan);
+    }
+    run.advance();
+  }
+  return scans;
+}
+
+std::optional<Concrete::Store> initialOf(EncodedScan& encoding, const TransitionSystem& system, const WordTrace& trace) {
+  const auto isFree = [](const StateVariable& state) { return state.init == noNode; };
+  if (std::none_of(system.states.begin(), system.states.end(), isFree)) return std::nullopt;
+  ScanRun run(encoding, system);
+  run.start();
+  setInitial(run, system, trace);
+  run.evaluate();
+  return run.initialState();
+}
+
+}  // namespace rungproof

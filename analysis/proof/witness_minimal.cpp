@@ -1,0 +1,132 @@
+// Greedy removal, larger pieces first; then inputs one by one; then trials of all idle inputs together.
+#include "analysis/proof/witness_minimal.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <random>
+
+namespace rungproof {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int trials = 48;  ///< random assignments of all idle inputs together
+
+class Minimiser {
+ public:
+  Minimiser(const Judge& judge, Witness witness, double seconds, std::uint64_t seed)
+      : judge_(judge), best_(std::move(witness)), end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))), random_(seed) {}
+
+  Witness run() {
+    dropScans();
+    shortenStretches();
+    if (findIdle()) store();
+    return std::move(best_);
+  }
+
+ private:
+  struct Input {
+    std::size_t scan, index;
+  };
+  bool isLate() const { return Clock::now() >= end_; }
+  const Concrete::Store* initial() const { return best_.initial ? &*best_.initial : nullptr; }
+
+  /// Takes the scans if they show the same in less scans.
+  bool accept(std::vector<ReplayScan> scans) {
+    std::optional<Witness> found = judge_.witness(std::move(scans), best_.initial);
+    if (!found || found->scanCount >= best_.scanCount) return false;
+    best_ = std::move(*found);
+    return true;
+  }
+
+  void dropScans() {
+    for (std::size_t piece = std::max<std::size_t>(best_.scans.size() / 2, 1); piece > 0; piece /= 2) {
+      for (std::size_t from = 0; from + piece < best_.scans.size() && !isLate();) {
+        std::vector<ReplayScan> scans = best_.scans;
+        const auto first = scans.begin() + static_cast<std::ptrdiff_t>(from);
+        scans.erase(first, first + static_cast<std::ptrdiff_t>(piece));
+        if (!accept(std::move(scans))) from += piece;
+      }
+    }
+  }
+
+  void shortenStretches() {
+    for (std::size_t i = 0; i < best_.scans.size(); ++i) {
+      std::uint32_t low = 0;  // more repeats than that are needed
+      while (i < best_.scans.size() && best_.scans[i].repeats > low + 1 && !isLate()) {
+        std::vector<ReplayScan> scans = best_.scans;
+        const std::uint32_t middle = low + (scans[i].repeats - low) / 2;
+        scans[i].repeats = middle;
+        if (!accept(std::move(scans))) low = middle;
+      }
+    }
+  }
+
+  bool isShown(const std::vector<ReplayScan>& scans) const { return judge_.run(scans, initial()).shown; }
+  static std::uint64_t highest(const PresetValue& input) { return Graph::maskOf(bits(input.operand.width)); }
+
+  /// Collects what may have any value. False if there was no time to try it.
+  bool findIdle() {
+    const std::vector<ReplayScan> given = best_.scans;
+    std::vector<ReplayScan> scans = best_.scans;
+    for (std::size_t s = scans.size(); s-- > 0;) {
+      for (std::size_t i = 0; i < scans[s].inputs.size(); ++i) {
+        if (isLate()) return false;
+        PresetValue& input = scans[s].inputs[i];
+        const std::uint64_t old = input.value;
+        input.value = old == 0 ? highest(input) : 0;
+        const bool isIdle = isShown(scans);
+        input.value = isIdle ? 0 : old;
+        if (isIdle) idle_.push_back({s, i});
+      }
+    }
+    for (int trial = 0; trial < trials; ++trial) {
+      if (isLate()) return false;
+      std::vector<ReplayScan> tried = scans;
+      for (const Input& input : idle_) {
+        PresetValue& value = tried[input.scan].inputs[input.index];
+        value.value = trial == 0 ? highest(value) : random_() & highest(value);
+      }
+      if (!isShown(tried) && !keepCulprits(scans, std::move(tried))) return false;
+    }
+    best_.scans = std::move(scans);
+    return isShown(best_.scans);
+  }
+
+  /// Returns inputs of a failing trial to 0 until it shows the same; the one that turned it is not idle.
+  bool keepCulprits(const std::vector<ReplayScan>& scans, std::vector<ReplayScan> tried) {
+    for (std::size_t k = 0; k < idle_.size(); ++k) {
+      if (isLate()) return false;
+      const Input input = idle_[k];
+      tried[input.scan].inputs[input.index].value = scans[input.scan].inputs[input.index].value;
+      if (!isShown(tried)) continue;
+      idle_.erase(idle_.begin() + static_cast<std::ptrdiff_t>(k));
+      return true;
+    }
+    return false;
+  }
+
+  void store() {
+    best_.matters.clear();
+    for (const ReplayScan& scan : best_.scans) best_.matters.emplace_back(scan.inputs.size(), true);
+    for (const Input& input : idle_) best_.matters[input.scan][input.index] = false;
+    if (std::optional<Witness> cut = judge_.witness(best_.scans, best_.initial)) {
+      cut->matters = std::move(best_.matters);
+      cut->matters.resize(cut->scans.size());
+      best_ = std::move(*cut);
+    }
+  }
+
+  const Judge& judge_;
+  Witness best_;
+  const Clock::time_point end_;
+  std::mt19937_64 random_;
+  std::vector<Input> idle_;
+};
+
+}  // namespace
+
+Witness minimised(const Judge& judge, Witness witness, double seconds, std::uint64_t seed) { return Minimiser(judge, std::move(witness), seconds, seed).run(); }
+
+}  // namespace rungproof
