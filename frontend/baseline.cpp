@@ -4,16 +4,16 @@
 #include <fmt/core.h>
 
 #include <map>
-#include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "frontend/fingerprint.hpp"
+#include "frontend/json.hpp"
 
 namespace rungproof {
 
 namespace {
 
-constexpr int formatVersion = 1;
+constexpr unsigned formatVersion = 1;
 
 /// The readers' errors and the tool's own findings are never part of a baseline.
 bool belongsIn(const Finding& finding) { return !isReadError(finding) && !finding.rule.starts_with("SUP"); }
@@ -38,31 +38,34 @@ Baseline baselineOf(const Report& report) {
 }
 
 std::string toJson(const Baseline& baseline) {
-  using Json = nlohmann::ordered_json;
   std::string text = fmt::format("{{\n  \"rungproof_baseline\": {},\n  \"findings\": [", formatVersion);
   for (std::size_t i = 0; i < baseline.entries.size(); ++i) {
     const BaselineEntry& entry = baseline.entries[i];
     const Json row = {{"fingerprint", entry.fingerprint}, {"rule", entry.rule}, {"file", entry.file}, {"count", entry.count}, {"message", entry.message}};
-    text += fmt::format("{}\n    {}", i == 0 ? "" : ",", row.dump(-1, ' ', false, Json::error_handler_t::replace));
+    text += fmt::format("{}\n    {}", i == 0 ? "" : ",", row.dump());
   }
   return text + (baseline.entries.empty() ? "]\n}\n" : "\n  ]\n}\n");
 }
 
 std::optional<Failure> readBaseline(const std::string& text, const std::string& name, Baseline& baseline) {
   const Failure damaged = {"the baseline file is damaged", name, "write it again with 'rungproof baseline FILE... > " + name + "'"};
-  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-  if (!json.is_object() || !json.contains("findings") || !json["findings"].is_array()) return damaged;
-  if (json.value("rungproof_baseline", 0) != formatVersion) {
+  const std::optional<Json> json = Json::read(text);
+  const Json* findings = json ? json->find("findings") : nullptr;
+  if (findings == nullptr || findings->kind() != Json::Kind::Array) return damaged;
+  const Json* version = json->find("rungproof_baseline");
+  if (version == nullptr || version->natural() != formatVersion) {
     return Failure{"the baseline file has a form that this version does not know", name, damaged.help};
   }
   std::size_t from = 0;
-  for (const nlohmann::json& row : json["findings"]) {
-    const bool complete = row.is_object() && row.contains("fingerprint") && row["fingerprint"].is_string() && row.contains("rule") &&
-                          row["rule"].is_string() && row.contains("file") && row["file"].is_string();
-    if (!complete) return damaged;
-    BaselineEntry entry{row["fingerprint"], row["rule"], row["file"], {}};
-    if (row.contains("message") && row["message"].is_string()) entry.message = row["message"];
-    if (row.contains("count") && row["count"].is_number_unsigned()) entry.count = row["count"];
+  for (const Json& row : findings->items()) {
+    const auto textAt = [&row](std::string_view key) {
+      const Json* value = row.find(key);
+      return value != nullptr && value->kind() == Json::Kind::Text ? std::optional(value->text()) : std::nullopt;
+    };
+    const auto fingerprint = textAt("fingerprint"), rule = textAt("rule"), ofFile = textAt("file");
+    if (!fingerprint || !rule || !ofFile) return damaged;
+    BaselineEntry entry{*fingerprint, *rule, *ofFile, textAt("message").value_or("")};
+    if (const Json* count = row.find("count"); count != nullptr && count->natural()) entry.count = *count->natural();
     const std::size_t at = text.find(entry.fingerprint, from);
     if (at != std::string::npos) {
       entry.offset = static_cast<std::uint32_t>(at);

@@ -3,8 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <nlohmann/json.hpp>
-
 #include "frontend/columns.hpp"
 
 namespace rungproof {
@@ -116,10 +114,10 @@ std::string instructionPage(const Desc& desc, const Paint& paint) {
   return text;
 }
 
-nlohmann::ordered_json instructionJson(const Desc& desc) {
-  nlohmann::ordered_json json = {{"stl", desc.stl},        {"german", desc.german}, {"meaning", desc.meaning}, {"group", desc.group},
+Json instructionJson(const Desc& desc) {
+  Json json = {{"stl", desc.stl},        {"german", desc.german}, {"meaning", desc.meaning}, {"group", desc.group},
                                  {"manual", desc.manual}, {"cpus", cpusText(desc.cpus)}};
-  json["operands"] = nlohmann::ordered_json::array();
+  json["operands"] = Json::array();
   for (int i = 0; i < desc.operandCount; ++i) {
     const OperandDesc& operand = desc.operand(i);
     json["operands"].push_back({{"name", operand.name},

@@ -1,16 +1,16 @@
 // The page of an instruction, from its descriptor: mnemonics, operands with their areas and ranges, effect on the stack.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "frontend/excerpt.hpp"
+#include "frontend/json.hpp"
 #include "ir/desc.hpp"
 
 namespace rungproof {
 
 std::string instructionPage(const Desc& desc, const Paint& paint);
-nlohmann::ordered_json instructionJson(const Desc& desc);
+Json instructionJson(const Desc& desc);
 /// "I, Q, V, constant": the areas and forms of an operand.
 std::string formsText(Forms forms);
 

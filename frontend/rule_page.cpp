@@ -3,8 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <nlohmann/json.hpp>
-
 #include "frontend/columns.hpp"
 
 namespace rungproof {
@@ -83,8 +81,8 @@ std::string rulePage(const Rule& rule, const Paint& paint) {
   return text;
 }
 
-nlohmann::ordered_json ruleJson(const Rule& rule) {
-  nlohmann::ordered_json json = {{"id", rule.id},
+Json ruleJson(const Rule& rule) {
+  Json json = {{"id", rule.id},
                                  {"title", rule.title},
                                  {"group", rule.group()},
                                  {"severity", severityName(rule.severity)},
@@ -103,7 +101,7 @@ nlohmann::ordered_json ruleJson(const Rule& rule) {
                                  {"example_symbols", rule.exampleSymbols},
                                  {"false_positives", rule.falsePositives},
                                  {"peers", rule.peers}};
-  json["options"] = nlohmann::ordered_json::array();
+  json["options"] = Json::array();
   for (const RuleOption& option : rule.options) {
     json["options"].push_back({{"name", option.name}, {"low", option.low}, {"high", option.high}, {"default", option.initial}, {"meaning", option.meaning}});
   }

@@ -1,16 +1,16 @@
 // The page of a rule, from its descriptor, as text, JSON and Markdown. Used by `explain`, `rules` and the SARIF report.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "analysis/rule.hpp"
 #include "frontend/excerpt.hpp"
+#include "frontend/json.hpp"
 
 namespace rungproof {
 
 std::string rulePage(const Rule& rule, const Paint& paint);
-nlohmann::ordered_json ruleJson(const Rule& rule);
+Json ruleJson(const Rule& rule);
 /// "text and tables", "data flow", ... what Needs means in words.
 std::string_view needsText(Needs needs);
 /// "S7-200, S7-300/400".

@@ -2,9 +2,8 @@
 // leaves open with the chosen reading.
 #include <fmt/core.h>
 
-#include <nlohmann/json.hpp>
-
 #include "frontend/command/command.hpp"
+#include "frontend/json.hpp"
 
 namespace rungproof {
 
@@ -57,10 +56,10 @@ std::string configText(const Settings& settings) {
 }
 
 std::string configJson(const Settings& settings) {
-  nlohmann::ordered_json json;
+  Json json;
   for (const OptionInfo& info : optionTable()) {
     if (!info.inConfig) continue;
-    nlohmann::ordered_json value;
+    Json value;
     if (info.arity == Arity::Flag) value = settings.flag(info.id);
     if (info.arity == Arity::One && !settings.text(info.id).empty()) value = settings.text(info.id);
     if (info.arity == Arity::List) value = settings.list(info.id);
@@ -70,14 +69,13 @@ std::string configJson(const Settings& settings) {
     json["choices"][std::string(info.key)] = {
         {"value", chosen(info, settings)}, {"origin", settings.choiceOrigin(info.choice)}, {"manual", info.manual}};
   }
-  json["rules"] = nlohmann::ordered_json::object();
+  json["rules"] = Json::object();
   for (const auto& [key, value] : settings.ruleSettings()) json["rules"][key] = value;
   return json.dump(2) + "\n";
 }
 
 /// JSON schema of rungproof.toml, for editors that complete and check TOML.
 std::string configSchema() {
-  using Json = nlohmann::ordered_json;
   Json properties;
   for (const OptionInfo& info : optionTable()) {
     if (!info.inConfig) continue;

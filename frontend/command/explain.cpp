@@ -2,13 +2,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "frontend/closest_word.hpp"
 #include "frontend/code_list.hpp"
 #include "frontend/columns.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/instruction_page.hpp"
+#include "frontend/json.hpp"
 #include "frontend/rule_page.hpp"
 #include "ir/hazard.hpp"
 #include "ir/isa.hpp"
@@ -20,7 +20,7 @@ namespace {
 /// A page in both forms; nothing if the word is no topic.
 struct Page {
   std::string text;
-  nlohmann::ordered_json json;
+  Json json;
 };
 
 std::string_view hazardClassText(HazardClass kind) {
@@ -31,12 +31,12 @@ std::string_view hazardClassText(HazardClass kind) {
   }
 }
 
-nlohmann::ordered_json hazardJson(const HazardInfo& info) {
+Json hazardJson(const HazardInfo& info) {
   return {{"code", info.code}, {"class", hazardClassText(info.kind)}, {"text", info.text}, {"manual", info.manual}};
 }
 
 Page hazardsPage(const Paint& paint) {
-  Page page{paint.bold("What can go wrong while an instruction runs") + "\n\n", nlohmann::ordered_json::array()};
+  Page page{paint.bold("What can go wrong while an instruction runs") + "\n\n", Json::array()};
   std::vector<TextRow> rows;
   for (const HazardInfo& info : hazardTable) {
     rows.push_back({std::string(info.code.empty() ? "-" : info.code), fmt::format("{} ({}; {})", info.text, hazardClassText(info.kind), info.manual)});
@@ -48,10 +48,10 @@ Page hazardsPage(const Paint& paint) {
 
 Page choicesPage(const Paint& paint, const Settings& settings) {
   Page page{paint.bold("Points that the manual leaves open") + "\n\nEach is read in one way, which --choice KEY=VALUE or [choices] changes.\n",
-            nlohmann::ordered_json::array()};
+            Json::array()};
   for (const ChoiceInfo& info : choiceTable) {
     std::string values;
-    nlohmann::ordered_json names = nlohmann::ordered_json::array();
+    Json names = Json::array();
     for (std::size_t i = 0; i < info.values.size() && !info.values[i].empty(); ++i) {
       const bool current = settings.choices()[info.choice] == i;
       values += fmt::format("{}{}{}", values.empty() ? "" : ", ", info.values[i], current ? " (chosen)" : "");
@@ -68,7 +68,7 @@ Page choicesPage(const Paint& paint, const Settings& settings) {
 std::optional<Page> groupPage(std::string_view word, const Paint& paint) {
   for (const RuleGroup& group : ruleGroups()) {
     if (group.prefix != word) continue;
-    Page page{fmt::format("{} {}\n\n", paint.bold(group.prefix), paint.bold(group.title)), nlohmann::ordered_json::array()};
+    Page page{fmt::format("{} {}\n\n", paint.bold(group.prefix), paint.bold(group.title)), Json::array()};
     std::vector<TextRow> rows;
     for (const Rule* rule : allRules()) {
       if (rule->group() != word) continue;

@@ -1,10 +1,9 @@
 // `rungproof rules`: the list of rules as text, JSON or Markdown.
 #include <fmt/core.h>
 
-#include <nlohmann/json.hpp>
-
 #include "frontend/code_list.hpp"
 #include "frontend/command/command.hpp"
+#include "frontend/json.hpp"
 #include "frontend/rule_page.hpp"
 
 namespace rungproof {
@@ -60,7 +59,7 @@ std::string listMarkdown() {
 }
 
 std::string listJson() {
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  Json json = Json::array();
   for (const RuleGroup& group : ruleGroups()) {
     for (const Rule* rule : rulesOf(group)) json.push_back(ruleJson(*rule));
   }

@@ -2,19 +2,17 @@
 #include <fmt/ranges.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "analysis/xref.hpp"
 #include "frontend/columns.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/excerpt.hpp"
+#include "frontend/json.hpp"
 #include "frontend/program_input.hpp"
 
 namespace rungproof {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 class XrefWriter {
  public:
@@ -58,7 +56,7 @@ class XrefWriter {
     if (whole_) {
       for (const FreeRange& range : xref_.free) json["free"].push_back({{"area", areaName(range.area)}, {"first", range.first}, {"last", range.last}});
     }
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.dump(2) + "\n";
   }
 
  private:

@@ -1,17 +1,15 @@
 // The JSON report, a stable contract: schema.json beside this file describes it.
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "analysis/rule.hpp"
 #include "frontend/cli.hpp"
+#include "frontend/json.hpp"
 #include "frontend/report/report.hpp"
 
 namespace rungproof {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json textOrNull(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
@@ -106,7 +104,7 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
                       {"approximated", report.coverage.approximated}};
   json["summary"] = {{"errors", summary.errors},   {"warnings", summary.warnings}, {"notes", summary.notes},
                      {"proved", summary.proved},   {"violated", summary.violated}, {"undecided", summary.undecided}};
-  out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  out << json.dump(2) << '\n';
 }
 
 }  // namespace

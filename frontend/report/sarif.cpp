@@ -3,20 +3,18 @@
 #include <fmt/core.h>
 
 #include <map>
-#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "analysis/rule.hpp"
 #include "frontend/cli.hpp"
 #include "frontend/fingerprint.hpp"
+#include "frontend/json.hpp"
 #include "frontend/report/report.hpp"
 #include "frontend/rule_page.hpp"
 
 namespace rungproof {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string_view levelName(Severity severity) {
   return severity == Severity::Error ? "error" : severity == Severity::Warning ? "warning" : "note";
@@ -106,7 +104,7 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
                     {"columnKind", "unicodeCodePoints"},
                     {"results", results}};
   const Json log = {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"}, {"version", "2.1.0"}, {"runs", Json::array({run})}};
-  out << log.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  out << log.dump(2) << '\n';
 }
 
 }  // namespace

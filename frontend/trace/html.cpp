@@ -1,9 +1,9 @@
 // Traces as one HTML page without outside references: lanes with zoom, a cursor that steps from scan to scan or from
 // change to change, and the values at the cursor. The data stand in the page as JSON; a reader without scripts still
 // sees the static diagram. Tested by tests/trace/drawing_test.cpp.
-#include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "frontend/json.hpp"
 #include "frontend/timing_diagram.hpp"
 #include "frontend/trace/format.hpp"
 #include "frontend/trace/page.hpp"
@@ -124,16 +124,22 @@ draw();
 )";
 
 std::string dataJson(const Trace& trace, const TraceDrawings& drawings) {
-  nlohmann::ordered_json json = {{"signals", nlohmann::ordered_json::array()}, {"rows", nlohmann::ordered_json::array()}, {"pages", drawings.pagesOf}};
+  Json json = {{"signals", Json::array()}, {"rows", Json::array()}};
+  json["pages"] = Json::array();
+  for (const std::vector<std::size_t>& pages : drawings.pagesOf) {
+    Json row = Json::array();
+    for (const std::size_t page : pages) row.push_back(page);
+    json["pages"].push_back(std::move(row));
+  }
   for (const TraceSignal& signal : trace.signals) {
     json["signals"].push_back({{"name", signal.symbol.empty() ? signal.name : signal.name + " " + signal.symbol}, {"bits", signal.width()}});
   }
   for (const TraceRow& row : trace.rows) {
-    nlohmann::ordered_json values = nlohmann::ordered_json::array();
-    for (const std::optional<double>& value : row.values) values.push_back(value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json());
+    Json values = Json::array();
+    for (const std::optional<double>& value : row.values) values.push_back(value ? Json(*value) : Json());
     json["rows"].push_back({{"scan", row.scan}, {"time_ms", static_cast<double>(row.timeUs) / 1000}, {"values", values}});
   }
-  std::string text = json.dump(-1, ' ', true);
+  std::string text = json.dump(-1, true);
   for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at + 3)) text.replace(at, 2, "<\\/");
   return text;
 }

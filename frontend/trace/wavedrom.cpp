@@ -1,8 +1,8 @@
 // Traces as WaveDrom JSON: one character per scan, '.' repeats, numbers as labelled segments. Inputs, outputs and the rest
 // stand in groups. Tested by tests/trace/drawing_test.cpp.
-#include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "frontend/json.hpp"
 #include "frontend/trace/format.hpp"
 
 namespace rungproof {
@@ -22,7 +22,7 @@ std::string groupName(const TraceSignal& signal) {
   }
 }
 
-nlohmann::ordered_json lane(const Trace& trace, std::size_t column) {
+Json lane(const Trace& trace, std::size_t column) {
   const TraceSignal& signal = trace.signals[column];
   std::string wave;
   std::vector<std::string> data;
@@ -41,26 +41,26 @@ nlohmann::ordered_json lane(const Trace& trace, std::size_t column) {
     }
     last = value;
   }
-  nlohmann::ordered_json result = {{"name", signal.symbol.empty() ? signal.name : signal.name + " " + signal.symbol}, {"wave", wave}};
+  Json result = {{"name", signal.symbol.empty() ? signal.name : signal.name + " " + signal.symbol}, {"wave", wave}};
   if (!data.empty()) result["data"] = data;
   return result;
 }
 
 void write(const Trace& trace, std::string_view title, std::ostream& out) {
-  nlohmann::ordered_json lanes = nlohmann::ordered_json::array();
+  Json lanes = Json::array();
   for (std::size_t i = 0; i < trace.signals.size(); ++i) {
     const std::string group = groupName(trace.signals[i]);
-    const bool isOpen = !lanes.empty() && lanes.back().is_array() && lanes.back()[0] == group;
+    const bool isOpen = !lanes.empty() && lanes.back().kind() == Json::Kind::Array && lanes.back().items()[0].text() == group;
     if (group.empty()) {
       lanes.push_back(lane(trace, i));
     } else if (isOpen) {
       lanes.back().push_back(lane(trace, i));
     } else {
-      lanes.push_back(nlohmann::ordered_json::array({group, lane(trace, i)}));
+      lanes.push_back(Json::array({group, lane(trace, i)}));
     }
   }
   const std::uint64_t first = trace.rows.empty() ? 1 : std::max<std::uint64_t>(trace.rows[0].scan, 1);
-  const nlohmann::ordered_json json = {{"signal", lanes}, {"head", {{"text", std::string(title)}, {"tick", first}}}};
+  const Json json = {{"signal", lanes}, {"head", {{"text", std::string(title)}, {"tick", first}}}};
   out << json.dump(2) << '\n';
 }
 
