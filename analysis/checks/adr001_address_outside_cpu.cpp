@@ -103,7 +103,7 @@ void reportExtent(const Facts& facts, FindingSink& sink, const Instruction& inst
   }
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkAdr001(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
     const Desc& desc = *instruction.desc;
@@ -153,7 +153,7 @@ extern constexpr Rule adr001_address_outside_cpu = {
     .falsePositives = "a program for another CPU than the chosen one: name it with --cpu and --edition",
     .peers = "SA0005; Omron area boundary of multi-word operands; ironplc P4025 (bit range)",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkAdr001,
 };
 
 }  // namespace rungproof

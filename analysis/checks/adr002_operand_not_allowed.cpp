@@ -60,7 +60,7 @@ void checkOperand(const Facts& facts, FindingSink& sink, const Instruction& inst
   }
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkAdr002(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
     const std::size_t count = std::min<std::size_t>(instruction.operands.size(), instruction.desc->operandCount);
@@ -88,7 +88,7 @@ extern constexpr Rule adr002_operand_not_allowed = {
     .good = "Network 1\nLD I0.0\n=I Q0.0\n",
     .peers = "SA0005; Omron operand data types and operand ranges",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkAdr002,
 };
 
 }  // namespace rungproof

@@ -9,7 +9,7 @@ namespace rungproof {
 
 namespace {
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkAdr003(const Facts& facts, FindingSink& sink) {
   std::uint32_t lastInstruction = ~0U;
   std::uint8_t lastOperand = 0;
   for (const Access& access : facts.accesses().all()) {
@@ -46,7 +46,7 @@ extern constexpr Rule adr003_write_to_read_only = {
     .good = "Network 1\nLD I0.0\n= SM30.0\n",
     .peers = "Omron read-only areas; SA0037 (nearest)",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkAdr003,
 };
 
 }  // namespace rungproof

@@ -10,7 +10,7 @@ namespace rungproof {
 
 namespace {
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkAdr004(const Facts& facts, FindingSink& sink) {
   for (const Access& access : facts.accesses().all()) {
     if (access.write || access.maybe || access.viaPointer || access.area != Area::AQ ||
         access.operand == impliedOperand)
@@ -38,7 +38,7 @@ extern constexpr Rule adr004_read_of_analogue_output = {
     .good = "Network 1\nLD SM0.0\nMOVW VW0, AQW0\n",
     .peers = "SA0038 (nearest)",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkAdr004,
 };
 
 }  // namespace rungproof

@@ -8,7 +8,7 @@ namespace rungproof {
 
 namespace {
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkAdr005(const Facts& facts, FindingSink& sink) {
   for (const Access& access : facts.accesses().all()) {
     if (!access.write || access.maybe || access.viaPointer || access.area != Area::I ||
         access.operand == impliedOperand)
@@ -40,7 +40,7 @@ extern constexpr Rule adr005_write_to_input_image = {
     .falsePositives = "an input forced by program for a test, to last to the end of the scan only",
     .peers = "SA0037",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkAdr005,
 };
 
 }  // namespace rungproof

@@ -56,7 +56,7 @@ void checkOperand(const Facts& facts, FindingSink& sink, const Instruction& inst
   }
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkAdr006(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
     const std::size_t count = std::min<std::size_t>(instruction.operands.size(), instruction.desc->operandCount);
@@ -83,7 +83,7 @@ extern constexpr Rule adr006_constant_outside_limit = {
     .good = "Network 1\nLD I0.0\nSI Q0.0, 8\n",
     .peers = "Omron constants; SA0056; SA0053 for the shift count",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkAdr006,
 };
 
 }  // namespace rungproof

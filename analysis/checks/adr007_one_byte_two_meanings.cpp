@@ -88,7 +88,7 @@ void reportUpperHalf(const Facts& facts, FindingSink& sink, const Uses& uses, st
   finding.help = "the lower address holds the more significant byte (001:14372)";
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkAdr007(const Facts& facts, FindingSink& sink) {
   const Uses uses = collect(facts);
   const CellMap& cells = facts.index().cells();
   for (std::uint32_t cell = 0; cell < cells.size(); ++cell) {
@@ -132,7 +132,7 @@ extern constexpr Rule adr007_one_byte_two_meanings = {
     .falsePositives = "byte arithmetic by words at odd addresses, on purpose: silence it at the place",
     .peers = "SA0028; CP4",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkAdr007,
 };
 
 }  // namespace rungproof

@@ -27,7 +27,7 @@ bool isEditorForm(const Facts& facts, const Access& access) {
   return isCall || (access.write ? kind == Kind::Assign : kind == Kind::Load);
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkAdr008(const Facts& facts, FindingSink& sink) {
   std::array<std::uint32_t, 32> storedIn{};  // by bit: network (position in the program, from 1) of the last =
   std::uint32_t position = 0;
   const Network* network = nullptr;
@@ -84,7 +84,7 @@ extern constexpr Rule adr008_editor_local_bytes = {
     .good = "Network 1\nLD SM0.0\nMOVB VB0, LB10\n",
     .falsePositives = "a program that is never shown as LAD or FBD may use all 64 bytes",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkAdr008,
 };
 
 }  // namespace rungproof

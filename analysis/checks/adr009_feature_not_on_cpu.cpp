@@ -101,7 +101,7 @@ class Checker {
   CpuFeatures features_;
 };
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkAdr009(const Facts& facts, FindingSink& sink) {
   Checker checker(facts, sink);
   for (const InstructionPlace& place : facts.instructions()) checker.instruction(*place.instruction);
 }
@@ -127,7 +127,7 @@ extern constexpr Rule adr009_feature_not_on_cpu = {
         "where the manual "
         "contradicts itself",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkAdr009,
 };
 
 }  // namespace rungproof

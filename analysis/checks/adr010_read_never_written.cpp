@@ -28,7 +28,7 @@ bool isWritten(const Facts& facts, const Access& access) {
   return false;
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkAdr010(const Facts& facts, FindingSink& sink) {
   if (facts.hasHiddenCode()) return;
   std::unordered_set<std::uint64_t> seen;
   for (const Access& access : facts.accesses().all()) {
@@ -71,7 +71,7 @@ extern constexpr Rule adr010_read_never_written = {
         "values from an operator panel, a network partner or another tool: declare them with //@ external VB100..VB199",
     .peers = "CP3; Frama-PLC missing inputs",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkAdr010,
 };
 
 }  // namespace rungproof

@@ -52,7 +52,7 @@ bool hasEvent(const Facts& facts, const Access& access) {
   return false;
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkAdr011(const Facts& facts, FindingSink& sink) {
   if (facts.hasHiddenCode()) return;
   std::unordered_set<std::uint64_t> seen;
   for (const Access& access : facts.accesses().all()) {
@@ -94,7 +94,7 @@ extern constexpr Rule adr011_written_never_read = {
     .falsePositives = "values for an operator panel or a network partner: declare them with //@ external VB100..VB199",
     .peers = "SA0033; CP24",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkAdr011,
 };
 
 }  // namespace rungproof

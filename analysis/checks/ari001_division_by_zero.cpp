@@ -51,7 +51,7 @@ bool isNeverZero(const Facts& facts, const Access& divisor) {
   return isWritten;
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkAri001(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
     if (!isDivision(kindOf(instruction)) || instruction.operands.empty()) continue;
@@ -90,7 +90,7 @@ extern constexpr Rule ari001_division_by_zero = {
     .good = "Network 1\nLDW<> VW4, 0\nMOVW VW0, VW2\n/I VW4, VW2\n",
     .falsePositives = "a divisor whose range is known from elsewhere: the prover drops it",
     .peers = "SA0040",
-    .check = check,
+    .check = checkAri001,
 };
 
 }  // namespace rungproof

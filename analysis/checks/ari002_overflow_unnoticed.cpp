@@ -43,7 +43,7 @@ bool growsForEver(const Facts& facts, const Access& target) {
   return true;
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkAri002(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
     const std::string_view stl = instruction.desc->stl;
@@ -86,7 +86,7 @@ extern constexpr Rule ari002_overflow_unnoticed = {
     .bad = "Network 1\nLD SM0.0\nMOVW AIW0, VW0\n*I VW2, VW0\n",
     .good = "Network 1\nLD SM0.0\nMOVW AIW0, VW0\n*I VW2, VW0\nAENO\nNOT\n= M0.0\n",
     .falsePositives = "values whose range is known from elsewhere: the prover drops them",
-    .check = check,
+    .check = checkAri002,
 };
 
 }  // namespace rungproof

@@ -29,7 +29,7 @@ const Instruction* integerWriter(const Facts& facts, const Access& real) {
   return writer;
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkAri003(const Facts& facts, FindingSink& sink) {
   const PointerTable& pointers = facts.pointers();
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
@@ -78,7 +78,7 @@ extern constexpr Rule ari003_comparison_stops_cpu = {
     .good = "Network 1\nLD SM0.0\nMOVD &VB100, AC1\nNetwork 2\nLDB= *AC1, 5\n= Q0.0\n",
     .falsePositives = "a pointer whose range is known from elsewhere: the prover drops it",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkAri003,
 };
 
 }  // namespace rungproof

@@ -8,7 +8,7 @@ namespace rungproof {
 
 namespace {
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkAri004(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
     const Desc& desc = *instruction.desc;
@@ -36,7 +36,7 @@ extern constexpr Rule ari004_real_equality = {
     .good = "Network 1\nLDR>= VD0, 1.49\nAR<= VD0, 1.51\n= Q0.0\n",
     .falsePositives = "comparison with a value that was moved, not computed",
     .peers = "SA0054; CP8; iec-checker CP8; Frama-PLC E2.1",
-    .check = check,
+    .check = checkAri004,
 };
 
 }  // namespace rungproof

@@ -46,7 +46,7 @@ void checkBlock(FindingSink& sink, const Flow& flow) {
   }
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkAri005(const Facts& facts, FindingSink& sink) {
   for (const Flow& flow : facts.plan().flows) checkBlock(sink, flow);
 }
 
@@ -67,7 +67,7 @@ extern constexpr Rule ari005_status_flag_stale = {
     .falsePositives = "a bit that the instruction between does not touch and that is read late on purpose",
     .peers = "CP7 (nearest)",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkAri005,
 };
 
 }  // namespace rungproof

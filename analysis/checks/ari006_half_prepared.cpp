@@ -96,7 +96,7 @@ void checkAccumulators(const Facts& facts, FindingSink& sink, const Flow& flow) 
   }
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkAri006(const Facts& facts, FindingSink& sink) {
   checkMemory(facts, sink);
   for (const Flow& flow : facts.plan().flows) checkAccumulators(facts, sink, flow);
 }
@@ -115,7 +115,7 @@ extern constexpr Rule ari006_half_prepared = {
     .good = "Network 1\nLD SM0.0\nITD AIW0, VD100\nDTR VD100, VD200\n",
     .falsePositives = "an upper word that is 0 from the start and values that are never negative",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkAri006,
 };
 
 }  // namespace rungproof

@@ -15,7 +15,7 @@ std::int64_t labelOf(const Instruction& instruction) {
   return instruction.operands.empty() ? -1 : instruction.operands[0].value;
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkCtl001(const Facts& facts, FindingSink& sink) {
   std::unordered_map<std::int64_t, const Instruction*> labels;
   for (const InstructionPlace& place : facts.instructions()) {
     if (place.instruction->desc->control == Control::LabelMark)
@@ -65,7 +65,7 @@ extern constexpr Rule ctl001_bad_jump = {
     .good = "Network 1\nLD I0.0\nJMP 5\nNetwork 2\nLD I0.1\n= Q0.0\nNetwork 3\nLBL 5\n",
     .peers = "Omron JMP-JME pairs; matiec/ironplc parse errors",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkCtl001,
 };
 
 }  // namespace rungproof

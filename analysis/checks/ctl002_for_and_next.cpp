@@ -9,7 +9,7 @@ namespace rungproof {
 
 namespace {
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkCtl002(const Facts& facts, FindingSink& sink) {
   for (const Flow& flow : facts.plan().flows) {
     for (const FlowFault& fault : flow.faults) {
       const std::string text = Facts::text(*fault.instruction);
@@ -47,7 +47,7 @@ extern constexpr Rule ctl002_for_and_next = {
     .good = "Network 1\nLD I0.0\nFOR VW0, +1, +10\nNetwork 2\nLD SM0.0\nINCW VW2\nNetwork 3\nNEXT\n",
     .peers = "Omron FOR-NEXT pairs and nesting",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkCtl002,
 };
 
 }  // namespace rungproof

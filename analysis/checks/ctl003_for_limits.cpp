@@ -47,7 +47,7 @@ void checkBody(const Facts& facts, FindingSink& sink, const Flow& flow, std::uin
   }
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkCtl003(const Facts& facts, FindingSink& sink) {
   for (const Flow& flow : facts.plan().flows) {
     int depth = 0;
     for (std::uint32_t at = 0; at < flow.steps.size(); ++at) {
@@ -86,7 +86,7 @@ extern constexpr Rule ctl003_for_limits = {
     .falsePositives = "an index that is raised to the end on purpose, to leave the loop early",
     .peers = "SA0072; L22",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkCtl003,
 };
 
 }  // namespace rungproof

@@ -77,7 +77,7 @@ class Times {
   std::vector<double> rounds_;
 };
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkCtl004(const Facts& facts, FindingSink& sink) {
   const double watchdog = Choices().watchdogMs() * 1000.0;
   const bool hasLoop =
       std::any_of(facts.instructions().begin(), facts.instructions().end(),
@@ -123,7 +123,7 @@ extern constexpr Rule ctl004_loop_may_outlast_watchdog = {
     .good = "Network 1\nLD SM0.0\nFOR VW0, +1, +10\nNetwork 2\nLD SM0.0\nINCW VW2\nNetwork 3\nNEXT\n",
     .falsePositives = "a loop whose exit condition comes soon, or that runs WDR: the prover drops what it can bound",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkCtl004,
 };
 
 }  // namespace rungproof

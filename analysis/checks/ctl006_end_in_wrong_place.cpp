@@ -73,7 +73,7 @@ void checkEnds(const Facts& facts, FindingSink& sink) {
   }
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkCtl006(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) checkPlace(facts, sink, place);
   checkEnds(facts, sink);
 }
@@ -96,7 +96,7 @@ extern constexpr Rule ctl006_end_in_wrong_place = {
     .good = "Network 1\nLD I0.0\nEND\nNetwork 2\nLD I0.1\n= Q0.0\n",
     .peers = "CP14; CP19 (nearest)",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkCtl006,
 };
 
 }  // namespace rungproof

@@ -11,7 +11,7 @@ namespace rungproof {
 
 namespace {
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkCtl007(const Facts& facts, FindingSink& sink) {
   if (facts.hasHiddenCode() || facts.program().main() == nullptr) return;
   for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block) {
     const Pou& pou = facts.program().pous[block];
@@ -47,7 +47,7 @@ extern constexpr Rule ctl007_routine_never_used = {
         "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\n= Q0.1\nEND_SUBROUTINE_BLOCK\n",
     .falsePositives = "routines kept for another variant of the machine",
     .peers = "SA0031; CP2; plceye S0003/S0004",
-    .check = check,
+    .check = checkCtl007,
 };
 
 }  // namespace rungproof

@@ -19,7 +19,7 @@ int counterOf(const Instruction& instruction) {
   return number >= 0 && number < counters ? static_cast<int>(number) : -1;
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkHsp001(const Facts& facts, FindingSink& sink) {
   std::array<const Instruction*, counters> definition{}, use{};
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
@@ -72,7 +72,7 @@ extern constexpr Rule hsp001_counter_definition = {
     .good = "Network 1\nLD SM0.1\nMOVB 16#F8, SMB37\nHDEF 0, 0\nHSC 0\n",
     .falsePositives = "two HDEF of which only one runs",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkHsp001,
 };
 
 }  // namespace rungproof

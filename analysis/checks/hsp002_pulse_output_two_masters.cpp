@@ -29,7 +29,7 @@ bool clears(const Instruction& instruction) {
   return isMove && instruction.operands[0].kind == OperandKind::Constant && instruction.operands[0].value == 0;
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkHsp002(const Facts& facts, FindingSink& sink) {
   std::array<const Instruction*, 2> generator{};
   for (const InstructionPlace& place : facts.instructions()) {
     const int output = pulseOutput(*place.instruction);
@@ -80,7 +80,7 @@ extern constexpr Rule hsp002_pulse_output_two_masters = {
     .falsePositives = "an output that is switched by hand while the generator is off, on purpose",
     .peers = "SA0004 (nearest)",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkHsp002,
 };
 
 }  // namespace rungproof

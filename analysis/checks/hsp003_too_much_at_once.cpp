@@ -49,7 +49,7 @@ void checkTransfers(const Facts& facts, FindingSink& sink) {
   }
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkHsp003(const Facts& facts, FindingSink& sink) {
   checkClock(facts, sink);
   checkTransfers(facts, sink);
   const Instruction* send = nullptr;
@@ -87,7 +87,7 @@ extern constexpr Rule hsp003_too_much_at_once = {
     .bad = "Network 1\nLD I0.0\nEU\nXMT VB100, 0\nRCV VB200, 0\n",
     .good = "Network 1\nLD I0.0\nEU\nXMT VB100, 0\nNetwork 2\nLD I0.1\nEU\nRCV VB200, 0\n",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkHsp003,
 };
 
 }  // namespace rungproof

@@ -82,7 +82,7 @@ bool endsItself(const Facts& facts, const InstructionPlace& place) {
   return false;
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkHsp004(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
     if (!isOnce(instruction) || !facts.execution().at(instruction.id).isReachable) continue;
@@ -115,7 +115,7 @@ extern constexpr Rule hsp004_runs_every_scan = {
     .good = "Network 1\nLD SM0.1\nMOVW +10, VW200\nNetwork 2\nLD I0.0\nEU\nATT VW0, VW200\n",
     .falsePositives = "a condition that another network ends in the next scan: the prover drops it",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkHsp004,
 };
 
 }  // namespace rungproof

@@ -10,7 +10,7 @@ namespace rungproof {
 
 namespace {
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkHsp005(const Facts& facts, FindingSink& sink) {
   std::map<std::int64_t, const Instruction*> loops;
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
@@ -42,7 +42,7 @@ extern constexpr Rule hsp005_pid_loop_twice = {
     .falsePositives = "two boxes of which only one runs per scan",
     .peers = "CP20 (nearest)",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkHsp005,
 };
 
 }  // namespace rungproof

@@ -24,7 +24,7 @@ bool switchesToFreeport(const Instruction& instruction) {
   return isPort && value.kind == OperandKind::Constant && (value.value & 3) == 1;
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkInt001(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
     const Pou& pou = facts.program().pous[place.block];
@@ -68,7 +68,7 @@ extern constexpr Rule int001_not_in_interrupt = {
         "1\nDTCH 0\nEND_ORGANIZATION_BLOCK\n"
         "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nS M0.0, 1\nEND_INTERRUPT_BLOCK\n",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkInt001,
 };
 
 }  // namespace rungproof

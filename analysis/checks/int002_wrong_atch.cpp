@@ -51,7 +51,7 @@ void checkTimer(const Facts& facts, FindingSink& sink, const Attachment& a) {
            "add the timer, or attach another event (001:5476)");
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkInt002(const Facts& facts, FindingSink& sink) {
   for (const Attachment& a : facts.calls().attachments()) {
     if (a.routine == noBlock && a.number >= 0 && facts.program().main() != nullptr && !facts.hasHiddenCode()) {
       report(sink, a,
@@ -92,7 +92,7 @@ extern constexpr Rule int002_wrong_atch = {
         "10\nENI\nEND_ORGANIZATION_BLOCK\n"
         "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nINCW VW0\nEND_INTERRUPT_BLOCK\n",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkInt002,
 };
 
 }  // namespace rungproof

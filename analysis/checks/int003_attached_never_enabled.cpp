@@ -11,7 +11,7 @@ namespace rungproof {
 
 namespace {
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkInt003(const Facts& facts, FindingSink& sink) {
   if (facts.hasHiddenCode()) return;
   std::vector<const Instruction*> enables, disables, attaches;
   bool hasUnknownCall = false;
@@ -65,7 +65,7 @@ extern constexpr Rule int003_attached_never_enabled = {
         "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.1\nATCH INT0, 0\nENI\nEND_ORGANIZATION_BLOCK\n"
         "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nINCW VW0\nEND_INTERRUPT_BLOCK\n",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkInt003,
 };
 
 }  // namespace rungproof

@@ -28,7 +28,7 @@ std::vector<std::uint8_t> protectedCode(const Facts& facts) {
 
 bool isWide(const Access& access) { return access.width == Width::Word || access.width == Width::DWord; }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkInt004(const Facts& facts, FindingSink& sink) {
   if (facts.calls().attachments().empty()) return;
   const std::vector<std::uint8_t> isProtected = protectedCode(facts);
   const CellMap& cells = facts.index().cells();
@@ -88,7 +88,7 @@ extern constexpr Rule int004_shared_data_not_protected = {
     .falsePositives = "reads that need not agree with each other",
     .peers = "SA0006; SA0103; CP10; CP11; CP15; Frama-PLC task lists",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkInt004,
 };
 
 }  // namespace rungproof

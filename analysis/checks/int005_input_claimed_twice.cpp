@@ -23,7 +23,7 @@ std::string ownerText(const Claim& claim) {
   return claim.counter >= 0 ? fmt::format("HSC{}", claim.counter) : std::string("an edge event");
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkInt005(const Facts& facts, FindingSink& sink) {
   std::array<Claim, inputCount> claims{};
   const auto claim = [&](int input, Claim next) {
     Claim& owner = claims[static_cast<std::size_t>(input)];
@@ -77,7 +77,7 @@ extern constexpr Rule int005_input_claimed_twice = {
         "2\nENI\nEND_ORGANIZATION_BLOCK\n"
         "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nINCW VW0\nEND_INTERRUPT_BLOCK\n",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkInt005,
 };
 
 }  // namespace rungproof

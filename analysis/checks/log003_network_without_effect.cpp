@@ -107,7 +107,7 @@ void checkBlock(const Facts& facts, FindingSink& sink, const Flow& flow) {
   close();
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkLog003(const Facts& facts, FindingSink& sink) {
   for (const Flow& flow : facts.plan().flows) checkBlock(facts, sink, flow);
 }
 
@@ -124,7 +124,7 @@ extern constexpr Rule log003_network_without_effect = {
     .bad = "Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\nA Q0.0\n= Q0.1\n",
     .peers = "SA0168; SA0003",
-    .check = check,
+    .check = checkLog003,
 };
 
 }  // namespace rungproof

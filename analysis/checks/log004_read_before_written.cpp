@@ -21,7 +21,7 @@ const Access* onlyCoil(const Facts& facts, std::uint32_t key) {
   return isPlain && (access.area == Area::Q || access.area == Area::M || access.area == Area::V) ? &access : nullptr;
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkLog004(const Facts& facts, FindingSink& sink) {
   for (std::uint32_t key = 0; key < facts.bits().size(); ++key) {
     if (facts.bits().at(key).empty()) continue;
     const Access* coil = onlyCoil(facts, key);
@@ -63,7 +63,7 @@ extern constexpr Rule log004_read_before_written = {
     .bad = "Network 1\nLD I0.0\nAN M0.0\n= Q0.0\nNetwork 2\nLD I0.1\n= M0.0\n",
     .good = "Network 1\nLD I0.1\n= M0.0\nNetwork 2\nLD I0.0\nAN M0.0\n= Q0.0\n",
     .falsePositives = "feedback that is meant to come from the scan before",
-    .check = check,
+    .check = checkLog004,
 };
 
 }  // namespace rungproof

@@ -20,7 +20,7 @@ bool runsAlways(const Facts& facts, std::uint32_t id) {
   return point.isReachable && point.skippedBy == nullptr && facts.execution().runs(facts.blockOf(id)) == Runs::Once;
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkOut001(const Facts& facts, FindingSink& sink) {
   std::vector<std::uint32_t> coils;
   for (std::uint32_t key = 0; key < facts.bits().size(); ++key) {
     if (facts.bits().at(key).size() < 2) continue;
@@ -70,7 +70,7 @@ extern constexpr Rule out001_double_coil = {
         "lint alone "
         "marks them unconfirmed",
     .peers = "SA0004; CP12; Rockwell duplicate destructive bit; Omron duplicate outputs",
-    .check = check,
+    .check = checkOut001,
 };
 
 }  // namespace rungproof

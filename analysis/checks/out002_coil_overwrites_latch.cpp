@@ -11,7 +11,7 @@ namespace rungproof {
 
 namespace {
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkOut002(const Facts& facts, FindingSink& sink) {
   for (std::uint32_t key = 0; key < facts.bits().size(); ++key) {
     const std::span<const std::uint32_t> writers = facts.bits().at(key);
     if (writers.size() < 2) continue;
@@ -53,7 +53,7 @@ extern constexpr Rule out002_coil_overwrites_latch = {
     .good = "Network 1\nLD I0.0\nO I0.1\nS Q0.0, 1\nNetwork 2\nLD I0.2\nR Q0.0, 1\n",
     .falsePositives = "a coil that runs only while the latch is not used, such as in another operating mode",
     .peers = "Rockwell duplicate destructive bit; Omron duplicate outputs",
-    .check = check,
+    .check = checkOut002,
 };
 
 }  // namespace rungproof

@@ -78,7 +78,7 @@ void checkInstruction(const Facts& facts, FindingSink& sink, const Instruction& 
                       : "correct the address, or remove the reset";
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkOut004(const Facts& facts, FindingSink& sink) {
   if (facts.hasHiddenCode()) return;
   const std::vector<Hands> all = allHands(facts);
   std::vector<std::uint8_t> seen(all.size(), 0);
@@ -108,7 +108,7 @@ extern constexpr Rule out004_latch_with_one_hand = {
     .good = "Network 1\nLD I0.0\nS Q0.0, 1\nNetwork 2\nLD I0.1\nR Q0.0, 1\n",
     .falsePositives = "a fault bit that only an operator panel clears: declare it with //@ external",
     .peers = "TU Automation missing reset",
-    .check = check,
+    .check = checkOut004,
 };
 
 }  // namespace rungproof

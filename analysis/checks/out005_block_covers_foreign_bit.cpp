@@ -27,7 +27,7 @@ const Instruction* driver(const Facts& facts, std::uint32_t key, const Instructi
   return nullptr;
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkOut005(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
     const Kind kind = kindOf(instruction);
@@ -72,7 +72,7 @@ extern constexpr Rule out005_block_covers_foreign_bit = {
         "a general switch-off over outputs that coils drive later in the scan: put it behind them, or into their "
         "conditions",
     .peers = "SA0028 (nearest)",
-    .check = check,
+    .check = checkOut005,
 };
 
 }  // namespace rungproof

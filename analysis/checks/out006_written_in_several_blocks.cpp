@@ -44,7 +44,7 @@ bool bitsMeet(const Access& a, const Access& b, std::uint32_t offset) {
   return false;
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkOut006(const Facts& facts, FindingSink& sink) {
   std::unordered_set<std::uint64_t> seen;
   const CellMap& cells = facts.index().cells();
   for (std::uint32_t cell = 0; cell < cells.size(); ++cell) {
@@ -98,7 +98,7 @@ extern constexpr Rule out006_written_in_several_blocks = {
         "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.2\n= M0.0\nEND_SUBROUTINE_BLOCK\n",
     .falsePositives = "blocks of which only one is called, such as one for each operating mode",
     .peers = "SA0006; CP10; CP26; Frama-PLC common outputs of two tasks",
-    .check = check,
+    .check = checkOut006,
 };
 
 }  // namespace rungproof

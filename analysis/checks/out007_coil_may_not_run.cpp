@@ -27,7 +27,7 @@ std::string causeText(const Facts& facts, const Group& group) {
   }
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkOut007(const Facts& facts, FindingSink& sink) {
   std::vector<Group> groups;
   std::unordered_map<std::uint64_t, std::size_t> byCause;
   for (const InstructionPlace& place : facts.instructions()) {
@@ -75,7 +75,7 @@ extern constexpr Rule out007_coil_may_not_run = {
     .good = "Network 1\nLDN I0.0\nA I0.1\n= Q0.0\n",
     .falsePositives = "outputs that are meant to hold",
     .peers = "SA0022 (nearest)",
-    .check = check,
+    .check = checkOut007,
 };
 
 }  // namespace rungproof

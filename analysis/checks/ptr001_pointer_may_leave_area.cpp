@@ -30,7 +30,7 @@ void reportKnown(const Facts& facts, FindingSink& sink, const PointerUse& use) {
   finding.help = "the same limits hold as for direct addresses (table 6-2); at run time error 0006 (001:13954)";
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkPtr001(const Facts& facts, FindingSink& sink) {
   const PointerTable& pointers = facts.pointers();
   for (const PointerUse& use : pointers.knownUses()) reportKnown(facts, sink, use);
   for (const Pointer& pointer : pointers.all()) {
@@ -62,7 +62,7 @@ extern constexpr Rule ptr001_pointer_may_leave_area = {
     .falsePositives = "a pointer whose steps are counted elsewhere: the prover drops it",
     .peers = "SA0172; iec-checker OutOfBounds",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkPtr001,
 };
 
 }  // namespace rungproof

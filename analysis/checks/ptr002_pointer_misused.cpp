@@ -42,7 +42,7 @@ void checkUnset(const Facts& facts, FindingSink& sink, const Pointer& pointer) {
   finding.help = "set it by MOVD &address first (001:1459)";
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkPtr002(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     for (const Operand& operand : place.instruction->operands) checkOperand(sink, *place.instruction, operand);
   }
@@ -67,7 +67,7 @@ extern constexpr Rule ptr002_pointer_misused = {
     .good = "Network 1\nLD SM0.0\nMOVD &VB100, AC1\nMOVW *AC1, VW0\n",
     .peers = "SA0145 (nearest)",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkPtr002,
 };
 
 }  // namespace rungproof

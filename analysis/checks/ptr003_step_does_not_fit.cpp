@@ -10,7 +10,7 @@ namespace rungproof {
 
 namespace {
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkPtr003(const Facts& facts, FindingSink& sink) {
   const PointerTable& pointers = facts.pointers();
   for (const PointerStride& stride : pointers.strides()) {
     if (stride.narrowest < 2 || stride.total % stride.narrowest == 0) continue;
@@ -44,7 +44,7 @@ extern constexpr Rule ptr003_step_does_not_fit = {
     .falsePositives = "a byte-wise walk over overlapping words, such as for a checksum",
     .peers = "SA0065; E2",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkPtr003,
 };
 
 }  // namespace rungproof

@@ -45,7 +45,7 @@ void checkOverlap(FindingSink& sink, const Instruction& instruction, const Acces
                                                : "the order of the copy is not stated; use a third place";
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkPtr004(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
     const Kind kind = kindOf(instruction);
@@ -78,7 +78,7 @@ extern constexpr Rule ptr004_block_overruns = {
     .falsePositives = "a count from memory that is limited elsewhere: the prover drops it",
     .peers = "SA0028; SA0172 (nearest)",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkPtr004,
 };
 
 }  // namespace rungproof

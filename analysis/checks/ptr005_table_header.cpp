@@ -86,7 +86,7 @@ void checkSearch(const Facts& facts, FindingSink& sink, const Instruction& instr
   }
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkPtr005(const Facts& facts, FindingSink& sink) {
   if (facts.hasHiddenCode()) return;
   std::unordered_map<std::uint32_t, const Instruction*> tables;  // by cell
   for (const InstructionPlace& place : facts.instructions()) {
@@ -131,7 +131,7 @@ extern constexpr Rule ptr005_table_header = {
     .good = "Network 1\nLD SM0.1\nMOVW +10, VW200\nNetwork 2\nLD I0.0\nEU\nATT VW0, VW200\n",
     .falsePositives = "tables that an operator panel prepares: declare them with //@ external",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkPtr005,
 };
 
 }  // namespace rungproof

@@ -38,7 +38,7 @@ void checkFault(FindingSink& sink, const FlowFault& fault) {
   }
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkScr001(const Facts& facts, FindingSink& sink) {
   std::unordered_set<std::uint32_t> segments;
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
@@ -85,7 +85,7 @@ extern constexpr Rule scr001_segment_not_well_formed = {
         "Network 5\nLSCR S0.1\nNetwork 6\nLD I0.1\nSCRT S0.0\nNetwork 7\nSCRE\n",
     .peers = "Omron STEP-SNXT; ironplc P0008 (no initial step)",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkScr001,
 };
 
 }  // namespace rungproof

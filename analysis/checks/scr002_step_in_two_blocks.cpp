@@ -10,7 +10,7 @@ namespace rungproof {
 
 namespace {
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkScr002(const Facts& facts, FindingSink& sink) {
   std::unordered_map<std::uint32_t, const Instruction*> first;
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
@@ -52,7 +52,7 @@ extern constexpr Rule scr002_step_in_two_blocks = {
         "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLSCR S0.1\nNetwork 2\nLD I0.1\nR S0.1, 1\nNetwork "
         "3\nSCRE\nEND_SUBROUTINE_BLOCK\n",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkScr002,
 };
 
 }  // namespace rungproof

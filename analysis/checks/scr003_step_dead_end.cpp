@@ -42,7 +42,7 @@ Hands handsOf(const Facts& facts, std::uint32_t key) {
   return hands;
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkScr003(const Facts& facts, FindingSink& sink) {
   if (facts.hasHiddenCode()) return;
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
@@ -88,7 +88,7 @@ extern constexpr Rule scr003_step_dead_end = {
     .falsePositives = "a last step in which the machine is meant to stay",
     .peers = "Frama-PLC E4.3 (transition constant)",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkScr003,
 };
 
 }  // namespace rungproof

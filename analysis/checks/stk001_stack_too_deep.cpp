@@ -10,7 +10,7 @@ namespace rungproof {
 
 namespace {
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkStk001(const Facts& facts, FindingSink& sink) {
   for (const StackFault& fault : facts.stack().faults()) {
     if (fault.kind != StackFaultKind::TooDeep) continue;
     Finding& finding = sink.report(
@@ -44,7 +44,7 @@ extern constexpr Rule stk001_stack_too_deep = {
     .falsePositives = "none known; at which depth the compiler itself refuses is not stated in the manual",
     .peers = "Omron stack overflows",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkStk001,
 };
 
 }  // namespace rungproof

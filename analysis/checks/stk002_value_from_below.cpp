@@ -10,7 +10,7 @@ namespace rungproof {
 
 namespace {
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkStk002(const Facts& facts, FindingSink& sink) {
   for (const StackFault& fault : facts.stack().faults()) {
     if (fault.kind != StackFaultKind::FromBelow) continue;
     const std::string text = Facts::text(*fault.instruction);
@@ -48,7 +48,7 @@ extern constexpr Rule stk002_value_from_below = {
     .good = "Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\n= Q0.1\n",
     .falsePositives = "a rung that was cut into two networks on purpose",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkStk002,
 };
 
 }  // namespace rungproof

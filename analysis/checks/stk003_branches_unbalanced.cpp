@@ -9,7 +9,7 @@ namespace rungproof {
 
 namespace {
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkStk003(const Facts& facts, FindingSink& sink) {
   for (const StackFault& fault : facts.stack().faults()) {
     const std::string text = Facts::text(*fault.instruction);
     switch (fault.kind) {
@@ -58,7 +58,7 @@ extern constexpr Rule stk003_branches_unbalanced = {
     .bad = "Network 1\nLD I0.0\nLPS\nA I0.1\n= Q0.0\nLRD\nA I0.2\n= Q0.1\n",
     .good = "Network 1\nLD I0.0\nLPS\nA I0.1\n= Q0.0\nLPP\nA I0.2\n= Q0.1\n",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkStk003,
 };
 
 }  // namespace rungproof

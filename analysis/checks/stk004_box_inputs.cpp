@@ -27,7 +27,7 @@ std::string orderText(const Instruction& instruction) {
                         : fmt::format("load in this order: {} (001:3994-4004)", inputs);
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkStk004(const Facts& facts, FindingSink& sink) {
   for (const StackFault& fault : facts.stack().faults()) {
     if (fault.kind == StackFaultKind::TooFewInputs) {
       Finding& finding =
@@ -61,7 +61,7 @@ extern constexpr Rule stk004_box_inputs = {
     .bad = "Network 1\nLD I0.0\nCTU C1, +10\n",
     .good = "Network 1\nLD I0.0\nLD I0.1\nCTU C1, +10\n",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkStk004,
 };
 
 }  // namespace rungproof

@@ -9,7 +9,7 @@ namespace rungproof {
 
 namespace {
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkStk005(const Facts& facts, FindingSink& sink) {
   for (const StackFault& fault : facts.stack().faults()) {
     if (fault.kind == StackFaultKind::LdsBeyond) {
       sink.report(fault.instruction->span,
@@ -38,7 +38,7 @@ extern constexpr Rule stk005_lds_aeno_misplaced = {
     .bad = "Network 1\nLD I0.0\nAENO\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\nMOVB VB0, VB1\nAENO\n= Q0.0\n",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkStk005,
 };
 
 }  // namespace rungproof

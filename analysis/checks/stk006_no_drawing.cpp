@@ -11,7 +11,7 @@ namespace rungproof {
 
 namespace {
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkStk006(const Facts& facts, FindingSink& sink) {
   if (facts.program().olderDialect) return;
   for (const Pou& pou : facts.program().pous) {
     for (const Network& network : pou.networks) {
@@ -39,7 +39,7 @@ extern constexpr Rule stk006_no_drawing = {
     .good = "Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\n= Q0.1\n",
     .falsePositives = "programs that are kept as STL on purpose",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkStk006,
 };
 
 }  // namespace rungproof

@@ -8,7 +8,7 @@ namespace rungproof {
 
 namespace {
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkSty001(const Facts& facts, FindingSink& sink) {
   for (const Pou& pou : facts.program().pous) {
     for (const Network& network : pou.networks) {
       if (network.instructions.empty() || !network.title.empty() || !network.comments.empty()) continue;
@@ -33,7 +33,7 @@ extern constexpr Rule sty001_no_comment = {
     .good = "Network 1 // lamp follows the switch\nLD I0.0\n= Q0.0\n",
     .peers = "SA0162; C2",
     .enabledByDefault = false,
-    .check = check,
+    .check = checkSty001,
 };
 
 }  // namespace rungproof

@@ -18,7 +18,7 @@ constexpr std::array options = {
     RuleOption{"branches", 1, 1000, 8, "most LPS, LRD and LPP in one network"},
 };
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkSty002(const Facts& facts, FindingSink& sink) {
   const int mostContacts = sink.option("contacts"), mostLevels = sink.option("levels"),
             mostBranches = sink.option("branches");
   for (const Pou& pou : facts.program().pous) {
@@ -61,7 +61,7 @@ extern constexpr Rule sty002_network_too_complex = {
     .peers = "L3; L6; CP9; SA0178; SA0150",
     .enabledByDefault = false,
     .options = options,
-    .check = check,
+    .check = checkSty002,
 };
 
 }  // namespace rungproof

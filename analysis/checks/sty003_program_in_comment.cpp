@@ -60,7 +60,7 @@ bool isInstruction(std::string_view text) {
   return hasAddress && operands <= desc->operandCount;
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkSty003(const Facts& facts, FindingSink& sink) {
   const SourceSet& sources = *facts.program().sources;
   const auto look = [&](const Comment& comment) {
     if (!isInstruction(sources.text(comment.span))) return;
@@ -88,7 +88,7 @@ extern constexpr Rule sty003_program_in_comment = {
     .good = "Network 1\nLD I0.0\n// the door switch is not wired yet\n= Q0.0\n",
     .peers = "SA0140; C4",
     .enabledByDefault = false,
-    .check = check,
+    .check = checkSty003,
 };
 
 }  // namespace rungproof

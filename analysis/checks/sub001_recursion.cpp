@@ -30,7 +30,7 @@ std::vector<std::uint32_t> chain(const CallGraph& calls, std::uint32_t from, std
   return {path.rbegin(), path.rend()};
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkSub001(const Facts& facts, FindingSink& sink) {
   const CallGraph& calls = facts.calls();
   std::unordered_set<std::uint32_t> reported;
   for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block) {
@@ -68,7 +68,7 @@ extern constexpr Rule sub001_recursion = {
         "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\nCALL SBR0\nEND_ORGANIZATION_BLOCK\n"
         "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\n= Q0.1\nEND_SUBROUTINE_BLOCK\n",
     .peers = "SA0160; CP13; ironplc P4005; iec-checker CP13 (direct calls only)",
-    .check = check,
+    .check = checkSub001,
 };
 
 }  // namespace rungproof

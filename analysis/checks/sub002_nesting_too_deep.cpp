@@ -35,7 +35,7 @@ void checkFrom(const Facts& facts, FindingSink& sink, std::uint32_t root, int al
   finding.help = "call from a higher level; at run time the call ends with error 0008 (001:13956)";
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkSub002(const Facts& facts, FindingSink& sink) {
   std::vector<std::uint8_t> reported(facts.program().pous.size(), 0);
   for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block) {
     const PouKind kind = facts.program().pous[block].kind;
@@ -66,7 +66,7 @@ extern constexpr Rule sub002_nesting_too_deep = {
     .falsePositives = "a chain of conditional calls that never runs to its end",
     .peers = "Omron illegal nesting",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkSub002,
 };
 
 }  // namespace rungproof

@@ -175,7 +175,7 @@ void checkTables(const Facts& facts, FindingSink& sink) {
   }
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkSub003(const Facts& facts, FindingSink& sink) {
   checkTables(facts, sink);
   for (const CallSite& site : facts.calls().sites()) {
     const Instruction& call = *site.instruction;
@@ -224,7 +224,7 @@ extern constexpr Rule sub003_call_does_not_match = {
         "VW100\nEND_SUBROUTINE_BLOCK\n",
     .peers = "CP17; SA0107; ironplc P4018; iec-checker CP17",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkSub003,
 };
 
 }  // namespace rungproof

@@ -32,7 +32,7 @@ const Instruction* conditionalWriter(const Facts& facts, const Flow& flow, const
   return writers == 1 || isLatchesOnly ? first : nullptr;
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkSub004(const Facts& facts, FindingSink& sink) {
   for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block) {
     const Pou& pou = facts.program().pous[block];
     const Flow& flow = facts.plan().flows[block];
@@ -88,7 +88,7 @@ extern constexpr Rule sub004_output_not_written = {
         "1\nLD L0.0\n= L0.1\nEND_SUBROUTINE_BLOCK\n",
     .peers = "SA0022",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkSub004,
 };
 
 }  // namespace rungproof

@@ -9,7 +9,7 @@ namespace rungproof {
 
 namespace {
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkSub005(const Facts& facts, FindingSink& sink) {
   for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block) {
     if (facts.program().pous[block].protectedBlock) continue;
     for (const LocalRead& read : localFlow(facts, block).unwritten) {
@@ -40,7 +40,7 @@ extern constexpr Rule sub005_local_read_before_written = {
     .good = "Network 1\nLD SM0.0\nMOVW VW0, LW0\nINCW LW0\nMOVW LW0, VW0\n",
     .peers = "CP3",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkSub005,
 };
 
 }  // namespace rungproof

@@ -26,7 +26,7 @@ bool isCertain(const Facts& facts, std::uint32_t block) {
   return certain >= 2;
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkSub006(const Facts& facts, FindingSink& sink) {
   for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block) {
     if (facts.program().pous[block].kind != PouKind::Subroutine || facts.execution().runs(block) != Runs::Several)
       continue;
@@ -71,7 +71,7 @@ extern constexpr Rule sub006_box_in_shared_routine = {
     .falsePositives = "calls on conditions that exclude each other: reported as an unconfirmed warning",
     .peers = "SA0105 (nearest)",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkSub006,
 };
 
 }  // namespace rungproof

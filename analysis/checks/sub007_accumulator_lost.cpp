@@ -88,7 +88,7 @@ void checkBlock(const Facts& facts, FindingSink& sink, std::uint32_t block, std:
   }
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkSub007(const Facts& facts, FindingSink& sink) {
   std::vector<Summary> known(facts.program().pous.size());
   for (std::uint32_t block = 0; block < known.size(); ++block) checkBlock(facts, sink, block, known);
 }
@@ -115,7 +115,7 @@ extern constexpr Rule sub007_accumulator_lost = {
         "VW12\nEND_SUBROUTINE_BLOCK\n",
     .falsePositives = "a routine that returns its result in the accumulator",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkSub007,
 };
 
 }  // namespace rungproof

@@ -11,7 +11,7 @@ namespace rungproof {
 
 namespace {
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkSym001(const Facts& facts, FindingSink& sink) {
   std::unordered_map<std::string_view, std::size_t> places;  // name to the number of its uses
   std::vector<const Operand*> first;
   for (const InstructionPlace& place : facts.instructions()) {
@@ -48,7 +48,7 @@ extern constexpr Rule sym001_undefined_symbol = {
     .good = "Network 1\nLD I0.0\n= Q0.0\n",
     .falsePositives = "the symbol table was not given: name it with --symbols",
     .peers = "ironplc P4007; plceye S0002",
-    .check = check,
+    .check = checkSym001,
 };
 
 }  // namespace rungproof

@@ -56,7 +56,7 @@ void checkLocals(const Facts& facts, FindingSink& sink) {
   }
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkSym002(const Facts& facts, FindingSink& sink) {
   checkTable(facts, sink);
   checkLocals(facts, sink);
 }
@@ -79,7 +79,7 @@ extern constexpr Rule sym002_ambiguous_symbol = {
         "LW0, VW0\nEND_SUBROUTINE_BLOCK\n",
     .falsePositives = "a second name on purpose, such as one for the hardware point and one for its meaning",
     .peers = "SA0013; SA0027; N5; N9; CP4",
-    .check = check,
+    .check = checkSym002,
 };
 
 }  // namespace rungproof

@@ -29,7 +29,7 @@ bool addressIsUsed(const Facts& facts, const Operand& address) {
   return false;
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkSym003(const Facts& facts, FindingSink& sink) {
   if (facts.program().symbols.empty() || facts.hasHiddenCode()) return;
   std::unordered_set<std::string_view> used;
   for (const InstructionPlace& place : facts.instructions()) {
@@ -62,7 +62,7 @@ extern constexpr Rule sym003_unused_symbol = {
     .exampleSymbols = "Symbol\tAddress\tComment\nStart\tI0.0\tpush button\nPump\tQ0.1\tmain pump\n",
     .falsePositives = "rows kept for spare points or for an operator panel",
     .peers = "SA0033; CP24; plceye S0001",
-    .check = check,
+    .check = checkSym003,
 };
 
 }  // namespace rungproof

@@ -26,7 +26,7 @@ void checkBoxes(const Facts& facts, FindingSink& sink, std::span<const std::uint
   }
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkTim001(const Facts& facts, FindingSink& sink) {
   for (std::uint32_t number = 0; number < 256; ++number) {
     checkBoxes(facts, sink, facts.timerBoxes(number));
     checkBoxes(facts, sink, facts.counterBoxes(number));
@@ -47,7 +47,7 @@ extern constexpr Rule tim001_one_number_two_boxes = {
     .good = "Network 1\nLD I0.0\nTON T37, +10\nNetwork 2\nLD I0.1\nTON T38, +20\nNetwork 3\nLD T37\nO T38\n= Q0.0\n",
     .falsePositives = "boxes in code of which only one part runs per scan",
     .peers = "Omron duplicate timers/counters; SA0105; CP20",
-    .check = check,
+    .check = checkTim001,
 };
 
 }  // namespace rungproof

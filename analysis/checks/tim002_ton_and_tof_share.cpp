@@ -8,7 +8,7 @@ namespace rungproof {
 
 namespace {
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkTim002(const Facts& facts, FindingSink& sink) {
   for (std::uint32_t number = 0; number < 256; ++number) {
     const Instruction* on = nullptr;
     const Instruction* off = nullptr;
@@ -42,7 +42,7 @@ extern constexpr Rule tim002_ton_and_tof_share = {
     .good = "Network 1\nLD I0.0\nTON T37, +10\nNetwork 2\nLD I0.1\nTOF T38, +20\nNetwork 3\nLD T37\nO T38\n= Q0.0\n",
     .peers = "Omron duplicate timers/counters",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkTim002,
 };
 
 }  // namespace rungproof

@@ -29,7 +29,7 @@ std::string reason(const Facts& facts, const InstructionPlace& place, const Inst
   return {};
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkTim004(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
     const Kind kind = kindOf(instruction);
@@ -67,7 +67,7 @@ extern constexpr Rule tim004_slow_timer_skipped = {
     .good = "Network 1\nLDN I0.0\nA I0.1\nTON T37, +10\nNetwork 2\nLD T37\n= Q0.0\n",
     .falsePositives = "a timer that is meant to stand still while its code is left out",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkTim004,
 };
 
 }  // namespace rungproof

@@ -33,7 +33,7 @@ const Instruction* ownContact(const Flow& flow, std::uint32_t at, std::uint32_t 
   return nullptr;
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkTim005(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
     if (kindOf(instruction) != Kind::Ton && kindOf(instruction) != Kind::Tonr) continue;
@@ -72,7 +72,7 @@ extern constexpr Rule tim005_timer_resets_itself = {
     .good = "Network 1\nLDN M0.0\nTON T33, +100\nNetwork 2\nLD T33\n= M0.0\nNetwork 3\nLD M0.0\n= Q0.0\n",
     .falsePositives = "100 ms timers, for which it works: reported as a note",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkTim005,
 };
 
 }  // namespace rungproof

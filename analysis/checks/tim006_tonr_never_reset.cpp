@@ -20,7 +20,7 @@ bool isReset(const Facts& facts, std::uint32_t number) {
   });
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkTim006(const Facts& facts, FindingSink& sink) {
   if (facts.hasHiddenCode()) return;
   for (std::uint32_t number = 0; number < 256; ++number) {
     for (const std::uint32_t id : facts.timerBoxes(number)) {
@@ -49,7 +49,7 @@ extern constexpr Rule tim006_tonr_never_reset = {
     .bad = "Network 1\nLD I0.0\nTONR T5, +10\nNetwork 2\nLD T5\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\nTONR T5, +10\nNetwork 2\nLD I0.1\nR T5, 1\nNetwork 3\nLD T5\n= Q0.0\n",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkTim006,
 };
 
 }  // namespace rungproof

@@ -60,7 +60,7 @@ void checkBox(const Facts& facts, FindingSink& sink, const Instruction& box) {
   }
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkTim007(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Kind kind = kindOf(*place.instruction);
     if ((isTimerBox(kind) || isCounterBox(kind)) && place.instruction->operands.size() >= 2)
@@ -81,7 +81,7 @@ extern constexpr Rule tim007_preset_out_of_range = {
     .bad = "Network 1\nLD I0.0\nTON T37, +0\nNetwork 2\nLD T37\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\nTON T37, +10\nNetwork 2\nLD T37\n= Q0.0\n",
     .peers = "SA0056 (constants only)",
-    .check = check,
+    .check = checkTim007,
 };
 
 }  // namespace rungproof

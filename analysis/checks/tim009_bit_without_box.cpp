@@ -10,7 +10,7 @@ namespace rungproof {
 
 namespace {
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkTim009(const Facts& facts, FindingSink& sink) {
   if (facts.hasHiddenCode()) return;
   std::array<bool, 512> reported{};
   for (const Access& access : facts.accesses().all()) {
@@ -50,7 +50,7 @@ extern constexpr Rule tim009_bit_without_box = {
     .manual = "001:1309-1329",
     .bad = "Network 1\nLD I0.0\nTON T37, +10\nNetwork 2\nLD T38\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\nTON T37, +10\nNetwork 2\nLD T37\n= Q0.0\n",
-    .check = check,
+    .check = checkTim009,
 };
 
 }  // namespace rungproof

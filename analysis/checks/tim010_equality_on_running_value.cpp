@@ -18,7 +18,7 @@ bool isEquality(const Desc& desc) {
          (desc.stl.ends_with("=") && !desc.stl.ends_with(">=") && !desc.stl.ends_with("<="));
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkTim010(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
     if (!isEquality(*instruction.desc)) continue;
@@ -54,7 +54,7 @@ extern constexpr Rule tim010_equality_on_running_value = {
     .good = "Network 1\nLD I0.0\nTON T33, +100\nNetwork 2\nLDW>= T33, +40\n= Q0.0\n",
     .falsePositives = "a counter whose box runs in every scan moves by one at a time: reported as a note",
     .peers = "CP28; Frama-PLC E2.1",
-    .check = check,
+    .check = checkTim010,
 };
 
 }  // namespace rungproof

@@ -32,7 +32,7 @@ void checkTimer(const Facts& facts, FindingSink& sink, std::uint32_t number) {
   }
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkTim011(const Facts& facts, FindingSink& sink) {
   for (std::uint32_t number = 0; number < 256; ++number) {
     if (timerResolution(static_cast<int>(number)) == 1) checkTimer(facts, sink, number);
   }
@@ -53,7 +53,7 @@ extern constexpr Rule tim011_fast_timer_read_twice = {
     .falsePositives = "reads that need not agree",
     .peers = "CP15 (nearest)",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkTim011,
 };
 
 }  // namespace rungproof

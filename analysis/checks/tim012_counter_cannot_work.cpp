@@ -19,7 +19,7 @@ bool hasOwnReset(const Facts& facts, std::uint32_t number) {
                      [&](std::uint32_t i) { return facts.access(i).write && !facts.access(i).isBox; });
 }
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkTim012(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
     const Kind kind = kindOf(instruction);
@@ -59,7 +59,7 @@ extern constexpr Rule tim012_counter_cannot_work = {
     .manual = "001:3994-4005",
     .bad = "Network 1\nLD I0.0\nLD SM0.0\nCTU C1, +10\nNetwork 2\nLD C1\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\nLD I0.1\nCTU C1, +10\nNetwork 2\nLD C1\n= Q0.0\n",
-    .check = check,
+    .check = checkTim012,
 };
 
 }  // namespace rungproof

@@ -8,7 +8,7 @@ namespace rungproof {
 
 namespace {
 
-void check(const Facts& facts, FindingSink& sink) {
+void checkTim013(const Facts& facts, FindingSink& sink) {
   const int limit = cpuFeatures(facts.target()).edges;
   int count = 0;
   const Instruction* numbered = nullptr;
@@ -56,7 +56,7 @@ extern constexpr Rule tim013_edge_lost = {
     .bad = "Network 1\nLD SM0.1\nEU\nS Q0.0, 1\nNetwork 2\nLD I0.0\nR Q0.0, 1\n",
     .good = "Network 1\nLD SM0.1\nS Q0.0, 1\nNetwork 2\nLD I0.0\nR Q0.0, 1\n",
     .dialects = dialect::S7200,
-    .check = check,
+    .check = checkTim013,
 };
 
 }  // namespace rungproof
