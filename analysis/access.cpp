@@ -23,9 +23,9 @@ struct Extent {
   int most = 1;
 };
 
-class Collector {
+class AccessCollector {
  public:
-  Collector(const Program& program, std::vector<Access>& accesses) : accesses_(accesses) {
+  AccessCollector(const Program& program, std::vector<Access>& accesses) : accesses_(accesses) {
     for (const Pou& pou : program.pous) {
       if (pou.kind == PouKind::Subroutine) subroutines_.emplace(pou.number, &pou);
     }
@@ -215,7 +215,7 @@ AccessTable::AccessTable(const Program& program, const Plan& plan) {
   const std::size_t count = program.instructionCount();
   accesses_.reserve(count * 2);
   first_.reserve(count + 1);
-  Collector collector(program, accesses_);
+  AccessCollector collector(program, accesses_);
   for (const Flow& flow : plan.flows) {
     for (const FlowStep& step : flow.steps) {
       first_.push_back(static_cast<std::uint32_t>(accesses_.size()));

@@ -57,9 +57,9 @@ void readAllow(std::string_view text, Allow& allow) {
   if (!allow.ids.empty() && allow.reason.empty()) allow.problem = "the suppression gives no reason";
 }
 
-class Collector {
+class AllowCollector {
  public:
-  explicit Collector(const Program& program) : program_(program) {}
+  explicit AllowCollector(const Program& program) : program_(program) {}
 
   std::vector<Allow> collect() {
     for (const Pou& pou : program_.pous) {
@@ -126,7 +126,7 @@ Finding suppressionFinding(const Allow& allow, std::string_view id, std::string 
 
 }  // namespace
 
-std::vector<Allow> allowsOf(const Program& program) { return Collector(program).collect(); }
+std::vector<Allow> allowsOf(const Program& program) { return AllowCollector(program).collect(); }
 
 std::size_t applySuppressions(const Program& program, const KnownRules& rules, std::vector<Finding>& findings) {
   std::vector<Allow> allows = allowsOf(program);

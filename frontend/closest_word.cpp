@@ -1,3 +1,4 @@
+// The distance between words (optimal string alignment).
 #include "frontend/closest_word.hpp"
 
 #include <algorithm>

@@ -30,7 +30,7 @@ bool number(std::string_view digits, std::uint32_t& value) {
 int sizeOfLetter(char c) { return c == 'B' ? 1 : c == 'W' ? 2 : c == 'D' ? 4 : -1; }
 
 /// `words` are the first one or two words; says through `used` how many the place takes.
-DataPlace placeOf(std::string_view first, std::string_view second, std::size_t& used) {
+DataPlace dataPlace(std::string_view first, std::string_view second, std::size_t& used) {
   DataPlace place;
   std::size_t letters = 0;
   while (letters < first.size() && isLetter(first[letters])) ++letters;
@@ -66,7 +66,7 @@ bool DataBlockReader::readPlace(const Line& line, std::size_t& next) {
   next = 0;
   if (!isLetter(word(0).empty() ? ' ' : word(0)[0]) || word(0).find('#') != std::string_view::npos) return hasPlace_;
   std::size_t used = 0;
-  const DataPlace place = placeOf(word(0), word(1), used);
+  const DataPlace place = dataPlace(word(0), word(1), used);
   if (!place.isPlace) return false;
   hasPlace_ = true;
   isOlder_ = place.isOlder;
@@ -137,7 +137,7 @@ bool isDataLine(std::string_view text, const Line& line) {
     return i < line.words.size() ? text.substr(line.words[i].begin, line.words[i].end - line.words[i].begin) : std::string_view();
   };
   std::size_t used = 0;
-  const DataPlace place = placeOf(word(0), word(1), used);
+  const DataPlace place = dataPlace(word(0), word(1), used);
   return place.isPlace && used < line.words.size() && readConstant(word(used)).fault == ConstantFault::None;
 }
 

@@ -28,7 +28,7 @@ int columnsOf(UChar32 c) {
 }
 
 /// Splits UTF-8 into cells; `cellOfByte` gets the cell index of each byte and one past the end.
-std::vector<TextCell> cellsOf(std::string_view text, std::vector<std::size_t>& cellOfByte) {
+std::vector<TextCell> textCells(std::string_view text, std::vector<std::size_t>& cellOfByte) {
   std::vector<TextCell> cells;
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
   const auto size = static_cast<std::int32_t>(text.size());
@@ -66,7 +66,7 @@ std::string Paint::with(std::string_view code, std::string_view text) const {
 
 int displayWidth(std::string_view text) {
   std::vector<std::size_t> cellOfByte;
-  const std::vector<TextCell> cells = cellsOf(text, cellOfByte);
+  const std::vector<TextCell> cells = textCells(text, cellOfByte);
   return widthOf(cells, 0, cells.size());
 }
 
@@ -78,7 +78,7 @@ Excerpt excerptOf(const SourceFile& file, Span span) {
   const std::size_t stop = std::min<std::size_t>(start + span.length, line.size());
 
   std::vector<std::size_t> cellOfByte;
-  const std::vector<TextCell> cells = cellsOf(line, cellOfByte);
+  const std::vector<TextCell> cells = textCells(line, cellOfByte);
   const std::size_t markFirst = cellOfByte[start];
   const std::size_t markEnd = std::max(cellOfByte[stop], markFirst);
 

@@ -76,14 +76,14 @@ OperandResult symbol(std::string_view text) {
   result.operand.text = text;
   return result;
 }
-OperandResult failed(OperandFault fault) {
+OperandResult faulty(OperandFault fault) {
   OperandResult result;
   result.fault = fault;
   return result;
 }
 
 OperandResult readPointer(std::string_view target, std::string_view whole, Spelling spelling) {
-  OperandResult result = failed(OperandFault::Pointer);
+  OperandResult result = faulty(OperandFault::Pointer);
   Operand& o = result.operand;
   if (readAddress(target, spelling, o)) {
     const bool mayHold = o.area == Area::AC || ((o.area == Area::V || o.area == Area::L) && o.width == Width::DWord);
@@ -96,7 +96,7 @@ OperandResult readPointer(std::string_view target, std::string_view whole, Spell
 }
 
 OperandResult readAddressOf(std::string_view target, std::string_view whole, Spelling spelling) {
-  OperandResult result = failed(OperandFault::AddressOf);
+  OperandResult result = faulty(OperandFault::AddressOf);
   Operand& o = result.operand;
   if (readAddress(target, spelling, o)) {
     const bool isNumbered = o.area == Area::T || o.area == Area::C || o.area == Area::AC || o.area == Area::HC;
@@ -174,12 +174,12 @@ bool readAddress(std::string_view text, Spelling spelling, Operand& operand) {
 }
 
 OperandResult readOperand(std::string_view text, const OperandContext& context) {
-  if (text.empty()) return failed(OperandFault::Unreadable);
+  if (text.empty()) return faulty(OperandFault::Unreadable);
   const char first = text[0];
-  if (first == '?') return text.find_first_not_of("?.") == std::string_view::npos ? OperandResult{OperandFault::None, ConstantFault::None, {}} : failed(OperandFault::Unreadable);
+  if (first == '?') return text.find_first_not_of("?.") == std::string_view::npos ? OperandResult{OperandFault::None, ConstantFault::None, {}} : faulty(OperandFault::Unreadable);
   if (first == '*') return readPointer(text.substr(1), text, context.spelling);
   if (first == '&') return readAddressOf(text.substr(1), text, context.spelling);
-  if (first == '#') return isName(text.substr(1)) ? symbol(text) : failed(OperandFault::Unreadable);
+  if (first == '#') return isName(text.substr(1)) ? symbol(text) : faulty(OperandFault::Unreadable);
   OperandResult result;
   if (first == '%') {
     const bool isAddress = readAddress(text.substr(1), context.spelling, result.operand);
@@ -190,7 +190,7 @@ OperandResult readOperand(std::string_view text, const OperandContext& context) 
     result.fault = OperandFault::None;
     return result;
   }
-  if (hasTooManyDigits(text, context.spelling)) return failed(OperandFault::Number);
+  if (hasTooManyDigits(text, context.spelling)) return faulty(OperandFault::Number);
   ConstantResult value = readConstant(text, context.encoding);
   if (value.fault == ConstantFault::None) {
     result.fault = OperandFault::None;
@@ -202,7 +202,7 @@ OperandResult readOperand(std::string_view text, const OperandContext& context) 
     result.constantFault = value.fault;
     return result;
   }
-  return isName(text) ? symbol(text) : failed(OperandFault::Unreadable);
+  return isName(text) ? symbol(text) : faulty(OperandFault::Unreadable);
 }
 
 namespace {

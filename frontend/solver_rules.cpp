@@ -19,14 +19,14 @@ namespace {
 /// The rules that CheckGroups::rungs asks for.
 constexpr std::string_view rungRules[] = {"LOG001", "LOG002", "LOG005", "LOG006", "OUT001", "HSP004", "SCR003", "SCR004", "CTL003", "CTL005", "TIM012", "SAF006"};
 
-bool isInside(const Span& inner, const Span& outer) {
+bool isWithin(const Span& inner, const Span& outer) {
   return inner.file == outer.file && inner.offset >= outer.offset && inner.offset < outer.offset + outer.length;
 }
 
 bool isAbout(const Finding& finding, const ProofResult& result) {
   if (!result.builtin || finding.rule != result.builtin->rule || result.builtin->place == nullptr) return false;
   const bool isSameAddress = finding.confirmation == Confirmation::NotNeeded && !finding.address.empty() && finding.address == result.builtin->address;
-  return isSameAddress || isInside(finding.span, result.builtin->place->span);
+  return isSameAddress || isWithin(finding.span, result.builtin->place->span);
 }
 
 /// A declared property that fails, as a finding at its statement.

@@ -10,20 +10,11 @@
 #include "frontend/operand_reader.hpp"
 #include "frontend/trace_cell.hpp"
 #include "ir/library_block.hpp"
+#include "ir/overlap.hpp"
 
 namespace rungproof {
 
 namespace {
-
-bool overlaps(const Operand& a, const Operand& b) {
-  if (a.area != b.area) return false;
-  if (a.area == Area::T || a.area == Area::C) return a.offset == b.offset;
-  const auto range = [](const Operand& o) {
-    const std::uint32_t first = o.offset * 8 + (o.width == Width::Bit ? o.bit : 0);
-    return std::pair(first, first + static_cast<std::uint32_t>(bits(o.width)));
-  };
-  return range(a).first < range(b).second && range(b).first < range(a).second;
-}
 
 /// Whether some instruction writes the operand by its direct address.
 bool isWritten(const Program& program, const Operand& operand) {
@@ -32,7 +23,7 @@ bool isWritten(const Program& program, const Operand& operand) {
       for (const Instruction& instruction : network.instructions) {
         for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
           const bool writes = i >= instruction.desc->operandCount || instruction.desc->operands[i].direction != Direction::In;
-          if (writes && instruction.operands[i].kind == OperandKind::Direct && overlaps(instruction.operands[i], operand)) return true;
+          if (writes && overlaps(instruction.operands[i], operand)) return true;
         }
       }
     }

@@ -25,7 +25,7 @@ struct Row {
 };
 
 /// Cells between separators; quoted cells as in CSV lose their marks.
-Row cellsOf(std::string_view text, std::uint32_t begin, std::uint32_t end, char separator) {
+Row splitRow(std::string_view text, std::uint32_t begin, std::uint32_t end, char separator) {
   Row row;
   std::uint32_t at = begin;
   while (at <= end && row.count < maxCells) {
@@ -105,7 +105,7 @@ bool readSymbolRow(std::string_view text, std::uint32_t begin, std::uint32_t end
   const bool hasCells = separatorOf(line) != ' ' && line.find("//") > line.find_first_of("\t,;");
   const std::size_t comment = hasCells ? std::string_view::npos : line.find("//");
   const std::string_view head = line.substr(0, comment);
-  const Row row = cellsOf(text, begin, begin + static_cast<std::uint32_t>(head.size()), separatorOf(head));
+  const Row row = splitRow(text, begin, begin + static_cast<std::uint32_t>(head.size()), separatorOf(head));
   std::size_t name = 0, address = 0;
   Symbol symbol;
   if (!findRow(text, row, spelling, name, address, symbol.address)) return false;
@@ -152,7 +152,7 @@ int symbolRowShare(std::string_view text, Spelling spelling) {
     const std::string_view head = text.substr(begin, end - begin);
     const char separator = separatorOf(head);
     if (separator == ' ') continue;  // blanks separate instructions as well
-    const Row row = cellsOf(text, begin, end, separator);
+    const Row row = splitRow(text, begin, end, separator);
     std::size_t name = 0, address = 0;
     Operand operand;
     const bool isInstruction = instructionNamed(trimmed(head.substr(0, head.find_first_of("\t,; ")))) != nullptr;

@@ -25,7 +25,7 @@ struct Cells {
   bool overlaps(const Cells& other) const { return area == other.area && first < other.first + other.count && other.first < first + count; }
 };
 
-std::optional<Cells> cellsOf(const Instruction& instruction, std::size_t index) {
+std::optional<Cells> touchedCells(const Instruction& instruction, std::size_t index) {
   const Operand& o = instruction.operands[index];
   if (o.kind != OperandKind::Direct || o.area == Area::AC || o.area == Area::L) return std::nullopt;
   if (o.area == Area::T || o.area == Area::C || o.area == Area::HC) return Cells{o.area, o.offset, 1};
@@ -45,7 +45,7 @@ bool writesOneOf(const Network& network, const std::vector<Cells>& wanted) {
   for (const Instruction& instruction : network.instructions) {
     for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
       if (!mayWrite(instruction, i)) continue;
-      const std::optional<Cells> cells = cellsOf(instruction, i);
+      const std::optional<Cells> cells = touchedCells(instruction, i);
       if (cells && std::ranges::any_of(wanted, [&](const Cells& w) { return w.overlaps(*cells); })) return true;
     }
   }
@@ -55,7 +55,7 @@ bool writesOneOf(const Network& network, const std::vector<Cells>& wanted) {
 void addRead(const Network& network, std::vector<Cells>& cells) {
   for (const Instruction& instruction : network.instructions) {
     for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
-      if (const std::optional<Cells> c = cellsOf(instruction, i)) cells.push_back(*c);
+      if (const std::optional<Cells> c = touchedCells(instruction, i)) cells.push_back(*c);
     }
   }
 }

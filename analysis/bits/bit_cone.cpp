@@ -13,7 +13,7 @@ namespace {
 
 class ConeSearch {
  public:
-  ConeSearch(const BitSystem& system, const Substitution& equal) : system_(system), equal_(equal), needed_(system.variableCount(), false) {}
+  ConeSearch(const BitSystem& system, const EqualLiterals& equal) : system_(system), equal_(equal), needed_(system.variableCount(), false) {}
 
   Lit representative(Lit l) const { return equal_.empty() ? l : equal_[variableOf(l)] ^ (l & 1U); }
 
@@ -57,7 +57,7 @@ class ConeSearch {
 
  private:
   const BitSystem& system_;
-  const Substitution& equal_;
+  const EqualLiterals& equal_;
   std::vector<bool> needed_;
   std::vector<std::uint32_t> stack_;
 };
@@ -95,7 +95,7 @@ std::vector<std::vector<Lit>> BitCone::translated(const std::vector<std::vector<
   return result;
 }
 
-BitCone makeCone(const BitSystem& system, const std::vector<Lit>& bads, const std::vector<bool>& isTotal, const Substitution& equal,
+BitCone makeCone(const BitSystem& system, const std::vector<Lit>& bads, const std::vector<bool>& isTotal, const EqualLiterals& equal,
                  const std::vector<Lit>& wanted) {
   ConeSearch search(system, equal);
   for (const Lit bad : bads) search.need(bad);

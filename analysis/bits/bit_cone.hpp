@@ -21,13 +21,13 @@ struct BitCone {
   std::vector<std::vector<Lit>> translated(const std::vector<std::vector<Lit>>& clauses) const;
 };
 
-/// Substitution by variable of the system: the literal that equals it in all reachable states (itself if nothing is
+/// By variable of the system: the literal that equals it in all reachable states (itself if nothing is
 /// known; only latches are substituted). Empty: none.
-using Substitution = std::vector<Lit>;
+using EqualLiterals = std::vector<Lit>;
 
 /// `isTotal`, by constraint: left out unless it shares variables with the rest of the cone. Gates under `wanted` are
 /// kept where the variables they depend on belong to the cone.
-BitCone makeCone(const BitSystem& system, const std::vector<Lit>& bads, const std::vector<bool>& isTotal, const Substitution& equal = {},
+BitCone makeCone(const BitSystem& system, const std::vector<Lit>& bads, const std::vector<bool>& isTotal, const EqualLiterals& equal = {},
                  const std::vector<Lit>& wanted = {});
 
 /// A run of the cone as a run of the whole system. What the cone lacks is simulated; inputs outside are chosen such

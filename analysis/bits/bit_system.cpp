@@ -8,7 +8,7 @@ namespace rungproof {
 
 namespace {
 
-std::size_t hashOf(Lit a, Lit b) {
+std::size_t hashOfGate(Lit a, Lit b) {
   std::uint64_t h = (static_cast<std::uint64_t>(a) << 32U) ^ b;
   h *= 0x9E3779B97F4A7C15ULL;
   return static_cast<std::size_t>(h ^ (h >> 29U));
@@ -47,7 +47,7 @@ void BitSystem::growTable() {
 
 std::uint32_t* BitSystem::slot(Lit a, Lit b) {
   const std::size_t mask = gateTable_.size() - 1;
-  for (std::size_t i = hashOf(a, b) & mask;; i = (i + 1) & mask) {
+  for (std::size_t i = hashOfGate(a, b) & mask;; i = (i + 1) & mask) {
     const std::uint32_t entry = gateTable_[i];
     if (entry == 0 || (gates[entry - 1].left == a && gates[entry - 1].right == b)) return &gateTable_[i];
   }

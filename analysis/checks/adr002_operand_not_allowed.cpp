@@ -32,7 +32,7 @@ std::string formText(const Operand& operand) {
   }
 }
 
-void checkOperand(const Facts& facts, FindingSink& sink, const Instruction& instruction, const OperandDesc& desc,
+void checkForm(const Facts& facts, FindingSink& sink, const Instruction& instruction, const OperandDesc& desc,
                   const Operand& operand) {
   const auto report = [&](std::string message) {
     Finding& finding = sink.report(operand.span, std::move(message));
@@ -66,7 +66,7 @@ void checkAdr002(const Facts& facts, FindingSink& sink) {
     const std::size_t count = std::min<std::size_t>(instruction.operands.size(), instruction.desc->operandCount);
     for (std::size_t i = 0; i < count; ++i) {
       const OperandDesc& desc = instruction.desc->operands[i];
-      if (desc.type != Type::Parameter) checkOperand(facts, sink, instruction, desc, instruction.operands[i]);
+      if (desc.type != Type::Parameter) checkForm(facts, sink, instruction, desc, instruction.operands[i]);
     }
   }
 }

@@ -16,7 +16,7 @@ namespace {
 /// Width of what a shift moves: the bits of its first operand.
 int shiftedBits(const Instruction& instruction) { return bits(widthOf(instruction.desc->operands[0].type)); }
 
-void checkOperand(const Facts& facts, FindingSink& sink, const Instruction& instruction, std::size_t i) {
+void checkConstant(const Facts& facts, FindingSink& sink, const Instruction& instruction, std::size_t i) {
   const OperandDesc& desc = instruction.desc->operands[i];
   const Operand& operand = instruction.operands[i];
   if (operand.kind != OperandKind::Constant || operand.form == ConstantForm::Real || !notationIsAllowed(desc, operand))
@@ -60,7 +60,7 @@ void checkAdr006(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
     const std::size_t count = std::min<std::size_t>(instruction.operands.size(), instruction.desc->operandCount);
-    for (std::size_t i = 0; i < count; ++i) checkOperand(facts, sink, instruction, i);
+    for (std::size_t i = 0; i < count; ++i) checkConstant(facts, sink, instruction, i);
   }
 }
 

@@ -12,7 +12,7 @@ namespace rungproof {
 
 namespace {
 
-bool isWritten(const Facts& facts, const Access& access) {
+bool isEverWritten(const Facts& facts, const Access& access) {
   const CellMap& cells = facts.index().cells();
   const std::uint32_t start = facts.cellOf(access);
   if (start == cells.size()) return true;  // ADR001 speaks
@@ -40,7 +40,7 @@ void checkAdr010(const Facts& facts, FindingSink& sink) {
     if (desc.control == Control::Lscr || access.most > access.count) continue;
     const bool isOwn =
         access.operand < desc.operandCount && desc.operands[access.operand].direction == Direction::InOut;
-    if (isOwn || isWritten(facts, access)) continue;
+    if (isOwn || isEverWritten(facts, access)) continue;
     const std::uint64_t key = static_cast<std::uint64_t>(facts.cellOf(access)) << 8 |
                               static_cast<std::uint64_t>(access.width) << 4 | access.bit;
     if (!seen.insert(key).second) continue;

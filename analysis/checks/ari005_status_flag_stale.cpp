@@ -11,7 +11,7 @@ namespace rungproof {
 
 namespace {
 
-void checkBlock(FindingSink& sink, const Flow& flow) {
+void checkStatusFlags(FindingSink& sink, const Flow& flow) {
   const Instruction* last = nullptr;           // that set any status bit, or a call
   std::array<const Instruction*, 8> setter{};  // of each bit
   for (const FlowStep& step : flow.steps) {
@@ -47,7 +47,7 @@ void checkBlock(FindingSink& sink, const Flow& flow) {
 }
 
 void checkAri005(const Facts& facts, FindingSink& sink) {
-  for (const Flow& flow : facts.plan().flows) checkBlock(sink, flow);
+  for (const Flow& flow : facts.plan().flows) checkStatusFlags(sink, flow);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace rungproof {
 
 namespace {
 
-bool isWritten(const Facts& facts, std::uint32_t cell) {
+bool isFilled(const Facts& facts, std::uint32_t cell) {
   if (facts.index().isWrittenAtLarge(cell) || facts.isExternal(cell)) return true;
   for (unsigned bit = 0; bit < 8; ++bit) {
     if (facts.writers(cell, bit) > 0) return true;
@@ -24,8 +24,8 @@ bool isWritten(const Facts& facts, std::uint32_t cell) {
 const Access* writtenHalf(const Facts& facts, const Access& access) {
   const std::uint32_t cell = facts.cellOf(access);
   if (cell + 3 >= facts.index().cells().size()) return nullptr;
-  const bool high = isWritten(facts, cell) || isWritten(facts, cell + 1);
-  const bool low = isWritten(facts, cell + 2) || isWritten(facts, cell + 3);
+  const bool high = isFilled(facts, cell) || isFilled(facts, cell + 1);
+  const bool low = isFilled(facts, cell + 2) || isFilled(facts, cell + 3);
   if (high == low) return nullptr;
   for (const std::uint32_t i : facts.index().at(high ? cell : cell + 2)) {
     const Access& write = facts.access(i);

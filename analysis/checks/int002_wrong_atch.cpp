@@ -39,7 +39,7 @@ void checkInterval(const Facts& facts, FindingSink& sink, const Attachment& a) {
   }
 }
 
-void checkTimer(const Facts& facts, FindingSink& sink, const Attachment& a) {
+void checkTimerEvent(const Facts& facts, FindingSink& sink, const Attachment& a) {
   const std::uint32_t number = a.event == 21 ? 32 : 96;
   const std::span<const std::uint32_t> boxes = facts.timerBoxes(number);
   const bool fits = std::any_of(boxes.begin(), boxes.end(), [&](std::uint32_t id) {
@@ -68,7 +68,7 @@ void checkInt002(const Facts& facts, FindingSink& sink) {
     } else if (a.event == 10 || a.event == 11) {
       checkInterval(facts, sink, a);
     } else if ((a.event == 21 || a.event == 22) && !facts.hasHiddenCode()) {
-      checkTimer(facts, sink, a);
+      checkTimerEvent(facts, sink, a);
     }
   }
 }

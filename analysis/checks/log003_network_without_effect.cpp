@@ -69,7 +69,7 @@ void remember(const Facts& facts, const Instruction& instruction, Overwrites& la
   }
 }
 
-void checkBlock(const Facts& facts, FindingSink& sink, const Flow& flow) {
+void checkNetworks(const Facts& facts, FindingSink& sink, const Flow& flow) {
   Overwrites later;
   std::uint32_t network = noPartner;
   bool isDead = false, hasEffect = false;
@@ -108,7 +108,7 @@ void checkBlock(const Facts& facts, FindingSink& sink, const Flow& flow) {
 }
 
 void checkLog003(const Facts& facts, FindingSink& sink) {
-  for (const Flow& flow : facts.plan().flows) checkBlock(facts, sink, flow);
+  for (const Flow& flow : facts.plan().flows) checkNetworks(facts, sink, flow);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace rungproof {
 namespace {
 
 /// Who writes each bit, one flag each.
-struct Hands {
+struct LatchHands {
   bool set = false, reset = false, other = false;
 };
 
@@ -25,8 +25,8 @@ bool isWrittenWhole(const Facts& facts, std::uint32_t cell) {
 }
 
 /// By bit; bits that no bit instruction writes stay empty.
-std::vector<Hands> allHands(const Facts& facts) {
-  std::vector<Hands> all(facts.bits().size());
+std::vector<LatchHands> allHands(const Facts& facts) {
+  std::vector<LatchHands> all(facts.bits().size());
   std::uint32_t cell = ~0U;
   bool isOther = false;
   for (std::uint32_t key = 0; key < all.size(); ++key) {
@@ -36,7 +36,7 @@ std::vector<Hands> allHands(const Facts& facts) {
       cell = key / 8;
       isOther = facts.index().isWrittenAtLarge(cell) || facts.isExternal(cell) || isWrittenWhole(facts, cell);
     }
-    Hands& hands = all[key];
+    LatchHands& hands = all[key];
     hands.other = isOther;
     for (const std::uint32_t i : writers) {
       const Kind kind = kindOf(facts.instruction(facts.access(i).instruction));
@@ -52,14 +52,14 @@ std::vector<Hands> allHands(const Facts& facts) {
 }
 
 void checkInstruction(const Facts& facts, FindingSink& sink, const Instruction& instruction, const Access& access,
-                      const std::vector<Hands>& all, std::vector<std::uint8_t>& seen) {
+                      const std::vector<LatchHands>& all, std::vector<std::uint8_t>& seen) {
   const bool sets = isSet(kindOf(instruction));
   const std::uint32_t start = facts.cellOf(access) * 8 + access.bit;
   if (facts.cellOf(access) == facts.index().cells().size()) return;
   std::uint32_t lonely = 0, first = 0;
   for (std::uint32_t k = 0; k < access.count && start + k < facts.bits().size(); ++k) {
     const std::uint32_t key = start + k;
-    const Hands& hands = all[key];
+    const LatchHands& hands = all[key];
     const bool isLonely = !hands.other && !(sets ? hands.reset : hands.set);
     if (isLonely && seen[key] == 0) {
       if (lonely++ == 0) first = key;
@@ -80,7 +80,7 @@ void checkInstruction(const Facts& facts, FindingSink& sink, const Instruction& 
 
 void checkOut004(const Facts& facts, FindingSink& sink) {
   if (facts.hasHiddenCode()) return;
-  const std::vector<Hands> all = allHands(facts);
+  const std::vector<LatchHands> all = allHands(facts);
   std::vector<std::uint8_t> seen(all.size(), 0);
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;

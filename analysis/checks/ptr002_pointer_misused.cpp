@@ -10,7 +10,7 @@ namespace rungproof {
 
 namespace {
 
-void checkOperand(FindingSink& sink, const Instruction& instruction, const Operand& operand) {
+void checkUse(FindingSink& sink, const Instruction& instruction, const Operand& operand) {
   if (operand.kind == OperandKind::Indirect && !pointerMayStandThere(operand)) {
     Finding& finding =
         sink.report(operand.span, fmt::format("{} in {}: a pointer may stand in V or L memory or in AC1 to AC3 only",
@@ -44,7 +44,7 @@ void checkUnset(const Facts& facts, FindingSink& sink, const Pointer& pointer) {
 
 void checkPtr002(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
-    for (const Operand& operand : place.instruction->operands) checkOperand(sink, *place.instruction, operand);
+    for (const Operand& operand : place.instruction->operands) checkUse(sink, *place.instruction, operand);
   }
   if (facts.hasHiddenCode()) return;
   const PointerTable& pointers = facts.pointers();

@@ -10,13 +10,13 @@ namespace rungproof {
 namespace {
 
 /// Who changes the step bit.
-struct Hands {
+struct StepHands {
   bool sets = false;
   bool resets = false;
 };
 
-Hands handsOf(const Facts& facts, std::uint32_t key) {
-  Hands hands;
+StepHands handsOf(const Facts& facts, std::uint32_t key) {
+  StepHands hands;
   const std::uint32_t cell = key / 8;
   if (facts.index().isWrittenAtLarge(cell) || facts.isExternal(cell)) return {true, true};
   for (const std::uint32_t i : facts.index().at(cell)) {
@@ -51,7 +51,7 @@ void checkScr003(const Facts& facts, FindingSink& sink) {
     const std::uint32_t cell = bit.kind == OperandKind::Direct ? facts.index().cells().cell(Area::S, bit.offset, 0)
                                                                : facts.index().cells().size();
     if (cell == facts.index().cells().size() || bit.bit > 7) continue;
-    const Hands hands = handsOf(facts, cell * 8 + bit.bit);
+    const StepHands hands = handsOf(facts, cell * 8 + bit.bit);
     const std::string name = facts.name(bit);
     if (!hands.sets) {
       Finding& finding = sink.report(

@@ -50,7 +50,7 @@ struct Value {
   const Instruction* call = nullptr;   ///< that has overwritten it since
 };
 
-void checkBlock(const Facts& facts, FindingSink& sink, std::uint32_t block, std::vector<Summary>& known) {
+void checkAccumulatorsOf(const Facts& facts, FindingSink& sink, std::uint32_t block, std::vector<Summary>& known) {
   std::array<Value, 4> values{};
   std::size_t call = 0;
   for (const FlowStep& step : facts.plan().flows[block].steps) {
@@ -90,7 +90,7 @@ void checkBlock(const Facts& facts, FindingSink& sink, std::uint32_t block, std:
 
 void checkSub007(const Facts& facts, FindingSink& sink) {
   std::vector<Summary> known(facts.program().pous.size());
-  for (std::uint32_t block = 0; block < known.size(); ++block) checkBlock(facts, sink, block, known);
+  for (std::uint32_t block = 0; block < known.size(); ++block) checkAccumulatorsOf(facts, sink, block, known);
 }
 
 }  // namespace

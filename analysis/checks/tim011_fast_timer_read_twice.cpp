@@ -8,7 +8,7 @@ namespace rungproof {
 
 namespace {
 
-void checkTimer(const Facts& facts, FindingSink& sink, std::uint32_t number) {
+void checkReads(const Facts& facts, FindingSink& sink, std::uint32_t number) {
   const std::uint32_t cell = facts.index().cells().cell(Area::T, number, 0);
   if (cell == facts.index().cells().size() || facts.timerBoxes(number).empty()) return;
   const Access* first = nullptr;
@@ -34,7 +34,7 @@ void checkTimer(const Facts& facts, FindingSink& sink, std::uint32_t number) {
 
 void checkTim011(const Facts& facts, FindingSink& sink) {
   for (std::uint32_t number = 0; number < 256; ++number) {
-    if (timerResolution(static_cast<int>(number)) == 1) checkTimer(facts, sink, number);
+    if (timerResolution(static_cast<int>(number)) == 1) checkReads(facts, sink, number);
   }
 }
 

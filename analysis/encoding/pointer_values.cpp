@@ -11,7 +11,7 @@ namespace rungproof {
 namespace {
 
 /// Rounds in which sets may grow before bounds are widened.
-constexpr int patience = 6;
+constexpr int roundsBeforeWidening = 6;
 
 }  // namespace
 
@@ -170,7 +170,7 @@ void closeValues(const TransitionSystem& system, const std::set<Node>& pointerCe
       const ValueSet before = values[s.node];
       ValueSet& set = values[s.node];
       if (!set.join(evaluator.at(s.next), valueLimit)) continue;
-      if (round >= patience) set.widen(before, graph[s.node].width);
+      if (round >= roundsBeforeWidening) set.widen(before, graph[s.node].width);
       isChanged = true;
     }
     for (const StateVariable& s : system.states) {

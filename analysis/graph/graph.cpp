@@ -11,7 +11,7 @@ namespace {
 /// Rewriting is local; the limits on depth and work only keep chains from being rewritten through and through.
 constexpr int depthLimit = 40;
 
-std::size_t hashOf(const NodeData& data) {
+std::size_t hashOfNode(const NodeData& data) {
   std::uint64_t h = static_cast<std::uint64_t>(data.op) * 0x9E3779B97F4A7C15ULL + data.width;
   const auto mix = [&](std::uint64_t x) {
     h ^= x + 0x9E3779B97F4A7C15ULL + (h << 6) + (h >> 2);
@@ -35,7 +35,7 @@ void Graph::growTable() {
   std::vector<std::uint32_t> bigger(table_.empty() ? 1024 : table_.size() * 2, 0);
   for (const std::uint32_t entry : table_) {
     if (entry == 0) continue;
-    std::size_t at = hashOf(nodes_[entry - 1]) & (bigger.size() - 1);
+    std::size_t at = hashOfNode(nodes_[entry - 1]) & (bigger.size() - 1);
     while (bigger[at] != 0) at = (at + 1) & (bigger.size() - 1);
     bigger[at] = entry;
   }
@@ -44,7 +44,7 @@ void Graph::growTable() {
 
 Node Graph::intern(const NodeData& data) {
   if (nodes_.size() * 2 >= table_.size()) growTable();
-  std::size_t at = hashOf(data) & (table_.size() - 1);
+  std::size_t at = hashOfNode(data) & (table_.size() - 1);
   for (; table_[at] != 0; at = (at + 1) & (table_.size() - 1)) {
     if (same(nodes_[table_[at] - 1], data)) return static_cast<Node>(table_[at] - 1);
   }

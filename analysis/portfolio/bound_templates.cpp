@@ -15,7 +15,7 @@ namespace rungproof {
 
 namespace {
 
-constexpr int scans = 24;                ///< of random runs on which increments are compared
+constexpr int templateScans = 24;               ///< of random runs on which increments are compared
 constexpr std::size_t comparedBits = 24;  ///< of increments
 constexpr std::size_t groupLimit = 10;   ///< words of one increment
 constexpr std::size_t guardLimit = 14;   ///< conditions for one pair of words, each also negated
@@ -116,7 +116,7 @@ class TemplateSearch {
     std::vector<std::vector<std::uint64_t>> seen(words_.size());  // by scan, then bit
     SimulationRuns runs(blast_.bits(), seed_);
     int done = 0;
-    for (; done < scans && runs.choose(); ++done) {
+    for (; done < templateScans && runs.choose(); ++done) {
       for (std::size_t i = 0; i < words_.size(); ++i) {
         const LitVector& bits = blast_.of(words_[i].sum.increment);
         for (std::size_t bit = 0; bit < comparedBits; ++bit) seen[i].push_back(bit < bits.size() ? runs.simulator().value(bits[bit]) : 0);

@@ -14,7 +14,7 @@
 namespace rungproof {
 
 struct Invariants {
-  Substitution equal;  ///< by variable; latches that equal another latch or a constant
+  EqualLiterals equal;  ///< by variable; latches that equal another latch or a constant
   /// All that was proved, as clauses over latches and gates over latches; includes the equalities.
   std::vector<std::vector<Lit>> clauses;
   bool empty() const { return clauses.empty(); }

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::int64_t unreached = std::numeric_limits<std::int64_t>::min();
 constexpr std::int64_t hopeless = 32000;  ///< a bound that the words' own ranges give
-constexpr int scans = 160;                ///< sampled on 64 runs
-constexpr int patience = 6;               ///< times that a bound may be raised to its largest value
+constexpr int boundScans = 160;               ///< sampled on 64 runs
+constexpr int raisesAllowed = 6;               ///< times that a bound may be raised to its largest value
 constexpr int growthPatience = 1;         ///< the same for a difference that can grow on and on
 
 enum class Course : std::uint8_t { NotAsked, Falls, Grows };
@@ -89,7 +89,7 @@ class BoundSearch {
   void sample() {
     SimulationRuns runs(blast_.bits(), seed_);
     std::vector<std::array<std::int64_t, 64>> values(differences_.size());
-    for (int scan = 0; scan < scans && !budget_.isExhausted() && runs.choose(); ++scan) {
+    for (int scan = 0; scan < boundScans && !budget_.isExhausted() && runs.choose(); ++scan) {
       const BitSimulator& simulator = runs.simulator();
       for (std::size_t d = 0; d < differences_.size(); ++d) {
         const LitVector& bits = differences_[d];
@@ -229,7 +229,7 @@ class BoundSearch {
       step = isNarrowing ? step / 2 : step * 2;
     }
     assumed.pop_back();
-    bound.isDropped = bound.high > hopeless || ++bound.raises > patience;
+    bound.isDropped = bound.high > hopeless || ++bound.raises > raisesAllowed;
     return true;
   }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int depths[] = {4, 16};
 constexpr std::size_t sizeLimit = 400;  ///< nodes of the surface
-constexpr double querySeconds = 0.05;
+constexpr double localQuerySeconds = 0.05;
 
 /// Nodes within that distance; those at its edge are open.
 struct Surface {
@@ -60,7 +60,7 @@ std::optional<std::vector<Node>> proveLocally(const TransitionSystem& system, No
       Sat sat(Sat::Use::Many);
       BitCnf cnf(blast.bits(), sat);
       sat.add({cnf.literal(l)});
-      outcome = sat.solve({}, budget.slice(querySeconds));
+      outcome = sat.solve({}, budget.slice(localQuerySeconds));
     }
     if (outcome == Sat::Outcome::Unsatisfiable) {
       std::vector<Node> open;

@@ -19,9 +19,9 @@ namespace rungproof {
 
 namespace {
 
-constexpr int scans = 96;          ///< sampled on 64 runs
+constexpr int sampledScans = 96;          ///< sampled on 64 runs
 constexpr std::size_t narrow = 4;  ///< bits of such words are looked at one by one
-constexpr int neighbourBatches = 4;  ///< of 64 states near a counterexample
+constexpr int mergingBatches = 4;  ///< of 64 states near a counterexample
 
 /// A word or a bit of one. Its literals are those of the difference to its initial value, so every item starts with 0.
 struct Item {
@@ -68,8 +68,8 @@ class Merger {
   void sample() {
     std::vector<std::vector<std::uint64_t>> seen(items_.size());
     SimulationRuns runs(bits_, seed_);
-    for (int scan = 0; scan < scans && !budget_.isExhausted(); ++scan) {
-      if (scan == scans / 2) runs.restart();
+    for (int scan = 0; scan < sampledScans && !budget_.isExhausted(); ++scan) {
+      if (scan == sampledScans / 2) runs.restart();
       if (!runs.choose()) {
         runs.restart();
         continue;
@@ -145,7 +145,7 @@ class Merger {
       for (const Latch& latch : bits_.latches) state.push_back(cnf.value(values[latch.variable]));
       for (const std::uint32_t v : bits_.inputs) inputs.push_back(cnf.value(values[v]));
       bool isRefined = false;
-      for (int batch = 0; batch < neighbourBatches; ++batch) isRefined = refineNear(simulator, random, state, inputs, batch) || isRefined;
+      for (int batch = 0; batch < mergingBatches; ++batch) isRefined = refineNear(simulator, random, state, inputs, batch) || isRefined;
       CHECK(isRefined, "a counterexample breaks a candidate");
     }
   }

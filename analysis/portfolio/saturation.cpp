@@ -18,7 +18,7 @@ namespace {
 
 constexpr int leastWidth = 8;             ///< of words that are worth it
 constexpr std::size_t triedConstants = 8;  ///< largest ones of those that a scan has for the word
-constexpr double querySeconds = 0.1;
+constexpr double saturationQuerySeconds = 0.1;
 
 class Saturation {
  public:
@@ -124,7 +124,7 @@ class Saturation {
     Sat sat(Sat::Use::Many);
     BitCnf cnf(blast.bits(), sat);
     sat.add({cnf.literal(l)});
-    return sat.solve({}, budget_.slice(querySeconds)) == Sat::Outcome::Unsatisfiable;
+    return sat.solve({}, budget_.slice(saturationQuerySeconds)) == Sat::Outcome::Unsatisfiable;
   }
 
   const TransitionSystem& given_;

@@ -10,7 +10,7 @@
 namespace rungproof {
 
 namespace {
-constexpr double querySeconds = 0.25;
+constexpr double inductionQuerySeconds = 0.25;
 }  // namespace
 
 SharedSearch::SharedSearch(const BitSystem& system, std::uint64_t seed, std::vector<int> cleanScans)
@@ -62,7 +62,7 @@ void SharedSearch::extendBase(int depth, const Budget& budget) {
     if ((!answers_[q].open() && !longer) || cleanScans_[q] != depth || budget.isExhausted()) continue;
     const Lit bad = base_.at(depth, system_.bads[q]);
     const Sat::Outcome outcome =
-        bad == falseLit ? Sat::Outcome::Unsatisfiable : baseSat_.solve({baseCnf_.literal(bad)}, budget.slice(querySeconds));
+        bad == falseLit ? Sat::Outcome::Unsatisfiable : baseSat_.solve({baseCnf_.literal(bad)}, budget.slice(inductionQuerySeconds));
     if (outcome == Sat::Outcome::Unsatisfiable) cleanScans_[q] = depth + 1;
     if (outcome != Sat::Outcome::Satisfiable) continue;
     verdict.answer = Answer::Violated;
@@ -89,7 +89,7 @@ void SharedSearch::induce(int most, const std::vector<std::vector<Lit>>& invaria
       std::vector<int> assumptions;
       for (int earlier = 0; earlier < k; ++earlier) assumptions.push_back(-cnf.literal(steps.at(earlier, system_.bads[q])));
       if (bad != falseLit) assumptions.push_back(cnf.literal(bad));
-      const Sat::Outcome outcome = bad == falseLit ? Sat::Outcome::Unsatisfiable : sat.solve(assumptions, budget.slice(querySeconds));
+      const Sat::Outcome outcome = bad == falseLit ? Sat::Outcome::Unsatisfiable : sat.solve(assumptions, budget.slice(inductionQuerySeconds));
       if (outcome != Sat::Outcome::Unsatisfiable) continue;
       Verdict& verdict = answers_[q].verdict;
       verdict.answer = Answer::Proved;

@@ -13,7 +13,7 @@ namespace rungproof {
 
 namespace {
 
-constexpr double quickSeconds = 0.4;  ///< for each look at a fault that most faults need no more than
+constexpr double secondsPerFault = 0.4;  ///< for each look at a fault that most faults need no more than
 
 bool isGood(Outcome outcome) { return outcome == Outcome::Proved || outcome == Outcome::Reachable; }
 bool isBad(Outcome outcome) { return outcome == Outcome::Violated || outcome == Outcome::Unreachable || outcome == Outcome::Vacuous; }
@@ -69,7 +69,7 @@ class Checker {
     options.certificates = false;
     const Program inPlace = planted(program_, result.fault);
     // Three looks, the cheap ones first: most faults show at once, or can be seen to do nothing in any single scan.
-    const double quick = std::min(quickSeconds, options.timeout);
+    const double quick = std::min(secondsPerFault, options.timeout);
     if (haveSameScans(program_, inPlace, set_, options, quick)) {
       result.fate = FaultFate::NoEffect;
       return;

@@ -9,10 +9,10 @@ namespace rungproof {
 
 namespace {
 
-using Row = std::pair<std::string_view, std::string_view>;
+using NamePair = std::pair<std::string_view, std::string_view>;
 
 /// Mnemonic and the name in the box, sorted by mnemonic.
-constexpr auto boxNames = std::to_array<Row>({
+constexpr auto boxNames = std::to_array<NamePair>({
     {"*D", "MUL_DI"},      {"*I", "MUL_I"},       {"*R", "MUL_R"},       {"+D", "ADD_DI"},      {"+I", "ADD_I"},
     {"+R", "ADD_R"},       {"-D", "SUB_DI"},      {"-I", "SUB_I"},       {"-R", "SUB_R"},       {"/D", "DIV_DI"},
     {"/I", "DIV_I"},       {"/R", "DIV_R"},       {"ANDB", "WAND_B"},    {"ANDD", "WAND_DW"},   {"ANDW", "WAND_W"},
@@ -34,14 +34,14 @@ constexpr auto boxNames = std::to_array<Row>({
 static_assert(std::ranges::is_sorted(boxNames));
 
 /// What stands in a coil where it is not the mnemonic.
-constexpr auto coilSigns = std::to_array<Row>({
+constexpr auto coilSigns = std::to_array<NamePair>({
     {"=", " "}, {"=I", "I"}, {"CRET", "RET"}, {"CRETI", "RETI"}, {"CSCRE", "SCRE"}, {"LSCR", "SCR"}, {"MEND", "END"},
 });
 static_assert(std::ranges::is_sorted(coilSigns));
 
 template <std::size_t n>
-std::string_view lookUp(const std::array<Row, n>& rows, std::string_view key) {
-  const auto found = std::ranges::lower_bound(rows, key, {}, &Row::first);
+std::string_view secondOf(const std::array<NamePair, n>& rows, std::string_view key) {
+  const auto found = std::ranges::lower_bound(rows, key, {}, &NamePair::first);
   return found != rows.end() && found->first == key ? found->second : std::string_view();
 }
 
@@ -77,7 +77,7 @@ std::vector<std::string> callPowerPins(const std::vector<Operand>& operands, con
 }
 
 std::string boxName(const Desc& desc) {
-  if (const std::string_view name = lookUp(boxNames, desc.stl); !name.empty()) return std::string(name);
+  if (const std::string_view name = secondOf(boxNames, desc.stl); !name.empty()) return std::string(name);
   if (desc.stl.starts_with("FND")) return "TBL_FIND " + std::string(desc.stl.substr(3));
   return std::string(desc.stl.substr(0, desc.stl.find(".IEC")));
 }
@@ -98,7 +98,7 @@ std::string contactSign(const Desc& desc) {
 }
 
 std::string coilSign(const Desc& desc) {
-  const std::string_view sign = lookUp(coilSigns, desc.stl);
+  const std::string_view sign = secondOf(coilSigns, desc.stl);
   return std::string(sign.empty() ? desc.stl : sign);
 }
 

@@ -7,6 +7,8 @@
 #include <array>
 #include <set>
 
+#include "ir/overlap.hpp"
+
 namespace rungproof {
 
 namespace {
@@ -54,11 +56,6 @@ IecType typeOf(Arithmetic kind) { return kind == Arithmetic::Real ? IecType::Rea
 char letterOf(Arithmetic kind) { return kind == Arithmetic::Real ? 'R' : kind == Arithmetic::DInt ? 'D' : 'I'; }
 
 std::string_view moveFor(IecType type) { return type == IecType::Real ? "MOVR" : widthOf(type) == Width::Byte ? "MOVB" : widthOf(type) == Width::Word ? "MOVW" : "MOVD"; }
-
-bool overlaps(const Operand& a, const Operand& b) {
-  if (a.kind != OperandKind::Direct || b.kind != OperandKind::Direct || a.area != b.area) return false;
-  return a.offset < b.offset + static_cast<std::uint32_t>(bytes(b.width)) && b.offset < a.offset + static_cast<std::uint32_t>(bytes(a.width));
-}
 
 }  // namespace
 

@@ -21,7 +21,7 @@ struct TypeRow {
   Width width;
   std::int64_t low, high;
 };
-constexpr std::array<TypeRow, 14> rows = {{{"", Width::Bit, 0, 0},
+constexpr std::array<TypeRow, 14> typeRows = {{{"", Width::Bit, 0, 0},
                                            {"BOOL", Width::Bit, 0, 1},
                                            {"SINT", Width::Byte, -128, 127},
                                            {"USINT", Width::Byte, 0, 255},
@@ -35,7 +35,7 @@ constexpr std::array<TypeRow, 14> rows = {{{"", Width::Bit, 0, 0},
                                            {"TIME", Width::DWord, -2147483648LL, 2147483647LL},
                                            {"REAL", Width::DWord, 0, 4294967295LL},
                                            {"STRING", Width::Byte, 0, 0}}};
-const TypeRow& rowOf(IecType type) { return rows[static_cast<std::size_t>(type)]; }
+const TypeRow& rowOf(IecType type) { return typeRows[static_cast<std::size_t>(type)]; }
 
 std::string withoutUnderscores(std::string_view text) {
   std::string result(text);
@@ -97,8 +97,8 @@ std::optional<std::int64_t> duration(std::string_view text) {
 }  // namespace
 
 IecType iecTypeNamed(std::string_view name) {
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    if (equalsIgnoringCase(rows[i].name, name)) return static_cast<IecType>(i);
+  for (std::size_t i = 1; i < typeRows.size(); ++i) {
+    if (equalsIgnoringCase(typeRows[i].name, name)) return static_cast<IecType>(i);
   }
   return IecType::None;
 }

@@ -66,7 +66,7 @@ TEST(BitCone, ItsRunIsCompletedToARunOfTheWhole) {
 
 TEST(BitCone, EqualLatchesAreOne) {
   TwoParts parts;
-  Substitution equal(parts.system.variableCount());
+  EqualLiterals equal(parts.system.variableCount());
   for (std::uint32_t v = 0; v < equal.size(); ++v) equal[v] = positive(v);
   equal[variableOf(parts.third)] = parts.first;  // taken as proved: what counts is that it is put in
   const BitCone cone = makeCone(parts.system, parts.system.bads, {true}, equal);

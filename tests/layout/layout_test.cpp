@@ -1,0 +1,158 @@
+// The shape of the sources, as README states it: includes point one way, no file is too long to read, and names in
+// unnamed namespaces differ within a library, because several files are compiled as one (an equal name with other
+// parameters would be no error there, but another overload).
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace rungproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The rooms, each with those that it may include from.
+const std::map<std::string, std::set<std::string>> roomsBelow = {
+    {"ir", {}},
+    {"engine", {"ir"}},
+    {"analysis", {"ir", "engine"}},
+    {"analysis/drawing", {"ir", "analysis"}},
+    {"analysis/checks", {"ir", "analysis", "analysis/drawing"}},
+    {"analysis/graph", {"ir", "engine"}},
+    {"analysis/bits", {"ir", "analysis/graph"}},
+    {"analysis/encoding", {"ir", "engine", "analysis", "analysis/graph", "analysis/bits"}},
+    {"analysis/portfolio", {"ir", "analysis/graph", "analysis/bits"}},
+    {"analysis/export", {"ir", "analysis/graph", "analysis/bits"}},
+    {"analysis/proof", {"ir", "engine", "analysis", "analysis/graph", "analysis/bits", "analysis/encoding", "analysis/portfolio"}},
+};
+
+struct Source {
+  fs::path path;
+  std::string folder;  ///< relative to the root: "analysis/bits"
+  std::string text;
+};
+
+const std::vector<Source>& sources() {
+  static const std::vector<Source> all = [] {
+    std::vector<Source> found;
+    const fs::path root = RUNGPROOF_SOURCE_DIR;
+    for (const char* top : {"ir", "engine", "analysis", "frontend"}) {
+      for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+        if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
+        std::stringstream text;
+        text << std::ifstream(entry.path()).rdbuf();
+        found.push_back({entry.path(), fs::relative(entry.path().parent_path(), root).generic_string(), text.str()});
+      }
+    }
+    return found;
+  }();
+  return all;
+}
+
+/// The room of a file in ir/isa is ir; analysis has rooms of its own.
+std::string roomOf(const std::string& folder) {
+  for (std::string room = folder; !room.empty(); room = room.substr(0, room.find_last_of('/') + 1 == 0 ? 0 : room.find_last_of('/'))) {
+    if (roomsBelow.contains(room)) return room;
+  }
+  return "";
+}
+
+TEST(Layout, IncludesPointOneWay) {
+  const std::regex include("#include \"([a-z_/0-9]+)/[a-z_0-9]+\\.hpp\"");
+  std::size_t count = 0;
+  for (const Source& source : sources()) {
+    const std::string room = roomOf(source.folder);
+    if (room.empty()) continue;  // frontend, which stands above all
+    for (std::sregex_iterator i(source.text.begin(), source.text.end(), include), end; i != end; ++i) {
+      const std::string folder = (*i)[1], target = roomOf(folder);
+      ++count;
+      EXPECT_TRUE(target == room || roomsBelow.at(room).contains(target)) << source.path << " includes from " << folder;
+    }
+  }
+  EXPECT_GT(count, 700u) << "the search no longer finds the includes";
+}
+
+TEST(Layout, EveryFolderOfTheAnalysisIsARoomOfTheReadme) {
+  std::stringstream readme;
+  readme << std::ifstream(fs::path(RUNGPROOF_SOURCE_DIR) / "README.md").rdbuf();
+  std::set<std::string> folders;
+  for (const Source& source : sources()) folders.insert(source.folder);
+  for (const std::string& folder : folders) {
+    if (!folder.starts_with("analysis")) continue;
+    EXPECT_TRUE(roomsBelow.contains(folder)) << folder;
+    EXPECT_NE(readme.str().find("`" + folder + "/`"), std::string::npos) << folder << " is not in README.md";
+  }
+}
+
+TEST(Layout, NoFileIsTooLongToRead) {
+  for (const Source& source : sources()) {
+    EXPECT_LE(std::count(source.text.begin(), source.text.end(), '\n'), 600) << source.path;
+    EXPECT_TRUE(source.text.starts_with("// ")) << source.path << " does not say what it is for";
+  }
+}
+
+/// Lines of the unnamed namespaces of a file that begin in the first column, where declarations stand.
+std::vector<std::string> hiddenDeclarations(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  bool isHidden = false;
+  for (std::string line; std::getline(in, line);) {
+    if (line == "namespace {") {
+      isHidden = true;
+    } else if (line.starts_with("}  // namespace")) {
+      isHidden = false;
+    } else if (isHidden && !line.empty() && (std::isalpha(static_cast<unsigned char>(line[0])) != 0)) {
+      lines.push_back(line);
+    }
+  }
+  return lines;
+}
+
+std::string declaredName(const std::string& line) {
+  static const std::regex type("(?:struct|class|enum class) (\\w+).*");
+  static const std::regex alias("using (\\w+) = .*");
+  static const std::regex other("(?:[\\w:<>,&*]| (?=[\\w&*:]))+? [&*]*(\\w+)(?:\\(|\\{| = |\\[|;).*");
+  std::smatch match;
+  if (std::regex_match(line, match, type) || std::regex_match(line, match, alias)) return match[1];
+  return std::regex_match(line, match, other) ? match[1].str() : "";
+}
+
+TEST(Layout, NamesInUnnamedNamespacesDifferWhereFilesAreCompiledTogether) {
+  EXPECT_EQ(declaredName("constexpr std::string_view rungRules[] = {\"LOG001\"};"), "rungRules");
+  EXPECT_EQ(declaredName("std::map<Key, std::vector<int>> placesOf(const Facts& facts) {"), "placesOf");
+  EXPECT_EQ(declaredName("using Clock = std::chrono::steady_clock;"), "Clock");
+  std::map<std::pair<std::string, std::string>, std::map<std::string, std::string>> seen;  // library, name: file, line
+  std::size_t count = 0;
+  for (const Source& source : sources()) {
+    if (source.path.extension() != ".cpp" || source.folder == "frontend/command" || source.folder == "frontend/report" ||
+        source.folder == "frontend/trace" || source.folder == "frontend/reader") {
+      continue;  // compiled one by one
+    }
+    const bool isBrief = source.folder == "analysis/drawing" || source.folder == "analysis/export" || source.folder == "analysis/proof";
+    const std::string library = source.folder == "analysis/checks" ? "checks" : isBrief ? "brief" : source.folder.substr(0, source.folder.find('/'));
+    for (const std::string& line : hiddenDeclarations(source.text)) {
+      const std::string name = declaredName(line);
+      if (name.empty()) continue;
+      ++count;
+      seen[{library, name}].emplace(source.path.filename().string(), line);
+    }
+  }
+  for (const auto& [key, places] : seen) {
+    std::set<std::string> lines;
+    std::string files;
+    for (const auto& [file, line] : places) {
+      lines.insert(line);
+      files += " " + file;
+    }
+    const bool isOneAlias = lines.size() == 1 && (lines.begin()->starts_with("using ") || lines.begin()->starts_with("namespace "));
+    EXPECT_TRUE(places.size() == 1 || isOneAlias) << key.second << " in" << files;
+  }
+  EXPECT_GT(count, 600u) << "the search no longer finds the names";
+}
+
+}  // namespace
+}  // namespace rungproof
