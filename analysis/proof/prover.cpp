@@ -264,7 +264,8 @@ class Session {
       row.outcome = wantsYes ? Outcome::Reachable : Outcome::Violated;
       if (options_.evidence && question < goals_.size() && witness->scanCount <= minimisedScans && !watch_.isStopped()) {
         const double most = std::clamp(left(), 0.05, minimiseSeconds);
-        witness = minimised(Judge(program_, options_.choices, assumptions_, goals_[question]), std::move(*witness), most, options_.seed);
+        const std::uint32_t plainMs = std::clamp<std::uint32_t>(ReplayScan{}.lengthMs, options_.time.low, options_.time.high);
+        witness = minimised(Judge(program_, options_.choices, assumptions_, goals_[question]), std::move(*witness), plainMs, most, options_.seed);
       }
       row.depth = static_cast<int>(std::min<std::uint64_t>(witness->scanCount, 1U << 30));
       row.witness = std::move(witness);

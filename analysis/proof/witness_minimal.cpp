@@ -15,12 +15,13 @@ constexpr int trials = 48;  ///< random assignments of all idle inputs together
 
 class Minimiser {
  public:
-  Minimiser(const Judge& judge, Witness witness, double seconds, std::uint64_t seed)
-      : judge_(judge), best_(std::move(witness)), end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))), random_(seed) {}
+  Minimiser(const Judge& judge, Witness witness, std::uint32_t plainMs, double seconds, std::uint64_t seed)
+      : judge_(judge), best_(std::move(witness)), plainMs_(plainMs), end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))), random_(seed) {}
 
   Witness run() {
     dropScans();
     shortenStretches();
+    evenLengths();
     if (findIdle()) store();
     return std::move(best_);
   }
@@ -61,6 +62,26 @@ class Minimiser {
         if (!accept(std::move(scans))) low = middle;
       }
     }
+  }
+
+  /// Scans of the everyday length: all of them, or else as many as can have it.
+  void evenLengths() {
+    std::vector<ReplayScan> scans = best_.scans;
+    for (ReplayScan& scan : scans) scan.lengthMs = plainMs_;
+    if (acceptAsLong(scans)) return;
+    for (std::size_t i = 0; i < best_.scans.size() && !isLate(); ++i) {
+      if (best_.scans[i].lengthMs == plainMs_) continue;
+      scans = best_.scans;
+      scans[i].lengthMs = plainMs_;
+      acceptAsLong(std::move(scans));
+    }
+  }
+
+  bool acceptAsLong(std::vector<ReplayScan> scans) {
+    std::optional<Witness> found = judge_.witness(std::move(scans), best_.initial);
+    if (!found || found->scanCount > best_.scanCount) return false;
+    best_ = std::move(*found);
+    return true;
   }
 
   bool isShown(const std::vector<ReplayScan>& scans) const { return judge_.run(scans, initial()).shown; }
@@ -120,6 +141,7 @@ class Minimiser {
 
   const Judge& judge_;
   Witness best_;
+  const std::uint32_t plainMs_;
   const Clock::time_point end_;
   std::mt19937_64 random_;
   std::vector<Input> idle_;
@@ -127,6 +149,8 @@ class Minimiser {
 
 }  // namespace
 
-Witness minimised(const Judge& judge, Witness witness, double seconds, std::uint64_t seed) { return Minimiser(judge, std::move(witness), seconds, seed).run(); }
+Witness minimised(const Judge& judge, Witness witness, std::uint32_t plainMs, double seconds, std::uint64_t seed) {
+  return Minimiser(judge, std::move(witness), plainMs, seconds, seed).run();
+}
 
 }  // namespace rungproof

@@ -97,11 +97,25 @@ TEST(Witness, LeavesOutScansThatAreNotNeeded) {
   std::optional<Witness> found = judge.witness(scans, std::nullopt);
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->scanCount, 31U);  // six times five scans off, then on
-  const Witness small = minimised(judge, std::move(*found), 5, 1);
+  const Witness small = minimised(judge, std::move(*found), 10, 5, 1);
   EXPECT_EQ(small.scanCount, 2U);
   ASSERT_FALSE(small.matters.empty());
   EXPECT_TRUE(small.matters[0][0]);
   EXPECT_TRUE(small.matters[1][0]);
+}
+
+TEST(Witness, ScansHaveAnEverydayLengthUnlessTheLengthMatters) {
+  // The 10 ms timer T33 needs 300 ms: its bit comes in the scan that ends there, so the lengths before it must add up to that
+  // (a timer started in scan 1 counts the time from then on); the scan in which the bit is read may last 10 ms.
+  const ProgramInput input = inputOf("//@ reach late: T33\n//@ reach soon: Q0.0 and once(not Q0.0)\n",
+                                     "Network 1\nLD I0.0\nTON T33, 30\nNetwork 2\nLD I0.1\n= Q0.0\n");
+  const ProofRun run = prove(input.program, input.properties, usualOptions());
+  const ProofResult* soon = resultNamed(run, "soon");
+  ASSERT_TRUE(soon != nullptr && soon->witness);
+  for (const ReplayScan& scan : soon->witness->scans) EXPECT_EQ(scan.lengthMs, 10U);
+  const ProofResult* late = resultNamed(run, "late");
+  ASSERT_TRUE(late != nullptr && late->witness);
+  EXPECT_GE(late->witness->milliseconds, 300U);
 }
 
 TEST(Witness, AssumptionsStayKept) {
