@@ -121,20 +121,11 @@ class PlcopenReader {
   }
 
   void readNote(const pugi::xml_node& node, std::vector<Comment>& lines) {
-    pugi::xml_node at = node.first_child();
-    while (at) {
-      if (at.type() == pugi::node_pcdata || at.type() == pugi::node_cdata || at.type() == pugi::node_comment) {
-        const Span span = xml_.span(*part_, at);
-        readComment(span, text_.substr(span.offset, span.length), lines, project_.directives);
-      }
-      if (at.first_child()) {
-        at = at.first_child();
-        continue;
-      }
-      while (at && at != node && !at.next_sibling()) at = at.parent();
-      if (!at || at == node) break;
-      at = at.next_sibling();
-    }
+    forEachBelow(node, [&](const pugi::xml_node& at) {
+      if (at.type() != pugi::node_pcdata && at.type() != pugi::node_cdata && at.type() != pugi::node_comment) return;
+      const Span span = xml_.span(*part_, at);
+      readComment(span, text_.substr(span.offset, span.length), lines, project_.directives);
+    });
   }
 
   void readInterface(const pugi::xml_node& node, DrawnBlock& block) {

@@ -267,22 +267,13 @@ class SimaticReader {
   /// Every variable that a text in another language names, separated by blanks.
   static std::string namesIn(const pugi::xml_node& body) {
     std::string names;
-    pugi::xml_node at = body.first_child();
-    while (at) {
-      if (localName(at) == "Symbol") {
-        names += ' ';
-        for (const pugi::xml_node& component : at.children()) {
-          if (localName(component) == "Component") names += fmt::format("{}{}", names.back() == ' ' ? "" : ".", component.attribute("Name").value());
-        }
+    forEachBelow(body, [&](const pugi::xml_node& at) {
+      if (localName(at) != "Symbol") return;
+      names += ' ';
+      for (const pugi::xml_node& component : at.children()) {
+        if (localName(component) == "Component") names += fmt::format("{}{}", names.back() == ' ' ? "" : ".", component.attribute("Name").value());
       }
-      if (at.first_child()) {
-        at = at.first_child();
-        continue;
-      }
-      while (at && at != body && !at.next_sibling()) at = at.parent();
-      if (!at || at == body) break;
-      at = at.next_sibling();
-    }
+    });
     return names;
   }
 

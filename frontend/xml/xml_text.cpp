@@ -47,11 +47,10 @@ pugi::xml_node childNamed(const pugi::xml_node& node, std::string_view name) {
   return {};
 }
 
-std::string allText(const pugi::xml_node& node) {
-  std::string text;
+void forEachBelow(const pugi::xml_node& node, const std::function<void(const pugi::xml_node&)>& visit) {
   pugi::xml_node at = node.first_child();
   while (at) {
-    if (at.type() == pugi::node_pcdata || at.type() == pugi::node_cdata) text += at.value();
+    visit(at);
     if (at.first_child()) {
       at = at.first_child();
       continue;
@@ -60,6 +59,13 @@ std::string allText(const pugi::xml_node& node) {
     if (!at || at == node) break;
     at = at.next_sibling();
   }
+}
+
+std::string allText(const pugi::xml_node& node) {
+  std::string text;
+  forEachBelow(node, [&](const pugi::xml_node& at) {
+    if (at.type() == pugi::node_pcdata || at.type() == pugi::node_cdata) text += at.value();
+  });
   return text;
 }
 

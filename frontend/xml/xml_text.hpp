@@ -50,6 +50,8 @@ bool looksLikeXml(std::string_view text);
 pugi::xml_node childNamed(const pugi::xml_node& node, std::string_view name);
 /// The name without its namespace prefix.
 std::string_view localName(const pugi::xml_node& node);
+/// Everything below a node in the order of the text, without recursion, as damaged files nest to any depth.
+void forEachBelow(const pugi::xml_node& node, const std::function<void(const pugi::xml_node&)>& visit);
 /// All characters below a node, in order.
 std::string allText(const pugi::xml_node& node);
 

@@ -1,11 +1,11 @@
 // Every certificate of the corpus, declared properties and built-in checks, is read by a second solver (the program
 // cvc5) and holds: each obligation is unsatisfiable. A certificate with a wrong invariant is refused by it and by Z3.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "analysis/portfolio/certificate.hpp"
 #include "tests/corpus/command_output.hpp"
 #include "tests/corpus/corpus_program.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace rungproof::test {
 namespace {
@@ -21,23 +21,11 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
-std::string askCvc5(const fs::path& file) { return outputOf("cvc5 --incremental --lang smt2 --tlimit=60000 '" + file.string() + "'"); }
-
-class Folder {
- public:
-  Folder() : path_(fs::temp_directory_path() / ("rungproof-certificates-" + std::to_string(::getpid()))) { fs::create_directories(path_); }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
+std::string askCvc5(const std::string& file) { return outputOf("cvc5 --incremental --lang smt2 --tlimit=60000 '" + file + "'"); }
 
 TEST(Certificate, Cvc5AgreesOnTheWholeCorpus) {
   ASSERT_NE(outputOf("command -v cvc5"), "") << "the package cvc5 is missing; see .ci/install";
-  const Folder folder;
+  const TemporaryFolder folder;
   std::size_t checked = 0, obligations = 0;
   for (const fs::path& path : corpusFiles()) {
     const ProgramInput input = corpusInput(path);
@@ -50,8 +38,7 @@ TEST(Certificate, Cvc5AgreesOnTheWholeCorpus) {
       if (result.outcome != Outcome::Proved && result.outcome != Outcome::Unreachable) continue;
       ASSERT_NE(result.certificate, "") << path << ": " << result.property.name;
       const std::string& text = result.certificate;
-      const fs::path file = folder.path() / "certificate.smt2";
-      std::ofstream(file, std::ios::binary) << text;
+      const std::string file = folder.file("certificate.smt2", text);
       const std::string answer = askCvc5(file);
       const std::size_t asked = count(text, "(check-sat)");
       EXPECT_EQ(count(text, "; initiation of"), 1U);
@@ -84,7 +71,7 @@ struct Pair {
 TEST(Certificate, WrongOnesAreRefused) {
   Pair pair;
   const Node notX = pair.graph.make(Op::Not, 1, pair.x), notY = pair.graph.make(Op::Not, 1, pair.y);
-  const Folder folder;
+  const TemporaryFolder folder;
   // {not x, not y} is inductive; {not y} is not kept by a scan; {} does not exclude bad; {x} does not hold initially.
   const std::vector<std::pair<std::vector<Node>, CheckResult>> cases = {
       {{notX, notY}, CheckResult::Valid}, {{notY}, CheckResult::Invalid}, {{}, CheckResult::Invalid}, {{pair.x, notY}, CheckResult::Invalid}};
@@ -94,8 +81,7 @@ TEST(Certificate, WrongOnesAreRefused) {
     CertificateWriter writer(pair.system);
     writer.add(pair.system.questions[0], certificate);
     EXPECT_EQ(writer.check({}), std::vector<CheckResult>{expected});
-    const fs::path file = folder.path() / "pair.smt2";
-    std::ofstream(file) << writer.text();
+    const std::string file = folder.file("pair.smt2", writer.text());
     const std::string answer = askCvc5(file);
     EXPECT_EQ(count(answer, "unsat\n") == 3, expected == CheckResult::Valid) << answer;
   }

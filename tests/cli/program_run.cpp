@@ -1,7 +1,5 @@
 #include "program_run.hpp"
 
-#include <unistd.h>
-
 #include <fstream>
 #include <sstream>
 
@@ -18,20 +16,6 @@ ProgramRun run(const std::vector<std::string>& arguments) {
   result.out = out.str();
   result.err = err.str();
   return result;
-}
-
-TemporaryFolder::TemporaryFolder() {
-  static int count = 0;
-  path_ = std::filesystem::temp_directory_path() / ("rungproof-cli-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
-  std::filesystem::create_directories(path_);
-}
-
-TemporaryFolder::~TemporaryFolder() { std::filesystem::remove_all(path_); }
-
-std::string TemporaryFolder::file(const std::string& name, const std::string& text) const {
-  std::filesystem::create_directories((path_ / name).parent_path());
-  std::ofstream(path_ / name, std::ios::binary) << text;
-  return path(name);
 }
 
 std::string contentOf(const std::string& path) {

@@ -1,9 +1,10 @@
 // Runs the program in-process: arguments in, exit code and both outputs out.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
+
+#include "tests/temporary_folder.hpp"
 
 namespace rungproof::test {
 
@@ -13,21 +14,6 @@ struct ProgramRun {
   std::string err;
 };
 ProgramRun run(const std::vector<std::string>& arguments);
-
-/// An empty folder that is removed at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  /// Writes a file and gives its path.
-  std::string file(const std::string& name, const std::string& text) const;
-  std::string path(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
 
 std::string contentOf(const std::string& path);
 /// A MAIN block in the export form around the given network lines.

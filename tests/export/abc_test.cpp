@@ -2,7 +2,6 @@
 // AIGER export. Where it comes to an answer within its time, the answer is the verdict that the corpus states: a bad
 // state that can be asserted means VIOLATED or REACHABLE, one that cannot means PROVED, UNREACHABLE or VACUOUS.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <set>
@@ -12,6 +11,7 @@
 #include "analysis/proof/prover.hpp"
 #include "tests/corpus/command_output.hpp"
 #include "tests/corpus/corpus_program.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace rungproof::test {
 namespace {
@@ -42,7 +42,7 @@ AbcAnswers askAbc(const std::string& file, int seconds) {
 
 TEST(Abc, AnswersTheCorpusAsItsVerdictsSay) {
   ASSERT_NE(outputOf("command -v berkeley-abc"), "") << "the package berkeley-abc is missing; see .ci/install";
-  const fs::path file = fs::temp_directory_path() / ("rungproof-export-" + std::to_string(::getpid()) + ".aig");
+  const TemporaryFolder folder;
   std::size_t decided = 0, asserted = 0;
   for (const fs::path& path : corpusFiles()) {
     const std::map<std::string, std::string> verdicts = trueVerdicts(path);
@@ -50,8 +50,7 @@ TEST(Abc, AnswersTheCorpusAsItsVerdictsSay) {
     const ProgramInput input = corpusInput(path);
     ProofSide side(input.program, input.properties, goalsOf(input.properties), encoderOptionsOf(proverOptions(path)), CheckGroups{});
     const bool isExact = side.obligations().approximations().empty();
-    std::ofstream(file, std::ios::binary) << exportAiger(side.system());
-    const AbcAnswers answers = askAbc(file.string(), 1);
+    const AbcAnswers answers = askAbc(folder.file("system.aig", exportAiger(side.system())), 1);
     ASSERT_NE(answers.text.find("Properties:"), std::string::npos) << path << ": " << answers.text;
     for (std::size_t i = 0; i < side.system().questions.size(); ++i) {
       const auto verdict = verdicts.find(side.system().questions[i].name);
@@ -64,7 +63,6 @@ TEST(Abc, AnswersTheCorpusAsItsVerdictsSay) {
       EXPECT_EQ(isAsserted, canBe) << path << ", " << verdict->first << " is " << verdict->second;
     }
   }
-  fs::remove(file);
   EXPECT_GE(decided, leastDecided);
   EXPECT_GE(asserted, leastDecided / 4);
   RecordProperty("decided", static_cast<int>(decided));

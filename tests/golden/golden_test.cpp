@@ -1,7 +1,6 @@
 // Everything that the program prints is pinned by the *.test files below this folder: help pages, reports, pages of
 // rules, errors. See golden_file.hpp for their form.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -12,6 +11,7 @@
 
 #include "child_process.hpp"
 #include "golden_file.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace golden {
 namespace {
@@ -27,22 +27,6 @@ std::string contentOf(const fs::path& path) {
   return text.str();
 }
 
-/// An empty folder of its own for a test, removed afterwards.
-class Folder {
- public:
-  explicit Folder(const std::string& name) : path_(fs::temp_directory_path() / ("golden-" + std::to_string(::getpid()) + "-" + name)) {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 std::string nameOf(const fs::path& file) {
   std::string name = fs::relative(file, GOLDEN_DIR).replace_extension().string();
   std::replace_if(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
@@ -55,18 +39,17 @@ TEST_P(GoldenTest, PrintsWhatTheFileSays) {
   const std::string text = contentOf(GetParam());
   const GoldenFile expected = readTest(text);
   ASSERT_EQ(expected.fault, "") << GetParam();
-  const Folder folder(nameOf(GetParam()));
+  const rungproof::test::TemporaryFolder folder;
   for (const NamedText& file : expected.files) {
-    fs::create_directories((folder.path() / file.name).parent_path());
-    std::ofstream(folder.path() / file.name, std::ios::binary) << file.text;
+    folder.file(file.name, file.text);
   }
   GoldenFile actual = expected;
   for (CommandRun& run : actual.runs) {
-    const Outcome outcome = runChild(GOLDEN_PROGRAM, splitArguments(run.arguments), folder.path().string(), run.input);
+    const Outcome outcome = runChild(GOLDEN_PROGRAM, splitArguments(run.arguments), folder.folder().string(), run.input);
     run.exit = outcome.exit;
     run.out = normalised(outcome.out);
     run.err = normalised(outcome.err);
-    for (NamedText& file : run.written) file.text = normalised(contentOf(folder.path() / file.name));
+    for (NamedText& file : run.written) file.text = normalised(contentOf(folder.folder() / file.name));
   }
   if (rewrite && toText(actual) != text) {
     std::ofstream(GetParam(), std::ios::binary) << toText(actual);

@@ -1,12 +1,10 @@
 // SimaticML: networks, tags, data blocks, calls, several files; and bodies that are not covered.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "frontend/cli.hpp"
 #include "tests/graphical/plcopen_text.hpp"
 #include "tests/reader/read.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace rungproof {
 namespace {
@@ -61,17 +59,12 @@ TEST(Simatic, UnknownPartIsAFindingAndDamagesItsNetworkOnly) {
 }
 
 TEST(Simatic, SeveralFilesMakeOneProject) {
-  namespace fs = std::filesystem;
-  const fs::path folder = fs::temp_directory_path() / "rungproof_simatic_test";
-  fs::create_directories(folder);
+  const test::TemporaryFolder folder;
   const std::string net = unit(access(1, "a") + access(3, "y") + part(11, "Contact") + part(14, "Coil"), wire("<Powerrail/>" + con(11, "in")) + wire(ident(1) + con(11, "operand")) + wire(con(11, "out") + con(14, "in")) + wire(ident(3) + con(14, "operand")));
-  std::ofstream(folder / "main.xml") << document(net);
-  std::ofstream(folder / "tags.xml") << "<Document>" << tags << "</Document>";
-  const Program program = readProgram({(folder / "main.xml").string(), (folder / "tags.xml").string()});
+  const Program program = readProgram({folder.file("main.xml", document(net)), folder.file("tags.xml", "<Document>" + tags + "</Document>")});
   EXPECT_EQ(findings(program), "");
   ASSERT_EQ(program.pous.size(), 1U);
   EXPECT_EQ(show(program.pous[0]), "LD I0.0; = Q0.0");
-  fs::remove_all(folder);
 }
 
 struct ProofRunText {
@@ -79,12 +72,11 @@ struct ProofRunText {
   std::string out;
 };
 ProofRunText prove(const std::string& text) {
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / "rungproof_not_covered_test.xml";
-  std::ofstream(file) << text;
+  const test::TemporaryFolder folder;
   std::istringstream in;
   std::ostringstream out, err;
   ProofRunText run;
-  run.exit = static_cast<int>(runProgram({"prove", file.string(), "--isolated", "--format", "concise"}, {in, out, err}));
+  run.exit = static_cast<int>(runProgram({"prove", folder.file("program.xml", text), "--isolated", "--format", "concise"}, {in, out, err}));
   run.out = out.str() + err.str();
   return run;
 }

@@ -1,6 +1,5 @@
 // The commands sim and compare as a user runs them: files, exit codes, JSON, traces, mistakes.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -8,6 +7,7 @@
 #include <sstream>
 
 #include "frontend/cli.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace rungproof {
 namespace {
@@ -17,17 +17,14 @@ namespace fs = std::filesystem;
 class SimCommand : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("rungproof_sim_" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
     write("start.awl", "LD I0.0\nO Q0.0\nAN I0.1\n= Q0.0\nLD Q0.0\nTON T37, +3\nLD T37\n= Q0.1\n");
     write("start.csv", "scan,I0.0,I0.1\n1,1,0\n2,0,\n50,,1\n");
     write("good.csv", "scan,Q0.0,Q0.1\n1,1,0\n30,1,0\n31,1,1\n50,0,\n");
     write("bad.csv", "scan,Q0.0,Q0.1\n1,1,0\n30,1,1\n");
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  void write(const std::string& name, const std::string& text) const { std::ofstream(path(name), std::ios::binary) << text; }
+  std::string path(const std::string& name) const { return folder_.path(name); }
+  void write(const std::string& name, const std::string& text) const { folder_.file(name, text); }
   std::string content(const std::string& name) const {
     std::ifstream stream(path(name), std::ios::binary);
     std::ostringstream text;
@@ -44,7 +41,7 @@ class SimCommand : public testing::Test {
     return code;
   }
 
-  fs::path folder_;
+  test::TemporaryFolder folder_;
   std::string out_, err_;
 };
 
