@@ -1,6 +1,6 @@
 // Z3 as judge of formulas that must be unsatisfiable, in a process of its own: there are phases in which Z3 neither looks
 // at its time limit nor can be interrupted, and a proof run must come back in time. Tested by
-// tests/certificate and tests/prover/limits_test.cpp.
+// tests/certificate and tests/timing/limits_test.cpp.
 #pragma once
 
 #include <atomic>

@@ -1,6 +1,6 @@
 // ProofWatch: ends searches from outside when the user interrupts or the memory limit is reached, so that a proof run
 // always comes back with what it has settled. A thread looks every 20 ms and raises the flags that searches listen to.
-// Covered by tests/prover/limits_test.cpp.
+// Covered by tests/timing/limits_test.cpp.
 #pragma once
 
 #include <atomic>

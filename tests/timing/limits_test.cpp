@@ -1,5 +1,6 @@
 // Limits are kept: time (encoding, searches and checks of certificates count), memory, and the user's interrupt, which
-// leaves what was settled. The hard question is the factoring of a prime: no engine decides it within seconds.
+// leaves what was settled. The hard question is the factoring of a prime: no engine decides it within seconds. Stands
+// here and not in tests/prover because the limits are of wall time, and nothing runs beside this test program.
 #include <malloc.h>
 
 #include <chrono>
@@ -12,7 +13,7 @@
 
 #include "analysis/proof/proof_watch.hpp"
 #include "frontend/cli.hpp"
-#include "proved_text.hpp"
+#include "tests/prover/proved_text.hpp"
 
 namespace rungproof::test {
 namespace {
