@@ -9,9 +9,9 @@
 #include <istream>
 #include <ostream>
 
-#include "frontend/argument_parser.hpp"
 #include "frontend/closest_word.hpp"
-#include "frontend/config.hpp"
+#include "frontend/settings/argument_parser.hpp"
+#include "frontend/settings/config.hpp"
 
 namespace rungproof {
 

@@ -5,8 +5,8 @@
 
 #include "analysis/lint.hpp"
 #include "analysis/suppress.hpp"
-#include "frontend/code_list.hpp"
 #include "frontend/proof_input.hpp"
+#include "frontend/settings/code_list.hpp"
 #include "frontend/solver_rules.hpp"
 
 namespace rungproof {

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "frontend/file_reader.hpp"
-#include "frontend/operand_reader.hpp"
+#include "frontend/stl/operand_reader.hpp"
 
 namespace rungproof {
 

@@ -11,7 +11,7 @@
 #include "analysis/property.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/project.hpp"
-#include "frontend/property_reader.hpp"
+#include "frontend/property/property_reader.hpp"
 
 namespace rungproof {
 

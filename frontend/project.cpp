@@ -11,9 +11,9 @@
 
 #include "frontend/drawn/drawn_build.hpp"
 #include "frontend/file_reader.hpp"
-#include "frontend/resolve.hpp"
-#include "frontend/stl_lexer.hpp"
-#include "frontend/syntax_sink.hpp"
+#include "frontend/stl/resolve.hpp"
+#include "frontend/stl/stl_lexer.hpp"
+#include "frontend/stl/syntax_sink.hpp"
 
 namespace rungproof {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "frontend/encoding.hpp"
+#include "frontend/stl/encoding.hpp"
 #include "ir/program.hpp"
 
 namespace rungproof {

@@ -1,4 +1,4 @@
-// STY004: characters that only look right. Spoken by the readers (frontend/syntax_sink), which know what they took the
+// STY004: characters that only look right. Spoken by the readers (frontend/stl/syntax_sink), which know what they took the
 // characters for; tested by tests/reader/statement_test.cpp.
 #include "analysis/rule.hpp"
 

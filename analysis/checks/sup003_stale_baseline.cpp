@@ -1,4 +1,4 @@
-// SUP003: an entry of the baseline file that no finding matches any more. Spoken by frontend/baseline.cpp; tested by
+// SUP003: an entry of the baseline file that no finding matches any more. Spoken by frontend/page/baseline.cpp; tested by
 // tests/cli/baseline_test.cpp.
 #include "analysis/rule.hpp"
 

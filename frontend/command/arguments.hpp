@@ -1,6 +1,6 @@
 // What a command declares of its own: one row for each argument and option, with the variable that takes the value.
-// Parsing, help and completion read these rows; CLI11, which does the parsing, is seen by frontend/argument_parser.cpp
-// alone. Common options are rows of frontend/options.hpp. Tests: tests/golden/help, tests/cli/exit_test.cpp.
+// Parsing, help and completion read these rows; CLI11, which does the parsing, is seen by frontend/settings/argument_parser.cpp
+// alone. Common options are rows of frontend/settings/options.hpp. Tests: tests/golden/help, tests/cli/exit_test.cpp.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 // `rungproof baseline`: writes the findings of today into a file, so that `lint --baseline` reports only new ones.
 
-#include "frontend/baseline.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/lint_run.hpp"
+#include "frontend/page/baseline.hpp"
 
 namespace rungproof {
 

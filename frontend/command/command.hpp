@@ -13,8 +13,8 @@
 #include "frontend/command/arguments.hpp"
 #include "frontend/exit.hpp"
 #include "frontend/failure.hpp"
-#include "frontend/options.hpp"
 #include "frontend/report/report.hpp"
+#include "frontend/settings/options.hpp"
 
 namespace rungproof {
 

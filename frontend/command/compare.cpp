@@ -2,9 +2,9 @@
 #include <memory>
 
 #include "frontend/command/command.hpp"
-#include "frontend/comparison.hpp"
-#include "frontend/stimulus_reader.hpp"
-#include "frontend/trace_file.hpp"
+#include "frontend/run/comparison.hpp"
+#include "frontend/run/stimulus_reader.hpp"
+#include "frontend/run/trace_file.hpp"
 
 namespace rungproof {
 

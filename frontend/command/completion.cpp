@@ -4,8 +4,8 @@
 
 
 #include "frontend/cli.hpp"
-#include "frontend/code_list.hpp"
 #include "frontend/command/command.hpp"
+#include "frontend/settings/code_list.hpp"
 
 namespace rungproof {
 

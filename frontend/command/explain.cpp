@@ -4,12 +4,12 @@
 #include <algorithm>
 
 #include "frontend/closest_word.hpp"
-#include "frontend/code_list.hpp"
-#include "frontend/columns.hpp"
 #include "frontend/command/command.hpp"
-#include "frontend/instruction_page.hpp"
 #include "frontend/json.hpp"
-#include "frontend/rule_page.hpp"
+#include "frontend/page/columns.hpp"
+#include "frontend/page/instruction_page.hpp"
+#include "frontend/page/rule_page.hpp"
+#include "frontend/settings/code_list.hpp"
 #include "ir/hazard.hpp"
 #include "ir/isa.hpp"
 

@@ -2,10 +2,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "frontend/baseline.hpp"
 #include "frontend/command/command.hpp"
-#include "frontend/fix.hpp"
 #include "frontend/lint_run.hpp"
+#include "frontend/page/baseline.hpp"
+#include "frontend/page/fix.hpp"
 
 namespace rungproof {
 

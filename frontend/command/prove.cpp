@@ -13,9 +13,9 @@
 #include "analysis/rule.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/proof_input.hpp"
+#include "frontend/run/witness_drawing.hpp"
+#include "frontend/run/witness_report.hpp"
 #include "frontend/trace/format.hpp"
-#include "frontend/witness_drawing.hpp"
-#include "frontend/witness_report.hpp"
 
 namespace rungproof {
 

@@ -1,10 +1,10 @@
 // `rungproof rules`: the list of rules as text, JSON or Markdown.
 #include <fmt/core.h>
 
-#include "frontend/code_list.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/json.hpp"
-#include "frontend/rule_page.hpp"
+#include "frontend/page/rule_page.hpp"
+#include "frontend/settings/code_list.hpp"
 
 namespace rungproof {
 

@@ -12,9 +12,9 @@
 #include "frontend/drawing/network_view.hpp"
 #include "frontend/lint_run.hpp"
 #include "frontend/program_input.hpp"
-#include "frontend/stimulus_reader.hpp"
-#include "frontend/stl_lexer.hpp"
-#include "frontend/trace_file.hpp"
+#include "frontend/run/stimulus_reader.hpp"
+#include "frontend/run/trace_file.hpp"
+#include "frontend/stl/stl_lexer.hpp"
 
 namespace rungproof {
 

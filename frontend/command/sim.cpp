@@ -8,13 +8,13 @@
 
 #include "engine/stimulus.hpp"
 #include "frontend/command/command.hpp"
-#include "frontend/comparison.hpp"
 #include "frontend/program_input.hpp"
-#include "frontend/run_report.hpp"
-#include "frontend/scan_drawings.hpp"
-#include "frontend/stimulus_column.hpp"
-#include "frontend/stimulus_reader.hpp"
-#include "frontend/trace_file.hpp"
+#include "frontend/run/comparison.hpp"
+#include "frontend/run/run_report.hpp"
+#include "frontend/run/scan_drawings.hpp"
+#include "frontend/run/stimulus_column.hpp"
+#include "frontend/run/stimulus_reader.hpp"
+#include "frontend/run/trace_file.hpp"
 
 namespace rungproof {
 

@@ -4,10 +4,10 @@
 #include <filesystem>
 
 #include "analysis/xref.hpp"
-#include "frontend/columns.hpp"
 #include "frontend/command/command.hpp"
-#include "frontend/excerpt.hpp"
 #include "frontend/json.hpp"
+#include "frontend/page/columns.hpp"
+#include "frontend/page/excerpt.hpp"
 #include "frontend/program_input.hpp"
 
 namespace rungproof {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "frontend/excerpt.hpp"
+#include "frontend/page/excerpt.hpp"
 
 namespace rungproof {
 

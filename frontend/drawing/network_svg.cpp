@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "frontend/columns.hpp"
 #include "frontend/drawing/network_view.hpp"
 #include "frontend/drawing/svg_picture.hpp"
-#include "frontend/excerpt.hpp"
+#include "frontend/page/columns.hpp"
+#include "frontend/page/excerpt.hpp"
 
 namespace rungproof {
 

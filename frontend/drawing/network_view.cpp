@@ -8,8 +8,8 @@
 #include "analysis/drawing/raise.hpp"
 #include "frontend/drawing/placement.hpp"
 #include "frontend/drawing/power_flow.hpp"
-#include "frontend/excerpt.hpp"
-#include "frontend/stl_writer.hpp"
+#include "frontend/page/excerpt.hpp"
+#include "frontend/stl/stl_writer.hpp"
 
 namespace rungproof {
 

@@ -5,8 +5,8 @@
 
 #include <iterator>
 
-#include "frontend/excerpt.hpp"
-#include "frontend/timing_diagram.hpp"
+#include "frontend/page/excerpt.hpp"
+#include "frontend/run/timing_diagram.hpp"
 
 namespace rungproof {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "frontend/excerpt.hpp"
+#include "frontend/page/excerpt.hpp"
 
 namespace rungproof {
 

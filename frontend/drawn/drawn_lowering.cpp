@@ -7,7 +7,7 @@
 #include <bit>
 
 #include "frontend/drawn/drawn_blocks.hpp"
-#include "frontend/stl_lexer.hpp"
+#include "frontend/stl/stl_lexer.hpp"
 #include "ir/check.hpp"
 #include "ir/isa.hpp"
 

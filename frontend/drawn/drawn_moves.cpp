@@ -6,7 +6,7 @@
 #include <bit>
 
 #include "frontend/drawn/drawn_lowering.hpp"
-#include "frontend/stl_lexer.hpp"
+#include "frontend/stl/stl_lexer.hpp"
 
 namespace rungproof {
 

@@ -7,7 +7,7 @@
 #include "frontend/drawn/drawn_blocks.hpp"
 #include "frontend/drawn/drawn_build.hpp"
 #include "frontend/drawn/drawn_lowering.hpp"
-#include "frontend/stl_lexer.hpp"
+#include "frontend/stl/stl_lexer.hpp"
 #include "ir/isa.hpp"
 
 namespace rungproof {

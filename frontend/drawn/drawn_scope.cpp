@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "frontend/stl_lexer.hpp"
+#include "frontend/stl/stl_lexer.hpp"
 
 namespace rungproof {
 

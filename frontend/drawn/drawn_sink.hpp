@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "frontend/drawn/drawn_model.hpp"
-#include "frontend/syntax_sink.hpp"
+#include "frontend/stl/syntax_sink.hpp"
 
 namespace rungproof {
 

@@ -9,8 +9,8 @@
 #include <cstdlib>
 #include <limits>
 
-#include "frontend/operand_reader.hpp"
-#include "frontend/stl_lexer.hpp"
+#include "frontend/stl/operand_reader.hpp"
+#include "frontend/stl/stl_lexer.hpp"
 
 namespace rungproof {
 

@@ -6,10 +6,10 @@
 #include <array>
 #include <optional>
 
-#include "frontend/directive.hpp"
 #include "frontend/drawn/drawn_scope.hpp"
 #include "frontend/plcopen/plcopen_reader.hpp"
-#include "frontend/stl_lexer.hpp"
+#include "frontend/stl/directive.hpp"
+#include "frontend/stl/stl_lexer.hpp"
 
 namespace rungproof {
 

@@ -3,7 +3,7 @@
 #include <map>
 
 #include "frontend/plcopen/plcopen_reader.hpp"
-#include "frontend/stl_lexer.hpp"
+#include "frontend/stl/stl_lexer.hpp"
 
 namespace rungproof {
 

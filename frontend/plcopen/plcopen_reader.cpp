@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <map>
 
-#include "frontend/directive.hpp"
 #include "frontend/drawn/iec_type.hpp"
-#include "frontend/stl_lexer.hpp"
+#include "frontend/stl/directive.hpp"
+#include "frontend/stl/stl_lexer.hpp"
 
 namespace rungproof {
 

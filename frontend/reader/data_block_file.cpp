@@ -1,6 +1,6 @@
 // Reader of data blocks that stand in a file of their own without a DATA_BLOCK heading.
-#include "frontend/data_block.hpp"
 #include "frontend/file_reader.hpp"
+#include "frontend/stl/data_block.hpp"
 
 namespace rungproof {
 

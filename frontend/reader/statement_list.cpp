@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "frontend/file_reader.hpp"
-#include "frontend/stl_likeness.hpp"
-#include "frontend/stl_parser.hpp"
+#include "frontend/stl/stl_likeness.hpp"
+#include "frontend/stl/stl_parser.hpp"
 
 namespace rungproof {
 

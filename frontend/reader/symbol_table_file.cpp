@@ -1,6 +1,6 @@
 // Reader of symbol tables.
 #include "frontend/file_reader.hpp"
-#include "frontend/symbol_table.hpp"
+#include "frontend/stl/symbol_table.hpp"
 
 namespace rungproof {
 

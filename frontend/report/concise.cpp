@@ -4,7 +4,7 @@
 #include <ostream>
 
 #include "analysis/rule.hpp"
-#include "frontend/excerpt.hpp"
+#include "frontend/page/excerpt.hpp"
 #include "frontend/report/report.hpp"
 
 namespace rungproof {

@@ -6,9 +6,9 @@
 #include "analysis/rule.hpp"
 #include "frontend/cli.hpp"
 #include "frontend/drawing/svg_picture.hpp"
-#include "frontend/excerpt.hpp"
+#include "frontend/page/excerpt.hpp"
 #include "frontend/report/report.hpp"
-#include "frontend/timing_diagram.hpp"
+#include "frontend/run/timing_diagram.hpp"
 
 namespace rungproof {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <ostream>
 
-#include "frontend/excerpt.hpp"
+#include "frontend/page/excerpt.hpp"
 #include "frontend/report/report.hpp"
 
 #include "analysis/rule.hpp"

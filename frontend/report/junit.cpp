@@ -5,7 +5,7 @@
 #include <pugixml.hpp>
 
 #include "analysis/rule.hpp"
-#include "frontend/excerpt.hpp"
+#include "frontend/page/excerpt.hpp"
 #include "frontend/report/report.hpp"
 
 namespace rungproof {

@@ -7,10 +7,10 @@
 
 #include "analysis/rule.hpp"
 #include "frontend/cli.hpp"
-#include "frontend/fingerprint.hpp"
 #include "frontend/json.hpp"
+#include "frontend/page/fingerprint.hpp"
+#include "frontend/page/rule_page.hpp"
 #include "frontend/report/report.hpp"
-#include "frontend/rule_page.hpp"
 
 namespace rungproof {
 

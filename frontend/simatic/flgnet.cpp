@@ -8,7 +8,7 @@
 
 #include "frontend/drawn/drawn_scope.hpp"
 #include "frontend/simatic/simatic_reader.hpp"
-#include "frontend/stl_lexer.hpp"
+#include "frontend/stl/stl_lexer.hpp"
 
 namespace rungproof {
 

@@ -1,5 +1,5 @@
 // Traces as CSV: scan, time_ms at the end of the scan, scan_ms, then one column per signal. The file is a stimulus as
-// well: having time_ms behind scan, it is known as a recording (frontend/stimulus_reader.hpp).
+// well: having time_ms behind scan, it is known as a recording (frontend/run/stimulus_reader.hpp).
 // Tested by tests/trace/csv_test.cpp.
 #include <ostream>
 

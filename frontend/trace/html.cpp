@@ -4,7 +4,7 @@
 #include <ostream>
 
 #include "frontend/json.hpp"
-#include "frontend/timing_diagram.hpp"
+#include "frontend/run/timing_diagram.hpp"
 #include "frontend/trace/format.hpp"
 #include "frontend/trace/page.hpp"
 

@@ -1,7 +1,7 @@
 // Traces as a drawing: a timing diagram in the look of the manual. Tested by tests/trace/drawing_test.cpp.
 #include <ostream>
 
-#include "frontend/timing_diagram.hpp"
+#include "frontend/run/timing_diagram.hpp"
 #include "frontend/trace/format.hpp"
 
 namespace rungproof {

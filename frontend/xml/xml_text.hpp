@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "frontend/syntax_sink.hpp"
+#include "frontend/stl/syntax_sink.hpp"
 
 namespace rungproof {
 

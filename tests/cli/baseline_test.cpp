@@ -1,8 +1,8 @@
 // The baseline: what it holds, what it hides, when it is stale, and that edits elsewhere leave it alone.
 #include <gtest/gtest.h>
 
-#include "frontend/baseline.hpp"
-#include "frontend/fingerprint.hpp"
+#include "frontend/page/baseline.hpp"
+#include "frontend/page/fingerprint.hpp"
 
 namespace rungproof {
 namespace {

@@ -1,7 +1,7 @@
 // Excerpts: the mark stands below the characters of the span, whatever they are.
 #include <gtest/gtest.h>
 
-#include "frontend/excerpt.hpp"
+#include "frontend/page/excerpt.hpp"
 
 namespace rungproof {
 namespace {

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "frontend/command/command.hpp"
-#include "frontend/config.hpp"
+#include "frontend/settings/config.hpp"
 #include "ir/hazard.hpp"
 #include "program_run.hpp"
 #include "schema_check.hpp"

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "analysis/lint.hpp"
-#include "frontend/code_list.hpp"
+#include "frontend/settings/code_list.hpp"
 #include "program_run.hpp"
 
 namespace rungproof {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "frontend/closest_word.hpp"
-#include "frontend/options.hpp"
+#include "frontend/settings/options.hpp"
 
 namespace rungproof {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "engine/simulator.hpp"
 #include "engine/trace.hpp"
-#include "frontend/operand_reader.hpp"
 #include "frontend/project.hpp"
+#include "frontend/stl/operand_reader.hpp"
 
 namespace rungproof {
 

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "engine/simulator.hpp"
-#include "frontend/stl_writer.hpp"
+#include "frontend/stl/stl_writer.hpp"
 #include "tests/graphical/drawn_program.hpp"
 #include "tests/graphical/plcopen_text.hpp"
 

@@ -76,15 +76,14 @@ TEST(Layout, IncludesPointOneWay) {
   EXPECT_GT(count, 700u) << "the search no longer finds the includes";
 }
 
-TEST(Layout, EveryFolderOfTheAnalysisIsARoomOfTheReadme) {
+TEST(Layout, ReadmeSaysWhatLivesInEveryFolder) {
   std::stringstream readme;
   readme << std::ifstream(fs::path(RUNGPROOF_SOURCE_DIR) / "README.md").rdbuf();
   std::set<std::string> folders;
   for (const Source& source : sources()) folders.insert(source.folder);
   for (const std::string& folder : folders) {
-    if (!folder.starts_with("analysis")) continue;
-    EXPECT_TRUE(roomsBelow.contains(folder)) << folder;
     EXPECT_NE(readme.str().find("`" + folder + "/`"), std::string::npos) << folder << " is not in README.md";
+    EXPECT_TRUE(!folder.starts_with("analysis") || roomsBelow.contains(folder)) << folder;
   }
 }
 

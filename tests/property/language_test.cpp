@@ -1,7 +1,7 @@
 // The property language: binding, types, statements, mistakes.
 #include <gtest/gtest.h>
 
-#include "frontend/property_reader.hpp"
+#include "frontend/property/property_reader.hpp"
 
 namespace rungproof {
 namespace {

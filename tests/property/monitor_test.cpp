@@ -7,7 +7,7 @@
 #include <random>
 
 #include "engine/concrete.hpp"
-#include "frontend/property_reader.hpp"
+#include "frontend/property/property_reader.hpp"
 
 namespace rungproof {
 namespace {

@@ -1,6 +1,6 @@
 // Witnesses are as small as they can be made: no scan too many, and inputs that may have any value are marked.
 #include "analysis/proof/witness_minimal.hpp"
-#include "frontend/witness_report.hpp"
+#include "frontend/run/witness_report.hpp"
 #include "proved_text.hpp"
 
 namespace rungproof::test {

@@ -1,5 +1,5 @@
 // Constants of table 4-2 (001:1425-1431) and beyond.
-#include "frontend/constant_reader.hpp"
+#include "frontend/stl/constant_reader.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <ctime>
 #include <random>
 
-#include "frontend/stl_parser.hpp"
-#include "frontend/stl_writer.hpp"
+#include "frontend/stl/stl_parser.hpp"
+#include "frontend/stl/stl_writer.hpp"
 #include "tests/reader/read.hpp"
 
 namespace rungproof {

@@ -1,5 +1,5 @@
 // Comments that speak to the tool.
-#include "frontend/directive.hpp"
+#include "frontend/stl/directive.hpp"
 
 #include <gtest/gtest.h>
 

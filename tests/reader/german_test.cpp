@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "frontend/stl_likeness.hpp"
+#include "frontend/stl/stl_likeness.hpp"
 #include "ir/isa.hpp"
 #include "tests/reader/read.hpp"
 

@@ -1,5 +1,5 @@
 // Addresses of every area, width and spelling.
-#include "frontend/operand_reader.hpp"
+#include "frontend/stl/operand_reader.hpp"
 
 #include <gtest/gtest.h>
 

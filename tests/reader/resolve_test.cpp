@@ -1,5 +1,5 @@
 // Names to addresses.
-#include "frontend/resolve.hpp"
+#include "frontend/stl/resolve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Where rungs begin in a text without Network lines.
-#include "frontend/rung_split.hpp"
+#include "frontend/stl/rung_split.hpp"
 
 #include <gtest/gtest.h>
 

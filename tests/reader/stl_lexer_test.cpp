@@ -1,5 +1,5 @@
 // Words, comments, quotes and banners of a line.
-#include "frontend/stl_lexer.hpp"
+#include "frontend/stl/stl_lexer.hpp"
 
 #include <gtest/gtest.h>
 

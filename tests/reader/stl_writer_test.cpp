@@ -1,5 +1,5 @@
 // What was read, written and read again is the same program.
-#include "frontend/stl_writer.hpp"
+#include "frontend/stl/stl_writer.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The table of reader messages is complete, and every message can be provoked by some text.
-#include "frontend/syntax_message.hpp"
+#include "frontend/stl/syntax_message.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Symbol tables, data blocks, declarations: everything that is not an instruction.
 #include <gtest/gtest.h>
 
-#include "frontend/declaration.hpp"
-#include "frontend/local_layout.hpp"
+#include "frontend/stl/declaration.hpp"
+#include "frontend/stl/local_layout.hpp"
 #include "tests/reader/read.hpp"
 
 namespace rungproof {

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <fstream>
 
-#include "frontend/operand_reader.hpp"
+#include "frontend/stl/operand_reader.hpp"
 
 namespace rungproof::testing {
 

@@ -9,7 +9,7 @@
 #include "analysis/facts.hpp"
 #include "analysis/rule.hpp"
 #include "frontend/project.hpp"
-#include "frontend/property_reader.hpp"
+#include "frontend/property/property_reader.hpp"
 
 namespace rungproof::testing {
 

@@ -8,7 +8,7 @@
 
 #include "frontend/drawing/box_form.hpp"
 #include "frontend/drawing/placement.hpp"
-#include "frontend/excerpt.hpp"
+#include "frontend/page/excerpt.hpp"
 #include "tests/show/drawings.hpp"
 
 namespace rungproof::show_test {

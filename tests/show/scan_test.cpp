@@ -15,8 +15,8 @@
 #include "frontend/drawing/network_view.hpp"
 #include "frontend/drawing/placement.hpp"
 #include "frontend/drawing/power_flow.hpp"
-#include "frontend/operand_reader.hpp"
 #include "frontend/project.hpp"
+#include "frontend/stl/operand_reader.hpp"
 #include "tests/show/drawings.hpp"
 
 namespace rungproof::show_test {

@@ -1,5 +1,5 @@
 // The page of a trace with the networks of every scan.
-#include "frontend/scan_drawings.hpp"
+#include "frontend/run/scan_drawings.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Which networks of a witness are drawn.
-#include "frontend/witness_drawing.hpp"
+#include "frontend/run/witness_drawing.hpp"
 
 #include <gtest/gtest.h>
 

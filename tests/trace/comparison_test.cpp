@@ -1,10 +1,10 @@
 // Comparison of traces: first difference, don't care, tolerance, slack, rows by time.
-#include "frontend/comparison.hpp"
+#include "frontend/run/comparison.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "frontend/stimulus_reader.hpp"
+#include "frontend/run/stimulus_reader.hpp"
 
 namespace rungproof {
 namespace {

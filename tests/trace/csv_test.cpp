@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "frontend/csv_table.hpp"
+#include "frontend/run/csv_table.hpp"
 #include "frontend/trace/format.hpp"
 #include "tests/trace/traces.hpp"
 

@@ -6,7 +6,7 @@
 #include <pugixml.hpp>
 #include <set>
 
-#include "frontend/timing_diagram.hpp"
+#include "frontend/run/timing_diagram.hpp"
 #include "tests/trace/traces.hpp"
 
 namespace rungproof {

@@ -1,7 +1,7 @@
 // Stimulus files: what they mean, recorded traces as stimuli, and every mistake with its place.
 #include "engine/stimulus.hpp"
 
-#include "frontend/stimulus_reader.hpp"
+#include "frontend/run/stimulus_reader.hpp"
 #include "tests/engine/rig.hpp"
 
 namespace rungproof {

@@ -1,0 +1,517 @@
+// Recursive descent over the property language. Binding, tightest first: unary minus; *; + -; comparisons; not;
+// and; xor; or; implies (right-associative).
+#include "frontend/property/property_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "frontend/property/property_lexer.hpp"
+#include "frontend/property/property_message.hpp"
+#include "ir/desc.hpp"
+
+namespace rungproof {
+
+namespace {
+
+/// A mistake in a statement; leaves the parser at once, becomes a finding.
+struct Mistake {
+  const char* rule;
+  Span span;
+  std::string message;
+  std::string help;
+};
+
+constexpr const char* syntaxRule = propertyMessages[0].id.data();
+constexpr const char* addressRule = propertyMessages[1].id.data();
+constexpr const char* typeRule = propertyMessages[2].id.data();
+constexpr const char* nameRule = propertyMessages[3].id.data();
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return result;
+}
+
+/// Bits of the signed number that holds `value`.
+std::uint8_t signedWidth(std::int64_t value) {
+  int width = 1;
+  while (width < 64 && (value >> (width - 1)) != 0 && (value >> (width - 1)) != -1) ++width;
+  return static_cast<std::uint8_t>(width);
+}
+
+class Parser {
+ public:
+  Parser(std::vector<Token> tokens, const OperandLookup& lookup, std::string_view text) : tokens_(std::move(tokens)), lookup_(lookup), text_(text) {}
+
+  void statement(PropertySet& set) {
+    bool everyInstruction = false;
+    if (accept("at")) {
+      expect("every");
+      expect("instruction");
+      everyInstruction = true;
+    }
+    const Token head = peek();
+    const std::string word = lower(head.text);
+    if (word == "external" || word == "hidden") return external(set);
+    if (word == "initial") {
+      take();
+      expect("retentive");
+      set.initialRetentive = true;
+      return end();
+    }
+    Property property;
+    property.atEveryInstruction = everyInstruction;
+    property.span = head.span;
+    const Token& last = tokens_[tokens_.size() - 2];
+    property.span.length = last.span.offset + last.span.length - head.span.offset;
+    property.text = std::string(text_);
+    if (word == "pulse") {
+      take();
+      pulse(property);
+    } else if (word == "assume" || word == "prove" || word == "reach") {
+      take();
+      name(property, set);
+      if (word == "prove") {
+        goal(property);
+      } else {
+        property.kind = word == "assume" ? PropertyKind::Assume : PropertyKind::Reach;
+        property.first = truth();
+      }
+    } else {
+      throw Mistake{syntaxRule, head.span, fmt::format("a statement begins with assume, prove, reach, external, initial or pulse, not with '{}'", head.text),
+                    "write for example: prove no_shoot_through: never Q0.0 and Q0.1"};
+    }
+    end();
+    if (everyInstruction && property.kind != PropertyKind::Always && property.kind != PropertyKind::Never) {
+      throw Mistake{syntaxRule, head.span, "'at every instruction' goes with always and never only", "leave it out, or state an invariant"};
+    }
+    layoutCells(property);
+    if (everyInstruction && !property.cells.empty()) {
+      throw Mistake{syntaxRule, head.span, "functions that look back in time are about scan ends, not about single instructions", "leave out 'at every instruction', or the function"};
+    }
+    set.properties.push_back(std::move(property));
+  }
+
+ private:
+  // ---- Statements ----------------------------------------------------------------------------------
+
+  void name(Property& property, const PropertySet& set) {
+    std::string text;
+    Span span = peek().span;
+    while (!is(":")) {
+      if (peek().kind == PropertyToken::End) throw Mistake{syntaxRule, span, "no ':' after the name", "write: prove NAME: EXPRESSION"};
+      const Token t = take();
+      text += text.empty() || t.span.offset == span.offset + span.length ? std::string(t.text) : " " + std::string(t.text);
+      span = t.span;
+    }
+    take();
+    if (text.empty()) text = fmt::format("property {}", set.properties.size() + 1);
+    const auto same = std::find_if(set.properties.begin(), set.properties.end(), [&](const Property& p) { return p.name == text && p.isGoal(); });
+    if (same != set.properties.end()) throw Mistake{nameRule, span, fmt::format("the name '{}' is already taken", text), "give each property its own name"};
+    property.name = text;
+  }
+
+  void goal(Property& property) {
+    if (accept("always")) {
+      property.kind = PropertyKind::Always;
+      property.first = truth();
+      return;
+    }
+    if (accept("never")) {
+      property.kind = PropertyKind::Never;
+      property.first = truth();
+      return;
+    }
+    property.kind = PropertyKind::Always;
+    property.first = truth();
+    if (accept("leads")) {
+      expect("to");
+      property.second = truth();
+      expect("within");
+      const Token bound = take();
+      property.bound = bound.value;
+      if (bound.kind == PropertyToken::Duration) {
+        property.kind = PropertyKind::LeadsToTime;
+      } else if (bound.kind == PropertyToken::Number) {
+        property.kind = PropertyKind::LeadsToScans;
+        if (!accept("scans")) expect("scan");
+      } else {
+        throw Mistake{syntaxRule, bound.span, "'within' needs a number of scans or a time", "write: within 3 scans, or: within 500ms"};
+      }
+    } else if (accept("only")) {
+      expect("after");
+      property.kind = PropertyKind::OnlyAfter;
+      property.second = truth();
+    } else if (accept("unless")) {
+      property.kind = PropertyKind::Unless;
+      property.second = truth();
+    } else if (accept("held")) {
+      property.kind = PropertyKind::HeldImplies;
+      property.bound = duration();
+      expect("implies");
+      property.second = truth();
+    }
+  }
+
+  void pulse(Property& property) {
+    property.kind = PropertyKind::Pulse;
+    const Token address = peek();
+    property.name = fmt::format("pulse {}", address.text);
+    property.first = truth();
+    if (property.first.nodes.size() != 1 || property.first.root().op != ExprOp::Address) throw Mistake{syntaxRule, address.span, "'pulse' needs one input bit", "write: pulse I0.0 at most every 50ms"};
+    expect("at");
+    expect("most");
+    expect("every");
+    property.bound = duration();
+  }
+
+  void external(PropertySet& set) {
+    const Token head = take();
+    do {
+      ExternalRange range;
+      range.span = head.span;
+      range.isHidden = head.text == "hidden";
+      range.first = range.last = address(take());
+      if (accept("..")) range.last = address(take());
+      if (range.first.area != range.last.area || range.first.width != range.last.width) {
+        throw Mistake{typeRule, head.span, "both ends of a range need the same area and width", "write for example: external VB100..VB199"};
+      }
+      set.externals.push_back(range);
+    } while (accept(","));
+    end();
+  }
+
+  std::int64_t duration() {
+    const Token t = take();
+    if (t.kind != PropertyToken::Duration) throw Mistake{syntaxRule, t.span, fmt::format("a time is needed here, not '{}'", t.text), "write a number with ms, s, min or h, such as 500ms or 2s"};
+    return t.value;
+  }
+
+  void end() {
+    if (peek().kind != PropertyToken::End) throw Mistake{syntaxRule, peek().span, fmt::format("'{}' does not belong here", peek().text), "one statement a line; see prove --help for the forms"};
+  }
+
+  // ---- Expressions -----------------------------------------------------------------------------------
+
+  Expr truth() {
+    Expr expr;
+    const std::uint32_t start = peek().span.offset;
+    const std::uint32_t root = implies(expr);
+    needTruth(expr, root);
+    const std::uint32_t stop = at_ == 0 ? start : tokens_[at_ - 1].span.offset + tokens_[at_ - 1].span.length;
+    const std::uint32_t base = tokens_.front().span.offset - static_cast<std::uint32_t>(tokens_.front().text.data() - text_.data());
+    expr.text = std::string(text_.substr(start - base, stop - start));
+    return expr;
+  }
+
+  std::uint32_t implies(Expr& e) {
+    const std::uint32_t left = disjunction(e);
+    if (!accept("implies")) return left;
+    return binary(e, ExprOp::Implies, left, implies(e));
+  }
+  std::uint32_t disjunction(Expr& e) {
+    std::uint32_t left = exclusive(e);
+    while (accept("or")) left = binary(e, ExprOp::Or, left, exclusive(e));
+    return left;
+  }
+  std::uint32_t exclusive(Expr& e) {
+    std::uint32_t left = conjunction(e);
+    while (accept("xor")) left = binary(e, ExprOp::Xor, left, conjunction(e));
+    return left;
+  }
+  std::uint32_t conjunction(Expr& e) {
+    std::uint32_t left = negation(e);
+    while (accept("and")) left = binary(e, ExprOp::And, left, negation(e));
+    return left;
+  }
+  std::uint32_t negation(Expr& e) {
+    if (accept("not")) {
+      Nesting nesting(*this);
+      const std::uint32_t arg = negation(e);
+      needTruth(e, arg);
+      return add(e, {.op = ExprOp::Not, .args = {arg}});
+    }
+    return comparison(e);
+  }
+  std::uint32_t comparison(Expr& e) {
+    const std::uint32_t left = sum(e);
+    static constexpr std::pair<std::string_view, ExprOp> relations[] = {{"=", ExprOp::Equal}, {"==", ExprOp::Equal}, {"<>", ExprOp::NotEqual}, {"<", ExprOp::Less},
+                                                                        {"<=", ExprOp::LessEqual}, {">", ExprOp::Greater}, {">=", ExprOp::GreaterEqual}};
+    for (const auto& [text, op] : relations) {
+      if (!is(text)) continue;
+      const Token at = take();
+      return compare(e, op, left, sum(e), at.span);
+    }
+    return left;
+  }
+  std::uint32_t sum(Expr& e) {
+    std::uint32_t left = product(e);
+    for (;;) {
+      const Token at = peek();
+      if (accept("+")) left = arithmetic(e, ExprOp::Add, left, product(e), at.span);
+      else if (accept("-")) left = arithmetic(e, ExprOp::Sub, left, product(e), at.span);
+      else return left;
+    }
+  }
+  std::uint32_t product(Expr& e) {
+    std::uint32_t left = unary(e);
+    for (;;) {
+      const Token at = peek();
+      if (!accept("*")) return left;
+      left = arithmetic(e, ExprOp::Mul, left, unary(e), at.span);
+    }
+  }
+  std::uint32_t unary(Expr& e) {
+    const Token at = peek();
+    if (accept("not")) {  // behind a comparison sign, as in Q0.2 = not Q0.0
+      Nesting nesting(*this);
+      const std::uint32_t arg = unary(e);
+      needTruth(e, arg);
+      return add(e, {.op = ExprOp::Not, .args = {arg}});
+    }
+    if (accept("-")) {
+      Nesting nesting(*this);
+      const std::uint32_t arg = unary(e);
+      needNumber(e, arg, at.span);
+      const ExprNode& n = e.nodes[arg];
+      const bool isReal = n.type == ExprType::Real;
+      return add(e, {.op = ExprOp::Negate, .type = n.type, .width = static_cast<std::uint8_t>(isReal ? 32 : std::min(64, n.width + 1)), .args = {arg}});
+    }
+    return primary(e);
+  }
+
+  std::uint32_t primary(Expr& e) {
+    const Token t = take();
+    if (t.kind == PropertyToken::Number) {
+      return add(e, {.op = ExprOp::Constant, .type = ExprType::Number, .width = signedWidth(t.value), .value = t.value, .operand = constant(t.value, t.isPattern ? ConstantForm::Hex : ConstantForm::Decimal), .span = t.span});
+    }
+    if (t.kind == PropertyToken::Real) return add(e, {.op = ExprOp::Constant, .type = ExprType::Real, .width = 32, .value = t.value, .span = t.span});
+    if (t.text == "(") {
+      Nesting nesting(*this);
+      const std::uint32_t inner = implies(e);
+      expect(")");
+      return inner;
+    }
+    if (t.kind != PropertyToken::Word) throw Mistake{syntaxRule, t.span, t.kind == PropertyToken::End ? std::string("the expression ends too early") : fmt::format("an address, a number or '(' is needed here, not '{}'", t.text), ""};
+    const std::string word = lower(t.text);
+    if (word == "true" || word == "false") return add(e, {.op = ExprOp::Constant, .value = word == "true", .span = t.span});
+    if (word == "first_scan") return add(e, {.op = ExprOp::FirstScan, .span = t.span});
+    if (is("(")) return function(e, word, t);
+    return leaf(e, t);
+  }
+
+  std::uint32_t function(Expr& e, const std::string& word, const Token& t) {
+    static constexpr std::pair<std::string_view, ExprOp> functions[] = {{"rises", ExprOp::Rises}, {"falls", ExprOp::Falls}, {"prev", ExprOp::Prev},
+                                                                        {"once", ExprOp::Once},   {"since", ExprOp::Since}, {"held", ExprOp::Held}};
+    const auto found = std::find_if(std::begin(functions), std::end(functions), [&](const auto& f) { return f.first == word; });
+    if (found == std::end(functions)) throw Mistake{syntaxRule, t.span, fmt::format("there is no function '{}'", t.text), "functions: rises, falls, prev, once, since, held"};
+    Nesting nesting(*this);
+    expect("(");
+    ExprNode node{.op = found->second, .span = t.span};
+    node.args.push_back(implies(e));
+    if (node.op == ExprOp::Since) {
+      expect(",");
+      node.args.push_back(implies(e));
+    } else if (node.op == ExprOp::Held) {
+      expect(",");
+      node.milliseconds = duration();
+    }
+    expect(")");
+    if (node.op == ExprOp::Prev) {
+      node.type = e.nodes[node.args[0]].type;
+      node.width = e.nodes[node.args[0]].width;
+    } else {
+      for (const std::uint32_t arg : node.args) needTruth(e, arg);
+    }
+    return add(e, std::move(node));
+  }
+
+  std::uint32_t leaf(Expr& e, const Token& t) {
+    std::string_view text = t.text;
+    const bool asValue = text.size() > 6 && lower(text.substr(text.size() - 6)) == ".value";
+    if (asValue) text.remove_suffix(6);
+    Token bare = t;
+    bare.text = text;
+    ExprNode node{.op = ExprOp::Address, .operand = address(bare), .span = t.span};
+    const Operand& o = node.operand;
+    const bool hasBit = o.area == Area::T || o.area == Area::C;
+    if (asValue && !hasBit) throw Mistake{typeRule, t.span, fmt::format("'{}' has no value beside itself", text), ".value is for timers and counters"};
+    if ((hasBit && !asValue) || (!hasBit && o.width == Width::Bit && o.area != Area::AI && o.area != Area::AQ && o.area != Area::AC && o.area != Area::HC)) return add(e, std::move(node));
+    node.type = ExprType::Number;
+    node.width = numberWidth(o);
+    return add(e, std::move(node));
+  }
+  static std::uint8_t numberWidth(const Operand& o) {
+    if (o.area == Area::T || o.area == Area::C || o.area == Area::AI || o.area == Area::AQ) return 16;
+    if (o.area == Area::AC || o.area == Area::HC) return 32;
+    return o.width == Width::Byte ? 9 : static_cast<std::uint8_t>(bits(o.width));
+  }
+
+  Operand address(const Token& t) {
+    const std::optional<Operand> operand = t.kind == PropertyToken::Word ? lookup_(t.text) : std::nullopt;
+    if (!operand || operand->kind != OperandKind::Direct) {
+      throw Mistake{addressRule, t.span, fmt::format("'{}' is no address and no known symbol", t.text), "give the symbol table with --symbols, or write the address"};
+    }
+    return *operand;
+  }
+
+  // ---- Types ---------------------------------------------------------------------------------------
+
+  void needTruth(Expr& e, std::uint32_t i) {
+    ExprNode& n = e.nodes[i];
+    if (n.type == ExprType::Truth) return;
+    if (n.op == ExprOp::Constant && n.type == ExprType::Number && (n.value == 0 || n.value == 1)) {
+      n.type = ExprType::Truth;
+      n.width = 1;
+      return;
+    }
+    throw Mistake{typeRule, n.span, "a condition is needed here, this is a number", "compare it, for example VW10 > 100"};
+  }
+  /// A timer or counter bit in a numeric place means its current value.
+  void needNumber(Expr& e, std::uint32_t i, Span at) {
+    ExprNode& n = e.nodes[i];
+    if (n.type != ExprType::Truth) return;
+    if (n.op == ExprOp::Address && (n.operand.area == Area::T || n.operand.area == Area::C)) {
+      n.type = ExprType::Number;
+      n.width = 16;
+      return;
+    }
+    throw Mistake{typeRule, n.span.length != 0 ? n.span : at, "a number is needed here, this is a condition", "use and, or, not between conditions"};
+  }
+
+  std::uint32_t compare(Expr& e, ExprOp op, std::uint32_t left, std::uint32_t right, Span at) {
+    const bool anyTimer = isTimerBit(e.nodes[left]) || isTimerBit(e.nodes[right]);
+    const bool bothTruth = e.nodes[left].type == ExprType::Truth && e.nodes[right].type == ExprType::Truth;
+    const bool truthAndBit = !anyTimer && (e.nodes[left].type == ExprType::Truth || e.nodes[right].type == ExprType::Truth);
+    if (bothTruth || truthAndBit) {
+      needTruth(e, left);
+      needTruth(e, right);
+    } else {
+      needNumber(e, left, at);
+      needNumber(e, right, at);
+      fitPattern(e.nodes[left], e.nodes[right]);
+      fitPattern(e.nodes[right], e.nodes[left]);
+      asReals(e, left, right);
+    }
+    return add(e, {.op = op, .args = {left, right}, .span = at});
+  }
+  std::uint32_t arithmetic(Expr& e, ExprOp op, std::uint32_t left, std::uint32_t right, Span at) {
+    needNumber(e, left, at);
+    needNumber(e, right, at);
+    asReals(e, left, right);
+    const bool isReal = e.nodes[left].type == ExprType::Real || e.nodes[right].type == ExprType::Real;
+    const int a = e.nodes[left].width, b = e.nodes[right].width;
+    const int width = isReal ? 32 : std::min(64, op == ExprOp::Mul ? a + b : std::max(a, b) + 1);
+    return add(e, {.op = op, .type = isReal ? ExprType::Real : ExprType::Number, .width = static_cast<std::uint8_t>(width), .args = {left, right}, .span = at});
+  }
+  static bool isTimerBit(const ExprNode& n) { return n.op == ExprOp::Address && n.type == ExprType::Truth && (n.operand.area == Area::T || n.operand.area == Area::C); }
+  /// 16#FFFF compared with a word is the word's bit pattern, -1.
+  static void fitPattern(ExprNode& pattern, const ExprNode& other) {
+    if (pattern.op != ExprOp::Constant || pattern.operand.form != ConstantForm::Hex || other.op != ExprOp::Address) return;
+    const int w = other.width;
+    if (w < 16 || pattern.value >> w != 0) return;
+    if ((pattern.value >> (w - 1) & 1) != 0) pattern.value -= std::int64_t{1} << w;
+    pattern.width = signedWidth(pattern.value);
+  }
+  /// Beside a REAL, a double word address is a REAL as well.
+  static void asReals(Expr& e, std::uint32_t left, std::uint32_t right) {
+    if (e.nodes[left].type != ExprType::Real && e.nodes[right].type != ExprType::Real) return;
+    for (const std::uint32_t i : {left, right}) {
+      ExprNode& n = e.nodes[i];
+      if (n.op == ExprOp::Address && n.width == 32) n.type = ExprType::Real;
+    }
+  }
+
+  std::uint32_t binary(Expr& e, ExprOp op, std::uint32_t left, std::uint32_t right) {
+    needTruth(e, left);
+    needTruth(e, right);
+    return add(e, {.op = op, .args = {left, right}});
+  }
+  static std::uint32_t add(Expr& e, ExprNode node) {
+    e.nodes.push_back(std::move(node));
+    return static_cast<std::uint32_t>(e.nodes.size() - 1);
+  }
+
+  // ---- Tokens --------------------------------------------------------------------------------------
+
+  /// Keeps hostile nesting from exhausting the stack.
+  struct Nesting {
+    explicit Nesting(Parser& parser) : parser_(parser) {
+      if (++parser_.depth_ > 500) throw Mistake{syntaxRule, parser_.peek().span, "the expression is nested too deeply", "split it into several properties"};
+    }
+    ~Nesting() { --parser_.depth_; }
+    Parser& parser_;
+  };
+  const Token& peek() const { return tokens_[at_]; }
+  Token take() { return at_ + 1 < tokens_.size() ? tokens_[at_++] : tokens_[at_]; }
+  bool is(std::string_view text) const { return peek().kind != PropertyToken::End && lower(peek().text) == text; }
+  bool accept(std::string_view text) {
+    if (!is(text)) return false;
+    take();
+    return true;
+  }
+  void expect(std::string_view text) {
+    if (!accept(text)) throw Mistake{syntaxRule, peek().span, fmt::format("'{}' is needed here{}", text, peek().kind == PropertyToken::End ? std::string() : fmt::format(", not '{}'", peek().text)), ""};
+  }
+
+  std::vector<Token> tokens_;
+  const OperandLookup& lookup_;
+  std::string_view text_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+};
+
+}  // namespace
+
+void readPropertyText(std::uint32_t file, std::string_view text, std::uint32_t offset, const OperandLookup& lookup, PropertySet& set, std::vector<Finding>& findings) {
+  std::size_t begin = 0;
+  while (begin <= text.size()) {
+    const std::size_t stop = std::min(text.find('\n', begin), text.size());
+    const std::string_view line = text.substr(begin, stop - begin);
+    std::vector<Token> tokens = tokenize(line, file, offset + static_cast<std::uint32_t>(begin));
+    if (tokens.size() > 1) {
+      const std::size_t last = tokens[tokens.size() - 2].span.offset + tokens[tokens.size() - 2].span.length - (offset + begin);
+      try {
+        Parser(std::move(tokens), lookup, line.substr(0, last)).statement(set);
+      } catch (const Mistake& mistake) {
+        Finding finding;
+        finding.rule = mistake.rule;
+        finding.severity = Severity::Error;
+        finding.message = mistake.message;
+        finding.span = mistake.span;
+        finding.help = mistake.help;
+        findings.push_back(std::move(finding));
+      }
+    }
+    begin = stop + 1;
+  }
+}
+
+PropertySet readProperties(Program& program, const std::vector<std::string>& files, const OperandLookup& lookup) {
+  PropertySet set;
+  for (const Directive& directive : program.directives) {
+    readPropertyText(directive.span.file, directive.text, directive.span.offset, lookup, set, program.findings);
+  }
+  for (const std::string& name : files) {
+    std::ifstream stream(name, std::ios::binary);
+    if (!stream) {
+      Finding finding;
+      finding.rule = syntaxRule;
+      finding.message = fmt::format("cannot open the property file '{}'", name);
+      finding.help = "check the name given to --props";
+      program.findings.push_back(std::move(finding));
+      continue;
+    }
+    std::ostringstream content;
+    content << stream.rdbuf();
+    const std::uint32_t file = program.sources->add(name, content.str());
+    readPropertyText(file, program.sources->file(file).text(), 0, lookup, set, program.findings);
+  }
+  return set;
+}
+
+}  // namespace rungproof

@@ -1,0 +1,15 @@
+// What a simulated run has to say beside its trace: run-time errors as findings, how it ended, what it rests on.
+// Tested by tests/trace/sim_command_test.cpp.
+#pragma once
+
+#include "engine/simulator.hpp"
+#include "frontend/report/report.hpp"
+#include "frontend/settings/options.hpp"
+
+namespace rungproof {
+
+/// Adds findings RUN001 (non-fatal run-time error), RUN002 (fatal error, STOP) and RUN003 (interrupt queue overflow), and
+/// the assumptions of the run.
+void describeRun(Report& report, const Simulator& simulator, const ScanTime& scanTime);
+
+}  // namespace rungproof

@@ -1,0 +1,178 @@
+// Headings to columns.
+#include "frontend/run/stimulus_column.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "frontend/closest_word.hpp"
+#include "frontend/run/trace_cell.hpp"
+#include "frontend/stl/operand_reader.hpp"
+#include "ir/library_block.hpp"
+#include "ir/overlap.hpp"
+
+namespace rungproof {
+
+namespace {
+
+/// Whether some instruction writes the operand by its direct address.
+bool isWritten(const Program& program, const Operand& operand) {
+  for (const Pou& pou : program.pous) {
+    for (const Network& network : pou.networks) {
+      for (const Instruction& instruction : network.instructions) {
+        for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
+          const bool writes = i >= instruction.desc->operandCount || instruction.desc->operands[i].direction != Direction::In;
+          if (writes && overlaps(instruction.operands[i], operand)) return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+/// What a column of a recorded trace may set.
+bool isSurrounding(const Program& program, const Operand& operand) {
+  switch (operand.area) {
+    case Area::I:
+    case Area::AI: return true;
+    case Area::V:
+    case Area::M:
+    case Area::S: return !isWritten(program, operand);
+    case Area::SM: return operand.offset == 28 || operand.offset == 29;  // potentiometers (001:14162)
+    default: return false;
+  }
+}
+
+/// Type of the values of a column that stands for `type`.
+SignalType signalTypeOf(DataType type) {
+  switch (type) {
+    case DataType::Bool: return SignalType::Bool;
+    case DataType::Real: return SignalType::Real;
+    case DataType::Byte: return SignalType::Unsigned;
+    default: return SignalType::Signed;
+  }
+}
+
+/// "BLOCK.Done" or "BLOCK.3" if the program calls a library block of that name.
+std::optional<StimulusColumn> libraryColumn(const Program& program, const std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string::npos) return std::nullopt;
+  const std::string blockName = name.substr(0, dot);
+  const LibraryBlock* block = libraryBlockNamed(blockName);
+  if (block == nullptr) return std::nullopt;
+  std::uint32_t position = libraryOutputNamed(*block, name.substr(dot + 1));
+  const std::optional<double> number = numberIn(std::string_view(name).substr(dot + 1));
+  if (number && *number >= 1 && *number <= static_cast<double>(block->parameters.size())) position = static_cast<std::uint32_t>(*number);
+  const LibraryParameter* output = libraryOutput(*block, position);
+  if (output == nullptr) return std::nullopt;
+  for (const Pou& pou : program.pous) {
+    for (const Network& network : pou.networks) {
+      for (const Instruction& instruction : network.instructions) {
+        const bool isCall = instruction.desc->control == Control::Call && !instruction.operands.empty();
+        if (!isCall || instruction.operands[0].kind != OperandKind::Symbol || lowered(instruction.operands[0].text) != lowered(blockName)) continue;
+        StimulusColumn column;
+        column.target = StimulusTarget::LibraryOutput;
+        column.block = instruction.operands[0].text;
+        column.position = position;
+        column.signal.name = name;
+        column.signal.operand = direct(Area::V, widthOf(output->type), 0);  // only its width counts
+        column.signal.type = signalTypeOf(output->type);
+        return column;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+/// "HSC0.pulses", "HSC0.down", "PORT0.receive", "NET.error", "NET.hold".
+std::optional<StimulusColumn> deviceColumn(const std::string& name) {
+  struct DeviceName {
+    std::string_view before, after;
+    StimulusTarget target;
+    std::uint32_t count;  ///< how many there are; 0: no number in the name
+  };
+  static constexpr std::array<DeviceName, 5> names = {{{"hsc", ".pulses", StimulusTarget::Pulses, HighSpeedCounters::count},
+                                                       {"hsc", ".down", StimulusTarget::DownPulses, HighSpeedCounters::count},
+                                                       {"port", ".receive", StimulusTarget::Characters, 2},
+                                                       {"net.error", "", StimulusTarget::NetworkError, 0},
+                                                       {"net.hold", "", StimulusTarget::NetworkHold, 0}}};
+  const std::string lower = lowered(name);
+  for (const DeviceName& device : names) {
+    if (!lower.starts_with(device.before) || !lower.ends_with(device.after)) continue;
+    const std::string middle = lower.size() < device.before.size() + device.after.size()
+                                   ? "?"
+                                   : lower.substr(device.before.size(), lower.size() - device.before.size() - device.after.size());
+    const bool isNumber = middle.size() == 1 && middle[0] >= '0' && static_cast<std::uint32_t>(middle[0] - '0') < device.count;
+    if (device.count == 0 ? !middle.empty() : !isNumber) continue;
+    StimulusColumn column;
+    column.target = device.target;
+    column.position = device.count == 0 ? 0 : static_cast<std::uint32_t>(middle[0] - '0');
+    column.signal.name = name;
+    column.signal.operand = direct(Area::V, Width::DWord, 0);  // only its width counts
+    column.signal.type = SignalType::Unsigned;
+    return column;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<TraceSignal> signalNamed(const Program& program, std::string_view name, Failure& failure) {
+  std::string_view bare = name;
+  const bool asValue = lowered(name).ends_with(".value");
+  if (asValue) bare.remove_suffix(6);
+  Operand operand;
+  std::string symbolName;
+  bool isKnown = readAddress(bare, Spelling::International, operand);
+  if (!isKnown) {
+    for (const Symbol& symbol : program.symbols) {
+      if (lowered(symbol.name) != lowered(bare) || symbol.address.kind != OperandKind::Direct) continue;
+      operand = symbol.address;
+      symbolName = symbol.name;
+      isKnown = true;
+    }
+  }
+  isKnown = isKnown || readAddress(bare, Spelling::German, operand);
+  if (!isKnown) {
+    std::vector<std::string> names;
+    for (const Symbol& symbol : program.symbols) names.push_back(symbol.name);
+    const std::string_view meant = closest(bare, names);
+    failure = {fmt::format("'{}' is no address and no symbol of the program", name), {}, meant.empty() ? "give the symbol table with --symbols, or write the address" : fmt::format("did you mean '{}'?", meant)};
+    return std::nullopt;
+  }
+  const bool byNumber = operand.area == Area::T || operand.area == Area::C;
+  if (asValue && !byNumber) {
+    failure = {fmt::format("'.value' belongs to timers and counters, not to {}", bare)};
+    return std::nullopt;
+  }
+  if (byNumber) operand.width = asValue ? Width::Word : Width::Bit;
+  if (operand.area == Area::AI || operand.area == Area::AQ) operand.width = Width::Word;
+  if (operand.area == Area::HC) operand.width = Width::DWord;
+  if (operand.area == Area::L) {
+    failure = {fmt::format("{} has no value between scans: local memory belongs to one call (001:1367)", name)};
+    return std::nullopt;
+  }
+  if (!addressExists(program.target, operand.area, operand.width, operand.offset, operand.bit)) {
+    failure = {fmt::format("{} does not exist on CPU {}", name, cpuName(program.target.cpu)), {}, "choose the CPU with --cpu"};
+    return std::nullopt;
+  }
+  TraceSignal signal = signalOf(program, operand);
+  signal.name = std::string(name);
+  if (!symbolName.empty()) signal.symbol = symbolName;
+  return signal;
+}
+
+std::optional<StimulusColumn> stimulusColumn(const Program& program, const std::string& name, bool isRecorded, Failure& failure) {
+  if (auto library = libraryColumn(program, name)) return library;
+  if (auto device = deviceColumn(name)) return device;
+  const std::optional<TraceSignal> signal = signalNamed(program, name, failure);
+  if (!signal) return std::nullopt;
+  StimulusColumn column;
+  column.signal = *signal;
+  const bool applies = !isRecorded || isSurrounding(program, signal->operand);
+  column.target = applies ? StimulusTarget::Memory : StimulusTarget::None;
+  return column;
+}
+
+}  // namespace rungproof

@@ -1,0 +1,118 @@
+// Tables and traces of witnesses.
+#include "frontend/run/witness_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rungproof {
+
+namespace {
+
+bool matters(const Witness& witness, std::size_t scan, std::size_t input) {
+  return witness.matters.empty() ? witness.scans[scan].inputs[input].value != 0 : witness.matters[scan][input];
+}
+
+/// Whether the signal is an input of the scan that may have any value.
+bool isIdle(const Witness& witness, std::size_t scan, const Operand& signal) {
+  if (witness.matters.empty()) return false;
+  const std::vector<PresetValue>& inputs = witness.scans[scan].inputs;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (toString(inputs[i].operand) == toString(signal)) return !witness.matters[scan][i];
+  }
+  return false;
+}
+
+}  // namespace
+
+Trace traceOf(const Program& program, const Choices& choices, const Witness& witness, const std::vector<TraceSignal>& signals, std::size_t limit, bool hidesIdle) {
+  Trace trace;
+  trace.signals = signals;
+  std::uint64_t scan = 0, timeUs = 0;
+  const std::uint64_t skipped = witness.scanCount > limit ? witness.scanCount - limit : 0;
+  replay(program, choices, witness.scans, witness.initial ? &*witness.initial : nullptr, [&](const Concrete::Store& state, std::size_t at) {
+    const std::uint32_t scanUs = witness.scans[at].lengthMs * 1000;
+    timeUs += scanUs;
+    if (++scan <= skipped) return true;
+    TraceRow row{scan, timeUs, scanUs, {}};
+    for (const TraceSignal& signal : signals) {
+      row.values.push_back(numberOf(valueIn(state, signal.operand), signal.type, signal.width()));
+      if (hidesIdle && isIdle(witness, at, signal.operand)) row.values.back().reset();
+    }
+    trace.rows.push_back(std::move(row));
+    return true;
+  });
+  return trace;
+}
+
+std::vector<TraceSignal> signalsThatMatter(const Program& program, const ProofResult& result) {
+  std::vector<TraceSignal> signals;
+  const auto add = [&](Operand operand) {
+    if (operand.area == Area::L) return;
+    if (operand.area == Area::AC) operand.width = Width::DWord;
+    TraceSignal signal = signalOf(program, operand);
+    if (std::none_of(signals.begin(), signals.end(), [&](const TraceSignal& s) { return s.name == signal.name; })) signals.push_back(std::move(signal));
+  };
+  if (result.witness) {
+    for (std::size_t s = 0; s < result.witness->scans.size(); ++s) {
+      const std::vector<PresetValue>& inputs = result.witness->scans[s].inputs;
+      for (std::size_t i = 0; i < inputs.size(); ++i) {
+        if (matters(*result.witness, s, i)) add(inputs[i].operand);
+      }
+    }
+  }
+  for (const Expr* expr : {&result.property.first, &result.property.second}) {
+    for (const ExprNode& node : expr->nodes) {
+      if (node.op != ExprOp::Address) continue;
+      Operand operand = node.operand;
+      if ((operand.area == Area::T || operand.area == Area::C) && node.type == ExprType::Number) operand.width = Width::Word;
+      add(operand);
+    }
+  }
+  if (result.builtin && result.builtin->place != nullptr) {
+    for (const Operand& operand : result.builtin->place->operands) {
+      if (operand.kind == OperandKind::Direct) add(operand);
+    }
+  }
+  return signals;
+}
+
+std::vector<std::string> tableOf(const Trace& trace, std::size_t rows) {
+  struct Row {
+    std::string scan, time;
+    std::vector<std::string> values;
+  };
+  std::vector<Row> table{{"scan", "ms", {}}};
+  for (const TraceSignal& signal : trace.signals) table[0].values.push_back(signal.symbol.empty() ? signal.name : signal.symbol);
+  std::uint64_t first = 0;
+  for (std::size_t i = 0; i < trace.rows.size(); ++i) {
+    const TraceRow& row = trace.rows[i];
+    Row next{"", fmt::format("{}", row.timeUs / 1000), {}};
+    for (std::size_t s = 0; s < trace.signals.size(); ++s) next.values.push_back(row.values[s] ? numberText(*row.values[s], trace.signals[s].type) : "-");
+    const bool isSame = table.size() > 1 && i + 1 < trace.rows.size() && table.back().values == next.values;
+    if (!isSame) first = row.scan;
+    next.scan = first == row.scan ? fmt::format("{}", row.scan) : fmt::format("{}-{}", first, row.scan);
+    if (isSame) table.back() = std::move(next);
+    else table.push_back(std::move(next));
+  }
+  if (table.size() > rows + 1) {
+    const std::size_t cut = table.size() - rows;
+    table.erase(table.begin() + 1, table.begin() + static_cast<std::ptrdiff_t>(cut));
+    table.insert(table.begin() + 1, Row{"...", "", std::vector<std::string>(trace.signals.size())});
+  }
+  std::vector<std::size_t> widths(trace.signals.size() + 2, 0);
+  for (const Row& row : table) {
+    widths[0] = std::max(widths[0], row.scan.size());
+    widths[1] = std::max(widths[1], row.time.size());
+    for (std::size_t s = 0; s < row.values.size(); ++s) widths[s + 2] = std::max(widths[s + 2], row.values[s].size());
+  }
+  std::vector<std::string> lines;
+  for (const Row& row : table) {
+    std::string line = fmt::format("{:>{}}  {:>{}}", row.scan, widths[0], row.time, widths[1]);
+    for (std::size_t s = 0; s < row.values.size(); ++s) line += fmt::format("  {:>{}}", row.values[s], widths[s + 2]);
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+}  // namespace rungproof

@@ -1,0 +1,157 @@
+// Reading of rungproof.toml with toml++. Every unknown key, wrong type and bad value is an error with its place: a
+// setting that is silently ignored is worse than none. Tested by tests/golden/config and tests/cli/exit_test.cpp.
+#include "frontend/closest_word.hpp"
+#include "frontend/settings/config.hpp"
+
+#include <fmt/core.h>
+
+#define TOML_EXCEPTIONS 0
+#include <toml++/toml.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace rungproof {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class Reader {
+ public:
+  Reader(std::string name, Settings& settings) : name_(std::move(name)), settings_(settings) {}
+
+  std::optional<Failure> read(const toml::table& root) {
+    for (const auto& [key, node] : root) {
+      std::optional<Failure> failure;
+      if (key == "choices") {
+        failure = readChoices(node);
+      } else if (key == "rules") {
+        failure = readRules(node);
+      } else {
+        failure = readOption(key.str(), key.source(), node);
+      }
+      if (failure) return failure;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::string place(const toml::source_region& region) const {
+    return fmt::format("{}:{}:{}", name_, region.begin.line, region.begin.column);
+  }
+  std::string origin(const toml::source_region& region) const { return fmt::format("{}:{}", name_, region.begin.line); }
+
+  Failure at(const toml::source_region& region, Failure failure) const {
+    failure.place = place(region);
+    return failure;
+  }
+
+  std::optional<Failure> readOption(std::string_view key, const toml::source_region& region, const toml::node& node) {
+    const OptionInfo* info = optionNamed(key);
+    if (info == nullptr || !info->inConfig) return at(region, unknownKey(key, info != nullptr));
+    if (info->arity == Arity::Flag) {
+      const auto value = node.value_exact<bool>();
+      if (!value) return at(node.source(), {fmt::format("'{}' must be true or false", key)});
+      settings_.set(info->id, *value ? std::vector<std::string>{"true"} : std::vector<std::string>{}, origin(region));
+      return std::nullopt;
+    }
+    std::vector<std::string> texts;
+    if (const toml::array* array = node.as_array(); array != nullptr && info->arity == Arity::List) {
+      for (const toml::node& element : *array) {
+        const auto text = textOf(element);
+        if (!text) return at(element.source(), {fmt::format("'{}' must be a list of texts", key)});
+        texts.push_back(*text);
+      }
+    } else if (const auto text = textOf(node)) {
+      texts.push_back(*text);
+    } else {
+      return at(node.source(), {fmt::format("'{}' must be a text{}", key, info->arity == Arity::List ? " or a list of texts" : "")});
+    }
+    for (const std::string& text : texts) {
+      if (auto failure = checkValue(*info, text)) return at(node.source(), *failure);
+    }
+    settings_.set(info->id, texts, origin(region));
+    return std::nullopt;
+  }
+
+  std::optional<Failure> readChoices(const toml::node& node) {
+    const toml::table* table = node.as_table();
+    if (table == nullptr) return at(node.source(), {"'choices' must be a table"});
+    for (const auto& [key, value] : *table) {
+      const auto text = textOf(value);
+      if (!text) return at(value.source(), {fmt::format("'{}' must be a text", key.str())});
+      if (auto failure = settings_.setChoice(key.str(), *text, origin(key.source()))) return at(key.source(), *failure);
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Failure> readRules(const toml::node& node) {
+    const toml::table* rules = node.as_table();
+    if (rules == nullptr) return at(node.source(), {"'rules' must hold one table for each rule, such as [rules.STY002]"});
+    for (const auto& [id, value] : *rules) {
+      const toml::table* table = value.as_table();
+      if (table == nullptr) return at(value.source(), {fmt::format("'rules.{}' must be a table", id.str())});
+      for (const auto& [key, number] : *table) {
+        const auto integer = number.value_exact<std::int64_t>();
+        if (!integer) return at(number.source(), {fmt::format("'{}' must be a whole number", key.str())});
+        if (auto failure = settings_.setRuleOption(id.str(), key.str(), *integer)) return at(key.source(), *failure);
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// Numbers may be written without quotes: cpu = 224.
+  static std::optional<std::string> textOf(const toml::node& node) {
+    if (const auto text = node.value_exact<std::string>()) return text;
+    if (const auto number = node.value_exact<std::int64_t>()) return std::to_string(*number);
+    return std::nullopt;
+  }
+
+  static Failure unknownKey(std::string_view key, bool commandLineOnly) {
+    if (commandLineOnly) return {fmt::format("'{}' can only be given on the command line", key)};
+    std::vector<std::string_view> keys = {"choices", "rules"};
+    for (const OptionInfo& info : optionTable()) {
+      if (info.inConfig) keys.push_back(info.name);
+    }
+    const std::string_view meant = closest(key, keys);
+    return {fmt::format("unknown key '{}'", key), {},
+            meant.empty() ? "'rungproof config' lists the keys" : fmt::format("did you mean '{}'?", meant)};
+  }
+
+  std::string name_;
+  Settings& settings_;
+};
+
+}  // namespace
+
+fs::path findConfig(const fs::path& folder) {
+  std::error_code error;
+  fs::path current = fs::absolute(folder, error).lexically_normal();
+  while (!current.empty()) {
+    const fs::path candidate = current / "rungproof.toml";
+    if (fs::is_regular_file(candidate, error)) return candidate;
+    if (current == current.parent_path()) break;
+    current = current.parent_path();
+  }
+  return {};
+}
+
+std::optional<Failure> readConfig(const fs::path& file, Settings& settings) {
+  std::error_code error;
+  const fs::path nearer = fs::proximate(file, error);
+  const std::string name = error || nearer.empty() ? file.string() : nearer.string();
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return Failure{"the configuration file cannot be read", name};
+  std::ostringstream text;
+  text << stream.rdbuf();
+  const toml::parse_result result = toml::parse(text.str());
+  if (!result) {
+    const toml::parse_error& fault = result.error();
+    return Failure{std::string(fault.description()),
+                   fmt::format("{}:{}:{}", name, fault.source().begin.line, fault.source().begin.column)};
+  }
+  return Reader(name, settings).read(result.table());
+}
+
+}  // namespace rungproof

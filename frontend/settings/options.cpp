@@ -1,0 +1,146 @@
+// The table of common options. Adding a row is all it takes: command line, help, completion, configuration and
+// `rungproof config` follow.
+#include "frontend/settings/options.hpp"
+
+#include <fmt/core.h>
+
+#include "frontend/closest_word.hpp"
+#include "frontend/settings/code_list.hpp"
+
+namespace rungproof {
+
+namespace {
+
+using namespace option_group;
+
+// clang-format off
+constexpr std::array table = {
+    OptionInfo{Opt::Cpu, Reading, Arity::One, "cpu", "221|222|224|224XP|226|226XM|212|214", "226", "CPU whose limits count"},
+    OptionInfo{Opt::Edition, Reading, Arity::One, "edition", "2003|2004", "2004", "edition of the system manual whose tables count"},
+    OptionInfo{Opt::Dialect, Reading, Arity::One, "dialect", "auto|s7-200|s7-300|s7-400", "auto", "what the files are written in"},
+    OptionInfo{Opt::Mnemonics, Reading, Arity::One, "mnemonics", "auto|international|german", "auto", "which set of mnemonics the files use"},
+    OptionInfo{Opt::Encoding, Reading, Arity::One, "encoding", "auto|utf-8|cp1252|cp1251|gb18030", "auto", "character encoding of the files"},
+    OptionInfo{Opt::Symbols, Reading, Arity::List, "symbols", "FILE", "", "symbol table that belongs to the program"},
+    OptionInfo{Opt::StdinFilename, Reading, Arity::One, "stdin-filename", "NAME", "", "name for standard input, which is read where FILE is '-'", false},
+    OptionInfo{Opt::ScanTime, Running, Arity::One, "scan-time", "MIN..MAX", "", "length of a scan, as 5ms..20ms or one value (sim: 10ms; prove: 1ms up to the watchdog)"},
+    OptionInfo{Opt::Timeout, Running, Arity::One, "timeout", "TIME", "30s", "time limit for each property"},
+    OptionInfo{Opt::Memory, Running, Arity::One, "memory", "SIZE", "", "memory limit, as 500MB or 2GB (three quarters of the machine)"},
+    OptionInfo{Opt::Bound, Running, Arity::One, "bound", "N", "", "look at no more than N scans"},
+    OptionInfo{Opt::Jobs, Running, Arity::One, "jobs", "N", "", "threads to use (all processors)"},
+    OptionInfo{Opt::Seed, Running, Arity::One, "seed", "N", "1", "seed of everything random"},
+    OptionInfo{Opt::ChoiceOf, Running, Arity::List, "choice", "KEY=VALUE", "", "reading of a point that the manual leaves open; see 'rungproof explain choices'", false},
+    OptionInfo{Opt::Select, Rules, Arity::List, "select", "CODE", "", "rules to run, by id or prefix (ADR001, ADR, ALL); those that are on by default"},
+    OptionInfo{Opt::Ignore, Rules, Arity::List, "ignore", "CODE", "", "rules not to run, by id or prefix"},
+    OptionInfo{Opt::Level, Rules, Arity::One, "level", "error|warning|note", "note", "report findings of this severity and above"},
+    OptionInfo{Opt::NoSuppress, Rules, Arity::Flag, "no-suppress", "", "", "report findings although an allow-comment silences them"},
+    OptionInfo{Opt::Baseline, Rules, Arity::One, "baseline", "FILE", "", "leave out the findings that the baseline file lists"},
+    OptionInfo{Opt::Format, Output, Arity::List, "format", "NAME[=FILE]", "", "form of the report; with FILE written there; may be repeated"},
+    OptionInfo{Opt::Color, Output, Arity::One, "color", "auto|always|never", "auto", "colours; auto: on a terminal unless NO_COLOR is set"},
+    OptionInfo{Opt::Quiet, Output, Arity::Flag, "quiet", "", "", "results only: no closing line, no progress"},
+    OptionInfo{Opt::Isolated, Configuration, Arity::Flag, "isolated", "", "", "read no configuration file", false},
+    OptionInfo{Opt::Config, Configuration, Arity::One, "config", "FILE", "", "configuration file (rungproof.toml beside the first FILE or above it)", false},
+};
+// clang-format on
+
+constexpr bool tableIsInOrder() {
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    if (static_cast<std::size_t>(table[i].id) != i) return false;
+  }
+  return table.size() == static_cast<std::size_t>(Opt::count);
+}
+static_assert(tableIsInOrder(), "the table must follow the enumeration");
+
+std::string orList(const std::vector<std::string_view>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
+    text += words[i];
+  }
+  return text;
+}
+
+std::optional<std::int64_t> wholeNumber(std::string_view text) {
+  if (text.empty() || text.size() > 18) return std::nullopt;
+  std::int64_t value = 0;
+  for (const char c : text) {
+    if (c < '0' || c > '9') return std::nullopt;
+    value = value * 10 + (c - '0');
+  }
+  return value;
+}
+
+/// Free text that has a form of its own: numbers, times, codes of rules.
+std::optional<Failure> checkForm(const OptionInfo& info, std::string_view text) {
+  if (info.value == "N") {
+    const auto value = wholeNumber(text);
+    const bool zeroAllowed = info.id == Opt::Seed;
+    if (value && (*value > 0 || zeroAllowed)) return std::nullopt;
+    return Failure{fmt::format("'{}' is no value for --{}", text, info.name), {},
+                   zeroAllowed ? "give a whole number" : "give a whole number above 0"};
+  }
+  if (info.id == Opt::Timeout && !durationNamed(text)) {
+    return Failure{fmt::format("'{}' is no time", text), {}, "write a number with its unit, such as 30s, 500ms or 2min"};
+  }
+  if (info.id == Opt::Memory && !memoryNamed(text)) {
+    return Failure{fmt::format("'{}' is no amount of memory", text), {}, "write a whole number with its unit, such as 500MB or 2GB"};
+  }
+  if (info.id == Opt::ScanTime && !scanTimeNamed(text)) {
+    return Failure{fmt::format("'{}' is no scan time", text), {},
+                   "write one time above zero, or the shortest and the longest, such as 10ms or 5ms..20ms"};
+  }
+  if (info.id == Opt::Select || info.id == Opt::Ignore) {
+    if (text == "ALL") return std::nullopt;
+    std::vector<std::string_view> ids;
+    for (const Code& code : allCodes()) {
+      if (code.id.starts_with(text) && !text.empty()) return std::nullopt;
+      ids.push_back(code.id);
+    }
+    const std::string_view meant = closest(text, ids);
+    return Failure{fmt::format("no rule is called '{}' or begins so", text), {},
+                   meant.empty() ? "'rungproof rules' lists them" : fmt::format("did you mean '{}'?", meant)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::span<const OptionInfo> optionTable() { return table; }
+const OptionInfo& optionInfo(Opt id) { return table[static_cast<std::size_t>(id)]; }
+
+std::optional<std::uint64_t> memoryNamed(std::string_view text) {
+  for (const auto& [unit, bytes] : {std::pair<std::string_view, std::uint64_t>{"MB", 1'000'000}, {"GB", 1'000'000'000}}) {
+    if (!text.ends_with(unit)) continue;
+    const auto value = wholeNumber(text.substr(0, text.size() - unit.size()));
+    if (value && *value > 0 && *value < 1'000'000) return static_cast<std::uint64_t>(*value) * bytes;
+  }
+  return std::nullopt;
+}
+
+const OptionInfo* optionNamed(std::string_view name) {
+  for (const OptionInfo& info : table) {
+    if (info.name == name) return &info;
+  }
+  return nullptr;
+}
+
+std::vector<std::string_view> permittedWords(std::string_view value) {
+  std::vector<std::string_view> words;
+  if (value.find('|') == std::string_view::npos) return words;
+  for (std::size_t begin = 0; begin <= value.size();) {
+    const std::size_t end = std::min(value.find('|', begin), value.size());
+    words.push_back(value.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
+
+std::optional<Failure> checkValue(const OptionInfo& info, std::string_view text) {
+  const auto words = permittedWords(info.value);
+  if (words.empty()) return checkForm(info, text);
+  for (const std::string_view word : words) {
+    if (word == text) return std::nullopt;
+  }
+  return Failure{fmt::format("'{}' is no value for --{}", text, info.name), {}, "it can be " + orList(words)};
+}
+
+}  // namespace rungproof

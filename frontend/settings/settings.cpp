@@ -1,0 +1,154 @@
+// Values of the common options in this run: defaults, configuration file, command line, in rising order of rank.
+// Tested by tests/cli/settings_test.cpp.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "frontend/closest_word.hpp"
+#include "frontend/settings/options.hpp"
+#include "ir/check.hpp"
+
+namespace rungproof {
+
+namespace {
+
+/// Longest duration that options accept; keeps sums of durations far from overflow.
+constexpr double longestSeconds = 366.0 * 24 * 3600;
+
+std::vector<std::string> splitAtCommas(const std::vector<std::string>& texts) {
+  std::vector<std::string> parts;
+  for (const std::string& text : texts) {
+    for (std::size_t begin = 0; begin <= text.size();) {
+      const std::size_t end = std::min(text.find(',', begin), text.size());
+      if (end > begin) parts.push_back(text.substr(begin, end - begin));
+      begin = end + 1;
+    }
+  }
+  return parts;
+}
+
+}  // namespace
+
+std::optional<Duration> durationNamed(std::string_view text) {
+  struct Unit {
+    std::string_view name;
+    double seconds;
+  };
+  static constexpr std::array units = {Unit{"us", 1e-6}, Unit{"ms", 1e-3}, Unit{"min", 60.0}, Unit{"s", 1.0}};
+  const std::size_t end = text.find_first_not_of("0123456789.");
+  if (end == 0 || end == std::string_view::npos) return std::nullopt;
+  const std::string digits(text.substr(0, end));
+  if (std::count(digits.begin(), digits.end(), '.') > 1 || digits == ".") return std::nullopt;
+  for (const Unit& unit : units) {
+    if (text.substr(end) != unit.name) continue;
+    const double seconds = std::strtod(digits.c_str(), nullptr) * unit.seconds;
+    if (seconds > longestSeconds) return std::nullopt;
+    return Duration(std::llround(seconds * 1e6));
+  }
+  return std::nullopt;
+}
+
+std::optional<ScanTime> scanTimeNamed(std::string_view text) {
+  const std::size_t dots = text.find("..");
+  const auto low = durationNamed(text.substr(0, dots));
+  const auto high = dots == std::string_view::npos ? low : durationNamed(text.substr(dots + 2));
+  if (!low || !high || low->count() == 0 || *high < *low) return std::nullopt;
+  return ScanTime{*low, *high};
+}
+
+Settings::Settings() {
+  for (const OptionInfo& info : optionTable()) {
+    if (!info.initial.empty()) values_[index(info.id)].texts = {std::string(info.initial)};
+  }
+  choiceOrigins_.fill("default");
+}
+
+std::string_view Settings::text(Opt id) const {
+  const auto& texts = values_[index(id)].texts;
+  return texts.empty() ? std::string_view() : std::string_view(texts.back());
+}
+
+std::int64_t Settings::number(Opt id, std::int64_t initial) const {
+  const std::string value(text(id));
+  return value.empty() ? initial : std::strtoll(value.c_str(), nullptr, 10);
+}
+
+std::optional<std::uint64_t> Settings::memory() const { return memoryNamed(text(Opt::Memory)); }
+
+Target Settings::target() const {
+  Target target;
+  target.cpu = *cpuNamed(text(Opt::Cpu));
+  target.edition = text(Opt::Edition) == "2003" ? Edition::Edition2003 : Edition::Edition2004;
+  // Without an explicit edition, the one that describes the chosen CPU counts (the 226XM left the manual in 2004).
+  if (!isSet(Opt::Edition) && !editionCovers(target.edition, target.cpu)) target.edition = Edition::Edition2003;
+  return target;
+}
+
+Severity Settings::level() const {
+  const std::string_view name = text(Opt::Level);
+  return name == "error" ? Severity::Error : name == "warning" ? Severity::Warning : Severity::Note;
+}
+
+std::optional<ScanTime> Settings::scanTime() const { return scanTimeNamed(text(Opt::ScanTime)); }
+std::optional<Duration> Settings::timeout() const { return durationNamed(text(Opt::Timeout)); }
+
+Choices Settings::choices() const { return choices_; }
+
+void Settings::set(Opt id, const std::vector<std::string>& texts, const std::string& origin) {
+  Value& value = values_[index(id)];
+  value.texts = optionInfo(id).arity == Arity::List && id != Opt::Symbols ? splitAtCommas(texts) : texts;
+  value.origin = origin;
+}
+
+std::optional<Failure> Settings::setChoice(std::string_view key, std::string_view value, const std::string& origin) {
+  std::vector<std::string_view> keys;
+  for (const ChoiceInfo& info : choiceTable) {
+    keys.push_back(info.key);
+    if (info.key != key) continue;
+    if (choices_.set(key, value)) {
+      choiceOrigins_[static_cast<std::size_t>(info.choice)] = origin;
+      return std::nullopt;
+    }
+    std::string values;
+    for (const std::string_view name : info.values) {
+      if (!name.empty()) values += (values.empty() ? "" : ", ") + std::string(name);
+    }
+    return Failure{fmt::format("'{}' is no value for the choice '{}'", value, key), {}, "it can be " + values};
+  }
+  const std::string_view meant = closest(key, keys);
+  return Failure{fmt::format("there is no choice called '{}'", key), {},
+                 meant.empty() ? "'rungproof explain choices' lists them" : fmt::format("did you mean '{}'?", meant)};
+}
+
+std::optional<Failure> Settings::setRuleOption(std::string_view id, std::string_view name, std::int64_t value) {
+  const Rule* rule = ruleNamed(id);
+  if (rule == nullptr) return Failure{fmt::format("no rule is called '{}'", id), {}, "'rungproof rules' lists them"};
+  std::vector<std::string_view> names;
+  for (const RuleOption& option : rule->options) {
+    names.push_back(option.name);
+    if (option.name != name) continue;
+    if (value < option.low || value > option.high) {
+      return Failure{fmt::format("{} is out of range for '{}' of {}", value, name, rule->id), {},
+                     fmt::format("it can be {} to {}", option.low, option.high)};
+    }
+    ruleSettings_[fmt::format("{}.{}", rule->id, name)] = static_cast<int>(value);
+    return std::nullopt;
+  }
+  const std::string_view meant = closest(name, names);
+  return Failure{fmt::format("{} has no option '{}'", rule->id, name), {},
+                 meant.empty() ? fmt::format("see 'rungproof explain {}'", rule->id) : fmt::format("did you mean '{}'?", meant)};
+}
+
+std::optional<Failure> Settings::check() const {
+  const Target chosen = target();
+  if (!editionCovers(chosen.edition, chosen.cpu)) {
+    return Failure{fmt::format("the {} edition of the manual does not describe the CPU {}", text(Opt::Edition), text(Opt::Cpu)),
+                   {},
+                   fmt::format("leave out --edition, or give --edition {}", text(Opt::Edition) == "2003" ? "2004" : "2003")};
+  }
+  return std::nullopt;
+}
+
+}  // namespace rungproof
