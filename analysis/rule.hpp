@@ -28,6 +28,9 @@ enum class Needs : std::uint8_t {
 };
 
 enum class RuleStatus : std::uint8_t { Stable, Preview };
+/// What a rule asks the prover beside the questions of prove --builtin: about rungs, steps and declared stops, or about
+/// power-up with retentive memory.
+enum class Questions : std::uint8_t { None, Rungs, PowerUp };
 enum class FixClass : std::uint8_t { None, Safe, Unsafe };
 
 /// A set of dialects, one bit each.
@@ -62,6 +65,7 @@ struct Rule {
   Dialects dialects = dialect::Every;
   FixClass fix = FixClass::None;
   RuleStatus status = RuleStatus::Stable;
+  Questions questions = Questions::None;
   bool enabledByDefault = true;
   std::string_view since = "0.1";
   std::span<const RuleOption> options{};

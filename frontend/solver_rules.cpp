@@ -16,9 +16,6 @@ namespace rungproof {
 
 namespace {
 
-/// The rules that CheckGroups::rungs asks for.
-constexpr std::string_view rungRules[] = {"LOG001", "LOG002", "LOG005", "LOG006", "OUT001", "HSP004", "SCR003", "SCR004", "CTL003", "CTL005", "TIM012", "SAF006"};
-
 bool isWithin(const Span& inner, const Span& outer) {
   return inner.file == outer.file && inner.offset >= outer.offset && inner.offset < outer.offset + outer.length;
 }
@@ -129,10 +126,12 @@ void settle(const Program& program, const std::vector<ProofResult>& results, con
 
 void settleBySolver(const ProgramInput& input, const ProverOptions& options, const std::function<bool(std::string_view)>& isSelected, std::vector<Finding>& findings) {
   ProverOptions questions = options;
-  const bool hasRungRule = std::any_of(std::begin(rungRules), std::end(rungRules), isSelected);
-  questions.checks = {.builtin = true, .rungs = hasRungRule};
+  const auto areAsked = [&](Questions group) {
+    return std::ranges::any_of(allRules(), [&](const Rule* rule) { return rule->questions == group && isSelected(rule->id); });
+  };
+  questions.checks = {.builtin = true, .rungs = areAsked(Questions::Rungs)};
   settle(input.program, prove(input.program, input.properties, questions).results, isSelected, findings);
-  if (!isSelected("SAF005")) return;
+  if (!areAsked(Questions::PowerUp)) return;
   PropertySet atPowerUp = input.properties;
   std::erase_if(atPowerUp.properties, [](const Property& property) { return property.isGoal(); });
   atPowerUp.initialRetentive = true;

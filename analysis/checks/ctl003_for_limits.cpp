@@ -86,6 +86,7 @@ extern constexpr Rule ctl003_for_limits = {
     .falsePositives = "an index that is raised to the end on purpose, to leave the loop early",
     .peers = "SA0072; L22",
     .dialects = dialect::S7200,
+    .questions = Questions::Rungs,
     .check = checkCtl003,
 };
 

@@ -63,6 +63,7 @@ extern constexpr Rule ctl005_unreachable_code = {
     .good = "Network 1\nLD I0.1\nJMP 1\nNetwork 2\nLD I0.0\n= Q0.0\nNetwork 3\nLBL 1\n",
     .falsePositives = "code switched off for a time by a jump on SM0.0",
     .peers = "SA0001; CP2; iec-checker CP2",
+    .questions = Questions::Rungs,
     .check = checkCtl005,
 };
 

@@ -115,6 +115,7 @@ extern constexpr Rule hsp004_runs_every_scan = {
     .good = "Network 1\nLD SM0.1\nMOVW +10, VW200\nNetwork 2\nLD I0.0\nEU\nATT VW0, VW200\n",
     .falsePositives = "a condition that another network ends in the next scan: the prover drops it",
     .dialects = dialect::S7200,
+    .questions = Questions::Rungs,
     .check = checkHsp004,
 };
 

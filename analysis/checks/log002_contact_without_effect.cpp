@@ -15,6 +15,7 @@ extern constexpr Rule log002_contact_without_effect = {
     .good = "Network 1\nLD I0.0\nA I0.1\nA I0.2\n= Q0.0\n",
     .falsePositives = "an interlock that other networks happen to guarantee, and that is kept in case they change",
     .peers = "Rockwell \"shorted branch\"",
+    .questions = Questions::Rungs,
 };
 
 }  // namespace rungproof

@@ -79,6 +79,7 @@ extern constexpr Rule log005_bit_toggles = {
         "Network 1\nLD I0.0\nEU\nLPS\nAN M0.0\n= M0.1\nLPP\nA M0.0\n= M0.2\nNetwork 2\nLD M0.1\nS M0.0, 1\nNetwork "
         "3\nLD M0.2\nR M0.0, 1\n",
     .falsePositives = "a scan clock on purpose: SM0.6 is one already",
+    .questions = Questions::Rungs,
     .check = checkLog005,
 };
 

@@ -14,6 +14,7 @@ extern constexpr Rule log006_latch_cannot_drop_out = {
     .bad = "Network 1\nLD I0.0\nO Q0.0\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\nO Q0.0\nAN I0.1\n= Q0.0\n",
     .falsePositives = "a fault memory that is meant to last until the next start",
+    .questions = Questions::Rungs,
 };
 
 }  // namespace rungproof

@@ -70,6 +70,7 @@ extern constexpr Rule out001_double_coil = {
         "lint alone "
         "marks them unconfirmed",
     .peers = "SA0004; CP12; Rockwell duplicate destructive bit; Omron duplicate outputs",
+    .questions = Questions::Rungs,
     .check = checkOut001,
 };
 

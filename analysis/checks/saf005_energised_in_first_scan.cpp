@@ -15,6 +15,7 @@ extern constexpr Rule saf005_energised_in_first_scan = {
     .bad = "Network 1\nLD I0.0\nS V0.0, 1\nNetwork 2\nLDN I0.1\nR V0.0, 1\nNetwork 3\nLD V0.0\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\nS V0.0, 1\nNetwork 2\nLDN I0.1\nO SM0.1\nR V0.0, 1\nNetwork 3\nLD V0.0\n= Q0.0\n",
     .falsePositives = "lamps and other outputs that are meant to show what was",
+    .questions = Questions::PowerUp,
 };
 
 }  // namespace rungproof

@@ -18,6 +18,7 @@ extern constexpr Rule saf006_restarts_by_itself = {
         "//@ prove stop: not I0.1 implies not Q0.0\nNetwork 1\nLD I0.0\nS M0.0, 1\nNetwork 2\nLD I0.2\n"
         "ON I0.1\nR M0.0, 1\nNetwork 3\nLD M0.0\nA I0.1\n= Q0.0\n",
     .falsePositives = "a pause after which the machine is meant to go on",
+    .questions = Questions::Rungs,
 };
 
 }  // namespace rungproof

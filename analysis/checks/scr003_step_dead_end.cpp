@@ -88,6 +88,7 @@ extern constexpr Rule scr003_step_dead_end = {
     .falsePositives = "a last step in which the machine is meant to stay",
     .peers = "Frama-PLC E4.3 (transition constant)",
     .dialects = dialect::S7200,
+    .questions = Questions::Rungs,
     .check = checkScr003,
 };
 

@@ -22,6 +22,7 @@ extern constexpr Rule scr004_two_ways_out = {
         "Network 8\nSCRE\nNetwork 9\nLSCR S0.3\nNetwork 10\nLD I0.2\nSCRT S0.1\nNetwork 11\nSCRE\n",
     .falsePositives = "a divergence that is meant to be parallel: drive both SCRT from one rung",
     .peers = "L7 (nearest)",
+    .questions = Questions::Rungs,
 };
 
 }  // namespace rungproof

@@ -59,6 +59,7 @@ extern constexpr Rule tim012_counter_cannot_work = {
     .manual = "001:3994-4005",
     .bad = "Network 1\nLD I0.0\nLD SM0.0\nCTU C1, +10\nNetwork 2\nLD C1\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\nLD I0.1\nCTU C1, +10\nNetwork 2\nLD C1\n= Q0.0\n",
+    .questions = Questions::Rungs,
     .check = checkTim012,
 };
 
