@@ -41,6 +41,8 @@ struct EncoderOptions {
   std::size_t stepLimit = 50000;  ///< instructions of one scan, loops unrolled, after which no loop is followed further
   /// Asked now and then while the program is encoded; throws whatever shall end it (proof_watch.hpp).
   std::function<void()> interruption;
+  /// What properties read in front of every instruction: interrupts and 1 ms ticks that write it are let in everywhere.
+  std::vector<Operand> watched;
   /// Called in front of every instruction that may run, for properties that hold at every instruction.
   std::function<void(Machine<Graph>&, const Instruction&)> atInstruction;
 };

@@ -32,7 +32,9 @@ Obligations::Obligations(const Program& program, const PropertySet& set, const s
   for (const Property& property : goals) addObserved(property, options);
   std::vector<const Property*> everyInstruction;
   for (const Property& property : goals) {
-    if (property.atEveryInstruction) everyInstruction.push_back(&property);
+    if (!property.atEveryInstruction) continue;
+    everyInstruction.push_back(&property);
+    for (const Operand* operand : addressesOf(property)) options.watched.push_back(*operand);
   }
   for (const Property& property : set.properties) {
     if (!property.isGoal()) addObserved(property, options);
@@ -55,7 +57,7 @@ Obligations::Obligations(const Program& program, const PropertySet& set, const s
     for (std::size_t i = 0; i < everyInstruction.size(); ++i) {
       const auto here = [&](const Operand& o, int width) -> Graph::Bits { return machine.load(o.area, o.offset, leafWidth(width), o.bit); };
       std::vector<Graph::Bits> none(everyInstruction[i]->cells.size(), graph.literal(0, 1)), ignored = none;
-      const Moment<Graph> moment{graph.constant(false), graph.literal(0, 1), 1};
+      const Moment<Graph> moment{machine.getBit(Reg::FirstScan), graph.literal(0, 1), 1};
       const Graph::Bool bad = Monitor<Graph, decltype(here)>(graph, *everyInstruction[i], here, moment, none, ignored).evaluate();
       const Graph::Bool now = graph.land(machine.guard, bad);
       badSoFar[i] = badSoFar[i] == noNode ? now.node : graph.lor({badSoFar[i]}, now).node;

@@ -6,6 +6,8 @@
 //
 // Interrupts: whether an event occurs at a place is an input. Events that wait at one place are served by priority,
 // and at most one of each is taken: an event that occurs more often between two places is not followed.
+#include <algorithm>
+
 #include "analysis/encoding/scan_encoding.hpp"
 #include "ir/event.hpp"
 #include "ir/timer_refresh.hpp"
@@ -41,15 +43,37 @@ void ScanEncoding::prepareTicks() {
   consumed_ = graph.constantNode(0, time.width());
 }
 
+void ScanEncoding::prepareWatched() {
+  for (const Operand& operand : options_.watched) {
+    switch (operand.area) {
+      case Area::T:
+        for (const Reg reg : {Reg::TimerBit, Reg::TimerCurrent}) addKeys(registerPlace(reg, operand.offset), watched_.reads);
+        break;
+      case Area::C:
+        for (const Reg reg : {Reg::CounterBit, Reg::CounterCurrent}) addKeys(registerPlace(reg, operand.offset), watched_.reads);
+        break;
+      case Area::AC: addKeys(registerPlace(Reg::Accumulator, operand.offset), watched_.reads); break;
+      case Area::HC:
+      case Area::AI: break;  // not written by instructions
+      default: addKeys(memoryPlace(operand.area, operand.offset, operand.width, operand.bit), watched_.reads);
+    }
+  }
+}
+
 bool ScanEncoding::needsTicks(std::uint32_t instruction) const {
   if (tickKeys_.empty()) return false;
-  if (instruction == ScanPlace::afterProgram) return true;
+  if (instruction == ScanPlace::afterProgram || watched_.conflictsWith({tickKeys_, tickKeys_})) return true;
   const auto found = knowledge_.footprints.ofInstruction.find(instruction);
   return found != knowledge_.footprints.ofInstruction.end() && found->second.conflictsWith({tickKeys_, tickKeys_});
 }
 
 bool ScanEncoding::mayInterrupt(int event, std::uint32_t instruction) const {
   if (instruction == ScanPlace::afterProgram) return true;
+  const auto isSeen = [&](int routine) {
+    const auto its = knowledge_.footprints.ofRoutine.find(routine);
+    return its != knowledge_.footprints.ofRoutine.end() && watched_.conflictsWith(its->second);
+  };
+  if (std::ranges::any_of(attachments_.at(event), isSeen)) return true;
   const auto own = knowledge_.footprints.ofInstruction.find(instruction);
   if (own == knowledge_.footprints.ofInstruction.end()) return false;
   Footprint needed;

@@ -45,6 +45,7 @@ ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options
     return std::pair(eventInfo(a).group, eventInfo(a).rank) < std::pair(eventInfo(b).group, eventInfo(b).rank);
   });
   prepareTicks();
+  prepareWatched();
   const bool records = !knowledge.isFinal && (!events_.empty() || !tickKeys_.empty());
   if (records) {
     store_.observe([this](const Touch& touch) {

@@ -80,6 +80,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   bool needsTicks(std::uint32_t instruction) const;
   bool mayInterrupt(int event, std::uint32_t instruction) const;
   void prepareTicks();
+  void prepareWatched();
   bool isInput(const Place& place) const;
   Node init(const Place& place) const;
   Node input(std::string name, int width);
@@ -100,6 +101,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   Attachments attachments_;
   std::vector<int> events_;              ///< attached ones, by priority
   std::set<std::uint32_t> tickKeys_;     ///< footprint keys of all 1 ms timers
+  Footprint watched_;                    ///< read in front of every instruction (EncoderOptions::watched)
   Footprints footprints_;
   Node consumed_ = noNode;               ///< ms of this scan that have reached the 1 ms timers
   int routine_ = -1;                     ///< interrupt routine that runs

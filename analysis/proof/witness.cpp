@@ -29,6 +29,36 @@ struct NoOutside final : Outside {
 
 }  // namespace
 
+namespace {
+
+/// Follows a property of every instruction inside the scans of a run.
+class InsideScan final : public InstructionObserver {
+ public:
+  InsideScan(const Property& property, Concrete& domain) : follower_(property), domain_(domain) {}
+
+  void enter(const ReplayScan& scan, bool isFirst) {
+    scan_ = &scan;
+    isFirst_ = isFirst;
+    place_ = nullptr;
+  }
+  void before(const Machine<Concrete>& machine, const Instruction& instruction) override {
+    if (place_ == nullptr && follower_.evaluate(domain_, machine.store, *scan_, isFirst_)) place_ = &instruction;
+  }
+  void external(const ExternalSite&, std::uint64_t) override {}
+  void programEnded(const Machine<Concrete>&) override {}
+  /// The first instruction of the scan in front of which the monitor answered true; nullptr: none.
+  const Instruction* place() const { return place_; }
+
+ private:
+  Follower follower_;
+  Concrete& domain_;
+  const ReplayScan* scan_ = nullptr;
+  bool isFirst_ = true;
+  const Instruction* place_ = nullptr;
+};
+
+}  // namespace
+
 Judge::Judge(const Program& program, const Choices& choices, const std::vector<Property>& assumptions, const Property& goal)
     : program_(program), choices_(choices), assumptions_(assumptions), goal_(goal) {}
 
@@ -40,6 +70,8 @@ Judge::Outcome Judge::run(const std::vector<ReplayScan>& scans, const Concrete::
   for (const Property& assumption : assumptions_) assumptions.emplace_back(assumption);
   Outcome outcome;
   std::size_t step = ~std::size_t{0};
+  InsideScan inside(goal_, domain);
+  if (!scans.empty()) inside.enter(scans.front(), true);
   replay(program_, choices_, scans, initial, [&](const Concrete::Store& state, std::size_t at) {
     outcome.round = at == step ? outcome.round + 1 : 0;
     outcome.step = step = at;
@@ -48,9 +80,15 @@ Judge::Outcome Judge::run(const std::vector<ReplayScan>& scans, const Concrete::
     for (Follower& assumption : assumptions) {
       if (!assumption.evaluate(domain, state, scans[at], isFirst)) outcome.assumptionBroken = true;
     }
-    outcome.shown = !outcome.assumptionBroken && goal.evaluate(domain, state, scans[at], isFirst);
+    if (goal_.atEveryInstruction) {
+      outcome.place = inside.place();
+      const bool staysHere = outcome.round + 1 < scans[at].repeats || at + 1 == scans.size();
+      inside.enter(scans[staysHere ? at : at + 1], false);
+    }
+    const bool isShownNow = outcome.place != nullptr || goal.evaluate(domain, state, scans[at], isFirst);
+    outcome.shown = !outcome.assumptionBroken && isShownNow;
     return !outcome.shown && !outcome.assumptionBroken;
-  });
+  }, goal_.atEveryInstruction ? &inside : nullptr);
   return outcome;
 }
 
@@ -59,7 +97,7 @@ std::optional<Witness> Judge::witness(std::vector<ReplayScan> scans, std::option
   if (!outcome.shown) return std::nullopt;
   scans.resize(outcome.step + 1);
   scans.back().repeats = outcome.round + 1;
-  return Witness{std::move(scans), {}, std::move(initial), outcome.scan, outcome.milliseconds};
+  return Witness{std::move(scans), {}, std::move(initial), outcome.scan, outcome.milliseconds, outcome.place};
 }
 
 namespace {

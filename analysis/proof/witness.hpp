@@ -20,6 +20,8 @@ struct Witness {
   std::optional<Concrete::Store> initial;        ///< where retentive memory starts with other values than power-up
   std::uint64_t scanCount = 0;                   ///< scans of the engine, repeats included
   std::uint64_t milliseconds = 0;                ///< from the start to the end of the last scan
+  /// In front of which instruction of the last scan a property of every instruction showed it; nullptr: at the end.
+  const Instruction* place = nullptr;
 };
 
 /// Judges engine runs by the monitors of assumptions and of one goal.
@@ -29,6 +31,7 @@ class Judge {
 
   struct Outcome {
     bool shown = false;             ///< the goal's monitor answered true in some scan, with all assumptions kept until then
+    const Instruction* place = nullptr;  ///< as Witness::place
     std::uint64_t scan = 0;         ///< engine scans made until then, from 1
     std::size_t step = 0;           ///< index of its ReplayScan
     std::uint32_t round = 0;        ///< repeat of that ReplayScan, from 0

@@ -12,6 +12,7 @@
 #include "analysis/proof/self_check.hpp"
 #include "analysis/rule.hpp"
 #include "frontend/command/command.hpp"
+#include "frontend/page/excerpt.hpp"
 #include "frontend/proof_input.hpp"
 #include "frontend/run/witness_drawing.hpp"
 #include "frontend/run/witness_report.hpp"
@@ -121,6 +122,9 @@ PropertyResult rowOf(const Context& context, const Arguments& arguments, Evidenc
   if (result.witness) {
     const Trace trace = traceOf(program, choices, *result.witness, signalsThatMatter(program, result), 100000, true);
     for (const std::string& line : tableOf(trace)) row.notes.push_back(line);
+    if (const Instruction* place = result.witness->place; place != nullptr) {
+      row.notes.push_back(fmt::format("inside the last scan, in front of '{}' at {}", Facts::text(*place), placeText(*program.sources, place->span)));
+    }
     const bool hasPage = std::ranges::any_of(context.outputs, [](const OutputRequest& output) { return output.name == "html"; });
     if (!arguments.show.empty() || hasPage) row.scans = drawnScans(arguments, program, choices, result, hasPage);
     if (!arguments.traces.empty()) row.trace = writeTraces(context, arguments.traces, stem, program, choices, result);

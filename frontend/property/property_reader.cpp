@@ -65,9 +65,9 @@ class Parser {
     }
     Property property;
     property.atEveryInstruction = everyInstruction;
-    property.span = head.span;
+    property.span = tokens_.front().span;
     const Token& last = tokens_[tokens_.size() - 2];
-    property.span.length = last.span.offset + last.span.length - head.span.offset;
+    property.span.length = last.span.offset + last.span.length - property.span.offset;
     property.text = std::string(text_);
     if (word == "pulse") {
       take();
