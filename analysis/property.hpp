@@ -41,7 +41,8 @@ struct ExprNode {
 /// A tree in one row; the root is the last node.
 struct Expr {
   std::vector<ExprNode> nodes;
-  std::string text;  ///< as written
+  std::string text;     ///< as written
+  std::string premise;  ///< of an implication: its left side as written
 
   const ExprNode& root() const { return nodes.back(); }
   bool empty() const { return nodes.empty(); }

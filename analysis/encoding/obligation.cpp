@@ -250,7 +250,8 @@ std::optional<Property> premiseOf(const Property& property) {
     }
     default: return std::nullopt;
   }
-  premise.text = premise.first.text = property.first.text;
+  premise.atEveryInstruction = property.atEveryInstruction;
+  premise.text = premise.first.text = property.kind == PropertyKind::Always ? property.first.premise : property.first.text;
   layoutCells(premise);
   return premise;
 }

@@ -202,16 +202,24 @@ class Parser {
     const std::uint32_t start = peek().span.offset;
     const std::uint32_t root = implies(expr);
     needTruth(expr, root);
-    const std::uint32_t stop = at_ == 0 ? start : tokens_[at_ - 1].span.offset + tokens_[at_ - 1].span.length;
+    const std::uint32_t stop = endOfLast();
     const std::uint32_t base = tokens_.front().span.offset - static_cast<std::uint32_t>(tokens_.front().text.data() - text_.data());
     expr.text = std::string(text_.substr(start - base, stop - start));
+    if (expr.root().op == ExprOp::Implies) expr.premise = std::string(text_.substr(premise_.first - base, premise_.second - premise_.first));
     return expr;
   }
 
+  /// Offset behind the token that was taken last.
+  std::uint32_t endOfLast() const { return at_ == 0 ? peek().span.offset : tokens_[at_ - 1].span.offset + tokens_[at_ - 1].span.length; }
+
   std::uint32_t implies(Expr& e) {
+    const std::uint32_t begin = peek().span.offset;
     const std::uint32_t left = disjunction(e);
+    const std::pair<std::uint32_t, std::uint32_t> place{begin, endOfLast()};
     if (!accept("implies")) return left;
-    return binary(e, ExprOp::Implies, left, implies(e));
+    const std::uint32_t node = binary(e, ExprOp::Implies, left, implies(e));
+    premise_ = place;
+    return node;
   }
   std::uint32_t disjunction(Expr& e) {
     std::uint32_t left = exclusive(e);
@@ -461,6 +469,7 @@ class Parser {
   std::vector<Token> tokens_;
   const OperandLookup& lookup_;
   std::string_view text_;
+  std::pair<std::uint32_t, std::uint32_t> premise_{};  ///< offsets around the left side of an implication; the outermost is left here
   std::size_t at_ = 0;
   int depth_ = 0;
 };

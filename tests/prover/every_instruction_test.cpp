@@ -70,5 +70,17 @@ TEST(EveryInstruction, FirstScanIsTheFirstScan) {
   EXPECT_EQ(outcomeOf(run, "later"), Outcome::Proved);
 }
 
+TEST(EveryInstruction, APremiseThatIsMetInsideIsNoVacuousOne) {
+  // M0.0 is on between its S and its R only, and I0.0 is on there: Q0.0 follows I0.0 and was written before.
+  const ProgramInput input = inputOf("//@ at every instruction prove inside: M0.0 implies Q0.0\n//@ prove ends: (M0.0 implies Q0.0)\n",
+                                     "Network 1\nLD I0.0\n= Q0.0\nS M0.0, 1\nNetwork 2\nLD SM0.0\nR M0.0, 1\n");
+  const ProofRun run = prove(input.program, input.properties, usualOptions());
+  EXPECT_EQ(outcomeOf(run, "inside"), Outcome::Proved);
+  const ProofResult* ends = resultNamed(run, "ends");
+  ASSERT_NE(ends, nullptr);
+  EXPECT_EQ(ends->outcome, Outcome::Vacuous);
+  EXPECT_EQ(ends->notes, std::vector<std::string>{"the premise 'M0.0' can never be met"});
+}
+
 }  // namespace
 }  // namespace rungproof::test
