@@ -29,6 +29,22 @@ struct NoOutside final : Outside {
 
 }  // namespace
 
+std::vector<StartCell> startCells(const Program& program, const Choices& choices, const Concrete::Store& initial) {
+  const Concrete::Store powerUp = powerUpState(Plan(program), choices);
+  std::vector<StartCell> cells;
+  for (const Area area : {Area::V, Area::M}) {
+    for (std::uint32_t i = 0; i < initial.area(area).size(); ++i) {
+      if (initial.area(area)[i] != powerUp.area(area)[i]) cells.push_back({area, i});
+    }
+  }
+  for (const auto& [area, reg] : {std::pair{Area::T, Reg::TimerCurrent}, std::pair{Area::C, Reg::CounterCurrent}}) {
+    for (std::uint32_t i = 0; i < initial.count(reg); ++i) {
+      if (initial.get(reg, i) != powerUp.get(reg, i)) cells.push_back({area, i});
+    }
+  }
+  return cells;
+}
+
 namespace {
 
 /// Follows a property of every instruction inside the scans of a run.

@@ -24,6 +24,14 @@ struct Witness {
   const Instruction* place = nullptr;
 };
 
+/// Cells of V, M, T and C whose value at the start is not that of a power-up with lost memory, as the bytes of V and M
+/// and the current values of T and C: what a witness needs beside its inputs.
+struct StartCell {
+  Area area;
+  std::uint32_t index;  ///< byte or number
+};
+std::vector<StartCell> startCells(const Program& program, const Choices& choices, const Concrete::Store& initial);
+
 /// Judges engine runs by the monitors of assumptions and of one goal.
 class Judge {
  public:
@@ -41,6 +49,8 @@ class Judge {
   Outcome run(const std::vector<ReplayScan>& scans, const Concrete::Store* initial) const;
   /// The same run, cut behind the scan that shows the goal; nothing if it is not shown.
   std::optional<Witness> witness(std::vector<ReplayScan> scans, std::optional<Concrete::Store> initial) const;
+  const Program& program() const { return program_; }
+  const Choices& choices() const { return choices_; }
 
  private:
   const Program& program_;

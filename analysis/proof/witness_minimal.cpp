@@ -5,6 +5,8 @@
 #include <chrono>
 #include <random>
 
+#include "engine/start_up.hpp"
+
 namespace rungproof {
 
 namespace {
@@ -22,6 +24,7 @@ class Minimiser {
     dropScans();
     shortenStretches();
     evenLengths();
+    dropStartValues();
     if (findIdle()) store();
     return std::move(best_);
   }
@@ -82,6 +85,27 @@ class Minimiser {
     if (!found || found->scanCount > best_.scanCount) return false;
     best_ = std::move(*found);
     return true;
+  }
+
+  /// Memory at the start as after a loss of power, as far as the same is shown.
+  void dropStartValues() {
+    if (!best_.initial) return;
+    const Concrete::Store powerUp = powerUpState(Plan(judge_.program()), judge_.choices());
+    if (judge_.run(best_.scans, nullptr).shown) {
+      best_.initial.reset();
+      return;
+    }
+    for (const StartCell& cell : startCells(judge_.program(), judge_.choices(), *best_.initial)) {
+      if (isLate()) return;
+      const Concrete::Store before = *best_.initial;
+      Concrete::Store& initial = *best_.initial;
+      switch (cell.area) {
+        case Area::T: initial.set(Reg::TimerCurrent, cell.index, powerUp.get(Reg::TimerCurrent, cell.index), true); break;
+        case Area::C: initial.set(Reg::CounterCurrent, cell.index, powerUp.get(Reg::CounterCurrent, cell.index), true); break;
+        default: initial.area(cell.area)[cell.index] = powerUp.area(cell.area)[cell.index];
+      }
+      if (!isShown(best_.scans)) *best_.initial = before;
+    }
   }
 
   bool isShown(const std::vector<ReplayScan>& scans) const { return judge_.run(scans, initial()).shown; }

@@ -121,6 +121,7 @@ PropertyResult rowOf(const Context& context, const Arguments& arguments, Evidenc
   row.notes = result.notes;
   if (result.witness) {
     const Trace trace = traceOf(program, choices, *result.witness, signalsThatMatter(program, result), 100000, true);
+    if (const std::string start = startText(program, choices, *result.witness); !start.empty()) row.notes.push_back("memory at the start: " + start);
     for (const std::string& line : tableOf(trace)) row.notes.push_back(line);
     if (const Instruction* place = result.witness->place; place != nullptr) {
       row.notes.push_back(fmt::format("inside the last scan, in front of '{}' at {}", Facts::text(*place), placeText(*program.sources, place->span)));

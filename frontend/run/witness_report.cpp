@@ -77,6 +77,22 @@ std::vector<TraceSignal> signalsThatMatter(const Program& program, const ProofRe
   return signals;
 }
 
+std::string startText(const Program& program, const Choices& choices, const Witness& witness) {
+  if (!witness.initial) return "";
+  const std::vector<StartCell> cells = startCells(program, choices, *witness.initial);
+  std::string text;
+  for (const TraceSignal& signal : touchedSignals(program)) {
+    const bool isCounted = signal.operand.area == Area::T || signal.operand.area == Area::C;
+    if (isCounted && signal.operand.width == Width::Bit) continue;
+    const std::uint32_t last = signal.operand.offset + (isCounted ? 0 : static_cast<std::uint32_t>(bytes(signal.operand.width)) - 1);
+    const std::uint64_t value = valueIn(*witness.initial, signal.operand);
+    const bool isSet = signal.width() > 1 || value != 0;
+    const bool isTouched = std::ranges::any_of(cells, [&](const StartCell& cell) { return cell.area == signal.operand.area && cell.index >= signal.operand.offset && cell.index <= last; });
+    if (isSet && isTouched) text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", signal.name, numberText(numberOf(value, signal.type, signal.width()), signal.type));
+  }
+  return text;
+}
+
 std::vector<std::string> tableOf(const Trace& trace, std::size_t rows) {
   struct Row {
     std::string scan, time;

@@ -18,6 +18,10 @@ Trace traceOf(const Program& program, const Choices& choices, const Witness& wit
 /// each once.
 std::vector<TraceSignal> signalsThatMatter(const Program& program, const ProofResult& result);
 
+/// "V0.0 = 1, VW20 = 1001": what the program touches and has another value at the start than after a loss of memory; empty
+/// if there is nothing.
+std::string startText(const Program& program, const Choices& choices, const Witness& witness);
+
 /// Lines of a table: scan, time at its end, values. Runs of equal rows are drawn together; at most `rows` rows.
 std::vector<std::string> tableOf(const Trace& trace, std::size_t rows = 24);
 

@@ -118,6 +118,24 @@ TEST(Witness, ScansHaveAnEverydayLengthUnlessTheLengthMatters) {
   EXPECT_GE(late->witness->milliseconds, 300U);
 }
 
+TEST(Witness, SaysWhichMemoryItStartsFrom) {
+  // V0.0 drives the output at once; VW20 must be above 1000, which a high byte of at least
+  // 4 does alone (1024), so its low byte is 0 in the end.
+  const ProgramInput input = inputOf("//@ initial retentive\n//@ prove bit: not Q0.0\n//@ prove word: not Q0.1 or not first_scan\n//@ prove none: not Q0.2\n",
+                                     "Network 1\nLD V0.0\n= Q0.0\nNetwork 2\nLDW> VW20, 1000\n= Q0.1\nNetwork 3\nLDB> VB7, 3\nO I0.0\n= Q0.2\n");
+  const ProverOptions options = usualOptions();
+  const ProofRun run = prove(input.program, input.properties, options);
+  const auto startOf = [&](const std::string& name) {
+    const ProofResult* result = resultNamed(run, name);
+    return result != nullptr && result->witness ? startText(input.program, options.choices, *result->witness) : "no witness";
+  };
+  EXPECT_EQ(startOf("bit"), "V0.0 = 1");
+  EXPECT_TRUE(startOf("word").starts_with("VW20 = ")) << startOf("word");
+  const int word = std::stoi(startOf("word").substr(7));
+  EXPECT_GT(word, 1000);
+  EXPECT_EQ(word % 256, 0);
+}
+
 TEST(Witness, AssumptionsStayKept) {
   // With the two limit switches excluding each other, neither is idle together with the other at any value.
   const ProgramInput input = inputOf("//@ assume limits: I0.1 xor I0.2\n//@ reach on: Q0.0\n", "Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\nA I0.2\n= Q0.1\n");
