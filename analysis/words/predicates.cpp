@@ -94,12 +94,19 @@ std::vector<std::uint64_t> Predicates::overSamples(Node n) const {
   return result;
 }
 
+std::vector<std::uint64_t> Predicates::samplesIn(const WordCube& cube) const {
+  std::vector<std::uint64_t> inside((samples_.size() + 63) / 64, ~0ULL);
+  if (samples_.size() % 64 != 0) inside.back() = (1ULL << (samples_.size() % 64)) - 1;
+  for (std::size_t block = 0; block < inside.size(); ++block) {
+    for (const Lit l : cube) inside[block] &= of(l).samples[block] ^ (isNegative(l) ? ~0ULL : 0);
+  }
+  return inside;
+}
+
 std::optional<std::size_t> Predicates::sampleIn(const WordCube& cube) const {
-  for (std::size_t block = 0; block * 64 < samples_.size(); ++block) {
-    const std::size_t left = samples_.size() - block * 64;
-    std::uint64_t inside = left >= 64 ? ~0ULL : (1ULL << left) - 1;
-    for (const Lit l : cube) inside &= of(l).samples[block] ^ (isNegative(l) ? ~0ULL : 0);
-    if (inside != 0) return block * 64 + static_cast<std::size_t>(std::countr_zero(inside));
+  const std::vector<std::uint64_t> inside = samplesIn(cube);
+  for (std::size_t block = 0; block < inside.size(); ++block) {
+    if (inside[block] != 0) return block * 64 + static_cast<std::size_t>(std::countr_zero(inside[block]));
   }
   return std::nullopt;
 }

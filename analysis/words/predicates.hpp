@@ -45,6 +45,8 @@ class Predicates {
   /// Values of nodes over states in one state.
   std::vector<bool> valuesIn(const WordState& state, std::span<const Node> nodes) const;
   bool contains(const WordCube& cube, const WordState& state) const;
+  /// Which sampled states lie in the cube, 64 to a number.
+  std::vector<std::uint64_t> samplesIn(const WordCube& cube) const;
   /// A sampled state inside the cube, if there is one.
   std::optional<std::size_t> sampleIn(const WordCube& cube) const;
   const std::vector<WordState>& samples() const { return samples_; }

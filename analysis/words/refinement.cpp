@@ -2,6 +2,7 @@
 #include "analysis/words/refinement.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "analysis/words/terms.hpp"
 
@@ -10,7 +11,7 @@ namespace rungproof {
 namespace {
 
 constexpr std::size_t storeLimit = 1500;
-constexpr std::size_t mostHeld = 6, mostFitting = 2, mostCarried = 4;  ///< predicates that one refinement adds
+constexpr std::size_t mostTelling = 3, mostCarried = 3;  ///< predicates that one refinement adds
 
 }  // namespace
 
@@ -19,36 +20,55 @@ Refinement::Refinement(WordCone& cone, Predicates& predicates) : cone_(cone), pr
   for (const Node n : orderPredicates(cone, storeLimit)) nodes.push_back(n);
   for (const Node n : nodes) {
     if (cone.graph()[n].op == Op::Constant) continue;
-    const std::vector<std::uint64_t> values = predicates.overSamples(n);
-    std::size_t ones = 0;
-    for (const std::uint64_t block : values) ones += static_cast<std::size_t>(std::popcount(block));
-    const bool hasHeld = !values.empty() && (ones == 0 || ones == predicates.samples().size());
-    store_.push_back({n, hasHeld, ones != 0});
+    store_.push_back({n, predicates.overSamples(n)});
   }
 }
 
-bool Refinement::addDistinguishing(const std::vector<Node>& nodes, std::size_t most, const WordState& reached, const WordState& other) {
-  const std::vector<bool> here = predicates_.valuesIn(reached, nodes), there = predicates_.valuesIn(other, nodes);
+bool Refinement::add(const std::vector<Node>& nodes, std::size_t most) {
   std::size_t added = 0;
-  for (std::size_t i = 0; i < nodes.size() && added < most; ++i) {
-    if (here[i] != there[i] && predicates_.add(nodes[i])) ++added;
-  }
+  for (std::size_t i = 0; i < nodes.size() && added < most; ++i) added += predicates_.add(nodes[i]) ? 1 : 0;
   return added > 0;
 }
 
 bool Refinement::refine(const WordState& reached, const WordStep& step, Node goal) {
   std::vector<Node> all;
   for (const Candidate& c : store_) all.push_back(c.node);
-  const std::vector<bool> here = predicates_.valuesIn(reached, all);
-  std::vector<Node> held, fitting;
-  for (std::size_t i = 0; i < store_.size(); ++i) {
-    if (store_[i].hasHeld && store_[i].value == here[i]) held.push_back(all[i]);
-    else fitting.push_back(all[i]);
+  for (const Node n : carriedBack(step.state, step.inputs, goal)) all.push_back(n);
+  const std::vector<bool> here = predicates_.valuesIn(reached, all), there = predicates_.valuesIn(step.state, all);
+
+  const std::vector<std::uint64_t> inCube = predicates_.samplesIn(step.cube);
+  const auto count = [](const std::vector<std::uint64_t>& bits) {
+    std::size_t ones = 0;
+    for (const std::uint64_t block : bits) ones += static_cast<std::size_t>(std::popcount(block));
+    return ones;
+  };
+  const std::size_t whole = count(inCube);
+  struct Telling {
+    std::size_t ofCube, ofAll;  ///< samples that it tells from the state
+    Node node;
+  };
+  std::vector<Telling> telling;
+  std::vector<Node> carried;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (here[i] == there[i]) continue;
+    if (i >= store_.size()) {
+      carried.push_back(all[i]);
+      continue;
+    }
+    std::vector<std::uint64_t> different = predicates_.samplesIn({});
+    for (std::size_t block = 0; block < different.size(); ++block) different[block] &= store_[i].samples[block] ^ (there[i] ? ~0ULL : 0);
+    Telling t{0, count(different), all[i]};
+    for (std::size_t block = 0; block < different.size(); ++block) different[block] &= inCube[block];
+    t.ofCube = count(different);
+    telling.push_back(t);
   }
-  if (addDistinguishing(held, mostHeld, reached, step.state)) return true;
-  const bool hasFitting = addDistinguishing(fitting, mostFitting, reached, step.state);
-  const bool hasCarried = addDistinguishing(carriedBack(step.state, step.inputs, goal), mostCarried, reached, step.state);
-  return hasFitting || hasCarried;
+  std::ranges::stable_sort(telling, [](const Telling& a, const Telling& b) { return std::tie(a.ofCube, a.ofAll) > std::tie(b.ofCube, b.ofAll); });
+  std::vector<Node> best;
+  for (const Telling& t : telling) best.push_back(t.node);
+  const bool tellsAll = !telling.empty() && telling[0].ofCube == whole;
+  const bool hasTelling = add(best, mostTelling);
+  const bool hasCarried = !(tellsAll && hasTelling) && add(carried, mostCarried);
+  return hasTelling || hasCarried;
 }
 
 std::vector<Node> Refinement::carriedBack(const WordState& state, const std::vector<std::uint64_t>& inputs, Node goal) {

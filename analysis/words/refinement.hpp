@@ -1,6 +1,7 @@
 // Refinement: a set of states that was to lead somewhere holds a reached state that does not lead there. Some predicate
-// must tell that state from the one which does: the simplest of those that have held in all samples, else of those that
-// fit the words, else a comparison from the goal itself, carried back through the scan with the inputs of the step.
+// must tell that state from the one which does. Taken are those that tell most sampled states in the set from it, the
+// simplest first; where none tells them all, also comparisons from the goal itself, carried back through the scan with
+// the inputs of the step.
 // Tested by tests/words/refinement_test.cpp.
 #pragma once
 
@@ -21,10 +22,9 @@ class Refinement {
  private:
   struct Candidate {
     Node node;
-    bool hasHeld;  ///< the same value in all samples
-    bool value;    ///< that value
+    std::vector<std::uint64_t> samples;  ///< its value in the sampled states, 64 to a number
   };
-  bool addDistinguishing(const std::vector<Node>& nodes, std::size_t most, const WordState& reached, const WordState& other);
+  bool add(const std::vector<Node>& nodes, std::size_t most);
 
   WordCone& cone_;
   Predicates& predicates_;

@@ -67,6 +67,15 @@ class Kinds {
     isUnsigned_.resize(parent_.size(), false);
   }
 
+  /// Words of one width are of one kind if they share a constant that is not everybody's.
+  void joinByConstants() {
+    for (std::size_t i = 0; i < parent_.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const bool isShared = std::ranges::any_of(constants_[i], [&](std::uint64_t c) { return c > 1 && constants_[j].contains(c); });
+        if (isShared) parent_[rootOf(i)] = rootOf(j);
+      }
+    }
+  }
   /// Two terms that meet in a comparison or a move.
   void meet(Node a, Node b, Op op) {
     const std::optional<Base> left = baseOf(a), right = baseOf(b);
@@ -180,6 +189,7 @@ std::vector<Node> orderPredicates(WordCone& cone, std::size_t limit) {
     for (const Node leaf : leavesOf(graph, state.next)) kinds.meet(state.node, leaf, Op::Equal);
     if (state.init != noNode) kinds.meet(state.node, state.init, Op::Equal);
   }
+  kinds.joinByConstants();
   std::vector<Node> result;
   const auto compare = [&](std::size_t kind, Node a, Node b) {
     for (const Op op : {Op::Slt, Op::Ult}) {
