@@ -227,4 +227,14 @@ WordTrace BitBlast::wordTrace(const BitTrace& trace) const {
   return result;
 }
 
+BitTrace BitBlast::bitTrace(const WordTrace& trace) const {
+  BitTrace result;
+  for (const auto& [state, bit] : stateBits_) result.initial.push_back((trace.initial[state] >> bit & 1U) != 0);
+  for (const std::vector<std::uint64_t>& scan : trace.inputs) {
+    std::vector<bool>& values = result.inputs.emplace_back();
+    for (const auto& [input, bit] : inputBits_) values.push_back(input != noInput && (scan[input] >> bit & 1U) != 0);
+  }
+  return result;
+}
+
 }  // namespace rungproof

@@ -53,6 +53,8 @@ class BitBlast {
   Node nodeOf(Lit l);
   /// State variables without bits here keep their initial value or 0, inputs without bits are 0.
   WordTrace wordTrace(const BitTrace& trace) const;
+  /// The same run in bits; inputs that stand for REAL operations are 0.
+  BitTrace bitTrace(const WordTrace& trace) const;
 
  private:
   void collectCone(const std::vector<Node>& roots, const std::unordered_set<std::uint32_t>& open = {});

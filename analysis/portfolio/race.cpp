@@ -20,10 +20,12 @@ struct EngineKind {
   double weight;  ///< share of time relative to the others
 };
 constexpr std::array engineKinds = {EngineKind{makeIc3, 4}, EngineKind{makeBmc, 2}, EngineKind{makeSimulation, 1}, EngineKind{makeExhaustive, 1},
-                                    EngineKind{makeKInduction, 1}};
+                                    EngineKind{makeKInduction, 1}, EngineKind{nullptr, 3}};
+constexpr std::size_t onWords = engineKinds.size() - 1;  ///< made by the caller
 
 struct Runner {
-  std::unique_ptr<Engine> engine;  ///< made when first run
+  Engine* engine = nullptr;       ///< made when first run, unless the caller has made it
+  std::unique_ptr<Engine> own;
   double used = 0;
   double slice = 0.005;
   bool working = false;
@@ -41,7 +43,12 @@ struct Contest {
 class Race {
  public:
   Race(std::vector<RaceQuestion>& questions, const RaceOptions& options)
-      : questions_(questions), options_(options), contests_(questions.size()), perQuestion_(options.seconds * std::max(options.jobs, 1)) {}
+      : questions_(questions), options_(options), contests_(questions.size()), perQuestion_(options.seconds * std::max(options.jobs, 1)) {
+    for (std::size_t q = 0; q < questions.size(); ++q) {
+      contests_[q].runners[onWords].engine = questions[q].words;
+      contests_[q].runners[onWords].ended = questions[q].words == nullptr;
+    }
+  }
 
   void run() {
     std::vector<std::thread> threads;
@@ -93,7 +100,10 @@ class Race {
       const double limit = std::min(runner.slice, std::max(perQuestion_ - contest.used, 0.001));
       lock.unlock();
       const Budget::Clock::time_point begin = Budget::Clock::now();
-      if (!runner.engine) runner.engine = engineKinds[task.engine].make(*questions_[task.question].system, engineOptions(task.question));
+      if (runner.engine == nullptr) {
+        runner.own = engineKinds[task.engine].make(*questions_[task.question].system, engineOptions(task.question));
+        runner.engine = runner.own.get();
+      }
       const Verdict verdict = runner.engine->advance(Budget(options_.deadline, &contest.cancel, options_.cancel).slice(limit));
       const bool ended = runner.engine->isExhausted();
       const double used = std::chrono::duration<double>(Budget::Clock::now() - begin).count();

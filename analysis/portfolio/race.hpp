@@ -1,5 +1,5 @@
-// The race: for each open question IC3, BMC, k-induction, simulation and explicit search run in slices of time, on
-// as many threads as wanted; the first conclusive answer of a question ends its other engines. A proof and a
+// The race: for each open question IC3, BMC, k-induction, simulation, explicit search and IC3 on words run in slices of
+// time, on as many threads as wanted; the first conclusive answer of a question ends its other engines. A proof and a
 // violation of the same question stop the program. Tested by tests/solver/portfolio_test.cpp.
 #pragma once
 
@@ -11,6 +11,7 @@ namespace rungproof {
 
 struct RaceQuestion {
   const BitSystem* system = nullptr;
+  Engine* words = nullptr;  ///< takes part beside the engines on bits, if given; its evidence stays with it
   std::vector<std::vector<Lit>> invariants;
   // Result:
   Verdict verdict;

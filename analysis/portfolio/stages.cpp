@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <deque>
+#include <utility>
 
 #include "analysis/bits/bit_cone.hpp"
+#include "analysis/bits/bit_unrolling.hpp"
 #include "analysis/graph/evaluate.hpp"
 #include "analysis/portfolio/clusters.hpp"
 #include "analysis/portfolio/invariants.hpp"
@@ -16,6 +18,7 @@
 #include "analysis/portfolio/race.hpp"
 #include "analysis/portfolio/shared.hpp"
 #include "analysis/portfolio/truths.hpp"
+#include "analysis/words/word_engine.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
@@ -166,18 +169,48 @@ class Stages {
     std::vector<Lit> wanted;
     for (const std::vector<Lit>& clause : invariants_.clauses) wanted.insert(wanted.end(), clause.begin(), clause.end());
     std::vector<RaceQuestion> questions(open_.size());
+    std::vector<std::unique_ptr<WordEngine>> words(open_.size());
     for (std::size_t i = 0; i < open_.size(); ++i) {
       const Lit bad = blast_->bits().bads[positions_[i]];
       cones.push_back(makeCone(blast_->bits(), {bad}, blast_->isTotal(), invariants_.equal, wanted));
       questions[i].system = &cones[i].system;
       questions[i].invariants = cones[i].translated(invariants_.clauses);
       questions[i].verdict.depth = answers_[open_[i]].depth;
+      if (!blast_->unmodelled().empty()) continue;
+      EngineOptions options;
+      options.seed = options_.seed;
+      words[i] = makeWordEngine(system_, open_[i], options);
+      questions[i].words = words[i].get();
     }
     race(questions, {options_.seconds, options_.jobs, options_.seed, options_.bound, options_.cancel, searchEnd()});
     for (std::size_t i = 0; i < open_.size(); ++i) {
       answers_[open_[i]].seconds += questions[i].seconds / std::max(options_.jobs, 1);
-      if (questions[i].verdict.answer == Answer::Unknown) questions[i].verdict.method = "BMC, k-induction, IC3, simulation, explicit search";
+      if (questions[i].verdict.answer == Answer::Unknown) questions[i].verdict.method = "BMC, k-induction, IC3, simulation, explicit search, IC3 on words";
+      completeEvidence(questions[i].verdict, words[i].get(), cones[i]);
       take(open_[i], positions_[i], questions[i].verdict, &cones[i]);
+    }
+  }
+
+  /// What the engine on words has found, on bits: a run of the cone, clauses of the whole system.
+  void completeEvidence(Verdict& verdict, WordEngine* words, const BitCone& cone) {
+    if (verdict.answer == Answer::Violated && !verdict.trace) {
+      const BitTrace whole = blast_->bitTrace(words->trace());
+      BitTrace& trace = verdict.trace.emplace();
+      for (const std::uint32_t latch : cone.latches) trace.initial.push_back(whole.initial[latch]);
+      for (const std::vector<bool>& scan : whole.inputs) {
+        std::vector<bool>& inputs = trace.inputs.emplace_back();
+        for (const std::uint32_t input : cone.inputs) inputs.push_back(scan[input]);
+      }
+      CHECK(isViolation(cone.system, trace), "a run of words does not violate the property");
+    }
+    if (verdict.answer == Answer::Proved && !verdict.certificate) {
+      onWholeSystem_ = Certificate{};
+      for (const std::vector<Node>& nodes : words->clauses()) {
+        blast_->add(nodes);
+        std::vector<Lit>& clause = onWholeSystem_->clauses.emplace_back();
+        for (const Node n : nodes) clause.push_back(blast_->of(n)[0]);
+      }
+      verdict.certificate = Certificate{};
     }
   }
 
@@ -199,7 +232,7 @@ class Stages {
 
   /// The certificate over the whole bit system, then in words, with the mined invariants it rests on.
   WordCertificate wordCertificate(std::size_t position, const Certificate& given, const BitCone* cone) {
-    Certificate whole = cone == nullptr ? given : onWholeSystem(given, *cone);
+    Certificate whole = cone == nullptr ? given : onWholeSystem_ ? *std::exchange(onWholeSystem_, std::nullopt) : onWholeSystem(given, *cone);
     const BitSystem& bits = blast_->bits();
     if (!cores_) cores_ = std::make_unique<InvariantCores>(bits, invariants_.clauses);
     const InvariantCores::Needed needed = cores_->of(bits.bads[position], whole, budget(options_.seconds));
@@ -260,6 +293,7 @@ class Stages {
   std::vector<std::vector<Lit>> guesses_;  ///< further candidate invariants, in literals of blast_
   Invariants invariants_;                ///< of blast_'s system
   std::unique_ptr<InvariantCores> cores_;    ///< of invariants_
+  std::optional<Certificate> onWholeSystem_;  ///< of the verdict at hand, if it was found on words
   std::vector<KeptDifference> differences_;  ///< that bounds among invariants_ speak of
   std::vector<std::size_t> open_;        ///< questions without answer
   std::vector<std::size_t> positions_;   ///< of the open questions among the bad literals of blast_
