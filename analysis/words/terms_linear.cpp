@@ -13,7 +13,7 @@ namespace {
 __extension__ using Wide = unsigned __int128;
 
 constexpr std::uint64_t prime = (1ULL << 61) - 1;
-constexpr std::size_t wordLimit = 48;         ///< words looked at together
+constexpr std::size_t eliminationLimit = 48;         ///< words looked at together
 constexpr std::size_t leastSamples = 32;
 constexpr std::int64_t coefficientLimit = 1'000'000;
 constexpr std::uint64_t denominatorLimit = 4000;
@@ -117,7 +117,7 @@ std::vector<Node> linearPredicates(WordCone& cone, const std::vector<WordState>&
   if (samples.size() < leastSamples) return result;
   const Graph& graph = cone.graph();
   std::vector<std::size_t> words;
-  for (std::size_t i = 0; i < cone.system().states.size() && words.size() < wordLimit; ++i) {
+  for (std::size_t i = 0; i < cone.system().states.size() && words.size() < eliminationLimit; ++i) {
     const int width = graph[cone.system().states[i].node].width;
     const bool varies = std::ranges::any_of(samples, [&](const WordState& s) { return s[i] != samples[0][i]; });
     if (width >= 8 && width <= 32 && varies) words.push_back(i);

@@ -27,7 +27,7 @@ void copyNodes(const Graph& from, Graph& to, std::span<const Node> nodes, std::u
   }
 }
 
-bool isReal(Op op) { return op >= Op::RealAdd; }
+bool computesReals(Op op) { return op >= Op::RealAdd; }
 
 /// Which nodes of the graph the question depends on, through any number of scans.
 class Reached {
@@ -111,7 +111,7 @@ WordCone::WordCone(const TransitionSystem& given, std::size_t question) {
   system_.graph = &graph_;
   for (std::uint32_t i = 0; i < graph_.size(); ++i) {
     const NodeData& node = graph_[static_cast<Node>(i)];
-    hasReals_ = hasReals_ || isReal(node.op);
+    hasReals_ = hasReals_ || computesReals(node.op);
     hasOpaque_ = hasOpaque_ || (node.op == Op::RealFunction && static_cast<RealFunction>(node.value) != RealFunction::Sqrt);
   }
 }

@@ -16,14 +16,14 @@ namespace rungproof {
 
 namespace {
 
-constexpr int sampledScans = 160;
+constexpr int scansForSamples = 160;
 constexpr std::size_t sampleLimit = 1024;
 
 /// States met in random runs, the first ones excepted.
 std::vector<WordState> sampleStates(const WordCone& cone, const BitBlast& blast, std::uint64_t seed) {
   SimulationRuns runs(blast.bits(), seed);
   std::set<WordState> states;
-  for (int scan = 0; scan < sampledScans && states.size() < sampleLimit && runs.choose(); ++scan) {
+  for (int scan = 0; scan < scansForSamples && states.size() < sampleLimit && runs.choose(); ++scan) {
     const std::uint64_t live = runs.live();
     runs.step();
     if (scan > 4 && scan % 8 != 0) continue;
