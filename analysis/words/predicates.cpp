@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "analysis/words/linear_form.hpp"
+
 namespace rungproof {
 
 namespace {
@@ -35,13 +37,13 @@ std::optional<std::vector<std::uint32_t>> Predicates::wordsUnder(Node n) const {
 }
 
 bool Predicates::add(Node n) {
-  n = positive(n);
+  n = positive(linearForm(cone_.graph(), n));
   if (index_.contains(indexOf(n)) || cone_.graph()[n].op == Op::Constant) return false;
   std::optional<std::vector<std::uint32_t>> words = wordsUnder(n);
   if (!words) return false;
   Predicate predicate;
   predicate.now = n;
-  predicate.next = afterScan_(n);
+  predicate.next = linearForm(cone_.graph(), afterScan_(n));
   predicate.words = std::move(*words);
   predicate.initially = initialValue(predicate);
   predicate.samples = overSamples(n);
@@ -49,6 +51,8 @@ bool Predicates::add(Node n) {
   predicates_.push_back(std::move(predicate));
   return true;
 }
+
+bool Predicates::contains(Node n) const { return index_.contains(indexOf(positive(linearForm(cone_.graph(), n)))); }
 
 std::optional<bool> Predicates::initialValue(const Predicate& predicate) const {
   const Node roots[] = {predicate.now};

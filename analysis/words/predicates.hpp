@@ -37,7 +37,7 @@ class Predicates {
   const Predicate& of(Lit l) const { return predicates_[variableOf(l)]; }
   /// False if it is there already, constant, or looks at inputs.
   bool add(Node n);
-  bool contains(Node n) const { return index_.contains(indexOf(positive(n))); }
+  bool contains(Node n) const;
   Node now(Lit l) { return isNegative(l) ? negated(of(l).now) : of(l).now; }
   Node next(Lit l) { return isNegative(l) ? negated(of(l).next) : of(l).next; }
   /// The node after the scan.

@@ -1,0 +1,65 @@
+// Equations in normal form: what a scan does to both sides cancels out, and nothing changes its meaning.
+#include "analysis/words/linear_form.hpp"
+
+#include <gtest/gtest.h>
+
+#include "analysis/graph/evaluate.hpp"
+#include "random_words.hpp"
+
+namespace rungproof {
+namespace {
+
+using families::Family;
+
+TEST(LinearForm, WhatIsAddedAndTakenAwayCancelsOut) {
+  Family f;
+  Graph& g = *f.graph;
+  const Node x = f.state("VW0", 16), y = f.state("VW2", 16), moves = f.input("moves");
+  const auto changed = [&](Node n, Op op) { return f.choose(moves, g.make(op, 16, n, f.number(1, 16)), n); };
+  const Node before = linearForm(g, g.make(Op::Equal, 1, g.make(Op::Add, 16, x, y), f.number(100, 16)));
+  const Node after = g.make(Op::Equal, 1, g.make(Op::Add, 16, changed(x, Op::Sub), changed(y, Op::Add)), f.number(100, 16));
+  EXPECT_EQ(linearForm(g, after), before);
+}
+
+TEST(LinearForm, FactorsAndSides) {
+  // VD4 + 25 = 25 (VD0 + 1) is VD4 = 25 VD0, however it is written.
+  Family f;
+  Graph& g = *f.graph;
+  const Node n = f.state("VD0", 32), sum = f.state("VD4", 32);
+  const auto times = [&](Node a) { return g.make(Op::Mul, 32, a, f.number(25, 32)); };
+  const Node before = linearForm(g, g.make(Op::Equal, 1, sum, times(n)));
+  const Node after = g.make(Op::Equal, 1, times(g.make(Op::Add, 32, n, f.number(1, 32))), g.make(Op::Add, 32, sum, f.number(25, 32)));
+  EXPECT_EQ(linearForm(g, after), before);
+  EXPECT_EQ(linearForm(g, g.make(Op::Equal, 1, g.make(Op::Sub, 32, times(n), sum), f.number(0, 32))), before);
+}
+
+TEST(LinearForm, SameMeaningForAllValues) {
+  constexpr unsigned formSeed = 5119;
+  std::mt19937 random(formSeed);
+  int changed = 0;
+  for (int n = 0; n < 300; ++n) {
+    SCOPED_TRACE(testing::Message() << "seed " << formSeed << ", system " << n);
+    const Family f = words::randomWords(random);
+    Graph& g = *f.graph;
+    std::vector<Node> variables = words::stateNodes(f.system);
+    variables.insert(variables.end(), f.system.inputs.begin(), f.system.inputs.end());
+    for (std::uint32_t i = 0, size = static_cast<std::uint32_t>(g.size()); i < size; ++i) {
+      const Node given = static_cast<Node>(i);
+      if (g[given].op != Op::Equal) continue;
+      const Node form = linearForm(g, given);
+      if (form == given) continue;
+      ++changed;
+      const Node roots[] = {given, form};
+      Evaluator evaluator(g, roots);
+      for (int trial = 0; trial < 50; ++trial) {
+        for (const Node v : variables) evaluator.set(v, random() & Graph::maskOf(g[v].width));
+        evaluator.run();
+        ASSERT_EQ(evaluator[given], evaluator[form]);
+      }
+    }
+  }
+  EXPECT_GT(changed, 100);
+}
+
+}  // namespace
+}  // namespace rungproof
