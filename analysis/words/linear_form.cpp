@@ -76,9 +76,9 @@ class Linearised {
       if (f == 0) continue;
       const auto isNegative = [&](std::uint64_t v) { return (v >> (width_ - 1) & 1U) != 0; };
       if (isFirst) isTurned = isNegative(f);
-      isFirst = false;
       if (isTurned) f = (0 - f) & mask();
-      const bool isRight = isNegative(f);
+      const bool isRight = !isFirst && isNegative(f);  // half of 2^width is its own negative
+      isFirst = false;
       if (isRight) f = (0 - f) & mask();
       const Node term = f == 1 ? n : graph_.make(Op::Mul, width_, n, graph_.constantNode(f, width_));
       Node& side = sides[isRight ? 1 : 0];
