@@ -4,11 +4,14 @@
 #include <map>
 #include <optional>
 
+#include "analysis/graph/evaluate.hpp"
+#include "analysis/graph/substitution.hpp"
+
 namespace rungproof {
 
 namespace {
 
-constexpr int choiceLimit = 48;  ///< equations that one becomes
+constexpr int choiceLimit = 128;  ///< equations that one becomes
 
 class Linearised {
  public:
@@ -45,11 +48,37 @@ class Linearised {
         sum.waiting.emplace_back(node.child[0], factor * graph_[node.child[1]].value);
       } else if (node.op == Op::Ite) {
         return chosen(std::move(sum), node, factor);
+      } else if (const Node choice = extended(n); choice != noNode) {
+        sum.waiting.emplace_back(choice, factor);
       } else {
         sum.terms[n] += factor;
       }
     }
     return ++equations_ > choiceLimit ? std::nullopt : std::optional<Node>(written(sum));
+  }
+
+  /// A sign extension as what it is of: of a choice, or of a word plus a constant, which may overflow. noNode: of neither.
+  Node extended(Node n) {
+    const NodeData node = graph_[n];
+    if (node.op != Op::Sext) return noNode;
+    const NodeData inner = graph_[node.child[0]];
+    const int width = inner.width;
+    const auto wide = [&](Node a) { return graph_.make(Op::Sext, node.width, a); };
+    if (inner.op == Op::Ite) return graph_.make(Op::Ite, node.width, inner.child[0], wide(inner.child[1]), wide(inner.child[2]));
+    const bool isSum = inner.op == Op::Add || inner.op == Op::Sub;
+    if (!isSum || graph_[inner.child[1]].op != Op::Constant) return noNode;
+    const std::uint64_t given = graph_[inner.child[1]].value, sign = 1ULL << (width - 1);
+    const std::uint64_t added = inner.op == Op::Add ? given : (0 - given) & Graph::maskOf(width);
+    if (added == sign) return noNode;
+    const Node word = inner.child[0];
+    const auto number = [&](std::uint64_t v, int w) { return graph_.constantNode(v & Graph::maskOf(w), w); };
+    const std::uint64_t wideAdded = (added & sign) != 0 ? added - 2 * sign : added;
+    // Beyond these values of the word the sum leaves the width: above for positive numbers, below for negative ones.
+    const bool isUp = (added & sign) == 0;
+    const Node overflows = isUp ? graph_.make(Op::Slt, 1, number(sign - 1 - added, width), word) : graph_.make(Op::Slt, 1, word, number(sign - added, width));
+    const Node sum = graph_.make(Op::Add, node.width, wide(word), number(wideAdded, node.width));
+    const Node turned = graph_.make(Op::Add, node.width, wide(word), number(isUp ? wideAdded - 2 * sign : wideAdded + 2 * sign, node.width));
+    return graph_.make(Op::Ite, node.width, overflows, turned, sum);
   }
 
   std::optional<Node> chosen(Sum sum, const NodeData& choice, std::uint64_t factor) {
@@ -103,6 +132,15 @@ Node linearForm(Graph& graph, Node n) {
   if (node.op == Op::Not) return graph.make(Op::Not, 1, linearForm(graph, node.child[0]));
   if (node.op != Op::Equal || graph[node.child[0]].width == 1) return n;
   return Linearised(graph, graph[node.child[0]].width).equation(node.child[0], node.child[1]).value_or(n);
+}
+
+Node linearForms(Graph& graph, Node n) {
+  const Node roots[] = {n};
+  std::unordered_map<std::uint32_t, Node> replaced;
+  for (const Node under : coneOf(graph, roots)) {
+    if (graph[under].op == Op::Equal) replaced.emplace(indexOf(under), linearForm(graph, under));
+  }
+  return Substitution(graph, std::move(replaced))(n);
 }
 
 }  // namespace rungproof

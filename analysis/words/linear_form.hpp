@@ -11,4 +11,7 @@ namespace rungproof {
 /// Whatever else `n` is, and equations with too many choices, stay as they are.
 Node linearForm(Graph& graph, Node n);
 
+/// The same for all equations under a node.
+Node linearForms(Graph& graph, Node n);
+
 }  // namespace rungproof

@@ -20,6 +20,8 @@ class WordCone {
   Graph& graph() { return graph_; }
   const TransitionSystem& system() const { return system_; }
   Node bad() const { return system_.questions[0].bad; }
+  /// Puts an equal node in the place of bad().
+  void writeBadAs(Node n) { system_.questions[0].bad = n; }
   /// By state and by input of system(): index in the given system.
   const std::vector<std::size_t>& states() const { return states_; }
   const std::vector<std::size_t>& inputs() const { return inputs_; }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "analysis/bits/simulation_runs.hpp"
+#include "analysis/words/linear_form.hpp"
 #include "analysis/words/refinement.hpp"
 #include "analysis/words/terms.hpp"
 #include "ir/check.hpp"
@@ -117,7 +118,10 @@ class Ic3OnWords final : public WordEngine {
     cone_ = std::make_unique<WordCone>(given_, question_);
     isExhausted_ = cone_->hasOpaque();
     if (isExhausted_) return;
-    blast_ = std::make_unique<BitBlast>(cone_->system(), std::vector<std::size_t>{0});
+    cone_->writeBadAs(linearForms(cone_->graph(), cone_->bad()));
+    std::vector<Node> variables = cone_->system().inputs;
+    for (const StateVariable& state : cone_->system().states) variables.push_back(state.node);
+    blast_ = std::make_unique<BitBlast>(cone_->system(), std::vector<std::size_t>{0}, variables);
     const bool onBits = solver_ == WordSolverKind::Bits || (solver_ == WordSolverKind::Fitting && !cone_->hasReals());
     std::vector<WordState> samples;
     if (!cone_->hasReals()) samples = sampleStates(*cone_, *blast_, options_.seed);

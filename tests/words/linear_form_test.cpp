@@ -33,6 +33,29 @@ TEST(LinearForm, FactorsAndSides) {
   EXPECT_EQ(linearForm(g, g.make(Op::Equal, 1, g.make(Op::Sub, 32, times(n), sum), f.number(0, 32))), before);
 }
 
+// VW0 - 1 as a number of 32 bits is one less than VW0, but for -32,768: there it is 65,535 more.
+TEST(LinearForm, SignExtensionsWithTheirOverflow) {
+  Family f;
+  Graph& g = *f.graph;
+  const Node x = f.state("VW0", 16), y = f.state("VW2", 16);
+  const auto wide = [&](Node n) { return g.make(Op::Sext, 32, n); };
+  for (const Op op : {Op::Add, Op::Sub}) {
+    const Node given = g.make(Op::Equal, 1, g.make(Op::Add, 32, wide(g.make(op, 16, x, f.number(5, 16))), wide(y)), f.number(1200, 32));
+    const Node form = linearForm(g, given);
+    EXPECT_NE(form, given);
+    const Node roots[] = {given, form};
+    Evaluator evaluator(g, roots);
+    for (const std::uint64_t a : {0U, 4U, 5U, 6U, 1195U, 32762U, 32763U, 32767U, 32768U, 32772U, 32773U, 65531U, 65535U}) {
+      for (std::uint64_t b = 0; b < 65536; ++b) {
+        evaluator.set(x, a);
+        evaluator.set(y, b);
+        evaluator.run();
+        ASSERT_EQ(evaluator[given], evaluator[form]) << a << " " << b;
+      }
+    }
+  }
+}
+
 TEST(LinearForm, SameMeaningForAllValues) {
   constexpr unsigned formSeed = 5119;
   std::mt19937 random(formSeed);
