@@ -25,7 +25,8 @@ const std::map<std::string, std::set<std::string>> roomsBelow = {
     {"analysis/graph", {"ir", "engine"}},
     {"analysis/bits", {"ir", "analysis/graph"}},
     {"analysis/encoding", {"ir", "engine", "analysis", "analysis/graph", "analysis/bits"}},
-    {"analysis/portfolio", {"ir", "analysis/graph", "analysis/bits"}},
+    {"analysis/words", {"ir", "analysis/graph", "analysis/bits"}},
+    {"analysis/portfolio", {"ir", "analysis/graph", "analysis/bits", "analysis/words"}},
     {"analysis/export", {"ir", "analysis/graph", "analysis/bits"}},
     {"analysis/proof", {"ir", "engine", "analysis", "analysis/graph", "analysis/bits", "analysis/encoding", "analysis/portfolio"}},
 };
