@@ -20,6 +20,7 @@ using Class = std::vector<Lit>;
 constexpr std::size_t ofOneClass = 6;    ///< truths of one class that pairs are made of
 constexpr std::size_t unseenLimit = 32;  ///< truths that are 0 in all samples
 constexpr int neighbourBatches = 6;  ///< of 64 states near a counterexample
+constexpr int walkPatience = 24;     ///< scans of a walk that drop nothing, then the solver is asked again
 
 /// At least one of them holds.
 using Clause = std::vector<Lit>;
@@ -212,6 +213,7 @@ class Miner {
     for (const Lit constraint : system_.constraints) sat_.add({cnf_.literal(steps_.at(0, constraint))});
     std::mt19937_64 random(options_.seed);
     BitSimulator simulator(system_);
+    findConstrained();
     for (;;) {
       std::vector<int> assumed, broken;
       const auto candidate = [&](Lit before, Lit after) {
@@ -258,7 +260,40 @@ class Miner {
       simulator.evaluate();
       changed = refine([&](Lit l) { return simulator.value(l); }, lanes) || changed;
     }
+    if (!unseen_.empty()) walk(simulator, random, state, inputs);
     return changed;
+  }
+
+  /// Scan after scan from `state`, with other words every time: what long waits keep apart (a ring of timers) comes up at
+  /// once, and the pairs that it breaks go without a question to the solver. A run that leaves the candidates starts anew.
+  /// What the constraints speak of stays as it is, else hardly a run would meet them.
+  void walk(BitSimulator& simulator, std::mt19937_64& random, const std::vector<bool>& state, const std::vector<bool>& inputs) {
+    std::vector<bool> isTruth(system_.variableCount(), false);
+    for (const Lit l : watched_) isTruth[variableOf(l)] = true;
+    std::uint64_t lanes = 0;
+    for (int idle = 0; idle < walkPatience && !budget_.isExhausted(); ++idle) {
+      for (std::size_t i = 0; i < state.size(); ++i) {
+        const std::uint32_t v = system_.latches[i].variable;
+        const std::uint64_t start = state[i] ? ~0ULL : 0;
+        simulator.setLatch(i, isTruth[v] ? (simulator.latch(i) & lanes) | (start & ~lanes) : isConstrained_[v] ? start : random());
+      }
+      for (std::size_t i = 0; i < inputs.size(); ++i) simulator.setInput(i, !isConstrained_[system_.inputs[i]] ? random() : inputs[i] ? ~0ULL : 0);
+      simulator.evaluate();
+      lanes = satisfying(simulator);
+      simulator.step();
+      simulator.evaluate();
+      if (refine([&](Lit l) { return simulator.value(l); }, lanes)) idle = 0;
+    }
+  }
+
+  /// Variables that the constraints depend on within one scan.
+  void findConstrained() {
+    isConstrained_.assign(system_.variableCount(), false);
+    for (const Lit l : system_.constraints) isConstrained_[variableOf(l)] = true;
+    for (std::size_t i = system_.gates.size(); i-- > 0;) {
+      if (!isConstrained_[system_.gateVariables[i]]) continue;
+      isConstrained_[variableOf(system_.gates[i].left)] = isConstrained_[variableOf(system_.gates[i].right)] = true;
+    }
   }
 
   /// Runs whose state satisfies all candidates and whose inputs meet the constraints.
@@ -306,6 +341,7 @@ class Miner {
   std::vector<Class> classes_;
   std::vector<Lit> unseen_;  ///< pairs only: truths that are 0 in all samples
   std::vector<Clause> clauses_;
+  std::vector<bool> isConstrained_;  ///< by variable
   Unrolling steps_;
   Sat sat_;
   BitCnf cnf_;

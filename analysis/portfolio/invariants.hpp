@@ -59,6 +59,7 @@ class InvariantCores {
   const Clauses& invariants_;
   std::unique_ptr<Question> closure_;                          ///< one scan under invariants; made when first needed
   std::vector<std::optional<std::vector<std::size_t>>> rests_;  ///< by invariant: those that a scan needs to keep it
+  bool isDense_ = false;  ///< too many rest on each other to be told apart
 };
 
 }  // namespace rungproof

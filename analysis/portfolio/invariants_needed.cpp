@@ -7,6 +7,10 @@
 
 namespace rungproof {
 
+namespace {
+constexpr std::size_t closureLimit = 300;  ///< needed invariants; where so many rest on each other, most rest on all
+}  // namespace
+
 class InvariantCores::Question {
  public:
   Question(const BitSystem& system, const Clauses& invariants)
@@ -125,16 +129,20 @@ InvariantCores::Needed InvariantCores::of(Lit bad, const Certificate& certificat
   }
   // Closing under induction: each needed invariant is kept by a scan from states that satisfy needed ones.
   std::vector<bool> isNeeded = isImmediate;
-  while (!open.empty()) {
+  std::size_t count = open.size();
+  while (!open.empty() && !isDense_) {
     const std::size_t i = open.back();
     open.pop_back();
     if (!rests_[i]) rests_[i] = closure_->coreAfterScan(invariants_[i], budget);
     if (!rests_[i]) return all;
     for (const std::size_t other : *rests_[i]) {
-      if (!isNeeded[other]) open.push_back(other);
+      if (isNeeded[other]) continue;
+      open.push_back(other);
       isNeeded[other] = true;
+      isDense_ = isDense_ || ++count > closureLimit;
     }
   }
+  if (isDense_) isNeeded.assign(invariants_.size(), true);
   Needed result;
   for (std::size_t i = 0; i < invariants_.size(); ++i) {
     if (isNeeded[i]) result.clauses.push_back(invariants_[i]);
