@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 namespace rungproof {
 
@@ -145,16 +146,26 @@ std::string CertificateWriter::text() const {
   return text;
 }
 
-std::string CertificateWriter::formulas() const {
-  std::string text = theorems_ + smt_.text() + surfaces_;
-  for (const Obligation& o : obligations_) text += fmt::format("(assert {})\n", o.formula);
-  return text;
-}
-
+/// Certificates of one system share obligations word for word; each is read and checked once.
 std::vector<CheckResult> CertificateWriter::check(const CheckLimits& limits) const {
-  std::vector<std::size_t> owners;
-  for (const Obligation& o : obligations_) owners.push_back(o.certificate);
-  return checkApart(formulas(), owners, questions_.size(), limits);
+  std::string formulas = theorems_ + smt_.text() + surfaces_;
+  std::unordered_map<std::string_view, std::size_t> index;
+  std::vector<std::size_t> formulaOf, owners;
+  for (const Obligation& o : obligations_) {
+    const auto [at, isNew] = index.emplace(o.formula, index.size());
+    formulaOf.push_back(at->second);
+    if (!isNew) continue;
+    owners.push_back(at->second);
+    formulas += fmt::format("(assert {})\n", o.formula);
+  }
+  const std::vector<CheckResult> checked = checkApart(formulas, owners, owners.size(), limits);
+  std::vector<CheckResult> results(questions_.size(), CheckResult::Valid);
+  for (std::size_t i = 0; i < obligations_.size(); ++i) {
+    CheckResult& result = results[obligations_[i].certificate];
+    const CheckResult one = checked[formulaOf[i]];
+    if (result == CheckResult::Valid || one == CheckResult::Invalid) result = one;
+  }
+  return results;
 }
 
 }  // namespace rungproof

@@ -63,7 +63,6 @@ class CertificateWriter {
     std::string name;     ///< "initiation", "consecution", "base", "safety"
     std::string formula;  ///< must be unsatisfiable
   };
-  std::string formulas() const;
   using Terms = std::vector<std::string>;
   void oblige(const char* name, const Terms& terms);
   std::string notAll(const std::vector<Node>& nodes, int frame);

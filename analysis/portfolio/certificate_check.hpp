@@ -13,7 +13,7 @@ namespace rungproof {
 enum class CheckResult : std::uint8_t { Valid, Invalid, Unknown };  ///< Unknown: not within the limits
 
 struct CheckLimits {
-  double each = 10;          ///< seconds for the formulas of one owner
+  double each = 10;          ///< seconds for the formulas of one owner (a certificate: for each obligation)
   double total = 1e9;        ///< seconds for all
   std::uint64_t memory = 0;  ///< bytes; 0: no limit
   const std::atomic<bool>* cancel = nullptr;
