@@ -9,12 +9,11 @@
 #include <vector>
 
 #include "analysis/encoding/encoder.hpp"
+#include "analysis/encoding/exact_reals.hpp"
 #include "analysis/encoding/execution_record.hpp"
 #include "analysis/property.hpp"
 
 namespace rungproof {
-
-constexpr bool isRealOperation(Op op) { return op >= Op::RealAdd; }
 
 /// The state variables that stand for one property's cells, in their order.
 struct MonitorState {

@@ -35,6 +35,7 @@ constexpr int fillings = 16;             ///< of inputs that a question does not
 constexpr double minimiseSeconds = 0.25;  ///< for making a witness smaller
 constexpr std::uint64_t minimisedScans = 200;  ///< longer witnesses wait for a timer; they stay as they were found
 constexpr double premiseSeconds = 5;     ///< for a question that a verdict is checked with
+constexpr double freeRealShare = 0.25;   ///< of a question's time, before REAL operations are written out
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -112,6 +113,12 @@ class Session {
       if (watch_.isStopped() || Clock::now() >= deadline_) throw EncodingStopped{};
     };
     return options;
+  }
+  /// Whether REAL operations that can be written out decide the question: engines take them as any value at first.
+  bool restsOnReals(std::size_t question) const {
+    const Graph& graph = *exact_->system().graph;
+    const auto variables = exact_->variablesOf(question);
+    return std::any_of(variables.begin(), variables.end(), [&](std::uint32_t n) { return isExactReal(graph[static_cast<Node>(n)]); });
   }
   std::vector<QuestionAnswer> ask(const TransitionSystem& system, double each, Clock::time_point deadline) {
     std::atomic<bool> cancel{false};
@@ -256,7 +263,7 @@ class Session {
     else if (answer.answer == Answer::Violated) witness = confirmed(question, *answer.trace);
     const bool isOpen = !witness && (answer.answer == Answer::Unknown || answer.answer == Answer::Violated);
     watch_.release();
-    if (isOpen && left() > 0 && !watch_.isStopped()) std::tie(answer, witness) = race(question);
+    if (isOpen && left() > 0 && !watch_.isStopped()) std::tie(answer, witness) = search(question, answer.answer);
     row.method = answer.method;
     row.depth = answer.depth;
     const bool wantsYes = row.builtin ? isWanted(row.builtin->kind) : row.property.kind == PropertyKind::Reach;
@@ -271,7 +278,11 @@ class Session {
       row.witness = std::move(witness);
     } else if (answer.answer == Answer::Proved) {
       row.outcome = wantsYes ? Outcome::Unreachable : Outcome::Proved;
-      if (options_.certificates && answer.certificate) row.certificate = certificateText(exact_->system(), exact_->system().questions[question], *answer.certificate);
+      if (options_.certificates && answer.certificate) {
+        const auto written = written_.find(question);
+        const TransitionSystem& system = written == written_.end() ? exact_->system() : written->second;
+        row.certificate = certificateText(system, system.questions[written == written_.end() ? question : 0], *answer.certificate);
+      }
       checkVacuity(row);
       if (options_.evidence) row.networks = networksOf(question, answer);
     } else if (answer.answer == Answer::Violated) {
@@ -355,9 +366,27 @@ class Session {
     }
   }
 
+  using Found = std::pair<QuestionAnswer, std::optional<Witness>>;
+
+  /// REAL operations take any value at first, which is enough for many proofs; where it is not, they are written out.
+  Found search(std::size_t question, Answer known) {
+    if (!restsOnReals(question)) return race(question);
+    if (known == Answer::Unknown) {
+      const Clock::time_point whole = std::exchange(deadline_, Clock::now() + seconds(left() * freeRealShare));
+      Found found = race(question);
+      deadline_ = whole;
+      if (found.second || found.first.answer == Answer::Proved || left() <= 0 || watch_.isStopped()) return found;
+    }
+    written_.emplace(question, withExactReals(exact_->only(question)));
+    return race(question);
+  }
+
   /// The exact system and the accelerated one at the same time; the first valid result ends both. Witnesses of built-in
   /// checks are followed on the exact graph, which the other search extends: they wait for its end.
-  std::pair<QuestionAnswer, std::optional<Witness>> race(std::size_t question) {
+  Found race(std::size_t question) {
+    const auto written = written_.find(question);
+    const bool isWritten = written != written_.end();
+    const TransitionSystem exact = isWritten ? written->second : exact_->only(question);
     std::atomic<bool> cancelExact{false}, cancelFast{false};
     const ProofWatch::Guard guardExact(watch_, cancelExact), guardFast(watch_, cancelFast);
     std::optional<Witness> witness;
@@ -368,6 +397,7 @@ class Session {
     ProofSide* relaxed = !isBounded && exact_->dependsOnTime(exact_->variablesOf(question)) ? relaxedSide() : nullptr;
     if (relaxed != nullptr) {
       accelerated = relaxed->accelerated(question, options_.time.high);
+      if (isWritten) accelerated = withExactReals(*accelerated);
       fast = std::thread([&] {
         PortfolioOptions options = portfolio(left(), deadline_, &cancelFast);
         options.jobs = 1;
@@ -379,12 +409,12 @@ class Session {
         if (witness || question >= goals_.size()) cancelExact = true;
       });
     }
-    QuestionAnswer answer = answerQuestions(exact_->only(question), portfolio(std::max(left(), 0.0), deadline_, &cancelExact))[0];
+    QuestionAnswer answer = answerQuestions(exact, portfolio(std::max(left(), 0.0), deadline_, &cancelExact))[0];
     if (answer.answer != Answer::Unknown) cancelFast = true;
     if (fast.joinable()) fast.join();
     if (fastAnswer && !witness && question >= goals_.size()) {
       witness = replayed(*relaxed, *accelerated, question, *fastAnswer->trace);
-      if (!witness && answer.answer == Answer::Unknown && left() > 0 && !watch_.isStopped()) answer = ask(exact_->only(question), left(), deadline_)[0];
+      if (!witness && answer.answer == Answer::Unknown && left() > 0 && !watch_.isStopped()) answer = ask(exact, left(), deadline_)[0];
     }
     CHECK(!(witness && answer.answer == Answer::Proved), "a proved property has a witness that the engine repeats");
     if (witness) {
@@ -470,9 +500,10 @@ class Session {
     const auto premise = goalNamed(row.property.name + " (premise)");
     if (!premise || row.outcome != Outcome::Proved) return;
     Answer answer = quick_[*premise].answer;
-    if (answer == Answer::Unknown && left() > 0 && !watch_.isStopped()) {
+    const bool isOpen = answer == Answer::Unknown || (answer == Answer::Violated && !found_.contains(*premise) && restsOnReals(*premise));
+    if (isOpen && left() > 0 && !watch_.isStopped()) {
       const Clock::time_point whole = std::exchange(deadline_, std::min(deadline_, Clock::now() + seconds(premiseSeconds)));
-      const auto [found, witness] = race(*premise);
+      const auto [found, witness] = search(*premise, answer);
       answer = witness ? Answer::Violated : found.answer;
       deadline_ = whole;
     }
@@ -486,9 +517,14 @@ class Session {
 
   std::vector<const Approximation*> approximationsOf(std::size_t question) {
     std::vector<const Approximation*> found;
+    const Graph& graph = *exact_->system().graph;
+    const bool isWritten = written_.contains(question);
     const auto variables = exact_->variablesOf(question);
     for (const Approximation& approximation : exact_->obligations().approximations()) {
-      if (std::any_of(approximation.carriers.begin(), approximation.carriers.end(), [&](Node n) { return n != noNode && variables.contains(indexOf(n)); })) found.push_back(&approximation);
+      const bool isCarried = std::any_of(approximation.carriers.begin(), approximation.carriers.end(), [&](Node n) {
+        return n != noNode && variables.contains(indexOf(n)) && !(isWritten && isExactReal(graph[n]));
+      });
+      if (isCarried) found.push_back(&approximation);
     }
     return found;
   }
@@ -513,6 +549,7 @@ class Session {
   std::unique_ptr<Facts> facts_;
   std::vector<QuestionAnswer> quick_;
   std::map<std::size_t, Witness> found_;  ///< by question: witnesses of the short search
+  std::map<std::size_t, TransitionSystem> written_;  ///< by question: its system with REAL operations written out
 };
 
 }  // namespace
