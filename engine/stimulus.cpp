@@ -7,15 +7,25 @@ ScanRequest StimulusPlayer::next() {
   ScanRequest request;
   const std::uint64_t scan = simulator_.scanCount() + 1;
   const std::uint64_t start = simulator_.timeUs();
+  script_.events.clear();
   const auto isDue = [&](const StimulusRow& row) { return stimulus_.isByTime ? row.timeUs <= start : row.scan <= scan; };
   while (!isDone() && isDue(stimulus_.rows[row_])) apply(stimulus_.rows[row_++], request);
   request.lengthUs = scanUs_;
+  if (!stimulus_.isScripted) return request;
+  if (const Flow* main = simulator_.plan().main(); main != nullptr && !main->steps.empty()) {
+    std::vector<ScanScript::Event> first;
+    for (const int event : request.events) first.push_back({{main->steps.front().instruction->id, 0}, event});
+    script_.events.insert(script_.events.begin(), first.begin(), first.end());
+  }
+  request.events.clear();
+  request.script = &script_;
   return request;
 }
 
 void StimulusPlayer::apply(const StimulusRow& row, ScanRequest& request) {
   if (row.scanUs) scanUs_ = *row.scanUs;
   request.events.insert(request.events.end(), row.events.begin(), row.events.end());
+  script_.events.insert(script_.events.end(), row.placed.begin(), row.placed.end());
   for (std::size_t i = 0; i < stimulus_.columns.size(); ++i) {
     const StimulusColumn& column = stimulus_.columns[i];
     if (!row.values[i]) continue;

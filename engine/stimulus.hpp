@@ -36,7 +36,8 @@ struct StimulusRow {
   std::uint64_t scan = 0;    ///< from 1, if keyed by scan
   std::uint64_t timeUs = 0;  ///< if keyed by time
   std::optional<std::uint32_t> scanUs{};  ///< length of the scans from here on
-  std::vector<int> events{};
+  std::vector<int> events{};                    ///< at the start of the scan
+  std::vector<ScanScript::Event> placed{};      ///< within it, in the order of execution
   std::vector<std::optional<double>> values{};  ///< by column
   /// Port and character (SerialPorts::breakSignal: a break), in the order in which they are sent.
   std::vector<std::pair<std::uint32_t, int>> characters{};
@@ -46,6 +47,8 @@ struct Stimulus {
   std::vector<StimulusColumn> columns;
   std::vector<StimulusRow> rows;  ///< in ascending order of their key
   bool isByTime = false;
+  /// Some interrupt stands at its place in a scan: none comes but those of the rows.
+  bool isScripted = false;
 };
 
 /// Plays a stimulus into a simulator.
@@ -66,6 +69,7 @@ class StimulusPlayer {
   const Stimulus& stimulus_;
   std::size_t row_ = 0;
   std::uint32_t scanUs_ = 0;
+  ScanScript script_;  ///< of the next scan, if the stimulus is scripted
 };
 
 }  // namespace rungproof

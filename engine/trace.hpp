@@ -3,6 +3,7 @@
 // Covered by tests/trace/*.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -35,6 +36,7 @@ struct TraceRow {
   std::uint64_t timeUs = 0;  ///< end of the scan, since power-up; keyed by time: the moment as written
   std::uint32_t scanUs = 0;  ///< length of the scan, 0 if not known
   std::vector<std::optional<double>> values;  ///< by signal; nothing: any value
+  std::string events{};                       ///< interrupts of the scan at their places, as a stimulus writes them
 };
 
 struct Trace {
@@ -42,6 +44,9 @@ struct Trace {
   std::vector<TraceRow> rows;
   bool isByTime = false;  ///< rows are keyed by time, not by scan
   bool hasTimes = true;   ///< TraceRow::timeUs is known
+  bool hasEvents() const {
+    return std::any_of(rows.begin(), rows.end(), [](const TraceRow& row) { return !row.events.empty(); });
+  }
 
   /// Index of the signal of that name or symbol (case does not matter), or -1.
   int signalNamed(std::string_view name) const;

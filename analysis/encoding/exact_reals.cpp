@@ -11,9 +11,9 @@ namespace rungproof {
 
 namespace {
 
-class Writer {
+class RealWriter {
  public:
-  explicit Writer(Graph& graph) : graph_(graph), words_(graph) {}
+  RealWriter(Graph& graph, RealScope scope) : graph_(graph), scope_(scope), words_(graph) {}
 
   Node operator()(Node root) {
     std::vector<Node> stack{root};
@@ -39,7 +39,7 @@ class Writer {
       if (!isReady) continue;
       stack.pop_back();
       Node result = n;
-      if (isExactReal(node)) result = written(node, {child[0]}, {child[1]});
+      if (scope_ == RealScope::All ? isExactReal(node) : isRealComparison(node.op)) result = written(node, {child[0]}, {child[1]});
       else if (child != node.child) result = graph_.make(node.op, node.width, child[0], child[1], child[2], node.value);
       known_.emplace(indexOf(n), result);
     }
@@ -65,6 +65,7 @@ class Writer {
   }
 
   Graph& graph_;
+  const RealScope scope_;
   RealWords<Graph> words_;
   std::unordered_map<std::uint32_t, Node> known_;
 };
@@ -75,8 +76,8 @@ bool isExactReal(const NodeData& node) {
   return isRealOperation(node.op) && (node.op != Op::RealFunction || static_cast<RealFunction>(node.value) == RealFunction::Sqrt);
 }
 
-TransitionSystem withExactReals(const TransitionSystem& system) {
-  Writer write(*system.graph);
+TransitionSystem withExactReals(const TransitionSystem& system, RealScope scope) {
+  RealWriter write(*system.graph, scope);
   TransitionSystem result = system;
   for (StateVariable& state : result.states) state.next = write(state.next);
   for (std::vector<Node>* nodes : {&result.constraints, &result.totalConstraints}) {

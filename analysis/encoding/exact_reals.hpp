@@ -9,10 +9,13 @@
 namespace rungproof {
 
 constexpr bool isRealOperation(Op op) { return op >= Op::RealAdd; }
+/// Comparisons and the test for legal numbers: short enough to be written out always.
+constexpr bool isRealComparison(Op op) { return op == Op::RealEqual || op == Op::RealLess || op == Op::RealLegal; }
 /// Whether the operation can be written out.
 bool isExactReal(const NodeData& node);
 
+enum class RealScope : std::uint8_t { Comparisons, All };
 /// Adds nodes to the system's graph.
-TransitionSystem withExactReals(const TransitionSystem& system);
+TransitionSystem withExactReals(const TransitionSystem& system, RealScope scope);
 
 }  // namespace rungproof

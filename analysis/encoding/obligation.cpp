@@ -92,7 +92,8 @@ void Obligations::approximateReals(const Instruction* place, std::size_t first, 
   const Graph& graph = encoding_->graph();
   std::vector<Node> operations;
   for (std::size_t i = first; i < end; ++i) {
-    if (isRealOperation(graph[static_cast<Node>(i)].op)) operations.push_back(static_cast<Node>(i));
+    const Op op = graph[static_cast<Node>(i)].op;
+    if (isRealOperation(op) && !isRealComparison(op)) operations.push_back(static_cast<Node>(i));
   }
   if (operations.empty()) return;
   const auto known = std::find_if(approximations_.begin(), approximations_.end(), [&](const Approximation& a) { return a.place == place && a.reason == realReason; });

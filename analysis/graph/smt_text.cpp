@@ -1,5 +1,8 @@
-// One define-fun for each node and scan keeps the sharing of the graph.
+// One definition for each node and scan keeps the sharing of the graph.
 #include "analysis/graph/smt_text.hpp"
+
+#include <algorithm>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -117,15 +120,63 @@ void SmtText::define(Node n, int frame) {
   if (node.op == Op::Variable) {
     const auto state = states_.find(indexOf(n));
     if (state != states_.end() && frame > 0) {
-      text_ += fmt::format("(define-fun {} () {} {})\n", symbol(n, frame), type, named(system_.states[state->second].next, frame - 1));
+      definitions_.push_back({symbol(n, frame), type, named(system_.states[state->second].next, frame - 1)});
     } else {
-      text_ += fmt::format("(declare-fun {} () {})\n", symbol(n, frame), type);
+      declarations_ += fmt::format("(declare-fun {} () {})\n", symbol(n, frame), type);
     }
   } else if (isReal(node.op) || open_.contains(indexOf(n))) {
-    text_ += fmt::format("(declare-fun {} () {})\n", named(n, frame), type);
+    declarations_ += fmt::format("(declare-fun {} () {})\n", named(n, frame), type);
   } else {
-    text_ += fmt::format("(define-fun {} () {} {})\n", named(n, frame), type, expression(n, frame));
+    definitions_.push_back({named(n, frame), type, expression(n, frame)});
   }
+}
+
+std::string SmtText::text() const {
+  std::string text = declarations_;
+  for (const Definition& d : definitions_) text += fmt::format("(define-fun {} () {} {})\n", d.name, d.sort, d.expression);
+  return text;
+}
+
+namespace {
+
+/// Calls with each symbol of a term; numerals and words of the language are among them.
+template <class Use>
+void forEachSymbol(std::string_view text, Use&& use) {
+  for (std::size_t i = 0; i < text.size();) {
+    const bool isQuoted = text[i] == '|';
+    const std::size_t end = isQuoted ? text.find('|', i + 1) + 1 : std::min(text.find_first_of("() |", i), text.size());
+    if (end > i) use(text.substr(i, end - i));
+    i = std::max(end, i + 1);
+  }
+}
+
+}  // namespace
+
+std::string withDefinitions(const std::vector<SmtText::Definition>& definitions, const std::string& formula) {
+  std::unordered_map<std::string_view, std::size_t> number;
+  for (std::size_t i = 0; i < definitions.size(); ++i) number.emplace(definitions[i].name, i);
+  std::vector<bool> isNeeded(definitions.size(), false);
+  const auto need = [&](std::string_view symbol) {
+    if (const auto found = number.find(symbol); found != number.end()) isNeeded[found->second] = true;
+  };
+  forEachSymbol(formula, need);
+  for (std::size_t i = definitions.size(); i-- > 0;) {
+    if (isNeeded[i]) forEachSymbol(definitions[i].expression, need);
+  }
+  // Those that rest on definitions of lower levels only share one let.
+  std::vector<std::size_t> level(definitions.size(), 0);
+  std::vector<std::string> lets;
+  for (std::size_t i = 0; i < definitions.size(); ++i) {
+    if (!isNeeded[i]) continue;
+    forEachSymbol(definitions[i].expression, [&](std::string_view symbol) {
+      if (const auto found = number.find(symbol); found != number.end()) level[i] = std::max(level[i], level[found->second] + 1);
+    });
+    if (lets.size() <= level[i]) lets.resize(level[i] + 1);
+    lets[level[i]] += fmt::format("({} {}) ", definitions[i].name, definitions[i].expression);
+  }
+  std::string text;
+  for (const std::string& bindings : lets) text += "(let (" + bindings + ")\n";
+  return text + formula + std::string(lets.size(), ')');
 }
 
 std::string SmtText::term(Node n, int frame) {

@@ -24,7 +24,14 @@ class SmtText {
   std::string term(Node n, int frame);
   /// Equations of the initial values of those variables at scan 0.
   std::vector<std::string> initialEquations(const std::unordered_set<std::uint32_t>& variables);
-  const std::string& text() const { return text_; }
+  struct Definition {
+    std::string name, sort, expression;
+  };
+  /// What has any value, and what is defined by it, each after all that it is made of.
+  const std::string& declarations() const { return declarations_; }
+  const std::vector<Definition>& definitions() const { return definitions_; }
+  /// Declarations, then one define-fun for each definition.
+  std::string text() const;
 
   /// State variables (node indices) that the nodes depend on within one scan.
   std::unordered_set<std::uint32_t> statesUnder(const std::vector<Node>& roots) const;
@@ -48,7 +55,12 @@ class SmtText {
   const std::string tag_;
   const std::unordered_set<std::uint32_t> open_;
   std::unordered_set<std::uint64_t> defined_;
-  std::string text_;
+  std::string declarations_;
+  std::vector<Definition> definitions_;
 };
+
+/// A formula with those of the definitions that it rests on as local ones. Z3 4.8.12 takes time out of all proportion to
+/// read define-fun where definitions share much, which REAL arithmetic does; it reads let at once.
+std::string withDefinitions(const std::vector<SmtText::Definition>& definitions, const std::string& formula);
 
 }  // namespace rungproof

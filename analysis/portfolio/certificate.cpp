@@ -123,7 +123,8 @@ void CertificateWriter::surface(const Question& question, const WordCertificate&
   for (const Node n : certificate.open) open.insert(indexOf(n));
   SmtText smt(system_, fmt::format(".{}", questions_.size()), std::move(open));
   const std::string bad = smt.term(question.bad, 0);
-  surfaces_ += smt.text();
+  surfaces_ += smt.declarations();
+  surfaceDefinitions_.insert(surfaceDefinitions_.end(), smt.definitions().begin(), smt.definitions().end());
   oblige("safety", {bad});
 }
 
@@ -136,19 +137,27 @@ void CertificateWriter::add(const Question& question, const WordCertificate& cer
   else surface(question, certificate);
 }
 
+std::vector<SmtText::Definition> CertificateWriter::definitions() const {
+  std::vector<SmtText::Definition> all = smt_.definitions();
+  all.insert(all.end(), surfaceDefinitions_.begin(), surfaceDefinitions_.end());
+  return all;
+}
+
 std::string CertificateWriter::text() const {
-  std::string text = "(set-logic QF_BV)\n" + theorems_ + smt_.text() + surfaces_;
+  std::string text = "(set-logic QF_BV)\n" + theorems_ + smt_.declarations() + surfaces_;
+  const std::vector<SmtText::Definition> all = definitions();
   for (const Obligation& o : obligations_) {
     std::string name = questions_[o.certificate];
     std::replace_if(name.begin(), name.end(), [](unsigned char c) { return c < 32; }, ' ');
-    text += fmt::format("; {} of: {}\n(push 1)\n(assert {})\n(check-sat) ; expected: unsat\n(pop 1)\n", o.name, name, o.formula);
+    text += fmt::format("; {} of: {}\n(push 1)\n(assert {})\n(check-sat) ; expected: unsat\n(pop 1)\n", o.name, name, withDefinitions(all, o.formula));
   }
   return text;
 }
 
-/// Certificates of one system share obligations word for word; each is read and checked once.
+/// Certificates of one system share obligations word for word; each is read and checked once. All are arguments of one
+/// predicate, so that they share their definitions.
 std::vector<CheckResult> CertificateWriter::check(const CheckLimits& limits) const {
-  std::string formulas = theorems_ + smt_.text() + surfaces_;
+  std::string sorts, arguments = "true";
   std::unordered_map<std::string_view, std::size_t> index;
   std::vector<std::size_t> formulaOf, owners;
   for (const Obligation& o : obligations_) {
@@ -156,8 +165,11 @@ std::vector<CheckResult> CertificateWriter::check(const CheckLimits& limits) con
     formulaOf.push_back(at->second);
     if (!isNew) continue;
     owners.push_back(at->second);
-    formulas += fmt::format("(assert {})\n", o.formula);
+    sorts += " Bool";
+    arguments += " " + o.formula;
   }
+  const std::string formulas = theorems_ + smt_.declarations() + surfaces_ +
+                               fmt::format("(declare-fun obligations (Bool{}) Bool)\n(assert {})\n", sorts, withDefinitions(definitions(), fmt::format("(obligations {})", arguments)));
   const std::vector<CheckResult> checked = checkApart(formulas, owners, owners.size(), limits);
   std::vector<CheckResult> results(questions_.size(), CheckResult::Valid);
   for (std::size_t i = 0; i < obligations_.size(); ++i) {

@@ -63,6 +63,7 @@ class CertificateWriter {
     std::string name;     ///< "initiation", "consecution", "base", "safety"
     std::string formula;  ///< must be unsatisfiable
   };
+  std::vector<SmtText::Definition> definitions() const;
   using Terms = std::vector<std::string>;
   void oblige(const char* name, const Terms& terms);
   std::string notAll(const std::vector<Node>& nodes, int frame);
@@ -77,7 +78,8 @@ class CertificateWriter {
 
   const TransitionSystem& system_;
   SmtText smt_;
-  std::string surfaces_;  ///< definitions of certificates with open nodes
+  std::string surfaces_;  ///< declarations of certificates with open nodes
+  std::vector<SmtText::Definition> surfaceDefinitions_;
   std::vector<std::string> questions_;
   std::vector<Obligation> obligations_;
   std::string theorems_;                           ///< declarations of their variables

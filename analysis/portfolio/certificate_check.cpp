@@ -90,13 +90,14 @@ void writeResult(int pipe, CheckResult result) {
   std::signal(SIGINT, SIG_IGN);  // the parent decides what an interruption means
   try {
     z3::context context;
-    const z3::expr_vector formulas = context.parse_string(text.c_str());
-    if (formulas.size() != owners.size()) _exit(1);
+    const z3::expr_vector assertions = context.parse_string(text.c_str());
+    if (assertions.size() != 1 || assertions[0].num_args() != owners.size() + 1) _exit(1);
+    const z3::expr formulas = assertions[0];
     std::vector<double> left(ownerCount, limits.each);
     std::map<std::vector<unsigned>, CheckResult> known;  // properties of equal parts of a program lead to equal forms
-    for (unsigned i = 0; i < formulas.size(); ++i) {
+    for (unsigned i = 0; i < owners.size(); ++i) {
       const Clock::time_point begin = Clock::now();
-      const z3::expr formula = formulas[static_cast<int>(i)];
+      const z3::expr formula = formulas.arg(i + 1);
       const auto [at, isNew] = known.emplace(formOf(context, formula), CheckResult::Unknown);
       if (isNew || at->second == CheckResult::Unknown) at->second = checkFormula(context, formula, left[owners[i]]);
       const CheckResult result = at->second;

@@ -19,8 +19,8 @@ struct CheckLimits {
   const std::atomic<bool>* cancel = nullptr;
 };
 
-/// `text`: declarations, definitions, then one assertion for each element of `owners`, which says whose it is. An owner is
-/// Valid if each of its assertions alone is unsatisfiable, Invalid if one is satisfiable.
+/// `text`: declarations, then one assertion: a predicate applied to true and one formula for each element of `owners`, which
+/// says whose it is. An owner is Valid if each of its formulas alone is unsatisfiable, Invalid if one is satisfiable.
 std::vector<CheckResult> checkApart(const std::string& text, const std::vector<std::size_t>& owners, std::size_t ownerCount, const CheckLimits& limits);
 
 }  // namespace rungproof

@@ -23,7 +23,7 @@ ProofSide::ProofSide(const Program& program, const PropertySet& set, const std::
     leftOutQuestion_ = goals.size() + checks_.size();
     obligations_.ask("a scan that is not followed to its end", leftOut.node);
   }
-  system_ = obligations_.system();
+  system_ = withExactReals(obligations_.system(), RealScope::Comparisons);
 }
 
 TransitionSystem ProofSide::only(std::size_t question) const {
@@ -93,9 +93,15 @@ std::string approximationText(const Program& program, const Approximation& appro
   return fmt::format("{} at {}:{}: {}", approximation.place->desc->stl, program.sources->file(span.file).name(), program.sources->position(span).line, approximation.reason);
 }
 
-std::vector<std::string> approximationTexts(const Program& program, const Obligations& obligations) {
+bool isWrittenOut(const Graph& graph, const Approximation& approximation) {
+  return !approximation.carriers.empty() && std::ranges::all_of(approximation.carriers, [&](Node n) { return n != noNode && isExactReal(graph[n]); });
+}
+
+std::vector<std::string> approximationTexts(const Program& program, Obligations& obligations) {
   std::vector<std::string> texts;
-  for (const Approximation& approximation : obligations.approximations()) texts.push_back(approximationText(program, approximation));
+  for (const Approximation& approximation : obligations.approximations()) {
+    if (!isWrittenOut(obligations.encoding().graph(), approximation)) texts.push_back(approximationText(program, approximation));
+  }
   return texts;
 }
 

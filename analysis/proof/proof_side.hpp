@@ -44,6 +44,9 @@ class ProofSide {
 std::vector<std::string> environmentTexts(const Program& program, const PropertySet& set, const TimeRange& time);
 /// "PID at press.awl:41: result is any value".
 std::string approximationText(const Program& program, const Approximation& approximation);
-std::vector<std::string> approximationTexts(const Program& program, const Obligations& obligations);
+/// Whether it is gone once REAL operations are written out.
+bool isWrittenOut(const Graph& graph, const Approximation& approximation);
+/// Of all that stay.
+std::vector<std::string> approximationTexts(const Program& program, Obligations& obligations);
 
 }  // namespace rungproof

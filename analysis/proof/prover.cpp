@@ -9,6 +9,7 @@
 #include <chrono>
 #include <map>
 #include <random>
+#include <set>
 #include <thread>
 #include <utility>
 
@@ -60,7 +61,6 @@ class Session {
       result.isInterrupted = watch_.isInterrupted();
       return result;
     }
-    result.approximations = approximationTexts(program_, exact_->obligations());
     const std::size_t total = declared + exact_->checks().size();
     answerQuickly(begin_ + seconds(options_.timeout * static_cast<double>(std::max<std::size_t>(total, 1))));
     const auto questionOf = [&](std::size_t i) { return i < declared ? i : goals_.size() + (i - declared); };
@@ -92,11 +92,15 @@ class Session {
     for (std::optional<ProofResult>& row : rows) {
       if (row) result.results.push_back(std::move(*row));
     }
+    for (const Approximation& approximation : exact_->obligations().approximations()) {
+      if (!isWrittenOut(*exact_->system().graph, approximation) || noted_.contains(&approximation)) result.approximations.push_back(approximationText(program_, approximation));
+    }
     result.isInterrupted = watch_.isInterrupted();
     return result;
   }
 
  private:
+
   static Clock::duration seconds(double s) { return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(s)); }
   double left() const { return std::chrono::duration<double>(deadline_ - Clock::now()).count(); }
 
@@ -377,7 +381,7 @@ class Session {
       deadline_ = whole;
       if (found.second || found.first.answer == Answer::Proved || left() <= 0 || watch_.isStopped()) return found;
     }
-    written_.emplace(question, withExactReals(exact_->only(question)));
+    written_.emplace(question, withExactReals(exact_->only(question), RealScope::All));
     return race(question);
   }
 
@@ -397,7 +401,7 @@ class Session {
     ProofSide* relaxed = !isBounded && exact_->dependsOnTime(exact_->variablesOf(question)) ? relaxedSide() : nullptr;
     if (relaxed != nullptr) {
       accelerated = relaxed->accelerated(question, options_.time.high);
-      if (isWritten) accelerated = withExactReals(*accelerated);
+      if (isWritten) accelerated = withExactReals(*accelerated, RealScope::All);
       fast = std::thread([&] {
         PortfolioOptions options = portfolio(left(), deadline_, &cancelFast);
         options.jobs = 1;
@@ -532,6 +536,7 @@ class Session {
     for (const Approximation* approximation : approximationsOf(question)) {
       if (row.outcome == Outcome::Unknown) row.outcome = Outcome::NotCovered;
       row.notes.push_back("depends on " + approximationText(program_, *approximation));
+      noted_.insert(approximation);
     }
   }
 
@@ -549,6 +554,7 @@ class Session {
   std::unique_ptr<Facts> facts_;
   std::vector<QuestionAnswer> quick_;
   std::map<std::size_t, Witness> found_;  ///< by question: witnesses of the short search
+  std::set<const Approximation*> noted_;  ///< what some result rests on
   std::map<std::size_t, TransitionSystem> written_;  ///< by question: its system with REAL operations written out
 };
 

@@ -61,10 +61,11 @@ Exit run(const Arguments& arguments, Context& context) {
     return context.fail({fmt::format("no property is declared in {}", arguments.files.front()), {}, "declare some, or give --builtin; see 'rungproof prove --help'"});
   }
   const ExportRemarks remarks = remarksOf(input, side, options);
+  const TransitionSystem system = withExactReals(side.system(), RealScope::All);
   bool isWritten = true;
   for (const OutputRequest& request : context.outputs) {
     const OutputRequest target{request.name, request.file.empty() ? arguments.output : request.file};
-    isWritten = context.write(target, textOf(request.name, side.system(), options.bound, remarks)) && isWritten;
+    isWritten = context.write(target, textOf(request.name, system, options.bound, remarks)) && isWritten;
   }
   return isWritten ? Exit::Clean : Exit::Failed;
 }
@@ -87,7 +88,7 @@ extern constexpr Command exportCommand = {
     .details =
         "One scan is one step of the system. A 'prove' is a bad state at its violation, a 'reach' one at its goal, so that\n"
         "an unreachable bad state means PROVED or UNREACHABLE. Assumptions are constraints; comments name everything\n"
-        "that was assumed or approximated. Operations on REAL numbers are free inputs.\n"
+        "that was assumed or approximated. Sine, logarithm and the like of REAL numbers are free inputs.\n"
         "    btor2        words, for btormc, Pono, AVR\n"
         "    aiger        bits, binary, latches from 0 and no constraints, for ABC and rIC3\n"
         "    aiger-ascii  bits, AIGER 1.9 with constraints and resets, to be read\n"

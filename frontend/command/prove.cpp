@@ -255,6 +255,7 @@ extern constexpr Command proveCommand = {
         "    pulse I0.0 at most every 50ms              how fast an input may rise\n"
         "Operators: not, and, xor, or, implies, = <> < <= > >=, + - *; functions: rises, falls, prev, once,\n"
         "since, held, first_scan. T37 is the bit of a timer, T37.value its current value.\n"
+        "In the first scan there is no scan before: prev(E) is E there, rises(E) and falls(E) are false.\n"
         "\n"
         "Verdicts: PROVED, VIOLATED, REACHABLE, UNREACHABLE, HOLDS TO BOUND n, VACUOUS, UNKNOWN, NOT COVERED.\n"
         "Every VIOLATED and REACHABLE has been repeated by the reference engine.\n"

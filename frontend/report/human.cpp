@@ -177,7 +177,12 @@ class HumanWriter {
       add(summary.notes, "note", "notes");
     }
     add(summary.proved, "property proved or reached", "properties proved or reached");
-    add(summary.violated, "violated", "violated");
+    const auto with = [&](VerdictWord word) {
+      return static_cast<std::size_t>(std::count_if(report_.properties.begin(), report_.properties.end(), [&](const PropertyResult& p) { return p.verdict == word; }));
+    };
+    add(with(VerdictWord::Violated), "violated", "violated");
+    add(with(VerdictWord::Unreachable), "unreachable", "unreachable");
+    add(with(VerdictWord::Vacuous), "vacuous", "vacuous");
     add(summary.undecided, "undecided", "undecided");
     if (text.empty()) text = "no findings";
     std::string tail;

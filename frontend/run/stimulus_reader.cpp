@@ -9,6 +9,7 @@
 #include <set>
 
 #include "frontend/run/csv_table.hpp"
+#include "frontend/run/event_place.hpp"
 #include "frontend/run/stimulus_column.hpp"
 #include "frontend/run/trace_cell.hpp"
 
@@ -89,8 +90,8 @@ class TableReader {
     return 0;
   }
 
-  std::vector<int> events(const CsvCell& cell, const Target& target) {
-    std::vector<int> list;
+  /// Interrupts at the start of the scan, and those that stand at a place in it ("10@17").
+  void events(const CsvCell& cell, const Program& program, StimulusRow& row) {
     std::string text = cell.text;
     for (char& c : text) {
       if (c == ';' || c == '+') c = ' ';
@@ -100,14 +101,20 @@ class TableReader {
       const std::string word = text.substr(at, end - at);
       at = end + 1;
       if (isOpen(word)) continue;
-      const std::optional<double> number = numberIn(word);
-      if (number && *number == std::floor(*number) && *number >= 0 && *number < eventCount && eventExists(target, static_cast<int>(*number))) {
-        list.push_back(static_cast<int>(*number));
+      const std::size_t mark = word.find('@');
+      const std::optional<double> number = numberIn(std::string_view(word).substr(0, mark));
+      if (!number || *number != std::floor(*number) || *number < 0 || *number >= eventCount || !eventExists(program.target, static_cast<int>(*number))) {
+        fail(cell, fmt::format("'{}' is no interrupt event of CPU {}", word, cpuName(program.target.cpu)), "events are numbers from 0 to 33; several are separated by blanks");
+        continue;
+      }
+      if (mark == std::string::npos) {
+        row.events.push_back(static_cast<int>(*number));
+      } else if (const auto place = scanPlaceNamed(program, std::string_view(word).substr(mark + 1))) {
+        row.placed.push_back({*place, static_cast<int>(*number)});
       } else {
-        fail(cell, fmt::format("'{}' is no interrupt event of CPU {}", word, cpuName(target.cpu)), "events are numbers from 0 to 33; several are separated by blanks");
+        fail(cell, fmt::format("no instruction stands at '{}'", word.substr(mark + 1)), "write EVENT@LINE for an event in front of the instruction in that line of the program, or EVENT@end");
       }
     }
-    return list;
   }
 
   /// "65 'BC' 16#0A break": numbers, texts in quotes and breaks.
@@ -182,7 +189,8 @@ Stimulus readStimulus(const std::string& name, std::string_view text, const Prog
       const std::uint32_t us = reader.duration(cells[static_cast<std::size_t>(frame.scanMs)]);
       if (us != 0) row.scanUs = us;
     }
-    if (frame.event >= 0) row.events = reader.events(cells[static_cast<std::size_t>(frame.event)], program.target);
+    if (frame.event >= 0) reader.events(cells[static_cast<std::size_t>(frame.event)], program, row);
+    stimulus.isScripted = stimulus.isScripted || !row.placed.empty();
     for (std::size_t k = 0; k < frame.signals.size(); ++k) {
       const StimulusColumn& column = stimulus.columns[k];
       const CsvCell& cell = cells[frame.signals[k]];

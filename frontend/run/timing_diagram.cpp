@@ -15,7 +15,7 @@ namespace {
 constexpr int laneHeight = 34, levelHeight = 18, topMargin = 46, labelGap = 10, charWidth = 7;
 
 /// A stretch of rows with the same values, as wide as it is drawn.
-struct Stretch {
+struct DrawnStretch {
   std::size_t row;
   std::size_t count;
   double x;
@@ -25,8 +25,8 @@ struct Stretch {
 
 bool sameValues(const TraceRow& a, const TraceRow& b) { return a.values == b.values; }
 
-std::vector<Stretch> stretches(const Trace& trace, std::size_t maxScans, double left) {
-  std::vector<Stretch> list;
+std::vector<DrawnStretch> stretches(const Trace& trace, std::size_t maxScans, double left) {
+  std::vector<DrawnStretch> list;
   const bool mayCompress = trace.rows.size() > maxScans;
   const double unit = std::clamp(900.0 / static_cast<double>(std::max<std::size_t>(trace.rows.size(), 1)), 6.0, 40.0);
   double x = left;
@@ -48,12 +48,12 @@ std::vector<Stretch> stretches(const Trace& trace, std::size_t maxScans, double 
 
 std::string label(const TraceSignal& signal) { return signal.symbol.empty() ? signal.name : signal.name + " " + signal.symbol; }
 
-std::string bitLane(const Trace& trace, std::size_t column, const std::vector<Stretch>& list, double y) {
+std::string bitLane(const Trace& trace, std::size_t column, const std::vector<DrawnStretch>& list, double y) {
   std::string path;
   std::string unknown;
   bool isDown = false;  // pen is on the paper
   double level = 0;
-  for (const Stretch& s : list) {
+  for (const DrawnStretch& s : list) {
     const std::optional<double> value = trace.rows[s.row].values[column];
     if (!value) {
       unknown += fmt::format("<rect class=\"x\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{}\"/>", s.x, y, s.width, levelHeight);
@@ -70,7 +70,7 @@ std::string bitLane(const Trace& trace, std::size_t column, const std::vector<St
   return fmt::format("{}<path class=\"w\" d=\"{}\"/>\n", unknown, path);
 }
 
-std::string numberLane(const Trace& trace, std::size_t column, const std::vector<Stretch>& list, double y) {
+std::string numberLane(const Trace& trace, std::size_t column, const std::vector<DrawnStretch>& list, double y) {
   std::string text;
   for (std::size_t i = 0; i < list.size();) {
     const std::optional<double> value = trace.rows[list[i].row].values[column];
@@ -90,10 +90,10 @@ std::string numberLane(const Trace& trace, std::size_t column, const std::vector
 }
 
 /// Scan numbers along the bottom, as many as there is room for; a broken stretch shows how long it is.
-std::string axis(const Trace& trace, const std::vector<Stretch>& list, double y) {
+std::string axis(const Trace& trace, const std::vector<DrawnStretch>& list, double y) {
   std::string text;
   double free = -1;
-  for (const Stretch& s : list) {
+  for (const DrawnStretch& s : list) {
     const TraceRow& row = trace.rows[s.row];
     const std::string number = trace.isByTime ? millisecondsText(row.timeUs) : fmt::format("{}", row.scan);
     text += fmt::format("<path class=\"t\" d=\"M{:.1f} {:.1f}v4\"/>", s.x, y);
@@ -127,7 +127,7 @@ std::string timingDiagram(const Trace& trace, std::string_view title, std::size_
   int longest = 4;
   for (const TraceSignal& signal : trace.signals) longest = std::max(longest, displayWidth(label(signal)));
   const double left = longest * charWidth + 2 * labelGap;
-  const std::vector<Stretch> list = stretches(trace, maxScans, left);
+  const std::vector<DrawnStretch> list = stretches(trace, maxScans, left);
   const double right = list.empty() ? left : list.back().x + list.back().width;
   const double bottom = topMargin + laneHeight * static_cast<double>(trace.signals.size());
   const std::size_t drawn = list.empty() ? 0 : list.back().row + list.back().count;
@@ -139,7 +139,7 @@ std::string timingDiagram(const Trace& trace, std::string_view title, std::size_
       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
       right + 30, bottom + 40);
   if (!title.empty()) svg += fmt::format("<text x=\"{}\" y=\"22\" font-weight=\"bold\">{}</text>\n", labelGap, xmlText(title));
-  for (const Stretch& s : list) svg += fmt::format("<path class=\"g\" d=\"M{:.1f} {}V{:.1f}\"/>", s.x, topMargin - 8, bottom);
+  for (const DrawnStretch& s : list) svg += fmt::format("<path class=\"g\" d=\"M{:.1f} {}V{:.1f}\"/>", s.x, topMargin - 8, bottom);
   svg += "\n";
   for (std::size_t i = 0; i < trace.signals.size(); ++i) {
     const double y = topMargin + laneHeight * static_cast<double>(i);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "frontend/run/event_place.hpp"
+
 namespace rungproof {
 
 namespace {
@@ -34,7 +36,8 @@ Trace traceOf(const Program& program, const Choices& choices, const Witness& wit
     const std::uint32_t scanUs = witness.scans[at].lengthMs * 1000;
     timeUs += scanUs;
     if (++scan <= skipped) return true;
-    TraceRow row{scan, timeUs, scanUs, {}};
+    TraceRow row{scan, timeUs, scanUs, {}, {}};
+    for (const ScanScript::Event& event : witness.scans[at].script.events) row.events += (row.events.empty() ? "" : " ") + eventText(program, event);
     for (const TraceSignal& signal : signals) {
       row.values.push_back(numberOf(valueIn(state, signal.operand), signal.type, signal.width()));
       if (hidesIdle && isIdle(witness, at, signal.operand)) row.values.back().reset();
@@ -99,11 +102,14 @@ std::vector<std::string> tableOf(const Trace& trace, std::size_t rows) {
     std::vector<std::string> values;
   };
   std::vector<Row> table{{"scan", "ms", {}}};
+  const bool hasEvents = trace.hasEvents();
+  if (hasEvents) table[0].values.push_back("events");
   for (const TraceSignal& signal : trace.signals) table[0].values.push_back(signal.symbol.empty() ? signal.name : signal.symbol);
   std::uint64_t first = 0;
   for (std::size_t i = 0; i < trace.rows.size(); ++i) {
     const TraceRow& row = trace.rows[i];
     Row next{"", fmt::format("{}", row.timeUs / 1000), {}};
+    if (hasEvents) next.values.push_back(row.events);
     for (std::size_t s = 0; s < trace.signals.size(); ++s) next.values.push_back(row.values[s] ? numberText(*row.values[s], trace.signals[s].type) : "-");
     const bool isSame = table.size() > 1 && i + 1 < trace.rows.size() && table.back().values == next.values;
     if (!isSame) first = row.scan;
@@ -114,9 +120,9 @@ std::vector<std::string> tableOf(const Trace& trace, std::size_t rows) {
   if (table.size() > rows + 1) {
     const std::size_t cut = table.size() - rows;
     table.erase(table.begin() + 1, table.begin() + static_cast<std::ptrdiff_t>(cut));
-    table.insert(table.begin() + 1, Row{"...", "", std::vector<std::string>(trace.signals.size())});
+    table.insert(table.begin() + 1, Row{"...", "", std::vector<std::string>(table[0].values.size())});
   }
-  std::vector<std::size_t> widths(trace.signals.size() + 2, 0);
+  std::vector<std::size_t> widths(table[0].values.size() + 2, 0);
   for (const Row& row : table) {
     widths[0] = std::max(widths[0], row.scan.size());
     widths[1] = std::max(widths[1], row.time.size());

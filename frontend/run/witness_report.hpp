@@ -22,7 +22,8 @@ std::vector<TraceSignal> signalsThatMatter(const Program& program, const ProofRe
 /// if there is nothing.
 std::string startText(const Program& program, const Choices& choices, const Witness& witness);
 
-/// Lines of a table: scan, time at its end, values. Runs of equal rows are drawn together; at most `rows` rows.
+/// Lines of a table: scan, time at its end, interrupts at their places if there are any, values. Runs of equal rows are
+/// drawn together; at most `rows` rows.
 std::vector<std::string> tableOf(const Trace& trace, std::size_t rows = 24);
 
 }  // namespace rungproof

@@ -1,5 +1,5 @@
-// Traces as CSV: scan, time_ms at the end of the scan, scan_ms, then one column per signal. The file is a stimulus as
-// well: having time_ms behind scan, it is known as a recording (frontend/run/stimulus_reader.hpp).
+// Traces as CSV: scan, time_ms at the end of the scan, scan_ms, event if interrupts are known, then one column per signal.
+// The file is a stimulus as well: having time_ms behind scan, it is known as a recording (frontend/run/stimulus_reader.hpp).
 // Tested by tests/trace/csv_test.cpp.
 #include <ostream>
 
@@ -17,13 +17,15 @@ std::string quoted(const std::string& text) {
 }
 
 void write(const Trace& trace, std::string_view, std::ostream& out) {
-  out << (trace.isByTime ? "time_ms" : "scan,time_ms,scan_ms");
+  const bool hasEvents = !trace.isByTime && trace.hasEvents();
+  out << (trace.isByTime ? "time_ms" : "scan,time_ms,scan_ms") << (hasEvents ? ",event" : "");
   for (const TraceSignal& signal : trace.signals) out << ',' << quoted(signal.name);
   out << '\n';
   for (const TraceRow& row : trace.rows) {
     if (!trace.isByTime) out << row.scan << ',';
     out << millisecondsText(row.timeUs);
     if (!trace.isByTime) out << ',' << millisecondsText(row.scanUs);
+    if (hasEvents) out << ',' << quoted(row.events);
     for (std::size_t i = 0; i < trace.signals.size(); ++i) {
       out << ',';
       if (row.values[i]) out << numberText(*row.values[i], trace.signals[i].type);

@@ -47,6 +47,31 @@ TEST(Stimulus, EventsRunTheirRoutines) {
   EXPECT_EQ(rig.get("VW2"), 1);
 }
 
+// Lines: 1 LD, 2 ATCH, 3 ENI, 4 LD, 5 = Q0.0, 6 MOVW, 7 MEND, 8 INT 0, 9 LD, 10 INCW, 11 RETI.
+const std::string interrupted = "LD SM0.1\nATCH 0, 12\nENI\nLD V1.0\n= Q0.0\nMOVW VW0, VW2\nMEND\nINT 0\nLD SM0.0\nINCW VW0\nRETI\n";
+
+TEST(Stimulus, EventsComeInFrontOfTheInstructionInALine) {
+  // VW0 is V1.0 as its lowest bit. In scan 2 the event comes behind the contact, so Q0.0 still shows the old 0; the copy sees 1.
+  Rig behind(interrupted);
+  EXPECT_EQ(waveUnder(behind, "scan,event\n2,12@5\n3,\n", "Q0.0", 3), "001");
+  Rig copied(interrupted);
+  EXPECT_EQ(waveUnder(copied, "scan,event\n2,12@5\n3,12@6\n4,\n", "VW2", 4), "0122");
+  Rig before(interrupted);
+  EXPECT_EQ(waveUnder(before, "scan,event\n2,12@4\n3,\n", "Q0.0", 3), "011");
+  Rig late(interrupted);
+  EXPECT_EQ(waveUnder(late, "scan,event\n2,12@end\n3,\n", "VW2", 3), "001");
+}
+
+TEST(Stimulus, PlacesOfEventsMustExist) {
+  Rig rig(interrupted);
+  for (const char* word : {"12@99", "12@5/2", "12@5*0", "12@", "12@other.awl:5", "12@5x"}) {
+    std::vector<Failure> failures;
+    readStimulus("s.csv", std::string("scan,event\n1,") + word + "\n", rig.program, failures);
+    ASSERT_EQ(failures.size(), 1U) << word;
+    EXPECT_NE(failures[0].message.find("no instruction stands at"), std::string::npos) << failures[0].message;
+  }
+}
+
 TEST(Stimulus, FormsOfNumbersAndTypes) {
   Rig rig("LD SM0.0\nMOVW AIW0, VW0\nMOVR VD10, VD20\nMOVB VB30, VB31\nMOVD VD40, VD50\n");
   waveUnder(rig, "scan,AIW0,VD10,VB30,VD40\n1,-1600,1.5,16#FF,4294967295\n", "VW0", 1);

@@ -1,0 +1,20 @@
+// Where in a scan an interrupt comes, as stimulus files and tables of witnesses write it: "10@17" is event 10 in front
+// of the instruction in line 17, "10@17/2" in front of the second instruction that stands in that line, "10@17*3" in
+// front of the third execution of it in that scan, "10@door.awl:17" where the line is of another file than the first
+// instruction, "10@end" after the program. Tested by tests/trace/stimulus_test.cpp and tests/prover/witness_test.cpp.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "engine/scan_script.hpp"
+#include "ir/program.hpp"
+
+namespace rungproof {
+
+std::string eventText(const Program& program, const ScanScript::Event& event);
+/// The place that the text behind '@' names; nothing if no instruction stands there.
+std::optional<ScanPlace> scanPlaceNamed(const Program& program, std::string_view text);
+
+}  // namespace rungproof
