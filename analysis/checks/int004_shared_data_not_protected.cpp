@@ -1,5 +1,7 @@
 // INT004: a word or double word that an interrupt routine writes and the scan reads by more than one access, so that
-// the interrupt may come between them. One access is atomic (001:5439); code between DISI and ENI is protected.
+// the interrupt may come between them; or a byte, word or double word that the scan copies, changes and writes back, so
+// that what an interrupt writes into it in between is lost (001:5438: intermediate results must not be kept in shared
+// memory). One instruction is atomic (001:5439); code between DISI and ENI is protected.
 // Tested by its examples and tests/rules/control_rules_test.cpp.
 #include <fmt/format.h>
 
@@ -28,9 +30,48 @@ std::vector<std::uint8_t> protectedCode(const Facts& facts) {
 
 bool isWide(const Access& access) { return access.width == Width::Word || access.width == Width::DWord; }
 
+/// Whether the instruction takes over a whole value that stands somewhere else.
+bool isCopy(const Instruction& instruction) {
+  return instruction.desc->stl.starts_with("MOV") && !instruction.operands.empty() && instruction.operands[0].kind != OperandKind::Constant;
+}
+
+/// Copied, changed and written back.
+void findLostUpdates(const Facts& facts, const std::vector<std::uint8_t>& isProtected, FindingSink& sink) {
+  const CellMap& cells = facts.index().cells();
+  std::uint32_t lastReported = ~0U;
+  for (std::uint32_t cell = 0; cell < cells.size(); ++cell) {
+    const Area area = cells.areaOf(cell);
+    if (area != Area::V && area != Area::M && area != Area::Q && area != Area::S) continue;
+    const Access* lost = nullptr;
+    const Access* read = nullptr;
+    const Access* back = nullptr;
+    for (const std::uint32_t i : facts.index().at(cell)) {
+      const Access& access = facts.access(i);
+      const std::size_t block = facts.blockOf(access.instruction);
+      const bool isInterrupt = facts.calls().reachedFromInterrupt(block) && !facts.calls().reachedFromMain(block);
+      if (isInterrupt) {
+        if (access.write && lost == nullptr) lost = &access;
+      } else if (access.width != Width::Bit && isProtected[access.instruction] == 0 && isCopy(facts.instruction(access.instruction))) {
+        if (!access.write && read == nullptr) read = &access;
+        if (access.write && read != nullptr && back == nullptr && access.instruction > read->instruction) back = &access;
+      }
+    }
+    if (lost == nullptr || read == nullptr || back == nullptr || back->instruction == lastReported) continue;
+    lastReported = back->instruction;
+    Finding& finding = sink.report(facts.instruction(back->instruction).span,
+                                   fmt::format("{} is written back here as it was read before; what the interrupt routine {} writes to {} in between is lost",
+                                               accessName(*back), facts.pouOf(lost->instruction).name, accessName(*lost)));
+    finding.address = accessName(*back);
+    finding.related.push_back({facts.instruction(read->instruction).span, "read in the scan"});
+    finding.related.push_back({facts.instruction(lost->instruction).span, "written in the interrupt routine"});
+    finding.help = "change the bits in place by single instructions, or put DISI and ENI around reading and writing (001:5434-5440)";
+  }
+}
+
 void checkInt004(const Facts& facts, FindingSink& sink) {
   if (facts.calls().attachments().empty()) return;
   const std::vector<std::uint8_t> isProtected = protectedCode(facts);
+  findLostUpdates(facts, isProtected, sink);
   const CellMap& cells = facts.index().cells();
   std::uint32_t lastReported = ~0U;
   for (std::uint32_t cell = 0; cell < cells.size(); ++cell) {
@@ -73,9 +114,10 @@ extern constexpr Rule int004_shared_data_not_protected = {
     .severity = Severity::Warning,
     .needs = Needs::Flow,
     .detects =
-        "a word or double word written in an interrupt routine and read elsewhere by more than one access, without "
-        "DISI and ENI around them",
-    .why = "the interrupt can come between two instructions, so the two reads may belong to different events",
+        "a word or double word written in an interrupt routine and read elsewhere by more than one access, or copied, "
+        "changed and written back elsewhere, without DISI and ENI around them",
+    .why = "the interrupt can come between two instructions, so the two reads may belong to different events, and what it "
+           "wrote between reading and writing back is undone",
     .manual = "001:2084, 001:5434-5440",
     .bad =
         "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.1\nATCH INT0, 0\nENI\nNetwork 2\nLDW>= VW0, +10\n= "

