@@ -78,6 +78,57 @@ ValueSet ValueEvaluator::valuesWith(std::span<const Node> cone, Node variable, c
   return at(cone.back());
 }
 
+/// What a comparison with a constant, or the negation of one, says of what it compares; nothing if it says no bounds.
+std::optional<ValueEvaluator::Limit> ValueEvaluator::limitOf(Node n) const {
+  const bool isNegated = graph_[n].op == Op::Not;
+  const NodeData& test = graph_[isNegated ? graph_[n].child[0] : n];
+  if (test.op == Op::Extract && test.width == 1 && test.value + 1 == graph_[test.child[0]].width) {
+    // The sign bit: what x < 0 has become.
+    const std::uint64_t all = Graph::maskOf(graph_[test.child[0]].width), half = all ^ all >> 1;
+    return Limit{test.child[0], std::nullopt, isNegated ? Bounds{half, all} : Bounds{0, half - 1}};
+  }
+  if (test.op != Op::Equal && test.op != Op::Ult && test.op != Op::Slt) return std::nullopt;
+  const bool isRight = graph_[test.child[1]].op == Op::Constant;
+  if (!isRight && graph_[test.child[0]].op != Op::Constant) return std::nullopt;
+  const Node subject = test.child[isRight ? 0 : 1];
+  const std::uint64_t mask = Graph::maskOf(graph_[subject].width), sign = mask ^ mask >> 1;
+  const std::uint64_t raw = graph_[test.child[isRight ? 1 : 0]].value;
+  if (test.op == Op::Equal) {
+    if (isNegated) return std::nullopt;
+    return Limit{subject, Bounds{raw, raw}, Bounds{raw ^ sign, raw ^ sign}};
+  }
+  const std::uint64_t k = test.op == Op::Slt ? raw ^ sign : raw;
+  Bounds bounds{0, mask};
+  if (isRight) {
+    if (isNegated) bounds.low = k;
+    else bounds.high = k - 1;
+  } else {
+    if (isNegated) bounds.high = k;
+    else bounds.low = k + 1;
+  }
+  return test.op == Op::Slt ? Limit{subject, std::nullopt, bounds} : Limit{subject, bounds, std::nullopt};
+}
+
+/// Of alternatives about one subject: x > 0 or x = 0.
+std::optional<ValueEvaluator::Limit> ValueEvaluator::limitOfAny(std::span<const Node> alternatives) const {
+  std::optional<Limit> result;
+  for (const Node n : alternatives) {
+    const std::optional<Limit> next = limitOf(n);
+    if (!next || (result && next->subject != result->subject)) return std::nullopt;
+    if (!result) {
+      result = next;
+      continue;
+    }
+    const auto join = [](std::optional<Bounds>& to, const std::optional<Bounds>& from) {
+      if (to && from) to = Bounds{std::min(to->low, from->low), std::max(to->high, from->high)};
+      else to.reset();
+    };
+    join(result->asUnsigned, next->asUnsigned);
+    join(result->asSigned, next->asSigned);
+  }
+  return result;
+}
+
 /// Comparisons with constants among the conjuncts of the guard.
 void ValueEvaluator::collectBounds(Node guard) {
   std::vector<Node> open{guard};
@@ -89,39 +140,29 @@ void ValueEvaluator::collectBounds(Node guard) {
       open.push_back(graph_[n].child[1]);
       continue;
     }
-    const bool isNegated = graph_[n].op == Op::Not;
-    const NodeData& test = graph_[isNegated ? graph_[n].child[0] : n];
-    const auto narrow = [](auto& table, Node subject, const Bounds& bounds) {
-      const auto [place, isNew] = table.try_emplace(subject, bounds);
+    std::optional<Limit> limit = limitOf(n);
+    if (!limit && graph_[n].op == Op::Not && graph_[graph_[n].child[0]].op == Op::And) {
+      std::vector<Node> alternatives, parts{graph_[n].child[0]};
+      bool isUnderstood = true;
+      while (!parts.empty()) {
+        const NodeData& part = graph_[parts.back()];
+        parts.pop_back();
+        if (part.op == Op::And) parts.insert(parts.end(), {part.child[0], part.child[1]});
+        else if (part.op == Op::Not) alternatives.push_back(part.child[0]);
+        else isUnderstood = false;
+      }
+      if (isUnderstood) limit = limitOfAny(alternatives);
+    }
+    const auto narrow = [&](std::unordered_map<Node, Bounds>& table, const std::optional<Bounds>& bounds) {
+      if (!bounds) return;
+      const auto [place, isNew] = table.try_emplace(limit->subject, *bounds);
       if (isNew) return;
-      place->second.low = std::max(place->second.low, bounds.low);
-      place->second.high = std::min(place->second.high, bounds.high);
+      place->second.low = std::max(place->second.low, bounds->low);
+      place->second.high = std::min(place->second.high, bounds->high);
     };
-    if (test.op == Op::Extract && test.width == 1 && test.value + 1 == graph_[test.child[0]].width) {
-      // The sign bit: what x < 0 has become.
-      const std::uint64_t all = Graph::maskOf(graph_[test.child[0]].width), half = all ^ all >> 1;
-      narrow(signed_, test.child[0], isNegated ? Bounds{half, all} : Bounds{0, half - 1});
-      continue;
-    }
-    if (test.op != Op::Equal && test.op != Op::Ult && test.op != Op::Slt) continue;
-    const bool isRight = graph_[test.child[1]].op == Op::Constant;
-    if (!isRight && graph_[test.child[0]].op != Op::Constant) continue;
-    const Node subject = test.child[isRight ? 0 : 1];
-    const std::uint64_t mask = Graph::maskOf(graph_[subject].width), sign = mask ^ mask >> 1;
-    const std::uint64_t raw = graph_[test.child[isRight ? 1 : 0]].value;
-    const std::uint64_t k = test.op == Op::Slt ? raw ^ sign : raw;
-    Bounds bounds{0, mask};
-    if (test.op == Op::Equal) {
-      if (isNegated) continue;
-      bounds = {k, k};
-    } else if (isRight) {
-      if (isNegated) bounds.low = k;
-      else bounds.high = k - 1;
-    } else {
-      if (isNegated) bounds.high = k;
-      else bounds.low = k + 1;
-    }
-    narrow(test.op == Op::Slt ? signed_ : unsigned_, subject, bounds);
+    if (!limit) continue;
+    narrow(unsigned_, limit->asUnsigned);
+    narrow(signed_, limit->asSigned);
   }
   // Where the sign bit is known, a signed comparison has become one of the bits below it.
   for (const auto& [part, bounds] : std::vector<std::pair<Node, Bounds>>(unsigned_.begin(), unsigned_.end())) {

@@ -8,6 +8,7 @@
 // Covered by tests/encoder/pointer_values_test.cpp.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <span>
 #include <unordered_map>
@@ -42,6 +43,12 @@ class ValueEvaluator {
   struct Bounds {
     std::uint64_t low, high;
   };
+  struct Limit {
+    Node subject;
+    std::optional<Bounds> asUnsigned, asSigned;
+  };
+  std::optional<Limit> limitOf(Node n) const;
+  std::optional<Limit> limitOfAny(std::span<const Node> alternatives) const;
   void collectBounds(Node guard);
   ValueSet evaluate(Node n, std::size_t limit);
 
