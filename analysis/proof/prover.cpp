@@ -36,6 +36,7 @@ constexpr int fillings = 16;             ///< of inputs that a question does not
 constexpr double minimiseSeconds = 0.25;  ///< for making a witness smaller
 constexpr std::uint64_t minimisedScans = 200;  ///< longer witnesses wait for a timer; they stay as they were found
 constexpr double premiseSeconds = 5;     ///< for a question that a verdict is checked with
+constexpr int writtenReals = 12;         ///< REAL operations of a question that are written out: bits grow by thousands with each
 constexpr double freeRealShare = 0.25;   ///< of a question's time, before REAL operations are written out
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
@@ -58,6 +59,11 @@ class Session {
       exact_ = std::make_unique<ProofSide>(program_, set_, goals_, encoding(false), options_.checks);
     } catch (const EncodingStopped&) {
       for (std::size_t i = 0; i < declared; ++i) result.results.push_back(open(goals_[i], reasonToStop() + " before the program was encoded"));
+      if (options_.checks.builtin) {
+        Property checks;
+        checks.name = "built-in checks";
+        result.results.push_back(open(checks, reasonToStop() + " before the program was encoded"));
+      }
       result.isInterrupted = watch_.isInterrupted();
       return result;
     }
@@ -118,11 +124,12 @@ class Session {
     };
     return options;
   }
-  /// Whether REAL operations that can be written out decide the question: engines take them as any value at first.
+  /// Whether REAL operations decide the question that can be written out: engines take them as any value at first.
   bool restsOnReals(std::size_t question) const {
     const Graph& graph = *exact_->system().graph;
     const auto variables = exact_->variablesOf(question);
-    return std::any_of(variables.begin(), variables.end(), [&](std::uint32_t n) { return isExactReal(graph[static_cast<Node>(n)]); });
+    const auto count = std::count_if(variables.begin(), variables.end(), [&](std::uint32_t n) { return isExactReal(graph[static_cast<Node>(n)]); });
+    return count > 0 && count <= writtenReals;
   }
   std::vector<QuestionAnswer> ask(const TransitionSystem& system, double each, Clock::time_point deadline) {
     std::atomic<bool> cancel{false};
@@ -268,6 +275,12 @@ class Session {
     const bool isOpen = !witness && (answer.answer == Answer::Unknown || answer.answer == Answer::Violated);
     watch_.release();
     if (isOpen && left() > 0 && !watch_.isStopped()) std::tie(answer, witness) = search(question, answer.answer);
+    if (!witness && answer.answer == Answer::Violated && question < goals_.size() && options_.bound == 0 && !watch_.isStopped() && left() > 0) {
+      // A run that rests on values which are not modelled: perhaps the engine finds one with its own.
+      std::vector<std::optional<Witness>> found = guidedRuns(program_, exact_->obligations().encoding(), assumptions_, {&goals_[question]}, options_.seed, std::min(left(), options_.timeout / 10));
+      witness = std::move(found[0]);
+      if (witness) answer.method = "engine runs";
+    }
     row.method = answer.method;
     row.depth = answer.depth;
     const bool wantsYes = row.builtin ? isWanted(row.builtin->kind) : row.property.kind == PropertyKind::Reach;
