@@ -176,7 +176,7 @@ class Stages {
       questions[i].system = &cones[i].system;
       questions[i].invariants = cones[i].translated(invariants_.clauses);
       questions[i].verdict.depth = answers_[open_[i]].depth;
-      if (!blast_->unmodelled().empty()) continue;
+      if (!blast_->unmodelled().empty()) continue;  // certificates leave REAL operations open
       EngineOptions options;
       options.seed = options_.seed;
       words[i] = makeWordEngine(system_, open_[i], options);

@@ -98,7 +98,6 @@ void WordFrames::generaliseStep(WordStep& step, std::vector<int> goal) {
   };
   if (solve(*lift_, assumptions, goal) == Sat::Outcome::Unsatisfiable) {
     step.cube = core();
-    step.isExact = true;
     return;
   }
   if (wholeCubes_) {

@@ -16,7 +16,6 @@ struct WordStep {
   WordState state;
   std::vector<std::uint64_t> inputs;  ///< by input of the cone
   WordCube cube;
-  bool isExact = false;  ///< every state of the cube leads to the goal with these inputs
 };
 
 class WordFrames {

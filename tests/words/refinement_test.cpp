@@ -35,7 +35,7 @@ TEST(Refinement, TakesWhatHoldsInAllSamples) {
   for (std::uint64_t i = 0; i < 40; ++i) samples.push_back({i, i});
   Predicates predicates(*p.cone, samples);
   Refinement refinement(*p.cone, predicates);
-  const WordStep step{{99, 5}, {1}, {}, false};
+  const WordStep step{{99, 5}, {1}, {}};
   ASSERT_TRUE(refinement.refine({7, 7}, step, predicates.afterScan(p.cone->bad())));
   EXPECT_TRUE(predicates.contains(p.cone->graph().make(Op::Equal, 1, p.left, p.right)));
 }
@@ -64,7 +64,7 @@ TEST(Refinement, SaysWhenThereIsNothingNew) {
   Predicates predicates(*p.cone, {});
   Refinement refinement(*p.cone, predicates);
   const Node goal = predicates.afterScan(p.cone->bad());
-  const WordStep step{{99, 5}, {1}, {}, false};
+  const WordStep step{{99, 5}, {1}, {}};
   int rounds = 0;
   while (refinement.refine({7, 7}, step, goal)) ASSERT_LT(++rounds, 100);
   EXPECT_GT(rounds, 0);
