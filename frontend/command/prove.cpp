@@ -250,6 +250,7 @@ extern constexpr Command proveCommand = {
         "    reach NAME: EXPR and once(not EXPR)        repeatability: comes again after it was gone\n"
         "    prove NAME: A leads to B within 3 scans    or: within 500ms\n"
         "    prove NAME: A unless B                     once true, stays true until\n"
+        "    at every instruction prove NAME: never A   inside the scan as well, not only where outputs are written\n"
         "    external VB100..VB199                      any value in any scan\n"
         "    initial retentive                          retentive memory starts with any value\n"
         "    pulse I0.0 at most every 50ms              how fast an input may rise\n"
