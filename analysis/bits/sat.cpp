@@ -46,7 +46,9 @@ void Sat::add(std::span<const int> clause) {
 
 Sat::Outcome Sat::solve(std::span<const int> assumptions, const Budget& budget, std::span<const int> temporary) {
   if (budget.isExhausted()) return Outcome::Unknown;
+  // An interrupted call leaves both behind.
   solver_->reset_assumptions();
+  solver_->reset_constraint();
   for (const int literal : assumptions) solver_->assume(literal);
   if (!temporary.empty()) {
     for (const int literal : temporary) solver_->constrain(literal);

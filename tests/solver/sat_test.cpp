@@ -35,7 +35,8 @@ TEST(Sat, AgreesWithTryingAllAssignments) {
     Clauses clauses;
     for (int c = 0; c < 36; ++c) {
       std::vector<int>& clause = clauses.emplace_back();
-      for (int l = 0; l < 3; ++l) clause.push_back(static_cast<int>(1 + random() % 8) * ((random() & 1U) != 0 ? 1 : -1));
+      for (int l = 0; l < 3; ++l)
+        clause.push_back(static_cast<int>(1 + random() % 8) * ((random() & 1U) != 0 ? 1 : -1));
       sat.add(clause);
     }
     bool expected = false;
@@ -81,9 +82,35 @@ TEST(BitCnf, LiteralsMeanTheirGates) {
   for (unsigned assignment = 0; assignment < 8; ++assignment) {
     const bool x = (assignment & 1U) != 0, y = (assignment & 2U) != 0, z = (assignment & 4U) != 0;
     const bool expected = z ? x && y : x != y;
-    const std::vector<int> wrong{x ? inputs[0] : -inputs[0], y ? inputs[1] : -inputs[1], z ? inputs[2] : -inputs[2], expected ? -l : l};
+    const std::vector<int> wrong{x ? inputs[0] : -inputs[0], y ? inputs[1] : -inputs[1], z ? inputs[2] : -inputs[2],
+                                 expected ? -l : l};
     EXPECT_EQ(sat.solve(wrong, Budget::seconds(10)), Outcome::Unsatisfiable) << assignment;
   }
+}
+
+TEST(Sat, ATemporaryClauseIsGoneAfterAnInterruptedCall) {
+  // Twelve pigeons in eleven holes, asked for under `gate`: out of reach for a twentieth of a second. The clause "not
+  // x" of that call must not speak in the next one, which asks for x.
+  Sat sat(Sat::Use::Many);
+  const int gate = sat.newVariable(), x = sat.newVariable();
+  constexpr int pigeons = 12, holes = pigeons - 1;
+  int in[pigeons][holes];
+  for (auto& row : in) {
+    for (int& variable : row) variable = sat.newVariable();
+  }
+  for (const auto& row : in) {
+    std::vector<int> somewhere{-gate};
+    somewhere.insert(somewhere.end(), std::begin(row), std::end(row));
+    sat.add(somewhere);
+  }
+  for (int hole = 0; hole < holes; ++hole) {
+    for (int a = 0; a < pigeons; ++a) {
+      for (int b = 0; b < a; ++b) sat.add({-gate, -in[a][hole], -in[b][hole]});
+    }
+  }
+  const int assumed[] = {gate}, temporary[] = {-x};
+  ASSERT_EQ(sat.solve(assumed, Budget::seconds(0.05), temporary), Sat::Outcome::Unknown);
+  EXPECT_EQ(sat.solve({-gate, x}, Budget::seconds(20)), Sat::Outcome::Satisfiable);
 }
 
 }  // namespace
