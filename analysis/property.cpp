@@ -17,7 +17,8 @@ namespace {
 
 /// A clock is two cells: the ticks since it was started, and with a coarse base the digits below them at its start.
 void addClock(std::vector<MonitorCell>& cells, const std::string& name, std::int64_t milliseconds, int timeBase) {
-  cells.push_back({name + "time", static_cast<std::uint8_t>(bitsFor(static_cast<std::uint64_t>(clockCap(milliseconds, timeBase))))});
+  cells.push_back({name + "time",
+                   static_cast<std::uint8_t>(bitsFor(static_cast<std::uint64_t>(clockCap(milliseconds, timeBase))))});
   if (timeBase > 1) cells.push_back({name + "digits", 8});
 }
 
@@ -53,7 +54,9 @@ void layoutCells(Property& property) {
   const auto add = [&](const char* what, int width) {
     property.cells.push_back({fmt::format("{}.{}", property.name, what), static_cast<std::uint8_t>(width)});
   };
-  const auto addTime = [&](std::int64_t milliseconds) { addClock(property.cells, property.name + ".", milliseconds, property.timeBase); };
+  const auto addTime = [&](std::int64_t milliseconds) {
+    addClock(property.cells, property.name + ".", milliseconds, property.timeBase);
+  };
   switch (property.kind) {
     case PropertyKind::LeadsToScans:
       add("pending", 1);
@@ -85,9 +88,11 @@ int numberBits(const Operand& o) {
 }
 
 bool hasClock(const Property& property) {
-  const auto holds = [](const Expr& expr) { return std::any_of(expr.nodes.begin(), expr.nodes.end(), [](const ExprNode& n) { return n.op == ExprOp::Held; }); };
-  return property.kind == PropertyKind::LeadsToTime || property.kind == PropertyKind::HeldImplies || property.kind == PropertyKind::Pulse ||
-         holds(property.first) || holds(property.second);
+  const auto holds = [](const Expr& expr) {
+    return std::any_of(expr.nodes.begin(), expr.nodes.end(), [](const ExprNode& n) { return n.op == ExprOp::Held; });
+  };
+  return property.kind == PropertyKind::LeadsToTime || property.kind == PropertyKind::HeldImplies ||
+         property.kind == PropertyKind::Pulse || holds(property.first) || holds(property.second);
 }
 
 std::vector<const Operand*> addressesOf(const Property& property) {

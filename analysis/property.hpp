@@ -1,6 +1,7 @@
 // Properties: what an engineer states about a program (product contract: assume, prove, reach and the environment
 // lines). An expression is a small tree over addresses and constants; functions that look back in time own cells
-// that monitor.hpp carries from scan end to scan end. Read by frontend/property/property_reader, tested by tests/property.
+// that monitor.hpp carries from scan end to scan end. Read by frontend/property/property_reader, tested by
+// tests/property.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +13,29 @@
 namespace rungproof {
 
 enum class ExprOp : std::uint8_t {
-  Constant,   ///< value; a truth value, a number or a REAL pattern by type
-  Address,    ///< operand; its type decides how it is read
-  Not, And, Or, Xor, Implies,
-  Equal, NotEqual, Less, LessEqual, Greater, GreaterEqual,
-  Add, Sub, Mul, Negate,
-  Rises, Falls, Prev, Once,   // one argument
-  Since,                      // a, b: b has been true and a ever since
-  Held,                       // e for `milliseconds`
+  Constant,  ///< value; a truth value, a number or a REAL pattern by type
+  Address,   ///< operand; its type decides how it is read
+  Not,
+  And,
+  Or,
+  Xor,
+  Implies,
+  Equal,
+  NotEqual,
+  Less,
+  LessEqual,
+  Greater,
+  GreaterEqual,
+  Add,
+  Sub,
+  Mul,
+  Negate,
+  Rises,
+  Falls,
+  Prev,
+  Once,   // one argument
+  Since,  // a, b: b has been true and a ever since
+  Held,   // e for `milliseconds`
   FirstScan
 };
 
@@ -31,10 +47,10 @@ struct ExprNode {
   ExprType type = ExprType::Truth;
   std::uint8_t width = 1;  ///< Truth: 1; Real: 32; Number: bits of the signed value
   std::int64_t value = 0;
-  Operand operand{};               ///< Address
-  std::int64_t milliseconds = 0;   ///< Held
+  Operand operand{};              ///< Address
+  std::int64_t milliseconds = 0;  ///< Held
   std::vector<std::uint32_t> args{};
-  std::uint32_t cell = 0;          ///< first monitor cell of a function that looks back
+  std::uint32_t cell = 0;  ///< first monitor cell of a function that looks back
   Span span{};
 };
 
@@ -49,16 +65,16 @@ struct Expr {
 };
 
 enum class PropertyKind : std::uint8_t {
-  Assume,         ///< first
-  Always,         ///< first
-  Never,          ///< first
-  LeadsToScans,   ///< first leads to second within `bound` scans
-  LeadsToTime,    ///< ... within `bound` ms
-  OnlyAfter,      ///< first only after second
-  Unless,         ///< first unless second
-  HeldImplies,    ///< first held `bound` ms implies second
-  Reach,          ///< first
-  Pulse           ///< first (an address) rises at most every `bound` ms
+  Assume,        ///< first
+  Always,        ///< first
+  Never,         ///< first
+  LeadsToScans,  ///< first leads to second within `bound` scans
+  LeadsToTime,   ///< ... within `bound` ms
+  OnlyAfter,     ///< first only after second
+  Unless,        ///< first unless second
+  HeldImplies,   ///< first held `bound` ms implies second
+  Reach,         ///< first
+  Pulse          ///< first (an address) rises at most every `bound` ms
 };
 
 /// A bit of memory that a property carries from one scan end to the next; 0 before the first scan.
@@ -72,15 +88,15 @@ struct Property {
   PropertyKind kind = PropertyKind::Always;
   Expr first;
   Expr second;
-  std::int64_t bound = 0;         ///< scans or ms
+  std::int64_t bound = 0;  ///< scans or ms
   bool atEveryInstruction = false;
-  std::vector<MonitorCell> cells; ///< of the expressions and of the pattern itself; filled by layoutCells()
-  std::uint32_t patternCell = 0;  ///< first cell of the pattern
+  std::vector<MonitorCell> cells;  ///< of the expressions and of the pattern itself; filled by layoutCells()
+  std::uint32_t patternCell = 0;   ///< first cell of the pattern
   /// Unit in which its clocks count, 1, 10 or 100 ms: with that of the program's timers they run in step with them.
   /// What the property means does not depend on it.
   int timeBase = 1;
   Span span{};
-  std::string text;               ///< the statement as written
+  std::string text;  ///< the statement as written
 
   bool isGoal() const { return kind != PropertyKind::Assume && kind != PropertyKind::Pulse; }
 };
@@ -105,7 +121,9 @@ void layoutCells(Property& property);
 /// Whether it measures time.
 bool hasClock(const Property& property);
 /// Ticks at which a clock that tells whether `milliseconds` have passed stops (monitor.hpp).
-constexpr std::int64_t clockCap(std::int64_t milliseconds, int timeBase) { return milliseconds / timeBase + (timeBase == 1 ? 0 : 2); }
+constexpr std::int64_t clockCap(std::int64_t milliseconds, int timeBase) {
+  return milliseconds / timeBase + (timeBase == 1 ? 0 : 2);
+}
 /// Bits needed to hold 0 .. highest.
 int bitsFor(std::uint64_t highest);
 /// Bits of the number that an address stands for; T and C: of the current value.

@@ -71,7 +71,8 @@ PlaceIndex::PlaceIndex(const Program& program) {
       networks_.push_back({network.span, {&pou, &network}});
       if (network.form == Form::Stl) continue;
       // Elements of several drawn networks stand mixed in one file.
-      for (const Instruction& instruction : network.instructions) networks_.push_back({instruction.span, {&pou, &network}});
+      for (const Instruction& instruction : network.instructions)
+        networks_.push_back({instruction.span, {&pou, &network}});
     }
   }
   const auto byPlace = [](const Entry& a, const Entry& b) {

@@ -49,19 +49,19 @@ struct RuleOption {
 };
 
 struct Rule {
-  std::string_view id;        ///< "ADR001": three letters of the group, three digits; never reused
-  std::string_view title;     ///< a few words, as in the list of rules
+  std::string_view id;     ///< "ADR001": three letters of the group, three digits; never reused
+  std::string_view title;  ///< a few words, as in the list of rules
   Severity severity = Severity::Warning;
   Needs needs = Needs::Text;
-  std::string_view detects;   ///< what the rule reports
-  std::string_view why;       ///< why it matters on this controller
-  std::string_view manual = {};    ///< places of the manual, "001:2677-2716, 001:13997"; empty: not in the manual text
-  std::string_view bad = {};       ///< STL of a MAIN block that the rule reports, lines ended by \n; empty: `check` is null
-  std::string_view good = {};      ///< the same mended; the rule is silent on it
+  std::string_view detects;      ///< what the rule reports
+  std::string_view why;          ///< why it matters on this controller
+  std::string_view manual = {};  ///< places of the manual, "001:2677-2716, 001:13997"; empty: not in the manual text
+  std::string_view bad = {};   ///< STL of a MAIN block that the rule reports, lines ended by \n; empty: `check` is null
+  std::string_view good = {};  ///< the same mended; the rule is silent on it
   std::string_view exampleCpu = "226";   ///< CPU on which the examples are checked
   std::string_view exampleSymbols = {};  ///< symbol table that goes with both examples; empty: none
   std::string_view falsePositives = {};  ///< when it speaks without cause, and what to do then; empty: none known
-  std::string_view peers = {};     ///< rules of other tools, "SA0005; ironplc P4025"; empty: none has it
+  std::string_view peers = {};           ///< rules of other tools, "SA0005; ironplc P4025"; empty: none has it
   Dialects dialects = dialect::Every;
   FixClass fix = FixClass::None;
   RuleStatus status = RuleStatus::Stable;

@@ -19,7 +19,8 @@ bool isLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 bool looksLikeId(std::string_view word) {
-  return word.size() == 6 && std::all_of(word.begin(), word.begin() + 3, isLetter) && std::all_of(word.begin() + 3, word.end(), isDigit);
+  return word.size() == 6 && std::all_of(word.begin(), word.begin() + 3, isLetter) &&
+         std::all_of(word.begin() + 3, word.end(), isDigit);
 }
 
 std::string inCapitals(std::string_view word) {
@@ -90,7 +91,8 @@ class AllowCollector {
     const auto& instructions = allow.network->instructions;
     allow.line = program_.sources->position(allow.comment).line;
     const auto next = std::find_if(instructions.begin(), instructions.end(), [&](const Instruction& instruction) {
-      return instruction.span.file == allow.comment.file && program_.sources->position(instruction.span).line >= allow.line;
+      return instruction.span.file == allow.comment.file &&
+             program_.sources->position(instruction.span).line >= allow.line;
     });
     const bool besideOne = next != instructions.end() && program_.sources->position(next->span).line == allow.line;
     if (!besideOne && next == instructions.begin()) {
@@ -159,14 +161,18 @@ std::size_t applySuppressions(const Program& program, const KnownRules& rules, s
 
   for (const Allow& allow : allows) {
     if (!allow.problem.empty()) {
-      findings.push_back(suppressionFinding(allow, "SUP002", allow.problem + " and silences nothing", "write '// rungproof: allow ADR001 why it is safe here'"));
+      findings.push_back(suppressionFinding(allow, "SUP002", allow.problem + " and silences nothing",
+                                            "write '// rungproof: allow ADR001 why it is safe here'"));
       continue;
     }
     for (const std::string& id : allow.ids) {
       if (!rules.exists(id)) {
-        findings.push_back(suppressionFinding(allow, "SUP001", fmt::format("no rule is called {}", id), "'rungproof rules' lists them"));
+        findings.push_back(suppressionFinding(allow, "SUP001", fmt::format("no rule is called {}", id),
+                                              "'rungproof rules' lists them"));
       } else if (rules.ran(id) && !used[{&allow, id}]) {
-        findings.push_back(suppressionFinding(allow, "SUP001", fmt::format("{} is allowed here, but nothing reports it", id), "remove it from the comment"));
+        findings.push_back(suppressionFinding(allow, "SUP001",
+                                              fmt::format("{} is allowed here, but nothing reports it", id),
+                                              "remove it from the comment"));
       }
     }
   }

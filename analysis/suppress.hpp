@@ -20,9 +20,9 @@ struct Allow {
   Span comment;
   std::vector<std::string> ids;  ///< as written, in capitals
   std::string reason;
-  std::string problem;           ///< why it silences nothing; empty if it is well formed
+  std::string problem;  ///< why it silences nothing; empty if it is well formed
   AllowScope scope = AllowScope::Line;
-  std::uint32_t line = 0;        ///< Line: the line it speaks for
+  std::uint32_t line = 0;  ///< Line: the line it speaks for
   const Pou* pou = nullptr;
   const Network* network = nullptr;
 };

@@ -22,13 +22,16 @@ bool shareStorage(const XrefEntry& a, const XrefEntry& b) {
 void findOverlaps(std::vector<XrefEntry>& entries) {
   std::vector<std::size_t> order(entries.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  const auto key = [&](std::size_t i) { return std::tuple(entries[i].area, entries[i].block, entries[i].firstBit(), i); };
+  const auto key = [&](std::size_t i) {
+    return std::tuple(entries[i].area, entries[i].block, entries[i].firstBit(), i);
+  };
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
   std::vector<std::size_t> open;  // entries that reach beyond the current one's beginning
   for (const std::size_t current : order) {
     XrefEntry& entry = entries[current];
     std::erase_if(open, [&](std::size_t i) {
-      return entries[i].area != entry.area || entries[i].block != entry.block || entries[i].endBit() <= entry.firstBit();
+      return entries[i].area != entry.area || entries[i].block != entry.block ||
+             entries[i].endBit() <= entry.firstBit();
     });
     for (const std::size_t other : open) {
       if (!shareStorage(entries[other], entry)) continue;
@@ -44,7 +47,8 @@ void findOverlaps(std::vector<XrefEntry>& entries) {
 std::vector<FreeRange> freeRanges(const Facts& facts, const std::vector<XrefEntry>& entries) {
   const Program& program = facts.program();
   std::map<Area, std::vector<bool>> used;
-  for (const Area area : {Area::I, Area::Q, Area::V, Area::M, Area::S, Area::T, Area::C}) used[area].resize(areaSize(program.target, area));
+  for (const Area area : {Area::I, Area::Q, Area::V, Area::M, Area::S, Area::T, Area::C})
+    used[area].resize(areaSize(program.target, area));
   const auto mark = [&](Area area, std::uint32_t first, std::uint32_t length) {
     const auto row = used.find(area);
     if (row == used.end()) return;
@@ -56,7 +60,8 @@ std::vector<FreeRange> freeRanges(const Facts& facts, const std::vector<XrefEntr
   for (const DataInit& data : program.data) mark(Area::V, data.offset, static_cast<std::uint32_t>(data.bytes.size()));
   for (const InstructionPlace& place : facts.instructions()) {
     for (const Operand& operand : place.instruction->operands) {
-      if (operand.kind == OperandKind::Address) mark(operand.area, operand.offset, static_cast<std::uint32_t>(bytes(operand.width)));
+      if (operand.kind == OperandKind::Address)
+        mark(operand.area, operand.offset, static_cast<std::uint32_t>(bytes(operand.width)));
     }
   }
   std::vector<FreeRange> free;
@@ -83,7 +88,9 @@ std::uint32_t XrefEntry::endBit() const {
 
 Xref crossReference(const Facts& facts) {
   Xref xref;
-  std::map<std::tuple<Area, std::uint32_t, std::uint32_t, std::uint8_t, Width, std::uint16_t>, std::vector<const Access*>> byPlace;
+  std::map<std::tuple<Area, std::uint32_t, std::uint32_t, std::uint8_t, Width, std::uint16_t>,
+           std::vector<const Access*>>
+      byPlace;
   for (const Access& access : facts.accesses().all()) {
     if (access.viaPointer) {
       xref.throughPointers.push_back(&access);
@@ -112,7 +119,8 @@ std::vector<std::size_t> entriesTouching(const Xref& xref, const Operand& addres
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < xref.entries.size(); ++i) {
     const XrefEntry& entry = xref.entries[i];
-    if (entry.area == wanted.area && entry.firstBit() < wanted.endBit() && wanted.firstBit() < entry.endBit()) found.push_back(i);
+    if (entry.area == wanted.area && entry.firstBit() < wanted.endBit() && wanted.firstBit() < entry.endBit())
+      found.push_back(i);
   }
   return found;
 }
@@ -120,7 +128,8 @@ std::vector<std::size_t> entriesTouching(const Xref& xref, const Operand& addres
 std::string entryName(const XrefEntry& entry) {
   if (entry.area == Area::T || entry.area == Area::C) {
     const std::string first = addressName(entry.area, Width::Bit, entry.offset);
-    const std::string last = entry.count > 1 ? ".." + addressName(entry.area, Width::Bit, entry.offset + entry.count - 1U) : "";
+    const std::string last =
+        entry.count > 1 ? ".." + addressName(entry.area, Width::Bit, entry.offset + entry.count - 1U) : "";
     return fmt::format("{}{} ({})", first, last, entry.width == Width::Bit ? "bit" : "value");
   }
   const std::string first = addressName(entry.area, entry.width, entry.offset, entry.bit);
@@ -129,7 +138,9 @@ std::string entryName(const XrefEntry& entry) {
     const std::uint32_t last = entry.firstBit() + entry.count - 1U;
     return first + ".." + addressName(entry.area, Width::Bit, last / 8, last % 8);
   }
-  return first + ".." + addressName(entry.area, entry.width, entry.offset + (entry.count - 1U) * static_cast<std::uint32_t>(bytes(entry.width)));
+  return first + ".." +
+         addressName(entry.area, entry.width,
+                     entry.offset + (entry.count - 1U) * static_cast<std::uint32_t>(bytes(entry.width)));
 }
 
 std::string rangeName(const FreeRange& range) {

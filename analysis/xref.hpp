@@ -17,10 +17,10 @@ struct XrefEntry {
   Width width = Width::Bit;
   std::uint32_t offset = 0;
   std::uint8_t bit = 0;
-  std::uint16_t count = 1;           ///< elements: bits of S, R and SHRB, words of a block move
-  std::uint32_t block = 0;           ///< index in Program::pous, counts only for L
-  std::vector<const Access*> uses;   ///< in program order
-  std::vector<std::size_t> overlaps; ///< indices in Xref::entries of other entries that share a bit with it
+  std::uint16_t count = 1;            ///< elements: bits of S, R and SHRB, words of a block move
+  std::uint32_t block = 0;            ///< index in Program::pous, counts only for L
+  std::vector<const Access*> uses;    ///< in program order
+  std::vector<std::size_t> overlaps;  ///< indices in Xref::entries of other entries that share a bit with it
 
   /// First bit and the one after the last, within the area (and block); numbers of T, C, AC, HC count as 32 bits.
   std::uint32_t firstBit() const;
@@ -35,9 +35,9 @@ struct FreeRange {
 };
 
 struct Xref {
-  std::vector<XrefEntry> entries;            ///< by area, block, address, width
-  std::vector<const Access*> throughPointers;///< accesses whose place only the running program knows
-  std::vector<FreeRange> free;               ///< of I, Q, V, M, S, T and C
+  std::vector<XrefEntry> entries;              ///< by area, block, address, width
+  std::vector<const Access*> throughPointers;  ///< accesses whose place only the running program knows
+  std::vector<FreeRange> free;                 ///< of I, Q, V, M, S, T and C
 };
 
 Xref crossReference(const Facts& facts);

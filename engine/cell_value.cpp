@@ -19,7 +19,9 @@ std::uint64_t cellValue(const Concrete::Store& store, const Operand& operand) {
     case Area::HC: return store.get(Reg::HscCurrent, offset);
     case Area::AI:
     case Area::AQ: return store.load(operand.area, offset * 8, analogBits);
-    default: return store.load(operand.area, offset * 8 + (operand.width == Width::Bit ? operand.bit : 0), bits(operand.width));
+    default:
+      return store.load(operand.area, offset * 8 + (operand.width == Width::Bit ? operand.bit : 0),
+                        bits(operand.width));
   }
 }
 
@@ -32,17 +34,22 @@ void setCell(Concrete::Store& store, const Operand& operand, std::uint64_t value
       if (width == 1) return store.set(Reg::PhysicalInput, offset * 8 + operand.bit, value & 1, true);
       for (int i = 0; i < width; ++i) {
         const auto byte = offset + static_cast<std::uint32_t>(i / 8);
-        store.set(Reg::PhysicalInput, byte * 8 + static_cast<std::uint32_t>(i % 8), value >> (width - 8 * (i / 8 + 1) + i % 8) & 1, true);
+        store.set(Reg::PhysicalInput, byte * 8 + static_cast<std::uint32_t>(i % 8),
+                  value >> (width - 8 * (i / 8 + 1) + i % 8) & 1, true);
       }
       return;
     }
-    case Area::T: return store.set(operand.width == Width::Bit ? Reg::TimerBit : Reg::TimerCurrent, offset, value, true);
-    case Area::C: return store.set(operand.width == Width::Bit ? Reg::CounterBit : Reg::CounterCurrent, offset, value, true);
+    case Area::T:
+      return store.set(operand.width == Width::Bit ? Reg::TimerBit : Reg::TimerCurrent, offset, value, true);
+    case Area::C:
+      return store.set(operand.width == Width::Bit ? Reg::CounterBit : Reg::CounterCurrent, offset, value, true);
     case Area::AC: return store.set(Reg::Accumulator, offset, value, true);
     case Area::HC: return store.set(Reg::HscCurrent, offset, value, true);
     case Area::AI:
     case Area::AQ: return store.save(operand.area, offset * 8, analogBits, value, true);
-    default: return store.save(operand.area, offset * 8 + (operand.width == Width::Bit ? operand.bit : 0), bits(operand.width), value, true);
+    default:
+      return store.save(operand.area, offset * 8 + (operand.width == Width::Bit ? operand.bit : 0), bits(operand.width),
+                        value, true);
   }
 }
 

@@ -11,7 +11,8 @@ namespace rungproof {
 /// I and Q from the image; T and C by width (Bit: the bit, Word: the current value); AI, AQ words; HC double words.
 std::uint64_t cellValue(const Concrete::Store& store, const Operand& operand);
 
-/// Sets it as the surroundings would: I the physical inputs, which the next scan reads; everything else the cell itself.
+/// Sets it as the surroundings would: I the physical inputs, which the next scan reads; everything else the cell
+/// itself.
 void setCell(Concrete::Store& store, const Operand& operand, std::uint64_t value);
 
 }  // namespace rungproof

@@ -12,7 +12,10 @@ Concrete::Store::Store(const Target& target, std::uint32_t edges) {
   for (int a = 0; a < areaCount; ++a) {
     const Area area = static_cast<Area>(a);
     const bool inRegisters = area == Area::T || area == Area::C || area == Area::AC || area == Area::HC;
-    areas_[static_cast<std::size_t>(a)].assign(inRegisters ? 0 : area == Area::L ? localBytes : areaSize(target, area), 0);
+    areas_[static_cast<std::size_t>(a)].assign(inRegisters       ? 0
+                                               : area == Area::L ? localBytes
+                                                                 : areaSize(target, area),
+                                               0);
   }
   std::uint32_t next = 0;
   for (const RegInfo& info : regTable) {

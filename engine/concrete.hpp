@@ -48,7 +48,8 @@ class Concrete {
       const std::uint32_t byte = bitOffset / 8;
       if (width == 1) return byte < bytes.size() ? bytes[byte] >> (bitOffset % 8) & 1U : 0U;
       Bits value = 0;
-      for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(width) / 8; ++i) value = value << 8 | (byte + i < bytes.size() ? bytes[byte + i] : 0U);
+      for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(width) / 8; ++i)
+        value = value << 8 | (byte + i < bytes.size() ? bytes[byte + i] : 0U);
       return value;
     }
     void save(Area area, std::uint32_t bitOffset, int width, Bits value, Bool guard) {
@@ -72,7 +73,9 @@ class Concrete {
     }
     std::vector<std::uint8_t>& area(Area area) { return areas_[static_cast<std::size_t>(area)]; }
     const std::vector<std::uint8_t>& area(Area area) const { return areas_[static_cast<std::size_t>(area)]; }
-    std::uint32_t count(Reg reg) const { return first_[static_cast<std::size_t>(reg) + 1] - first_[static_cast<std::size_t>(reg)]; }
+    std::uint32_t count(Reg reg) const {
+      return first_[static_cast<std::size_t>(reg) + 1] - first_[static_cast<std::size_t>(reg)];
+    }
 
     friend bool operator==(const Store&, const Store&) = default;
 

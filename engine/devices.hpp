@@ -25,7 +25,9 @@ class Devices {
   NetworkRequests network;
 
   /// Output parameter `position` (place in the operand list of CALL, from 1) of library block `name`.
-  void setLibraryOutput(const std::string& name, std::uint32_t position, std::uint64_t value) { library_[{name, position}] = value; }
+  void setLibraryOutput(const std::string& name, std::uint32_t position, std::uint64_t value) {
+    library_[{name, position}] = value;
+  }
   std::uint64_t libraryOutput(const std::string& name, std::uint32_t position) const {
     const auto found = library_.find({name, position});
     return found == library_.end() ? 0 : found->second;

@@ -32,7 +32,8 @@ template <class Op, Area area>
 template <class Op>
 constexpr AreaForms areaForms() {
   if constexpr (isPlainBit<Op>()) {
-    return []<std::size_t... i>(std::index_sequence<i...>) { return AreaForms{&executeAt<Op, byteAreas[i]>...}; }(std::make_index_sequence<byteAreas.size()>{});
+    return []<std::size_t... i>(std::index_sequence<i...>) { return AreaForms{&executeAt<Op, byteAreas[i]>...}; }
+    (std::make_index_sequence<byteAreas.size()>{});
   } else {
     return {};
   }

@@ -18,16 +18,18 @@ bool sameOperand(const Operand& a, const Operand& b) {
 }  // namespace
 
 bool ForceTable::set(const Operand& operand, std::uint64_t value) {
-  const bool mayForce = isImage(operand.area) || operand.area == Area::V || operand.area == Area::M || operand.area == Area::AI ||
-                        operand.area == Area::AQ;
+  const bool mayForce = isImage(operand.area) || operand.area == Area::V || operand.area == Area::M ||
+                        operand.area == Area::AI || operand.area == Area::AQ;
   if (operand.kind != OperandKind::Direct || !mayForce) return false;
   if (operand.width == Width::Bit && !isImage(operand.area)) return false;
-  const auto known = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return sameOperand(entry.operand, operand); });
+  const auto known = std::find_if(entries_.begin(), entries_.end(),
+                                  [&](const Entry& entry) { return sameOperand(entry.operand, operand); });
   if (known != entries_.end()) {
     known->value = value;
     return true;
   }
-  const auto memory = std::count_if(entries_.begin(), entries_.end(), [](const Entry& entry) { return !isImage(entry.operand.area); });
+  const auto memory =
+      std::count_if(entries_.begin(), entries_.end(), [](const Entry& entry) { return !isImage(entry.operand.area); });
   if (!isImage(operand.area) && static_cast<std::size_t>(memory) >= maxForcedMemory) return false;
   entries_.push_back({operand, value});
   return true;
@@ -39,7 +41,8 @@ void ForceTable::remove(const Operand& operand) {
 
 void ForceTable::apply(Area area, Concrete::Store& store) const {
   for (const Entry& entry : entries_) {
-    if (entry.operand.area == area) store.save(area, entry.operand.offset * 8 + entry.operand.bit, bits(entry.operand.width), entry.value, true);
+    if (entry.operand.area == area)
+      store.save(area, entry.operand.offset * 8 + entry.operand.bit, bits(entry.operand.width), entry.value, true);
   }
 }
 

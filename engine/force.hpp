@@ -18,7 +18,8 @@ class ForceTable {
     Operand operand;
     std::uint64_t value;
   };
-  /// Forces a direct operand of I, Q, V, M, AI or AQ. False: the area cannot be forced, or 16 memory values are already.
+  /// Forces a direct operand of I, Q, V, M, AI or AQ. False: the area cannot be forced, or 16 memory values are
+  /// already.
   bool set(const Operand& operand, std::uint64_t value);
   void remove(const Operand& operand);
   bool empty() const { return entries_.empty(); }

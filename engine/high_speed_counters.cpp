@@ -11,11 +11,16 @@ namespace {
 struct CounterEvents {
   int equal, direction, reset;
 };
-constexpr std::array<CounterEvents, HighSpeedCounters::count> events = {{{12, 27, 28}, {13, 14, 15}, {16, 17, 18}, {32, -1, -1}, {29, 30, 31}, {33, -1, -1}}};
+constexpr std::array<CounterEvents, HighSpeedCounters::count> events = {
+    {{12, 27, 28}, {13, 14, 15}, {16, 17, 18}, {32, -1, -1}, {29, 30, 31}, {33, -1, -1}}};
 constexpr std::array<std::uint32_t, HighSpeedCounters::count> statusByte = {36, 46, 56, 136, 146, 156};
 
-int modeOf(const Concrete::Store& store, std::uint32_t counter) { return static_cast<int>(store.get(Reg::HscMode, counter)) - 1; }
-bool setupBit(const Concrete::Store& store, std::uint32_t counter, int bit) { return (store.get(Reg::HscSetup, counter) >> bit & 1) != 0; }
+int modeOf(const Concrete::Store& store, std::uint32_t counter) {
+  return static_cast<int>(store.get(Reg::HscMode, counter)) - 1;
+}
+bool setupBit(const Concrete::Store& store, std::uint32_t counter, int bit) {
+  return (store.get(Reg::HscSetup, counter) >> bit & 1) != 0;
+}
 bool hasReset(int mode) { return mode < 12 && mode % 3 >= 1; }
 bool hasStart(int mode) { return mode < 12 && mode % 3 == 2; }
 bool isQuadrature(int mode) { return mode >= 9 && mode <= 11; }
@@ -70,7 +75,8 @@ void HighSpeedCounters::takeInputs(Concrete::Store& store, std::uint32_t counter
   }
 }
 
-void HighSpeedCounters::passMillisecond(Concrete::Store& store, const std::array<std::uint32_t, 2>& ptoPulses, const RaiseEvent& raise) {
+void HighSpeedCounters::passMillisecond(Concrete::Store& store, const std::array<std::uint32_t, 2>& ptoPulses,
+                                        const RaiseEvent& raise) {
   const auto share = [&](std::uint32_t total) {
     const std::uint64_t before = static_cast<std::uint64_t>(total) * (passed_ - 1) / scanMs_;
     const std::uint64_t after = static_cast<std::uint64_t>(total) * passed_ / scanMs_;
@@ -98,10 +104,12 @@ bool HighSpeedCounters::mayCount(const Concrete::Store& store, std::uint32_t cou
   return !(hasReset(mode) && lines.level[2] != setupBit(store, counter, 0));          // held at 0
 }
 
-void HighSpeedCounters::feed(Concrete::Store& store, std::uint32_t counter, std::uint32_t up, std::uint32_t down, const RaiseEvent& raise) {
+void HighSpeedCounters::feed(Concrete::Store& store, std::uint32_t counter, std::uint32_t up, std::uint32_t down,
+                             const RaiseEvent& raise) {
   const int mode = modeOf(store, counter);
   const bool bySign = mode >= 6 && mode != 12;
-  for (std::uint32_t i = 0; i < up && mayCount(store, counter); ++i) step(store, counter, bySign || store.get(Reg::HscUp, counter) != 0, raise);
+  for (std::uint32_t i = 0; i < up && mayCount(store, counter); ++i)
+    step(store, counter, bySign || store.get(Reg::HscUp, counter) != 0, raise);
   for (std::uint32_t i = 0; i < down && bySign && mayCount(store, counter); ++i) step(store, counter, false, raise);
 }
 
@@ -124,7 +132,8 @@ void HighSpeedCounters::turn(Concrete::Store& store, std::uint32_t counter, bool
 void HighSpeedCounters::showStatus(Concrete::Store& store, std::uint32_t counter) {
   const auto current = static_cast<std::int32_t>(store.get(Reg::HscCurrent, counter));
   const auto preset = static_cast<std::int32_t>(store.get(Reg::HscPreset, counter));
-  const unsigned bits = (store.get(Reg::HscUp, counter) != 0 ? 0x20U : 0U) | (current == preset ? 0x40U : 0U) | (current > preset ? 0x80U : 0U);
+  const unsigned bits = (store.get(Reg::HscUp, counter) != 0 ? 0x20U : 0U) | (current == preset ? 0x40U : 0U) |
+                        (current > preset ? 0x80U : 0U);
   std::vector<std::uint8_t>& memory = store.area(Area::SM);
   if (statusByte[counter] < memory.size()) memory[statusByte[counter]] = static_cast<std::uint8_t>(bits);
 }

@@ -1,6 +1,7 @@
-// The high-speed counters as devices: they count edges of their inputs and pulses that the stimulus gives per scan, obey
-// direction, reset and start inputs, and raise their events (001:4121-4356). Modes and inputs: ir/hsc_inputs.hpp.
-// In quadrature modes input A leading B counts up; the manual does not say which. Covered by tests/engine/device_test.cpp.
+// The high-speed counters as devices: they count edges of their inputs and pulses that the stimulus gives per scan,
+// obey direction, reset and start inputs, and raise their events (001:4121-4356). Modes and inputs: ir/hsc_inputs.hpp.
+// In quadrature modes input A leading B counts up; the manual does not say which. Covered by
+// tests/engine/device_test.cpp.
 #pragma once
 
 #include <array>
@@ -34,7 +35,8 @@ class HighSpeedCounters {
     std::array<bool, 4> level{};  ///< clock, direction or second clock, reset, start
   };
   void takeInputs(Concrete::Store& store, std::uint32_t counter, const RaiseEvent& raise);
-  void feed(Concrete::Store& store, std::uint32_t counter, std::uint32_t up, std::uint32_t down, const RaiseEvent& raise);
+  void feed(Concrete::Store& store, std::uint32_t counter, std::uint32_t up, std::uint32_t down,
+            const RaiseEvent& raise);
   bool mayCount(const Concrete::Store& store, std::uint32_t counter) const;
   void step(Concrete::Store& store, std::uint32_t counter, bool up, const RaiseEvent& raise);
   void turn(Concrete::Store& store, std::uint32_t counter, bool up, const RaiseEvent& raise);

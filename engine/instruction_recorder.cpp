@@ -9,15 +9,19 @@ namespace rungproof {
 namespace {
 
 /// A cell in the state; T and C by width.
-std::optional<std::uint64_t> cellAt(const Concrete::Store& store, Area area, std::uint32_t offset, unsigned bit, Width width, unsigned frame) {
+std::optional<std::uint64_t> cellAt(const Concrete::Store& store, Area area, std::uint32_t offset, unsigned bit,
+                                    Width width, unsigned frame) {
   switch (area) {
     case Area::T:
     case Area::C: {
-      const Reg value = area == Area::T ? Reg::TimerCurrent : Reg::CounterCurrent, flag = area == Area::T ? Reg::TimerBit : Reg::CounterBit;
+      const Reg value = area == Area::T ? Reg::TimerCurrent : Reg::CounterCurrent,
+                flag = area == Area::T ? Reg::TimerBit : Reg::CounterBit;
       if (offset >= store.count(flag)) return std::nullopt;
       return store.get(width == Width::Bit ? flag : value, offset);
     }
-    case Area::HC: return offset < store.count(Reg::HscCurrent) ? std::optional<std::uint64_t>(store.get(Reg::HscCurrent, offset)) : std::nullopt;
+    case Area::HC:
+      return offset < store.count(Reg::HscCurrent) ? std::optional<std::uint64_t>(store.get(Reg::HscCurrent, offset))
+                                                   : std::nullopt;
     case Area::AC:
       if (offset >= store.count(Reg::Accumulator)) return std::nullopt;
       return store.get(Reg::Accumulator, offset) & Concrete::mask(bits(width));
@@ -36,12 +40,15 @@ Width operandWidth(const Instruction& instruction, std::size_t index) {
   return isTyped ? widthOf(desc.operands[index].type) : instruction.operands[index].width;
 }
 
-std::optional<std::uint64_t> operandValue(const Machine<Concrete>& machine, const Instruction& instruction, std::size_t index, unsigned frame) {
+std::optional<std::uint64_t> operandValue(const Machine<Concrete>& machine, const Instruction& instruction,
+                                          std::size_t index, unsigned frame) {
   const Operand& operand = instruction.operands[index];
   const Width width = operandWidth(instruction, index);
-  if (operand.kind == OperandKind::Direct) return cellAt(machine.store, operand.area, operand.offset, operand.bit, width, frame);
+  if (operand.kind == OperandKind::Direct)
+    return cellAt(machine.store, operand.area, operand.offset, operand.bit, width, frame);
   if (operand.kind != OperandKind::Indirect) return std::nullopt;
-  const std::optional<std::uint64_t> target = cellAt(machine.store, operand.area, operand.offset, 0, Width::DWord, frame);
+  const std::optional<std::uint64_t> target =
+      cellAt(machine.store, operand.area, operand.offset, 0, Width::DWord, frame);
   if (!target) return std::nullopt;
   const auto address = static_cast<std::uint32_t>(*target);
   if (!pointer::isLegal(machine.target, address, width)) return std::nullopt;
@@ -56,13 +63,15 @@ void InstructionRecorder::beginScan(bool isOn) {
 
 void InstructionRecorder::before(const Machine<Concrete>& machine, const Instruction& instruction) {
   if (!isOn_) return;
-  for (unsigned frame = static_cast<unsigned>(running_.size()); frame-- > machine.frame;) finish(running_[frame], machine);
+  for (unsigned frame = static_cast<unsigned>(running_.size()); frame-- > machine.frame;)
+    finish(running_[frame], machine);
   InstructionRecord& record = records_[instruction.id];
   ++record.executions;
   record.before = machine.stack;
   record.scrActive = machine.scrActive;
   record.read.assign(instruction.operands.size(), std::nullopt);
-  for (std::size_t i = 0; i < record.read.size(); ++i) record.read[i] = operandValue(machine, instruction, i, machine.frame);
+  for (std::size_t i = 0; i < record.read.size(); ++i)
+    record.read[i] = operandValue(machine, instruction, i, machine.frame);
   record.written = record.read;
   running_[machine.frame] = {&instruction, machine.frame};
 }
@@ -102,7 +111,9 @@ void InstructionRecorder::finish(Running& running, const Machine<Concrete>& mach
   if (!instruction.operands.empty()) {
     const Operand& first = instruction.operands[0];
     const bool isElement = first.kind == OperandKind::Direct && (first.area == Area::T || first.area == Area::C);
-    if (isElement) record.elementBit = cellAt(machine.store, first.area, first.offset, 0, Width::Bit, running.frame).value_or(0) != 0;
+    if (isElement)
+      record.elementBit =
+          cellAt(machine.store, first.area, first.offset, 0, Width::Bit, running.frame).value_or(0) != 0;
   }
   running.instruction = nullptr;
 }

@@ -14,8 +14,8 @@ struct InstructionRecord {
   unsigned executions = 0;  ///< in the scan; with 0 the rest has no meaning
   std::array<bool, 9> before{};
   std::array<bool, 9> after{};
-  bool scrActive = true;    ///< outside SCR segments and in active ones
-  bool eno = false;         ///< behind the instruction
+  bool scrActive = true;                              ///< outside SCR segments and in active ones
+  bool eno = false;                                   ///< behind the instruction
   std::vector<std::optional<std::uint64_t>> read;     ///< operand values in front of it, in the width of their type
   std::vector<std::optional<std::uint64_t>> written;  ///< the same behind it
   bool elementBit = false;  ///< bit of the timer or counter that is the first operand, behind it
@@ -49,9 +49,11 @@ class InstructionRecorder final : public InstructionObserver {
   bool isOn_ = true;
 };
 
-/// Value of an operand of an instruction in the state of a machine, by the type that the descriptor gives it (parameters
-/// of CALL: as written); nothing for constants, texts, and pointers that lead nowhere. `frame`: local memory in use.
-std::optional<std::uint64_t> operandValue(const Machine<Concrete>& machine, const Instruction& instruction, std::size_t index, unsigned frame);
+/// Value of an operand of an instruction in the state of a machine, by the type that the descriptor gives it
+/// (parameters of CALL: as written); nothing for constants, texts, and pointers that lead nowhere. `frame`: local
+/// memory in use.
+std::optional<std::uint64_t> operandValue(const Machine<Concrete>& machine, const Instruction& instruction,
+                                          std::size_t index, unsigned frame);
 
 /// Width in which the instruction takes its operand.
 Width operandWidth(const Instruction& instruction, std::size_t index);

@@ -18,7 +18,8 @@ class InterruptQueue {
  public:
   explicit InterruptQueue(const Target& target);
 
-  /// Takes event 0..33 that occurred at `moment` (any unit that does not decrease). False: the queue is full, the event is lost.
+  /// Takes event 0..33 that occurred at `moment` (any unit that does not decrease). False: the queue is full, the event
+  /// is lost.
   bool add(int event, std::uint64_t moment);
   /// The event to be served next, removed from its queue.
   std::optional<int> take();

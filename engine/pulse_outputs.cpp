@@ -29,7 +29,8 @@ PulseOutputs::Train PulseOutputs::trainOf(const Concrete::Store& store, std::uin
   const std::int64_t unit = store.get(Reg::PulseIsMs, output) != 0 ? 1000 : 1;
   const auto segments = static_cast<std::uint32_t>(store.get(Reg::PulseSegments, output));
   if (segments == 0) {
-    train.segments.push_back({static_cast<std::int64_t>(store.get(Reg::PulseCycle, output)) * unit, 0, store.get(Reg::PulseCount, output)});
+    train.segments.push_back(
+        {static_cast<std::int64_t>(store.get(Reg::PulseCycle, output)) * unit, 0, store.get(Reg::PulseCount, output)});
     return train;
   }
   const auto table = static_cast<std::uint32_t>(store.get(Reg::PulseTable, output));
@@ -38,7 +39,9 @@ PulseOutputs::Train PulseOutputs::trainOf(const Concrete::Store& store, std::uin
     const auto cycle = static_cast<std::int64_t>(store.load(Area::V, at, 16));
     const std::int64_t change = Concrete::toSigned(store.load(Area::V, at + 16, 16), 16);
     std::uint64_t count = store.load(Area::V, at + 32, 32);
-    const std::int64_t room = change > 0 ? (longestCycle - cycle) / change : change < 0 ? (cycle - shortestCycle) / -change : 0;
+    const std::int64_t room = change > 0   ? (longestCycle - cycle) / change
+                              : change < 0 ? (cycle - shortestCycle) / -change
+                                           : 0;
     if (change != 0 && count > static_cast<std::uint64_t>(std::max<std::int64_t>(room, 0)) + 1) {
       count = static_cast<std::uint64_t>(std::max<std::int64_t>(room, 0)) + 1;
       train.isAborted = true;
@@ -81,8 +84,10 @@ std::uint64_t PulseOutputs::pulsesAt(const Train& train, std::uint64_t timeUs) {
     std::uint64_t low = 0, high = segment.count;  // the last number of pulses that fits
     while (low < high) {
       const std::uint64_t middle = (low + high + 1) / 2;
-      if (durationUs(segment, middle) <= timeUs) low = middle;
-      else high = middle - 1;
+      if (durationUs(segment, middle) <= timeUs)
+        low = middle;
+      else
+        high = middle - 1;
     }
     return pulses + low;
   }

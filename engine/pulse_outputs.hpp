@@ -1,5 +1,5 @@
-// The pulse generators of Q0.0 and Q0.1 as devices: how long a PTO train or profile lasts, when it ends, the next train of
-// the pipeline, events 19 and 20 (001:4510-4699). PWM runs until it is stopped. The wave itself is not drawn.
+// The pulse generators of Q0.0 and Q0.1 as devices: how long a PTO train or profile lasts, when it ends, the next train
+// of the pipeline, events 19 and 20 (001:4510-4699). PWM runs until it is stopped. The wave itself is not drawn.
 // Covered by tests/engine/device_test.cpp.
 #pragma once
 
@@ -28,7 +28,7 @@ class PulseOutputs {
   };
   struct Train {
     std::vector<Segment> segments;
-    bool isAborted = false;     ///< a cycle time becomes illegal; the segments end there (001:4649)
+    bool isAborted = false;  ///< a cycle time becomes illegal; the segments end there (001:4649)
     std::uint64_t passedUs = 0;
     bool isRunning = false;
   };

@@ -44,7 +44,8 @@ ClockTime RealTimeClock::at(std::uint64_t nowMs) const {
 
 std::uint8_t RealTimeClock::byteAt(std::uint32_t index, std::uint64_t nowMs) const {
   const ClockTime time = at(nowMs);
-  const std::array<int, 8> fields = {time.year, time.month, time.day, time.hour, time.minute, time.second, 0, time.weekday};
+  const std::array<int, 8> fields = {time.year,   time.month,  time.day, time.hour,
+                                     time.minute, time.second, 0,        time.weekday};
   return index < fields.size() ? bcd(fields[index]) : 0;
 }
 

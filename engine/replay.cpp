@@ -21,7 +21,8 @@ class Script final : public Outside {
     sites_.clear();
     for (const ExternalValue& value : values) sites_.push_back({key(value.site), {}, 0});
     std::sort(sites_.begin(), sites_.end(), [](const Site& a, const Site& b) { return a.key < b.key; });
-    sites_.erase(std::unique(sites_.begin(), sites_.end(), [](const Site& a, const Site& b) { return a.key == b.key; }), sites_.end());
+    sites_.erase(std::unique(sites_.begin(), sites_.end(), [](const Site& a, const Site& b) { return a.key == b.key; }),
+                 sites_.end());
     for (const ExternalValue& value : values) at(key(value.site))->values.push_back(value.value);
   }
   /// Each scan starts with all of them.
@@ -32,8 +33,10 @@ class Script final : public Outside {
   }
   std::uint64_t external(const ExternalSite& site, int) override {
     const auto found = at(key(site));
-    if (found != sites_.end() && found->key == key(site) && found->next < found->values.size()) return found->values[found->next++];
-    const bool isUnknown = site.kind == External::StackBottom || site.kind == External::LocalMemory || site.kind == External::UnknownStatus;
+    if (found != sites_.end() && found->key == key(site) && found->next < found->values.size())
+      return found->values[found->next++];
+    const bool isUnknown = site.kind == External::StackBottom || site.kind == External::LocalMemory ||
+                           site.kind == External::UnknownStatus;
     return isUnknown ? unknown_ : 0;
   }
   void report(Hazard, const Instruction*) override {}
@@ -51,7 +54,8 @@ class Script final : public Outside {
     std::size_t next;
   };
   std::vector<Site>::iterator at(const Key& key) {
-    return std::lower_bound(sites_.begin(), sites_.end(), key, [](const Site& site, const Key& k) { return site.key < k; });
+    return std::lower_bound(sites_.begin(), sites_.end(), key,
+                            [](const Site& site, const Key& k) { return site.key < k; });
   }
   /// Counts what the scan left.
   void finish() {
@@ -67,8 +71,8 @@ class Script final : public Outside {
 
 }  // namespace
 
-ReplayResult replay(const Program& program, const Choices& choices, const std::vector<ReplayScan>& scans, const Concrete::Store* initial,
-                    const ReplayObserver& observer, InstructionObserver* watcher) {
+ReplayResult replay(const Program& program, const Choices& choices, const std::vector<ReplayScan>& scans,
+                    const Concrete::Store* initial, const ReplayObserver& observer, InstructionObserver* watcher) {
   Script script(choices);
   SimulatorOptions options;
   options.choices = choices;
@@ -84,8 +88,10 @@ ReplayResult replay(const Program& program, const Choices& choices, const std::v
     for (std::uint32_t round = 0; round < scan.repeats && goesOn; ++round) {
       script.begin();
       simulator.scan({.lengthUs = scan.lengthMs * 1000, .script = &scan.script});
-      if (observer) goesOn = observer(simulator.store(), i);
-      else result.states.push_back(simulator.store());
+      if (observer)
+        goesOn = observer(simulator.store(), i);
+      else
+        result.states.push_back(simulator.store());
       goesOn = goesOn && simulator.isRunning();
     }
   }

@@ -42,7 +42,8 @@ struct ReplayScan {
 struct ReplayResult {
   std::vector<Concrete::Store> states;  ///< after each scan, the last one included that a fatal error or STOP ended
   std::vector<RunTimeError> errors;
-  std::size_t unusedExternals = 0;      ///< values that the run did not ask for; more than 0: prover and engine walked apart
+  std::size_t unusedExternals =
+      0;  ///< values that the run did not ask for; more than 0: prover and engine walked apart
 };
 
 /// Is shown the state after each scan and the index of its ReplayScan; false ends the replay.
@@ -51,6 +52,7 @@ using ReplayObserver = std::function<bool(const Concrete::Store& state, std::siz
 /// Runs the scans from `initial`, or from power-up if it is nullptr. With an observer no states are kept, so that
 /// stretches of any length can be replayed. `watcher`: is shown every instruction; may be nullptr.
 ReplayResult replay(const Program& program, const Choices& choices, const std::vector<ReplayScan>& scans,
-                    const Concrete::Store* initial = nullptr, const ReplayObserver& observer = {}, InstructionObserver* watcher = nullptr);
+                    const Concrete::Store* initial = nullptr, const ReplayObserver& observer = {},
+                    InstructionObserver* watcher = nullptr);
 
 }  // namespace rungproof

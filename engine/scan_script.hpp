@@ -25,10 +25,10 @@ struct ScanScript {
     ScanPlace place;
     std::uint32_t ticks;  ///< of 1 ms
   };
-  std::optional<std::uint32_t> ticks10;   ///< at the start of the scan; nothing: from the length of the scans before
+  std::optional<std::uint32_t> ticks10;  ///< at the start of the scan; nothing: from the length of the scans before
   std::optional<std::uint32_t> ticks100;
-  std::vector<Event> events;              ///< in the order of execution; one that is not attached and enabled is passed over
-  std::vector<Tick> ticks1;               ///< what of the scan's length they leave, elapses after the program
+  std::vector<Event> events;  ///< in the order of execution; one that is not attached and enabled is passed over
+  std::vector<Tick> ticks1;   ///< what of the scan's length they leave, elapses after the program
 };
 
 }  // namespace rungproof

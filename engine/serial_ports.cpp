@@ -12,12 +12,13 @@ struct PortBytes {
 };
 constexpr std::array<PortBytes, 2> ports = {{{30, 86, 8, 9, 23, 5}, {130, 186, 25, 26, 24, 6}}};
 constexpr std::array<std::uint64_t, 8> baud = {38400, 19200, 9600, 4800, 2400, 1200, 115200, 57600};  // 001:14177
-constexpr std::uint64_t breakBits = 16;  // 001:3194
+constexpr std::uint64_t breakBits = 16;                                                               // 001:3194
 
 // Offsets from the status byte (001:14286-14294).
 constexpr std::uint32_t controlAt = 1, startAt = 2, endAt = 3, idleTimeAt = 4, timeOutAt = 6, maximumAt = 8;
 // Bits of the control byte and of the status byte (001:3217-3223).
-constexpr unsigned useStart = 0x40, useEnd = 0x20, useIdle = 0x10, messageTimer = 0x08, useTimer = 0x04, useBreak = 0x02;
+constexpr unsigned useStart = 0x40, useEnd = 0x20, useIdle = 0x10, messageTimer = 0x08, useTimer = 0x04,
+                   useBreak = 0x02;
 constexpr std::uint8_t endedByCharacter = 0x20, endedByTimer = 0x04, endedByCount = 0x02;
 
 std::uint64_t byteOf(const Concrete::Store& store, std::uint32_t at) { return store.load(Area::SM, at * 8, 8); }
@@ -89,11 +90,13 @@ void SerialPorts::passMillisecond(Concrete::Store& store, const RaiseEvent& rais
     ++line.quietMs;
     const bool receives = (store.get(Reg::PortBusy, port) & 2) != 0;
     const unsigned control = static_cast<unsigned>(byteOf(store, ports[port].status + controlAt));
-    if (receives && (control & useIdle) != 0 && line.quietMs >= wordOf(store, ports[port].status + idleTimeAt)) line.sawIdle = true;
+    if (receives && (control & useIdle) != 0 && line.quietMs >= wordOf(store, ports[port].status + idleTimeAt))
+      line.sawIdle = true;
     if (receives && line.isMessageOpen) {
       ++line.messageMs;
       const std::uint64_t timed = (control & messageTimer) != 0 ? line.messageMs : line.quietMs;
-      if ((control & useTimer) != 0 && timed >= wordOf(store, ports[port].status + timeOutAt)) endMessage(store, port, endedByTimer, raise);
+      if ((control & useTimer) != 0 && timed >= wordOf(store, ports[port].status + timeOutAt))
+        endMessage(store, port, endedByTimer, raise);
     }
     const bool isFreeport = (byteOf(store, ports[port].control) & 3) == 1;
     line.arrivalUs = line.incoming.empty() || !isFreeport ? 0 : line.arrivalUs + 1000;
@@ -127,7 +130,8 @@ void SerialPorts::arrive(Concrete::Store& store, std::uint32_t port, int charact
   store.save(head.area, head.bit, 8, line.stored, true);
   const unsigned control = static_cast<unsigned>(byteOf(store, status + controlAt));
   unsigned end = 0;
-  if ((control & useEnd) != 0 && static_cast<std::uint64_t>(character) == byteOf(store, status + endAt)) end |= endedByCharacter;
+  if ((control & useEnd) != 0 && static_cast<std::uint64_t>(character) == byteOf(store, status + endAt))
+    end |= endedByCharacter;
   if (line.stored >= byteOf(store, status + maximumAt)) end |= endedByCount;
   if (end != 0) endMessage(store, port, static_cast<std::uint8_t>(end), raise);
 }
@@ -137,7 +141,8 @@ bool SerialPorts::meetsStart(const Concrete::Store& store, std::uint32_t port, i
   Line& line = lines_[port];
   const std::uint32_t status = ports[port].status;
   const unsigned control = static_cast<unsigned>(byteOf(store, status + controlAt));
-  const bool waitsForIdle = (control & useIdle) != 0, waitsForBreak = (control & useBreak) != 0, waitsForCharacter = (control & useStart) != 0;
+  const bool waitsForIdle = (control & useIdle) != 0, waitsForBreak = (control & useBreak) != 0,
+             waitsForCharacter = (control & useStart) != 0;
   const bool isReady = (!waitsForIdle || line.sawIdle) && (!waitsForBreak || line.sawBreak);
   if (character == breakSignal) {
     line.sawBreak = true;

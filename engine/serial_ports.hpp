@@ -33,9 +33,9 @@ class SerialPorts {
     std::deque<int> incoming;
     std::vector<std::uint8_t> sent;
     std::uint64_t transmitLeftUs = 0;
-    std::uint64_t arrivalUs = 0;        ///< time that the line has had for the next character
-    std::uint64_t quietMs = 0;          ///< since the last character
-    bool isMessageOpen = false;         ///< the start condition is met
+    std::uint64_t arrivalUs = 0;  ///< time that the line has had for the next character
+    std::uint64_t quietMs = 0;    ///< since the last character
+    bool isMessageOpen = false;   ///< the start condition is met
     bool sawIdle = false;
     bool sawBreak = false;
     std::uint32_t stored = 0;

@@ -14,9 +14,16 @@ constexpr std::uint64_t defaultStation = 2;  // of a CPU as delivered (not in th
 }  // namespace
 
 Simulator::Simulator(const Program& program, SimulatorOptions options, Outside* outside)
-    : plan_(program), options_(std::move(options)), outside_(outside), domain_(*this), store_(powerUpState(plan_, options_.choices, options_.dataLost)),
-      machine_(domain_, store_, plan_, options_.choices), queue_(program.target), devices_(options_.clock),
-      unknownIsZero_(outside == nullptr && options_.choices.is(Choice::UnknownBits, "zero")), random_(options_.seed) {
+    : plan_(program),
+      options_(std::move(options)),
+      outside_(outside),
+      domain_(*this),
+      store_(powerUpState(plan_, options_.choices, options_.dataLost)),
+      machine_(domain_, store_, plan_, options_.choices),
+      queue_(program.target),
+      devices_(options_.clock),
+      unknownIsZero_(outside == nullptr && options_.choices.is(Choice::UnknownBits, "zero")),
+      random_(options_.seed) {
   prepareCosts();
 }
 
@@ -148,7 +155,8 @@ std::uint64_t Simulator::externalValue(const ExternalSite& site, int width) {
       if (outside_ == nullptr) return store_.get(Reg::PhysicalInput, site.index);
       break;
     case External::AnalogInput:
-      if (outside_ == nullptr || options_.choices.is(Choice::AnalogSampling, "each-scan")) return store_.load(Area::AI, site.index * 8, width);
+      if (outside_ == nullptr || options_.choices.is(Choice::AnalogSampling, "each-scan"))
+        return store_.load(Area::AI, site.index * 8, width);
       break;
     case External::ClockByte:
       if (outside_ == nullptr) return devices_.clock.byteAt(site.index, clockMs_);

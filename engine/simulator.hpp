@@ -34,9 +34,9 @@ struct SimulatorOptions {
   Choices choices;
   std::uint32_t scanUs = 10000;  ///< length of a scan in us for which nothing else is asked
   std::vector<RetentiveRange> retentive = defaultRetentiveRanges();
-  bool dataLost = false;      ///< first scan with SM0.2 = 1
-  std::uint64_t seed = 1;     ///< for bits that the manual calls unknown, if Choice::UnknownBits is "random"
-  ClockTime clock;            ///< real-time clock at power-up
+  bool dataLost = false;   ///< first scan with SM0.2 = 1
+  std::uint64_t seed = 1;  ///< for bits that the manual calls unknown, if Choice::UnknownBits is "random"
+  ClockTime clock;         ///< real-time clock at power-up
 };
 
 template <class D, class Hooks>
@@ -74,7 +74,9 @@ class Simulator final : private Outside {
   /// State of the environment before the next scan: I sets the physical inputs, AI the analog inputs; other areas are
   /// written like by a panel. T and C by width.
   void write(const Operand& operand, std::uint64_t value);
-  bool physicalOutput(std::uint32_t byte, std::uint32_t bit) const { return store_.get(Reg::PhysicalOutput, byte * 8 + bit) != 0; }
+  bool physicalOutput(std::uint32_t byte, std::uint32_t bit) const {
+    return store_.get(Reg::PhysicalOutput, byte * 8 + bit) != 0;
+  }
 
   bool force(const Operand& operand, std::uint64_t value);
   void unforce(const Operand& operand);
@@ -137,7 +139,7 @@ class Simulator final : private Outside {
   Devices devices_;
   RunTimeErrors errors_;
   std::vector<Cost> costs_;
-  bool unknownIsZero_;           ///< bits that the manual calls unknown are read as 0
+  bool unknownIsZero_;  ///< bits that the manual calls unknown are read as 0
 
   std::uint64_t now_ = 0;        ///< us since power-up, at the start of the scan
   std::uint64_t clockMs_ = 0;    ///< ticks of the 1 ms clock since power-up
@@ -146,21 +148,21 @@ class Simulator final : private Outside {
   std::uint64_t startMs_ = 0;    ///< clockMs_ at the start of the scan
   std::uint64_t scanCount_ = 0;
   std::uint32_t lastScanUs_ = 0;
-  std::uint64_t moment_ = 0;     ///< grows with every instant at which events may occur together
-  std::uint64_t position_ = 0;   ///< within the scan, 10 ns
-  std::uint64_t nextMs_ = 0;     ///< position of the next tick of the 1 ms clock
+  std::uint64_t moment_ = 0;    ///< grows with every instant at which events may occur together
+  std::uint64_t position_ = 0;  ///< within the scan, 10 ns
+  std::uint64_t nextMs_ = 0;    ///< position of the next tick of the 1 ms clock
   std::uint64_t watchdogFrom_ = 0;
-  std::uint32_t pending_ = 0;    ///< time of the instruction that is running
-  bool attention_ = false;       ///< events wait in the queue, or an observer looks
+  std::uint32_t pending_ = 0;  ///< time of the instruction that is running
+  bool attention_ = false;     ///< events wait in the queue, or an observer looks
   InstructionObserver* observer_ = nullptr;
   const Instruction* stoppedBy_ = nullptr;
-  const std::string* calledBlock_ = nullptr;     ///< library block whose outputs are being asked for
-  std::array<std::uint32_t, 2> timedPeriod_{};   ///< of events 10 and 11, taken over by ATCH (001:5472)
+  const std::string* calledBlock_ = nullptr;    ///< library block whose outputs are being asked for
+  std::array<std::uint32_t, 2> timedPeriod_{};  ///< of events 10 and 11, taken over by ATCH (001:5472)
   std::array<std::uint32_t, 2> timedElapsed_{};
   std::uint64_t random_;
-  std::uint32_t edgeInputs_ = 0;                 ///< I0.0-I0.3 as the edge events saw them last
+  std::uint32_t edgeInputs_ = 0;  ///< I0.0-I0.3 as the edge events saw them last
   const ScanScript* script_ = nullptr;
-  std::vector<std::uint32_t> visits_;            ///< executions of each instruction in this scan, under a script only
+  std::vector<std::uint32_t> visits_;  ///< executions of each instruction in this scan, under a script only
   std::uint32_t scriptedTicks_ = 0;
 };
 

@@ -32,7 +32,8 @@ struct Simulator::Hooks {
   Execute<Concrete> entry(const FlowStep& step) const { return simulator.costs_[step.id].run; }
 
   void freshLocal(Runner& runner, unsigned frame, std::uint32_t byte) {
-    const std::uint64_t value = simulator.unknownIsZero_ ? 0 : runner.machine().external(External::LocalMemory, byte, 8);
+    const std::uint64_t value =
+        simulator.unknownIsZero_ ? 0 : runner.machine().external(External::LocalMemory, byte, 8);
     simulator.store_.area(Area::L)[frame * 64 + byte] = static_cast<std::uint8_t>(value);
   }
 };

@@ -8,9 +8,9 @@ namespace rungproof {
 
 namespace {
 
-constexpr std::uint32_t idleTime = 100;       // 1 us without power flow (001:14522)
-constexpr std::uint32_t pointerTime = 1400;   // per indirect operand (001:14528)
-constexpr std::uint32_t unlistedTime = 100;   // instructions whose time the text has lost
+constexpr std::uint32_t idleTime = 100;      // 1 us without power flow (001:14522)
+constexpr std::uint32_t pointerTime = 1400;  // per indirect operand (001:14528)
+constexpr std::uint32_t unlistedTime = 100;  // instructions whose time the text has lost
 constexpr std::uint32_t firstTimedEvent = 10;
 
 }  // namespace
@@ -24,7 +24,8 @@ void Simulator::prepareCosts() {
       for (const Operand& operand : step.instruction->operands) {
         if (operand.kind == OperandKind::Indirect) time += pointerTime;
       }
-      costs_[step.id] = {{desc.execution == Execution::Conditional ? idleTime : time, time}, executionOf(*step.instruction)};
+      costs_[step.id] = {{desc.execution == Execution::Conditional ? idleTime : time, time},
+                         executionOf(*step.instruction)};
     }
   }
 }
@@ -65,7 +66,9 @@ void Simulator::boundary(Runner& runner, const FlowStep* step) {
 }
 
 void Simulator::scripted(Runner& runner, ScanPlace place) {
-  const auto isHere = [&](const ScanPlace& other) { return other.instruction == place.instruction && other.visit == place.visit; };
+  const auto isHere = [&](const ScanPlace& other) {
+    return other.instruction == place.instruction && other.visit == place.visit;
+  };
   for (const ScanScript::Tick& tick : script_->ticks1) {
     if (!isHere(tick.place)) continue;
     refreshTimers(machine_, 1, tick.ticks);
@@ -130,7 +133,8 @@ void Simulator::passMillisecond(Runner& runner) {
 }
 
 void Simulator::checkWatchdog() {
-  machine_.hazard(Hazard::FatalWatchdog, position_ - watchdogFrom_ > static_cast<std::uint64_t>(options_.choices.watchdogMs()) * Cost::perMs);
+  machine_.hazard(Hazard::FatalWatchdog,
+                  position_ - watchdogFrom_ > static_cast<std::uint64_t>(options_.choices.watchdogMs()) * Cost::perMs);
 }
 
 void Simulator::serveInterrupts(Runner& runner) {
@@ -139,7 +143,8 @@ void Simulator::serveInterrupts(Runner& runner) {
     runRoutine(runner, *queue_.take());
   }
   if (queue_.empty()) {
-    for (std::uint32_t bit = 0; bit < eventGroupCount; ++bit) store_.save(Area::SM, 4 * 8 + bit, 1, 0, true);  // 001:14113
+    for (std::uint32_t bit = 0; bit < eventGroupCount; ++bit)
+      store_.save(Area::SM, 4 * 8 + bit, 1, 0, true);  // 001:14113
   }
 }
 

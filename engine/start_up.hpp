@@ -28,8 +28,8 @@ Concrete::Store powerUpState(const Plan& plan, const Choices& choices, bool data
 Concrete::Store powerCycledState(const Plan& plan, const Choices& choices, const Concrete::Store& before,
                                  const std::vector<RetentiveRange>& ranges);
 
-/// Entering RUN without loss of power: V, M and retentive current values stay; edges, devices and interrupts start anew.
-/// What is cleared is not in the manual text except for interrupts (001:5333) and HDEF (001:4360).
+/// Entering RUN without loss of power: V, M and retentive current values stay; edges, devices and interrupts start
+/// anew. What is cleared is not in the manual text except for interrupts (001:5333) and HDEF (001:4360).
 void enterRun(Concrete::Store& store, const Choices& choices, const std::vector<RetentiveRange>& ranges);
 
 /// Whether V, M, T or C cell `index` (byte or number) is in one of the ranges.

@@ -8,7 +8,9 @@ ScanRequest StimulusPlayer::next() {
   const std::uint64_t scan = simulator_.scanCount() + 1;
   const std::uint64_t start = simulator_.timeUs();
   script_.events.clear();
-  const auto isDue = [&](const StimulusRow& row) { return stimulus_.isByTime ? row.timeUs <= start : row.scan <= scan; };
+  const auto isDue = [&](const StimulusRow& row) {
+    return stimulus_.isByTime ? row.timeUs <= start : row.scan <= scan;
+  };
   while (!isDone() && isDue(stimulus_.rows[row_])) apply(stimulus_.rows[row_++], request);
   request.lengthUs = scanUs_;
   if (!stimulus_.isScripted) return request;
@@ -41,8 +43,12 @@ void StimulusPlayer::act(const StimulusColumn& column, std::uint64_t value) {
   switch (column.target) {
     case StimulusTarget::Memory: simulator_.write(column.signal.operand, value); break;
     case StimulusTarget::LibraryOutput: devices.setLibraryOutput(column.block, column.position, value); break;
-    case StimulusTarget::Pulses: devices.counters.setPulses(column.position, number, devices.counters.pulses(column.position)[1]); break;
-    case StimulusTarget::DownPulses: devices.counters.setPulses(column.position, devices.counters.pulses(column.position)[0], number); break;
+    case StimulusTarget::Pulses:
+      devices.counters.setPulses(column.position, number, devices.counters.pulses(column.position)[1]);
+      break;
+    case StimulusTarget::DownPulses:
+      devices.counters.setPulses(column.position, devices.counters.pulses(column.position)[0], number);
+      break;
     case StimulusTarget::NetworkError: devices.network.setError(static_cast<std::uint8_t>(value & 15)); break;
     case StimulusTarget::NetworkHold: devices.network.setHeld(value != 0); break;
     case StimulusTarget::Characters:

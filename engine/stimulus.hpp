@@ -16,7 +16,8 @@ namespace rungproof {
 /// What a column acts on.
 enum class StimulusTarget : std::uint8_t {
   Memory,         ///< a direct operand: I and AI the physical value, other areas written like by a panel
-  LibraryOutput,  ///< output of a library block: "USS_CTRL.Speed", or "USS_CTRL.12" for the twelfth operand of its calls
+  LibraryOutput,  ///< output of a library block: "USS_CTRL.Speed", or "USS_CTRL.12" for the twelfth operand of its
+                  ///< calls
   Pulses,         ///< "HSC0.pulses": pulses at the clock or up-clock input of a counter in every scan
   DownPulses,     ///< "HSC0.down": at the down-clock input
   Characters,     ///< "PORT0.receive": characters that another station sends
@@ -33,9 +34,9 @@ struct StimulusColumn {
 };
 
 struct StimulusRow {
-  std::uint64_t scan = 0;    ///< from 1, if keyed by scan
-  std::uint64_t timeUs = 0;  ///< if keyed by time
-  std::optional<std::uint32_t> scanUs{};  ///< length of the scans from here on
+  std::uint64_t scan = 0;                       ///< from 1, if keyed by scan
+  std::uint64_t timeUs = 0;                     ///< if keyed by time
+  std::optional<std::uint32_t> scanUs{};        ///< length of the scans from here on
   std::vector<int> events{};                    ///< at the start of the scan
   std::vector<ScanScript::Event> placed{};      ///< within it, in the order of execution
   std::vector<std::optional<double>> values{};  ///< by column

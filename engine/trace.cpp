@@ -76,8 +76,9 @@ int groupOf(Area area) {
 
 /// Number of bits that S, R, SI, RI reach with a constant count; 1 for everything else.
 unsigned bitCount(const Instruction& instruction, std::size_t operand) {
-  const bool hasCount = operand == 0 && instruction.desc->operandCount == 2 && instruction.desc->operands[1].name == "N" &&
-                        instruction.desc->operands[0].type == Type::Bool && instruction.operands.size() == 2;
+  const bool hasCount = operand == 0 && instruction.desc->operandCount == 2 &&
+                        instruction.desc->operands[1].name == "N" && instruction.desc->operands[0].type == Type::Bool &&
+                        instruction.operands.size() == 2;
   if (!hasCount || instruction.operands[1].kind != OperandKind::Constant) return 1;
   return static_cast<unsigned>(std::clamp<std::int64_t>(instruction.operands[1].value, 1, 255));
 }
@@ -85,8 +86,12 @@ unsigned bitCount(const Instruction& instruction, std::size_t operand) {
 }  // namespace
 
 int Trace::signalNamed(std::string_view name) const {
-  const auto sameLetter = [](char a, char b) { return (a >= 'a' && a <= 'z' ? a - 32 : a) == (b >= 'a' && b <= 'z' ? b - 32 : b); };
-  const auto isCalled = [&](const std::string& other) { return std::equal(name.begin(), name.end(), other.begin(), other.end(), sameLetter); };
+  const auto sameLetter = [](char a, char b) {
+    return (a >= 'a' && a <= 'z' ? a - 32 : a) == (b >= 'a' && b <= 'z' ? b - 32 : b);
+  };
+  const auto isCalled = [&](const std::string& other) {
+    return std::equal(name.begin(), name.end(), other.begin(), other.end(), sameLetter);
+  };
   for (std::size_t i = 0; i < signals.size(); ++i) {
     if (isCalled(signals[i].name)) return static_cast<int>(i);
   }
@@ -99,7 +104,8 @@ int Trace::signalNamed(std::string_view name) const {
 int Trace::indexOf(const TraceSignal& signal) const {
   if (signal.operand.isMemory()) {
     for (std::size_t i = 0; i < signals.size(); ++i) {
-      if (signals[i].operand.isMemory() && cellOf(signals[i].operand) == cellOf(signal.operand)) return static_cast<int>(i);
+      if (signals[i].operand.isMemory() && cellOf(signals[i].operand) == cellOf(signal.operand))
+        return static_cast<int>(i);
     }
   }
   return signalNamed(signal.name);
@@ -145,7 +151,8 @@ std::vector<TraceSignal> touchedSignals(const Program& program) {
     add(bit);
   });
   std::sort(operands.begin(), operands.end(), [](const Operand& a, const Operand& b) {
-    return std::tuple(groupOf(a.area), a.area, a.offset, a.width, a.bit) < std::tuple(groupOf(b.area), b.area, b.offset, b.width, b.bit);
+    return std::tuple(groupOf(a.area), a.area, a.offset, a.width, a.bit) <
+           std::tuple(groupOf(b.area), b.area, b.offset, b.width, b.bit);
   });
   std::vector<TraceSignal> signals;
   for (const Operand& operand : operands) signals.push_back(signalOf(program, operand));

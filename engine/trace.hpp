@@ -1,6 +1,6 @@
-// Trace: the values of chosen signals at the end of every scan, recorded by a run, read from a file, or expected. Values
-// are numbers as people write them: 0 and 1, unsigned bytes, signed words and double words (001:3371-3374), REAL.
-// Covered by tests/trace/*.
+// Trace: the values of chosen signals at the end of every scan, recorded by a run, read from a file, or expected.
+// Values are numbers as people write them: 0 and 1, unsigned bytes, signed words and double words (001:3371-3374),
+// REAL. Covered by tests/trace/*.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,8 @@ enum class SignalType : std::uint8_t { Bool, Unsigned, Signed, Real, Number };
 struct TraceSignal {
   std::string name;    ///< column heading: address, or what the file calls it
   std::string symbol;  ///< name that the program has for the address, or empty
-  Operand operand{};   ///< Direct; Missing in a trace that was read without a program. T and C: Bit, or Word for the value
+  Operand
+      operand{};  ///< Direct; Missing in a trace that was read without a program. T and C: Bit, or Word for the value
   SignalType type = SignalType::Bool;
 
   int width() const { return operand.isMemory() ? bits(operand.width) : type == SignalType::Bool ? 1 : 32; }
@@ -32,9 +33,9 @@ struct TraceSignal {
 };
 
 struct TraceRow {
-  std::uint64_t scan = 0;    ///< from 1; 0 in a trace that is keyed by time
-  std::uint64_t timeUs = 0;  ///< end of the scan, since power-up; keyed by time: the moment as written
-  std::uint32_t scanUs = 0;  ///< length of the scan, 0 if not known
+  std::uint64_t scan = 0;                     ///< from 1; 0 in a trace that is keyed by time
+  std::uint64_t timeUs = 0;                   ///< end of the scan, since power-up; keyed by time: the moment as written
+  std::uint32_t scanUs = 0;                   ///< length of the scan, 0 if not known
   std::vector<std::optional<double>> values;  ///< by signal; nothing: any value
   std::string events{};                       ///< interrupts of the scan at their places, as a stimulus writes them
 };

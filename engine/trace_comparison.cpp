@@ -35,17 +35,20 @@ std::optional<std::size_t> matchingRow(const Trace& expected, const TraceRow& ro
   const std::vector<TraceRow>& rows = actual.rows;
   if (rows.empty()) return std::nullopt;
   if (!expected.isByTime && !actual.isByTime) {
-    const auto found = std::lower_bound(rows.begin(), rows.end(), row.scan, [](const TraceRow& r, std::uint64_t scan) { return r.scan < scan; });
+    const auto found = std::lower_bound(rows.begin(), rows.end(), row.scan,
+                                        [](const TraceRow& r, std::uint64_t scan) { return r.scan < scan; });
     if (found == rows.end() || found->scan != row.scan) return std::nullopt;
     return static_cast<std::size_t>(found - rows.begin());
   }
   if (!expected.isByTime) return std::nullopt;
   if (actual.isByTime) {  // the value holds until the next row
-    const auto later = std::upper_bound(rows.begin(), rows.end(), row.timeUs, [](std::uint64_t time, const TraceRow& r) { return time < r.timeUs; });
+    const auto later = std::upper_bound(rows.begin(), rows.end(), row.timeUs,
+                                        [](std::uint64_t time, const TraceRow& r) { return time < r.timeUs; });
     if (later == rows.begin() || (later == rows.end() && rows.back().timeUs < row.timeUs)) return std::nullopt;
     return static_cast<std::size_t>(later - rows.begin()) - 1;
   }
-  const auto found = std::upper_bound(rows.begin(), rows.end(), row.timeUs, [](std::uint64_t time, const TraceRow& r) { return time < r.timeUs; });
+  const auto found = std::upper_bound(rows.begin(), rows.end(), row.timeUs,
+                                      [](std::uint64_t time, const TraceRow& r) { return time < r.timeUs; });
   if (found != rows.end()) {
     const auto index = static_cast<std::size_t>(found - rows.begin());
     return startOf(actual, index) <= row.timeUs ? std::optional<std::size_t>(index) : std::nullopt;
@@ -54,7 +57,8 @@ std::optional<std::size_t> matchingRow(const Trace& expected, const TraceRow& ro
   return std::nullopt;
 }
 
-std::optional<TraceDifference> firstDifference(const Trace& expected, const Trace& actual, const CompareOptions& options) {
+std::optional<TraceDifference> firstDifference(const Trace& expected, const Trace& actual,
+                                               const CompareOptions& options) {
   struct Pair {
     std::size_t expected;
     std::size_t actual;
@@ -69,7 +73,8 @@ std::optional<TraceDifference> firstDifference(const Trace& expected, const Trac
     for (const Tolerance& given : options.tolerances) {
       if (expected.signalNamed(given.signal) == static_cast<int>(i)) tolerance = given.value;
     }
-    pairs.push_back({i, static_cast<std::size_t>(other), actual.signals[static_cast<std::size_t>(other)].type, tolerance});
+    pairs.push_back(
+        {i, static_cast<std::size_t>(other), actual.signals[static_cast<std::size_t>(other)].type, tolerance});
   }
   for (std::size_t e = 0; e < expected.rows.size(); ++e) {
     const TraceRow& row = expected.rows[e];

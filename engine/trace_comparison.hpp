@@ -30,7 +30,7 @@ struct TraceDifference {
   std::uint64_t scan = 0;
   std::uint64_t timeUs = 0;
   double expected = 0;
-  std::optional<double> actual;          ///< nothing: the actual trace has no value there
+  std::optional<double> actual;  ///< nothing: the actual trace has no value there
 };
 
 /// Signals of the expected trace that the actual one lacks.
@@ -41,6 +41,7 @@ std::vector<std::string> missingSignals(const Trace& expected, const Trace& actu
 std::optional<std::size_t> matchingRow(const Trace& expected, const TraceRow& row, const Trace& actual);
 
 /// Nothing: every expected value is there. Signals are matched by name; missing ones are passed over.
-std::optional<TraceDifference> firstDifference(const Trace& expected, const Trace& actual, const CompareOptions& options);
+std::optional<TraceDifference> firstDifference(const Trace& expected, const Trace& actual,
+                                               const CompareOptions& options);
 
 }  // namespace rungproof

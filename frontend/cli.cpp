@@ -55,13 +55,15 @@ std::optional<Failure> readCommandLine(const ParsedLine& line, Settings& setting
   }
   for (const std::string& text : settings.list(Opt::ChoiceOf)) {
     const std::size_t sign = text.find('=');
-    if (sign == std::string::npos) return Failure{fmt::format("'{}' is no choice", text), {}, "write --choice KEY=VALUE"};
+    if (sign == std::string::npos)
+      return Failure{fmt::format("'{}' is no choice", text), {}, "write --choice KEY=VALUE"};
     if (auto failure = settings.setChoice(text.substr(0, sign), text.substr(sign + 1), "command line")) return failure;
   }
   return std::nullopt;
 }
 
-std::optional<Failure> readOutputs(const Settings& settings, const Command& command, std::vector<OutputRequest>& outputs) {
+std::optional<Failure> readOutputs(const Settings& settings, const Command& command,
+                                   std::vector<OutputRequest>& outputs) {
   const std::vector<std::string_view> permitted = formatsOf(command);
   for (const std::string& text : settings.list(Opt::Format)) {
     const std::size_t sign = text.find('=');
@@ -71,7 +73,8 @@ std::optional<Failure> readOutputs(const Settings& settings, const Command& comm
     if (!known && settings.origin(Opt::Format) != "command line") continue;
     if (!known) {
       const std::string_view meant = closest(request.name, permitted);
-      return Failure{fmt::format("'rungproof {}' has no format '{}'", command.name, request.name), {},
+      return Failure{fmt::format("'rungproof {}' has no format '{}'", command.name, request.name),
+                     {},
                      fmt::format("it can be {}{}", fmt::join(permitted, ", "),
                                  meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant))};
     }
@@ -88,7 +91,8 @@ bool wantsColor(const Settings& settings, bool isTerminal) {
   if (settings.text(Opt::Color) != "auto") return settings.text(Opt::Color) == "always";
   const char* off = std::getenv("NO_COLOR");
   const char* terminal = std::getenv("TERM");
-  return isTerminal && (off == nullptr || *off == '\0') && (terminal == nullptr || std::string_view(terminal) != "dumb");
+  return isTerminal && (off == nullptr || *off == '\0') &&
+         (terminal == nullptr || std::string_view(terminal) != "dumb");
 }
 
 int failed(std::ostream& err, const Failure& failure) {
@@ -109,15 +113,22 @@ int runCommand(const Command& command, std::vector<std::string> arguments, const
   Settings settings;
   const ParsedLine::CommonOption* named = line.option(Opt::Config);
   const bool isolated = line.option(Opt::Isolated) != nullptr;
-  const fs::path config = named != nullptr ? fs::path(named->texts.back()) : isolated ? fs::path() : findConfig(configFolder(line));
+  const fs::path config = named != nullptr ? fs::path(named->texts.back())
+                          : isolated       ? fs::path()
+                                           : findConfig(configFolder(line));
   if (!config.empty()) {
     if (auto failure = readConfig(config, settings)) return failed(streams.err, *failure);
   }
   if (auto failure = readCommandLine(line, settings)) return failed(streams.err, *failure);
   if (auto failure = settings.check()) return failed(streams.err, *failure);
 
-  Context context{settings, streams.in, streams.out, streams.err, wantsColor(settings, streams.outIsTerminal),
-                  streams.errIsTerminal && !settings.flag(Opt::Quiet), {}};
+  Context context{settings,
+                  streams.in,
+                  streams.out,
+                  streams.err,
+                  wantsColor(settings, streams.outIsTerminal),
+                  streams.errIsTerminal && !settings.flag(Opt::Quiet),
+                  {}};
   if (auto failure = readOutputs(settings, command, context.outputs)) return failed(streams.err, *failure);
   const Exit exit = action(context);
   streams.out.flush();
@@ -142,7 +153,8 @@ int runArguments(const std::vector<std::string>& arguments, const Streams& strea
       streams.err << programHelp();
       return static_cast<int>(Exit::Failed);
     }
-    return failed(streams.err, {fmt::format("'{}' needs a command", fmt::join(arguments, " ")), {}, "see 'rungproof --help'"});
+    return failed(streams.err,
+                  {fmt::format("'{}' needs a command", fmt::join(arguments, " ")), {}, "see 'rungproof --help'"});
   }
   std::vector<std::string> rest = arguments;
   rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(at));
@@ -155,8 +167,10 @@ int runArguments(const std::vector<std::string>& arguments, const Streams& strea
   const Command* command = commandNamed(arguments[at]);
   if (command == nullptr) {
     const std::string_view meant = closest(arguments[at], commandNames());
-    return failed(streams.err, {fmt::format("unknown command '{}'", arguments[at]), {},
-                                meant.empty() ? "see 'rungproof --help'" : fmt::format("did you mean 'rungproof {}'?", meant)});
+    return failed(streams.err,
+                  {fmt::format("unknown command '{}'", arguments[at]),
+                   {},
+                   meant.empty() ? "see 'rungproof --help'" : fmt::format("did you mean 'rungproof {}'?", meant)});
   }
   return runCommand(*command, std::move(rest), streams);
 }

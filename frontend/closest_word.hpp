@@ -1,5 +1,5 @@
-// The word that a misspelled one was meant to be: for "did you mean" in errors about mnemonics, options, rules and keys.
-// Tests: tests/golden/errors, tests/cli/settings_test.cpp.
+// The word that a misspelled one was meant to be: for "did you mean" in errors about mnemonics, options, rules and
+// keys. Tests: tests/golden/errors, tests/cli/settings_test.cpp.
 #pragma once
 
 #include <string_view>

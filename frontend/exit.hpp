@@ -4,10 +4,10 @@
 namespace rungproof {
 
 enum class Exit : int {
-  Clean = 0,      ///< nothing at or above the level, every property proved, traces agree
-  Found = 1,      ///< findings, violated properties, differing traces
-  Failed = 2,     ///< usage, unreadable or unparsable input, bad configuration, internal disagreement
-  Undecided = 3   ///< nothing found, but UNKNOWN, HOLDS TO BOUND or NOT COVERED
+  Clean = 0,     ///< nothing at or above the level, every property proved, traces agree
+  Found = 1,     ///< findings, violated properties, differing traces
+  Failed = 2,    ///< usage, unreadable or unparsable input, bad configuration, internal disagreement
+  Undecided = 3  ///< nothing found, but UNKNOWN, HOLDS TO BOUND or NOT COVERED
 };
 
 constexpr Exit worse(Exit a, Exit b) {

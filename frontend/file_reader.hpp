@@ -24,7 +24,7 @@ inline constexpr int Certain = 100;  ///< a heading that no other kind has, or t
 struct InputText {
   std::uint32_t file = 0;  ///< index in Program::sources
   TextEncoding encoding = TextEncoding::Utf8;
-  bool isSymbolFile = false;  ///< named by --symbols
+  bool isSymbolFile = false;      ///< named by --symbols
   DrawnProject* drawn = nullptr;  ///< readers of drawings append here; built when all files are read
 };
 

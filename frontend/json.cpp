@@ -38,7 +38,9 @@ Json Json::array(std::initializer_list<Json> items) {
 
 Json Json::object() { return Json(Kind::Object, 0); }
 
-std::optional<std::uint64_t> Json::natural() const { return kind_ == Kind::Natural ? std::optional(bits_) : std::nullopt; }
+std::optional<std::uint64_t> Json::natural() const {
+  return kind_ == Kind::Natural ? std::optional(bits_) : std::nullopt;
+}
 
 const Json* Json::find(std::string_view key) const {
   const auto found = std::find(keys_.begin(), keys_.end(), key);

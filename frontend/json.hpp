@@ -20,9 +20,9 @@ class Json {
 
   Json(std::nullptr_t = nullptr);
   Json(std::same_as<bool> auto truth) : Json(Kind::Truth, truth ? 1 : 0) {}
-  Json(std::signed_integral auto whole) : Json(Kind::Whole, static_cast<std::uint64_t>(static_cast<std::int64_t>(whole))) {}
-  Json(std::unsigned_integral auto natural)
-    requires(!std::same_as<decltype(natural), bool>)
+  Json(std::signed_integral auto whole)
+      : Json(Kind::Whole, static_cast<std::uint64_t>(static_cast<std::int64_t>(whole))) {}
+  Json(std::unsigned_integral auto natural) requires(!std::same_as<decltype(natural), bool>)
       : Json(Kind::Natural, natural) {}
   Json(double real);
   Json(std::string_view text);

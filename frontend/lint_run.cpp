@@ -11,7 +11,8 @@
 
 namespace rungproof {
 
-Report lintProgram(const Settings& settings, const ProgramInput& input, const std::vector<std::string>& files, bool prove) {
+Report lintProgram(const Settings& settings, const ProgramInput& input, const std::vector<std::string>& files,
+                   bool prove) {
   const Program& program = input.program;
   const RuleSelection selection(settings.list(Opt::Select), settings.list(Opt::Ignore));
   const Facts facts(program, input.properties.externals);
@@ -22,7 +23,8 @@ Report lintProgram(const Settings& settings, const ProgramInput& input, const st
     return !code || selection.includes(id, code->onByDefault);
   };
   // Errors of the readers cannot be ignored: what was not read was not checked.
-  std::erase_if(report.findings, [&](const Finding& finding) { return !isReadError(finding) && !isSelected(finding.rule); });
+  std::erase_if(report.findings,
+                [&](const Finding& finding) { return !isReadError(finding) && !isSelected(finding.rule); });
   std::vector<Finding> found = runRules(facts, selection, settings.ruleSettings());
   std::move(found.begin(), found.end(), std::back_inserter(report.findings));
   if (prove && !hasReadErrors(program)) settleBySolver(input, proverOptionsOf(settings), isSelected, report.findings);
@@ -36,7 +38,8 @@ Report lintProgram(const Settings& settings, const ProgramInput& input, const st
                              return isSelected(id) && (rule == nullptr || rule->check != nullptr);
                            }};
     report.suppressed = applySuppressions(program, known, report.findings);
-    std::erase_if(report.findings, [&](const Finding& finding) { return finding.rule.starts_with("SUP") && !isSelected(finding.rule); });
+    std::erase_if(report.findings,
+                  [&](const Finding& finding) { return finding.rule.starts_with("SUP") && !isSelected(finding.rule); });
   }
   return report;
 }
@@ -48,7 +51,8 @@ Report lintFiles(const Context& context, const std::vector<std::string>& files, 
     report = lintProgram(context.settings, readInput(context, groups.front()), groups.front(), prove);
   } else {
     ReportMerger merger;
-    for (const std::vector<std::string>& group : groups) merger.add(lintProgram(context.settings, readInput(context, group), group, prove));
+    for (const std::vector<std::string>& group : groups)
+      merger.add(lintProgram(context.settings, readInput(context, group), group, prove));
     report = merger.take();
   }
   sortFindings(report);

@@ -11,7 +11,8 @@ namespace rungproof {
 
 /// Findings of the readers and of all selected rules, allow-comments applied unless --no-suppress. `prove`: candidates
 /// are confirmed or dropped by the prover, and its own findings added.
-Report lintProgram(const Settings& settings, const ProgramInput& input, const std::vector<std::string>& files, bool prove = false);
+Report lintProgram(const Settings& settings, const ProgramInput& input, const std::vector<std::string>& files,
+                   bool prove = false);
 
 /// The same for the files of a command line, which may hold several programs.
 Report lintFiles(const Context& context, const std::vector<std::string>& files, bool prove = false);

@@ -49,7 +49,8 @@ OperandLookup lookupIn(const Program& program) {
   };
 }
 
-ProgramInput readInput(const Context& context, const std::vector<std::string>& files, const std::vector<std::string>& propertyFiles) {
+ProgramInput readInput(const Context& context, const std::vector<std::string>& files,
+                       const std::vector<std::string>& propertyFiles) {
   ProgramInput input;
   input.program = readProgram(files, readOptionsOf(context.settings));
   input.properties = readProperties(input.program, propertyFiles, lookupIn(input.program));
@@ -63,9 +64,8 @@ Report startReport(std::string_view command, const Program& program, const std::
   report.findings = program.findings;
   report.files = files;
   report.coverage.understood = program.instructionCount();
-  const auto lost = std::count_if(program.findings.begin(), program.findings.end(), [](const Finding& finding) {
-    return isReadError(finding) && finding.network != 0;
-  });
+  const auto lost = std::count_if(program.findings.begin(), program.findings.end(),
+                                  [](const Finding& finding) { return isReadError(finding) && finding.network != 0; });
   report.coverage.instructions = report.coverage.understood + static_cast<std::size_t>(lost);
   return report;
 }
@@ -80,8 +80,10 @@ std::vector<std::string> expandFolders(const std::vector<std::string>& names) {
       continue;
     }
     std::vector<std::string> found;
-    for (fs::recursive_directory_iterator entry(name, fs::directory_options::skip_permission_denied, error), end; !error && entry != end; entry.increment(error)) {
-      if (entry->is_regular_file(error) && endsInAny(entry->path().string(), {".awl", ".stl", ".xml"})) found.push_back(entry->path().string());
+    for (fs::recursive_directory_iterator entry(name, fs::directory_options::skip_permission_denied, error), end;
+         !error && entry != end; entry.increment(error)) {
+      if (entry->is_regular_file(error) && endsInAny(entry->path().string(), {".awl", ".stl", ".xml"}))
+        found.push_back(entry->path().string());
     }
     std::sort(found.begin(), found.end());
     files.insert(files.end(), found.begin(), found.end());
@@ -131,7 +133,8 @@ void ReportMerger::add(const Report& part) {
     report_.selfCheck->insert(report_.selfCheck->end(), part.selfCheck->begin(), part.selfCheck->end());
   }
   for (const std::string& assumption : part.assumptions) {
-    if (std::find(report_.assumptions.begin(), report_.assumptions.end(), assumption) == report_.assumptions.end()) report_.assumptions.push_back(assumption);
+    if (std::find(report_.assumptions.begin(), report_.assumptions.end(), assumption) == report_.assumptions.end())
+      report_.assumptions.push_back(assumption);
   }
   if (isEmpty_) report_.command = part.command;
   isEmpty_ = false;
@@ -139,7 +142,8 @@ void ReportMerger::add(const Report& part) {
   report_.coverage.understood += part.coverage.understood;
   for (const std::string& place : part.coverage.approximated) report_.coverage.approximated.push_back(place);
   for (const std::string& file : part.files) {
-    if (std::find(report_.files.begin(), report_.files.end(), file) == report_.files.end()) report_.files.push_back(file);
+    if (std::find(report_.files.begin(), report_.files.end(), file) == report_.files.end())
+      report_.files.push_back(file);
   }
   report_.suppressed += part.suppressed;
   report_.baselined += part.baselined;

@@ -24,7 +24,8 @@ struct ProgramInput {
   Program program;
   PropertySet properties;
 };
-ProgramInput readInput(const Context& context, const std::vector<std::string>& files, const std::vector<std::string>& propertyFiles = {});
+ProgramInput readInput(const Context& context, const std::vector<std::string>& files,
+                       const std::vector<std::string>& propertyFiles = {});
 
 /// The operand that an address or a symbol of the program means, for property files, stimuli and command lines.
 OperandLookup lookupIn(const Program& program);

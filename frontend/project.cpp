@@ -71,7 +71,9 @@ class ProjectReader {
     if (isEmpty) return sink.report(Syntax::NoText, {file, 0, 0}, fmt::format("{} is empty", shown));
     if (decoded.controls > 0) {
       const auto at = static_cast<std::uint32_t>(decoded.firstControl);
-      sink.report(Syntax::ControlCharacters, {file, at, 1}, fmt::format("{} control character{} in the text, the first here", decoded.controls, decoded.controls == 1 ? "" : "s"));
+      sink.report(Syntax::ControlCharacters, {file, at, 1},
+                  fmt::format("{} control character{} in the text, the first here", decoded.controls,
+                              decoded.controls == 1 ? "" : "s"));
       if (decoded.controls * 50 > length) {
         return sink.report(Syntax::FileUnknown, {file, 0, 0}, fmt::format("{} is not a text", shown));
       }
@@ -79,7 +81,9 @@ class ProjectReader {
     if (decoded.wasUtf16) sink.report(Syntax::Converted, {file, 0, 0}, "UTF-16 text was converted");
     if (decoded.badBytes > 0) {
       const auto at = static_cast<std::uint32_t>(decoded.firstBad);
-      sink.report(Syntax::BadCharacters, {file, at, 3}, fmt::format("{} place{} not valid in {}, the first here", decoded.badBytes, decoded.badBytes == 1 ? " is" : "s are", encodingName(decoded.encoding)));
+      sink.report(Syntax::BadCharacters, {file, at, 3},
+                  fmt::format("{} place{} not valid in {}, the first here", decoded.badBytes,
+                              decoded.badBytes == 1 ? " is" : "s are", encodingName(decoded.encoding)));
     }
     read({file, decoded.encoding, isSymbolFile, &drawn_});
   }
@@ -90,7 +94,8 @@ class ProjectReader {
     reportTwins();
     resolveNames(program_);
     program_.number();
-    const bool isProtected = std::any_of(program_.pous.begin(), program_.pous.end(), [](const Pou& pou) { return pou.protectedBlock; });
+    const bool isProtected =
+        std::any_of(program_.pous.begin(), program_.pous.end(), [](const Pou& pou) { return pou.protectedBlock; });
     if (program_.instructionCount() == 0 && !isProtected && !hasReadErrors(program_)) {
       if (program_.sources->size() == 0) program_.sources->add("", "");
       SyntaxSink(program_, 0).report(Syntax::NoInstruction, {0, 0, 0}, "no instruction found");
@@ -111,12 +116,15 @@ class ProjectReader {
       }
     }
     if (best != nullptr) return best->read(program_, input, options_);
-    SyntaxSink(program_, input.file).report(Syntax::FileUnknown, {input.file, 0, 0}, fmt::format("{} is not a program text, data block or symbol table that can be read", source.name()));
+    SyntaxSink(program_, input.file)
+        .report(Syntax::FileUnknown, {input.file, 0, 0},
+                fmt::format("{} is not a program text, data block or symbol table that can be read", source.name()));
   }
 
   /// Moves the main program to the front; directives follow their blocks.
   void mainFirst() {
-    const auto main = std::find_if(program_.pous.begin(), program_.pous.end(), [](const Pou& pou) { return pou.kind == PouKind::Main; });
+    const auto main = std::find_if(program_.pous.begin(), program_.pous.end(),
+                                   [](const Pou& pou) { return pou.kind == PouKind::Main; });
     if (main == program_.pous.end() || main == program_.pous.begin()) return;
     const int old = static_cast<int>(main - program_.pous.begin());
     std::rotate(program_.pous.begin(), main, main + 1);
@@ -141,7 +149,9 @@ class ProjectReader {
       sink.setPlace(pou.name, 0);
       const Span heading{pou.span.file, pou.span.offset, std::min<std::uint32_t>(pou.span.length, 1)};
       if (!isNew) {
-        sink.report(Syntax::BlockTwice, heading, pou.kind == PouKind::Main ? std::string("second main program") : fmt::format("number {} of {} is used twice", pou.number, pou.name));
+        sink.report(Syntax::BlockTwice, heading,
+                    pou.kind == PouKind::Main ? std::string("second main program")
+                                              : fmt::format("number {} of {} is used twice", pou.number, pou.name));
       } else {
         sink.report(Syntax::BlockTwice, heading, fmt::format("two blocks are named {}", pou.name));
       }
@@ -170,7 +180,9 @@ Program readText(std::string name, std::string text, const ReadOptions& options)
 }
 
 bool hasReadErrors(const Program& program) {
-  return std::any_of(program.findings.begin(), program.findings.end(), [](const Finding& finding) { return finding.severity == Severity::Error && (finding.rule.starts_with("SYN") || finding.rule.starts_with("GRF")); });
+  return std::any_of(program.findings.begin(), program.findings.end(), [](const Finding& finding) {
+    return finding.severity == Severity::Error && (finding.rule.starts_with("SYN") || finding.rule.starts_with("GRF"));
+  });
 }
 
 }  // namespace rungproof

@@ -18,8 +18,8 @@ struct ReadOptions {
   Dialect dialect = Dialect::Auto;
   Mnemonics mnemonics = Mnemonics::Auto;
   TextEncoding encoding = TextEncoding::Auto;
-  std::vector<std::string> symbolFiles{};   ///< read as symbol tables whatever they look like
-  std::string stdinName = "<stdin>";        ///< name of the file `-` in messages
+  std::vector<std::string> symbolFiles{};  ///< read as symbol tables whatever they look like
+  std::string stdinName = "<stdin>";       ///< name of the file `-` in messages
 };
 
 /// Reads all files into one program. `-` is standard input. Whatever cannot be read becomes a finding.
@@ -27,7 +27,8 @@ Program readProgram(const std::vector<std::string>& files, const ReadOptions& op
 /// The same for a text in memory (bytes in any encoding); `name` decides where the content does not.
 Program readText(std::string name, std::string text, const ReadOptions& options = {});
 
-/// Whether a reader found an error (SYN, or GRF in a drawing): the program is then not wholly known, and the exit code is 2.
+/// Whether a reader found an error (SYN, or GRF in a drawing): the program is then not wholly known, and the exit code
+/// is 2.
 bool hasReadErrors(const Program& program);
 
 }  // namespace rungproof

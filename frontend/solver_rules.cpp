@@ -22,19 +22,22 @@ bool isWithin(const Span& inner, const Span& outer) {
 
 bool isAbout(const Finding& finding, const ProofResult& result) {
   if (!result.builtin || finding.rule != result.builtin->rule || result.builtin->place == nullptr) return false;
-  const bool isSameAddress = finding.confirmation == Confirmation::NotNeeded && !finding.address.empty() && finding.address == result.builtin->address;
+  const bool isSameAddress = finding.confirmation == Confirmation::NotNeeded && !finding.address.empty() &&
+                             finding.address == result.builtin->address;
   return isSameAddress || isWithin(finding.span, result.builtin->place->span);
 }
 
 /// A declared property that fails, as a finding at its statement.
 std::optional<Finding> brokenProperty(const ProofResult& result) {
-  if (result.builtin || (result.outcome != Outcome::Violated && result.outcome != Outcome::Vacuous)) return std::nullopt;
+  if (result.builtin || (result.outcome != Outcome::Violated && result.outcome != Outcome::Vacuous))
+    return std::nullopt;
   const bool isViolated = result.outcome == Outcome::Violated;
   Finding finding;
   finding.rule = isViolated ? ruleOfViolation(result.property) : "SAF002";
   finding.severity = Severity::Error;
-  finding.message = isViolated ? fmt::format("the property '{}' is violated after {} scans", result.property.name, result.depth)
-                               : fmt::format("the property '{}' holds vacuously", result.property.name);
+  finding.message =
+      isViolated ? fmt::format("the property '{}' is violated after {} scans", result.property.name, result.depth)
+                 : fmt::format("the property '{}' holds vacuously", result.property.name);
   if (finding.rule == "SAF004") finding.message += "; besides, a stop must work without the controller (001:2016-2021)";
   finding.span = result.property.span;
   finding.help = "'rungproof prove' shows the run";
@@ -43,7 +46,8 @@ std::optional<Finding> brokenProperty(const ProofResult& result) {
 }
 
 bool isRefuted(const ProofResult& result) {
-  return result.builtin && (isWanted(result.builtin->kind) ? result.outcome == Outcome::Unreachable : result.outcome == Outcome::Violated);
+  return result.builtin && (isWanted(result.builtin->kind) ? result.outcome == Outcome::Unreachable
+                                                           : result.outcome == Outcome::Violated);
 }
 
 /// Leaves out answers that follow from others: a rung that never runs, a latch that is never set, contacts of a rung
@@ -87,10 +91,13 @@ class Explained {
     switch (check.kind) {
       case BuiltinKind::FlowOn: return alwaysOn_.contains(check.place);
       case BuiltinKind::FlowOff: return neverOn_.contains(check.place);
-      case BuiltinKind::CodeRuns: return check.rule == "CTL005" && network != &places_.at(check.place->span).pou->networks.front() && dead_.contains(network - 1);
+      case BuiltinKind::CodeRuns:
+        return check.rule == "CTL005" && network != &places_.at(check.place->span).pou->networks.front() &&
+               dead_.contains(network - 1);
       case BuiltinKind::LatchDrops: return deadBits_.contains(check.address) || alwaysOn_.contains(check.place);
       case BuiltinKind::StepLeft: return deadBits_.contains(check.address);
-      case BuiltinKind::ContactMatters: return constant_.contains(network) || lastIdle_.at({network, check.address})->place != check.place;
+      case BuiltinKind::ContactMatters:
+        return constant_.contains(network) || lastIdle_.at({network, check.address})->place != check.place;
       default: return false;
     }
   }
@@ -104,18 +111,23 @@ class Explained {
   std::map<std::pair<const Network*, std::string>, const BuiltinCheck*> lastIdle_;
 };
 
-void settle(const Program& program, const std::vector<ProofResult>& results, const std::function<bool(std::string_view)>& isSelected, std::vector<Finding>& findings) {
+void settle(const Program& program, const std::vector<ProofResult>& results,
+            const std::function<bool(std::string_view)>& isSelected, std::vector<Finding>& findings) {
   const Explained isExplained(program, results);
   for (const ProofResult& result : results) {
     const std::optional<Finding> finding = result.builtin ? findingOf(result) : brokenProperty(result);
-    const bool isDismissed = result.builtin && (isWanted(result.builtin->kind) ? result.outcome == Outcome::Reachable : result.outcome == Outcome::Proved);
+    const bool isDismissed = result.builtin && (isWanted(result.builtin->kind) ? result.outcome == Outcome::Reachable
+                                                                               : result.outcome == Outcome::Proved);
     bool isKnown = false;
     for (Finding& known : findings) {
       if (!isAbout(known, result)) continue;
       isKnown = true;
       if (finding && known.confirmation == Confirmation::Unconfirmed) known.confirmation = Confirmation::Confirmed;
     }
-    if (isDismissed) std::erase_if(findings, [&](const Finding& known) { return isAbout(known, result) && known.confirmation == Confirmation::Unconfirmed; });
+    if (isDismissed)
+      std::erase_if(findings, [&](const Finding& known) {
+        return isAbout(known, result) && known.confirmation == Confirmation::Unconfirmed;
+      });
     if (!finding || isKnown || !isSelected(finding->rule)) continue;
     if (result.builtin && (needsCandidate(result.builtin->kind) || isExplained(result))) continue;
     findings.push_back(*finding);
@@ -124,10 +136,12 @@ void settle(const Program& program, const std::vector<ProofResult>& results, con
 
 }  // namespace
 
-void settleBySolver(const ProgramInput& input, const ProverOptions& options, const std::function<bool(std::string_view)>& isSelected, std::vector<Finding>& findings) {
+void settleBySolver(const ProgramInput& input, const ProverOptions& options,
+                    const std::function<bool(std::string_view)>& isSelected, std::vector<Finding>& findings) {
   ProverOptions questions = options;
   const auto areAsked = [&](Questions group) {
-    return std::ranges::any_of(allRules(), [&](const Rule* rule) { return rule->questions == group && isSelected(rule->id); });
+    return std::ranges::any_of(allRules(),
+                               [&](const Rule* rule) { return rule->questions == group && isSelected(rule->id); });
   };
   questions.checks = {.builtin = true, .rungs = areAsked(Questions::Rungs)};
   settle(input.program, prove(input.program, input.properties, questions).results, isSelected, findings);

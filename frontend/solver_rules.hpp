@@ -1,7 +1,7 @@
 // The rules that only the prover can answer, for lint --prove: it asks the questions of the rules beside the declared
-// properties and brings the findings of the flow analysis in line with the answers. A finding is confirmed by a run that
-// the engine repeats or by a proof; a candidate that a proof refutes is dropped.
-// Covered by tests/prover/rule_questions_test.cpp and tests/prover/corpus_rules_test.cpp.
+// properties and brings the findings of the flow analysis in line with the answers. A finding is confirmed by a run
+// that the engine repeats or by a proof; a candidate that a proof refutes is dropped. Covered by
+// tests/prover/rule_questions_test.cpp and tests/prover/corpus_rules_test.cpp.
 #pragma once
 
 #include <functional>
@@ -15,6 +15,7 @@ namespace rungproof {
 
 /// `findings` holds those of the flow analysis; candidates among them of the same rule and place are confirmed or
 /// dropped, and new findings of the rules that `isSelected` are added.
-void settleBySolver(const ProgramInput& input, const ProverOptions& options, const std::function<bool(std::string_view)>& isSelected, std::vector<Finding>& findings);
+void settleBySolver(const ProgramInput& input, const ProverOptions& options,
+                    const std::function<bool(std::string_view)>& isSelected, std::vector<Finding>& findings);
 
 }  // namespace rungproof

@@ -14,13 +14,16 @@ class Args {
   using Bool = typename D::Bool;
   using Bits = typename D::Bits;
 
-  Args(Machine<D>& machine, const Instruction& instruction, const Desc& desc) : m_(machine), instruction_(instruction), desc_(desc) {}
+  Args(Machine<D>& machine, const Instruction& instruction, const Desc& desc)
+      : m_(machine), instruction_(instruction), desc_(desc) {}
 
   /// Follows all operands. Gives the condition that every pointer is legal.
   Bool resolve() {
     Bool legal = m_.d.constant(true);
     const std::size_t count = std::min<std::size_t>(instruction_.operands.size(), desc_.operandCount);
-    for (std::size_t i = 0; i < count; ++i) legal = m_.d.land(legal, resolveOne(instruction_.operands[i], widthOf(desc_.operands[i].type), desc_.operands[i].direction, refs_[i]));
+    for (std::size_t i = 0; i < count; ++i)
+      legal = m_.d.land(legal, resolveOne(instruction_.operands[i], widthOf(desc_.operands[i].type),
+                                          desc_.operands[i].direction, refs_[i]));
     return legal;
   }
 
@@ -54,18 +57,18 @@ class Args {
   Bits element(std::size_t i, int k, Width w) { return load(refs_[i], k, w); }
   void storeElement(std::size_t i, int k, Width w, Bits value) { save(refs_[i], k, w, value); }
   /// Byte k of a string operand: 0 is the length; string constants read the same way.
-  Bits byteAt(std::size_t i, int k) {
-    return element(i, k, Width::Byte);
-  }
+  Bits byteAt(std::size_t i, int k) { return element(i, k, Width::Byte); }
   /// Bit k counted from a bit operand, over byte borders; T and C: bit of the k-th number further on.
   Bool bitAt(std::size_t i, int k) {
     const Ref<D>& r = refs_[i];
-    if (r.area == Area::T || r.area == Area::C) return m_.d.bit(m_.load(r.area, r.offset + static_cast<std::uint32_t>(k), Width::Bit), 0);
+    if (r.area == Area::T || r.area == Area::C)
+      return m_.d.bit(m_.load(r.area, r.offset + static_cast<std::uint32_t>(k), Width::Bit), 0);
     return m_.loadBit(r.area, r.offset, static_cast<std::uint32_t>(r.bit + k));
   }
   void storeBitAt(std::size_t i, int k, Bool value) {
     const Ref<D>& r = refs_[i];
-    if (r.area == Area::T || r.area == Area::C) return m_.save(r.area, r.offset + static_cast<std::uint32_t>(k), Width::Bit, m_.d.fromBool(value, 1));
+    if (r.area == Area::T || r.area == Area::C)
+      return m_.save(r.area, r.offset + static_cast<std::uint32_t>(k), Width::Bit, m_.d.fromBool(value, 1));
     m_.saveBit(r.area, r.offset, static_cast<std::uint32_t>(r.bit + k), value);
   }
   /// How many bits there are from bit operand i to the end of its area.
@@ -79,12 +82,14 @@ class Args {
   Bits elementAt(std::size_t i, Bits index, int limit, Width w) {
     if (const auto known = m_.d.known(index)) return element(i, static_cast<int>(*known), w);
     Bits result = element(i, 0, w);
-    for (int k = 1; k < limit; ++k) result = m_.d.select(m_.d.equal(index, m_.d.literal(k, 16), 16), element(i, k, w), result, bits(w));
+    for (int k = 1; k < limit; ++k)
+      result = m_.d.select(m_.d.equal(index, m_.d.literal(k, 16), 16), element(i, k, w), result, bits(w));
     return result;
   }
   void storeElementAt(std::size_t i, Bits index, int limit, Width w, Bits value) {
     if (const auto known = m_.d.known(index)) return storeElement(i, static_cast<int>(*known), w, value);
-    for (int k = 0; k < limit; ++k) m_.when(m_.d.equal(index, m_.d.literal(k, 16), 16), [&] { storeElement(i, k, w, value); });
+    for (int k = 0; k < limit; ++k)
+      m_.when(m_.d.equal(index, m_.d.literal(k, 16), 16), [&] { storeElement(i, k, w, value); });
   }
   /// Actual parameter i of CALL in the width of the formal one (001:6782-6784): a value, an address, or, for
   /// STRING, the address in the pointer itself (001:6836).
@@ -154,7 +159,9 @@ template <class D>
 typename D::Bool Args<D>::resolveOne(const Operand& o, Width w, Direction direction, Ref<D>& ref) {
   ref.operand = &o;
   switch (o.kind) {
-    case OperandKind::Constant: ref.value = m_.d.literal(static_cast<std::uint64_t>(o.value) & (~0ULL >> (64 - bits(w))), bits(w)); break;
+    case OperandKind::Constant:
+      ref.value = m_.d.literal(static_cast<std::uint64_t>(o.value) & (~0ULL >> (64 - bits(w))), bits(w));
+      break;
     case OperandKind::Address: ref.value = m_.d.literal(pointer::encode(o.area, o.offset), 32); break;
     case OperandKind::Direct:
       ref.isPlace = true;
@@ -178,7 +185,8 @@ typename D::Bool Args<D>::resolveOne(const Operand& o, Width w, Direction direct
 template <class D>
 typename D::Bool Args<D>::followText(Bits address, Ref<D>& ref) {
   Bool isText = m_.d.constant(false);
-  for (std::size_t i = 0; i < m_.plan.texts.size(); ++i) isText = m_.d.lor(isText, m_.d.equal(address, m_.d.literal(pointer::encodeText(i), 32), 32));
+  for (std::size_t i = 0; i < m_.plan.texts.size(); ++i)
+    isText = m_.d.lor(isText, m_.d.equal(address, m_.d.literal(pointer::encodeText(i), 32), 32));
   const auto known = m_.d.truth(isText);
   ref.mayBeText = !known || *known;
   if (ref.mayBeText) ref.value = address;
@@ -189,7 +197,10 @@ template <class D>
 typename D::Bits Args<D>::loadText(const Ref<D>& ref, int element, Width w, Bits otherwise) {
   const auto byteOf = [&](const std::string& text) {
     const auto at = static_cast<std::size_t>(element);
-    return m_.d.literal(at == 0 ? text.size() : at <= text.size() ? static_cast<unsigned char>(text[at - 1]) : 0, bits(w));
+    return m_.d.literal(at == 0             ? text.size()
+                        : at <= text.size() ? static_cast<unsigned char>(text[at - 1])
+                                            : 0,
+                        bits(w));
   };
   if (ref.text != nullptr) return byteOf(ref.text->text);
   Bits result = otherwise;
@@ -267,7 +278,8 @@ void execute(Machine<D>& m, const Instruction& instruction) {
     Args<D> args(m, instruction, desc);
     const typename D::Bool legal = args.resolve();
     if constexpr (desc.eno) m.enoAfter(desc.execution == Execution::Sampled ? m.powerFlow() : m.d.constant(true));
-    m.hazard(desc.execution == Execution::Compare ? Hazard::FatalIndirectAddress : Hazard::BadIndirectAddress, m.d.lnot(legal));
+    m.hazard(desc.execution == Execution::Compare ? Hazard::FatalIndirectAddress : Hazard::BadIndirectAddress,
+             m.d.lnot(legal));
     m.when(legal, [&] { Op::run(m, args); });
   };
   if constexpr (desc.execution == Execution::Conditional) {

@@ -10,7 +10,9 @@ namespace rungproof {
 inline constexpr int maxParameters = 16;  ///< 001:6775
 
 /// Lowest SM byte that a parameter of that section may name (001:6757): results must not go to read-only bytes.
-constexpr std::uint32_t firstParameterSm(VarSection section) { return section == VarSection::Input ? 0 : smReadOnlyLast + 1; }
+constexpr std::uint32_t firstParameterSm(VarSection section) {
+  return section == VarSection::Input ? 0 : smReadOnlyLast + 1;
+}
 
 /// Forms of the actual parameter. A pointer in an accumulator must be AC1 to AC3 (001:6756), as everywhere. REAL is
 /// missing in the table and taken as the double word types without HC and addresses. STRING: a pointer or a text.

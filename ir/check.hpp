@@ -5,10 +5,10 @@
 #include <cstdlib>
 
 /// Aborts with place and text unless `condition` holds. Never for errors that a user can cause.
-#define CHECK(condition, text)                                                                       \
-  do {                                                                                               \
-    if (!(condition)) {                                                                              \
+#define CHECK(condition, text)                                                                        \
+  do {                                                                                                \
+    if (!(condition)) {                                                                               \
       std::fprintf(stderr, "%s:%d: internal error: %s (%s)\n", __FILE__, __LINE__, text, #condition); \
-      std::abort();                                                                                  \
-    }                                                                                                \
+      std::abort();                                                                                   \
+    }                                                                                                 \
   } while (false)

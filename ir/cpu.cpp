@@ -20,7 +20,9 @@ struct LimitIndex {
 
   static std::size_t at(Edition edition, Cpu cpu, Area area, Width width) {
     return ((static_cast<std::size_t>(edition) * cpuCount + static_cast<std::size_t>(cpu)) * areaCount +
-            static_cast<std::size_t>(area)) * 4 + static_cast<std::size_t>(width);
+            static_cast<std::size_t>(area)) *
+               4 +
+           static_cast<std::size_t>(width);
   }
   LimitIndex() {
     for (const cpu_tables::LimitRow& row : cpu_tables::limits) {
@@ -105,7 +107,8 @@ bool eventExists(const Target& target, int event) {
   if (event < 0 || event > 33) return false;
   if (target.cpu == Cpu::Cpu212) return event <= 1 || (event >= 8 && event <= 10) || event == 12;
   if (target.cpu == Cpu::Cpu214) return event <= 20;
-  if (target.cpu == Cpu::Cpu221 || target.cpu == Cpu::Cpu222) return event <= 12 || (event >= 19 && event <= 23) || event >= 27;
+  if (target.cpu == Cpu::Cpu221 || target.cpu == Cpu::Cpu222)
+    return event <= 12 || (event >= 19 && event <= 23) || event >= 27;
   if (target.cpu == Cpu::Cpu224) return event <= 23 || event >= 27;
   return true;
 }
@@ -126,8 +129,9 @@ struct TimerRange {
 };
 // Table 6-74 (001:6597-6603).
 constexpr TimerRange timerRanges[] = {
-    {0, 0, 1, true},     {1, 4, 10, true},     {5, 31, 100, true},   {32, 32, 1, false},   {33, 36, 10, false},   {37, 63, 100, false},
-    {64, 64, 1, true},   {65, 68, 10, true},   {69, 95, 100, true},  {96, 96, 1, false},   {97, 100, 10, false},  {101, 255, 100, false},
+    {0, 0, 1, true},     {1, 4, 10, true},     {5, 31, 100, true},   {32, 32, 1, false},
+    {33, 36, 10, false}, {37, 63, 100, false}, {64, 64, 1, true},    {65, 68, 10, true},
+    {69, 95, 100, true}, {96, 96, 1, false},   {97, 100, 10, false}, {101, 255, 100, false},
 };
 
 const TimerRange* timerRange(int number) {
@@ -149,7 +153,9 @@ bool timerIsRetentive(int number) {
 }
 
 std::uint32_t areaSize(const Target& target, Area area) {
-  const Width width = area == Area::HC ? Width::DWord : (area == Area::AI || area == Area::AQ || area == Area::T || area == Area::C) ? Width::Word : Width::Byte;
+  const Width width = area == Area::HC                                                               ? Width::DWord
+                      : (area == Area::AI || area == Area::AQ || area == Area::T || area == Area::C) ? Width::Word
+                                                                                                     : Width::Byte;
   const std::optional<AddressLimit> limit = addressLimit(target, area, width);
   if (!limit) return 0;
   return limit->lastByte + static_cast<std::uint32_t>(area == Area::AI || area == Area::AQ ? 2 : 1);

@@ -53,7 +53,7 @@ struct CpuFeatures {
   int queueIo = 16;             ///< 001:5488
   int queueTimed = 8;           ///< 001:5489
   int pulseOutputs = 2;
-  bool clockBuiltIn = true;     ///< 001:565; without, TODR gives error 000C
+  bool clockBuiltIn = true;  ///< 001:565; without, TODR gives error 000C
 };
 CpuFeatures cpuFeatures(const Target& target);
 /// Whether the CPU has that interrupt event (001:5366).

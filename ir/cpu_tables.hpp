@@ -27,7 +27,8 @@ inline constexpr CpuSet all2004 = c221 | c222 | c224 | c224XP | c226;
 inline constexpr CpuSet all2003 = c221 | c222 | c224 | c226 | c226XM;
 /// The S7-212 and S7-214 are older than both editions; their rows serve whichever edition is chosen.
 inline constexpr Edition oldEdition = Edition::Edition2003;
-inline constexpr std::string_view untabled = "limit from general knowledge: the application examples give no table for this CPU";
+inline constexpr std::string_view untabled =
+    "limit from general knowledge: the application examples give no table for this CPU";
 
 // clang-format off
 inline constexpr LimitRow limits[] = {

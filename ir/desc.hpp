@@ -15,10 +15,20 @@ namespace rungproof {
 
 /// Data type of an operand as the manual's operand tables name it, plus the kinds of number.
 enum class Type : std::uint8_t {
-  Bool, Byte, Word, Int, DWord, DInt, Real, String,
-  Timer, Counter,               ///< a T or C number; word access is its current value
-  Label, Subroutine, Interrupt, ///< numbers of LBL, SBR, INT
-  Parameter                     ///< an actual parameter of CALL: its type comes from the called block
+  Bool,
+  Byte,
+  Word,
+  Int,
+  DWord,
+  DInt,
+  Real,
+  String,
+  Timer,
+  Counter,  ///< a T or C number; word access is its current value
+  Label,
+  Subroutine,
+  Interrupt,  ///< numbers of LBL, SBR, INT
+  Parameter   ///< an actual parameter of CALL: its type comes from the called block
 };
 
 enum class Direction : std::uint8_t { In, Out, InOut };
@@ -27,9 +37,9 @@ enum class Direction : std::uint8_t { In, Out, InOut };
 using Forms = std::uint32_t;
 namespace form {
 constexpr Forms area(Area a) { return 1U << static_cast<unsigned>(a); }
-inline constexpr Forms I = area(Area::I), Q = area(Area::Q), AI = area(Area::AI), AQ = area(Area::AQ), V = area(Area::V),
-                       M = area(Area::M), S = area(Area::S), SM = area(Area::SM), L = area(Area::L), T = area(Area::T),
-                       C = area(Area::C), AC = area(Area::AC), HC = area(Area::HC);
+inline constexpr Forms I = area(Area::I), Q = area(Area::Q), AI = area(Area::AI), AQ = area(Area::AQ),
+                       V = area(Area::V), M = area(Area::M), S = area(Area::S), SM = area(Area::SM), L = area(Area::L),
+                       T = area(Area::T), C = area(Area::C), AC = area(Area::AC), HC = area(Area::HC);
 inline constexpr Forms PtrV = 1U << 16, PtrL = 1U << 17, PtrAC = 1U << 18;  ///< *VD, *LD, *AC (AC1-AC3, 001:1459)
 inline constexpr Forms Const = 1U << 19;
 inline constexpr Forms Address = 1U << 20;  ///< &VB and the like (001:5619)
@@ -122,8 +132,25 @@ enum class Execution : std::uint8_t {
 
 /// Which control instruction, for ir/flow.hpp and ir/scan.hpp.
 enum class Control : std::uint8_t {
-  None, Jump, LabelMark, For, Next, Call, ReturnConditional, Return, InterruptReturnConditional, InterruptReturn,
-  End, MainEnd, Stop, Lscr, Scrt, ScrEndConditional, ScrEnd, SubroutineHead, InterruptHead
+  None,
+  Jump,
+  LabelMark,
+  For,
+  Next,
+  Call,
+  ReturnConditional,
+  Return,
+  InterruptReturnConditional,
+  InterruptReturn,
+  End,
+  MainEnd,
+  Stop,
+  Lscr,
+  Scrt,
+  ScrEndConditional,
+  ScrEnd,
+  SubroutineHead,
+  InterruptHead
 };
 
 /// Stack effect for depth analysis: levels it needs filled, levels popped, levels pushed.
@@ -143,27 +170,27 @@ inline constexpr StatusBits Zero = 1, Overflow = 2, Negative = 4, DivideByZero =
 inline constexpr int maxOperands = 5;  ///< CTUD.IEC has most
 
 struct Desc {
-  std::string_view stl;         ///< international mnemonic, "LDW>="
-  std::string_view german = {}; ///< SIMATIC German mnemonic where it differs, "UW>="
-  std::string_view family = {}; ///< "LDWx" for comparison families; empty: the mnemonic itself
-  std::string_view meaning = {};///< a few words for explain, xref and completion
-  std::string_view group = {};  ///< manual section, "boolean", "timers and counters"
+  std::string_view stl;           ///< international mnemonic, "LDW>="
+  std::string_view german = {};   ///< SIMATIC German mnemonic where it differs, "UW>="
+  std::string_view family = {};   ///< "LDWx" for comparison families; empty: the mnemonic itself
+  std::string_view meaning = {};  ///< a few words for explain, xref and completion
+  std::string_view group = {};    ///< manual section, "boolean", "timers and counters"
   std::array<OperandDesc, maxOperands> operands{};
   std::uint8_t operandCount = 0;
   Execution execution = Execution::Conditional;
   StackEffect stack{};
-  bool eno = false;             ///< sets the ENO bit (001:2276-2278)
-  StatusBits affects = 0;       ///< SM1.x bits it may change
+  bool eno = false;        ///< sets the ENO bit (001:2276-2278)
+  StatusBits affects = 0;  ///< SM1.x bits it may change
   Control control = Control::None;
   CpuSet cpus = everyCpu;
-  bool since2004 = false;       ///< absent from the 2003 edition (001:130)
-  bool olderDialectOnly = false;///< RET, RETI, MEND: written only in the one-text dialect
-  bool drawingOnly = false;     ///< SR, RS and the IEC boxes: exist in LAD/FBD only, named so in the IR
-  bool notInInterrupt = false;  ///< 001:5426, 001:3353
-  std::uint32_t time = 0;       ///< execution time with power flow in 0.01 us (Appendix F), 0 unknown; where it depends
-                                ///< on operands: inputs, local points, constant count, without elements; typical value
-  std::string_view manual = {}; ///< "001:4814"
-  std::uint16_t opcode = 0;     ///< position in the joined table, set by isa_list.hpp
+  bool since2004 = false;         ///< absent from the 2003 edition (001:130)
+  bool olderDialectOnly = false;  ///< RET, RETI, MEND: written only in the one-text dialect
+  bool drawingOnly = false;       ///< SR, RS and the IEC boxes: exist in LAD/FBD only, named so in the IR
+  bool notInInterrupt = false;    ///< 001:5426, 001:3353
+  std::uint32_t time = 0;  ///< execution time with power flow in 0.01 us (Appendix F), 0 unknown; where it depends
+                           ///< on operands: inputs, local points, constant count, without elements; typical value
+  std::string_view manual = {};  ///< "001:4814"
+  std::uint16_t opcode = 0;      ///< position in the joined table, set by isa_list.hpp
 
   constexpr const OperandDesc& operand(int i) const { return operands[static_cast<std::size_t>(i)]; }
   constexpr std::string_view familyName() const { return family.empty() ? stl : family; }

@@ -38,7 +38,7 @@ concept Domain = requires(D d, typename D::Bool p, typename D::Bits v, int w, st
   { d.bor(v, v, w) } -> std::same_as<typename D::Bits>;
   { d.bxor(v, v, w) } -> std::same_as<typename D::Bits>;
   { d.bnot(v, w) } -> std::same_as<typename D::Bits>;
-  { d.shl(v, v, w) } -> std::same_as<typename D::Bits>;   ///< both operands have width w
+  { d.shl(v, v, w) } -> std::same_as<typename D::Bits>;  ///< both operands have width w
   { d.lshr(v, v, w) } -> std::same_as<typename D::Bits>;
   { d.equal(v, v, w) } -> std::same_as<typename D::Bool>;
   { d.ult(v, v, w) } -> std::same_as<typename D::Bool>;
@@ -48,21 +48,21 @@ concept Domain = requires(D d, typename D::Bool p, typename D::Bits v, int w, st
   { d.select(p, v, v, w) } -> std::same_as<typename D::Bits>;
   { d.zext(v, w, w) } -> std::same_as<typename D::Bits>;  ///< value, from, to
   { d.sext(v, w, w) } -> std::same_as<typename D::Bits>;
-  { d.extract(v, w, w) } -> std::same_as<typename D::Bits>;       ///< value, highest bit, lowest bit
-  { d.concat(v, w, v, w) } -> std::same_as<typename D::Bits>;     ///< high, its width, low, its width
-  { d.bit(v, w) } -> std::same_as<typename D::Bool>;              ///< value, bit number
+  { d.extract(v, w, w) } -> std::same_as<typename D::Bits>;    ///< value, highest bit, lowest bit
+  { d.concat(v, w, v, w) } -> std::same_as<typename D::Bits>;  ///< high, its width, low, its width
+  { d.bit(v, w) } -> std::same_as<typename D::Bool>;           ///< value, bit number
   { d.fromBool(p, w) } -> std::same_as<typename D::Bits>;
   // REAL numbers as 32-bit patterns.
   { d.radd(v, v) } -> std::same_as<typename D::Bits>;
   { d.rsub(v, v) } -> std::same_as<typename D::Bits>;
   { d.rmul(v, v) } -> std::same_as<typename D::Bits>;
   { d.rdiv(v, v) } -> std::same_as<typename D::Bits>;
-  { d.rfunction(n, v) } -> std::same_as<typename D::Bits>;        ///< RealFunction as number
+  { d.rfunction(n, v) } -> std::same_as<typename D::Bits>;  ///< RealFunction as number
   { d.requal(v, v) } -> std::same_as<typename D::Bool>;
   { d.rless(v, v) } -> std::same_as<typename D::Bool>;
-  { d.rlegal(v) } -> std::same_as<typename D::Bool>;              ///< neither NaN nor infinite
-  { d.rfromInt(v) } -> std::same_as<typename D::Bits>;            ///< signed 32-bit to REAL
-  { d.rtoInt(v, true) } -> std::same_as<typename D::Bits>;        ///< REAL to signed 64-bit; true: round, false: truncate
+  { d.rlegal(v) } -> std::same_as<typename D::Bool>;        ///< neither NaN nor infinite
+  { d.rfromInt(v) } -> std::same_as<typename D::Bits>;      ///< signed 32-bit to REAL
+  { d.rtoInt(v, true) } -> std::same_as<typename D::Bits>;  ///< REAL to signed 64-bit; true: round, false: truncate
 };
 
 /// Functions of section "numeric functions" (001:4938-4995).

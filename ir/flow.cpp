@@ -46,7 +46,9 @@ class Pairing {
 
   void label(std::uint32_t i) {
     const auto [place, isNew] = labels_.emplace(number(i), i);
-    if (!isNew) flow_.faults.push_back({FlowProblem::LabelTwice, flow_.steps[i].instruction, flow_.steps[place->second].instruction});
+    if (!isNew)
+      flow_.faults.push_back(
+          {FlowProblem::LabelTwice, flow_.steps[i].instruction, flow_.steps[place->second].instruction});
   }
   void next(std::uint32_t i) {
     if (loops_.empty()) return fault(FlowProblem::NextWithoutFor, i);
@@ -75,7 +77,8 @@ class Pairing {
       }
       flow_.steps[i].partner = target->second;
       if (segmentOf_[i] != segmentOf_[target->second]) {
-        flow_.faults.push_back({FlowProblem::JumpAcrossScr, flow_.steps[i].instruction, flow_.steps[target->second].instruction});
+        flow_.faults.push_back(
+            {FlowProblem::JumpAcrossScr, flow_.steps[i].instruction, flow_.steps[target->second].instruction});
       }
     }
   }
@@ -105,7 +108,8 @@ Flow flowOf(const Pou& pou) {
   Flow flow;
   flow.pou = &pou;
   for (std::uint32_t n = 0; n < pou.networks.size(); ++n) {
-    for (const Instruction& instruction : pou.networks[n].instructions) flow.steps.push_back({&instruction, noPartner, n, instruction.id});
+    for (const Instruction& instruction : pou.networks[n].instructions)
+      flow.steps.push_back({&instruction, noPartner, n, instruction.id});
   }
   Pairing(flow).run();
   return flow;

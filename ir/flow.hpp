@@ -14,8 +14,17 @@ namespace rungproof {
 inline constexpr std::uint32_t noPartner = std::numeric_limits<std::uint32_t>::max();
 
 enum class FlowProblem : std::uint8_t {
-  LabelMissing, LabelTwice, JumpAcrossScr, ForWithoutNext, NextWithoutFor, ForTooDeep, LscrWithoutScre, ScreWithoutLscr, LscrInsideSegment,
-  ScrtOutsideSegment, EndInsideSegment
+  LabelMissing,
+  LabelTwice,
+  JumpAcrossScr,
+  ForWithoutNext,
+  NextWithoutFor,
+  ForTooDeep,
+  LscrWithoutScre,
+  ScreWithoutLscr,
+  LscrInsideSegment,
+  ScrtOutsideSegment,
+  EndInsideSegment
 };
 
 struct FlowFault {
@@ -27,7 +36,8 @@ struct FlowFault {
 /// One instruction with what the walk over it needs.
 struct FlowStep {
   const Instruction* instruction;
-  std::uint32_t partner;  ///< index in Flow::steps: JMP: its LBL; FOR: its NEXT and back; LSCR: its SCRE and back; SCRT, CSCRE: their LSCR, SCRE
+  std::uint32_t partner;  ///< index in Flow::steps: JMP: its LBL; FOR: its NEXT and back; LSCR: its SCRE and back;
+                          ///< SCRT, CSCRE: their LSCR, SCRE
   std::uint32_t network;  ///< index in Pou::networks
   std::uint32_t id;       ///< Instruction::id
 };

@@ -33,7 +33,11 @@
 
 namespace rungproof::isa {
 
-using AllInstructions = Join<ContactGroup, CoilGroup, StackGroup, EdgeGroup, BistableGroup, ClockGroup, CommGroup, CompareGroup, ConvertGroup, AsciiGroup, StringGroup, StringEditGroup, CounterGroup, HscGroup, PulseGroup, IntegerGroup, RealGroup, IncrementGroup, PidGroup, InterruptGroup, LogicGroup, MoveGroup, ControlGroup, CallGroup, ScrGroup, ShiftGroup, TableGroup, TimerGroup>::type;
+using AllInstructions =
+    Join<ContactGroup, CoilGroup, StackGroup, EdgeGroup, BistableGroup, ClockGroup, CommGroup, CompareGroup,
+         ConvertGroup, AsciiGroup, StringGroup, StringEditGroup, CounterGroup, HscGroup, PulseGroup, IntegerGroup,
+         RealGroup, IncrementGroup, PidGroup, InterruptGroup, LogicGroup, MoveGroup, ControlGroup, CallGroup, ScrGroup,
+         ShiftGroup, TableGroup, TimerGroup>::type;
 
 template <class... Ops>
 constexpr std::array<Desc, sizeof...(Ops)> makeTable(Group<Ops...>) {

@@ -20,7 +20,7 @@ struct LibraryParameter {
 };
 
 struct LibraryBlock {
-  std::string_view name;  ///< "PTOx_RUN"
+  std::string_view name;                         ///< "PTOx_RUN"
   std::span<const LibraryParameter> parameters;  ///< in the order of CALL
   std::string_view manual;
 };

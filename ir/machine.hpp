@@ -27,36 +27,36 @@ namespace rungproof {
 /// Sources of values that the program does not determine. Concrete takes them from the stimulus or a fixed
 /// choice; Graph makes a fresh input of the scan for each.
 enum class External : std::uint8_t {
-  ImmediateInput,   ///< physical input read in mid-scan; index = bit number 0..127
-  AnalogInput,      ///< AIW; index = word address
-  StackBottom,      ///< level shifted in by a pop (001:2868)
-  LocalMemory,      ///< L on entry to a block (001:1373); index = byte
-  ClockByte,        ///< byte of the real-time clock; index = offset in the TODR buffer
-  IntervalClock,    ///< free-running ms counter of BITIM
-  NetworkStatus,    ///< NETR/NETW completion; index = table byte
+  ImmediateInput,  ///< physical input read in mid-scan; index = bit number 0..127
+  AnalogInput,     ///< AIW; index = word address
+  StackBottom,     ///< level shifted in by a pop (001:2868)
+  LocalMemory,     ///< L on entry to a block (001:1373); index = byte
+  ClockByte,       ///< byte of the real-time clock; index = offset in the TODR buffer
+  IntervalClock,   ///< free-running ms counter of BITIM
+  NetworkStatus,   ///< NETR/NETW completion; index = table byte
   ReceivedByte,
   StationAddress,
-  LibraryOutput,    ///< result of a library block; index = parameter
-  AsyncTicks,       ///< 1 ms ticks that elapse before this instruction
-  EventFires,       ///< whether interrupt event `index` occurs before this instruction
-  UnknownStatus,    ///< status bits that the manual calls meaningless after an error (001:4814)
-  UnknownResult     ///< result that the manual leaves open after an error
+  LibraryOutput,  ///< result of a library block; index = parameter
+  AsyncTicks,     ///< 1 ms ticks that elapse before this instruction
+  EventFires,     ///< whether interrupt event `index` occurs before this instruction
+  UnknownStatus,  ///< status bits that the manual calls meaningless after an error (001:4814)
+  UnknownResult   ///< result that the manual leaves open after an error
 };
 
 /// What an instruction tells the system around the program, beyond the registers it changes.
 enum class Signal : std::uint8_t {
-  EventAttached,     ///< ATCH; index = event. A timed event takes over its interval and starts anew (001:5472)
-  EventDetached,     ///< DTCH; index = event
-  EventsCleared,     ///< CEVNT; index = event: its queued entries are dropped (001:5357)
-  WatchdogRestarted, ///< WDR
-  Stopped,           ///< STOP
-  ClockSet,          ///< TODW, TODWX; index = bytes that Reg::ClockSetting holds, 8 or 19
-  HscLoaded,         ///< HSC; index = counter
-  PulseCommand,      ///< PLS started, changed or stopped output `index`
-  TransmitStarted,   ///< XMT; index = port
-  ReceiveStarted,    ///< RCV; index = port
-  ReceiveEnded,      ///< RCV with the enable bit off ended a reception; index = port
-  NetworkStarted     ///< NETR, NETW; index = entry of Reg::NetTable
+  EventAttached,      ///< ATCH; index = event. A timed event takes over its interval and starts anew (001:5472)
+  EventDetached,      ///< DTCH; index = event
+  EventsCleared,      ///< CEVNT; index = event: its queued entries are dropped (001:5357)
+  WatchdogRestarted,  ///< WDR
+  Stopped,            ///< STOP
+  ClockSet,           ///< TODW, TODWX; index = bytes that Reg::ClockSetting holds, 8 or 19
+  HscLoaded,          ///< HSC; index = counter
+  PulseCommand,       ///< PLS started, changed or stopped output `index`
+  TransmitStarted,    ///< XMT; index = port
+  ReceiveStarted,     ///< RCV; index = port
+  ReceiveEnded,       ///< RCV with the enable bit off ended a reception; index = port
+  NetworkStarted      ///< NETR, NETW; index = entry of Reg::NetTable
 };
 
 /// Where an external value is asked for; with the order of execution it identifies the value within a scan.
@@ -103,8 +103,14 @@ constexpr std::uint32_t encode(Area area, std::uint32_t offset) {
     case Area::SM: tag = 0x05; break;
     case Area::S: tag = 0x06; break;
     case Area::V: tag = 0x08; break;
-    case Area::T: tag = 0x09; offset *= 2; break;
-    case Area::C: tag = 0x0A; offset *= 2; break;
+    case Area::T:
+      tag = 0x09;
+      offset *= 2;
+      break;
+    case Area::C:
+      tag = 0x0A;
+      offset *= 2;
+      break;
     default: tag = 0xFF; break;
   }
   return tag << 24 | offset;
@@ -134,12 +140,12 @@ struct Ref {
   Area area = Area::V;
   std::uint32_t offset = 0;  ///< byte or number
   std::uint8_t bit = 0;
-  const Operand* text = nullptr;   ///< string constant that stands in the operand
-  bool mayBeText = false;          ///< pointer that may name a string constant of Plan::texts
+  const Operand* text = nullptr;  ///< string constant that stands in the operand
+  bool mayBeText = false;         ///< pointer that may name a string constant of Plan::texts
   bool isPlace = false;
-  bool isUnresolved = false;                ///< pointer whose targets are not known: reads give anything
-  typename D::Bits value{};                 ///< constant; mayBeText: the pointer
-  typename D::Targets targets{};            ///< a container of PointerTarget<D>; empty unless a pointer with several targets
+  bool isUnresolved = false;      ///< pointer whose targets are not known: reads give anything
+  typename D::Bits value{};       ///< constant; mayBeText: the pointer
+  typename D::Targets targets{};  ///< a container of PointerTarget<D>; empty unless a pointer with several targets
 };
 
 template <class D>
@@ -149,10 +155,18 @@ class Machine {
   using Bits = typename D::Bits;
 
   Machine(D& domain, typename D::Store& state, const Plan& programPlan, const Choices& choiceTable)
-      : d(domain), store(state), plan(programPlan), target(programPlan.program->target), choices(choiceTable),
-        guard(domain.constant(true)), halted(domain.constant(false)), scrActive(domain.constant(true)), ticks100(domain.literal(0, 16)) {
+      : d(domain),
+        store(state),
+        plan(programPlan),
+        target(programPlan.program->target),
+        choices(choiceTable),
+        guard(domain.constant(true)),
+        halted(domain.constant(false)),
+        scrActive(domain.constant(true)),
+        ticks100(domain.literal(0, 16)) {
     stack.fill(domain.constant(false));
-    for (int a = 0; a < areaCount; ++a) areaSizes_[static_cast<std::size_t>(a)] = rungproof::areaSize(target, static_cast<Area>(a));
+    for (int a = 0; a < areaCount; ++a)
+      areaSizes_[static_cast<std::size_t>(a)] = rungproof::areaSize(target, static_cast<Area>(a));
   }
 
   D& d;
@@ -161,9 +175,9 @@ class Machine {
   const Target target;
   const Choices& choices;
 
-  Bool guard;        ///< the current instruction runs under this condition
-  Bool halted;       ///< STOP or a fatal error has ended the program
-  Bool scrActive;    ///< true outside segments; inside: the SCR stack
+  Bool guard;                 ///< the current instruction runs under this condition
+  Bool halted;                ///< STOP or a fatal error has ended the program
+  Bool scrActive;             ///< true outside segments; inside: the SCR stack
   std::array<Bool, 9> stack;  ///< logic stack, [0] is the top (001:2753)
   unsigned frame = 0;         ///< local memory in use: 0 main, 1..8 nesting, 9 interrupt, 10 its subroutine
   bool inInterrupt = false;
@@ -326,7 +340,9 @@ void Machine<D>::save(Area area, std::uint32_t offset, Width width, Bits value, 
       set(Reg::Accumulator, offset, w == 32 ? value : d.concat(d.extract(high, 31, w), 32 - w, value, w));
       return;
     }
-    default: store.save(area, addressBits(area, offset) + (width == Width::Bit ? bit : 0), bits(width), value, guard); return;
+    default:
+      store.save(area, addressBits(area, offset) + (width == Width::Bit ? bit : 0), bits(width), value, guard);
+      return;
   }
 }
 

@@ -9,8 +9,8 @@
 namespace rungproof {
 
 std::string_view areaName(Area area) {
-  static constexpr std::array<std::string_view, areaCount> names = {"I", "Q", "AI", "AQ", "V", "M", "S",
-                                                                    "SM", "L", "T", "C", "AC", "HC"};
+  static constexpr std::array<std::string_view, areaCount> names = {"I",  "Q", "AI", "AQ", "V",  "M", "S",
+                                                                    "SM", "L", "T",  "C",  "AC", "HC"};
   return names[static_cast<std::size_t>(area)];
 }
 

@@ -38,14 +38,14 @@ enum class ConstantForm : std::uint8_t { Decimal, SignedDecimal, Hex, Binary, As
 /// One operand. Which fields count is told by `kind`.
 struct Operand {
   OperandKind kind = OperandKind::Missing;
-  Area area = Area::V;            ///< Direct, Address: the area; Indirect: the area that holds the pointer
-  Width width = Width::Bit;       ///< width as written (VW -> Word); T and C: Bit, the instruction decides; AC: DWord
+  Area area = Area::V;       ///< Direct, Address: the area; Indirect: the area that holds the pointer
+  Width width = Width::Bit;  ///< width as written (VW -> Word); T and C: Bit, the instruction decides; AC: DWord
   ConstantForm form = ConstantForm::Decimal;
-  std::uint8_t bit = 0;           ///< bit number 0..7 as written; values above 7 are kept for ADR001
-  std::uint32_t offset = 0;       ///< byte number, or the number of a timer, counter, accumulator, HC
-  std::int64_t value = 0;         ///< Constant: value (REAL: IEEE single bits)
-  Span span;                      ///< the operand as written
-  std::string text;               ///< Symbol: name; Text: characters; resolved symbols: the name that stood there
+  std::uint8_t bit = 0;      ///< bit number 0..7 as written; values above 7 are kept for ADR001
+  std::uint32_t offset = 0;  ///< byte number, or the number of a timer, counter, accumulator, HC
+  std::int64_t value = 0;    ///< Constant: value (REAL: IEEE single bits)
+  Span span;                 ///< the operand as written
+  std::string text;          ///< Symbol: name; Text: characters; resolved symbols: the name that stood there
 
   bool isMemory() const { return kind == OperandKind::Direct || kind == OperandKind::Indirect; }
 };

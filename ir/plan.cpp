@@ -22,7 +22,8 @@ TimerKind timerKind(const Desc& desc) {
 }
 
 const TimerUse* Plan::timer(std::uint32_t number) const {
-  const auto found = std::find_if(timers.begin(), timers.end(), [&](const TimerUse& use) { return use.number == number; });
+  const auto found =
+      std::find_if(timers.begin(), timers.end(), [&](const TimerUse& use) { return use.number == number; });
   return found == timers.end() ? nullptr : &*found;
 }
 
@@ -40,9 +41,11 @@ Plan::Plan(const Program& source) : program(&source) {
       }
       const bool isTimer = instruction.desc->operandCount > 0 && instruction.desc->operands[0].type == Type::Timer;
       if (!isTimer || instruction.operands.empty()) continue;
-      const TimerUse use{instruction.operands[0].offset, instruction.desc, timerResolution(static_cast<int>(instruction.operands[0].offset)),
+      const TimerUse use{instruction.operands[0].offset, instruction.desc,
+                         timerResolution(static_cast<int>(instruction.operands[0].offset)),
                          timerKind(*instruction.desc), timer(instruction.operands[0].offset) == nullptr};
-      const bool isKnown = std::any_of(timers.begin(), timers.end(), [&](const TimerUse& t) { return t.number == use.number && t.desc == use.desc; });
+      const bool isKnown = std::any_of(timers.begin(), timers.end(),
+                                       [&](const TimerUse& t) { return t.number == use.number && t.desc == use.desc; });
       if (!isKnown) timers.push_back(use);
     }
   }

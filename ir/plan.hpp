@@ -28,8 +28,8 @@ struct Plan {
   explicit Plan(const Program& program);
 
   const Program* program;
-  std::vector<Flow> flows;            ///< parallel to Program::pous
-  std::vector<std::uint32_t> edge;    ///< by Instruction::id: number of the EU or ED, else noPartner
+  std::vector<Flow> flows;          ///< parallel to Program::pous
+  std::vector<std::uint32_t> edge;  ///< by Instruction::id: number of the EU or ED, else noPartner
   std::uint32_t edgeCount = 0;
   std::vector<TimerUse> timers;       ///< in the order of first use
   std::vector<const Operand*> texts;  ///< string constants given to subroutines; pointers name them by their index

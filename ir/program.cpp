@@ -25,14 +25,15 @@ std::size_t Program::instructionCount() const {
 namespace {
 
 const Pou* find(const std::vector<Pou>& pous, PouKind kind, int number) {
-  const auto found = std::find_if(pous.begin(), pous.end(),
-                                  [&](const Pou& pou) { return pou.kind == kind && pou.number == number; });
+  const auto found =
+      std::find_if(pous.begin(), pous.end(), [&](const Pou& pou) { return pou.kind == kind && pou.number == number; });
   return found == pous.end() ? nullptr : &*found;
 }
 
 bool sameCell(const Operand& a, const Operand& b) {
   const bool byNumber = a.area == Area::T || a.area == Area::C;
-  return a.kind == b.kind && a.area == b.area && a.offset == b.offset && (byNumber || (a.width == b.width && a.bit == b.bit));
+  return a.kind == b.kind && a.area == b.area && a.offset == b.offset &&
+         (byNumber || (a.width == b.width && a.bit == b.bit));
 }
 
 }  // namespace

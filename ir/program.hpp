@@ -49,7 +49,7 @@ struct Network {
   std::string title;
   std::vector<Comment> comments;
   std::vector<Instruction> instructions;
-  Span span;        ///< heading through last line
+  Span span;  ///< heading through last line
   Form form = Form::Stl;
   std::shared_ptr<const Drawing> drawing;  ///< of a network that was read as a drawing, lowered to `instructions`
   bool complete = true;  ///< false: a line of it could not be read; its findings stand in Program::findings

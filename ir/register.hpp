@@ -10,19 +10,55 @@ namespace rungproof {
 
 enum class Reg : std::uint8_t {
   Accumulator,
-  TimerCurrent, TimerBit, TimerRunning, TimerPreset, TimerInput,
-  CounterCurrent, CounterBit, CounterUp, CounterDown,
-  EdgeMemory, EdgeSeen,
-  PhysicalInput, PhysicalOutput,
-  EventRoutine, InterruptsEnabled,
-  HscCurrent, HscPreset, HscMode, HscEnabled, HscUp, HscSetup,
-  PulseBusy, PulsePending, PulseCycle, PulseWidth, PulseCount, PulseIsPwm, PulseIsMs, PulseSegments, PulseTable,
-  PulseNextCycle, PulseNextCount, PulseNextIsMs,
-  PortBusy, PortTable, StationAddress, NetActive, NetTable, NetIsWrite,
+  TimerCurrent,
+  TimerBit,
+  TimerRunning,
+  TimerPreset,
+  TimerInput,
+  CounterCurrent,
+  CounterBit,
+  CounterUp,
+  CounterDown,
+  EdgeMemory,
+  EdgeSeen,
+  PhysicalInput,
+  PhysicalOutput,
+  EventRoutine,
+  InterruptsEnabled,
+  HscCurrent,
+  HscPreset,
+  HscMode,
+  HscEnabled,
+  HscUp,
+  HscSetup,
+  PulseBusy,
+  PulsePending,
+  PulseCycle,
+  PulseWidth,
+  PulseCount,
+  PulseIsPwm,
+  PulseIsMs,
+  PulseSegments,
+  PulseTable,
+  PulseNextCycle,
+  PulseNextCount,
+  PulseNextIsMs,
+  PortBusy,
+  PortTable,
+  StationAddress,
+  NetActive,
+  NetTable,
+  NetIsWrite,
   ClockSetting,
   PidHistory,
-  PhaseTen, PhaseHundred, PhaseSecond, PhaseMinute,
-  Eno, FirstScan, Running, DiagnosticLed,
+  PhaseTen,
+  PhaseHundred,
+  PhaseSecond,
+  PhaseMinute,
+  Eno,
+  FirstScan,
+  Running,
+  DiagnosticLed,
   count
 };
 
@@ -42,41 +78,41 @@ inline constexpr std::array<RegInfo, static_cast<std::size_t>(Reg::count)> regTa
     {Reg::TimerInput, "T.in", 1, 256},         // input of the last execution
     {Reg::CounterCurrent, "C.value", 16, 256},
     {Reg::CounterBit, "C", 1, 256},
-    {Reg::CounterUp, "C.up", 1, 256},          // count inputs of the last execution
+    {Reg::CounterUp, "C.up", 1, 256},  // count inputs of the last execution
     {Reg::CounterDown, "C.down", 1, 256},
     {Reg::EdgeMemory, "edge", 1, 0},
     {Reg::EdgeSeen, "edge.seen", 1, 0},
     {Reg::PhysicalInput, "input", 1, 128},
     {Reg::PhysicalOutput, "output", 1, 128},
-    {Reg::EventRoutine, "event", 8, 34},       // 0: detached, else interrupt number + 1
+    {Reg::EventRoutine, "event", 8, 34},  // 0: detached, else interrupt number + 1
     {Reg::InterruptsEnabled, "interrupts", 1, 1},
     {Reg::HscCurrent, "HC", 32, 6},
     {Reg::HscPreset, "HC.preset", 32, 6},
-    {Reg::HscMode, "HC.mode", 8, 6},           // 0: no HDEF yet, else mode + 1
+    {Reg::HscMode, "HC.mode", 8, 6},  // 0: no HDEF yet, else mode + 1
     {Reg::HscEnabled, "HC.enabled", 1, 6},
     {Reg::HscUp, "HC.up", 1, 6},
-    {Reg::HscSetup, "HC.setup", 3, 6},         // control bits 0-2 as HDEF found them (001:4279)
+    {Reg::HscSetup, "HC.setup", 3, 6},  // control bits 0-2 as HDEF found them (001:4279)
     {Reg::PulseBusy, "PLS.busy", 1, 2},
     {Reg::PulsePending, "PLS.pending", 1, 2},
     {Reg::PulseCycle, "PLS.cycle", 16, 2},
     {Reg::PulseWidth, "PLS.width", 16, 2},
     {Reg::PulseCount, "PLS.count", 32, 2},
     {Reg::PulseIsPwm, "PLS.pwm", 1, 2},
-    {Reg::PulseIsMs, "PLS.ms", 1, 2},          // time base 1 ms instead of 1 us
-    {Reg::PulseSegments, "PLS.segments", 8, 2},  // of a running profile, 0: single train
-    {Reg::PulseTable, "PLS.table", 16, 2},     // V byte of the running profile
+    {Reg::PulseIsMs, "PLS.ms", 1, 2},                // time base 1 ms instead of 1 us
+    {Reg::PulseSegments, "PLS.segments", 8, 2},      // of a running profile, 0: single train
+    {Reg::PulseTable, "PLS.table", 16, 2},           // V byte of the running profile
     {Reg::PulseNextCycle, "PLS.next.cycle", 16, 2},  // the one entry of the pipeline
     {Reg::PulseNextCount, "PLS.next.count", 32, 2},
     {Reg::PulseNextIsMs, "PLS.next.ms", 1, 2},
-    {Reg::PortBusy, "port.busy", 2, 2},        // bit 0: XMT, bit 1: RCV
-    {Reg::PortTable, "port.table", 32, 4},     // address of TBL: port 0 XMT, port 0 RCV, port 1 XMT, port 1 RCV
+    {Reg::PortBusy, "port.busy", 2, 2},           // bit 0: XMT, bit 1: RCV
+    {Reg::PortTable, "port.table", 32, 4},        // address of TBL: port 0 XMT, port 0 RCV, port 1 XMT, port 1 RCV
     {Reg::StationAddress, "port.address", 9, 2},  // 0: that of the system block, else SPA's + 1
-    {Reg::NetActive, "net.active", 4, 1},      // entries of net.table in use
-    {Reg::NetTable, "net.table", 32, 8},       // address of TBL of an active NETR or NETW, 0: free
+    {Reg::NetActive, "net.active", 4, 1},         // entries of net.table in use
+    {Reg::NetTable, "net.table", 32, 8},          // address of TBL of an active NETR or NETW, 0: free
     {Reg::NetIsWrite, "net.write", 1, 8},
-    {Reg::ClockSetting, "clock", 8, 19},       // bytes of the last TODW or TODWX
+    {Reg::ClockSetting, "clock", 8, 19},  // bytes of the last TODW or TODWX
     {Reg::PidHistory, "PID.history", 1, 8},
-    {Reg::PhaseTen, "phase10", 16, 1},         // ms since the last 10 ms tick that a scan took
+    {Reg::PhaseTen, "phase10", 16, 1},  // ms since the last 10 ms tick that a scan took
     {Reg::PhaseHundred, "phase100", 16, 1},
     {Reg::PhaseSecond, "phase1000", 10, 1},
     {Reg::PhaseMinute, "phase60000", 16, 1},

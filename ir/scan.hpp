@@ -100,8 +100,8 @@ class Scan {
   struct Walk {
     const Flow& flow;
     std::uint32_t next = 0;
-    std::map<std::uint32_t, Bool> sent{};           ///< guards on their way to a later instruction
-    std::map<std::uint32_t, int> rounds{};          ///< rounds made by each backward branch
+    std::map<std::uint32_t, Bool> sent{};   ///< guards on their way to a later instruction
+    std::map<std::uint32_t, int> rounds{};  ///< rounds made by each backward branch
   };
 
   void walk(const Flow& flow) {
@@ -188,7 +188,7 @@ class Scan {
   std::span<const Execute<D>> dispatch_;
   int loopLimit_;
   std::size_t stepLimit_;
-  std::size_t steps_ = 0;  ///< instructions walked so far
+  std::size_t steps_ = 0;              ///< instructions walked so far
   Bool ended_ = m_.d.constant(false);  ///< STOP has ended the interrupt routine that runs
 };
 
@@ -220,7 +220,8 @@ void Scan<D, Hooks>::control(Walk& w, std::uint32_t at) {
       const Bool active = m_.loadBit(Area::S, s.offset, s.bit);
       m_.setTop(active);
       m_.scrActive = m_.d.select(m_.guard, active, m_.scrActive);
-      if (m_.choices.is(Choice::InactiveScr, "skipped") && step.partner != noPartner) branch(w, m_.d.lnot(active), step.partner);
+      if (m_.choices.is(Choice::InactiveScr, "skipped") && step.partner != noPartner)
+        branch(w, m_.d.lnot(active), step.partner);
       break;
     }
     case Control::Scrt: {

@@ -45,7 +45,8 @@ void readInputs(Machine<D>& m) {
       m.save(Area::I, byte, Width::Byte, value);
     }
   } else {
-    for (std::uint32_t bit = 0; bit < regInfo(Reg::PhysicalInput).count; ++bit) m.saveBit(Area::I, bit / 8, bit % 8, m.getBit(Reg::PhysicalInput, bit));
+    for (std::uint32_t bit = 0; bit < regInfo(Reg::PhysicalInput).count; ++bit)
+      m.saveBit(Area::I, bit / 8, bit % 8, m.getBit(Reg::PhysicalInput, bit));
   }
 }
 

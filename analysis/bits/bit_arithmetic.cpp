@@ -102,8 +102,10 @@ LitVector BitArithmetic::shift(LitVector a, const LitVector& amount, bool left) 
     }
     LitVector moved(width, falseLit);
     for (std::size_t i = 0; i + distance < width; ++i) {
-      if (left) moved[i + distance] = a[i];
-      else moved[i] = a[i + distance];
+      if (left)
+        moved[i + distance] = a[i];
+      else
+        moved[i] = a[i + distance];
     }
     a = choose(amount[stage], moved, a);
   }

@@ -32,9 +32,9 @@ class BitArithmetic {
   LitVector shiftRight(const LitVector& a, const LitVector& amount);
   LitVector choose(Lit condition, const LitVector& a, const LitVector& b);
   Lit equal(const LitVector& a, const LitVector& b);
-  Lit less(const LitVector& a, const LitVector& b);         ///< unsigned
+  Lit less(const LitVector& a, const LitVector& b);  ///< unsigned
   Lit lessSigned(const LitVector& a, const LitVector& b);
-  Lit any(const LitVector& a);                              ///< some bit is 1
+  Lit any(const LitVector& a);  ///< some bit is 1
 
  private:
   LitVector negative(const LitVector& a) { return subtract(constant(0, static_cast<int>(a.size())), a); }

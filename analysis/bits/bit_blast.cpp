@@ -8,7 +8,8 @@
 
 namespace rungproof {
 
-BitBlast::BitBlast(const TransitionSystem& system, const std::vector<std::size_t>& questions, const std::vector<Node>& extra)
+BitBlast::BitBlast(const TransitionSystem& system, const std::vector<std::size_t>& questions,
+                   const std::vector<Node>& extra)
     : system_(system), graph_(*system.graph) {
   for (std::size_t i = 0; i < system.states.size(); ++i) states_.emplace(indexOf(system.states[i].node), i);
   for (std::size_t i = 0; i < system.inputs.size(); ++i) inputs_.emplace(indexOf(system.inputs[i]), i);
@@ -22,13 +23,15 @@ BitBlast::BitBlast(const TransitionSystem& system, const std::vector<std::size_t
   }
   for (const Node n : system.constraints) {
     bits_.constraints.push_back(of(n)[0]);
-    total_.push_back(std::find(system.totalConstraints.begin(), system.totalConstraints.end(), n) != system.totalConstraints.end());
+    total_.push_back(std::find(system.totalConstraints.begin(), system.totalConstraints.end(), n) !=
+                     system.totalConstraints.end());
   }
   for (const std::size_t q : questions) bits_.bads.push_back(of(system.questions[q].bad)[0]);
   for (const Node n : extra) remember(n);
 }
 
-BitBlast::BitBlast(const TransitionSystem& system, Node root, const std::unordered_set<std::uint32_t>& open) : system_(system), graph_(*system.graph) {
+BitBlast::BitBlast(const TransitionSystem& system, Node root, const std::unordered_set<std::uint32_t>& open)
+    : system_(system), graph_(*system.graph) {
   for (const std::uint32_t n : open) literals_.emplace(n, freshInputs({}, graph_[static_cast<Node>(n)].width));
   collectCone({root}, open);
   bits_.bads.push_back(of(root)[0]);
@@ -36,7 +39,8 @@ BitBlast::BitBlast(const TransitionSystem& system, Node root, const std::unorder
 
 void BitBlast::remember(Node n) {
   const Lit l = of(n)[0];
-  if (graph_[n].width == 1 && bits_.isGate(l)) nodes_.emplace(variableOf(l), isNegative(l) ? graph_.make(Op::Not, 1, n) : n);
+  if (graph_[n].width == 1 && bits_.isGate(l))
+    nodes_.emplace(variableOf(l), isNegative(l) ? graph_.make(Op::Not, 1, n) : n);
 }
 
 void BitBlast::add(const std::vector<Node>& nodes) {
@@ -58,7 +62,8 @@ void BitBlast::collectCone(const std::vector<Node>& roots, const std::unordered_
     inCone[indexOf(n)] = true;
     const NodeData& node = graph_[n];
     if (node.op == Op::Variable) {
-      if (const auto state = states_.find(indexOf(n)); state != states_.end()) stack.push_back(system_.states[state->second].next);
+      if (const auto state = states_.find(indexOf(n)); state != states_.end())
+        stack.push_back(system_.states[state->second].next);
       continue;
     }
     for (const Node child : node.child) {
@@ -93,8 +98,10 @@ LitVector BitBlast::freshInputs(const std::string& name, int width) {
 void BitBlast::blastDivision(const NodeData& node, const LitVector& a, const LitVector& b, LitVector& out) {
   BitArithmetic arithmetic(bits_);
   LitVector quotient, remainder;
-  if (node.op == Op::Udiv || node.op == Op::Urem) arithmetic.divide(a, b, quotient, remainder);
-  else arithmetic.divideSigned(a, b, quotient, remainder);
+  if (node.op == Op::Udiv || node.op == Op::Urem)
+    arithmetic.divide(a, b, quotient, remainder);
+  else
+    arithmetic.divideSigned(a, b, quotient, remainder);
   out = node.op == Op::Udiv || node.op == Op::Sdiv ? quotient : remainder;
 }
 
@@ -112,7 +119,9 @@ void BitBlast::blast(Node n) {
         const Node init = system_.states[state->second].init;
         CHECK(init == noNode || graph_[init].op == Op::Constant, "initial values are constants or free");
         for (int bit = 0; bit < width; ++bit) {
-          const LatchInit value = init == noNode ? LatchInit::Free : (graph_[init].value >> bit & 1U) != 0 ? LatchInit::One : LatchInit::Zero;
+          const LatchInit value = init == noNode                          ? LatchInit::Free
+                                  : (graph_[init].value >> bit & 1U) != 0 ? LatchInit::One
+                                                                          : LatchInit::Zero;
           out.push_back(bits_.addLatch(width == 1 ? name : name + "[" + std::to_string(bit) + "]", value));
           stateBits_.push_back({state->second, static_cast<std::uint32_t>(bit)});
         }
@@ -120,7 +129,8 @@ void BitBlast::blast(Node n) {
       }
       out = freshInputs(name, width);
       if (const auto input = inputs_.find(indexOf(n)); input != inputs_.end()) {
-        for (std::size_t i = inputBits_.size() - out.size(); i < inputBits_.size(); ++i) inputBits_[i].input = input->second;
+        for (std::size_t i = inputBits_.size() - out.size(); i < inputBits_.size(); ++i)
+          inputBits_[i].input = input->second;
       }
       break;
     }
@@ -147,7 +157,10 @@ void BitBlast::blast(Node n) {
       out = arg(1);
       out.insert(out.end(), arg(0).begin(), arg(0).end());
       break;
-    case Op::Extract: out.assign(arg(0).begin() + static_cast<std::ptrdiff_t>(node.value), arg(0).begin() + static_cast<std::ptrdiff_t>(node.value) + width); break;
+    case Op::Extract:
+      out.assign(arg(0).begin() + static_cast<std::ptrdiff_t>(node.value),
+                 arg(0).begin() + static_cast<std::ptrdiff_t>(node.value) + width);
+      break;
     case Op::Zext:
       out = arg(0);
       out.resize(static_cast<std::size_t>(width), falseLit);
@@ -168,7 +181,9 @@ void BitBlast::blast(Node n) {
     case Op::RealToInt:
       out = freshInputs("real " + std::to_string(indexOf(n)), width);
       unmodelled_.push_back(n);
-      for (int bit = 0; bit < width; ++bit) unmodelledInputs_.push_back(static_cast<std::uint32_t>(bits_.inputs.size()) - static_cast<std::uint32_t>(width - bit));
+      for (int bit = 0; bit < width; ++bit)
+        unmodelledInputs_.push_back(static_cast<std::uint32_t>(bits_.inputs.size()) -
+                                    static_cast<std::uint32_t>(width - bit));
       break;
   }
   CHECK(static_cast<int>(out.size()) == width, "width of a blasted node");
@@ -212,7 +227,8 @@ Node BitBlast::nodeOf(Lit l) {
 
 WordTrace BitBlast::wordTrace(const BitTrace& trace) const {
   WordTrace result;
-  for (const StateVariable& state : system_.states) result.initial.push_back(state.init == noNode ? 0 : graph_[state.init].value);
+  for (const StateVariable& state : system_.states)
+    result.initial.push_back(state.init == noNode ? 0 : graph_[state.init].value);
   for (std::size_t i = 0; i < stateBits_.size(); ++i) {
     const auto [state, bit] = stateBits_[i];
     std::uint64_t& value = result.initial[state];
@@ -221,7 +237,8 @@ WordTrace BitBlast::wordTrace(const BitTrace& trace) const {
   for (const std::vector<bool>& scan : trace.inputs) {
     std::vector<std::uint64_t>& values = result.inputs.emplace_back(system_.inputs.size(), 0);
     for (std::size_t i = 0; i < inputBits_.size(); ++i) {
-      if (inputBits_[i].input != noInput) values[inputBits_[i].input] |= static_cast<std::uint64_t>(scan[i]) << inputBits_[i].bit;
+      if (inputBits_[i].input != noInput)
+        values[inputBits_[i].input] |= static_cast<std::uint64_t>(scan[i]) << inputBits_[i].bit;
     }
   }
   return result;

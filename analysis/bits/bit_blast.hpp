@@ -25,7 +25,8 @@ struct WordTrace {
 class BitBlast {
  public:
   /// Covers the cone of `questions` (indices), of all constraints, and of `extra` nodes over states and inputs.
-  BitBlast(const TransitionSystem& system, const std::vector<std::size_t>& questions, const std::vector<Node>& extra = {});
+  BitBlast(const TransitionSystem& system, const std::vector<std::size_t>& questions,
+           const std::vector<Node>& extra = {});
   /// One node within one scan; `open` nodes (indices) and variables of any kind become free inputs.
   BitBlast(const TransitionSystem& system, Node root, const std::unordered_set<std::uint32_t>& open);
 
@@ -66,7 +67,7 @@ class BitBlast {
   const TransitionSystem& system_;
   Graph& graph_;
   BitSystem bits_;
-  std::unordered_map<std::uint32_t, LitVector> literals_;   ///< by node index
+  std::unordered_map<std::uint32_t, LitVector> literals_;    ///< by node index
   std::unordered_map<std::uint32_t, std::uint32_t> states_;  ///< variable node index -> index in system_.states
   std::unordered_map<std::uint32_t, std::uint32_t> inputs_;  ///< variable node index -> index in system_.inputs
   std::vector<StateBit> stateBits_;                          ///< by latch

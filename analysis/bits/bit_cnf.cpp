@@ -50,9 +50,8 @@ void BitCnf::encode(std::uint32_t variable) {
     BitChoice choice;
     const bool isChoice = recogniseChoice(graph_, positive(v), choice);
     const AndGate& gate = graph_.gateOf(positive(v));
-    const std::array<Lit, 3> children =
-        isChoice ? std::array<Lit, 3>{choice.condition, choice.then, choice.otherwise}
-                 : std::array<Lit, 3>{gate.left, gate.right, gate.right};
+    const std::array<Lit, 3> children = isChoice ? std::array<Lit, 3>{choice.condition, choice.then, choice.otherwise}
+                                                 : std::array<Lit, 3>{gate.left, gate.right, gate.right};
     bool ready = true;
     for (const Lit child : children) {
       if (of_[variableOf(child)] != 0) continue;

@@ -13,7 +13,8 @@ namespace {
 
 class ConeSearch {
  public:
-  ConeSearch(const BitSystem& system, const EqualLiterals& equal) : system_(system), equal_(equal), needed_(system.variableCount(), false) {}
+  ConeSearch(const BitSystem& system, const EqualLiterals& equal)
+      : system_(system), equal_(equal), needed_(system.variableCount(), false) {}
 
   Lit representative(Lit l) const { return equal_.empty() ? l : equal_[variableOf(l)] ^ (l & 1U); }
 
@@ -87,7 +88,8 @@ std::vector<std::vector<Lit>> BitCone::translated(const std::vector<std::vector<
     bool useful = true;
     for (const Lit l : clause) {
       const Lit t = translated(l);
-      useful = useful && t != outside && t != trueLit && std::find(inCone.begin(), inCone.end(), negate(t)) == inCone.end();
+      useful =
+          useful && t != outside && t != trueLit && std::find(inCone.begin(), inCone.end(), negate(t)) == inCone.end();
       if (t != falseLit) inCone.push_back(t);
     }
     if (useful) result.push_back(std::move(inCone));
@@ -95,8 +97,8 @@ std::vector<std::vector<Lit>> BitCone::translated(const std::vector<std::vector<
   return result;
 }
 
-BitCone makeCone(const BitSystem& system, const std::vector<Lit>& bads, const std::vector<bool>& isTotal, const EqualLiterals& equal,
-                 const std::vector<Lit>& wanted) {
+BitCone makeCone(const BitSystem& system, const std::vector<Lit>& bads, const std::vector<bool>& isTotal,
+                 const EqualLiterals& equal, const std::vector<Lit>& wanted) {
   ConeSearch search(system, equal);
   for (const Lit bad : bads) search.need(bad);
   std::vector<bool> kept(system.constraints.size(), false);
@@ -144,7 +146,8 @@ BitCone makeCone(const BitSystem& system, const std::vector<Lit>& bads, const st
   for (std::size_t i = 0; i < system.gates.size(); ++i) {
     const auto [a, b] = system.gates[i];
     const std::uint32_t v = system.gateVariables[i];
-    const bool possible = !isWanted.empty() && isWanted[v] && cone.translated(a) != BitCone::outside && cone.translated(b) != BitCone::outside;
+    const bool possible = !isWanted.empty() && isWanted[v] && cone.translated(a) != BitCone::outside &&
+                          cone.translated(b) != BitCone::outside;
     if (search.isNeeded(v) || possible) cone.toCone[v] = cone.system.addAnd(literal(a), literal(b));
   }
   for (std::size_t i = 0; i < cone.latches.size(); ++i) {

@@ -27,8 +27,8 @@ using EqualLiterals = std::vector<Lit>;
 
 /// `isTotal`, by constraint: left out unless it shares variables with the rest of the cone. Gates under `wanted` are
 /// kept where the variables they depend on belong to the cone.
-BitCone makeCone(const BitSystem& system, const std::vector<Lit>& bads, const std::vector<bool>& isTotal, const EqualLiterals& equal = {},
-                 const std::vector<Lit>& wanted = {});
+BitCone makeCone(const BitSystem& system, const std::vector<Lit>& bads, const std::vector<bool>& isTotal,
+                 const EqualLiterals& equal = {}, const std::vector<Lit>& wanted = {});
 
 /// A run of the cone as a run of the whole system. What the cone lacks is simulated; inputs outside are chosen such
 /// that total constraints hold. Empty if the constraints outside cannot be met, which isTotal promises never happens.

@@ -130,11 +130,16 @@ bool recogniseChoice(const BitSystem& system, Lit l, BitChoice& choice) {
   const auto [p, q] = system.gateOf(a);
   const auto [r, s] = system.gateOf(b);
   // The gate is !(c & t) & !(!c & e): its value is c ? !t : !e.
-  if (p == negate(r)) choice = {p, negate(q), negate(s)};
-  else if (p == negate(s)) choice = {p, negate(q), negate(r)};
-  else if (q == negate(r)) choice = {q, negate(p), negate(s)};
-  else if (q == negate(s)) choice = {q, negate(p), negate(r)};
-  else return false;
+  if (p == negate(r))
+    choice = {p, negate(q), negate(s)};
+  else if (p == negate(s))
+    choice = {p, negate(q), negate(r)};
+  else if (q == negate(r))
+    choice = {q, negate(p), negate(s)};
+  else if (q == negate(s))
+    choice = {q, negate(p), negate(r)};
+  else
+    return false;
   return true;
 }
 

@@ -11,7 +11,10 @@ namespace rungproof {
 class BmcSearch {
  public:
   explicit BmcSearch(const BitSystem& system)
-      : system_(system), unrolling_(system, Unrolling::Start::Initial), sat_(Sat::Use::Few), cnf_(unrolling_.graph(), sat_) {}
+      : system_(system),
+        unrolling_(system, Unrolling::Start::Initial),
+        sat_(Sat::Use::Few),
+        cnf_(unrolling_.graph(), sat_) {}
 
   /// Looks for a violation in the first `scans` scans. Unknown with the number of scans that are free of bad:
   /// less than `scans` when the budget was used up.

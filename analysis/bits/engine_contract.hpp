@@ -48,20 +48,20 @@ struct Verdict {
 class Budget {
  public:
   using Clock = std::chrono::steady_clock;
-  explicit Budget(Clock::time_point deadline, const std::atomic<bool>* cancel = nullptr, const std::atomic<bool>* outer = nullptr)
+  explicit Budget(Clock::time_point deadline, const std::atomic<bool>* cancel = nullptr,
+                  const std::atomic<bool>* outer = nullptr)
       : deadline_(deadline), cancel_(cancel), outer_(outer) {}
   /// A budget of that many seconds from now.
   static Budget seconds(double s, const std::atomic<bool>* cancel = nullptr, const std::atomic<bool>* outer = nullptr) {
-    return Budget(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(s)), cancel, outer);
+    return Budget(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(s)), cancel,
+                  outer);
   }
   /// The same cancellation, but at most that many seconds from now.
   Budget slice(double s) const {
     const Budget other = seconds(s, cancel_, outer_);
     return other.deadline_ < deadline_ ? other : *this;
   }
-  bool isExhausted() const {
-    return isSet(cancel_) || isSet(outer_) || Clock::now() >= deadline_;
-  }
+  bool isExhausted() const { return isSet(cancel_) || isSet(outer_) || Clock::now() >= deadline_; }
 
  private:
   static bool isSet(const std::atomic<bool>* flag) { return flag != nullptr && flag->load(std::memory_order_relaxed); }

@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::size_t stateLimit = 4U << 20U;
 constexpr std::size_t inputLimit = 12;
-constexpr std::size_t freeLimit = 16;   ///< latches of unknown initial value
-constexpr std::size_t latchLimit = 64;  ///< a state is one word
+constexpr std::size_t freeLimit = 16;    ///< latches of unknown initial value
+constexpr std::size_t latchLimit = 64;   ///< a state is one word
 constexpr std::size_t gateLimit = 3000;  ///< of a certificate that another solver can still check
 
 using State = std::uint64_t;  ///< bit i: latch i
@@ -167,8 +167,8 @@ class Exhaustive final : public Engine {
   std::vector<State> states_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> parents_;  ///< by state: predecessor, its inputs
   std::unordered_map<State, std::uint32_t> index_;
-  std::size_t done_ = 0;         ///< states fully expanded
-  std::uint32_t nextChoice_ = 0; ///< inputs to try next on state done_
+  std::size_t done_ = 0;          ///< states fully expanded
+  std::uint32_t nextChoice_ = 0;  ///< inputs to try next on state done_
   unsigned batches_ = 0;
 };
 

@@ -22,7 +22,8 @@ struct Obligation {
 
 class Ic3 final : public Engine {
  public:
-  Ic3(const BitSystem& system, const EngineOptions& options) : system_(system), options_(options), frames_(system, options_) {}
+  Ic3(const BitSystem& system, const EngineOptions& options)
+      : system_(system), options_(options), frames_(system, options_) {}
 
   Verdict advance(const Budget& budget) override {
     frames_.setBudget(budget);
@@ -96,15 +97,18 @@ class Ic3 final : public Engine {
   /// Shrinks a cube that is inductive relative to F_level to one with fewer literals.
   void generalise(Cube& cube, int level, int depth) {
     Cube order = cube;
-    std::stable_sort(order.begin(), order.end(), [&](Lit a, Lit b) { return frames_.activity(a) < frames_.activity(b); });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Lit a, Lit b) { return frames_.activity(a) < frames_.activity(b); });
     std::vector<Lit> needed;
     for (const Lit drop : order) {
       if (cube.size() <= 1) break;
       if (!std::binary_search(cube.begin(), cube.end(), drop)) continue;
       Cube smaller;
       std::copy_if(cube.begin(), cube.end(), std::back_inserter(smaller), [&](Lit l) { return l != drop; });
-      if (shrinks(smaller, level, depth, needed)) cube = std::move(smaller);
-      else needed.push_back(drop);
+      if (shrinks(smaller, level, depth, needed))
+        cube = std::move(smaller);
+      else
+        needed.push_back(drop);
     }
   }
 
@@ -135,7 +139,8 @@ class Ic3 final : public Engine {
       spoilers = 0;
       // Join: keep the literals that hold in the spoiling state too.
       Cube joined;
-      std::set_intersection(cube.begin(), cube.end(), state.whole.begin(), state.whole.end(), std::back_inserter(joined));
+      std::set_intersection(cube.begin(), cube.end(), state.whole.begin(), state.whole.end(),
+                            std::back_inserter(joined));
       if (joined.size() == cube.size() || joined.empty()) return false;
       for (const Lit l : needed) {
         if (!std::binary_search(joined.begin(), joined.end(), l)) return false;
@@ -148,7 +153,8 @@ class Ic3 final : public Engine {
     const int first = static_cast<int>(obligations_.size()) - 1;
     BitTrace trace;
     for (const Latch& latch : system_.latches) trace.initial.push_back(latch.init == LatchInit::One);
-    for (const Lit l : obligations_[first].state.latches) trace.initial[system_.position[variableOf(l)]] = !isNegative(l);
+    for (const Lit l : obligations_[first].state.latches)
+      trace.initial[system_.position[variableOf(l)]] = !isNegative(l);
     for (int i = first; i >= 0; i = obligations_[i].successor) trace.inputs.push_back(obligations_[i].state.inputs);
     CHECK(isViolation(system_, trace), "an IC3 run does not violate the property");
     verdict.answer = Answer::Violated;

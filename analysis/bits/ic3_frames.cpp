@@ -14,7 +14,10 @@ bool subsumes(const Cube& general, const Cube& special) {
 }
 
 Ic3Frames::Ic3Frames(const BitSystem& system, const EngineOptions& options)
-    : system_(system), options_(options), unrolling_(system, Unrolling::Start::Any), init_(system.variableCount(), LatchInit::Free),
+    : system_(system),
+      options_(options),
+      unrolling_(system, Unrolling::Start::Any),
+      init_(system.variableCount(), LatchInit::Free),
       activity_(system.variableCount(), 0) {
   for (const Lit bad : system.bads) bad_ = unrolling_.graph().addOr(bad_, unrolling_.at(0, bad));
   for (const Latch& latch : system.latches) init_[latch.variable] = latch.init;
@@ -73,7 +76,8 @@ bool Ic3Frames::meetsInitial(const Cube& cube) const {
 void Ic3Frames::assumeFrame(int level) {
   assumptions_.clear();
   if (level == 0) assumptions_.push_back(frameLiterals_[0]);
-  for (int i = std::max(level, 1); i < static_cast<int>(frameLiterals_.size()); ++i) assumptions_.push_back(frameLiterals_[i]);
+  for (int i = std::max(level, 1); i < static_cast<int>(frameLiterals_.size()); ++i)
+    assumptions_.push_back(frameLiterals_[i]);
 }
 
 Ic3State Ic3Frames::model() {
@@ -185,8 +189,10 @@ void Ic3Frames::addLemma(const Cube& cube, int level) {
     for (double& a : activity_) a *= 1e-100;
     bump_ *= 1e-100;
   }
-  if (asserted_ > 500 + 3 * alive) build();
-  else assertLemma(cube, level);
+  if (asserted_ > 500 + 3 * alive)
+    build();
+  else
+    assertLemma(cube, level);
 }
 
 bool Ic3Frames::isBlocked(const Cube& cube, int level) const {

@@ -65,7 +65,7 @@ class Ic3Frames {
   const Budget* budget_ = nullptr;
   Unrolling unrolling_;
   Lit bad_ = falseLit;
-  std::vector<LatchInit> init_;  ///< by variable
+  std::vector<LatchInit> init_;            ///< by variable
   std::vector<std::vector<Cube>> frames_;  ///< by level: lemmas that hold up to this level and not (known) above
   std::vector<double> activity_;           ///< by variable: how often in recent lemmas
   double bump_ = 1.0;

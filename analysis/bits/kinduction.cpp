@@ -11,7 +11,11 @@ namespace {
 class KInduction final : public Engine {
  public:
   KInduction(const BitSystem& system, const EngineOptions& options)
-      : system_(system), options_(options), base_(system), unrolling_(system, Unrolling::Start::Any), sat_(Sat::Use::Few),
+      : system_(system),
+        options_(options),
+        base_(system),
+        unrolling_(system, Unrolling::Start::Any),
+        sat_(Sat::Use::Few),
         cnf_(unrolling_.graph(), sat_) {}
 
   bool isExhausted() const override { return k_ >= options_.bound; }
@@ -69,7 +73,8 @@ class KInduction final : public Engine {
     std::vector<std::vector<bool>> states;
     for (int frame = 0; frame <= k_; ++frame) {
       std::vector<bool> state;
-      for (const Latch& latch : system_.latches) state.push_back(cnf_.value(unrolling_.at(frame, positive(latch.variable))));
+      for (const Latch& latch : system_.latches)
+        state.push_back(cnf_.value(unrolling_.at(frame, positive(latch.variable))));
       for (int earlier = 0; earlier < frame; ++earlier) {
         if (states[earlier] != state) continue;
         std::vector<Lit> differences;

@@ -45,8 +45,10 @@ class Simulation final : public Engine {
         CHECK(isViolation(system_, *verdict.trace), "a simulated run does not violate the property");
         return verdict;
       }
-      if (scan_ >= length_ || record_.size() + inputs > memoryLimit) endEpisode();
-      else runs_.step();
+      if (scan_ >= length_ || record_.size() + inputs > memoryLimit)
+        endEpisode();
+      else
+        runs_.step();
     }
     return verdict;
   }

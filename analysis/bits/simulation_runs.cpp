@@ -12,7 +12,8 @@ constexpr int redraws = 3;
 constexpr int sampleCount = 8;
 }  // namespace
 
-SimulationRuns::SimulationRuns(const BitSystem& system, std::uint64_t seed) : system_(system), simulator_(system), random_(seed) {
+SimulationRuns::SimulationRuns(const BitSystem& system, std::uint64_t seed)
+    : system_(system), simulator_(system), random_(seed) {
   if (!system.constraints.empty()) collectSamples();
   restart();
 }
@@ -43,8 +44,9 @@ bool SimulationRuns::choose() {
   std::vector<std::uint64_t> before(system_.inputs.size());
   for (std::size_t i = 0; i < before.size(); ++i) {
     before[i] = simulator_.input(i);
-    const std::uint64_t change =
-        fresh_ ? ~0ULL : everyScan | (everyScan << 1U & sparse(3)) | (everyScan << 2U & sparse(6)) | (everyScan << 3U & sparse(10));
+    const std::uint64_t change = fresh_ ? ~0ULL
+                                        : everyScan | (everyScan << 1U & sparse(3)) | (everyScan << 2U & sparse(6)) |
+                                              (everyScan << 3U & sparse(10));
     simulator_.setInput(i, (before[i] & ~change) | (random_() & change));
   }
   simulator_.evaluate();

@@ -33,7 +33,7 @@ std::string formText(const Operand& operand) {
 }
 
 void checkForm(const Facts& facts, FindingSink& sink, const Instruction& instruction, const OperandDesc& desc,
-                  const Operand& operand) {
+               const Operand& operand) {
   const auto report = [&](std::string message) {
     Finding& finding = sink.report(operand.span, std::move(message));
     finding.address = toString(operand);

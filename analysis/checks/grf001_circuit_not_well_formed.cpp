@@ -10,8 +10,9 @@ extern constexpr Rule grf001_circuit_not_well_formed = {
     .title = "Circuit not well formed",
     .severity = Severity::Error,
     .needs = Needs::Text,
-    .detects = "in a ladder or FBD network: an open end, a branch without contacts around others (short circuit), power "
-               "flow from right to left, an element in the middle that must stand at the left rail",
+    .detects =
+        "in a ladder or FBD network: an open end, a branch without contacts around others (short circuit), power "
+        "flow from right to left, an element in the middle that must stand at the left rail",
     .why = "a network is one closed circuit; the editor does not compile anything else, so what it does is not defined",
     .manual = "001:2230, 001:2304",
     .peers = "Mitsubishi compile error 6602 (reverse flow)",

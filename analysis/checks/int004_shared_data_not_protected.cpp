@@ -32,7 +32,8 @@ bool isWide(const Access& access) { return access.width == Width::Word || access
 
 /// Whether the instruction takes over a whole value that stands somewhere else.
 bool isCopy(const Instruction& instruction) {
-  return instruction.desc->stl.starts_with("MOV") && !instruction.operands.empty() && instruction.operands[0].kind != OperandKind::Constant;
+  return instruction.desc->stl.starts_with("MOV") && !instruction.operands.empty() &&
+         instruction.operands[0].kind != OperandKind::Constant;
 }
 
 /// Copied, changed and written back.
@@ -51,20 +52,26 @@ void findLostUpdates(const Facts& facts, const std::vector<std::uint8_t>& isProt
       const bool isInterrupt = facts.calls().reachedFromInterrupt(block) && !facts.calls().reachedFromMain(block);
       if (isInterrupt) {
         if (access.write && lost == nullptr) lost = &access;
-      } else if (access.width != Width::Bit && isProtected[access.instruction] == 0 && isCopy(facts.instruction(access.instruction))) {
+      } else if (access.width != Width::Bit && isProtected[access.instruction] == 0 &&
+                 isCopy(facts.instruction(access.instruction))) {
         if (!access.write && read == nullptr) read = &access;
-        if (access.write && read != nullptr && back == nullptr && access.instruction > read->instruction) back = &access;
+        if (access.write && read != nullptr && back == nullptr && access.instruction > read->instruction)
+          back = &access;
       }
     }
     if (lost == nullptr || read == nullptr || back == nullptr || back->instruction == lastReported) continue;
     lastReported = back->instruction;
-    Finding& finding = sink.report(facts.instruction(back->instruction).span,
-                                   fmt::format("{} is written back here as it was read before; what the interrupt routine {} writes to {} in between is lost",
-                                               accessName(*back), facts.pouOf(lost->instruction).name, accessName(*lost)));
+    Finding& finding =
+        sink.report(facts.instruction(back->instruction).span,
+                    fmt::format("{} is written back here as it was read before; what the interrupt routine {} writes "
+                                "to {} in between is lost",
+                                accessName(*back), facts.pouOf(lost->instruction).name, accessName(*lost)));
     finding.address = accessName(*back);
     finding.related.push_back({facts.instruction(read->instruction).span, "read in the scan"});
     finding.related.push_back({facts.instruction(lost->instruction).span, "written in the interrupt routine"});
-    finding.help = "change the bits in place by single instructions, or put DISI and ENI around reading and writing (001:5434-5440)";
+    finding.help =
+        "change the bits in place by single instructions, or put DISI and ENI around reading and writing "
+        "(001:5434-5440)";
   }
 }
 
@@ -116,8 +123,9 @@ extern constexpr Rule int004_shared_data_not_protected = {
     .detects =
         "a word or double word written in an interrupt routine and read elsewhere by more than one access, or copied, "
         "changed and written back elsewhere, without DISI and ENI around them",
-    .why = "the interrupt can come between two instructions, so the two reads may belong to different events, and what it "
-           "wrote between reading and writing back is undone",
+    .why =
+        "the interrupt can come between two instructions, so the two reads may belong to different events, and what it "
+        "wrote between reading and writing back is undone",
     .manual = "001:2084, 001:5434-5440",
     .bad =
         "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.1\nATCH INT0, 0\nENI\nNetwork 2\nLDW>= VW0, +10\n= "

@@ -1,5 +1,5 @@
-// SAF001: declared property violated. Spoken by the prover (analysis/proof/builtin_checks, analysis/proof/prover); this file is its page.
-// Tested by tests/prover/rule_questions_test.cpp, which runs the examples.
+// SAF001: declared property violated. Spoken by the prover (analysis/proof/builtin_checks, analysis/proof/prover); this
+// file is its page. Tested by tests/prover/rule_questions_test.cpp, which runs the examples.
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -9,7 +9,8 @@ extern constexpr Rule saf001_property_violated = {
     .title = "Declared property violated",
     .severity = Severity::Error,
     .needs = Needs::Solver,
-    .detects = "a declared property that some run of the program breaks; the run has been repeated by the reference engine",
+    .detects =
+        "a declared property that some run of the program breaks; the run has been repeated by the reference engine",
     .why = "the interlock that was meant is not the one that was written",
     .bad = "//@ prove follows: Q0.0 implies I0.0\nNetwork 1\nLD I0.0\nO I0.1\n= Q0.0\n",
     .good = "//@ prove follows: Q0.0 implies I0.0\nNetwork 1\nLD I0.0\nA I0.1\n= Q0.0\n",

@@ -1,5 +1,6 @@
-// SAF002: property holds for no good reason. Spoken by the prover (analysis/proof/builtin_checks, analysis/proof/prover); this file is its page.
-// Tested by tests/prover/rule_questions_test.cpp, which runs the examples.
+// SAF002: property holds for no good reason. Spoken by the prover (analysis/proof/builtin_checks,
+// analysis/proof/prover); this file is its page. Tested by tests/prover/rule_questions_test.cpp, which runs the
+// examples.
 #include "analysis/rule.hpp"
 
 namespace rungproof {

@@ -1,5 +1,6 @@
-// SAF004: emergency stop leaves an output on. Declared in a property, broken by a run. Asked by analysis/proof/safety_shape.cpp;
-// this file is its page. Tested by tests/prover/rule_questions_test.cpp, which runs the examples.
+// SAF004: emergency stop leaves an output on. Declared in a property, broken by a run. Asked by
+// analysis/proof/safety_shape.cpp; this file is its page. Tested by tests/prover/rule_questions_test.cpp, which runs
+// the examples.
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -9,8 +10,12 @@ extern constexpr Rule saf004_stop_leaves_output_on = {
     .title = "Emergency stop leaves an output on",
     .severity = Severity::Error,
     .needs = Needs::Solver,
-    .detects = "a declared property `not INPUT implies not OUTPUT` (INPUT for a stop that closes; several inputs with or, several outputs) that some run breaks",
-    .why = "with the stop active the output can be on at the end of that scan; besides, the manual demands a stop that works without the controller",
+    .detects =
+        "a declared property `not INPUT implies not OUTPUT` (INPUT for a stop that closes; several inputs with or, "
+        "several outputs) that some run breaks",
+    .why =
+        "with the stop active the output can be on at the end of that scan; besides, the manual demands a stop that "
+        "works without the controller",
     .manual = "001:1087, 001:2016-2021",
     .bad = "//@ prove stop: not I0.1 implies not Q0.0\nNetwork 1\nLD I0.0\nO Q0.0\n= Q0.0\n",
     .good = "//@ prove stop: not I0.1 implies not Q0.0\nNetwork 1\nLD I0.0\nO Q0.0\nA I0.1\n= Q0.0\n",

@@ -32,7 +32,8 @@ extern constexpr Rule stk006_no_drawing = {
     .title = "Cannot be shown as LAD or FBD",
     .severity = Severity::Note,
     .needs = Needs::Text,
-    .detects = "two rungs in one network, an instruction that exists in STL only, or stack operations that no drawing has",
+    .detects =
+        "two rungs in one network, an instruction that exists in STL only, or stack operations that no drawing has",
     .why = "a network of a drawing is one closed circuit; the editor can show such a network as STL only",
     .manual = "001:2230-2232, 001:6808-6809",
     .bad = "Network 1\nLD I0.0\n= Q0.0\nLD I0.1\n= Q0.1\n",

@@ -1,5 +1,5 @@
-// STY004: characters that only look right. Spoken by the readers (frontend/stl/syntax_sink), which know what they took the
-// characters for; tested by tests/reader/statement_test.cpp.
+// STY004: characters that only look right. Spoken by the readers (frontend/stl/syntax_sink), which know what they took
+// the characters for; tested by tests/reader/statement_test.cpp.
 #include "analysis/rule.hpp"
 
 namespace rungproof {

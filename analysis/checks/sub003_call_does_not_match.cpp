@@ -46,7 +46,7 @@ std::string_view sectionName(VarSection section) {
 
 /// What may stand for the parameter, as an operand of an instruction.
 OperandDesc allowedFor(const Formal& formal) {
-  const Type type = formal.type == DataType::Bool   ? Type::Bool
+  const Type type = formal.type == DataType::Bool         ? Type::Bool
                     : widthOf(formal.type) == Width::Byte ? Type::Byte
                     : widthOf(formal.type) == Width::Word ? Type::Word
                                                           : Type::DWord;

@@ -1,5 +1,5 @@
-// TIM008: timer or counter can never fire. Spoken by the prover (analysis/proof/builtin_checks, analysis/proof/prover); this file is its page.
-// Tested by tests/prover/rule_questions_test.cpp, which runs the examples.
+// TIM008: timer or counter can never fire. Spoken by the prover (analysis/proof/builtin_checks, analysis/proof/prover);
+// this file is its page. Tested by tests/prover/rule_questions_test.cpp, which runs the examples.
 #include "analysis/rule.hpp"
 
 namespace rungproof {

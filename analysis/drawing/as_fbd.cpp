@@ -50,7 +50,8 @@ class Conversion {
     for (Wire& each : element.inputs) each = wire(each);
     if (element.shape == Shape::Or) return gate(Shape::Or, element.inputs, element);
     const bool isCondition = element.shape == Shape::Contact && element.desc->stack.pushes == 1;
-    const bool isSeries = isCondition && !element.inputs.empty() && (!isRail(from_[i].inputs[0].from) || element.inputs[0].negated);
+    const bool isSeries =
+        isCondition && !element.inputs.empty() && (!isRail(from_[i].inputs[0].from) || element.inputs[0].negated);
     if (!isSeries) return append(std::move(element));
     const Wire before = element.inputs[0];
     const std::uint32_t old = from_[i].inputs[0].from;
@@ -60,8 +61,8 @@ class Conversion {
     const std::uint32_t contact = append(std::move(element));
     // A gate that only this contact continues takes it as a further input.
     Element& last = drawing_.elements[before.from];
-    const bool extends = last.shape == Shape::And && from_[old].shape == Shape::Contact && uses_[old] == 1 && !before.negated &&
-                         last.inputs.size() < maxGateInputs;
+    const bool extends = last.shape == Shape::And && from_[old].shape == Shape::Contact && uses_[old] == 1 &&
+                         !before.negated && last.inputs.size() < maxGateInputs;
     std::vector<Wire> inputs = {before};
     if (extends) inputs = last.inputs;
     inputs.push_back({contact, false});

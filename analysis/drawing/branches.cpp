@@ -28,7 +28,11 @@ struct Chain {
 class Writer {
  public:
   Writer(const Drawing& drawing, const Circuit& circuit, PinOrder order, EditorBits taken)
-      : drawing_(drawing), nodes_(circuit.nodes), order_(order), code_(circuit, drawing.elements.size(), taken), reads_(circuit) {}
+      : drawing_(drawing),
+        nodes_(circuit.nodes),
+        order_(order),
+        code_(circuit, drawing.elements.size(), taken),
+        reads_(circuit) {}
 
   Branches run() {
     Branches result;
@@ -134,7 +138,8 @@ class Writer {
         const std::uint32_t from = node.inputs[pin];
         if (from == railNode || isParentPin(n, pin)) continue;
         std::uint32_t& exit = exit_[root_[from]];
-        if (root_[from] == root_[n]) return refuse(from, "branches behind it meet again as no drawing of stack instructions can");
+        if (root_[from] == root_[n])
+          return refuse(from, "branches behind it meet again as no drawing of stack instructions can");
         if (exit != noBranchNode) return refuse(from, "two circuits take in its circuit");
         exit = from;
       }
@@ -176,7 +181,8 @@ class Writer {
       const auto begin = kids_.begin() + firstKid_[n], end = kids_.begin() + next[n];
       std::stable_sort(begin, end, [&](std::uint32_t a, std::uint32_t b) { return firstEffect[a] < firstEffect[b]; });
     }
-    std::stable_sort(tops_.begin(), tops_.end(), [&](std::uint32_t a, std::uint32_t b) { return firstEffect[a] < firstEffect[b]; });
+    std::stable_sort(tops_.begin(), tops_.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return firstEffect[a] < firstEffect[b]; });
   }
 
   // ---- Writing --------------------------------------------------------------------------------------
@@ -225,8 +231,10 @@ class Writer {
     frame.below = below_;
     if (node.isContact()) {
       written_.push_back(n);
-      if (isRoot(n)) load(n);
-      else code_.contact(n, ContactForm::And);
+      if (isRoot(n))
+        load(n);
+      else
+        code_.contact(n, ContactForm::And);
       frame.stage = Stage::Kids;
       return;
     }
@@ -274,7 +282,9 @@ class Writer {
     if (from == railNode) return loadPower(frame.node);
     visit(root_[from]);
   }
-  bool isSingleContact(std::uint32_t n) const { return nodes_[n].isContact() && isRoot(n) && nodes_[n].uses.size() == 1; }
+  bool isSingleContact(std::uint32_t n) const {
+    return nodes_[n].isContact() && isRoot(n) && nodes_[n].uses.size() == 1;
+  }
 
   void join(Frame& frame) {
     const std::uint32_t n = frame.node;
@@ -383,7 +393,8 @@ class Writer {
     std::uint32_t place = 0;
     for (const std::uint32_t n : written_) {
       if (reads_.isFixed(n)) {
-        if (reads_.fixed()[place] != n) return refuse(n, "its branch is executed in another order than the picture would be");
+        if (reads_.fixed()[place] != n)
+          return refuse(n, "its branch is executed in another order than the picture would be");
         ++place;
       } else if (!nodes_[n].isGate() && !reads_.mayMove(n, reads_.placeOf(n), place)) {
         return refuse(n, "its branch is executed in another order than the picture would be");
@@ -396,20 +407,20 @@ class Writer {
   PinOrder order_;
   CircuitCode code_;
   ReadOrder reads_;
-  std::vector<std::uint32_t> parent_;       ///< railNode: begins a circuit
-  std::vector<std::uint8_t> isBlock_;       ///< OR in series with its parent
-  std::vector<std::uint8_t> isBlockHead_;   ///< begins a branch of a block
+  std::vector<std::uint32_t> parent_;      ///< railNode: begins a circuit
+  std::vector<std::uint8_t> isBlock_;      ///< OR in series with its parent
+  std::vector<std::uint8_t> isBlockHead_;  ///< begins a branch of a block
   std::vector<Chain> chains_;
   std::unordered_map<std::uint32_t, std::size_t> heads_;  ///< by block: branches that begin at its source
-  std::vector<std::uint32_t> firstPin_;     ///< pin of the parent
+  std::vector<std::uint32_t> firstPin_;                   ///< pin of the parent
   std::vector<std::uint32_t> root_;
-  std::vector<std::uint32_t> exit_;         ///< by root: the value that another circuit takes in
+  std::vector<std::uint32_t> exit_;  ///< by root: the value that another circuit takes in
   std::vector<std::uint32_t> tops_;
   std::vector<std::uint32_t> firstKid_;
-  std::vector<std::uint32_t> kids_;         ///< noBranchNode: the value leaves here
+  std::vector<std::uint32_t> kids_;  ///< noBranchNode: the value leaves here
   std::vector<Frame> frames_;
-  std::vector<std::uint32_t> written_;      ///< nodes in the order of execution
-  std::uint32_t below_ = 0;                 ///< levels below the top that are still needed
+  std::vector<std::uint32_t> written_;  ///< nodes in the order of execution
+  std::uint32_t below_ = 0;             ///< levels below the top that are still needed
   std::optional<LoweringFault> fault_;
 };
 

@@ -9,12 +9,13 @@ namespace rungproof {
 namespace {
 
 bool isEditorBit(const Operand& operand, std::uint32_t byte, unsigned bit) {
-  return operand.kind == OperandKind::Direct && operand.area == Area::L && operand.width == Width::Bit && operand.offset == byte &&
-         operand.bit == bit;
+  return operand.kind == OperandKind::Direct && operand.area == Area::L && operand.width == Width::Bit &&
+         operand.offset == byte && operand.bit == bit;
 }
 
 bool isOn(const Instruction& instruction, std::string_view mnemonic, std::uint32_t byte, unsigned bit) {
-  return instruction.desc->stl == mnemonic && !instruction.operands.empty() && isEditorBit(instruction.operands[0], byte, bit);
+  return instruction.desc->stl == mnemonic && !instruction.operands.empty() &&
+         isEditorBit(instruction.operands[0], byte, bit);
 }
 
 /// Flow input k: L63.7, L63.6, ...
@@ -25,8 +26,10 @@ std::optional<unsigned> flowsOf(const Instruction& call) {
   unsigned count = 0;
   for (std::size_t i = 1; i < call.operands.size(); ++i) {
     const Operand& operand = call.operands[i];
-    if (isFlowBit(operand, count)) ++count;
-    else if (operand.kind == OperandKind::Direct && operand.area == Area::L && operand.offset >= 60) return std::nullopt;
+    if (isFlowBit(operand, count))
+      ++count;
+    else if (operand.kind == OperandKind::Direct && operand.area == Area::L && operand.offset >= 60)
+      return std::nullopt;
   }
   return count;
 }
@@ -46,8 +49,9 @@ CallIdiom callIdiomOf(const Network& network) {
     std::vector<std::size_t> stores;
     for (std::size_t i = from; i + 1 < call; ++i) {
       const std::size_t next = stores.size();
-      const bool isStore = next == 0 ? isOn(all[i], "=", 60, 0)
-                                     : all[i].desc->stl == "=" && isFlowBit(all[i].operands[0], static_cast<unsigned>(next - 1));
+      const bool isStore =
+          next == 0 ? isOn(all[i], "=", 60, 0)
+                    : all[i].desc->stl == "=" && isFlowBit(all[i].operands[0], static_cast<unsigned>(next - 1));
       if (isStore) stores.push_back(i);
     }
     if (stores.size() != *flows + 1 || stores.back() + 2 != call) continue;
@@ -64,10 +68,13 @@ CallIdiom callIdiomOf(const Network& network) {
 
 Shape shapeOf(const Desc& desc) {
   if (desc.stack.pushes == 1 && desc.stack.needs == 0) return Shape::Contact;
-  if (desc.execution == Execution::Stack || desc.execution == Execution::Compare) return desc.operandCount == 0 && desc.stack.pushes == 0 && desc.stack.needs == 1 ? Shape::Contact : Shape::Or;
+  if (desc.execution == Execution::Stack || desc.execution == Execution::Compare)
+    return desc.operandCount == 0 && desc.stack.pushes == 0 && desc.stack.needs == 1 ? Shape::Contact : Shape::Or;
   if (desc.execution == Execution::Coil) return Shape::Coil;
-  if (desc.execution == Execution::Control) return desc.control == Control::Call || desc.control == Control::For ? Shape::Box : Shape::Coil;
-  const bool isLatch = desc.operandCount == 2 && desc.operand(0).type == Type::Bool && desc.operand(0).direction == Direction::Out;
+  if (desc.execution == Execution::Control)
+    return desc.control == Control::Call || desc.control == Control::For ? Shape::Box : Shape::Coil;
+  const bool isLatch =
+      desc.operandCount == 2 && desc.operand(0).type == Type::Bool && desc.operand(0).direction == Direction::Out;
   return isLatch || (desc.operandCount == 0 && desc.execution == Execution::Conditional) ? Shape::Coil : Shape::Box;
 }
 

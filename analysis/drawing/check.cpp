@@ -54,7 +54,8 @@ class Check {
     const Element& element = elements_[i];
     if (isGate(element)) return element.shape == Shape::And ? "the AND box" : "the OR box";
     std::string name(element.desc == nullptr ? "the left rail" : element.desc->stl);
-    if (!element.operands.empty() && element.operands[0].kind != OperandKind::Missing) name += " " + toString(element.operands[0]);
+    if (!element.operands.empty() && element.operands[0].kind != OperandKind::Missing)
+      name += " " + toString(element.operands[0]);
     return name;
   }
 
@@ -67,22 +68,30 @@ class Check {
     }
     const std::size_t needed = inputsNeeded(element), found = element.inputs.size();
     if (element.shape == Shape::Coil && needed == 0 && found > 0) {
-      fault("GRF001", i, fmt::format("{} must stand at the left rail", nameOf(i)), "connect it to the left rail directly, in a network of its own");
+      fault("GRF001", i, fmt::format("{} must stand at the left rail", nameOf(i)),
+            "connect it to the left rail directly, in a network of its own");
     } else if (found < needed) {
-      fault("GRF001", i, fmt::format("{} has {} of {} connected power inputs", nameOf(i), found, needed), "connect the open input");
+      fault("GRF001", i, fmt::format("{} has {} of {} connected power inputs", nameOf(i), found, needed),
+            "connect the open input");
     } else if (found > needed && !isGate(element)) {
-      fault("GRF001", i, fmt::format("{} has {} power inputs instead of {}", nameOf(i), found, needed), "remove the connections that are too many");
+      fault("GRF001", i, fmt::format("{} has {} power inputs instead of {}", nameOf(i), found, needed),
+            "remove the connections that are too many");
     }
     const bool mayEnd = element.shape == Shape::Box || element.shape == Shape::Coil;
-    if (!mayEnd && uses_[i] == 0) fault("GRF001", i, fmt::format("the output of {} leads nowhere", nameOf(i)), "end the branch with a coil or a box");
+    if (!mayEnd && uses_[i] == 0)
+      fault("GRF001", i, fmt::format("the output of {} leads nowhere", nameOf(i)),
+            "end the branch with a coil or a box");
     if (isGate(element) && found > maxGateInputs) {
-      fault("GRF003", i, fmt::format("{} has {} inputs, {} are allowed", nameOf(i), found, maxGateInputs), "divide it into several boxes");
+      fault("GRF003", i, fmt::format("{} has {} inputs, {} are allowed", nameOf(i), found, maxGateInputs),
+            "divide it into several boxes");
     }
     if (form_ == Form::Ladder) shortCircuit(i);
   }
 
   /// All rails are one circuit node.
-  std::uint32_t node(const Wire& wire) const { return elements_[wire.from].shape == Shape::Rail ? leftRail : wire.from; }
+  std::uint32_t node(const Wire& wire) const {
+    return elements_[wire.from].shape == Shape::Rail ? leftRail : wire.from;
+  }
   std::uint32_t begin(const Wire& wire) const { return uses_[wire.from] > 1 ? node(wire) : source_[wire.from]; }
 
   /// Follows where the chain of contacts that ends in element i begins, and finds bridged chains.
@@ -92,14 +101,16 @@ class Check {
       source_[i] = begin(element.inputs[0]);
     }
     if (element.shape != Shape::Or) return;
-    const bool sameBegin = std::all_of(element.inputs.begin(), element.inputs.end(), [&](const Wire& wire) { return begin(wire) == begin(element.inputs[0]); });
+    const bool sameBegin = std::all_of(element.inputs.begin(), element.inputs.end(),
+                                       [&](const Wire& wire) { return begin(wire) == begin(element.inputs[0]); });
     if (sameBegin && !element.inputs.empty()) source_[i] = begin(element.inputs[0]);
     for (const Wire& bridge : element.inputs) {
       const bool bridges = std::any_of(element.inputs.begin(), element.inputs.end(), [&](const Wire& other) {
         return other.from != bridge.from && source_[other.from] == node(bridge);
       });
       if (!bridges || bridge.negated) continue;
-      fault("GRF001", i, "a branch without contacts short-circuits the one beside it", "put a contact into the branch or remove it");
+      fault("GRF001", i, "a branch without contacts short-circuits the one beside it",
+            "put a contact into the branch or remove it");
       return;
     }
   }

@@ -1,5 +1,6 @@
 // What can be wrong with a drawing as a circuit, judged on its elements: GRF001 and the number of inputs of GRF003.
-// For the readers of graphical files, which turn each fault into a finding. Tested by tests/drawing/drawing_check_test.cpp.
+// For the readers of graphical files, which turn each fault into a finding. Tested by
+// tests/drawing/drawing_check_test.cpp.
 #pragma once
 
 #include <cstdint>

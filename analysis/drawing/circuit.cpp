@@ -24,9 +24,9 @@ std::string nameOf(const Element& element) {
 
 std::size_t flowParameters(const CircuitNode& node) {
   if (node.shape != Shape::Box || node.desc->control != Control::Call) return 0;
-  return static_cast<std::size_t>(std::count_if(node.operands->begin(), node.operands->end(), [](const Operand& operand) {
-    return operand.kind == OperandKind::Missing;
-  }));
+  return static_cast<std::size_t>(
+      std::count_if(node.operands->begin(), node.operands->end(),
+                    [](const Operand& operand) { return operand.kind == OperandKind::Missing; }));
 }
 
 namespace {
@@ -67,7 +67,8 @@ class Dissolve {
       if (wire.from >= i) return fault(i, fmt::format("{} is fed by an element behind it", nameOf(element)));
       const std::uint32_t from = nodeOf_[wire.from];
       if (from != railNode && circuit_.nodes[from].shape == Shape::Coil) {
-        return fault(i, fmt::format("{} has no output that could feed {}", nameOf(elements_[wire.from]), nameOf(element)));
+        return fault(i,
+                     fmt::format("{} has no output that could feed {}", nameOf(elements_[wire.from]), nameOf(element)));
       }
       if (from != railNode && hasNoOutput(circuit_.nodes[from])) {
         return fault(i, fmt::format("{} has no power output for {}", nameOf(elements_[wire.from]), nameOf(element)));
@@ -123,7 +124,8 @@ bool overlap(const Stretch& a, const Stretch& b) { return a.area == b.area && a.
 /// Where an operand of that type lies; nothing for constants. Only for direct operands.
 std::optional<Stretch> stretchOf(const Operand& operand, Type type, std::uint64_t elements) {
   if (operand.kind != OperandKind::Direct) return std::nullopt;
-  const bool byNumber = operand.area == Area::T || operand.area == Area::C || operand.area == Area::AC || operand.area == Area::HC;
+  const bool byNumber =
+      operand.area == Area::T || operand.area == Area::C || operand.area == Area::AC || operand.area == Area::HC;
   if (byNumber) return Stretch{operand.area, operand.offset, operand.offset + (type == Type::Bool ? elements : 1)};
   if (type == Type::Bool) {
     const std::uint64_t first = operand.offset * 8ULL + operand.bit;

@@ -72,7 +72,8 @@ void CircuitCode::add(const Desc* desc, std::vector<Operand> operands, Span span
 
 void CircuitCode::mark(std::uint32_t n) {
   const std::uint32_t element = node(n).element;
-  if (element != noElement) lowered_.instructionOf[element] = static_cast<std::uint32_t>(lowered_.instructions.size() - 1);
+  if (element != noElement)
+    lowered_.instructionOf[element] = static_cast<std::uint32_t>(lowered_.instructions.size() - 1);
 }
 
 void CircuitCode::contact(std::uint32_t n, ContactForm form) {
@@ -85,7 +86,9 @@ void CircuitCode::power(ContactForm form, Span span) {
   add(contactForm(*load, form), {direct(Area::SM, Width::Bit, 0, 0)}, span);
 }
 
-void CircuitCode::operation(std::string_view mnemonic, std::uint32_t n) { add(instructionNamed(mnemonic), {}, node(n).span); }
+void CircuitCode::operation(std::string_view mnemonic, std::uint32_t n) {
+  add(instructionNamed(mnemonic), {}, node(n).span);
+}
 
 void CircuitCode::store(unsigned bit, std::uint32_t n) {
   add(instructionNamed("="), {editorOperand(bit)}, node(n).span);

@@ -35,8 +35,7 @@ class EditorBitPool {
 
 class CircuitCode {
  public:
-  CircuitCode(const Circuit& circuit, std::size_t elementCount, EditorBits taken)
-      : circuit_(circuit), pool_(taken) {
+  CircuitCode(const Circuit& circuit, std::size_t elementCount, EditorBits taken) : circuit_(circuit), pool_(taken) {
     lowered_.instructionOf.assign(elementCount, noInstruction);
   }
 

@@ -12,10 +12,10 @@ namespace rungproof {
 
 struct DrawnLevel {
   std::uint32_t element = 0;
-  bool isOpen = true;       ///< nothing but the next element uses the value: no coil, no copy, no box beside it
-  bool isContacts = true;   ///< made of contacts and ORs only, so that it can stand in series behind anything
-  bool mayExtend = false;   ///< the gate `element` was made last and takes a further input
-  bool isLoop = false;      ///< behind FOR: 1 in each round (001:5770)
+  bool isOpen = true;      ///< nothing but the next element uses the value: no coil, no copy, no box beside it
+  bool isContacts = true;  ///< made of contacts and ORs only, so that it can stand in series behind anything
+  bool mayExtend = false;  ///< the gate `element` was made last and takes a further input
+  bool isLoop = false;     ///< behind FOR: 1 in each round (001:5770)
   std::vector<std::uint32_t> heads;  ///< contacts at the rail with which the circuit begins
 };
 
@@ -23,7 +23,7 @@ struct DrawnLevel {
 enum class CallRole : std::uint8_t { None, StoreEnable, StoreFlow, Recall, Call };
 
 struct CallIdiom {
-  std::vector<CallRole> roles;  ///< by instruction
+  std::vector<CallRole> roles;        ///< by instruction
   std::vector<std::uint32_t> callOf;  ///< by instruction with a role: the position of its CALL
 };
 

@@ -9,10 +9,13 @@ namespace rungproof {
 namespace {
 
 EditorBits bitsOf(const Operand& operand) {
-  if (operand.kind != OperandKind::Direct && operand.kind != OperandKind::Indirect && operand.kind != OperandKind::Address) return 0;
+  if (operand.kind != OperandKind::Direct && operand.kind != OperandKind::Indirect &&
+      operand.kind != OperandKind::Address)
+    return 0;
   if (operand.area != Area::L) return 0;
   const std::uint64_t first = operand.offset * 8ULL + (operand.width == Width::Bit ? operand.bit : 0);
-  const auto width = static_cast<std::uint64_t>(bits(operand.kind == OperandKind::Indirect ? Width::DWord : operand.width));
+  const auto width =
+      static_cast<std::uint64_t>(bits(operand.kind == OperandKind::Indirect ? Width::DWord : operand.width));
   EditorBits result = 0;
   for (std::uint64_t bit = 60 * 8; bit < 64 * 8; ++bit) {
     if (bit >= first && bit < first + width) result |= 1U << (bit - 60 * 8);

@@ -31,10 +31,10 @@ struct LoweringFault {
 };
 
 struct Lowered {
-  std::vector<Instruction> instructions;    ///< without ids; operands keep their spans
+  std::vector<Instruction> instructions;     ///< without ids; operands keep their spans
   std::vector<std::uint32_t> instructionOf;  ///< by element: Element::instruction
-  std::optional<LoweringFault> fault;       ///< then there are no instructions
-  bool usesEditorBits = false;              ///< passes values through L60 to L63 other than for CALL
+  std::optional<LoweringFault> fault;        ///< then there are no instructions
+  bool usesEditorBits = false;               ///< passes values through L60 to L63 other than for CALL
 };
 
 /// `taken`: bits of L60-L63 that must not be used.

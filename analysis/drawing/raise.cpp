@@ -19,7 +19,8 @@ namespace {
 
 std::string nameOf(const Instruction& instruction) {
   std::string text(instruction.desc->stl);
-  if (!instruction.operands.empty() && instruction.operands[0].kind != OperandKind::Missing) text += " " + toString(instruction.operands[0]);
+  if (!instruction.operands.empty() && instruction.operands[0].kind != OperandKind::Missing)
+    text += " " + toString(instruction.operands[0]);
   return text;
 }
 
@@ -66,7 +67,8 @@ class Raising {
 
   bool has(std::size_t count) {
     if (levels_.size() >= count) return true;
-    refuseHere(isLost_ ? "takes a value that was pushed out of the nine levels" : "takes a value that this network has not loaded");
+    refuseHere(isLost_ ? "takes a value that was pushed out of the nine levels"
+                       : "takes a value that this network has not loaded");
     return false;
   }
   void push(DrawnLevel level) {
@@ -134,7 +136,8 @@ class Raising {
     if (!box.desc->drawingOnly || box.desc->stack.pops > 0 || box.operands.size() <= iecOutputOperand) return false;
     const Operand& q = box.operands[iecOutputOperand];
     const Operand& loaded = current().operands[0];
-    return q.kind == OperandKind::Direct && q.kind == loaded.kind && q.area == loaded.area && q.offset == loaded.offset && q.bit == loaded.bit;
+    return q.kind == OperandKind::Direct && q.kind == loaded.kind && q.area == loaded.area &&
+           q.offset == loaded.offset && q.bit == loaded.bit;
   }
 
   void series() {
@@ -265,7 +268,8 @@ class Raising {
       enabledBy_ = top().element;
       wasOpen_ = top().isOpen;
     }
-    for (std::size_t i = levels_.size() - std::max<std::size_t>(desc.stack.needs, 1); i < levels_.size(); ++i) tap(levels_[i]);
+    for (std::size_t i = levels_.size() - std::max<std::size_t>(desc.stack.needs, 1); i < levels_.size(); ++i)
+      tap(levels_[i]);
     if (desc.control == Control::For) top().isLoop = true;
   }
 
@@ -288,9 +292,7 @@ class Raising {
         if (flows_.size() == 1) enabled_ = top();
         tap(top());
         return;
-      case CallRole::Recall:
-        push(enabled_);
-        return;
+      case CallRole::Recall: push(enabled_); return;
       default: break;
     }
     const std::uint32_t element = add(Shape::Box, instruction.desc, flows_);
@@ -372,7 +374,8 @@ class Raising {
       const Instruction* second = instructionOf(branches.second);
       return refuse(second, fmt::format("{} begins a second rung in the network", nameOf(*second)));
     }
-    if (branches.lowered.fault) return refuse(instructionOf(branches.lowered.fault->element), branches.lowered.fault->message);
+    if (branches.lowered.fault)
+      return refuse(instructionOf(branches.lowered.fault->element), branches.lowered.fault->message);
   }
 
   const Network& network_;
@@ -382,9 +385,9 @@ class Raising {
   std::vector<Element> elements_;
   std::vector<std::uint32_t> replaced_;
   std::vector<DrawnLevel> levels_;
-  std::uint32_t lastBox_ = 0;    ///< the box that set ENO last; 0: none in this network
-  std::uint32_t enabledBy_ = 0;  ///< what fed it
-  bool wasOpen_ = false;         ///< isOpen of that level before the box
+  std::uint32_t lastBox_ = 0;         ///< the box that set ENO last; 0: none in this network
+  std::uint32_t enabledBy_ = 0;       ///< what fed it
+  bool wasOpen_ = false;              ///< isOpen of that level before the box
   std::vector<std::uint32_t> flows_;  ///< EN and flow inputs stored for the next CALL
   DrawnLevel enabled_;
   Drawing drawing_;

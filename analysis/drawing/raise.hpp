@@ -20,7 +20,7 @@ inline constexpr std::size_t maxGateInputs = 32;  ///< 001:2268, 001:2727
 
 struct Raised {
   std::optional<Drawing> drawing;
-  std::string reason;               ///< without a drawing: why, as one clause, "LD I0.1 begins a second rung in the network"
+  std::string reason;  ///< without a drawing: why, as one clause, "LD I0.1 begins a second rung in the network"
   const Instruction* at = nullptr;  ///< the instruction concerned
 };
 

@@ -52,7 +52,8 @@ class Steps {
         continue;
       }
       if (node.uses.empty()) place_[n] = ValuePlace::Nowhere;
-      if (node.uses.size() == 1 && node.uses[0].node == next && takesFromTop(next, node.uses[0].pin)) place_[n] = ValuePlace::Top;
+      if (node.uses.size() == 1 && node.uses[0].node == next && takesFromTop(next, node.uses[0].pin))
+        place_[n] = ValuePlace::Top;
       next = n;
     }
   }
@@ -61,7 +62,8 @@ class Steps {
     if (!node.isContact() || node.inputs[0] != railNode || node.uses.empty()) return false;
     if (reads_.isFixed(n) && node.uses.size() > 1) return false;
     const std::uint32_t drawn = reads_.placeOf(n);
-    return std::all_of(node.uses.begin(), node.uses.end(), [&](const CircuitUse& use) { return reads_.mayMove(n, drawn, reads_.placeOf(use.node)); });
+    return std::all_of(node.uses.begin(), node.uses.end(),
+                       [&](const CircuitUse& use) { return reads_.mayMove(n, drawn, reads_.placeOf(use.node)); });
   }
   bool takesFromTop(std::uint32_t n, std::uint32_t pin) const { return pin == 0 || nodes_[n].isGate(); }
 
@@ -75,7 +77,8 @@ class Steps {
     const std::optional<unsigned> bit = highest ? code_.pool().takeHighest() : code_.pool().takeLowest();
     if (!bit && !fault_) {
       const std::uint32_t element = nodes_[n].element == noElement ? 0 : nodes_[n].element;
-      fault_ = LoweringFault{element, fmt::format("{}: more values have to wait than L60.0 to L63.7 can hold", nameOf(drawing_.elements[element]))};
+      fault_ = LoweringFault{element, fmt::format("{}: more values have to wait than L60.0 to L63.7 can hold",
+                                                  nameOf(drawing_.elements[element]))};
     }
     return bit.value_or(0);
   }
@@ -111,7 +114,8 @@ class Steps {
 
   void gate(std::uint32_t n) {
     const CircuitNode& node = nodes_[n];
-    const auto top = std::find_if(node.inputs.begin(), node.inputs.end(), [&](std::uint32_t from) { return isOnTop(from); });
+    const auto top =
+        std::find_if(node.inputs.begin(), node.inputs.end(), [&](std::uint32_t from) { return isOnTop(from); });
     const std::size_t first = top == node.inputs.end() ? 0 : static_cast<std::size_t>(top - node.inputs.begin());
     bring(n, node.inputs[first], ContactForm::Load);
     for (std::size_t pin = 0; pin < node.inputs.size(); ++pin) {

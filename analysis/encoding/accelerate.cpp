@@ -3,7 +3,8 @@
 
 namespace rungproof {
 
-void accelerate(TransitionSystem& system, Node dt, int width, std::uint32_t longest, const std::function<bool(Node)>& isTime) {
+void accelerate(TransitionSystem& system, Node dt, int width, std::uint32_t longest,
+                const std::function<bool(Node)>& isTime) {
   Graph& graph = *system.graph;
   const Graph::Bool isLong = graph.ult(graph.literal(longest, width), {dt}, width);
   Graph::Bool steady = graph.constant(true);

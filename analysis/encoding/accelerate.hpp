@@ -13,6 +13,7 @@ namespace rungproof {
 
 /// Adds to a relaxed system the rule for long scans. `dt` and `width`: length of the scan in ms; `longest`: of an
 /// ordinary scan; isTime: state variables that only measure time.
-void accelerate(TransitionSystem& system, Node dt, int width, std::uint32_t longest, const std::function<bool(Node)>& isTime);
+void accelerate(TransitionSystem& system, Node dt, int width, std::uint32_t longest,
+                const std::function<bool(Node)>& isTime);
 
 }  // namespace rungproof

@@ -8,7 +8,8 @@ namespace rungproof {
 
 class EncodedScan::Impl {
  public:
-  Impl(const Program& source, const EncoderOptions& given) : program(source), options(given), plan(source), layout(source.target) {
+  Impl(const Program& source, const EncoderOptions& given)
+      : program(source), options(given), plan(source), layout(source.target) {
     layout.add(program, plan);
     for (const Operand& operand : options.observed) layout.add(operand.area, operand.width, operand.offset);
     // SM0.0 is always on, SM0.7 is the mode switch in RUN (001:14050, 001:14057), unless the program overwrites them.
@@ -78,7 +79,8 @@ class EncodedScan::Impl {
   }
 };
 
-EncodedScan::EncodedScan(const Program& program, const EncoderOptions& options) : impl_(std::make_unique<Impl>(program, options)) {}
+EncodedScan::EncodedScan(const Program& program, const EncoderOptions& options)
+    : impl_(std::make_unique<Impl>(program, options)) {}
 EncodedScan::~EncodedScan() = default;
 EncodedScan::EncodedScan(EncodedScan&&) noexcept = default;
 EncodedScan& EncodedScan::operator=(EncodedScan&&) noexcept = default;
@@ -100,7 +102,10 @@ Node EncodedScan::atEnd(const Operand& operand, int width) {
     case Area::HC: return low(atEnd(registerPlace(Reg::HscCurrent, operand.offset)));
     case Area::AI: return impl_->scan->analogInput(operand.offset);
     default: {
-      const Width access = width == 1 ? Width::Bit : width == 8 ? Width::Byte : width == 16 ? Width::Word : Width::DWord;
+      const Width access = width == 1    ? Width::Bit
+                           : width == 8  ? Width::Byte
+                           : width == 16 ? Width::Word
+                                         : Width::DWord;
       return atEnd(memoryPlace(operand.area, operand.offset, access, operand.bit));
     }
   }

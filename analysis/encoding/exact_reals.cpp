@@ -39,8 +39,10 @@ class RealWriter {
       if (!isReady) continue;
       stack.pop_back();
       Node result = n;
-      if (scope_ == RealScope::All ? isExactReal(node) : isRealComparison(node.op)) result = written(node, {child[0]}, {child[1]});
-      else if (child != node.child) result = graph_.make(node.op, node.width, child[0], child[1], child[2], node.value);
+      if (scope_ == RealScope::All ? isExactReal(node) : isRealComparison(node.op))
+        result = written(node, {child[0]}, {child[1]});
+      else if (child != node.child)
+        result = graph_.make(node.op, node.width, child[0], child[1], child[2], node.value);
       known_.emplace(indexOf(n), result);
     }
     return known_.at(indexOf(root));
@@ -73,7 +75,8 @@ class RealWriter {
 }  // namespace
 
 bool isExactReal(const NodeData& node) {
-  return isRealOperation(node.op) && (node.op != Op::RealFunction || static_cast<RealFunction>(node.value) == RealFunction::Sqrt);
+  return isRealOperation(node.op) &&
+         (node.op != Op::RealFunction || static_cast<RealFunction>(node.value) == RealFunction::Sqrt);
 }
 
 TransitionSystem withExactReals(const TransitionSystem& system, RealScope scope) {

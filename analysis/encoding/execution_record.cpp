@@ -49,7 +49,9 @@ ExecutionRecord::ExecutionRecord(const Program& program, bool contacts) : contac
   }
   const StackRun run(program, plan, {});
   for (const StackFault& fault : run.faults()) {
-    if (fault.kind == StackFaultKind::FromBelow || fault.kind == StackFaultKind::TooFewInputs || fault.kind == StackFaultKind::LdsBeyond) takesFromBelow_[sites_[fault.instruction->id].block] = true;
+    if (fault.kind == StackFaultKind::FromBelow || fault.kind == StackFaultKind::TooFewInputs ||
+        fault.kind == StackFaultKind::LdsBeyond)
+      takesFromBelow_[sites_[fault.instruction->id].block] = true;
   }
 }
 
@@ -58,17 +60,23 @@ void ExecutionRecord::at(Machine<Graph>& machine, const Instruction& instruction
   const Desc& desc = *instruction.desc;
   Visit visit{&instruction, machine.guard.node};
   if (!isLogic(kindOf(instruction))) {
-    for (std::size_t k = 0; k < std::min<std::size_t>(desc.stack.needs, visit.flow.size()); ++k) visit.flow[k] = machine.powerFlow(k).node;
+    for (std::size_t k = 0; k < std::min<std::size_t>(desc.stack.needs, visit.flow.size()); ++k)
+      visit.flow[k] = machine.powerFlow(k).node;
   }
   const bool isBox = isTimerBox(kindOf(instruction)) || isCounterBox(kindOf(instruction));
-  if (isBox && instruction.operands.size() > 1 && instruction.operands[1].kind == OperandKind::Direct && instruction.operands[1].area != Area::AI) {
+  if (isBox && instruction.operands.size() > 1 && instruction.operands[1].kind == OperandKind::Direct &&
+      instruction.operands[1].area != Area::AI) {
     visit.preset = machine.load(instruction.operands[1].area, instruction.operands[1].offset, Width::Word).node;
   }
   visits_.push_back(visit);
   for (const Operand& o : instruction.operands) {
     if (o.kind != OperandKind::Direct || (o.area != Area::T && o.area != Area::C)) continue;
     Node& seen = seenOn_.try_emplace({o.area, o.offset}, machine.d.constant(false).node).first->second;
-    seen = machine.d.lor({seen}, machine.d.land(machine.guard, machine.getBit(o.area == Area::T ? Reg::TimerBit : Reg::CounterBit, o.offset))).node;
+    seen =
+        machine.d
+            .lor({seen}, machine.d.land(machine.guard,
+                                        machine.getBit(o.area == Area::T ? Reg::TimerBit : Reg::CounterBit, o.offset)))
+            .node;
   }
   followHeights(machine, instruction, site);
   if (contacts_) followContacts(machine, instruction, site);
@@ -82,7 +90,9 @@ void ExecutionRecord::followHeights(Machine<Graph>& machine, const Instruction& 
   const bool isSame = !hasEntriesWithin_[site.block] || site.isEntry;
   const Graph::Bool always = graph.constant(true);
   const Graph::Bool changes = isSame ? always : machine.guard;
-  const auto set = [&](Node& place, Graph::Bits value) { place = place == noNode ? value.node : graph.select(changes, value, {place}, heightBits).node; };
+  const auto set = [&](Node& place, Graph::Bits value) {
+    place = place == noNode ? value.node : graph.select(changes, value, {place}, heightBits).node;
+  };
   if (site.isFirst || here.height == noNode) {
     set(here.height, number(bottom));
     set(here.lost, number(bottom - levels));
@@ -91,9 +101,11 @@ void ExecutionRecord::followHeights(Machine<Graph>& machine, const Instruction& 
   const StackEffect effect = instruction.desc->stack;
   const Kind kind = kindOf(instruction);
   std::uint64_t deepest = effect.needs;  // levels that must be there
-  if (kind == Kind::Lds && !instruction.operands.empty()) deepest = static_cast<std::uint64_t>(std::clamp<std::int64_t>(instruction.operands[0].value, 0, levels - 1)) + 1;
+  if (kind == Kind::Lds && !instruction.operands.empty())
+    deepest = static_cast<std::uint64_t>(std::clamp<std::int64_t>(instruction.operands[0].value, 0, levels - 1)) + 1;
   if (deepest > 0) {
-    const Graph::Bool isLost = graph.ult({here.height}, graph.add({here.lost}, number(deepest), heightBits), heightBits);
+    const Graph::Bool isLost =
+        graph.ult({here.height}, graph.add({here.lost}, number(deepest), heightBits), heightBits);
     const Graph::Bool bad = graph.land(machine.guard, isLost);
     if (const auto known = graph.truth(bad); !known || *known) {
       const auto height = graph.known({here.height});
@@ -115,7 +127,8 @@ void ExecutionRecord::followHeights(Machine<Graph>& machine, const Instruction& 
 // ---- Contacts that make no difference --------------------------------------------------------------------
 
 void ExecutionRecord::followContacts(Machine<Graph>& machine, const Instruction& instruction, const Site& site) {
-  std::erase_if(bridged_, [&](const Bridged& b) { return b.block != site.block || b.network != site.network || site.isFirst; });
+  std::erase_if(bridged_,
+                [&](const Bridged& b) { return b.block != site.block || b.network != site.network || site.isFirst; });
   for (Bridged& bridged : bridged_) {
     if (bridged.takesTop) bridged.stack[0] = machine.stack[0];
     bridged.takesTop = false;
@@ -125,7 +138,8 @@ void ExecutionRecord::followContacts(Machine<Graph>& machine, const Instruction&
     contactEffects_[bridged.contact] = machine.d.constant(true).node;
     return true;
   });
-  if (isContact(kindOf(instruction)) && !hasEntriesWithin_[site.block] && !takesFromBelow_[site.block]) begin(machine, instruction, site);
+  if (isContact(kindOf(instruction)) && !hasEntriesWithin_[site.block] && !takesFromBelow_[site.block])
+    begin(machine, instruction, site);
 }
 
 /// What the instruction does to the levels without the contact. False if that cannot be told.
@@ -143,8 +157,10 @@ bool ExecutionRecord::follow(Machine<Graph>& machine, const Instruction& instruc
     const Operand& o = instruction.operands[0];
     Graph::Bool value = graph.bit(machine.load(o.area, o.offset, Width::Bit, o.bit), 0);
     if (instruction.desc->stl.back() == 'N') value = graph.lnot(value);
-    if (kind == Kind::Load) push(value);
-    else stack[0] = kind == Kind::And ? graph.land(stack[0], value) : graph.lor(stack[0], value);
+    if (kind == Kind::Load)
+      push(value);
+    else
+      stack[0] = kind == Kind::And ? graph.land(stack[0], value) : graph.lor(stack[0], value);
     return true;
   }
   switch (kind) {

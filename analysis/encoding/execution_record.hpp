@@ -1,8 +1,8 @@
-// ExecutionRecord: what a scan does at each instruction, as nodes of the encoding. It listens to the encoder in front of
-// every instruction and keeps under which guard the instruction runs, the stack levels that it samples, the presets that
-// timers and counters are given, stack levels that were pushed out of the bottom (001:2759), and whether a contact makes
-// a difference to what the rest of its rung does. The built-in checks are questions about these nodes.
-// Covered by tests/prover/builtin_test.cpp and tests/prover/rule_questions_test.cpp.
+// ExecutionRecord: what a scan does at each instruction, as nodes of the encoding. It listens to the encoder in front
+// of every instruction and keeps under which guard the instruction runs, the stack levels that it samples, the presets
+// that timers and counters are given, stack levels that were pushed out of the bottom (001:2759), and whether a contact
+// makes a difference to what the rest of its rung does. The built-in checks are questions about these nodes. Covered by
+// tests/prover/builtin_test.cpp and tests/prover/rule_questions_test.cpp.
 #pragma once
 
 #include <array>
@@ -17,9 +17,9 @@ namespace rungproof {
 /// One execution of an instruction in a scan.
 struct Visit {
   const Instruction* instruction;
-  Node guard;                                            ///< whether the scan comes here
-  std::array<Node, 3> flow{noNode, noNode, noNode};      ///< stack levels that it samples, top first, 0 in an inactive step
-  Node preset = noNode;                                  ///< of a timer or counter, 16 bits; noNode: a constant, or unknown
+  Node guard;                                        ///< whether the scan comes here
+  std::array<Node, 3> flow{noNode, noNode, noNode};  ///< stack levels that it samples, top first, 0 in an inactive step
+  Node preset = noNode;                              ///< of a timer or counter, 16 bits; noNode: a constant, or unknown
 };
 
 /// An instruction that takes a level which the stack has lost.
@@ -78,9 +78,9 @@ class ExecutionRecord {
   bool follow(Machine<Graph>& machine, const Instruction& instruction, Bridged& bridged);
   void begin(Machine<Graph>& machine, const Instruction& contact, const Site& site);
 
-  std::vector<Site> sites_;                 ///< by Instruction::id
-  std::vector<bool> hasEntriesWithin_;      ///< by block: a jump leads into the middle of one of its networks
-  std::vector<bool> takesFromBelow_;        ///< by block: some network uses levels of an earlier one
+  std::vector<Site> sites_;             ///< by Instruction::id
+  std::vector<bool> hasEntriesWithin_;  ///< by block: a jump leads into the middle of one of its networks
+  std::vector<bool> takesFromBelow_;    ///< by block: some network uses levels of an earlier one
   bool contacts_;
   std::array<Heights, frames> heights_{};
   std::vector<Bridged> bridged_;

@@ -30,7 +30,8 @@ void addKeys(const Place& place, std::set<std::uint32_t>& keys) {
     keys.insert((32U + static_cast<std::uint32_t>(place.reg)) << 24 | place.at);
     return;
   }
-  for (std::uint32_t i = 0; i < place.width; ++i) keys.insert(static_cast<std::uint32_t>(place.area) << 24 | (place.at + i));
+  for (std::uint32_t i = 0; i < place.width; ++i)
+    keys.insert(static_cast<std::uint32_t>(place.area) << 24 | (place.at + i));
 }
 
 void Footprints::record(std::uint32_t instruction, int routine, const Touch& touch) {

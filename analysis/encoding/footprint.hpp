@@ -5,8 +5,8 @@
 // program: if instruction i writes nothing that R reads or writes, and reads nothing that R writes, then "R, i" and
 // "i, R" lead to the same state, so an interrupt in front of i can be moved behind it. What R saves and restores
 // (accumulators, SM1, ENO) does not count as written; whether R runs at all depends on the attachment, the global
-// enable and RUN, which count as read. A property that holds at every instruction looks in between: what it reads counts
-// as read by every instruction (EncoderOptions::watched). The same argument holds for the ticks of 1 ms timers.
+// enable and RUN, which count as read. A property that holds at every instruction looks in between: what it reads
+// counts as read by every instruction (EncoderOptions::watched). The same argument holds for the ticks of 1 ms timers.
 // Covered by tests/encoder/interrupt_test.cpp.
 #pragma once
 

@@ -20,7 +20,8 @@ void MemoryLayout::add(const Program& program, const Plan& plan) {
     if (access.width == Width::Bit) {
       for (std::uint32_t i = 0; i < access.possibleLength(); ++i) add(access.area, Width::Bit, access.offset + i);
     } else {
-      for (std::uint32_t k = 0; k < access.most; ++k) add(access.area, access.width, access.offset + k * static_cast<std::uint32_t>(bytes(access.width)));
+      for (std::uint32_t k = 0; k < access.most; ++k)
+        add(access.area, access.width, access.offset + k * static_cast<std::uint32_t>(bytes(access.width)));
     }
   }
 }

@@ -24,7 +24,9 @@ class MemoryLayout {
   void add(Area area, Width width, std::uint32_t byte);
 
   /// Size of an area in bytes.
-  std::uint32_t size(Area area) const { return static_cast<std::uint32_t>(cuts_[static_cast<std::size_t>(area)].size()); }
+  std::uint32_t size(Area area) const {
+    return static_cast<std::uint32_t>(cuts_[static_cast<std::size_t>(area)].size());
+  }
   bool isSingleBits(Area area, std::uint32_t byte) const { return cut(area, byte).isSingleBits; }
   /// First byte and number of bytes of the word that holds `byte`; at most four.
   struct Word {
@@ -36,8 +38,8 @@ class MemoryLayout {
  private:
   struct Cut {
     bool isSingleBits = false;
-    bool joinsNext = false;      ///< some word covers this byte and the next
-    bool startsHere = false;     ///< some word starts at this byte or ended before it
+    bool joinsNext = false;   ///< some word covers this byte and the next
+    bool startsHere = false;  ///< some word starts at this byte or ended before it
   };
   const Cut& cut(Area area, std::uint32_t byte) const { return cuts_[static_cast<std::size_t>(area)][byte]; }
   bool isJoined(Area area, std::uint32_t byte) const;

@@ -20,7 +20,7 @@ namespace rungproof {
 template <class D>
 struct Moment {
   typename D::Bool firstScan;
-  typename D::Bits dt;   ///< ticks of the property's time base since the previous scan end
+  typename D::Bits dt;  ///< ticks of the property's time base since the previous scan end
   int dtWidth = 16;
   typename D::Bits digits{};  ///< ms above the last tick of the time base, 8 bits; unused if that is 1 ms
 };
@@ -32,8 +32,10 @@ class Monitor {
   using Bool = typename D::Bool;
   using Bits = typename D::Bits;
 
-  /// `before`: cell values at the previous scan end; `after` receives the new ones. Both have Property::cells.size() entries.
-  Monitor(D& domain, const Property& property, Leaf& leaf, const Moment<D>& moment, const std::vector<Bits>& before, std::vector<Bits>& after)
+  /// `before`: cell values at the previous scan end; `after` receives the new ones. Both have Property::cells.size()
+  /// entries.
+  Monitor(D& domain, const Property& property, Leaf& leaf, const Moment<D>& moment, const std::vector<Bits>& before,
+          std::vector<Bits>& after)
       : d(domain), p(property), leaf_(leaf), now(moment), before_(before), after_(after) {}
 
   /// Assume, Pulse: whether the run may go on. Goals: whether this scan end is bad; Reach: whether it is reached.
@@ -89,11 +91,18 @@ class Monitor {
       case ExprOp::LessEqual:
       case ExprOp::Greater:
       case ExprOp::GreaterEqual: return bits(compare(n, argNode(0), arg(0), argNode(1), arg(1)));
-      case ExprOp::Add: return n.type == ExprType::Real ? d.radd(real(0, expr, n, value), real(1, expr, n, value)) : d.add(widened(0, n.width), widened(1, n.width), n.width);
-      case ExprOp::Sub: return n.type == ExprType::Real ? d.rsub(real(0, expr, n, value), real(1, expr, n, value)) : d.sub(widened(0, n.width), widened(1, n.width), n.width);
-      case ExprOp::Mul: return n.type == ExprType::Real ? d.rmul(real(0, expr, n, value), real(1, expr, n, value)) : d.mul(widened(0, n.width), widened(1, n.width), n.width);
+      case ExprOp::Add:
+        return n.type == ExprType::Real ? d.radd(real(0, expr, n, value), real(1, expr, n, value))
+                                        : d.add(widened(0, n.width), widened(1, n.width), n.width);
+      case ExprOp::Sub:
+        return n.type == ExprType::Real ? d.rsub(real(0, expr, n, value), real(1, expr, n, value))
+                                        : d.sub(widened(0, n.width), widened(1, n.width), n.width);
+      case ExprOp::Mul:
+        return n.type == ExprType::Real ? d.rmul(real(0, expr, n, value), real(1, expr, n, value))
+                                        : d.mul(widened(0, n.width), widened(1, n.width), n.width);
       case ExprOp::Negate:
-        return n.type == ExprType::Real ? d.bxor(arg(0), d.literal(0x80000000U, 32), 32) : d.sub(d.literal(0, n.width), widened(0, n.width), n.width);
+        return n.type == ExprType::Real ? d.bxor(arg(0), d.literal(0x80000000U, 32), 32)
+                                        : d.sub(d.literal(0, n.width), widened(0, n.width), n.width);
       case ExprOp::Rises: {
         const Bool was = cell(n.cell), is = flag(0);
         setCell(n.cell, is);
@@ -129,8 +138,12 @@ class Monitor {
     return raw == 8 ? d.zext(value, 8, n.width) : n.width == raw ? value : d.sext(value, raw, n.width);
   }
   Bits number(Bits value, const ExprNode& n, int to) { return n.width == to ? value : d.sext(value, n.width, to); }
-  Bits real(std::size_t i, const Expr& expr, const ExprNode& n, const std::vector<Bits>& value) { return asReal(value[n.args[i]], expr.nodes[n.args[i]]); }
-  Bits asReal(Bits value, const ExprNode& n) { return n.type == ExprType::Real ? value : d.rfromInt(number(value, n, 32)); }
+  Bits real(std::size_t i, const Expr& expr, const ExprNode& n, const std::vector<Bits>& value) {
+    return asReal(value[n.args[i]], expr.nodes[n.args[i]]);
+  }
+  Bits asReal(Bits value, const ExprNode& n) {
+    return n.type == ExprType::Real ? value : d.rfromInt(number(value, n, 32));
+  }
 
   Bool compare(const ExprNode& n, const ExprNode& left, Bits a, const ExprNode& right, Bits b) {
     if (left.type == ExprType::Real || right.type == ExprType::Real) {
@@ -184,18 +197,22 @@ class Monitor {
   /// base * ticks + now - then >= limit, where now and then are digits below the base.
   Bool hasPassed(std::uint32_t i, std::int64_t limit, Bits ticks) {
     const int w = p.cells[i].width;
-    const auto whole = static_cast<std::uint64_t>(limit / p.timeBase), rest = static_cast<std::uint64_t>(limit % p.timeBase);
+    const auto whole = static_cast<std::uint64_t>(limit / p.timeBase),
+               rest = static_cast<std::uint64_t>(limit % p.timeBase);
     const auto atLeast = [&](std::uint64_t n) { return d.ule(d.literal(n, w), ticks, w); };
     if (p.timeBase == 1) return atLeast(whole);
     const Bits then = d.add(d.zext(before_[i + 1], 8, 9), d.literal(rest, 9), 9), here = d.zext(now.digits, 8, 9);
     const Bits further = d.add(here, d.literal(static_cast<std::uint64_t>(p.timeBase), 9), 9);
-    return d.lor(atLeast(whole + 2), d.lor(d.land(atLeast(whole + 1), d.ule(then, further, 9)), d.land(atLeast(whole), d.ule(then, here, 9))));
+    return d.lor(atLeast(whole + 2), d.lor(d.land(atLeast(whole + 1), d.ule(then, further, 9)),
+                                           d.land(atLeast(whole), d.ule(then, here, 9))));
   }
   /// The clock goes on where `runs`, else stands at 0; it starts now where `starts` as well.
   void setClock(const Clock& clock, Bool runs, Bool starts) {
     const int w = p.cells[clock.cell].width;
     after_[clock.cell] = d.select(runs, clock.ticks, d.literal(0, w), w);
-    if (p.timeBase > 1) after_[clock.cell + 1] = d.select(runs, before_[clock.cell + 1], d.select(starts, now.digits, d.literal(0, 8), 8), 8);
+    if (p.timeBase > 1)
+      after_[clock.cell + 1] =
+          d.select(runs, before_[clock.cell + 1], d.select(starts, now.digits, d.literal(0, 8), 8), 8);
   }
 
   /// e at every scan end from one at least `ms` ago until now.

@@ -19,7 +19,9 @@ void addObserved(const Property& property, EncoderOptions& options) {
 
 constexpr const char* realReason = "the result of its REAL operation is taken as any value";
 
-Width leafWidth(int bits) { return bits == 1 ? Width::Bit : bits == 8 ? Width::Byte : bits == 16 ? Width::Word : Width::DWord; }
+Width leafWidth(int bits) {
+  return bits == 1 ? Width::Bit : bits == 8 ? Width::Byte : bits == 16 ? Width::Word : Width::DWord;
+}
 
 }  // namespace
 
@@ -28,7 +30,8 @@ struct Obligations::Leaf {
   Graph::Bits operator()(const Operand& operand, int width) { return {owner.leaf(operand, width)}; }
 };
 
-Obligations::Obligations(const Program& program, const PropertySet& set, const std::vector<Property>& goals, EncoderOptions options, ExecutionRecord* record) {
+Obligations::Obligations(const Program& program, const PropertySet& set, const std::vector<Property>& goals,
+                         EncoderOptions options, ExecutionRecord* record) {
   for (const Property& property : goals) addObserved(property, options);
   std::vector<const Property*> everyInstruction;
   for (const Property& property : goals) {
@@ -48,17 +51,21 @@ Obligations::Obligations(const Program& program, const PropertySet& set, const s
   // Properties over single instructions look at the machine as it is there; their edges and cells are of scan ends.
   std::vector<Node> badSoFar(everyInstruction.size(), noNode);
   const Instruction* last = nullptr;
-  std::vector<std::pair<const Instruction*, std::size_t>> ends;  // nodes that each instruction had made when the next one began
+  std::vector<std::pair<const Instruction*, std::size_t>>
+      ends;  // nodes that each instruction had made when the next one began
   options.atInstruction = [&](Machine<Graph>& machine, const Instruction& instruction) {
     Graph& graph = machine.d;
     ends.emplace_back(last, graph.size());
     last = &instruction;
     if (record != nullptr) record->at(machine, instruction);
     for (std::size_t i = 0; i < everyInstruction.size(); ++i) {
-      const auto here = [&](const Operand& o, int width) -> Graph::Bits { return machine.load(o.area, o.offset, leafWidth(width), o.bit); };
+      const auto here = [&](const Operand& o, int width) -> Graph::Bits {
+        return machine.load(o.area, o.offset, leafWidth(width), o.bit);
+      };
       std::vector<Graph::Bits> none(everyInstruction[i]->cells.size(), graph.literal(0, 1)), ignored = none;
       const Moment<Graph> moment{machine.getBit(Reg::FirstScan), graph.literal(0, 1), 1};
-      const Graph::Bool bad = Monitor<Graph, decltype(here)>(graph, *everyInstruction[i], here, moment, none, ignored).evaluate();
+      const Graph::Bool bad =
+          Monitor<Graph, decltype(here)>(graph, *everyInstruction[i], here, moment, none, ignored).evaluate();
       const Graph::Bool now = graph.land(machine.guard, bad);
       badSoFar[i] = badSoFar[i] == noNode ? now.node : graph.lor({badSoFar[i]}, now).node;
     }
@@ -96,9 +103,14 @@ void Obligations::approximateReals(const Instruction* place, std::size_t first, 
     if (isRealOperation(op) && !isRealComparison(op)) operations.push_back(static_cast<Node>(i));
   }
   if (operations.empty()) return;
-  const auto known = std::find_if(approximations_.begin(), approximations_.end(), [&](const Approximation& a) { return a.place == place && a.reason == realReason; });
-  if (known != approximations_.end()) known->carriers.insert(known->carriers.end(), operations.begin(), operations.end());
-  else approximations_.push_back({place, place == nullptr ? "a REAL operation in a property: its result is taken as any value" : realReason, std::move(operations)});
+  const auto known = std::find_if(approximations_.begin(), approximations_.end(),
+                                  [&](const Approximation& a) { return a.place == place && a.reason == realReason; });
+  if (known != approximations_.end())
+    known->carriers.insert(known->carriers.end(), operations.begin(), operations.end());
+  else
+    approximations_.push_back(
+        {place, place == nullptr ? "a REAL operation in a property: its result is taken as any value" : realReason,
+         std::move(operations)});
 }
 
 /// Clocks count in the finest base of the timers that their property depends on.
@@ -115,17 +127,20 @@ void Obligations::chooseTimeBases(const PropertySet& set, const std::vector<Prop
     std::vector<Node> leaves;
     for (const Expr* expr : {&property.first, &property.second}) {
       for (const ExprNode& n : expr->nodes) {
-        if (n.op == ExprOp::Address) leaves.push_back(leaf(n.operand, n.type == ExprType::Truth ? 1 : numberBits(n.operand)));
+        if (n.op == ExprOp::Address)
+          leaves.push_back(leaf(n.operand, n.type == ExprType::Truth ? 1 : numberBits(n.operand)));
       }
     }
     return leaves;
   };
-  for (const Property* property : timed) leavesOf(*property);  // all are touched before the next-state functions are read
+  for (const Property* property : timed)
+    leavesOf(*property);  // all are touched before the next-state functions are read
   std::unordered_map<std::uint32_t, Node> next;
   for (const StateVariable& state : encoding_->system().states) next[indexOf(state.node)] = state.next;
   std::unordered_map<std::uint32_t, int> resolution;
   for (const Cell& cell : encoding_->cells()) {
-    if (cell.place.isRegister && cell.place.reg == Reg::TimerCurrent) resolution[indexOf(cell.start)] = timerResolution(static_cast<int>(cell.place.at));
+    if (cell.place.isRegister && cell.place.reg == Reg::TimerCurrent)
+      resolution[indexOf(cell.start)] = timerResolution(static_cast<int>(cell.place.at));
   }
   for (const Property* property : timed) {
     int finest = 0;
@@ -135,7 +150,8 @@ void Obligations::chooseTimeBases(const PropertySet& set, const std::vector<Prop
       const Node n = open.back();
       open.pop_back();
       if (n == noNode || !seen.insert(indexOf(n)).second) continue;
-      if (const auto timer = resolution.find(indexOf(n)); timer != resolution.end()) finest = finest == 0 ? timer->second : std::min(finest, timer->second);
+      if (const auto timer = resolution.find(indexOf(n)); timer != resolution.end())
+        finest = finest == 0 ? timer->second : std::min(finest, timer->second);
       if (const auto state = next.find(indexOf(n)); state != next.end()) open.push_back(state->second);
       if (graph[n].op == Op::Variable) continue;
       for (const Node child : graph[n].child) open.push_back(child);
@@ -166,7 +182,8 @@ Node Obligations::leaf(const Operand& operand, int width) {
 void Obligations::addMonitor(AskedProperty& obligation) {
   Graph& graph = encoding_->graph();
   std::vector<Graph::Bits> before, after;
-  for (const MonitorCell& cell : obligation.property.cells) before.push_back({graph.variable(cell.name, cell.width, true)});
+  for (const MonitorCell& cell : obligation.property.cells)
+    before.push_back({graph.variable(cell.name, cell.width, true)});
   after = before;
   Leaf look{*this};
   TimeModel& time = encoding_->time();
@@ -176,7 +193,8 @@ void Obligations::addMonitor(AskedProperty& obligation) {
   if (base > 1) {
     const auto wide = [&](Node n) { return graph.make(Op::Zext, 8, n); };
     digits = wide(time.onesNow());
-    if (base == 100) digits = graph.make(Op::Add, 8, graph.make(Op::Mul, 8, wide(time.tensNow()), graph.constantNode(10, 8)), digits);
+    if (base == 100)
+      digits = graph.make(Op::Add, 8, graph.make(Op::Mul, 8, wide(time.tensNow()), graph.constantNode(10, 8)), digits);
   }
   const Moment<Graph> moment{{encoding_->firstScan()}, {ticks}, graph[ticks].width, {digits}};
   obligation.answer = Monitor<Graph, Leaf>(graph, obligation.property, look, moment, before, after).evaluate().node;
@@ -217,7 +235,8 @@ bool Obligations::isTimeState(Node variable) const {
     if (cell.start != variable) continue;
     if (cell.place.isRegister) {
       const Reg reg = cell.place.reg;
-      return reg == Reg::TimerCurrent || reg == Reg::PhaseTen || reg == Reg::PhaseHundred || reg == Reg::PhaseSecond || reg == Reg::PhaseMinute;
+      return reg == Reg::TimerCurrent || reg == Reg::PhaseTen || reg == Reg::PhaseHundred || reg == Reg::PhaseSecond ||
+             reg == Reg::PhaseMinute;
     }
     return cell.place.area == Area::SM && cell.place.byte() == 0;
   }
@@ -252,7 +271,8 @@ std::optional<Property> premiseOf(const Property& property) {
     default: return std::nullopt;
   }
   premise.atEveryInstruction = property.atEveryInstruction;
-  premise.text = premise.first.text = property.kind == PropertyKind::Always ? property.first.premise : property.first.text;
+  premise.text = premise.first.text =
+      property.kind == PropertyKind::Always ? property.first.premise : property.first.text;
   layoutCells(premise);
   return premise;
 }

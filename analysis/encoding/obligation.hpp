@@ -33,8 +33,8 @@ class Obligations {
   /// Encodes the program with the properties' addresses and external ranges in mind. `goals` are what is asked;
   /// assumptions and pulses among `set` constrain all of them.
   /// record: told of each instruction that the final encoding comes to.
-  Obligations(const Program& program, const PropertySet& set, const std::vector<Property>& goals, EncoderOptions options,
-              ExecutionRecord* record = nullptr);
+  Obligations(const Program& program, const PropertySet& set, const std::vector<Property>& goals,
+              EncoderOptions options, ExecutionRecord* record = nullptr);
 
   EncodedScan& encoding() { return *encoding_; }
   const std::vector<AskedProperty>& goals() const { return goals_; }

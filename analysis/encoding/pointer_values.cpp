@@ -45,7 +45,8 @@ ValueSet ValueEvaluator::evaluate(Node n, std::size_t limit) {
     }
     result = ValueSet::combine(node, widths, operand, limit);
   }
-  if (const auto bounds = unsigned_.find(n); bounds != unsigned_.end()) result.restrict(bounds->second.low, bounds->second.high, limit);
+  if (const auto bounds = unsigned_.find(n); bounds != unsigned_.end())
+    result.restrict(bounds->second.low, bounds->second.high, limit);
   if (const auto bounds = signed_.find(n); bounds != signed_.end()) {
     const std::uint64_t mask = Graph::maskOf(node.width), sign = mask ^ mask >> 1;
     const std::uint64_t low = bounds->second.low ^ sign, high = bounds->second.high ^ sign;
@@ -70,7 +71,8 @@ ValueSet ValueEvaluator::valuesOf(Node root, Node guard, std::size_t limit) {
   return at(root);
 }
 
-ValueSet ValueEvaluator::valuesWith(std::span<const Node> cone, Node variable, const ValueSet& value, std::size_t limit) {
+ValueSet ValueEvaluator::valuesWith(std::span<const Node> cone, Node variable, const ValueSet& value,
+                                    std::size_t limit) {
   fixed_ = variable;
   fixedValue_ = value;
   run(cone, limit);
@@ -100,11 +102,15 @@ std::optional<ValueEvaluator::Limit> ValueEvaluator::limitOf(Node n) const {
   const std::uint64_t k = test.op == Op::Slt ? raw ^ sign : raw;
   Bounds bounds{0, mask};
   if (isRight) {
-    if (isNegated) bounds.low = k;
-    else bounds.high = k - 1;
+    if (isNegated)
+      bounds.low = k;
+    else
+      bounds.high = k - 1;
   } else {
-    if (isNegated) bounds.high = k;
-    else bounds.low = k + 1;
+    if (isNegated)
+      bounds.high = k;
+    else
+      bounds.low = k + 1;
   }
   return test.op == Op::Slt ? Limit{subject, std::nullopt, bounds} : Limit{subject, bounds, std::nullopt};
 }
@@ -120,8 +126,10 @@ std::optional<ValueEvaluator::Limit> ValueEvaluator::limitOfAny(std::span<const 
       continue;
     }
     const auto join = [](std::optional<Bounds>& to, const std::optional<Bounds>& from) {
-      if (to && from) to = Bounds{std::min(to->low, from->low), std::max(to->high, from->high)};
-      else to.reset();
+      if (to && from)
+        to = Bounds{std::min(to->low, from->low), std::max(to->high, from->high)};
+      else
+        to.reset();
     };
     join(result->asUnsigned, next->asUnsigned);
     join(result->asSigned, next->asSigned);
@@ -147,9 +155,12 @@ void ValueEvaluator::collectBounds(Node guard) {
       while (!parts.empty()) {
         const NodeData& part = graph_[parts.back()];
         parts.pop_back();
-        if (part.op == Op::And) parts.insert(parts.end(), {part.child[0], part.child[1]});
-        else if (part.op == Op::Not) alternatives.push_back(part.child[0]);
-        else isUnderstood = false;
+        if (part.op == Op::And)
+          parts.insert(parts.end(), {part.child[0], part.child[1]});
+        else if (part.op == Op::Not)
+          alternatives.push_back(part.child[0]);
+        else
+          isUnderstood = false;
       }
       if (isUnderstood) limit = limitOfAny(alternatives);
     }
@@ -184,16 +195,20 @@ namespace {
 /// The state variable that is 1 at the start of the first scan only; noNode if there is none.
 Node firstScanOf(const TransitionSystem& system) {
   const Graph& graph = *system.graph;
-  const auto is = [&](Node n, std::uint64_t value) { return n != noNode && graph[n].op == Op::Constant && graph[n].value == value; };
+  const auto is = [&](Node n, std::uint64_t value) {
+    return n != noNode && graph[n].op == Op::Constant && graph[n].value == value;
+  };
   for (const StateVariable& s : system.states) {
     if (graph[s.node].width == 1 && is(s.init, 1) && is(s.next, 0)) return s.node;
   }
   return noNode;
 }
 
-/// Value by value: what does the cell become from each of its values? What it starts with counts in the first scan, what it has
-/// become in all others: a pointer that the first scan sets is never advanced from 0. False if they become too many.
-bool followPointer(const TransitionSystem& system, const StateVariable& cell, Node firstScan, ValueEvaluator& evaluator, VariableValues& known, bool& isChanged) {
+/// Value by value: what does the cell become from each of its values? What it starts with counts in the first scan,
+/// what it has become in all others: a pointer that the first scan sets is never advanced from 0. False if they become
+/// too many.
+bool followPointer(const TransitionSystem& system, const StateVariable& cell, Node firstScan, ValueEvaluator& evaluator,
+                   VariableValues& known, bool& isChanged) {
   const Graph& graph = *system.graph;
   ValueSet& values = known.at(cell.node);
   if (!values.isListed()) return false;

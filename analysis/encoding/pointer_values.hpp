@@ -54,7 +54,7 @@ class ValueEvaluator {
 
   const Graph& graph_;
   const VariableValues& variables_;
-  std::vector<ValueSet> values_;  ///< by node; of the cone that was run last
+  std::vector<ValueSet> values_;                        ///< by node; of the cone that was run last
   std::unordered_map<Node, Bounds> unsigned_, signed_;  ///< signed bounds are shifted so that their order is unsigned
   Node fixed_ = noNode;
   ValueSet fixedValue_;

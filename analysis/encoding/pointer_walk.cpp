@@ -13,17 +13,18 @@ namespace rungproof {
 
 namespace {
 
-constexpr std::size_t companionLimit = 12;   ///< cells that are tried
+constexpr std::size_t companionLimit = 12;  ///< cells that are tried
 constexpr std::size_t tupleLimit = 1024;
-constexpr std::size_t coneLimit = 20000;     ///< nodes of the next-state functions
-constexpr int solverLimit = 4000;             ///< calls of the solver, so that the answer does not depend on the machine
+constexpr std::size_t coneLimit = 20000;  ///< nodes of the next-state functions
+constexpr int solverLimit = 4000;         ///< calls of the solver, so that the answer does not depend on the machine
 constexpr double walkSeconds = 10;
 
 using Tuple = std::vector<std::uint64_t>;
 
 class PointerWalk {
  public:
-  PointerWalk(const TransitionSystem& system, Node pointer, std::size_t limit) : graph_(*system.graph), pointer_(pointer), limit_(limit) {
+  PointerWalk(const TransitionSystem& system, Node pointer, std::size_t limit)
+      : graph_(*system.graph), pointer_(pointer), limit_(limit) {
     for (const StateVariable& s : system.states) states_.emplace(s.node, s);
   }
 
@@ -93,7 +94,8 @@ class PointerWalk {
       const int round = sat.newVariable();
       std::vector<int> assumptions{round};
       for (std::size_t c = 0; c < cells.size(); ++c) {
-        for (std::size_t bit = 0; bit < from[c].size(); ++bit) assumptions.push_back((tuple[c] >> bit & 1U) != 0 ? from[c][bit] : -from[c][bit]);
+        for (std::size_t bit = 0; bit < from[c].size(); ++bit)
+          assumptions.push_back((tuple[c] >> bit & 1U) != 0 ? from[c][bit] : -from[c][bit]);
       }
       for (;;) {
         if (++calls_ > solverLimit) return std::nullopt;
@@ -129,6 +131,8 @@ class PointerWalk {
 
 }  // namespace
 
-std::optional<std::vector<std::uint64_t>> walkOf(const TransitionSystem& system, Node pointer, std::size_t limit) { return PointerWalk(system, pointer, limit).run(); }
+std::optional<std::vector<std::uint64_t>> walkOf(const TransitionSystem& system, Node pointer, std::size_t limit) {
+  return PointerWalk(system, pointer, limit).run();
+}
 
 }  // namespace rungproof

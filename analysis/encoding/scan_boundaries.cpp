@@ -38,7 +38,8 @@ Attachments attachmentsOf(const Plan& plan) {
 void ScanEncoding::prepareTicks() {
   for (const TimerUse& use : plan_.timers) {
     if (use.resolution != 1) continue;
-    for (const Reg reg : {Reg::TimerCurrent, Reg::TimerBit, Reg::TimerRunning, Reg::TimerPreset}) addKeys(registerPlace(reg, use.number), tickKeys_);
+    for (const Reg reg : {Reg::TimerCurrent, Reg::TimerBit, Reg::TimerRunning, Reg::TimerPreset})
+      addKeys(registerPlace(reg, use.number), tickKeys_);
   }
   consumed_ = graph.constantNode(0, time.width());
 }
@@ -47,10 +48,12 @@ void ScanEncoding::prepareWatched() {
   for (const Operand& operand : options_.watched) {
     switch (operand.area) {
       case Area::T:
-        for (const Reg reg : {Reg::TimerBit, Reg::TimerCurrent}) addKeys(registerPlace(reg, operand.offset), watched_.reads);
+        for (const Reg reg : {Reg::TimerBit, Reg::TimerCurrent})
+          addKeys(registerPlace(reg, operand.offset), watched_.reads);
         break;
       case Area::C:
-        for (const Reg reg : {Reg::CounterBit, Reg::CounterCurrent}) addKeys(registerPlace(reg, operand.offset), watched_.reads);
+        for (const Reg reg : {Reg::CounterBit, Reg::CounterCurrent})
+          addKeys(registerPlace(reg, operand.offset), watched_.reads);
         break;
       case Area::AC: addKeys(registerPlace(Reg::Accumulator, operand.offset), watched_.reads); break;
       case Area::HC:
@@ -111,7 +114,8 @@ void ScanEncoding::tick(std::uint32_t instruction, std::uint32_t visit) {
   Node now = time.dt();
   if (instruction != ScanPlace::afterProgram) {
     now = input("ms before instruction " + std::to_string(instruction), w);
-    const Node inOrder = graph.make(Op::And, 1, graph.make(Op::Ule, 1, consumed_, now), graph.make(Op::Ule, 1, now, time.dt()));
+    const Node inOrder =
+        graph.make(Op::And, 1, graph.make(Op::Ule, 1, consumed_, now), graph.make(Op::Ule, 1, now, time.dt()));
     const Node constraint = graph.make(Op::Or, 1, graph.make(Op::Not, 1, guard), inOrder);
     constraints_.push_back(constraint);
     totalConstraints_.push_back(constraint);
@@ -128,15 +132,20 @@ void ScanEncoding::interrupts(Runner& runner, std::uint32_t instruction, std::ui
     if (!mayInterrupt(event, instruction)) continue;
     const Graph::Bits routine = machine_.get(Reg::EventRoutine, static_cast<std::uint32_t>(event));
     const Graph::Bool enabled = graph.land(machine_.getBit(Reg::InterruptsEnabled), machine_.getBit(Reg::Running));
-    const auto isAttached = [&](int number) { return graph.land(enabled, graph.equal(routine, graph.literal(static_cast<std::uint64_t>(number) + 1, 8), 8)); };
+    const auto isAttached = [&](int number) {
+      return graph.land(enabled, graph.equal(routine, graph.literal(static_cast<std::uint64_t>(number) + 1, 8), 8));
+    };
     Graph::Bool ready = graph.constant(false);
     for (const int number : attachments_.at(event)) ready = graph.lor(ready, isAttached(number));
     if (graph.truth(graph.land(machine_.guard, ready)) == false) continue;
     if (eventSites.size() >= eventSiteLimit) {
-      approximate(nullptr, "interrupts are followed at the first " + std::to_string(eventSiteLimit) + " places of a scan only").leftOut = graph.constant(true).node;
+      approximate(nullptr,
+                  "interrupts are followed at the first " + std::to_string(eventSiteLimit) + " places of a scan only")
+          .leftOut = graph.constant(true).node;
       return;
     }
-    const Graph::Bool occurs{input("event " + std::to_string(event) + " before instruction " + std::to_string(instruction), 1)};
+    const Graph::Bool occurs{
+        input("event " + std::to_string(event) + " before instruction " + std::to_string(instruction), 1)};
     eventSites.push_back({{instruction, visit, machine_.guard.node}, event, graph.land(occurs, ready).node});
     for (const int number : attachments_.at(event)) {
       routine_ = number;

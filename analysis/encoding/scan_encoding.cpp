@@ -1,10 +1,10 @@
 // Encoding of one scan: inputs and time, the program, the end of the scan.
 #include "analysis/encoding/scan_encoding.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "analysis/encoding/device_memory.hpp"
 #include "ir/check.hpp"
@@ -17,11 +17,13 @@ namespace {
 
 std::string siteName(const ExternalSite& site) {
   switch (site.kind) {
-    case External::ImmediateInput: return fmt::format("I{}.{} immediate, instruction {}", site.index / 8, site.index % 8, site.instruction);
+    case External::ImmediateInput:
+      return fmt::format("I{}.{} immediate, instruction {}", site.index / 8, site.index % 8, site.instruction);
     case External::AnalogInput: return fmt::format("AIW{}, instruction {}", site.index, site.instruction);
     case External::StackBottom: return fmt::format("stack bottom, instruction {}", site.instruction);
     case External::LocalMemory: return fmt::format("LB{}, instruction {}", site.index, site.instruction);
-    default: return fmt::format("external {} {}, instruction {}", static_cast<int>(site.kind), site.index, site.instruction);
+    default:
+      return fmt::format("external {} {}, instruction {}", static_cast<int>(site.kind), site.index, site.instruction);
   }
 }
 
@@ -29,10 +31,16 @@ constexpr std::string_view unresolvedReason = "pointer whose targets could not b
 
 }  // namespace
 
-ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options, const Plan& plan, const MemoryLayout& layout,
-                           const Knowledge& knowledge)
-    : time(graph, options.time), program_(program), options_(options), plan_(plan), knowledge_(knowledge),
-      initial_(powerUpState(plan, options.choices)), store_(graph, layout, *this, plan.edgeCount), machine_(graph, store_, plan, options.choices) {
+ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options, const Plan& plan,
+                           const MemoryLayout& layout, const Knowledge& knowledge)
+    : time(graph, options.time),
+      program_(program),
+      options_(options),
+      plan_(plan),
+      knowledge_(knowledge),
+      initial_(powerUpState(plan, options.choices)),
+      store_(graph, layout, *this, plan.edgeCount),
+      machine_(graph, store_, plan, options.choices) {
   graph.listen(this);
   store_.follow(&machine_);
   if (time.constraint() != noNode) {
@@ -51,7 +59,8 @@ ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options
     store_.observe([this](const Touch& touch) {
       // Saving and restoring around a routine is not its doing.
       const bool isOfRoutine = routine_ < 0 || machine_.inInterrupt;
-      if (isRecording_ && isOfRoutine && machine_.current != nullptr) footprints_.record(machine_.current->id, routine_, touch);
+      if (isRecording_ && isOfRoutine && machine_.current != nullptr)
+        footprints_.record(machine_.current->id, routine_, touch);
     });
   }
   run();
@@ -140,13 +149,16 @@ Node ScanEncoding::init(const Place& place) const {
   Graph& g = const_cast<Graph&>(graph);
   if (place.isRegister) {
     const bool isTimer = place.reg == Reg::TimerCurrent, isCounter = place.reg == Reg::CounterCurrent;
-    if (options_.initialRetentive && (isTimer || isCounter) && isRetentive(options_.retentive, isTimer ? Area::T : Area::C, place.at)) return noNode;
+    if (options_.initialRetentive && (isTimer || isCounter) &&
+        isRetentive(options_.retentive, isTimer ? Area::T : Area::C, place.at))
+      return noNode;
     return g.constantNode(initial_.get(place.reg, place.at), place.width);
   }
   if (options_.initialRetentive && isRetentive(options_.retentive, place.area, place.byte())) return noNode;
   if (place.width == 1) return g.constantNode(initial_.load(place.area, place.byte() * 8 + place.bit(), 1), 1);
   std::uint64_t value = 0;
-  for (std::uint32_t i = 0; i < place.width / 8U; ++i) value = value << 8 | initial_.load(place.area, (place.byte() + i) * 8, 8);
+  for (std::uint32_t i = 0; i < place.width / 8U; ++i)
+    value = value << 8 | initial_.load(place.area, (place.byte() + i) * 8, 8);
   return g.constantNode(value, place.width);
 }
 
@@ -159,8 +171,10 @@ Cell ScanEncoding::cellAt(const Place& place) {
   if (isClosed_ && !hasHavoc_ && first != noNode) return {place, CellKind::Constant, first};
   const Node node = graph.variable(nameOf(place), place.width, true);
   const auto values = knowledge_.values.find(place);
-  if (values != knowledge_.values.end()) known_[node] = values->second;
-  else if (first != noNode) known_[node] = ValueSet::of(graph[first].value);
+  if (values != knowledge_.values.end())
+    known_[node] = values->second;
+  else if (first != noNode)
+    known_[node] = ValueSet::of(graph[first].value);
   return {place, CellKind::State, node};
 }
 
@@ -188,7 +202,8 @@ void ScanEncoding::report(Hazard hazard, Graph::Bool condition, const Instructio
     a.leftOut = a.leftOut == noNode ? condition.node : graph.lor({a.leftOut}, condition).node;
   }
   // What ends the program keeps later interrupts from running.
-  if (place != nullptr && hazardInfo(hazard).kind == HazardClass::Fatal) footprints_.record(place->id, routine_, {registerPlace(Reg::Running, 0), true});
+  if (place != nullptr && hazardInfo(hazard).kind == HazardClass::Fatal)
+    footprints_.record(place->id, routine_, {registerPlace(Reg::Running, 0), true});
 }
 
 Approximation& ScanEncoding::approximate(const Instruction* place, std::string_view reason) {
@@ -220,8 +235,10 @@ Graph::Bool ScanEncoding::targets(Machine<Graph>& machine, Graph::Bits pointer, 
   for (const std::uint64_t value : values.values()) {
     const Graph::Bool isValue = graph.equal(pointer, graph.literal(value, 32), 32);
     const auto address = static_cast<std::uint32_t>(value);
-    if (pointer::isLegal(machine.target, address, width)) ref.targets.push_back({isValue, *pointer::areaOf(address), pointer::offsetOf(address)});
-    else legal = graph.land(legal, graph.lnot(isValue));
+    if (pointer::isLegal(machine.target, address, width))
+      ref.targets.push_back({isValue, *pointer::areaOf(address), pointer::offsetOf(address)});
+    else
+      legal = graph.land(legal, graph.lnot(isValue));
   }
   if (ref.targets.empty()) return graph.constant(false);
   if (values.isSingle()) {
@@ -259,7 +276,9 @@ Node ScanEncoding::start(const Place& place) {
   // Part of a larger cell.
   for (const Cell& cell : cells()) {
     const Place& c = cell.place;
-    if (c.isRegister || place.isRegister || c.area != place.area || c.at > place.at || c.at + c.width < place.at + place.width) continue;
+    if (c.isRegister || place.isRegister || c.area != place.area || c.at > place.at ||
+        c.at + c.width < place.at + place.width)
+      continue;
     return graph.make(Op::Extract, place.width, cell.start, noNode, noNode, c.at + c.width - place.at - place.width);
   }
   if (!place.isRegister && place.width > 1) return noNode;

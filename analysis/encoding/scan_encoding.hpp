@@ -18,8 +18,8 @@ struct Knowledge {
   std::map<Place, ValueSet> values;          ///< of cells at the start of scans, as far as they are known
   std::map<Place, std::uint64_t> constants;  ///< cells that keep one value in all runs
   Footprints footprints;
-  bool followsPointers = true;               ///< false: pointers that are not constant stay unresolved
-  bool isFinal = false;                      ///< nothing is left to be learned
+  bool followsPointers = true;  ///< false: pointers that are not constant stay unresolved
+  bool isFinal = false;         ///< nothing is left to be learned
 };
 
 /// Events that the program attaches, with the routines they may have.
@@ -30,7 +30,8 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
  public:
   using Runner = Scan<Graph, ScanEncoding>;
 
-  ScanEncoding(const Program& program, const EncoderOptions& options, const Plan& plan, const MemoryLayout& layout, const Knowledge& knowledge);
+  ScanEncoding(const Program& program, const EncoderOptions& options, const Plan& plan, const MemoryLayout& layout,
+               const Knowledge& knowledge);
 
   /// Hooks of the walk over the program.
   void before(Runner& runner, const FlowStep& step);
@@ -58,7 +59,8 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   bool hasEvents() const { return !attachments_.empty(); }
   /// No more of the program follows: what is touched from now on has never been written.
   void close() { isClosed_ = true; }
-  /// The sample of an analog input, or what was read of it last (Choice::AnalogSampling), by word address; noNode if none.
+  /// The sample of an analog input, or what was read of it last (Choice::AnalogSampling), by word address; noNode if
+  /// none.
   Node analogInput(std::uint32_t byte) const;
   const std::map<std::uint32_t, Node>& analogInputs() const { return analog_; }
 
@@ -99,12 +101,12 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   std::vector<std::vector<std::size_t>> localEntries_;  ///< by entry: index in externals of each byte
   std::map<std::uint32_t, Node> analog_;
   Attachments attachments_;
-  std::vector<int> events_;              ///< attached ones, by priority
-  std::set<std::uint32_t> tickKeys_;     ///< footprint keys of all 1 ms timers
-  Footprint watched_;                    ///< read in front of every instruction (EncoderOptions::watched)
+  std::vector<int> events_;           ///< attached ones, by priority
+  std::set<std::uint32_t> tickKeys_;  ///< footprint keys of all 1 ms timers
+  Footprint watched_;                 ///< read in front of every instruction (EncoderOptions::watched)
   Footprints footprints_;
-  Node consumed_ = noNode;               ///< ms of this scan that have reached the 1 ms timers
-  int routine_ = -1;                     ///< interrupt routine that runs
+  Node consumed_ = noNode;  ///< ms of this scan that have reached the 1 ms timers
+  int routine_ = -1;        ///< interrupt routine that runs
   bool isRecording_ = true;
   bool isClosed_ = false;
   bool hasHavoc_ = false;

@@ -14,11 +14,13 @@ std::vector<ScanInput> scanInputsOf(const EncodedScan& scan) {
       inputs.push_back({direct(p.area, Width::Bit, p.byte(), p.bit()), cell.start});
     } else {
       for (int i = 0; i < p.width; i += 8) {
-        inputs.push_back({direct(p.area, Width::Byte, p.byte() + static_cast<std::uint32_t>(i) / 8), cell.start, p.width - 8 - i});
+        inputs.push_back(
+            {direct(p.area, Width::Byte, p.byte() + static_cast<std::uint32_t>(i) / 8), cell.start, p.width - 8 - i});
       }
     }
   }
-  for (const auto& [byte, sample] : scan.analogInputs()) inputs.push_back({direct(Area::AI, Width::Word, byte), sample});
+  for (const auto& [byte, sample] : scan.analogInputs())
+    inputs.push_back({direct(Area::AI, Width::Word, byte), sample});
   return inputs;
 }
 

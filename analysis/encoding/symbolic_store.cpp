@@ -2,9 +2,9 @@
 // byte * 8 + (7 - bit), so a word is a run of indices from its most significant bit.
 #include "analysis/encoding/symbolic_store.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "ir/check.hpp"
 
@@ -33,7 +33,8 @@ std::string nameOf(const Place& place) {
 
 Graph::Store::Store(Graph& graph, const MemoryLayout& layout, CellSource& source, std::uint32_t edgeCount)
     : graph_(graph), layout_(layout), source_(source), localEntry_(localBytes, 0) {
-  for (const RegInfo& info : regTable) registers_[static_cast<std::size_t>(info.reg)].assign(info.count == 0 ? edgeCount : info.count, noNode);
+  for (const RegInfo& info : regTable)
+    registers_[static_cast<std::size_t>(info.reg)].assign(info.count == 0 ? edgeCount : info.count, noNode);
 }
 
 std::vector<Graph::Store::BitRef>& Graph::Store::bitsOf(Area area) {
@@ -102,7 +103,8 @@ Node Graph::Store::join(Area area, std::uint32_t first, int width) {
       if (next.node != start.node || next.low + static_cast<std::uint32_t>(run) != start.low) break;
       ++run;
     }
-    const Node part = graph_.make(Op::Extract, run, start.node, noNode, noNode, start.low + 1 - static_cast<std::uint32_t>(run));
+    const Node part =
+        graph_.make(Op::Extract, run, start.node, noNode, noNode, start.low + 1 - static_cast<std::uint32_t>(run));
     result = result == noNode ? part : graph_.make(Op::Concat, done + run, result, part);
     done += run;
   }
@@ -111,7 +113,8 @@ Node Graph::Store::join(Area area, std::uint32_t first, int width) {
 
 void Graph::Store::put(Area area, std::uint32_t first, int width, Node value) {
   std::vector<BitRef>& bits = bitsOf(area);
-  for (int i = 0; i < width; ++i) bits[first + static_cast<std::uint32_t>(i)] = {value, static_cast<std::uint32_t>(width - 1 - i)};
+  for (int i = 0; i < width; ++i)
+    bits[first + static_cast<std::uint32_t>(i)] = {value, static_cast<std::uint32_t>(width - 1 - i)};
 }
 
 Graph::Bits Graph::Store::load(Area area, std::uint32_t offset, int width) {
@@ -136,7 +139,8 @@ void Graph::Store::save(Area area, std::uint32_t offset, int width, Bits value, 
   if (width == 1 && machine_ != nullptr && machine_->current != nullptr && area != Area::L && area != Area::SM) {
     bitWrites_.push_back({machine_->current, place, value.node, guard.node});
   }
-  Node stored = graph_.make(Op::Extract, inside, value.node, noNode, noNode, static_cast<std::uint64_t>(width - inside));
+  Node stored =
+      graph_.make(Op::Extract, inside, value.node, noNode, noNode, static_cast<std::uint64_t>(width - inside));
   if (graph_.truth(guard) != true) {
     touch(area, first, inside);
     stored = graph_.make(Op::Ite, inside, guard.node, stored, join(area, first, inside));
@@ -188,7 +192,9 @@ std::vector<Place> Graph::Store::places() const {
     for (std::uint32_t at = 0; at < bits.size(); ++at) {
       if (bits[at].node == noNode) continue;
       std::uint32_t run = 1;
-      while (run < 64 && at + run < bits.size() && bits[at + run].node == bits[at].node && bits[at + run].low + run == bits[at].low) ++run;
+      while (run < 64 && at + run < bits.size() && bits[at + run].node == bits[at].node &&
+             bits[at + run].low + run == bits[at].low)
+        ++run;
       result.push_back({false, area, Reg::Accumulator, at, static_cast<std::uint8_t>(run)});
       at += run - 1;
     }
@@ -208,8 +214,10 @@ void Graph::Store::havoc(Bool guard, std::function<Node(const Place&)> fresh) {
     const bool isReachable = !place.isRegister || place.reg == Reg::TimerCurrent || place.reg == Reg::CounterCurrent;
     if (!isReachable) continue;
     const Node changed = graph_.make(Op::Ite, place.width, guard.node, fresh(place), value(place));
-    if (place.isRegister) registers_[static_cast<std::size_t>(place.reg)][place.at] = changed;
-    else put(place.area, place.at, place.width, changed);
+    if (place.isRegister)
+      registers_[static_cast<std::size_t>(place.reg)][place.at] = changed;
+    else
+      put(place.area, place.at, place.width, changed);
   }
   havocs_.push_back({guard.node, std::move(fresh)});
 }

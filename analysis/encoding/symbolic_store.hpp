@@ -20,7 +20,7 @@ struct Place {
   bool isRegister = false;
   Area area = Area::V;
   Reg reg = Reg::Accumulator;
-  std::uint32_t at = 0;      ///< memory: most significant bit, counted as byte * 8 + (7 - bit); register: index
+  std::uint32_t at = 0;  ///< memory: most significant bit, counted as byte * 8 + (7 - bit); register: index
   std::uint8_t width = 1;
 
   friend bool operator==(const Place&, const Place&) = default;

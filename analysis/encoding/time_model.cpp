@@ -8,11 +8,17 @@
 namespace rungproof {
 
 TimeModel::TimeModel(Graph& graph, const TimeRange& range)
-    : graph_(graph), low_(range.low), high_(range.relaxed ? std::max(range.high, relaxedHigh) : range.high), relaxed_(range.relaxed),
-      width_(std::bit_width(high_ + 198)) {  // dt as computed from digits lies in -99 .. high + 198 and must not wrap into the range
+    : graph_(graph),
+      low_(range.low),
+      high_(range.relaxed ? std::max(range.high, relaxedHigh) : range.high),
+      relaxed_(range.relaxed),
+      width_(std::bit_width(
+          high_ + 198)) {  // dt as computed from digits lies in -99 .. high + 198 and must not wrap into the range
   CHECK(range.low >= 1 && range.low <= range.high && range.high <= 65535, "scan time range");
-  if (low_ == high_) fixed(low_);
-  else free();
+  if (low_ == high_)
+    fixed(low_);
+  else
+    free();
 }
 
 Node TimeModel::state(const char* name, int width, Node next) {
@@ -40,7 +46,9 @@ void TimeModel::free() {
   tenBefore_ = state("time.tens.before", 4, ten_);
   hundreds_ = state("time.hundreds.start", std::bit_width(most), n);
   dt_ = add(add(times(wide(n), 100), times(sub(wide(d), wide(ten_)), 10)), sub(wide(u), wide(ones)));
-  const auto atMost = [&](Node a, std::uint64_t limit) { return graph_.make(Op::Ule, 1, a, number(limit, graph_[a].width)); };
+  const auto atMost = [&](Node a, std::uint64_t limit) {
+    return graph_.make(Op::Ule, 1, a, number(limit, graph_[a].width));
+  };
   const auto both = [&](Node a, Node b) { return graph_.make(Op::And, 1, a, b); };
   const Node digits = both(both(atMost(d, 9), atMost(u, 9)), atMost(n, most));
   const Node range = both(atMost(dt_, high_), graph_.make(Op::Ule, 1, number(low_, w), dt_));
@@ -64,7 +72,9 @@ void TimeModel::fixed(std::uint32_t length) {
     Node value, carry;
   };
   const auto add = [&](Node digit, std::uint64_t amount, Node carryIn) -> Digit {
-    const Node sum = graph_.make(Op::Add, 5, graph_.make(Op::Add, 5, graph_.make(Op::Zext, 5, digit), number(amount, 5)), graph_.make(Op::Zext, 5, carryIn));
+    const Node sum =
+        graph_.make(Op::Add, 5, graph_.make(Op::Add, 5, graph_.make(Op::Zext, 5, digit), number(amount, 5)),
+                    graph_.make(Op::Zext, 5, carryIn));
     const Node carry = graph_.make(Op::Ule, 1, number(10, 5), sum);
     const Node kept = graph_.make(Op::Ite, 5, carry, graph_.make(Op::Sub, 5, sum, number(10, 5)), sum);
     return {graph_.make(Op::Extract, 4, kept), carry};

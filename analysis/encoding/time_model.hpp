@@ -64,9 +64,9 @@ class TimeModel {
   int width_;
   Node dt_ = noNode;
   Node hundredsNow_ = noNode, tensNow_ = noNode, onesNow_ = noNode;
-  Node hundreds_ = noNode;  ///< ticks of 100 ms since the scan before
-  Node ten_ = noNode;       ///< digit d at the start of this scan
-  Node tenBefore_ = noNode; ///< and at the start of the scan before
+  Node hundreds_ = noNode;   ///< ticks of 100 ms since the scan before
+  Node ten_ = noNode;        ///< digit d at the start of this scan
+  Node tenBefore_ = noNode;  ///< and at the start of the scan before
   Node constraint_ = noNode;
   std::vector<StateVariable> states_;
   std::vector<Node> inputs_;

@@ -9,7 +9,8 @@
 namespace rungproof {
 
 std::string exportLine(std::string name) {
-  std::replace_if(name.begin(), name.end(), [](unsigned char c) { return c < 32; }, ' ');
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return c < 32; }, ' ');
   return name;
 }
 
@@ -22,7 +23,8 @@ BitSystem plainSystem(const BitSystem& bits) {
   for (std::size_t i = 0; i < bits.inputs.size(); ++i) image[bits.inputs[i]] = plain.addInput(bits.inputNames[i]);
   std::vector<Lit> own;
   for (const Latch& latch : bits.latches) own.push_back(plain.addLatch(latch.name, LatchInit::Zero));
-  const bool hasFree = std::any_of(bits.latches.begin(), bits.latches.end(), [](const Latch& l) { return l.init == LatchInit::Free; });
+  const bool hasFree =
+      std::any_of(bits.latches.begin(), bits.latches.end(), [](const Latch& l) { return l.init == LatchInit::Free; });
   const Lit started = hasFree ? plain.addLatch("started", LatchInit::Zero) : falseLit;
   const Lit broken = bits.constraints.empty() ? falseLit : plain.addLatch("constraint broken", LatchInit::Zero);
   for (std::size_t i = 0; i < bits.latches.size(); ++i) {
@@ -32,7 +34,8 @@ BitSystem plainSystem(const BitSystem& bits) {
     if (latch.init == LatchInit::Free) value = plain.addIte(started, own[i], plain.addInput(latch.name + " at start"));
   }
   const auto of = [&](Lit l) { return image[variableOf(l)] ^ (l & 1U); };
-  for (std::size_t i = 0; i < bits.gates.size(); ++i) image[bits.gateVariables[i]] = plain.addAnd(of(bits.gates[i].left), of(bits.gates[i].right));
+  for (std::size_t i = 0; i < bits.gates.size(); ++i)
+    image[bits.gateVariables[i]] = plain.addAnd(of(bits.gates[i].left), of(bits.gates[i].right));
   for (std::size_t i = 0; i < bits.latches.size(); ++i) {
     const Lit next = of(bits.latches[i].next);
     plain.setNext(own[i], bits.latches[i].init == LatchInit::One ? negate(next) : next);
@@ -64,7 +67,8 @@ class AigerText {
     }
     text += marked();
     for (std::size_t i = 0; i < bits_.gates.size(); ++i) {
-      text += fmt::format("{} {} {}\n", 2 * number_[bits_.gateVariables[i]], literal(bits_.gates[i].right), literal(bits_.gates[i].left));
+      text += fmt::format("{} {} {}\n", 2 * number_[bits_.gateVariables[i]], literal(bits_.gates[i].right),
+                          literal(bits_.gates[i].left));
     }
     return text + symbols();
   }
@@ -75,7 +79,8 @@ class AigerText {
     for (const Latch& latch : bits_.latches) text += fmt::format("{}\n", literal(latch.next));
     text += marked();
     for (std::size_t i = 0; i < bits_.gates.size(); ++i) {
-      const std::uint32_t self = 2 * number_[bits_.gateVariables[i]], a = literal(bits_.gates[i].left), b = literal(bits_.gates[i].right);
+      const std::uint32_t self = 2 * number_[bits_.gateVariables[i]], a = literal(bits_.gates[i].left),
+                          b = literal(bits_.gates[i].right);
       appendDifference(text, self - std::max(a, b));
       appendDifference(text, std::max(a, b) - std::min(a, b));
     }
@@ -85,7 +90,8 @@ class AigerText {
  private:
   std::uint32_t literal(Lit l) const { return 2 * number_[variableOf(l)] + (l & 1U); }
   std::string header(const char* magic) const {
-    std::string text = fmt::format("{} {} {} {} 0 {} {}", magic, last_, bits_.inputs.size(), bits_.latches.size(), bits_.gates.size(), bits_.bads.size());
+    std::string text = fmt::format("{} {} {} {} 0 {} {}", magic, last_, bits_.inputs.size(), bits_.latches.size(),
+                                   bits_.gates.size(), bits_.bads.size());
     if (!bits_.constraints.empty()) text += fmt::format(" {}", bits_.constraints.size());
     return text + "\n";
   }
@@ -97,9 +103,12 @@ class AigerText {
   }
   std::string symbols() const {
     std::string text;
-    for (std::size_t i = 0; i < bits_.inputs.size(); ++i) text += fmt::format("i{} {}\n", i, exportLine(bits_.inputNames[i]));
-    for (std::size_t i = 0; i < bits_.latches.size(); ++i) text += fmt::format("l{} {}\n", i, exportLine(bits_.latches[i].name));
-    for (std::size_t i = 0; i < questions_.size(); ++i) text += fmt::format("b{} {}\n", i, exportLine(questions_[i].name));
+    for (std::size_t i = 0; i < bits_.inputs.size(); ++i)
+      text += fmt::format("i{} {}\n", i, exportLine(bits_.inputNames[i]));
+    for (std::size_t i = 0; i < bits_.latches.size(); ++i)
+      text += fmt::format("l{} {}\n", i, exportLine(bits_.latches[i].name));
+    for (std::size_t i = 0; i < questions_.size(); ++i)
+      text += fmt::format("b{} {}\n", i, exportLine(questions_[i].name));
     if (!remarks_.empty()) text += "c\n";
     for (const std::string& remark : remarks_) text += exportLine(remark) + "\n";
     return text;

@@ -73,7 +73,8 @@ class Btor2Text {
   }
   std::size_t id(Node n) const { return ids_.at(n); }
   static std::string symbol(std::string name) {
-    std::replace_if(name.begin(), name.end(), [](unsigned char c) { return c <= 32 || c == ';'; }, '_');
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return c <= 32 || c == ';'; }, '_');
     return name;
   }
   void variable(Node n, const char* kind) {
@@ -90,10 +91,12 @@ class Btor2Text {
     } else if (node.op == Op::Variable || node.op >= Op::RealAdd) {
       ids_[n] = line(fmt::format("input {} free_{}", type, indexOf(n)));
     } else if (node.op == Op::Extract) {
-      ids_[n] = line(fmt::format("slice {} {} {} {}", type, id(node.child[0]), node.value + node.width - 1, node.value));
+      ids_[n] =
+          line(fmt::format("slice {} {} {} {}", type, id(node.child[0]), node.value + node.width - 1, node.value));
     } else if (node.op == Op::Zext || node.op == Op::Sext) {
       const char* name = node.op == Op::Zext ? "uext" : "sext";
-      ids_[n] = line(fmt::format("{} {} {} {}", name, type, id(node.child[0]), node.width - graph_[node.child[0]].width));
+      ids_[n] =
+          line(fmt::format("{} {} {} {}", name, type, id(node.child[0]), node.width - graph_[node.child[0]].width));
     } else {
       std::string arguments;
       for (const Node child : node.child) {

@@ -26,8 +26,10 @@ std::string exportSmt2(const TransitionSystem& system, int scans, const ExportRe
   }
   for (const Question& question : system.questions) {
     std::vector<std::string> bads{"false", "false"};
-    for (int scan = 0; scan < scans; ++scan) bads.push_back(fmt::format("(and {} {})", smt.term(question.bad, scan), legal[static_cast<std::size_t>(scan)]));
-    assertions += fmt::format("; {}\n(push 1)\n(assert (or {}))\n(check-sat)\n(pop 1)\n", exportLine(question.name), fmt::join(bads, " "));
+    for (int scan = 0; scan < scans; ++scan)
+      bads.push_back(fmt::format("(and {} {})", smt.term(question.bad, scan), legal[static_cast<std::size_t>(scan)]));
+    assertions += fmt::format("; {}\n(push 1)\n(assert (or {}))\n(check-sat)\n(pop 1)\n", exportLine(question.name),
+                              fmt::join(bads, " "));
   }
   std::string head;
   for (const std::string& remark : remarks) head += "; " + exportLine(remark) + "\n";

@@ -35,7 +35,8 @@ class SmvText {
     }
     for (const Node n : system_.constraints) rest += fmt::format("INVAR {};\n", of(n));
     for (std::size_t q = 0; q < system_.questions.size(); ++q) {
-      rest += fmt::format("-- {}\nINVARSPEC NAME p{} := !{};\n", exportLine(system_.questions[q].name), q, of(system_.questions[q].bad));
+      rest += fmt::format("-- {}\nINVARSPEC NAME p{} := !{};\n", exportLine(system_.questions[q].name), q,
+                          of(system_.questions[q].bad));
     }
     return "MODULE main\nVAR\n" + variables_ + "DEFINE\n" + defines_ + "ASSIGN\n" + assigns + rest;
   }
@@ -44,7 +45,8 @@ class SmvText {
   /// A name of letters, digits and underscores that occurs once.
   std::string variableName(Node n) {
     std::string name;
-    for (const char c : graph_.variables()[graph_[n].value].name) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+    for (const char c : graph_.variables()[graph_[n].value].name)
+      name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
     if (name.empty() || std::isdigit(static_cast<unsigned char>(name[0])) != 0) name = "v_" + name;
     name += "_";  // no keyword ends so
     std::string unique = name;
@@ -53,11 +55,14 @@ class SmvText {
   }
   void declare(Node n, const std::string& name) {
     const int width = graph_[n].width;
-    variables_ += width == 1 ? fmt::format("  {} : boolean;\n", name) : fmt::format("  {} : unsigned word[{}];\n", name, width);
+    variables_ +=
+        width == 1 ? fmt::format("  {} : boolean;\n", name) : fmt::format("  {} : unsigned word[{}];\n", name, width);
     names_[indexOf(n)] = name;
   }
   const std::string& of(Node n) const { return names_.at(indexOf(n)); }
-  static std::string literal(std::uint64_t value, int width) { return width == 1 ? (value != 0 ? "TRUE" : "FALSE") : fmt::format("0ud{}_{}", width, value); }
+  static std::string literal(std::uint64_t value, int width) {
+    return width == 1 ? (value != 0 ? "TRUE" : "FALSE") : fmt::format("0ud{}_{}", width, value);
+  }
   /// As a word, also where the width is 1.
   std::string word(Node n) const { return graph_[n].width == 1 ? fmt::format("word1({})", of(n)) : of(n); }
 
@@ -121,14 +126,17 @@ class SmvText {
       case Op::Sdiv: {
         const std::string quotient = fmt::format("({} / {})", magnitude(a), magnitude(divisor));
         const std::string byZero = fmt::format("({} ? {} : {})", isNegative(a), number(1), number(Graph::maskOf(w)));
-        return fmt::format("({} = {} ? {} : {} xor {} ? -{} : {})", b, zero, byZero, isNegative(a), isNegative(b), quotient, quotient);
+        return fmt::format("({} = {} ? {} : {} xor {} ? -{} : {})", b, zero, byZero, isNegative(a), isNegative(b),
+                           quotient, quotient);
       }
       case Op::Srem: {
         const std::string remainder = fmt::format("({} mod {})", magnitude(a), magnitude(divisor));
         return fmt::format("({} = {} ? {} : {} ? -{} : {})", b, zero, a, isNegative(a), remainder, remainder);
       }
-      case Op::Shl: return fmt::format("({} < {} ? {} << {} : {})", b, number(static_cast<std::uint64_t>(w)), a, shift(b, w), zero);
-      case Op::Lshr: return fmt::format("({} < {} ? {} >> {} : {})", b, number(static_cast<std::uint64_t>(w)), a, shift(b, w), zero);
+      case Op::Shl:
+        return fmt::format("({} < {} ? {} << {} : {})", b, number(static_cast<std::uint64_t>(w)), a, shift(b, w), zero);
+      case Op::Lshr:
+        return fmt::format("({} < {} ? {} >> {} : {})", b, number(static_cast<std::uint64_t>(w)), a, shift(b, w), zero);
       default: CHECK(false, "operation without SMV text"); return {};
     }
   }

@@ -14,7 +14,8 @@ namespace rungproof {
 using ExportRemarks = std::vector<std::string>;
 
 /// Binary AIGER for the largest number of readers: bad states, but no constraints (a latch remembers that one was
-/// broken, and nothing is bad from then on) and every latch starts with 0 (an input of the first scan gives free values).
+/// broken, and nothing is bad from then on) and every latch starts with 0 (an input of the first scan gives free
+/// values).
 std::string exportAiger(const TransitionSystem& system, const ExportRemarks& remarks = {});
 /// AIGER 1.9 in ascii, with constraints and resets as they are.
 std::string exportAigerText(const TransitionSystem& system, const ExportRemarks& remarks = {});
@@ -22,7 +23,8 @@ std::string exportBtor2(const TransitionSystem& system, const ExportRemarks& rem
 /// `scans` scans in a row from an initial state, with state |name@k| before scan k; for each question, between push and
 /// pop, whether it can be bad in one of them.
 std::string exportSmt2(const TransitionSystem& system, int scans = 1, const ExportRemarks& remarks = {});
-/// The SMV of NuSMV and nuXmv: one module, truth values as boolean, others as unsigned word, INVARSPEC for each question.
+/// The SMV of NuSMV and nuXmv: one module, truth values as boolean, others as unsigned word, INVARSPEC for each
+/// question.
 std::string exportSmv(const TransitionSystem& system, const ExportRemarks& remarks = {});
 
 /// A name without control characters, for comments and symbol tables.

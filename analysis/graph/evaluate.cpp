@@ -17,7 +17,9 @@ struct NoOutside final : Outside {
 constexpr std::uint32_t absent = 0xFFFFFFFF;
 
 std::array<int, 2> childWidths(const Graph& graph, const NodeData& node) {
-  const auto width = [&](std::size_t i) { return node.child[i] == noNode ? 0 : static_cast<int>(graph[node.child[i]].width); };
+  const auto width = [&](std::size_t i) {
+    return node.child[i] == noNode ? 0 : static_cast<int>(graph[node.child[i]].width);
+  };
   return {width(0), width(1)};
 }
 
@@ -100,8 +102,8 @@ void Evaluator::run() {
     const NodeData& node = graph_[n];
     if (node.op == Op::Variable) continue;
     const auto operand = [&](std::size_t i) { return node.child[i] == noNode ? 0 : value_[indexOf(node.child[i])]; };
-    value_[indexOf(n)] =
-        evaluateOperation(node.op, node.width, childWidths(graph_, node), {operand(0), operand(1), operand(2)}, node.value);
+    value_[indexOf(n)] = evaluateOperation(node.op, node.width, childWidths(graph_, node),
+                                           {operand(0), operand(1), operand(2)}, node.value);
   }
 }
 
@@ -116,7 +118,8 @@ LaneEvaluator::LaneEvaluator(const Graph& graph, std::span<const Node> roots)
 }
 
 void LaneEvaluator::setBits(Node variable, std::uint64_t bits) {
-  if (indexOf(variable) < place_.size() && place_[indexOf(variable)] != absent) values_[place_[indexOf(variable)]] = bits;
+  if (indexOf(variable) < place_.size() && place_[indexOf(variable)] != absent)
+    values_[place_[indexOf(variable)]] = bits;
 }
 
 void LaneEvaluator::set(Node variable, int lane, std::uint64_t value) {
@@ -160,9 +163,12 @@ void LaneEvaluator::runNode(Node n) {
   std::uint64_t gathered = 0;
   for (int k = 0; k < lanes; ++k) {
     const auto operand = [&](std::size_t i) { return node.child[i] == noNode ? 0 : at(node.child[i], k); };
-    const std::uint64_t result = evaluateOperation(node.op, node.width, widths, {operand(0), operand(1), operand(2)}, node.value);
-    if (node.width == 1) gathered |= result << k;
-    else out[k] = result;
+    const std::uint64_t result =
+        evaluateOperation(node.op, node.width, widths, {operand(0), operand(1), operand(2)}, node.value);
+    if (node.width == 1)
+      gathered |= result << k;
+    else
+      out[k] = result;
   }
   if (node.width == 1) *out = gathered;
 }

@@ -62,7 +62,8 @@ Node Graph::constantNode(std::uint64_t value, int width) {
 }
 
 Node Graph::variable(std::string name, int width, bool isState) {
-  const Node node = intern({Op::Variable, static_cast<std::uint8_t>(width), {noNode, noNode, noNode}, variables_.size()});
+  const Node node =
+      intern({Op::Variable, static_cast<std::uint8_t>(width), {noNode, noNode, noNode}, variables_.size()});
   variables_.push_back({std::move(name), isState, node});
   return node;
 }
@@ -109,7 +110,8 @@ Node Graph::make(Op op, int width, Node a, Node b, Node c, std::uint64_t value) 
 
 Node Graph::simplify(Op op, int width, Node a, Node b, Node c, std::uint64_t value) {
   const bool isTired = depth_ > depthLimit || work_ <= 0;
-  const bool isCommutative = op == Op::And || op == Op::Or || op == Op::Xor || op == Op::Add || op == Op::Mul || op == Op::Equal;
+  const bool isCommutative =
+      op == Op::And || op == Op::Or || op == Op::Xor || op == Op::Add || op == Op::Mul || op == Op::Equal;
   if (isCommutative && (isConstant(a) || (!isConstant(b) && indexOf(b) < indexOf(a)))) std::swap(a, b);
   switch (op) {
     case Op::Not: return makeNot(a);
@@ -208,18 +210,24 @@ Graph::Bits Graph::extract(Bits a, int high, int low) {
 Graph::Bits Graph::concat(Bits high, int highWidth, Bits low, int lowWidth) {
   return {make(Op::Concat, highWidth + lowWidth, high.node, low.node)};
 }
-Graph::Bool Graph::bit(Bits a, int i) { return {make(Op::Extract, 1, a.node, noNode, noNode, static_cast<std::uint64_t>(i))}; }
+Graph::Bool Graph::bit(Bits a, int i) {
+  return {make(Op::Extract, 1, a.node, noNode, noNode, static_cast<std::uint64_t>(i))};
+}
 Graph::Bits Graph::fromBool(Bool a, int w) { return {make(Op::Zext, w, a.node)}; }
 Graph::Bits Graph::radd(Bits a, Bits b) { return {make(Op::RealAdd, 32, a.node, b.node)}; }
 Graph::Bits Graph::rsub(Bits a, Bits b) { return {make(Op::RealSub, 32, a.node, b.node)}; }
 Graph::Bits Graph::rmul(Bits a, Bits b) { return {make(Op::RealMul, 32, a.node, b.node)}; }
 Graph::Bits Graph::rdiv(Bits a, Bits b) { return {make(Op::RealDiv, 32, a.node, b.node)}; }
-Graph::Bits Graph::rfunction(std::uint64_t f, Bits a) { return {make(Op::RealFunction, 32, a.node, noNode, noNode, f)}; }
+Graph::Bits Graph::rfunction(std::uint64_t f, Bits a) {
+  return {make(Op::RealFunction, 32, a.node, noNode, noNode, f)};
+}
 Graph::Bool Graph::requal(Bits a, Bits b) { return {make(Op::RealEqual, 1, a.node, b.node)}; }
 Graph::Bool Graph::rless(Bits a, Bits b) { return {make(Op::RealLess, 1, a.node, b.node)}; }
 Graph::Bool Graph::rlegal(Bits a) { return {make(Op::RealLegal, 1, a.node)}; }
 Graph::Bits Graph::rfromInt(Bits a) { return {make(Op::RealFromInt, 32, a.node)}; }
-Graph::Bits Graph::rtoInt(Bits a, bool round) { return {make(Op::RealToInt, 64, a.node, noNode, noNode, round ? 1 : 0)}; }
+Graph::Bits Graph::rtoInt(Bits a, bool round) {
+  return {make(Op::RealToInt, 64, a.node, noNode, noNode, round ? 1 : 0)};
+}
 
 Graph::Bits Graph::external(const ExternalSite& site, int width) {
   CHECK(listener_ != nullptr, "an external value needs a listener");

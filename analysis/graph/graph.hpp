@@ -30,18 +30,41 @@ constexpr std::uint32_t indexOf(Node n) { return static_cast<std::uint32_t>(n); 
 inline constexpr Node noNode = static_cast<Node>(0xFFFFFFFF);
 
 enum class Op : std::uint8_t {
-  Constant,   ///< value
-  Variable,   ///< state variable or input; value = its number in Graph::variables
-  Not, And, Or, Xor,                          // bitwise
-  Add, Sub, Mul, Udiv, Urem, Sdiv, Srem, Shl, Lshr,
-  Equal, Ult, Ule, Slt, Sle,                  // width 1
-  Ite,                                        // condition, then, else
-  Concat,                                     // high, low
-  Extract,                                    // value = lowest bit; width tells the highest
-  Zext, Sext,
-  RealAdd, RealSub, RealMul, RealDiv, RealFunction,  // RealFunction: value = which
-  RealEqual, RealLess, RealLegal, RealFromInt,
-  RealToInt                                   // value = 1: round; width 64
+  Constant,  ///< value
+  Variable,  ///< state variable or input; value = its number in Graph::variables
+  Not,
+  And,
+  Or,
+  Xor,  // bitwise
+  Add,
+  Sub,
+  Mul,
+  Udiv,
+  Urem,
+  Sdiv,
+  Srem,
+  Shl,
+  Lshr,
+  Equal,
+  Ult,
+  Ule,
+  Slt,
+  Sle,      // width 1
+  Ite,      // condition, then, else
+  Concat,   // high, low
+  Extract,  // value = lowest bit; width tells the highest
+  Zext,
+  Sext,
+  RealAdd,
+  RealSub,
+  RealMul,
+  RealDiv,
+  RealFunction,  // RealFunction: value = which
+  RealEqual,
+  RealLess,
+  RealLegal,
+  RealFromInt,
+  RealToInt  // value = 1: round; width 64
 };
 
 struct NodeData {
@@ -61,8 +84,12 @@ struct Variable {
 class Graph {
  public:
   /// Distinct types keep truth values and vectors apart in instruction meanings; both are nodes.
-  struct Bool { Node node = noNode; };
-  struct Bits { Node node = noNode; };
+  struct Bool {
+    Node node = noNode;
+  };
+  struct Bits {
+    Node node = noNode;
+  };
   using Targets = std::vector<PointerTarget<Graph>>;
   class Store;  // analysis/encoding/symbolic_store.hpp
 
@@ -77,7 +104,8 @@ class Graph {
   static constexpr Facts anyValue(int width) { return {~maskOf(width), 0, 0, maskOf(width)}; }
   static constexpr Facts exactly(std::uint64_t value) { return {~value, value, value, value}; }
   /// What follows for the result of an operation (NodeData's fields) from what is known of its operands.
-  static Facts combine(Op op, int width, std::uint64_t value, std::array<int, 2> childWidth, const std::array<Facts, 3>& operand);
+  static Facts combine(Op op, int width, std::uint64_t value, std::array<int, 2> childWidth,
+                       const std::array<Facts, 3>& operand);
 
   const NodeData& operator[](Node n) const { return nodes_[indexOf(n)]; }
   std::size_t size() const { return nodes_.size(); }

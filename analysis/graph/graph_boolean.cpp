@@ -17,8 +17,8 @@ constexpr int reduceBudget = 24;
 struct Range {
   Node subject = noNode;
   bool isSigned = false;
-  bool isPoint = false;    ///< an equality, which has no signedness
-  bool isInverted = false; ///< everything but the interval
+  bool isPoint = false;     ///< an equality, which has no signedness
+  bool isInverted = false;  ///< everything but the interval
   std::uint64_t low = 0, high = 0;
 };
 
@@ -88,9 +88,12 @@ Graph::Truth Graph::underOne(Node condition, Node assumed) const {
   if (!asked) return Truth::Open;
   Range g = *given, q = *asked;
   const std::uint64_t mask = maskOf(widthOf(g.subject)), sign = mask ^ mask >> 1;
-  if (g.isPoint && q.isSigned) g.low = g.high = g.low ^ sign;
-  else if (q.isPoint && g.isSigned) q.low = q.high = q.low ^ sign;
-  else if (!g.isPoint && !q.isPoint && g.isSigned != q.isSigned) return Truth::Open;
+  if (g.isPoint && q.isSigned)
+    g.low = g.high = g.low ^ sign;
+  else if (q.isPoint && g.isSigned)
+    q.low = q.high = q.low ^ sign;
+  else if (!g.isPoint && !q.isPoint && g.isSigned != q.isSigned)
+    return Truth::Open;
   const bool inside = q.low <= g.low && g.high <= q.high;
   const bool apart = q.high < g.low || g.high < q.low;
   if (inside) return q.isInverted ? Truth::False : Truth::True;

@@ -88,7 +88,8 @@ Node Graph::makeEqual(Node a, Node b) {
     if (is(a, Op::Add) && child(a, 1) == b) return zeroIf(child(a, 0));
     if (is(a, Op::Sub) && child(a, 0) == b) return zeroIf(child(a, 1));
     if (is(a, Op::Ite) && child(a, 1) == b) return make(Op::Or, 1, child(a, 0), make(Op::Equal, 1, child(a, 2), b));
-    if (is(a, Op::Ite) && child(a, 2) == b) return make(Op::Or, 1, makeNot(child(a, 0)), make(Op::Equal, 1, child(a, 1), b));
+    if (is(a, Op::Ite) && child(a, 2) == b)
+      return make(Op::Or, 1, makeNot(child(a, 0)), make(Op::Equal, 1, child(a, 1), b));
   }
   if (is(a, Op::Add) && is(b, Op::Add)) {
     for (int i = 0; i < 2; ++i) {
@@ -139,7 +140,8 @@ Node Graph::makeLess(Op op, Node a, Node b) {
   }
   for (int i = 0; i < 2; ++i) {
     const Node arms = i == 0 ? a : b, other = i == 0 ? b : a;
-    if (!isConstant(other) || !is(arms, Op::Ite) || (!isConstant(child(arms, 1)) && !isConstant(child(arms, 2)))) continue;
+    if (!isConstant(other) || !is(arms, Op::Ite) || (!isConstant(child(arms, 1)) && !isConstant(child(arms, 2))))
+      continue;
     const auto less = [&](Node arm) { return i == 0 ? make(op, 1, arm, other) : make(op, 1, other, arm); };
     const Node condition = child(arms, 0), whenTrue = child(arms, 1), whenFalse = child(arms, 2);
     return make(Op::Ite, 1, condition, less(whenTrue), less(whenFalse));

@@ -32,7 +32,8 @@ Graph::Facts Graph::factsOf(const NodeData& n) const {
   return combine(n.op, n.width, n.value, widths, operand);
 }
 
-Graph::Facts Graph::combine(Op op, int width, std::uint64_t value, std::array<int, 2> childWidth, const std::array<Facts, 3>& operand) {
+Graph::Facts Graph::combine(Op op, int width, std::uint64_t value, std::array<int, 2> childWidth,
+                            const std::array<Facts, 3>& operand) {
   const std::uint64_t mask = maskOf(width);
   Facts f = anyValue(width);
   const auto of = [&](std::size_t i) -> const Facts& { return operand[i]; };
@@ -81,7 +82,10 @@ Graph::Facts Graph::combine(Op op, int width, std::uint64_t value, std::array<in
       bounds(0, of(1).low > 0 ? std::min(of(0).high, of(1).high - 1) : std::max(of(0).high, of(1).high));
       break;
     case Op::Lshr: bounds(0, of(0).high); break;
-    case Op::Equal: truth(false, ((of(0).ones & of(1).zeros) | (of(0).zeros & of(1).ones)) != 0 || of(0).high < of(1).low || of(1).high < of(0).low); break;
+    case Op::Equal:
+      truth(false, ((of(0).ones & of(1).zeros) | (of(0).zeros & of(1).ones)) != 0 || of(0).high < of(1).low ||
+                       of(1).high < of(0).low);
+      break;
     case Op::Ult: truth(of(0).high < of(1).low, of(0).low >= of(1).high); break;
     case Op::Slt: {
       const int sign = childWidth[0] - 1;
@@ -126,8 +130,10 @@ Graph::Facts Graph::combine(Op op, int width, std::uint64_t value, std::array<in
     default: break;
   }
   // Bounds and bits inform each other: above the highest possible bit all is 0.
-  if (f.high != 0) f.zeros |= ~maskOf(std::bit_width(f.high));
-  else f.zeros = ~0ULL;
+  if (f.high != 0)
+    f.zeros |= ~maskOf(std::bit_width(f.high));
+  else
+    f.zeros = ~0ULL;
   f.low = std::max(f.low, f.ones);
   f.high = std::min(f.high, ~f.zeros & mask);
   return f;

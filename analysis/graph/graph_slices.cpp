@@ -15,7 +15,9 @@ bool Graph::isCheapSlice(Node a, int high, int low, int depth) const {
     case Op::Zext:
     case Op::Sext:
     case Op::Concat: return true;
-    case Op::Ite: return depth > 0 && isCheapSlice(child(a, 1), high, low, depth - 1) && isCheapSlice(child(a, 2), high, low, depth - 1);
+    case Op::Ite:
+      return depth > 0 && isCheapSlice(child(a, 1), high, low, depth - 1) &&
+             isCheapSlice(child(a, 2), high, low, depth - 1);
     default: return false;
   }
 }
@@ -50,14 +52,18 @@ Node Graph::makeExtract(Node a, int high, int low) {
     case Op::And:
     case Op::Or:
     case Op::Xor:
-      if (width == 1 || isConstant(n.child[1])) return make(n.op, width, slice(n.child[0], high, low), slice(n.child[1], high, low));
+      if (width == 1 || isConstant(n.child[1]))
+        return make(n.op, width, slice(n.child[0], high, low), slice(n.child[1], high, low));
       break;
     case Op::Add:
     case Op::Sub:
     case Op::Mul: {
       // The low end of a sum is the sum of the low ends.
-      const auto isCheap = [&](Node operand) { return isCheapSlice(operand, high, 0, 0) && !is(operand, Op::Variable); };
-      if (low == 0 && isCheap(n.child[0]) && isCheap(n.child[1])) return make(n.op, width, slice(n.child[0], high, 0), slice(n.child[1], high, 0));
+      const auto isCheap = [&](Node operand) {
+        return isCheapSlice(operand, high, 0, 0) && !is(operand, Op::Variable);
+      };
+      if (low == 0 && isCheap(n.child[0]) && isCheap(n.child[1]))
+        return make(n.op, width, slice(n.child[0], high, 0), slice(n.child[1], high, 0));
       if (high == 0 && n.op != Op::Mul) return make(Op::Xor, 1, slice(n.child[0], 0, 0), slice(n.child[1], 0, 0));
       break;
     }
@@ -81,7 +87,8 @@ Node Graph::joined(Node a, Node b) {
   if (is(a, Op::Extract)) {
     const Node of = child(a, 0);
     const bool isLowEnd = is(b, Op::Extract) && child(b, 0) == of;
-    if (isLowEnd && start(b) + widthOf(b) == start(a)) return make(Op::Extract, width, of, noNode, noNode, static_cast<std::uint64_t>(start(b)));
+    if (isLowEnd && start(b) + widthOf(b) == start(a))
+      return make(Op::Extract, width, of, noNode, noNode, static_cast<std::uint64_t>(start(b)));
   }
   if (is(a, Op::Ite) && is(b, Op::Ite) && child(a, 0) == child(b, 0)) {
     const Node condition = child(a, 0);

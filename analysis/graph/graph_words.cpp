@@ -38,17 +38,22 @@ Node Graph::makeBitwise(Op op, int width, Node a, Node b) {
 Node Graph::makeAdd(int width, Node a, Node b) {
   if (isZero(b)) return a;
   if (isConstant(b)) {
-    if (is(a, Op::Add) && isConstant(child(a, 1))) return make(Op::Add, width, child(a, 0), make(Op::Add, width, child(a, 1), b));
-    if (is(a, Op::Sub) && isConstant(child(a, 0))) return make(Op::Sub, width, make(Op::Add, width, child(a, 0), b), child(a, 1));
+    if (is(a, Op::Add) && isConstant(child(a, 1)))
+      return make(Op::Add, width, child(a, 0), make(Op::Add, width, child(a, 1), b));
+    if (is(a, Op::Sub) && isConstant(child(a, 0)))
+      return make(Op::Sub, width, make(Op::Add, width, child(a, 0), b), child(a, 1));
     if (is(a, Op::Ite) && isConstant(child(a, 1)) && isConstant(child(a, 2))) {
-      return make(Op::Ite, width, child(a, 0), make(Op::Add, width, child(a, 1), b), make(Op::Add, width, child(a, 2), b));
+      return make(Op::Ite, width, child(a, 0), make(Op::Add, width, child(a, 1), b),
+                  make(Op::Add, width, child(a, 2), b));
     }
     return intern({Op::Add, static_cast<std::uint8_t>(width), {a, b, noNode}, 0});
   }
   if (is(a, Op::Sub) && child(a, 1) == b) return child(a, 0);
   if (is(b, Op::Sub) && child(b, 1) == a) return child(b, 0);
-  if (is(a, Op::Add) && isConstant(child(a, 1))) return make(Op::Add, width, make(Op::Add, width, child(a, 0), b), child(a, 1));
-  if (is(b, Op::Add) && isConstant(child(b, 1))) return make(Op::Add, width, make(Op::Add, width, a, child(b, 0)), child(b, 1));
+  if (is(a, Op::Add) && isConstant(child(a, 1)))
+    return make(Op::Add, width, make(Op::Add, width, child(a, 0), b), child(a, 1));
+  if (is(b, Op::Add) && isConstant(child(b, 1)))
+    return make(Op::Add, width, make(Op::Add, width, a, child(b, 0)), child(b, 1));
   return intern({Op::Add, static_cast<std::uint8_t>(width), {a, b, noNode}, 0});
 }
 
@@ -76,8 +81,10 @@ Node Graph::makeMul(int width, Node a, Node b) {
     const std::uint64_t k = (*this)[b].value;
     if (k == 0) return b;
     if (k == 1) return a;
-    if (std::has_single_bit(k)) return make(Op::Shl, width, a, constantNode(static_cast<std::uint64_t>(std::countr_zero(k)), width));
-    if (is(a, Op::Mul) && isConstant(child(a, 1))) return make(Op::Mul, width, child(a, 0), make(Op::Mul, width, child(a, 1), b));
+    if (std::has_single_bit(k))
+      return make(Op::Shl, width, a, constantNode(static_cast<std::uint64_t>(std::countr_zero(k)), width));
+    if (is(a, Op::Mul) && isConstant(child(a, 1)))
+      return make(Op::Mul, width, child(a, 0), make(Op::Mul, width, child(a, 1), b));
   }
   return intern({Op::Mul, static_cast<std::uint8_t>(width), {a, b, noNode}, 0});
 }
@@ -95,8 +102,9 @@ Node Graph::makeDivision(Op op, int width, Node a, Node b) {
     if (!isSigned && highest(a) < k) return isQuotient ? constantNode(0, width) : a;
     if (!isSigned && std::has_single_bit(k)) {
       const int shift = std::countr_zero(k);
-      const Node part = isQuotient ? make(Op::Extract, width - shift, a, noNode, noNode, static_cast<std::uint64_t>(shift))
-                                   : make(Op::Extract, shift, a);
+      const Node part = isQuotient
+                            ? make(Op::Extract, width - shift, a, noNode, noNode, static_cast<std::uint64_t>(shift))
+                            : make(Op::Extract, shift, a);
       return make(Op::Zext, width, part);
     }
   }
@@ -120,7 +128,8 @@ Node Graph::makeShift(Op op, int width, Node a, Node b) {
 Node Graph::makeReal(Op op, int width, Node a, Node b, std::uint64_t value) {
   if (op == Op::RealLegal && is(a, Op::RealFromInt)) return constantNode(1, 1);
   if (op == Op::RealLess && a == b) return constantNode(0, 1);
-  if ((op == Op::RealAdd || op == Op::RealMul || op == Op::RealEqual) && indexOf(b) < indexOf(a)) std::swap(a, b);  // NaN has one pattern
+  if ((op == Op::RealAdd || op == Op::RealMul || op == Op::RealEqual) && indexOf(b) < indexOf(a))
+    std::swap(a, b);  // NaN has one pattern
   return intern({op, static_cast<std::uint8_t>(width), {a, b, noNode}, value});
 }
 

@@ -25,11 +25,14 @@ class RealWords {
     const Bool isSwapped = d.ult(magnitude(a), magnitude(b), 31);
     const Bits larger = d.select(isSwapped, b, a, 32), smaller = d.select(isSwapped, a, b, 32);
     const Parts x = partsOf(larger), y = partsOf(smaller);
-    const auto widened = [&](Bits significand) { return d.zext(d.concat(significand, 24, literal(0, 3), 3), 27, resultBits); };
+    const auto widened = [&](Bits significand) {
+      return d.zext(d.concat(significand, 24, literal(0, 3), 3), 27, resultBits);
+    };
     const Bits distance = d.zext(d.sub(x.exponent, y.exponent, exponentBits), exponentBits, resultBits);
     const Bits first = widened(x.significand), second = shiftedRight(widened(y.significand), distance);
     const Bool isDifference = d.lxor(x.isNegative, y.isNegative);
-    const Bits sum = d.select(isDifference, d.sub(first, second, resultBits), d.add(first, second, resultBits), resultBits);
+    const Bits sum =
+        d.select(isDifference, d.sub(first, second, resultBits), d.add(first, second, resultBits), resultBits);
     const auto [normal, shift] = normalised(sum, resultBits);
     const Bits exponent = d.sub(d.add(x.exponent, literal(1, exponentBits), exponentBits), shift, exponentBits);
     Bits result = packed(x.isNegative, exponent, normal);
@@ -42,8 +45,10 @@ class RealWords {
   Bits mul(Bits a, Bits b) {
     const Parts x = normalPartsOf(a), y = normalPartsOf(b);
     const Bits product = d.mul(d.zext(x.significand, 24, 48), d.zext(y.significand, 24, 48), 48);
-    const Bits top = d.concat(d.extract(product, 47, 21), 27, d.fromBool(d.lnot(isZero(d.extract(product, 20, 0), 21)), 1), 1);
-    const Bits exponent = d.sub(d.add(x.exponent, y.exponent, exponentBits), literal(bias - 1, exponentBits), exponentBits);
+    const Bits top =
+        d.concat(d.extract(product, 47, 21), 27, d.fromBool(d.lnot(isZero(d.extract(product, 20, 0), 21)), 1), 1);
+    const Bits exponent =
+        d.sub(d.add(x.exponent, y.exponent, exponentBits), literal(bias - 1, exponentBits), exponentBits);
     const Bool isNegative = d.lxor(x.isNegative, y.isNegative);
     const Bool isEmpty = d.lor(x.isZero, y.isZero), isEndless = d.lor(x.isInfinite, y.isInfinite);
     Bits result = d.select(isEmpty, zero(isNegative), nearlyNormal(isNegative, exponent, top), 32);
@@ -90,7 +95,8 @@ class RealWords {
     }
     const Bits rest = d.zext(d.fromBool(d.lnot(isZero(remainder, width)), 1), 1, resultBits);
     const Bits half = d.sext(d.extract(power, exponentBits - 1, 1), exponentBits - 1, exponentBits);
-    Bits result = packed(d.constant(false), d.add(half, literal(bias, exponentBits), exponentBits), d.bor(d.extract(root, resultBits - 1, 0), rest, resultBits));
+    Bits result = packed(d.constant(false), d.add(half, literal(bias, exponentBits), exponentBits),
+                         d.bor(d.extract(root, resultBits - 1, 0), rest, resultBits));
     result = d.select(d.lor(x.isZero, x.isInfinite), a, result, 32);
     return orNan(d.lor(x.isNan, d.land(x.isNegative, d.lnot(x.isZero))), result);
   }
@@ -102,7 +108,8 @@ class RealWords {
   Bool less(Bits a, Bits b) {
     const Bool isNegative = d.bit(a, 31), otherIsNegative = d.bit(b, 31);
     const Bool isCloser = d.ult(magnitude(a), magnitude(b), 31), isFarther = d.ult(magnitude(b), magnitude(a), 31);
-    const Bool isLess = d.select(isNegative, d.lor(d.lnot(otherIsNegative), isFarther), d.land(d.lnot(otherIsNegative), isCloser));
+    const Bool isLess =
+        d.select(isNegative, d.lor(d.lnot(otherIsNegative), isFarther), d.land(d.lnot(otherIsNegative), isCloser));
     return d.land(isLess, d.lnot(d.lor(areZero(a, b), d.lor(isNan(a), isNan(b)))));
   }
   Bool legal(Bits a) { return d.lnot(d.equal(d.extract(a, 30, 23), literal(255, 8), 8)); }
@@ -111,7 +118,8 @@ class RealWords {
     const Bool isNegative = d.bit(a, 31);
     const Bits size = d.select(isNegative, d.sub(literal(0, 32), a, 32), a, 32);
     const auto [normal, shift] = normalised(size, 32);
-    const Bits top = d.concat(d.extract(normal, 31, 5), 27, d.fromBool(d.lnot(isZero(d.extract(normal, 4, 0), 5)), 1), 1);
+    const Bits top =
+        d.concat(d.extract(normal, 31, 5), 27, d.fromBool(d.lnot(isZero(d.extract(normal, 4, 0), 5)), 1), 1);
     const Bits exponent = d.sub(literal(bias + 31, exponentBits), shift, exponentBits);
     return d.select(isZero(a, 32), literal(0, 32), packed(isNegative, exponent, top), 32);
   }
@@ -123,11 +131,13 @@ class RealWords {
     const auto distance = [&](Bits from, Bits to) { return d.zext(d.sub(from, to, exponentBits), exponentBits, 64); };
     const Bits place = literal(point, exponentBits);
     const Bool isLarge = d.sle(place, x.exponent, exponentBits);
-    const Bits shifted = d.select(isLarge, d.shl(doubled, distance(x.exponent, place), 64), d.lshr(doubled, distance(place, x.exponent), 64), 64);
+    const Bits shifted = d.select(isLarge, d.shl(doubled, distance(x.exponent, place), 64),
+                                  d.lshr(doubled, distance(place, x.exponent), 64), 64);
     Bits size = d.zext(d.extract(shifted, 63, 1), 63, 64);
     if (round) size = d.add(size, d.zext(d.extract(shifted, 0, 0), 1, 64), 64);
     const Bits value = d.select(x.isNegative, d.sub(literal(0, 64), size, 64), size, 64);
-    const Bits furthest = d.select(d.land(x.isNegative, d.lnot(x.isNan)), literal(1ULL << 63, 64), literal(~0ULL >> 1, 64), 64);
+    const Bits furthest =
+        d.select(d.land(x.isNegative, d.lnot(x.isNan)), literal(1ULL << 63, 64), literal(~0ULL >> 1, 64), 64);
     return d.select(d.ult(magnitude(a), literal(largestWhole(), 31), 31), value, furthest, 64);
   }
 
@@ -161,7 +171,8 @@ class RealWords {
     const Bool isSmall = isZero(field, 8), isLast = d.equal(field, literal(255, 8), 8), isWhole = isZero(fraction, 23);
     const Bits exponent = d.select(isSmall, literal(1, exponentBits), d.zext(field, 8, exponentBits), exponentBits);
     const Bits significand = d.concat(d.fromBool(d.lnot(isSmall), 1), 1, fraction, 23);
-    return {d.bit(a, 31), d.land(isLast, d.lnot(isWhole)), d.land(isLast, isWhole), d.land(isSmall, isWhole), exponent, significand};
+    return {d.bit(a, 31), d.land(isLast, d.lnot(isWhole)), d.land(isLast, isWhole), d.land(isSmall, isWhole), exponent,
+            significand};
   }
   /// Parts with the highest bit of the significand set, unless the number is zero.
   Parts normalPartsOf(Bits a) {
@@ -178,7 +189,10 @@ class RealWords {
       const Bool isSmall = isZero(d.extract(value, width - 1, width - step), step);
       const Bits moved = d.concat(d.extract(value, width - 1 - step, 0), width - step, literal(0, step), step);
       value = d.select(isSmall, moved, value, width);
-      shift = d.bor(shift, d.select(isSmall, literal(static_cast<std::uint64_t>(step), exponentBits), literal(0, exponentBits), exponentBits), exponentBits);
+      shift = d.bor(shift,
+                    d.select(isSmall, literal(static_cast<std::uint64_t>(step), exponentBits), literal(0, exponentBits),
+                             exponentBits),
+                    exponentBits);
     }
     return {value, shift};
   }
@@ -193,20 +207,24 @@ class RealWords {
     const Bool isNormal = d.bit(value, resultBits - 1);
     const Bits moved = d.concat(d.extract(value, resultBits - 2, 0), resultBits - 1, literal(0, 1), 1);
     const Bits lower = d.sub(exponent, literal(1, exponentBits), exponentBits);
-    return packed(isNegative, d.select(isNormal, exponent, lower, exponentBits), d.select(isNormal, value, moved, resultBits));
+    return packed(isNegative, d.select(isNormal, exponent, lower, exponentBits),
+                  d.select(isNormal, value, moved, resultBits));
   }
   /// Rounded to nearest even. A carry out of the significand goes into the exponent, up to infinity.
   Bits packed(Bool isNegative, Bits exponent, Bits value) {
     const Bool isTiny = d.slt(exponent, literal(1, exponentBits), exponentBits);
-    const Bits lack = d.select(isTiny, d.sub(literal(1, exponentBits), exponent, exponentBits), literal(0, exponentBits), exponentBits);
+    const Bits lack = d.select(isTiny, d.sub(literal(1, exponentBits), exponent, exponentBits),
+                               literal(0, exponentBits), exponentBits);
     const Bits kept = shiftedRight(value, d.zext(lack, exponentBits, resultBits));
-    const Bits field = d.select(isTiny, literal(0, exponentBits), d.sub(exponent, literal(1, exponentBits), exponentBits), exponentBits);
+    const Bits field = d.select(isTiny, literal(0, exponentBits),
+                                d.sub(exponent, literal(1, exponentBits), exponentBits), exponentBits);
     const Bool isHalf = d.bit(kept, 3), isMore = d.lnot(isZero(d.extract(kept, 2, 0), 3)), isOdd = d.bit(kept, 4);
     const Bits base = d.concat(d.extract(field, 8, 0), 9, literal(0, 23), 23);
     const Bits number = d.add(base, d.zext(d.extract(kept, resultBits - 1, 4), 24, 32), 32);
     const Bits rounded = d.add(number, d.zext(d.fromBool(d.land(isHalf, d.lor(isMore, isOdd)), 1), 1, 32), 32);
     const Bool isTooLarge = d.sle(literal(255, exponentBits), exponent, exponentBits);
-    return d.select(isTooLarge, infinity(isNegative), d.concat(d.fromBool(isNegative, 1), 1, d.extract(rounded, 30, 0), 31), 32);
+    return d.select(isTooLarge, infinity(isNegative),
+                    d.concat(d.fromBool(isNegative, 1), 1, d.extract(rounded, 30, 0), 31), 32);
   }
 
   D& d;

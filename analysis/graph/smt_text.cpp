@@ -1,10 +1,10 @@
 // One definition for each node and scan keeps the sharing of the graph.
 #include "analysis/graph/smt_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string_view>
-
-#include <fmt/format.h>
 
 #include "ir/check.hpp"
 
@@ -71,7 +71,9 @@ std::string SmtText::constant(std::uint64_t value, int width) {
   return fmt::format("(_ bv{} {})", value, width);
 }
 
-std::string SmtText::symbol(Node variable, int frame) const { return fmt::format("|{}@{}{}|", names_.at(indexOf(variable)), frame, tag_); }
+std::string SmtText::symbol(Node variable, int frame) const {
+  return fmt::format("|{}@{}{}|", names_.at(indexOf(variable)), frame, tag_);
+}
 
 std::string SmtText::named(Node n, int frame) {
   const NodeData& node = graph_[n];
@@ -99,14 +101,17 @@ std::string SmtText::expression(Node n, int frame) {
     case Op::Concat: return fmt::format("(concat {} {})", word(a, frame), word(b, frame));
     case Op::Zext: text = fmt::format("((_ zero_extend {}) {})", node.width - childWidth, word(a, frame)); break;
     case Op::Sext: text = fmt::format("((_ sign_extend {}) {})", node.width - childWidth, word(a, frame)); break;
-    case Op::Extract: text = fmt::format("((_ extract {} {}) {})", node.value + node.width - 1, node.value, word(a, frame)); break;
+    case Op::Extract:
+      text = fmt::format("((_ extract {} {}) {})", node.value + node.width - 1, node.value, word(a, frame));
+      break;
     default: {
       const bool compares = node.op == Op::Ult || node.op == Op::Ule || node.op == Op::Slt || node.op == Op::Sle;
       const bool isTruth = node.width == 1 && truthOperator(node.op) != nullptr;
       const char* name = isTruth ? truthOperator(node.op) : wordOperator(node.op);
       CHECK(name != nullptr, "operation without SMT-LIB name");
       const auto argument = [&](Node child) { return isTruth ? named(child, frame) : word(child, frame); };
-      text = b == noNode ? fmt::format("({} {})", name, argument(a)) : fmt::format("({} {} {})", name, argument(a), argument(b));
+      text = b == noNode ? fmt::format("({} {})", name, argument(a))
+                         : fmt::format("({} {} {})", name, argument(a), argument(b));
       if (isTruth || compares) return text;
     }
   }
@@ -133,7 +138,8 @@ void SmtText::define(Node n, int frame) {
 
 std::string SmtText::text() const {
   std::string text = declarations_;
-  for (const Definition& d : definitions_) text += fmt::format("(define-fun {} () {} {})\n", d.name, d.sort, d.expression);
+  for (const Definition& d : definitions_)
+    text += fmt::format("(define-fun {} () {} {})\n", d.name, d.sort, d.expression);
   return text;
 }
 
@@ -169,7 +175,8 @@ std::string withDefinitions(const std::vector<SmtText::Definition>& definitions,
   for (std::size_t i = 0; i < definitions.size(); ++i) {
     if (!isNeeded[i]) continue;
     forEachSymbol(definitions[i].expression, [&](std::string_view symbol) {
-      if (const auto found = number.find(symbol); found != number.end()) level[i] = std::max(level[i], level[found->second] + 1);
+      if (const auto found = number.find(symbol); found != number.end())
+        level[i] = std::max(level[i], level[found->second] + 1);
     });
     if (lets.size() <= level[i]) lets.resize(level[i] + 1);
     lets[level[i]] += fmt::format("({} {}) ", definitions[i].name, definitions[i].expression);

@@ -19,8 +19,8 @@ class SmtText {
   /// names apart from those of other texts.
   SmtText(const TransitionSystem& system, std::string tag, std::unordered_set<std::uint32_t> open);
 
-  /// The term of a node in scan `frame`, sort Bool if its width is 1; declares and defines what is missing. The state of scan 0 is declared, that
-  /// of later scans is defined by the next-state functions.
+  /// The term of a node in scan `frame`, sort Bool if its width is 1; declares and defines what is missing. The state
+  /// of scan 0 is declared, that of later scans is defined by the next-state functions.
   std::string term(Node n, int frame);
   /// Equations of the initial values of those variables at scan 0.
   std::vector<std::string> initialEquations(const std::unordered_set<std::uint32_t>& variables);
@@ -59,8 +59,8 @@ class SmtText {
   std::vector<Definition> definitions_;
 };
 
-/// A formula with those of the definitions that it rests on as local ones. Z3 4.8.12 takes time out of all proportion to
-/// read define-fun where definitions share much, which REAL arithmetic does; it reads let at once.
+/// A formula with those of the definitions that it rests on as local ones. Z3 4.8.12 takes time out of all proportion
+/// to read define-fun where definitions share much, which REAL arithmetic does; it reads let at once.
 std::string withDefinitions(const std::vector<SmtText::Definition>& definitions, const std::string& formula);
 
 }  // namespace rungproof

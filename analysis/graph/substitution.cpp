@@ -29,7 +29,9 @@ Node Substitution::operator()(Node root) {
     }
     if (!isReady) continue;
     stack.pop_back();
-    known_.emplace(indexOf(n), child == node.child ? n : graph_.make(node.op, node.width, child[0], child[1], child[2], node.value));
+    known_.emplace(indexOf(n), child == node.child
+                                   ? n
+                                   : graph_.make(node.op, node.width, child[0], child[1], child[2], node.value));
   }
   return known_.at(indexOf(root));
 }

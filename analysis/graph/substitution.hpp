@@ -1,5 +1,5 @@
-// Nodes with other nodes in place of some, simplified on the way. What was rewritten once is kept, so that all parts of a
-// transition system can be put through the same substitution. Tested by tests/solver/merging_test.cpp and
+// Nodes with other nodes in place of some, simplified on the way. What was rewritten once is kept, so that all parts of
+// a transition system can be put through the same substitution. Tested by tests/solver/merging_test.cpp and
 // tests/solver/saturation_test.cpp.
 #pragma once
 
@@ -13,7 +13,8 @@ namespace rungproof {
 class Substitution {
  public:
   /// `replaced`: by index of a node, what stands in its place; of the same width.
-  Substitution(Graph& graph, std::unordered_map<std::uint32_t, Node> replaced) : graph_(graph), known_(std::move(replaced)) {}
+  Substitution(Graph& graph, std::unordered_map<std::uint32_t, Node> replaced)
+      : graph_(graph), known_(std::move(replaced)) {}
   /// Adds nodes to the graph.
   Node operator()(Node root);
 

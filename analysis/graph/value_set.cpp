@@ -108,7 +108,8 @@ void ValueSet::restrict(std::uint64_t low, std::uint64_t high, std::size_t limit
   *this = list(std::move(listed), limit);
 }
 
-ValueSet ValueSet::combine(const NodeData& node, std::array<int, 2> childWidth, std::array<const ValueSet*, 3> operand, std::size_t limit) {
+ValueSet ValueSet::combine(const NodeData& node, std::array<int, 2> childWidth, std::array<const ValueSet*, 3> operand,
+                           std::size_t limit) {
   if (node.op == Op::Ite) {
     const Graph::Facts& condition = operand[0]->facts();
     if (condition.low == 1) return *operand[1];
@@ -120,7 +121,8 @@ ValueSet ValueSet::combine(const NodeData& node, std::array<int, 2> childWidth, 
   std::array<std::vector<std::uint64_t>, 3> values;
   std::array<Graph::Facts, 3> facts{};
   std::size_t combinations = 1;
-  bool allListed = node.width > 1 || std::all_of(operand.begin(), operand.end(), [](const ValueSet* o) { return o == nullptr || o->isListed(); });
+  bool allListed = node.width > 1 || std::all_of(operand.begin(), operand.end(),
+                                                 [](const ValueSet* o) { return o == nullptr || o->isListed(); });
   for (std::size_t i = 0; i < 3; ++i) {
     if (operand[i] == nullptr) {
       values[i] = {0};
@@ -139,7 +141,9 @@ ValueSet ValueSet::combine(const NodeData& node, std::array<int, 2> childWidth, 
     std::vector<std::uint64_t> results;
     for (const std::uint64_t a : values[0]) {
       for (const std::uint64_t b : values[1]) {
-        for (const std::uint64_t c : values[2]) results.push_back(evaluateOperation(node.op, node.width, childWidth, {a, b, c}, node.value) & Graph::maskOf(node.width));
+        for (const std::uint64_t c : values[2])
+          results.push_back(evaluateOperation(node.op, node.width, childWidth, {a, b, c}, node.value) &
+                            Graph::maskOf(node.width));
       }
     }
     return list(std::move(results), limit);

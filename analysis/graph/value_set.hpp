@@ -33,7 +33,8 @@ class ValueSet {
   void restrict(std::uint64_t low, std::uint64_t high, std::size_t limit);
 
   /// Result of an operation; listed if all operands are and the result has at most `limit` values.
-  static ValueSet combine(const NodeData& node, std::array<int, 2> childWidth, std::array<const ValueSet*, 3> operand, std::size_t limit);
+  static ValueSet combine(const NodeData& node, std::array<int, 2> childWidth, std::array<const ValueSet*, 3> operand,
+                          std::size_t limit);
 
   friend bool operator==(const ValueSet&, const ValueSet&) = default;
 
@@ -44,8 +45,8 @@ class ValueSet {
   static ValueSet list(std::vector<std::uint64_t> values, std::size_t limit);
 
   Kind kind_ = Kind::Empty;
-  std::vector<std::uint64_t> values_;               ///< List only
-  Graph::Facts facts_{~0ULL, ~0ULL, ~0ULL, 0};      ///< of all values
+  std::vector<std::uint64_t> values_;           ///< List only
+  Graph::Facts facts_{~0ULL, ~0ULL, ~0ULL, 0};  ///< of all values
 };
 
 }  // namespace rungproof

@@ -35,7 +35,9 @@ class Z3Terms::Impl {
   z3::expr bit(const z3::expr& truth) { return z3::ite(truth, c.bv_val(1, 1), c.bv_val(0, 1)); }
   z3::expr real(const z3::expr& pattern) { return pattern.mk_from_ieee_bv(c.fpa_sort<32>()); }
   /// NaN has one pattern, that of Concrete::pattern().
-  z3::expr pattern(const z3::expr& value) { return z3::ite(value.mk_is_nan(), c.bv_val(0x7FC00000U, 32), value.mk_to_ieee_bv()); }
+  z3::expr pattern(const z3::expr& value) {
+    return z3::ite(value.mk_is_nan(), c.bv_val(0x7FC00000U, 32), value.mk_to_ieee_bv());
+  }
   z3::expr build(Node n);
   z3::expr toInteger(const z3::expr& pattern, bool round);
 
@@ -116,8 +118,8 @@ Z3Terms::~Z3Terms() = default;
 z3::expr Z3Terms::term(Node node) { return impl_->term(node); }
 z3::expr Z3Terms::truth(Node node) { return impl_->term(node) == impl_->c.bv_val(1, 1); }
 
-std::optional<bool> satisfiable(const Graph& graph, std::span<const Node> conditions, unsigned milliseconds, std::span<const Node> wanted,
-                                std::vector<std::uint64_t>* witness) {
+std::optional<bool> satisfiable(const Graph& graph, std::span<const Node> conditions, unsigned milliseconds,
+                                std::span<const Node> wanted, std::vector<std::uint64_t>* witness) {
   try {
     z3::context context;
     Z3Terms terms(context, graph);

@@ -15,12 +15,12 @@ namespace rungproof {
 
 namespace {
 
-constexpr int templateScans = 24;               ///< of random runs on which increments are compared
+constexpr int templateScans = 24;         ///< of random runs on which increments are compared
 constexpr std::size_t comparedBits = 24;  ///< of increments
-constexpr std::size_t groupLimit = 10;   ///< words of one increment
-constexpr std::size_t guardLimit = 14;   ///< conditions for one pair of words, each also negated
-constexpr std::size_t fewGuards = 4;     ///< the same for words that tell less about each other
-constexpr int smallWidth = 10;           ///< of words whose range is looked for without condition
+constexpr std::size_t groupLimit = 10;    ///< words of one increment
+constexpr std::size_t guardLimit = 14;    ///< conditions for one pair of words, each also negated
+constexpr std::size_t fewGuards = 4;      ///< the same for words that tell less about each other
+constexpr int smallWidth = 10;            ///< of words whose range is looked for without condition
 constexpr std::size_t stopLimit = 3;
 constexpr std::size_t templateLimit = 1600;
 
@@ -39,7 +39,8 @@ class TemplateSearch {
     collectGuards();
     for (const std::uint32_t state : order_) {
       const Node n = word(state);
-      if (widthOf(n) > 1 && widthOf(n) <= smallWidth) templates_.push_back({noNode, noNode, graph_.make(Op::Zext, widthOf(n) + 1, n)});
+      if (widthOf(n) > 1 && widthOf(n) <= smallWidth)
+        templates_.push_back({noNode, noNode, graph_.make(Op::Zext, widthOf(n) + 1, n)});
     }
     const std::vector<std::vector<std::size_t>> all = groups();
     for (const std::vector<std::size_t>& group : all) toOneWidth(group);
@@ -48,7 +49,8 @@ class TemplateSearch {
       for (const std::vector<std::size_t>& group : all) {
         for (const std::size_t x : group) {
           for (const std::size_t y : group) {
-            if (x != y && (words_[x].sum.isPending ? 1 : 0) + (words_[y].sum.isPending ? 1 : 0) == pending) pair(static_cast<int>(x), static_cast<int>(y), pending == 1 ? guardLimit : fewGuards);
+            if (x != y && (words_[x].sum.isPending ? 1 : 0) + (words_[y].sum.isPending ? 1 : 0) == pending)
+              pair(static_cast<int>(x), static_cast<int>(y), pending == 1 ? guardLimit : fewGuards);
           }
         }
       }
@@ -83,7 +85,8 @@ class TemplateSearch {
     std::set<std::uint64_t> constants;
     for (const Node n : coneOf(graph_, roots)) {
       const NodeData& node = graph_[n];
-      if (node.op == Op::Constant && node.value > 1 && node.value <= Graph::maskOf(widthOf(self))) constants.insert(node.value);
+      if (node.op == Op::Constant && node.value > 1 && node.value <= Graph::maskOf(widthOf(self)))
+        constants.insert(node.value);
       if (node.op != Op::Add) continue;
       for (std::size_t side = 0; side < 2; ++side) {
         if (!carries(node.child[side], self) || graph_[node.child[1 - side]].op == Op::Constant) continue;
@@ -94,7 +97,8 @@ class TemplateSearch {
     if (!found || !isBlasted(found->sum.increment)) return;
     found->sum.isPending = dependsOnStatesOnly(found->sum.increment);
     found->stops.assign(constants.begin(), constants.end());
-    if (found->stops.size() > stopLimit) found->stops.erase(found->stops.begin() + 1, found->stops.end() - (stopLimit - 1));
+    if (found->stops.size() > stopLimit)
+      found->stops.erase(found->stops.begin() + 1, found->stops.end() - (stopLimit - 1));
     words_.push_back(std::move(*found));
   }
   bool isBlasted(Node n) const { return blast_.contains(n); }
@@ -107,7 +111,9 @@ class TemplateSearch {
     n = withoutExtension(n);
     if (n == self) return true;
     if (graph_[n].op != Op::Ite || depth == 0) return false;
-    const auto isArm = [&](std::size_t i) { return graph_[graph_[n].child[i]].op == Op::Constant || carries(graph_[n].child[i], self, depth - 1); };
+    const auto isArm = [&](std::size_t i) {
+      return graph_[graph_[n].child[i]].op == Op::Constant || carries(graph_[n].child[i], self, depth - 1);
+    };
     return isArm(1) && isArm(2);
   }
 
@@ -119,14 +125,17 @@ class TemplateSearch {
     for (; done < templateScans && runs.choose(); ++done) {
       for (std::size_t i = 0; i < words_.size(); ++i) {
         const LitVector& bits = blast_.of(words_[i].sum.increment);
-        for (std::size_t bit = 0; bit < comparedBits; ++bit) seen[i].push_back(bit < bits.size() ? runs.simulator().value(bits[bit]) : 0);
+        for (std::size_t bit = 0; bit < comparedBits; ++bit)
+          seen[i].push_back(bit < bits.size() ? runs.simulator().value(bits[bit]) : 0);
       }
       runs.step();
     }
     for (std::size_t i = 0; i < words_.size() && done > 0; ++i) {
       // A pending increment of one scan is that of the scan before.
-      if (words_[i].sum.isPending) seen[i].erase(seen[i].begin(), seen[i].begin() + comparedBits);
-      else seen[i].resize(seen[i].size() - comparedBits);
+      if (words_[i].sum.isPending)
+        seen[i].erase(seen[i].begin(), seen[i].begin() + comparedBits);
+      else
+        seen[i].resize(seen[i].size() - comparedBits);
       for (std::uint64_t& lanes : seen[i]) lanes &= runs.live();
     }
     std::map<std::vector<std::uint64_t>, std::vector<std::size_t>> byIncrement;
@@ -142,7 +151,8 @@ class TemplateSearch {
   /// Sums and differences of a group never wrap.
   void toOneWidth(const std::vector<std::size_t>& group) {
     int width = 0;
-    for (const std::size_t i : group) width = std::max({width, widthOf(words_[i].sum.word), widthOf(withoutExtension(words_[i].sum.increment))});
+    for (const std::size_t i : group)
+      width = std::max({width, widthOf(words_[i].sum.word), widthOf(withoutExtension(words_[i].sum.increment))});
     width += 2;
     for (const std::size_t i : group) {
       Summand& sum = words_[i].sum;
@@ -176,7 +186,8 @@ class TemplateSearch {
     if (result.size() > most) result.resize(most);
     const std::size_t plain = result.size();
     for (std::size_t i = 0; i < plain; ++i) result.push_back(graph_.make(Op::Not, 1, result[i]));
-    for (const std::size_t s : states) result.push_back(graph_.make(Op::Ult, 1, graph_.constantNode(0, widthOf(word(s))), word(s)));
+    for (const std::size_t s : states)
+      result.push_back(graph_.make(Op::Ult, 1, graph_.constantNode(0, widthOf(word(s))), word(s)));
     result.push_back(noNode);
     return result;
   }
@@ -202,7 +213,8 @@ class TemplateSearch {
     for (const Node guard : guardsFor({x.state, y.state}, most)) {
       templates_.push_back({guard, noNode, difference, left, right});
       for (const std::uint64_t stop : y.stops) {
-        templates_.push_back({guard, graph_.make(Op::Ule, 1, graph_.constantNode(stop, w), word(y.state)), difference, left, right});
+        templates_.push_back(
+            {guard, graph_.make(Op::Ule, 1, graph_.constantNode(stop, w), word(y.state)), difference, left, right});
       }
     }
   }
@@ -221,7 +233,8 @@ class TemplateSearch {
 
 }  // namespace
 
-BoundTemplates boundTemplates(const TransitionSystem& system, const BitBlast& blast, const Invariants& known, std::uint64_t seed) {
+BoundTemplates boundTemplates(const TransitionSystem& system, const BitBlast& blast, const Invariants& known,
+                              std::uint64_t seed) {
   return TemplateSearch(system, blast, known, seed).run();
 }
 

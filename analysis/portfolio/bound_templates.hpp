@@ -19,10 +19,10 @@ struct CountingWord {
 
 /// "guard implies difference <= bound, unless stopped": what is sought is the bound.
 struct BoundTemplate {
-  Node guard = noNode;       ///< width 1 over states; noNode: always
-  Node stopped = noNode;     ///< width 1: the subtracted word has reached a value at which it may stop; noNode: never
-  Node difference = noNode;  ///< signed
-  int left = -1, right = -1; ///< of a difference of two words: their indices in BoundTemplates::words
+  Node guard = noNode;        ///< width 1 over states; noNode: always
+  Node stopped = noNode;      ///< width 1: the subtracted word has reached a value at which it may stop; noNode: never
+  Node difference = noNode;   ///< signed
+  int left = -1, right = -1;  ///< of a difference of two words: their indices in BoundTemplates::words
 };
 
 struct BoundTemplates {
@@ -31,6 +31,7 @@ struct BoundTemplates {
 };
 
 /// Adds the nodes to the graph of the system. `known`: of blast's bits; equal latches give one guard.
-BoundTemplates boundTemplates(const TransitionSystem& system, const BitBlast& blast, const Invariants& known, std::uint64_t seed);
+BoundTemplates boundTemplates(const TransitionSystem& system, const BitBlast& blast, const Invariants& known,
+                              std::uint64_t seed);
 
 }  // namespace rungproof

@@ -45,9 +45,11 @@ void CertificateWriter::consecution(const WordCertificate& certificate) {
 /// The theorem for the scan from state 0 to state 1.
 std::string CertificateWriter::keeps(const KeptDifference& d) {
   const auto increment = [&](const Summand& s) { return smt_.term(s.increment, s.isPending ? 1 : 0); };
-  const auto counts = [&](const Summand& s) { return fmt::format("(= {} {})", smt_.term(s.word, 1), smt_.term(s.next, 0)); };
-  return fmt::format("(=> (and {} {} (= {} {})) (= {} {}))", counts(d.left), counts(d.right), increment(d.left), increment(d.right), smt_.term(d.difference, 1),
-                     smt_.term(d.difference, 0));
+  const auto counts = [&](const Summand& s) {
+    return fmt::format("(= {} {})", smt_.term(s.word, 1), smt_.term(s.next, 0));
+  };
+  return fmt::format("(=> (and {} {} (= {} {})) (= {} {}))", counts(d.left), counts(d.right), increment(d.left),
+                     increment(d.right), smt_.term(d.difference, 1), smt_.term(d.difference, 0));
 }
 
 /// The same for any words of that width, once for each form of it.
@@ -64,7 +66,8 @@ void CertificateWriter::theorem(const KeptDifference& d) {
     return symbol;
   };
   const auto formOf = [&](const char* side, bool isPending) {
-    const std::string x0 = variable(side, "x0"), x1 = variable(side, "x1"), i0 = variable(side, "i0"), i1 = variable(side, "i1");
+    const std::string x0 = variable(side, "x0"), x1 = variable(side, "x1"), i0 = variable(side, "i0"),
+                      i1 = variable(side, "i1");
     const std::string next = fmt::format("(bvadd {} {})", x0, isPending ? i0 : i1);
     const std::string later = isPending ? fmt::format("(bvadd {} {})", x1, i1) : x1;
     return std::array<std::string, 4>{fmt::format("(= {} {})", x1, next), i1, isPending ? next : x0, later};
@@ -86,7 +89,8 @@ void CertificateWriter::step(const Question& question, const WordCertificate& ce
   for (int later = 1; certificate.simplePath && later <= certificate.k; ++later) {
     for (int earlier = 0; earlier < later; ++earlier) {
       Terms differences;
-      for (const Node n : certificate.pathBits) differences.push_back(fmt::format("(xor {} {})", smt_.term(n, earlier), smt_.term(n, later)));
+      for (const Node n : certificate.pathBits)
+        differences.push_back(fmt::format("(xor {} {})", smt_.term(n, earlier), smt_.term(n, later)));
       terms.push_back(fmt::format("(or false false {})", fmt::join(differences, " ")));
     }
   }
@@ -108,7 +112,8 @@ void CertificateWriter::base(const Question& question, const WordCertificate& ce
   for (int frame = 0; frame < certificate.k && !frontier.empty(); ++frame) {
     std::vector<Node> next;
     for (const StateVariable& state : system_.states) {
-      if (frontier.contains(indexOf(state.node)) && reached.insert(indexOf(state.node)).second) next.push_back(state.next);
+      if (frontier.contains(indexOf(state.node)) && reached.insert(indexOf(state.node)).second)
+        next.push_back(state.next);
     }
     frontier = smt_.statesUnder(next);
   }
@@ -133,8 +138,10 @@ void CertificateWriter::add(const Question& question, const WordCertificate& cer
   initiation(certificate);
   consecution(certificate);
   if (certificate.k > 0) base(question, certificate);
-  if (certificate.open.empty()) step(question, certificate);
-  else surface(question, certificate);
+  if (certificate.open.empty())
+    step(question, certificate);
+  else
+    surface(question, certificate);
 }
 
 std::vector<SmtText::Definition> CertificateWriter::definitions() const {
@@ -148,8 +155,10 @@ std::string CertificateWriter::text() const {
   const std::vector<SmtText::Definition> all = definitions();
   for (const Obligation& o : obligations_) {
     std::string name = questions_[o.certificate];
-    std::replace_if(name.begin(), name.end(), [](unsigned char c) { return c < 32; }, ' ');
-    text += fmt::format("; {} of: {}\n(push 1)\n(assert {})\n(check-sat) ; expected: unsat\n(pop 1)\n", o.name, name, withDefinitions(all, o.formula));
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return c < 32; }, ' ');
+    text += fmt::format("; {} of: {}\n(push 1)\n(assert {})\n(check-sat) ; expected: unsat\n(pop 1)\n", o.name, name,
+                        withDefinitions(all, o.formula));
   }
   return text;
 }
@@ -169,7 +178,8 @@ std::vector<CheckResult> CertificateWriter::check(const CheckLimits& limits) con
     arguments += " " + o.formula;
   }
   const std::string formulas = theorems_ + smt_.declarations() + surfaces_ +
-                               fmt::format("(declare-fun obligations (Bool{}) Bool)\n(assert {})\n", sorts, withDefinitions(definitions(), fmt::format("(obligations {})", arguments)));
+                               fmt::format("(declare-fun obligations (Bool{}) Bool)\n(assert {})\n", sorts,
+                                           withDefinitions(definitions(), fmt::format("(obligations {})", arguments)));
   const std::vector<CheckResult> checked = checkApart(formulas, owners, owners.size(), limits);
   std::vector<CheckResult> results(questions_.size(), CheckResult::Valid);
   for (std::size_t i = 0; i < obligations_.size(); ++i) {

@@ -82,12 +82,13 @@ class CertificateWriter {
   std::vector<SmtText::Definition> surfaceDefinitions_;
   std::vector<std::string> questions_;
   std::vector<Obligation> obligations_;
-  std::string theorems_;                           ///< declarations of their variables
-  std::unordered_map<std::string, int> proved_;    ///< theorems that are obligations already, by their form
+  std::string theorems_;                         ///< declarations of their variables
+  std::unordered_map<std::string, int> proved_;  ///< theorems that are obligations already, by their form
 };
 
 /// The file for one certificate.
-inline std::string certificateText(const TransitionSystem& system, const Question& question, const WordCertificate& certificate) {
+inline std::string certificateText(const TransitionSystem& system, const Question& question,
+                                   const WordCertificate& certificate) {
   CertificateWriter writer(system);
   writer.add(question, certificate);
   return writer.text();

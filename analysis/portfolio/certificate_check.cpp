@@ -19,11 +19,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double quickSeconds = 3;    ///< for a plain strategy that starts fast, before Z3's own for QF_BV
+constexpr double quickSeconds = 3;  ///< for a plain strategy that starts fast, before Z3's own for QF_BV
 
 z3::solver quickSolver(z3::context& context) {
   const auto step = [&](const char* name) { return z3::tactic(context, name); };
-  return (step("simplify") & step("propagate-values") & step("solve-eqs") & step("simplify") & step("bit-blast") & step("simplify") & step("smt")).mk_solver();
+  return (step("simplify") & step("propagate-values") & step("solve-eqs") & step("simplify") & step("bit-blast") &
+          step("simplify") & step("smt"))
+      .mk_solver();
 }
 
 CheckResult checkFormula(z3::context& context, const z3::expr& formula, double seconds) {
@@ -69,7 +71,8 @@ std::vector<unsigned> formOf(z3::context& context, const z3::expr& formula) {
       form.insert(form.end(), {0, Z3_get_ast_id(context, Z3_sort_to_ast(context, Z3_get_sort(context, top)))});
     } else {
       form.insert(form.end(), {count + 1, Z3_get_ast_id(context, Z3_func_decl_to_ast(context, operation))});
-      for (unsigned i = 0; i < count; ++i) form.push_back(number.at(Z3_get_ast_id(context, Z3_get_app_arg(context, app, i))));
+      for (unsigned i = 0; i < count; ++i)
+        form.push_back(number.at(Z3_get_ast_id(context, Z3_get_app_arg(context, app, i))));
     }
     number.emplace(id, static_cast<unsigned>(number.size()));
   }
@@ -82,7 +85,8 @@ void writeResult(int pipe, CheckResult result) {
 }
 
 /// The child's whole life.
-[[noreturn]] void work(int pipe, const std::string& text, const std::vector<std::size_t>& owners, std::size_t ownerCount, const CheckLimits& limits) {
+[[noreturn]] void work(int pipe, const std::string& text, const std::vector<std::size_t>& owners,
+                       std::size_t ownerCount, const CheckLimits& limits) {
   if (limits.memory > 0) {
     const rlimit limit{limits.memory, limits.memory};
     setrlimit(RLIMIT_DATA, &limit);
@@ -142,7 +146,8 @@ class Child {
 
 }  // namespace
 
-std::vector<CheckResult> checkApart(const std::string& text, const std::vector<std::size_t>& owners, std::size_t ownerCount, const CheckLimits& limits) {
+std::vector<CheckResult> checkApart(const std::string& text, const std::vector<std::size_t>& owners,
+                                    std::size_t ownerCount, const CheckLimits& limits) {
   std::vector<CheckResult> results(ownerCount, CheckResult::Unknown);
   int pipes[2];
   if (pipe(pipes) != 0) return results;
@@ -154,7 +159,8 @@ std::vector<CheckResult> checkApart(const std::string& text, const std::vector<s
     return results;
   }
   const Child child(process, pipes[0]);
-  const Clock::time_point deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::min(limits.total, 1e6)));
+  const Clock::time_point deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                                        std::chrono::duration<double>(std::min(limits.total, 1e6)));
   std::vector<CheckResult> found(ownerCount, CheckResult::Valid);
   std::vector<std::size_t> open(ownerCount, 0);
   for (const std::size_t owner : owners) ++open[owner];
@@ -164,7 +170,8 @@ std::vector<CheckResult> checkApart(const std::string& text, const std::vector<s
     --open[owner];
     if (found[owner] == CheckResult::Valid || result == CheckResult::Invalid) found[owner] = result;
   }
-  for (std::size_t i = 0; i < ownerCount; ++i) results[i] = open[i] == 0 || found[i] == CheckResult::Invalid ? found[i] : CheckResult::Unknown;
+  for (std::size_t i = 0; i < ownerCount; ++i)
+    results[i] = open[i] == 0 || found[i] == CheckResult::Invalid ? found[i] : CheckResult::Unknown;
   return results;
 }
 

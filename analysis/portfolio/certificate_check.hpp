@@ -1,6 +1,6 @@
-// Z3 as judge of formulas that must be unsatisfiable, in a process of its own: there are phases in which Z3 neither looks
-// at its time limit nor can be interrupted, and a proof run must come back in time. Tested by
-// tests/certificate and tests/timing/limits_test.cpp.
+// Z3 as judge of formulas that must be unsatisfiable, in a process of its own: there are phases in which Z3 neither
+// looks at its time limit nor can be interrupted, and a proof run must come back in time. Tested by tests/certificate
+// and tests/timing/limits_test.cpp.
 #pragma once
 
 #include <atomic>
@@ -19,8 +19,10 @@ struct CheckLimits {
   const std::atomic<bool>* cancel = nullptr;
 };
 
-/// `text`: declarations, then one assertion: a predicate applied to true and one formula for each element of `owners`, which
-/// says whose it is. An owner is Valid if each of its formulas alone is unsatisfiable, Invalid if one is satisfiable.
-std::vector<CheckResult> checkApart(const std::string& text, const std::vector<std::size_t>& owners, std::size_t ownerCount, const CheckLimits& limits);
+/// `text`: declarations, then one assertion: a predicate applied to true and one formula for each element of `owners`,
+/// which says whose it is. An owner is Valid if each of its formulas alone is unsatisfiable, Invalid if one is
+/// satisfiable.
+std::vector<CheckResult> checkApart(const std::string& text, const std::vector<std::size_t>& owners,
+                                    std::size_t ownerCount, const CheckLimits& limits);
 
 }  // namespace rungproof

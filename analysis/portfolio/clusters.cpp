@@ -16,7 +16,8 @@ struct Reach {
 
 }  // namespace
 
-std::vector<std::vector<std::size_t>> clustersOf(const TransitionSystem& system, const std::vector<std::size_t>& questions) {
+std::vector<std::vector<std::size_t>> clustersOf(const TransitionSystem& system,
+                                                 const std::vector<std::size_t>& questions) {
   const Graph& graph = *system.graph;
   std::unordered_map<std::uint32_t, std::size_t> stateOf;
   for (std::size_t i = 0; i < system.states.size(); ++i) stateOf.emplace(indexOf(system.states[i].node), i);

@@ -9,6 +9,7 @@
 namespace rungproof {
 
 /// Partition of `questions` (indices). A question joins the first larger group that covers half of its state bits.
-std::vector<std::vector<std::size_t>> clustersOf(const TransitionSystem& system, const std::vector<std::size_t>& questions);
+std::vector<std::vector<std::size_t>> clustersOf(const TransitionSystem& system,
+                                                 const std::vector<std::size_t>& questions);
 
 }  // namespace rungproof

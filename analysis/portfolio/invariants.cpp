@@ -19,17 +19,23 @@ using Signature = std::vector<std::uint64_t>;
 using Class = std::vector<Lit>;
 constexpr std::size_t ofOneClass = 6;    ///< truths of one class that pairs are made of
 constexpr std::size_t unseenLimit = 32;  ///< truths that are 0 in all samples
-constexpr int neighbourBatches = 6;  ///< of 64 states near a counterexample
-constexpr int walkPatience = 24;     ///< scans of a walk that drop nothing, then the solver is asked again
+constexpr int neighbourBatches = 6;      ///< of 64 states near a counterexample
+constexpr int walkPatience = 24;         ///< scans of a walk that drop nothing, then the solver is asked again
 
 /// At least one of them holds.
 using Clause = std::vector<Lit>;
 
 class Miner {
  public:
-  Miner(const BitSystem& system, const std::vector<Lit>& truths, const std::vector<Clause>& guesses, const MiningOptions& options,
-        const Budget& budget)
-      : system_(system), truths_(truths), options_(options), budget_(budget), clauses_(guesses), steps_(system, Unrolling::Start::Any), sat_(Sat::Use::Many),
+  Miner(const BitSystem& system, const std::vector<Lit>& truths, const std::vector<Clause>& guesses,
+        const MiningOptions& options, const Budget& budget)
+      : system_(system),
+        truths_(truths),
+        options_(options),
+        budget_(budget),
+        clauses_(guesses),
+        steps_(system, Unrolling::Start::Any),
+        sat_(Sat::Use::Many),
         cnf_(steps_.graph(), sat_) {}
 
   Invariants run() {
@@ -61,9 +67,11 @@ class Miner {
     SimulationRuns runs(system_, options_.seed);
     for (int scan = 0; scan < options_.scans && !budget_.isExhausted(); ++scan) {
       if (scan == options_.scans / 2) runs.restart();
-      if (!runs.choose()) runs.restart();
+      if (!runs.choose())
+        runs.restart();
       else {
-        for (std::size_t i = 0; i < watched_.size(); ++i) signatures_[i].push_back(sampled(runs.simulator(), runs.live(), watched_[i]));
+        for (std::size_t i = 0; i < watched_.size(); ++i)
+          signatures_[i].push_back(sampled(runs.simulator(), runs.live(), watched_[i]));
         runs.step();
       }
     }
@@ -93,9 +101,12 @@ class Miner {
   void makeSingles() {
     classes_.push_back({falseLit});
     for (std::size_t i = 0; i < watched_.size(); ++i) {
-      const bool isUnseen = std::all_of(signatures_[i].begin(), signatures_[i].end(), [](std::uint64_t lanes) { return lanes == 0; });
-      if (isUnseen) unseen_.push_back(watched_[i]);
-      else classes_.push_back({watched_[i]});
+      const bool isUnseen =
+          std::all_of(signatures_[i].begin(), signatures_[i].end(), [](std::uint64_t lanes) { return lanes == 0; });
+      if (isUnseen)
+        unseen_.push_back(watched_[i]);
+      else
+        classes_.push_back({watched_[i]});
     }
   }
 
@@ -109,7 +120,8 @@ class Miner {
       std::size_t taken = 0;
       for (const Lit l : c) {
         if (!isTruth[variableOf(l)] || taken == ofOneClass || (taken > 0 && system_.isGate(l))) continue;
-        representatives.push_back(static_cast<std::size_t>(std::lower_bound(watched_.begin(), watched_.end(), l & ~1U) - watched_.begin()));
+        representatives.push_back(
+            static_cast<std::size_t>(std::lower_bound(watched_.begin(), watched_.end(), l & ~1U) - watched_.begin()));
         ++taken;
       }
     }
@@ -122,7 +134,8 @@ class Miner {
           bool holds = true;
           for (std::size_t w = 0; w < a.size() && holds; ++w) holds = ((a[w] ^ flipA) | (b[w] ^ flipB)) == ~0ULL;
           if (!holds) continue;
-          clauses_.push_back({watched_[representatives[i]] ^ (polarity & 1U), watched_[representatives[j]] ^ (polarity >> 1U)});
+          clauses_.push_back(
+              {watched_[representatives[i]] ^ (polarity & 1U), watched_[representatives[j]] ^ (polarity >> 1U)});
           if (clauses_.size() >= options_.implicationLimit) return;
         }
       }
@@ -242,7 +255,8 @@ class Miner {
     bool changed = false;
     for (int batch = 0; batch < neighbourBatches; ++batch) {
       for (std::size_t i = 0; i < state.size(); ++i) simulator.setLatch(i, state[i] ? ~0ULL : 0);
-      for (std::size_t i = 0; i < inputs.size(); ++i) simulator.setInput(i, (batch == 0 ? random() & ~1ULL : random()) | (inputs[i] && batch == 0 ? 1U : 0U));
+      for (std::size_t i = 0; i < inputs.size(); ++i)
+        simulator.setInput(i, (batch == 0 ? random() & ~1ULL : random()) | (inputs[i] && batch == 0 ? 1U : 0U));
       // Members of a class change together; the first run stays the model itself.
       for (std::size_t c = 1; c < classes_.size(); ++c) {
         std::uint64_t flips = random();
@@ -264,10 +278,11 @@ class Miner {
     return changed;
   }
 
-  /// Scan after scan from `state`, with other words every time: what long waits keep apart (a ring of timers) comes up at
-  /// once, and the pairs that it breaks go without a question to the solver. A run that leaves the candidates starts anew.
-  /// What the constraints speak of stays as it is, else hardly a run would meet them.
-  void walk(BitSimulator& simulator, std::mt19937_64& random, const std::vector<bool>& state, const std::vector<bool>& inputs) {
+  /// Scan after scan from `state`, with other words every time: what long waits keep apart (a ring of timers) comes up
+  /// at once, and the pairs that it breaks go without a question to the solver. A run that leaves the candidates starts
+  /// anew. What the constraints speak of stays as it is, else hardly a run would meet them.
+  void walk(BitSimulator& simulator, std::mt19937_64& random, const std::vector<bool>& state,
+            const std::vector<bool>& inputs) {
     std::vector<bool> isTruth(system_.variableCount(), false);
     for (const Lit l : watched_) isTruth[variableOf(l)] = true;
     std::uint64_t lanes = 0;
@@ -275,9 +290,12 @@ class Miner {
       for (std::size_t i = 0; i < state.size(); ++i) {
         const std::uint32_t v = system_.latches[i].variable;
         const std::uint64_t start = state[i] ? ~0ULL : 0;
-        simulator.setLatch(i, isTruth[v] ? (simulator.latch(i) & lanes) | (start & ~lanes) : isConstrained_[v] ? start : random());
+        simulator.setLatch(i, isTruth[v]          ? (simulator.latch(i) & lanes) | (start & ~lanes)
+                              : isConstrained_[v] ? start
+                                                  : random());
       }
-      for (std::size_t i = 0; i < inputs.size(); ++i) simulator.setInput(i, !isConstrained_[system_.inputs[i]] ? random() : inputs[i] ? ~0ULL : 0);
+      for (std::size_t i = 0; i < inputs.size(); ++i)
+        simulator.setInput(i, !isConstrained_[system_.inputs[i]] ? random() : inputs[i] ? ~0ULL : 0);
       simulator.evaluate();
       lanes = satisfying(simulator);
       simulator.step();
@@ -349,8 +367,9 @@ class Miner {
 
 }  // namespace
 
-Invariants mineInvariants(const BitSystem& system, const std::vector<Lit>& truths, const std::vector<std::vector<Lit>>& guesses,
-                          const MiningOptions& options, const Budget& budget) {
+Invariants mineInvariants(const BitSystem& system, const std::vector<Lit>& truths,
+                          const std::vector<std::vector<Lit>>& guesses, const MiningOptions& options,
+                          const Budget& budget) {
   return Miner(system, truths, guesses, options, budget).run();
 }
 

@@ -22,7 +22,7 @@ struct Invariants {
 
 struct MiningOptions {
   std::uint64_t seed = 1;
-  int scans = 192;                     ///< sampled on 64 runs
+  int scans = 192;                      ///< sampled on 64 runs
   std::size_t implicationLimit = 3000;  ///< candidates of two literals
   /// Only clauses of two truths: for merged systems, whose constants and equal latches are known already.
   bool pairsOnly = false;
@@ -31,8 +31,9 @@ struct MiningOptions {
 /// `truths`: literals over latches between which equalities and implications are looked for, besides the equalities
 /// among all latches; `guesses`: further candidates, clauses over latches and gates over latches. When the budget
 /// ends, nothing is returned.
-Invariants mineInvariants(const BitSystem& system, const std::vector<Lit>& truths, const std::vector<std::vector<Lit>>& guesses,
-                          const MiningOptions& options, const Budget& budget);
+Invariants mineInvariants(const BitSystem& system, const std::vector<Lit>& truths,
+                          const std::vector<std::vector<Lit>>& guesses, const MiningOptions& options,
+                          const Budget& budget);
 
 /// Which of clauses that are inductive together proofs need. Serves many proofs about one system: what one clause rests
 /// on is asked once.
@@ -57,9 +58,9 @@ class InvariantCores {
 
   const BitSystem& system_;
   const Clauses& invariants_;
-  std::unique_ptr<Question> closure_;                          ///< one scan under invariants; made when first needed
+  std::unique_ptr<Question> closure_;                           ///< one scan under invariants; made when first needed
   std::vector<std::optional<std::vector<std::size_t>>> rests_;  ///< by invariant: those that a scan needs to keep it
-  bool isDense_ = false;  ///< too many rest on each other to be told apart
+  bool isDense_ = false;                                        ///< too many rest on each other to be told apart
 };
 
 }  // namespace rungproof

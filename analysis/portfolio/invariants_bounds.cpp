@@ -17,15 +17,15 @@ namespace {
 
 constexpr std::int64_t unreached = std::numeric_limits<std::int64_t>::min();
 constexpr std::int64_t hopeless = 32000;  ///< a bound that the words' own ranges give
-constexpr int boundScans = 160;               ///< sampled on 64 runs
-constexpr int raisesAllowed = 6;               ///< times that a bound may be raised to its largest value
+constexpr int boundScans = 160;           ///< sampled on 64 runs
+constexpr int raisesAllowed = 6;          ///< times that a bound may be raised to its largest value
 constexpr int growthPatience = 1;         ///< the same for a difference that can grow on and on
 
 enum class Course : std::uint8_t { NotAsked, Falls, Grows };
 
 struct Bound {
   Lit guard = trueLit, stopped = falseLit;
-  std::size_t difference = 0;   ///< index in differences_
+  std::size_t difference = 0;  ///< index in differences_
   std::int64_t high = unreached;
   int raises = 0;
   Course course = Course::NotAsked;
@@ -34,8 +34,16 @@ struct Bound {
 
 class BoundSearch {
  public:
-  BoundSearch(const TransitionSystem& system, BitBlast& blast, const Invariants& known, std::uint64_t seed, const Budget& budget)
-      : system_(system), graph_(*system.graph), blast_(blast), known_(known), seed_(seed), budget_(budget), found_(boundTemplates(system, blast, known, seed)), templates_(found_.templates) {}
+  BoundSearch(const TransitionSystem& system, BitBlast& blast, const Invariants& known, std::uint64_t seed,
+              const Budget& budget)
+      : system_(system),
+        graph_(*system.graph),
+        blast_(blast),
+        known_(known),
+        seed_(seed),
+        budget_(budget),
+        found_(boundTemplates(system, blast, known, seed)),
+        templates_(found_.templates) {}
 
   MinedBounds run() {
     if (templates_.empty()) return {};
@@ -102,7 +110,8 @@ class BoundSearch {
       }
       for (Bound& bound : bounds_) {
         std::uint64_t lanes = runs.live() & simulator.value(bound.guard) & ~simulator.value(bound.stopped);
-        for (; lanes != 0; lanes &= lanes - 1) raise(bound, values[bound.difference][static_cast<std::size_t>(std::countr_zero(lanes))]);
+        for (; lanes != 0; lanes &= lanes - 1)
+          raise(bound, values[bound.difference][static_cast<std::size_t>(std::countr_zero(lanes))]);
       }
       runs.step();
     }
@@ -112,7 +121,8 @@ class BoundSearch {
   /// difference <= high, in a frame of an unrolling.
   Lit atMost(Unrolling& u, int frame, const LitVector& difference, std::int64_t high) const {
     const std::size_t width = difference.size();
-    const std::uint64_t sign = 1ULL << (width - 1), limit = static_cast<std::uint64_t>(high + static_cast<std::int64_t>(sign));
+    const std::uint64_t sign = 1ULL << (width - 1),
+                        limit = static_cast<std::uint64_t>(high + static_cast<std::int64_t>(sign));
     Lit result = trueLit;  // of the bits below
     for (std::size_t bit = 0; bit < width; ++bit) {
       Lit l = u.at(frame, difference[bit]);
@@ -121,15 +131,20 @@ class BoundSearch {
     }
     return result;
   }
-  Lit isActive(Unrolling& u, int frame, const Bound& bound) const { return u.graph().addAnd(u.at(frame, bound.guard), negate(u.at(frame, bound.stopped))); }
+  Lit isActive(Unrolling& u, int frame, const Bound& bound) const {
+    return u.graph().addAnd(u.at(frame, bound.guard), negate(u.at(frame, bound.stopped)));
+  }
   Lit holds(Unrolling& u, int frame, const Bound& bound) const {
     const Lit idle = negate(isActive(u, frame, bound));
-    return bound.high == unreached ? idle : u.graph().addOr(idle, atMost(u, frame, differences_[bound.difference], bound.high));
+    return bound.high == unreached
+               ? idle
+               : u.graph().addOr(idle, atMost(u, frame, differences_[bound.difference], bound.high));
   }
   std::int64_t valueOf(Unrolling& u, const BitCnf& cnf, int frame, const Bound& bound) const {
     const LitVector& bits = differences_[bound.difference];
     std::uint64_t value = 0;
-    for (std::size_t bit = 0; bit < bits.size(); ++bit) value |= static_cast<std::uint64_t>(isTrue(cnf, u.at(frame, bits[bit]))) << bit;
+    for (std::size_t bit = 0; bit < bits.size(); ++bit)
+      value |= static_cast<std::uint64_t>(isTrue(cnf, u.at(frame, bits[bit]))) << bit;
     return signedValue(value, bits.size());
   }
   static bool isTrue(const BitCnf& cnf, Lit l) { return l == trueLit || (l != falseLit && cnf.value(l)); }
@@ -190,7 +205,9 @@ class BoundSearch {
           if (bound.isDropped || isTrue(cnf, negate(isActive(steps, 1, bound)))) continue;
           const std::int64_t value = valueOf(steps, cnf, 1, bound);
           if (value <= bound.high) continue;
-          if (bound.course == Course::NotAsked && isTrue(cnf, isActive(steps, 0, bound)) && value > valueOf(steps, cnf, 0, bound)) bound.course = Course::Grows;
+          if (bound.course == Course::NotAsked && isTrue(cnf, isActive(steps, 0, bound)) &&
+              value > valueOf(steps, cnf, 0, bound))
+            bound.course = Course::Grows;
           raise(bound, value);
           if (std::find(raised.begin(), raised.end(), &bound) == raised.end()) raised.push_back(&bound);
         }
@@ -224,8 +241,10 @@ class BoundSearch {
         assumed.pop_back();
       }
       if (more == Sat::Outcome::Unknown) return false;
-      if (more == Sat::Outcome::Satisfiable) take();
-      else isNarrowing = true;
+      if (more == Sat::Outcome::Satisfiable)
+        take();
+      else
+        isNarrowing = true;
       step = isNarrowing ? step / 2 : step * 2;
     }
     assumed.pop_back();
@@ -247,7 +266,8 @@ class BoundSearch {
       const Summand& y = summand(pair.right);
       const Lit same = arithmetic.equal(at(x.isPending ? 1 : 0, x.increment), at(y.isPending ? 1 : 0, y.increment));
       const LitVector xAfter = at(1, x.word), yAfter = at(1, y.word), xNext = at(0, x.next), yNext = at(0, y.next);
-      const Lit together = steps.graph().addAnd(same, steps.graph().addAnd(arithmetic.equal(xAfter, xNext), arithmetic.equal(yAfter, yNext)));
+      const Lit together = steps.graph().addAnd(
+          same, steps.graph().addAnd(arithmetic.equal(xAfter, xNext), arithmetic.equal(yAfter, yNext)));
       const Lit falls = steps.graph().addAnd(same, steps.graph().addAnd(atMost(xAfter, xNext), atMost(yNext, yAfter)));
       LitVector start, end;
       for (const Lit l : differences_[pair.difference]) {
@@ -256,7 +276,8 @@ class BoundSearch {
       }
       sat.add({-cnf.literal(falls), -cnf.literal(arithmetic.lessSigned(start, end))});
       for (const Lit l : differences_[pair.difference]) {
-        const int before = cnf.literal(steps.at(0, l)), after = cnf.literal(steps.at(1, l)), condition = cnf.literal(together);
+        const int before = cnf.literal(steps.at(0, l)), after = cnf.literal(steps.at(1, l)),
+                  condition = cnf.literal(together);
         sat.add({-condition, -before, after});
         sat.add({-condition, before, -after});
       }
@@ -285,8 +306,10 @@ class BoundSearch {
       const Bound& bound = bounds_[i];
       if (bound.isDropped) continue;
       const bool isImplied = std::any_of(bounds_.begin(), bounds_.end(), [&](const Bound& other) {
-        if (other.isDropped || &other == &bound || other.difference != bound.difference || other.high > bound.high) return false;
-        const bool covers = (other.guard == trueLit || other.guard == bound.guard) && (other.stopped == falseLit || other.stopped == bound.stopped);
+        if (other.isDropped || &other == &bound || other.difference != bound.difference || other.high > bound.high)
+          return false;
+        const bool covers = (other.guard == trueLit || other.guard == bound.guard) &&
+                            (other.stopped == falseLit || other.stopped == bound.stopped);
         const bool isSame = other.guard == bound.guard && other.stopped == bound.stopped && other.high == bound.high;
         return covers && (!isSame || &other < &bound);
       });
@@ -294,7 +317,9 @@ class BoundSearch {
       const BoundTemplate& t = templates_[i];
       Node clause = graph_.constantNode(0, 1);
       const int width = graph_[t.difference].width;
-      if (bound.high != unreached) clause = graph_.make(Op::Sle, 1, t.difference, graph_.constantNode(static_cast<std::uint64_t>(bound.high) & Graph::maskOf(width), width));
+      if (bound.high != unreached)
+        clause = graph_.make(Op::Sle, 1, t.difference,
+                             graph_.constantNode(static_cast<std::uint64_t>(bound.high) & Graph::maskOf(width), width));
       if (t.guard != noNode) clause = graph_.make(Op::Or, 1, clause, graph_.make(Op::Not, 1, t.guard));
       if (t.stopped != noNode) clause = graph_.make(Op::Or, 1, clause, t.stopped);
       if (graph_[clause].op != Op::Constant) clauses.push_back(clause);
@@ -322,7 +347,8 @@ class BoundSearch {
 
 }  // namespace
 
-MinedBounds mineBounds(const TransitionSystem& system, BitBlast& blast, const Invariants& known, std::uint64_t seed, const Budget& budget) {
+MinedBounds mineBounds(const TransitionSystem& system, BitBlast& blast, const Invariants& known, std::uint64_t seed,
+                       const Budget& budget) {
   return BoundSearch(system, blast, known, seed, budget).run();
 }
 

@@ -21,6 +21,7 @@ struct MinedBounds {
 
 /// Clauses (nodes of width 1 over states) that hold in all reachable states, given `known` ones, which are literals of
 /// `blast`. Adds nodes to its graph and gates to its bits. Nothing if there are no such words or the budget ends.
-MinedBounds mineBounds(const TransitionSystem& system, BitBlast& blast, const Invariants& known, std::uint64_t seed, const Budget& budget);
+MinedBounds mineBounds(const TransitionSystem& system, BitBlast& blast, const Invariants& known, std::uint64_t seed,
+                       const Budget& budget);
 
 }  // namespace rungproof

@@ -14,7 +14,11 @@ constexpr std::size_t closureLimit = 300;  ///< needed invariants; where so many
 class InvariantCores::Question {
  public:
   Question(const BitSystem& system, const Clauses& invariants)
-      : system_(system), invariants_(invariants), steps_(system, Unrolling::Start::Any), sat_(Sat::Use::Many), cnf_(steps_.graph(), sat_),
+      : system_(system),
+        invariants_(invariants),
+        steps_(system, Unrolling::Start::Any),
+        sat_(Sat::Use::Many),
+        cnf_(steps_.graph(), sat_),
         isPreferred_(invariants.size(), false) {
     constrain(0);
     assume(0);
@@ -90,7 +94,8 @@ class InvariantCores::Question {
   std::vector<bool> isPreferred_;  ///< taken by an earlier core
 };
 
-InvariantCores::InvariantCores(const BitSystem& system, const Clauses& invariants) : system_(system), invariants_(invariants), rests_(invariants.size()) {}
+InvariantCores::InvariantCores(const BitSystem& system, const Clauses& invariants)
+    : system_(system), invariants_(invariants), rests_(invariants.size()) {}
 InvariantCores::~InvariantCores() = default;
 
 InvariantCores::Needed InvariantCores::of(Lit bad, const Certificate& certificate, const Budget& budget) {

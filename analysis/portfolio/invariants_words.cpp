@@ -13,13 +13,13 @@ namespace rungproof {
 namespace {
 
 constexpr int wordScans = 384;
-constexpr int laneStep = 4;              ///< every fourth run is sampled
-constexpr std::size_t wordLimit = 160;   ///< counting words looked at
-constexpr std::size_t capLimit = 6;      ///< constants per word
-constexpr std::int64_t widest = 1 << 20; ///< bounds further apart tell nothing
+constexpr int laneStep = 4;               ///< every fourth run is sampled
+constexpr std::size_t wordLimit = 160;    ///< counting words looked at
+constexpr std::size_t capLimit = 6;       ///< constants per word
+constexpr std::int64_t widest = 1 << 20;  ///< bounds further apart tell nothing
 
 struct Word {
-  std::size_t state = 0;             ///< index in TransitionSystem::states
+  std::size_t state = 0;  ///< index in TransitionSystem::states
   int width = 0;
   std::vector<Lit> bits;             ///< lowest first
   std::vector<std::int64_t> values;  ///< by lane, then scan
@@ -117,7 +117,8 @@ class DifferenceGuess {
       }
       if (high > widest || high < -widest) continue;
       NodeClause clause{atMost(x, y, high)};
-      if (cap != 0) clause.push_back(graph_.make(Op::Ule, 1, graph_.constantNode(cap, y.width), system_.states[y.state].node));
+      if (cap != 0)
+        clause.push_back(graph_.make(Op::Ule, 1, graph_.constantNode(cap, y.width), system_.states[y.state].node));
       clauses_.push_back(std::move(clause));
     }
   }
@@ -144,13 +145,15 @@ class DifferenceGuess {
       if (!visited.insert(n).second) continue;
       const NodeData& node = graph_[n];
       const bool isLeaf = node.op == Op::Variable;
-      if (node.op == Op::Constant && node.value > 3 && node.value <= Graph::maskOf(word.width)) found.insert(node.value);
+      if (node.op == Op::Constant && node.value > 3 && node.value <= Graph::maskOf(word.width))
+        found.insert(node.value);
       for (const Node child : node.child) {
         if (child != noNode && !isLeaf) stack.push_back(child);
       }
     }
     word.caps.assign(found.begin(), found.end());
-    if (word.caps.size() > capLimit) word.caps.erase(word.caps.begin(), word.caps.end() - static_cast<std::ptrdiff_t>(capLimit));
+    if (word.caps.size() > capLimit)
+      word.caps.erase(word.caps.begin(), word.caps.end() - static_cast<std::ptrdiff_t>(capLimit));
   }
 
   const TransitionSystem& system_;

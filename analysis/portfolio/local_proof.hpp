@@ -1,6 +1,7 @@
 // Proofs within one scan that look at the surface of a property only: "the second output is built from the first one's
 // inverse" needs neither the state nor how deep the logic below goes. Nodes below the surface may have any value; what
-// is impossible then is impossible. The surface grows as long as that pays. Tested by tests/solver/local_proof_test.cpp.
+// is impossible then is impossible. The surface grows as long as that pays. Tested by
+// tests/solver/local_proof_test.cpp.
 #pragma once
 
 #include <optional>

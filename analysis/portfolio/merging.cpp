@@ -19,22 +19,27 @@ namespace rungproof {
 
 namespace {
 
-constexpr int sampledScans = 96;          ///< sampled on 64 runs
+constexpr int sampledScans = 96;   ///< sampled on 64 runs
 constexpr std::size_t narrow = 4;  ///< bits of such words are looked at one by one
 constexpr int mergingBatches = 4;  ///< of 64 states near a counterexample
 
 /// A word or a bit of one. Its literals are those of the difference to its initial value, so every item starts with 0.
 struct Item {
   std::size_t state = 0;
-  std::uint32_t bit = 0;          ///< lowest of the word
-  std::vector<Lit> literals;      ///< over latches, lowest first
+  std::uint32_t bit = 0;      ///< lowest of the word
+  std::vector<Lit> literals;  ///< over latches, lowest first
   std::vector<std::uint32_t> latches;
 };
 
 class Merger {
  public:
   Merger(const TransitionSystem& given, std::uint64_t seed, const Budget& budget)
-      : given_(given), graph_(*given.graph), seed_(seed), budget_(budget), blast_(given, allQuestions(given)), bits_(blast_.bits()) {}
+      : given_(given),
+        graph_(*given.graph),
+        seed_(seed),
+        budget_(budget),
+        blast_(given, allQuestions(given)),
+        bits_(blast_.bits()) {}
 
   MergedSystem run() {
     collectItems();
@@ -57,7 +62,8 @@ class Merger {
       if (bits_.latches[latch].init == LatchInit::Free) continue;
       const bool isWide = static_cast<std::size_t>(widthOf(state)) > narrow;
       if (!isWide || bit == 0) items_.push_back({state, bit, {}, {}});
-      items_.back().literals.push_back(positive(bits_.latches[latch].variable) ^ (bits_.latches[latch].init == LatchInit::One ? 1U : 0U));
+      items_.back().literals.push_back(positive(bits_.latches[latch].variable) ^
+                                       (bits_.latches[latch].init == LatchInit::One ? 1U : 0U));
       items_.back().latches.push_back(latch);
     }
     // A class is represented by a truth value, if it has one: properties and invariants speak of those.
@@ -82,7 +88,8 @@ class Merger {
     std::map<std::vector<std::uint64_t>, std::size_t> index;
     classes_.emplace_back();
     for (std::size_t i = 0; i < items_.size(); ++i) {
-      const bool isConstant = std::all_of(seen[i].begin(), seen[i].end(), [](std::uint64_t lanes) { return lanes == 0; });
+      const bool isConstant =
+          std::all_of(seen[i].begin(), seen[i].end(), [](std::uint64_t lanes) { return lanes == 0; });
       if (isConstant) {
         classes_[0].push_back(i);
         continue;
@@ -115,16 +122,21 @@ class Merger {
       const auto valueOf = [&](Lit l) { return values[variableOf(l)] ^ (l & 1U); };
       forMembers([&](const Item& member, const Item* first) {
         for (std::size_t bit = 0; bit < member.literals.size(); ++bit) {
-          values[variableOf(member.literals[bit])] = (first == nullptr ? falseLit : valueOf(first->literals[bit])) ^ (member.literals[bit] & 1U);
+          values[variableOf(member.literals[bit])] =
+              (first == nullptr ? falseLit : valueOf(first->literals[bit])) ^ (member.literals[bit] & 1U);
         }
       });
-      for (std::size_t i = 0; i < bits_.gates.size(); ++i) values[bits_.gateVariables[i]] = graph.addAnd(valueOf(bits_.gates[i].left), valueOf(bits_.gates[i].right));
-      const auto after = [&](const Item& item, std::size_t bit) { return valueOf(bits_.latches[item.latches[bit]].next) ^ (item.literals[bit] & 1U); };
+      for (std::size_t i = 0; i < bits_.gates.size(); ++i)
+        values[bits_.gateVariables[i]] = graph.addAnd(valueOf(bits_.gates[i].left), valueOf(bits_.gates[i].right));
+      const auto after = [&](const Item& item, std::size_t bit) {
+        return valueOf(bits_.latches[item.latches[bit]].next) ^ (item.literals[bit] & 1U);
+      };
       std::vector<Lit> differences;
       forMembers([&](const Item& member, const Item* first) {
         Lit differs = falseLit;
         for (std::size_t bit = 0; bit < member.literals.size(); ++bit) {
-          differs = graph.addOr(differs, graph.addXor(after(member, bit), first == nullptr ? falseLit : after(*first, bit)));
+          differs =
+              graph.addOr(differs, graph.addXor(after(member, bit), first == nullptr ? falseLit : after(*first, bit)));
         }
         if (differs != falseLit) differences.push_back(differs);
       });
@@ -145,7 +157,8 @@ class Merger {
       for (const Latch& latch : bits_.latches) state.push_back(cnf.value(values[latch.variable]));
       for (const std::uint32_t v : bits_.inputs) inputs.push_back(cnf.value(values[v]));
       bool isRefined = false;
-      for (int batch = 0; batch < mergingBatches; ++batch) isRefined = refineNear(simulator, random, state, inputs, batch) || isRefined;
+      for (int batch = 0; batch < mergingBatches; ++batch)
+        isRefined = refineNear(simulator, random, state, inputs, batch) || isRefined;
       CHECK(isRefined, "a counterexample breaks a candidate");
     }
   }
@@ -154,12 +167,14 @@ class Merger {
   template <class Use>
   void forMembers(Use&& use) const {
     for (std::size_t c = 0; c < classes_.size(); ++c) {
-      for (std::size_t i = c == 0 ? 0 : 1; i < classes_[c].size(); ++i) use(items_[classes_[c][i]], c == 0 ? nullptr : &items_[classes_[c][0]]);
+      for (std::size_t i = c == 0 ? 0 : 1; i < classes_[c].size(); ++i)
+        use(items_[classes_[c][i]], c == 0 ? nullptr : &items_[classes_[c][0]]);
     }
   }
 
   /// Splits classes by what one scan makes of a state and of 63 others near it; batch 0 has the state itself.
-  bool refineNear(BitSimulator& simulator, std::mt19937_64& random, const std::vector<bool>& state, const std::vector<bool>& inputs, int batch) {
+  bool refineNear(BitSimulator& simulator, std::mt19937_64& random, const std::vector<bool>& state,
+                  const std::vector<bool>& inputs, int batch) {
     const auto flips = [&] {
       std::uint64_t mask = random();
       for (int i = 0; i < batch; ++i) mask &= random();
@@ -193,7 +208,8 @@ class Merger {
       std::map<std::vector<std::uint64_t>, std::vector<std::size_t>> others;
       std::erase_if(classes_[c], [&](std::size_t item) {
         std::vector<std::uint64_t> v = valuesOf(item);
-        const bool stays = c == 0 ? std::all_of(v.begin(), v.end() - 1, [](std::uint64_t l) { return l == 0; }) : v == expected;
+        const bool stays =
+            c == 0 ? std::all_of(v.begin(), v.end() - 1, [](std::uint64_t l) { return l == 0; }) : v == expected;
         if (!stays) others[std::move(v)].push_back(item);
         return !stays;
       });
@@ -212,7 +228,8 @@ class Merger {
   }
 
   /// The word in terms of the firsts of the classes; itself if nothing is known of it.
-  Node replacement(std::size_t state, const std::unordered_map<std::size_t, std::vector<std::pair<const Item*, const Item*>>>& members) {
+  Node replacement(std::size_t state,
+                   const std::unordered_map<std::size_t, std::vector<std::pair<const Item*, const Item*>>>& members) {
     const Node word = given_.states[state].node;
     const auto found = members.find(state);
     if (found == members.end()) return word;
@@ -220,7 +237,8 @@ class Merger {
     if (static_cast<std::size_t>(width) > narrow) {
       const Item* first = found->second[0].second;
       if (first == nullptr) return graph_.constantNode(initOf(state), width);
-      return graph_.make(Op::Xor, width, given_.states[first->state].node, graph_.constantNode(initOf(state) ^ initOf(first->state), width));
+      return graph_.make(Op::Xor, width, given_.states[first->state].node,
+                         graph_.constantNode(initOf(state) ^ initOf(first->state), width));
     }
     std::vector<Node> bits;
     for (int bit = 0; bit < width; ++bit) bits.push_back(bitOf(state, static_cast<std::uint32_t>(bit)));
@@ -234,7 +252,8 @@ class Merger {
       }
     }
     Node result = bits[0];
-    for (int bit = 1; bit < width; ++bit) result = graph_.make(Op::Concat, bit + 1, bits[static_cast<std::size_t>(bit)], result);
+    for (int bit = 1; bit < width; ++bit)
+      result = graph_.make(Op::Concat, bit + 1, bits[static_cast<std::size_t>(bit)], result);
     return result;
   }
 
@@ -252,20 +271,26 @@ class Merger {
         result.facts.push_back({word, other, graph_.make(Op::Equal, 1, word, other)});
         replaced.emplace(indexOf(word), other);
       }
-      const std::size_t replacedBits = members.contains(s) ? (static_cast<std::size_t>(widthOf(s)) > narrow ? static_cast<std::size_t>(widthOf(s)) : members[s].size()) : 0;
+      const std::size_t replacedBits =
+          members.contains(s) ? (static_cast<std::size_t>(widthOf(s)) > narrow ? static_cast<std::size_t>(widthOf(s))
+                                                                               : members[s].size())
+                              : 0;
       if (isBlasted[s] && replacedBits < static_cast<std::size_t>(widthOf(s))) result.kept.push_back(s);
     }
     Substitution rewritten(graph_, std::move(replaced));
     result.system.graph = given_.graph;
     result.system.inputs = given_.inputs;
-    for (const std::size_t s : result.kept) result.system.states.push_back({given_.states[s].node, given_.states[s].init, rewritten(given_.states[s].next)});
+    for (const std::size_t s : result.kept)
+      result.system.states.push_back({given_.states[s].node, given_.states[s].init, rewritten(given_.states[s].next)});
     for (const Node n : given_.constraints) {
       const Node other = rewritten(n);
       if (graph_[other].op == Op::Constant && graph_[other].value == 1) continue;
       result.system.constraints.push_back(other);
-      if (std::find(given_.totalConstraints.begin(), given_.totalConstraints.end(), n) != given_.totalConstraints.end()) result.system.totalConstraints.push_back(other);
+      if (std::find(given_.totalConstraints.begin(), given_.totalConstraints.end(), n) != given_.totalConstraints.end())
+        result.system.totalConstraints.push_back(other);
     }
-    for (const Question& question : given_.questions) result.system.questions.push_back({question.name, rewritten(question.bad)});
+    for (const Question& question : given_.questions)
+      result.system.questions.push_back({question.name, rewritten(question.bad)});
     return result;
   }
 
@@ -281,7 +306,8 @@ class Merger {
 
 }  // namespace
 
-std::vector<Node> factsBehind(const TransitionSystem& given, const std::vector<Replaced>& facts, const std::vector<Node>& roots) {
+std::vector<Node> factsBehind(const TransitionSystem& given, const std::vector<Replaced>& facts,
+                              const std::vector<Node>& roots) {
   const Graph& graph = *given.graph;
   std::unordered_map<std::uint32_t, Node> next, other;
   for (const StateVariable& state : given.states) next.emplace(indexOf(state.node), state.next);
@@ -303,6 +329,8 @@ std::vector<Node> factsBehind(const TransitionSystem& given, const std::vector<R
   return result;
 }
 
-MergedSystem mergeStates(const TransitionSystem& given, std::uint64_t seed, const Budget& budget) { return Merger(given, seed, budget).run(); }
+MergedSystem mergeStates(const TransitionSystem& given, std::uint64_t seed, const Budget& budget) {
+  return Merger(given, seed, budget).run();
+}
 
 }  // namespace rungproof

@@ -19,13 +19,14 @@ struct Replaced {
 };
 
 struct MergedSystem {
-  TransitionSystem system;         ///< same graph, inputs and questions (in their order); words that were replaced are missing
-  std::vector<std::size_t> kept;   ///< by state of `system`: its index in the given system
-  std::vector<Replaced> facts;     ///< over states of the given system, inductive together
+  TransitionSystem system;  ///< same graph, inputs and questions (in their order); words that were replaced are missing
+  std::vector<std::size_t> kept;  ///< by state of `system`: its index in the given system
+  std::vector<Replaced> facts;    ///< over states of the given system, inductive together
 };
 
 /// Equations of those facts that can matter for nodes over states of the given system: an inductive subset.
-std::vector<Node> factsBehind(const TransitionSystem& given, const std::vector<Replaced>& facts, const std::vector<Node>& roots);
+std::vector<Node> factsBehind(const TransitionSystem& given, const std::vector<Replaced>& facts,
+                              const std::vector<Node>& roots);
 
 /// Adds nodes to the graph. When the budget ends, nothing is merged.
 MergedSystem mergeStates(const TransitionSystem& given, std::uint64_t seed, const Budget& budget);

@@ -1,5 +1,5 @@
-// What can be settled on a property's surface, then the stages on the merged system and, where that leaves questions open,
-// on the saturated one; then the certificates, which are about the given system, are checked.
+// What can be settled on a property's surface, then the stages on the merged system and, where that leaves questions
+// open, on the saturated one; then the certificates, which are about the given system, are checked.
 #include "analysis/portfolio/portfolio.hpp"
 
 #include <algorithm>
@@ -16,16 +16,17 @@ namespace rungproof {
 
 namespace {
 
-constexpr double mergeShare = 0.3;   ///< of the time of a question, for merging states
-constexpr double mostMerging = 10;   ///< seconds
+constexpr double mergeShare = 0.3;        ///< of the time of a question, for merging states
+constexpr double mostMerging = 10;        ///< seconds
 constexpr double unsaturatedShare = 0.7;  ///< of the time, for the system with whole words
 constexpr double leastForBoth = 5;        ///< seconds
-constexpr double leastCheck = 0.5;   ///< seconds for checking certificates, whatever the deadline says
+constexpr double leastCheck = 0.5;        ///< seconds for checking certificates, whatever the deadline says
 
 /// What is settled on the surface, then what is left on the merged system, then the certificates about the given one.
 class Answers {
  public:
-  Answers(const TransitionSystem& system, const PortfolioOptions& options) : system_(system), options_(options), answers_(system.questions.size()) {}
+  Answers(const TransitionSystem& system, const PortfolioOptions& options)
+      : system_(system), options_(options), answers_(system.questions.size()) {}
 
   std::vector<QuestionAnswer> run() {
     const Budget budget = options_.budget();
@@ -39,8 +40,11 @@ class Answers {
     }
     if (!open.empty()) {
       const auto begin = Budget::Clock::now();
-      const MergedSystem merged = mergeStates(rest, options_.seed, budget.slice(std::min(options_.seconds * static_cast<double>(open.size()) * mergeShare, mostMerging)));
-      const double each = std::chrono::duration<double>(Budget::Clock::now() - begin).count() / static_cast<double>(open.size());
+      const MergedSystem merged = mergeStates(
+          rest, options_.seed,
+          budget.slice(std::min(options_.seconds * static_cast<double>(open.size()) * mergeShare, mostMerging)));
+      const double each =
+          std::chrono::duration<double>(Budget::Clock::now() - begin).count() / static_cast<double>(open.size());
       std::vector<QuestionAnswer> found = search(merged.system);
       for (std::size_t i = 0; i < open.size(); ++i) {
         found[i].seconds += each;
@@ -65,9 +69,12 @@ class Answers {
     return true;
   }
 
-  /// The portfolio on the system as it is; where that leaves questions open, what is left of the time on the saturated one.
+  /// The portfolio on the system as it is; where that leaves questions open, what is left of the time on the saturated
+  /// one.
   std::vector<QuestionAnswer> search(const TransitionSystem& system) const {
-    if (options_.effort != Effort::Full || !options_.check || std::min(options_.seconds, options_.left()) < leastForBoth) return runStages(system, options_);
+    if (options_.effort != Effort::Full || !options_.check ||
+        std::min(options_.seconds, options_.left()) < leastForBoth)
+      return runStages(system, options_);
     PortfolioOptions first = options_;
     first.seconds *= unsaturatedShare;
     if (first.deadline) {
@@ -100,15 +107,19 @@ class Answers {
     return answers;
   }
 
-  /// The certificate about the system with whole words; false if it rests on states being different, which it cannot say.
-  static bool unsaturate(const TransitionSystem& system, const Question& question, WordCertificate& certificate, const SaturatedSystem& saturated) {
+  /// The certificate about the system with whole words; false if it rests on states being different, which it cannot
+  /// say.
+  static bool unsaturate(const TransitionSystem& system, const Question& question, WordCertificate& certificate,
+                         const SaturatedSystem& saturated) {
     if (certificate.simplePath) return false;
     Graph& graph = *system.graph;
     const auto whole = [&](Node& n) { n = saturated.onGivenSystem(graph, n); };
     for (Node& n : certificate.invariant) whole(n);
     for (Node& n : certificate.immediate) whole(n);
     for (KeptDifference& d : certificate.differences) {
-      for (Node* n : {&d.left.word, &d.left.increment, &d.left.next, &d.right.word, &d.right.increment, &d.right.next, &d.difference}) whole(*n);
+      for (Node* n : {&d.left.word, &d.left.increment, &d.left.next, &d.right.word, &d.right.increment, &d.right.next,
+                      &d.difference})
+        whole(*n);
     }
     std::vector<Replaced> ranges;
     for (const SaturatedWord& word : saturated.words) ranges.push_back({.word = word.given, .equation = word.range});
@@ -133,7 +144,8 @@ class Answers {
     }
     if (answer.trace) {
       std::vector<std::uint64_t> initial;
-      for (const StateVariable& state : system_.states) initial.push_back(state.init == noNode ? 0 : (*system_.graph)[state.init].value);
+      for (const StateVariable& state : system_.states)
+        initial.push_back(state.init == noNode ? 0 : (*system_.graph)[state.init].value);
       for (std::size_t i = 0; i < merged.kept.size(); ++i) initial[merged.kept[i]] = answer.trace->initial[i];
       answer.trace->initial = std::move(initial);
     }
@@ -159,7 +171,8 @@ class Answers {
     limits.cancel = isCancelled ? nullptr : options_.cancel;
     const auto begin = Budget::Clock::now();
     const std::vector<CheckResult> results = writer.check(limits);
-    const double each = std::chrono::duration<double>(Budget::Clock::now() - begin).count() / static_cast<double>(certified.size());
+    const double each =
+        std::chrono::duration<double>(Budget::Clock::now() - begin).count() / static_cast<double>(certified.size());
     for (const std::size_t q : certified) answers_[q].seconds += each;
     for (std::size_t i = 0; i < certified.size(); ++i) {
       CHECK(results[i] != CheckResult::Invalid, "a certificate is wrong");

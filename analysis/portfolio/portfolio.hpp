@@ -21,12 +21,12 @@ enum class Effort : std::uint8_t { Together, Full };
 
 struct PortfolioOptions {
   Effort effort = Effort::Full;
-  double seconds = 30;     ///< wall time for each question
-  int jobs = 2;            ///< threads
+  double seconds = 30;  ///< wall time for each question
+  int jobs = 2;         ///< threads
   std::uint64_t seed = 1;
-  int bound = 0;           ///< BMC and k-induction look at that many scans at most; 0: no limit
-  std::uint64_t memory = 0;  ///< bytes that a check of certificates may use; 0: no limit
-  bool check = true;       ///< check certificates with Z3; without, proofs are reported as they are
+  int bound = 0;                              ///< BMC and k-induction look at that many scans at most; 0: no limit
+  std::uint64_t memory = 0;                   ///< bytes that a check of certificates may use; 0: no limit
+  bool check = true;                          ///< check certificates with Z3; without, proofs are reported as they are
   const std::atomic<bool>* cancel = nullptr;  ///< ends the search from outside; what is open stays unknown
   /// When the whole call has to be back, checks of certificates included (they may take half a second more).
   std::optional<Budget::Clock::time_point> deadline;
@@ -34,7 +34,9 @@ struct PortfolioOptions {
   /// Until the deadline or the interruption.
   Budget budget() const { return Budget(deadline.value_or(Budget::Clock::time_point::max()), cancel); }
   /// Seconds until the deadline, 0 at least; 1e9 without one.
-  double left() const { return deadline ? std::max(std::chrono::duration<double>(*deadline - Budget::Clock::now()).count(), 0.0) : 1e9; }
+  double left() const {
+    return deadline ? std::max(std::chrono::duration<double>(*deadline - Budget::Clock::now()).count(), 0.0) : 1e9;
+  }
 };
 
 struct QuestionAnswer {
@@ -47,7 +49,8 @@ struct QuestionAnswer {
   bool usesFreeReals = false;  ///< Violated: the run may rest on values of REAL operations that the CPU does not give
 };
 
-/// Bounded search alone for the first question: a run of at most `depth` scans, if there is one and it is found in time.
+/// Bounded search alone for the first question: a run of at most `depth` scans, if there is one and it is found in
+/// time.
 std::optional<WordTrace> shallowSearch(const TransitionSystem& system, int depth, double seconds);
 
 /// By question of the system. Adds nodes (of invariants) to its graph.

@@ -19,12 +19,13 @@ struct EngineKind {
   std::unique_ptr<Engine> (*make)(const BitSystem&, const EngineOptions&);
   double weight;  ///< share of time relative to the others
 };
-constexpr std::array engineKinds = {EngineKind{makeIc3, 4}, EngineKind{makeBmc, 2}, EngineKind{makeSimulation, 1}, EngineKind{makeExhaustive, 1},
+constexpr std::array engineKinds = {EngineKind{makeIc3, 4},        EngineKind{makeBmc, 2},
+                                    EngineKind{makeSimulation, 1}, EngineKind{makeExhaustive, 1},
                                     EngineKind{makeKInduction, 1}, EngineKind{nullptr, 3}};
 constexpr std::size_t onWords = engineKinds.size() - 1;  ///< made by the caller
 
 struct Runner {
-  Engine* engine = nullptr;       ///< made when first run, unless the caller has made it
+  Engine* engine = nullptr;  ///< made when first run, unless the caller has made it
   std::unique_ptr<Engine> own;
   double used = 0;
   double slice = 0.005;
@@ -43,7 +44,10 @@ struct Contest {
 class Race {
  public:
   Race(std::vector<RaceQuestion>& questions, const RaceOptions& options)
-      : questions_(questions), options_(options), contests_(questions.size()), perQuestion_(options.seconds * std::max(options.jobs, 1)) {
+      : questions_(questions),
+        options_(options),
+        contests_(questions.size()),
+        perQuestion_(options.seconds * std::max(options.jobs, 1)) {
     for (std::size_t q = 0; q < questions.size(); ++q) {
       contests_[q].runners[onWords].engine = questions[q].words;
       contests_[q].runners[onWords].ended = questions[q].words == nullptr;
@@ -104,7 +108,8 @@ class Race {
         runner.own = engineKinds[task.engine].make(*questions_[task.question].system, engineOptions(task.question));
         runner.engine = runner.own.get();
       }
-      const Verdict verdict = runner.engine->advance(Budget(options_.deadline, &contest.cancel, options_.cancel).slice(limit));
+      const Verdict verdict =
+          runner.engine->advance(Budget(options_.deadline, &contest.cancel, options_.cancel).slice(limit));
       const bool ended = runner.engine->isExhausted();
       const double used = std::chrono::duration<double>(Budget::Clock::now() - begin).count();
       lock.lock();
@@ -130,7 +135,8 @@ class Race {
 
   /// A run that is longer than the bound is no answer.
   bool isAnswer(const Verdict& verdict) const {
-    return verdict.answer == Answer::Proved || (verdict.answer == Answer::Violated && (options_.bound == 0 || verdict.depth < options_.bound));
+    return verdict.answer == Answer::Proved ||
+           (verdict.answer == Answer::Violated && (options_.bound == 0 || verdict.depth < options_.bound));
   }
 
   void record(std::size_t question, const Verdict& verdict) {
@@ -139,15 +145,18 @@ class Race {
     questions_[question].seconds = contest.used;
     if (isAnswer(verdict)) {
       CHECK(known.answer == Answer::Unknown || known.answer == verdict.answer, "two engines disagree about a question");
-      const bool better = known.answer == Answer::Unknown || (verdict.answer == Answer::Violated && verdict.depth < known.depth);
+      const bool better =
+          known.answer == Answer::Unknown || (verdict.answer == Answer::Violated && verdict.depth < known.depth);
       if (better) known = verdict;
       contest.cancel = true;
       contest.done = true;
       return;
     }
-    if (known.answer == Answer::Unknown && verdict.answer == Answer::Unknown) known.depth = std::max(known.depth, verdict.depth);
+    if (known.answer == Answer::Unknown && verdict.answer == Answer::Unknown)
+      known.depth = std::max(known.depth, verdict.depth);
     const bool atBound = options_.bound > 0 && known.depth >= options_.bound;
-    const bool allEnded = std::all_of(contest.runners.begin(), contest.runners.end(), [](const Runner& r) { return r.ended && !r.working; });
+    const bool allEnded = std::all_of(contest.runners.begin(), contest.runners.end(),
+                                      [](const Runner& r) { return r.ended && !r.working; });
     const bool stopped = Budget(options_.deadline, options_.cancel).isExhausted();
     if (contest.used >= perQuestion_ || allEnded || stopped || atBound) {
       contest.cancel = true;

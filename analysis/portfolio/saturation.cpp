@@ -16,13 +16,14 @@ namespace rungproof {
 
 namespace {
 
-constexpr int leastWidth = 8;             ///< of words that are worth it
+constexpr int leastWidth = 8;              ///< of words that are worth it
 constexpr std::size_t triedConstants = 8;  ///< largest ones of those that a scan has for the word
 constexpr double saturationQuerySeconds = 0.1;
 
 class Saturation {
  public:
-  Saturation(const TransitionSystem& given, const Budget& budget) : given_(given), graph_(*given.graph), budget_(budget) {}
+  Saturation(const TransitionSystem& given, const Budget& budget)
+      : given_(given), graph_(*given.graph), budget_(budget) {}
 
   SaturatedSystem run() {
     SaturatedSystem result;
@@ -34,7 +35,8 @@ class Saturation {
       if (const std::uint64_t cap = capOf(s); cap != 0) result.words.push_back(wordOf(s, cap));
     }
     if (result.words.empty()) return result;
-    for (const SaturatedWord& word : result.words) wide.emplace(indexOf(word.given), graph_.make(Op::Zext, graph_[word.given].width, word.narrow));
+    for (const SaturatedWord& word : result.words)
+      wide.emplace(indexOf(word.given), graph_.make(Op::Zext, graph_[word.given].width, word.narrow));
     Substitution substituted(graph_, std::move(wide));
     for (StateVariable& state : result.system.states) state.next = substituted(state.next);
     for (const SaturatedWord& word : result.words) {
@@ -95,7 +97,8 @@ class Saturation {
     for (const Node n : coneOf(graph_, all)) {
       const std::uint64_t value = graph_[n].value;
       // A cap that saves no bit is not worth a question.
-      if (graph_[n].op == Op::Constant && value > 1 && value + 1 < 1ULL << (width - 2)) constants.insert({value, value + 1});
+      if (graph_[n].op == Op::Constant && value > 1 && value + 1 < 1ULL << (width - 2))
+        constants.insert({value, value + 1});
     }
     while (constants.size() > 2 * triedConstants) constants.erase(constants.begin());
     for (const std::uint64_t cap : constants) {
@@ -104,8 +107,8 @@ class Saturation {
     return 0;
   }
 
-  /// For all values below 2^(width - 1): they stay there, the roots do not tell the word from its minimum with the cap, and
-  /// the next values' minima are equal.
+  /// For all values below 2^(width - 1): they stay there, the roots do not tell the word from its minimum with the cap,
+  /// and the next values' minima are equal.
   bool holds(std::size_t s, std::uint64_t cap, const std::vector<Node>& roots) {
     const StateVariable& state = given_.states[s];
     const int width = graph_[state.node].width;
@@ -113,7 +116,8 @@ class Saturation {
     const auto differ = [&](Node a, Node b) { return graph_.make(Op::Not, 1, graph_.make(Op::Equal, 1, a, b)); };
     const auto either = [&](Node a, Node b) { return graph_.make(Op::Or, 1, a, b); };
     const Node half = graph_.constantNode(1ULL << (width - 1), width);
-    Node wrong = either(graph_.make(Op::Not, 1, graph_.make(Op::Ult, 1, state.next, half)), differ(minimum(state.next, cap), minimum(capped(state.next), cap)));
+    Node wrong = either(graph_.make(Op::Not, 1, graph_.make(Op::Ult, 1, state.next, half)),
+                        differ(minimum(state.next, cap), minimum(capped(state.next), cap)));
     for (const Node n : roots) wrong = either(wrong, differ(n, capped(n)));
     wrong = graph_.make(Op::And, 1, wrong, graph_.make(Op::Ult, 1, state.node, half));
     if (graph_[wrong].op == Op::Constant) return graph_[wrong].value == 0;
@@ -140,6 +144,8 @@ Node SaturatedSystem::onGivenSystem(Graph& graph, Node n) const {
   return Substitution(graph, std::move(back))(n);
 }
 
-SaturatedSystem saturate(const TransitionSystem& given, const Budget& budget) { return Saturation(given, budget).run(); }
+SaturatedSystem saturate(const TransitionSystem& given, const Budget& budget) {
+  return Saturation(given, budget).run();
+}
 
 }  // namespace rungproof

@@ -14,11 +14,17 @@ constexpr double inductionQuerySeconds = 0.25;
 }  // namespace
 
 SharedSearch::SharedSearch(const BitSystem& system, std::uint64_t seed, std::vector<int> cleanScans)
-    : system_(system), seed_(seed), answers_(system.bads.size()), base_(system, Unrolling::Start::Initial), baseSat_(Sat::Use::Many),
-      baseCnf_(base_.graph(), baseSat_), cleanScans_(std::move(cleanScans)) {}
+    : system_(system),
+      seed_(seed),
+      answers_(system.bads.size()),
+      base_(system, Unrolling::Start::Initial),
+      baseSat_(Sat::Use::Many),
+      baseCnf_(base_.graph(), baseSat_),
+      cleanScans_(std::move(cleanScans)) {}
 
 std::size_t SharedSearch::openCount() const {
-  return static_cast<std::size_t>(std::count_if(answers_.begin(), answers_.end(), [](const SharedAnswer& a) { return a.open(); }));
+  return static_cast<std::size_t>(
+      std::count_if(answers_.begin(), answers_.end(), [](const SharedAnswer& a) { return a.open(); }));
 }
 
 void SharedSearch::simulate(int scans, const Budget& budget) {
@@ -35,7 +41,8 @@ void SharedSearch::simulate(int scans, const Budget& budget) {
       for (const std::uint64_t lanes : start) trace.initial.push_back((lanes >> lane & 1U) != 0);
       for (int earlier = 0; earlier <= scan; ++earlier) {
         std::vector<bool>& values = trace.inputs.emplace_back();
-        for (std::size_t i = 0; i < system_.inputs.size(); ++i) values.push_back((record[static_cast<std::size_t>(earlier) * system_.inputs.size() + i] >> lane & 1U) != 0);
+        for (std::size_t i = 0; i < system_.inputs.size(); ++i)
+          values.push_back((record[static_cast<std::size_t>(earlier) * system_.inputs.size() + i] >> lane & 1U) != 0);
       }
       Verdict& verdict = answers_[q].verdict;
       verdict.answer = Answer::Violated;
@@ -61,8 +68,9 @@ void SharedSearch::extendBase(int depth, const Budget& budget) {
     const bool longer = verdict.answer == Answer::Violated && verdict.depth > depth;
     if ((!answers_[q].open() && !longer) || cleanScans_[q] != depth || budget.isExhausted()) continue;
     const Lit bad = base_.at(depth, system_.bads[q]);
-    const Sat::Outcome outcome =
-        bad == falseLit ? Sat::Outcome::Unsatisfiable : baseSat_.solve({baseCnf_.literal(bad)}, budget.slice(inductionQuerySeconds));
+    const Sat::Outcome outcome = bad == falseLit
+                                     ? Sat::Outcome::Unsatisfiable
+                                     : baseSat_.solve({baseCnf_.literal(bad)}, budget.slice(inductionQuerySeconds));
     if (outcome == Sat::Outcome::Unsatisfiable) cleanScans_[q] = depth + 1;
     if (outcome != Sat::Outcome::Satisfiable) continue;
     verdict.answer = Answer::Violated;
@@ -87,9 +95,11 @@ void SharedSearch::induce(int most, const std::vector<std::vector<Lit>>& invaria
       if (!answers_[q].open() || cleanScans_[q] < k || budget.isExhausted()) continue;
       const Lit bad = steps.at(k, system_.bads[q]);
       std::vector<int> assumptions;
-      for (int earlier = 0; earlier < k; ++earlier) assumptions.push_back(-cnf.literal(steps.at(earlier, system_.bads[q])));
+      for (int earlier = 0; earlier < k; ++earlier)
+        assumptions.push_back(-cnf.literal(steps.at(earlier, system_.bads[q])));
       if (bad != falseLit) assumptions.push_back(cnf.literal(bad));
-      const Sat::Outcome outcome = bad == falseLit ? Sat::Outcome::Unsatisfiable : sat.solve(assumptions, budget.slice(inductionQuerySeconds));
+      const Sat::Outcome outcome =
+          bad == falseLit ? Sat::Outcome::Unsatisfiable : sat.solve(assumptions, budget.slice(inductionQuerySeconds));
       if (outcome != Sat::Outcome::Unsatisfiable) continue;
       Verdict& verdict = answers_[q].verdict;
       verdict.answer = Answer::Proved;

@@ -36,8 +36,8 @@ class SharedSearch {
   Unrolling base_;
   Sat baseSat_;
   BitCnf baseCnf_;
-  int baseFrames_ = 0;             ///< frames of base_ with constraints
-  std::vector<int> cleanScans_;    ///< by question: bad is unreachable in that many first scans
+  int baseFrames_ = 0;           ///< frames of base_ with constraints
+  std::vector<int> cleanScans_;  ///< by question: bad is unreachable in that many first scans
 };
 
 }  // namespace rungproof

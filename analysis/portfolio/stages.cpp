@@ -1,6 +1,6 @@
 // Order of work: all questions together by simulation and plain induction; those left, cluster by cluster, by mined
-// invariants and short inductions under them; those left by the race on their cones. What was found on bits is turned into
-// runs and certificates in words.
+// invariants and short inductions under them; those left by the race on their cones. What was found on bits is turned
+// into runs and certificates in words.
 #include "analysis/portfolio/stages.hpp"
 
 #include <algorithm>
@@ -74,7 +74,8 @@ class Stages {
     const std::vector<Node> truths = stateTruths(system_, open_, truthLimit);
     std::vector<NodeClause> guesses = guessDifferences(system_, *blast_, options_.seed);
     for (NodeClause& clause : guessTimerStates(system_)) {
-      if (std::all_of(clause.begin(), clause.end(), [&](Node n) { return isInCone(n); })) guesses.push_back(std::move(clause));
+      if (std::all_of(clause.begin(), clause.end(), [&](Node n) { return isInCone(n); }))
+        guesses.push_back(std::move(clause));
     }
     std::vector<Node> nodes = truths;
     for (const NodeClause& clause : guesses) nodes.insert(nodes.end(), clause.begin(), clause.end());
@@ -94,10 +95,12 @@ class Stages {
   Budget budget(double seconds) const { return options_.budget().slice(seconds); }
   Budget::Clock::time_point searchEnd() const {
     const std::chrono::duration<double> rest(options_.left() * searchShare);
-    return options_.deadline ? Budget::Clock::now() + std::chrono::duration_cast<Budget::Clock::duration>(rest) : Budget::Clock::time_point::max();
+    return options_.deadline ? Budget::Clock::now() + std::chrono::duration_cast<Budget::Clock::duration>(rest)
+                             : Budget::Clock::time_point::max();
   }
   double share() const {
-    return std::chrono::duration<double>(Budget::Clock::now() - stageBegin_).count() / static_cast<double>(std::max<std::size_t>(open_.size(), 1));
+    return std::chrono::duration<double>(Budget::Clock::now() - stageBegin_).count() /
+           static_cast<double>(std::max<std::size_t>(open_.size(), 1));
   }
 
   void searchTogether(int most, bool simulate) {
@@ -105,8 +108,11 @@ class Stages {
     std::vector<int> clean;
     for (const std::size_t q : open_) clean.push_back(answers_[q].depth);
     SharedSearch search(blast_->bits(), options_.seed, clean);
-    if (simulate) search.simulate(options_.bound > 0 ? std::min(simulatedScans, options_.bound) : simulatedScans, budget(seconds * 0.1));
-    search.induce(options_.bound > 0 ? std::min(most, options_.bound - 1) : most, invariants_.clauses, budget(seconds * 0.3));
+    if (simulate)
+      search.simulate(options_.bound > 0 ? std::min(simulatedScans, options_.bound) : simulatedScans,
+                      budget(seconds * 0.1));
+    search.induce(options_.bound > 0 ? std::min(most, options_.bound - 1) : most, invariants_.clauses,
+                  budget(seconds * 0.3));
     const double each = share();
     std::vector<std::size_t> open;
     positions_.clear();
@@ -127,7 +133,8 @@ class Stages {
     std::vector<Lit> truths;
     const BitSystem& bits = blast_->bits();
     for (std::uint32_t latch = 0; latch < bits.latches.size(); ++latch) {
-      if ((*system_.graph)[system_.states[blast_->stateBit(latch).state].node].width == 1) truths.push_back(positive(bits.latches[latch].variable));
+      if ((*system_.graph)[system_.states[blast_->stateBit(latch).state].node].width == 1)
+        truths.push_back(positive(bits.latches[latch].variable));
     }
     if (truths.size() < 2 || truths.size() > pairedTruths) return;
     MiningOptions mining;
@@ -148,7 +155,8 @@ class Stages {
 
   /// Bounds on differences of words that count together; false if there are none.
   bool mineDifferences() {
-    const MinedBounds mined = mineBounds(system_, *blast_, invariants_, options_.seed, budget(std::min(options_.seconds * 2, 10.0)));
+    const MinedBounds mined =
+        mineBounds(system_, *blast_, invariants_, options_.seed, budget(std::min(options_.seconds * 2, 10.0)));
     if (mined.clauses.empty()) return false;
     blast_->add(mined.clauses);
     for (const Node n : mined.clauses) {
@@ -167,7 +175,8 @@ class Stages {
   void raceApart() {
     std::deque<BitCone> cones;
     std::vector<Lit> wanted;
-    for (const std::vector<Lit>& clause : invariants_.clauses) wanted.insert(wanted.end(), clause.begin(), clause.end());
+    for (const std::vector<Lit>& clause : invariants_.clauses)
+      wanted.insert(wanted.end(), clause.begin(), clause.end());
     std::vector<RaceQuestion> questions(open_.size());
     std::vector<std::unique_ptr<WordEngine>> words(open_.size());
     for (std::size_t i = 0; i < open_.size(); ++i) {
@@ -185,7 +194,8 @@ class Stages {
     race(questions, {options_.seconds, options_.jobs, options_.seed, options_.bound, options_.cancel, searchEnd()});
     for (std::size_t i = 0; i < open_.size(); ++i) {
       answers_[open_[i]].seconds += questions[i].seconds / std::max(options_.jobs, 1);
-      if (questions[i].verdict.answer == Answer::Unknown) questions[i].verdict.method = "BMC, k-induction, IC3, simulation, explicit search, IC3 on words";
+      if (questions[i].verdict.answer == Answer::Unknown)
+        questions[i].verdict.method = "BMC, k-induction, IC3, simulation, explicit search, IC3 on words";
       completeEvidence(questions[i].verdict, words[i].get(), cones[i]);
       take(open_[i], positions_[i], questions[i].verdict, &cones[i]);
     }
@@ -222,7 +232,8 @@ class Stages {
     answer.depth = verdict.depth;
     answer.method = verdict.method;
     if (verdict.answer == Answer::Violated) {
-      std::optional<BitTrace> trace = cone == nullptr ? verdict.trace : completeTrace(blast_->bits(), *cone, *verdict.trace);
+      std::optional<BitTrace> trace =
+          cone == nullptr ? verdict.trace : completeTrace(blast_->bits(), *cone, *verdict.trace);
       CHECK(trace.has_value(), "constraints outside the cone can always be met");
       answer.trace = blast_->wordTrace(*trace);
       answer.usesFreeReals = !blast_->unmodelled().empty();
@@ -232,7 +243,9 @@ class Stages {
 
   /// The certificate over the whole bit system, then in words, with the mined invariants it rests on.
   WordCertificate wordCertificate(std::size_t position, const Certificate& given, const BitCone* cone) {
-    Certificate whole = cone == nullptr ? given : onWholeSystem_ ? *std::exchange(onWholeSystem_, std::nullopt) : onWholeSystem(given, *cone);
+    Certificate whole = cone == nullptr  ? given
+                        : onWholeSystem_ ? *std::exchange(onWholeSystem_, std::nullopt)
+                                         : onWholeSystem(given, *cone);
     const BitSystem& bits = blast_->bits();
     if (!cores_) cores_ = std::make_unique<InvariantCores>(bits, invariants_.clauses);
     const InvariantCores::Needed needed = cores_->of(bits.bads[position], whole, budget(options_.seconds));
@@ -256,7 +269,8 @@ class Stages {
     if (given.simplePath) {
       const std::size_t count = cone == nullptr ? bits.latches.size() : cone->latches.size();
       for (std::size_t i = 0; i < count; ++i) {
-        result.pathBits.push_back(blast_->nodeOf(positive(bits.latches[cone == nullptr ? i : cone->latches[i]].variable)));
+        result.pathBits.push_back(
+            blast_->nodeOf(positive(bits.latches[cone == nullptr ? i : cone->latches[i]].variable)));
       }
     }
     return result;
@@ -288,20 +302,22 @@ class Stages {
   const TransitionSystem& system_;
   const PortfolioOptions options_;
   Budget::Clock::time_point stageBegin_{};
-  std::unique_ptr<BitBlast> blast_;      ///< of this stage
-  std::vector<Lit> truths_;              ///< literals of blast_
-  std::vector<std::vector<Lit>> guesses_;  ///< further candidate invariants, in literals of blast_
-  Invariants invariants_;                ///< of blast_'s system
-  std::unique_ptr<InvariantCores> cores_;    ///< of invariants_
+  std::unique_ptr<BitBlast> blast_;           ///< of this stage
+  std::vector<Lit> truths_;                   ///< literals of blast_
+  std::vector<std::vector<Lit>> guesses_;     ///< further candidate invariants, in literals of blast_
+  Invariants invariants_;                     ///< of blast_'s system
+  std::unique_ptr<InvariantCores> cores_;     ///< of invariants_
   std::optional<Certificate> onWholeSystem_;  ///< of the verdict at hand, if it was found on words
-  std::vector<KeptDifference> differences_;  ///< that bounds among invariants_ speak of
-  std::vector<std::size_t> open_;        ///< questions without answer
-  std::vector<std::size_t> positions_;   ///< of the open questions among the bad literals of blast_
+  std::vector<KeptDifference> differences_;   ///< that bounds among invariants_ speak of
+  std::vector<std::size_t> open_;             ///< questions without answer
+  std::vector<std::size_t> positions_;        ///< of the open questions among the bad literals of blast_
   std::vector<QuestionAnswer> answers_;
 };
 
 }  // namespace
 
-std::vector<QuestionAnswer> runStages(const TransitionSystem& system, const PortfolioOptions& options) { return Stages(system, options).run(); }
+std::vector<QuestionAnswer> runStages(const TransitionSystem& system, const PortfolioOptions& options) {
+  return Stages(system, options).run();
+}
 
 }  // namespace rungproof

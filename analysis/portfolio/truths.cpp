@@ -10,7 +10,8 @@ namespace {
 
 class TruthSearch {
  public:
-  TruthSearch(const TransitionSystem& system, std::size_t limit) : system_(system), graph_(*system.graph), limit_(limit), inCone_(graph_.size(), false) {
+  TruthSearch(const TransitionSystem& system, std::size_t limit)
+      : system_(system), graph_(*system.graph), limit_(limit), inCone_(graph_.size(), false) {
     for (std::size_t i = 0; i < system.states.size(); ++i) states_.emplace(indexOf(system.states[i].node), i);
   }
 
@@ -22,7 +23,8 @@ class TruthSearch {
       stack.pop_back();
       if (inCone_[indexOf(n)]) continue;
       inCone_[indexOf(n)] = true;
-      if (const auto state = states_.find(indexOf(n)); state != states_.end()) stack.push_back(system_.states[state->second].next);
+      if (const auto state = states_.find(indexOf(n)); state != states_.end())
+        stack.push_back(system_.states[state->second].next);
       for (const Node child : graph_[n].child) {
         if (child != noNode && graph_[n].op != Op::Variable) stack.push_back(child);
       }
@@ -45,7 +47,8 @@ class TruthSearch {
     const bool orders = node.op == Op::Ult || node.op == Op::Ule || node.op == Op::Slt || node.op == Op::Sle;
     if (!orders && node.op != Op::Equal) return;
     for (int side = 0; side < 2; ++side) {
-      const Node constant = node.child[static_cast<std::size_t>(side)], data = node.child[static_cast<std::size_t>(1 - side)];
+      const Node constant = node.child[static_cast<std::size_t>(side)],
+                 data = node.child[static_cast<std::size_t>(1 - side)];
       if (graph_[constant].op != Op::Constant) continue;
       // value < c and c <= value split at c; value <= c and c < value at c + 1.
       const std::uint64_t value = graph_[constant].value;
@@ -55,11 +58,13 @@ class TruthSearch {
         const int width = graph_[word].width;
         if (split == 0 || split > Graph::maskOf(width)) continue;
         const Node bound = graph_.constantNode(split, width);
-        const Node truth = node.op == Op::Equal ? graph_.make(Op::Equal, 1, word, graph_.constantNode(value & Graph::maskOf(width), width))
+        const Node truth = node.op == Op::Equal ? graph_.make(Op::Equal, 1, word,
+                                                              graph_.constantNode(value & Graph::maskOf(width), width))
                                                 : graph_.make(Op::Ule, 1, bound, word);
         // Whether it stands at 0 tells whether it has been started.
         for (const Node candidate : {truth, graph_.make(Op::Ule, 1, graph_.constantNode(1, width), word)}) {
-          if (graph_[candidate].op != Op::Constant && result.size() < limit_ && seen_.insert(candidate).second) result.push_back(candidate);
+          if (graph_[candidate].op != Op::Constant && result.size() < limit_ && seen_.insert(candidate).second)
+            result.push_back(candidate);
         }
       }
     }
@@ -75,8 +80,8 @@ class TruthSearch {
       if (!visited.insert(top).second) continue;
       const NodeData& node = graph_[top];
       if (node.op == Op::Variable && node.width > 1 && states_.contains(indexOf(top))) words.push_back(top);
-      const bool carries = node.op == Op::Add || node.op == Op::Sub || node.op == Op::Zext || node.op == Op::Sext || node.op == Op::Extract ||
-                           node.op == Op::Concat;
+      const bool carries = node.op == Op::Add || node.op == Op::Sub || node.op == Op::Zext || node.op == Op::Sext ||
+                           node.op == Op::Extract || node.op == Op::Concat;
       if (carries || node.op == Op::Ite) {
         for (std::size_t i = node.op == Op::Ite ? 1 : 0; i < 3; ++i) {
           if (node.child[i] != noNode) stack.push_back(node.child[i]);
@@ -96,7 +101,8 @@ class TruthSearch {
 
 }  // namespace
 
-std::vector<Node> stateTruths(const TransitionSystem& system, const std::vector<std::size_t>& questions, std::size_t limit) {
+std::vector<Node> stateTruths(const TransitionSystem& system, const std::vector<std::size_t>& questions,
+                              std::size_t limit) {
   return TruthSearch(system, limit).run(questions);
 }
 

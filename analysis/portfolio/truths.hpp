@@ -11,6 +11,7 @@ namespace rungproof {
 
 /// Nodes of width 1 over state variables in the cone of the questions; comparisons are made in the graph. At most
 /// `limit` of them, truth values first.
-std::vector<Node> stateTruths(const TransitionSystem& system, const std::vector<std::size_t>& questions, std::size_t limit);
+std::vector<Node> stateTruths(const TransitionSystem& system, const std::vector<std::size_t>& questions,
+                              std::size_t limit);
 
 }  // namespace rungproof

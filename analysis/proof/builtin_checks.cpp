@@ -41,18 +41,29 @@ class Gatherer {
         for (std::size_t k = i + 1; k < list.size(); ++k) addConflict(*list[i], *list[k], pairs);
       }
       for (const auto& [pair, bad] : pairs) {
-        BuiltinCheck check{BuiltinKind::SetReset, fmt::format("set/reset conflict on {}", nameOf(place)), "OUT003",
-                           fmt::format("{} is set and reset in one scan; {} comes last and wins", nameOf(place), pair.second->desc->stl), nameOf(place), pair.second, pair.first, bad};
+        BuiltinCheck check{BuiltinKind::SetReset,
+                           fmt::format("set/reset conflict on {}", nameOf(place)),
+                           "OUT003",
+                           fmt::format("{} is set and reset in one scan; {} comes last and wins", nameOf(place),
+                                       pair.second->desc->stl),
+                           nameOf(place),
+                           pair.second,
+                           pair.first,
+                           bad};
         checks_.push_back(std::move(check));
       }
     }
   }
   static bool isLatchOrCoil(const Instruction& instruction) {
     const std::string_view stl = instruction.desc->stl;
-    return stl == "S" || stl == "R" || stl == "SI" || stl == "RI" || stl == "=" || stl == "=I" || stl == "SR" || stl == "RS";
+    return stl == "S" || stl == "R" || stl == "SI" || stl == "RI" || stl == "=" || stl == "=I" || stl == "SR" ||
+           stl == "RS";
   }
-  static bool isLatch(const Instruction& instruction) { return instruction.desc->stl[0] == 'S' || instruction.desc->stl[0] == 'R'; }
-  void addConflict(const BitWrite& a, const BitWrite& b, std::map<std::pair<const Instruction*, const Instruction*>, Node>& pairs) {
+  static bool isLatch(const Instruction& instruction) {
+    return instruction.desc->stl[0] == 'S' || instruction.desc->stl[0] == 'R';
+  }
+  void addConflict(const BitWrite& a, const BitWrite& b,
+                   std::map<std::pair<const Instruction*, const Instruction*>, Node>& pairs) {
     if (a.instruction == b.instruction || (!isLatch(*a.instruction) && !isLatch(*b.instruction))) return;
     const Graph::Bool both = graph_.land(graph_.land({a.guard}, {b.guard}), graph_.lxor({a.value}, {b.value}));
     if (const auto known = graph_.truth(both); known && !*known) return;
@@ -68,11 +79,15 @@ class Gatherer {
       Node& bad = lost.try_emplace({level.use, level.push}, graph_.constant(false).node).first->second;
       bad = graph_.lor({bad}, {level.condition}).node;
     }
-    if (lost.empty()) checks_.push_back({BuiltinKind::StackLevels, "the logic stack loses no level that is used", "STK001", "", "", nullptr, nullptr, graph_.constant(false).node});
+    if (lost.empty())
+      checks_.push_back({BuiltinKind::StackLevels, "the logic stack loses no level that is used", "STK001", "", "",
+                         nullptr, nullptr, graph_.constant(false).node});
     for (const auto& [places, bad] : lost) {
       const auto [use, push] = places;
-      checks_.push_back({BuiltinKind::StackLevels, fmt::format("logic stack at {}", Facts::text(*use)), "STK001",
-                         fmt::format("{} takes a level that was pushed out of the nine levels of the logic stack", Facts::text(*use)), "", push == nullptr ? use : push, use, bad});
+      checks_.push_back(
+          {BuiltinKind::StackLevels, fmt::format("logic stack at {}", Facts::text(*use)), "STK001",
+           fmt::format("{} takes a level that was pushed out of the nine levels of the logic stack", Facts::text(*use)),
+           "", push == nullptr ? use : push, use, bad});
     }
   }
 
@@ -100,16 +115,22 @@ class Gatherer {
       if (!kindOf(record.hazard) || record.place == nullptr) continue;
       const std::pair key{record.place, record.hazard};
       const auto [found, isNew] = byPlace.try_emplace(key, record.condition);
-      if (isNew) order.push_back(key);
-      else found->second = graph_.lor({found->second}, {record.condition}).node;
+      if (isNew)
+        order.push_back(key);
+      else
+        found->second = graph_.lor({found->second}, {record.condition}).node;
     }
-    if (std::none_of(order.begin(), order.end(), [](const auto& key) { return key.second == Hazard::NestingTooDeep; })) {
-      checks_.push_back({BuiltinKind::Nesting, "calls nest no deeper than the CPU allows", "SUB002", "", "", nullptr, nullptr, graph_.constant(false).node});
+    if (std::none_of(order.begin(), order.end(),
+                     [](const auto& key) { return key.second == Hazard::NestingTooDeep; })) {
+      checks_.push_back({BuiltinKind::Nesting, "calls nest no deeper than the CPU allows", "SUB002", "", "", nullptr,
+                         nullptr, graph_.constant(false).node});
     }
     for (const auto& key : order) {
       const auto [kind, rule] = *kindOf(key.second);
       const HazardInfo& info = hazardInfo(key.second);
-      checks_.push_back({kind, fmt::format("{} at {}", info.text, Facts::text(*key.first)), rule, fmt::format("{}: {}", Facts::text(*key.first), info.text), "", key.first, nullptr, byPlace[key]});
+      checks_.push_back({kind, fmt::format("{} at {}", info.text, Facts::text(*key.first)), rule,
+                         fmt::format("{}: {}", Facts::text(*key.first), info.text), "", key.first, nullptr,
+                         byPlace[key]});
     }
   }
 
@@ -136,9 +157,11 @@ class Gatherer {
     const Node on = graph_.lor({now}, within).node;
     const Graph::Bool before = graph_.lor({encoding_.atStart(bit)}, within);
     const std::string name = toString(o);
-    checks_.push_back({BuiltinKind::TimerReachable, fmt::format("{} can come on", name), "TIM008", fmt::format("the bit of {} can never be 1", name), name, &box, nullptr, on});
+    checks_.push_back({BuiltinKind::TimerReachable, fmt::format("{} can come on", name), "TIM008",
+                       fmt::format("the bit of {} can never be 1", name), name, &box, nullptr, on});
     const Node falls = graph_.land(before, graph_.lnot({now})).node;
-    checks_.push_back({BuiltinKind::TimerResettable, fmt::format("{} can be reset", name), "TIM008", fmt::format("once on, the bit of {} never returns to 0", name), name, &box, nullptr, falls});
+    checks_.push_back({BuiltinKind::TimerResettable, fmt::format("{} can be reset", name), "TIM008",
+                       fmt::format("once on, the bit of {} never returns to 0", name), name, &box, nullptr, falls});
     if (isTimer && timerResolution(static_cast<int>(o.offset)) == 100) oncePerScan(o, box);
   }
   /// 001:6611: boxes of a 100 ms timer run exactly once in every scan; more than one, or none, makes it run wrongly.
@@ -152,11 +175,14 @@ class Gatherer {
     const Node bad = graph_.lor(graph_.lnot(some), twice).node;
     if (const auto known = graph_.truth({bad}); known && !*known) return;
     checks_.push_back({BuiltinKind::TimerOncePerScan, fmt::format("{} runs once a scan", toString(timer)), "TIM004",
-                       fmt::format("{} has a resolution of 100 ms, but its box does not run exactly once in every scan", toString(timer)), toString(timer), &box, nullptr, bad});
+                       fmt::format("{} has a resolution of 100 ms, but its box does not run exactly once in every scan",
+                                   toString(timer)),
+                       toString(timer), &box, nullptr, bad});
   }
 
   static bool isBoxOf(const Instruction& instruction, Type type) {
-    return !instruction.operands.empty() && instruction.desc->operandCount > 0 && instruction.desc->operands[0].type == type;
+    return !instruction.operands.empty() && instruction.desc->operandCount > 0 &&
+           instruction.desc->operands[0].type == type;
   }
   /// 001:6569, 001:4015: presets are signed words. At 0 and below a timer fires, and a counter is on, at once.
   void presets() {
@@ -167,13 +193,16 @@ class Gatherer {
       Graph::Bool bad = graph_.land({visit.guard}, graph_.slt({visit.preset}, graph_.literal(1, 16), 16));
       if (isBoxOf(*visit.instruction, Type::Timer)) bad = graph_.land(bad, {visit.flow[0]});
       const auto [place, isNew] = outside.try_emplace(visit.instruction, bad.node);
-      if (isNew) order.push_back(visit.instruction);
-      else place->second = graph_.lor({place->second}, bad).node;
+      if (isNew)
+        order.push_back(visit.instruction);
+      else
+        place->second = graph_.lor({place->second}, bad).node;
     }
     for (const Instruction* box : order) {
       const std::string preset = toString(box->operands[1]);
       checks_.push_back({BuiltinKind::Preset, fmt::format("preset of {}", Facts::text(*box)), "TIM007",
-                         fmt::format("{} can be 0 or negative when {} runs", preset, Facts::text(*box)), toString(box->operands[0]), box, nullptr, outside[box]});
+                         fmt::format("{} can be 0 or negative when {} runs", preset, Facts::text(*box)),
+                         toString(box->operands[0]), box, nullptr, outside[box]});
     }
   }
 
@@ -185,8 +214,8 @@ class Gatherer {
 
 }  // namespace
 
-std::vector<BuiltinCheck> builtinChecks(const Program& program, const PropertySet& set, const CheckGroups& groups, Obligations& obligations,
-                                        const ExecutionRecord& record) {
+std::vector<BuiltinCheck> builtinChecks(const Program& program, const PropertySet& set, const CheckGroups& groups,
+                                        Obligations& obligations, const ExecutionRecord& record) {
   std::vector<BuiltinCheck> checks;
   if (groups.builtin) Gatherer(obligations, record, checks).run();
   if (groups.rungs) {

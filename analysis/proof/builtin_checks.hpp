@@ -15,12 +15,35 @@ namespace rungproof {
 
 enum class BuiltinKind : std::uint8_t {
   // prove --builtin
-  SetReset, StackLevels, Nesting, OperandRange, Division, Overflow, Comparison, LoopBound,
-  TimerReachable, TimerResettable, TimerOncePerScan, Preset,
+  SetReset,
+  StackLevels,
+  Nesting,
+  OperandRange,
+  Division,
+  Overflow,
+  Comparison,
+  LoopBound,
+  TimerReachable,
+  TimerResettable,
+  TimerOncePerScan,
+  Preset,
   // lint --prove
-  FlowOn, FlowOff, LatchDrops, ContactMatters, DoubleCoil, Toggles, RunsTwice,       // rung_checks.cpp
-  TwoWaysOut, StepsTogether, StepEntered, StepLeft, CodeRuns, CounterReset, CountRises,  // sequence_checks.cpp
-  PowerUp, Restart                                                                    // safety_checks.cpp
+  FlowOn,
+  FlowOff,
+  LatchDrops,
+  ContactMatters,
+  DoubleCoil,
+  Toggles,
+  RunsTwice,  // rung_checks.cpp
+  TwoWaysOut,
+  StepsTogether,
+  StepEntered,
+  StepLeft,
+  CodeRuns,
+  CounterReset,
+  CountRises,  // sequence_checks.cpp
+  PowerUp,
+  Restart  // safety_checks.cpp
 };
 
 /// Whether the question should be answered with yes (a timer bit can come on) or with no (a fault cannot happen).
@@ -43,7 +66,9 @@ constexpr bool isWanted(BuiltinKind kind) {
 /// Whether it is a question of a lint rule rather than of prove --builtin.
 constexpr bool isRuleQuestion(BuiltinKind kind) { return kind >= BuiltinKind::FlowOn; }
 /// Whether the answer only settles a finding that the flow analysis has made; without one it says nothing new.
-constexpr bool needsCandidate(BuiltinKind kind) { return kind == BuiltinKind::DoubleCoil || kind == BuiltinKind::Toggles || kind == BuiltinKind::RunsTwice; }
+constexpr bool needsCandidate(BuiltinKind kind) {
+  return kind == BuiltinKind::DoubleCoil || kind == BuiltinKind::Toggles || kind == BuiltinKind::RunsTwice;
+}
 
 struct BuiltinCheck {
   BuiltinKind kind;
@@ -64,13 +89,16 @@ struct CheckGroups {
   bool any() const { return builtin || rungs || powerUp; }
 };
 
-/// All questions of those groups that the encoding gives rise to, in program order. The record must have listened to it.
-std::vector<BuiltinCheck> builtinChecks(const Program& program, const PropertySet& set, const CheckGroups& groups, Obligations& obligations,
-                                        const ExecutionRecord& record);
+/// All questions of those groups that the encoding gives rise to, in program order. The record must have listened to
+/// it.
+std::vector<BuiltinCheck> builtinChecks(const Program& program, const PropertySet& set, const CheckGroups& groups,
+                                        Obligations& obligations, const ExecutionRecord& record);
 
 /// Adds the questions of one file: rung_checks.cpp, sequence_checks.cpp, safety_checks.cpp.
-void addRungChecks(const Program& program, Obligations& obligations, const ExecutionRecord& record, std::vector<BuiltinCheck>& checks);
-void addSequenceChecks(const Program& program, Obligations& obligations, const ExecutionRecord& record, std::vector<BuiltinCheck>& checks);
+void addRungChecks(const Program& program, Obligations& obligations, const ExecutionRecord& record,
+                   std::vector<BuiltinCheck>& checks);
+void addSequenceChecks(const Program& program, Obligations& obligations, const ExecutionRecord& record,
+                       std::vector<BuiltinCheck>& checks);
 void addPowerUpChecks(const Program& program, Obligations& obligations, std::vector<BuiltinCheck>& checks);
 void addRestartChecks(const PropertySet& set, Obligations& obligations, std::vector<BuiltinCheck>& checks);
 

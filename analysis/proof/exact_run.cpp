@@ -16,7 +16,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int replayTrials = 24;  ///< random assignments of all idle inputs together
 
-std::string nameIn(const TransitionSystem& system, Node variable) { return system.graph->variables()[(*system.graph)[variable].value].name; }
+std::string nameIn(const TransitionSystem& system, Node variable) {
+  return system.graph->variables()[(*system.graph)[variable].value].name;
+}
 
 /// Digits of time that the exact model chooses in a scan that lasts `length` ms and begins `now` ms after power-up.
 std::optional<std::uint64_t> digitOf(const std::string& name, std::uint64_t now, std::uint64_t length) {
@@ -69,7 +71,8 @@ bool isShown(ScanRun& run, const TransitionSystem& system, Node bad, const Exact
 
 }  // namespace
 
-std::optional<ExactRun> ExactQuestion::runOf(const TransitionSystem& found, const WordTrace& trace, const TimeRange& range) const {
+std::optional<ExactRun> ExactQuestion::runOf(const TransitionSystem& found, const WordTrace& trace,
+                                             const TimeRange& range) const {
   std::map<std::string, std::size_t> inputNamed, stateNamed;
   for (std::size_t i = 0; i < found.inputs.size(); ++i) inputNamed[nameIn(found, found.inputs[i])] = i;
   for (std::size_t i = 0; i < found.states.size(); ++i) stateNamed[nameIn(found, found.states[i].node)] = i;
@@ -105,13 +108,15 @@ std::optional<ExactRun> ExactQuestion::runOf(const TransitionSystem& found, cons
   return std::nullopt;
 }
 
-std::optional<Witness> ExactQuestion::witness(const Program& program, const Choices& choices, const ExactRun& given) const {
+std::optional<Witness> ExactQuestion::witness(const Program& program, const Choices& choices,
+                                              const ExactRun& given) const {
   const std::vector<Node> watched{bad_};
   ScanRun run(encoding_, system_, watched);
   begin(run, system_, given);
   run.evaluate();
   Witness witness;
-  const bool isFreeStart = std::any_of(system_.states.begin(), system_.states.end(), [](const StateVariable& s) { return s.init == noNode; });
+  const bool isFreeStart = std::any_of(system_.states.begin(), system_.states.end(),
+                                       [](const StateVariable& s) { return s.init == noNode; });
   if (isFreeStart) witness.initial = run.initialState();
   std::vector<std::vector<std::uint64_t>> predicted;
   for (std::size_t scan = 0; scan < given.inputs.size(); ++scan) {
@@ -129,21 +134,25 @@ std::optional<Witness> ExactQuestion::witness(const Program& program, const Choi
   std::map<Node, std::size_t> stateOf;
   for (std::size_t i = 0; i < system_.states.size(); ++i) stateOf[system_.states[i].node] = i;
   bool agrees = true;
-  replay(program, choices, witness.scans, witness.initial ? &*witness.initial : nullptr, [&](const Concrete::Store& state, std::size_t at) {
-    for (const Cell& cell : encoding_.cells()) {
-      const auto place = stateOf.find(cell.start);
-      // The time model counts ticks by digits of its own; the phases that the engine counts them by mean nothing there.
-      const bool isPhase = cell.place.isRegister && (cell.place.reg == Reg::PhaseTen || cell.place.reg == Reg::PhaseHundred);
-      if (cell.kind != CellKind::State || place == stateOf.end() || isPhase) continue;
-      agrees = agrees && valueAt(cell.place, state) == predicted[at][place->second];
-    }
-    return agrees;
-  });
+  replay(program, choices, witness.scans, witness.initial ? &*witness.initial : nullptr,
+         [&](const Concrete::Store& state, std::size_t at) {
+           for (const Cell& cell : encoding_.cells()) {
+             const auto place = stateOf.find(cell.start);
+             // The time model counts ticks by digits of its own; the phases that the engine counts them by mean nothing
+             // there.
+             const bool isPhase =
+                 cell.place.isRegister && (cell.place.reg == Reg::PhaseTen || cell.place.reg == Reg::PhaseHundred);
+             if (cell.kind != CellKind::State || place == stateOf.end() || isPhase) continue;
+             agrees = agrees && valueAt(cell.place, state) == predicted[at][place->second];
+           }
+           return agrees;
+         });
   if (!agrees) return std::nullopt;
   return witness;
 }
 
-bool ExactQuestion::dropIdle(ExactRun& given, std::vector<std::vector<bool>>& matters, double seconds, std::uint64_t seed) const {
+bool ExactQuestion::dropIdle(ExactRun& given, std::vector<std::vector<bool>>& matters, double seconds,
+                             std::uint64_t seed) const {
   struct Input {
     std::size_t scan, index;
     std::uint64_t highest;
@@ -177,7 +186,8 @@ bool ExactQuestion::dropIdle(ExactRun& given, std::vector<std::vector<bool>>& ma
   std::mt19937_64 random(seed);
   for (int trial = 0; trial < replayTrials && !idle.empty();) {
     ExactRun tried = best;
-    for (const Input& input : idle) tried.inputs[input.scan][input.index] = trial == 0 ? input.highest : random() & input.highest;
+    for (const Input& input : idle)
+      tried.inputs[input.scan][input.index] = trial == 0 ? input.highest : random() & input.highest;
     if (isLate()) return false;
     if (isShown(run, system_, bad_, tried)) {
       ++trial;
@@ -199,7 +209,9 @@ bool ExactQuestion::dropIdle(ExactRun& given, std::vector<std::vector<bool>>& ma
     std::vector<bool>& row = matters.emplace_back();
     for (const ScanInput& preset : presets) {
       const auto at = indexOfInput.find(preset.node);
-      row.push_back(at == indexOfInput.end() || std::none_of(idle.begin(), idle.end(), [&](const Input& input) { return input.scan == scan && input.index == at->second; }));
+      row.push_back(at == indexOfInput.end() || std::none_of(idle.begin(), idle.end(), [&](const Input& input) {
+                      return input.scan == scan && input.index == at->second;
+                    }));
     }
   }
   given = std::move(best);

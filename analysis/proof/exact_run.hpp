@@ -21,15 +21,16 @@ struct ExactRun {
 /// One question about an encoding.
 class ExactQuestion {
  public:
-  ExactQuestion(EncodedScan& encoding, const TransitionSystem& system, Node bad) : encoding_(encoding), system_(system), bad_(bad) {}
+  ExactQuestion(EncodedScan& encoding, const TransitionSystem& system, Node bad)
+      : encoding_(encoding), system_(system), bad_(bad) {}
 
-  /// The run that `trace` of another system over the same program describes, up to the scan in which the question's node
-  /// is 1; nothing if it never is. Scans longer than the range become several.
+  /// The run that `trace` of another system over the same program describes, up to the scan in which the question's
+  /// node is 1; nothing if it never is. Scans longer than the range become several.
   std::optional<ExactRun> runOf(const TransitionSystem& found, const WordTrace& trace, const TimeRange& range) const;
   /// The run as the engine repeats it; nothing if it does not.
   std::optional<Witness> witness(const Program& program, const Choices& choices, const ExactRun& run) const;
-  /// Sets inputs that do not matter to 0; `matters`, as in Witness, tells which do. "Any value" is tried with 0, with all
-  /// ones, and with random values for all idle inputs together. False if `seconds` were not enough.
+  /// Sets inputs that do not matter to 0; `matters`, as in Witness, tells which do. "Any value" is tried with 0, with
+  /// all ones, and with random values for all idle inputs together. False if `seconds` were not enough.
   bool dropIdle(ExactRun& run, std::vector<std::vector<bool>>& matters, double seconds, std::uint64_t seed) const;
 
  private:

@@ -15,7 +15,8 @@ namespace rungproof {
 namespace {
 
 using Pair = std::pair<std::string_view, std::string_view>;
-constexpr std::array polarities = {Pair{"LD", "LDN"}, Pair{"A", "AN"}, Pair{"O", "ON"}, Pair{"LDI", "LDNI"}, Pair{"AI", "ANI"}, Pair{"OI", "ONI"}};
+constexpr std::array polarities = {Pair{"LD", "LDN"},   Pair{"A", "AN"},   Pair{"O", "ON"},
+                                   Pair{"LDI", "LDNI"}, Pair{"AI", "ANI"}, Pair{"OI", "ONI"}};
 constexpr std::array latches = {Pair{"S", "R"}, Pair{"SI", "RI"}, Pair{"SR", "RS"}};
 constexpr std::array edges = {Pair{"EU", "ED"}};
 constexpr std::array timers = {Pair{"TON", "TOF"}};
@@ -41,7 +42,8 @@ bool isLoad(std::string_view stl) { return stl.starts_with("LD") && stl != "LDS"
 bool isContact(std::string_view stl, char how) {
   if (stl.empty() || stl[0] != how) return false;
   const std::string_view rest = stl.substr(1);
-  return rest.empty() || rest == "N" || rest == "I" || rest == "NI" || rest.find_first_of("=<>") != std::string_view::npos;
+  return rest.empty() || rest == "N" || rest == "I" || rest == "NI" ||
+         rest.find_first_of("=<>") != std::string_view::npos;
 }
 
 class Finder {
@@ -98,10 +100,13 @@ class Finder {
     const Desc& desc = *instruction().desc;
     const std::vector<Operand> always{direct(Area::SM, Width::Bit, 0, 0)};
     const std::string text = "removed: " + textOf(desc.stl, instruction().operands);
-    if (instruction().operands.size() == 1 && instruction().operands[0].area == Area::SM && instruction().operands[0].offset == 0 && instruction().operands[0].bit == 0) return;
+    if (instruction().operands.size() == 1 && instruction().operands[0].area == Area::SM &&
+        instruction().operands[0].offset == 0 && instruction().operands[0].bit == 0)
+      return;
     if (isLoad(desc.stl)) {
       // The first contact of a parallel circuit is cut out of it, that of a series is bridged.
-      const bool isParallel = index_ + 1 < here().instructions.size() && isContact(here().instructions[index_ + 1].desc->stl, 'O');
+      const bool isParallel =
+          index_ + 1 < here().instructions.size() && isContact(here().instructions[index_ + 1].desc->stl, 'O');
       replace(FaultKind::RemovedContact, isParallel ? "LDN" : "LD", always, text);
     } else if (isContact(desc.stl, 'A')) {
       replace(FaultKind::RemovedContact, "A", always, text);
@@ -124,13 +129,15 @@ class Finder {
   }
 
   static bool hasControl(const Network& network) {
-    return std::any_of(network.instructions.begin(), network.instructions.end(), [](const Instruction& i) { return i.desc->control != Control::None; });
+    return std::any_of(network.instructions.begin(), network.instructions.end(),
+                       [](const Instruction& i) { return i.desc->control != Control::None; });
   }
   void swapWithNext() {
     const Network& next = program_.pous[pou_].networks[network_ + 1];
     if (here().instructions.empty() || next.instructions.empty() || hasControl(here()) || hasControl(next)) return;
     index_ = 0;
-    faults_.push_back(fault(FaultKind::SwappedNetworks, fmt::format("networks {} and {} in the other order", here().number, next.number)));
+    faults_.push_back(fault(FaultKind::SwappedNetworks,
+                            fmt::format("networks {} and {} in the other order", here().number, next.number)));
   }
 
   /// An S and an R of one bit, each behind a rung of its own.
@@ -146,14 +153,18 @@ class Finder {
         if ((stl == "S" || stl == "R") && !networks[n].instructions[i].operands.empty()) found.push_back({n, i});
       }
     }
-    const auto at = [&](const Latch& l) -> const Instruction& { return networks[l.network].instructions[l.instruction]; };
+    const auto at = [&](const Latch& l) -> const Instruction& {
+      return networks[l.network].instructions[l.instruction];
+    };
     for (std::size_t a = 0; a < found.size(); ++a) {
       for (std::size_t b = a + 1; b < found.size(); ++b) {
         const Instruction &first = at(found[a]), &second = at(found[b]);
         if (first.desc == second.desc || toString(first.operands[0]) != toString(second.operands[0])) continue;
         network_ = found[a].network;
         index_ = found[a].instruction;
-        Fault result = fault(FaultKind::LatchOrder, fmt::format("rungs of {} and {} in the other order", textOf(first.desc->stl, first.operands), textOf(second.desc->stl, second.operands)));
+        Fault result = fault(FaultKind::LatchOrder, fmt::format("rungs of {} and {} in the other order",
+                                                                textOf(first.desc->stl, first.operands),
+                                                                textOf(second.desc->stl, second.operands)));
         result.otherNetwork = found[b].network;
         result.otherInstruction = found[b].instruction;
         faults_.push_back(std::move(result));
@@ -166,7 +177,8 @@ class Finder {
   std::vector<Fault> faults_;
 };
 
-/// The instructions of the rung around one of them: from the load that begins it to the last output before the next one.
+/// The instructions of the rung around one of them: from the load that begins it to the last output before the next
+/// one.
 std::pair<std::size_t, std::size_t> rungAround(const std::vector<Instruction>& instructions, std::size_t at) {
   const auto isOutput = [&](std::size_t i) {
     const std::string_view stl = instructions[i].desc->stl;
@@ -179,7 +191,8 @@ std::pair<std::size_t, std::size_t> rungAround(const std::vector<Instruction>& i
 }
 
 void exchangeRungs(Pou& pou, const Fault& fault) {
-  std::vector<Instruction>&first = pou.networks[fault.network].instructions, &second = pou.networks[fault.otherNetwork].instructions;
+  std::vector<Instruction>&first = pou.networks[fault.network].instructions,
+  &second = pou.networks[fault.otherNetwork].instructions;
   const auto [aBegin, aEnd] = rungAround(first, fault.instruction);
   const auto [bBegin, bEnd] = rungAround(second, fault.otherInstruction);
   if (fault.network == fault.otherNetwork && aEnd > bBegin) {
@@ -187,7 +200,9 @@ void exchangeRungs(Pou& pou, const Fault& fault) {
     std::swap(first[fault.instruction], second[fault.otherInstruction]);
     return;
   }
-  const auto at = [](std::vector<Instruction>& list, std::size_t i) { return list.begin() + static_cast<std::ptrdiff_t>(i); };
+  const auto at = [](std::vector<Instruction>& list, std::size_t i) {
+    return list.begin() + static_cast<std::ptrdiff_t>(i);
+  };
   const std::vector<Instruction> a(at(first, aBegin), at(first, aEnd)), b(at(second, bBegin), at(second, bEnd));
   second.erase(at(second, bBegin), at(second, bEnd));
   second.insert(at(second, bBegin), a.begin(), a.end());

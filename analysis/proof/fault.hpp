@@ -1,5 +1,5 @@
-// Planted faults: slips that people make in ladder programs, as changed copies of a program. A property set that notices
-// none of them says little. Used by the self-check (self_check.hpp). Covered by tests/selfcheck.
+// Planted faults: slips that people make in ladder programs, as changed copies of a program. A property set that
+// notices none of them says little. Used by the self-check (self_check.hpp). Covered by tests/selfcheck.
 #pragma once
 
 #include <string>
@@ -37,8 +37,8 @@ struct Fault {
 /// All faults that can be planted in a program, in program order.
 std::vector<Fault> faultsOf(const Program& program);
 
-/// The program with the fault. Instructions keep their numbers, so that the two programs can be compared place by place;
-/// call Program::number() for anything that wants them in order.
+/// The program with the fault. Instructions keep their numbers, so that the two programs can be compared place by
+/// place; call Program::number() for anything that wants them in order.
 Program planted(const Program& program, const Fault& fault);
 
 }  // namespace rungproof

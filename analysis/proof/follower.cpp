@@ -23,13 +23,15 @@ std::uint64_t analog(const Concrete::Store& state, const ReplayScan& scan, std::
 
 Follower::Follower(const Property& property) : property_(property), cells_(property.cells.size(), 0) {
   const auto asksForFirstScan = [](const Expr& expr) {
-    return std::any_of(expr.nodes.begin(), expr.nodes.end(), [](const ExprNode& n) { return n.op == ExprOp::FirstScan; });
+    return std::any_of(expr.nodes.begin(), expr.nodes.end(),
+                       [](const ExprNode& n) { return n.op == ExprOp::FirstScan; });
   };
   isStateless_ = cells_.empty() && !asksForFirstScan(property.first) && !asksForFirstScan(property.second);
   if (isStateless_) read_ = addressesOf(property);
 }
 
-std::uint64_t Follower::leaf(const Concrete::Store& state, const ReplayScan& scan, const Operand& operand, int width) const {
+std::uint64_t Follower::leaf(const Concrete::Store& state, const ReplayScan& scan, const Operand& operand,
+                             int width) const {
   if (operand.area == Area::AI) return analog(state, scan, operand.offset);
   Operand address = operand;
   if (operand.area == Area::T || operand.area == Area::C) address.width = width == 1 ? Width::Bit : Width::Word;
@@ -42,7 +44,8 @@ bool Follower::isUnchanged(const Concrete::Store& state, const ReplayScan& scan)
   bool isSame = !isFirst;
   std::size_t at = 0;
   const auto compare = [&](std::uint64_t value) {
-    if (isFirst) seen_.push_back(value);
+    if (isFirst)
+      seen_.push_back(value);
     else if (seen_[at] != value) {
       seen_[at] = value;
       isSame = false;

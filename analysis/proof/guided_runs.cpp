@@ -16,22 +16,30 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint32_t endless = 1U << 30;
 constexpr int randomPhases = 400;
-constexpr std::uint64_t looksAtClock = 64;  ///< scans between two looks at the clock
-constexpr int plainRuns = 2;                ///< all on, all off
+constexpr std::uint64_t looksAtClock = 64;           ///< scans between two looks at the clock
+constexpr int plainRuns = 2;                         ///< all on, all off
 constexpr std::uint64_t mostInstructions = 4000000;  ///< of each of them, and of all random runs together
 constexpr std::uint64_t leastInstructions = 50;      ///< that a scan counts for
 
 class GuidedSearch {
  public:
-  GuidedSearch(const Program& program, const EncodedScan& encoding, const std::vector<Property>& assumptions, const std::vector<const Property*>& goals,
-               std::uint64_t seed, double seconds)
-      : program_(program), choices_(encoding.options().choices), assumptions_(assumptions), goals_(goals), random_(seed), lengthMs_(encoding.options().time.high),
-        begin_(Clock::now()), seconds_(seconds), found_(goals.size()) {
+  GuidedSearch(const Program& program, const EncodedScan& encoding, const std::vector<Property>& assumptions,
+               const std::vector<const Property*>& goals, std::uint64_t seed, double seconds)
+      : program_(program),
+        choices_(encoding.options().choices),
+        assumptions_(assumptions),
+        goals_(goals),
+        random_(seed),
+        lengthMs_(encoding.options().time.high),
+        begin_(Clock::now()),
+        seconds_(seconds),
+        found_(goals.size()) {
     for (const ScanInput& input : scanInputsOf(encoding)) inputs_.push_back({input.operand, 0});
   }
 
   std::vector<std::optional<Witness>> run() {
-    const std::uint64_t most = mostInstructions / std::max<std::uint64_t>(program_.instructionCount(), leastInstructions);
+    const std::uint64_t most =
+        mostInstructions / std::max<std::uint64_t>(program_.instructionCount(), leastInstructions);
     std::uint64_t random = 0;
     for (int kind = 0; !isDone() && random < most && used() < seconds_; ++kind) {
       const std::uint64_t made = follow(phases(kind), most);
@@ -76,7 +84,8 @@ class GuidedSearch {
     std::vector<Follower> assumptions, goals;
     for (const Property& assumption : assumptions_) assumptions.emplace_back(assumption);
     for (const Property* goal : goals_) goals.emplace_back(*goal);
-    std::vector<std::optional<std::pair<std::size_t, std::uint32_t>>> hits(goals_.size());  // scan and round that showed it
+    std::vector<std::optional<std::pair<std::size_t, std::uint32_t>>> hits(
+        goals_.size());  // scan and round that showed it
     std::uint64_t count = 0;
     std::size_t step = ~std::size_t{0};
     std::uint32_t round = 0;
@@ -90,8 +99,10 @@ class GuidedSearch {
       bool isOpen = false;
       for (std::size_t g = 0; g < goals.size(); ++g) {
         if (found_[g] || hits[g]) continue;
-        if (goals[g].evaluate(domain, state, scans[at], isFirst)) hits[g] = {at, round};
-        else isOpen = true;
+        if (goals[g].evaluate(domain, state, scans[at], isFirst))
+          hits[g] = {at, round};
+        else
+          isOpen = true;
       }
       return isOpen && count < most && (count % looksAtClock != 0 || used() < seconds_);
     });
@@ -124,8 +135,10 @@ class GuidedSearch {
 
 }  // namespace
 
-std::vector<std::optional<Witness>> guidedRuns(const Program& program, const EncodedScan& encoding, const std::vector<Property>& assumptions,
-                                               const std::vector<const Property*>& goals, std::uint64_t seed, double seconds) {
+std::vector<std::optional<Witness>> guidedRuns(const Program& program, const EncodedScan& encoding,
+                                               const std::vector<Property>& assumptions,
+                                               const std::vector<const Property*>& goals, std::uint64_t seed,
+                                               double seconds) {
   return GuidedSearch(program, encoding, assumptions, goals, seed, seconds).run();
 }
 

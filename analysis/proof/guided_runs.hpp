@@ -1,6 +1,6 @@
 // Runs of the engine that look for what takes long: inputs that stay, scans as long as they may be, thousands of scans
-// in milliseconds. Several goals are watched at once. What such a run shows needs no solver, however far a timer counts.
-// Tested by tests/prover/guided_runs_test.cpp.
+// in milliseconds. Several goals are watched at once. What such a run shows needs no solver, however far a timer
+// counts. Tested by tests/prover/guided_runs_test.cpp.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,9 @@
 namespace rungproof {
 
 /// By goal: a run that shows it, if one was found within `seconds`. `encoding` tells the program's inputs.
-std::vector<std::optional<Witness>> guidedRuns(const Program& program, const EncodedScan& encoding, const std::vector<Property>& assumptions,
-                                               const std::vector<const Property*>& goals, std::uint64_t seed, double seconds);
+std::vector<std::optional<Witness>> guidedRuns(const Program& program, const EncodedScan& encoding,
+                                               const std::vector<Property>& assumptions,
+                                               const std::vector<const Property*>& goals, std::uint64_t seed,
+                                               double seconds);
 
 }  // namespace rungproof

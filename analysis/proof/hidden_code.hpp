@@ -17,7 +17,8 @@ class HiddenCode {
   HiddenCode(const Program& program, const PropertySet& set);
 
   /// Why a verdict with these variables in its cone cannot be given, one line for each place; empty: it can.
-  std::vector<std::string> reasons(const EncodedScan& encoding, const std::unordered_set<std::uint32_t>& variables) const;
+  std::vector<std::string> reasons(const EncodedScan& encoding,
+                                   const std::unordered_set<std::uint32_t>& variables) const;
 
  private:
   std::string placeOf(const ExternalRange& range) const;

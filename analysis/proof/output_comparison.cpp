@@ -1,6 +1,6 @@
 // The second system is copied into the graph of the first; its inputs are those of the first with the same name. Asked
-// first is one scan from a shared state: its states are those of the first. What that leaves open is asked with states of
-// its own, so that a difference of states that no output shows does not count.
+// first is one scan from a shared state: its states are those of the first. What that leaves open is asked with states
+// of its own, so that a difference of states that no output shows does not count.
 #include "analysis/proof/output_comparison.hpp"
 
 #include <algorithm>
@@ -104,17 +104,21 @@ QuestionAnswer ask(const TransitionSystem& system, const ProverOptions& options,
 
 /// Whether, from every reachable state of the first, one scan of either leads to the same state and outputs. Then, scan
 /// by scan, both have the same runs. The second system's constraints are left out: more runs can only refute it.
-bool haveSameScans(TransitionSystem first, const TransitionSystem& second, const Outputs& outputs, const ProverOptions& options, double seconds) {
+bool haveSameScans(TransitionSystem first, const TransitionSystem& second, const Outputs& outputs,
+                   const ProverOptions& options, double seconds) {
   Graph& graph = *first.graph;
   Copier copier(graph, *second.graph, first, true);
   Graph::Bool differs = graph.constant(false);
-  const auto compare = [&](Node a, Node b) { differs = graph.lor(differs, graph.lnot(graph.equal({a}, {b}, graph[a].width))); };
+  const auto compare = [&](Node a, Node b) {
+    differs = graph.lor(differs, graph.lnot(graph.equal({a}, {b}, graph[a].width)));
+  };
   std::set<Node> met;
   for (const StateVariable& state : second.states) {
     const Node own = copier.shared(state.node);
     if (own == noNode) return false;  // memory that the first knows by another name, or not at all
     met.insert(own);
-    const auto same = std::find_if(first.states.begin(), first.states.end(), [&](const StateVariable& s) { return s.node == own; });
+    const auto same =
+        std::find_if(first.states.begin(), first.states.end(), [&](const StateVariable& s) { return s.node == own; });
     if ((same->init == noNode) != (state.init == noNode)) return false;
     if (state.init != noNode) compare(same->init, copier.copy(state.init));
     compare(same->next, copier.copy(state.next));
@@ -132,12 +136,14 @@ bool haveSameScans(TransitionSystem first, const TransitionSystem& second, const
 
 }  // namespace
 
-bool haveSameScans(const Program& left, const Program& right, const PropertySet& set, const ProverOptions& options, double seconds) {
+bool haveSameScans(const Program& left, const Program& right, const PropertySet& set, const ProverOptions& options,
+                   double seconds) {
   Sides sides(left, right, set, options);
   return haveSameScans(sides.one.system(), sides.other.system(), sides.outputs, options, seconds);
 }
 
-OutputComparison compareOutputs(const Program& left, const Program& right, const PropertySet& set, const ProverOptions& options, double seconds) {
+OutputComparison compareOutputs(const Program& left, const Program& right, const PropertySet& set,
+                                const ProverOptions& options, double seconds) {
   Sides sides(left, right, set, options);
   TransitionSystem both = sides.one.system();
   const TransitionSystem second = sides.other.system();
@@ -145,7 +151,8 @@ OutputComparison compareOutputs(const Program& left, const Program& right, const
   if (haveSameScans(both, second, outputs, options, seconds / 2)) return OutputComparison::Equal;
   Graph& graph = *both.graph;
   Copier copier(graph, *second.graph, both, false);
-  for (const StateVariable& state : second.states) both.states.push_back({copier.copy(state.node), copier.copy(state.init), copier.copy(state.next)});
+  for (const StateVariable& state : second.states)
+    both.states.push_back({copier.copy(state.node), copier.copy(state.init), copier.copy(state.next)});
   for (const Node constraint : second.constraints) {
     const Node copied = copier.copy(constraint);
     if (std::find(both.constraints.begin(), both.constraints.end(), copied) != both.constraints.end()) continue;
@@ -157,7 +164,9 @@ OutputComparison compareOutputs(const Program& left, const Program& right, const
   both.questions = {{"outputs differ", differs.node}};
   if (const auto known = graph.truth(differs); known && !*known) return OutputComparison::Equal;
   const QuestionAnswer answer = ask(both, options, seconds / 2);
-  return answer.answer == Answer::Proved ? OutputComparison::Equal : answer.answer == Answer::Violated ? OutputComparison::Different : OutputComparison::Undecided;
+  return answer.answer == Answer::Proved     ? OutputComparison::Equal
+         : answer.answer == Answer::Violated ? OutputComparison::Different
+                                             : OutputComparison::Undecided;
 }
 
 }  // namespace rungproof

@@ -13,7 +13,8 @@ namespace {
 
 class UseWalk {
  public:
-  UseWalk(const Facts& facts, const EncodedScan& encoding, const std::unordered_set<std::uint32_t>& variables) : facts_(facts) {
+  UseWalk(const Facts& facts, const EncodedScan& encoding, const std::unordered_set<std::uint32_t>& variables)
+      : facts_(facts) {
     for (const Cell& cell : encoding.cells()) {
       if (cell.kind == CellKind::State && variables.contains(indexOf(cell.start))) kept_.push_back(cell.place);
     }
@@ -34,7 +35,8 @@ class UseWalk {
       enter(block, network);
     }
     std::vector<NetworkName> names;
-    for (const auto& [block, network] : seen_) names.emplace_back(facts_.program().pous[block].name, facts_.program().pous[block].networks[network].number);
+    for (const auto& [block, network] : seen_)
+      names.emplace_back(facts_.program().pous[block].name, facts_.program().pous[block].networks[network].number);
     return names;
   }
 
@@ -64,7 +66,8 @@ class UseWalk {
       const std::string_view name = place.instruction->desc->stl;
       if (name != "CALL" && name != "ATCH") continue;
       for (const Operand& operand : place.instruction->operands) {
-        const bool isThis = facts_.program().pous[block].number == static_cast<int>(operand.kind == OperandKind::Constant ? operand.value : operand.offset);
+        const bool isThis = facts_.program().pous[block].number ==
+                            static_cast<int>(operand.kind == OperandKind::Constant ? operand.value : operand.offset);
         if (isThis) add(place.instruction->id);
       }
     }
@@ -77,7 +80,8 @@ class UseWalk {
       if (cell >= facts_.index().cells().size()) continue;
       for (const std::uint32_t index : facts_.index().at(cell)) {
         const Access& access = facts_.access(index);
-        if ((access.write || access.maybe || access.isBox) && overlaps(read, access)) writers.push_back(access.instruction);
+        if ((access.write || access.maybe || access.isBox) && overlaps(read, access))
+          writers.push_back(access.instruction);
       }
     }
     for (const std::uint32_t index : facts_.index().wide()) {
@@ -85,18 +89,21 @@ class UseWalk {
       if (access.write && (access.viaPointer || overlaps(read, access))) writers.push_back(access.instruction);
     }
     const bool isEarlier = reader == noReader || std::any_of(writers.begin(), writers.end(), [&](std::uint32_t w) {
-      return w < reader || facts_.blockOf(w) != facts_.blockOf(reader);
-    });
+                             return w < reader || facts_.blockOf(w) != facts_.blockOf(reader);
+                           });
     if (!isEarlier && !isKept(read)) return;
     for (const std::uint32_t writer : writers) add(writer);
   }
 
   static bool overlaps(const Access& a, const Access& b) {
     if (a.area != b.area) return false;
-    const auto first = [](const Access& x) { return x.byNumber() ? x.offset * 8 : x.offset * 8 + (x.width == Width::Bit ? x.bit : 0U); };
+    const auto first = [](const Access& x) {
+      return x.byNumber() ? x.offset * 8 : x.offset * 8 + (x.width == Width::Bit ? x.bit : 0U);
+    };
     const auto last = [&](const Access& x) {
       if (x.byNumber()) return (x.offset + std::max<std::uint32_t>(x.most, 1)) * 8;
-      return x.width == Width::Bit ? first(x) + std::max<std::uint32_t>(x.most, 1) : (x.offset + x.possibleLength()) * 8;
+      return x.width == Width::Bit ? first(x) + std::max<std::uint32_t>(x.most, 1)
+                                   : (x.offset + x.possibleLength()) * 8;
     };
     return first(a) < last(b) && first(b) < last(a);
   }
@@ -105,10 +112,13 @@ class UseWalk {
   bool isKept(const Access& read) const {
     return std::any_of(kept_.begin(), kept_.end(), [&](const Place& place) {
       if (place.isRegister) {
-        const bool isTimer = place.reg == Reg::TimerBit || place.reg == Reg::TimerCurrent || place.reg == Reg::TimerRunning || place.reg == Reg::TimerInput;
-        const bool isCounter = place.reg == Reg::CounterBit || place.reg == Reg::CounterCurrent || place.reg == Reg::CounterUp || place.reg == Reg::CounterDown;
+        const bool isTimer = place.reg == Reg::TimerBit || place.reg == Reg::TimerCurrent ||
+                             place.reg == Reg::TimerRunning || place.reg == Reg::TimerInput;
+        const bool isCounter = place.reg == Reg::CounterBit || place.reg == Reg::CounterCurrent ||
+                               place.reg == Reg::CounterUp || place.reg == Reg::CounterDown;
         const bool isOther = place.reg == Reg::Accumulator;
-        return place.at == read.offset && ((isTimer && read.area == Area::T) || (isCounter && read.area == Area::C) || (isOther && read.area == Area::AC));
+        return place.at == read.offset && ((isTimer && read.area == Area::T) || (isCounter && read.area == Area::C) ||
+                                           (isOther && read.area == Area::AC));
       }
       if (place.area != read.area) return false;
       const std::uint32_t first = place.at / 8, last = (place.at + place.width - 1) / 8;
@@ -124,7 +134,8 @@ class UseWalk {
 
 }  // namespace
 
-std::vector<NetworkName> networksBehind(const Facts& facts, const EncodedScan& encoding, const std::vector<Operand>& read,
+std::vector<NetworkName> networksBehind(const Facts& facts, const EncodedScan& encoding,
+                                        const std::vector<Operand>& read,
                                         const std::unordered_set<std::uint32_t>& variables) {
   return UseWalk(facts, encoding, variables).run(read);
 }
@@ -133,11 +144,14 @@ std::string networkList(const std::vector<NetworkName>& networks) {
   std::string text;
   for (std::size_t i = 0; i < networks.size();) {
     std::size_t end = i + 1;
-    while (end < networks.size() && networks[end].first == networks[i].first && networks[end].second == networks[end - 1].second + 1) ++end;
+    while (end < networks.size() && networks[end].first == networks[i].first &&
+           networks[end].second == networks[end - 1].second + 1)
+      ++end;
     const bool isNewBlock = i == 0 || networks[i].first != networks[i - 1].first;
     text += i == 0 ? "" : isNewBlock ? "; " : ", ";
     if (isNewBlock) text += networks[i].first + " ";
-    text += end - i > 2 ? fmt::format("{}-{}", networks[i].second, networks[end - 1].second) : fmt::format("{}", networks[i].second);
+    text += end - i > 2 ? fmt::format("{}-{}", networks[i].second, networks[end - 1].second)
+                        : fmt::format("{}", networks[i].second);
     i = end - i > 2 ? end : i + 1;
   }
   return text;

@@ -7,10 +7,12 @@
 #include <unordered_map>
 
 #include "analysis/encoding/accelerate.hpp"
+#include "analysis/encoding/exact_reals.hpp"
 
 namespace rungproof {
 
-ProofSide::ProofSide(const Program& program, const PropertySet& set, const std::vector<Property>& goals, const EncoderOptions& options, const CheckGroups& groups)
+ProofSide::ProofSide(const Program& program, const PropertySet& set, const std::vector<Property>& goals,
+                     const EncoderOptions& options, const CheckGroups& groups)
     : record_(program, groups.rungs), obligations_(program, set, goals, options, groups.any() ? &record_ : nullptr) {
   checks_ = builtinChecks(program, set, groups, obligations_, record_);
   for (const BuiltinCheck& check : checks_) obligations_.ask(check.name, check.bad);
@@ -38,7 +40,9 @@ std::unordered_set<std::uint32_t> ProofSide::variablesOf(std::size_t question) c
   for (const StateVariable& state : system_.states) next[indexOf(state.node)] = state.next;
   std::vector<Node> open{system_.questions[question].bad};
   for (const Node constraint : system_.constraints) {
-    if (std::find(system_.totalConstraints.begin(), system_.totalConstraints.end(), constraint) == system_.totalConstraints.end()) open.push_back(constraint);
+    if (std::find(system_.totalConstraints.begin(), system_.totalConstraints.end(), constraint) ==
+        system_.totalConstraints.end())
+      open.push_back(constraint);
   }
   std::unordered_set<std::uint32_t> seen, variables;
   while (!open.empty()) {
@@ -56,9 +60,23 @@ std::unordered_set<std::uint32_t> ProofSide::variablesOf(std::size_t question) c
   return variables;
 }
 
+std::vector<const Approximation*> ProofSide::approximationsOf(std::size_t question, bool isWritten) {
+  std::vector<const Approximation*> found;
+  const Graph& graph = *system_.graph;
+  const auto variables = variablesOf(question);
+  for (const Approximation& approximation : obligations_.approximations()) {
+    const bool isCarried = std::ranges::any_of(approximation.carriers, [&](Node n) {
+      return n != noNode && variables.contains(indexOf(n)) && !(isWritten && isExactReal(graph[n]));
+    });
+    if (isCarried) found.push_back(&approximation);
+  }
+  return found;
+}
+
 bool ProofSide::dependsOnTime(const std::unordered_set<std::uint32_t>& variables) const {
-  return std::any_of(system_.states.begin(), system_.states.end(),
-                     [&](const StateVariable& s) { return variables.contains(indexOf(s.node)) && obligations_.isTimeState(s.node); });
+  return std::any_of(system_.states.begin(), system_.states.end(), [&](const StateVariable& s) {
+    return variables.contains(indexOf(s.node)) && obligations_.isTimeState(s.node);
+  });
 }
 
 TransitionSystem ProofSide::accelerated(std::size_t question, std::uint32_t longest) {
@@ -77,10 +95,15 @@ TransitionSystem ProofSide::accelerated(std::size_t question, std::uint32_t long
 
 std::vector<std::string> environmentTexts(const Program& program, const PropertySet& set, const TimeRange& time) {
   std::vector<std::string> texts;
-  texts.push_back(fmt::format("CPU {}, {} edition", cpuName(program.target.cpu), program.target.edition == Edition::Edition2003 ? 2003 : 2004));
-  texts.push_back(time.low == time.high ? fmt::format("every scan lasts {} ms", time.low) : fmt::format("every scan lasts {} to {} ms", time.low, time.high));
-  texts.push_back(set.initialRetentive ? "retentive memory starts with any value, the rest with zero" : "memory starts with zero and the data block");
-  for (const ExternalRange& range : set.externals) texts.push_back(fmt::format("{} to {} may be written from outside in any scan", toString(range.first), toString(range.last)));
+  texts.push_back(fmt::format("CPU {}, {} edition", cpuName(program.target.cpu),
+                              program.target.edition == Edition::Edition2003 ? 2003 : 2004));
+  texts.push_back(time.low == time.high ? fmt::format("every scan lasts {} ms", time.low)
+                                        : fmt::format("every scan lasts {} to {} ms", time.low, time.high));
+  texts.push_back(set.initialRetentive ? "retentive memory starts with any value, the rest with zero"
+                                       : "memory starts with zero and the data block");
+  for (const ExternalRange& range : set.externals)
+    texts.push_back(
+        fmt::format("{} to {} may be written from outside in any scan", toString(range.first), toString(range.last)));
   for (const Property& property : set.properties) {
     if (!property.isGoal()) texts.push_back(property.text);
   }
@@ -90,17 +113,20 @@ std::vector<std::string> environmentTexts(const Program& program, const Property
 std::string approximationText(const Program& program, const Approximation& approximation) {
   if (approximation.place == nullptr) return approximation.reason;
   const Span span = approximation.place->span;
-  return fmt::format("{} at {}:{}: {}", approximation.place->desc->stl, program.sources->file(span.file).name(), program.sources->position(span).line, approximation.reason);
+  return fmt::format("{} at {}:{}: {}", approximation.place->desc->stl, program.sources->file(span.file).name(),
+                     program.sources->position(span).line, approximation.reason);
 }
 
 bool isWrittenOut(const Graph& graph, const Approximation& approximation) {
-  return !approximation.carriers.empty() && std::ranges::all_of(approximation.carriers, [&](Node n) { return n != noNode && isExactReal(graph[n]); });
+  return !approximation.carriers.empty() &&
+         std::ranges::all_of(approximation.carriers, [&](Node n) { return n != noNode && isExactReal(graph[n]); });
 }
 
 std::vector<std::string> approximationTexts(const Program& program, Obligations& obligations) {
   std::vector<std::string> texts;
   for (const Approximation& approximation : obligations.approximations()) {
-    if (!isWrittenOut(obligations.encoding().graph(), approximation)) texts.push_back(approximationText(program, approximation));
+    if (!isWrittenOut(obligations.encoding().graph(), approximation))
+      texts.push_back(approximationText(program, approximation));
   }
   return texts;
 }

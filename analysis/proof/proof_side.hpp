@@ -16,7 +16,8 @@ namespace rungproof {
 class ProofSide {
  public:
   /// Questions are the goals in their order, then checks() of those groups in their order, then leftOutQuestion().
-  ProofSide(const Program& program, const PropertySet& set, const std::vector<Property>& goals, const EncoderOptions& options, const CheckGroups& groups);
+  ProofSide(const Program& program, const PropertySet& set, const std::vector<Property>& goals,
+            const EncoderOptions& options, const CheckGroups& groups);
 
   Obligations& obligations() { return obligations_; }
   TransitionSystem& system() { return system_; }
@@ -26,8 +27,11 @@ class ProofSide {
 
   /// The system with one question only.
   TransitionSystem only(std::size_t question) const;
-  /// Variables and REAL operations that the question depends on, through any number of scans. Constraints count, except total ones.
+  /// Variables and REAL operations that the question depends on, through any number of scans. Constraints count, except
+  /// total ones.
   std::unordered_set<std::uint32_t> variablesOf(std::size_t question) const;
+  /// What is not exact and reaches the question; `isWritten`: its REAL operations are written out and exact.
+  std::vector<const Approximation*> approximationsOf(std::size_t question, bool isWritten);
   bool dependsOnTime(const std::unordered_set<std::uint32_t>& variables) const;
   /// Keeps only what the question depends on, so that unrelated changes do not end a stretch of equal scans.
   TransitionSystem accelerated(std::size_t question, std::uint32_t longest);

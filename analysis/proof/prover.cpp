@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "analysis/portfolio/portfolio.hpp"
+#include "analysis/proof/asked_goals.hpp"
 #include "analysis/proof/exact_run.hpp"
 #include "analysis/proof/guided_runs.hpp"
 #include "analysis/proof/hidden_code.hpp"
@@ -28,23 +29,28 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int shallowDepth = 12;         ///< scans of a short accelerated run
-constexpr double shallowSeconds = 0.25;  ///< for all of them
-constexpr double engineSeconds = 2;      ///< for runs of the engine, which count their scans, on a busy machine
-constexpr double quickSeconds = 0.5;     ///< for each question while all are looked at together
-constexpr int fillings = 16;             ///< of inputs that a question does not mention, tried to confirm a run
-constexpr double minimiseSeconds = 0.25;  ///< for making a witness smaller
+constexpr int shallowDepth = 12;               ///< scans of a short accelerated run
+constexpr double shallowSeconds = 0.25;        ///< for all of them
+constexpr double engineSeconds = 2;            ///< for runs of the engine, which count their scans, on a busy machine
+constexpr double quickSeconds = 0.5;           ///< for each question while all are looked at together
+constexpr int fillings = 16;                   ///< of inputs that a question does not mention, tried to confirm a run
+constexpr double minimiseSeconds = 0.25;       ///< for making a witness smaller
 constexpr std::uint64_t minimisedScans = 200;  ///< longer witnesses wait for a timer; they stay as they were found
-constexpr double premiseSeconds = 5;     ///< for a question that a verdict is checked with
-constexpr int writtenReals = 12;         ///< REAL operations of a question that are written out: bits grow by thousands with each
-constexpr double freeRealShare = 0.25;   ///< of a question's time, before REAL operations are written out
+constexpr double premiseSeconds = 5;           ///< for a question that a verdict is checked with
+constexpr int writtenReals =
+    12;  ///< REAL operations of a question that are written out: bits grow by thousands with each
+constexpr double freeRealShare = 0.25;  ///< of a question's time, before REAL operations are written out
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 class Session {
  public:
   Session(const Program& program, const PropertySet& set, const ProverOptions& options)
-      : program_(program), set_(set), options_(options), goals_(goalsOf(set)), watch_(options.cancel, options.memory) {
+      : program_(program),
+        set_(set),
+        options_(options),
+        goals_(askedGoals(set)),
+        watch_(options.cancel, options.memory) {
     for (const Property& property : set.properties) {
       if (!property.isGoal()) assumptions_.push_back(property);
     }
@@ -58,7 +64,8 @@ class Session {
     try {
       exact_ = std::make_unique<ProofSide>(program_, set_, goals_, encoding(false), options_.checks);
     } catch (const EncodingStopped&) {
-      for (std::size_t i = 0; i < declared; ++i) result.results.push_back(open(goals_[i], reasonToStop() + " before the program was encoded"));
+      for (std::size_t i = 0; i < declared; ++i)
+        result.results.push_back(open(goals_[i], reasonToStop() + " before the program was encoded"));
       if (options_.checks.builtin) {
         Property checks;
         checks.name = "built-in checks";
@@ -73,7 +80,8 @@ class Session {
     std::vector<std::size_t> order(total);
     std::iota(order.begin(), order.end(), std::size_t{0});
     // Those with a run first: who waits for the first bad verdict need not wait for proofs.
-    std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return quick_[questionOf(i)].answer == Answer::Violated; });
+    std::stable_partition(order.begin(), order.end(),
+                          [&](std::size_t i) { return quick_[questionOf(i)].answer == Answer::Violated; });
     std::vector<std::optional<ProofResult>> rows(total);
     for (std::size_t done = 0; done < total; ++done) {
       const std::size_t i = order[done];
@@ -84,7 +92,8 @@ class Session {
       deadline_ = std::min(start + seconds(most), begin_ + seconds(options_.timeout * static_cast<double>(done + 1)));
       const std::size_t question = questionOf(i);
       ProofResult row;
-      if (i < declared) row.property = goals_[i];
+      if (i < declared)
+        row.property = goals_[i];
       else {
         row.builtin = exact_->checks()[i - declared];
         row.property.name = row.builtin->name;
@@ -99,18 +108,24 @@ class Session {
       if (row) result.results.push_back(std::move(*row));
     }
     for (const Approximation& approximation : exact_->obligations().approximations()) {
-      if (!isWrittenOut(*exact_->system().graph, approximation) || noted_.contains(&approximation)) result.approximations.push_back(approximationText(program_, approximation));
+      if (!isWrittenOut(*exact_->system().graph, approximation) || noted_.contains(&approximation))
+        result.approximations.push_back(approximationText(program_, approximation));
     }
     result.isInterrupted = watch_.isInterrupted();
     return result;
   }
 
  private:
-
-  static Clock::duration seconds(double s) { return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(s)); }
+  static Clock::duration seconds(double s) {
+    return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(s));
+  }
   double left() const { return std::chrono::duration<double>(deadline_ - Clock::now()).count(); }
 
-  std::string reasonToStop() const { return watch_.isInterrupted() ? "interrupted" : watch_.isOutOfMemory() ? "the memory limit was reached" : "the time was over"; }
+  std::string reasonToStop() const {
+    return watch_.isInterrupted()   ? "interrupted"
+           : watch_.isOutOfMemory() ? "the memory limit was reached"
+                                    : "the time was over";
+  }
   static ProofResult open(const Property& property, std::string note) {
     ProofResult row;
     row.property = property;
@@ -128,7 +143,8 @@ class Session {
   bool restsOnReals(std::size_t question) const {
     const Graph& graph = *exact_->system().graph;
     const auto variables = exact_->variablesOf(question);
-    const auto count = std::count_if(variables.begin(), variables.end(), [&](std::uint32_t n) { return isExactReal(graph[static_cast<Node>(n)]); });
+    const auto count = std::count_if(variables.begin(), variables.end(),
+                                     [&](std::uint32_t n) { return isExactReal(graph[static_cast<Node>(n)]); });
     return count > 0 && count <= writtenReals;
   }
   std::vector<QuestionAnswer> ask(const TransitionSystem& system, double each, Clock::time_point deadline) {
@@ -137,31 +153,9 @@ class Session {
     return answerQuestions(system, portfolio(each, deadline, &cancel));
   }
 
-  static std::vector<Property> goalsOf(const PropertySet& set) {
-    std::vector<Property> goals;
-    for (const Property& property : set.properties) {
-      if (property.isGoal()) goals.push_back(property);
-    }
-    const std::size_t declared = goals.size();
-    for (std::size_t i = 0; i < declared; ++i) {
-      if (auto premise = premiseOf(goals[i])) goals.push_back(std::move(*premise));
-    }
-    if (declared < set.properties.size()) goals.push_back(someRun());
-    return goals;
-  }
-  /// Reached in the first scan of any run at all: unreachable only if the assumptions contradict each other.
-  static Property someRun() {
-    Property property;
-    property.kind = PropertyKind::Reach;
-    property.name = "a run that meets the assumptions";
-    ExprNode always;
-    always.value = 1;
-    property.first.nodes.push_back(always);
-    layoutCells(property);
-    return property;
-  }
   std::size_t declaredCount() const {
-    return static_cast<std::size_t>(std::count_if(set_.properties.begin(), set_.properties.end(), [](const Property& p) { return p.isGoal(); }));
+    return static_cast<std::size_t>(
+        std::count_if(set_.properties.begin(), set_.properties.end(), [](const Property& p) { return p.isGoal(); }));
   }
   std::optional<std::size_t> goalNamed(const std::string& name) const {
     const auto found = std::find_if(goals_.begin(), goals_.end(), [&](const Property& p) { return p.name == name; });
@@ -238,7 +232,8 @@ class Session {
     }
     if (open.empty() || watch_.isStopped()) return;
     std::vector<std::optional<Witness>> found =
-        guidedRuns(program_, exact_->obligations().encoding(), assumptions_, goals, options_.seed, std::min(options_.timeout / 10, engineSeconds));
+        guidedRuns(program_, exact_->obligations().encoding(), assumptions_, goals, options_.seed,
+                   std::min(options_.timeout / 10, engineSeconds));
     for (std::size_t i = 0; i < open.size(); ++i) {
       if (!found[i]) continue;
       quick_[open[i]].answer = Answer::Violated;
@@ -270,14 +265,19 @@ class Session {
   void settle(std::size_t question, ProofResult& row, ProofRun& run) {
     QuestionAnswer answer = quick_[question];
     std::optional<Witness> witness;
-    if (const auto found = found_.find(question); found != found_.end()) witness = found->second;
-    else if (answer.answer == Answer::Violated) witness = confirmed(question, *answer.trace);
+    if (const auto found = found_.find(question); found != found_.end())
+      witness = found->second;
+    else if (answer.answer == Answer::Violated)
+      witness = confirmed(question, *answer.trace);
     const bool isOpen = !witness && (answer.answer == Answer::Unknown || answer.answer == Answer::Violated);
     watch_.release();
     if (isOpen && left() > 0 && !watch_.isStopped()) std::tie(answer, witness) = search(question, answer.answer);
-    if (!witness && answer.answer == Answer::Violated && question < goals_.size() && options_.bound == 0 && !watch_.isStopped() && left() > 0) {
+    if (!witness && answer.answer == Answer::Violated && question < goals_.size() && options_.bound == 0 &&
+        !watch_.isStopped() && left() > 0) {
       // A run that rests on values which are not modelled: perhaps the engine finds one with its own.
-      std::vector<std::optional<Witness>> found = guidedRuns(program_, exact_->obligations().encoding(), assumptions_, {&goals_[question]}, options_.seed, std::min(left(), options_.timeout / 10));
+      std::vector<std::optional<Witness>> found =
+          guidedRuns(program_, exact_->obligations().encoding(), assumptions_, {&goals_[question]}, options_.seed,
+                     std::min(left(), options_.timeout / 10));
       witness = std::move(found[0]);
       if (witness) answer.method = "engine runs";
     }
@@ -286,10 +286,13 @@ class Session {
     const bool wantsYes = row.builtin ? isWanted(row.builtin->kind) : row.property.kind == PropertyKind::Reach;
     if (witness) {
       row.outcome = wantsYes ? Outcome::Reachable : Outcome::Violated;
-      if (options_.evidence && question < goals_.size() && witness->scanCount <= minimisedScans && !watch_.isStopped()) {
+      if (options_.evidence && question < goals_.size() && witness->scanCount <= minimisedScans &&
+          !watch_.isStopped()) {
         const double most = std::clamp(left(), 0.05, minimiseSeconds);
-        const std::uint32_t plainMs = std::clamp<std::uint32_t>(ReplayScan{}.lengthMs, options_.time.low, options_.time.high);
-        witness = minimised(Judge(program_, options_.choices, assumptions_, goals_[question]), std::move(*witness), plainMs, most, options_.seed);
+        const std::uint32_t plainMs =
+            std::clamp<std::uint32_t>(ReplayScan{}.lengthMs, options_.time.low, options_.time.high);
+        witness = minimised(Judge(program_, options_.choices, assumptions_, goals_[question]), std::move(*witness),
+                            plainMs, most, options_.seed);
       }
       row.depth = static_cast<int>(std::min<std::uint64_t>(witness->scanCount, 1U << 30));
       row.witness = std::move(witness);
@@ -298,7 +301,8 @@ class Session {
       if (options_.certificates && answer.certificate) {
         const auto written = written_.find(question);
         const TransitionSystem& system = written == written_.end() ? exact_->system() : written->second;
-        row.certificate = certificateText(system, system.questions[written == written_.end() ? question : 0], *answer.certificate);
+        row.certificate =
+            certificateText(system, system.questions[written == written_.end() ? question : 0], *answer.certificate);
       }
       checkVacuity(row);
       if (options_.evidence) row.networks = networksOf(question, answer);
@@ -307,7 +311,9 @@ class Session {
     } else {
       row.outcome = answer.depth > 0 && options_.bound > 0 ? Outcome::HoldsToBound : Outcome::Unknown;
       if (options_.bound > 0) row.depth = answer.depth = std::min(answer.depth, options_.bound);
-      row.notes.push_back(fmt::format("{} in the first {} scans; {}", wantsYes ? "not reached" : "no violation", answer.depth, answer.method.empty() ? "no engine came to work" : "tried " + answer.method));
+      row.notes.push_back(fmt::format("{} in the first {} scans; {}", wantsYes ? "not reached" : "no violation",
+                                      answer.depth,
+                                      answer.method.empty() ? "no engine came to work" : "tried " + answer.method));
       if (watch_.isStopped()) row.notes.push_back(reasonToStop());
     }
     noteApproximations(question, row);
@@ -318,7 +324,8 @@ class Session {
 
   /// Nothing is decided that depends on code which was not read.
   void guardHiddenCode(std::size_t question, ProofResult& row) const {
-    const std::vector<std::string> reasons = hidden_.reasons(exact_->obligations().encoding(), exact_->variablesOf(question));
+    const std::vector<std::string> reasons =
+        hidden_.reasons(exact_->obligations().encoding(), exact_->variablesOf(question));
     if (reasons.empty()) return;
     row.outcome = Outcome::NotCovered;
     row.witness.reset();
@@ -337,11 +344,13 @@ class Session {
     row.outcome = Outcome::NotCovered;
     row.certificate.clear();
     for (const Approximation& approximation : exact_->obligations().approximations()) {
-      if (approximation.leftOut != noNode) row.notes.push_back("not followed: " + approximationText(program_, approximation));
+      if (approximation.leftOut != noNode)
+        row.notes.push_back("not followed: " + approximationText(program_, approximation));
     }
   }
 
-  /// Networks that decide the property: a proof without earlier scans depends on the state that its invariant speaks of.
+  /// Networks that decide the property: a proof without earlier scans depends on the state that its invariant speaks
+  /// of.
   std::vector<NetworkName> networksOf(std::size_t question, const QuestionAnswer& answer) {
     std::vector<Operand> read;
     if (question < goals_.size()) {
@@ -370,14 +379,17 @@ class Session {
   /// A routine that is attached but whose events the encoding does not know leaves every proof open.
   void guardInterrupts(ProofResult& row) {
     EncodedScan& encoding = exact_->obligations().encoding();
-    if (!encoding.eventSites().empty() || (row.outcome != Outcome::Proved && row.outcome != Outcome::Unreachable)) return;
+    if (!encoding.eventSites().empty() || (row.outcome != Outcome::Proved && row.outcome != Outcome::Unreachable))
+      return;
     for (const Flow& flow : encoding.plan().flows) {
       for (const FlowStep& step : flow.steps) {
         if (step.instruction->desc->stl != "ATCH") continue;
         row.outcome = Outcome::NotCovered;
         row.certificate.clear();
         const Span span = step.instruction->span;
-        row.notes.push_back(fmt::format("the interrupt routine attached at {}:{} is not followed", program_.sources->file(span.file).name(), program_.sources->position(span).line));
+        row.notes.push_back(fmt::format("the interrupt routine attached at {}:{} is not followed",
+                                        program_.sources->file(span.file).name(),
+                                        program_.sources->position(span).line));
         return;
       }
     }
@@ -431,7 +443,8 @@ class Session {
     if (fast.joinable()) fast.join();
     if (fastAnswer && !witness && question >= goals_.size()) {
       witness = replayed(*relaxed, *accelerated, question, *fastAnswer->trace);
-      if (!witness && answer.answer == Answer::Unknown && left() > 0 && !watch_.isStopped()) answer = ask(exact, left(), deadline_)[0];
+      if (!witness && answer.answer == Answer::Unknown && left() > 0 && !watch_.isStopped())
+        answer = ask(exact, left(), deadline_)[0];
     }
     CHECK(!(witness && answer.answer == Answer::Proved), "a proved property has a witness that the engine repeats");
     if (witness) {
@@ -455,14 +468,17 @@ class Session {
   }
 
   /// The run as the engine repeats it, if it shows the same.
-  std::optional<Witness> replayed(ProofSide& side, const TransitionSystem& system, std::size_t question, const WordTrace& trace) {
+  std::optional<Witness> replayed(ProofSide& side, const TransitionSystem& system, std::size_t question,
+                                  const WordTrace& trace) {
     EncodedScan& encoding = side.obligations().encoding();
     if (question >= goals_.size()) {
-      const ExactQuestion asked(exact_->obligations().encoding(), exact_->system(), exact_->system().questions[question].bad);
+      const ExactQuestion asked(exact_->obligations().encoding(), exact_->system(),
+                                exact_->system().questions[question].bad);
       std::optional<ExactRun> run = asked.runOf(system, trace, options_.time);
       std::optional<Witness> witness = run ? asked.witness(program_, options_.choices, *run) : std::nullopt;
       const std::size_t check = question - goals_.size();
-      const bool isShownToPeople = options_.evidence && check < exact_->checks().size() && !isRuleQuestion(exact_->checks()[check].kind);
+      const bool isShownToPeople =
+          options_.evidence && check < exact_->checks().size() && !isRuleQuestion(exact_->checks()[check].kind);
       if (!witness || !isShownToPeople || witness->scanCount > minimisedScans || watch_.isStopped()) return witness;
       std::vector<std::vector<bool>> matters;
       if (!asked.dropIdle(*run, matters, minimiseSeconds, options_.seed)) return witness;
@@ -471,14 +487,15 @@ class Session {
       return smaller ? smaller : witness;
     }
     std::vector<ReplayScan> scans = scansOf(encoding, system, trace, options_.time);
-    return Judge(program_, options_.choices, assumptions_, goals_[question]).witness(std::move(scans), initialOf(encoding, system, trace));
+    return Judge(program_, options_.choices, assumptions_, goals_[question])
+        .witness(std::move(scans), initialOf(encoding, system, trace));
   }
 
   /// A run of the exact system. Where the question rests on values that are not modelled exactly, what it does not
   /// mention may decide whether the engine repeats the run: some values of that are tried.
   std::optional<Witness> confirmed(std::size_t question, const WordTrace& trace) {
     std::optional<Witness> witness = replayed(*exact_, exact_->system(), question, trace);
-    if (witness || approximationsOf(question).empty()) return witness;
+    if (witness || exact_->approximationsOf(question, written_.contains(question)).empty()) return witness;
     const TransitionSystem& system = exact_->system();
     std::unordered_set<std::uint32_t> fixed = exact_->variablesOf(question);
     for (const Node n : exact_->obligations().encoding().time().inputs()) fixed.insert(indexOf(n));
@@ -487,7 +504,8 @@ class Session {
     for (int attempt = 0; attempt < fillings && !witness && !watch_.isStopped(); ++attempt) {
       for (std::vector<std::uint64_t>& scan : tried.inputs) {
         for (std::size_t i = 0; i < scan.size(); ++i) {
-          if (!fixed.contains(indexOf(system.inputs[i]))) scan[i] = random() & Graph::maskOf((*system.graph)[system.inputs[i]].width);
+          if (!fixed.contains(indexOf(system.inputs[i])))
+            scan[i] = random() & Graph::maskOf((*system.graph)[system.inputs[i]].width);
         }
       }
       witness = replayed(*exact_, system, question, tried);
@@ -497,13 +515,16 @@ class Session {
 
   void unconfirmed(std::size_t question, const QuestionAnswer& answer, ProofResult& row, ProofRun& run) {
     row.outcome = Outcome::Unknown;
-    const bool rests = answer.usesFreeReals || !approximationsOf(question).empty();
+    const bool rests = answer.usesFreeReals || !exact_->approximationsOf(question, written_.contains(question)).empty();
     if (rests) {
       row.outcome = Outcome::NotCovered;
-      row.notes.push_back("the run that was found rests on values that are not modelled exactly; the engine does not repeat it");
+      row.notes.push_back(
+          "the run that was found rests on values that are not modelled exactly; the engine does not repeat it");
       return;
     }
-    run.disagreements.push_back({row.property.name, fmt::format("the solver's run of {} scans is not repeated by the engine", answer.depth + 1)});
+    run.disagreements.push_back(
+        {row.property.name,
+         fmt::format("the solver's run of {} scans is not repeated by the engine", answer.depth + 1)});
   }
 
   /// A property whose premise can never be met, or assumptions that no run meets, prove nothing.
@@ -517,9 +538,11 @@ class Session {
     const auto premise = goalNamed(row.property.name + " (premise)");
     if (!premise || row.outcome != Outcome::Proved) return;
     Answer answer = quick_[*premise].answer;
-    const bool isOpen = answer == Answer::Unknown || (answer == Answer::Violated && !found_.contains(*premise) && restsOnReals(*premise));
+    const bool isOpen = answer == Answer::Unknown ||
+                        (answer == Answer::Violated && !found_.contains(*premise) && restsOnReals(*premise));
     if (isOpen && left() > 0 && !watch_.isStopped()) {
-      const Clock::time_point whole = std::exchange(deadline_, std::min(deadline_, Clock::now() + seconds(premiseSeconds)));
+      const Clock::time_point whole =
+          std::exchange(deadline_, std::min(deadline_, Clock::now() + seconds(premiseSeconds)));
       const auto [found, witness] = search(*premise, answer);
       answer = witness ? Answer::Violated : found.answer;
       deadline_ = whole;
@@ -532,21 +555,8 @@ class Session {
     }
   }
 
-  std::vector<const Approximation*> approximationsOf(std::size_t question) {
-    std::vector<const Approximation*> found;
-    const Graph& graph = *exact_->system().graph;
-    const bool isWritten = written_.contains(question);
-    const auto variables = exact_->variablesOf(question);
-    for (const Approximation& approximation : exact_->obligations().approximations()) {
-      const bool isCarried = std::any_of(approximation.carriers.begin(), approximation.carriers.end(), [&](Node n) {
-        return n != noNode && variables.contains(indexOf(n)) && !(isWritten && isExactReal(graph[n]));
-      });
-      if (isCarried) found.push_back(&approximation);
-    }
-    return found;
-  }
   void noteApproximations(std::size_t question, ProofResult& row) {
-    for (const Approximation* approximation : approximationsOf(question)) {
+    for (const Approximation* approximation : exact_->approximationsOf(question, written_.contains(question))) {
       if (row.outcome == Outcome::Unknown) row.outcome = Outcome::NotCovered;
       row.notes.push_back("depends on " + approximationText(program_, *approximation));
       noted_.insert(approximation);
@@ -566,8 +576,8 @@ class Session {
   std::unique_ptr<ProofSide> relaxed_;
   std::unique_ptr<Facts> facts_;
   std::vector<QuestionAnswer> quick_;
-  std::map<std::size_t, Witness> found_;  ///< by question: witnesses of the short search
-  std::set<const Approximation*> noted_;  ///< what some result rests on
+  std::map<std::size_t, Witness> found_;             ///< by question: witnesses of the short search
+  std::set<const Approximation*> noted_;             ///< what some result rests on
   std::map<std::size_t, TransitionSystem> written_;  ///< by question: its system with REAL operations written out
 };
 
@@ -581,7 +591,8 @@ EncoderOptions encoderOptionsOf(const ProverOptions& options, bool relaxed) {
   return result;
 }
 
-ProofRun prove(const Program& program, const PropertySet& set, const ProverOptions& options, const ProofProgress& progress) {
+ProofRun prove(const Program& program, const PropertySet& set, const ProverOptions& options,
+               const ProofProgress& progress) {
   return Session(program, set, options).run(progress);
 }
 

@@ -17,32 +17,41 @@ namespace rungproof {
 struct ProverOptions {
   Choices choices;
   TimeRange time;
-  double timeout = 60;  ///< seconds per question; encoding and checks of certificates count
+  double timeout = 60;     ///< seconds per question; encoding and checks of certificates count
   double ruleTimeout = 2;  ///< at most, for each question of CheckGroups::rungs and powerUp
-  int bound = 0;        ///< scans that bounded search may look at; 0: no limit
+  int bound = 0;           ///< scans that bounded search may look at; 0: no limit
   int jobs = 2;
   std::uint64_t seed = 1;
-  std::uint64_t memory = 0;  ///< bytes; 0: no limit
-  CheckGroups checks;  ///< what is asked beside the declared properties
+  std::uint64_t memory = 0;   ///< bytes; 0: no limit
+  CheckGroups checks;         ///< what is asked beside the declared properties
   bool certificates = false;  ///< write out the proofs as SMT-LIB 2
-  bool evidence = true;      ///< check certificates, shorten witnesses, name networks; without: verdicts only
+  bool evidence = true;       ///< check certificates, shorten witnesses, name networks; without: verdicts only
   const std::atomic<bool>* cancel = nullptr;  ///< set from outside, as by Ctrl-C: the run ends with what is settled
 };
 
 /// How the program is encoded; relaxed: with scans of any length (time_model.hpp).
 EncoderOptions encoderOptionsOf(const ProverOptions& options, bool relaxed = false);
 
-enum class Outcome : std::uint8_t { Proved, Violated, Reachable, Unreachable, HoldsToBound, Vacuous, Unknown, NotCovered };
+enum class Outcome : std::uint8_t {
+  Proved,
+  Violated,
+  Reachable,
+  Unreachable,
+  HoldsToBound,
+  Vacuous,
+  Unknown,
+  NotCovered
+};
 
 struct ProofResult {
-  Property property;                    ///< declared; for a built-in check only name and span
+  Property property;  ///< declared; for a built-in check only name and span
   std::optional<BuiltinCheck> builtin;
   Outcome outcome = Outcome::Unknown;
   std::string method;
-  int depth = 0;                        ///< scans of the witness, or without a violation
+  int depth = 0;  ///< scans of the witness, or without a violation
   double seconds = 0;
   std::optional<Witness> witness;
-  std::string certificate;              ///< SMT-LIB 2, if asked for and proved
+  std::string certificate;  ///< SMT-LIB 2, if asked for and proved
   std::vector<std::string> notes;
   std::vector<std::pair<std::string, int>> networks;  ///< blocks and networks that a proof rests on
 };
@@ -58,13 +67,14 @@ struct ProofRun {
   std::vector<std::string> assumptions;     ///< CPU, scan time, initial memory, external writers
   std::vector<std::string> approximations;  ///< "PID at press.awl:41: result is any value"
   std::vector<Disagreement> disagreements;
-  bool isInterrupted = false;               ///< by ProverOptions::cancel; what was open is Unknown
+  bool isInterrupted = false;  ///< by ProverOptions::cancel; what was open is Unknown
 };
 
 /// Called with each result as it is settled, those with a quickly found run first; false ends the run (the results so
 /// far are returned, in the order of the questions).
 using ProofProgress = std::function<bool(const ProofResult& result, std::size_t done, std::size_t total)>;
 
-ProofRun prove(const Program& program, const PropertySet& set, const ProverOptions& options, const ProofProgress& progress = {});
+ProofRun prove(const Program& program, const PropertySet& set, const ProverOptions& options,
+               const ProofProgress& progress = {});
 
 }  // namespace rungproof

@@ -22,21 +22,34 @@ struct Position {
 
 /// Contacts that are there to be constant or to come once: special memory.
 bool isSpecial(const Instruction& contact) {
-  return std::all_of(contact.operands.begin(), contact.operands.end(), [](const Operand& o) { return o.kind == OperandKind::Constant || (o.kind == OperandKind::Direct && o.area == Area::SM); });
+  return std::all_of(contact.operands.begin(), contact.operands.end(), [](const Operand& o) {
+    return o.kind == OperandKind::Constant || (o.kind == OperandKind::Direct && o.area == Area::SM);
+  });
 }
 bool isContactOf(const Instruction& contact, const Operand& bit, bool negated) {
-  if (contact.operands.size() != 1 || contact.desc->execution != Execution::Stack || toString(contact.operands[0]) != toString(bit)) return false;
+  if (contact.operands.size() != 1 || contact.desc->execution != Execution::Stack ||
+      toString(contact.operands[0]) != toString(bit))
+    return false;
   return (contact.desc->stl.back() == 'N') == negated;
 }
-bool isNegated(const Instruction& contact) { return contact.desc->execution == Execution::Stack && (contact.desc->stl.back() == 'N' || contact.desc->stl.ends_with("NI")); }
+bool isNegated(const Instruction& contact) {
+  return contact.desc->execution == Execution::Stack &&
+         (contact.desc->stl.back() == 'N' || contact.desc->stl.ends_with("NI"));
+}
 
 class RungChecks {
  public:
-  RungChecks(const Program& program, Obligations& obligations, const ExecutionRecord& record, std::vector<BuiltinCheck>& checks)
-      : obligations_(obligations), encoding_(obligations.encoding()), graph_(encoding_.graph()), record_(record), checks_(checks) {
+  RungChecks(const Program& program, Obligations& obligations, const ExecutionRecord& record,
+             std::vector<BuiltinCheck>& checks)
+      : obligations_(obligations),
+        encoding_(obligations.encoding()),
+        graph_(encoding_.graph()),
+        record_(record),
+        checks_(checks) {
     for (const Pou& pou : program.pous) {
       for (const Network& network : pou.networks) {
-        for (std::size_t i = 0; i < network.instructions.size(); ++i) positions_[&network.instructions[i]] = {&network, i};
+        for (std::size_t i = 0; i < network.instructions.size(); ++i)
+          positions_[&network.instructions[i]] = {&network, i};
       }
     }
     for (const Visit& visit : record_.visits()) {
@@ -70,7 +83,8 @@ class RungChecks {
     }
     return any;
   }
-  void ask(BuiltinKind kind, const char* rule, std::string name, std::string message, std::string address, const Instruction& place, Node bad) {
+  void ask(BuiltinKind kind, const char* rule, std::string name, std::string message, std::string address,
+           const Instruction& place, Node bad) {
     checks_.push_back({kind, std::move(name), rule, std::move(message), std::move(address), &place, nullptr, bad});
   }
 
@@ -82,18 +96,23 @@ class RungChecks {
     const Graph::Bool on = anyOf(output, true), off = anyOf(output, false);
     if (!askedFlows_.emplace(on.node, off.node).second) return;
     const std::string text = Facts::text(output), address = output.operands.empty() ? "" : toString(output.operands[0]);
-    ask(BuiltinKind::FlowOn, "LOG001", fmt::format("power can reach {}", text), fmt::format("no reachable state lets power flow to {}", text), address, output, on.node);
-    ask(BuiltinKind::FlowOff, "LOG001", fmt::format("{} can be without power", text), fmt::format("power flows to {} in every reachable state", text), address, output, off.node);
+    ask(BuiltinKind::FlowOn, "LOG001", fmt::format("power can reach {}", text),
+        fmt::format("no reachable state lets power flow to {}", text), address, output, on.node);
+    ask(BuiltinKind::FlowOff, "LOG001", fmt::format("{} can be without power", text),
+        fmt::format("power flows to {} in every reachable state", text), address, output, off.node);
   }
 
   /// A coil that holds itself, and a bit with S and R.
   void askLatch(const Instruction& output) {
     const Kind kind = kindOf(output);
-    if (output.operands.empty() || output.operands[0].kind != OperandKind::Direct || output.operands[0].area == Area::L) return;
+    if (output.operands.empty() || output.operands[0].kind != OperandKind::Direct || output.operands[0].area == Area::L)
+      return;
     const Operand& bit = output.operands[0];
     if (kind == Kind::Assign) {
       const std::vector<const Instruction*> contacts = rung(output);
-      if (std::none_of(contacts.begin(), contacts.end(), [&](const Instruction* c) { return isContactOf(*c, bit, false); })) return;
+      if (std::none_of(contacts.begin(), contacts.end(),
+                       [&](const Instruction* c) { return isContactOf(*c, bit, false); }))
+        return;
     } else if (!isSet(kind) || !isReset(output)) {
       return;
     }
@@ -101,7 +120,8 @@ class RungChecks {
     const Place place = memoryPlace(bit.area, bit.offset, Width::Bit, bit.bit);
     const Node falls = graph_.land({encoding_.atStart(place)}, graph_.lnot({encoding_.atEnd(place)})).node;
     const std::string name = toString(bit);
-    ask(BuiltinKind::LatchDrops, "LOG006", fmt::format("{} can drop out", name), fmt::format("once on, {} never goes off again in any reachable state", name), name, output, falls);
+    ask(BuiltinKind::LatchDrops, "LOG006", fmt::format("{} can drop out", name),
+        fmt::format("once on, {} never goes off again in any reachable state", name), name, output, falls);
   }
   /// Whether the program has an R whose bits include the one that the S sets.
   bool isReset(const Instruction& set) const {
@@ -109,7 +129,9 @@ class RungChecks {
     const auto first = [](const Operand& o) { return o.offset * 8 + o.bit; };
     return std::any_of(positions_.begin(), positions_.end(), [&](const auto& entry) {
       const Instruction& reset = *entry.first;
-      if (!rungproof::isReset(kindOf(reset)) || reset.operands.size() < 2 || reset.operands[0].area != bit.area || reset.operands[0].kind != OperandKind::Direct) return false;
+      if (!rungproof::isReset(kindOf(reset)) || reset.operands.size() < 2 || reset.operands[0].area != bit.area ||
+          reset.operands[0].kind != OperandKind::Direct)
+        return false;
       const bool isOpen = reset.operands[1].kind != OperandKind::Constant;
       const auto count = isOpen ? 255U : static_cast<std::uint32_t>(reset.operands[1].value);
       return first(reset.operands[0]) <= first(bit) && first(bit) < first(reset.operands[0]) + count;
@@ -117,19 +139,25 @@ class RungChecks {
   }
 
   void askToggle(const Instruction& coil) {
-    if (kindOf(coil) != Kind::Assign || coil.operands[0].kind != OperandKind::Direct || coil.operands[0].area == Area::L) return;
+    if (kindOf(coil) != Kind::Assign || coil.operands[0].kind != OperandKind::Direct ||
+        coil.operands[0].area == Area::L)
+      return;
     const Operand& bit = coil.operands[0];
     const std::vector<const Instruction*> contacts = rung(coil);
-    if (std::none_of(contacts.begin(), contacts.end(), [&](const Instruction* c) { return isContactOf(*c, bit, true); })) return;
+    if (std::none_of(contacts.begin(), contacts.end(),
+                     [&](const Instruction* c) { return isContactOf(*c, bit, true); }))
+      return;
     const Place place = memoryPlace(bit.area, bit.offset, Width::Bit, bit.bit);
     const Graph::Bool changes = graph_.lxor({encoding_.atStart(place)}, {encoding_.atEnd(place)});
     const std::string name = toString(bit);
     const Graph::Bool again = graph_.land(changes, {obligations_.before("change of " + name, changes.node)});
-    ask(BuiltinKind::Toggles, "LOG005", fmt::format("{} changes in two scans in a row", name), fmt::format("{} changes in every scan", name), name, coil, again.node);
+    ask(BuiltinKind::Toggles, "LOG005", fmt::format("{} changes in two scans in a row", name),
+        fmt::format("{} changes in every scan", name), name, coil, again.node);
   }
 
   void askOnce(const Instruction& box) {
-    static const std::set<Kind> once{Kind::Att, Kind::Lifo, Kind::Fifo, Kind::Netr, Kind::Netw, Kind::Hdef, Kind::Pls, Kind::Set, Kind::SetImmediate, Kind::MoveByte};
+    static const std::set<Kind> once{Kind::Att,  Kind::Lifo, Kind::Fifo, Kind::Netr,         Kind::Netw,
+                                     Kind::Hdef, Kind::Pls,  Kind::Set,  Kind::SetImmediate, Kind::MoveByte};
     const Kind kind = kindOf(box);
     if (!once.contains(kind) || box.operands.empty()) return;
     const Operand& target = kind == Kind::MoveByte ? box.operands.back() : box.operands[0];
@@ -137,14 +165,17 @@ class RungChecks {
     if ((isSet(kind) || kind == Kind::MoveByte) && !savesMemory) return;
     const Graph::Bool now = anyOf(box, true);
     const Graph::Bool again = graph_.land(now, {obligations_.before("run of " + Facts::text(box), now.node)});
-    ask(BuiltinKind::RunsTwice, "HSP004", fmt::format("{} runs in two scans in a row", Facts::text(box)), fmt::format("{} can run in two scans in a row", Facts::text(box)), "", box, again.node);
+    ask(BuiltinKind::RunsTwice, "HSP004", fmt::format("{} runs in two scans in a row", Facts::text(box)),
+        fmt::format("{} can run in two scans in a row", Facts::text(box)), "", box, again.node);
   }
 
   void askDoubleCoils() {
     std::map<Place, std::map<std::uint32_t, std::pair<const Instruction*, Graph::Bool>>> coils;
     for (const BitWrite& write : encoding_.bitWrites()) {
       if (write.instruction == nullptr || !isCoil(kindOf(*write.instruction)) || write.place.area == Area::L) continue;
-      auto& runs = coils[write.place].try_emplace(write.instruction->id, write.instruction, graph_.constant(false)).first->second.second;
+      auto& runs = coils[write.place]
+                       .try_emplace(write.instruction->id, write.instruction, graph_.constant(false))
+                       .first->second.second;
       runs = graph_.lor(runs, {write.guard});
     }
     for (const auto& [place, list] : coils) {
@@ -155,7 +186,9 @@ class RungChecks {
         some = graph_.lor(some, coil.second);
       }
       const std::string name = nameOf(place);
-      ask(BuiltinKind::DoubleCoil, "OUT001", fmt::format("two coils of {} run in one scan", name), fmt::format("{} is driven by {} coils", name, list.size()), name, *std::next(list.begin())->second.first, two.node);
+      ask(BuiltinKind::DoubleCoil, "OUT001", fmt::format("two coils of {} run in one scan", name),
+          fmt::format("{} is driven by {} coils", name, list.size()), name, *std::next(list.begin())->second.first,
+          two.node);
     }
   }
 
@@ -165,7 +198,8 @@ class RungChecks {
       const bool isInterlock = isNegated(*contact) && contact->operands[0].area == Area::Q;
       if (isSpecial(*contact) || isInterlock) continue;
       const std::string text = Facts::text(*contact);
-      ask(BuiltinKind::ContactMatters, "LOG002", fmt::format("{} makes a difference", text), fmt::format("without {} the network does the same in every reachable state", text),
+      ask(BuiltinKind::ContactMatters, "LOG002", fmt::format("{} makes a difference", text),
+          fmt::format("without {} the network does the same in every reachable state", text),
           contact->operands.empty() ? "" : toString(contact->operands[0]), *contact, matters);
     }
   }
@@ -184,7 +218,8 @@ class RungChecks {
 
 }  // namespace
 
-void addRungChecks(const Program& program, Obligations& obligations, const ExecutionRecord& record, std::vector<BuiltinCheck>& checks) {
+void addRungChecks(const Program& program, Obligations& obligations, const ExecutionRecord& record,
+                   std::vector<BuiltinCheck>& checks) {
   RungChecks(program, obligations, record, checks).run();
 }
 

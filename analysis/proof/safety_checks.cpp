@@ -37,7 +37,8 @@ Substitution restedScan(EncodedScan& encoding) {
   const Concrete::Store rest = powerUpState(encoding.plan(), encoding.options().choices);
   std::unordered_map<std::uint32_t, Node> atRest;
   for (const Cell& cell : encoding.cells()) {
-    if (cell.kind == CellKind::State && isMemory(cell.place)) atRest[indexOf(cell.start)] = encoding.graph().constantNode(valueAt(cell.place, rest), cell.place.width);
+    if (cell.kind == CellKind::State && isMemory(cell.place))
+      atRest[indexOf(cell.start)] = encoding.graph().constantNode(valueAt(cell.place, rest), cell.place.width);
   }
   return Substitution(encoding.graph(), std::move(atRest));
 }
@@ -46,7 +47,8 @@ Substitution restedScan(EncodedScan& encoding) {
 std::map<Place, const Instruction*> outputsOf(const EncodedScan& encoding) {
   std::map<Place, const Instruction*> outputs;
   for (const BitWrite& write : encoding.bitWrites()) {
-    if (!write.place.isRegister && write.place.area == Area::Q && write.instruction != nullptr) outputs.emplace(write.place, write.instruction);
+    if (!write.place.isRegister && write.place.area == Area::Q && write.instruction != nullptr)
+      outputs.emplace(write.place, write.instruction);
   }
   return outputs;
 }
@@ -65,8 +67,10 @@ void addPowerUpChecks(const Program&, Obligations& obligations, std::vector<Buil
     const Graph::Bool bad = graph.land(first, graph.land({on}, graph.lnot({rested(on)})));
     if (const auto known = graph.truth(bad); known && !*known) continue;
     const std::string name = nameOf(place);
-    checks.push_back({BuiltinKind::PowerUp, fmt::format("{} is on after power-up", name), "SAF005",
-                      fmt::format("{} can be on at the end of the first scan because of what retentive memory holds", name), name, driver, nullptr, bad.node});
+    checks.push_back(
+        {BuiltinKind::PowerUp, fmt::format("{} is on after power-up", name), "SAF005",
+         fmt::format("{} can be on at the end of the first scan because of what retentive memory holds", name), name,
+         driver, nullptr, bad.node});
   }
 }
 
@@ -103,14 +107,19 @@ void addRestartChecks(const PropertySet& set, Obligations& obligations, std::vec
     const std::string name = nameOf(place), button = toString(stop.input);
     const Graph::Bool stopped{obligations.before(fmt::format("{} stops {}", button, name), graph.lnot(released).node)};
     const Node on = encoding.atEnd(place);
-    Graph::Bool bad = graph.land(graph.land(stopped, released), graph.land({on}, graph.lnot({encoding.atStart(place)})));
+    Graph::Bool bad =
+        graph.land(graph.land(stopped, released), graph.land({on}, graph.lnot({encoding.atStart(place)})));
     bad = graph.land(bad, graph.lnot({rested(on)}));
     for (const auto& [other, same] : unchanged) {
-      if (other != memoryPlace(stop.input.area, stop.input.offset, Width::Bit, stop.input.bit)) bad = graph.land(bad, same);
+      if (other != memoryPlace(stop.input.area, stop.input.offset, Width::Bit, stop.input.bit))
+        bad = graph.land(bad, same);
     }
     const Instruction* driver = drivers.at(place);
-    checks.push_back({BuiltinKind::Restart, fmt::format("{} comes back with {}", name, button), "SAF006",
-                      fmt::format("{} comes on by itself when the stop {} is released: memory from before the stop switches it on", name, button), name, driver, nullptr, bad.node});
+    checks.push_back(
+        {BuiltinKind::Restart, fmt::format("{} comes back with {}", name, button), "SAF006",
+         fmt::format("{} comes on by itself when the stop {} is released: memory from before the stop switches it on",
+                     name, button),
+         name, driver, nullptr, bad.node});
   }
 }
 

@@ -12,11 +12,14 @@ class Shape {
   explicit Shape(const Expr& expr) : nodes_(expr.nodes) {}
 
   const ExprNode& at(std::uint32_t i) const { return nodes_[i]; }
-  bool isBit(std::uint32_t i, Area area) const { return at(i).op == ExprOp::Address && at(i).type == ExprType::Truth && at(i).operand.area == area; }
+  bool isBit(std::uint32_t i, Area area) const {
+    return at(i).op == ExprOp::Address && at(i).type == ExprType::Truth && at(i).operand.area == area;
+  }
 
   bool stops(std::uint32_t i, std::vector<StopInput>& found) const {
     const ExprNode& node = at(i);
-    if (node.op == ExprOp::Or) return std::all_of(node.args.begin(), node.args.end(), [&](std::uint32_t arg) { return stops(arg, found); });
+    if (node.op == ExprOp::Or)
+      return std::all_of(node.args.begin(), node.args.end(), [&](std::uint32_t arg) { return stops(arg, found); });
     const bool isOff = node.op == ExprOp::Not;
     const std::uint32_t bit = isOff ? node.args[0] : i;
     if (!isBit(bit, Area::I)) return false;
@@ -29,13 +32,16 @@ class Shape {
   /// Outputs that are all off where the expression holds.
   bool off(std::uint32_t i, std::vector<Operand>& found) const {
     const ExprNode& node = at(i);
-    if (node.op == ExprOp::And) return std::all_of(node.args.begin(), node.args.end(), [&](std::uint32_t arg) { return off(arg, found); });
+    if (node.op == ExprOp::And)
+      return std::all_of(node.args.begin(), node.args.end(), [&](std::uint32_t arg) { return off(arg, found); });
     return node.op == ExprOp::Not && some(node.args[0], found);
   }
 
  private:
   bool outputs(std::uint32_t i, ExprOp joint, std::vector<Operand>& found) const {
-    if (at(i).op == joint) return std::all_of(at(i).args.begin(), at(i).args.end(), [&](std::uint32_t arg) { return outputs(arg, joint, found); });
+    if (at(i).op == joint)
+      return std::all_of(at(i).args.begin(), at(i).args.end(),
+                         [&](std::uint32_t arg) { return outputs(arg, joint, found); });
     if (!isBit(i, Area::Q)) return false;
     found.push_back(at(i).operand);
     return true;
@@ -49,7 +55,8 @@ std::uint32_t rootOf(const Expr& expr) { return static_cast<std::uint32_t>(expr.
 }  // namespace
 
 std::optional<StopShape> stopShapeOf(const Property& property) {
-  if (property.kind != PropertyKind::Always || property.first.empty() || property.first.root().op != ExprOp::Implies) return std::nullopt;
+  if (property.kind != PropertyKind::Always || property.first.empty() || property.first.root().op != ExprOp::Implies)
+    return std::nullopt;
   const Shape shape(property.first);
   StopShape found;
   const ExprNode& root = property.first.root();
@@ -63,9 +70,12 @@ bool excludesOutputs(const Property& property) {
   std::vector<Operand> outputs;
   const ExprNode& root = property.first.root();
   if (property.kind == PropertyKind::Never) return root.op == ExprOp::And && shape.all(rootOf(property.first), outputs);
-  return property.kind == PropertyKind::Always && root.op == ExprOp::Not && shape.at(root.args[0]).op == ExprOp::And && shape.all(root.args[0], outputs);
+  return property.kind == PropertyKind::Always && root.op == ExprOp::Not && shape.at(root.args[0]).op == ExprOp::And &&
+         shape.all(root.args[0], outputs);
 }
 
-std::string_view ruleOfViolation(const Property& property) { return excludesOutputs(property) ? "SAF003" : stopShapeOf(property) ? "SAF004" : "SAF001"; }
+std::string_view ruleOfViolation(const Property& property) {
+  return excludesOutputs(property) ? "SAF003" : stopShapeOf(property) ? "SAF004" : "SAF001";
+}
 
 }  // namespace rungproof

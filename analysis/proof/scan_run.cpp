@@ -8,11 +8,13 @@ namespace rungproof {
 std::uint64_t valueAt(const Place& place, const Concrete::Store& state) {
   if (place.isRegister) return state.get(place.reg, place.at);
   std::uint64_t value = 0;
-  for (std::uint32_t i = 0; i < place.width; ++i) value = value << 1 | state.load(place.area, (place.at + i) / 8 * 8 + 7 - (place.at + i) % 8, 1);
+  for (std::uint32_t i = 0; i < place.width; ++i)
+    value = value << 1 | state.load(place.area, (place.at + i) / 8 * 8 + 7 - (place.at + i) % 8, 1);
   return value;
 }
 
-std::vector<Node> ScanRun::rootsOf(const EncodedScan& scan, const TransitionSystem& system, std::span<const Node> watched) {
+std::vector<Node> ScanRun::rootsOf(const EncodedScan& scan, const TransitionSystem& system,
+                                   std::span<const Node> watched) {
   std::vector<Node> roots(watched.begin(), watched.end());
   for (const StateVariable& s : system.states) {
     roots.push_back(s.node);
@@ -43,7 +45,10 @@ std::vector<Node> ScanRun::rootsOf(const EncodedScan& scan, const TransitionSyst
 }
 
 ScanRun::ScanRun(const EncodedScan& scan, const TransitionSystem& system, std::span<const Node> watched)
-    : scan_(scan), system_(system), inputs_(scanInputsOf(scan)), values_(scan.graph(), rootsOf(scan, system, watched)) {}
+    : scan_(scan),
+      system_(system),
+      inputs_(scanInputsOf(scan)),
+      values_(scan.graph(), rootsOf(scan, system, watched)) {}
 
 void ScanRun::start() {
   values_.run();
@@ -76,7 +81,8 @@ Concrete::Store ScanRun::initialState() const {
     } else if (p.width == 1) {
       store.save(p.area, p.byte() * 8 + p.bit(), 1, value, true);
     } else {
-      for (int i = 0; i < p.width; i += 8) store.save(p.area, p.at + static_cast<std::uint32_t>(i), 8, value >> (p.width - 8 - i) & 0xFF, true);
+      for (int i = 0; i < p.width; i += 8)
+        store.save(p.area, p.at + static_cast<std::uint32_t>(i), 8, value >> (p.width - 8 - i) & 0xFF, true);
     }
   }
   return store;

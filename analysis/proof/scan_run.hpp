@@ -36,7 +36,8 @@ class ScanRun {
   ReplayScan script() const;
 
  private:
-  static std::vector<Node> rootsOf(const EncodedScan& scan, const TransitionSystem& system, std::span<const Node> watched);
+  static std::vector<Node> rootsOf(const EncodedScan& scan, const TransitionSystem& system,
+                                   std::span<const Node> watched);
   bool holds(Node n) const { return values_[n] != 0; }
   ScanPlace placeOf(const BoundarySite& site) const;
 

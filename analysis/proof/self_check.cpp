@@ -16,11 +16,14 @@ namespace {
 constexpr double secondsPerFault = 0.4;  ///< for each look at a fault that most faults need no more than
 
 bool isGood(Outcome outcome) { return outcome == Outcome::Proved || outcome == Outcome::Reachable; }
-bool isBad(Outcome outcome) { return outcome == Outcome::Violated || outcome == Outcome::Unreachable || outcome == Outcome::Vacuous; }
+bool isBad(Outcome outcome) {
+  return outcome == Outcome::Violated || outcome == Outcome::Unreachable || outcome == Outcome::Vacuous;
+}
 
 class Checker {
  public:
-  Checker(const Program& program, const PropertySet& set, const std::vector<ProofResult>& before, const SelfCheckOptions& options)
+  Checker(const Program& program, const PropertySet& set, const std::vector<ProofResult>& before,
+          const SelfCheckOptions& options)
       : program_(program), set_(set), options_(options), asked_(set) {
     for (const ProofResult& result : before) {
       if (!result.builtin) before_[result.property.name] = result.outcome;
@@ -35,7 +38,8 @@ class Checker {
   SelfCheck run() {
     SelfCheck check;
     for (Fault& fault : faultsOf(program_)) {
-      const bool isWanted = options_.kinds.empty() || std::find(options_.kinds.begin(), options_.kinds.end(), fault.kind) != options_.kinds.end();
+      const bool isWanted = options_.kinds.empty() ||
+                            std::find(options_.kinds.begin(), options_.kinds.end(), fault.kind) != options_.kinds.end();
       if (isWanted) check.results.push_back({std::move(fault), FaultFate::Undecided, {}});
     }
     std::atomic<std::size_t> next{0};
@@ -106,7 +110,8 @@ class Checker {
 }  // namespace
 
 std::size_t SelfCheck::count(FaultFate fate) const {
-  return static_cast<std::size_t>(std::count_if(results.begin(), results.end(), [&](const FaultResult& r) { return r.fate == fate; }));
+  return static_cast<std::size_t>(
+      std::count_if(results.begin(), results.end(), [&](const FaultResult& r) { return r.fate == fate; }));
 }
 
 double SelfCheck::share() const {
@@ -114,7 +119,8 @@ double SelfCheck::share() const {
   return all == 0 ? 100 : 100 * static_cast<double>(noticed) / static_cast<double>(all);
 }
 
-SelfCheck selfCheck(const Program& program, const PropertySet& set, const std::vector<ProofResult>& before, const SelfCheckOptions& options) {
+SelfCheck selfCheck(const Program& program, const PropertySet& set, const std::vector<ProofResult>& before,
+                    const SelfCheckOptions& options) {
   return Checker(program, set, before, options).run();
 }
 

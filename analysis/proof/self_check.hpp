@@ -43,6 +43,7 @@ struct SelfCheckOptions {
 };
 
 /// `before`: the verdicts without a fault, in the order of the declared goals. Faults are tried on prover.jobs threads.
-SelfCheck selfCheck(const Program& program, const PropertySet& set, const std::vector<ProofResult>& before, const SelfCheckOptions& options);
+SelfCheck selfCheck(const Program& program, const PropertySet& set, const std::vector<ProofResult>& before,
+                    const SelfCheckOptions& options);
 
 }  // namespace rungproof

@@ -1,5 +1,5 @@
-// Questions about the course of the program for lint --prove: steps that are entered and left (SCR003), transitions that
-// can be taken together (SCR004), code that runs at all (CTL003, CTL005), counters that can count (TIM012).
+// Questions about the course of the program for lint --prove: steps that are entered and left (SCR003), transitions
+// that can be taken together (SCR004), code that runs at all (CTL003, CTL005), counters that can count (TIM012).
 // Covered by tests/prover/rule_questions_test.cpp.
 #include <fmt/format.h>
 
@@ -49,7 +49,8 @@ class SequenceChecks {
     const auto found = runs_.find(&instruction);
     return found == runs_.end() ? nullptr : &found->second;
   }
-  void ask(BuiltinKind kind, const char* rule, std::string name, std::string message, std::string address, const Instruction& place, Node bad, const Instruction* other = nullptr) {
+  void ask(BuiltinKind kind, const char* rule, std::string name, std::string message, std::string address,
+           const Instruction& place, Node bad, const Instruction* other = nullptr) {
     checks_.push_back({kind, std::move(name), rule, std::move(message), std::move(address), &place, other, bad});
   }
   static Place placeOf(const Operand& bit) { return memoryPlace(bit.area, bit.offset, Width::Bit, bit.bit); }
@@ -57,12 +58,16 @@ class SequenceChecks {
   void askSteps(const Flow& flow) {
     for (const FlowStep& step : flow.steps) {
       const Instruction& head = *step.instruction;
-      if (head.desc->control != Control::Lscr || head.operands.empty() || head.operands[0].kind != OperandKind::Direct || runsOf(head) == nullptr) continue;
+      if (head.desc->control != Control::Lscr || head.operands.empty() ||
+          head.operands[0].kind != OperandKind::Direct || runsOf(head) == nullptr)
+        continue;
       const Place place = placeOf(head.operands[0]);
       const std::string name = toString(head.operands[0]);
       const Graph::Bool now{encoding_.atEnd(place)}, before{encoding_.atStart(place)};
-      ask(BuiltinKind::StepEntered, "SCR003", fmt::format("step {} can be active", name), fmt::format("no reachable state activates step {}", name), name, head, now.node);
-      ask(BuiltinKind::StepLeft, "SCR003", fmt::format("step {} can be left", name), fmt::format("once active, step {} is never left in any reachable state", name), name, head,
+      ask(BuiltinKind::StepEntered, "SCR003", fmt::format("step {} can be active", name),
+          fmt::format("no reachable state activates step {}", name), name, head, now.node);
+      ask(BuiltinKind::StepLeft, "SCR003", fmt::format("step {} can be left", name),
+          fmt::format("once active, step {} is never left in any reachable state", name), name, head,
           graph_.land(before, graph_.lnot(now)).node);
     }
   }
@@ -71,7 +76,8 @@ class SequenceChecks {
   void askTransitions(const Flow& flow) {
     std::map<std::uint32_t, std::vector<const Instruction*>> ofStep;
     for (const FlowStep& step : flow.steps) {
-      const bool isKnown = step.instruction->desc->control == Control::Scrt && step.partner != noPartner && !step.instruction->operands.empty() && runsOf(*step.instruction) != nullptr;
+      const bool isKnown = step.instruction->desc->control == Control::Scrt && step.partner != noPartner &&
+                           !step.instruction->operands.empty() && runsOf(*step.instruction) != nullptr;
       if (isKnown) ofStep[step.partner].push_back(step.instruction);
     }
     bool hasParallel = false, hasDouble = false;
@@ -88,7 +94,10 @@ class SequenceChecks {
           }
           const std::string from = toString(flow.steps[head].instruction->operands[0]);
           ask(BuiltinKind::TwoWaysOut, "SCR004", fmt::format("step {} is left to {} and {} at once", from, a, b),
-              fmt::format("the transitions of step {} to {} and to {} can be taken in one scan: both steps are then active", from, a, b), b, second, graph_.land(one, other).node, &first);
+              fmt::format(
+                  "the transitions of step {} to {} and to {} can be taken in one scan: both steps are then active",
+                  from, a, b),
+              b, second, graph_.land(one, other).node, &first);
           hasDouble = true;
         }
       }
@@ -126,14 +135,19 @@ class SequenceChecks {
         two = graph_.lor(two, graph_.land(some, active));
         some = graph_.lor(some, active);
       }
-      ask(BuiltinKind::StepsTogether, "SCR004", fmt::format("two steps of the chain {} are active", fmt::join(steps, ", ")),
-          fmt::format("two steps of the chain {} can be active at the end of a scan, though it has no divergence", fmt::join(steps, ", ")), first, *heads.at(first), two.node);
+      ask(BuiltinKind::StepsTogether, "SCR004",
+          fmt::format("two steps of the chain {} are active", fmt::join(steps, ", ")),
+          fmt::format("two steps of the chain {} can be active at the end of a scan, though it has no divergence",
+                      fmt::join(steps, ", ")),
+          first, *heads.at(first), two.node);
     }
   }
 
   void askCode(const Flow& flow) {
     // A block that is never called has no executions at all; CTL007 speaks of it.
-    if (std::none_of(flow.steps.begin(), flow.steps.end(), [&](const FlowStep& step) { return runsOf(*step.instruction) != nullptr; })) return;
+    if (std::none_of(flow.steps.begin(), flow.steps.end(),
+                     [&](const FlowStep& step) { return runsOf(*step.instruction) != nullptr; }))
+      return;
     std::uint32_t network = noPartner;
     for (std::size_t i = 0; i < flow.steps.size(); ++i) {
       const Instruction& instruction = *flow.steps[i].instruction;
@@ -141,13 +155,17 @@ class SequenceChecks {
       network = flow.steps[i].network;
       const Runs* runs = runsOf(instruction);
       const Graph::Bool guard = runs == nullptr ? graph_.constant(false) : runs->guard;
-      const bool isStructure = instruction.desc->control == Control::LabelMark || instruction.desc->control == Control::Return || instruction.desc->control == Control::InterruptReturn || instruction.desc->control == Control::MainEnd;
+      const bool isStructure =
+          instruction.desc->control == Control::LabelMark || instruction.desc->control == Control::Return ||
+          instruction.desc->control == Control::InterruptReturn || instruction.desc->control == Control::MainEnd;
       const bool isBody = i > 0 && flow.steps[i - 1].instruction->desc->control == Control::For;
       if (isBody) {
         const Instruction& loop = *flow.steps[i - 1].instruction;
-        askRun("CTL003", fmt::format("the body of {} runs", Facts::text(loop)), fmt::format("{} never runs its body in any reachable state", Facts::text(loop)), loop, guard);
+        askRun("CTL003", fmt::format("the body of {} runs", Facts::text(loop)),
+               fmt::format("{} never runs its body in any reachable state", Facts::text(loop)), loop, guard);
       } else if (isFirst && !isStructure) {
-        askRun("CTL005", fmt::format("{}, network {} runs", flow.pou->name, flow.pou->networks[network].number), "no reachable state comes to this network", instruction, guard);
+        askRun("CTL005", fmt::format("{}, network {} runs", flow.pou->name, flow.pou->networks[network].number),
+               "no reachable state comes to this network", instruction, guard);
       }
     }
   }
@@ -159,17 +177,21 @@ class SequenceChecks {
   /// The top level resets or loads, the others count (001:3994-4004).
   void askCounter(const Instruction& box) {
     const Runs* runs = runsOf(box);
-    if (runs == nullptr || !isCounterBox(kindOf(box)) || kindOf(box) == Kind::IecCounter || box.operands.empty()) return;
+    if (runs == nullptr || !isCounterBox(kindOf(box)) || kindOf(box) == Kind::IecCounter || box.operands.empty())
+      return;
     const std::string name = toString(box.operands[0]);
     if (runs->off[0].node != noNode) {
-      ask(BuiltinKind::CounterReset, "TIM012", fmt::format("{} is not always held", name), fmt::format("the reset or load input of {} is on in every reachable state, so it never counts", name), name, box,
-          runs->off[0].node);
+      ask(BuiltinKind::CounterReset, "TIM012", fmt::format("{} is not always held", name),
+          fmt::format("the reset or load input of {} is on in every reachable state, so it never counts", name), name,
+          box, runs->off[0].node);
     }
     for (std::size_t k = 1; k < runs->on.size(); ++k) {
       if (runs->on[k].node == noNode) continue;
       const Graph::Bool before{obligations_.before(fmt::format("rest of input {} of {}", k, name), runs->off[k].node)};
-      ask(BuiltinKind::CountRises, "TIM012", fmt::format("the count input of {} at stack level {} can rise", name, k + 1),
-          fmt::format("a count input of {} never rises in any reachable state", name), name, box, graph_.land(before, runs->on[k]).node);
+      ask(BuiltinKind::CountRises, "TIM012",
+          fmt::format("the count input of {} at stack level {} can rise", name, k + 1),
+          fmt::format("a count input of {} never rises in any reachable state", name), name, box,
+          graph_.land(before, runs->on[k]).node);
     }
   }
 
@@ -182,7 +204,8 @@ class SequenceChecks {
 
 }  // namespace
 
-void addSequenceChecks(const Program&, Obligations& obligations, const ExecutionRecord& record, std::vector<BuiltinCheck>& checks) {
+void addSequenceChecks(const Program&, Obligations& obligations, const ExecutionRecord& record,
+                       std::vector<BuiltinCheck>& checks) {
   SequenceChecks(obligations, record, checks).run();
 }
 

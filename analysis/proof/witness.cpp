@@ -75,7 +75,8 @@ class InsideScan final : public InstructionObserver {
 
 }  // namespace
 
-Judge::Judge(const Program& program, const Choices& choices, const std::vector<Property>& assumptions, const Property& goal)
+Judge::Judge(const Program& program, const Choices& choices, const std::vector<Property>& assumptions,
+             const Property& goal)
     : program_(program), choices_(choices), assumptions_(assumptions), goal_(goal) {}
 
 Judge::Outcome Judge::run(const std::vector<ReplayScan>& scans, const Concrete::Store* initial) const {
@@ -88,23 +89,26 @@ Judge::Outcome Judge::run(const std::vector<ReplayScan>& scans, const Concrete::
   std::size_t step = ~std::size_t{0};
   InsideScan inside(goal_, domain);
   if (!scans.empty()) inside.enter(scans.front(), true);
-  replay(program_, choices_, scans, initial, [&](const Concrete::Store& state, std::size_t at) {
-    outcome.round = at == step ? outcome.round + 1 : 0;
-    outcome.step = step = at;
-    const bool isFirst = outcome.scan++ == 0;
-    outcome.milliseconds += scans[at].lengthMs;
-    for (Follower& assumption : assumptions) {
-      if (!assumption.evaluate(domain, state, scans[at], isFirst)) outcome.assumptionBroken = true;
-    }
-    if (goal_.atEveryInstruction) {
-      outcome.place = inside.place();
-      const bool staysHere = outcome.round + 1 < scans[at].repeats || at + 1 == scans.size();
-      inside.enter(scans[staysHere ? at : at + 1], false);
-    }
-    const bool isShownNow = outcome.place != nullptr || goal.evaluate(domain, state, scans[at], isFirst);
-    outcome.shown = !outcome.assumptionBroken && isShownNow;
-    return !outcome.shown && !outcome.assumptionBroken;
-  }, goal_.atEveryInstruction ? &inside : nullptr);
+  replay(
+      program_, choices_, scans, initial,
+      [&](const Concrete::Store& state, std::size_t at) {
+        outcome.round = at == step ? outcome.round + 1 : 0;
+        outcome.step = step = at;
+        const bool isFirst = outcome.scan++ == 0;
+        outcome.milliseconds += scans[at].lengthMs;
+        for (Follower& assumption : assumptions) {
+          if (!assumption.evaluate(domain, state, scans[at], isFirst)) outcome.assumptionBroken = true;
+        }
+        if (goal_.atEveryInstruction) {
+          outcome.place = inside.place();
+          const bool staysHere = outcome.round + 1 < scans[at].repeats || at + 1 == scans.size();
+          inside.enter(scans[staysHere ? at : at + 1], false);
+        }
+        const bool isShownNow = outcome.place != nullptr || goal.evaluate(domain, state, scans[at], isFirst);
+        outcome.shown = !outcome.assumptionBroken && isShownNow;
+        return !outcome.shown && !outcome.assumptionBroken;
+      },
+      goal_.atEveryInstruction ? &inside : nullptr);
   return outcome;
 }
 
@@ -124,7 +128,6 @@ void setInitial(ScanRun& run, const TransitionSystem& system, const WordTrace& t
   }
 }
 
-
 }  // namespace
 
 std::vector<Stretch> stretchOf(std::uint32_t length, const TimeRange& range) {
@@ -138,7 +141,8 @@ std::vector<Stretch> stretchOf(std::uint32_t length, const TimeRange& range) {
   return parts;
 }
 
-std::vector<ReplayScan> scansOf(EncodedScan& encoding, const TransitionSystem& system, const WordTrace& trace, const TimeRange& range) {
+std::vector<ReplayScan> scansOf(EncodedScan& encoding, const TransitionSystem& system, const WordTrace& trace,
+                                const TimeRange& range) {
   std::vector<ReplayScan> scans;
   ScanRun run(encoding, system);
   run.start();
@@ -163,7 +167,8 @@ std::vector<ReplayScan> scansOf(EncodedScan& encoding, const TransitionSystem& s
   return scans;
 }
 
-std::optional<Concrete::Store> initialOf(EncodedScan& encoding, const TransitionSystem& system, const WordTrace& trace) {
+std::optional<Concrete::Store> initialOf(EncodedScan& encoding, const TransitionSystem& system,
+                                         const WordTrace& trace) {
   const auto isFree = [](const StateVariable& state) { return state.init == noNode; };
   if (std::none_of(system.states.begin(), system.states.end(), isFree)) return std::nullopt;
   ScanRun run(encoding, system);

@@ -14,12 +14,12 @@ namespace rungproof {
 
 /// A run of the engine that shows what was asked.
 struct Witness {
-  std::vector<ReplayScan> scans;                 ///< up to and including the scan that shows it
+  std::vector<ReplayScan> scans;  ///< up to and including the scan that shows it
   /// By scan and input of it: whether the value matters (witness_minimal.hpp). Empty: not known.
   std::vector<std::vector<bool>> matters{};
-  std::optional<Concrete::Store> initial;        ///< where retentive memory starts with other values than power-up
-  std::uint64_t scanCount = 0;                   ///< scans of the engine, repeats included
-  std::uint64_t milliseconds = 0;                ///< from the start to the end of the last scan
+  std::optional<Concrete::Store> initial;  ///< where retentive memory starts with other values than power-up
+  std::uint64_t scanCount = 0;             ///< scans of the engine, repeats included
+  std::uint64_t milliseconds = 0;          ///< from the start to the end of the last scan
   /// In front of which instruction of the last scan a property of every instruction showed it; nullptr: at the end.
   const Instruction* place = nullptr;
 };
@@ -38,11 +38,11 @@ class Judge {
   Judge(const Program& program, const Choices& choices, const std::vector<Property>& assumptions, const Property& goal);
 
   struct Outcome {
-    bool shown = false;             ///< the goal's monitor answered true in some scan, with all assumptions kept until then
+    bool shown = false;  ///< the goal's monitor answered true in some scan, with all assumptions kept until then
     const Instruction* place = nullptr;  ///< as Witness::place
-    std::uint64_t scan = 0;         ///< engine scans made until then, from 1
-    std::size_t step = 0;           ///< index of its ReplayScan
-    std::uint32_t round = 0;        ///< repeat of that ReplayScan, from 0
+    std::uint64_t scan = 0;              ///< engine scans made until then, from 1
+    std::size_t step = 0;                ///< index of its ReplayScan
+    std::uint32_t round = 0;             ///< repeat of that ReplayScan, from 0
     std::uint64_t milliseconds = 0;
     bool assumptionBroken = false;
   };
@@ -60,7 +60,8 @@ class Judge {
 };
 
 /// Turns a word-level run of an encoding into scans of the engine. Scans longer than the range become several.
-std::vector<ReplayScan> scansOf(EncodedScan& encoding, const TransitionSystem& system, const WordTrace& trace, const TimeRange& range);
+std::vector<ReplayScan> scansOf(EncodedScan& encoding, const TransitionSystem& system, const WordTrace& trace,
+                                const TimeRange& range);
 /// The state that the run starts from, or nothing if it is that of power-up.
 std::optional<Concrete::Store> initialOf(EncodedScan& encoding, const TransitionSystem& system, const WordTrace& trace);
 

@@ -18,7 +18,11 @@ constexpr int trials = 48;  ///< random assignments of all idle inputs together
 class Minimiser {
  public:
   Minimiser(const Judge& judge, Witness witness, std::uint32_t plainMs, double seconds, std::uint64_t seed)
-      : judge_(judge), best_(std::move(witness)), plainMs_(plainMs), end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))), random_(seed) {}
+      : judge_(judge),
+        best_(std::move(witness)),
+        plainMs_(plainMs),
+        end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))),
+        random_(seed) {}
 
   Witness run() {
     dropScans();
@@ -100,8 +104,12 @@ class Minimiser {
       const Concrete::Store before = *best_.initial;
       Concrete::Store& initial = *best_.initial;
       switch (cell.area) {
-        case Area::T: initial.set(Reg::TimerCurrent, cell.index, powerUp.get(Reg::TimerCurrent, cell.index), true); break;
-        case Area::C: initial.set(Reg::CounterCurrent, cell.index, powerUp.get(Reg::CounterCurrent, cell.index), true); break;
+        case Area::T:
+          initial.set(Reg::TimerCurrent, cell.index, powerUp.get(Reg::TimerCurrent, cell.index), true);
+          break;
+        case Area::C:
+          initial.set(Reg::CounterCurrent, cell.index, powerUp.get(Reg::CounterCurrent, cell.index), true);
+          break;
         default: initial.area(cell.area)[cell.index] = powerUp.area(cell.area)[cell.index];
       }
       if (!isShown(best_.scans)) *best_.initial = before;

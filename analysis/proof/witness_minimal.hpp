@@ -1,7 +1,8 @@
 // Smaller witnesses: fewer scans, scans of an everyday length where the length does not matter, no values at the start
-// and no inputs that do not matter. Scans are left out and changed as long as the engine still shows the same; what may have any value, alone and together with all others that may, does not matter.
-// "Any value" is tried with random values for all of them together, so it is an observation of the engine and no proof.
-// Covered by tests/prover/witness_test.cpp.
+// and no inputs that do not matter. Scans are left out and changed as long as the engine still shows the same; what may
+// have any value, alone and together with all others that may, does not matter. "Any value" is tried with random values
+// for all of them together, so it is an observation of the engine and no proof. Covered by
+// tests/prover/witness_test.cpp.
 #pragma once
 
 #include "analysis/proof/witness.hpp"

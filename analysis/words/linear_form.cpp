@@ -27,8 +27,8 @@ class Linearised {
  private:
   /// The sum of all terms times their factors, plus the constant, is 0.
   struct Sum {
-    std::map<Node, std::uint64_t> terms;                     ///< that are no sums
-    std::vector<std::pair<Node, std::uint64_t>> waiting;     ///< to be looked at
+    std::map<Node, std::uint64_t> terms;                  ///< that are no sums
+    std::vector<std::pair<Node, std::uint64_t>> waiting;  ///< to be looked at
     std::uint64_t constant = 0;
   };
   std::uint64_t mask() const { return Graph::maskOf(width_); }
@@ -57,14 +57,16 @@ class Linearised {
     return ++equations_ > choiceLimit ? std::nullopt : std::optional<Node>(written(sum));
   }
 
-  /// A sign extension as what it is of: of a choice, or of a word plus a constant, which may overflow. noNode: of neither.
+  /// A sign extension as what it is of: of a choice, or of a word plus a constant, which may overflow. noNode: of
+  /// neither.
   Node extended(Node n) {
     const NodeData node = graph_[n];
     if (node.op != Op::Sext) return noNode;
     const NodeData inner = graph_[node.child[0]];
     const int width = inner.width;
     const auto wide = [&](Node a) { return graph_.make(Op::Sext, node.width, a); };
-    if (inner.op == Op::Ite) return graph_.make(Op::Ite, node.width, inner.child[0], wide(inner.child[1]), wide(inner.child[2]));
+    if (inner.op == Op::Ite)
+      return graph_.make(Op::Ite, node.width, inner.child[0], wide(inner.child[1]), wide(inner.child[2]));
     const bool isSum = inner.op == Op::Add || inner.op == Op::Sub;
     if (!isSum || graph_[inner.child[1]].op != Op::Constant) return noNode;
     const std::uint64_t given = graph_[inner.child[1]].value, sign = 1ULL << (width - 1);
@@ -75,9 +77,11 @@ class Linearised {
     const std::uint64_t wideAdded = (added & sign) != 0 ? added - 2 * sign : added;
     // Beyond these values of the word the sum leaves the width: above for positive numbers, below for negative ones.
     const bool isUp = (added & sign) == 0;
-    const Node overflows = isUp ? graph_.make(Op::Slt, 1, number(sign - 1 - added, width), word) : graph_.make(Op::Slt, 1, word, number(sign - added, width));
+    const Node overflows = isUp ? graph_.make(Op::Slt, 1, number(sign - 1 - added, width), word)
+                                : graph_.make(Op::Slt, 1, word, number(sign - added, width));
     const Node sum = graph_.make(Op::Add, node.width, wide(word), number(wideAdded, node.width));
-    const Node turned = graph_.make(Op::Add, node.width, wide(word), number(isUp ? wideAdded - 2 * sign : wideAdded + 2 * sign, node.width));
+    const Node turned = graph_.make(Op::Add, node.width, wide(word),
+                                    number(isUp ? wideAdded - 2 * sign : wideAdded + 2 * sign, node.width));
     return graph_.make(Op::Ite, node.width, overflows, turned, sum);
   }
 

@@ -20,7 +20,8 @@ std::unordered_map<std::uint32_t, Node> nextStates(const TransitionSystem& syste
 
 Predicates::Predicates(WordCone& cone, std::vector<WordState> samples)
     : cone_(cone), afterScan_(cone.graph(), nextStates(cone.system())), samples_(std::move(samples)) {
-  for (std::size_t i = 0; i < cone.system().states.size(); ++i) state_.emplace(indexOf(cone.system().states[i].node), i);
+  for (std::size_t i = 0; i < cone.system().states.size(); ++i)
+    state_.emplace(indexOf(cone.system().states[i].node), i);
 }
 
 std::optional<std::vector<std::uint32_t>> Predicates::wordsUnder(Node n) const {

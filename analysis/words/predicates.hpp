@@ -1,6 +1,6 @@
-// The predicates that states are abstracted to: truth values over the state words of a cone, each with its value after the
-// scan by substitution of the next-state functions, and with its values in sampled reachable states.
-// Tested by tests/words/predicates_test.cpp.
+// The predicates that states are abstracted to: truth values over the state words of a cone, each with its value after
+// the scan by substitution of the next-state functions, and with its values in sampled reachable states. Tested by
+// tests/words/predicates_test.cpp.
 #pragma once
 
 #include <optional>
@@ -62,7 +62,7 @@ class Predicates {
 
   WordCone& cone_;
   std::vector<Predicate> predicates_;
-  std::unordered_map<std::uint32_t, std::size_t> index_;  ///< by node
+  std::unordered_map<std::uint32_t, std::size_t> index_;    ///< by node
   std::unordered_map<std::uint32_t, std::uint32_t> state_;  ///< by node of a state variable
   Substitution afterScan_;
   std::vector<WordState> samples_;

@@ -56,13 +56,16 @@ bool Refinement::refine(const WordState& reached, const WordStep& step, Node goa
       continue;
     }
     std::vector<std::uint64_t> different = predicates_.samplesIn({});
-    for (std::size_t block = 0; block < different.size(); ++block) different[block] &= store_[i].samples[block] ^ (there[i] ? ~0ULL : 0);
+    for (std::size_t block = 0; block < different.size(); ++block)
+      different[block] &= store_[i].samples[block] ^ (there[i] ? ~0ULL : 0);
     Telling t{0, count(different), all[i]};
     for (std::size_t block = 0; block < different.size(); ++block) different[block] &= inCube[block];
     t.ofCube = count(different);
     telling.push_back(t);
   }
-  std::ranges::stable_sort(telling, [](const Telling& a, const Telling& b) { return std::tie(a.ofCube, a.ofAll) > std::tie(b.ofCube, b.ofAll); });
+  std::ranges::stable_sort(telling, [](const Telling& a, const Telling& b) {
+    return std::tie(a.ofCube, a.ofAll) > std::tie(b.ofCube, b.ofAll);
+  });
   std::vector<Node> best;
   for (const Telling& t : telling) best.push_back(t.node);
   const bool tellsAll = !telling.empty() && telling[0].ofCube == whole;
@@ -102,7 +105,8 @@ std::vector<Node> Refinement::carriedBack(const WordState& state, const std::vec
     for (Node& c : child) {
       if (c != noNode) c = straight.at(indexOf(c));
     }
-    const Node made = child == node.child ? n : graph.make(node.op, node.width, child[0], child[1], child[2], node.value);
+    const Node made =
+        child == node.child ? n : graph.make(node.op, node.width, child[0], child[1], child[2], node.value);
     straight.emplace(indexOf(n), made);
     const bool isOverWords = node.width == 1 && graph[node.child[0]].width > 1;
     if (isOverWords && graph[made].op != Op::Constant) result.push_back(made);

@@ -15,8 +15,8 @@ class Refinement {
   /// Adds predicates that tell `reached` from the state of `step`, which leads to `goal` (width 1, over states and
   /// inputs) with its inputs while `reached` does not. False: all that there are are known already.
   bool refine(const WordState& reached, const WordStep& step, Node goal);
-  /// Comparisons over states that decide `goal` in that state with those inputs: where all of them have the same values,
-  /// so has the goal.
+  /// Comparisons over states that decide `goal` in that state with those inputs: where all of them have the same
+  /// values, so has the goal.
   std::vector<Node> carriedBack(const WordState& state, const std::vector<std::uint64_t>& inputs, Node goal);
 
  private:

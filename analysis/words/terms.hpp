@@ -1,6 +1,6 @@
-// Where predicates come from: the comparisons that stand in the program and in the property, then what the same words could
-// be compared with - words and constants that flow into each other or meet in a comparison - and the linear equations that
-// hold in all sampled states. The second kind is a store from which refinement takes what it needs.
+// Where predicates come from: the comparisons that stand in the program and in the property, then what the same words
+// could be compared with - words and constants that flow into each other or meet in a comparison - and the linear
+// equations that hold in all sampled states. The second kind is a store from which refinement takes what it needs.
 // Tested by tests/words/terms_test.cpp.
 #pragma once
 

@@ -1,6 +1,6 @@
-// Linear equations that sampled states suggest: what is left of the space of all combinations after elimination, modulo a
-// large prime, with coefficients turned back into small integers. They are candidates and no more: each is proved by the
-// engine or not used.
+// Linear equations that sampled states suggest: what is left of the space of all combinations after elimination, modulo
+// a large prime, with coefficients turned back into small integers. They are candidates and no more: each is proved by
+// the engine or not used.
 #include <algorithm>
 #include <cstdlib>
 
@@ -13,13 +13,15 @@ namespace {
 __extension__ using Wide = unsigned __int128;
 
 constexpr std::uint64_t prime = (1ULL << 61) - 1;
-constexpr std::size_t eliminationLimit = 48;         ///< words looked at together
+constexpr std::size_t eliminationLimit = 48;  ///< words looked at together
 constexpr std::size_t leastSamples = 32;
 constexpr std::int64_t coefficientLimit = 1'000'000;
 constexpr std::uint64_t denominatorLimit = 4000;
-constexpr std::size_t termLimit = 5;          ///< words of an equation
+constexpr std::size_t termLimit = 5;  ///< words of an equation
 
-std::uint64_t times(std::uint64_t a, std::uint64_t b) { return static_cast<std::uint64_t>(static_cast<Wide>(a) * b % prime); }
+std::uint64_t times(std::uint64_t a, std::uint64_t b) {
+  return static_cast<std::uint64_t>(static_cast<Wide>(a) * b % prime);
+}
 std::uint64_t minus(std::uint64_t a, std::uint64_t b) { return a >= b ? a - b : a + prime - b; }
 std::uint64_t inverse(std::uint64_t a) {
   std::uint64_t result = 1;
@@ -32,7 +34,9 @@ std::int64_t asSigned(std::uint64_t value, int width) {
   const std::uint64_t sign = 1ULL << (width - 1);
   return static_cast<std::int64_t>((value ^ sign) - sign);
 }
-std::uint64_t residue(std::int64_t value) { return value >= 0 ? static_cast<std::uint64_t>(value) % prime : minus(0, static_cast<std::uint64_t>(-value) % prime); }
+std::uint64_t residue(std::int64_t value) {
+  return value >= 0 ? static_cast<std::uint64_t>(value) % prime : minus(0, static_cast<std::uint64_t>(-value) % prime);
+}
 
 /// Rows in echelon form, each with a leading 1 in its pivot column and zeros there in all other rows.
 class Echelon {
@@ -78,7 +82,8 @@ std::optional<std::vector<std::int64_t>> integers(const std::vector<std::uint64_
     std::vector<std::int64_t> result;
     for (const std::uint64_t v : combination) {
       const std::uint64_t scaled = times(v, scale);
-      const std::int64_t value = scaled <= prime / 2 ? static_cast<std::int64_t>(scaled) : -static_cast<std::int64_t>(prime - scaled);
+      const std::int64_t value =
+          scaled <= prime / 2 ? static_cast<std::int64_t>(scaled) : -static_cast<std::int64_t>(prime - scaled);
       if (std::abs(value) > coefficientLimit) break;
       result.push_back(value);
     }
@@ -88,7 +93,8 @@ std::optional<std::vector<std::int64_t>> integers(const std::vector<std::uint64_
 }
 
 /// sum of positive terms = sum of negated negative terms + constant, modulo 2^width.
-Node equation(WordCone& cone, const std::vector<std::size_t>& words, const std::vector<std::int64_t>& coefficients, std::int64_t constant) {
+Node equation(WordCone& cone, const std::vector<std::size_t>& words, const std::vector<std::int64_t>& coefficients,
+              std::int64_t constant) {
   Graph& graph = cone.graph();
   int width = 0;
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -106,7 +112,9 @@ Node equation(WordCone& cone, const std::vector<std::size_t>& words, const std::
   }
   const Node number = graph.constantNode(static_cast<std::uint64_t>(constant) & Graph::maskOf(width), width);
   if (sides[0] == noNode) return noNode;
-  const Node right = sides[1] == noNode ? number : constant == 0 ? sides[1] : graph.make(Op::Add, width, sides[1], number);
+  const Node right = sides[1] == noNode ? number
+                     : constant == 0    ? sides[1]
+                                        : graph.make(Op::Add, width, sides[1], number);
   return graph.make(Op::Equal, 1, sides[0], right);
 }
 
@@ -122,7 +130,9 @@ std::vector<Node> linearPredicates(WordCone& cone, const std::vector<WordState>&
     const bool varies = std::ranges::any_of(samples, [&](const WordState& s) { return s[i] != samples[0][i]; });
     if (width >= 8 && width <= 32 && varies) words.push_back(i);
   }
-  const auto valueOf = [&](const WordState& s, std::size_t i) { return asSigned(s[words[i]], graph[cone.system().states[words[i]].node].width); };
+  const auto valueOf = [&](const WordState& s, std::size_t i) {
+    return asSigned(s[words[i]], graph[cone.system().states[words[i]].node].width);
+  };
   Echelon echelon(words.size());
   for (const WordState& sample : samples) {
     std::vector<std::uint64_t> row;
@@ -133,10 +143,13 @@ std::vector<Node> linearPredicates(WordCone& cone, const std::vector<WordState>&
     const auto combination = echelon.kernel(column);
     if (!combination) continue;
     const auto coefficients = integers(*combination);
-    if (!coefficients || static_cast<std::size_t>(std::ranges::count_if(*coefficients, [](std::int64_t c) { return c != 0; })) > termLimit) continue;
+    if (!coefficients || static_cast<std::size_t>(
+                             std::ranges::count_if(*coefficients, [](std::int64_t c) { return c != 0; })) > termLimit)
+      continue;
     std::int64_t constant = 0;
     for (std::size_t i = 0; i < words.size(); ++i) constant += (*coefficients)[i] * valueOf(samples[0], i);
-    if (const Node n = equation(cone, words, *coefficients, constant); n != noNode && graph[n].op != Op::Constant) result.push_back(n);
+    if (const Node n = equation(cone, words, *coefficients, constant); n != noNode && graph[n].op != Op::Constant)
+      result.push_back(n);
   }
   return result;
 }

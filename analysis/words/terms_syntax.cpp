@@ -1,5 +1,5 @@
-// Comparisons as they stand, and words that are measured alike: x and y are of one kind where one is moved to the other,
-// compared with it, or made from it by adding a constant.
+// Comparisons as they stand, and words that are measured alike: x and y are of one kind where one is moved to the
+// other, compared with it, or made from it by adding a constant.
 #include <algorithm>
 #include <array>
 #include <set>
@@ -12,7 +12,10 @@ namespace {
 
 constexpr std::size_t leafLimit = 12;  ///< alternatives of one term
 
-bool isComparison(Op op) { return op == Op::Equal || op == Op::Ult || op == Op::Slt || op == Op::RealLess || op == Op::RealEqual || op == Op::RealLegal; }
+bool isComparison(Op op) {
+  return op == Op::Equal || op == Op::Ult || op == Op::Slt || op == Op::RealLess || op == Op::RealEqual ||
+         op == Op::RealLegal;
+}
 
 std::vector<Node> coneNodes(const WordCone& cone) {
   std::vector<Node> roots = cone.system().constraints;
@@ -29,8 +32,9 @@ std::vector<bool> overStatesOnly(const WordCone& cone, const std::vector<Node>& 
   for (const StateVariable& state : cone.system().states) isState[indexOf(state.node)] = true;
   for (const Node n : nodes) {
     const NodeData& node = graph[n];
-    result[indexOf(n)] = node.op == Op::Variable ? isState[indexOf(n)]
-                                                 : std::ranges::all_of(node.child, [&](Node c) { return c == noNode || result[indexOf(c)]; });
+    result[indexOf(n)] = node.op == Op::Variable ? isState[indexOf(n)] : std::ranges::all_of(node.child, [&](Node c) {
+      return c == noNode || result[indexOf(c)];
+    });
   }
   return result;
 }
@@ -71,7 +75,8 @@ class Kinds {
   void joinByConstants() {
     for (std::size_t i = 0; i < parent_.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        const bool isShared = std::ranges::any_of(constants_[i], [&](std::uint64_t c) { return c > 1 && constants_[j].contains(c); });
+        const bool isShared =
+            std::ranges::any_of(constants_[i], [&](std::uint64_t c) { return c > 1 && constants_[j].contains(c); });
         if (isShared) parent_[rootOf(i)] = rootOf(j);
       }
     }
@@ -109,7 +114,8 @@ class Kinds {
   std::optional<Base> baseOf(Node n) const {
     std::uint64_t offset = 0;
     for (int step = 0; step < 8; ++step) {
-      if (const auto state = state_.find(indexOf(n)); state != state_.end()) return graph_[n].width > 1 ? std::optional<Base>({state->second, offset}) : std::nullopt;
+      if (const auto state = state_.find(indexOf(n)); state != state_.end())
+        return graph_[n].width > 1 ? std::optional<Base>({state->second, offset}) : std::nullopt;
       const NodeData& node = graph_[n];
       if (node.op == Op::Zext || node.op == Op::Sext) {
         n = node.child[0];
@@ -159,14 +165,16 @@ std::vector<Node> syntacticPredicates(WordCone& cone) {
     const NodeData node = graph[n];
     if (!isComparison(node.op) || (node.op == Op::Equal && graph[node.child[0]].width == 1)) continue;
     const std::vector<Node> left = leavesOf(graph, node.child[0]);
-    const std::vector<Node> right = node.child[1] == noNode ? std::vector<Node>{noNode} : leavesOf(graph, node.child[1]);
+    const std::vector<Node> right =
+        node.child[1] == noNode ? std::vector<Node>{noNode} : leavesOf(graph, node.child[1]);
     if (left.size() == 1 && right.size() == 1) {
       if (isOverStates[indexOf(n)]) result.push_back(n);
       continue;
     }
     for (const Node a : left) {
       for (const Node b : right) {
-        if (isOverStates[indexOf(a)] && (b == noNode || isOverStates[indexOf(b)])) result.push_back(graph.make(node.op, 1, a, b));
+        if (isOverStates[indexOf(a)] && (b == noNode || isOverStates[indexOf(b)]))
+          result.push_back(graph.make(node.op, 1, a, b));
       }
     }
   }
@@ -206,7 +214,8 @@ std::vector<Node> orderPredicates(WordCone& cone, std::size_t limit) {
     if (width == 1) continue;
     for (const std::uint64_t value : kinds.constantsOf(i, width)) compare(i, x, graph.constantNode(value, width));
     for (std::size_t j = 0; j < i; ++j) {
-      if (kinds.rootOf(i) == kinds.rootOf(j) && graph[system.states[j].node].width == width) compare(i, x, system.states[j].node);
+      if (kinds.rootOf(i) == kinds.rootOf(j) && graph[system.states[j].node].width == width)
+        compare(i, x, system.states[j].node);
     }
   }
   if (result.size() > limit) result.resize(limit);

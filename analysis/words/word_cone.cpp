@@ -11,7 +11,8 @@ namespace rungproof {
 namespace {
 
 /// Adds to `to` what stands for `nodes` of `from`; `known` maps variables, by index in `from`.
-void copyNodes(const Graph& from, Graph& to, std::span<const Node> nodes, std::unordered_map<std::uint32_t, Node>& known) {
+void copyNodes(const Graph& from, Graph& to, std::span<const Node> nodes,
+               std::unordered_map<std::uint32_t, Node>& known) {
   for (const Node n : coneOf(from, nodes)) {
     if (known.contains(indexOf(n))) continue;
     const NodeData& node = from[n];
@@ -46,12 +47,14 @@ class Reached {
       for (const Node child : graph_[n].child) {
         if (child != noNode) stack.push_back(child);
       }
-      if (const auto state = state_.find(indexOf(n)); state != state_.end()) stack.push_back(system_.states[state->second].next);
+      if (const auto state = state_.find(indexOf(n)); state != state_.end())
+        stack.push_back(system_.states[state->second].next);
     }
   }
   bool meets(Node root) const {
     const Node roots[] = {root};
-    return std::ranges::any_of(coneOf(graph_, roots), [&](Node n) { return graph_[n].op == Op::Variable && contains(n); });
+    return std::ranges::any_of(coneOf(graph_, roots),
+                               [&](Node n) { return graph_[n].op == Op::Variable && contains(n); });
   }
 
  private:
@@ -100,25 +103,29 @@ WordCone::WordCone(const TransitionSystem& given, std::size_t question) {
     const NodeData& node = from[state.node];
     states_.push_back(i);
     const Node copy = graph_.variable(from.variables()[node.value].name, node.width, true);
-    system_.states.push_back({copy, state.init == noNode ? noNode : graph_.constantNode(from[state.init].value, node.width), noNode});
+    system_.states.push_back(
+        {copy, state.init == noNode ? noNode : graph_.constantNode(from[state.init].value, node.width), noNode});
     known.emplace(indexOf(state.node), copy);
     roots.push_back(state.next);
   }
   copyNodes(from, graph_, roots, known);
-  for (std::size_t i = 0; i < states_.size(); ++i) system_.states[i].next = known.at(indexOf(given.states[states_[i]].next));
+  for (std::size_t i = 0; i < states_.size(); ++i)
+    system_.states[i].next = known.at(indexOf(given.states[states_[i]].next));
   for (const Node n : constraints) system_.constraints.push_back(known.at(indexOf(n)));
   system_.questions.push_back({given.questions[question].name, known.at(indexOf(given.questions[question].bad))});
   system_.graph = &graph_;
   for (std::uint32_t i = 0; i < graph_.size(); ++i) {
     const NodeData& node = graph_[static_cast<Node>(i)];
     hasReals_ = hasReals_ || computesReals(node.op);
-    hasOpaque_ = hasOpaque_ || (node.op == Op::RealFunction && static_cast<RealFunction>(node.value) != RealFunction::Sqrt);
+    hasOpaque_ =
+        hasOpaque_ || (node.op == Op::RealFunction && static_cast<RealFunction>(node.value) != RealFunction::Sqrt);
   }
 }
 
 Node WordCone::onGivenSystem(const TransitionSystem& given, Node n) const {
   std::unordered_map<std::uint32_t, Node> known;
-  for (std::size_t i = 0; i < states_.size(); ++i) known.emplace(indexOf(system_.states[i].node), given.states[states_[i]].node);
+  for (std::size_t i = 0; i < states_.size(); ++i)
+    known.emplace(indexOf(system_.states[i].node), given.states[states_[i]].node);
   for (std::size_t i = 0; i < inputs_.size(); ++i) known.emplace(indexOf(system_.inputs[i]), given.inputs[inputs_[i]]);
   const Node roots[] = {n};
   copyNodes(graph_, *given.graph, roots, known);

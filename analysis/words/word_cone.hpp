@@ -1,5 +1,6 @@
 // What one question depends on, as a transition system with a graph of its own: the engine on words adds thousands of
-// terms to its graph, and engines at work on other questions must not see them. Tested by tests/words/word_cone_test.cpp.
+// terms to its graph, and engines at work on other questions must not see them. Tested by
+// tests/words/word_cone_test.cpp.
 #pragma once
 
 #include <cstdint>

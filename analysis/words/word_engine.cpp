@@ -1,5 +1,5 @@
-// The strategy: block bad states at the top frame with all their predecessors; where a cube holds a state that is known to
-// be reached, follow the run from there, which ends in a violation or in a refinement.
+// The strategy: block bad states at the top frame with all their predecessors; where a cube holds a state that is known
+// to be reached, follow the run from there, which ends in a violation or in a refinement.
 #include "analysis/words/word_engine.hpp"
 
 #include <algorithm>
@@ -203,9 +203,11 @@ class Ic3OnWords final : public WordEngine {
     std::vector<std::vector<std::uint64_t>> inputs;
     for (; index >= 0; index = obligations_[static_cast<std::size_t>(index)].successor) {
       const WordObligation& obligation = obligations_[static_cast<std::size_t>(index)];
-      const WordCube* goal = obligation.successor < 0 ? nullptr : &obligations_[static_cast<std::size_t>(obligation.successor)].step.cube;
+      const WordCube* goal =
+          obligation.successor < 0 ? nullptr : &obligations_[static_cast<std::size_t>(obligation.successor)].step.cube;
       const auto leads = [&](const std::vector<std::uint64_t>& chosen) {
-        return concrete_->run(state, chosen) && (goal == nullptr ? concrete_->isBad() : predicates_->contains(*goal, concrete_->next()));
+        return concrete_->run(state, chosen) &&
+               (goal == nullptr ? concrete_->isBad() : predicates_->contains(*goal, concrete_->next()));
       };
       std::vector<std::uint64_t> chosen = obligation.step.inputs;
       if (!leads(chosen)) {
@@ -246,13 +248,16 @@ class Ic3OnWords final : public WordEngine {
       WordCube smaller;
       std::ranges::copy_if(cube, std::back_inserter(smaller), [&](Lit l) { return l != drop; });
       WordCube core;
-      if (predicates_->sampleIn(smaller) || frames_->initialIn(smaller) || !frames_->isInductive(smaller, level, true, &core)) continue;
+      if (predicates_->sampleIn(smaller) || frames_->initialIn(smaller) ||
+          !frames_->isInductive(smaller, level, true, &core))
+        continue;
       cube = std::move(core);
     }
   }
 
   void record(const WordState& first, const std::vector<std::vector<std::uint64_t>>& inputs) {
-    for (const StateVariable& state : given_.states) trace_.initial.push_back(state.init == noNode ? 0 : (*given_.graph)[state.init].value);
+    for (const StateVariable& state : given_.states)
+      trace_.initial.push_back(state.init == noNode ? 0 : (*given_.graph)[state.init].value);
     for (std::size_t i = 0; i < first.size(); ++i) trace_.initial[cone_->states()[i]] = first[i];
     for (const std::vector<std::uint64_t>& scan : inputs) {
       std::vector<std::uint64_t>& values = trace_.inputs.emplace_back(given_.inputs.size(), 0);
@@ -279,7 +284,8 @@ class Ic3OnWords final : public WordEngine {
 
 }  // namespace
 
-std::unique_ptr<WordEngine> makeWordEngine(const TransitionSystem& system, std::size_t question, const EngineOptions& options, WordSolverKind solver) {
+std::unique_ptr<WordEngine> makeWordEngine(const TransitionSystem& system, std::size_t question,
+                                           const EngineOptions& options, WordSolverKind solver) {
   return std::make_unique<Ic3OnWords>(system, question, options, solver);
 }
 

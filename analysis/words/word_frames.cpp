@@ -8,7 +8,8 @@
 
 namespace rungproof {
 
-WordFrames::WordFrames(WordCone& cone, Predicates& predicates, BitBlast* blast) : cone_(cone), predicates_(predicates), frames_(1) {
+WordFrames::WordFrames(WordCone& cone, Predicates& predicates, BitBlast* blast)
+    : cone_(cone), predicates_(predicates), frames_(1) {
   const auto make = [&] { return blast != nullptr ? makeBitSolver(*blast) : makeTermSolver(cone.graph()); };
   frame_ = make();
   lift_ = make();
@@ -28,7 +29,8 @@ WordFrames::WordFrames(WordCone& cone, Predicates& predicates, BitBlast* blast) 
   }
 }
 
-Sat::Outcome WordFrames::solve(WordSolver& solver, const std::vector<int>& assumptions, std::span<const int> temporary) {
+Sat::Outcome WordFrames::solve(WordSolver& solver, const std::vector<int>& assumptions,
+                               std::span<const int> temporary) {
   const Sat::Outcome outcome = solver.solve(assumptions, *budget_, temporary);
   if (outcome == Sat::Outcome::Unknown) throw Ic3Interrupted{};
   return outcome;
@@ -83,9 +85,11 @@ void WordFrames::generaliseStep(WordStep& step, std::vector<int> goal) {
   for (std::size_t i = 0; i < predicates_.size(); ++i) nodes.push_back(predicates_[i].now);
   const std::vector<bool> values = predicates_.valuesIn(step.state, nodes);
   WordCube whole;
-  for (std::size_t i = 0; i < values.size(); ++i) whole.push_back(positive(static_cast<std::uint32_t>(i)) ^ (values[i] ? 0U : 1U));
+  for (std::size_t i = 0; i < values.size(); ++i)
+    whole.push_back(positive(static_cast<std::uint32_t>(i)) ^ (values[i] ? 0U : 1U));
   std::vector<int> assumptions;
-  for (std::size_t i = 0; i < step.inputs.size(); ++i) lift_->fix(cone_.system().inputs[i], step.inputs[i], assumptions);
+  for (std::size_t i = 0; i < step.inputs.size(); ++i)
+    lift_->fix(cone_.system().inputs[i], step.inputs[i], assumptions);
   std::vector<int> literals;
   for (const Lit l : whole) literals.push_back(lift_->literal(predicates_.now(l)));
   assumptions.insert(assumptions.end(), literals.begin(), literals.end());
@@ -120,7 +124,8 @@ void WordFrames::generaliseStep(WordStep& step, std::vector<int> goal) {
   }
   for (std::size_t i = 0; i < whole.size(); ++i) {
     const std::vector<std::uint32_t>& words = predicates_.of(whole[i]).words;
-    if (lift_->failed(literals[i]) || std::ranges::any_of(words, [&](std::uint32_t w) { return matters[w]; })) step.cube.push_back(whole[i]);
+    if (lift_->failed(literals[i]) || std::ranges::any_of(words, [&](std::uint32_t w) { return matters[w]; }))
+      step.cube.push_back(whole[i]);
   }
 }
 
@@ -158,7 +163,8 @@ WordStep WordFrames::step(const WordCube& cube) { return model(goalOf(cube)); }
 std::optional<std::vector<std::uint64_t>> WordFrames::inputsBetween(const WordState& from, const WordCube* to) {
   std::vector<int> assumptions;
   for (const Node n : cone_.system().constraints) assumptions.push_back(lift_->literal(n));
-  if (to == nullptr) assumptions.push_back(lift_->literal(cone_.bad()));
+  if (to == nullptr)
+    assumptions.push_back(lift_->literal(cone_.bad()));
   else {
     const std::vector<int> goal = goalOf(*to);
     assumptions.insert(assumptions.end(), goal.begin(), goal.end());

@@ -1,6 +1,6 @@
-// The frames of IC3 over predicates: over-approximations F_0 .. F_N of the states reachable in 0 .. N scans, as clauses over
-// predicates, and the questions about them. The scan itself is exact; only sets of states are abstracted.
-// Tested by tests/words/word_engine_test.cpp.
+// The frames of IC3 over predicates: over-approximations F_0 .. F_N of the states reachable in 0 .. N scans, as clauses
+// over predicates, and the questions about them. The scan itself is exact; only sets of states are abstracted. Tested
+// by tests/words/word_engine_test.cpp.
 #pragma once
 
 #include <memory>
@@ -34,8 +34,8 @@ class WordFrames {
   std::optional<WordState> initialIn(const WordCube& cube);
   /// A state of F_level that is bad in its scan.
   std::optional<WordStep> findBad(int level);
-  /// Is the cube unreachable from F_level & !cube (`strengthened`) or from F_level in one scan? If so, `core` (if given)
-  /// is a subset of the cube with the same property, outside the initial states; otherwise step() gives a state.
+  /// Is the cube unreachable from F_level & !cube (`strengthened`) or from F_level in one scan? If so, `core` (if
+  /// given) is a subset of the cube with the same property, outside the initial states; otherwise step() gives a state.
   bool isInductive(const WordCube& cube, int level, bool strengthened, WordCube* core);
   /// After isInductive(cube ...) was false: the state found.
   WordStep step(const WordCube& cube);
@@ -60,12 +60,13 @@ class WordFrames {
 
   WordCone& cone_;
   Predicates& predicates_;
-  std::unique_ptr<WordSolver> frame_;  ///< the scan, its constraints, and all lemmas, each under the literal of its level
-  std::unique_ptr<WordSolver> lift_;   ///< the scan alone
-  std::vector<int> frameLiterals_;     ///< by level, of frame_
-  int initial_ = 0;                    ///< of lift_: the state is an initial one
+  std::unique_ptr<WordSolver>
+      frame_;  ///< the scan, its constraints, and all lemmas, each under the literal of its level
+  std::unique_ptr<WordSolver> lift_;  ///< the scan alone
+  std::vector<int> frameLiterals_;    ///< by level, of frame_
+  int initial_ = 0;                   ///< of lift_: the state is an initial one
   std::vector<std::vector<WordCube>> frames_;
-  std::vector<double> activity_;       ///< by predicate: how often in recent lemmas
+  std::vector<double> activity_;  ///< by predicate: how often in recent lemmas
   double bump_ = 1;
   std::vector<int> assumptions_;
   const Budget* budget_ = nullptr;

@@ -1,6 +1,6 @@
-// Questions about one scan in words, asked of a solver that keeps what it learnt: nodes of width 1 become literals, clauses
-// over literals are added for good, a question is a list of assumptions. Two solvers stand behind it: CaDiCaL on the
-// blasted scan, and Z3 on bit-vectors and IEEE numbers, which alone knows REAL operations. Tested by
+// Questions about one scan in words, asked of a solver that keeps what it learnt: nodes of width 1 become literals,
+// clauses over literals are added for good, a question is a list of assumptions. Two solvers stand behind it: CaDiCaL
+// on the blasted scan, and Z3 on bit-vectors and IEEE numbers, which alone knows REAL operations. Tested by
 // tests/words/word_solver_test.cpp.
 #pragma once
 
@@ -21,8 +21,9 @@ class WordSolver {
   virtual int newLiteral() = 0;
   virtual void add(std::span<const int> clause) = 0;
   /// `temporary` (if not empty) is a clause for this call only. Unknown when the budget is used up.
-  virtual Sat::Outcome solve(std::span<const int> assumptions, const Budget& budget, std::span<const int> temporary = {}) = 0;
-  virtual bool failed(int literal) const = 0;  ///< after Unsatisfiable: the assumption belongs to the core
+  virtual Sat::Outcome solve(std::span<const int> assumptions, const Budget& budget,
+                             std::span<const int> temporary = {}) = 0;
+  virtual bool failed(int literal) const = 0;      ///< after Unsatisfiable: the assumption belongs to the core
   virtual std::uint64_t value(Node variable) = 0;  ///< after Satisfiable
   /// Appends literals that say together that the variable has that value.
   virtual void fix(Node variable, std::uint64_t value, std::vector<int>& literals) = 0;

@@ -1,6 +1,7 @@
 // What a command declares of its own: one row for each argument and option, with the variable that takes the value.
-// Parsing, help and completion read these rows; CLI11, which does the parsing, is seen by frontend/settings/argument_parser.cpp
-// alone. Common options are rows of frontend/settings/options.hpp. Tests: tests/golden/help, tests/cli/exit_test.cpp.
+// Parsing, help and completion read these rows; CLI11, which does the parsing, is seen by
+// frontend/settings/argument_parser.cpp alone. Common options are rows of frontend/settings/options.hpp. Tests:
+// tests/golden/help, tests/cli/exit_test.cpp.
 #pragma once
 
 #include <cstdint>
@@ -43,19 +44,21 @@ class ArgumentTable {
   /// May be repeated, and each value may be a list: 1,2,5.
   void list(std::string_view names, std::vector<std::string>& target, std::string_view value, std::string_view help);
   /// One of the words; `value` names those that the help shows.
-  void word(std::string_view names, std::string& target, std::vector<std::string_view> words, std::string_view value, std::string_view help);
+  void word(std::string_view names, std::string& target, std::vector<std::string_view> words, std::string_view value,
+            std::string_view help);
   /// A whole number from low to high.
   template <class Number>
-  void number(std::string_view names, Number& target, std::string_view value, std::string_view help, std::int64_t low = 0,
-              std::int64_t high = std::numeric_limits<std::int32_t>::max()) {
-    numberInto(names, [&target](std::int64_t number) { target = static_cast<Number>(number); }, value, help, low, high);
+  void number(std::string_view names, Number& target, std::string_view value, std::string_view help,
+              std::int64_t low = 0, std::int64_t high = std::numeric_limits<std::int32_t>::max()) {
+    numberInto(
+        names, [&target](std::int64_t number) { target = static_cast<Number>(number); }, value, help, low, high);
   }
 
   const std::vector<Argument>& rows() const { return rows_; }
 
  private:
-  void numberInto(std::string_view names, std::function<void(std::int64_t)> keep, std::string_view value, std::string_view help, std::int64_t low,
-                  std::int64_t high);
+  void numberInto(std::string_view names, std::function<void(std::int64_t)> keep, std::string_view value,
+                  std::string_view help, std::int64_t low, std::int64_t high);
 
   std::vector<Argument> rows_;
 };

@@ -1,8 +1,9 @@
 // `rungproof baseline`: writes the findings of today into a file, so that `lint --baseline` reports only new ones.
 
+#include "frontend/page/baseline.hpp"
+
 #include "frontend/command/command.hpp"
 #include "frontend/lint_run.hpp"
-#include "frontend/page/baseline.hpp"
 
 namespace rungproof {
 
@@ -19,11 +20,14 @@ Action setup(ArgumentTable& table) {
   table.option("-o,--output", state->output, "FILE", "file to write; standard output without");
   return [state](Context& context) {
     const std::vector<std::string> files = expandFolders(state->files);
-    if (files.empty()) return context.fail({"the folder holds no program", state->files.front(), "programs end in .awl, .stl or .xml"});
+    if (files.empty())
+      return context.fail({"the folder holds no program", state->files.front(), "programs end in .awl, .stl or .xml"});
     Report report = lintFiles(context, files);
     std::erase_if(report.findings, [&](const Finding& finding) { return finding.severity < context.settings.level(); });
     for (const Finding& finding : report.findings) {
-      if (isReadError(finding)) return context.fail({"the program could not be read: " + finding.message, {}, "'rungproof lint' shows the places"});
+      if (isReadError(finding))
+        return context.fail(
+            {"the program could not be read: " + finding.message, {}, "'rungproof lint' shows the places"});
     }
     return context.write({"json", state->output}, toJson(baselineOf(report))) ? Exit::Clean : Exit::Failed;
   };

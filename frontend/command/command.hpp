@@ -30,8 +30,8 @@ struct Context {
   std::istream& in;
   std::ostream& out;
   std::ostream& err;
-  bool color = false;     ///< colours on `out`
-  bool progress = false;  ///< `err` is a terminal and --quiet was not given
+  bool color = false;                  ///< colours on `out`
+  bool progress = false;               ///< `err` is a terminal and --quiet was not given
   std::vector<OutputRequest> outputs;  ///< never empty; names are permitted ones
 
   /// Prints the reason to `err` and gives the exit code for it.
@@ -47,9 +47,9 @@ using Action = std::function<Exit(Context&)>;
 
 struct Command {
   std::string_view name;
-  std::string_view usage;     ///< arguments after the name: "FILE... [--props FILE]..."
-  std::string_view summary;   ///< one line, for the list of commands
-  std::string_view details;   ///< paragraphs and examples for `CMD --help`; may be empty
+  std::string_view usage;                  ///< arguments after the name: "FILE... [--props FILE]..."
+  std::string_view summary;                ///< one line, for the list of commands
+  std::string_view details;                ///< paragraphs and examples for `CMD --help`; may be empty
   OptionGroups shows = option_group::All;  ///< common options that its help lists
   std::string_view formats = {};           ///< "text|json": forms of its output, default first; empty: every Reporter
   Action (*setup)(ArgumentTable& table) = nullptr;

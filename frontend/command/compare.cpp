@@ -35,10 +35,12 @@ Exit run(const Arguments& arguments, Context& context) {
     options.tolerances.push_back(*tolerance);
   }
   for (const std::string& name : missingSignals(expected, actual)) {
-    failures.push_back({"the actual trace has no column '" + name + "'", arguments.actual, "write both traces with the same signals"});
+    failures.push_back(
+        {"the actual trace has no column '" + name + "'", arguments.actual, "write both traces with the same signals"});
   }
   if (expected.isByTime != actual.isByTime && !(expected.isByTime && actual.hasTimes)) {
-    failures.push_back({"one trace counts scans, the other tells times", arguments.actual, "use 'scan' or 'time_ms' in both, or a trace with both columns"});
+    failures.push_back({"one trace counts scans, the other tells times", arguments.actual,
+                        "use 'scan' or 'time_ms' in both, or a trace with both columns"});
   }
   if (!failures.empty()) return failAll(context, failures);
 

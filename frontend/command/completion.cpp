@@ -2,7 +2,6 @@
 // and the option table, so that it is never behind.
 #include <fmt/ranges.h>
 
-
 #include "frontend/cli.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/settings/code_list.hpp"
@@ -13,9 +12,9 @@ namespace {
 
 /// An option as completion sees it.
 struct Completed {
-  std::string name;                       ///< "--cpu"
+  std::string name;  ///< "--cpu"
   std::string help;
-  std::vector<std::string_view> words;    ///< values to offer
+  std::vector<std::string_view> words;  ///< values to offer
   bool takesValue = false;
 };
 
@@ -24,10 +23,12 @@ std::vector<Completed> optionsOf(const Command& command) {
   const Action action = command.setup(table);
   std::vector<Completed> options = {{"--help", "help of the command", {}}};
   for (const Argument& row : table.rows()) {
-    if (row.isOption()) options.push_back({std::string(row.longName()), std::string(row.help), permittedWords(row.value), !row.isFlag()});
+    if (row.isOption())
+      options.push_back({std::string(row.longName()), std::string(row.help), permittedWords(row.value), !row.isFlag()});
   }
   for (const OptionInfo& info : optionTable()) {
-    options.push_back({"--" + std::string(info.name), std::string(info.help), info.id == Opt::Format ? formatsOf(command) : permittedWords(info.value),
+    options.push_back({"--" + std::string(info.name), std::string(info.help),
+                       info.id == Opt::Format ? formatsOf(command) : permittedWords(info.value),
                        info.arity != Arity::Flag});
   }
   return options;
@@ -62,10 +63,12 @@ std::string bashScript() {
     std::string values;
     for (const Completed& option : optionsOf(*command)) {
       words.push_back(option.name);
-      if (!option.words.empty()) values += fmt::format("        {}) words='{}' ;;\n", option.name, fmt::join(option.words, " "));
+      if (!option.words.empty())
+        values += fmt::format("        {}) words='{}' ;;\n", option.name, fmt::join(option.words, " "));
     }
-    cases += fmt::format("    {})\n      case \"$before\" in\n{}        *) words='{}{}{}' ;;\n      esac ;;\n", command->name, values,
-                         fmt::join(words, " "), argumentWords(*command).empty() ? "" : " ", fmt::join(argumentWords(*command), " "));
+    cases += fmt::format("    {})\n      case \"$before\" in\n{}        *) words='{}{}{}' ;;\n      esac ;;\n",
+                         command->name, values, fmt::join(words, " "), argumentWords(*command).empty() ? "" : " ",
+                         fmt::join(argumentWords(*command), " "));
   }
   return fmt::format(
       "# bash completion for rungproof: source it, or put it into a folder of bash-completion.\n"
@@ -92,11 +95,14 @@ std::string zshScript() {
     for (const Completed& option : optionsOf(*command)) {
       std::string help;
       for (const char c : option.help) help += c == '[' || c == ']' ? std::string("\\") + c : std::string(1, c);
-      const std::string value = !option.takesValue ? "" : option.words.empty() ? ":value:_files" : fmt::format(":value:({})", fmt::join(option.words, " "));
+      const std::string value = !option.takesValue     ? ""
+                                : option.words.empty() ? ":value:_files"
+                                                       : fmt::format(":value:({})", fmt::join(option.words, " "));
       cases += fmt::format("        '{}[{}]{}' \\\n", option.name, shellQuoted(help), value);
     }
     const auto words = argumentWords(*command);
-    cases += words.empty() ? std::string("        '*:file:_files' ;;\n") : fmt::format("        '1:word:({})' ;;\n", fmt::join(words, " "));
+    cases += words.empty() ? std::string("        '*:file:_files' ;;\n")
+                           : fmt::format("        '1:word:({})' ;;\n", fmt::join(words, " "));
   }
   return fmt::format(
       "#compdef rungproof\n"
@@ -119,11 +125,14 @@ std::string zshScript() {
 std::string fishScript() {
   std::string text = "# fish completion for rungproof: save as completions/rungproof.fish.\ncomplete -c rungproof -f\n";
   for (const Command* command : allCommands()) {
-    text += fmt::format("complete -c rungproof -n __fish_use_subcommand -a {} -d '{}'\n", command->name, shellQuoted(command->summary));
-    const std::string condition = fmt::format("complete -c rungproof -n '__fish_seen_subcommand_from {}'", command->name);
+    text += fmt::format("complete -c rungproof -n __fish_use_subcommand -a {} -d '{}'\n", command->name,
+                        shellQuoted(command->summary));
+    const std::string condition =
+        fmt::format("complete -c rungproof -n '__fish_seen_subcommand_from {}'", command->name);
     for (const Completed& option : optionsOf(*command)) {
       text += fmt::format("{} -l {} -d '{}'", condition, option.name.substr(2), shellQuoted(option.help));
-      if (option.takesValue) text += option.words.empty() ? std::string(" -r -F") : fmt::format(" -x -a '{}'", fmt::join(option.words, " "));
+      if (option.takesValue)
+        text += option.words.empty() ? std::string(" -r -F") : fmt::format(" -x -a '{}'", fmt::join(option.words, " "));
       text += '\n';
     }
     const auto words = argumentWords(*command);
@@ -137,7 +146,8 @@ Action setup(ArgumentTable& table) {
   table.argument("SHELL", *shell, "bash, zsh or fish");
   return [shell](Context& context) {
     const bool known = *shell == "bash" || *shell == "zsh" || *shell == "fish";
-    if (!known) return context.fail({fmt::format("there is no completion for '{}'", *shell), {}, "it can be bash, zsh or fish"});
+    if (!known)
+      return context.fail({fmt::format("there is no completion for '{}'", *shell), {}, "it can be bash, zsh or fish"});
     context.out << (*shell == "bash" ? bashScript() : *shell == "zsh" ? zshScript() : fishScript());
     return Exit::Clean;
   };

@@ -14,11 +14,14 @@ std::string valueText(const OptionInfo& info, const Settings& settings) {
   if (info.arity == Arity::One && settings.text(info.id).empty()) return "\"\"";
   if (info.arity == Arity::One) return fmt::format("\"{}\"", settings.text(info.id));
   std::string text = "[";
-  for (const std::string& item : settings.list(info.id)) text += fmt::format("{}\"{}\"", text.size() > 1 ? ", " : "", item);
+  for (const std::string& item : settings.list(info.id))
+    text += fmt::format("{}\"{}\"", text.size() > 1 ? ", " : "", item);
   return text + "]";
 }
 
-std::string_view chosen(const ChoiceInfo& info, const Settings& settings) { return info.values[settings.choices()[info.choice]]; }
+std::string_view chosen(const ChoiceInfo& info, const Settings& settings) {
+  return info.values[settings.choices()[info.choice]];
+}
 
 struct ConfigLine {
   std::string text;
@@ -42,7 +45,8 @@ std::string configText(const Settings& settings) {
   }
   std::vector<ConfigLine> choices;
   for (const ChoiceInfo& info : choiceTable) {
-    choices.push_back({fmt::format("{} = \"{}\"", info.key, chosen(info, settings)), settings.choiceOrigin(info.choice)});
+    choices.push_back(
+        {fmt::format("{} = \"{}\"", info.key, chosen(info, settings)), settings.choiceOrigin(info.choice)});
   }
   std::string text;
   appendLines(text, options);
@@ -92,7 +96,8 @@ std::string configSchema() {
     for (const std::string_view word : info.values) {
       if (!word.empty()) words.push_back(word);
     }
-    choices[std::string(info.key)] = {{"enum", words}, {"default", info.values[0]}, {"description", fmt::format("{} ({})", info.why, info.manual)}};
+    choices[std::string(info.key)] = {
+        {"enum", words}, {"default", info.values[0]}, {"description", fmt::format("{} ({})", info.why, info.manual)}};
   }
   Json rules = Json::object();
   for (const Rule* rule : allRules()) {
@@ -100,13 +105,20 @@ std::string configSchema() {
       Json& of = rules[std::string(rule->id)];
       of["type"] = "object";
       of["additionalProperties"] = false;
-      of["properties"][std::string(option.name)] = {{"type", "integer"}, {"minimum", option.low}, {"maximum", option.high}, {"default", option.initial}, {"description", option.meaning}};
+      of["properties"][std::string(option.name)] = {{"type", "integer"},
+                                                    {"minimum", option.low},
+                                                    {"maximum", option.high},
+                                                    {"default", option.initial},
+                                                    {"description", option.meaning}};
     }
   }
   properties["choices"] = {{"type", "object"}, {"additionalProperties", false}, {"properties", choices}};
   properties["rules"] = {{"type", "object"}, {"additionalProperties", false}, {"properties", rules}};
-  const Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "rungproof.toml"}, {"type", "object"},
-                       {"additionalProperties", false}, {"properties", properties}};
+  const Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                       {"title", "rungproof.toml"},
+                       {"type", "object"},
+                       {"additionalProperties", false},
+                       {"properties", properties}};
   return schema.dump(2) + "\n";
 }
 

@@ -39,7 +39,8 @@ Page hazardsPage(const Paint& paint) {
   Page page{paint.bold("What can go wrong while an instruction runs") + "\n\n", Json::array()};
   std::vector<TextRow> rows;
   for (const HazardInfo& info : hazardTable) {
-    rows.push_back({std::string(info.code.empty() ? "-" : info.code), fmt::format("{} ({}; {})", info.text, hazardClassText(info.kind), info.manual)});
+    rows.push_back({std::string(info.code.empty() ? "-" : info.code),
+                    fmt::format("{} ({}; {})", info.text, hazardClassText(info.kind), info.manual)});
     page.json.push_back(hazardJson(info));
   }
   appendRows(page.text, rows, 10);
@@ -47,7 +48,8 @@ Page hazardsPage(const Paint& paint) {
 }
 
 Page choicesPage(const Paint& paint, const Settings& settings) {
-  Page page{paint.bold("Points that the manual leaves open") + "\n\nEach is read in one way, which --choice KEY=VALUE or [choices] changes.\n",
+  Page page{paint.bold("Points that the manual leaves open") +
+                "\n\nEach is read in one way, which --choice KEY=VALUE or [choices] changes.\n",
             Json::array()};
   for (const ChoiceInfo& info : choiceTable) {
     std::string values;
@@ -59,8 +61,11 @@ Page choicesPage(const Paint& paint, const Settings& settings) {
     }
     page.text += fmt::format("\n  {}: {}\n", paint.bold(info.key), values);
     appendParagraph(page.text, fmt::format("{} ({})", info.why, info.manual), 4);
-    page.json.push_back({{"key", info.key}, {"values", names}, {"chosen", info.values[settings.choices()[info.choice]]},
-                         {"why", info.why}, {"manual", info.manual}});
+    page.json.push_back({{"key", info.key},
+                         {"values", names},
+                         {"chosen", info.values[settings.choices()[info.choice]]},
+                         {"why", info.why},
+                         {"manual", info.manual}});
   }
   return page;
 }
@@ -83,19 +88,25 @@ std::optional<Page> groupPage(std::string_view word, const Paint& paint) {
 
 std::optional<Page> pageOf(const std::string& word, const Settings& settings, const Paint& paint) {
   std::string upper = word;
-  std::transform(upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  std::transform(upper.begin(), upper.end(), upper.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   if (const Rule* rule = ruleNamed(word)) return Page{rulePage(*rule, paint), ruleJson(*rule)};
   if (word == "hazards") return hazardsPage(paint);
   if (word == "choices") return choicesPage(paint, settings);
   if (auto page = groupPage(upper, paint)) return page;
   if (const auto code = codeNamed(upper)) {
-    return Page{fmt::format("{}: {}\n\n  {} of the readers{}\n\n  {}\n    {}\n", paint.bold(code->id), paint.bold(code->title), severityName(code->severity),
-                            code->severity == Severity::Error ? "; it cannot be silenced, and the exit code is 2" : "", paint.bold("Help"), code->help),
-                {{"id", code->id}, {"title", code->title}, {"severity", severityName(code->severity)}, {"help", code->help}}};
+    return Page{
+        fmt::format("{}: {}\n\n  {} of the readers{}\n\n  {}\n    {}\n", paint.bold(code->id), paint.bold(code->title),
+                    severityName(code->severity),
+                    code->severity == Severity::Error ? "; it cannot be silenced, and the exit code is 2" : "",
+                    paint.bold("Help"), code->help),
+        {{"id", code->id}, {"title", code->title}, {"severity", severityName(code->severity)}, {"help", code->help}}};
   }
   for (const HazardInfo& info : hazardTable) {
     if (info.code != upper) continue;
-    return Page{fmt::format("{}: {}\n\n  {} ({})\n", paint.bold(info.code), info.text, hazardClassText(info.kind), info.manual), hazardJson(info)};
+    return Page{
+        fmt::format("{}: {}\n\n  {} ({})\n", paint.bold(info.code), info.text, hazardClassText(info.kind), info.manual),
+        hazardJson(info)};
   }
   const Desc* desc = instructionNamed(upper);
   if (desc == nullptr) desc = instructionAlias(upper);
@@ -108,14 +119,18 @@ Failure unknown(const std::string& word) {
   std::vector<std::string_view> words = {"hazards", "choices"};
   for (const Code& code : allCodes()) words.push_back(code.id);
   const std::string_view meant = closest(word, words);
-  return {fmt::format("there is no page called '{}'", word), {},
-          meant.empty() ? "give a rule (ADR001), a group (ADR), an instruction (TON), a run-time error (0006), 'hazards' or 'choices'"
-                        : fmt::format("did you mean '{}'?", meant)};
+  return {
+      fmt::format("there is no page called '{}'", word),
+      {},
+      meant.empty()
+          ? "give a rule (ADR001), a group (ADR), an instruction (TON), a run-time error (0006), 'hazards' or 'choices'"
+          : fmt::format("did you mean '{}'?", meant)};
 }
 
 Action setup(ArgumentTable& table) {
   auto word = std::make_shared<std::string>();
-  table.argument("CODE", *word, "rule (ADR001), group (ADR), instruction (TON), run-time error (0006), 'hazards' or 'choices'");
+  table.argument("CODE", *word,
+                 "rule (ADR001), group (ADR), instruction (TON), run-time error (0006), 'hazards' or 'choices'");
   return [word](Context& context) {
     Exit exit = Exit::Clean;
     for (const OutputRequest& output : context.outputs) {

@@ -1,7 +1,6 @@
 // `rungproof export`: the transition system of a program with its properties, for other model checkers.
 #include <fmt/format.h>
 
-
 #include "analysis/export/system.hpp"
 #include "analysis/proof/hidden_code.hpp"
 #include "analysis/proof/proof_side.hpp"
@@ -30,8 +29,10 @@ std::string textOf(const std::string& format, const TransitionSystem& system, in
 /// What the reader of the file must know to read its answers as ours.
 ExportRemarks remarksOf(const ProgramInput& input, ProofSide& side, const ProverOptions& options) {
   ExportRemarks remarks;
-  for (const std::string& text : environmentTexts(input.program, input.properties, options.time)) remarks.push_back("assumes: " + text);
-  for (const std::string& text : approximationTexts(input.program, side.obligations())) remarks.push_back("approximated: " + text);
+  for (const std::string& text : environmentTexts(input.program, input.properties, options.time))
+    remarks.push_back("assumes: " + text);
+  for (const std::string& text : approximationTexts(input.program, side.obligations()))
+    remarks.push_back("approximated: " + text);
   const HiddenCode hidden(input.program, input.properties);
   const std::vector<Question>& questions = side.system().questions;
   for (std::size_t i = 0; i < questions.size(); ++i) {
@@ -58,7 +59,9 @@ Exit run(const Arguments& arguments, Context& context) {
   }
   ProofSide side(input.program, input.properties, goals, encoderOptionsOf(options), {.builtin = arguments.builtin});
   if (side.system().questions.empty()) {
-    return context.fail({fmt::format("no property is declared in {}", arguments.files.front()), {}, "declare some, or give --builtin; see 'rungproof prove --help'"});
+    return context.fail({fmt::format("no property is declared in {}", arguments.files.front()),
+                         {},
+                         "declare some, or give --builtin; see 'rungproof prove --help'"});
   }
   const ExportRemarks remarks = remarksOf(input, side, options);
   const TransitionSystem system = withExactReals(side.system(), RealScope::All);
@@ -86,7 +89,8 @@ extern constexpr Command exportCommand = {
     .usage = "FILE... --format btor2|aiger|smt2|smv",
     .summary = "write the transition system with its properties for other model checkers",
     .details =
-        "One scan is one step of the system. A 'prove' is a bad state at its violation, a 'reach' one at its goal, so that\n"
+        "One scan is one step of the system. A 'prove' is a bad state at its violation, a 'reach' one at its goal, so "
+        "that\n"
         "an unreachable bad state means PROVED or UNREACHABLE. Assumptions are constraints; comments name everything\n"
         "that was assumed or approximated. Sine, logarithm and the like of REAL numbers are free inputs.\n"
         "    btor2        words, for btormc, Pono, AVR\n"

@@ -19,14 +19,17 @@ struct State {
 
 std::optional<Failure> subtractBaseline(const std::string& name, Report& report) {
   std::ifstream stream(name, std::ios::binary);
-  if (!stream) return Failure{"the baseline file cannot be read", name, "write one with 'rungproof baseline FILE... > " + name + "'"};
+  if (!stream)
+    return Failure{"the baseline file cannot be read", name,
+                   "write one with 'rungproof baseline FILE... > " + name + "'"};
   std::ostringstream text;
   text << stream.rdbuf();
   Baseline baseline;
   if (auto failure = readBaseline(text.str(), name, baseline)) return failure;
   // The baseline becomes a source of the report, so that stale entries have a place.
   auto sources = std::make_shared<SourceSet>();
-  for (std::uint32_t i = 0; i < report.sources->size(); ++i) sources->add(report.sources->file(i).name(), std::string(report.sources->file(i).text()));
+  for (std::uint32_t i = 0; i < report.sources->size(); ++i)
+    sources->add(report.sources->file(i).name(), std::string(report.sources->file(i).text()));
   const std::uint32_t file = sources->add(name, text.str());
   report.sources = sources;
   applyBaseline(baseline, file, report);
@@ -35,12 +38,15 @@ std::optional<Failure> subtractBaseline(const std::string& name, Report& report)
 
 Action setup(ArgumentTable& table) {
   auto state = std::make_shared<State>();
-  table.arguments("FILE", state->files, "programs, symbol tables and data blocks; '-' is standard input; a folder stands for its programs");
+  table.arguments("FILE", state->files,
+                  "programs, symbol tables and data blocks; '-' is standard input; a folder stands for its programs");
   table.flag("--fix", state->fix, "write the safe fixes into the files, then report what is left");
-  table.flag("--prove", state->prove, "also the rules that need the prover: candidates are confirmed by a replayed run, or dropped");
+  table.flag("--prove", state->prove,
+             "also the rules that need the prover: candidates are confirmed by a replayed run, or dropped");
   return [state](Context& context) {
     const std::vector<std::string> files = expandFolders(state->files);
-    if (files.empty()) return context.fail({"the folder holds no program", state->files.front(), "programs end in .awl, .stl or .xml"});
+    if (files.empty())
+      return context.fail({"the folder holds no program", state->files.front(), "programs end in .awl, .stl or .xml"});
     Report report = lintFiles(context, files, state->prove);
     if (state->fix) {
       const bool written = applyFixes(context, report);
@@ -48,7 +54,8 @@ Action setup(ArgumentTable& table) {
       if (!written) return worse(Exit::Failed, finish(context, std::move(report)));
     }
     if (context.settings.isSet(Opt::Baseline)) {
-      if (auto failure = subtractBaseline(std::string(context.settings.text(Opt::Baseline)), report)) return context.fail(*failure);
+      if (auto failure = subtractBaseline(std::string(context.settings.text(Opt::Baseline)), report))
+        return context.fail(*failure);
     }
     return finish(context, std::move(report));
   };

@@ -62,7 +62,8 @@ class EvidenceNames {
  public:
   std::string of(std::string_view name) {
     std::string stem;
-    for (const char c : name) stem += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.' ? c : '_';
+    for (const char c : name)
+      stem += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.' ? c : '_';
     if (stem.empty()) stem = "property";
     const std::string plain = stem;
     for (int i = 2; !given_.insert(stem).second; ++i) stem = fmt::format("{}_{}", plain, i);
@@ -80,7 +81,8 @@ std::string fileIn(const std::string& directory, const std::string& name) {
 }
 
 /// Writes the witness as CSV (also a stimulus), VCD and SVG; gives the name of the CSV file.
-std::string writeTraces(const Context& context, const std::string& directory, const std::string& stem, const Program& program, const Choices& choices, const ProofResult& result) {
+std::string writeTraces(const Context& context, const std::string& directory, const std::string& stem,
+                        const Program& program, const Choices& choices, const ProofResult& result) {
   const Trace trace = traceOf(program, choices, *result.witness, touchedSignals(program));
   std::string first;
   for (const char* ending : {".csv", ".vcd", ".svg"}) {
@@ -94,7 +96,8 @@ std::string writeTraces(const Context& context, const std::string& directory, co
 }
 
 /// The last scans as drawings: a few for people, more for a page that steps through them.
-std::vector<ShownScan> drawnScans(const Arguments& arguments, const Program& program, const Choices& choices, const ProofResult& result, bool hasPage) {
+std::vector<ShownScan> drawnScans(const Arguments& arguments, const Program& program, const Choices& choices,
+                                  const ProofResult& result, bool hasPage) {
   WitnessDrawingOptions options;
   options.form = arguments.show == "fbd" ? Form::Fbd : arguments.show == "stl" ? Form::Stl : Form::Ladder;
   options.scans = hasPage ? scansInPage : scansInText;
@@ -107,11 +110,14 @@ std::vector<ShownScan> drawnScans(const Arguments& arguments, const Program& pro
   return scans;
 }
 
-PropertyResult rowOf(const Context& context, const Arguments& arguments, EvidenceNames& names, const Program& program, const Choices& choices, const ProofResult& result) {
+PropertyResult rowOf(const Context& context, const Arguments& arguments, EvidenceNames& names, const Program& program,
+                     const Choices& choices, const ProofResult& result) {
   const std::string stem = names.of(result.property.name);
   PropertyResult row;
   row.name = result.property.name;
-  row.kind = result.builtin ? ResultKind::Builtin : result.property.kind == PropertyKind::Reach ? ResultKind::Reach : ResultKind::Prove;
+  row.kind = result.builtin                                ? ResultKind::Builtin
+             : result.property.kind == PropertyKind::Reach ? ResultKind::Reach
+                                                           : ResultKind::Prove;
   row.verdict = wordOf(result.outcome);
   row.method = result.method;
   row.depth = result.depth;
@@ -121,12 +127,15 @@ PropertyResult rowOf(const Context& context, const Arguments& arguments, Evidenc
   row.notes = result.notes;
   if (result.witness) {
     const Trace trace = traceOf(program, choices, *result.witness, signalsThatMatter(program, result), 100000, true);
-    if (const std::string start = startText(program, choices, *result.witness); !start.empty()) row.notes.push_back("memory at the start: " + start);
+    if (const std::string start = startText(program, choices, *result.witness); !start.empty())
+      row.notes.push_back("memory at the start: " + start);
     for (const std::string& line : tableOf(trace)) row.notes.push_back(line);
     if (const Instruction* place = result.witness->place; place != nullptr) {
-      row.notes.push_back(fmt::format("inside the last scan, in front of '{}' at {}", Facts::text(*place), placeText(*program.sources, place->span)));
+      row.notes.push_back(fmt::format("inside the last scan, in front of '{}' at {}", Facts::text(*place),
+                                      placeText(*program.sources, place->span)));
     }
-    const bool hasPage = std::ranges::any_of(context.outputs, [](const OutputRequest& output) { return output.name == "html"; });
+    const bool hasPage =
+        std::ranges::any_of(context.outputs, [](const OutputRequest& output) { return output.name == "html"; });
     if (!arguments.show.empty() || hasPage) row.scans = drawnScans(arguments, program, choices, result, hasPage);
     if (!arguments.traces.empty()) row.trace = writeTraces(context, arguments.traces, stem, program, choices, result);
   }
@@ -149,12 +158,15 @@ std::string_view fateName(FaultFate fate) {
 }
 
 /// Plants faults and says which of them the properties notice.
-std::vector<PlantedFault> plantFaults(const Context& context, const ProgramInput& input, const ProverOptions& options, const ProofRun& proof) {
+std::vector<PlantedFault> plantFaults(const Context& context, const ProgramInput& input, const ProverOptions& options,
+                                      const ProofRun& proof) {
   SelfCheckOptions check;
   check.prover = options;
   check.seconds = std::min(options.timeout, check.seconds);
   if (context.progress) {
-    check.progress = [&](std::size_t done, std::size_t total) { context.err << fmt::format("\rself-check: {} of {}\x1B[K", done, total) << std::flush; };
+    check.progress = [&](std::size_t done, std::size_t total) {
+      context.err << fmt::format("\rself-check: {} of {}\x1B[K", done, total) << std::flush;
+    };
   }
   const SelfCheck found = selfCheck(input.program, input.properties, proof.results, check);
   if (context.progress) context.err << "\r\x1B[K" << std::flush;
@@ -163,8 +175,10 @@ std::vector<PlantedFault> plantFaults(const Context& context, const ProgramInput
     const Pou& pou = input.program.pous[result.fault.pou];
     const Network& network = pou.networks[result.fault.network];
     const Span span = network.instructions[result.fault.instruction].span;
-    faults.push_back({std::string(faultKindName(result.fault.kind)), result.fault.text, std::string(input.program.sources->file(span.file).name()),
-                      input.program.sources->position(span).line, pou.name, network.number, std::string(fateName(result.fate)), result.noticedBy});
+    faults.push_back({std::string(faultKindName(result.fault.kind)), result.fault.text,
+                      std::string(input.program.sources->file(span.file).name()),
+                      input.program.sources->position(span).line, pou.name, network.number,
+                      std::string(fateName(result.fate)), result.noticedBy});
   }
   return faults;
 }
@@ -185,10 +199,14 @@ Exit run(const Arguments& arguments, Context& context) {
       options.certificates = !arguments.certificates.empty();
       options.cancel = &interrupted;
       const auto before = std::signal(SIGINT, onInterrupt);
-      const ProofRun proof = prove(input.program, input.properties, options, [&](const ProofResult& result, std::size_t done, std::size_t total) {
-        if (context.progress) context.err << fmt::format("\rprove: {} of {}: {}\x1B[K", done, total, result.property.name) << std::flush;
-        return true;
-      });
+      const ProofRun proof =
+          prove(input.program, input.properties, options,
+                [&](const ProofResult& result, std::size_t done, std::size_t total) {
+                  if (context.progress)
+                    context.err << fmt::format("\rprove: {} of {}: {}\x1B[K", done, total, result.property.name)
+                                << std::flush;
+                  return true;
+                });
       std::signal(SIGINT, before);
       if (context.progress) context.err << "\r\x1B[K" << std::flush;
       if (proof.isInterrupted) context.err << "rungproof: interrupted; what was not settled is UNKNOWN\n";
@@ -202,10 +220,13 @@ Exit run(const Arguments& arguments, Context& context) {
       part.coverage.approximated = proof.approximations;
       for (const Disagreement& disagreement : proof.disagreements) {
         failed = true;
-        context.err << fmt::format("rungproof: internal disagreement on '{}': {}\n", disagreement.name, disagreement.explanation);
+        context.err << fmt::format("rungproof: internal disagreement on '{}': {}\n", disagreement.name,
+                                   disagreement.explanation);
       }
       if (proof.results.empty() && !arguments.builtin) {
-        context.err << fmt::format("rungproof: no property is declared in {}; see 'rungproof prove --help', or give --builtin\n", files.front());
+        context.err << fmt::format(
+            "rungproof: no property is declared in {}; see 'rungproof prove --help', or give --builtin\n",
+            files.front());
       }
     }
     const PlaceIndex places(input.program);
@@ -220,11 +241,14 @@ Action setup(ArgumentTable& table) {
   auto arguments = std::make_shared<Arguments>();
   table.arguments("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input");
   table.option("--props", arguments->properties, "FILE", "property file; may be repeated");
-  table.flag("--builtin", arguments->builtin, "also the built-in checks: set/reset conflicts, operand ranges, timers, division, loops");
+  table.flag("--builtin", arguments->builtin,
+             "also the built-in checks: set/reset conflicts, operand ranges, timers, division, loops");
   table.flag("--self-check", arguments->selfCheck, "plant faults one by one and list those that no property notices");
-  table.option("--certificate", arguments->certificates, "DIR", "write the proof of each PROVED as SMT-LIB 2, for another solver to check");
+  table.option("--certificate", arguments->certificates, "DIR",
+               "write the proof of each PROVED as SMT-LIB 2, for another solver to check");
   table.option("--traces", arguments->traces, "DIR", "write each witness as CSV (also a stimulus), VCD and SVG");
-  table.word("--show", arguments->show, {"ladder", "lad", "fbd", "stl"}, "ladder|fbd|stl", "draw the networks that matter, with the power flow of the last 3 scans of each witness");
+  table.word("--show", arguments->show, {"ladder", "lad", "fbd", "stl"}, "ladder|fbd|stl",
+             "draw the networks that matter, with the power flow of the last 3 scans of each witness");
   return [arguments](Context& context) { return run(*arguments, context); };
 }
 

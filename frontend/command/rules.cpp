@@ -26,15 +26,16 @@ std::string listText(const Paint& paint) {
     if (rules.empty()) continue;
     text += fmt::format("{} {}\n", paint.bold(group.prefix), paint.bold(group.title));
     for (const Rule* rule : rules) {
-      text += fmt::format("  {}  {:<7}  {:<3}  {}{}\n", rule->id, severityName(rule->severity), needsName(rule->needs), rule->title,
-                          rule->enabledByDefault ? "" : " (off by default)");
+      text += fmt::format("  {}  {:<7}  {:<3}  {}{}\n", rule->id, severityName(rule->severity), needsName(rule->needs),
+                          rule->title, rule->enabledByDefault ? "" : " (off by default)");
       ++count;
     }
     text += '\n';
   }
   text += paint.bold("SYN, PRP Reading programs and properties") + "\n";
   for (const Code& code : allCodes()) {
-    if (!code.isRule) text += fmt::format("  {}  {:<7}  {:<3}  {}\n", code.id, severityName(code.severity), "", code.title);
+    if (!code.isRule)
+      text += fmt::format("  {}  {:<7}  {:<3}  {}\n", code.id, severityName(code.severity), "", code.title);
   }
   text += '\n';
   text += fmt::format(
@@ -49,10 +50,12 @@ std::string listMarkdown() {
   for (const RuleGroup& group : ruleGroups()) {
     const std::vector<const Rule*> rules = rulesOf(group);
     if (rules.empty()) continue;
-    text += fmt::format("\n## {} {}\n\n| Id | Title | Severity | Needs | Detects | Manual |\n|---|---|---|---|---|---|\n", group.prefix, group.title);
+    text +=
+        fmt::format("\n## {} {}\n\n| Id | Title | Severity | Needs | Detects | Manual |\n|---|---|---|---|---|---|\n",
+                    group.prefix, group.title);
     for (const Rule* rule : rules) {
-      text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", rule->id, rule->title, severityName(rule->severity), needsName(rule->needs),
-                          rule->detects, rule->manual);
+      text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", rule->id, rule->title, severityName(rule->severity),
+                          needsName(rule->needs), rule->detects, rule->manual);
     }
   }
   return text;
@@ -71,7 +74,9 @@ Action setup(ArgumentTable&) {
     Exit exit = Exit::Clean;
     for (const OutputRequest& output : context.outputs) {
       const Paint paint{context.color && output.file.empty()};
-      const std::string text = output.name == "json" ? listJson() : output.name == "markdown" ? listMarkdown() : listText(paint);
+      const std::string text = output.name == "json"       ? listJson()
+                               : output.name == "markdown" ? listMarkdown()
+                                                           : listText(paint);
       if (!context.write(output, text)) exit = Exit::Failed;
     }
     return exit;

@@ -1,4 +1,5 @@
-// `rungproof show`: networks as ladder, FBD or STL, as text or SVG; with --at the power flow of one scan of a recorded run.
+// `rungproof show`: networks as ladder, FBD or STL, as text or SVG; with --at the power flow of one scan of a recorded
+// run.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -84,7 +85,8 @@ class Show {
       if (!failures_.empty()) return failAll(context_, failures_);
     }
     if (const auto failure = unusedSelection()) return context_.fail(*failure);
-    const std::string text = isSvg_ ? viewSvg(blocks) : viewText(blocks, {arguments_.ascii, context_.color && arguments_.output.empty()});
+    const std::string text =
+        isSvg_ ? viewSvg(blocks) : viewText(blocks, {arguments_.ascii, context_.color && arguments_.output.empty()});
     if (!context_.write({"", arguments_.output}, text)) return Exit::Failed;
     return isWhole ? Exit::Clean : Exit::Failed;
   }
@@ -96,12 +98,17 @@ class Show {
     isSvg_ = arguments_.svg || context_.outputs.front().name == "svg" || arguments_.output.ends_with(".svg");
     if (isSvg_ && arguments_.ascii) failures_.push_back({"--ascii is a form of text, not of SVG"});
     for (const std::string& text : arguments_.networks) {
-      if (const auto range = rangeNamed(text)) ranges_.push_back(*range);
-      else failures_.push_back({fmt::format("'{}' is no network number", text), {}, "write a number or a range, such as 3 or 2-5"});
+      if (const auto range = rangeNamed(text))
+        ranges_.push_back(*range);
+      else
+        failures_.push_back(
+            {fmt::format("'{}' is no network number", text), {}, "write a number or a range, such as 3 or 2-5"});
     }
     if (arguments_.at.empty()) return;
     lit_ = scanNamed(arguments_.at);
-    if (!lit_) failures_.push_back({fmt::format("'{}' names no scan of a trace", arguments_.at), {}, "write TRACE:SCAN, such as run.csv:12"});
+    if (!lit_)
+      failures_.push_back(
+          {fmt::format("'{}' names no scan of a trace", arguments_.at), {}, "write TRACE:SCAN, such as run.csv:12"});
   }
 
   void addProgram(const ProgramInput& input, const std::vector<std::string>& files, std::vector<BlockView>& blocks) {
@@ -136,14 +143,20 @@ class Show {
   }
 
   bool isWanted(const Pou& pou) {
-    return arguments_.pous.empty() || std::ranges::any_of(arguments_.pous, [&](const std::string& name) { return equalsIgnoringCase(name, pou.name); });
+    return arguments_.pous.empty() || std::ranges::any_of(arguments_.pous, [&](const std::string& name) {
+             return equalsIgnoringCase(name, pou.name);
+           });
   }
   bool isWanted(const Network& network) const {
-    return ranges_.empty() || std::ranges::any_of(ranges_, [&](const NumberRange& range) { return range.low <= network.number && network.number <= range.high; });
+    return ranges_.empty() || std::ranges::any_of(ranges_, [&](const NumberRange& range) {
+             return range.low <= network.number && network.number <= range.high;
+           });
   }
   std::optional<Failure> unusedSelection() const {
     if (isFound_) return std::nullopt;
-    return Failure{"no network of the program is selected", {}, "see its blocks and networks with 'rungproof show' without --network and --pou"};
+    return Failure{"no network of the program is selected",
+                   {},
+                   "see its blocks and networks with 'rungproof show' without --network and --pou"};
   }
 
   /// Runs the program with the trace as stimulus up to the scan. False: `failures_` says why not.
@@ -153,19 +166,22 @@ class Show {
     const Stimulus stimulus = readStimulus(lit_->trace, *text, program, failures_);
     if (!failures_.empty()) return false;
     if (program.main() == nullptr) {
-      failures_.push_back({"there is no main program to run", arguments_.files.front(), "give the file that holds the main program"});
+      failures_.push_back(
+          {"there is no main program to run", arguments_.files.front(), "give the file that holds the main program"});
       return false;
     }
     SimulatorOptions engine;
     engine.choices = context_.settings.choices();
     engine.seed = static_cast<std::uint64_t>(context_.settings.number(Opt::Seed, 1));
-    if (const auto scanTime = context_.settings.scanTime()) engine.scanUs = static_cast<std::uint32_t>(scanTime->low.count());
+    if (const auto scanTime = context_.settings.scanTime())
+      engine.scanUs = static_cast<std::uint32_t>(scanTime->low.count());
     Simulator simulator(program, engine);
     simulator.observe(&recorder);
     StimulusPlayer player(simulator, stimulus);
     while (simulator.scanCount() < lit_->scan) {
       if (!simulator.isRunning()) {
-        failures_.push_back({fmt::format("the program stops after scan {}; scan {} does not run it", simulator.scanCount(), lit_->scan)});
+        failures_.push_back({fmt::format("the program stops after scan {}; scan {} does not run it",
+                                         simulator.scanCount(), lit_->scan)});
         return false;
       }
       recorder.beginScan(simulator.scanCount() + 1 == lit_->scan);
@@ -187,7 +203,8 @@ class Show {
 Action setup(ArgumentTable& table) {
   auto arguments = std::make_shared<Arguments>();
   table.arguments("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input");
-  table.word("--as", arguments->form, {"lad", "ladder", "fbd", "stl"}, "lad|fbd|stl", "draw as ladder, function block diagram or statement list (lad)");
+  table.word("--as", arguments->form, {"lad", "ladder", "fbd", "stl"}, "lad|fbd|stl",
+             "draw as ladder, function block diagram or statement list (lad)");
   table.flag("--svg", arguments->svg, "one SVG document instead of text");
   table.flag("--ascii", arguments->ascii, "text without box-drawing characters");
   table.list("--network", arguments->networks, "N", "only these networks, such as 3 or 2-5; may be repeated");

@@ -1,4 +1,5 @@
-// `rungproof sim`: runs a program on the reference engine with a stimulus, writes traces, compares with an expected one.
+// `rungproof sim`: runs a program on the reference engine with a stimulus, writes traces, compares with an expected
+// one.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,14 +41,15 @@ struct Job {
   std::optional<Trace> expected;
   CompareOptions compare;
   std::vector<TraceSignal> signals;
-  std::uint64_t scans = 0;      ///< run at least so many scans
-  std::uint64_t durationUs = 0; ///< and until a scan has begun at this time or later
+  std::uint64_t scans = 0;       ///< run at least so many scans
+  std::uint64_t durationUs = 0;  ///< and until a scan has begun at this time or later
   ScanTime scanTime{};
 };
 
 class Preparation {
  public:
-  Preparation(const Arguments& arguments, const Context& context, const Program& program) : arguments_(arguments), context_(context), program_(program) {}
+  Preparation(const Arguments& arguments, const Context& context, const Program& program)
+      : arguments_(arguments), context_(context), program_(program) {}
 
   Job job() {
     Job job;
@@ -71,7 +73,8 @@ class Preparation {
       if (text) job.stimulus = readStimulus(arguments_.stimulus, *text, program_, failures);
     }
     if (arguments_.expect.empty()) {
-      if (!arguments_.tolerances.empty() || arguments_.slack != 0) failures.push_back({"--tolerance and --slack belong to --expect"});
+      if (!arguments_.tolerances.empty() || arguments_.slack != 0)
+        failures.push_back({"--tolerance and --slack belong to --expect"});
       return;
     }
     const std::optional<std::string> text = readFile(context_, arguments_.expect, failures);
@@ -112,7 +115,9 @@ class Preparation {
     if (!arguments_.duration.empty()) {
       const std::optional<Duration> duration = durationNamed(arguments_.duration);
       if (!duration || duration->count() <= 0) {
-        failures.push_back({fmt::format("'{}' is no duration", arguments_.duration), {}, "write a number with its unit, such as 30s or 500ms"});
+        failures.push_back({fmt::format("'{}' is no duration", arguments_.duration),
+                            {},
+                            "write a number with its unit, such as 30s or 500ms"});
         return;
       }
       job.durationUs = static_cast<std::uint64_t>(duration->count());
@@ -123,8 +128,10 @@ class Preparation {
       if (isByTime) job.durationUs = std::max(job.durationUs, timeUs + 1);
       if (!isByTime) job.scans = std::max(job.scans, scan);
     };
-    if (!job.stimulus.rows.empty()) reach(job.stimulus.isByTime, job.stimulus.rows.back().scan, job.stimulus.rows.back().timeUs);
-    if (job.expected && !job.expected->rows.empty()) reach(job.expected->isByTime, job.expected->rows.back().scan, job.expected->rows.back().timeUs);
+    if (!job.stimulus.rows.empty())
+      reach(job.stimulus.isByTime, job.stimulus.rows.back().scan, job.stimulus.rows.back().timeUs);
+    if (job.expected && !job.expected->rows.empty())
+      reach(job.expected->isByTime, job.expected->rows.back().scan, job.expected->rows.back().timeUs);
   }
 
   const Arguments& arguments_;
@@ -157,7 +164,8 @@ class Progress {
 /// Lengths of scans for which the stimulus says nothing: one value, or anything in a range, drawn with --seed.
 class ScanLengths {
  public:
-  ScanLengths(const ScanTime& range, std::uint64_t seed) : low_(count(range.low)), high_(count(range.high)), state_(seed * 2654435769U + 1) {}
+  ScanLengths(const ScanTime& range, std::uint64_t seed)
+      : low_(count(range.low)), high_(count(range.high)), state_(seed * 2654435769U + 1) {}
   std::uint32_t next() {
     if (low_ == high_) return low_;
     state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
@@ -166,7 +174,9 @@ class ScanLengths {
   }
 
  private:
-  static std::uint32_t count(Duration duration) { return static_cast<std::uint32_t>(std::min<std::int64_t>(duration.count(), 60000000)); }
+  static std::uint32_t count(Duration duration) {
+    return static_cast<std::uint32_t>(std::min<std::int64_t>(duration.count(), 60000000));
+  }
   std::uint32_t low_;
   std::uint32_t high_;
   std::uint64_t state_;
@@ -198,7 +208,9 @@ Exit run(const Arguments& arguments, Context& context) {
   Report report = startReport("sim", program, arguments.files);
   if (hasReadErrors(program)) return finish(context, std::move(report));
   report.findings.clear();  // warnings of the readers are lint's
-  if (program.main() == nullptr) return context.fail({"there is no main program to run", arguments.files.front(), "give the file that holds the main program"});
+  if (program.main() == nullptr)
+    return context.fail(
+        {"there is no main program to run", arguments.files.front(), "give the file that holds the main program"});
 
   Preparation preparation(arguments, context, program);
   const Job job = preparation.job();
@@ -216,12 +228,14 @@ Exit run(const Arguments& arguments, Context& context) {
 
   for (const std::string& name : arguments.traces) {
     const std::string& title = program.sources->file(0).name();
-    if (!(isPage(name) ? writePage(context, name, trace, title, drawn) : writeTrace(context, name, trace, title))) return Exit::Failed;
+    if (!(isPage(name) ? writePage(context, name, trace, title, drawn) : writeTrace(context, name, trace, title)))
+      return Exit::Failed;
   }
   describeRun(report, simulator, job.scanTime);
-  if (job.expected) report.comparison = comparisonOf(*job.expected, trace, firstDifference(*job.expected, trace, job.compare));
-  const bool isFiltered = arguments.traces.empty() && !job.expected && context.outputs.size() == 1 && context.outputs[0].file.empty() &&
-                          context.outputs[0].name == "human";
+  if (job.expected)
+    report.comparison = comparisonOf(*job.expected, trace, firstDifference(*job.expected, trace, job.compare));
+  const bool isFiltered = arguments.traces.empty() && !job.expected && context.outputs.size() == 1 &&
+                          context.outputs[0].file.empty() && context.outputs[0].name == "human";
   if (!isFiltered) return finish(context, std::move(report));
   // Nothing else was asked for: the trace itself is the result, and what there is to say goes beside it.
   if (!writeTrace(context, "-", trace, "")) return Exit::Failed;
@@ -235,7 +249,8 @@ Action setup(ArgumentTable& table) {
   table.arguments("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input");
   table.option("--stimulus", arguments->stimulus, "FILE", "what the inputs do, scan by scan or by time (CSV)");
   table.option("--expect", arguments->expect, "FILE", "the trace as it should be (CSV)");
-  table.option("--trace", arguments->traces, "FILE", "write the trace: .csv .vcd .json .svg .html, or '-'; may be repeated");
+  table.option("--trace", arguments->traces, "FILE",
+               "write the trace: .csv .vcd .json .svg .html, or '-'; may be repeated");
   table.list("--signals", arguments->signals, "LIST", "addresses or symbols to trace; all that the program touches");
   table.number("--scans", arguments->scans, "N", "run so many scans; until stimulus and expected trace end, or 100");
   table.option("--duration", arguments->duration, "TIME", "run for this time, such as 30s");

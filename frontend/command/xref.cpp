@@ -1,9 +1,10 @@
 // `rungproof xref`: who reads and who writes each address, at which width, overlaps and free areas.
+#include "analysis/xref.hpp"
+
 #include <fmt/ranges.h>
 
 #include <filesystem>
 
-#include "analysis/xref.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/json.hpp"
 #include "frontend/page/columns.hpp"
@@ -21,7 +22,8 @@ class XrefWriter {
     for (const std::size_t i : shown_) {
       for (const Access* use : xref_.entries[i].uses) useColumn_ = std::max(useColumn_, useRow(*use).left.size() + 4);
     }
-    for (const Access* access : xref_.throughPointers) useColumn_ = std::max(useColumn_, useRow(*access).left.size() + 4);
+    for (const Access* access : xref_.throughPointers)
+      useColumn_ = std::max(useColumn_, useRow(*access).left.size() + 4);
     useColumn_ = std::min<std::size_t>(useColumn_, 60);
   }
 
@@ -42,19 +44,28 @@ class XrefWriter {
   }
 
   std::string json() const {
-    Json json = {{"tool", "rungproof"}, {"command", "xref"}, {"addresses", Json::array()}, {"pointers", Json::array()}, {"free", Json::array()}};
+    Json json = {{"tool", "rungproof"},
+                 {"command", "xref"},
+                 {"addresses", Json::array()},
+                 {"pointers", Json::array()},
+                 {"free", Json::array()}};
     for (const std::size_t i : shown_) {
       const XrefEntry& entry = xref_.entries[i];
-      Json row = {{"address", entryName(entry)}, {"symbol", symbolOf(entry)}, {"width", bits(entry.width)}, {"elements", entry.count},
+      Json row = {{"address", entryName(entry)},
+                  {"symbol", symbolOf(entry)},
+                  {"width", bits(entry.width)},
+                  {"elements", entry.count},
                   {"block", entry.area == Area::L ? Json(facts_.program().pous[entry.block].name) : Json(nullptr)},
-                  {"uses", Json::array()}, {"overlaps", Json::array()}};
+                  {"uses", Json::array()},
+                  {"overlaps", Json::array()}};
       for (const Access* use : entry.uses) row["uses"].push_back(useJson(*use));
       for (const std::size_t other : entry.overlaps) row["overlaps"].push_back(entryName(xref_.entries[other]));
       json["addresses"].push_back(std::move(row));
     }
     for (const Access* access : xref_.throughPointers) json["pointers"].push_back(useJson(*access));
     if (whole_) {
-      for (const FreeRange& range : xref_.free) json["free"].push_back({{"area", areaName(range.area)}, {"first", range.first}, {"last", range.last}});
+      for (const FreeRange& range : xref_.free)
+        json["free"].push_back({{"area", areaName(range.area)}, {"first", range.first}, {"last", range.last}});
     }
     return json.dump(2) + "\n";
   }
@@ -65,7 +76,9 @@ class XrefWriter {
     return symbol == nullptr ? std::string() : symbol->name;
   }
 
-  static std::string_view kindOf(const Access& access) { return access.maybe ? "read/write?" : access.write ? access.isBox ? "box" : "write" : "read"; }
+  static std::string_view kindOf(const Access& access) {
+    return access.maybe ? "read/write?" : access.write ? access.isBox ? "box" : "write" : "read";
+  }
 
   TextRow useRow(const Access& access) const {
     const InstructionPlace& place = facts_.place(access.instruction);
@@ -162,7 +175,8 @@ Exit run(Context& context, std::vector<std::string> arguments) {
   const XrefWriter writer(facts, xref, std::move(shown), !address);
   Exit exit = hasReadErrors(input.program) ? Exit::Failed : Exit::Clean;
   for (const OutputRequest& output : context.outputs) {
-    const std::string text = output.name == "json" ? writer.json() : writer.text(Paint{context.color && output.file.empty()});
+    const std::string text =
+        output.name == "json" ? writer.json() : writer.text(Paint{context.color && output.file.empty()});
     if (!context.write(output, text)) exit = Exit::Failed;
   }
   return exit;
@@ -170,7 +184,8 @@ Exit run(Context& context, std::vector<std::string> arguments) {
 
 Action setup(ArgumentTable& table) {
   auto arguments = std::make_shared<std::vector<std::string>>();
-  table.arguments("FILE", *arguments, "files of the program; a last argument that is no file is an address or symbol to show");
+  table.arguments("FILE", *arguments,
+                  "files of the program; a last argument that is no file is an address or symbol to show");
   return [arguments](Context& context) { return run(context, *arguments); };
 }
 

@@ -13,29 +13,35 @@ using NamePair = std::pair<std::string_view, std::string_view>;
 
 /// Mnemonic and the name in the box, sorted by mnemonic.
 constexpr auto boxNames = std::to_array<NamePair>({
-    {"*D", "MUL_DI"},      {"*I", "MUL_I"},       {"*R", "MUL_R"},       {"+D", "ADD_DI"},      {"+I", "ADD_I"},
-    {"+R", "ADD_R"},       {"-D", "SUB_DI"},      {"-I", "SUB_I"},       {"-R", "SUB_R"},       {"/D", "DIV_DI"},
-    {"/I", "DIV_I"},       {"/R", "DIV_R"},       {"ANDB", "WAND_B"},    {"ANDD", "WAND_DW"},   {"ANDW", "WAND_W"},
-    {"ATT", "AD_T_TBL"},   {"BCDI", "BCD_I"},     {"BIR", "MOV_BIR"},    {"BITIM", "BGN_ITIME"}, {"BIW", "MOV_BIW"},
-    {"BMB", "BLKMOV_B"},   {"BMD", "BLKMOV_D"},   {"BMW", "BLKMOV_W"},   {"BTI", "B_I"},        {"CEVNT", "CLR_EVNT"},
-    {"CFND", "CHR_FIND"},  {"CITIM", "CAL_ITIME"}, {"DECB", "DEC_B"},    {"DECD", "DEC_DW"},    {"DECW", "DEC_W"},
-    {"DLED", "DIAG_LED"},  {"DTI", "DI_I"},       {"DTR", "DI_R"},       {"DTS", "DI_S"},       {"FILL", "FILL_N"},
-    {"GPA", "GET_ADDR"},   {"IBCD", "I_BCD"},     {"INCB", "INC_B"},     {"INCD", "INC_DW"},    {"INCW", "INC_W"},
-    {"INVB", "INV_B"},     {"INVD", "INV_DW"},    {"INVW", "INV_W"},     {"ITB", "I_B"},        {"ITD", "I_DI"},
-    {"ITS", "I_S"},        {"MOVB", "MOV_B"},     {"MOVD", "MOV_DW"},    {"MOVR", "MOV_R"},     {"MOVW", "MOV_W"},
-    {"ORB", "WOR_B"},      {"ORD", "WOR_DW"},     {"ORW", "WOR_W"},      {"RLB", "ROL_B"},      {"RLD", "ROL_DW"},
-    {"RLW", "ROL_W"},      {"RRB", "ROR_B"},      {"RRD", "ROR_DW"},     {"RRW", "ROR_W"},      {"RTS", "R_S"},
-    {"SCAT", "STR_CAT"},   {"SCPY", "STR_CPY"},   {"SFND", "STR_FIND"},  {"SLB", "SHL_B"},      {"SLD", "SHL_DW"},
-    {"SLEN", "STR_LEN"},   {"SLW", "SHL_W"},      {"SPA", "SET_ADDR"},   {"SRB", "SHR_B"},      {"SRD", "SHR_DW"},
-    {"SRW", "SHR_W"},      {"SSCPY", "SSTR_CPY"}, {"STD", "S_DI"},       {"STI", "S_I"},        {"STR", "S_R"},
-    {"TODR", "READ_RTC"},  {"TODRX", "READ_RTCX"}, {"TODW", "SET_RTC"},  {"TODWX", "SET_RTCX"}, {"XORB", "WXOR_B"},
-    {"XORD", "WXOR_DW"},   {"XORW", "WXOR_W"},
+    {"*D", "MUL_DI"},     {"*I", "MUL_I"},        {"*R", "MUL_R"},      {"+D", "ADD_DI"},       {"+I", "ADD_I"},
+    {"+R", "ADD_R"},      {"-D", "SUB_DI"},       {"-I", "SUB_I"},      {"-R", "SUB_R"},        {"/D", "DIV_DI"},
+    {"/I", "DIV_I"},      {"/R", "DIV_R"},        {"ANDB", "WAND_B"},   {"ANDD", "WAND_DW"},    {"ANDW", "WAND_W"},
+    {"ATT", "AD_T_TBL"},  {"BCDI", "BCD_I"},      {"BIR", "MOV_BIR"},   {"BITIM", "BGN_ITIME"}, {"BIW", "MOV_BIW"},
+    {"BMB", "BLKMOV_B"},  {"BMD", "BLKMOV_D"},    {"BMW", "BLKMOV_W"},  {"BTI", "B_I"},         {"CEVNT", "CLR_EVNT"},
+    {"CFND", "CHR_FIND"}, {"CITIM", "CAL_ITIME"}, {"DECB", "DEC_B"},    {"DECD", "DEC_DW"},     {"DECW", "DEC_W"},
+    {"DLED", "DIAG_LED"}, {"DTI", "DI_I"},        {"DTR", "DI_R"},      {"DTS", "DI_S"},        {"FILL", "FILL_N"},
+    {"GPA", "GET_ADDR"},  {"IBCD", "I_BCD"},      {"INCB", "INC_B"},    {"INCD", "INC_DW"},     {"INCW", "INC_W"},
+    {"INVB", "INV_B"},    {"INVD", "INV_DW"},     {"INVW", "INV_W"},    {"ITB", "I_B"},         {"ITD", "I_DI"},
+    {"ITS", "I_S"},       {"MOVB", "MOV_B"},      {"MOVD", "MOV_DW"},   {"MOVR", "MOV_R"},      {"MOVW", "MOV_W"},
+    {"ORB", "WOR_B"},     {"ORD", "WOR_DW"},      {"ORW", "WOR_W"},     {"RLB", "ROL_B"},       {"RLD", "ROL_DW"},
+    {"RLW", "ROL_W"},     {"RRB", "ROR_B"},       {"RRD", "ROR_DW"},    {"RRW", "ROR_W"},       {"RTS", "R_S"},
+    {"SCAT", "STR_CAT"},  {"SCPY", "STR_CPY"},    {"SFND", "STR_FIND"}, {"SLB", "SHL_B"},       {"SLD", "SHL_DW"},
+    {"SLEN", "STR_LEN"},  {"SLW", "SHL_W"},       {"SPA", "SET_ADDR"},  {"SRB", "SHR_B"},       {"SRD", "SHR_DW"},
+    {"SRW", "SHR_W"},     {"SSCPY", "SSTR_CPY"},  {"STD", "S_DI"},      {"STI", "S_I"},         {"STR", "S_R"},
+    {"TODR", "READ_RTC"}, {"TODRX", "READ_RTCX"}, {"TODW", "SET_RTC"},  {"TODWX", "SET_RTCX"},  {"XORB", "WXOR_B"},
+    {"XORD", "WXOR_DW"},  {"XORW", "WXOR_W"},
 });
 static_assert(std::ranges::is_sorted(boxNames));
 
 /// What stands in a coil where it is not the mnemonic.
 constexpr auto coilSigns = std::to_array<NamePair>({
-    {"=", " "}, {"=I", "I"}, {"CRET", "RET"}, {"CRETI", "RETI"}, {"CSCRE", "SCRE"}, {"LSCR", "SCR"}, {"MEND", "END"},
+    {"=", " "},
+    {"=I", "I"},
+    {"CRET", "RET"},
+    {"CRETI", "RETI"},
+    {"CSCRE", "SCRE"},
+    {"LSCR", "SCR"},
+    {"MEND", "END"},
 });
 static_assert(std::ranges::is_sorted(coilSigns));
 
@@ -46,7 +52,9 @@ std::string_view secondOf(const std::array<NamePair, n>& rows, std::string_view 
 }
 
 /// Subtraction and division: STL takes OUT as the first operand (001:4814), the box shows it as IN1.
-bool takesOutFirst(const Desc& desc) { return desc.stl.starts_with('-') || desc.stl.starts_with('/') || desc.stl == "DIV"; }
+bool takesOutFirst(const Desc& desc) {
+  return desc.stl.starts_with('-') || desc.stl.starts_with('/') || desc.stl == "DIV";
+}
 
 bool standsAbove(const Desc& desc, const OperandDesc& operand) {
   if (operand.type == Type::Timer || operand.type == Type::Counter) return operand.direction == Direction::InOut;

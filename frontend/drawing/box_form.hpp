@@ -1,6 +1,6 @@
-// How instructions look in ladder and FBD: the name in a box, the sign in a contact or coil, which operand stands at which
-// pin. Names of operands come from the descriptors; this table adds the names of boxes that differ from the mnemonic
-// (the manual prints a few of them: 001:2210, 001:4946, 001:5595). Tested by tests/show/layout_test.cpp.
+// How instructions look in ladder and FBD: the name in a box, the sign in a contact or coil, which operand stands at
+// which pin. Names of operands come from the descriptors; this table adds the names of boxes that differ from the
+// mnemonic (the manual prints a few of them: 001:2210, 001:4946, 001:5595). Tested by tests/show/layout_test.cpp.
 #pragma once
 
 #include <string>

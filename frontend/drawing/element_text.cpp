@@ -14,7 +14,8 @@ std::string localName(const Pou* pou, const Operand& operand) {
   if (pou == nullptr || operand.kind != OperandKind::Direct || operand.area != Area::L) return {};
   for (const LocalVariable& local : pou->locals) {
     const Operand& a = local.address;
-    const bool isSame = a.offset == operand.offset && a.width == operand.width && (a.width != Width::Bit || a.bit == operand.bit);
+    const bool isSame =
+        a.offset == operand.offset && a.width == operand.width && (a.width != Width::Bit || a.bit == operand.bit);
     if (isSame) return "#" + local.name;
   }
   return {};
@@ -29,7 +30,8 @@ std::string symbolName(const Program* program, const Pou* pou, const Operand& op
 }
 
 bool contains(Span outer, Span inner) {
-  return outer.file == inner.file && outer.length > 0 && inner.offset >= outer.offset && inner.offset < outer.offset + outer.length;
+  return outer.file == inner.file && outer.length > 0 && inner.offset >= outer.offset &&
+         inner.offset < outer.offset + outer.length;
 }
 
 }  // namespace
@@ -52,7 +54,8 @@ OperandText ElementTexts::operand(int element, std::size_t index) const {
   if (index >= e.operands.size()) return {};
   const Operand& operand = e.operands[index];
   OperandText text;
-  text.isConstant = operand.kind == OperandKind::Constant || operand.kind == OperandKind::Text || operand.kind == OperandKind::Address;
+  text.isConstant = operand.kind == OperandKind::Constant || operand.kind == OperandKind::Text ||
+                    operand.kind == OperandKind::Address;
   text.symbol = shortened(symbolName(program_, pou_, operand));
   text.address = operand.kind == OperandKind::Missing ? "??.?" : shortened(toString(operand));
   if (flow_ == nullptr || text.isConstant) return text;
@@ -68,7 +71,8 @@ void ElementTexts::setFindings(const std::vector<const Finding*>& findings) {
       if (!contains(drawing_.elements[i].span, finding->span)) continue;
       ElementMark& mark = marks_[i];
       mark.severity = std::max(mark.severity, static_cast<int>(finding->severity));
-      if (mark.text.find(finding->rule) == std::string::npos) mark.text += (mark.text.empty() ? "^" : " ") + finding->rule;
+      if (mark.text.find(finding->rule) == std::string::npos)
+        mark.text += (mark.text.empty() ? "^" : " ") + finding->rule;
       break;
     }
   }

@@ -1,5 +1,6 @@
-// A network as FBD. A contact on the rail becomes a name at the left end of a wire, a negated one gets a circle at the pin
-// it leads to; a contact behind something becomes an input of an AND; compare contacts, edges and coils become boxes.
+// A network as FBD. A contact on the rail becomes a name at the left end of a wire, a negated one gets a circle at the
+// pin it leads to; a contact behind something becomes an input of an AND; compare contacts, edges and coils become
+// boxes.
 #include <algorithm>
 #include <map>
 
@@ -17,13 +18,15 @@ struct Source {
 
 class FbdPlan {
  public:
-  FbdPlan(const Drawing& drawing, const ElementTexts& texts) : drawing_(drawing), texts_(texts), uses_(usesOf(drawing)) {}
+  FbdPlan(const Drawing& drawing, const ElementTexts& texts)
+      : drawing_(drawing), texts_(texts), uses_(usesOf(drawing)) {}
 
   PlanNodes plan() {
     plan_.hasRails = false;
     const auto count = static_cast<int>(drawing_.elements.size());
     for (int i = 0; i < count; ++i) {
-      const bool isSink = at(i).shape == Shape::Coil || (at(i).shape == Shape::Box && uses_[static_cast<std::size_t>(i)] == 0);
+      const bool isSink =
+          at(i).shape == Shape::Coil || (at(i).shape == Shape::Box && uses_[static_cast<std::size_t>(i)] == 0);
       if (isSink) sourceOf(i);
     }
     return std::move(plan_);
@@ -80,22 +83,29 @@ class FbdPlan {
   void gather(int i, Shape shape, std::vector<NodeInput>& inputs) {
     for (const Wire& wire : at(i).inputs) {
       const auto from = static_cast<int>(wire.from);
-      if (!wire.negated && uses_[wire.from] == 1 && at(from).shape == shape) gather(from, shape, inputs);
-      else if (!wire.negated && shape == Shape::And && isSeries(from)) addSeries(from, inputs);
-      else inputs.push_back(pin(wire));
+      if (!wire.negated && uses_[wire.from] == 1 && at(from).shape == shape)
+        gather(from, shape, inputs);
+      else if (!wire.negated && shape == Shape::And && isSeries(from))
+        addSeries(from, inputs);
+      else
+        inputs.push_back(pin(wire));
     }
   }
   bool isSeries(int i) const {
     const Element& e = at(i);
-    return e.shape == Shape::Contact && !e.operands.empty() && uses_[static_cast<std::size_t>(i)] == 1 && at(static_cast<int>(e.inputs.at(0).from)).shape != Shape::Rail;
+    return e.shape == Shape::Contact && !e.operands.empty() && uses_[static_cast<std::size_t>(i)] == 1 &&
+           at(static_cast<int>(e.inputs.at(0).from)).shape != Shape::Rail;
   }
   /// The contact and what stands in series before it, as inputs of one AND.
   void addSeries(int i, std::vector<NodeInput>& inputs) {
     const Wire& wire = at(i).inputs[0];
     const auto from = static_cast<int>(wire.from);
-    if (!wire.negated && isSeries(from)) addSeries(from, inputs);
-    else if (!wire.negated && at(from).shape == Shape::And && uses_[wire.from] == 1) gather(from, Shape::And, inputs);
-    else inputs.push_back(pin(wire));
+    if (!wire.negated && isSeries(from))
+      addSeries(from, inputs);
+    else if (!wire.negated && at(from).shape == Shape::And && uses_[wire.from] == 1)
+      gather(from, Shape::And, inputs);
+    else
+      inputs.push_back(pin(wire));
     inputs.push_back(pin(finds(i)));
   }
 
@@ -143,7 +153,8 @@ class FbdPlan {
   int box(int i) {
     PlanNode node = boxNode(texts_, at(i), i, uses_[static_cast<std::size_t>(i)] > 0);
     const std::vector<std::string> pins = powerPinsOf(texts_, at(i));
-    for (std::size_t k = 0; k < at(i).inputs.size(); ++k) node.inputs.push_back(pin(at(i).inputs[k], k < pins.size() ? pins[k] : std::string()));
+    for (std::size_t k = 0; k < at(i).inputs.size(); ++k)
+      node.inputs.push_back(pin(at(i).inputs[k], k < pins.size() ? pins[k] : std::string()));
     return add(std::move(node));
   }
 

@@ -12,13 +12,15 @@ namespace {
 
 class LadderPlan {
  public:
-  LadderPlan(const Drawing& drawing, const ElementTexts& texts) : drawing_(drawing), texts_(texts), uses_(usesOf(drawing)) {}
+  LadderPlan(const Drawing& drawing, const ElementTexts& texts)
+      : drawing_(drawing), texts_(texts), uses_(usesOf(drawing)) {}
 
   PlanNodes plan() {
     const auto count = static_cast<int>(drawing_.elements.size());
     for (int i = 0; i < count && plan_.reason.empty(); ++i) {
       const Element& element = at(i);
-      const bool isSink = element.shape == Shape::Coil || (element.shape == Shape::Box && uses_[static_cast<std::size_t>(i)] == 0);
+      const bool isSink =
+          element.shape == Shape::Coil || (element.shape == Shape::Box && uses_[static_cast<std::size_t>(i)] == 0);
       if (isSink) nodeFor(i, rail());
     }
     return std::move(plan_);
@@ -74,7 +76,9 @@ class LadderPlan {
     const std::vector<Wire>& inputs = at(i).inputs;
     for (std::size_t k = 0; k < inputs.size(); ++k) {
       if (k > 0 && (inputs[k].negated || !canMove(static_cast<int>(inputs[k].from)))) {
-        plan_.reason = "an edge, a negation, a box or a branch stands behind the rail in the second part of an AND; ladder has no AND gate";
+        plan_.reason =
+            "an edge, a negation, a box or a branch stands behind the rail in the second part of an AND; ladder has no "
+            "AND gate";
         return source;
       }
       node = input(inputs[k], node);
@@ -94,7 +98,8 @@ class LadderPlan {
     if (element.shape == Shape::Rail) return true;
     if (uses_[static_cast<std::size_t>(i)] != 1 || made_.contains(i)) return false;
     if (element.shape == Shape::Box || (element.shape == Shape::Contact && element.operands.empty())) return false;
-    return std::ranges::all_of(element.inputs, [&](const Wire& wire) { return !wire.negated && canMove(static_cast<int>(wire.from)); });
+    return std::ranges::all_of(element.inputs,
+                               [&](const Wire& wire) { return !wire.negated && canMove(static_cast<int>(wire.from)); });
   }
 
   int contact(int i, int source) {
@@ -107,7 +112,8 @@ class LadderPlan {
     if (at(i).operands.size() > 1) node.below = {texts_.operand(i, 1).whole()};
     // Moved behind another part of a series: power needs both.
     const Flow3 before = plan_.nodes[static_cast<std::size_t>(from)].output;
-    if (!at(i).operands.empty() && before != Flow3::Unknown) node.output = before == Flow3::On && node.state == Flow3::On ? Flow3::On : Flow3::Off;
+    if (!at(i).operands.empty() && before != Flow3::Unknown)
+      node.output = before == Flow3::On && node.state == Flow3::On ? Flow3::On : Flow3::Off;
     return add(std::move(node));
   }
 
@@ -116,7 +122,8 @@ class LadderPlan {
     node.kind = NodeKind::Join;
     gather(i, source, node.inputs);
     bool isOn = false;
-    for (const NodeInput& input : node.inputs) isOn = isOn || plan_.nodes[static_cast<std::size_t>(input.from)].output == Flow3::On;
+    for (const NodeInput& input : node.inputs)
+      isOn = isOn || plan_.nodes[static_cast<std::size_t>(input.from)].output == Flow3::On;
     if (node.output != Flow3::Unknown) node.output = isOn ? Flow3::On : Flow3::Off;
     return add(std::move(node));
   }
@@ -124,8 +131,10 @@ class LadderPlan {
   void gather(int i, int source, std::vector<NodeInput>& inputs) {
     for (const Wire& wire : at(i).inputs) {
       const auto from = static_cast<int>(wire.from);
-      if (!wire.negated && at(from).shape == Shape::Or && uses_[wire.from] == 1) gather(from, source, inputs);
-      else inputs.push_back({input(wire, source)});
+      if (!wire.negated && at(from).shape == Shape::Or && uses_[wire.from] == 1)
+        gather(from, source, inputs);
+      else
+        inputs.push_back({input(wire, source)});
     }
   }
 

@@ -43,12 +43,16 @@ class Page {
 
   std::string document() const {
     return fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n<style>{2}</style>\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
+        "{1}\">\n<style>{2}</style>\n"
         "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{3}</svg>\n",
         width_, y_ + pageMargin, svgStyle(), body_);
   }
   /// Without style sheet, for a page that brings it.
-  std::string element() const { return fmt::format("<svg width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n{2}</svg>\n", width_, y_ + 4, body_); }
+  std::string element() const {
+    return fmt::format("<svg width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n{2}</svg>\n", width_, y_ + 4,
+                       body_);
+  }
 
  private:
   void wrappedNote(const ViewNote& note) {

@@ -21,8 +21,10 @@ bool isInside(const Network& network, const Finding& finding) {
 }
 
 std::string commentText(std::string_view text) {
-  if (text.starts_with("//")) text.remove_prefix(2);
-  else if (text.starts_with("(*")) text = text.substr(2, text.size() - (text.ends_with("*)") ? 4 : 2));
+  if (text.starts_with("//"))
+    text.remove_prefix(2);
+  else if (text.starts_with("(*"))
+    text = text.substr(2, text.size() - (text.ends_with("*)") ? 4 : 2));
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && (text.back() == ' ' || text.back() == '\r')) text.remove_suffix(1);
   return std::string(text);
@@ -33,7 +35,9 @@ std::string namesIn(const Program& program, const Instruction& instruction) {
   std::string names;
   for (const Operand& operand : instruction.operands) {
     const Symbol* symbol = program.symbolOf(operand);
-    const std::string name = !operand.text.empty() && operand.kind == OperandKind::Direct ? operand.text : symbol == nullptr ? "" : symbol->name;
+    const std::string name = !operand.text.empty() && operand.kind == OperandKind::Direct ? operand.text
+                             : symbol == nullptr                                          ? ""
+                                                                                          : symbol->name;
     if (!name.empty()) names += (names.empty() ? "" : ", ") + name;
   }
   return names;
@@ -56,14 +60,18 @@ std::vector<StatementRow> statementRows(const Program& program, const Network& n
       if (record.executions > 0) {
         const std::vector<std::string> values = valueTexts(instruction, record);
         for (std::size_t i = 0; i < values.size(); ++i) {
-          if (!values[i].empty()) row.values += fmt::format("{}{}={}", row.values.empty() ? "" : " ", toString(instruction.operands[i]), values[i]);
+          if (!values[i].empty())
+            row.values +=
+                fmt::format("{}{}={}", row.values.empty() ? "" : " ", toString(instruction.operands[i]), values[i]);
         }
       }
     }
     for (const Finding* finding : options.findings) {
-      const bool isHere = finding->span.file == instruction.span.file && finding->span.offset >= instruction.span.offset &&
+      const bool isHere = finding->span.file == instruction.span.file &&
+                          finding->span.offset >= instruction.span.offset &&
                           finding->span.offset < instruction.span.offset + instruction.span.length;
-      if (isHere && row.marks.find(finding->rule) == std::string::npos) row.marks += (row.marks.empty() ? "^" : " ") + finding->rule;
+      if (isHere && row.marks.find(finding->rule) == std::string::npos)
+        row.marks += (row.marks.empty() ? "^" : " ") + finding->rule;
     }
     rows.push_back(std::move(row));
   }
@@ -79,7 +87,9 @@ std::vector<std::string> statementLines(const Program& program, const Network& n
     values = std::max(values, displayWidth(row.values));
     hasNames = hasNames || !row.names.empty();
   }
-  const auto padded = [](const std::string& text, int width) { return text + std::string(static_cast<std::size_t>(std::max(0, width - displayWidth(text))), ' '); };
+  const auto padded = [](const std::string& text, int width) {
+    return text + std::string(static_cast<std::size_t>(std::max(0, width - displayWidth(text))), ' ');
+  };
   std::vector<std::string> lines;
   for (const StatementRow& row : rows) {
     std::string line = padded(row.statement, statement);
@@ -114,8 +124,10 @@ NetworkView networkView(const Program& program, const Pou& pou, const Network& n
   }
   ViewOptions own = options;
   std::erase_if(own.findings, [&](const Finding* finding) { return !isInside(network, *finding); });
-  for (const Finding* finding : own.findings) view.notes.push_back({finding->severity, fmt::format("{}: {}", finding->rule, finding->message)});
-  view.notExecuted = options.recorder != nullptr && !network.instructions.empty() && !wasExecuted(network, *options.recorder);
+  for (const Finding* finding : own.findings)
+    view.notes.push_back({finding->severity, fmt::format("{}: {}", finding->rule, finding->message)});
+  view.notExecuted =
+      options.recorder != nullptr && !network.instructions.empty() && !wasExecuted(network, *options.recorder);
   if (!network.complete) view.reason = "a line of the network could not be read";
   if (options.form != Form::Stl && network.complete && !network.instructions.empty()) {
     const Raised raised = drawingOf(network, options.form);
@@ -128,7 +140,8 @@ NetworkView networkView(const Program& program, const Pou& pou, const Network& n
         flows = elementFlows(*raised.drawing, network, *options.recorder);
         texts.setFlow(&flows);
       }
-      PlacedPicture placed = place(options.form == Form::Fbd ? fbdNodes(*raised.drawing, texts) : ladderNodes(*raised.drawing, texts));
+      PlacedPicture placed =
+          place(options.form == Form::Fbd ? fbdNodes(*raised.drawing, texts) : ladderNodes(*raised.drawing, texts));
       view.reason = placed.reason;
       if (placed.reason.empty()) {
         view.picture = wrapped(placed.picture, options.width);
@@ -157,7 +170,9 @@ std::vector<std::string> contentLines(const NetworkView& view, const TextStyle& 
   }
   for (const std::string& line : view.statements) lines.push_back("  " + line);
   for (const ViewNote& note : view.notes) {
-    const std::string word = note.severity == Severity::Error ? paint.red("error") : note.severity == Severity::Warning ? paint.yellow("warning") : paint.blue("note");
+    const std::string word = note.severity == Severity::Error     ? paint.red("error")
+                             : note.severity == Severity::Warning ? paint.yellow("warning")
+                                                                  : paint.blue("note");
     lines.push_back(fmt::format("  {} {}", word, note.text));
   }
   return lines;

@@ -1,5 +1,5 @@
-// A network ready to be shown: heading, comments, its picture or its statement list, findings. A network that has no picture
-// in the wanted form is shown as STL with the reason. Tested by tests/show/scan_test.cpp.
+// A network ready to be shown: heading, comments, its picture or its statement list, findings. A network that has no
+// picture in the wanted form is shown as STL with the reason. Tested by tests/show/scan_test.cpp.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ namespace rungproof {
 
 struct ViewOptions {
   Form form = Form::Ladder;
-  int width = 100;  ///< columns of a page
+  int width = 100;                                ///< columns of a page
   std::vector<const Finding*> findings{};         ///< of the whole program; those in the network are taken
   const InstructionRecorder* recorder = nullptr;  ///< a scan to light, or nullptr
 };
@@ -30,9 +30,9 @@ struct NetworkView {
   std::vector<std::string> comments;  ///< without their signs
   Picture picture;                    ///< empty if there is none
   std::vector<std::string> statements;
-  std::string reason;                 ///< why there is no picture; empty: there is one, or STL was asked for
-  std::vector<ViewNote> notes;        ///< findings
-  bool notExecuted = false;           ///< the scan to be lit did not run it
+  std::string reason;           ///< why there is no picture; empty: there is one, or STL was asked for
+  std::vector<ViewNote> notes;  ///< findings
+  bool notExecuted = false;     ///< the scan to be lit did not run it
 };
 
 NetworkView networkView(const Program& program, const Pou& pou, const Network& network, const ViewOptions& options);

@@ -9,9 +9,9 @@ namespace rungproof {
 
 namespace {
 
-constexpr int nameRows = 2;   // upper edge of a box and its name
-constexpr int stub = 2;       // wire between a box and what stands beside it
-constexpr int wireEnds = 2;   // wire on each side of a contact
+constexpr int nameRows = 2;  // upper edge of a box and its name
+constexpr int stub = 2;      // wire between a box and what stands beside it
+constexpr int wireEnds = 2;  // wire on each side of a contact
 
 int widest(const std::vector<std::string>& lines) {
   int width = 0;
@@ -19,7 +19,9 @@ int widest(const std::vector<std::string>& lines) {
   return width;
 }
 
-int labelWidth(const PlanNode& node) { return std::max({widest(node.above), widest(node.below), displayWidth(node.mark)}); }
+int labelWidth(const PlanNode& node) {
+  return std::max({widest(node.above), widest(node.below), displayWidth(node.mark)});
+}
 
 int operandWidth(const std::vector<DataPin>& pins) {
   int width = 0;
@@ -39,7 +41,8 @@ int frameWidth(const PlanNode& node) {
 
 class Drawer {
  public:
-  Drawer(const PlanNode& node, const NodeFrame& frame, Picture& picture) : node_(node), frame_(frame), picture_(picture) {}
+  Drawer(const PlanNode& node, const NodeFrame& frame, Picture& picture)
+      : node_(node), frame_(frame), picture_(picture) {}
 
   int inLine(SymbolKind kind) {
     const int width = displayWidth(node_.sign) + 2;
@@ -61,7 +64,14 @@ class Drawer {
   int box() {
     const int x = frame_.x + entryOffset(node_, frame_.width), width = frameWidth(node_), right = x + width - 1;
     const int bottom = frame_.row + boxRowsBelow(node_, frame_.pinRows);
-    picture_.symbols.push_back({SymbolKind::Box, node_.element, x, frame_.row - nameRows, width, bottom - frame_.row + nameRows + 1, {}, node_.state});
+    picture_.symbols.push_back({SymbolKind::Box,
+                                node_.element,
+                                x,
+                                frame_.row - nameRows,
+                                width,
+                                bottom - frame_.row + nameRows + 1,
+                                {},
+                                node_.state});
     centre_ = 2 * x + width;
     centredLabels(frame_.row - nameRows, bottom + 1);
     centred(LabelRole::BoxName, frame_.row - 1, node_.name);
@@ -73,10 +83,13 @@ class Drawer {
       picture_.wires.push_back({x - 1, row, x, row, noNet, Flow3::Unknown});
       ++row;
     }
-    if (!node_.note.empty()) label(LabelRole::Note, right - displayWidth(node_.note), std::max(row - 1, frame_.row + 1), node_.note, Align::Right);
+    if (!node_.note.empty())
+      label(LabelRole::Note, right - displayWidth(node_.note), std::max(row - 1, frame_.row + 1), node_.note,
+            Align::Right);
     row = frame_.row;
     if (node_.hasOutput) {
-      if (!node_.outputPin.empty()) label(LabelRole::PinName, right - displayWidth(node_.outputPin), row, node_.outputPin, Align::Right);
+      if (!node_.outputPin.empty())
+        label(LabelRole::PinName, right - displayWidth(node_.outputPin), row, node_.outputPin, Align::Right);
       ++row;
     }
     for (const DataPin& pin : node_.right) {
@@ -103,7 +116,9 @@ class Drawer {
   void operand(const DataPin& pin, int x, int y, Align align) {
     label(pin.isConstant ? LabelRole::Constant : LabelRole::Address, x, y, pin.operand, align);
   }
-  void mark(int x, int y) { picture_.labels.push_back({LabelRole::Mark, node_.element, x, y, node_.mark, Align::Left, node_.severity, false}); }
+  void mark(int x, int y) {
+    picture_.labels.push_back({LabelRole::Mark, node_.element, x, y, node_.mark, Align::Left, node_.severity, false});
+  }
 
   /// Lines that end above row `top`, and lines from row `bottom` on.
   void centredLabels(int top, int bottom) {

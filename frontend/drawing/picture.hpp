@@ -83,8 +83,8 @@ struct Picture {
   std::vector<int> cuts;  ///< columns at which the picture may be cut in two, ascending
 };
 
-/// Cuts a picture that is wider than `width` columns into strips below each other. A wire that is cut ends in a numbered
-/// arrow and goes on behind the same number. A single column wider than the page stays as it is.
+/// Cuts a picture that is wider than `width` columns into strips below each other. A wire that is cut ends in a
+/// numbered arrow and goes on behind the same number. A single column wider than the page stays as it is.
 Picture wrapped(const Picture& picture, int width);
 
 }  // namespace rungproof

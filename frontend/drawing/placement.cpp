@@ -29,7 +29,8 @@ struct Spot {
 
 class Placement {
  public:
-  explicit Placement(const PlanNodes& plan) : nodes_(plan.nodes), hasRails_(plan.hasRails), spots_(plan.nodes.size()), uses_(plan.nodes.size(), 0) {
+  explicit Placement(const PlanNodes& plan)
+      : nodes_(plan.nodes), hasRails_(plan.hasRails), spots_(plan.nodes.size()), uses_(plan.nodes.size(), 0) {
     for (const PlanNode& node : nodes_) {
       for (const NodeInput& input : node.inputs) ++uses_[index(input.from)];
     }
@@ -65,8 +66,10 @@ class Placement {
         const bool isShared = uses_[index(input.from)] > 1 && !isRail(input.from);
         // A branch that goes on elsewhere keeps its own border, so that the two nets do not touch.
         s.column = std::max(s.column, spot(input.from).exit + (isShared && n.kind == NodeKind::Join ? 1 : 0));
-        if (isShared) shared = std::max(shared, spot(input.from).exit);
-        else depth[i] = std::max(depth[i], depth[index(input.from)]);
+        if (isShared)
+          shared = std::max(shared, spot(input.from).exit);
+        else
+          depth[i] = std::max(depth[i], depth[index(input.from)]);
       }
       // What stands before the other pins of a box begins behind the wire that goes on elsewhere.
       if (shared > 0 && !hasRails_) s.column = std::max(s.column, shared + depth[i]);
@@ -151,7 +154,8 @@ class Placement {
       at = 2 * s.exit;
       if (hasWireBehind(i)) occupy(at, at, row, i);
     }
-    if (chain.source >= 0 && !isRail(chain.source)) connect(spot(chain.source).exit, spot(chain.source).row, row, chain.source);
+    if (chain.source >= 0 && !isRail(chain.source))
+      connect(spot(chain.source).exit, spot(chain.source).row, row, chain.source);
     for (const int i : chain.nodes) {
       if (reason_.empty()) placeInputs(i);
     }
@@ -197,7 +201,8 @@ class Placement {
     int row = minimum;
     for (int slot = from; slot <= to; ++slot) {
       const int owner = owner_[index(slot)];
-      const bool begins = slot == from && slot % 2 == 0 && chain.source >= 0 && (isRail(chain.source) || owner == chain.source);
+      const bool begins =
+          slot == from && slot % 2 == 0 && chain.source >= 0 && (isRail(chain.source) || owner == chain.source);
       const bool ends = slot == to && meets >= 0 && owner == meets;
       if (begins || ends) continue;
       int headroom = 0;
@@ -337,8 +342,10 @@ class Placement {
         if (!isRail(from) && row != spot(from).row) addVertical(spot(from).exit, spot(from).row, row, from);
       }
     }
-    for (const auto& [place, rows] : verticals_) wire(borderX(place.first), rows.first, borderX(place.first), rows.second, place.second);
-    for (const auto& [place, rows] : verticals_) markBranches(borderX(place.first), rows.first, rows.second, place.second);
+    for (const auto& [place, rows] : verticals_)
+      wire(borderX(place.first), rows.first, borderX(place.first), rows.second, place.second);
+    for (const auto& [place, rows] : verticals_)
+      markBranches(borderX(place.first), rows.first, rows.second, place.second);
   }
 
   /// Dots on a vertical wire where three lines or more meet.
@@ -355,7 +362,8 @@ class Placement {
         }
       }
       const int arms = (up ? 1 : 0) + (down ? 1 : 0) + (left ? 1 : 0) + (right ? 1 : 0);
-      const bool isNew = std::ranges::none_of(picture_.dots, [&](const PictureDot& dot) { return dot.x == x && dot.y == row; });
+      const bool isNew =
+          std::ranges::none_of(picture_.dots, [&](const PictureDot& dot) { return dot.x == x && dot.y == row; });
       if (arms > 2 && isNew) picture_.dots.push_back({x, row, node(net).output});
     }
   }
@@ -366,8 +374,8 @@ class Placement {
   std::vector<int> uses_;
   int columns_ = 0;
   bool hasCoils_ = false;
-  std::vector<int> low_;    ///< by slot: first free row. Slot 2 b is border b, slot 2 c + 1 is column c
-  std::vector<int> owner_;  ///< by slot: net of the lowest thing in it
+  std::vector<int> low_;                   ///< by slot: first free row. Slot 2 b is border b, slot 2 c + 1 is column c
+  std::vector<int> owner_;                 ///< by slot: net of the lowest thing in it
   std::vector<std::vector<Taken>> taken_;  ///< by border
   std::vector<int> width_;
   std::vector<int> lead_;  ///< by column: from its left end to the boxes in it

@@ -50,7 +50,9 @@ std::string nameOfBox(const ElementTexts& texts, const Element& element, int ind
   if (element.desc->control != Control::Call) return boxName(*element.desc);
   if (const Pou* callee = calleeOf(texts, element)) return callee->name;
   const OperandText text = texts.operand(index, 0);
-  return element.operands.empty() ? "CALL" : element.operands[0].kind == OperandKind::Constant ? "SBR_" + text.address : text.address;
+  return element.operands.empty()                            ? "CALL"
+         : element.operands[0].kind == OperandKind::Constant ? "SBR_" + text.address
+                                                             : text.address;
 }
 
 }  // namespace
@@ -66,7 +68,8 @@ PlanNode boxNode(const ElementTexts& texts, const Element& element, int index, b
     const Operand& operand = element.operands[pin.operand];
     const OperandText text = texts.operand(index, pin.operand);
     // An output that is not used, or a parameter that is given as power flow.
-    const bool isOptional = desc.control == Control::Call || (pin.operand < desc.operandCount && desc.operands[pin.operand].optional);
+    const bool isOptional =
+        desc.control == Control::Call || (pin.operand < desc.operandCount && desc.operands[pin.operand].optional);
     const bool isOpen = operand.kind == OperandKind::Missing && isOptional;
     if (pin.side == PinSide::Above) {
       addAbove(node, text);

@@ -37,7 +37,8 @@ std::optional<double> numberRead(const Instruction& instruction, const Instructi
   const Operand& operand = instruction.operands[index];
   const SignalType type = signalType(instruction, index);
   const int width = bits(operandWidth(instruction, index));
-  if (operand.kind == OperandKind::Constant) return numberOf(static_cast<std::uint64_t>(operand.value) & Concrete::mask(width), type, width);
+  if (operand.kind == OperandKind::Constant)
+    return numberOf(static_cast<std::uint64_t>(operand.value) & Concrete::mask(width), type, width);
   if (index >= record.read.size() || !record.read[index]) return std::nullopt;
   return numberOf(*record.read[index], type, width);
 }
@@ -53,14 +54,16 @@ bool isClosed(const Element& element, const Instruction& instruction, const Inst
     const std::optional<double> a = numberRead(instruction, record, 0), b = numberRead(instruction, record, 1);
     return a && b && isTrue(*a, *b, stl.substr(stl.find_first_of("<>=")));
   }
-  // Strings: the stack tells. Where the other side of an AND is off or of an OR is on, it cannot be seen, nor does it matter.
+  // Strings: the stack tells. Where the other side of an AND is off or of an OR is on, it cannot be seen, nor does it
+  // matter.
   const bool isLoad = instruction.desc->stl.starts_with("LD"), isOr = instruction.desc->stl.starts_with('O');
   return record.after[0] && (isLoad || !isOr || !record.before[0]);
 }
 
 class FlowWalk {
  public:
-  FlowWalk(const Drawing& drawing, const Network& network, const InstructionRecorder& recorder) : drawing_(drawing), network_(network), recorder_(recorder) {}
+  FlowWalk(const Drawing& drawing, const Network& network, const InstructionRecorder& recorder)
+      : drawing_(drawing), network_(network), recorder_(recorder) {}
 
   std::vector<ElementFlow> run() {
     bool isPowered = false;
@@ -84,7 +87,8 @@ class FlowWalk {
     const auto on = [&](const Wire& wire) { return isOn(wire); };
     if (element.shape == Shape::Or || element.shape == Shape::And) {
       const bool isAny = element.shape == Shape::Or;
-      result.output = result.state = flowOf(isAny ? std::ranges::any_of(element.inputs, on) : std::ranges::all_of(element.inputs, on));
+      result.output = result.state =
+          flowOf(isAny ? std::ranges::any_of(element.inputs, on) : std::ranges::all_of(element.inputs, on));
       return result;
     }
     result.output = result.state = Flow3::Off;
@@ -108,7 +112,8 @@ class FlowWalk {
     return result;
   }
 
-  static void contact(const Element& element, const Instruction& instruction, const InstructionRecord& record, bool input, ElementFlow& result) {
+  static void contact(const Element& element, const Instruction& instruction, const InstructionRecord& record,
+                      bool input, ElementFlow& result) {
     if (element.desc->stl == "NOT") {
       result.output = result.state = flowOf(!input);
     } else if (element.operands.empty()) {
@@ -137,20 +142,24 @@ class FlowWalk {
 std::vector<std::string> valueTexts(const Instruction& instruction, const InstructionRecord& record) {
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
-    const bool isOutput = i < instruction.desc->operandCount && instruction.desc->operands[i].direction != Direction::In;
+    const bool isOutput =
+        i < instruction.desc->operandCount && instruction.desc->operands[i].direction != Direction::In;
     const std::vector<std::optional<std::uint64_t>>& values = isOutput ? record.written : record.read;
     const bool isKnown = i < values.size() && values[i].has_value();
     const SignalType type = signalType(instruction, i);
-    texts.push_back(isKnown ? numberText(numberOf(*values[i], type, bits(operandWidth(instruction, i))), type) : std::string());
+    texts.push_back(isKnown ? numberText(numberOf(*values[i], type, bits(operandWidth(instruction, i))), type)
+                            : std::string());
   }
   return texts;
 }
 
 bool wasExecuted(const Network& network, const InstructionRecorder& recorder) {
-  return std::ranges::any_of(network.instructions, [&](const Instruction& instruction) { return recorder.of(instruction).executions > 0; });
+  return std::ranges::any_of(network.instructions,
+                             [&](const Instruction& instruction) { return recorder.of(instruction).executions > 0; });
 }
 
-std::vector<ElementFlow> elementFlows(const Drawing& drawing, const Network& network, const InstructionRecorder& recorder) {
+std::vector<ElementFlow> elementFlows(const Drawing& drawing, const Network& network,
+                                      const InstructionRecorder& recorder) {
   return FlowWalk(drawing, network, recorder).run();
 }
 

@@ -1,6 +1,6 @@
-// Power flow in a drawn network: what a recorded scan means for each element. Contacts are judged by the values that their
-// instructions saw; wires follow from the elements, as on the screen of the editor in status mode. In an inactive SCR
-// segment nothing flows (001:5830). Tested by tests/show/scan_test.cpp.
+// Power flow in a drawn network: what a recorded scan means for each element. Contacts are judged by the values that
+// their instructions saw; wires follow from the elements, as on the screen of the editor in status mode. In an inactive
+// SCR segment nothing flows (001:5830). Tested by tests/show/scan_test.cpp.
 #pragma once
 
 #include <string>
@@ -12,7 +12,8 @@
 namespace rungproof {
 
 /// Flow of every element. Elements whose instruction did not run in the scan are off.
-std::vector<ElementFlow> elementFlows(const Drawing& drawing, const Network& network, const InstructionRecorder& recorder);
+std::vector<ElementFlow> elementFlows(const Drawing& drawing, const Network& network,
+                                      const InstructionRecorder& recorder);
 
 /// Whether any instruction of the network ran.
 bool wasExecuted(const Network& network, const InstructionRecorder& recorder);

@@ -13,15 +13,10 @@ namespace {
 /// Lines by the weight (0 none, 1 light, 2 heavy) of what goes up, right, down and left: index ((up * 3 + right) * 3 +
 /// down) * 3 + left.
 constexpr std::array<std::string_view, 81> lines = {
-    " ", "╴", "╸", "╷", "┐", "┑", "╻", "┒", "┓",
-    "╶", "─", "╾", "┌", "┬", "┭", "┎", "┰", "┱",
-    "╺", "╼", "━", "┍", "┮", "┯", "┏", "┲", "┳",
-    "╵", "┘", "┙", "│", "┤", "┥", "╽", "┧", "┪",
-    "└", "┴", "┵", "├", "┼", "┽", "┟", "╁", "╅",
-    "┕", "┶", "┷", "┝", "┾", "┿", "┢", "╆", "╈",
-    "╹", "┚", "┛", "╿", "┦", "┩", "┃", "┨", "┫",
-    "┖", "┸", "┹", "┞", "╀", "╃", "┠", "╂", "╉",
-    "┗", "┺", "┻", "┡", "╄", "╇", "┣", "╊", "╋",
+    " ", "╴", "╸", "╷", "┐", "┑", "╻", "┒", "┓", "╶", "─", "╾", "┌", "┬", "┭", "┎", "┰", "┱", "╺", "╼", "━",
+    "┍", "┮", "┯", "┏", "┲", "┳", "╵", "┘", "┙", "│", "┤", "┥", "╽", "┧", "┪", "└", "┴", "┵", "├", "┼", "┽",
+    "┟", "╁", "╅", "┕", "┶", "┷", "┝", "┾", "┿", "┢", "╆", "╈", "╹", "┚", "┛", "╿", "┦", "┩", "┃", "┨", "┫",
+    "┖", "┸", "┹", "┞", "╀", "╃", "┠", "╂", "╉", "┗", "┺", "┻", "┡", "╄", "╇", "┣", "╊", "╋",
 };
 
 enum class Ink : std::uint8_t { Plain, Power, Name, Faint, Error, Warning, Note };
@@ -38,7 +33,8 @@ class Canvas {
   Canvas(const Picture& picture, const TextStyle& style) : picture_(picture), style_(style) {
     int width = picture.width;
     for (const PictureLabel& label : picture.labels) width = std::max(width, label.x + displayWidth(label.text));
-    rows_.assign(static_cast<std::size_t>(std::max(picture.height, 1)), std::vector<ScreenCell>(static_cast<std::size_t>(width)));
+    rows_.assign(static_cast<std::size_t>(std::max(picture.height, 1)),
+                 std::vector<ScreenCell>(static_cast<std::size_t>(width)));
   }
 
   std::vector<std::string> draw() {
@@ -101,8 +97,10 @@ class Canvas {
       const std::string character = text.substr(i, next - i);
       const int width = displayWidth(character);
       if (ScreenCell* c = cell(width == 0 ? x - 1 : x, y)) {
-        if (width == 0) c->text += character;
-        else c->text = character;
+        if (width == 0)
+          c->text += character;
+        else
+          c->text = character;
         c->ink = ink;
       }
       if (ScreenCell* c = width == 2 ? cell(x + 1, y) : nullptr) c->isCovered = true;
@@ -185,6 +183,8 @@ class Canvas {
 
 }  // namespace
 
-std::vector<std::string> textLines(const Picture& picture, const TextStyle& style) { return Canvas(picture, style).draw(); }
+std::vector<std::string> textLines(const Picture& picture, const TextStyle& style) {
+  return Canvas(picture, style).draw();
+}
 
 }  // namespace rungproof

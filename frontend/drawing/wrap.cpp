@@ -9,7 +9,7 @@ namespace rungproof {
 
 namespace {
 
-constexpr int margin = 5;     // room for the arrow of a cut wire: "->12"
+constexpr int margin = 5;  // room for the arrow of a cut wire: "->12"
 constexpr int betweenStrips = 1;
 
 /// Columns [first, last] of the picture, and where they go.
@@ -53,7 +53,9 @@ class Wrapper {
       if (k > 0) dy_ += betweenStrips;
       dy_ -= top_;
       const bool isLast = k + 1 == strips_.size();
-      stretch_ = isLast && !from_.rails.empty() && from_.cuts.back() >= strip_.first ? std::max(0, usualWidth - 1 - from_.rails.back().x - strip_.dx) : 0;
+      stretch_ = isLast && !from_.rails.empty() && from_.cuts.back() >= strip_.first
+                     ? std::max(0, usualWidth - 1 - from_.rails.back().x - strip_.dx)
+                     : 0;
       copy(isLast);
       dy_ += bottom_ + 1;
     }
@@ -142,7 +144,8 @@ class Wrapper {
     label.x = enters ? x + strip_.dx - 1 - static_cast<int>(label.text.size()) : x + strip_.dx + 2;
     label.align = enters ? Align::Right : Align::Left;
     if (!enters) see(label.x + static_cast<int>(label.text.size()) - 1);
-    const bool isThere = std::ranges::any_of(to_.labels, [&](const PictureLabel& other) { return other.x == label.x && other.y == label.y; });
+    const bool isThere = std::ranges::any_of(
+        to_.labels, [&](const PictureLabel& other) { return other.x == label.x && other.y == label.y; });
     if (!isThere) to_.labels.push_back(std::move(label));
   }
 

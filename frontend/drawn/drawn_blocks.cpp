@@ -21,11 +21,16 @@ const DrawnPin* pinNamed(const DrawnElement& element, std::initializer_list<std:
   return nullptr;
 }
 
-bool isTimer(StandardBlock block) { return block == StandardBlock::Ton || block == StandardBlock::Tof || block == StandardBlock::Tp; }
-bool isCounter(StandardBlock block) { return block == StandardBlock::Ctu || block == StandardBlock::Ctd || block == StandardBlock::Ctud; }
+bool isTimer(StandardBlock block) {
+  return block == StandardBlock::Ton || block == StandardBlock::Tof || block == StandardBlock::Tp;
+}
+bool isCounter(StandardBlock block) {
+  return block == StandardBlock::Ctu || block == StandardBlock::Ctd || block == StandardBlock::Ctud;
+}
 
 /// The constant at PT, in ms; nothing if it is a variable or cannot be read.
-std::optional<std::int64_t> constantPreset(DrawnBuild& build, DrawnCopy& copy, const DrawnNetwork& network, const DrawnElement& element) {
+std::optional<std::int64_t> constantPreset(DrawnBuild& build, DrawnCopy& copy, const DrawnNetwork& network,
+                                           const DrawnElement& element) {
   const DrawnPin* pt = pinNamed(element, {"PT"});
   if (pt == nullptr) return std::nullopt;
   std::string text = pt->expression;
@@ -40,8 +45,12 @@ std::optional<std::int64_t> constantPreset(DrawnBuild& build, DrawnCopy& copy, c
   return std::nullopt;
 }
 
-Operand timerOperand(const DrawnCopy& instance) { return direct(Area::T, Width::Bit, static_cast<std::uint32_t>(instance.number)); }
-Operand counterOperand(const DrawnCopy& instance) { return direct(Area::C, Width::Bit, static_cast<std::uint32_t>(instance.number)); }
+Operand timerOperand(const DrawnCopy& instance) {
+  return direct(Area::T, Width::Bit, static_cast<std::uint32_t>(instance.number));
+}
+Operand counterOperand(const DrawnCopy& instance) {
+  return direct(Area::C, Width::Bit, static_cast<std::uint32_t>(instance.number));
+}
 
 }  // namespace
 
@@ -58,28 +67,40 @@ void DrawnBlocks::prepare(DrawnBuild& build, DrawnCopy& copy, const DrawnNetwork
     DrawnCopy& instance = *place->copy;
     if (instance.number >= 0 || instance.isBroken || !instance.places.empty()) continue;
     const auto bit = [&](std::string_view name) {
-      if (const auto address = build.temporary(IecType::Bool)) instance.places[std::string(name)] = VariablePlace{IecType::Bool, *address, std::nullopt, nullptr};
+      if (const auto address = build.temporary(IecType::Bool))
+        instance.places[std::string(name)] = VariablePlace{IecType::Bool, *address, std::nullopt, nullptr};
     };
     if (isTimer(type)) {
       const auto ms = constantPreset(build, copy, network, element);
       const auto chosen = build.memory().timerFor(ms.value_or(0));
       if (!chosen) {
         instance.isBroken = true;
-        build.sink().operand(element, fmt::format("no timer of the CPU can count {} ms: presets go up to {} steps of 1, 10 or 100 ms, and every timer exists once", ms.value_or(0), largestPreset));
+        build.sink().operand(element, fmt::format("no timer of the CPU can count {} ms: presets go up to {} steps of "
+                                                  "1, 10 or 100 ms, and every timer exists once",
+                                                  ms.value_or(0), largestPreset));
         continue;
       }
       instance.number = chosen->number;
       instance.resolution = chosen->resolution;
-      if (type == StandardBlock::Tp) bit("Q");
-      else instance.places["Q"] = VariablePlace{IecType::Bool, timerOperand(instance), std::nullopt, nullptr};
-      const bool wantsTime = build.isMentioned(element.instance, "ET") || std::any_of(element.outputs.begin(), element.outputs.end(), [&](const DrawnPin& pin) { return foldedName(pin.name) == "ET" && !pin.expression.empty(); });
-      const bool hasLine = std::any_of(network.elements.begin(), network.elements.end(), [&](const DrawnElement& other) {
-        return std::any_of(other.inputs.begin(), other.inputs.end(), [&](const DrawnPin& pin) {
-          return std::any_of(pin.links.begin(), pin.links.end(), [&](const DrawnLink& link) { return link.from == element.id && foldedName(link.pin) == "ET"; });
-        });
-      });
+      if (type == StandardBlock::Tp)
+        bit("Q");
+      else
+        instance.places["Q"] = VariablePlace{IecType::Bool, timerOperand(instance), std::nullopt, nullptr};
+      const bool wantsTime = build.isMentioned(element.instance, "ET") ||
+                             std::any_of(element.outputs.begin(), element.outputs.end(), [&](const DrawnPin& pin) {
+                               return foldedName(pin.name) == "ET" && !pin.expression.empty();
+                             });
+      const bool hasLine =
+          std::any_of(network.elements.begin(), network.elements.end(), [&](const DrawnElement& other) {
+            return std::any_of(other.inputs.begin(), other.inputs.end(), [&](const DrawnPin& pin) {
+              return std::any_of(pin.links.begin(), pin.links.end(), [&](const DrawnLink& link) {
+                return link.from == element.id && foldedName(link.pin) == "ET";
+              });
+            });
+          });
       if (wantsTime || hasLine) {
-        if (const auto address = build.temporary(IecType::Time)) instance.places["ET"] = VariablePlace{IecType::Time, *address, std::nullopt, nullptr};
+        if (const auto address = build.temporary(IecType::Time))
+          instance.places["ET"] = VariablePlace{IecType::Time, *address, std::nullopt, nullptr};
       }
     } else if (isCounter(type)) {
       const auto number = build.memory().counter();
@@ -102,9 +123,12 @@ void DrawnBlocks::prepare(DrawnBuild& build, DrawnCopy& copy, const DrawnNetwork
   }
 }
 
-const DrawnPin* DrawnBlocks::pin(const DrawnElement& element, std::initializer_list<std::string_view> names) const { return pinNamed(element, names); }
+const DrawnPin* DrawnBlocks::pin(const DrawnElement& element, std::initializer_list<std::string_view> names) const {
+  return pinNamed(element, names);
+}
 
-std::optional<Wire> DrawnBlocks::powerIn(const DrawnElement& element, std::initializer_list<std::string_view> names, bool isRequired) {
+std::optional<Wire> DrawnBlocks::powerIn(const DrawnElement& element, std::initializer_list<std::string_view> names,
+                                         bool isRequired) {
   const DrawnPin* found = pin(element, names);
   const bool isOpen = found == nullptr || (found->links.empty() && found->expression.empty());
   if (isOpen && !isRequired) return Wire{0, true};
@@ -116,7 +140,8 @@ bool DrawnBlocks::isAsked(int i, const DrawnElement& element, std::string_view n
     const std::string asked = foldedName(consumer.link->pin);
     if (asked == name || (asked.empty() && (name.front() == 'Q'))) return true;
   }
-  return std::any_of(element.outputs.begin(), element.outputs.end(), [&](const DrawnPin& out) { return foldedName(out.name) == name && !out.expression.empty(); });
+  return std::any_of(element.outputs.begin(), element.outputs.end(),
+                     [&](const DrawnPin& out) { return foldedName(out.name) == name && !out.expression.empty(); });
 }
 
 /// Makes an output available to those who asked for it, and writes it where the drawing says so at the pin.
@@ -133,24 +158,30 @@ void DrawnBlocks::deliver(int i, const DrawnElement& element, std::string_view n
   l_.states_[static_cast<std::size_t>(i)].outputs.emplace_back(std::string(name), value);
 }
 
-std::optional<Operand> DrawnBlocks::presetOf(const DrawnElement& element, const DrawnCopy& instance, DrawnValue& value) {
+std::optional<Operand> DrawnBlocks::presetOf(const DrawnElement& element, const DrawnCopy& instance,
+                                             DrawnValue& value) {
   const DrawnPin* pt = pin(element, {"PT"});
   if (pt == nullptr || (pt->links.empty() && pt->expression.empty())) {
     l_.sink_.operand(element, "input PT is left open");
     return std::nullopt;
   }
   value = l_.input(element, *pt);
-  if (!value.isData() || widthOf(value.type == IecType::None ? IecType::Time : value.type) != Width::DWord || value.type == IecType::Real) {
+  if (!value.isData() || widthOf(value.type == IecType::None ? IecType::Time : value.type) != Width::DWord ||
+      value.type == IecType::Real) {
     if (value.kind != DrawnValue::Kind::Nothing) l_.sink_.operand(element, "PT must be a TIME");
     return std::nullopt;
   }
   if (value.operand.kind == OperandKind::Constant) {
     const std::int64_t ms = value.operand.value;
-    if (ms >= 0 && ms % instance.resolution == 0 && ms / instance.resolution <= largestPreset) return constant(ms / instance.resolution);
-    l_.sink_.operand(element, fmt::format("{} ms cannot be counted by {}, which has steps of {} ms", ms, toString(timerOperand(instance)), instance.resolution));
+    if (ms >= 0 && ms % instance.resolution == 0 && ms / instance.resolution <= largestPreset)
+      return constant(ms / instance.resolution);
+    l_.sink_.operand(element, fmt::format("{} ms cannot be counted by {}, which has steps of {} ms", ms,
+                                          toString(timerOperand(instance)), instance.resolution));
     return std::nullopt;
   }
-  l_.sink_.report(Syntax::PresetRounded, element.span, fmt::format("{}: the preset is a variable and is counted in steps of {} ms", nameOf(element), instance.resolution));
+  l_.sink_.report(Syntax::PresetRounded, element.span,
+                  fmt::format("{}: the preset is a variable and is counted in steps of {} ms", nameOf(element),
+                              instance.resolution));
   const Operand steps = l_.temporary(IecType::Dint);
   l_.box("MOVD", {value.operand, steps}, l_.rail());
   l_.box("/D", {constant(instance.resolution), steps}, l_.rail());
@@ -168,7 +199,8 @@ bool DrawnBlocks::elapsedTime(const DrawnElement& element, DrawnCopy& instance, 
   l_.box("ITD", {timerOperand(instance), time}, l_.rail());
   if (instance.resolution != 1) l_.box("*D", {constant(instance.resolution), time}, l_.rail());
   // A TON counts on behind its preset.
-  if (instance.standard == StandardBlock::Ton) l_.box("MOVD", {preset.operand, time}, l_.compare("LDD>", time, preset.operand, l_.rail()));
+  if (instance.standard == StandardBlock::Ton)
+    l_.box("MOVD", {preset.operand, time}, l_.compare("LDD>", time, preset.operand, l_.rail()));
   return true;
 }
 
@@ -193,7 +225,8 @@ bool DrawnBlocks::timer(const DrawnElement& element, DrawnCopy& instance, Wire i
   if (instance.standard == StandardBlock::Tp) {
     pulse(instance, *preset, in);
   } else {
-    l_.add(Shape::Box, instance.standard == StandardBlock::Ton ? "TON" : "TOF", {timerOperand(instance), *preset}, {in});
+    l_.add(Shape::Box, instance.standard == StandardBlock::Ton ? "TON" : "TOF", {timerOperand(instance), *preset},
+           {in});
   }
   return elapsedTime(element, instance, value);
 }
@@ -234,7 +267,9 @@ bool DrawnBlocks::standard(int i, const DrawnElement& element, DrawnCopy& instan
     case StandardBlock::Tp: isGood = read({"IN"}, true); break;
     case StandardBlock::Ctu: isGood = read({"CU"}, true) && read({"R", "RESET"}, false); break;
     case StandardBlock::Ctd: isGood = read({"CD"}, true) && read({"LD", "LOAD"}, false); break;
-    case StandardBlock::Ctud: isGood = read({"CU"}, false) && read({"CD"}, false) && read({"R", "RESET"}, false) && read({"LD", "LOAD"}, false); break;
+    case StandardBlock::Ctud:
+      isGood = read({"CU"}, false) && read({"CD"}, false) && read({"R", "RESET"}, false) && read({"LD", "LOAD"}, false);
+      break;
     case StandardBlock::Sr: isGood = read({"S1", "SET1", "S"}, true) && read({"R", "RESET", "R1"}, false); break;
     case StandardBlock::Rs: isGood = read({"S", "SET", "S1"}, true) && read({"R1", "RESET1", "R"}, false); break;
     default: isGood = read({"CLK"}, true); break;
@@ -269,13 +304,16 @@ bool DrawnBlocks::standard(int i, const DrawnElement& element, DrawnCopy& instan
       const Operand bit = instance.places.at("Q1").operand;
       const Wire held = l_.contact(bit, l_.rail());
       const Wire off = l_.inverted(in[1]);
-      const Wire on = instance.standard == StandardBlock::Sr ? l_.gate(Shape::Or, {in[0], l_.gate(Shape::And, {held, off})}) : l_.gate(Shape::And, {l_.gate(Shape::Or, {in[0], held}), off});
+      const Wire on = instance.standard == StandardBlock::Sr
+                          ? l_.gate(Shape::Or, {in[0], l_.gate(Shape::And, {held, off})})
+                          : l_.gate(Shape::And, {l_.gate(Shape::Or, {in[0], held}), off});
       l_.assign(bit, on);
       break;
     }
     default:
       edge = l_.edge(in[0], instance.standard == StandardBlock::RTrig ? DrawnEdge::Rising : DrawnEdge::Falling);
-      if (isGuarded || l_.circuit_->isCut(i) || l_.build_.isMentioned(element.instance, "Q")) l_.assign(instance.places.at("Q").operand, edge);
+      if (isGuarded || l_.circuit_->isCut(i) || l_.build_.isMentioned(element.instance, "Q"))
+        l_.assign(instance.places.at("Q").operand, edge);
       break;
   }
   if (isGuarded) {
@@ -301,7 +339,8 @@ bool DrawnBlocks::standard(int i, const DrawnElement& element, DrawnCopy& instan
   return true;
 }
 
-bool DrawnBlocks::project(int i, const DrawnElement& element, const DrawnBlock& block, DrawnCopy& instance, Wire enable) {
+bool DrawnBlocks::project(int i, const DrawnElement& element, const DrawnBlock& block, DrawnCopy& instance,
+                          Wire enable) {
   // Inputs in the order of the drawing, then the call, then what comes back.
   std::vector<std::pair<const DrawnPin*, VariablePlace>> inOuts;
   for (const DrawnPin& in : element.inputs) {
@@ -315,7 +354,10 @@ bool DrawnBlocks::project(int i, const DrawnElement& element, const DrawnBlock& 
     const DrawnValue value = l_.input(element, in);
     if (value.kind == DrawnValue::Kind::Nothing) return false;
     l_.moveTo(place->second, value, l_.rail(), element);
-    const bool isInOut = std::any_of(block.variables.begin(), block.variables.end(), [&](const DrawnVariable& variable) { return variable.section == DrawnSection::InOut && foldedName(variable.name) == name; });
+    const bool isInOut =
+        std::any_of(block.variables.begin(), block.variables.end(), [&](const DrawnVariable& variable) {
+          return variable.section == DrawnSection::InOut && foldedName(variable.name) == name;
+        });
     if (isInOut) inOuts.emplace_back(&in, place->second);
   }
   Operand number = constant(instance.number);
@@ -325,7 +367,8 @@ bool DrawnBlocks::project(int i, const DrawnElement& element, const DrawnBlock& 
     std::string text = in->expression;
     if (in->links.size() == 1) {
       const int from = l_.circuit_->sourceOf(in->links[0]);
-      if (from != DrawnCircuit::nothing && l_.circuit_->element(from).kind != DrawnKind::Block) text = l_.circuit_->element(from).text;
+      if (from != DrawnCircuit::nothing && l_.circuit_->element(from).kind != DrawnKind::Block)
+        text = l_.circuit_->element(from).text;
     }
     if (text.empty()) {
       l_.sink_.operand(element, fmt::format("in-out parameter {} needs a variable", in->name));
@@ -348,7 +391,8 @@ bool DrawnBlocks::project(int i, const DrawnElement& element, const DrawnBlock& 
     }
     if (l_.circuit_->isCut(i) && out.expression.empty()) continue;
     bool isWanted = !out.expression.empty();
-    for (const DrawnCircuit::Consumer& consumer : l_.circuit_->consumersOf(i)) isWanted = isWanted || consumer.link->pin.empty() || foldedName(consumer.link->pin) == name;
+    for (const DrawnCircuit::Consumer& consumer : l_.circuit_->consumersOf(i))
+      isWanted = isWanted || consumer.link->pin.empty() || foldedName(consumer.link->pin) == name;
     if (!isWanted) continue;
     DrawnValue value = l_.readPlace(place->second, element);
     l_.fresh_ = 0;
@@ -379,13 +423,15 @@ bool DrawnBlocks::call(int i, const DrawnElement& element, Wire& enable) {
     return false;
   }
   const VariablePlace* place = l_.build_.lookUp(l_.copy_, element.instance);
-  const bool isSame = place != nullptr && place->copy != nullptr && place->copy->block == block && (block != nullptr || place->copy->standard == standardBlockNamed(element.text));
+  const bool isSame = place != nullptr && place->copy != nullptr && place->copy->block == block &&
+                      (block != nullptr || place->copy->standard == standardBlockNamed(element.text));
   if (!isSame) {
     l_.sink_.operand(element, fmt::format("{} is not declared as an instance of {}", element.instance, element.text));
     return false;
   }
   if (place->copy->isBroken) return false;
-  return block != nullptr ? project(i, element, *block, *place->copy, enable) : standard(i, element, *place->copy, enable);
+  return block != nullptr ? project(i, element, *block, *place->copy, enable)
+                          : standard(i, element, *place->copy, enable);
 }
 
 bool DrawnLowering::block(int i, const DrawnElement& e) {
@@ -424,13 +470,16 @@ bool DrawnLowering::block(int i, const DrawnElement& e) {
       ++readers;
       reader = consumer.element;
     }
-    const bool isVariable = readers == 1 && circuit_->element(reader).kind == DrawnKind::OutVariable && !circuit_->element(reader).negated && circuit_->element(reader).inputs[0].links.size() == 1;
+    const bool isVariable = readers == 1 && circuit_->element(reader).kind == DrawnKind::OutVariable &&
+                            !circuit_->element(reader).negated && circuit_->element(reader).inputs[0].links.size() == 1;
     if (isVariable) target = resolve(circuit_->element(reader).text, circuit_->element(reader));
     if (!isVariable || !target) reader = DrawnCircuit::nothing;
   }
   DrawnValue value = DrawnFunctions(*this, e, enable).run(target ? &*target : nullptr);
   if (value.kind == DrawnValue::Kind::Nothing) return false;
-  const bool isInPlace = target && value.isData() && value.operand.kind == OperandKind::Direct && value.operand.area == target->operand.area && value.operand.offset == target->operand.offset && value.operand.width == target->operand.width;
+  const bool isInPlace = target && value.isData() && value.operand.kind == OperandKind::Direct &&
+                         value.operand.area == target->operand.area && value.operand.offset == target->operand.offset &&
+                         value.operand.width == target->operand.width;
   if (isInPlace && reader != DrawnCircuit::nothing) states_[static_cast<std::size_t>(reader)].isWritten = true;
   for (const DrawnPin& pin : e.outputs) {
     const std::string name = foldedName(pin.name);

@@ -35,7 +35,8 @@ class DrawnBlocks {
   bool counter(const DrawnElement& element, DrawnCopy& instance, std::initializer_list<Wire> in, Wire load);
   bool project(int i, const DrawnElement& element, const DrawnBlock& block, DrawnCopy& instance, Wire enable);
   std::optional<Operand> presetOf(const DrawnElement& element, const DrawnCopy& instance, DrawnValue& value);
-  std::optional<Wire> powerIn(const DrawnElement& element, std::initializer_list<std::string_view> names, bool isRequired);
+  std::optional<Wire> powerIn(const DrawnElement& element, std::initializer_list<std::string_view> names,
+                              bool isRequired);
   const DrawnPin* pin(const DrawnElement& element, std::initializer_list<std::string_view> names) const;
   void deliver(int i, const DrawnElement& element, std::string_view name, const VariablePlace& place);
   bool isAsked(int i, const DrawnElement& element, std::string_view name) const;

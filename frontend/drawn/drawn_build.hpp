@@ -70,9 +70,9 @@ class DrawnBuild {
   std::map<std::string, const DrawnBlock*> blocks_;
   std::map<std::string, DrawnCopy*> functions_;
   std::vector<std::unique_ptr<DrawnCopy>> copies_;
-  std::vector<std::string> open_;            ///< blocks being built, against recursion
-  std::set<std::string> mentioned_;          ///< operands with a point, in capitals: their last two parts
-  Drawing firstScan_;                        ///< initial values of located variables
+  std::vector<std::string> open_;    ///< blocks being built, against recursion
+  std::set<std::string> mentioned_;  ///< operands with a point, in capitals: their last two parts
+  Drawing firstScan_;                ///< initial values of located variables
   int nextLabel_ = 0;
   bool isFullReported_ = false;
 };

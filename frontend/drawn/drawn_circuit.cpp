@@ -12,7 +12,9 @@ namespace rungproof {
 
 namespace {
 
-bool isRail(const DrawnElement& element) { return element.kind == DrawnKind::LeftRail || element.kind == DrawnKind::RightRail; }
+bool isRail(const DrawnElement& element) {
+  return element.kind == DrawnKind::LeftRail || element.kind == DrawnKind::RightRail;
+}
 
 int rootOf(std::vector<int>& parent, int i) {
   while (parent[static_cast<std::size_t>(i)] != i) {
@@ -62,7 +64,8 @@ void DrawnCircuit::findCircuits() {
     for (const DrawnPin& pin : element(i).inputs) {
       for (const DrawnLink& link : pin.links) {
         const int from = sourceOf(link);
-        if (from != nothing && !isRail(element(from))) parent[static_cast<std::size_t>(rootOf(parent, i))] = rootOf(parent, from);
+        if (from != nothing && !isRail(element(from)))
+          parent[static_cast<std::size_t>(rootOf(parent, i))] = rootOf(parent, from);
       }
     }
   }
@@ -191,7 +194,10 @@ void DrawnCircuit::cutLoops() {
   }
   for (const std::vector<int>& loop : loops()) {
     for (const int i : loop) loop_[static_cast<std::size_t>(i)] = true;
-    sink_.circuit(element(loop.front()), fmt::format("{} elements feed each other in a circle, and none of them keeps a value from the previous scan", loop.size()));
+    sink_.circuit(
+        element(loop.front()),
+        fmt::format("{} elements feed each other in a circle, and none of them keeps a value from the previous scan",
+                    loop.size()));
     damage(loop.front());
   }
 }
@@ -204,10 +210,12 @@ bool DrawnCircuit::isResult(int i) const {
     case DrawnKind::Jump:
     case DrawnKind::Label:
     case DrawnKind::Return: return true;
-    case DrawnKind::InOutVariable: return std::any_of(e.inputs.begin(), e.inputs.end(), [](const DrawnPin& pin) { return !pin.links.empty(); });
+    case DrawnKind::InOutVariable:
+      return std::any_of(e.inputs.begin(), e.inputs.end(), [](const DrawnPin& pin) { return !pin.links.empty(); });
     case DrawnKind::Connector: return isCut(i);
     case DrawnKind::Block: {
-      const bool writes = std::any_of(e.outputs.begin(), e.outputs.end(), [](const DrawnPin& pin) { return !pin.expression.empty(); });
+      const bool writes =
+          std::any_of(e.outputs.begin(), e.outputs.end(), [](const DrawnPin& pin) { return !pin.expression.empty(); });
       return writes || hasMemory_[static_cast<std::size_t>(i)];
     }
     default: return false;

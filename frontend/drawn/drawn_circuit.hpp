@@ -22,8 +22,10 @@ class DrawnCircuit {
   /// `isFunctionBlock(element)`: a block with memory. Reports ids used twice, lines that come from nowhere,
   /// connectors without partner, and loops that nothing cuts.
   template <class Predicate>
-  DrawnCircuit(const DrawnNetwork& network, DrawnSink& sink, Predicate&& isFunctionBlock) : network_(network), sink_(sink) {
-    for (const DrawnElement& element : network.elements) hasMemory_.push_back(element.kind == DrawnKind::Block && isFunctionBlock(element));
+  DrawnCircuit(const DrawnNetwork& network, DrawnSink& sink, Predicate&& isFunctionBlock)
+      : network_(network), sink_(sink) {
+    for (const DrawnElement& element : network.elements)
+      hasMemory_.push_back(element.kind == DrawnKind::Block && isFunctionBlock(element));
     build();
   }
 

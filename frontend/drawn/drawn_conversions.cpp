@@ -9,7 +9,8 @@ namespace rungproof {
 bool DrawnFunctions::shift(std::string_view name, DrawnValue& result) {
   if (name != "SHL" && name != "SHR" && name != "ROL" && name != "ROR") return false;
   if (!readInputs(2, 2)) return true;
-  if (!in_[0].isData() || !in_[1].isData() || in_[0].type == IecType::Real || in_[0].type == IecType::Time || in_[0].type == IecType::String) {
+  if (!in_[0].isData() || !in_[1].isData() || in_[0].type == IecType::Real || in_[0].type == IecType::Time ||
+      in_[0].type == IecType::String) {
     l_.sink_.operand(e_, "it shifts BYTE, WORD and DWORD by a number");
     return true;
   }
@@ -28,7 +29,8 @@ bool DrawnFunctions::shift(std::string_view name, DrawnValue& result) {
     count = l_.lowPart(count, Width::Byte);
   }
   result = moved(in_[0], type, enable_);
-  l_.box(fmt::format("{}{}{}", name.substr(0, 1) == "S" ? 'S' : 'R', name.back(), width), {result.operand, count}, enable_);
+  l_.box(fmt::format("{}{}{}", name.substr(0, 1) == "S" ? 'S' : 'R', name.back(), width), {result.operand, count},
+         enable_);
   return true;
 }
 
@@ -74,7 +76,8 @@ bool DrawnFunctions::mathematics(std::string_view name, DrawnValue& result) {
 
 DrawnValue DrawnFunctions::converted(const DrawnValue& value, IecType to) {
   const auto refuse = [&] {
-    l_.sink_.operand(e_, fmt::format("{} cannot be converted to {} on the S7-200", iecTypeName(value.type), iecTypeName(to)));
+    l_.sink_.operand(
+        e_, fmt::format("{} cannot be converted to {} on the S7-200", iecTypeName(value.type), iecTypeName(to)));
     return DrawnValue{};
   };
   if (value.type == IecType::String || to == IecType::String) return refuse();
@@ -85,7 +88,11 @@ DrawnValue DrawnFunctions::converted(const DrawnValue& value, IecType to) {
     move(constant(1), result.operand, to, l_.gate(Shape::And, {enable_, value.wire}));
     return result;
   }
-  if (to == IecType::Bool) return l_.power(related("<>", value, l_.data(constant(0, value.type == IecType::Real ? ConstantForm::Real : ConstantForm::Decimal), value.type), l_.rail()));
+  if (to == IecType::Bool)
+    return l_.power(related(
+        "<>", value,
+        l_.data(constant(0, value.type == IecType::Real ? ConstantForm::Real : ConstantForm::Decimal), value.type),
+        l_.rail()));
   if (to == IecType::Real) {
     if (value.type == IecType::Real) return value;
     if (value.type == IecType::Udint || value.type == IecType::Dword) return refuse();
@@ -106,7 +113,8 @@ DrawnValue DrawnFunctions::converted(const DrawnValue& value, IecType to) {
   if (whole.kind == OperandKind::Constant) return fits(whole.value, to) ? l_.data(whole, to) : refuse();
   if (widthOf(type) == widthOf(to)) return l_.data(whole, to);
   if (widthOf(type) > widthOf(to)) return l_.data(l_.lowPart(whole, widthOf(to)), to);
-  const auto wide = l_.widened(l_.data(whole, type), widthOf(to) == Width::DWord ? Arithmetic::DInt : Arithmetic::Int, enable_, e_);
+  const auto wide =
+      l_.widened(l_.data(whole, type), widthOf(to) == Width::DWord ? Arithmetic::DInt : Arithmetic::Int, enable_, e_);
   return wide ? l_.data(*wide, to) : DrawnValue{};
 }
 
@@ -119,7 +127,8 @@ bool DrawnFunctions::conversion(std::string_view name, DrawnValue& result) {
   const IecType from = at == 0 ? IecType::None : iecTypeNamed(name.substr(0, at));
   DrawnValue value = in_[0];
   if (value.type == IecType::None) value.type = from;
-  if (from != IecType::None && value.type != from && !(widthOf(from) == widthOf(value.type) && (from == IecType::Real) == (value.type == IecType::Real))) {
+  if (from != IecType::None && value.type != from &&
+      !(widthOf(from) == widthOf(value.type) && (from == IecType::Real) == (value.type == IecType::Real))) {
     l_.sink_.operand(e_, fmt::format("it converts {}, but gets {}", iecTypeName(from), iecTypeName(value.type)));
     return true;
   }

@@ -16,22 +16,37 @@ namespace {
 using namespace std::string_view_literals;
 
 const std::set<std::string_view>& plainNames() {
-  static const std::set<std::string_view> names = {"AND", "OR",  "XOR", "NOT", "ADD", "SUB", "MUL", "DIV",  "MOD", "MOVE", "SEL", "MUX",  "MIN",  "MAX",  "LIMIT", "GT", "GE",
-                                                   "EQ",  "LE",  "LT",  "NE",  "SHL", "SHR", "ROL", "ROR",  "ABS", "NEG",  "SQRT", "LN",   "EXP",  "SIN",  "COS",   "TAN", "TRUNC",
-                                                   "ROUND", "CONVERT"};
+  static const std::set<std::string_view> names = {
+      "AND", "OR",  "XOR",   "NOT",  "ADD", "SUB", "MUL", "DIV", "MOD", "MOVE",  "SEL",   "MUX",
+      "MIN", "MAX", "LIMIT", "GT",   "GE",  "EQ",  "LE",  "LT",  "NE",  "SHL",   "SHR",   "ROL",
+      "ROR", "ABS", "NEG",   "SQRT", "LN",  "EXP", "SIN", "COS", "TAN", "TRUNC", "ROUND", "CONVERT"};
   return names;
 }
 
 /// The signs that some editors write into their boxes, and names with the type behind them: ADD_INT, GT_DINT.
 std::string plainName(std::string_view written) {
   std::string name = foldedName(written);
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 14> signs = {{{"&", "AND"}, {">=1", "OR"}, {"=1", "XOR"}, {"+", "ADD"}, {"-", "SUB"}, {"*", "MUL"}, {"/", "DIV"},
-                                                                                          {">", "GT"}, {">=", "GE"}, {"=", "EQ"}, {"<=", "LE"}, {"<", "LT"}, {"<>", "NE"}, {":=", "MOVE"}}};
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 14> signs = {{{"&", "AND"},
+                                                                                           {">=1", "OR"},
+                                                                                           {"=1", "XOR"},
+                                                                                           {"+", "ADD"},
+                                                                                           {"-", "SUB"},
+                                                                                           {"*", "MUL"},
+                                                                                           {"/", "DIV"},
+                                                                                           {">", "GT"},
+                                                                                           {">=", "GE"},
+                                                                                           {"=", "EQ"},
+                                                                                           {"<=", "LE"},
+                                                                                           {"<", "LT"},
+                                                                                           {"<>", "NE"},
+                                                                                           {":=", "MOVE"}}};
   for (const auto& [sign, meaning] : signs) {
     if (name == sign) return std::string(meaning);
   }
   const std::size_t bar = name.rfind('_');
-  if (bar != std::string::npos && iecTypeNamed(name.substr(bar + 1)) != IecType::None && plainNames().contains(std::string_view(name).substr(0, bar))) name.resize(bar);
+  if (bar != std::string::npos && iecTypeNamed(name.substr(bar + 1)) != IecType::None &&
+      plainNames().contains(std::string_view(name).substr(0, bar)))
+    name.resize(bar);
   return name;
 }
 
@@ -49,13 +64,22 @@ std::optional<std::pair<IecType, IecType>> conversionTypes(std::string_view name
 
 Arithmetic arithmeticOf(IecType type) {
   if (type == IecType::Real) return Arithmetic::Real;
-  if (type == IecType::Dint || type == IecType::Time || type == IecType::Uint || type == IecType::Word || type == IecType::Udint || type == IecType::Dword) return Arithmetic::DInt;
+  if (type == IecType::Dint || type == IecType::Time || type == IecType::Uint || type == IecType::Word ||
+      type == IecType::Udint || type == IecType::Dword)
+    return Arithmetic::DInt;
   return Arithmetic::Int;
 }
-IecType typeOf(Arithmetic kind) { return kind == Arithmetic::Real ? IecType::Real : kind == Arithmetic::DInt ? IecType::Dint : IecType::Int; }
+IecType typeOf(Arithmetic kind) {
+  return kind == Arithmetic::Real ? IecType::Real : kind == Arithmetic::DInt ? IecType::Dint : IecType::Int;
+}
 char letterOf(Arithmetic kind) { return kind == Arithmetic::Real ? 'R' : kind == Arithmetic::DInt ? 'D' : 'I'; }
 
-std::string_view moveFor(IecType type) { return type == IecType::Real ? "MOVR" : widthOf(type) == Width::Byte ? "MOVB" : widthOf(type) == Width::Word ? "MOVW" : "MOVD"; }
+std::string_view moveFor(IecType type) {
+  return type == IecType::Real          ? "MOVR"
+         : widthOf(type) == Width::Byte ? "MOVB"
+         : widthOf(type) == Width::Word ? "MOVW"
+                                        : "MOVD";
+}
 
 }  // namespace
 
@@ -79,7 +103,9 @@ DrawnValue DrawnFunctions::run(const VariablePlace* target) {
     in_.push_back(std::move(value));
   }
   DrawnValue result;
-  const bool isDone = logic(name, result) || arithmetic(name, result) || comparison(name, result) || selection(name, result) || shift(name, result) || mathematics(name, result) || conversion(name, result);
+  const bool isDone = logic(name, result) || arithmetic(name, result) || comparison(name, result) ||
+                      selection(name, result) || shift(name, result) || mathematics(name, result) ||
+                      conversion(name, result);
   if (!isDone) l_.sink_.circuit(e_, fmt::format("function {} is not known", e_.text));
   if (result.isPower() && !l_.isTrue(enable_)) result.wire = l_.gate(Shape::And, {enable_, result.wire});
   return result;
@@ -87,7 +113,8 @@ DrawnValue DrawnFunctions::run(const VariablePlace* target) {
 
 bool DrawnFunctions::readInputs(std::size_t least, std::size_t most) {
   if (in_.size() >= least && in_.size() <= most) return true;
-  l_.sink_.operand(e_, least == most ? fmt::format("it needs {} inputs, not {}", least, in_.size()) : fmt::format("it needs at least {} inputs, not {}", least, in_.size()));
+  l_.sink_.operand(e_, least == most ? fmt::format("it needs {} inputs, not {}", least, in_.size())
+                                     : fmt::format("it needs at least {} inputs, not {}", least, in_.size()));
   return false;
 }
 
@@ -100,19 +127,25 @@ IecType DrawnFunctions::commonType() const {
   }
   if (type != IecType::None) return type;
   if (target_ != nullptr && target_->type != IecType::Bool && target_->type != IecType::None) return target_->type;
-  const bool isWide = std::any_of(in_.begin(), in_.end(), [](const DrawnValue& value) { return value.isData() && !fits(value.operand.value, IecType::Int); });
+  const bool isWide = std::any_of(in_.begin(), in_.end(), [](const DrawnValue& value) {
+    return value.isData() && !fits(value.operand.value, IecType::Int);
+  });
   return isWide ? IecType::Dint : IecType::Int;
 }
 
 Operand DrawnFunctions::resultPlace(IecType type) {
   if (target_ != nullptr && !target_->constant && target_->copy == nullptr && target_->type == type) {
-    const bool isShared = std::any_of(in_.begin(), in_.end(), [&](const DrawnValue& value) { return value.isData() && overlaps(value.operand, target_->operand); });
+    const bool isShared = std::any_of(in_.begin(), in_.end(), [&](const DrawnValue& value) {
+      return value.isData() && overlaps(value.operand, target_->operand);
+    });
     if (!isShared) return target_->operand;
   }
   return l_.temporary(type);
 }
 
-void DrawnFunctions::move(const Operand& from, const Operand& to, IecType type, Wire enable) { l_.box(moveFor(type), {from, to}, enable); }
+void DrawnFunctions::move(const Operand& from, const Operand& to, IecType type, Wire enable) {
+  l_.box(moveFor(type), {from, to}, enable);
+}
 
 DrawnValue DrawnFunctions::moved(const DrawnValue& value, IecType type, Wire enable) {
   const Operand place = resultPlace(type);
@@ -151,7 +184,8 @@ DrawnValue DrawnFunctions::bitwise(std::string_view name) {
   }
   for (std::size_t i = 1; i < in_.size(); ++i) {
     if (in_[i].operand.kind != OperandKind::Constant && widthOf(in_[i].type) != widthOf(type)) {
-      l_.sink_.operand(e_, fmt::format("its inputs have different types, {} and {}", iecTypeName(type), iecTypeName(in_[i].type)));
+      l_.sink_.operand(
+          e_, fmt::format("its inputs have different types, {} and {}", iecTypeName(type), iecTypeName(in_[i].type)));
       return {};
     }
     l_.box(fmt::format("{}{}", name, width), {in_[i].operand, result.operand}, enable_);
@@ -196,8 +230,10 @@ DrawnValue DrawnFunctions::modulo(const std::vector<Operand>& operands, Arithmet
 }
 
 bool DrawnFunctions::arithmetic(std::string_view name, DrawnValue& result) {
-  static constexpr std::array<std::pair<std::string_view, char>, 5> operations = {{{"ADD", '+'}, {"SUB", '-'}, {"MUL", '*'}, {"DIV", '/'}, {"MOD", '%'}}};
-  const auto* found = std::find_if(operations.begin(), operations.end(), [&](const auto& row) { return row.first == name; });
+  static constexpr std::array<std::pair<std::string_view, char>, 5> operations = {
+      {{"ADD", '+'}, {"SUB", '-'}, {"MUL", '*'}, {"DIV", '/'}, {"MOD", '%'}}};
+  const auto* found =
+      std::find_if(operations.begin(), operations.end(), [&](const auto& row) { return row.first == name; });
   if (found == operations.end()) return false;
   const bool isOpen = name == "ADD" || name == "MUL";
   if (!readInputs(2, isOpen ? 32 : 2)) return true;
@@ -228,11 +264,15 @@ bool DrawnFunctions::arithmetic(std::string_view name, DrawnValue& result) {
   const IecType worked = typeOf(kind);
   const bool isNarrower = widthOf(worked) != widthOf(type);
   // The S7-200 adds to a place: a variable that goes up by itself needs no copy.
-  const bool isInPlace = !isNarrower && target_ != nullptr && target_->type == type && operands[0].kind == OperandKind::Direct && toString(operands[0]) == toString(target_->operand) &&
-                         std::none_of(operands.begin() + 1, operands.end(), [&](const Operand& operand) { return overlaps(operand, target_->operand); });
+  const bool isInPlace = !isNarrower && target_ != nullptr && target_->type == type &&
+                         operands[0].kind == OperandKind::Direct &&
+                         toString(operands[0]) == toString(target_->operand) &&
+                         std::none_of(operands.begin() + 1, operands.end(),
+                                      [&](const Operand& operand) { return overlaps(operand, target_->operand); });
   const Operand place = isNarrower ? l_.temporary(worked) : isInPlace ? target_->operand : resultPlace(type);
   if (!isInPlace) move(operands[0], place, worked, enable_);
-  for (std::size_t i = 1; i < operands.size(); ++i) l_.box(fmt::format("{}{}", found->second, letterOf(kind)), {operands[i], place}, enable_);
+  for (std::size_t i = 1; i < operands.size(); ++i)
+    l_.box(fmt::format("{}{}", found->second, letterOf(kind)), {operands[i], place}, enable_);
   result = l_.data(isNarrower ? l_.lowPart(place, widthOf(type)) : place, type);
   return true;
 }
@@ -242,8 +282,10 @@ bool DrawnFunctions::arithmetic(std::string_view name, DrawnValue& result) {
 Wire DrawnFunctions::related(std::string_view relation, const DrawnValue& a, const DrawnValue& b, Wire input) {
   IecType type = a.type;
   if (type == IecType::None || (b.type != IecType::None && widthOf(b.type) > widthOf(type))) type = b.type;
-  if (type == IecType::None) type = fits(a.operand.value, IecType::Int) && fits(b.operand.value, IecType::Int) ? IecType::Int : IecType::Dint;
-  const bool isByte = (type == IecType::Byte || type == IecType::Usint) && a.type != IecType::Sint && b.type != IecType::Sint;
+  if (type == IecType::None)
+    type = fits(a.operand.value, IecType::Int) && fits(b.operand.value, IecType::Int) ? IecType::Int : IecType::Dint;
+  const bool isByte =
+      (type == IecType::Byte || type == IecType::Usint) && a.type != IecType::Sint && b.type != IecType::Sint;
   if (isByte) {
     for (const DrawnValue* value : {&a, &b}) {
       if (value->operand.kind != OperandKind::Constant || fits(value->operand.value, IecType::Byte)) continue;
@@ -264,7 +306,8 @@ Wire DrawnFunctions::related(std::string_view relation, const DrawnValue& a, con
     }
     return l_.compare(fmt::format("LDD{}", relation), flipped[0], flipped[1], input);
   }
-  const bool isWord = (type == IecType::Word || type == IecType::Uint) && isUnordered && a.type != IecType::Int && b.type != IecType::Int;
+  const bool isWord = (type == IecType::Word || type == IecType::Uint) && isUnordered && a.type != IecType::Int &&
+                      b.type != IecType::Int;
   const Arithmetic kind = isWord ? Arithmetic::Int : arithmeticOf(type);
   const auto left = l_.widened(a, kind, l_.rail(), e_);
   const auto right = left ? l_.widened(b, kind, l_.rail(), e_) : std::nullopt;
@@ -274,8 +317,10 @@ Wire DrawnFunctions::related(std::string_view relation, const DrawnValue& a, con
 }
 
 bool DrawnFunctions::comparison(std::string_view name, DrawnValue& result) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> relations = {{{"GT", ">"}, {"GE", ">="}, {"EQ", "="}, {"LE", "<="}, {"LT", "<"}, {"NE", "<>"}}};
-  const auto* found = std::find_if(relations.begin(), relations.end(), [&](const auto& row) { return row.first == name; });
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> relations = {
+      {{"GT", ">"}, {"GE", ">="}, {"EQ", "="}, {"LE", "<="}, {"LT", "<"}, {"NE", "<>"}}};
+  const auto* found =
+      std::find_if(relations.begin(), relations.end(), [&](const auto& row) { return row.first == name; });
   if (found == relations.end()) return false;
   if (!readInputs(2, name == "NE" ? 2 : 32)) return true;
   const auto powers = std::count_if(in_.begin(), in_.end(), [](const DrawnValue& value) { return value.isPower(); });
@@ -289,8 +334,10 @@ bool DrawnFunctions::comparison(std::string_view name, DrawnValue& result) {
     return true;
   }
   if (std::any_of(in_.begin(), in_.end(), [](const DrawnValue& value) { return value.type == IecType::String; })) {
-    if (in_.size() == 2 && (name == "EQ" || name == "NE") && in_[0].type == in_[1].type) result = l_.power(l_.compare(name == "EQ" ? "LDS=" : "LDS<>", in_[0].operand, in_[1].operand, l_.rail()));
-    else l_.sink_.operand(e_, "texts can only be compared for equality, two at a time");
+    if (in_.size() == 2 && (name == "EQ" || name == "NE") && in_[0].type == in_[1].type)
+      result = l_.power(l_.compare(name == "EQ" ? "LDS=" : "LDS<>", in_[0].operand, in_[1].operand, l_.rail()));
+    else
+      l_.sink_.operand(e_, "texts can only be compared for equality, two at a time");
     return true;
   }
   Wire wire = enable_;
@@ -323,21 +370,24 @@ bool DrawnFunctions::selection(std::string_view name, DrawnValue& result) {
     }
     const IecType type = commonType();
     result = moved(in_[1], type, enable_);
-    l_.moveTo(VariablePlace{type, result.operand, std::nullopt, nullptr}, in_[2], l_.gate(Shape::And, {enable_, g}), e_);
+    l_.moveTo(VariablePlace{type, result.operand, std::nullopt, nullptr}, in_[2], l_.gate(Shape::And, {enable_, g}),
+              e_);
     return true;
   }
   if (name == "MUX") {
     if (!readInputs(3, 33)) return true;
     const DrawnValue selector = in_[0];
     in_.erase(in_.begin());
-    if (!selector.isData() || std::any_of(in_.begin(), in_.end(), [](const DrawnValue& value) { return !value.isData(); })) {
+    if (!selector.isData() ||
+        std::any_of(in_.begin(), in_.end(), [](const DrawnValue& value) { return !value.isData(); })) {
       l_.sink_.operand(e_, "K and the inputs must be numbers");
       return true;
     }
     const IecType type = commonType();
     result = moved(in_[0], type, enable_);
     for (std::size_t k = 1; k < in_.size(); ++k) {
-      const Wire chosen = related("=", selector, l_.data(constant(static_cast<std::int64_t>(k)), IecType::None), enable_);
+      const Wire chosen =
+          related("=", selector, l_.data(constant(static_cast<std::int64_t>(k)), IecType::None), enable_);
       l_.moveTo(VariablePlace{type, result.operand, std::nullopt, nullptr}, in_[k], chosen, e_);
     }
     return true;

@@ -12,7 +12,8 @@ namespace rungproof {
 
 class DrawnFunctions {
  public:
-  DrawnFunctions(DrawnLowering& lowering, const DrawnElement& element, Wire enable) : l_(lowering), e_(element), enable_(enable) {}
+  DrawnFunctions(DrawnLowering& lowering, const DrawnElement& element, Wire enable)
+      : l_(lowering), e_(element), enable_(enable) {}
 
   /// Whether a function of that name is known: "ADD", "add", "INT_TO_REAL", "GE".
   static bool isKnown(std::string_view name);

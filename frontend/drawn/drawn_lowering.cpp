@@ -20,7 +20,8 @@ constexpr int deepestRow = 400;
 
 }  // namespace
 
-Wire DrawnLowering::add(Shape shape, std::string_view mnemonic, std::vector<Operand> operands, std::vector<Wire> inputs) {
+Wire DrawnLowering::add(Shape shape, std::string_view mnemonic, std::vector<Operand> operands,
+                        std::vector<Wire> inputs) {
   Element element;
   element.shape = shape;
   element.span = circuit_->element(current_).span;
@@ -37,8 +38,12 @@ Wire DrawnLowering::add(Shape shape, std::string_view mnemonic, std::vector<Oper
 }
 
 Wire DrawnLowering::contact(const Operand& bit, Wire input) { return add(Shape::Contact, "LD", {bit}, {input}); }
-Wire DrawnLowering::compare(std::string_view mnemonic, const Operand& a, const Operand& b, Wire input) { return add(Shape::Contact, mnemonic, {a, b}, {input}); }
-Wire DrawnLowering::box(std::string_view mnemonic, std::vector<Operand> operands, Wire enable) { return add(Shape::Box, mnemonic, std::move(operands), {enable}); }
+Wire DrawnLowering::compare(std::string_view mnemonic, const Operand& a, const Operand& b, Wire input) {
+  return add(Shape::Contact, mnemonic, {a, b}, {input});
+}
+Wire DrawnLowering::box(std::string_view mnemonic, std::vector<Operand> operands, Wire enable) {
+  return add(Shape::Box, mnemonic, std::move(operands), {enable});
+}
 
 Wire DrawnLowering::edge(Wire input, DrawnEdge kind) {
   if (kind == DrawnEdge::None) return input;
@@ -83,13 +88,17 @@ Wire DrawnLowering::parallel(std::vector<Wire> wires, std::size_t shared) {
   for (const Wire wire : wires) {
     const std::vector<std::uint32_t> series = seriesOf(wire);
     const std::uint32_t at = shared < series.size() ? series[shared] : 0;
-    const auto found = std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return group.first == at && at != 0; });
-    if (found == groups.end()) groups.push_back({at, {wire}});
-    else found->second.push_back(wire);
+    const auto found =
+        std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return group.first == at && at != 0; });
+    if (found == groups.end())
+      groups.push_back({at, {wire}});
+    else
+      found->second.push_back(wire);
   }
   if (groups.size() == wires.size()) return gate(Shape::Or, std::move(wires));
   std::vector<Wire> joined;
-  for (auto& [at, members] : groups) joined.push_back(members.size() == 1 ? members.front() : parallel(std::move(members), shared + 1));
+  for (auto& [at, members] : groups)
+    joined.push_back(members.size() == 1 ? members.front() : parallel(std::move(members), shared + 1));
   return gate(Shape::Or, std::move(joined));
 }
 
@@ -105,7 +114,9 @@ Wire DrawnLowering::throughMemory(Wire input) {
 }
 
 DrawnValue DrawnLowering::power(Wire wire) { return {DrawnValue::Kind::Power, wire, {}, IecType::Bool}; }
-DrawnValue DrawnLowering::data(Operand operand, IecType type) { return {DrawnValue::Kind::Data, {}, std::move(operand), type}; }
+DrawnValue DrawnLowering::data(Operand operand, IecType type) {
+  return {DrawnValue::Kind::Data, {}, std::move(operand), type};
+}
 
 DrawnValue DrawnLowering::literalValue(const IecLiteral& literal) const {
   if (literal.type == IecType::Bool) return power({0, literal.value == 0});
@@ -152,11 +163,16 @@ std::optional<VariablePlace> DrawnLowering::resolve(std::string_view text, const
       return std::nullopt;
     }
     const bool isBit = address->width == Width::Bit;
-    return VariablePlace{isBit ? IecType::Bool : address->width == Width::Byte ? IecType::Byte : address->width == Width::Word ? IecType::Word : IecType::Dword, *address, std::nullopt, nullptr};
+    return VariablePlace{isBit                           ? IecType::Bool
+                         : address->width == Width::Byte ? IecType::Byte
+                         : address->width == Width::Word ? IecType::Word
+                                                         : IecType::Dword,
+                         *address, std::nullopt, nullptr};
   }
   if (const VariablePlace* whole = build_.lookUp(copy_, text)) return *whole;
   // The longest beginning that is an instance, then its pins; names of data blocks have points of their own.
-  for (std::size_t point = text.rfind('.'); point != std::string_view::npos && point > 0; point = text.rfind('.', point - 1)) {
+  for (std::size_t point = text.rfind('.'); point != std::string_view::npos && point > 0;
+       point = text.rfind('.', point - 1)) {
     const VariablePlace* first = build_.lookUp(copy_, text.substr(0, point));
     if (first == nullptr || first->copy == nullptr) continue;
     DrawnCopy* at = first->copy;
@@ -173,8 +189,12 @@ std::optional<VariablePlace> DrawnLowering::resolve(std::string_view text, const
     sink_.operand(element, fmt::format("{} has no output {} that is kept", instance, excerpt(rest)));
     return std::nullopt;
   }
-  const bool isName = std::all_of(text.begin(), text.end(), [](char c) { return isLetter(c) || isDigit(c) || c == '_' || c == '.' || (static_cast<unsigned char>(c) & 0x80) != 0; });
-  sink_.operand(element, isName ? fmt::format("{} is not declared", excerpt(text)) : fmt::format("\"{}\" is neither a variable nor a constant that the S7-200 can hold", excerpt(text)));
+  const bool isName = std::all_of(text.begin(), text.end(), [](char c) {
+    return isLetter(c) || isDigit(c) || c == '_' || c == '.' || (static_cast<unsigned char>(c) & 0x80) != 0;
+  });
+  sink_.operand(element, isName ? fmt::format("{} is not declared", excerpt(text))
+                                : fmt::format("\"{}\" is neither a variable nor a constant that the S7-200 can hold",
+                                              excerpt(text)));
   return std::nullopt;
 }
 
@@ -208,7 +228,8 @@ DrawnValue DrawnLowering::input(const DrawnElement& element, const DrawnPin& pin
   }
   if (pin.negated || pin.edge != DrawnEdge::None) {
     if (value.isData()) {
-      sink_.negation(element, fmt::format("the circle or edge sign at {} stands on a pin that is not Boolean", pin.name));
+      sink_.negation(element,
+                     fmt::format("the circle or edge sign at {} stands on a pin that is not Boolean", pin.name));
       return {};
     }
     if (value.isPower()) {
@@ -227,8 +248,11 @@ std::optional<Wire> DrawnLowering::powerAt(const DrawnElement& element, const Dr
   }
   const DrawnValue value = input(element, *pin);
   if (value.isPower()) return value.wire;
-  if (value.isData() && value.operand.kind == OperandKind::Constant && (value.operand.value == 0 || value.operand.value == 1)) return Wire{0, value.operand.value == 0};
-  if (value.isData()) sink_.operand(element, fmt::format("input {} is BOOL, but gets {}", name, iecTypeName(value.type)));
+  if (value.isData() && value.operand.kind == OperandKind::Constant &&
+      (value.operand.value == 0 || value.operand.value == 1))
+    return Wire{0, value.operand.value == 0};
+  if (value.isData())
+    sink_.operand(element, fmt::format("input {} is BOOL, but gets {}", name, iecTypeName(value.type)));
   return std::nullopt;
 }
 
@@ -239,7 +263,9 @@ std::optional<Wire> DrawnLowering::joinedInput(const DrawnElement& element) {
   }
   const DrawnValue value = input(element, element.inputs[0]);
   if (value.isPower()) return value.wire;
-  if (value.isData()) sink_.circuit(element, fmt::format("it needs power flow, but the line carries {}", value.type == IecType::None ? "a number" : iecTypeName(value.type)));
+  if (value.isData())
+    sink_.circuit(element, fmt::format("it needs power flow, but the line carries {}",
+                                       value.type == IecType::None ? "a number" : iecTypeName(value.type)));
   return std::nullopt;
 }
 
@@ -252,7 +278,8 @@ DrawnValue DrawnLowering::outputOf(int i, std::string_view pin, const DrawnEleme
       if (e.readsOnce && !state.outputs.empty()) return state.outputs.front().second;
       DrawnValue value = expression(e.text, asker);
       if (e.negated) {
-        if (value.isPower()) value.wire = negation(value.wire);
+        if (value.isPower())
+          value.wire = negation(value.wire);
         else if (value.isData()) {
           sink_.negation(e, "the negation stands on a value that is not Boolean");
           return {};
@@ -270,7 +297,9 @@ DrawnValue DrawnLowering::outputOf(int i, std::string_view pin, const DrawnEleme
         if (bit.kind == OperandKind::Missing) bit = temporary(IecType::Bool);
         return power(contact(bit, rail()));
       }
-      return e.id == circuit_->element(connector).id || !evaluate(connector) ? DrawnValue{} : states_[static_cast<std::size_t>(connector)].outputs.front().second;
+      return e.id == circuit_->element(connector).id || !evaluate(connector)
+                 ? DrawnValue{}
+                 : states_[static_cast<std::size_t>(connector)].outputs.front().second;
     }
     case DrawnKind::InOutVariable:
       if (!e.inputs.empty() && !e.inputs[0].links.empty()) result(i);
@@ -283,7 +312,9 @@ DrawnValue DrawnLowering::outputOf(int i, std::string_view pin, const DrawnEleme
   }
   if (e.kind == DrawnKind::Block && circuit_->isCut(i)) {
     const VariablePlace* instance = build_.lookUp(copy_, e.instance);
-    std::optional<VariablePlace> place = instance != nullptr && instance->copy != nullptr ? memberOf(*instance->copy, pin.empty() ? "Q" : pin) : std::nullopt;
+    std::optional<VariablePlace> place = instance != nullptr && instance->copy != nullptr
+                                             ? memberOf(*instance->copy, pin.empty() ? "Q" : pin)
+                                             : std::nullopt;
     if (!place && (pin.empty() || foldedName(pin) == "ENO")) {
       sink_.circuit(asker, "the loop runs through an output that is not kept from scan to scan");
       return {};
@@ -306,7 +337,8 @@ DrawnValue DrawnLowering::outputOf(int i, std::string_view pin, const DrawnEleme
     if (output == name || (name.empty() && output != "ENO")) return value;
   }
   if (!state.outputs.empty() && name.empty()) return state.outputs.front().second;
-  sink_.circuit(asker, fmt::format("{} has no output {}", nameOf(e), pin.empty() ? "that could be meant" : excerpt(pin)));
+  sink_.circuit(asker,
+                fmt::format("{} has no output {}", nameOf(e), pin.empty() ? "that could be meant" : excerpt(pin)));
   return {};
 }
 
@@ -350,7 +382,8 @@ bool DrawnLowering::evaluateContact(int i, const DrawnElement& e) {
   const std::optional<VariablePlace> place = resolve(e.text, e);
   if (!place) return false;
   if (place->type != IecType::Bool || place->copy != nullptr) {
-    sink_.operand(e, fmt::format("a contact needs BOOL, {} is {}", excerpt(e.text), place->copy != nullptr ? "an instance" : iecTypeName(place->type)));
+    sink_.operand(e, fmt::format("a contact needs BOOL, {} is {}", excerpt(e.text),
+                                 place->copy != nullptr ? "an instance" : iecTypeName(place->type)));
     return false;
   }
   Wire wire;
@@ -375,7 +408,8 @@ void DrawnLowering::coilOf(const DrawnElement& e) {
   const std::optional<VariablePlace> place = resolve(e.text, e);
   if (!place) return;
   if (place->type != IecType::Bool || place->constant || place->copy != nullptr) {
-    return sink_.operand(e, fmt::format("a coil needs a BOOL variable, {} is {}", excerpt(e.text), place->constant ? "a constant" : iecTypeName(place->type)));
+    return sink_.operand(e, fmt::format("a coil needs a BOOL variable, {} is {}", excerpt(e.text),
+                                        place->constant ? "a constant" : iecTypeName(place->type)));
   }
   Wire wire = edge(*left, e.edge);
   if (e.negated) wire = inverted(wire);
@@ -385,7 +419,8 @@ void DrawnLowering::coilOf(const DrawnElement& e) {
 
 void DrawnLowering::outVariable(int i, const DrawnElement& e) {
   if (states_[static_cast<std::size_t>(i)].isWritten) return;
-  if (e.inputs.empty() || (e.inputs[0].links.empty() && e.inputs[0].expression.empty())) return sink_.circuit(e, "nothing is connected at its left side");
+  if (e.inputs.empty() || (e.inputs[0].links.empty() && e.inputs[0].expression.empty()))
+    return sink_.circuit(e, "nothing is connected at its left side");
   DrawnValue value = input(e, e.inputs[0]);
   current_ = i;
   if (states_[static_cast<std::size_t>(i)].isWritten || value.kind == DrawnValue::Kind::Nothing) return;

@@ -18,8 +18,8 @@ namespace rungproof {
 /// What an output delivers.
 struct DrawnValue {
   enum class Kind : std::uint8_t { Nothing, Power, Data } kind = Kind::Nothing;
-  Wire wire;                       ///< Power
-  Operand operand;                 ///< Data; type None: an integer constant that takes any type
+  Wire wire;        ///< Power
+  Operand operand;  ///< Data; type None: an integer constant that takes any type
   IecType type = IecType::None;
 
   bool isPower() const { return kind == Kind::Power; }
@@ -31,7 +31,8 @@ enum class Arithmetic : std::uint8_t { Int, DInt, Real };
 
 class DrawnLowering {
  public:
-  DrawnLowering(DrawnBuild& build, DrawnCopy& copy, Pou& pou) : build_(build), sink_(build.sink()), copy_(copy), pou_(pou) {}
+  DrawnLowering(DrawnBuild& build, DrawnCopy& copy, Pou& pou)
+      : build_(build), sink_(build.sink()), copy_(copy), pou_(pou) {}
 
   /// Appends the networks of one drawing to the block.
   void body(const DrawnNetwork& network, Form form);
@@ -62,7 +63,9 @@ class DrawnLowering {
   /// The contacts in series that end in this wire, from the left rail on.
   std::vector<std::uint32_t> seriesOf(Wire wire) const;
   Wire box(std::string_view mnemonic, std::vector<Operand> operands, Wire enable);
-  void coil(std::string_view mnemonic, std::vector<Operand> operands, Wire input) { add(Shape::Coil, mnemonic, std::move(operands), {input}); }
+  void coil(std::string_view mnemonic, std::vector<Operand> operands, Wire input) {
+    add(Shape::Coil, mnemonic, std::move(operands), {input});
+  }
   void assign(const Operand& bit, Wire input) { coil("=", {bit}, input); }
   /// The power through a bit of memory, for where lines of power cannot go.
   Wire throughMemory(Wire input);
@@ -115,12 +118,12 @@ class DrawnLowering {
   std::vector<State> states_;
   Drawing drawing_;
   std::vector<std::uint32_t> place_;  ///< by element of the drawing: its index in its network
-  std::vector<int> owner_;   ///< by element of the drawing: the drawn element it comes from
-  std::uint32_t fresh_ = 0;  ///< contact that was just read and has no reader yet
-  int current_ = 0;          ///< drawn element that is being computed
+  std::vector<int> owner_;            ///< by element of the drawing: the drawn element it comes from
+  std::uint32_t fresh_ = 0;           ///< contact that was just read and has no reader yet
+  int current_ = 0;                   ///< drawn element that is being computed
   int depth_ = 0;
   std::vector<bool> damaged_;
-  std::vector<bool> idle_;   ///< circuits with elements that lead nowhere
+  std::vector<bool> idle_;  ///< circuits with elements that lead nowhere
   std::vector<Operand> connectorBits_;
   std::map<std::string, int> labels_;
   int nextNumber_ = 1;

@@ -18,7 +18,8 @@ DrawnMemory::DrawnMemory(const Program& program) : target_(program.target) {
   };
   for (const Pou& pou : program.pous) {
     const auto number = static_cast<std::size_t>(pou.number);
-    if (pou.kind == PouKind::Subroutine && pou.number >= 0 && number < usedSubroutines_.size()) usedSubroutines_[number] = true;
+    if (pou.kind == PouKind::Subroutine && pou.number >= 0 && number < usedSubroutines_.size())
+      usedSubroutines_[number] = true;
     for (const Network& network : pou.networks) {
       for (const Instruction& instruction : network.instructions) {
         for (const Operand& operand : instruction.operands) note(operand);
@@ -27,7 +28,8 @@ DrawnMemory::DrawnMemory(const Program& program) : target_(program.target) {
   }
   for (const Symbol& symbol : program.symbols) note(symbol.address);
   for (const DataInit& init : program.data) {
-    for (std::size_t i = 0; i < init.bytes.size() && init.offset + i < usedV_.size(); ++i) usedV_[init.offset + i] = true;
+    for (std::size_t i = 0; i < init.bytes.size() && init.offset + i < usedV_.size(); ++i)
+      usedV_[init.offset + i] = true;
   }
 }
 
@@ -39,7 +41,8 @@ void DrawnMemory::reserve(const Operand& located) {
 
 std::optional<Operand> DrawnMemory::allocate(IecType type, std::uint32_t stringLength) {
   const Width width = widthOf(type);
-  if (type != IecType::String && width == Width::Bit && nextBit_ < 8) return direct(Area::V, Width::Bit, bitByte_, nextBit_++);
+  if (type != IecType::String && width == Width::Bit && nextBit_ < 8)
+    return direct(Area::V, Width::Bit, bitByte_, nextBit_++);
   const std::uint32_t length = type == IecType::String ? stringLength + 1 : static_cast<std::uint32_t>(bytes(width));
   const std::uint32_t step = length == 1 || type == IecType::String ? 1 : 2;
   for (std::uint32_t at = nextByte_ + nextByte_ % step; at + length <= usedV_.size(); at += step) {
@@ -79,7 +82,8 @@ std::optional<DrawnMemory::TimerChoice> DrawnMemory::timerFor(std::int64_t ms) {
 
 std::optional<int> DrawnMemory::counter() {
   for (std::size_t number = 0; number < usedCounters_.size(); ++number) {
-    if (usedCounters_[number] || !addressExists(target_, Area::C, Width::Word, static_cast<std::uint32_t>(number), 0)) continue;
+    if (usedCounters_[number] || !addressExists(target_, Area::C, Width::Word, static_cast<std::uint32_t>(number), 0))
+      continue;
     usedCounters_[number] = true;
     return static_cast<int>(number);
   }

@@ -13,10 +13,37 @@
 namespace rungproof {
 
 /// Types of variables that are read; anything else is a finding.
-enum class IecType : std::uint8_t { None, Bool, Sint, Usint, Byte, Int, Uint, Word, Dint, Udint, Dword, Time, Real, String };
+enum class IecType : std::uint8_t {
+  None,
+  Bool,
+  Sint,
+  Usint,
+  Byte,
+  Int,
+  Uint,
+  Word,
+  Dint,
+  Udint,
+  Dword,
+  Time,
+  Real,
+  String
+};
 
 enum class DrawnKind : std::uint8_t {
-  LeftRail, RightRail, Contact, Coil, Block, InVariable, OutVariable, InOutVariable, Connector, Continuation, Jump, Label, Return
+  LeftRail,
+  RightRail,
+  Contact,
+  Coil,
+  Block,
+  InVariable,
+  OutVariable,
+  InOutVariable,
+  Connector,
+  Continuation,
+  Jump,
+  Label,
+  Return
 };
 enum class DrawnEdge : std::uint8_t { None, Rising, Falling };
 enum class DrawnStorage : std::uint8_t { None, Set, Reset };
@@ -47,7 +74,7 @@ struct DrawnElement {
   DrawnStorage storage = DrawnStorage::None;
   std::vector<DrawnPin> inputs;
   std::vector<DrawnPin> outputs;  ///< negation only; their links are at the other end, or an expression is written to
-  bool readsOnce = false; ///< an input whose value later readers share
+  bool readsOnce = false;         ///< an input whose value later readers share
   int order = 0;                  ///< order of execution where the editor states it, from 1
   double x = 0, y = 0;
   Span span;
@@ -56,9 +83,9 @@ struct DrawnElement {
 /// A comment in the drawing; it belongs to the circuit below it.
 struct DrawnNote {
   std::vector<Comment> lines;
-  std::string title;          ///< of a network, where the editor knows titles
+  std::string title;  ///< of a network, where the editor knows titles
   double y = 0;
-  std::size_t before = 0;     ///< index of the element that follows in the file
+  std::size_t before = 0;  ///< index of the element that follows in the file
 };
 
 struct DrawnNetwork {

@@ -12,7 +12,9 @@ namespace rungproof {
 
 namespace {
 
-bool isInteger(IecType type) { return type != IecType::None && type != IecType::Bool && type != IecType::Real && type != IecType::String; }
+bool isInteger(IecType type) {
+  return type != IecType::None && type != IecType::Bool && type != IecType::Real && type != IecType::String;
+}
 
 /// Whether a value of type `from` may be stored as it is: equal, or of equal width and none of them REAL or TIME
 /// against a bit pattern.
@@ -29,20 +31,28 @@ Operand DrawnLowering::lowPart(Operand operand, Width width) {
   return operand;
 }
 
-std::optional<Operand> DrawnLowering::widened(const DrawnValue& value, Arithmetic kind, Wire enable, const DrawnElement& element) {
+std::optional<Operand> DrawnLowering::widened(const DrawnValue& value, Arithmetic kind, Wire enable,
+                                              const DrawnElement& element) {
   const auto wrong = [&]() -> std::optional<Operand> {
-    sink_.operand(element, fmt::format("it calculates with {}, but gets {}", kind == Arithmetic::Real ? "REAL" : kind == Arithmetic::Int ? "INT" : "DINT", iecTypeName(value.type)));
+    sink_.operand(element, fmt::format("it calculates with {}, but gets {}",
+                                       kind == Arithmetic::Real  ? "REAL"
+                                       : kind == Arithmetic::Int ? "INT"
+                                                                 : "DINT",
+                                       iecTypeName(value.type)));
     return std::nullopt;
   };
   if (!value.isData()) {
-    sink_.operand(element, value.isPower() ? "it calculates with numbers, but gets power flow" : "an input is left open");
+    sink_.operand(element,
+                  value.isPower() ? "it calculates with numbers, but gets power flow" : "an input is left open");
     return std::nullopt;
   }
   if (value.operand.kind == OperandKind::Constant) {
     Operand result = value.operand;
     const bool isReal = value.type == IecType::Real;
     if (kind == Arithmetic::Real) {
-      if (!isReal) result = constant(static_cast<std::int64_t>(std::bit_cast<std::uint32_t>(static_cast<float>(result.value))), ConstantForm::Real);
+      if (!isReal)
+        result = constant(static_cast<std::int64_t>(std::bit_cast<std::uint32_t>(static_cast<float>(result.value))),
+                          ConstantForm::Real);
       return result;
     }
     if (isReal) return wrong();
@@ -78,10 +88,15 @@ std::optional<Operand> DrawnLowering::widened(const DrawnValue& value, Arithmeti
   return wide;
 }
 
-void DrawnLowering::moveTo(const VariablePlace& target, const DrawnValue& value, Wire enable, const DrawnElement& element) {
-  if (target.constant || target.copy != nullptr) return sink_.operand(element, "the result would go to something that cannot be written");
+void DrawnLowering::moveTo(const VariablePlace& target, const DrawnValue& value, Wire enable,
+                           const DrawnElement& element) {
+  if (target.constant || target.copy != nullptr)
+    return sink_.operand(element, "the result would go to something that cannot be written");
   if (value.kind == DrawnValue::Kind::Nothing) return;
-  const auto mismatch = [&](std::string_view given) { sink_.operand(element, fmt::format("a result of type {} does not fit a variable of type {}", given, iecTypeName(target.type))); };
+  const auto mismatch = [&](std::string_view given) {
+    sink_.operand(element, fmt::format("a result of type {} does not fit a variable of type {}", given,
+                                       iecTypeName(target.type)));
+  };
   if (value.isPower()) {
     if (target.type != IecType::Bool) return mismatch("BOOL");
     return assign(target.operand, value.wire);
@@ -92,7 +107,8 @@ void DrawnLowering::moveTo(const VariablePlace& target, const DrawnValue& value,
   if (source.kind == OperandKind::Constant) {
     if (target.type == IecType::Real && value.type != IecType::Real) {
       if (value.type != IecType::None) return mismatch(iecTypeName(value.type));
-      source = constant(static_cast<std::int64_t>(std::bit_cast<std::uint32_t>(static_cast<float>(source.value))), ConstantForm::Real);
+      source = constant(static_cast<std::int64_t>(std::bit_cast<std::uint32_t>(static_cast<float>(source.value))),
+                        ConstantForm::Real);
     } else if ((value.type == IecType::Real) != (target.type == IecType::Real)) {
       return mismatch(iecTypeName(value.type));
     } else if (target.type != IecType::Real && !fits(source.value, target.type)) {
@@ -101,7 +117,8 @@ void DrawnLowering::moveTo(const VariablePlace& target, const DrawnValue& value,
   } else if (!isCompatible(value.type, target.type)) {
     const bool widens = isInteger(value.type) && isInteger(target.type) && widthOf(value.type) < widthOf(target.type);
     if (!widens) return mismatch(iecTypeName(value.type));
-    const auto wide = widened(value, widthOf(target.type) == Width::DWord ? Arithmetic::DInt : Arithmetic::Int, enable, element);
+    const auto wide =
+        widened(value, widthOf(target.type) == Width::DWord ? Arithmetic::DInt : Arithmetic::Int, enable, element);
     if (!wide) return;
     source = *wide;
   }

@@ -43,7 +43,9 @@ std::vector<std::vector<std::uint32_t>> DrawnLowering::pieces() const {
   std::uint32_t end = 0;  // last element of the piece that is open
   for (std::uint32_t i = 1; i < size; ++i) {
     // Boxes that one element became stay together.
-    const bool isBox = drawing_.elements[i].shape == Shape::Box && !result.empty() && owner_[i] == owner_[result.back().back()] && drawing_.elements[result.back().back()].shape == Shape::Box;
+    const bool isBox = drawing_.elements[i].shape == Shape::Box && !result.empty() &&
+                       owner_[i] == owner_[result.back().back()] &&
+                       drawing_.elements[result.back().back()].shape == Shape::Box;
     if (i > end && !isBox) result.emplace_back();
     end = std::max(end, last[rootOf(i)]);
     result.back().push_back(i);
@@ -57,7 +59,8 @@ void DrawnLowering::appendNetwork(std::vector<std::uint32_t> members, Form form,
   network.number = network_->isWhole ? network_->number : nextNumber_++;
   network.form = form;
   network.span = network_->span;
-  network.complete = !network_->isDamaged && (circuit == DrawnCircuit::nothing || !damaged_[static_cast<std::size_t>(circuit)]);
+  network.complete =
+      !network_->isDamaged && (circuit == DrawnCircuit::nothing || !damaged_[static_cast<std::size_t>(circuit)]);
   Drawing drawing;
   drawing.elements.push_back(drawing_.elements[0]);
   std::uint32_t first = 0xFFFFFFFF, end = 0;
@@ -91,7 +94,9 @@ void DrawnLowering::reportIdle() {
   for (int i = 0; i < circuit_->count(); ++i) {
     const DrawnElement& e = circuit_->element(i);
     const bool matters = e.kind == DrawnKind::Contact || e.kind == DrawnKind::Block;
-    if (!matters || states_[static_cast<std::size_t>(i)].isDone || damaged_[static_cast<std::size_t>(circuit_->circuitOf(i))]) continue;
+    if (!matters || states_[static_cast<std::size_t>(i)].isDone ||
+        damaged_[static_cast<std::size_t>(circuit_->circuitOf(i))])
+      continue;
     if (circuit_->isInLoop(i)) continue;
     sink_.idle(e, "it leads to no coil and to no variable");
     idle_[static_cast<std::size_t>(circuit_->circuitOf(i))] = true;
@@ -101,7 +106,8 @@ void DrawnLowering::reportIdle() {
 void DrawnLowering::body(const DrawnNetwork& network, Form form) {
   network_ = &network;
   sink_.setNetwork(network.isWhole ? network.number : nextNumber_);
-  DrawnCircuit circuit(network, sink_, [&](const DrawnElement& element) { return DrawnBlocks::hasMemory(build_, element); });
+  DrawnCircuit circuit(network, sink_,
+                       [&](const DrawnElement& element) { return DrawnBlocks::hasMemory(build_, element); });
   circuit_ = &circuit;
   begin();
   for (const int i : circuit.results()) {
@@ -117,8 +123,11 @@ void DrawnLowering::body(const DrawnNetwork& network, Form form) {
 std::vector<int> DrawnLowering::appendNetworks(Form form) {
   std::vector<std::vector<std::uint32_t>> list = pieces();
   std::vector<std::size_t> rank(damaged_.size(), circuit_->results().size());
-  for (std::size_t k = circuit_->results().size(); k-- > 0;) rank[static_cast<std::size_t>(circuit_->circuitOf(circuit_->results()[k]))] = k;
-  const auto circuitOfPiece = [&](const std::vector<std::uint32_t>& piece) { return circuit_->circuitOf(owner_[piece.front()]); };
+  for (std::size_t k = circuit_->results().size(); k-- > 0;)
+    rank[static_cast<std::size_t>(circuit_->circuitOf(circuit_->results()[k]))] = k;
+  const auto circuitOfPiece = [&](const std::vector<std::uint32_t>& piece) {
+    return circuit_->circuitOf(owner_[piece.front()]);
+  };
   std::vector<bool> isThere(damaged_.size(), false);
   for (const std::vector<std::uint32_t>& piece : list) isThere[static_cast<std::size_t>(circuitOfPiece(piece))] = true;
   std::vector<int> missing;
@@ -158,7 +167,9 @@ void DrawnLowering::finish(Form form) {
     if (network_->isWhole || index < 0 || index >= circuit_->count()) continue;
     const auto found = std::find(circuits.begin(), circuits.end(), circuit_->circuitOf(static_cast<int>(index)));
     Finding& finding = build_.program().findings[pending.finding];
-    finding.network = found == circuits.end() ? 0 : pou_.networks[firstNetwork + static_cast<std::size_t>(found - circuits.begin())].number;
+    finding.network = found == circuits.end()
+                          ? 0
+                          : pou_.networks[firstNetwork + static_cast<std::size_t>(found - circuits.begin())].number;
   }
   // A comment belongs to the first circuit that reaches below it; without positions, to that of the next element.
   std::vector<double> top(damaged_.size(), 1e300);
@@ -179,7 +190,8 @@ void DrawnLowering::finish(Form form) {
       }
       if (hasPlaces) {
         const double height = top[static_cast<std::size_t>(circuits[k])];
-        if (height >= note.y && (chosen == circuits.size() || height < top[static_cast<std::size_t>(circuits[chosen])])) chosen = k;
+        if (height >= note.y && (chosen == circuits.size() || height < top[static_cast<std::size_t>(circuits[chosen])]))
+          chosen = k;
       } else if (note.before < network_->elements.size() && chosen == circuits.size()) {
         if (circuits[k] == circuit_->circuitOf(static_cast<int>(note.before))) chosen = k;
       }

@@ -42,7 +42,8 @@ void buildDrawnProject(Program& program, DrawnProject& project) {
   if (!project.isEmpty()) DrawnBuild(program, project).run();
 }
 
-DrawnBuild::DrawnBuild(Program& program, DrawnProject& project) : program_(program), project_(project), sink_(program), memory_(program), tableSymbols_(program.symbols.size()) {}
+DrawnBuild::DrawnBuild(Program& program, DrawnProject& project)
+    : program_(program), project_(project), sink_(program), memory_(program), tableSymbols_(program.symbols.size()) {}
 
 void DrawnBuild::run() {
   for (DrawnBlock& block : project_.blocks) {
@@ -89,14 +90,16 @@ void DrawnBuild::noteMentions() {
 
 bool DrawnBuild::isMentioned(std::string_view instance, std::string_view output) const {
   const std::size_t point = instance.rfind('.');
-  return mentioned_.contains(foldedName(fmt::format("{}.{}", point == std::string_view::npos ? instance : instance.substr(point + 1), output)));
+  return mentioned_.contains(foldedName(
+      fmt::format("{}.{}", point == std::string_view::npos ? instance : instance.substr(point + 1), output)));
 }
 
 std::optional<Operand> DrawnBuild::temporary(IecType type) {
   auto place = memory_.allocate(type);
   if (!place && !isFullReported_) {
     isFullReported_ = true;
-    sink_.report(Syntax::LocalTableFull, project_.blocks.empty() ? Span{} : project_.blocks.front().span, "V memory of the CPU is too small for the variables of the project");
+    sink_.report(Syntax::LocalTableFull, project_.blocks.empty() ? Span{} : project_.blocks.front().span,
+                 "V memory of the CPU is too small for the variables of the project");
   }
   return place;
 }
@@ -113,7 +116,8 @@ VariablePlace* DrawnBuild::lookUp(DrawnCopy& copy, std::string_view name) {
   const auto global = globals_.find(folded);
   if (global != globals_.end()) return &global->second;
   for (const std::string& list : project_.globalLists) {
-    if (folded.size() <= list.size() + 1 || folded[list.size()] != '.' || !folded.starts_with(foldedName(list))) continue;
+    if (folded.size() <= list.size() + 1 || folded[list.size()] != '.' || !folded.starts_with(foldedName(list)))
+      continue;
     const auto listed = globals_.find(folded.substr(list.size() + 1));
     if (listed != globals_.end()) return &listed->second;
   }
@@ -121,7 +125,10 @@ VariablePlace* DrawnBuild::lookUp(DrawnCopy& copy, std::string_view name) {
     const Symbol& symbol = program_.symbols[i];
     if (symbol.address.kind != OperandKind::Direct || foldedName(symbol.name) != folded) continue;
     const Width width = symbol.address.width;
-    const IecType type = width == Width::Bit ? IecType::Bool : width == Width::Byte ? IecType::Byte : width == Width::Word ? IecType::Word : IecType::Dword;
+    const IecType type = width == Width::Bit    ? IecType::Bool
+                         : width == Width::Byte ? IecType::Byte
+                         : width == Width::Word ? IecType::Word
+                                                : IecType::Dword;
     return &globals_.emplace(folded, VariablePlace{type, symbol.address, std::nullopt, nullptr}).first->second;
   }
   return nullptr;
@@ -139,13 +146,18 @@ void DrawnBuild::addSymbol(const std::string& name, const Operand& place, Span s
 void DrawnBuild::addInitialValue(const VariablePlace& place, const DrawnVariable& variable) {
   if (variable.initial.empty() || place.copy != nullptr) return;
   const auto literal = iecLiteral(variable.initial);
-  const bool isNumber = place.type == IecType::Real ? literal && (literal->type == IecType::Real || literal->type == IecType::None) : literal && literal->type != IecType::Real;
+  const bool isNumber = place.type == IecType::Real
+                            ? literal && (literal->type == IecType::Real || literal->type == IecType::None)
+                            : literal && literal->type != IecType::Real;
   if (place.type == IecType::String) return;
   if (!isNumber || (place.type != IecType::Real && !fits(literal->value, place.type))) {
-    return sink_.report(Syntax::XmlStructure, variable.span, fmt::format("initial value {} of {} is no {}", excerpt(variable.initial), variable.name, iecTypeName(place.type)));
+    return sink_.report(Syntax::XmlStructure, variable.span,
+                        fmt::format("initial value {} of {} is no {}", excerpt(variable.initial), variable.name,
+                                    iecTypeName(place.type)));
   }
   std::int64_t value = literal->value;
-  if (place.type == IecType::Real && literal->type == IecType::None) value = iecLiteral(fmt::format("{}.0", literal->value)).value_or(IecLiteral{}).value;
+  if (place.type == IecType::Real && literal->type == IecType::None)
+    value = iecLiteral(fmt::format("{}.0", literal->value)).value_or(IecLiteral{}).value;
   if (value == 0) return;
   if (place.operand.area == Area::V) {
     DataInit init;
@@ -160,14 +172,20 @@ void DrawnBuild::addInitialValue(const VariablePlace& place, const DrawnVariable
       }
       init.bytes = {static_cast<std::uint8_t>(1U << place.operand.bit)};
     } else {
-      for (int shift = 8 * (bytes(place.operand.width) - 1); shift >= 0; shift -= 8) init.bytes.push_back(static_cast<std::uint8_t>(value >> shift));
+      for (int shift = 8 * (bytes(place.operand.width) - 1); shift >= 0; shift -= 8)
+        init.bytes.push_back(static_cast<std::uint8_t>(value >> shift));
     }
     program_.data.push_back(std::move(init));
     return;
   }
-  if (place.operand.area == Area::I || place.operand.area == Area::AI) return;  // read from outside before anybody looks
-  if (place.type == IecType::Bool) addFirst(firstScan_, "S", {place.operand, constant(1)}, variable.span);
-  else addFirst(firstScan_, moveOf(place.type), {constant(value, place.type == IecType::Real ? ConstantForm::Real : ConstantForm::Decimal), place.operand}, variable.span);
+  if (place.operand.area == Area::I || place.operand.area == Area::AI)
+    return;  // read from outside before anybody looks
+  if (place.type == IecType::Bool)
+    addFirst(firstScan_, "S", {place.operand, constant(1)}, variable.span);
+  else
+    addFirst(firstScan_, moveOf(place.type),
+             {constant(value, place.type == IecType::Real ? ConstantForm::Real : ConstantForm::Decimal), place.operand},
+             variable.span);
 }
 
 void DrawnBuild::declareInstance(VariablePlace& place, const DrawnVariable& variable, const std::string& path) {
@@ -175,7 +193,8 @@ void DrawnBuild::declareInstance(VariablePlace& place, const DrawnVariable& vari
   const auto found = blocks_.find(foldedName(variable.typeName));
   if (found != blocks_.end() && found->second->kind == DrawnBlockKind::FunctionBlock) {
     if (std::find(open_.begin(), open_.end(), found->first) != open_.end()) {
-      sink_.report(Syntax::XmlStructure, variable.span, fmt::format("{} contains an instance of itself", variable.typeName));
+      sink_.report(Syntax::XmlStructure, variable.span,
+                   fmt::format("{} contains an instance of itself", variable.typeName));
       return;
     }
     place.copy = newCopy(*found->second, path);
@@ -183,7 +202,8 @@ void DrawnBuild::declareInstance(VariablePlace& place, const DrawnVariable& vari
     return;
   }
   if (standard == StandardBlock::None) {
-    return sink_.report(Syntax::XmlStructure, variable.span, fmt::format("type {} of {} is not known", excerpt(variable.typeName), variable.name));
+    return sink_.report(Syntax::XmlStructure, variable.span,
+                        fmt::format("type {} of {} is not known", excerpt(variable.typeName), variable.name));
   }
   copies_.push_back(std::make_unique<DrawnCopy>());
   copies_.back()->path = path;
@@ -201,24 +221,35 @@ void DrawnBuild::declare(DrawnCopy& copy, const DrawnVariable& variable, const s
     if (place.copy == nullptr) return;
   } else if (variable.isConstant || variable.section == DrawnSection::Constant) {
     place.constant = iecLiteral(variable.initial);
-    if (place.constant && place.constant->type == IecType::None && variable.type != IecType::Real) place.constant->type = variable.type;
-    if (!place.constant) return sink_.report(Syntax::XmlStructure, variable.span, fmt::format("constant {} has no value that can be read", variable.name));
+    if (place.constant && place.constant->type == IecType::None && variable.type != IecType::Real)
+      place.constant->type = variable.type;
+    if (!place.constant)
+      return sink_.report(Syntax::XmlStructure, variable.span,
+                          fmt::format("constant {} has no value that can be read", variable.name));
   } else if (!variable.address.empty()) {
     const auto address = locatedAddress(variable.address);
-    const bool fitsType = address && (address->width == widthOf(variable.type) || (address->width == Width::Bit && (address->area == Area::T || address->area == Area::C) && widthOf(variable.type) == Width::Word));
+    const bool fitsType =
+        address && (address->width == widthOf(variable.type) ||
+                    (address->width == Width::Bit && (address->area == Area::T || address->area == Area::C) &&
+                     widthOf(variable.type) == Width::Word));
     if (!fitsType) {
-      return sink_.report(Syntax::XmlStructure, variable.span,
-                          address ? fmt::format("{} is {}, but {} has another width", variable.name, iecTypeName(variable.type), variable.address) : fmt::format("address {} of {} cannot be read", excerpt(variable.address), variable.name));
+      return sink_.report(
+          Syntax::XmlStructure, variable.span,
+          address ? fmt::format("{} is {}, but {} has another width", variable.name, iecTypeName(variable.type),
+                                variable.address)
+                  : fmt::format("address {} of {} cannot be read", excerpt(variable.address), variable.name));
     }
     place.operand = *address;
   } else {
-    const auto address = variable.type == IecType::String ? memory_.allocate(IecType::String, 80) : temporary(variable.type);
+    const auto address =
+        variable.type == IecType::String ? memory_.allocate(IecType::String, 80) : temporary(variable.type);
     if (!address) return;
     place.operand = *address;
   }
   place.operand.text = path;
   const bool isNew = copy.places.emplace(folded, place).second;
-  if (!isNew) return sink_.report(Syntax::XmlStructure, variable.span, fmt::format("{} is declared twice", variable.name));
+  if (!isNew)
+    return sink_.report(Syntax::XmlStructure, variable.span, fmt::format("{} is declared twice", variable.name));
   if (place.copy == nullptr && !place.constant) {
     addSymbol(path, place.operand, variable.span);
     addInitialValue(place, variable);
@@ -270,9 +301,12 @@ void DrawnBuild::restoreLocals(DrawnCopy& copy, Pou& pou) {
   drawing.elements.emplace_back();
   drawing.elements[0].span = copy.block->span;
   for (const DrawnVariable& variable : copy.block->variables) {
-    const bool isFresh = variable.section == DrawnSection::Temp || (variable.section == DrawnSection::Local && copy.block->kind == DrawnBlockKind::Function);
+    const bool isFresh = variable.section == DrawnSection::Temp ||
+                         (variable.section == DrawnSection::Local && copy.block->kind == DrawnBlockKind::Function);
     const auto place = copy.places.find(foldedName(variable.name));
-    if (!isFresh || place == copy.places.end() || place->second.copy != nullptr || place->second.constant || place->second.type == IecType::String) continue;
+    if (!isFresh || place == copy.places.end() || place->second.copy != nullptr || place->second.constant ||
+        place->second.type == IecType::String)
+      continue;
     if (variable.section == DrawnSection::Temp && variable.initial.empty()) continue;
     const auto literal = iecLiteral(variable.initial);
     const std::int64_t value = literal ? literal->value : 0;
@@ -287,7 +321,9 @@ void DrawnBuild::restoreLocals(DrawnCopy& copy, Pou& pou) {
     } else {
       element.shape = Shape::Box;
       element.desc = instructionNamed(moveOf(place->second.type));
-      element.operands = {constant(value, place->second.type == IecType::Real ? ConstantForm::Real : ConstantForm::Decimal), place->second.operand};
+      element.operands = {
+          constant(value, place->second.type == IecType::Real ? ConstantForm::Real : ConstantForm::Decimal),
+          place->second.operand};
     }
     for (Operand& operand : element.operands) operand.span = variable.span;
     drawing.elements.push_back(std::move(element));
@@ -307,7 +343,8 @@ void DrawnBuild::restoreLocals(DrawnCopy& copy, Pou& pou) {
 void DrawnBuild::addUncovered(DrawnCopy& copy, Pou& pou) {
   const UncoveredBody& body = *copy.block->uncovered;
   sink_.setNetwork(1);
-  sink_.report(Syntax::BodyNotCovered, body.span, fmt::format("the body of {} is written in {} and is not covered", copy.block->name, body.language));
+  sink_.report(Syntax::BodyNotCovered, body.span,
+               fmt::format("the body of {} is written in {} and is not covered", copy.block->name, body.language));
   Network network;
   network.number = 1;
   network.span = body.span;
@@ -320,7 +357,9 @@ void DrawnBuild::addUncovered(DrawnCopy& copy, Pou& pou) {
   }
   const auto hide = [&](const VariablePlace& place) {
     const Area area = place.operand.area;
-    if (place.copy != nullptr || place.constant || place.operand.kind != OperandKind::Direct || area == Area::I || area == Area::AI || area == Area::T || area == Area::C) return;
+    if (place.copy != nullptr || place.constant || place.operand.kind != OperandKind::Direct || area == Area::I ||
+        area == Area::AI || area == Area::T || area == Area::C)
+      return;
     const std::string address = toString(place.operand);
     if (!seen.insert(address).second) return;
     Directive directive;
@@ -329,7 +368,10 @@ void DrawnBuild::addUncovered(DrawnCopy& copy, Pou& pou) {
     program_.directives.push_back(std::move(directive));
   };
   for (std::size_t at = 0; at < body.text.size();) {
-    const auto isPart = [](char c) { return isLetter(c) || isDigit(c) || c == '_' || c == '.' || c == '%' || (static_cast<unsigned char>(c) & 0x80) != 0; };
+    const auto isPart = [](char c) {
+      return isLetter(c) || isDigit(c) || c == '_' || c == '.' || c == '%' ||
+             (static_cast<unsigned char>(c) & 0x80) != 0;
+    };
     if (!isPart(body.text[at])) {
       ++at;
       continue;
@@ -381,7 +423,9 @@ void DrawnBuild::addPou(DrawnCopy& copy, PouKind kind) {
     const auto number = memory_.subroutine();
     if (!number) {
       copy.isBroken = true;
-      sink_.report(Syntax::XmlStructure, copy.block->span, fmt::format("the CPU has no subroutine left for {}: every instance of a function block needs one", copy.path));
+      sink_.report(Syntax::XmlStructure, copy.block->span,
+                   fmt::format("the CPU has no subroutine left for {}: every instance of a function block needs one",
+                               copy.path));
       return;
     }
     copy.number = *number;
@@ -426,8 +470,12 @@ void DrawnBuild::buildPrograms() {
   std::vector<DrawnInstance> instances;
   for (const DrawnInstance& instance : project_.instances) {
     const auto found = blocks_.find(foldedName(instance.type));
-    if (found != blocks_.end() && found->second->kind == DrawnBlockKind::Program) instances.push_back(instance);
-    else sink_.report(Syntax::XmlStructure, instance.span, fmt::format("task program {} is of type {}, which does not exist", instance.name, excerpt(instance.type)));
+    if (found != blocks_.end() && found->second->kind == DrawnBlockKind::Program)
+      instances.push_back(instance);
+    else
+      sink_.report(
+          Syntax::XmlStructure, instance.span,
+          fmt::format("task program {} is of type {}, which does not exist", instance.name, excerpt(instance.type)));
   }
   const bool isAssigned = !instances.empty();
   for (const DrawnBlock& block : project_.blocks) {
@@ -449,7 +497,8 @@ void DrawnBuild::buildPrograms() {
     }
   }
   if (!firstScan_.elements.empty()) {
-    const auto main = std::find_if(program_.pous.begin(), program_.pous.end(), [](const Pou& pou) { return pou.kind == PouKind::Main; });
+    const auto main = std::find_if(program_.pous.begin(), program_.pous.end(),
+                                   [](const Pou& pou) { return pou.kind == PouKind::Main; });
     if (main != program_.pous.end()) {
       Network network;
       network.number = 0;

@@ -34,14 +34,14 @@ StandardBlock standardBlockNamed(std::string_view name);
 /// function. Copies of the project's own blocks are subroutines; `places` holds their variables, of a standard block
 /// the outputs that live in memory.
 struct DrawnCopy {
-  std::string path;                  ///< "MAIN.Pump1"
-  const DrawnBlock* block = nullptr; ///< of the project
+  std::string path;                   ///< "MAIN.Pump1"
+  const DrawnBlock* block = nullptr;  ///< of the project
   StandardBlock standard = StandardBlock::None;
-  int number = -1;                   ///< of the subroutine, timer or counter
-  int resolution = 0;                ///< of the timer, ms
+  int number = -1;     ///< of the subroutine, timer or counter
+  int resolution = 0;  ///< of the timer, ms
   std::map<std::string, VariablePlace> places;
-  bool isBroken = false;             ///< no number was left; reported
-  bool isRead = false;               ///< its outputs are named somewhere ("T1.ET")
+  bool isBroken = false;  ///< no number was left; reported
+  bool isRead = false;    ///< its outputs are named somewhere ("T1.ET")
 };
 
 }  // namespace rungproof

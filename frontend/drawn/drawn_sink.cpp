@@ -32,10 +32,13 @@ std::string nameOf(const DrawnElement& element) {
   return fmt::format("{}{}{} (element {})", kindName(element.kind), text.empty() ? "" : " ", text, excerpt(element.id));
 }
 
-void DrawnSink::add(std::string_view rule, Severity severity, const DrawnElement& element, const std::string& message, std::string_view help) {
+void DrawnSink::add(std::string_view rule, Severity severity, const DrawnElement& element, const std::string& message,
+                    std::string_view help) {
   if (severity == Severity::Error) isDamaged_ = true;
   if (++count_ > limit) {
-    if (count_ == limit + 1) report(Syntax::TooMany, element.span, fmt::format("more than {} problems in drawings; the rest is not listed", limit));
+    if (count_ == limit + 1)
+      report(Syntax::TooMany, element.span,
+             fmt::format("more than {} problems in drawings; the rest is not listed", limit));
     return;
   }
   Finding finding;
@@ -51,7 +54,8 @@ void DrawnSink::add(std::string_view rule, Severity severity, const DrawnElement
 }
 
 void DrawnSink::circuit(const DrawnElement& element, const std::string& message) {
-  add("GRF001", Severity::Error, element, message, "connect the element so that power flows from the left to the right, then export again");
+  add("GRF001", Severity::Error, element, message,
+      "connect the element so that power flows from the left to the right, then export again");
 }
 
 void DrawnSink::idle(const DrawnElement& element, const std::string& message) {

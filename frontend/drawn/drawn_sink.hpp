@@ -46,7 +46,8 @@ class DrawnSink {
   std::vector<Pending> takePending() { return std::move(pending_); }
 
  private:
-  void add(std::string_view rule, Severity severity, const DrawnElement& element, const std::string& message, std::string_view help);
+  void add(std::string_view rule, Severity severity, const DrawnElement& element, const std::string& message,
+           std::string_view help);
 
   static constexpr std::size_t limit = 1000;
   Program& program_;

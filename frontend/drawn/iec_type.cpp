@@ -22,19 +22,19 @@ struct TypeRow {
   std::int64_t low, high;
 };
 constexpr std::array<TypeRow, 14> typeRows = {{{"", Width::Bit, 0, 0},
-                                           {"BOOL", Width::Bit, 0, 1},
-                                           {"SINT", Width::Byte, -128, 127},
-                                           {"USINT", Width::Byte, 0, 255},
-                                           {"BYTE", Width::Byte, 0, 255},
-                                           {"INT", Width::Word, -32768, 32767},
-                                           {"UINT", Width::Word, 0, 65535},
-                                           {"WORD", Width::Word, 0, 65535},
-                                           {"DINT", Width::DWord, -2147483648LL, 2147483647LL},
-                                           {"UDINT", Width::DWord, 0, 4294967295LL},
-                                           {"DWORD", Width::DWord, 0, 4294967295LL},
-                                           {"TIME", Width::DWord, -2147483648LL, 2147483647LL},
-                                           {"REAL", Width::DWord, 0, 4294967295LL},
-                                           {"STRING", Width::Byte, 0, 0}}};
+                                               {"BOOL", Width::Bit, 0, 1},
+                                               {"SINT", Width::Byte, -128, 127},
+                                               {"USINT", Width::Byte, 0, 255},
+                                               {"BYTE", Width::Byte, 0, 255},
+                                               {"INT", Width::Word, -32768, 32767},
+                                               {"UINT", Width::Word, 0, 65535},
+                                               {"WORD", Width::Word, 0, 65535},
+                                               {"DINT", Width::DWord, -2147483648LL, 2147483647LL},
+                                               {"UDINT", Width::DWord, 0, 4294967295LL},
+                                               {"DWORD", Width::DWord, 0, 4294967295LL},
+                                               {"TIME", Width::DWord, -2147483648LL, 2147483647LL},
+                                               {"REAL", Width::DWord, 0, 4294967295LL},
+                                               {"STRING", Width::Byte, 0, 0}}};
 const TypeRow& rowOf(IecType type) { return typeRows[static_cast<std::size_t>(type)]; }
 
 std::string withoutUnderscores(std::string_view text) {
@@ -63,7 +63,9 @@ std::optional<std::int64_t> integer(std::string_view text) {
 
 std::optional<std::int64_t> real(std::string_view text) {
   const std::string digits = withoutUnderscores(text);
-  if (digits.find_first_of(".eE") == std::string::npos || digits.find_first_not_of("0123456789.eE+-") != std::string::npos) return std::nullopt;
+  if (digits.find_first_of(".eE") == std::string::npos ||
+      digits.find_first_not_of("0123456789.eE+-") != std::string::npos)
+    return std::nullopt;
   char* end = nullptr;
   const float value = std::strtof(digits.c_str(), &end);
   if (end != digits.c_str() + digits.size() || !std::isfinite(value)) return std::nullopt;
@@ -85,7 +87,12 @@ std::optional<std::int64_t> duration(std::string_view text) {
     while (unitEnd < rest.size() && isLetter(rest[unitEnd])) ++unitEnd;
     std::string unit = rest.substr(end, unitEnd - end);
     std::transform(unit.begin(), unit.end(), unit.begin(), upper);
-    const double factor = unit == "MS" ? 1 : unit == "S" ? 1000 : unit == "M" ? 60000 : unit == "H" ? 3600000 : unit == "D" ? 86400000 : 0;
+    const double factor = unit == "MS"  ? 1
+                          : unit == "S" ? 1000
+                          : unit == "M" ? 60000
+                          : unit == "H" ? 3600000
+                          : unit == "D" ? 86400000
+                                        : 0;
     if (end == at || end - at > 15 || factor == 0) return std::nullopt;
     sum += std::strtod(rest.substr(at, end - at).c_str(), nullptr) * factor;
     at = unitEnd;
@@ -103,7 +110,9 @@ IecType iecTypeNamed(std::string_view name) {
   return IecType::None;
 }
 
-std::string_view iecTypeName(IecType type) { return type == IecType::None ? std::string_view("no type") : rowOf(type).name; }
+std::string_view iecTypeName(IecType type) {
+  return type == IecType::None ? std::string_view("no type") : rowOf(type).name;
+}
 Width widthOf(IecType type) { return rowOf(type).width; }
 
 std::string_view moveOf(IecType type) {
@@ -114,8 +123,12 @@ std::string_view moveOf(IecType type) {
     default: return "MOVD";
   }
 }
-bool isSignedInteger(IecType type) { return type == IecType::Sint || type == IecType::Int || type == IecType::Dint || type == IecType::Time; }
-bool isUnsignedInteger(IecType type) { return type == IecType::Usint || type == IecType::Uint || type == IecType::Udint; }
+bool isSignedInteger(IecType type) {
+  return type == IecType::Sint || type == IecType::Int || type == IecType::Dint || type == IecType::Time;
+}
+bool isUnsignedInteger(IecType type) {
+  return type == IecType::Usint || type == IecType::Uint || type == IecType::Udint;
+}
 bool isBitString(IecType type) { return type == IecType::Byte || type == IecType::Word || type == IecType::Dword; }
 bool fits(std::int64_t value, IecType type) { return value >= rowOf(type).low && value <= rowOf(type).high; }
 
@@ -136,7 +149,8 @@ std::optional<IecLiteral> iecLiteral(std::string_view text) {
     const auto inner = iecLiteral(rest);
     if (!inner) return std::nullopt;
     if (type == IecType::Real) return inner->type == IecType::Real ? inner : std::nullopt;
-    if (inner->type != IecType::None && inner->type != type && !(type == IecType::Bool && inner->type == IecType::Bool)) return std::nullopt;
+    if (inner->type != IecType::None && inner->type != type && !(type == IecType::Bool && inner->type == IecType::Bool))
+      return std::nullopt;
     if (!fits(inner->value, type)) return std::nullopt;
     return IecLiteral{type, inner->value};
   }
@@ -162,7 +176,8 @@ std::optional<Operand> locatedAddress(std::string_view text) {
   const auto byte = integer(digits.substr(0, point));
   if (!byte || *byte < 0 || *byte > 99999) return std::nullopt;
   const Area place = area == 'I' ? Area::I : area == 'Q' ? Area::Q : Area::M;
-  if (point == std::string_view::npos) return direct(place, Width::Bit, static_cast<std::uint32_t>(*byte / 8), static_cast<unsigned>(*byte % 8));
+  if (point == std::string_view::npos)
+    return direct(place, Width::Bit, static_cast<std::uint32_t>(*byte / 8), static_cast<unsigned>(*byte % 8));
   const auto bit = integer(digits.substr(point + 1));
   if (!bit || *bit < 0 || *bit > 7) return std::nullopt;
   return direct(place, Width::Bit, static_cast<std::uint32_t>(*byte), static_cast<unsigned>(*bit));

@@ -20,7 +20,9 @@ bool belongsIn(const Finding& finding) { return !isReadError(finding) && !findin
 
 using Key = std::pair<std::string, std::string>;  // file, fingerprint
 
-Key keyOf(const Finding& finding, const SourceSet& sources) { return {sources.file(finding.span.file).name(), fingerprintOf(finding, sources)}; }
+Key keyOf(const Finding& finding, const SourceSet& sources) {
+  return {sources.file(finding.span.file).name(), fingerprintOf(finding, sources)};
+}
 
 }  // namespace
 
@@ -29,7 +31,8 @@ Baseline baselineOf(const Report& report) {
   for (const Finding& finding : report.findings) {
     if (!belongsIn(finding)) continue;
     const auto [file, fingerprint] = keyOf(finding, *report.sources);
-    const auto [entry, isNew] = sorted.emplace(std::tuple(file, finding.rule, fingerprint), BaselineEntry{fingerprint, finding.rule, file, finding.message});
+    const auto [entry, isNew] = sorted.emplace(std::tuple(file, finding.rule, fingerprint),
+                                               BaselineEntry{fingerprint, finding.rule, file, finding.message});
     if (!isNew) ++entry->second.count;
   }
   Baseline baseline;
@@ -41,14 +44,19 @@ std::string toJson(const Baseline& baseline) {
   std::string text = fmt::format("{{\n  \"rungproof_baseline\": {},\n  \"findings\": [", formatVersion);
   for (std::size_t i = 0; i < baseline.entries.size(); ++i) {
     const BaselineEntry& entry = baseline.entries[i];
-    const Json row = {{"fingerprint", entry.fingerprint}, {"rule", entry.rule}, {"file", entry.file}, {"count", entry.count}, {"message", entry.message}};
+    const Json row = {{"fingerprint", entry.fingerprint},
+                      {"rule", entry.rule},
+                      {"file", entry.file},
+                      {"count", entry.count},
+                      {"message", entry.message}};
     text += fmt::format("{}\n    {}", i == 0 ? "" : ",", row.dump());
   }
   return text + (baseline.entries.empty() ? "]\n}\n" : "\n  ]\n}\n");
 }
 
 std::optional<Failure> readBaseline(const std::string& text, const std::string& name, Baseline& baseline) {
-  const Failure damaged = {"the baseline file is damaged", name, "write it again with 'rungproof baseline FILE... > " + name + "'"};
+  const Failure damaged = {"the baseline file is damaged", name,
+                           "write it again with 'rungproof baseline FILE... > " + name + "'"};
   const std::optional<Json> json = Json::read(text);
   const Json* findings = json ? json->find("findings") : nullptr;
   if (findings == nullptr || findings->kind() != Json::Kind::Array) return damaged;
@@ -95,7 +103,9 @@ void applyBaseline(const Baseline& baseline, std::uint32_t file, Report& report)
     stale.rule = "SUP003";
     stale.severity = Severity::Note;
     stale.span = {file, entry.offset, static_cast<std::uint32_t>(entry.fingerprint.size())};
-    stale.message = fmt::format("{} in {} is gone{}: {}", entry.rule, entry.file, rest < entry.count ? fmt::format(" in {} of {} places", rest, entry.count) : "", entry.message);
+    stale.message =
+        fmt::format("{} in {} is gone{}: {}", entry.rule, entry.file,
+                    rest < entry.count ? fmt::format(" in {} of {} places", rest, entry.count) : "", entry.message);
     stale.help = "write the baseline again to remove the entry";
     rest = 0;
   }

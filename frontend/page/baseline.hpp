@@ -17,9 +17,9 @@ struct BaselineEntry {
   std::string fingerprint;
   std::string rule;
   std::string file;
-  std::string message;      ///< for the reader of the file; not compared
-  std::size_t count = 1;    ///< findings with this fingerprint in this file
-  std::uint32_t offset = 0; ///< place of the entry in the text it was read from
+  std::string message;       ///< for the reader of the file; not compared
+  std::size_t count = 1;     ///< findings with this fingerprint in this file
+  std::uint32_t offset = 0;  ///< place of the entry in the text it was read from
 };
 
 struct Baseline {

@@ -43,7 +43,8 @@ void appendRows(std::string& text, const std::vector<TextRow>& rows, std::size_t
 }
 
 void appendParagraph(std::string& text, std::string_view paragraph, std::size_t indent) {
-  for (const std::string_view line : wrapped(paragraph, pageWidth - indent)) text.append(indent, ' ').append(line) += '\n';
+  for (const std::string_view line : wrapped(paragraph, pageWidth - indent))
+    text.append(indent, ' ').append(line) += '\n';
 }
 
 }  // namespace rungproof

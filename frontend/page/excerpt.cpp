@@ -45,7 +45,8 @@ std::vector<TextCell> textCells(std::string_view text, std::vector<std::size_t>&
       const UChar32 picture = 0x2400 + c;  // the control pictures of Unicode
       cells.push_back({{'\xE2', static_cast<char>(0x90), static_cast<char>(0x80 | (picture & 0x3F))}, 1});
     } else {
-      cells.push_back({std::string(text.substr(static_cast<std::size_t>(begin), static_cast<std::size_t>(i - begin))), columnsOf(c)});
+      cells.push_back({std::string(text.substr(static_cast<std::size_t>(begin), static_cast<std::size_t>(i - begin))),
+                       columnsOf(c)});
     }
   }
   cellOfByte.push_back(cells.size());
@@ -101,13 +102,15 @@ Excerpt excerptOf(const SourceFile& file, Span span) {
   return excerpt;
 }
 
-std::string drawExcerpt(const Excerpt& excerpt, int gutter, char mark, const Paint& paint, std::string (Paint::*paintMark)(std::string_view) const) {
+std::string drawExcerpt(const Excerpt& excerpt, int gutter, char mark, const Paint& paint,
+                        std::string (Paint::*paintMark)(std::string_view) const) {
   const std::string bar = paint.blue("|");
   const std::string margin(static_cast<std::size_t>(gutter), ' ');
   const std::string marks(static_cast<std::size_t>(excerpt.markWidth), mark);
   const std::string gap = excerpt.line.empty() ? "" : " ";
-  return fmt::format("{} {}\n{} {}{}{}\n{} {} {}{}\n", margin, bar, paint.blue(fmt::format("{:>{}}", excerpt.lineNumber, gutter)), bar, gap,
-                     excerpt.line, margin, bar, std::string(static_cast<std::size_t>(excerpt.markBegin), ' '), (paint.*paintMark)(marks));
+  return fmt::format("{} {}\n{} {}{}{}\n{} {} {}{}\n", margin, bar,
+                     paint.blue(fmt::format("{:>{}}", excerpt.lineNumber, gutter)), bar, gap, excerpt.line, margin, bar,
+                     std::string(static_cast<std::size_t>(excerpt.markBegin), ' '), (paint.*paintMark)(marks));
 }
 
 std::string placeText(const SourceSet& sources, Span span) {

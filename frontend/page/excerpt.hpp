@@ -30,16 +30,17 @@ int displayWidth(std::string_view text);
 /// The line of a span and the columns below it that belong to the span.
 struct Excerpt {
   std::uint32_t lineNumber = 1;
-  std::string line;    ///< as shown: tabs replaced, control characters made visible, cut to the window
-  int markBegin = 0;   ///< columns from 0, in `line`
-  int markWidth = 1;   ///< at least 1
+  std::string line;   ///< as shown: tabs replaced, control characters made visible, cut to the window
+  int markBegin = 0;  ///< columns from 0, in `line`
+  int markWidth = 1;  ///< at least 1
 };
 /// Longest line that is shown whole, in columns.
 inline constexpr int excerptWidth = 100;
 Excerpt excerptOf(const SourceFile& file, Span span);
 
 /// "   |\n12 | MOVW 1, VW2047\n   |         ^^^^^^\n"; the mark is repeated `mark`, already painted by `paintMark`.
-std::string drawExcerpt(const Excerpt& excerpt, int gutter, char mark, const Paint& paint, std::string (Paint::*paintMark)(std::string_view) const);
+std::string drawExcerpt(const Excerpt& excerpt, int gutter, char mark, const Paint& paint,
+                        std::string (Paint::*paintMark)(std::string_view) const);
 
 /// "press.awl:12:5" for a place.
 std::string placeText(const SourceSet& sources, Span span);

@@ -18,7 +18,8 @@ std::vector<FixedFile> fixedFiles(const Report& report) {
   }
   std::vector<FixedFile> files;
   for (auto& [index, fixes] : byFile) {
-    std::stable_sort(fixes.begin(), fixes.end(), [](const Fix* a, const Fix* b) { return a->span.offset < b->span.offset; });
+    std::stable_sort(fixes.begin(), fixes.end(),
+                     [](const Fix* a, const Fix* b) { return a->span.offset < b->span.offset; });
     const std::string_view source = report.sources->file(index).text();
     FixedFile file{report.sources->file(index).name(), {}, 0};
     std::size_t done = 0;  // bytes of the source that are in the text already
@@ -43,9 +44,12 @@ bool applyFixes(const Context& context, const Report& report) {
     bytes << stream.rdbuf();
     const auto& sources = *report.sources;
     bool isAsRead = false;
-    for (std::uint32_t i = 0; stream && i < sources.size(); ++i) isAsRead |= sources.file(i).name() == file.name && sources.file(i).text() == bytes.view();
+    for (std::uint32_t i = 0; stream && i < sources.size(); ++i)
+      isAsRead |= sources.file(i).name() == file.name && sources.file(i).text() == bytes.view();
     if (!isAsRead) {
-      print(context.err, {fmt::format("'{}' was not fixed: its text was converted when it was read", file.name), {}, "save it as UTF-8 without a byte order mark first"});
+      print(context.err, {fmt::format("'{}' was not fixed: its text was converted when it was read", file.name),
+                          {},
+                          "save it as UTF-8 without a byte order mark first"});
       written = false;
       continue;
     }
@@ -53,7 +57,8 @@ bool applyFixes(const Context& context, const Report& report) {
       written = false;
       continue;
     }
-    if (!context.settings.flag(Opt::Quiet)) context.err << fmt::format("fixed {} place{} in {}\n", file.count, file.count == 1 ? "" : "s", file.name);
+    if (!context.settings.flag(Opt::Quiet))
+      context.err << fmt::format("fixed {} place{} in {}\n", file.count, file.count == 1 ? "" : "s", file.name);
   }
   return written;
 }

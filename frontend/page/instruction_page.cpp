@@ -106,8 +106,9 @@ std::string instructionPage(const Desc& desc, const Paint& paint) {
   text += fmt::format("\n  {}\n", paint.bold("Operands"));
   for (int i = 0; i < desc.operandCount; ++i) {
     const OperandDesc& operand = desc.operand(i);
-    std::string line = fmt::format("{} ({}, {}{}): {}", operand.name, directionText(operand.direction), typeText(operand.type),
-                                   operand.optional ? ", may be left out" : "", formsText(operand.forms));
+    std::string line =
+        fmt::format("{} ({}, {}{}): {}", operand.name, directionText(operand.direction), typeText(operand.type),
+                    operand.optional ? ", may be left out" : "", formsText(operand.forms));
     if (operand.hasRanges()) line += fmt::format("; {}", rangesText(operand));
     appendParagraph(text, line, 4);
   }
@@ -115,8 +116,8 @@ std::string instructionPage(const Desc& desc, const Paint& paint) {
 }
 
 Json instructionJson(const Desc& desc) {
-  Json json = {{"stl", desc.stl},        {"german", desc.german}, {"meaning", desc.meaning}, {"group", desc.group},
-                                 {"manual", desc.manual}, {"cpus", cpusText(desc.cpus)}};
+  Json json = {{"stl", desc.stl},     {"german", desc.german}, {"meaning", desc.meaning},
+               {"group", desc.group}, {"manual", desc.manual}, {"cpus", cpusText(desc.cpus)}};
   json["operands"] = Json::array();
   for (int i = 0; i < desc.operandCount; ++i) {
     const OperandDesc& operand = desc.operand(i);

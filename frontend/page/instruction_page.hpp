@@ -1,4 +1,5 @@
-// The page of an instruction, from its descriptor: mnemonics, operands with their areas and ranges, effect on the stack.
+// The page of an instruction, from its descriptor: mnemonics, operands with their areas and ranges, effect on the
+// stack.
 #pragma once
 
 #include <string>

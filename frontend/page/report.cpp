@@ -26,14 +26,19 @@ std::string_view resultKindName(ResultKind kind) {
 }
 
 std::string differenceText(const Comparison& comparison) {
-  return fmt::format("scan {}, {:g} ms, {}: expected {:g}, {}", comparison.scan, comparison.timeMs, comparison.signal, comparison.expected,
-                     comparison.hasEnded ? "but the trace ends before that scan" : fmt::format("actual {:g}", comparison.actual));
+  return fmt::format(
+      "scan {}, {:g} ms, {}: expected {:g}, {}", comparison.scan, comparison.timeMs, comparison.signal,
+      comparison.expected,
+      comparison.hasEnded ? "but the trace ends before that scan" : fmt::format("actual {:g}", comparison.actual));
 }
 
 FaultCounts countsOf(const std::vector<PlantedFault>& faults) {
   FaultCounts count;
   for (const PlantedFault& fault : faults) {
-    ++(fault.fate == "noticed" ? count.noticed : fault.fate == "unnoticed" ? count.unnoticed : fault.fate == "undecided" ? count.undecided : count.withoutEffect);
+    ++(fault.fate == "noticed"     ? count.noticed
+       : fault.fate == "unnoticed" ? count.unnoticed
+       : fault.fate == "undecided" ? count.undecided
+                                   : count.withoutEffect);
   }
   return count;
 }
@@ -72,9 +77,11 @@ Exit exitOf(const Report& report) {
 
 void sortFindings(Report& report) {
   const auto key = [](const Finding& f) {
-    return std::tuple(f.span.file, f.span.offset, -static_cast<int>(f.severity), std::string_view(f.rule), std::string_view(f.message));
+    return std::tuple(f.span.file, f.span.offset, -static_cast<int>(f.severity), std::string_view(f.rule),
+                      std::string_view(f.message));
   };
-  std::stable_sort(report.findings.begin(), report.findings.end(), [&](const Finding& a, const Finding& b) { return key(a) < key(b); });
+  std::stable_sort(report.findings.begin(), report.findings.end(),
+                   [&](const Finding& a, const Finding& b) { return key(a) < key(b); });
   const auto same = [&](const Finding& a, const Finding& b) { return key(a) == key(b); };
   report.findings.erase(std::unique(report.findings.begin(), report.findings.end(), same), report.findings.end());
 }

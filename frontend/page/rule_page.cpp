@@ -23,7 +23,9 @@ void appendSection(std::string& text, const Paint& paint, std::string_view title
   appendParagraph(text, body, 4);
 }
 
-std::string_view fixText(FixClass fix) { return fix == FixClass::Safe ? "safe" : fix == FixClass::Unsafe ? "unsafe" : "none"; }
+std::string_view fixText(FixClass fix) {
+  return fix == FixClass::Safe ? "safe" : fix == FixClass::Unsafe ? "unsafe" : "none";
+}
 
 }  // namespace
 
@@ -49,8 +51,8 @@ std::string rulePage(const Rule& rule, const Paint& paint) {
       {"Severity", std::string(severityName(rule.severity))},
       {"Needs", fmt::format("{} ({})", needsName(rule.needs), needsText(rule.needs))},
       {"Dialects", dialectsText(rule.dialects)},
-      {"Status", fmt::format("{} since {}, {} by default", rule.status == RuleStatus::Stable ? "stable" : "preview", rule.since,
-                             rule.enabledByDefault ? "on" : "off")}};
+      {"Status", fmt::format("{} since {}, {} by default", rule.status == RuleStatus::Stable ? "stable" : "preview",
+                             rule.since, rule.enabledByDefault ? "on" : "off")}};
   if (rule.fix != FixClass::None) rows.push_back({"Fix", std::string(fixText(rule.fix))});
   if (!rule.manual.empty()) rows.push_back({"Manual", std::string(rule.manual)});
   if (!rule.peers.empty()) rows.push_back({"Elsewhere", std::string(rule.peers)});
@@ -62,7 +64,9 @@ std::string rulePage(const Rule& rule, const Paint& paint) {
     appendProgram(text, rule.exampleSymbols);
   }
   if (!rule.bad.empty()) {
-    text += fmt::format("\n  {}\n", paint.bold(rule.exampleCpu == "226" ? "Reported" : fmt::format("Reported on a CPU {}", rule.exampleCpu)));
+    text += fmt::format(
+        "\n  {}\n",
+        paint.bold(rule.exampleCpu == "226" ? "Reported" : fmt::format("Reported on a CPU {}", rule.exampleCpu)));
     appendProgram(text, rule.bad);
   }
   if (!rule.good.empty()) {
@@ -73,7 +77,10 @@ std::string rulePage(const Rule& rule, const Paint& paint) {
   if (!rule.options.empty()) {
     text += fmt::format("\n  {}\n", paint.bold(fmt::format("Options, in rungproof.toml under [rules.{}]", rule.id)));
     for (const RuleOption& option : rule.options) {
-      appendParagraph(text, fmt::format("{} = {} ({} to {}): {}", option.name, option.initial, option.low, option.high, option.meaning), 4);
+      appendParagraph(
+          text,
+          fmt::format("{} = {} ({} to {}): {}", option.name, option.initial, option.low, option.high, option.meaning),
+          4);
     }
   }
   if (rule.id.starts_with("SUP")) return text;
@@ -83,27 +90,31 @@ std::string rulePage(const Rule& rule, const Paint& paint) {
 
 Json ruleJson(const Rule& rule) {
   Json json = {{"id", rule.id},
-                                 {"title", rule.title},
-                                 {"group", rule.group()},
-                                 {"severity", severityName(rule.severity)},
-                                 {"needs", needsName(rule.needs)},
-                                 {"dialects", dialectsText(rule.dialects)},
-                                 {"status", rule.status == RuleStatus::Stable ? "stable" : "preview"},
-                                 {"since", rule.since},
-                                 {"default", rule.enabledByDefault},
-                                 {"fix", fixText(rule.fix)},
-                                 {"detects", rule.detects},
-                                 {"why", rule.why},
-                                 {"manual", rule.manual},
-                                 {"bad", rule.bad},
-                                 {"good", rule.good},
-                                 {"example_cpu", rule.exampleCpu},
-                                 {"example_symbols", rule.exampleSymbols},
-                                 {"false_positives", rule.falsePositives},
-                                 {"peers", rule.peers}};
+               {"title", rule.title},
+               {"group", rule.group()},
+               {"severity", severityName(rule.severity)},
+               {"needs", needsName(rule.needs)},
+               {"dialects", dialectsText(rule.dialects)},
+               {"status", rule.status == RuleStatus::Stable ? "stable" : "preview"},
+               {"since", rule.since},
+               {"default", rule.enabledByDefault},
+               {"fix", fixText(rule.fix)},
+               {"detects", rule.detects},
+               {"why", rule.why},
+               {"manual", rule.manual},
+               {"bad", rule.bad},
+               {"good", rule.good},
+               {"example_cpu", rule.exampleCpu},
+               {"example_symbols", rule.exampleSymbols},
+               {"false_positives", rule.falsePositives},
+               {"peers", rule.peers}};
   json["options"] = Json::array();
   for (const RuleOption& option : rule.options) {
-    json["options"].push_back({{"name", option.name}, {"low", option.low}, {"high", option.high}, {"default", option.initial}, {"meaning", option.meaning}});
+    json["options"].push_back({{"name", option.name},
+                               {"low", option.low},
+                               {"high", option.high},
+                               {"default", option.initial},
+                               {"meaning", option.meaning}});
   }
   return json;
 }

@@ -1,6 +1,6 @@
 // Instruction list of IEC 61131-3 (2nd edition): one current result, operators with C and N, parentheses, jumps, calls
-// of function blocks. Each operator becomes the element that a drawing would have, so that IL and FBD share one meaning.
-// Tested by tests/graphical/block_test.cpp.
+// of function blocks. Each operator becomes the element that a drawing would have, so that IL and FBD share one
+// meaning. Tested by tests/graphical/block_test.cpp.
 #include <fmt/format.h>
 
 #include <array>
@@ -17,7 +17,9 @@ namespace {
 
 class ListReader {
  public:
-  ListReader(SyntaxSink& sink, Span span, std::string_view text) : sink_(sink), span_(span), text_(text) { network_.span = span; }
+  ListReader(SyntaxSink& sink, Span span, std::string_view text) : sink_(sink), span_(span), text_(text) {
+    network_.span = span;
+  }
 
   DrawnNetwork read() {
     std::size_t at = 0;
@@ -64,7 +66,8 @@ class ListReader {
       store(operand, false, name == "S" ? DrawnStorage::Set : DrawnStorage::Reset);
     } else if (name == "NOT") {
       current_ = function("NOT", {current_});
-    } else if (name == "JMP" || name == "JMPC" || name == "JMPCN" || name == "RET" || name == "RETC" || name == "RETCN") {
+    } else if (name == "JMP" || name == "JMPC" || name == "JMPCN" || name == "RET" || name == "RETC" ||
+               name == "RETCN") {
       leave(name, operand);
     } else if (name == "CAL" || name == "CALC" || name == "CALCN") {
       call(name, operand);
@@ -79,7 +82,8 @@ class ListReader {
       const std::size_t stop = line.find("*)", start);
       DrawnNote note;
       note.before = network_.elements.size();
-      const Span place{here_.file, here_.offset + static_cast<std::uint32_t>(start), static_cast<std::uint32_t>(std::min(stop, line.size()) - start)};
+      const Span place{here_.file, here_.offset + static_cast<std::uint32_t>(start),
+                       static_cast<std::uint32_t>(std::min(stop, line.size()) - start)};
       note.lines.push_back({place});
       network_.notes.push_back(std::move(note));
       line = line.substr(0, start);
@@ -154,7 +158,8 @@ class ListReader {
     std::vector<std::pair<std::string, std::string>> arguments;
     if (open != std::string_view::npos) {
       const std::size_t close = operand.rfind(')');
-      std::string_view list = operand.substr(open + 1, close == std::string_view::npos ? std::string_view::npos : close - open - 1);
+      std::string_view list =
+          operand.substr(open + 1, close == std::string_view::npos ? std::string_view::npos : close - open - 1);
       while (!list.empty()) {
         const std::size_t comma = std::min(list.find(','), list.size());
         const std::string_view one = list.substr(0, comma);
@@ -178,7 +183,8 @@ class ListReader {
   }
 
   void operate(std::string name, std::string_view operand) {
-    static constexpr std::array<std::string_view, 14> operators = {"AND", "OR", "XOR", "ADD", "SUB", "MUL", "DIV", "MOD", "GT", "GE", "EQ", "NE", "LE", "LT"};
+    static constexpr std::array<std::string_view, 14> operators = {"AND", "OR", "XOR", "ADD", "SUB", "MUL", "DIV",
+                                                                   "MOD", "GT", "GE",  "EQ",  "NE",  "LE",  "LT"};
     bool isNegated = false;
     bool isKnown = false;
     for (const std::string_view row : operators) {

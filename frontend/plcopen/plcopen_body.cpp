@@ -9,12 +9,17 @@ namespace rungproof {
 
 namespace {
 
-DrawnEdge edgeNamed(std::string_view name) { return name == "rising" ? DrawnEdge::Rising : name == "falling" ? DrawnEdge::Falling : DrawnEdge::None; }
-DrawnStorage storageNamed(std::string_view name) { return name == "set" ? DrawnStorage::Set : name == "reset" ? DrawnStorage::Reset : DrawnStorage::None; }
+DrawnEdge edgeNamed(std::string_view name) {
+  return name == "rising" ? DrawnEdge::Rising : name == "falling" ? DrawnEdge::Falling : DrawnEdge::None;
+}
+DrawnStorage storageNamed(std::string_view name) {
+  return name == "set" ? DrawnStorage::Set : name == "reset" ? DrawnStorage::Reset : DrawnStorage::None;
+}
 
 class BodyReader {
  public:
-  BodyReader(const XmlText& xml, const XmlText::Part& part, std::string_view text) : xml_(xml), part_(part), text_(text) {}
+  BodyReader(const XmlText& xml, const XmlText::Part& part, std::string_view text)
+      : xml_(xml), part_(part), text_(text) {}
 
   DrawnNetwork read(const pugi::xml_node& body) {
     network_.span = xml_.span(part_, body);
@@ -26,11 +31,19 @@ class BodyReader {
 
  private:
   void element(const pugi::xml_node& node) {
-    static const std::map<std::string_view, DrawnKind> kinds = {
-        {"leftPowerRail", DrawnKind::LeftRail}, {"rightPowerRail", DrawnKind::RightRail}, {"contact", DrawnKind::Contact},           {"coil", DrawnKind::Coil},
-        {"block", DrawnKind::Block},            {"inVariable", DrawnKind::InVariable},    {"outVariable", DrawnKind::OutVariable},   {"inOutVariable", DrawnKind::InOutVariable},
-        {"connector", DrawnKind::Connector},    {"continuation", DrawnKind::Continuation}, {"jump", DrawnKind::Jump},                {"label", DrawnKind::Label},
-        {"return", DrawnKind::Return}};
+    static const std::map<std::string_view, DrawnKind> kinds = {{"leftPowerRail", DrawnKind::LeftRail},
+                                                                {"rightPowerRail", DrawnKind::RightRail},
+                                                                {"contact", DrawnKind::Contact},
+                                                                {"coil", DrawnKind::Coil},
+                                                                {"block", DrawnKind::Block},
+                                                                {"inVariable", DrawnKind::InVariable},
+                                                                {"outVariable", DrawnKind::OutVariable},
+                                                                {"inOutVariable", DrawnKind::InOutVariable},
+                                                                {"connector", DrawnKind::Connector},
+                                                                {"continuation", DrawnKind::Continuation},
+                                                                {"jump", DrawnKind::Jump},
+                                                                {"label", DrawnKind::Label},
+                                                                {"return", DrawnKind::Return}};
     const std::string_view name = localName(node);
     if (name == "comment" || name == "vendorElement") return note(node, name == "vendorElement");
     const auto kind = kinds.find(name);
@@ -78,7 +91,8 @@ class BodyReader {
     for (const std::string_view list : {"inputVariables", "inOutVariables"}) {
       for (const pugi::xml_node& variable : childNamed(node, list).children()) {
         if (localName(variable) != "variable") continue;
-        DrawnPin pin = inputPin(childNamed(variable, "connectionPointIn"), variable.attribute("formalParameter").value());
+        DrawnPin pin =
+            inputPin(childNamed(variable, "connectionPointIn"), variable.attribute("formalParameter").value());
         pin.span = xml_.span(part_, variable);
         pin.negated = variable.attribute("negated").as_bool();
         pin.edge = edgeNamed(variable.attribute("edge").value());
@@ -102,7 +116,9 @@ class BodyReader {
     pin.name = std::move(name);
     pin.span = xml_.span(part_, point);
     for (const pugi::xml_node& child : point.children()) {
-      if (localName(child) == "connection") pin.links.push_back({child.attribute("refLocalId").value(), child.attribute("formalParameter").value(), xml_.span(part_, child)});
+      if (localName(child) == "connection")
+        pin.links.push_back({child.attribute("refLocalId").value(), child.attribute("formalParameter").value(),
+                             xml_.span(part_, child)});
       if (localName(child) == "expression") pin.expression = trimmed(child.child_value());
     }
     return pin;
@@ -113,7 +129,8 @@ class BodyReader {
     note.y = childNamed(node, "position").attribute("y").as_double();
     note.before = network_.elements.size();
     if (isVendor) {
-      note.title = trimmed(childNamed(node, "alternativeText") ? allText(childNamed(node, "alternativeText")) : std::string());
+      note.title =
+          trimmed(childNamed(node, "alternativeText") ? allText(childNamed(node, "alternativeText")) : std::string());
       network_.notes.push_back(std::move(note));
       return;
     }
@@ -144,6 +161,9 @@ class BodyReader {
 
 }  // namespace
 
-DrawnNetwork readPlcopenBody(const XmlText& xml, const XmlText::Part& part, const pugi::xml_node& body, std::string_view text) { return BodyReader(xml, part, text).read(body); }
+DrawnNetwork readPlcopenBody(const XmlText& xml, const XmlText::Part& part, const pugi::xml_node& body,
+                             std::string_view text) {
+  return BodyReader(xml, part, text).read(body);
+}
 
 }  // namespace rungproof

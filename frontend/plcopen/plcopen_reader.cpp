@@ -18,7 +18,8 @@ void readComment(Span span, std::string_view text, std::vector<Comment>& lines, 
     const std::size_t end = std::min(text.find('\n', at), text.size());
     const std::string_view line = trimmed(text.substr(at, end - at));
     if (!line.empty()) {
-      const Span place{span.file, span.offset + static_cast<std::uint32_t>(line.data() - text.data()), static_cast<std::uint32_t>(line.size())};
+      const Span place{span.file, span.offset + static_cast<std::uint32_t>(line.data() - text.data()),
+                       static_cast<std::uint32_t>(line.size())};
       if (const auto directive = directiveText(line)) directives.push_back({std::string(*directive), place, -1, 0});
       lines.push_back({place});
     }
@@ -31,7 +32,11 @@ namespace {
 class PlcopenReader {
  public:
   PlcopenReader(Program& program, const InputText& input, DrawnProject& project)
-      : program_(program), project_(project), sink_(program, input.file), text_(program.sources->file(input.file).text()), xml_(program.sources->file(input.file), sink_, {"pou"}) {}
+      : program_(program),
+        project_(project),
+        sink_(program, input.file),
+        text_(program.sources->file(input.file).text()),
+        xml_(program.sources->file(input.file), sink_, {"pou"}) {}
 
   void run() {
     const std::size_t before = project_.blocks.size();
@@ -52,7 +57,8 @@ class PlcopenReader {
       if (part.isDamaged && project_.blocks.size() > before) damageLast();
     }
     if (project_.blocks.size() == before && !xml_.parts().empty() && !xml_.parts().front().isDamaged) {
-      sink_.report(Syntax::XmlStructure, {sink_.file(), 0, 0}, hasProject ? "the project has no block" : "there is no element <project>");
+      sink_.report(Syntax::XmlStructure, {sink_.file(), 0, 0},
+                   hasProject ? "the project has no block" : "there is no element <project>");
     }
   }
 
@@ -78,7 +84,8 @@ class PlcopenReader {
     }
     if (name == "pouInstance") {
       const std::string type = node.attribute("typeName").value();
-      project_.instances.push_back({node.attribute("name").value(), type.empty() ? node.attribute("name").value() : type, xml_.span(*part_, node)});
+      project_.instances.push_back({node.attribute("name").value(),
+                                    type.empty() ? node.attribute("name").value() : type, xml_.span(*part_, node)});
       return true;
     }
     return false;
@@ -96,9 +103,13 @@ class PlcopenReader {
     block.span = xml_.span(*part_, node);
     block.name = node.attribute("name").value();
     const std::string_view kind = node.attribute("pouType").value();
-    block.kind = kind == "function" ? DrawnBlockKind::Function : kind == "functionBlock" ? DrawnBlockKind::FunctionBlock : DrawnBlockKind::Program;
+    block.kind = kind == "function"        ? DrawnBlockKind::Function
+                 : kind == "functionBlock" ? DrawnBlockKind::FunctionBlock
+                                           : DrawnBlockKind::Program;
     if (block.name.empty() || (kind != "function" && kind != "functionBlock" && kind != "program")) {
-      sink_.report(Syntax::XmlStructure, block.span, fmt::format("block \"{}\" needs a name and the type program, functionBlock or function", excerpt(block.name)));
+      sink_.report(Syntax::XmlStructure, block.span,
+                   fmt::format("block \"{}\" needs a name and the type program, functionBlock or function",
+                               excerpt(block.name)));
       if (block.name.empty()) block.name = "unnamed";
     }
     sink_.setPlace(block.name, 0);
@@ -129,15 +140,19 @@ class PlcopenReader {
   }
 
   void readInterface(const pugi::xml_node& node, DrawnBlock& block) {
-    static const std::map<std::string_view, DrawnSection> sections = {{"localVars", DrawnSection::Local},   {"tempVars", DrawnSection::Temp},     {"inputVars", DrawnSection::Input},
-                                                                      {"outputVars", DrawnSection::Output}, {"inOutVars", DrawnSection::InOut},   {"externalVars", DrawnSection::External},
-                                                                      {"globalVars", DrawnSection::Local}};
+    static const std::map<std::string_view, DrawnSection> sections = {
+        {"localVars", DrawnSection::Local}, {"tempVars", DrawnSection::Temp},
+        {"inputVars", DrawnSection::Input}, {"outputVars", DrawnSection::Output},
+        {"inOutVars", DrawnSection::InOut}, {"externalVars", DrawnSection::External},
+        {"globalVars", DrawnSection::Local}};
     for (const pugi::xml_node& child : node.children()) {
       const std::string_view name = localName(child);
       if (name == "returnType") {
         const pugi::xml_node type = firstElement(child);
         block.returnType = iecTypeNamed(foldedType(type));
-        if (block.returnType == IecType::None) sink_.report(Syntax::XmlStructure, xml_.span(*part_, child), fmt::format("type {} of function {} is not known", excerpt(typeName(type)), block.name));
+        if (block.returnType == IecType::None)
+          sink_.report(Syntax::XmlStructure, xml_.span(*part_, child),
+                       fmt::format("type {} of function {} is not known", excerpt(typeName(type)), block.name));
         continue;
       }
       if (name == "documentation") readNote(child, block.comments);
@@ -176,7 +191,10 @@ class PlcopenReader {
       if (localName(type) != "derived") {
         variable.type = iecTypeNamed(foldedType(type));
         if (variable.type == IecType::None) {
-          sink_.report(Syntax::XmlStructure, variable.span, type ? fmt::format("type {} of {} is not one that the S7-200 has", excerpt(variable.typeName), excerpt(variable.name)) : fmt::format("variable {} has no type", excerpt(variable.name)));
+          sink_.report(Syntax::XmlStructure, variable.span,
+                       type ? fmt::format("type {} of {} is not one that the S7-200 has", excerpt(variable.typeName),
+                                          excerpt(variable.name))
+                            : fmt::format("variable {} has no type", excerpt(variable.name)));
           continue;
         }
       }
@@ -211,13 +229,16 @@ class PlcopenReader {
       } else if (language == "IL") {
         const Span span = textSpan(child);
         block.form = Form::Fbd;
-        block.networks.push_back(readInstructionList(program_, span, text_.substr(span.offset, span.length), block.name));
+        block.networks.push_back(
+            readInstructionList(program_, span, text_.substr(span.offset, span.length), block.name));
       } else if (language == "ST" || language == "SFC") {
-        block.uncovered = UncoveredBody{std::string(language), language == "ST" ? allText(child) : expressionsOf(child), xml_.span(*part_, child)};
+        block.uncovered = UncoveredBody{std::string(language), language == "ST" ? allText(child) : expressionsOf(child),
+                                        xml_.span(*part_, child)};
       } else if (language == "documentation") {
         readNote(child, block.comments);
       } else if (language != "addData") {
-        sink_.report(Syntax::XmlStructure, xml_.span(*part_, child), fmt::format("a body in {} is not known", excerpt(language)));
+        sink_.report(Syntax::XmlStructure, xml_.span(*part_, child),
+                     fmt::format("a body in {} is not known", excerpt(language)));
       }
     }
   }
@@ -241,11 +262,15 @@ class PlcopenReader {
   }
 
   void reportUnknown(const pugi::xml_node& body, DrawnNetwork& network) {
-    static const std::array<std::string_view, 17> known = {"leftPowerRail", "rightPowerRail", "contact", "coil",  "block", "inVariable", "outVariable",   "inOutVariable", "connector",
-                                                           "continuation",  "jump",           "label",   "return", "comment", "vendorElement", "actionBlock", "addData"};
+    static const std::array<std::string_view, 17> known = {
+        "leftPowerRail", "rightPowerRail", "contact",       "coil",         "block",  "inVariable",
+        "outVariable",   "inOutVariable",  "connector",     "continuation", "jump",   "label",
+        "return",        "comment",        "vendorElement", "actionBlock",  "addData"};
     for (const pugi::xml_node& child : body.children()) {
-      if (child.type() != pugi::node_element || std::find(known.begin(), known.end(), localName(child)) != known.end()) continue;
-      sink_.report(Syntax::XmlStructure, xml_.span(*part_, child), fmt::format("element <{}> is not known in a drawing", excerpt(localName(child))));
+      if (child.type() != pugi::node_element || std::find(known.begin(), known.end(), localName(child)) != known.end())
+        continue;
+      sink_.report(Syntax::XmlStructure, xml_.span(*part_, child),
+                   fmt::format("element <{}> is not known in a drawing", excerpt(localName(child))));
       network.isDamaged = true;
     }
   }
@@ -260,6 +285,8 @@ class PlcopenReader {
 
 }  // namespace
 
-void readPlcopen(Program& program, const InputText& input, DrawnProject& project) { PlcopenReader(program, input, project).run(); }
+void readPlcopen(Program& program, const InputText& input, DrawnProject& project) {
+  PlcopenReader(program, input, project).run();
+}
 
 }  // namespace rungproof

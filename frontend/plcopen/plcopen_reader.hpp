@@ -13,7 +13,8 @@ namespace rungproof {
 void readPlcopen(Program& program, const InputText& input, DrawnProject& project);
 
 /// One <LD> or <FBD> element.
-DrawnNetwork readPlcopenBody(const XmlText& xml, const XmlText::Part& part, const pugi::xml_node& body, std::string_view text);
+DrawnNetwork readPlcopenBody(const XmlText& xml, const XmlText::Part& part, const pugi::xml_node& body,
+                             std::string_view text);
 
 /// The lines of a text inside the file as comments, each without the blanks around it; lines that speak to the tool
 /// (//@) go to `directives`.

@@ -11,7 +11,9 @@ namespace rungproof {
 
 namespace {
 
-bool isWordStart(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_' || (static_cast<unsigned char>(c) & 0x80) != 0; }
+bool isWordStart(char c) {
+  return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_' || (static_cast<unsigned char>(c) & 0x80) != 0;
+}
 bool isWordPart(char c) { return isWordStart(c) || std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.'; }
 bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
@@ -26,7 +28,8 @@ class Lexer {
       if (at_ >= text_.size() || text_[at_] == '#') break;
       tokens.push_back(next());
     }
-    tokens.push_back({PropertyToken::End, {}, 0, false, {file_, offset_ + static_cast<std::uint32_t>(text_.size()), 0}});
+    tokens.push_back(
+        {PropertyToken::End, {}, 0, false, {file_, offset_ + static_cast<std::uint32_t>(text_.size()), 0}});
     return tokens;
   }
 
@@ -76,7 +79,8 @@ class Lexer {
     }
     Token t = token(isReal ? PropertyToken::Real : PropertyToken::Number, start);
     const std::string all(t.text);
-    t.value = isReal ? static_cast<std::int64_t>(std::bit_cast<std::uint32_t>(std::strtof(all.c_str(), nullptr))) : std::strtoll(all.c_str(), nullptr, 10);
+    t.value = isReal ? static_cast<std::int64_t>(std::bit_cast<std::uint32_t>(std::strtof(all.c_str(), nullptr)))
+                     : std::strtoll(all.c_str(), nullptr, 10);
     return t;
   }
 
@@ -86,15 +90,19 @@ class Lexer {
     std::from_chars(text_.data() + start, text_.data() + at_, base);
     ++at_;
     const std::size_t first = at_;
-    while (at_ < text_.size() && (std::isxdigit(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '_')) ++at_;
+    while (at_ < text_.size() && (std::isxdigit(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '_'))
+      ++at_;
     std::string digits;
     for (const char c : text_.substr(first, at_ - first)) {
       if (c != '_') digits += c;
     }
     Token t = token(PropertyToken::Number, start);
     std::uint64_t value = 0;
-    const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value, base == 16 || base == 2 ? base : 36);
-    if ((base != 16 && base != 2) || digits.empty() || result.ec != std::errc() || result.ptr != digits.data() + digits.size()) t.kind = PropertyToken::Punctuation;
+    const auto result =
+        std::from_chars(digits.data(), digits.data() + digits.size(), value, base == 16 || base == 2 ? base : 36);
+    if ((base != 16 && base != 2) || digits.empty() || result.ec != std::errc() ||
+        result.ptr != digits.data() + digits.size())
+      t.kind = PropertyToken::Punctuation;
     t.value = static_cast<std::int64_t>(value);
     t.isPattern = true;
     return t;
@@ -105,13 +113,21 @@ class Lexer {
     std::size_t end = at_;
     while (end < text_.size() && std::isalpha(static_cast<unsigned char>(text_[end])) != 0) ++end;
     const std::string_view unit = text_.substr(at_, end - at_);
-    const std::int64_t ms = unit == "ms" ? 1 : unit == "s" ? 1000 : unit == "m" || unit == "min" ? 60000 : unit == "h" ? 3600000 : 0;
+    const std::int64_t ms = unit == "ms"                   ? 1
+                            : unit == "s"                  ? 1000
+                            : unit == "m" || unit == "min" ? 60000
+                            : unit == "h"                  ? 3600000
+                                                           : 0;
     if (ms != 0) at_ = end;
     return ms;
   }
 
   Token token(PropertyToken kind, std::size_t start) const {
-    return {kind, text_.substr(start, at_ - start), 0, false, {file_, offset_ + static_cast<std::uint32_t>(start), static_cast<std::uint32_t>(at_ - start)}};
+    return {kind,
+            text_.substr(start, at_ - start),
+            0,
+            false,
+            {file_, offset_ + static_cast<std::uint32_t>(start), static_cast<std::uint32_t>(at_ - start)}};
   }
 
   std::string_view text_;
@@ -122,6 +138,8 @@ class Lexer {
 
 }  // namespace
 
-std::vector<Token> tokenize(std::string_view text, std::uint32_t file, std::uint32_t offset) { return Lexer(text, file, offset).run(); }
+std::vector<Token> tokenize(std::string_view text, std::uint32_t file, std::uint32_t offset) {
+  return Lexer(text, file, offset).run();
+}
 
 }  // namespace rungproof

@@ -32,7 +32,8 @@ constexpr const char* nameRule = propertyMessages[3].id.data();
 
 std::string lower(std::string_view text) {
   std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return result;
 }
 
@@ -45,7 +46,8 @@ std::uint8_t signedWidth(std::int64_t value) {
 
 class Parser {
  public:
-  Parser(std::vector<Token> tokens, const OperandLookup& lookup, std::string_view text) : tokens_(std::move(tokens)), lookup_(lookup), text_(text) {}
+  Parser(std::vector<Token> tokens, const OperandLookup& lookup, std::string_view text)
+      : tokens_(std::move(tokens)), lookup_(lookup), text_(text) {}
 
   void statement(PropertySet& set) {
     bool everyInstruction = false;
@@ -82,16 +84,22 @@ class Parser {
         property.first = truth();
       }
     } else {
-      throw Mistake{syntaxRule, head.span, fmt::format("a statement begins with assume, prove, reach, external, initial or pulse, not with '{}'", head.text),
-                    "write for example: prove no_shoot_through: never Q0.0 and Q0.1"};
+      throw Mistake{
+          syntaxRule, head.span,
+          fmt::format("a statement begins with assume, prove, reach, external, initial or pulse, not with '{}'",
+                      head.text),
+          "write for example: prove no_shoot_through: never Q0.0 and Q0.1"};
     }
     end();
     if (everyInstruction && property.kind != PropertyKind::Always && property.kind != PropertyKind::Never) {
-      throw Mistake{syntaxRule, head.span, "'at every instruction' goes with always and never only", "leave it out, or state an invariant"};
+      throw Mistake{syntaxRule, head.span, "'at every instruction' goes with always and never only",
+                    "leave it out, or state an invariant"};
     }
     layoutCells(property);
     if (everyInstruction && !property.cells.empty()) {
-      throw Mistake{syntaxRule, head.span, "functions that look back in time are about scan ends, not about single instructions", "leave out 'at every instruction', or the function"};
+      throw Mistake{syntaxRule, head.span,
+                    "functions that look back in time are about scan ends, not about single instructions",
+                    "leave out 'at every instruction', or the function"};
     }
     set.properties.push_back(std::move(property));
   }
@@ -103,15 +111,20 @@ class Parser {
     std::string text;
     Span span = peek().span;
     while (!is(":")) {
-      if (peek().kind == PropertyToken::End) throw Mistake{syntaxRule, span, "no ':' after the name", "write: prove NAME: EXPRESSION"};
+      if (peek().kind == PropertyToken::End)
+        throw Mistake{syntaxRule, span, "no ':' after the name", "write: prove NAME: EXPRESSION"};
       const Token t = take();
-      text += text.empty() || t.span.offset == span.offset + span.length ? std::string(t.text) : " " + std::string(t.text);
+      text +=
+          text.empty() || t.span.offset == span.offset + span.length ? std::string(t.text) : " " + std::string(t.text);
       span = t.span;
     }
     take();
     if (text.empty()) text = fmt::format("property {}", set.properties.size() + 1);
-    const auto same = std::find_if(set.properties.begin(), set.properties.end(), [&](const Property& p) { return p.name == text && p.isGoal(); });
-    if (same != set.properties.end()) throw Mistake{nameRule, span, fmt::format("the name '{}' is already taken", text), "give each property its own name"};
+    const auto same = std::find_if(set.properties.begin(), set.properties.end(),
+                                   [&](const Property& p) { return p.name == text && p.isGoal(); });
+    if (same != set.properties.end())
+      throw Mistake{nameRule, span, fmt::format("the name '{}' is already taken", text),
+                    "give each property its own name"};
     property.name = text;
   }
 
@@ -140,7 +153,8 @@ class Parser {
         property.kind = PropertyKind::LeadsToScans;
         if (!accept("scans")) expect("scan");
       } else {
-        throw Mistake{syntaxRule, bound.span, "'within' needs a number of scans or a time", "write: within 3 scans, or: within 500ms"};
+        throw Mistake{syntaxRule, bound.span, "'within' needs a number of scans or a time",
+                      "write: within 3 scans, or: within 500ms"};
       }
     } else if (accept("only")) {
       expect("after");
@@ -162,7 +176,8 @@ class Parser {
     const Token address = peek();
     property.name = fmt::format("pulse {}", address.text);
     property.first = truth();
-    if (property.first.nodes.size() != 1 || property.first.root().op != ExprOp::Address) throw Mistake{syntaxRule, address.span, "'pulse' needs one input bit", "write: pulse I0.0 at most every 50ms"};
+    if (property.first.nodes.size() != 1 || property.first.root().op != ExprOp::Address)
+      throw Mistake{syntaxRule, address.span, "'pulse' needs one input bit", "write: pulse I0.0 at most every 50ms"};
     expect("at");
     expect("most");
     expect("every");
@@ -178,7 +193,8 @@ class Parser {
       range.first = range.last = address(take());
       if (accept("..")) range.last = address(take());
       if (range.first.area != range.last.area || range.first.width != range.last.width) {
-        throw Mistake{typeRule, head.span, "both ends of a range need the same area and width", "write for example: external VB100..VB199"};
+        throw Mistake{typeRule, head.span, "both ends of a range need the same area and width",
+                      "write for example: external VB100..VB199"};
       }
       set.externals.push_back(range);
     } while (accept(","));
@@ -187,12 +203,16 @@ class Parser {
 
   std::int64_t duration() {
     const Token t = take();
-    if (t.kind != PropertyToken::Duration) throw Mistake{syntaxRule, t.span, fmt::format("a time is needed here, not '{}'", t.text), "write a number with ms, s, min or h, such as 500ms or 2s"};
+    if (t.kind != PropertyToken::Duration)
+      throw Mistake{syntaxRule, t.span, fmt::format("a time is needed here, not '{}'", t.text),
+                    "write a number with ms, s, min or h, such as 500ms or 2s"};
     return t.value;
   }
 
   void end() {
-    if (peek().kind != PropertyToken::End) throw Mistake{syntaxRule, peek().span, fmt::format("'{}' does not belong here", peek().text), "one statement a line; see prove --help for the forms"};
+    if (peek().kind != PropertyToken::End)
+      throw Mistake{syntaxRule, peek().span, fmt::format("'{}' does not belong here", peek().text),
+                    "one statement a line; see prove --help for the forms"};
   }
 
   // ---- Expressions -----------------------------------------------------------------------------------
@@ -203,14 +223,18 @@ class Parser {
     const std::uint32_t root = implies(expr);
     needTruth(expr, root);
     const std::uint32_t stop = endOfLast();
-    const std::uint32_t base = tokens_.front().span.offset - static_cast<std::uint32_t>(tokens_.front().text.data() - text_.data());
+    const std::uint32_t base =
+        tokens_.front().span.offset - static_cast<std::uint32_t>(tokens_.front().text.data() - text_.data());
     expr.text = std::string(text_.substr(start - base, stop - start));
-    if (expr.root().op == ExprOp::Implies) expr.premise = std::string(text_.substr(premise_.first - base, premise_.second - premise_.first));
+    if (expr.root().op == ExprOp::Implies)
+      expr.premise = std::string(text_.substr(premise_.first - base, premise_.second - premise_.first));
     return expr;
   }
 
   /// Offset behind the token that was taken last.
-  std::uint32_t endOfLast() const { return at_ == 0 ? peek().span.offset : tokens_[at_ - 1].span.offset + tokens_[at_ - 1].span.length; }
+  std::uint32_t endOfLast() const {
+    return at_ == 0 ? peek().span.offset : tokens_[at_ - 1].span.offset + tokens_[at_ - 1].span.length;
+  }
 
   std::uint32_t implies(Expr& e) {
     const std::uint32_t begin = peek().span.offset;
@@ -247,8 +271,9 @@ class Parser {
   }
   std::uint32_t comparison(Expr& e) {
     const std::uint32_t left = sum(e);
-    static constexpr std::pair<std::string_view, ExprOp> relations[] = {{"=", ExprOp::Equal}, {"==", ExprOp::Equal}, {"<>", ExprOp::NotEqual}, {"<", ExprOp::Less},
-                                                                        {"<=", ExprOp::LessEqual}, {">", ExprOp::Greater}, {">=", ExprOp::GreaterEqual}};
+    static constexpr std::pair<std::string_view, ExprOp> relations[] = {
+        {"=", ExprOp::Equal},      {"==", ExprOp::Equal},  {"<>", ExprOp::NotEqual},    {"<", ExprOp::Less},
+        {"<=", ExprOp::LessEqual}, {">", ExprOp::Greater}, {">=", ExprOp::GreaterEqual}};
     for (const auto& [text, op] : relations) {
       if (!is(text)) continue;
       const Token at = take();
@@ -260,9 +285,12 @@ class Parser {
     std::uint32_t left = product(e);
     for (;;) {
       const Token at = peek();
-      if (accept("+")) left = arithmetic(e, ExprOp::Add, left, product(e), at.span);
-      else if (accept("-")) left = arithmetic(e, ExprOp::Sub, left, product(e), at.span);
-      else return left;
+      if (accept("+"))
+        left = arithmetic(e, ExprOp::Add, left, product(e), at.span);
+      else if (accept("-"))
+        left = arithmetic(e, ExprOp::Sub, left, product(e), at.span);
+      else
+        return left;
     }
   }
   std::uint32_t product(Expr& e) {
@@ -287,7 +315,10 @@ class Parser {
       needNumber(e, arg, at.span);
       const ExprNode& n = e.nodes[arg];
       const bool isReal = n.type == ExprType::Real;
-      return add(e, {.op = ExprOp::Negate, .type = n.type, .width = static_cast<std::uint8_t>(isReal ? 32 : std::min(64, n.width + 1)), .args = {arg}});
+      return add(e, {.op = ExprOp::Negate,
+                     .type = n.type,
+                     .width = static_cast<std::uint8_t>(isReal ? 32 : std::min(64, n.width + 1)),
+                     .args = {arg}});
     }
     return primary(e);
   }
@@ -295,28 +326,44 @@ class Parser {
   std::uint32_t primary(Expr& e) {
     const Token t = take();
     if (t.kind == PropertyToken::Number) {
-      return add(e, {.op = ExprOp::Constant, .type = ExprType::Number, .width = signedWidth(t.value), .value = t.value, .operand = constant(t.value, t.isPattern ? ConstantForm::Hex : ConstantForm::Decimal), .span = t.span});
+      return add(e, {.op = ExprOp::Constant,
+                     .type = ExprType::Number,
+                     .width = signedWidth(t.value),
+                     .value = t.value,
+                     .operand = constant(t.value, t.isPattern ? ConstantForm::Hex : ConstantForm::Decimal),
+                     .span = t.span});
     }
-    if (t.kind == PropertyToken::Real) return add(e, {.op = ExprOp::Constant, .type = ExprType::Real, .width = 32, .value = t.value, .span = t.span});
+    if (t.kind == PropertyToken::Real)
+      return add(e, {.op = ExprOp::Constant, .type = ExprType::Real, .width = 32, .value = t.value, .span = t.span});
     if (t.text == "(") {
       Nesting nesting(*this);
       const std::uint32_t inner = implies(e);
       expect(")");
       return inner;
     }
-    if (t.kind != PropertyToken::Word) throw Mistake{syntaxRule, t.span, t.kind == PropertyToken::End ? std::string("the expression ends too early") : fmt::format("an address, a number or '(' is needed here, not '{}'", t.text), ""};
+    if (t.kind != PropertyToken::Word)
+      throw Mistake{syntaxRule, t.span,
+                    t.kind == PropertyToken::End
+                        ? std::string("the expression ends too early")
+                        : fmt::format("an address, a number or '(' is needed here, not '{}'", t.text),
+                    ""};
     const std::string word = lower(t.text);
-    if (word == "true" || word == "false") return add(e, {.op = ExprOp::Constant, .value = word == "true", .span = t.span});
+    if (word == "true" || word == "false")
+      return add(e, {.op = ExprOp::Constant, .value = word == "true", .span = t.span});
     if (word == "first_scan") return add(e, {.op = ExprOp::FirstScan, .span = t.span});
     if (is("(")) return function(e, word, t);
     return leaf(e, t);
   }
 
   std::uint32_t function(Expr& e, const std::string& word, const Token& t) {
-    static constexpr std::pair<std::string_view, ExprOp> functions[] = {{"rises", ExprOp::Rises}, {"falls", ExprOp::Falls}, {"prev", ExprOp::Prev},
-                                                                        {"once", ExprOp::Once},   {"since", ExprOp::Since}, {"held", ExprOp::Held}};
-    const auto found = std::find_if(std::begin(functions), std::end(functions), [&](const auto& f) { return f.first == word; });
-    if (found == std::end(functions)) throw Mistake{syntaxRule, t.span, fmt::format("there is no function '{}'", t.text), "functions: rises, falls, prev, once, since, held"};
+    static constexpr std::pair<std::string_view, ExprOp> functions[] = {
+        {"rises", ExprOp::Rises}, {"falls", ExprOp::Falls}, {"prev", ExprOp::Prev},
+        {"once", ExprOp::Once},   {"since", ExprOp::Since}, {"held", ExprOp::Held}};
+    const auto found =
+        std::find_if(std::begin(functions), std::end(functions), [&](const auto& f) { return f.first == word; });
+    if (found == std::end(functions))
+      throw Mistake{syntaxRule, t.span, fmt::format("there is no function '{}'", t.text),
+                    "functions: rises, falls, prev, once, since, held"};
     Nesting nesting(*this);
     expect("(");
     ExprNode node{.op = found->second, .span = t.span};
@@ -347,8 +394,12 @@ class Parser {
     ExprNode node{.op = ExprOp::Address, .operand = address(bare), .span = t.span};
     const Operand& o = node.operand;
     const bool hasBit = o.area == Area::T || o.area == Area::C;
-    if (asValue && !hasBit) throw Mistake{typeRule, t.span, fmt::format("'{}' has no value beside itself", text), ".value is for timers and counters"};
-    if ((hasBit && !asValue) || (!hasBit && o.width == Width::Bit && o.area != Area::AI && o.area != Area::AQ && o.area != Area::AC && o.area != Area::HC)) return add(e, std::move(node));
+    if (asValue && !hasBit)
+      throw Mistake{typeRule, t.span, fmt::format("'{}' has no value beside itself", text),
+                    ".value is for timers and counters"};
+    if ((hasBit && !asValue) || (!hasBit && o.width == Width::Bit && o.area != Area::AI && o.area != Area::AQ &&
+                                 o.area != Area::AC && o.area != Area::HC))
+      return add(e, std::move(node));
     node.type = ExprType::Number;
     node.width = numberWidth(o);
     return add(e, std::move(node));
@@ -362,7 +413,8 @@ class Parser {
   Operand address(const Token& t) {
     const std::optional<Operand> operand = t.kind == PropertyToken::Word ? lookup_(t.text) : std::nullopt;
     if (!operand || operand->kind != OperandKind::Direct) {
-      throw Mistake{addressRule, t.span, fmt::format("'{}' is no address and no known symbol", t.text), "give the symbol table with --symbols, or write the address"};
+      throw Mistake{addressRule, t.span, fmt::format("'{}' is no address and no known symbol", t.text),
+                    "give the symbol table with --symbols, or write the address"};
     }
     return *operand;
   }
@@ -377,7 +429,8 @@ class Parser {
       n.width = 1;
       return;
     }
-    throw Mistake{typeRule, n.span, "a condition is needed here, this is a number", "compare it, for example VW10 > 100"};
+    throw Mistake{typeRule, n.span, "a condition is needed here, this is a number",
+                  "compare it, for example VW10 > 100"};
   }
   /// A timer or counter bit in a numeric place means its current value.
   void needNumber(Expr& e, std::uint32_t i, Span at) {
@@ -388,13 +441,15 @@ class Parser {
       n.width = 16;
       return;
     }
-    throw Mistake{typeRule, n.span.length != 0 ? n.span : at, "a number is needed here, this is a condition", "use and, or, not between conditions"};
+    throw Mistake{typeRule, n.span.length != 0 ? n.span : at, "a number is needed here, this is a condition",
+                  "use and, or, not between conditions"};
   }
 
   std::uint32_t compare(Expr& e, ExprOp op, std::uint32_t left, std::uint32_t right, Span at) {
     const bool anyTimer = isTimerBit(e.nodes[left]) || isTimerBit(e.nodes[right]);
     const bool bothTruth = e.nodes[left].type == ExprType::Truth && e.nodes[right].type == ExprType::Truth;
-    const bool truthAndBit = !anyTimer && (e.nodes[left].type == ExprType::Truth || e.nodes[right].type == ExprType::Truth);
+    const bool truthAndBit =
+        !anyTimer && (e.nodes[left].type == ExprType::Truth || e.nodes[right].type == ExprType::Truth);
     if (bothTruth || truthAndBit) {
       needTruth(e, left);
       needTruth(e, right);
@@ -414,12 +469,20 @@ class Parser {
     const bool isReal = e.nodes[left].type == ExprType::Real || e.nodes[right].type == ExprType::Real;
     const int a = e.nodes[left].width, b = e.nodes[right].width;
     const int width = isReal ? 32 : std::min(64, op == ExprOp::Mul ? a + b : std::max(a, b) + 1);
-    return add(e, {.op = op, .type = isReal ? ExprType::Real : ExprType::Number, .width = static_cast<std::uint8_t>(width), .args = {left, right}, .span = at});
+    return add(e, {.op = op,
+                   .type = isReal ? ExprType::Real : ExprType::Number,
+                   .width = static_cast<std::uint8_t>(width),
+                   .args = {left, right},
+                   .span = at});
   }
-  static bool isTimerBit(const ExprNode& n) { return n.op == ExprOp::Address && n.type == ExprType::Truth && (n.operand.area == Area::T || n.operand.area == Area::C); }
+  static bool isTimerBit(const ExprNode& n) {
+    return n.op == ExprOp::Address && n.type == ExprType::Truth &&
+           (n.operand.area == Area::T || n.operand.area == Area::C);
+  }
   /// 16#FFFF compared with a word is the word's bit pattern, -1.
   static void fitPattern(ExprNode& pattern, const ExprNode& other) {
-    if (pattern.op != ExprOp::Constant || pattern.operand.form != ConstantForm::Hex || other.op != ExprOp::Address) return;
+    if (pattern.op != ExprOp::Constant || pattern.operand.form != ConstantForm::Hex || other.op != ExprOp::Address)
+      return;
     const int w = other.width;
     if (w < 16 || pattern.value >> w != 0) return;
     if ((pattern.value >> (w - 1) & 1) != 0) pattern.value -= std::int64_t{1} << w;
@@ -449,7 +512,9 @@ class Parser {
   /// Keeps hostile nesting from exhausting the stack.
   struct Nesting {
     explicit Nesting(Parser& parser) : parser_(parser) {
-      if (++parser_.depth_ > 500) throw Mistake{syntaxRule, parser_.peek().span, "the expression is nested too deeply", "split it into several properties"};
+      if (++parser_.depth_ > 500)
+        throw Mistake{syntaxRule, parser_.peek().span, "the expression is nested too deeply",
+                      "split it into several properties"};
     }
     ~Nesting() { --parser_.depth_; }
     Parser& parser_;
@@ -463,27 +528,35 @@ class Parser {
     return true;
   }
   void expect(std::string_view text) {
-    if (!accept(text)) throw Mistake{syntaxRule, peek().span, fmt::format("'{}' is needed here{}", text, peek().kind == PropertyToken::End ? std::string() : fmt::format(", not '{}'", peek().text)), ""};
+    if (!accept(text))
+      throw Mistake{
+          syntaxRule, peek().span,
+          fmt::format("'{}' is needed here{}", text,
+                      peek().kind == PropertyToken::End ? std::string() : fmt::format(", not '{}'", peek().text)),
+          ""};
   }
 
   std::vector<Token> tokens_;
   const OperandLookup& lookup_;
   std::string_view text_;
-  std::pair<std::uint32_t, std::uint32_t> premise_{};  ///< offsets around the left side of an implication; the outermost is left here
+  std::pair<std::uint32_t, std::uint32_t>
+      premise_{};  ///< offsets around the left side of an implication; the outermost is left here
   std::size_t at_ = 0;
   int depth_ = 0;
 };
 
 }  // namespace
 
-void readPropertyText(std::uint32_t file, std::string_view text, std::uint32_t offset, const OperandLookup& lookup, PropertySet& set, std::vector<Finding>& findings) {
+void readPropertyText(std::uint32_t file, std::string_view text, std::uint32_t offset, const OperandLookup& lookup,
+                      PropertySet& set, std::vector<Finding>& findings) {
   std::size_t begin = 0;
   while (begin <= text.size()) {
     const std::size_t stop = std::min(text.find('\n', begin), text.size());
     const std::string_view line = text.substr(begin, stop - begin);
     std::vector<Token> tokens = tokenize(line, file, offset + static_cast<std::uint32_t>(begin));
     if (tokens.size() > 1) {
-      const std::size_t last = tokens[tokens.size() - 2].span.offset + tokens[tokens.size() - 2].span.length - (offset + begin);
+      const std::size_t last =
+          tokens[tokens.size() - 2].span.offset + tokens[tokens.size() - 2].span.length - (offset + begin);
       try {
         Parser(std::move(tokens), lookup, line.substr(0, last)).statement(set);
       } catch (const Mistake& mistake) {

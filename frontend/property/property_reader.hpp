@@ -21,7 +21,7 @@ using OperandLookup = std::function<std::optional<Operand>(std::string_view)>;
 PropertySet readProperties(Program& program, const std::vector<std::string>& files, const OperandLookup& lookup);
 
 /// Reads statements from one text, a line each; `#` begins a comment. For tests and for readProperties.
-void readPropertyText(std::uint32_t file, std::string_view text, std::uint32_t offset, const OperandLookup& lookup, PropertySet& set,
-                      std::vector<Finding>& findings);
+void readPropertyText(std::uint32_t file, std::string_view text, std::uint32_t offset, const OperandLookup& lookup,
+                      PropertySet& set, std::vector<Finding>& findings);
 
 }  // namespace rungproof

@@ -7,11 +7,13 @@ namespace rungproof {
 namespace {
 
 int rate(const SourceFile& file, const InputText& input, const ReadOptions& options) {
-  if (input.isSymbolFile || options.dialect == Dialect::S7300 || options.dialect == Dialect::S7400) return sureness::None;
+  if (input.isSymbolFile || options.dialect == Dialect::S7300 || options.dialect == Dialect::S7400)
+    return sureness::None;
   if (!looksLikeXml(file.text())) return sureness::None;
   const std::string_view text = file.text();
   if (text.find("plcopen.org/xml/tc6") != std::string_view::npos) return sureness::Certain;
-  if (text.find("<project") != std::string_view::npos && text.find("<pou") != std::string_view::npos) return sureness::Keyword;
+  if (text.find("<project") != std::string_view::npos && text.find("<pou") != std::string_view::npos)
+    return sureness::Keyword;
   return endsInAny(file.name(), {".xml"}) ? sureness::Ending : sureness::None;
 }
 

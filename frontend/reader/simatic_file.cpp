@@ -9,7 +9,8 @@ namespace {
 int rate(const SourceFile& file, const InputText& input, const ReadOptions&) {
   if (!looksLikeXml(file.text())) return sureness::None;
   const std::string_view text = file.text();
-  const bool isBlock = text.find("<SW.Blocks.") != std::string_view::npos || text.find("<SW.Tags.") != std::string_view::npos;
+  const bool isBlock =
+      text.find("<SW.Blocks.") != std::string_view::npos || text.find("<SW.Tags.") != std::string_view::npos;
   if (!isBlock) return sureness::None;
   return input.isSymbolFile ? sureness::Certain + 1 : sureness::Certain;
 }

@@ -10,7 +10,8 @@ namespace rungproof {
 namespace {
 
 int rate(const SourceFile& file, const InputText& input, const ReadOptions& options) {
-  if (input.isSymbolFile || options.dialect == Dialect::S7300 || options.dialect == Dialect::S7400) return sureness::None;
+  if (input.isSymbolFile || options.dialect == Dialect::S7300 || options.dialect == Dialect::S7400)
+    return sureness::None;
   const StlLikeness likeness = stlLikeness(file.text());
   if (likeness.isMarkup) return sureness::None;
   if (likeness.hasHeading) return sureness::Keyword;

@@ -10,7 +10,9 @@ namespace {
 Spelling spellingOf(std::string_view text, const ReadOptions& options) {
   if (options.mnemonics == Mnemonics::German) return Spelling::German;
   if (options.mnemonics == Mnemonics::International) return Spelling::International;
-  return symbolRowShare(text, Spelling::German) > symbolRowShare(text, Spelling::International) ? Spelling::German : Spelling::International;
+  return symbolRowShare(text, Spelling::German) > symbolRowShare(text, Spelling::International)
+             ? Spelling::German
+             : Spelling::International;
 }
 
 int rate(const SourceFile& file, const InputText& input, const ReadOptions& options) {

@@ -34,8 +34,9 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
     const SourceFile& file = report.sources->file(finding.span.file);
     const Position begin = file.position(finding.span.offset);
     const Position end = file.position(finding.span.offset + finding.span.length);
-    out << fmt::format("::{} file={},line={},endLine={},col={},title={}::{}\n", levelName(finding.severity), escaped(file.name(), true),
-                       begin.line, end.line, begin.column, escaped(finding.rule, true), escaped(finding.message, false));
+    out << fmt::format("::{} file={},line={},endLine={},col={},title={}::{}\n", levelName(finding.severity),
+                       escaped(file.name(), true), begin.line, end.line, begin.column, escaped(finding.rule, true),
+                       escaped(finding.message, false));
   }
   for (const PropertyResult& property : report.properties) {
     const bool good = property.verdict == VerdictWord::Proved || property.verdict == VerdictWord::Reachable;

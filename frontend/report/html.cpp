@@ -15,24 +15,30 @@ namespace rungproof {
 namespace {
 
 constexpr std::string_view pageStyle =
-    "body{font:15px/1.5 system-ui,sans-serif;max-width:70em;margin:2em auto;padding:0 1em;color:#1a1f26;background:#fff}"
+    "body{font:15px/1.5 system-ui,sans-serif;max-width:70em;margin:2em auto;padding:0 "
+    "1em;color:#1a1f26;background:#fff}"
     "h1{font-size:1.4em}h2{font-size:1.15em;margin-top:2em;border-bottom:1px solid #d8dee4}"
-    "table{border-collapse:collapse}td,th{padding:.25em .8em;border:1px solid #d8dee4;text-align:left;vertical-align:top}"
+    "table{border-collapse:collapse}td,th{padding:.25em .8em;border:1px solid "
+    "#d8dee4;text-align:left;vertical-align:top}"
     "td.n{text-align:right}pre{background:#f6f8fa;padding:.6em;overflow-x:auto;margin:.4em 0}"
     "article{margin:1.2em 0;padding-left:.8em;border-left:4px solid #8b949e}.error{border-color:#c62828}"
-    ".warning{border-color:#b26a00}.note{border-color:#1565c0}.good{color:#1b7f37}.bad{color:#c62828}.open{color:#b26a00}"
+    ".warning{border-color:#b26a00}.note{border-color:#1565c0}.good{color:#1b7f37}.bad{color:#c62828}.open{color:#"
+    "b26a00}"
     "mark{background:#ffd6d6;color:inherit}.place{color:#57606a}"
     "@media(prefers-color-scheme:dark){body{color:#e6edf3;background:#0d1117}pre{background:#161b22}"
-    "td,th,h2{border-color:#30363d}mark{background:#6e2b2b}.place{color:#9198a1}.good{color:#4ac26b}.bad{color:#ff7b72}.open{color:#d29922}}";
+    "td,th,h2{border-color:#30363d}mark{background:#6e2b2b}.place{color:#9198a1}.good{color:#4ac26b}.bad{color:#ff7b72}"
+    ".open{color:#d29922}}";
 
 /// Ladder stays dark on white, as on paper.
 constexpr std::string_view runStyle =
-    ".run{border:1px solid #d8dee4;margin:1em 0;padding:.6em .8em;background:#fff;color:#1a1f26}.run h3{margin:.1em 0 .4em;font-size:1em}"
-    ".run:focus{outline:2px solid #0b62d6}.run figure{margin:.4em 0;overflow-x:auto}.run figcaption{font-weight:bold;font-size:.92em}"
+    ".run{border:1px solid #d8dee4;margin:1em 0;padding:.6em .8em;background:#fff;color:#1a1f26}.run h3{margin:.1em 0 "
+    ".4em;font-size:1em}"
+    ".run:focus{outline:2px solid #0b62d6}.run figure{margin:.4em 0;overflow-x:auto}.run "
+    "figcaption{font-weight:bold;font-size:.92em}"
     ".steps button{font:inherit;padding:.1em .6em}.scan h4{margin:.5em 0 .2em}";
 
-/// Steps through the scans of each run: buttons, and arrow keys for the run that has the focus. Without scripts all scans
-/// stand below each other.
+/// Steps through the scans of each run: buttons, and arrow keys for the run that has the focus. Without scripts all
+/// scans stand below each other.
 constexpr std::string_view runScript = R"(
 (() => {
 "use strict";
@@ -61,12 +67,16 @@ class HtmlWriter {
   void write() {
     const Summary summary = summaryOf(report_);
     out_ << fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">"
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+        "content=\"width=device-width\">"
         "<title>rungproof {}</title><style>{}</style></head><body>\n<h1>rungproof {}</h1>\n",
         report_.command, pageStyle, report_.command);
-    out_ << "<table><tr><th>errors</th><th>warnings</th><th>notes</th><th>proved or reached</th><th>violated</th><th>undecided</th></tr>";
-    out_ << fmt::format("<tr><td class=n>{}</td><td class=n>{}</td><td class=n>{}</td><td class=n>{}</td><td class=n>{}</td><td class=n>{}</td></tr></table>\n",
-                        summary.errors, summary.warnings, summary.notes, summary.proved, summary.violated, summary.undecided);
+    out_ << "<table><tr><th>errors</th><th>warnings</th><th>notes</th><th>proved or "
+            "reached</th><th>violated</th><th>undecided</th></tr>";
+    out_ << fmt::format(
+        "<tr><td class=n>{}</td><td class=n>{}</td><td class=n>{}</td><td class=n>{}</td><td class=n>{}</td><td "
+        "class=n>{}</td></tr></table>\n",
+        summary.errors, summary.warnings, summary.notes, summary.proved, summary.violated, summary.undecided);
     writeProperties();
     writeRuns();
     if (report_.selfCheck) writeSelfCheck(*report_.selfCheck);
@@ -81,9 +91,12 @@ class HtmlWriter {
     if (report_.findings.empty()) return;
     out_ << "<h2>Findings</h2>\n";
     for (const Finding& finding : report_.findings) {
-      out_ << fmt::format("<article class={}><b>{}[{}]</b>: {}{}<br>\n", severityName(finding.severity), severityName(finding.severity), finding.rule,
-                          xmlText(finding.message), finding.confirmation == Confirmation::Unconfirmed ? " (unconfirmed)" : "");
-      writePlace(finding.span, finding.pou.empty() ? "" : finding.network == 0 ? finding.pou : fmt::format("{}, network {}", finding.pou, finding.network));
+      out_ << fmt::format("<article class={}><b>{}[{}]</b>: {}{}<br>\n", severityName(finding.severity),
+                          severityName(finding.severity), finding.rule, xmlText(finding.message),
+                          finding.confirmation == Confirmation::Unconfirmed ? " (unconfirmed)" : "");
+      writePlace(finding.span, finding.pou.empty()    ? ""
+                               : finding.network == 0 ? finding.pou
+                                                      : fmt::format("{}, network {}", finding.pou, finding.network));
       for (const RelatedPlace& related : finding.related) {
         out_ << fmt::format("note: {}<br>\n", xmlText(related.message));
         writePlace(related.span, "");
@@ -99,26 +112,36 @@ class HtmlWriter {
     const std::string_view line = file.line(number);
     const std::size_t begin = std::min<std::size_t>(span.offset - file.lineStart(number), line.size());
     const std::size_t end = std::min<std::size_t>(begin + span.length, line.size());
-    out_ << fmt::format("<span class=place>{}{}{}</span><pre>{} | {}<mark>{}</mark>{}</pre>\n", xmlText(placeText(*report_.sources, span)),
-                        context.empty() ? "" : " in ", xmlText(context), number, xmlText(line.substr(0, begin)),
-                        xmlText(line.substr(begin, end - begin)), xmlText(line.substr(end)));
+    out_ << fmt::format("<span class=place>{}{}{}</span><pre>{} | {}<mark>{}</mark>{}</pre>\n",
+                        xmlText(placeText(*report_.sources, span)), context.empty() ? "" : " in ", xmlText(context),
+                        number, xmlText(line.substr(0, begin)), xmlText(line.substr(begin, end - begin)),
+                        xmlText(line.substr(end)));
   }
 
   void writeProperties() {
     if (report_.properties.empty()) return;
-    out_ << "<h2>Properties</h2>\n<table><tr><th>Verdict</th><th>Property</th><th>Method</th><th>Scans</th><th>Seconds</th><th>Trace</th></tr>\n";
+    out_ << "<h2>Properties</h2>\n<table><tr><th>Verdict</th><th>Property</th><th>Method</th><th>Scans</"
+            "th><th>Seconds</th><th>Trace</th></tr>\n";
     for (const PropertyResult& property : report_.properties) {
       const bool good = property.verdict == VerdictWord::Proved || property.verdict == VerdictWord::Reachable;
-      const bool bad = property.verdict == VerdictWord::Violated || property.verdict == VerdictWord::Unreachable || property.verdict == VerdictWord::Vacuous;
+      const bool bad = property.verdict == VerdictWord::Violated || property.verdict == VerdictWord::Unreachable ||
+                       property.verdict == VerdictWord::Vacuous;
       std::string text = fmt::format("<b>{}</b>", xmlText(property.name));
       if (!property.statement.empty()) text += fmt::format("<br><code>{}</code>", xmlText(property.statement));
       writeNotes(property.notes, text);
-      if (!property.networks.empty()) text += fmt::format("<br><span class=place>rests on networks: {}</span>", xmlText(property.networks));
-      for (const std::string& assumption : property.assumptions) text += fmt::format("<br>assumes: {}", xmlText(assumption));
-      const std::string trace = property.trace.empty() ? "" : fmt::format("<a href=\"{0}\">{0}</a>", xmlText(property.trace));
-      out_ << fmt::format("<tr><td class={}>{}</td><td>{}</td><td>{}</td><td class=n>{}</td><td class=n>{:.2f}</td><td>{}</td></tr>\n",
-                          good ? "good" : bad ? "bad" : "open", verdictText(property.verdict, property.depth), text, xmlText(property.method),
-                          property.depth, property.seconds, trace);
+      if (!property.networks.empty())
+        text += fmt::format("<br><span class=place>rests on networks: {}</span>", xmlText(property.networks));
+      for (const std::string& assumption : property.assumptions)
+        text += fmt::format("<br>assumes: {}", xmlText(assumption));
+      const std::string trace =
+          property.trace.empty() ? "" : fmt::format("<a href=\"{0}\">{0}</a>", xmlText(property.trace));
+      out_ << fmt::format(
+          "<tr><td class={}>{}</td><td>{}</td><td>{}</td><td class=n>{}</td><td class=n>{:.2f}</td><td>{}</td></tr>\n",
+          good  ? "good"
+          : bad ? "bad"
+                : "open",
+          verdictText(property.verdict, property.depth), text, xmlText(property.method), property.depth,
+          property.seconds, trace);
     }
     out_ << "</table>\n";
   }
@@ -139,17 +162,22 @@ class HtmlWriter {
   void writeRuns() {
     bool isFirst = true;
     for (const PropertyResult& property : report_.properties) {
-      if (property.scans.empty() || property.scans.front().networks.empty() || property.scans.front().networks.front().svg.empty()) continue;
+      if (property.scans.empty() || property.scans.front().networks.empty() ||
+          property.scans.front().networks.front().svg.empty())
+        continue;
       if (isFirst) out_ << fmt::format("<h2>Runs</h2>\n<style>{}{}</style>\n", runStyle, svgStyle());
       isFirst = false;
       out_ << fmt::format(
-          "<section class=run tabindex=0><h3>{}: {}</h3>\n<p class=steps hidden><button class=first>first</button> <button class=back>scan back</button> "
-          "<button class=forward>scan forward</button> <button class=last>last</button> <span class=where></span></p>\n",
+          "<section class=run tabindex=0><h3>{}: {}</h3>\n<p class=steps hidden><button class=first>first</button> "
+          "<button class=back>scan back</button> "
+          "<button class=forward>scan forward</button> <button class=last>last</button> <span "
+          "class=where></span></p>\n",
           verdictText(property.verdict, property.depth), xmlText(property.name));
       for (const ShownScan& scan : property.scans) {
         out_ << fmt::format("<div class=scan><h4>scan {}, {:g} ms</h4>\n", scan.scan, scan.timeMs);
         for (const ShownNetwork& network : scan.networks) {
-          out_ << fmt::format("<figure><figcaption>{}</figcaption>\n{}</figure>\n", xmlText(network.heading), network.svg);
+          out_ << fmt::format("<figure><figcaption>{}</figcaption>\n{}</figure>\n", xmlText(network.heading),
+                              network.svg);
         }
         out_ << "</div>\n";
       }
@@ -161,14 +189,19 @@ class HtmlWriter {
   /// How many planted faults the properties notice, and each that they do not.
   void writeSelfCheck(const std::vector<PlantedFault>& faults) {
     const FaultCounts count = countsOf(faults);
-    out_ << fmt::format("<h2>Self-check</h2>\n<p class={}>{} of {} planted faults that change the outputs are noticed by a property; {} change nothing, {} undecided</p>\n",
-                        count.unnoticed == 0 && count.undecided == 0 ? "good" : "open", count.noticed, count.noticed + count.unnoticed, count.withoutEffect, count.undecided);
+    out_ << fmt::format(
+        "<h2>Self-check</h2>\n<p class={}>{} of {} planted faults that change the outputs are noticed by a property; "
+        "{} change nothing, {} undecided</p>\n",
+        count.unnoticed == 0 && count.undecided == 0 ? "good" : "open", count.noticed, count.noticed + count.unnoticed,
+        count.withoutEffect, count.undecided);
     if (count.unnoticed + count.undecided == 0) return;
     out_ << "<table><tr><th>Fate</th><th>Place</th><th>Kind</th><th>Fault</th></tr>\n";
     for (const PlantedFault& fault : faults) {
       if (fault.fate != "unnoticed" && fault.fate != "undecided") continue;
-      out_ << fmt::format("<tr><td class={}>{}</td><td>{}:{} in {}, network {}</td><td>{}</td><td><code>{}</code></td></tr>\n", fault.fate == "unnoticed" ? "bad" : "open", fault.fate,
-                          xmlText(fault.file), fault.line, xmlText(fault.pou), fault.network, xmlText(fault.kind), xmlText(fault.text));
+      out_ << fmt::format(
+          "<tr><td class={}>{}</td><td>{}:{} in {}, network {}</td><td>{}</td><td><code>{}</code></td></tr>\n",
+          fault.fate == "unnoticed" ? "bad" : "open", fault.fate, xmlText(fault.file), fault.line, xmlText(fault.pou),
+          fault.network, xmlText(fault.kind), xmlText(fault.text));
     }
     out_ << "</table>\n";
   }
@@ -188,7 +221,8 @@ class HtmlWriter {
       out_ << fmt::format("<tr><td class=n>{}</td><td class=n>{:g}</td>", scan.scan, scan.timeMs);
       for (std::size_t i = 0; i < comparison.signals.size(); ++i) {
         const bool differs = !scan.expected[i].empty() && scan.expected[i] != scan.actual[i];
-        out_ << (differs ? fmt::format("<td class=\"n bad\">{} (expected {})</td>", xmlText(scan.actual[i]), xmlText(scan.expected[i]))
+        out_ << (differs ? fmt::format("<td class=\"n bad\">{} (expected {})</td>", xmlText(scan.actual[i]),
+                                       xmlText(scan.expected[i]))
                          : fmt::format("<td class=n>{}</td>", xmlText(scan.actual[i])));
       }
       out_ << "</tr>\n";
@@ -199,9 +233,12 @@ class HtmlWriter {
   void writeBasis() {
     out_ << "<h2>Basis</h2>\n<ul>\n";
     for (const std::string& file : report_.files) out_ << fmt::format("<li>file {}</li>\n", xmlText(file));
-    out_ << fmt::format("<li>{} of {} instructions understood</li>\n", report_.coverage.understood, report_.coverage.instructions);
-    for (const std::string& place : report_.coverage.approximated) out_ << fmt::format("<li>approximated: {}</li>\n", xmlText(place));
-    for (const std::string& assumption : report_.assumptions) out_ << fmt::format("<li>assumes: {}</li>\n", xmlText(assumption));
+    out_ << fmt::format("<li>{} of {} instructions understood</li>\n", report_.coverage.understood,
+                        report_.coverage.instructions);
+    for (const std::string& place : report_.coverage.approximated)
+      out_ << fmt::format("<li>approximated: {}</li>\n", xmlText(place));
+    for (const std::string& assumption : report_.assumptions)
+      out_ << fmt::format("<li>assumes: {}</li>\n", xmlText(assumption));
     out_ << "</ul>\n";
   }
 

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <ostream>
 
+#include "analysis/rule.hpp"
 #include "frontend/page/excerpt.hpp"
 #include "frontend/report/report.hpp"
-
-#include "analysis/rule.hpp"
 
 namespace rungproof {
 
@@ -79,7 +78,8 @@ class HumanWriter {
 
   static std::string contextOf(const Finding& finding) {
     if (finding.pou.empty()) return {};
-    return finding.network == 0 ? fmt::format(" in {}", finding.pou) : fmt::format(" in {}, network {}", finding.pou, finding.network);
+    return finding.network == 0 ? fmt::format(" in {}", finding.pou)
+                                : fmt::format(" in {}, network {}", finding.pou, finding.network);
   }
 
   void writeProperty(const PropertyResult& property) {
@@ -87,25 +87,31 @@ class HumanWriter {
     const bool bad = property.verdict == VerdictWord::Violated || property.verdict == VerdictWord::Unreachable ||
                      property.verdict == VerdictWord::Vacuous;
     const Painter painter = good ? &Paint::green : bad ? &Paint::red : &Paint::yellow;
-    out_ << fmt::format("{}  {}", (paint_.*painter)(verdictText(property.verdict, property.depth)), paint_.bold(property.name));
+    out_ << fmt::format("{}  {}", (paint_.*painter)(verdictText(property.verdict, property.depth)),
+                        paint_.bold(property.name));
     if (!property.method.empty()) out_ << fmt::format("  by {}", property.method);
     out_ << fmt::format("  in {:.2f} s\n", property.seconds);
     if (property.span && hasPlace(*property.span)) {
       writePlace(*property.span, digits(report_.sources->position(*property.span).line), "", '^', painter);
     }
     for (const std::string& note : property.notes) out_ << fmt::format("  {} {}\n", paint_.blue("="), note);
-    for (const std::string& assumption : property.assumptions) out_ << fmt::format("  {} assumes: {}\n", paint_.blue("="), assumption);
-    if (!property.networks.empty()) out_ << fmt::format("  {} rests on networks: {}\n", paint_.blue("="), property.networks);
+    for (const std::string& assumption : property.assumptions)
+      out_ << fmt::format("  {} assumes: {}\n", paint_.blue("="), assumption);
+    if (!property.networks.empty())
+      out_ << fmt::format("  {} rests on networks: {}\n", paint_.blue("="), property.networks);
     if (!property.trace.empty()) out_ << fmt::format("  {} trace: {}\n", paint_.blue("="), property.trace);
     for (const ShownScan& scan : property.scans) writeScan(scan);
-    if (!property.scans.empty() && !property.scans.back().networks.empty() && !property.scans.back().networks.back().text.empty()) out_ << '\n';
+    if (!property.scans.empty() && !property.scans.back().networks.empty() &&
+        !property.scans.back().networks.back().text.empty())
+      out_ << '\n';
   }
 
   void writeScan(const ShownScan& scan) {
     bool isFirst = true;
     for (const ShownNetwork& network : scan.networks) {
       if (network.text.empty()) continue;
-      if (isFirst) out_ << fmt::format("\n  {}\n", paint_.bold(fmt::format("scan {}, {:g} ms", scan.scan, scan.timeMs)));
+      if (isFirst)
+        out_ << fmt::format("\n  {}\n", paint_.bold(fmt::format("scan {}, {:g} ms", scan.scan, scan.timeMs)));
       isFirst = false;
       out_ << fmt::format("  {}\n", network.heading);
       for (const std::string& line : network.text) out_ << fmt::format("  {}\n", line);
@@ -115,13 +121,16 @@ class HumanWriter {
   void writeSelfCheck(const std::vector<PlantedFault>& faults) {
     const FaultCounts count = countsOf(faults);
     const std::size_t noticed = count.noticed, matter = noticed + count.unnoticed;
-    out_ << fmt::format("\n{}: {} of {} planted faults that change the outputs are noticed by a property", paint_.bold("self-check"), noticed, matter);
-    if (matter > 0) out_ << fmt::format(" ({:.0f} %)", 100.0 * static_cast<double>(noticed) / static_cast<double>(matter));
+    out_ << fmt::format("\n{}: {} of {} planted faults that change the outputs are noticed by a property",
+                        paint_.bold("self-check"), noticed, matter);
+    if (matter > 0)
+      out_ << fmt::format(" ({:.0f} %)", 100.0 * static_cast<double>(noticed) / static_cast<double>(matter));
     out_ << fmt::format("; {} change nothing, {} undecided\n", count.withoutEffect, count.undecided);
     for (const std::string_view fate : {"unnoticed", "undecided"}) {
       for (const PlantedFault& fault : faults) {
         if (fault.fate != fate) continue;
-        out_ << fmt::format("  {}: {}:{} in {}, network {}: {}: {}\n", (paint_.*(fate == "unnoticed" ? &Paint::red : &Paint::yellow))(fate), fault.file,
+        out_ << fmt::format("  {}: {}:{} in {}, network {}: {}: {}\n",
+                            (paint_.*(fate == "unnoticed" ? &Paint::red : &Paint::yellow))(fate), fault.file,
                             fault.line, fault.pou, fault.network, fault.kind, fault.text);
       }
     }
@@ -144,10 +153,12 @@ class HumanWriter {
     std::vector<std::size_t> widths;
     for (std::size_t i = 0; i < comparison.signals.size(); ++i) {
       std::size_t width = comparison.signals[i].size();
-      for (const ComparedScan& scan : comparison.around) width = std::max({width, scan.expected[i].size(), scan.actual[i].size()});
+      for (const ComparedScan& scan : comparison.around)
+        width = std::max({width, scan.expected[i].size(), scan.actual[i].size()});
       widths.push_back(width);
     }
-    const auto row = [&](std::string_view scan, std::string_view time, std::string_view kind, const std::vector<std::string>& cells) {
+    const auto row = [&](std::string_view scan, std::string_view time, std::string_view kind,
+                         const std::vector<std::string>& cells) {
       std::string line = fmt::format("  {:>6}  {:>8}  {:<8}", scan, time, kind);
       for (std::size_t i = 0; i < cells.size(); ++i) line += fmt::format("  {:>{}}", cells[i], widths[i]);
       line.erase(line.find_last_not_of(' ') + 1);
@@ -178,7 +189,8 @@ class HumanWriter {
     }
     add(summary.proved, "property proved or reached", "properties proved or reached");
     const auto with = [&](VerdictWord word) {
-      return static_cast<std::size_t>(std::count_if(report_.properties.begin(), report_.properties.end(), [&](const PropertyResult& p) { return p.verdict == word; }));
+      return static_cast<std::size_t>(std::count_if(report_.properties.begin(), report_.properties.end(),
+                                                    [&](const PropertyResult& p) { return p.verdict == word; }));
     };
     add(with(VerdictWord::Violated), "violated", "violated");
     add(with(VerdictWord::Unreachable), "unreachable", "unreachable");
@@ -187,8 +199,10 @@ class HumanWriter {
     if (text.empty()) text = "no findings";
     std::string tail;
     if (report_.coverage.instructions > 0) {
-      tail = fmt::format(" in {} instruction{}", report_.coverage.instructions, report_.coverage.instructions == 1 ? "" : "s");
-      if (report_.coverage.understood < report_.coverage.instructions) tail += fmt::format(", {} understood", report_.coverage.understood);
+      tail = fmt::format(" in {} instruction{}", report_.coverage.instructions,
+                         report_.coverage.instructions == 1 ? "" : "s");
+      if (report_.coverage.understood < report_.coverage.instructions)
+        tail += fmt::format(", {} understood", report_.coverage.understood);
     }
     if (report_.files.size() > 1) tail += fmt::format(" of {} files", report_.files.size());
     if (report_.suppressed > 0) tail += fmt::format("; {} suppressed", report_.suppressed);
@@ -202,7 +216,9 @@ class HumanWriter {
   std::ostream& out_;
 };
 
-void write(const Report& report, const ReportStyle& style, std::ostream& out) { HumanWriter(report, style, out).write(); }
+void write(const Report& report, const ReportStyle& style, std::ostream& out) {
+  HumanWriter(report, style, out).write();
+}
 
 }  // namespace
 

@@ -1,10 +1,11 @@
 // The JSON report, a stable contract: schema.json beside this file describes it.
+#include "frontend/json.hpp"
+
 #include <cmath>
 #include <ostream>
 
 #include "analysis/rule.hpp"
 #include "frontend/cli.hpp"
-#include "frontend/json.hpp"
 #include "frontend/report/report.hpp"
 
 namespace rungproof {
@@ -66,8 +67,14 @@ Json selfCheckJson(const std::vector<PlantedFault>& faults) {
   for (const PlantedFault& fault : faults) {
     noticed += fault.fate == "noticed" ? 1 : 0;
     unnoticed += fault.fate == "unnoticed" ? 1 : 0;
-    rows.push_back({{"kind", fault.kind}, {"text", fault.text}, {"file", fault.file}, {"line", fault.line}, {"pou", fault.pou},
-                    {"network", fault.network}, {"fate", fault.fate}, {"noticed_by", textOrNull(fault.noticedBy)}});
+    rows.push_back({{"kind", fault.kind},
+                    {"text", fault.text},
+                    {"file", fault.file},
+                    {"line", fault.line},
+                    {"pou", fault.pou},
+                    {"network", fault.network},
+                    {"fate", fault.fate},
+                    {"noticed_by", textOrNull(fault.noticedBy)}});
   }
   return {{"noticed", noticed}, {"unnoticed", unnoticed}, {"faults", std::move(rows)}};
 }
@@ -102,8 +109,8 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
   json["coverage"] = {{"instructions", report.coverage.instructions},
                       {"understood", report.coverage.understood},
                       {"approximated", report.coverage.approximated}};
-  json["summary"] = {{"errors", summary.errors},   {"warnings", summary.warnings}, {"notes", summary.notes},
-                     {"proved", summary.proved},   {"violated", summary.violated}, {"undecided", summary.undecided}};
+  json["summary"] = {{"errors", summary.errors}, {"warnings", summary.warnings}, {"notes", summary.notes},
+                     {"proved", summary.proved}, {"violated", summary.violated}, {"undecided", summary.undecided}};
   out << json.dump(2) << '\n';
 }
 

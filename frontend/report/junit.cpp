@@ -31,7 +31,8 @@ void setCounts(pugi::xml_node node, std::size_t tests, std::size_t failures, std
   node.append_attribute("tests") = static_cast<unsigned long long>(tests);
   node.append_attribute("failures") = static_cast<unsigned long long>(failures);
   node.append_attribute("errors") = 0;
-  if (node.name() == std::string_view("testsuite")) node.append_attribute("skipped") = static_cast<unsigned long long>(skipped);
+  if (node.name() == std::string_view("testsuite"))
+    node.append_attribute("skipped") = static_cast<unsigned long long>(skipped);
 }
 
 class JunitWriter {
@@ -55,7 +56,8 @@ class JunitWriter {
     for (const Finding& finding : report_.findings) {
       if (finding.span.file != file) continue;
       const Position place = report_.sources->position(finding.span);
-      pugi::xml_node test = addCase(suite, name, fmt::format("{} line {} column {}", finding.rule, place.line, place.column), 0);
+      pugi::xml_node test =
+          addCase(suite, name, fmt::format("{} line {} column {}", finding.rule, place.line, place.column), 0);
       std::string text = fmt::format("{}: {}", placeText(*report_.sources, finding.span), finding.message);
       if (!finding.help.empty()) text += "\nhelp: " + finding.help;
       addFailure(test, std::string(severityName(finding.severity)), finding.message, text);
@@ -85,9 +87,7 @@ class JunitWriter {
           addFailure(test, verdict, property.statement.empty() ? property.name : property.statement, property.trace);
           ++failed;
           break;
-        default:
-          test.append_child("skipped").append_attribute("message") = verdict.c_str();
-          ++skipped;
+        default: test.append_child("skipped").append_attribute("message") = verdict.c_str(); ++skipped;
       }
     }
     setCounts(suite, report_.properties.size(), failed, skipped);
@@ -102,7 +102,10 @@ class JunitWriter {
     suite.append_attribute("name") = "comparison";
     pugi::xml_node test = addCase(suite, "comparison", report_.command, 0);
     if (!c.equal) {
-      addFailure(test, "difference", fmt::format("scan {}, {:g} ms, {}: expected {:g}, actual {:g}", c.scan, c.timeMs, c.signal, c.expected, c.actual), "");
+      addFailure(test, "difference",
+                 fmt::format("scan {}, {:g} ms, {}: expected {:g}, actual {:g}", c.scan, c.timeMs, c.signal, c.expected,
+                             c.actual),
+                 "");
       ++failures_;
     }
     setCounts(suite, 1, c.equal ? 0 : 1, 0);

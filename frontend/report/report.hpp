@@ -18,7 +18,16 @@
 
 namespace rungproof {
 
-enum class VerdictWord : std::uint8_t { Proved, Violated, Reachable, Unreachable, HoldsToBound, Vacuous, Unknown, NotCovered };
+enum class VerdictWord : std::uint8_t {
+  Proved,
+  Violated,
+  Reachable,
+  Unreachable,
+  HoldsToBound,
+  Vacuous,
+  Unknown,
+  NotCovered
+};
 /// "PROVED", "HOLDS TO BOUND 20".
 std::string verdictText(VerdictWord verdict, int depth);
 
@@ -42,12 +51,12 @@ struct PropertyResult {
   std::string name;
   ResultKind kind = ResultKind::Prove;
   VerdictWord verdict = VerdictWord::Unknown;
-  std::string method;       ///< "k-induction, k = 3"
-  int depth = 0;            ///< scans: length of the witness, or how far it was looked
+  std::string method;  ///< "k-induction, k = 3"
+  int depth = 0;       ///< scans: length of the witness, or how far it was looked
   double seconds = 0;
-  std::string trace;        ///< file that holds the witness, or empty
-  std::string statement;    ///< the property as written
-  std::optional<Span> span; ///< where it is declared, in the sources of the report
+  std::string trace;                     ///< file that holds the witness, or empty
+  std::string statement;                 ///< the property as written
+  std::optional<Span> span;              ///< where it is declared, in the sources of the report
   std::vector<std::string> assumptions;  ///< of this property only; those of the run are in Report::assumptions
   std::string networks;                  ///< that the verdict rests on: "MAIN 1, 3-5; SBR_0 2", or empty
   std::vector<std::string> notes;        ///< what was tried, which lines are not covered, what the witness shows
@@ -70,9 +79,9 @@ struct Comparison {
   std::string signal;
   double expected = 0;
   double actual = 0;
-  std::vector<std::string> signals;     ///< names of the columns of `around`
-  std::vector<ComparedScan> around;     ///< scans before and after the difference
-  bool hasEnded = false;                ///< the trace ends before that scan: there is no actual value
+  std::vector<std::string> signals;  ///< names of the columns of `around`
+  std::vector<ComparedScan> around;  ///< scans before and after the difference
+  bool hasEnded = false;             ///< the trace ends before that scan: there is no actual value
 };
 
 /// "scan 7, 70 ms, Q0.0: expected 1, actual 0", or that the trace ends before.
@@ -80,8 +89,8 @@ std::string differenceText(const Comparison& comparison);
 
 /// A planted fault and what became of it (analysis/proof/self_check.hpp).
 struct PlantedFault {
-  std::string kind;       ///< "removed contact"
-  std::string text;       ///< "removed: A I0.2"
+  std::string kind;  ///< "removed contact"
+  std::string text;  ///< "removed: A I0.2"
   std::string file;
   std::uint32_t line = 0;
   std::string pou;

@@ -24,7 +24,8 @@ std::string_view levelName(Severity severity) {
 std::string uriOf(std::string_view path) {
   std::string uri;
   for (const char c : path) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || std::string_view("-._~/").find(c) != std::string_view::npos;
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       std::string_view("-._~/").find(c) != std::string_view::npos;
     uri += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
   }
   return path.starts_with('/') ? "file://" + uri : uri;
@@ -55,25 +56,31 @@ Json ruleObject(const std::string& id) {
 
 Json resultOf(const Finding& finding, const Report& report, std::size_t ruleIndex) {
   const SourceSet& sources = *report.sources;
-  Json result = {{"ruleId", finding.rule}, {"ruleIndex", ruleIndex}, {"level", levelName(finding.severity)}, {"message", {{"text", finding.message}}}};
+  Json result = {{"ruleId", finding.rule},
+                 {"ruleIndex", ruleIndex},
+                 {"level", levelName(finding.severity)},
+                 {"message", {{"text", finding.message}}}};
   Json location = {{"physicalLocation", physicalLocation(sources, finding.span)}};
   if (!finding.pou.empty()) {
-    const std::string name = finding.network == 0 ? finding.pou : fmt::format("{}/network {}", finding.pou, finding.network);
+    const std::string name =
+        finding.network == 0 ? finding.pou : fmt::format("{}/network {}", finding.pou, finding.network);
     location["logicalLocations"] = Json::array({{{"fullyQualifiedName", name}, {"kind", "function"}}});
   }
   result["locations"] = Json::array({location});
   if (!finding.related.empty()) {
     result["relatedLocations"] = Json::array();
     for (const RelatedPlace& related : finding.related) {
-      result["relatedLocations"].push_back({{"physicalLocation", physicalLocation(sources, related.span)}, {"message", {{"text", related.message}}}});
+      result["relatedLocations"].push_back(
+          {{"physicalLocation", physicalLocation(sources, related.span)}, {"message", {{"text", related.message}}}});
     }
   }
   if (finding.fix) {
     const Json change = {{"artifactLocation", {{"uri", uriOf(sources.file(finding.fix->span.file).name())}}},
                          {"replacements", Json::array({{{"deletedRegion", regionOf(sources, finding.fix->span)},
                                                         {"insertedContent", {{"text", finding.fix->replacement}}}}})}};
-    result["fixes"] = Json::array({{{"description", {{"text", finding.help.empty() ? "replace the text" : finding.help}}},
-                                    {"artifactChanges", Json::array({change})}}});
+    result["fixes"] =
+        Json::array({{{"description", {{"text", finding.help.empty() ? "replace the text" : finding.help}}},
+                      {"artifactChanges", Json::array({change})}}});
   }
   result["partialFingerprints"] = {{"rungproof/v1", fingerprintOf(finding, sources)}};
   return result;
@@ -81,12 +88,16 @@ Json resultOf(const Finding& finding, const Report& report, std::size_t ruleInde
 
 /// Verdicts on properties are results too; proofs have kind "pass".
 Json resultOf(const PropertyResult& property, const Report& report) {
-  Json result = {{"ruleId", "property/" + property.name}, {"message", {{"text", fmt::format("{}: {}", verdictText(property.verdict, property.depth), property.name)}}}};
+  Json result = {
+      {"ruleId", "property/" + property.name},
+      {"message", {{"text", fmt::format("{}: {}", verdictText(property.verdict, property.depth), property.name)}}}};
   const bool good = property.verdict == VerdictWord::Proved || property.verdict == VerdictWord::Reachable;
-  const bool bad = property.verdict == VerdictWord::Violated || property.verdict == VerdictWord::Unreachable || property.verdict == VerdictWord::Vacuous;
+  const bool bad = property.verdict == VerdictWord::Violated || property.verdict == VerdictWord::Unreachable ||
+                   property.verdict == VerdictWord::Vacuous;
   result["kind"] = good ? "pass" : bad ? "fail" : "open";
   result["level"] = bad ? "error" : "none";
-  if (property.span) result["locations"] = Json::array({{{"physicalLocation", physicalLocation(*report.sources, *property.span)}}});
+  if (property.span)
+    result["locations"] = Json::array({{{"physicalLocation", physicalLocation(*report.sources, *property.span)}}});
   return result;
 }
 
@@ -100,10 +111,12 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
     results.push_back(resultOf(finding, report, entry->second));
   }
   for (const PropertyResult& property : report.properties) results.push_back(resultOf(property, report));
-  const Json run = {{"tool", {{"driver", {{"name", "rungproof"}, {"semanticVersion", programVersion()}, {"rules", rules}}}}},
-                    {"columnKind", "unicodeCodePoints"},
-                    {"results", results}};
-  const Json log = {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"}, {"version", "2.1.0"}, {"runs", Json::array({run})}};
+  const Json run = {
+      {"tool", {{"driver", {{"name", "rungproof"}, {"semanticVersion", programVersion()}, {"rules", rules}}}}},
+      {"columnKind", "unicodeCodePoints"},
+      {"results", results}};
+  const Json log = {
+      {"$schema", "https://json.schemastore.org/sarif-2.1.0.json"}, {"version", "2.1.0"}, {"runs", Json::array({run})}};
   out << log.dump(2) << '\n';
 }
 

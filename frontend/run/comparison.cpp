@@ -1,5 +1,4 @@
 // Fills the comparison of a report.
-#include "frontend/closest_word.hpp"
 #include "frontend/run/comparison.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "frontend/closest_word.hpp"
+
 namespace rungproof {
 
 namespace {
@@ -15,7 +16,9 @@ namespace {
 constexpr std::size_t scansAround = 3;
 constexpr std::size_t columnsAround = 8;
 
-std::string cellText(const std::optional<double>& value, const TraceSignal& signal) { return value ? numberText(*value, signal.type) : ""; }
+std::string cellText(const std::optional<double>& value, const TraceSignal& signal) {
+  return value ? numberText(*value, signal.type) : "";
+}
 
 /// The differing signal first, then those beside it.
 std::vector<std::size_t> columnsShown(const Trace& expected, std::size_t differing) {
@@ -48,8 +51,9 @@ Comparison comparisonOf(const Trace& expected, const Trace& actual, const std::o
     ComparedScan scan;
     scan.scan = static_cast<int>(actual.rows[a].scan);
     scan.timeMs = static_cast<double>(actual.rows[a].timeUs) / 1000;
-    const auto wanted = std::find_if(expected.rows.begin(), expected.rows.end(),
-                                     [&](const TraceRow& row) { return matchingRow(expected, row, actual) == std::optional<std::size_t>(a); });
+    const auto wanted = std::find_if(expected.rows.begin(), expected.rows.end(), [&](const TraceRow& row) {
+      return matchingRow(expected, row, actual) == std::optional<std::size_t>(a);
+    });
     for (const std::size_t i : columns) {
       const int other = actual.indexOf(expected.signals[i]);
       const TraceSignal& signal = other < 0 ? expected.signals[i] : actual.signals[static_cast<std::size_t>(other)];
@@ -71,7 +75,9 @@ std::optional<Tolerance> toleranceIn(const std::string& text, const Trace& expec
     value = -1;
   }
   if (equals == std::string::npos || equals == 0 || used != text.size() - equals - 1 || !(value >= 0)) {
-    failure = {fmt::format("'{}' is no tolerance", text), {}, "write --tolerance SIGNAL=VALUE with a value of 0 or more, such as VW10=2"};
+    failure = {fmt::format("'{}' is no tolerance", text),
+               {},
+               "write --tolerance SIGNAL=VALUE with a value of 0 or more, such as VW10=2"};
     return std::nullopt;
   }
   const std::string name = text.substr(0, equals);
@@ -79,7 +85,9 @@ std::optional<Tolerance> toleranceIn(const std::string& text, const Trace& expec
     std::vector<std::string> names;
     for (const TraceSignal& signal : expected.signals) names.push_back(signal.name);
     const std::string_view meant = closest(name, names);
-    failure = {fmt::format("--tolerance names '{}', which is no column of the expected trace", name), {}, meant.empty() ? "" : fmt::format("did you mean '{}'?", meant)};
+    failure = {fmt::format("--tolerance names '{}', which is no column of the expected trace", name),
+               {},
+               meant.empty() ? "" : fmt::format("did you mean '{}'?", meant)};
     return std::nullopt;
   }
   return Tolerance{name, value};

@@ -17,7 +17,8 @@ std::string trimmedCell(std::string text) {
 
 class CsvReader {
  public:
-  CsvReader(CsvTable& table, std::string_view text, std::vector<Failure>& failures) : table_(table), text_(text), failures_(failures) {
+  CsvReader(CsvTable& table, std::string_view text, std::vector<Failure>& failures)
+      : table_(table), text_(text), failures_(failures) {
     if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
     const std::string_view heading = text_.substr(0, text_.find('\n'));
     separator_ = heading.find(',') == std::string_view::npos && heading.find(';') != std::string_view::npos ? ';' : ',';
@@ -32,13 +33,16 @@ class CsvReader {
         continue;
       }
       if (row.size() != table_.heading.size()) {
-        failures_.push_back(table_.at(row.back(), fmt::format("this row has {} cells, the heading has {}", row.size(), table_.heading.size()),
-                                      "give every row one cell for each column; empty cells count"));
+        failures_.push_back(table_.at(
+            row.back(), fmt::format("this row has {} cells, the heading has {}", row.size(), table_.heading.size()),
+            "give every row one cell for each column; empty cells count"));
         continue;
       }
       table_.rows.push_back(std::move(row));
     }
-    if (table_.heading.empty()) failures_.push_back({"the file is empty", table_.name + ":1:1", "begin with a heading: 'scan' or 'time_ms' and the names of the signals"});
+    if (table_.heading.empty())
+      failures_.push_back({"the file is empty", table_.name + ":1:1",
+                           "begin with a heading: 'scan' or 'time_ms' and the names of the signals"});
   }
 
  private:
@@ -80,7 +84,8 @@ class CsvReader {
       cell.text += text_[at_];
       advance();
     }
-    failures_.push_back(table_.at(cell, "the quotes that begin here are not closed", "end the cell with the same quotes"));
+    failures_.push_back(
+        table_.at(cell, "the quotes that begin here are not closed", "end the cell with the same quotes"));
   }
   void advance() {
     const bool isContinuation = (static_cast<unsigned char>(text_[at_]) & 0xC0) == 0x80;

@@ -19,7 +19,8 @@ struct SourceLine {
 SourceLine lineOf(const Program& program, const Instruction& instruction) {
   const std::string_view name = program.sources->file(instruction.span.file).name();
   const std::size_t slash = name.find_last_of("/\\");
-  return {slash == std::string_view::npos ? name : name.substr(slash + 1), static_cast<std::uint32_t>(program.sources->position(instruction.span).line)};
+  return {slash == std::string_view::npos ? name : name.substr(slash + 1),
+          static_cast<std::uint32_t>(program.sources->position(instruction.span).line)};
 }
 
 template <class Visit>
@@ -47,7 +48,8 @@ std::string_view firstFile(const Program& program) {
   return file;
 }
 
-/// A number from 1 behind `mark`, taken off the end of the text; 1 if the mark is not there, nothing if what follows is no number.
+/// A number from 1 behind `mark`, taken off the end of the text; 1 if the mark is not there, nothing if what follows is
+/// no number.
 std::optional<std::uint32_t> countBehind(std::string_view& text, char mark) {
   const std::size_t at = text.rfind(mark);
   if (at == std::string_view::npos) return 1;
@@ -67,7 +69,8 @@ std::string eventText(const Program& program, const ScanScript::Event& event) {
   forEachInstruction(program, [&](const Instruction& instruction) {
     if (instruction.id != event.place.instruction) return;
     const SourceLine line = lineOf(program, instruction);
-    text = fmt::format("{}@{}{}{}", event.event, line.file == firstFile(program) ? "" : line.file, line.file == firstFile(program) ? "" : ":", line.line);
+    text = fmt::format("{}@{}{}{}", event.event, line.file == firstFile(program) ? "" : line.file,
+                       line.file == firstFile(program) ? "" : ":", line.line);
     const std::vector<const Instruction*> beside = instructionsIn(program, line);
     for (std::size_t i = 0; i < beside.size() && beside.size() > 1; ++i) {
       if (beside[i] == &instruction) text += fmt::format("/{}", i + 1);

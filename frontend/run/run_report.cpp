@@ -19,7 +19,8 @@ Finding findingOf(const RunTimeError& error, const Program& program) {
                            : isFatal || info.kind == HazardClass::NonFatal ? fmt::format("run-time error {}", info.code)
                                                                            : std::string("events lost");
   const std::string often = error.count > 1 ? fmt::format(", {} times in all", error.count) : "";
-  finding.message = fmt::format("{}: {} (scan {}, {:g} ms{})", code, info.text, error.scan, static_cast<double>(error.timeUs) / 1000, often);
+  finding.message = fmt::format("{}: {} (scan {}, {:g} ms{})", code, info.text, error.scan,
+                                static_cast<double>(error.timeUs) / 1000, often);
   finding.help = fmt::format("see {} of the manual", info.manual);
   finding.confirmation = Confirmation::Confirmed;
   if (error.place == nullptr) return finding;
@@ -47,10 +48,13 @@ void listHiddenBlocks(Report& report, const Program& program) {
   for (const Pou& pou : program.pous) {
     for (const Network& network : pou.networks) {
       for (const Instruction& instruction : network.instructions) {
-        const bool isHidden = instruction.desc->control == Control::Call && !instruction.operands.empty() && instruction.operands[0].kind == OperandKind::Symbol;
+        const bool isHidden = instruction.desc->control == Control::Call && !instruction.operands.empty() &&
+                              instruction.operands[0].kind == OperandKind::Symbol;
         if (!isHidden) continue;
         const std::string& name = instruction.operands[0].text;
-        const std::string_view effect = libraryBlockNamed(name) != nullptr ? "outputs come from the stimulus" : "its text is not there, the call does nothing";
+        const std::string_view effect = libraryBlockNamed(name) != nullptr
+                                            ? "outputs come from the stimulus"
+                                            : "its text is not there, the call does nothing";
         report.coverage.approximated.push_back(fmt::format("{}{}: {}", name, placeOf(&instruction, program), effect));
       }
     }
@@ -63,16 +67,21 @@ void describeRun(Report& report, const Simulator& simulator, const ScanTime& sca
   const Program& program = *simulator.plan().program;
   for (const RunTimeError& error : simulator.errors().list()) {
     const bool isLost = error.hazard == Hazard::QueueOverflow;
-    if (hazardInfo(error.hazard).kind != HazardClass::StatusOnly || isLost) report.findings.push_back(findingOf(error, program));
+    if (hazardInfo(error.hazard).kind != HazardClass::StatusOnly || isLost)
+      report.findings.push_back(findingOf(error, program));
   }
   listHiddenBlocks(report, program);
   const auto ms = [](Duration duration) { return static_cast<double>(duration.count()) / 1000; };
-  const std::string range = scanTime.low == scanTime.high ? fmt::format("{:g} ms", ms(scanTime.low)) : fmt::format("{:g} ms to {:g} ms", ms(scanTime.low), ms(scanTime.high));
+  const std::string range = scanTime.low == scanTime.high
+                                ? fmt::format("{:g} ms", ms(scanTime.low))
+                                : fmt::format("{:g} ms to {:g} ms", ms(scanTime.low), ms(scanTime.high));
   report.assumptions.push_back(fmt::format("CPU {}", cpuName(program.target.cpu)));
   report.assumptions.push_back(fmt::format("scan time {} where the stimulus says nothing", range));
-  report.assumptions.push_back(fmt::format("{} scans, {:g} ms", simulator.scanCount(), static_cast<double>(simulator.timeUs()) / 1000));
+  report.assumptions.push_back(
+      fmt::format("{} scans, {:g} ms", simulator.scanCount(), static_cast<double>(simulator.timeUs()) / 1000));
   const bool wasStopped = !simulator.isRunning() && simulator.errors().fatal() == nullptr;
-  if (wasStopped) report.assumptions.push_back(fmt::format("the CPU went to STOP{}", placeOf(simulator.stoppedBy(), program)));
+  if (wasStopped)
+    report.assumptions.push_back(fmt::format("the CPU went to STOP{}", placeOf(simulator.stoppedBy(), program)));
 }
 
 }  // namespace rungproof

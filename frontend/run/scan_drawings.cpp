@@ -22,9 +22,12 @@ std::string lookOf(const Network& network, const InstructionRecorder& recorder) 
       look += '-';
       continue;
     }
-    const bool joins = instruction.desc->execution == Execution::Compare && record.before[0];  // strings are judged by the stack
-    look += fmt::format("{}{}{}{}{}", joins ? 1 : 0, record.after[0] ? 1 : 0, record.scrActive ? 1 : 0, record.eno ? 1 : 0, record.elementBit ? 1 : 0);
-    for (std::size_t i = 0; i < record.read.size(); ++i) look += fmt::format(",{:x},{:x}", record.read[i].value_or(0), record.written[i].value_or(0));
+    const bool joins =
+        instruction.desc->execution == Execution::Compare && record.before[0];  // strings are judged by the stack
+    look += fmt::format("{}{}{}{}{}", joins ? 1 : 0, record.after[0] ? 1 : 0, record.scrActive ? 1 : 0,
+                        record.eno ? 1 : 0, record.elementBit ? 1 : 0);
+    for (std::size_t i = 0; i < record.read.size(); ++i)
+      look += fmt::format(",{:x},{:x}", record.read[i].value_or(0), record.written[i].value_or(0));
   }
   return look;
 }
@@ -51,8 +54,10 @@ std::size_t ScanDrawings::draw(const Pou& pou, const Network& network) {
   options.recorder = &recorder_;
   const NetworkView view = networkView(program_, pou, network, options);
   // Networks stay in program order, whatever look came first.
-  const auto order = static_cast<std::size_t>(&pou - program_.pous.data()) * 10000 + static_cast<std::size_t>(&network - pou.networks.data());
-  drawings_.pages.push_back(fmt::format("<div class=\"drawn\" hidden style=\"order:{}\"><h3>{}, {}</h3>{}</div>\n", order, xmlText(pou.name), xmlText(view.heading), pictureSvg(view)));
+  const auto order = static_cast<std::size_t>(&pou - program_.pous.data()) * 10000 +
+                     static_cast<std::size_t>(&network - pou.networks.data());
+  drawings_.pages.push_back(fmt::format("<div class=\"drawn\" hidden style=\"order:{}\"><h3>{}, {}</h3>{}</div>\n",
+                                        order, xmlText(pou.name), xmlText(view.heading), pictureSvg(view)));
   bytes_ += drawings_.pages.back().size();
   place->second = {std::move(look), drawings_.pages.size() - 1};
   return place->second.page;

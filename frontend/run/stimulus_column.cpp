@@ -22,7 +22,8 @@ bool isWritten(const Program& program, const Operand& operand) {
     for (const Network& network : pou.networks) {
       for (const Instruction& instruction : network.instructions) {
         for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
-          const bool writes = i >= instruction.desc->operandCount || instruction.desc->operands[i].direction != Direction::In;
+          const bool writes =
+              i >= instruction.desc->operandCount || instruction.desc->operands[i].direction != Direction::In;
           if (writes && overlaps(instruction.operands[i], operand)) return true;
         }
       }
@@ -63,14 +64,17 @@ std::optional<StimulusColumn> libraryColumn(const Program& program, const std::s
   if (block == nullptr) return std::nullopt;
   std::uint32_t position = libraryOutputNamed(*block, name.substr(dot + 1));
   const std::optional<double> number = numberIn(std::string_view(name).substr(dot + 1));
-  if (number && *number >= 1 && *number <= static_cast<double>(block->parameters.size())) position = static_cast<std::uint32_t>(*number);
+  if (number && *number >= 1 && *number <= static_cast<double>(block->parameters.size()))
+    position = static_cast<std::uint32_t>(*number);
   const LibraryParameter* output = libraryOutput(*block, position);
   if (output == nullptr) return std::nullopt;
   for (const Pou& pou : program.pous) {
     for (const Network& network : pou.networks) {
       for (const Instruction& instruction : network.instructions) {
         const bool isCall = instruction.desc->control == Control::Call && !instruction.operands.empty();
-        if (!isCall || instruction.operands[0].kind != OperandKind::Symbol || lowered(instruction.operands[0].text) != lowered(blockName)) continue;
+        if (!isCall || instruction.operands[0].kind != OperandKind::Symbol ||
+            lowered(instruction.operands[0].text) != lowered(blockName))
+          continue;
         StimulusColumn column;
         column.target = StimulusTarget::LibraryOutput;
         column.block = instruction.operands[0].text;
@@ -92,18 +96,21 @@ std::optional<StimulusColumn> deviceColumn(const std::string& name) {
     StimulusTarget target;
     std::uint32_t count;  ///< how many there are; 0: no number in the name
   };
-  static constexpr std::array<DeviceName, 5> names = {{{"hsc", ".pulses", StimulusTarget::Pulses, HighSpeedCounters::count},
-                                                       {"hsc", ".down", StimulusTarget::DownPulses, HighSpeedCounters::count},
-                                                       {"port", ".receive", StimulusTarget::Characters, 2},
-                                                       {"net.error", "", StimulusTarget::NetworkError, 0},
-                                                       {"net.hold", "", StimulusTarget::NetworkHold, 0}}};
+  static constexpr std::array<DeviceName, 5> names = {
+      {{"hsc", ".pulses", StimulusTarget::Pulses, HighSpeedCounters::count},
+       {"hsc", ".down", StimulusTarget::DownPulses, HighSpeedCounters::count},
+       {"port", ".receive", StimulusTarget::Characters, 2},
+       {"net.error", "", StimulusTarget::NetworkError, 0},
+       {"net.hold", "", StimulusTarget::NetworkHold, 0}}};
   const std::string lower = lowered(name);
   for (const DeviceName& device : names) {
     if (!lower.starts_with(device.before) || !lower.ends_with(device.after)) continue;
-    const std::string middle = lower.size() < device.before.size() + device.after.size()
-                                   ? "?"
-                                   : lower.substr(device.before.size(), lower.size() - device.before.size() - device.after.size());
-    const bool isNumber = middle.size() == 1 && middle[0] >= '0' && static_cast<std::uint32_t>(middle[0] - '0') < device.count;
+    const std::string middle =
+        lower.size() < device.before.size() + device.after.size()
+            ? "?"
+            : lower.substr(device.before.size(), lower.size() - device.before.size() - device.after.size());
+    const bool isNumber =
+        middle.size() == 1 && middle[0] >= '0' && static_cast<std::uint32_t>(middle[0] - '0') < device.count;
     if (device.count == 0 ? !middle.empty() : !isNumber) continue;
     StimulusColumn column;
     column.target = device.target;
@@ -138,7 +145,10 @@ std::optional<TraceSignal> signalNamed(const Program& program, std::string_view 
     std::vector<std::string> names;
     for (const Symbol& symbol : program.symbols) names.push_back(symbol.name);
     const std::string_view meant = closest(bare, names);
-    failure = {fmt::format("'{}' is no address and no symbol of the program", name), {}, meant.empty() ? "give the symbol table with --symbols, or write the address" : fmt::format("did you mean '{}'?", meant)};
+    failure = {fmt::format("'{}' is no address and no symbol of the program", name),
+               {},
+               meant.empty() ? "give the symbol table with --symbols, or write the address"
+                             : fmt::format("did you mean '{}'?", meant)};
     return std::nullopt;
   }
   const bool byNumber = operand.area == Area::T || operand.area == Area::C;
@@ -154,7 +164,8 @@ std::optional<TraceSignal> signalNamed(const Program& program, std::string_view 
     return std::nullopt;
   }
   if (!addressExists(program.target, operand.area, operand.width, operand.offset, operand.bit)) {
-    failure = {fmt::format("{} does not exist on CPU {}", name, cpuName(program.target.cpu)), {}, "choose the CPU with --cpu"};
+    failure = {
+        fmt::format("{} does not exist on CPU {}", name, cpuName(program.target.cpu)), {}, "choose the CPU with --cpu"};
     return std::nullopt;
   }
   TraceSignal signal = signalOf(program, operand);
@@ -163,7 +174,8 @@ std::optional<TraceSignal> signalNamed(const Program& program, std::string_view 
   return signal;
 }
 
-std::optional<StimulusColumn> stimulusColumn(const Program& program, const std::string& name, bool isRecorded, Failure& failure) {
+std::optional<StimulusColumn> stimulusColumn(const Program& program, const std::string& name, bool isRecorded,
+                                             Failure& failure) {
   if (auto library = libraryColumn(program, name)) return library;
   if (auto device = deviceColumn(name)) return device;
   const std::optional<TraceSignal> signal = signalNamed(program, name, failure);

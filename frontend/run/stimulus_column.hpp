@@ -15,6 +15,7 @@ namespace rungproof {
 std::optional<TraceSignal> signalNamed(const Program& program, std::string_view name, Failure& failure);
 
 /// The column of a stimulus with that heading. In a recorded trace, what the program computes is passed over.
-std::optional<StimulusColumn> stimulusColumn(const Program& program, const std::string& name, bool isRecorded, Failure& failure);
+std::optional<StimulusColumn> stimulusColumn(const Program& program, const std::string& name, bool isRecorded,
+                                             Failure& failure);
 
 }  // namespace rungproof

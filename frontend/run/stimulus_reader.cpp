@@ -32,19 +32,23 @@ struct Frame {
 
 class TableReader {
  public:
-  TableReader(const std::string& name, std::string_view text, std::vector<Failure>& failures) : failures_(failures), table_(readCsv(name, text, failures)) {}
+  TableReader(const std::string& name, std::string_view text, std::vector<Failure>& failures)
+      : failures_(failures), table_(readCsv(name, text, failures)) {}
 
   Frame frame() {
     Frame frame;
     if (table_.heading.empty()) return frame;
     const std::string key = lowered(table_.heading[0].text);
     frame.isByTime = key == "time_ms";
-    if (key != "scan" && key != "time_ms") fail(table_.heading[0], fmt::format("the first column is '{}'", table_.heading[0].text), "name it 'scan' or 'time_ms'");
+    if (key != "scan" && key != "time_ms")
+      fail(table_.heading[0], fmt::format("the first column is '{}'", table_.heading[0].text),
+           "name it 'scan' or 'time_ms'");
     std::set<std::string> seen;
     for (std::size_t i = 0; i < table_.heading.size(); ++i) {
       const CsvCell& cell = table_.heading[i];
       const std::string name = lowered(cell.text);
-      if (!seen.insert(name).second) fail(cell, fmt::format("column '{}' stands here twice", cell.text), "take one of the two out");
+      if (!seen.insert(name).second)
+        fail(cell, fmt::format("column '{}' stands here twice", cell.text), "take one of the two out");
       if (i == 0) continue;
       if (name.empty()) {
         fail(cell, "this column has no heading", "write the name of its signal in the first row");
@@ -55,7 +59,8 @@ class TableReader {
       } else if (name == "time_ms" && i == 1 && !frame.isByTime) {
         frame.isRecorded = true;
       } else if (name == "time_ms" || name == "scan") {
-        fail(cell, fmt::format("'{}' stands in the wrong place", cell.text), "it must be the first column, or time_ms the second behind scan");
+        fail(cell, fmt::format("'{}' stands in the wrong place", cell.text),
+             "it must be the first column, or time_ms the second behind scan");
       } else {
         frame.signals.push_back(i);
       }
@@ -64,16 +69,22 @@ class TableReader {
   }
 
   /// Key of a row; `last` is the key before. Scans count from 1, times in us.
-  std::optional<std::uint64_t> key(const Frame& frame, const std::vector<CsvCell>& row, std::optional<std::uint64_t>& last) {
+  std::optional<std::uint64_t> key(const Frame& frame, const std::vector<CsvCell>& row,
+                                   std::optional<std::uint64_t>& last) {
     const std::optional<double> number = numberIn(row[0].text);
     const bool isTime = frame.isByTime;
-    if (!number || *number < (isTime ? 0 : 1) || *number > largestTimeMs || (!isTime && *number != std::floor(*number))) {
-      fail(row[0], fmt::format("'{}' is no {}", row[0].text, isTime ? "time in ms" : "scan number"), isTime ? "write milliseconds from 0 on" : "scans are counted from 1");
+    if (!number || *number < (isTime ? 0 : 1) || *number > largestTimeMs ||
+        (!isTime && *number != std::floor(*number))) {
+      fail(row[0], fmt::format("'{}' is no {}", row[0].text, isTime ? "time in ms" : "scan number"),
+           isTime ? "write milliseconds from 0 on" : "scans are counted from 1");
       return std::nullopt;
     }
     const auto value = static_cast<std::uint64_t>(std::llround(isTime ? *number * 1000 : *number));
     if (last && value <= *last) {
-      fail(row[0], fmt::format("{} {} comes after {}", isTime ? "time" : "scan", row[0].text, isTime ? fmt::format("{:g} ms", static_cast<double>(*last) / 1000) : fmt::format("scan {}", *last)),
+      fail(row[0],
+           fmt::format(
+               "{} {} comes after {}", isTime ? "time" : "scan", row[0].text,
+               isTime ? fmt::format("{:g} ms", static_cast<double>(*last) / 1000) : fmt::format("scan {}", *last)),
            "rows must stand in ascending order");
       return std::nullopt;
     }
@@ -103,8 +114,10 @@ class TableReader {
       if (isOpen(word)) continue;
       const std::size_t mark = word.find('@');
       const std::optional<double> number = numberIn(std::string_view(word).substr(0, mark));
-      if (!number || *number != std::floor(*number) || *number < 0 || *number >= eventCount || !eventExists(program.target, static_cast<int>(*number))) {
-        fail(cell, fmt::format("'{}' is no interrupt event of CPU {}", word, cpuName(program.target.cpu)), "events are numbers from 0 to 33; several are separated by blanks");
+      if (!number || *number != std::floor(*number) || *number < 0 || *number >= eventCount ||
+          !eventExists(program.target, static_cast<int>(*number))) {
+        fail(cell, fmt::format("'{}' is no interrupt event of CPU {}", word, cpuName(program.target.cpu)),
+             "events are numbers from 0 to 33; several are separated by blanks");
         continue;
       }
       if (mark == std::string::npos) {
@@ -112,7 +125,8 @@ class TableReader {
       } else if (const auto place = scanPlaceNamed(program, std::string_view(word).substr(mark + 1))) {
         row.placed.push_back({*place, static_cast<int>(*number)});
       } else {
-        fail(cell, fmt::format("no instruction stands at '{}'", word.substr(mark + 1)), "write EVENT@LINE for an event in front of the instruction in that line of the program, or EVENT@end");
+        fail(cell, fmt::format("no instruction stands at '{}'", word.substr(mark + 1)),
+             "write EVENT@LINE for an event in front of the instruction in that line of the program, or EVENT@end");
       }
     }
   }
@@ -140,7 +154,8 @@ class TableReader {
       } else if (number && *number == std::floor(*number) && *number >= 0 && *number <= 255) {
         list.push_back(static_cast<int>(*number));
       } else {
-        fail(cell, fmt::format("'{}' is no character", word), "write codes from 0 to 255, texts in single quotes, or break, with blanks between them");
+        fail(cell, fmt::format("'{}' is no character", word),
+             "write codes from 0 to 255, texts in single quotes, or break, with blanks between them");
       }
     }
     return list;
@@ -150,12 +165,17 @@ class TableReader {
     if (isOpen(cell.text)) return std::nullopt;
     std::string reason;
     const std::optional<double> result = valueIn(cell.text, signal, reason);
-    if (!result) fail(cell, reason, signal.type == SignalType::Bool ? "write 0 or 1; leave the cell empty or write x where it does not matter"
-                                                                           : "write a number of its type; leave the cell empty or write x where it does not matter");
+    if (!result)
+      fail(cell, reason,
+           signal.type == SignalType::Bool
+               ? "write 0 or 1; leave the cell empty or write x where it does not matter"
+               : "write a number of its type; leave the cell empty or write x where it does not matter");
     return result;
   }
 
-  void fail(const CsvCell& cell, std::string message, std::string help = {}) { failures_.push_back(table_.at(cell, std::move(message), std::move(help))); }
+  void fail(const CsvCell& cell, std::string message, std::string help = {}) {
+    failures_.push_back(table_.at(cell, std::move(message), std::move(help)));
+  }
   const CsvTable& table() const { return table_; }
 
  private:
@@ -165,7 +185,8 @@ class TableReader {
 
 }  // namespace
 
-Stimulus readStimulus(const std::string& name, std::string_view text, const Program& program, std::vector<Failure>& failures) {
+Stimulus readStimulus(const std::string& name, std::string_view text, const Program& program,
+                      std::vector<Failure>& failures) {
   TableReader reader(name, text, failures);
   const Frame frame = reader.frame();
   Stimulus stimulus;
@@ -230,10 +251,12 @@ Trace readTraceWith(const std::string& name, std::string_view text, std::vector<
     (frame.isByTime ? row.timeUs : row.scan) = key;
     if (frame.isRecorded) {
       const std::optional<double> time = numberIn(cells[1].text);
-      if (time && *time >= 0 && *time < largestTimeMs) row.timeUs = static_cast<std::uint64_t>(std::llround(*time * 1000));
+      if (time && *time >= 0 && *time < largestTimeMs)
+        row.timeUs = static_cast<std::uint64_t>(std::llround(*time * 1000));
     }
     if (frame.scanMs >= 0) row.scanUs = reader.duration(cells[static_cast<std::size_t>(frame.scanMs)]);
-    for (std::size_t k = 0; k < frame.signals.size(); ++k) row.values.push_back(reader.value(cells[frame.signals[k]], trace.signals[k]));
+    for (std::size_t k = 0; k < frame.signals.size(); ++k)
+      row.values.push_back(reader.value(cells[frame.signals[k]], trace.signals[k]));
     trace.rows.push_back(std::move(row));
   }
   return trace;
@@ -241,8 +264,11 @@ Trace readTraceWith(const std::string& name, std::string_view text, std::vector<
 
 }  // namespace
 
-Trace readTrace(const std::string& name, std::string_view text, const Program& program, std::vector<Failure>& failures) {
-  return readTraceWith(name, text, failures, [&](const std::string& column, Failure& failure) { return signalNamed(program, column, failure); });
+Trace readTrace(const std::string& name, std::string_view text, const Program& program,
+                std::vector<Failure>& failures) {
+  return readTraceWith(name, text, failures, [&](const std::string& column, Failure& failure) {
+    return signalNamed(program, column, failure);
+  });
 }
 
 Trace readTrace(const std::string& name, std::string_view text, std::vector<Failure>& failures) {

@@ -1,8 +1,9 @@
 // Reads stimulus and trace files (product contract, section 4). The first column is `scan` or `time_ms`; `scan_ms` and
 // `event` have their own meaning; every other column is an address, a symbol, "T37.value", an output of a library block
-// ("USS_CTRL.Speed"), or a device: "HSC0.pulses", "HSC0.down", "PORT0.receive", "NET.error", "NET.hold". A file with time_ms behind scan is a recorded trace: as a stimulus it sets the inputs, and memory that
-// the program does not write; what the program computes is passed over. Mistakes become failures with file, line and
-// column. Tested by tests/trace/stimulus_test.cpp.
+// ("USS_CTRL.Speed"), or a device: "HSC0.pulses", "HSC0.down", "PORT0.receive", "NET.error", "NET.hold". A file with
+// time_ms behind scan is a recorded trace: as a stimulus it sets the inputs, and memory that the program does not
+// write; what the program computes is passed over. Mistakes become failures with file, line and column. Tested by
+// tests/trace/stimulus_test.cpp.
 #pragma once
 
 #include <string>
@@ -17,7 +18,8 @@
 namespace rungproof {
 
 /// Reads a stimulus for a program. With failures, the result is not to be used.
-Stimulus readStimulus(const std::string& name, std::string_view text, const Program& program, std::vector<Failure>& failures);
+Stimulus readStimulus(const std::string& name, std::string_view text, const Program& program,
+                      std::vector<Failure>& failures);
 
 /// Reads an expected or recorded trace; columns become signals of the program.
 Trace readTrace(const std::string& name, std::string_view text, const Program& program, std::vector<Failure>& failures);

@@ -46,7 +46,9 @@ std::vector<DrawnStretch> stretches(const Trace& trace, std::size_t maxScans, do
   return list;
 }
 
-std::string label(const TraceSignal& signal) { return signal.symbol.empty() ? signal.name : signal.name + " " + signal.symbol; }
+std::string label(const TraceSignal& signal) {
+  return signal.symbol.empty() ? signal.name : signal.name + " " + signal.symbol;
+}
 
 std::string bitLane(const Trace& trace, std::size_t column, const std::vector<DrawnStretch>& list, double y) {
   std::string path;
@@ -56,7 +58,8 @@ std::string bitLane(const Trace& trace, std::size_t column, const std::vector<Dr
   for (const DrawnStretch& s : list) {
     const std::optional<double> value = trace.rows[s.row].values[column];
     if (!value) {
-      unknown += fmt::format("<rect class=\"x\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{}\"/>", s.x, y, s.width, levelHeight);
+      unknown += fmt::format("<rect class=\"x\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{}\"/>", s.x, y,
+                             s.width, levelHeight);
       isDown = false;
       continue;
     }
@@ -78,8 +81,9 @@ std::string numberLane(const Trace& trace, std::size_t column, const std::vector
     while (j < list.size() && trace.rows[list[j].row].values[column] == value) ++j;
     const double x = list[i].x, end = list[j - 1].x + list[j - 1].width, slope = std::min(3.0, (end - x) / 3);
     const double middle = y + levelHeight / 2.0;
-    text += fmt::format("<path class=\"{}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}H{:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}H{:.1f}Z\"/>", value ? "b" : "x", x, middle,
-                        x + slope, y, end - slope, end, middle, end - slope, y + levelHeight, x + slope);
+    text += fmt::format(
+        "<path class=\"{}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}H{:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}H{:.1f}Z\"/>",
+        value ? "b" : "x", x, middle, x + slope, y, end - slope, end, middle, end - slope, y + levelHeight, x + slope);
     const std::string number = value ? numberText(*value, trace.signals[column].type) : "";
     if (static_cast<double>(number.size()) * charWidth < end - x + 2) {
       text += fmt::format("<text class=\"n\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", (x + end) / 2, middle + 4, number);
@@ -97,7 +101,8 @@ std::string axis(const Trace& trace, const std::vector<DrawnStretch>& list, doub
     const TraceRow& row = trace.rows[s.row];
     const std::string number = trace.isByTime ? millisecondsText(row.timeUs) : fmt::format("{}", row.scan);
     text += fmt::format("<path class=\"t\" d=\"M{:.1f} {:.1f}v4\"/>", s.x, y);
-    if (s.isCut) text += fmt::format("<path class=\"t\" d=\"M{0:.1f} {1:.1f}l4 -8m3 0l-4 8\"/>", s.x + s.width - 9, y + 4);
+    if (s.isCut)
+      text += fmt::format("<path class=\"t\" d=\"M{0:.1f} {1:.1f}l4 -8m3 0l-4 8\"/>", s.x + s.width - 9, y + 4);
     if (s.x < free) continue;
     text += fmt::format("<text class=\"a\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", s.x, y + 16, number);
     free = s.x + static_cast<double>(number.size() * charWidth) + 6;
@@ -133,22 +138,28 @@ std::string timingDiagram(const Trace& trace, std::string_view title, std::size_
   const std::size_t drawn = list.empty() ? 0 : list.back().row + list.back().count;
 
   std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\" font-size=\"12\">\n"
-      "<style>.w{{fill:none;stroke:#000;stroke-width:1.5}}.b{{fill:#fff;stroke:#000}}.x{{fill:#ddd;stroke:#999}}.t{{fill:none;stroke:#000}}.g{{stroke:#ccc;stroke-dasharray:2 3}}"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
+      "font-family=\"sans-serif\" font-size=\"12\">\n"
+      "<style>.w{{fill:none;stroke:#000;stroke-width:1.5}}.b{{fill:#fff;stroke:#000}}.x{{fill:#ddd;stroke:#999}}.t{{"
+      "fill:none;stroke:#000}}.g{{stroke:#ccc;stroke-dasharray:2 3}}"
       ".n{{text-anchor:middle;font-size:11px}}.a{{text-anchor:middle;font-size:10px;fill:#444}}</style>\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
       right + 30, bottom + 40);
-  if (!title.empty()) svg += fmt::format("<text x=\"{}\" y=\"22\" font-weight=\"bold\">{}</text>\n", labelGap, xmlText(title));
-  for (const DrawnStretch& s : list) svg += fmt::format("<path class=\"g\" d=\"M{:.1f} {}V{:.1f}\"/>", s.x, topMargin - 8, bottom);
+  if (!title.empty())
+    svg += fmt::format("<text x=\"{}\" y=\"22\" font-weight=\"bold\">{}</text>\n", labelGap, xmlText(title));
+  for (const DrawnStretch& s : list)
+    svg += fmt::format("<path class=\"g\" d=\"M{:.1f} {}V{:.1f}\"/>", s.x, topMargin - 8, bottom);
   svg += "\n";
   for (std::size_t i = 0; i < trace.signals.size(); ++i) {
     const double y = topMargin + laneHeight * static_cast<double>(i);
-    svg += fmt::format("<text x=\"{}\" y=\"{:.1f}\">{}</text>", labelGap, y + levelHeight - 4, xmlText(label(trace.signals[i])));
+    svg += fmt::format("<text x=\"{}\" y=\"{:.1f}\">{}</text>", labelGap, y + levelHeight - 4,
+                       xmlText(label(trace.signals[i])));
     svg += trace.signals[i].width() == 1 ? bitLane(trace, i, list, y) : numberLane(trace, i, list, y);
   }
   svg += axis(trace, list, bottom);
   const std::string rest = drawn < trace.rows.size() ? fmt::format(" (first {} of {})", drawn, trace.rows.size()) : "";
-  svg += fmt::format("<text x=\"{}\" y=\"{:.1f}\">{}{}</text>\n</svg>\n", labelGap, bottom + 16, trace.isByTime ? "ms" : "scan", rest);
+  svg += fmt::format("<text x=\"{}\" y=\"{:.1f}\">{}{}</text>\n</svg>\n", labelGap, bottom + 16,
+                     trace.isByTime ? "ms" : "scan", rest);
   return svg;
 }
 

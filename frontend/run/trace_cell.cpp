@@ -54,8 +54,9 @@ std::optional<double> valueIn(std::string_view text, const TraceSignal& signal, 
   const double range = std::exp2(signal.width());
   const double low = signal.type == SignalType::Signed ? -range / 2 : 0;
   if (*number < low || *number >= range) {
-    reason = signal.type == SignalType::Bool ? fmt::format("{} is a bit: 0 or 1, not {}", signal.name, text)
-                                             : fmt::format("{} does not hold {}: the range is {:.0f} to {:.0f}", signal.name, text, low, range - 1);
+    reason = signal.type == SignalType::Bool
+                 ? fmt::format("{} is a bit: 0 or 1, not {}", signal.name, text)
+                 : fmt::format("{} does not hold {}: the range is {:.0f} to {:.0f}", signal.name, text, low, range - 1);
     return std::nullopt;
   }
   return numberOf(valueOf(*number, signal.type, signal.width()), signal.type, signal.width());

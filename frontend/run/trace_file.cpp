@@ -38,7 +38,8 @@ std::optional<std::string> readFile(const Context& context, const std::string& n
 std::optional<Failure> checkTraceName(const std::string& name) {
   if (name == "-" || traceFormatOf(name) != nullptr) return std::nullopt;
   std::string endings;
-  for (const TraceFormat* format : allTraceFormats()) endings += fmt::format("{}{} ({})", endings.empty() ? "" : ", ", format->ending, format->summary);
+  for (const TraceFormat* format : allTraceFormats())
+    endings += fmt::format("{}{} ({})", endings.empty() ? "" : ", ", format->ending, format->summary);
   return Failure{fmt::format("'{}' has no ending that names a trace form", name), {}, "endings: " + endings};
 }
 
@@ -49,7 +50,8 @@ bool writeTrace(const Context& context, const std::string& name, const Trace& tr
   return context.write({std::string(format->ending), name}, text.view());
 }
 
-bool writePage(const Context& context, const std::string& name, const Trace& trace, std::string_view title, const TraceDrawings& drawings) {
+bool writePage(const Context& context, const std::string& name, const Trace& trace, std::string_view title,
+               const TraceDrawings& drawings) {
   std::ostringstream text;
   writeTracePage(trace, title, drawings, text);
   return context.write({"html", name}, text.view());

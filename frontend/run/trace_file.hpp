@@ -20,7 +20,8 @@ std::optional<Failure> checkTraceName(const std::string& name);
 bool writeTrace(const Context& context, const std::string& name, const Trace& trace, std::string_view title);
 
 /// Writes the HTML page, with the networks of the program lit where there are drawings.
-bool writePage(const Context& context, const std::string& name, const Trace& trace, std::string_view title, const TraceDrawings& drawings);
+bool writePage(const Context& context, const std::string& name, const Trace& trace, std::string_view title,
+               const TraceDrawings& drawings);
 
 /// Prints failures, the first ten of them, and gives the exit code for it.
 Exit failAll(const Context& context, const std::vector<Failure>& failures);

@@ -22,7 +22,9 @@ struct Cells {
   std::uint32_t first = 0;
   std::uint32_t count = 1;
 
-  bool overlaps(const Cells& other) const { return area == other.area && first < other.first + other.count && other.first < first + count; }
+  bool overlaps(const Cells& other) const {
+    return area == other.area && first < other.first + other.count && other.first < first + count;
+  }
 };
 
 std::optional<Cells> touchedCells(const Instruction& instruction, std::size_t index) {
@@ -32,8 +34,10 @@ std::optional<Cells> touchedCells(const Instruction& instruction, std::size_t in
   const Width width = operandWidth(instruction, index);
   Cells cells{o.area, o.offset * 8 + (width == Width::Bit ? o.bit : 0U), static_cast<std::uint32_t>(bits(width))};
   // S and R: N bits.
-  const bool hasCount = width == Width::Bit && index == 0 && instruction.operands.size() == 2 && instruction.operands[1].kind == OperandKind::Constant;
-  if (hasCount) cells.count = static_cast<std::uint32_t>(std::clamp<std::int64_t>(instruction.operands[1].value, 1, 255));
+  const bool hasCount = width == Width::Bit && index == 0 && instruction.operands.size() == 2 &&
+                        instruction.operands[1].kind == OperandKind::Constant;
+  if (hasCount)
+    cells.count = static_cast<std::uint32_t>(std::clamp<std::int64_t>(instruction.operands[1].value, 1, 255));
   return cells;
 }
 
@@ -67,8 +71,11 @@ std::vector<Cells> cellsOfProperty(const ProofResult& result) {
       const Operand& o = node.operand;
       if (node.op != ExprOp::Address || o.area == Area::AC || o.area == Area::L) continue;
       const bool byNumber = o.area == Area::T || o.area == Area::C || o.area == Area::HC;
-      if (byNumber) cells.push_back({o.area, o.offset, 1});
-      else cells.push_back({o.area, o.offset * 8 + (o.width == Width::Bit ? o.bit : 0U), static_cast<std::uint32_t>(bits(o.width))});
+      if (byNumber)
+        cells.push_back({o.area, o.offset, 1});
+      else
+        cells.push_back(
+            {o.area, o.offset * 8 + (o.width == Width::Bit ? o.bit : 0U), static_cast<std::uint32_t>(bits(o.width))});
     }
   }
   return cells;
@@ -76,7 +83,8 @@ std::vector<Cells> cellsOfProperty(const ProofResult& result) {
 
 }  // namespace
 
-std::vector<std::pair<const Pou*, const Network*>> networksThatMatter(const Program& program, const ProofResult& result) {
+std::vector<std::pair<const Pou*, const Network*>> networksThatMatter(const Program& program,
+                                                                      const ProofResult& result) {
   using Place = std::pair<const Pou*, const Network*>;
   std::vector<Place> all, chosen;
   std::vector<Cells> wanted = cellsOfProperty(result);
@@ -85,7 +93,8 @@ std::vector<std::pair<const Pou*, const Network*>> networksThatMatter(const Prog
       if (network.instructions.empty()) continue;
       all.emplace_back(&pou, &network);
       const Instruction* place = result.builtin ? result.builtin->place : nullptr;
-      const bool holdsPlace = place != nullptr && place >= network.instructions.data() && place < network.instructions.data() + network.instructions.size();
+      const bool holdsPlace = place != nullptr && place >= network.instructions.data() &&
+                              place < network.instructions.data() + network.instructions.size();
       if (holdsPlace) chosen.push_back(all.back());
     }
   }
@@ -94,7 +103,8 @@ std::vector<std::pair<const Pou*, const Network*>> networksThatMatter(const Prog
   for (bool grows = true; grows && chosen.size() < networksOnPage;) {
     const std::size_t before = chosen.size();
     for (const Place& place : all) {
-      if (chosen.size() < networksOnPage && !isChosen(place) && writesOneOf(*place.second, wanted)) chosen.push_back(place);
+      if (chosen.size() < networksOnPage && !isChosen(place) && writesOneOf(*place.second, wanted))
+        chosen.push_back(place);
     }
     for (std::size_t i = 0; i < chosen.size(); ++i) addRead(*chosen[i].second, wanted);
     grows = chosen.size() > before;
@@ -103,7 +113,8 @@ std::vector<std::pair<const Pou*, const Network*>> networksThatMatter(const Prog
   return chosen;
 }
 
-std::vector<ShownScan> shownScans(const Program& program, const Choices& choices, const ProofResult& result, const WitnessDrawingOptions& options) {
+std::vector<ShownScan> shownScans(const Program& program, const Choices& choices, const ProofResult& result,
+                                  const WitnessDrawingOptions& options) {
   std::vector<ShownScan> shown;
   if (!result.witness) return shown;
   const Witness& witness = *result.witness;
@@ -115,20 +126,24 @@ std::vector<ShownScan> shownScans(const Program& program, const Choices& choices
   ViewOptions view;
   view.form = options.form;
   view.recorder = &recorder;
-  replay(program, choices, witness.scans, witness.initial ? &*witness.initial : nullptr, [&](const Concrete::Store&, std::size_t at) {
-    timeMs += witness.scans[at].lengthMs;
-    if (++scan > skipped) {
-      ShownScan& now = shown.emplace_back(ShownScan{scan, static_cast<double>(timeMs), {}});
-      for (const auto& [pou, network] : networks) {
-        const NetworkView picture = networkView(program, *pou, *network, view);
-        ShownNetwork& drawn = now.networks.emplace_back(ShownNetwork{fmt::format("{}, {}", pou->name, picture.heading), {}, {}});
-        if (options.svg) drawn.svg = pictureSvg(picture);
-        if (options.text) drawn.text = contentLines(picture, {});
-      }
-    }
-    recorder.beginScan(scan >= skipped);
-    return true;
-  }, &recorder);
+  replay(
+      program, choices, witness.scans, witness.initial ? &*witness.initial : nullptr,
+      [&](const Concrete::Store&, std::size_t at) {
+        timeMs += witness.scans[at].lengthMs;
+        if (++scan > skipped) {
+          ShownScan& now = shown.emplace_back(ShownScan{scan, static_cast<double>(timeMs), {}});
+          for (const auto& [pou, network] : networks) {
+            const NetworkView picture = networkView(program, *pou, *network, view);
+            ShownNetwork& drawn =
+                now.networks.emplace_back(ShownNetwork{fmt::format("{}, {}", pou->name, picture.heading), {}, {}});
+            if (options.svg) drawn.svg = pictureSvg(picture);
+            if (options.text) drawn.text = contentLines(picture, {});
+          }
+        }
+        recorder.beginScan(scan >= skipped);
+        return true;
+      },
+      &recorder);
   return shown;
 }
 

@@ -19,9 +19,11 @@ struct WitnessDrawingOptions {
 
 /// The networks that drive the addresses of the property, then those that drive what these read, until there are enough
 /// for a page; in program order.
-std::vector<std::pair<const Pou*, const Network*>> networksThatMatter(const Program& program, const ProofResult& result);
+std::vector<std::pair<const Pou*, const Network*>> networksThatMatter(const Program& program,
+                                                                      const ProofResult& result);
 
 /// The last scans of the witness, replayed by the reference engine. Empty without a witness.
-std::vector<ShownScan> shownScans(const Program& program, const Choices& choices, const ProofResult& result, const WitnessDrawingOptions& options);
+std::vector<ShownScan> shownScans(const Program& program, const Choices& choices, const ProofResult& result,
+                                  const WitnessDrawingOptions& options);
 
 }  // namespace rungproof

@@ -27,24 +27,27 @@ bool isIdle(const Witness& witness, std::size_t scan, const Operand& signal) {
 
 }  // namespace
 
-Trace traceOf(const Program& program, const Choices& choices, const Witness& witness, const std::vector<TraceSignal>& signals, std::size_t limit, bool hidesIdle) {
+Trace traceOf(const Program& program, const Choices& choices, const Witness& witness,
+              const std::vector<TraceSignal>& signals, std::size_t limit, bool hidesIdle) {
   Trace trace;
   trace.signals = signals;
   std::uint64_t scan = 0, timeUs = 0;
   const std::uint64_t skipped = witness.scanCount > limit ? witness.scanCount - limit : 0;
-  replay(program, choices, witness.scans, witness.initial ? &*witness.initial : nullptr, [&](const Concrete::Store& state, std::size_t at) {
-    const std::uint32_t scanUs = witness.scans[at].lengthMs * 1000;
-    timeUs += scanUs;
-    if (++scan <= skipped) return true;
-    TraceRow row{scan, timeUs, scanUs, {}, {}};
-    for (const ScanScript::Event& event : witness.scans[at].script.events) row.events += (row.events.empty() ? "" : " ") + eventText(program, event);
-    for (const TraceSignal& signal : signals) {
-      row.values.push_back(numberOf(valueIn(state, signal.operand), signal.type, signal.width()));
-      if (hidesIdle && isIdle(witness, at, signal.operand)) row.values.back().reset();
-    }
-    trace.rows.push_back(std::move(row));
-    return true;
-  });
+  replay(program, choices, witness.scans, witness.initial ? &*witness.initial : nullptr,
+         [&](const Concrete::Store& state, std::size_t at) {
+           const std::uint32_t scanUs = witness.scans[at].lengthMs * 1000;
+           timeUs += scanUs;
+           if (++scan <= skipped) return true;
+           TraceRow row{scan, timeUs, scanUs, {}, {}};
+           for (const ScanScript::Event& event : witness.scans[at].script.events)
+             row.events += (row.events.empty() ? "" : " ") + eventText(program, event);
+           for (const TraceSignal& signal : signals) {
+             row.values.push_back(numberOf(valueIn(state, signal.operand), signal.type, signal.width()));
+             if (hidesIdle && isIdle(witness, at, signal.operand)) row.values.back().reset();
+           }
+           trace.rows.push_back(std::move(row));
+           return true;
+         });
   return trace;
 }
 
@@ -54,7 +57,8 @@ std::vector<TraceSignal> signalsThatMatter(const Program& program, const ProofRe
     if (operand.area == Area::L) return;
     if (operand.area == Area::AC) operand.width = Width::DWord;
     TraceSignal signal = signalOf(program, operand);
-    if (std::none_of(signals.begin(), signals.end(), [&](const TraceSignal& s) { return s.name == signal.name; })) signals.push_back(std::move(signal));
+    if (std::none_of(signals.begin(), signals.end(), [&](const TraceSignal& s) { return s.name == signal.name; }))
+      signals.push_back(std::move(signal));
   };
   if (result.witness) {
     for (std::size_t s = 0; s < result.witness->scans.size(); ++s) {
@@ -68,7 +72,8 @@ std::vector<TraceSignal> signalsThatMatter(const Program& program, const ProofRe
     for (const ExprNode& node : expr->nodes) {
       if (node.op != ExprOp::Address) continue;
       Operand operand = node.operand;
-      if ((operand.area == Area::T || operand.area == Area::C) && node.type == ExprType::Number) operand.width = Width::Word;
+      if ((operand.area == Area::T || operand.area == Area::C) && node.type == ExprType::Number)
+        operand.width = Width::Word;
       add(operand);
     }
   }
@@ -87,11 +92,16 @@ std::string startText(const Program& program, const Choices& choices, const Witn
   for (const TraceSignal& signal : touchedSignals(program)) {
     const bool isCounted = signal.operand.area == Area::T || signal.operand.area == Area::C;
     if (isCounted && signal.operand.width == Width::Bit) continue;
-    const std::uint32_t last = signal.operand.offset + (isCounted ? 0 : static_cast<std::uint32_t>(bytes(signal.operand.width)) - 1);
+    const std::uint32_t last =
+        signal.operand.offset + (isCounted ? 0 : static_cast<std::uint32_t>(bytes(signal.operand.width)) - 1);
     const std::uint64_t value = valueIn(*witness.initial, signal.operand);
     const bool isSet = signal.width() > 1 || value != 0;
-    const bool isTouched = std::ranges::any_of(cells, [&](const StartCell& cell) { return cell.area == signal.operand.area && cell.index >= signal.operand.offset && cell.index <= last; });
-    if (isSet && isTouched) text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", signal.name, numberText(numberOf(value, signal.type, signal.width()), signal.type));
+    const bool isTouched = std::ranges::any_of(cells, [&](const StartCell& cell) {
+      return cell.area == signal.operand.area && cell.index >= signal.operand.offset && cell.index <= last;
+    });
+    if (isSet && isTouched)
+      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", signal.name,
+                          numberText(numberOf(value, signal.type, signal.width()), signal.type));
   }
   return text;
 }
@@ -104,18 +114,22 @@ std::vector<std::string> tableOf(const Trace& trace, std::size_t rows) {
   std::vector<Row> table{{"scan", "ms", {}}};
   const bool hasEvents = trace.hasEvents();
   if (hasEvents) table[0].values.push_back("events");
-  for (const TraceSignal& signal : trace.signals) table[0].values.push_back(signal.symbol.empty() ? signal.name : signal.symbol);
+  for (const TraceSignal& signal : trace.signals)
+    table[0].values.push_back(signal.symbol.empty() ? signal.name : signal.symbol);
   std::uint64_t first = 0;
   for (std::size_t i = 0; i < trace.rows.size(); ++i) {
     const TraceRow& row = trace.rows[i];
     Row next{"", fmt::format("{}", row.timeUs / 1000), {}};
     if (hasEvents) next.values.push_back(row.events);
-    for (std::size_t s = 0; s < trace.signals.size(); ++s) next.values.push_back(row.values[s] ? numberText(*row.values[s], trace.signals[s].type) : "-");
+    for (std::size_t s = 0; s < trace.signals.size(); ++s)
+      next.values.push_back(row.values[s] ? numberText(*row.values[s], trace.signals[s].type) : "-");
     const bool isSame = table.size() > 1 && i + 1 < trace.rows.size() && table.back().values == next.values;
     if (!isSame) first = row.scan;
     next.scan = first == row.scan ? fmt::format("{}", row.scan) : fmt::format("{}-{}", first, row.scan);
-    if (isSame) table.back() = std::move(next);
-    else table.push_back(std::move(next));
+    if (isSame)
+      table.back() = std::move(next);
+    else
+      table.push_back(std::move(next));
   }
   if (table.size() > rows + 1) {
     const std::size_t cut = table.size() - rows;

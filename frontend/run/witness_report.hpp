@@ -12,14 +12,15 @@ namespace rungproof {
 
 /// Every scan of the run with the given signals; at most `limit` rows, the last ones. `hidesIdle`: inputs that do not
 /// matter have no value, for the table; a stimulus has to have them.
-Trace traceOf(const Program& program, const Choices& choices, const Witness& witness, const std::vector<TraceSignal>& signals, std::size_t limit = 100000, bool hidesIdle = false);
+Trace traceOf(const Program& program, const Choices& choices, const Witness& witness,
+              const std::vector<TraceSignal>& signals, std::size_t limit = 100000, bool hidesIdle = false);
 
-/// The inputs that matter to the witness first (those it sets, if that is not known), then the addresses of the property,
-/// each once.
+/// The inputs that matter to the witness first (those it sets, if that is not known), then the addresses of the
+/// property, each once.
 std::vector<TraceSignal> signalsThatMatter(const Program& program, const ProofResult& result);
 
-/// "V0.0 = 1, VW20 = 1001": what the program touches and has another value at the start than after a loss of memory; empty
-/// if there is nothing.
+/// "V0.0 = 1, VW20 = 1001": what the program touches and has another value at the start than after a loss of memory;
+/// empty if there is nothing.
 std::string startText(const Program& program, const Choices& choices, const Witness& witness);
 
 /// Lines of a table: scan, time at its end, interrupts at their places if there are any, values. Runs of equal rows are

@@ -50,11 +50,13 @@ Failure usageFailure(const CLI::ParseError& error, const CLI::App& app, const Co
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     const std::vector<std::string> rest = app.remaining();
     const std::string first = rest.empty() ? std::string() : rest.front();
-    if (!first.starts_with("-")) return {fmt::format("unexpected argument '{}' for 'rungproof {}'", first, command.name), {}, seeHelp};
+    if (!first.starts_with("-"))
+      return {fmt::format("unexpected argument '{}' for 'rungproof {}'", first, command.name), {}, seeHelp};
     const std::string name = first.substr(0, first.find('='));
     const std::vector<std::string> names = optionNames(app);
     const std::string_view meant = closest(name, names);
-    return {fmt::format("unknown option '{}' for 'rungproof {}'", name, command.name), {},
+    return {fmt::format("unknown option '{}' for 'rungproof {}'", name, command.name),
+            {},
             meant.empty() ? seeHelp : fmt::format("did you mean '{}'? {}", meant, seeHelp)};
   }
   if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
@@ -103,7 +105,8 @@ ParsedLine parseArguments(const Command& command, const ArgumentTable& table, st
   }
   for (std::size_t i = 0; i < common.size(); ++i) {
     const OptionInfo& info = optionTable()[i];
-    if (common[i]->count() > 0) line.options.push_back({&info, info.arity == Arity::Flag ? std::vector<std::string>() : common[i]->results()});
+    if (common[i]->count() > 0)
+      line.options.push_back({&info, info.arity == Arity::Flag ? std::vector<std::string>() : common[i]->results()});
   }
   return line;
 }

@@ -1,5 +1,5 @@
-// Words of a command line -> values of a command's own arguments and of the common options. The splitting into options and
-// arguments is CLI11's; what wrong arguments are told is ours (tests/golden/errors).
+// Words of a command line -> values of a command's own arguments and of the common options. The splitting into options
+// and arguments is CLI11's; what wrong arguments are told is ours (tests/golden/errors).
 #pragma once
 
 #include <optional>

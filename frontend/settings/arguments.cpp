@@ -1,9 +1,9 @@
 // The kinds of rows that a command can declare: what each makes of the texts on the command line.
+#include "frontend/command/arguments.hpp"
+
 #include <fmt/ranges.h>
 
 #include <charconv>
-
-#include "frontend/command/arguments.hpp"
 
 namespace rungproof {
 
@@ -54,12 +54,13 @@ void ArgumentTable::list(std::string_view names, Texts& target, std::string_view
   rows_.push_back({names, value, help, false, true, true, allInto(target)});
 }
 
-void ArgumentTable::word(std::string_view names, std::string& target, std::vector<std::string_view> words, std::string_view value,
-                         std::string_view help) {
+void ArgumentTable::word(std::string_view names, std::string& target, std::vector<std::string_view> words,
+                         std::string_view value, std::string_view help) {
   const auto take = [names, &target, words = std::move(words)](const Texts& texts) -> std::optional<Failure> {
     const std::string& text = texts.back();
     if (std::find(words.begin(), words.end(), text) == words.end()) {
-      return Failure{fmt::format("'{}' is no value for {}", text, names), {}, fmt::format("it can be {}", fmt::join(words, ", "))};
+      return Failure{
+          fmt::format("'{}' is no value for {}", text, names), {}, fmt::format("it can be {}", fmt::join(words, ", "))};
     }
     target = text;
     return std::nullopt;
@@ -67,15 +68,17 @@ void ArgumentTable::word(std::string_view names, std::string& target, std::vecto
   rows_.push_back({names, value, help, false, false, false, take});
 }
 
-void ArgumentTable::numberInto(std::string_view names, std::function<void(std::int64_t)> keep, std::string_view value, std::string_view help,
-                               std::int64_t low, std::int64_t high) {
+void ArgumentTable::numberInto(std::string_view names, std::function<void(std::int64_t)> keep, std::string_view value,
+                               std::string_view help, std::int64_t low, std::int64_t high) {
   const auto take = [names, keep = std::move(keep), low, high](const Texts& texts) -> std::optional<Failure> {
     const std::string& text = texts.back();
     const char* const end = text.data() + text.size();
     std::int64_t number = 0;
     const auto [stop, error] = std::from_chars(text.data(), end, number);
     if (error != std::errc() || stop != end || number < low || number > high) {
-      return Failure{fmt::format("'{}' is no value for {}", text, names), {}, fmt::format("it takes a whole number from {} to {}", low, high)};
+      return Failure{fmt::format("'{}' is no value for {}", text, names),
+                     {},
+                     fmt::format("it takes a whole number from {} to {}", low, high)};
     }
     keep(number);
     return std::nullopt;

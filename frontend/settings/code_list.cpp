@@ -11,10 +11,13 @@ namespace rungproof {
 
 std::vector<Code> allCodes() {
   std::vector<Code> codes;
-  for (const Rule* rule : allRules()) codes.push_back({rule->id, rule->title, rule->severity, {}, true, rule->enabledByDefault});
+  for (const Rule* rule : allRules())
+    codes.push_back({rule->id, rule->title, rule->severity, {}, true, rule->enabledByDefault});
   const auto firstMessage = static_cast<std::ptrdiff_t>(codes.size());
-  for (const PropertyMessage& message : propertyMessages) codes.push_back({message.id, message.title, Severity::Error, message.help});
-  for (const SyntaxMessage& message : syntaxMessages) codes.push_back({message.id, message.title, message.severity, message.help});
+  for (const PropertyMessage& message : propertyMessages)
+    codes.push_back({message.id, message.title, Severity::Error, message.help});
+  for (const SyntaxMessage& message : syntaxMessages)
+    codes.push_back({message.id, message.title, message.severity, message.help});
   std::sort(codes.begin() + firstMessage, codes.end(), [](const Code& a, const Code& b) { return a.id < b.id; });
   return codes;
 }

@@ -1,9 +1,10 @@
 // Reading of rungproof.toml with toml++. Every unknown key, wrong type and bad value is an error with its place: a
 // setting that is silently ignored is worse than none. Tested by tests/golden/config and tests/cli/exit_test.cpp.
-#include "frontend/closest_word.hpp"
 #include "frontend/settings/config.hpp"
 
 #include <fmt/core.h>
+
+#include "frontend/closest_word.hpp"
 
 #define TOML_EXCEPTIONS 0
 #include <toml++/toml.h>
@@ -66,7 +67,8 @@ class Reader {
     } else if (const auto text = textOf(node)) {
       texts.push_back(*text);
     } else {
-      return at(node.source(), {fmt::format("'{}' must be a text{}", key, info->arity == Arity::List ? " or a list of texts" : "")});
+      return at(node.source(),
+                {fmt::format("'{}' must be a text{}", key, info->arity == Arity::List ? " or a list of texts" : "")});
     }
     for (const std::string& text : texts) {
       if (auto failure = checkValue(*info, text)) return at(node.source(), *failure);
@@ -88,7 +90,8 @@ class Reader {
 
   std::optional<Failure> readRules(const toml::node& node) {
     const toml::table* rules = node.as_table();
-    if (rules == nullptr) return at(node.source(), {"'rules' must hold one table for each rule, such as [rules.STY002]"});
+    if (rules == nullptr)
+      return at(node.source(), {"'rules' must hold one table for each rule, such as [rules.STY002]"});
     for (const auto& [id, value] : *rules) {
       const toml::table* table = value.as_table();
       if (table == nullptr) return at(value.source(), {fmt::format("'rules.{}' must be a table", id.str())});
@@ -115,7 +118,8 @@ class Reader {
       if (info.inConfig) keys.push_back(info.name);
     }
     const std::string_view meant = closest(key, keys);
-    return {fmt::format("unknown key '{}'", key), {},
+    return {fmt::format("unknown key '{}'", key),
+            {},
             meant.empty() ? "'rungproof config' lists the keys" : fmt::format("did you mean '{}'?", meant)};
   }
 

@@ -1,5 +1,5 @@
-// The configuration file rungproof.toml: keys of the option table, [choices] for the points that the manual leaves open,
-// [rules.ID] for options of rules. Found beside the first file or in a folder above it.
+// The configuration file rungproof.toml: keys of the option table, [choices] for the points that the manual leaves
+// open, [rules.ID] for options of rules. Found beside the first file or in a folder above it.
 #pragma once
 
 #include <filesystem>

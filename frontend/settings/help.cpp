@@ -42,9 +42,10 @@ struct GroupTitle {
   OptionGroups group;
   std::string_view title;
 };
-constexpr std::array groupTitles = {GroupTitle{option_group::Reading, "Reading"}, GroupTitle{option_group::Running, "Running and proving"},
-                                    GroupTitle{option_group::Rules, "Rules"}, GroupTitle{option_group::Output, "Output"},
-                                    GroupTitle{option_group::Configuration, "Configuration"}};
+constexpr std::array groupTitles = {
+    GroupTitle{option_group::Reading, "Reading"}, GroupTitle{option_group::Running, "Running and proving"},
+    GroupTitle{option_group::Rules, "Rules"}, GroupTitle{option_group::Output, "Output"},
+    GroupTitle{option_group::Configuration, "Configuration"}};
 
 }  // namespace
 
@@ -53,10 +54,12 @@ std::string programHelp() {
       "rungproof - checks, runs and proves S7-200 and S7-300/400 programs\n\n"
       "Usage: rungproof COMMAND [OPTIONS] FILE...\n\nCommands:\n";
   std::vector<TextRow> rows;
-  for (const Command* command : allCommands()) rows.push_back({std::string(command->name), std::string(command->summary)});
+  for (const Command* command : allCommands())
+    rows.push_back({std::string(command->name), std::string(command->summary)});
   appendRows(text, rows, 16);
   text += "\nOptions:\n";
-  appendRows(text, {{"-h, --help", "this text, or the help of a command"}, {"-V, --version", "version of the program"}}, helpColumn);
+  appendRows(text, {{"-h, --help", "this text, or the help of a command"}, {"-V, --version", "version of the program"}},
+             helpColumn);
   text +=
       "\nExit codes:\n"
       "  0  nothing at or above the level, every property proved, traces agree\n"
@@ -68,8 +71,8 @@ std::string programHelp() {
 }
 
 std::string commandHelp(const Command& command, const ArgumentTable& table) {
-  std::string text = fmt::format("rungproof {} - {}\n\nUsage: rungproof {} [OPTIONS]{}{}\n", command.name, command.summary, command.name,
-                                 command.usage.empty() ? "" : " ", command.usage);
+  std::string text = fmt::format("rungproof {} - {}\n\nUsage: rungproof {} [OPTIONS]{}{}\n", command.name,
+                                 command.summary, command.name, command.usage.empty() ? "" : " ", command.usage);
   if (!command.details.empty()) text += fmt::format("\n{}", command.details);
 
   std::vector<TextRow> arguments;

@@ -75,17 +75,22 @@ std::optional<Failure> checkForm(const OptionInfo& info, std::string_view text) 
     const auto value = wholeNumber(text);
     const bool zeroAllowed = info.id == Opt::Seed;
     if (value && (*value > 0 || zeroAllowed)) return std::nullopt;
-    return Failure{fmt::format("'{}' is no value for --{}", text, info.name), {},
+    return Failure{fmt::format("'{}' is no value for --{}", text, info.name),
+                   {},
                    zeroAllowed ? "give a whole number" : "give a whole number above 0"};
   }
   if (info.id == Opt::Timeout && !durationNamed(text)) {
-    return Failure{fmt::format("'{}' is no time", text), {}, "write a number with its unit, such as 30s, 500ms or 2min"};
+    return Failure{
+        fmt::format("'{}' is no time", text), {}, "write a number with its unit, such as 30s, 500ms or 2min"};
   }
   if (info.id == Opt::Memory && !memoryNamed(text)) {
-    return Failure{fmt::format("'{}' is no amount of memory", text), {}, "write a whole number with its unit, such as 500MB or 2GB"};
+    return Failure{fmt::format("'{}' is no amount of memory", text),
+                   {},
+                   "write a whole number with its unit, such as 500MB or 2GB"};
   }
   if (info.id == Opt::ScanTime && !scanTimeNamed(text)) {
-    return Failure{fmt::format("'{}' is no scan time", text), {},
+    return Failure{fmt::format("'{}' is no scan time", text),
+                   {},
                    "write one time above zero, or the shortest and the longest, such as 10ms or 5ms..20ms"};
   }
   if (info.id == Opt::Select || info.id == Opt::Ignore) {
@@ -96,7 +101,8 @@ std::optional<Failure> checkForm(const OptionInfo& info, std::string_view text) 
       ids.push_back(code.id);
     }
     const std::string_view meant = closest(text, ids);
-    return Failure{fmt::format("no rule is called '{}' or begins so", text), {},
+    return Failure{fmt::format("no rule is called '{}' or begins so", text),
+                   {},
                    meant.empty() ? "'rungproof rules' lists them" : fmt::format("did you mean '{}'?", meant)};
   }
   return std::nullopt;
@@ -108,7 +114,8 @@ std::span<const OptionInfo> optionTable() { return table; }
 const OptionInfo& optionInfo(Opt id) { return table[static_cast<std::size_t>(id)]; }
 
 std::optional<std::uint64_t> memoryNamed(std::string_view text) {
-  for (const auto& [unit, bytes] : {std::pair<std::string_view, std::uint64_t>{"MB", 1'000'000}, {"GB", 1'000'000'000}}) {
+  for (const auto& [unit, bytes] :
+       {std::pair<std::string_view, std::uint64_t>{"MB", 1'000'000}, {"GB", 1'000'000'000}}) {
     if (!text.ends_with(unit)) continue;
     const auto value = wholeNumber(text.substr(0, text.size() - unit.size()));
     if (value && *value > 0 && *value < 1'000'000) return static_cast<std::uint64_t>(*value) * bytes;

@@ -21,11 +21,30 @@
 namespace rungproof {
 
 enum class Opt : std::uint8_t {
-  Cpu, Edition, Dialect, Mnemonics, Encoding, Symbols, StdinFilename,
-  ScanTime, Timeout, Memory, Bound, Jobs, Seed, ChoiceOf,
-  Select, Ignore, Level, NoSuppress, Baseline,
-  Format, Color, Quiet,
-  Isolated, Config,
+  Cpu,
+  Edition,
+  Dialect,
+  Mnemonics,
+  Encoding,
+  Symbols,
+  StdinFilename,
+  ScanTime,
+  Timeout,
+  Memory,
+  Bound,
+  Jobs,
+  Seed,
+  ChoiceOf,
+  Select,
+  Ignore,
+  Level,
+  NoSuppress,
+  Baseline,
+  Format,
+  Color,
+  Quiet,
+  Isolated,
+  Config,
   count
 };
 
@@ -46,7 +65,7 @@ struct OptionInfo {
   std::string_view value;    ///< "CPU", or the permitted words "auto|always|never"; empty for flags
   std::string_view initial;  ///< default as text; empty: none, or the command decides
   std::string_view help;
-  bool inConfig = true;      ///< may stand in rungproof.toml
+  bool inConfig = true;  ///< may stand in rungproof.toml
 };
 
 /// All rows, in the order of Opt.

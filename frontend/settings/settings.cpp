@@ -118,7 +118,8 @@ std::optional<Failure> Settings::setChoice(std::string_view key, std::string_vie
     return Failure{fmt::format("'{}' is no value for the choice '{}'", value, key), {}, "it can be " + values};
   }
   const std::string_view meant = closest(key, keys);
-  return Failure{fmt::format("there is no choice called '{}'", key), {},
+  return Failure{fmt::format("there is no choice called '{}'", key),
+                 {},
                  meant.empty() ? "'rungproof explain choices' lists them" : fmt::format("did you mean '{}'?", meant)};
 }
 
@@ -130,23 +131,27 @@ std::optional<Failure> Settings::setRuleOption(std::string_view id, std::string_
     names.push_back(option.name);
     if (option.name != name) continue;
     if (value < option.low || value > option.high) {
-      return Failure{fmt::format("{} is out of range for '{}' of {}", value, name, rule->id), {},
+      return Failure{fmt::format("{} is out of range for '{}' of {}", value, name, rule->id),
+                     {},
                      fmt::format("it can be {} to {}", option.low, option.high)};
     }
     ruleSettings_[fmt::format("{}.{}", rule->id, name)] = static_cast<int>(value);
     return std::nullopt;
   }
   const std::string_view meant = closest(name, names);
-  return Failure{fmt::format("{} has no option '{}'", rule->id, name), {},
-                 meant.empty() ? fmt::format("see 'rungproof explain {}'", rule->id) : fmt::format("did you mean '{}'?", meant)};
+  return Failure{
+      fmt::format("{} has no option '{}'", rule->id, name),
+      {},
+      meant.empty() ? fmt::format("see 'rungproof explain {}'", rule->id) : fmt::format("did you mean '{}'?", meant)};
 }
 
 std::optional<Failure> Settings::check() const {
   const Target chosen = target();
   if (!editionCovers(chosen.edition, chosen.cpu)) {
-    return Failure{fmt::format("the {} edition of the manual does not describe the CPU {}", text(Opt::Edition), text(Opt::Cpu)),
-                   {},
-                   fmt::format("leave out --edition, or give --edition {}", text(Opt::Edition) == "2003" ? "2004" : "2003")};
+    return Failure{
+        fmt::format("the {} edition of the manual does not describe the CPU {}", text(Opt::Edition), text(Opt::Cpu)),
+        {},
+        fmt::format("leave out --edition, or give --edition {}", text(Opt::Edition) == "2003" ? "2004" : "2003")};
   }
   return std::nullopt;
 }

@@ -20,14 +20,46 @@ struct FunctionPart {
   std::string_view function;
   std::array<std::string_view, 3> first{};
 };
-constexpr FunctionPart functionParts[] = {
-    {"Add", "ADD"},   {"Sub", "SUB"},   {"Mul", "MUL"},   {"Div", "DIV"},   {"Mod", "MOD"},   {"Eq", "EQ"},     {"Ne", "NE"},
-    {"Gt", "GT"},     {"Ge", "GE"},     {"Lt", "LT"},     {"Le", "LE"},     {"Move", "MOVE"}, {"Abs", "ABS"},   {"Neg", "NEG"},
-    {"Sqrt", "SQRT"}, {"Ln", "LN"},     {"Exp", "EXP"},   {"Sin", "SIN"},   {"Cos", "COS"},   {"Tan", "TAN"},   {"Min", "MIN"},
-    {"Max", "MAX"},   {"And", "AND"},   {"Or", "OR"},     {"Xor", "XOR"},   {"A", "AND"},     {"O", "OR"},      {"X", "XOR"},
-    {"Not", "NOT"},   {"Inv", "NOT"},   {"Invert", "NOT"}, {"Round", "ROUND"}, {"Trunc", "TRUNC"}, {"Limit", "LIMIT", {"MN", "IN", "MX"}},
-    {"Sel", "SEL", {"G", "IN0", "IN1"}}, {"Mux", "MUX", {"K"}}, {"Shl", "SHL", {"IN", "N"}}, {"Shr", "SHR", {"IN", "N"}},
-    {"Rol", "ROL", {"IN", "N"}}, {"Ror", "ROR", {"IN", "N"}}};
+constexpr FunctionPart functionParts[] = {{"Add", "ADD"},
+                                          {"Sub", "SUB"},
+                                          {"Mul", "MUL"},
+                                          {"Div", "DIV"},
+                                          {"Mod", "MOD"},
+                                          {"Eq", "EQ"},
+                                          {"Ne", "NE"},
+                                          {"Gt", "GT"},
+                                          {"Ge", "GE"},
+                                          {"Lt", "LT"},
+                                          {"Le", "LE"},
+                                          {"Move", "MOVE"},
+                                          {"Abs", "ABS"},
+                                          {"Neg", "NEG"},
+                                          {"Sqrt", "SQRT"},
+                                          {"Ln", "LN"},
+                                          {"Exp", "EXP"},
+                                          {"Sin", "SIN"},
+                                          {"Cos", "COS"},
+                                          {"Tan", "TAN"},
+                                          {"Min", "MIN"},
+                                          {"Max", "MAX"},
+                                          {"And", "AND"},
+                                          {"Or", "OR"},
+                                          {"Xor", "XOR"},
+                                          {"A", "AND"},
+                                          {"O", "OR"},
+                                          {"X", "XOR"},
+                                          {"Not", "NOT"},
+                                          {"Inv", "NOT"},
+                                          {"Invert", "NOT"},
+                                          {"Round", "ROUND"},
+                                          {"Trunc", "TRUNC"},
+                                          {"Limit", "LIMIT", {"MN", "IN", "MX"}},
+                                          {"Sel", "SEL", {"G", "IN0", "IN1"}},
+                                          {"Mux", "MUX", {"K"}},
+                                          {"Shl", "SHL", {"IN", "N"}},
+                                          {"Shr", "SHR", {"IN", "N"}},
+                                          {"Rol", "ROL", {"IN", "N"}},
+                                          {"Ror", "ROR", {"IN", "N"}}};
 
 const FunctionPart* functionPart(std::string_view name) {
   for (const FunctionPart& row : functionParts) {
@@ -67,7 +99,8 @@ int pinNumber(const std::string& name) {
 
 class FlgNetReader {
  public:
-  FlgNetReader(const XmlText& xml, const XmlText::Part& part, SyntaxSink& sink, std::vector<DrawnVariable>& instances) : xml_(xml), part_(part), sink_(sink), instances_(instances) {}
+  FlgNetReader(const XmlText& xml, const XmlText::Part& part, SyntaxSink& sink, std::vector<DrawnVariable>& instances)
+      : xml_(xml), part_(part), sink_(sink), instances_(instances) {}
 
   DrawnNetwork read(const pugi::xml_node& net) {
     network_.span = xml_.span(part_, net);
@@ -204,7 +237,8 @@ class FlgNetReader {
       return true;
     }
     if (name == "Convert") {
-      e.text = fmt::format("{}_TO_{}", foldedName(templateValue(node, "SrcType")), foldedName(templateValue(node, "DestType")));
+      e.text = fmt::format("{}_TO_{}", foldedName(templateValue(node, "SrcType")),
+                           foldedName(templateValue(node, "DestType")));
       return true;
     }
     if (name == "Inc" || name == "Dec") {
@@ -249,12 +283,14 @@ class FlgNetReader {
           link.from = "rail";
         } else if (kind == "IdentCon") {
           const auto access = accesses_.find(id);
-          if (access == accesses_.end()) return fault(end, fmt::format("a wire begins at access {}, which does not exist", excerpt(id)));
+          if (access == accesses_.end())
+            return fault(end, fmt::format("a wire begins at access {}, which does not exist", excerpt(id)));
           expression = access->second;
         } else if (kind == "NameCon") {
           source = find(id);
           if (source == nullptr) {
-            if (std::find(unknown_.begin(), unknown_.end(), id) == unknown_.end()) fault(end, fmt::format("a wire begins at part {}, which does not exist", excerpt(id)));
+            if (std::find(unknown_.begin(), unknown_.end(), id) == unknown_.end())
+              fault(end, fmt::format("a wire begins at part {}, which does not exist", excerpt(id)));
             return;
           }
           link.from = id;
@@ -268,13 +304,15 @@ class FlgNetReader {
       if (isOpen || kind == "OpenCon" || kind == "Openbranch") continue;
       if (kind == "IdentCon") {
         const auto access = accesses_.find(id);
-        if (access == accesses_.end() || source == nullptr) return fault(end, fmt::format("a wire ends at access {}, which does not exist", excerpt(id)));
+        if (access == accesses_.end() || source == nullptr)
+          return fault(end, fmt::format("a wire ends at access {}, which does not exist", excerpt(id)));
         if (source->kind == DrawnKind::Block) outputPin(*source, pinOf(link)).expression = access->second;
         continue;
       }
       DrawnElement* target = kind == "NameCon" ? find(id) : nullptr;
       if (target == nullptr) {
-        if (std::find(unknown_.begin(), unknown_.end(), id) == unknown_.end()) fault(end, fmt::format("a wire ends at part {}, which does not exist", excerpt(id)));
+        if (std::find(unknown_.begin(), unknown_.end(), id) == unknown_.end())
+          fault(end, fmt::format("a wire ends at part {}, which does not exist", excerpt(id)));
         continue;
       }
       connect(*target, pin, link, expression);
@@ -329,7 +367,8 @@ class FlgNetReader {
           }
           return pinNumber(name);
         };
-        std::stable_sort(e.inputs.begin(), e.inputs.end(), [&](const DrawnPin& a, const DrawnPin& b) { return rank(a) < rank(b); });
+        std::stable_sort(e.inputs.begin(), e.inputs.end(),
+                         [&](const DrawnPin& a, const DrawnPin& b) { return rank(a) < rank(b); });
       }
       if (std::find(counts_.begin(), counts_.end(), id) != counts_.end()) {
         for (DrawnPin& pin : e.inputs) {
@@ -408,7 +447,8 @@ class FlgNetReader {
 
 }  // namespace
 
-DrawnNetwork readFlgNet(const XmlText& xml, const XmlText::Part& part, const pugi::xml_node& net, SyntaxSink& sink, std::vector<DrawnVariable>& instances) {
+DrawnNetwork readFlgNet(const XmlText& xml, const XmlText::Part& part, const pugi::xml_node& net, SyntaxSink& sink,
+                        std::vector<DrawnVariable>& instances) {
   return FlgNetReader(xml, part, sink, instances).read(net);
 }
 

@@ -17,7 +17,8 @@ namespace {
 /// "TON_TIME", "IEC_TIMER", "CTU_INT": data types of instances of standard blocks.
 bool isStandardData(std::string_view type) {
   const std::string name = foldedName(type);
-  return name == "IEC_TIMER" || name == "IEC_COUNTER" || name.ends_with("_TIME") || (name.starts_with("CT") && name.find('_') != std::string::npos);
+  return name == "IEC_TIMER" || name == "IEC_COUNTER" || name.ends_with("_TIME") ||
+         (name.starts_with("CT") && name.find('_') != std::string::npos);
 }
 
 std::string standardOfData(const std::string& type) {
@@ -33,7 +34,8 @@ class SimaticReader {
       : project_(project),
         sink_(program, input.file),
         text_(program.sources->file(input.file).text()),
-        xml_(program.sources->file(input.file), sink_, {"SW.Blocks.OB", "SW.Blocks.FB", "SW.Blocks.FC", "SW.Blocks.CompileUnit"}) {}
+        xml_(program.sources->file(input.file), sink_,
+             {"SW.Blocks.OB", "SW.Blocks.FB", "SW.Blocks.FC", "SW.Blocks.CompileUnit"}) {}
 
   void run() {
     bool isUsed = false;
@@ -53,9 +55,11 @@ class SimaticReader {
       }
       if (!part.isDamaged) continue;
       isUsed = true;
-      if (project_.blocks.size() > before && !project_.blocks.back().networks.empty()) project_.blocks.back().networks.back().isDamaged = true;
+      if (project_.blocks.size() > before && !project_.blocks.back().networks.empty())
+        project_.blocks.back().networks.back().isDamaged = true;
     }
-    if (!isUsed) sink_.report(Syntax::XmlStructure, {sink_.file(), 0, 0}, "there is no block and no table of tags in the file");
+    if (!isUsed)
+      sink_.report(Syntax::XmlStructure, {sink_.file(), 0, 0}, "there is no block and no table of tags in the file");
   }
 
  private:
@@ -98,7 +102,9 @@ class SimaticReader {
       variable.initial = childNamed(list, "Value").child_value();
     }
     if (variable.name.empty() || variable.type == IecType::None) {
-      return sink_.report(Syntax::XmlStructure, variable.span, fmt::format("tag {} has type {}, which the S7-200 does not have", excerpt(variable.name), excerpt(variable.typeName)));
+      return sink_.report(Syntax::XmlStructure, variable.span,
+                          fmt::format("tag {} has type {}, which the S7-200 does not have", excerpt(variable.name),
+                                      excerpt(variable.typeName)));
     }
     project_.globals.push_back(std::move(variable));
   }
@@ -108,18 +114,23 @@ class SimaticReader {
     const std::string name = childNamed(list, "Name").child_value();
     if (isInstance) {
       const std::string type = childNamed(list, "InstanceOfName").child_value();
-      addInstance({name, DrawnSection::Global, IecType::None, standardOfData(type), "", "", false, xml_.span(*part_, node)});
+      addInstance(
+          {name, DrawnSection::Global, IecType::None, standardOfData(type), "", "", false, xml_.span(*part_, node)});
       return;
     }
-    for (const pugi::xml_node& section : childNamed(childNamed(list, "Interface"), "Sections").children()) members(section, DrawnSection::Global, name + ".", project_.globals);
+    for (const pugi::xml_node& section : childNamed(childNamed(list, "Interface"), "Sections").children())
+      members(section, DrawnSection::Global, name + ".", project_.globals);
   }
 
   void addInstance(DrawnVariable variable) {
-    const bool isThere = std::any_of(project_.globals.begin(), project_.globals.end(), [&](const DrawnVariable& other) { return foldedName(other.name) == foldedName(variable.name); });
+    const bool isThere = std::any_of(project_.globals.begin(), project_.globals.end(), [&](const DrawnVariable& other) {
+      return foldedName(other.name) == foldedName(variable.name);
+    });
     if (!isThere) project_.globals.push_back(std::move(variable));
   }
 
-  void members(const pugi::xml_node& parent, DrawnSection section, const std::string& prefix, std::vector<DrawnVariable>& variables) {
+  void members(const pugi::xml_node& parent, DrawnSection section, const std::string& prefix,
+               std::vector<DrawnVariable>& variables) {
     for (const pugi::xml_node& node : parent.children()) {
       if (localName(node) != "Member") continue;
       DrawnVariable variable;
@@ -137,7 +148,9 @@ class SimaticReader {
       variable.initial = trimmed(childNamed(node, "StartValue").child_value());
       variable.isConstant = section == DrawnSection::Constant;
       if (variable.typeName.starts_with("Array") || variable.typeName.empty()) {
-        sink_.report(Syntax::XmlStructure, variable.span, fmt::format("type {} of {} is not one that the S7-200 has", excerpt(variable.typeName), variable.name));
+        sink_.report(
+            Syntax::XmlStructure, variable.span,
+            fmt::format("type {} of {} is not one that the S7-200 has", excerpt(variable.typeName), variable.name));
         continue;
       }
       variables.push_back(std::move(variable));
@@ -150,7 +163,8 @@ class SimaticReader {
       if (block.kind == DrawnBlockKind::Program && name == "Input") {
         for (const pugi::xml_node& member : section.children()) {
           if (std::string_view(member.attribute("Name").value()) != "Initial_Call") continue;
-          block.variables.push_back({"Initial_Call", DrawnSection::Local, IecType::Bool, "Bool", "%SM0.1", "", false, xml_.span(*part_, member)});
+          block.variables.push_back({"Initial_Call", DrawnSection::Local, IecType::Bool, "Bool", "%SM0.1", "", false,
+                                     xml_.span(*part_, member)});
         }
         continue;
       }
@@ -168,7 +182,9 @@ class SimaticReader {
   void block(const pugi::xml_node& node, std::string_view kind) {
     DrawnBlock block;
     block.span = xml_.span(*part_, node);
-    block.kind = kind == "SW.Blocks.OB" ? DrawnBlockKind::Program : kind == "SW.Blocks.FB" ? DrawnBlockKind::FunctionBlock : DrawnBlockKind::Function;
+    block.kind = kind == "SW.Blocks.OB"   ? DrawnBlockKind::Program
+                 : kind == "SW.Blocks.FB" ? DrawnBlockKind::FunctionBlock
+                                          : DrawnBlockKind::Function;
     const pugi::xml_node list = childNamed(node, "AttributeList");
     block.name = childNamed(list, "Name").child_value();
     if (block.name.empty()) {
@@ -178,11 +194,13 @@ class SimaticReader {
     sink_.setPlace(block.name, 0);
     const std::string_view event = childNamed(list, "SecondaryType").child_value();
     if (block.kind == DrawnBlockKind::Program && !event.empty() && event != "ProgramCycle") {
-      sink_.report(Syntax::BodyNotCovered, block.span, fmt::format("{} is started by {}, which is not covered", block.name, excerpt(event)));
+      sink_.report(Syntax::BodyNotCovered, block.span,
+                   fmt::format("{} is started by {}, which is not covered", block.name, excerpt(event)));
       sink_.setPlace("", 0);
       return;
     }
-    block.form = std::string_view(childNamed(list, "ProgrammingLanguage").child_value()) == "FBD" ? Form::Fbd : Form::Ladder;
+    block.form =
+        std::string_view(childNamed(list, "ProgrammingLanguage").child_value()) == "FBD" ? Form::Fbd : Form::Ladder;
     interface(childNamed(childNamed(list, "Interface"), "Sections"), block);
     for (const pugi::xml_node& child : node.children()) comment(child);
     std::vector<Comment> notes;
@@ -197,7 +215,8 @@ class SimaticReader {
       std::string type = standardOfData(variable.typeName);
       for (const DrawnNetwork& network : block.networks) {
         for (const DrawnElement& element : network.elements) {
-          if (element.kind == DrawnKind::Block && foldedName(element.instance) == foldedName(variable.name)) type = element.text;
+          if (element.kind == DrawnKind::Block && foldedName(element.instance) == foldedName(variable.name))
+            type = element.text;
         }
       }
       variable.typeName = type;
@@ -237,7 +256,8 @@ class SimaticReader {
       for (DrawnVariable& instance : instances) addInstance(std::move(instance));
     } else if (const pugi::xml_node other = firstElement(source)) {
       const std::string language = childNamed(list, "ProgrammingLanguage").child_value();
-      UncoveredBody body{language.empty() ? std::string(localName(other)) : language, namesIn(other), xml_.span(*part_, other)};
+      UncoveredBody body{language.empty() ? std::string(localName(other)) : language, namesIn(other),
+                         xml_.span(*part_, other)};
       if (block.uncovered) body.text += " " + block.uncovered->text;
       block.uncovered = std::move(body);
     } else if (!source) {
@@ -271,7 +291,8 @@ class SimaticReader {
       if (localName(at) != "Symbol") return;
       names += ' ';
       for (const pugi::xml_node& component : at.children()) {
-        if (localName(component) == "Component") names += fmt::format("{}{}", names.back() == ' ' ? "" : ".", component.attribute("Name").value());
+        if (localName(component) == "Component")
+          names += fmt::format("{}{}", names.back() == ' ' ? "" : ".", component.attribute("Name").value());
       }
     });
     return names;
@@ -286,6 +307,8 @@ class SimaticReader {
 
 }  // namespace
 
-void readSimatic(Program& program, const InputText& input, DrawnProject& project) { SimaticReader(program, input, project).run(); }
+void readSimatic(Program& program, const InputText& input, DrawnProject& project) {
+  SimaticReader(program, input, project).run();
+}
 
 }  // namespace rungproof

@@ -16,6 +16,7 @@ void readSimatic(Program& program, const InputText& input, DrawnProject& project
 
 /// One <FlgNet>; parts that are not known are reported and damage the network. Instances of function blocks that
 /// stand in data blocks of their own are appended to `instances`.
-DrawnNetwork readFlgNet(const XmlText& xml, const XmlText::Part& part, const pugi::xml_node& net, SyntaxSink& sink, std::vector<DrawnVariable>& instances);
+DrawnNetwork readFlgNet(const XmlText& xml, const XmlText::Part& part, const pugi::xml_node& net, SyntaxSink& sink,
+                        std::vector<DrawnVariable>& instances);
 
 }  // namespace rungproof

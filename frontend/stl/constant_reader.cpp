@@ -23,9 +23,17 @@ struct Prefix {
   Width width;
 };
 /// B# is shown for no type in the manual; DW# is (001:6811). The others are those of the import syntax.
-constexpr std::array<Prefix, 11> prefixes = {{{"B", Width::Byte}, {"W", Width::Word}, {"DW", Width::DWord}, {"D", Width::DWord},
-                                              {"BYTE", Width::Byte}, {"WORD", Width::Word}, {"DWORD", Width::DWord}, {"INT", Width::Word},
-                                              {"DINT", Width::DWord}, {"REAL", Width::DWord}, {"L", Width::DWord}}};
+constexpr std::array<Prefix, 11> prefixes = {{{"B", Width::Byte},
+                                              {"W", Width::Word},
+                                              {"DW", Width::DWord},
+                                              {"D", Width::DWord},
+                                              {"BYTE", Width::Byte},
+                                              {"WORD", Width::Word},
+                                              {"DWORD", Width::DWord},
+                                              {"INT", Width::Word},
+                                              {"DINT", Width::DWord},
+                                              {"REAL", Width::DWord},
+                                              {"L", Width::DWord}}};
 
 ConstantResult fail(ConstantFault fault) {
   ConstantResult result;
@@ -53,10 +61,12 @@ ConstantResult readReal(std::string_view text) {
   float value = 0;
   const std::string_view digits = text[0] == '+' ? text.substr(1) : text;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (end != digits.data() + digits.size() || error == std::errc::invalid_argument) return fail(ConstantFault::BadDigits);
+  if (end != digits.data() + digits.size() || error == std::errc::invalid_argument)
+    return fail(ConstantFault::BadDigits);
   if (error == std::errc::result_out_of_range) {
     double wide = 0;  // too small for single precision is 0, too large is a fault
-    if (std::from_chars(digits.data(), digits.data() + digits.size(), wide).ec != std::errc() || std::fabs(wide) > 1) return fail(ConstantFault::TooLarge);
+    if (std::from_chars(digits.data(), digits.data() + digits.size(), wide).ec != std::errc() || std::fabs(wide) > 1)
+      return fail(ConstantFault::TooLarge);
     value = static_cast<float>(wide);
   }
   return give(std::bit_cast<std::uint32_t>(value), ConstantForm::Real);
@@ -99,7 +109,8 @@ ConstantResult readTyped(std::string_view prefix, std::string_view rest) {
     if (!equalsIgnoringCase(row.spelling, prefix)) continue;
     if (rest.empty()) return fail(ConstantFault::Empty);
     ConstantResult result = readConstant(rest);
-    if (result.fault != ConstantFault::None) return fail(result.fault == ConstantFault::NotAConstant ? ConstantFault::BadDigits : result.fault);
+    if (result.fault != ConstantFault::None)
+      return fail(result.fault == ConstantFault::NotAConstant ? ConstantFault::BadDigits : result.fault);
     if (result.operand.kind != OperandKind::Constant) return fail(ConstantFault::BadDigits);
     const std::int64_t limit = 1LL << bits(row.width);
     if (result.operand.value >= limit || result.operand.value < -limit / 2) return fail(ConstantFault::DoesNotFit);
@@ -150,7 +161,8 @@ ConstantResult readConstant(std::string_view text, TextEncoding encoding) {
   if (text.empty()) return fail(ConstantFault::NotAConstant);
   if (quoteAt(text, 0).length > 0) return readQuoted(text, encoding);
   const char first = text[0];
-  const bool isNumber = isDigit(first) || first == '+' || first == '-' || (first == '.' && text.size() > 1 && isDigit(text[1]));
+  const bool isNumber =
+      isDigit(first) || first == '+' || first == '-' || (first == '.' && text.size() > 1 && isDigit(text[1]));
   const std::size_t hash = text.find('#');
   if (!isNumber) {
     if (equalsIgnoringCase(text, "TRUE") || equalsIgnoringCase(text, "ON")) return give(1, ConstantForm::Boolean);

@@ -12,16 +12,25 @@
 
 namespace rungproof {
 
-enum class ConstantFault : std::uint8_t { None, NotAConstant, BadDigits, BadBase, TooLarge, TooLong, Empty, DoesNotFit };
+enum class ConstantFault : std::uint8_t {
+  None,
+  NotAConstant,
+  BadDigits,
+  BadBase,
+  TooLarge,
+  TooLong,
+  Empty,
+  DoesNotFit
+};
 
 struct ConstantResult {
   ConstantFault fault = ConstantFault::NotAConstant;
   Operand operand;  ///< kind Constant or Text; no span
 };
 
-/// Reads 12, +12, -12, 16#FF, 2#1010_1010, 1.5, 1E-3, 'AB', "text", B#1, W#16#1F, DW#5, TRUE, OFF. Integers up to 32 bits
-/// (16# and 2#: up to 64 bits are kept, so that a rule can report the place); reals as IEEE single.
-/// NotAConstant: the text begins like something else (an address, a name).
+/// Reads 12, +12, -12, 16#FF, 2#1010_1010, 1.5, 1E-3, 'AB', "text", B#1, W#16#1F, DW#5, TRUE, OFF. Integers up to 32
+/// bits (16# and 2#: up to 64 bits are kept, so that a rule can report the place); reals as IEEE single. NotAConstant:
+/// the text begins like something else (an address, a name).
 ConstantResult readConstant(std::string_view text, TextEncoding encoding = TextEncoding::Utf8);
 
 /// Characters between quotation marks, escapes undone: $$ $' $" $L $N $P $R $T $hh. Typographic marks count as marks.

@@ -61,7 +61,8 @@ void DataBlockReader::begin() {
 
 bool DataBlockReader::readPlace(const Line& line, std::size_t& next) {
   const auto word = [&](std::size_t i) {
-    return i < line.words.size() ? text_.substr(line.words[i].begin, line.words[i].end - line.words[i].begin) : std::string_view();
+    return i < line.words.size() ? text_.substr(line.words[i].begin, line.words[i].end - line.words[i].begin)
+                                 : std::string_view();
   };
   next = 0;
   if (!isLetter(word(0).empty() ? ' ' : word(0)[0]) || word(0).find('#') != std::string_view::npos) return hasPlace_;
@@ -78,16 +79,21 @@ bool DataBlockReader::readPlace(const Line& line, std::size_t& next) {
 
 void DataBlockReader::line(const Line& line) {
   if (line.words.empty()) return;
-  if (line.openQuote) return sink_.report(Syntax::QuoteOpen, sink_.span(line.begin, line.end), "a quotation mark is not closed on this line");
+  if (line.openQuote)
+    return sink_.report(Syntax::QuoteOpen, sink_.span(line.begin, line.end),
+                        "a quotation mark is not closed on this line");
   std::size_t next = 0;
   if (!readPlace(line, next)) {
     const std::string_view text = text_.substr(line.begin, line.end - line.begin);
-    const bool lacksPlace = !hasPlace_ && readConstant(text.substr(0, line.words[0].end - line.words[0].begin)).fault == ConstantFault::None;
+    const bool lacksPlace = !hasPlace_ && readConstant(text.substr(0, line.words[0].end - line.words[0].begin)).fault ==
+                                              ConstantFault::None;
     const std::string shown = excerpt(text);
     return sink_.report(lacksPlace ? Syntax::DataAddress : Syntax::DataRow, sink_.span(line.begin, line.end),
-                        lacksPlace ? fmt::format("value \"{}\" has no address before it", shown) : fmt::format("\"{}\" is not an address of V memory with values", shown));
+                        lacksPlace ? fmt::format("value \"{}\" has no address before it", shown)
+                                   : fmt::format("\"{}\" is not an address of V memory with values", shown));
   }
-  if (next == line.words.size()) return sink_.report(Syntax::DataRow, sink_.span(line.begin, line.end), "address without a value");
+  if (next == line.words.size())
+    return sink_.report(Syntax::DataRow, sink_.span(line.begin, line.end), "address without a value");
   for (std::size_t i = next; i < line.words.size(); ++i) readValue(line.words[i]);
 }
 
@@ -110,7 +116,8 @@ void DataBlockReader::readValue(const Word& word) {
     return;
   }
   const ConstantResult value = readConstant(text, encoding_);
-  if (value.fault != ConstantFault::None) return sink_.report(Syntax::DataRow, span, fmt::format("\"{}\" {}", excerpt(text), faultText(value.fault)));
+  if (value.fault != ConstantFault::None)
+    return sink_.report(Syntax::DataRow, span, fmt::format("\"{}\" {}", excerpt(text), faultText(value.fault)));
   const bool isReal = value.operand.form == ConstantForm::Real;
   const std::int64_t v = value.operand.value;
   int count = size_;
@@ -122,19 +129,22 @@ void DataBlockReader::readValue(const Word& word) {
 void DataBlockReader::store(Span span, std::int64_t value, int count, bool isReal) {
   const std::int64_t limit = 1LL << (8 * count);
   if (value >= limit || value < -limit / 2 || (isReal && count != 4)) {
-    return sink_.report(Syntax::DataValue, span, fmt::format("value does not fit {} byte{}", count, count == 1 ? "" : "s"));
+    return sink_.report(Syntax::DataValue, span,
+                        fmt::format("value does not fit {} byte{}", count, count == 1 ? "" : "s"));
   }
   DataInit init;
   init.offset = offset_;
   init.span = span;
-  for (int shift = 8 * (count - 1); shift >= 0; shift -= 8) init.bytes.push_back(static_cast<std::uint8_t>(value >> shift));
+  for (int shift = 8 * (count - 1); shift >= 0; shift -= 8)
+    init.bytes.push_back(static_cast<std::uint8_t>(value >> shift));
   offset_ += static_cast<std::uint32_t>(count);
   sink_.program().data.push_back(std::move(init));
 }
 
 bool isDataLine(std::string_view text, const Line& line) {
   const auto word = [&](std::size_t i) {
-    return i < line.words.size() ? text.substr(line.words[i].begin, line.words[i].end - line.words[i].begin) : std::string_view();
+    return i < line.words.size() ? text.substr(line.words[i].begin, line.words[i].end - line.words[i].begin)
+                                 : std::string_view();
   };
   std::size_t used = 0;
   const DataPlace place = dataPlace(word(0), word(1), used);

@@ -11,7 +11,8 @@ namespace rungproof {
 
 class DataBlockReader {
  public:
-  DataBlockReader(std::string_view text, SyntaxSink& sink, TextEncoding encoding) : text_(text), sink_(sink), encoding_(encoding) {}
+  DataBlockReader(std::string_view text, SyntaxSink& sink, TextEncoding encoding)
+      : text_(text), sink_(sink), encoding_(encoding) {}
 
   /// Forgets the running address.
   void begin();
@@ -27,9 +28,9 @@ class DataBlockReader {
   SyntaxSink& sink_;
   TextEncoding encoding_;
   bool hasPlace_ = false;
-  bool isOlder_ = false;     ///< "B 100": a text is its characters without a length byte
+  bool isOlder_ = false;  ///< "B 100": a text is its characters without a length byte
   std::uint32_t offset_ = 0;
-  int size_ = 0;             ///< bytes of a value; 0: V without size letter, the value decides
+  int size_ = 0;  ///< bytes of a value; 0: V without size letter, the value decides
 };
 
 /// Whether a line begins with an address of V memory (or B 100 of the older dialect) and a constant.

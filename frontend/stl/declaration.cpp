@@ -8,11 +8,13 @@
 
 namespace rungproof {
 
-void readDeclaration(std::string_view text, std::uint32_t begin, std::uint32_t end, VarSection section, SyntaxSink& sink, std::vector<LocalVariable>& locals) {
+void readDeclaration(std::string_view text, std::uint32_t begin, std::uint32_t end, VarSection section,
+                     SyntaxSink& sink, std::vector<LocalVariable>& locals) {
   const std::string_view line = text.substr(begin, end - begin);
   const Span place = sink.span(begin, end);
   const std::size_t colon = line.find(':');
-  if (colon == std::string_view::npos) return sink.report(Syntax::Declaration, place, fmt::format("declaration \"{}\" has no type", excerpt(line)));
+  if (colon == std::string_view::npos)
+    return sink.report(Syntax::Declaration, place, fmt::format("declaration \"{}\" has no type", excerpt(line)));
   std::string_view typeText = line.substr(colon + 1);
   if (const std::size_t initial = typeText.find(":="); initial != std::string_view::npos) {
     sink.report(Syntax::Declaration, place, "local variables have no initial value; it was left out");
@@ -32,7 +34,8 @@ void readDeclaration(std::string_view text, std::uint32_t begin, std::uint32_t e
       sink.report(Syntax::Declaration, place, fmt::format("\"{}\" is not a name", excerpt(name)));
       continue;
     }
-    if (section == VarSection::Input && locals.empty() && *type == DataType::Bool && equalsIgnoringCase(plain, "EN")) continue;
+    if (section == VarSection::Input && locals.empty() && *type == DataType::Bool && equalsIgnoringCase(plain, "EN"))
+      continue;
     LocalVariable local;
     local.name = plain;
     local.section = section;

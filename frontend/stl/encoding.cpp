@@ -14,8 +14,8 @@ namespace rungproof {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, const char*>, 5> names = {{{"auto", ""}, {"utf-8", "UTF-8"}, {"cp1252", "windows-1252"},
-                                                                            {"cp1251", "windows-1251"}, {"gb18030", "gb18030"}}};
+constexpr std::array<std::pair<std::string_view, const char*>, 5> names = {
+    {{"auto", ""}, {"utf-8", "UTF-8"}, {"cp1252", "windows-1252"}, {"cp1251", "windows-1251"}, {"gb18030", "gb18030"}}};
 
 struct CloseConverter {
   void operator()(UConverter* converter) const { ucnv_close(converter); }
@@ -40,8 +40,8 @@ std::string convert(std::string_view bytes, const char* from) {
   UChar* pivotSource = pivot.data();
   UChar* pivotTarget = pivot.data();
   UErrorCode error = U_ZERO_ERROR;
-  ucnv_convertEx(target.get(), source.get(), &out, result.data() + result.size(), &in, bytes.data() + bytes.size(), pivot.data(),
-                 &pivotSource, &pivotTarget, pivot.data() + pivot.size(), true, true, &error);
+  ucnv_convertEx(target.get(), source.get(), &out, result.data() + result.size(), &in, bytes.data() + bytes.size(),
+                 pivot.data(), &pivotSource, &pivotTarget, pivot.data() + pivot.size(), true, true, &error);
   result.resize(static_cast<std::size_t>(out - result.data()));
   return result;
 }
@@ -103,7 +103,8 @@ TextEncoding guess(std::string_view bytes) {
     for (std::size_t k = i; k < end;) {
       const auto lead = static_cast<unsigned char>(bytes[k]);
       const unsigned trail = k + 1 < bytes.size() ? static_cast<unsigned char>(bytes[k + 1]) : 0U;
-      const bool inCommonRows = (lead >= 0xB0 && lead <= 0xF7 && trail >= 0xA1) || (lead >= 0xA1 && lead <= 0xA9 && trail >= 0xA1);
+      const bool inCommonRows =
+          (lead >= 0xB0 && lead <= 0xF7 && trail >= 0xA1) || (lead >= 0xA1 && lead <= 0xA9 && trail >= 0xA1);
       const bool isPair = lead >= 0x81 && lead <= 0xFE && trail >= 0x40 && trail != 0x7F;
       if (inCommonRows) ++pairs;
       if (!isPair) ++broken;
@@ -151,7 +152,8 @@ void tidy(DecodedText& result) {
     const auto c = static_cast<unsigned char>(text[i]);
     if (c >= ' ' && c != 0x7F) continue;
     if (c == '\r' && (i + 1 == text.size() || text[i + 1] != '\n')) text[i] = '\n';
-    const bool isBlank = c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v' || (c == 0x1A && i + 1 == text.size());
+    const bool isBlank =
+        c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v' || (c == 0x1A && i + 1 == text.size());
     if (isBlank && c != '\f' && c != '\v' && c != 0x1A) continue;
     text[i] = ' ';
     if (!isBlank && result.controls++ == 0) result.firstControl = i;
@@ -203,7 +205,8 @@ DecodedText decode(std::string_view bytes, TextEncoding encoding) {
       result.text = bytes;
     } else {
       result.text = convert(bytes, names[static_cast<std::size_t>(encoding)].second);
-      for (std::size_t at = result.text.find("\xEF\xBF\xBD"); at != std::string::npos; at = result.text.find("\xEF\xBF\xBD", at + 3)) {
+      for (std::size_t at = result.text.find("\xEF\xBF\xBD"); at != std::string::npos;
+           at = result.text.find("\xEF\xBF\xBD", at + 3)) {
         if (result.badBytes++ == 0) result.firstBad = at;
       }
     }
@@ -222,7 +225,8 @@ std::string encodeForController(std::string_view utf8, TextEncoding encoding) {
     const std::string_view character = utf8.substr(i, length);
     i += length;
     if (length == 2 && singleByteLatin && static_cast<unsigned char>(character[0]) <= 0xC3) {
-      result += static_cast<char>((static_cast<unsigned>(character[0]) & 0x03U) << 6 | (static_cast<unsigned>(character[1]) & 0x3FU));
+      result += static_cast<char>((static_cast<unsigned>(character[0]) & 0x03U) << 6 |
+                                  (static_cast<unsigned>(character[1]) & 0x3FU));
       continue;
     }
     if (length == 1 || target == nullptr) {

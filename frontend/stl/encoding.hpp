@@ -20,9 +20,9 @@ struct DecodedText {
   std::string text;  ///< valid UTF-8 without byte order mark; a lone CR became LF
   TextEncoding encoding = TextEncoding::Utf8;
   bool wasUtf16 = false;
-  std::size_t badBytes = 0;       ///< places that the encoding does not know, now U+FFFD
-  std::size_t firstBad = 0;       ///< offset of the first in `text`
-  std::size_t controls = 0;       ///< NUL and other control characters, now blanks
+  std::size_t badBytes = 0;  ///< places that the encoding does not know, now U+FFFD
+  std::size_t firstBad = 0;  ///< offset of the first in `text`
+  std::size_t controls = 0;  ///< NUL and other control characters, now blanks
   std::size_t firstControl = 0;
 };
 

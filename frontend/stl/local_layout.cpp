@@ -10,11 +10,13 @@
 namespace rungproof {
 
 namespace {
-constexpr std::array<std::string_view, 9> typeNames = {"BOOL", "BYTE", "WORD", "INT", "DWORD", "DINT", "REAL", "STRING", "TIME"};
+constexpr std::array<std::string_view, 9> typeNames = {"BOOL", "BYTE", "WORD",   "INT", "DWORD",
+                                                       "DINT", "REAL", "STRING", "TIME"};
 }
 
 std::uint32_t layOutLocals(std::vector<LocalVariable>& locals) {
-  std::stable_sort(locals.begin(), locals.end(), [](const LocalVariable& a, const LocalVariable& b) { return a.section < b.section; });
+  std::stable_sort(locals.begin(), locals.end(),
+                   [](const LocalVariable& a, const LocalVariable& b) { return a.section < b.section; });
   std::uint32_t byte = 0;
   unsigned bit = 0;
   for (LocalVariable& local : locals) {

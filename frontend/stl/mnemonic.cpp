@@ -28,8 +28,13 @@ const Desc* lookUp(std::string_view name, Spelling spelling) {
 }
 
 /// Comparison signs of printed text and markup.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> signs = {{{"\\geq", ">="}, {"\\leq", "<="}, {"\\neq", "<>"}, {"&gt;", ">"},
-                                                                                 {"&lt;", "<"}, {"\xE2\x89\xA5", ">="}, {"\xE2\x89\xA4", "<="},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> signs = {{{"\\geq", ">="},
+                                                                                 {"\\leq", "<="},
+                                                                                 {"\\neq", "<>"},
+                                                                                 {"&gt;", ">"},
+                                                                                 {"&lt;", "<"},
+                                                                                 {"\xE2\x89\xA5", ">="},
+                                                                                 {"\xE2\x89\xA4", "<="},
                                                                                  {"\xE2\x89\xA0", "<>"}}};
 
 /// Length of a comparison sign at the start of `text` and its plain spelling.
@@ -43,7 +48,8 @@ std::size_t signLength(std::string_view text, std::string& plain) {
       ++length;
       continue;
     }
-    const auto found = std::find_if(signs.begin(), signs.end(), [&](const auto& row) { return rest.substr(0, row.first.size()) == row.first; });
+    const auto found = std::find_if(signs.begin(), signs.end(),
+                                    [&](const auto& row) { return rest.substr(0, row.first.size()) == row.first; });
     if (found == signs.end()) break;
     plain += found->second;
     length += found->first.size();
@@ -92,7 +98,8 @@ MnemonicResult findMnemonic(std::string_view word, const OperandContext& context
     if (const Desc* desc = instructionAlias(name)) return {desc, MnemonicMatch::LadderName, word.size()};
   }
   if (word.size() <= 3 * longestMnemonic) {
-    if (const Desc* desc = lookUpLookAlike(word, context.spelling)) return {desc, MnemonicMatch::LookAlike, word.size()};
+    if (const Desc* desc = lookUpLookAlike(word, context.spelling))
+      return {desc, MnemonicMatch::LookAlike, word.size()};
   }
   for (std::size_t length = std::min(longestMnemonic, word.size() - 1); length > 0; --length) {
     const Desc* desc = lookUp(capitals(word.substr(0, length)), context.spelling);
@@ -100,7 +107,8 @@ MnemonicResult findMnemonic(std::string_view word, const OperandContext& context
   }
   for (std::size_t length = std::min(longestMnemonic, word.size() - 1); length > 1; --length) {
     const Desc* desc = lookUpLookAlike(word.substr(0, length), context.spelling);
-    if (desc != nullptr && canFollow(*desc, word.substr(length), context)) return {desc, MnemonicMatch::LookAlike, length};
+    if (desc != nullptr && canFollow(*desc, word.substr(length), context))
+      return {desc, MnemonicMatch::LookAlike, length};
   }
   // A sign of printed text inside the word: LDW≥VW0.
   for (std::size_t length = 1; length <= 3 && length < word.size(); ++length) {
@@ -147,9 +155,10 @@ std::string_view nearestHeading(std::string_view word) {
 
 std::string_view familyOfForeignInstruction(std::string_view word) {
   static constexpr std::array<std::string_view, 5> smart = {"GET", "PUT", "GIP", "SIP", "RTUM"};
-  static constexpr std::array<std::string_view, 33> s7300 = {"L",   "T",   "X",   "XN",  "FP",   "FN",  "SET",  "CLR", "SAVE", "JU",  "JC",
-                                                             "JCN", "JCB", "JNB", "SPB", "SPBN", "SPBI", "BE",  "BEC", "BEU",  "BEA", "BEB",
-                                                             "OPN", "AUF", "SP",  "SE",  "SD",   "SS",  "SF",   "UC",  "CC",   "LAR1", "LAR2"};
+  static constexpr std::array<std::string_view, 33> s7300 = {
+      "L",   "T",   "X",   "XN",  "FP",   "FN",   "SET", "CLR", "SAVE", "JU",   "JC",
+      "JCN", "JCB", "JNB", "SPB", "SPBN", "SPBI", "BE",  "BEC", "BEU",  "BEA",  "BEB",
+      "OPN", "AUF", "SP",  "SE",  "SD",   "SS",   "SF",  "UC",  "CC",   "LAR1", "LAR2"};
   const std::string name = capitals(word.substr(0, longestMnemonic));
   if (std::find(smart.begin(), smart.end(), name) != smart.end()) return "S7-200 SMART";
   if (std::find(s7300.begin(), s7300.end(), name) != s7300.end()) return "S7-300/400";

@@ -21,10 +21,18 @@ struct AreaRow {
 };
 /// Longer spellings first, so that SM is not taken for S.
 constexpr std::array<AreaRow, 13> areaRows = {{
-    {"SM", "SM", Area::SM, AddressShape::Sized},    {"AI", "AE", Area::AI, AddressShape::WordOnly}, {"AQ", "AA", Area::AQ, AddressShape::WordOnly},
-    {"AC", "AC", Area::AC, AddressShape::Numbered}, {"HC", "HZ", Area::HC, AddressShape::Numbered}, {"I", "E", Area::I, AddressShape::Sized},
-    {"Q", "A", Area::Q, AddressShape::Sized},       {"V", "V", Area::V, AddressShape::Sized},       {"M", "M", Area::M, AddressShape::Sized},
-    {"S", "S", Area::S, AddressShape::Sized},       {"L", "L", Area::L, AddressShape::Sized},       {"T", "T", Area::T, AddressShape::Numbered},
+    {"SM", "SM", Area::SM, AddressShape::Sized},
+    {"AI", "AE", Area::AI, AddressShape::WordOnly},
+    {"AQ", "AA", Area::AQ, AddressShape::WordOnly},
+    {"AC", "AC", Area::AC, AddressShape::Numbered},
+    {"HC", "HZ", Area::HC, AddressShape::Numbered},
+    {"I", "E", Area::I, AddressShape::Sized},
+    {"Q", "A", Area::Q, AddressShape::Sized},
+    {"V", "V", Area::V, AddressShape::Sized},
+    {"M", "M", Area::M, AddressShape::Sized},
+    {"S", "S", Area::S, AddressShape::Sized},
+    {"L", "L", Area::L, AddressShape::Sized},
+    {"T", "T", Area::T, AddressShape::Numbered},
     {"C", "Z", Area::C, AddressShape::Numbered},
 }};
 
@@ -45,7 +53,8 @@ Letters lettersOf(std::string_view letters, Spelling spelling) {
     const std::string_view size = text.substr(name.size());
     if (size.empty()) return {&row, 0};
     if (size.size() > 1) continue;
-    const bool fits = row.shape == AddressShape::Sized ? size.find_first_of("BWDX") == 0 : row.shape == AddressShape::WordOnly && size == "W";
+    const bool fits = row.shape == AddressShape::Sized ? size.find_first_of("BWDX") == 0
+                                                       : row.shape == AddressShape::WordOnly && size == "W";
     if (fits) return {&row, size[0]};
   }
   return {};
@@ -115,15 +124,20 @@ bool isName(std::string_view text) {
   if (text.empty() || isDigit(text[0])) return false;
   // General punctuation, mathematical signs, CJK punctuation and full-width ASCII are no letters.
   static constexpr std::array<std::string_view, 5> signs = {"\xE2\x80", "\xE2\x88", "\xE3\x80", "\xEF\xBC", "\xEF\xBD"};
-  if (std::any_of(signs.begin(), signs.end(), [&](std::string_view sign) { return text.find(sign) != std::string_view::npos; })) return false;
-  return std::all_of(text.begin(), text.end(), [](char c) { return isLetter(c) || isDigit(c) || c == '_' || static_cast<unsigned char>(c) >= 0x80; });
+  if (std::any_of(signs.begin(), signs.end(),
+                  [&](std::string_view sign) { return text.find(sign) != std::string_view::npos; }))
+    return false;
+  return std::all_of(text.begin(), text.end(), [](char c) {
+    return isLetter(c) || isDigit(c) || c == '_' || static_cast<unsigned char>(c) >= 0x80;
+  });
 }
 
 /// VB9999999999: an address whose number cannot be held.
 static bool hasTooManyDigits(std::string_view text, Spelling spelling) {
   const std::size_t count = countLetters(text);
   const std::string_view digits = text.substr(count);
-  return digits.size() > 9 && isAreaPrefix(text.substr(0, count), spelling) && std::all_of(digits.begin(), digits.end(), isDigit);
+  return digits.size() > 9 && isAreaPrefix(text.substr(0, count), spelling) &&
+         std::all_of(digits.begin(), digits.end(), isDigit);
 }
 
 bool isAreaPrefix(std::string_view letters, Spelling spelling) { return lettersOf(letters, spelling).row != nullptr; }
@@ -176,7 +190,10 @@ bool readAddress(std::string_view text, Spelling spelling, Operand& operand) {
 OperandResult readOperand(std::string_view text, const OperandContext& context) {
   if (text.empty()) return faulty(OperandFault::Unreadable);
   const char first = text[0];
-  if (first == '?') return text.find_first_not_of("?.") == std::string_view::npos ? OperandResult{OperandFault::None, ConstantFault::None, {}} : faulty(OperandFault::Unreadable);
+  if (first == '?')
+    return text.find_first_not_of("?.") == std::string_view::npos
+               ? OperandResult{OperandFault::None, ConstantFault::None, {}}
+               : faulty(OperandFault::Unreadable);
   if (first == '*') return readPointer(text.substr(1), text, context.spelling);
   if (first == '&') return readAddressOf(text.substr(1), text, context.spelling);
   if (first == '#') return isName(text.substr(1)) ? symbol(text) : faulty(OperandFault::Unreadable);
@@ -213,11 +230,13 @@ struct Imitation {
 };
 /// Cyrillic and Greek letters that print like ASCII capitals, and typographic signs.
 constexpr std::array<Imitation, 34> imitations = {{
-    {"\xD0\x90", 'A'}, {"\xD0\x92", 'B'}, {"\xD0\xA1", 'C'}, {"\xD0\x95", 'E'}, {"\xD0\x9D", 'H'}, {"\xD0\x86", 'I'}, {"\xD0\x9A", 'K'},
-    {"\xD0\x9C", 'M'}, {"\xD0\x9E", 'O'}, {"\xD0\xA0", 'P'}, {"\xD0\xA2", 'T'}, {"\xD0\xA5", 'X'}, {"\xD0\x85", 'S'}, {"\xD0\x97", '3'},
-    {"\xD0\xB0", 'a'}, {"\xD1\x81", 'c'}, {"\xD0\xB5", 'e'}, {"\xD0\xBE", 'o'}, {"\xD1\x80", 'p'}, {"\xD1\x85", 'x'}, {"\xD1\x96", 'i'},
-    {"\xCE\x91", 'A'}, {"\xCE\x92", 'B'}, {"\xCE\x95", 'E'}, {"\xCE\x99", 'I'}, {"\xCE\x9C", 'M'}, {"\xCE\x9D", 'N'}, {"\xCE\x9F", 'O'},
-    {"\xCE\xA4", 'T'}, {"\xE2\x80\x93", '-'}, {"\xE2\x88\x92", '-'}, {"\xE2\x80\x90", '-'}, {"\xE2\x88\x97", '*'}, {"\xE3\x80\x82", '.'},
+    {"\xD0\x90", 'A'},     {"\xD0\x92", 'B'},     {"\xD0\xA1", 'C'},     {"\xD0\x95", 'E'},     {"\xD0\x9D", 'H'},
+    {"\xD0\x86", 'I'},     {"\xD0\x9A", 'K'},     {"\xD0\x9C", 'M'},     {"\xD0\x9E", 'O'},     {"\xD0\xA0", 'P'},
+    {"\xD0\xA2", 'T'},     {"\xD0\xA5", 'X'},     {"\xD0\x85", 'S'},     {"\xD0\x97", '3'},     {"\xD0\xB0", 'a'},
+    {"\xD1\x81", 'c'},     {"\xD0\xB5", 'e'},     {"\xD0\xBE", 'o'},     {"\xD1\x80", 'p'},     {"\xD1\x85", 'x'},
+    {"\xD1\x96", 'i'},     {"\xCE\x91", 'A'},     {"\xCE\x92", 'B'},     {"\xCE\x95", 'E'},     {"\xCE\x99", 'I'},
+    {"\xCE\x9C", 'M'},     {"\xCE\x9D", 'N'},     {"\xCE\x9F", 'O'},     {"\xCE\xA4", 'T'},     {"\xE2\x80\x93", '-'},
+    {"\xE2\x88\x92", '-'}, {"\xE2\x80\x90", '-'}, {"\xE2\x88\x97", '*'}, {"\xE3\x80\x82", '.'},
 }};
 
 /// Number part: O and o to 0; l, I, i and | to 1. Empty if another letter stands there.
@@ -256,7 +275,9 @@ std::string plainCharacters(std::string_view text) {
         continue;
       }
     }
-    const auto found = std::find_if(imitations.begin(), imitations.end(), [&](const Imitation& row) { return text.substr(i, row.character.size()) == row.character; });
+    const auto found = std::find_if(imitations.begin(), imitations.end(), [&](const Imitation& row) {
+      return text.substr(i, row.character.size()) == row.character;
+    });
     if (found != imitations.end()) {
       result += found->meant;
       i += found->character.size();
@@ -283,7 +304,8 @@ std::string mendedOperand(std::string_view text, Spelling spelling, bool bitOnly
     std::string letters = body.substr(0, k);
     for (char& c : letters) c = c == '1' || c == 'l' || c == '|' ? 'I' : upper(c);
     const std::string digits = mendedDigits(std::string_view(body).substr(k));
-    if (!digits.empty() && isAreaPrefix(letters, spelling) && isReadable(sign + letters + digits)) return sign + letters + digits;
+    if (!digits.empty() && isAreaPrefix(letters, spelling) && isReadable(sign + letters + digits))
+      return sign + letters + digits;
   }
   const bool isSigned = plain.size() > 1 && (plain[0] == '+' || plain[0] == '-');
   if (bitOnly || isPointer || !(isSigned || isDigit(plain[0]))) return {};

@@ -40,7 +40,8 @@ void PouBuilder::open(Heading heading, Span span, bool isFramed) {
   sink_.setPlace(pou_.name, 0);
   if (!hasNumber) {
     const std::string_view written = text_.substr(span.offset, span.length);
-    sink_.report(Syntax::BlockHeading, span, fmt::format("heading \"{}\" has no readable number; {} was taken", excerpt(written), heading.number));
+    sink_.report(Syntax::BlockHeading, span,
+                 fmt::format("heading \"{}\" has no readable number; {} was taken", excerpt(written), heading.number));
   }
 }
 
@@ -57,7 +58,9 @@ void PouBuilder::openMain(std::uint32_t offset) {
   pending_.clear();
 }
 
-void PouBuilder::reportOpen(Span heading, std::string_view what) { sink_.report(Syntax::BlockOpen, heading, fmt::format("{} has no end", what)); }
+void PouBuilder::reportOpen(Span heading, std::string_view what) {
+  sink_.report(Syntax::BlockOpen, heading, fmt::format("{} has no end", what));
+}
 
 void PouBuilder::close(std::uint32_t end) {
   if (!isOpen_) return;
@@ -87,12 +90,14 @@ void PouBuilder::numberRungs(const std::vector<std::uint32_t>& begins) {
 
 void PouBuilder::checkProtection() {
   static constexpr std::string_view mark = "password-protected";
-  const bool isEmpty = std::all_of(pou_.networks.begin(), pou_.networks.end(), [](const Network& network) { return network.instructions.empty(); });
+  const bool isEmpty = std::all_of(pou_.networks.begin(), pou_.networks.end(),
+                                   [](const Network& network) { return network.instructions.empty(); });
   const auto isMarked = [](const Network& network) { return network.title.find(mark) != std::string::npos; };
   if (!isEmpty || std::none_of(pou_.networks.begin(), pou_.networks.end(), isMarked)) return;
   pou_.protectedBlock = true;
   sink_.setNetwork(0);
-  sink_.report(Syntax::ProtectedBlock, heading_, fmt::format("block {} is protected by a password; its instructions are not in the text", pou_.name));
+  sink_.report(Syntax::ProtectedBlock, heading_,
+               fmt::format("block {} is protected by a password; its instructions are not in the text", pou_.name));
 }
 
 void PouBuilder::layOutLocalsOnce() {
@@ -100,7 +105,8 @@ void PouBuilder::layOutLocalsOnce() {
   isLaidOut_ = true;
   const std::uint32_t used = layOutLocals(pou_.locals);
   if (used <= localMemoryBytes) return;
-  sink_.report(Syntax::LocalTableFull, heading_, fmt::format("the local variables of {} need {} bytes, there are {}", pou_.name, used, localMemoryBytes));
+  sink_.report(Syntax::LocalTableFull, heading_,
+               fmt::format("the local variables of {} need {} bytes, there are {}", pou_.name, used, localMemoryBytes));
 }
 
 void PouBuilder::startBody(std::uint32_t offset) {
@@ -184,7 +190,8 @@ void PouBuilder::releaseTrailingComments() {
   const Span& last = network_.instructions.back().span;
   const std::size_t newline = std::min(text_.find('\n', last.offset + last.length), text_.size());
   std::vector<Comment>& comments = network_.comments;
-  const auto first = std::find_if(comments.begin(), comments.end(), [&](const Comment& comment) { return comment.span.offset > newline; });
+  const auto first = std::find_if(comments.begin(), comments.end(),
+                                  [&](const Comment& comment) { return comment.span.offset > newline; });
   pending_.insert(pending_.end(), first, comments.end());
   comments.erase(first, comments.end());
 }

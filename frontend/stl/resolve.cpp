@@ -46,7 +46,8 @@ class Resolver {
   explicit Resolver(Program& program) : program_(program) {
     for (std::size_t i = 0; i < program.symbols.size(); ++i) symbols_.add(program.symbols[i].name, i);
     for (const Pou& pou : program.pous) {
-      if (pou.kind != PouKind::Main) (pou.kind == PouKind::Interrupt ? interrupts_ : subroutines_).add(pou.name, pou.number);
+      if (pou.kind != PouKind::Main)
+        (pou.kind == PouKind::Interrupt ? interrupts_ : subroutines_).add(pou.name, pou.number);
     }
   }
 
@@ -70,7 +71,8 @@ class Resolver {
  private:
   /// False if the operand is damaged (reported).
   bool resolve(Operand& operand, const OperandDesc& expected) {
-    if (expected.type == Type::Subroutine || expected.type == Type::Interrupt) return resolveRoutine(operand, expected.type);
+    if (expected.type == Type::Subroutine || expected.type == Type::Interrupt)
+      return resolveRoutine(operand, expected.type);
     if (operand.kind == OperandKind::Text && expected.type != Type::String) return resolveQuoted(operand, expected);
     if (operand.kind != OperandKind::Symbol) return true;
     const char sign = operand.text[0] == '*' || operand.text[0] == '&' ? operand.text[0] : '\0';
@@ -100,8 +102,12 @@ class Resolver {
   bool replace(Operand& operand, const Operand& place, char sign) {
     const bool isNumbered = place.area == Area::T || place.area == Area::C || place.area == Area::AC;
     if (sign == '*') {
-      const bool mayHold = place.kind == OperandKind::Direct && (place.area == Area::AC || ((place.area == Area::V || place.area == Area::L) && place.width == Width::DWord));
-      if (!mayHold) return fault(operand, fmt::format("{} is {}, but pointers are kept in VD, LD or AC", operand.text, toString(place)));
+      const bool mayHold =
+          place.kind == OperandKind::Direct &&
+          (place.area == Area::AC || ((place.area == Area::V || place.area == Area::L) && place.width == Width::DWord));
+      if (!mayHold)
+        return fault(operand,
+                     fmt::format("{} is {}, but pointers are kept in VD, LD or AC", operand.text, toString(place)));
     } else if (sign == '&' && (place.kind != OperandKind::Direct || (place.width == Width::Bit && !isNumbered))) {
       return fault(operand, fmt::format("{} is {}, which has no address", operand.text, toString(place)));
     }
@@ -126,7 +132,8 @@ class Resolver {
     std::optional<std::int64_t> number;
     if (const int* found = routines.find(operand.text)) {
       number = *found;
-    } else if (const std::size_t* symbol = symbols_.find(operand.text); symbol != nullptr && program_.symbols[*symbol].address.kind == OperandKind::Constant) {
+    } else if (const std::size_t* symbol = symbols_.find(operand.text);
+               symbol != nullptr && program_.symbols[*symbol].address.kind == OperandKind::Constant) {
       number = program_.symbols[*symbol].address.value;
     } else {
       number = numberOf(operand.text, type);
@@ -176,9 +183,12 @@ class Resolver {
       }
     }
     if (isPartOfAddress(text, Spelling::International)) {
-      return fault(operand, fmt::format("address {} has neither a size letter nor a bit number, and no symbol has this name", text));
+      return fault(
+          operand,
+          fmt::format("address {} has neither a size letter nor a bit number, and no symbol has this name", text));
     }
-    const bool hasDigit = std::any_of(text.begin(), text.end(), isDigit) || upper(text[0]) == 'A' || static_cast<unsigned char>(text[0]) >= 0x80;
+    const bool hasDigit = std::any_of(text.begin(), text.end(), isDigit) || upper(text[0]) == 'A' ||
+                          static_cast<unsigned char>(text[0]) >= 0x80;
     const std::string mended = hasDigit ? mendedOperand(text, Spelling::International, true) : std::string();
     if (mended.empty()) return true;
     OperandResult result = readOperand(mended, {});

@@ -24,14 +24,17 @@ bool standsAlone(Control control) {
   }
 }
 
-bool isOutput(const Desc& desc) { return desc.stack.pushes == 0 && desc.execution != Execution::Stack && desc.execution != Execution::Compare; }
+bool isOutput(const Desc& desc) {
+  return desc.stack.pushes == 0 && desc.execution != Execution::Stack && desc.execution != Execution::Compare;
+}
 
 }  // namespace
 
 std::vector<std::size_t> rungStarts(const std::vector<Instruction>& instructions) {
   std::vector<std::size_t> starts;
   if (instructions.empty()) return starts;
-  std::vector<std::uint32_t> need(instructions.size());  // levels that instruction i and its successors take from before i
+  std::vector<std::uint32_t> need(
+      instructions.size());  // levels that instruction i and its successors take from before i
   std::uint32_t after = 0;
   for (std::size_t i = instructions.size(); i-- > 0;) {
     const StackEffect& effect = instructions[i].desc->stack;
@@ -81,7 +84,8 @@ std::vector<std::uint32_t> splitIntoRungs(Pou& pou, std::string_view text, const
     rung.number = static_cast<int>(r) + 1;
     rung.form = whole.form;
     rung.span = {whole.span.file, begin, end - begin};
-    for (; comment < whole.comments.size() && (isLast || whole.comments[comment].span.offset < end); ++comment) rung.comments.push_back(whole.comments[comment]);
+    for (; comment < whole.comments.size() && (isLast || whole.comments[comment].span.offset < end); ++comment)
+      rung.comments.push_back(whole.comments[comment]);
     const std::uint32_t firstInstruction = first < last ? whole.instructions[first].span.offset : begin;
     for (; damage < damaged.size() && (isLast || damaged[damage] < end); ++damage) {
       rung.complete = false;

@@ -18,17 +18,37 @@ struct KeywordRow {
 };
 /// NETZWERK and SEGMENTO stand in exports of the German and Spanish editor.
 constexpr std::array<KeywordRow, 26> keywords = {{
-    {"ORGANIZATION_BLOCK", Keyword::OrganizationBlock}, {"SUBROUTINE_BLOCK", Keyword::SubroutineBlock}, {"INTERRUPT_BLOCK", Keyword::InterruptBlock},
-    {"END_ORGANIZATION_BLOCK", Keyword::EndOrganizationBlock}, {"END_SUBROUTINE_BLOCK", Keyword::EndSubroutineBlock},
-    {"END_INTERRUPT_BLOCK", Keyword::EndInterruptBlock}, {"DATA_BLOCK", Keyword::DataBlock}, {"DATA_BLOCK_TAB", Keyword::DataBlock},
-    {"END_DATA_BLOCK", Keyword::EndDataBlock}, {"END_DATA_BLOCK_TAB", Keyword::EndDataBlock}, {"SYMBOL_TABLE", Keyword::SymbolTable},
-    {"END_SYMBOL_TABLE", Keyword::EndSymbolTable}, {"VAR_INPUT", Keyword::VarInput}, {"VAR_IN_OUT", Keyword::VarInOut},
-    {"VAR_OUTPUT", Keyword::VarOutput}, {"VAR", Keyword::Var}, {"VAR_TEMP", Keyword::Var}, {"END_VAR", Keyword::EndVar}, {"BEGIN", Keyword::Begin},
-    {"NETWORK", Keyword::Network}, {"NETZWERK", Keyword::Network}, {"SEGMENTO", Keyword::Network},
-    {"SEGMENT", Keyword::Network}, {"NETWORK_COMMENT", Keyword::NetworkComment}, {"NETWORK_TITLE", Keyword::NetworkTitle}, {"TITLE", Keyword::Title},
+    {"ORGANIZATION_BLOCK", Keyword::OrganizationBlock},
+    {"SUBROUTINE_BLOCK", Keyword::SubroutineBlock},
+    {"INTERRUPT_BLOCK", Keyword::InterruptBlock},
+    {"END_ORGANIZATION_BLOCK", Keyword::EndOrganizationBlock},
+    {"END_SUBROUTINE_BLOCK", Keyword::EndSubroutineBlock},
+    {"END_INTERRUPT_BLOCK", Keyword::EndInterruptBlock},
+    {"DATA_BLOCK", Keyword::DataBlock},
+    {"DATA_BLOCK_TAB", Keyword::DataBlock},
+    {"END_DATA_BLOCK", Keyword::EndDataBlock},
+    {"END_DATA_BLOCK_TAB", Keyword::EndDataBlock},
+    {"SYMBOL_TABLE", Keyword::SymbolTable},
+    {"END_SYMBOL_TABLE", Keyword::EndSymbolTable},
+    {"VAR_INPUT", Keyword::VarInput},
+    {"VAR_IN_OUT", Keyword::VarInOut},
+    {"VAR_OUTPUT", Keyword::VarOutput},
+    {"VAR", Keyword::Var},
+    {"VAR_TEMP", Keyword::Var},
+    {"END_VAR", Keyword::EndVar},
+    {"BEGIN", Keyword::Begin},
+    {"NETWORK", Keyword::Network},
+    {"NETZWERK", Keyword::Network},
+    {"SEGMENTO", Keyword::Network},
+    {"SEGMENT", Keyword::Network},
+    {"NETWORK_COMMENT", Keyword::NetworkComment},
+    {"NETWORK_TITLE", Keyword::NetworkTitle},
+    {"TITLE", Keyword::Title},
 }};
 
-std::string_view prefixOf(PouKind kind) { return kind == PouKind::Main ? "OB" : kind == PouKind::Subroutine ? "SBR" : "INT"; }
+std::string_view prefixOf(PouKind kind) {
+  return kind == PouKind::Main ? "OB" : kind == PouKind::Subroutine ? "SBR" : "INT";
+}
 
 /// Number behind the prefix: "SBR_3", "SBR 3", "SBR3", with O read as 0; -1 if there is none.
 int numberAfter(std::string_view prefix, std::string_view text) {
@@ -55,7 +75,8 @@ Keyword keywordOf(std::string_view word, std::size_t& length) {
   while (length < word.size() && (isLetter(word[length]) || word[length] == '_')) ++length;
   if (length < 3) return Keyword::None;
   const std::string_view letters = word.substr(0, length);
-  const auto row = std::find_if(keywords.begin(), keywords.end(), [&](const KeywordRow& entry) { return equalsIgnoringCase(entry.spelling, letters); });
+  const auto row = std::find_if(keywords.begin(), keywords.end(),
+                                [&](const KeywordRow& entry) { return equalsIgnoringCase(entry.spelling, letters); });
   if (row == keywords.end()) return Keyword::None;
   if (length == word.size()) return row->keyword;
   const char next = word[length];
@@ -64,7 +85,9 @@ Keyword keywordOf(std::string_view word, std::size_t& length) {
   return Keyword::None;
 }
 
-std::string defaultName(PouKind kind, int number) { return kind == PouKind::Main ? "MAIN" : fmt::format("{}_{}", prefixOf(kind), number); }
+std::string defaultName(PouKind kind, int number) {
+  return kind == PouKind::Main ? "MAIN" : fmt::format("{}_{}", prefixOf(kind), number);
+}
 
 Heading readHeading(PouKind kind, std::string_view text) {
   Heading heading;
@@ -83,7 +106,8 @@ Heading readHeading(PouKind kind, std::string_view text) {
 
 std::optional<Heading> readOlderHeading(std::string_view first, std::string_view second, std::size_t words) {
   if (words > 2) return std::nullopt;
-  if (words == 1 && (equalsIgnoringCase(first, "MAIN") || equalsIgnoringCase(first, "OB1"))) return Heading{PouKind::Main, "MAIN", 1};
+  if (words == 1 && (equalsIgnoringCase(first, "MAIN") || equalsIgnoringCase(first, "OB1")))
+    return Heading{PouKind::Main, "MAIN", 1};
   for (const PouKind kind : {PouKind::Subroutine, PouKind::Interrupt}) {
     const std::string_view prefix = prefixOf(kind);
     int number = -1;

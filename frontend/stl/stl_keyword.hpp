@@ -11,9 +11,27 @@
 namespace rungproof {
 
 enum class Keyword : std::uint8_t {
-  None, OrganizationBlock, SubroutineBlock, InterruptBlock, EndOrganizationBlock, EndSubroutineBlock, EndInterruptBlock,
-  DataBlock, EndDataBlock, SymbolTable, EndSymbolTable, VarInput, VarInOut, VarOutput, Var, EndVar, Begin, Network,
-  NetworkComment, NetworkTitle, Title
+  None,
+  OrganizationBlock,
+  SubroutineBlock,
+  InterruptBlock,
+  EndOrganizationBlock,
+  EndSubroutineBlock,
+  EndInterruptBlock,
+  DataBlock,
+  EndDataBlock,
+  SymbolTable,
+  EndSymbolTable,
+  VarInput,
+  VarInOut,
+  VarOutput,
+  Var,
+  EndVar,
+  Begin,
+  Network,
+  NetworkComment,
+  NetworkTitle,
+  Title
 };
 
 /// Keyword at the start of a line: `word` is its first word. `length` receives its length ("Network1": 7).

@@ -6,7 +6,8 @@
 namespace rungproof {
 
 bool equalsIgnoringCase(std::string_view a, std::string_view b) {
-  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) { return upper(x) == upper(y); });
+  return a.size() == b.size() &&
+         std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) { return upper(x) == upper(y); });
 }
 
 std::size_t wideBlankLength(std::string_view text, std::size_t at) {
@@ -60,7 +61,8 @@ bool looksLikeBanner(std::string_view rest) {
   if (rest.empty() || std::string_view("*-=#_~").find(rest[0]) == std::string_view::npos) return false;
   const std::size_t other = rest.find_first_not_of(rest[0]);
   if (other == std::string_view::npos) return rest.size() >= 3;
-  if (rest[0] == '*') return other >= 2 || rest.substr(std::min(rest.find_first_not_of(" \t", 1), rest.size() - 1), 1) == "*";
+  if (rest[0] == '*')
+    return other >= 2 || rest.substr(std::min(rest.find_first_not_of(" \t", 1), rest.size() - 1), 1) == "*";
   return other >= 4;
 }
 
@@ -175,7 +177,8 @@ bool StlLexer::next(Line& line) {
     } else if (text_[rest] == '/' && rest + 1 < size && text_[rest + 1] == '/') {
       const std::size_t newline = std::min(text_.find('\n', rest), size);
       line.commentBegin = static_cast<std::uint32_t>(rest);
-      line.commentEnd = static_cast<std::uint32_t>(newline > rest && text_[newline - 1] == '\r' ? newline - 1 : newline);
+      line.commentEnd =
+          static_cast<std::uint32_t>(newline > rest && text_[newline - 1] == '\r' ? newline - 1 : newline);
       i = newline;
     } else {
       at_ = static_cast<std::uint32_t>(i);

@@ -17,14 +17,14 @@ struct Word {
 };
 
 struct Line {
-  std::vector<Word> words;        ///< of the first statement on the line
-  std::uint32_t begin = 0;        ///< first character that is not blank
-  std::uint32_t end = 0;          ///< end of the statement, before comment and semicolon
-  std::uint32_t commentBegin = 0; ///< equal to commentEnd: no comment
+  std::vector<Word> words;         ///< of the first statement on the line
+  std::uint32_t begin = 0;         ///< first character that is not blank
+  std::uint32_t end = 0;           ///< end of the statement, before comment and semicolon
+  std::uint32_t commentBegin = 0;  ///< equal to commentEnd: no comment
   std::uint32_t commentEnd = 0;
-  bool openQuote = false;         ///< a quotation mark has no partner
-  bool endsWithComma = false;     ///< a comma stands behind the last word
-  bool isBanner = false;          ///< the whole line is a comment without sign: stars, dashes, "/*"
+  bool openQuote = false;      ///< a quotation mark has no partner
+  bool endsWithComma = false;  ///< a comma stands behind the last word
+  bool isBanner = false;       ///< the whole line is a comment without sign: stars, dashes, "/*"
 
   bool hasComment() const { return commentBegin < commentEnd; }
 };

@@ -74,7 +74,8 @@ Spelling detectSpelling(std::string_view text) {
       const std::string_view text2 = lexer.slice(line.words[i]);
       const char first = upper(text2[0]);
       if (first == 'E' || first == 'A' || first == 'Z') {
-        if (readAddress(text2, Spelling::German, operand) && !readAddress(text2, Spelling::International, operand)) ++german;
+        if (readAddress(text2, Spelling::German, operand) && !readAddress(text2, Spelling::International, operand))
+          ++german;
       } else if (first == 'I' || first == 'Q' || first == 'C') {
         if (readAddress(text2, Spelling::International, operand)) ++international;
       }

@@ -53,7 +53,9 @@ class StlParser {
 
  private:
   std::string_view slice(std::uint32_t begin, std::uint32_t end) const { return text_.substr(begin, end - begin); }
-  std::string_view word(std::size_t i) const { return i < line_.words.size() ? lexer_.slice(line_.words[i]) : std::string_view(); }
+  std::string_view word(std::size_t i) const {
+    return i < line_.words.size() ? lexer_.slice(line_.words[i]) : std::string_view();
+  }
   Span statementSpan() const { return sink_.span(line_.begin, line_.end); }
   std::string statementText() const { return excerpt(slice(line_.begin, line_.end)); }
 
@@ -104,7 +106,9 @@ class StlParser {
 
   void plainLine() {
     switch (section_) {
-      case Section::Variables: readDeclaration(text_, line_.begin, line_.end, variables_, sink_, blocks_.locals()); break;
+      case Section::Variables:
+        readDeclaration(text_, line_.begin, line_.end, variables_, sink_, blocks_.locals());
+        break;
       case Section::Data: data_.line(line_); break;
       case Section::Symbols: return symbolRow();
       default: return instructionLine();
@@ -130,7 +134,8 @@ class StlParser {
 
   void closeFramed(PouKind kind) {
     const bool matches = blocks_.isFramed() && blocks_.kind() == kind;
-    if (!matches) sink_.report(Syntax::BlockNotOpen, statementSpan(), fmt::format("{} without its heading", statementText()));
+    if (!matches)
+      sink_.report(Syntax::BlockNotOpen, statementSpan(), fmt::format("{} without its heading", statementText()));
     blocks_.close(line_.end);
     section_ = Section::Outside;
     keepComment();
@@ -149,7 +154,8 @@ class StlParser {
 
   void openVariables(VarSection section) {
     if (section_ != Section::Heading && section_ != Section::Variables) {
-      sink_.report(Syntax::OutsideBlock, statementSpan(), "declarations stand between the heading of a block and BEGIN");
+      sink_.report(Syntax::OutsideBlock, statementSpan(),
+                   "declarations stand between the heading of a block and BEGIN");
       if (!blocks_.isOpen()) return;
     }
     if (section_ != Section::Variables) resumeSection_ = section_;
@@ -159,7 +165,8 @@ class StlParser {
   }
 
   void endVariables() {
-    if (section_ != Section::Variables) return sink_.report(Syntax::OutsideBlock, statementSpan(), "END_VAR without VAR");
+    if (section_ != Section::Variables)
+      return sink_.report(Syntax::OutsideBlock, statementSpan(), "END_VAR without VAR");
     section_ = resumeSection_;
     keepComment();
   }
@@ -183,7 +190,8 @@ class StlParser {
     takeRestOfLine();
   }
   void closeTable(Section section) {
-    if (section_ != section) sink_.report(Syntax::BlockNotOpen, statementSpan(), fmt::format("{} without its heading", statementText()));
+    if (section_ != section)
+      sink_.report(Syntax::BlockNotOpen, statementSpan(), fmt::format("{} without its heading", statementText()));
     if (!blocks_.isOpen()) section_ = Section::Outside;
   }
   void closeOpenTable() {
@@ -193,7 +201,8 @@ class StlParser {
   void symbolRow() {
     const std::uint32_t end = takeRestOfLine();
     if (readSymbolRow(text_, line_.begin, end, statements_.context().spelling, sink_)) return;
-    sink_.report(Syntax::SymbolRow, sink_.span(line_.begin, end), fmt::format("\"{}\" is not a row of name and address", excerpt(slice(line_.begin, end))));
+    sink_.report(Syntax::SymbolRow, sink_.span(line_.begin, end),
+                 fmt::format("\"{}\" is not a row of name and address", excerpt(slice(line_.begin, end))));
   }
 
   // Networks and instructions -------------------------------------------------------------------------------------
@@ -220,7 +229,8 @@ class StlParser {
     if (isNumber && digits.size() <= 6) {
       blocks_.renumberNetwork(std::stoi(std::string(digits)));
     } else if (isNumber) {
-      sink_.report(Syntax::NetworkHeading, statementSpan(), fmt::format("network number \"{}\" is too large", excerpt(digits)));
+      sink_.report(Syntax::NetworkHeading, statementSpan(),
+                   fmt::format("network number \"{}\" is too large", excerpt(digits)));
     }
     const bool speaks = line_.hasComment() && speaksToTool(slice(line_.commentBegin, line_.commentEnd));
     if (line_.hasComment() && !speaks) {
@@ -252,7 +262,8 @@ class StlParser {
     } else {
       outsideLines_ = 1;
       outsideFinding_ = findings.size();
-      sink_.report(Syntax::OutsideBlock, statementSpan(), fmt::format("\"{}\" stands outside of any block", statementText()));
+      sink_.report(Syntax::OutsideBlock, statementSpan(),
+                   fmt::format("\"{}\" stands outside of any block", statementText()));
     }
     keepComment();
   }
@@ -298,7 +309,8 @@ class StlParser {
           instructionNamed(lexer_.slice(continuation_.words[0])) != nullptr) {
         return lexer_.rewind(back);
       }
-      sink_.report(Syntax::LenientSpelling, sink_.span(line_.begin, continuation_.end), "the statement goes on in the next line");
+      sink_.report(Syntax::LenientSpelling, sink_.span(line_.begin, continuation_.end),
+                   "the statement goes on in the next line");
       continuation_.words[0].afterComma = true;
       line_.words.insert(line_.words.end(), continuation_.words.begin(), continuation_.words.end());
       line_.end = continuation_.end;

@@ -46,7 +46,9 @@ StatementKind StatementReader::unknown(const Line& line) {
   const std::string_view word = slice(line.words[0].begin, line.words[0].end);
   const Span place = sink_.span(line.begin, line.end);
   if (beginsBeyondAscii(word)) {
-    sink_.report(Syntax::StrayText, place, fmt::format("\"{}\" has no comment sign and was read as a comment", excerpt(slice(line.begin, line.end))));
+    sink_.report(
+        Syntax::StrayText, place,
+        fmt::format("\"{}\" has no comment sign and was read as a comment", excerpt(slice(line.begin, line.end))));
     return StatementKind::Stray;
   }
   const Span at = sink_.span(line.words[0].begin, line.words[0].end);
@@ -59,7 +61,8 @@ StatementKind StatementReader::unknown(const Line& line) {
   const std::string_view heading = hasNumber ? nearestHeading(word) : std::string_view();
   const std::string_view nearest = heading.empty() ? nearestMnemonic(word) : heading;
   if (!nearest.empty()) message += fmt::format("; did you mean {}?", nearest);
-  sink_.report(Syntax::UnknownInstruction, at, std::move(message), nearest.empty() ? std::nullopt : std::optional<Fix>(Fix{at, std::string(nearest), false}));
+  sink_.report(Syntax::UnknownInstruction, at, std::move(message),
+               nearest.empty() ? std::nullopt : std::optional<Fix>(Fix{at, std::string(nearest), false}));
   return StatementKind::Failed;
 }
 
@@ -90,21 +93,26 @@ StatementKind StatementReader::read(const Line& line, Instruction& instruction) 
   }
   const Desc& desc = *found.desc;
   if (desc.drawingOnly) {
-    sink_.report(Syntax::UnknownInstruction, sink_.span(first.begin, first.end), fmt::format("{} exists as a box of LAD and FBD only", desc.stl));
+    sink_.report(Syntax::UnknownInstruction, sink_.span(first.begin, first.end),
+                 fmt::format("{} exists as a box of LAD and FBD only", desc.stl));
     return StatementKind::Failed;
   }
   const Span mnemonic = sink_.span(first.begin, mnemonicEnd);
   const std::string_view written = slice(first.begin, mnemonicEnd);
   if (found.match == MnemonicMatch::LookAlike) sink_.lookAlike(mnemonic, written, std::string(desc.stl));
   if (found.match == MnemonicMatch::LadderName) {
-    sink_.report(Syntax::LadderName, mnemonic, fmt::format("{} is the name of a box; the instruction is {}", written, desc.stl), Fix{mnemonic, std::string(desc.stl), true});
+    sink_.report(Syntax::LadderName, mnemonic,
+                 fmt::format("{} is the name of a box; the instruction is {}", written, desc.stl),
+                 Fix{mnemonic, std::string(desc.stl), true});
   }
   if (isApart) sink_.lenient(mnemonic, written, std::string(desc.stl));
 
   pieces_.clear();
   if (gluedBegin < wordEnd) {
     const std::string_view glued = slice(first.begin, wordEnd);
-    if (!isApart && desc.stl != "=") sink_.lenient(sink_.span(first.begin, wordEnd), glued, fmt::format("{} {}", desc.stl, slice(gluedBegin, wordEnd)));
+    if (!isApart && desc.stl != "=")
+      sink_.lenient(sink_.span(first.begin, wordEnd), glued,
+                    fmt::format("{} {}", desc.stl, slice(gluedBegin, wordEnd)));
     pieces_.push_back({gluedBegin, wordEnd});
   }
   gather(line, nextWord, gluedBegin);
@@ -118,13 +126,15 @@ StatementKind StatementReader::read(const Line& line, Instruction& instruction) 
   StatementKind kind = StatementKind::Instruction;
   if (pieces_.size() > limits.most && !dropStrayTail(line, limits.most)) {
     sink_.report(Syntax::OperandCount, sink_.span(pieces_[limits.most].begin, pieces_.back().end),
-                 fmt::format("{} takes {} operand{}, not {}", desc.stl, limits.most, limits.most == 1 ? "" : "s", pieces_.size()));
+                 fmt::format("{} takes {} operand{}, not {}", desc.stl, limits.most, limits.most == 1 ? "" : "s",
+                             pieces_.size()));
     pieces_.resize(limits.most);
     kind = StatementKind::Damaged;
   }
   if (pieces_.size() < limits.least) {
     sink_.report(Syntax::OperandCount, sink_.span(first.begin, line.end),
-                 fmt::format("{} takes {} operand{}, not {}", desc.stl, limits.least, limits.least == 1 ? "" : "s", pieces_.size()));
+                 fmt::format("{} takes {} operand{}, not {}", desc.stl, limits.least, limits.least == 1 ? "" : "s",
+                             pieces_.size()));
     return StatementKind::Failed;
   }
   instruction.desc = &desc;
@@ -167,7 +177,8 @@ bool StatementReader::belongsTogether(const Piece& piece, std::string_view next)
   if (text.back() == '.' && allDigits(next)) return true;
   if (next[0] == '.' && next.size() > 1 && allDigits(next.substr(1)) && isDigit(text.back())) return true;
   if (!isDigit(next[0])) return false;
-  if (equalsIgnoringCase(text, "SBR") || equalsIgnoringCase(text, "INT") || equalsIgnoringCase(text, "LBL")) return true;
+  if (equalsIgnoringCase(text, "SBR") || equalsIgnoringCase(text, "INT") || equalsIgnoringCase(text, "LBL"))
+    return true;
   const std::string_view letters = text[0] == '*' || text[0] == '&' || text[0] == '%' ? text.substr(1) : text;
   return isAreaPrefix(letters, context_.spelling);
 }
@@ -179,7 +190,8 @@ void StatementReader::joinDecimalCommas(const Desc& desc) {
     if (operandDescOf(desc, i).type != Type::Bool) continue;
     const std::string_view text = textOf(pieces_[i]);
     const std::size_t letters = letterCount(text);
-    const bool isHalf = (letters == 0 || isAreaPrefix(text.substr(0, letters), context_.spelling)) && allDigits(text.substr(letters));
+    const bool isHalf =
+        (letters == 0 || isAreaPrefix(text.substr(0, letters), context_.spelling)) && allDigits(text.substr(letters));
     if (!isHalf || !pieces_[i + 1].afterComma || !isOneDigit(textOf(pieces_[i + 1]))) continue;
     pieces_[i].joined = fmt::format("{}.{}", text, textOf(pieces_[i + 1]));
     pieces_[i].end = pieces_[i + 1].end;
@@ -192,7 +204,9 @@ void StatementReader::joinDecimalCommas(const Desc& desc) {
 bool StatementReader::dropStrayTail(const Line& line, std::size_t limit) {
   const Piece& tail = pieces_[limit];
   if (tail.afterComma || !beginsBeyondAscii(textOf(tail))) return false;
-  sink_.report(Syntax::StrayText, sink_.span(tail.begin, line.end), fmt::format("\"{}\" has no comment sign and was read as a comment", excerpt(slice(tail.begin, line.end))));
+  sink_.report(
+      Syntax::StrayText, sink_.span(tail.begin, line.end),
+      fmt::format("\"{}\" has no comment sign and was read as a comment", excerpt(slice(tail.begin, line.end))));
   pieces_.resize(limit);
   return true;
 }
@@ -210,9 +224,13 @@ bool StatementReader::readPiece(const Piece& piece, const Desc& desc, std::size_
     result.operand.value = -1;
     result.operand.text = text;
   }
-  const bool isMisplacedNumber = bitOnly && result.fault == OperandFault::None && result.operand.kind == OperandKind::Constant;
-  if (result.fault != OperandFault::None || isMisplacedNumber || (isRoutine(expected.type) && (text == "O" || text == "o"))) {
-    std::string mended = isRoutine(expected.type) && (text == "O" || text == "o") ? "0" : mendedOperand(text, context_.spelling, bitOnly);
+  const bool isMisplacedNumber =
+      bitOnly && result.fault == OperandFault::None && result.operand.kind == OperandKind::Constant;
+  if (result.fault != OperandFault::None || isMisplacedNumber ||
+      (isRoutine(expected.type) && (text == "O" || text == "o"))) {
+    std::string mended = isRoutine(expected.type) && (text == "O" || text == "o")
+                             ? "0"
+                             : mendedOperand(text, context_.spelling, bitOnly);
     if (!mended.empty()) {
       result = readOperand(mended, context_);
       sink_.lookAlike(place, written, std::move(mended));
@@ -234,14 +252,27 @@ void StatementReader::reportUnreadable(const Piece& piece, const OperandResult& 
   const std::string_view text = textOf(piece);
   Operand other;
   if (context_.spelling == Spelling::International && readAddress(text, Spelling::German, other)) {
-    sink_.report(Syntax::GermanSpelling, place, fmt::format("\"{}\" is the German spelling of {}", name, toString(other)), Fix{place, toString(other), true});
+    sink_.report(Syntax::GermanSpelling, place,
+                 fmt::format("\"{}\" is the German spelling of {}", name, toString(other)),
+                 Fix{place, toString(other), true});
     return;
   }
   switch (result.fault) {
-    case OperandFault::Constant: sink_.report(Syntax::BadConstant, place, fmt::format("constant \"{}\" {}", name, faultText(result.constantFault))); break;
-    case OperandFault::Pointer: sink_.report(Syntax::BadOperand, place, fmt::format("\"{}\" is no pointer: pointers are kept in VD, LD or AC", name)); break;
-    case OperandFault::AddressOf: sink_.report(Syntax::BadOperand, place, fmt::format("\"{}\": only bytes, words, timers and counters have an address", name)); break;
-    case OperandFault::Number: sink_.report(Syntax::BadOperand, place, fmt::format("the number of address \"{}\" is too large", name)); break;
+    case OperandFault::Constant:
+      sink_.report(Syntax::BadConstant, place,
+                   fmt::format("constant \"{}\" {}", name, faultText(result.constantFault)));
+      break;
+    case OperandFault::Pointer:
+      sink_.report(Syntax::BadOperand, place,
+                   fmt::format("\"{}\" is no pointer: pointers are kept in VD, LD or AC", name));
+      break;
+    case OperandFault::AddressOf:
+      sink_.report(Syntax::BadOperand, place,
+                   fmt::format("\"{}\": only bytes, words, timers and counters have an address", name));
+      break;
+    case OperandFault::Number:
+      sink_.report(Syntax::BadOperand, place, fmt::format("the number of address \"{}\" is too large", name));
+      break;
     default: sink_.report(Syntax::BadOperand, place, fmt::format("operand \"{}\" cannot be read", name)); break;
   }
 }

@@ -21,7 +21,8 @@ enum class StatementKind : std::uint8_t {
 
 class StatementReader {
  public:
-  StatementReader(const SourceFile& file, SyntaxSink& sink, OperandContext context) : text_(file.text()), sink_(sink), context_(context) {}
+  StatementReader(const SourceFile& file, SyntaxSink& sink, OperandContext context)
+      : text_(file.text()), sink_(sink), context_(context) {}
 
   /// Reads a line that has at least one word.
   StatementKind read(const Line& line, Instruction& instruction);
@@ -39,7 +40,9 @@ class StatementReader {
   };
 
   std::string_view slice(std::uint32_t begin, std::uint32_t end) const { return text_.substr(begin, end - begin); }
-  std::string_view textOf(const Piece& piece) const { return piece.joined.empty() ? slice(piece.begin, piece.end) : std::string_view(piece.joined); }
+  std::string_view textOf(const Piece& piece) const {
+    return piece.joined.empty() ? slice(piece.begin, piece.end) : std::string_view(piece.joined);
+  }
   StatementKind unknown(const Line& line);
   void gather(const Line& line, std::size_t firstWord, std::uint32_t gluedBegin);
   bool belongsTogether(const Piece& piece, std::string_view next) const;

@@ -19,7 +19,8 @@ constexpr std::array<std::string_view, 3> numberPrefixes = {"OB", "SBR", "INT"};
 constexpr std::array<std::string_view, 4> sectionKeywords = {"VAR_INPUT", "VAR_IN_OUT", "VAR_OUTPUT", "VAR"};
 
 std::string operandText(const Operand& operand, Type type, const StlWriterOptions& options) {
-  const bool hasName = !operand.text.empty() && operand.kind != OperandKind::Text && operand.kind != OperandKind::Symbol;
+  const bool hasName =
+      !operand.text.empty() && operand.kind != OperandKind::Text && operand.kind != OperandKind::Symbol;
   if (options.symbolic && hasName) return operand.text;
   if (operand.kind == OperandKind::Constant && type == Type::Subroutine) return fmt::format("SBR{}", operand.value);
   if (operand.kind == OperandKind::Constant && type == Type::Interrupt) return fmt::format("INT{}", operand.value);
@@ -56,7 +57,8 @@ class Writer {
     if (options_.comments) {
       for (const Comment& comment : pou.comments) line(commentText(comment));
     }
-    for (std::size_t section = 0; section < sectionKeywords.size(); ++section) writeSection(pou, static_cast<VarSection>(section));
+    for (std::size_t section = 0; section < sectionKeywords.size(); ++section)
+      writeSection(pou, static_cast<VarSection>(section));
     line("BEGIN");
     for (const Network& network : pou.networks) writeNetwork(network);
     line(fmt::format("END_{}", blockKeywords[kind]));
@@ -73,11 +75,13 @@ class Writer {
   }
 
   void writeNetwork(const Network& network) {
-    line(network.title.empty() ? fmt::format("Network {} ", network.number) : fmt::format("Network {} // {}", network.number, network.title));
+    line(network.title.empty() ? fmt::format("Network {} ", network.number)
+                               : fmt::format("Network {} // {}", network.number, network.title));
     std::size_t comment = options_.comments ? 0 : network.comments.size();
     for (std::size_t i = 0; i < network.instructions.size(); ++i) {
       const Instruction& instruction = network.instructions[i];
-      for (; comment < network.comments.size() && network.comments[comment].span.offset < instruction.span.offset; ++comment) {
+      for (; comment < network.comments.size() && network.comments[comment].span.offset < instruction.span.offset;
+           ++comment) {
         line(commentText(network.comments[comment]));
       }
       out_ += writeInstruction(instruction, options_);
@@ -109,7 +113,10 @@ class Writer {
         case 1: line(fmt::format("VB{}   16#{:X}", init.offset, value)); break;
         case 2: line(fmt::format("VW{}   16#{:X}", init.offset, value)); break;
         case 4: line(fmt::format("VD{}   16#{:X}", init.offset, value)); break;
-        default: line(fmt::format("VB{}   {}", init.offset, quoted({reinterpret_cast<const char*>(init.bytes.data()), init.bytes.size()}, '\''))); break;
+        default:
+          line(fmt::format("VB{}   {}", init.offset,
+                           quoted({reinterpret_cast<const char*>(init.bytes.data()), init.bytes.size()}, '\'')));
+          break;
       }
     }
     line("END_DATA_BLOCK");

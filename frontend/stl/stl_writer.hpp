@@ -9,7 +9,8 @@
 namespace rungproof {
 
 struct StlWriterOptions {
-  bool symbolic = false;  ///< names instead of addresses, with a SYMBOL_TABLE block (which Micro/WIN itself does not read)
+  bool symbolic =
+      false;  ///< names instead of addresses, with a SYMBOL_TABLE block (which Micro/WIN itself does not read)
   bool comments = true;
 };
 

@@ -76,8 +76,11 @@ bool readSymbolAddress(std::string_view text, Spelling spelling, Operand& operan
 }
 
 /// The cell that holds the address, and the name before it.
-bool findRow(std::string_view text, const Row& row, Spelling spelling, std::size_t& name, std::size_t& address, Operand& operand) {
-  const auto cell = [&](std::size_t i) { return text.substr(row.cells[i].begin, row.cells[i].end - row.cells[i].begin); };
+bool findRow(std::string_view text, const Row& row, Spelling spelling, std::size_t& name, std::size_t& address,
+             Operand& operand) {
+  const auto cell = [&](std::size_t i) {
+    return text.substr(row.cells[i].begin, row.cells[i].end - row.cells[i].begin);
+  };
   for (std::size_t i = 0; i + 1 < row.count; ++i) {
     if (!isName(cell(i))) continue;
     for (std::size_t k = i + 1; k < row.count && k <= i + 2; ++k) {
@@ -91,8 +94,11 @@ bool findRow(std::string_view text, const Row& row, Spelling spelling, std::size
 }
 
 bool isHeader(std::string_view line) {
-  static constexpr std::array<std::string_view, 8> words = {"Address", "Adresse", "Direccion", "\xE5\x9C\xB0\xE5\x9D\x80", "\xD0\x90\xD0\xB4\xD1\x80\xD0\xB5\xD1\x81", "ADDRESS", "address", "Symbol"};
-  return std::any_of(words.begin(), words.end(), [&](std::string_view word) { return line.find(word) != std::string_view::npos; });
+  static constexpr std::array<std::string_view, 8> words = {
+      "Address", "Adresse", "Direccion", "\xE5\x9C\xB0\xE5\x9D\x80", "\xD0\x90\xD0\xB4\xD1\x80\xD0\xB5\xD1\x81",
+      "ADDRESS", "address", "Symbol"};
+  return std::any_of(words.begin(), words.end(),
+                     [&](std::string_view word) { return line.find(word) != std::string_view::npos; });
 }
 
 bool isComment(std::string_view line) { return line.substr(0, 2) == "//" || line.substr(0, 2) == "##"; }
@@ -116,7 +122,8 @@ bool readSymbolRow(std::string_view text, std::uint32_t begin, std::uint32_t end
     symbol.comment = trimmed(line.substr(comment + 2));
   } else if (address + 1 < row.count) {
     const TableCell& last = row.cells[row.count - 1];
-    std::string_view words = trimmed(text.substr(row.cells[address + 1].begin, last.end - row.cells[address + 1].begin));
+    std::string_view words =
+        trimmed(text.substr(row.cells[address + 1].begin, last.end - row.cells[address + 1].begin));
     if (words.substr(0, 2) == "//") words = trimmed(words.substr(2));
     symbol.comment = words;
   }
@@ -137,7 +144,8 @@ void readSymbolTable(std::string_view text, Spelling spelling, SyntaxSink& sink)
     if (mayBeHeader && isHeader(line)) continue;
     // A number alone is an unused row of the editor's table.
     if (line.find_first_not_of("0123456789\t,; ") == std::string_view::npos) continue;
-    sink.report(Syntax::SymbolRow, sink.span(begin, end), fmt::format("\"{}\" is not a row of name and address", excerpt(line)));
+    sink.report(Syntax::SymbolRow, sink.span(begin, end),
+                fmt::format("\"{}\" is not a row of name and address", excerpt(line)));
   }
 }
 

@@ -28,7 +28,8 @@ void SyntaxSink::countOnly(Span span) {
     finding.help = row.help;
     program_.findings.push_back(std::move(finding));
   }
-  program_.findings[limitFinding_].message = fmt::format("{} further problem{} from here on {} not listed", uncounted_, uncounted_ == 1 ? "" : "s", uncounted_ == 1 ? "is" : "are");
+  program_.findings[limitFinding_].message = fmt::format("{} further problem{} from here on {} not listed", uncounted_,
+                                                         uncounted_ == 1 ? "" : "s", uncounted_ == 1 ? "is" : "are");
 }
 
 Finding* SyntaxSink::add(std::string_view rule, Severity severity, Span span, std::string message) {
@@ -55,7 +56,8 @@ void SyntaxSink::report(Syntax code, Span span, std::string message, std::option
 }
 
 void SyntaxSink::lookAlike(Span span, std::string_view written, std::string meant) {
-  Finding* finding = add("STY004", Severity::Error, span, fmt::format("\"{}\" contains look-alike characters, read as {}", excerpt(written), meant));
+  Finding* finding = add("STY004", Severity::Error, span,
+                         fmt::format("\"{}\" contains look-alike characters, read as {}", excerpt(written), meant));
   if (finding == nullptr) return;
   finding->help = "replace the characters";
   finding->address = meant;
@@ -63,7 +65,8 @@ void SyntaxSink::lookAlike(Span span, std::string_view written, std::string mean
 }
 
 void SyntaxSink::lenient(Span span, std::string_view written, std::string meant) {
-  report(Syntax::LenientSpelling, span, fmt::format("\"{}\" was read as {}", excerpt(written), meant), Fix{span, meant, true});
+  report(Syntax::LenientSpelling, span, fmt::format("\"{}\" was read as {}", excerpt(written), meant),
+         Fix{span, meant, true});
 }
 
 }  // namespace rungproof

@@ -44,8 +44,8 @@ class SyntaxSink {
   std::string pou_;
   int network_ = 0;
   std::size_t count_ = 0;
-  std::size_t uncounted_ = 0;      ///< findings beyond the limit
-  std::size_t limitFinding_ = 0;   ///< index of the SYN008 that counts them
+  std::size_t uncounted_ = 0;     ///< findings beyond the limit
+  std::size_t limitFinding_ = 0;  ///< index of the SYN008 that counts them
 };
 
 /// "abc" shortened for a message: at most 40 bytes, control characters as blanks.

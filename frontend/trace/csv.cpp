@@ -1,6 +1,6 @@
-// Traces as CSV: scan, time_ms at the end of the scan, scan_ms, event if interrupts are known, then one column per signal.
-// The file is a stimulus as well: having time_ms behind scan, it is known as a recording (frontend/run/stimulus_reader.hpp).
-// Tested by tests/trace/csv_test.cpp.
+// Traces as CSV: scan, time_ms at the end of the scan, scan_ms, event if interrupts are known, then one column per
+// signal. The file is a stimulus as well: having time_ms behind scan, it is known as a recording
+// (frontend/run/stimulus_reader.hpp). Tested by tests/trace/csv_test.cpp.
 #include <ostream>
 
 #include "frontend/trace/format.hpp"
@@ -36,6 +36,7 @@ void write(const Trace& trace, std::string_view, std::ostream& out) {
 
 }  // namespace
 
-extern constexpr TraceFormat csvTrace = {.ending = ".csv", .summary = "comma-separated values, also a stimulus", .write = write};
+extern constexpr TraceFormat csvTrace = {
+    .ending = ".csv", .summary = "comma-separated values, also a stimulus", .write = write};
 
 }  // namespace rungproof

@@ -132,15 +132,18 @@ std::string dataJson(const Trace& trace, const TraceDrawings& drawings) {
     json["pages"].push_back(std::move(row));
   }
   for (const TraceSignal& signal : trace.signals) {
-    json["signals"].push_back({{"name", signal.symbol.empty() ? signal.name : signal.name + " " + signal.symbol}, {"bits", signal.width()}});
+    json["signals"].push_back(
+        {{"name", signal.symbol.empty() ? signal.name : signal.name + " " + signal.symbol}, {"bits", signal.width()}});
   }
   for (const TraceRow& row : trace.rows) {
     Json values = Json::array();
     for (const std::optional<double>& value : row.values) values.push_back(value ? Json(*value) : Json());
-    json["rows"].push_back({{"scan", row.scan}, {"time_ms", static_cast<double>(row.timeUs) / 1000}, {"values", values}});
+    json["rows"].push_back(
+        {{"scan", row.scan}, {"time_ms", static_cast<double>(row.timeUs) / 1000}, {"values", values}});
   }
   std::string text = json.dump(-1, true);
-  for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at + 3)) text.replace(at, 2, "<\\/");
+  for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at + 3))
+    text.replace(at, 2, "<\\/");
   return text;
 }
 
@@ -150,15 +153,20 @@ void write(const Trace& trace, std::string_view title, std::ostream& out) { writ
 
 void writeTracePage(const Trace& trace, std::string_view title, const TraceDrawings& drawings, std::ostream& out) {
   const std::string heading = xmlText(title.empty() ? "trace" : title);
-  out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" << heading << "</title><style>" << style << drawings.style << "</style></head><body>\n<h1>" << heading
-      << "</h1>\n<p><button id=\"first\">first</button> <button id=\"previous\">previous change</button> <button id=\"back\">scan back</button> "
-         "<button id=\"forward\">scan forward</button> <button id=\"next\">next change</button> <button id=\"last\">last</button> "
-         "<button id=\"wider\">zoom out</button> <button id=\"closer\">zoom in</button> <b id=\"where\"></b></p>\n<div id=\"view\">\n"
+  out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" << heading << "</title><style>"
+      << style << drawings.style << "</style></head><body>\n<h1>" << heading
+      << "</h1>\n<p><button id=\"first\">first</button> <button id=\"previous\">previous change</button> <button "
+         "id=\"back\">scan back</button> "
+         "<button id=\"forward\">scan forward</button> <button id=\"next\">next change</button> <button "
+         "id=\"last\">last</button> "
+         "<button id=\"wider\">zoom out</button> <button id=\"closer\">zoom in</button> <b id=\"where\"></b></p>\n<div "
+         "id=\"view\">\n"
       << timingDiagram(trace, "") << "</div>\n<div id=\"below\"><table id=\"values\"></table>\n<div id=\"drawings\">\n";
   for (const std::string& page : drawings.pages) out << page;
-  if (drawings.pagesOf.size() < trace.rows.size() && !drawings.pages.empty()) out << "<p>Scans behind the first " << drawings.pagesOf.size() << " are not drawn.</p>\n";
-  out << "</div></div>\n<script type=\"application/json\" id=\"data\">" << dataJson(trace, drawings) << "</script>\n<script>"
-      << script << "</script>\n</body></html>\n";
+  if (drawings.pagesOf.size() < trace.rows.size() && !drawings.pages.empty())
+    out << "<p>Scans behind the first " << drawings.pagesOf.size() << " are not drawn.</p>\n";
+  out << "</div></div>\n<script type=\"application/json\" id=\"data\">" << dataJson(trace, drawings)
+      << "</script>\n<script>" << script << "</script>\n</body></html>\n";
 }
 
 extern constexpr TraceFormat htmlTrace = {.ending = ".html", .summary = "page with zoom and steps", .write = write};

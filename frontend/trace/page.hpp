@@ -13,9 +13,10 @@ namespace rungproof {
 
 /// Drawings of the networks in the scans of a trace; equal ones are kept once.
 struct TraceDrawings {
-  std::vector<std::string> pages{};                 ///< HTML elements of class "drawn", hidden
-  std::vector<std::vector<std::size_t>> pagesOf{};  ///< by row of the trace: indices in `pages`; rows behind the end have none
-  std::string style{};                              ///< rules that the elements need
+  std::vector<std::string> pages{};  ///< HTML elements of class "drawn", hidden
+  std::vector<std::vector<std::size_t>>
+      pagesOf{};        ///< by row of the trace: indices in `pages`; rows behind the end have none
+  std::string style{};  ///< rules that the elements need
 };
 
 void writeTracePage(const Trace& trace, std::string_view title, const TraceDrawings& drawings, std::ostream& out);

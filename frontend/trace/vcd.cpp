@@ -1,6 +1,6 @@
 // Traces as value change dump (IEEE 1364, clause 18), for waveform viewers. Names are made of letters, digits and '_'
-// because strict readers take nothing else; a $comment gives the address and symbol of each. Time 0 is power-up, where all
-// values are unknown; every scan shows its values at its end. Tested by tests/trace/drawing_test.cpp.
+// because strict readers take nothing else; a $comment gives the address and symbol of each. Time 0 is power-up, where
+// all values are unknown; every scan shows its values at its end. Tested by tests/trace/drawing_test.cpp.
 #include <fmt/format.h>
 
 #include <ostream>
@@ -40,9 +40,7 @@ std::string change(const TraceSignal& signal, const std::optional<double>& value
   return fmt::format("b{:b} {}\n", valueOf(*value, signal.type, signal.width()), id);
 }
 
-std::string_view variableType(const TraceSignal& signal) {
-  return signal.isReal() ? "real" : "wire";
-}
+std::string_view variableType(const TraceSignal& signal) { return signal.isReal() ? "real" : "wire"; }
 
 void write(const Trace& trace, std::string_view title, std::ostream& out) {
   bool wholeMs = true;
@@ -56,7 +54,8 @@ void write(const Trace& trace, std::string_view title, std::ostream& out) {
     const TraceSignal& signal = trace.signals[i];
     const std::string plain = plainName(signal.name, taken);
     names += fmt::format("  {} = {}{}{}\n", plain, signal.name, signal.symbol.empty() ? "" : " ", signal.symbol);
-    variables += fmt::format("$var {} {} {} {} $end\n", variableType(signal), signal.isReal() ? 64 : signal.width(), identifier(i), plain);
+    variables += fmt::format("$var {} {} {} {} $end\n", variableType(signal), signal.isReal() ? 64 : signal.width(),
+                             identifier(i), plain);
   }
   out << names << "$end\n$scope module " << scope << " $end\n" << variables << "$upscope $end\n$enddefinitions $end\n";
 
@@ -86,6 +85,7 @@ void write(const Trace& trace, std::string_view title, std::ostream& out) {
 
 }  // namespace
 
-extern constexpr TraceFormat vcdTrace = {.ending = ".vcd", .summary = "value change dump for waveform viewers", .write = write};
+extern constexpr TraceFormat vcdTrace = {
+    .ending = ".vcd", .summary = "value change dump for waveform viewers", .write = write};
 
 }  // namespace rungproof

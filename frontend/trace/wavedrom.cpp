@@ -1,5 +1,5 @@
-// Traces as WaveDrom JSON: one character per scan, '.' repeats, numbers as labelled segments. Inputs, outputs and the rest
-// stand in groups. Tested by tests/trace/drawing_test.cpp.
+// Traces as WaveDrom JSON: one character per scan, '.' repeats, numbers as labelled segments. Inputs, outputs and the
+// rest stand in groups. Tested by tests/trace/drawing_test.cpp.
 #include <ostream>
 
 #include "frontend/json.hpp"
@@ -50,7 +50,8 @@ void write(const Trace& trace, std::string_view title, std::ostream& out) {
   Json lanes = Json::array();
   for (std::size_t i = 0; i < trace.signals.size(); ++i) {
     const std::string group = groupName(trace.signals[i]);
-    const bool isOpen = !lanes.empty() && lanes.back().kind() == Json::Kind::Array && lanes.back().items()[0].text() == group;
+    const bool isOpen =
+        !lanes.empty() && lanes.back().kind() == Json::Kind::Array && lanes.back().items()[0].text() == group;
     if (group.empty()) {
       lanes.push_back(lane(trace, i));
     } else if (isOpen) {

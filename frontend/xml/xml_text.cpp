@@ -16,7 +16,8 @@ std::string_view reasonOf(pugi::xml_parse_status status) {
     case pugi::status_bad_start_element: return "a start tag is not well formed";
     case pugi::status_bad_attribute: return "an attribute is not well formed";
     case pugi::status_bad_end_element: return "an end tag is not well formed";
-    case pugi::status_end_element_mismatch: return "an end tag does not belong to the element that is open, or elements are left open";
+    case pugi::status_end_element_mismatch:
+      return "an end tag does not belong to the element that is open, or elements are left open";
     case pugi::status_bad_pi: return "a processing instruction is not well formed";
     case pugi::status_bad_comment: return "a comment is not closed";
     case pugi::status_bad_cdata: return "a CDATA section is not closed";
@@ -69,7 +70,8 @@ std::string allText(const pugi::xml_node& node) {
   return text;
 }
 
-XmlText::XmlText(const SourceFile& file, SyntaxSink& sink, std::initializer_list<std::string_view> restart) : file_(file), sink_(sink) {
+XmlText::XmlText(const SourceFile& file, SyntaxSink& sink, std::initializer_list<std::string_view> restart)
+    : file_(file), sink_(sink) {
   parse(0, static_cast<std::uint32_t>(file.text().size()), true, restart);
   if (declaresEntities()) {
     parts_.clear();
@@ -78,16 +80,19 @@ XmlText::XmlText(const SourceFile& file, SyntaxSink& sink, std::initializer_list
   }
 }
 
-void XmlText::parse(std::uint32_t begin, std::uint32_t end, bool isWhole, std::initializer_list<std::string_view> restart) {
+void XmlText::parse(std::uint32_t begin, std::uint32_t end, bool isWhole,
+                    std::initializer_list<std::string_view> restart) {
   const std::string_view text = file_.text();
   Part part{std::make_unique<pugi::xml_document>(), begin, false};
-  const pugi::xml_parse_result result = part.document->load_buffer(text.data() + begin, end - begin, parseFlags, pugi::encoding_utf8);
+  const pugi::xml_parse_result result =
+      part.document->load_buffer(text.data() + begin, end - begin, parseFlags, pugi::encoding_utf8);
   part.isDamaged = result.status != pugi::status_ok;
   if (result.status == pugi::status_ok && !part.document->first_child()) return;
   const auto at = static_cast<std::uint32_t>(std::clamp<std::ptrdiff_t>(result.offset, 0, end - begin)) + begin;
   parts_.push_back(std::move(part));
   if (result.status == pugi::status_ok) return;
-  sink_.report(Syntax::XmlDamaged, sink_.span(at, std::min<std::size_t>(at + 1, text.size())), fmt::format("{}; reading goes on at the next block", reasonOf(result.status)));
+  sink_.report(Syntax::XmlDamaged, sink_.span(at, std::min<std::size_t>(at + 1, text.size())),
+               fmt::format("{}; reading goes on at the next block", reasonOf(result.status)));
   if (!isWhole) return;
   // Blocks behind the damage, each for itself: every character is parsed at most once more.
   std::size_t from = at;
@@ -113,7 +118,9 @@ void XmlText::parse(std::uint32_t begin, std::uint32_t end, bool isWhole, std::i
 bool XmlText::declaresEntities() {
   for (const Part& part : parts_) {
     for (const pugi::xml_node& node : part.document->children()) {
-      if (node.type() != pugi::node_doctype || std::string_view(node.value()).find("<!ENTITY") == std::string_view::npos) continue;
+      if (node.type() != pugi::node_doctype ||
+          std::string_view(node.value()).find("<!ENTITY") == std::string_view::npos)
+        continue;
       sink_.report(Syntax::XmlEntities, span(part, node), "the document type declares entities; the file is not read");
       return true;
     }
@@ -128,7 +135,9 @@ void XmlText::refuseDepth() {
     int depth = 1;
     while (at) {
       if (depth > deepestXml) {
-        sink_.report(Syntax::XmlTooDeep, span(part, at), fmt::format("elements are nested more than {} deep; the rest of this branch is left out", deepestXml));
+        sink_.report(
+            Syntax::XmlTooDeep, span(part, at),
+            fmt::format("elements are nested more than {} deep; the rest of this branch is left out", deepestXml));
         pugi::xml_node parent = at.parent();
         // Renamed, not removed: taking a deep tree apart recurses.
         parent.set_name("too-deep");

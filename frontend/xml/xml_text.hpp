@@ -24,8 +24,8 @@ class XmlText {
 
   struct Part {
     std::unique_ptr<pugi::xml_document> document;
-    std::uint32_t base = 0;   ///< offset of the part in the file
-    bool isDamaged = false;   ///< the last block of it may be cut off
+    std::uint32_t base = 0;  ///< offset of the part in the file
+    bool isDamaged = false;  ///< the last block of it may be cut off
   };
   /// The whole document, then the blocks that were saved behind damage. Empty if nothing could be read.
   const std::vector<Part>& parts() const { return parts_; }

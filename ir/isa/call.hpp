@@ -15,20 +15,39 @@ inline constexpr Forms anyParameter =
 struct Call : InScan {
   static constexpr CpuSet large = cpuBit(Cpu::Cpu224XP) | cpuBit(Cpu::Cpu226) | cpuBit(Cpu::Cpu226XM);
   static constexpr CpuSet small = static_cast<CpuSet>(everyCpu & ~large & ~cpuBit(Cpu::Cpu212));
-  static constexpr Desc desc = withOperands(
-      {.stl = "CALL", .meaning = "call a subroutine with up to 16 parameters", .group = "program control", .execution = Execution::Control,
-       .stack = {1, 0, 0}, .eno = true, .control = Control::Call, .time = 900, .manual = "001:6733"},
-      {in("SBR_N", Type::Subroutine, form::Const).within({{0, 15, cpuBit(Cpu::Cpu212)}, {0, 63, small}, {0, 127, large}}),
-       optional(inout("parameter", Type::Parameter, anyParameter))});
+  static constexpr Desc desc =
+      withOperands({.stl = "CALL",
+                    .meaning = "call a subroutine with up to 16 parameters",
+                    .group = "program control",
+                    .execution = Execution::Control,
+                    .stack = {1, 0, 0},
+                    .eno = true,
+                    .control = Control::Call,
+                    .time = 900,
+                    .manual = "001:6733"},
+                   {in("SBR_N", Type::Subroutine, form::Const)
+                        .within({{0, 15, cpuBit(Cpu::Cpu212)}, {0, 63, small}, {0, 127, large}}),
+                    optional(inout("parameter", Type::Parameter, anyParameter))});
 };
 struct ReturnConditional : InScan {
-  static constexpr Desc desc{.stl = "CRET", .meaning = "return from the subroutine if there is power flow", .group = "program control",
-                             .execution = Execution::Control, .stack = {1, 0, 0}, .control = Control::ReturnConditional, .time = 1600,
+  static constexpr Desc desc{.stl = "CRET",
+                             .meaning = "return from the subroutine if there is power flow",
+                             .group = "program control",
+                             .execution = Execution::Control,
+                             .stack = {1, 0, 0},
+                             .control = Control::ReturnConditional,
+                             .time = 1600,
                              .manual = "001:6735"};
 };
 struct Return : InScan {
-  static constexpr Desc desc{.stl = "RET", .meaning = "end of the subroutine", .group = "only in Appendix F or C", .execution = Execution::Control,
-                             .control = Control::Return, .olderDialectOnly = true, .time = 1600, .manual = "001:6763"};
+  static constexpr Desc desc{.stl = "RET",
+                             .meaning = "end of the subroutine",
+                             .group = "only in Appendix F or C",
+                             .execution = Execution::Control,
+                             .control = Control::Return,
+                             .olderDialectOnly = true,
+                             .time = 1600,
+                             .manual = "001:6763"};
 };
 
 using CallGroup = Group<Call, ReturnConditional, Return>;

@@ -14,17 +14,33 @@ struct InScan {
 };
 
 struct End : InScan {
-  static constexpr Desc desc{.stl = "END", .meaning = "end the scan if there is power flow", .group = "program control",
-                             .execution = Execution::Control, .stack = {1, 0, 0}, .control = Control::End, .notInInterrupt = true,
-                             .time = 20, .manual = "001:5687"};
+  static constexpr Desc desc{.stl = "END",
+                             .meaning = "end the scan if there is power flow",
+                             .group = "program control",
+                             .execution = Execution::Control,
+                             .stack = {1, 0, 0},
+                             .control = Control::End,
+                             .notInInterrupt = true,
+                             .time = 20,
+                             .manual = "001:5687"};
 };
 struct MainEnd : InScan {
-  static constexpr Desc desc{.stl = "MEND", .meaning = "end of the main program", .group = "only in Appendix F or C",
-                             .execution = Execution::Control, .control = Control::MainEnd, .olderDialectOnly = true, .manual = "001:13985"};
+  static constexpr Desc desc{.stl = "MEND",
+                             .meaning = "end of the main program",
+                             .group = "only in Appendix F or C",
+                             .execution = Execution::Control,
+                             .control = Control::MainEnd,
+                             .olderDialectOnly = true,
+                             .manual = "001:13985"};
 };
 struct Stop : InScan {
-  static constexpr Desc desc{.stl = "STOP", .meaning = "go to STOP mode", .group = "program control", .execution = Execution::Control,
-                             .stack = {1, 0, 0}, .control = Control::Stop, .manual = "001:5693"};
+  static constexpr Desc desc{.stl = "STOP",
+                             .meaning = "go to STOP mode",
+                             .group = "program control",
+                             .execution = Execution::Control,
+                             .stack = {1, 0, 0},
+                             .control = Control::Stop,
+                             .manual = "001:5693"};
 };
 /// Labels of JMP and LBL (001:5798; CPU 212: general knowledge).
 constexpr OperandDesc labelOperand() {
@@ -33,32 +49,57 @@ constexpr OperandDesc labelOperand() {
 }
 
 struct Jump : InScan {
-  static constexpr Desc desc = withOperands({.stl = "JMP", .meaning = "jump to the label", .group = "program control",
-                                             .execution = Execution::Control, .stack = {1, 0, 0}, .control = Control::Jump, .time = 180,
+  static constexpr Desc desc = withOperands({.stl = "JMP",
+                                             .meaning = "jump to the label",
+                                             .group = "program control",
+                                             .execution = Execution::Control,
+                                             .stack = {1, 0, 0},
+                                             .control = Control::Jump,
+                                             .time = 180,
                                              .manual = "001:5784"},
                                             {labelOperand()});
 };
 struct Label : InScan {
-  static constexpr Desc desc = withOperands({.stl = "LBL", .meaning = "jump label", .group = "program control",
-                                             .execution = Execution::Control, .control = Control::LabelMark, .time = 22, .manual = "001:5786"},
+  static constexpr Desc desc = withOperands({.stl = "LBL",
+                                             .meaning = "jump label",
+                                             .group = "program control",
+                                             .execution = Execution::Control,
+                                             .control = Control::LabelMark,
+                                             .time = 22,
+                                             .manual = "001:5786"},
                                             {labelOperand()});
 };
 struct For : InScan {
-  static constexpr Desc desc = withOperands({.stl = "FOR", .meaning = "start of a loop", .group = "program control",
-                                             .execution = Execution::Control, .stack = {1, 0, 0}, .eno = true, .control = Control::For,
-                                             .time = 3500, .manual = "001:5752"},
-                                            {inout("INDX", Type::Int, form::wordOut), in("INIT", Type::Int, form::wordIn),
-                                             in("FINAL", Type::Int, form::wordIn)});
+  static constexpr Desc desc =
+      withOperands({.stl = "FOR",
+                    .meaning = "start of a loop",
+                    .group = "program control",
+                    .execution = Execution::Control,
+                    .stack = {1, 0, 0},
+                    .eno = true,
+                    .control = Control::For,
+                    .time = 3500,
+                    .manual = "001:5752"},
+                   {inout("INDX", Type::Int, form::wordOut), in("INIT", Type::Int, form::wordIn),
+                    in("FINAL", Type::Int, form::wordIn)});
 };
 struct Next : InScan {
-  static constexpr Desc desc{.stl = "NEXT", .meaning = "end of a loop", .group = "program control", .execution = Execution::Control,
-                             .control = Control::Next, .manual = "001:5752"};
+  static constexpr Desc desc{.stl = "NEXT",
+                             .meaning = "end of a loop",
+                             .group = "program control",
+                             .execution = Execution::Control,
+                             .control = Control::Next,
+                             .manual = "001:5752"};
 };
 
 /// WDR restarts the scan watchdog (001:5699).
 struct WatchdogReset {
-  static constexpr Desc desc{.stl = "WDR", .meaning = "restart the scan watchdog", .group = "program control", .stack = {1, 0, 0},
-                             .time = 700, .manual = "001:5699"};
+  static constexpr Desc desc{.stl = "WDR",
+                             .meaning = "restart the scan watchdog",
+                             .group = "program control",
+                             .stack = {1, 0, 0},
+                             .time = 700,
+                             .manual = "001:5699"};
   template <class D>
   static void run(Machine<D>& m, Args<D>&) {
     m.signal(Signal::WatchdogRestarted);
@@ -67,8 +108,13 @@ struct WatchdogReset {
 
 /// DLED: the SF/DIAG lamp is yellow while IN is above 0 (001:5888).
 struct DiagnosticLed {
-  static constexpr Desc desc = withOperands({.stl = "DLED", .meaning = "diagnostic LED", .group = "program control", .stack = {1, 0, 0},
-                                             .since2004 = true, .time = 1400, .manual = "001:5888"},
+  static constexpr Desc desc = withOperands({.stl = "DLED",
+                                             .meaning = "diagnostic LED",
+                                             .group = "program control",
+                                             .stack = {1, 0, 0},
+                                             .since2004 = true,
+                                             .time = 1400,
+                                             .manual = "001:5888"},
                                             {in("IN", Type::Byte, form::byteIn)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {

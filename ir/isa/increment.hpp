@@ -13,11 +13,19 @@ struct Step {
   static constexpr int w = bits(width);
   static constexpr Type type = width == Width::Byte ? Type::Byte : width == Width::Word ? Type::Int : Type::DInt;
   /// The value from which a step overflows.
-  static constexpr std::uint64_t edge = width == Width::Byte ? (up ? 0xFF : 0) : up ? (1ULL << (w - 1)) - 1 : 1ULL << (w - 1);
+  static constexpr std::uint64_t edge = width == Width::Byte ? (up ? 0xFF : 0)
+                                        : up                 ? (1ULL << (w - 1)) - 1
+                                                             : 1ULL << (w - 1);
   static constexpr Desc desc = withOperands(
-      {.stl = stlName.view(), .meaning = meaning.view(), .group = "math, increment, decrement", .stack = {1, 0, 0}, .eno = true,
-       .affects = static_cast<StatusBits>(status::Zero | status::Overflow | (width == Width::Byte ? 0 : status::Negative)),
-       .time = time, .manual = "001:4999"},
+      {.stl = stlName.view(),
+       .meaning = meaning.view(),
+       .group = "math, increment, decrement",
+       .stack = {1, 0, 0},
+       .eno = true,
+       .affects =
+           static_cast<StatusBits>(status::Zero | status::Overflow | (width == Width::Byte ? 0 : status::Negative)),
+       .time = time,
+       .manual = "001:4999"},
       {inout("OUT", type, targetForms(width))});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -31,7 +39,8 @@ struct Step {
     m.hazard(Hazard::Overflow, overflow);
     m.flag(status::Overflow, overflow);
     // With SM1.1 the other two bits mean nothing (001:4814).
-    m.flag(status::Zero, d.select(overflow, m.externalBit(External::UnknownStatus, 0), d.equal(result, m.number(0, w), w)));
+    m.flag(status::Zero,
+           d.select(overflow, m.externalBit(External::UnknownStatus, 0), d.equal(result, m.number(0, w), w)));
     if constexpr (width != Width::Byte) {
       m.flag(status::Negative, d.select(overflow, m.externalBit(External::UnknownStatus, 2), d.bit(result, w - 1)));
     }
@@ -45,6 +54,7 @@ using DecrementByte = Step<false, Width::Byte, "DECB", "decrement byte", 1600>;
 using DecrementWord = Step<false, Width::Word, "DECW", "decrement word", 2000>;
 using DecrementDWord = Step<false, Width::DWord, "DECD", "decrement double word", 2200>;
 
-using IncrementGroup = Group<IncrementByte, IncrementWord, IncrementDWord, DecrementByte, DecrementWord, DecrementDWord>;
+using IncrementGroup =
+    Group<IncrementByte, IncrementWord, IncrementDWord, DecrementByte, DecrementWord, DecrementDWord>;
 
 }  // namespace rungproof::isa

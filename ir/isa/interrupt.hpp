@@ -15,14 +15,24 @@ constexpr OperandDesc eventOperand() {
   constexpr CpuSet large = cpuBit(Cpu::Cpu224XP) | cpuBit(Cpu::Cpu226) | cpuBit(Cpu::Cpu226XM);
   constexpr CpuSet old = cpuBit(Cpu::Cpu212) | cpuBit(Cpu::Cpu214);
   return in("EVNT", Type::Byte, form::Const)
-      .within({{0, 12, small}, {0, 23, middle}, {19, 23, static_cast<CpuSet>(small)}, {27, 33, small | middle}, {0, 33, large | old}});
+      .within({{0, 12, small},
+               {0, 23, middle},
+               {19, 23, static_cast<CpuSet>(small)},
+               {27, 33, small | middle},
+               {0, 33, large | old}});
 }
 
 /// ENI, DISI: SM4.4 shows the state (001:14108). Forbidden in interrupt routines (001:5426, code 0004).
 template <bool enable, Name stlName, Name meaning, std::uint32_t time>
 struct GlobalEnable {
-  static constexpr Desc desc{.stl = stlName.view(), .meaning = meaning.view(), .group = "interrupt", .stack = {1, 0, 0}, .eno = true,
-                             .notInInterrupt = true, .time = time, .manual = "001:5331"};
+  static constexpr Desc desc{.stl = stlName.view(),
+                             .meaning = meaning.view(),
+                             .group = "interrupt",
+                             .stack = {1, 0, 0},
+                             .eno = true,
+                             .notInInterrupt = true,
+                             .time = time,
+                             .manual = "001:5331"};
   template <class D>
   static void run(Machine<D>& m, Args<D>&) {
     const auto forbidden = m.d.constant(m.inInterrupt);
@@ -37,9 +47,15 @@ struct GlobalEnable {
 /// ATCH INT, EVNT: one routine per event, a new one replaces it (001:5345, 001:5370). Error 0002 if the event needs
 /// an input that a defined high-speed counter uses.
 struct Attach {
-  static constexpr Desc desc = withOperands({.stl = "ATCH", .meaning = "attach an interrupt routine to an event", .group = "interrupt",
-                                             .stack = {1, 0, 0}, .eno = true, .time = 1200, .manual = "001:5345"},
-                                            {in("INT", Type::Interrupt, form::Const).within({{0, 127, everyCpu}}), eventOperand()});
+  static constexpr Desc desc =
+      withOperands({.stl = "ATCH",
+                    .meaning = "attach an interrupt routine to an event",
+                    .group = "interrupt",
+                    .stack = {1, 0, 0},
+                    .eno = true,
+                    .time = 1200,
+                    .manual = "001:5345"},
+                   {in("INT", Type::Interrupt, form::Const).within({{0, 127, everyCpu}}), eventOperand()});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     const std::uint32_t event = a.number(1);
@@ -71,8 +87,13 @@ struct Attach {
 
 /// DTCH EVNT: the event is ignored from now on; entries that wait in a queue stay (001:5353).
 struct Detach {
-  static constexpr Desc desc = withOperands({.stl = "DTCH", .meaning = "detach an event", .group = "interrupt", .stack = {1, 0, 0},
-                                             .eno = true, .time = 1200, .manual = "001:5353"},
+  static constexpr Desc desc = withOperands({.stl = "DTCH",
+                                             .meaning = "detach an event",
+                                             .group = "interrupt",
+                                             .stack = {1, 0, 0},
+                                             .eno = true,
+                                             .time = 1200,
+                                             .manual = "001:5353"},
                                             {eventOperand()});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -85,8 +106,14 @@ struct Detach {
 
 /// CEVNT EVNT: drops the queued entries of the event (001:5357).
 struct ClearEvents {
-  static constexpr Desc desc = withOperands({.stl = "CEVNT", .meaning = "clear the queued entries of an event", .group = "interrupt",
-                                             .stack = {1, 0, 0}, .eno = true, .since2004 = true, .time = 2400, .manual = "001:5357"},
+  static constexpr Desc desc = withOperands({.stl = "CEVNT",
+                                             .meaning = "clear the queued entries of an event",
+                                             .group = "interrupt",
+                                             .stack = {1, 0, 0},
+                                             .eno = true,
+                                             .since2004 = true,
+                                             .time = 2400,
+                                             .manual = "001:5357"},
                                             {eventOperand()});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -95,19 +122,29 @@ struct ClearEvents {
 };
 
 struct InterruptReturnConditional : InScan {
-  static constexpr Desc desc{.stl = "CRETI", .meaning = "leave the interrupt routine if there is power flow", .group = "interrupt",
-                             .execution = Execution::Control, .stack = {1, 0, 0}, .control = Control::InterruptReturnConditional, .time = 20,
+  static constexpr Desc desc{.stl = "CRETI",
+                             .meaning = "leave the interrupt routine if there is power flow",
+                             .group = "interrupt",
+                             .execution = Execution::Control,
+                             .stack = {1, 0, 0},
+                             .control = Control::InterruptReturnConditional,
+                             .time = 20,
                              .manual = "001:5341"};
 };
 struct InterruptReturn : InScan {
-  static constexpr Desc desc{.stl = "RETI", .meaning = "end of the interrupt routine", .group = "only in Appendix F or C",
-                             .execution = Execution::Control, .control = Control::InterruptReturn, .olderDialectOnly = true, .manual = "001:13991"};
+  static constexpr Desc desc{.stl = "RETI",
+                             .meaning = "end of the interrupt routine",
+                             .group = "only in Appendix F or C",
+                             .execution = Execution::Control,
+                             .control = Control::InterruptReturn,
+                             .olderDialectOnly = true,
+                             .manual = "001:13991"};
 };
 
 using EnableInterrupts = GlobalEnable<true, "ENI", "enable interrupts", 1100>;
 using DisableInterrupts = GlobalEnable<false, "DISI", "disable interrupts", 900>;
 
-using InterruptGroup =
-    Group<InterruptReturnConditional, InterruptReturn, EnableInterrupts, DisableInterrupts, Attach, Detach, ClearEvents>;
+using InterruptGroup = Group<InterruptReturnConditional, InterruptReturn, EnableInterrupts, DisableInterrupts, Attach,
+                             Detach, ClearEvents>;
 
 }  // namespace rungproof::isa

@@ -10,15 +10,28 @@ namespace rungproof::isa {
 enum class Bitwise { And, Or, Xor };
 
 /// Unsigned type and operand forms of a width, for instructions that exist for bytes, words and double words.
-constexpr Type unsignedType(Width w) { return w == Width::Byte ? Type::Byte : w == Width::Word ? Type::Word : Type::DWord; }
-constexpr Forms sourceForms(Width w) { return w == Width::Byte ? form::byteIn : w == Width::Word ? form::wordIn : form::dwordIn; }
-constexpr Forms targetForms(Width w) { return w == Width::Byte ? form::byteOut : w == Width::Word ? form::wordOut : form::dwordOut; }
+constexpr Type unsignedType(Width w) {
+  return w == Width::Byte ? Type::Byte : w == Width::Word ? Type::Word : Type::DWord;
+}
+constexpr Forms sourceForms(Width w) {
+  return w == Width::Byte ? form::byteIn : w == Width::Word ? form::wordIn : form::dwordIn;
+}
+constexpr Forms targetForms(Width w) {
+  return w == Width::Byte ? form::byteOut : w == Width::Word ? form::wordOut : form::dwordOut;
+}
 
 template <Bitwise operation, Width width, Name stlName, Name germanName, Name meaning, std::uint32_t time>
 struct BitwiseLogic {
   static constexpr Desc desc = withOperands(
-      {.stl = stlName.view(), .german = germanName.view(), .meaning = meaning.view(), .group = "logic (bitwise)", .stack = {1, 0, 0},
-       .eno = true, .affects = status::Zero, .time = time, .manual = "001:5553"},
+      {.stl = stlName.view(),
+       .german = germanName.view(),
+       .meaning = meaning.view(),
+       .group = "logic (bitwise)",
+       .stack = {1, 0, 0},
+       .eno = true,
+       .affects = status::Zero,
+       .time = time,
+       .manual = "001:5553"},
       {in("IN1", unsignedType(width), sourceForms(width)), inout("OUT", unsignedType(width), targetForms(width))});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -35,8 +48,14 @@ struct BitwiseLogic {
 /// One's complement in place.
 template <Width width, Name stlName, Name meaning, std::uint32_t time>
 struct Invert {
-  static constexpr Desc desc = withOperands({.stl = stlName.view(), .meaning = meaning.view(), .group = "logic (bitwise)", .stack = {1, 0, 0},
-                                             .eno = true, .affects = status::Zero, .time = time, .manual = "000:7387"},
+  static constexpr Desc desc = withOperands({.stl = stlName.view(),
+                                             .meaning = meaning.view(),
+                                             .group = "logic (bitwise)",
+                                             .stack = {1, 0, 0},
+                                             .eno = true,
+                                             .affects = status::Zero,
+                                             .time = time,
+                                             .manual = "000:7387"},
                                             {inout("OUT", unsignedType(width), targetForms(width))});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -60,7 +79,7 @@ using InvertByte = Invert<Width::Byte, "INVB", "one's complement of a byte", 160
 using InvertWord = Invert<Width::Word, "INVW", "one's complement of a word", 2000>;
 using InvertDWord = Invert<Width::DWord, "INVD", "one's complement of a double word", 2200>;
 
-using LogicGroup =
-    Group<AndByte, AndWord, AndDWord, OrByte, OrWord, OrDWord, XorByte, XorWord, XorDWord, InvertByte, InvertWord, InvertDWord>;
+using LogicGroup = Group<AndByte, AndWord, AndDWord, OrByte, OrWord, OrDWord, XorByte, XorWord, XorDWord, InvertByte,
+                         InvertWord, InvertDWord>;
 
 }  // namespace rungproof::isa

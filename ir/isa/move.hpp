@@ -9,8 +9,13 @@ namespace rungproof::isa {
 /// IN to OUT, bit for bit. MOVD also takes an address and so makes pointers (001:5607).
 template <Type type, Forms sources, Forms targets, Name stlName, Name meaning, std::uint32_t time>
 struct Move {
-  static constexpr Desc desc = withOperands({.stl = stlName.view(), .meaning = meaning.view(), .group = "move, shift, rotate",
-                                             .stack = {1, 0, 0}, .eno = true, .time = time, .manual = "001:5603"},
+  static constexpr Desc desc = withOperands({.stl = stlName.view(),
+                                             .meaning = meaning.view(),
+                                             .group = "move, shift, rotate",
+                                             .stack = {1, 0, 0},
+                                             .eno = true,
+                                             .time = time,
+                                             .manual = "001:5603"},
                                             {in("IN", type, sources), out("OUT", type, targets)});
   template <class D>
   static void run(Machine<D>&, Args<D>& a) {
@@ -20,9 +25,15 @@ struct Move {
 
 /// BIR: a byte of the physical inputs, past the image, to memory (001:5626).
 struct MoveImmediateRead {
-  static constexpr Desc desc = withOperands({.stl = "BIR", .meaning = "move byte from the physical inputs", .group = "move, shift, rotate",
-                                             .stack = {1, 0, 0}, .eno = true, .time = 2300, .manual = "001:5626"},
-                                            {in("IN", Type::Byte, form::I | form::Pointers), out("OUT", Type::Byte, form::byteOut)});
+  static constexpr Desc desc =
+      withOperands({.stl = "BIR",
+                    .meaning = "move byte from the physical inputs",
+                    .group = "move, shift, rotate",
+                    .stack = {1, 0, 0},
+                    .eno = true,
+                    .time = 2300,
+                    .manual = "001:5626"},
+                   {in("IN", Type::Byte, form::I | form::Pointers), out("OUT", Type::Byte, form::byteOut)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     // A pointer must lead to an input byte; the manual only lists IB and pointers.
@@ -44,9 +55,15 @@ struct MoveImmediateRead {
 
 /// BIW: a byte to the physical outputs and to the image (001:5628).
 struct MoveImmediateWrite {
-  static constexpr Desc desc = withOperands({.stl = "BIW", .meaning = "move byte to the physical outputs", .group = "move, shift, rotate",
-                                             .stack = {1, 0, 0}, .eno = true, .time = 2400, .manual = "001:5628"},
-                                            {in("IN", Type::Byte, form::byteIn), out("OUT", Type::Byte, form::Q | form::Pointers)});
+  static constexpr Desc desc =
+      withOperands({.stl = "BIW",
+                    .meaning = "move byte to the physical outputs",
+                    .group = "move, shift, rotate",
+                    .stack = {1, 0, 0},
+                    .eno = true,
+                    .time = 2400,
+                    .manual = "001:5628"},
+                   {in("IN", Type::Byte, form::byteIn), out("OUT", Type::Byte, form::Q | form::Pointers)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     const auto value = a.value(0);
@@ -54,7 +71,8 @@ struct MoveImmediateWrite {
     a.eachPlace(1, [&](auto condition, Area area, std::uint32_t offset) {
       m.when(m.d.land(condition, m.d.constant(area == Area::Q)), [&] {
         m.save(Area::Q, offset, Width::Byte, value);
-        for (std::uint32_t bit = 0; bit < 8; ++bit) m.setBit(Reg::PhysicalOutput, offset * 8 + bit, m.d.bit(value, static_cast<int>(bit)));
+        for (std::uint32_t bit = 0; bit < 8; ++bit)
+          m.setBit(Reg::PhysicalOutput, offset * 8 + bit, m.d.bit(value, static_cast<int>(bit)));
       });
       isOutput = m.d.lor(isOutput, m.d.land(condition, m.d.constant(area == Area::Q)));
     });
@@ -78,7 +96,12 @@ typename D::Bits legalCount(Machine<D>& m, typename D::Bits count, typename D::B
 template <Width width, Forms sources, Forms targets, Name stlName, Name meaning, std::uint32_t time>
 struct BlockMove {
   static constexpr Desc desc = withOperands(
-      {.stl = stlName.view(), .meaning = meaning.view(), .group = "move, shift, rotate", .stack = {1, 0, 0}, .eno = true, .time = time,
+      {.stl = stlName.view(),
+       .meaning = meaning.view(),
+       .group = "move, shift, rotate",
+       .stack = {1, 0, 0},
+       .eno = true,
+       .time = time,
        .manual = "001:5650"},
       {in("IN", unsignedType(width), sources).elements(1, 0), out("OUT", unsignedType(width), targets).elements(1, 0),
        in("N", Type::Byte, form::byteIn).within({{1, 255, everyCpu}})});
@@ -99,8 +122,13 @@ struct BlockMove {
 
 /// SWAP: exchanges the two bytes of a word in place (001:6031).
 struct Swap {
-  static constexpr Desc desc = withOperands({.stl = "SWAP", .meaning = "swap the bytes of a word", .group = "move, shift, rotate",
-                                             .stack = {1, 0, 0}, .eno = true, .time = 1700, .manual = "001:6031"},
+  static constexpr Desc desc = withOperands({.stl = "SWAP",
+                                             .meaning = "swap the bytes of a word",
+                                             .group = "move, shift, rotate",
+                                             .stack = {1, 0, 0},
+                                             .eno = true,
+                                             .time = 1700,
+                                             .manual = "001:6031"},
                                             {inout("IN", Type::Word, form::wordOut)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -113,13 +141,16 @@ inline constexpr Forms wordBuffer = form::byteBuffer | form::T | form::C;
 
 using MoveByte = Move<Type::Byte, form::byteIn, form::byteOut, "MOVB", "move byte", 1500>;
 using MoveWord = Move<Type::Word, form::wordIn, form::wordOut | form::AQ, "MOVW", "move word", 1800>;
-using MoveDWord = Move<Type::DWord, form::dwordIn | form::Address, form::dwordOut, "MOVD", "move double word or address", 2000>;
+using MoveDWord =
+    Move<Type::DWord, form::dwordIn | form::Address, form::dwordOut, "MOVD", "move double word or address", 2000>;
 using MoveReal = Move<Type::Real, form::realIn, form::dwordOut, "MOVR", "move real", 2000>;
 using BlockMoveByte = BlockMove<Width::Byte, form::byteBuffer, form::byteBuffer, "BMB", "block move of bytes", 1000>;
-using BlockMoveWord = BlockMove<Width::Word, wordBuffer | form::AI, wordBuffer | form::AQ, "BMW", "block move of words", 1000>;
-using BlockMoveDWord = BlockMove<Width::DWord, form::byteBuffer, form::byteBuffer, "BMD", "block move of double words", 1100>;
+using BlockMoveWord =
+    BlockMove<Width::Word, wordBuffer | form::AI, wordBuffer | form::AQ, "BMW", "block move of words", 1000>;
+using BlockMoveDWord =
+    BlockMove<Width::DWord, form::byteBuffer, form::byteBuffer, "BMD", "block move of double words", 1100>;
 
-using MoveGroup = Group<MoveByte, MoveWord, MoveDWord, MoveReal, MoveImmediateRead, MoveImmediateWrite, BlockMoveByte, BlockMoveWord,
-                        BlockMoveDWord, Swap>;
+using MoveGroup = Group<MoveByte, MoveWord, MoveDWord, MoveReal, MoveImmediateRead, MoveImmediateWrite, BlockMoveByte,
+                        BlockMoveWord, BlockMoveDWord, Swap>;
 
 }  // namespace rungproof::isa

@@ -11,10 +11,17 @@
 namespace rungproof::isa {
 
 struct Pid {
-  static constexpr Desc desc = withOperands(
-      {.stl = "PID", .meaning = "PID loop", .group = "math, increment, decrement", .execution = Execution::Sampled, .stack = {1, 0, 0},
-       .eno = true, .affects = status::Overflow, .time = 40000, .manual = "001:5069"},
-      {inout("TBL", Type::Byte, form::V).elements(36, 80), in("LOOP", Type::Byte, form::Const).within({{0, 7, everyCpu}})});
+  static constexpr Desc desc = withOperands({.stl = "PID",
+                                             .meaning = "PID loop",
+                                             .group = "math, increment, decrement",
+                                             .execution = Execution::Sampled,
+                                             .stack = {1, 0, 0},
+                                             .eno = true,
+                                             .affects = status::Overflow,
+                                             .time = 40000,
+                                             .manual = "001:5069"},
+                                            {inout("TBL", Type::Byte, form::V).elements(36, 80),
+                                             in("LOOP", Type::Byte, form::Const).within({{0, 7, everyCpu}})});
 
   enum Field : int { PV, SP, M, Kc, Ts, Ti, Td, MX, previousPV };
 
@@ -58,7 +65,8 @@ struct Pid {
     m.flag(status::Overflow, d.lnot(legal));
     m.when(legal, [&] {
       const auto above = d.rsub(one, others), below = d.rsub(zero, others);  // 001:5271-5273
-      const auto newBias = d.select(d.rless(one, output), above, d.select(d.rless(output, zero), below, integral, 32), 32);
+      const auto newBias =
+          d.select(d.rless(one, output), above, d.select(d.rless(output, zero), below, integral, 32), 32);
       m.when(rising, [&] { a.storeElement(0, SP, Width::DWord, sp); });
       a.storeElement(0, M, Width::DWord, clamp(output));
       a.storeElement(0, MX, Width::DWord, clamp(newBias));

@@ -1,5 +1,5 @@
-// REAL arithmetic +R -R *R /R and functions SQRT SIN COS TAN LN EXP (001:4786-4872, 001:4938-4995; s7200 digest B 1, 3).
-// IEEE 754 single precision. A result or operand that is no legal number sets SM1.1 and leaves the operands as they
+// REAL arithmetic +R -R *R /R and functions SQRT SIN COS TAN LN EXP (001:4786-4872, 001:4938-4995; s7200 digest B 1,
+// 3). IEEE 754 single precision. A result or operand that is no legal number sets SM1.1 and leaves the operands as they
 // were (001:4814, 001:4976). Tests: tests/manual_b/real_test.cpp.
 #pragma once
 
@@ -26,10 +26,16 @@ enum class RealOperation { Add, Sub, Mul, Div };
 template <RealOperation operation, Name stlName, Name meaning, std::uint32_t time>
 struct RealMath {
   static constexpr bool divides = operation == RealOperation::Div;
-  static constexpr Desc desc = withOperands(
-      {.stl = stlName.view(), .meaning = meaning.view(), .group = "math, increment, decrement", .stack = {1, 0, 0}, .eno = true,
-       .affects = static_cast<StatusBits>(arithmeticBits | (divides ? status::DivideByZero : 0)), .time = time, .manual = "001:4814"},
-      {in("IN1", Type::Real, form::realIn), inout("OUT", Type::Real, form::dwordOut)});
+  static constexpr Desc desc =
+      withOperands({.stl = stlName.view(),
+                    .meaning = meaning.view(),
+                    .group = "math, increment, decrement",
+                    .stack = {1, 0, 0},
+                    .eno = true,
+                    .affects = static_cast<StatusBits>(arithmeticBits | (divides ? status::DivideByZero : 0)),
+                    .time = time,
+                    .manual = "001:4814"},
+                   {in("IN1", Type::Real, form::realIn), inout("OUT", Type::Real, form::dwordOut)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -56,9 +62,16 @@ struct RealMath {
 /// Angles are in radians (001:4942). Illegal: SQRT of a negative, LN of 0 or less, EXP beyond the range.
 template <RealFunction function, Name stlName, Name meaning, std::uint32_t time>
 struct RealFunctionBox {
-  static constexpr Desc desc = withOperands({.stl = stlName.view(), .meaning = meaning.view(), .group = "math, increment, decrement",
-                                             .stack = {1, 0, 0}, .eno = true, .affects = arithmeticBits, .time = time, .manual = "001:4976"},
-                                            {in("IN", Type::Real, form::realIn), out("OUT", Type::Real, form::dwordOut)});
+  static constexpr Desc desc =
+      withOperands({.stl = stlName.view(),
+                    .meaning = meaning.view(),
+                    .group = "math, increment, decrement",
+                    .stack = {1, 0, 0},
+                    .eno = true,
+                    .affects = arithmeticBits,
+                    .time = time,
+                    .manual = "001:4976"},
+                   {in("IN", Type::Real, form::realIn), out("OUT", Type::Real, form::dwordOut)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     const auto argument = a.value(0);

@@ -12,10 +12,16 @@ enum class Way { Left, Right };
 template <Way way, Width width, Name stlName, Name meaning, std::uint32_t time>
 struct Shift {
   static constexpr int w = bits(width);
-  static constexpr Desc desc = withOperands(
-      {.stl = stlName.view(), .meaning = meaning.view(), .group = "move, shift, rotate", .stack = {1, 0, 0}, .eno = true,
-       .affects = status::Zero | status::Overflow, .time = time, .manual = "001:5925"},
-      {inout("OUT", unsignedType(width), targetForms(width)), in("N", Type::Byte, form::byteIn)});
+  static constexpr Desc desc =
+      withOperands({.stl = stlName.view(),
+                    .meaning = meaning.view(),
+                    .group = "move, shift, rotate",
+                    .stack = {1, 0, 0},
+                    .eno = true,
+                    .affects = status::Zero | status::Overflow,
+                    .time = time,
+                    .manual = "001:5925"},
+                   {inout("OUT", unsignedType(width), targetForms(width)), in("N", Type::Byte, form::byteIn)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -34,10 +40,16 @@ struct Shift {
 template <Way way, Width width, Name stlName, Name meaning, std::uint32_t time>
 struct Rotate {
   static constexpr int w = bits(width);
-  static constexpr Desc desc = withOperands(
-      {.stl = stlName.view(), .meaning = meaning.view(), .group = "move, shift, rotate", .stack = {1, 0, 0}, .eno = true,
-       .affects = status::Zero | status::Overflow, .time = time, .manual = "001:5942"},
-      {inout("OUT", unsignedType(width), targetForms(width)), in("N", Type::Byte, form::byteIn)});
+  static constexpr Desc desc =
+      withOperands({.stl = stlName.view(),
+                    .meaning = meaning.view(),
+                    .group = "move, shift, rotate",
+                    .stack = {1, 0, 0},
+                    .eno = true,
+                    .affects = status::Zero | status::Overflow,
+                    .time = time,
+                    .manual = "001:5942"},
+                   {inout("OUT", unsignedType(width), targetForms(width)), in("N", Type::Byte, form::byteIn)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -50,7 +62,8 @@ struct Rotate {
     const auto result = d.bor(d.shl(old, left, w), d.lshr(old, right, w), w);
     a.store(0, result);
     // A multiple of the width rotates nothing and leaves SM1.1 (001:5946).
-    m.when(d.lnot(d.equal(n, m.number(0, w), w)), [&] { m.flag(status::Overflow, d.bit(result, way == Way::Left ? 0 : w - 1)); });
+    m.when(d.lnot(d.equal(n, m.number(0, w), w)),
+           [&] { m.flag(status::Overflow, d.bit(result, way == Way::Left ? 0 : w - 1)); });
     m.flag(status::Zero, d.equal(result, m.number(0, w), w));
   }
 };
@@ -59,11 +72,17 @@ struct Rotate {
 /// that leaves goes to SM1.1 (001:5984-6027). N = 0 and |N| > 64 are error 0092; for N = 0 the manual is silent.
 struct ShiftRegister {
   static constexpr int longest = 64;  // 001:6024
-  static constexpr Desc desc = withOperands(
-      {.stl = "SHRB", .meaning = "shift a bit into a shift register", .group = "move, shift, rotate", .stack = {1, 0, 0}, .eno = true,
-       .affects = status::Overflow, .time = 4800, .manual = "001:5986"},
-      {in("DATA", Type::Bool, form::bitAny), inout("S_BIT", Type::Bool, form::bitAny),
-       in("N", Type::Byte, form::byteIn).within({{-longest, longest, everyCpu}})});
+  static constexpr Desc desc =
+      withOperands({.stl = "SHRB",
+                    .meaning = "shift a bit into a shift register",
+                    .group = "move, shift, rotate",
+                    .stack = {1, 0, 0},
+                    .eno = true,
+                    .affects = status::Overflow,
+                    .time = 4800,
+                    .manual = "001:5986"},
+                   {in("DATA", Type::Bool, form::bitAny), inout("S_BIT", Type::Bool, form::bitAny),
+                    in("N", Type::Byte, form::byteIn).within({{-longest, longest, everyCpu}})});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -85,7 +104,8 @@ struct ShiftRegister {
         const auto isTop = d.equal(count, m.number(static_cast<std::uint64_t>(k) + 1, 8), 8);
         const auto at = static_cast<std::size_t>(k);
         top = d.select(isTop, old[at], top);
-        a.storeBitAt(1, k, d.select(down, d.select(isTop, data, old[at + 1]), k == 0 ? data : old[at - (k == 0 ? 0 : 1)]));
+        a.storeBitAt(1, k,
+                     d.select(down, d.select(isTop, data, old[at + 1]), k == 0 ? data : old[at - (k == 0 ? 0 : 1)]));
       });
       m.flag(status::Overflow, d.select(down, old[0], top));
     });
@@ -105,7 +125,8 @@ using RotateRightByte = Rotate<Way::Right, Width::Byte, "RRB", "rotate byte righ
 using RotateRightWord = Rotate<Way::Right, Width::Word, "RRW", "rotate word right", 2600>;
 using RotateRightDWord = Rotate<Way::Right, Width::DWord, "RRD", "rotate double word right", 2800>;
 
-using ShiftGroup = Group<ShiftRegister, ShiftRightByte, ShiftRightWord, ShiftRightDWord, ShiftLeftByte, ShiftLeftWord, ShiftLeftDWord,
-                         RotateRightByte, RotateRightWord, RotateRightDWord, RotateLeftByte, RotateLeftWord, RotateLeftDWord>;
+using ShiftGroup =
+    Group<ShiftRegister, ShiftRightByte, ShiftRightWord, ShiftRightDWord, ShiftLeftByte, ShiftLeftWord, ShiftLeftDWord,
+          RotateRightByte, RotateRightWord, RotateRightDWord, RotateLeftByte, RotateLeftWord, RotateLeftDWord>;
 
 }  // namespace rungproof::isa

@@ -23,7 +23,8 @@ struct StringSource {
     D& d = m.d;
     const Bits byte = a.byteAt(i, 0);
     length = d.zext(byte, 8, 16);
-    isLegal = d.land(d.ule(byte, m.number(maxString, 8), 8), a.fits(i, d.add(length, m.number(1, 16), 16), Width::Byte));
+    isLegal =
+        d.land(d.ule(byte, m.number(maxString, 8), 8), a.fits(i, d.add(length, m.number(1, 16), 16), Width::Byte));
     const int room = a.room(i, Width::Byte, maxString + 1) - 1;
     const auto known = d.known(length);
     limit = std::clamp(known ? static_cast<int>(*known) : maxString, 0, std::max(room, 0));
@@ -33,7 +34,8 @@ struct StringSource {
     D& d = m.d;
     if (const auto known = d.known(position)) return a.byteAt(i, static_cast<int>(*known));
     Bits result = m.number(0, 8);
-    for (int k = 1; k <= limit; ++k) result = d.select(d.equal(position, m.number(static_cast<std::uint64_t>(k), 16), 16), a.byteAt(i, k), result, 8);
+    for (int k = 1; k <= limit; ++k)
+      result = d.select(d.equal(position, m.number(static_cast<std::uint64_t>(k), 16), 16), a.byteAt(i, k), result, 8);
     return result;
   }
 
@@ -45,16 +47,18 @@ struct StringSource {
   int limit = 0;
 };
 
-/// Copies `count` characters of `source` from position `first` on to operand `to`, behind its first `behind` characters,
-/// and sets the length of `to` to behind + count. Numbers have width 16. The whole result must fit.
+/// Copies `count` characters of `source` from position `first` on to operand `to`, behind its first `behind`
+/// characters, and sets the length of `to` to behind + count. Numbers have width 16. The whole result must fit.
 template <class D>
-void copyCharacters(Machine<D>& m, Args<D>& a, StringSource<D>& source, typename D::Bits first, typename D::Bits count, std::size_t to,
-                    typename D::Bits behind) {
+void copyCharacters(Machine<D>& m, Args<D>& a, StringSource<D>& source, typename D::Bits first, typename D::Bits count,
+                    std::size_t to, typename D::Bits behind) {
   using Bits = typename D::Bits;
   D& d = m.d;
   const auto later = [&](Bits from, int k) { return d.add(from, m.number(static_cast<std::uint64_t>(k), 16), 16); };
   const int room = a.room(to, Width::Byte, maxString + 1);
-  const auto put = [&](int k, Bits character) { a.storeElementAt(to, later(behind, k + 1), room, Width::Byte, character); };
+  const auto put = [&](int k, Bits character) {
+    a.storeElementAt(to, later(behind, k + 1), room, Width::Byte, character);
+  };
   const auto setLength = [&] { a.storeElement(to, 0, Width::Byte, d.extract(d.add(behind, count, 16), 7, 0)); };
   if (m.choices.is(Choice::BlockMoveOverlap, "buffered")) {
     std::vector<Bits> buffer(static_cast<std::size_t>(source.limit), m.number(0, 8));
@@ -68,13 +72,20 @@ void copyCharacters(Machine<D>& m, Args<D>& a, StringSource<D>& source, typename
 }
 
 constexpr Desc stringDesc(std::string_view stl, std::string_view meaning, std::uint32_t time, std::string_view manual) {
-  return {.stl = stl, .meaning = meaning, .group = "strings", .stack = {1, 0, 0}, .eno = true, .time = time, .manual = manual};
+  return {.stl = stl,
+          .meaning = meaning,
+          .group = "strings",
+          .stack = {1, 0, 0},
+          .eno = true,
+          .time = time,
+          .manual = manual};
 }
 
 /// SLEN: the length byte (001:6071).
 struct StringLength {
-  static constexpr Desc desc = withOperands(stringDesc("SLEN", "length of a string", 2100, "001:6071"),
-                                            {in("IN", Type::String, form::stringIn), out("OUT", Type::Byte, form::byteOut)});
+  static constexpr Desc desc =
+      withOperands(stringDesc("SLEN", "length of a string", 2100, "001:6071"),
+                   {in("IN", Type::String, form::stringIn), out("OUT", Type::Byte, form::byteOut)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     StringSource<D> source(m, a, 0);
@@ -85,8 +96,9 @@ struct StringLength {
 
 /// SCPY: copy (001:6075).
 struct StringCopy {
-  static constexpr Desc desc = withOperands(stringDesc("SCPY", "copy a string", 2700, "001:6075"),
-                                            {in("IN", Type::String, form::stringIn), out("OUT", Type::String, form::stringOut)});
+  static constexpr Desc desc =
+      withOperands(stringDesc("SCPY", "copy a string", 2700, "001:6075"),
+                   {in("IN", Type::String, form::stringIn), out("OUT", Type::String, form::stringOut)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     StringSource<D> source(m, a, 0);
@@ -98,8 +110,9 @@ struct StringCopy {
 
 /// SCAT: appends IN to OUT (001:6079).
 struct StringAppend {
-  static constexpr Desc desc = withOperands(stringDesc("SCAT", "append a string", 3000, "001:6079"),
-                                            {in("IN", Type::String, form::stringIn), inout("OUT", Type::String, form::stringOut)});
+  static constexpr Desc desc =
+      withOperands(stringDesc("SCAT", "append a string", 3000, "001:6079"),
+                   {in("IN", Type::String, form::stringIn), inout("OUT", Type::String, form::stringOut)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -107,21 +120,22 @@ struct StringAppend {
     const auto most = m.number(maxString, 16);
     const auto total = d.add(source.length, target.length, 16);
     const auto isLong = d.ult(most, total, 16);
-    const auto inside = d.land(d.land(source.isLegal, target.isLegal), a.fits(1, d.add(total, m.number(1, 16), 16), Width::Byte));
+    const auto inside =
+        d.land(d.land(source.isLegal, target.isLegal), a.fits(1, d.add(total, m.number(1, 16), 16), Width::Byte));
     m.hazard(Hazard::OutOfRange, d.lor(isLong, d.lnot(inside)));
     const bool cut = m.choices.is(Choice::StringResultOverflow, "cut");
     const auto count = d.select(isLong, d.sub(most, target.length, 16), source.length, 16);
-    m.when(d.land(inside, cut ? d.constant(true) : d.lnot(isLong)), [&] {
-      copyCharacters(m, a, source, m.number(1, 16), count, 1, target.length);
-    });
+    m.when(d.land(inside, cut ? d.constant(true) : d.lnot(isLong)),
+           [&] { copyCharacters(m, a, source, m.number(1, 16), count, 1, target.length); });
   }
 };
 
 /// SSCPY: N characters of IN from position INDX on become OUT (001:6133).
 struct SubstringCopy {
-  static constexpr Desc desc = withOperands(stringDesc("SSCPY", "copy a substring", 4200, "001:6133"),
-                                            {in("IN", Type::String, form::stringIn), in("INDX", Type::Byte, form::byteIn),
-                                             in("N", Type::Byte, form::byteIn), out("OUT", Type::String, form::stringOut)});
+  static constexpr Desc desc =
+      withOperands(stringDesc("SSCPY", "copy a substring", 4200, "001:6133"),
+                   {in("IN", Type::String, form::stringIn), in("INDX", Type::Byte, form::byteIn),
+                    in("N", Type::Byte, form::byteIn), out("OUT", Type::String, form::stringOut)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -150,7 +164,8 @@ template <Search search, Name stlName, Name meaning, std::uint32_t time>
 struct StringFind {
   static constexpr Desc desc =
       withOperands(stringDesc(stlName.view(), meaning.view(), time, search == Search::Text ? "001:6158" : "001:6170"),
-                   {in("IN1", Type::String, form::stringIn), in("IN2", Type::String, form::stringIn), inout("OUT", Type::Byte, form::byteOut)});
+                   {in("IN1", Type::String, form::stringIn), in("IN2", Type::String, form::stringIn),
+                    inout("OUT", Type::Byte, form::byteOut)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -186,13 +201,15 @@ struct StringFind {
   static typename D::Bool matches(Machine<D>& m, StringSource<D>& text, StringSource<D>& pattern, int p) {
     D& d = m.d;
     const auto empty = d.equal(pattern.length, m.number(0, 16), 16);
-    const auto forEmpty = d.land(empty, d.constant(search == Search::Text && m.choices.is(Choice::FindEmpty, "at-start")));
+    const auto forEmpty =
+        d.land(empty, d.constant(search == Search::Text && m.choices.is(Choice::FindEmpty, "at-start")));
     auto result = d.constant(search == Search::Text);
     for (int k = 0; k < pattern.limit; ++k) {
       const auto used = d.ult(m.number(static_cast<std::uint64_t>(k), 16), pattern.length, 16);
       const int at = search == Search::Text ? p + k : p;
       const auto inText = d.ule(m.number(static_cast<std::uint64_t>(at), 16), text.length, 16);
-      const auto same = d.land(d.constant(at <= text.limit), d.equal(text.a.byteAt(text.i, std::min(at, text.limit)), pattern.a.byteAt(pattern.i, k + 1), 8));
+      const auto same = d.land(d.constant(at <= text.limit), d.equal(text.a.byteAt(text.i, std::min(at, text.limit)),
+                                                                     pattern.a.byteAt(pattern.i, k + 1), 8));
       if constexpr (search == Search::Text) result = d.land(result, d.lor(d.lnot(used), d.land(inText, same)));
       if constexpr (search == Search::AnyCharacter) result = d.lor(result, d.land(used, same));
       if (const auto known = d.truth(result); known && *known != (search == Search::Text)) break;

@@ -18,14 +18,22 @@ typename D::Bits tableWords(Machine<D>& m, typename D::Bits entries, int head) {
 /// Whether a table with that many entries exists: at most 100, all inside the area (0091).
 template <class D>
 typename D::Bool tableExists(Machine<D>& m, Args<D>& a, std::size_t table, typename D::Bits entries, int head) {
-  return m.d.land(m.d.ule(entries, m.number(tableEntries, 16), 16), a.fits(table, tableWords(m, entries, head), Width::Word));
+  return m.d.land(m.d.ule(entries, m.number(tableEntries, 16), 16),
+                  a.fits(table, tableWords(m, entries, head), Width::Word));
 }
 
 /// ATT DATA, TBL: appends a value; a full table takes nothing and sets SM1.4.
 struct AddToTable {
-  static constexpr Desc desc = withOperands({.stl = "ATT", .meaning = "add a value to a table", .group = "table, find, conversion",
-                                             .stack = {1, 0, 0}, .eno = true, .affects = status::TableFull, .time = 3600, .manual = "001:6260"},
-                                            {in("DATA", Type::Int, form::wordIn), inout("TBL", Type::Word, wordBuffer).elements(1, 0)});
+  static constexpr Desc desc =
+      withOperands({.stl = "ATT",
+                    .meaning = "add a value to a table",
+                    .group = "table, find, conversion",
+                    .stack = {1, 0, 0},
+                    .eno = true,
+                    .affects = status::TableFull,
+                    .time = 3600,
+                    .manual = "001:6260"},
+                   {in("DATA", Type::Int, form::wordIn), inout("TBL", Type::Word, wordBuffer).elements(1, 0)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -49,10 +57,16 @@ struct AddToTable {
 /// LIFO, FIFO TBL, DATA: take the newest or the oldest entry; an empty table sets SM1.5. FIFO moves the rest up.
 template <bool oldest, Name stlName, Name meaning, std::uint32_t time>
 struct TakeFromTable {
-  static constexpr Desc desc = withOperands({.stl = stlName.view(), .meaning = meaning.view(), .group = "table, find, conversion",
-                                             .stack = {1, 0, 0}, .eno = true, .affects = status::TableEmpty, .time = time, .manual = "001:6314"},
-                                            {inout("TBL", Type::Word, wordBuffer).elements(1, 0),
-                                             out("DATA", Type::Int, form::wordOut | form::AQ)});
+  static constexpr Desc desc = withOperands(
+      {.stl = stlName.view(),
+       .meaning = meaning.view(),
+       .group = "table, find, conversion",
+       .stack = {1, 0, 0},
+       .eno = true,
+       .affects = status::TableEmpty,
+       .time = time,
+       .manual = "001:6314"},
+      {inout("TBL", Type::Word, wordBuffer).elements(1, 0), out("DATA", Type::Int, form::wordOut | form::AQ)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -71,7 +85,8 @@ struct TakeFromTable {
   template <class D>
   static void take(Machine<D>& m, Args<D>& a, typename D::Bits left) {
     const int room = a.room(0, Width::Word, tableEntries + firstEntry);
-    const auto data = oldest ? a.element(0, firstEntry, Width::Word) : a.elementAt(0, tableWords(m, left, firstEntry), room, Width::Word);
+    const auto data = oldest ? a.element(0, firstEntry, Width::Word)
+                             : a.elementAt(0, tableWords(m, left, firstEntry), room, Width::Word);
     if constexpr (oldest) {
       m.repeat(left, 16, room - firstEntry - 1, [&](int k) {
         a.storeElement(0, firstEntry + k, Width::Word, a.element(0, firstEntry + k + 1, Width::Word));
@@ -84,11 +99,16 @@ struct TakeFromTable {
 
 /// FILL IN, OUT, N: N words become IN (001:6383).
 struct Fill {
-  static constexpr Desc desc = withOperands(
-      {.stl = "FILL", .meaning = "fill N words with a value", .group = "table, find, conversion", .stack = {1, 0, 0}, .eno = true,
-       .time = 1500, .manual = "001:6383"},
-      {in("IN", Type::Int, form::wordIn), out("OUT", Type::Int, wordBuffer | form::AQ).elements(1, 0),
-       in("N", Type::Byte, form::byteIn).within({{1, 255, everyCpu}})});
+  static constexpr Desc desc =
+      withOperands({.stl = "FILL",
+                    .meaning = "fill N words with a value",
+                    .group = "table, find, conversion",
+                    .stack = {1, 0, 0},
+                    .eno = true,
+                    .time = 1500,
+                    .manual = "001:6383"},
+                   {in("IN", Type::Int, form::wordIn), out("OUT", Type::Int, wordBuffer | form::AQ).elements(1, 0),
+                    in("N", Type::Byte, form::byteIn).within({{1, 255, everyCpu}})});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     const auto value = a.value(0);
@@ -105,11 +125,17 @@ enum class FindRelation { Equal, NotEqual, Less, Greater };
 /// (001:6416-6418). An INDX above EC stays; the manual is silent.
 template <FindRelation relation, Name stlName, Name meaning>
 struct Find {
-  static constexpr Desc desc = withOperands(
-      {.stl = stlName.view(), .family = "FNDx", .meaning = meaning.view(), .group = "table, find, conversion", .stack = {1, 0, 0}, .eno = true,
-       .time = 3900, .manual = "001:6416"},
-      {in("TBL", Type::Word, wordBuffer & ~form::S).elements(1, 0), in("PTN", Type::Int, form::wordIn),
-       inout("INDX", Type::Word, form::wordOut)});
+  static constexpr Desc desc =
+      withOperands({.stl = stlName.view(),
+                    .family = "FNDx",
+                    .meaning = meaning.view(),
+                    .group = "table, find, conversion",
+                    .stack = {1, 0, 0},
+                    .eno = true,
+                    .time = 3900,
+                    .manual = "001:6416"},
+                   {in("TBL", Type::Word, wordBuffer & ~form::S).elements(1, 0), in("PTN", Type::Int, form::wordIn),
+                    inout("INDX", Type::Word, form::wordOut)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;

@@ -72,8 +72,13 @@ void runTimer(Machine<D>& m, Args<D>& a) {
 
 template <TimerKind kind, Name stlName, Name meaning, std::uint32_t time>
 struct Timer {
-  static constexpr Desc desc = withOperands({.stl = stlName.view(), .meaning = meaning.view(), .group = "timers and counters",
-                                             .execution = Execution::Sampled, .stack = {1, 0, 0}, .time = time, .manual = "001:6551"},
+  static constexpr Desc desc = withOperands({.stl = stlName.view(),
+                                             .meaning = meaning.view(),
+                                             .group = "timers and counters",
+                                             .execution = Execution::Sampled,
+                                             .stack = {1, 0, 0},
+                                             .time = time,
+                                             .manual = "001:6551"},
                                             {timerOperand(kind), in("PT", Type::Int, form::wordIn)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -85,11 +90,16 @@ struct Timer {
 template <TimerKind kind, Name stlName, Name meaning>
 struct IecTimer {
   static constexpr Forms numbers = form::T | form::C;
-  static constexpr Desc desc = withOperands(
-      {.stl = stlName.view(), .meaning = meaning.view(), .group = "timers and counters", .execution = Execution::Sampled,
-       .stack = {1, 0, 0}, .drawingOnly = true, .manual = "001:6693"},
-      {timerOperand(kind), in("PT", Type::Int, form::wordIn & ~numbers), optional(out("Q", Type::Bool, form::bitAny & ~numbers)),
-       optional(out("ET", Type::Int, (form::wordOut & ~numbers) | form::AQ))});
+  static constexpr Desc desc = withOperands({.stl = stlName.view(),
+                                             .meaning = meaning.view(),
+                                             .group = "timers and counters",
+                                             .execution = Execution::Sampled,
+                                             .stack = {1, 0, 0},
+                                             .drawingOnly = true,
+                                             .manual = "001:6693"},
+                                            {timerOperand(kind), in("PT", Type::Int, form::wordIn & ~numbers),
+                                             optional(out("Q", Type::Bool, form::bitAny & ~numbers)),
+                                             optional(out("ET", Type::Int, (form::wordOut & ~numbers) | form::AQ))});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     runTimer<kind>(m, a);
@@ -100,8 +110,13 @@ struct IecTimer {
 
 /// BITIM: the free-running 1 ms counter to OUT (001:6712). Its start value is not stated.
 struct BeginInterval {
-  static constexpr Desc desc = withOperands({.stl = "BITIM", .meaning = "store the 1 ms counter", .group = "timers and counters",
-                                             .stack = {1, 0, 0}, .since2004 = true, .time = 1600, .manual = "001:6712"},
+  static constexpr Desc desc = withOperands({.stl = "BITIM",
+                                             .meaning = "store the 1 ms counter",
+                                             .group = "timers and counters",
+                                             .stack = {1, 0, 0},
+                                             .since2004 = true,
+                                             .time = 1600,
+                                             .manual = "001:6712"},
                                             {out("OUT", Type::DWord, form::dwordOut)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -111,9 +126,15 @@ struct BeginInterval {
 
 /// CITIM: ms since the counter value IN, modulo 2^32 (001:6714).
 struct CalculateInterval {
-  static constexpr Desc desc = withOperands({.stl = "CITIM", .meaning = "time since a stored counter value", .group = "timers and counters",
-                                             .stack = {1, 0, 0}, .since2004 = true, .time = 2300, .manual = "001:6714"},
-                                            {in("IN", Type::DWord, form::dwordOut | form::HC), out("OUT", Type::DWord, form::dwordOut)});
+  static constexpr Desc desc =
+      withOperands({.stl = "CITIM",
+                    .meaning = "time since a stored counter value",
+                    .group = "timers and counters",
+                    .stack = {1, 0, 0},
+                    .since2004 = true,
+                    .time = 2300,
+                    .manual = "001:6714"},
+                   {in("IN", Type::DWord, form::dwordOut | form::HC), out("OUT", Type::DWord, form::dwordOut)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     a.store(1, m.d.sub(m.external(External::IntervalClock, 0, 32), a.value(0), 32));
@@ -127,6 +148,7 @@ using IecOnDelay = IecTimer<TimerKind::IecOnDelay, "TON.IEC", "IEC on-delay time
 using IecOffDelay = IecTimer<TimerKind::OffDelay, "TOF.IEC", "IEC off-delay timer">;
 using IecPulse = IecTimer<TimerKind::IecPulse, "TP.IEC", "IEC pulse timer">;
 
-using TimerGroup = Group<OnDelay, OffDelay, RetentiveOnDelay, BeginInterval, CalculateInterval, IecOnDelay, IecOffDelay, IecPulse>;
+using TimerGroup =
+    Group<OnDelay, OffDelay, RetentiveOnDelay, BeginInterval, CalculateInterval, IecOnDelay, IecOffDelay, IecPulse>;
 
 }  // namespace rungproof::isa

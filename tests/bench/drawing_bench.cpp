@@ -16,7 +16,8 @@ void draw(benchmark::State& state, Form form, bool svg) {
     std::vector<BlockView> blocks;
     for (const Pou& pou : program.pous) {
       BlockView& block = blocks.emplace_back(BlockView{blockHeading(pou), {}});
-      for (const Network& network : pou.networks) block.networks.push_back(networkView(program, pou, network, {.form = form}));
+      for (const Network& network : pou.networks)
+        block.networks.push_back(networkView(program, pou, network, {.form = form}));
       networks += pou.networks.size();
     }
     benchmark::DoNotOptimize(svg ? viewSvg(blocks) : viewText(blocks, {}));

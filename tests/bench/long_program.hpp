@@ -1,4 +1,5 @@
-// A long program, and the work whose cost is measured on it: reading, building the facts, every rule. Used by tests/rules/scale_test.cpp and the benchmark.
+// A long program, and the work whose cost is measured on it: reading, building the facts, every rule. Used by
+// tests/rules/scale_test.cpp and the benchmark.
 #pragma once
 
 #include <string>

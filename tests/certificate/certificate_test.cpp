@@ -1,8 +1,9 @@
 // Every certificate of the corpus, declared properties and built-in checks, is read by a second solver (the program
 // cvc5) and holds: each obligation is unsatisfiable. A certificate with a wrong invariant is refused by it and by Z3.
+#include "analysis/portfolio/certificate.hpp"
+
 #include <gtest/gtest.h>
 
-#include "analysis/portfolio/certificate.hpp"
 #include "tests/corpus/command_output.hpp"
 #include "tests/corpus/corpus_program.hpp"
 #include "tests/temporary_folder.hpp"
@@ -21,7 +22,9 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
-std::string askCvc5(const std::string& file) { return outputOf("cvc5 --incremental --lang smt2 --tlimit=60000 '" + file + "'"); }
+std::string askCvc5(const std::string& file) {
+  return outputOf("cvc5 --incremental --lang smt2 --tlimit=60000 '" + file + "'");
+}
 
 TEST(Certificate, Cvc5AgreesOnTheWholeCorpus) {
   ASSERT_NE(outputOf("command -v cvc5"), "") << "the package cvc5 is missing; see .ci/install";
@@ -73,8 +76,10 @@ TEST(Certificate, WrongOnesAreRefused) {
   const Node notX = pair.graph.make(Op::Not, 1, pair.x), notY = pair.graph.make(Op::Not, 1, pair.y);
   const TemporaryFolder folder;
   // {not x, not y} is inductive; {not y} is not kept by a scan; {} does not exclude bad; {x} does not hold initially.
-  const std::vector<std::pair<std::vector<Node>, CheckResult>> cases = {
-      {{notX, notY}, CheckResult::Valid}, {{notY}, CheckResult::Invalid}, {{}, CheckResult::Invalid}, {{pair.x, notY}, CheckResult::Invalid}};
+  const std::vector<std::pair<std::vector<Node>, CheckResult>> cases = {{{notX, notY}, CheckResult::Valid},
+                                                                        {{notY}, CheckResult::Invalid},
+                                                                        {{}, CheckResult::Invalid},
+                                                                        {{pair.x, notY}, CheckResult::Invalid}};
   for (const auto& [invariant, expected] : cases) {
     WordCertificate certificate;
     certificate.invariant = invariant;

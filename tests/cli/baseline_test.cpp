@@ -1,7 +1,8 @@
 // The baseline: what it holds, what it hides, when it is stale, and that edits elsewhere leave it alone.
+#include "frontend/page/baseline.hpp"
+
 #include <gtest/gtest.h>
 
-#include "frontend/page/baseline.hpp"
 #include "frontend/page/fingerprint.hpp"
 
 namespace rungproof {
@@ -76,8 +77,9 @@ TEST(Baseline, ReportsStaleEntriesWithTheirPlace) {
 
 TEST(Baseline, RefusesOtherTexts) {
   Baseline baseline;
-  for (const char* text : {"", "[]", "{}", "{\"findings\":[]}", "{\"rungproof_baseline\":2,\"findings\":[]}", "{\"rungproof_baseline\":1,\"findings\":[{}]}",
-                           "{\"rungproof_baseline\":1,\"findings\":[1]}"}) {
+  for (const char* text :
+       {"", "[]", "{}", "{\"findings\":[]}", "{\"rungproof_baseline\":2,\"findings\":[]}",
+        "{\"rungproof_baseline\":1,\"findings\":[{}]}", "{\"rungproof_baseline\":1,\"findings\":[1]}"}) {
     EXPECT_TRUE(readBaseline(text, "b.json", baseline)) << text;
   }
 }

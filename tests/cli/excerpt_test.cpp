@@ -1,7 +1,7 @@
 // Excerpts: the mark stands below the characters of the span, whatever they are.
-#include <gtest/gtest.h>
-
 #include "frontend/page/excerpt.hpp"
+
+#include <gtest/gtest.h>
 
 namespace rungproof {
 namespace {
@@ -13,11 +13,11 @@ Excerpt excerptIn(const std::string& text, const std::string& marked) {
 
 TEST(DisplayWidth, CountsColumnsOfATerminal) {
   EXPECT_EQ(displayWidth("LD I0.0"), 7);
-  EXPECT_EQ(displayWidth("水泵"), 4);          // two wide characters
-  EXPECT_EQ(displayWidth("насос"), 5);         // Cyrillic is narrow
-  EXPECT_EQ(displayWidth("e\xCC\x81"), 1);     // e and a combining accent
+  EXPECT_EQ(displayWidth("水泵"), 4);       // two wide characters
+  EXPECT_EQ(displayWidth("насос"), 5);      // Cyrillic is narrow
+  EXPECT_EQ(displayWidth("e\xCC\x81"), 1);  // e and a combining accent
   EXPECT_EQ(displayWidth("\t"), 4);
-  EXPECT_EQ(displayWidth("\xFF"), 1);          // not UTF-8: one replacement character
+  EXPECT_EQ(displayWidth("\xFF"), 1);  // not UTF-8: one replacement character
 }
 
 TEST(ExcerptOf, MarksTheSpan) {

@@ -32,7 +32,8 @@ TEST(LintExit, CleanFoundFailed) {
 
 TEST(LintExit, UnreadableInputWinsOverFindings) {
   const TemporaryFolder folder;
-  const ProgramRun result = run({"lint", "--select", "ADR001", "--format", "concise", folder.file("a.awl", unreadable)});
+  const ProgramRun result =
+      run({"lint", "--select", "ADR001", "--format", "concise", folder.file("a.awl", unreadable)});
   EXPECT_EQ(result.exit, 2);
   EXPECT_NE(result.out.find("SYN010"), std::string::npos);
   EXPECT_NE(result.out.find("ADR001"), std::string::npos);  // the rest of the program is checked all the same
@@ -40,7 +41,8 @@ TEST(LintExit, UnreadableInputWinsOverFindings) {
 
 TEST(LintExit, FindingsBelowTheLevelDoNotCount) {
   const TemporaryFolder folder;
-  const std::string file = folder.file("a.awl", test::mainBlock("Network 1\nLD I0.0 // rungproof: allow ADR001 nothing here\n= Q0.0\n"));
+  const std::string file =
+      folder.file("a.awl", test::mainBlock("Network 1\nLD I0.0 // rungproof: allow ADR001 nothing here\n= Q0.0\n"));
   EXPECT_EQ(run({"lint", "--select", "SUP,ADR", file}).exit, 1);
   const ProgramRun errorsOnly = run({"lint", "--select", "SUP,ADR", "--level", "error", file});
   EXPECT_EQ(errorsOnly.exit, 0);
@@ -74,7 +76,8 @@ TEST(CommonOptions, MayStandBeforeTheCommand) {
 
 TEST(CommonOptions, AreAcceptedByEveryCommand) {
   for (const Command* command : allCommands()) {
-    const ProgramRun help = run({std::string(command->name), "--cpu", "224", "--seed", "7", "--color", "never", "--help"});
+    const ProgramRun help =
+        run({std::string(command->name), "--cpu", "224", "--seed", "7", "--color", "never", "--help"});
     EXPECT_EQ(help.exit, 0) << command->name << help.err;
     EXPECT_TRUE(help.out.starts_with("rungproof " + std::string(command->name) + " - ")) << help.out;
     EXPECT_FALSE(command->summary.empty()) << command->name;
@@ -84,12 +87,14 @@ TEST(CommonOptions, AreAcceptedByEveryCommand) {
 TEST(Format, ThreeOutputsFromOneRun) {
   const TemporaryFolder folder;
   const std::string file = folder.file("a.awl", faulty);
-  const ProgramRun result = run({"lint", "--select", "ADR001", "--format", "concise", "--format", "json=" + folder.path("r.json"), "--format",
-                                 "html=" + folder.path("r.html"), file});
+  const ProgramRun result = run({"lint", "--select", "ADR001", "--format", "concise", "--format",
+                                 "json=" + folder.path("r.json"), "--format", "html=" + folder.path("r.html"), file});
   EXPECT_EQ(result.exit, 1);
   EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 1);
-  const nlohmann::json schema = nlohmann::json::parse(test::contentOf(std::string(RUNGPROOF_SOURCE_DIR) + "/frontend/report/schema.json"));
-  EXPECT_EQ(test::schemaFaults(nlohmann::json::parse(test::contentOf(folder.path("r.json"))), schema), std::vector<std::string>());
+  const nlohmann::json schema =
+      nlohmann::json::parse(test::contentOf(std::string(RUNGPROOF_SOURCE_DIR) + "/frontend/report/schema.json"));
+  EXPECT_EQ(test::schemaFaults(nlohmann::json::parse(test::contentOf(folder.path("r.json"))), schema),
+            std::vector<std::string>());
   EXPECT_TRUE(test::contentOf(folder.path("r.html")).starts_with("<!DOCTYPE html>"));
 }
 
@@ -115,7 +120,8 @@ TEST(Config, TheNearestFileCounts) {
   EXPECT_EQ(run({"lint", "--select", "ADR001", inner}).exit, 0);
   EXPECT_EQ(run({"lint", "--select", "ADR001", "--isolated", outer}).exit, 0);
   EXPECT_EQ(run({"lint", "--select", "ADR001", "--cpu", "226", outer}).exit, 0);
-  EXPECT_EQ(run({"lint", "--select", "ADR001", "--isolated", "--config", folder.path("rungproof.toml"), inner}).exit, 1);
+  EXPECT_EQ(run({"lint", "--select", "ADR001", "--isolated", "--config", folder.path("rungproof.toml"), inner}).exit,
+            1);
 }
 
 /// The line of `rungproof config` for a key, without runs of blanks.
@@ -129,7 +135,9 @@ std::string configLine(const std::string& text, const std::string& key) {
 
 TEST(Config, EveryValueNamesItsOrigin) {
   const TemporaryFolder folder;
-  folder.file("rungproof.toml", "# the plant\nlevel = \"warning\"\nselect = [\"ADR\", \"SUP\"]\nquiet = true\n\n[choices]\nwatchdog = \"300ms\"\n");
+  folder.file("rungproof.toml",
+              "# the plant\nlevel = \"warning\"\nselect = [\"ADR\", \"SUP\"]\nquiet = true\n\n[choices]\nwatchdog = "
+              "\"300ms\"\n");
   const std::string program = folder.file("sub/a.awl", clean);
   const std::string text = run({"config", program, "--seed", "7", "--choice", "first-edge=first-execution"}).out;
   const auto endsWith = [&](const std::string& key, const std::string& value, const std::string& place) {
@@ -158,7 +166,8 @@ TEST(Explain, TablesAreShownWhole) {
 
 TEST(Config, WhatItPrintsCanBeReadAgain) {
   const TemporaryFolder folder;
-  const ProgramRun first = run({"config", "--isolated", "--cpu", "224", "--select", "ADR,SUP", "--choice", "watchdog=300ms"});
+  const ProgramRun first =
+      run({"config", "--isolated", "--cpu", "224", "--select", "ADR,SUP", "--choice", "watchdog=300ms"});
   const std::string saved = folder.file("saved.toml", first.out);
   const nlohmann::json again = nlohmann::json::parse(run({"config", "--config", saved, "--format", "json"}).out);
   EXPECT_EQ(again["options"]["cpu"]["value"], "224");
@@ -182,7 +191,8 @@ TEST(Completion, BashCompletes) {
   const std::string script = folder.file("completion.bash", run({"completion", "bash"}).out);
   const auto complete = [&](const std::string& words, int current) {
     const std::string output = folder.path("reply");
-    const std::string command = "bash -c 'source " + script + "; COMP_WORDS=(" + words + "); COMP_CWORD=" + std::to_string(current) +
+    const std::string command = "bash -c 'source " + script + "; COMP_WORDS=(" + words +
+                                "); COMP_CWORD=" + std::to_string(current) +
                                 "; _rungproof; printf \"%s \" \"${COMPREPLY[@]}\"' > " + output;
     EXPECT_EQ(std::system(command.c_str()), 0);
     return test::contentOf(output);
@@ -197,7 +207,8 @@ TEST(Completion, BashCompletes) {
 TEST(Completion, EveryShellNamesEveryCommand) {
   for (const char* shell : {"bash", "zsh", "fish"}) {
     const std::string script = run({"completion", shell}).out;
-    for (const Command* command : allCommands()) EXPECT_NE(script.find(command->name), std::string::npos) << shell << ' ' << command->name;
+    for (const Command* command : allCommands())
+      EXPECT_NE(script.find(command->name), std::string::npos) << shell << ' ' << command->name;
   }
 }
 

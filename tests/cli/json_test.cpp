@@ -10,7 +10,8 @@ TEST(Json, MembersKeepTheirOrderAndNumbersTheirKind) {
   Json json = {{"z", 1}, {"a", -2}, {"truth", true}, {"half", 0.5}, {"text", "x"}, {"none", nullptr}};
   json["list"] = Json::array({1, "two", Json::object()});
   json["z"] = std::uint64_t{18446744073709551615u};
-  EXPECT_EQ(json.dump(), R"({"z":18446744073709551615,"a":-2,"truth":true,"half":0.5,"text":"x","none":null,"list":[1,"two",{}]})");
+  EXPECT_EQ(json.dump(),
+            R"({"z":18446744073709551615,"a":-2,"truth":true,"half":0.5,"text":"x","none":null,"list":[1,"two",{}]})");
 }
 
 TEST(Json, ObjectsInObjectsAndInArrays) {

@@ -1,9 +1,10 @@
 // Counting, exit codes and the JSON contract of reports, on reports made by hand.
+#include "frontend/report/report.hpp"
+
 #include <gtest/gtest.h>
 
 #include <sstream>
 
-#include "frontend/report/report.hpp"
 #include "program_run.hpp"
 #include "schema_check.hpp"
 
@@ -44,7 +45,9 @@ std::string written(std::string_view form, const Report& report) {
   return out.str();
 }
 
-nlohmann::json schema() { return nlohmann::json::parse(test::contentOf(std::string(RUNGPROOF_SOURCE_DIR) + "/frontend/report/schema.json")); }
+nlohmann::json schema() {
+  return nlohmann::json::parse(test::contentOf(std::string(RUNGPROOF_SOURCE_DIR) + "/frontend/report/schema.json"));
+}
 
 TEST(ExitOf, FollowsTheContract) {
   EXPECT_EQ(exitOf(reportWith({})), Exit::Clean);
@@ -54,7 +57,8 @@ TEST(ExitOf, FollowsTheContract) {
   EXPECT_EQ(exitOf(reportWith({finding("SYN018", Severity::Note)})), Exit::Found);
   EXPECT_EQ(exitOf(reportWith({}, {property(VerdictWord::Proved), property(VerdictWord::Reachable)})), Exit::Clean);
   EXPECT_EQ(exitOf(reportWith({}, {property(VerdictWord::Unknown), property(VerdictWord::Violated)})), Exit::Found);
-  for (const VerdictWord verdict : {VerdictWord::Unreachable, VerdictWord::Vacuous}) EXPECT_EQ(exitOf(reportWith({}, {property(verdict)})), Exit::Found);
+  for (const VerdictWord verdict : {VerdictWord::Unreachable, VerdictWord::Vacuous})
+    EXPECT_EQ(exitOf(reportWith({}, {property(verdict)})), Exit::Found);
   for (const VerdictWord verdict : {VerdictWord::Unknown, VerdictWord::HoldsToBound, VerdictWord::NotCovered}) {
     EXPECT_EQ(exitOf(reportWith({}, {property(verdict)})), Exit::Undecided);
   }
@@ -72,7 +76,8 @@ TEST(Worse, PrefersFailedThenFoundThenUndecided) {
 }
 
 TEST(SortFindings, OrdersByPlaceAndDropsRepetitions) {
-  Report report = reportWith({finding("B", Severity::Note, 9), finding("A", Severity::Error, 0), finding("B", Severity::Note, 9)});
+  Report report =
+      reportWith({finding("B", Severity::Note, 9), finding("A", Severity::Error, 0), finding("B", Severity::Note, 9)});
   sortFindings(report);
   ASSERT_EQ(report.findings.size(), 2u);
   EXPECT_EQ(report.findings[0].rule, "A");
@@ -93,8 +98,12 @@ TEST(JsonReport, ConformsToItsSchema) {
   EXPECT_EQ(json["findings"][1]["column"], 1);
   EXPECT_EQ(json["properties"][0]["verdict"], "HOLDS TO BOUND 7");
   EXPECT_EQ(json["properties"][1]["assumptions"], (std::vector<std::string>{"CPU 226", "inputs are free"}));
-  EXPECT_EQ(json["comparison"], nlohmann::json({{"equal", false}, {"scan", 7}, {"time_ms", 70}, {"signal", "Q0.0"}, {"expected", 1}, {"actual", 0}}));
-  EXPECT_EQ(json["summary"], nlohmann::json({{"errors", 1}, {"warnings", 0}, {"notes", 1}, {"proved", 1}, {"violated", 0}, {"undecided", 1}}));
+  EXPECT_EQ(json["comparison"],
+            nlohmann::json(
+                {{"equal", false}, {"scan", 7}, {"time_ms", 70}, {"signal", "Q0.0"}, {"expected", 1}, {"actual", 0}}));
+  EXPECT_EQ(
+      json["summary"],
+      nlohmann::json({{"errors", 1}, {"warnings", 0}, {"notes", 1}, {"proved", 1}, {"violated", 0}, {"undecided", 1}}));
 }
 
 TEST(JsonReport, KeepsTextThatIsNotUtf8Readable) {
@@ -114,7 +123,8 @@ TEST(SchemaCheck, NoticesWhatDoesNotConform) {
 
 // SARIF 2.1.0: section 3.27.5 ruleId, 3.27.6 ruleIndex into tool.driver.rules, 3.30 regions from 1, 3.4.3 URIs.
 TEST(SarifReport, MeetsTheRequirementsOfTheStandard) {
-  Report report = reportWith({finding("ADR001", Severity::Error), finding("STK006", Severity::Note, 8), finding("ADR001", Severity::Error, 8)});
+  Report report = reportWith({finding("ADR001", Severity::Error), finding("STK006", Severity::Note, 8),
+                              finding("ADR001", Severity::Error, 8)});
   auto sources = std::make_shared<SourceSet>();
   sources->add("pump station #2.awl", "LD I0.0\n= Q0.0\n");
   report.sources = sources;
@@ -137,12 +147,16 @@ TEST(SarifReport, MeetsTheRequirementsOfTheStandard) {
 TEST(GithubReport, EscapesWhatTheCommandFormReserves) {
   Report report = reportWith({finding("ADR001", Severity::Error)});
   report.findings[0].message = "50 % of a: b,\nnext";
-  EXPECT_EQ(written("github", report), "::error file=a.awl,line=1,endLine=1,col=1,title=ADR001::50 %25 of a: b,%0Anext\n");
+  EXPECT_EQ(written("github", report),
+            "::error file=a.awl,line=1,endLine=1,col=1,title=ADR001::50 %25 of a: b,%0Anext\n");
 }
 
 TEST(JunitReport, CountsTestsAndFailures) {
-  const std::string text = written("junit", reportWith({finding("ADR001", Severity::Error)}, {property(VerdictWord::Proved), property(VerdictWord::Unknown)}));
-  EXPECT_NE(text.find("<testsuites name=\"rungproof\" tests=\"3\" failures=\"1\" errors=\"0\">"), std::string::npos) << text;
+  const std::string text =
+      written("junit", reportWith({finding("ADR001", Severity::Error)},
+                                  {property(VerdictWord::Proved), property(VerdictWord::Unknown)}));
+  EXPECT_NE(text.find("<testsuites name=\"rungproof\" tests=\"3\" failures=\"1\" errors=\"0\">"), std::string::npos)
+      << text;
   EXPECT_NE(text.find("<skipped message=\"UNKNOWN\""), std::string::npos) << text;
 }
 
@@ -159,12 +173,15 @@ TEST(HtmlReport, SaysWhatAProofRestsOnAndWhatTheSelfCheckFound) {
   report.properties[0].networks = "MAIN 1, 3-5; SBR_0 2";
   report.assumptions = {"every scan lasts 1 to 500 ms"};
   report.coverage.approximated = {"SIN at a.awl:3: the result of its REAL operation is taken as any value"};
-  report.selfCheck = std::vector<PlantedFault>{{"removed contact", "removed: A I0.1", "a.awl", 4, "MAIN", 1, "noticed", "stop"},
-                                               {"contact polarity", "LDN I0.0 for LD I0.0", "a.awl", 3, "MAIN", 1, "unnoticed", ""},
-                                               {"edge", "ED for EU", "a.awl", 9, "MAIN", 2, "without effect", ""}};
+  report.selfCheck =
+      std::vector<PlantedFault>{{"removed contact", "removed: A I0.1", "a.awl", 4, "MAIN", 1, "noticed", "stop"},
+                                {"contact polarity", "LDN I0.0 for LD I0.0", "a.awl", 3, "MAIN", 1, "unnoticed", ""},
+                                {"edge", "ED for EU", "a.awl", 9, "MAIN", 2, "without effect", ""}};
   const std::string text = written("html", report);
-  for (const char* part : {"rests on networks: MAIN 1, 3-5; SBR_0 2", "assumes: every scan lasts 1 to 500 ms", "approximated: SIN at a.awl:3", "<h2>Self-check</h2>",
-                           "1 of 2 planted faults that change the outputs are noticed", "1 change nothing, 0 undecided", "<code>LDN I0.0 for LD I0.0</code>", "a.awl:3 in MAIN, network 1"}) {
+  for (const char* part : {"rests on networks: MAIN 1, 3-5; SBR_0 2", "assumes: every scan lasts 1 to 500 ms",
+                           "approximated: SIN at a.awl:3", "<h2>Self-check</h2>",
+                           "1 of 2 planted faults that change the outputs are noticed", "1 change nothing, 0 undecided",
+                           "<code>LDN I0.0 for LD I0.0</code>", "a.awl:3 in MAIN, network 1"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part;
   }
   EXPECT_EQ(text.find("removed: A I0.1"), std::string::npos) << "what is noticed needs no row";
@@ -173,7 +190,8 @@ TEST(HtmlReport, SaysWhatAProofRestsOnAndWhatTheSelfCheckFound) {
 TEST(HumanReport, PrintsTheFirstDifferenceWithTheScansAround) {
   Report report = reportWith({});
   report.command = "compare";
-  report.comparison = Comparison{false, 2, 20, "Q0.0", 1, 0, {"I0.0", "Q0.0"}, {{1, 10, {"0", "0"}, {"0", "0"}}, {2, 20, {"1", "1"}, {"1", "0"}}}};
+  report.comparison = Comparison{
+      false, 2, 20, "Q0.0", 1, 0, {"I0.0", "Q0.0"}, {{1, 10, {"0", "0"}, {"0", "0"}}, {2, 20, {"1", "1"}, {"1", "0"}}}};
   EXPECT_EQ(written("human", report),
             "first difference: scan 2, 20 ms, Q0.0: expected 1, actual 0\n"
             "    scan        ms            I0.0  Q0.0\n"

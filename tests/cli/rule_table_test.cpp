@@ -15,7 +15,8 @@ namespace {
 TEST(RuleTable, IdsAreUniqueAndSorted) {
   std::set<std::string_view> ids;
   for (const Code& code : allCodes()) EXPECT_TRUE(ids.insert(code.id).second) << code.id;
-  EXPECT_TRUE(std::is_sorted(allRules().begin(), allRules().end(), [](const Rule* a, const Rule* b) { return a->id < b->id; }));
+  EXPECT_TRUE(
+      std::is_sorted(allRules().begin(), allRules().end(), [](const Rule* a, const Rule* b) { return a->id < b->id; }));
 }
 
 TEST(RuleTable, PagesAreComplete) {
@@ -23,7 +24,8 @@ TEST(RuleTable, PagesAreComplete) {
     SCOPED_TRACE(rule->id);
     ASSERT_EQ(rule->id.size(), 6u);
     const auto& groups = ruleGroups();
-    EXPECT_TRUE(std::any_of(groups.begin(), groups.end(), [&](const RuleGroup& group) { return group.prefix == rule->group(); }));
+    EXPECT_TRUE(std::any_of(groups.begin(), groups.end(),
+                            [&](const RuleGroup& group) { return group.prefix == rule->group(); }));
     EXPECT_FALSE(rule->title.empty());
     EXPECT_FALSE(rule->detects.empty());
     EXPECT_FALSE(rule->why.empty());
@@ -49,7 +51,8 @@ TEST(RuleTable, EveryRuleHasAPageAndStandsInEveryList) {
     const std::string id(rule->id);
     EXPECT_NE(text.find("  " + id + "  "), std::string::npos) << id;
     EXPECT_NE(markdown.find("| " + id + " |"), std::string::npos) << id;
-    EXPECT_TRUE(std::any_of(json.begin(), json.end(), [&](const nlohmann::json& row) { return row["id"] == id; })) << id;
+    EXPECT_TRUE(std::any_of(json.begin(), json.end(), [&](const nlohmann::json& row) { return row["id"] == id; }))
+        << id;
     const test::ProgramRun page = test::run({"explain", id});
     EXPECT_EQ(page.exit, 0) << id;
     EXPECT_TRUE(page.out.starts_with(id + ": " + std::string(rule->title) + "\n")) << page.out;
@@ -65,7 +68,8 @@ TEST(RuleSelection, TheLongerPrefixDecides) {
   EXPECT_FALSE(RuleSelection().includes("STY001", false));
   EXPECT_TRUE(RuleSelection({"ADR"}, {}).includes("ADR001", true));
   EXPECT_FALSE(RuleSelection({"ADR"}, {}).includes("OUT001", true));
-  EXPECT_TRUE(RuleSelection({"STY"}, {}).includes("STY001", false));      // named rules run although they are off by default
+  EXPECT_TRUE(
+      RuleSelection({"STY"}, {}).includes("STY001", false));  // named rules run although they are off by default
   EXPECT_FALSE(RuleSelection({}, {"ADR"}).includes("ADR001", true));
   EXPECT_FALSE(RuleSelection({}, {"ADR"}).includes("STY001", false));
   EXPECT_FALSE(RuleSelection({"ADR"}, {"ADR001"}).includes("ADR001", true));

@@ -9,6 +9,7 @@
 namespace rungproof::test {
 
 /// What is wrong, one line each with the path of the value; empty if it conforms.
-std::vector<std::string> schemaFaults(const nlohmann::json& value, const nlohmann::json& schema, const std::string& path = "$");
+std::vector<std::string> schemaFaults(const nlohmann::json& value, const nlohmann::json& schema,
+                                      const std::string& path = "$");
 
 }  // namespace rungproof::test

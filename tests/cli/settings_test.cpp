@@ -31,12 +31,13 @@ TEST(ScanTimeOption, IsOneTimeOrTwoInOrder) {
   const auto one = scanTimeNamed("10ms");
   ASSERT_TRUE(one);
   EXPECT_EQ(one->low, one->high);
-  for (const char* text : {"20ms..5ms", "0ms", "5ms..", "..5ms", "5ms...20ms", "5..20ms"}) EXPECT_FALSE(scanTimeNamed(text)) << text;
+  for (const char* text : {"20ms..5ms", "0ms", "5ms..", "..5ms", "5ms...20ms", "5..20ms"})
+    EXPECT_FALSE(scanTimeNamed(text)) << text;
 }
 
 TEST(Settings, BeginWithTheDefaultsOfTheTable) {
   const Settings settings;
-  EXPECT_EQ(settings.target().cpu, Cpu::Cpu226);            // product contract: default 226
+  EXPECT_EQ(settings.target().cpu, Cpu::Cpu226);               // product contract: default 226
   EXPECT_EQ(settings.target().edition, Edition::Edition2004);  // default 2004
   EXPECT_EQ(settings.timeout(), Duration(30s));
   EXPECT_EQ(settings.level(), Severity::Note);
@@ -87,7 +88,7 @@ TEST(OptionTable, EveryDefaultIsAPermittedValue) {
 TEST(EditDistance, CountsInsertionsDeletionsChangesAndSwaps) {
   EXPECT_EQ(editDistance("", "lint"), 4u);
   EXPECT_EQ(editDistance("lint", "lint"), 0u);
-  EXPECT_EQ(editDistance("lnit", "lint"), 1u);   // two neighbours swapped
+  EXPECT_EQ(editDistance("lnit", "lint"), 1u);  // two neighbours swapped
   EXPECT_EQ(editDistance("lin", "lint"), 1u);
   EXPECT_EQ(editDistance("prove", "probe"), 1u);
 }

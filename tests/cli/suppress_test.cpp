@@ -1,7 +1,8 @@
 // Allow-comments: how they are read, for what they speak, and what is said of those that silence nothing.
+#include "analysis/suppress.hpp"
+
 #include <gtest/gtest.h>
 
-#include "analysis/suppress.hpp"
 #include "frontend/project.hpp"
 #include "program_run.hpp"
 
@@ -15,7 +16,8 @@ Finding findingAt(const Program& program, std::string_view text, const std::stri
   Finding finding;
   finding.rule = rule;
   finding.severity = Severity::Error;
-  finding.span = {0, static_cast<std::uint32_t>(program.sources->file(0).text().find(text)), static_cast<std::uint32_t>(text.size())};
+  finding.span = {0, static_cast<std::uint32_t>(program.sources->file(0).text().find(text)),
+                  static_cast<std::uint32_t>(text.size())};
   return finding;
 }
 
@@ -80,9 +82,11 @@ TEST(ApplySuppressions, SilencesOnlyWhereItSpeaks) {
 }
 
 TEST(ApplySuppressions, ABlockCommentSpeaksForItsBlockOnly) {
-  const Program program = readText("a.awl",
-                                   "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.1\n= Q0.1\nEND_ORGANIZATION_BLOCK\n"
-                                   "SUBROUTINE_BLOCK SBR_0:SBR0\n// rungproof: allow ADR001 reason\nBEGIN\nNetwork 1\nLD I0.2\n= Q0.2\nEND_SUBROUTINE_BLOCK\n");
+  const Program program =
+      readText("a.awl",
+               "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.1\n= Q0.1\nEND_ORGANIZATION_BLOCK\n"
+               "SUBROUTINE_BLOCK SBR_0:SBR0\n// rungproof: allow ADR001 reason\nBEGIN\nNetwork 1\nLD I0.2\n= "
+               "Q0.2\nEND_SUBROUTINE_BLOCK\n");
   std::vector<Finding> findings = {findingAt(program, "I0.1"), findingAt(program, "I0.2"), findingAt(program, "Q0.2")};
   EXPECT_EQ(applySuppressions(program, everyRuleRan(), findings), 2u);
   EXPECT_EQ(rulesOf(findings), std::vector<std::string>{"ADR001"});
@@ -99,12 +103,14 @@ TEST(ApplySuppressions, EachIdMustEarnItsPlace) {
 TEST(ApplySuppressions, RulesThatDidNotRunAreNotCalledUnused) {
   const Program program = programOf("Network 1\nLD I0.1 // rungproof: allow OUT003 the solver knows\n= Q0.1\n");
   std::vector<Finding> findings;
-  applySuppressions(program, {[](std::string_view) { return true; }, [](std::string_view id) { return id != "OUT003"; }}, findings);
+  applySuppressions(
+      program, {[](std::string_view) { return true; }, [](std::string_view id) { return id != "OUT003"; }}, findings);
   EXPECT_TRUE(findings.empty());
 }
 
 TEST(ApplySuppressions, WithoutCodeOrReasonItSilencesNothing) {
-  for (const char* comment : {"allow", "allow ADR001", "allow ADR001 - ", "allow because", "disable ADR001 reason", ""}) {
+  for (const char* comment :
+       {"allow", "allow ADR001", "allow ADR001 - ", "allow because", "disable ADR001 reason", ""}) {
     const Program program = programOf("Network 1\nLD I0.1 // rungproof: " + std::string(comment) + "\n= Q0.1\n");
     std::vector<Finding> findings = {findingAt(program, "I0.1")};
     EXPECT_EQ(applySuppressions(program, everyRuleRan(), findings), 0u) << comment;

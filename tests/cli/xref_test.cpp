@@ -1,7 +1,8 @@
 // The cross reference: entries by address and width, overlaps, free ranges, questions for one address.
+#include "analysis/xref.hpp"
+
 #include <gtest/gtest.h>
 
-#include "analysis/xref.hpp"
 #include "frontend/program_input.hpp"
 #include "program_run.hpp"
 
@@ -10,7 +11,10 @@ namespace {
 
 class XrefOf {
  public:
-  explicit XrefOf(const std::string& networks) : program_(readText("a.awl", test::mainBlock("Network 1\n" + networks))), facts_(program_), xref(crossReference(facts_)) {}
+  explicit XrefOf(const std::string& networks)
+      : program_(readText("a.awl", test::mainBlock("Network 1\n" + networks))),
+        facts_(program_),
+        xref(crossReference(facts_)) {}
 
   const XrefEntry* entry(const std::string& name) const {
     for (const XrefEntry& e : xref.entries) {
@@ -25,7 +29,8 @@ class XrefOf {
   }
   std::vector<std::string> touching(const std::string& address) const {
     std::vector<std::string> names;
-    for (const std::size_t i : entriesTouching(xref, *lookupIn(program_)(address))) names.push_back(entryName(xref.entries[i]));
+    for (const std::size_t i : entriesTouching(xref, *lookupIn(program_)(address)))
+      names.push_back(entryName(xref.entries[i]));
     return names;
   }
   std::vector<std::string> freeOf(Area area) const {

@@ -18,7 +18,8 @@ namespace rungproof::test {
 /// Files in corpus/, or in one folder of it, sorted by name.
 inline std::vector<std::filesystem::path> corpusFiles(const std::string& folder = "") {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(std::filesystem::path(RUNGPROOF_SOURCE_DIR) / "corpus" / folder)) {
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(std::filesystem::path(RUNGPROOF_SOURCE_DIR) / "corpus" / folder)) {
     const std::string ending = entry.path().extension().string();
     if (ending == ".awl" || ending == ".stl" || ending == ".xml") files.push_back(entry.path());
   }

@@ -93,7 +93,8 @@ TEST_P(CorpusProgram, FindingsAreThoseExpected) {
   std::string all;
   for (const Json& finding : report["findings"]) {
     if (finding["severity"] == "note") continue;
-    found.insert(finding["rule"].get<std::string>() + " " + finding["pou"].get<std::string>() + " " + std::to_string(finding["network"].get<int>()));
+    found.insert(finding["rule"].get<std::string>() + " " + finding["pou"].get<std::string>() + " " +
+                 std::to_string(finding["network"].get<int>()));
     all += "\n  " + finding["rule"].get<std::string>() + ": " + finding["message"].get<std::string>();
   }
   EXPECT_EQ(found, expected.findings) << all;
@@ -110,14 +111,18 @@ TEST_P(CorpusProgram, VerdictsAreThoseExpected) {
   for (const Json& property : report["properties"]) {
     const std::string name = property["name"], verdict = property["verdict"];
     const auto owed = expected.open.find(name);
-    if (owed == expected.open.end()) found[name] = verdict;
-    else EXPECT_TRUE(verdict == owed->second || verdict == "UNKNOWN" || verdict == "NOT COVERED") << name << " must not be " << verdict;
+    if (owed == expected.open.end())
+      found[name] = verdict;
+    else
+      EXPECT_TRUE(verdict == owed->second || verdict == "UNKNOWN" || verdict == "NOT COVERED")
+          << name << " must not be " << verdict;
   }
   EXPECT_EQ(found, expected.verdicts);
 }
 
 /// Verdict and depth by name, of a search through so many scans at most.
-std::map<std::string, std::pair<std::string, int>> boundedVerdicts(const fs::path& file, std::vector<std::string> options, int bound) {
+std::map<std::string, std::pair<std::string, int>> boundedVerdicts(const fs::path& file,
+                                                                   std::vector<std::string> options, int bound) {
   options.insert(options.end(), {"--timeout", "120s", "--bound", std::to_string(bound)});
   std::map<std::string, std::pair<std::string, int>> found;
   const Json report = runJson("prove", file, options);
@@ -149,7 +154,8 @@ TEST(Corpus, OwesNoMoreThanIsStated) {
     withProperties += expected.verdicts.empty() ? 0 : 1;
     open += expected.open.size();
     declared += expected.open.size() + expected.verdicts.size();
-    for (const auto& [name, verdict] : expected.verdicts) refuted += verdict == "VIOLATED" || verdict == "UNREACHABLE" ? 1 : 0;
+    for (const auto& [name, verdict] : expected.verdicts)
+      refuted += verdict == "VIOLATED" || verdict == "UNREACHABLE" ? 1 : 0;
   }
   EXPECT_LE(open, mostOpen);
   EXPECT_GE(declared, 120U);
@@ -157,11 +163,15 @@ TEST(Corpus, OwesNoMoreThanIsStated) {
   EXPECT_GE(refuted * 3, declared) << refuted << " of " << declared << " are violated or unreachable";
 }
 
-INSTANTIATE_TEST_SUITE_P(Programs, CorpusProgram, testing::ValuesIn(programs()), [](const testing::TestParamInfo<fs::path>& info) {
-  std::string name = info.param.parent_path().filename().string() + "_" + info.param.stem().string();
-  std::replace_if(name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Programs, CorpusProgram, testing::ValuesIn(programs()),
+                         [](const testing::TestParamInfo<fs::path>& info) {
+                           std::string name =
+                               info.param.parent_path().filename().string() + "_" + info.param.stem().string();
+                           std::replace_if(
+                               name.begin(), name.end(),
+                               [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace rungproof

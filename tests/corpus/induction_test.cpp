@@ -16,7 +16,8 @@ TEST(CorpusInduction, TwentyPropertiesNeedMoreThanOneScan) {
     const std::map<std::string, std::string> verdicts = trueVerdicts(path);
     if (verdicts.empty()) continue;
     const ProgramInput input = corpusInput(path);
-    ProofSide side(input.program, input.properties, goalsOf(input.properties), encoderOptionsOf(proverOptions(path)), {});
+    ProofSide side(input.program, input.properties, goalsOf(input.properties), encoderOptionsOf(proverOptions(path)),
+                   {});
     PortfolioOptions options;
     options.effort = Effort::Together;
     options.check = false;

@@ -35,7 +35,9 @@ class Terms {
 
   void grow() {
     const Op last = withReal_ ? Op::RealToInt : Op::Sext;
-    const Op op = static_cast<Op>(static_cast<std::uint32_t>(Op::Not) + random_.below(static_cast<std::uint32_t>(last) - static_cast<std::uint32_t>(Op::Not) + 1));
+    const Op op =
+        static_cast<Op>(static_cast<std::uint32_t>(Op::Not) +
+                        random_.below(static_cast<std::uint32_t>(last) - static_cast<std::uint32_t>(Op::Not) + 1));
     const std::size_t a = any();
     const int width = pool[a].width;
     switch (op) {
@@ -45,7 +47,8 @@ class Terms {
         return add(op, part, {a}, 1, random_.below(static_cast<std::uint32_t>(width - part + 1)));
       }
       case Op::Zext:
-      case Op::Sext: return add(op, width + static_cast<int>(random_.below(static_cast<std::uint32_t>(65 - width))), {a}, 1);
+      case Op::Sext:
+        return add(op, width + static_cast<int>(random_.below(static_cast<std::uint32_t>(65 - width))), {a}, 1);
       case Op::Concat: {
         const std::size_t b = any();
         if (width + pool[b].width <= 64) add(op, width + pool[b].width, {a, b}, 2);
@@ -76,10 +79,13 @@ class Terms {
     std::vector<std::uint64_t> value(pool.size());
     for (std::size_t i = 0; i < pool.size(); ++i) {
       const Recipe& r = pool[i].recipe;
-      if (r.op == Op::Variable) value[i] = inputs[i];
-      else if (r.op == Op::Constant) value[i] = r.parameter;
-      else value[i] = evaluateOperation(r.op, pool[i].width, {pool[r.operand[0]].width, pool[r.operand[1]].width},
-                                        {value[r.operand[0]], value[r.operand[1]], value[r.operand[2]]}, r.parameter);
+      if (r.op == Op::Variable)
+        value[i] = inputs[i];
+      else if (r.op == Op::Constant)
+        value[i] = r.parameter;
+      else
+        value[i] = evaluateOperation(r.op, pool[i].width, {pool[r.operand[0]].width, pool[r.operand[1]].width},
+                                     {value[r.operand[0]], value[r.operand[1]], value[r.operand[2]]}, r.parameter);
     }
     return value;
   }
@@ -93,7 +99,10 @@ class Terms {
   std::vector<Node> variables;
 
  private:
-  std::size_t any() { return random_.chance(15) ? constant(1 << random_.below(6)) : random_.below(static_cast<std::uint32_t>(pool.size())); }
+  std::size_t any() {
+    return random_.chance(15) ? constant(1 << random_.below(6))
+                              : random_.below(static_cast<std::uint32_t>(pool.size()));
+  }
   std::size_t constant(int width) {
     const std::uint64_t value = random_.value(width);
     pool.push_back({g_.constantNode(value, width), width, {Op::Constant, {}, value}});
@@ -163,7 +172,8 @@ TEST(DomainLaws, LanesComputeWhatSingleNumbersCompute) {
     lanes.run();
     for (const int lane : {0, 17, 63}) {
       const std::vector<std::uint64_t> expected = terms.compute(inputs[static_cast<std::size_t>(lane)]);
-      for (std::size_t i = 0; i < terms.pool.size(); ++i) ASSERT_EQ(lanes.at(terms.pool[i].node, lane), expected[i]) << "seed " << seed << ", term " << i;
+      for (std::size_t i = 0; i < terms.pool.size(); ++i)
+        ASSERT_EQ(lanes.at(terms.pool[i].node, lane), expected[i]) << "seed " << seed << ", term " << i;
     }
   }
 }
@@ -184,7 +194,8 @@ TEST(DomainLaws, Z3ComputesWhatConcreteComputes) {
     std::vector<std::uint64_t> found;
     const std::optional<bool> answer = satisfiable(graph, conditions, 20000, nodesOf(terms.pool), &found);
     ASSERT_EQ(answer, true) << "seed " << seed;
-    for (std::size_t i = 0; i < terms.pool.size(); ++i) ASSERT_EQ(found[i], expected[i]) << "seed " << seed << ", term " << i;
+    for (std::size_t i = 0; i < terms.pool.size(); ++i)
+      ASSERT_EQ(found[i], expected[i]) << "seed " << seed << ", term " << i;
   }
 }
 

@@ -64,7 +64,9 @@ class Generator {
     }
   }
 
-  void emit(std::string_view mnemonic, std::vector<Operand> operands = {}) { out_->push_back(make(mnemonic, std::move(operands))); }
+  void emit(std::string_view mnemonic, std::vector<Operand> operands = {}) {
+    out_->push_back(make(mnemonic, std::move(operands)));
+  }
 
   Operand bit() {
     switch (r_.below(12)) {
@@ -80,9 +82,11 @@ class Generator {
       case 9: return direct(Area::C, Width::Bit, r_.below(3));
       case 10: {
         static constexpr std::uint32_t bits[] = {0, 1, 5, 6};
-        return r_.chance(60) ? direct(Area::SM, Width::Bit, 0, bits[r_.below(4)]) : direct(Area::SM, Width::Bit, 1, r_.below(8));
+        return r_.chance(60) ? direct(Area::SM, Width::Bit, 0, bits[r_.below(4)])
+                             : direct(Area::SM, Width::Bit, 1, r_.below(8));
       }
-      default: return inLocal_ ? direct(Area::L, Width::Bit, 0, r_.below(3)) : direct(Area::S, Width::Bit, 0, r_.below(3));
+      default:
+        return inLocal_ ? direct(Area::L, Width::Bit, 0, r_.below(3)) : direct(Area::S, Width::Bit, 0, r_.below(3));
     }
   }
   Operand timer() {
@@ -103,7 +107,8 @@ class Generator {
         for (int tries = 0; tries < 30; ++tries) {
           Operand t = timer();
           bool isLegal = !desc.hasRanges();
-          for (const ValueRange& range : desc.ranges) isLegal = isLegal || (range.cpus != 0 && range.low <= t.offset && t.offset <= range.high);
+          for (const ValueRange& range : desc.ranges)
+            isLegal = isLegal || (range.cpus != 0 && range.low <= t.offset && t.offset <= range.high);
           if (isLegal) return t;
         }
         return std::nullopt;
@@ -125,8 +130,10 @@ class Generator {
       if (pick < 13 && allows(form::Const)) return constantOperand(desc, width);
       if (pick == 13 && allows(form::T) && width == Width::Word) return timer();
       if (pick == 14 && allows(form::C) && width == Width::Word) return direct(Area::C, Width::Bit, r_.below(3));
-      if (pick == 15 && allows(form::I)) return width == Width::Bit ? direct(Area::I, width, 0, r_.below(6)) : memory(Area::I, width, 4);
-      if (pick == 16 && allows(form::Q)) return width == Width::Bit ? direct(Area::Q, width, 0, r_.below(4)) : memory(Area::Q, width, 4);
+      if (pick == 15 && allows(form::I))
+        return width == Width::Bit ? direct(Area::I, width, 0, r_.below(6)) : memory(Area::I, width, 4);
+      if (pick == 16 && allows(form::Q))
+        return width == Width::Bit ? direct(Area::Q, width, 0, r_.below(4)) : memory(Area::Q, width, 4);
       if (pick == 17 && allows(form::L) && inLocal_ && width != Width::Bit) return memory(Area::L, width, 10);
       if (pick == 18 && allows(form::AI)) return direct(Area::AI, Width::Word, 2 * r_.below(3));
       if (pick == 19 && allows(form::PtrAC) && options_.pointers) {
@@ -145,12 +152,14 @@ class Generator {
       return constant(range.low + r_.below(static_cast<std::uint32_t>(span)));
     }
     if (desc.type == Type::Real) {
-      static constexpr std::int64_t patterns[] = {0x3F800000, 0x40490FDB, 0xC0000000, 0x00000000, 0x461C4000, 0x4B189680};
+      static constexpr std::int64_t patterns[] = {0x3F800000, 0x40490FDB, 0xC0000000,
+                                                  0x00000000, 0x461C4000, 0x4B189680};
       return constant(patterns[r_.below(6)], ConstantForm::Real);
     }
     const std::uint64_t value = r_.value(bits(width));
     if (!isSigned(desc.type)) return constant(static_cast<std::int64_t>(value));
-    return constant(static_cast<std::int64_t>(value << (64 - bits(width))) >> (64 - bits(width)), ConstantForm::SignedDecimal);
+    return constant(static_cast<std::int64_t>(value << (64 - bits(width))) >> (64 - bits(width)),
+                    ConstantForm::SignedDecimal);
   }
 
   bool emitFrom(const Desc& desc) {
@@ -223,7 +232,8 @@ class Generator {
     const std::span<const Desc> table = instructionTable();
     for (int tries = 0; tries < 20; ++tries) {
       const Desc& desc = table[r_.below(static_cast<std::uint32_t>(table.size()))];
-      const bool isPlain = desc.control == Control::None && desc.execution != Execution::Stack && desc.execution != Execution::Compare;
+      const bool isPlain =
+          desc.control == Control::None && desc.execution != Execution::Stack && desc.execution != Execution::Compare;
       if (isPlain && desc.stl != "STOP" && emitFrom(desc)) return;
     }
   }
@@ -251,7 +261,8 @@ class Generator {
     const int callee = level_ == 0 ? static_cast<int>(r_.below(2)) : level_;
     Operand flag = bit();
     while (flag.area == Area::T || flag.area == Area::C || flag.area == Area::L) flag = bit();
-    emit("CALL", {constant(callee), flag, memory(Area::V, Width::Word, 16), memory(Area::M, Width::Byte, 4), memory(Area::V, Width::Word, 16)});
+    emit("CALL", {constant(callee), flag, memory(Area::V, Width::Word, 16), memory(Area::M, Width::Byte, 4),
+                  memory(Area::V, Width::Word, 16)});
   }
   void segment() {
     if (inSegment_) return;
@@ -281,8 +292,10 @@ class Generator {
     if (r_.chance(60)) emit("INCD", {cell});
     Operand target = cell;
     target.kind = OperandKind::Indirect;
-    if (r_.chance(50)) emit("MOVB", {target, memory(Area::V, Width::Byte, 16)});
-    else emit("MOVW", {memory(Area::V, Width::Word, 16), target});
+    if (r_.chance(50))
+      emit("MOVB", {target, memory(Area::V, Width::Byte, 16)});
+    else
+      emit("MOVW", {memory(Area::V, Width::Word, 16), target});
   }
 
   RandomSource& r_;
@@ -315,10 +328,13 @@ std::string RandomProgram::text() const {
   std::string text;
   for (const Block& block : blocks) {
     if (block.instructions.empty()) continue;
-    text += block.kind == PouKind::Main ? "MAIN\n" : (block.kind == PouKind::Subroutine ? "SBR " : "INT ") + std::to_string(block.number) + "\n";
+    text += block.kind == PouKind::Main
+                ? "MAIN\n"
+                : (block.kind == PouKind::Subroutine ? "SBR " : "INT ") + std::to_string(block.number) + "\n";
     for (const Instruction& instruction : block.instructions) {
       text += "  " + std::string(instruction.desc->stl);
-      for (std::size_t i = 0; i < instruction.operands.size(); ++i) text += (i == 0 ? " " : ", ") + toString(instruction.operands[i]);
+      for (std::size_t i = 0; i < instruction.operands.size(); ++i)
+        text += (i == 0 ? " " : ", ") + toString(instruction.operands[i]);
       text += "\n";
     }
   }
@@ -343,6 +359,8 @@ RandomProgram RandomProgram::without(std::size_t index) const {
   return copy;
 }
 
-RandomProgram randomProgram(RandomSource& random, const GeneratorOptions& options) { return Generator(random, options).run(); }
+RandomProgram randomProgram(RandomSource& random, const GeneratorOptions& options) {
+  return Generator(random, options).run();
+}
 
 }  // namespace rungproof

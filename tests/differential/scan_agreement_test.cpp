@@ -12,7 +12,7 @@ namespace {
 struct Outcome {
   std::string difference;  ///< empty: both sides agree
   int scans = 0;
-  bool isExact = true;     ///< false: the encoder approximated, so the run proves nothing
+  bool isExact = true;  ///< false: the encoder approximated, so the run proves nothing
 };
 
 std::uint64_t valueIn(const Concrete::Store& store, const Place& place) {
@@ -27,7 +27,8 @@ std::uint64_t valueIn(const Concrete::Store& store, const Place& place) {
 
 /// What both sides must agree on. The phases of the tick clocks are kept as digits in the transition system.
 bool isCompared(const Place& place) {
-  return !place.isRegister || (place.reg != Reg::PhaseTen && place.reg != Reg::PhaseHundred && place.reg != Reg::PhysicalOutput);
+  return !place.isRegister ||
+         (place.reg != Reg::PhaseTen && place.reg != Reg::PhaseHundred && place.reg != Reg::PhysicalOutput);
 }
 
 Outcome compare(const RandomProgram& random, std::uint64_t seed, int scanCount, const EncoderOptions& options) {
@@ -72,16 +73,19 @@ Outcome compare(const RandomProgram& random, std::uint64_t seed, int scanCount, 
   }
   const ReplayResult result = replay(program, options.choices, script, initial ? &*initial : nullptr);
   outcome.scans = static_cast<int>(result.states.size());
-  if (result.states.size() != script.size()) outcome.difference = "engine made " + std::to_string(result.states.size()) + " of " + std::to_string(script.size()) + " scans";
+  if (result.states.size() != script.size())
+    outcome.difference =
+        "engine made " + std::to_string(result.states.size()) + " of " + std::to_string(script.size()) + " scans";
   for (std::size_t k = 0; k < result.states.size() && outcome.difference.empty(); ++k) {
     for (std::size_t i = 0; i < places.size(); ++i) {
       const std::uint64_t actual = valueIn(result.states[k], places[i]);
       if (actual == expected[k][i]) continue;
-      outcome.difference += "scan " + std::to_string(k + 1) + ", " + nameOf(places[i]) + ": engine " + std::to_string(actual) + ", transition system " +
-                            std::to_string(expected[k][i]) + "\n";
+      outcome.difference += "scan " + std::to_string(k + 1) + ", " + nameOf(places[i]) + ": engine " +
+                            std::to_string(actual) + ", transition system " + std::to_string(expected[k][i]) + "\n";
     }
   }
-  if (outcome.difference.empty() && result.unusedExternals != 0) outcome.difference = std::to_string(result.unusedExternals) + " external values unused";
+  if (outcome.difference.empty() && result.unusedExternals != 0)
+    outcome.difference = std::to_string(result.unusedExternals) + " external values unused";
   return outcome;
 }
 
@@ -98,7 +102,8 @@ int programCount(int standard) {
   return given == nullptr ? standard : std::atoi(given);
 }
 
-void runAll(const GeneratorOptions& generator, const EncoderOptions& options, int programs, int scans, std::uint64_t offset) {
+void runAll(const GeneratorOptions& generator, const EncoderOptions& options, int programs, int scans,
+            std::uint64_t offset) {
   int total = 0, exact = 0;
   programs = programCount(programs);
   for (int i = 0; i < programs; ++i) {
@@ -142,7 +147,9 @@ TEST(ScanAgreement, Interrupts) {
   runAll({.rungs = 5, .loops = false, .subroutines = false, .interrupts = true}, anyMemory(), 40, 60, 40000);
 }
 
-TEST(ScanAgreement, Pointers) { runAll({.rungs = 6, .loops = false, .subroutines = false, .pointers = true}, {}, 40, 60, 50000); }
+TEST(ScanAgreement, Pointers) {
+  runAll({.rungs = 6, .loops = false, .subroutines = false, .pointers = true}, {}, 40, 60, 50000);
+}
 
 }  // namespace
 }  // namespace rungproof

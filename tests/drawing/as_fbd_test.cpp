@@ -19,7 +19,8 @@ std::string converted(std::string_view statements) {
 }
 
 TEST(AsFbd, SeriesBecomesOneGate) {
-  EXPECT_EQ(converted("LD I0.0; A I0.1; AN I0.2; = Q0.0"), "1 LD I0.0(0); 2 LD I0.1(0); 3 LDN I0.2(0); 4 AND(1,2,3); 5 = Q0.0(4)");
+  EXPECT_EQ(converted("LD I0.0; A I0.1; AN I0.2; = Q0.0"),
+            "1 LD I0.0(0); 2 LD I0.1(0); 3 LDN I0.2(0); 4 AND(1,2,3); 5 = Q0.0(4)");
 }
 
 TEST(AsFbd, AGroupInSeriesIsConnectedAtEachBranch) {  // the ladder's own wiring: both branches begin behind I0.0
@@ -39,14 +40,17 @@ TEST(AsFbd, DoesTheSameWithGatesOfAtMost32Inputs) {
     const Program program = programOf(statements);
     const Drawing fbd = asFbd(*raise(onlyNetwork(program), Form::Ladder).drawing);
     for (const Element& element : fbd.elements) {
-      const bool isSeries = element.shape == Shape::Contact && element.desc->stack.pushes == 1 && element.inputs[0].from != 0;
+      const bool isSeries =
+          element.shape == Shape::Contact && element.desc->stack.pushes == 1 && element.inputs[0].from != 0;
       EXPECT_FALSE(isSeries) << textOf(fbd);
       EXPECT_LE(element.inputs.size(), maxGateInputs);
     }
     const Lowered result = lower(fbd);
     ASSERT_FALSE(result.fault) << statements;
-    ASSERT_EQ(difference(fbd, result.instructions, result.instructionOf), "") << textOf(fbd) << "\n" << textOf(result.instructions);
-    ASSERT_EQ(difference(result.instructions, onlyNetwork(program).instructions), "") << "seed " << drawingSeed() + 4 << ": " << statements;
+    ASSERT_EQ(difference(fbd, result.instructions, result.instructionOf), "") << textOf(fbd) << "\n"
+                                                                              << textOf(result.instructions);
+    ASSERT_EQ(difference(result.instructions, onlyNetwork(program).instructions), "")
+        << "seed " << drawingSeed() + 4 << ": " << statements;
   }
   Drawing wide;
   wide.elements.emplace_back();

@@ -1,9 +1,8 @@
 // Every STL network of the corpus: drawn as ladder and as FBD and lowered again to the same instructions, or with a
 // reason why it has no picture. Outside the programs with faults, and of the dialect without networks, the only reason
 // is a second rung.
-#include <gtest/gtest.h>
-
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -46,7 +45,8 @@ std::vector<NetworkPlace> networks() {
   for (const auto& [file, program] : corpus()) {
     for (const Pou& pou : program.pous) {
       for (const Network& network : pou.networks) {
-        if (network.complete && !network.instructions.empty()) result.push_back({fmt::format("{} {} {}", file, pou.name, network.number), &network});
+        if (network.complete && !network.instructions.empty())
+          result.push_back({fmt::format("{} {} {}", file, pou.name, network.number), &network});
       }
     }
   }
@@ -54,7 +54,8 @@ std::vector<NetworkPlace> networks() {
 }
 
 bool mayBeFaulty(std::string_view place) {
-  return place.starts_with("faulty/") || place.starts_with("older/");  // faults of the stack; a dialect without networks
+  return place.starts_with("faulty/") ||
+         place.starts_with("older/");  // faults of the stack; a dialect without networks
 }
 
 TEST(CorpusNetworks, EveryNetworkHasAPictureOrAReason) {

@@ -1,8 +1,7 @@
 // Faults of drawings as circuits: GRF001 and GRF003 (001:2230, 001:2304, 001:2268).
-#include "analysis/drawing/check.hpp"
-
 #include <gtest/gtest.h>
 
+#include "analysis/drawing/check.hpp"
 #include "tests/drawing/networks.hpp"
 
 namespace rungproof::testing {
@@ -17,33 +16,43 @@ Drawing with(std::vector<Element> elements) {
 
 std::vector<std::string> messages(const Drawing& drawing, Form form = Form::Ladder) {
   std::vector<std::string> result;
-  for (const DrawingFault& fault : drawingFaults(drawing, form)) result.push_back(std::string(fault.rule) + " " + fault.message);
+  for (const DrawingFault& fault : drawingFaults(drawing, form))
+    result.push_back(std::string(fault.rule) + " " + fault.message);
   return result;
 }
 using Messages = std::vector<std::string>;
 
 TEST(DrawingCheck, ClosedCircuitIsSilent) {
-  EXPECT_EQ(messages(with({element(Shape::Contact, "LD I0.0", {{0, false}}), element(Shape::Coil, "= Q0.0", {{1, false}})})), Messages{});
+  EXPECT_EQ(
+      messages(with({element(Shape::Contact, "LD I0.0", {{0, false}}), element(Shape::Coil, "= Q0.0", {{1, false}})})),
+      Messages{});
   EXPECT_EQ(messages(with({element(Shape::Coil, "LBL 1", {})})), Messages{});
 }
 
 TEST(DrawingCheck, OpenEndsAndInputs) {
-  EXPECT_EQ(messages(with({element(Shape::Contact, "LD I0.0", {{0, false}})})), Messages{"GRF001 the output of LD I0.0 leads nowhere"});
-  EXPECT_EQ(messages(with({element(Shape::Coil, "= Q0.0", {})})), Messages{"GRF001 = Q0.0 has 0 of 1 connected power inputs"});
-  EXPECT_EQ(messages(with({element(Shape::Box, "CTU C1, +5", {{0, false}})})), Messages{"GRF001 CTU C1 has 1 of 2 connected power inputs"});
+  EXPECT_EQ(messages(with({element(Shape::Contact, "LD I0.0", {{0, false}})})),
+            Messages{"GRF001 the output of LD I0.0 leads nowhere"});
+  EXPECT_EQ(messages(with({element(Shape::Coil, "= Q0.0", {})})),
+            Messages{"GRF001 = Q0.0 has 0 of 1 connected power inputs"});
+  EXPECT_EQ(messages(with({element(Shape::Box, "CTU C1, +5", {{0, false}})})),
+            Messages{"GRF001 CTU C1 has 1 of 2 connected power inputs"});
 }
 
 TEST(DrawingCheck, HeadingsStandAtTheLeftRail) {
-  EXPECT_EQ(messages(with({element(Shape::Contact, "LD I0.0", {{0, false}}), element(Shape::Coil, "LBL 1", {{1, false}})})),
-            Messages{"GRF001 LBL 1 must stand at the left rail"});
+  EXPECT_EQ(
+      messages(with({element(Shape::Contact, "LD I0.0", {{0, false}}), element(Shape::Coil, "LBL 1", {{1, false}})})),
+      Messages{"GRF001 LBL 1 must stand at the left rail"});
 }
 
 TEST(DrawingCheck, ShortCircuitInLadderOnly) {
-  const Drawing bridged = with({element(Shape::Contact, "LD I0.0", {{0, false}}), element(Shape::Contact, "LD I0.1", {{1, false}}), element(Shape::Or, "", {{2, false}, {1, false}}),
-                                element(Shape::Coil, "= Q0.0", {{3, false}})});
+  const Drawing bridged =
+      with({element(Shape::Contact, "LD I0.0", {{0, false}}), element(Shape::Contact, "LD I0.1", {{1, false}}),
+            element(Shape::Or, "", {{2, false}, {1, false}}), element(Shape::Coil, "= Q0.0", {{3, false}})});
   EXPECT_EQ(messages(bridged), Messages{"GRF001 a branch without contacts short-circuits the one beside it"});
   EXPECT_EQ(messages(bridged, Form::Fbd), Messages{});
-  const Drawing atTheRail = with({element(Shape::Contact, "LD I0.0", {{0, false}}), element(Shape::Or, "", {{1, false}, {0, false}}), element(Shape::Coil, "= Q0.0", {{2, false}})});
+  const Drawing atTheRail =
+      with({element(Shape::Contact, "LD I0.0", {{0, false}}), element(Shape::Or, "", {{1, false}, {0, false}}),
+            element(Shape::Coil, "= Q0.0", {{2, false}})});
   EXPECT_EQ(messages(atTheRail), Messages{"GRF001 a branch without contacts short-circuits the one beside it"});
 }
 

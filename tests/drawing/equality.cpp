@@ -29,7 +29,8 @@ class World final : public CellSource, public Graph::Listener {
   void beginSide() { asked_.clear(); }
   Cell cellAt(const Place& place) override {
     const auto [entry, isNew] = cells_.try_emplace(place, noNode);
-    const bool isAlwaysOn = !place.isRegister && place.area == Area::SM && place.byte() == 0 && place.bit() == 0 && place.width == 1;
+    const bool isAlwaysOn =
+        !place.isRegister && place.area == Area::SM && place.byte() == 0 && place.bit() == 0 && place.width == 1;
     if (isNew) entry->second = isAlwaysOn ? graph.constantNode(1, 1) : graph.variable(nameOf(place), place.width, true);
     return {place, CellKind::State, entry->second};
   }
@@ -67,7 +68,9 @@ Program wrapped(std::vector<Instruction> instructions) {
 class Side {
  public:
   Side(World& world, const Program& program, const MemoryLayout& layout, const Plan& plan)
-      : program_(program), store_(world.graph, layout, world, plan.edgeCount), machine_(world.graph, store_, plan, choices_) {
+      : program_(program),
+        store_(world.graph, layout, world, plan.edgeCount),
+        machine_(world.graph, store_, plan, choices_) {
     world.beginSide();
     store_.follow(&machine_);
   }
@@ -111,18 +114,21 @@ void runInstructions(Side& side) {
 }
 
 /// Executes the elements one after the other. `instructionOf`: by element, its instruction in the side's program.
-void runDrawing(World& world, Side& side, const Drawing& drawing, const std::vector<const Instruction*>& instructionOf) {
+void runDrawing(World& world, Side& side, const Drawing& drawing,
+                const std::vector<const Instruction*>& instructionOf) {
   Graph& g = world.graph;
   Machine<Graph>& m = side.machine();
   std::vector<Graph::Bool> output(drawing.elements.size(), g.constant(true));
   for (std::size_t i = 0; i < drawing.elements.size(); ++i) {
     const Element& element = drawing.elements[i];
     std::vector<Graph::Bool> inputs;
-    for (const Wire& wire : element.inputs) inputs.push_back(wire.negated ? g.lnot(output[wire.from]) : output[wire.from]);
+    for (const Wire& wire : element.inputs)
+      inputs.push_back(wire.negated ? g.lnot(output[wire.from]) : output[wire.from]);
     if (element.shape == Shape::Rail) continue;
     if (element.shape == Shape::And || element.shape == Shape::Or) {
       output[i] = inputs[0];
-      for (const Graph::Bool input : inputs) output[i] = element.shape == Shape::And ? g.land(output[i], input) : g.lor(output[i], input);
+      for (const Graph::Bool input : inputs)
+        output[i] = element.shape == Shape::And ? g.land(output[i], input) : g.lor(output[i], input);
       continue;
     }
     const Instruction& instruction = *instructionOf[i];
@@ -169,7 +175,8 @@ std::string compare(World& world, Side& a, Side& b) {
   if (a.flows.size() != b.flows.size()) return fmt::format("{} and {} flows", a.flows.size(), b.flows.size());
   std::vector<std::pair<Node, std::string>> questions;
   questions.emplace_back(g.lxor(a.machine().halted, b.machine().halted).node, "the stop");
-  for (std::size_t i = 0; i < a.flows.size(); ++i) questions.emplace_back(g.lxor(a.flows[i], b.flows[i]).node, fmt::format("flow {}", i));
+  for (std::size_t i = 0; i < a.flows.size(); ++i)
+    questions.emplace_back(g.lxor(a.flows[i], b.flows[i]).node, fmt::format("flow {}", i));
   for (const Place& place : placesOf(a, b)) {
     if (place.isRegister && place.reg == Reg::Eno) continue;
     if (!place.isRegister && place.area == Area::L && place.byte() >= 60) continue;
@@ -193,7 +200,8 @@ std::string compare(World& world, Side& a, Side& b) {
 
 }  // namespace
 
-std::string difference(const Drawing& drawing, const std::vector<Instruction>& instructions, const std::vector<std::uint32_t>& instructionOf) {
+std::string difference(const Drawing& drawing, const std::vector<Instruction>& instructions,
+                       const std::vector<std::uint32_t>& instructionOf) {
   std::vector<Instruction> drawn;
   std::vector<std::size_t> positions(drawing.elements.size(), 0);
   for (std::size_t i = 0; i < drawing.elements.size(); ++i) {
@@ -215,7 +223,8 @@ std::string difference(const Drawing& drawing, const std::vector<Instruction>& i
     if (drawing.elements[i].desc == nullptr) continue;
     ofElement[i] = &left.pous[0].networks[0].instructions[positions[i]];
     const Instruction& other = right.pous[0].networks[0].instructions[instructionOf[i]];
-    if (kindOf(other) == Kind::Eu || kindOf(other) == Kind::Ed) rightPlan.edge[other.id] = leftPlan.edge[ofElement[i]->id];
+    if (kindOf(other) == Kind::Eu || kindOf(other) == Kind::Ed)
+      rightPlan.edge[other.id] = leftPlan.edge[ofElement[i]->id];
   }
   World world;
   Side a(world, left, layout, leftPlan);

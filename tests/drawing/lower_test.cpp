@@ -23,7 +23,9 @@ Drawing drawingOf(std::vector<Element> elements) {
 Element contact(std::string_view instruction, Wire from) { return element(Shape::Contact, instruction, {from}); }
 Element coil(std::string_view instruction, Wire from) { return element(Shape::Coil, instruction, {from}); }
 Element gate(Shape shape, std::vector<Wire> inputs) { return element(shape, "", std::move(inputs)); }
-Element box(std::string_view instruction, std::vector<Wire> inputs) { return element(Shape::Box, instruction, std::move(inputs)); }
+Element box(std::string_view instruction, std::vector<Wire> inputs) {
+  return element(Shape::Box, instruction, std::move(inputs));
+}
 
 /// Lowered text, after the solver has found it equal to the drawing.
 std::string proven(const Drawing& drawing) {
@@ -34,52 +36,60 @@ std::string proven(const Drawing& drawing) {
 }
 
 TEST(Lower, RailFeedsBoxesAndCoils) {
-  EXPECT_EQ(proven(drawingOf({box("MOVB 1, VB0", {w(0)}), coil("= Q0.0", w(0))})), "LD SM0.0; MOVB 1, VB0; LD SM0.0; = Q0.0");
+  EXPECT_EQ(proven(drawingOf({box("MOVB 1, VB0", {w(0)}), coil("= Q0.0", w(0))})),
+            "LD SM0.0; MOVB 1, VB0; LD SM0.0; = Q0.0");
   EXPECT_EQ(proven(drawingOf({coil("= Q0.0", circle(0))})), "LD SM0.0; NOT; = Q0.0");
 }
 
 TEST(Lower, GroupInSeries) {
-  EXPECT_EQ(proven(drawingOf({contact("LD I0.0", w(0)), contact("LD I0.1", w(1)), contact("LD I0.2", w(1)), gate(Shape::Or, {w(2), w(3)}),
-                              contact("LD I0.3", w(4)), coil("= Q0.0", w(5))})),
+  EXPECT_EQ(proven(drawingOf({contact("LD I0.0", w(0)), contact("LD I0.1", w(1)), contact("LD I0.2", w(1)),
+                              gate(Shape::Or, {w(2), w(3)}), contact("LD I0.3", w(4)), coil("= Q0.0", w(5))})),
             "LD I0.0; LD I0.1; O I0.2; ALD; A I0.3; = Q0.0");
 }
 
 TEST(Lower, GroupWithinAGroup) {  // both begin at I0.0, so the inner one needs no ALD
-  EXPECT_EQ(proven(drawingOf({contact("LD I0.0", w(0)), contact("LD I0.1", w(1)), contact("LD I0.2", w(1)), gate(Shape::Or, {w(2), w(3)}),
-                              contact("LD I0.3", w(4)), contact("LD I0.4", w(1)), gate(Shape::Or, {w(5), w(6)}), coil("= Q0.0", w(7))})),
+  EXPECT_EQ(proven(drawingOf({contact("LD I0.0", w(0)), contact("LD I0.1", w(1)), contact("LD I0.2", w(1)),
+                              gate(Shape::Or, {w(2), w(3)}), contact("LD I0.3", w(4)), contact("LD I0.4", w(1)),
+                              gate(Shape::Or, {w(5), w(6)}), coil("= Q0.0", w(7))})),
             "LD I0.0; LD I0.1; O I0.2; A I0.3; O I0.4; ALD; = Q0.0");
 }
 
 TEST(Lower, BranchesInTheOrderOfTheirCoils) {  // contacts first, as some editors number them
-  EXPECT_EQ(proven(drawingOf({contact("LD I0.0", w(0)), contact("LD I0.1", w(1)), contact("LD I0.2", w(1)), coil("= Q0.0", w(2)), coil("= Q0.1", w(3))})),
+  EXPECT_EQ(proven(drawingOf({contact("LD I0.0", w(0)), contact("LD I0.1", w(1)), contact("LD I0.2", w(1)),
+                              coil("= Q0.0", w(2)), coil("= Q0.1", w(3))})),
             "LD I0.0; LPS; A I0.1; = Q0.0; LPP; A I0.2; = Q0.1");
 }
 
-TEST(Lower, AContactReadBeforeACoilThatChangesItWaits) {  // M0.0 is read before the first coil writes it; I0.0 can be read twice
-  EXPECT_EQ(proven(drawingOf({contact("LD I0.0", w(0)), contact("LD I0.1", w(1)), contact("LD M0.0", w(1)), coil("= M0.0", w(2)), coil("= Q0.1", w(3))})),
+TEST(Lower, AContactReadBeforeACoilThatChangesItWaits) {  // M0.0 is read before the first coil writes it; I0.0 can be
+                                                          // read twice
+  EXPECT_EQ(proven(drawingOf({contact("LD I0.0", w(0)), contact("LD I0.1", w(1)), contact("LD M0.0", w(1)),
+                              coil("= M0.0", w(2)), coil("= Q0.1", w(3))})),
             "LD I0.0; A I0.1; = L60.0; LD I0.0; A M0.0; = L60.1; LD L60.0; = M0.0; LD L60.1; = Q0.1");
 }
 
 TEST(Lower, NegatedPins) {
-  EXPECT_EQ(proven(drawingOf({contact("LD I0.0", w(0)), contact("LD I0.1", w(0)), gate(Shape::And, {circle(1), circle(2)}), coil("= Q0.0", circle(3))})),
+  EXPECT_EQ(proven(drawingOf({contact("LD I0.0", w(0)), contact("LD I0.1", w(0)),
+                              gate(Shape::And, {circle(1), circle(2)}), coil("= Q0.0", circle(3))})),
             "LD I0.0; NOT; LD I0.1; NOT; ALD; NOT; = Q0.0");
 }
 
 TEST(Lower, CounterInputsFirstDeepest) {  // 001:3994
-  EXPECT_EQ(proven(drawingOf({contact("LD I0.0", w(0)), contact("LD I0.1", w(0)), contact("LD I0.2", w(0)), box("CTUD C1, +5", {w(1), w(2), w(3)})})),
+  EXPECT_EQ(proven(drawingOf({contact("LD I0.0", w(0)), contact("LD I0.1", w(0)), contact("LD I0.2", w(0)),
+                              box("CTUD C1, +5", {w(1), w(2), w(3)})})),
             "LD I0.0; LD I0.1; LD I0.2; CTUD C1, +5");
 }
 
 TEST(Lower, ABranchBehindACounterDoesNotFindTheStackAsItWas) {  // the counter leaves both inputs on the stack
-  EXPECT_EQ(proven(drawingOf({contact("LD I0.0", w(0)), contact("EU", w(1)), contact("LD I0.1", w(0)), box("CTU C1, +5", {w(2), w(3)}),
-                              contact("LD I0.2", w(2)), coil("= Q0.0", w(5))})),
+  EXPECT_EQ(proven(drawingOf({contact("LD I0.0", w(0)), contact("EU", w(1)), contact("LD I0.1", w(0)),
+                              box("CTU C1, +5", {w(2), w(3)}), contact("LD I0.2", w(2)), coil("= Q0.0", w(5))})),
             "LD I0.0; EU; = L60.0; LD L60.0; LD I0.1; CTU C1, +5; LD L60.0; A I0.2; = Q0.0");
 }
 
 TEST(Lower, CallStoresItsFlowInputs) {  // 001:10223-10238
   Element call = box("CALL SBR0, I1.0, I1.1, Q0.0", {w(1), w(2), w(3)});
   call.operands[1].kind = call.operands[2].kind = OperandKind::Missing;
-  EXPECT_EQ(proven(drawingOf({contact("LD I0.0", w(0)), contact("LD I0.1", w(0)), contact("LD I0.2", w(0)), std::move(call)})),
+  EXPECT_EQ(proven(drawingOf(
+                {contact("LD I0.0", w(0)), contact("LD I0.1", w(0)), contact("LD I0.2", w(0)), std::move(call)})),
             "LD I0.0; = L60.0; LD I0.1; = L63.7; LD I0.2; = L63.6; LD L60.0; CALL 0, L63.7, L63.6, Q0.0");
 }
 
@@ -93,9 +103,10 @@ TEST(Lower, TakenBitsAreLeftAlone) {
 
 /// A bridge: two contacts behind each of two contacts, crossed. No series and parallel circuit.
 Drawing bridge() {
-  return drawingOf({contact("LD I0.0", w(0)), contact("LD I0.1", w(0)), contact("LD I0.2", w(1)), contact("LD I0.3", w(2)),
-                    gate(Shape::Or, {w(3), w(4)}), coil("= Q0.0", w(5)), contact("LD I0.4", w(1)), contact("LD I0.5", w(2)),
-                    gate(Shape::Or, {w(7), w(8)}), coil("= Q0.1", w(9))});
+  return drawingOf({contact("LD I0.0", w(0)), contact("LD I0.1", w(0)), contact("LD I0.2", w(1)),
+                    contact("LD I0.3", w(2)), gate(Shape::Or, {w(3), w(4)}), coil("= Q0.0", w(5)),
+                    contact("LD I0.4", w(1)), contact("LD I0.5", w(2)), gate(Shape::Or, {w(7), w(8)}),
+                    coil("= Q0.1", w(9))});
 }
 
 TEST(Lower, WhatTheStackCannotFollowWaitsInBits) {
@@ -107,7 +118,8 @@ TEST(Lower, WhatTheStackCannotFollowWaitsInBits) {
 TEST(Lower, IecTimerHandsOnItsOutput) {  // Q left open: the bit is read behind the box
   Element timer = box("TON T37, +5", {w(1)});
   timer.desc = instructionNamed("TON.IEC");
-  const Drawing drawing = drawingOf({contact("LD I0.0", w(0)), std::move(timer), contact("LD I0.1", w(2)), coil("= Q0.0", w(3))});
+  const Drawing drawing =
+      drawingOf({contact("LD I0.0", w(0)), std::move(timer), contact("LD I0.1", w(2)), coil("= Q0.0", w(3))});
   EXPECT_EQ(proven(drawing), "LD I0.0; TON.IEC T37, +5, L60.0; LD L60.0; A I0.1; = Q0.0");
   Network network;
   network.instructions = lower(drawing).instructions;
@@ -119,8 +131,9 @@ TEST(Lower, IecTimerHandsOnItsOutput) {  // Q left open: the bit is read behind 
 TEST(Lower, BistableTakesTwoLevelsAndLeavesItsOutput) {  // S deepest, R on top; as a drawing it comes back
   Element bistable = box("= M0.0", {w(2), w(3)});
   bistable.desc = instructionNamed("SR");
-  const Drawing drawing = drawingOf({contact("LD I0.0", w(0)), contact("LD I0.1", w(1)), contact("LD I0.2", w(0)), std::move(bistable),
-                                     coil("= Q0.0", w(4)), contact("LD I0.3", w(4)), coil("= Q0.1", w(6))});
+  const Drawing drawing =
+      drawingOf({contact("LD I0.0", w(0)), contact("LD I0.1", w(1)), contact("LD I0.2", w(0)), std::move(bistable),
+                 coil("= Q0.0", w(4)), contact("LD I0.3", w(4)), coil("= Q0.1", w(6))});
   const std::string text = "LD I0.0; A I0.1; LD I0.2; SR M0.0; = Q0.0; A I0.3; = Q0.1";
   EXPECT_EQ(proven(drawing), text);
   Network network;
@@ -132,14 +145,16 @@ TEST(Lower, BistableTakesTwoLevelsAndLeavesItsOutput) {  // S deepest, R on top;
 
 TEST(Lower, MoreThanNineLevels) {  // twelve nested groups: the innermost is computed first
   std::vector<Element> elements;
-  for (unsigned i = 0; i < 12; ++i) elements.push_back(contact("LD I" + std::to_string(i / 8) + "." + std::to_string(i % 8), w(0)));
+  for (unsigned i = 0; i < 12; ++i)
+    elements.push_back(contact("LD I" + std::to_string(i / 8) + "." + std::to_string(i % 8), w(0)));
   for (std::uint32_t i = 0; i < 11; ++i) {
     const std::uint32_t inner = i == 0 ? 12 : 12 + i;
     elements.push_back(gate(i % 2 == 0 ? Shape::And : Shape::Or, {w(11 - i), w(inner)}));
   }
   elements.push_back(coil("= Q0.0", w(23)));
   const std::string text = proven(drawingOf(std::move(elements)));
-  EXPECT_EQ(text, "LD I1.2; A I1.3; O I1.1; A I1.0; O I0.7; A I0.6; O I0.5; A I0.4; O I0.3; A I0.2; O I0.1; A I0.0; = Q0.0");
+  EXPECT_EQ(text,
+            "LD I1.2; A I1.3; O I1.1; A I1.0; O I0.7; A I0.6; O I0.5; A I0.4; O I0.3; A I0.2; O I0.1; A I0.0; = Q0.0");
 }
 
 TEST(Lower, ADeepDrawingDoesNotOverflow) {
@@ -178,10 +193,14 @@ TEST(Lower, ADeepDrawingDoesNotOverflow) {
 }
 
 TEST(Lower, RefusesWhatIsNoCircuit) {
-  EXPECT_EQ(proven(drawingOf({contact("LD I0.0", w(0)), box("CTU C1, +5", {w(1)})})), "refused: CTU C1 has 1 of 2 power inputs");
-  EXPECT_EQ(proven(drawingOf({coil("= Q0.0", w(0)), coil("= Q0.1", w(1))})), "refused: = Q0.0 has no output that could feed = Q0.1");
-  EXPECT_EQ(proven(drawingOf({box("TON T37, +5", {w(0)}), coil("= Q0.1", w(1))})), "refused: TON T37 has no power output for = Q0.1");
-  EXPECT_EQ(proven(drawingOf({contact("LD I0.0", w(2)), coil("= Q0.0", w(1))})), "refused: I0.0 is fed by an element behind it");
+  EXPECT_EQ(proven(drawingOf({contact("LD I0.0", w(0)), box("CTU C1, +5", {w(1)})})),
+            "refused: CTU C1 has 1 of 2 power inputs");
+  EXPECT_EQ(proven(drawingOf({coil("= Q0.0", w(0)), coil("= Q0.1", w(1))})),
+            "refused: = Q0.0 has no output that could feed = Q0.1");
+  EXPECT_EQ(proven(drawingOf({box("TON T37, +5", {w(0)}), coil("= Q0.1", w(1))})),
+            "refused: TON T37 has no power output for = Q0.1");
+  EXPECT_EQ(proven(drawingOf({contact("LD I0.0", w(2)), coil("= Q0.0", w(1))})),
+            "refused: I0.0 is fed by an element behind it");
 }
 
 TEST(Lower, RefusesMoreWaitingValuesThanBits) {  // 40 values that all wait for the last gates
@@ -198,7 +217,8 @@ TEST(Lower, RefusesMoreWaitingValuesThanBits) {  // 40 values that all wait for 
 
 TEST(Lower, FillsANetworkWithInstructionsAndDrawing) {
   Network network;
-  EXPECT_FALSE(lowerInto(network, drawingOf({contact("LD I0.0", w(0)), contact("LD I0.1", w(1)), coil("= Q0.0", w(2))})));
+  EXPECT_FALSE(
+      lowerInto(network, drawingOf({contact("LD I0.0", w(0)), contact("LD I0.1", w(1)), coil("= Q0.0", w(2))})));
   ASSERT_NE(network.drawing, nullptr);
   EXPECT_EQ(textOf(network.instructions), "LD I0.0; A I0.1; = Q0.0");
   EXPECT_EQ(network.drawing->elements[2].instruction, 1U);

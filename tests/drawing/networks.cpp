@@ -12,8 +12,10 @@ namespace rungproof::testing {
 Program programOf(std::string_view statements) {
   std::string text = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\n";
   for (const char c : statements) text += c == ';' ? '\n' : c;
-  text += "\nEND_ORGANIZATION_BLOCK\nSUBROUTINE_BLOCK SBR_0:SBR0\nVAR_INPUT\na:BOOL;\nb:BOOL;\nEND_VAR\nVAR_OUTPUT\nc:BOOL;\nEND_VAR\nBEGIN\n"
-          "Network 1\nLD L0.0\n= L0.2\nEND_SUBROUTINE_BLOCK\n";
+  text +=
+      "\nEND_ORGANIZATION_BLOCK\nSUBROUTINE_BLOCK "
+      "SBR_0:SBR0\nVAR_INPUT\na:BOOL;\nb:BOOL;\nEND_VAR\nVAR_OUTPUT\nc:BOOL;\nEND_VAR\nBEGIN\n"
+      "Network 1\nLD L0.0\n= L0.2\nEND_SUBROUTINE_BLOCK\n";
   Program program = readText("network.awl", std::move(text), ReadOptions{});
   for (const Finding& finding : program.findings) ADD_FAILURE() << statements << ": " << finding.message;
   program.number();
@@ -32,7 +34,8 @@ std::string textOf(const Desc& desc, const std::vector<Operand>& operands) {
 
 std::string textOf(const std::vector<Instruction>& instructions) {
   std::string text;
-  for (const Instruction& instruction : instructions) text += (text.empty() ? "" : "; ") + textOf(*instruction.desc, instruction.operands);
+  for (const Instruction& instruction : instructions)
+    text += (text.empty() ? "" : "; ") + textOf(*instruction.desc, instruction.operands);
   return text;
 }
 
@@ -45,7 +48,8 @@ std::string textOf(const Drawing& drawing) {
                              : element.desc == nullptr    ? "RAIL"
                                                           : textOf(*element.desc, element.operands);
     std::string inputs;
-    for (const Wire& wire : element.inputs) inputs += fmt::format("{}{}{}", inputs.empty() ? "" : ",", wire.negated ? "~" : "", wire.from);
+    for (const Wire& wire : element.inputs)
+      inputs += fmt::format("{}{}{}", inputs.empty() ? "" : ",", wire.negated ? "~" : "", wire.from);
     text += fmt::format("{}{} {}({})", text.empty() ? "" : "; ", i, name, inputs);
   }
   return text;

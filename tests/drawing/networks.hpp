@@ -18,7 +18,9 @@ inline const Network& onlyNetwork(const Program& program) { return program.pous.
 /// "LD I0.0; A I0.1; = Q0.0".
 std::string textOf(const std::vector<Instruction>& instructions);
 /// The statements as textOf writes them.
-inline std::string spelled(std::string_view statements) { return textOf(onlyNetwork(programOf(statements)).instructions); }
+inline std::string spelled(std::string_view statements) {
+  return textOf(onlyNetwork(programOf(statements)).instructions);
+}
 /// Elements from 1 on, inputs in parentheses, ~ for a circle: "1 LD I0.0(0); 2 = Q0.0(~1)". Element 0 is the rail.
 std::string textOf(const Drawing& drawing);
 

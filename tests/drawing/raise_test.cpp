@@ -23,11 +23,13 @@ TEST(RaiseLadder, ParallelContactsMeetInOneOr) {
 }
 
 TEST(RaiseLadder, BranchOfSeveralContacts) {
-  EXPECT_EQ(ladder("LD I0.0; LD I0.1; A I0.2; OLD; = Q0.0"), "1 LD I0.0(0); 2 LD I0.1(0); 3 LD I0.2(2); 4 OR(1,3); 5 = Q0.0(4)");
+  EXPECT_EQ(ladder("LD I0.0; LD I0.1; A I0.2; OLD; = Q0.0"),
+            "1 LD I0.0(0); 2 LD I0.1(0); 3 LD I0.2(2); 4 OR(1,3); 5 = Q0.0(4)");
 }
 
 TEST(RaiseLadder, AGroupInSeriesBeginsBehindWhatIsOnItsLeft) {
-  EXPECT_EQ(ladder("LD I0.0; LD I0.1; O I0.2; ALD; = Q0.0"), "1 LD I0.0(0); 2 LD I0.1(1); 3 LD I0.2(1); 4 OR(2,3); 5 = Q0.0(4)");
+  EXPECT_EQ(ladder("LD I0.0; LD I0.1; O I0.2; ALD; = Q0.0"),
+            "1 LD I0.0(0); 2 LD I0.1(1); 3 LD I0.2(1); 4 OR(2,3); 5 = Q0.0(4)");
 }
 
 TEST(RaiseLadder, NestedGroups) {  // I0.0 and (I0.1 or (I0.2 and (I0.3 or I0.4)))
@@ -36,13 +38,15 @@ TEST(RaiseLadder, NestedGroups) {  // I0.0 and (I0.1 or (I0.2 and (I0.3 or I0.4)
 }
 
 TEST(RaiseLadder, SideBranchesOfTheManualsExample) {  // 000:795-810
-  EXPECT_EQ(ladder("LD I0.0; LPS; LD I0.5; O I0.6; ALD; = Q7.0; LRD; LD I2.1; O I1.3; ALD; = Q6.0; LPP; A I1.0; = Q3.0"),
-            "1 LD I0.0(0); 2 LD I0.5(1); 3 LD I0.6(1); 4 OR(2,3); 5 = Q7.0(4); 6 LD I2.1(1); 7 LD I1.3(1); 8 OR(6,7); "
-            "9 = Q6.0(8); 10 LD I1.0(1); 11 = Q3.0(10)");
+  EXPECT_EQ(
+      ladder("LD I0.0; LPS; LD I0.5; O I0.6; ALD; = Q7.0; LRD; LD I2.1; O I1.3; ALD; = Q6.0; LPP; A I1.0; = Q3.0"),
+      "1 LD I0.0(0); 2 LD I0.5(1); 3 LD I0.6(1); 4 OR(2,3); 5 = Q7.0(4); 6 LD I2.1(1); 7 LD I1.3(1); 8 OR(6,7); "
+      "9 = Q6.0(8); 10 LD I1.0(1); 11 = Q3.0(10)");
 }
 
 TEST(RaiseLadder, CoilsAboveOneAnotherAndNot) {  // 001:2768
-  EXPECT_EQ(ladder("LD I0.0; A I0.1; = Q0.0; NOT; = Q0.1"), "1 LD I0.0(0); 2 LD I0.1(1); 3 = Q0.0(2); 4 NOT(2); 5 = Q0.1(4)");
+  EXPECT_EQ(ladder("LD I0.0; A I0.1; = Q0.0; NOT; = Q0.1"),
+            "1 LD I0.0(0); 2 LD I0.1(1); 3 = Q0.0(2); 4 NOT(2); 5 = Q0.1(4)");
 }
 
 TEST(RaiseLadder, BoxesChainThroughEno) {
@@ -51,7 +55,8 @@ TEST(RaiseLadder, BoxesChainThroughEno) {
 }
 
 TEST(RaiseLadder, CounterTakesItsFirstInputFromBelow) {  // count input on the second level, reset on top (001:3994)
-  EXPECT_EQ(ladder("LD I0.0; LD I0.1; A I0.2; CTU C1, +5"), "1 LD I0.0(0); 2 LD I0.1(0); 3 LD I0.2(2); 4 CTU C1, +5(1,3)");
+  EXPECT_EQ(ladder("LD I0.0; LD I0.1; A I0.2; CTU C1, +5"),
+            "1 LD I0.0(0); 2 LD I0.1(0); 3 LD I0.2(2); 4 CTU C1, +5(1,3)");
 }
 
 TEST(RaiseLadder, TimerAndWhatFollowsBesideIt) {  // 001:8911
@@ -71,11 +76,13 @@ TEST(RaiseLadder, HeadingsStandAlone) {
 
 TEST(RaiseFbd, GatesOnOperands) {
   EXPECT_EQ(fbd("LD I0.0; AN I0.1; A I0.2; LD I0.3; A I0.4; OLD; = Q0.0"),
-            "1 LD I0.0(0); 2 LDN I0.1(0); 3 LD I0.2(0); 4 AND(1,2,3); 5 LD I0.3(0); 6 LD I0.4(0); 7 AND(5,6); 8 OR(4,7); 9 = Q0.0(8)");
+            "1 LD I0.0(0); 2 LDN I0.1(0); 3 LD I0.2(0); 4 AND(1,2,3); 5 LD I0.3(0); 6 LD I0.4(0); 7 AND(5,6); 8 "
+            "OR(4,7); 9 = Q0.0(8)");
 }
 
 TEST(RaiseFbd, NotIsACircleAtThePin) {
-  EXPECT_EQ(fbd("LD I0.0; A I0.1; = Q0.0; NOT; = Q0.1"), "1 LD I0.0(0); 2 LD I0.1(0); 3 AND(1,2); 4 = Q0.0(3); 5 = Q0.1(~3)");
+  EXPECT_EQ(fbd("LD I0.0; A I0.1; = Q0.0; NOT; = Q0.1"),
+            "1 LD I0.0(0); 2 LD I0.1(0); 3 AND(1,2); 4 = Q0.0(3); 5 = Q0.1(~3)");
 }
 
 TEST(RaiseFbd, EdgesInsideAGroup) {  // a ladder cannot show it: the edge would see I0.0 too
@@ -113,17 +120,21 @@ TEST(RaiseReason, SaysWhatHasNoPicture) {
   EXPECT_EQ(both("LD I0.0; LDS 0; = Q0.0"), "refused: LDS 0 has no picture in LAD or FBD");
   EXPECT_EQ(both("LD I0.0; LD I0.1; = Q0.0"), "refused: the branch of I0.0 ends without a coil or box");
   EXPECT_EQ(both("LD I0.0; AENO; = Q0.0"), "refused: AENO stands behind no box with ENO");
-  EXPECT_EQ(both("LD I0.0; MOVB 1, VB0; A I0.1; AENO; = Q0.0"), "refused: AENO joins ENO to the power flow of another circuit");
+  EXPECT_EQ(both("LD I0.0; MOVB 1, VB0; A I0.1; AENO; = Q0.0"),
+            "refused: AENO joins ENO to the power flow of another circuit");
   EXPECT_EQ(both("LBL 1; LD I0.0; = Q0.0"), "refused: LD I0.0 begins a second rung in the network");
 }
 
 TEST(RaiseReason, CallWithFlowInputsNeedsTheEditorsForm) {  // 001:6808: plain bits are STL only, but then no flow input
-  EXPECT_TRUE(ladder("LD I0.0; = L60.0; LD I0.1; = L63.6; LD L60.0; CALL SBR0, L63.6, I0.2, Q0.0").starts_with("refused: "));
+  EXPECT_TRUE(
+      ladder("LD I0.0; = L60.0; LD I0.1; = L63.6; LD L60.0; CALL SBR0, L63.6, I0.2, Q0.0").starts_with("refused: "));
 }
 
 TEST(RaiseRule, SpeaksOncePerNetworkAndOnlyWithoutAnyPicture) {
   const Program program = readText(
-      "test.awl", "Network 1\nLD I0.0\n= Q0.0\nLD I0.1\n= Q0.1\nLD I0.2\n= Q0.2\nNetwork 2\nLD I0.0\nLD I0.1\nEU\nALD\n= Q0.3\n", ReadOptions{});
+      "test.awl",
+      "Network 1\nLD I0.0\n= Q0.0\nLD I0.1\n= Q0.1\nLD I0.2\n= Q0.2\nNetwork 2\nLD I0.0\nLD I0.1\nEU\nALD\n= Q0.3\n",
+      ReadOptions{});
   const Facts facts(program, {});
   const Rule* rule = ruleNamed("STK006");
   const RuleSettings settings;

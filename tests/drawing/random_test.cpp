@@ -39,7 +39,8 @@ TEST(RandomRungs, DrawingsDoWhatTheirRungsDo) {
       const std::vector<Instruction>& instructions = onlyNetwork(program).instructions;
       std::vector<std::uint32_t> positions;
       for (const Element& element : result.drawing->elements) positions.push_back(element.instruction);
-      ASSERT_EQ(difference(*result.drawing, instructions, positions), "") << "seed " << drawingSeed() + 2 << ": " << statements;
+      ASSERT_EQ(difference(*result.drawing, instructions, positions), "")
+          << "seed " << drawingSeed() + 2 << ": " << statements;
     }
   }
 }
@@ -56,7 +57,8 @@ TEST(RandomDrawings, InstructionsDoWhatTheDrawingDoes) {
     }
     withBits += result.usesEditorBits ? 1 : 0;
     ASSERT_EQ(difference(drawing, result.instructions, result.instructionOf), "")
-        << "seed " << drawingSeed() + 3 << ", drawing " << i << ": " << textOf(drawing) << "\n" << textOf(result.instructions);
+        << "seed " << drawingSeed() + 3 << ", drawing " << i << ": " << textOf(drawing) << "\n"
+        << textOf(result.instructions);
   }
   EXPECT_EQ(refused, 0);    // seventeen elements never need 32 bits
   EXPECT_GT(withBits, 50);  // and many of these drawings branch in ways that the stack cannot follow

@@ -43,7 +43,8 @@ constexpr std::string_view fbdOnly[] = {
 };
 
 TEST(RoundTrip, LadderGivesTheSameInstructions) {
-  for (const std::string_view statements : bothForms) EXPECT_EQ(roundTrip(statements, Form::Ladder), spelled(statements));
+  for (const std::string_view statements : bothForms)
+    EXPECT_EQ(roundTrip(statements, Form::Ladder), spelled(statements));
 }
 
 TEST(RoundTrip, FbdGivesTheSameInstructions) {

@@ -63,9 +63,13 @@ TEST(Encoder, ForLoopIsUnrolledByItsConstantBounds) {
   EncodedScan encoding(program, options);
   Graph& g = encoding.graph();
   const Node enable = cellOf(encoding, "I0.0"), sum = cellOf(encoding, "VW0");
-  EXPECT_EQ(encoding.atEnd(operandOf("VW10"), 16), g.make(Op::Ite, 16, enable, g.constantNode(4, 16), cellOf(encoding, "VW10")));
+  EXPECT_EQ(encoding.atEnd(operandOf("VW10"), 16),
+            g.make(Op::Ite, 16, enable, g.constantNode(4, 16), cellOf(encoding, "VW10")));
   const Node once = g.make(Op::Xor, 16, sum, cellOf(encoding, "VW2"));
-  EXPECT_EQ(encoding.atEnd(operandOf("VW0"), 16), g.make(Op::Ite, 16, enable, g.make(Op::Xor, 16, g.make(Op::Xor, 16, once, cellOf(encoding, "VW2")), cellOf(encoding, "VW2")), sum));
+  EXPECT_EQ(
+      encoding.atEnd(operandOf("VW0"), 16),
+      g.make(Op::Ite, 16, enable,
+             g.make(Op::Xor, 16, g.make(Op::Xor, 16, once, cellOf(encoding, "VW2")), cellOf(encoding, "VW2")), sum));
 }
 
 TEST(Encoder, MemoryThatNothingWritesIsConstant) {

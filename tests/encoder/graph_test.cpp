@@ -26,7 +26,8 @@ TEST(Graph, SimplifiedNodesKeepTheirValues) {
     std::vector<Term> terms;
     std::vector<std::pair<Node, std::uint64_t>> variables;
     for (const int width : {16, 16, 8, 8, 1, 1}) {
-      variables.emplace_back(g.variable("x" + std::to_string(variables.size()), width, false), random() & Graph::maskOf(width));
+      variables.emplace_back(g.variable("x" + std::to_string(variables.size()), width, false),
+                             random() & Graph::maskOf(width));
       terms.push_back({variables.back().first, variables.back().second});
       const std::uint64_t constant = random() & (random() % 2 == 0 ? 3 : Graph::maskOf(width)) & Graph::maskOf(width);
       terms.push_back({g.constantNode(constant, width), constant});
@@ -41,10 +42,12 @@ TEST(Graph, SimplifiedNodesKeepTheirValues) {
       static constexpr int widths[] = {1, 8, 16};
       const int w = widths[random() % 3];
       const Term a = any(w), b = any(w), c = any(1);
-      static constexpr Op words[] = {Op::And, Op::Or, Op::Xor, Op::Add, Op::Sub, Op::Mul, Op::Udiv, Op::Urem, Op::Shl, Op::Lshr};
+      static constexpr Op words[] = {Op::And, Op::Or,   Op::Xor,  Op::Add, Op::Sub,
+                                     Op::Mul, Op::Udiv, Op::Urem, Op::Shl, Op::Lshr};
       static constexpr Op relations[] = {Op::Equal, Op::Ult, Op::Ule, Op::Slt, Op::Sle};
       const auto add = [&](Op op, int width, const Term& x, const Term& y) {
-        terms.push_back({g.make(op, width, x.node, y.node), evaluateOperation(op, width, {w, w}, {x.value, y.value, 0}, 0)});
+        terms.push_back(
+            {g.make(op, width, x.node, y.node), evaluateOperation(op, width, {w, w}, {x.value, y.value, 0}, 0)});
       };
       switch (random() % 4) {
         case 0: add(w == 1 ? words[random() % 3] : words[random() % 10], w, a, b); break;
@@ -68,7 +71,8 @@ TEST(Graph, SimplifiedNodesKeepTheirValues) {
 
 TEST(Graph, NormalFormIsOneNode) {
   Graph g;
-  const Node x = g.variable("x", 16, false), y = g.variable("y", 16, false), p = g.variable("p", 1, false), q = g.variable("q", 1, false);
+  const Node x = g.variable("x", 16, false), y = g.variable("y", 16, false), p = g.variable("p", 1, false),
+             q = g.variable("q", 1, false);
   EXPECT_EQ(g.make(Op::Add, 16, x, y), g.make(Op::Add, 16, x, y));
   EXPECT_EQ(g.make(Op::And, 1, p, g.make(Op::Not, 1, p)), g.constantNode(0, 1));
   EXPECT_EQ(g.make(Op::Ite, 16, p, x, x), x);

@@ -17,7 +17,8 @@ std::vector<std::uint32_t> placesOf(const std::vector<EventSite>& sites) {
 
 TEST(Interrupts, ComeInFrontOfInstructionsThatShareMemory) {
   // The routine sets M0.0. Instruction 5 reads it; 0 to 2 attach; 3, 4 and 6 have nothing to do with it.
-  const Program program = programOf("LD SM0.1\nATCH 0, 0\nENI\nLD I0.0\n= Q0.0\nLD M0.0\n= Q0.1\nINT 0\nLD SM0.0\nS M0.0, 1");
+  const Program program =
+      programOf("LD SM0.1\nATCH 0, 0\nENI\nLD I0.0\n= Q0.0\nLD M0.0\n= Q0.1\nINT 0\nLD SM0.0\nS M0.0, 1");
   EncodedScan scan(program, {});
   const std::vector<std::uint32_t> places = placesOf(scan.eventSites());
   const auto has = [&](std::uint32_t place) { return std::find(places.begin(), places.end(), place) != places.end(); };

@@ -38,7 +38,8 @@ TEST(PointerValues, CounterThatLimitsTheWalkIsFollowedWithIt) {
   TransitionSystem system;
   system.graph = &g;
   system.states = {{x, g.constantNode(40, 32), g.make(Op::Ite, 32, steps, further, x)},
-                   {n, g.constantNode(0, 16), g.make(Op::Ite, 16, steps, g.make(Op::Ite, 16, ends, g.constantNode(0, 16), more), n)}};
+                   {n, g.constantNode(0, 16),
+                    g.make(Op::Ite, 16, steps, g.make(Op::Ite, 16, ends, g.constantNode(0, 16), more), n)}};
   system.inputs = {steps};
   VariableValues values;
   closeValues(system, {x}, values);
@@ -60,16 +61,18 @@ TEST(PointerValues, GuardNarrowsWhatItCompares) {
   const VariableValues none;
   ValueEvaluator evaluator(g, none);
   const Node guard = g.make(Op::And, 1, low, high);
-  EXPECT_EQ(evaluator.valuesOf(address, guard, pointerValueLimit).values(), (std::vector<std::uint64_t>{100, 102, 104}));
+  EXPECT_EQ(evaluator.valuesOf(address, guard, pointerValueLimit).values(),
+            (std::vector<std::uint64_t>{100, 102, 104}));
 }
 
 TEST(PointerValues, ScaledIndexIsResolvedWhereComparisonsBoundIt) {
   // The index comes from outside: 0 to 9 by two comparisons, 0 to 15 by a mask, 0 to 255 by its width.
-  for (const char* body : {"MOVW VW20, VW42\n+D VD40, VD40\n+D VD40, VD0\nLD I0.0\nAW>= VW20, 0\nAW<= VW20, 9\nMOVW *VD0, VW30",
-                           "MOVW VW20, VW42\nSLD VD40, 1\n+D VD40, VD0\nLD I0.0\nAW> VW20, -1\nAW< VW20, 10\nMOVW *VD0, VW30",
-                           "MOVW VW20, VW42\nMUL 2, VD40\n+D VD40, VD0\nLDW>= VW20, 0\nAW<= VW20, 9\nMOVW *VD0, VW30",
-                           "MOVW VW20, VW42\nANDW 15, VW42\n+D VD40, VD0\n+D VD40, VD0\nMOVW *VD0, VW30",
-                           "MOVW 0, VW42\nMOVB VB20, VB43\n+D VD40, VD0\n+D VD40, VD0\nMOVW *VD0, VW30"}) {
+  for (const char* body :
+       {"MOVW VW20, VW42\n+D VD40, VD40\n+D VD40, VD0\nLD I0.0\nAW>= VW20, 0\nAW<= VW20, 9\nMOVW *VD0, VW30",
+        "MOVW VW20, VW42\nSLD VD40, 1\n+D VD40, VD0\nLD I0.0\nAW> VW20, -1\nAW< VW20, 10\nMOVW *VD0, VW30",
+        "MOVW VW20, VW42\nMUL 2, VD40\n+D VD40, VD0\nLDW>= VW20, 0\nAW<= VW20, 9\nMOVW *VD0, VW30",
+        "MOVW VW20, VW42\nANDW 15, VW42\n+D VD40, VD0\n+D VD40, VD0\nMOVW *VD0, VW30",
+        "MOVW 0, VW42\nMOVB VB20, VB43\n+D VD40, VD0\n+D VD40, VD0\nMOVW *VD0, VW30"}) {
     const Program program = programOf(std::string("LD SM0.0\nMOVD &VB100, VD0\nMOVD 0, VD40\n") + body);
     EncoderOptions options;
     options.externals = {{Area::V, 20, 21}};
@@ -79,7 +82,8 @@ TEST(PointerValues, ScaledIndexIsResolvedWhereComparisonsBoundIt) {
 
 TEST(PointerValues, RingThatTheFirstScanStartsIsResolved) {
   // Without the first scan the pointer would go on from 0: 2, 4, 6 ... and never come to the end of the ring.
-  const Program program = programOf("LD SM0.1\nMOVD &VB100, VD0\nLD SM0.0\nMOVW AIW0, *VD0\n+D 2, VD0\nLDD> VD0, 134217834\nMOVD &VB100, VD0");
+  const Program program = programOf(
+      "LD SM0.1\nMOVD &VB100, VD0\nLD SM0.0\nMOVW AIW0, *VD0\n+D 2, VD0\nLDD> VD0, 134217834\nMOVD &VB100, VD0");
   EncodedScan scan(program, {});
   EXPECT_TRUE(scan.approximations().empty());
 }

@@ -14,22 +14,28 @@
 namespace rungproof {
 
 inline Operand operandOf(std::string_view text) {
-  const auto number = [](std::string_view digits, int base = 10) { return std::stoll(std::string(digits), nullptr, base); };
+  const auto number = [](std::string_view digits, int base = 10) {
+    return std::stoll(std::string(digits), nullptr, base);
+  };
   if (text[0] == '*' || text[0] == '&') {
     Operand operand = operandOf(text.substr(1));
     operand.kind = text[0] == '*' ? OperandKind::Indirect : OperandKind::Address;
     return operand;
   }
   if (text.substr(0, 3) == "16#") return constant(number(text.substr(3), 16), ConstantForm::Hex);
-  if (text[0] == '-' || text[0] == '+' || std::isdigit(static_cast<unsigned char>(text[0])) != 0) return constant(number(text));
-  static constexpr std::pair<std::string_view, Area> areas[] = {{"AIW", Area::AI}, {"AQW", Area::AQ}, {"SM", Area::SM}, {"AC", Area::AC}, {"HC", Area::HC},
-                                                                {"I", Area::I},    {"Q", Area::Q},    {"V", Area::V},   {"M", Area::M},   {"S", Area::S},
-                                                                {"L", Area::L},    {"T", Area::T},    {"C", Area::C}};
+  if (text[0] == '-' || text[0] == '+' || std::isdigit(static_cast<unsigned char>(text[0])) != 0)
+    return constant(number(text));
+  static constexpr std::pair<std::string_view, Area> areas[] = {
+      {"AIW", Area::AI}, {"AQW", Area::AQ}, {"SM", Area::SM}, {"AC", Area::AC}, {"HC", Area::HC},
+      {"I", Area::I},    {"Q", Area::Q},    {"V", Area::V},   {"M", Area::M},   {"S", Area::S},
+      {"L", Area::L},    {"T", Area::T},    {"C", Area::C}};
   for (const auto& [name, area] : areas) {
     if (text.substr(0, name.size()) != name) continue;
     std::string_view rest = text.substr(name.size());
-    if (area == Area::AI || area == Area::AQ) return direct(area, Width::Word, static_cast<std::uint32_t>(number(rest)));
-    if (area == Area::AC || area == Area::HC) return direct(area, Width::DWord, static_cast<std::uint32_t>(number(rest)));
+    if (area == Area::AI || area == Area::AQ)
+      return direct(area, Width::Word, static_cast<std::uint32_t>(number(rest)));
+    if (area == Area::AC || area == Area::HC)
+      return direct(area, Width::DWord, static_cast<std::uint32_t>(number(rest)));
     if (area == Area::T || area == Area::C) return direct(area, Width::Bit, static_cast<std::uint32_t>(number(rest)));
     Width width = Width::Bit;
     if (rest[0] == 'B' || rest[0] == 'W' || rest[0] == 'D') {
@@ -69,7 +75,8 @@ inline Program programOf(std::string_view text) {
     std::istringstream operands(rest);
     while (std::getline(operands, operand, ',')) {
       const std::size_t first = operand.find_first_not_of(' '), last = operand.find_last_not_of(' ');
-      if (first != std::string::npos) instruction.operands.push_back(operandOf(operand.substr(first, last - first + 1)));
+      if (first != std::string::npos)
+        instruction.operands.push_back(operandOf(operand.substr(first, last - first + 1)));
     }
     program.pous.back().networks.back().instructions.push_back(std::move(instruction));
   }

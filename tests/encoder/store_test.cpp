@@ -1,8 +1,7 @@
 // The symbolic state: big-endian words over bits, guarded writes, cells made at the first touch only.
-#include "analysis/encoding/symbolic_store.hpp"
-
 #include <gtest/gtest.h>
 
+#include "analysis/encoding/symbolic_store.hpp"
 #include "tests/encoder/statements.hpp"
 
 namespace rungproof {
@@ -25,7 +24,12 @@ class NamedCells final : public CellSource {
 };
 
 struct StoreRig {
-  explicit StoreRig(std::string_view touched) : program(programOf(touched)), plan(program), layout(program.target), cells(graph), store((layout.add(program, plan), graph), layout, cells, 0) {}
+  explicit StoreRig(std::string_view touched)
+      : program(programOf(touched)),
+        plan(program),
+        layout(program.target),
+        cells(graph),
+        store((layout.add(program, plan), graph), layout, cells, 0) {}
   Program program;
   Plan plan;
   Graph graph;
@@ -75,7 +79,8 @@ TEST(Store, HavocLeavesAnyValueWhereTheGuardHolds) {
   const Graph::Bits guard = rig.store.load(Area::M, 0, 1), old = rig.store.load(Area::M, 1, 1);
   const Node any = rig.graph.variable("any", 1, false);
   rig.store.havoc({guard.node}, [&](const Place&) { return any; });
-  EXPECT_EQ(rig.store.load(Area::M, 1, 1).node, rig.graph.select({guard.node}, Graph::Bool{any}, Graph::Bool{old.node}).node);
+  EXPECT_EQ(rig.store.load(Area::M, 1, 1).node,
+            rig.graph.select({guard.node}, Graph::Bool{any}, Graph::Bool{old.node}).node);
 }
 
 }  // namespace

@@ -49,7 +49,9 @@ void follow(const TimeRange& range, const std::vector<std::uint32_t>& lengths) {
   }
 }
 
-TEST(TimeModel, TicksFollowFromTheLengths) { follow({1, 500, false}, {1, 9, 10, 99, 100, 101, 499, 500, 1, 33, 67, 250}); }
+TEST(TimeModel, TicksFollowFromTheLengths) {
+  follow({1, 500, false}, {1, 9, 10, 99, 100, 101, 499, 500, 1, 33, 67, 250});
+}
 TEST(TimeModel, FixedLengthNeedsNoInputs) {
   follow({13, 13, false}, std::vector<std::uint32_t>(40, 13));
   follow({250, 250, false}, std::vector<std::uint32_t>(12, 250));
@@ -62,7 +64,8 @@ TEST(TimeModel, ScansOutsideTheRangeBreakTheConstraint) {
   const Node roots[] = {time.constraint(), time.dt()};
   Evaluator value(graph, roots);
   for (const StateVariable& s : time.states()) value.set(s.node, 0);
-  for (const auto& [tens, ones, isLegal] : {std::tuple{0, 4, 0}, std::tuple{0, 5, 1}, std::tuple{2, 0, 1}, std::tuple{2, 1, 0}, std::tuple{1, 10, 0}}) {
+  for (const auto& [tens, ones, isLegal] :
+       {std::tuple{0, 4, 0}, std::tuple{0, 5, 1}, std::tuple{2, 0, 1}, std::tuple{2, 1, 0}, std::tuple{1, 10, 0}}) {
     value.set(time.inputs()[0], 0);
     value.set(time.inputs()[1], static_cast<std::uint64_t>(tens));
     value.set(time.inputs()[2], static_cast<std::uint64_t>(ones));

@@ -1,6 +1,6 @@
 // Small control programs written for these tests, run through the scenario that their task describes: motor starters,
-// operating hours, edges, loops, mean values, clock, staircase of interrupts. Buttons: ON normally open, OFF and breaker
-// normally closed. Scans last 10 ms.
+// operating hours, edges, loops, mean values, clock, staircase of interrupts. Buttons: ON normally open, OFF and
+// breaker normally closed. Scans last 10 ms.
 #include "tests/engine/rig.hpp"
 
 namespace rungproof {
@@ -22,7 +22,8 @@ void play(Rig& rig, const std::vector<Step>& steps) {
   }
 }
 
-// I0.0 ON, I0.1 OFF, I0.2 breaker; Q0.0 mains, Q0.1 star, Q0.2 delta after 5 s. M1.0 locks until ON and OFF are released.
+// I0.0 ON, I0.1 OFF, I0.2 breaker; Q0.0 mains, Q0.1 star, Q0.2 delta after 5 s. M1.0 locks until ON and OFF are
+// released.
 TEST(Application, StarDeltaStarter) {
   Rig rig(
       "LD I0.0\nAN I0.1\nS M1.0, 1\n"
@@ -111,8 +112,7 @@ TEST(Application, OperatingHours) {
 }
 
 TEST(Application, EdgesAreCountedAndWrap) {
-  Rig rig(
-      "LD I0.0\nEU\nINCW MW1\nLD I0.1\nED\nINCW MW3\nLDW= +127, MW1\nMOVW +0, MW1\nLDW= +127, MW3\nMOVW +0, MW3\n");
+  Rig rig("LD I0.0\nEU\nINCW MW1\nLD I0.1\nED\nINCW MW3\nLDW= +127, MW1\nMOVW +0, MW1\nLDW= +127, MW3\nMOVW +0, MW3\n");
   for (int i = 0; i < 126; ++i) {
     rig.set("IB0", 3);
     rig.scans(2);
@@ -135,18 +135,21 @@ TEST(Application, EdgesAreCountedAndWrap) {
 TEST(Application, LoopFillsATableThroughAPointer) {
   Rig rig(
       "LD I0.0\nFILL 16#ABC3, VW204, 7\n"
-      "LD I0.1\nMOVD &VB100, AC1\nMOVW +50, VW0\nFOR VW2, +0, +10\nLD SM0.0\nMOVW VW0, *AC1\n+I +4, VW0\n+D +2, AC1\nNEXT\n"
+      "LD I0.1\nMOVD &VB100, AC1\nMOVW +50, VW0\nFOR VW2, +0, +10\nLD SM0.0\nMOVW VW0, *AC1\n+I +4, VW0\n+D +2, "
+      "AC1\nNEXT\n"
       "LD I0.2\nR V100.0, 176\nR V204.0, 112\n");
   rig.set("I0.0", 1);
   rig.set("I0.1", 1);
   rig.scans(1);
-  for (std::uint32_t k = 0; k <= 10; ++k) EXPECT_EQ(rig.simulator->read(direct(Area::V, Width::Word, 100 + 2 * k)), 50 + 4 * k);
+  for (std::uint32_t k = 0; k <= 10; ++k)
+    EXPECT_EQ(rig.simulator->read(direct(Area::V, Width::Word, 100 + 2 * k)), 50 + 4 * k);
   EXPECT_EQ(rig.get("VW216"), static_cast<std::int16_t>(0xABC3));
   EXPECT_EQ(rig.get("VW218"), 0);
   EXPECT_EQ(rig.get("AC1") & 0xFFFF, 122);
   rig.set("I0.2", 1);
   rig.scans(1);
-  for (std::uint32_t byte = 100; byte < 122; ++byte) EXPECT_EQ(rig.simulator->read(direct(Area::V, Width::Byte, byte)), 0U);
+  for (std::uint32_t byte = 100; byte < 122; ++byte)
+    EXPECT_EQ(rig.simulator->read(direct(Area::V, Width::Byte, byte)), 0U);
   EXPECT_EQ(rig.get("VW216"), 0);
 }
 
@@ -175,7 +178,8 @@ TEST(Application, MeanOfAnalogSamples) {
 // Angle in IB0 to steps of a motor with 1000 steps a turn: round(angle * 25 / 9).
 TEST(Application, AngleToSteps) {
   Rig rig("LD SM0.0\nMOVD 0, VD0\nMOVB IB0, VB3\nMUL +25, VD0\n+D +4, VD0\nDIV +9, VD0\nMOVW +0, VW0\n");
-  for (const auto& [angle, steps] : std::vector<std::pair<int, int>>{{0, 0}, {1, 3}, {2, 6}, {45, 125}, {90, 250}, {180, 500}, {255, 708}}) {
+  for (const auto& [angle, steps] :
+       std::vector<std::pair<int, int>>{{0, 0}, {1, 3}, {2, 6}, {45, 125}, {90, 250}, {180, 500}, {255, 708}}) {
     rig.set("IB0", angle);
     rig.scans(1);
     EXPECT_EQ(rig.get("VD0"), steps) << angle;

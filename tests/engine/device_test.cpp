@@ -16,8 +16,8 @@ TEST(HighSpeedCounter, CountsThePulsesOfTheScan) {
   EXPECT_EQ(rig.get("HC0"), 370);
 }
 
-// Presets 1000, 1500, then back to 0 with the routine changed each time: the outputs follow the number of pulses, and no
-// pulse is lost between a match and the loading of the next preset.
+// Presets 1000, 1500, then back to 0 with the routine changed each time: the outputs follow the number of pulses, and
+// no pulse is lost between a match and the loading of the next preset.
 TEST(HighSpeedCounter, RoutineLoadsTheNextPresetBetweenTwoPulses) {
   Rig rig(upCounter +
           "INT 0\nS Q0.1, 1\nMOVD 1500, SMD42\nMOVB 16#A0, SMB37\nHSC 0\nATCH 1, 12\nRETI\n"
@@ -50,7 +50,9 @@ TEST(HighSpeedCounter, EdgesOfItsInputCountToo) {
 }
 
 TEST(HighSpeedCounter, DirectionInputAndItsEvent) {
-  Rig rig("LD SM0.1\nMOVB 16#F8, SMB37\nMOVD 0, SMD38\nMOVD 5, SMD42\nHDEF 0, 3\nATCH 0, 27\nENI\nHSC 0\nMEND\nINT 0\nINCW VW0\nRETI\n");
+  Rig rig(
+      "LD SM0.1\nMOVB 16#F8, SMB37\nMOVD 0, SMD38\nMOVD 5, SMD42\nHDEF 0, 3\nATCH 0, 27\nENI\nHSC 0\nMEND\nINT 0\nINCW "
+      "VW0\nRETI\n");
   rig.set("I0.1", 1);
   rig.scans(1);
   rig.simulator->devices().counters.setPulses(0, 4, 0);
@@ -63,7 +65,9 @@ TEST(HighSpeedCounter, DirectionInputAndItsEvent) {
 }
 
 TEST(HighSpeedCounter, ResetInputHoldsAtZeroAndRaisesItsEvent) {
-  Rig rig("LD SM0.1\nMOVB 16#F8, SMB37\nMOVD 50, SMD38\nMOVD 5, SMD42\nHDEF 0, 1\nATCH 0, 28\nENI\nHSC 0\nMEND\nINT 0\nINCW VW0\nRETI\n");
+  Rig rig(
+      "LD SM0.1\nMOVB 16#F8, SMB37\nMOVD 50, SMD38\nMOVD 5, SMD42\nHDEF 0, 1\nATCH 0, 28\nENI\nHSC 0\nMEND\nINT "
+      "0\nINCW VW0\nRETI\n");
   rig.scans(1);
   rig.simulator->devices().counters.setPulses(0, 10, 0);
   rig.scans(1);
@@ -84,7 +88,8 @@ TEST(HighSpeedCounter, TwoClocksAndQuadrature) {
   clocks.scans(5);
   EXPECT_EQ(clocks.get("HC1"), 20);
   for (const auto& [control, counts] : {std::pair{"16#F8", 40}, std::pair{"16#FC", 10}}) {  // 4x and 1x (001:14229)
-    Rig quadrature(std::string("LD SM0.1\nMOVB ") + control + ", SMB57\nMOVD 0, SMD58\nMOVD 500, SMD62\nHDEF 2, 9\nHSC 2\n");
+    Rig quadrature(std::string("LD SM0.1\nMOVB ") + control +
+                   ", SMB57\nMOVD 0, SMD58\nMOVD 500, SMD62\nHDEF 2, 9\nHSC 2\n");
     quadrature.scans(1);
     quadrature.simulator->devices().counters.setPulses(2, 10, 0);
     quadrature.scans(1);
@@ -94,7 +99,9 @@ TEST(HighSpeedCounter, TwoClocksAndQuadrature) {
 
 // 200 pulses of 500 us are 100 ms; SM66.7 shows the idle output, event 19 the end (001:4645).
 TEST(PulseTrain, EndsAfterCountTimesCycle) {
-  Rig rig("LD SM0.1\nMOVB 16#85, SMB67\nMOVW 500, SMW68\nMOVD 200, SMD72\nATCH 0, 19\nENI\nPLS 0\nMEND\nINT 0\nINCW VW0\nRETI\n");
+  Rig rig(
+      "LD SM0.1\nMOVB 16#85, SMB67\nMOVW 500, SMW68\nMOVD 200, SMD72\nATCH 0, 19\nENI\nPLS 0\nMEND\nINT 0\nINCW "
+      "VW0\nRETI\n");
   rig.scans(1);
   EXPECT_EQ(rig.get("SM66.7"), 0);
   rig.scans(8);
@@ -106,7 +113,8 @@ TEST(PulseTrain, EndsAfterCountTimesCycle) {
 
 TEST(PulseTrain, TheNextTrainWaitsInThePipeline) {
   Rig rig(
-      "LD SM0.1\nMOVB 16#8D, SMB67\nMOVW 5, SMW68\nMOVD 4, SMD72\nATCH 0, 19\nENI\nPLS 0\nMOVD 8, SMD72\nPLS 0\nPLS 0\nMEND\nINT 0\nINCW VW0\nRETI\n");
+      "LD SM0.1\nMOVB 16#8D, SMB67\nMOVW 5, SMW68\nMOVD 4, SMD72\nATCH 0, 19\nENI\nPLS 0\nMOVD 8, SMD72\nPLS 0\nPLS "
+      "0\nMEND\nINT 0\nINCW VW0\nRETI\n");
   rig.scans(1);
   EXPECT_EQ(rig.get("SM66.6"), 1);  // a third one finds the pipeline full
   rig.scans(2);
@@ -120,7 +128,8 @@ TEST(PulseTrain, TheNextTrainWaitsInThePipeline) {
 // Profile of two segments, 1 ms base: 4 pulses 10, 8, 6, 4 ms (28 ms), then 5 of 4 ms (20 ms).
 TEST(PulseTrain, ProfileOfSegments) {
   Rig rig(
-      "LD SM0.1\nMOVB 2, VB100\nMOVW 10, VW101\nMOVW -2, VW103\nMOVD 4, VD105\nMOVW 4, VW109\nMOVW 0, VW111\nMOVD 5, VD113\n"
+      "LD SM0.1\nMOVB 2, VB100\nMOVW 10, VW101\nMOVW -2, VW103\nMOVD 4, VD105\nMOVW 4, VW109\nMOVW 0, VW111\nMOVD 5, "
+      "VD113\n"
       "MOVW 100, SMW168\nMOVB 16#A8, SMB67\nATCH 0, 19\nENI\nPLS 0\nMEND\nINT 0\nINCW VW0\nRETI\n");
   rig.scans(2);
   EXPECT_EQ(rig.get("SMB166"), 1);
@@ -133,7 +142,8 @@ TEST(PulseTrain, ProfileOfSegments) {
 
 TEST(PulseTrain, CounterInModeTwelveCountsItsPulses) {
   Rig rig(
-      "LD SM0.1\nMOVB 16#F8, SMB37\nMOVD 0, SMD38\nMOVD 90000, SMD42\nHDEF 0, 12\nHSC 0\nMOVB 16#85, SMB67\nMOVW 500, SMW68\nMOVD 50, SMD72\nPLS 0\n");
+      "LD SM0.1\nMOVB 16#F8, SMB37\nMOVD 0, SMD38\nMOVD 90000, SMD42\nHDEF 0, 12\nHSC 0\nMOVB 16#85, SMB67\nMOVW 500, "
+      "SMW68\nMOVD 50, SMD72\nPLS 0\n");
   rig.scans(2);
   EXPECT_GT(rig.get("HC0"), 30);
   rig.scans(3);
@@ -142,7 +152,9 @@ TEST(PulseTrain, CounterInModeTwelveCountsItsPulses) {
 
 // 9600 baud, 8 data bits, no parity: ten bits, 1.04 ms a character (001:14177).
 TEST(SerialPort, ReceivedCharactersRaiseEventEight) {
-  Rig rig("LD SM0.1\nMOVB 16#09, SMB30\nATCH 0, 8\nENI\nMEND\nINT 0\nLDB= SMB2, 16#41\nS Q0.1, 1\nLD SM0.0\nINCW VW0\nMOVB SMB2, VB10\nRETI\n");
+  Rig rig(
+      "LD SM0.1\nMOVB 16#09, SMB30\nATCH 0, 8\nENI\nMEND\nINT 0\nLDB= SMB2, 16#41\nS Q0.1, 1\nLD SM0.0\nINCW VW0\nMOVB "
+      "SMB2, VB10\nRETI\n");
   rig.scans(1);
   rig.simulator->devices().ports.send(0, 0x40);
   rig.scans(1);
@@ -157,7 +169,9 @@ TEST(SerialPort, ReceivedCharactersRaiseEventEight) {
 }
 
 TEST(SerialPort, TransmissionTakesItsTime) {
-  Rig rig("LD SM0.1\nMOVB 16#09, SMB30\nMOVB 3, VB100\nMOVB 65, VB101\nMOVB 66, VB102\nMOVB 67, VB103\nATCH 0, 9\nENI\nLD I0.0\nEU\nXMT VB100, 0\nMEND\nINT 0\nINCW VW0\nRETI\n");
+  Rig rig(
+      "LD SM0.1\nMOVB 16#09, SMB30\nMOVB 3, VB100\nMOVB 65, VB101\nMOVB 66, VB102\nMOVB 67, VB103\nATCH 0, 9\nENI\nLD "
+      "I0.0\nEU\nXMT VB100, 0\nMEND\nINT 0\nINCW VW0\nRETI\n");
   rig.scans(1);
   EXPECT_EQ(rig.get("SM4.5"), 1);
   rig.set("I0.0", 1);
@@ -173,7 +187,8 @@ TEST(SerialPort, TransmissionTakesItsTime) {
 // Start character 2, end character 3, at most 20 characters: B0 hex (en, sc, ec... 001:3217) is E0.
 TEST(SerialPort, MessageFromStartToEndCharacter) {
   Rig rig(
-      "LD SM0.1\nMOVB 16#09, SMB30\nMOVB 16#E0, SMB87\nMOVB 2, SMB88\nMOVB 3, SMB89\nMOVB 20, SMB94\nATCH 0, 23\nENI\nRCV VB100, 0\nMEND\n"
+      "LD SM0.1\nMOVB 16#09, SMB30\nMOVB 16#E0, SMB87\nMOVB 2, SMB88\nMOVB 3, SMB89\nMOVB 20, SMB94\nATCH 0, "
+      "23\nENI\nRCV VB100, 0\nMEND\n"
       "INT 0\nINCW VW0\nRETI\n");
   rig.scans(1);
   for (const int character : {9, 9, 2, 65, 66, 3, 67}) rig.simulator->devices().ports.send(0, character);
@@ -207,7 +222,8 @@ TEST(SerialPort, MessageEndsByCountOrByTime) {
 }
 
 TEST(Network, RequestEndsInTheNextScan) {
-  const std::string text = "LD SM0.1\nMOVB 2, SMB30\nMOVB 3, VB201\nMOVD &VB0, VD202\nMOVB 4, VB206\nLD I0.0\nEU\nNETR VB200, 0\n";
+  const std::string text =
+      "LD SM0.1\nMOVB 2, SMB30\nMOVB 3, VB201\nMOVD &VB0, VD202\nMOVB 4, VB206\nLD I0.0\nEU\nNETR VB200, 0\n";
   Rig rig(text);
   rig.scans(1);
   rig.set("I0.0", 1);
@@ -226,7 +242,8 @@ TEST(Network, RequestEndsInTheNextScan) {
 TEST(Clock, RunsWithTheSimulationAndCanBeSet) {
   SimulatorOptions options;
   options.clock = {4, 2, 28, 23, 59, 59, 7};
-  Rig rig("LD SM0.0\nTODR VB0\nLD I0.0\nEU\nTODW VB100\nLD SM0.1\nMOVD 16#95021412, VD100\nMOVD 16#00000003, VD104\n", options);
+  Rig rig("LD SM0.0\nTODR VB0\nLD I0.0\nEU\nTODW VB100\nLD SM0.1\nMOVD 16#95021412, VD100\nMOVD 16#00000003, VD104\n",
+          options);
   rig.scans(1);
   EXPECT_EQ(rig.get("VB2"), 0x28);
   rig.scans(1, 400000);

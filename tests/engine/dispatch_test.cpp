@@ -1,11 +1,10 @@
-// The forms of meanings that are compiled for one area do the same as the general ones: random programs of contacts, stack
-// instructions and coils, run both ways from the same state.
-#include "engine/dispatch_concrete.hpp"
-
+// The forms of meanings that are compiled for one area do the same as the general ones: random programs of contacts,
+// stack instructions and coils, run both ways from the same state.
 #include <gtest/gtest.h>
 
 #include <random>
 
+#include "engine/dispatch_concrete.hpp"
 #include "engine/start_up.hpp"
 #include "ir/isa.hpp"
 #include "ir/scan.hpp"
@@ -39,8 +38,10 @@ Concrete::Store runOnce(const Plan& plan, Concrete::Store store) {
 }
 
 Program randomProgram(std::mt19937& random) {
-  static constexpr std::array<std::string_view, 16> names = {"LD", "LDN", "A", "AN", "O", "ON", "LDI", "AI", "NOT", "ALD", "OLD", "LPS", "LPP", "=", "=I", "="};
-  static constexpr std::array<Area, 9> areas = {Area::I, Area::Q, Area::V, Area::M, Area::S, Area::SM, Area::L, Area::T, Area::C};
+  static constexpr std::array<std::string_view, 16> names = {"LD",  "LDN", "A",   "AN",  "O",   "ON", "LDI", "AI",
+                                                             "NOT", "ALD", "OLD", "LPS", "LPP", "=",  "=I",  "="};
+  static constexpr std::array<Area, 9> areas = {Area::I,  Area::Q, Area::V, Area::M, Area::S,
+                                                Area::SM, Area::L, Area::T, Area::C};
   Program program;
   program.pous.push_back({});
   program.pous[0].networks.push_back({});

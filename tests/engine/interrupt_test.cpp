@@ -38,8 +38,8 @@ TEST(InterruptQueue, DepthsFollowTheCpu) {
   EXPECT_EQ(room(Cpu::Cpu226, 10), 8);
 }
 
-// Event 10 sets, event 11 of the double period resets. Both are due together at 100 ms: with 10 before 11 the output is a
-// square wave, with the other order it would stay on for ever.
+// Event 10 sets, event 11 of the double period resets. Both are due together at 100 ms: with 10 before 11 the output is
+// a square wave, with the other order it would stay on for ever.
 const std::string squareWave =
     "LD SM0.1\nMOVB 50, SMB34\nMOVB 100, SMB35\nATCH 0, 10\nATCH 1, 11\nENI\nMEND\n"
     "INT 0\nS Q0.0, 1\nRETI\nINT 1\nR Q0.0, 1\nRETI\n";
@@ -50,14 +50,16 @@ TEST(Interrupt, TimedEventTenIsServedBeforeEleven) {
 }
 
 TEST(Interrupt, APeriodIsTakenOverByAttachOnly) {
-  Rig rig("LD SM0.1\nMOVB 20, SMB34\nATCH 0, 10\nENI\nLD I0.0\nEU\nMOVB 50, SMB34\nLD I0.1\nEU\nATCH 0, 10\nMEND\nINT 0\nINCW VW0\nRETI\n");
+  Rig rig(
+      "LD SM0.1\nMOVB 20, SMB34\nATCH 0, 10\nENI\nLD I0.0\nEU\nMOVB 50, SMB34\nLD I0.1\nEU\nATCH 0, 10\nMEND\nINT "
+      "0\nINCW VW0\nRETI\n");
   rig.scans(10);
   EXPECT_EQ(rig.get("VW0"), 5);
   rig.set("I0.0", 1);
   rig.scans(10);
   EXPECT_EQ(rig.get("VW0"), 10);  // still every 20 ms (001:5472)
   rig.set("I0.1", 1);
-  rig.scans(10);                  // attached anew at 200 ms: due at 250 and 300 ms
+  rig.scans(10);  // attached anew at 200 ms: due at 250 and 300 ms
   EXPECT_EQ(rig.get("VW0"), 12);
 }
 

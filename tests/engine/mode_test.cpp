@@ -1,5 +1,5 @@
-// Modes and start-up: STOP and RUN, power cycles and what is retained, the data block, watchdog and fatal errors, forced
-// values (001:1603-1690, 001:2337-2364, 001:5691-5722, 001:7954-7976).
+// Modes and start-up: STOP and RUN, power cycles and what is retained, the data block, watchdog and fatal errors,
+// forced values (001:1603-1690, 001:2337-2364, 001:5691-5722, 001:7954-7976).
 #include "tests/engine/rig.hpp"
 
 namespace rungproof {

@@ -18,8 +18,12 @@ std::uint32_t idOf(const Program& program, std::string_view mnemonic, int nth = 
   return 0;
 }
 
-std::uint64_t bit(const Concrete::Store& state, Area area, std::uint32_t byte, std::uint32_t number) { return state.load(area, byte * 8 + number, 1); }
-std::uint64_t word(const Concrete::Store& state, Area area, std::uint32_t byte) { return state.load(area, byte * 8, 16); }
+std::uint64_t bit(const Concrete::Store& state, Area area, std::uint32_t byte, std::uint32_t number) {
+  return state.load(area, byte * 8 + number, 1);
+}
+std::uint64_t word(const Concrete::Store& state, Area area, std::uint32_t byte) {
+  return state.load(area, byte * 8, 16);
+}
 
 TEST(Replay, InputsAndScanLengthsGiveTheStateOfTheEngine) {
   Rig rig("LD I0.0\nTON T37, +3\nLD T37\n= Q0.0\nLD SM0.5\n= Q0.1\n");
@@ -84,7 +88,9 @@ TEST(Replay, ExternalValuesAreHandedOutInOrder) {
   Rig rig("LD SM0.0\nMOVW AIW0, VW0\nMOVW AIW0, VW2\nLDI I0.3\n= Q0.0\n");
   const std::uint32_t first = idOf(rig.program, "MOVW", 0), second = idOf(rig.program, "MOVW", 1);
   std::vector<ReplayScan> scans(2);
-  scans[0].externals = {{{External::AnalogInput, 0, first}, 111}, {{External::AnalogInput, 0, second}, 222}, {{External::ImmediateInput, 3, idOf(rig.program, "LDI")}, 1}};
+  scans[0].externals = {{{External::AnalogInput, 0, first}, 111},
+                        {{External::AnalogInput, 0, second}, 222},
+                        {{External::ImmediateInput, 3, idOf(rig.program, "LDI")}, 1}};
   scans[1].externals = {{{External::AnalogInput, 0, first}, 333}, {{External::AnalogInput, 9, first}, 1}};
   Choices choices;
   ASSERT_TRUE(choices.set("analog-sampling", "each-read"));
@@ -125,10 +131,11 @@ TEST(Replay, RepeatsAndObserver) {
   std::vector<ReplayScan> scans(2);
   scans[0].repeats = 10;
   std::vector<std::uint64_t> seen;
-  const ReplayResult result = replay(rig.program, Choices{}, scans, nullptr, [&](const Concrete::Store& state, std::size_t) {
-    seen.push_back(word(state, Area::V, 0));
-    return seen.size() < 8;
-  });
+  const ReplayResult result =
+      replay(rig.program, Choices{}, scans, nullptr, [&](const Concrete::Store& state, std::size_t) {
+        seen.push_back(word(state, Area::V, 0));
+        return seen.size() < 8;
+      });
   EXPECT_TRUE(result.states.empty());
   EXPECT_EQ(seen, (std::vector<std::uint64_t>{1, 2, 3, 4, 5, 6, 7, 8}));
 }

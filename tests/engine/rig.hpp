@@ -35,7 +35,9 @@ class Rig {
     simulator = std::make_unique<Simulator>(program, std::move(options));
   }
 
-  void set(const std::string& name, std::int64_t value) { simulator->write(operandNamed(name), static_cast<std::uint64_t>(value)); }
+  void set(const std::string& name, std::int64_t value) {
+    simulator->write(operandNamed(name), static_cast<std::uint64_t>(value));
+  }
   std::int64_t get(const std::string& name) const {
     const TraceSignal signal = signalOf(program, operandNamed(name));
     return static_cast<std::int64_t>(numberOf(simulator->read(signal.operand), signal.type, signal.width()));

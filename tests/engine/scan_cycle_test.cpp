@@ -40,8 +40,8 @@ TEST(ScanCycle, OutputsReachTheTerminalsAtTheEnd) {
   EXPECT_TRUE(rig.simulator->physicalOutput(0, 0));
 }
 
-// Half a second off, half a second on (choice scan-clock-start); refreshed at the scan end only. With 100 ms scans the end
-// of scan 5 lies at 500 ms, so scan 6 is the first that sees 1, and scan 11 the first that sees 0 again.
+// Half a second off, half a second on (choice scan-clock-start); refreshed at the scan end only. With 100 ms scans the
+// end of scan 5 lies at 500 ms, so scan 6 is the first that sees 1, and scan 11 the first that sees 0 again.
 TEST(ScanCycle, OneSecondClock) {
   Rig rig("LD SM0.5\n= Q0.0\n");
   EXPECT_EQ(rig.wave("Q0.0", 21, 100000), "000001111100000111110");

@@ -1,6 +1,6 @@
 // Speed of the reference engine on bit logic: at least 30 million instructions per second of processor time on one
-// core. The loop is in the engine's library; the processor's own clock counts, so that other work beside the test does not.
-// Debug builds are slower by design and have no such bar.
+// core. The loop is in the engine's library; the processor's own clock counts, so that other work beside the test does
+// not. Debug builds are slower by design and have no such bar.
 #ifdef NDEBUG
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -27,8 +27,10 @@ std::string bitLogic(int rungs) {
   std::string text;
   for (int k = 0; k < rungs; ++k) {
     const auto bit = [](const char* area, int n) { return fmt::format("{}{}.{}", area, n / 8, n % 8); };
-    text += fmt::format("LD {}\nO {}\nAN {}\n= {}\n", bit("I", k % 64), bit("M", k % 200), bit("I", (k * 7 + 3) % 64), bit("M", k % 200));
-    text += fmt::format("LD {}\nA {}\nLDN {}\nOLD\n= {}\n", bit("M", (k * 5 + 1) % 200), bit("I", k * 3 % 64), bit("M", k * 11 % 200), bit("Q", k % 64));
+    text += fmt::format("LD {}\nO {}\nAN {}\n= {}\n", bit("I", k % 64), bit("M", k % 200), bit("I", (k * 7 + 3) % 64),
+                        bit("M", k % 200));
+    text += fmt::format("LD {}\nA {}\nLDN {}\nOLD\n= {}\n", bit("M", (k * 5 + 1) % 200), bit("I", k * 3 % 64),
+                        bit("M", k * 11 % 200), bit("Q", k % 64));
     text += fmt::format("S {}, 1\n", bit("M", 200 + k % 40));
   }
   return text;

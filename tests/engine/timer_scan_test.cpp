@@ -4,8 +4,8 @@
 namespace rungproof {
 namespace {
 
-// 100 ms timer, preset 3, 10 ms scans. Ticks are 100, 200, 300 ms after the start; the one at 300 ms is taken by the scan
-// that begins then, which is scan 31.
+// 100 ms timer, preset 3, 10 ms scans. Ticks are 100, 200, 300 ms after the start; the one at 300 ms is taken by the
+// scan that begins then, which is scan 31.
 TEST(TimerScan, HundredMillisecondTimerCountsWhenExecuted) {
   Rig rig("LD I0.0\nTON T37, +3\nLD T37\n= Q0.0\n");
   rig.set("I0.0", 1);
@@ -60,10 +60,12 @@ TEST(TimerScan, TenMillisecondTimerStandsStillInsideALongScan) {
 struct SelfReset {
   std::string timer;
   std::string preset;
-  bool byOutput;      ///< enabled by the inverted output instead of the inverted timer bit
-  int pulsesExpected; ///< one-scan pulses of Q0.0 in 100 scans of 10 ms
+  bool byOutput;       ///< enabled by the inverted output instead of the inverted timer bit
+  int pulsesExpected;  ///< one-scan pulses of Q0.0 in 100 scans of 10 ms
 
-  friend std::ostream& operator<<(std::ostream& out, const SelfReset& row) { return out << row.timer << (row.byOutput ? " by output" : " by bit"); }
+  friend std::ostream& operator<<(std::ostream& out, const SelfReset& row) {
+    return out << row.timer << (row.byOutput ? " by output" : " by bit");
+  }
 };
 
 class SelfResettingTimer : public testing::TestWithParam<SelfReset> {};
@@ -82,17 +84,19 @@ TEST_P(SelfResettingTimer, GivesOneScanPulsesOrNone) {
   EXPECT_EQ(pulses, p.pulsesExpected) << wave;
 }
 
-// 10 ms by its own bit: the TON sees the bit that the scan start set, and clears it: never on. 1 ms by its own bit: on only
-// if the tick falls between the two contacts, which it does not in a short program. 100 ms: on for one scan at each time-out;
-// by the table 30 scans for the first 300 ms (ticks at the starts of scans 11, 21, 31). By the output all three pulse.
-// 1 ms: the bit comes at 300 ms, after the program of scan 30; scan 31 shows it, scan 32 resets, timing starts in scan 33
-// (at 320 ms): again in scans 64 (pulse at scan 31 + 33) and 97. 10 ms: running from scan 1, bit at the start of scan 31;
-// reset in 32, started in 33, bit at the start of scan 63, then 95. 100 ms by its bit: scan 31; reset by the TON of scan 32,
-// started in 33 (320 ms), ticks at 400, 500, 600: scan 61; then started in 63, ticks at 700, 800, 900: scan 91. By the
-// output likewise: the output is 1 in scan 31, so the TON of 32 resets, the TON of 33 starts.
+// 10 ms by its own bit: the TON sees the bit that the scan start set, and clears it: never on. 1 ms by its own bit: on
+// only if the tick falls between the two contacts, which it does not in a short program. 100 ms: on for one scan at
+// each time-out; by the table 30 scans for the first 300 ms (ticks at the starts of scans 11, 21, 31). By the output
+// all three pulse. 1 ms: the bit comes at 300 ms, after the program of scan 30; scan 31 shows it, scan 32 resets,
+// timing starts in scan 33 (at 320 ms): again in scans 64 (pulse at scan 31 + 33) and 97. 10 ms: running from scan 1,
+// bit at the start of scan 31; reset in 32, started in 33, bit at the start of scan 63, then 95. 100 ms by its bit:
+// scan 31; reset by the TON of scan 32, started in 33 (320 ms), ticks at 400, 500, 600: scan 61; then started in 63,
+// ticks at 700, 800, 900: scan 91. By the output likewise: the output is 1 in scan 31, so the TON of 32 resets, the TON
+// of 33 starts.
 INSTANTIATE_TEST_SUITE_P(Table, SelfResettingTimer,
-                         testing::Values(SelfReset{"T32", "+300", false, 0}, SelfReset{"T33", "+30", false, 0}, SelfReset{"T37", "+3", false, 3},
-                                         SelfReset{"T32", "+300", true, 3}, SelfReset{"T33", "+30", true, 3}, SelfReset{"T37", "+3", true, 3}));
+                         testing::Values(SelfReset{"T32", "+300", false, 0}, SelfReset{"T33", "+30", false, 0},
+                                         SelfReset{"T37", "+3", false, 3}, SelfReset{"T32", "+300", true, 3},
+                                         SelfReset{"T33", "+30", true, 3}, SelfReset{"T37", "+3", true, 3}));
 
 // The seed's example with T33 and M0.0 (001:6623-6638), written anew: M0.0 is a one-scan pulse, VW0 counts them.
 TEST(TimerScan, PeriodOfTheExampleIsOneSecondAndTwoScans) {

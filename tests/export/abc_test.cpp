@@ -33,7 +33,8 @@ AbcAnswers askAbc(const std::string& file, int seconds) {
   std::size_t at = 0;
   while ((at = answers.text.find("Output", at)) != std::string::npos) {
     std::size_t number = 0;
-    if (std::sscanf(answers.text.c_str() + at, "Output %zu was asserted", &number) == 1) answers.asserted.insert(number);
+    if (std::sscanf(answers.text.c_str() + at, "Output %zu was asserted", &number) == 1)
+      answers.asserted.insert(number);
     ++at;
   }
   answers.isComplete = answers.text.find("Undecided = 0.") != std::string::npos;
@@ -48,7 +49,8 @@ TEST(Abc, AnswersTheCorpusAsItsVerdictsSay) {
     const std::map<std::string, std::string> verdicts = trueVerdicts(path);
     if (verdicts.empty()) continue;
     const ProgramInput input = corpusInput(path);
-    ProofSide side(input.program, input.properties, goalsOf(input.properties), encoderOptionsOf(proverOptions(path)), CheckGroups{});
+    ProofSide side(input.program, input.properties, goalsOf(input.properties), encoderOptionsOf(proverOptions(path)),
+                   CheckGroups{});
     const bool isExact = side.obligations().approximations().empty();
     const AbcAnswers answers = askAbc(folder.file("system.aig", exportAiger(side.system())), 1);
     ASSERT_NE(answers.text.find("Properties:"), std::string::npos) << path << ": " << answers.text;

@@ -14,7 +14,8 @@ std::int64_t asSigned(std::uint64_t v, int width) {
 
 class Btor2 {
  public:
-  Btor2(const std::vector<std::uint64_t>* states, const std::vector<std::uint64_t>* inputs) : states_(states), inputs_(inputs) {}
+  Btor2(const std::vector<std::uint64_t>* states, const std::vector<std::uint64_t>* inputs)
+      : states_(states), inputs_(inputs) {}
 
   void read(const std::string& text) {
     std::istringstream lines(text);
@@ -99,7 +100,8 @@ class Btor2 {
     if (tag == "not") return expect(a.width == width, "sorts differ"), ~a.value;
     if (tag == "slice") {
       const std::uint64_t high = number(words), low = number(words);
-      expect(high < static_cast<std::uint64_t>(a.width) && low <= high && static_cast<int>(high - low) + 1 == width, "slice outside its operand");
+      expect(high < static_cast<std::uint64_t>(a.width) && low <= high && static_cast<int>(high - low) + 1 == width,
+             "slice outside its operand");
       return a.value >> low;
     }
     if (tag == "uext" || tag == "sext") {
@@ -118,7 +120,11 @@ class Btor2 {
     const std::int64_t x = asSigned(a.value, w), y = asSigned(b.value, w);
     if (tag == "eq" || tag == "ult" || tag == "ulte" || tag == "slt" || tag == "slte") {
       expect(width == 1, "a comparison has one bit");
-      return tag == "eq" ? a.value == b.value : tag == "ult" ? a.value < b.value : tag == "ulte" ? a.value <= b.value : tag == "slt" ? x < y : x <= y;
+      return tag == "eq"     ? a.value == b.value
+             : tag == "ult"  ? a.value < b.value
+             : tag == "ulte" ? a.value <= b.value
+             : tag == "slt"  ? x < y
+                             : x <= y;
     }
     expect(w == width, "sorts differ");
     if (tag == "and") return a.value & b.value;
@@ -129,7 +135,8 @@ class Btor2 {
     if (tag == "mul") return a.value * b.value;
     if (tag == "udiv") return b.value == 0 ? ~0ULL : a.value / b.value;
     if (tag == "urem") return b.value == 0 ? a.value : a.value % b.value;
-    if (tag == "sdiv") return b.value == 0 ? (x < 0 ? 1 : ~0ULL) : y == -1 ? 0 - a.value : static_cast<std::uint64_t>(x / y);
+    if (tag == "sdiv")
+      return b.value == 0 ? (x < 0 ? 1 : ~0ULL) : y == -1 ? 0 - a.value : static_cast<std::uint64_t>(x / y);
     if (tag == "srem") return b.value == 0 ? a.value : y == -1 ? 0 : static_cast<std::uint64_t>(x % y);
     if (tag == "sll") return b.value >= static_cast<std::uint64_t>(w) ? 0 : a.value << b.value;
     if (tag == "srl") return b.value >= static_cast<std::uint64_t>(w) ? 0 : a.value >> b.value;
@@ -154,7 +161,8 @@ WordFileShape btor2Shape(const std::string& text) {
   return file.shape;
 }
 
-WordStep btor2Step(const std::string& text, const std::vector<std::uint64_t>& states, const std::vector<std::uint64_t>& inputs) {
+WordStep btor2Step(const std::string& text, const std::vector<std::uint64_t>& states,
+                   const std::vector<std::uint64_t>& inputs) {
   Btor2 file(&states, &inputs);
   file.read(text);
   return file.step;

@@ -49,9 +49,12 @@ void compare(const TransitionSystem& system, const std::string& text, Step stepO
     ASSERT_EQ(step.next.size(), system.states.size());
     ASSERT_EQ(step.bads.size(), system.questions.size());
     ASSERT_EQ(step.constraints.size(), system.constraints.size());
-    for (std::size_t i = 0; i < step.next.size(); ++i) ASSERT_EQ(step.next[i], values[system.states[i].next]) << "state " << i << ", seed " << seed;
-    for (std::size_t i = 0; i < step.bads.size(); ++i) ASSERT_EQ(step.bads[i], values[system.questions[i].bad] != 0) << system.questions[i].name;
-    for (std::size_t i = 0; i < step.constraints.size(); ++i) ASSERT_EQ(step.constraints[i], values[system.constraints[i]] != 0) << "constraint " << i;
+    for (std::size_t i = 0; i < step.next.size(); ++i)
+      ASSERT_EQ(step.next[i], values[system.states[i].next]) << "state " << i << ", seed " << seed;
+    for (std::size_t i = 0; i < step.bads.size(); ++i)
+      ASSERT_EQ(step.bads[i], values[system.questions[i].bad] != 0) << system.questions[i].name;
+    for (std::size_t i = 0; i < step.constraints.size(); ++i)
+      ASSERT_EQ(step.constraints[i], values[system.constraints[i]] != 0) << "constraint " << i;
   }
 }
 
@@ -59,7 +62,8 @@ class CorpusExport : public testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(CorpusExport, FilesComputeTheSameStep) {
   const ProgramInput input = corpusInput(GetParam());
-  ProofSide side(input.program, input.properties, goalsOf(input.properties), encoderOptionsOf(proverOptions(GetParam())), {.builtin = true});
+  ProofSide side(input.program, input.properties, goalsOf(input.properties),
+                 encoderOptionsOf(proverOptions(GetParam())), {.builtin = true});
   const TransitionSystem& system = side.system();
   const std::string btor2 = exportBtor2(system, {"a remark"}), smv = exportSmv(system, {"a remark"});
   EXPECT_GE(btor2Shape(btor2).states.size(), system.states.size());
@@ -69,21 +73,27 @@ TEST_P(CorpusExport, FilesComputeTheSameStep) {
   compare(system, smv, smvStep, 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Programs, CorpusExport, testing::ValuesIn(corpusFiles()), [](const testing::TestParamInfo<std::filesystem::path>& info) {
-  std::string name = info.param.parent_path().filename().string() + "_" + info.param.stem().string();
-  std::replace_if(name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Programs, CorpusExport, testing::ValuesIn(corpusFiles()),
+                         [](const testing::TestParamInfo<std::filesystem::path>& info) {
+                           std::string name =
+                               info.param.parent_path().filename().string() + "_" + info.param.stem().string();
+                           std::replace_if(
+                               name.begin(), name.end(),
+                               [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+                           return name;
+                         });
 
 TEST(Export, EveryOperationAtManyWidths) {
   for (const int width : {1, 2, 3, 8, 16, 31, 32, 64}) {
     Graph graph;
     TransitionSystem system;
     system.graph = &graph;
-    const Node a = graph.variable("a 1;", width, true), b = graph.variable("a 1;", width, false), c = graph.variable("next", 1, false);
+    const Node a = graph.variable("a 1;", width, true), b = graph.variable("a 1;", width, false),
+               c = graph.variable("next", 1, false);
     system.inputs = {b, c};
     std::vector<Node> results;
-    for (const Op op : {Op::And, Op::Or, Op::Xor, Op::Add, Op::Sub, Op::Mul, Op::Udiv, Op::Urem, Op::Sdiv, Op::Srem, Op::Shl, Op::Lshr}) {
+    for (const Op op : {Op::And, Op::Or, Op::Xor, Op::Add, Op::Sub, Op::Mul, Op::Udiv, Op::Urem, Op::Sdiv, Op::Srem,
+                        Op::Shl, Op::Lshr}) {
       // At width 1 only logic is an operation of its own.
       if (width > 1 || op == Op::And || op == Op::Or || op == Op::Xor) results.push_back(graph.make(op, width, a, b));
     }

@@ -168,7 +168,8 @@ class Expression {
     const Value a = prefix();
     if (!take("::")) return a;
     const Value b = prefix();
-    require(a.kind == Kind::Unsigned && b.kind == Kind::Unsigned && a.width + b.width <= 64, "only words can be joined");
+    require(a.kind == Kind::Unsigned && b.kind == Kind::Unsigned && a.width + b.width <= 64,
+            "only words can be joined");
     return {Kind::Unsigned, a.width + b.width, a.v << b.width | b.v, a.isUndefined || b.isUndefined};
   }
   Value prefix() {
@@ -192,7 +193,8 @@ class Expression {
     must(":");
     const std::uint64_t low = digits();
     must("]");
-    require(a.kind != Kind::Boolean && low <= high && high < static_cast<std::uint64_t>(a.width), "slice outside its word");
+    require(a.kind != Kind::Boolean && low <= high && high < static_cast<std::uint64_t>(a.width),
+            "slice outside its word");
     const int width = static_cast<int>(high - low) + 1;
     return {Kind::Unsigned, width, a.v >> low & mask(width), a.isUndefined};
   }
@@ -222,7 +224,8 @@ class Expression {
       const int more = static_cast<int>(digits());
       must(")");
       require(a.kind != Kind::Boolean && a.width + more <= 64, "only words can be extended");
-      const std::uint64_t v = a.kind == Kind::Signed ? static_cast<std::uint64_t>(asSigned(a)) & mask(a.width + more) : a.v;
+      const std::uint64_t v =
+          a.kind == Kind::Signed ? static_cast<std::uint64_t>(asSigned(a)) & mask(a.width + more) : a.v;
       return {a.kind, a.width + more, v, a.isUndefined};
     }
     if (take("TRUE")) return boolean(true, false);
@@ -237,7 +240,8 @@ class Expression {
       return {Kind::Unsigned, width, v, false};
     }
     std::string name;
-    while (at_ < text_.size() && (std::isalnum(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '_')) name += text_[at_++];
+    while (at_ < text_.size() && (std::isalnum(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '_'))
+      name += text_[at_++];
     const auto found = values_.find(name);
     require(found != values_.end(), "name not defined before its use");
     return found->second;
@@ -250,7 +254,8 @@ class Expression {
 
 class Smv {
  public:
-  Smv(const std::vector<std::uint64_t>* states, const std::vector<std::uint64_t>* inputs) : states_(states), inputs_(inputs) {}
+  Smv(const std::vector<std::uint64_t>* states, const std::vector<std::uint64_t>* inputs)
+      : states_(states), inputs_(inputs) {}
 
   void read(const std::string& text) {
     for (const std::string& name : namesWithNext(text)) isState_.insert(name);
@@ -269,13 +274,15 @@ class Smv {
         declare(between(line, "  ", " : "), between(line, " : ", ";"));
       } else if (section == "DEFINE") {
         const std::string name = between(line, "  ", " := ");
-        if (!values_.emplace(name, Expression(between(line, " := ", ";"), values_).read()).second) throw std::runtime_error("defined twice: " + name);
+        if (!values_.emplace(name, Expression(between(line, " := ", ";"), values_).read()).second)
+          throw std::runtime_error("defined twice: " + name);
       } else {
         const bool isInit = line.rfind("  init(", 0) == 0;
         const std::string name = between(line, "(", ") := ");
         const Value v = Expression(between(line, " := ", ";"), values_).read();
         const Value& variable = values_.at(name);
-        if (v.kind != variable.kind || v.width != variable.width || v.isUndefined) throw std::runtime_error("assignment of another type: " + line);
+        if (v.kind != variable.kind || v.width != variable.width || v.isUndefined)
+          throw std::runtime_error("assignment of another type: " + line);
         (isInit ? init : next)[name] = v.v;
       }
     }
@@ -338,7 +345,8 @@ WordFileShape smvShape(const std::string& text) {
   return file.shape;
 }
 
-WordStep smvStep(const std::string& text, const std::vector<std::uint64_t>& states, const std::vector<std::uint64_t>& inputs) {
+WordStep smvStep(const std::string& text, const std::vector<std::uint64_t>& states,
+                 const std::vector<std::uint64_t>& inputs) {
   Smv file(&states, &inputs);
   file.read(text);
   return file.step;

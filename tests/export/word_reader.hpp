@@ -13,8 +13,8 @@ namespace rungproof::test {
 
 /// What a file says after one step.
 struct WordStep {
-  std::vector<std::uint64_t> next;         ///< by state variable
-  std::vector<std::uint64_t> init;         ///< by state variable that has an initial value, else 0
+  std::vector<std::uint64_t> next;  ///< by state variable
+  std::vector<std::uint64_t> init;  ///< by state variable that has an initial value, else 0
   std::vector<bool> constraints;
   std::vector<bool> bads;
 };
@@ -27,10 +27,12 @@ struct WordFileShape {
 inline std::uint64_t mask(int width) { return width >= 64 ? ~0ULL : (1ULL << width) - 1; }
 
 WordFileShape btor2Shape(const std::string& text);
-WordStep btor2Step(const std::string& text, const std::vector<std::uint64_t>& states, const std::vector<std::uint64_t>& inputs);
+WordStep btor2Step(const std::string& text, const std::vector<std::uint64_t>& states,
+                   const std::vector<std::uint64_t>& inputs);
 
 /// SMV: state variables are those with a next, inputs those without, both in the order of their declarations.
 WordFileShape smvShape(const std::string& text);
-WordStep smvStep(const std::string& text, const std::vector<std::uint64_t>& states, const std::vector<std::uint64_t>& inputs);
+WordStep smvStep(const std::string& text, const std::vector<std::uint64_t>& states,
+                 const std::vector<std::uint64_t>& inputs);
 
 }  // namespace rungproof::test

@@ -29,7 +29,8 @@ void redirect(const std::string& path, int flags, int descriptor) {
 
 }  // namespace
 
-Outcome runChild(const std::string& program, const std::vector<std::string>& arguments, const std::string& folder, const std::string& input) {
+Outcome runChild(const std::string& program, const std::vector<std::string>& arguments, const std::string& folder,
+                 const std::string& input) {
   const std::string base = folder + ".run";
   std::ofstream(base + ".in", std::ios::binary) << input;
   const pid_t child = ::fork();

@@ -15,6 +15,7 @@ struct Outcome {
 /// Longest time a command may take, in seconds; then it is killed by SIGALRM.
 inline constexpr unsigned commandSeconds = 60;
 
-Outcome runChild(const std::string& program, const std::vector<std::string>& arguments, const std::string& folder, const std::string& input);
+Outcome runChild(const std::string& program, const std::vector<std::string>& arguments, const std::string& folder,
+                 const std::string& input);
 
 }  // namespace golden

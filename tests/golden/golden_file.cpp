@@ -102,7 +102,9 @@ std::vector<std::string> splitArguments(const std::string& text) {
 std::string normalised(std::string text) {
   static const std::regex seconds("in [0-9]+\\.[0-9]+ s\\b");
   static const std::regex jsonSeconds("\"seconds\": [0-9.e-]+");
-  static const std::regex version("(rungproof\"?,?\\s+\"?(?:semanticV|v)ersion\": \"|^rungproof |<p class=place>rungproof )[0-9]+\\.[0-9]+\\.[0-9]+");
+  static const std::regex version(
+      "(rungproof\"?,?\\s+\"?(?:semanticV|v)ersion\": \"|^rungproof |<p class=place>rungproof "
+      ")[0-9]+\\.[0-9]+\\.[0-9]+");
   text = std::regex_replace(text, seconds, "in * s");
   text = std::regex_replace(text, jsonSeconds, "\"seconds\": 0");
   return std::regex_replace(text, version, "$1*");

@@ -29,7 +29,8 @@ std::string contentOf(const fs::path& path) {
 
 std::string nameOf(const fs::path& file) {
   std::string name = fs::relative(file, GOLDEN_DIR).replace_extension().string();
-  std::replace_if(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
   return name;
 }
 
@@ -45,7 +46,8 @@ TEST_P(GoldenTest, PrintsWhatTheFileSays) {
   }
   GoldenFile actual = expected;
   for (CommandRun& run : actual.runs) {
-    const Outcome outcome = runChild(GOLDEN_PROGRAM, splitArguments(run.arguments), folder.folder().string(), run.input);
+    const Outcome outcome =
+        runChild(GOLDEN_PROGRAM, splitArguments(run.arguments), folder.folder().string(), run.input);
     run.exit = outcome.exit;
     run.out = normalised(outcome.out);
     run.err = normalised(outcome.err);
@@ -62,7 +64,8 @@ TEST_P(GoldenTest, PrintsWhatTheFileSays) {
     EXPECT_EQ(got.out, wanted.out);
     EXPECT_EQ(got.err, wanted.err);
     EXPECT_EQ(got.exit, wanted.exit);
-    for (std::size_t k = 0; k < wanted.written.size(); ++k) EXPECT_EQ(got.written[k].text, wanted.written[k].text) << wanted.written[k].name;
+    for (std::size_t k = 0; k < wanted.written.size(); ++k)
+      EXPECT_EQ(got.written[k].text, wanted.written[k].text) << wanted.written[k].name;
   }
 }
 
@@ -75,7 +78,8 @@ std::vector<fs::path> testFiles() {
   return files;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, GoldenTest, testing::ValuesIn(testFiles()), [](const auto& parameter) { return nameOf(parameter.param); });
+INSTANTIATE_TEST_SUITE_P(All, GoldenTest, testing::ValuesIn(testFiles()),
+                         [](const auto& parameter) { return nameOf(parameter.param); });
 
 }  // namespace
 }  // namespace golden

@@ -21,7 +21,8 @@ constexpr std::uint32_t scanUs = 100'000;
 std::string errorsOf(const Program& program) {
   std::string text;
   for (const Finding& finding : program.findings) {
-    if (finding.severity == Severity::Error) text += fmt::format("{} {}: {}\n", finding.rule, finding.network, finding.message);
+    if (finding.severity == Severity::Error)
+      text += fmt::format("{} {}: {}\n", finding.rule, finding.network, finding.message);
   }
   return text;
 }
@@ -42,8 +43,10 @@ std::string memoryOf(const Simulator& simulator) {
   bytesOf(Area::M, 32);
   bytesOf(Area::V, 192);
   for (std::uint32_t i = 0; i < 72; ++i) {  // timers of 100 ms begin at T37, counters at C0
-    text += static_cast<char>(simulator.read(direct(Area::T, Width::Bit, i)) + 2 * simulator.read(direct(Area::C, Width::Bit, i)));
-    text += std::to_string(simulator.read(direct(Area::T, Width::Word, i)) + 65536 * simulator.read(direct(Area::C, Width::Word, i)));
+    text += static_cast<char>(simulator.read(direct(Area::T, Width::Bit, i)) +
+                              2 * simulator.read(direct(Area::C, Width::Bit, i)));
+    text += std::to_string(simulator.read(direct(Area::T, Width::Word, i)) +
+                           65536 * simulator.read(direct(Area::C, Width::Word, i)));
   }
   return text;
 }
@@ -60,7 +63,8 @@ Program throughStl(const Program& drawn) {
 TEST(DrawingAgreement, CorpusDoesWhatItsStlDoes) {
   std::mt19937 random(4711);
   std::size_t networks = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(std::filesystem::path(RUNGPROOF_SOURCE_DIR) / "corpus")) {
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(std::filesystem::path(RUNGPROOF_SOURCE_DIR) / "corpus")) {
     if (entry.path().extension() != ".xml") continue;
     const Program drawn = readProgram({entry.path().string()});
     if (hasReadErrors(drawn)) continue;  // the faulty ones
@@ -111,7 +115,8 @@ TEST(DrawingAgreement, RandomDrawingsDoWhatTheyShow) {
       ASSERT_EQ(memoryOf(a), memoryOf(b)) << "seed " << seed << ", file " << round << ", scan " << scan + 1;
       for (const Symbol& symbol : drawn.symbols) {
         const std::uint64_t value = a.read(symbol.address);
-        const std::string where = fmt::format("{} ({}), seed {}, file {}, scan {}", symbol.name, toString(symbol.address), seed, round, scan + 1);
+        const std::string where = fmt::format("{} ({}), seed {}, file {}, scan {}", symbol.name,
+                                              toString(symbol.address), seed, round, scan + 1);
         if (symbol.name[0] == 'n') {
           ASSERT_EQ(static_cast<int>(value), evaluator.number(symbol.name)) << where << "\n" << text << writeStl(drawn);
         } else if (symbol.name[0] != 'i') {

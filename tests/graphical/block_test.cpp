@@ -8,10 +8,13 @@
 namespace rungproof {
 namespace {
 
-Program fbd(const std::vector<std::string>& variables, const std::string& body) { return readText("t.xml", plcopen(variables, "FBD", body)); }
+Program fbd(const std::vector<std::string>& variables, const std::string& body) {
+  return readText("t.xml", plcopen(variables, "FBD", body));
+}
 
 /// Value of a variable after one scan of a function box with two operands.
-std::int64_t result(const std::string& type, const std::string& function, const std::vector<std::string>& inputs, const std::string& resultType = "") {
+std::int64_t result(const std::string& type, const std::string& function, const std::vector<std::string>& inputs,
+                    const std::string& resultType = "") {
   std::string body;
   std::vector<TestPin> pins;
   int id = 10;
@@ -33,8 +36,11 @@ std::int64_t result(const std::string& type, const std::string& function, const 
   if (y == nullptr) return -999999;
   const std::uint64_t value = simulator.read(y->address);
   const int width = bits(y->address.width);
-  const bool isSigned = y->address.width != Width::Bit && (resultType.empty() ? type : resultType).find('U') == std::string::npos && type != "BYTE" && type != "WORD";
-  return isSigned && (value >> (width - 1) & 1) != 0 ? static_cast<std::int64_t>(value) - (1LL << width) : static_cast<std::int64_t>(value);
+  const bool isSigned = y->address.width != Width::Bit &&
+                        (resultType.empty() ? type : resultType).find('U') == std::string::npos && type != "BYTE" &&
+                        type != "WORD";
+  return isSigned && (value >> (width - 1) & 1) != 0 ? static_cast<std::int64_t>(value) - (1LL << width)
+                                                     : static_cast<std::int64_t>(value);
 }
 
 TEST(DrawnFunctions, Arithmetic) {
@@ -45,9 +51,9 @@ TEST(DrawnFunctions, Arithmetic) {
   EXPECT_EQ(result("INT", "MOD", {"43", "4"}), 3);
   EXPECT_EQ(result("DINT", "MOD", {"100003", "1000"}), 3);
   EXPECT_EQ(result("DINT", "ADD", {"70000", "1", "2"}), 70003);
-  EXPECT_EQ(result("USINT", "ADD", {"200", "100"}), 44);    // modulo 256
+  EXPECT_EQ(result("USINT", "ADD", {"200", "100"}), 44);  // modulo 256
   EXPECT_EQ(result("SINT", "SUB", {"-100", "20"}), -120);
-  EXPECT_EQ(result("UINT", "ADD", {"65000", "600"}), 64);   // modulo 65536
+  EXPECT_EQ(result("UINT", "ADD", {"65000", "600"}), 64);  // modulo 65536
 }
 
 TEST(DrawnFunctions, SelectionAndComparison) {
@@ -58,7 +64,7 @@ TEST(DrawnFunctions, SelectionAndComparison) {
   EXPECT_EQ(result("INT", "MUX", {"2", "10", "11", "12"}), 12);
   EXPECT_EQ(result("INT", "GT", {"5", "4"}, "BOOL"), 1);
   EXPECT_EQ(result("INT", "LE", {"-5", "4"}, "BOOL"), 1);
-  EXPECT_EQ(result("UINT", "GT", {"65000", "4"}, "BOOL"), 1);      // not as a negative number
+  EXPECT_EQ(result("UINT", "GT", {"65000", "4"}, "BOOL"), 1);  // not as a negative number
   EXPECT_EQ(result("UDINT", "LT", {"5", "4000000000"}, "BOOL"), 1);
   EXPECT_EQ(result("SINT", "LT", {"-1", "1"}, "BOOL"), 1);
 }
@@ -77,7 +83,9 @@ TEST(DrawnFunctions, BitsAndConversions) {
 }
 
 TEST(DrawnBlocks, TimerOutputsAndElapsedTime) {
-  const std::string body = inElement(1, "a") + inElement(2, "T#300ms") + blockElement(3, "TON", "t", {{"IN", {"1"}}, {"PT", {"2"}}}, {"Q", "ET"}) + outElement(4, {"3.Q"}, "y") + outElement(5, {"3.ET"}, "e");
+  const std::string body = inElement(1, "a") + inElement(2, "T#300ms") +
+                           blockElement(3, "TON", "t", {{"IN", {"1"}}, {"PT", {"2"}}}, {"Q", "ET"}) +
+                           outElement(4, {"3.Q"}, "y") + outElement(5, {"3.ET"}, "e");
   const Program program = fbd({"a:BOOL@%IX0.0", "y:BOOL@%QX0.0", "t:TON", "e:TIME"}, body);
   EXPECT_EQ(findings(program), "");
   SimulatorOptions options;
@@ -86,7 +94,8 @@ TEST(DrawnBlocks, TimerOutputsAndElapsedTime) {
   simulator.scan();
   simulator.write(direct(Area::I, Width::Bit, 0, 0), 1);
   // Scans of 100 ms: the first with the input counts one step.
-  for (const auto& [time, on] : std::vector<std::pair<std::uint64_t, std::uint64_t>>{{100, 0}, {200, 0}, {300, 1}, {300, 1}}) {
+  for (const auto& [time, on] :
+       std::vector<std::pair<std::uint64_t, std::uint64_t>>{{100, 0}, {200, 0}, {300, 1}, {300, 1}}) {
     simulator.scan();
     EXPECT_EQ(simulator.read(program.symbolNamed("e")->address), time);
     EXPECT_EQ(simulator.read(direct(Area::Q, Width::Bit, 0, 0)), on);
@@ -95,7 +104,10 @@ TEST(DrawnBlocks, TimerOutputsAndElapsedTime) {
 
 TEST(DrawnBlocks, PresetsThatNoTimerCanCountAreFindings) {
   const auto rule = [](const std::string& preset) {
-    const Program program = fbd({"a:BOOL@%IX0.0", "y:BOOL@%QX0.0", "t:TON", "v:TIME=T#1s"}, inElement(1, "a") + inElement(2, preset) + blockElement(3, "TON", "t", {{"IN", {"1"}}, {"PT", {"2"}}}, {"Q"}) + outElement(4, {"3.Q"}, "y"));
+    const Program program =
+        fbd({"a:BOOL@%IX0.0", "y:BOOL@%QX0.0", "t:TON", "v:TIME=T#1s"},
+            inElement(1, "a") + inElement(2, preset) +
+                blockElement(3, "TON", "t", {{"IN", {"1"}}, {"PT", {"2"}}}, {"Q"}) + outElement(4, {"3.Q"}, "y"));
     return program.findings.empty() ? std::string("none") : program.findings[0].rule;
   };
   EXPECT_EQ(rule("T#50m"), "none");
@@ -104,7 +116,9 @@ TEST(DrawnBlocks, PresetsThatNoTimerCanCountAreFindings) {
 }
 
 TEST(DrawnBlocks, EnableJumpsOverTheBlock) {
-  const std::string body = inElement(1, "en") + inElement(2, "a") + blockElement(3, "SR", "s", {{"EN", {"1"}}, {"S1", {"2"}}, {"R", {}}}, {"Q1"}) + outElement(4, {"3.Q1"}, "y");
+  const std::string body = inElement(1, "en") + inElement(2, "a") +
+                           blockElement(3, "SR", "s", {{"EN", {"1"}}, {"S1", {"2"}}, {"R", {}}}, {"Q1"}) +
+                           outElement(4, {"3.Q1"}, "y");
   const Program program = fbd({"en:BOOL@%IX0.1", "a:BOOL@%IX0.0", "y:BOOL@%QX0.0", "s:SR"}, body);
   EXPECT_EQ(findings(program), "");
   Simulator simulator(program);
@@ -117,7 +131,12 @@ TEST(DrawnBlocks, EnableJumpsOverTheBlock) {
 }
 
 std::string list(const std::string& lines) {
-  const std::string body = pouText("Main", "program", "<localVars>" + declarations({"a:BOOL@%IX0.0", "b:BOOL@%IX0.1", "y:BOOL@%QX0.0", "z:BOOL@%QX0.1", "n:INT@%MW2", "t:TON"}) + "</localVars>", "IL", "<xhtml:p><![CDATA[" + lines + "]]></xhtml:p>");
+  const std::string body = pouText(
+      "Main", "program",
+      "<localVars>" +
+          declarations({"a:BOOL@%IX0.0", "b:BOOL@%IX0.1", "y:BOOL@%QX0.0", "z:BOOL@%QX0.1", "n:INT@%MW2", "t:TON"}) +
+          "</localVars>",
+      "IL", "<xhtml:p><![CDATA[" + lines + "]]></xhtml:p>");
   const Program program = readText("t.xml", projectText(body));
   return program.findings.empty() ? show(program.pous[0]) : findings(program);
 }
@@ -132,7 +151,8 @@ TEST(InstructionList, LogicParenthesesAndStores) {
 
 TEST(InstructionList, CallsJumpsAndMistakes) {
   EXPECT_EQ(list("CAL t(IN := a, PT := T#2s)\nLD t.Q\nST y\n"), "LD I0.0; TON T37,20 | LD T37; = Q0.0");
-  EXPECT_EQ(list("LD a\nJMPC over\nLD b\nST y\nover:\nLD b\nST z\n"), "LD I0.0; JMP 0 | LD I0.1; = Q0.0 | LBL 0 | LD I0.1; = Q0.1");
+  EXPECT_EQ(list("LD a\nJMPC over\nLD b\nST y\nover:\nLD b\nST z\n"),
+            "LD I0.0; JMP 0 | LD I0.1; = Q0.0 | LBL 0 | LD I0.1; = Q0.1");
   EXPECT_EQ(list("LD a\nFROB b\nST y\n"), "SYN036<FROB b>");
 }
 

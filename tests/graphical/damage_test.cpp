@@ -19,7 +19,8 @@ const std::string rung = railElement(1) + contactElement(2, {"1"}, "a") + coilEl
 
 std::vector<std::string> corpusTexts() {
   std::vector<std::string> texts;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(std::filesystem::path(RUNGPROOF_SOURCE_DIR) / "corpus")) {
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(std::filesystem::path(RUNGPROOF_SOURCE_DIR) / "corpus")) {
     if (entry.path().extension() != ".xml") continue;
     std::ifstream stream(entry.path(), std::ios::binary);
     std::ostringstream text;
@@ -79,7 +80,8 @@ TEST(XmlDamage, BytesChangedAnywhere) {
 TEST(XmlDamage, WhatStandsBehindTheDamageIsRead) {
   const std::string first = pouText("One", "program", "<localVars>" + declarations(bits) + "</localVars>", "LD", rung);
   const std::string broken = "<pou name=\"Two\" pouType=\"functionBlock\"><interface><<<</pou>\n";
-  const std::string last = pouText("Three", "functionBlock", "<localVars>" + declarations(bits) + "</localVars>", "LD", rung);
+  const std::string last =
+      pouText("Three", "functionBlock", "<localVars>" + declarations(bits) + "</localVars>", "LD", rung);
   const Program program = readText("t.xml", projectText(first + broken + last));
   EXPECT_NE(rules(program).find("SYN033"), std::string::npos);
   ASSERT_FALSE(program.pous.empty());
@@ -89,7 +91,10 @@ TEST(XmlDamage, WhatStandsBehindTheDamageIsRead) {
 }
 
 TEST(XmlDamage, EntitiesAreRefused) {
-  const Program program = readText("t.xml", "<?xml version=\"1.0\"?>\n<!DOCTYPE lolz [<!ENTITY lol \"lol\"><!ENTITY lol2 \"&lol;&lol;&lol;&lol;\">]>\n" + plcopen(bits, "LD", rung).substr(22));
+  const Program program = readText(
+      "t.xml",
+      "<?xml version=\"1.0\"?>\n<!DOCTYPE lolz [<!ENTITY lol \"lol\"><!ENTITY lol2 \"&lol;&lol;&lol;&lol;\">]>\n" +
+          plcopen(bits, "LD", rung).substr(22));
   EXPECT_EQ(rules(program), "SYN034 ");
   EXPECT_EQ(program.sources->position(program.findings[0].span).line, 2U);
 }
@@ -110,7 +115,9 @@ TEST(XmlDamage, SizeIsLinear) {
   // 10 MB: one body with thousands of circuits, and one with a row of contacts that has no end.
   std::string wide = railElement(1);
   int id = 2;
-  for (int i = 0; wide.size() < 5'000'000; ++i, id += 2) wide += contactElement(id, {"1"}, "a", "", 10, 100 * i) + coilElement(id + 1, {fmt::format("{}", id)}, "y", "", 20, 100 * i);
+  for (int i = 0; wide.size() < 5'000'000; ++i, id += 2)
+    wide += contactElement(id, {"1"}, "a", "", 10, 100 * i) +
+            coilElement(id + 1, {fmt::format("{}", id)}, "y", "", 20, 100 * i);
   Program program;
   EXPECT_LT(secondsFor(plcopen(bits, "LD", wide), program), 20.0);
   EXPECT_GT(program.instructionCount(), 25'000U);
@@ -125,9 +132,11 @@ TEST(XmlDamage, ControlCharactersAndEncodings) {
   std::string text = plcopen(bits, "LD", rung);
   text[text.find("<coil") + 10] = '\0';
   EXPECT_NE(rules(readText("t.xml", text)).find("SYN004"), std::string::npos);
-  std::string german = plcopen({"a:BOOL@%IX0.0", "Tür:BOOL@%QX0.0"}, "LD", railElement(1) + contactElement(2, {"1"}, "a") + coilElement(3, {"2"}, "Tür"));
+  std::string german = plcopen({"a:BOOL@%IX0.0", "Tür:BOOL@%QX0.0"}, "LD",
+                               railElement(1) + contactElement(2, {"1"}, "a") + coilElement(3, {"2"}, "Tür"));
   EXPECT_EQ(show(readText("t.xml", german).pous[0]), "LD I0.0; = Q0.0");
-  for (std::size_t at = german.find("\xC3\xBC"); at != std::string::npos; at = german.find("\xC3\xBC")) german.replace(at, 2, "\xFC");
+  for (std::size_t at = german.find("\xC3\xBC"); at != std::string::npos; at = german.find("\xC3\xBC"))
+    german.replace(at, 2, "\xFC");
   EXPECT_EQ(show(readText("t.xml", german).pous[0]), "LD I0.0; = Q0.0");  // CP1252 whatever the first line says
 }
 

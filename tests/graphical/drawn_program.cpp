@@ -30,7 +30,8 @@ class Generator {
     if (kind < 9 || program_.boxes.empty()) return fmt::format("m{}", pick(6));
     auto box = program_.boxes.begin();
     std::advance(box, pick(static_cast<int>(program_.boxes.size())));
-    const bool isPlain = box->second == "TON" || box->second == "TOF" || box->second == "TP" || box->second == "CTU" || box->second == "CTD";
+    const bool isPlain = box->second == "TON" || box->second == "TOF" || box->second == "TP" || box->second == "CTU" ||
+                         box->second == "CTD";
     return isPlain ? box->first + ".Q" : fmt::format("i{}", pick(6));
   }
 
@@ -57,7 +58,10 @@ class Generator {
     if (depth == 0 || pick(3) == 0) return contact();
     auto e = std::make_shared<DrawnExpr>();
     const int kind = pick(program_.isLadder ? 2 : 4);
-    e->kind = kind == 0 ? DrawnExpr::Kind::And : kind == 1 ? DrawnExpr::Kind::Or : kind == 2 ? DrawnExpr::Kind::Xor : DrawnExpr::Kind::Not;
+    e->kind = kind == 0   ? DrawnExpr::Kind::And
+              : kind == 1 ? DrawnExpr::Kind::Or
+              : kind == 2 ? DrawnExpr::Kind::Xor
+                          : DrawnExpr::Kind::Not;
     const int count = e->kind == DrawnExpr::Kind::Not ? 1 : e->kind == DrawnExpr::Kind::Xor ? 2 : 2 + pick(2);
     for (int i = 0; i < count; ++i) e->inputs.push_back(power(depth - 1));
     if (!program_.isLadder) e->negated = pick(5) == 0;
@@ -71,7 +75,9 @@ class Generator {
     e->type = types[pick(10)];
     e->name = fmt::format("B{}", program_.boxes.size());
     e->preset = 1 + pick(6);
-    const std::size_t inputs = e->type == "CTUD" ? 4 : e->type == "CTU" || e->type == "CTD" || e->type == "SR" || e->type == "RS" ? 2 : 1;
+    const std::size_t inputs = e->type == "CTUD"                                                            ? 4
+                               : e->type == "CTU" || e->type == "CTD" || e->type == "SR" || e->type == "RS" ? 2
+                                                                                                            : 1;
     for (std::size_t i = 0; i < inputs; ++i) e->inputs.push_back(power(i == 0 ? 2 : 1));
     if (e->type == "R_TRIG" || e->type == "F_TRIG") e->memory = program_.memories++;
     program_.boxes[e->name] = e->type;
@@ -93,9 +99,12 @@ class Generator {
     rung.power = kind < 4 ? box() : power(3);
     rung.target = fmt::format("{}{}", pick(2) == 0 ? 'q' : 'm', pick(6));
     const int storage = pick(8);
-    if (storage < 4) rung.storage = 0;
-    else if (storage == 4) rung.storage = 2;
-    else if (program_.isLadder) rung.storage = storage == 5 ? 1 : storage == 6 ? -1 : pick(2) == 0 ? 3 : 4;
+    if (storage < 4)
+      rung.storage = 0;
+    else if (storage == 4)
+      rung.storage = 2;
+    else if (program_.isLadder)
+      rung.storage = storage == 5 ? 1 : storage == 6 ? -1 : pick(2) == 0 ? 3 : 4;
     if (rung.storage >= 3) rung.memory = program_.memories++;
     program_.rungs.push_back(std::move(rung));
   }
@@ -148,7 +157,10 @@ class Writer {
       case DrawnExpr::Kind::Contact: {
         const int i = id();
         if (program_.isLadder) {
-          const std::string attributes = e.negated ? "negated=\"true\"" : e.edge > 0 ? "edge=\"rising\"" : e.edge < 0 ? "edge=\"falling\"" : "negated=\"false\"";
+          const std::string attributes = e.negated    ? "negated=\"true\""
+                                         : e.edge > 0 ? "edge=\"rising\""
+                                         : e.edge < 0 ? "edge=\"falling\""
+                                                      : "negated=\"false\"";
           lines_.push_back(contactElement(i, left, e.name, attributes, x += 10, y_));
         } else {
           lines_.push_back(inElement(i, e.name, e.negated ? "negated=\"true\"" : "", x, y_));
@@ -170,9 +182,13 @@ class Writer {
       return ends;
     }
     std::vector<TestPin> pins;
-    for (const DrawnExprPtr& part : e.inputs) pins.push_back({fmt::format("IN{}", pins.size() + 1), power(*part, {}, x)});
+    for (const DrawnExprPtr& part : e.inputs)
+      pins.push_back({fmt::format("IN{}", pins.size() + 1), power(*part, {}, x)});
     const int i = id();
-    const char* type = e.kind == DrawnExpr::Kind::And ? "AND" : e.kind == DrawnExpr::Kind::Or ? "OR" : e.kind == DrawnExpr::Kind::Xor ? "XOR" : "NOT";
+    const char* type = e.kind == DrawnExpr::Kind::And   ? "AND"
+                       : e.kind == DrawnExpr::Kind::Or  ? "OR"
+                       : e.kind == DrawnExpr::Kind::Xor ? "XOR"
+                                                        : "NOT";
     std::string text = blockElement(i, type, "", pins, {"OUT"}, x += 10, y_);
     if (e.negated) text.replace(text.rfind("formalParameter=\"OUT\""), 21, "formalParameter=\"OUT\" negated=\"true\"");
     lines_.push_back(text);
@@ -180,14 +196,19 @@ class Writer {
   }
 
   Sources box(const DrawnExpr& e, const Sources& left, int& x) {
-    static const std::map<std::string, std::vector<std::string>> names = {{"TON", {"IN"}},        {"TOF", {"IN"}},       {"TP", {"IN"}},      {"CTU", {"CU", "R"}},    {"CTD", {"CD", "LD"}},
-                                                                          {"CTUD", {"CU", "CD", "R", "LD"}}, {"SR", {"S1", "R"}}, {"RS", {"S", "R1"}}, {"R_TRIG", {"CLK"}}, {"F_TRIG", {"CLK"}}};
+    static const std::map<std::string, std::vector<std::string>> names = {
+        {"TON", {"IN"}},      {"TOF", {"IN"}},       {"TP", {"IN"}},
+        {"CTU", {"CU", "R"}}, {"CTD", {"CD", "LD"}}, {"CTUD", {"CU", "CD", "R", "LD"}},
+        {"SR", {"S1", "R"}},  {"RS", {"S", "R1"}},   {"R_TRIG", {"CLK"}},
+        {"F_TRIG", {"CLK"}}};
     std::vector<TestPin> pins;
-    for (std::size_t k = 0; k < e.inputs.size(); ++k) pins.push_back({names.at(e.type)[k], power(*e.inputs[k], left, x)});
+    for (std::size_t k = 0; k < e.inputs.size(); ++k)
+      pins.push_back({names.at(e.type)[k], power(*e.inputs[k], left, x)});
     const bool isTimer = e.type[0] == 'T', isCounter = e.type[0] == 'C';
     if (isTimer || isCounter) {
       const int preset = id();
-      lines_.push_back(inElement(preset, isTimer ? fmt::format("T#{}ms", e.preset * 100) : fmt::format("{}", e.preset), "", x, y_ + 30));
+      lines_.push_back(inElement(preset, isTimer ? fmt::format("T#{}ms", e.preset * 100) : fmt::format("{}", e.preset),
+                                 "", x, y_ + 30));
       pins.push_back({isTimer ? "PT" : "PV", {fmt::format("{}", preset)}});
     }
     const std::string out = e.type == "CTUD" ? "QU" : e.type == "SR" || e.type == "RS" ? "Q1" : "Q";
@@ -206,8 +227,12 @@ class Writer {
       lines_.push_back(inElement(a, rung.target, "", x, y_ + 20));
       lines_.push_back(inElement(one, "1", "", x, y_ + 30));
       lines_.push_back(inElement(top, fmt::format("{}", rung.preset), "", x, y_ + 40));
-      lines_.push_back(blockElement(sum, "ADD", "", {{"EN", ends}, {"IN1", {fmt::format("{}", a)}}, {"IN2", {fmt::format("{}", one)}}}, {"ENO", "OUT"}, x + 10, y_));
-      lines_.push_back(blockElement(least, "MIN", "", {{"EN", ends}, {"IN1", {fmt::format("{}.OUT", sum)}}, {"IN2", {fmt::format("{}", top)}}}, {"ENO", "OUT"}, x + 20, y_));
+      lines_.push_back(blockElement(sum, "ADD", "",
+                                    {{"EN", ends}, {"IN1", {fmt::format("{}", a)}}, {"IN2", {fmt::format("{}", one)}}},
+                                    {"ENO", "OUT"}, x + 10, y_));
+      lines_.push_back(blockElement(
+          least, "MIN", "", {{"EN", ends}, {"IN1", {fmt::format("{}.OUT", sum)}}, {"IN2", {fmt::format("{}", top)}}},
+          {"ENO", "OUT"}, x + 20, y_));
       lines_.push_back(outElement(i, {fmt::format("{}.OUT", least)}, rung.target, "", x + 30, y_));
       return;
     }
@@ -215,7 +240,9 @@ class Writer {
       const int a = id(), b = id(), choice = id();
       lines_.push_back(inElement(a, fmt::format("{}", rung.preset), "", x, y_ + 20));
       lines_.push_back(inElement(b, rung.other, "", x, y_ + 30));
-      lines_.push_back(blockElement(choice, "SEL", "", {{"G", ends}, {"IN0", {fmt::format("{}", a)}}, {"IN1", {fmt::format("{}", b)}}}, {"OUT"}, x + 10, y_));
+      lines_.push_back(blockElement(choice, "SEL", "",
+                                    {{"G", ends}, {"IN0", {fmt::format("{}", a)}}, {"IN1", {fmt::format("{}", b)}}},
+                                    {"OUT"}, x + 10, y_));
       lines_.push_back(outElement(i, {fmt::format("{}.OUT", choice)}, rung.target, "", x + 30, y_));
       return;
     }
@@ -223,7 +250,12 @@ class Writer {
       lines_.push_back(outElement(i, ends, rung.target, rung.storage == 2 ? "negated=\"true\"" : "", x + 10, y_));
       return;
     }
-    static const std::map<int, std::string> attributes = {{0, ""}, {1, "storage=\"set\""}, {-1, "storage=\"reset\""}, {2, "negated=\"true\""}, {3, "edge=\"rising\""}, {4, "edge=\"falling\""}};
+    static const std::map<int, std::string> attributes = {{0, ""},
+                                                          {1, "storage=\"set\""},
+                                                          {-1, "storage=\"reset\""},
+                                                          {2, "negated=\"true\""},
+                                                          {3, "edge=\"rising\""},
+                                                          {4, "edge=\"falling\""}};
     lines_.push_back(coilElement(i, ends, rung.target, attributes.at(rung.storage), x + 10, y_));
   }
 
@@ -282,7 +314,12 @@ bool DrawnEvaluator::power(const DrawnExpr& e) {
     }
     case DrawnExpr::Kind::Compare: {
       const int value = numbers_[e.name];
-      return e.type == "GT" ? value > e.preset : e.type == "GE" ? value >= e.preset : e.type == "EQ" ? value == e.preset : e.type == "LE" ? value <= e.preset : e.type == "LT" ? value < e.preset : value != e.preset;
+      return e.type == "GT"   ? value > e.preset
+             : e.type == "GE" ? value >= e.preset
+             : e.type == "EQ" ? value == e.preset
+             : e.type == "LE" ? value <= e.preset
+             : e.type == "LT" ? value < e.preset
+                              : value != e.preset;
     }
     case DrawnExpr::Kind::And: result = std::all_of(in.begin(), in.end(), [](bool b) { return b; }); break;
     case DrawnExpr::Kind::Or: result = std::any_of(in.begin(), in.end(), [](bool b) { return b; }); break;

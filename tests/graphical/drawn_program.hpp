@@ -17,22 +17,22 @@ using DrawnExprPtr = std::shared_ptr<DrawnExpr>;
 /// Power: a contact, gates, or the output of a function block.
 struct DrawnExpr {
   enum class Kind { Contact, And, Or, Xor, Not, Box, Compare } kind = Kind::Contact;
-  std::string name;           ///< variable; instance of a box
+  std::string name;  ///< variable; instance of a box
   bool negated = false;
-  int edge = 0;               ///< contact: 1 rising, -1 falling
+  int edge = 0;  ///< contact: 1 rising, -1 falling
   std::vector<DrawnExprPtr> inputs;
-  std::string type;           ///< box; relation of a comparison
-  int preset = 0;             ///< steps or count; right side of a comparison
-  int memory = -1;            ///< of an edge contact
+  std::string type;  ///< box; relation of a comparison
+  int preset = 0;    ///< steps or count; right side of a comparison
+  int memory = -1;   ///< of an edge contact
 };
 
 /// One circuit: power to a coil or a variable, or a number to a variable.
 struct DrawnRung {
   DrawnExprPtr power;
   std::string target;
-  int storage = 0;            ///< 1 set, -1 reset, 2 negated, 3 rising, 4 falling
+  int storage = 0;  ///< 1 set, -1 reset, 2 negated, 3 rising, 4 falling
   int memory = -1;
-  std::string number;         ///< "STEP": target := MIN(target + 1, preset) under power; "PICK": SEL(power, preset, other)
+  std::string number;  ///< "STEP": target := MIN(target + 1, preset) under power; "PICK": SEL(power, preset, other)
   int preset = 0;
   std::string other;
 };
@@ -51,7 +51,8 @@ DrawnProgram randomDrawing(std::mt19937& random);
 /// State of one program and its meaning.
 class DrawnEvaluator {
  public:
-  explicit DrawnEvaluator(const DrawnProgram& program) : program_(program), memory_(static_cast<std::size_t>(program.memories), false) {}
+  explicit DrawnEvaluator(const DrawnProgram& program)
+      : program_(program), memory_(static_cast<std::size_t>(program.memories), false) {}
   void scan(const std::map<std::string, bool>& inputs);
   bool bit(const std::string& name) { return bits_[name]; }
   int number(const std::string& name) { return numbers_[name]; }

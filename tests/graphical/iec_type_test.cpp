@@ -42,7 +42,9 @@ TEST(IecLiterals, Numbers) {
 }
 
 TEST(LocatedAddresses, CountBytes) {
-  const auto address = [](std::string_view text) { return locatedAddress(text) ? toString(*locatedAddress(text)) : std::string("none"); };
+  const auto address = [](std::string_view text) {
+    return locatedAddress(text) ? toString(*locatedAddress(text)) : std::string("none");
+  };
   EXPECT_EQ(address("%IX0.3"), "I0.3");
   EXPECT_EQ(address("%QX1.7"), "Q1.7");
   EXPECT_EQ(address("%I2.0"), "I2.0");

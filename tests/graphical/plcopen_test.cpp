@@ -8,7 +8,8 @@
 namespace rungproof {
 namespace {
 
-const std::vector<std::string> fiveBits = {"a:BOOL@%IX0.0", "b:BOOL@%IX0.1", "c:BOOL@%IX0.2", "y:BOOL@%QX0.0", "z:BOOL@%QX0.1"};
+const std::vector<std::string> fiveBits = {"a:BOOL@%IX0.0", "b:BOOL@%IX0.1", "c:BOOL@%IX0.2", "y:BOOL@%QX0.0",
+                                           "z:BOOL@%QX0.1"};
 
 std::string ladder(const std::string& elements) {
   const Program program = readText("t.xml", plcopen(fiveBits, "LD", railElement(1) + elements));
@@ -16,12 +17,18 @@ std::string ladder(const std::string& elements) {
 }
 
 TEST(Plcopen, ContactsInSeriesAndParallel) {
-  EXPECT_EQ(ladder(contactElement(2, {"1"}, "a") + contactElement(3, {"2"}, "b", "negated=\"true\"") + coilElement(4, {"3"}, "y")), "LD I0.0; AN I0.1; = Q0.0");
-  EXPECT_EQ(ladder(contactElement(2, {"1"}, "a") + contactElement(3, {"1"}, "y") + contactElement(4, {"2", "3"}, "b") + coilElement(5, {"4"}, "y")), "LD I0.0; O Q0.0; A I0.1; = Q0.0");
+  EXPECT_EQ(ladder(contactElement(2, {"1"}, "a") + contactElement(3, {"2"}, "b", "negated=\"true\"") +
+                   coilElement(4, {"3"}, "y")),
+            "LD I0.0; AN I0.1; = Q0.0");
+  EXPECT_EQ(ladder(contactElement(2, {"1"}, "a") + contactElement(3, {"1"}, "y") + contactElement(4, {"2", "3"}, "b") +
+                   coilElement(5, {"4"}, "y")),
+            "LD I0.0; O Q0.0; A I0.1; = Q0.0");
 }
 
 TEST(Plcopen, CoilsOfAllKinds) {
-  const auto coil = [](const std::string& attributes) { return ladder(contactElement(2, {"1"}, "a") + coilElement(3, {"2"}, "y", attributes)); };
+  const auto coil = [](const std::string& attributes) {
+    return ladder(contactElement(2, {"1"}, "a") + coilElement(3, {"2"}, "y", attributes));
+  };
   EXPECT_EQ(coil("storage=\"set\""), "LD I0.0; S Q0.0,1");
   EXPECT_EQ(coil("storage=\"reset\""), "LD I0.0; R Q0.0,1");
   EXPECT_EQ(coil("negated=\"true\""), "LD I0.0; NOT; = Q0.0");
@@ -30,22 +37,29 @@ TEST(Plcopen, CoilsOfAllKinds) {
 }
 
 TEST(Plcopen, EdgeContactIsTheEdgeOfItsVariable) {
-  EXPECT_EQ(ladder(contactElement(2, {"1"}, "a", "edge=\"rising\"") + coilElement(3, {"2"}, "y")), "LD I0.0; EU; = Q0.0");
+  EXPECT_EQ(ladder(contactElement(2, {"1"}, "a", "edge=\"rising\"") + coilElement(3, {"2"}, "y")),
+            "LD I0.0; EU; = Q0.0");
   // Behind another contact the edge is still that of b alone, not of a and b.
-  EXPECT_EQ(ladder(contactElement(2, {"1"}, "a") + contactElement(3, {"2"}, "b", "edge=\"falling\"") + coilElement(4, {"3"}, "y")), "LD I0.0; LD I0.1; ED; ALD; = Q0.0");
+  EXPECT_EQ(ladder(contactElement(2, {"1"}, "a") + contactElement(3, {"2"}, "b", "edge=\"falling\"") +
+                   coilElement(4, {"3"}, "y")),
+            "LD I0.0; LD I0.1; ED; ALD; = Q0.0");
 }
 
 TEST(Plcopen, OrderIsByPositionUnlessItIsStated) {
   const std::string low = contactElement(2, {"1"}, "a", "", 10, 200) + coilElement(3, {"2"}, "y", "", 50, 200);
   const std::string high = contactElement(4, {"1"}, "b", "", 10, 100) + coilElement(5, {"4"}, "z", "", 50, 100);
   EXPECT_EQ(ladder(low + high), "LD I0.1; = Q0.1 | LD I0.0; = Q0.0");
-  const std::string first = contactElement(2, {"1"}, "a", "", 10, 200) + coilElement(3, {"2"}, "y", "executionOrderId=\"1\"", 50, 200);
-  const std::string second = contactElement(4, {"1"}, "b", "", 10, 100) + coilElement(5, {"4"}, "z", "executionOrderId=\"2\"", 50, 100);
+  const std::string first =
+      contactElement(2, {"1"}, "a", "", 10, 200) + coilElement(3, {"2"}, "y", "executionOrderId=\"1\"", 50, 200);
+  const std::string second =
+      contactElement(4, {"1"}, "b", "", 10, 100) + coilElement(5, {"4"}, "z", "executionOrderId=\"2\"", 50, 100);
   EXPECT_EQ(ladder(first + second), "LD I0.0; = Q0.0 | LD I0.1; = Q0.1");
 }
 
 TEST(Plcopen, GatesWithNegatedPins) {
-  const std::string body = inElement(1, "a") + inElement(2, "b", "negated=\"true\"") + blockElement(3, "AND", "", {{"IN1", {"1"}}, {"IN2", {"2"}}}, {"OUT"}) + outElement(4, {"3.OUT"}, "y");
+  const std::string body = inElement(1, "a") + inElement(2, "b", "negated=\"true\"") +
+                           blockElement(3, "AND", "", {{"IN1", {"1"}}, {"IN2", {"2"}}}, {"OUT"}) +
+                           outElement(4, {"3.OUT"}, "y");
   const Program program = readText("t.xml", plcopen(fiveBits, "FBD", body));
   EXPECT_EQ(findings(program), "");
   ASSERT_EQ(program.pous.size(), 1U);
@@ -54,7 +68,9 @@ TEST(Plcopen, GatesWithNegatedPins) {
 }
 
 TEST(Plcopen, VariablesGetPlacesAndInitialValues) {
-  const Program program = readText("t.xml", plcopen({"a:BOOL@%IX0.0", "n:INT=7", "b:BOOL=TRUE", "m:INT=3@%MW4", "y:BOOL@%QX0.0"}, "LD", railElement(1) + contactElement(2, {"1"}, "b") + coilElement(3, {"2"}, "y")));
+  const Program program =
+      readText("t.xml", plcopen({"a:BOOL@%IX0.0", "n:INT=7", "b:BOOL=TRUE", "m:INT=3@%MW4", "y:BOOL@%QX0.0"}, "LD",
+                                railElement(1) + contactElement(2, {"1"}, "b") + coilElement(3, {"2"}, "y")));
   EXPECT_EQ(findings(program), "");
   const Symbol* n = program.symbolNamed("n");
   const Symbol* b = program.symbolNamed("b");
@@ -69,13 +85,22 @@ TEST(Plcopen, VariablesGetPlacesAndInitialValues) {
 }
 
 TEST(Plcopen, InstancesOfABlockHaveMemoryOfTheirOwn) {
-  const std::string fb = pouText("Latch", "functionBlock", "<inputVars>" + declarations({"set:BOOL"}) + "</inputVars><outputVars>" + declarations({"q:BOOL"}) + "</outputVars>", "LD",
-                                 railElement(1) + contactElement(2, {"1"}, "set") + contactElement(3, {"1"}, "q") + coilElement(4, {"2", "3"}, "q"));
-  const std::string body = railElement(1) + contactElement(2, {"1"}, "a", "", 10, 10) + blockElement(3, "Latch", "L1", {{"set", {"2"}}}, {"q"}, 20, 10) + coilElement(4, {"3.q"}, "y", "", 30, 10) +
-                           contactElement(5, {"1"}, "b", "", 10, 90) + blockElement(6, "Latch", "L2", {{"set", {"5"}}}, {"q"}, 20, 90) + coilElement(7, {"6.q"}, "z", "", 30, 90);
+  const std::string fb = pouText("Latch", "functionBlock",
+                                 "<inputVars>" + declarations({"set:BOOL"}) + "</inputVars><outputVars>" +
+                                     declarations({"q:BOOL"}) + "</outputVars>",
+                                 "LD",
+                                 railElement(1) + contactElement(2, {"1"}, "set") + contactElement(3, {"1"}, "q") +
+                                     coilElement(4, {"2", "3"}, "q"));
+  const std::string body = railElement(1) + contactElement(2, {"1"}, "a", "", 10, 10) +
+                           blockElement(3, "Latch", "L1", {{"set", {"2"}}}, {"q"}, 20, 10) +
+                           coilElement(4, {"3.q"}, "y", "", 30, 10) + contactElement(5, {"1"}, "b", "", 10, 90) +
+                           blockElement(6, "Latch", "L2", {{"set", {"5"}}}, {"q"}, 20, 90) +
+                           coilElement(7, {"6.q"}, "z", "", 30, 90);
   std::vector<std::string> variables = fiveBits;
   variables.insert(variables.end(), {"L1:Latch", "L2:Latch"});
-  const Program program = readText("t.xml", projectText(fb + pouText("Main", "program", "<localVars>" + declarations(variables) + "</localVars>", "LD", body)));
+  const Program program = readText(
+      "t.xml", projectText(fb + pouText("Main", "program", "<localVars>" + declarations(variables) + "</localVars>",
+                                        "LD", body)));
   EXPECT_EQ(findings(program), "");
   ASSERT_EQ(program.pous.size(), 3U);
   EXPECT_EQ(program.pous[0].kind, PouKind::Main);
@@ -89,10 +114,20 @@ TEST(Plcopen, InstancesOfABlockHaveMemoryOfTheirOwn) {
 
 TEST(Plcopen, BlocksAndGlobalListsInsideVendorData) {
   // As CODESYS writes it: no positions, blocks and lists of global variables inside addData, outputs with a name.
-  const std::string body = "<leftPowerRail localId=\"0\"><position x=\"0\" y=\"0\"/><connectionPointOut formalParameter=\"none\"/></leftPowerRail>" + contactElement(1, {"0.none"}, "GVL.start", "negated=\"false\" storage=\"none\" edge=\"none\"") + coilElement(2, {"1.none"}, "run");
-  const std::string text = "<?xml version=\"1.0\"?>\n<project xmlns=\"http://www.plcopen.org/xml/tc6_0200\"><types><dataTypes/><pous/></types><addData><data name=\"http://www.3s-software.com/plcopenxml/application\" handleUnknown=\"implementation\">"
-                           "<resource name=\"Application\"><task name=\"MainTask\"><pouInstance name=\"PLC_PRG\" typeName=\"\"/></task><addData><data><globalVars name=\"GVL\">" + declarations({"start:BOOL@%IX0.0"}) + "</globalVars></data><data>" +
-                           pouText("PLC_PRG", "program", "<localVars>" + declarations({"run:BOOL@%QX0.0"}) + "</localVars>", "LD", body) + "</data></addData></resource></data></addData></project>\n";
+  const std::string body =
+      "<leftPowerRail localId=\"0\"><position x=\"0\" y=\"0\"/><connectionPointOut "
+      "formalParameter=\"none\"/></leftPowerRail>" +
+      contactElement(1, {"0.none"}, "GVL.start", "negated=\"false\" storage=\"none\" edge=\"none\"") +
+      coilElement(2, {"1.none"}, "run");
+  const std::string text =
+      "<?xml version=\"1.0\"?>\n<project "
+      "xmlns=\"http://www.plcopen.org/xml/tc6_0200\"><types><dataTypes/><pous/></types><addData><data "
+      "name=\"http://www.3s-software.com/plcopenxml/application\" handleUnknown=\"implementation\">"
+      "<resource name=\"Application\"><task name=\"MainTask\"><pouInstance name=\"PLC_PRG\" "
+      "typeName=\"\"/></task><addData><data><globalVars name=\"GVL\">" +
+      declarations({"start:BOOL@%IX0.0"}) + "</globalVars></data><data>" +
+      pouText("PLC_PRG", "program", "<localVars>" + declarations({"run:BOOL@%QX0.0"}) + "</localVars>", "LD", body) +
+      "</data></addData></resource></data></addData></project>\n";
   const Program program = readText("t.xml", text);
   EXPECT_EQ(findings(program), "");
   ASSERT_EQ(program.pous.size(), 1U);
@@ -101,7 +136,10 @@ TEST(Plcopen, BlocksAndGlobalListsInsideVendorData) {
 
 TEST(Plcopen, LoopThroughABlockReadsThePreviousScan) {
   // The inverted output of a timer feeds its own input: a pulse every second, the usual blinker.
-  const std::string body = blockElement(1, "NOT", "", {{"IN", {"2.Q"}}}, {"OUT"}, 10, 10) + inElement(3, "T#1s", "", 10, 40) + blockElement(2, "TON", "T1", {{"IN", {"1.OUT"}}, {"PT", {"3"}}}, {"Q"}, 50, 10) + outElement(4, {"2.Q"}, "y", "", 90, 10);
+  const std::string body = blockElement(1, "NOT", "", {{"IN", {"2.Q"}}}, {"OUT"}, 10, 10) +
+                           inElement(3, "T#1s", "", 10, 40) +
+                           blockElement(2, "TON", "T1", {{"IN", {"1.OUT"}}, {"PT", {"3"}}}, {"Q"}, 50, 10) +
+                           outElement(4, {"2.Q"}, "y", "", 90, 10);
   std::vector<std::string> variables = fiveBits;
   variables.push_back("T1:TON");
   const Program program = readText("t.xml", plcopen(variables, "FBD", body));
@@ -111,7 +149,9 @@ TEST(Plcopen, LoopThroughABlockReadsThePreviousScan) {
 }
 
 TEST(Plcopen, LoopOfFunctionsIsAnError) {
-  const std::string body = inElement(1, "a") + blockElement(2, "OR", "", {{"IN1", {"1"}}, {"IN2", {"3.OUT"}}}, {"OUT"}) + blockElement(3, "NOT", "", {{"IN", {"2.OUT"}}}, {"OUT"}) + outElement(4, {"2.OUT"}, "y");
+  const std::string body = inElement(1, "a") +
+                           blockElement(2, "OR", "", {{"IN1", {"1"}}, {"IN2", {"3.OUT"}}}, {"OUT"}) +
+                           blockElement(3, "NOT", "", {{"IN", {"2.OUT"}}}, {"OUT"}) + outElement(4, {"2.OUT"}, "y");
   const Program program = readText("t.xml", plcopen(fiveBits, "FBD", body));
   ASSERT_FALSE(program.findings.empty());
   EXPECT_EQ(program.findings[0].rule, "GRF001");
@@ -120,18 +160,33 @@ TEST(Plcopen, LoopOfFunctionsIsAnError) {
 }
 
 TEST(Plcopen, ConnectorCarriesTheLineAndCutsLoops) {
-  const std::string straight = inElement(1, "a") + "<connector localId=\"2\" name=\"X\"><position x=\"50\" y=\"0\"/>" + pointIn({"1"}) + "</connector>\n<continuation localId=\"3\" name=\"X\"><position x=\"0\" y=\"90\"/><connectionPointOut/></continuation>\n" + outElement(4, {"3"}, "y", "", 50, 90);
+  const std::string straight = inElement(1, "a") + "<connector localId=\"2\" name=\"X\"><position x=\"50\" y=\"0\"/>" +
+                               pointIn({"1"}) +
+                               "</connector>\n<continuation localId=\"3\" name=\"X\"><position x=\"0\" "
+                               "y=\"90\"/><connectionPointOut/></continuation>\n" +
+                               outElement(4, {"3"}, "y", "", 50, 90);
   EXPECT_EQ(show(readText("t.xml", plcopen(fiveBits, "FBD", straight)).pous[0]), "LD I0.0; = Q0.0");
-  const std::string loop = inElement(1, "a") + "<continuation localId=\"3\" name=\"X\"><position x=\"0\" y=\"20\"/><connectionPointOut/></continuation>\n" + blockElement(2, "OR", "", {{"IN1", {"1"}}, {"IN2", {"3"}}}, {"OUT"}, 20, 0) + "<connector localId=\"5\" name=\"X\"><position x=\"50\" y=\"50\"/>" + pointIn({"2.OUT"}) + "</connector>\n" + outElement(4, {"2.OUT"}, "y", "", 50, 0);
+  const std::string loop =
+      inElement(1, "a") +
+      "<continuation localId=\"3\" name=\"X\"><position x=\"0\" y=\"20\"/><connectionPointOut/></continuation>\n" +
+      blockElement(2, "OR", "", {{"IN1", {"1"}}, {"IN2", {"3"}}}, {"OUT"}, 20, 0) +
+      "<connector localId=\"5\" name=\"X\"><position x=\"50\" y=\"50\"/>" + pointIn({"2.OUT"}) + "</connector>\n" +
+      outElement(4, {"2.OUT"}, "y", "", 50, 0);
   const Program program = readText("t.xml", plcopen(fiveBits, "FBD", loop));
   EXPECT_EQ(findings(program), "");
   EXPECT_EQ(show(program.pous[0]), "LD I0.0; O V0.0; = Q0.0; = V0.0");
 }
 
 TEST(Plcopen, JumpsLabelsReturnsAndComments) {
-  const std::string body = railElement(1) + contactElement(2, {"1"}, "a", "", 10, 10) + "<jump localId=\"3\" label=\"End\"><position x=\"50\" y=\"10\"/>" + pointIn({"2"}) + "</jump>\n" + contactElement(4, {"1"}, "b", "", 10, 50) + coilElement(5, {"4"}, "y", "", 50, 50) +
-                           "<label localId=\"6\" label=\"End\"><position x=\"10\" y=\"90\"/></label>\n" + contactElement(7, {"1"}, "c", "", 10, 120) + "<return localId=\"8\"><position x=\"50\" y=\"120\"/>" + pointIn({"7"}) + "</return>\n" +
-                           "<comment localId=\"9\"><position x=\"10\" y=\"40\"/><content><xhtml:p>second circuit</xhtml:p></content></comment>\n";
+  const std::string body = railElement(1) + contactElement(2, {"1"}, "a", "", 10, 10) +
+                           "<jump localId=\"3\" label=\"End\"><position x=\"50\" y=\"10\"/>" + pointIn({"2"}) +
+                           "</jump>\n" + contactElement(4, {"1"}, "b", "", 10, 50) +
+                           coilElement(5, {"4"}, "y", "", 50, 50) +
+                           "<label localId=\"6\" label=\"End\"><position x=\"10\" y=\"90\"/></label>\n" +
+                           contactElement(7, {"1"}, "c", "", 10, 120) +
+                           "<return localId=\"8\"><position x=\"50\" y=\"120\"/>" + pointIn({"7"}) + "</return>\n" +
+                           "<comment localId=\"9\"><position x=\"10\" y=\"40\"/><content><xhtml:p>second "
+                           "circuit</xhtml:p></content></comment>\n";
   const Program program = readText("t.xml", plcopen(fiveBits, "LD", body));
   EXPECT_EQ(findings(program), "");
   EXPECT_EQ(show(program.pous[0]), "LD I0.0; JMP 0 | LD I0.1; = Q0.0 | LBL 0 | LD I0.2; END");
@@ -140,7 +195,10 @@ TEST(Plcopen, JumpsLabelsReturnsAndComments) {
 }
 
 TEST(Plcopen, FaultsNameElementAndPlace) {
-  const Program program = readText("t.xml", plcopen(fiveBits, "LD", railElement(1) + contactElement(2, {"1"}, "nobody") + coilElement(3, {"2"}, "y", "", 0, 0) + coilElement(4, {"77"}, "z", "", 0, 90)));
+  const Program program =
+      readText("t.xml", plcopen(fiveBits, "LD",
+                                railElement(1) + contactElement(2, {"1"}, "nobody") +
+                                    coilElement(3, {"2"}, "y", "", 0, 0) + coilElement(4, {"77"}, "z", "", 0, 90)));
   ASSERT_EQ(program.findings.size(), 2U);
   EXPECT_EQ(program.findings[0].rule, "GRF001");
   EXPECT_EQ(program.findings[0].message, "coil z (element 4): a line comes from element 77, which does not exist");
@@ -158,14 +216,22 @@ TEST(Plcopen, FaultsOfAllKindsAreReported) {
     const Program program = readText("t.xml", plcopen(variables, "FBD", body));
     return program.findings.empty() ? std::string() : program.findings[0].rule;
   };
-  EXPECT_EQ(rule(inElement(1, "a") + inElement(1, "b") + outElement(2, {"1"}, "y")), "GRF001");                                             // one id twice
-  EXPECT_EQ(rule(inElement(1, "a") + blockElement(2, "FROBNICATE", "", {{"IN", {"1"}}}, {"OUT"}) + outElement(3, {"2.OUT"}, "y")), "GRF001");  // unknown block
-  EXPECT_EQ(rule(inElement(1, "a") + blockElement(2, "AND", "", {{"IN1", {"1"}}, {"IN2", {}}}, {"OUT"}) + outElement(3, {"2.OUT"}, "y")), "GRF002");
-  EXPECT_EQ(rule(inElement(1, "a") + blockElement(2, "TON", "t", {{"IN", {"1"}}, {"PT", {}}}, {"Q"}) + outElement(3, {"2.Q"}, "y")), "GRF002");
-  EXPECT_EQ(rule(inElement(1, "n") + outElement(2, {"1"}, "y")), "GRF002");                                                                // INT to BOOL
-  EXPECT_EQ(rule(inElement(1, "r") + outElement(2, {"1"}, "n")), "GRF002");                                                                // REAL to INT
+  EXPECT_EQ(rule(inElement(1, "a") + inElement(1, "b") + outElement(2, {"1"}, "y")), "GRF001");  // one id twice
+  EXPECT_EQ(rule(inElement(1, "a") + blockElement(2, "FROBNICATE", "", {{"IN", {"1"}}}, {"OUT"}) +
+                 outElement(3, {"2.OUT"}, "y")),
+            "GRF001");  // unknown block
+  EXPECT_EQ(rule(inElement(1, "a") + blockElement(2, "AND", "", {{"IN1", {"1"}}, {"IN2", {}}}, {"OUT"}) +
+                 outElement(3, {"2.OUT"}, "y")),
+            "GRF002");
+  EXPECT_EQ(rule(inElement(1, "a") + blockElement(2, "TON", "t", {{"IN", {"1"}}, {"PT", {}}}, {"Q"}) +
+                 outElement(3, {"2.Q"}, "y")),
+            "GRF002");
+  EXPECT_EQ(rule(inElement(1, "n") + outElement(2, {"1"}, "y")), "GRF002");  // INT to BOOL
+  EXPECT_EQ(rule(inElement(1, "r") + outElement(2, {"1"}, "n")), "GRF002");  // REAL to INT
   EXPECT_EQ(rule(inElement(1, "n", "negated=\"true\"") + outElement(2, {"1"}, "n")), "GRF003");
-  EXPECT_EQ(rule(inElement(1, "a") + blockElement(2, "TON", "nobody", {{"IN", {"1"}}, {"PT", {"1"}}}, {"Q"}) + outElement(3, {"2.Q"}, "y")), "GRF002");
+  EXPECT_EQ(rule(inElement(1, "a") + blockElement(2, "TON", "nobody", {{"IN", {"1"}}, {"PT", {"1"}}}, {"Q"}) +
+                 outElement(3, {"2.Q"}, "y")),
+            "GRF002");
 }
 
 }  // namespace

@@ -1,22 +1,24 @@
 // CPU limits against tables 6-1 and 6-2 of both editions, row by row, and what is known of the CPUs before them.
 #include "ir/cpu.hpp"
-
 #include "tsv.hpp"
 
 namespace rungproof::tables {
 namespace {
 
 Area areaOf(const std::string& name) {
-  static const std::map<std::string, Area> areas = {{"I", Area::I},   {"Q", Area::Q},   {"AIW", Area::AI}, {"AQW", Area::AQ}, {"V", Area::V},
-                                                    {"M", Area::M},   {"S", Area::S},   {"SM", Area::SM},  {"L", Area::L},    {"T", Area::T},
-                                                    {"C", Area::C},   {"AC", Area::AC}, {"HC", Area::HC}};
+  static const std::map<std::string, Area> areas = {
+      {"I", Area::I}, {"Q", Area::Q},   {"AIW", Area::AI}, {"AQW", Area::AQ}, {"V", Area::V},
+      {"M", Area::M}, {"S", Area::S},   {"SM", Area::SM},  {"L", Area::L},    {"T", Area::T},
+      {"C", Area::C}, {"AC", Area::AC}, {"HC", Area::HC}};
   return areas.at(name);
 }
 Width widthOfAccess(const std::string& access) {
   return access == "bit" ? Width::Bit : access == "byte" ? Width::Byte : access == "word" ? Width::Word : Width::DWord;
 }
 /// Number of the last element of an area of table 6-1: "VB2047", "M31.7", "T255".
-std::uint32_t lastNumber(const std::string& cell) { return static_cast<std::uint32_t>(std::stoul(cell.substr(cell.find_first_of("0123456789")))); }
+std::uint32_t lastNumber(const std::string& cell) {
+  return static_cast<std::uint32_t>(std::stoul(cell.substr(cell.find_first_of("0123456789"))));
+}
 
 }  // namespace
 
@@ -24,7 +26,8 @@ TEST(CpuTable, LimitsAgreeWithTable62RowByRow) {
   const std::vector<Row> rows = read("operand-ranges.tsv");
   ASSERT_EQ(rows.size(), 382U);
   for (const Row& row : rows) {
-    SCOPED_TRACE(row.at("edition") + " " + row.at("cpu") + " " + row.at("access") + " " + row.at("area") + " " + row.at("source"));
+    SCOPED_TRACE(row.at("edition") + " " + row.at("cpu") + " " + row.at("access") + " " + row.at("area") + " " +
+                 row.at("source"));
     const Target target = targetOf(row);
     const Area area = areaOf(row.at("area"));
     const Width width = widthOfAccess(row.at("access"));
@@ -43,7 +46,8 @@ TEST(CpuTable, LimitsAgreeWithTable62RowByRow) {
     }
     // The 2003 edition repeats its rows for each CPU; the limit names the first of equal ones.
     const bool isPrintedOnce = target.edition == Edition::Edition2004;
-    EXPECT_EQ(limit->source.substr(0, isPrintedOnce ? std::string_view::npos : 4), row.at("source").substr(0, isPrintedOnce ? std::string::npos : 4));
+    EXPECT_EQ(limit->source.substr(0, isPrintedOnce ? std::string_view::npos : 4),
+              row.at("source").substr(0, isPrintedOnce ? std::string::npos : 4));
     EXPECT_TRUE(addressExists(target, area, width, low, 0));
     EXPECT_TRUE(addressExists(target, area, width, high, 7));
     if (area != Area::HC) {
@@ -74,16 +78,24 @@ TEST(CpuTable, MisprintsCarryANote) {
   // Printed 255 for the byte accumulators of the 224XP, 226 and, in 2003, 226XM.
   for (const Row& row : read("operand-ranges.tsv")) {
     if (row.at("high") == row.at("effective_high") || row.at("area") == "HC" || row.at("area") == "L") continue;
-    const std::optional<AddressLimit> limit = addressLimit(targetOf(row), areaOf(row.at("area")), widthOfAccess(row.at("access")));
+    const std::optional<AddressLimit> limit =
+        addressLimit(targetOf(row), areaOf(row.at("area")), widthOfAccess(row.at("access")));
     EXPECT_FALSE(limit->note.empty()) << row.at("source");
   }
 }
 
 TEST(CpuTable, AreaSizesAgreeWithTable61) {
-  static const std::map<std::string, std::pair<Area, std::uint32_t>> areas = {
-      {"process_image_inputs", {Area::I, 1}}, {"process_image_outputs", {Area::Q, 1}}, {"V_memory", {Area::V, 1}}, {"L_memory", {Area::L, 1}},
-      {"M_memory", {Area::M, 1}}, {"S_memory", {Area::S, 1}}, {"timers_total", {Area::T, 1}}, {"counters", {Area::C, 1}},
-      {"accumulators", {Area::AC, 1}}, {"analog_inputs", {Area::AI, 2}}, {"analog_outputs", {Area::AQ, 2}}};
+  static const std::map<std::string, std::pair<Area, std::uint32_t>> areas = {{"process_image_inputs", {Area::I, 1}},
+                                                                              {"process_image_outputs", {Area::Q, 1}},
+                                                                              {"V_memory", {Area::V, 1}},
+                                                                              {"L_memory", {Area::L, 1}},
+                                                                              {"M_memory", {Area::M, 1}},
+                                                                              {"S_memory", {Area::S, 1}},
+                                                                              {"timers_total", {Area::T, 1}},
+                                                                              {"counters", {Area::C, 1}},
+                                                                              {"accumulators", {Area::AC, 1}},
+                                                                              {"analog_inputs", {Area::AI, 2}},
+                                                                              {"analog_outputs", {Area::AQ, 2}}};
   int count = 0;
   for (const Row& row : read("cpu-features.tsv")) {
     const auto found = areas.find(row.at("feature"));
@@ -153,7 +165,8 @@ TEST(CpuTable, EventsCountersAndTimers) {
     const std::string& feature = row.at("feature");
     SCOPED_TRACE(row.at("edition") + " " + row.at("cpu") + " " + feature);
     if (feature == "interrupt_events_EVNT") {
-      for (int event = -1; event <= 40; ++event) EXPECT_EQ(eventExists(target, event), listed(row.at("value"), event)) << event;
+      for (int event = -1; event <= 40; ++event)
+        EXPECT_EQ(eventExists(target, event), listed(row.at("value"), event)) << event;
     }
     if (feature == "hsc_total") {
       int counters = 0;
@@ -161,7 +174,8 @@ TEST(CpuTable, EventsCountersAndTimers) {
       EXPECT_EQ(counters, std::stoi(row.at("value")));
     }
     if (feature == "high_speed_counters" && row.at("value").find(',') != std::string::npos) {
-      for (int counter = 0; counter <= 6; ++counter) EXPECT_EQ(hscExists(target, counter), listed(row.at("value"), counter)) << counter;
+      for (int counter = 0; counter <= 6; ++counter)
+        EXPECT_EQ(hscExists(target, counter), listed(row.at("value"), counter)) << counter;
     }
     if (feature.starts_with("timers_TON")) {
       const bool retentive = feature.starts_with("timers_TONR");
@@ -178,8 +192,8 @@ TEST(CpuTable, EventsCountersAndTimers) {
 
 TEST(CpuTable, CpusBefore22x) {
   // 004:4565-4566 gives the timers: T0 to T63 on the 212, T0 to T127 on the 214. The program at 004:2500 writes up to
-  // VD1056, which the 212 does not have; 004:359 and 004:4241 count with HSC 0, 1 and 2 of the 214; 004:67: only the 214
-  // has the second timed interrupt. The rest is general knowledge.
+  // VD1056, which the 212 does not have; 004:359 and 004:4241 count with HSC 0, 1 and 2 of the 214; 004:67: only the
+  // 214 has the second timed interrupt. The rest is general knowledge.
   for (const Edition edition : {Edition::Edition2003, Edition::Edition2004}) {
     const Target small{Cpu::Cpu212, edition}, large{Cpu::Cpu214, edition};
     EXPECT_EQ(areaSize(small, Area::T), 64U);

@@ -13,8 +13,10 @@ struct Sample {
   explicit Sample(const std::vector<std::string>& lines) {
     pou.networks.push_back({});
     for (const std::string& line : lines) {
-      if (line == "Network") pou.networks.push_back({});
-      else pou.networks.back().instructions.push_back(manual::statement(line));
+      if (line == "Network")
+        pou.networks.push_back({});
+      else
+        pou.networks.back().instructions.push_back(manual::statement(line));
     }
     flow = flowOf(pou);
   }
@@ -74,7 +76,8 @@ TEST(Flow, LoopsNest) {
 }
 
 TEST(Flow, LoopsWithoutPartnerAndTooDeep) {
-  EXPECT_EQ(Sample({"NEXT", "FOR VW0, 1, 2"}).faults(), (Faults{{FlowProblem::NextWithoutFor, 0}, {FlowProblem::ForWithoutNext, 1}}));
+  EXPECT_EQ(Sample({"NEXT", "FOR VW0, 1, 2"}).faults(),
+            (Faults{{FlowProblem::NextWithoutFor, 0}, {FlowProblem::ForWithoutNext, 1}}));
   std::vector<std::string> lines;
   for (int i = 0; i < 8; ++i) lines.push_back("FOR VW0, 1, 2");
   for (int i = 0; i < 8; ++i) lines.push_back("NEXT");
@@ -98,7 +101,8 @@ TEST(Flow, SegmentsThatDoNotFit) {
   EXPECT_EQ(Sample({"SCRE"}).faults(), (Faults{{FlowProblem::ScreWithoutLscr, 0}}));
   EXPECT_EQ(Sample({"LSCR S0.1"}).faults(), (Faults{{FlowProblem::LscrWithoutScre, 0}}));
   EXPECT_EQ(Sample({"LSCR S0.1", "LSCR S0.2", "SCRE"}).faults(), (Faults{{FlowProblem::LscrInsideSegment, 1}}));
-  EXPECT_EQ(Sample({"SCRT S0.1", "CSCRE"}).faults(), (Faults{{FlowProblem::ScrtOutsideSegment, 0}, {FlowProblem::ScrtOutsideSegment, 1}}));
+  EXPECT_EQ(Sample({"SCRT S0.1", "CSCRE"}).faults(),
+            (Faults{{FlowProblem::ScrtOutsideSegment, 0}, {FlowProblem::ScrtOutsideSegment, 1}}));
   EXPECT_EQ(Sample({"LSCR S0.1", "END", "SCRE", "END"}).faults(), (Faults{{FlowProblem::EndInsideSegment, 1}}));
 }
 
@@ -108,7 +112,8 @@ TEST(Flow, JumpsStayInTheirSegment) {
   EXPECT_TRUE(Sample({"JMP 1", "LSCR S0.1", "SCRE", "LBL 1"}).faults().empty());
   EXPECT_EQ(Sample({"JMP 1", "LSCR S0.1", "LBL 1", "SCRE"}).faults(), (Faults{{FlowProblem::JumpAcrossScr, 0}}));
   EXPECT_EQ(Sample({"LSCR S0.1", "JMP 1", "SCRE", "LBL 1"}).faults(), (Faults{{FlowProblem::JumpAcrossScr, 1}}));
-  EXPECT_EQ(Sample({"LSCR S0.1", "JMP 1", "SCRE", "LSCR S0.2", "LBL 1", "SCRE"}).faults(), (Faults{{FlowProblem::JumpAcrossScr, 1}}));
+  EXPECT_EQ(Sample({"LSCR S0.1", "JMP 1", "SCRE", "LSCR S0.2", "LBL 1", "SCRE"}).faults(),
+            (Faults{{FlowProblem::JumpAcrossScr, 1}}));
 }
 
 }  // namespace rungproof

@@ -1,5 +1,5 @@
-// Every descriptor against the manual's tables: the quick reference (names, groups, numbers of operands, times, editions)
-// and the operand tables of chapter 6 (directions, types, areas, ranges of constants), row by row.
+// Every descriptor against the manual's tables: the quick reference (names, groups, numbers of operands, times,
+// editions) and the operand tables of chapter 6 (directions, types, areas, ranges of constants), row by row.
 #include "ir/call_parameters.hpp"
 #include "ir/isa.hpp"
 #include "tsv.hpp"
@@ -14,15 +14,16 @@ struct OperandRow {
   std::string instruction, operand, direction, type, areas, source;
 };
 
-/// Rows of single instructions and operands. Box pins (@LAD, @FBD) are left out unless the instruction exists in drawings
-/// only, inputs on the stack (@STACK0, power flow) always.
+/// Rows of single instructions and operands. Box pins (@LAD, @FBD) are left out unless the instruction exists in
+/// drawings only, inputs on the stack (@STACK0, power flow) always.
 std::vector<OperandRow> operandRows() {
   std::vector<OperandRow> rows;
   for (const char* file : {"operands-a.tsv", "operands-b.tsv"}) {
     for (const Row& row : read(file)) {
       for (std::string instruction : split(row.at("instruction"), ',')) {
         if (instruction == "*") continue;
-        if (const std::size_t colon = instruction.find(":IEC"); colon != std::string::npos) instruction.replace(colon, 4, ".IEC");
+        if (const std::size_t colon = instruction.find(":IEC"); colon != std::string::npos)
+          instruction.replace(colon, 4, ".IEC");
         const Desc* desc = instructionNamed(instruction);
         EXPECT_NE(desc, nullptr) << instruction;
         if (desc == nullptr) continue;
@@ -33,7 +34,8 @@ std::vector<OperandRow> operandRows() {
           if (boxPin) operand.erase(at);
           const bool boxInput = desc->drawingOnly && (row.at("areas").find("powerflow") != std::string::npos);
           if (boxInput) continue;
-          rows.push_back({instruction, operand, row.at("direction"), row.at("type"), row.at("areas"), row.at("source")});
+          rows.push_back(
+              {instruction, operand, row.at("direction"), row.at("type"), row.at("areas"), row.at("source")});
         }
       }
     }
@@ -70,10 +72,12 @@ struct AreaName {
   Width width;  ///< told by the last letter; Bit if there is none
 };
 std::optional<AreaName> areaNamed(const std::string& name) {
-  static const std::map<std::string, Forms> plain = {{"T", form::T},        {"C", form::C},       {"AC", form::AC},        {"HC", form::HC},
-                                                     {"*VD", form::PtrV},   {"*LD", form::PtrL},  {"*AC", form::PtrAC},    {"constant", form::Const}};
-  static const std::map<std::string, Forms> lettered = {{"I", form::I}, {"Q", form::Q},   {"V", form::V}, {"M", form::M},   {"SM", form::SM},
-                                                        {"S", form::S}, {"L", form::L},   {"AI", form::AI}, {"AQ", form::AQ}};
+  static const std::map<std::string, Forms> plain = {
+      {"T", form::T},      {"C", form::C},      {"AC", form::AC},     {"HC", form::HC},
+      {"*VD", form::PtrV}, {"*LD", form::PtrL}, {"*AC", form::PtrAC}, {"constant", form::Const}};
+  static const std::map<std::string, Forms> lettered = {{"I", form::I}, {"Q", form::Q},   {"V", form::V},
+                                                        {"M", form::M}, {"SM", form::SM}, {"S", form::S},
+                                                        {"L", form::L}, {"AI", form::AI}, {"AQ", form::AQ}};
   if (const auto found = plain.find(name); found != plain.end()) return AreaName{found->second, Width::Bit};
   if (name.front() == '&') return AreaName{form::Address, Width::Bit};
   if (const auto found = lettered.find(name); found != lettered.end()) return AreaName{found->second, Width::Bit};
@@ -92,8 +96,10 @@ Forms formsOf(const OperandRow& row, bool isNumberOperand) {
     const std::optional<AreaName> area = areaNamed(name);
     EXPECT_TRUE(area.has_value()) << name;
     if (!area) continue;
-    if (isNumberOperand && name == "constant") forms |= brackets(cell).front() == 'T' ? form::T : form::C;
-    else forms |= area->form;
+    if (isNumberOperand && name == "constant")
+      forms |= brackets(cell).front() == 'T' ? form::T : form::C;
+    else
+      forms |= area->form;
   }
   return forms;
 }
@@ -101,11 +107,17 @@ Forms formsOf(const OperandRow& row, bool isNumberOperand) {
 std::vector<Type> typesOf(const std::string& cell) {
   const std::string name = withoutBrackets(cell);
   static const std::map<std::string, std::vector<Type>> types = {
-      {"BOOL", {Type::Bool}},   {"BYTE", {Type::Byte, Type::Interrupt}},
+      {"BOOL", {Type::Bool}},
+      {"BYTE", {Type::Byte, Type::Interrupt}},
       {"WORD", {Type::Word, Type::Label, Type::Subroutine, Type::Timer, Type::Counter}},
-      {"INT", {Type::Int}},     {"DWORD", {Type::DWord}},
-      {"DINT", {Type::DInt}},   {"REAL", {Type::Real}},
-      {"STRING", {Type::String}}, {"CTU", {Type::Counter}}, {"CTD", {Type::Counter}}, {"CTUD", {Type::Counter}}};
+      {"INT", {Type::Int}},
+      {"DWORD", {Type::DWord}},
+      {"DINT", {Type::DInt}},
+      {"REAL", {Type::Real}},
+      {"STRING", {Type::String}},
+      {"CTU", {Type::Counter}},
+      {"CTD", {Type::Counter}},
+      {"CTUD", {Type::Counter}}};
   const auto found = types.find(name);
   EXPECT_NE(found, types.end()) << cell;
   return found == types.end() ? std::vector<Type>{} : found->second;
@@ -117,7 +129,8 @@ bool permitted(std::string text, Cpu cpu, int number) {
     for (const std::string& part : split(text, ';')) {
       const std::size_t colon = part.find(':');
       const std::vector<std::string> cpus = split(part.substr(0, colon), '|');
-      if (std::any_of(cpus.begin(), cpus.end(), [&](const std::string& name) { return cpuOf(name) == cpu; })) text = part.substr(colon + 1);
+      if (std::any_of(cpus.begin(), cpus.end(), [&](const std::string& name) { return cpuOf(name) == cpu; }))
+        text = part.substr(colon + 1);
     }
   }
   for (std::string part : split(text, '|')) {
@@ -131,7 +144,9 @@ bool permitted(std::string text, Cpu cpu, int number) {
 }
 /// Numbers of counters without ranges are limited by their area alone.
 bool permitted(const OperandDesc& operand, Cpu cpu, int number) {
-  if (operand.type == Type::Counter && !operand.hasRanges()) return number >= 0 && addressExists({cpu, Edition::Edition2004}, Area::C, Width::Word, static_cast<std::uint32_t>(number), 0);
+  if (operand.type == Type::Counter && !operand.hasRanges())
+    return number >= 0 &&
+           addressExists({cpu, Edition::Edition2004}, Area::C, Width::Word, static_cast<std::uint32_t>(number), 0);
   return std::any_of(operand.ranges.begin(), operand.ranges.end(), [&](const ValueRange& range) {
     return (range.cpus & cpuBit(cpu)) != 0 && number >= range.low && number <= range.high;
   });
@@ -173,7 +188,8 @@ TEST(InstructionTable, NamesGroupsEditionsAndTimesOfTheQuickReference) {
 TEST(InstructionTable, NothingBeyondTheQuickReferenceButBoxes) {
   const std::vector<Row> rows = read("stl-quick-reference.tsv");
   for (const Desc& desc : instructionTable()) {
-    const bool isListed = std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return row.at("mnemonic") == desc.stl; });
+    const bool isListed =
+        std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return row.at("mnemonic") == desc.stl; });
     EXPECT_NE(isListed, desc.drawingOnly) << desc.stl;
   }
 }
@@ -184,7 +200,9 @@ TEST(InstructionTable, OperandsAgreeWithTheManualRowByRow) {
     SCOPED_TRACE(row.instruction + " " + row.operand + " " + row.type + " " + row.source);
     const OperandDesc* operand = operandNamed(*instructionNamed(row.instruction), row.operand);
     ASSERT_NE(operand, nullptr);
-    const Direction direction = row.direction == "in" ? Direction::In : row.direction == "out" ? Direction::Out : Direction::InOut;
+    const Direction direction = row.direction == "in"    ? Direction::In
+                                : row.direction == "out" ? Direction::Out
+                                                         : Direction::InOut;
     EXPECT_EQ(operand->direction, direction);
     const bool isNumber = operand->type == Type::Timer || operand->type == Type::Counter;
     EXPECT_EQ(operand->forms, formsOf(row, isNumber));
@@ -232,7 +250,9 @@ TEST(InstructionTable, EveryOperandHasARowAndEveryBufferItsLength) {
     for (std::size_t i = 0; i < desc.operandCount; ++i) {
       const OperandDesc& operand = desc.operands[i];
       if (operand.type == Type::Parameter) continue;
-      const auto row = std::find_if(rows.begin(), rows.end(), [&](const OperandRow& r) { return r.instruction == desc.stl && r.operand == operand.name; });
+      const auto row = std::find_if(rows.begin(), rows.end(), [&](const OperandRow& r) {
+        return r.instruction == desc.stl && r.operand == operand.name;
+      });
       ASSERT_NE(row, rows.end()) << desc.stl << " " << operand.name;
       const std::size_t open = row->type.find('[');
       const bool isBuffer = open != std::string::npos;
@@ -240,16 +260,18 @@ TEST(InstructionTable, EveryOperandHasARowAndEveryBufferItsLength) {
       const std::string length = isBuffer ? brackets(row->type) : std::string();
       if (length.empty()) continue;
       const std::size_t dots = length.find("..");
-      EXPECT_EQ(operand.buffer.high, std::stoi(dots == std::string::npos ? length : length.substr(dots + 2))) << desc.stl << " " << operand.name;
+      EXPECT_EQ(operand.buffer.high, std::stoi(dots == std::string::npos ? length : length.substr(dots + 2)))
+          << desc.stl << " " << operand.name;
     }
   }
 }
 
 TEST(CallParameters, FormsAgreeWithTable678) {
-  static const std::map<std::string, VarSection> sections = {{"IN", VarSection::Input}, {"IN_OUT", VarSection::InOut}, {"OUT", VarSection::Output}};
-  static const std::map<std::string, DataType> types = {{"BOOL", DataType::Bool},   {"BYTE", DataType::Byte}, {"WORD", DataType::Word},
-                                                        {"INT", DataType::Int},     {"DWORD", DataType::DWord}, {"DINT", DataType::DInt},
-                                                        {"STRING", DataType::String}};
+  static const std::map<std::string, VarSection> sections = {
+      {"IN", VarSection::Input}, {"IN_OUT", VarSection::InOut}, {"OUT", VarSection::Output}};
+  static const std::map<std::string, DataType> types = {
+      {"BOOL", DataType::Bool},   {"BYTE", DataType::Byte}, {"WORD", DataType::Word},    {"INT", DataType::Int},
+      {"DWORD", DataType::DWord}, {"DINT", DataType::DInt}, {"STRING", DataType::String}};
   int count = 0;
   for (const OperandRow& row : operandRows()) {
     if (row.instruction != "CALL" || row.operand == "SBR_N") continue;

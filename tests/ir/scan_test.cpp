@@ -30,7 +30,8 @@ TEST(Scan, ContactsAndCoilsMakeAnAndGate) {
   Program program;
   program.pous.push_back({});
   program.pous[0].networks.push_back({});
-  program.pous[0].networks[0].instructions = {make("LD", {direct(Area::I, Width::Bit, 0, 0)}), make("A", {direct(Area::I, Width::Bit, 0, 1)}),
+  program.pous[0].networks[0].instructions = {make("LD", {direct(Area::I, Width::Bit, 0, 0)}),
+                                              make("A", {direct(Area::I, Width::Bit, 0, 1)}),
                                               make("=", {direct(Area::Q, Width::Bit, 0, 0)})};
   program.number();
   const Plan plan(program);

@@ -28,7 +28,8 @@ const std::map<std::string, std::set<std::string>> roomsBelow = {
     {"analysis/words", {"ir", "analysis/graph", "analysis/bits"}},
     {"analysis/portfolio", {"ir", "analysis/graph", "analysis/bits", "analysis/words"}},
     {"analysis/export", {"ir", "analysis/graph", "analysis/bits"}},
-    {"analysis/proof", {"ir", "engine", "analysis", "analysis/graph", "analysis/bits", "analysis/encoding", "analysis/portfolio"}},
+    {"analysis/proof",
+     {"ir", "engine", "analysis", "analysis/graph", "analysis/bits", "analysis/encoding", "analysis/portfolio"}},
 };
 
 struct Source {
@@ -56,7 +57,8 @@ const std::vector<Source>& sources() {
 
 /// The room of a file in ir/isa is ir; analysis has rooms of its own.
 std::string roomOf(const std::string& folder) {
-  for (std::string room = folder; !room.empty(); room = room.substr(0, room.find_last_of('/') + 1 == 0 ? 0 : room.find_last_of('/'))) {
+  for (std::string room = folder; !room.empty();
+       room = room.substr(0, room.find_last_of('/') + 1 == 0 ? 0 : room.find_last_of('/'))) {
     if (roomsBelow.contains(room)) return room;
   }
   return "";
@@ -95,6 +97,26 @@ TEST(Layout, NoFileIsTooLongToRead) {
   }
 }
 
+/// Characters of a line of UTF-8.
+std::size_t charactersOf(const std::string& line) {
+  return static_cast<std::size_t>(std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+TEST(Layout, LinesAreAsWideAsTheFormatAllows) {
+  // Tables between clang-format off and on, and texts in raw strings, are as wide as they are.
+  for (const Source& source : sources()) {
+    std::istringstream in(source.text);
+    bool isTable = false, isRaw = false;
+    for (std::string line; std::getline(in, line);) {
+      isTable = isTable ? line.find("clang-format on") == std::string::npos
+                        : line.find("clang-format off") != std::string::npos;
+      isRaw = isRaw || line.find("R\"(") != std::string::npos;
+      EXPECT_TRUE(isTable || isRaw || charactersOf(line) <= 120) << source.path << ": " << line;
+      if (line.find(")\"") != std::string::npos) isRaw = false;
+    }
+  }
+}
+
 /// Lines of the unnamed namespaces of a file that begin in the first column, where declarations stand.
 std::vector<std::string> hiddenDeclarations(const std::string& text) {
   std::vector<std::string> lines;
@@ -128,12 +150,15 @@ TEST(Layout, NamesInUnnamedNamespacesDifferWhereFilesAreCompiledTogether) {
   std::map<std::pair<std::string, std::string>, std::map<std::string, std::string>> seen;  // library, name: file, line
   std::size_t count = 0;
   for (const Source& source : sources()) {
-    if (source.path.extension() != ".cpp" || source.folder == "frontend/command" || source.folder == "frontend/report" ||
-        source.folder == "frontend/trace" || source.folder == "frontend/reader") {
+    if (source.path.extension() != ".cpp" || source.folder == "frontend/command" ||
+        source.folder == "frontend/report" || source.folder == "frontend/trace" || source.folder == "frontend/reader") {
       continue;  // compiled one by one
     }
-    const bool isBrief = source.folder == "analysis/drawing" || source.folder == "analysis/export" || source.folder == "analysis/proof";
-    const std::string library = source.folder == "analysis/checks" ? "checks" : isBrief ? "brief" : source.folder.substr(0, source.folder.find('/'));
+    const bool isBrief =
+        source.folder == "analysis/drawing" || source.folder == "analysis/export" || source.folder == "analysis/proof";
+    const std::string library = source.folder == "analysis/checks" ? "checks"
+                                : isBrief                          ? "brief"
+                                                                   : source.folder.substr(0, source.folder.find('/'));
     for (const std::string& line : hiddenDeclarations(source.text)) {
       const std::string name = declaredName(line);
       if (name.empty()) continue;
@@ -148,7 +173,8 @@ TEST(Layout, NamesInUnnamedNamespacesDifferWhereFilesAreCompiledTogether) {
       lines.insert(line);
       files += " " + file;
     }
-    const bool isOneAlias = lines.size() == 1 && (lines.begin()->starts_with("using ") || lines.begin()->starts_with("namespace "));
+    const bool isOneAlias =
+        lines.size() == 1 && (lines.begin()->starts_with("using ") || lines.begin()->starts_with("namespace "));
     EXPECT_TRUE(places.size() == 1 || isOneAlias) << key.second << " in" << files;
   }
   EXPECT_GT(count, 600u) << "the search no longer finds the names";

@@ -1,6 +1,7 @@
 // Bench: a few statements on the machine with plain numbers. Statements are written as in the manual's examples; the
-// bench reads them itself so that these tests depend on nothing but the instruction table and the meanings. A program of
-// tests says in one source what a run is: bench_run.cpp here; tests/mutation runs the same tests on changed meanings.
+// bench reads them itself so that these tests depend on nothing but the instruction table and the meanings. A program
+// of tests says in one source what a run is: bench_run.cpp here; tests/mutation runs the same tests on changed
+// meanings.
 #pragma once
 
 #include <gtest/gtest.h>

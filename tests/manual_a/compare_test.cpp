@@ -196,11 +196,22 @@ TEST(Compare, StringsDifferInAnyPlace) {
     const char *left, *right;
     bool equal;
   };
-  for (const Pair& pair : std::vector<Pair>{{"", "", true}, {"A", "A", true}, {"A", "", false}, {"", "A", false}, {"AB", "A", false},
-                                            {"A", "AB", false}, {"B", "A", false}, {"A", "B", false}, {"ABCDEFGH", "ABCDEFGH", true},
-                                            {"XBCDEFGH", "ABCDEFGH", false}, {"ABXDEFGH", "ABCDEFGH", false}, {"ABCDXFGH", "ABCDEFGH", false},
-                                            {"ABCDEFXH", "ABCDEFGH", false}, {"ABCDEFGX", "ABCDEFGH", false}}) {
-    for (const auto& [symbol, holds] : std::vector<std::pair<std::string, bool>>{{"=", pair.equal}, {"<>", !pair.equal}}) {
+  for (const Pair& pair : std::vector<Pair>{{"", "", true},
+                                            {"A", "A", true},
+                                            {"A", "", false},
+                                            {"", "A", false},
+                                            {"AB", "A", false},
+                                            {"A", "AB", false},
+                                            {"B", "A", false},
+                                            {"A", "B", false},
+                                            {"ABCDEFGH", "ABCDEFGH", true},
+                                            {"XBCDEFGH", "ABCDEFGH", false},
+                                            {"ABXDEFGH", "ABCDEFGH", false},
+                                            {"ABCDXFGH", "ABCDEFGH", false},
+                                            {"ABCDEFXH", "ABCDEFGH", false},
+                                            {"ABCDEFGX", "ABCDEFGH", false}}) {
+    for (const auto& [symbol, holds] :
+         std::vector<std::pair<std::string, bool>>{{"=", pair.equal}, {"<>", !pair.equal}}) {
       expectJoint("S", symbol, "VB0, VB300", holds, [&](Bench& bench) {
         bench.setString(0, pair.left);
         bench.setString(300, pair.right);

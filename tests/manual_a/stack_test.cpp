@@ -105,7 +105,8 @@ TEST(Stack, ImmediateContactsReadTheTerminalNotTheImage) {
 }
 
 TEST(Stack, WhatOnlyChangesTheTopLeavesTheOtherLevels) {
-  for (const char* line : {"AI I0.0", "ANI I0.0", "OI I0.0", "ONI I0.0", "EU", "ED", "NOT", "AENO", "AB= 1, 2", "OW> VW0, 1", "AR< VD0, 1.0"}) {
+  for (const char* line : {"AI I0.0", "ANI I0.0", "OI I0.0", "ONI I0.0", "EU", "ED", "NOT", "AENO", "AB= 1, 2",
+                           "OW> VW0, 1", "AR< VD0, 1.0"}) {
     forEveryStack([&](const Levels& iv) {
       Levels result = after(line, iv);
       result[0] = iv[0];

@@ -18,7 +18,8 @@ TEST(Call, CalleeStartsWithStack1000AndTheCallersComesBack) {
 }
 
 TEST(Call, NothingHappensWithoutPowerFlow) {
-  Plant plant({{mainBlock, 0, "LD I0.0; CALL 1, VB0, VB1"}, {sub, 1, "MOVB LB0, VB2; MOVB 9, LB1", {"IN BYTE LB0", "OUT BYTE LB1"}}});
+  Plant plant({{mainBlock, 0, "LD I0.0; CALL 1, VB0, VB1"},
+               {sub, 1, "MOVB LB0, VB2; MOVB 9, LB1", {"IN BYTE LB0", "OUT BYTE LB1"}}});
   plant.set("VB0=5 VB1=6 ENO[0]=1").scan();
   EXPECT_EQ(plant.value("VB1"), 6U);
   EXPECT_EQ(plant.value("VB2"), 0U);
@@ -60,8 +61,11 @@ TEST(Call, MainFindsNothingOfTheLastScanInLocalMemory) {
 TEST(Call, ParametersLieInOrder) {
   // Figure 5-9 (001:2424-2431): BOOL L0.0, BYTE LB1, INT LW2, IN_OUT BYTE LB4, OUT BOOL L5.0, OUT WORD LW6.
   Plant plant({{mainBlock, 0, "LD SM0.0; CALL 0, I0.3, VB10, VW12, VB14, Q0.5, VW16"},
-               {sub, 0, "MOVB LB0, VB100; MOVB LB1, VB101; MOVW LW2, VW102; MOVB LB4, VB104; INCB LB4; = L5.0; MOVW LW2, LW6",
-                {"IN BOOL L0.0", "IN BYTE LB1", "IN INT LW2", "IN_OUT BYTE LB4", "OUT BOOL L5.0", "OUT WORD LW6", "TEMP BYTE LB8"}}});
+               {sub,
+                0,
+                "MOVB LB0, VB100; MOVB LB1, VB101; MOVW LW2, VW102; MOVB LB4, VB104; INCB LB4; = L5.0; MOVW LW2, LW6",
+                {"IN BOOL L0.0", "IN BYTE LB1", "IN INT LW2", "IN_OUT BYTE LB4", "OUT BOOL L5.0", "OUT WORD LW6",
+                 "TEMP BYTE LB8"}}});
   plant.set("I0.3=1 VB10=11 VW12=-1212 VB14=14").scan();
   EXPECT_EQ(plant.value("VB100"), 1U);
   EXPECT_EQ(plant.value("VB101"), 11U);
@@ -76,7 +80,9 @@ TEST(Call, ParametersLieInOrder) {
 TEST(Call, PointersConstantsAndAddresses) {
   // 001:6782: the value behind a pointer, a constant, an address as a number, and the address in a pointer for STRING.
   Plant plant({{mainBlock, 0, "LD SM0.0; MOVD &VB50, AC1; CALL 0, *AC1, 16#1234, &VB60, *AC1, VD80"},
-               {sub, 0, "MOVB LB0, VB100; MOVW LW1, VW102; MOVD LD3, VD104; MOVD LD7, VD108; MOVR 2.5, LD11",
+               {sub,
+                0,
+                "MOVB LB0, VB100; MOVW LW1, VW102; MOVD LD3, VD104; MOVD LD7, VD108; MOVR 2.5, LD11",
                 {"IN BYTE LB0", "IN WORD LW1", "IN DWORD LD3", "IN STRING LD7", "OUT REAL LD11"}}});
   plant.set("VB50=77").scan();
   EXPECT_EQ(plant.value("VB100"), 77U);
@@ -100,7 +106,8 @@ TEST(Call, StringConstantsAreReadThroughAPointer) {
 }
 
 TEST(Call, OutputsGoThroughPointers) {
-  Plant plant({{mainBlock, 0, "LD SM0.0; CALL 0, *VD0, *VD4"}, {sub, 0, "INCW LW0; MOVB 3, LB2", {"IN_OUT INT LW0", "OUT BYTE LB2"}}});
+  Plant plant({{mainBlock, 0, "LD SM0.0; CALL 0, *VD0, *VD4"},
+               {sub, 0, "INCW LW0; MOVB 3, LB2", {"IN_OUT INT LW0", "OUT BYTE LB2"}}});
   plant.set("VD0=16#08000014 VD4=16#04000002 VW20=41").scan();
   EXPECT_EQ(plant.value("VW20"), 42U);
   EXPECT_EQ(plant.value("MB2"), 3U);
@@ -123,7 +130,8 @@ TEST(Call, BadPointersAreErrors) {
 }
 
 TEST(Call, ReturnsWithPowerFlowOnly) {
-  Plant plant({{mainBlock, 0, "LD SM0.0; CALL 0; MOVB 1, VB2"}, {sub, 0, "LD I0.0; CRET; LD SM0.0; MOVB 1, VB0; RET; MOVB 1, VB1"}});
+  Plant plant({{mainBlock, 0, "LD SM0.0; CALL 0; MOVB 1, VB2"},
+               {sub, 0, "LD I0.0; CRET; LD SM0.0; MOVB 1, VB0; RET; MOVB 1, VB1"}});
   plant.scan();
   EXPECT_EQ(plant.value("VW0"), 0x0100U);
   plant.set("VB0=0 VB2=0 I0.0=1").scan();
@@ -146,7 +154,10 @@ TEST(Call, EightLevelsFromMain) {
 }
 
 TEST(Call, OneLevelFromAnInterruptRoutine) {
-  Plant plant({{mainBlock, 0, "LD SM0.0"}, {routine, 0, "LD SM0.0; CALL 0"}, {sub, 0, "INCB VB0; LD I0.0; CALL 1"}, {sub, 1, "INCB VB1"}});
+  Plant plant({{mainBlock, 0, "LD SM0.0"},
+               {routine, 0, "LD SM0.0; CALL 0"},
+               {sub, 0, "INCB VB0; LD I0.0; CALL 1"},
+               {sub, 1, "INCB VB1"}});
   plant.interruptBefore[0] = 0;
   plant.scan();
   EXPECT_EQ(plant.value("VB0"), 1U);

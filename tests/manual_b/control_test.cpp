@@ -13,7 +13,8 @@ TEST(Jump, SkipsWithPowerFlowOnly) {
 
 TEST(Jump, BackwardsRepeats) {
   // Counts VW0 to 5, then leaves: no bound but the watchdog (001:5792).
-  check({"LBL 1; LD SM0.0; INCW VW0; LDW< VW0, +5; JMP 1; LD SM0.0; MOVB 1, VB2", "", "VW0=5 VB2=1 SM1.0=0 SM1.1=0 SM1.2=0"});
+  check({"LBL 1; LD SM0.0; INCW VW0; LDW< VW0, +5; JMP 1; LD SM0.0; MOVB 1, VB2", "",
+         "VW0=5 VB2=1 SM1.0=0 SM1.1=0 SM1.2=0"});
 }
 
 TEST(Jump, KeepsTheStack) {
@@ -96,7 +97,8 @@ TEST(Stop, LeavesRunAtOnceOrAtTheEndOfTheScan) {
 }
 
 TEST(Stop, InASubroutineEndsTheProgram) {
-  Plant plant({{PouKind::Main, 0, "LD SM0.0; CALL 1; MOVB 1, VB0"}, {PouKind::Subroutine, 1, "LD SM0.0; STOP; MOVB 1, VB1"}});
+  Plant plant(
+      {{PouKind::Main, 0, "LD SM0.0; CALL 1; MOVB 1, VB0"}, {PouKind::Subroutine, 1, "LD SM0.0; STOP; MOVB 1, VB1"}});
   plant.scan();
   EXPECT_EQ(plant.value("RUN[0]"), 0U);
   EXPECT_EQ(plant.value("VW0"), 0U);
@@ -105,9 +107,10 @@ TEST(Stop, InASubroutineEndsTheProgram) {
 TEST(Stop, InAnInterruptRoutineLetsTheScanFinish) {
   // 001:5695; the subroutine that the routine called ends with it.
   for (const bool inSubroutine : {false, true}) {
-    Plant plant({{PouKind::Main, 0, "LD SM0.0; MOVB 1, VB0"},
-                 {PouKind::Interrupt, 0, inSubroutine ? "LD SM0.0; CALL 1; MOVB 1, VB1" : "LD SM0.0; STOP; MOVB 1, VB1"},
-                 {PouKind::Subroutine, 1, "LD SM0.0; STOP; MOVB 1, VB2"}});
+    Plant plant(
+        {{PouKind::Main, 0, "LD SM0.0; MOVB 1, VB0"},
+         {PouKind::Interrupt, 0, inSubroutine ? "LD SM0.0; CALL 1; MOVB 1, VB1" : "LD SM0.0; STOP; MOVB 1, VB1"},
+         {PouKind::Subroutine, 1, "LD SM0.0; STOP; MOVB 1, VB2"}});
     plant.interruptBefore[1] = 0;
     plant.scan();
     EXPECT_EQ(plant.value("RUN[0]"), 0U);

@@ -16,10 +16,12 @@ std::set<std::string> testsOf(const std::vector<std::string>& folders) {
   std::set<std::string> names;
   const std::regex head(R"(^TEST\((\w+), (\w+)\))");
   for (const std::string& folder : folders) {
-    for (const auto& entry : std::filesystem::directory_iterator(std::string(RUNGPROOF_SOURCE_DIR "/tests/") + folder)) {
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::string(RUNGPROOF_SOURCE_DIR "/tests/") + folder)) {
       std::ifstream file(entry.path());
       for (std::string line; std::getline(file, line);) {
-        if (std::smatch found; std::regex_search(line, found, head)) names.insert(found[1].str() + "." + found[2].str());
+        if (std::smatch found; std::regex_search(line, found, head))
+          names.insert(found[1].str() + "." + found[2].str());
       }
     }
   }

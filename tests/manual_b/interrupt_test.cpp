@@ -35,7 +35,8 @@ TEST(Interrupt, TheQueuesHearOfIt) {
   plant.scan();
   EXPECT_TRUE(plant.outside.signals.empty());
   plant.set("I0.0=1").scan();
-  EXPECT_EQ(plant.outside.signals, (Signals{{Signal::EventAttached, 10}, {Signal::EventDetached, 11}, {Signal::EventsCleared, 12}}));
+  EXPECT_EQ(plant.outside.signals,
+            (Signals{{Signal::EventAttached, 10}, {Signal::EventDetached, 11}, {Signal::EventsCleared, 12}}));
 }
 
 TEST(Interrupt, AnInputOfACounterCannotBeAttached) {
@@ -44,13 +45,13 @@ TEST(Interrupt, AnInputOfACounterCannotBeAttached) {
       {"ATCH 0, 0", "HC.mode[0]=2", "", "0002"},
       {"ATCH 0, 5", "HC.mode[0]=2", "", "0002"},
       {"ATCH 0, 2", "HC.mode[0]=2", "event[2]=1"},
-      {"ATCH 0, 3", "HC.mode[0]=4", "", "0002"},          // mode 3: I0.1 is the direction
+      {"ATCH 0, 3", "HC.mode[0]=4", "", "0002"},  // mode 3: I0.1 is the direction
       {"ATCH 0, 4", "HC.mode[0]=4", "event[4]=1"},
-      {"ATCH 0, 2", "HC.mode[3]=1", "", "0002"},          // HSC3 counts I0.1
-      {"ATCH 0, 7", "HC.mode[4]=1", "", "0002"},          // HSC4 counts I0.3
+      {"ATCH 0, 2", "HC.mode[3]=1", "", "0002"},  // HSC3 counts I0.1
+      {"ATCH 0, 7", "HC.mode[4]=1", "", "0002"},  // HSC4 counts I0.3
       {"ATCH 0, 6", "HC.mode[1]=1 HC.mode[5]=1", "event[6]=1"},
-      {"ATCH 0, 0", "HC.mode[0]=13", "event[0]=1"},       // mode 12 uses no input
-      {"ATCH 0, 12", "HC.mode[0]=2", "event[12]=1"},      // CV = PV of HSC0 itself
+      {"ATCH 0, 0", "HC.mode[0]=13", "event[0]=1"},   // mode 12 uses no input
+      {"ATCH 0, 12", "HC.mode[0]=2", "event[12]=1"},  // CV = PV of HSC0 itself
   });
 }
 
@@ -80,7 +81,8 @@ TEST(Interrupt, SavesStackAccumulatorsStatusAndEno) {
 }
 
 TEST(Interrupt, StackAtEntryAndConditionalReturn) {
-  const std::vector<Block> blocks = {{mainBlock, 0, "LD SM0.0"}, {routine, 5, "= Q0.0; LPP; = Q0.1; LD I0.0; CRETI; LD SM0.0; = Q0.2; RETI; = Q0.3"}};
+  const std::vector<Block> blocks = {
+      {mainBlock, 0, "LD SM0.0"}, {routine, 5, "= Q0.0; LPP; = Q0.1; LD I0.0; CRETI; LD SM0.0; = Q0.2; RETI; = Q0.3"}};
   Plant plant(blocks);
   plant.interruptBefore[0] = 5;
   plant.set("QB0=2").scan();
@@ -97,7 +99,9 @@ TEST(Interrupt, StackAtEntryAndConditionalReturn) {
 TEST(Interrupt, CallInARoutineSavesOrSharesTheStack) {
   // 001:6765 against 001:5444. The routine's stack is 0 with 1 below; the subroutine pushes a 1.
   for (const bool shared : {false, true}) {
-    Plant plant({{mainBlock, 0, "LD SM0.0"}, {routine, 0, "LDN SM0.0; LD SM0.0; CALL 0; = Q0.0"}, {sub, 0, "LPP; = Q0.1; LDN SM0.0"}});
+    Plant plant({{mainBlock, 0, "LD SM0.0"},
+                 {routine, 0, "LDN SM0.0; LD SM0.0; CALL 0; = Q0.0"},
+                 {sub, 0, "LPP; = Q0.1; LDN SM0.0"}});
     ASSERT_TRUE(plant.choices.set("interrupt-call-stack", shared ? "shared" : "saved"));
     plant.interruptBefore[0] = 0;
     plant.set("QB0=255").scan();

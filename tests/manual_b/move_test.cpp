@@ -34,8 +34,10 @@ TEST(Move, PointersReachEveryAreaByTheirOwnStep) {
   // 001:1470-1478: one byte per step, 2 for the next word or current value.
   check({
       {"MOVD &VB200, AC1; MOVW *AC1, AC0", "VW200=16#1234 AC0=16#99990000", "AC1=16#080000C8 AC0=16#99991234"},
-      {"MOVD &VB200, VD0; +D 2, VD0; MOVW *VD0, VW4", "VW202=16#5678", "VD0=16#080000CA VW4=16#5678 SM1.0=0 SM1.1=0 SM1.2=0"},
-      {"MOVD &T37, AC1; +D 2, AC1; MOVW *AC1, VW0", "T.value[38]=321", "AC1=16#0900004C VW0=321 SM1.0=0 SM1.1=0 SM1.2=0"},
+      {"MOVD &VB200, VD0; +D 2, VD0; MOVW *VD0, VW4", "VW202=16#5678",
+       "VD0=16#080000CA VW4=16#5678 SM1.0=0 SM1.1=0 SM1.2=0"},
+      {"MOVD &T37, AC1; +D 2, AC1; MOVW *AC1, VW0", "T.value[38]=321",
+       "AC1=16#0900004C VW0=321 SM1.0=0 SM1.1=0 SM1.2=0"},
       {"MOVD &C0, VD8; MOVW 5, *VD8", "", "VD8=16#0A000000 C.value[0]=5"},
       {"MOVD &MB3, AC2; MOVB 7, *AC2", "", "AC2=16#04000003 MB3=7"},
   });
@@ -44,10 +46,10 @@ TEST(Move, PointersReachEveryAreaByTheirOwnStep) {
 TEST(Move, BadPointersAreError0006) {
   check({
       {"MOVW *AC1, VW0", "AC1=16#FF000000 VW0=5", "", "0006"},
-      {"MOVB VB0, *VD4", "VD4=16#0800FFFF", "", "0006"},       // beyond V
-      {"MOVD VD0, *VD8", "VD8=16#0800280C", "", "0006"},       // VD10252 of 10240 bytes
+      {"MOVB VB0, *VD4", "VD4=16#0800FFFF", "", "0006"},  // beyond V
+      {"MOVD VD0, *VD8", "VD8=16#0800280C", "", "0006"},  // VD10252 of 10240 bytes
       {"MOVD VD0, *VD8", "VD0=1 VD8=16#080027FC", "VD10236=1"},
-      {"MOVB *VD8, VB0", "VD8=16#0900004A", "", "0006"},       // a timer is a word
+      {"MOVB *VD8, VB0", "VD8=16#0900004A", "", "0006"},  // a timer is a word
   });
 }
 

@@ -1,5 +1,5 @@
-// Rules that the manual states with a table of cases, one test for each case: the nine self-resetting timers, rotates by
-// nothing, the limits of the down counter, local memory that nobody has set.
+// Rules that the manual states with a table of cases, one test for each case: the nine self-resetting timers, rotates
+// by nothing, the limits of the down counter, local memory that nobody has set.
 #include "plant.hpp"
 
 namespace rungproof::manual {
@@ -9,9 +9,11 @@ constexpr int oneMs = 32, tenMs = 33, hundredMs = 37;  // numbers of TON by reso
 
 /// The timer resets itself through `contact`; `copy` follows its bit. Q0.0 of each scan; one tick passes before a scan
 /// (100 ms: at the instruction), for 1 ms timers in front of the instruction with number `tickBefore`.
-std::string selfResetting(int timer, const std::string& contact, const std::string& copy, std::uint32_t tickBefore = 0) {
+std::string selfResetting(int timer, const std::string& contact, const std::string& copy,
+                          std::uint32_t tickBefore = 0) {
   const std::string t = "T" + std::to_string(timer);
-  Plant plant("LDN " + contact + "; TON " + t + ", +3; LD " + t + "; = " + copy + (copy == "Q0.0" ? "" : "; LD " + copy + "; = Q0.0"));
+  Plant plant("LDN " + contact + "; TON " + t + ", +3; LD " + t + "; = " + copy +
+              (copy == "Q0.0" ? "" : "; LD " + copy + "; = Q0.0"));
   if (timer == oneMs) plant.ms = {{tickBefore, 1}};
   std::string trace;
   for (int scan = 0; scan < 12; ++scan)
@@ -72,7 +74,8 @@ TEST(CountDown, StopsAtZero) {
 
 TEST(Call, LocalMemoryIsNotInitialised) {
   // 001:1373: what a block finds in its local memory is whatever was there; here 16#A5.
-  Plant plant({{PouKind::Main, 0, "LD SM0.0; CALL 1"}, {PouKind::Subroutine, 1, "LD SM0.0; MOVB LB0, VB0; MOVW LW62, VW2; MOVB 1, LB0"}});
+  Plant plant({{PouKind::Main, 0, "LD SM0.0; CALL 1"},
+               {PouKind::Subroutine, 1, "LD SM0.0; MOVB LB0, VB0; MOVW LW62, VW2; MOVB 1, LB0"}});
   plant.freshLocal = 0xA5;
   for (int scan = 0; scan < 2; ++scan) {
     plant.scan();

@@ -60,7 +60,8 @@ class Plant {
     store.set(Reg::Running, 0, 1, true);
     store.area(Area::SM)[0] = 1;  // SM0.0
   }
-  explicit Plant(std::string_view mainProgram, Target target = {}) : Plant({Block{PouKind::Main, 0, std::string(mainProgram)}}, target) {}
+  explicit Plant(std::string_view mainProgram, Target target = {})
+      : Plant({Block{PouKind::Main, 0, std::string(mainProgram)}}, target) {}
 
   ~Plant() { outside.errors.clear(); }
   Plant(Plant&&) = default;
@@ -68,10 +69,10 @@ class Plant {
   Concrete::Store store;
   Surroundings outside;
   Choices choices;
-  std::array<bool, 9> stack{};        ///< logic stack after the last run
+  std::array<bool, 9> stack{};  ///< logic stack after the last run
   bool halted = false;
-  std::uint64_t freshLocal = 0;       ///< what L memory holds on entry to a block
-  std::map<std::uint32_t, int> ms{};  ///< 1 ms ticks that pass before the instruction with that number
+  std::uint64_t freshLocal = 0;                    ///< what L memory holds on entry to a block
+  std::map<std::uint32_t, int> ms{};               ///< 1 ms ticks that pass before the instruction with that number
   std::map<std::uint32_t, int> interruptBefore{};  ///< routine that runs before the instruction with that number
   std::vector<std::pair<std::uint32_t, bool>> reached;  ///< timers that came to their preset in refreshes
 
@@ -116,16 +117,19 @@ class Plant {
   static std::optional<std::pair<Reg, std::uint32_t>> registerOf(std::string_view name) {
     const std::size_t open = name.find('[');
     if (open == std::string_view::npos) return std::nullopt;
-    const auto found = std::find_if(regTable.begin(), regTable.end(), [&](const RegInfo& info) { return info.name == name.substr(0, open); });
+    const auto found = std::find_if(regTable.begin(), regTable.end(),
+                                    [&](const RegInfo& info) { return info.name == name.substr(0, open); });
     CHECK(found != regTable.end(), std::string(name).c_str());
     return std::pair{found->reg, static_cast<std::uint32_t>(std::atoi(name.data() + open + 1))};
   }
   static LocalVariable local(const std::string& row) {
-    static const std::map<std::string, VarSection> sections = {
-        {"IN", VarSection::Input}, {"IN_OUT", VarSection::InOut}, {"OUT", VarSection::Output}, {"TEMP", VarSection::Temp}};
-    static const std::map<std::string, DataType> types = {{"BOOL", DataType::Bool},   {"BYTE", DataType::Byte}, {"WORD", DataType::Word},
-                                                          {"INT", DataType::Int},     {"DWORD", DataType::DWord}, {"DINT", DataType::DInt},
-                                                          {"REAL", DataType::Real},   {"STRING", DataType::String}};
+    static const std::map<std::string, VarSection> sections = {{"IN", VarSection::Input},
+                                                               {"IN_OUT", VarSection::InOut},
+                                                               {"OUT", VarSection::Output},
+                                                               {"TEMP", VarSection::Temp}};
+    static const std::map<std::string, DataType> types = {
+        {"BOOL", DataType::Bool},   {"BYTE", DataType::Byte}, {"WORD", DataType::Word}, {"INT", DataType::Int},
+        {"DWORD", DataType::DWord}, {"DINT", DataType::DInt}, {"REAL", DataType::Real}, {"STRING", DataType::String}};
     const std::vector<std::string> parts = split(row, ' ');
     LocalVariable variable;
     variable.section = sections.at(parts[0]);
@@ -138,7 +142,8 @@ class Plant {
     pou.kind = block.kind;
     pou.number = block.number;
     pou.networks.push_back({});
-    for (const std::string& line : split(block.statements, ';')) pou.networks[0].instructions.push_back(statement(line));
+    for (const std::string& line : split(block.statements, ';'))
+      pou.networks[0].instructions.push_back(statement(line));
     for (const std::string& row : block.locals) pou.locals.push_back(local(row));
     program_.pous.push_back(std::move(pou));
   }
@@ -151,7 +156,8 @@ class Plant {
 inline std::uint64_t numberOf(const std::string& text) {
   if (text.starts_with("16#")) return std::strtoull(text.c_str() + 3, nullptr, 16);
   if (text.starts_with("2#")) return std::strtoull(text.c_str() + 2, nullptr, 2);
-  if (text.find_first_of(".ni") != std::string::npos) return std::bit_cast<std::uint32_t>(std::strtof(text.c_str(), nullptr));
+  if (text.find_first_of(".ni") != std::string::npos)
+    return std::bit_cast<std::uint32_t>(std::strtof(text.c_str(), nullptr));
   return static_cast<std::uint64_t>(std::strtoll(text.c_str(), nullptr, 10));
 }
 
@@ -191,7 +197,8 @@ inline void check(const Example& e) {
     Plant wanted("LD SM0.0");
     wanted.store = plant.store;
     bool hasEno = false;
-    for (const Instruction& instruction : plant.program().pous[0].networks[0].instructions) hasEno = hasEno || instruction.desc->eno;
+    for (const Instruction& instruction : plant.program().pous[0].networks[0].instructions)
+      hasEno = hasEno || instruction.desc->eno;
     if (hasEno) wanted.set(e.hazards.empty() ? "ENO[0]=1" : "ENO[0]=0");
     for (const std::string& pair : split(e.expected, ' ')) {
       const std::size_t equal = pair.find('=');

@@ -9,7 +9,8 @@ namespace {
 std::string sampleOperand(const OperandDesc& desc, std::size_t i) {
   const std::string at = std::to_string(100 + 40 * i);
   const bool inV = (desc.forms & form::V) != 0;
-  if (desc.hasRanges() && (desc.forms & form::Const) != 0) return std::to_string(std::max<std::int64_t>(desc.ranges[0].low, 0));
+  if (desc.hasRanges() && (desc.forms & form::Const) != 0)
+    return std::to_string(std::max<std::int64_t>(desc.ranges[0].low, 0));
   if (desc.type == Type::Bool) return inV ? "V" + at + ".0" : "Q1.0";
   if (!inV) return (desc.forms & form::Q) != 0 ? "QB1" : (desc.forms & form::I) != 0 ? "IB1" : "1";
   const Width width = widthOf(desc.type);
@@ -17,12 +18,14 @@ std::string sampleOperand(const OperandDesc& desc, std::size_t i) {
 }
 std::string sampleStatement(const Desc& desc) {
   std::string text(desc.stl);
-  for (std::size_t i = 0; i < desc.operandCount; ++i) text += (i == 0 ? " " : ", ") + sampleOperand(desc.operands[i], i);
+  for (std::size_t i = 0; i < desc.operandCount; ++i)
+    text += (i == 0 ? " " : ", ") + sampleOperand(desc.operands[i], i);
   return text;
 }
 /// Values in V that make most instructions write something.
 void fill(Plant& plant) {
-  for (std::uint32_t byte = 100; byte < 300; ++byte) plant.store.area(Area::V)[byte] = static_cast<std::uint8_t>(byte % 7 + 1);
+  for (std::uint32_t byte = 100; byte < 300; ++byte)
+    plant.store.area(Area::V)[byte] = static_cast<std::uint8_t>(byte % 7 + 1);
   plant.set("SMB67=133 SMB77=133 event[10]=1 SMB1=255 ENO[0]=1");
 }
 

@@ -36,8 +36,8 @@ TEST(Real, IllegalNumbersAndOverflowKeepTheOperands) {
       {"-R VD0, VD4", "VD0=3.0e38 VD4=-3.0e38", "SM1.0=? SM1.1=1 SM1.2=?", "SM1.1"},
       {"*R VD0, VD4", "VD0=1.0e30 VD4=1.0e30", "SM1.0=? SM1.1=1 SM1.2=?", "SM1.1"},
       {"/R VD0, VD4", "VD0=1.0e-30 VD4=1.0e30", "SM1.0=? SM1.1=1 SM1.2=? SM1.3=0", "SM1.1"},
-      {"+R VD0, VD4", "VD0=16#7FC00000 VD4=1.0", "SM1.0=? SM1.1=1 SM1.2=?", "SM1.1"},  // not a number
-      {"*R VD0, VD4", "VD0=1.0 VD4=16#7F800000", "SM1.0=? SM1.1=1 SM1.2=?", "SM1.1"},  // infinite
+      {"+R VD0, VD4", "VD0=16#7FC00000 VD4=1.0", "SM1.0=? SM1.1=1 SM1.2=?", "SM1.1"},          // not a number
+      {"*R VD0, VD4", "VD0=1.0 VD4=16#7F800000", "SM1.0=? SM1.1=1 SM1.2=?", "SM1.1"},          // infinite
       {"/R VD0, VD4", "VD0=16#7F800000 VD4=1.0", "SM1.0=? SM1.1=1 SM1.2=? SM1.3=0", "SM1.1"},  // would give a legal 0
       {"/R VD0, VD4", "VD0=16#7FC00000 VD4=1.0", "SM1.0=? SM1.1=1 SM1.2=? SM1.3=0", "SM1.1"},
   });

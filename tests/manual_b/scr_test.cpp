@@ -5,7 +5,8 @@ namespace rungproof::manual {
 namespace {
 
 /// A segment that assigns Q0.0, sets Q0.1, counts in VB0, and goes on with I0.0.
-const std::string segment = "LSCR S0.1; LD SM0.0; = Q0.0; LD SM0.0; S Q0.1, 1; INCB VB0; LD I0.0; SCRT S0.2; SCRE; LD SM0.0; = Q0.7";
+const std::string segment =
+    "LSCR S0.1; LD SM0.0; = Q0.0; LD SM0.0; S Q0.1, 1; INCB VB0; LD I0.0; SCRT S0.2; SCRE; LD SM0.0; = Q0.7";
 
 }  // namespace
 
@@ -41,7 +42,9 @@ TEST(Scr, AnInactiveSegmentIsSkippedByChoice) {
 
 TEST(Scr, TransitionTakesEffectAtTheNextLscr) {
   // 001:5834: the bits change at once, the running segment keeps its power until it is left.
-  Plant plant("LSCR S0.1; LD I0.0; SCRT S0.2; LD SM0.0; INCB VB0; SCRE; LSCR S0.2; LD SM0.0; INCB VB1; LD I0.1; SCRT S0.1; SCRE");
+  Plant plant(
+      "LSCR S0.1; LD I0.0; SCRT S0.2; LD SM0.0; INCB VB0; SCRE; LSCR S0.2; LD SM0.0; INCB VB1; LD I0.1; SCRT S0.1; "
+      "SCRE");
   plant.set("S0.1=1").scan();
   EXPECT_EQ(plant.value("VW0"), 0x0100U);
   plant.set("I0.0=1").scan();
@@ -71,8 +74,9 @@ TEST(Scr, Divergence) {
 
 TEST(Scr, Convergence) {
   // 001:5865-5872: waiting states S3.5 and S6.5; a network outside segments goes on when both are there.
-  Plant plant("LSCR S3.4; LD I0.0; SCRT S3.5; SCRE; LSCR S6.4; LD I0.1; SCRT S6.5; SCRE; "
-              "LD S3.5; A S6.5; S S5.0, 1; R S3.5, 1; R S6.5, 1");
+  Plant plant(
+      "LSCR S3.4; LD I0.0; SCRT S3.5; SCRE; LSCR S6.4; LD I0.1; SCRT S6.5; SCRE; "
+      "LD S3.5; A S6.5; S S5.0, 1; R S3.5, 1; R S6.5, 1");
   plant.set("S3.4=1 S6.4=1 I0.0=1").scan();
   EXPECT_EQ(plant.value("S3.5"), 1U);
   EXPECT_EQ(plant.value("S5.0"), 0U);
@@ -129,8 +133,9 @@ TEST(Scr, TimersInAnInactiveSegment) {
 
 TEST(Scr, TheTrafficLightStartsInItsFirstState) {
   // 000:8037-8079, shortened: SM0.1 sets S0.1 above LSCR S0.1, so state 1 is active in the first scan. T37 waits 2 s.
-  Plant plant("LD SM0.1; S S0.1, 1; LSCR S0.1; LD SM0.0; S Q0.4, 1; R Q0.5, 2; TON T37, +20; LD T37; SCRT S0.2; SCRE; "
-              "LSCR S0.2; LD SM0.0; S Q0.2, 1; TON T38, +250; LD T38; SCRT S0.3; SCRE");
+  Plant plant(
+      "LD SM0.1; S S0.1, 1; LSCR S0.1; LD SM0.0; S Q0.4, 1; R Q0.5, 2; TON T37, +20; LD T37; SCRT S0.2; SCRE; "
+      "LSCR S0.2; LD SM0.0; S Q0.2, 1; TON T38, +250; LD T38; SCRT S0.3; SCRE");
   plant.set("SM0.1=1 Q0.5=1 Q0.6=1").scan();
   EXPECT_EQ(plant.value("QB0"), 0b00010000U);
   plant.set("SM0.1=0").scans(19);

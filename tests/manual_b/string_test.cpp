@@ -70,7 +70,8 @@ TEST(Strings, CopyMovesLengthAndCharactersOnly) {
       {"SCPY VB10, VB10238", "VB10=1 VB11=65", "VB10238=1 VB10239=65"},
       {"SCPY VB10, VB10238", "VB10=2 VB11=65", "", "0091"},
       {"SCPY VB10, VB0", "VB10=255", "", "0091"},
-      {"SCPY VB0, VB1", "VB0=2 VB1=65 VB2=66", "VB1=2 VB2=2 VB3=2"},  // each byte is read after the one before was written
+      {"SCPY VB0, VB1", "VB0=2 VB1=65 VB2=66",
+       "VB1=2 VB2=2 VB3=2"},  // each byte is read after the one before was written
       {"SCPY VB0, VB1", "VB0=2 VB1=65 VB2=66", "VB1=2 VB2=65 VB3=66", "", "block-move-overlap=buffered"},
       {"SCPY VB1, VB0", "VB1=2 VB2=65 VB3=66", "VB0=2 VB1=65 VB2=66"},
   });
@@ -144,10 +145,12 @@ TEST(Strings, FindStartsAtOut) {
     int start, expected;
   };
   const Row rows[] = {
-      {"SFND", "abcabc", "abc", 1, 1}, {"SFND", "abcabc", "abc", 2, 4}, {"SFND", "abcabc", "abc", 4, 4}, {"SFND", "abcabc", "abc", 5, 0},
-      {"SFND", "aab", "ab", 1, 2},     {"SFND", "abc", "abcd", 1, 0},   {"SFND", "abc", "c", 3, 3},      {"SFND", "abc", "", 2, 0},
-      {"SFND", "", "a", 1, 0},         {"SFND", "abc", "b", 9, 0},      {"CFND", "abc", "cb", 1, 2},     {"CFND", "abc", "cb", 3, 3},
-      {"CFND", "abc", "xyz", 1, 0},    {"CFND", "abc", "", 1, 0},       {"CFND", "abc", "a", 2, 0},      {"CFND", "abca", "a", 2, 4},
+      {"SFND", "abcabc", "abc", 1, 1}, {"SFND", "abcabc", "abc", 2, 4}, {"SFND", "abcabc", "abc", 4, 4},
+      {"SFND", "abcabc", "abc", 5, 0}, {"SFND", "aab", "ab", 1, 2},     {"SFND", "abc", "abcd", 1, 0},
+      {"SFND", "abc", "c", 3, 3},      {"SFND", "abc", "", 2, 0},       {"SFND", "", "a", 1, 0},
+      {"SFND", "abc", "b", 9, 0},      {"CFND", "abc", "cb", 1, 2},     {"CFND", "abc", "cb", 3, 3},
+      {"CFND", "abc", "xyz", 1, 0},    {"CFND", "abc", "", 1, 0},       {"CFND", "abc", "a", 2, 0},
+      {"CFND", "abca", "a", 2, 4},
   };
   for (const Row& row : rows) {
     Text text(std::string(row.statement) + " VB0, VB100, VB200");
@@ -157,7 +160,8 @@ TEST(Strings, FindStartsAtOut) {
     text.put(0, row.text);
     text.plant.set("VB200", static_cast<std::uint64_t>(row.start));
     text.run();
-    EXPECT_EQ(text.plant.value("VB200"), static_cast<std::uint64_t>(row.expected)) << row.statement << " " << row.text << " " << row.pattern << " " << row.start;
+    EXPECT_EQ(text.plant.value("VB200"), static_cast<std::uint64_t>(row.expected))
+        << row.statement << " " << row.text << " " << row.pattern << " " << row.start;
     EXPECT_TRUE(text.plant.outside.hazards().empty());
     EXPECT_EQ(text.plant.value("ENO[0]"), 1U);
   }

@@ -39,7 +39,8 @@ TEST(Table, LifoTakesTheNewestEntry) {
 
 TEST(Table, FifoTakesTheOldestAndMovesTheRestUp) {
   check({
-      {"FIFO VW200, VW400", "VW200=6 VW202=3 VW204=5431 VW206=8942 VW208=1234", "VW202=2 VW204=8942 VW206=1234 VW400=5431 SM1.5=0"},
+      {"FIFO VW200, VW400", "VW200=6 VW202=3 VW204=5431 VW206=8942 VW208=1234",
+       "VW202=2 VW204=8942 VW206=1234 VW400=5431 SM1.5=0"},
       {"FIFO VW200, VW400", "VW200=6 VW202=1 VW204=5431 VW206=8942", "VW202=0 VW400=5431 SM1.5=0"},
       {"FIFO VW200, VW400", "VW200=6 VW204=5431 VW400=3", "SM1.5=1", "SM1.5"},
       {"FIFO MW26, VW400", "MW28=2 MW30=5", "SM1.5=0", "0091"},
@@ -61,7 +62,8 @@ TEST(Table, FillWritesWords) {
 
 TEST(Table, FindReproducesTheExample) {
   // 001:6458-6499: EC at VW202, looking for 3130: found at d2, then from 3 at d4, then from 5 not found: INDX = EC = 6.
-  const std::string table = "VW202=6 VW204=16#3133 VW206=16#4142 VW208=16#3130 VW210=16#3030 VW212=16#3130 VW214=16#4541 ";
+  const std::string table =
+      "VW202=6 VW204=16#3133 VW206=16#4142 VW208=16#3130 VW210=16#3030 VW212=16#3130 VW214=16#4541 ";
   check({
       {"FND= VW202, 16#3130, AC1", table + "AC1=0", "AC1=2"},
       {"FND= VW202, 16#3130, AC1", table + "AC1=2", "AC1=2"},

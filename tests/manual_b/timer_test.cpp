@@ -10,7 +10,9 @@ struct State {
   int current;
   bool bit;
   friend bool operator==(const State&, const State&) = default;
-  friend std::ostream& operator<<(std::ostream& out, const State& s) { return out << s.current << (s.bit ? " on" : " off"); }
+  friend std::ostream& operator<<(std::ostream& out, const State& s) {
+    return out << s.current << (s.bit ? " on" : " off");
+  }
 };
 State of(const Plant& plant, std::uint32_t timer) { return {plant.current(timer), plant.timerBit(timer)}; }
 /// One scan with I0.0 = in after one tick of the timer's resolution.
@@ -272,8 +274,9 @@ TEST(SelfReset, WithTheOutputIsOneScanForEachResolution) {
 }
 
 TEST(SelfReset, ProgramOfTheManual) {
-  // 001:6625-6638: T33 with PT 100 and M0.0; Q0.0 from 40 ticks on. One tick per scan: enabled in scan 0, tick 40 at the
-  // start of scan 40, tick 100 in scan 100 with M0.0; scan 101 clears, 102 enables, its tick 40 falls into scan 142.
+  // 001:6625-6638: T33 with PT 100 and M0.0; Q0.0 from 40 ticks on. One tick per scan: enabled in scan 0, tick 40 at
+  // the start of scan 40, tick 100 in scan 100 with M0.0; scan 101 clears, 102 enables, its tick 40 falls into scan
+  // 142.
   Plant plant("LDN M0.0; TON T33, +100; LDW>= T33, +40; = Q0.0; LD T33; = M0.0");
   for (int scan = 0; scan <= 142; ++scan) {
     plant.scan(1, 0);
@@ -319,7 +322,8 @@ TEST(TimerNumber, TheFirstBoxDecidesHowAMisusedNumberCounts) {
   EXPECT_EQ(plant.current(33), 2);
 }
 
-// ---- IEC boxes --------------------------------------------------------------------------------------------------------
+// ---- IEC boxes
+// --------------------------------------------------------------------------------------------------------
 
 TEST(IecTimer, OnDelayStopsAtThePreset) {
   Plant plant("LD I0.0; TON.IEC T37, +2, Q0.0, VW0");
@@ -373,7 +377,8 @@ TEST(IecTimer, OtherResolutionsAndOpenPins) {
   EXPECT_EQ(of(plant, 32), (State{2, on}));
 }
 
-// ---- Interval time ---------------------------------------------------------------------------------------------------
+// ---- Interval time
+// ---------------------------------------------------------------------------------------------------
 
 TEST(Interval, DifferenceOfTheFreeRunningCounter) {
   Plant plant("LD I0.0; BITIM VD0; LD I0.1; CITIM VD0, VD4");

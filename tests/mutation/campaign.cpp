@@ -1,8 +1,8 @@
-// The campaign: every mutant of every instruction is tried against the manual's tests (test_manual_a, test_manual_b) and
-// the naive interpreter (tests/reference). It fails when an instruction is reached by no test, has fewer than 3 mutants
-// or none that is noticed, when fewer than 95 % of all mutants are noticed, those that mean the same included, or when the
-// survivors are not exactly those of survivors.tsv, each with its reason. "test_mutation +I" tries one mnemonic, or those
-// that fit a pattern as of file names, and prints each mutant.
+// The campaign: every mutant of every instruction is tried against the manual's tests (test_manual_a, test_manual_b)
+// and the naive interpreter (tests/reference). It fails when an instruction is reached by no test, has fewer than 3
+// mutants or none that is noticed, when fewer than 95 % of all mutants are noticed, those that mean the same included,
+// or when the survivors are not exactly those of survivors.tsv, each with its reason. "test_mutation +I" tries one
+// mnemonic, or those that fit a pattern as of file names, and prints each mutant.
 #include <fmt/format.h>
 #include <fnmatch.h>
 #include <gtest/gtest.h>

@@ -14,8 +14,9 @@ namespace rungproof::mutation {
 /// empty when one of them fails.
 std::vector<std::string> recordTests();
 
-/// What the tests say of a mutant. Noticed: one of them fails, aborts or does not end (2 s of processor time and 1/20 s for each test).
-/// Unchecked: some run ends otherwise than without the change, but no test looks there. Silent: no run ends otherwise.
+/// What the tests say of a mutant. Noticed: one of them fails, aborts or does not end (2 s of processor time and 1/20 s
+/// for each test). Unchecked: some run ends otherwise than without the change, but no test looks there. Silent: no run
+/// ends otherwise.
 enum class Verdict { Noticed, Unchecked, Silent };
 
 struct Candidate {

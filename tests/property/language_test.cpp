@@ -11,7 +11,10 @@ std::optional<Operand> lookUp(std::string_view name) {
   if (name == "start") return direct(Area::I, Width::Bit, 0, 0);
   const auto number = [](std::string_view text) { return static_cast<std::uint32_t>(std::stoul(std::string(text))); };
   if (name.size() == 4 && (name[0] == 'I' || name[0] == 'Q' || name[0] == 'M') && name[2] == '.') {
-    return direct(name[0] == 'I' ? Area::I : name[0] == 'Q' ? Area::Q : Area::M, Width::Bit, number(name.substr(1, 1)), number(name.substr(3)));
+    return direct(name[0] == 'I'   ? Area::I
+                  : name[0] == 'Q' ? Area::Q
+                                   : Area::M,
+                  Width::Bit, number(name.substr(1, 1)), number(name.substr(3)));
   }
   if (name.substr(0, 2) == "VB") return direct(Area::V, Width::Byte, number(name.substr(2)));
   if (name.substr(0, 2) == "VW") return direct(Area::V, Width::Word, number(name.substr(2)));
@@ -28,9 +31,12 @@ struct Reading {
 
 /// The tree in prefix form.
 std::string shape(const Expr& e, std::uint32_t i) {
-  static const char* const names[] = {"c", "a", "not", "and", "or", "xor", "implies", "=", "<>", "<", "<=", ">", ">=", "+", "-", "*", "neg", "rises", "falls", "prev", "once", "since", "held", "first"};
+  static const char* const names[] = {"c",   "a",     "not",   "and",  "or",   "xor",   "implies", "=",
+                                      "<>",  "<",     "<=",    ">",    ">=",   "+",     "-",       "*",
+                                      "neg", "rises", "falls", "prev", "once", "since", "held",    "first"};
   const ExprNode& n = e.nodes[i];
-  if (n.op == ExprOp::Address) return toString(n.operand) + (n.type != ExprType::Truth && n.operand.area == Area::T ? ".value" : "");
+  if (n.op == ExprOp::Address)
+    return toString(n.operand) + (n.type != ExprType::Truth && n.operand.area == Area::T ? ".value" : "");
   if (n.op == ExprOp::Constant) return std::to_string(n.value);
   std::string text = std::string("(") + names[static_cast<int>(n.op)];
   for (const std::uint32_t arg : n.args) text += " " + shape(e, arg);
@@ -91,8 +97,10 @@ pulse I0.0 at most every 50ms
   ASSERT_TRUE(reading.findings.empty()) << reading.findings[0].message;
   const auto& p = reading.set.properties;
   ASSERT_EQ(p.size(), 11U);
-  const PropertyKind kinds[] = {PropertyKind::Assume, PropertyKind::Always, PropertyKind::Never, PropertyKind::LeadsToScans, PropertyKind::LeadsToTime, PropertyKind::OnlyAfter,
-                                PropertyKind::Unless, PropertyKind::HeldImplies, PropertyKind::Never, PropertyKind::Reach, PropertyKind::Pulse};
+  const PropertyKind kinds[] = {PropertyKind::Assume,       PropertyKind::Always,      PropertyKind::Never,
+                                PropertyKind::LeadsToScans, PropertyKind::LeadsToTime, PropertyKind::OnlyAfter,
+                                PropertyKind::Unless,       PropertyKind::HeldImplies, PropertyKind::Never,
+                                PropertyKind::Reach,        PropertyKind::Pulse};
   for (std::size_t i = 0; i < p.size(); ++i) EXPECT_EQ(p[i].kind, kinds[i]) << p[i].text;
   EXPECT_EQ(p[3].bound, 3);
   EXPECT_EQ(p[4].bound, 500);
@@ -105,7 +113,9 @@ pulse I0.0 at most every 50ms
 }
 
 TEST(PropertyLanguage, MistakesHaveAPlaceAndTheRestIsRead) {
-  Reading reading("prove a: Q0.0 and\nprove b: Zork implies Q0.0\nprove c: VW0 and Q0.0\nprove d: Q0.0\nprove d: Q0.1\nnonsense\nprove e: Q0.2");
+  Reading reading(
+      "prove a: Q0.0 and\nprove b: Zork implies Q0.0\nprove c: VW0 and Q0.0\nprove d: Q0.0\nprove d: "
+      "Q0.1\nnonsense\nprove e: Q0.2");
   ASSERT_EQ(reading.findings.size(), 5U);
   const char* const rules[] = {"PRP001", "PRP002", "PRP003", "PRP004", "PRP001"};
   for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(reading.findings[i].rule, rules[i]) << reading.findings[i].message;

@@ -40,8 +40,13 @@ std::string run(const std::string& statement, const std::vector<Row>& rows) {
   std::string result;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::string_view on = rows[i].set;
-    const auto leaf = [&](const Operand& o, int) -> std::uint64_t { return on.find(static_cast<char>('a' + o.bit)) != std::string_view::npos; };
-    result += Monitor<Concrete, decltype(leaf)>(domain, property, leaf, {i == 0, rows[i].dt, 16}, before, after).evaluate() ? '1' : '0';
+    const auto leaf = [&](const Operand& o, int) -> std::uint64_t {
+      return on.find(static_cast<char>('a' + o.bit)) != std::string_view::npos;
+    };
+    result +=
+        Monitor<Concrete, decltype(leaf)>(domain, property, leaf, {i == 0, rows[i].dt, 16}, before, after).evaluate()
+            ? '1'
+            : '0';
     before = after;
   }
   return result;
@@ -50,18 +55,21 @@ std::string run(const std::string& statement, const std::vector<Row>& rows) {
 TEST(Monitor, NoEdgeInTheFirstScan) {
   EXPECT_EQ(run("reach r: rises(a)", {{"a"}, {"a"}, {""}, {"a"}}), "0001");
   EXPECT_EQ(run("reach r: falls(a)", {{""}, {"a"}, {""}, {""}}), "0010");
-  EXPECT_EQ(run("reach r: prev(a)", {{"a"}, {""}, {""}, {"a"}}), "1100") << "prev is the value itself in the first scan";
+  EXPECT_EQ(run("reach r: prev(a)", {{"a"}, {""}, {""}, {"a"}}), "1100")
+      << "prev is the value itself in the first scan";
 }
 
 TEST(Monitor, OnceAndSince) {
   EXPECT_EQ(run("reach r: once(a)", {{""}, {"a"}, {""}}), "011");
-  EXPECT_EQ(run("reach r: since(a, b)", {{"a"}, {"b"}, {"a"}, {""}, {"a"}, {"ab"}}), "011001") << "b once, then a in every scan after it";
+  EXPECT_EQ(run("reach r: since(a, b)", {{"a"}, {"b"}, {"a"}, {""}, {"a"}, {"ab"}}), "011001")
+      << "b once, then a in every scan after it";
 }
 
 // Scan ends at 10, 20, ... : a from scan 2 (t=20); held 20 ms is met at t=40.
 TEST(Monitor, HeldCountsBetweenScanEnds) {
   EXPECT_EQ(run("reach r: held(a, 20ms)", {{""}, {"a"}, {"a"}, {"a"}, {""}, {"a"}, {"a"}}), "0001000");
-  EXPECT_EQ(run("reach r: held(a, 20ms)", {{"a"}, {"a", 19}, {"a", 1}}), "001") << "compared exactly: 19 ms are not enough";
+  EXPECT_EQ(run("reach r: held(a, 20ms)", {{"a"}, {"a", 19}, {"a", 1}}), "001")
+      << "compared exactly: 19 ms are not enough";
   EXPECT_EQ(run("prove p: a held 20ms implies b", {{"a"}, {"a"}, {"a"}, {"ab"}}), "0010");
 }
 
@@ -70,13 +78,15 @@ TEST(Monitor, LeadsToWithinScans) {
   EXPECT_EQ(run("prove p: a leads to b within 2 scans", {{"a"}, {""}, {"b"}, {""}}), "0000");
   EXPECT_EQ(run("prove p: a leads to b within 2 scans", {{"a"}, {""}, {""}, {"b"}}), "0010");
   EXPECT_EQ(run("prove p: a leads to b within 0 scans", {{"a"}, {"ab"}}), "10");
-  EXPECT_EQ(run("prove p: a leads to b within 2 scans", {{"a"}, {"a"}, {"a"}, {"a"}}), "0011") << "the oldest trigger decides; it stays broken";
+  EXPECT_EQ(run("prove p: a leads to b within 2 scans", {{"a"}, {"a"}, {"a"}, {"a"}}), "0011")
+      << "the oldest trigger decides; it stays broken";
 }
 
 // P at the end of scan 1; the limit of 20 ms is met at the end of scan 3 and passed at the end of scan 4.
 TEST(Monitor, LeadsToWithinTime) {
   EXPECT_EQ(run("prove p: a leads to b within 20ms", {{"a"}, {""}, {"b"}, {""}}), "0000");
-  EXPECT_EQ(run("prove p: a leads to b within 20ms", {{"a"}, {""}, {""}, {"b"}}).substr(0, 4), "0001") << "an answer at the first scan end after the limit is too late";
+  EXPECT_EQ(run("prove p: a leads to b within 20ms", {{"a"}, {""}, {""}, {"b"}}).substr(0, 4), "0001")
+      << "an answer at the first scan end after the limit is too late";
   EXPECT_EQ(run("prove p: a leads to b within 20ms", {{"a"}, {"b", 21}}), "01");
 }
 
@@ -87,7 +97,8 @@ TEST(Monitor, OnlyAfterAndUnless) {
 }
 
 TEST(Monitor, PulseKeepsEdgesApart) {
-  EXPECT_EQ(run("pulse a at most every 50ms", {{""}, {"a"}, {""}, {"a", 30}}), "1110") << "the second edge comes after 40 ms";
+  EXPECT_EQ(run("pulse a at most every 50ms", {{""}, {"a"}, {""}, {"a", 30}}), "1110")
+      << "the second edge comes after 40 ms";
   EXPECT_EQ(run("pulse a at most every 50ms", {{""}, {"a"}, {""}, {"a", 40}}), "1111") << "50 ms apart is allowed";
 }
 
@@ -121,10 +132,13 @@ TEST(Monitor, CoarseClocksAreExact) {
   for (int round = 0; round < 400; ++round) {
     const int limit = static_cast<int>(random() % 3 == 0 ? random() % 12 : random() % 900);
     const std::string ms = std::to_string(limit) + "ms";
-    const std::string texts[] = {"prove p: a held " + ms + " implies b", "prove p: b or held(a, " + ms + ")", "prove p: a leads to b within " + ms, "pulse M0.0 at most every " + ms};
+    const std::string texts[] = {"prove p: a held " + ms + " implies b", "prove p: b or held(a, " + ms + ")",
+                                 "prove p: a leads to b within " + ms, "pulse M0.0 at most every " + ms};
     PropertySet set;
     std::vector<Finding> findings;
-    readPropertyText(0, texts[round % 4], 0, [](std::string_view name) { return name == "M0.0" ? bitNamed("a") : bitNamed(name); }, set, findings);
+    readPropertyText(
+        0, texts[round % 4], 0, [](std::string_view name) { return name == "M0.0" ? bitNamed("a") : bitNamed(name); },
+        set, findings);
     ASSERT_TRUE(findings.empty()) << texts[round % 4] << ": " << findings[0].message;
     std::vector<std::pair<unsigned, std::uint64_t>> scans;
     unsigned bits = random() % 4;

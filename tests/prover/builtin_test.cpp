@@ -14,22 +14,27 @@ ProofRun builtins(const ProgramInput& input) {
 std::vector<Outcome> outcomes(const ProofRun& run, BuiltinKind kind, const std::string& part = "") {
   std::vector<Outcome> found;
   for (const ProofResult& result : run.results) {
-    if (result.builtin && result.builtin->kind == kind && result.builtin->name.find(part) != std::string::npos) found.push_back(result.outcome);
+    if (result.builtin && result.builtin->kind == kind && result.builtin->name.find(part) != std::string::npos)
+      found.push_back(result.outcome);
   }
   return found;
 }
 using Outcomes = std::vector<Outcome>;
 
-const char* const subroutine = "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\nR Q0.0, 1\nEND_SUBROUTINE_BLOCK\n";
+const char* const subroutine =
+    "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\nR Q0.0, 1\nEND_SUBROUTINE_BLOCK\n";
 
 TEST(Builtin, SetAndResetInMainAndSubroutine) {
-  const ProofRun run = builtins(inputOf("", "Network 1\nLD I0.0\nS Q0.0, 1\nNetwork 2\nLD SM0.0\nCALL SBR_0\n", subroutine));
+  const ProofRun run =
+      builtins(inputOf("", "Network 1\nLD I0.0\nS Q0.0, 1\nNetwork 2\nLD SM0.0\nCALL SBR_0\n", subroutine));
   EXPECT_EQ(outcomes(run, BuiltinKind::SetReset, "Q0.0"), Outcomes{Outcome::Violated});
 }
 
 TEST(Builtin, WitnessesShowOnlyInputsThatMatter) {
   // The conflict needs I0.0 and I0.1 in one scan; I0.2 to I0.4 are read but have nothing to do with it.
-  const ProofRun run = builtins(inputOf("", "Network 1\nLD I0.0\nS Q0.0, 1\nNetwork 2\nLD I0.1\nR Q0.0, 1\nNetwork 3\nLD I0.2\nA I0.3\nO I0.4\n= Q0.1\n"));
+  const ProofRun run = builtins(inputOf(
+      "",
+      "Network 1\nLD I0.0\nS Q0.0, 1\nNetwork 2\nLD I0.1\nR Q0.0, 1\nNetwork 3\nLD I0.2\nA I0.3\nO I0.4\n= Q0.1\n"));
   for (const ProofResult& result : run.results) {
     if (!result.builtin || result.builtin->kind != BuiltinKind::SetReset) continue;
     ASSERT_TRUE(result.witness);
@@ -47,15 +52,17 @@ TEST(Builtin, WitnessesShowOnlyInputsThatMatter) {
 }
 
 TEST(Builtin, SetAndResetUnderOppositeConditionsIsNoConflict) {
-  const ProofRun run = builtins(inputOf("", "Network 1\nLD I0.0\nS Q0.0, 1\nNetwork 2\nLDN I0.0\nCALL SBR_0\n",
-                                        "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD SM0.0\nR Q0.0, 1\nEND_SUBROUTINE_BLOCK\n"));
+  const ProofRun run =
+      builtins(inputOf("", "Network 1\nLD I0.0\nS Q0.0, 1\nNetwork 2\nLDN I0.0\nCALL SBR_0\n",
+                       "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD SM0.0\nR Q0.0, 1\nEND_SUBROUTINE_BLOCK\n"));
   for (const Outcome outcome : outcomes(run, BuiltinKind::SetReset, "Q0.0")) EXPECT_EQ(outcome, Outcome::Proved);
 }
 
 TEST(Builtin, SetInMainAndResetInInterrupt) {
   // Event 0: rising edge of I0.0. The routine may come in the scan in which the main program sets the bit.
-  const ProofRun run = builtins(inputOf("", "Network 1\nLD SM0.1\nATCH INT_0, 0\nENI\nNetwork 2\nLD I0.5\nS M0.0, 1\n",
-                                        "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nR M0.0, 1\nEND_INTERRUPT_BLOCK\n"));
+  const ProofRun run =
+      builtins(inputOf("", "Network 1\nLD SM0.1\nATCH INT_0, 0\nENI\nNetwork 2\nLD I0.5\nS M0.0, 1\n",
+                       "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nR M0.0, 1\nEND_INTERRUPT_BLOCK\n"));
   const Outcomes found = outcomes(run, BuiltinKind::SetReset, "M0.0");
   ASSERT_FALSE(found.empty());
   for (const Outcome outcome : found) EXPECT_EQ(outcome, Outcome::Violated);
@@ -63,18 +70,22 @@ TEST(Builtin, SetInMainAndResetInInterrupt) {
 
 TEST(Builtin, SlowTimerSkippedByAJump) {
   // T37 has a resolution of 100 ms; with I0.0 its box is jumped over.
-  const ProofRun run = builtins(inputOf("", "Network 1\nLD I0.0\nJMP 1\nNetwork 2\nLD I0.1\nTON T37, 10\nNetwork 3\nLBL 1\nNetwork 4\nLD T37\n= Q0.0\n"));
+  const ProofRun run = builtins(inputOf(
+      "", "Network 1\nLD I0.0\nJMP 1\nNetwork 2\nLD I0.1\nTON T37, 10\nNetwork 3\nLBL 1\nNetwork 4\nLD T37\n= Q0.0\n"));
   EXPECT_EQ(outcomes(run, BuiltinKind::TimerOncePerScan, "T37"), Outcomes{Outcome::Violated});
 }
 
 TEST(Builtin, SlowTimerCalledTwice) {
-  const ProofRun run = builtins(inputOf("", "Network 1\nLD SM0.0\nCALL SBR_0\nNetwork 2\nLD I0.7\nCALL SBR_0\n",
-                                        "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\nTON T37, 10\nLD T37\n= Q0.0\nEND_SUBROUTINE_BLOCK\n"));
+  const ProofRun run = builtins(inputOf(
+      "", "Network 1\nLD SM0.0\nCALL SBR_0\nNetwork 2\nLD I0.7\nCALL SBR_0\n",
+      "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\nTON T37, 10\nLD T37\n= Q0.0\nEND_SUBROUTINE_BLOCK\n"));
   EXPECT_EQ(outcomes(run, BuiltinKind::TimerOncePerScan, "T37"), Outcomes{Outcome::Violated});
 }
 
 TEST(Builtin, SlowTimerInEveryScanAndFastTimersAreNoQuestion) {
-  const ProofRun run = builtins(inputOf("", "Network 1\nLD I0.1\nTON T37, 10\nNetwork 2\nLD I0.0\nJMP 1\nNetwork 3\nLD I0.1\nTON T33, 10\nNetwork 4\nLBL 1\n"));
+  const ProofRun run = builtins(inputOf("",
+                                        "Network 1\nLD I0.1\nTON T37, 10\nNetwork 2\nLD I0.0\nJMP 1\nNetwork 3\nLD "
+                                        "I0.1\nTON T33, 10\nNetwork 4\nLBL 1\n"));
   EXPECT_EQ(outcomes(run, BuiltinKind::TimerOncePerScan), Outcomes{});
 }
 
@@ -83,7 +94,8 @@ TEST(Builtin, NestingAtTheLimitAndBeyond) {
   const auto chain = [](int levels) {
     std::string blocks;
     for (int n = 0; n < levels; ++n) {
-      blocks += "SUBROUTINE_BLOCK SBR_" + std::to_string(n) + ":SBR" + std::to_string(n) + "\nBEGIN\nNetwork 1\nLD SM0.0\n";
+      blocks +=
+          "SUBROUTINE_BLOCK SBR_" + std::to_string(n) + ":SBR" + std::to_string(n) + "\nBEGIN\nNetwork 1\nLD SM0.0\n";
       blocks += n + 1 < levels ? "CALL SBR_" + std::to_string(n + 1) + "\n" : std::string("= Q0.0\n");
       blocks += "END_SUBROUTINE_BLOCK\n";
     }
@@ -96,11 +108,15 @@ TEST(Builtin, NestingAtTheLimitAndBeyond) {
 
 TEST(Builtin, PointerThatMayLeaveItsArea) {
   // The offset is an input byte times 256: up to 65280 bytes behind VB0, V ends at 10239.
-  const ProofRun wide = builtins(inputOf("", "Network 1\nLD SM0.0\nMOVD &VB0, VD0\nMOVB IB1, VB6\nMOVB 0, VB7\nMOVB 0, VB4\nMOVB 0, VB5\n+D VD4, VD0\nMOVB *VD0, QB0\n"));
+  const ProofRun wide = builtins(inputOf("",
+                                         "Network 1\nLD SM0.0\nMOVD &VB0, VD0\nMOVB IB1, VB6\nMOVB 0, VB7\nMOVB 0, "
+                                         "VB4\nMOVB 0, VB5\n+D VD4, VD0\nMOVB *VD0, QB0\n"));
   const Outcomes found = outcomes(wide, BuiltinKind::OperandRange);
   EXPECT_NE(std::count(found.begin(), found.end(), Outcome::Violated), 0);
   // One byte of offset cannot leave it.
-  const ProofRun narrow = builtins(inputOf("", "Network 1\nLD SM0.0\nMOVD &VB0, VD0\nMOVB IB1, VB7\nMOVB 0, VB6\nMOVB 0, VB4\nMOVB 0, VB5\n+D VD4, VD0\nMOVB *VD0, QB0\n"));
+  const ProofRun narrow = builtins(inputOf("",
+                                           "Network 1\nLD SM0.0\nMOVD &VB0, VD0\nMOVB IB1, VB7\nMOVB 0, VB6\nMOVB 0, "
+                                           "VB4\nMOVB 0, VB5\n+D VD4, VD0\nMOVB *VD0, QB0\n"));
   for (const Outcome outcome : outcomes(narrow, BuiltinKind::OperandRange)) EXPECT_EQ(outcome, Outcome::Proved);
 }
 
@@ -112,8 +128,10 @@ TEST(Builtin, DivisionIsGuardedOrNot) {
 }
 
 TEST(Builtin, TimerThatCanComeOnAndOneThatCannot) {
-  // T37 waits 5 s behind its input; T38 is reset by its own first tick of the program: its input is on for one scan only.
-  const ProofRun run = builtins(inputOf("", "Network 1\nLD I0.0\nTON T37, 50\nNetwork 2\nLD I0.1\nEU\nTON T38, 100\nNetwork 3\nLD T37\nO T38\n= Q0.0\n"));
+  // T37 waits 5 s behind its input; T38 is reset by its own first tick of the program: its input is on for one scan
+  // only.
+  const ProofRun run = builtins(inputOf(
+      "", "Network 1\nLD I0.0\nTON T37, 50\nNetwork 2\nLD I0.1\nEU\nTON T38, 100\nNetwork 3\nLD T37\nO T38\n= Q0.0\n"));
   EXPECT_EQ(outcomes(run, BuiltinKind::TimerReachable, "T37"), Outcomes{Outcome::Reachable});
   EXPECT_EQ(outcomes(run, BuiltinKind::TimerResettable, "T37"), Outcomes{Outcome::Reachable});
   EXPECT_EQ(outcomes(run, BuiltinKind::TimerReachable, "T38"), Outcomes{Outcome::Unreachable});
@@ -132,11 +150,14 @@ ProofRun builtinsIn(const std::string& block, const std::string& networks) {
   const bool isInterrupt = block == "INT";
   const std::string head = isInterrupt ? "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\n" : "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\n";
   const std::string end = isInterrupt ? "END_INTERRUPT_BLOCK\n" : "END_SUBROUTINE_BLOCK\n";
-  return builtins(inputOf("", isInterrupt ? "Network 1\nLD SM0.1\nATCH INT_0, 0\nENI\n" : "Network 1\nLD I2.7\nCALL SBR_0\n", head + networks + end));
+  return builtins(
+      inputOf("", isInterrupt ? "Network 1\nLD SM0.1\nATCH INT_0, 0\nENI\n" : "Network 1\nLD I2.7\nCALL SBR_0\n",
+              head + networks + end));
 }
 
 class BuiltinIn : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Blocks, BuiltinIn, testing::Values("MAIN", "SBR", "INT"), [](const auto& info) { return std::string(info.param); });
+INSTANTIATE_TEST_SUITE_P(Blocks, BuiltinIn, testing::Values("MAIN", "SBR", "INT"),
+                         [](const auto& info) { return std::string(info.param); });
 
 TEST_P(BuiltinIn, LevelsThatTheStackLoses) {
   // Ten loads; eight ALD take the upper nine levels, the ninth one takes the level that the tenth load pushed out.
@@ -146,7 +167,8 @@ TEST_P(BuiltinIn, LevelsThatTheStackLoses) {
     for (int i = 0; i < joined; ++i) text += "ALD\n";
     return text + "= Q0.0\n";
   };
-  EXPECT_EQ(outcomes(builtinsIn(GetParam(), loads(10, 9)), BuiltinKind::StackLevels, "ALD"), Outcomes{Outcome::Violated});
+  EXPECT_EQ(outcomes(builtinsIn(GetParam(), loads(10, 9)), BuiltinKind::StackLevels, "ALD"),
+            Outcomes{Outcome::Violated});
   EXPECT_EQ(outcomes(builtinsIn(GetParam(), loads(10, 8)), BuiltinKind::StackLevels), Outcomes{Outcome::Proved});
   EXPECT_EQ(outcomes(builtinsIn(GetParam(), loads(9, 8)), BuiltinKind::StackLevels), Outcomes{Outcome::Proved});
 }
@@ -161,23 +183,33 @@ TEST_P(BuiltinIn, LevelsLostOnOnePathOnly) {
   const Outcomes ofLost = outcomes(builtinsIn(GetParam(), lost), BuiltinKind::StackLevels, "ALD");
   EXPECT_EQ(std::count(ofLost.begin(), ofLost.end(), Outcome::Violated), 1);
   const std::string never = head + "LD I1.0\nON I1.0\nJMP 1\nLD I1.1\nLBL 1\n" + tail + "= Q0.0\n";
-  for (const Outcome outcome : outcomes(builtinsIn(GetParam(), never), BuiltinKind::StackLevels)) EXPECT_EQ(outcome, Outcome::Proved);
+  for (const Outcome outcome : outcomes(builtinsIn(GetParam(), never), BuiltinKind::StackLevels))
+    EXPECT_EQ(outcome, Outcome::Proved);
 }
 
 TEST_P(BuiltinIn, SetAndReset) {
   // An interrupt routine may run twice in a scan: then each of the two can be the last one.
-  const Outcomes both = outcomes(builtinsIn(GetParam(), "Network 1\nLD I0.1\nS M0.0, 1\nNetwork 2\nLD I0.2\nR M0.0, 1\n"), BuiltinKind::SetReset, "M0.0");
+  const Outcomes both =
+      outcomes(builtinsIn(GetParam(), "Network 1\nLD I0.1\nS M0.0, 1\nNetwork 2\nLD I0.2\nR M0.0, 1\n"),
+               BuiltinKind::SetReset, "M0.0");
   EXPECT_FALSE(both.empty());
   for (const Outcome outcome : both) EXPECT_EQ(outcome, Outcome::Violated);
-  for (const Outcome outcome : outcomes(builtinsIn(GetParam(), "Network 1\nLD I0.1\nS M0.0, 1\nNetwork 2\nLDN I0.1\nR M0.0, 1\n"), BuiltinKind::SetReset, "M0.0")) EXPECT_EQ(outcome, Outcome::Proved);
+  for (const Outcome outcome :
+       outcomes(builtinsIn(GetParam(), "Network 1\nLD I0.1\nS M0.0, 1\nNetwork 2\nLDN I0.1\nR M0.0, 1\n"),
+                BuiltinKind::SetReset, "M0.0"))
+    EXPECT_EQ(outcome, Outcome::Proved);
 }
 
 TEST_P(BuiltinIn, CountsTablesAndStringsThatLeaveTheirArea) {
   // V ends at VB10239 on a CPU 226 (table 6-2). 200 words from VW10000 end at VB10399; 100 of them at VB10199.
-  const auto fill = [](const std::string& limit) { return "Network 1\nLDB<= IB1, " + limit + "\nAB>= IB1, 1\nFILL 0, VW10000, 120\nMOVB IB1, VB0\nBMW VW100, VW10000, VB0\n"; };
+  const auto fill = [](const std::string& limit) {
+    return "Network 1\nLDB<= IB1, " + limit +
+           "\nAB>= IB1, 1\nFILL 0, VW10000, 120\nMOVB IB1, VB0\nBMW VW100, VW10000, VB0\n";
+  };
   const Outcomes wide = outcomes(builtinsIn(GetParam(), fill("200")), BuiltinKind::OperandRange, "BMW");
   EXPECT_NE(std::count(wide.begin(), wide.end(), Outcome::Violated), 0);
-  for (const Outcome outcome : outcomes(builtinsIn(GetParam(), fill("100")), BuiltinKind::OperandRange, "BMW")) EXPECT_EQ(outcome, Outcome::Proved);
+  for (const Outcome outcome : outcomes(builtinsIn(GetParam(), fill("100")), BuiltinKind::OperandRange, "BMW"))
+    EXPECT_EQ(outcome, Outcome::Proved);
   // A string index of 0 is error 009B (001:13972).
   const auto part = [](const std::string& guard) { return "Network 1\n" + guard + "SSCPY VB100, IB1, 2, VB200\n"; };
   const Outcomes zero = outcomes(builtinsIn(GetParam(), part("LD I0.0\n")), BuiltinKind::OperandRange, "SSCPY");
@@ -185,13 +217,17 @@ TEST_P(BuiltinIn, CountsTablesAndStringsThatLeaveTheirArea) {
 }
 
 TEST_P(BuiltinIn, PresetOutOfRange) {
-  EXPECT_EQ(outcomes(builtinsIn(GetParam(), "Network 1\nLD I0.0\nTON T33, IW2\n"), BuiltinKind::Preset), Outcomes{Outcome::Violated});
-  EXPECT_EQ(outcomes(builtinsIn(GetParam(), "Network 1\nLDW> IW2, 0\nTON T33, IW2\n"), BuiltinKind::Preset), Outcomes{Outcome::Proved});
-  EXPECT_EQ(outcomes(builtinsIn(GetParam(), "Network 1\nLD I0.0\nLD I0.1\nCTU C1, IW2\n"), BuiltinKind::Preset), Outcomes{Outcome::Violated});
+  EXPECT_EQ(outcomes(builtinsIn(GetParam(), "Network 1\nLD I0.0\nTON T33, IW2\n"), BuiltinKind::Preset),
+            Outcomes{Outcome::Violated});
+  EXPECT_EQ(outcomes(builtinsIn(GetParam(), "Network 1\nLDW> IW2, 0\nTON T33, IW2\n"), BuiltinKind::Preset),
+            Outcomes{Outcome::Proved});
+  EXPECT_EQ(outcomes(builtinsIn(GetParam(), "Network 1\nLD I0.0\nLD I0.1\nCTU C1, IW2\n"), BuiltinKind::Preset),
+            Outcomes{Outcome::Violated});
 }
 
 TEST_P(BuiltinIn, TimerThatFiresAndOneThatNeverDoes) {
-  const ProofRun run = builtinsIn(GetParam(), "Network 1\nLD I0.0\nTON T33, 5\nNetwork 2\nLD I0.1\nAN I0.1\nTON T34, 5\n");
+  const ProofRun run =
+      builtinsIn(GetParam(), "Network 1\nLD I0.0\nTON T33, 5\nNetwork 2\nLD I0.1\nAN I0.1\nTON T34, 5\n");
   EXPECT_EQ(outcomes(run, BuiltinKind::TimerReachable, "T33"), Outcomes{Outcome::Reachable});
   EXPECT_EQ(outcomes(run, BuiltinKind::TimerReachable, "T34"), Outcomes{Outcome::Unreachable});
 }
@@ -200,7 +236,8 @@ TEST(Builtin, LoopBeyondTheLimitLeavesProofsOpen) {
   // A jump back that an input keeps going is followed 256 times only; what lies behind is left out, so nothing that the
   // loop could spoil is proved.
   const ProgramInput input = inputOf("//@ prove counter stays small: VW0 <> 300\n",
-                                     "Network 1\nLBL 1\nNetwork 2\nLD SM0.0\nINCW VW0\nNetwork 3\nLDW< VW0, 1000\nJMP 1\nNetwork 4\nLD SM0.0\nMOVW 0, VW0\n");
+                                     "Network 1\nLBL 1\nNetwork 2\nLD SM0.0\nINCW VW0\nNetwork 3\nLDW< VW0, 1000\nJMP "
+                                     "1\nNetwork 4\nLD SM0.0\nMOVW 0, VW0\n");
   const ProofRun run = prove(input.program, input.properties, usualOptions(15));
   EXPECT_EQ(outcomeOf(run, "counter stays small"), Outcome::NotCovered);
 }

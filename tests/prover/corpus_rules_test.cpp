@@ -22,7 +22,9 @@ const std::map<std::string, RuleAddresses>& explainedFindings() {
       // The level keeps the demand while the motor protection has tripped.
       {"pump_alternation.awl", {"SAF006 Q0.1"}},
       // The place in the row of valves is in V memory, which is retentive; the fan's contact lets the row go on.
-      {"bag_filter.awl", {"SAF005 Q0.0", "SAF005 Q0.1", "SAF005 Q0.2", "SAF005 Q0.3", "SAF006 Q0.0", "SAF006 Q0.1", "SAF006 Q0.2", "SAF006 Q0.3"}},
+      {"bag_filter.awl",
+       {"SAF005 Q0.0", "SAF005 Q0.1", "SAF005 Q0.2", "SAF005 Q0.3", "SAF006 Q0.0", "SAF006 Q0.1", "SAF006 Q0.2",
+        "SAF006 Q0.3"}},
       // The start command is remembered in front of the motor protection of each belt.
       {"conveyor.awl", {"SAF004 ", "SAF006 Q0.1", "SAF006 Q0.2"}},
       // Declared the wrong way round on purpose: the level closes the valve one scan later.
@@ -59,11 +61,13 @@ class CorpusRules : public testing::TestWithParam<fs::path> {};
 TEST_P(CorpusRules, FindWhatIsExplained) {
   ProgramInput input = corpusInput(GetParam());
   // Properties that are no rule of their own are the business of tests/corpus.
-  std::erase_if(input.properties.properties, [](const Property& property) { return property.isGoal() && ruleOfViolation(property) == "SAF001"; });
+  std::erase_if(input.properties.properties,
+                [](const Property& property) { return property.isGoal() && ruleOfViolation(property) == "SAF001"; });
   ProverOptions options = proverOptions(GetParam());
   options.timeout = 10;
   std::vector<Finding> findings;
-  settleBySolver(input, options, [](std::string_view rule) { return rule != "SAF001" && rule != "OUT003"; }, findings);
+  settleBySolver(
+      input, options, [](std::string_view rule) { return rule != "SAF001" && rule != "OUT003"; }, findings);
   RuleAddresses found;
   for (const Finding& finding : findings) {
     if (finding.severity != Severity::Note) found.insert(finding.rule + " " + finding.address);
@@ -72,11 +76,15 @@ TEST_P(CorpusRules, FindWhatIsExplained) {
   EXPECT_EQ(found, row == explainedFindings().end() ? RuleAddresses{} : row->second);
 }
 
-INSTANTIATE_TEST_SUITE_P(Programs, CorpusRules, testing::ValuesIn(quickPrograms()), [](const testing::TestParamInfo<fs::path>& info) {
-  std::string name = info.param.parent_path().filename().string() + "_" + info.param.stem().string();
-  std::replace_if(name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Programs, CorpusRules, testing::ValuesIn(quickPrograms()),
+                         [](const testing::TestParamInfo<fs::path>& info) {
+                           std::string name =
+                               info.param.parent_path().filename().string() + "_" + info.param.stem().string();
+                           std::replace_if(
+                               name.begin(), name.end(),
+                               [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace rungproof::test

@@ -37,8 +37,8 @@ TEST(EveryInstruction, SeesTheScanEndToo) {
 }
 
 TEST(EveryInstruction, InterruptsComeInBetweenWithoutSharedMemory) {
-  // Q0.0 is on between its coil and its R; the routine has Q0.1 on for a moment. Neither touches what the other does, so
-  // no order of them changes a scan's end, but what is seen in between.
+  // Q0.0 is on between its coil and its R; the routine has Q0.1 on for a moment. Neither touches what the other does,
+  // so no order of them changes a scan's end, but what is seen in between.
   const ProgramInput input = inputOf(
       "//@ at every instruction prove both: never Q0.0 and Q0.1\n//@ prove ends: never Q0.0 or Q0.1\n",
       "Network 1\nLD SM0.1\nATCH 0, 0\nENI\nNetwork 2\nLD I0.0\n= Q0.0\nR Q0.0, 1\n",
@@ -52,8 +52,10 @@ TEST(EveryInstruction, MillisecondTimersTickInside) {
   // T32 has 1 ms resolution and is refreshed inside the scan: M2.0 is written from T32 = 0, and before the next
   // instruction T32 can be on. T37 changes at its own instruction only.
   const ProgramInput input = inputOf(
-      "//@ at every instruction prove fast: never T32 and M2.0\n//@ at every instruction prove slow: never T37 and M2.1\n",
-      "Network 1\nLD I1.0\nTON T32, 5\nTON T37, 5\nNetwork 2\nLDN T32\n= M2.0\nLDN T37\n= M2.1\nNetwork 3\nLD M2.0\n= M3.0\n");
+      "//@ at every instruction prove fast: never T32 and M2.0\n//@ at every instruction prove slow: never T37 and "
+      "M2.1\n",
+      "Network 1\nLD I1.0\nTON T32, 5\nTON T37, 5\nNetwork 2\nLDN T32\n= M2.0\nLDN T37\n= M2.1\nNetwork 3\nLD M2.0\n= "
+      "M3.0\n");
   const ProofRun run = prove(input.program, input.properties, usualOptions());
   EXPECT_EQ(outcomeOf(run, "fast"), Outcome::Violated);
   // M2.1 is still that of the last scan when T37 comes: it is seen between the timer and the coil.
@@ -63,7 +65,8 @@ TEST(EveryInstruction, MillisecondTimersTickInside) {
 
 TEST(EveryInstruction, FirstScanIsTheFirstScan) {
   const ProgramInput input = inputOf(
-      "//@ at every instruction prove start: never first_scan and M1.0\n//@ at every instruction prove later: never M1.1 and not first_scan\n",
+      "//@ at every instruction prove start: never first_scan and M1.0\n//@ at every instruction prove later: never "
+      "M1.1 and not first_scan\n",
       "Network 1\nLD SM0.1\n= M1.0\n= M1.1\nNetwork 2\nLD SM0.0\nR M1.1, 1\n");
   const ProofRun run = prove(input.program, input.properties, usualOptions());
   EXPECT_EQ(outcomeOf(run, "start"), Outcome::Violated);
@@ -72,8 +75,9 @@ TEST(EveryInstruction, FirstScanIsTheFirstScan) {
 
 TEST(EveryInstruction, APremiseThatIsMetInsideIsNoVacuousOne) {
   // M0.0 is on between its S and its R only, and I0.0 is on there: Q0.0 follows I0.0 and was written before.
-  const ProgramInput input = inputOf("//@ at every instruction prove inside: M0.0 implies Q0.0\n//@ prove ends: (M0.0 implies Q0.0)\n",
-                                     "Network 1\nLD I0.0\n= Q0.0\nS M0.0, 1\nNetwork 2\nLD SM0.0\nR M0.0, 1\n");
+  const ProgramInput input =
+      inputOf("//@ at every instruction prove inside: M0.0 implies Q0.0\n//@ prove ends: (M0.0 implies Q0.0)\n",
+              "Network 1\nLD I0.0\n= Q0.0\nS M0.0, 1\nNetwork 2\nLD SM0.0\nR M0.0, 1\n");
   const ProofRun run = prove(input.program, input.properties, usualOptions());
   EXPECT_EQ(outcomeOf(run, "inside"), Outcome::Proved);
   const ProofResult* ends = resultNamed(run, "ends");

@@ -8,8 +8,10 @@ namespace rungproof::test {
 namespace {
 
 struct Setting {
-  explicit Setting(const std::string& properties, const std::string& networks) : input(inputOf(properties, networks)), options(usualOptions()) {
-    for (const Property& property : input.properties.properties) (property.isGoal() ? goals : assumptions).push_back(property);
+  explicit Setting(const std::string& properties, const std::string& networks)
+      : input(inputOf(properties, networks)), options(usualOptions()) {
+    for (const Property& property : input.properties.properties)
+      (property.isGoal() ? goals : assumptions).push_back(property);
     obligations = std::make_unique<Obligations>(input.program, input.properties, goals, encoderOptionsOf(options));
   }
   std::vector<std::optional<Witness>> search() {
@@ -18,7 +20,9 @@ struct Setting {
     return guidedRuns(input.program, obligations->encoding(), assumptions, wanted, 1, 20);
   }
   bool isRepeated(std::size_t goal, const Witness& witness) const {
-    return Judge(input.program, options.choices, assumptions, goals[goal]).witness(witness.scans, witness.initial).has_value();
+    return Judge(input.program, options.choices, assumptions, goals[goal])
+        .witness(witness.scans, witness.initial)
+        .has_value();
   }
   ProgramInput input;
   ProverOptions options;
@@ -27,9 +31,10 @@ struct Setting {
 };
 
 TEST(GuidedRuns, LongTimersOneBehindTheOther) {
-  // 10 min, then 20 min in scans of 500 ms (the watchdog's limit). T101 is enabled in the scan that T37 ends in, and adds
-  // the ticks of the scan before at once, as every 100 ms timer does when it is executed (001:6605).
-  Setting s("//@ reach first: T37\n//@ reach second: T101\n", "Network 1\nLD I0.0\nTON T37, 6000\nLD T37\nTON T101, 12000\n");
+  // 10 min, then 20 min in scans of 500 ms (the watchdog's limit). T101 is enabled in the scan that T37 ends in, and
+  // adds the ticks of the scan before at once, as every 100 ms timer does when it is executed (001:6605).
+  Setting s("//@ reach first: T37\n//@ reach second: T101\n",
+            "Network 1\nLD I0.0\nTON T37, 6000\nLD T37\nTON T101, 12000\n");
   const std::vector<std::optional<Witness>> found = s.search();
   for (std::size_t g = 0; g < 2; ++g) {
     ASSERT_TRUE(found[g].has_value());
@@ -41,7 +46,8 @@ TEST(GuidedRuns, LongTimersOneBehindTheOther) {
 }
 
 TEST(GuidedRuns, InputsThatMustBeOffAndWordsThatMatter) {
-  Setting s("//@ reach off: T37\n//@ reach mixed: Q0.0\n", "Network 1\nLDN I0.0\nAN I0.1\nTON T37, 100\nNetwork 2\nLD I0.2\nAN I0.3\nTON T38, 30\nLD T38\n= Q0.0\n");
+  Setting s("//@ reach off: T37\n//@ reach mixed: Q0.0\n",
+            "Network 1\nLDN I0.0\nAN I0.1\nTON T37, 100\nNetwork 2\nLD I0.2\nAN I0.3\nTON T38, 30\nLD T38\n= Q0.0\n");
   const std::vector<std::optional<Witness>> found = s.search();
   ASSERT_TRUE(found[0] && found[1]);
   EXPECT_TRUE(s.isRepeated(0, *found[0]));

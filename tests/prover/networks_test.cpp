@@ -13,20 +13,23 @@ std::string networksOf(const ProgramInput& input, const std::string& name) {
 }
 
 TEST(Networks, NamesWritersOnly) {
-  const ProgramInput input = inputOf("//@ prove contact: Q0.0 implies I0.0\n", "Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\n= Q0.1\n");
+  const ProgramInput input =
+      inputOf("//@ prove contact: Q0.0 implies I0.0\n", "Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\n= Q0.1\n");
   EXPECT_EQ(networksOf(input, "contact"), "MAIN 1");
 }
 
 TEST(Networks, FollowsFlagsOfTheSameScanAndLatches) {
   // Q0.0 needs M0.0 of the same scan, and Q0.0 itself from the scan before is a latch of network 2.
-  const ProgramInput input = inputOf("//@ prove start first: Q0.0 implies once(I0.0)\n",
-                                     "Network 1\nLD I0.0\n= M0.0\nNetwork 2\nLD M0.0\nO Q0.0\nA I0.1\n= Q0.0\nNetwork 3\nLD Q0.0\n= Q0.1\n");
+  const ProgramInput input =
+      inputOf("//@ prove start first: Q0.0 implies once(I0.0)\n",
+              "Network 1\nLD I0.0\n= M0.0\nNetwork 2\nLD M0.0\nO Q0.0\nA I0.1\n= Q0.0\nNetwork 3\nLD Q0.0\n= Q0.1\n");
   EXPECT_EQ(networksOf(input, "start first"), "MAIN 1, 2");
 }
 
 TEST(Networks, NamesCallersAndJumps) {
-  const ProgramInput input = inputOf("//@ prove sub: Q0.0 implies once(I0.0)\n", "Network 1\nLD I0.5\nCALL SBR_0\nNetwork 2\nLD I0.6\n= Q0.6\n",
-                                     "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.0\n= Q0.0\nEND_SUBROUTINE_BLOCK\n");
+  const ProgramInput input = inputOf(
+      "//@ prove sub: Q0.0 implies once(I0.0)\n", "Network 1\nLD I0.5\nCALL SBR_0\nNetwork 2\nLD I0.6\n= Q0.6\n",
+      "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.0\n= Q0.0\nEND_SUBROUTINE_BLOCK\n");
   EXPECT_EQ(networksOf(input, "sub"), "MAIN 1; SBR_0 1");
 }
 

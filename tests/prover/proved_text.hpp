@@ -11,9 +11,11 @@
 namespace rungproof::test {
 
 /// A main program of these network lines; property lines begin with //@.
-inline ProgramInput inputOf(const std::string& properties, const std::string& networks, const std::string& otherBlocks = "") {
+inline ProgramInput inputOf(const std::string& properties, const std::string& networks,
+                            const std::string& otherBlocks = "") {
   ProgramInput input;
-  input.program = readText("test.awl", "ORGANIZATION_BLOCK MAIN:OB1\n" + properties + "BEGIN\n" + networks + "END_ORGANIZATION_BLOCK\n" + otherBlocks);
+  input.program = readText("test.awl", "ORGANIZATION_BLOCK MAIN:OB1\n" + properties + "BEGIN\n" + networks +
+                                           "END_ORGANIZATION_BLOCK\n" + otherBlocks);
   input.properties = readProperties(input.program, {}, lookupIn(input.program));
   for (const Finding& finding : input.program.findings) EXPECT_NE(finding.severity, Severity::Error) << finding.message;
   return input;

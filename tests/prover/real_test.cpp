@@ -1,6 +1,6 @@
-// REAL arithmetic, comparisons and conversions are exact where any value is not enough. Sine, logarithm and the like are
-// taken as any value: what depends on them says so, is never called violated by a run that the engine does not repeat,
-// and what does not depend on them is decided as ever.
+// REAL arithmetic, comparisons and conversions are exact where any value is not enough. Sine, logarithm and the like
+// are taken as any value: what depends on them says so, is never called violated by a run that the engine does not
+// repeat, and what does not depend on them is decided as ever.
 #include "proved_text.hpp"
 
 namespace rungproof::test {
@@ -22,7 +22,8 @@ ProofRun provedSine(const std::string& statement, double timeout = 3) {
 TEST(Real, FunctionsAreListedAsApproximated) {
   const ProofRun run = provedSine("prove lamp: Q0.1 implies I0.1");
   const auto names = [&](const std::string& mnemonic) {
-    return std::any_of(run.approximations.begin(), run.approximations.end(), [&](const std::string& text) { return text.find(mnemonic + " at test.awl:") == 0; });
+    return std::any_of(run.approximations.begin(), run.approximations.end(),
+                       [&](const std::string& text) { return text.find(mnemonic + " at test.awl:") == 0; });
   };
   EXPECT_TRUE(names("SIN"));
   EXPECT_FALSE(names("LDR>"));
@@ -31,7 +32,8 @@ TEST(Real, FunctionsAreListedAsApproximated) {
 
 TEST(Real, WhatDoesNotDependOnThemIsProvedWithoutAWord) {
   // Without a comparison that could end the program.
-  const ProgramInput input = inputOf("//@ prove lamp: Q0.1 implies I0.1\n", "Network 1\nLD I0.1\n= Q0.1\nNetwork 2\nLD SM0.0\nDTR ID4, VD0\nSIN VD0, VD4\n");
+  const ProgramInput input = inputOf("//@ prove lamp: Q0.1 implies I0.1\n",
+                                     "Network 1\nLD I0.1\n= Q0.1\nNetwork 2\nLD SM0.0\nDTR ID4, VD0\nSIN VD0, VD4\n");
   const ProofRun run = prove(input.program, input.properties, usualOptions(3));
   ASSERT_EQ(outcomeOf(run, "lamp"), Outcome::Proved);
   EXPECT_FALSE(hasNote(*resultNamed(run, "lamp"), "depends on"));
@@ -55,7 +57,8 @@ TEST(Real, WhatIsFalseIsNeverProved) {
   // The sine of 1.0 is 0.84.
   const ProofRun run = provedSine("prove below a half: not Q0.2");
   const ProofResult& result = *resultNamed(run, "below a half");
-  EXPECT_TRUE(result.outcome == Outcome::NotCovered || (result.outcome == Outcome::Violated && result.witness)) << static_cast<int>(result.outcome);
+  EXPECT_TRUE(result.outcome == Outcome::NotCovered || (result.outcome == Outcome::Violated && result.witness))
+      << static_cast<int>(result.outcome);
   EXPECT_TRUE(hasNote(result, "depends on SIN at test.awl:"));
   EXPECT_TRUE(run.disagreements.empty());
 }
@@ -74,7 +77,8 @@ const char* const scaledProgram =
     "Network 3\nLDR>= VD10, 75.0\nR Q0.0, 1\n";
 
 Outcome outcomeScaled(const std::string& statement) {
-  const ProgramInput input = inputOf("//@ assume sensor: AIW0 >= 6400 and AIW0 <= 32000\n//@ " + statement + "\n", scaledProgram);
+  const ProgramInput input =
+      inputOf("//@ assume sensor: AIW0 >= 6400 and AIW0 <= 32000\n//@ " + statement + "\n", scaledProgram);
   const ProofRun run = prove(input.program, input.properties, usualOptions(20));
   EXPECT_TRUE(run.approximations.empty());
   EXPECT_TRUE(run.disagreements.empty());
@@ -93,17 +97,19 @@ TEST(Real, ScalingIsExact) {
 
 TEST(Real, ConversionsAreExact) {
   // 2.5 is rounded to 3 (halves away from zero) and cut to 2; the root of 2 lies between 1.41 and 1.42.
-  const ProgramInput input = inputOf("//@ prove rounded: VD0 = 3\n//@ prove cut: VD4 = 2\n//@ prove root: VD8 > 1.41 and VD8 < 1.42\n",
-                                     "LD SM0.0\nMOVR 2.5, AC0\nROUND AC0, VD0\nTRUNC AC0, VD4\nSQRT 2.0, VD8\n");
+  const ProgramInput input =
+      inputOf("//@ prove rounded: VD0 = 3\n//@ prove cut: VD4 = 2\n//@ prove root: VD8 > 1.41 and VD8 < 1.42\n",
+              "LD SM0.0\nMOVR 2.5, AC0\nROUND AC0, VD0\nTRUNC AC0, VD4\nSQRT 2.0, VD8\n");
   const ProofRun run = prove(input.program, input.properties, usualOptions(5));
   for (const ProofResult& result : run.results) EXPECT_EQ(result.outcome, Outcome::Proved) << result.property.name;
 }
 
 TEST(Real, LoopControlIsFoundViolatedByItsRealOutput) {
   // Proportional gain 0.25 and a set point of 0.75 give 0.1875 at an empty tank as soon as the loop runs.
-  const ProgramInput input = inputOf("//@ prove pump rests: VD108 < 0.18\n//@ prove output is limited: VD108 <= 1.0\n",
-                                     "Network 1\nLD SM0.1\nMOVR 0.75, VD104\nMOVR 0.25, VD112\nMOVR 0.1, VD116\nMOVR 30.0, VD120\nMOVR 0.0, VD124\n"
-                                     "Network 2\nLD I0.2\nPID VB100, 0\n");
+  const ProgramInput input = inputOf(
+      "//@ prove pump rests: VD108 < 0.18\n//@ prove output is limited: VD108 <= 1.0\n",
+      "Network 1\nLD SM0.1\nMOVR 0.75, VD104\nMOVR 0.25, VD112\nMOVR 0.1, VD116\nMOVR 30.0, VD120\nMOVR 0.0, VD124\n"
+      "Network 2\nLD I0.2\nPID VB100, 0\n");
   const ProofRun run = prove(input.program, input.properties, usualOptions(20));
   EXPECT_EQ(outcomeOf(run, "pump rests"), Outcome::Violated);
   EXPECT_EQ(outcomeOf(run, "output is limited"), Outcome::Proved);

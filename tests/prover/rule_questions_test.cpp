@@ -17,10 +17,12 @@ namespace {
 std::vector<Finding> findingsOf(const ProgramInput& input) {
   const Facts facts(input.program, input.properties.externals);
   std::vector<Finding> findings = runRules(facts, RuleSelection(), {});
-  settleBySolver(input, usualOptions(5), [](std::string_view) { return true; }, findings);
+  settleBySolver(
+      input, usualOptions(5), [](std::string_view) { return true; }, findings);
   return findings;
 }
-std::vector<Finding> findingsOf(const std::string& networks, const std::string& otherBlocks = "", const std::string& properties = "") {
+std::vector<Finding> findingsOf(const std::string& networks, const std::string& otherBlocks = "",
+                                const std::string& properties = "") {
   return findingsOf(inputOf(properties, networks, otherBlocks));
 }
 
@@ -65,21 +67,27 @@ TEST_P(SolverRule, SpeaksOnTheBadExample) {
     EXPECT_EQ(finding.confirmation, Confirmation::Confirmed);
   }
 }
-TEST_P(SolverRule, IsSilentOnTheGoodExample) { EXPECT_TRUE(isSilent(GetParam()->id, onExample(GetParam()->good))) << GetParam()->good; }
+TEST_P(SolverRule, IsSilentOnTheGoodExample) {
+  EXPECT_TRUE(isSilent(GetParam()->id, onExample(GetParam()->good))) << GetParam()->good;
+}
 
-INSTANTIATE_TEST_SUITE_P(Rules, SolverRule, testing::ValuesIn(solverRules()), [](const auto& info) { return std::string(info.param->id); });
+INSTANTIATE_TEST_SUITE_P(Rules, SolverRule, testing::ValuesIn(solverRules()),
+                         [](const auto& info) { return std::string(info.param->id); });
 
 TEST(SolverRules, AllOfTheCatalogueHaveExamples) {
   std::set<std::string_view> rules;
   for (const Rule* rule : solverRules()) rules.insert(rule->id);
-  for (const char* id : {"LOG001", "LOG002", "LOG006", "SAF003", "SAF004", "SAF005", "SAF006", "SCR004", "OUT003", "TIM008", "SAF001", "SAF002"}) EXPECT_TRUE(rules.contains(id)) << id;
+  for (const char* id : {"LOG001", "LOG002", "LOG006", "SAF003", "SAF004", "SAF005", "SAF006", "SCR004", "OUT003",
+                         "TIM008", "SAF001", "SAF002"})
+    EXPECT_TRUE(rules.contains(id)) << id;
 }
 
 // ---- LOG ------------------------------------------------------------------------------------------------
 
 TEST(AlwaysOrNever, NeedsReachableStates) {
   // M0.0 and M0.1 exclude each other in every reachable state, not in every state: only a proof can tell.
-  const std::string step = "Network 1\nLD I0.0\nAN M0.1\nS M0.0, 1\nNetwork 2\nLD I0.1\nAN M0.0\nS M0.1, 1\nNetwork 3\nLD I0.2\nR M0.0, 2\n";
+  const std::string step =
+      "Network 1\nLD I0.0\nAN M0.1\nS M0.0, 1\nNetwork 2\nLD I0.1\nAN M0.0\nS M0.1, 1\nNetwork 3\nLD I0.2\nR M0.0, 2\n";
   EXPECT_EQ(of("LOG001", findingsOf(step + "Network 4\nLD M0.0\nA M0.1\n= Q0.0\n")), Found{"Q0.0"});
   EXPECT_TRUE(isSilent("LOG001", findingsOf(step + "Network 4\nLD M0.0\nAN M0.1\n= Q0.0\n")));
 }
@@ -92,36 +100,46 @@ TEST(AlwaysOrNever, ComparesBytesWithoutSign) {
 
 TEST(AlwaysOrNever, SpeaksInSubroutinesAndInterruptRoutines) {
   const std::string call = "Network 1\nLD I0.7\nCALL SBR_0\n", attach = "Network 1\nLD SM0.1\nATCH INT_0, 0\nENI\n";
-  const std::string dead = "BEGIN\nNetwork 1\nLD I0.0\nAN I0.0\n= Q0.0\n", live = "BEGIN\nNetwork 1\nLD I0.0\nAN I0.1\n= Q0.0\n";
-  EXPECT_EQ(of("LOG001", findingsOf(call, "SUBROUTINE_BLOCK SBR_0:SBR0\n" + dead + "END_SUBROUTINE_BLOCK\n")), Found{"Q0.0"});
+  const std::string dead = "BEGIN\nNetwork 1\nLD I0.0\nAN I0.0\n= Q0.0\n",
+                    live = "BEGIN\nNetwork 1\nLD I0.0\nAN I0.1\n= Q0.0\n";
+  EXPECT_EQ(of("LOG001", findingsOf(call, "SUBROUTINE_BLOCK SBR_0:SBR0\n" + dead + "END_SUBROUTINE_BLOCK\n")),
+            Found{"Q0.0"});
   EXPECT_TRUE(isSilent("LOG001", findingsOf(call, "SUBROUTINE_BLOCK SBR_0:SBR0\n" + live + "END_SUBROUTINE_BLOCK\n")));
-  EXPECT_EQ(of("LOG001", findingsOf(attach, "INTERRUPT_BLOCK INT_0:INT0\n" + dead + "END_INTERRUPT_BLOCK\n")), Found{"Q0.0"});
+  EXPECT_EQ(of("LOG001", findingsOf(attach, "INTERRUPT_BLOCK INT_0:INT0\n" + dead + "END_INTERRUPT_BLOCK\n")),
+            Found{"Q0.0"});
   EXPECT_TRUE(isSilent("LOG001", findingsOf(attach, "INTERRUPT_BLOCK INT_0:INT0\n" + live + "END_INTERRUPT_BLOCK\n")));
 }
 
 TEST(AlwaysOrNever, LeavesSpecialMemoryAlone) {
-  EXPECT_TRUE(isSilent("LOG001", findingsOf("Network 1\nLD SM0.0\n= Q0.0\nNetwork 2\nLDN SM0.0\n= Q0.1\nNetwork 3\nLD I0.0\n= Q0.2\nLD SM0.0\nMOVB 1, VB0\n")));
+  EXPECT_TRUE(isSilent("LOG001", findingsOf("Network 1\nLD SM0.0\n= Q0.0\nNetwork 2\nLDN SM0.0\n= Q0.1\nNetwork 3\nLD "
+                                            "I0.0\n= Q0.2\nLD SM0.0\nMOVB 1, VB0\n")));
 }
 
 TEST(IdleContact, IsFoundInSeriesParallelAndBranches) {
-  EXPECT_EQ(of("LOG002", findingsOf("Network 1\nLD I0.0\nA I0.1\nO I0.0\n= Q0.0\n")), Found{"I0.1"});  // absorbed: a or (a and b) is a
+  EXPECT_EQ(of("LOG002", findingsOf("Network 1\nLD I0.0\nA I0.1\nO I0.0\n= Q0.0\n")),
+            Found{"I0.1"});  // absorbed: a or (a and b) is a
   EXPECT_EQ(of("LOG002", findingsOf("Network 1\nLD I0.0\nLPS\nA I0.1\n= Q0.0\nLPP\nA I0.0\n= Q0.1\n")), Found{"I0.0"});
-  EXPECT_EQ(of("LOG002", findingsOf("Network 1\nLD I0.0\nLD I0.1\nO I0.2\nALD\nLD I0.0\nA I0.3\nOLD\n= Q0.0\n")), Found{});
+  EXPECT_EQ(of("LOG002", findingsOf("Network 1\nLD I0.0\nLD I0.1\nO I0.2\nALD\nLD I0.0\nA I0.3\nOLD\n= Q0.0\n")),
+            Found{});
 }
 
 TEST(IdleContact, NeedsReachableStates) {
   // Q0.1 is on only where I0.0 is: in the second network I0.0 says nothing new. Without the first one it would.
-  EXPECT_EQ(of("LOG002", findingsOf("Network 1\nLD I0.0\nA I0.1\n= M0.0\nNetwork 2\nLD M0.0\nA I0.0\n= Q0.1\n")), Found{"I0.0"});
-  EXPECT_TRUE(isSilent("LOG002", findingsOf("Network 1\nLD I0.3\nA I0.1\n= M0.0\nNetwork 2\nLD M0.0\nA I0.0\n= Q0.1\n")));
+  EXPECT_EQ(of("LOG002", findingsOf("Network 1\nLD I0.0\nA I0.1\n= M0.0\nNetwork 2\nLD M0.0\nA I0.0\n= Q0.1\n")),
+            Found{"I0.0"});
+  EXPECT_TRUE(
+      isSilent("LOG002", findingsOf("Network 1\nLD I0.3\nA I0.1\n= M0.0\nNetwork 2\nLD M0.0\nA I0.0\n= Q0.1\n")));
 }
 
 TEST(IdleContact, MattersIfAnEdgeOrATimerSeesIt) {
-  EXPECT_TRUE(isSilent("LOG002", findingsOf("Network 1\nLD I0.0\nA I0.1\nEU\n= Q0.0\nNetwork 2\nLD I0.2\nA I0.3\nTON T37, 10\nNetwork 3\nLD T37\n= Q0.1\n")));
+  EXPECT_TRUE(isSilent("LOG002", findingsOf("Network 1\nLD I0.0\nA I0.1\nEU\n= Q0.0\nNetwork 2\nLD I0.2\nA I0.3\nTON "
+                                            "T37, 10\nNetwork 3\nLD T37\n= Q0.1\n")));
 }
 
 TEST(Latch, WithResetThatIsNeverReached) {
   // M0.1 needs I0.1 and not I0.1, so the reset never comes.
-  const std::vector<Finding> stuck = findingsOf("Network 1\nLD I0.0\nS Q0.0, 1\nNetwork 2\nLD I0.1\nAN I0.1\nR Q0.0, 1\n");
+  const std::vector<Finding> stuck =
+      findingsOf("Network 1\nLD I0.0\nS Q0.0, 1\nNetwork 2\nLD I0.1\nAN I0.1\nR Q0.0, 1\n");
   EXPECT_EQ(of("LOG006", stuck), Found{"Q0.0"});
   EXPECT_TRUE(isSilent("LOG006", findingsOf("Network 1\nLD I0.0\nS Q0.0, 1\nNetwork 2\nLD I0.1\nR Q0.0, 1\n")));
 }
@@ -129,48 +147,63 @@ TEST(Latch, WithResetThatIsNeverReached) {
 // ---- Suspicions of the flow analysis --------------------------------------------------------------------
 
 TEST(Suspicion, DoubleCoilInRoutinesThatExcludeEachOther) {
-  const std::string blocks = "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\n= Q0.0\nEND_SUBROUTINE_BLOCK\n"
-                             "SUBROUTINE_BLOCK SBR_1:SBR1\nBEGIN\nNetwork 1\nLD I0.2\n= Q0.0\nEND_SUBROUTINE_BLOCK\n";
-  EXPECT_TRUE(isSilent("OUT001", findingsOf("Network 1\nLD I0.0\nCALL SBR_0\nNetwork 2\nLDN I0.0\nCALL SBR_1\n", blocks)));
-  EXPECT_EQ(of("OUT001", findingsOf("Network 1\nLD I0.0\nCALL SBR_0\nNetwork 2\nLD I0.3\nCALL SBR_1\n", blocks)), Found{"Q0.0"});
+  const std::string blocks =
+      "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\n= Q0.0\nEND_SUBROUTINE_BLOCK\n"
+      "SUBROUTINE_BLOCK SBR_1:SBR1\nBEGIN\nNetwork 1\nLD I0.2\n= Q0.0\nEND_SUBROUTINE_BLOCK\n";
+  EXPECT_TRUE(
+      isSilent("OUT001", findingsOf("Network 1\nLD I0.0\nCALL SBR_0\nNetwork 2\nLDN I0.0\nCALL SBR_1\n", blocks)));
+  EXPECT_EQ(of("OUT001", findingsOf("Network 1\nLD I0.0\nCALL SBR_0\nNetwork 2\nLD I0.3\nCALL SBR_1\n", blocks)),
+            Found{"Q0.0"});
 }
 
 TEST(Suspicion, BitThatTogglesWhileAContactHolds) {
-  EXPECT_EQ(of("LOG005", findingsOf("Network 1\nLD I0.0\nAN M0.0\n= M0.0\nNetwork 2\nLD M0.0\n= Q0.0\n")), Found{"M0.0"});
+  EXPECT_EQ(of("LOG005", findingsOf("Network 1\nLD I0.0\nAN M0.0\n= M0.0\nNetwork 2\nLD M0.0\n= Q0.0\n")),
+            Found{"M0.0"});
   // The other contacts exclude each other.
-  EXPECT_TRUE(isSilent("LOG005", findingsOf("Network 1\nLD I0.0\nAN I0.0\nAN M0.0\n= M0.0\nNetwork 2\nLD M0.0\n= Q0.0\n")));
+  EXPECT_TRUE(
+      isSilent("LOG005", findingsOf("Network 1\nLD I0.0\nAN I0.0\nAN M0.0\n= M0.0\nNetwork 2\nLD M0.0\n= Q0.0\n")));
 }
 
 TEST(Suspicion, BoxThatRunsWhileItsConditionHolds) {
   const std::string table = "Network 1\nLD SM0.1\nMOVW +10, VW200\n";
   EXPECT_EQ(of("HSP004", findingsOf(table + "Network 2\nLD I0.0\nATT VW0, VW200\n")).size(), 1U);
   // M0.0 is taken back by the next network, so that it is never 1 in two scans in a row.
-  const std::string once = "Network 2\nLD I0.0\nAN M0.1\n= M0.0\nNetwork 3\nLD I0.0\n= M0.1\nNetwork 4\nLD M0.0\nATT VW0, VW200\n";
+  const std::string once =
+      "Network 2\nLD I0.0\nAN M0.1\n= M0.0\nNetwork 3\nLD I0.0\n= M0.1\nNetwork 4\nLD M0.0\nATT VW0, VW200\n";
   EXPECT_TRUE(isSilent("HSP004", findingsOf(table + once)));
 }
 
 TEST(Course, NetworkBehindAJumpThatIsAlwaysTaken) {
-  const std::string exclusive = "Network 1\nLD I0.0\n= M0.0\nNetwork 2\nLD I0.0\nO M0.0\nON M0.0\nJMP 1\nNetwork 3\nLD I0.2\n= Q0.0\nNetwork 4\nLBL 1\n";
+  const std::string exclusive =
+      "Network 1\nLD I0.0\n= M0.0\nNetwork 2\nLD I0.0\nO M0.0\nON M0.0\nJMP 1\nNetwork 3\nLD I0.2\n= Q0.0\nNetwork "
+      "4\nLBL 1\n";
   EXPECT_EQ(of("CTL005", findingsOf(exclusive)).size(), 1U);
-  EXPECT_TRUE(isSilent("CTL005", findingsOf("Network 1\nLD I0.0\nJMP 1\nNetwork 2\nLD I0.2\n= Q0.0\nNetwork 3\nLBL 1\n")));
+  EXPECT_TRUE(
+      isSilent("CTL005", findingsOf("Network 1\nLD I0.0\nJMP 1\nNetwork 2\nLD I0.2\n= Q0.0\nNetwork 3\nLBL 1\n")));
 }
 
 TEST(Course, CounterThatIsHeldOrNeverCounts) {
-  EXPECT_EQ(of("TIM012", findingsOf("Network 1\nLD I0.0\nLD I0.1\nON I0.1\nCTU C1, 10\nNetwork 2\nLD C1\n= Q0.0\n")), Found{"C1"});
-  EXPECT_EQ(of("TIM012", findingsOf("Network 1\nLD I0.0\nAN I0.0\nLD I0.1\nCTU C1, 10\nNetwork 2\nLD C1\n= Q0.0\n")), Found{"C1"});
+  EXPECT_EQ(of("TIM012", findingsOf("Network 1\nLD I0.0\nLD I0.1\nON I0.1\nCTU C1, 10\nNetwork 2\nLD C1\n= Q0.0\n")),
+            Found{"C1"});
+  EXPECT_EQ(of("TIM012", findingsOf("Network 1\nLD I0.0\nAN I0.0\nLD I0.1\nCTU C1, 10\nNetwork 2\nLD C1\n= Q0.0\n")),
+            Found{"C1"});
   EXPECT_TRUE(isSilent("TIM012", findingsOf("Network 1\nLD I0.0\nLD I0.1\nCTU C1, 10\nNetwork 2\nLD C1\n= Q0.0\n")));
 }
 
 TEST(Course, StepWhoseTransitionNeverComes) {
   const auto chain = [](const std::string& condition) {
-    return "Network 1\nLD SM0.1\nS S0.0, 1\nNetwork 2\nLSCR S0.0\nNetwork 3\nLD I0.0\nSCRT S0.1\nNetwork 4\nSCRE\nNetwork 5\nLSCR S0.1\nNetwork 6\n" + condition + "SCRT S0.0\nNetwork 7\nSCRE\n";
+    return "Network 1\nLD SM0.1\nS S0.0, 1\nNetwork 2\nLSCR S0.0\nNetwork 3\nLD I0.0\nSCRT S0.1\nNetwork "
+           "4\nSCRE\nNetwork 5\nLSCR S0.1\nNetwork 6\n" +
+           condition + "SCRT S0.0\nNetwork 7\nSCRE\n";
   };
   EXPECT_EQ(of("SCR003", findingsOf(chain("LD I0.1\nAN I0.1\n"))), Found{"S0.1"});
   EXPECT_TRUE(isSilent("SCR003", findingsOf(chain("LD I0.1\n"))));
 }
 
 TEST(Course, StepsOfOneChainByASetFromOutside) {
-  const std::string chain = "Network 1\nLD SM0.1\nS S0.0, 1\nNetwork 2\nLSCR S0.0\nNetwork 3\nLD I0.0\nSCRT S0.1\nNetwork 4\nSCRE\nNetwork 5\nLSCR S0.1\nNetwork 6\nLD I0.1\nSCRT S0.0\nNetwork 7\nSCRE\n";
+  const std::string chain =
+      "Network 1\nLD SM0.1\nS S0.0, 1\nNetwork 2\nLSCR S0.0\nNetwork 3\nLD I0.0\nSCRT S0.1\nNetwork 4\nSCRE\nNetwork "
+      "5\nLSCR S0.1\nNetwork 6\nLD I0.1\nSCRT S0.0\nNetwork 7\nSCRE\n";
   EXPECT_TRUE(isSilent("SCR004", findingsOf(chain)));
   EXPECT_EQ(of("SCR004", findingsOf(chain + "Network 8\nLD I0.5\nS S0.0, 1\n")).size(), 1U);
   EXPECT_TRUE(isSilent("SCR004", findingsOf(chain + "Network 8\nLD I0.5\nR S0.0, 2\nS S0.0, 1\n")));
@@ -178,8 +211,11 @@ TEST(Course, StepsOfOneChainByASetFromOutside) {
 
 TEST(Course, OneRungForBothTransitionsIsMeant) {
   // The manual's way to divide a sequence (001:5848-5860).
-  EXPECT_TRUE(isSilent("SCR004", findingsOf("Network 1\nLD SM0.1\nS S0.0, 1\nNetwork 2\nLSCR S0.0\nNetwork 3\nLD I0.0\nSCRT S0.1\nSCRT S0.2\nNetwork 4\nSCRE\n"
-                                            "Network 5\nLSCR S0.1\nNetwork 6\nLD I0.1\nSCRT S0.0\nNetwork 7\nSCRE\nNetwork 8\nLSCR S0.2\nNetwork 9\nLD I0.2\nSCRT S0.3\nNetwork 10\nSCRE\n")));
+  EXPECT_TRUE(
+      isSilent("SCR004", findingsOf("Network 1\nLD SM0.1\nS S0.0, 1\nNetwork 2\nLSCR S0.0\nNetwork 3\nLD I0.0\nSCRT "
+                                    "S0.1\nSCRT S0.2\nNetwork 4\nSCRE\n"
+                                    "Network 5\nLSCR S0.1\nNetwork 6\nLD I0.1\nSCRT S0.0\nNetwork 7\nSCRE\nNetwork "
+                                    "8\nLSCR S0.2\nNetwork 9\nLD I0.2\nSCRT S0.3\nNetwork 10\nSCRE\n")));
 }
 
 // ---- SAF ------------------------------------------------------------------------------------------------
@@ -187,7 +223,9 @@ TEST(Course, OneRungForBothTransitionsIsMeant) {
 TEST(PowerUp, AStartButtonThatIsHeldIsNoOldMemory) {
   EXPECT_TRUE(isSilent("SAF005", findingsOf("Network 1\nLD I0.0\nO Q0.0\nA I0.1\n= Q0.0\n")));
   // M13.0 is not retentive, M14.0 is (001:1619).
-  const auto kept = [](const std::string& bit) { return "Network 1\nLD I0.0\nO " + bit + "\nA I0.1\n= " + bit + "\nNetwork 2\nLD " + bit + "\n= Q0.0\n"; };
+  const auto kept = [](const std::string& bit) {
+    return "Network 1\nLD I0.0\nO " + bit + "\nA I0.1\n= " + bit + "\nNetwork 2\nLD " + bit + "\n= Q0.0\n";
+  };
   EXPECT_TRUE(isSilent("SAF005", findingsOf(kept("M13.0"))));
   EXPECT_EQ(of("SAF005", findingsOf(kept("M14.0"))), Found{"Q0.0"});
 }
@@ -197,13 +235,16 @@ TEST(Restart, AStartButtonThatIsHeldIsACommand) {
   EXPECT_TRUE(isSilent("SAF006", findingsOf("Network 1\nLD I0.0\nO Q0.0\nA I0.1\n= Q0.0\n", "", stop)));
   EXPECT_TRUE(isSilent("SAF006", findingsOf("Network 1\nLD I0.0\nEU\nO Q0.0\nA I0.1\n= Q0.0\n", "", stop)));
   // The same latch behind the stop instead of in front of it.
-  EXPECT_EQ(of("SAF006", findingsOf("Network 1\nLD I0.0\nO M0.0\nAN I0.2\n= M0.0\nNetwork 2\nLD M0.0\nA I0.1\n= Q0.0\n", "", stop)), Found{"Q0.0"});
+  EXPECT_EQ(of("SAF006", findingsOf("Network 1\nLD I0.0\nO M0.0\nAN I0.2\n= M0.0\nNetwork 2\nLD M0.0\nA I0.1\n= Q0.0\n",
+                                    "", stop)),
+            Found{"Q0.0"});
 }
 
 TEST(SafetyShape, IsReadFromTheStatement) {
   const auto rule = [](const std::string& statement) {
     const ProgramInput input = inputOf("//@ prove p: " + statement + "\n", "Network 1\nLD I0.0\n= Q0.0\n");
-    return input.properties.properties.empty() ? std::string_view("none") : ruleOfViolation(input.properties.properties[0]);
+    return input.properties.properties.empty() ? std::string_view("none")
+                                               : ruleOfViolation(input.properties.properties[0]);
   };
   EXPECT_EQ(rule("never Q0.0 and Q0.1"), "SAF003");
   EXPECT_EQ(rule("not (Q0.0 and Q0.1)"), "SAF003");

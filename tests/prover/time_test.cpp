@@ -21,9 +21,10 @@ TEST(Time, LongPresetIsReachedInRealScans) {
 }
 
 TEST(Time, TimerIsNotEarly) {
-  // Preset 50 at 100 ms is 4901 ms of ticks at least; they count from the start of the scan before the one that enables the
-  // timer, and scan ends lie up to 500 ms after scan starts: 4901 + 1 - 1000 ms between scan ends.
-  const ProgramInput input = inputOf("//@ prove not before: T37 implies held(I0.0, 3900ms)\n", "Network 1\nLD I0.0\nTON T37, 50\n");
+  // Preset 50 at 100 ms is 4901 ms of ticks at least; they count from the start of the scan before the one that enables
+  // the timer, and scan ends lie up to 500 ms after scan starts: 4901 + 1 - 1000 ms between scan ends.
+  const ProgramInput input =
+      inputOf("//@ prove not before: T37 implies held(I0.0, 3900ms)\n", "Network 1\nLD I0.0\nTON T37, 50\n");
   const ProofRun run = prove(input.program, input.properties, usualOptions(3));
   EXPECT_NE(outcomeOf(run, "not before"), Outcome::Violated);
 }

@@ -68,17 +68,21 @@ TEST(Witness, AnalogInputsAreSampledOnceAScan) {
 
 // A built-in check's witness marks every input of its scans, the samples of analog inputs among them.
 TEST(Witness, MarksAnalogInputsOfBuiltinChecks) {
-  const ProgramInput input = inputOf("", "Network 1\nLD I0.0\nMOVW AIW2, VW0\n/I VW0, VW2\nNetwork 2\nLDW> AIW4, 5\n= Q0.0\n");
+  const ProgramInput input =
+      inputOf("", "Network 1\nLD I0.0\nMOVW AIW2, VW0\n/I VW0, VW2\nNetwork 2\nLDW> AIW4, 5\n= Q0.0\n");
   ProverOptions options = usualOptions();
   options.checks.builtin = true;
   const ProofRun run = prove(input.program, input.properties, options);
-  const auto division = std::find_if(run.results.begin(), run.results.end(), [](const ProofResult& r) { return r.builtin && r.builtin->kind == BuiltinKind::Division; });
+  const auto division = std::find_if(run.results.begin(), run.results.end(), [](const ProofResult& r) {
+    return r.builtin && r.builtin->kind == BuiltinKind::Division;
+  });
   ASSERT_TRUE(division != run.results.end() && division->witness);
   ASSERT_EQ(division->witness->matters.size(), division->witness->scans.size());
-  for (std::size_t i = 0; i < division->witness->scans.size(); ++i) EXPECT_EQ(division->witness->matters[i].size(), division->witness->scans[i].inputs.size());
+  for (std::size_t i = 0; i < division->witness->scans.size(); ++i)
+    EXPECT_EQ(division->witness->matters[i].size(), division->witness->scans[i].inputs.size());
   std::map<std::string, bool> matters = lastScanOf(*division->witness);
   EXPECT_TRUE(matters["I0.0"]);
-  EXPECT_TRUE(matters["AIW2"]);   // 0 is the divisor that is not allowed
+  EXPECT_TRUE(matters["AIW2"]);  // 0 is the divisor that is not allowed
   EXPECT_FALSE(matters["AIW4"]);
 }
 
@@ -105,8 +109,8 @@ TEST(Witness, LeavesOutScansThatAreNotNeeded) {
 }
 
 TEST(Witness, ScansHaveAnEverydayLengthUnlessTheLengthMatters) {
-  // The 10 ms timer T33 needs 300 ms: its bit comes in the scan that ends there, so the lengths before it must add up to that
-  // (a timer started in scan 1 counts the time from then on); the scan in which the bit is read may last 10 ms.
+  // The 10 ms timer T33 needs 300 ms: its bit comes in the scan that ends there, so the lengths before it must add up
+  // to that (a timer started in scan 1 counts the time from then on); the scan in which the bit is read may last 10 ms.
   const ProgramInput input = inputOf("//@ reach late: T33\n//@ reach soon: Q0.0 and once(not Q0.0)\n",
                                      "Network 1\nLD I0.0\nTON T33, 30\nNetwork 2\nLD I0.1\n= Q0.0\n");
   const ProofRun run = prove(input.program, input.properties, usualOptions());
@@ -121,13 +125,16 @@ TEST(Witness, ScansHaveAnEverydayLengthUnlessTheLengthMatters) {
 TEST(Witness, SaysWhichMemoryItStartsFrom) {
   // V0.0 drives the output at once; VW20 must be above 1000, which a high byte of at least
   // 4 does alone (1024), so its low byte is 0 in the end.
-  const ProgramInput input = inputOf("//@ initial retentive\n//@ prove bit: not Q0.0\n//@ prove word: not Q0.1 or not first_scan\n//@ prove none: not Q0.2\n",
-                                     "Network 1\nLD V0.0\n= Q0.0\nNetwork 2\nLDW> VW20, 1000\n= Q0.1\nNetwork 3\nLDB> VB7, 3\nO I0.0\n= Q0.2\n");
+  const ProgramInput input = inputOf(
+      "//@ initial retentive\n//@ prove bit: not Q0.0\n//@ prove word: not Q0.1 or not first_scan\n//@ prove none: not "
+      "Q0.2\n",
+      "Network 1\nLD V0.0\n= Q0.0\nNetwork 2\nLDW> VW20, 1000\n= Q0.1\nNetwork 3\nLDB> VB7, 3\nO I0.0\n= Q0.2\n");
   const ProverOptions options = usualOptions();
   const ProofRun run = prove(input.program, input.properties, options);
   const auto startOf = [&](const std::string& name) {
     const ProofResult* result = resultNamed(run, name);
-    return result != nullptr && result->witness ? startText(input.program, options.choices, *result->witness) : "no witness";
+    return result != nullptr && result->witness ? startText(input.program, options.choices, *result->witness)
+                                                : "no witness";
   };
   EXPECT_EQ(startOf("bit"), "V0.0 = 1");
   EXPECT_TRUE(startOf("word").starts_with("VW20 = ")) << startOf("word");
@@ -138,7 +145,8 @@ TEST(Witness, SaysWhichMemoryItStartsFrom) {
 
 TEST(Witness, AssumptionsStayKept) {
   // With the two limit switches excluding each other, neither is idle together with the other at any value.
-  const ProgramInput input = inputOf("//@ assume limits: I0.1 xor I0.2\n//@ reach on: Q0.0\n", "Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\nA I0.2\n= Q0.1\n");
+  const ProgramInput input = inputOf("//@ assume limits: I0.1 xor I0.2\n//@ reach on: Q0.0\n",
+                                     "Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\nA I0.2\n= Q0.1\n");
   const ProofRun run = prove(input.program, input.properties, usualOptions());
   const ProofResult* result = resultNamed(run, "on");
   ASSERT_TRUE(result != nullptr && result->witness);

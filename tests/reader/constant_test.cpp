@@ -1,9 +1,9 @@
 // Constants of table 4-2 (001:1425-1431) and beyond.
-#include "frontend/stl/constant_reader.hpp"
-
 #include <gtest/gtest.h>
 
 #include <bit>
+
+#include "frontend/stl/constant_reader.hpp"
 
 namespace rungproof {
 namespace {
@@ -29,7 +29,10 @@ TEST(Constant, ManualExamples) {
   EXPECT_FLOAT_EQ(real("64000.0"), 64000.0F);
   EXPECT_FLOAT_EQ(real("1.012E-006"), 1.012E-6F);  // 000:2197
   EXPECT_EQ(readConstant("\"ABCDE\"").operand.text, "ABCDE");
-  EXPECT_EQ(readConstant("\xC2\xAB" "ABCDE\xC2\xBB").operand.text, "ABCDE");  // 001:1431
+  EXPECT_EQ(readConstant("\xC2\xAB"
+                         "ABCDE\xC2\xBB")
+                .operand.text,
+            "ABCDE");  // 001:1431
 }
 
 TEST(Constant, Integers) {
@@ -94,11 +97,13 @@ TEST(Constant, Texts) {
 }
 
 TEST(Constant, OtherThings) {
-  for (const char* text : {"VB10", "", "+", "abc", "#local", "K9", "&VB1"}) EXPECT_EQ(fault(text), ConstantFault::NotAConstant) << text;
+  for (const char* text : {"VB10", "", "+", "abc", "#local", "K9", "&VB1"})
+    EXPECT_EQ(fault(text), ConstantFault::NotAConstant) << text;
 }
 
 TEST(Constant, PrintsAsItIsRead) {
-  for (const char* text : {"12", "+12", "-12", "16#FF", "2#1010", "1.5", "1e+10", "'AB'", "'$$$'a'", "\"a$\"b\"", "\"$E9\"", "DW#7", "B#1", "TRUE", "FALSE", "'A$00'"}) {
+  for (const char* text : {"12", "+12", "-12", "16#FF", "2#1010", "1.5", "1e+10", "'AB'", "'$$$'a'", "\"a$\"b\"",
+                           "\"$E9\"", "DW#7", "B#1", "TRUE", "FALSE", "'A$00'"}) {
     const ConstantResult first = readConstant(text);
     ASSERT_EQ(first.fault, ConstantFault::None) << text;
     const ConstantResult second = readConstant(toString(first.operand));

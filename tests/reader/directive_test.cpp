@@ -17,8 +17,10 @@ TEST(DirectiveTest, Text) {
 }
 
 TEST(DirectiveTest, CollectedWithBlockAndNetwork) {
-  const Program program = readText("a.awl",
-                                   "//@ initial retentive\nORGANIZATION_BLOCK MAIN:OB1\n//@ assume x: I0.0\nBEGIN\nNetwork 3 //@ prove a: never Q0.0\nLD I0.0\n= Q0.0 //@ reach b: Q0.0; c\nEND_ORGANIZATION_BLOCK\n");
+  const Program program =
+      readText("a.awl",
+               "//@ initial retentive\nORGANIZATION_BLOCK MAIN:OB1\n//@ assume x: I0.0\nBEGIN\nNetwork 3 //@ prove a: "
+               "never Q0.0\nLD I0.0\n= Q0.0 //@ reach b: Q0.0; c\nEND_ORGANIZATION_BLOCK\n");
   ASSERT_EQ(program.directives.size(), 4U);
   EXPECT_EQ(program.directives[0].pou, -1);
   EXPECT_EQ(program.directives[1].pou, 0);

@@ -9,7 +9,9 @@ namespace rungproof {
 namespace {
 
 // The same words in each code page.
-const std::string russianUtf8 = "\xD0\xBD\xD0\xB0\xD1\x81\xD0\xBE\xD1\x81 \xD0\xB2\xD0\xBA\xD0\xBB\xD1\x8E\xD1\x87\xD0\xB5\xD0\xBD";  // nasos vklyuchen
+const std::string russianUtf8 =
+    "\xD0\xBD\xD0\xB0\xD1\x81\xD0\xBE\xD1\x81 \xD0\xB2\xD0\xBA\xD0\xBB\xD1\x8E\xD1\x87\xD0\xB5\xD0\xBD";  // nasos
+                                                                                                          // vklyuchen
 const std::string russianCp1251 = "\xED\xE0\xF1\xEE\xF1 \xE2\xEA\xEB\xFE\xF7\xE5\xED";
 const std::string chineseUtf8 = "\xE7\xA8\x8B\xE5\xBA\x8F\xE6\xB3\xA8\xE9\x87\x8A";  // program comments
 const std::string chineseGbk = "\xB3\xCC\xD0\xF2\xD7\xA2\xCA\xCD";
@@ -53,7 +55,11 @@ TEST(EncodingTest, MarksAreDropped) {
   EXPECT_EQ(little.text, "LD\n");
   EXPECT_TRUE(little.wasUtf16);
   EXPECT_EQ(decode(std::string("\xFE\xFF\0L\0D", 6), TextEncoding::Auto).text, "LD");
-  const std::string unmarked("L\0D\0 \0I\0" "0\0.\0" "0\0\n\0", 16);
+  const std::string unmarked(
+      "L\0D\0 \0I\0"
+      "0\0.\0"
+      "0\0\n\0",
+      16);
   EXPECT_EQ(decode(unmarked, TextEncoding::Auto).text, "LD I0.0\n");
 }
 
@@ -68,9 +74,9 @@ TEST(EncodingTest, DamagedSequencesBecomeReplacementCharacters) {
 TEST(EncodingTest, ValidityOfUtf8) {
   EXPECT_TRUE(isValidUtf8("abcdefghijk\xC3\xA9"));
   EXPECT_FALSE(isValidUtf8("abcdefgh\xC3"));
-  EXPECT_FALSE(isValidUtf8("\xC0\x80"));           // overlong
-  EXPECT_FALSE(isValidUtf8("\xED\xA0\x80"));       // surrogate
-  EXPECT_FALSE(isValidUtf8("\xF4\x90\x80\x80"));   // above U+10FFFF
+  EXPECT_FALSE(isValidUtf8("\xC0\x80"));          // overlong
+  EXPECT_FALSE(isValidUtf8("\xED\xA0\x80"));      // surrogate
+  EXPECT_FALSE(isValidUtf8("\xF4\x90\x80\x80"));  // above U+10FFFF
   EXPECT_TRUE(isValidUtf8("\xF0\x9F\x98\x80"));
 }
 
@@ -84,7 +90,8 @@ TEST(EncodingTest, LineEndsAndControlCharacters) {
 }
 
 TEST(EncodingTest, ProgramsOfEveryCodePageReadTheSame) {
-  const std::string head = "ORGANIZATION_BLOCK MAIN:OB1\r\nTITLE=", tail = "\r\nBEGIN\r\nNetwork 1\r\nLD I0.0\r\n= Q0.0\r\nEND_ORGANIZATION_BLOCK\r\n";
+  const std::string head = "ORGANIZATION_BLOCK MAIN:OB1\r\nTITLE=",
+                    tail = "\r\nBEGIN\r\nNetwork 1\r\nLD I0.0\r\n= Q0.0\r\nEND_ORGANIZATION_BLOCK\r\n";
   EXPECT_EQ(readText("a", head + chineseGbk + tail).pous[0].title, chineseUtf8);
   EXPECT_EQ(readText("a", head + russianCp1251 + tail).pous[0].title, russianUtf8);
   EXPECT_EQ(readText("a", head + spanishCp1252 + tail).pous[0].title, spanishUtf8);
@@ -102,7 +109,15 @@ TEST(EncodingTest, TextsKeepTheBytesOfTheController) {
 }
 
 TEST(EncodingTest, ProblemsBecomeFindings) {
-  EXPECT_EQ(readText("a.awl", std::string("LD\0I0.0\n= Q0.0\n// a long enough comment for the rest of the text, so that one character is little\n", 86)).findings[0].rule, "SYN004");
+  EXPECT_EQ(
+      readText(
+          "a.awl",
+          std::string(
+              "LD\0I0.0\n= Q0.0\n// a long enough comment for the rest of the text, so that one character is little\n",
+              86))
+          .findings[0]
+          .rule,
+      "SYN004");
   ReadOptions utf8;
   utf8.encoding = TextEncoding::Utf8;
   const Program bad = readText("a.awl", "LD I0.0 // \xFF\n= Q0.0\n", utf8);

@@ -64,8 +64,9 @@ std::string programOf(bool german) {
     }
     text += '\n';
   }
-  return text + "END_ORGANIZATION_BLOCK\nSUBROUTINE_BLOCK S:SBR0\nBEGIN\nNetwork 1\nNOP 0\nEND_SUBROUTINE_BLOCK\n"
-                "INTERRUPT_BLOCK I:INT0\nBEGIN\nNetwork 1\nNOP 0\nEND_INTERRUPT_BLOCK\n";
+  return text +
+         "END_ORGANIZATION_BLOCK\nSUBROUTINE_BLOCK S:SBR0\nBEGIN\nNetwork 1\nNOP 0\nEND_SUBROUTINE_BLOCK\n"
+         "INTERRUPT_BLOCK I:INT0\nBEGIN\nNetwork 1\nNOP 0\nEND_INTERRUPT_BLOCK\n";
 }
 
 void expectEveryMnemonic(bool german) {

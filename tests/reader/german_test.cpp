@@ -41,11 +41,13 @@ TEST(German, SpellingsNameOneInstructionEach) {
   for (const Desc& desc : instructionTable()) {
     if (desc.german.empty() || desc.german == desc.stl) continue;
     EXPECT_TRUE(seen.insert(desc.german).second) << desc.german;
-    EXPECT_EQ(instructionNamed(desc.german), nullptr) << desc.german << " means something else in the international set";
+    EXPECT_EQ(instructionNamed(desc.german), nullptr)
+        << desc.german << " means something else in the international set";
     EXPECT_EQ(instructionNamedGerman(desc.german), &desc);
     EXPECT_EQ(instructionNamedGerman(desc.stl), &desc) << "the international spelling is read in German texts, too";
   }
-  for (const char* german : {"U", "UN", "UI", "UNI", "ULD", "UENO", "UB=", "UW>=", "UD<", "UR<>", "US="}) EXPECT_TRUE(seen.count(german) > 0) << german;
+  for (const char* german : {"U", "UN", "UI", "UNI", "ULD", "UENO", "UB=", "UW>=", "UD<", "UR<>", "US="})
+    EXPECT_TRUE(seen.count(german) > 0) << german;
 }
 
 }  // namespace

@@ -44,7 +44,9 @@ TEST(OlderDialect, OneTextWithAllBlocks) {
 }
 
 TEST(OlderDialect, HeaderForms) {
-  const Program program = readText("a.txt", "LD I0.0\nCALL 2\nMEND\nSBR 2\nLD I0.1\nRET\nSBR50\nLD I0.2\nRET\nINT O\nLD I0.3\nRETI\nINT_120\nLD I0.4\nRETI\nINT\nLD I0.5\nRETI\n");
+  const Program program = readText("a.txt",
+                                   "LD I0.0\nCALL 2\nMEND\nSBR 2\nLD I0.1\nRET\nSBR50\nLD I0.2\nRET\nINT O\nLD "
+                                   "I0.3\nRETI\nINT_120\nLD I0.4\nRETI\nINT\nLD I0.5\nRETI\n");
   ASSERT_EQ(program.pous.size(), 6U);
   EXPECT_EQ(program.pous[1].number, 2);
   EXPECT_EQ(program.pous[2].number, 50);
@@ -56,8 +58,10 @@ TEST(OlderDialect, HeaderForms) {
 
 TEST(OlderDialect, RungsEndWhereTheStackIsNotNeeded) {
   // The second load is combined by ALD, so it does not begin a rung; the load behind the coil does.
-  const Program program = readText("a.txt", "LD I0.0\nO Q0.0\nLD I0.1\nON I0.2\nALD\n= Q0.0\nLD I0.3\nTON T37, 50\nLD T37\n= Q0.1\n");
-  EXPECT_EQ(show(program.pous[0]), "LD I0.0; O Q0.0; LD I0.1; ON I0.2; ALD; = Q0.0 | LD I0.3; TON T37,50 | LD T37; = Q0.1");
+  const Program program =
+      readText("a.txt", "LD I0.0\nO Q0.0\nLD I0.1\nON I0.2\nALD\n= Q0.0\nLD I0.3\nTON T37, 50\nLD T37\n= Q0.1\n");
+  EXPECT_EQ(show(program.pous[0]),
+            "LD I0.0; O Q0.0; LD I0.1; ON I0.2; ALD; = Q0.0 | LD I0.3; TON T37,50 | LD T37; = Q0.1");
 }
 
 TEST(OlderDialect, ContactsBehindABoxStayInTheRung) {
@@ -80,7 +84,9 @@ TEST(OlderDialect, DamagedLinesMarkTheirRung) {
 }
 
 TEST(OlderDialect, DataUnderTheListing) {
-  const Program program = readText("a.txt", "LD I0.0\n= Q0.0\nMEND\nB 100 5\nB 101 16#41\nB 102 \xE2\x80\x9C" "AB\xE2\x80\x9D\nVW200 7\n");
+  const Program program = readText("a.txt",
+                                   "LD I0.0\n= Q0.0\nMEND\nB 100 5\nB 101 16#41\nB 102 \xE2\x80\x9C"
+                                   "AB\xE2\x80\x9D\nVW200 7\n");
   EXPECT_EQ(findings(program), "");
   ASSERT_EQ(program.data.size(), 4U);
   EXPECT_EQ(program.data[2].offset, 102U);
@@ -90,16 +96,20 @@ TEST(OlderDialect, DataUnderTheListing) {
 
 TEST(OlderDialect, BannersAndStrayTextAreNotes) {
   const Program program = readText("a.txt",
-                                   "* * * * MAIN * * * *\nLD I0.0\n\xE5\xBD\x93 I0.1\n= Q0.0\nMEND\n/* * * * SBR * * *\nSBR 0\nLD I0.1\n= Q0.1\nRET\n");
+                                   "* * * * MAIN * * * *\nLD I0.0\n\xE5\xBD\x93 I0.1\n= Q0.0\nMEND\n/* * * * SBR * * "
+                                   "*\nSBR 0\nLD I0.1\n= Q0.1\nRET\n");
   EXPECT_EQ(program.findings.size(), 3U);
   EXPECT_FALSE(hasReadErrors(program));
   EXPECT_EQ(show(program.pous[0]), "LD I0.0; = Q0.0 | MEND");
 }
 
 TEST(OlderDialect, SequencerSegmentsAndLoops) {
-  const Program program = readText("a.txt", "LSCR S0.0\nLD SM0.0\nS Q0.0, 1\nLD I0.0\nSCRT S0.1\nSCRE\nLD I0.1\nFOR VW0, 1, 10\nINCW VW2\nNEXT\nLD I0.2\nJMP 1\nLBL 1\n");
+  const Program program = readText("a.txt",
+                                   "LSCR S0.0\nLD SM0.0\nS Q0.0, 1\nLD I0.0\nSCRT S0.1\nSCRE\nLD I0.1\nFOR VW0, 1, "
+                                   "10\nINCW VW2\nNEXT\nLD I0.2\nJMP 1\nLBL 1\n");
   EXPECT_EQ(show(program.pous[0]),
-            "LSCR S0.0 | LD SM0.0; S Q0.0,1 | LD I0.0; SCRT S0.1 | SCRE | LD I0.1; FOR VW0,1,10; INCW VW2 | NEXT | LD I0.2; JMP 1 | LBL 1");
+            "LSCR S0.0 | LD SM0.0; S Q0.0,1 | LD I0.0; SCRT S0.1 | SCRE | LD I0.1; FOR VW0,1,10; INCW VW2 | NEXT | LD "
+            "I0.2; JMP 1 | LBL 1");
 }
 
 }  // namespace

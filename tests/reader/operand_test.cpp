@@ -1,7 +1,7 @@
 // Addresses of every area, width and spelling.
-#include "frontend/stl/operand_reader.hpp"
-
 #include <gtest/gtest.h>
+
+#include "frontend/stl/operand_reader.hpp"
 
 namespace rungproof {
 namespace {
@@ -12,9 +12,11 @@ std::string read(std::string_view text, Spelling spelling = Spelling::Internatio
 }
 
 TEST(OperandReader, EveryAreaAndWidth) {
-  for (const char* text : {"I0.0", "IB0", "IW2", "ID4", "Q1.7", "QB1", "QW0", "QD0", "V10.3", "VB0", "VW10239", "VD4", "M31.7", "MB1", "MW2", "MD28", "S0.0", "SB1", "SW2", "SD4",
-                           "SM0.0", "SMB34", "SMW22", "SMD38", "L63.7", "LB0", "LW2", "LD60", "T0", "T255", "C255", "AC3", "HC5", "AIW62", "AQW0", "*VD10", "*LD4", "*AC1", "&VB100",
-                           "&IB0", "&T5", "&C5", "&AIW2", "&SMB30"}) {
+  for (const char* text :
+       {"I0.0",  "IB0",   "IW2",   "ID4",  "Q1.7", "QB1",    "QW0",  "QD0",  "V10.3", "VB0",   "VW10239",
+        "VD4",   "M31.7", "MB1",   "MW2",  "MD28", "S0.0",   "SB1",  "SW2",  "SD4",   "SM0.0", "SMB34",
+        "SMW22", "SMD38", "L63.7", "LB0",  "LW2",  "LD60",   "T0",   "T255", "C255",  "AC3",   "HC5",
+        "AIW62", "AQW0",  "*VD10", "*LD4", "*AC1", "&VB100", "&IB0", "&T5",  "&C5",   "&AIW2", "&SMB30"}) {
     EXPECT_EQ(read(text), text);
   }
 }
@@ -56,13 +58,15 @@ TEST(OperandReader, ImpossibleBitsAreKeptForTheRules) {
 }
 
 TEST(OperandReader, Unreadable) {
-  for (const char* text : {"", "I0.", "I.0", "I0.0.0", "VW1.0", "T1.0", "*VB0", "&V0.0", "&", "*", "%", "%x", "#", "#1", "1x", "VB9999999999", "?x", "a-b", "a.b"}) {
+  for (const char* text : {"", "I0.", "I.0", "I0.0.0", "VW1.0", "T1.0", "*VB0", "&V0.0", "&", "*", "%", "%x", "#", "#1",
+                           "1x", "VB9999999999", "?x", "a-b", "a.b"}) {
     EXPECT_EQ(read(text), "?") << text;
   }
 }
 
 TEST(OperandReader, Names) {
-  for (const char* text : {"Pump1", "_x", "Start_Button", "\xE5\x90\xAF\xE5\x8A\xA8", "#local", "*ptr", "&buffer", "*#p", "K9", "M37", "SBR_0", "VB", "AI0", "*AC"}) {
+  for (const char* text : {"Pump1", "_x", "Start_Button", "\xE5\x90\xAF\xE5\x8A\xA8", "#local", "*ptr", "&buffer",
+                           "*#p", "K9", "M37", "SBR_0", "VB", "AI0", "*AC"}) {
     const OperandResult result = readOperand(text, {});
     EXPECT_EQ(result.fault, OperandFault::None) << text;
     EXPECT_EQ(result.operand.kind, OperandKind::Symbol) << text;
@@ -72,7 +76,9 @@ TEST(OperandReader, Names) {
 }
 
 TEST(OperandReader, MendedOperands) {
-  const auto mend = [](std::string_view text, bool bitOnly = false) { return mendedOperand(text, Spelling::International, bitOnly); };
+  const auto mend = [](std::string_view text, bool bitOnly = false) {
+    return mendedOperand(text, Spelling::International, bitOnly);
+  };
   EXPECT_EQ(mend("10.0", true), "I0.0");
   EXPECT_EQ(mend("10.0"), "I0.0");
   EXPECT_EQ(mend("QO.1", true), "Q0.1");

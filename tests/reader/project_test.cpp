@@ -27,11 +27,14 @@ class Project : public ::testing::Test {
   std::filesystem::path directory_;
 };
 
-const std::string mainText = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD Start\nCALL Pump\nEND_ORGANIZATION_BLOCK\n";
+const std::string mainText =
+    "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD Start\nCALL Pump\nEND_ORGANIZATION_BLOCK\n";
 
 TEST_F(Project, SeveralFilesMakeOneProgram) {
-  const Program program = readProgram({file("sub.awl", "SUBROUTINE_BLOCK Pump:SBR2\nBEGIN\nNetwork 1\nLD Start\n= Q0.0\nEND_SUBROUTINE_BLOCK\n"), file("main.awl", mainText),
-                                       file("symbols.txt", "Start\tI0.0\nStop\tI0.1\n"), file("data.txt", "VB0 1\nVB1 2\n")});
+  const Program program = readProgram(
+      {file("sub.awl", "SUBROUTINE_BLOCK Pump:SBR2\nBEGIN\nNetwork 1\nLD Start\n= Q0.0\nEND_SUBROUTINE_BLOCK\n"),
+       file("main.awl", mainText), file("symbols.txt", "Start\tI0.0\nStop\tI0.1\n"),
+       file("data.txt", "VB0 1\nVB1 2\n")});
   EXPECT_EQ(findings(program), "");
   ASSERT_EQ(program.pous.size(), 2U);
   EXPECT_EQ(program.pous[0].name, "MAIN");

@@ -12,13 +12,15 @@ namespace rungproof {
 
 inline std::string show(const Instruction& instruction) {
   std::string result(instruction.desc->stl);
-  for (std::size_t i = 0; i < instruction.operands.size(); ++i) result += (i == 0 ? " " : ",") + toString(instruction.operands[i]);
+  for (std::size_t i = 0; i < instruction.operands.size(); ++i)
+    result += (i == 0 ? " " : ",") + toString(instruction.operands[i]);
   return result;
 }
 
 inline std::string show(const Network& network) {
   std::string result;
-  for (const Instruction& instruction : network.instructions) result += (result.empty() ? "" : "; ") + show(instruction);
+  for (const Instruction& instruction : network.instructions)
+    result += (result.empty() ? "" : "; ") + show(instruction);
   return result;
 }
 
@@ -44,7 +46,9 @@ inline std::string findings(const Program& program) {
 
 /// Reads statement lines of a main program.
 inline Program readLines(const std::string& lines, const ReadOptions& options = {}) {
-  return readText("test.awl", "ORGANIZATION_BLOCK MAIN:OB1\nTITLE=\nBEGIN\nNetwork 1\n" + lines + "\nEND_ORGANIZATION_BLOCK\n", options);
+  return readText("test.awl",
+                  "ORGANIZATION_BLOCK MAIN:OB1\nTITLE=\nBEGIN\nNetwork 1\n" + lines + "\nEND_ORGANIZATION_BLOCK\n",
+                  options);
 }
 
 }  // namespace rungproof

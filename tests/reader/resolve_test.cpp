@@ -9,14 +9,17 @@ namespace rungproof {
 namespace {
 
 Program readWith(const std::string& symbols, const std::string& lines) {
-  return readText("a.awl", "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\n" + lines + "\nEND_ORGANIZATION_BLOCK\nSYMBOL_TABLE\n" + symbols + "END_SYMBOL_TABLE\n");
+  return readText("a.awl", "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\n" + lines +
+                               "\nEND_ORGANIZATION_BLOCK\nSYMBOL_TABLE\n" + symbols + "END_SYMBOL_TABLE\n");
 }
 
 TEST(Resolve, SymbolsInEveryPlace) {
-  const Program program = readWith("Start\tI0.0\nLevel\tVW10\nPtr\tVD20\nBuf\tVB100\nTime\tT37\nMax\t+500\n\xE6\xB3\xB5\tQ0.0\n",
-                                   "LD Start\nMOVW Max, Level\nMOVD &Buf, Ptr\nMOVB *Ptr, Buf\nTON Time, Max\nLD \"Start\"\n= \xE6\xB3\xB5");
+  const Program program = readWith(
+      "Start\tI0.0\nLevel\tVW10\nPtr\tVD20\nBuf\tVB100\nTime\tT37\nMax\t+500\n\xE6\xB3\xB5\tQ0.0\n",
+      "LD Start\nMOVW Max, Level\nMOVD &Buf, Ptr\nMOVB *Ptr, Buf\nTON Time, Max\nLD \"Start\"\n= \xE6\xB3\xB5");
   EXPECT_EQ(findings(program), "");
-  EXPECT_EQ(show(program.pous[0]), "LD I0.0; MOVW +500,VW10; MOVD &VB100,VD20; MOVB *VD20,VB100; TON T37,+500; LD I0.0; = Q0.0");
+  EXPECT_EQ(show(program.pous[0]),
+            "LD I0.0; MOVW +500,VW10; MOVD &VB100,VD20; MOVB *VD20,VB100; TON T37,+500; LD I0.0; = Q0.0");
   const Operand& pointer = program.pous[0].networks[0].instructions[3].operands[0];
   EXPECT_EQ(pointer.kind, OperandKind::Indirect);
   EXPECT_EQ(pointer.text, "*Ptr");
@@ -25,36 +28,45 @@ TEST(Resolve, SymbolsInEveryPlace) {
 
 TEST(Resolve, LocalsHideSymbols) {
   const Program program = readText("a.awl",
-                                   "SUBROUTINE_BLOCK A:SBR0\nVAR_INPUT\nx:BOOL;\nEND_VAR\nBEGIN\nNetwork 1\nLD x\nA #x\nA y\nEND_SUBROUTINE_BLOCK\nSYMBOL_TABLE\nx\tI0.0\ny\tI0.1\nEND_SYMBOL_TABLE\n");
+                                   "SUBROUTINE_BLOCK A:SBR0\nVAR_INPUT\nx:BOOL;\nEND_VAR\nBEGIN\nNetwork 1\nLD x\nA "
+                                   "#x\nA y\nEND_SUBROUTINE_BLOCK\nSYMBOL_TABLE\nx\tI0.0\ny\tI0.1\nEND_SYMBOL_TABLE\n");
   EXPECT_EQ(show(program.pous[0]), "LD L0.0; A L0.0; A I0.1");
 }
 
 TEST(Resolve, CaseIsSecondChoice) {
-  EXPECT_EQ(show(readWith("Start\tI0.0\nSTART\tI0.1\n", "LD Start\nA START\nA start").pous[0]), "LD I0.0; A I0.1; A I0.0");
+  EXPECT_EQ(show(readWith("Start\tI0.0\nSTART\tI0.1\n", "LD Start\nA START\nA start").pous[0]),
+            "LD I0.0; A I0.1; A I0.0");
 }
 
 TEST(Resolve, UnknownNamesStay) {
   const Program program = readWith("a\tI0.0\n", "LD nobody\nA #a\nCALL Missing\nATCH Gone, 5");
   EXPECT_EQ(findings(program), "");  // rule SYM001 speaks, not the reader
   const Network& network = program.pous[0].networks[0];
-  for (const Instruction& instruction : network.instructions) EXPECT_EQ(instruction.operands[0].kind, OperandKind::Symbol);
+  for (const Instruction& instruction : network.instructions)
+    EXPECT_EQ(instruction.operands[0].kind, OperandKind::Symbol);
   EXPECT_EQ(network.instructions[2].operands[0].value, -1);
   EXPECT_TRUE(network.complete);
 }
 
 TEST(Resolve, Routines) {
-  const Program program = readText("a.awl",
-                                   "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL Pump\nCALL SBR_0\nCALL SBR7\nCALL 4\nCALL T1\nATCH Edge, 0\nATCH INT3, 1\nATCH 2, 2\nCALL \"Pump\"\nCALL Other\n"
-                                   "END_ORGANIZATION_BLOCK\nSUBROUTINE_BLOCK Pump:SBR3\nBEGIN\nEND_SUBROUTINE_BLOCK\nSUBROUTINE_BLOCK SBR_0:SBR9\nBEGIN\nEND_SUBROUTINE_BLOCK\n"
-                                   "SUBROUTINE_BLOCK T1:SBR5\nBEGIN\nEND_SUBROUTINE_BLOCK\nINTERRUPT_BLOCK Edge:INT6\nBEGIN\nEND_INTERRUPT_BLOCK\nSYMBOL_TABLE\nOther\tSBR11\nEND_SYMBOL_TABLE\n");
+  const Program program =
+      readText("a.awl",
+               "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL Pump\nCALL SBR_0\nCALL SBR7\nCALL "
+               "4\nCALL T1\nATCH Edge, 0\nATCH INT3, 1\nATCH 2, 2\nCALL \"Pump\"\nCALL Other\n"
+               "END_ORGANIZATION_BLOCK\nSUBROUTINE_BLOCK Pump:SBR3\nBEGIN\nEND_SUBROUTINE_BLOCK\nSUBROUTINE_BLOCK "
+               "SBR_0:SBR9\nBEGIN\nEND_SUBROUTINE_BLOCK\n"
+               "SUBROUTINE_BLOCK T1:SBR5\nBEGIN\nEND_SUBROUTINE_BLOCK\nINTERRUPT_BLOCK "
+               "Edge:INT6\nBEGIN\nEND_INTERRUPT_BLOCK\nSYMBOL_TABLE\nOther\tSBR11\nEND_SYMBOL_TABLE\n");
   EXPECT_EQ(findings(program), "");
-  EXPECT_EQ(show(program.pous[0]), "LD SM0.0; CALL 3; CALL 9; CALL 7; CALL 4; CALL 5; ATCH 6,0; ATCH 3,1; ATCH 2,2; CALL 3; CALL 11");
+  EXPECT_EQ(show(program.pous[0]),
+            "LD SM0.0; CALL 3; CALL 9; CALL 7; CALL 4; CALL 5; ATCH 6,0; ATCH 3,1; ATCH 2,2; CALL 3; CALL 11");
   EXPECT_EQ(program.pous[0].networks[0].instructions[1].operands[0].text, "Pump");
 }
 
 TEST(Resolve, TextsAndQuotedNamesAsParameters) {
   const Program program = readText("a.awl",
-                                   "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0, \"Start\", \"Hello\"\nEND_ORGANIZATION_BLOCK\nSYMBOL_TABLE\nStart\tI0.0\nEND_SYMBOL_TABLE\n");
+                                   "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0, \"Start\", "
+                                   "\"Hello\"\nEND_ORGANIZATION_BLOCK\nSYMBOL_TABLE\nStart\tI0.0\nEND_SYMBOL_TABLE\n");
   EXPECT_EQ(show(program.pous[0]), "LD SM0.0; CALL 0,I0.0,\"Hello\"");
 }
 
@@ -65,7 +77,8 @@ TEST(Resolve, PointerFaults) {
 }
 
 TEST(Resolve, SystemNames) {
-  EXPECT_EQ(show(readLines("LD Always_On\nA Clock_1s\nMOVB 5, P0_Config\nA CPU_Input10\n= CPU_Output3").pous[0]), "LD SM0.0; A SM0.5; MOVB 5,SMB30; A I1.2; = Q0.3");
+  EXPECT_EQ(show(readLines("LD Always_On\nA Clock_1s\nMOVB 5, P0_Config\nA CPU_Input10\n= CPU_Output3").pous[0]),
+            "LD SM0.0; A SM0.5; MOVB 5,SMB30; A I1.2; = Q0.3");
   EXPECT_EQ(show(readWith("Always_On\tM5.0\n", "LD Always_On").pous[0]), "LD M5.0");
 }
 

@@ -28,9 +28,9 @@ TEST(RungSplit, LoadBehindAnOutput) {
   EXPECT_EQ(starts(""), Starts{});
   EXPECT_EQ(starts("LD ="), Starts{0});
   EXPECT_EQ(starts("LD = LD ="), (Starts{0, 2}));
-  EXPECT_EQ(starts("LD LD ="), Starts{0});            // the first load is never used: no output between
+  EXPECT_EQ(starts("LD LD ="), Starts{0});  // the first load is never used: no output between
   EXPECT_EQ(starts("LD = = TON LD"), (Starts{0, 4}));
-  EXPECT_EQ(starts("S LD ="), (Starts{0, 1}));        // a block may begin without a load (001:6765)
+  EXPECT_EQ(starts("S LD ="), (Starts{0, 1}));  // a block may begin without a load (001:6765)
 }
 
 TEST(RungSplit, StackThatIsUsedLater) {

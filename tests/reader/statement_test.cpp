@@ -74,10 +74,23 @@ TEST(Statement, LooksAlike) {
       {"0LD", "OLD", "STY004<0LD>"},
       {"LD\xD0\x90", "", "SYN010<LD\xD0\x90>"},
       {"\xD0\x90 I0.0", "A I0.0", "STY004<\xD0\x90>"},
-      {"LD \xD0\x9C" "0.0", "LD M0.0", "STY004<\xD0\x9C" "0.0>"},
-      {"MOVB \xD0\x9C\xD0\x92" "0, VB0", "MOVB MB0,VB0", "STY004<\xD0\x9C\xD0\x92" "0>"},
-      {"\xEF\xBC\xAC\xEF\xBC\xA4 \xEF\xBC\xA9\xEF\xBC\x90.0", "LD I0.0", "STY004<\xEF\xBC\xAC\xEF\xBC\xA4> STY004<\xEF\xBC\xA9\xEF\xBC\x90.0>"},
-      {"MOVW \xE2\x80\x93" "5, VW0", "MOVW -5,VW0", "STY004<\xE2\x80\x93" "5>"},
+      {"LD \xD0\x9C"
+       "0.0",
+       "LD M0.0",
+       "STY004<\xD0\x9C"
+       "0.0>"},
+      {"MOVB \xD0\x9C\xD0\x92"
+       "0, VB0",
+       "MOVB MB0,VB0",
+       "STY004<\xD0\x9C\xD0\x92"
+       "0>"},
+      {"\xEF\xBC\xAC\xEF\xBC\xA4 \xEF\xBC\xA9\xEF\xBC\x90.0", "LD I0.0",
+       "STY004<\xEF\xBC\xAC\xEF\xBC\xA4> STY004<\xEF\xBC\xA9\xEF\xBC\x90.0>"},
+      {"MOVW \xE2\x80\x93"
+       "5, VW0",
+       "MOVW -5,VW0",
+       "STY004<\xE2\x80\x93"
+       "5>"},
       {"DTCH +O", "DTCH +0", "STY004<+O>"},
   });
 }

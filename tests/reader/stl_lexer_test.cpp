@@ -16,7 +16,9 @@ std::string cut(std::string_view text) {
   while (lexer.next(line)) {
     if (!result.empty()) result += '\n';
     for (const Word& word : line.words) result += (word.afterComma ? ",[" : "[") + std::string(lexer.slice(word)) + "]";
-    if (line.hasComment()) result += std::string(line.isBanner ? "#" : "") + "{" + std::string(lexer.slice(line.commentBegin, line.commentEnd)) + "}";
+    if (line.hasComment())
+      result += std::string(line.isBanner ? "#" : "") + "{" +
+                std::string(lexer.slice(line.commentBegin, line.commentEnd)) + "}";
     if (line.openQuote) result += "!";
     if (line.endsWithComma) result += "+";
   }
@@ -27,7 +29,11 @@ TEST(StlLexerTest, Words) {
   EXPECT_EQ(cut("LD     I0.0"), "[LD][I0.0]");
   EXPECT_EQ(cut("S Q0.0,1\r\n"), "[S][Q0.0],[1]");
   EXPECT_EQ(cut("S\tQ0.0 ,\t1"), "[S][Q0.0],[1]");
-  EXPECT_EQ(cut("a\xC2\xA0" "b\xE3\x80\x80" "c\xEF\xBC\x8C" "d"), "[a][b][c],[d]");
+  EXPECT_EQ(cut("a\xC2\xA0"
+                "b\xE3\x80\x80"
+                "c\xEF\xBC\x8C"
+                "d"),
+            "[a][b][c],[d]");
   EXPECT_EQ(cut("CALL 1, 2,"), "[CALL][1],[2]+");
   EXPECT_EQ(cut(""), "");
   EXPECT_EQ(cut("a\n\nb"), "[a]\n\n[b]");
@@ -43,8 +49,14 @@ TEST(StlLexerTest, Quotes) {
   EXPECT_EQ(cut("X \"a, b // c\", 'd e'"), "[X][\"a, b // c\"],['d e']");
   EXPECT_EQ(cut("X \"a$\"b\" y"), "[X][\"a$\"b\"][y]");
   EXPECT_EQ(cut("X 'a b // c"), "[X]['a][b]{// c}!");
-  EXPECT_EQ(cut("X \xE2\x80\x9C" "a b\xE2\x80\x9D y"), "[X][\xE2\x80\x9C" "a b\xE2\x80\x9D][y]");
-  EXPECT_EQ(cut("X \xC2\xAB" "a b\xC2\xBB"), "[X][\xC2\xAB" "a b\xC2\xBB]");
+  EXPECT_EQ(cut("X \xE2\x80\x9C"
+                "a b\xE2\x80\x9D y"),
+            "[X][\xE2\x80\x9C"
+            "a b\xE2\x80\x9D][y]");
+  EXPECT_EQ(cut("X \xC2\xAB"
+                "a b\xC2\xBB"),
+            "[X][\xC2\xAB"
+            "a b\xC2\xBB]");
 }
 
 TEST(StlLexerTest, Semicolons) {

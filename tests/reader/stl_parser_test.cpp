@@ -62,11 +62,12 @@ TEST(StlParser, PlacesPointIntoTheText) {
 }
 
 TEST(StlParser, HeadingsInAllForms) {
-  const Program program = readText("a.awl",
-                                   "organization_block OB1\nTITLE =x\nbegin\nNETWORK 1\nld i0.0\n= q0.0\nend_organization_block\n"
-                                   "SUBROUTINE_BLOCK \xE6\xB3\xB5:SBR12\nBEGIN\nEND_SUBROUTINE_BLOCK\n"
-                                   "SUBROUTINE_BLOCK SBR_3\nBEGIN\nEND_SUBROUTINE_BLOCK\n"
-                                   "INTERRUPT_BLOCK Edge up : INT 7\nBEGIN\nEND_INTERRUPT_BLOCK\n");
+  const Program program =
+      readText("a.awl",
+               "organization_block OB1\nTITLE =x\nbegin\nNETWORK 1\nld i0.0\n= q0.0\nend_organization_block\n"
+               "SUBROUTINE_BLOCK \xE6\xB3\xB5:SBR12\nBEGIN\nEND_SUBROUTINE_BLOCK\n"
+               "SUBROUTINE_BLOCK SBR_3\nBEGIN\nEND_SUBROUTINE_BLOCK\n"
+               "INTERRUPT_BLOCK Edge up : INT 7\nBEGIN\nEND_INTERRUPT_BLOCK\n");
   EXPECT_EQ(findings(program), "");
   ASSERT_EQ(program.pous.size(), 4U);
   EXPECT_EQ(program.pous[0].name, "MAIN");
@@ -82,7 +83,9 @@ TEST(StlParser, HeadingsInAllForms) {
 }
 
 TEST(StlParser, HeadingWithoutNumberTakesTheNextFree) {
-  const Program program = readText("a.awl", "SUBROUTINE_BLOCK A:SBR4\nBEGIN\nEND_SUBROUTINE_BLOCK\nSUBROUTINE_BLOCK Pump\nBEGIN\nNetwork 1\nLD I0.0\nEND_SUBROUTINE_BLOCK\n");
+  const Program program = readText("a.awl",
+                                   "SUBROUTINE_BLOCK A:SBR4\nBEGIN\nEND_SUBROUTINE_BLOCK\nSUBROUTINE_BLOCK "
+                                   "Pump\nBEGIN\nNetwork 1\nLD I0.0\nEND_SUBROUTINE_BLOCK\n");
   ASSERT_EQ(program.pous.size(), 2U);
   EXPECT_EQ(program.pous[1].name, "Pump");
   EXPECT_EQ(program.pous[1].number, 5);
@@ -90,9 +93,10 @@ TEST(StlParser, HeadingWithoutNumberTakesTheNextFree) {
 }
 
 TEST(StlParser, MainStandsFirst) {
-  const Program program = readText("a.awl",
-                                   "SUBROUTINE_BLOCK B:SBR1\nBEGIN\nNetwork 1\n//@ reach b: Q0.1\nLD I0.0\nEND_SUBROUTINE_BLOCK\n"
-                                   "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 3\n//@ reach a: Q0.0\nLD I0.0\nEND_ORGANIZATION_BLOCK\n");
+  const Program program =
+      readText("a.awl",
+               "SUBROUTINE_BLOCK B:SBR1\nBEGIN\nNetwork 1\n//@ reach b: Q0.1\nLD I0.0\nEND_SUBROUTINE_BLOCK\n"
+               "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 3\n//@ reach a: Q0.0\nLD I0.0\nEND_ORGANIZATION_BLOCK\n");
   ASSERT_EQ(program.pous.size(), 2U);
   EXPECT_EQ(program.pous[0].kind, PouKind::Main);
   ASSERT_EQ(program.directives.size(), 2U);
@@ -104,11 +108,15 @@ TEST(StlParser, MainStandsFirst) {
 
 TEST(StlParser, SmartExport) {
   // Leading tabs, tab-only lines, signed constants, empty lines between blocks, comment without blank.
-  const Program program = readText("smart.awl",
-                                   "ORGANIZATION_BLOCK MAIN:OB1\nTITLE=\xE7\xA8\x8B\xE5\xBA\x8F\xE6\xB3\xA8\xE9\x87\x8A\nBEGIN\nNetwork 1 \n//comment\n\t\n\t\n"
-                                   "\tLD     Always_On\n\tCALL   Init\n\tATCH   INT_0, 10\nEND_ORGANIZATION_BLOCK\n\n"
-                                   "SUBROUTINE_BLOCK Init:SBR1\nTITLE=\nBEGIN\nNetwork 1 \n\tLD     First_Scan_On\n\tMOVW   +100, P0_Timeout\nEND_SUBROUTINE_BLOCK\n\n"
-                                   "INTERRUPT_BLOCK INT_0:INT0\nTITLE=\nBEGIN\nNetwork 1 \n\tLD     CPU_\xE8\xBE\x93\xE5\x85\xA5" "9\nEND_INTERRUPT_BLOCK\n");
+  const Program program =
+      readText("smart.awl",
+               "ORGANIZATION_BLOCK MAIN:OB1\nTITLE=\xE7\xA8\x8B\xE5\xBA\x8F\xE6\xB3\xA8\xE9\x87\x8A\nBEGIN\nNetwork 1 "
+               "\n//comment\n\t\n\t\n"
+               "\tLD     Always_On\n\tCALL   Init\n\tATCH   INT_0, 10\nEND_ORGANIZATION_BLOCK\n\n"
+               "SUBROUTINE_BLOCK Init:SBR1\nTITLE=\nBEGIN\nNetwork 1 \n\tLD     First_Scan_On\n\tMOVW   +100, "
+               "P0_Timeout\nEND_SUBROUTINE_BLOCK\n\n"
+               "INTERRUPT_BLOCK INT_0:INT0\nTITLE=\nBEGIN\nNetwork 1 \n\tLD     CPU_\xE8\xBE\x93\xE5\x85\xA5"
+               "9\nEND_INTERRUPT_BLOCK\n");
   EXPECT_EQ(findings(program), "");
   ASSERT_EQ(program.pous.size(), 3U);
   EXPECT_EQ(show(program.pous[0]), "LD SM0.0; CALL 1; ATCH 0,10");
@@ -118,7 +126,8 @@ TEST(StlParser, SmartExport) {
 
 TEST(StlParser, NetworkLinesInAllForms) {
   const Program program = readText("a.awl",
-                                   "Network 1\nLD I0.0\nNETWORK 7 // seven\nLD I0.1\nNetwork\nLD I0.2\nnetwork12\nLD I0.3\nNetwork 13 plain title\nLD I0.4\n"
+                                   "Network 1\nLD I0.0\nNETWORK 7 // seven\nLD I0.1\nNetwork\nLD I0.2\nnetwork12\nLD "
+                                   "I0.3\nNetwork 13 plain title\nLD I0.4\n"
                                    "Network 14:\nTITLE=below\nLD I0.5\nNetwork // only title\nLD I0.6\n");
   EXPECT_EQ(findings(program), "");
   ASSERT_EQ(program.pous.size(), 1U);
@@ -140,13 +149,16 @@ TEST(StlParser, NetworkCommentLineIsAComment) {
   const Program program = readLines("NETWORK_COMMENT holds the belt; LD I9.9\nLD I0.0");
   EXPECT_EQ(show(program.pous[0]), "LD I0.0");
   ASSERT_EQ(program.pous[0].networks[0].comments.size(), 1U);
-  EXPECT_EQ(program.sources->text(program.pous[0].networks[0].comments[0].span), "NETWORK_COMMENT holds the belt; LD I9.9");
+  EXPECT_EQ(program.sources->text(program.pous[0].networks[0].comments[0].span),
+            "NETWORK_COMMENT holds the belt; LD I9.9");
 }
 
 TEST(StlParser, Declarations) {
-  const Program program = readText("a.awl",
-                                   "SUBROUTINE_BLOCK SBR_0:SBR0\nTITLE=\nVAR_INPUT\nIN:BYTE;\t// value\nRun:BOOL;\nEND_VAR\nVAR_OUTPUT\nOUT:WORD;\nEND_VAR\nVAR\nA, B : INT ;\nEND_VAR\n"
-                                   "BEGIN\nNetwork 1\nLD #Run\nMOVB IN, LB0\nMOVW #A, #OUT\nEND_SUBROUTINE_BLOCK\n");
+  const Program program =
+      readText("a.awl",
+               "SUBROUTINE_BLOCK SBR_0:SBR0\nTITLE=\nVAR_INPUT\nIN:BYTE;\t// "
+               "value\nRun:BOOL;\nEND_VAR\nVAR_OUTPUT\nOUT:WORD;\nEND_VAR\nVAR\nA, B : INT ;\nEND_VAR\n"
+               "BEGIN\nNetwork 1\nLD #Run\nMOVB IN, LB0\nMOVW #A, #OUT\nEND_SUBROUTINE_BLOCK\n");
   EXPECT_EQ(findings(program), "");
   ASSERT_EQ(program.pous.size(), 1U);
   const std::vector<LocalVariable>& locals = program.pous[0].locals;
@@ -161,10 +173,11 @@ TEST(StlParser, Declarations) {
 }
 
 TEST(StlParser, ProtectedBlockIsNoted) {
-  const Program program = readText("a.awl",
-                                   "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\nCALL SBR1\nEND_ORGANIZATION_BLOCK\n"
-                                   "SUBROUTINE_BLOCK Secret:SBR1\nTITLE=\nVAR_INPUT\nx:BOOL;\nEND_VAR\nBEGIN\n"
-                                   "Network 1 // This POU is password-protected against editing and viewing.\n\nEND_SUBROUTINE_BLOCK\n");
+  const Program program =
+      readText("a.awl",
+               "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\nCALL SBR1\nEND_ORGANIZATION_BLOCK\n"
+               "SUBROUTINE_BLOCK Secret:SBR1\nTITLE=\nVAR_INPUT\nx:BOOL;\nEND_VAR\nBEGIN\n"
+               "Network 1 // This POU is password-protected against editing and viewing.\n\nEND_SUBROUTINE_BLOCK\n");
   ASSERT_EQ(program.pous.size(), 2U);
   EXPECT_TRUE(program.pous[1].protectedBlock);
   EXPECT_EQ(findings(program), "SYN026<SUBROUTINE_BLOCK Secret:SBR1>");
@@ -179,7 +192,9 @@ TEST(StlParser, StatementsOnOneLine) {
 }
 
 TEST(StlParser, CallGoesOnBehindAComma) {
-  const Program program = readText("a.awl", "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR_0, I0.1, VB10,\n       &VB100, *AC1, VD200\nLD I0.0,\nA I0.1\nEND_ORGANIZATION_BLOCK\n");
+  const Program program = readText("a.awl",
+                                   "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR_0, I0.1, VB10,\n "
+                                   "      &VB100, *AC1, VD200\nLD I0.0,\nA I0.1\nEND_ORGANIZATION_BLOCK\n");
   EXPECT_EQ(show(program.pous[0]), "LD SM0.0; CALL 0,I0.1,VB10,&VB100,*AC1,VD200; LD I0.0; A I0.1");
   ASSERT_EQ(program.findings.size(), 1U);
   EXPECT_EQ(program.findings[0].rule, "SYN018");
@@ -187,7 +202,8 @@ TEST(StlParser, CallGoesOnBehindAComma) {
 
 TEST(StlParser, OneRunReportsAllErrors) {
   const Program program = readText("a.awl",
-                                   "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\nFOO I0.1\n= Q0.0\nNetwork 2\nLD I0.0, I0.1\nNetwork 3\nLD\nNetwork 4\nLD I0.2\nMOVW 16#XYZ, VW0\n"
+                                   "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\nFOO I0.1\n= Q0.0\nNetwork "
+                                   "2\nLD I0.0, I0.1\nNetwork 3\nLD\nNetwork 4\nLD I0.2\nMOVW 16#XYZ, VW0\n"
                                    "Network 5\nLD I0.5\n= Q0.5\nEND_ORGANIZATION_BLOCK\n");
   EXPECT_EQ(findings(program), "SYN010<FOO> SYN012<I0.1> SYN012<LD> SYN014<16#XYZ>");
   EXPECT_EQ(show(program.pous[0]), "!LD I0.0; = Q0.0 | !LD I0.0 | ! | !LD I0.2 | LD I0.5; = Q0.5");
@@ -197,10 +213,13 @@ TEST(StlParser, OneRunReportsAllErrors) {
 }
 
 TEST(StlParser, BlockEndsThatDoNotMatch) {
-  const Program open = readText("a.awl", "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\nSUBROUTINE_BLOCK A:SBR0\nBEGIN\nNetwork 1\nLD I0.1\n");
+  const Program open = readText(
+      "a.awl",
+      "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\nSUBROUTINE_BLOCK A:SBR0\nBEGIN\nNetwork 1\nLD I0.1\n");
   EXPECT_EQ(open.pous.size(), 2U);
   EXPECT_EQ(findings(open), "SYN020<ORGANIZATION_BLOCK MAIN:OB1> SYN020<SUBROUTINE_BLOCK A:SBR0>");
-  const Program wrong = readText("a.awl", "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\nEND_SUBROUTINE_BLOCK\nLD I0.1\nLD I0.2\n");
+  const Program wrong = readText(
+      "a.awl", "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\nEND_SUBROUTINE_BLOCK\nLD I0.1\nLD I0.2\n");
   EXPECT_EQ(findings(wrong), "SYN021<END_SUBROUTINE_BLOCK> SYN025<LD I0.1\nLD I0.2>");
   EXPECT_EQ(show(wrong.pous[0]), "LD I0.0");
 }
@@ -208,17 +227,21 @@ TEST(StlParser, BlockEndsThatDoNotMatch) {
 TEST(StlParser, TwinBlocks) {
   const std::string main = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\nEND_ORGANIZATION_BLOCK\n";
   const std::string sub = "SUBROUTINE_BLOCK A:SBR0\nBEGIN\nNetwork 1\nLD I0.0\nEND_SUBROUTINE_BLOCK\n";
-  const Program program = readText("a.awl", main + main + sub + "SUBROUTINE_BLOCK B:SBR0\nBEGIN\nEND_SUBROUTINE_BLOCK\nSUBROUTINE_BLOCK A:SBR5\nBEGIN\nEND_SUBROUTINE_BLOCK\n");
+  const Program program =
+      readText("a.awl", main + main + sub +
+                            "SUBROUTINE_BLOCK B:SBR0\nBEGIN\nEND_SUBROUTINE_BLOCK\nSUBROUTINE_BLOCK "
+                            "A:SBR5\nBEGIN\nEND_SUBROUTINE_BLOCK\n");
   int twins = 0;
   for (const Finding& finding : program.findings) twins += finding.rule == "SYN022" ? 1 : 0;
   EXPECT_EQ(twins, 3);
 }
 
 TEST(StlParser, TablesInTheSameText) {
-  const Program program = readText("a.awl",
-                                   "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD Start\n= Q0.0\nEND_ORGANIZATION_BLOCK\n"
-                                   "DATA_BLOCK_TAB USER1\n//\nBEGIN\n// values\nVB22   0\n\nVW24   16#1234, 5\nEND_DATA_BLOCK_TAB\n"
-                                   "SYMBOL_TABLE\nStart\tI0.0\tthe start button\nEND_SYMBOL_TABLE\n");
+  const Program program =
+      readText("a.awl",
+               "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD Start\n= Q0.0\nEND_ORGANIZATION_BLOCK\n"
+               "DATA_BLOCK_TAB USER1\n//\nBEGIN\n// values\nVB22   0\n\nVW24   16#1234, 5\nEND_DATA_BLOCK_TAB\n"
+               "SYMBOL_TABLE\nStart\tI0.0\tthe start button\nEND_SYMBOL_TABLE\n");
   EXPECT_EQ(findings(program), "");
   EXPECT_EQ(show(program.pous[0]), "LD I0.0; = Q0.0");
   EXPECT_EQ(program.pous[0].networks[0].instructions[0].operands[0].text, "Start");
@@ -231,7 +254,9 @@ TEST(StlParser, TablesInTheSameText) {
 }
 
 TEST(StlParser, BlockWithoutNetworkLinesIsCutIntoRungs) {
-  const Program program = readText("a.awl", "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\n// a\nLD I0.0\n= Q0.0\n// b\nLD I0.1\n= Q0.1\nEND_ORGANIZATION_BLOCK\n");
+  const Program program = readText(
+      "a.awl",
+      "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\n// a\nLD I0.0\n= Q0.0\n// b\nLD I0.1\n= Q0.1\nEND_ORGANIZATION_BLOCK\n");
   EXPECT_EQ(show(program.pous[0]), "LD I0.0; = Q0.0 | LD I0.1; = Q0.1");
   EXPECT_EQ(program.pous[0].networks[1].number, 2);
   EXPECT_EQ(program.pous[0].networks[1].comments.size(), 1U);

@@ -38,25 +38,41 @@ TEST(SyntaxMessages, EveryMessageOccurs) {
   std::string many;
   for (int i = 0; i < 10001; ++i) many += "FOO\n";
   collect(readText("x", frame + many));
-  collect(readText("x", frame + "GET VB0\nLD\nLD I0..0\nMOVW 3#1, VW0\n***\nMOV_B 1, VB0\nLDS= \"a, VB0\nCALL1\nA I0.0\nA E0.0\nA I0.1\n"));
-  collect(readText("x", frame + "SUBROUTINE_BLOCK A\nBEGIN\nNetwork 99999999\nNOT\nEND_SUBROUTINE_BLOCK\nEND_SUBROUTINE_BLOCK\nNOT\n"));
+  collect(readText(
+      "x",
+      frame +
+          "GET VB0\nLD\nLD I0..0\nMOVW 3#1, VW0\n***\nMOV_B 1, VB0\nLDS= \"a, VB0\nCALL1\nA I0.0\nA E0.0\nA I0.1\n"));
+  collect(readText(
+      "x",
+      frame + "SUBROUTINE_BLOCK A\nBEGIN\nNetwork 99999999\nNOT\nEND_SUBROUTINE_BLOCK\nEND_SUBROUTINE_BLOCK\nNOT\n"));
   collect(readText("x", frame + "NOT\nEND_ORGANIZATION_BLOCK\n" + frame + "END_ORGANIZATION_BLOCK\n"));
-  collect(readText("x", frame + "NOT\nEND_ORGANIZATION_BLOCK\nSUBROUTINE_BLOCK S:SBR0\nBEGIN\nNetwork 1 // This POU is password-protected against editing and viewing.\nEND_SUBROUTINE_BLOCK\n"));
+  collect(readText("x", frame + "NOT\nEND_ORGANIZATION_BLOCK\nSUBROUTINE_BLOCK S:SBR0\nBEGIN\nNetwork 1 // This POU is "
+                                "password-protected against editing and viewing.\nEND_SUBROUTINE_BLOCK\n"));
   std::string locals;
   for (int i = 0; i < 17; ++i) locals += fmt::format("v{}:REAL;\n", i);
-  collect(readText("x", "ORGANIZATION_BLOCK M:OB1\nVAR\nx:FOO;\n" + locals + "END_VAR\nBEGIN\nNOT\nEND_ORGANIZATION_BLOCK\nSYMBOL_TABLE\n1 2\nEND_SYMBOL_TABLE\nDATA_BLOCK\n5\nVB0 x\nVB1 300\nEND_DATA_BLOCK\n"));
-  const std::string project = "<project xmlns=\"http://www.plcopen.org/xml/tc6_0201\"><pou name=\"M\" pouType=\"program\">";
+  collect(readText("x", "ORGANIZATION_BLOCK M:OB1\nVAR\nx:FOO;\n" + locals +
+                            "END_VAR\nBEGIN\nNOT\nEND_ORGANIZATION_BLOCK\nSYMBOL_TABLE\n1 "
+                            "2\nEND_SYMBOL_TABLE\nDATA_BLOCK\n5\nVB0 x\nVB1 300\nEND_DATA_BLOCK\n"));
+  const std::string project =
+      "<project xmlns=\"http://www.plcopen.org/xml/tc6_0201\"><pou name=\"M\" pouType=\"program\">";
   collect(readText("x", project + "<body"));
   collect(readText("x", "<!DOCTYPE p [<!ENTITY e \"e\">]>" + project + "</pou></project>"));
   std::string deep;
   for (int i = 0; i < 300; ++i) deep += "<a>";
   collect(readText("x", project + deep));
   collect(readText("x", project + "<body><ST/></body></pou></project>"));
-  collect(readText("x", project + "<interface><localVars><variable name=\"T\"><type><derived name=\"TON\"/></type></variable><variable name=\"v\"><type><TIME/></type></variable></localVars></interface><body><FBD>"
-                                  "<inVariable localId=\"1\"><expression>v</expression></inVariable><block localId=\"2\" typeName=\"TON\" instanceName=\"T\"><inputVariables><variable formalParameter=\"IN\"><connectionPointIn>"
-                                  "<expression>TRUE</expression></connectionPointIn></variable><variable formalParameter=\"PT\"><connectionPointIn><connection refLocalId=\"1\"/></connectionPointIn></variable></inputVariables>"
-                                  "</block></FBD></body></pou></project>"));
-  for (const SyntaxMessage& row : syntaxMessages) EXPECT_TRUE(seen.count(std::string(row.id)) > 0) << row.id << ' ' << row.title;
+  collect(readText(
+      "x", project +
+               "<interface><localVars><variable name=\"T\"><type><derived name=\"TON\"/></type></variable><variable "
+               "name=\"v\"><type><TIME/></type></variable></localVars></interface><body><FBD>"
+               "<inVariable localId=\"1\"><expression>v</expression></inVariable><block localId=\"2\" typeName=\"TON\" "
+               "instanceName=\"T\"><inputVariables><variable formalParameter=\"IN\"><connectionPointIn>"
+               "<expression>TRUE</expression></connectionPointIn></variable><variable "
+               "formalParameter=\"PT\"><connectionPointIn><connection "
+               "refLocalId=\"1\"/></connectionPointIn></variable></inputVariables>"
+               "</block></FBD></body></pou></project>"));
+  for (const SyntaxMessage& row : syntaxMessages)
+    EXPECT_TRUE(seen.count(std::string(row.id)) > 0) << row.id << ' ' << row.title;
 }
 
 }  // namespace

@@ -43,7 +43,8 @@ std::string told(const std::vector<std::pair<Signal, std::uint32_t>>& signals) {
 
 std::string registersThatDiffer(const Concrete::Store& s, const naive::Interpreter& plain) {
   const auto differs = [](std::string_view name, std::size_t n, std::uint64_t expected, std::uint64_t actual) {
-    return expected == actual ? std::string() : fmt::format("{}[{}]: naive {:x}, engine {:x}", name, n, expected, actual);
+    return expected == actual ? std::string()
+                              : fmt::format("{}[{}]: naive {:x}, engine {:x}", name, n, expected, actual);
   };
   const auto all = [&](std::string_view name, Reg reg, const auto& list) {
     std::string wrong;
@@ -63,7 +64,8 @@ std::string registersThatDiffer(const Concrete::Store& s, const naive::Interpret
   if (wrong.empty()) wrong = all("clock setting", Reg::ClockSetting, plain.clockSetting);
   for (std::uint32_t bit = 0; bit < 128 && wrong.empty(); ++bit)
     wrong = differs("output", bit, plain.outputs[bit / 8] >> bit % 8 & 1, s.get(Reg::PhysicalOutput, bit));
-  if (wrong.empty()) wrong = differs("interrupts", 0, plain.memory.at(Area::SM)[4] >> 4 & 1, s.get(Reg::InterruptsEnabled, 0));
+  if (wrong.empty())
+    wrong = differs("interrupts", 0, plain.memory.at(Area::SM)[4] >> 4 & 1, s.get(Reg::InterruptsEnabled, 0));
   if (wrong.empty()) wrong = differs("DIAG", 0, plain.diagnosticLed, s.get(Reg::DiagnosticLed, 0));
   return wrong;
 }
@@ -88,13 +90,15 @@ void copyState(const manual::Plant& plant, naive::Interpreter& plain) {
       plain.memory[Area::AI][index] = static_cast<std::uint8_t>(value >> 8);
       plain.memory[Area::AI][index + 1] = static_cast<std::uint8_t>(value);
     }
-    if (kind == External::ImmediateInput && value != 0) plain.inputs[index / 8] |= static_cast<std::uint8_t>(1U << index % 8);
+    if (kind == External::ImmediateInput && value != 0)
+      plain.inputs[index / 8] |= static_cast<std::uint8_t>(1U << index % 8);
     if (kind == External::ClockByte) plain.clock[index] = static_cast<std::uint8_t>(value);
     if (kind == External::IntervalClock) plain.milliseconds = static_cast<std::uint32_t>(value);
     if (kind == External::StationAddress) plain.stationAddress[index] = static_cast<std::uint8_t>(value);
   }
   const auto each = [&](Reg reg, auto& list) {
-    for (std::uint32_t n = 0; n < list.size(); ++n) list[n] = static_cast<std::remove_reference_t<decltype(list[n])>>(s.get(reg, n));
+    for (std::uint32_t n = 0; n < list.size(); ++n)
+      list[n] = static_cast<std::remove_reference_t<decltype(list[n])>>(s.get(reg, n));
   };
   each(Reg::Accumulator, plain.accumulator);
   each(Reg::TimerCurrent, plain.timer);
@@ -113,18 +117,23 @@ std::string difference(manual::Plant& plant, naive::Interpreter& plain, const In
   for (const Hazard hazard : plant.outside.hazards()) met.emplace_back(hazardInfo(hazard).code);
   std::sort(met.begin(), met.end());
   std::sort(plain.errors.begin(), plain.errors.end());
-  if (met != plain.errors) return fmt::format("errors: naive {}, engine {}", fmt::join(plain.errors, " "), fmt::join(met, " "));
-  if (const std::string said = fmt::format("{}", fmt::join(plain.told, ";")) + (plain.told.empty() ? "" : ";"); said != told(plant.outside.signals))
+  if (met != plain.errors)
+    return fmt::format("errors: naive {}, engine {}", fmt::join(plain.errors, " "), fmt::join(met, " "));
+  if (const std::string said = fmt::format("{}", fmt::join(plain.told, ";")) + (plain.told.empty() ? "" : ";");
+      said != told(plant.outside.signals))
     return fmt::format("told: naive {}, engine {}", said, told(plant.outside.signals));
   if (plain.stopped != plant.halted) return "one of them stopped";
   const auto rounded = last == nullptr || plain.stopped ? std::nullopt : roundedBy(last->desc->stl);
   for (const int element : rounded ? rounded->elements : std::vector<int>{}) {
     naive::Interpreter other = plain;
-    for (const Area area : areas) std::copy(plant.store.area(area).begin(), plant.store.area(area).end(), other.memory[area].begin());
-    for (std::uint32_t n = 0; n < 4; ++n) other.accumulator[n] = static_cast<std::uint32_t>(plant.store.get(Reg::Accumulator, n));
+    for (const Area area : areas)
+      std::copy(plant.store.area(area).begin(), plant.store.area(area).end(), other.memory[area].begin());
+    for (std::uint32_t n = 0; n < 4; ++n)
+      other.accumulator[n] = static_cast<std::uint32_t>(plant.store.get(Reg::Accumulator, n));
     const Operand& o = last->operands[rounded->operand];
     const std::uint32_t actual = other.read(o, 4, element), expected = plain.read(o, 4, element);
-    if (!isClose(actual, expected, last->desc->stl == "PID" ? 10 : 1e-30)) return fmt::format("result: naive {}, engine {}", std::bit_cast<float>(expected), std::bit_cast<float>(actual));
+    if (!isClose(actual, expected, last->desc->stl == "PID" ? 10 : 1e-30))
+      return fmt::format("result: naive {}, engine {}", std::bit_cast<float>(expected), std::bit_cast<float>(actual));
     plain.write(o, 4, actual, element);
   }
   for (const Area area : areas) {
@@ -132,9 +141,11 @@ std::string difference(manual::Plant& plant, naive::Interpreter& plain, const In
     const auto& expected = plain.memory.at(area);
     const auto at = std::mismatch(actual.begin(), actual.end(), expected.begin()).first - actual.begin();
     if (at != static_cast<std::ptrdiff_t>(actual.size()))
-      return fmt::format("{}B{}: naive {:02x}, engine {:02x}", areaName(area), at, expected[static_cast<std::size_t>(at)], actual[static_cast<std::size_t>(at)]);
+      return fmt::format("{}B{}: naive {:02x}, engine {:02x}", areaName(area), at,
+                         expected[static_cast<std::size_t>(at)], actual[static_cast<std::size_t>(at)]);
   }
-  if (plain.stack != plant.stack) return fmt::format("stack: naive {}, engine {}", fmt::join(plain.stack, ""), fmt::join(plant.stack, ""));
+  if (plain.stack != plant.stack)
+    return fmt::format("stack: naive {}, engine {}", fmt::join(plain.stack, ""), fmt::join(plant.stack, ""));
   if (plain.eno != (plant.store.get(Reg::Eno, 0) != 0)) return fmt::format("ENO: naive {}", plain.eno);
   return registersThatDiffer(plant.store, plain);
 }

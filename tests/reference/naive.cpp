@@ -12,8 +12,8 @@ namespace rungproof::naive {
 Interpreter::Interpreter(const Program& program) : program_(program) {
   for (const Area area : {Area::I, Area::Q, Area::V, Area::M, Area::S, Area::SM, Area::L, Area::AI, Area::AQ})
     memory[area].assign(area == Area::V ? 10240 + 512 : 1024, 0);  // behind the end of an area stands 0
-  memory[Area::SM][0] = 3;  // SM0.0, SM0.1
-  pidHistory.fill(true);    // 001:5295
+  memory[Area::SM][0] = 3;                                         // SM0.0, SM0.1
+  pidHistory.fill(true);                                           // 001:5295
 }
 
 void Interpreter::scan(int ticks10, int ticks100) {
@@ -89,7 +89,8 @@ std::size_t Interpreter::step(const std::vector<Element>& code, std::size_t at) 
     pid(i);
   } else if (!logic(i, name) && !compareInstruction(i, name) && !bistable(i, name)) {
     // Without power flow a box does nothing, and what follows it sees no ENO (001:2276; the engine's default choice).
-    const bool hasEno = name != "WDR" && name != "DLED" && name != "BITIM" && name != "CITIM";  // no ENO is printed for them
+    const bool hasEno =
+        name != "WDR" && name != "DLED" && name != "BITIM" && name != "CITIM";  // no ENO is printed for them
     if (!power()) --executed[name];
     if (hasEno) eno = power();
     if (power()) box(i, name);
@@ -133,38 +134,61 @@ bool Interpreter::pop() {
 
 bool Interpreter::logic(const Instruction& i, const std::string& name) {
   const auto terminal = [&] { return (inputs[i.operands[0].offset] >> i.operands[0].bit & 1) != 0; };
-  if (name == "LD") push(readBit(i.operands[0]));
-  else if (name == "LDI") push(terminal());
-  else if (name == "LDNI") push(!terminal());
-  else if (name == "AI") stack[0] = stack[0] && terminal();
-  else if (name == "ANI") stack[0] = stack[0] && !terminal();
-  else if (name == "OI") stack[0] = stack[0] || terminal();
-  else if (name == "ONI") stack[0] = stack[0] || !terminal();
-  else if (name == "LDN") push(!readBit(i.operands[0]));
-  else if (name == "A") stack[0] = stack[0] && readBit(i.operands[0]);
-  else if (name == "AN") stack[0] = stack[0] && !readBit(i.operands[0]);
-  else if (name == "O") stack[0] = stack[0] || readBit(i.operands[0]);
-  else if (name == "ON") stack[0] = stack[0] || !readBit(i.operands[0]);
-  else if (name == "NOT") stack[0] = !stack[0];
-  else if (name == "=") writeBit(i.operands[0], power());
+  if (name == "LD")
+    push(readBit(i.operands[0]));
+  else if (name == "LDI")
+    push(terminal());
+  else if (name == "LDNI")
+    push(!terminal());
+  else if (name == "AI")
+    stack[0] = stack[0] && terminal();
+  else if (name == "ANI")
+    stack[0] = stack[0] && !terminal();
+  else if (name == "OI")
+    stack[0] = stack[0] || terminal();
+  else if (name == "ONI")
+    stack[0] = stack[0] || !terminal();
+  else if (name == "LDN")
+    push(!readBit(i.operands[0]));
+  else if (name == "A")
+    stack[0] = stack[0] && readBit(i.operands[0]);
+  else if (name == "AN")
+    stack[0] = stack[0] && !readBit(i.operands[0]);
+  else if (name == "O")
+    stack[0] = stack[0] || readBit(i.operands[0]);
+  else if (name == "ON")
+    stack[0] = stack[0] || !readBit(i.operands[0]);
+  else if (name == "NOT")
+    stack[0] = !stack[0];
+  else if (name == "=")
+    writeBit(i.operands[0], power());
   else if (name == "=I") {
     writeBit(i.operands[0], power());
     const auto mask = static_cast<std::uint8_t>(1U << i.operands[0].bit);
     std::uint8_t& terminal = outputs[i.operands[0].offset];
     terminal = static_cast<std::uint8_t>(power() ? terminal | mask : terminal & ~mask);
-  }
-  else if (name == "ALD") { const bool a = pop(); stack[0] = a && stack[0]; }
-  else if (name == "OLD") { const bool a = pop(); stack[0] = a || stack[0]; }
-  else if (name == "LPS") push(stack[0]);
-  else if (name == "LRD") stack[0] = stack[1];
-  else if (name == "LPP") pop();
-  else if (name == "LDS") push(stack[static_cast<std::size_t>(i.operands[0].value)]);
-  else if (name == "AENO") stack[0] = stack[0] && eno;
+  } else if (name == "ALD") {
+    const bool a = pop();
+    stack[0] = a && stack[0];
+  } else if (name == "OLD") {
+    const bool a = pop();
+    stack[0] = a || stack[0];
+  } else if (name == "LPS")
+    push(stack[0]);
+  else if (name == "LRD")
+    stack[0] = stack[1];
+  else if (name == "LPP")
+    pop();
+  else if (name == "LDS")
+    push(stack[static_cast<std::size_t>(i.operands[0].value)]);
+  else if (name == "AENO")
+    stack[0] = stack[0] && eno;
   else if (name == "EU" || name == "ED") {
     const bool now = stack[0], before = edge_[&i];
     edge_[&i] = now;
     stack[0] = !firstScan && (name == "EU" ? now && !before : !now && before);
-  } else return false;
+  } else
+    return false;
   return true;
 }
 
@@ -180,9 +204,12 @@ bool Interpreter::bistable(const Instruction& i, const std::string& name) {
 }
 
 void Interpreter::joinResult(const std::string& joint, bool holds) {
-  if (joint == "LD") push(holds);
-  else if (joint == "A") stack[0] = stack[0] && holds;
-  else stack[0] = stack[0] || holds;
+  if (joint == "LD")
+    push(holds);
+  else if (joint == "A")
+    stack[0] = stack[0] && holds;
+  else
+    stack[0] = stack[0] || holds;
 }
 
 /// Equal length and equal characters; a string that is too long or leaves its area stops the CPU (001:3417).
@@ -216,7 +243,12 @@ bool Interpreter::compareInstruction(const Instruction& i, const std::string& na
   };
   const double a = number(x), b = number(y);
   if (!std::isfinite(a) || !std::isfinite(b)) return fatal("F0012");
-  joinResult(joint, relation == "=" ? a == b : relation == "<>" ? a != b : relation == "<" ? a < b : relation == "<=" ? a <= b : relation == ">" ? a > b : a >= b);
+  joinResult(joint, relation == "="    ? a == b
+                    : relation == "<>" ? a != b
+                    : relation == "<"  ? a < b
+                    : relation == "<=" ? a <= b
+                    : relation == ">"  ? a > b
+                                       : a >= b);
   return true;
 }
 
@@ -252,7 +284,8 @@ void Interpreter::timerBox(const Instruction& i, const std::string& name) {
     if (name != "TONR" && !input) start(false);
   }
   t.input = input;
-  if (timerResolution(static_cast<int>(n)) == 100 && (scr_ || !name.starts_with("TOF"))) refresh(-static_cast<int>(n), ticks100_);
+  if (timerResolution(static_cast<int>(n)) == 100 && (scr_ || !name.starts_with("TOF")))
+    refresh(-static_cast<int>(n), ticks100_);
   if (!name.ends_with(".IEC")) return;
   if (i.operands.size() > 2) writeBit(i.operands[2], timerBit[n]);
   if (i.operands.size() > 3) write(i.operands[3], 2, static_cast<std::uint16_t>(timer[n]));
@@ -261,7 +294,9 @@ void Interpreter::timerBox(const Instruction& i, const std::string& name) {
 /// Positive: all timers of that resolution; negative: one timer by number.
 void Interpreter::refresh(int resolution, int ticks) {
   for (auto& [n, t] : timers_) {
-    if (resolution > 0 ? timerResolution(static_cast<int>(n)) != resolution : n != static_cast<std::uint32_t>(-resolution)) continue;
+    if (resolution > 0 ? timerResolution(static_cast<int>(n)) != resolution
+                       : n != static_cast<std::uint32_t>(-resolution))
+      continue;
     if (!t.counting) continue;
     const int old = timer[n], sum = old + ticks;
     timer[n] = static_cast<std::int16_t>(sum > 32767 ? 32767 : sum);
@@ -305,7 +340,8 @@ void Interpreter::iecCounter(const Instruction& i, const std::string& name) {
   const bool both = name == "CTUD.IEC";
   const bool load = name == "CTU.IEC" ? false : level(0), reset = name == "CTU.IEC" ? level(0) : both && level(1);
   auto& [up, down] = countInputs_[n];
-  const bool upNow = name == "CTU.IEC" ? level(1) : both && level(3), downNow = name == "CTD.IEC" ? level(1) : both && level(2);
+  const bool upNow = name == "CTU.IEC" ? level(1) : both && level(3),
+             downNow = name == "CTD.IEC" ? level(1) : both && level(2);
   const bool rises = !firstScan && upNow && !up, falls = !firstScan && downNow && !down;
   up = upNow;
   down = downNow;
@@ -329,7 +365,8 @@ void Interpreter::setOrReset(const Instruction& i, bool value, bool immediate) {
   const std::uint32_t count = read(i.operands[1], 1);
   const bool numbered = first.area == Area::T || first.area == Area::C;
   const std::uint32_t start = numbered ? first.offset : first.offset * 8 + first.bit;
-  static const std::map<Area, std::uint32_t> bytes = {{Area::I, 16}, {Area::Q, 16}, {Area::M, 32}, {Area::S, 32}, {Area::L, 64}, {Area::V, 10240}, {Area::SM, 550}};
+  static const std::map<Area, std::uint32_t> bytes = {{Area::I, 16}, {Area::Q, 16},    {Area::M, 32},  {Area::S, 32},
+                                                      {Area::L, 64}, {Area::V, 10240}, {Area::SM, 550}};
   if (start + count > (numbered ? 256 : bytes.at(first.area) * 8)) {
     fail("0091");
     return;
@@ -338,7 +375,8 @@ void Interpreter::setOrReset(const Instruction& i, bool value, bool immediate) {
     if (!numbered) {
       putBit(first.area, at / 8, at % 8, value);
       const auto mask = static_cast<std::uint8_t>(1U << at % 8);
-      if (immediate) outputs[at / 8] = static_cast<std::uint8_t>(value ? outputs[at / 8] | mask : outputs[at / 8] & ~mask);
+      if (immediate)
+        outputs[at / 8] = static_cast<std::uint8_t>(value ? outputs[at / 8] | mask : outputs[at / 8] & ~mask);
       continue;
     }
     (first.area == Area::T ? timerBit : counterBit)[at] = value;
@@ -346,7 +384,9 @@ void Interpreter::setOrReset(const Instruction& i, bool value, bool immediate) {
     (first.area == Area::T ? timer : counter)[at] = 0;
     const auto t = timers_.find(at);
     // A timer that runs off a signal needs a new edge (001:6586); the others go on from 0 while they are enabled.
-    if (first.area == Area::T && t != timers_.end() && (t->second.kind.starts_with("TOF") || t->second.kind == "TP.IEC")) t->second.counting = false;
+    if (first.area == Area::T && t != timers_.end() &&
+        (t->second.kind.starts_with("TOF") || t->second.kind == "TP.IEC"))
+      t->second.counting = false;
   }
 }
 

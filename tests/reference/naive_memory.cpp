@@ -41,33 +41,67 @@ int bytesOf(char letter) {
 
 /// Area of the number in the highest byte of a pointer. The manual leaves the form open; it is that of MOVD &.
 std::optional<Area> areaOfTag(std::uint32_t tag) {
-  static const std::map<std::uint32_t, Area> areas = {{0, Area::I},  {1, Area::Q}, {2, Area::AI}, {3, Area::AQ}, {4, Area::M},
-                                                      {5, Area::SM}, {6, Area::S}, {8, Area::V},  {9, Area::T},  {10, Area::C}};
+  static const std::map<std::uint32_t, Area> areas = {{0, Area::I}, {1, Area::Q},  {2, Area::AI}, {3, Area::AQ},
+                                                      {4, Area::M}, {5, Area::SM}, {6, Area::S},  {8, Area::V},
+                                                      {9, Area::T}, {10, Area::C}};
   const auto found = areas.find(tag);
   return found == areas.end() ? std::nullopt : std::optional(found->second);
 }
 
 std::map<std::string, std::string_view> allSignatures() {
-  std::map<std::string, std::string_view> all = {
-      {"LDI", "x"}, {"LDNI", "x"}, {"AI", "x"}, {"ANI", "x"}, {"OI", "x"}, {"ONI", "x"}, {"LD", "x"}, {"LDN", "x"}, {"A", "x"}, {"AN", "x"},
-      {"O", "x"}, {"ON", "x"}, {"NOT", ""}, {"EU", ""}, {"ED", ""}, {"NOP", "k"}, {"=", "X"}, {"=I", "X"}, {"S", "Xb"}, {"R", "Xb"},
-      {"SI", "Xb"}, {"RI", "Xb"}, {"ALD", ""}, {"OLD", ""}, {"LPS", ""}, {"LRD", ""}, {"LPP", ""}, {"LDS", "k"}, {"AENO", ""}, {"SR", "X"},
-      {"RS", "X"}, {"TODR", "p"}, {"TODW", "p"}, {"TODRX", "p"}, {"TODWX", "p"}, {"GPA", "Bk"}, {"SPA", "bk"}, {"BTI", "bW"}, {"ITB", "wB"},
-      {"ITD", "wD"}, {"DTI", "dW"}, {"DTR", "dR"}, {"ROUND", "rD"}, {"TRUNC", "rD"}, {"BCDI", "W"}, {"IBCD", "W"}, {"SEG", "bB"},
-      {"ENCO", "wB"}, {"DECO", "bW"}, {"ATH", "ppb"}, {"HTA", "ppb"}, {"ITA", "wpb"}, {"DTA", "dpb"}, {"RTA", "rpb"}, {"ITS", "wbS"},
-      {"DTS", "dbS"}, {"RTS", "rbS"}, {"STI", "sbW"}, {"STD", "sbD"}, {"STR", "sbR"}, {"CTU", "kw"}, {"CTD", "kw"}, {"CTUD", "kw"},
-      {"CTU.IEC", "kwXW"}, {"CTD.IEC", "kwXW"}, {"CTUD.IEC", "kwXXW"}, {"+I", "wW"}, {"-I", "wW"}, {"*I", "wW"}, {"/I", "wW"}, {"+D", "dD"},
-      {"-D", "dD"}, {"*D", "dD"}, {"/D", "dD"}, {"MUL", "wD"}, {"DIV", "wD"}, {"+R", "rR"}, {"-R", "rR"}, {"*R", "rR"}, {"/R", "rR"},
-      {"SQRT", "rR"}, {"SIN", "rR"}, {"COS", "rR"}, {"TAN", "rR"}, {"LN", "rR"}, {"EXP", "rR"}, {"INCB", "B"}, {"INCW", "W"}, {"INCD", "D"},
-      {"DECB", "B"}, {"DECW", "W"}, {"DECD", "D"}, {"PID", "pk"}, {"ENI", ""}, {"DISI", ""}, {"ATCH", "kk"}, {"DTCH", "k"}, {"CEVNT", "k"},
-      {"INVB", "B"}, {"INVW", "W"}, {"INVD", "D"}, {"ANDB", "bB"}, {"ANDW", "wW"}, {"ANDD", "dD"}, {"ORB", "bB"}, {"ORW", "wW"}, {"ORD", "dD"},
-      {"XORB", "bB"}, {"XORW", "wW"}, {"XORD", "dD"}, {"MOVB", "bB"}, {"MOVW", "wW"}, {"MOVD", "dD"}, {"MOVR", "rR"}, {"BIR", "bB"},
-      {"BIW", "bB"}, {"BMB", "ppb"}, {"BMW", "qqb"}, {"BMD", "mmb"}, {"SWAP", "W"}, {"END", ""}, {"MEND", ""}, {"STOP", ""}, {"WDR", ""},
-      {"FOR", "Www"}, {"NEXT", ""}, {"JMP", "k"}, {"LBL", "k"}, {"LSCR", "k"}, {"SCRT", "k"}, {"CSCRE", ""}, {"SCRE", ""}, {"DLED", "b"},
-      {"SHRB", "xXb"}, {"SLEN", "sB"}, {"SCPY", "sS"}, {"SCAT", "sS"}, {"SSCPY", "sbbS"}, {"SFND", "ssB"}, {"CFND", "ssB"}, {"ATT", "wt"},
-      {"LIFO", "tW"}, {"FIFO", "tW"}, {"FILL", "wqb"}, {"FND=", "fwW"}, {"FND<>", "fwW"}, {"FND<", "fwW"}, {"FND>", "fwW"}, {"TON", "kw"},
-      {"TOF", "kw"}, {"TONR", "kw"}, {"TON.IEC", "kwXW"}, {"TOF.IEC", "kwXW"}, {"TP.IEC", "kwXW"}, {"BITIM", "D"}, {"CITIM", "dD"},
-      {"CALL", "k"}, {"CRET", ""}, {"RET", ""}};
+  std::map<std::string, std::string_view> all = {{"LDI", "x"},        {"LDNI", "x"},       {"AI", "x"},
+                                                 {"ANI", "x"},        {"OI", "x"},         {"ONI", "x"},
+                                                 {"LD", "x"},         {"LDN", "x"},        {"A", "x"},
+                                                 {"AN", "x"},         {"O", "x"},          {"ON", "x"},
+                                                 {"NOT", ""},         {"EU", ""},          {"ED", ""},
+                                                 {"NOP", "k"},        {"=", "X"},          {"=I", "X"},
+                                                 {"S", "Xb"},         {"R", "Xb"},         {"SI", "Xb"},
+                                                 {"RI", "Xb"},        {"ALD", ""},         {"OLD", ""},
+                                                 {"LPS", ""},         {"LRD", ""},         {"LPP", ""},
+                                                 {"LDS", "k"},        {"AENO", ""},        {"SR", "X"},
+                                                 {"RS", "X"},         {"TODR", "p"},       {"TODW", "p"},
+                                                 {"TODRX", "p"},      {"TODWX", "p"},      {"GPA", "Bk"},
+                                                 {"SPA", "bk"},       {"BTI", "bW"},       {"ITB", "wB"},
+                                                 {"ITD", "wD"},       {"DTI", "dW"},       {"DTR", "dR"},
+                                                 {"ROUND", "rD"},     {"TRUNC", "rD"},     {"BCDI", "W"},
+                                                 {"IBCD", "W"},       {"SEG", "bB"},       {"ENCO", "wB"},
+                                                 {"DECO", "bW"},      {"ATH", "ppb"},      {"HTA", "ppb"},
+                                                 {"ITA", "wpb"},      {"DTA", "dpb"},      {"RTA", "rpb"},
+                                                 {"ITS", "wbS"},      {"DTS", "dbS"},      {"RTS", "rbS"},
+                                                 {"STI", "sbW"},      {"STD", "sbD"},      {"STR", "sbR"},
+                                                 {"CTU", "kw"},       {"CTD", "kw"},       {"CTUD", "kw"},
+                                                 {"CTU.IEC", "kwXW"}, {"CTD.IEC", "kwXW"}, {"CTUD.IEC", "kwXXW"},
+                                                 {"+I", "wW"},        {"-I", "wW"},        {"*I", "wW"},
+                                                 {"/I", "wW"},        {"+D", "dD"},        {"-D", "dD"},
+                                                 {"*D", "dD"},        {"/D", "dD"},        {"MUL", "wD"},
+                                                 {"DIV", "wD"},       {"+R", "rR"},        {"-R", "rR"},
+                                                 {"*R", "rR"},        {"/R", "rR"},        {"SQRT", "rR"},
+                                                 {"SIN", "rR"},       {"COS", "rR"},       {"TAN", "rR"},
+                                                 {"LN", "rR"},        {"EXP", "rR"},       {"INCB", "B"},
+                                                 {"INCW", "W"},       {"INCD", "D"},       {"DECB", "B"},
+                                                 {"DECW", "W"},       {"DECD", "D"},       {"PID", "pk"},
+                                                 {"ENI", ""},         {"DISI", ""},        {"ATCH", "kk"},
+                                                 {"DTCH", "k"},       {"CEVNT", "k"},      {"INVB", "B"},
+                                                 {"INVW", "W"},       {"INVD", "D"},       {"ANDB", "bB"},
+                                                 {"ANDW", "wW"},      {"ANDD", "dD"},      {"ORB", "bB"},
+                                                 {"ORW", "wW"},       {"ORD", "dD"},       {"XORB", "bB"},
+                                                 {"XORW", "wW"},      {"XORD", "dD"},      {"MOVB", "bB"},
+                                                 {"MOVW", "wW"},      {"MOVD", "dD"},      {"MOVR", "rR"},
+                                                 {"BIR", "bB"},       {"BIW", "bB"},       {"BMB", "ppb"},
+                                                 {"BMW", "qqb"},      {"BMD", "mmb"},      {"SWAP", "W"},
+                                                 {"END", ""},         {"MEND", ""},        {"STOP", ""},
+                                                 {"WDR", ""},         {"FOR", "Www"},      {"NEXT", ""},
+                                                 {"JMP", "k"},        {"LBL", "k"},        {"LSCR", "k"},
+                                                 {"SCRT", "k"},       {"CSCRE", ""},       {"SCRE", ""},
+                                                 {"DLED", "b"},       {"SHRB", "xXb"},     {"SLEN", "sB"},
+                                                 {"SCPY", "sS"},      {"SCAT", "sS"},      {"SSCPY", "sbbS"},
+                                                 {"SFND", "ssB"},     {"CFND", "ssB"},     {"ATT", "wt"},
+                                                 {"LIFO", "tW"},      {"FIFO", "tW"},      {"FILL", "wqb"},
+                                                 {"FND=", "fwW"},     {"FND<>", "fwW"},    {"FND<", "fwW"},
+                                                 {"FND>", "fwW"},     {"TON", "kw"},       {"TOF", "kw"},
+                                                 {"TONR", "kw"},      {"TON.IEC", "kwXW"}, {"TOF.IEC", "kwXW"},
+                                                 {"TP.IEC", "kwXW"},  {"BITIM", "D"},      {"CITIM", "dD"},
+                                                 {"CALL", "k"},       {"CRET", ""},        {"RET", ""}};
   for (const char* shift : {"SL", "SR", "RL", "RR"}) {
     all[std::string(shift) + "B"] = "Bb";
     all[std::string(shift) + "W"] = "Wb";
@@ -75,7 +109,8 @@ std::map<std::string, std::string_view> allSignatures() {
   }
   for (const char* joint : {"LD", "A", "O"}) {
     for (const char* relation : {"=", "<>", "<", "<=", ">", ">="}) {
-      for (const auto& [type, operands] : std::map<std::string, std::string_view>{{"B", "bb"}, {"W", "ww"}, {"D", "dd"}, {"R", "rr"}}) {
+      for (const auto& [type, operands] :
+           std::map<std::string, std::string_view>{{"B", "bb"}, {"W", "ww"}, {"D", "dd"}, {"R", "rr"}}) {
         all[joint + type + relation] = operands;
       }
     }
@@ -146,7 +181,9 @@ std::uint32_t Interpreter::read(const Operand& o, int bytes, int element) {
   if (o.kind == OperandKind::Constant) return static_cast<std::uint32_t>(o.value) & mask;
   if (o.kind == OperandKind::Text) {
     const auto at = static_cast<std::size_t>(element);
-    return at == 0 ? static_cast<std::uint32_t>(o.text.size()) : at <= o.text.size() ? static_cast<std::uint8_t>(o.text[at - 1]) : 0;
+    return at == 0               ? static_cast<std::uint32_t>(o.text.size())
+           : at <= o.text.size() ? static_cast<std::uint8_t>(o.text[at - 1])
+                                 : 0;
   }
   if (o.kind == OperandKind::Address) {
     for (std::uint32_t tag = 0; tag < 16; ++tag) {
@@ -160,7 +197,8 @@ std::uint32_t Interpreter::read(const Operand& o, int bytes, int element) {
   if (place.area == Area::AC) return accumulator[place.offset] & mask;
   if (place.area == Area::HC) return highSpeed[place.offset];
   std::uint32_t value = 0;
-  for (int k = 0; k < bytes; ++k) value = value << 8 | memory[place.area][place.offset + static_cast<std::uint32_t>(element * bytes + k)];
+  for (int k = 0; k < bytes; ++k)
+    value = value << 8 | memory[place.area][place.offset + static_cast<std::uint32_t>(element * bytes + k)];
   return value;
 }
 
@@ -176,13 +214,16 @@ void Interpreter::write(const Operand& o, int bytes, std::uint32_t value, int el
     accumulator[place.offset] = (accumulator[place.offset] & ~mask) | (value & mask);
   } else {
     for (int k = bytes - 1; k >= 0; --k) {
-      memory[place.area][place.offset + static_cast<std::uint32_t>(element * bytes + k)] = static_cast<std::uint8_t>(value);
+      memory[place.area][place.offset + static_cast<std::uint32_t>(element * bytes + k)] =
+          static_cast<std::uint8_t>(value);
       value >>= 8;
     }
   }
 }
 
-bool Interpreter::bitAt(Area area, std::uint32_t byte, unsigned bit) const { return (memory.at(area)[byte] >> bit & 1) != 0; }
+bool Interpreter::bitAt(Area area, std::uint32_t byte, unsigned bit) const {
+  return (memory.at(area)[byte] >> bit & 1) != 0;
+}
 void Interpreter::putBit(Area area, std::uint32_t byte, unsigned bit, bool value) {
   std::uint8_t& cell = memory[area][byte];
   cell = static_cast<std::uint8_t>(value ? cell | 1U << bit : cell & ~(1U << bit));
@@ -193,9 +234,12 @@ bool Interpreter::readBit(const Operand& o) {
   return bitAt(o.area, o.offset, o.bit);
 }
 void Interpreter::writeBit(const Operand& o, bool value) {
-  if (o.area == Area::T) timerBit[o.offset] = value;
-  else if (o.area == Area::C) counterBit[o.offset] = value;
-  else putBit(o.area, o.offset, o.bit, value);
+  if (o.area == Area::T)
+    timerBit[o.offset] = value;
+  else if (o.area == Area::C)
+    counterBit[o.offset] = value;
+  else
+    putBit(o.area, o.offset, o.bit, value);
 }
 
 /// An error that lets the program go on: the box has no ENO; codes of Table C-2 set SM4.3 (001:2347).

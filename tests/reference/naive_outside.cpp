@@ -14,7 +14,8 @@ bool isBcdWithin(std::uint32_t byte, std::uint32_t low, std::uint32_t high) {
 
 /// The buffer of TODW and TODWX (001:2935-3005). Byte 6 does not count, bytes 9-18 for mode FF only.
 bool isClockData(const std::vector<std::uint32_t>& buffer) {
-  static constexpr std::array<std::array<std::uint32_t, 2>, 6> limits = {{{0, 99}, {1, 12}, {1, 31}, {0, 23}, {0, 59}, {0, 59}}};
+  static constexpr std::array<std::array<std::uint32_t, 2>, 6> limits = {
+      {{0, 99}, {1, 12}, {1, 31}, {0, 23}, {0, 59}, {0, 59}}};
   static constexpr std::array<std::array<std::uint32_t, 2>, 4> moment = {{{1, 12}, {1, 31}, {0, 23}, {0, 59}}};
   bool good = true;
   for (std::size_t k = 0; k < limits.size(); ++k) good = good && isBcdWithin(buffer[k], limits[k][0], limits[k][1]);
@@ -93,8 +94,10 @@ bool Interpreter::interrupts(const Instruction& i, const std::string& name) {
 bool Interpreter::ports(const Instruction& i, const std::string& name) {
   if (name != "GPA" && name != "SPA") return false;
   const auto port = static_cast<std::size_t>(i.operands[1].value);
-  if (name == "SPA") stationAddress[port] = static_cast<std::uint8_t>(read(i.operands[0], 1));
-  else write(i.operands[0], 1, stationAddress[port]);
+  if (name == "SPA")
+    stationAddress[port] = static_cast<std::uint8_t>(read(i.operands[0], 1));
+  else
+    write(i.operands[0], 1, stationAddress[port]);
   return true;
 }
 

@@ -15,8 +15,10 @@ void Interpreter::storeReal(const Operand& to, float result, bool bad) {
   status(1, bad);
   status(0, !bad && result == 0);
   status(2, !bad && result < 0);
-  if (bad) fail("SM1.1");
-  else write(to, 4, std::bit_cast<std::uint32_t>(result));
+  if (bad)
+    fail("SM1.1");
+  else
+    write(to, 4, std::bit_cast<std::uint32_t>(result));
 }
 
 bool Interpreter::realArithmetic(const Instruction& i, const std::string& name) {
@@ -42,8 +44,9 @@ bool Interpreter::realFunction(const Instruction& i, const std::string& name) {
     write(i.operands[1], 4, static_cast<std::uint32_t>(static_cast<std::int64_t>(whole)));
     return true;
   }
-  static const std::map<std::string, double (*)(double)> functions = {{"SQRT", std::sqrt}, {"SIN", std::sin}, {"COS", std::cos},
-                                                                      {"TAN", std::tan},   {"LN", std::log},  {"EXP", std::exp}};
+  static const std::map<std::string, double (*)(double)> functions = {{"SQRT", std::sqrt}, {"SIN", std::sin},
+                                                                      {"COS", std::cos},   {"TAN", std::tan},
+                                                                      {"LN", std::log},    {"EXP", std::exp}};
   const auto function = functions.find(name);
   if (function == functions.end()) return false;
   const double x = asReal(read(i.operands[0], 4));
@@ -63,7 +66,9 @@ void Interpreter::pid(const Instruction& i) {
   std::array<double, 9> field{};
   for (int k = 0; k < 9; ++k) field[static_cast<std::size_t>(k)] = asReal(read(i.operands[0], 4, k));
   auto& [pv, sp, m, kc, ts, ti, td, mx, before] = field;
-  const auto put = [&](int at, double value) { write(i.operands[0], 4, std::bit_cast<std::uint32_t>(static_cast<float>(value)), at); };
+  const auto put = [&](int at, double value) {
+    write(i.operands[0], 4, std::bit_cast<std::uint32_t>(static_cast<float>(value)), at);
+  };
   const auto within = [](double x) { return x < 0 ? 0 : x > 1 ? 1 : x; };
   if (rises) {  // bumpless (001:5289)
     sp = before = pv;

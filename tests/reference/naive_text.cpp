@@ -17,12 +17,15 @@ std::string decimal(bool negative, std::string figures, std::size_t places, char
   if (places > 0) figures.insert(figures.size() - places, 1, point);
   return (negative ? "-" : "") + figures;
 }
-std::string rightJustified(const std::string& text, std::size_t size) { return std::string(size - text.size(), ' ') + text; }
+std::string rightJustified(const std::string& text, std::size_t size) {
+  return std::string(size - text.size(), ' ') + text;
+}
 
 /// Digits of |number| * 10^places, halves rounded up; empty for what is no number or has more than 15 of them.
 std::string figuresOf(float number, int places) {
   if (!std::isfinite(number)) return {};
-  const long double scaled = std::fabs(static_cast<long double>(number)) * std::pow(10.0L, places);  // exact: 24 + 17 bits
+  const long double scaled =
+      std::fabs(static_cast<long double>(number)) * std::pow(10.0L, places);  // exact: 24 + 17 bits
   const long double whole = std::floor(scaled + 0.5L);
   return whole >= 1e15L ? std::string() : std::to_string(static_cast<long long>(whole));
 }
@@ -63,7 +66,9 @@ bool Interpreter::digits(const Instruction& i, const std::string& name) {
 /// the size of the buffer of a REAL.
 bool Interpreter::numberToText(const Instruction& i, const std::string& name) {
   static const std::string kinds = "IDR";
-  if (name.size() != 3 || kinds.find(name[0]) == std::string::npos || name[1] != 'T' || (name[2] != 'A' && name[2] != 'S')) return false;
+  if (name.size() != 3 || kinds.find(name[0]) == std::string::npos || name[1] != 'T' ||
+      (name[2] != 'A' && name[2] != 'S'))
+    return false;
   const bool isString = name[2] == 'S', isReal = name[0] == 'R';
   const Operand &to = i.operands[isString ? 2 : 1], &form = i.operands[isString ? 1 : 2];
   const std::uint32_t format = read(form, 1), value = read(i.operands[0], name[0] == 'I' ? 2 : 4);

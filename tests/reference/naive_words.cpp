@@ -23,16 +23,21 @@ void Interpreter::box(const Instruction& i, const std::string& name) {
     fail("0006");
     return;
   }
-  if (name == "S" || name == "R" || name == "SI" || name == "RI") setOrReset(i, name[0] == 'S', name.size() == 2);
-  else if (name == "SHRB") shiftRegister(i);
-  else if (!arithmetic(i, name) && !divide(i, name) && !realArithmetic(i, name) && !realFunction(i, name) && !bitwise(i, name) && !shifts(i, name) &&
-           !moves(i, name) && !immediateMove(i, name) && !conversions(i, name) && !digits(i, name) && !numberToText(i, name) &&
-           !textToNumber(i, name) && !strings(i, name) && !tables(i, name) && !clockBox(i, name) && !interrupts(i, name) && !ports(i, name)) std::abort();
+  if (name == "S" || name == "R" || name == "SI" || name == "RI")
+    setOrReset(i, name[0] == 'S', name.size() == 2);
+  else if (name == "SHRB")
+    shiftRegister(i);
+  else if (!arithmetic(i, name) && !divide(i, name) && !realArithmetic(i, name) && !realFunction(i, name) &&
+           !bitwise(i, name) && !shifts(i, name) && !moves(i, name) && !immediateMove(i, name) &&
+           !conversions(i, name) && !digits(i, name) && !numberToText(i, name) && !textToNumber(i, name) &&
+           !strings(i, name) && !tables(i, name) && !clockBox(i, name) && !interrupts(i, name) && !ports(i, name))
+    std::abort();
 }
 
 bool Interpreter::arithmetic(const Instruction& i, const std::string& name) {
   static const std::string operators = "+-*/";
-  const bool isBinary = name.size() == 2 && operators.find(name[0]) != std::string::npos && (name[1] == 'I' || name[1] == 'D');
+  const bool isBinary =
+      name.size() == 2 && operators.find(name[0]) != std::string::npos && (name[1] == 'I' || name[1] == 'D');
   if (isBinary) {
     const int bytes = name[1] == 'I' ? 2 : 4;
     const std::int64_t a = asSigned(read(i.operands[1], bytes), bytes), b = asSigned(read(i.operands[0], bytes), bytes);
@@ -44,16 +49,24 @@ bool Interpreter::arithmetic(const Instruction& i, const std::string& name) {
     const std::int64_t most = bytes == 2 ? 32767 : 2147483647LL;
     const bool overflow = r > most || r < -most - 1;
     status(1, overflow);
-    if (overflow) { status(0, false); status(2, false); return fail("SM1.1"); }
+    if (overflow) {
+      status(0, false);
+      status(2, false);
+      return fail("SM1.1");
+    }
     write(i.operands[1], bytes, static_cast<std::uint32_t>(r));
     status(0, r == 0);
     status(2, r < 0);
     return true;
   }
   if (name == "MUL") {
-    const std::int32_t r = static_cast<std::int16_t>(read(i.operands[0], 2)) * static_cast<std::int16_t>(read(i.operands[1], 4) & 0xFFFF);
+    const std::int32_t r =
+        static_cast<std::int16_t>(read(i.operands[0], 2)) * static_cast<std::int16_t>(read(i.operands[1], 4) & 0xFFFF);
     write(i.operands[1], 4, static_cast<std::uint32_t>(r));
-    status(1, false); status(3, false); status(0, r == 0); status(2, r < 0);
+    status(1, false);
+    status(3, false);
+    status(0, r == 0);
+    status(2, r < 0);
     return true;
   }
   if (name != "DECO" && name.size() == 4 && (name.substr(0, 3) == "INC" || name.substr(0, 3) == "DEC")) {
@@ -75,7 +88,8 @@ bool Interpreter::arithmetic(const Instruction& i, const std::string& name) {
 /// DIV: the remainder to the high word, the quotient to the low word of OUT (001:4890-4894).
 bool Interpreter::divide(const Instruction& i, const std::string& name) {
   if (name != "DIV") return false;
-  const int a = static_cast<std::int16_t>(read(i.operands[1], 4) & 0xFFFF), b = static_cast<std::int16_t>(read(i.operands[0], 2));
+  const int a = static_cast<std::int16_t>(read(i.operands[1], 4) & 0xFFFF),
+            b = static_cast<std::int16_t>(read(i.operands[0], 2));
   status(3, b == 0);
   if (b == 0) return fail("SM1.3");
   const int quotient = a / b, remainder = a % b;
@@ -97,11 +111,17 @@ bool Interpreter::bitwise(const Instruction& i, const std::string& name) {
   const std::string operation = name.substr(0, name.size() - 1);
   std::uint32_t r = 0;
   std::size_t at = 1;
-  if (operation == "INV") { at = 0; r = ~read(i.operands[0], bytes); }
-  else if (operation == "AND") r = read(i.operands[0], bytes) & read(i.operands[1], bytes);
-  else if (operation == "OR") r = read(i.operands[0], bytes) | read(i.operands[1], bytes);
-  else if (operation == "XOR") r = read(i.operands[0], bytes) ^ read(i.operands[1], bytes);
-  else return false;
+  if (operation == "INV") {
+    at = 0;
+    r = ~read(i.operands[0], bytes);
+  } else if (operation == "AND")
+    r = read(i.operands[0], bytes) & read(i.operands[1], bytes);
+  else if (operation == "OR")
+    r = read(i.operands[0], bytes) | read(i.operands[1], bytes);
+  else if (operation == "XOR")
+    r = read(i.operands[0], bytes) ^ read(i.operands[1], bytes);
+  else
+    return false;
   write(i.operands[at], bytes, r);
   status(0, read(i.operands[at], bytes) == 0);
   return true;
@@ -132,12 +152,27 @@ bool Interpreter::shifts(const Instruction& i, const std::string& name) {
 void Interpreter::shiftRegister(const Instruction& i) {
   const Operand& first = i.operands[1];
   const int n = static_cast<std::int8_t>(read(i.operands[2], 1)), length = std::abs(n);
-  if (n == 0 || length > 64) { fail("0092"); return; }
-  const std::uint32_t size = first.area == Area::V ? 10240 : first.area == Area::M || first.area == Area::S ? 32 : first.area == Area::L ? 64 : 16;
-  if (first.offset * 8 + first.bit + static_cast<std::uint32_t>(length) > size * 8) { fail("0091"); return; }
+  if (n == 0 || length > 64) {
+    fail("0092");
+    return;
+  }
+  const std::uint32_t size = first.area == Area::V                            ? 10240
+                             : first.area == Area::M || first.area == Area::S ? 32
+                             : first.area == Area::L                          ? 64
+                                                                              : 16;
+  if (first.offset * 8 + first.bit + static_cast<std::uint32_t>(length) > size * 8) {
+    fail("0091");
+    return;
+  }
   const bool data = readBit(i.operands[0]);
-  const auto get = [&](int k) { const std::uint32_t at = first.offset * 8 + first.bit + static_cast<std::uint32_t>(k); return bitAt(first.area, at / 8, at % 8); };
-  const auto put = [&](int k, bool v) { const std::uint32_t at = first.offset * 8 + first.bit + static_cast<std::uint32_t>(k); putBit(first.area, at / 8, at % 8, v); };
+  const auto get = [&](int k) {
+    const std::uint32_t at = first.offset * 8 + first.bit + static_cast<std::uint32_t>(k);
+    return bitAt(first.area, at / 8, at % 8);
+  };
+  const auto put = [&](int k, bool v) {
+    const std::uint32_t at = first.offset * 8 + first.bit + static_cast<std::uint32_t>(k);
+    putBit(first.area, at / 8, at % 8, v);
+  };
   if (n > 0) {
     const bool out = get(length - 1);
     for (int k = length - 1; k > 0; --k) put(k, get(k - 1));
@@ -168,7 +203,8 @@ bool Interpreter::moves(const Instruction& i, const std::string& name) {
     const std::uint32_t v = read(i.operands[0], 2);
     if (!fits(i.operands[1], count, 2)) return fail("0091");
     for (int k = 0; k < count; ++k) write(i.operands[1], 2, v, k);
-  } else return false;
+  } else
+    return false;
   return true;
 }
 
@@ -177,11 +213,18 @@ bool Interpreter::conversions(const Instruction& i, const std::string& name) {
     status(1, bad);
     return bad && fail("SM1.1");
   };
-  if (name == "BTI") write(i.operands[1], 2, read(i.operands[0], 1));
-  else if (name == "ITB") { const std::int64_t v = asSigned(read(i.operands[0], 2), 2); if (!fails(v < 0 || v > 255)) write(i.operands[1], 1, static_cast<std::uint32_t>(v)); }
-  else if (name == "ITD") write(i.operands[1], 4, static_cast<std::uint32_t>(asSigned(read(i.operands[0], 2), 2)));
-  else if (name == "DTI") { const std::int64_t v = asSigned(read(i.operands[0], 4), 4); if (!fails(v < -32768 || v > 32767)) write(i.operands[1], 2, static_cast<std::uint32_t>(v)); }
-  else if (name == "DTR") write(i.operands[1], 4, std::bit_cast<std::uint32_t>(static_cast<float>(asSigned(read(i.operands[0], 4), 4))));
+  if (name == "BTI")
+    write(i.operands[1], 2, read(i.operands[0], 1));
+  else if (name == "ITB") {
+    const std::int64_t v = asSigned(read(i.operands[0], 2), 2);
+    if (!fails(v < 0 || v > 255)) write(i.operands[1], 1, static_cast<std::uint32_t>(v));
+  } else if (name == "ITD")
+    write(i.operands[1], 4, static_cast<std::uint32_t>(asSigned(read(i.operands[0], 2), 2)));
+  else if (name == "DTI") {
+    const std::int64_t v = asSigned(read(i.operands[0], 4), 4);
+    if (!fails(v < -32768 || v > 32767)) write(i.operands[1], 2, static_cast<std::uint32_t>(v));
+  } else if (name == "DTR")
+    write(i.operands[1], 4, std::bit_cast<std::uint32_t>(static_cast<float>(asSigned(read(i.operands[0], 4), 4))));
   else if (name == "BCDI" || name == "IBCD") {
     std::uint32_t v = read(i.operands[0], 2), r = 0;
     bool bad = name == "IBCD" && v > 9999;
@@ -194,10 +237,13 @@ bool Interpreter::conversions(const Instruction& i, const std::string& name) {
       r = (v / 1000 % 10) << 12 | (v / 100 % 10) << 8 | (v / 10 % 10) << 4 | v % 10;
     }
     status(6, bad);
-    if (bad) fail("SM1.6");
-    else write(i.operands[0], 2, r);
+    if (bad)
+      fail("SM1.6");
+    else
+      write(i.operands[0], 2, r);
   } else if (name == "SEG") {
-    static constexpr std::uint8_t segments[] = {0x3F, 6, 0x5B, 0x4F, 0x66, 0x6D, 0x7D, 7, 0x7F, 0x67, 0x77, 0x7C, 0x39, 0x5E, 0x79, 0x71};
+    static constexpr std::uint8_t segments[] = {0x3F, 6,    0x5B, 0x4F, 0x66, 0x6D, 0x7D, 7,
+                                                0x7F, 0x67, 0x77, 0x7C, 0x39, 0x5E, 0x79, 0x71};
     write(i.operands[1], 1, segments[read(i.operands[0], 1) & 15]);
   } else if (name == "DECO") {
     write(i.operands[1], 2, 1U << (read(i.operands[0], 1) & 15));
@@ -206,7 +252,8 @@ bool Interpreter::conversions(const Instruction& i, const std::string& name) {
     std::uint32_t number = 0;
     while (v != 0 && (v >> number & 1) == 0) ++number;
     write(i.operands[1], 1, number);
-  } else return false;
+  } else
+    return false;
   return true;
 }
 
@@ -232,16 +279,21 @@ bool Interpreter::tables(const Instruction& i, const std::string& name) {
     write(i.operands[1], 2, data);
   } else if (name.starts_with("FND")) {
     const Operand& table = i.operands[0];
-    const auto entries = static_cast<int>(read(table, 2)), pattern = static_cast<int>(static_cast<std::int16_t>(read(i.operands[1], 2)));
+    const auto entries = static_cast<int>(read(table, 2)),
+               pattern = static_cast<int>(static_cast<std::int16_t>(read(i.operands[1], 2)));
     if (entries > 100 || !fits(table, entries + 1, 2)) return fail("0091");
     auto index = static_cast<int>(read(i.operands[2], 2));
     const auto holds = [&](int entry) {
       const std::string relation = name.substr(3);
-      return relation == "=" ? entry == pattern : relation == "<>" ? entry != pattern : relation == "<" ? entry < pattern : entry > pattern;
+      return relation == "="    ? entry == pattern
+             : relation == "<>" ? entry != pattern
+             : relation == "<"  ? entry < pattern
+                                : entry > pattern;
     };
     while (index < entries && !holds(static_cast<std::int16_t>(read(table, 2, 1 + index)))) ++index;
     write(i.operands[2], 2, static_cast<std::uint32_t>(index));
-  } else return false;
+  } else
+    return false;
   return true;
 }
 

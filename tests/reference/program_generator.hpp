@@ -22,8 +22,12 @@ class ProgramGenerator {
 
  private:
   int pick(int n) { return static_cast<int>(random_() % static_cast<std::uint64_t>(n)); }
-  std::string any(std::initializer_list<const char*> list) { return *(list.begin() + pick(static_cast<int>(list.size()))); }
-  std::string one(const std::vector<std::string>& list) { return list[static_cast<std::size_t>(pick(static_cast<int>(list.size())))]; }
+  std::string any(std::initializer_list<const char*> list) {
+    return *(list.begin() + pick(static_cast<int>(list.size())));
+  }
+  std::string one(const std::vector<std::string>& list) {
+    return list[static_cast<std::size_t>(pick(static_cast<int>(list.size())))];
+  }
 
   std::string bit();
   std::string target();

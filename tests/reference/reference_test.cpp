@@ -17,18 +17,26 @@
 namespace rungproof::reference {
 namespace {
 
-/// REAL results that the manual leaves to rounding, with the size of the intermediate results: see program_generator.hpp.
-constexpr std::pair<std::uint32_t, double> rounded[] = {{52, 1e-30}, {56, 1e-30}, {60, 1e-30}, {64, 1e-30}, {68, 1e-30}, {72, 1e-30}, {76, 1e-30}, {1268, 10}, {1288, 10}};
+/// REAL results that the manual leaves to rounding, with the size of the intermediate results: see
+/// program_generator.hpp.
+constexpr std::pair<std::uint32_t, double> rounded[] = {{52, 1e-30}, {56, 1e-30}, {60, 1e-30}, {64, 1e-30}, {68, 1e-30},
+                                                        {72, 1e-30}, {76, 1e-30}, {1268, 10},  {1288, 10}};
 
 std::string memoryThatDiffers(const Simulator& engine, naive::Interpreter& plain) {
   const Concrete::Store& s = engine.store();
   for (const auto& [byte, least] : rounded) {
     const Operand place = direct(Area::V, Width::DWord, byte);
     const auto actual = static_cast<std::uint32_t>(s.load(Area::V, byte * 8, 32));
-    if (!isClose(actual, plain.read(place, 4), least)) return fmt::format("VD{}: naive {:x}, engine {:x}", byte, plain.read(place, 4), actual);
+    if (!isClose(actual, plain.read(place, 4), least))
+      return fmt::format("VD{}: naive {:x}, engine {:x}", byte, plain.read(place, 4), actual);
     plain.write(place, 4, actual);
   }
-  for (const auto& [area, first, last] : {std::tuple{Area::V, 0U, 1300U}, {Area::M, 0U, 31U}, {Area::Q, 0U, 15U}, {Area::S, 0U, 31U}, {Area::SM, 1U, 1U}, {Area::SM, 4U, 4U}}) {
+  for (const auto& [area, first, last] : {std::tuple{Area::V, 0U, 1300U},
+                                          {Area::M, 0U, 31U},
+                                          {Area::Q, 0U, 15U},
+                                          {Area::S, 0U, 31U},
+                                          {Area::SM, 1U, 1U},
+                                          {Area::SM, 4U, 4U}}) {
     for (std::uint32_t byte = first; byte <= last; ++byte) {
       const std::uint8_t transmitters = area == Area::SM && byte == 4 ? 0x60 : 0;  // SM4.5 and SM4.6: ports
       const auto expected = plain.memory.at(area)[byte] | transmitters, actual = s.area(area)[byte] | transmitters;
@@ -43,14 +51,19 @@ std::string difference(const Simulator& engine, naive::Interpreter& plain) {
   const Concrete::Store& s = engine.store();
   if (const std::string wrong = memoryThatDiffers(engine, plain); !wrong.empty()) return wrong;
   for (std::uint32_t n = 0; n < 4; ++n) {
-    if (s.get(Reg::Accumulator, n) != plain.accumulator[n]) return fmt::format("AC{}: naive {:x}, engine {:x}", n, plain.accumulator[n], s.get(Reg::Accumulator, n));
+    if (s.get(Reg::Accumulator, n) != plain.accumulator[n])
+      return fmt::format("AC{}: naive {:x}, engine {:x}", n, plain.accumulator[n], s.get(Reg::Accumulator, n));
   }
   for (std::uint32_t n = 0; n < 256; ++n) {
-    if (static_cast<std::int16_t>(s.get(Reg::TimerCurrent, n)) != plain.timer[n] || (s.get(Reg::TimerBit, n) != 0) != plain.timerBit[n]) {
-      return fmt::format("T{}: naive {} {}, engine {} {}", n, plain.timer[n], plain.timerBit[n], s.get(Reg::TimerCurrent, n), s.get(Reg::TimerBit, n));
+    if (static_cast<std::int16_t>(s.get(Reg::TimerCurrent, n)) != plain.timer[n] ||
+        (s.get(Reg::TimerBit, n) != 0) != plain.timerBit[n]) {
+      return fmt::format("T{}: naive {} {}, engine {} {}", n, plain.timer[n], plain.timerBit[n],
+                         s.get(Reg::TimerCurrent, n), s.get(Reg::TimerBit, n));
     }
-    if (static_cast<std::int16_t>(s.get(Reg::CounterCurrent, n)) != plain.counter[n] || (s.get(Reg::CounterBit, n) != 0) != plain.counterBit[n]) {
-      return fmt::format("C{}: naive {} {}, engine {} {}", n, plain.counter[n], plain.counterBit[n], s.get(Reg::CounterCurrent, n), s.get(Reg::CounterBit, n));
+    if (static_cast<std::int16_t>(s.get(Reg::CounterCurrent, n)) != plain.counter[n] ||
+        (s.get(Reg::CounterBit, n) != 0) != plain.counterBit[n]) {
+      return fmt::format("C{}: naive {} {}, engine {} {}", n, plain.counter[n], plain.counterBit[n],
+                         s.get(Reg::CounterCurrent, n), s.get(Reg::CounterBit, n));
     }
   }
   if ((s.get(Reg::Eno, 0) != 0) != plain.eno) return fmt::format("ENO: naive {}", plain.eno);
@@ -67,7 +80,8 @@ bool isWhole(const Program& program) {
 }
 
 /// Runs both for `scans` scans with inputs and lengths drawn from `seed`; gives the first difference.
-std::string firstDifference(const std::string& text, std::uint64_t seed, int scans, std::map<std::string, std::uint64_t>* executed) {
+std::string firstDifference(const std::string& text, std::uint64_t seed, int scans,
+                            std::map<std::string, std::uint64_t>* executed) {
   const Program program = readText("random.awl", text);
   if (hasReadErrors(program) || !isWhole(program)) return "unreadable";
   std::mt19937_64 random(seed);
@@ -84,7 +98,8 @@ std::string firstDifference(const std::string& text, std::uint64_t seed, int sca
     engine.scan({.lengthUs = length * 1000});
     plain.scan(static_cast<int>(now / 10 - before / 10), static_cast<int>(now / 100 - before / 100));
     before = now;
-    if (const std::string wrong = difference(engine, plain); !wrong.empty()) return fmt::format("scan {}: {}", scan + 1, wrong);
+    if (const std::string wrong = difference(engine, plain); !wrong.empty())
+      return fmt::format("scan {}: {}", scan + 1, wrong);
   }
   if (executed != nullptr) {
     for (const auto& [name, count] : plain.executed) (*executed)[name] += count;
@@ -113,7 +128,9 @@ std::string shrunk(std::string text, std::uint64_t seed, int scans) {
 
 /// Mnemonics that random programs do not hold: the moment within a scan decides their result, they end the program, or
 /// they are in no text. single_test and sequence_test compare them.
-const std::set<std::string> notInPrograms = {"TODR", "TODRX", "BITIM", "CITIM", "STOP", "MEND", "RET", "SR", "RS", "CTU.IEC", "CTD.IEC", "CTUD.IEC", "TON.IEC", "TOF.IEC", "TP.IEC"};
+const std::set<std::string> notInPrograms = {"TODR",    "TODRX",    "BITIM",   "CITIM",   "STOP",
+                                             "MEND",    "RET",      "SR",      "RS",      "CTU.IEC",
+                                             "CTD.IEC", "CTUD.IEC", "TON.IEC", "TOF.IEC", "TP.IEC"};
 /// Those that the naive interpreter leaves out: devices, and interrupt routines that run.
 const std::set<std::string> leftOut = {"NETR", "NETW", "XMT", "RCV", "HDEF", "HSC", "PLS", "CRETI", "RETI"};
 

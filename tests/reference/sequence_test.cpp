@@ -18,7 +18,8 @@ class Sequence {
     const bool isTimer = mnemonic.starts_with("TO") || mnemonic == "TP.IEC", isCounter = mnemonic.starts_with("CT");
     const std::string preset = oneIn(2) ? "VW0" : fmt::format("{}", any({0, 1, 2, 3, 5, 10, -1, 32767, -32768}));
     if (isTimer) {
-      number_ = mnemonic == "TONR" ? any({0, 64, 1, 4, 65, 68, 5, 31, 69, 95}) : any({32, 96, 33, 36, 97, 100, 37, 63, 101, 255});
+      number_ = mnemonic == "TONR" ? any({0, 64, 1, 4, 65, 68, 5, 31, 69, 95})
+                                   : any({32, 96, 33, 36, 97, 100, 37, 63, 101, 255});
       line_ = fmt::format("{} T{}, {}", mnemonic, number_, preset);
     } else if (isCounter) {
       number_ = static_cast<int>(pick(256));
@@ -26,10 +27,13 @@ class Sequence {
     } else {
       line_ = mnemonic;
     }
-    if (mnemonic.ends_with(".IEC") && !oneIn(4)) line_ += mnemonic == "CTUD.IEC" ? ", Q0.0, Q0.1, VW10" : ", Q0.0, VW10";
+    if (mnemonic.ends_with(".IEC") && !oneIn(4))
+      line_ += mnemonic == "CTUD.IEC" ? ", Q0.0, Q0.1, VW10" : ", Q0.0, VW10";
     text_ = oneIn(4) ? "LSCR S0.0; " : "";
     text_ += "LD I0.0; LD I0.1; LD I0.2; LD I0.3; " + line_ + (isTimer || isCounter ? "" : "; = Q0.2");
-    if (isTimer || isCounter) text_ += fmt::format("; LD I0.4; R {}{}, 1; LD {}{}; = Q0.3", isTimer ? 'T' : 'C', number_, isTimer ? 'T' : 'C', number_);
+    if (isTimer || isCounter)
+      text_ += fmt::format("; LD I0.4; R {}{}, 1; LD {}{}; = Q0.3", isTimer ? 'T' : 'C', number_, isTimer ? 'T' : 'C',
+                           number_);
   }
 
   std::string run() {
@@ -52,7 +56,8 @@ class Sequence {
       plant.scan(ten, hundred);
       plain.pass(ms);
       plain.scan(ten, hundred);
-      if (const std::string wrong = difference(plant, plain, nullptr); !wrong.empty()) return fmt::format("scan {}: {}", scan, wrong);
+      if (const std::string wrong = difference(plant, plain, nullptr); !wrong.empty())
+        return fmt::format("scan {}: {}", scan, wrong);
       std::set<std::uint32_t> expired;
       for (const auto& [timer, now] : plant.reached) {
         if (now) expired.insert(timer);
@@ -72,7 +77,8 @@ class Sequence {
   void copyMemory(const manual::Plant& plant, naive::Interpreter& plain) {
     if (isFirst_) copyState(plant, plain);
     isFirst_ = false;
-    for (const Area area : {Area::I, Area::S, Area::V}) std::copy(plant.store.area(area).begin(), plant.store.area(area).end(), plain.memory[area].begin());
+    for (const Area area : {Area::I, Area::S, Area::V})
+      std::copy(plant.store.area(area).begin(), plant.store.area(area).end(), plain.memory[area].begin());
     std::fill_n(plain.memory[Area::L].begin(), 64, 0);
   }
 
@@ -97,8 +103,12 @@ TEST_P(OverScans, AgreesWithTheNaiveInterpreter) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, OverScans,
-                         testing::Values("EU", "ED", "TON", "TOF", "TONR", "TON.IEC", "TOF.IEC", "TP.IEC", "CTU", "CTD", "CTUD", "CTU.IEC", "CTD.IEC", "CTUD.IEC"),
-                         [](const auto& info) { return info.param.substr(0, info.param.find('.')) + (info.param.find('.') == std::string::npos ? "" : "_IEC"); });
+                         testing::Values("EU", "ED", "TON", "TOF", "TONR", "TON.IEC", "TOF.IEC", "TP.IEC", "CTU", "CTD",
+                                         "CTUD", "CTU.IEC", "CTD.IEC", "CTUD.IEC"),
+                         [](const auto& info) {
+                           return info.param.substr(0, info.param.find('.')) +
+                                  (info.param.find('.') == std::string::npos ? "" : "_IEC");
+                         });
 
 }  // namespace
 }  // namespace rungproof::reference

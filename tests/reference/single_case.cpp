@@ -18,12 +18,12 @@ int bytesOf(char letter) {
   return words.find(letter) != std::string_view::npos ? 2 : wides.find(letter) != std::string_view::npos ? 4 : 1;
 }
 std::uint32_t sizeOf(Area area) {
-  return area == Area::V                           ? lastV
-         : area == Area::I || area == Area::Q      ? 16
-         : area == Area::M || area == Area::S      ? 32
-         : area == Area::SM                        ? 550
-         : area == Area::T || area == Area::C      ? 256
-                                                   : 64;
+  return area == Area::V                      ? lastV
+         : area == Area::I || area == Area::Q ? 16
+         : area == Area::M || area == Area::S ? 32
+         : area == Area::SM                   ? 550
+         : area == Area::T || area == Area::C ? 256
+                                              : 64;
 }
 char widthLetter(int bytes) { return bytes == 1 ? 'B' : bytes == 2 ? 'W' : 'D'; }
 
@@ -65,9 +65,12 @@ void SingleCase::fillMemory(const std::string& mnemonic) {
   fill(Area::SM, 200, 260);
   fill(Area::SM, 1, 2);
   const auto registers = [&](Reg reg) {
-    for (std::uint32_t n = 0; n < regInfo(reg).count; ++n) store.set(reg, n, random_() & (~0ULL >> (64 - regInfo(reg).width)), true);
+    for (std::uint32_t n = 0; n < regInfo(reg).count; ++n)
+      store.set(reg, n, random_() & (~0ULL >> (64 - regInfo(reg).width)), true);
   };
-  for (const Reg reg : {Reg::Accumulator, Reg::TimerCurrent, Reg::TimerBit, Reg::CounterCurrent, Reg::CounterBit, Reg::HscCurrent, Reg::PidHistory, Reg::Eno}) registers(reg);
+  for (const Reg reg : {Reg::Accumulator, Reg::TimerCurrent, Reg::TimerBit, Reg::CounterCurrent, Reg::CounterBit,
+                        Reg::HscCurrent, Reg::PidHistory, Reg::Eno})
+    registers(reg);
   store.set(Reg::FirstScan, 0, oneIn(4) ? 1 : 0, true);
   const auto outside = [&](External kind, std::uint32_t count, std::uint32_t step, std::uint64_t mask) {
     for (std::uint32_t n = 0; n < count; n += step) plant_->outside.values[{kind, n}] = random_() & mask;
@@ -81,16 +84,22 @@ void SingleCase::fillMemory(const std::string& mnemonic) {
   Concrete domain(plant_->outside);
   for (const Setting& s : settings_) {
     const Width width = s.bytes == 1 ? Width::Byte : s.bytes == 2 ? Width::Word : Width::DWord;
-    if (s.place.area == Area::AI) plant_->outside.values[{External::AnalogInput, s.place.offset}] = s.value & 0xFFFF;
-    else if (s.place.area == Area::HC) store.set(Reg::HscCurrent, s.place.offset, s.value, true);
-    else if (s.place.area == Area::AC) store.set(Reg::Accumulator, s.place.offset, s.value, true);
-    else if (s.place.area == Area::T) store.set(Reg::TimerCurrent, s.place.offset, s.value & 0xFFFF, true);
-    else if (s.place.area == Area::C) store.set(Reg::CounterCurrent, s.place.offset, s.value & 0xFFFF, true);
-    else store.save(s.place.area, s.place.offset * 8, bits(width), s.value & Concrete::mask(bits(width)), true);
+    if (s.place.area == Area::AI)
+      plant_->outside.values[{External::AnalogInput, s.place.offset}] = s.value & 0xFFFF;
+    else if (s.place.area == Area::HC)
+      store.set(Reg::HscCurrent, s.place.offset, s.value, true);
+    else if (s.place.area == Area::AC)
+      store.set(Reg::Accumulator, s.place.offset, s.value, true);
+    else if (s.place.area == Area::T)
+      store.set(Reg::TimerCurrent, s.place.offset, s.value & 0xFFFF, true);
+    else if (s.place.area == Area::C)
+      store.set(Reg::CounterCurrent, s.place.offset, s.value & 0xFFFF, true);
+    else
+      store.save(s.place.area, s.place.offset * 8, bits(width), s.value & Concrete::mask(bits(width)), true);
   }
-  const bool joinsByOr = isCompare(mnemonic) && mnemonic[0] == 'O';  // its result shows without power flow only
+  const bool joinsByOr = isCompare(mnemonic) && mnemonic[0] == 'O';   // its result shows without power flow only
   store.save(Area::I, 7, 1, oneIn(joinsByOr ? 2 : 8) ? 0 : 1, true);  // I0.7
-  store.save(Area::S, 31 * 8, 1, oneIn(2) ? 0 : 1, true);      // S31.0
+  store.save(Area::S, 31 * 8, 1, oneIn(2) ? 0 : 1, true);             // S31.0
 }
 
 void SingleCase::put(const Spot& at, int bytes, std::uint32_t value, std::uint32_t element) {
@@ -106,17 +115,31 @@ std::uint32_t SingleCase::special(char letter) {
   const std::string_view reals = "rR";
   if (oneIn(4)) return static_cast<std::uint32_t>(random_());
   if (reals.find(letter) != std::string_view::npos) {
-    if (oneIn(12)) return any({0x7F800000U, 0xFF800000U, 0x7FC00000U, 0x80000000U, 1U, 0x00800000U, 0x7F7FFFFFU, 0xFF7FFFFFU});
-    const float number = oneIn(2) ? static_cast<float>(static_cast<std::int32_t>(pick(2'000'001)) - 1'000'000) / any({1.0F, 2.0F, 8.0F, 1000.0F, 1e6F})
-                                  : any({0.0F, 1.0F, -1.0F, 0.5F, -0.5F, 2.5F, -2.5F, 1.5F, 0.05F, 0.95F, 9.5F, 9.95F, -9.995F, 99999.5F, 999999.0F, 0.999999F, 88.0F, 89.0F,
-                                         1e-3F, 1e-5F, 1e-6F, 1e-20F, 1e10F, 1e14F, 9.99999e14F, 1e15F, 1e20F, -1e20F, 3e38F, -3e38F, 2147483520.0F, 2147483648.0F, -2147483648.0F,
-                                         -2147483904.0F, 16777216.0F, 16777217.0F, 8388607.5F, 8388608.0F, 4194304.5F, 123.456F, -0.0004F});
+    if (oneIn(12))
+      return any({0x7F800000U, 0xFF800000U, 0x7FC00000U, 0x80000000U, 1U, 0x00800000U, 0x7F7FFFFFU, 0xFF7FFFFFU});
+    const float number =
+        oneIn(2)
+            ? static_cast<float>(static_cast<std::int32_t>(pick(2'000'001)) - 1'000'000) /
+                  any({1.0F, 2.0F, 8.0F, 1000.0F, 1e6F})
+            : any({0.0F,        1.0F,       -1.0F,         0.5F,          -0.5F,          2.5F,           -2.5F,
+                   1.5F,        0.05F,      0.95F,         9.5F,          9.95F,          -9.995F,        99999.5F,
+                   999999.0F,   0.999999F,  88.0F,         89.0F,         1e-3F,          1e-5F,          1e-6F,
+                   1e-20F,      1e10F,      1e14F,         9.99999e14F,   1e15F,          1e20F,          -1e20F,
+                   3e38F,       -3e38F,     2147483520.0F, 2147483648.0F, -2147483648.0F, -2147483904.0F, 16777216.0F,
+                   16777217.0F, 8388607.5F, 8388608.0F,    4194304.5F,    123.456F,       -0.0004F});
     return std::bit_cast<std::uint32_t>(number);
   }
   switch (bytesOf(letter)) {
-    case 1: return any({0U, 1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 11U, 15U, 16U, 17U, 31U, 32U, 33U, 0x30U, 63U, 64U, 65U, 0x63U, 127U, 128U, 0xC0U, 0xBFU, 0xC1U, 0xF0U, 0xFEU, 0xFFU});
-    case 2: return any({0U, 1U, 2U, 7U, 9U, 10U, 99U, 100U, 101U, 255U, 256U, 999U, 1000U, 9999U, 10000U, 0x0999U, 0x9999U, 0x9A99U, 0x100U, 0x7FFFU, 0x8000U, 0x8001U, 0xFFFFU, 0xFFFEU, 0xFF00U});
-    default: return any({0U, 1U, 10U, 32767U, 32768U, 65535U, 65536U, 99999U, 100000U, 0x7FFFFFFFU, 0x80000000U, 0x80000001U, 0xFFFFFFFFU, 0xFFFF8000U, 0xFFFF7FFFU, 0xFFFF0001U, 16777217U, 0x7FFFFFBFU, 0x46340000U});
+    case 1:
+      return any({0U,  1U,  2U,    3U,  4U,  5U,  6U,    7U,   8U,   9U,    11U,   15U,   16U,   17U,   31U,
+                  32U, 33U, 0x30U, 63U, 64U, 65U, 0x63U, 127U, 128U, 0xC0U, 0xBFU, 0xC1U, 0xF0U, 0xFEU, 0xFFU});
+    case 2:
+      return any({0U,     1U,      2U,      7U,      9U,      10U,     99U,     100U,    101U,
+                  255U,   256U,    999U,    1000U,   9999U,   10000U,  0x0999U, 0x9999U, 0x9A99U,
+                  0x100U, 0x7FFFU, 0x8000U, 0x8001U, 0xFFFFU, 0xFFFEU, 0xFF00U});
+    default:
+      return any({0U, 1U, 10U, 32767U, 32768U, 65535U, 65536U, 99999U, 100000U, 0x7FFFFFFFU, 0x80000000U, 0x80000001U,
+                  0xFFFFFFFFU, 0xFFFF8000U, 0xFFFF7FFFU, 0xFFFF0001U, 16777217U, 0x7FFFFFBFU, 0x46340000U});
   }
 }
 
@@ -129,7 +152,9 @@ SingleCase::Spot SingleCase::spot(int bytes, int room, bool written) {
     return size - back;
   };
   const auto spelled = [&](Area area, std::uint32_t offset) {
-    return Spot{area == Area::T || area == Area::C ? fmt::format("{}{}", areaName(area), offset) : fmt::format("{}{}{}", areaName(area), widthLetter(bytes), offset), area, offset};
+    return Spot{area == Area::T || area == Area::C ? fmt::format("{}{}", areaName(area), offset)
+                                                   : fmt::format("{}{}{}", areaName(area), widthLetter(bytes), offset),
+                area, offset};
   };
   switch (pick(10)) {
     case 0: return spelled(Area::V, near(Area::V));
@@ -138,7 +163,10 @@ SingleCase::Spot SingleCase::spot(int bytes, int room, bool written) {
     case 3: return spelled(Area::L, oneIn(2) ? near(Area::L) : pick(30));
     case 4: return written ? spelled(Area::S, pick(20)) : spelled(Area::I, pick(8));
     case 5:
-      if (bytes == 2) return spelled(any({Area::T, Area::C}), oneIn(2) ? 256 - static_cast<std::uint32_t>(std::min(room, 200)) + (oneIn(3) && room > 1 ? 1 : 0) : pick(200));
+      if (bytes == 2)
+        return spelled(any({Area::T, Area::C}),
+                       oneIn(2) ? 256 - static_cast<std::uint32_t>(std::min(room, 200)) + (oneIn(3) && room > 1 ? 1 : 0)
+                                : pick(200));
       return spelled(Area::SM, 200 + pick(20));
     default: return spelled(Area::V, pick(60));
   }
@@ -157,13 +185,19 @@ std::string SingleCase::reach(int bytes, int room, bool written, std::uint32_t f
     at.offset = 2 * pick(32);
   }
   if (setFirst) put(at, bytes, firstValue);
-  static const std::map<Area, std::uint32_t> tags = {{Area::I, 0}, {Area::Q, 1}, {Area::AI, 2}, {Area::AQ, 3}, {Area::M, 4}, {Area::SM, 5}, {Area::S, 6}, {Area::V, 8}, {Area::T, 9}, {Area::C, 10}};
+  static const std::map<Area, std::uint32_t> tags = {{Area::I, 0}, {Area::Q, 1},  {Area::AI, 2}, {Area::AQ, 3},
+                                                     {Area::M, 4}, {Area::SM, 5}, {Area::S, 6},  {Area::V, 8},
+                                                     {Area::T, 9}, {Area::C, 10}};
   const bool numbered = at.area == Area::T || at.area == Area::C;
   std::uint32_t pointer = tags.at(at.area) << 24 | (numbered ? 2 * at.offset : at.offset);
-  if (oneIn(8)) pointer = any({pointer | 0x80000000U, pointer | 0x10000U, 0x0B000000U, 0x07000000U, 0x08000000U | (lastV - static_cast<std::uint32_t>(bytes) + 1), 0x02000001U, 0x09000001U, 0x09000200U, 0x0400001FU});
+  if (oneIn(8))
+    pointer = any({pointer | 0x80000000U, pointer | 0x10000U, 0x0B000000U, 0x07000000U,
+                   0x08000000U | (lastV - static_cast<std::uint32_t>(bytes) + 1), 0x02000001U, 0x09000001U, 0x09000200U,
+                   0x0400001FU});
   const auto n = static_cast<std::uint32_t>(pointers_.size());
   const bool inMemory = oneIn(2);
-  pointers_.push_back({inMemory ? direct(Area::V, Width::DWord, 1200 + 4 * n) : direct(Area::AC, Width::DWord, 1 + n % 3), 4, pointer});
+  pointers_.push_back(
+      {inMemory ? direct(Area::V, Width::DWord, 1200 + 4 * n) : direct(Area::AC, Width::DWord, 1 + n % 3), 4, pointer});
   return fmt::format("*{}{}", inMemory ? "VD" : "AC", pointers_.back().place.offset);
 }
 
@@ -176,7 +210,9 @@ std::string SingleCase::value(char letter) {
   if (!written && oneIn(4)) return fmt::format("16#{:X}", bytes == 4 ? v : v & ((1U << bytes * 8) - 1));
   if (oneIn(odds_ + 1)) {
     const std::uint32_t number = pick(4);
-    settings_.push_back({direct(Area::AC, Width::DWord, number), 4, bytes == 4 ? v : (static_cast<std::uint32_t>(random_()) << 8 * bytes) | (v & ((1U << bytes * 8) - 1))});
+    settings_.push_back(
+        {direct(Area::AC, Width::DWord, number), 4,
+         bytes == 4 ? v : (static_cast<std::uint32_t>(random_()) << 8 * bytes) | (v & ((1U << bytes * 8) - 1))});
     return fmt::format("AC{}", number);
   }
   if (!written && letter == 'd' && oneIn(8)) {
@@ -196,13 +232,18 @@ std::string SingleCase::bit(const std::string& mnemonic, bool written) {
   if (mnemonic == "=I" || mnemonic == "SI" || mnemonic == "RI") return fmt::format("Q{}.{}", pick(16), pick(8));
   if (mnemonic.size() > 1 && (mnemonic.ends_with("I"))) return fmt::format("I{}.{}", pick(16), pick(8));
   const std::uint32_t number = pick(8);
-  if (mnemonic == "SHRB" && written) return any({fmt::format("V{}.{}", pick(20), number), fmt::format("V{}.{}", lastV - 1 - pick(9), number), fmt::format("M{}.{}", 23 + pick(9), number), fmt::format("Q{}.{}", 7 + pick(9), number)});
+  if (mnemonic == "SHRB" && written)
+    return any({fmt::format("V{}.{}", pick(20), number), fmt::format("V{}.{}", lastV - 1 - pick(9), number),
+                fmt::format("M{}.{}", 23 + pick(9), number), fmt::format("Q{}.{}", 7 + pick(9), number)});
   switch (pick(9)) {
     case 0: return fmt::format("M{}.{}", pick(32), number);
     case 1: return fmt::format("Q{}.{}", pick(16), number);
     case 2: return fmt::format("S{}.{}", pick(31), number);
     case 3: return mnemonic == "SR" || mnemonic == "RS" ? "I1.3" : fmt::format("L{}.{}", pick(64), number);
-    case 4: return mnemonic == "SR" || mnemonic == "RS" ? "Q2.1" : fmt::format("{}{}", any({"T", "C"}), any({pick(250), 250 + pick(6)}));
+    case 4:
+      return mnemonic == "SR" || mnemonic == "RS"
+                 ? "Q2.1"
+                 : fmt::format("{}{}", any({"T", "C"}), any({pick(250), 250 + pick(6)}));
     case 5: return fmt::format("V{}.{}", lastV - 1 - pick(3), number);
     case 6: return written ? fmt::format("SM{}.{}", 200 + pick(10), number) : fmt::format("SM0.{}", pick(2));
     default: return fmt::format("V{}.{}", pick(20), number);
@@ -214,13 +255,47 @@ std::string SingleCase::characters(const std::string& mnemonic) {
   std::string text;
   if (mnemonic == "ATH") {
     for (std::uint32_t n = pick(20); n > 0; --n) text += "0123456789ABCDEF"[pick(16)];
-    if (oneIn(3) && !text.empty()) text[pick(static_cast<std::uint32_t>(text.size()))] = any({'/', ':', '@', 'G', 'a', ' ', 'O'});
+    if (oneIn(3) && !text.empty())
+      text[pick(static_cast<std::uint32_t>(text.size()))] = any({'/', ':', '@', 'G', 'a', ' ', 'O'});
     return text;
   }
   if (mnemonic == "STI" || mnemonic == "STD" || mnemonic == "STR") {
-    if (oneIn(8)) return any<std::string>({"32767", "32768", "-32768", "-32769", "2147483647", "2147483648", "-2147483648", "-2147483649", "+0", "65536", "4294967296", "00000000000000000032767", "",
-                                           "-", "+", " ", ".5", "5.", "+ 1", "++1", "-+1", "1e5", "99999999999999999999", "A1", "340282346638528859811704183484516925440", "9999999999999999999999999999999999999999",
-                                           "-1,25X", "00.000000123", "1234567", "16777216", "0.0000001", "1:2", "/1", "10000000000", "12345678901"});
+    if (oneIn(8))
+      return any<std::string>({"32767",
+                               "32768",
+                               "-32768",
+                               "-32769",
+                               "2147483647",
+                               "2147483648",
+                               "-2147483648",
+                               "-2147483649",
+                               "+0",
+                               "65536",
+                               "4294967296",
+                               "00000000000000000032767",
+                               "",
+                               "-",
+                               "+",
+                               " ",
+                               ".5",
+                               "5.",
+                               "+ 1",
+                               "++1",
+                               "-+1",
+                               "1e5",
+                               "99999999999999999999",
+                               "A1",
+                               "340282346638528859811704183484516925440",
+                               "9999999999999999999999999999999999999999",
+                               "-1,25X",
+                               "00.000000123",
+                               "1234567",
+                               "16777216",
+                               "0.0000001",
+                               "1:2",
+                               "/1",
+                               "10000000000",
+                               "12345678901"});
     text = std::string(pick(3), ' ') + any({"", "", "-", "+"});
     for (std::uint32_t n = pick(oneIn(4) ? 12 : 7); n > 0; --n) text += static_cast<char>('0' + pick(10));
     if (oneIn(2)) text += any({".", ",", ":"});
@@ -238,16 +313,45 @@ std::string SingleCase::buffer(const std::string& mnemonic, char letter) {
     const std::uint32_t base = 800;
     const auto real = [&](float v) { return std::bit_cast<std::uint32_t>(v); };
     const auto share = [&] { return static_cast<float>(pick(1001)) / 1000; };
-    const std::array<float, 9> field = {share(), share(), share(), oneIn(6) ? 0.0F : share() * 8 - 4, oneIn(15) ? 0.0F : 0.1F + share(), oneIn(15) ? 0.0F : 0.1F + share() * 3,
-                                        oneIn(3) ? 0.0F : share() / 20, share(), share()};
+    const std::array<float, 9> field = {share(),
+                                        share(),
+                                        share(),
+                                        oneIn(6) ? 0.0F : share() * 8 - 4,
+                                        oneIn(15) ? 0.0F : 0.1F + share(),
+                                        oneIn(15) ? 0.0F : 0.1F + share() * 3,
+                                        oneIn(3) ? 0.0F : share() / 20,
+                                        share(),
+                                        share()};
     for (std::uint32_t k = 0; k < field.size(); ++k) put({"", Area::V, base}, 4, real(field[k]), k);
     return fmt::format("VB{}", base);
   }
-  const int room = isClock ? (mnemonic.ends_with("X") ? 19 : 8) : mnemonic == "ITA" ? 8 : mnemonic == "DTA" ? 12 : mnemonic == "RTA" ? 3 + static_cast<int>(pick(13)) : 1 + static_cast<int>(pick(16));
+  const int room = isClock             ? (mnemonic.ends_with("X") ? 19 : 8)
+                   : mnemonic == "ITA" ? 8
+                   : mnemonic == "DTA" ? 12
+                   : mnemonic == "RTA" ? 3 + static_cast<int>(pick(13))
+                                       : 1 + static_cast<int>(pick(16));
   Spot at = spot(bytes, room, true);
   if (at.area == Area::SM || at.area == Area::S) at = {fmt::format("V{}{}", widthLetter(bytes), 20), Area::V, 20};
   if (isClock) {
-    static constexpr std::array<std::array<std::uint32_t, 2>, 19> limits = {{{0, 99}, {1, 12}, {1, 31}, {0, 23}, {0, 59}, {0, 59}, {0, 99}, {1, 7}, {0, 0}, {0, 23}, {0, 59}, {1, 12}, {1, 31}, {0, 23}, {0, 59}, {1, 12}, {1, 31}, {0, 23}, {0, 59}}};
+    static constexpr std::array<std::array<std::uint32_t, 2>, 19> limits = {{{0, 99},
+                                                                             {1, 12},
+                                                                             {1, 31},
+                                                                             {0, 23},
+                                                                             {0, 59},
+                                                                             {0, 59},
+                                                                             {0, 99},
+                                                                             {1, 7},
+                                                                             {0, 0},
+                                                                             {0, 23},
+                                                                             {0, 59},
+                                                                             {1, 12},
+                                                                             {1, 31},
+                                                                             {0, 23},
+                                                                             {0, 59},
+                                                                             {1, 12},
+                                                                             {1, 31},
+                                                                             {0, 23},
+                                                                             {0, 59}}};
     for (std::uint32_t k = 0; k < limits.size(); ++k) {
       const auto [low, high] = limits[k];
       std::uint32_t v = oneIn(3) ? low : oneIn(2) ? high : low + pick(high - low + 1);
@@ -260,7 +364,8 @@ std::string SingleCase::buffer(const std::string& mnemonic, char letter) {
     if (oneIn(6)) put(at, 1, 0, 7);  // weekday 0
   } else {
     const std::string text = characters(mnemonic);
-    for (std::uint32_t k = 0; mnemonic == "ATH" && k < text.size(); ++k) put(at, 1, static_cast<std::uint8_t>(text[k]), k);
+    for (std::uint32_t k = 0; mnemonic == "ATH" && k < text.size(); ++k)
+      put(at, 1, static_cast<std::uint8_t>(text[k]), k);
   }
   if (oneIn(5) && at.area != Area::L) {
     return reach(bytes, room, true, 0, false);
@@ -281,7 +386,8 @@ std::string SingleCase::table(char letter) {
     put(at, 2, entry, head + k);
   }
   if (!oneIn(5)) return at.text;
-  pointers_.push_back({direct(Area::AC, Width::DWord, 1 + static_cast<std::uint32_t>(pointers_.size()) % 3), 4, 0x08000000U | at.offset});
+  pointers_.push_back({direct(Area::AC, Width::DWord, 1 + static_cast<std::uint32_t>(pointers_.size()) % 3), 4,
+                       0x08000000U | at.offset});
   return fmt::format("*AC{}", pointers_.back().place.offset);
 }
 
@@ -297,7 +403,8 @@ std::string SingleCase::stringOperand(const std::string& mnemonic, bool constant
   put(at, 1, oneIn(30) ? any({254U, 255U}) : static_cast<std::uint32_t>(text.size()));
   for (std::uint32_t k = 0; k < text.size(); ++k) put(at, 1, static_cast<std::uint8_t>(text[k]), k + 1);
   if (!oneIn(5)) return at.text;
-  pointers_.push_back({direct(Area::AC, Width::DWord, 1 + static_cast<std::uint32_t>(pointers_.size()) % 3), 4, (oneIn(10) ? 0xFF000000U : 0x08000000U) | base});
+  pointers_.push_back({direct(Area::AC, Width::DWord, 1 + static_cast<std::uint32_t>(pointers_.size()) % 3), 4,
+                       (oneIn(10) ? 0xFF000000U : 0x08000000U) | base});
   return fmt::format("*AC{}", pointers_.back().place.offset);
 }
 
@@ -326,11 +433,16 @@ std::string SingleCase::operand(const std::string& mnemonic, char letter, std::s
   }
   const bool isDigitCount = mnemonic == "ATH" || mnemonic == "HTA" || mnemonic.starts_with("BM") || mnemonic == "FILL";
   if (letter == 'b' && at > 0 && isDigitCount && !oneIn(4)) return fmt::format("{}", pick(17));
-  const bool isFormat = mnemonic.size() == 3 && mnemonic[1] == 'T' && (mnemonic[2] == 'A' || mnemonic[2] == 'S') && at > 0;
-  if (letter == 'b' && isFormat && mnemonic[0] == 'R' && !oneIn(4)) return fmt::format("16#{:X}", (3 + pick(13)) << 4 | pick(14));
+  const bool isFormat =
+      mnemonic.size() == 3 && mnemonic[1] == 'T' && (mnemonic[2] == 'A' || mnemonic[2] == 'S') && at > 0;
+  if (letter == 'b' && isFormat && mnemonic[0] == 'R' && !oneIn(4))
+    return fmt::format("16#{:X}", (3 + pick(13)) << 4 | pick(14));
   if (letter == 'b' && isFormat && mnemonic[0] != 'R' && !oneIn(4)) return fmt::format("16#{:X}", pick(15));
-  if ((mnemonic == "BIR" && at == 0) || (mnemonic == "BIW" && at == 1)) return oneIn(3) ? reach(1, 1, at == 1, 0, false) : fmt::format("{}B{}", at == 0 ? "I" : "Q", pick(16));
-  if (letter == 'b' && (mnemonic == "STI" || mnemonic == "STD" || mnemonic == "STR" || mnemonic == "SSCPY") && !oneIn(4)) return fmt::format("{}", pick(8));
+  if ((mnemonic == "BIR" && at == 0) || (mnemonic == "BIW" && at == 1))
+    return oneIn(3) ? reach(1, 1, at == 1, 0, false) : fmt::format("{}B{}", at == 0 ? "I" : "Q", pick(16));
+  if (letter == 'b' && (mnemonic == "STI" || mnemonic == "STD" || mnemonic == "STR" || mnemonic == "SSCPY") &&
+      !oneIn(4))
+    return fmt::format("{}", pick(8));
   if (letter == 'B' && (mnemonic == "SFND" || mnemonic == "CFND") && !oneIn(4)) {
     put({"VB60", Area::V, 60}, 1, pick(7));
     return "VB60";
@@ -339,13 +451,15 @@ std::string SingleCase::operand(const std::string& mnemonic, char letter, std::s
     put({"VW60", Area::V, 60}, 2, pick(4));
     return "VW60";
   }
-  if (letter == 'b' && (mnemonic == "S" || mnemonic == "R" || mnemonic == "SI" || mnemonic == "RI") && !oneIn(3)) return fmt::format("{}", pick(20));
+  if (letter == 'b' && (mnemonic == "S" || mnemonic == "R" || mnemonic == "SI" || mnemonic == "RI") && !oneIn(3))
+    return fmt::format("{}", pick(20));
   return value(letter);
 }
 
 std::string SingleCase::operandsOf(const std::string& mnemonic, std::string_view signature) {
   std::string text;
-  for (std::size_t at = 0; at < signature.size(); ++at) text += (at == 0 ? "" : ", ") + operand(mnemonic, signature[at], at);
+  for (std::size_t at = 0; at < signature.size(); ++at)
+    text += (at == 0 ? "" : ", ") + operand(mnemonic, signature[at], at);
   return text;
 }
 

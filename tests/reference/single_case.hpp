@@ -64,7 +64,7 @@ class SingleCase {
   std::unique_ptr<manual::Plant> plant_;
   std::uint32_t odds_ = 5;  ///< one in so many operands is a pointer or an accumulator
   std::uint32_t nextSlot_ = 300;
-  std::optional<std::uint32_t> neighbour_;     ///< value of the first operand, or of an entry of the table
+  std::optional<std::uint32_t> neighbour_;  ///< value of the first operand, or of an entry of the table
   std::optional<std::string> neighbourText_;
 };
 

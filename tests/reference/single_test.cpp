@@ -17,7 +17,8 @@ namespace {
 bool isAlone(const Desc& desc) {
   const std::string name(desc.stl);
   if (desc.control != Control::None || name == "EU" || name == "ED") return false;
-  return !name.starts_with("CTU") && !name.starts_with("CTD") && (!name.starts_with("TO") || name.starts_with("TOD")) && name != "TP.IEC";
+  return !name.starts_with("CTU") && !name.starts_with("CTD") && (!name.starts_with("TO") || name.starts_with("TOD")) &&
+         name != "TP.IEC";
 }
 
 std::vector<std::string> mnemonics() {
@@ -29,7 +30,8 @@ std::vector<std::string> mnemonics() {
 }
 
 std::string spelledOut(const testing::TestParamInfo<std::string>& info) {
-  static const std::map<char, std::string> words = {{'+', "Add"}, {'-', "Sub"}, {'*', "Mul"}, {'/', "Div"}, {'=', "Equal"}, {'<', "Below"}, {'>', "Above"}, {'.', "_"}};
+  static const std::map<char, std::string> words = {{'+', "Add"},   {'-', "Sub"},   {'*', "Mul"},   {'/', "Div"},
+                                                    {'=', "Equal"}, {'<', "Below"}, {'>', "Above"}, {'.', "_"}};
   std::string text;
   for (const char c : info.param) text += words.contains(c) ? words.at(c) : std::string(1, c);
   return text;
@@ -50,7 +52,8 @@ TEST_P(Single, AgreesWithTheNaiveInterpreter) {
     copyState(drawn.plant(), plain);
     drawn.plant().scan();
     plain.scan(0, 0);
-    ASSERT_EQ(difference(drawn.plant(), plain, &drawn.instruction()), "") << "seed " << seed << ": " << drawn.statements();
+    ASSERT_EQ(difference(drawn.plant(), plain, &drawn.instruction()), "")
+        << "seed " << seed << ": " << drawn.statements();
   }
 }
 

@@ -36,8 +36,10 @@ TEST(AddressRules, ReadersOfAnyKindCount) {
   EXPECT_EQ(lines("ADR011", "Network 1\nLD SM0.1\nATCH 0, 21\nENI\nNetwork 2\nLD I0.0\nTON T32, +100\n"),
             Lines());  // T32 has its event
   const Linted call(
-      "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\n= L60.0\nLD I0.1\n= L63.7\nLD L60.0\nCALL SBR0, L63.7, Q0.0\n"
-      "END_ORGANIZATION_BLOCK\nSUBROUTINE_BLOCK SBR_0:SBR0\nVAR_INPUT\na:BOOL;\nEND_VAR\nVAR_OUTPUT\nc:BOOL;\nEND_VAR\nBEGIN\n"
+      "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\n= L60.0\nLD I0.1\n= L63.7\nLD L60.0\nCALL SBR0, L63.7, "
+      "Q0.0\n"
+      "END_ORGANIZATION_BLOCK\nSUBROUTINE_BLOCK "
+      "SBR_0:SBR0\nVAR_INPUT\na:BOOL;\nEND_VAR\nVAR_OUTPUT\nc:BOOL;\nEND_VAR\nBEGIN\n"
       "Network 1\nLD #a\n= #c\nEND_SUBROUTINE_BLOCK\n");
   EXPECT_EQ(call.lines("ADR011"), Lines());  // L63.7 is the first parameter
 }

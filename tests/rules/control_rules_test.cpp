@@ -30,10 +30,13 @@ TEST(ControlRules, BlocksOfTheOlderDialectNeedTheirEnds) {
 TEST(InterruptRules, WhatAnInterruptWritesMayBeOverwrittenByACopy) {
   const std::string start = "LD SM0.1\nATCH 0, 0\nENI\n", end = "MEND\nINT 0\nR Q0.0, 1\nRETI\n";
   // Lines 4 to 7: QB0 is copied, changed and written back.
-  EXPECT_EQ(lines("INT004", (start + "LD SM0.0\nMOVB QB0, VB0\nORB 128, VB0\nMOVB VB0, QB0\n" + end).c_str()), Lines{7});
+  EXPECT_EQ(lines("INT004", (start + "LD SM0.0\nMOVB QB0, VB0\nORB 128, VB0\nMOVB VB0, QB0\n" + end).c_str()),
+            Lines{7});
   // One instruction is not interrupted; interrupts are off; a constant is no copy of the old value.
   EXPECT_EQ(lines("INT004", (start + "LD SM0.0\nORB 128, QB0\n" + end).c_str()), Lines());
-  EXPECT_EQ(lines("INT004", (start + "LD SM0.0\nDISI\nMOVB QB0, VB0\nORB 128, VB0\nMOVB VB0, QB0\nENI\n" + end).c_str()), Lines());
+  EXPECT_EQ(
+      lines("INT004", (start + "LD SM0.0\nDISI\nMOVB QB0, VB0\nORB 128, VB0\nMOVB VB0, QB0\nENI\n" + end).c_str()),
+      Lines());
   EXPECT_EQ(lines("INT004", (start + "LD SM0.0\nMOVB QB0, VB0\nMOVB 0, QB0\n" + end).c_str()), Lines());
 }
 
@@ -97,9 +100,12 @@ TEST(ControlRules, ParametersOfCallTakeTheAreasOfTable678) {
   };
   using Messages = std::vector<std::string>;
   EXPECT_EQ(messages("AIW0, HC1, AQW0, AC1"), Messages());
-  EXPECT_EQ(messages("AQW0, VD0, VW4, VD8"), Messages{"AQW0 does not fit parameter a (WORD): table 6-78 does not list it"});
-  EXPECT_EQ(messages("VW0, VD2, AIW0, VD8"), Messages{"AIW0 does not fit parameter c (WORD): table 6-78 does not list it"});
-  EXPECT_EQ(messages("VW0, VD2, VW6, HC1"), Messages{"HC1 does not fit parameter d (DINT): table 6-78 does not list it"});
+  EXPECT_EQ(messages("AQW0, VD0, VW4, VD8"),
+            Messages{"AQW0 does not fit parameter a (WORD): table 6-78 does not list it"});
+  EXPECT_EQ(messages("VW0, VD2, AIW0, VD8"),
+            Messages{"AIW0 does not fit parameter c (WORD): table 6-78 does not list it"});
+  EXPECT_EQ(messages("VW0, VD2, VW6, HC1"),
+            Messages{"HC1 does not fit parameter d (DINT): table 6-78 does not list it"});
 }
 
 }  // namespace

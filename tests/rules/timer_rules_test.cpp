@@ -46,7 +46,10 @@ TEST(TimerRules, EdgesInTheFirstScan) {
 
 TEST(TimerRules, EdgeDetectorsInCodeThatMayBeSkipped) {
   // Called on a condition, and in a step; the one in the main program runs in every scan.
-  EXPECT_EQ(lines("TIM014", "LD I0.2\nEU\n= Q0.1\nLD I0.0\nCALL 1\nMEND\nSBR 1\nLD I0.1\nEU\nS Q0.0, 1\nLD I0.3\nED\nR Q0.0, 1\nRET\n"), Lines{9});
+  EXPECT_EQ(
+      lines("TIM014",
+            "LD I0.2\nEU\n= Q0.1\nLD I0.0\nCALL 1\nMEND\nSBR 1\nLD I0.1\nEU\nS Q0.0, 1\nLD I0.3\nED\nR Q0.0, 1\nRET\n"),
+      Lines{9});
   EXPECT_EQ(lines("TIM014", "LD SM0.0\nCALL 1\nMEND\nSBR 1\nLD I0.1\nEU\n= Q0.0\nRET\n"), Lines());
   EXPECT_EQ(lines("TIM014", "Network 1\nLSCR S0.0\nNetwork 2\nLD I0.0\nEU\nSCRT S0.1\nNetwork 3\nSCRE\n"), Lines{5});
 }

@@ -10,9 +10,11 @@
 namespace rungproof::test {
 namespace {
 
-constexpr double share = 95;            ///< percent that must be noticed
-constexpr double mostSeconds = 4;  ///< for one fault; an idle machine needs milliseconds, so that only a busy one comes near it
-constexpr std::size_t leastFaults = 130;  ///< that change behaviour, over all programs: so that the share means something
+constexpr double share = 95;  ///< percent that must be noticed
+constexpr double mostSeconds =
+    4;  ///< for one fault; an idle machine needs milliseconds, so that only a busy one comes near it
+constexpr std::size_t leastFaults =
+    130;  ///< that change behaviour, over all programs: so that the share means something
 
 struct Count {
   std::size_t noticed = 0, unnoticed = 0, undecided = 0, harmless = 0;
@@ -65,8 +67,10 @@ TEST(InterlockFaults, AreNoticed) {
     if (file.stem().string().find("faulty") == std::string::npos) seed(file, count);
   }
   const std::size_t changing = count.noticed + count.unnoticed + count.undecided;
-  const double percent = 100 * static_cast<double>(count.noticed) / static_cast<double>(std::max<std::size_t>(changing, 1));
-  std::cout << count.noticed << " of " << changing << " seeded faults are noticed (" << percent << " %), " << count.undecided << " of them undecided; " << count.harmless
+  const double percent =
+      100 * static_cast<double>(count.noticed) / static_cast<double>(std::max<std::size_t>(changing, 1));
+  std::cout << count.noticed << " of " << changing << " seeded faults are noticed (" << percent << " %), "
+            << count.undecided << " of them undecided; " << count.harmless
             << " are proved to change no output; missed:" << count.missed << "\n";
   EXPECT_GE(changing, leastFaults);
   EXPECT_GE(percent, share) << count.missed;

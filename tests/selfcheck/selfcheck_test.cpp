@@ -1,11 +1,10 @@
 // The self-check on programs of which it is known what their properties notice.
-#include "analysis/proof/self_check.hpp"
-
 #include <gtest/gtest.h>
 
 #include <map>
 
 #include "analysis/proof/output_comparison.hpp"
+#include "analysis/proof/self_check.hpp"
 #include "tests/prover/proved_text.hpp"
 
 namespace rungproof::test {
@@ -29,7 +28,8 @@ const FaultResult* faultNamed(const SelfCheck& check, const std::string& part) {
 
 TEST(SelfCheck, TellsNoticedFromUnnoticed) {
   // The property speaks of the stop button only: the start button's polarity is nobody's concern.
-  const ProgramInput input = inputOf("//@ prove stop: not I0.1 implies not Q0.0\n", "Network 1\nLD I0.0\nO Q0.0\nA I0.1\n= Q0.0\n");
+  const ProgramInput input =
+      inputOf("//@ prove stop: not I0.1 implies not Q0.0\n", "Network 1\nLD I0.0\nO Q0.0\nA I0.1\n= Q0.0\n");
   const SelfCheck check = checked(input);
   const FaultResult* stop = faultNamed(check, "removed: A I0.1");
   ASSERT_NE(stop, nullptr);
@@ -42,7 +42,8 @@ TEST(SelfCheck, TellsNoticedFromUnnoticed) {
 
 TEST(SelfCheck, LeavesOutFaultsWithoutEffect) {
   // The second contact of I0.0 is in series with the first one; networks 1 and 2 do not touch each other.
-  const ProgramInput input = inputOf("//@ prove contact: Q0.0 implies I0.0\n", "Network 1\nLD I0.0\nA I0.0\n= Q0.0\nNetwork 2\nLD I0.1\n= Q0.1\n");
+  const ProgramInput input = inputOf("//@ prove contact: Q0.0 implies I0.0\n",
+                                     "Network 1\nLD I0.0\nA I0.0\n= Q0.0\nNetwork 2\nLD I0.1\n= Q0.1\n");
   const SelfCheck check = checked(input);
   const FaultResult* doubled = faultNamed(check, "removed: A I0.0");
   ASSERT_NE(doubled, nullptr);
@@ -53,16 +54,18 @@ TEST(SelfCheck, LeavesOutFaultsWithoutEffect) {
 }
 
 TEST(SelfCheck, PlantsEveryKind) {
-  const ProgramInput input = inputOf("", "Network 1\nLD I0.0\nEU\nS M0.0, 1\nLD I0.1\nR M0.0, 1\nNetwork 2\nLD M0.0\nTON T37, 50\nNetwork 3\nLD T37\nA I0.2\n= Q0.0\n");
+  const ProgramInput input = inputOf("",
+                                     "Network 1\nLD I0.0\nEU\nS M0.0, 1\nLD I0.1\nR M0.0, 1\nNetwork 2\nLD M0.0\nTON "
+                                     "T37, 50\nNetwork 3\nLD T37\nA I0.2\n= Q0.0\n");
   std::map<FaultKind, std::size_t> count;
   for (const Fault& fault : faultsOf(input.program)) ++count[fault.kind];
-  EXPECT_EQ(count[FaultKind::Polarity], 5U);         // five contacts
+  EXPECT_EQ(count[FaultKind::Polarity], 5U);  // five contacts
   EXPECT_EQ(count[FaultKind::RemovedContact], 5U);
   EXPECT_EQ(count[FaultKind::SetForReset], 2U);
   EXPECT_EQ(count[FaultKind::LatchOrder], 1U);
   EXPECT_EQ(count[FaultKind::Edge], 1U);
   EXPECT_EQ(count[FaultKind::TimerKind], 1U);
-  EXPECT_EQ(count[FaultKind::Preset], 2U);           // 25 and 100
+  EXPECT_EQ(count[FaultKind::Preset], 2U);  // 25 and 100
   EXPECT_EQ(count[FaultKind::SwappedNetworks], 2U);
 }
 
@@ -72,9 +75,11 @@ TEST(SelfCheck, OrderOfSetAndResetExchangesTheirRungs) {
     if (fault.kind != FaultKind::LatchOrder) continue;
     const Program changed = planted(input.program, fault);
     std::string order;
-    for (const Instruction& instruction : changed.pous[0].networks[0].instructions) order += std::string(instruction.desc->stl) + " ";
+    for (const Instruction& instruction : changed.pous[0].networks[0].instructions)
+      order += std::string(instruction.desc->stl) + " ";
     EXPECT_EQ(order, "LD A R LD S ");
-    EXPECT_EQ(compareOutputs(input.program, changed, input.properties, usualOptions(5), 5), OutputComparison::Different);
+    EXPECT_EQ(compareOutputs(input.program, changed, input.properties, usualOptions(5), 5),
+              OutputComparison::Different);
     return;
   }
   FAIL() << "no such fault";

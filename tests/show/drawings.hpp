@@ -31,7 +31,9 @@ class Builder {
   using Index = std::uint32_t;
 
   Index rail() { return add(Shape::Rail, nullptr, {}, {}); }
-  Index contact(std::string_view mnemonic, std::vector<Operand> operands, Index from) { return add(Shape::Contact, instruction(mnemonic), std::move(operands), {{from}}); }
+  Index contact(std::string_view mnemonic, std::vector<Operand> operands, Index from) {
+    return add(Shape::Contact, instruction(mnemonic), std::move(operands), {{from}});
+  }
   Index no(std::string_view address, Index from) { return contact("LD", {bitOf(address)}, from); }
   Index nc(std::string_view address, Index from) { return contact("LDN", {bitOf(address)}, from); }
   Index either(std::vector<Index> from) { return add(Shape::Or, nullptr, {}, wires(from)); }
@@ -39,9 +41,13 @@ class Builder {
   Index box(std::string_view mnemonic, std::vector<Operand> operands, std::vector<Index> from) {
     return add(Shape::Box, instruction(mnemonic), std::move(operands), wires(from));
   }
-  Index coil(std::string_view mnemonic, std::vector<Operand> operands, Index from) { return add(Shape::Coil, instruction(mnemonic), std::move(operands), {{from}}); }
+  Index coil(std::string_view mnemonic, std::vector<Operand> operands, Index from) {
+    return add(Shape::Coil, instruction(mnemonic), std::move(operands), {{from}});
+  }
   Index out(std::string_view address, Index from) { return coil("=", {bitOf(address)}, from); }
-  Index heading(std::string_view mnemonic, std::vector<Operand> operands) { return add(Shape::Coil, instruction(mnemonic), std::move(operands), {}); }
+  Index heading(std::string_view mnemonic, std::vector<Operand> operands) {
+    return add(Shape::Coil, instruction(mnemonic), std::move(operands), {});
+  }
   void negate(Index element, std::size_t input) { drawing.elements[element].inputs[input].negated = true; }
 
   Drawing drawing;
@@ -59,7 +65,11 @@ class Builder {
   }
   Index add(Shape shape, const Desc* desc, std::vector<Operand> operands, std::vector<Wire> inputs) {
     // Every element gets a place of its own, so that findings can point at it.
-    drawing.elements.push_back({shape, desc, std::move(operands), std::move(inputs), {0, static_cast<std::uint32_t>(10 * drawing.elements.size()), 5}});
+    drawing.elements.push_back({shape,
+                                desc,
+                                std::move(operands),
+                                std::move(inputs),
+                                {0, static_cast<std::uint32_t>(10 * drawing.elements.size()), 5}});
     return static_cast<Index>(drawing.elements.size() - 1);
   }
 };

@@ -66,7 +66,8 @@ void expectNoOverlap(const Picture& picture) {
       for (int x = wire.x0; x <= wire.x1; ++x) {
         const auto found = cells.find({x, y});
         if (found != cells.end()) {
-          EXPECT_EQ(found->second.front(), 's') << "a wire runs through " << found->second << " at column " << x << ", row " << y;
+          EXPECT_EQ(found->second.front(), 's')
+              << "a wire runs through " << found->second << " at column " << x << ", row " << y;
         }
       }
     }
@@ -97,7 +98,8 @@ void expectConnected(const Picture& picture) {
     return false;
   };
   for (const PictureWire& wire : picture.wires) {
-    EXPECT_TRUE(touches(wire.x0, wire.y0, wire)) << "wire begins in the air at column " << wire.x0 << ", row " << wire.y0;
+    EXPECT_TRUE(touches(wire.x0, wire.y0, wire))
+        << "wire begins in the air at column " << wire.x0 << ", row " << wire.y0;
     EXPECT_TRUE(touches(wire.x1, wire.y1, wire)) << "wire ends in the air at column " << wire.x1 << ", row " << wire.y1;
   }
 }
@@ -144,7 +146,8 @@ TEST(Layout, BoxesWithSeveralInputs) {
 
 TEST(Layout, ChainOfBoxesWithEno) {
   Builder b;
-  const Index compare = b.contact("LDW>=", {word(Area::V, 10), constant(100)}, b.contact("EU", {}, b.no("I0.0", b.rail())));
+  const Index compare =
+      b.contact("LDW>=", {word(Area::V, 10), constant(100)}, b.contact("EU", {}, b.no("I0.0", b.rail())));
   const Index move = b.box("MOVW", {word(Area::V, 0), word(Area::V, 4)}, {compare});
   b.out("Q1.0", b.box("+I", {constant(5), word(Area::V, 4)}, {move}));
   expectSoundInBothForms(b.drawing);
@@ -187,13 +190,15 @@ TEST(Layout, WideRungsAreWrapped) {
   Builder b;
   const Index rail = b.rail();
   Index at = rail;
-  for (int i = 0; i < 30; ++i) at = b.either({b.no("V" + std::to_string(1000 + i) + ".3", at), b.no("M0.1", i == 0 ? rail : at)});
+  for (int i = 0; i < 30; ++i)
+    at = b.either({b.no("V" + std::to_string(1000 + i) + ".3", at), b.no("M0.1", i == 0 ? rail : at)});
   b.out("Q0.0", at);
   for (const int width : {60, 80, 100}) {
     expectSound(b.drawing, Form::Ladder, width);
     const Picture picture = pictureOf(b.drawing, Form::Ladder, width);
     EXPECT_LE(picture.width, std::max(width, 72));
-    for (const PictureLabel& label : picture.labels) EXPECT_LE(label.x + displayWidth(label.text), std::max(width, 72)) << label.text;
+    for (const PictureLabel& label : picture.labels)
+      EXPECT_LE(label.x + displayWidth(label.text), std::max(width, 72)) << label.text;
   }
 }
 
@@ -219,7 +224,9 @@ class RandomNetwork {
 
  private:
   int pick(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
-  std::string address(const std::string& area) { return area + std::to_string(pick(16)) + "." + std::to_string(pick(8)); }
+  std::string address(const std::string& area) {
+    return area + std::to_string(pick(16)) + "." + std::to_string(pick(8));
+  }
   Index part(Index from, int depth) {
     switch (depth == 0 ? 0 : pick(4)) {
       case 1: {
@@ -229,7 +236,9 @@ class RandomNetwork {
         return builder_.either(branches);
       }
       case 2: return part(part(from, depth - 1), depth - 1);
-      case 3: return builder_.contact("LDW>=", {word(Area::V, static_cast<std::uint32_t>(2 * pick(500))), constant(pick(30000))}, from);
+      case 3:
+        return builder_.contact(
+            "LDW>=", {word(Area::V, static_cast<std::uint32_t>(2 * pick(500))), constant(pick(30000))}, from);
       default: return pick(2) == 0 ? builder_.no(address("I"), from) : builder_.nc(address("M"), from);
     }
   }
@@ -248,7 +257,11 @@ TEST(BoxForm, NamesSignsAndPins) {
   const auto pins = [](std::string_view mnemonic) {
     std::string text;
     for (const OperandPin& pin : operandPins(*instructionNamed(mnemonic), 5, nullptr)) {
-      text += (text.empty() ? "" : " ") + std::string(pin.side == PinSide::Above ? "^" : pin.side == PinSide::Left ? "<" : ">") + pin.name + std::to_string(pin.operand);
+      text += (text.empty() ? "" : " ") +
+              std::string(pin.side == PinSide::Above  ? "^"
+                          : pin.side == PinSide::Left ? "<"
+                                                      : ">") +
+              pin.name + std::to_string(pin.operand);
     }
     return text;
   };

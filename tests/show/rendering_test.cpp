@@ -14,7 +14,8 @@ namespace {
 
 using Index = Builder::Index;
 
-std::string textOf(const Drawing& drawing, Form form, const TextStyle& style = {}, const std::vector<ElementFlow>* flows = nullptr, int width = 1000) {
+std::string textOf(const Drawing& drawing, Form form, const TextStyle& style = {},
+                   const std::vector<ElementFlow>* flows = nullptr, int width = 1000) {
   ElementTexts texts(nullptr, nullptr, drawing);
   texts.setFlow(flows);
   const PlacedPicture placed = place(form == Form::Fbd ? fbdNodes(drawing, texts) : ladderNodes(drawing, texts));
@@ -31,8 +32,9 @@ Drawing latch() {
   return b.drawing;
 }
 
-// A contact is 3 cells wide with 2 cells of wire on each side, a border between columns is one cell; addresses stand above.
-// The branch shares the column of the contact it bridges; the coil stands at the right rail, 72 columns from the left.
+// A contact is 3 cells wide with 2 cells of wire on each side, a border between columns is one cell; addresses stand
+// above. The branch shares the column of the contact it bridges; the coil stands at the right rail, 72 columns from the
+// left.
 TEST(Text, Latch) {
   EXPECT_EQ(textOf(latch(), Form::Ladder), R"(
 │ I0.0    I0.1                                                   Q0.0  │
@@ -51,8 +53,8 @@ TEST(Text, LatchInAscii) {
 )");
 }
 
-// Start pressed: I0.0 = 1, I0.1 = 0, the coil was off before. The open branch of Q0.0 carries power from the rail to the
-// contact only; what follows the OR is lit.
+// Start pressed: I0.0 = 1, I0.1 = 0, the coil was off before. The open branch of Q0.0 carries power from the rail to
+// the contact only; what follows the OR is lit.
 TEST(Text, LatchWithPowerFlow) {
   const Drawing drawing = latch();
   std::vector<ElementFlow> flows(drawing.elements.size());
@@ -75,7 +77,8 @@ TEST(Text, LatchWithPowerFlow) {
   EXPECT_NE(ascii.find("+===| |---+"), std::string::npos) << ascii;
 }
 
-// Gates are as high as what leads to them; a negated contact is a circle at the pin; names end two cells before the wire.
+// Gates are as high as what leads to them; a negated contact is a circle at the pin; names end two cells before the
+// wire.
 TEST(Text, LatchAsFbd) {
   EXPECT_EQ(textOf(latch(), Form::Fbd), R"(
                                    Q0.0
@@ -89,8 +92,8 @@ TEST(Text, LatchAsFbd) {
 )");
 }
 
-// Two power inputs: each on the row of its branch, PV below them with a blank before its value; the number of the counter above the
-// box.
+// Two power inputs: each on the row of its branch, PV below them with a blank before its value; the number of the
+// counter above the box.
 TEST(Text, Counter) {
   Builder b;
   const Index rail = b.rail();

@@ -1,6 +1,6 @@
-// Networks of programs with the power flow of a scan: what the picture lights must be what the engine did. On every program
-// of the corpus, with random inputs, each coil and box of a drawn network gets power in the picture exactly when its
-// instruction saw power on the stack.
+// Networks of programs with the power flow of a scan: what the picture lights must be what the engine did. On every
+// program of the corpus, with random inputs, each coil and box of a drawn network gets power in the picture exactly
+// when its instruction saw power on the stack.
 #include <gtest/gtest.h>
 
 #include <ctime>
@@ -25,7 +25,9 @@ namespace {
 namespace fs = std::filesystem;
 
 Program programOf(const std::string& text) { return readText("test.awl", text, {}); }
-Program mainOf(const std::string& lines) { return programOf("ORGANIZATION_BLOCK MAIN:OB1\nTITLE=\nBEGIN\n" + lines + "\nEND_ORGANIZATION_BLOCK\n"); }
+Program mainOf(const std::string& lines) {
+  return programOf("ORGANIZATION_BLOCK MAIN:OB1\nTITLE=\nBEGIN\n" + lines + "\nEND_ORGANIZATION_BLOCK\n");
+}
 
 std::vector<fs::path> corpusPrograms() {
   std::vector<fs::path> files;
@@ -106,7 +108,9 @@ TEST(PowerFlow, LatchStep) {
     ViewOptions options;
     options.recorder = &recorder;
     std::string text;
-    for (const std::string& line : contentLines(networkView(program, program.pous[0], program.pous[0].networks[0], options), {.ascii = true})) text += line + "\n";
+    for (const std::string& line :
+         contentLines(networkView(program, program.pous[0], program.pous[0].networks[0], options), {.ascii = true}))
+      text += line + "\n";
     return text;
   };
   const std::string pressed = flowsNow(1);
@@ -141,7 +145,8 @@ TEST(PowerFlow, ObserverChangesNothing) {
 
 TEST(NetworkView, HeadingCommentsSymbolsFindings) {
   const Program program = programOf(
-      "ORGANIZATION_BLOCK MAIN:OB1\nTITLE=Pump\nBEGIN\nNetwork 4 // run\n// while the level is low\nLD Level_low\n= Pump\nEND_ORGANIZATION_BLOCK\n"
+      "ORGANIZATION_BLOCK MAIN:OB1\nTITLE=Pump\nBEGIN\nNetwork 4 // run\n// while the level is low\nLD Level_low\n= "
+      "Pump\nEND_ORGANIZATION_BLOCK\n"
       "SYMBOL_TABLE\nLevel_low\tI0.3\t\nPump\tQ0.2\t\nEND_SYMBOL_TABLE\n");
   ASSERT_EQ(program.pous.size(), 1U);
   const Network& network = program.pous[0].networks[0];
@@ -176,8 +181,8 @@ TEST(Speed, ThousandNetworksToSvg) {
   std::string text;
   for (int i = 0; i < 1000; ++i) {
     const std::string b = std::to_string(i % 8), w = std::to_string(2 * (i % 500));
-    text += "Network " + std::to_string(i + 1) + " // rung\nLD I0." + b + "\nO Q0." + b + "\nAN I1." + b + "\nLPS\nA M0." + b + "\n= Q0." + b + "\nLPP\nAW>= VW" + w +
-            ", 100\nMOVW VW" + w + ", VW1000\n";
+    text += "Network " + std::to_string(i + 1) + " // rung\nLD I0." + b + "\nO Q0." + b + "\nAN I1." + b +
+            "\nLPS\nA M0." + b + "\n= Q0." + b + "\nLPP\nAW>= VW" + w + ", 100\nMOVW VW" + w + ", VW1000\n";
   }
   const Program program = mainOf(text);
   ASSERT_EQ(program.pous[0].networks.size(), 1000U);
@@ -188,7 +193,8 @@ TEST(Speed, ThousandNetworksToSvg) {
   for (int round = 0; round < 3 && seconds > 1.0; ++round) {
     const std::clock_t start = std::clock();
     block = {blockHeading(program.pous[0]), {}};
-    for (const Network& network : program.pous[0].networks) block.networks.push_back(networkView(program, program.pous[0], network, {}));
+    for (const Network& network : program.pous[0].networks)
+      block.networks.push_back(networkView(program, program.pous[0], network, {}));
     svg = viewSvg({block});
     seconds = std::min(seconds, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
   }

@@ -1,20 +1,21 @@
 // The page of a trace with the networks of every scan.
-#include "frontend/run/scan_drawings.hpp"
-
 #include <gtest/gtest.h>
 
 #include <sstream>
 
 #include "engine/simulator.hpp"
 #include "frontend/project.hpp"
+#include "frontend/run/scan_drawings.hpp"
 
 namespace rungproof {
 namespace {
 
 /// Three scans with I0.0 = 0, 1, 1: network 1 is off, then on. Network 2 reads an input that never changes: one look.
 TEST(TracePage, NetworksAreDrawnOncePerLook) {
-  const Program program =
-      readText("test.awl", "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1 // <in>\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.5\n= Q0.1\nEND_ORGANIZATION_BLOCK\n", {});
+  const Program program = readText("test.awl",
+                                   "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1 // <in>\nLD I0.0\n= Q0.0\nNetwork "
+                                   "2\nLD I0.5\n= Q0.1\nEND_ORGANIZATION_BLOCK\n",
+                                   {});
   Simulator simulator(program);
   ScanDrawings drawings(program);
   simulator.observe(&drawings.recorder());

@@ -62,7 +62,8 @@ struct Operands {
     const Lanes found = values(word);
     const std::uint64_t mask = maskOf(static_cast<int>(word.size()));
     for (std::size_t lane = 0; lane < 64; ++lane) {
-      EXPECT_EQ(found[lane], expected(x[lane], y[lane]) & mask) << name << " of " << x[lane] << " and " << y[lane] << ", width " << width;
+      EXPECT_EQ(found[lane], expected(x[lane], y[lane]) & mask)
+          << name << " of " << x[lane] << " and " << y[lane] << ", width " << width;
     }
   }
 };
@@ -75,7 +76,8 @@ TEST(BitArithmetic, AgreesWithNumbers) {
     Operands o(w, random);
     BitArithmetic words(o.graph);
     using U = std::uint64_t;
-    const LitVector sum = words.add(o.a, o.b), difference = words.subtract(o.a, o.b), product = words.multiply(o.a, o.b);
+    const LitVector sum = words.add(o.a, o.b), difference = words.subtract(o.a, o.b),
+                    product = words.multiply(o.a, o.b);
     LitVector quotient, remainder, signedQuotient, signedRemainder;
     words.divide(o.a, o.b, quotient, remainder);
     words.divideSigned(o.a, o.b, signedQuotient, signedRemainder);

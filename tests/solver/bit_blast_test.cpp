@@ -48,7 +48,8 @@ TEST(BitBlast, BitRunsAreWordRuns) {
   for (const unsigned value : {15U, 3U, 9U}) {
     std::vector<bool> inputs(4);
     const LitVector& literals = blast.of(counting.step);
-    for (std::uint32_t bit = 0; bit < 4; ++bit) inputs[blast.bits().position[variableOf(literals[bit])]] = (value >> bit & 1U) != 0;
+    for (std::uint32_t bit = 0; bit < 4; ++bit)
+      inputs[blast.bits().position[variableOf(literals[bit])]] = (value >> bit & 1U) != 0;
     trace.inputs.push_back(inputs);
   }
   const WordTrace words = blast.wordTrace(trace);

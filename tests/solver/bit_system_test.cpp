@@ -1,4 +1,5 @@
-// And-inverter graphs: whatever simplification makes of a gate, its value is that of the operation; equal gates are one.
+// And-inverter graphs: whatever simplification makes of a gate, its value is that of the operation; equal gates are
+// one.
 #include "analysis/bits/bit_system.hpp"
 
 #include <gtest/gtest.h>
@@ -40,13 +41,16 @@ TEST(BitSystem, SimplifiedGatesKeepTheirValues) {
         case 0: known.push_back({graph.addAnd(a.literal, b.literal), a.lanes & b.lanes}); break;
         case 1: known.push_back({graph.addOr(a.literal, b.literal), a.lanes | b.lanes}); break;
         case 2: known.push_back({graph.addXor(a.literal, b.literal), a.lanes ^ b.lanes}); break;
-        default: known.push_back({graph.addIte(c.literal, a.literal, b.literal), (c.lanes & a.lanes) | (~c.lanes & b.lanes)}); break;
+        default:
+          known.push_back({graph.addIte(c.literal, a.literal, b.literal), (c.lanes & a.lanes) | (~c.lanes & b.lanes)});
+          break;
       }
     }
     BitSimulator simulator(graph);
     for (std::size_t i = 0; i < inputs.size(); ++i) simulator.setInput(i, inputs[i]);
     simulator.evaluate();
-    for (const Known& k : known) ASSERT_EQ(simulator.value(k.literal), k.lanes) << "round " << round << ", literal " << k.literal;
+    for (const Known& k : known)
+      ASSERT_EQ(simulator.value(k.literal), k.lanes) << "round " << round << ", literal " << k.literal;
     // A gate's children are smaller than itself: variables are in topological order.
     for (std::size_t i = 0; i < graph.gates.size(); ++i) {
       EXPECT_LT(graph.gates[i].left, graph.gates[i].right);

@@ -14,9 +14,9 @@ constexpr int systems = 3000;
 struct Named {
   const char* name;
   std::unique_ptr<Engine> (*make)(const BitSystem&, const EngineOptions&);
-  bool decides;   ///< decides every small system
-  bool shortest;  ///< its violations are shortest ones
-  double seconds; ///< for one system
+  bool decides;    ///< decides every small system
+  bool shortest;   ///< its violations are shortest ones
+  double seconds;  ///< for one system
 };
 
 class Agreement : public testing::TestWithParam<Named> {};
@@ -69,8 +69,10 @@ TEST_P(Agreement, WithPlainSearch) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Engines, Agreement,
-                         testing::Values(Named{"bmc", makeBmc, false, true, 20}, Named{"kinduction", makeKInduction, false, true, 0.05},
-                                         Named{"ic3", makeIc3, true, false, 20}, Named{"exhaustive", makeExhaustive, true, false, 20},
+                         testing::Values(Named{"bmc", makeBmc, false, true, 20},
+                                         Named{"kinduction", makeKInduction, false, true, 0.05},
+                                         Named{"ic3", makeIc3, true, false, 20},
+                                         Named{"exhaustive", makeExhaustive, true, false, 20},
                                          Named{"simulation", makeSimulation, false, false, 0.001}),
                          [](const auto& info) { return std::string(info.param.name); });
 

@@ -1,12 +1,11 @@
 // Mined invariants: what is found on systems whose relations can be stated by hand, and that everything found holds
 // on random runs.
-#include "analysis/portfolio/invariants_bounds.hpp"
-
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "analysis/graph/evaluate.hpp"
+#include "analysis/portfolio/invariants_bounds.hpp"
 #include "analysis/portfolio/invariants_timers.hpp"
 #include "analysis/portfolio/invariants_words.hpp"
 #include "analysis/portfolio/portfolio.hpp"
@@ -39,7 +38,8 @@ std::size_t violations(const Family& f, const std::vector<Node>& clauses, int ru
           value.set(input, width == 1 ? (random() % 16 != 0 ? 1 : 0) : random() & Graph::maskOf(width));
         }
         value.run();
-        isLegal = std::all_of(f.system.constraints.begin(), f.system.constraints.end(), [&](Node n) { return value[n] == 1; });
+        isLegal = std::all_of(f.system.constraints.begin(), f.system.constraints.end(),
+                              [&](Node n) { return value[n] == 1; });
       }
       count += std::any_of(clauses.begin(), clauses.end(), [&](Node n) { return value[n] != 1; }) ? 1 : 0;
       std::vector<std::uint64_t> next;
@@ -105,7 +105,8 @@ TEST(Bounds, NothingWithoutCommonTicks) {
   f.ask("apart", f.graph->make(Op::Ult, 1, x, y));
   BitBlast blast(f.system, {0});
   const Invariants none = mineInvariants(blast.bits(), {}, {}, {}, Budget::seconds(10));
-  for (const Node n : mineBounds(f.system, blast, none, miningSeed, Budget::seconds(10)).clauses) ADD_FAILURE() << "node " << indexOf(n);
+  for (const Node n : mineBounds(f.system, blast, none, miningSeed, Budget::seconds(10)).clauses)
+    ADD_FAILURE() << "node " << indexOf(n);
 }
 
 TEST(Invariants, EqualAndComplementaryLatchesAreOne) {
@@ -157,7 +158,8 @@ TEST(Invariants, OneHotStepsAndTimerBits) {
 
 TEST(Invariants, OffDelayBitNeedsInputOrRunningTime) {
   Family f;
-  const Node bit = f.state("T97"), in = f.state("T97.in"), running = f.state("T97.running"), other = f.state("T98.running");
+  const Node bit = f.state("T97"), in = f.state("T97.in"), running = f.state("T97.running"),
+             other = f.state("T98.running");
   const std::vector<NodeClause> guesses = guessTimerStates(f.system);
   ASSERT_EQ(guesses.size(), 1U) << "T98 has no bit and no input here";
   EXPECT_EQ(guesses[0], (NodeClause{f.no(bit), in, running}));
@@ -182,7 +184,8 @@ TEST(Invariants, DifferencesOfWordsThatGrowAlike) {
 // Of many invariants a proof keeps those that it needs: x is never 1 because y is never 1; z plays no part.
 TEST(Invariants, OnlyThoseNeededAreKept) {
   BitSystem g;
-  const Lit x = g.addLatch("x", LatchInit::Zero), y = g.addLatch("y", LatchInit::Zero), z = g.addLatch("z", LatchInit::Zero);
+  const Lit x = g.addLatch("x", LatchInit::Zero), y = g.addLatch("y", LatchInit::Zero),
+            z = g.addLatch("z", LatchInit::Zero);
   const Lit in = g.addInput();
   g.setNext(x, g.addAnd(in, y));
   g.setNext(y, y);

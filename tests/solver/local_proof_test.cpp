@@ -13,7 +13,9 @@ namespace {
 
 using families::Family;
 
-std::optional<std::vector<Node>> prove(const Family& f, std::size_t question = 0) { return proveLocally(f.system, f.system.questions[question].bad, Budget::seconds(10)); }
+std::optional<std::vector<Node>> prove(const Family& f, std::size_t question = 0) {
+  return proveLocally(f.system, f.system.questions[question].bad, Budget::seconds(10));
+}
 
 /// A long sum decides a truth value; the property is about what is made of that.
 struct Deep : Family {

@@ -1,5 +1,5 @@
-// Merged states, on systems whose equal words can be told by hand: what is merged, that it holds, and that a proof about
-// the smaller system is one about the given system.
+// Merged states, on systems whose equal words can be told by hand: what is merged, that it holds, and that a proof
+// about the smaller system is one about the given system.
 #include "analysis/portfolio/merging.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,8 @@ struct Doubles : Family {
     next(on, in);
     next(off, no(in));
     next(still, choose(in, still, graph->make(Op::And, 8, still, number(15, 8))));
-    ask("differ", no(graph->make(Op::Equal, 1, graph->make(Op::Add, 8, a, still), graph->make(Op::Add, 8, b, number(7, 8)))));
+    ask("differ",
+        no(graph->make(Op::Equal, 1, graph->make(Op::Add, 8, a, still), graph->make(Op::Add, 8, b, number(7, 8)))));
     ask("same", no(differ(on, off)));
   }
 };

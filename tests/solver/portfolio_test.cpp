@@ -50,7 +50,8 @@ void expectAll(const Family& family, Answer expected, double seconds = 20, int j
   testing::Test::RecordProperty("seconds", std::to_string(took));
   ASSERT_EQ(answers.size(), family.system.questions.size());
   for (std::size_t q = 0; q < answers.size(); ++q) {
-    EXPECT_EQ(answers[q].answer, expected) << family.system.questions[q].name << ": " << answers[q].method << ", depth " << answers[q].depth;
+    EXPECT_EQ(answers[q].answer, expected)
+        << family.system.questions[q].name << ": " << answers[q].method << ", depth " << answers[q].depth;
     EXPECT_EQ(answers[q].certificate.has_value(), expected == Answer::Proved);
     if (answers[q].trace) {
       EXPECT_TRUE(replays(family.system, family.system.questions[q], *answers[q].trace));

@@ -118,13 +118,17 @@ inline BitSystem randomSystem(std::mt19937& random) {
   std::vector<Lit> latches;
   for (std::uint32_t i = 1 + below(7); i > 0; --i) {
     const std::uint32_t kind = below(8);
-    latches.push_back(system.addLatch("l" + std::to_string(i), kind == 0 ? LatchInit::Free : kind < 3 ? LatchInit::One : LatchInit::Zero));
+    latches.push_back(system.addLatch("l" + std::to_string(i), kind == 0  ? LatchInit::Free
+                                                               : kind < 3 ? LatchInit::One
+                                                                          : LatchInit::Zero));
     pool.push_back(latches.back());
   }
   const auto pick = [&] { return pool[below(static_cast<std::uint32_t>(pool.size()))] ^ below(2); };
   for (std::uint32_t i = below(30) + 2; i > 0; --i) {
     const std::uint32_t kind = below(6);
-    pool.push_back(kind == 0 ? system.addXor(pick(), pick()) : kind == 1 ? system.addIte(pick(), pick(), pick()) : system.addAnd(pick(), pick()));
+    pool.push_back(kind == 0   ? system.addXor(pick(), pick())
+                   : kind == 1 ? system.addIte(pick(), pick(), pick())
+                               : system.addAnd(pick(), pick()));
   }
   for (const Lit l : latches) system.setNext(l, below(3) == 0 ? system.addXor(l, pick()) : pick());
   if (below(3) == 0) system.constraints.push_back(system.addOr(pick(), system.addOr(pick(), pick())));

@@ -1,5 +1,5 @@
-// Saturation at the largest constant that a value is compared with: when it is exact, when it is refused, and that a cap at
-// a timer's own preset would be wrong where a property compares with more.
+// Saturation at the largest constant that a value is compared with: when it is exact, when it is refused, and that a
+// cap at a timer's own preset would be wrong where a property compares with more.
 #include "analysis/portfolio/saturation.hpp"
 
 #include <gtest/gtest.h>
@@ -92,7 +92,8 @@ TEST(Saturation, RunsAreTheSame) {
       value.set(s.system.states[i].node, narrow[i]);
     }
     value.run();
-    for (std::size_t q = 0; q < f.system.questions.size(); ++q) ASSERT_EQ(value[f.system.questions[q].bad], value[s.system.questions[q].bad]) << scan;
+    for (std::size_t q = 0; q < f.system.questions.size(); ++q)
+      ASSERT_EQ(value[f.system.questions[q].bad], value[s.system.questions[q].bad]) << scan;
     for (const SaturatedWord& word : s.words) ASSERT_EQ(value[word.capped], value[word.narrow]) << scan;
     for (std::size_t i = 0; i < given.size(); ++i) {
       given[i] = value[f.system.states[i].next];
@@ -108,7 +109,8 @@ TEST(Saturation, ProofsAreProofsAboutTheGivenSystem) {
   const SaturatedSystem s = saturatedOf(f);
   ASSERT_EQ(s.words.size(), 1U);
   WordCertificate certificate;
-  certificate.invariant = {s.onGivenSystem(*f.graph, f.no(f.differ(t.bit, f.atLeast(s.words[0].narrow, 100)))), s.words[0].range};
+  certificate.invariant = {s.onGivenSystem(*f.graph, f.no(f.differ(t.bit, f.atLeast(s.words[0].narrow, 100)))),
+                           s.words[0].range};
   CertificateWriter writer(f.system);
   writer.add(f.system.questions[0], certificate);
   EXPECT_EQ(writer.check({}), std::vector<CheckResult>{CheckResult::Valid});

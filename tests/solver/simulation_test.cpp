@@ -1,8 +1,7 @@
 // Random runs keep the constraints, and what they reach is reachable; a quick violation is found.
-#include "analysis/bits/simulation_runs.hpp"
-
 #include <gtest/gtest.h>
 
+#include "analysis/bits/simulation_runs.hpp"
 #include "tests/solver/reference.hpp"
 
 namespace rungproof {

@@ -1,5 +1,5 @@
-// The slowest motor starters, sequencers and two-hand controls of the corpus, each with all its properties on one core: no program
-// may take longer than a single property may. And the whole corpus, check of the certificates included.
+// The slowest motor starters, sequencers and two-hand controls of the corpus, each with all its properties on one core:
+// no program may take longer than a single property may. And the whole corpus, check of the certificates included.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,10 +13,11 @@ namespace rungproof {
 namespace {
 
 constexpr double mostOfOne = 2;  ///< CPU seconds: the bar of one property
-constexpr std::array<std::string_view, 4> slowest = {"long_star_delta", "press_two_hand", "traffic_light", "wound_rotor"};
+constexpr std::array<std::string_view, 4> slowest = {"long_star_delta", "press_two_hand", "traffic_light",
+                                                     "wound_rotor"};
 constexpr double mostOfAll = 60;  ///< CPU seconds: the bar of the corpus
 constexpr std::size_t leastPrograms = 100;
-constexpr int attempts = 3;      ///< other work on the machine costs caches
+constexpr int attempts = 3;  ///< other work on the machine costs caches
 
 double secondsOf(const std::filesystem::path& file) {
   const ProgramInput input = test::corpusInput(file);

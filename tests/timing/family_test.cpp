@@ -9,7 +9,8 @@ namespace rungproof {
 namespace {
 
 /// `limit`: CPU seconds for everything.
-void expectProved(const std::string& program, std::size_t properties, double limit, const std::vector<std::string>& options = {"--scan-time", "100ms"}) {
+void expectProved(const std::string& program, std::size_t properties, double limit,
+                  const std::vector<std::string>& options = {"--scan-time", "100ms"}) {
   const MeasuredProof measured = measureProof(program, options, 12, limit);
   EXPECT_EQ(measured.verdicts.size(), properties);
   for (const auto& [name, verdict] : measured.verdicts) EXPECT_EQ(verdict, "PROVED") << name;
@@ -18,9 +19,10 @@ void expectProved(const std::string& program, std::size_t properties, double lim
   EXPECT_LE(measured.cpuSeconds, limit);
 }
 
-// The best of six other checkers on the same families, in seconds: starter-16 0.01, phase-16 0.09, chain-4 0.01, chain-16
-// 0.13; timed-1 0.03 and timed-4 0.77 with timers as they are, timed-16 0.08 and timed-64 0.8 only after the timers have been
-// saturated by hand. Reading, encoding and the second solver's check of every certificate are part of the limits here.
+// The best of six other checkers on the same families, in seconds: starter-16 0.01, phase-16 0.09, chain-4 0.01,
+// chain-16 0.13; timed-1 0.03 and timed-4 0.77 with timers as they are, timed-16 0.08 and timed-64 0.8 only after the
+// timers have been saturated by hand. Reading, encoding and the second solver's check of every certificate are part of
+// the limits here.
 TEST(Family, Starter16) { expectProved(families::starter(16), 15, 0.03); }
 TEST(Family, Starter64) { expectProved(families::starter(64), 63, 0.06); }
 TEST(Family, Phase4) { expectProved(families::phase(4), 4, 0.08); }

@@ -1,6 +1,7 @@
 // Limits are kept: time (encoding, searches and checks of certificates count), memory, and the user's interrupt, which
 // leaves what was settled. The hard question is the factoring of a prime: no engine decides it within seconds. Stands
 // here and not in tests/prover because the limits are of wall time, and nothing runs beside this test program.
+#include <fmt/ranges.h>
 #include <malloc.h>
 
 #include <chrono>
@@ -8,8 +9,6 @@
 #include <fstream>
 #include <sstream>
 #include <thread>
-
-#include <fmt/ranges.h>
 
 #include "analysis/proof/proof_watch.hpp"
 #include "frontend/cli.hpp"
@@ -22,7 +21,8 @@ using Clock = std::chrono::steady_clock;
 
 double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-/// The product of two numbers without overflow, never a certain prime: no scan can reach it, and no short argument says so.
+/// The product of two numbers without overflow, never a certain prime: no scan can reach it, and no short argument says
+/// so.
 const char* const hardNetworks =
     "Network 1\n"
     "LD     SM0.0\n"
@@ -49,7 +49,8 @@ TEST(Limits, TimeoutLeadsToUnknownWithTheBoundReached) {
 }
 
 TEST(Limits, EveryQuestionHasItsOwnTime) {
-  const ProgramInput input = inputOf(std::string(hardProperties) + "//@ prove prime too: VD10 <> 2147483629\n" + easyProperty, hardNetworks);
+  const ProgramInput input =
+      inputOf(std::string(hardProperties) + "//@ prove prime too: VD10 <> 2147483629\n" + easyProperty, hardNetworks);
   const Clock::time_point begin = Clock::now();
   const ProofRun run = prove(input.program, input.properties, usualOptions(1));
   EXPECT_LE(since(begin), 4.0);
@@ -104,7 +105,9 @@ TEST(Limits, CancellationKeepsWhatIsSettled) {
 
 TEST(Limits, ControlCPrintsWhatWasSettled) {
   const std::string file = testing::TempDir() + "rungproof_interrupted.awl";
-  std::ofstream(file) << "ORGANIZATION_BLOCK MAIN:OB1\n" << hardProperties << easyProperty << "BEGIN\n" << hardNetworks << "END_ORGANIZATION_BLOCK\n";
+  std::ofstream(file) << "ORGANIZATION_BLOCK MAIN:OB1\n"
+                      << hardProperties << easyProperty << "BEGIN\n"
+                      << hardNetworks << "END_ORGANIZATION_BLOCK\n";
   std::istringstream in;
   std::ostringstream out, err;
   const Clock::time_point begin = Clock::now();

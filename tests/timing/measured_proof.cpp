@@ -1,7 +1,6 @@
 #include "tests/timing/measured_proof.hpp"
 
 #include <gtest/gtest.h>
-
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -19,12 +18,14 @@ double cpuSeconds() {
   for (const int whose : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
     rusage usage{};
     getrusage(whose, &usage);
-    for (const timeval& t : {usage.ru_utime, usage.ru_stime}) sum += static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    for (const timeval& t : {usage.ru_utime, usage.ru_stime})
+      sum += static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
   }
   return sum;
 }
 
-MeasuredProof measureProof(const std::string& program, const std::vector<std::string>& options, int runs, double enough) {
+MeasuredProof measureProof(const std::string& program, const std::vector<std::string>& options, int runs,
+                           double enough) {
   MeasuredProof result;
   const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "measured_proof.awl";
   std::ofstream(file) << program;

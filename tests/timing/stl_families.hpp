@@ -8,7 +8,9 @@
 namespace rungproof::families {
 
 /// Address of the i-th bit: "M3.5".
-inline std::string bitOf(const std::string& area, int i) { return area + std::to_string(i / 8) + "." + std::to_string(i % 8); }
+inline std::string bitOf(const std::string& area, int i) {
+  return area + std::to_string(i / 8) + "." + std::to_string(i % 8);
+}
 /// The i-th timer of 100 ms: T37 .. T63, T101 .. T255.
 inline std::string timerOf(int i) { return "T" + std::to_string(i < 27 ? 37 + i : 101 + i - 27); }
 
@@ -20,26 +22,33 @@ inline std::string programOf(const std::string& properties, const std::string& n
 inline std::string starter(int n) {
   std::string properties = "//@ external VB1000..VB1031\n", networks;
   for (int i = 0; i < n; ++i) {
-    networks += "Network " + std::to_string(i + 1) + "\nLD " + bitOf("I", i) + "\nO " + bitOf("M", i) + "\nAN " + bitOf("V", 8000 + i) + "\n";
+    networks += "Network " + std::to_string(i + 1) + "\nLD " + bitOf("I", i) + "\nO " + bitOf("M", i) + "\nAN " +
+                bitOf("V", 8000 + i) + "\n";
     if (i > 0) networks += "AN " + bitOf("M", i - 1) + "\n";
     if (i + 1 < n) networks += "AN " + bitOf("M", i + 1) + "\n";
     networks += "= " + bitOf("M", i) + "\nTON " + timerOf(i) + ", " + std::to_string(100 + i) + "\n";
-    if (i + 1 < n) properties += "//@ prove interlock " + std::to_string(i) + ": never " + bitOf("M", i) + " and " + bitOf("M", i + 1) + "\n";
+    if (i + 1 < n)
+      properties +=
+          "//@ prove interlock " + std::to_string(i) + ": never " + bitOf("M", i) + " and " + bitOf("M", i + 1) + "\n";
   }
   return programOf(properties, networks);
 }
 
-/// n phases M in a ring, each left when its timer has run out; never two at once: one property for each pair of neighbours.
+/// n phases M in a ring, each left when its timer has run out; never two at once: one property for each pair of
+/// neighbours.
 inline std::string phase(int n) {
   std::string properties, networks = "Network 1\nLD SM0.1\nS M0.0, 1\n";
   for (int i = 0; i < n; ++i) {
-    networks += "Network " + std::to_string(i + 2) + "\nLD I0.0\nA " + bitOf("M", i) + "\nTON " + timerOf(i) + ", " + std::to_string(100 + i) + "\n";
+    networks += "Network " + std::to_string(i + 2) + "\nLD I0.0\nA " + bitOf("M", i) + "\nTON " + timerOf(i) + ", " +
+                std::to_string(100 + i) + "\n";
   }
   // From the last to the first, so that a phase lasts a scan at least; the first is entered last.
   for (int k = 0; k < n; ++k) {
     const int i = (2 * n - 2 - k) % n;
-    networks += "Network " + std::to_string(n + 2 + k) + "\nLD " + timerOf(i) + "\nA " + bitOf("M", i) + "\nR " + bitOf("M", i) + ", 1\nS " + bitOf("M", (i + 1) % n) + ", 1\n";
-    properties += "//@ prove apart " + std::to_string(i) + ": never " + bitOf("M", i) + " and " + bitOf("M", (i + 1) % n) + "\n";
+    networks += "Network " + std::to_string(n + 2 + k) + "\nLD " + timerOf(i) + "\nA " + bitOf("M", i) + "\nR " +
+                bitOf("M", i) + ", 1\nS " + bitOf("M", (i + 1) % n) + ", 1\n";
+    properties +=
+        "//@ prove apart " + std::to_string(i) + ": never " + bitOf("M", i) + " and " + bitOf("M", (i + 1) % n) + "\n";
   }
   return programOf(properties, networks);
 }
@@ -48,8 +57,10 @@ inline std::string phase(int n) {
 inline std::string chain(int n) {
   std::string properties, networks;
   for (int i = 0; i < n; ++i) {
-    networks += "Network " + std::to_string(i + 1) + "\nLD " + (i == 0 ? "I0.0" : timerOf(i - 1)) + "\nTON " + timerOf(i) + ", " + std::to_string(100 + i) + "\n";
-    if (i > 0) properties += "//@ prove order " + std::to_string(i) + ": " + timerOf(i) + " implies " + timerOf(i - 1) + "\n";
+    networks += "Network " + std::to_string(i + 1) + "\nLD " + (i == 0 ? "I0.0" : timerOf(i - 1)) + "\nTON " +
+                timerOf(i) + ", " + std::to_string(100 + i) + "\n";
+    if (i > 0)
+      properties += "//@ prove order " + std::to_string(i) + ": " + timerOf(i) + " implies " + timerOf(i - 1) + "\n";
   }
   return programOf(properties, networks);
 }
@@ -60,8 +71,9 @@ inline std::string timed(int n, int preset) {
   std::string properties, networks;
   for (int i = 0; i < n; ++i) {
     const std::string in = bitOf("I", i), count = "VW" + std::to_string(2 * i), limit = std::to_string(preset + i);
-    networks += "Network " + std::to_string(i + 1) + "\nLD " + in + "\nTON " + timerOf(i) + ", " + limit + "\nLD " + in + "\nAN SM0.1\nAW< " + count +
-                ", 32767\nINCW " + count + "\nLDN " + in + "\nMOVW 0, " + count + "\n";
+    networks += "Network " + std::to_string(i + 1) + "\nLD " + in + "\nTON " + timerOf(i) + ", " + limit + "\nLD " +
+                in + "\nAN SM0.1\nAW< " + count + ", 32767\nINCW " + count + "\nLDN " + in + "\nMOVW 0, " + count +
+                "\n";
     properties += "//@ prove exact " + std::to_string(i) + ": " + timerOf(i) + " = (" + count + " >= " + limit + ")\n";
   }
   return programOf(properties, networks);

@@ -1,5 +1,6 @@
-// Programs with counting words that are compared with each other: the engines on bits alone leave each of these properties
-// open for ten seconds, the engine on words decides it within a limit of CPU time for the whole run of `prove`.
+// Programs with counting words that are compared with each other: the engines on bits alone leave each of these
+// properties open for ten seconds, the engine on words decides it within a limit of CPU time for the whole run of
+// `prove`.
 #include <gtest/gtest.h>
 
 #include "tests/timing/measured_proof.hpp"
@@ -123,7 +124,8 @@ class WordPrograms : public testing::TestWithParam<WordProgram> {};
 
 TEST_P(WordPrograms, DecidedWithinTheLimit) {
   const WordProgram& given = GetParam();
-  const std::string program = std::string("ORGANIZATION_BLOCK MAIN:OB1\n//@ external VD100\n//@ prove ") + given.property + "\nBEGIN\n" + given.networks + "END_ORGANIZATION_BLOCK\n";
+  const std::string program = std::string("ORGANIZATION_BLOCK MAIN:OB1\n//@ external VD100\n//@ prove ") +
+                              given.property + "\nBEGIN\n" + given.networks + "END_ORGANIZATION_BLOCK\n";
   const MeasuredProof measured = measureProof(program, {"--timeout", "120s", "--jobs", "1"}, 3, mostForWords);
   ASSERT_EQ(measured.verdicts.size(), 1U);
   EXPECT_EQ(measured.verdicts.begin()->second, "PROVED");
@@ -131,7 +133,8 @@ TEST_P(WordPrograms, DecidedWithinTheLimit) {
   EXPECT_LE(measured.cpuSeconds, mostForWords);
 }
 
-INSTANTIATE_TEST_SUITE_P(Programs, WordPrograms, testing::ValuesIn(wordPrograms), [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Programs, WordPrograms, testing::ValuesIn(wordPrograms),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
 }  // namespace rungproof

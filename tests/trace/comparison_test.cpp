@@ -94,7 +94,8 @@ TEST(Tolerance, ReadsSignalAndValue) {
   const std::optional<Tolerance> tolerance = toleranceIn("Speed=0.5", expected, failure);
   ASSERT_TRUE(tolerance);
   EXPECT_EQ(tolerance->value, 0.5);
-  for (const std::string bad : {"Speed", "Speed=", "=1", "Speed=-1", "Speed=1x", "Sped=1"}) EXPECT_FALSE(toleranceIn(bad, expected, failure)) << bad;
+  for (const std::string bad : {"Speed", "Speed=", "=1", "Speed=-1", "Speed=1x", "Sped=1"})
+    EXPECT_FALSE(toleranceIn(bad, expected, failure)) << bad;
   EXPECT_EQ(failure.help, "did you mean 'Speed'?");
 }
 

@@ -37,7 +37,8 @@ TEST(CsvTable, RaggedRowsOpenQuotesAndEmptyFilesAreFailures) {
     std::string text;
     std::string place;
   };
-  for (const Case& c : {Case{"scan,a\n1,2\n3\n", "a.csv:3:1"}, Case{"scan,a\n1,2,3\n", "a.csv:2:5"}, Case{"scan,a\n1,\"2\n", "a.csv:2:3"}, Case{"", "a.csv:1:1"}}) {
+  for (const Case& c : {Case{"scan,a\n1,2\n3\n", "a.csv:3:1"}, Case{"scan,a\n1,2,3\n", "a.csv:2:5"},
+                        Case{"scan,a\n1,\"2\n", "a.csv:2:3"}, Case{"", "a.csv:1:1"}}) {
     std::vector<Failure> failures;
     readCsv("a.csv", c.text, failures);
     ASSERT_FALSE(failures.empty()) << c.text;

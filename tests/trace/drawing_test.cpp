@@ -1,4 +1,5 @@
-// Trace forms that other programs read: VCD by a strict reader of our own, WaveDrom and the page's data as JSON, SVG as XML.
+// Trace forms that other programs read: VCD by a strict reader of our own, WaveDrom and the page's data as JSON, SVG as
+// XML.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -14,8 +15,8 @@ namespace {
 
 /// Reads a VCD as IEEE 1364 defines it and refuses everything else.
 struct Vcd {
-  std::map<std::string, std::string> names;                      ///< identifier to reference
-  std::map<std::string, int> widths;                             ///< by identifier; 0: real
+  std::map<std::string, std::string> names;                             ///< identifier to reference
+  std::map<std::string, int> widths;                                    ///< by identifier; 0: real
   std::map<std::uint64_t, std::map<std::string, std::string>> changes;  ///< by time, then by reference
 
   explicit Vcd(const std::string& text) {
@@ -25,7 +26,8 @@ struct Vcd {
     std::int64_t now = -1;
     while (in >> token) {
       if (token == "$comment" || token == "$version" || token == "$date") {
-        while (in >> token && token != "$end") {}
+        while (in >> token && token != "$end") {
+        }
       } else if (token == "$timescale") {
         std::string unit;
         in >> token >> unit;
@@ -35,7 +37,9 @@ struct Vcd {
         in >> token;
         EXPECT_EQ(token, "module");
         in >> token;
-        EXPECT_EQ(token.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_"), std::string::npos) << token;
+        EXPECT_EQ(token.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_"),
+                  std::string::npos)
+            << token;
         expectEnd(in);
       } else if (token == "$upscope" || token == "$enddefinitions") {
         defined = defined || token == "$enddefinitions";
@@ -99,7 +103,7 @@ TEST(VcdTrace, IsReadByAStrictReader) {
   EXPECT_EQ(vcd.names.size(), 5U);
   ASSERT_TRUE(vcd.changes.contains(0));
   EXPECT_EQ(vcd.changes.at(0).at("Q0_0"), "x");
-  EXPECT_EQ(vcd.changes.at(0).size(), 5U);  // $dumpvars names all
+  EXPECT_EQ(vcd.changes.at(0).size(), 5U);   // $dumpvars names all
   ASSERT_TRUE(vcd.changes.contains(10000));  // 20.5 ms make it a file in us
   EXPECT_EQ(vcd.changes.at(10000).at("VW10"), "b1111111111111011");
   EXPECT_EQ(vcd.changes.at(10000).at("VD20"), "r1.5");
@@ -154,8 +158,10 @@ TEST(SvgTrace, IsXmlWithALaneForEachSignal) {
   pugi::xml_document document;
   ASSERT_TRUE(document.load_string(written(sampleTrace(), ".svg", "a < b & \"c\"").c_str()));
   std::string texts;
-  for (const pugi::xpath_node& node : document.select_nodes("//*[local-name()='text']")) texts += std::string(node.node().text().get()) + "|";
-  for (const char* label : {"I0.0", "Q0.0 Motor", "VW10", "T37.value", "-5", "12", "a < b"}) EXPECT_NE(texts.find(label), std::string::npos) << label << " in " << texts;
+  for (const pugi::xpath_node& node : document.select_nodes("//*[local-name()='text']"))
+    texts += std::string(node.node().text().get()) + "|";
+  for (const char* label : {"I0.0", "Q0.0 Motor", "VW10", "T37.value", "-5", "12", "a < b"})
+    EXPECT_NE(texts.find(label), std::string::npos) << label << " in " << texts;
 }
 
 TEST(SvgTrace, LongTracesKeepToALimit) {

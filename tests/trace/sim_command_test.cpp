@@ -46,7 +46,10 @@ class SimCommand : public testing::Test {
 };
 
 TEST_F(SimCommand, AgreesWithTheExpectedTrace) {
-  EXPECT_EQ(run({"sim", path("start.awl"), "--stimulus", path("start.csv"), "--expect", path("good.csv"), "--format", "json"}), 0) << err_;
+  EXPECT_EQ(run({"sim", path("start.awl"), "--stimulus", path("start.csv"), "--expect", path("good.csv"), "--format",
+                 "json"}),
+            0)
+      << err_;
   const nlohmann::json json = nlohmann::json::parse(out_);
   EXPECT_EQ(json["command"], "sim");
   EXPECT_EQ(json["comparison"]["equal"], true);
@@ -54,19 +57,29 @@ TEST_F(SimCommand, AgreesWithTheExpectedTrace) {
 }
 
 TEST_F(SimCommand, PrintsTheFirstDifference) {
-  EXPECT_EQ(run({"sim", path("start.awl"), "--stimulus", path("start.csv"), "--expect", path("bad.csv"), "--format", "json"}), 1);
-  const nlohmann::json expected = {{"equal", false}, {"scan", 30}, {"time_ms", 300}, {"signal", "Q0.1"}, {"expected", 1}, {"actual", 0}};
+  EXPECT_EQ(
+      run({"sim", path("start.awl"), "--stimulus", path("start.csv"), "--expect", path("bad.csv"), "--format", "json"}),
+      1);
+  const nlohmann::json expected = {{"equal", false},   {"scan", 30},    {"time_ms", 300},
+                                   {"signal", "Q0.1"}, {"expected", 1}, {"actual", 0}};
   EXPECT_EQ(nlohmann::json::parse(out_)["comparison"], expected);
-  EXPECT_EQ(run({"sim", path("start.awl"), "--stimulus", path("start.csv"), "--expect", path("bad.csv"), "--slack", "1"}), 0);
+  EXPECT_EQ(
+      run({"sim", path("start.awl"), "--stimulus", path("start.csv"), "--expect", path("bad.csv"), "--slack", "1"}), 0);
 }
 
 TEST_F(SimCommand, AWrittenTraceReproducesTheRun) {
-  ASSERT_EQ(run({"sim", path("start.awl"), "--stimulus", path("start.csv"), "--scan-time", "3ms..25ms", "--seed", "7", "--scans", "80", "--trace", path("t.csv"),
-                 "--trace", path("t.vcd"), "--trace", path("t.html"), "--trace", path("t.svg"), "--trace", path("t.json")}),
-            0)
+  ASSERT_EQ(
+      run({"sim",     path("start.awl"), "--stimulus", path("start.csv"), "--scan-time", "3ms..25ms",   "--seed",
+           "7",       "--scans",         "80",         "--trace",         path("t.csv"), "--trace",     path("t.vcd"),
+           "--trace", path("t.html"),    "--trace",    path("t.svg"),     "--trace",     path("t.json")}),
+      0)
       << err_;
-  for (const std::string name : {"t.vcd", "t.html", "t.svg", "t.json"}) EXPECT_GT(fs::file_size(path(name)), 100U) << name;
-  EXPECT_EQ(run({"sim", path("start.awl"), "--stimulus", path("t.csv"), "--expect", path("t.csv"), "--trace", path("u.csv")}), 0) << out_;
+  for (const std::string name : {"t.vcd", "t.html", "t.svg", "t.json"})
+    EXPECT_GT(fs::file_size(path(name)), 100U) << name;
+  EXPECT_EQ(
+      run({"sim", path("start.awl"), "--stimulus", path("t.csv"), "--expect", path("t.csv"), "--trace", path("u.csv")}),
+      0)
+      << out_;
   EXPECT_EQ(content("t.csv"), content("u.csv"));
   EXPECT_EQ(run({"compare", path("t.csv"), path("u.csv")}), 0);
 }
@@ -144,7 +157,8 @@ TEST_F(SimCommand, BadStimulusNamesFileLineColumnAndHelp) {
 TEST_F(SimCommand, BadExpectedTraceNamesFileLineColumnAndHelp) {
   for (const BadTable& bad : badTables) {
     write("table.csv", bad.text);
-    EXPECT_EQ(run({"sim", path("start.awl"), "--stimulus", path("start.csv"), "--expect", path("table.csv")}), 2) << bad.kind;
+    EXPECT_EQ(run({"sim", path("start.awl"), "--stimulus", path("start.csv"), "--expect", path("table.csv")}), 2)
+        << bad.kind;
     EXPECT_NE(err_.find(path("table.csv") + bad.place), std::string::npos) << bad.kind << ": " << err_;
     EXPECT_NE(err_.find(bad.message), std::string::npos) << bad.kind << ": " << err_;
     EXPECT_NE(err_.find("help: "), std::string::npos) << bad.kind << ": " << err_;
@@ -154,10 +168,13 @@ TEST_F(SimCommand, BadExpectedTraceNamesFileLineColumnAndHelp) {
 /// compare knows no program: any name is a signal, and its type is what its column holds.
 TEST_F(SimCommand, BadTraceOfCompareNamesFileLineColumnAndHelp) {
   for (const BadTable& bad : badTables) {
-    if (bad.kind == "unknown signal" || bad.kind == "fraction in a word" || bad.kind == "value out of range" || bad.kind == "bit out of range" || bad.kind == "address that the CPU lacks") continue;
+    if (bad.kind == "unknown signal" || bad.kind == "fraction in a word" || bad.kind == "value out of range" ||
+        bad.kind == "bit out of range" || bad.kind == "address that the CPU lacks")
+      continue;
     write("table.csv", bad.text);
     for (const bool first : {true, false}) {
-      EXPECT_EQ(run({"compare", path(first ? "table.csv" : "good.csv"), path(first ? "good.csv" : "table.csv")}), 2) << bad.kind;
+      EXPECT_EQ(run({"compare", path(first ? "table.csv" : "good.csv"), path(first ? "good.csv" : "table.csv")}), 2)
+          << bad.kind;
       EXPECT_NE(err_.find(path("table.csv") + bad.place), std::string::npos) << bad.kind << ": " << err_;
       EXPECT_NE(err_.find("help: "), std::string::npos) << bad.kind << ": " << err_;
     }
@@ -166,7 +183,8 @@ TEST_F(SimCommand, BadTraceOfCompareNamesFileLineColumnAndHelp) {
 
 TEST_F(SimCommand, ProgressStandsOnATerminalOnly) {
   const auto errors = [&](bool isTerminal, std::vector<std::string> more) {
-    std::vector<std::string> arguments = {"sim", path("start.awl"), "--isolated", "--signals", "Q0.0", "--scans", "400000", "--trace", path("long.vcd")};
+    std::vector<std::string> arguments = {"sim",     path("start.awl"), "--isolated", "--signals",     "Q0.0",
+                                          "--scans", "400000",          "--trace",    path("long.vcd")};
     arguments.insert(arguments.end(), more.begin(), more.end());
     std::istringstream in;
     std::ostringstream out, err;
@@ -189,11 +207,16 @@ TEST_F(SimCommand, MistakesEndWithTwoAndAReason) {
   write("syntax.awl", "LD I0.0\nFOO\n");
   write("library.awl", "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD SM0.0\n= Q0.0\nEND_SUBROUTINE_BLOCK\n");
   const std::string program = path("start.awl");
-  for (const Case& c : {Case{{"sim", program, "--stimulus", path("none.csv")}, "cannot be read"}, Case{{"sim", program, "--stimulus", path("wrong.csv")}, "wrong.csv:1:6"},
-                        Case{{"sim", program, "--trace", path("t.txt")}, "no ending that names a trace form"}, Case{{"sim", program, "--slack", "1"}, "belong to --expect"},
-                        Case{{"sim", program, "--duration", "soon"}, "'soon' is no duration"}, Case{{"sim", program, "--signals", "Q99.0"}, "does not exist"},
-                        Case{{"sim", program, "--expect", path("good.csv"), "--tolerance", "Q5.0=1"}, "no column of the expected trace"},
-                        Case{{"sim", path("library.awl")}, "no main program"}, Case{{"compare", path("good.csv"), path("none.csv")}, "cannot be read"}}) {
+  for (const Case& c : {Case{{"sim", program, "--stimulus", path("none.csv")}, "cannot be read"},
+                        Case{{"sim", program, "--stimulus", path("wrong.csv")}, "wrong.csv:1:6"},
+                        Case{{"sim", program, "--trace", path("t.txt")}, "no ending that names a trace form"},
+                        Case{{"sim", program, "--slack", "1"}, "belong to --expect"},
+                        Case{{"sim", program, "--duration", "soon"}, "'soon' is no duration"},
+                        Case{{"sim", program, "--signals", "Q99.0"}, "does not exist"},
+                        Case{{"sim", program, "--expect", path("good.csv"), "--tolerance", "Q5.0=1"},
+                             "no column of the expected trace"},
+                        Case{{"sim", path("library.awl")}, "no main program"},
+                        Case{{"compare", path("good.csv"), path("none.csv")}, "cannot be read"}}) {
     EXPECT_EQ(run(c.arguments), 2) << c.reason;
     EXPECT_NE(err_.find(c.reason), std::string::npos) << err_;
   }

@@ -17,7 +17,8 @@ TEST(LinearForm, WhatIsAddedAndTakenAwayCancelsOut) {
   const Node x = f.state("VW0", 16), y = f.state("VW2", 16), moves = f.input("moves");
   const auto changed = [&](Node n, Op op) { return f.choose(moves, g.make(op, 16, n, f.number(1, 16)), n); };
   const Node before = linearForm(g, g.make(Op::Equal, 1, g.make(Op::Add, 16, x, y), f.number(100, 16)));
-  const Node after = g.make(Op::Equal, 1, g.make(Op::Add, 16, changed(x, Op::Sub), changed(y, Op::Add)), f.number(100, 16));
+  const Node after =
+      g.make(Op::Equal, 1, g.make(Op::Add, 16, changed(x, Op::Sub), changed(y, Op::Add)), f.number(100, 16));
   EXPECT_EQ(linearForm(g, after), before);
 }
 
@@ -28,7 +29,8 @@ TEST(LinearForm, FactorsAndSides) {
   const Node n = f.state("VD0", 32), sum = f.state("VD4", 32);
   const auto times = [&](Node a) { return g.make(Op::Mul, 32, a, f.number(25, 32)); };
   const Node before = linearForm(g, g.make(Op::Equal, 1, sum, times(n)));
-  const Node after = g.make(Op::Equal, 1, times(g.make(Op::Add, 32, n, f.number(1, 32))), g.make(Op::Add, 32, sum, f.number(25, 32)));
+  const Node after =
+      g.make(Op::Equal, 1, times(g.make(Op::Add, 32, n, f.number(1, 32))), g.make(Op::Add, 32, sum, f.number(25, 32)));
   EXPECT_EQ(linearForm(g, after), before);
   EXPECT_EQ(linearForm(g, g.make(Op::Equal, 1, g.make(Op::Sub, 32, times(n), sum), f.number(0, 32))), before);
 }
@@ -40,12 +42,14 @@ TEST(LinearForm, SignExtensionsWithTheirOverflow) {
   const Node x = f.state("VW0", 16), y = f.state("VW2", 16);
   const auto wide = [&](Node n) { return g.make(Op::Sext, 32, n); };
   for (const Op op : {Op::Add, Op::Sub}) {
-    const Node given = g.make(Op::Equal, 1, g.make(Op::Add, 32, wide(g.make(op, 16, x, f.number(5, 16))), wide(y)), f.number(1200, 32));
+    const Node given = g.make(Op::Equal, 1, g.make(Op::Add, 32, wide(g.make(op, 16, x, f.number(5, 16))), wide(y)),
+                              f.number(1200, 32));
     const Node form = linearForm(g, given);
     EXPECT_NE(form, given);
     const Node roots[] = {given, form};
     Evaluator evaluator(g, roots);
-    for (const std::uint64_t a : {0U, 4U, 5U, 6U, 1195U, 32762U, 32763U, 32767U, 32768U, 32772U, 32773U, 65531U, 65535U}) {
+    for (const std::uint64_t a :
+         {0U, 4U, 5U, 6U, 1195U, 32762U, 32763U, 32767U, 32768U, 32772U, 32773U, 65531U, 65535U}) {
       for (std::uint64_t b = 0; b < 65536; ++b) {
         evaluator.set(x, a);
         evaluator.set(y, b);

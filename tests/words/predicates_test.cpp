@@ -22,7 +22,9 @@ struct Counted {
     step = cone->system().inputs[0];
     predicates = std::make_unique<Predicates>(*cone, std::vector<WordState>{{3}, {10}, {40}});
   }
-  Node below(Node n, std::uint64_t limit) { return cone->graph().make(Op::Ult, 1, n, cone->graph().constantNode(limit, 16)); }
+  Node below(Node n, std::uint64_t limit) {
+    return cone->graph().make(Op::Ult, 1, n, cone->graph().constantNode(limit, 16));
+  }
   Family f;
   std::unique_ptr<WordCone> cone;
   Node word, step;

@@ -1,5 +1,5 @@
-// Small random systems of words, and a plain exhaustive search of them: all states, all inputs, by evaluation. Shares no
-// code with the engine but the evaluation of nodes.
+// Small random systems of words, and a plain exhaustive search of them: all states, all inputs, by evaluation. Shares
+// no code with the engine but the evaluation of nodes.
 #pragma once
 
 #include <map>
@@ -153,7 +153,8 @@ inline families::Family randomWords(std::mt19937& random) {
   const int width = 2 + static_cast<int>(below(3));
   std::vector<Node> words, truths;
   std::vector<Node> states;
-  for (std::uint32_t i = 1 + below(width == 4 ? 2 : 3); i > 0; --i) states.push_back(f.state("w" + std::to_string(i), width, below(1U << width)));
+  for (std::uint32_t i = 1 + below(width == 4 ? 2 : 3); i > 0; --i)
+    states.push_back(f.state("w" + std::to_string(i), width, below(1U << width)));
   for (std::uint32_t i = below(3); i > 0; --i) states.push_back(f.state("b" + std::to_string(i), 1, below(2)));
   if (below(4) == 0) f.system.states[0].init = noNode;
   for (const Node n : states) (g[n].width == 1 ? truths : words).push_back(n);
@@ -177,12 +178,15 @@ inline families::Family randomWords(std::mt19937& random) {
     }
   }
   for (const Node n : states) {
-    if (g[n].width == 1) f.next(n, truth());
-    else f.next(n, below(2) == 0 ? f.choose(truth(), word(), n) : word());
+    if (g[n].width == 1)
+      f.next(n, truth());
+    else
+      f.next(n, below(2) == 0 ? f.choose(truth(), word(), n) : word());
   }
   if (below(4) == 0) f.system.constraints.push_back(f.either(truth(), truth()));
   Node bad = truth();
-  for (std::uint32_t i = 1 + below(3); i > 0; --i) bad = f.both(bad, below(3) == 0 ? g.make(Op::Equal, 1, word(), f.number(below(1U << width), width)) : truth());
+  for (std::uint32_t i = 1 + below(3); i > 0; --i)
+    bad = f.both(bad, below(3) == 0 ? g.make(Op::Equal, 1, word(), f.number(below(1U << width), width)) : truth());
   f.ask("bad", bad);
   return f;
 }

@@ -17,7 +17,8 @@ struct Pair {
     Graph& g = *f.graph;
     const Node in = f.input("in"), a = f.state("VW0", 16), b = f.state("VW2", 16);
     for (const Node n : {a, b}) f.next(n, f.choose(in, g.make(Op::Add, 16, n, f.number(1, 16)), n));
-    f.ask("apart", f.both(g.make(Op::Equal, 1, a, f.number(100, 16)), f.no(g.make(Op::Equal, 1, b, f.number(100, 16)))));
+    f.ask("apart",
+          f.both(g.make(Op::Equal, 1, a, f.number(100, 16)), f.no(g.make(Op::Equal, 1, b, f.number(100, 16)))));
     cone = std::make_unique<WordCone>(f.system, 0);
     left = cone->system().states[0].node;
     right = cone->system().states[1].node;

@@ -24,7 +24,9 @@ struct Moved {
     cone = std::make_unique<WordCone>(f.system, 0);
     for (const StateVariable& s : cone->system().states) nodes.push_back(s.node);
   }
-  Node above(std::size_t word) { return cone->graph().make(Op::Slt, 1, cone->graph().constantNode(27648, 16), nodes[word]); }
+  Node above(std::size_t word) {
+    return cone->graph().make(Op::Slt, 1, cone->graph().constantNode(27648, 16), nodes[word]);
+  }
   Family f;
   std::unique_ptr<WordCone> cone;
   std::vector<Node> nodes;  ///< M0.0, VW0, VW2

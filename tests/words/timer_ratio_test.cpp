@@ -10,8 +10,8 @@
 namespace rungproof {
 namespace {
 
-constexpr double bitSeconds = 1;      ///< for IC3 on bits, wall time
-constexpr double wordSeconds = 0.1;   ///< CPU time
+constexpr double bitSeconds = 1;     ///< for IC3 on bits, wall time
+constexpr double wordSeconds = 0.1;  ///< CPU time
 constexpr double leastRatio = 10;
 constexpr int measurings = 3;
 
@@ -46,9 +46,12 @@ TEST(TimerRatio, HoldsWhateverThePreset) {
   double least = 1e9, most = 0;
   for (const std::uint64_t preset : {100U, 1000U, 30000U}) {
     const families::Family family = families::timed(1, preset, false);
-    const Measured words = onWords(family, WordSolverKind::Bits), terms = onWords(family, WordSolverKind::Terms), bits = onBits(family);
-    std::printf("preset %5lu: words %.4f s, words on Z3 %.4f s, IC3 on bits %s %.4f s: ratio %.0f\n", static_cast<unsigned long>(preset), words.seconds, terms.seconds,
-                bits.answer == Answer::Unknown ? "undecided after" : "decided in", bits.seconds, bits.seconds / words.seconds);
+    const Measured words = onWords(family, WordSolverKind::Bits), terms = onWords(family, WordSolverKind::Terms),
+                   bits = onBits(family);
+    std::printf("preset %5lu: words %.4f s, words on Z3 %.4f s, IC3 on bits %s %.4f s: ratio %.0f\n",
+                static_cast<unsigned long>(preset), words.seconds, terms.seconds,
+                bits.answer == Answer::Unknown ? "undecided after" : "decided in", bits.seconds,
+                bits.seconds / words.seconds);
     EXPECT_EQ(words.answer, Answer::Proved);
     EXPECT_EQ(terms.answer, Answer::Proved);
     EXPECT_NE(bits.answer, Answer::Violated);

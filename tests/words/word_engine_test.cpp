@@ -54,7 +54,8 @@ TEST(WordEngine, GoesOnAfterAnInterruption) {
     const bool isReachable = words::shortestViolation(f.system).has_value();
     const std::unique_ptr<WordEngine> engine = makeWordEngine(f.system, 0, {});
     Verdict verdict;
-    for (int round = 0; round < 10000 && verdict.answer == Answer::Unknown; ++round) verdict = engine->advance(Budget::seconds(0.00001 * (1 + round)));
+    for (int round = 0; round < 10000 && verdict.answer == Answer::Unknown; ++round)
+      verdict = engine->advance(Budget::seconds(0.00001 * (1 + round)));
     ASSERT_EQ(verdict.answer, isReachable ? Answer::Violated : Answer::Proved);
     if (!isReachable) {
       ASSERT_TRUE(words::isInductive(f.system, engine->clauses()));
@@ -73,7 +74,8 @@ Answer answerOf(const Family& f, double seconds = 10) {
 
 // A timer against a count of scans: equal up to the preset, both at least the preset after it.
 TEST(WordEngine, TimerAgainstCountWhateverThePreset) {
-  for (const std::uint64_t preset : {100U, 1000U, 30000U}) EXPECT_EQ(answerOf(families::timed(1, preset, false)), Answer::Proved) << preset;
+  for (const std::uint64_t preset : {100U, 1000U, 30000U})
+    EXPECT_EQ(answerOf(families::timed(1, preset, false)), Answer::Proved) << preset;
 }
 
 // Two words that count together, one of them in sevens: y = 7 x as long as x stops at 4,000.
@@ -89,7 +91,8 @@ TEST(WordEngine, LinearEquationBetweenWords) {
 }
 
 // From 20,000 on the word is set back, so 30,000 in steps of 7 is out of reach; 20,005 = 20,006 - 1 is no multiple of 7
-// either, but 20,006 = 7 * 2,858 is reached in scan 2,858 - too far for this test, so a step of 5,002 serves: 4 * 5,002 = 20,008.
+// either, but 20,006 = 7 * 2,858 is reached in scan 2,858 - too far for this test, so a step of 5,002 serves: 4 * 5,002
+// = 20,008.
 TEST(WordEngine, StepsThatPassALimit) {
   for (const bool isReachable : {false, true}) {
     Family f;

@@ -66,7 +66,8 @@ TEST_P(WordSolvers, FixedValues) {
   EXPECT_EQ(ask(values), Sat::Outcome::Unsatisfiable);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, WordSolvers, testing::Bool(), [](const auto& info) { return info.param ? "bits" : "terms"; });
+INSTANTIATE_TEST_SUITE_P(Kinds, WordSolvers, testing::Bool(),
+                         [](const auto& info) { return info.param ? "bits" : "terms"; });
 
 }  // namespace
 }  // namespace rungproof
