@@ -1,4 +1,4 @@
-// Properties: what an engineer states about a program (product contract: assume, prove, reach and the environment
+// Properties: what an engineer states about a program (assume, prove, reach and the environment
 // lines). An expression is a small tree over addresses and constants; functions that look back in time own cells
 // that monitor.hpp carries from scan end to scan end. Read by frontend/property/property_reader, tested by
 // tests/property.

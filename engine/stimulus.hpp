@@ -1,4 +1,4 @@
-// Stimulus: what the surroundings do in a run, scan by scan or at given times (product contract, section 4). An empty
+// Stimulus: what the surroundings do in a run, scan by scan or at given times. An empty
 // cell keeps the last value. A row keyed by time counts from the first scan that begins at that time or later.
 // Covered by tests/trace/stimulus_test.cpp.
 #pragma once

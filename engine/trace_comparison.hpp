@@ -1,4 +1,4 @@
-// Compares an actual trace with an expected one and gives the first difference (product contract, section 4).
+// Compares an actual trace with an expected one and gives the first difference.
 // Covered by tests/trace/comparison_test.cpp.
 #pragma once
 

@@ -24,7 +24,7 @@ struct Fix {
   bool safe = false;  ///< true: cannot change what a correct program does
 };
 
-/// Whether a solver or the engine confirmed the finding (product contract, section 1).
+/// Whether a solver or the engine confirmed the finding.
 enum class Confirmation : std::uint8_t { NotNeeded, Unconfirmed, Confirmed };
 
 struct Finding {

@@ -2,57 +2,26 @@
 // Tested by its examples and tests/rules/output_rules_test.cpp.
 #include <fmt/format.h>
 
-#include <unordered_map>
-#include <vector>
-
-#include "analysis/facts.hpp"
 #include "analysis/rule.hpp"
+#include "analysis/skipped_code.hpp"
 
 namespace rungproof {
 
 namespace {
 
-struct Group {
-  const Instruction* coil;
-  const Instruction* cause;  ///< nullptr: the calls of the block
-  std::size_t count = 1;
-};
-
-std::string causeText(const Facts& facts, const Group& group) {
-  if (group.cause == nullptr) return fmt::format("{} is not called in every scan", facts.pouOf(group.coil->id).name);
-  switch (group.cause->desc->control) {
-    case Control::Lscr: return fmt::format("it stands in the step {}", Facts::text(*group.cause));
-    case Control::Jump: return fmt::format("{} may skip it", Facts::text(*group.cause));
-    default: return fmt::format("{} may end the block before it", Facts::text(*group.cause));
-  }
+bool isCoilOfMemory(const Instruction& instruction) {
+  return isCoil(kindOf(instruction)) && !instruction.operands.empty() && instruction.operands[0].area != Area::L;
 }
 
 void checkOut007(const Facts& facts, FindingSink& sink) {
-  std::vector<Group> groups;
-  std::unordered_map<std::uint64_t, std::size_t> byCause;
-  for (const InstructionPlace& place : facts.instructions()) {
-    const Instruction& instruction = *place.instruction;
-    if (!isCoil(kindOf(instruction)) || instruction.operands.empty() || instruction.operands[0].area == Area::L)
-      continue;
-    const Instruction* cause = facts.execution().at(instruction.id).skippedBy;
-    if (cause != nullptr && cause->desc->control == Control::For) continue;
-    const bool isConditionalBlock = facts.program().pous[place.block].kind == PouKind::Subroutine &&
-                                    facts.execution().runs(place.block) == Runs::AtMostOnce;
-    if (cause == nullptr && !isConditionalBlock) continue;
-    const std::uint64_t key = cause != nullptr ? std::uint64_t{cause->id} : (std::uint64_t{1} << 40) + place.block;
-    const auto [found, isNew] = byCause.emplace(key, groups.size());
-    if (isNew)
-      groups.push_back({&instruction, cause});
-    else
-      ++groups[found->second].count;
-  }
-  for (const Group& group : groups) {
-    const std::string more = group.count == 1 ? std::string() : fmt::format(", with {} other coils", group.count - 1);
+  for (const SkippedCode& coils : skippedCode(facts, isCoilOfMemory)) {
+    const Operand& coil = coils.first->operands[0];
+    const std::string more = coils.count == 1 ? std::string() : fmt::format(", with {} other coils", coils.count - 1);
     Finding& finding =
-        sink.report(group.coil->span, fmt::format("{} keeps its last value while the coil is left out{}: {}",
-                                                  facts.name(group.coil->operands[0]), more, causeText(facts, group)));
-    finding.address = toString(group.coil->operands[0]);
-    if (group.cause != nullptr) finding.related.push_back({group.cause->span, "this decides whether the coil runs"});
+        sink.report(coils.first->span, fmt::format("{} keeps its last value while the coil is left out{}: {}",
+                                                   facts.name(coil), more, causeText(facts, coils)));
+    finding.address = toString(coil);
+    if (coils.cause != nullptr) finding.related.push_back({coils.cause->span, "this decides whether the coil runs"});
     finding.help =
         "reset the bit where the code is left out, or drive it from code that always runs; what coils do in an "
         "inactive step is an open point of the manual";

@@ -3,58 +3,27 @@
 // step or block, at its first detector. Tested by its examples and tests/rules/timer_rules_test.cpp.
 #include <fmt/format.h>
 
-#include <unordered_map>
-#include <vector>
-
-#include "analysis/facts.hpp"
 #include "analysis/rule.hpp"
+#include "analysis/skipped_code.hpp"
 
 namespace rungproof {
 
 namespace {
 
-struct SkippedEdges {
-  const Instruction* edge;
-  const Instruction* cause;  ///< nullptr: the calls of the block
-  std::size_t count = 1;
-};
-
-std::string skipText(const Facts& facts, const SkippedEdges& group) {
-  if (group.cause == nullptr) return fmt::format("{} is not called in every scan", facts.pouOf(group.edge->id).name);
-  switch (group.cause->desc->control) {
-    case Control::Lscr: return fmt::format("it stands in the step {}", Facts::text(*group.cause));
-    case Control::Jump: return fmt::format("{} may skip it", Facts::text(*group.cause));
-    default: return fmt::format("{} may end the block before it", Facts::text(*group.cause));
-  }
+bool isEdgeDetector(const Instruction& instruction) {
+  return instruction.desc->stl == "EU" || instruction.desc->stl == "ED";
 }
 
 void checkTim014(const Facts& facts, FindingSink& sink) {
-  std::vector<SkippedEdges> groups;
-  std::unordered_map<std::uint64_t, std::size_t> byCause;
-  for (const InstructionPlace& place : facts.instructions()) {
-    const Instruction& instruction = *place.instruction;
-    if (instruction.desc->stl != "EU" && instruction.desc->stl != "ED") continue;
-    const Instruction* cause = facts.execution().at(instruction.id).skippedBy;
-    if (cause != nullptr && cause->desc->control == Control::For) continue;
-    const bool isConditionalBlock = facts.program().pous[place.block].kind == PouKind::Subroutine &&
-                                    facts.execution().runs(place.block) == Runs::AtMostOnce;
-    if (cause == nullptr && !isConditionalBlock) continue;
-    const std::uint64_t key = cause != nullptr ? std::uint64_t{cause->id} : (std::uint64_t{1} << 40) + place.block;
-    const auto [found, isNew] = byCause.emplace(key, groups.size());
-    if (isNew)
-      groups.push_back({&instruction, cause});
-    else
-      ++groups[found->second].count;
-  }
-  for (const SkippedEdges& group : groups) {
+  for (const SkippedCode& edges : skippedCode(facts, isEdgeDetector)) {
     const std::string more =
-        group.count == 1 ? std::string() : fmt::format(", with {} other detectors", group.count - 1);
+        edges.count == 1 ? std::string() : fmt::format(", with {} other detectors", edges.count - 1);
     Finding& finding = sink.report(
-        group.edge->span,
+        edges.first->span,
         fmt::format("{} compares with its last run, so an edge is lost or seen late while it is left out{}: {}",
-                    group.edge->desc->stl, more, skipText(facts, group)));
-    if (group.cause != nullptr)
-      finding.related.push_back({group.cause->span, "this decides whether the detector runs"});
+                    edges.first->desc->stl, more, causeText(facts, edges)));
+    if (edges.cause != nullptr)
+      finding.related.push_back({edges.cause->span, "this decides whether the detector runs"});
     finding.help = "detect the edge where every scan comes by, keep it in a bit, and use the bit here";
   }
 }

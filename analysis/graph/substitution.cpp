@@ -1,7 +1,6 @@
 // Depth first, children before their parents.
 #include "analysis/graph/substitution.hpp"
 
-#include <array>
 #include <vector>
 
 namespace rungproof {
@@ -29,9 +28,10 @@ Node Substitution::operator()(Node root) {
     }
     if (!isReady) continue;
     stack.pop_back();
-    known_.emplace(indexOf(n), child == node.child
-                                   ? n
-                                   : graph_.make(node.op, node.width, child[0], child[1], child[2], node.value));
+    Node result = rule_ ? rule_(node, child) : noNode;
+    if (result == noNode)
+      result = child == node.child ? n : graph_.make(node.op, node.width, child[0], child[1], child[2], node.value);
+    known_.emplace(indexOf(n), result);
   }
   return known_.at(indexOf(root));
 }

@@ -3,7 +3,9 @@
 // tests/solver/saturation_test.cpp.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <unordered_map>
 
 #include "analysis/graph/graph.hpp"
@@ -12,15 +14,19 @@ namespace rungproof {
 
 class Substitution {
  public:
+  /// What stands for a node whose children are those given; noNode: the same operation on them.
+  using Rule = std::function<Node(const NodeData& node, const std::array<Node, 3>& child)>;
+
   /// `replaced`: by index of a node, what stands in its place; of the same width.
-  Substitution(Graph& graph, std::unordered_map<std::uint32_t, Node> replaced)
-      : graph_(graph), known_(std::move(replaced)) {}
+  Substitution(Graph& graph, std::unordered_map<std::uint32_t, Node> replaced, Rule rule = {})
+      : graph_(graph), known_(std::move(replaced)), rule_(std::move(rule)) {}
   /// Adds nodes to the graph.
   Node operator()(Node root);
 
  private:
   Graph& graph_;
   std::unordered_map<std::uint32_t, Node> known_;
+  const Rule rule_;
 };
 
 }  // namespace rungproof

@@ -1,4 +1,4 @@
-// The checks that need no declared property (product contract, section 1, prove --builtin): set/reset conflicts, call
+// The checks that need no declared property (prove --builtin): set/reset conflicts, call
 // nesting, operands that leave their area at run time, division, reachability of timers and counters, timers of 100 ms
 // that do not run exactly once a scan, presets out of range, levels that the logic stack loses, loops that outlast the
 // analysis; and the questions of the lint rules that need the prover (lint --prove). Each is a question about the

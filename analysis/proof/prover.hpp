@@ -1,4 +1,4 @@
-// Prover: verdicts on declared properties and built-in checks (product contract, section 2). It encodes the program
+// Prover: verdicts on declared properties and built-in checks. It encodes the program
 // once, asks the engines about each question, replays every witness in the reference engine before it counts, and
 // looks for occasions so that nothing holds vacuously. Covered by tests/prover and tests/corpus.
 #pragma once
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analysis/proof/builtin_checks.hpp"
+#include "analysis/proof/outcome.hpp"
 #include "analysis/proof/witness.hpp"
 
 namespace rungproof {
@@ -31,17 +32,6 @@ struct ProverOptions {
 
 /// How the program is encoded; relaxed: with scans of any length (time_model.hpp).
 EncoderOptions encoderOptionsOf(const ProverOptions& options, bool relaxed = false);
-
-enum class Outcome : std::uint8_t {
-  Proved,
-  Violated,
-  Reachable,
-  Unreachable,
-  HoldsToBound,
-  Vacuous,
-  Unknown,
-  NotCovered
-};
 
 struct ProofResult {
   Property property;  ///< declared; for a built-in check only name and span

@@ -1,5 +1,5 @@
 // Witnesses: a run that the solver found, as scans for the reference engine, and what the engine and the property's
-// monitor say about it. Only a run that the engine repeats with the same outcome counts (product contract, section 2).
+// monitor say about it. Only a run that the engine repeats with the same outcome counts.
 // Covered by tests/prover.
 #pragma once
 

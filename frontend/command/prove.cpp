@@ -43,20 +43,6 @@ extern "C" void onInterrupt(int) {
   std::signal(SIGINT, SIG_DFL);
 }
 
-VerdictWord wordOf(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::Proved: return VerdictWord::Proved;
-    case Outcome::Violated: return VerdictWord::Violated;
-    case Outcome::Reachable: return VerdictWord::Reachable;
-    case Outcome::Unreachable: return VerdictWord::Unreachable;
-    case Outcome::HoldsToBound: return VerdictWord::HoldsToBound;
-    case Outcome::Vacuous: return VerdictWord::Vacuous;
-    case Outcome::NotCovered: return VerdictWord::NotCovered;
-    case Outcome::Unknown: return VerdictWord::Unknown;
-  }
-  return VerdictWord::Unknown;
-}
-
 /// File names made of the names of properties; no two properties get the same one.
 class EvidenceNames {
  public:
@@ -118,7 +104,7 @@ PropertyResult rowOf(const Context& context, const Arguments& arguments, Evidenc
   row.kind = result.builtin                                ? ResultKind::Builtin
              : result.property.kind == PropertyKind::Reach ? ResultKind::Reach
                                                            : ResultKind::Prove;
-  row.verdict = wordOf(result.outcome);
+  row.verdict = result.outcome;
   row.method = result.method;
   row.depth = result.depth;
   row.seconds = result.seconds;
@@ -278,8 +264,8 @@ extern constexpr Command proveCommand = {
         "    external VB100..VB199                      any value in any scan\n"
         "    initial retentive                          retentive memory starts with any value\n"
         "    pulse I0.0 at most every 50ms              how fast an input may rise\n"
-        "Operators: not, and, xor, or, implies, = <> < <= > >=, + - *; functions: rises, falls, prev, once,\n"
-        "since, held, first_scan. T37 is the bit of a timer, T37.value its current value.\n"
+        "Operators, tightest first: *; + -; = <> < <= > >=; not; and; xor; or; implies. Functions: rises, falls,\n"
+        "prev, once, since, held, first_scan. T37 is the bit of a timer, T37.value its current value.\n"
         "In the first scan there is no scan before: prev(E) is E there, rises(E) and falls(E) are false.\n"
         "\n"
         "Verdicts: PROVED, VIOLATED, REACHABLE, UNREACHABLE, HOLDS TO BOUND n, VACUOUS, UNKNOWN, NOT COVERED.\n"

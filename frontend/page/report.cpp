@@ -8,15 +8,15 @@
 
 namespace rungproof {
 
-std::string verdictText(VerdictWord verdict, int depth) {
+std::string verdictText(Outcome verdict, int depth) {
   switch (verdict) {
-    case VerdictWord::Proved: return "PROVED";
-    case VerdictWord::Violated: return "VIOLATED";
-    case VerdictWord::Reachable: return "REACHABLE";
-    case VerdictWord::Unreachable: return "UNREACHABLE";
-    case VerdictWord::HoldsToBound: return fmt::format("HOLDS TO BOUND {}", depth);
-    case VerdictWord::Vacuous: return "VACUOUS";
-    case VerdictWord::NotCovered: return "NOT COVERED";
+    case Outcome::Proved: return "PROVED";
+    case Outcome::Violated: return "VIOLATED";
+    case Outcome::Reachable: return "REACHABLE";
+    case Outcome::Unreachable: return "UNREACHABLE";
+    case Outcome::HoldsToBound: return fmt::format("HOLDS TO BOUND {}", depth);
+    case Outcome::Vacuous: return "VACUOUS";
+    case Outcome::NotCovered: return "NOT COVERED";
     default: return "UNKNOWN";
   }
 }
@@ -52,11 +52,11 @@ Summary summaryOf(const Report& report) {
   }
   for (const PropertyResult& property : report.properties) {
     switch (property.verdict) {
-      case VerdictWord::Proved:
-      case VerdictWord::Reachable: ++summary.proved; break;
-      case VerdictWord::Violated:
-      case VerdictWord::Unreachable:
-      case VerdictWord::Vacuous: ++summary.violated; break;
+      case Outcome::Proved:
+      case Outcome::Reachable: ++summary.proved; break;
+      case Outcome::Violated:
+      case Outcome::Unreachable:
+      case Outcome::Vacuous: ++summary.violated; break;
       default: ++summary.undecided; break;
     }
   }

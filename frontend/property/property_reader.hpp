@@ -1,4 +1,4 @@
-// Reads properties: `//@` comments of a program and *.prop files (product contract, section 3). Mistakes become
+// Reads properties: `//@` comments of a program and *.prop files. Mistakes become
 // findings PRP001-PRP004 with place and help; the statements around them are still read.
 #pragma once
 

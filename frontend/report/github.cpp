@@ -39,7 +39,7 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
                        escaped(finding.message, false));
   }
   for (const PropertyResult& property : report.properties) {
-    const bool good = property.verdict == VerdictWord::Proved || property.verdict == VerdictWord::Reachable;
+    const bool good = property.verdict == Outcome::Proved || property.verdict == Outcome::Reachable;
     if (good) continue;
     std::string place;
     if (property.span) {

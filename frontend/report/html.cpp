@@ -123,9 +123,9 @@ class HtmlWriter {
     out_ << "<h2>Properties</h2>\n<table><tr><th>Verdict</th><th>Property</th><th>Method</th><th>Scans</"
             "th><th>Seconds</th><th>Trace</th></tr>\n";
     for (const PropertyResult& property : report_.properties) {
-      const bool good = property.verdict == VerdictWord::Proved || property.verdict == VerdictWord::Reachable;
-      const bool bad = property.verdict == VerdictWord::Violated || property.verdict == VerdictWord::Unreachable ||
-                       property.verdict == VerdictWord::Vacuous;
+      const bool good = property.verdict == Outcome::Proved || property.verdict == Outcome::Reachable;
+      const bool bad = property.verdict == Outcome::Violated || property.verdict == Outcome::Unreachable ||
+                       property.verdict == Outcome::Vacuous;
       std::string text = fmt::format("<b>{}</b>", xmlText(property.name));
       if (!property.statement.empty()) text += fmt::format("<br><code>{}</code>", xmlText(property.statement));
       writeNotes(property.notes, text);

@@ -83,9 +83,9 @@ class HumanWriter {
   }
 
   void writeProperty(const PropertyResult& property) {
-    const bool good = property.verdict == VerdictWord::Proved || property.verdict == VerdictWord::Reachable;
-    const bool bad = property.verdict == VerdictWord::Violated || property.verdict == VerdictWord::Unreachable ||
-                     property.verdict == VerdictWord::Vacuous;
+    const bool good = property.verdict == Outcome::Proved || property.verdict == Outcome::Reachable;
+    const bool bad = property.verdict == Outcome::Violated || property.verdict == Outcome::Unreachable ||
+                     property.verdict == Outcome::Vacuous;
     const Painter painter = good ? &Paint::green : bad ? &Paint::red : &Paint::yellow;
     out_ << fmt::format("{}  {}", (paint_.*painter)(verdictText(property.verdict, property.depth)),
                         paint_.bold(property.name));
@@ -188,13 +188,13 @@ class HumanWriter {
       add(summary.notes, "note", "notes");
     }
     add(summary.proved, "property proved or reached", "properties proved or reached");
-    const auto with = [&](VerdictWord word) {
+    const auto with = [&](Outcome word) {
       return static_cast<std::size_t>(std::count_if(report_.properties.begin(), report_.properties.end(),
                                                     [&](const PropertyResult& p) { return p.verdict == word; }));
     };
-    add(with(VerdictWord::Violated), "violated", "violated");
-    add(with(VerdictWord::Unreachable), "unreachable", "unreachable");
-    add(with(VerdictWord::Vacuous), "vacuous", "vacuous");
+    add(with(Outcome::Violated), "violated", "violated");
+    add(with(Outcome::Unreachable), "unreachable", "unreachable");
+    add(with(Outcome::Vacuous), "vacuous", "vacuous");
     add(summary.undecided, "undecided", "undecided");
     if (text.empty()) text = "no findings";
     std::string tail;

@@ -79,11 +79,11 @@ class JunitWriter {
       pugi::xml_node test = addCase(suite, "properties", property.name, property.seconds);
       const std::string verdict = verdictText(property.verdict, property.depth);
       switch (property.verdict) {
-        case VerdictWord::Proved:
-        case VerdictWord::Reachable: break;
-        case VerdictWord::Violated:
-        case VerdictWord::Unreachable:
-        case VerdictWord::Vacuous:
+        case Outcome::Proved:
+        case Outcome::Reachable: break;
+        case Outcome::Violated:
+        case Outcome::Unreachable:
+        case Outcome::Vacuous:
           addFailure(test, verdict, property.statement.empty() ? property.name : property.statement, property.trace);
           ++failed;
           break;

@@ -12,24 +12,15 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/proof/outcome.hpp"
 #include "frontend/exit.hpp"
 #include "ir/finding.hpp"
 #include "ir/source.hpp"
 
 namespace rungproof {
 
-enum class VerdictWord : std::uint8_t {
-  Proved,
-  Violated,
-  Reachable,
-  Unreachable,
-  HoldsToBound,
-  Vacuous,
-  Unknown,
-  NotCovered
-};
 /// "PROVED", "HOLDS TO BOUND 20".
-std::string verdictText(VerdictWord verdict, int depth);
+std::string verdictText(Outcome verdict, int depth);
 
 enum class ResultKind : std::uint8_t { Prove, Reach, Builtin };
 std::string_view resultKindName(ResultKind kind);
@@ -50,7 +41,7 @@ struct ShownScan {
 struct PropertyResult {
   std::string name;
   ResultKind kind = ResultKind::Prove;
-  VerdictWord verdict = VerdictWord::Unknown;
+  Outcome verdict = Outcome::Unknown;
   std::string method;  ///< "k-induction, k = 3"
   int depth = 0;       ///< scans: length of the witness, or how far it was looked
   double seconds = 0;

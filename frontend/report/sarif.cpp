@@ -91,9 +91,9 @@ Json resultOf(const PropertyResult& property, const Report& report) {
   Json result = {
       {"ruleId", "property/" + property.name},
       {"message", {{"text", fmt::format("{}: {}", verdictText(property.verdict, property.depth), property.name)}}}};
-  const bool good = property.verdict == VerdictWord::Proved || property.verdict == VerdictWord::Reachable;
-  const bool bad = property.verdict == VerdictWord::Violated || property.verdict == VerdictWord::Unreachable ||
-                   property.verdict == VerdictWord::Vacuous;
+  const bool good = property.verdict == Outcome::Proved || property.verdict == Outcome::Reachable;
+  const bool bad = property.verdict == Outcome::Violated || property.verdict == Outcome::Unreachable ||
+                   property.verdict == Outcome::Vacuous;
   result["kind"] = good ? "pass" : bad ? "fail" : "open";
   result["level"] = bad ? "error" : "none";
   if (property.span)

@@ -1,4 +1,4 @@
-// Reads stimulus and trace files (product contract, section 4). The first column is `scan` or `time_ms`; `scan_ms` and
+// Reads stimulus and trace files. The first column is `scan` or `time_ms`; `scan_ms` and
 // `event` have their own meaning; every other column is an address, a symbol, "T37.value", an output of a library block
 // ("USS_CTRL.Speed"), or a device: "HSC0.pulses", "HSC0.down", "PORT0.receive", "NET.error", "NET.hold". A file with
 // time_ms behind scan is a recorded trace: as a stimulus it sets the inputs, and memory that the program does not

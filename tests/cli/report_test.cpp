@@ -20,7 +20,7 @@ Finding finding(const std::string& rule, Severity severity, std::uint32_t offset
   return f;
 }
 
-PropertyResult property(VerdictWord verdict) {
+PropertyResult property(Outcome verdict) {
   PropertyResult result;
   result.name = "p";
   result.verdict = verdict;
@@ -55,11 +55,11 @@ TEST(ExitOf, FollowsTheContract) {
   EXPECT_EQ(exitOf(reportWith({finding("SYN010", Severity::Error), finding("ADR001", Severity::Error)})), Exit::Failed);
   EXPECT_EQ(exitOf(reportWith({finding("PRP001", Severity::Error)})), Exit::Failed);
   EXPECT_EQ(exitOf(reportWith({finding("SYN018", Severity::Note)})), Exit::Found);
-  EXPECT_EQ(exitOf(reportWith({}, {property(VerdictWord::Proved), property(VerdictWord::Reachable)})), Exit::Clean);
-  EXPECT_EQ(exitOf(reportWith({}, {property(VerdictWord::Unknown), property(VerdictWord::Violated)})), Exit::Found);
-  for (const VerdictWord verdict : {VerdictWord::Unreachable, VerdictWord::Vacuous})
+  EXPECT_EQ(exitOf(reportWith({}, {property(Outcome::Proved), property(Outcome::Reachable)})), Exit::Clean);
+  EXPECT_EQ(exitOf(reportWith({}, {property(Outcome::Unknown), property(Outcome::Violated)})), Exit::Found);
+  for (const Outcome verdict : {Outcome::Unreachable, Outcome::Vacuous})
     EXPECT_EQ(exitOf(reportWith({}, {property(verdict)})), Exit::Found);
-  for (const VerdictWord verdict : {VerdictWord::Unknown, VerdictWord::HoldsToBound, VerdictWord::NotCovered}) {
+  for (const Outcome verdict : {Outcome::Unknown, Outcome::HoldsToBound, Outcome::NotCovered}) {
     EXPECT_EQ(exitOf(reportWith({}, {property(verdict)})), Exit::Undecided);
   }
   Report compared = reportWith({});
@@ -85,7 +85,7 @@ TEST(SortFindings, OrdersByPlaceAndDropsRepetitions) {
 
 TEST(JsonReport, ConformsToItsSchema) {
   Report report = reportWith({finding("ADR001", Severity::Error), finding("STK006", Severity::Note, 8)},
-                             {property(VerdictWord::HoldsToBound), property(VerdictWord::Proved)});
+                             {property(Outcome::HoldsToBound), property(Outcome::Proved)});
   report.findings[0].related.push_back({{0, 8, 1}, "second place"});
   report.findings[0].pou = "MAIN";
   report.findings[0].network = 3;
@@ -152,9 +152,8 @@ TEST(GithubReport, EscapesWhatTheCommandFormReserves) {
 }
 
 TEST(JunitReport, CountsTestsAndFailures) {
-  const std::string text =
-      written("junit", reportWith({finding("ADR001", Severity::Error)},
-                                  {property(VerdictWord::Proved), property(VerdictWord::Unknown)}));
+  const std::string text = written("junit", reportWith({finding("ADR001", Severity::Error)},
+                                                       {property(Outcome::Proved), property(Outcome::Unknown)}));
   EXPECT_NE(text.find("<testsuites name=\"rungproof\" tests=\"3\" failures=\"1\" errors=\"0\">"), std::string::npos)
       << text;
   EXPECT_NE(text.find("<skipped message=\"UNKNOWN\""), std::string::npos) << text;
@@ -169,7 +168,7 @@ TEST(HtmlReport, EscapesTextOfTheProgram) {
 }
 
 TEST(HtmlReport, SaysWhatAProofRestsOnAndWhatTheSelfCheckFound) {
-  Report report = reportWith({}, {property(VerdictWord::Proved)});
+  Report report = reportWith({}, {property(Outcome::Proved)});
   report.properties[0].networks = "MAIN 1, 3-5; SBR_0 2";
   report.assumptions = {"every scan lasts 1 to 500 ms"};
   report.coverage.approximated = {"SIN at a.awl:3: the result of its REAL operation is taken as any value"};

@@ -37,7 +37,7 @@ TEST(ScanTimeOption, IsOneTimeOrTwoInOrder) {
 
 TEST(Settings, BeginWithTheDefaultsOfTheTable) {
   const Settings settings;
-  EXPECT_EQ(settings.target().cpu, Cpu::Cpu226);               // product contract: default 226
+  EXPECT_EQ(settings.target().cpu, Cpu::Cpu226);               // the default
   EXPECT_EQ(settings.target().edition, Edition::Edition2004);  // default 2004
   EXPECT_EQ(settings.timeout(), Duration(30s));
   EXPECT_EQ(settings.level(), Severity::Note);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -25,6 +26,14 @@ inline std::vector<std::filesystem::path> corpusFiles(const std::string& folder 
   }
   std::sort(files.begin(), files.end());
   return files;
+}
+
+/// A name for a parameterised test: folder and name of the file.
+inline std::string testNameOf(const std::filesystem::path& file) {
+  std::string name = file.parent_path().filename().string() + "_" + file.stem().string();
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
 }
 
 /// What the head of a program says about each property, what is still owed included.

@@ -15,6 +15,7 @@
 #include <sstream>
 
 #include "frontend/cli.hpp"
+#include "tests/corpus/corpus_program.hpp"
 
 namespace rungproof {
 namespace {
@@ -61,16 +62,6 @@ Expectation expectationOf(const fs::path& file) {
     }
   }
   return expectation;
-}
-
-std::vector<fs::path> programs() {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(RUNGPROOF_SOURCE_DIR) / "corpus")) {
-    const std::string ending = entry.path().extension().string();
-    if (ending == ".awl" || ending == ".stl" || ending == ".xml") files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
 }
 
 Json runJson(const std::string& command, const fs::path& file, const std::vector<std::string>& options) {
@@ -149,7 +140,7 @@ TEST_P(CorpusProgram, ShortestRunsAreThoseStated) {
 
 TEST(Corpus, OwesNoMoreThanIsStated) {
   std::size_t open = 0, declared = 0, refuted = 0, withProperties = 0;
-  for (const fs::path& file : programs()) {
+  for (const fs::path& file : test::corpusFiles()) {
     const Expectation expected = expectationOf(file);
     withProperties += expected.verdicts.empty() ? 0 : 1;
     open += expected.open.size();
@@ -163,15 +154,8 @@ TEST(Corpus, OwesNoMoreThanIsStated) {
   EXPECT_GE(refuted * 3, declared) << refuted << " of " << declared << " are violated or unreachable";
 }
 
-INSTANTIATE_TEST_SUITE_P(Programs, CorpusProgram, testing::ValuesIn(programs()),
-                         [](const testing::TestParamInfo<fs::path>& info) {
-                           std::string name =
-                               info.param.parent_path().filename().string() + "_" + info.param.stem().string();
-                           std::replace_if(
-                               name.begin(), name.end(),
-                               [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Programs, CorpusProgram, testing::ValuesIn(test::corpusFiles()),
+                         [](const auto& info) { return test::testNameOf(info.param); });
 
 }  // namespace
 }  // namespace rungproof

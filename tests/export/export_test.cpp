@@ -74,14 +74,7 @@ TEST_P(CorpusExport, FilesComputeTheSameStep) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, CorpusExport, testing::ValuesIn(corpusFiles()),
-                         [](const testing::TestParamInfo<std::filesystem::path>& info) {
-                           std::string name =
-                               info.param.parent_path().filename().string() + "_" + info.param.stem().string();
-                           std::replace_if(
-                               name.begin(), name.end(),
-                               [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
-                           return name;
-                         });
+                         [](const auto& info) { return testNameOf(info.param); });
 
 TEST(Export, EveryOperationAtManyWidths) {
   for (const int width : {1, 2, 3, 8, 16, 31, 32, 64}) {

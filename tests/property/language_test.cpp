@@ -49,8 +49,8 @@ std::string shapeOf(std::string_view expression) {
   return shape(e, static_cast<std::uint32_t>(e.nodes.size() - 1));
 }
 
-// The contract's order: unary minus; *; + -; comparisons; not; and; xor; or; implies.
-TEST(PropertyLanguage, BindsAsTheContractSays) {
+// The order of binding: unary minus; *; + -; comparisons; not; and; xor; or; implies.
+TEST(PropertyLanguage, BindsInTheOrderThatHelpSays) {
   EXPECT_EQ(shapeOf("not I0.0 and I0.1"), "(and (not I0.0) I0.1)");
   EXPECT_EQ(shapeOf("I0.0 or I0.1 and I0.2"), "(or I0.0 (and I0.1 I0.2))");
   EXPECT_EQ(shapeOf("I0.0 xor I0.1 or I0.2"), "(or (xor I0.0 I0.1) I0.2)");

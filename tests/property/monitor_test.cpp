@@ -1,5 +1,5 @@
 // The exact meaning of temporal statements, on hand-written traces. Each row of a trace is one scan end; the
-// expected verdict per scan is argued from the product contract, section 3.
+// expected verdict per scan is argued from the meanings in analysis/property.hpp.
 #include "analysis/encoding/monitor.hpp"
 
 #include <gtest/gtest.h>

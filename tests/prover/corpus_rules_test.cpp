@@ -77,14 +77,7 @@ TEST_P(CorpusRules, FindWhatIsExplained) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, CorpusRules, testing::ValuesIn(quickPrograms()),
-                         [](const testing::TestParamInfo<fs::path>& info) {
-                           std::string name =
-                               info.param.parent_path().filename().string() + "_" + info.param.stem().string();
-                           std::replace_if(
-                               name.begin(), name.end(),
-                               [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
-                           return name;
-                         });
+                         [](const auto& info) { return testNameOf(info.param); });
 
 }  // namespace
 }  // namespace rungproof::test
