@@ -13,23 +13,25 @@ template <class D>
 typename D::Bool advanceTimer(Machine<D>& m, TimerKind kind, std::uint32_t number, typename D::Bits ticks) {
   D& d = m.d;
   constexpr int w = 18;  // holds -32768 + 65535 and 32767 + 65535
-  const auto old = m.get(Reg::TimerCurrent, number);
-  const auto preset = m.get(Reg::TimerPreset, number);
   const auto running = m.getBit(Reg::TimerRunning, number);
-  const auto sum = d.add(d.sext(old, 16, w), d.zext(ticks, 16, w), w);
-  const auto most = m.number(32767, w);
-  const auto counted = d.extract(d.select(d.slt(most, sum, w), most, sum, w), 15, 0);
-  const auto elapsed = d.sle(preset, counted, 16);
-  const bool stopsAtPreset = kind != TimerKind::OnDelay && kind != TimerKind::Retentive;
-  const bool endsTheSignal = kind == TimerKind::OffDelay || kind == TimerKind::IecPulse;
+  auto reached = d.constant(false);
   m.when(running, [&] {
+    const auto old = m.get(Reg::TimerCurrent, number);
+    const auto preset = m.get(Reg::TimerPreset, number);
+    const auto sum = d.add(d.sext(old, 16, w), d.zext(ticks, 16, w), w);
+    const auto most = m.number(32767, w);
+    const auto counted = d.extract(d.select(d.slt(most, sum, w), most, sum, w), 15, 0);
+    const auto elapsed = d.sle(preset, counted, 16);
+    const bool stopsAtPreset = kind != TimerKind::OnDelay && kind != TimerKind::Retentive;
+    const bool endsTheSignal = kind == TimerKind::OffDelay || kind == TimerKind::IecPulse;
     m.set(Reg::TimerCurrent, number, stopsAtPreset ? d.select(elapsed, preset, counted, 16) : counted);
     m.when(elapsed, [&] {
       m.setBit(Reg::TimerBit, number, d.constant(!endsTheSignal));
       if (endsTheSignal) m.setBit(Reg::TimerRunning, number, d.constant(false));
     });
+    reached = d.land(running, d.land(elapsed, d.slt(old, preset, 16)));
   });
-  return d.land(running, d.land(elapsed, d.slt(old, preset, 16)));
+  return reached;
 }
 
 /// Lets `ticks` pass for all timers of a resolution, 1 or 10 ms: the scan calls it for 10 ms timers at its start, for

@@ -91,7 +91,7 @@ class TemplateSearch {
       for (std::size_t side = 0; side < 2; ++side) {
         if (!carries(node.child[side], self) || graph_[node.child[1 - side]].op == Op::Constant) continue;
         if (found && found->sum.increment != node.child[1 - side]) return;  // increased in several places
-        found = CountingWord{state, {self, node.child[1 - side]}, {}};
+        found = CountingWord{state, {self, node.child[1 - side], n}, {}, graph_[node.child[side]].op};
       }
     }
     if (!found || !isBlasted(found->sum.increment)) return;
@@ -156,9 +156,12 @@ class TemplateSearch {
     width += 2;
     for (const std::size_t i : group) {
       Summand& sum = words_[i].sum;
-      sum.word = wide(sum.word, width);
+      const Node own = sum.next;
+      sum.word = wide(sum.word, width, words_[i].extension);
       sum.increment = wide(withoutExtension(sum.increment), width);
-      sum.next = graph_.make(Op::Add, width, sum.word, sum.increment);
+      // The program's own adder, so that nobody has to find out that two adders are equal.
+      sum.next =
+          sum.isPending || mayWrap(own) ? graph_.make(Op::Add, width, sum.word, sum.increment) : wide(own, width);
     }
   }
 
@@ -192,7 +195,13 @@ class TemplateSearch {
     return result;
   }
 
-  Node wide(Node n, int width) { return widthOf(n) == width ? n : graph_.make(Op::Zext, width, n); }
+  Node wide(Node n, int width, Op extension = Op::Zext) {
+    return widthOf(n) == width ? n : graph_.make(extension == Op::Sext ? Op::Sext : Op::Zext, width, n);
+  }
+  bool mayWrap(Node sum) const {
+    const NodeData& node = graph_[sum];
+    return graph_.highest(node.child[0]) + graph_.highest(node.child[1]) > Graph::maskOf(node.width);
+  }
 
   void single(const CountingWord& x) {
     const Node value = x.sum.progress();
@@ -205,10 +214,19 @@ class TemplateSearch {
     }
   }
 
+  /// Of two orders of a pair one is the complement of the other, which is its negative less 1: one adder does for both.
+  Node difference(int left, int right) {
+    if (left > right)
+      return graph_.make(Op::Not, widthOf(words_[static_cast<std::size_t>(left)].sum.word), difference(right, left));
+    const Summand& x = words_[static_cast<std::size_t>(left)].sum;
+    const Summand& y = words_[static_cast<std::size_t>(right)].sum;
+    return graph_.make(Op::Sub, widthOf(x.word), x.progress(), y.progress());
+  }
+
   void pair(int left, int right, std::size_t most) {
     const CountingWord& x = words_[static_cast<std::size_t>(left)];
     const CountingWord& y = words_[static_cast<std::size_t>(right)];
-    const Node difference = graph_.make(Op::Sub, widthOf(x.sum.word), x.sum.progress(), y.sum.progress());
+    const Node difference = this->difference(left, right);
     const int w = widthOf(word(y.state));
     for (const Node guard : guardsFor({x.state, y.state}, most)) {
       templates_.push_back({guard, noNode, difference, left, right});

@@ -15,6 +15,7 @@ struct CountingWord {
   std::size_t state = 0;  ///< index in TransitionSystem::states
   Summand sum;
   std::vector<std::uint64_t> stops;  ///< values at which it may stop
+  Op extension = Op::Zext;           ///< how the program extends it: Sext, or anything else
 };
 
 /// "guard implies difference <= bound, unless stopped": what is sought is the bound.

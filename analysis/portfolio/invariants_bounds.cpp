@@ -51,7 +51,10 @@ class BoundSearch {
     sample();
     if (!holdInitially() || !makeInductive()) return {};
     MinedBounds mined{result(), {}};
-    for (const Pair& pair : pairs_) mined.differences.push_back({summand(pair.left), summand(pair.right), pair.node});
+    for (const Pair& pair : pairs_) {
+      if (graph_[pair.node].op == Op::Sub)
+        mined.differences.push_back({summand(pair.left), summand(pair.right), pair.node});
+    }
     return mined;
   }
 
