@@ -16,15 +16,14 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint32_t endless = 1U << 30;
 constexpr int randomPhases = 400;
-constexpr std::uint64_t looksAtClock = 64;           ///< scans between two looks at the clock
-constexpr int plainRuns = 2;                         ///< all on, all off
-constexpr std::uint64_t mostInstructions = 4000000;  ///< of each of them, and of all random runs together
-constexpr std::uint64_t leastInstructions = 50;      ///< that a scan counts for
+constexpr std::uint64_t looksAtClock = 64;       ///< scans between two looks at the clock
+constexpr int plainRuns = 2;                     ///< all on, all off
+constexpr std::uint64_t leastInstructions = 50;  ///< that a scan counts for
 
 class GuidedSearch {
  public:
   GuidedSearch(const Program& program, const EncodedScan& encoding, const std::vector<Property>& assumptions,
-               const std::vector<const Property*>& goals, std::uint64_t seed, double seconds)
+               const std::vector<const Property*>& goals, std::uint64_t seed, const GuidedLimits& limits)
       : program_(program),
         choices_(encoding.options().choices),
         assumptions_(assumptions),
@@ -32,16 +31,16 @@ class GuidedSearch {
         random_(seed),
         lengthMs_(encoding.options().time.high),
         begin_(Clock::now()),
-        seconds_(seconds),
+        limits_(limits),
         found_(goals.size()) {
     for (const ScanInput& input : scanInputsOf(encoding)) inputs_.push_back({input.operand, 0});
   }
 
   std::vector<std::optional<Witness>> run() {
     const std::uint64_t most =
-        mostInstructions / std::max<std::uint64_t>(program_.instructionCount(), leastInstructions);
+        limits_.instructions / std::max<std::uint64_t>(program_.instructionCount(), leastInstructions);
     std::uint64_t random = 0;
-    for (int kind = 0; !isDone() && random < most && used() < seconds_; ++kind) {
+    for (int kind = 0; !isDone() && random < most && used() < limits_.seconds; ++kind) {
       const std::uint64_t made = follow(phases(kind), most);
       if (kind >= plainRuns) random += made + 1;
     }
@@ -104,7 +103,7 @@ class GuidedSearch {
         else
           isOpen = true;
       }
-      return isOpen && count < most && (count % looksAtClock != 0 || used() < seconds_);
+      return isOpen && count < most && (count % looksAtClock != 0 || used() < limits_.seconds);
     });
     for (std::size_t g = 0; g < goals_.size(); ++g) {
       if (!hits[g]) continue;
@@ -128,7 +127,7 @@ class GuidedSearch {
   std::mt19937_64 random_;
   const std::uint32_t lengthMs_;
   const Clock::time_point begin_;
-  const double seconds_;
+  const GuidedLimits limits_;
   std::vector<PresetValue> inputs_;
   std::vector<std::optional<Witness>> found_;
 };
@@ -138,8 +137,8 @@ class GuidedSearch {
 std::vector<std::optional<Witness>> guidedRuns(const Program& program, const EncodedScan& encoding,
                                                const std::vector<Property>& assumptions,
                                                const std::vector<const Property*>& goals, std::uint64_t seed,
-                                               double seconds) {
-  return GuidedSearch(program, encoding, assumptions, goals, seed, seconds).run();
+                                               const GuidedLimits& limits) {
+  return GuidedSearch(program, encoding, assumptions, goals, seed, limits).run();
 }
 
 }  // namespace rungproof

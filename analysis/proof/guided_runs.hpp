@@ -3,6 +3,7 @@
 // counts. Tested by tests/prover/guided_runs_test.cpp.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -11,10 +12,17 @@
 
 namespace rungproof {
 
-/// By goal: a run that shows it, if one was found within `seconds`. `encoding` tells the program's inputs.
+struct GuidedLimits {
+  double seconds;
+  /// Of the run with all inputs on, of that with all off, and of all random runs together: 40,000 scans
+  /// of 100 instructions, hours of the machine's time.
+  std::uint64_t instructions = 4'000'000;
+};
+
+/// By goal: a run that shows it, if one was found within the limits. `encoding` tells the program's inputs.
 std::vector<std::optional<Witness>> guidedRuns(const Program& program, const EncodedScan& encoding,
                                                const std::vector<Property>& assumptions,
                                                const std::vector<const Property*>& goals, std::uint64_t seed,
-                                               double seconds);
+                                               const GuidedLimits& limits);
 
 }  // namespace rungproof

@@ -29,17 +29,17 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int shallowDepth = 12;               ///< scans of a short accelerated run
-constexpr double shallowSeconds = 0.25;        ///< for all of them
-constexpr double engineSeconds = 2;            ///< for runs of the engine, which count their scans, on a busy machine
-constexpr double quickSeconds = 0.5;           ///< for each question while all are looked at together
+constexpr int shallowDepth = 12;         ///< scans of a short accelerated run
+constexpr double shallowSeconds = 0.25;  ///< for all of them
+constexpr double engineSeconds = 2;      ///< for runs of the engine, which count their scans, on a busy machine
+constexpr std::uint64_t fewInstructions = 200'000;  ///< of its runs before any proof is tried
+constexpr double quickSeconds = 0.5;                ///< for each question while all are looked at together
 constexpr int fillings = 16;                   ///< of inputs that a question does not mention, tried to confirm a run
 constexpr double minimiseSeconds = 0.25;       ///< for making a witness smaller
 constexpr std::uint64_t minimisedScans = 200;  ///< longer witnesses wait for a timer; they stay as they were found
 constexpr double premiseSeconds = 5;           ///< for a question that a verdict is checked with
-constexpr int writtenReals =
-    12;  ///< REAL operations of a question that are written out: bits grow by thousands with each
-constexpr double freeRealShare = 0.25;  ///< of a question's time, before REAL operations are written out
+constexpr int writtenReals = 12;               ///< REAL operations of a question that are written out as bits
+constexpr double freeRealShare = 0.25;         ///< of a question's time, before REAL operations are written out
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -186,7 +186,7 @@ class Session {
     PortfolioOptions together = portfolio(std::min(options_.timeout, quickSeconds), deadline, &cancel);
     together.effort = Effort::Together;
     quick_.resize(exact_->system().questions.size());
-    searchOnEngine([&](std::size_t q) { return q >= declaredCount(); });
+    searchOnEngine([&](std::size_t q) { return q >= declaredCount(); }, fewInstructions);
     TransitionSystem rest = exact_->system();
     answerOpen(rest, openQuestions(), together);
     const auto start = Clock::now();
@@ -197,7 +197,8 @@ class Session {
       if (!mayWait && searchShallow(q)) continue;
       open.push_back(q);
     }
-    searchOnEngine([&](std::size_t q) { return q < declaredCount() && goals_[q].kind == PropertyKind::Reach; });
+    searchOnEngine([&](std::size_t q) { return q >= declaredCount() || goals_[q].kind == PropertyKind::Reach; },
+                   GuidedLimits{}.instructions);
     const auto isFound = [&](std::size_t q) { return quick_[q].answer != Answer::Unknown; };
     std::erase_if(open, isFound);
     answerOpen(rest, open, portfolio(std::min(options_.timeout, quickSeconds), deadline, &cancel));
@@ -221,7 +222,7 @@ class Session {
   }
   /// Runs of the engine for wanted goals that are still open, all together.
   template <class Wanted>
-  void searchOnEngine(Wanted&& wanted) {
+  void searchOnEngine(Wanted&& wanted, std::uint64_t instructions) {
     if (options_.bound > 0) return;
     std::vector<std::size_t> open;
     std::vector<const Property*> goals;
@@ -233,7 +234,7 @@ class Session {
     if (open.empty() || watch_.isStopped()) return;
     std::vector<std::optional<Witness>> found =
         guidedRuns(program_, exact_->obligations().encoding(), assumptions_, goals, options_.seed,
-                   std::min(options_.timeout / 10, engineSeconds));
+                   {std::min(options_.timeout / 10, engineSeconds), instructions});
     for (std::size_t i = 0; i < open.size(); ++i) {
       if (!found[i]) continue;
       quick_[open[i]].answer = Answer::Violated;
@@ -277,7 +278,7 @@ class Session {
       // A run that rests on values which are not modelled: perhaps the engine finds one with its own.
       std::vector<std::optional<Witness>> found =
           guidedRuns(program_, exact_->obligations().encoding(), assumptions_, {&goals_[question]}, options_.seed,
-                     std::min(left(), options_.timeout / 10));
+                     {std::min(left(), options_.timeout / 10)});
       witness = std::move(found[0]);
       if (witness) answer.method = "engine runs";
     }

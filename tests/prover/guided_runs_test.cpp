@@ -17,7 +17,7 @@ struct Setting {
   std::vector<std::optional<Witness>> search() {
     std::vector<const Property*> wanted;
     for (const Property& goal : goals) wanted.push_back(&goal);
-    return guidedRuns(input.program, obligations->encoding(), assumptions, wanted, 1, 20);
+    return guidedRuns(input.program, obligations->encoding(), assumptions, wanted, 1, {20});
   }
   bool isRepeated(std::size_t goal, const Witness& witness) const {
     return Judge(input.program, options.choices, assumptions, goals[goal])
