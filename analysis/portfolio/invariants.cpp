@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <unordered_map>
 
 #include "analysis/bits/bit_unrolling.hpp"
 #include "analysis/bits/simulation_runs.hpp"
@@ -19,6 +20,7 @@ using Signature = std::vector<std::uint64_t>;
 using Class = std::vector<Lit>;
 constexpr std::size_t ofOneClass = 6;    ///< truths of one class that pairs are made of
 constexpr std::size_t unseenLimit = 32;  ///< truths that are 0 in all samples
+constexpr std::size_t blockSize = 32;    ///< clauses that one assumption switches on
 constexpr int neighbourBatches = 6;      ///< of 64 states near a counterexample
 constexpr int walkPatience = 24;         ///< scans of a walk that drop nothing, then the solver is asked again
 
@@ -196,7 +198,16 @@ class Miner {
       for (const Lit l : clause) holds |= value(l);
       return (holds & lanes) != lanes;
     };
-    changed = std::erase_if(clauses_, isBroken) != 0 || changed;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < clauses_.size(); ++i) {
+      if (isBroken(clauses_[i])) continue;
+      if (kept != i) clauses_[kept] = std::move(clauses_[i]);
+      if (!blockOf_.empty()) blockOf_[kept] = blockOf_[i];
+      ++kept;
+    }
+    changed = changed || kept != clauses_.size();
+    clauses_.resize(kept);
+    if (!blockOf_.empty()) blockOf_.resize(kept);
     return changed;
   }
 
@@ -222,29 +233,94 @@ class Miner {
     }
   }
 
+  /// Candidates are asked for group by group, since the solver is quick to see that no scan breaks a few of them, and
+  /// slow to see it of thousands. Done when every group has been asked since the last candidate was dropped.
   bool makeInductive() {
     for (const Lit constraint : system_.constraints) sat_.add({cnf_.literal(steps_.at(0, constraint))});
     std::mt19937_64 random(options_.seed);
     BitSimulator simulator(system_);
     findConstrained();
-    for (;;) {
-      std::vector<int> assumed, broken;
-      const auto candidate = [&](Lit before, Lit after) {
-        if (before != trueLit) assumed.push_back(cnf_.literal(before));
-        if (after == trueLit) return;
-        broken.push_back(-cnf_.literal(after));
-        sat_.prefer(broken.back());  // one counterexample should break many
-      };
-      for (const Class& c : classes_) {
-        for (std::size_t i = 1; i < c.size(); ++i) candidate(same(steps_, 0, c[0], c[i]), same(steps_, 1, c[0], c[i]));
+    blockOf_.resize(clauses_.size());
+    for (std::size_t i = 0; i < clauses_.size(); ++i) blockOf_[i] = i / blockSize;
+    blocks_.resize(clauses_.size() / blockSize + 1);
+    for (std::size_t first = 0;;) {
+      const std::vector<int> assumed = assumeCandidates();
+      const std::vector<Group> groups = candidatesAfterScan();
+      std::size_t asked = 0;
+      for (Sat::Outcome outcome = Sat::Outcome::Unsatisfiable; asked < groups.size(); ++asked) {
+        const Group& group = groups[(first + asked) % groups.size()];
+        std::vector<int> assumptions = assumed;
+        if (group.denied != 0) assumptions.push_back(group.denied);
+        outcome = sat_.solve(assumptions, budget_, group.some);
+        if (outcome == Sat::Outcome::Unknown) return false;
+        if (outcome == Sat::Outcome::Satisfiable) break;
       }
-      for (const Clause& c : clauses_) candidate(some(steps_, 0, c), some(steps_, 1, c));
-      if (broken.empty()) return true;
-      const Sat::Outcome outcome = sat_.solve(assumed, budget_, broken);
-      if (outcome == Sat::Outcome::Unsatisfiable) return true;
-      if (outcome == Sat::Outcome::Unknown) return false;
+      if (asked == groups.size()) return true;
+      first = (first + asked) % groups.size();
       CHECK(dropBroken(simulator, random), "a counterexample breaks a candidate");
     }
+  }
+
+  /// Literals that make all candidates true before the scan. Clauses are switched on by the block; a block that has
+  /// lost some is added anew.
+  std::vector<int> assumeCandidates() {
+    std::vector<int> assumed;
+    for (const Class& c : classes_) {
+      for (std::size_t i = 1; i < c.size(); ++i) {
+        const Lit equal = same(steps_, 0, c[0], c[i]);
+        if (equal != trueLit) assumed.push_back(cnf_.literal(equal));
+      }
+    }
+    std::vector<std::size_t> left(blocks_.size(), 0);
+    for (const std::size_t block : blockOf_) ++left[block];
+    std::vector<bool> isStale(blocks_.size(), false);
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      isStale[b] = blocks_[b].clauses != left[b];
+      if (isStale[b]) {
+        if (blocks_[b].on != 0) sat_.add({-blocks_[b].on});
+        blocks_[b] = {sat_.newVariable(), left[b]};
+      }
+      if (left[b] > 0) assumed.push_back(blocks_[b].on);
+    }
+    for (std::size_t i = 0; i < clauses_.size(); ++i) {
+      if (!isStale[blockOf_[i]]) continue;
+      std::vector<int> literals{-blocks_[blockOf_[i]].on};
+      for (const Lit l : clauses_[i]) literals.push_back(cnf_.literal(steps_.at(0, l)));
+      sat_.add(literals);
+    }
+    return assumed;
+  }
+
+  /// Candidates that a scan breaks if it makes `denied` (0: none) and one of `some` true.
+  struct Group {
+    int denied = 0;
+    std::vector<int> some;
+  };
+  std::vector<Group> candidatesAfterScan() {
+    std::vector<Group> groups(1);
+    const auto alone = [&](Lit after) {
+      if (after == trueLit) return;
+      groups[0].some.push_back(-cnf_.literal(after));
+      sat_.prefer(groups[0].some.back());  // one counterexample should break many
+    };
+    for (const Class& c : classes_) {
+      for (std::size_t i = 1; i < c.size(); ++i) alone(same(steps_, 1, c[0], c[i]));
+    }
+    std::unordered_map<Lit, std::size_t> pairsOf;  // by the first literal of clauses of two
+    for (const Clause& c : clauses_) {
+      if (c.size() != 2) {
+        alone(some(steps_, 1, c));
+        continue;
+      }
+      const Lit first = steps_.at(1, c[0]), second = steps_.at(1, c[1]);
+      if (steps_.graph().addOr(first, second) == trueLit) continue;
+      const auto [at, isNew] = pairsOf.emplace(c[0], groups.size());
+      if (isNew) groups.push_back({-cnf_.literal(first), {}});
+      groups[at->second].some.push_back(-cnf_.literal(second));
+      for (const int literal : {groups[at->second].denied, groups[at->second].some.back()}) sat_.prefer(literal);
+    }
+    if (groups[0].some.empty()) groups.erase(groups.begin());
+    return groups;
   }
 
   /// Drops what the model's scan breaks, and what scans from states nearby break that satisfy all candidates too.
@@ -359,7 +435,13 @@ class Miner {
   std::vector<Class> classes_;
   std::vector<Lit> unseen_;  ///< pairs only: truths that are 0 in all samples
   std::vector<Clause> clauses_;
-  std::vector<bool> isConstrained_;  ///< by variable
+  struct Block {
+    int on = 0;               ///< switch of the clauses that were added last
+    std::size_t clauses = 0;  ///< how many these are
+  };
+  std::vector<Block> blocks_;
+  std::vector<std::size_t> blockOf_;  ///< by clause
+  std::vector<bool> isConstrained_;   ///< by variable
   Unrolling steps_;
   Sat sat_;
   BitCnf cnf_;

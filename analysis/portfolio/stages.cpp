@@ -41,10 +41,10 @@ class Stages {
     for (std::size_t q = 0; q < answers_.size(); ++q) open_.push_back(q);
     begin({});
     if (!open_.empty()) searchTogether(1, true);
-    if (!open_.empty() && options_.check) {
+    for (const bool asked : {true, false}) {
+      if (open_.empty() || !options_.check) break;
       begin({});
-      minePairs();
-      if (!invariants_.empty()) searchTogether(1, false);
+      if (minePairs(asked)) searchTogether(1, false);
     }
     std::vector<std::vector<std::size_t>> clusters;
     if (options_.effort == Effort::Full) clusters = clustersOf(system_, open_);
@@ -128,21 +128,29 @@ class Stages {
     open_ = std::move(open);
   }
 
-  /// What truth values of the state say about each other, for all questions at once: interlocks and steps.
-  void minePairs() {
+  /// What truth values of the state say about each other, for all questions at once: interlocks and steps. Often those
+  /// that the questions ask for are enough, which are few.
+  bool minePairs(bool askedOnly) {
     std::vector<Lit> truths;
+    bool isWhole = true;
     const BitSystem& bits = blast_->bits();
+    const std::vector<bool> isAsked = statesAskedFor(system_, open_);
     for (std::uint32_t latch = 0; latch < bits.latches.size(); ++latch) {
-      if ((*system_.graph)[system_.states[blast_->stateBit(latch).state].node].width == 1)
+      const std::size_t state = blast_->stateBit(latch).state;
+      if ((*system_.graph)[system_.states[state].node].width != 1) continue;
+      if (askedOnly && !isAsked[state])
+        isWhole = false;
+      else
         truths.push_back(positive(bits.latches[latch].variable));
     }
-    if (truths.size() < 2 || truths.size() > pairedTruths) return;
+    if (truths.size() < 2 || truths.size() > pairedTruths || (askedOnly && isWhole)) return false;
     MiningOptions mining;
     mining.seed = options_.seed;
     mining.pairsOnly = true;
     mining.implicationLimit = pairLimit;
     const Budget limit = budget(std::min(options_.seconds * 0.3 * static_cast<double>(open_.size()), 10.0));
     invariants_ = mineInvariants(bits, truths, {}, mining, limit);
+    return !invariants_.empty();
   }
 
   void mine() {

@@ -106,4 +106,30 @@ std::vector<Node> stateTruths(const TransitionSystem& system, const std::vector<
   return TruthSearch(system, limit).run(questions);
 }
 
+std::vector<bool> statesAskedFor(const TransitionSystem& system, const std::vector<std::size_t>& questions) {
+  const Graph& graph = *system.graph;
+  std::unordered_map<std::uint32_t, std::size_t> stateOf;
+  for (std::size_t s = 0; s < system.states.size(); ++s) {
+    stateOf.emplace(indexOf(system.states[s].node), s);
+    if (graph[system.states[s].next].op != Op::Constant) stateOf.emplace(indexOf(system.states[s].next), s);
+  }
+  std::vector<bool> isAsked(system.states.size(), false), isSeen(graph.size(), false);
+  std::vector<Node> stack;
+  for (const std::size_t q : questions) stack.push_back(system.questions[q].bad);
+  while (!stack.empty()) {
+    const Node n = stack.back();
+    stack.pop_back();
+    if (isSeen[indexOf(n)]) continue;
+    isSeen[indexOf(n)] = true;
+    if (const auto state = stateOf.find(indexOf(n)); state != stateOf.end()) {
+      isAsked[state->second] = true;
+      continue;
+    }
+    for (const Node child : graph[n].child) {
+      if (child != noNode && graph[n].op != Op::Variable) stack.push_back(child);
+    }
+  }
+  return isAsked;
+}
+
 }  // namespace rungproof

@@ -14,4 +14,7 @@ namespace rungproof {
 std::vector<Node> stateTruths(const TransitionSystem& system, const std::vector<std::size_t>& questions,
                               std::size_t limit);
 
+/// By index in TransitionSystem::states: what the questions speak of themselves, as it is before a scan or after it.
+std::vector<bool> statesAskedFor(const TransitionSystem& system, const std::vector<std::size_t>& questions);
+
 }  // namespace rungproof
