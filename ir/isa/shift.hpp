@@ -9,19 +9,23 @@ namespace rungproof::isa {
 
 enum class Way { Left, Right };
 
+constexpr Desc shiftDesc(Width width, std::string_view stl, std::string_view meaning, std::uint32_t time,
+                         std::string_view manual) {
+  return withOperands({.stl = stl,
+                       .meaning = meaning,
+                       .group = "move, shift, rotate",
+                       .stack = {1, 0, 0},
+                       .eno = true,
+                       .affects = status::Zero | status::Overflow,
+                       .time = time,
+                       .manual = manual},
+                      {inout("OUT", unsignedType(width), targetForms(width)), in("N", Type::Byte, form::byteIn)});
+}
+
 template <Way way, Width width, Name stlName, Name meaning, std::uint32_t time>
 struct Shift {
   static constexpr int w = bits(width);
-  static constexpr Desc desc =
-      withOperands({.stl = stlName.view(),
-                    .meaning = meaning.view(),
-                    .group = "move, shift, rotate",
-                    .stack = {1, 0, 0},
-                    .eno = true,
-                    .affects = status::Zero | status::Overflow,
-                    .time = time,
-                    .manual = "001:5925"},
-                   {inout("OUT", unsignedType(width), targetForms(width)), in("N", Type::Byte, form::byteIn)});
+  static constexpr Desc desc = shiftDesc(width, stlName.view(), meaning.view(), time, "001:5925");
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -40,16 +44,7 @@ struct Shift {
 template <Way way, Width width, Name stlName, Name meaning, std::uint32_t time>
 struct Rotate {
   static constexpr int w = bits(width);
-  static constexpr Desc desc =
-      withOperands({.stl = stlName.view(),
-                    .meaning = meaning.view(),
-                    .group = "move, shift, rotate",
-                    .stack = {1, 0, 0},
-                    .eno = true,
-                    .affects = status::Zero | status::Overflow,
-                    .time = time,
-                    .manual = "001:5942"},
-                   {inout("OUT", unsignedType(width), targetForms(width)), in("N", Type::Byte, form::byteIn)});
+  static constexpr Desc desc = shiftDesc(width, stlName.view(), meaning.view(), time, "001:5942");
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
