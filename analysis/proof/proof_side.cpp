@@ -8,6 +8,7 @@
 
 #include "analysis/encoding/accelerate.hpp"
 #include "analysis/encoding/exact_reals.hpp"
+#include "analysis/graph/evaluate.hpp"
 
 namespace rungproof {
 
@@ -89,6 +90,13 @@ TransitionSystem ProofSide::accelerated(std::size_t question, std::uint32_t long
   const auto isIdle = [&](Node n) { return !variables.contains(indexOf(n)) && !ofTime.contains(indexOf(n)); };
   std::erase_if(one.states, [&](const StateVariable& s) { return isIdle(s.node); });
   std::erase_if(one.inputs, isIdle);
+  // Total constraints over idle inputs can always be met by these.
+  std::erase_if(one.constraints, [&](Node constraint) {
+    const Node roots[] = {constraint};
+    const bool isTotal = std::ranges::find(one.totalConstraints, constraint) != one.totalConstraints.end();
+    return isTotal && std::ranges::any_of(coneOf(*one.graph, roots),
+                                          [&](Node n) { return (*one.graph)[n].op == Op::Variable && isIdle(n); });
+  });
   accelerate(one, time.dt(), time.width(), longest, [&](Node n) { return obligations_.isTimeState(n); });
   return one;
 }

@@ -1,7 +1,10 @@
 // Witnesses and proofs over time: long presets are reached by stretches that are replayed scan by scan, and found as
 // quickly as short ones; what time alone cannot reach is not claimed.
 #include <chrono>
+#include <set>
 
+#include "analysis/graph/evaluate.hpp"
+#include "analysis/proof/proof_side.hpp"
 #include "proved_text.hpp"
 
 namespace rungproof::test {
@@ -27,6 +30,28 @@ TEST(Time, TimerIsNotEarly) {
       inputOf("//@ prove not before: T37 implies held(I0.0, 3900ms)\n", "Network 1\nLD I0.0\nTON T37, 50\n");
   const ProofRun run = prove(input.program, input.properties, usualOptions(3));
   EXPECT_NE(outcomeOf(run, "not before"), Outcome::Violated);
+}
+
+// A constraint on the moments of 1 ms ticks shares the length of the scan with every question about time, but binds
+// only inputs that such a question does not depend on: neither may be in its accelerated system.
+TEST(Time, AcceleratedSystemKnowsAllItsVariables) {
+  const ProgramInput input =
+      inputOf("//@ prove late: T37 implies held(I0.0, 1s)\n//@ at every instruction prove early: T32 implies T96\n",
+              "Network 1\nLD I0.0\nTON T37, 50\nNetwork 2\nLD I0.0\nTON T32, 50\nTON T96, 40\n");
+  const EncoderOptions options = encoderOptionsOf(usualOptions(), true);
+  ProofSide side(input.program, input.properties, input.properties.properties, options, {});
+  const TransitionSystem system = side.accelerated(0, 500);
+  std::set<Node> known(system.inputs.begin(), system.inputs.end());
+  std::vector<Node> roots = system.constraints;
+  for (const StateVariable& state : system.states) {
+    known.insert(state.node);
+    roots.push_back(state.next);
+  }
+  roots.push_back(system.questions[0].bad);
+  for (const Node n : coneOf(*system.graph, roots)) {
+    const NodeData& node = (*system.graph)[n];
+    if (node.op == Op::Variable) EXPECT_TRUE(known.contains(n)) << system.graph->variables()[node.value].name;
+  }
 }
 
 }  // namespace
