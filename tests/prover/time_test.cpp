@@ -50,7 +50,8 @@ TEST(Time, AcceleratedSystemKnowsAllItsVariables) {
   roots.push_back(system.questions[0].bad);
   for (const Node n : coneOf(*system.graph, roots)) {
     const NodeData& node = (*system.graph)[n];
-    if (node.op == Op::Variable) EXPECT_TRUE(known.contains(n)) << system.graph->variables()[node.value].name;
+    if (node.op != Op::Variable) continue;
+    EXPECT_TRUE(known.contains(n)) << system.graph->variables()[node.value].name;
   }
 }
 
