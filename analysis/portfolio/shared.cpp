@@ -11,6 +11,44 @@ namespace rungproof {
 
 namespace {
 constexpr double inductionQuerySeconds = 0.25;
+constexpr std::size_t mostShared = 2;  ///< how often a gate may be encoded, on average, for solvers of their own
+
+/// Do the questions depend on different parts of the system within two scans? A solver of one part is much quicker
+/// than one that decides variables of the others too.
+bool areApart(const BitSystem& system) {
+  const std::size_t variables = system.variableCount();
+  std::vector<std::uint32_t> mark(2 * variables, 0);  // by scan, by variable: the last question that reached it
+  std::size_t single = 0, together = 0;
+  std::vector<std::size_t> open;
+  std::uint32_t question = 0;
+  const auto reach = [&](std::size_t scan, Lit l) {
+    const std::size_t at = scan * variables + variableOf(l);
+    if (mark[at] == question) return;
+    single += mark[at] == 0 ? 1 : 0;
+    ++together;
+    mark[at] = question;
+    open.push_back(at);
+  };
+  for (const Lit bad : system.bads) {
+    ++question;
+    reach(1, bad);
+    for (std::size_t scan = 0; scan < 2; ++scan) {
+      for (const Lit constraint : system.constraints) reach(scan, constraint);
+    }
+    while (!open.empty()) {
+      const std::size_t scan = open.back() / variables, v = open.back() % variables;
+      open.pop_back();
+      if (system.kind[v] == BitSystem::Kind::Gate) {
+        reach(scan, system.gates[system.position[v]].left);
+        reach(scan, system.gates[system.position[v]].right);
+      } else if (system.kind[v] == BitSystem::Kind::Latch && scan > 0) {
+        reach(scan - 1, system.latches[system.position[v]].next);
+      }
+    }
+    if (together > mostShared * single + variables) return false;
+  }
+  return question > 1 && together <= mostShared * single;
+}
 }  // namespace
 
 SharedSearch::SharedSearch(const BitSystem& system, std::uint64_t seed, std::vector<int> cleanScans)
@@ -82,24 +120,40 @@ void SharedSearch::extendBase(int depth, const Budget& budget) {
 
 void SharedSearch::induce(int most, const std::vector<std::vector<Lit>>& invariants, const Budget& budget) {
   Unrolling steps(system_, Unrolling::Start::Any);
-  Sat sat(Sat::Use::Many);
-  BitCnf cnf(steps.graph(), sat);
-  for (int k = 0; k <= most && !budget.isExhausted(); ++k) {
-    for (const Lit constraint : system_.constraints) sat.add({cnf.literal(steps.at(k, constraint))});
-    for (const std::vector<Lit>& clause : invariants) {
-      std::vector<int> literals;
-      for (const Lit l : clause) literals.push_back(cnf.literal(steps.at(k, l)));
-      sat.add(literals);
+  struct Solver {
+    Sat sat{Sat::Use::Many};
+    BitCnf cnf;
+    int scans = 0;  ///< that constraints and invariants have been added for
+    explicit Solver(const BitSystem& graph) : cnf(graph, sat) {}
+  };
+  std::vector<std::unique_ptr<Solver>> solvers(invariants.empty() && areApart(system_) ? answers_.size() : 1);
+  const auto solverFor = [&](std::size_t q, int k) -> Solver& {
+    std::unique_ptr<Solver>& solver = solvers[solvers.size() == 1 ? 0 : q];
+    if (!solver) solver = std::make_unique<Solver>(steps.graph());
+    for (; solver->scans <= k; ++solver->scans) {
+      for (const Lit constraint : system_.constraints)
+        solver->sat.add({solver->cnf.literal(steps.at(solver->scans, constraint))});
+      for (const std::vector<Lit>& clause : invariants) {
+        std::vector<int> literals;
+        for (const Lit l : clause) literals.push_back(solver->cnf.literal(steps.at(solver->scans, l)));
+        solver->sat.add(literals);
+      }
     }
+    return *solver;
+  };
+  for (int k = 0; k <= most && !budget.isExhausted(); ++k) {
     for (std::size_t q = 0; q < answers_.size(); ++q) {
       if (!answers_[q].open() || cleanScans_[q] < k || budget.isExhausted()) continue;
       const Lit bad = steps.at(k, system_.bads[q]);
-      std::vector<int> assumptions;
-      for (int earlier = 0; earlier < k; ++earlier)
-        assumptions.push_back(-cnf.literal(steps.at(earlier, system_.bads[q])));
-      if (bad != falseLit) assumptions.push_back(cnf.literal(bad));
-      const Sat::Outcome outcome =
-          bad == falseLit ? Sat::Outcome::Unsatisfiable : sat.solve(assumptions, budget.slice(inductionQuerySeconds));
+      Sat::Outcome outcome = Sat::Outcome::Unsatisfiable;
+      if (bad != falseLit) {
+        Solver& solver = solverFor(q, k);
+        std::vector<int> assumptions;
+        for (int earlier = 0; earlier < k; ++earlier)
+          assumptions.push_back(-solver.cnf.literal(steps.at(earlier, system_.bads[q])));
+        assumptions.push_back(solver.cnf.literal(bad));
+        outcome = solver.sat.solve(assumptions, budget.slice(inductionQuerySeconds));
+      }
       if (outcome != Sat::Outcome::Unsatisfiable) continue;
       Verdict& verdict = answers_[q].verdict;
       verdict.answer = Answer::Proved;
