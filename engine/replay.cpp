@@ -19,6 +19,7 @@ class Script final : public Outside {
   void load(const std::vector<ExternalValue>& values) {
     finish();
     sites_.clear();
+    next_ = 0;
     for (const ExternalValue& value : values) sites_.push_back({key(value.site), {}, 0});
     std::sort(sites_.begin(), sites_.end(), [](const Site& a, const Site& b) { return a.key < b.key; });
     sites_.erase(std::unique(sites_.begin(), sites_.end(), [](const Site& a, const Site& b) { return a.key == b.key; }),
@@ -32,9 +33,14 @@ class Script final : public Outside {
     isBegun_ = true;
   }
   std::uint64_t external(const ExternalSite& site, int) override {
-    const auto found = at(key(site));
-    if (found != sites_.end() && found->key == key(site) && found->next < found->values.size())
-      return found->values[found->next++];
+    const Key wanted = key(site);
+    const bool isNext =
+        (next_ == 0 || sites_[next_ - 1].key < wanted) && (next_ == sites_.size() || sites_[next_].key >= wanted);
+    if (!isNext) next_ = static_cast<std::size_t>(at(wanted) - sites_.begin());
+    if (next_ < sites_.size() && sites_[next_].key == wanted) {
+      Site& found = sites_[next_++];
+      if (found.next < found.values.size()) return found.values[found.next++];
+    }
     const bool isUnknown = site.kind == External::StackBottom || site.kind == External::LocalMemory ||
                            site.kind == External::UnknownStatus;
     return isUnknown ? unknown_ : 0;
@@ -65,6 +71,7 @@ class Script final : public Outside {
 
   const std::uint64_t unknown_;
   std::vector<Site> sites_;  ///< by key
+  std::size_t next_ = 0;     ///< where a scan looks next, mostly: it asks in this order
   bool isBegun_ = false;
   std::size_t unused_ = 0;
 };
