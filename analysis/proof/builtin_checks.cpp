@@ -227,4 +227,15 @@ std::vector<BuiltinCheck> builtinChecks(const Program& program, const PropertySe
   return checks;
 }
 
+std::vector<Operand> BuiltinCheck::operands() const {
+  std::vector<Operand> result;
+  for (const Instruction* instruction : {place, other}) {
+    if (instruction == nullptr) continue;
+    for (const Operand& operand : instruction->operands) {
+      if (operand.kind == OperandKind::Direct) result.push_back(operand);
+    }
+  }
+  return result;
+}
+
 }  // namespace rungproof

@@ -79,6 +79,9 @@ struct BuiltinCheck {
   const Instruction* place = nullptr;
   const Instruction* other = nullptr;  ///< the other half of a conflict
   Node bad = noNode;
+
+  /// The direct operands of both places.
+  std::vector<Operand> operands() const;
 };
 
 /// Which questions are asked beside the declared properties.

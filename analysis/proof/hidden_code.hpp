@@ -3,6 +3,7 @@
 // middle of a scan. So nothing that depends on such a place is decided. Tested by tests/graphical/simatic_test.cpp.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <unordered_set>
 #include <vector>
@@ -27,5 +28,8 @@ class HiddenCode {
   std::vector<ExternalRange> ranges_;
   std::vector<std::string> shared_;  ///< places that code which is read writes too: then nothing is certain
 };
+
+/// Why no proof holds: an interrupt routine is attached whose events the encoding does not know.
+std::optional<std::string> unfollowedRoutine(const Program& program, const EncodedScan& encoding);
 
 }  // namespace rungproof

@@ -61,6 +61,12 @@ std::unordered_set<std::uint32_t> ProofSide::variablesOf(std::size_t question) c
   return variables;
 }
 
+std::size_t ProofSide::exactReals(std::size_t question) const {
+  const auto variables = variablesOf(question);
+  return static_cast<std::size_t>(std::ranges::count_if(
+      variables, [&](std::uint32_t n) { return isExactReal((*system_.graph)[static_cast<Node>(n)]); }));
+}
+
 std::vector<const Approximation*> ProofSide::approximationsOf(std::size_t question, bool isWritten) {
   std::vector<const Approximation*> found;
   const Graph& graph = *system_.graph;

@@ -32,6 +32,8 @@ class ProofSide {
   std::unordered_set<std::uint32_t> variablesOf(std::size_t question) const;
   /// What is not exact and reaches the question; `isWritten`: its REAL operations are written out and exact.
   std::vector<const Approximation*> approximationsOf(std::size_t question, bool isWritten);
+  /// How many REAL operations that can be written out the question depends on.
+  std::size_t exactReals(std::size_t question) const;
   bool dependsOnTime(const std::unordered_set<std::uint32_t>& variables) const;
   /// Keeps only what the question depends on, so that unrelated changes do not end a stretch of equal scans.
   TransitionSystem accelerated(std::size_t question, std::uint32_t longest);

@@ -16,6 +16,7 @@
 #include "analysis/portfolio/portfolio.hpp"
 #include "analysis/proof/asked_goals.hpp"
 #include "analysis/proof/exact_run.hpp"
+#include "analysis/proof/exploration.hpp"
 #include "analysis/proof/guided_runs.hpp"
 #include "analysis/proof/hidden_code.hpp"
 #include "analysis/proof/proof_networks.hpp"
@@ -33,12 +34,13 @@ constexpr int shallowDepth = 12;         ///< scans of a short accelerated run
 constexpr double shallowSeconds = 0.25;  ///< for all of them
 constexpr double engineSeconds = 2;      ///< for runs of the engine, which count their scans, on a busy machine
 constexpr std::uint64_t fewInstructions = 200'000;  ///< of its runs before any proof is tried
+constexpr double exploringSeconds = 0.4;            ///< for all questions that are open after the quick ones
 constexpr double quickSeconds = 0.5;                ///< for each question while all are looked at together
 constexpr int fillings = 16;                   ///< of inputs that a question does not mention, tried to confirm a run
 constexpr double minimiseSeconds = 0.25;       ///< for making a witness smaller
 constexpr std::uint64_t minimisedScans = 200;  ///< longer witnesses wait for a timer; they stay as they were found
 constexpr double premiseSeconds = 5;           ///< for a question that a verdict is checked with
-constexpr int writtenReals = 12;               ///< REAL operations of a question that are written out as bits
+constexpr std::size_t writtenReals = 12;       ///< REAL operations of a question that are written out as bits
 constexpr double freeRealShare = 0.25;         ///< of a question's time, before REAL operations are written out
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
@@ -141,10 +143,7 @@ class Session {
   }
   /// Whether REAL operations decide the question that can be written out: engines take them as any value at first.
   bool restsOnReals(std::size_t question) const {
-    const Graph& graph = *exact_->system().graph;
-    const auto variables = exact_->variablesOf(question);
-    const auto count = std::count_if(variables.begin(), variables.end(),
-                                     [&](std::uint32_t n) { return isExactReal(graph[static_cast<Node>(n)]); });
+    const std::size_t count = exact_->exactReals(question);
     return count > 0 && count <= writtenReals;
   }
   std::vector<QuestionAnswer> ask(const TransitionSystem& system, double each, Clock::time_point deadline) {
@@ -188,25 +187,48 @@ class Session {
     quick_.resize(exact_->system().questions.size());
     searchOnEngine([&](std::size_t q) { return q >= declaredCount(); }, fewInstructions);
     TransitionSystem rest = exact_->system();
-    answerOpen(rest, openQuestions(), together);
+    answerOpen(rest, openQuestions([](std::size_t) { return true; }), together);
     const auto start = Clock::now();
     std::vector<std::size_t> open;
     for (std::size_t q = 0; q < quick_.size(); ++q) {
-      if (quick_[q].answer != Answer::Unknown) continue;
-      const bool mayWait = q >= goals_.size() || options_.bound > 0 || secondsSince(start) > shallowSeconds;
-      if (!mayWait && searchShallow(q)) continue;
-      open.push_back(q);
+      const bool maySearch = q < goals_.size() && options_.bound == 0 && secondsSince(start) <= shallowSeconds;
+      if (quick_[q].answer == Answer::Unknown && !(maySearch && searchShallow(q))) open.push_back(q);
     }
     searchOnEngine([&](std::size_t q) { return q >= declaredCount() || goals_[q].kind == PropertyKind::Reach; },
                    GuidedLimits{}.instructions);
-    const auto isFound = [&](std::size_t q) { return quick_[q].answer != Answer::Unknown; };
-    std::erase_if(open, isFound);
+    std::erase_if(open, [&](std::size_t q) { return quick_[q].answer != Answer::Unknown; });
     answerOpen(rest, open, portfolio(std::min(options_.timeout, quickSeconds), deadline, &cancel));
+    explore(std::min(deadline, Clock::now() + seconds(std::min(options_.timeout / 10, exploringSeconds))));
   }
-  std::vector<std::size_t> openQuestions() const {
+  /// What the engine finds from state to state for all open goals.
+  void explore(Clock::time_point deadline) {
+    const std::vector<std::size_t> open = openQuestions([&](std::size_t q) { return q < goals_.size(); });
+    if (open.empty() || options_.bound > 0 || watch_.isStopped()) return;
+    std::atomic<bool> cancel{false};
+    const ProofWatch::Guard guard(watch_, cancel);
+    exploration_ = std::make_unique<Exploration>(program_, exact_->obligations().encoding(), assumptions_, goals_, open,
+                                                 options_.seed);
+    exploration_->search(deadline, cancel);
+    takeExplored();
+  }
+  /// Runs that the exploration has found for questions that were still open.
+  void takeExplored() {
+    if (!exploration_) return;
+    for (std::size_t q = 0; q < goals_.size(); ++q) {
+      if (quick_[q].answer == Answer::Unknown && exploration_->found(q))
+        show(q, *exploration_->found(q), "exploration");
+    }
+  }
+  void show(std::size_t question, Witness witness, const char* method) {
+    quick_[question].answer = Answer::Violated;
+    quick_[question].method = method;
+    found_.emplace(question, std::move(witness));
+  }
+  template <class Wanted>
+  std::vector<std::size_t> openQuestions(Wanted&& wanted) const {
     std::vector<std::size_t> open;
     for (std::size_t q = 0; q < quick_.size(); ++q) {
-      if (quick_[q].answer == Answer::Unknown) open.push_back(q);
+      if (quick_[q].answer == Answer::Unknown && wanted(q)) open.push_back(q);
     }
     return open;
   }
@@ -223,23 +245,15 @@ class Session {
   /// Runs of the engine for wanted goals that are still open, all together.
   template <class Wanted>
   void searchOnEngine(Wanted&& wanted, std::uint64_t instructions) {
-    if (options_.bound > 0) return;
-    std::vector<std::size_t> open;
+    const std::vector<std::size_t> open = openQuestions([&](std::size_t q) { return q < goals_.size() && wanted(q); });
     std::vector<const Property*> goals;
-    for (std::size_t q = 0; q < goals_.size(); ++q) {
-      if (quick_[q].answer != Answer::Unknown || !wanted(q)) continue;
-      open.push_back(q);
-      goals.push_back(&goals_[q]);
-    }
-    if (open.empty() || watch_.isStopped()) return;
+    for (const std::size_t q : open) goals.push_back(&goals_[q]);
+    if (options_.bound > 0 || open.empty() || watch_.isStopped()) return;
     std::vector<std::optional<Witness>> found =
         guidedRuns(program_, exact_->obligations().encoding(), assumptions_, goals, options_.seed,
                    {std::min(options_.timeout / 10, engineSeconds), instructions});
     for (std::size_t i = 0; i < open.size(); ++i) {
-      if (!found[i]) continue;
-      quick_[open[i]].answer = Answer::Violated;
-      quick_[open[i]].method = "engine runs";
-      found_.emplace(open[i], std::move(*found[i]));
+      if (found[i]) show(open[i], std::move(*found[i]), "engine runs");
     }
   }
   /// A short run of the accelerated system that the engine repeats.
@@ -251,10 +265,8 @@ class Session {
     const TransitionSystem accelerated = relaxed->accelerated(question, options_.time.high);
     if (const auto trace = shallowSearch(accelerated, shallowDepth, shallowSeconds / 4)) {
       if (auto witness = replayed(*relaxed, accelerated, question, *trace)) {
-        quick_[question].method = "accelerated search";
-        quick_[question].answer = Answer::Violated;
+        show(question, std::move(*witness), "accelerated search");
         quick_[question].seconds += secondsSince(start);
-        found_.emplace(question, std::move(*witness));
         return true;
       }
     }
@@ -357,13 +369,7 @@ class Session {
     if (question < goals_.size()) {
       for (const Operand* operand : addressesOf(goals_[question])) read.push_back(*operand);
     } else {
-      const BuiltinCheck& check = exact_->checks()[question - goals_.size()];
-      for (const Instruction* place : {check.place, check.other}) {
-        if (place == nullptr) continue;
-        for (const Operand& operand : place->operands) {
-          if (operand.kind == OperandKind::Direct) read.push_back(operand);
-        }
-      }
+      read = exact_->checks()[question - goals_.size()].operands();
     }
     if (!facts_) facts_ = std::make_unique<Facts>(program_, set_.externals);
     std::unordered_set<std::uint32_t> variables;
@@ -378,22 +384,13 @@ class Session {
   }
 
   /// A routine that is attached but whose events the encoding does not know leaves every proof open.
-  void guardInterrupts(ProofResult& row) {
-    EncodedScan& encoding = exact_->obligations().encoding();
-    if (!encoding.eventSites().empty() || (row.outcome != Outcome::Proved && row.outcome != Outcome::Unreachable))
-      return;
-    for (const Flow& flow : encoding.plan().flows) {
-      for (const FlowStep& step : flow.steps) {
-        if (step.instruction->desc->stl != "ATCH") continue;
-        row.outcome = Outcome::NotCovered;
-        row.certificate.clear();
-        const Span span = step.instruction->span;
-        row.notes.push_back(fmt::format("the interrupt routine attached at {}:{} is not followed",
-                                        program_.sources->file(span.file).name(),
-                                        program_.sources->position(span).line));
-        return;
-      }
-    }
+  void guardInterrupts(ProofResult& row) const {
+    if (row.outcome != Outcome::Proved && row.outcome != Outcome::Unreachable) return;
+    const std::optional<std::string> reason = unfollowedRoutine(program_, exact_->obligations().encoding());
+    if (!reason) return;
+    row.outcome = Outcome::NotCovered;
+    row.certificate.clear();
+    row.notes.push_back(*reason);
   }
 
   using Found = std::pair<QuestionAnswer, std::optional<Witness>>;
@@ -439,9 +436,16 @@ class Session {
         if (witness || question >= goals_.size()) cancelExact = true;
       });
     }
+    std::optional<ExplorationThread> exploring;
+    if (exploration_ && question < goals_.size() && !exploration_->found(question)) {
+      exploring.emplace(*exploration_, question, deadline_, [&] { cancelExact = cancelFast = true; });
+    }
     QuestionAnswer answer = answerQuestions(exact, portfolio(std::max(left(), 0.0), deadline_, &cancelExact))[0];
     if (answer.answer != Answer::Unknown) cancelFast = true;
     if (fast.joinable()) fast.join();
+    const bool isExplored = exploring && exploring->end() && !witness;
+    takeExplored();
+    if (isExplored) witness = exploration_->found(question);
     if (fastAnswer && !witness && question >= goals_.size()) {
       witness = replayed(*relaxed, *accelerated, question, *fastAnswer->trace);
       if (!witness && answer.answer == Answer::Unknown && left() > 0 && !watch_.isStopped())
@@ -449,7 +453,7 @@ class Session {
     }
     CHECK(!(witness && answer.answer == Answer::Proved), "a proved property has a witness that the engine repeats");
     if (witness) {
-      answer.method = "accelerated search";
+      answer.method = isExplored ? "exploration" : "accelerated search";
     } else if (answer.answer == Answer::Violated) {
       witness = confirmed(question, *answer.trace);
     }
@@ -497,19 +501,13 @@ class Session {
   std::optional<Witness> confirmed(std::size_t question, const WordTrace& trace) {
     std::optional<Witness> witness = replayed(*exact_, exact_->system(), question, trace);
     if (witness || exact_->approximationsOf(question, written_.contains(question)).empty()) return witness;
-    const TransitionSystem& system = exact_->system();
     std::unordered_set<std::uint32_t> fixed = exact_->variablesOf(question);
     for (const Node n : exact_->obligations().encoding().time().inputs()) fixed.insert(indexOf(n));
     std::mt19937_64 random(options_.seed);
     WordTrace tried = trace;
     for (int attempt = 0; attempt < fillings && !witness && !watch_.isStopped(); ++attempt) {
-      for (std::vector<std::uint64_t>& scan : tried.inputs) {
-        for (std::size_t i = 0; i < scan.size(); ++i) {
-          if (!fixed.contains(indexOf(system.inputs[i])))
-            scan[i] = random() & Graph::maskOf((*system.graph)[system.inputs[i]].width);
-        }
-      }
-      witness = replayed(*exact_, system, question, tried);
+      fillOtherInputs(exact_->system(), fixed, random, tried);
+      witness = replayed(*exact_, exact_->system(), question, tried);
     }
     return witness;
   }
@@ -575,6 +573,7 @@ class Session {
   ProofWatch watch_;
   std::unique_ptr<ProofSide> exact_;
   std::unique_ptr<ProofSide> relaxed_;
+  std::unique_ptr<Exploration> exploration_;
   std::unique_ptr<Facts> facts_;
   std::vector<QuestionAnswer> quick_;
   std::map<std::size_t, Witness> found_;             ///< by question: witnesses of the short search

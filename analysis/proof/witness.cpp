@@ -167,6 +167,16 @@ std::vector<ReplayScan> scansOf(EncodedScan& encoding, const TransitionSystem& s
   return scans;
 }
 
+void fillOtherInputs(const TransitionSystem& system, const std::unordered_set<std::uint32_t>& fixed,
+                     std::mt19937_64& random, WordTrace& trace) {
+  for (std::vector<std::uint64_t>& scan : trace.inputs) {
+    for (std::size_t i = 0; i < scan.size(); ++i) {
+      if (!fixed.contains(indexOf(system.inputs[i])))
+        scan[i] = random() & Graph::maskOf((*system.graph)[system.inputs[i]].width);
+    }
+  }
+}
+
 std::optional<Concrete::Store> initialOf(EncodedScan& encoding, const TransitionSystem& system,
                                          const WordTrace& trace) {
   const auto isFree = [](const StateVariable& state) { return state.init == noNode; };

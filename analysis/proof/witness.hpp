@@ -4,6 +4,8 @@
 #pragma once
 
 #include <optional>
+#include <random>
+#include <unordered_set>
 #include <vector>
 
 #include "analysis/bits/bit_blast.hpp"
@@ -62,6 +64,9 @@ class Judge {
 /// Turns a word-level run of an encoding into scans of the engine. Scans longer than the range become several.
 std::vector<ReplayScan> scansOf(EncodedScan& encoding, const TransitionSystem& system, const WordTrace& trace,
                                 const TimeRange& range);
+/// Gives every input but the `fixed` ones (node indices) any value, in all scans of the run.
+void fillOtherInputs(const TransitionSystem& system, const std::unordered_set<std::uint32_t>& fixed,
+                     std::mt19937_64& random, WordTrace& trace);
 /// The state that the run starts from, or nothing if it is that of power-up.
 std::optional<Concrete::Store> initialOf(EncodedScan& encoding, const TransitionSystem& system, const WordTrace& trace);
 
