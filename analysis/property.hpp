@@ -96,7 +96,8 @@ struct Property {
   /// What the property means does not depend on it.
   int timeBase = 1;
   Span span{};
-  std::string text;  ///< the statement as written
+  std::string text;                  ///< the statement as written
+  std::vector<std::string> remarks;  ///< what its author may not have meant, for the report
 
   bool isGoal() const { return kind != PropertyKind::Assume && kind != PropertyKind::Pulse; }
 };

@@ -296,6 +296,7 @@ class Session {
     }
     row.method = answer.method;
     row.depth = answer.depth;
+    row.notes = row.property.remarks;
     const bool wantsYes = row.builtin ? isWanted(row.builtin->kind) : row.property.kind == PropertyKind::Reach;
     if (witness) {
       row.outcome = wantsYes ? Outcome::Reachable : Outcome::Violated;

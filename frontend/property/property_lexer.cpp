@@ -11,6 +11,8 @@ namespace rungproof {
 
 namespace {
 
+constexpr std::int64_t largest = 0xFFFFFFFF;  ///< 32 bits
+
 bool isWordStart(char c) {
   return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_' || (static_cast<unsigned char>(c) & 0x80) != 0;
 }
@@ -29,7 +31,7 @@ class Lexer {
       tokens.push_back(next());
     }
     tokens.push_back(
-        {PropertyToken::End, {}, 0, false, {file_, offset_ + static_cast<std::uint32_t>(text_.size()), 0}});
+        {PropertyToken::End, {}, 0, false, {file_, offset_ + static_cast<std::uint32_t>(text_.size()), 0}, false});
     return tokens;
   }
 
@@ -81,6 +83,7 @@ class Lexer {
     const std::string all(t.text);
     t.value = isReal ? static_cast<std::int64_t>(std::bit_cast<std::uint32_t>(std::strtof(all.c_str(), nullptr)))
                      : std::strtoll(all.c_str(), nullptr, 10);
+    t.isTooLarge = !isReal && t.value > largest;
     return t;
   }
 
@@ -104,6 +107,7 @@ class Lexer {
         result.ptr != digits.data() + digits.size())
       t.kind = PropertyToken::Punctuation;
     t.value = static_cast<std::int64_t>(value);
+    t.isTooLarge = value > static_cast<std::uint64_t>(largest);
     t.isPattern = true;
     return t;
   }
@@ -112,7 +116,8 @@ class Lexer {
   std::int64_t unitHere() {
     std::size_t end = at_;
     while (end < text_.size() && std::isalpha(static_cast<unsigned char>(text_[end])) != 0) ++end;
-    const std::string_view unit = text_.substr(at_, end - at_);
+    std::string unit(text_.substr(at_, end - at_));
+    for (char& c : unit) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     const std::int64_t ms = unit == "ms"                   ? 1
                             : unit == "s"                  ? 1000
                             : unit == "m" || unit == "min" ? 60000
@@ -127,7 +132,8 @@ class Lexer {
             text_.substr(start, at_ - start),
             0,
             false,
-            {file_, offset_ + static_cast<std::uint32_t>(start), static_cast<std::uint32_t>(at_ - start)}};
+            {file_, offset_ + static_cast<std::uint32_t>(start), static_cast<std::uint32_t>(at_ - start)},
+            false};
   }
 
   std::string_view text_;

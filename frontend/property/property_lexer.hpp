@@ -18,6 +18,7 @@ struct Token {
   std::int64_t value = 0;  ///< Number: value; Real: IEEE single pattern; Duration: ms
   bool isPattern = false;  ///< Number written as 16# or 2#: bits, not an amount
   Span span{};
+  bool isTooLarge = false;  ///< Number that 32 bits, signed or not, do not hold
 };
 
 /// Splits one statement; `offset` is the place of text[0] in the file. Anything unreadable is one Punctuation token.

@@ -11,6 +11,7 @@
 
 #include "frontend/property/property_lexer.hpp"
 #include "frontend/property/property_message.hpp"
+#include "frontend/property/property_types.hpp"
 #include "ir/desc.hpp"
 
 namespace rungproof {
@@ -30,6 +31,9 @@ constexpr const char* addressRule = propertyMessages[1].id.data();
 constexpr const char* typeRule = propertyMessages[2].id.data();
 constexpr const char* nameRule = propertyMessages[3].id.data();
 
+constexpr const char* formsHelp =
+    "one statement a line, with and, or, xor, not, implies, comparisons and + - *; see prove --help for the forms";
+
 std::string lower(std::string_view text) {
   std::string result(text);
   std::transform(result.begin(), result.end(), result.begin(),
@@ -37,17 +41,11 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-/// Bits of the signed number that holds `value`.
-std::uint8_t signedWidth(std::int64_t value) {
-  int width = 1;
-  while (width < 64 && (value >> (width - 1)) != 0 && (value >> (width - 1)) != -1) ++width;
-  return static_cast<std::uint8_t>(width);
-}
-
 class Parser {
  public:
-  Parser(std::vector<Token> tokens, const OperandLookup& lookup, std::string_view text)
-      : tokens_(std::move(tokens)), lookup_(lookup), text_(text) {}
+  /// `target`: the CPU whose addresses exist, or nullptr.
+  Parser(std::vector<Token> tokens, const OperandLookup& lookup, const Target* target, std::string_view text)
+      : tokens_(std::move(tokens)), lookup_(lookup), target_(target), text_(text) {}
 
   void statement(PropertySet& set) {
     bool everyInstruction = false;
@@ -95,6 +93,7 @@ class Parser {
       throw Mistake{syntaxRule, head.span, "'at every instruction' goes with always and never only",
                     "leave it out, or state an invariant"};
     }
+    property.remarks = std::move(remarks_);
     layoutCells(property);
     if (everyInstruction && !property.cells.empty()) {
       throw Mistake{syntaxRule, head.span,
@@ -189,7 +188,7 @@ class Parser {
     do {
       ExternalRange range;
       range.span = head.span;
-      range.isHidden = head.text == "hidden";
+      range.isHidden = lower(head.text) == "hidden";
       range.first = range.last = address(take());
       if (accept("..")) range.last = address(take());
       if (range.first.area != range.last.area || range.first.width != range.last.width) {
@@ -211,8 +210,7 @@ class Parser {
 
   void end() {
     if (peek().kind != PropertyToken::End)
-      throw Mistake{syntaxRule, peek().span, fmt::format("'{}' does not belong here", peek().text),
-                    "one statement a line; see prove --help for the forms"};
+      throw Mistake{syntaxRule, peek().span, fmt::format("'{}' does not belong here", peek().text), formsHelp};
   }
 
   // ---- Expressions -----------------------------------------------------------------------------------
@@ -221,6 +219,7 @@ class Parser {
     Expr expr;
     const std::uint32_t start = peek().span.offset;
     const std::uint32_t root = implies(expr);
+    if (expr.nodes[root].type != ExprType::Truth && peek().kind == PropertyToken::Punctuation) end();
     needTruth(expr, root);
     const std::uint32_t stop = endOfLast();
     const std::uint32_t base =
@@ -326,6 +325,9 @@ class Parser {
   std::uint32_t primary(Expr& e) {
     const Token t = take();
     if (t.kind == PropertyToken::Number) {
+      if (t.isTooLarge)
+        throw Mistake{syntaxRule, t.span, fmt::format("'{}' is larger than any number of the S7-200", t.text),
+                      "numbers have up to 32 bits"};
       return add(e, {.op = ExprOp::Constant,
                      .type = ExprType::Number,
                      .width = signedWidth(t.value),
@@ -346,7 +348,7 @@ class Parser {
                     t.kind == PropertyToken::End
                         ? std::string("the expression ends too early")
                         : fmt::format("an address, a number or '(' is needed here, not '{}'", t.text),
-                    ""};
+                    formsHelp};
     const std::string word = lower(t.text);
     if (word == "true" || word == "false")
       return add(e, {.op = ExprOp::Constant, .value = word == "true", .span = t.span});
@@ -401,20 +403,20 @@ class Parser {
                                  o.area != Area::AC && o.area != Area::HC))
       return add(e, std::move(node));
     node.type = ExprType::Number;
-    node.width = numberWidth(o);
+    node.width = signedWidth(o);
     return add(e, std::move(node));
   }
-  static std::uint8_t numberWidth(const Operand& o) {
-    if (o.area == Area::T || o.area == Area::C || o.area == Area::AI || o.area == Area::AQ) return 16;
-    if (o.area == Area::AC || o.area == Area::HC) return 32;
-    return o.width == Width::Byte ? 9 : static_cast<std::uint8_t>(bits(o.width));
-  }
-
   Operand address(const Token& t) {
     const std::optional<Operand> operand = t.kind == PropertyToken::Word ? lookup_(t.text) : std::nullopt;
+    if (!operand && isKeyword(lower(t.text)))
+      throw Mistake{syntaxRule, t.span, fmt::format("'{}' does not belong here", t.text), formsHelp};
     if (!operand || operand->kind != OperandKind::Direct) {
       throw Mistake{addressRule, t.span, fmt::format("'{}' is no address and no known symbol", t.text),
                     "give the symbol table with --symbols, or write the address"};
+    }
+    if (target_ != nullptr) {
+      if (const std::optional<std::string> reason = missingFrom(*target_, *operand))
+        throw Mistake{addressRule, t.span, *reason, "correct the address, or choose the CPU with --cpu"};
     }
     return *operand;
   }
@@ -446,18 +448,14 @@ class Parser {
   }
 
   std::uint32_t compare(Expr& e, ExprOp op, std::uint32_t left, std::uint32_t right, Span at) {
-    const bool anyTimer = isTimerBit(e.nodes[left]) || isTimerBit(e.nodes[right]);
-    const bool bothTruth = e.nodes[left].type == ExprType::Truth && e.nodes[right].type == ExprType::Truth;
-    const bool truthAndBit =
-        !anyTimer && (e.nodes[left].type == ExprType::Truth || e.nodes[right].type == ExprType::Truth);
-    if (bothTruth || truthAndBit) {
+    if (comparesTruth(e, op, left, right)) {
       needTruth(e, left);
       needTruth(e, right);
     } else {
       needNumber(e, left, at);
       needNumber(e, right, at);
-      fitPattern(e.nodes[left], e.nodes[right]);
-      fitPattern(e.nodes[right], e.nodes[left]);
+      fitConstant(e, left, right, remarks_);
+      fitConstant(e, right, left, remarks_);
       asReals(e, left, right);
     }
     return add(e, {.op = op, .args = {left, right}, .span = at});
@@ -475,28 +473,6 @@ class Parser {
                    .args = {left, right},
                    .span = at});
   }
-  static bool isTimerBit(const ExprNode& n) {
-    return n.op == ExprOp::Address && n.type == ExprType::Truth &&
-           (n.operand.area == Area::T || n.operand.area == Area::C);
-  }
-  /// 16#FFFF compared with a word is the word's bit pattern, -1.
-  static void fitPattern(ExprNode& pattern, const ExprNode& other) {
-    if (pattern.op != ExprOp::Constant || pattern.operand.form != ConstantForm::Hex || other.op != ExprOp::Address)
-      return;
-    const int w = other.width;
-    if (w < 16 || pattern.value >> w != 0) return;
-    if ((pattern.value >> (w - 1) & 1) != 0) pattern.value -= std::int64_t{1} << w;
-    pattern.width = signedWidth(pattern.value);
-  }
-  /// Beside a REAL, a double word address is a REAL as well.
-  static void asReals(Expr& e, std::uint32_t left, std::uint32_t right) {
-    if (e.nodes[left].type != ExprType::Real && e.nodes[right].type != ExprType::Real) return;
-    for (const std::uint32_t i : {left, right}) {
-      ExprNode& n = e.nodes[i];
-      if (n.op == ExprOp::Address && n.width == 32) n.type = ExprType::Real;
-    }
-  }
-
   std::uint32_t binary(Expr& e, ExprOp op, std::uint32_t left, std::uint32_t right) {
     needTruth(e, left);
     needTruth(e, right);
@@ -538,7 +514,9 @@ class Parser {
 
   std::vector<Token> tokens_;
   const OperandLookup& lookup_;
+  const Target* target_;
   std::string_view text_;
+  std::vector<std::string> remarks_;
   std::pair<std::uint32_t, std::uint32_t>
       premise_{};  ///< offsets around the left side of an implication; the outermost is left here
   std::size_t at_ = 0;
@@ -548,7 +526,7 @@ class Parser {
 }  // namespace
 
 void readPropertyText(std::uint32_t file, std::string_view text, std::uint32_t offset, const OperandLookup& lookup,
-                      PropertySet& set, std::vector<Finding>& findings) {
+                      PropertySet& set, std::vector<Finding>& findings, const Target* target) {
   std::size_t begin = 0;
   while (begin <= text.size()) {
     const std::size_t stop = std::min(text.find('\n', begin), text.size());
@@ -558,7 +536,7 @@ void readPropertyText(std::uint32_t file, std::string_view text, std::uint32_t o
       const std::size_t last =
           tokens[tokens.size() - 2].span.offset + tokens[tokens.size() - 2].span.length - (offset + begin);
       try {
-        Parser(std::move(tokens), lookup, line.substr(0, last)).statement(set);
+        Parser(std::move(tokens), lookup, target, line.substr(0, last)).statement(set);
       } catch (const Mistake& mistake) {
         Finding finding;
         finding.rule = mistake.rule;
@@ -576,7 +554,8 @@ void readPropertyText(std::uint32_t file, std::string_view text, std::uint32_t o
 PropertySet readProperties(Program& program, const std::vector<std::string>& files, const OperandLookup& lookup) {
   PropertySet set;
   for (const Directive& directive : program.directives) {
-    readPropertyText(directive.span.file, directive.text, directive.span.offset, lookup, set, program.findings);
+    readPropertyText(directive.span.file, directive.text, directive.span.offset, lookup, set, program.findings,
+                     &program.target);
   }
   for (const std::string& name : files) {
     std::ifstream stream(name, std::ios::binary);
@@ -591,7 +570,7 @@ PropertySet readProperties(Program& program, const std::vector<std::string>& fil
     std::ostringstream content;
     content << stream.rdbuf();
     const std::uint32_t file = program.sources->add(name, content.str());
-    readPropertyText(file, program.sources->file(file).text(), 0, lookup, set, program.findings);
+    readPropertyText(file, program.sources->file(file).text(), 0, lookup, set, program.findings, &program.target);
   }
   return set;
 }

@@ -20,8 +20,9 @@ using OperandLookup = std::function<std::optional<Operand>(std::string_view)>;
 /// opened is an error finding as well.
 PropertySet readProperties(Program& program, const std::vector<std::string>& files, const OperandLookup& lookup);
 
-/// Reads statements from one text, a line each; `#` begins a comment. For tests and for readProperties.
+/// Reads statements from one text, a line each; `#` begins a comment. Addresses must exist on `target`, if given. For
+/// tests and for readProperties.
 void readPropertyText(std::uint32_t file, std::string_view text, std::uint32_t offset, const OperandLookup& lookup,
-                      PropertySet& set, std::vector<Finding>& findings);
+                      PropertySet& set, std::vector<Finding>& findings, const Target* target = nullptr);
 
 }  // namespace rungproof

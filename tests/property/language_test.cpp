@@ -10,6 +10,7 @@ namespace {
 std::optional<Operand> lookUp(std::string_view name) {
   if (name == "start") return direct(Area::I, Width::Bit, 0, 0);
   const auto number = [](std::string_view text) { return static_cast<std::uint32_t>(std::stoul(std::string(text))); };
+  if (name == "I15.7") return direct(Area::I, Width::Bit, 15, 7);
   if (name.size() == 4 && (name[0] == 'I' || name[0] == 'Q' || name[0] == 'M') && name[2] == '.') {
     return direct(name[0] == 'I'   ? Area::I
                   : name[0] == 'Q' ? Area::Q
@@ -67,6 +68,54 @@ TEST(PropertyLanguage, TimersAreBitsOrValues) {
   EXPECT_EQ(shapeOf("T37 and not T38"), "(and T37 (not T38))");
   EXPECT_EQ(shapeOf("T37.value >= 50"), "(>= T37.value 50)");
   EXPECT_EQ(shapeOf("T37 >= 50"), "(>= T37.value 50)");
+  EXPECT_EQ(shapeOf("T37 = 1"), "(= T37 1)") << "T37 is the bit";
+  EXPECT_EQ(shapeOf("T37 <> true"), "(<> T37 1)");
+  EXPECT_EQ(shapeOf("T37 >= 1"), "(>= T37.value 1)");
+}
+
+TEST(PropertyLanguage, ConstantsFitWhatStandsBesideThem) {
+  Reading reading(
+      "prove a: prev(VW0) = 16#FFFF\nprove b: VW0 > 40000\nprove c: VB0 = 256 or VB0 = 255\n"
+      "prove d: VD0 = 16#80000000\nprove e: prev(VD0) > 1.5\nprove f: VD0 - VD4 < 0.5\nprove g: VD0 = 99999999999\n");
+  ASSERT_EQ(reading.findings.size(), 1U) << "no number of the S7-200 has 37 bits";
+  EXPECT_EQ(reading.findings[0].rule, "PRP001");
+  const std::vector<Property>& p = reading.set.properties;
+  EXPECT_EQ(p[0].first.nodes[2].value, -1) << "the bit pattern of a word a scan ago";
+  ASSERT_EQ(p[1].remarks.size(), 1U) << "words are signed: 40000 is beyond 32767";
+  EXPECT_NE(p[1].remarks[0].find("VW0 is never 40000"), std::string::npos) << p[1].remarks[0];
+  EXPECT_EQ(p[2].remarks.size(), 1U) << "bytes go to 255";
+  EXPECT_TRUE(p[3].remarks.empty());
+  EXPECT_EQ(p[3].first.nodes[1].value, -2147483648LL);
+  EXPECT_EQ(p[4].first.nodes[1].type, ExprType::Real);
+  EXPECT_EQ(p[4].first.nodes[0].type, ExprType::Real);
+  EXPECT_EQ(p[5].first.nodes[2].type, ExprType::Real) << "a difference of double words beside a REAL";
+}
+
+TEST(PropertyLanguage, AddressesMustExistOnTheCpu) {
+  PropertySet set;
+  std::vector<Finding> findings;
+  const Target target;  // CPU 226: VB0-VB10239, I0.0-I15.7, T0-T255
+  readPropertyText(0,
+                   "prove a: T300\nprove b: VW10239 = 0\nprove c: VB10239 = 0\nprove d: T255\nprove e: Q0.8\n"
+                   "external VB10200..VB10300\nreach f: I15.7\n",
+                   0, lookUp, set, findings, &target);
+  ASSERT_EQ(findings.size(), 4U);
+  for (const Finding& finding : findings) EXPECT_EQ(finding.rule, "PRP002") << finding.message;
+  EXPECT_EQ(findings[0].message, "the CPU 226 has no T300: the last one is T255");
+  EXPECT_EQ(findings[1].message, "the CPU 226 has no VW10239: the last one is VW10238");
+  EXPECT_EQ(findings[2].message, "Q0.8 has bit number 8; a byte has bits 0 to 7");
+  ASSERT_EQ(set.properties.size(), 3U);
+}
+
+TEST(PropertyLanguage, MistakesSayWhatIsMissing) {
+  const auto messageOf = [](std::string_view expression) {
+    Reading reading("prove p: " + std::string(expression));
+    return reading.findings.empty() ? std::string() : reading.findings[0].message;
+  };
+  EXPECT_EQ(messageOf("VW0 / 2 > 5"), "'/' does not belong here");
+  EXPECT_EQ(messageOf("Q0.0 or or Q0.1"), "'or' does not belong here");
+  EXPECT_EQ(messageOf("always never Q0.0"), "'never' does not belong here");
+  EXPECT_EQ(messageOf("Q0.0 held 500MS implies Q0.1"), "") << "units in capitals";
 }
 
 TEST(PropertyLanguage, NumbersAreSignedForWordsAndUnsignedForBytes) {
