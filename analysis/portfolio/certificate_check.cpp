@@ -21,6 +21,10 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double quickSeconds = 3;  ///< for a plain strategy that starts fast, before Z3's own for QF_BV
 
+constexpr double jointSeconds = 0.3;     ///< for several formulas at once
+constexpr std::size_t smallSize = 1000;  ///< numbers in the form of a formula that is checked with others
+constexpr std::size_t jointSize = 2000;  ///< of all formulas that are checked at once
+
 z3::solver quickSolver(z3::context& context) {
   const auto step = [&](const char* name) { return z3::tactic(context, name); };
   return (step("simplify") & step("propagate-values") & step("solve-eqs") & step("simplify") & step("bit-blast") &
@@ -79,6 +83,48 @@ std::vector<unsigned> formOf(z3::context& context, const z3::expr& formula) {
   return form;
 }
 
+/// The formulas by their forms: properties of equal parts of a program lead to equal forms.
+class Forms {
+ public:
+  /// `formulas`: an application to true and the formulas.
+  Forms(z3::context& context, const z3::expr& formulas) : context_(context), formulas_(formulas) {
+    for (unsigned i = 0; i + 1 < formulas.num_args(); ++i)
+      forms_.push_back(known_.try_emplace(formOf(context, formulas.arg(i + 1))).first);
+  }
+
+  CheckResult& result(std::size_t i) { return forms_[i]->second.result; }
+
+  /// A solver's start takes longer than many a formula. So small ones, from the i-th on, are asked for together: if
+  /// their disjunction is unsatisfiable, each of them is.
+  void checkWithNext(std::size_t i) {
+    if (!isOpen(i)) return;
+    z3::expr_vector together(context_);
+    std::vector<Known*> taken;
+    std::size_t size = 0;
+    for (; i < forms_.size() && size < jointSize; ++i) {
+      if (!isOpen(i)) continue;
+      size += forms_[i]->first.size();
+      together.push_back(formulas_.arg(static_cast<unsigned>(i) + 1));
+      taken.push_back(&forms_[i]->second);
+      taken.back()->isTried = true;
+    }
+    if (taken.size() < 2 || checkFormula(context_, z3::mk_or(together), jointSeconds) != CheckResult::Valid) return;
+    for (Known* known : taken) known->result = CheckResult::Valid;
+  }
+
+ private:
+  struct Known {
+    CheckResult result = CheckResult::Unknown;
+    bool isTried = false;
+  };
+  bool isOpen(std::size_t i) const { return !forms_[i]->second.isTried && forms_[i]->first.size() <= smallSize; }
+
+  z3::context& context_;
+  const z3::expr formulas_;
+  std::map<std::vector<unsigned>, Known> known_;
+  std::vector<std::map<std::vector<unsigned>, Known>::iterator> forms_;  ///< by formula
+};
+
 void writeResult(int pipe, CheckResult result) {
   const auto byte = static_cast<unsigned char>(result);
   if (write(pipe, &byte, 1) != 1) _exit(1);
@@ -98,13 +144,12 @@ void writeResult(int pipe, CheckResult result) {
     if (assertions.size() != 1 || assertions[0].num_args() != owners.size() + 1) _exit(1);
     const z3::expr formulas = assertions[0];
     std::vector<double> left(ownerCount, limits.each);
-    std::map<std::vector<unsigned>, CheckResult> known;  // properties of equal parts of a program lead to equal forms
+    Forms known(context, formulas);
     for (unsigned i = 0; i < owners.size(); ++i) {
       const Clock::time_point begin = Clock::now();
-      const z3::expr formula = formulas.arg(i + 1);
-      const auto [at, isNew] = known.emplace(formOf(context, formula), CheckResult::Unknown);
-      if (isNew || at->second == CheckResult::Unknown) at->second = checkFormula(context, formula, left[owners[i]]);
-      const CheckResult result = at->second;
+      known.checkWithNext(i);
+      CheckResult& result = known.result(i);
+      if (result == CheckResult::Unknown) result = checkFormula(context, formulas.arg(i + 1), left[owners[i]]);
       left[owners[i]] -= std::chrono::duration<double>(Clock::now() - begin).count();
       writeResult(pipe, result);
     }
