@@ -39,10 +39,10 @@ class GuidedSearch {
   std::vector<std::optional<Witness>> run() {
     const std::uint64_t most =
         limits_.instructions / std::max<std::uint64_t>(program_.instructionCount(), leastInstructions);
-    std::uint64_t random = 0;
-    for (int kind = 0; !isDone() && random < most && used() < limits_.seconds; ++kind) {
-      const std::uint64_t made = follow(phases(kind), most);
-      if (kind >= plainRuns) random += made + 1;
+    std::uint64_t barren = 0;  // random scans
+    for (int kind = 0; !isDone() && barren < most && used() < limits_.seconds; ++kind) {
+      const auto [made, hasShown] = follow(phases(kind), most);
+      if (kind >= plainRuns) barren = (hasShown ? 0 : barren) + made + 1;
     }
     return std::move(found_);
   }
@@ -73,8 +73,12 @@ class GuidedSearch {
     return scans;
   }
 
-  /// Gives how many scans were made.
-  std::uint64_t follow(const std::vector<ReplayScan>& scans, std::uint64_t most) {
+  struct Course {
+    std::uint64_t barren;  ///< scans since the last one that showed a goal
+    bool hasShown;
+  };
+  /// Ends after `most` scans in which nothing is shown.
+  Course follow(const std::vector<ReplayScan>& scans, std::uint64_t most) {
     struct NoOutside final : Outside {
       std::uint64_t external(const ExternalSite&, int) override { return 0; }
       void report(Hazard, const Instruction*) override {}
@@ -85,7 +89,7 @@ class GuidedSearch {
     for (const Property* goal : goals_) goals.emplace_back(*goal);
     std::vector<std::optional<std::pair<std::size_t, std::uint32_t>>> hits(
         goals_.size());  // scan and round that showed it
-    std::uint64_t count = 0;
+    std::uint64_t count = 0, shown = 0;
     std::size_t step = ~std::size_t{0};
     std::uint32_t round = 0;
     replay(program_, choices_, scans, nullptr, [&](const Concrete::Store& state, std::size_t at) {
@@ -98,26 +102,28 @@ class GuidedSearch {
       bool isOpen = false;
       for (std::size_t g = 0; g < goals.size(); ++g) {
         if (found_[g] || hits[g]) continue;
-        if (goals[g].evaluate(domain, state, scans[at], isFirst))
-          hits[g] = {at, round};
-        else
+        if (!goals[g].evaluate(domain, state, scans[at], isFirst)) {
           isOpen = true;
+          continue;
+        }
+        hits[g] = {at, round};
+        shown = count;
       }
-      return isOpen && count < most && (count % looksAtClock != 0 || used() < limits_.seconds);
+      return isOpen && count - shown < most && (count % looksAtClock != 0 || used() < limits_.seconds);
     });
     for (std::size_t g = 0; g < goals_.size(); ++g) {
       if (!hits[g]) continue;
       const auto [at, rounds] = *hits[g];
-      std::vector<ReplayScan> shown(scans.begin(), scans.begin() + static_cast<std::ptrdiff_t>(at) + 1);
-      shown.back().repeats = rounds + 1;
+      std::vector<ReplayScan> way(scans.begin(), scans.begin() + static_cast<std::ptrdiff_t>(at) + 1);
+      way.back().repeats = rounds + 1;
       Witness& witness = found_[g].emplace();
-      for (const ReplayScan& scan : shown) {
+      for (const ReplayScan& scan : way) {
         witness.scanCount += scan.repeats;
         witness.milliseconds += static_cast<std::uint64_t>(scan.repeats) * scan.lengthMs;
       }
-      witness.scans = std::move(shown);
+      witness.scans = std::move(way);
     }
-    return count;
+    return {count - shown, shown != 0};
   }
 
   const Program& program_;

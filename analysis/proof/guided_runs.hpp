@@ -14,8 +14,8 @@ namespace rungproof {
 
 struct GuidedLimits {
   double seconds;
-  /// Of the run with all inputs on, of that with all off, and of all random runs together: 40,000 scans
-  /// of 100 instructions, hours of the machine's time.
+  /// Without a new goal shown, of the run with all inputs on, of that with all off, and of all random runs together:
+  /// 40,000 scans of 100 instructions, hours of the machine's time.
   std::uint64_t instructions = 4'000'000;
 };
 
