@@ -8,15 +8,19 @@
 
 namespace rungproof {
 
+namespace {
+constexpr std::size_t gatesBetweenLooks = 10000;  ///< at the clock
+}  // namespace
+
 BitBlast::BitBlast(const TransitionSystem& system, const std::vector<std::size_t>& questions,
-                   const std::vector<Node>& extra)
+                   const std::vector<Node>& extra, const Budget* budget)
     : system_(system), graph_(*system.graph) {
   for (std::size_t i = 0; i < system.states.size(); ++i) states_.emplace(indexOf(system.states[i].node), i);
   for (std::size_t i = 0; i < system.inputs.size(); ++i) inputs_.emplace(indexOf(system.inputs[i]), i);
   std::vector<Node> roots = system.constraints;
   roots.insert(roots.end(), extra.begin(), extra.end());
   for (const std::size_t q : questions) roots.push_back(system.questions[q].bad);
-  collectCone(roots);
+  collectCone(roots, {}, budget);
   for (std::size_t latch = 0; latch < stateBits_.size(); ++latch) {
     const auto [state, bit] = stateBits_[latch];
     bits_.setNext(positive(bits_.latches[latch].variable), of(system.states[state].next)[bit]);
@@ -52,7 +56,8 @@ void BitBlast::add(const std::vector<Node>& nodes) {
   for (const Node n : nodes) remember(n);
 }
 
-void BitBlast::collectCone(const std::vector<Node>& roots, const std::unordered_set<std::uint32_t>& open) {
+void BitBlast::collectCone(const std::vector<Node>& roots, const std::unordered_set<std::uint32_t>& open,
+                           const Budget* budget) {
   std::vector<bool> inCone(graph_.size(), false);
   std::vector<Node> stack = roots;
   while (!stack.empty()) {
@@ -75,8 +80,13 @@ void BitBlast::collectCone(const std::vector<Node>& roots, const std::unordered_
     const Node n = static_cast<Node>(i);
     if (inCone[i] && graph_[n].op == Op::Variable) blast(n);
   }
+  std::size_t gates = 0;
   for (std::size_t i = 0; i < inCone.size(); ++i) {
-    if (inCone[i] && graph_[static_cast<Node>(i)].op != Op::Variable) blast(static_cast<Node>(i));
+    if (!inCone[i] || graph_[static_cast<Node>(i)].op == Op::Variable) continue;
+    blast(static_cast<Node>(i));
+    if (budget == nullptr || bits_.gates.size() < gates + gatesBetweenLooks) continue;
+    gates = bits_.gates.size();
+    if (budget->isExhausted()) throw OutOfBudget{};
   }
 }
 

@@ -22,11 +22,15 @@ struct WordTrace {
   std::vector<std::vector<std::uint64_t>> inputs;
 };
 
+/// Thrown where the time is over and half a result is of no use.
+struct OutOfBudget {};
+
 class BitBlast {
  public:
-  /// Covers the cone of `questions` (indices), of all constraints, and of `extra` nodes over states and inputs.
+  /// Covers the cone of `questions` (indices), of all constraints, and of `extra` nodes over states and inputs. Throws
+  /// OutOfBudget: long arithmetic can be millions of gates.
   BitBlast(const TransitionSystem& system, const std::vector<std::size_t>& questions,
-           const std::vector<Node>& extra = {});
+           const std::vector<Node>& extra = {}, const Budget* budget = nullptr);
   /// One node within one scan; `open` nodes (indices) and variables of any kind become free inputs.
   BitBlast(const TransitionSystem& system, Node root, const std::unordered_set<std::uint32_t>& open);
 
@@ -58,7 +62,8 @@ class BitBlast {
   BitTrace bitTrace(const WordTrace& trace) const;
 
  private:
-  void collectCone(const std::vector<Node>& roots, const std::unordered_set<std::uint32_t>& open = {});
+  void collectCone(const std::vector<Node>& roots, const std::unordered_set<std::uint32_t>& open = {},
+                   const Budget* budget = nullptr);
   void blast(Node n);
   void remember(Node n);
   void blastDivision(const NodeData& node, const LitVector& a, const LitVector& b, LitVector& out);

@@ -1,6 +1,9 @@
 // The rounds of the encoder: encode a scan, learn from it, encode again with what was learned.
 #include "analysis/encoding/encoder.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "analysis/encoding/scan_encoding.hpp"
 #include "ir/check.hpp"
 
@@ -39,22 +42,38 @@ class EncodedScan::Impl {
   bool learn() {
     encode();
     const TransitionSystem system = scan->system();
-    VariableValues values;
+    VariableValues values, later;
     for (const Cell& cell : scan->cells()) {
       const auto known = knowledge.values.find(cell.place);
       if (cell.kind == CellKind::State && known != knowledge.values.end()) values[cell.start] = known->second;
     }
-    closeValues(system, scan->pointerCells(), values);
+    for (const Cell& cell : scan->cells()) {
+      if (const auto known = knowledge.later.find(cell.place); known != knowledge.later.end())
+        later[cell.start] = known->second;
+    }
+    closeValues(system, scan->pointerCells(), values, later, options.interruption);
+    std::vector<Place> firstScans;
+    const std::vector<Node> firsts = firstScansOf(system);
+    for (const Cell& cell : scan->cells()) {
+      if (std::find(firsts.begin(), firsts.end(), cell.start) != firsts.end()) firstScans.push_back(cell.place);
+    }
+    const bool areFirstScansNew = std::exchange(knowledge.firstScans, firstScans) != firstScans;
     const std::vector<Place> changing = refuted(values);
     for (const Place& place : changing) knowledge.constants.erase(place);
     const bool isNewFootprint = knowledge.footprints.merge(scan->footprints());
-    bool isConfirmed = changing.empty() && !isNewFootprint;
+    bool isConfirmed = changing.empty() && !isNewFootprint && (!areFirstScansNew || scan->pointerCells().empty());
     std::map<Place, std::uint64_t> found;
     for (const Cell& cell : scan->cells()) {
       if (cell.kind != CellKind::State) continue;
       const ValueSet& set = values.at(cell.start);
       const auto known = knowledge.values.find(cell.place);
-      const bool isNew = known == knowledge.values.end() || known->second != set;
+      bool isNew = known == knowledge.values.end() || known->second != set;
+      if (const auto after = later.find(cell.start); after != later.end()) {
+        isNew = isNew || knowledge.later[cell.place] != after->second;
+        knowledge.later[cell.place] = after->second;
+      } else {
+        isNew = knowledge.later.erase(cell.place) > 0 || isNew;
+      }
       if (isNew && !scan->pointerCells().empty()) isConfirmed = false;
       knowledge.values[cell.place] = set;
       if (set.isSingle()) found.emplace(cell.place, set.facts().low);

@@ -143,6 +143,8 @@ void ValueEvaluator::collectBounds(Node guard) {
   while (!open.empty()) {
     const Node n = open.back();
     open.pop_back();
+    if (graph_[n].op != Op::Constant) unsigned_[n] = {1, 1};
+    if (graph_[n].op == Op::Not) unsigned_[graph_[n].child[0]] = {0, 0};
     if (graph_[n].op == Op::And) {
       open.push_back(graph_[n].child[0]);
       open.push_back(graph_[n].child[1]);
@@ -190,65 +192,97 @@ void ValueEvaluator::collectBounds(Node guard) {
   }
 }
 
-namespace {
-
-/// The state variable that is 1 at the start of the first scan only; noNode if there is none.
-Node firstScanOf(const TransitionSystem& system) {
+std::vector<Node> firstScansOf(const TransitionSystem& system) {
   const Graph& graph = *system.graph;
   const auto is = [&](Node n, std::uint64_t value) {
     return n != noNode && graph[n].op == Op::Constant && graph[n].value == value;
   };
+  std::vector<Node> result;
   for (const StateVariable& s : system.states) {
-    if (graph[s.node].width == 1 && is(s.init, 1) && is(s.next, 0)) return s.node;
+    if (graph[s.node].width == 1 && is(s.init, 1) && is(s.next, 0)) result.push_back(s.node);
   }
-  return noNode;
+  return result;
 }
 
+namespace {
+
 /// Value by value: what does the cell become from each of its values? What it starts with counts in the first scan,
-/// what it has become in all others: a pointer that the first scan sets is never advanced from 0. False if they become
-/// too many.
-bool followPointer(const TransitionSystem& system, const StateVariable& cell, Node firstScan, ValueEvaluator& evaluator,
-                   VariableValues& known, bool& isChanged) {
-  const Graph& graph = *system.graph;
-  ValueSet& values = known.at(cell.node);
-  if (!values.isListed()) return false;
-  const Node next[] = {cell.next};
-  const std::vector<Node> own = coneOf(graph, next);
-  const bool isStarted = firstScan != noNode && cell.init != noNode && graph[cell.init].op == Op::Constant;
-  const auto successors = [&](std::uint64_t from, bool isFirst) {
-    ValueSet first;
-    if (isStarted) first = std::exchange(known.at(firstScan), ValueSet::of(isFirst ? 1 : 0));
-    ValueSet to = evaluator.valuesWith(own, cell.node, ValueSet::of(from), pointerValueLimit);
-    if (isStarted) known.at(firstScan) = std::move(first);
-    return to;
-  };
-  std::vector<std::uint64_t> open = values.values();
-  std::set<std::uint64_t> later(open.begin(), open.end());
-  if (isStarted) {
-    const std::uint64_t start = graph[cell.init].value;
-    const ValueSet second = successors(start, true);
-    if (!second.isListed()) return false;
-    later.erase(start);
-    for (const std::uint64_t v : second.values()) later.insert(v);
-    open.assign(later.begin(), later.end());
-  }
-  while (!open.empty()) {
-    const std::uint64_t from = open.back();
-    open.pop_back();
-    const ValueSet to = successors(from, false);
-    if (!to.isListed()) return false;
-    for (const std::uint64_t v : to.values()) {
-      if (later.insert(v).second) open.push_back(v);
+/// what it has become in all others: a pointer that the first scan sets is never advanced from 0, nor from what
+/// retentive memory holds. False if they become too many.
+class PointerCells {
+ public:
+  PointerCells(const TransitionSystem& system, ValueEvaluator& evaluator, VariableValues& known, VariableValues& later)
+      : graph_(*system.graph), firstScans_(firstScansOf(system)), evaluator_(evaluator), known_(known), later_(later) {}
+
+  bool follow(const StateVariable& cell, bool& isChanged) {
+    const Node next[] = {cell.next};
+    cone_ = coneOf(graph_, next);
+    std::set<std::uint64_t> found;
+    const ValueSet start = known_.at(cell.node);
+    if (firstScans_.empty()) {
+      if (!start.isListed()) return false;
+      for (const std::uint64_t v : start.values()) found.insert(v);
+    } else {
+      if (const auto before = later_.find(cell.node); before != later_.end()) {
+        for (const std::uint64_t v : before->second.values()) found.insert(v);
+      }
+      const VariableValues before = known_;
+      for (const Node n : firstScans_) known_[n] = ValueSet::of(1);
+      const ValueSet second = evaluator_.valuesWith(cone_, cell.node, initialOf(cell), pointerValueLimit);
+      for (const Node n : firstScans_) known_[n] = before.at(n);
+      if (!second.isListed()) return false;
+      for (const std::uint64_t v : second.values()) found.insert(v);
     }
-    if (later.size() > pointerValueLimit) return false;
+    if (!close(cell.node, found)) return false;
+    ValueSet values;
+    for (const std::uint64_t v : found) values.join(ValueSet::of(v), pointerValueLimit);
+    if (!firstScans_.empty()) isChanged = later_[cell.node].join(values, pointerValueLimit) || isChanged;
+    isChanged = known_.at(cell.node).join(values, pointerValueLimit) || isChanged;
+    return true;
   }
-  for (const std::uint64_t v : later) isChanged = values.join(ValueSet::of(v), pointerValueLimit) || isChanged;
-  return values.isListed();
-}
+
+ private:
+  ValueSet initialOf(const StateVariable& cell) const {
+    const bool isKnown = cell.init != noNode && graph_[cell.init].op == Op::Constant;
+    return isKnown ? ValueSet::of(graph_[cell.init].value) : ValueSet::any(graph_[cell.node].width);
+  }
+
+  /// Closes the values under scans that are not the first one. False if they become too many.
+  bool close(Node cell, std::set<std::uint64_t>& found) {
+    const VariableValues before = known_;
+    for (const auto& [other, values] : later_) known_[other] = values;
+    for (const Node n : firstScans_) known_[n] = ValueSet::of(0);
+    const bool isClosed = closeFrom(cell, found);
+    known_ = before;
+    return isClosed;
+  }
+  bool closeFrom(Node cell, std::set<std::uint64_t>& found) {
+    std::vector<std::uint64_t> open(found.begin(), found.end());
+    while (!open.empty()) {
+      const std::uint64_t from = open.back();
+      open.pop_back();
+      const ValueSet to = evaluator_.valuesWith(cone_, cell, ValueSet::of(from), pointerValueLimit);
+      if (!to.isListed()) return false;
+      for (const std::uint64_t v : to.values()) {
+        if (found.insert(v).second) open.push_back(v);
+      }
+      if (found.size() > pointerValueLimit) return false;
+    }
+    return true;
+  }
+
+  const Graph& graph_;
+  const std::vector<Node> firstScans_;
+  ValueEvaluator& evaluator_;
+  VariableValues& known_;
+  VariableValues& later_;
+  std::vector<Node> cone_;  ///< of the next function at hand
+};
 
 }  // namespace
 
-void closeValues(const TransitionSystem& system, const std::set<Node>& pointerCells, VariableValues& values) {
+void closeValues(const TransitionSystem& system, const std::set<Node>& pointerCells, VariableValues& values,
+                 VariableValues& later, const std::function<void()>& interruption) {
   const Graph& graph = *system.graph;
   std::vector<Node> roots;
   for (const StateVariable& s : system.states) {
@@ -259,10 +293,11 @@ void closeValues(const TransitionSystem& system, const std::set<Node>& pointerCe
   }
   const std::vector<Node> cone = coneOf(graph, roots);
   ValueEvaluator evaluator(graph, values);
-  const Node firstScan = firstScanOf(system);
+  PointerCells pointers(system, evaluator, values, later);
   std::set<Node> walked;
   for (int round = 0;; ++round) {
     bool isChanged = false;
+    if (interruption) interruption();
     evaluator.run(cone, valueLimit);
     for (const StateVariable& s : system.states) {
       if (pointerCells.contains(s.node)) continue;
@@ -274,13 +309,18 @@ void closeValues(const TransitionSystem& system, const std::set<Node>& pointerCe
     }
     for (const StateVariable& s : system.states) {
       if (!pointerCells.contains(s.node) || walked.contains(s.node)) continue;
-      if (!followPointer(system, s, firstScan, evaluator, values, isChanged)) {
+      if (!pointers.follow(s, isChanged)) {
         // Its own values do not end; perhaps another cell makes it start again.
         walked.insert(s.node);
+        later.erase(s.node);
         values[s.node] = ValueSet::any(graph[s.node].width);
-        if (const auto walk = walkOf(system, s.node, pointerValueLimit)) {
-          values[s.node] = ValueSet();
-          for (const std::uint64_t v : *walk) values[s.node].join(ValueSet::of(v), pointerValueLimit);
+        if (const auto walk = walkOf(system, s.node, firstScansOf(system), pointerValueLimit, interruption)) {
+          ValueSet& after = later[s.node];
+          for (const std::uint64_t v : *walk) after.join(ValueSet::of(v), pointerValueLimit);
+          if (s.init != noNode && graph[s.init].op == Op::Constant) {
+            values[s.node] = after;
+            values[s.node].join(ValueSet::of(graph[s.init].value), pointerValueLimit);
+          }
         }
         isChanged = true;
       }

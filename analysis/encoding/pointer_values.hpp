@@ -8,6 +8,7 @@
 // Covered by tests/encoder/pointer_values_test.cpp.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <set>
 #include <span>
@@ -31,7 +32,8 @@ class ValueEvaluator {
  public:
   ValueEvaluator(const Graph& graph, const VariableValues& variables) : graph_(graph), variables_(variables) {}
 
-  /// Values of `root` where `guard` (width 1) holds: comparisons with constants in it narrow what they compare.
+  /// Values of `root` where `guard` (width 1) holds: its conjuncts are true, and comparisons with constants narrow what
+  /// they compare.
   ValueSet valuesOf(Node root, Node guard, std::size_t limit);
   /// Values of `root` with one variable fixed.
   ValueSet valuesWith(std::span<const Node> cone, Node variable, const ValueSet& value, std::size_t limit);
@@ -60,9 +62,15 @@ class ValueEvaluator {
   ValueSet fixedValue_;
 };
 
+/// The state variables that are 1 at the start of the first scan only.
+std::vector<Node> firstScansOf(const TransitionSystem& system);
+
 /// Grows `values` (at least the initial ones on entry, or nothing for a variable) to a set of values closed under all
-/// next functions. `pointerCells`: variables to be followed value by value.
-void closeValues(const TransitionSystem& system, const std::set<Node>& pointerCells, VariableValues& values);
+/// next functions. `pointerCells`: variables to be followed value by value. `later`: what those of them that could be
+/// followed have at the start of all scans but the first; missing without
+/// firstScansOf. `interruption`, if set, is called now and then and may throw.
+void closeValues(const TransitionSystem& system, const std::set<Node>& pointerCells, VariableValues& values,
+                 VariableValues& later, const std::function<void()>& interruption = {});
 
 /// The variables that a node depends on.
 std::vector<Node> variablesOf(const Graph& graph, Node root);

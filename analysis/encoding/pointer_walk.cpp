@@ -23,8 +23,9 @@ using Tuple = std::vector<std::uint64_t>;
 
 class PointerWalk {
  public:
-  PointerWalk(const TransitionSystem& system, Node pointer, std::size_t limit)
-      : graph_(*system.graph), pointer_(pointer), limit_(limit) {
+  PointerWalk(const TransitionSystem& system, Node pointer, const std::vector<Node>& firstScans, std::size_t limit,
+              const std::function<void()>& interruption)
+      : graph_(*system.graph), pointer_(pointer), firstScans_(firstScans), limit_(limit), interruption_(interruption) {
     for (const StateVariable& s : system.states) states_.emplace(s.node, s);
   }
 
@@ -64,11 +65,13 @@ class PointerWalk {
     TransitionSystem step;  // variables are inputs of one step
     step.graph = &graph_;
     std::vector<Node> roots = cells;
+    roots.insert(roots.end(), firstScans_.begin(), firstScans_.end());
     Tuple first;
+    std::vector<bool> isFree;  // at the start of the first scan
     for (const Node n : cells) {
       const StateVariable& state = states_.at(n);
-      if (state.init == noNode || graph_[state.init].op != Op::Constant) return std::nullopt;
-      first.push_back(graph_[state.init].value);
+      isFree.push_back(state.init == noNode || graph_[state.init].op != Op::Constant);
+      first.push_back(isFree.back() ? 0 : graph_[state.init].value);
       roots.push_back(state.next);
     }
     if (coneOf(graph_, roots).size() > coneLimit) return std::nullopt;
@@ -85,20 +88,25 @@ class PointerWalk {
       from.push_back(literals(n));
       to.push_back(literals(states_.at(n).next));
     }
-    std::set<Tuple> seen{first};
+    std::vector<int> inFirst;
+    for (const Node n : firstScans_) inFirst.push_back(literals(n)[0]);
+    std::set<Tuple> seen;  // at the start of scans that are not the first one
     std::vector<Tuple> open{first};
-    std::set<std::uint64_t> values{first[0]};
-    while (!open.empty()) {
+    std::set<std::uint64_t> values;
+    for (bool isFirst = true; !open.empty(); isFirst = false) {
       const Tuple tuple = std::move(open.back());
       open.pop_back();
       const int round = sat.newVariable();
       std::vector<int> assumptions{round};
+      for (const int l : inFirst) assumptions.push_back(isFirst ? l : -l);
       for (std::size_t c = 0; c < cells.size(); ++c) {
+        if (isFirst && isFree[c]) continue;
         for (std::size_t bit = 0; bit < from[c].size(); ++bit)
           assumptions.push_back((tuple[c] >> bit & 1U) != 0 ? from[c][bit] : -from[c][bit]);
       }
       for (;;) {
         if (++calls_ > solverLimit) return std::nullopt;
+        if (interruption_) interruption_();
         const Sat::Outcome outcome = sat.solve(assumptions, budget);
         if (outcome == Sat::Outcome::Unknown) return std::nullopt;
         if (outcome == Sat::Outcome::Unsatisfiable) break;
@@ -124,15 +132,19 @@ class PointerWalk {
 
   Graph& graph_;
   const Node pointer_;
+  const std::vector<Node>& firstScans_;
   const std::size_t limit_;
+  const std::function<void()>& interruption_;
   std::map<Node, StateVariable> states_;
   int calls_ = 0;  ///< of the solver, in all attempts
 };
 
 }  // namespace
 
-std::optional<std::vector<std::uint64_t>> walkOf(const TransitionSystem& system, Node pointer, std::size_t limit) {
-  return PointerWalk(system, pointer, limit).run();
+std::optional<std::vector<std::uint64_t>> walkOf(const TransitionSystem& system, Node pointer,
+                                                 const std::vector<Node>& firstScans, std::size_t limit,
+                                                 const std::function<void()>& interruption) {
+  return PointerWalk(system, pointer, firstScans, limit, interruption).run();
 }
 
 }  // namespace rungproof

@@ -4,6 +4,7 @@
 // Covered by tests/encoder/pointer_values_test.cpp.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -11,8 +12,11 @@
 
 namespace rungproof {
 
-/// The values that the state variable takes, in ascending order; nothing if they are more than `limit`, or if no few
-/// cells limit it.
-std::optional<std::vector<std::uint64_t>> walkOf(const TransitionSystem& system, Node pointer, std::size_t limit);
+/// The values that the state variable takes after one scan or more, in ascending order; nothing if they are more than
+/// `limit`, or if no few cells limit it. `firstScans`: variables that are 1 at the start of the first scan only.
+/// `interruption`, if set, is called now and then and may throw.
+std::optional<std::vector<std::uint64_t>> walkOf(const TransitionSystem& system, Node pointer,
+                                                 const std::vector<Node>& firstScans, std::size_t limit,
+                                                 const std::function<void()>& interruption = {});
 
 }  // namespace rungproof

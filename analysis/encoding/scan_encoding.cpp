@@ -175,6 +175,7 @@ Cell ScanEncoding::cellAt(const Place& place) {
     known_[node] = values->second;
   else if (first != noNode)
     known_[node] = ValueSet::of(graph[first].value);
+  if (const auto later = knowledge_.later.find(place); later != knowledge_.later.end()) later_[node] = later->second;
   return {place, CellKind::State, node};
 }
 
@@ -213,6 +214,24 @@ Approximation& ScanEncoding::approximate(const Instruction* place, std::string_v
   return approximations.emplace_back(Approximation{place, std::string(reason)});
 }
 
+/// In the first scan, what cells start with; in all others, what they have become.
+ValueSet ScanEncoding::pointerValues(Node pointer, Node guard) {
+  if (later_.empty()) return ValueEvaluator(graph, known_).valuesOf(pointer, guard, pointerValueLimit);
+  VariableValues known = known_;
+  const auto setFirst = [&](std::uint64_t value) {
+    for (const Cell& cell : cells()) {
+      const std::vector<Place>& firsts = knowledge_.firstScans;
+      if (std::find(firsts.begin(), firsts.end(), cell.place) != firsts.end()) known[cell.start] = ValueSet::of(value);
+    }
+  };
+  setFirst(1);
+  ValueSet values = ValueEvaluator(graph, known).valuesOf(pointer, guard, pointerValueLimit);
+  for (const auto& [cell, after] : later_) known[cell] = after;
+  setFirst(0);
+  values.join(ValueEvaluator(graph, known).valuesOf(pointer, guard, pointerValueLimit), pointerValueLimit);
+  return values;
+}
+
 /// The values that the pointer can have here decide between a few places; a legal one is always among them.
 Graph::Bool ScanEncoding::targets(Machine<Graph>& machine, Graph::Bits pointer, Width width, Ref<Graph>& ref) {
   for (const Node n : variablesOf(graph, pointer.node)) {
@@ -220,8 +239,7 @@ Graph::Bool ScanEncoding::targets(Machine<Graph>& machine, Graph::Bits pointer, 
   }
   ValueSet values = ValueSet::any(32);
   if (knowledge_.followsPointers) {
-    ValueEvaluator evaluator(graph, known_);
-    values = evaluator.valuesOf(pointer.node, machine.guard.node, pointerValueLimit);
+    values = pointerValues(pointer.node, machine.guard.node);
     // A short range is as good as a list.
     values.restrict(values.facts().low, values.facts().high, pointerValueLimit);
   }

@@ -16,6 +16,8 @@ namespace rungproof {
 /// What earlier runs have found out about the program.
 struct Knowledge {
   std::map<Place, ValueSet> values;          ///< of cells at the start of scans, as far as they are known
+  std::vector<Place> firstScans;             ///< 1 at the start of the first scan only
+  std::map<Place, ValueSet> later;           ///< of pointer cells at the start of all scans but the first
   std::map<Place, std::uint64_t> constants;  ///< cells that keep one value in all runs
   Footprints footprints;
   bool followsPointers = true;  ///< false: pointers that are not constant stay unresolved
@@ -69,6 +71,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   Node localByte(std::uint32_t entry, std::uint32_t byte) override;
   Graph::Bits external(const ExternalSite& site, int width) override;
   void report(Hazard hazard, Graph::Bool condition, const Instruction* place) override;
+  ValueSet pointerValues(Node pointer, Node guard);
   Graph::Bool targets(Machine<Graph>& machine, Graph::Bits pointer, Width width, Ref<Graph>& ref) override;
   Graph::Bits unresolved(Machine<Graph>& machine, int width) override;
   void havoc(Machine<Graph>& machine) override;
@@ -110,7 +113,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   bool isRecording_ = true;
   bool isClosed_ = false;
   bool hasHavoc_ = false;
-  VariableValues known_;
+  VariableValues known_, later_;
   std::set<Node> pointerCells_;
 };
 

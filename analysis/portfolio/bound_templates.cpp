@@ -26,8 +26,9 @@ constexpr std::size_t templateLimit = 1600;
 
 class TemplateSearch {
  public:
-  TemplateSearch(const TransitionSystem& system, const BitBlast& blast, const Invariants& known, std::uint64_t seed)
-      : system_(system), graph_(*system.graph), blast_(blast), known_(known), seed_(seed) {}
+  TemplateSearch(const TransitionSystem& system, const BitBlast& blast, const Invariants& known, std::uint64_t seed,
+                 const Budget& budget)
+      : system_(system), graph_(*system.graph), blast_(blast), known_(known), seed_(seed), budget_(budget) {}
 
   BoundTemplates run() {
     for (std::uint32_t latch = 0; latch < blast_.bits().latches.size(); ++latch) {
@@ -122,7 +123,7 @@ class TemplateSearch {
     std::vector<std::vector<std::uint64_t>> seen(words_.size());  // by scan, then bit
     SimulationRuns runs(blast_.bits(), seed_);
     int done = 0;
-    for (; done < templateScans && runs.choose(); ++done) {
+    for (; done < templateScans && !budget_.isExhausted() && runs.choose(); ++done) {
       for (std::size_t i = 0; i < words_.size(); ++i) {
         const LitVector& bits = blast_.of(words_[i].sum.increment);
         for (std::size_t bit = 0; bit < comparedBits; ++bit)
@@ -242,6 +243,7 @@ class TemplateSearch {
   const BitBlast& blast_;
   const Invariants& known_;
   const std::uint64_t seed_;
+  const Budget& budget_;
   std::set<std::uint32_t> inCone_;
   std::vector<std::uint32_t> order_;
   std::vector<CountingWord> words_;
@@ -252,8 +254,8 @@ class TemplateSearch {
 }  // namespace
 
 BoundTemplates boundTemplates(const TransitionSystem& system, const BitBlast& blast, const Invariants& known,
-                              std::uint64_t seed) {
-  return TemplateSearch(system, blast, known, seed).run();
+                              std::uint64_t seed, const Budget& budget) {
+  return TemplateSearch(system, blast, known, seed, budget).run();
 }
 
 }  // namespace rungproof

@@ -33,6 +33,6 @@ struct BoundTemplates {
 
 /// Adds the nodes to the graph of the system. `known`: of blast's bits; equal latches give one guard.
 BoundTemplates boundTemplates(const TransitionSystem& system, const BitBlast& blast, const Invariants& known,
-                              std::uint64_t seed);
+                              std::uint64_t seed, const Budget& budget);
 
 }  // namespace rungproof

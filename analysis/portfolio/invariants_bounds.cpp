@@ -42,7 +42,7 @@ class BoundSearch {
         known_(known),
         seed_(seed),
         budget_(budget),
-        found_(boundTemplates(system, blast, known, seed)),
+        found_(boundTemplates(system, blast, known, seed, budget)),
         templates_(found_.templates) {}
 
   MinedBounds run() {

@@ -28,8 +28,8 @@ struct Word {
 
 class DifferenceGuess {
  public:
-  DifferenceGuess(const TransitionSystem& system, const BitBlast& blast, std::uint64_t seed)
-      : system_(system), graph_(*system.graph), blast_(blast), runs_(blast.bits(), seed) {}
+  DifferenceGuess(const TransitionSystem& system, const BitBlast& blast, std::uint64_t seed, const Budget& budget)
+      : system_(system), graph_(*system.graph), blast_(blast), budget_(budget), runs_(blast.bits(), seed) {}
 
   std::vector<NodeClause> run() {
     collect();
@@ -63,7 +63,7 @@ class DifferenceGuess {
 
   void sample() {
     int taken = 0;
-    for (; taken < wordScans && runs_.choose() && runs_.live() == ~0ULL; ++taken) {
+    for (; taken < wordScans && !budget_.isExhausted() && runs_.choose() && runs_.live() == ~0ULL; ++taken) {
       for (Word& word : words_) {
         std::size_t base = word.values.size();
         word.values.resize(base + lanes, 0);
@@ -159,6 +159,7 @@ class DifferenceGuess {
   const TransitionSystem& system_;
   Graph& graph_;
   const BitBlast& blast_;
+  const Budget& budget_;
   SimulationRuns runs_;
   std::vector<Word> words_;
   std::vector<NodeClause> clauses_;
@@ -166,8 +167,9 @@ class DifferenceGuess {
 
 }  // namespace
 
-std::vector<NodeClause> guessDifferences(const TransitionSystem& system, const BitBlast& blast, std::uint64_t seed) {
-  return DifferenceGuess(system, blast, seed).run();
+std::vector<NodeClause> guessDifferences(const TransitionSystem& system, const BitBlast& blast, std::uint64_t seed,
+                                         const Budget& budget) {
+  return DifferenceGuess(system, blast, seed, budget).run();
 }
 
 }  // namespace rungproof

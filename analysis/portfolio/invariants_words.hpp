@@ -15,6 +15,7 @@ namespace rungproof {
 using NodeClause = std::vector<Node>;
 
 /// Guesses from random runs of the blasted system. `blast` covers the cone of interest.
-std::vector<NodeClause> guessDifferences(const TransitionSystem& system, const BitBlast& blast, std::uint64_t seed);
+std::vector<NodeClause> guessDifferences(const TransitionSystem& system, const BitBlast& blast, std::uint64_t seed,
+                                         const Budget& budget);
 
 }  // namespace rungproof

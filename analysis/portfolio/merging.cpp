@@ -38,7 +38,7 @@ class Merger {
         graph_(*given.graph),
         seed_(seed),
         budget_(budget),
-        blast_(given, allQuestions(given)),
+        blast_(given, allQuestions(given), {}, &budget),
         bits_(blast_.bits()) {}
 
   MergedSystem run() {
@@ -330,7 +330,14 @@ std::vector<Node> factsBehind(const TransitionSystem& given, const std::vector<R
 }
 
 MergedSystem mergeStates(const TransitionSystem& given, std::uint64_t seed, const Budget& budget) {
-  return Merger(given, seed, budget).run();
+  try {
+    return Merger(given, seed, budget).run();
+  } catch (const OutOfBudget&) {
+    MergedSystem same;
+    same.system = given;
+    for (std::size_t s = 0; s < given.states.size(); ++s) same.kept.push_back(s);
+    return same;
+  }
 }
 
 }  // namespace rungproof

@@ -192,12 +192,17 @@ class Answers {
 }  // namespace
 
 std::optional<WordTrace> shallowSearch(const TransitionSystem& system, int depth, double seconds) {
-  const BitBlast blast(system, {0});
-  EngineOptions options;
-  options.bound = depth;
-  const Verdict verdict = makeBmc(blast.bits(), options)->advance(Budget::seconds(seconds));
-  if (verdict.answer != Answer::Violated) return std::nullopt;
-  return blast.wordTrace(*verdict.trace);
+  const Budget budget = Budget::seconds(seconds);
+  try {
+    const BitBlast blast(system, {0}, {}, &budget);
+    EngineOptions options;
+    options.bound = depth;
+    const Verdict verdict = makeBmc(blast.bits(), options)->advance(budget);
+    if (verdict.answer == Answer::Violated) return blast.wordTrace(*verdict.trace);
+  } catch (const OutOfBudget&) {
+    return std::nullopt;
+  }
+  return std::nullopt;
 }
 
 std::vector<QuestionAnswer> answerQuestions(const TransitionSystem& system, const PortfolioOptions& options) {

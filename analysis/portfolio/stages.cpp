@@ -39,6 +39,16 @@ class Stages {
 
   std::vector<QuestionAnswer> run() {
     for (std::size_t q = 0; q < answers_.size(); ++q) open_.push_back(q);
+    try {
+      answer();
+    } catch (const OutOfBudget&) {  // what is open stays open
+      blast_.reset();
+    }
+    return std::move(answers_);
+  }
+
+ private:
+  void answer() {
     begin({});
     if (!open_.empty()) searchTogether(1, true);
     for (const bool asked : {true, false}) {
@@ -57,22 +67,20 @@ class Stages {
       if (!open_.empty() && options_.check && mineDifferences()) searchTogether(shortInduction, false);
       if (!open_.empty()) raceApart();
     }
-    return std::move(answers_);
   }
 
- private:
-  /// Starts a stage: blasts the open questions.
+  /// Starts a stage: blasts the open questions. Throws OutOfBudget.
   void begin(const std::vector<Node>& truths) {
     differences_.clear();
     invariants_ = {};
     cores_.reset();
-    blast_ = std::make_unique<BitBlast>(system_, open_, truths);
+    blast_ = std::make_unique<BitBlast>(system_, open_, truths, &whole_);
     stageBegin_ = Budget::Clock::now();
   }
   /// Blasts the open questions with the nodes that candidate invariants speak about.
   void beginWithCandidates() {
     const std::vector<Node> truths = stateTruths(system_, open_, truthLimit);
-    std::vector<NodeClause> guesses = guessDifferences(system_, *blast_, options_.seed);
+    std::vector<NodeClause> guesses = guessDifferences(system_, *blast_, options_.seed, whole_);
     for (NodeClause& clause : guessTimerStates(system_)) {
       if (std::all_of(clause.begin(), clause.end(), [&](Node n) { return isInCone(n); }))
         guesses.push_back(std::move(clause));
@@ -309,6 +317,7 @@ class Stages {
 
   const TransitionSystem& system_;
   const PortfolioOptions options_;
+  const Budget whole_ = options_.budget();
   Budget::Clock::time_point stageBegin_{};
   std::unique_ptr<BitBlast> blast_;           ///< of this stage
   std::vector<Lit> truths_;                   ///< literals of blast_

@@ -99,7 +99,7 @@ class Finder {
   void removeContact() {
     const Desc& desc = *instruction().desc;
     const std::vector<Operand> always{direct(Area::SM, Width::Bit, 0, 0)};
-    const std::string text = "removed: " + textOf(desc.stl, instruction().operands);
+    const std::string text = textOf(desc.stl, instruction().operands);
     if (instruction().operands.size() == 1 && instruction().operands[0].area == Area::SM &&
         instruction().operands[0].offset == 0 && instruction().operands[0].bit == 0)
       return;

@@ -3,6 +3,8 @@
 // of its own, so that a difference of states that no output shows does not count.
 #include "analysis/proof/output_comparison.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -72,7 +74,12 @@ void collectOutputs(const EncodedScan& encoding, std::set<std::pair<Area, std::u
   }
 }
 
-using Outputs = std::vector<std::pair<Node, Node>>;
+/// An output bit as the two programs leave it.
+struct OutputBit {
+  Place place;
+  Node left = noNode, right = noNode;
+};
+using Outputs = std::vector<OutputBit>;
 
 /// Both programs encoded, and each output bit of either as the two see it.
 struct Sides {
@@ -84,7 +91,7 @@ struct Sides {
     for (const auto& [area, byte] : bytes) {
       for (std::uint32_t bit = 0; bit < 8; ++bit) {
         const Place place = memoryPlace(area, byte, Width::Bit, bit);
-        outputs.emplace_back(one.encoding().atEnd(place), other.encoding().atEnd(place));
+        outputs.push_back({place, one.encoding().atEnd(place), other.encoding().atEnd(place)});
       }
     }
   }
@@ -127,11 +134,35 @@ bool haveSameScans(TransitionSystem first, const TransitionSystem& second, const
   for (const StateVariable& state : first.states) {
     if (!met.contains(state.node)) compare(state.next, state.node);
   }
-  for (const auto& [a, b] : outputs) compare(a, copier.copy(b));
+  for (const OutputBit& output : outputs) compare(output.left, copier.copy(output.right));
   if (const auto known = graph.truth(differs)) return !*known;
   first.inputs.insert(first.inputs.end(), copier.newInputs().begin(), copier.newInputs().end());
   first.questions = {{"a scan differs", differs.node}};
   return ask(first, options, seconds).answer == Answer::Proved;
+}
+
+/// Which output differs at the end of the run.
+std::string differenceIn(const TransitionSystem& both, const WordTrace& trace, const Outputs& outputs, Copier& copier) {
+  std::vector<std::pair<Node, Node>> pairs;
+  std::vector<Node> roots;
+  for (const OutputBit& output : outputs) {
+    pairs.emplace_back(output.left, copier.copy(output.right));
+    roots.insert(roots.end(), {pairs.back().first, pairs.back().second});
+  }
+  for (const StateVariable& state : both.states) roots.push_back(state.next);
+  Evaluator evaluator(*both.graph, roots);
+  std::vector<std::uint64_t> states = trace.initial;
+  for (const std::vector<std::uint64_t>& inputs : trace.inputs) {
+    for (std::size_t i = 0; i < states.size(); ++i) evaluator.set(both.states[i].node, states[i]);
+    for (std::size_t i = 0; i < inputs.size(); ++i) evaluator.set(both.inputs[i], inputs[i]);
+    evaluator.run();
+    for (std::size_t i = 0; i < states.size(); ++i) states[i] = evaluator[both.states[i].next];
+  }
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (evaluator[pairs[i].first] != evaluator[pairs[i].second])
+      return fmt::format("{} in scan {}", nameOf(outputs[i].place), trace.inputs.size());
+  }
+  return {};
 }
 
 }  // namespace
@@ -143,7 +174,7 @@ bool haveSameScans(const Program& left, const Program& right, const PropertySet&
 }
 
 OutputComparison compareOutputs(const Program& left, const Program& right, const PropertySet& set,
-                                const ProverOptions& options, double seconds) {
+                                const ProverOptions& options, double seconds, std::string* where) {
   Sides sides(left, right, set, options);
   TransitionSystem both = sides.one.system();
   const TransitionSystem second = sides.other.system();
@@ -159,14 +190,17 @@ OutputComparison compareOutputs(const Program& left, const Program& right, const
     both.constraints.push_back(copied);  // not a total one: its inputs now serve two programs
   }
   Graph::Bool differs = graph.constant(false);
-  for (const auto& [a, b] : outputs) differs = graph.lor(differs, graph.lxor({a}, {copier.copy(b)}));
+  for (const OutputBit& output : outputs)
+    differs = graph.lor(differs, graph.lxor({output.left}, {copier.copy(output.right)}));
   both.inputs.insert(both.inputs.end(), copier.newInputs().begin(), copier.newInputs().end());
   both.questions = {{"outputs differ", differs.node}};
   if (const auto known = graph.truth(differs); known && !*known) return OutputComparison::Equal;
   const QuestionAnswer answer = ask(both, options, seconds / 2);
-  return answer.answer == Answer::Proved     ? OutputComparison::Equal
-         : answer.answer == Answer::Violated ? OutputComparison::Different
-                                             : OutputComparison::Undecided;
+  if (answer.answer == Answer::Proved) return OutputComparison::Equal;
+  // A run that may rest on values that the CPU does not give shows nothing.
+  if (answer.answer != Answer::Violated || answer.usesFreeReals) return OutputComparison::Undecided;
+  if (where != nullptr) *where = differenceIn(both, *answer.trace, outputs, copier);
+  return OutputComparison::Different;
 }
 
 }  // namespace rungproof

@@ -4,6 +4,8 @@
 // different outputs (simulation first) or prove that there is none. Covered by tests/selfcheck.
 #pragma once
 
+#include <string>
+
 #include "analysis/proof/prover.hpp"
 
 namespace rungproof {
@@ -17,7 +19,8 @@ bool haveSameScans(const Program& left, const Program& right, const PropertySet&
 
 /// Outputs are all bits of Q and AQ that either program has; compared at the ends of scans in which the assumptions of
 /// `set` hold. Instructions with the same number stand for each other: ticks and interrupts come in front of both.
+/// `where`, if given, receives for Different what differs: "Q0.1 in scan 3".
 OutputComparison compareOutputs(const Program& left, const Program& right, const PropertySet& set,
-                                const ProverOptions& options, double seconds);
+                                const ProverOptions& options, double seconds, std::string* where = nullptr);
 
 }  // namespace rungproof

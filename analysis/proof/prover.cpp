@@ -40,7 +40,7 @@ constexpr int fillings = 16;                   ///< of inputs that a question do
 constexpr double minimiseSeconds = 0.25;       ///< for making a witness smaller
 constexpr std::uint64_t minimisedScans = 200;  ///< longer witnesses wait for a timer; they stay as they were found
 constexpr double premiseSeconds = 5;           ///< for a question that a verdict is checked with
-constexpr std::size_t writtenReals = 12;       ///< REAL operations of a question that are written out as bits
+constexpr std::size_t writtenReals = 200;      ///< REAL operations of a question that are written out as bits
 constexpr double freeRealShare = 0.25;         ///< of a question's time, before REAL operations are written out
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }

@@ -40,14 +40,19 @@ class Checker {
     for (Fault& fault : faultsOf(program_)) {
       const bool isWanted = options_.kinds.empty() ||
                             std::find(options_.kinds.begin(), options_.kinds.end(), fault.kind) != options_.kinds.end();
-      if (isWanted) check.results.push_back({std::move(fault), FaultFate::Undecided, {}});
+      if (isWanted) check.results.push_back({std::move(fault), FaultFate::Undecided, {}, {}});
     }
     std::atomic<std::size_t> next{0};
     std::size_t done = 0;
     std::mutex mutex;
+    std::vector<char> isTried(check.results.size(), 0);  // not bool: threads write neighbours
     const auto work = [&] {
       for (std::size_t i = next++; i < check.results.size() && !isInterrupted(); i = next++) {
-        judge(check.results[i]);
+        FaultResult& result = check.results[i];
+        judge(result, options_.seconds);
+        if (result.fate == FaultFate::Undecided && options_.patience > options_.seconds && !isInterrupted())
+          judge(result, options_.patience);
+        isTried[i] = result.fate != FaultFate::Undecided || !isInterrupted() ? 1 : 0;
         const std::lock_guard lock(mutex);
         ++done;
         if (options_.progress) options_.progress(done, check.results.size());
@@ -57,16 +62,21 @@ class Checker {
     for (int i = 1; i < options_.prover.jobs; ++i) threads.emplace_back(work);
     work();
     for (std::thread& thread : threads) thread.join();
-    check.isInterrupted = isInterrupted();
+    std::vector<FaultResult> tried;
+    for (std::size_t i = 0; i < isTried.size(); ++i) {
+      if (isTried[i] != 0) tried.push_back(std::move(check.results[i]));
+    }
+    check.untried = check.results.size() - tried.size();
+    check.results = std::move(tried);
     return check;
   }
 
  private:
   bool isInterrupted() const { return options_.prover.cancel != nullptr && options_.prover.cancel->load(); }
 
-  void judge(FaultResult& result) const {
+  void judge(FaultResult& result, double most) const {
     ProverOptions options = options_.prover;
-    options.timeout = options_.seconds;
+    options.timeout = most;
     options.jobs = 1;
     options.checks = {};
     options.evidence = false;
@@ -80,7 +90,7 @@ class Checker {
     }
     Program numbered = inPlace;
     numbered.number();
-    for (const double seconds : {quick, options_.seconds}) {
+    for (const double seconds : {quick, most}) {
       options.timeout = seconds;
       prove(numbered, asked_, options, [&](const ProofResult& now, std::size_t, std::size_t) {
         const auto known = before_.find(now.property.name);
@@ -93,7 +103,7 @@ class Checker {
       return;
     }
     if (isInterrupted()) return;
-    switch (compareOutputs(program_, inPlace, set_, options, options_.seconds)) {
+    switch (compareOutputs(program_, inPlace, set_, options, most, &result.where)) {
       case OutputComparison::Equal: result.fate = FaultFate::NoEffect; break;
       case OutputComparison::Different: result.fate = FaultFate::Unnoticed; break;
       case OutputComparison::Undecided: result.fate = FaultFate::Undecided; break;

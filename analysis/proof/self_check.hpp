@@ -23,11 +23,12 @@ struct FaultResult {
   Fault fault;
   FaultFate fate = FaultFate::Undecided;
   std::string noticedBy;  ///< name of the first property that has a worse verdict
+  std::string where;      ///< Unnoticed: an output that differs, "Q0.1 in scan 3"
 };
 
 struct SelfCheck {
-  std::vector<FaultResult> results;
-  bool isInterrupted = false;
+  std::vector<FaultResult> results;  ///< of the faults that were tried
+  std::size_t untried = 0;           ///< because of an interruption
 
   std::size_t count(FaultFate fate) const;
   /// Noticed ones among those that change the outputs, in percent; 100 if there are none.
@@ -37,6 +38,7 @@ struct SelfCheck {
 struct SelfCheckOptions {
   ProverOptions prover;
   double seconds = 0.5;  ///< for the properties of one fault, and for the comparison of its outputs
+  double patience = 0;   ///< more than `seconds`: the same, once more, for a fault that was left undecided
   /// Which faults to plant; empty: all.
   std::vector<FaultKind> kinds{};
   std::function<void(std::size_t done, std::size_t total)> progress{};

@@ -17,14 +17,15 @@ namespace rungproof {
 
 namespace {
 
-constexpr int scansForSamples = 160;
+constexpr std::size_t scansForSamples = 160, gatesForSamples = 200'000'000;
 constexpr std::size_t sampleLimit = 1024;
 
 /// States met in random runs, the first ones excepted.
 std::vector<WordState> sampleStates(const WordCone& cone, const BitBlast& blast, std::uint64_t seed) {
   SimulationRuns runs(blast.bits(), seed);
   std::set<WordState> states;
-  for (int scan = 0; scan < scansForSamples && states.size() < sampleLimit && runs.choose(); ++scan) {
+  const std::size_t scans = std::min(scansForSamples, gatesForSamples / (blast.bits().gates.size() + 1));
+  for (std::size_t scan = 0; scan < scans && states.size() < sampleLimit && runs.choose(); ++scan) {
     const std::uint64_t live = runs.live();
     runs.step();
     if (scan > 4 && scan % 8 != 0) continue;

@@ -32,6 +32,7 @@ struct Arguments {
   std::string show;
 };
 
+constexpr double secondsForUndecided = 4;  ///< of the self-check, for a fault that a quick look leaves open
 constexpr std::size_t scansInText = 3, scansInPage = 16;  // the last ones of a witness
 
 std::atomic<bool> interrupted = false;
@@ -149,6 +150,7 @@ std::vector<PlantedFault> plantFaults(const Context& context, const ProgramInput
   SelfCheckOptions check;
   check.prover = options;
   check.seconds = std::min(options.timeout, check.seconds);
+  check.patience = std::min(options.timeout, secondsForUndecided);
   if (context.progress) {
     check.progress = [&](std::size_t done, std::size_t total) {
       context.err << fmt::format("\rself-check: {} of {}\x1B[K", done, total) << std::flush;
@@ -156,6 +158,9 @@ std::vector<PlantedFault> plantFaults(const Context& context, const ProgramInput
   }
   const SelfCheck found = selfCheck(input.program, input.properties, proof.results, check);
   if (context.progress) context.err << "\r\x1B[K" << std::flush;
+  if (found.untried > 0)
+    context.err << fmt::format("rungproof: interrupted; {} of {} faults were not tried\n", found.untried,
+                               found.untried + found.results.size());
   std::vector<PlantedFault> faults;
   for (const FaultResult& result : found.results) {
     const Pou& pou = input.program.pous[result.fault.pou];
@@ -164,7 +169,7 @@ std::vector<PlantedFault> plantFaults(const Context& context, const ProgramInput
     faults.push_back({std::string(faultKindName(result.fault.kind)), result.fault.text,
                       std::string(input.program.sources->file(span.file).name()),
                       input.program.sources->position(span).line, pou.name, network.number,
-                      std::string(fateName(result.fate)), result.noticedBy});
+                      std::string(fateName(result.fate)), result.noticedBy, result.where});
   }
   return faults;
 }
@@ -193,7 +198,6 @@ Exit run(const Arguments& arguments, Context& context) {
                                 << std::flush;
                   return true;
                 });
-      std::signal(SIGINT, before);
       if (context.progress) context.err << "\r\x1B[K" << std::flush;
       if (proof.isInterrupted) context.err << "rungproof: interrupted; what was not settled is UNKNOWN\n";
       for (const ProofResult& result : proof.results) {
@@ -202,6 +206,7 @@ Exit run(const Arguments& arguments, Context& context) {
         if (auto finding = findingOf(result)) part.findings.push_back(std::move(*finding));
       }
       if (arguments.selfCheck) part.selfCheck = plantFaults(context, input, options, proof);
+      std::signal(SIGINT, before);
       part.assumptions = proof.assumptions;
       part.coverage.approximated = proof.approximations;
       for (const Disagreement& disagreement : proof.disagreements) {
@@ -229,7 +234,9 @@ Action setup(ArgumentTable& table) {
   table.option("--props", arguments->properties, "FILE", "property file; may be repeated");
   table.flag("--builtin", arguments->builtin,
              "also the built-in checks: set/reset conflicts, operand ranges, timers, division, loops");
-  table.flag("--self-check", arguments->selfCheck, "plant faults one by one and list those that no property notices");
+  table.flag(
+      "--self-check", arguments->selfCheck,
+      "plant faults one by one and list those that no property notices (the exit code stays that of the proofs)");
   table.option("--certificate", arguments->certificates, "DIR",
                "write the proof of each PROVED as SMT-LIB 2, for another solver to check");
   table.option("--traces", arguments->traces, "DIR", "write each witness as CSV (also a stimulus), VCD and SVG");

@@ -195,13 +195,14 @@ class HtmlWriter {
         count.unnoticed == 0 && count.undecided == 0 ? "good" : "open", count.noticed, count.noticed + count.unnoticed,
         count.withoutEffect, count.undecided);
     if (count.unnoticed + count.undecided == 0) return;
-    out_ << "<table><tr><th>Fate</th><th>Place</th><th>Kind</th><th>Fault</th></tr>\n";
+    out_ << "<table><tr><th>Fate</th><th>Place</th><th>Kind</th><th>Fault</th><th>Other value</th></tr>\n";
     for (const PlantedFault& fault : faults) {
       if (fault.fate != "unnoticed" && fault.fate != "undecided") continue;
       out_ << fmt::format(
-          "<tr><td class={}>{}</td><td>{}:{} in {}, network {}</td><td>{}</td><td><code>{}</code></td></tr>\n",
+          "<tr><td class={}>{}</td><td>{}:{} in {}, network "
+          "{}</td><td>{}</td><td><code>{}</code></td><td>{}</td></tr>\n",
           fault.fate == "unnoticed" ? "bad" : "open", fault.fate, xmlText(fault.file), fault.line, xmlText(fault.pou),
-          fault.network, xmlText(fault.kind), xmlText(fault.text));
+          fault.network, xmlText(fault.kind), xmlText(fault.text), xmlText(fault.differs));
     }
     out_ << "</table>\n";
   }

@@ -129,9 +129,10 @@ class HumanWriter {
     for (const std::string_view fate : {"unnoticed", "undecided"}) {
       for (const PlantedFault& fault : faults) {
         if (fault.fate != fate) continue;
-        out_ << fmt::format("  {}: {}:{} in {}, network {}: {}: {}\n",
+        out_ << fmt::format("  {}: {}:{} in {}, network {}: {}: {}{}\n",
                             (paint_.*(fate == "unnoticed" ? &Paint::red : &Paint::yellow))(fate), fault.file,
-                            fault.line, fault.pou, fault.network, fault.kind, fault.text);
+                            fault.line, fault.pou, fault.network, fault.kind, fault.text,
+                            fault.differs.empty() ? "" : "; other value of " + fault.differs);
       }
     }
   }

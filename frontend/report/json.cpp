@@ -62,11 +62,9 @@ Json propertyJson(const PropertyResult& property) {
 }
 
 Json selfCheckJson(const std::vector<PlantedFault>& faults) {
-  std::size_t noticed = 0, unnoticed = 0;
+  const FaultCounts count = countsOf(faults);
   Json rows = Json::array();
   for (const PlantedFault& fault : faults) {
-    noticed += fault.fate == "noticed" ? 1 : 0;
-    unnoticed += fault.fate == "unnoticed" ? 1 : 0;
     rows.push_back({{"kind", fault.kind},
                     {"text", fault.text},
                     {"file", fault.file},
@@ -74,9 +72,14 @@ Json selfCheckJson(const std::vector<PlantedFault>& faults) {
                     {"pou", fault.pou},
                     {"network", fault.network},
                     {"fate", fault.fate},
-                    {"noticed_by", textOrNull(fault.noticedBy)}});
+                    {"noticed_by", textOrNull(fault.noticedBy)},
+                    {"differs", textOrNull(fault.differs)}});
   }
-  return {{"noticed", noticed}, {"unnoticed", unnoticed}, {"faults", std::move(rows)}};
+  return {{"noticed", count.noticed},
+          {"unnoticed", count.unnoticed},
+          {"without_effect", count.withoutEffect},
+          {"undecided", count.undecided},
+          {"faults", std::move(rows)}};
 }
 
 Json comparisonJson(const std::optional<Comparison>& comparison) {

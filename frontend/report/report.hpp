@@ -81,13 +81,14 @@ std::string differenceText(const Comparison& comparison);
 /// A planted fault and what became of it (analysis/proof/self_check.hpp).
 struct PlantedFault {
   std::string kind;  ///< "removed contact"
-  std::string text;  ///< "removed: A I0.2"
+  std::string text;  ///< "A I0.2"
   std::string file;
   std::uint32_t line = 0;
   std::string pou;
   int network = 0;
   std::string fate;       ///< "noticed", "unnoticed", "without effect", "undecided"
   std::string noticedBy;  ///< a property, or empty
+  std::string differs;    ///< unnoticed: "Q0.1 in scan 3"
 };
 
 /// Planted faults by what became of them.

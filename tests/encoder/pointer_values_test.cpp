@@ -15,7 +15,8 @@ ValueSet closed(Graph& graph, Node x, std::uint64_t init, Node next) {
   system.graph = &graph;
   system.states = {{x, graph.constantNode(init, 32), next}};
   VariableValues values;
-  closeValues(system, {x}, values);
+  VariableValues later;
+  closeValues(system, {x}, values, later);
   return values.at(x);
 }
 
@@ -42,7 +43,8 @@ TEST(PointerValues, CounterThatLimitsTheWalkIsFollowedWithIt) {
                     g.make(Op::Ite, 16, steps, g.make(Op::Ite, 16, ends, g.constantNode(0, 16), more), n)}};
   system.inputs = {steps};
   VariableValues values;
-  closeValues(system, {x}, values);
+  VariableValues later;
+  closeValues(system, {x}, values, later);
   EXPECT_EQ(values.at(x).values(), (std::vector<std::uint64_t>{40, 42, 44, 46, 48, 50, 52, 54}));
 }
 
@@ -92,6 +94,30 @@ TEST(PointerValues, PointerSetInTheFirstScanIsResolved) {
   const Program program = programOf("LD SM0.1\nMOVD &VB100, VD10\nLD I0.0\nMOVB *VD10, VB0");
   EncodedScan scan(program, {});
   EXPECT_TRUE(scan.approximations().empty());
+}
+
+TEST(PointerValues, RetentiveMemoryCountsInTheFirstScanOnly) {
+  // V starts with any value; the first scan sets the pointer before it is followed.
+  const Program program = programOf(
+      "LD SM0.1\nMOVD &VB100, VD0\nLD I0.0\nMOVW AIW0, *VD0\n+D 2, VD0\nLDD> VD0, 134217834\nMOVD &VB100, VD0");
+  EncoderOptions options;
+  options.initialRetentive = true;
+  EXPECT_TRUE(EncodedScan(program, options).approximations().empty());
+}
+
+TEST(PointerValues, RingThatOneConditionAdvancesAndStartsAgain) {
+  // Advance and start again hang on I0.0 both: the pointer never goes on from the end.
+  const Program program = programOf(
+      "LD SM0.1\nMOVD &VB100, VD0\nLD I0.0\nCALL 0\nSBR 0\nLD SM0.0\nMOVB IB1, *VD0\nINCD VD0\n"
+      "LDD> VD0, 134217834\nMOVD &VB100, VD0\nCRET");
+  EXPECT_TRUE(EncodedScan(program, {}).approximations().empty());
+}
+
+TEST(PointerValues, PointerFormedUnderAConditionIsResolvedThere) {
+  // AC1 keeps what it had before where I0.0 is off; the pointer is followed only where it is on.
+  const Program program =
+      programOf("LD I0.0\nMOVD &VB100, AC1\nMOVD 0, AC0\nMOVB IB1, AC0\n+D AC0, AC1\nMOVB *AC1, VB20");
+  EXPECT_TRUE(EncodedScan(program, {}).approximations().empty());
 }
 
 TEST(PointerValues, PointerFromOutsideIsReportedAsUnresolved) {

@@ -216,6 +216,41 @@ TEST_P(BuiltinIn, CountsTablesAndStringsThatLeaveTheirArea) {
   EXPECT_NE(std::count(zero.begin(), zero.end(), Outcome::Violated), 0);
 }
 
+TEST_P(BuiltinIn, PointersThatLeaveTheirArea) {
+  // V ends at VB10239 on a CPU 226. The index, 0 to 12, goes on from VB10230 or VB10200; then a ring of five bytes.
+  const auto table = [](const std::string& start) {
+    return "Network 1\nLD I0.0\nMOVD &" + start +
+           ", AC1\nITD IW4, AC0\n+D AC0, AC1\nLDW>= IW4, 0\nAW<= IW4, 12\nA I0.0\nMOVB IB0, *AC1\n";
+  };
+  EXPECT_EQ(outcomes(builtinsIn(GetParam(), table("VB10230")), BuiltinKind::OperandRange), Outcomes{Outcome::Violated});
+  for (const Outcome outcome : outcomes(builtinsIn(GetParam(), table("VB10200")), BuiltinKind::OperandRange))
+    EXPECT_EQ(outcome, Outcome::Proved);
+  const std::string ring =
+      "Network 1\nLD SM0.0\nLPS\nAD= VD40, 0\nMOVD &VB10235, VD40\nLPP\nMOVB IB0, *VD40\nINCD VD40\n"
+      "Network 2\nLDD> VD40, &VB10239\nMOVD &VB10235, VD40\n";
+  for (const Outcome outcome : outcomes(builtinsIn(GetParam(), ring), BuiltinKind::OperandRange, "MOVB"))
+    EXPECT_EQ(outcome, Outcome::Proved);
+}
+
+TEST_P(BuiltinIn, DivisionByZero) {
+  const ProofRun run = builtinsIn(GetParam(),
+                                  "Network 1\nLD I0.0\nMOVW 100, VW0\n/I IW4, VW0\n"
+                                  "Network 2\nLDW<> IW6, 0\nMOVW 100, VW2\n/I IW6, VW2\n");
+  EXPECT_EQ(outcomes(run, BuiltinKind::Division, "/I IW4"), Outcomes{Outcome::Violated});
+  for (const Outcome outcome : outcomes(run, BuiltinKind::Division, "/I IW6")) EXPECT_EQ(outcome, Outcome::Proved);
+}
+
+TEST_P(BuiltinIn, TableLengthOutOfRange) {
+  // 100 entries at most; the table's first word says how many there may be.
+  const auto filled = [](const std::string& length) {
+    return "Network 1\nLD SM0.0\nMOVW " + length + ", VW10000\nATT IW4, VW10000\n";
+  };
+  const Outcomes open = outcomes(builtinsIn(GetParam(), filled("IW6")), BuiltinKind::OperandRange, "ATT");
+  EXPECT_NE(std::count(open.begin(), open.end(), Outcome::Violated), 0);
+  for (const Outcome outcome : outcomes(builtinsIn(GetParam(), filled("50")), BuiltinKind::OperandRange, "ATT"))
+    EXPECT_EQ(outcome, Outcome::Proved);
+}
+
 TEST_P(BuiltinIn, PresetOutOfRange) {
   EXPECT_EQ(outcomes(builtinsIn(GetParam(), "Network 1\nLD I0.0\nTON T33, IW2\n"), BuiltinKind::Preset),
             Outcomes{Outcome::Violated});

@@ -18,9 +18,9 @@ SelfCheck checked(const ProgramInput& input, std::vector<FaultKind> kinds = {}) 
   return selfCheck(input.program, input.properties, before.results, options);
 }
 
-const FaultResult* faultNamed(const SelfCheck& check, const std::string& part) {
+const FaultResult* faultNamed(const SelfCheck& check, const std::string& part, FaultKind kind) {
   for (const FaultResult& result : check.results) {
-    if (result.fault.text.find(part) != std::string::npos) return &result;
+    if (result.fault.kind == kind && result.fault.text.find(part) != std::string::npos) return &result;
   }
   ADD_FAILURE() << "no fault is called " << part;
   return nullptr;
@@ -31,13 +31,14 @@ TEST(SelfCheck, TellsNoticedFromUnnoticed) {
   const ProgramInput input =
       inputOf("//@ prove stop: not I0.1 implies not Q0.0\n", "Network 1\nLD I0.0\nO Q0.0\nA I0.1\n= Q0.0\n");
   const SelfCheck check = checked(input);
-  const FaultResult* stop = faultNamed(check, "removed: A I0.1");
+  const FaultResult* stop = faultNamed(check, "A I0.1", FaultKind::RemovedContact);
   ASSERT_NE(stop, nullptr);
   EXPECT_EQ(stop->fate, FaultFate::Noticed);
   EXPECT_EQ(stop->noticedBy, "stop");
-  const FaultResult* start = faultNamed(check, "LDN I0.0");
+  const FaultResult* start = faultNamed(check, "LDN I0.0", FaultKind::Polarity);
   ASSERT_NE(start, nullptr);
   EXPECT_EQ(start->fate, FaultFate::Unnoticed);
+  EXPECT_EQ(start->where.find("Q0.0 in scan "), 0U) << start->where;
 }
 
 TEST(SelfCheck, LeavesOutFaultsWithoutEffect) {
@@ -45,10 +46,10 @@ TEST(SelfCheck, LeavesOutFaultsWithoutEffect) {
   const ProgramInput input = inputOf("//@ prove contact: Q0.0 implies I0.0\n",
                                      "Network 1\nLD I0.0\nA I0.0\n= Q0.0\nNetwork 2\nLD I0.1\n= Q0.1\n");
   const SelfCheck check = checked(input);
-  const FaultResult* doubled = faultNamed(check, "removed: A I0.0");
+  const FaultResult* doubled = faultNamed(check, "A I0.0", FaultKind::RemovedContact);
   ASSERT_NE(doubled, nullptr);
   EXPECT_EQ(doubled->fate, FaultFate::NoEffect);
-  const FaultResult* swapped = faultNamed(check, "networks 1 and 2");
+  const FaultResult* swapped = faultNamed(check, "networks 1 and 2", FaultKind::SwappedNetworks);
   ASSERT_NE(swapped, nullptr);
   EXPECT_EQ(swapped->fate, FaultFate::NoEffect);
 }

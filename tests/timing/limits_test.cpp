@@ -10,6 +10,7 @@
 #include <sstream>
 #include <thread>
 
+#include "analysis/portfolio/certificate_check.hpp"
 #include "analysis/proof/proof_watch.hpp"
 #include "frontend/cli.hpp"
 #include "tests/prover/proved_text.hpp"
@@ -59,6 +60,64 @@ TEST(Limits, EveryQuestionHasItsOwnTime) {
   EXPECT_EQ(outcomeOf(run, "easy"), Outcome::Proved);
 }
 
+/// A polynomial by Horner's rule, with so many REAL operations that no scan is decided in any time.
+std::string polynomial(int terms) {
+  std::string text = "Network 1\nLD SM0.0\nITD AIW0, AC0\nDTR AC0, VD0\nMOVR VD0, VD4\n";
+  for (int i = 1; i <= terms; ++i) text += "*R VD0, VD4\n+R " + std::to_string(i) + ".5, VD4\n";
+  return text;
+}
+
+TEST(Limits, RealOperationsThatAreWrittenOut) {
+  // Millions of gates: making and simulating them counts.
+  std::string roots = "Network 1\nLD SM0.0\nITD AIW0, AC0\nDTR AC0, VD4\n";
+  for (int i = 0; i < 20; ++i) roots += "SQRT VD4, VD8\n/R VD8, VD4\n+R 3.25, VD4\n";
+  for (const std::string& networks : {polynomial(60), roots}) {
+    const ProgramInput input = inputOf("//@ prove never so: VD4 <> 12345.678\n", networks);
+    for (const int jobs : {1, 2}) {
+      ProverOptions options = usualOptions(2);
+      options.jobs = jobs;
+      const Clock::time_point begin = Clock::now();
+      const ProofRun run = prove(input.program, input.properties, options);
+      EXPECT_LE(since(begin), 3.0) << jobs;
+      EXPECT_EQ(outcomeOf(run, "never so"), Outcome::Unknown);
+    }
+  }
+}
+
+TEST(Limits, MultiplicationsWithMemory) {
+  std::string networks = "Network 1\nLD SM0.0\n";
+  for (int i = 0; i < 12; ++i) networks += "*D VD0, VD0\n+D ID0, VD0\n/D 3, VD0\n";
+  const ProgramInput input =
+      inputOf("//@ prove never so: VD0 <> 123456789\n//@ prove nor so: VD0 <> -987654321\n", networks);
+  for (const int jobs : {1, 2}) {
+    ProverOptions options = usualOptions(2);
+    options.jobs = jobs;
+    const Clock::time_point begin = Clock::now();
+    const ProofRun run = prove(input.program, input.properties, options);
+    EXPECT_LE(since(begin), 5.0) << jobs;
+    EXPECT_EQ(run.results.size(), 2U);
+  }
+}
+
+TEST(Limits, CheckOfACertificateThatTakesTooLong) {
+  // That multiplication is commutative takes a SAT solver forever; Z3 does not know the word level any more when it
+  // asks one. The other formula is done before.
+  const std::string text =
+      "(declare-fun a () (_ BitVec 64))\n(declare-fun b () (_ BitVec 64))\n(declare-fun c () (_ BitVec 64))\n"
+      "(declare-fun obligations (Bool Bool Bool) Bool)\n"
+      "(assert (obligations true (and (bvult a b) (bvult b a))"
+      " (not (= (bvmul a (bvmul b (bvadd c a))) (bvadd (bvmul (bvmul a b) c) (bvmul b (bvmul a a)))))))\n";
+  for (const double limit : {0.5, 1.5}) {
+    CheckLimits limits;
+    limits.each = 100;
+    limits.total = limit;
+    const Clock::time_point begin = Clock::now();
+    const std::vector<CheckResult> results = checkApart(text, {0, 1}, 2, limits);
+    EXPECT_LE(since(begin), limit + 0.3);
+    EXPECT_EQ(results, (std::vector<CheckResult>{CheckResult::Valid, CheckResult::Unknown}));
+  }
+}
+
 TEST(Limits, EncodingCountsAndCanBeStopped) {
   // 200 rounds of a loop with a division: far more work than the time allows.
   std::string networks = "Network 1\nLD SM0.0\nFOR VW0, +1, +200\nNetwork 2\nLD SM0.0\n";
@@ -101,6 +160,28 @@ TEST(Limits, CancellationKeepsWhatIsSettled) {
   EXPECT_TRUE(run.isInterrupted);
   EXPECT_EQ(outcomeOf(run, "prime"), Outcome::Unknown);
   EXPECT_EQ(outcomeOf(run, "easy"), Outcome::Proved);
+}
+
+TEST(Limits, ControlCEndsTheSelfCheckWithAReport) {
+  // Each fault in the multiplication is looked at until its time is over.
+  const std::string file = testing::TempDir() + "rungproof_self_check.awl";
+  std::ofstream(file) << "ORGANIZATION_BLOCK MAIN:OB1\n"
+                      << hardProperties << easyProperty << "BEGIN\n"
+                      << hardNetworks << "Network 2\nLD I8.1\nA I8.2\nA I8.3\nA I8.4\nMOVD VD10, VD14\n*D ID4, VD14\n"
+                      << "MOVD VD14, QD4\nEND_ORGANIZATION_BLOCK\n";
+  std::istringstream in;
+  std::ostringstream out, err;
+  const Clock::time_point begin = Clock::now();
+  std::thread user([] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2500));
+    std::raise(SIGINT);
+  });
+  runProgram({"prove", file, "--isolated", "--timeout", "1s", "--self-check"}, {in, out, err});
+  user.join();
+  EXPECT_LE(since(begin), 4.0);
+  EXPECT_NE(out.str().find("self-check"), std::string::npos) << out.str();
+  EXPECT_NE(err.str().find("faults were not tried"), std::string::npos) << err.str();
+  std::remove(file.c_str());
 }
 
 TEST(Limits, ControlCPrintsWhatWasSettled) {
