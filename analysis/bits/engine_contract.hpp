@@ -94,5 +94,6 @@ std::unique_ptr<Engine> makeKInduction(const BitSystem& system, const EngineOpti
 std::unique_ptr<Engine> makeIc3(const BitSystem& system, const EngineOptions& options);
 std::unique_ptr<Engine> makeExhaustive(const BitSystem& system, const EngineOptions& options);
 std::unique_ptr<Engine> makeSimulation(const BitSystem& system, const EngineOptions& options);
+std::unique_ptr<Engine> makeHeldInputs(const BitSystem& system, const EngineOptions& options);
 
 }  // namespace rungproof

@@ -21,7 +21,8 @@ struct EngineKind {
 };
 constexpr std::array engineKinds = {EngineKind{makeIc3, 4},        EngineKind{makeBmc, 2},
                                     EngineKind{makeSimulation, 1}, EngineKind{makeExhaustive, 1},
-                                    EngineKind{makeKInduction, 1}, EngineKind{nullptr, 3}};
+                                    EngineKind{makeHeldInputs, 1}, EngineKind{makeKInduction, 1},
+                                    EngineKind{nullptr, 3}};
 constexpr std::size_t onWords = engineKinds.size() - 1;  ///< made by the caller
 
 struct Runner {

@@ -211,7 +211,7 @@ class Stages {
     for (std::size_t i = 0; i < open_.size(); ++i) {
       answers_[open_[i]].seconds += questions[i].seconds / std::max(options_.jobs, 1);
       if (questions[i].verdict.answer == Answer::Unknown)
-        questions[i].verdict.method = "BMC, k-induction, IC3, simulation, explicit search, IC3 on words";
+        questions[i].verdict.method = "BMC, k-induction, IC3, simulation, held inputs, explicit search, IC3 on words";
       completeEvidence(questions[i].verdict, words[i].get(), cones[i]);
       take(open_[i], positions_[i], questions[i].verdict, &cones[i]);
     }

@@ -175,7 +175,7 @@ TEST(Invariants, DifferencesOfWordsThatGrowAlike) {
   f.next(y, f.counted(y, in, 1000));
   f.ask("differ", f.graph->make(Op::Ult, 1, x, y));
   BitBlast blast(f.system, {0});
-  const std::vector<NodeClause> guesses = guessDifferences(f.system, blast, miningSeed);
+  const std::vector<NodeClause> guesses = guessDifferences(f.system, blast, miningSeed, Budget::seconds(10));
   const NodeClause atMost{f.graph->make(Op::Ule, 1, x, y)}, atLeast{f.graph->make(Op::Ule, 1, y, x)};
   EXPECT_NE(std::find(guesses.begin(), guesses.end(), atMost), guesses.end());
   EXPECT_NE(std::find(guesses.begin(), guesses.end(), atLeast), guesses.end());
