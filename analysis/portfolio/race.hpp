@@ -1,6 +1,6 @@
-// The race: for each open question IC3, BMC, k-induction, simulation, held inputs, explicit search and IC3 on words run in slices of
-// time, on as many threads as wanted; the first conclusive answer of a question ends its other engines. A proof and a
-// violation of the same question stop the program. Tested by tests/solver/portfolio_test.cpp.
+// The race: for each open question IC3, BMC, k-induction, simulation, held inputs, explicit search and IC3 on words run
+// in slices of time, on as many threads as wanted; the first conclusive answer of a question ends its other engines. A
+// proof and a violation of the same question stop the program. Tested by tests/solver/portfolio_test.cpp.
 #pragma once
 
 #include <vector>
