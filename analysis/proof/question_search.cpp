@@ -1,0 +1,359 @@
+// From cheap to costly: simulation, induction and runs of the engine for all questions; then each on its own.
+#include "analysis/proof/question_search.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <random>
+#include <thread>
+
+#include "analysis/proof/asked_goals.hpp"
+#include "analysis/proof/exact_run.hpp"
+#include "analysis/proof/guided_runs.hpp"
+#include "analysis/proof/witness_minimal.hpp"
+
+namespace rungproof {
+
+namespace {
+
+constexpr int shallowDepth = 12;         ///< scans of a short accelerated run
+constexpr double shallowSeconds = 0.25;  ///< for all of them
+constexpr double engineSeconds = 2;      ///< for runs of the engine, which count their scans, on a busy machine
+constexpr std::uint64_t fewInstructions = 200'000;  ///< of its runs before any proof is tried
+constexpr double exploringSeconds = 0.4;            ///< for all questions that are open after the quick ones
+constexpr double quickSeconds = 0.5;                ///< for each question while all are looked at together
+constexpr int fillings = 16;                   ///< of inputs that a question does not mention, tried to confirm a run
+constexpr double minimiseSeconds = 0.25;       ///< for making a witness smaller
+constexpr std::uint64_t minimisedScans = 200;  ///< longer witnesses wait for a timer; they stay as they were found
+constexpr std::size_t writtenReals = 200;      ///< REAL operations of a question that are written out as bits
+constexpr double freeRealShare = 0.25;         ///< of a question's time, before REAL operations are written out
+
+}  // namespace
+
+QuestionSearch::QuestionSearch(const Program& program, const PropertySet& set, const ProverOptions& options)
+    : program_(program), set_(set), options_(options), goals_(askedGoals(set)), watch_(options.cancel, options.memory) {
+  for (const Property& property : set.properties) {
+    if (property.isGoal())
+      ++declared_;
+    else
+      assumptions_.push_back(property);
+  }
+}
+
+void QuestionSearch::encode(Clock::time_point deadline) {
+  deadline_ = deadline;
+  exact_ = std::make_unique<ProofSide>(program_, set_, goals_, encoding(false), options_.checks);
+}
+
+QuestionSearch::Found QuestionSearch::answer(std::size_t question, Clock::time_point deadline) {
+  deadline_ = deadline;
+  QuestionAnswer answer = quick_[question];
+  std::optional<Witness> witness;
+  if (const auto found = found_.find(question); found != found_.end())
+    witness = found->second;
+  else if (answer.answer == Answer::Violated)
+    witness = confirmed(question, *answer.trace);
+  const bool isOpen = !witness && answer.answer != Answer::Proved;
+  watch_.release();
+  if (isOpen && mayGoOn()) std::tie(answer, witness) = search(question, answer.answer);
+  if (!witness && answer.answer == Answer::Violated && question < goals_.size() && options_.bound == 0 && mayGoOn()) {
+    // A run that rests on values which are not modelled: perhaps the engine finds one with its own.
+    std::vector<std::optional<Witness>> found =
+        guidedRuns(program_, exact_->obligations().encoding(), assumptions_, {&goals_[question]}, options_.seed,
+                   {std::min(left(), options_.timeout / 10)});
+    witness = std::move(found[0]);
+    if (witness) answer.method = "engine runs";
+  }
+  const bool isMinimised = options_.evidence && witness && question < goals_.size() &&
+                           witness->scanCount <= minimisedScans && !watch_.isStopped();
+  if (isMinimised) {
+    const std::uint32_t plainMs =
+        std::clamp<std::uint32_t>(ReplayScan{}.lengthMs, options_.time.low, options_.time.high);
+    witness = minimised(Judge(program_, options_.choices, assumptions_, goals_[question]), std::move(*witness), plainMs,
+                        std::clamp(left(), 0.05, minimiseSeconds), options_.seed);
+  }
+  return {std::move(answer), std::move(witness)};
+}
+
+Answer QuestionSearch::supporting(std::size_t goal, double seconds) {
+  const Answer known = quick_[goal].answer;
+  const bool isOpen =
+      known == Answer::Unknown || (known == Answer::Violated && !found_.contains(goal) && restsOnReals(goal));
+  if (!isOpen || !mayGoOn()) return known;
+  const Clock::time_point whole = std::exchange(deadline_, std::min(deadline_, Clock::now() + inSeconds(seconds)));
+  const auto [found, witness] = search(goal, known);
+  deadline_ = whole;
+  return witness ? Answer::Violated : found.answer;
+}
+
+bool QuestionSearch::mayLeaveOut(double seconds) {
+  const std::optional<std::size_t> question = exact_->leftOutQuestion();
+  if (!question) return false;
+  QuestionAnswer& answer = quick_[*question];
+  if (answer.answer == Answer::Unknown && mayGoOn())
+    answer = ask(exact_->only(*question), std::min(left(), seconds), deadline_)[0];
+  return answer.answer != Answer::Proved;
+}
+
+std::string QuestionSearch::certificate(std::size_t question, const WordCertificate& certificate) const {
+  const auto written = written_.find(question);
+  if (written != written_.end()) return certificateText(written->second, written->second.questions[0], certificate);
+  return certificateText(exact_->system(), exact_->system().questions[question], certificate);
+}
+
+PortfolioOptions QuestionSearch::portfolio(double each, Clock::time_point deadline,
+                                           const std::atomic<bool>* cancel) const {
+  PortfolioOptions options;
+  options.seconds = each;
+  options.jobs = options_.jobs;
+  options.seed = options_.seed;
+  options.bound = options_.bound;
+  options.cancel = cancel;
+  options.deadline = deadline;
+  options.memory = options_.memory;
+  options.check = options_.evidence;
+  return options;
+}
+
+EncoderOptions QuestionSearch::encoding(bool relaxed) const {
+  EncoderOptions options = encoderOptionsOf(options_, relaxed);
+  options.interruption = [this] {
+    if (watch_.isStopped() || Clock::now() >= deadline_) throw EncodingStopped{};
+  };
+  return options;
+}
+
+/// Whether REAL operations decide the question that can be written out: engines take them as any value at first.
+bool QuestionSearch::restsOnReals(std::size_t question) const {
+  const std::size_t count = exact_->exactReals(question);
+  return count > 0 && count <= writtenReals;
+}
+
+std::vector<QuestionAnswer> QuestionSearch::ask(const TransitionSystem& system, double each,
+                                                Clock::time_point deadline) {
+  std::atomic<bool> cancel{false};
+  const ProofWatch::Guard guard(watch_, cancel);
+  return answerQuestions(system, portfolio(each, deadline, &cancel));
+}
+
+void QuestionSearch::answerQuickly(Clock::time_point deadline) {
+  std::atomic<bool> cancel{false};
+  const ProofWatch::Guard guard(watch_, cancel);
+  PortfolioOptions together = portfolio(std::min(options_.timeout, quickSeconds), deadline, &cancel);
+  together.effort = Effort::Together;
+  quick_.resize(exact_->system().questions.size());
+  searchOnEngine([&](std::size_t q) { return !isDeclared(q); }, fewInstructions);
+  TransitionSystem rest = exact_->system();
+  answerOpen(rest, openQuestions([](std::size_t) { return true; }), together);
+  const auto start = Clock::now();
+  std::vector<std::size_t> open;
+  for (std::size_t q = 0; q < quick_.size(); ++q) {
+    const bool maySearch = q < goals_.size() && options_.bound == 0 && secondsSince(start) <= shallowSeconds;
+    if (quick_[q].answer == Answer::Unknown && !(maySearch && searchShallow(q))) open.push_back(q);
+  }
+  searchOnEngine([&](std::size_t q) { return !isDeclared(q) || goals_[q].kind == PropertyKind::Reach; },
+                 GuidedLimits{}.instructions);
+  std::erase_if(open, [&](std::size_t q) { return quick_[q].answer != Answer::Unknown; });
+  answerOpen(rest, open, portfolio(std::min(options_.timeout, quickSeconds), deadline, &cancel));
+  explore(std::min(deadline, Clock::now() + inSeconds(std::min(options_.timeout / 10, exploringSeconds))));
+}
+
+/// What the engine finds from state to state for all open goals.
+void QuestionSearch::explore(Clock::time_point deadline) {
+  const std::vector<std::size_t> open = openQuestions([&](std::size_t q) { return q < goals_.size(); });
+  if (open.empty() || options_.bound > 0 || watch_.isStopped()) return;
+  std::atomic<bool> cancel{false};
+  const ProofWatch::Guard guard(watch_, cancel);
+  exploration_ = std::make_unique<Exploration>(program_, exact_->obligations().encoding(), assumptions_, goals_, open,
+                                               options_.seed);
+  exploration_->search(deadline, cancel);
+  takeExplored();
+}
+
+/// Runs that the exploration has found for questions that were still open.
+void QuestionSearch::takeExplored() {
+  if (!exploration_) return;
+  for (std::size_t q = 0; q < goals_.size(); ++q) {
+    if (quick_[q].answer == Answer::Unknown && exploration_->found(q)) show(q, *exploration_->found(q), "exploration");
+  }
+}
+
+void QuestionSearch::show(std::size_t question, Witness witness, const char* method) {
+  quick_[question].answer = Answer::Violated;
+  quick_[question].method = method;
+  found_.emplace(question, std::move(witness));
+}
+
+template <class Wanted>
+std::vector<std::size_t> QuestionSearch::openQuestions(Wanted&& wanted) const {
+  std::vector<std::size_t> open;
+  for (std::size_t q = 0; q < quick_.size(); ++q) {
+    if (quick_[q].answer == Answer::Unknown && wanted(q)) open.push_back(q);
+  }
+  return open;
+}
+
+void QuestionSearch::answerOpen(TransitionSystem& rest, const std::vector<std::size_t>& open,
+                                const PortfolioOptions& options) {
+  if (open.empty()) return;
+  rest.questions.clear();
+  for (const std::size_t q : open) rest.questions.push_back(exact_->system().questions[q]);
+  std::vector<QuestionAnswer> answers = answerQuestions(rest, options);
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    answers[i].seconds += quick_[open[i]].seconds;
+    quick_[open[i]] = std::move(answers[i]);
+  }
+}
+
+/// Runs of the engine for wanted goals that are still open, all together.
+template <class Wanted>
+void QuestionSearch::searchOnEngine(Wanted&& wanted, std::uint64_t instructions) {
+  const std::vector<std::size_t> open = openQuestions([&](std::size_t q) { return q < goals_.size() && wanted(q); });
+  std::vector<const Property*> goals;
+  for (const std::size_t q : open) goals.push_back(&goals_[q]);
+  if (options_.bound > 0 || open.empty() || watch_.isStopped()) return;
+  std::vector<std::optional<Witness>> found =
+      guidedRuns(program_, exact_->obligations().encoding(), assumptions_, goals, options_.seed,
+                 {std::min(options_.timeout / 10, engineSeconds), instructions});
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    if (found[i]) show(open[i], std::move(*found[i]), "engine runs");
+  }
+}
+
+/// A short run of the accelerated system that the engine repeats.
+bool QuestionSearch::searchShallow(std::size_t question) {
+  const auto start = Clock::now();
+  if (!exact_->dependsOnTime(exact_->variablesOf(question))) return false;
+  ProofSide* relaxed = relaxedSide();
+  if (relaxed == nullptr) return false;
+  const TransitionSystem accelerated = relaxed->accelerated(question, options_.time.high);
+  if (const auto trace = shallowSearch(accelerated, shallowDepth, shallowSeconds / 4)) {
+    if (auto witness = replayed(*relaxed, accelerated, question, *trace)) {
+      show(question, std::move(*witness), "accelerated search");
+      quick_[question].seconds += secondsSince(start);
+      return true;
+    }
+  }
+  return false;
+}
+
+/// REAL operations take any value at first, which is enough for many proofs; where it is not, they are written out.
+QuestionSearch::Found QuestionSearch::search(std::size_t question, Answer known) {
+  if (!restsOnReals(question)) return race(question);
+  if (known == Answer::Unknown) {
+    const Clock::time_point whole = std::exchange(deadline_, Clock::now() + inSeconds(left() * freeRealShare));
+    Found found = race(question);
+    deadline_ = whole;
+    if (found.second || found.first.answer == Answer::Proved || !mayGoOn()) return found;
+  }
+  written_.emplace(question, withExactReals(exact_->only(question), RealScope::All));
+  return race(question);
+}
+
+/// The exact system and the accelerated one at the same time; the first valid result ends both. Witnesses of built-in
+/// checks are followed on the exact graph, which the other search extends: they wait for its end.
+QuestionSearch::Found QuestionSearch::race(std::size_t question) {
+  const auto written = written_.find(question);
+  const bool isWritten = written != written_.end();
+  const TransitionSystem exact = isWritten ? written->second : exact_->only(question);
+  std::atomic<bool> cancelExact{false}, cancelFast{false};
+  const ProofWatch::Guard guardExact(watch_, cancelExact), guardFast(watch_, cancelFast);
+  std::optional<Witness> witness;
+  std::optional<QuestionAnswer> fastAnswer;
+  std::optional<TransitionSystem> accelerated;
+  std::thread fast;
+  const bool isBounded = options_.bound > 0;  // by scans of the program, which the accelerated system does not count
+  ProofSide* relaxed = !isBounded && exact_->dependsOnTime(exact_->variablesOf(question)) ? relaxedSide() : nullptr;
+  if (relaxed != nullptr) {
+    accelerated = relaxed->accelerated(question, options_.time.high);
+    if (isWritten) accelerated = withExactReals(*accelerated, RealScope::All);
+    fast = std::thread([&] {
+      PortfolioOptions options = portfolio(left(), deadline_, &cancelFast);
+      options.jobs = 1;
+      options.check = false;
+      QuestionAnswer answer = answerQuestions(*accelerated, options)[0];
+      if (answer.answer != Answer::Violated) return;
+      if (question < goals_.size()) witness = replayed(*relaxed, *accelerated, question, *answer.trace);
+      fastAnswer = std::move(answer);
+      if (witness || question >= goals_.size()) cancelExact = true;
+    });
+  }
+  std::optional<ExplorationThread> exploring;
+  if (exploration_ && question < goals_.size() && !exploration_->found(question)) {
+    exploring.emplace(*exploration_, question, deadline_, [&] { cancelExact = cancelFast = true; });
+  }
+  QuestionAnswer answer = answerQuestions(exact, portfolio(std::max(left(), 0.0), deadline_, &cancelExact))[0];
+  if (answer.answer != Answer::Unknown) cancelFast = true;
+  if (fast.joinable()) fast.join();
+  const bool isExplored = exploring && exploring->end() && !witness;
+  takeExplored();
+  if (isExplored) witness = exploration_->found(question);
+  if (fastAnswer && !witness && question >= goals_.size()) {
+    witness = replayed(*relaxed, *accelerated, question, *fastAnswer->trace);
+    if (!witness && answer.answer == Answer::Unknown && mayGoOn()) answer = ask(exact, left(), deadline_)[0];
+  }
+  CHECK(!(witness && answer.answer == Answer::Proved), "a proved property has a witness that the engine repeats");
+  if (witness) {
+    answer.method = isExplored ? "exploration" : "accelerated search";
+  } else if (answer.answer == Answer::Violated) {
+    witness = confirmed(question, *answer.trace);
+  }
+  answer.depth = std::max(answer.depth, answer.answer == Answer::Unknown ? quick_[question].depth : answer.depth);
+  return {std::move(answer), std::move(witness)};
+}
+
+/// Nothing if there was no time to encode it.
+ProofSide* QuestionSearch::relaxedSide() {
+  if (relaxed_) return relaxed_.get();
+  try {
+    relaxed_ = std::make_unique<ProofSide>(program_, set_, goals_, encoding(true), options_.checks);
+  } catch (const EncodingStopped&) {
+    return nullptr;
+  }
+  return relaxed_.get();
+}
+
+/// The run as the engine repeats it, if it shows the same.
+std::optional<Witness> QuestionSearch::replayed(ProofSide& side, const TransitionSystem& system, std::size_t question,
+                                                const WordTrace& trace) {
+  if (question >= goals_.size()) return replayedCheck(system, question, trace);
+  EncodedScan& encoding = side.obligations().encoding();
+  std::vector<ReplayScan> scans = scansOf(encoding, system, trace, options_.time);
+  return Judge(program_, options_.choices, assumptions_, goals_[question])
+      .witness(std::move(scans), initialOf(encoding, system, trace));
+}
+
+/// The same for a built-in check, whose nodes the exact graph knows.
+std::optional<Witness> QuestionSearch::replayedCheck(const TransitionSystem& system, std::size_t question,
+                                                     const WordTrace& trace) {
+  const ExactQuestion asked(exact_->obligations().encoding(), exact_->system(),
+                            exact_->system().questions[question].bad);
+  std::optional<ExactRun> run = asked.runOf(system, trace, options_.time);
+  std::optional<Witness> witness = run ? asked.witness(program_, options_.choices, *run) : std::nullopt;
+  const std::size_t check = question - goals_.size();
+  const bool isShownToPeople =
+      options_.evidence && check < exact_->checks().size() && !isRuleQuestion(exact_->checks()[check].kind);
+  if (!witness || !isShownToPeople || witness->scanCount > minimisedScans || watch_.isStopped()) return witness;
+  std::vector<std::vector<bool>> matters;
+  if (!asked.dropIdle(*run, matters, minimiseSeconds, options_.seed)) return witness;
+  std::optional<Witness> smaller = asked.witness(program_, options_.choices, *run);
+  if (smaller) smaller->matters = std::move(matters);
+  return smaller ? smaller : witness;
+}
+
+/// A run of the exact system. Where the question rests on values that are not modelled exactly, what it does not
+/// mention may decide whether the engine repeats the run: some values of that are tried.
+std::optional<Witness> QuestionSearch::confirmed(std::size_t question, const WordTrace& trace) {
+  std::optional<Witness> witness = replayed(*exact_, exact_->system(), question, trace);
+  if (witness || exact_->approximationsOf(question, written_.contains(question)).empty()) return witness;
+  std::unordered_set<std::uint32_t> fixed = exact_->variablesOf(question);
+  for (const Node n : exact_->obligations().encoding().time().inputs()) fixed.insert(indexOf(n));
+  std::mt19937_64 random(options_.seed);
+  WordTrace tried = trace;
+  for (int attempt = 0; attempt < fillings && !witness && !watch_.isStopped(); ++attempt) {
+    fillOtherInputs(exact_->system(), fixed, random, tried);
+    witness = replayed(*exact_, exact_->system(), question, tried);
+  }
+  return witness;
+}
+
+}  // namespace rungproof

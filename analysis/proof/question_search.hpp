@@ -1,0 +1,109 @@
+// QuestionSearch: finds an answer for every question of a proof run, declared or built in: first all together, quickly;
+// then one by one, with two searches side by side - the engines on the exact system, and a search for witnesses on the
+// accelerated one, in which time passes in long scans. A run counts once the engine has repeated it.
+// Covered by tests/prover and tests/corpus.
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "analysis/portfolio/portfolio.hpp"
+#include "analysis/proof/exploration.hpp"
+#include "analysis/proof/proof_side.hpp"
+#include "analysis/proof/proof_watch.hpp"
+#include "analysis/proof/prover.hpp"
+
+namespace rungproof {
+
+inline std::chrono::steady_clock::duration inSeconds(double seconds) {
+  return std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+inline double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+class QuestionSearch {
+ public:
+  using Clock = std::chrono::steady_clock;
+  /// An answer, and the run that shows it if it is Violated and the engine repeats it.
+  using Found = std::pair<QuestionAnswer, std::optional<Witness>>;
+
+  QuestionSearch(const Program& program, const PropertySet& set, const ProverOptions& options);
+
+  /// Encodes the program; throws EncodingStopped if that takes longer than `deadline`, or if the run is stopped.
+  void encode(Clock::time_point deadline);
+  /// The encoded program. Questions are the goals, then the built-in checks (proof_side.hpp).
+  ProofSide& exact() { return *exact_; }
+  /// What is asked about declared properties: they themselves, their premises, whether any run meets the assumptions.
+  const std::vector<Property>& goals() const { return goals_; }
+  const std::vector<Property>& assumptions() const { return assumptions_; }
+
+  /// Looks at all questions together: what takes milliseconds; then short runs in which time passes in long scans, so
+  /// that what a timer brings about costs the same whatever its preset; then half a second for what is left.
+  void answerQuickly(Clock::time_point deadline);
+  /// What answerQuickly() has found.
+  const QuestionAnswer& quick(std::size_t question) const { return quick_[question]; }
+  /// The answer to a question, searched for until `deadline` if it is still open.
+  Found answer(std::size_t question, Clock::time_point deadline);
+  /// The same for a goal that another verdict rests on, in the time that is left for that one.
+  Answer supporting(std::size_t goal, double seconds);
+  /// Whether a scan can occur that the encoding does not follow to its end.
+  bool mayLeaveOut(double seconds);
+
+  /// Whether the answer rests on the question's system with REAL operations written out.
+  bool isWrittenOut(std::size_t question) const { return written_.contains(question); }
+  /// The certificate of a proved question as SMT-LIB 2.
+  std::string certificate(std::size_t question, const WordCertificate& certificate) const;
+
+  /// Whether the question at hand may take more time.
+  bool mayGoOn() const { return left() > 0 && !watch_.isStopped(); }
+  /// Seconds that are left for the question at hand.
+  double left() const { return std::chrono::duration<double>(deadline_ - Clock::now()).count(); }
+  const ProofWatch& watch() const { return watch_; }
+
+ private:
+  EncoderOptions encoding(bool relaxed) const;
+  PortfolioOptions portfolio(double each, Clock::time_point deadline, const std::atomic<bool>* cancel) const;
+  std::vector<QuestionAnswer> ask(const TransitionSystem& system, double each, Clock::time_point deadline);
+  bool restsOnReals(std::size_t question) const;
+  bool isDeclared(std::size_t question) const { return question < declared_; }
+
+  template <class Wanted>
+  std::vector<std::size_t> openQuestions(Wanted&& wanted) const;
+  void answerOpen(TransitionSystem& rest, const std::vector<std::size_t>& open, const PortfolioOptions& options);
+  template <class Wanted>
+  void searchOnEngine(Wanted&& wanted, std::uint64_t instructions);
+  bool searchShallow(std::size_t question);
+  void explore(Clock::time_point deadline);
+  void takeExplored();
+  void show(std::size_t question, Witness witness, const char* method);
+
+  Found search(std::size_t question, Answer known);
+  Found race(std::size_t question);
+  ProofSide* relaxedSide();
+  std::optional<Witness> replayed(ProofSide& side, const TransitionSystem& system, std::size_t question,
+                                  const WordTrace& trace);
+  std::optional<Witness> replayedCheck(const TransitionSystem& system, std::size_t question, const WordTrace& trace);
+  std::optional<Witness> confirmed(std::size_t question, const WordTrace& trace);
+
+  const Program& program_;
+  const PropertySet& set_;
+  const ProverOptions& options_;
+  const std::vector<Property> goals_;
+  std::vector<Property> assumptions_;
+  std::size_t declared_ = 0;  ///< goals that the user has declared; they come first
+  ProofWatch watch_;
+  Clock::time_point deadline_{};  ///< of the question at hand
+  std::unique_ptr<ProofSide> exact_, relaxed_;
+  std::unique_ptr<Exploration> exploration_;
+  std::vector<QuestionAnswer> quick_;
+  std::map<std::size_t, Witness> found_;             ///< by question: witnesses of answerQuickly()
+  std::map<std::size_t, TransitionSystem> written_;  ///< by question: its system with REAL operations written out
+};
+
+}  // namespace rungproof
