@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <deque>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "analysis/bits/bit_cone.hpp"
@@ -30,6 +32,7 @@ constexpr int shortInduction = 3;
 constexpr std::size_t truthLimit = 600;
 constexpr std::size_t pairedTruths = 400;  ///< truth values whose pairs are looked at together
 constexpr std::size_t pairLimit = 12000;
+constexpr std::size_t manyClauses = 100;  ///< of a certificate, to be joined
 constexpr double searchShare = 0.9;  ///< of the time that is left for searches; the rest is for checking what they find
 
 class Stages {
@@ -72,6 +75,7 @@ class Stages {
   /// Starts a stage: blasts the open questions. Throws OutOfBudget.
   void begin(const std::vector<Node>& truths) {
     differences_.clear();
+    joinedClauses_.clear();
     invariants_ = {};
     cores_.reset();
     blast_ = std::make_unique<BitBlast>(system_, open_, truths, &whole_);
@@ -268,15 +272,10 @@ class Stages {
     WordCertificate result;
     result.k = given.k;
     result.simplePath = given.simplePath;
-    const auto nodeOf = [&](const std::vector<Lit>& clause) {
-      Node n = system_.graph->constantNode(0, 1);
-      for (const Lit l : clause) n = system_.graph->make(Op::Or, 1, n, blast_->nodeOf(l));
-      return n;
-    };
     for (const std::vector<Lit>& clause : whole.clauses) result.invariant.push_back(nodeOf(clause));
     result.immediate = result.invariant;
-    for (const std::vector<Lit>& clause : needed.clauses) result.invariant.push_back(nodeOf(clause));
-    for (const std::vector<Lit>& clause : needed.immediate) result.immediate.push_back(nodeOf(clause));
+    append(result.invariant, needed.clauses);
+    append(result.immediate, needed.immediate);
     std::vector<bool> isUsed(system_.graph->size(), false);
     for (const Node n : coneOf(*system_.graph, result.invariant)) isUsed[indexOf(n)] = true;
     for (const KeptDifference& d : differences_) {
@@ -290,6 +289,42 @@ class Stages {
       }
     }
     return result;
+  }
+
+  Node nodeOf(const std::vector<Lit>& clause) {
+    Node n = system_.graph->constantNode(0, 1);
+    for (const Lit l : clause) n = system_.graph->make(Op::Or, 1, n, blast_->nodeOf(l));
+    return n;
+  }
+  void append(std::vector<Node>& conditions, const std::vector<std::vector<Lit>>& clauses) {
+    if (clauses.size() < manyClauses) {
+      for (const std::vector<Lit>& clause : clauses) conditions.push_back(nodeOf(clause));
+      return;
+    }
+    if (clauses != joinedClauses_) {
+      joinedClauses_ = clauses;
+      joined_ = join(clauses);
+    }
+    conditions.insert(conditions.end(), joined_.begin(), joined_.end());
+  }
+  /// Many clauses as fewer conditions: all "a or b" of one a become "a or all of b". In order, what follows one b is
+  /// the same for many a, so that steps which exclude each other take one node a step.
+  std::vector<Node> join(const std::vector<std::vector<Lit>>& clauses) {
+    std::vector<Node> conditions;
+    std::map<Lit, std::set<Lit>> pairs;
+    for (const std::vector<Lit>& clause : clauses) {
+      if (clause.size() == 2)
+        pairs[std::min(clause[0], clause[1])].insert(std::max(clause[0], clause[1]));
+      else
+        conditions.push_back(nodeOf(clause));
+    }
+    for (const auto& [first, others] : pairs) {
+      Node all = system_.graph->constantNode(1, 1);
+      for (auto other = others.rbegin(); other != others.rend(); ++other)
+        all = system_.graph->make(Op::And, 1, blast_->nodeOf(*other), all);
+      conditions.push_back(system_.graph->make(Op::Or, 1, blast_->nodeOf(first), all));
+    }
+    return conditions;
   }
 
   /// Adds the certificate's own gates to the bit system of the stage.
@@ -319,15 +354,17 @@ class Stages {
   const PortfolioOptions options_;
   const Budget whole_ = options_.budget();
   Budget::Clock::time_point stageBegin_{};
-  std::unique_ptr<BitBlast> blast_;           ///< of this stage
-  std::vector<Lit> truths_;                   ///< literals of blast_
-  std::vector<std::vector<Lit>> guesses_;     ///< further candidate invariants, in literals of blast_
-  Invariants invariants_;                     ///< of blast_'s system
-  std::unique_ptr<InvariantCores> cores_;     ///< of invariants_
-  std::optional<Certificate> onWholeSystem_;  ///< of the verdict at hand, if it was found on words
-  std::vector<KeptDifference> differences_;   ///< that bounds among invariants_ speak of
-  std::vector<std::size_t> open_;             ///< questions without answer
-  std::vector<std::size_t> positions_;        ///< of the open questions among the bad literals of blast_
+  std::unique_ptr<BitBlast> blast_;              ///< of this stage
+  std::vector<Lit> truths_;                      ///< literals of blast_
+  std::vector<std::vector<Lit>> guesses_;        ///< further candidate invariants, in literals of blast_
+  Invariants invariants_;                        ///< of blast_'s system
+  std::unique_ptr<InvariantCores> cores_;        ///< of invariants_
+  std::optional<Certificate> onWholeSystem_;     ///< of the verdict at hand, if it was found on words
+  std::vector<KeptDifference> differences_;      ///< that bounds among invariants_ speak of
+  std::vector<std::vector<Lit>> joinedClauses_;  ///< of blast_'s system
+  std::vector<Node> joined_;                     ///< what they say
+  std::vector<std::size_t> open_;                ///< questions without answer
+  std::vector<std::size_t> positions_;           ///< of the open questions among the bad literals of blast_
   std::vector<QuestionAnswer> answers_;
 };
 
