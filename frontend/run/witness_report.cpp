@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "frontend/run/event_place.hpp"
 
@@ -23,6 +24,16 @@ bool isIdle(const Witness& witness, std::size_t scan, const Operand& signal) {
     if (toString(inputs[i].operand) == toString(signal)) return !witness.matters[scan][i];
   }
   return false;
+}
+
+/// The same texts for sure: the same events and the same bits of every number.
+bool areSame(const TraceRow& a, const TraceRow& b) {
+  const auto isEqual = [](const std::optional<double>& x, const std::optional<double>& y) {
+    return x.has_value() == y.has_value() &&
+           (!x || std::bit_cast<std::uint64_t>(*x) == std::bit_cast<std::uint64_t>(*y));
+  };
+  return a.events == b.events &&
+         std::equal(a.values.begin(), a.values.end(), b.values.begin(), b.values.end(), isEqual);
 }
 
 }  // namespace
@@ -110,26 +121,32 @@ std::vector<std::string> tableOf(const Trace& trace, std::size_t rows) {
   struct Row {
     std::string scan, time;
     std::vector<std::string> values;
+    std::uint64_t first = 0, last = 0, timeUs = 0;  ///< of the scans that the row stands for
   };
   std::vector<Row> table{{"scan", "ms", {}}};
   const bool hasEvents = trace.hasEvents();
   if (hasEvents) table[0].values.push_back("events");
   for (const TraceSignal& signal : trace.signals)
     table[0].values.push_back(signal.symbol.empty() ? signal.name : signal.symbol);
-  std::uint64_t first = 0;
   for (std::size_t i = 0; i < trace.rows.size(); ++i) {
     const TraceRow& row = trace.rows[i];
-    Row next{"", fmt::format("{}", row.timeUs / 1000), {}};
-    if (hasEvents) next.values.push_back(row.events);
-    for (std::size_t s = 0; s < trace.signals.size(); ++s)
-      next.values.push_back(row.values[s] ? numberText(*row.values[s], trace.signals[s].type) : "-");
-    const bool isSame = table.size() > 1 && i + 1 < trace.rows.size() && table.back().values == next.values;
-    if (!isSame) first = row.scan;
-    next.scan = first == row.scan ? fmt::format("{}", row.scan) : fmt::format("{}-{}", first, row.scan);
-    if (isSame)
-      table.back() = std::move(next);
-    else
-      table.push_back(std::move(next));
+    const bool isLast = i + 1 == trace.rows.size();
+    bool isSame = i > 0 && !isLast && areSame(trace.rows[i - 1], row);  // thousands of scans need no text
+    if (!isSame) {
+      Row next{"", "", {}, row.scan};
+      if (hasEvents) next.values.push_back(row.events);
+      for (std::size_t s = 0; s < trace.signals.size(); ++s)
+        next.values.push_back(row.values[s] ? numberText(*row.values[s], trace.signals[s].type) : "-");
+      isSame = i > 0 && !isLast && table.back().values == next.values;
+      if (!isSame) table.push_back(std::move(next));
+    }
+    table.back().last = row.scan;
+    table.back().timeUs = row.timeUs;
+  }
+  for (std::size_t i = 1; i < table.size(); ++i) {
+    Row& row = table[i];
+    row.scan = row.first == row.last ? fmt::format("{}", row.last) : fmt::format("{}-{}", row.first, row.last);
+    row.time = fmt::format("{}", row.timeUs / 1000);
   }
   if (table.size() > rows + 1) {
     const std::size_t cut = table.size() - rows;
