@@ -18,6 +18,11 @@ namespace {
 
 constexpr double premiseSeconds = 5;  ///< for a question that a verdict is checked with
 
+std::size_t goalCount(const PropertySet& set) {
+  return static_cast<std::size_t>(
+      std::count_if(set.properties.begin(), set.properties.end(), [](const Property& p) { return p.isGoal(); }));
+}
+
 class Session {
  public:
   using Clock = QuestionSearch::Clock;
@@ -28,8 +33,7 @@ class Session {
   ProofRun run(const ProofProgress& progress) {
     ProofRun result;
     result.assumptions = environmentTexts(program_, set_, options_.time);
-    const auto declared = static_cast<std::size_t>(
-        std::count_if(set_.properties.begin(), set_.properties.end(), [](const Property& p) { return p.isGoal(); }));
+    const std::size_t declared = goalCount(set_);
     try {
       search_.encode(deadlineOf(declared));
     } catch (const EncodingStopped&) {
@@ -256,9 +260,56 @@ EncoderOptions encoderOptionsOf(const ProverOptions& options, bool relaxed) {
   return result;
 }
 
+namespace {
+
+/// Results of both in the order in which the set declares its goals, then those of built-in checks.
+ProofRun merged(const PropertySet& set, ProofRun plain, ProofRun inside) {
+  std::vector<ProofResult> results;
+  auto ofPlain = plain.results.begin(), ofInside = inside.results.begin();
+  for (const Property& property : set.properties) {
+    auto& next = property.atEveryInstruction ? ofInside : ofPlain;
+    const auto end = property.atEveryInstruction ? inside.results.end() : plain.results.end();
+    if (property.isGoal() && next != end && !next->builtin && next->property.name == property.name)
+      results.push_back(std::move(*next++));
+  }
+  results.insert(results.end(), std::make_move_iterator(ofPlain), std::make_move_iterator(plain.results.end()));
+  plain.results = std::move(results);
+  for (std::string& text : inside.approximations) {
+    if (std::ranges::find(plain.approximations, text) == plain.approximations.end())
+      plain.approximations.push_back(std::move(text));
+  }
+  plain.disagreements.insert(plain.disagreements.end(), inside.disagreements.begin(), inside.disagreements.end());
+  plain.isInterrupted = plain.isInterrupted || inside.isInterrupted;
+  return plain;
+}
+
+}  // namespace
+
+/// What is asked inside scans needs interrupts and 1 ms ticks in front of many instructions; all else is proved on a
+/// system without them.
 ProofRun prove(const Program& program, const PropertySet& set, const ProverOptions& options,
                const ProofProgress& progress) {
-  return Session(program, set, options).run(progress);
+  PropertySet plain = set, inside = set;
+  std::erase_if(plain.properties, [](const Property& p) { return p.isGoal() && p.atEveryInstruction; });
+  std::erase_if(inside.properties, [](const Property& p) { return p.isGoal() && !p.atEveryInstruction; });
+  const std::size_t later = goalCount(inside);
+  if (later == 0 || (goalCount(plain) == 0 && !options.checks.any()))
+    return Session(program, set, options).run(progress);
+  std::size_t before = 0;
+  bool goesOn = true;
+  ProofRun first =
+      Session(program, plain, options).run([&](const ProofResult& row, std::size_t done, std::size_t total) {
+        before = total;
+        goesOn = !progress || progress(row, done, total + later);
+        return goesOn;
+      });
+  if (!goesOn) return first;
+  ProverOptions rest = options;
+  rest.checks = {};
+  return merged(set, std::move(first),
+                Session(program, inside, rest).run([&](const ProofResult& row, std::size_t done, std::size_t total) {
+                  return !progress || progress(row, before + done, before + total);
+                }));
 }
 
 }  // namespace rungproof

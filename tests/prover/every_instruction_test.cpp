@@ -28,6 +28,36 @@ TEST(EveryInstruction, SeesWhatTheEndOfTheScanDoesNot) {
   EXPECT_EQ(outcomeOf(run, "alone"), Outcome::Proved);
 }
 
+TEST(EveryInstruction, ResultsKeepTheOrderOfTheProperties) {
+  // They are asked on two encodings; nobody who reads the report should notice.
+  const ProgramInput input = inputOf(
+      "//@ prove one: Q0.0 implies I0.0\n//@ at every instruction prove two: Q0.0 implies I0.0\n//@ reach three: "
+      "Q0.0\n",
+      "Network 1\nLD I0.0\n= Q0.0\n= M0.0\nNetwork 2\nLD I0.1\nS M0.0, 1\n");
+  ProverOptions options = usualOptions();
+  options.checks.builtin = true;
+  std::vector<std::size_t> done, totals;
+  const ProofRun run =
+      prove(input.program, input.properties, options, [&](const ProofResult&, std::size_t settled, std::size_t total) {
+        done.push_back(settled);
+        totals.push_back(total);
+        return true;
+      });
+  ASSERT_GT(run.results.size(), 3U);
+  for (const auto& [at, name] : {std::pair{0, "one"}, std::pair{1, "two"}, std::pair{2, "three"}})
+    EXPECT_EQ(run.results[static_cast<std::size_t>(at)].property.name, name);
+  EXPECT_EQ(run.results[0].outcome, Outcome::Proved);
+  // Inside the scan Q0.0 is still that of the scan before when I0.0 has fallen.
+  EXPECT_EQ(run.results[1].outcome, Outcome::Violated);
+  EXPECT_EQ(run.results[2].outcome, Outcome::Reachable);
+  for (std::size_t i = 3; i < run.results.size(); ++i) EXPECT_TRUE(run.results[i].builtin);
+  ASSERT_EQ(done.size(), run.results.size());
+  for (std::size_t i = 0; i < done.size(); ++i) {
+    EXPECT_EQ(done[i], i + 1);
+    EXPECT_EQ(totals[i], run.results.size());
+  }
+}
+
 TEST(EveryInstruction, SeesTheScanEndToo) {
   // The last instruction makes it true: no instruction comes behind it.
   const ProgramInput input = inputOf("//@ at every instruction prove off: not Q0.0\n", "Network 1\nLD I0.0\n= Q0.0\n");
