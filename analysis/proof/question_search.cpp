@@ -24,7 +24,8 @@ constexpr double quickSeconds = 0.5;                ///< for each question while
 constexpr int fillings = 16;                   ///< of inputs that a question does not mention, tried to confirm a run
 constexpr double minimiseSeconds = 0.25;       ///< for making a witness smaller
 constexpr std::uint64_t minimisedScans = 200;  ///< longer witnesses wait for a timer; they stay as they were found
-constexpr std::size_t writtenReals = 200;      ///< REAL operations of a question that are written out as bits
+constexpr std::size_t writtenReals = 200;      ///< REAL operations of a goal that are written out as bits
+constexpr std::size_t writtenForChecks = 12;   ///< of a built-in check: there is one at each REAL operation
 constexpr double freeRealShare = 0.25;         ///< of a question's time, before REAL operations are written out
 
 }  // namespace
@@ -125,7 +126,7 @@ EncoderOptions QuestionSearch::encoding(bool relaxed) const {
 /// Whether REAL operations decide the question that can be written out: engines take them as any value at first.
 bool QuestionSearch::restsOnReals(std::size_t question) const {
   const std::size_t count = exact_->exactReals(question);
-  return count > 0 && count <= writtenReals;
+  return count > 0 && count <= (question < goals_.size() ? writtenReals : writtenForChecks);
 }
 
 std::vector<QuestionAnswer> QuestionSearch::ask(const TransitionSystem& system, double each,
