@@ -83,6 +83,17 @@ std::vector<unsigned> formOf(z3::context& context, const z3::expr& formula) {
   return form;
 }
 
+/// Whether it equates words that are no numbers: a theorem about sums, which is easy once one side has been put in
+/// place of the other, and hard as a part of a disjunction, where it cannot.
+bool equatesWords(const z3::expr& formula) {
+  if (!formula.is_and()) return false;
+  for (unsigned i = 0; i < formula.num_args(); ++i) {
+    const z3::expr part = formula.arg(i);
+    if (part.is_eq() && part.arg(0).is_bv() && !part.arg(0).is_numeral() && !part.arg(1).is_numeral()) return true;
+  }
+  return false;
+}
+
 /// The formulas by their forms: properties of equal parts of a program lead to equal forms.
 class Forms {
  public:
@@ -103,10 +114,12 @@ class Forms {
     std::size_t size = 0;
     for (; i < forms_.size() && size < jointSize; ++i) {
       if (!isOpen(i)) continue;
+      const z3::expr formula = formulas_.arg(static_cast<unsigned>(i) + 1);
+      forms_[i]->second.isTried = true;
+      if (equatesWords(formula)) continue;
       size += forms_[i]->first.size();
-      together.push_back(formulas_.arg(static_cast<unsigned>(i) + 1));
+      together.push_back(formula);
       taken.push_back(&forms_[i]->second);
-      taken.back()->isTried = true;
     }
     if (taken.size() < 2 || checkFormula(context_, z3::mk_or(together), jointSeconds) != CheckResult::Valid) return;
     for (Known* known : taken) known->result = CheckResult::Valid;

@@ -33,6 +33,7 @@ constexpr std::size_t truthLimit = 600;
 constexpr std::size_t pairedTruths = 400;  ///< truth values whose pairs are looked at together
 constexpr std::size_t pairLimit = 12000;
 constexpr std::size_t manyClauses = 100;  ///< of a certificate, to be joined
+constexpr double miningShare = 0.3;       ///< of the time that is left for bounds on differences
 constexpr double searchShare = 0.9;  ///< of the time that is left for searches; the rest is for checking what they find
 
 class Stages {
@@ -175,8 +176,8 @@ class Stages {
 
   /// Bounds on differences of words that count together; false if there are none.
   bool mineDifferences() {
-    const MinedBounds mined =
-        mineBounds(system_, *blast_, invariants_, options_.seed, budget(std::min(options_.seconds * 2, 10.0)));
+    const MinedBounds mined = mineBounds(system_, *blast_, invariants_, options_.seed,
+                                         budget(std::min({options_.seconds * 2, 10.0, options_.left() * miningShare})));
     if (mined.clauses.empty()) return false;
     blast_->add(mined.clauses);
     for (const Node n : mined.clauses) {
