@@ -156,6 +156,20 @@ TEST(Invariants, OneHotStepsAndTimerBits) {
   EXPECT_TRUE(excluded(f.both(s0, s1)));
 }
 
+// The question names the phases; the timers decide about them, but are not named. After the next scan is named as well
+// as before it.
+TEST(Invariants, StatesAskedForAreThoseNamed) {
+  Family f = families::phase(3);
+  f.ask("after", f.system.states[0].next);
+  for (const std::size_t question : {0, 1}) {
+    const std::vector<bool> isAsked = statesAskedFor(f.system, {question});
+    for (std::size_t s = 0; s < isAsked.size(); ++s) {
+      const std::string& name = f.graph->variables()[(*f.graph)[f.system.states[s].node].value].name;
+      EXPECT_EQ(isAsked[s], question == 0 ? name[0] == 'S' : name == "S0") << name;
+    }
+  }
+}
+
 TEST(Invariants, OffDelayBitNeedsInputOrRunningTime) {
   Family f;
   const Node bit = f.state("T97"), in = f.state("T97.in"), running = f.state("T97.running"),
