@@ -27,8 +27,14 @@ constexpr std::size_t templateLimit = 1600;
 class TemplateSearch {
  public:
   TemplateSearch(const TransitionSystem& system, const BitBlast& blast, const Invariants& known, std::uint64_t seed,
-                 const Budget& budget)
-      : system_(system), graph_(*system.graph), blast_(blast), known_(known), seed_(seed), budget_(budget) {}
+                 BoundScope scope, const Budget& budget)
+      : system_(system),
+        graph_(*system.graph),
+        blast_(blast),
+        known_(known),
+        seed_(seed),
+        scope_(scope),
+        budget_(budget) {}
 
   BoundTemplates run() {
     for (std::uint32_t latch = 0; latch < blast_.bits().latches.size(); ++latch) {
@@ -47,6 +53,7 @@ class TemplateSearch {
     for (const std::vector<std::size_t>& group : all) toOneWidth(group);
     // A clock against a timer tells most, two timers least.
     for (const int pending : {1, 0, 2}) {
+      if (scope_ == BoundScope::Few && pending != 1) break;
       for (const std::vector<std::size_t>& group : all) {
         for (const std::size_t x : group) {
           for (const std::size_t y : group) {
@@ -188,7 +195,7 @@ class TemplateSearch {
     std::vector<Node> result = guards_;
     std::stable_partition(result.begin(), result.end(), [&](Node n) { return near.contains(indexOf(n)); });
     if (result.size() > most) result.resize(most);
-    const std::size_t plain = result.size();
+    const std::size_t plain = scope_ == BoundScope::Few ? 0 : result.size();
     for (std::size_t i = 0; i < plain; ++i) result.push_back(graph_.make(Op::Not, 1, result[i]));
     for (const std::size_t s : states)
       result.push_back(graph_.make(Op::Ult, 1, graph_.constantNode(0, widthOf(word(s))), word(s)));
@@ -231,6 +238,7 @@ class TemplateSearch {
     const int w = widthOf(word(y.state));
     for (const Node guard : guardsFor({x.state, y.state}, most)) {
       templates_.push_back({guard, noNode, difference, left, right});
+      if (scope_ == BoundScope::Few) continue;
       for (const std::uint64_t stop : y.stops) {
         templates_.push_back(
             {guard, graph_.make(Op::Ule, 1, graph_.constantNode(stop, w), word(y.state)), difference, left, right});
@@ -243,6 +251,7 @@ class TemplateSearch {
   const BitBlast& blast_;
   const Invariants& known_;
   const std::uint64_t seed_;
+  const BoundScope scope_;
   const Budget& budget_;
   std::set<std::uint32_t> inCone_;
   std::vector<std::uint32_t> order_;
@@ -254,8 +263,8 @@ class TemplateSearch {
 }  // namespace
 
 BoundTemplates boundTemplates(const TransitionSystem& system, const BitBlast& blast, const Invariants& known,
-                              std::uint64_t seed, const Budget& budget) {
-  return TemplateSearch(system, blast, known, seed, budget).run();
+                              std::uint64_t seed, BoundScope scope, const Budget& budget) {
+  return TemplateSearch(system, blast, known, seed, scope, budget).run();
 }
 
 }  // namespace rungproof

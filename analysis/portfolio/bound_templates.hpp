@@ -10,6 +10,10 @@
 
 namespace rungproof {
 
+/// Few: of clocks against timers, while a condition holds; a chain of steps needs no more, and many would take too
+/// long.
+enum class BoundScope : std::uint8_t { Few, All };
+
 /// A state word that counts: what is compared of it is a Summand (certificate.hpp), with the node of the increment.
 struct CountingWord {
   std::size_t state = 0;  ///< index in TransitionSystem::states
@@ -33,6 +37,6 @@ struct BoundTemplates {
 
 /// Adds the nodes to the graph of the system. `known`: of blast's bits; equal latches give one guard.
 BoundTemplates boundTemplates(const TransitionSystem& system, const BitBlast& blast, const Invariants& known,
-                              std::uint64_t seed, const Budget& budget);
+                              std::uint64_t seed, BoundScope scope, const Budget& budget);
 
 }  // namespace rungproof

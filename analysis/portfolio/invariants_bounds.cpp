@@ -35,14 +35,14 @@ struct Bound {
 class BoundSearch {
  public:
   BoundSearch(const TransitionSystem& system, BitBlast& blast, const Invariants& known, std::uint64_t seed,
-              const Budget& budget)
+              BoundScope scope, const Budget& budget)
       : system_(system),
         graph_(*system.graph),
         blast_(blast),
         known_(known),
         seed_(seed),
         budget_(budget),
-        found_(boundTemplates(system, blast, known, seed, budget)),
+        found_(boundTemplates(system, blast, known, seed, scope, budget)),
         templates_(found_.templates) {}
 
   MinedBounds run() {
@@ -351,8 +351,8 @@ class BoundSearch {
 }  // namespace
 
 MinedBounds mineBounds(const TransitionSystem& system, BitBlast& blast, const Invariants& known, std::uint64_t seed,
-                       const Budget& budget) {
-  return BoundSearch(system, blast, known, seed, budget).run();
+                       BoundScope scope, const Budget& budget) {
+  return BoundSearch(system, blast, known, seed, scope, budget).run();
 }
 
 }  // namespace rungproof

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/bits/bit_blast.hpp"
+#include "analysis/portfolio/bound_templates.hpp"
 #include "analysis/portfolio/certificate.hpp"
 #include "analysis/portfolio/invariants.hpp"
 
@@ -22,6 +23,6 @@ struct MinedBounds {
 /// Clauses (nodes of width 1 over states) that hold in all reachable states, given `known` ones, which are literals of
 /// `blast`. Adds nodes to its graph and gates to its bits. Nothing if there are no such words or the budget ends.
 MinedBounds mineBounds(const TransitionSystem& system, BitBlast& blast, const Invariants& known, std::uint64_t seed,
-                       const Budget& budget);
+                       BoundScope scope, const Budget& budget);
 
 }  // namespace rungproof

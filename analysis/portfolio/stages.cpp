@@ -15,6 +15,7 @@
 #include "analysis/portfolio/clusters.hpp"
 #include "analysis/portfolio/invariants.hpp"
 #include "analysis/portfolio/invariants_bounds.hpp"
+#include "analysis/portfolio/invariants_covers.hpp"
 #include "analysis/portfolio/invariants_timers.hpp"
 #include "analysis/portfolio/invariants_words.hpp"
 #include "analysis/portfolio/race.hpp"
@@ -68,7 +69,9 @@ class Stages {
       beginWithCandidates();
       if (options_.check) mine();
       searchTogether(shortInduction, false);
-      if (!open_.empty() && options_.check && mineDifferences()) searchTogether(shortInduction, false);
+      for (const BoundScope scope : {BoundScope::Few, BoundScope::All}) {
+        if (!open_.empty() && options_.check && mineDifferences(scope)) searchTogether(shortInduction, false);
+      }
       if (!open_.empty()) raceApart();
     }
   }
@@ -172,11 +175,13 @@ class Stages {
     mining.seed = options_.seed;
     const Budget limit = budget(seconds);
     invariants_ = mineInvariants(blast_->bits(), truths_, guesses_, mining, limit);
+    for (std::vector<Lit>& clause : mineCovers(blast_->bits(), invariants_, options_.seed, limit))
+      invariants_.clauses.push_back(std::move(clause));
   }
 
   /// Bounds on differences of words that count together; false if there are none.
-  bool mineDifferences() {
-    const MinedBounds mined = mineBounds(system_, *blast_, invariants_, options_.seed,
+  bool mineDifferences(BoundScope scope) {
+    const MinedBounds mined = mineBounds(system_, *blast_, invariants_, options_.seed, scope,
                                          budget(std::min({options_.seconds * 2, 10.0, options_.left() * miningShare})));
     if (mined.clauses.empty()) return false;
     blast_->add(mined.clauses);
@@ -184,7 +189,7 @@ class Stages {
       const Lit l = blast_->of(n)[0];
       if (l != trueLit) invariants_.clauses.push_back({l});
     }
-    differences_ = mined.differences;
+    differences_.insert(differences_.end(), mined.differences.begin(), mined.differences.end());
     cores_.reset();
     // The questions that are left, in the stage's order.
     std::vector<Lit> bads;

@@ -6,6 +6,7 @@
 
 #include "analysis/graph/evaluate.hpp"
 #include "analysis/portfolio/invariants_bounds.hpp"
+#include "analysis/portfolio/invariants_covers.hpp"
 #include "analysis/portfolio/invariants_timers.hpp"
 #include "analysis/portfolio/invariants_words.hpp"
 #include "analysis/portfolio/portfolio.hpp"
@@ -90,7 +91,25 @@ TEST(Bounds, HoldOnRandomRuns) {
   f.ask("far ahead", f.both(f.atLeast(f.timer, 50), f.no(f.atLeast(f.clock, 40))));
   BitBlast blast(f.system, {0});
   const Invariants known = mineInvariants(blast.bits(), {}, {}, {}, Budget::seconds(10));
-  const std::vector<Node> bounds = mineBounds(f.system, blast, known, miningSeed, Budget::seconds(10)).clauses;
+  const std::vector<Node> bounds =
+      mineBounds(f.system, blast, known, miningSeed, BoundScope::All, Budget::seconds(10)).clauses;
+  ASSERT_FALSE(bounds.empty());
+  EXPECT_EQ(violations(f, bounds, 20, 200), 0U);
+}
+
+/// What is asked first: every bound of it is one that random runs keep, and none has a stop or a negated guard.
+TEST(Bounds, FewHoldOnRandomRunsAsWell) {
+  TimerAndClock f;
+  f.ask("far ahead", f.both(f.atLeast(f.timer, 50), f.no(f.atLeast(f.clock, 40))));
+  BitBlast blast(f.system, {0});
+  const Invariants known = mineInvariants(blast.bits(), {}, {}, {}, Budget::seconds(10));
+  const std::size_t all =
+      boundTemplates(f.system, blast, known, miningSeed, BoundScope::All, Budget::seconds(10)).templates.size();
+  const std::size_t few =
+      boundTemplates(f.system, blast, known, miningSeed, BoundScope::Few, Budget::seconds(10)).templates.size();
+  EXPECT_LT(few, all);
+  const std::vector<Node> bounds =
+      mineBounds(f.system, blast, known, miningSeed, BoundScope::Few, Budget::seconds(10)).clauses;
   ASSERT_FALSE(bounds.empty());
   EXPECT_EQ(violations(f, bounds, 20, 200), 0U);
 }
@@ -105,8 +124,35 @@ TEST(Bounds, NothingWithoutCommonTicks) {
   f.ask("apart", f.graph->make(Op::Ult, 1, x, y));
   BitBlast blast(f.system, {0});
   const Invariants none = mineInvariants(blast.bits(), {}, {}, {}, Budget::seconds(10));
-  for (const Node n : mineBounds(f.system, blast, none, miningSeed, Budget::seconds(10)).clauses)
+  for (const Node n : mineBounds(f.system, blast, none, miningSeed, BoundScope::All, Budget::seconds(10)).clauses)
     ADD_FAILURE() << "node " << indexOf(n);
+}
+
+// A ring of four steps with a token that any of four inputs moves on: it is always somewhere, unless a fifth step can
+// swallow it.
+TEST(Invariants, OneOfTheStepsIsAlwaysActive) {
+  for (const bool isClosed : {true, false}) {
+    Family f;
+    std::vector<Node> steps, moves;
+    for (int i = 0; i < 4; ++i) {
+      steps.push_back(f.state("step" + std::to_string(i), 1, i == 0 ? 1 : 0));
+      moves.push_back(f.input("move" + std::to_string(i)));
+    }
+    const Node lost = f.input("lost");
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t before = (i + 3) % 4;
+      const Node comes = f.both(steps[before], moves[before]), stays = f.both(steps[i], f.no(moves[i]));
+      f.next(steps[i], isClosed ? f.either(comes, stays) : f.both(f.either(comes, stays), f.no(lost)));
+    }
+    f.ask("none", f.both(f.both(f.no(steps[0]), f.no(steps[1])), f.both(f.no(steps[2]), f.no(steps[3]))));
+    BitBlast blast(f.system, {0});
+    std::vector<Lit> truths;
+    for (const Node step : steps) truths.push_back(blast.of(step)[0]);
+    const Invariants known = mineInvariants(blast.bits(), truths, {}, {}, Budget::seconds(10));
+    const std::vector<std::vector<Lit>> covers = mineCovers(blast.bits(), known, miningSeed, Budget::seconds(10));
+    ASSERT_EQ(covers.size(), isClosed ? 1U : 0U);
+    for (const std::vector<Lit>& cover : covers) EXPECT_EQ(cover.size(), 4U);
+  }
 }
 
 TEST(Invariants, EqualAndComplementaryLatchesAreOne) {
