@@ -168,8 +168,9 @@ class TemplateSearch {
       sum.word = wide(sum.word, width, words_[i].extension);
       sum.increment = wide(withoutExtension(sum.increment), width);
       // The program's own adder, so that nobody has to find out that two adders are equal.
-      sum.next =
-          sum.isPending || mayWrap(own) ? graph_.make(Op::Add, width, sum.word, sum.increment) : wide(own, width);
+      sum.next = sum.isPending || mayWrap(own) || widthOf(own) > width
+                     ? graph_.make(Op::Add, width, sum.word, sum.increment)
+                     : wide(own, width);
     }
   }
 

@@ -114,6 +114,27 @@ TEST(Bounds, FewHoldOnRandomRunsAsWell) {
   EXPECT_EQ(violations(f, bounds, 20, 200), 0U);
 }
 
+// A program may add in more bits than word and increment need: 4 and 3 bits in an adder of 12.
+TEST(Bounds, AddersWiderThanTheirWords) {
+  Family f;
+  const Node ticks = f.input("ticks", 3);
+  std::vector<Node> words;
+  for (const char* name : {"x", "y"}) {
+    const Node word = f.state(name, 4);
+    const Node later =
+        f.graph->make(Op::Add, 12, f.graph->make(Op::Zext, 12, word), f.graph->make(Op::Zext, 12, ticks));
+    f.next(word, f.graph->make(Op::Extract, 4, f.choose(f.atLeast(later, 9), f.number(9, 12), later)));
+    words.push_back(word);
+  }
+  f.ask("apart", f.graph->make(Op::Ult, 1, words[0], words[1]));
+  BitBlast blast(f.system, {0});
+  const BoundTemplates found = boundTemplates(f.system, blast, {}, miningSeed, BoundScope::All, Budget::seconds(10));
+  EXPECT_FALSE(found.templates.empty());
+  for (const CountingWord& word : found.words) {
+    EXPECT_EQ((*f.graph)[word.sum.next].width, (*f.graph)[word.sum.word].width);
+  }
+}
+
 // Words that do not count the same give no templates.
 TEST(Bounds, NothingWithoutCommonTicks) {
   Family f;
