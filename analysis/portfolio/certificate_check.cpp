@@ -12,6 +12,7 @@
 #include <csignal>
 #include <map>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace rungproof {
 
@@ -94,6 +95,26 @@ bool equatesWords(const z3::expr& formula) {
   return false;
 }
 
+/// Whether it multiplies words with each other, or divides: time limits do not hold while that is written out in gates.
+bool multiplies(const z3::expr& formula) {
+  std::unordered_set<unsigned> seen;
+  std::vector<z3::expr> stack{formula};
+  while (!stack.empty()) {
+    const z3::expr top = stack.back();
+    stack.pop_back();
+    if (!seen.insert(top.id()).second) continue;
+    const Z3_decl_kind kind = top.decl().decl_kind();
+    if (kind == Z3_OP_BUDIV || kind == Z3_OP_BSDIV || kind == Z3_OP_BUREM || kind == Z3_OP_BSREM) return true;
+    int words = 0;
+    for (unsigned i = 0; i < top.num_args(); ++i) {
+      words += top.arg(i).is_numeral() ? 0 : 1;
+      stack.push_back(top.arg(i));
+    }
+    if (kind == Z3_OP_BMUL && words > 1) return true;
+  }
+  return false;
+}
+
 /// The formulas by their forms: properties of equal parts of a program lead to equal forms.
 class Forms {
  public:
@@ -116,7 +137,7 @@ class Forms {
       if (!isOpen(i)) continue;
       const z3::expr formula = formulas_.arg(static_cast<unsigned>(i) + 1);
       forms_[i]->second.isTried = true;
-      if (equatesWords(formula)) continue;
+      if (equatesWords(formula) || multiplies(formula)) continue;
       size += forms_[i]->first.size();
       together.push_back(formula);
       taken.push_back(&forms_[i]->second);
