@@ -32,6 +32,12 @@ class Script final : public Outside {
     for (Site& site : sites_) site.next = 0;
     isBegun_ = true;
   }
+  /// Whether unknown bits have other values than 0 in the scans to come.
+  bool givesUnknownBits() const {
+    return unknown_ != 0 || std::ranges::any_of(sites_, [](const Site& site) {
+             return isUnknown(std::get<External>(site.key)) || std::get<External>(site.key) == External::UnknownResult;
+           });
+  }
   std::uint64_t external(const ExternalSite& site, int) override {
     const Key wanted = key(site);
     const bool isNext =
@@ -41,9 +47,7 @@ class Script final : public Outside {
       Site& found = sites_[next_++];
       if (found.next < found.values.size()) return found.values[found.next++];
     }
-    const bool isUnknown = site.kind == External::StackBottom || site.kind == External::LocalMemory ||
-                           site.kind == External::UnknownStatus;
-    return isUnknown ? unknown_ : 0;
+    return isUnknown(site.kind) ? unknown_ : 0;
   }
   void report(Hazard, const Instruction*) override {}
   std::size_t unused() {
@@ -52,6 +56,9 @@ class Script final : public Outside {
   }
 
  private:
+  static bool isUnknown(External kind) {
+    return kind == External::StackBottom || kind == External::LocalMemory || kind == External::UnknownStatus;
+  }
   using Key = std::tuple<External, std::uint32_t, std::uint32_t>;
   static Key key(const ExternalSite& site) { return {site.kind, site.index, site.instruction}; }
   struct Site {
@@ -92,6 +99,7 @@ ReplayResult replay(const Program& program, const Choices& choices, const std::v
     const ReplayScan& scan = scans[i];
     for (const PresetValue& input : scan.inputs) simulator.write(input.operand, input.value);
     script.load(scan.externals);
+    simulator.readUnknownAsZero(watcher == nullptr && !script.givesUnknownBits());
     for (std::uint32_t round = 0; round < scan.repeats && goesOn; ++round) {
       script.begin();
       simulator.scan({.lengthUs = scan.lengthMs * 1000, .script = &scan.script});

@@ -88,6 +88,10 @@ class Simulator final : private Outside {
     attention_ = true;
   }
 
+  /// In the scans to come, whether bits that the manual calls unknown are 0, without a question to `outside` and unseen
+  /// by the observer.
+  void readUnknownAsZero(bool isZero) { unknownIsZero_ = isZero; }
+
   const Concrete::Store& store() const { return store_; }
   /// Replaces the state, for a replay that starts elsewhere than at power-up.
   void setStore(const Concrete::Store& store) { store_ = store; }
