@@ -128,7 +128,8 @@ Graph::Truth Graph::under(Node condition, std::span<const Node> assumed) const {
   }
   if (!isProduct) return Truth::Open;
   bool allTrue = true;
-  for (const Node part : conjunctsOf(positive).all()) {
+  const Conjuncts parts = conjunctsOf(positive);
+  for (const Node part : parts.all()) {
     Truth t = Truth::Open;
     for (std::size_t i = 0; i < assumed.size() && t == Truth::Open; ++i) t = underOne(part, assumed[i]);
     if (t == Truth::False) return isNegated ? Truth::True : Truth::False;
