@@ -130,7 +130,8 @@ int runCommand(const Command& command, std::vector<std::string> arguments, const
                   streams.errIsTerminal && !settings.flag(Opt::Quiet),
                   {}};
   if (auto failure = readOutputs(settings, command, context.outputs)) return failed(streams.err, *failure);
-  const Exit exit = action(context);
+  Exit exit = action(context);
+  if (context.hasLostOutput) exit = Exit::Failed;
   streams.out.flush();
   if (!streams.out) return failed(streams.err, {"standard output cannot be written"});
   return static_cast<int>(exit);
@@ -199,6 +200,7 @@ std::vector<std::string_view> formatsOf(const Command& command) {
 }
 
 int runProgram(const std::vector<std::string>& arguments, const Streams& streams) {
+  forgetInputs();
   try {
     return runArguments(arguments, streams);
   } catch (const std::exception& error) {

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <set>
 
+#include "frontend/disk_file.hpp"
 #include "frontend/drawn/drawn_build.hpp"
 #include "frontend/file_reader.hpp"
 #include "frontend/stl/resolve.hpp"
@@ -35,6 +36,7 @@ bool readBytes(const std::string& path, std::string& bytes) {
   }
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return false;
+  noteInput(path);
   stream.seekg(0, std::ios::end);
   const std::streamoff size = stream.tellg();
   stream.seekg(0, std::ios::beg);

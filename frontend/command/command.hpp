@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "frontend/command/arguments.hpp"
+#include "frontend/disk_file.hpp"
 #include "frontend/exit.hpp"
 #include "frontend/failure.hpp"
 #include "frontend/report/report.hpp"
@@ -33,11 +34,12 @@ struct Context {
   bool color = false;                  ///< colours on `out`
   bool progress = false;               ///< `err` is a terminal and --quiet was not given
   std::vector<OutputRequest> outputs;  ///< never empty; names are permitted ones
+  mutable bool hasLostOutput = false;  ///< some write() has failed: the exit code says so, whatever was found
 
   /// Prints the reason to `err` and gives the exit code for it.
   Exit fail(const Failure& failure) const;
-  /// Writes the text of one output: to `out`, or as a whole file that is there completely or not at all.
-  bool write(const OutputRequest& output, std::string_view text) const;
+  /// Writes the text of one output: to `out`, or to a file (disk_file.hpp). Prints the reason if it cannot.
+  bool write(const OutputRequest& output, std::string_view text, InputFile input = InputFile::Refuse) const;
 };
 
 /// Drops findings below --level, sorts, writes the report in every requested form, and gives the exit code.

@@ -1,7 +1,4 @@
 // `rungproof lint`: every rule that needs no solver, over one or several programs.
-#include <fstream>
-#include <sstream>
-
 #include "frontend/command/command.hpp"
 #include "frontend/lint_run.hpp"
 #include "frontend/page/baseline.hpp"
@@ -18,19 +15,17 @@ struct State {
 };
 
 std::optional<Failure> subtractBaseline(const std::string& name, Report& report) {
-  std::ifstream stream(name, std::ios::binary);
-  if (!stream)
+  const std::optional<std::string> text = bytesOfInput(name);
+  if (!text)
     return Failure{"the baseline file cannot be read", name,
                    "write one with 'rungproof baseline FILE... > " + name + "'"};
-  std::ostringstream text;
-  text << stream.rdbuf();
   Baseline baseline;
-  if (auto failure = readBaseline(text.str(), name, baseline)) return failure;
+  if (auto failure = readBaseline(*text, name, baseline)) return failure;
   // The baseline becomes a source of the report, so that stale entries have a place.
   auto sources = std::make_shared<SourceSet>();
   for (std::uint32_t i = 0; i < report.sources->size(); ++i)
     sources->add(report.sources->file(i).name(), std::string(report.sources->file(i).text()));
-  const std::uint32_t file = sources->add(name, text.str());
+  const std::uint32_t file = sources->add(name, *text);
   report.sources = sources;
   applyBaseline(baseline, file, report);
   return std::nullopt;

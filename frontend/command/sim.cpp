@@ -11,6 +11,7 @@
 #include "frontend/command/command.hpp"
 #include "frontend/program_input.hpp"
 #include "frontend/run/comparison.hpp"
+#include "frontend/run/run_limits.hpp"
 #include "frontend/run/run_report.hpp"
 #include "frontend/run/scan_drawings.hpp"
 #include "frontend/run/stimulus_column.hpp"
@@ -44,6 +45,8 @@ struct Job {
   std::uint64_t scans = 0;       ///< run at least so many scans
   std::uint64_t durationUs = 0;  ///< and until a scan has begun at this time or later
   ScanTime scanTime{};
+  bool keepsTrace = true;    ///< somebody looks at the trace afterwards
+  std::uint64_t memory = 0;  ///< bytes that the trace may take
 };
 
 class Preparation {
@@ -61,12 +64,32 @@ class Preparation {
     for (const std::string& name : arguments_.traces) {
       if (auto failure = checkTraceName(name)) failures.push_back(*failure);
     }
+    job.keepsTrace = !arguments_.traces.empty() || job.expected || isResult();
+    job.memory = context_.settings.memory().value_or(mostTraceBytes);
+    if (failures.empty()) checkLength(job);
     return job;
+  }
+
+  /// Nothing else was asked for: the trace itself is the result.
+  bool isResult() const {
+    return arguments_.traces.empty() && arguments_.expect.empty() && context_.outputs.size() == 1 &&
+           context_.outputs[0].file.empty() && context_.outputs[0].name == "human";
   }
 
   std::vector<Failure> failures;
 
  private:
+  /// What is too long even with the longest scans need not be begun.
+  void checkLength(const Job& job) {
+    auto longest = static_cast<std::uint64_t>(job.scanTime.high.count());
+    for (const StimulusRow& row : job.stimulus.rows) longest = std::max<std::uint64_t>(longest, row.scanUs.value_or(0));
+    const std::uint64_t scans = std::max(job.scans, job.durationUs / longest);
+    auto failure = refusedRun(scans, job.keepsTrace ? job.signals.size() : 0, job.memory);
+    if (!failure) return;
+    failure->place = !arguments_.stimulus.empty() ? arguments_.stimulus : arguments_.expect;
+    failures.push_back(*failure);
+  }
+
   void readFiles(Job& job) {
     if (!arguments_.stimulus.empty()) {
       const std::optional<std::string> text = readFile(context_, arguments_.stimulus, failures);
@@ -182,25 +205,28 @@ class ScanLengths {
   std::uint64_t state_;
 };
 
-/// `drawings`: networks to be drawn for every scan, or nullptr.
-Trace record(Simulator& simulator, const Job& job, std::uint64_t seed, const Context& context, ScanDrawings* drawings) {
-  Trace trace;
+/// `drawings`: networks to be drawn for every scan, or nullptr. The failure of a run that turns out too long.
+std::optional<Failure> record(Simulator& simulator, const Job& job, std::uint64_t seed, const Context& context,
+                              ScanDrawings* drawings, Trace& trace) {
   trace.signals = job.signals;
   StimulusPlayer player(simulator, job.stimulus);
   ScanLengths lengths(job.scanTime, seed);
   Progress progress(context);
   if (drawings != nullptr) simulator.observe(&drawings->recorder());
+  std::optional<Failure> failure;
   while (simulator.scanCount() < job.scans || simulator.timeUs() < job.durationUs) {
+    failure = refusedRun(simulator.scanCount() + 1, job.keepsTrace ? trace.signals.size() : 0, job.memory);
+    if (failure) break;
     ScanRequest request = player.next();
     if (request.lengthUs == 0) request.lengthUs = lengths.next();
     simulator.scan(request);
-    trace.rows.push_back(sampleRow(simulator, trace.signals));
+    if (job.keepsTrace) trace.rows.push_back(sampleRow(simulator, trace.signals));
     if (drawings != nullptr) drawings->add();
     progress.show(simulator.scanCount(), simulator.timeUs());
     if (!simulator.isRunning() && !job.expected) break;
   }
   progress.clear();
-  return trace;
+  return failure;
 }
 
 Exit run(const Arguments& arguments, Context& context) {
@@ -223,7 +249,9 @@ Exit run(const Arguments& arguments, Context& context) {
   const auto isPage = [](const std::string& name) { return name.ends_with(".html"); };
   std::optional<ScanDrawings> drawings;
   if (std::ranges::any_of(arguments.traces, isPage)) drawings.emplace(program);
-  const Trace trace = record(simulator, job, options.seed, context, drawings ? &*drawings : nullptr);
+  Trace trace;
+  if (auto failure = record(simulator, job, options.seed, context, drawings ? &*drawings : nullptr, trace))
+    return context.fail(*failure);
   const TraceDrawings drawn = drawings ? drawings->take() : TraceDrawings{};
 
   for (const std::string& name : arguments.traces) {
@@ -234,9 +262,7 @@ Exit run(const Arguments& arguments, Context& context) {
   describeRun(report, simulator, job.scanTime);
   if (job.expected)
     report.comparison = comparisonOf(*job.expected, trace, firstDifference(*job.expected, trace, job.compare));
-  const bool isFiltered = arguments.traces.empty() && !job.expected && context.outputs.size() == 1 &&
-                          context.outputs[0].file.empty() && context.outputs[0].name == "human";
-  if (!isFiltered) return finish(context, std::move(report));
+  if (!preparation.isResult()) return finish(context, std::move(report));
   // Nothing else was asked for: the trace itself is the result, and what there is to say goes beside it.
   if (!writeTrace(context, "-", trace, "")) return Exit::Failed;
   if (report.findings.empty()) return Exit::Clean;
@@ -252,7 +278,8 @@ Action setup(ArgumentTable& table) {
   table.option("--trace", arguments->traces, "FILE",
                "write the trace: .csv .vcd .json .svg .html, or '-'; may be repeated");
   table.list("--signals", arguments->signals, "LIST", "addresses or symbols to trace; all that the program touches");
-  table.number("--scans", arguments->scans, "N", "run so many scans; until stimulus and expected trace end, or 100");
+  table.number("--scans", arguments->scans, "N", "run so many scans; until stimulus and expected trace end, or 100", 0,
+               static_cast<std::int64_t>(mostScans));
   table.option("--duration", arguments->duration, "TIME", "run for this time, such as 30s");
   table.option("--tolerance", arguments->tolerances, "SIGNAL=VALUE", "how far a value may be off; may be repeated");
   table.number("--slack", arguments->slack, "N", "scans by which a value may come earlier or later");

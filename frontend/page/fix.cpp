@@ -4,10 +4,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <ostream>
-#include <sstream>
 
 namespace rungproof {
 
@@ -39,13 +37,11 @@ std::vector<FixedFile> fixedFiles(const Report& report) {
 bool applyFixes(const Context& context, const Report& report) {
   bool written = true;
   for (const FixedFile& file : fixedFiles(report)) {
-    std::ifstream stream(file.name, std::ios::binary);
-    std::ostringstream bytes;
-    bytes << stream.rdbuf();
+    const std::optional<std::string> bytes = bytesOfInput(file.name);
     const auto& sources = *report.sources;
     bool isAsRead = false;
-    for (std::uint32_t i = 0; stream && i < sources.size(); ++i)
-      isAsRead |= sources.file(i).name() == file.name && sources.file(i).text() == bytes.view();
+    for (std::uint32_t i = 0; bytes && i < sources.size(); ++i)
+      isAsRead |= sources.file(i).name() == file.name && sources.file(i).text() == *bytes;
     if (!isAsRead) {
       print(context.err, {fmt::format("'{}' was not fixed: its text was converted when it was read", file.name),
                           {},
@@ -53,7 +49,7 @@ bool applyFixes(const Context& context, const Report& report) {
       written = false;
       continue;
     }
-    if (!context.write({"text", file.name}, file.text)) {
+    if (!context.write({"text", file.name}, file.text, InputFile::Replace)) {
       written = false;
       continue;
     }

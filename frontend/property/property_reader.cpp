@@ -5,10 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <set>
-#include <sstream>
 
+#include "frontend/disk_file.hpp"
 #include "frontend/property/property_lexer.hpp"
 #include "frontend/property/property_message.hpp"
 #include "frontend/property/property_types.hpp"
@@ -558,8 +557,8 @@ PropertySet readProperties(Program& program, const std::vector<std::string>& fil
                      &program.target);
   }
   for (const std::string& name : files) {
-    std::ifstream stream(name, std::ios::binary);
-    if (!stream) {
+    const std::optional<std::string> content = bytesOfInput(name);
+    if (!content) {
       Finding finding;
       finding.rule = syntaxRule;
       finding.message = fmt::format("cannot open the property file '{}'", name);
@@ -567,9 +566,7 @@ PropertySet readProperties(Program& program, const std::vector<std::string>& fil
       program.findings.push_back(std::move(finding));
       continue;
     }
-    std::ostringstream content;
-    content << stream.rdbuf();
-    const std::uint32_t file = program.sources->add(name, content.str());
+    const std::uint32_t file = program.sources->add(name, *content);
     readPropertyText(file, program.sources->file(file).text(), 0, lookup, set, program.findings, &program.target);
   }
   return set;

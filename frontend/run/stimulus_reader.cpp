@@ -10,6 +10,7 @@
 
 #include "frontend/run/csv_table.hpp"
 #include "frontend/run/event_place.hpp"
+#include "frontend/run/run_limits.hpp"
 #include "frontend/run/stimulus_column.hpp"
 #include "frontend/run/trace_cell.hpp"
 
@@ -18,6 +19,7 @@ namespace rungproof {
 namespace {
 
 constexpr double largestTimeMs = 1e12;
+constexpr double mostPulses = 12'000'000;  ///< of a counter in one scan: 200 kHz for 60 s, the longest scan
 
 bool isOpen(const std::string& text) { return text.empty() || text == "x" || text == "X"; }
 
@@ -77,6 +79,11 @@ class TableReader {
         (!isTime && *number != std::floor(*number))) {
       fail(row[0], fmt::format("'{}' is no {}", row[0].text, isTime ? "time in ms" : "scan number"),
            isTime ? "write milliseconds from 0 on" : "scans are counted from 1");
+      return std::nullopt;
+    }
+    if (!isTime && *number > static_cast<double>(mostScans)) {
+      fail(row[0], fmt::format("scan {} is beyond the longest run", row[0].text),
+           fmt::format("a run has at most {} scans", mostScans));
       return std::nullopt;
     }
     const auto value = static_cast<std::uint64_t>(std::llround(isTime ? *number * 1000 : *number));
@@ -217,6 +224,10 @@ Stimulus readStimulus(const std::string& name, std::string_view text, const Prog
       const CsvCell& cell = cells[frame.signals[k]];
       const bool isText = column.target == StimulusTarget::Characters;
       row.values.push_back(isText ? std::nullopt : reader.value(cell, column.signal));
+      const bool isPulses = column.target == StimulusTarget::Pulses || column.target == StimulusTarget::DownPulses;
+      if (isPulses && row.values.back().value_or(0) > mostPulses)
+        reader.fail(cell, fmt::format("{} pulses are more than a counter can count in one scan", cell.text),
+                    fmt::format("at most {:.0f}: 200 kHz for 60 s", mostPulses));
       if (!isText) continue;
       for (const int character : reader.characters(cell)) row.characters.emplace_back(column.position, character);
     }

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <istream>
 #include <ostream>
 #include <sstream>
@@ -17,22 +16,23 @@ constexpr std::size_t mostFailures = 10;
 }  // namespace
 
 std::optional<std::string> readFile(const Context& context, const std::string& name, std::vector<Failure>& failures) {
-  std::ostringstream text;
+  std::optional<std::string> text;
   if (name == "-") {
-    text << context.in.rdbuf();
+    std::ostringstream given;
+    given << context.in.rdbuf();
+    text = std::move(given).str();
   } else {
-    std::ifstream stream(name, std::ios::binary);
-    if (stream) text << stream.rdbuf();
-    if (!stream) {
+    text = bytesOfInput(name);
+    if (!text) {
       failures.push_back({fmt::format("'{}' cannot be read", name), {}, "check the name and the permissions"});
       return std::nullopt;
     }
   }
-  if (text.view().find('\0') != std::string_view::npos) {
+  if (text->find('\0') != std::string::npos) {
     failures.push_back({"the file holds zero bytes: it is no text", name, "save the table as CSV in UTF-8"});
     return std::nullopt;
   }
-  return text.str();
+  return text;
 }
 
 std::optional<Failure> checkTraceName(const std::string& name) {

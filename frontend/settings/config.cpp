@@ -4,13 +4,13 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "frontend/closest_word.hpp"
+#include "frontend/disk_file.hpp"
 
 #define TOML_EXCEPTIONS 0
 #include <toml++/toml.h>
-
-#include <fstream>
-#include <sstream>
 
 namespace rungproof {
 
@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 
 class Reader {
  public:
-  Reader(std::string name, Settings& settings) : name_(std::move(name)), settings_(settings) {}
+  Reader(const fs::path& file, std::string name, Settings& settings)
+      : folder_(fs::absolute(file).parent_path()), name_(std::move(name)), settings_(settings) {}
 
   std::optional<Failure> read(const toml::table& root) {
     for (const auto& [key, node] : root) {
@@ -70,10 +71,30 @@ class Reader {
       return at(node.source(),
                 {fmt::format("'{}' must be a text{}", key, info->arity == Arity::List ? " or a list of texts" : "")});
     }
-    for (const std::string& text : texts) {
+    for (std::string& text : texts) {
       if (auto failure = checkValue(*info, text)) return at(node.source(), *failure);
+      if (info->id != Opt::Format) continue;
+      if (auto failure = placeOutput(text)) return at(node.source(), *failure);
     }
     settings_.set(info->id, texts, origin(region));
+    return std::nullopt;
+  }
+
+  /// A configuration comes with a project, and a project must not write elsewhere: the file of NAME=FILE is taken from
+  /// the configuration's folder and must lie in it, links followed.
+  std::optional<Failure> placeOutput(std::string& format) const {
+    const std::size_t sign = format.find('=');
+    if (sign == std::string::npos || sign + 1 == format.size()) return std::nullopt;
+    const std::string file = format.substr(sign + 1);
+    std::error_code error;
+    const fs::path target = behindLinks(folder_ / file), home = fs::weakly_canonical(folder_, error);
+    const auto [end, rest] = std::mismatch(home.begin(), home.end(), target.begin(), target.end());
+    if (error || end != home.end() || rest == target.end())
+      return Failure{fmt::format("the output file '{}' lies outside the folder of this configuration", file),
+                     {},
+                     "name a file in it, or give --format on the command line"};
+    const fs::path nearer = fs::proximate(target, error);
+    format = format.substr(0, sign + 1) + (error || nearer.empty() ? target : nearer).string();
     return std::nullopt;
   }
 
@@ -123,6 +144,7 @@ class Reader {
             meant.empty() ? "'rungproof config' lists the keys" : fmt::format("did you mean '{}'?", meant)};
   }
 
+  const fs::path folder_;
   std::string name_;
   Settings& settings_;
 };
@@ -145,17 +167,15 @@ std::optional<Failure> readConfig(const fs::path& file, Settings& settings) {
   std::error_code error;
   const fs::path nearer = fs::proximate(file, error);
   const std::string name = error || nearer.empty() ? file.string() : nearer.string();
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return Failure{"the configuration file cannot be read", name};
-  std::ostringstream text;
-  text << stream.rdbuf();
-  const toml::parse_result result = toml::parse(text.str());
+  const std::optional<std::string> text = bytesOfInput(file.string());
+  if (!text) return Failure{"the configuration file cannot be read", name};
+  const toml::parse_result result = toml::parse(*text);
   if (!result) {
     const toml::parse_error& fault = result.error();
     return Failure{std::string(fault.description()),
                    fmt::format("{}:{}:{}", name, fault.source().begin.line, fault.source().begin.column)};
   }
-  return Reader(name, settings).read(result.table());
+  return Reader(file, name, settings).read(result.table());
 }
 
 }  // namespace rungproof

@@ -224,5 +224,58 @@ TEST_F(SimCommand, MistakesEndWithTwoAndAReason) {
   EXPECT_NE(out_.find("FOO"), std::string::npos);
 }
 
+/// A run ends, in memory and in time: what asks for more is refused at its place, before anything has run.
+TEST_F(SimCommand, RunsThatAreTooLongAreRefused) {
+  struct Case {
+    std::string name, text, place, reason;
+  };
+  for (const Case& c : {Case{"a.csv", "scan,I0.0\n1,1\n99999999999,0\n", "a.csv:3:1", "beyond the longest run"},
+                        Case{"b.csv", "scan,I0.0\n16#FFFFFFFF,1\n", "b.csv:2:1", "beyond the longest run"},
+                        Case{"c.csv", "scan,I0.0\n16#FFFFFFFFF,1\n", "c.csv:2:1", "beyond the longest run"},
+                        Case{"d.csv", "scan,I0.0\n-1,1\n", "d.csv:2:1", "is no scan number"},
+                        Case{"e.csv", "time_ms,I0.0\n-0.5,1\n", "e.csv:2:1", "is no time in ms"},
+                        Case{"f.csv", "time_ms,I0.0\n0,1\n999999999999,0\n", "f.csv", "more than 100000000 scans"},
+                        Case{"g.csv", "time_ms,I0.0\n0,1\n1e300,0\n", "g.csv:3:1", "is no time in ms"},
+                        Case{"h.csv", "scan,I0.0\n99999999,1\n", "h.csv", "does not fit into"},
+                        Case{"i.csv", "scan,scan_ms,I0.0\n1,-5,1\n", "i.csv:2:3", "is no length of a scan"},
+                        Case{"j.csv", "scan,HSC0.pulses\n1,4000000000\n", "j.csv:2:3", "more than a counter can"},
+                        Case{"k.csv", "scan,HSC0.down\n1,-1\n", "k.csv:2:3", "does not hold"}}) {
+    write(c.name, c.text);
+    EXPECT_EQ(run({"sim", path("start.awl"), "--stimulus", path(c.name)}), 2) << c.name;
+    EXPECT_NE(err_.find(c.reason), std::string::npos) << c.name << ": " << err_;
+    EXPECT_NE(err_.find(c.place), std::string::npos) << c.name << ": " << err_;
+    EXPECT_NE(err_.find("= help: "), std::string::npos) << err_;
+    EXPECT_EQ(out_, "");
+  }
+  write("far.csv", "scan,Q0.0\n123456789012,1\n");
+  EXPECT_EQ(run({"sim", path("start.awl"), "--expect", path("far.csv")}), 2);
+  EXPECT_NE(err_.find("far.csv:2:1"), std::string::npos) << err_;
+}
+
+TEST_F(SimCommand, LengthsOnTheCommandLineHaveTheSameLimits) {
+  const std::string program = path("start.awl");
+  for (const std::vector<std::string>& length : {std::vector<std::string>{"--scans", "99999999999"},
+                                                 {"--scans", "100000001"},
+                                                 {"--scans", "-3"},
+                                                 {"--duration", "-3s"},
+                                                 {"--duration", "100000min", "--scan-time", "1ms"}}) {
+    std::vector<std::string> arguments = {"sim", program};
+    arguments.insert(arguments.end(), length.begin(), length.end());
+    EXPECT_EQ(run(arguments), 2) << length[1];
+    EXPECT_NE(err_, "");
+  }
+  // The trace of 40,000 scans with 6 signals is more than a megabyte; what nobody looks at is not kept.
+  EXPECT_EQ(run({"sim", program, "--scans", "40000", "--memory", "1MB", "--trace", path("t.csv")}), 2);
+  EXPECT_NE(err_.find("does not fit into 1 MB"), std::string::npos) << err_;
+  EXPECT_EQ(run({"sim", program, "--scans", "40000", "--memory", "1MB", "--format", "json"}), 0) << err_;
+}
+
+/// A stimulus that makes the scans shorter as it goes is stopped while it runs.
+TEST_F(SimCommand, ARunThatTurnsOutTooLongEnds) {
+  write("shorter.csv", "time_ms,scan_ms,I0.0\n0,300,1\n300,0.001,0\n10000,,1\n");
+  EXPECT_EQ(run({"sim", path("start.awl"), "--stimulus", path("shorter.csv"), "--memory", "1MB", "--trace", "-"}), 2);
+  EXPECT_NE(err_.find("does not fit into 1 MB"), std::string::npos) << err_;
+}
+
 }  // namespace
 }  // namespace rungproof

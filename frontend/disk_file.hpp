@@ -1,0 +1,34 @@
+// Files on disk, read and written in one place: what has been read as input is remembered, so that no output takes its
+// place, and an output neither destroys what its name stands for (a device, a pipe, a link) nor is ever seen half
+// written. Tested by tests/cli/output_file_test.cpp.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "frontend/failure.hpp"
+
+namespace rungproof {
+
+/// The bytes of a file or pipe, which counts as input from now on; nothing if it cannot be read.
+std::optional<std::string> bytesOfInput(const std::string& name);
+/// The same for a file that is read in another way.
+void noteInput(const std::string& name);
+/// Another run of the program begins: nothing has been read.
+void forgetInputs();
+
+/// Where a name leads to behind all symbolic links, also if nothing stands there yet; empty if the links run in a
+/// circle.
+std::filesystem::path behindLinks(const std::filesystem::path& name);
+
+enum class InputFile : bool { Refuse, Replace };  ///< Replace: the input itself is to be changed
+
+/// Writes the whole text, or says why not. A regular file is replaced as a whole by one of the same mode and owner, at
+/// the place that links lead to; anything else (device, pipe, standard output by its name) is written to directly. What
+/// no mode bit permits to write is refused, whoever asks.
+std::optional<Failure> writeOutputFile(const std::string& name, std::string_view text,
+                                       InputFile input = InputFile::Refuse);
+
+}  // namespace rungproof
