@@ -46,6 +46,8 @@ class Script final : public Outside {
     if (next_ < sites_.size() && sites_[next_].key == wanted) {
       Site& found = sites_[next_++];
       if (found.next < found.values.size()) return found.values[found.next++];
+      // A loop that the prover follows for so many rounds reads an input that stays as it is.
+      if (site.kind == External::ImmediateInput && !found.values.empty()) return found.values.back();
     }
     return isUnknown(site.kind) ? unknown_ : 0;
   }

@@ -4,8 +4,9 @@
 // Branches are guards: branch(condition, target) sends the part of the current guard where `condition` holds to
 // `target` and keeps the rest here. Concrete follows the one part that exists. Graph walks on in program order,
 // collecting what was sent forward until its target is reached, and repeats a loop body for what was sent back
-// until nothing can be sent any more, `loopLimit` rounds were made or `stepLimit` instructions were walked
-// (Hazard::LoopBound).
+// until nothing can be sent any more, `loopLimit` rounds were made or `stepLimit` instructions were walked. From there
+// on a hook beyondLimit(condition), if there is one, says what becomes of the rounds that are left; without it they are
+// not followed (Hazard::LoopBound).
 //
 // Hooks: before(scan, step) is called in front of every instruction; interrupts and time within a scan live there.
 // A hook entry(step), if there is one, gives the function to run for the instruction, nullptr for control instructions.
@@ -18,6 +19,13 @@
 #include "ir/plan.hpp"
 
 namespace rungproof {
+
+/// What becomes of the rounds of a loop that are too many to be followed one by one.
+enum class RoundsLeft : std::uint8_t {
+  Follow,   ///< one more round, from a state that the hook has made stand for several
+  Endless,  ///< all rounds in which the loop can end have been followed: what is left runs into the watchdog
+  LeftOut,  ///< they are not followed
+};
 
 template <class D, class Hooks>
 class Scan {
@@ -164,8 +172,10 @@ class Scan {
         return;
       }
       w.rounds.erase(w.rounds.lower_bound(target), w.rounds.lower_bound(from));  // loops inside start anew
-      if (++w.rounds[from] > loopLimit_ || steps_ > stepLimit_) {
-        m_.hazard(Hazard::LoopBound, condition);
+      if constexpr (requires { hooks_.isPossible(condition); }) {
+        if (!hooks_.isPossible(condition)) return;
+      }
+      if ((++w.rounds[from] > loopLimit_ || steps_ > stepLimit_) && !goesOn(condition)) {
         m_.guard = stays;
         return;
       }
@@ -175,6 +185,14 @@ class Scan {
     }
   }
 
+  /// Whether a loop that has had its rounds goes into another one.
+  bool goesOn(Bool condition) {
+    RoundsLeft left = RoundsLeft::LeftOut;
+    if constexpr (requires { hooks_.beyondLimit(condition); }) left = hooks_.beyondLimit(condition);
+    if (left == RoundsLeft::Follow) return true;
+    m_.hazard(left == RoundsLeft::Endless ? Hazard::FatalWatchdog : Hazard::LoopBound, condition);
+    return false;
+  }
   void control(Walk& w, std::uint32_t at);
   void call(const Instruction& instruction);
   void copyIn(const Instruction& instruction, const Pou& callee, unsigned calleeFrame);

@@ -74,7 +74,7 @@ class EncodedScan::Impl {
       } else {
         isNew = knowledge.later.erase(cell.place) > 0 || isNew;
       }
-      if (isNew && !scan->pointerCells().empty()) isConfirmed = false;
+      if (isNew && scan->reliesOnValues()) isConfirmed = false;
       knowledge.values[cell.place] = set;
       if (set.isSingle()) found.emplace(cell.place, set.facts().low);
     }

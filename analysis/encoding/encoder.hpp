@@ -102,8 +102,8 @@ class EncodedScan {
   TimeModel& time() const;
   const EncoderOptions& options() const;
 
-  /// Value of a direct operand at the end of the scan, `width` bits; T and C by width. AI: noNode if the program
-  /// does not read it.
+  /// Value of a direct operand at the end of the scan, `width` bits; T and C by width. AI: the
+  /// sample.
   Node atEnd(const Operand& operand, int width);
   Node atEnd(const Place& place);
   /// Value at the start of the scan, before inputs act.

@@ -172,11 +172,7 @@ Property Obligations::inItsBase(const Property& property) const {
 Node Obligations::leaf(const Operand& operand, int width) {
   Operand address = operand;
   if (width != 1 || (operand.area != Area::T && operand.area != Area::C)) address.width = leafWidth(width);
-  const Node node = encoding_->atEnd(address, width);
-  if (node != noNode) return node;
-  const Node fresh = encoding_->graph().variable(toString(operand), width, false);
-  freeAnalog_.push_back(fresh);
-  return fresh;
+  return encoding_->atEnd(address, width);
 }
 
 void Obligations::addMonitor(AskedProperty& obligation) {
@@ -218,7 +214,6 @@ Node Obligations::before(std::string name, Node value) {
 TransitionSystem Obligations::system() {
   TransitionSystem result = encoding_->system();
   result.states.insert(result.states.end(), cells_.begin(), cells_.end());
-  result.inputs.insert(result.inputs.end(), freeAnalog_.begin(), freeAnalog_.end());
   for (const AskedProperty& assumption : assumptions_) result.constraints.push_back(assumption.answer);
   result.questions.clear();
   for (const AskedProperty& goal : goals_) result.questions.push_back({goal.property.name, goal.answer});

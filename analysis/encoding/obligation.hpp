@@ -66,7 +66,6 @@ class Obligations {
   std::vector<StateVariable> cells_;
   std::vector<Node> timeCells_;
   std::unordered_map<std::string, int> timeBases_;  ///< by property name; of those with clocks
-  std::vector<Node> freeAnalog_;
   std::vector<Question> extra_;
   std::vector<Approximation> approximations_;
 };

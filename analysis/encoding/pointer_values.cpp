@@ -12,6 +12,7 @@ namespace {
 
 /// Rounds in which sets may grow before bounds are widened.
 constexpr int roundsBeforeWidening = 6;
+constexpr int nestedChoices = 4;  ///< that a bound is followed through
 
 }  // namespace
 
@@ -36,6 +37,9 @@ ValueSet ValueEvaluator::evaluate(Node n, std::size_t limit) {
     }
   } else if (node.op == Op::Constant) {
     result = ValueSet::of(node.value);
+  } else if (node.op == Op::Ite && node.width > 1) {
+    const std::uint64_t mask = Graph::maskOf(node.width);
+    result = choice(n, {{0, mask}, {0, mask}}, limit, 0);
   } else {
     std::array<const ValueSet*, 3> operand{};
     std::array<int, 2> widths{};
@@ -55,8 +59,76 @@ ValueSet ValueEvaluator::evaluate(Node n, std::size_t limit) {
   return result;
 }
 
+/// Narrows bounds of `subject` by comparisons of it with constants that the condition, or its negation, contains.
+ValueEvaluator::Bounded ValueEvaluator::boundedBy(Node subject, Node condition, bool isTrue, Bounded bounds) const {
+  std::vector<std::pair<Node, bool>> open{{condition, isTrue}};
+  const auto narrow = [](Bounds& to, const std::optional<Bounds>& by) {
+    if (by) to = {std::max(to.low, by->low), std::min(to.high, by->high)};
+  };
+  while (!open.empty()) {
+    const auto [n, isSo] = open.back();
+    open.pop_back();
+    const NodeData& node = graph_[n];
+    if (node.op == Op::Not) {
+      open.emplace_back(node.child[0], !isSo);
+    } else if (node.op == Op::And) {
+      if (isSo) open.insert(open.end(), {{node.child[0], true}, {node.child[1], true}});
+    } else if (const std::optional<Limit> limit = limitOf(n, isSo); limit && limit->subject == subject) {
+      narrow(bounds.asUnsigned, limit->asUnsigned);
+      narrow(bounds.asSigned, limit->asSigned);
+    }
+  }
+  return bounds;
+}
+
+bool ValueEvaluator::isFree(const Bounded& bounds, int width) const {
+  const auto isAll = [&](const Bounds& b) { return b.low == 0 && b.high == Graph::maskOf(width); };
+  return isAll(bounds.asUnsigned) && isAll(bounds.asSigned);
+}
+
+/// Only what is compared somewhere can be bounded by the condition that chooses it.
+void ValueEvaluator::collectCompared() {
+  const std::size_t first = isCompared_.size();
+  isCompared_.resize(graph_.size());
+  for (std::size_t i = first; i < isCompared_.size(); ++i) {
+    if (const std::optional<Limit> limit = limitOf(static_cast<Node>(i))) isCompared_[indexOf(limit->subject)] = true;
+  }
+}
+
+/// The values of a node within bounds; of a choice, those of each alternative where it is chosen: x > 9 ? 9 : x.
+ValueSet ValueEvaluator::choice(Node n, const Bounded& bounds, std::size_t limit, int depth) const {
+  const NodeData& node = graph_[n];
+  ValueSet result;
+  if (node.op == Op::Ite && depth < nestedChoices) {
+    const ValueSet& condition = at(node.child[0]);
+    for (const bool isTrue : {true, false}) {
+      if (!condition.contains(isTrue ? 1 : 0)) continue;
+      const Node chosen = node.child[isTrue ? 1 : 2];
+      const Bounded inside =
+          isCompared_[indexOf(chosen)] ? boundedBy(chosen, node.child[0], isTrue, bounds) : bounds;
+      result.join(isFree(inside, node.width) ? at(chosen) : choice(chosen, inside, limit, depth + 1), limit);
+    }
+    return result;
+  }
+  // Signed bounds are shifted: those of negative numbers stand below those of the others.
+  const std::uint64_t mask = Graph::maskOf(node.width), sign = mask ^ mask >> 1;
+  for (const std::uint64_t half : {std::uint64_t{0}, sign}) {
+    const std::uint64_t first = half ^ sign, last = first + (mask >> 1);  // of this half, shifted
+    const std::uint64_t low = std::max(first, bounds.asSigned.low), high = std::min(last, bounds.asSigned.high);
+    if (low > high) continue;
+    const std::uint64_t least = std::max(low ^ sign, bounds.asUnsigned.low);
+    const std::uint64_t most = std::min(high ^ sign, bounds.asUnsigned.high);
+    if (least > most) continue;
+    ValueSet part = at(n);
+    part.restrict(least, most, limit);
+    result.join(part, limit);
+  }
+  return result;
+}
+
 void ValueEvaluator::run(std::span<const Node> cone, std::size_t limit) {
   values_.resize(graph_.size());
+  collectCompared();
   for (const Node n : cone) values_[indexOf(n)] = evaluate(n, limit);
 }
 
@@ -81,9 +153,9 @@ ValueSet ValueEvaluator::valuesWith(std::span<const Node> cone, Node variable, c
 }
 
 /// What a comparison with a constant, or the negation of one, says of what it compares; nothing if it says no bounds.
-std::optional<ValueEvaluator::Limit> ValueEvaluator::limitOf(Node n) const {
-  const bool isNegated = graph_[n].op == Op::Not;
-  const NodeData& test = graph_[isNegated ? graph_[n].child[0] : n];
+std::optional<ValueEvaluator::Limit> ValueEvaluator::limitOf(Node n, bool isTrue) const {
+  const bool isNot = graph_[n].op == Op::Not, isNegated = isNot == isTrue;
+  const NodeData& test = graph_[isNot ? graph_[n].child[0] : n];
   if (test.op == Op::Extract && test.width == 1 && test.value + 1 == graph_[test.child[0]].width) {
     // The sign bit: what x < 0 has become.
     const std::uint64_t all = Graph::maskOf(graph_[test.child[0]].width), half = all ^ all >> 1;

@@ -49,14 +49,23 @@ class ValueEvaluator {
     Node subject;
     std::optional<Bounds> asUnsigned, asSigned;
   };
-  std::optional<Limit> limitOf(Node n) const;
+  /// What is known of a node where it is chosen.
+  struct Bounded {
+    Bounds asUnsigned, asSigned;
+  };
+  std::optional<Limit> limitOf(Node n, bool isTrue = true) const;
   std::optional<Limit> limitOfAny(std::span<const Node> alternatives) const;
   void collectBounds(Node guard);
   ValueSet evaluate(Node n, std::size_t limit);
+  Bounded boundedBy(Node subject, Node condition, bool isTrue, Bounded bounds) const;
+  ValueSet choice(Node n, const Bounded& bounds, std::size_t limit, int depth) const;
+  bool isFree(const Bounded& bounds, int width) const;
+  void collectCompared();
 
   const Graph& graph_;
   const VariableValues& variables_;
   std::vector<ValueSet> values_;                        ///< by node; of the cone that was run last
+  std::vector<bool> isCompared_;                        ///< by node: with a constant
   std::unordered_map<Node, Bounds> unsigned_, signed_;  ///< signed bounds are shifted so that their order is unsigned
   Node fixed_ = noNode;
   ValueSet fixedValue_;

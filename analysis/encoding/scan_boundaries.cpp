@@ -98,6 +98,7 @@ void ScanEncoding::boundary(Runner& runner, std::uint32_t instruction) {
     for (const int event : events_) hasEvents = hasEvents || mayInterrupt(event, instruction);
   }
   if (!hasTicks && !hasEvents) return;
+  widening_.block();
   const bool wasRecording = isRecording_;
   isRecording_ = false;
   std::vector<Node>& executions = visits[instruction];

@@ -55,19 +55,19 @@ ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options
   prepareTicks();
   prepareWatched();
   const bool records = !knowledge.isFinal && (!events_.empty() || !tickKeys_.empty());
-  if (records) {
-    store_.observe([this](const Touch& touch) {
-      // Saving and restoring around a routine is not its doing.
-      const bool isOfRoutine = routine_ < 0 || machine_.inInterrupt;
-      if (isRecording_ && isOfRoutine && machine_.current != nullptr)
-        footprints_.record(machine_.current->id, routine_, touch);
-    });
-  }
+  store_.observe([this, records](const Touch& touch) {
+    if (touch.isWrite) widening_.note(touch.place);
+    // Saving and restoring around a routine is not its doing.
+    const bool isOfRoutine = routine_ < 0 || machine_.inInterrupt;
+    if (records && isRecording_ && isOfRoutine && machine_.current != nullptr)
+      footprints_.record(machine_.current->id, routine_, touch);
+  });
   run();
 }
 
 void ScanEncoding::run() {
   isRecording_ = false;
+  store_.value(registerPlace(Reg::Running, 0));  // a cell, even if every scan ends the program without reading it
   machine_.ticks100 = {time.ticks100()};
   refreshTimers(machine_, 10, {time.ticks10()});
   isRecording_ = true;
@@ -191,9 +191,38 @@ Graph::Bits ScanEncoding::external(const ExternalSite& site, int width) {
   return {node};
 }
 
-Node ScanEncoding::analogInput(std::uint32_t byte) const {
-  const auto found = analog_.find(byte);
-  return found == analog_.end() ? noNode : found->second;
+Node ScanEncoding::analogInput(std::uint32_t byte) {
+  const auto [sample, isFirst] = analog_.try_emplace(byte, noNode);
+  if (isFirst) sample->second = input(fmt::format("AIW{}", byte), 16);
+  return sample->second;
+}
+
+bool ScanEncoding::isPossible(Graph::Bool condition) {
+  if (const std::optional<bool> known = graph.truth(condition)) return *known;
+  if (!knowledge_.followsPointers) return true;
+  const bool isSo =
+      ValueEvaluator(graph, known_).valuesOf(condition.node, machine_.guard.node, valueLimit).contains(1);
+  prunesLoops_ = prunesLoops_ || !isSo;
+  return isSo;
+}
+
+/// The stack and what the rounds write take any value where the loop goes on.
+RoundsLeft ScanEncoding::beyondLimit(Graph::Bool condition) {
+  const std::uint32_t branch = machine_.current->id;
+  const RoundsLeft left = widening_.next(branch);
+  if (left != RoundsLeft::Follow) return left;
+  const auto index = static_cast<std::size_t>(
+      &approximate(machine_.current, "what later rounds of the loop write is taken as any value") -
+      approximations.data());
+  const Graph::Bool taken = graph.land(machine_.guard, condition);
+  const auto any = [&](const std::string& name, int width) {
+    approximations[index].carriers.push_back(input(name + " in later rounds", width));
+    return approximations[index].carriers.back();
+  };
+  for (Graph::Bool& level : machine_.stack) level = graph.select(taken, {any("stack", 1)}, level);
+  machine_.scrActive = graph.select(taken, {any("SCR stack", 1)}, machine_.scrActive);
+  for (const Place& place : widening_.freed(branch)) store_.replace(place, any(nameOf(place), place.width), taken);
+  return RoundsLeft::Follow;
 }
 
 void ScanEncoding::report(Hazard hazard, Graph::Bool condition, const Instruction* place) {
@@ -279,6 +308,7 @@ void ScanEncoding::havoc(Machine<Graph>& machine) { havocBy(machine, approximate
 void ScanEncoding::havocBy(const Machine<Graph>& machine, const Approximation& cause) {
   const std::size_t index = static_cast<std::size_t>(&cause - approximations.data());
   hasHavoc_ = true;
+  widening_.block();
   store_.havoc(machine.guard, [this, index](const Place& place) {
     const Node any = input("overwritten " + nameOf(place), place.width);
     approximations[index].carriers.push_back(any);

@@ -8,6 +8,7 @@
 
 #include "analysis/encoding/encoder.hpp"
 #include "analysis/encoding/footprint.hpp"
+#include "analysis/encoding/loop_widening.hpp"
 #include "analysis/encoding/pointer_values.hpp"
 #include "ir/scan_cycle.hpp"
 
@@ -39,6 +40,9 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   void before(Runner& runner, const FlowStep& step);
   void callWithoutBody(Runner& runner, const Instruction& instruction);
   void freshLocal(Runner& runner, unsigned frame, std::uint32_t byte);
+  /// Whether a loop can go into another round, by what is known of the values of cells.
+  bool isPossible(Graph::Bool condition);
+  RoundsLeft beyondLimit(Graph::Bool condition);
 
   Node value(const Place& place) { return store_.value(place); }
   Node start(const Place& place);
@@ -58,12 +62,14 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   /// What the run has learned: footprints, and the state variables that pointers are made of.
   const Footprints& footprints() const { return footprints_; }
   const std::set<Node>& pointerCells() const { return pointerCells_; }
+  /// Whether what the run did depends on the values of cells that it was told.
+  bool reliesOnValues() const { return !pointerCells_.empty() || prunesLoops_; }
   bool hasEvents() const { return !attachments_.empty(); }
   /// No more of the program follows: what is touched from now on has never been written.
   void close() { isClosed_ = true; }
-  /// The sample of an analog input, or what was read of it last (Choice::AnalogSampling), by word address; noNode if
-  /// none.
-  Node analogInput(std::uint32_t byte) const;
+  /// The sample of an analog input, or what was read of it last (Choice::AnalogSampling), by word address. What the
+  /// program does not read is sampled for whoever asks.
+  Node analogInput(std::uint32_t byte);
   const std::map<std::uint32_t, Node>& analogInputs() const { return analog_; }
 
  private:
@@ -113,6 +119,8 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   bool isRecording_ = true;
   bool isClosed_ = false;
   bool hasHavoc_ = false;
+  bool prunesLoops_ = false;
+  LoopWidening widening_;
   VariableValues known_, later_;
   std::set<Node> pointerCells_;
 };

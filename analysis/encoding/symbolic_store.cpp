@@ -176,6 +176,15 @@ Node Graph::Store::value(const Place& place) {
   return join(place.area, place.at, place.width);
 }
 
+void Graph::Store::replace(const Place& place, Node value, Bool guard) {
+  note(place, true);
+  const Node chosen = graph_.make(Op::Ite, place.width, guard.node, value, this->value(place));
+  if (place.isRegister)
+    registers_[static_cast<std::size_t>(place.reg)][place.at] = chosen;
+  else
+    put(place.area, place.at, place.width, chosen);
+}
+
 void Graph::Store::forgetLocal(std::uint32_t frame, std::uint32_t byte, std::uint32_t entry) {
   std::vector<BitRef>& bits = bitsOf(Area::L);
   const std::uint32_t at = frame * 64 + byte;

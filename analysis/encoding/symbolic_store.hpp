@@ -81,6 +81,8 @@ class Graph::Store {
 
   /// Value of any place now.
   Node value(const Place& place);
+  /// Puts a value where `guard` holds, as a write.
+  void replace(const Place& place, Node value, Bool guard);
   /// A byte of local memory is unknown again, its block having been entered.
   void forgetLocal(std::uint32_t frame, std::uint32_t byte, std::uint32_t entry);
   /// Any value may stand in any place that a pointer can reach, where `guard` holds; fresh(place) makes the values.

@@ -116,10 +116,10 @@ bool multiplies(const z3::expr& formula) {
 }
 
 /// The formulas by their forms: properties of equal parts of a program lead to equal forms.
-class Forms {
+class GateForms {
  public:
   /// `formulas`: an application to true and the formulas.
-  Forms(z3::context& context, const z3::expr& formulas) : context_(context), formulas_(formulas) {
+  GateForms(z3::context& context, const z3::expr& formulas) : context_(context), formulas_(formulas) {
     for (unsigned i = 0; i + 1 < formulas.num_args(); ++i)
       forms_.push_back(known_.try_emplace(formOf(context, formulas.arg(i + 1))).first);
   }
@@ -178,7 +178,7 @@ void writeResult(int pipe, CheckResult result) {
     if (assertions.size() != 1 || assertions[0].num_args() != owners.size() + 1) _exit(1);
     const z3::expr formulas = assertions[0];
     std::vector<double> left(ownerCount, limits.each);
-    Forms known(context, formulas);
+    GateForms known(context, formulas);
     for (unsigned i = 0; i < owners.size(); ++i) {
       const Clock::time_point begin = Clock::now();
       known.checkWithNext(i);

@@ -115,7 +115,11 @@ class Session {
     row.depth = answer.depth;
     row.notes = row.property.remarks;
     const bool wantsYes = row.builtin ? isWanted(row.builtin->kind) : row.property.kind == PropertyKind::Reach;
-    if (witness) {
+    if (witness && answer.answer == Answer::Proved) {
+      row.notes.push_back("a proof and a run of the engine contradict each other");
+      run.disagreements.push_back(
+          {row.property.name, "it is proved, and the engine makes a run that shows the opposite", {}});
+    } else if (witness) {
       row.outcome = wantsYes ? Outcome::Reachable : Outcome::Violated;
       row.depth = static_cast<int>(std::min<std::uint64_t>(witness->scanCount, 1U << 30));
       row.witness = std::move(witness);
@@ -166,12 +170,7 @@ class Session {
   /// Networks that decide the property: a proof without earlier scans depends on the state that its invariant speaks
   /// of.
   std::vector<NetworkName> networksOf(std::size_t question, const QuestionAnswer& answer) {
-    std::vector<Operand> read;
-    if (question < goals().size()) {
-      for (const Operand* operand : addressesOf(goals()[question])) read.push_back(*operand);
-    } else {
-      read = search_.exact().checks()[question - goals().size()].operands();
-    }
+    const std::vector<Operand> read = addressesOf(question);
     if (!facts_) facts_ = std::make_unique<Facts>(program_, set_.externals);
     std::unordered_set<std::uint32_t> variables;
     if (answer.certificate && answer.certificate->k == 0) {
@@ -204,9 +203,39 @@ class Session {
           "the run that was found rests on values that are not modelled exactly; the engine does not repeat it");
       return;
     }
+    if (outlastsWatchdog(*answer.trace)) {
+      row.outcome = Outcome::NotCovered;
+      row.notes.push_back(
+          "execution times are not modelled: a scan of the run that was found takes longer than the watchdog allows");
+      return;
+    }
+    row.notes.push_back("the run that was found is not repeated by the engine: a defect of rungproof");
     run.disagreements.push_back(
         {row.property.name,
-         fmt::format("the solver's run of {} scans is not repeated by the engine", answer.depth + 1)});
+         fmt::format("the solver's run of {} scans is not repeated by the engine", answer.depth + 1),
+         bothTracesOf(program_, search_.exact().obligations().encoding(), search_.exact().system(), *answer.trace,
+                      addressesOf(question))});
+  }
+
+  /// Whether the run ends in the engine because a scan takes too long by the times of Appendix F (001:13920).
+  bool outlastsWatchdog(const WordTrace& trace) {
+    EncodedScan& encoding = search_.exact().obligations().encoding();
+    const TransitionSystem& system = search_.exact().system();
+    const std::optional<Concrete::Store> initial = initialOf(encoding, system, trace);
+    const std::vector<RunTimeError> errors = replay(program_, options_.choices,
+                                                    scansOf(encoding, system, trace, options_.time),
+                                                    initial ? &*initial : nullptr,
+                                                    [](const Concrete::Store&, std::size_t) { return true; })
+                                                 .errors;
+    return std::ranges::any_of(errors, [](const RunTimeError& e) { return e.hazard == Hazard::FatalWatchdog; });
+  }
+
+  /// That the question reads.
+  std::vector<Operand> addressesOf(std::size_t question) {
+    if (question >= goals().size()) return search_.exact().checks()[question - goals().size()].operands();
+    std::vector<Operand> read;
+    for (const Operand* operand : rungproof::addressesOf(goals()[question])) read.push_back(*operand);
+    return read;
   }
 
   /// A property whose premise can never be met, or assumptions that no run meets, prove nothing.

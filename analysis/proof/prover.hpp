@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/proof/both_traces.hpp"
 #include "analysis/proof/builtin_checks.hpp"
 #include "analysis/proof/outcome.hpp"
 #include "analysis/proof/witness.hpp"
@@ -46,10 +47,12 @@ struct ProofResult {
   std::vector<std::pair<std::string, int>> networks;  ///< blocks and networks that a proof rests on
 };
 
-/// What was wrong with the tool itself: a witness that the engine does not repeat. The caller ends with exit 2.
+/// What was wrong with the tool itself: a witness that the engine does not repeat, or a proof of what the engine
+/// refutes. The property is Unknown; the caller prints both traces and ends with exit 2.
 struct Disagreement {
   std::string name;
   std::string explanation;
+  BothTraces traces;
 };
 
 struct ProofRun {

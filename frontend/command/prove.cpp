@@ -213,6 +213,8 @@ Exit run(const Arguments& arguments, Context& context) {
         failed = true;
         context.err << fmt::format("rungproof: internal disagreement on '{}': {}\n", disagreement.name,
                                    disagreement.explanation);
+        for (const std::string& line : disagreement.traces.solver) context.err << "  solver: " << line << '\n';
+        for (const std::string& line : disagreement.traces.engine) context.err << "  engine: " << line << '\n';
       }
       if (proof.results.empty() && !arguments.builtin) {
         context.err << fmt::format(
