@@ -396,7 +396,6 @@ void closeValues(const TransitionSystem& system, const std::set<Node>& pointerCe
         }
         isChanged = true;
       }
-      evaluator.run(cone, valueLimit);
     }
     if (!isChanged) return;
   }

@@ -10,7 +10,6 @@
 #include <set>
 #include <unordered_set>
 
-#include "analysis/encoding/scan_inputs.hpp"
 #include "analysis/proof/follower.hpp"
 #include "engine/simulator.hpp"
 
@@ -33,20 +32,20 @@ constexpr std::uint32_t noStep = ~std::uint32_t{0};
 
 class Exploration::Impl {
  public:
-  Impl(const Program& program, const EncodedScan& encoding, const std::vector<Property>& assumptions,
+  Impl(const Program& program, RunSpace space, const std::vector<Property>& assumptions,
        const std::vector<Property>& goals, std::vector<std::size_t> wanted, std::uint64_t seed)
       : program_(program),
-        choices_(encoding.options().choices),
+        choices_(space.choices),
         assumptions_(assumptions),
         goals_(goals),
-        range_(encoding.options().time),
+        range_(space.time),
         random_(seed),
         simulator_(program, optionsFor(choices_), &outside_),
         domain_(outside_),
+        inputs_(std::move(space.inputs)),
         wanted_(std::move(wanted)),
         found_(goals.size()) {
-    collectInputs(encoding);
-    collectState(encoding);
+    collectState(space.state);
     collectConstants();
     State& start = states_.emplace_back();
     start.store = simulator_.store();
@@ -94,11 +93,6 @@ class Exploration::Impl {
     std::uint32_t step = noStep;  ///< that led here; noStep: power-up
     std::uint32_t chosen = 0;
   };
-  /// An input variable and its operands: external words are written byte by byte.
-  struct Input {
-    int width = 1;
-    std::vector<ScanInput> operands;
-  };
   /// Nothing comes from outside but inputs.
   struct StillOutside final : Outside {
     std::uint64_t external(const ExternalSite&, int) override { return 0; }
@@ -119,24 +113,9 @@ class Exploration::Impl {
 
   // ---- What there is -----------------------------------------------------------------------------------
 
-  void collectInputs(const EncodedScan& encoding) {
-    std::vector<Node> nodes;
-    for (const ScanInput& input : scanInputsOf(encoding)) {
-      const auto at = std::find(nodes.begin(), nodes.end(), input.node);
-      const auto index = static_cast<std::size_t>(at - nodes.begin());
-      if (at == nodes.end()) {
-        nodes.push_back(input.node);
-        inputs_.push_back({encoding.graph()[input.node].width, {}});
-      }
-      inputs_[index].operands.push_back(input);
-    }
-  }
-
   /// Timers count by themselves; edge memories follow from the rest.
-  void collectState(const EncodedScan& encoding) {
-    for (const Cell& cell : encoding.cells()) {
-      if (cell.kind != CellKind::State) continue;
-      const Place& p = cell.place;
+  void collectState(const std::vector<Place>& state) {
+    for (const Place& p : state) {
       const bool isOfProgram = p.isRegister ? p.reg == Reg::TimerBit || p.reg == Reg::CounterBit ||
                                                   p.reg == Reg::CounterCurrent || p.reg == Reg::Accumulator ||
                                                   p.reg == Reg::TimerCurrent || p.reg == Reg::TimerRunning
@@ -420,7 +399,7 @@ class Exploration::Impl {
   StillOutside outside_;
   Simulator simulator_;
   Concrete domain_;
-  std::vector<Input> inputs_;
+  const std::vector<RunSpace::Input> inputs_;
   std::vector<Place> bits_;
   std::vector<Word> words_;
   std::vector<std::uint64_t> constants_;
@@ -436,9 +415,9 @@ class Exploration::Impl {
   int barren_ = 0;                ///< runs since something new came
 };
 
-Exploration::Exploration(const Program& program, const EncodedScan& encoding, const std::vector<Property>& assumptions,
+Exploration::Exploration(const Program& program, RunSpace space, const std::vector<Property>& assumptions,
                          const std::vector<Property>& goals, std::vector<std::size_t> wanted, std::uint64_t seed)
-    : impl_(std::make_unique<Impl>(program, encoding, assumptions, goals, std::move(wanted), seed)) {}
+    : impl_(std::make_unique<Impl>(program, std::move(space), assumptions, goals, std::move(wanted), seed)) {}
 Exploration::~Exploration() = default;
 void Exploration::withdraw(std::size_t goal) { impl_->withdraw(goal); }
 bool Exploration::search(Clock::time_point deadline, const std::atomic<bool>& cancel, std::optional<std::size_t> goal) {

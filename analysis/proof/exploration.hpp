@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "analysis/encoding/encoder.hpp"
+#include "analysis/proof/run_space.hpp"
 #include "analysis/proof/witness.hpp"
 
 namespace rungproof {
@@ -21,10 +21,9 @@ class Exploration {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// `wanted`: indices of the goals that are watched. `encoding` tells the inputs and the state of the program; it is
-  /// not looked at after the construction. The others must outlive the exploration. Runs start at power-up with lost
-  /// memory.
-  Exploration(const Program& program, const EncodedScan& encoding, const std::vector<Property>& assumptions,
+  /// `wanted`: indices of the goals that are watched. Program, assumptions and goals must outlive the exploration. Runs
+  /// start at power-up with lost memory.
+  Exploration(const Program& program, RunSpace space, const std::vector<Property>& assumptions,
               const std::vector<Property>& goals, std::vector<std::size_t> wanted, std::uint64_t seed);
   ~Exploration();
 

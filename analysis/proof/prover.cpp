@@ -97,9 +97,14 @@ class Session {
     const auto add = [&](const Property& property) {
       ProofResult& row = result.results.emplace_back();
       row.property = property;
+      row.seconds = secondsSince(begin_);
       row.notes.push_back(reasonToStop() + " before the program was encoded");
     };
-    for (std::size_t i = 0; i < declared; ++i) add(goals()[i]);
+    for (std::size_t i = 0; i < declared; ++i) {
+      add(goals()[i]);
+      if (const auto run = search_.early().find(i); run != search_.early().end())
+        showRun(result.results.back(), run->second, "exploration");
+    }
     if (options_.checks.builtin) {
       Property checks;
       checks.name = "built-in checks";
@@ -107,6 +112,16 @@ class Session {
     }
     result.isInterrupted = search_.watch().isInterrupted();
     return result;
+  }
+
+  /// A run of the engine is a run, whatever was or was not encoded.
+  static void showRun(ProofResult& row, const Witness& witness, const char* method) {
+    const bool wantsYes = row.builtin ? isWanted(row.builtin->kind) : row.property.kind == PropertyKind::Reach;
+    row.outcome = wantsYes ? Outcome::Reachable : Outcome::Violated;
+    row.method = method;
+    row.notes = row.property.remarks;
+    row.depth = static_cast<int>(std::min<std::uint64_t>(witness.scanCount, 1U << 30));
+    row.witness = witness;
   }
 
   void settle(std::size_t question, Clock::time_point deadline, ProofResult& row, ProofRun& run) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <numeric>
 #include <random>
 #include <thread>
 
@@ -40,8 +41,45 @@ QuestionSearch::QuestionSearch(const Program& program, const PropertySet& set, c
   }
 }
 
+/// The engine's own runs while the program is being encoded, if that takes long.
+class QuestionSearch::EarlyRuns {
+ public:
+  EarlyRuns(QuestionSearch& search, Clock::time_point deadline) : search_(search), thread_([this, deadline] {
+      for (int i = 0; i < patienceMs && !isEnded_; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      if (!isEnded_) explore(deadline);
+    }) {}
+  ~EarlyRuns() {
+    isEnded_ = true;
+    thread_.join();
+  }
+  EarlyRuns(const EarlyRuns&) = delete;
+  EarlyRuns& operator=(const EarlyRuns&) = delete;
+
+ private:
+  static constexpr int patienceMs = 50;  ///< most programs are encoded by then
+
+  void explore(Clock::time_point deadline) {
+    const ProofWatch::Guard guard(search_.watch_, isEnded_);
+    std::vector<std::size_t> all(search_.goals_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    const ProverOptions& options = search_.options_;
+    Exploration runs(search_.program_, runSpaceOf(search_.program_, search_.set_, options.choices, options.time),
+                     search_.assumptions_, search_.goals_, all, options.seed);
+    runs.search(deadline, isEnded_);
+    for (const std::size_t goal : all) {
+      if (runs.found(goal)) search_.early_.emplace(goal, *runs.found(goal));
+    }
+  }
+
+  QuestionSearch& search_;
+  std::atomic<bool> isEnded_ = false;
+  std::thread thread_;
+};
+
 void QuestionSearch::encode(Clock::time_point deadline) {
   deadline_ = deadline;
+  std::optional<EarlyRuns> runs;
+  if (options_.bound == 0) runs.emplace(*this, deadline);
   exact_ = std::make_unique<ProofSide>(program_, set_, goals_, encoding(false), options_.checks);
 }
 
@@ -154,6 +192,8 @@ void QuestionSearch::answerQuickly(Clock::time_point deadline) {
   searchOnEngine([&](std::size_t q) { return !isDeclared(q) || goals_[q].kind == PropertyKind::Reach; },
                  GuidedLimits{}.instructions);
   std::erase_if(open, [&](std::size_t q) { return quick_[q].answer != Answer::Unknown; });
+  takeExplored();
+  std::erase_if(open, [&](std::size_t q) { return quick_[q].answer != Answer::Unknown; });
   answerOpen(rest, open, portfolio(std::min(options_.timeout, quickSeconds), deadline, &cancel));
   explore(std::min(deadline, Clock::now() + inSeconds(std::min(options_.timeout / 10, exploringSeconds))));
 }
@@ -164,7 +204,7 @@ void QuestionSearch::explore(Clock::time_point deadline) {
   if (open.empty() || options_.bound > 0 || watch_.isStopped()) return;
   std::atomic<bool> cancel{false};
   const ProofWatch::Guard guard(watch_, cancel);
-  exploration_ = std::make_unique<Exploration>(program_, exact_->obligations().encoding(), assumptions_, goals_, open,
+  exploration_ = std::make_unique<Exploration>(program_, runSpaceOf(exact_->obligations().encoding()), assumptions_, goals_, open,
                                                options_.seed);
   exploration_->search(deadline, cancel);
   takeExplored();
@@ -172,6 +212,9 @@ void QuestionSearch::explore(Clock::time_point deadline) {
 
 /// Runs that the exploration has found for questions that were still open.
 void QuestionSearch::takeExplored() {
+  for (const auto& [goal, witness] : early_) {
+    if (quick_[goal].answer == Answer::Unknown) show(goal, witness, "exploration");
+  }
   if (!exploration_) return;
   for (std::size_t q = 0; q < goals_.size(); ++q) {
     if (quick_[q].answer == Answer::Unknown && exploration_->found(q)) show(q, *exploration_->found(q), "exploration");

@@ -35,8 +35,11 @@ class QuestionSearch {
 
   QuestionSearch(const Program& program, const PropertySet& set, const ProverOptions& options);
 
-  /// Encodes the program; throws EncodingStopped if that takes longer than `deadline`, or if the run is stopped.
+  /// Encodes the program; throws EncodingStopped if that takes longer than `deadline`, or if the run is stopped. Where
+  /// it takes long the engine makes runs of its own meanwhile.
   void encode(Clock::time_point deadline);
+  /// What those runs have shown, by goal.
+  const std::map<std::size_t, Witness>& early() const { return early_; }
   /// The encoded program. Questions are the goals, then the built-in checks (proof_side.hpp).
   ProofSide& exact() { return *exact_; }
   /// What is asked about declared properties: they themselves, their premises, whether any run meets the assumptions.
@@ -67,6 +70,7 @@ class QuestionSearch {
   const ProofWatch& watch() const { return watch_; }
 
  private:
+  class EarlyRuns;
   EncoderOptions encoding(bool relaxed) const;
   PortfolioOptions portfolio(double each, Clock::time_point deadline, const std::atomic<bool>* cancel) const;
   std::vector<QuestionAnswer> ask(const TransitionSystem& system, double each, Clock::time_point deadline);
@@ -102,6 +106,7 @@ class QuestionSearch {
   std::unique_ptr<ProofSide> exact_, relaxed_;
   std::unique_ptr<Exploration> exploration_;
   std::vector<QuestionAnswer> quick_;
+  std::map<std::size_t, Witness> early_;             ///< by goal: witnesses of runs during the encoding
   std::map<std::size_t, Witness> found_;             ///< by question: witnesses of answerQuickly()
   std::map<std::size_t, TransitionSystem> written_;  ///< by question: its system with REAL operations written out
 };

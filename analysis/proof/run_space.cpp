@@ -1,0 +1,104 @@
+// Inputs are bits of I, words of AI, fast counters and external memory; everything else that is named is state.
+#include "analysis/proof/run_space.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace rungproof {
+
+RunSpace runSpaceOf(const EncodedScan& encoding) {
+  RunSpace space{encoding.options().choices, encoding.options().time, {}, {}};
+  std::vector<Node> nodes;
+  for (const ScanInput& input : scanInputsOf(encoding)) {
+    const auto at = std::find(nodes.begin(), nodes.end(), input.node);
+    const auto index = static_cast<std::size_t>(at - nodes.begin());
+    if (at == nodes.end()) {
+      nodes.push_back(input.node);
+      space.inputs.push_back({encoding.graph()[input.node].width, {}});
+    }
+    space.inputs[index].operands.push_back(input);
+  }
+  for (const Cell& cell : encoding.cells()) {
+    if (cell.kind == CellKind::State) space.state.push_back(cell.place);
+  }
+  return space;
+}
+
+namespace {
+
+class NamedPlaces {
+ public:
+  NamedPlaces(const Program& program, const PropertySet& set) {
+    for (const ExternalRange& range : set.externals) addExternal(range);
+    for (const Pou& pou : program.pous) {
+      for (const Network& network : pou.networks) {
+        for (const Instruction& instruction : network.instructions) {
+          for (const Operand& operand : instruction.operands) add(operand);
+        }
+      }
+    }
+    for (const Property& property : set.properties) {
+      for (const Operand* operand : addressesOf(property)) add(*operand);
+    }
+  }
+
+  void put(RunSpace& space) const {
+    for (const auto& [area, at, width] : inputs_) {
+      const Operand operand = width == 1 ? direct(area, Width::Bit, at / 8, at % 8)
+                                         : direct(area, width == 8    ? Width::Byte
+                                                        : width == 16 ? Width::Word
+                                                                      : Width::DWord,
+                                                  at / 8);
+      space.inputs.push_back({width, {{operand, noNode}}});
+    }
+    space.state.assign(state_.begin(), state_.end());
+  }
+
+ private:
+  void addExternal(const ExternalRange& range) {
+    const std::uint32_t end = range.last.offset + static_cast<std::uint32_t>(bytes(range.last.width));
+    for (std::uint32_t byte = range.first.offset; byte < end; ++byte) {
+      inputs_.insert({range.first.area, byte * 8, 8});
+      external_.insert({range.first.area, byte});
+    }
+  }
+  void add(const Operand& o) {
+    if (o.kind != OperandKind::Direct) return;
+    switch (o.area) {
+      case Area::I:
+        for (int i = 0; i < bits(o.width); ++i) {
+          const auto bit = static_cast<std::uint32_t>(i);
+          inputs_.insert({o.area, o.width == Width::Bit ? o.offset * 8 + o.bit : o.offset * 8 + bit, 1});
+        }
+        break;
+      case Area::AI: inputs_.insert({o.area, o.offset * 8, 16}); break;
+      case Area::HC: inputs_.insert({o.area, o.offset * 8, 32}); break;
+      case Area::T:
+        for (const Reg reg : {Reg::TimerBit, Reg::TimerCurrent, Reg::TimerRunning})
+          state_.insert(registerPlace(reg, o.offset));
+        break;
+      case Area::C:
+        for (const Reg reg : {Reg::CounterBit, Reg::CounterCurrent}) state_.insert(registerPlace(reg, o.offset));
+        break;
+      case Area::AC: state_.insert(registerPlace(Reg::Accumulator, o.offset)); break;
+      case Area::SM:
+      case Area::L: break;
+      default:
+        if (!external_.contains({o.area, o.offset})) state_.insert(memoryPlace(o.area, o.offset, o.width, o.bit));
+    }
+  }
+
+  std::set<std::tuple<Area, std::uint32_t, int>> inputs_;  ///< area, bit address, width
+  std::set<std::pair<Area, std::uint32_t>> external_;
+  std::set<Place> state_;
+};
+
+}  // namespace
+
+RunSpace runSpaceOf(const Program& program, const PropertySet& set, const Choices& choices, const TimeRange& time) {
+  RunSpace space{choices, time, {}, {}};
+  NamedPlaces(program, set).put(space);
+  return space;
+}
+
+}  // namespace rungproof
