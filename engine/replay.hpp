@@ -34,8 +34,8 @@ struct ReplayScan {
   std::uint32_t lengthMs = 10;
   ScanScript script;
   /// For every kind, index and instruction the values in the order in which the run asks for them. A value that is
-  /// missing is 0 (Choice::UnknownBits decides for stack bottom, local memory and unknown status); an input that is read at once
-  /// keeps the last value given.
+  /// missing is 0 (Choice::UnknownBits decides for stack bottom, local memory and unknown status); an input that is
+  /// read at once keeps the last value given.
   std::vector<ExternalValue> externals;
   std::uint32_t repeats = 1;  ///< the same scan is made that many times, one after the other
 };

@@ -104,8 +104,7 @@ ValueSet ValueEvaluator::choice(Node n, const Bounded& bounds, std::size_t limit
     for (const bool isTrue : {true, false}) {
       if (!condition.contains(isTrue ? 1 : 0)) continue;
       const Node chosen = node.child[isTrue ? 1 : 2];
-      const Bounded inside =
-          isCompared_[indexOf(chosen)] ? boundedBy(chosen, node.child[0], isTrue, bounds) : bounds;
+      const Bounded inside = isCompared_[indexOf(chosen)] ? boundedBy(chosen, node.child[0], isTrue, bounds) : bounds;
       result.join(isFree(inside, node.width) ? at(chosen) : choice(chosen, inside, limit, depth + 1), limit);
     }
     return result;

@@ -200,8 +200,7 @@ Node ScanEncoding::analogInput(std::uint32_t byte) {
 bool ScanEncoding::isPossible(Graph::Bool condition) {
   if (const std::optional<bool> known = graph.truth(condition)) return *known;
   if (!knowledge_.followsPointers) return true;
-  const bool isSo =
-      ValueEvaluator(graph, known_).valuesOf(condition.node, machine_.guard.node, valueLimit).contains(1);
+  const bool isSo = ValueEvaluator(graph, known_).valuesOf(condition.node, machine_.guard.node, valueLimit).contains(1);
   prunesLoops_ = prunesLoops_ || !isSo;
   return isSo;
 }

@@ -12,7 +12,7 @@ namespace rungproof {
 
 namespace {
 
-constexpr std::size_t shownScans = 20;    ///< the last ones
+constexpr std::size_t shownScans = 20;  ///< the last ones
 constexpr std::size_t shownAddresses = 32;
 
 struct Shown {

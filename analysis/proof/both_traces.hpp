@@ -1,5 +1,5 @@
-// BothTraces: what the solver predicts of a run and what the engine makes of it, side by side as text: the evidence that
-// is printed when they do not agree (`prove`, exit 2).
+// BothTraces: what the solver predicts of a run and what the engine makes of it, side by side as text: the evidence
+// that is printed when they do not agree (`prove`, exit 2).
 // Covered by tests/prover/disagreement_test.cpp.
 #pragma once
 

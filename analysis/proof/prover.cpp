@@ -226,8 +226,7 @@ class Session {
     }
     row.notes.push_back("the run that was found is not repeated by the engine: a defect of rungproof");
     run.disagreements.push_back(
-        {row.property.name,
-         fmt::format("the solver's run of {} scans is not repeated by the engine", answer.depth + 1),
+        {row.property.name, fmt::format("the solver's run of {} scans is not repeated by the engine", answer.depth + 1),
          bothTracesOf(program_, search_.exact().obligations().encoding(), search_.exact().system(), *answer.trace,
                       addressesOf(question))});
   }
@@ -237,11 +236,10 @@ class Session {
     EncodedScan& encoding = search_.exact().obligations().encoding();
     const TransitionSystem& system = search_.exact().system();
     const std::optional<Concrete::Store> initial = initialOf(encoding, system, trace);
-    const std::vector<RunTimeError> errors = replay(program_, options_.choices,
-                                                    scansOf(encoding, system, trace, options_.time),
-                                                    initial ? &*initial : nullptr,
-                                                    [](const Concrete::Store&, std::size_t) { return true; })
-                                                 .errors;
+    const std::vector<RunTimeError> errors =
+        replay(program_, options_.choices, scansOf(encoding, system, trace, options_.time),
+               initial ? &*initial : nullptr, [](const Concrete::Store&, std::size_t) { return true; })
+            .errors;
     return std::ranges::any_of(errors, [](const RunTimeError& e) { return e.hazard == Hazard::FatalWatchdog; });
   }
 

@@ -44,10 +44,11 @@ QuestionSearch::QuestionSearch(const Program& program, const PropertySet& set, c
 /// The engine's own runs while the program is being encoded, if that takes long.
 class QuestionSearch::EarlyRuns {
  public:
-  EarlyRuns(QuestionSearch& search, Clock::time_point deadline) : search_(search), thread_([this, deadline] {
-      for (int i = 0; i < patienceMs && !isEnded_; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      if (!isEnded_) explore(deadline);
-    }) {}
+  EarlyRuns(QuestionSearch& search, Clock::time_point deadline)
+      : search_(search), thread_([this, deadline] {
+          for (int i = 0; i < patienceMs && !isEnded_; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+          if (!isEnded_) explore(deadline);
+        }) {}
   ~EarlyRuns() {
     isEnded_ = true;
     thread_.join();
@@ -204,8 +205,8 @@ void QuestionSearch::explore(Clock::time_point deadline) {
   if (open.empty() || options_.bound > 0 || watch_.isStopped()) return;
   std::atomic<bool> cancel{false};
   const ProofWatch::Guard guard(watch_, cancel);
-  exploration_ = std::make_unique<Exploration>(program_, runSpaceOf(exact_->obligations().encoding()), assumptions_, goals_, open,
-                                               options_.seed);
+  exploration_ = std::make_unique<Exploration>(program_, runSpaceOf(exact_->obligations().encoding()), assumptions_,
+                                               goals_, open, options_.seed);
   exploration_->search(deadline, cancel);
   takeExplored();
 }

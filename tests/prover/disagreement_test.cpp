@@ -56,9 +56,9 @@ TEST(Agreement, ScansThatTakeLongerThanTheWatchdogAllows) {
   // 250 rounds of 20 REAL divisions, each of them more than 100 us (001:14522-14646), are more than 500 ms.
   std::string body;
   for (int i = 0; i < 20; ++i) body += "/R 1.5, AC0\n";
-  const ProofRun run = agreedOf("//@ prove off: not Q0.0\n",
-                                "NETWORK 1\nLD SM0.0\nFOR VW0, +1, +250\nNETWORK 2\nLD SM0.0\n" + body +
-                                    "NETWORK 3\nNEXT\nNETWORK 4\nLD I0.0\n= Q0.0\n");
+  const ProofRun run =
+      agreedOf("//@ prove off: not Q0.0\n", "NETWORK 1\nLD SM0.0\nFOR VW0, +1, +250\nNETWORK 2\nLD SM0.0\n" + body +
+                                                "NETWORK 3\nNEXT\nNETWORK 4\nLD I0.0\n= Q0.0\n");
   EXPECT_NE(test::outcomeOf(run, "off"), Outcome::Violated);
 }
 

@@ -14,7 +14,8 @@ struct ExploredProgram {
       (property.isGoal() ? goals : assumptions).push_back(property);
     for (std::size_t g = 0; g < goals.size(); ++g) all.push_back(g);
     Obligations obligations(input.program, input.properties, goals, encoderOptionsOf(options));
-    exploration = std::make_unique<Exploration>(input.program, runSpaceOf(obligations.encoding()), assumptions, goals, all, 1);
+    exploration =
+        std::make_unique<Exploration>(input.program, runSpaceOf(obligations.encoding()), assumptions, goals, all, 1);
   }
   void search(double seconds) {
     const std::atomic<bool> cancel{false};

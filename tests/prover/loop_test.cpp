@@ -34,10 +34,10 @@ TEST(Loops, EndOfForFromAnInput) {
 }
 
 TEST(Loops, LimitFromAnInputThatIsClampedIsFollowedToItsEnd) {
-  const ProofRun run = proofOf(
-      "//@ prove few: VW10 <= 20\n//@ prove each: VW10 = VW2 or VW2 < 1\n//@ reach all: VW10 = 20\n",
-      "NETWORK 1\nLD SM0.0\nMOVW IW2, VW2\nMOVW 0, VW10\nNETWORK 2\nLDW> VW2, +20\nMOVW 20, VW2\n"
-      "NETWORK 3\nLD SM0.0\nFOR VW0, +1, VW2\nNETWORK 4\nLD SM0.0\nINCW VW10\nNETWORK 5\nNEXT\n");
+  const ProofRun run =
+      proofOf("//@ prove few: VW10 <= 20\n//@ prove each: VW10 = VW2 or VW2 < 1\n//@ reach all: VW10 = 20\n",
+              "NETWORK 1\nLD SM0.0\nMOVW IW2, VW2\nMOVW 0, VW10\nNETWORK 2\nLDW> VW2, +20\nMOVW 20, VW2\n"
+              "NETWORK 3\nLD SM0.0\nFOR VW0, +1, VW2\nNETWORK 4\nLD SM0.0\nINCW VW10\nNETWORK 5\nNEXT\n");
   for (const char* name : {"few", "each"}) EXPECT_EQ(test::outcomeOf(run, name), Outcome::Proved) << name;
   EXPECT_EQ(test::outcomeOf(run, "all"), Outcome::Reachable);
   EXPECT_TRUE(run.approximations.empty());
