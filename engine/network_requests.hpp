@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "engine/concrete.hpp"
+#include "ir/device_end.hpp"
 
 namespace rungproof {
 
@@ -19,15 +20,15 @@ class NetworkRequests {
 
   void started(std::uint32_t entry) { age_[entry] = 0; }
   /// End of a scan.
-  void endScan(Concrete::Store& store) {
+  void endScan(Machine<Concrete>& machine) {
+    Concrete::Store& store = machine.store;
     for (std::uint32_t entry = 0; entry < age_.size(); ++entry) {
       const auto table = static_cast<std::uint32_t>(store.get(Reg::NetTable, entry));
       if (table == 0 || isHeld_ || age_[entry]++ == 0) continue;
       const auto area = pointer::areaOf(table);
       const std::uint64_t status = error_ == 0 ? 0x80U : 0xA0U | error_;  // D, E and the code
       if (area) store.save(*area, pointer::offsetOf(table) * 8, 8, status, true);
-      store.set(Reg::NetTable, entry, 0, true);
-      store.set(Reg::NetActive, 0, store.get(Reg::NetActive, 0) - 1, true);
+      endNetworkRequest(machine, entry);
     }
   }
   void reset() { age_ = {}; }

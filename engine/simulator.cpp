@@ -3,6 +3,7 @@
 #include "engine/simulator.hpp"
 
 #include "engine/cell_value.hpp"
+#include "engine/device_end.hpp"
 #include "engine/simulator_hooks.hpp"
 
 namespace rungproof {
@@ -65,6 +66,8 @@ void Simulator::scanInStop(std::uint32_t lengthUs) {
   startMs_ = clockMs_;
   machine_.guard = true;
   machine_.halted = false;
+  beginStatus(machine_);
+  endFirstScanBits(machine_);
   readInputs(machine_);
   for (const Area area : {Area::I, Area::AI}) forced_.apply(area, store_);
   finishScan(lengthUs);
@@ -85,10 +88,13 @@ void Simulator::scanInRun(const ScanRequest& request, std::uint32_t lengthUs) {
   Ticks<Concrete> ticks = takeTicks(machine_);
   if (script_ != nullptr && script_->ticks10) ticks.ten = *script_->ticks10;
   if (script_ != nullptr && script_->ticks100) ticks.hundred = *script_->ticks100;
+  machine_.guard = true;
   if (script_ == nullptr) {
+    endSave();
     raiseInputEdges();
     devices_.counters.beginScan(store_, std::max(lengthUs / 1000, 1U), [this](int event) { raise(event); });
   }
+  if (script_ != nullptr) scriptedWrites({ScanPlace::startOfScan});
   beginScan(machine_, ticks);
   for (const Area area : {Area::I, Area::AI}) forced_.apply(area, store_);
   for (const int event : request.events) raise(event);
@@ -113,7 +119,7 @@ void Simulator::finishScan(std::uint32_t lengthUs) {
   refreshSpecialMemory(machine_, std::min(lastScanUs_ / 1000, 0xFFFFU));
   writeOutputs(machine_);
   store_.save(Area::SM, 4 * 8 + 7, 1, forced_.empty() ? 0 : 1, true);
-  if (script_ == nullptr) devices_.network.endScan(store_);
+  if (script_ == nullptr) devices_.network.endScan(machine_);
   now_ += lastScanUs_;
   clockMs_ = startMs_ + scanTicks_;
   if (!isRunning()) queue_.clear();
@@ -121,6 +127,16 @@ void Simulator::finishScan(std::uint32_t lengthUs) {
 
 std::uint64_t Simulator::read(const Operand& operand) const { return cellValue(store_, operand); }
 void Simulator::write(const Operand& operand, std::uint64_t value) { setCell(store_, operand, value); }
+
+void Simulator::writeByDevice(const Operand& operand, std::uint64_t value) {
+  machine_.guard = true;
+  setCell(store_, operand, value);
+  const std::optional<DeviceEnd> end = endShownBy(machine_, operand, value);
+  if (end && end->event && script_ == nullptr) raise(*end->event);
+}
+
+/// The value has been saved at the end of the scan before (001:1649-1651).
+void Simulator::endSave() { store_.save(Area::SM, 31 * 8 + 7, 1, 0, true); }
 
 bool Simulator::force(const Operand& operand, std::uint64_t value) { return forced_.set(operand, value); }
 void Simulator::unforce(const Operand& operand) { forced_.remove(operand); }

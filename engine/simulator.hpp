@@ -74,6 +74,8 @@ class Simulator final : private Outside {
   /// State of the environment before the next scan: I sets the physical inputs, AI the analog inputs; other areas are
   /// written like by a panel. T and C by width.
   void write(const Operand& operand, std::uint64_t value);
+  /// What a device writes: as write(), and a status that shows the end of a request ends it (engine/device_end.hpp).
+  void writeByDevice(const Operand& operand, std::uint64_t value);
   bool physicalOutput(std::uint32_t byte, std::uint32_t bit) const {
     return store_.get(Reg::PhysicalOutput, byte * 8 + bit) != 0;
   }
@@ -124,6 +126,8 @@ class Simulator final : private Outside {
   void raise(int event);
   void boundary(Runner& runner, const FlowStep* step);
   void scripted(Runner& runner, ScanPlace place);
+  void scriptedWrites(ScanPlace place);
+  void endSave();
   void checkWatchdog();
   void setClock();
   void passMillisecond(Runner& runner);

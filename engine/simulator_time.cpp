@@ -2,6 +2,7 @@
 // set going. Instruction times: Appendix F (001:14522-14646); interrupts: 001:5327-5547; watchdog: 001:5697-5722.
 #include <algorithm>
 
+#include "engine/device_end.hpp"
 #include "engine/simulator_hooks.hpp"
 
 namespace rungproof {
@@ -65,15 +66,23 @@ void Simulator::boundary(Runner& runner, const FlowStep* step) {
   if (observer_ != nullptr && step != nullptr && machine_.guard) observer_->before(machine_, *step->instruction);
 }
 
+/// Writes that no running request allows are passed over, as are events that are not attached.
+void Simulator::scriptedWrites(ScanPlace place) {
+  std::vector<const ScanScript::Write*> legal;
+  for (const ScanScript::Write& write : script_->writes) {
+    if (write.place == place && mayDeviceWrite(machine_, write.operand, write.value)) legal.push_back(&write);
+  }
+  for (const ScanScript::Write* write : legal) writeByDevice(write->operand, write->value);
+}
+
 void Simulator::scripted(Runner& runner, ScanPlace place) {
-  const auto isHere = [&](const ScanPlace& other) {
-    return other.instruction == place.instruction && other.visit == place.visit;
-  };
+  const auto isHere = [&](const ScanPlace& other) { return other == place; };
   for (const ScanScript::Tick& tick : script_->ticks1) {
     if (!isHere(tick.place)) continue;
     refreshTimers(machine_, 1, tick.ticks);
     scriptedTicks_ += tick.ticks;
   }
+  scriptedWrites(place);
   for (const ScanScript::Event& event : script_->events) {
     if (isHere(event.place)) runRoutine(runner, event.event);
   }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "ir/special_memory.hpp"
+
 namespace rungproof {
 
 namespace {
@@ -13,18 +15,6 @@ void setSm(Concrete::Store& store, std::uint32_t byte, std::uint32_t bit, bool v
 
 void fill(Concrete::Store& store, Reg reg, std::uint64_t value) {
   for (std::uint32_t i = 0; i < store.count(reg); ++i) store.set(reg, i, value, true);
-}
-
-/// SM6.4-SM6.7 by CPU (001:14138). CPU 224XP has no code in the text; it shows that of the 224.
-std::uint8_t cpuCode(Cpu cpu) {
-  switch (cpu) {
-    case Cpu::Cpu224:
-    case Cpu::Cpu224XP: return 0x20;
-    case Cpu::Cpu221: return 0x60;
-    case Cpu::Cpu226:
-    case Cpu::Cpu226XM: return 0x90;
-    default: return 0x00;
-  }
 }
 
 /// What the first scan after entering RUN finds in SM and in the registers of devices.
@@ -80,7 +70,7 @@ Concrete::Store powerUpState(const Plan& plan, const Choices& choices, bool data
   prepareRun(store, choices);
   setSm(store, 0, 2, dataLost);
   setSm(store, 0, 3, true);
-  store.area(Area::SM)[6] = cpuCode(plan.program->target.cpu);
+  store.area(Area::SM)[6] = cpuIdentifier(plan.program->target.cpu).value_or(0x20);  // 224XP: that of the 224
   return store;
 }
 

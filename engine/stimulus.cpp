@@ -1,6 +1,8 @@
 // Plays rows in front of the scans they belong to.
 #include "engine/stimulus.hpp"
 
+#include "ir/special_memory.hpp"
+
 namespace rungproof {
 
 ScanRequest StimulusPlayer::next() {
@@ -8,6 +10,7 @@ ScanRequest StimulusPlayer::next() {
   const std::uint64_t scan = simulator_.scanCount() + 1;
   const std::uint64_t start = simulator_.timeUs();
   script_.events.clear();
+  script_.writes.clear();
   const auto isDue = [&](const StimulusRow& row) {
     return stimulus_.isByTime ? row.timeUs <= start : row.scan <= scan;
   };
@@ -28,6 +31,7 @@ void StimulusPlayer::apply(const StimulusRow& row, ScanRequest& request) {
   if (row.scanUs) scanUs_ = *row.scanUs;
   request.events.insert(request.events.end(), row.events.begin(), row.events.end());
   script_.events.insert(script_.events.end(), row.placed.begin(), row.placed.end());
+  script_.writes.insert(script_.writes.end(), row.writes.begin(), row.writes.end());
   for (std::size_t i = 0; i < stimulus_.columns.size(); ++i) {
     const StimulusColumn& column = stimulus_.columns[i];
     if (!row.values[i]) continue;
@@ -41,7 +45,15 @@ void StimulusPlayer::act(const StimulusColumn& column, std::uint64_t value) {
   Devices& devices = simulator_.devices();
   const auto number = static_cast<std::uint32_t>(value);
   switch (column.target) {
-    case StimulusTarget::Memory: simulator_.write(column.signal.operand, value); break;
+    case StimulusTarget::Memory: {
+      const Operand& operand = column.signal.operand;
+      const bool isStatus = operand.area == Area::SM && smRow(operand.offset, operand.bit).source == SmSource::Device;
+      if (isStatus)
+        simulator_.writeByDevice(operand, value);
+      else
+        simulator_.write(operand, value);
+      break;
+    }
     case StimulusTarget::LibraryOutput: devices.setLibraryOutput(column.block, column.position, value); break;
     case StimulusTarget::Pulses:
       devices.counters.setPulses(column.position, number, devices.counters.pulses(column.position)[1]);

@@ -39,6 +39,7 @@ struct StimulusRow {
   std::optional<std::uint32_t> scanUs{};        ///< length of the scans from here on
   std::vector<int> events{};                    ///< at the start of the scan
   std::vector<ScanScript::Event> placed{};      ///< within it, in the order of execution
+  std::vector<ScanScript::Write> writes{};      ///< of devices
   std::vector<std::optional<double>> values{};  ///< by column
   /// Port and character (SerialPorts::breakSignal: a break), in the order in which they are sent.
   std::vector<std::pair<std::uint32_t, int>> characters{};
@@ -48,7 +49,7 @@ struct Stimulus {
   std::vector<StimulusColumn> columns;
   std::vector<StimulusRow> rows;  ///< in ascending order of their key
   bool isByTime = false;
-  /// Some interrupt stands at its place in a scan: none comes but those of the rows.
+  /// Some interrupt stands at its place in a scan, or writes of devices are given: nothing comes but that of the rows.
   bool isScripted = false;
 };
 

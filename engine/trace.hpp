@@ -38,13 +38,15 @@ struct TraceRow {
   std::uint32_t scanUs = 0;                   ///< length of the scan, 0 if not known
   std::vector<std::optional<double>> values;  ///< by signal; nothing: any value
   std::string events{};                       ///< interrupts of the scan at their places, as a stimulus writes them
+  std::string devices{};                      ///< what devices wrote, as a stimulus writes it
 };
 
 struct Trace {
   std::vector<TraceSignal> signals;
   std::vector<TraceRow> rows;
-  bool isByTime = false;  ///< rows are keyed by time, not by scan
-  bool hasTimes = true;   ///< TraceRow::timeUs is known
+  bool isByTime = false;    ///< rows are keyed by time, not by scan
+  bool hasTimes = true;     ///< TraceRow::timeUs is known
+  bool hasDevices = false;  ///< devices did what TraceRow::devices says, and nothing else
   bool hasEvents() const {
     return std::any_of(rows.begin(), rows.end(), [](const TraceRow& row) { return !row.events.empty(); });
   }

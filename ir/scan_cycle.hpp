@@ -50,24 +50,6 @@ void readInputs(Machine<D>& m) {
   }
 }
 
-/// Part 1 of the scan: the inputs, and the ticks of the 10 ms and 100 ms time bases.
-template <class D>
-void beginScan(Machine<D>& m, const Ticks<D>& ticks) {
-  m.guard = m.d.constant(true);
-  m.halted = m.d.constant(false);
-  readInputs(m);
-  m.ticks100 = ticks.hundred;
-  refreshTimers(m, 10, ticks.ten);
-}
-
-/// Part 2 of the scan: the program, in RUN only (001:1683).
-template <class D, class Hooks>
-void runProgram(Scan<D, Hooks>& scan) {
-  Machine<D>& m = scan.machine();
-  m.when(m.getBit(Reg::Running), [&] { scan.program(); });
-  m.guard = m.d.constant(true);
-}
-
 /// Lets `elapsed` ms (width 16, at most longestStep) pass for all clocks.
 template <class D>
 void advanceClocks(Machine<D>& m, typename D::Bits elapsed) {
@@ -97,19 +79,52 @@ void showClocks(Machine<D>& m) {
   m.setSm(0, 5, half(Reg::PhaseSecond, 1000));
 }
 
-/// SM0 and the scan times SMW22, SMW24, SMW26 (001:14045-14056, 001:14151-14153). `elapsed`: ms, width 16.
+/// SM0.1 and SM0.4 to SM0.6 as the scan that begins shows them; the manual refreshes SM0 at the end of the scan before
+/// (001:14045), which no program can tell from this, and properties and traces find in SM0 what the program saw.
+template <class D>
+void beginStatus(Machine<D>& m) {
+  const auto first = m.getBit(Reg::FirstScan);
+  showClocks(m);
+  m.setSm(0, 1, first);
+  m.setSm(0, 6, m.d.lxor(m.sm(0, 6), m.d.land(m.getBit(Reg::Running), m.d.lnot(first))));
+}
+
+/// SM0.2 and SM0.3 are on in the first scan only, and there as the surroundings say (001:14052-14053).
+template <class D>
+void endFirstScanBits(Machine<D>& m) {
+  const auto first = m.getBit(Reg::FirstScan);
+  for (std::uint32_t bit = 2; bit <= 3; ++bit) m.setSm(0, bit, m.d.land(first, m.sm(0, bit)));
+}
+
+/// Part 1 of the scan: the inputs, and the ticks of the 10 ms and 100 ms time bases.
+template <class D>
+void beginScan(Machine<D>& m, const Ticks<D>& ticks) {
+  m.guard = m.d.constant(true);
+  m.halted = m.d.constant(false);
+  beginStatus(m);
+  endFirstScanBits(m);
+  readInputs(m);
+  m.ticks100 = ticks.hundred;
+  refreshTimers(m, 10, ticks.ten);
+}
+
+/// Part 2 of the scan: the program, in RUN only (001:1683).
+template <class D, class Hooks>
+void runProgram(Scan<D, Hooks>& scan) {
+  Machine<D>& m = scan.machine();
+  m.when(m.getBit(Reg::Running), [&] { scan.program(); });
+  m.guard = m.d.constant(true);
+}
+
+/// The scan times SMW22, SMW24, SMW26 (001:14151-14153). `elapsed`: ms, width 16.
 template <class D>
 void refreshSpecialMemory(Machine<D>& m, typename D::Bits elapsed) {
-  const auto running = m.getBit(Reg::Running);
   const auto first = m.getBit(Reg::FirstScan);
   const auto shortest = m.load(Area::SM, 24, Width::Word);
   const auto longest = m.load(Area::SM, 26, Width::Word);
   m.save(Area::SM, 22, Width::Word, elapsed);
   m.save(Area::SM, 24, Width::Word, m.d.select(m.d.lor(first, m.d.ult(elapsed, shortest, 16)), elapsed, shortest, 16));
   m.save(Area::SM, 26, Width::Word, m.d.select(m.d.lor(first, m.d.ult(longest, elapsed, 16)), elapsed, longest, 16));
-  showClocks(m);
-  for (std::uint32_t bit = 1; bit <= 3; ++bit) m.setSm(0, bit, m.d.constant(false));
-  m.setSm(0, 6, m.d.lxor(m.sm(0, 6), running));
   m.setBit(Reg::FirstScan, 0, m.d.constant(false));
 }
 

@@ -15,8 +15,8 @@ class EncodedScan::Impl {
       : program(source), options(given), plan(source), layout(source.target) {
     layout.add(program, plan);
     for (const Operand& operand : options.observed) layout.add(operand.area, operand.width, operand.offset);
-    // SM0.0 is always on, SM0.7 is the mode switch in RUN (001:14050, 001:14057), unless the program overwrites them.
-    knowledge.constants = {{memoryPlace(Area::SM, 0, Width::Bit, 0), 1}, {memoryPlace(Area::SM, 0, Width::Bit, 7), 1}};
+    // SM0.0 is always on (001:14050), unless the program overwrites it.
+    knowledge.constants = {{memoryPlace(Area::SM, 0, Width::Bit, 0), 1}};
     for (int round = 0; !learn(); ++round) {
       if (round == roundLimit) knowledge.followsPointers = false;
     }
@@ -61,7 +61,8 @@ class EncodedScan::Impl {
     const std::vector<Place> changing = refuted(values);
     for (const Place& place : changing) knowledge.constants.erase(place);
     const bool isNewFootprint = knowledge.footprints.merge(scan->footprints());
-    bool isConfirmed = changing.empty() && !isNewFootprint && (!areFirstScansNew || scan->pointerCells().empty());
+    bool isConfirmed =
+        changing.empty() && !isNewFootprint && !addTables() && (!areFirstScansNew || scan->pointerCells().empty());
     std::map<Place, std::uint64_t> found;
     for (const Cell& cell : scan->cells()) {
       if (cell.kind != CellKind::State) continue;
@@ -80,6 +81,16 @@ class EncodedScan::Impl {
     }
     if (isConfirmed) knowledge.constants.insert(found.begin(), found.end());
     return isConfirmed;
+  }
+
+  /// Adds the tables of devices that pointers lead to. Gives whether one was new.
+  bool addTables() {
+    bool isNew = false;
+    for (const auto& [instruction, addresses] : scan->tableTargets()) {
+      for (const std::uint32_t address : addresses)
+        isNew = knowledge.tables[instruction].insert(address).second || isNew;
+    }
+    return isNew;
   }
 
   /// Constants of the round that do not stay what they are.
@@ -139,6 +150,7 @@ const std::vector<BitWrite>& EncodedScan::bitWrites() const { return impl_->scan
 const std::vector<Approximation>& EncodedScan::approximations() const { return impl_->scan->approximations; }
 const std::vector<ExternalInput>& EncodedScan::externals() const { return impl_->scan->externals; }
 const std::map<std::uint32_t, Node>& EncodedScan::analogInputs() const { return impl_->scan->analogInputs(); }
+const std::vector<DeviceWrite>& EncodedScan::deviceWrites() const { return impl_->scan->devices().writes(); }
 const std::vector<TickSite>& EncodedScan::tickSites() const { return impl_->scan->tickSites; }
 const std::vector<EventSite>& EncodedScan::eventSites() const { return impl_->scan->eventSites; }
 const std::vector<Cell>& EncodedScan::cells() const { return impl_->scan->cells(); }

@@ -89,6 +89,13 @@ struct EventSite {
   Node fires;  ///< the event comes, is attached and enabled
 };
 
+/// A bit or byte that a device writes at the start of the scan where `guard` holds.
+struct DeviceWrite {
+  Operand operand;
+  Node guard;
+  Node value;
+};
+
 /// One scan as a transition system, with the meaning of its variables.
 class EncodedScan {
  public:
@@ -120,6 +127,8 @@ class EncodedScan {
   const std::vector<ExternalInput>& externals() const;
   /// The samples of analog inputs by word address; with Choice::AnalogSampling = each-read what was read last.
   const std::map<std::uint32_t, Node>& analogInputs() const;
+  /// What devices may write at the start of the scan.
+  const std::vector<DeviceWrite>& deviceWrites() const;
   const std::vector<TickSite>& tickSites() const;
   const std::vector<EventSite>& eventSites() const;
   /// All places of tick and event sites, and the guards of the executions of an instruction in the order of the scan.

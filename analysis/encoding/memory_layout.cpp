@@ -2,6 +2,7 @@
 #include "analysis/encoding/memory_layout.hpp"
 
 #include "analysis/access.hpp"
+#include "ir/special_memory.hpp"
 
 namespace rungproof {
 
@@ -10,6 +11,12 @@ MemoryLayout::MemoryLayout(const Target& target) {
     const Area area = static_cast<Area>(a);
     const bool inRegisters = area == Area::T || area == Area::C || area == Area::AC || area == Area::HC;
     cuts_[static_cast<std::size_t>(a)].resize(inRegisters ? 0 : area == Area::L ? localBytes : areaSize(target, area));
+  }
+  std::vector<Cut>& special = cuts_[static_cast<std::size_t>(Area::SM)];
+  for (const SmRow& row : smTable) {
+    if (row.first >= special.size()) break;
+    special[row.first].startsHere = true;
+    if (row.low != 0 || row.high != 7) special[row.first].isSingleBits = true;
   }
 }
 

@@ -16,6 +16,7 @@ inline constexpr std::uint32_t localBytes = 11 * 64;
 
 class MemoryLayout {
  public:
+  /// Special memory is cut where the source of its values changes (ir/special_memory.hpp).
   explicit MemoryLayout(const Target& target);
 
   /// Takes the direct operands of the program into account, each in the width of its instruction.

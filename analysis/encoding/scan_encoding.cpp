@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "analysis/encoding/device_memory.hpp"
 #include "ir/check.hpp"
 #include "ir/event.hpp"
+#include "ir/isa/comm.hpp"
+#include "ir/special_memory.hpp"
 #include "ir/timer_refresh.hpp"
 
 namespace rungproof {
@@ -28,6 +29,7 @@ std::string siteName(const ExternalSite& site) {
 }
 
 constexpr std::string_view unresolvedReason = "pointer whose targets could not be found";
+constexpr std::string_view tableReason = "writes later through a pointer whose targets could not be found";
 
 }  // namespace
 
@@ -40,7 +42,15 @@ ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options
       knowledge_(knowledge),
       initial_(powerUpState(plan, options.choices)),
       store_(graph, layout, *this, plan.edgeCount),
-      machine_(graph, store_, plan, options.choices) {
+      machine_(graph, store_, plan, options.choices),
+      devices_(graph, plan, knowledge.tables,
+               {[this](const Place& place) { return startOfCell(place); },
+                [this](std::string name, int width) { return input(std::move(name), width); },
+                [this](const Instruction* place) {
+                  Approximation& a = approximate(place, tableReason);
+                  a.carriers.push_back(input("written through a pointer to a table", 8));
+                  return a.carriers.back();
+                }}) {
   graph.listen(this);
   store_.follow(&machine_);
   if (time.constraint() != noNode) {
@@ -68,6 +78,8 @@ ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options
 void ScanEncoding::run() {
   isRecording_ = false;
   store_.value(registerPlace(Reg::Running, 0));  // a cell, even if every scan ends the program without reading it
+  devices_.begin(machine_);
+  beginStatus(machine_);
   machine_.ticks100 = {time.ticks100()};
   refreshTimers(machine_, 10, {time.ticks10()});
   isRecording_ = true;
@@ -138,7 +150,10 @@ bool ScanEncoding::isInput(const Place& place) const {
   if (place.isRegister) return place.reg == Reg::PhysicalInput || place.reg == Reg::HscCurrent;
   if (place.area == Area::I) return true;
   const std::uint32_t byte = place.byte();
-  if (place.area == Area::SM && isDeviceByte(byte)) return true;
+  if (place.area == Area::SM) {
+    const SmSource source = smSource(program_.target, byte, place.width == 1 ? place.bit() : 0);
+    if (source == SmSource::Free || source == SmSource::FirstScan) return true;
+  }
   for (const ExternalBytes& e : options_.externals) {
     if (e.area == place.area && e.first <= byte && byte <= e.last) return true;
   }
@@ -163,12 +178,34 @@ Node ScanEncoding::init(const Place& place) const {
 }
 
 Cell ScanEncoding::cellAt(const Place& place) {
+  const Cell cell = newCell(place);
+  starts_[place] = cell.start;
+  return cell;
+}
+
+/// The value that a cell has before devices write.
+Node ScanEncoding::startOfCell(const Place& place) {
+  if (const auto found = starts_.find(place); found != starts_.end()) return found->second;
+  store_.value(place);
+  return starts_.at(place);
+}
+
+Node ScanEncoding::atScan(const Cell& cell) {
+  const Place& place = cell.place;
+  const bool isFirstScanBit = place.area == Area::SM && place.width == 1 &&
+                              smSource(program_.target, place.byte(), place.bit()) == SmSource::FirstScan;
+  if (isFirstScanBit) return graph.make(Op::And, 1, cell.start, startOfCell(registerPlace(Reg::FirstScan, 0)));
+  return devices_.seen(place, cell.start);
+}
+
+Cell ScanEncoding::newCell(const Place& place) {
   if (isInput(place)) return {place, CellKind::Input, input(nameOf(place), place.width)};
   if (const auto known = knowledge_.constants.find(place); known != knowledge_.constants.end()) {
     return {place, CellKind::Constant, graph.constantNode(known->second, place.width)};
   }
   const Node first = init(place);
-  if (isClosed_ && !hasHavoc_ && first != noNode) return {place, CellKind::Constant, first};
+  const auto isOfDevice = [&] { return !place.isRegister && devices_.mayWrite(place); };
+  if (isClosed_ && !hasHavoc_ && first != noNode && !isOfDevice()) return {place, CellKind::Constant, first};
   const Node node = graph.variable(nameOf(place), place.width, true);
   const auto values = knowledge_.values.find(place);
   if (values != knowledge_.values.end())
@@ -271,8 +308,10 @@ Graph::Bool ScanEncoding::targets(Machine<Graph>& machine, Graph::Bits pointer, 
     // A short range is as good as a list.
     values.restrict(values.facts().low, values.facts().high, pointerValueLimit);
   }
+  const bool isTable = machine.current != nullptr && machine.current->desc->group == "communication";
   if (!values.isListed()) {
     ref.isUnresolved = true;
+    if (isTable) tableTargets_[machine.current->id].insert(isa::unknownAddress);
     Approximation& a = approximate(machine.current, unresolvedReason);
     a.carriers.push_back(input("pointer is legal", 1));
     return {a.carriers.back()};
@@ -281,7 +320,9 @@ Graph::Bool ScanEncoding::targets(Machine<Graph>& machine, Graph::Bits pointer, 
   for (const std::uint64_t value : values.values()) {
     const Graph::Bool isValue = graph.equal(pointer, graph.literal(value, 32), 32);
     const auto address = static_cast<std::uint32_t>(value);
-    if (pointer::isLegal(machine.target, address, width))
+    const bool isPlace = pointer::isLegal(machine.target, address, width);
+    if (isPlace && isTable) tableTargets_[machine.current->id].insert(address);
+    if (isPlace)
       ref.targets.push_back({isValue, *pointer::areaOf(address), pointer::offsetOf(address)});
     else
       legal = graph.land(legal, graph.lnot(isValue));

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "analysis/encoding/device_writes.hpp"
 #include "analysis/encoding/encoder.hpp"
 #include "analysis/encoding/footprint.hpp"
 #include "analysis/encoding/loop_widening.hpp"
@@ -21,6 +22,7 @@ struct Knowledge {
   std::map<Place, ValueSet> later;           ///< of pointer cells at the start of all scans but the first
   std::map<Place, std::uint64_t> constants;  ///< cells that keep one value in all runs
   Footprints footprints;
+  TableTargets tables;          ///< of devices, where pointers lead to them
   bool followsPointers = true;  ///< false: pointers that are not constant stay unresolved
   bool isFinal = false;         ///< nothing is left to be learned
 };
@@ -71,9 +73,15 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   /// program does not read is sampled for whoever asks.
   Node analogInput(std::uint32_t byte);
   const std::map<std::uint32_t, Node>& analogInputs() const { return analog_; }
+  const DeviceWrites& devices() const { return devices_; }
+  /// Where pointers to tables of devices led in this run.
+  const TableTargets& tableTargets() const { return tableTargets_; }
 
  private:
   Cell cellAt(const Place& place) override;
+  Cell newCell(const Place& place);
+  Node atScan(const Cell& cell) override;
+  Node startOfCell(const Place& place);
   Node localByte(std::uint32_t entry, std::uint32_t byte) override;
   Graph::Bits external(const ExternalSite& site, int width) override;
   void report(Hazard hazard, Graph::Bool condition, const Instruction* place) override;
@@ -107,6 +115,9 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   std::vector<Node> inputs_;
   std::vector<Node> constraints_;
   std::vector<Node> totalConstraints_;
+  std::map<Place, Node> starts_;  ///< of all cells
+  TableTargets tableTargets_;
+  DeviceWrites devices_;
   std::vector<std::vector<std::size_t>> localEntries_;  ///< by entry: index in externals of each byte
   std::map<std::uint32_t, Node> analog_;
   Attachments attachments_;

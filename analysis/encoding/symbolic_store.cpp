@@ -68,7 +68,7 @@ void Graph::Store::touch(Area area, std::uint32_t first, int width) {
     }
     Cell cell = source_.cellAt(place);
     cells_.push_back(cell);
-    Node start = cell.start;
+    Node start = source_.atScan(cell);
     for (const Havoc& h : havocs_) start = graph_.make(Op::Ite, place.width, h.guard, h.fresh(place), start);
     for (std::uint32_t i = 0; i < place.width; ++i) {
       if (bits[place.at + i].node == noNode) bits[place.at + i] = {start, place.width - 1 - i};

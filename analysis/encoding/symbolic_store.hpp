@@ -51,6 +51,8 @@ class CellSource {
  public:
   virtual ~CellSource() = default;
   virtual Cell cellAt(const Place& place) = 0;
+  /// What the scan finds at a cell of memory: its start, and what was written from outside since the scan before.
+  virtual Node atScan(const Cell& cell) { return cell.start; }
   /// Byte of local memory whose block was entered with `entry` (the number given to enterFrame).
   virtual Node localByte(std::uint32_t entry, std::uint32_t byte) = 0;
 };

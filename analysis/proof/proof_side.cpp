@@ -9,6 +9,7 @@
 #include "analysis/encoding/accelerate.hpp"
 #include "analysis/encoding/exact_reals.hpp"
 #include "analysis/graph/evaluate.hpp"
+#include "engine/device_end.hpp"
 
 namespace rungproof {
 
@@ -118,6 +119,8 @@ std::vector<std::string> environmentTexts(const Program& program, const Property
   for (const ExternalRange& range : set.externals)
     texts.push_back(
         fmt::format("{} to {} may be written from outside in any scan", toString(range.first), toString(range.last)));
+  if (asksDevices(program))
+    texts.push_back("what ports, pulse outputs and other devices write for a request, they write between two scans");
   for (const Property& property : set.properties) {
     if (!property.isGoal()) texts.push_back(property.text);
   }

@@ -29,6 +29,10 @@ std::vector<Node> ScanRun::rootsOf(const EncodedScan& scan, const TransitionSyst
     if (e.node != noNode) roots.push_back(e.node);
   }
   for (const ScanInput& input : scanInputsOf(scan)) roots.push_back(input.node);
+  for (const DeviceWrite& write : scan.deviceWrites()) {
+    roots.push_back(write.guard);
+    roots.push_back(write.value);
+  }
   for (const TickSite& t : scan.tickSites()) {
     roots.push_back(t.where.guard);
     roots.push_back(t.ticks);
@@ -103,6 +107,10 @@ ReplayScan ScanRun::script() const {
   result.lengthMs = static_cast<std::uint32_t>(values_[scan_.time().dt()]);
   for (const ExternalInput& e : scan_.externals()) {
     if (holds(e.guard)) result.externals.push_back({e.site, e.node == noNode ? 0 : values_[e.node]});
+  }
+  for (const DeviceWrite& write : scan_.deviceWrites()) {
+    if (holds(write.guard))
+      result.script.writes.push_back({{ScanPlace::startOfScan}, write.operand, values_[write.value]});
   }
   for (const TickSite& t : scan_.tickSites()) {
     const auto ticks = static_cast<std::uint32_t>(values_[t.ticks]);

@@ -27,6 +27,7 @@ class Minimiser {
   Witness run() {
     dropScans();
     shortenStretches();
+    dropDeviceWrites();
     evenLengths();
     dropStartValues();
     if (findIdle()) store();
@@ -81,6 +82,22 @@ class Minimiser {
       scans = best_.scans;
       scans[i].lengthMs = plainMs_;
       acceptAsLong(std::move(scans));
+    }
+  }
+
+  /// Writes of devices that are not needed: all of a scan at once, or one after the other.
+  void dropDeviceWrites() {
+    for (std::size_t i = best_.scans.size(); i-- > 0;) {
+      if (i >= best_.scans.size() || best_.scans[i].script.writes.empty() || isLate()) continue;
+      std::vector<ReplayScan> scans = best_.scans;
+      scans[i].script.writes.clear();
+      if (acceptAsLong(scans)) continue;
+      for (std::size_t k = best_.scans[i].script.writes.size(); k-- > 0 && !isLate();) {
+        if (i >= best_.scans.size() || k >= best_.scans[i].script.writes.size()) continue;
+        scans = best_.scans;
+        scans[i].script.writes.erase(scans[i].script.writes.begin() + static_cast<std::ptrdiff_t>(k));
+        acceptAsLong(std::move(scans));
+      }
     }
   }
 

@@ -61,23 +61,33 @@ std::optional<std::uint32_t> countBehind(std::string_view& text, char mark) {
   return number;
 }
 
-}  // namespace
-
-std::string eventText(const Program& program, const ScanScript::Event& event) {
-  if (event.place.instruction == ScanPlace::afterProgram) return fmt::format("{}@end", event.event);
+/// "@17", and nothing for the start of the scan.
+std::string placeText(const Program& program, const ScanPlace& place) {
+  if (place.instruction == ScanPlace::startOfScan) return "";
+  if (place.instruction == ScanPlace::afterProgram) return "@end";
   std::string text;
   forEachInstruction(program, [&](const Instruction& instruction) {
-    if (instruction.id != event.place.instruction) return;
+    if (instruction.id != place.instruction) return;
     const SourceLine line = lineOf(program, instruction);
-    text = fmt::format("{}@{}{}{}", event.event, line.file == firstFile(program) ? "" : line.file,
+    text = fmt::format("@{}{}{}", line.file == firstFile(program) ? "" : line.file,
                        line.file == firstFile(program) ? "" : ":", line.line);
     const std::vector<const Instruction*> beside = instructionsIn(program, line);
     for (std::size_t i = 0; i < beside.size() && beside.size() > 1; ++i) {
       if (beside[i] == &instruction) text += fmt::format("/{}", i + 1);
     }
-    if (event.place.visit > 0) text += fmt::format("*{}", event.place.visit + 1);
+    if (place.visit > 0) text += fmt::format("*{}", place.visit + 1);
   });
   return text;
+}
+
+}  // namespace
+
+std::string eventText(const Program& program, const ScanScript::Event& event) {
+  return fmt::format("{}{}", event.event, placeText(program, event.place));
+}
+
+std::string writeText(const Program& program, const ScanScript::Write& write) {
+  return fmt::format("{}={}{}", toString(write.operand), write.value, placeText(program, write.place));
 }
 
 std::optional<ScanPlace> scanPlaceNamed(const Program& program, std::string_view text) {

@@ -1,4 +1,5 @@
-// Where in a scan an interrupt comes, as stimulus files and tables of witnesses write it: "10@17" is event 10 in front
+// Where in a scan an interrupt comes or a device writes, as stimulus files and tables of witnesses have it:
+// "10@17" is event 10 in front
 // of the instruction in line 17, "10@17/2" in front of the second instruction that stands in that line, "10@17*3" in
 // front of the third execution of it in that scan, "10@door.awl:17" where the line is of another file than the first
 // instruction, "10@end" after the program. Tested by tests/trace/stimulus_test.cpp and tests/prover/witness_test.cpp.
@@ -14,6 +15,8 @@
 namespace rungproof {
 
 std::string eventText(const Program& program, const ScanScript::Event& event);
+/// "VB101=83" at the start of the scan, "SMB86=2@17" at another place.
+std::string writeText(const Program& program, const ScanScript::Write& write);
 /// The place that the text behind '@' names; nothing if no instruction stands there.
 std::optional<ScanPlace> scanPlaceNamed(const Program& program, std::string_view text);
 

@@ -11,6 +11,7 @@
 #include "frontend/stl/operand_reader.hpp"
 #include "ir/library_block.hpp"
 #include "ir/overlap.hpp"
+#include "ir/special_memory.hpp"
 
 namespace rungproof {
 
@@ -40,7 +41,10 @@ bool isSurrounding(const Program& program, const Operand& operand) {
     case Area::V:
     case Area::M:
     case Area::S: return !isWritten(program, operand);
-    case Area::SM: return operand.offset == 28 || operand.offset == 29;  // potentiometers (001:14162)
+    case Area::SM: {
+      const SmSource source = smSource(program.target, operand.offset, operand.width == Width::Bit ? operand.bit : 0);
+      return (source == SmSource::Free || source == SmSource::FirstScan) && !isWritten(program, operand);
+    }
     default: return false;
   }
 }

@@ -29,6 +29,7 @@ struct Frame {
   bool isRecorded = false;
   int scanMs = -1;
   int event = -1;
+  int device = -1;
   std::vector<std::size_t> signals;  ///< indices of the other columns
 };
 
@@ -58,6 +59,8 @@ class TableReader {
         frame.scanMs = static_cast<int>(i);
       } else if (name == "event") {
         frame.event = static_cast<int>(i);
+      } else if (name == "device") {
+        frame.device = static_cast<int>(i);
       } else if (name == "time_ms" && i == 1 && !frame.isByTime) {
         frame.isRecorded = true;
       } else if (name == "time_ms" || name == "scan") {
@@ -138,6 +141,31 @@ class TableReader {
     }
   }
 
+  /// What devices write: "VB101=83 SMB86=2" at the start of the scan, "SMB86=2@17" at a place in it.
+  void writes(const CsvCell& cell, const Program& program, StimulusRow& row) {
+    for (std::size_t at = 0; at < cell.text.size();) {
+      const std::size_t end = std::min(cell.text.find(' ', at), cell.text.size());
+      const std::string word = cell.text.substr(at, end - at);
+      at = end + 1;
+      if (isOpen(word)) continue;
+      const std::size_t equals = word.find('='), mark = word.find('@');
+      Failure failure;
+      const std::optional<TraceSignal> signal = signalNamed(program, word.substr(0, equals), failure);
+      const std::optional<double> number =
+          equals == std::string::npos ? std::nullopt : numberIn(word.substr(equals + 1, mark - equals - 1));
+      const std::optional<ScanPlace> place = mark == std::string::npos
+                                                 ? ScanPlace{ScanPlace::startOfScan}
+                                                 : scanPlaceNamed(program, std::string_view(word).substr(mark + 1));
+      const bool fits = signal && number && *number >= 0 && *number == std::floor(*number) &&
+                        bits(signal->operand.width) <= 8 && *number < std::exp2(bits(signal->operand.width));
+      if (fits && place)
+        row.writes.push_back({*place, signal->operand, static_cast<std::uint64_t>(*number)});
+      else
+        fail(cell, fmt::format("'{}' is no write of a device", word),
+             "write ADDRESS=VALUE for a bit or byte at the start of the scan, or ADDRESS=VALUE@LINE");
+    }
+  }
+
   /// "65 'BC' 16#0A break": numbers, texts in quotes and breaks.
   std::vector<int> characters(const CsvCell& cell) {
     std::vector<int> list;
@@ -198,6 +226,7 @@ Stimulus readStimulus(const std::string& name, std::string_view text, const Prog
   const Frame frame = reader.frame();
   Stimulus stimulus;
   stimulus.isByTime = frame.isByTime;
+  stimulus.isScripted = frame.device >= 0;
   for (const std::size_t i : frame.signals) {
     const CsvCell& cell = reader.table().heading[i];
     Failure failure;
@@ -217,6 +246,7 @@ Stimulus readStimulus(const std::string& name, std::string_view text, const Prog
       const std::uint32_t us = reader.duration(cells[static_cast<std::size_t>(frame.scanMs)]);
       if (us != 0) row.scanUs = us;
     }
+    if (frame.device >= 0) reader.writes(cells[static_cast<std::size_t>(frame.device)], program, row);
     if (frame.event >= 0) reader.events(cells[static_cast<std::size_t>(frame.event)], program, row);
     stimulus.isScripted = stimulus.isScripted || !row.placed.empty();
     for (std::size_t k = 0; k < frame.signals.size(); ++k) {

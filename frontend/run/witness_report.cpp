@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "engine/device_end.hpp"
 #include "frontend/run/event_place.hpp"
 
 namespace rungproof {
@@ -32,7 +33,7 @@ bool areSame(const TraceRow& a, const TraceRow& b) {
     return x.has_value() == y.has_value() &&
            (!x || std::bit_cast<std::uint64_t>(*x) == std::bit_cast<std::uint64_t>(*y));
   };
-  return a.events == b.events &&
+  return a.events == b.events && a.devices == b.devices &&
          std::equal(a.values.begin(), a.values.end(), b.values.begin(), b.values.end(), isEqual);
 }
 
@@ -42,6 +43,7 @@ Trace traceOf(const Program& program, const Choices& choices, const Witness& wit
               const std::vector<TraceSignal>& signals, std::size_t limit, bool hidesIdle) {
   Trace trace;
   trace.signals = signals;
+  trace.hasDevices = asksDevices(program);
   std::uint64_t scan = 0, timeUs = 0;
   const std::uint64_t skipped = witness.scanCount > limit ? witness.scanCount - limit : 0;
   replay(program, choices, witness.scans, witness.initial ? &*witness.initial : nullptr,
@@ -52,6 +54,8 @@ Trace traceOf(const Program& program, const Choices& choices, const Witness& wit
            TraceRow row{scan, timeUs, scanUs, {}, {}};
            for (const ScanScript::Event& event : witness.scans[at].script.events)
              row.events += (row.events.empty() ? "" : " ") + eventText(program, event);
+           for (const ScanScript::Write& write : witness.scans[at].script.writes)
+             row.devices += (row.devices.empty() ? "" : " ") + writeText(program, write);
            for (const TraceSignal& signal : signals) {
              row.values.push_back(numberOf(valueIn(state, signal.operand), signal.type, signal.width()));
              if (hidesIdle && isIdle(witness, at, signal.operand)) row.values.back().reset();
@@ -125,7 +129,9 @@ std::vector<std::string> tableOf(const Trace& trace, std::size_t rows) {
   };
   std::vector<Row> table{{"scan", "ms", {}}};
   const bool hasEvents = trace.hasEvents();
+  const bool hasDevices = std::ranges::any_of(trace.rows, [](const TraceRow& row) { return !row.devices.empty(); });
   if (hasEvents) table[0].values.push_back("events");
+  if (hasDevices) table[0].values.push_back("devices");
   for (const TraceSignal& signal : trace.signals)
     table[0].values.push_back(signal.symbol.empty() ? signal.name : signal.symbol);
   for (std::size_t i = 0; i < trace.rows.size(); ++i) {
@@ -135,6 +141,7 @@ std::vector<std::string> tableOf(const Trace& trace, std::size_t rows) {
     if (!isSame) {
       Row next{"", "", {}, row.scan};
       if (hasEvents) next.values.push_back(row.events);
+      if (hasDevices) next.values.push_back(row.devices);
       for (std::size_t s = 0; s < trace.signals.size(); ++s)
         next.values.push_back(row.values[s] ? numberText(*row.values[s], trace.signals[s].type) : "-");
       isSame = i > 0 && !isLast && table.back().values == next.values;

@@ -1,6 +1,6 @@
-// Traces as CSV: scan, time_ms at the end of the scan, scan_ms, event if interrupts are known, then one column per
-// signal. The file is a stimulus as well: having time_ms behind scan, it is known as a recording
-// (frontend/run/stimulus_reader.hpp). Tested by tests/trace/csv_test.cpp.
+// Traces as CSV: scan, time_ms at the end of the scan, scan_ms, event if interrupts are known, device if
+// devices do only what stands there, then one column per signal. The file is a stimulus as well: having time_ms behind
+// scan, it is known as a recording (frontend/run/stimulus_reader.hpp). Tested by tests/trace/csv_test.cpp.
 #include <ostream>
 
 #include "frontend/trace/format.hpp"
@@ -18,7 +18,9 @@ std::string quoted(const std::string& text) {
 
 void write(const Trace& trace, std::string_view, std::ostream& out) {
   const bool hasEvents = !trace.isByTime && trace.hasEvents();
-  out << (trace.isByTime ? "time_ms" : "scan,time_ms,scan_ms") << (hasEvents ? ",event" : "");
+  const bool hasDevices = !trace.isByTime && trace.hasDevices;
+  out << (trace.isByTime ? "time_ms" : "scan,time_ms,scan_ms") << (hasEvents ? ",event" : "")
+      << (hasDevices ? ",device" : "");
   for (const TraceSignal& signal : trace.signals) out << ',' << quoted(signal.name);
   out << '\n';
   for (const TraceRow& row : trace.rows) {
@@ -26,6 +28,7 @@ void write(const Trace& trace, std::string_view, std::ostream& out) {
     out << millisecondsText(row.timeUs);
     if (!trace.isByTime) out << ',' << millisecondsText(row.scanUs);
     if (hasEvents) out << ',' << quoted(row.events);
+    if (hasDevices) out << ',' << quoted(row.devices);
     for (std::size_t i = 0; i < trace.signals.size(); ++i) {
       out << ',';
       if (row.values[i]) out << numberText(*row.values[i], trace.signals[i].type);

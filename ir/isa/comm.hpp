@@ -40,10 +40,11 @@ typename D::Bool portIs(Machine<D>& m, std::uint32_t port, std::uint64_t mode) {
   return m.d.equal(m.d.extract(control, 1, 0), m.number(mode, 2), 2);
 }
 
-/// Address of operand i in pointer form.
+/// Address of operand i in pointer form; `unknownAddress` if it could not be found.
+inline constexpr std::uint32_t unknownAddress = 0xFFFFFFFF;
 template <class D>
 typename D::Bits addressOf(Machine<D>& m, Args<D>& a, std::size_t i) {
-  auto address = m.number(0, 32);
+  auto address = m.number(unknownAddress, 32);
   a.eachPlace(i, [&](typename D::Bool here, Area area, std::uint32_t offset) {
     address = m.d.select(here, m.number(pointer::encode(area, offset), 32), address, 32);
   });
@@ -122,6 +123,7 @@ struct Receive {
       m.when(d.land(d.lnot(bad), fits), [&] {
         setPortBusy(m, *port, 1U << receiving);
         m.set(Reg::PortTable, *port * 2 + 1, addressOf(m, a, 0));
+        m.set(Reg::PortLimit, *port, count);
         m.save(Area::SM, status, Width::Byte, m.number(0, 8));
         m.signal(Signal::ReceiveStarted, *port);
       });
@@ -161,7 +163,7 @@ struct Network {
       a.store(0, d.select(refused, d.bor(code, m.number(error, 8), 8), m.number(active, 8), 8));
       m.when(d.lnot(refused), [&] {
         m.set(Reg::NetActive, 0, d.add(used, m.number(1, 4), 4));
-        enter(m, addressOf(m, a, 0));
+        enter(m, addressOf(m, a, 0), length);
       });
     });
   }
@@ -169,7 +171,7 @@ struct Network {
  private:
   /// Takes the first free entry of the queue.
   template <class D>
-  static void enter(Machine<D>& m, typename D::Bits address) {
+  static void enter(Machine<D>& m, typename D::Bits address, typename D::Bits length) {
     auto placed = m.d.constant(false);
     for (std::uint32_t i = 0; i < queueSize; ++i) {
       const auto here = m.d.land(m.d.lnot(placed), m.d.equal(m.get(Reg::NetTable, i), m.number(0, 32), 32));
@@ -177,6 +179,7 @@ struct Network {
       m.when(here, [&] {
         m.set(Reg::NetTable, i, address);
         m.setBit(Reg::NetIsWrite, i, m.d.constant(writes));
+        m.set(Reg::NetLength, i, m.d.extract(length, 4, 0));
         m.signal(Signal::NetworkStarted, i);
       });
     }
