@@ -4,6 +4,7 @@
 
 #include "analysis/facts.hpp"
 #include "analysis/rule.hpp"
+#include "ir/special_memory.hpp"
 
 namespace rungproof {
 
@@ -14,7 +15,7 @@ void checkAdr003(const Facts& facts, FindingSink& sink) {
   std::uint8_t lastOperand = 0;
   for (const Access& access : facts.accesses().all()) {
     if (!access.write || access.maybe || access.viaPointer || access.operand == impliedOperand) continue;
-    const bool isStatus = access.area == Area::SM && access.offset <= smReadOnlyLast;
+    const bool isStatus = access.area == Area::SM && !smRow(access.offset, 0).isWritable();
     if (!isStatus && access.area != Area::AI && access.area != Area::HC) continue;
     if (access.instruction == lastInstruction && access.operand == lastOperand) continue;
     lastInstruction = access.instruction;

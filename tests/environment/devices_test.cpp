@@ -3,9 +3,11 @@
 // that breaks a property is repeated by the reference engine, and its trace is a stimulus that repeats it again.
 #include <sstream>
 
+#include "analysis/lint.hpp"
 #include "engine/stimulus.hpp"
 #include "frontend/run/stimulus_reader.hpp"
 #include "frontend/run/witness_report.hpp"
+#include "frontend/solver_rules.hpp"
 #include "frontend/trace/format.hpp"
 #include "tests/engine/rig.hpp"
 #include "tests/prover/proved_text.hpp"
@@ -281,6 +283,35 @@ TEST(Devices, StimulusMayEndAReception) {
   EXPECT_EQ(rig.get("SMB86"), 32);
   EXPECT_EQ(rig.get("VB0"), 1);
   EXPECT_EQ(rig.simulator->store().get(Reg::PortBusy, 0), 0U);
+}
+
+// Rules that the solver confirms no longer call conditions on received bytes dead, and keep what they can really do.
+TEST(Devices, RulesKnowWhatArrives) {
+  const auto rulesOf = [](const std::string& networks) {
+    const ProgramInput input = inputOf("", networks);
+    const Facts facts(input.program, input.properties.externals);
+    std::vector<Finding> findings = runRules(facts, RuleSelection(), {});
+    settleBySolver(
+        input, usualOptions(5), [](std::string_view) { return true; }, findings);
+    std::set<std::string> rules;
+    for (const Finding& finding : findings) {
+      if (finding.confirmation != Confirmation::Unconfirmed) rules.insert(finding.rule);
+    }
+    return rules;
+  };
+  const std::set<std::string> message =
+      rulesOf(receiver("Network 3\nLDB= VB101, 16#53\n= Q0.0\nNetwork 4\nLDB<> SMB86, 0\nTON T37, 10\nLD T37\n= Q0.1\n"
+                       "Network 5\nLDB<> VB101, 0\nMOVB VB102, VB1\n/I VW0, VW10\n"));
+  EXPECT_FALSE(message.contains("LOG001"));
+  EXPECT_FALSE(message.contains("TIM008"));
+  EXPECT_TRUE(message.contains("ARI001"));
+  const std::set<std::string> answer = rulesOf(
+      networkMaster("NETR",
+                    "Network 3\nLDB= VB207, 9\nA V200.5\n= Q0.2\nNetwork 4\nLD V200.6\nTON T37, 10\nLD T37\n= Q0.1\n"
+                    "Network 5\nLDB<> VB207, 0\nMOVB VB208, VB21\n/I VW20, VW30\n"));
+  EXPECT_FALSE(answer.contains("LOG001"));
+  EXPECT_FALSE(answer.contains("TIM008"));
+  EXPECT_TRUE(answer.contains("ARI001"));
 }
 
 // The value is saved at the end of the scan (001:1649): the next scan finds the request cleared.
