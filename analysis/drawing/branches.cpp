@@ -357,7 +357,9 @@ class Writer {
     const CircuitNode& node = nodes_[kid];
     if (node.shape == Shape::Coil) return false;
     if (node.shape != Shape::Box) return true;
-    return !node.uses.empty() || node.desc->stack.needs > 1 || leavesLevels(kid);
+    // FOR leaves the top as it was: 1 in every round that runs.
+    const bool isLoop = node.desc->control == Control::For;
+    return !node.uses.empty() || node.desc->stack.needs > 1 || (leavesLevels(kid) && !isLoop);
   }
 
   void kids(Frame& frame) {

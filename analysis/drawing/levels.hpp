@@ -15,7 +15,6 @@ struct DrawnLevel {
   bool isOpen = true;      ///< nothing but the next element uses the value: no coil, no copy, no box beside it
   bool isContacts = true;  ///< made of contacts and ORs only, so that it can stand in series behind anything
   bool mayExtend = false;  ///< the gate `element` was made last and takes a further input
-  bool isLoop = false;     ///< behind FOR: 1 in each round (001:5770)
   std::vector<std::uint32_t> heads;  ///< contacts at the rail with which the circuit begins
 };
 

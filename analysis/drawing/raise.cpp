@@ -17,6 +17,8 @@ namespace rungproof {
 
 namespace {
 
+constexpr std::string_view behindAPoint = "joins a branch behind a point that also feeds something else";
+
 std::string nameOf(const Instruction& instruction) {
   std::string text(instruction.desc->stl);
   if (!instruction.operands.empty() && instruction.operands[0].kind != OperandKind::Missing)
@@ -66,6 +68,10 @@ class Raising {
   }
 
   bool has(std::size_t count) {
+    if (levels_.size() >= count && levels_.size() - count + 1 < loopLevels_) {
+      refuseHere("takes a value from in front of FOR in every round");
+      return false;
+    }
     if (levels_.size() >= count) return true;
     refuseHere(isLost_ ? "takes a value that was pushed out of the nine levels"
                        : "takes a value that this network has not loaded");
@@ -79,11 +85,7 @@ class Raising {
   }
   DrawnLevel& top() { return levels_.back(); }
   /// The value on the top is used by an element.
-  bool mayUseTop() {
-    if (!has(1)) return false;
-    if (top().isLoop) refuseHere("takes the power flow behind FOR, which no drawing shows");
-    return !failed_;
-  }
+  bool mayUseTop() { return has(1); }
   /// Something beside the next element uses the value; from here on its circuit is no plain branch.
   static void tap(DrawnLevel& level) {
     level.isOpen = level.mayExtend = false;
@@ -127,7 +129,7 @@ class Raising {
     const auto box = static_cast<std::uint32_t>(elements_.size() - 1);
     Operand& output = elements_[box].operands[iecOutputOperand];
     if (output.area == Area::L && output.offset >= 60) output.kind = OperandKind::Missing;  // the editor's own bit
-    push({box, false, false, false, false, {}});
+    push({box, false, false, false, {}});
   }
   /// LD of the Q operand of the IEC box in front: the power output of the box.
   bool loadsIecOutput() const {
@@ -162,13 +164,14 @@ class Raising {
     if (!has(2)) return;
     DrawnLevel branch = std::move(levels_.back());
     levels_.pop_back();
-    if (branch.isLoop || !mayUseTop()) return refuseHere("takes the power flow behind FOR, which no drawing shows");
+    // The branch was loaded behind an output: the circuit had ended there, also for FBD.
+    if (!top().isOpen) return refuseHere(behindAPoint);
     unite(branch);
   }
   void unite(DrawnLevel& branch) {
     DrawnLevel& level = top();
     if (form_ == Form::Ladder && (!level.isOpen || !branch.isOpen)) {
-      return refuseHere("joins a branch behind a point that also feeds something else");
+      return refuseHere(behindAPoint);
     }
     joinGate(level, Shape::Or, branch.element);
     level.isContacts = level.isContacts && branch.isContacts;
@@ -198,7 +201,6 @@ class Raising {
     if (!has(2)) return;
     DrawnLevel block = std::move(levels_.back());
     levels_.pop_back();
-    if (block.isLoop || !mayUseTop()) return refuseHere("takes the power flow behind FOR, which no drawing shows");
     DrawnLevel& level = top();
     if (form_ == Form::Fbd) return joinGate(level, Shape::And, block.element);
     if (!block.isOpen || !block.isContacts) {
@@ -249,14 +251,13 @@ class Raising {
     std::vector<std::uint32_t> from;
     bool areOpen = true;
     for (std::size_t i = levels_.size() - inputs; i < levels_.size(); ++i) {
-      if (levels_[i].isLoop) return refuseHere("takes the power flow behind FOR, which no drawing shows");
       from.push_back(levels_[i].element);
       areOpen = areOpen && levels_[i].isOpen;
     }
     const std::uint32_t element = add(Shape::Box, &desc, std::move(from));
     if (desc.stack.pops > 0) {  // SR, RS: the output is the new top
       levels_.resize(levels_.size() - desc.stack.pops);
-      top() = {element, areOpen, false, false, false, {}};
+      top() = {element, areOpen, false, false, {}};
       return;
     }
     boxDone(desc, element);
@@ -270,7 +271,8 @@ class Raising {
     }
     for (std::size_t i = levels_.size() - std::max<std::size_t>(desc.stack.needs, 1); i < levels_.size(); ++i)
       tap(levels_[i]);
-    if (desc.control == Control::For) top().isLoop = true;
+    // In the rounds of the loop the top is 1, as it was in front of it (001:5770); what lies below is taken once only.
+    if (desc.control == Control::For) loopLevels_ = levels_.size();
   }
 
   void eno() {
@@ -278,7 +280,7 @@ class Raising {
     DrawnLevel& level = top();
     if (lastBox_ == 0) return refuseHere("stands behind no box with ENO");
     if (level.element != enabledBy_) return refuseHere("joins ENO to the power flow of another circuit");
-    level = {lastBox_, wasOpen_, false, false, false, {}};
+    level = {lastBox_, wasOpen_, false, false, {}};
   }
 
   // ---- CALL with flow inputs ------------------------------------------------------------------------
@@ -392,7 +394,8 @@ class Raising {
   DrawnLevel enabled_;
   Drawing drawing_;
   Raised result_;
-  bool isLost_ = false;  ///< a level was pushed out
+  bool isLost_ = false;         ///< a level was pushed out
+  std::size_t loopLevels_ = 0;  ///< levels there were at the last FOR; 0: none
   bool failed_ = false;
 };
 

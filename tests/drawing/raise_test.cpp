@@ -125,6 +125,43 @@ TEST(RaiseReason, SaysWhatHasNoPicture) {
   EXPECT_EQ(both("LBL 1; LD I0.0; = Q0.0"), "refused: LD I0.0 begins a second rung in the network");
 }
 
+TEST(RaiseReason, ABranchCannotJoinBehindAnOutput) {
+  const auto both = [](std::string_view statements) {
+    EXPECT_TRUE(ladder(statements).starts_with("refused: ")) << statements;
+    return fbd(statements);
+  };
+  const std::string reason = "refused: OLD joins a branch behind a point that also feeds something else";
+  EXPECT_EQ(both("LD I2.0; LPS; A I2.1; = Q1.0; LRD; A I2.2; = Q1.1; LPP; A I2.3; = Q1.2; LD I2.4; OLD; = Q1.3"),
+            reason);
+  EXPECT_EQ(both("LD I0.0; = Q0.0; LD I0.1; OLD; = Q0.1"), reason);
+  EXPECT_EQ(both("LD I0.0; MOVB 1, VB0; LD I0.1; A I0.2; OLD; = Q0.1"), reason);
+  // A load behind an output begins a second rung; a contact that only joins begins none, and FBD shows it.
+  EXPECT_TRUE(fbd("LD I0.0; = Q0.0; O I0.1; = Q0.1").starts_with("1 LD I0.0(0); 2 = Q0.0(1); "));
+}
+
+TEST(RaiseLoop, BoxesBehindForHaveItsPower) {
+  // The top is 1 in front of the loop and in each of its rounds (001:5770): a second box beside FOR has that power.
+  EXPECT_EQ(ladder("LD SM0.0; FOR VW0, 1, 3; INCB VB4"), "1 LD SM0.0(0); 2 FOR VW0, 1, 3(1); 3 INCB VB4(1)");
+  EXPECT_EQ(ladder("LD I0.0; FOR VW0, 1, 3; A I0.1; INCB VB4"),
+            "1 LD I0.0(0); 2 FOR VW0, 1, 3(1); 3 LD I0.1(1); 4 INCB VB4(3)");
+  EXPECT_EQ(fbd("LD SM0.0; FOR VW0, 1, 3; INCB VB4; DECB VB5"),
+            "1 LD SM0.0(0); 2 FOR VW0, 1, 3(1); 3 INCB VB4(1); 4 DECB VB5(1)");
+  for (const Form form : {Form::Ladder, Form::Fbd}) {
+    EXPECT_EQ(roundTrip("LD SM0.0; FOR VW0, 1, 3; INCB VB4", form), "LD SM0.0; FOR VW0, 1, 3; INCB VB4");
+    EXPECT_EQ(roundTrip("LD I0.0; FOR VW0, 1, 3; A I0.1; INCB VB4", form), "LD I0.0; FOR VW0, 1, 3; A I0.1; INCB VB4");
+  }
+}
+
+TEST(RaiseLoop, WhatEachRoundWouldTakeAgainHasNoPicture) {
+  EXPECT_EQ(ladder("LD I0.0; LPS; FOR VW0, 1, 3; LPP; INCB VB4"),
+            "refused: LPP takes a value from in front of FOR in every round");
+  EXPECT_EQ(ladder("LD I0.0; LD I0.1; FOR VW0, 1, 3; OLD; INCB VB4"),
+            "refused: OLD takes a value from in front of FOR in every round");
+  EXPECT_EQ(ladder("LD SM0.0; FOR VW0, 1, 3; INCB VB4; NEXT"), "refused: NEXT begins a second rung in the network");
+  EXPECT_EQ(ladder("LD SM0.0; FOR VW0, 1, 3; LD I0.1; INCB VB4"),
+            "refused: LD I0.1 begins a second rung in the network");
+}
+
 TEST(RaiseReason, CallWithFlowInputsNeedsTheEditorsForm) {  // 001:6808: plain bits are STL only, but then no flow input
   EXPECT_TRUE(
       ladder("LD I0.0; = L60.0; LD I0.1; = L63.6; LD L60.0; CALL SBR0, L63.6, I0.2, Q0.0").starts_with("refused: "));
