@@ -235,4 +235,14 @@ std::string accessName(const Access& access) {
   return access.viaPointer ? "*" + addressName(access.area, Width::DWord, access.offset) : name;
 }
 
+std::string accessRange(const Access& access) {
+  if (access.count < 2 || access.viaPointer) return accessName(access);
+  const std::uint32_t last = access.count - 1U;
+  const bool isBits = access.width == Width::Bit && !access.byNumber();
+  const std::uint32_t step = access.byNumber() ? 1 : static_cast<std::uint32_t>(bytes(access.width));
+  const std::uint32_t offset = isBits ? access.offset + (access.bit + last) / 8 : access.offset + last * step;
+  return accessName(access) + " to " +
+         addressName(access.area, access.width, offset, isBits ? (access.bit + last) % 8 : 0);
+}
+
 }  // namespace rungproof

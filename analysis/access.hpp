@@ -66,5 +66,7 @@ class AccessTable {
 std::optional<int> constantCount(const Operand& operand);
 /// The first element as an address: "VW10", "Q0.3", "T37".
 std::string accessName(const Access& access);
+/// All elements that are touched for certain: "VW10", "VB0 to VB3", "Q0.3 to Q1.2".
+std::string accessRange(const Access& access);
 
 }  // namespace rungproof

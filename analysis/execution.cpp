@@ -22,6 +22,7 @@ ExecutionTable::ExecutionTable(const Program& program, const Plan& plan, const C
   for (const Flow& flow : plan.flows) {
     reach(flow, stack);
     sweep(flow, stack);
+    narrow(flow, stack);
   }
   count(program, calls, stack);
 }
@@ -101,11 +102,14 @@ void ExecutionTable::sweep(const Flow& flow, const StackRun& stack) {
         break;
       case Control::Lscr:
       case Control::ScrEndConditional:
-        if (step.partner != noPartner) skipTo(step.partner);
+        if (step.partner == noPartner) break;
+        if (instruction.desc->control == Control::Lscr || !isNever(stack, instruction)) skipTo(step.partner);
         break;
       case Control::ReturnConditional:
       case Control::InterruptReturnConditional:
-      case Control::End: skipTo(end); break;
+      case Control::End:
+        if (!isNever(stack, instruction)) skipTo(end);
+        break;
       default: break;
     }
   }
@@ -113,6 +117,31 @@ void ExecutionTable::sweep(const Flow& flow, const StackRun& stack) {
   for (std::uint32_t i = 0; i < end; ++i) {
     depth += loops[i];
     points_[flow.steps[i].instruction->id].inLoop = depth > 0;
+  }
+}
+
+/// A jump over code that is taken but for one scan, or but for the first one, as in `LDN SM0.1; JMP`.
+void ExecutionTable::narrow(const Flow& flow, const StackRun& stack) {
+  const auto end = static_cast<std::uint32_t>(flow.steps.size());
+  const auto isEntered = [&](std::uint32_t from, std::uint32_t to) {  // from outside of the range
+    for (std::uint32_t i = 0; i < end; ++i) {
+      const FlowStep& step = flow.steps[i];
+      if (step.instruction->desc->control != Control::Jump || (i >= from && i < to)) continue;
+      if (step.partner != noPartner && step.partner >= from && step.partner < to) return true;
+    }
+    return false;
+  };
+  for (std::uint32_t i = 0; i < end; ++i) {
+    const Instruction& instruction = *flow.steps[i].instruction;
+    const Control control = instruction.desc->control;
+    const Condition rest = negation(stack.at(instruction.id).flow) & (condition::FirstScan | condition::Pulse);
+    if (rest == 0) continue;
+    const bool isJump = control == Control::Jump && flow.steps[i].partner != noPartner && flow.steps[i].partner > i;
+    const bool isEnd = control == Control::ReturnConditional || control == Control::InterruptReturnConditional ||
+                       control == Control::End;
+    const std::uint32_t to = isJump ? flow.steps[i].partner : isEnd ? end : 0;
+    if (to == 0 || isEntered(i + 1, to)) continue;
+    for (std::uint32_t k = i + 1; k < to; ++k) points_[flow.steps[k].instruction->id].within |= rest;
   }
 }
 
@@ -150,7 +179,7 @@ void ExecutionTable::count(const Program& program, const CallGraph& calls, const
         const int times = point.inLoop ? 2 : 1;
         possible[site.callee] = std::min(possible[site.callee] + times * possible[block], 1000);
         if ((flow & condition::Always) != 0 && point.skippedBy == nullptr) certain[site.callee] += certain[block];
-        Condition known = flow | conditions_[block];
+        Condition known = flow | point.within | conditions_[block];
         known &= condition::FirstScan | condition::Pulse;
         conditions_[site.callee] =
             isFirst[site.callee] != 0 ? known : static_cast<Condition>(conditions_[site.callee] & known);

@@ -17,6 +17,7 @@ enum class Runs : std::uint8_t { Never, AtMostOnce, Once, Several };
 struct ExecutionPoint {
   bool isReachable = true;                 ///< some path from the start of its block leads here
   bool inLoop = false;                     ///< between FOR and NEXT, or between a label and a jump back to it
+  Condition within = 0;                    ///< what the jumps and returns around it leave: FirstScan, Pulse
   const Instruction* skippedBy = nullptr;  ///< JMP, LSCR, CRET ... that may leave it out in a scan; null: none
 };
 
@@ -33,6 +34,7 @@ class ExecutionTable {
  private:
   void reach(const Flow& flow, const StackRun& stack);
   void sweep(const Flow& flow, const StackRun& stack);
+  void narrow(const Flow& flow, const StackRun& stack);
   void count(const Program& program, const CallGraph& calls, const StackRun& stack);
 
   std::vector<ExecutionPoint> points_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "analysis/dataflow_pointers.hpp"
+#include "analysis/pulse_bits.hpp"
 
 namespace rungproof {
 
@@ -31,22 +32,22 @@ Facts::Facts(const Program& program, std::span<const ExternalRange> externals)
       stack_(program, plan_, {}),
       execution_(program, plan_, calls_, stack_) {
   countUses();
-  const KnownBits pulses = pulseBits(stack_);
-  if (!pulses.empty()) {
-    stack_ = StackRun(program, plan_, pulses);
-    execution_ = ExecutionTable(program, plan_, calls_, stack_);
+  for (std::uint32_t block = 0; block < program.pous.size(); ++block) {
+    hasUnreadCode_ = hasUnreadCode_ || hasUnreadCode(block);
+    hasHiddenCode_ = hasHiddenCode_ || hasUnreadCode_ || program.pous[block].protectedBlock;
   }
-  hasHiddenCode_ = std::any_of(program.pous.begin(), program.pous.end(), [](const Pou& pou) {
-    return pou.protectedBlock ||
-           std::any_of(pou.networks.begin(), pou.networks.end(), [](const Network& n) { return !n.complete; });
-  });
   collectBoxes();
   collectSymbols();
   collectExternals(externals);
+  findPulses();
   pointers_ = std::make_unique<const PointerTable>(*this);
 }
 
 Facts::~Facts() = default;
+
+bool Facts::hasUnreadCode(const Pou& block) const {
+  return std::ranges::any_of(block.networks, [](const Network& network) { return !network.complete; });
+}
 
 std::vector<InstructionPlace> Facts::placesOf(const Program& program, const Plan& plan) {
   std::vector<InstructionPlace> places;
@@ -90,23 +91,17 @@ void Facts::countUses() {
   }
 }
 
-/// Bits with a single coil, in the main program, whose rung is true for one scan or in the first scan only.
-KnownBits Facts::pulseBits(const StackRun& first) const {
-  KnownBits bits;
-  for (const InstructionPlace& place : places_) {
-    const Instruction& instruction = *place.instruction;
-    if (kindOf(instruction) != Kind::Assign || instruction.operands.empty()) continue;
-    const Condition flow = first.at(instruction.id).flow & (condition::FirstScan | condition::Pulse);
-    if (flow == 0 || program_.pous[place.block].kind != PouKind::Main) continue;
-    if (execution_.at(instruction.id).skippedBy != nullptr || !execution_.at(instruction.id).isReachable) continue;
-    const Operand& o = instruction.operands[0];
-    if (o.kind != OperandKind::Direct || o.area == Area::L || o.area == Area::T || o.area == Area::C || o.bit > 7)
-      continue;
-    const std::uint32_t cell = index_.cells().cell(o.area, o.offset, place.block);
-    if (cell == index_.cells().size() || writers(cell, o.bit) != 1 || index_.mayBePointedTo(cell)) continue;
-    bits.emplace(bitKey(o.area, o.offset, o.bit), flow);
+/// What is known about one bit may tell something about the next.
+void Facts::findPulses() {
+  constexpr int mostRounds = 4;
+  KnownBits known;
+  for (int round = 0; round < mostRounds; ++round) {
+    KnownBits pulses = pulseBits(*this);
+    if (pulses == known) return;
+    known = std::move(pulses);
+    stack_ = StackRun(program_, plan_, known);
+    execution_ = ExecutionTable(program_, plan_, calls_, stack_);
   }
-  return bits;
 }
 
 void Facts::collectBoxes() {
@@ -143,7 +138,7 @@ void Facts::collectExternals(std::span<const ExternalRange> externals) {
 
 Condition Facts::conditionOf(std::uint32_t id) const {
   const Condition flow = stack_.at(id).flow;
-  return static_cast<Condition>(flow | execution_.condition(blockOf(id)));
+  return static_cast<Condition>(flow | execution_.at(id).within | execution_.condition(blockOf(id)));
 }
 
 const Symbol* Facts::symbolOf(const Operand& address) const {

@@ -66,6 +66,12 @@ class Facts {
   /// Whether some code is not visible: protected blocks, networks that could not be read. Rules that speak of
   /// something missing are silent then.
   bool hasHiddenCode() const { return hasHiddenCode_; }
+  /// Whether a line of some network could not be read; of one of this block; of the one that holds the instruction.
+  /// Rules that need the instruction which that line may have been say nothing.
+  bool hasUnreadCode() const { return hasUnreadCode_; }
+  bool hasUnreadCode(const Pou& block) const;
+  bool hasUnreadCode(std::uint32_t block) const { return hasUnreadCode(program_.pous[block]); }
+  bool isUnread(std::uint32_t id) const { return !networkOf(id).complete; }
 
   /// Ids of the boxes with that timer or counter number, in program order.
   std::span<const std::uint32_t> timerBoxes(std::uint32_t number) const {
@@ -102,7 +108,7 @@ class Facts {
  private:
   static std::vector<InstructionPlace> placesOf(const Program& program, const Plan& plan);
   static std::vector<std::uint32_t> blocksOf(std::span<const InstructionPlace> places);
-  KnownBits pulseBits(const StackRun& first) const;
+  void findPulses();
   void collectBoxes();
   void collectSymbols();
   void collectExternals(std::span<const ExternalRange> externals);
@@ -122,7 +128,7 @@ class Facts {
   std::unique_ptr<const PointerTable> pointers_;
   std::array<std::vector<std::uint32_t>, 256> timers_, counters_;
   std::vector<std::uint8_t> external_;
-  bool hasHiddenCode_ = false;
+  bool hasHiddenCode_ = false, hasUnreadCode_ = false;
   std::unordered_map<std::uint64_t, const Symbol*> symbolByAddress_;
   std::unordered_map<std::string_view, const Symbol*> symbolByName_;
 };

@@ -18,6 +18,8 @@ std::vector<SkippedCode> skippedCode(const Facts& facts, const std::function<boo
     const bool isConditionalBlock = facts.program().pous[place.block].kind == PouKind::Subroutine &&
                                     facts.execution().runs(place.block) == Runs::AtMostOnce;
     if (cause == nullptr && !isConditionalBlock) continue;
+    // What could not be read may be the condition that is always met.
+    if (cause == nullptr ? facts.hasUnreadCode() : facts.isUnread(cause->id)) continue;
     const std::uint64_t key = cause != nullptr ? std::uint64_t{cause->id} : (std::uint64_t{1} << 40) + place.block;
     const auto [found, isNew] = byCause.emplace(key, groups.size());
     if (isNew)

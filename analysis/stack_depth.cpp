@@ -7,10 +7,21 @@
 
 namespace rungproof {
 
+namespace {
+
+/// Where the one may be 1 at most, the other may be 0 at most.
+constexpr Condition atMostOn = condition::FirstScan | condition::Pulse;
+constexpr Condition atMostOff = condition::NotFirstScan | condition::Pause;
+static_assert(condition::NotFirstScan == condition::FirstScan << 3 && condition::Pause == condition::Pulse << 3);
+
+}  // namespace
+
 Condition conjunction(Condition a, Condition b) {
-  Condition result = (a | b) & static_cast<Condition>(~condition::Always);
+  Condition result = (a | b) & static_cast<Condition>(~(condition::Always | atMostOff));
   if ((a & b & condition::Always) != 0) result |= condition::Always;
-  return result;
+  if ((a & condition::Always) != 0) return static_cast<Condition>(result | (b & atMostOff));
+  if ((b & condition::Always) != 0) return static_cast<Condition>(result | (a & atMostOff));
+  return static_cast<Condition>(result | (a & b & atMostOff));
 }
 
 Condition disjunction(Condition a, Condition b) {
@@ -18,14 +29,14 @@ Condition disjunction(Condition a, Condition b) {
   if ((b & condition::Never) != 0) return a;
   Condition result = a & b;
   if (((a | b) & condition::Always) != 0) result |= condition::Always;
-  return static_cast<Condition>(result | ((a | b) & condition::ByArithmetic));
+  return static_cast<Condition>(result | ((a | b) & (condition::ByArithmetic | atMostOff)));
 }
 
 Condition negation(Condition a) {
   Condition result = a & condition::ByArithmetic;
   if ((a & condition::Always) != 0) result |= condition::Never;
   if ((a & condition::Never) != 0) result |= condition::Always;
-  return result;
+  return static_cast<Condition>(result | (a & atMostOn) << 3 | (a & atMostOff) >> 3);
 }
 
 Condition conditionOf(const Operand& bit, bool negated, const KnownBits& known) {
@@ -36,7 +47,7 @@ Condition conditionOf(const Operand& bit, bool negated, const KnownBits& known) 
     if (bit.bit >= 1 && bit.bit <= 3) result = condition::FirstScan | condition::Pulse;
   } else if (bit.area == Area::SM && bit.offset == 1) {
     result = condition::ByArithmetic;
-  } else if (!known.empty() && bit.area != Area::T && bit.area != Area::C) {
+  } else if (!known.empty()) {
     const auto found = known.find(bitKey(bit.area, bit.offset, bit.bit));
     if (found != known.end()) result = found->second;
   }
@@ -340,6 +351,12 @@ StackRun::StackRun(const Program& program, const Plan& plan, const KnownBits& kn
   for (const Flow& flow : plan.flows) {
     for (const FlowStep& step : flow.steps)
       isDamaged[step.instruction->id] = !flow.pou->networks[step.network].complete;
+  }
+  for (std::size_t id = 0; id < points_.size(); ++id) {
+    if (isDamaged[id] != 0) points_[id].flow = 0;
+  }
+  for (auto& [id, conditions] : inputs_) {
+    if (isDamaged[id] != 0) std::ranges::fill(conditions, Condition{0});
   }
   std::erase_if(faults_, [&](const StackFault& fault) { return isDamaged[fault.instruction->id] != 0; });
 }

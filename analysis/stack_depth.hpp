@@ -28,6 +28,8 @@ inline constexpr Condition Never = 2;          ///< 0 in every scan
 inline constexpr Condition FirstScan = 4;      ///< 1 at most in the first scan after the change to RUN (SM0.1)
 inline constexpr Condition Pulse = 8;          ///< 1 for one scan at a time (EU, ED, SM0.1)
 inline constexpr Condition ByArithmetic = 16;  ///< takes part: a status bit SM1.0-SM1.7
+inline constexpr Condition NotFirstScan = 32;  ///< 0 at most in the first scan: the inverse of FirstScan
+inline constexpr Condition Pause = 64;         ///< 0 for one scan at a time: the inverse of Pulse
 }  // namespace condition
 
 enum class StackFaultKind : std::uint8_t {

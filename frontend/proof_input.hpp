@@ -2,7 +2,7 @@
 // Covered by tests/prover/rule_questions_test.cpp and tests/cli/exit_test.cpp.
 #pragma once
 
-#include <optional>
+#include <vector>
 
 #include "analysis/proof/prover.hpp"
 #include "frontend/command/command.hpp"
@@ -12,7 +12,10 @@ namespace rungproof {
 
 ProverOptions proverOptionsOf(const Settings& settings);
 
-/// A built-in check with the unwanted answer as a confirmed finding, else nothing.
-std::optional<Finding> findingOf(const ProofResult& result);
+/// Built-in checks with the unwanted answer as confirmed findings, in their order. Answers on bits of one range are one
+/// finding that names the whole range; one answer for several networks is a finding in each.
+std::vector<Finding> findingsOf(const std::vector<const ProofResult*>& results);
+/// Whether a built-in check has the unwanted answer.
+bool isRefuted(const ProofResult& result);
 
 }  // namespace rungproof

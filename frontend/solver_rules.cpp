@@ -45,36 +45,34 @@ std::optional<Finding> brokenProperty(const ProofResult& result) {
   return finding;
 }
 
-bool isRefuted(const ProofResult& result) {
-  return result.builtin && (isWanted(result.builtin->kind) ? result.outcome == Outcome::Unreachable
-                                                           : result.outcome == Outcome::Violated);
-}
-
-/// Leaves out answers that follow from others: a rung that never runs, a latch that is never set, contacts of a rung
-/// that is constant anyway, all but the last of several contacts that stand for each other, all but the first of dead
-/// networks in a row.
+/// Leaves out answers that follow from others: a rung that never runs, a latch of which no run was seen that has it on
+/// at the end of a scan, contacts of a rung that is constant anyway, all but the last of several contacts that stand
+/// for each other, all but the first of dead networks in a row.
 class Explained {
  public:
   Explained(const Program& program, const std::vector<ProofResult>& results) : places_(program), results_(results) {
     for (const ProofResult& result : results) {
+      if (result.builtin && result.builtin->kind == BuiltinKind::LatchOn && result.outcome == Outcome::Reachable)
+        liveLatches_.insert(result.builtin->address);
       if (!isRefuted(result)) continue;
       const BuiltinCheck& check = *result.builtin;
       const Network* network = check.place == nullptr ? nullptr : places_.at(check.place->span).network;
       switch (check.kind) {
         case BuiltinKind::FlowOn:
           neverOn_.insert(check.place);
-          if (!isReset(kindOf(*check.place))) deadBits_.insert(check.address);
-          constant_.insert(network);
+          for (const AlikePlace& alike : check.alike) neverOn_.insert(alike.place);
+          addConstant(check);
           break;
         case BuiltinKind::FlowOff:
           alwaysOn_.insert(check.place);
-          constant_.insert(network);
+          addConstant(check);
+          for (const AlikePlace& alike : check.alike) alwaysOn_.insert(alike.place);
           break;
         case BuiltinKind::CodeRuns:
           constant_.insert(network);
           if (check.rule == "CTL005") dead_.insert(network);
           break;
-        case BuiltinKind::StepEntered: deadBits_.insert(check.address); break;
+        case BuiltinKind::StepEntered: deadSteps_.insert(check.address); break;
         case BuiltinKind::ContactMatters: {
           const BuiltinCheck*& last = lastIdle_[{network, check.address}];
           if (last == nullptr || last->place->id < check.place->id) last = &check;
@@ -83,6 +81,14 @@ class Explained {
         default: break;
       }
     }
+  }
+
+  /// Code that a jump or a return leaves out, where that jump or return never comes to pass.
+  bool restsOnDeadCode(const Finding& finding) const {
+    if (finding.rule != "TIM004" && finding.rule != "TIM014" && finding.rule != "OUT007") return false;
+    return finding.related.size() == 1 && std::ranges::any_of(neverOn_, [&](const Instruction* instruction) {
+             return instruction->span == finding.related.front().span;
+           });
   }
 
   bool operator()(const ProofResult& result) const {
@@ -94,8 +100,9 @@ class Explained {
       case BuiltinKind::CodeRuns:
         return check.rule == "CTL005" && network != &places_.at(check.place->span).pou->networks.front() &&
                dead_.contains(network - 1);
-      case BuiltinKind::LatchDrops: return deadBits_.contains(check.address) || alwaysOn_.contains(check.place);
-      case BuiltinKind::StepLeft: return deadBits_.contains(check.address);
+      case BuiltinKind::LatchOn: return true;
+      case BuiltinKind::LatchDrops: return !liveLatches_.contains(check.address) || alwaysOn_.contains(check.place);
+      case BuiltinKind::StepLeft: return deadSteps_.contains(check.address);
       case BuiltinKind::ContactMatters:
         return constant_.contains(network) || lastIdle_.at({network, check.address})->place != check.place;
       default: return false;
@@ -103,10 +110,15 @@ class Explained {
   }
 
  private:
+  void addConstant(const BuiltinCheck& check) {
+    constant_.insert(places_.at(check.place->span).network);
+    for (const AlikePlace& alike : check.alike) constant_.insert(places_.at(alike.place->span).network);
+  }
+
   const PlaceIndex places_;
   const std::vector<ProofResult>& results_;
   std::set<const Instruction*> neverOn_, alwaysOn_;
-  std::set<std::string> deadBits_;
+  std::set<std::string> deadSteps_, liveLatches_;
   std::set<const Network*> constant_, dead_;
   std::map<std::pair<const Network*, std::string>, const BuiltinCheck*> lastIdle_;
 };
@@ -114,23 +126,36 @@ class Explained {
 void settle(const Program& program, const std::vector<ProofResult>& results,
             const std::function<bool(std::string_view)>& isSelected, std::vector<Finding>& findings) {
   const Explained isExplained(program, results);
+  std::erase_if(findings, [&](const Finding& finding) { return isExplained.restsOnDeadCode(finding); });
+  std::vector<const ProofResult*> news;
   for (const ProofResult& result : results) {
-    const std::optional<Finding> finding = result.builtin ? findingOf(result) : brokenProperty(result);
-    const bool isDismissed = result.builtin && (isWanted(result.builtin->kind) ? result.outcome == Outcome::Reachable
-                                                                               : result.outcome == Outcome::Proved);
+    if (!result.builtin) {
+      std::optional<Finding> finding = brokenProperty(result);
+      if (finding && isSelected(finding->rule)) findings.push_back(std::move(*finding));
+      continue;
+    }
+    const bool isBad = isRefuted(result);
     bool isKnown = false;
     for (Finding& known : findings) {
       if (!isAbout(known, result)) continue;
       isKnown = true;
-      if (finding && known.confirmation == Confirmation::Unconfirmed) known.confirmation = Confirmation::Confirmed;
+      if (isBad && known.confirmation == Confirmation::Unconfirmed) known.confirmation = Confirmation::Confirmed;
     }
-    if (isDismissed)
+    const bool isDismissed =
+        isWanted(result.builtin->kind) ? result.outcome == Outcome::Reachable : result.outcome == Outcome::Proved;
+    if (isDismissed) {
       std::erase_if(findings, [&](const Finding& known) {
         return isAbout(known, result) && known.confirmation == Confirmation::Unconfirmed;
       });
-    if (!finding || isKnown || !isSelected(finding->rule)) continue;
-    if (result.builtin && (needsCandidate(result.builtin->kind) || isExplained(result))) continue;
-    findings.push_back(*finding);
+    }
+    const bool isNew = isBad && !isKnown && isSelected(result.builtin->rule);
+    if (isNew && !needsCandidate(result.builtin->kind) && !isExplained(result)) news.push_back(&result);
+  }
+  // Of several answers of one rule at one place the first speaks.
+  std::set<std::tuple<std::string, std::uint32_t, std::uint32_t>> said;
+  for (Finding& finding : findingsOf(news)) {
+    if (said.emplace(finding.rule, finding.span.file, finding.span.offset).second)
+      findings.push_back(std::move(finding));
   }
 }
 

@@ -15,9 +15,12 @@ void checkAdr005(const Facts& facts, FindingSink& sink) {
       continue;
     const Instruction& instruction = facts.instruction(access.instruction);
     const Operand& operand = instruction.operands[access.operand];
-    Finding& finding =
-        sink.report(operand.span, fmt::format("{} writes the input {}; the next scan reads it from the terminals again",
-                                              Facts::text(instruction), facts.name(operand)));
+    Finding& finding = sink.report(
+        operand.span, access.count > 1
+                          ? fmt::format("{} writes the inputs {}; the next scan reads them from the terminals again",
+                                        Facts::text(instruction), accessRange(access))
+                          : fmt::format("{} writes the input {}; the next scan reads it from the terminals again",
+                                        Facts::text(instruction), facts.name(operand)));
     finding.address = toString(operand);
     finding.help = "write to M or V memory and read that instead";
   }

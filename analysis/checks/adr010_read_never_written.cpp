@@ -45,8 +45,9 @@ void checkAdr010(const Facts& facts, FindingSink& sink) {
                               static_cast<std::uint64_t>(access.width) << 4 | access.bit;
     if (!seen.insert(key).second) continue;
     const Operand& operand = instruction.operands[access.operand];
-    Finding& finding = sink.report(operand.span, fmt::format("{} reads {}, which nothing in the program writes",
-                                                             Facts::text(instruction), facts.name(operand)));
+    const std::string place = access.count > 1 ? accessRange(access) : facts.name(operand);
+    Finding& finding = sink.report(
+        operand.span, fmt::format("{} reads {}, which nothing in the program writes", Facts::text(instruction), place));
     finding.address = toString(operand);
     finding.help = fmt::format("correct the address; if a panel or a network writes it, say so with //@ external {}",
                                toString(operand));

@@ -67,7 +67,8 @@ void checkAdr011(const Facts& facts, FindingSink& sink) {
     const Operand& operand = instruction.operands[access.operand];
     const std::string text =
         access.isBox ? fmt::format("neither the bit nor the value of {} is used anywhere", facts.name(operand))
-                     : fmt::format("{} writes {}, which nothing reads", Facts::text(instruction), facts.name(operand));
+                     : fmt::format("{} writes {}, which nothing reads", Facts::text(instruction),
+                                   access.count > 1 ? accessRange(access) : facts.name(operand));
     Finding& finding = sink.report(operand.span, text);
     finding.address = toString(operand);
     finding.help =

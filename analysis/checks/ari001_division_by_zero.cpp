@@ -63,7 +63,7 @@ void checkAri001(const Facts& facts, FindingSink& sink) {
       finding.help = "the result is never written and SM1.3 is set (001:4814)";
       continue;
     }
-    if (isCompared(facts, place, divisor)) continue;
+    if (isCompared(facts, place, divisor) || facts.hasUnreadCode()) continue;
     const std::span<const Access> accesses = facts.accesses().of(instruction.id);
     const bool isSafe = std::any_of(accesses.begin(), accesses.end(), [&](const Access& a) {
       return a.operand == 0 && !a.write && !a.viaPointer && isNeverZero(facts, a);

@@ -44,6 +44,7 @@ bool growsForEver(const Facts& facts, const Access& target) {
 }
 
 void checkAri002(const Facts& facts, FindingSink& sink) {
+  if (facts.hasUnreadCode()) return;
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
     const std::string_view stl = instruction.desc->stl;

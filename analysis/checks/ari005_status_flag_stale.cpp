@@ -47,7 +47,10 @@ void checkStatusFlags(FindingSink& sink, const Flow& flow) {
 }
 
 void checkAri005(const Facts& facts, FindingSink& sink) {
-  for (const Flow& flow : facts.plan().flows) checkStatusFlags(sink, flow);
+  const std::vector<Flow>& flows = facts.plan().flows;
+  for (std::uint32_t block = 0; block < flows.size(); ++block) {
+    if (!facts.hasUnreadCode(block)) checkStatusFlags(sink, flows[block]);
+  }
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ void checkCtl001(const Facts& facts, FindingSink& sink) {
       labels.emplace(labelOf(*place.instruction), place.instruction);
   }
   for (const Flow& flow : facts.plan().flows) {
+    if (facts.hasUnreadCode(*flow.pou)) continue;  // what is missing may stand in a line that could not be read
     for (const FlowFault& fault : flow.faults) {
       const Instruction& instruction = *fault.instruction;
       const std::int64_t number = labelOf(instruction);

@@ -89,8 +89,10 @@ void checkHsp004(const Facts& facts, FindingSink& sink) {
     const Condition known = facts.conditionOf(instruction.id);
     if ((known & (condition::Pulse | condition::FirstScan | condition::Never)) != 0) continue;
     if (facts.calls().reachedFromInterrupt(place.block) && !facts.calls().reachedFromMain(place.block)) continue;
-    if (endsItself(facts, place)) continue;
-    const bool isAlways = (known & condition::Always) != 0;
+    if (endsItself(facts, place) || facts.hasUnreadCode()) continue;
+    const bool isAlways = (facts.stack().at(instruction.id).flow & condition::Always) != 0 &&
+                          facts.execution().at(instruction.id).skippedBy == nullptr &&
+                          facts.execution().runs(place.block) == Runs::Once;
     Finding& finding =
         sink.report(instruction.span, fmt::format("{} runs in every scan{}: {}", Facts::text(instruction),
                                                   isAlways ? "" : " while its condition holds", harmOf(instruction)));

@@ -21,7 +21,7 @@ void checkInterval(const Facts& facts, FindingSink& sink, const Attachment& a) {
   const std::uint32_t byte = a.event == 10 ? 34 : 35;
   const std::uint32_t cell = facts.index().cells().cell(Area::SM, byte, 0);
   if (cell == facts.index().cells().size()) return;
-  if (!facts.index().mayBeWritten(cell) && !facts.isExternal(cell)) {
+  if (!facts.index().mayBeWritten(cell) && !facts.isExternal(cell) && !facts.hasUnreadCode()) {
     return report(sink, a,
                   fmt::format("event {} is a timed interrupt, but nothing writes its interval to SMB{}", a.event, byte),
                   "move 1 to 255 (ms) there before the ATCH (001:5470)");

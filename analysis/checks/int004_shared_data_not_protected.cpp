@@ -8,25 +8,12 @@
 #include <vector>
 
 #include "analysis/facts.hpp"
+#include "analysis/protected_code.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
 
 namespace {
-
-/// By instruction: between DISI and ENI of its block.
-std::vector<std::uint8_t> protectedCode(const Facts& facts) {
-  std::vector<std::uint8_t> marks(facts.instructions().size(), 0);
-  for (const Flow& flow : facts.plan().flows) {
-    bool isOff = false;
-    for (const FlowStep& step : flow.steps) {
-      if (kindOf(*step.instruction) == Kind::Disi) isOff = true;
-      if (kindOf(*step.instruction) == Kind::Eni) isOff = false;
-      marks[step.instruction->id] = isOff;
-    }
-  }
-  return marks;
-}
 
 bool isWide(const Access& access) { return access.width == Width::Word || access.width == Width::DWord; }
 

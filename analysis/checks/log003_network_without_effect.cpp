@@ -108,7 +108,10 @@ void checkNetworks(const Facts& facts, FindingSink& sink, const Flow& flow) {
 }
 
 void checkLog003(const Facts& facts, FindingSink& sink) {
-  for (const Flow& flow : facts.plan().flows) checkNetworks(facts, sink, flow);
+  const std::vector<Flow>& flows = facts.plan().flows;
+  for (std::uint32_t block = 0; block < flows.size(); ++block) {
+    if (!facts.hasUnreadCode(block)) checkNetworks(facts, sink, flows[block]);
+  }
 }
 
 }  // namespace

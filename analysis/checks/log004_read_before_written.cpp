@@ -22,6 +22,7 @@ const Access* onlyCoil(const Facts& facts, std::uint32_t key) {
 }
 
 void checkLog004(const Facts& facts, FindingSink& sink) {
+  if (facts.hasUnreadCode()) return;
   for (std::uint32_t key = 0; key < facts.bits().size(); ++key) {
     if (facts.bits().at(key).empty()) continue;
     const Access* coil = onlyCoil(facts, key);

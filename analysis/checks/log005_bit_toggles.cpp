@@ -46,7 +46,7 @@ Toggle rungOf(const Flow& flow, std::uint32_t at, const Operand& bit) {
 void checkLog005(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
-    if (kindOf(instruction) != Kind::Assign || instruction.operands.empty() ||
+    if (kindOf(instruction) != Kind::Assign || facts.isUnread(instruction.id) || instruction.operands.empty() ||
         instruction.operands[0].kind != OperandKind::Direct)
       continue;
     const Operand& bit = instruction.operands[0];

@@ -1,36 +1,56 @@
 // OUT002: = and S or R on one bit: the coil writes 0 as well as 1 in every scan. A reset in the first scan only is
-// initialisation and harmless. Tested by its examples and tests/rules/output_rules_test.cpp.
+// initialisation and harmless, and a reset of several bits that runs behind the coil is a general switch-off (OUT005).
+// Tested by its examples and tests/rules/output_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "analysis/facts.hpp"
 #include "analysis/rule.hpp"
+#include "analysis/scan_order.hpp"
 
 namespace rungproof {
 
 namespace {
+
+/// S and R that name the bit as their first, for good.
+bool isLatchOf(const Facts& facts, const Access& access, std::uint32_t key) {
+  const Instruction& instruction = facts.instruction(access.instruction);
+  const Kind kind = kindOf(instruction);
+  const bool isInitial = isReset(kind) && ((facts.conditionOf(instruction.id) & condition::FirstScan) != 0 ||
+                                           facts.isUnread(instruction.id));
+  const bool isFirstBit = access.offset == facts.index().cells().offsetOf(key / 8) && access.bit == key % 8;
+  return (isSet(kind) || isReset(kind)) && isFirstBit && !isInitial;
+}
 
 void checkOut002(const Facts& facts, FindingSink& sink) {
   for (std::uint32_t key = 0; key < facts.bits().size(); ++key) {
     const std::span<const std::uint32_t> writers = facts.bits().at(key);
     if (writers.size() < 2) continue;
     const Instruction* coil = nullptr;
+    for (const std::uint32_t i : writers) {
+      const Access& access = facts.access(i);
+      if (access.area == Area::L) break;
+      if (coil == nullptr && isCoil(kindOf(facts.instruction(access.instruction))))
+        coil = &facts.instruction(access.instruction);
+    }
     const Instruction* latch = nullptr;
     for (const std::uint32_t i : writers) {
       const Access& access = facts.access(i);
+      if (coil == nullptr || latch != nullptr) break;
       const Instruction& instruction = facts.instruction(access.instruction);
-      const Kind kind = kindOf(instruction);
-      if (access.area == Area::L) continue;
-      if (isCoil(kind) && coil == nullptr) coil = &instruction;
-      const bool isInitial = isReset(kind) && (facts.conditionOf(instruction.id) & condition::FirstScan) != 0;
-      const bool isFirstBit = access.offset == facts.index().cells().offsetOf(key / 8) && access.bit == key % 8;
-      if ((isSet(kind) || isReset(kind)) && isFirstBit && !isInitial && latch == nullptr) latch = &instruction;
+      const bool isSwitchOff =
+          isReset(kindOf(instruction)) && access.count > 1 && runsBefore(facts, coil->id, instruction.id);
+      if (isLatchOf(facts, access, key) && !isSwitchOff) latch = &instruction;
     }
-    if (coil == nullptr || latch == nullptr) continue;
+    if (latch == nullptr) continue;
     const std::string bit = facts.bitName(key);
-    Finding& finding =
-        sink.report(coil->span, fmt::format("the coil of {} overwrites what {} does to it", bit, Facts::text(*latch)));
+    const bool isCoilLast = !runsBefore(facts, coil->id, latch->id);
+    Finding& finding = sink.report(
+        coil->span, isCoilLast
+                        ? fmt::format("the coil of {} overwrites what {} does to it", bit, Facts::text(*latch))
+                        : fmt::format("the coil of {} undoes in the next scan what {} does to it behind the coil", bit,
+                                      Facts::text(*latch)));
     finding.address = toString(coil->operands[0]);
     finding.related.push_back({latch->span, fmt::format("{} is latched here", bit)});
     finding.help = "drive the bit either by = or by S and R (001:2821)";

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "analysis/bit_ranges.hpp"
 #include "analysis/facts.hpp"
 #include "analysis/rule.hpp"
 
@@ -56,24 +57,27 @@ void checkInstruction(const Facts& facts, FindingSink& sink, const Instruction& 
   const bool sets = isSet(kindOf(instruction));
   const std::uint32_t start = facts.cellOf(access) * 8 + access.bit;
   if (facts.cellOf(access) == facts.index().cells().size()) return;
-  std::uint32_t lonely = 0, first = 0;
+  BitRow lonely{access.area};
+  std::uint32_t first = 0;
   for (std::uint32_t k = 0; k < access.count && start + k < facts.bits().size(); ++k) {
     const std::uint32_t key = start + k;
     const LatchHands& hands = all[key];
     const bool isLonely = !hands.other && !(sets ? hands.reset : hands.set);
     if (isLonely && seen[key] == 0) {
-      if (lonely++ == 0) first = key;
+      if (lonely.empty()) first = key;
+      lonely.bits.push_back(bitPosition(access.area, access.offset, access.bit) + k);
       seen[key] = 1;
     } else if (!isLonely && !sets) {
       return;  // a reset of many bits is meant for those that are set
     }
   }
-  if (lonely == 0) return;
-  const std::string bits =
-      lonely == 1 ? facts.bitName(first) : fmt::format("{} and {} more", facts.bitName(first), lonely - 1);
-  const std::string_view text = sets ? "is set but never reset; once on it stays on" : "is reset but never set";
-  Finding& finding = sink.report(instruction.span, fmt::format("{} {}", bits, text));
-  finding.address = toString(instruction.operands[0]);
+  if (lonely.empty()) return;
+  const bool isOne = lonely.bits.size() == 1;
+  const std::string bits = isOne ? facts.bitName(first) + " is" : lonely.text() + " are";
+  Finding& finding = sink.report(instruction.span, sets ? fmt::format("{} set but never reset; once on {} on", bits,
+                                                                      isOne ? "it stays" : "they stay")
+                                                        : fmt::format("{} reset but never set", bits));
+  finding.address = lonely.first();
   finding.help = sets ? "add the R that ends it, or use = if the bit should follow its condition"
                       : "correct the address, or remove the reset";
 }

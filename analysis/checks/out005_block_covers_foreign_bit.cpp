@@ -1,16 +1,23 @@
-// OUT005: S or R with a count above 1 reaches a bit that another network drives. A reset of a row of latched bits is
+// OUT005: S or R with a count above 1 reaches bits that other networks drive. A reset of a row of latched bits is
 // normal; a coil inside the row, or a set over bits with their own logic, is not. Resets in the first scan only are
-// initialisation. Tested by its examples and tests/rules/output_rules_test.cpp.
+// initialisation, and a reset that runs behind all coils of its row switches off in general. One finding names all the
+// bits that are driven elsewhere. Tested by its examples and tests/rules/output_rules_test.cpp.
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "analysis/bit_ranges.hpp"
 #include "analysis/facts.hpp"
 #include "analysis/rule.hpp"
+#include "analysis/scan_order.hpp"
 
 namespace rungproof {
 
 namespace {
 
-/// An instruction of another network that drives the bit on its own.
+constexpr std::size_t mostDrivers = 8;
+
+/// An instruction of another network that drives the bit on its own, against the block.
 const Instruction* driver(const Facts& facts, std::uint32_t key, const Instruction& block) {
   const Network* home = &facts.networkOf(block.id);
   const bool sets = isSet(kindOf(block));
@@ -20,11 +27,39 @@ const Instruction* driver(const Facts& facts, std::uint32_t key, const Instructi
     const Instruction& instruction = facts.instruction(access.instruction);
     if (++looked > 16) return nullptr;
     if (&instruction == &block || &facts.networkOf(instruction.id) == home) continue;
-    if (isCoil(kindOf(instruction))) return &instruction;
+    if (isCoil(kindOf(instruction)) && (sets || !runsBefore(facts, instruction.id, block.id))) return &instruction;
     const bool isLatch = isSet(kindOf(instruction)) || isReset(kindOf(instruction));
     if (sets && isLatch && access.count == 1) return &instruction;
   }
   return nullptr;
+}
+
+void checkBlock(const Facts& facts, FindingSink& sink, const Instruction& block, const Access& access) {
+  const std::uint32_t cell = facts.cellOf(access);
+  if (cell == facts.index().cells().size() || access.area == Area::L) return;
+  const std::uint32_t start = cell * 8 + access.bit;
+  BitRow row{access.area};
+  std::vector<const Instruction*> drivers;
+  for (std::uint32_t k = 0; k < access.count && start + k < facts.bits().size(); ++k) {
+    const Instruction* other = driver(facts, start + k, block);
+    if (other == nullptr) continue;
+    row.bits.push_back(bitPosition(access.area, access.offset, access.bit) + k);
+    if (std::find(drivers.begin(), drivers.end(), other) == drivers.end()) drivers.push_back(other);
+  }
+  // The first bit alone is the one that the operand names: no slip of the count.
+  if (row.empty() || row.bits.back() == bitPosition(access.area, access.offset, access.bit)) return;
+  const std::string others = drivers.size() == 1 ? Facts::text(*drivers.front())
+                                                 : fmt::format("{} and {} other{}", Facts::text(*drivers.front()),
+                                                               drivers.size() - 1, drivers.size() == 2 ? "" : "s");
+  Finding& finding = sink.report(block.span, fmt::format("{} covers {}, which {} {}", Facts::text(block), row.text(),
+                                                         others, drivers.size() == 1 ? "drives" : "drive"));
+  finding.address = row.first();
+  for (std::size_t i = 0; i < std::min(drivers.size(), mostDrivers); ++i) {
+    finding.related.push_back(
+        {drivers[i]->span, fmt::format("{} is driven here", toString(drivers[i]->operands.front()))});
+  }
+  finding.help =
+      fmt::format("the count reaches from {} over {} bits; check it", toString(block.operands[0]), access.count);
 }
 
 void checkOut005(const Facts& facts, FindingSink& sink) {
@@ -32,26 +67,10 @@ void checkOut005(const Facts& facts, FindingSink& sink) {
     const Instruction& instruction = *place.instruction;
     const Kind kind = kindOf(instruction);
     if (!isSet(kind) && !isReset(kind)) continue;
-    if ((facts.conditionOf(instruction.id) & condition::FirstScan) != 0) continue;
+    if ((facts.conditionOf(instruction.id) & condition::FirstScan) != 0 || facts.isUnread(instruction.id)) continue;
     for (const Access& access : facts.accesses().of(instruction.id)) {
-      if (!access.write || access.width != Width::Bit || access.byNumber() || access.count < 2 || access.bit > 7)
-        continue;
-      const std::uint32_t cell = facts.cellOf(access);
-      if (cell == facts.index().cells().size() || access.area == Area::L) continue;
-      for (std::uint32_t k = 1; k < access.count && cell * 8 + access.bit + k < facts.bits().size(); ++k) {
-        const std::uint32_t key = cell * 8 + access.bit + k;
-        const Instruction* other = driver(facts, key, instruction);
-        if (other == nullptr) continue;
-        const std::string bit = facts.bitName(key);
-        Finding& finding = sink.report(
-            instruction.span,
-            fmt::format("{} covers {}, which {} drives", Facts::text(instruction), bit, Facts::text(*other)));
-        finding.address = toString(instruction.operands[0]);
-        finding.related.push_back({other->span, fmt::format("{} is driven here", bit)});
-        finding.help = fmt::format("the count reaches from {} over {} bits; check it",
-                                   toString(instruction.operands[0]), access.count);
-        break;
-      }
+      if (access.write && access.width == Width::Bit && !access.byNumber() && access.count >= 2 && access.bit <= 7)
+        checkBlock(facts, sink, instruction, access);
     }
   }
 }
@@ -69,8 +88,8 @@ extern constexpr Rule out005_block_covers_foreign_bit = {
     .bad = "Network 1\nLD I0.0\nS Q0.0, 8\nNetwork 2\nLD I0.1\nR Q0.0, 8\nNetwork 3\nLD I0.2\n= Q0.5\n",
     .good = "Network 1\nLD I0.0\nS Q0.0, 4\nNetwork 2\nLD I0.1\nR Q0.0, 4\nNetwork 3\nLD I0.2\n= Q0.5\n",
     .falsePositives =
-        "a general switch-off over outputs that coils drive later in the scan: put it behind them, or into their "
-        "conditions",
+        "a general switch-off over outputs that coils drive later in the scan: put it behind all of them, where it is "
+        "no finding, or into their conditions",
     .peers = "SA0028 (nearest)",
     .check = checkOut005,
 };

@@ -1,80 +1,236 @@
-// OUT006: one place of memory written in two blocks. Writes in the first scan only are initialisation; a flag that an
-// interrupt routine sets and another block resets (or the reverse) is a handshake; both are no findings.
+// OUT006: memory written in several blocks. Every writer of a place is compared with every other; what hangs together -
+// bits that one instruction writes at once - becomes one finding that names the whole range and all the blocks. Writes
+// in the first scan only are initialisation; a flag that an interrupt routine sets and another block resets (or the
+// reverse) is a handshake, and between DISI and ENI no interrupt comes; code that never runs writes nothing.
 // Tested by its examples and tests/rules/output_rules_test.cpp.
 #include <fmt/format.h>
 
-#include <unordered_set>
+#include <algorithm>
+#include <map>
+#include <numeric>
 
+#include "analysis/bit_ranges.hpp"
 #include "analysis/facts.hpp"
+#include "analysis/protected_code.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
 
 namespace {
 
+constexpr std::size_t mostPlaces = 8;  ///< that are shown beside the finding
+
+/// Whether what was lost of its network, or of that of a call, may say that it runs in the first scan only.
+bool mayBeInitial(const Facts& facts, std::uint32_t id) {
+  if (!facts.hasUnreadCode()) return false;
+  const std::span<const std::uint32_t> calls = facts.calls().callsOf(facts.blockOf(id));
+  return facts.isUnread(id) || std::any_of(calls.begin(), calls.end(), [&](std::uint32_t s) {
+           return facts.isUnread(facts.calls().sites()[s].instruction->id);
+         });
+}
+
 bool counts(const Facts& facts, const Access& access) {
-  if (!access.write || access.maybe || access.operand == impliedOperand || access.isBox) return false;
+  if (!access.write || access.maybe || access.operand == impliedOperand || access.isBox || access.viaPointer)
+    return false;
   if (access.area != Area::Q && access.area != Area::V && access.area != Area::M && access.area != Area::AQ)
     return false;
-  const Execution execution = facts.instruction(access.instruction).desc->execution;
-  if (execution == Execution::Control && facts.instruction(access.instruction).desc->control != Control::Call)
-    return false;
-  return (facts.conditionOf(access.instruction) & condition::FirstScan) == 0;
+  const Desc& desc = *facts.instruction(access.instruction).desc;
+  if (desc.execution == Execution::Control && desc.control != Control::Call) return false;
+  const bool runs = facts.execution().at(access.instruction).isReachable &&
+                    facts.execution().runs(facts.blockOf(access.instruction)) != Runs::Never;
+  return runs && (facts.conditionOf(access.instruction) & condition::FirstScan) == 0 &&
+         !mayBeInitial(facts, access.instruction);
 }
 
-bool isInterrupt(const Facts& facts, const Access& access) {
-  return facts.pouOf(access.instruction).kind == PouKind::Interrupt;
+/// What an instruction does to a bit, as far as it may be one half of a handshake.
+enum class WritingHand : std::uint8_t { Set, Reset, Other };
+
+WritingHand handOf(const Facts& facts, const Access& access) {
+  if (access.width != Width::Bit) return WritingHand::Other;
+  const Kind kind = kindOf(facts.instruction(access.instruction));
+  return isSet(kind) ? WritingHand::Set : isReset(kind) ? WritingHand::Reset : WritingHand::Other;
 }
 
-bool isHandshake(const Facts& facts, const Access& a, const Access& b) {
-  if (isInterrupt(facts, a) == isInterrupt(facts, b) || a.width != Width::Bit || b.width != Width::Bit) return false;
-  const Kind x = kindOf(facts.instruction(a.instruction)), y = kindOf(facts.instruction(b.instruction));
-  return (isSet(x) && isReset(y)) || (isReset(x) && isSet(y));
-}
-
-bool bitsMeet(const Access& a, const Access& b, std::uint32_t offset) {
-  const auto covers = [&](const Access& access, unsigned bit) {
-    if (access.width != Width::Bit) return true;
-    const std::uint32_t from = access.offset * 8 + access.bit, at = offset * 8 + bit;
-    return at >= from && at < from + access.count;
-  };
+/// The bits of a cell that an access writes, one bit each.
+unsigned maskOf(const Facts& facts, const Access& access, std::uint32_t cell) {
+  if (access.width != Width::Bit) return 0xFF;
+  const std::uint32_t low = facts.index().cells().offsetOf(cell) * 8;
+  const std::uint32_t from = access.offset * 8 + access.bit, end = from + access.count;
+  unsigned mask = 0;
   for (unsigned bit = 0; bit < 8; ++bit) {
-    if (covers(a, bit) && covers(b, bit)) return true;
+    if (low + bit >= from && low + bit < end) mask |= 1U << bit;
   }
-  return false;
+  return mask;
+}
+
+/// Writers of one block that do the same, on one cell.
+struct WriterClass {
+  std::uint32_t block;
+  WritingHand hand;
+  bool isProtected;  ///< between DISI and ENI
+  unsigned mask = 0;
+};
+
+bool isInterruptBlock(const Facts& facts, std::uint32_t block) {
+  return facts.program().pous[block].kind == PouKind::Interrupt;
+}
+
+/// Whether an interrupt routine and the scan keep out of each other's way: interrupts wait, or a flag is handed over.
+bool keepApart(const Facts& facts, const WriterClass& a, const WriterClass& b) {
+  if (isInterruptBlock(facts, a.block) == isInterruptBlock(facts, b.block)) return false;
+  if (a.isProtected || b.isProtected) return true;
+  return (a.hand == WritingHand::Set && b.hand == WritingHand::Reset) ||
+         (a.hand == WritingHand::Reset && b.hand == WritingHand::Set);
+}
+
+/// The bits of the cell that two blocks write against each other.
+unsigned contested(const Facts& facts, const std::vector<std::uint8_t>& isProtected, std::uint32_t cell) {
+  std::vector<WriterClass> classes;
+  for (const std::uint32_t i : facts.index().at(cell)) {
+    const Access& access = facts.access(i);
+    if (!counts(facts, access)) continue;
+    const WriterClass own{facts.blockOf(access.instruction), handOf(facts, access),
+                          isProtected[access.instruction] != 0};
+    auto found = std::find_if(classes.begin(), classes.end(), [&](const WriterClass& other) {
+      return other.block == own.block && other.hand == own.hand && other.isProtected == own.isProtected;
+    });
+    if (found == classes.end()) found = classes.insert(classes.end(), own);
+    found->mask |= maskOf(facts, access, cell);
+  }
+  unsigned bits = 0;
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    for (std::size_t k = i + 1; k < classes.size(); ++k) {
+      if (classes[i].block != classes[k].block && !keepApart(facts, classes[i], classes[k]))
+        bits |= classes[i].mask & classes[k].mask;
+    }
+  }
+  return bits;
+}
+
+/// Contested bits, joined where one instruction writes several of them.
+class Contested {
+ public:
+  explicit Contested(const Facts& facts) : facts_(facts) {
+    const std::vector<std::uint8_t> isProtected = protectedCode(facts);
+    for (std::uint32_t cell = 0; cell < facts.index().cells().size(); ++cell) {
+      if (facts.index().at(cell).size() < 2) continue;
+      const unsigned bits = contested(facts, isProtected, cell);
+      for (unsigned bit = 0; bit < 8; ++bit) {
+        if ((bits >> bit & 1) == 0) continue;
+        number_.emplace(cell * 8 + bit, static_cast<std::uint32_t>(keys_.size()));
+        keys_.push_back(cell * 8 + bit);
+      }
+    }
+    root_.resize(keys_.size());
+    std::iota(root_.begin(), root_.end(), 0U);
+    if (keys_.empty()) return;
+    for (const Access& access : facts.accesses().all()) {
+      if (access.certainLength() <= AccessIndex::longest && counts(facts, access)) join(access);
+    }
+  }
+
+  struct Group {
+    std::vector<std::uint32_t> keys{};
+    std::vector<const Access*> writers{};
+  };
+  /// In the order of their first writers.
+  std::vector<Group> groups() {
+    std::map<std::uint32_t, std::size_t> place;
+    std::vector<Group> groups;
+    for (const auto& [access, bit] : writers_) {
+      const auto [found, isNew] = place.emplace(find(bit), groups.size());
+      if (isNew) groups.emplace_back();
+      groups[found->second].writers.push_back(access);
+    }
+    for (std::uint32_t i = 0; i < keys_.size(); ++i) groups[place.at(find(i))].keys.push_back(keys_[i]);
+    return groups;
+  }
+
+ private:
+  std::uint32_t find(std::uint32_t i) {
+    while (root_[i] != i) i = root_[i] = root_[root_[i]];
+    return i;
+  }
+  void join(const Access& access) {
+    const std::uint32_t start = facts_.cellOf(access);
+    if (start == facts_.index().cells().size()) return;
+    const bool isBits = access.width == Width::Bit;
+    const std::uint32_t first = start * 8 + (isBits ? access.bit : 0U);
+    const std::uint32_t end = first + (isBits ? access.count : access.certainLength() * 8);
+    auto at = number_.lower_bound(first);
+    if (at == number_.end() || at->first >= end) return;
+    writers_.emplace_back(&access, at->second);
+    const std::uint32_t root = find(at->second);
+    for (; at != number_.end() && at->first < end; ++at) root_[find(at->second)] = root;
+  }
+
+  const Facts& facts_;
+  std::vector<std::uint32_t> keys_;
+  std::map<std::uint32_t, std::uint32_t> number_;  ///< by key: position in keys_
+  std::vector<std::uint32_t> root_;
+  std::vector<std::pair<const Access*, std::uint32_t>> writers_;  ///< with one of the bits that they write
+};
+
+struct ContestedName {
+  std::string name, address;
+  bool isOne;  ///< an operand, not a range
+};
+
+/// An operand where the group is just that, else bytes or bits.
+ContestedName nameOf(const Facts& facts, const Contested::Group& group) {
+  const CellMap& cells = facts.index().cells();
+  const Access& sample = *group.writers.front();
+  BitRow row{sample.area};
+  for (const std::uint32_t key : group.keys)
+    row.bits.push_back(bitPosition(sample.area, cells.offsetOf(key / 8), key % 8));
+  row.order();
+  for (const Access* access : group.writers) {
+    const std::uint32_t length = access->width == Width::Bit ? access->count : access->certainLength() * 8;
+    const bool isWhole =
+        row.bits.size() == length &&
+        row.bits.front() == bitPosition(access->area, access->offset, access->width == Width::Bit ? access->bit : 0U);
+    if (!isWhole || access->count > 1) continue;
+    const Operand& operand = facts.instruction(access->instruction).operands[access->operand];
+    return {facts.name(operand), toString(operand), true};
+  }
+  const bool isBytes = std::all_of(group.writers.begin(), group.writers.end(),
+                                   [](const Access* access) { return access->width != Width::Bit; });
+  const bool isOneRange = row.bits.back() - row.bits.front() + 1 == row.bits.size();
+  if (!isBytes || !isOneRange) return {row.text(), row.first(), row.bits.size() == 1};
+  const std::string first = addressName(row.area, Width::Byte, row.bits.front() / 8);
+  return {fmt::format("{} to {}", first, addressName(row.area, Width::Byte, row.bits.back() / 8)), first, false};
 }
 
 void checkOut006(const Facts& facts, FindingSink& sink) {
-  std::unordered_set<std::uint64_t> seen;
-  const CellMap& cells = facts.index().cells();
-  for (std::uint32_t cell = 0; cell < cells.size(); ++cell) {
-    const Access* first = nullptr;
-    for (const std::uint32_t i : facts.index().at(cell)) {
-      const Access& access = facts.access(i);
-      if (!counts(facts, access)) continue;
-      if (first == nullptr) {
-        first = &access;
-        continue;
-      }
-      if (facts.blockOf(first->instruction) == facts.blockOf(access.instruction)) continue;
-      if (!bitsMeet(*first, access, cells.offsetOf(cell)) || isHandshake(facts, *first, access)) continue;
-      const std::uint64_t key =
-          static_cast<std::uint64_t>(first->instruction) << 32 | facts.blockOf(access.instruction);
-      if (!seen.insert(key).second) continue;
-      const Instruction& instruction = facts.instruction(access.instruction);
-      const std::string place = toString(instruction.operands[access.operand]);
-      const std::string_view when = isInterrupt(facts, *first) != isInterrupt(facts, access)
-                                        ? "; the interrupt can come at any point of the scan"
-                                        : "";
-      Finding& finding =
-          sink.report(instruction.operands[access.operand].span,
-                      fmt::format("{} is written in {} and in {}{}", facts.name(instruction.operands[access.operand]),
-                                  facts.pouOf(first->instruction).name, facts.pouOf(access.instruction).name, when));
-      finding.address = place;
-      finding.related.push_back({facts.instruction(first->instruction).span,
-                                 fmt::format("{} writes it here", facts.pouOf(first->instruction).name)});
-      finding.help = "let one block own the place, and give the others a request bit";
+  Contested all(facts);
+  for (const Contested::Group& group : all.groups()) {
+    std::vector<std::uint32_t> blocks;
+    std::vector<const Access*> firsts;  // of each block
+    for (const Access* access : group.writers) {
+      const std::uint32_t block = facts.blockOf(access->instruction);
+      if (std::find(blocks.begin(), blocks.end(), block) != blocks.end()) continue;
+      blocks.push_back(block);
+      firsts.push_back(access);
     }
+    std::vector<std::string> names;
+    for (const std::uint32_t block : blocks) names.push_back("in " + facts.program().pous[block].name);
+    const bool isInterrupted = std::any_of(blocks.begin(), blocks.end(), [&](std::uint32_t block) {
+      return isInterruptBlock(facts, block) != isInterruptBlock(facts, blocks.front());
+    });
+    const auto [name, address, isOne] = nameOf(facts, group);
+    const Instruction& place = facts.instruction(firsts[1]->instruction);
+    Finding& finding =
+        sink.report(place.operands[firsts[1]->operand].span,
+                    fmt::format("{} {} written {}{}", name, isOne ? "is" : "are", joined(names),
+                                isInterrupted ? "; the interrupt can come at any point of the scan" : ""));
+    finding.address = address;
+    for (std::size_t i = 0; i < std::min(firsts.size(), mostPlaces + 1); ++i) {
+      if (i == 1) continue;
+      finding.related.push_back(
+          {facts.instruction(firsts[i]->instruction).span,
+           fmt::format("{} writes {} here", facts.program().pous[blocks[i]].name, isOne ? "it" : "them")});
+    }
+    finding.help = "let one block own the place, and give the others a request bit";
   }
 }
 

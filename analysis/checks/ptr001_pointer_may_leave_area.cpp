@@ -34,7 +34,7 @@ void checkPtr001(const Facts& facts, FindingSink& sink) {
   const PointerTable& pointers = facts.pointers();
   for (const PointerUse& use : pointers.knownUses()) reportKnown(facts, sink, use);
   for (const Pointer& pointer : pointers.all()) {
-    if (!pointer.isUnbounded() || pointer.uses.empty()) continue;
+    if (!pointer.isUnbounded() || pointer.uses.empty() || facts.hasUnreadCode()) continue;
     const Access& access = *pointer.uses.front();
     const Instruction& instruction = facts.instruction(access.instruction);
     Finding& finding = sink.report(

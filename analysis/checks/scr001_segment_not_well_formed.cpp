@@ -46,6 +46,7 @@ void checkScr001(const Facts& facts, FindingSink& sink) {
     segments.insert(bitKey(Area::S, instruction.operands[0].offset, instruction.operands[0].bit));
   }
   for (const Flow& flow : facts.plan().flows) {
+    if (facts.hasUnreadCode(*flow.pou)) continue;  // what is missing may stand in a line that could not be read
     for (const FlowFault& fault : flow.faults) checkFault(sink, fault);
     if (facts.hasHiddenCode()) continue;
     for (const FlowStep& step : flow.steps) {

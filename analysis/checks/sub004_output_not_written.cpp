@@ -36,7 +36,7 @@ void checkSub004(const Facts& facts, FindingSink& sink) {
   for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block) {
     const Pou& pou = facts.program().pous[block];
     const Flow& flow = facts.plan().flows[block];
-    if (pou.protectedBlock || flow.steps.empty()) continue;
+    if (pou.protectedBlock || flow.steps.empty() || facts.hasUnreadCode(block)) continue;
     const LocalFlow locals = localFlow(facts, block);
     std::vector<const LocalVariable*> reported;
     for (const LocalExit& exit : locals.exits) {

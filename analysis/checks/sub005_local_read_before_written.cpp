@@ -11,7 +11,7 @@ namespace {
 
 void checkSub005(const Facts& facts, FindingSink& sink) {
   for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block) {
-    if (facts.program().pous[block].protectedBlock) continue;
+    if (facts.program().pous[block].protectedBlock || facts.hasUnreadCode(block)) continue;
     for (const LocalRead& read : localFlow(facts, block).unwritten) {
       const Instruction& instruction = facts.instruction(read.access->instruction);
       const Operand& operand = instruction.operands[read.access->operand];

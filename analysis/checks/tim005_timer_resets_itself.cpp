@@ -37,6 +37,7 @@ void checkTim005(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
     if (kindOf(instruction) != Kind::Ton && kindOf(instruction) != Kind::Tonr) continue;
+    if (facts.isUnread(instruction.id)) continue;
     if (instruction.operands.empty() || instruction.operands[0].kind != OperandKind::Direct) continue;
     const std::uint32_t number = instruction.operands[0].offset;
     const Instruction* contact = ownContact(facts.plan().flows[place.block], place.step, number);

@@ -16,8 +16,13 @@ namespace {
 
 class Gatherer {
  public:
-  Gatherer(Obligations& obligations, const ExecutionRecord& record, std::vector<BuiltinCheck>& checks)
-      : encoding_(obligations.encoding()), record_(record), graph_(encoding_.graph()), checks_(checks) {}
+  /// `settles`: candidates of the flow analysis wait for the answers, so that what is plain is asked as well.
+  Gatherer(Obligations& obligations, const ExecutionRecord& record, bool settles, std::vector<BuiltinCheck>& checks)
+      : settles_(settles),
+        encoding_(obligations.encoding()),
+        record_(record),
+        graph_(encoding_.graph()),
+        checks_(checks) {}
 
   void run() {
     setResetConflicts();
@@ -29,27 +34,36 @@ class Gatherer {
 
  private:
   /// Two instructions that write different constants to one bit in one scan, or a latch against a coil that writes the
-  /// opposite (001:2821). S and R in one instruction's row, or the same instruction met twice, do not count.
+  /// opposite (001:2821). The same instruction met twice does not count.
   void setResetConflicts() {
     std::map<Place, std::vector<const BitWrite*>> writes;
     for (const BitWrite& write : encoding_.bitWrites()) {
       if (write.instruction != nullptr && isLatchOrCoil(*write.instruction)) writes[write.place].push_back(&write);
     }
+    // By the two instructions: bits under one condition are one question.
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<BuiltinCheck>> conflicts;
     for (const auto& [place, list] : writes) {
-      std::map<std::pair<const Instruction*, const Instruction*>, Node> pairs;
+      ConflictPairs pairs;
       for (std::size_t i = 0; i < list.size(); ++i) {
         for (std::size_t k = i + 1; k < list.size(); ++k) addConflict(*list[i], *list[k], pairs);
       }
+      const std::uint32_t bit = bitPosition(place.area, place.byte(), place.bit());
       for (const auto& [pair, bad] : pairs) {
-        BuiltinCheck check{BuiltinKind::SetReset,
-                           fmt::format("set/reset conflict on {}", nameOf(place)),
-                           "OUT003",
-                           fmt::format("{} is set and reset in one scan; {} comes last and wins", nameOf(place),
-                                       pair.second->desc->stl),
-                           nameOf(place),
-                           pair.second,
-                           pair.first,
-                           bad};
+        std::vector<BuiltinCheck>& ofPair = conflicts[{pair.first->id, pair.second->id}];
+        auto same = std::ranges::find(ofPair, bad, &BuiltinCheck::bad);
+        if (same == ofPair.end()) {
+          ofPair.push_back({BuiltinKind::SetReset, {}, "OUT003", {}, {}, pair.second, pair.first, bad, {place.area}});
+          same = std::prev(ofPair.end());
+        }
+        same->row.bits.push_back(bit);
+      }
+    }
+    for (auto& [pair, ofPair] : conflicts) {
+      for (BuiltinCheck& check : ofPair) {
+        check.row.order();
+        check.name = "set/reset conflict on " + check.row.text();
+        check.message = conflictMessage(check.row, check.place->desc->stl);
+        check.address = check.row.first();
         checks_.push_back(std::move(check));
       }
     }
@@ -62,13 +76,30 @@ class Gatherer {
   static bool isLatch(const Instruction& instruction) {
     return instruction.desc->stl[0] == 'S' || instruction.desc->stl[0] == 'R';
   }
-  void addConflict(const BitWrite& a, const BitWrite& b,
-                   std::map<std::pair<const Instruction*, const Instruction*>, Node>& pairs) {
+  using ConflictPairs = std::map<std::pair<const Instruction*, const Instruction*>, Node>;
+  /// `a` runs before `b`.
+  void addConflict(const BitWrite& a, const BitWrite& b, ConflictPairs& pairs) {
     if (a.instruction == b.instruction || (!isLatch(*a.instruction) && !isLatch(*b.instruction))) return;
+    if (isSwitchOff(a, b)) return;
     const Graph::Bool both = graph_.land(graph_.land({a.guard}, {b.guard}), graph_.lxor({a.value}, {b.value}));
     if (const auto known = graph_.truth(both); known && !*known) return;
     Node& bad = pairs.try_emplace({a.instruction, b.instruction}, graph_.constant(false).node).first->second;
     bad = graph_.lor({bad}, both).node;
+  }
+
+  /// A reset of several bits behind their coils switches them off in general; OUT005 recommends it.
+  bool isSwitchOff(const BitWrite& a, const BitWrite& b) const {
+    const Instruction& reset = *b.instruction;
+    if (!isCoil(rungproof::kindOf(*a.instruction)) || !isReset(rungproof::kindOf(reset)) || reset.operands.size() < 2)
+      return false;
+    const bool isRow = reset.operands[1].kind != OperandKind::Constant || reset.operands[1].value > 1;
+    return isRow && !isInInterrupt(*a.instruction) && !isInInterrupt(reset);
+  }
+  bool isInInterrupt(const Instruction& instruction) const {
+    return std::ranges::any_of(encoding_.plan().flows, [&](const Flow& flow) {
+      return flow.pou->kind == PouKind::Interrupt && !flow.steps.empty() && flow.steps.front().id <= instruction.id &&
+             instruction.id <= flow.steps.back().id;
+    });
   }
 
   /// Levels that a push has lost (001:2759) and that are used nevertheless, on the paths that the scan can take. Where
@@ -172,8 +203,9 @@ class Gatherer {
       twice = graph_.lor(twice, graph_.land(some, {visit.guard}));
       some = graph_.lor(some, {visit.guard});
     }
+    if (some.node == graph_.constant(false).node) return;  // in a block that nothing calls
     const Node bad = graph_.lor(graph_.lnot(some), twice).node;
-    if (const auto known = graph_.truth({bad}); known && !*known) return;
+    if (const auto known = graph_.truth({bad}); known && !*known && !settles_) return;
     checks_.push_back({BuiltinKind::TimerOncePerScan, fmt::format("{} runs once a scan", toString(timer)), "TIM004",
                        fmt::format("{} has a resolution of 100 ms, but its box does not run exactly once in every scan",
                                    toString(timer)),
@@ -206,6 +238,7 @@ class Gatherer {
     }
   }
 
+  const bool settles_;
   EncodedScan& encoding_;
   const ExecutionRecord& record_;
   Graph& graph_;
@@ -214,10 +247,20 @@ class Gatherer {
 
 }  // namespace
 
+std::string conflictMessage(const BitRow& row, std::string_view last) {
+  return fmt::format("{} {} set and reset in one scan; {} last{} wins", row.text(), row.bits.size() == 1 ? "is" : "are",
+                     last.empty() ? std::string("what comes") : fmt::format("{} comes", last),
+                     last.empty() ? "" : " and");
+}
+
+std::string powerUpMessage(const BitRow& row) {
+  return fmt::format("{} can be on at the end of the first scan because of what retentive memory holds", row.text());
+}
+
 std::vector<BuiltinCheck> builtinChecks(const Program& program, const PropertySet& set, const CheckGroups& groups,
                                         Obligations& obligations, const ExecutionRecord& record) {
   std::vector<BuiltinCheck> checks;
-  if (groups.builtin) Gatherer(obligations, record, checks).run();
+  if (groups.builtin) Gatherer(obligations, record, groups.rungs, checks).run();
   if (groups.rungs) {
     addRungChecks(program, obligations, record, checks);
     addSequenceChecks(program, obligations, record, checks);

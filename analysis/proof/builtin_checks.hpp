@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/bit_ranges.hpp"
 #include "analysis/encoding/execution_record.hpp"
 #include "analysis/encoding/obligation.hpp"
 
@@ -30,6 +31,7 @@ enum class BuiltinKind : std::uint8_t {
   // lint --prove
   FlowOn,
   FlowOff,
+  LatchOn,
   LatchDrops,
   ContactMatters,
   DoubleCoil,
@@ -53,6 +55,7 @@ constexpr bool isWanted(BuiltinKind kind) {
     case BuiltinKind::TimerResettable:
     case BuiltinKind::FlowOn:
     case BuiltinKind::FlowOff:
+    case BuiltinKind::LatchOn:
     case BuiltinKind::LatchDrops:
     case BuiltinKind::ContactMatters:
     case BuiltinKind::StepEntered:
@@ -70,19 +73,33 @@ constexpr bool needsCandidate(BuiltinKind kind) {
   return kind == BuiltinKind::DoubleCoil || kind == BuiltinKind::Toggles || kind == BuiltinKind::RunsTwice;
 }
 
+/// A further place for which the answer to a check is the same.
+struct AlikePlace {
+  std::string message, address;
+  const Instruction* place;
+};
+
 struct BuiltinCheck {
   BuiltinKind kind;
-  std::string name;     ///< "set/reset conflict on Q0.1"
+  std::string name;     ///< "set/reset conflict on Q0.1", "set/reset conflict on Q0.2 to Q0.7"
   std::string rule;     ///< id of the lint rule that it confirms
   std::string message;  ///< what it means when the answer is the unwanted one
-  std::string address;  ///< operand concerned, or empty
+  std::string address;  ///< operand concerned, of a range its first bit, or empty
   const Instruction* place = nullptr;
   const Instruction* other = nullptr;  ///< the other half of a conflict
   Node bad = noNode;
+  BitRow row{};                     ///< of conflicts and outputs: the bits concerned; empty: none, or one operand
+  std::vector<AlikePlace> alike{};  ///< other networks behind the same condition
 
   /// The direct operands of both places.
   std::vector<Operand> operands() const;
 };
+
+/// What several bits have in common that one instruction set and another reset: `last` is what wins, "R"; empty if it
+/// is not the same for all of them.
+std::string conflictMessage(const BitRow& row, std::string_view last);
+/// What retentive memory does to outputs in the first scan.
+std::string powerUpMessage(const BitRow& row);
 
 /// Which questions are asked beside the declared properties.
 struct CheckGroups {

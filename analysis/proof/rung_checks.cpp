@@ -1,4 +1,5 @@
-// Questions about single rungs for lint --prove: does power ever flow (LOG001), does a latch drop out (LOG006), does a
+// Questions about single rungs for lint --prove: does power ever flow (LOG001), does a latch that
+// comes on drop out (LOG006), does a
 // contact make a difference (LOG002), and whether what the flow analysis suspects can happen: two coils in one scan
 // (OUT001), a bit that changes in every scan (LOG005), a box that runs in two scans in a row (HSP004).
 // Covered by tests/prover/rule_questions_test.cpp.
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "analysis/facts.hpp"
@@ -57,6 +59,11 @@ class RungChecks {
       if (isNew) order_.push_back(visit.instruction);
       place->second.push_back(&visit);
     }
+    for (const BitWrite& write : encoding_.bitWrites()) {
+      const Place& at = write.place;
+      if (write.instruction != nullptr && !at.isRegister)
+        writersOf_[{at.area, bitPosition(at.area, at.byte(), at.bit())}].insert(write.instruction->id);
+    }
   }
 
   void run() {
@@ -88,53 +95,90 @@ class RungChecks {
     checks_.push_back({kind, std::move(name), rule, std::move(message), std::move(address), &place, nullptr, bad});
   }
 
-  /// One pair of questions for each rung: outputs behind the same contacts have the same power flow.
+  /// One pair of questions for each condition: outputs behind the same contacts have the same power flow. Each network
+  /// that has the condition is a place of its own.
   void askFlow(const Instruction& output) {
     if (byInstruction_.at(&output).front()->flow[0] == noNode || isCounterBox(kindOf(output))) return;
     const std::vector<const Instruction*> contacts = rung(output);
     if (std::all_of(contacts.begin(), contacts.end(), [](const Instruction* c) { return isSpecial(*c); })) return;
     const Graph::Bool on = anyOf(output, true), off = anyOf(output, false);
-    if (!askedFlows_.emplace(on.node, off.node).second) return;
+    const auto [asked, isNew] = askedFlows_.try_emplace({on.node, off.node}, AskedFlow{checks_.size(), {}});
+    if (!asked->second.networks.insert(positions_.at(&output).network).second) return;
     const std::string text = Facts::text(output), address = output.operands.empty() ? "" : toString(output.operands[0]);
-    ask(BuiltinKind::FlowOn, "LOG001", fmt::format("power can reach {}", text),
-        fmt::format("no reachable state lets power flow to {}", text), address, output, on.node);
-    ask(BuiltinKind::FlowOff, "LOG001", fmt::format("{} can be without power", text),
-        fmt::format("power flows to {} in every reachable state", text), address, output, off.node);
+    const std::string never = fmt::format("no reachable state lets power flow to {}", text),
+                      always = fmt::format("power flows to {} in every reachable state", text);
+    if (!isNew) {
+      checks_[asked->second.check].alike.push_back({never, address, &output});
+      checks_[asked->second.check + 1].alike.push_back({always, address, &output});
+      return;
+    }
+    ask(BuiltinKind::FlowOn, "LOG001", fmt::format("power can reach {}", text), never, address, output, on.node);
+    ask(BuiltinKind::FlowOff, "LOG001", fmt::format("{} can be without power", text), always, address, output,
+        off.node);
   }
 
-  /// A coil that holds itself, and a bit with S and R.
+  /// A coil that holds itself, and bits with S and R. Bits that the same instructions write are one question.
   void askLatch(const Instruction& output) {
     const Kind kind = kindOf(output);
     if (output.operands.empty() || output.operands[0].kind != OperandKind::Direct || output.operands[0].area == Area::L)
       return;
     const Operand& bit = output.operands[0];
+    if (bit.area == Area::T || bit.area == Area::C) return;
     if (kind == Kind::Assign) {
       const std::vector<const Instruction*> contacts = rung(output);
       if (std::none_of(contacts.begin(), contacts.end(),
                        [&](const Instruction* c) { return isContactOf(*c, bit, false); }))
         return;
-    } else if (!isSet(kind) || !isReset(output)) {
-      return;
+      return askLatchOn({bit.area, {bitPosition(bit.area, bit.offset, bit.bit)}}, output);
     }
-    if (!askedLatches_.insert(toString(bit)).second) return;
-    const Place place = memoryPlace(bit.area, bit.offset, Width::Bit, bit.bit);
-    const Node falls = graph_.land({encoding_.atStart(place)}, graph_.lnot({encoding_.atEnd(place)})).node;
-    const std::string name = toString(bit);
-    ask(BuiltinKind::LatchDrops, "LOG006", fmt::format("{} can drop out", name),
-        fmt::format("once on, {} never goes off again in any reachable state", name), name, output, falls);
+    if (!isSet(kind)) return;
+    std::map<std::set<std::uint32_t>, BitRow> byWriters;
+    for (const std::uint32_t at : bitsSetBy(output)) {
+      if (!isReset(bit.area, at)) continue;
+      const auto writers = writersOf_.find({bit.area, at});
+      if (writers == writersOf_.end()) continue;
+      BitRow& row = byWriters[writers->second];
+      row.area = bit.area;
+      row.bits.push_back(at);
+    }
+    for (const auto& [writers, row] : byWriters) askLatchOn(row, output);
   }
-  /// Whether the program has an R whose bits include the one that the S sets.
-  bool isReset(const Instruction& set) const {
-    const Operand& bit = set.operands[0];
-    const auto first = [](const Operand& o) { return o.offset * 8 + o.bit; };
+  void askLatchOn(const BitRow& row, const Instruction& output) {
+    if (!askedLatches_.emplace(row.area, row.bits.front()).second) return;
+    Graph::Bool on = graph_.constant(false), falls = on;
+    for (const std::uint32_t at : row.bits) {
+      const Place place = memoryPlace(row.area, at / 8, Width::Bit, at % 8);
+      const Graph::Bool before{encoding_.atStart(place)}, after{encoding_.atEnd(place)};
+      on = graph_.lor(on, after);
+      falls = graph_.lor(falls, graph_.land(before, graph_.lnot(after)));
+    }
+    const std::string name = row.text();
+    ask(BuiltinKind::LatchOn, "LOG006", fmt::format("{} can be on at the end of a scan", name), "", row.first(), output,
+        on.node);
+    ask(BuiltinKind::LatchDrops, "LOG006", fmt::format("{} can drop out", name),
+        fmt::format("once on, {} never {} off again in any reachable state", name,
+                    row.bits.size() == 1 ? "goes" : "go"),
+        row.first(), output, falls.node);
+  }
+  static std::vector<std::uint32_t> bitsSetBy(const Instruction& set) {
+    const bool isKnown = set.operands.size() > 1 && set.operands[1].kind == OperandKind::Constant;
+    const auto count =
+        isKnown ? static_cast<std::uint32_t>(std::clamp<std::int64_t>(set.operands[1].value, 1, 255)) : 1;
+    std::vector<std::uint32_t> bits(count);
+    std::iota(bits.begin(), bits.end(), bitPosition(set.operands[0].area, set.operands[0].offset, set.operands[0].bit));
+    return bits;
+  }
+  /// Whether the program has an R whose bits include that one.
+  bool isReset(Area area, std::uint32_t bit) const {
     return std::any_of(positions_.begin(), positions_.end(), [&](const auto& entry) {
       const Instruction& reset = *entry.first;
-      if (!rungproof::isReset(kindOf(reset)) || reset.operands.size() < 2 || reset.operands[0].area != bit.area ||
+      if (!rungproof::isReset(kindOf(reset)) || reset.operands.size() < 2 || reset.operands[0].area != area ||
           reset.operands[0].kind != OperandKind::Direct)
         return false;
       const bool isOpen = reset.operands[1].kind != OperandKind::Constant;
       const auto count = isOpen ? 255U : static_cast<std::uint32_t>(reset.operands[1].value);
-      return first(reset.operands[0]) <= first(bit) && first(bit) < first(reset.operands[0]) + count;
+      const std::uint32_t first = bitPosition(area, reset.operands[0].offset, reset.operands[0].bit);
+      return first <= bit && bit < first + count;
     });
   }
 
@@ -212,8 +256,13 @@ class RungChecks {
   std::map<const Instruction*, Position> positions_;
   std::map<const Instruction*, std::vector<const Visit*>> byInstruction_;
   std::vector<const Instruction*> order_;
-  std::set<std::pair<Node, Node>> askedFlows_;
-  std::set<std::string> askedLatches_;
+  struct AskedFlow {
+    std::size_t check;  ///< position of the first of the two questions
+    std::set<const Network*> networks;
+  };
+  std::map<std::pair<Node, Node>, AskedFlow> askedFlows_;
+  std::set<std::pair<Area, std::uint32_t>> askedLatches_;                        ///< by their first bits
+  std::map<std::pair<Area, std::uint32_t>, std::set<std::uint32_t>> writersOf_;  ///< by bit: ids of instructions
 };
 
 }  // namespace

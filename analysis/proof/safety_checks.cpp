@@ -67,10 +67,9 @@ void addPowerUpChecks(const Program&, Obligations& obligations, std::vector<Buil
     const Graph::Bool bad = graph.land(first, graph.land({on}, graph.lnot({rested(on)})));
     if (const auto known = graph.truth(bad); known && !*known) continue;
     const std::string name = nameOf(place);
-    checks.push_back(
-        {BuiltinKind::PowerUp, fmt::format("{} is on after power-up", name), "SAF005",
-         fmt::format("{} can be on at the end of the first scan because of what retentive memory holds", name), name,
-         driver, nullptr, bad.node});
+    const BitRow row{place.area, {bitPosition(place.area, place.byte(), place.bit())}};
+    checks.push_back({BuiltinKind::PowerUp, fmt::format("{} is on after power-up", name), "SAF005", powerUpMessage(row),
+                      name, driver, nullptr, bad.node, row});
   }
 }
 

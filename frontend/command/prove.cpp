@@ -200,11 +200,13 @@ Exit run(const Arguments& arguments, Context& context) {
                 });
       if (context.progress) context.err << "\r\x1B[K" << std::flush;
       if (proof.isInterrupted) context.err << "rungproof: interrupted; what was not settled is UNKNOWN\n";
+      std::vector<const ProofResult*> builtin;
       for (const ProofResult& result : proof.results) {
         part.properties.push_back(rowOf(context, arguments, names, input.program, options.choices, result));
         part.properties.back().assumptions = {};
-        if (auto finding = findingOf(result)) part.findings.push_back(std::move(*finding));
+        if (result.builtin) builtin.push_back(&result);
       }
+      for (Finding& finding : findingsOf(builtin)) part.findings.push_back(std::move(finding));
       if (arguments.selfCheck) part.selfCheck = plantFaults(context, input, options, proof);
       std::signal(SIGINT, before);
       part.assumptions = proof.assumptions;

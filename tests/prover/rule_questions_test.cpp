@@ -144,6 +144,115 @@ TEST(Latch, WithResetThatIsNeverReached) {
   EXPECT_TRUE(isSilent("LOG006", findingsOf("Network 1\nLD I0.0\nS Q0.0, 1\nNetwork 2\nLD I0.1\nR Q0.0, 1\n")));
 }
 
+TEST(Latch, OneThatIsOnWithinAScanOnlyDoesDropOut) {
+  // Set by an edge and taken back behind its only reader: on within the scan, never at its end.
+  const std::string blip = "Network 1\nLD I0.0\nEU\nS M0.1, 1\nNetwork 2\nLD M0.1\n= Q0.0\n";
+  EXPECT_TRUE(isSilent("LOG006", findingsOf(blip + "Network 3\nLD M0.1\nR M0.1, 1\n")));
+  EXPECT_TRUE(isSilent("LOG006", findingsOf(blip + "Network 3\nLD SM0.0\nR M0.1, 1\n")));
+  // The reset needs I0.1 and not I0.1.
+  EXPECT_EQ(of("LOG006", findingsOf(blip + "Network 3\nLD I0.1\nAN I0.1\nR M0.1, 1\n")), Found{"M0.1"});
+}
+
+TEST(Latch, OneThatNothingSwitchesOnIsNoLatchThatStays) {
+  // V200.3 is never written: LOG001 says that the set never comes.
+  const std::string reset = "Network 3\nLD I0.0\nR Q0.1, 1\n";
+  for (const std::string set :
+       {"Network 1\nLD V200.3\nS Q0.1, 1\n", "Network 1\nLD V200.3\nS Q0.1, 1\nLD V200.4\nS Q0.1, 1\n",
+        "Network 1\nLD V200.3\nS Q0.0, 2\n"}) {
+    EXPECT_TRUE(isSilent("LOG006", findingsOf(set + reset))) << set;
+    EXPECT_FALSE(isSilent("LOG001", findingsOf(set + reset))) << set;
+  }
+  EXPECT_TRUE(isSilent("LOG006", findingsOf("Network 1\nLD V200.3\nO Q0.1\n= Q0.1\n")));
+}
+
+TEST(Latch, ARangeThatStaysIsNamedOnce) {
+  // Q0.3 is reset by I0.5, the other three by nothing that can come to pass.
+  const std::vector<Finding> stuck = findingsOf(
+      "Network 1\nLD I0.0\nS Q0.0, 4\nNetwork 2\nLD I0.1\nAN I0.1\nR Q0.0, 4\nNetwork 3\nLD I0.5\nR Q0.3, 1\n");
+  EXPECT_EQ(of("LOG006", stuck), Found{"Q0.0"});
+  const auto finding = std::ranges::find(stuck, "LOG006", &Finding::rule);
+  ASSERT_NE(finding, stuck.end());
+  EXPECT_EQ(finding->message, "once on, Q0.0 to Q0.2 never go off again in any reachable state");
+}
+
+TEST(AlwaysOrNever, NamesEveryNetworkThatIsDead) {
+  // V200.0 to V200.5 are never written; three networks share one of them, two are dead by a contradiction.
+  std::string networks;
+  for (int n = 0; n < 6; ++n) {
+    const std::string number = std::to_string(n);
+    networks += "Network " + std::to_string(n + 1) + "\nLD V200." + (n < 3 ? std::string("0") : number) + "\n= Q0." +
+                number + "\n";
+  }
+  networks += "Network 7\nLD I0.0\nAN I0.0\n= Q1.0\n= Q1.1\nNetwork 8\nLD I0.1\nAN I0.1\n= Q1.2\n";
+  EXPECT_EQ(of("LOG001", findingsOf(networks)),
+            (Found{"Q0.0", "Q0.1", "Q0.2", "Q0.3", "Q0.4", "Q0.5", "Q1.0", "Q1.2"}));
+  // Always on, in two networks.
+  EXPECT_EQ(of("LOG001", findingsOf("Network 1\nLDB>= IB0, 0\n= Q0.0\nNetwork 2\nLDB>= IB0, 0\nS Q0.1, 1\nNetwork "
+                                    "3\nLD I0.0\nR Q0.1, 1\n")),
+            (Found{"Q0.0", "Q0.1"}));
+}
+
+// ---- Ranges ---------------------------------------------------------------------------------------------
+
+/// "address: message" of the findings of a rule.
+std::set<std::string> messages(std::string_view rule, const std::vector<Finding>& findings) {
+  std::set<std::string> found;
+  for (const Finding& finding : findings) {
+    if (finding.rule == rule) found.insert(finding.address + ": " + finding.message);
+  }
+  return found;
+}
+using Messages = std::set<std::string>;
+
+TEST(Conflict, NamesEachRangeOnce) {
+  EXPECT_EQ(messages("OUT003", findingsOf("Network 1\nLD I0.0\nS Q0.2, 6\nNetwork 2\nLD I0.1\nR Q0.2, 6\nNetwork 3\nLD "
+                                          "I0.2\nS M0.0, 4\nNetwork 4\nLD I0.3\nR M0.0, 5\n")),
+            (Messages{"Q0.2: Q0.2 to Q0.7 are set and reset in one scan; R comes last and wins",
+                      "M0.0: M0.0 to M0.3 are set and reset in one scan; R comes last and wins"}));
+}
+
+TEST(Conflict, OneBlockAgainstManySingleBits) {
+  std::string sets;
+  for (int n = 0; n < 4; ++n) {
+    const std::string number = std::to_string(n);
+    sets += "Network " + std::to_string(n + 1) + "\nLD I0." + number + "\nS M0." + number + ", 1\n";
+  }
+  const std::string reset = "Network 8\nLD I0.4\nR M0.0, 5\n";
+  EXPECT_EQ(messages("OUT003", findingsOf(sets + reset)),
+            Messages{"M0.0: M0.0 to M0.3 are set and reset in one scan; R comes last and wins"});
+  EXPECT_EQ(messages("OUT003", findingsOf(reset + sets)),
+            Messages{"M0.0: M0.0 to M0.3 are set and reset in one scan; S comes last and wins"});
+  // M0.1 cannot be set while it is reset.
+  EXPECT_EQ(
+      messages("OUT003", findingsOf("Network 1\nLD I0.0\nS M0.0, 1\nNetwork 2\nLDN I0.4\nS M0.1, 1\nNetwork 3\nLD "
+                                    "I0.2\nS M0.2, 1\n" +
+                                    reset)),
+      Messages{"M0.0: M0.0 and M0.2 are set and reset in one scan; R comes last and wins"});
+}
+
+TEST(Conflict, SeveralResetsOfOneBitKeepTheirPlaces) {
+  const std::vector<Finding> findings =
+      findingsOf("Network 1\nLD I0.0\nS Q0.0, 1\nNetwork 2\nLD I0.1\nR Q0.0, 1\nNetwork 3\nLD I0.2\nR Q0.0, 1\n");
+  EXPECT_EQ(of("OUT003", findings), (Found{"Q0.0", "Q0.0"}));
+}
+
+TEST(Conflict, ASwitchOffBehindTheCoilsIsMeant) {
+  const std::string coils = "Network 1\nLD I0.0\n= Q0.1\nNetwork 2\nLD I0.1\n= Q0.2\n",
+                    off = "Network 3\nLDN I1.0\nR Q0.0, 8\n";
+  const std::vector<Finding> last = findingsOf(coils + off);
+  EXPECT_TRUE(isSilent("OUT003", last));
+  EXPECT_TRUE(isSilent("OUT005", last));
+  EXPECT_EQ(messages("OUT003", findingsOf(off + coils)),
+            Messages{"Q0.1: Q0.1 to Q0.2 are set and reset in one scan; = comes last and wins"});
+}
+
+TEST(PowerUp, NamesARangeOnce) {
+  EXPECT_EQ(
+      messages("SAF005", findingsOf("Network 1\nLD I0.0\nS M14.0, 1\nNetwork 2\nLD I0.1\nR M14.0, 1\nNetwork "
+                                    "3\nLD M14.0\nS Q0.0, 4\nNetwork 4\nLDN M14.0\nR Q0.0, 4\n")),
+      Messages{"Q0.0: Q0.0 to Q0.3 can be on at the end of the first scan because of what retentive memory holds"});
+}
+
 // ---- Suspicions of the flow analysis --------------------------------------------------------------------
 
 TEST(Suspicion, DoubleCoilInRoutinesThatExcludeEachOther) {
@@ -171,6 +280,33 @@ TEST(Suspicion, BoxThatRunsWhileItsConditionHolds) {
   const std::string once =
       "Network 2\nLD I0.0\nAN M0.1\n= M0.0\nNetwork 3\nLD I0.0\n= M0.1\nNetwork 4\nLD M0.0\nATT VW0, VW200\n";
   EXPECT_TRUE(isSilent("HSP004", findingsOf(table + once)));
+}
+
+TEST(Suspicion, TimerBehindAReturnThatNeverComes) {
+  const auto block = [](const std::string& condition) {
+    return findingsOf("Network 1\nLD SM0.0\nCALL SBR_0\nNetwork 2\nLD T37\n= Q0.0\n",
+                      "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\n" + condition +
+                          "CRET\nNetwork 2\nLD I0.1\nTON T37, 10\nLD I0.3\n= Q0.5\nEND_SUBROUTINE_BLOCK\n");
+  };
+  // V200.3 is never written; M0.0 and M0.1 exclude each other.
+  for (const char* never : {"LD V200.3\n", "LD I0.2\nAN I0.2\n"}) {
+    EXPECT_TRUE(isSilent("TIM004", block(never))) << never;
+    EXPECT_TRUE(isSilent("OUT007", block(never))) << never;
+  }
+  EXPECT_EQ(of("TIM004", block("LD I0.2\n")), Found{"T37"});
+  EXPECT_FALSE(isSilent("OUT007", block("LD I0.2\n")));
+}
+
+TEST(Suspicion, TimerBehindAJumpOrACall) {
+  const std::string timer = "Network 2\nLD I0.1\nTON T37, 10\nNetwork 3\nLBL 1\nNetwork 4\nLD T37\n= Q0.0\n";
+  EXPECT_TRUE(isSilent("TIM004", findingsOf("Network 1\nLD I0.0\nAN I0.0\nJMP 1\n" + timer)));
+  EXPECT_EQ(of("TIM004", findingsOf("Network 1\nLD I0.0\nJMP 1\n" + timer)), Found{"T37"});
+  const std::string block =
+      "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\nTON T37, 10\nEND_SUBROUTINE_BLOCK\n";
+  const std::string reads = "Network 4\nLD T37\n= Q0.0\n";
+  // The call comes in every scan: I0.0 or not I0.0.
+  EXPECT_TRUE(isSilent("TIM004", findingsOf("Network 1\nLD I0.0\nON I0.0\nCALL SBR_0\n" + reads, block)));
+  EXPECT_EQ(of("TIM004", findingsOf("Network 1\nLD I0.0\nCALL SBR_0\n" + reads, block)), Found{"T37"});
 }
 
 TEST(Course, NetworkBehindAJumpThatIsAlwaysTaken) {

@@ -1,0 +1,19 @@
+// One pass over each block.
+#include "analysis/protected_code.hpp"
+
+namespace rungproof {
+
+std::vector<std::uint8_t> protectedCode(const Facts& facts) {
+  std::vector<std::uint8_t> marks(facts.instructions().size(), 0);
+  for (const Flow& flow : facts.plan().flows) {
+    bool isOff = false;
+    for (const FlowStep& step : flow.steps) {
+      if (kindOf(*step.instruction) == Kind::Disi) isOff = true;
+      if (kindOf(*step.instruction) == Kind::Eni) isOff = false;
+      marks[step.instruction->id] = isOff;
+    }
+  }
+  return marks;
+}
+
+}  // namespace rungproof
