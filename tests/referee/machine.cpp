@@ -46,6 +46,13 @@ bool Machine::scan() {
 
 void Machine::startOfScan() {
   systemBits();
+  if (scanNumber_ > 1) {
+    while (random_.chance(temper_.devices / 2)) networkProgress();
+    while (random_.chance(temper_.devices / 2)) freeportProgress();
+    if (random_.chance(temper_.devices)) count();
+    pulseTime();
+    transmissionTime();
+  }
   length_ = left_ = lengthOfScan();
   if (telling_) tell("scan " + std::to_string(scanNumber_) + ", " + std::to_string(length_) + " ms");
   for (const int input : usedInputs_) {
@@ -70,7 +77,10 @@ void Machine::startOfScan() {
 
 void Machine::endOfScan() {
   // Part 3 of the scan: messages from the port (001:1246).
-  while (random_.chance(temper_.devices / 2)) networkProgress();
+  if (open_.portsBeforeEnd) {
+    while (random_.chance(temper_.devices / 2)) networkProgress();
+    while (random_.chance(temper_.devices / 2)) freeportProgress();
+  }
   while (left_ > 0) {
     pass(1);
     if (executed_ < busy && random_.chance(temper_.events)) happen();
@@ -106,15 +116,8 @@ void Machine::tick() {
     elapsed_[n] = 0;
     raise(static_cast<int>(10 + n));
   }
-  pulseTime();
-  for (Port& port : ports_) {
-    if (!port.transmitting || now_ < port.sentBy) continue;
-    port.transmitting = false;
-    const bool first = &port == &ports_[0];
-    setSystemBit(4, first ? 5 : 6, true);
-    tell("message sent");
-    raise(first ? 9 : 26);
-  }
+  if (open_.countersInScan) pulseTime();
+  if (open_.portsInScan) transmissionTime();
 }
 
 /// Before an instruction and after the last one (001:5439: not within one).
@@ -142,9 +145,11 @@ void Machine::happen() {
       if (!usedInputs_.empty()) changeInput(random_.any(usedInputs_));
       break;
     case 1:
-      if (open_.freeportInScan) freeportProgress();
+      if (open_.portsInScan) freeportProgress();
       break;
-    case 2: count(); break;
+    case 2:
+      if (open_.countersInScan) count();
+      break;
     default:
       for (Port& port : ports_) {
         if (port.transmitting && now_ >= port.sentFrom) port.sentBy = now_;

@@ -23,7 +23,9 @@ struct OpenPoints {
   bool stop = true;            ///< STOP in the main program ends the scan, or lets it finish (001:5693)
   bool scanClock = true;       ///< SM0.4, SM0.5, SM0.6 begin off or on (001:14054, 001:14681)
   bool counterEdge = true;     ///< a count input that is on in the first scan counts, or is stored (001:2763)
-  bool freeportInScan = true;  ///< characters arrive while the program runs, not between scans only (001:5703)
+  bool portsInScan = true;     ///< characters arrive and leave while the program runs (001:5703), or between scans
+  bool portsBeforeEnd = true;  ///< part 3 of the scan comes before the outputs are written (001:1205)
+  bool countersInScan = true;  ///< pulses are counted, trains end while the program runs, or between scans
 };
 
 /// What the environment is like in one run; drawn at its start, so that runs differ as a whole.
@@ -156,6 +158,7 @@ class Machine {
   void transmit(const Instruction& i);
   void network(const Instruction& i);
   void freeportProgress();
+  void transmissionTime();
   void finishReception(Port& port, int number, std::uint8_t reason);
   void networkProgress();
 

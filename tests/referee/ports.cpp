@@ -121,10 +121,21 @@ void Machine::transmit(const Instruction& i) {
   tell("XMT begins");
 }
 
+/// The last character has left: the transmitter is idle (001:3187).
+void Machine::transmissionTime() {
+  for (std::size_t n = 0; n < ports_.size(); ++n) {
+    Port& port = ports_[n];
+    if (!port.transmitting || now_ < port.sentBy) continue;
+    port.transmitting = false;
+    setSystemBit(4, static_cast<int>(5 + n), true);
+    tell("message sent");
+    raise(n == 0 ? 9 : 26);
+  }
+}
+
 // Status byte of the table: done, active, error, 0, four bits of error code (000:1113).
 void Machine::network(const Instruction& i) {
   const int port = static_cast<int>(i.b.value);
-  const std::uint32_t status = load(i.a.area, i.a.offset, 1);
   const bool again = std::any_of(requests_.begin(), requests_.end(), [&](const Request& r) {
     return r.table.area == i.a.area && r.table.offset == i.a.offset;
   });
@@ -138,7 +149,6 @@ void Machine::network(const Instruction& i) {
   } else if (requests_.size() >= 8) {
     error = 4;
   }
-  static_cast<void>(status);
   store(i.a.area, i.a.offset, 1, error != 0 ? 0x20U | error : 0x40U);
   if (error == 0) requests_.push_back({i.a, i.op == Op::NetRead});
   tell("NETR or NETW begins");
@@ -146,7 +156,6 @@ void Machine::network(const Instruction& i) {
 
 /// Between the program and the writing of the outputs (001:1246): done, with data or with an error.
 void Machine::networkProgress() {
-  if (!open_.freeportInScan) freeportProgress();
   if (requests_.empty()) return;
   const auto at = requests_.begin() + random_.below(static_cast<int>(requests_.size()));
   const Request request = *at;
