@@ -1,6 +1,7 @@
 // `prove` against the referee: random programs with devices, interrupts, time and system bits; a run of the referee
 // that breaks a PROVED or reaches an UNREACHABLE is a failure, printed with its seeds, its smallest program and the
 // run. A longer campaign: REFEREE_PAIRS=5000 REFEREE_SEED=7 build/release/test_referee --gtest_filter=Referee.*
+// REFEREE_IN_SCAN=1 lets devices change what the program reads inside a scan and before its end too.
 // REFEREE_PROVER names another executable, REFEREE_TOPICS=0,2,4 other topics (numbers of enum Topic).
 #include <gtest/gtest.h>
 
@@ -34,6 +35,8 @@ TEST(Referee, NoRunBreaksAVerdict) {
   const int pairs = std::stoi(environmentOr("REFEREE_PAIRS", "1000"));
   const std::uint64_t first = std::stoull(environmentOr("REFEREE_SEED", "1"));
   const std::vector<Topic> topics = topicsOf(environmentOr("REFEREE_TOPICS", "3,6,7,9"));
+  const bool inScan = environmentOr("REFEREE_IN_SCAN", "0") == "1";
+  settings.open.portsInScan = settings.open.portsBeforeEnd = settings.open.countersInScan = inScan;
   Outcomes all;
   for (std::uint64_t seed = first; all.pairs < pairs && all.complaints.size() < 5; ++seed) {
     const Case drawn = drawCase(seed, topics, settings);
