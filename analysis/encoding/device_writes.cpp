@@ -219,7 +219,10 @@ void DeviceWrites::receptionWrites(Area area, std::uint32_t byte, std::vector<By
       const std::uint32_t first = pointer::offsetOf(table.address);
       if (pointer::areaOf(table.address) != area || byte < first || byte - first > longestMessage) continue;
       const Node limit = reg(Reg::PortLimit, port), index = number(byte - first, 8);
-      const Node any = source_.input(fmt::format("received {}", addressName(area, Width::Byte, byte)), 8);
+      const Node any =
+          source_.input(fmt::format("port {}: {} of the message in {}", port, addressName(area, Width::Byte, byte),
+                                    addressName(area, Width::Byte, first)),
+                        8);
       const bool isCount = byte == first;
       list.push_back({both(guard, graph_.make(Op::Ule, 1, index, limit)),
                       isCount ? choose(graph_.make(Op::Ule, 1, any, limit), any, limit, 8) : any});
@@ -257,7 +260,8 @@ void DeviceWrites::networkWrites(Area area, std::uint32_t byte, std::vector<Byte
         const Node inside = graph_.make(Op::Ult, 1, number(byte - first - dataAt, 5), reg(Reg::NetLength, entry));
         guard = either(guard, both(reads, inside));
       }
-      list.push_back({guard, source_.input(fmt::format("answer in {}", name), 8)});
+      list.push_back(
+          {guard, source_.input(fmt::format("answer in {} of {}", name, addressName(area, Width::Byte, first)), 8)});
     }
   }
 }
