@@ -70,9 +70,10 @@ bool isReadError(const Finding& finding) {
 Exit exitOf(const Report& report) {
   if (std::any_of(report.findings.begin(), report.findings.end(), isReadError)) return Exit::Failed;
   const Summary summary = summaryOf(report);
-  const bool differs = report.comparison && !report.comparison->equal;
+  const bool isUndecided = report.comparison && report.comparison->verdict == "UNKNOWN";
+  const bool differs = report.comparison && !report.comparison->equal && !isUndecided;
   if (!report.findings.empty() || summary.violated > 0 || differs) return Exit::Found;
-  return summary.undecided > 0 ? Exit::Undecided : Exit::Clean;
+  return summary.undecided > 0 || isUndecided ? Exit::Undecided : Exit::Clean;
 }
 
 void sortFindings(Report& report) {

@@ -73,6 +73,13 @@ struct Comparison {
   std::vector<std::string> signals;  ///< names of the columns of `around`
   std::vector<ComparedScan> around;  ///< scans before and after the difference
   bool hasEnded = false;             ///< the trace ends before that scan: there is no actual value
+  /// Of two programs instead of two traces: "EQUAL", "DIFFERENT" or "UNKNOWN"; empty: of traces.
+  std::string verdict{};
+  std::string method{};
+  double seconds = 0;
+  std::vector<std::string> notes{};  ///< why nothing is decided, the run that differs
+  std::string trace{};               ///< file that holds the run, or empty
+  std::vector<ShownScan> scans{};    ///< its last scans as drawings, networks of both programs
 };
 
 /// "scan 7, 70 ms, Q0.0: expected 1, actual 0", or that the trace ends before.
