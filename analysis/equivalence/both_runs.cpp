@@ -67,7 +67,7 @@ std::optional<EquivalenceRun> BothRuns::judged(EquivalenceRun run) const {
       cut(run.after, right[k]);
       return run;
     };
-    if (left[k].runs != right[k].runs) return show("RUN", left[k].runs, right[k].runs, nullptr);
+    if (comparesStops && left[k].runs != right[k].runs) return show("RUN", left[k].runs, right[k].runs, nullptr);
     if (k < options.latency) continue;
     const ScanEnd& then = left[k - options.latency];
     for (std::size_t i = 0; i < observed.size(); ++i) {

@@ -6,12 +6,13 @@
 
 namespace rungproof {
 
-/// Where and how the observed outputs differ; nothing if they do not, or if no run ends with one of `wanted`.
+/// Two programs and what is compared of them.
 struct BothRuns {
   const Program& before;
   const Program& after;
   const EquivalenceOptions& options;
-  const std::vector<ObservedBit>& observed;
+  const std::vector<ObservedBit> observed;
+  bool comparesStops = true;
 
   /// The first difference of the run; `run` has scans and initial states.
   std::optional<EquivalenceRun> judged(EquivalenceRun run) const;

@@ -199,7 +199,9 @@ class ProgramComparison {
     const JoinedSystem both = product.merged(isMerged_, false);
     const std::vector<Question> questions = questionsOf(both);
     method_ = "both programs side by side";
-    if (searchShort(product, both, questions, open) || searchLong(open)) return;
+    while (searchShort(product, both, questions, open) || searchLong(open)) {
+      if (!goesOn(open)) return;
+    }
     for (const double each : {std::min(2.0, left()), left()}) {
       if (open.empty() || left() <= 0 || watch_.isStopped()) return;
       const std::vector<QuestionAnswer> answers =
@@ -207,10 +209,16 @@ class ProgramComparison {
       TransitionSystem asked = both.system;
       for (const std::size_t i : open) asked.questions.push_back(questions[i]);
       for (std::size_t i = 0; i < open.size(); ++i) {
-        if (answers[i].answer == Answer::Violated && show(product, both, asked, *answers[i].trace)) return;
-        if (answers[i].answer == Answer::Violated) unconfirmed(product, result_.outputs[open[i]].name, answers[i]);
+        if (result_.outputs[open[i]].equality == Equality::Different) continue;
+        const bool isViolated = answers[i].answer == Answer::Violated;
+        if (isViolated && show(product, both, asked, *answers[i].trace, open)) {
+          if (!options_.everyOutput) return;
+          continue;
+        }
+        if (isViolated) unconfirmed(product, result_.outputs[open[i]].name, answers[i]);
         depth_ = std::min(depth_, answers[i].depth);
       }
+      if (!goesOn(open)) return;
     }
   }
 
@@ -219,7 +227,13 @@ class ProgramComparison {
     TransitionSystem asked = both.system;
     asked.questions = {{"the outputs differ", anyOf(*asked.graph, questions, open)}};
     const auto trace = shallowSearch(asked, shallowScans, std::min(searchSeconds, left()));
-    return trace && show(product, both, asked, *trace);
+    return trace && show(product, both, asked, *trace, open);
+  }
+
+  /// After a difference: closes the outputs that have their verdict; whether some are left that are to have one.
+  bool goesOn(std::vector<std::size_t>& open) const {
+    std::erase_if(open, [&](std::size_t i) { return result_.outputs[i].equality == Equality::Different; });
+    return (options_.everyOutput || !result_.run) && !open.empty() && left() > 0 && !watch_.isStopped();
   }
 
   /// In the relaxed encoding a long scan stands for a stretch in which nothing but time passes.
@@ -237,7 +251,7 @@ class ProgramComparison {
     accelerate(asked, time.dt(), time.width(), options_.prover.time.high,
                [&](Node n) { return ofTime.contains(indexOf(n)); });
     const auto trace = shallowSearch(asked, longScans, std::min(searchSeconds, left()));
-    return trace && show(relaxed, both, asked, *trace);
+    return trace && show(relaxed, both, asked, *trace, open);
   }
 
   static Node anyOf(Graph& graph, const std::vector<Question>& questions, const std::vector<std::size_t>& open) {
@@ -246,7 +260,9 @@ class ProgramComparison {
     return any.node;
   }
 
-  bool show(ProgramProduct& product, const JoinedSystem& merged, const TransitionSystem& asked, const WordTrace& trace) {
+  /// Whether the run, made by the engine on both programs, ends with a difference of an open output.
+  bool show(ProgramProduct& product, const JoinedSystem& merged, const TransitionSystem& asked, const WordTrace& trace,
+            const std::vector<std::size_t>& open) {
     const TimeRange& range = options_.prover.time;
     EquivalenceRun run;
     const WordTrace left = product.oldTrace(asked, trace), right = product.newTrace(merged, asked, trace);
@@ -254,8 +270,18 @@ class ProgramComparison {
     run.after = scansOf(product.newSide().encoding(), product.newSystem(), right, range);
     run.initialBefore = initialOf(product.oldSide().encoding(), product.oldSystem(), left);
     run.initialAfter = initialOf(product.newSide().encoding(), product.newSystem(), right);
-    result_.run = BothRuns{*before_.program, *after_.program, options_, merged.observed}.judged(std::move(run));
-    return result_.run.has_value();
+    std::vector<ObservedBit> wanted;
+    for (const std::size_t i : open) {
+      if (i < merged.observed.size()) wanted.push_back(merged.observed[i]);
+    }
+    const bool comparesStops = std::ranges::find(open, merged.observed.size()) != open.end();
+    const auto shown = BothRuns{*before_.program, *after_.program, options_, wanted, comparesStops}.judged(std::move(run));
+    if (!shown) return false;
+    for (ObservedVerdict& output : result_.outputs) {
+      if (output.name == shown->signal) output.equality = Equality::Different;
+    }
+    if (!result_.run) result_.run = shown;
+    return true;
   }
 
   /// A run that the engine does not repeat: it rests on what is not modelled, or the tool is wrong.
@@ -289,9 +315,6 @@ class ProgramComparison {
     result_.method = method_;
     if (result_.run) {
       result_.equality = Equality::Different;
-      for (ObservedVerdict& output : result_.outputs) {
-        if (output.name == result_.run->signal) output.equality = Equality::Different;
-      }
       return;
     }
     if (open.empty()) {

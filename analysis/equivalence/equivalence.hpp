@@ -24,6 +24,7 @@ struct EquivalenceOptions {
   bool steadyInputs = false;
   std::uint32_t latency = 0;
   std::uint32_t settleMs = 0;
+  bool everyOutput = false;  ///< goes on after the first difference until each output has its verdict
 };
 
 /// A run that ends with a difference, as the reference engine has made it on both programs.
