@@ -80,6 +80,7 @@ class ProgramComparison {
     };
     options.pairs = options_.pairs;
     options.observed = options_.observed;
+    options.assumptions = options_.assumptions;
     options.steadyInputs = options_.steadyInputs;
     options.latency = options_.latency;
     options.settleMs = options_.settleMs;
@@ -93,6 +94,7 @@ class ProgramComparison {
           result_.assumptions.push_back(text);
       }
     }
+    for (const Property& assumption : options_.assumptions) result_.assumptions.push_back(assumption.text);
     if (options_.steadyInputs) result_.assumptions.push_back("physical inputs are steady for the whole scan");
     if (options_.latency > 0)
       result_.assumptions.push_back(fmt::format("NEW in scan k + {0} is compared with OLD in scan k", options_.latency));

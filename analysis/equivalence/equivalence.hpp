@@ -21,6 +21,7 @@ struct EquivalenceOptions {
   ProverOptions prover;  ///< timeout: for the whole comparison
   AddressPairs pairs;
   std::vector<Operand> observed;
+  std::vector<Property> assumptions;  ///< that speak of both programs (ProductOptions)
   bool steadyInputs = false;
   std::uint32_t latency = 0;
   std::uint32_t settleMs = 0;

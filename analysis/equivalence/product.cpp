@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "analysis/encoding/monitor.hpp"
 #include "analysis/graph/evaluate.hpp"
 #include "ir/check.hpp"
 
@@ -32,6 +33,10 @@ Place bitPlace(const Address& address) {
 Address bitOf(const Place& place, std::uint32_t i) {
   const std::uint32_t at = place.at + i;
   return {place.area, at / 8 * 8 + 7 - at % 8};
+}
+
+Width widthOf(int width) {
+  return width == 1 ? Width::Bit : width == 8 ? Width::Byte : width == 16 ? Width::Word : Width::DWord;
 }
 
 bool isEdge(Reg reg) { return reg == Reg::EdgeMemory || reg == Reg::EdgeSeen; }
@@ -77,6 +82,13 @@ ProgramProduct::ProgramProduct(const Side& before, const Side& after, const Prog
   collectOutputs();
   oldRuns_ = old_.encoding().atEnd(registerPlace(Reg::Running, 0));
   newRuns_ = new_.encoding().atEnd(registerPlace(Reg::Running, 0));
+  for (const Property& assumption : options_.assumptions) {
+    for (const Expr* expr : {&assumption.first, &assumption.second}) {
+      for (const ExprNode& n : expr->nodes) {
+        if (n.op == ExprOp::Address) assumedLeaf(nullptr, n.operand, n.type == ExprType::Truth ? 1 : numberBits(n.operand));
+      }
+    }
+  }
   newSystem_ = new_.system();
   findPartners();
   SideCopy touched(old_.encoding().graph(), new_.encoding().graph(), "");
@@ -323,6 +335,7 @@ JoinedSystem ProgramProduct::merged(const std::vector<bool>& isMerged, bool isOn
       result.system.constraints.push_back(copied);  // not a total one: its inputs now serve two programs
   }
   if (options_.steadyInputs) holdInputs(result);
+  assume(result);
   compareOutputs(result);
   result.stopDiffers = differ(oldRuns_, copy(newRuns_));
   for (const Node input : copy.newInputs()) {
@@ -353,6 +366,35 @@ void ProgramProduct::holdInputs(JoinedSystem& result) {
     if (!isRead(e)) continue;
     if (const auto before = options_.pairs.before(Address{areaOf(e.site.kind), e.site.index}))
       hold(*before, (*result.copy)(e.node));
+  }
+}
+
+/// The value of an address in an assumption about both; without `copy` it is only touched.
+Node ProgramProduct::assumedLeaf(SideCopy* copy, const Operand& operand, int width) {
+  const bool isNew = operand.text.starts_with(newSidePrefix);
+  Operand address = operand;
+  if (width != 1 || (operand.area != Area::T && operand.area != Area::C)) address.width = widthOf(width);
+  const Node node = (isNew ? new_ : old_).encoding().atEnd(address, width);
+  CHECK(node != noNode, "assumptions about both programs speak of memory and inputs");
+  return isNew && copy != nullptr ? (*copy)(node) : node;
+}
+
+void ProgramProduct::assume(JoinedSystem& result) {
+  Graph& graph = old_.encoding().graph();
+  TimeModel& time = old_.encoding().time();
+  for (const Property& assumption : options_.assumptions) {
+    std::vector<Graph::Bits> before, after;
+    for (const MonitorCell& cell : assumption.cells) before.push_back({graph.variable(cell.name, cell.width, true)});
+    after = before;
+    const auto look = [&](const Operand& operand, int width) -> Graph::Bits {
+      return {assumedLeaf(result.copy.get(), operand, width)};
+    };
+    const Node ticks = time.ticksWithin(1);
+    const Moment<Graph> moment{{old_.encoding().firstScan()}, {ticks}, graph[ticks].width, {}};
+    const Graph::Bool holds = Monitor<Graph, decltype(look)>(graph, assumption, look, moment, before, after).evaluate();
+    result.system.constraints.push_back(holds.node);
+    for (std::size_t i = 0; i < before.size(); ++i)
+      result.system.states.push_back({before[i].node, graph.constantNode(0, assumption.cells[i].width), after[i].node});
   }
 }
 

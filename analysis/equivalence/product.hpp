@@ -20,6 +20,9 @@
 
 namespace rungproof {
 
+/// In front of an address of NEW where both programs are spoken of.
+inline constexpr std::string_view newSidePrefix = "new.", oldSidePrefix = "old.";
+
 /// One of the two programs, with its assumptions and external ranges.
 struct Side {
   const Program* program = nullptr;
@@ -30,6 +33,8 @@ struct ProductOptions {
   EncoderOptions encoder;
   AddressPairs pairs;
   std::vector<Operand> observed;  ///< addresses of OLD; empty: all outputs that either can write
+  /// Assumptions that speak of both programs; an operand of NEW has a text that begins with newSidePrefix.
+  std::vector<Property> assumptions;
   bool steadyInputs = false;      ///< an immediate read gives what the image has
   std::uint32_t latency = 0;      ///< NEW's outputs come so many scans later
   std::uint32_t settleMs = 0;     ///< a pair of outputs may differ for less than that without a break
@@ -91,6 +96,8 @@ class ProgramProduct {
   void replaceCells(SideCopy& copy);
   void replaceExternals(SideCopy& copy);
   void holdInputs(JoinedSystem& result);
+  void assume(JoinedSystem& result);
+  Node assumedLeaf(SideCopy* copy, const Operand& operand, int width);
   void compareOutputs(JoinedSystem& result);
   Node delayed(JoinedSystem& result, Node value, const std::string& name);
   Node settled(JoinedSystem& result, Node differs, const std::string& name);

@@ -47,6 +47,7 @@ Exit run(Arguments arguments, Context& context) {
   options.prover = proverOptionsOf(context.settings);
   options.pairs = sides.pairs;
   options.observed = sides.observed;
+  options.assumptions = sides.assumptions;
   const ProgramDifference difference = differenceOf(sides, options);
   DifferenceStyle style;
   style.form = arguments.form == "fbd" ? Form::Fbd : arguments.form == "stl" ? Form::Stl : Form::Ladder;

@@ -103,6 +103,7 @@ Exit run(const Arguments& arguments, Context& context) {
   options.prover.cancel = &equivInterrupted;
   options.pairs = sides.pairs;
   options.observed = sides.observed;
+  options.assumptions = sides.assumptions;
   options.steadyInputs = arguments.inputs == "steady";
   options.latency = arguments.latency;
   options.settleMs = static_cast<std::uint32_t>(settle->count() / 1000);

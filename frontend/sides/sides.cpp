@@ -55,6 +55,35 @@ std::string linesFor(std::string text, std::string_view own, std::string_view ot
   return text;
 }
 
+/// The lines that name both sides; the others become empty.
+std::string linesForBoth(std::string text) {
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string_view line = std::string_view(text).substr(begin, end - begin);
+    const bool namesBoth = line.find(oldSidePrefix) != std::string_view::npos && line.find(newSidePrefix) != std::string_view::npos;
+    if (!namesBoth) std::fill(text.begin() + static_cast<std::ptrdiff_t>(begin), text.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+    begin = end + 1;
+  }
+  return text;
+}
+
+void readPairAssumptions(Sides& sides, const std::string& name, const std::string& text) {
+  const std::uint32_t file = sides.before.program.sources->add(name, linesForBoth(text));
+  const OperandLookup ofOld = lookupIn(sides.before.program), ofNew = lookupIn(sides.after.program);
+  const auto lookup = [&](std::string_view word) -> std::optional<Operand> {
+    if (word.starts_with(oldSidePrefix)) return ofOld(word.substr(oldSidePrefix.size()));
+    if (!word.starts_with(newSidePrefix)) return ofOld(word);
+    std::optional<Operand> operand = ofNew(word.substr(newSidePrefix.size()));
+    if (operand) operand->text = std::string(word);
+    return operand;
+  };
+  PropertySet set;
+  readPropertyText(file, sides.before.program.sources->file(file).text(), 0, lookup, set, sides.before.program.findings);
+  for (Property& property : set.properties) {
+    if (!property.isGoal()) sides.assumptions.push_back(std::move(property));
+  }
+}
+
 ProgramInput readSide(const Settings& settings, const std::vector<std::string>& files) {
   ProgramInput input;
   input.program = readProgram(files, readOptionsOf(settings));
@@ -101,8 +130,9 @@ Sides readSides(const Context& context, const SideArguments& arguments, std::vec
   for (const std::string& name : arguments.properties) {
     const std::optional<std::string> text = readFile(context, name, failures);
     if (!text) continue;
-    addProperties(sides.before, name, linesFor(*text, "old.", "new."));
-    addProperties(sides.after, name, linesFor(*text, "new.", "old."));
+    addProperties(sides.before, name, linesFor(*text, oldSidePrefix, newSidePrefix));
+    addProperties(sides.after, name, linesFor(*text, newSidePrefix, oldSidePrefix));
+    readPairAssumptions(sides, name, *text);
   }
   keepAssumptions(sides.before.properties);
   keepAssumptions(sides.after.properties);

@@ -27,6 +27,7 @@ struct Sides {
   std::vector<std::string> filesBefore, filesAfter;
   AddressPairs pairs;
   std::vector<Operand> observed;  ///< addresses of OLD
+  std::vector<Property> assumptions;  ///< that speak of both programs
 };
 
 /// Reads both. Mistakes of arguments, the map and property files are failures; what is wrong in a program stands among

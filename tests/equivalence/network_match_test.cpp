@@ -1,0 +1,76 @@
+// Networks and instructions that stand for each other, and what a network can influence.
+#include <algorithm>
+
+#include "analysis/equivalence/influence.hpp"
+#include "tests/equivalence/pair.hpp"
+
+namespace rungproof::test {
+
+namespace {
+
+Program readLine(const std::string& text) { return pairSide("p.awl", exportOf(text), "").program; }
+
+std::string namesOf(const Influence& influence) {
+  std::string names;
+  for (const Address& address : influence.outputs) names += addressName(address.area, Width::Bit, address.index / 8, address.index % 8) + ' ';
+  return names;
+}
+
+}  // namespace
+
+TEST(NetworkMatch, EqualNetworksAreFoundWhereverTheyStand) {
+  const Program before = readLine("LD I0.0;= Q0.0|LD I0.1;= Q0.1"), after = readLine("LD I0.1;= Q0.1|LD I0.0;= Q0.0");
+  const ProgramMatch match = matchPrograms(before, after);
+  ASSERT_EQ(match.networks.size(), 2U);
+  for (const NetworkPair& pair : match.networks) EXPECT_TRUE(pair.isSame);
+  EXPECT_EQ(match.networks[0].before->network, 1U);
+  EXPECT_EQ(match.beforeOf, (std::vector<std::uint32_t>{2, 3, 0, 1}));
+}
+
+TEST(NetworkMatch, AChangedNetworkKeepsTheInstructionsThatStayed) {
+  const Program before = readLine("LD I0.0;A I0.1;= Q0.0"), after = readLine("LD I0.0;AN I0.2;A I0.1;= Q0.0");
+  const ProgramMatch match = matchPrograms(before, after);
+  ASSERT_EQ(match.networks.size(), 1U);
+  EXPECT_FALSE(match.networks[0].isSame);
+  EXPECT_TRUE(match.networks[0].before && match.networks[0].after);
+  EXPECT_EQ(match.beforeOf, (std::vector<std::uint32_t>{0, noPartner, 1, 2}));
+}
+
+TEST(NetworkMatch, AddedAndRemovedNetworksHaveOneSide) {
+  const Program before = readLine("LD I0.0;= Q0.0|LD I1.5;MOVW 7,VW0"), after = readLine("LD I0.0;= Q0.0|LDN M3.3;S Q1.0,1");
+  const ProgramMatch match = matchPrograms(before, after);
+  EXPECT_EQ(std::ranges::count_if(match.networks, [](const NetworkPair& p) { return p.isSame; }), 1);
+  EXPECT_EQ(std::ranges::count_if(match.networks, [](const NetworkPair& p) { return !p.before; }), 1);
+  EXPECT_EQ(std::ranges::count_if(match.networks, [](const NetworkPair& p) { return !p.after; }), 1);
+}
+
+TEST(NetworkMatch, TheMapTranslatesAddresses) {
+  AddressPairs pairs;
+  ASSERT_TRUE(pairs.add({Area::I, 0}, {Area::I, 8}, 1));
+  const ProgramMatch match = matchPrograms(readLine("LD I0.0;= Q0.0"), readLine("LD I1.0;= Q0.0"), pairs);
+  ASSERT_EQ(match.networks.size(), 1U);
+  EXPECT_TRUE(match.networks[0].isSame);
+}
+
+TEST(InfluenceOfNetworks, GoesThroughMemoryToOutputs) {
+  const Program program = readLine("LD I0.0;= M0.0|LD M0.0;= Q0.0|LD I0.1;= Q0.1|LD Q0.0;= Q0.2");
+  const Facts facts(program);
+  EXPECT_EQ(namesOf(influenceOf(facts, {{0, 0}})), "Q0.0 Q0.2 ");
+  EXPECT_EQ(namesOf(influenceOf(facts, {{0, 2}})), "Q0.1 ");
+}
+
+TEST(InfluenceOfNetworks, ReachesWhatIsJumpedOverAndCalled) {
+  const Program program = readLine("LD I0.0;JMP 1|LD I0.1;= Q0.0|LBL 1|LD I0.2;CALL SBR0@SBR0:LD I0.3;= Q0.5");
+  const Facts facts(program);
+  EXPECT_EQ(namesOf(influenceOf(facts, {{0, 0}})), "Q0.0 Q0.5 ");
+  EXPECT_EQ(namesOf(influenceOf(facts, {{0, 3}})), "Q0.0 Q0.5 ") << "the network of the call decides on its block";
+}
+
+TEST(InfluenceOfNetworks, APointerMayReachAnything) {
+  const Program program = readLine("LD I0.0;MOVD &VB0,VD10;MOVB 1,*VD10|LD I0.1;= Q0.1");
+  const Facts facts(program);
+  EXPECT_TRUE(influenceOf(facts, {{0, 0}}).isEverything);
+  EXPECT_FALSE(influenceOf(facts, {{0, 1}}).isEverything);
+}
+
+}  // namespace rungproof::test
