@@ -154,6 +154,7 @@ int runCommand(const Command& command, std::vector<std::string> arguments, const
                   wantsColor(settings, streams.outIsTerminal),
                   streams.errIsTerminal && !settings.flag(Opt::Quiet),
                   {},
+                  false,
                   sides};
   if (auto failure = readOutputs(settings, command, context.outputs)) return failed(streams.err, *failure);
   Exit exit = action(context);

@@ -150,6 +150,7 @@ const std::vector<BitWrite>& EncodedScan::bitWrites() const { return impl_->scan
 const std::vector<Approximation>& EncodedScan::approximations() const { return impl_->scan->approximations; }
 const std::vector<ExternalInput>& EncodedScan::externals() const { return impl_->scan->externals; }
 const std::map<std::uint32_t, Node>& EncodedScan::analogInputs() const { return impl_->scan->analogInputs(); }
+const std::map<std::string, Node>& EncodedScan::deviceInputs() const { return impl_->scan->deviceInputs; }
 const std::vector<DeviceWrite>& EncodedScan::deviceWrites() const { return impl_->scan->devices().writes(); }
 const std::vector<TickSite>& EncodedScan::tickSites() const { return impl_->scan->tickSites; }
 const std::vector<EventSite>& EncodedScan::eventSites() const { return impl_->scan->eventSites; }

@@ -127,6 +127,8 @@ class EncodedScan {
   const std::vector<ExternalInput>& externals() const;
   /// The samples of analog inputs by word address; with Choice::AnalogSampling = each-read what was read last.
   const std::map<std::uint32_t, Node>& analogInputs() const;
+  /// Inputs that say what devices do, by name; the names tell the request and its addresses.
+  const std::map<std::string, Node>& deviceInputs() const;
   /// What devices may write at the start of the scan.
   const std::vector<DeviceWrite>& deviceWrites() const;
   const std::vector<TickSite>& tickSites() const;

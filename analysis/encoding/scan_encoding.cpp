@@ -45,7 +45,7 @@ ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options
       machine_(graph, store_, plan, options.choices),
       devices_(graph, plan, knowledge.tables,
                {[this](const Place& place) { return startOfCell(place); },
-                [this](std::string name, int width) { return input(std::move(name), width); },
+                [this](std::string name, int width) { return deviceInputs[name] = input(name, width); },
                 [this](const Instruction* place) {
                   Approximation& a = approximate(place, tableReason);
                   a.carriers.push_back(input("written through a pointer to a table", 8));

@@ -55,6 +55,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   std::vector<HazardRecord> hazards;
   std::vector<Approximation> approximations;
   std::vector<ExternalInput> externals;
+  std::map<std::string, Node> deviceInputs;
   std::vector<TickSite> tickSites;
   std::vector<EventSite> eventSites;
   std::map<std::uint32_t, std::vector<Node>> visits;  ///< by instruction that has a site: guards of its executions

@@ -262,6 +262,11 @@ void ProgramProduct::replaceCells(SideCopy& copy) {
     const Node value = oldValue(cell.place, false);
     if (value != noNode && isOldInput(cell.place)) copy.replace(cell.start, value);
   }
+  for (const auto& [name, node] : new_.encoding().deviceInputs()) {
+    const auto& own = old_.encoding().deviceInputs();
+    const auto same = own.find(name);
+    if (same != own.end() && old_.encoding().graph()[same->second].width == new_.encoding().graph()[node].width) copy.replace(node, same->second);
+  }
   for (const auto& [word, node] : new_.encoding().analogInputs()) {
     const auto before = options_.pairs.before(Address{Area::AI, word});
     if (!before || before->area != Area::AI) continue;
