@@ -21,6 +21,8 @@ constexpr std::uint64_t anyStatus = 0xE7;                         // bits 4 and 
 constexpr std::array<std::uint32_t, 6> counterStatus = {36, 46, 56, 136, 146, 156};
 constexpr unsigned counterBits = 0xE0;
 constexpr std::uint32_t saveByte = 31, saveBit = 7;
+constexpr std::string_view unknownTable = "writes later through a pointer whose targets could not be found";
+constexpr std::string_view headOverwritten = "writes later into the status byte of another request";
 
 bool isConstantPort(const Instruction& instruction) {
   return instruction.operands.size() == 2 && instruction.operands[1].kind == OperandKind::Constant &&
@@ -57,9 +59,13 @@ void DeviceWrites::collect(const Plan& plan, const TableTargets& pointers) {
 /// The same address once: what is written there does not depend on who asked.
 void DeviceWrites::addTables(std::vector<Table>& tables, const Instruction& instruction, const TableTargets& pointers) {
   if (instruction.operands.empty()) return;
+  const bool isFilled = instruction.desc->stl != "NETW";
   const auto add = [&](std::uint32_t address) {
-    const auto isSame = [&](const Table& table) { return table.address == address; };
-    if (std::none_of(tables.begin(), tables.end(), isSame)) tables.push_back({&instruction, address});
+    const auto same = std::ranges::find(tables, address, &Table::address);
+    if (same == tables.end())
+      tables.push_back({&instruction, address, isFilled});
+    else
+      same->isFilled = same->isFilled || isFilled;
   };
   const Operand& operand = instruction.operands[0];
   if (operand.kind == OperandKind::Direct) add(pointer::encode(operand.area, operand.offset));
@@ -101,8 +107,7 @@ void DeviceWrites::beginNetwork(Machine<Graph>& machine) {
   const std::uint32_t entries = regInfo(Reg::NetTable).count;
   for (const Table& table : requests_) {
     if (table.address == isa::unknownAddress) continue;
-    Node runs = number(0, 1);
-    for (std::uint32_t entry = 0; entry < entries; ++entry) runs = either(runs, isEntry(entry, table.address));
+    const Node runs = runsAt(table.address);
     const std::string name =
         addressName(*pointer::areaOf(table.address), Width::Byte, pointer::offsetOf(table.address));
     answered_[table.address] = both(runs, source_.input(fmt::format("request of {} ends", name), 1));
@@ -135,6 +140,18 @@ Node DeviceWrites::ends(int event) const {
 
 Node DeviceWrites::isEntry(std::uint32_t entry, std::uint32_t address) {
   return graph_.make(Op::Equal, 1, reg(Reg::NetTable, entry), number(address, 32));
+}
+
+Node DeviceWrites::runsAt(std::uint32_t address) {
+  Node runs = number(0, 1);
+  for (std::uint32_t entry = 0; entry < regInfo(Reg::NetTable).count; ++entry)
+    runs = either(runs, isEntry(entry, address));
+  return runs;
+}
+
+/// Whether a network request has its status byte there.
+bool DeviceWrites::isHead(Area area, std::uint32_t byte) const {
+  return std::ranges::any_of(requests_, [&](const Table& t) { return t.address == pointer::encode(area, byte); });
 }
 
 const std::vector<DeviceWrites::ByteWrite>& DeviceWrites::writesTo(Area area, std::uint32_t byte) {
@@ -213,13 +230,16 @@ void DeviceWrites::receptionWrites(Area area, std::uint32_t byte, std::vector<By
       const Node isHere = graph_.make(Op::Equal, 1, reg(Reg::PortTable, port * 2 + 1), number(table.address, 32));
       const Node guard = messages_[port].size() == 1 ? runs : both(runs, isHere);
       if (table.address == isa::unknownAddress) {
-        list.push_back({both(runs, isHere), source_.overwrite(table.instruction)});
+        list.push_back({both(runs, isHere), source_.overwrite(table.instruction, unknownTable)});
         continue;
       }
       const std::uint32_t first = pointer::offsetOf(table.address);
       if (pointer::areaOf(table.address) != area || byte < first || byte - first > longestMessage) continue;
       const Node limit = reg(Reg::PortLimit, port), index = number(byte - first, 8);
-      const Node any = source_.input(fmt::format("received {}", addressName(area, Width::Byte, byte)), 8);
+      const std::string text = fmt::format("port {}: {} of the message in {}", port,
+                                           addressName(area, Width::Byte, byte), addressName(area, Width::Byte, first));
+      const Node any =
+          isHead(area, byte) ? source_.overwrite(table.instruction, headOverwritten) : source_.input(text, 8);
       const bool isCount = byte == first;
       list.push_back({both(guard, graph_.make(Op::Ule, 1, index, limit)),
                       isCount ? choose(graph_.make(Op::Ule, 1, any, limit), any, limit, 8) : any});
@@ -231,9 +251,7 @@ void DeviceWrites::networkWrites(Area area, std::uint32_t byte, std::vector<Byte
   const std::uint32_t entries = regInfo(Reg::NetTable).count;
   for (const Table& table : requests_) {
     if (table.address == isa::unknownAddress) {
-      Node runs = number(0, 1);
-      for (std::uint32_t entry = 0; entry < entries; ++entry) runs = either(runs, isEntry(entry, table.address));
-      list.push_back({runs, source_.overwrite(table.instruction)});
+      list.push_back({runsAt(table.address), source_.overwrite(table.instruction, unknownTable)});
       continue;
     }
     const std::uint32_t first = pointer::offsetOf(table.address);
@@ -250,14 +268,16 @@ void DeviceWrites::networkWrites(Area area, std::uint32_t byte, std::vector<Byte
       const Node high = graph_.make(Op::Concat, 2, isDone, number(0, 1));
       const Node middle = graph_.make(Op::Concat, 4, high, graph_.make(Op::Concat, 2, isError, number(0, 1)));
       list.push_back({answered_.at(table.address), graph_.make(Op::Concat, 8, middle, low)});
-    } else if (byte >= first + dataAt) {
+    } else if (byte >= first + dataAt && table.isFilled) {
       Node guard = number(0, 1);
       for (std::uint32_t entry = 0; entry < entries; ++entry) {
         const Node reads = both(isEntry(entry, table.address), isNot(reg(Reg::NetIsWrite, entry)));
         const Node inside = graph_.make(Op::Ult, 1, number(byte - first - dataAt, 5), reg(Reg::NetLength, entry));
         guard = either(guard, both(reads, inside));
       }
-      list.push_back({guard, source_.input(fmt::format("answer in {}", name), 8)});
+      const std::string text = fmt::format("answer in {} of {}", name, addressName(area, Width::Byte, first));
+      list.push_back(
+          {guard, isHead(area, byte) ? source_.overwrite(table.instruction, headOverwritten) : source_.input(text, 8)});
     }
   }
 }

@@ -31,9 +31,10 @@ class DeviceWrites {
  public:
   /// What the encoding gives.
   struct Source {
-    std::function<Node(const Place&)> start;            ///< value that a cell has before devices write
-    std::function<Node(std::string, int)> input;        ///< a fresh input of the scan
-    std::function<Node(const Instruction*)> overwrite;  ///< a byte written through a pointer that is not known
+    std::function<Node(const Place&)> start;      ///< value that a cell has before devices write
+    std::function<Node(std::string, int)> input;  ///< a fresh input of the scan
+    /// A byte that the instruction's device writes and that is not followed, for that reason.
+    std::function<Node(const Instruction*, std::string_view reason)> overwrite;
   };
   DeviceWrites(Graph& graph, const Plan& plan, const TableTargets& pointers, Source source);
 
@@ -56,6 +57,7 @@ class DeviceWrites {
   struct Table {
     const Instruction* instruction;
     std::uint32_t address;  ///< pointer form; isa::unknownAddress: any
+    bool isFilled;          ///< by some request: NETR, RCV
   };
 
   void collect(const Plan& plan, const TableTargets& pointers);
@@ -68,6 +70,8 @@ class DeviceWrites {
   void receptionWrites(Area area, std::uint32_t byte, std::vector<ByteWrite>& list);
   void networkWrites(Area area, std::uint32_t byte, std::vector<ByteWrite>& list);
   Node isEntry(std::uint32_t entry, std::uint32_t address);
+  Node runsAt(std::uint32_t address);
+  bool isHead(Area area, std::uint32_t byte) const;
   void record(Area area, std::uint32_t byte, const ByteWrite& write);
 
   Node reg(Reg which, std::uint32_t index) { return source_.start(registerPlace(which, index)); }

@@ -29,7 +29,6 @@ std::string siteName(const ExternalSite& site) {
 }
 
 constexpr std::string_view unresolvedReason = "pointer whose targets could not be found";
-constexpr std::string_view tableReason = "writes later through a pointer whose targets could not be found";
 
 }  // namespace
 
@@ -46,9 +45,9 @@ ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options
       devices_(graph, plan, knowledge.tables,
                {[this](const Place& place) { return startOfCell(place); },
                 [this](std::string name, int width) { return deviceInputs[name] = input(name, width); },
-                [this](const Instruction* place) {
-                  Approximation& a = approximate(place, tableReason);
-                  a.carriers.push_back(input("written through a pointer to a table", 8));
+                [this](const Instruction* place, std::string_view reason) {
+                  Approximation& a = approximate(place, reason);
+                  a.carriers.push_back(input("written by a device", 8));
                   return a.carriers.back();
                 }}) {
   graph.listen(this);

@@ -10,8 +10,10 @@
 #include "frontend/page/instruction_page.hpp"
 #include "frontend/page/rule_page.hpp"
 #include "frontend/settings/code_list.hpp"
+#include "frontend/stl/operand_reader.hpp"
 #include "ir/hazard.hpp"
 #include "ir/isa.hpp"
+#include "ir/special_memory.hpp"
 
 namespace rungproof {
 
@@ -70,6 +72,58 @@ Page choicesPage(const Paint& paint, const Settings& settings) {
   return page;
 }
 
+std::string_view sourceText(SmSource source) {
+  switch (source) {
+    case SmSource::Constant: return "always the same";
+    case SmSource::Computed: return "set by the CPU from the run";
+    case SmSource::FirstScan: return "as the surroundings say in the first scan, 0 in all others; proofs take both";
+    case SmSource::Free: return "from outside; proofs take any value in every scan";
+    case SmSource::Device: return "written by a device that the program has set going; proofs let it end at any time";
+    case SmSource::Program: return "what the program writes";
+  }
+  return "";
+}
+
+std::string rowName(const SmRow& row) {
+  const bool isWhole = row.low == 0 && row.high == 7;
+  if (isWhole && row.first == row.last) return fmt::format("SMB{}", row.first);
+  if (isWhole) return fmt::format("SMB{}-{}", row.first, row.last);
+  if (row.low == row.high) return fmt::format("SM{}.{}", row.first, row.low);
+  return fmt::format("SM{}.{}-{}", row.first, row.low, row.high);
+}
+
+Json rowJson(const SmRow& row) {
+  return {{"address", rowName(row)},
+          {"text", row.text},
+          {"value", sourceText(row.source)},
+          {"writable", row.isWritable()},
+          {"manual", row.manual}};
+}
+
+Page specialMemoryPage(const Paint& paint) {
+  Page page{paint.bold("Where the values of special memory come from") + "\n\n", Json::array()};
+  std::vector<TextRow> rows;
+  for (const SmRow& row : smTable) {
+    rows.push_back({rowName(row), fmt::format("{}: {} ({})", row.text, sourceText(row.source), row.manual)});
+    page.json.push_back(rowJson(row));
+  }
+  appendRows(page.text, rows, 13);
+  return page;
+}
+
+/// "SM0.3", "SMB28": the row of the bit, or of the first bit.
+std::optional<Page> specialBitPage(const std::string& word, const Paint& paint) {
+  Operand operand;
+  if (!readAddress(word, Spelling::International, operand) || operand.area != Area::SM || operand.bit > 7)
+    return std::nullopt;
+  if (operand.offset > smTable.back().last) return std::nullopt;
+  const SmRow& row = smRow(operand.offset, operand.width == Width::Bit ? operand.bit : 0);
+  return Page{
+      fmt::format("{}: {}\n\n  {}\n  {}; {}\n", paint.bold(rowName(row)), paint.bold(row.text), sourceText(row.source),
+                  row.isWritable() ? "the program may write it" : "read-only", row.manual),
+      rowJson(row)};
+}
+
 std::optional<Page> groupPage(std::string_view word, const Paint& paint) {
   for (const RuleGroup& group : ruleGroups()) {
     if (group.prefix != word) continue;
@@ -93,6 +147,8 @@ std::optional<Page> pageOf(const std::string& word, const Settings& settings, co
   if (const Rule* rule = ruleNamed(word)) return Page{rulePage(*rule, paint), ruleJson(*rule)};
   if (word == "hazards") return hazardsPage(paint);
   if (word == "choices") return choicesPage(paint, settings);
+  if (upper == "SM") return specialMemoryPage(paint);
+  if (auto page = specialBitPage(upper, paint)) return page;
   if (auto page = groupPage(upper, paint)) return page;
   if (const auto code = codeNamed(upper)) {
     return Page{
@@ -116,7 +172,7 @@ std::optional<Page> pageOf(const std::string& word, const Settings& settings, co
 }
 
 Failure unknown(const std::string& word) {
-  std::vector<std::string_view> words = {"hazards", "choices"};
+  std::vector<std::string_view> words = {"hazards", "choices", "SM"};
   for (const Code& code : allCodes()) words.push_back(code.id);
   const std::string_view meant = closest(word, words);
   return {

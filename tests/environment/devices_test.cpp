@@ -202,6 +202,16 @@ TEST(Devices, RequestsEndApart) {
   EXPECT_EQ(verdicts.at("apart"), Outcome::Proved);
 }
 
+// The answer of one request would fall on the status byte of another: what comes of that is not followed.
+TEST(Devices, RequestsThatLieInEachOther) {
+  const Outcomes verdicts = deviceOutcomes(
+      "//@ prove idle: not V208.5\n//@ prove apart: VB300 = 0\n",
+      "Network 1\nLD SM0.1\nMOVB 2, SMB30\nMOVB 3, VB206\nMOVB 2, VB214\nNetwork 2\nLD I0.0\nNETR VB200, 0\n"
+      "Network 3\nLD I0.1\nNETW VB208, 0\n");
+  EXPECT_NE(verdicts.at("idle"), Outcome::Proved);
+  EXPECT_EQ(verdicts.at("apart"), Outcome::Proved);
+}
+
 // ---- Runs ------------------------------------------------------------------------------------------------
 
 /// The stimulus that the witness's trace is, played by the engine: values of a signal at the end of each scan.
