@@ -20,7 +20,7 @@ Simulator::Simulator(const Program& program, SimulatorOptions options, Outside* 
       outside_(outside),
       domain_(*this),
       store_(powerUpState(plan_, options_.choices, options_.dataLost)),
-      machine_(domain_, store_, plan_, options_.choices),
+      machine_(domain_, store_, plan_),
       queue_(program.target),
       devices_(options_.clock),
       unknownIsZero_(outside == nullptr && options_.choices.is(Choice::UnknownBits, "zero")),

@@ -20,6 +20,7 @@ void fill(Concrete::Store& store, Reg reg, std::uint64_t value) {
 /// What the first scan after entering RUN finds in SM and in the registers of devices.
 void prepareRun(Concrete::Store& store, const Choices& choices) {
   const bool clockStartsOn = choices.is(Choice::ScanClockStart, "on");
+  setReadings(store, choices);
   setSm(store, 0, 0, true);
   setSm(store, 0, 1, true);
   for (std::uint32_t bit = 4; bit <= 6; ++bit) setSm(store, 0, bit, clockStartsOn);
@@ -34,9 +35,11 @@ void prepareRun(Concrete::Store& store, const Choices& choices) {
   for (const Reg reg :
        {Reg::EdgeMemory, Reg::EdgeSeen, Reg::EventRoutine, Reg::InterruptsEnabled, Reg::HscMode, Reg::HscEnabled,
         Reg::PulseBusy, Reg::PulsePending, Reg::PortBusy, Reg::NetActive, Reg::TimerRunning, Reg::TimerInput,
-        Reg::CounterUp, Reg::CounterDown, Reg::PhaseTen, Reg::PhaseHundred, Reg::PhaseSecond, Reg::PhaseMinute}) {
+        Reg::CounterUp, Reg::CounterDown, Reg::PhaseTen, Reg::PhaseHundred, Reg::Fault}) {
     fill(store, reg, 0);
   }
+  fill(store, Reg::PhaseSecond, clockStartsOn ? 500 : 0);
+  fill(store, Reg::PhaseMinute, clockStartsOn ? 30000 : 0);
   fill(store, Reg::PidHistory, 1);  // 001:5295
   fill(store, Reg::FirstScan, 1);
   fill(store, Reg::Running, 1);

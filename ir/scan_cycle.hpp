@@ -69,11 +69,9 @@ void advanceClocks(Machine<D>& m, typename D::Bits elapsed) {
 /// The clock bits SM0.4 (1 min) and SM0.5 (1 s) as the program sees them from now on (001:14054-14055).
 template <class D>
 void showClocks(Machine<D>& m) {
-  const bool startsOn = m.choices.is(Choice::ScanClockStart, "on");
   const auto half = [&](Reg phase, std::uint64_t period) {
     const int width = regInfo(phase).width;
-    const auto second = m.d.ule(m.number(period / 2, width), m.get(phase), width);
-    return startsOn ? m.d.lnot(second) : second;
+    return m.d.ule(m.number(period / 2, width), m.get(phase), width);
   };
   m.setSm(0, 4, half(Reg::PhaseMinute, 60000));
   m.setSm(0, 5, half(Reg::PhaseSecond, 1000));

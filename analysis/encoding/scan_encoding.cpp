@@ -42,7 +42,7 @@ ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options
       knowledge_(knowledge),
       initial_(powerUpState(plan, options.choices)),
       store_(graph, layout, *this, plan.edgeCount),
-      machine_(graph, store_, plan, options.choices),
+      machine_(graph, store_, plan),
       devices_(graph, plan, knowledge.tables,
                {[this](const Place& place) { return startOfCell(place); },
                 [this](std::string name, int width) { return input(std::move(name), width); },
@@ -163,6 +163,7 @@ bool ScanEncoding::isInput(const Place& place) const {
 Node ScanEncoding::init(const Place& place) const {
   Graph& g = const_cast<Graph&>(graph);
   if (place.isRegister) {
+    if (place.reg == Reg::Reading && !options_.choices.isFixed(choiceOfReading(place.at))) return noNode;
     const bool isTimer = place.reg == Reg::TimerCurrent, isCounter = place.reg == Reg::CounterCurrent;
     if (options_.initialRetentive && (isTimer || isCounter) &&
         isRetentive(options_.retentive, isTimer ? Area::T : Area::C, place.at))

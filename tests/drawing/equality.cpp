@@ -70,7 +70,7 @@ class Side {
   Side(World& world, const Program& program, const MemoryLayout& layout, const Plan& plan)
       : program_(program),
         store_(world.graph, layout, world, plan.edgeCount),
-        machine_(world.graph, store_, plan, choices_) {
+        machine_(world.graph, store_, plan) {
     world.beginSide();
     store_.follow(&machine_);
   }
@@ -94,7 +94,6 @@ class Side {
 
  private:
   const Program& program_;
-  Choices choices_;
   Graph::Store store_;
   Machine<Graph> machine_;
 };

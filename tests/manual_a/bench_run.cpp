@@ -8,6 +8,7 @@ namespace rungproof::manual {
 Bench& Bench::run(bool asInterrupt, const Start& start) {
   const auto nothing = [](auto&) {};
   world.errors.begin(store);
+  setReadings(store, choices);
   Concrete::Store copy = store;
   Concrete domain(world);
   const Outcome outcome = BenchRun::on(*this, *plan_, domain, store, asInterrupt, start, nothing);

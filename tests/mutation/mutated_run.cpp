@@ -54,6 +54,7 @@ const auto watch = [](const auto& machine) {
 
 Bench& Bench::run(bool asInterrupt, const Start& start) {
   world.errors.begin(store);
+  setReadings(store, choices);
   const auto runOn = [&](World& outside, Concrete::Store& memory) {
     Mutated domain(outside);
     Mutated::Store state(memory);
@@ -105,7 +106,7 @@ Plant& Plant::scan(int ten, int hundred) {
 void Plant::refresh(int resolution, int count) {
   Mutated domain(outside);
   Mutated::Store state(store);
-  Machine<Mutated> machine(domain, state, *plan_, choices);
+  Machine<Mutated> machine(domain, state, *plan_);
   watch(machine);
   PlantRun::refresh(*this, machine, resolution, count);
   Mutation::instance().watch({});
