@@ -67,6 +67,11 @@ bool isRetentive(const std::vector<RetentiveRange>& ranges, Area area, std::uint
   });
 }
 
+void setTickPhase(Concrete::Store& store, std::uint32_t phase) {
+  store.set(Reg::PhaseTen, 0, phase % 10, true);
+  store.set(Reg::PhaseHundred, 0, phase % 100, true);
+}
+
 Concrete::Store powerUpState(const Plan& plan, const Choices& choices, bool dataLost) {
   Concrete::Store store(plan.program->target, plan.edgeCount);
   loadDataBlock(*plan.program, store);
@@ -100,7 +105,9 @@ void enterRun(Concrete::Store& store, const Choices& choices, const std::vector<
     if (!isRetentive(ranges, Area::T, i)) store.set(Reg::TimerCurrent, i, 0, true);
     if (!isRetentive(ranges, Area::C, i)) store.set(Reg::CounterCurrent, i, 0, true);
   }
+  const auto phase = static_cast<std::uint32_t>(store.get(Reg::PhaseHundred, 0));
   prepareRun(store, choices);
+  setTickPhase(store, phase);
   setSm(store, 0, 2, false);
   setSm(store, 0, 3, false);
 }

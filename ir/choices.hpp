@@ -49,6 +49,8 @@ enum class Choice : std::uint8_t {
   FindEmpty,           // B 17
   FindStartBeyond,     // B 17
   AnalogSampling,      // machine 18
+  TimerAfterReset,     // B 19.2
+  MainStack,           // machine 11
   count
 };
 
@@ -249,6 +251,17 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      "without it",
      "001:1812",
      ChoiceKind::Fact},
+    {Choice::TimerAfterReset,
+     "timer-after-reset",
+     {"goes-on", "starts-anew", ""},
+     "an enabled 100 ms timer after R: its next execution counts the intervals since the start of the scan before, as "
+     "without R, or none as when it is enabled",
+     "001:6611"},
+    {Choice::MainStack,
+     "main-stack",
+     {"zero", "unknown", ""},
+     "logic stack at the start of the main program: all 0, or any values",
+     "001:2868"},
 }};
 
 inline constexpr std::size_t choiceCount = static_cast<std::size_t>(Choice::count);

@@ -39,13 +39,16 @@ class Scan {
 
   Machine<D>& machine() { return m_; }
 
-  /// Runs the main program once. The stack at its start is not stated; it is taken as all 0.
+  /// Runs the main program once. The stack at its start is not stated (Choice::MainStack).
   void program() {
     const Flow* main = m_.plan.main();
     if (main == nullptr) return;
     m_.frame = 0;
     freshLocals(0);
     enterStack(m_.d.constant(false));
+    m_.when(m_.reads({Choice::MainStack, "unknown"}), [&] {
+      for (std::uint32_t i = 0; i < m_.stack.size(); ++i) m_.setLevel(i, m_.externalBit(External::StackBottom, i));
+    });
     ended_ = m_.d.constant(false);
     walk(*main);
   }

@@ -78,13 +78,15 @@ void showClocks(Machine<D>& m) {
 }
 
 /// SM0.1 and SM0.4 to SM0.6 as the scan that begins shows them; the manual refreshes SM0 at the end of the scan before
-/// (001:14045), which no program can tell from this, and properties and traces find in SM0 what the program saw.
+/// (001:14045), which no program can tell from this, and properties and traces find in SM0 what the program saw. Where
+/// SM0.6 starts is Choice::ScanClockStart.
 template <class D>
 void beginStatus(Machine<D>& m) {
   const auto first = m.getBit(Reg::FirstScan);
   showClocks(m);
   m.setSm(0, 1, first);
-  m.setSm(0, 6, m.d.lxor(m.sm(0, 6), m.d.land(m.getBit(Reg::Running), m.d.lnot(first))));
+  const auto startsOn = m.reads({Choice::ScanClockStart, "on"});
+  m.setSm(0, 6, m.d.select(first, startsOn, m.d.lxor(m.sm(0, 6), m.getBit(Reg::Running))));
 }
 
 /// SM0.2 and SM0.3 are on in the first scan only, and there as the surroundings say (001:14052-14053).
@@ -98,7 +100,7 @@ void endFirstScanBits(Machine<D>& m) {
 template <class D>
 void beginScan(Machine<D>& m, const Ticks<D>& ticks) {
   m.guard = m.d.constant(true);
-  m.halted = m.d.constant(false);
+  m.halted = m.faulted = m.d.constant(false);
   beginStatus(m);
   endFirstScanBits(m);
   readInputs(m);

@@ -163,6 +163,8 @@ bool ScanEncoding::isInput(const Place& place) const {
 Node ScanEncoding::init(const Place& place) const {
   Graph& g = const_cast<Graph&>(graph);
   if (place.isRegister) {
+    const bool isScanClock = place.reg == Reg::PhaseSecond || place.reg == Reg::PhaseMinute;
+    if (isScanClock && !options_.choices.isFixed(Choice::ScanClockStart)) return noNode;
     if (place.reg == Reg::Reading && !options_.choices.isFixed(choiceOfReading(place.at))) return noNode;
     const bool isTimer = place.reg == Reg::TimerCurrent, isCounter = place.reg == Reg::CounterCurrent;
     if (options_.initialRetentive && (isTimer || isCounter) &&
@@ -208,6 +210,12 @@ Cell ScanEncoding::newCell(const Place& place) {
   const auto isOfDevice = [&] { return !place.isRegister && devices_.mayWrite(place); };
   if (isClosed_ && !hasHavoc_ && first != noNode && !isOfDevice()) return {place, CellKind::Constant, first};
   const Node node = graph.variable(nameOf(place), place.width, true);
+  if (first == noNode && place.isRegister && (place.reg == Reg::PhaseSecond || place.reg == Reg::PhaseMinute)) {
+    const std::uint64_t period = place.reg == Reg::PhaseSecond ? 1000 : 60000;
+    const Node isPhase = graph.make(Op::Ult, 1, node, graph.constantNode(period, place.width));
+    constraints_.push_back(isPhase);
+    totalConstraints_.push_back(isPhase);
+  }
   const auto values = knowledge_.values.find(place);
   if (values != knowledge_.values.end())
     known_[node] = values->second;

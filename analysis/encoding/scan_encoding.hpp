@@ -47,6 +47,8 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   RoundsLeft beyondLimit(Graph::Bool condition);
 
   Node value(const Place& place) { return store_.value(place); }
+  Node halted() const { return machine_.halted.node; }
+  Node faulted() const { return machine_.faulted.node; }
   Node start(const Place& place);
   TransitionSystem system();
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "analysis/proof/asked_goals.hpp"
+#include "analysis/proof/circumstances.hpp"
 #include "analysis/proof/hidden_code.hpp"
 #include "analysis/proof/proof_networks.hpp"
 #include "analysis/proof/question_search.hpp"
@@ -158,6 +159,20 @@ class Session {
     guardInterrupts(row);
     guardLeftOut(row);
     guardHiddenCode(question, row);
+    nameCircumstances(question, row);
+  }
+
+  /// The choices that the verdict rests on; for a run, the readings that it needs.
+  void nameCircumstances(std::size_t question, ProofResult& row) {
+    const Circumstances found =
+        circumstancesOf(search_.exact().obligations().encoding(), search_.exact().variablesOf(question));
+    row.assumptions = assumptionsOf(found, options_.choices);
+    if (!row.witness || !options_.evidence) return;
+    std::optional<Judge> judge;
+    if (question < goals().size())
+      judge.emplace(program_, options_.choices, search_.assumptions(), goals()[question]);
+    for (std::string& text : conditionsOf(found, *row.witness, program_, options_.choices, judge ? &*judge : nullptr))
+      row.notes.push_back(std::move(text));
   }
 
   /// Nothing is decided that depends on code which was not read.

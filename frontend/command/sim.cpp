@@ -244,6 +244,7 @@ Exit run(const Arguments& arguments, Context& context) {
 
   SimulatorOptions options;
   options.choices = context.settings.choices();
+  options.phaseMs = context.settings.phaseMs();
   options.seed = static_cast<std::uint64_t>(std::stoull(std::string(context.settings.text(Opt::Seed))));
   Simulator simulator(program, options);
   const auto isPage = [](const std::string& name) { return name.ends_with(".html"); };

@@ -80,12 +80,16 @@ struct Latch {
 
  private:
   /// A timer that runs off a signal needs a new edge after R (001:6586); the others go on from 0 while they are
-  /// enabled.
+  /// enabled, a 100 ms timer perhaps as if it was enabled anew (Choice::TimerAfterReset).
   template <class D>
   static void stopTimer(Machine<D>& m, std::uint32_t number) {
     const TimerUse* use = m.plan.timer(number);
-    if (use == nullptr || (use->kind != TimerKind::OffDelay && use->kind != TimerKind::IecPulse)) return;
-    m.setBit(Reg::TimerRunning, number, m.d.constant(false));
+    if (use == nullptr) return;
+    const auto stops = [&] { m.setBit(Reg::TimerRunning, number, m.d.constant(false)); };
+    if (use->kind == TimerKind::OffDelay || use->kind == TimerKind::IecPulse)
+      stops();
+    else if (use->resolution == 100)
+      m.when(m.reads({Choice::TimerAfterReset, "starts-anew"}), stops);
   }
 };
 
