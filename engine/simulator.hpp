@@ -58,8 +58,8 @@ class Simulator final : private Outside {
 
   /// Power off and on; retentive cells keep their values.
   void powerCycle();
-  /// Puts a clock `ms` into its period before the next scan: Reg::PhaseHundred the time bases of the timers, PhaseSecond
-  /// SM0.5, PhaseMinute SM0.4.
+  /// Puts a clock `ms` into its period before the next scan: Reg::PhaseHundred the time bases of the timers,
+  /// PhaseSecond SM0.5, PhaseMinute SM0.4.
   void startClock(Reg clock, std::uint32_t ms);
   /// The mode switch.
   void run();

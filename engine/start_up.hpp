@@ -32,7 +32,8 @@ Concrete::Store powerCycledState(const Plan& plan, const Choices& choices, const
                                  const std::vector<RetentiveRange>& ranges);
 
 /// Entering RUN without loss of power: V, M and retentive current values stay; edges, devices and interrupts start
-/// anew; the time bases run on. What is cleared is not in the manual text except for interrupts (001:5333) and HDEF (001:4360).
+/// anew; the time bases run on. What is cleared is not in the manual text except for interrupts (001:5333) and HDEF
+/// (001:4360).
 void enterRun(Concrete::Store& store, const Choices& choices, const std::vector<RetentiveRange>& ranges);
 
 /// Whether V, M, T or C cell `index` (byte or number) is in one of the ranges.

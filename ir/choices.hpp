@@ -55,7 +55,8 @@ enum class Choice : std::uint8_t {
 };
 
 /// Whether proofs cover all values of a choice that nobody has made. A fact of the plant is one way for each plant (a
-/// module is fitted or not), or is covered otherwise (unknown bits are free anyway): proofs take the default and say so.
+/// module is fitted or not), or is covered otherwise (unknown bits are free anyway): proofs take the default and say
+/// so.
 enum class ChoiceKind : std::uint8_t { Reading, Fact };
 
 struct ChoiceInfo {

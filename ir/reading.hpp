@@ -25,7 +25,8 @@ template <class Store>
 void setReadings(Store& store, const Choices& choices) {
   for (const ChoiceInfo& info : choiceTable) setReading(store, info.choice, choices[info.choice]);
 }
-/// The reading that is in force in a state of the engine, as an index into ChoiceInfo::values. Both bits on: the second.
+/// The reading that is in force in a state of the engine, as an index into ChoiceInfo::values. Both bits on: the
+/// second.
 template <class Store>
 std::uint8_t readingIn(const Store& store, Choice choice) {
   if (store.get(Reg::Reading, readingIndex(choice, 1)) != 0) return 1;

@@ -295,8 +295,8 @@ void Scan<D, Hooks>::nextRound(Walk& w, std::uint32_t at) {
   const Bits index = m_.d.add(old, m_.d.literal(1, 16), 16);
   m_.when(legal, [&] { args.store(0, index); });
   const Bool atMaximum = m_.d.equal(old, m_.d.literal(0x7FFF, 16), 16);
-  const Bool last = m_.d.lor(m_.d.slt(args.value(2), index, 16),
-                             m_.d.land(atMaximum, m_.reads({Choice::ForAtMaximum, "ends"})));
+  const Bool last =
+      m_.d.lor(m_.d.slt(args.value(2), index, 16), m_.d.land(atMaximum, m_.reads({Choice::ForAtMaximum, "ends"})));
   m_.setTop(m_.d.constant(true));
   branch(w, m_.d.land(legal, m_.d.lnot(last)), step.partner + 1);
 }
@@ -330,8 +330,7 @@ void Scan<D, Hooks>::call(const Instruction& instruction) {
   freshLocals(calleeFrame);
   copyIn(instruction, *callee->pou, calleeFrame);
   Context saved = enter(calleeFrame);
-  const Bool shared =
-      m_.inInterrupt ? m_.reads({Choice::InterruptCallStack, "shared"}) : m_.d.constant(false);
+  const Bool shared = m_.inInterrupt ? m_.reads({Choice::InterruptCallStack, "shared"}) : m_.d.constant(false);
   const auto share = [&](std::array<Bool, 9>& to, const std::array<Bool, 9>& from) {
     for (std::size_t i = 0; i < to.size(); ++i) to[i] = m_.d.select(shared, from[i], to[i]);
   };

@@ -68,10 +68,10 @@ class TimeModel {
   int width_;
   Node dt_ = noNode;
   Node hundredsNow_ = noNode, tensNow_ = noNode, onesNow_ = noNode;
-  Node hundreds_ = noNode;   ///< ticks of 100 ms since the scan before
-  Node ten_ = noNode;   ///< digit d at the start of this scan
-  Node one_ = noNode;   ///< digit u
-  Node step_ = noNode;  ///< d less the digit at the start of the scan before, 5 bits, signed
+  Node hundreds_ = noNode;  ///< ticks of 100 ms since the scan before
+  Node ten_ = noNode;       ///< digit d at the start of this scan
+  Node one_ = noNode;       ///< digit u
+  Node step_ = noNode;      ///< d less the digit at the start of the scan before, 5 bits, signed
   Node constraint_ = noNode;
   std::vector<StateVariable> states_;
   std::vector<Node> inputs_;

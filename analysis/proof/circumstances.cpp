@@ -99,8 +99,7 @@ std::vector<std::string> conditionsOf(const Circumstances& circumstances, const 
     }
     if (isNeeded) add("under " + named(choice, value));
     if (choice != Choice::ScanClockStart) continue;
-    for (const auto& [reg, bit] :
-         {std::pair{Reg::PhaseSecond, "SM0.5"}, std::pair{Reg::PhaseMinute, "SM0.4"}}) {
+    for (const auto& [reg, bit] : {std::pair{Reg::PhaseSecond, "SM0.5"}, std::pair{Reg::PhaseMinute, "SM0.4"}}) {
       const std::uint64_t period = reg == Reg::PhaseSecond ? 1000 : 60000, phase = start.get(reg, 0);
       bool decides = false;
       for (const std::uint64_t other : {std::uint64_t{0}, period / 2}) {

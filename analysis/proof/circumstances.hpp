@@ -25,8 +25,9 @@ Circumstances circumstancesOf(const EncodedScan& scan, const std::unordered_set<
 /// "inactive-scr = skipped", one text for each fixed choice.
 std::vector<std::string> assumptionsOf(const Circumstances& circumstances, const Choices& choices);
 
-/// "under inactive-scr = skipped": the open readings without which the run would not show its goal, and where the clocks
-/// start if not at 0. `judge`: tells what a changed run shows; nullptr: every reading that is not the default is named.
+/// "under inactive-scr = skipped": the open readings without which the run would not show its goal, and where the
+/// clocks start if not at 0. `judge`: tells what a changed run shows; nullptr: every reading that is not the default is
+/// named.
 std::vector<std::string> conditionsOf(const Circumstances& circumstances, const Witness& witness,
                                       const Program& program, const Choices& choices, const Judge* judge);
 

@@ -169,8 +169,7 @@ class Session {
     row.assumptions = assumptionsOf(found, options_.choices);
     if (!row.witness || !options_.evidence) return;
     std::optional<Judge> judge;
-    if (question < goals().size())
-      judge.emplace(program_, options_.choices, search_.assumptions(), goals()[question]);
+    if (question < goals().size()) judge.emplace(program_, options_.choices, search_.assumptions(), goals()[question]);
     for (std::string& text : conditionsOf(found, *row.witness, program_, options_.choices, judge ? &*judge : nullptr))
       row.notes.push_back(std::move(text));
   }

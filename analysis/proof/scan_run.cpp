@@ -89,8 +89,8 @@ Concrete::Store ScanRun::initialState() const {
         store.save(p.area, p.at + static_cast<std::uint32_t>(i), 8, value >> (p.width - 8 - i) & 0xFF, true);
     }
   }
-  setTickPhase(store, static_cast<std::uint32_t>(values_[scan_.time().tensBefore()] * 10 +
-                                                 values_[scan_.time().onesBefore()]));
+  setTickPhase(
+      store, static_cast<std::uint32_t>(values_[scan_.time().tensBefore()] * 10 + values_[scan_.time().onesBefore()]));
   return store;
 }
 

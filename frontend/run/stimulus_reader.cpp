@@ -273,9 +273,8 @@ Trace readTraceWith(const std::string& name, std::string_view text, std::vector<
   TableReader reader(name, text, failures);
   Frame frame = reader.frame();
   // Where clocks start is for stimuli only.
-  std::erase_if(frame.signals, [&](std::size_t i) {
-    return lowered(reader.table().heading[i].text).starts_with("clock.");
-  });
+  std::erase_if(frame.signals,
+                [&](std::size_t i) { return lowered(reader.table().heading[i].text).starts_with("clock."); });
   Trace trace;
   trace.isByTime = frame.isByTime;
   trace.hasTimes = frame.isByTime || frame.isRecorded;

@@ -30,7 +30,8 @@ void write(const Trace& trace, std::string_view, std::ostream& out) {
     if (!trace.isByTime) out << ',' << millisecondsText(row.scanUs);
     if (hasEvents) out << ',' << quoted(row.events);
     if (hasDevices) out << ',' << quoted(row.devices);
-    for (const auto& [name, value] : trace.start) out << ',' << (&row == trace.rows.data() ? std::to_string(value) : "");
+    for (const auto& [name, value] : trace.start)
+      out << ',' << (&row == trace.rows.data() ? std::to_string(value) : "");
     for (std::size_t i = 0; i < trace.signals.size(); ++i) {
       out << ',';
       if (row.values[i]) out << numberText(*row.values[i], trace.signals[i].type);

@@ -37,8 +37,8 @@ struct Clock {
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
-    const auto hasClock = cpuFeatures(m.target).clockBuiltIn ? d.constant(true)
-                                                             : m.reads({Choice::ClockModule, "fitted"});
+    const auto hasClock =
+        cpuFeatures(m.target).clockBuiltIn ? d.constant(true) : m.reads({Choice::ClockModule, "fitted"});
     m.hazard(Hazard::NoClock, d.lnot(hasClock));
     const auto fits = a.fits(0, m.number(size, 16), Width::Byte);
     m.hazard(Hazard::OutOfRange, d.lnot(fits));

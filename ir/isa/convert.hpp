@@ -91,9 +91,7 @@ struct DIntToReal {
   static typename D::Bits leading(Machine<D>& m, typename D::Bits value) {
     D& d = m.d;
     const auto isNegative = d.bit(value, 31);
-    const auto negated = [&](typename D::Bits v) {
-      return d.select(isNegative, d.sub(m.number(0, 32), v, 32), v, 32);
-    };
+    const auto negated = [&](typename D::Bits v) { return d.select(isNegative, d.sub(m.number(0, 32), v, 32), v, 32); };
     const auto size = negated(value);
     auto kept = size;
     for (int high = 24; high < 32; ++high) {
@@ -153,7 +151,8 @@ constexpr Desc bcdDesc(std::string_view stl, std::string_view meaning, std::uint
 template <class D>
 void storeBcd(Machine<D>& m, Args<D>& a, typename D::Bits result, typename D::Bool bad) {
   storeUnless(m, a, 0, result, bad, Hazard::NotBcd, status::NotBcd);
-  m.when(m.d.land(bad, m.reads({Choice::BcdErrorResult, "unknown"})), [&] { a.store(0, m.external(External::UnknownResult, 0, 16)); });
+  m.when(m.d.land(bad, m.reads({Choice::BcdErrorResult, "unknown"})),
+         [&] { a.store(0, m.external(External::UnknownResult, 0, 16)); });
 }
 
 /// BCDI: four BCD digits to a number; a digit above 9 sets SM1.6.

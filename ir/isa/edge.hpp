@@ -23,8 +23,8 @@ struct Edge {
     const auto now = m.top();
     const auto before = m.getBit(Reg::EdgeMemory, memory);
     const auto edge = rising ? m.d.land(now, m.d.lnot(before)) : m.d.land(before, m.d.lnot(now));
-    const auto isNew = m.d.land(m.reads({Choice::FirstEdge, "first-execution"}),
-                                m.d.lnot(m.getBit(Reg::EdgeSeen, memory)));
+    const auto isNew =
+        m.d.land(m.reads({Choice::FirstEdge, "first-execution"}), m.d.lnot(m.getBit(Reg::EdgeSeen, memory)));
     const auto onlyStores = m.d.lor(m.getBit(Reg::FirstScan), isNew);
     m.setBit(Reg::EdgeSeen, memory, m.d.constant(true));
     m.setBit(Reg::EdgeMemory, memory, now);

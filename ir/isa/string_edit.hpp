@@ -197,8 +197,8 @@ struct StringFind {
   static typename D::Bool matches(Machine<D>& m, StringSource<D>& text, StringSource<D>& pattern, int p) {
     D& d = m.d;
     const auto empty = d.equal(pattern.length, m.number(0, 16), 16);
-    const auto forEmpty = search == Search::Text ? d.land(empty, m.reads({Choice::FindEmpty, "at-start"}))
-                                                 : d.constant(false);
+    const auto forEmpty =
+        search == Search::Text ? d.land(empty, m.reads({Choice::FindEmpty, "at-start"})) : d.constant(false);
     auto result = d.constant(search == Search::Text);
     for (int k = 0; k < pattern.limit; ++k) {
       const auto used = d.ult(m.number(static_cast<std::uint64_t>(k), 16), pattern.length, 16);
