@@ -302,6 +302,8 @@ extern constexpr Command simCommand = {
         "VB101=83 SMB86=2, as far as a request of the program asked for it (then they do nothing else).\n"
         "Expected values are compared with the values at the end of the scan, or of the scan in which the time\n"
         "falls. A written CSV trace is a stimulus as well.\n"
+        "CLOCK.tick, CLOCK.second and CLOCK.minute say how many ms the time bases of the timers, SM0.5 and SM0.4\n"
+        "are into their periods.\n"
         "\n"
         "Examples:\n"
         "    rungproof sim press.awl --stimulus start.csv --expect start.expected.csv\n"
