@@ -261,6 +261,8 @@ Exit run(const Arguments& arguments, Context& context) {
       return Exit::Failed;
   }
   describeRun(report, simulator, job.scanTime);
+  if (const std::string text = stopText(simulator); !text.empty() && !context.settings.flag(Opt::Quiet))
+    context.err << fmt::format("rungproof: {} in scan {}\n", text, trace.rows.empty() ? 0 : trace.rows.back().scan);
   if (job.expected)
     report.comparison = comparisonOf(*job.expected, trace, firstDifference(*job.expected, trace, job.compare));
   if (!preparation.isResult()) return finish(context, std::move(report));

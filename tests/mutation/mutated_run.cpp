@@ -58,8 +58,8 @@ Bench& Bench::run(bool asInterrupt, const Start& start) {
   const auto runOn = [&](World& outside, Concrete::Store& memory) {
     Mutated domain(outside);
     Mutated::Store state(memory);
-    return withText(
-        *plan_, [&](const Plan& plan) { return BenchRun::on(*this, plan, domain, state, asInterrupt, start, watch); });
+    return withText(*plan_,
+                    [&](const Plan& plan) { return BenchRun::on(plan, domain, state, asInterrupt, start, watch); });
   };
   Mutation& mutation = Mutation::instance();
   World otherWorld;
