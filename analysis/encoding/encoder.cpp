@@ -77,9 +77,7 @@ class EncodedScan::Impl {
       }
       if (isNew && scan->reliesOnValues()) isConfirmed = false;
       knowledge.values[cell.place] = set;
-      // A chosen reading stays a variable: what depends on it says so.
-      const bool isReading = cell.place.isRegister && cell.place.reg == Reg::Reading;
-      if (set.isSingle() && !isReading) found.emplace(cell.place, set.facts().low);
+      if (set.isSingle()) found.emplace(cell.place, set.facts().low);
     }
     if (isConfirmed) knowledge.constants.insert(found.begin(), found.end());
     return isConfirmed;

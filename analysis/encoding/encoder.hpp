@@ -31,6 +31,7 @@ struct ExternalBytes {
 
 struct EncoderOptions {
   Choices choices;
+  bool coversAllReadings = false;  ///< those of fixed choices too, to see what depends on them
   TimeRange time;
   bool initialRetentive = false;  ///< retentive cells start with any value
   std::vector<RetentiveRange> retentive = defaultRetentiveRanges();

@@ -164,8 +164,8 @@ Node ScanEncoding::init(const Place& place) const {
   Graph& g = const_cast<Graph&>(graph);
   if (place.isRegister) {
     const bool isScanClock = place.reg == Reg::PhaseSecond || place.reg == Reg::PhaseMinute;
-    if (isScanClock && !options_.choices.isFixed(Choice::ScanClockStart)) return noNode;
-    if (place.reg == Reg::Reading && !options_.choices.isFixed(choiceOfReading(place.at))) return noNode;
+    if (isScanClock && !isFixed(Choice::ScanClockStart)) return noNode;
+    if (place.reg == Reg::Reading && !isFixed(choiceOfReading(place.at))) return noNode;
     const bool isTimer = place.reg == Reg::TimerCurrent, isCounter = place.reg == Reg::CounterCurrent;
     if (options_.initialRetentive && (isTimer || isCounter) &&
         isRetentive(options_.retentive, isTimer ? Area::T : Area::C, place.at))
@@ -207,6 +207,7 @@ Cell ScanEncoding::newCell(const Place& place) {
     return {place, CellKind::Constant, graph.constantNode(known->second, place.width)};
   }
   const Node first = init(place);
+  if (place.isRegister && place.reg == Reg::Reading && first != noNode) return {place, CellKind::Constant, first};
   const auto isOfDevice = [&] { return !place.isRegister && devices_.mayWrite(place); };
   if (isClosed_ && !hasHavoc_ && first != noNode && !isOfDevice()) return {place, CellKind::Constant, first};
   const Node node = graph.variable(nameOf(place), place.width, true);

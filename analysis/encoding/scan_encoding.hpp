@@ -104,6 +104,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   void prepareWatched();
   bool isInput(const Place& place) const;
   Node init(const Place& place) const;
+  bool isFixed(Choice choice) const { return !options_.coversAllReadings && options_.choices.isFixed(choice); }
   Node input(std::string name, int width);
   Approximation& approximate(const Instruction* place, std::string_view reason);
 

@@ -73,6 +73,16 @@ Circumstances circumstancesOf(const EncodedScan& scan, const std::unordered_set<
   return result;
 }
 
+std::vector<Choice> fixedReadingsOf(const EncodedScan& scan) {
+  std::vector<Choice> result;
+  for (const Cell& cell : scan.cells()) {
+    const bool isReading = cell.place.isRegister && cell.place.reg == Reg::Reading && cell.kind == CellKind::Constant;
+    if (isReading && std::ranges::find(result, choiceOfReading(cell.place.at)) == result.end())
+      result.push_back(choiceOfReading(cell.place.at));
+  }
+  return result;
+}
+
 std::vector<std::string> assumptionsOf(const Circumstances& circumstances, const Choices& choices) {
   std::vector<std::string> texts;
   for (const Choice choice : circumstances.fixed) texts.push_back(named(choice, choices[choice]));

@@ -19,8 +19,11 @@ struct Circumstances {
   bool mayStop = false;       ///< STOP or a fatal error can end the run
 };
 
-/// Of a question that depends on those variables of the encoding, through any number of scans.
+/// Of a question that depends on those variables of the encoding, through any number of scans. Fixed readings are seen
+/// in an encoding that covers them all the same (EncoderOptions::coversAllReadings).
 Circumstances circumstancesOf(const EncodedScan& scan, const std::unordered_set<std::uint32_t>& variables);
+/// The fixed readings that some instruction of the program asks for.
+std::vector<Choice> fixedReadingsOf(const EncodedScan& scan);
 
 /// "inactive-scr = skipped", one text for each fixed choice.
 std::vector<std::string> assumptionsOf(const Circumstances& circumstances, const Choices& choices);

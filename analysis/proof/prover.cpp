@@ -162,10 +162,27 @@ class Session {
     nameCircumstances(question, row);
   }
 
+  /// The fixed readings that a question depends on: constants in its encoding, so that it is looked at in another one.
+  std::vector<Choice> fixedReadings(const EncodedScan& encoding, std::size_t question) {
+    std::vector<Choice> asked = fixedReadingsOf(encoding);
+    if (asked.empty() || question >= goals().size()) return asked;
+    if (!open_) {
+      EncoderOptions options = encoderOptionsOf(options_);
+      options.coversAllReadings = true;
+      open_ = std::make_unique<ProofSide>(program_, set_, goals(), options, CheckGroups{});
+    }
+    const Circumstances all = circumstancesOf(open_->obligations().encoding(), open_->variablesOf(question));
+    std::erase_if(asked, [&](Choice choice) { return std::ranges::find(all.fixed, choice) == all.fixed.end(); });
+    return asked;
+  }
+
   /// The choices that the verdict rests on; for a run, the readings that it needs.
   void nameCircumstances(std::size_t question, ProofResult& row) {
-    const Circumstances found =
-        circumstancesOf(search_.exact().obligations().encoding(), search_.exact().variablesOf(question));
+    EncodedScan& encoding = search_.exact().obligations().encoding();
+    Circumstances found = circumstancesOf(encoding, search_.exact().variablesOf(question));
+    for (const Choice choice : fixedReadings(encoding, question)) {
+      if (std::ranges::find(found.fixed, choice) == found.fixed.end()) found.fixed.push_back(choice);
+    }
     row.assumptions = assumptionsOf(found, options_.choices);
     if (!row.witness || !options_.evidence) return;
     std::optional<Judge> judge;
@@ -303,6 +320,7 @@ class Session {
   QuestionSearch search_;
   HiddenCode hidden_{program_, set_};
   std::unique_ptr<Facts> facts_;
+  std::unique_ptr<ProofSide> open_;       ///< the program under all readings, those of fixed choices too
   std::set<const Approximation*> noted_;  ///< what some result rests on
 };
 

@@ -48,8 +48,6 @@ TEST(Readings, WhereTheClockBitsStart) {
 TEST(Readings, TheClockBitsMayStartInsideAPeriod) {
   EXPECT_EQ(verdict({"LD SM0.5;= Q0.0", "reach rises(Q0.0) and prev(first_scan)", 10}), Outcome::Reachable);
   EXPECT_EQ(verdict({"LD SM0.5;= Q0.0", "reach falls(Q0.0) and prev(first_scan)", 10}), Outcome::Reachable);
-  EXPECT_EQ(verdict({"LD SM0.5;= Q0.0", "rises(Q0.0) implies not once(prev(rises(Q0.0)) and Q0.0)", 10}),
-            Outcome::Proved);
 }
 
 TEST(Readings, OfInactiveScrSegments) {
