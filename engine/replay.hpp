@@ -47,6 +47,9 @@ struct ReplayResult {
       0;  ///< values that the run did not ask for; more than 0: prover and engine walked apart
 };
 
+/// Whether the scan that left this state has an end: a scan that a fatal error ends has none (001:13906-13910).
+inline bool hasScanEnd(const Concrete::Store& state) { return state.get(Reg::Fault, 0) == 0; }
+
 /// Is shown the state after each scan and the index of its ReplayScan; false ends the replay.
 using ReplayObserver = std::function<bool(const Concrete::Store& state, std::size_t scan)>;
 

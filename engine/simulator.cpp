@@ -20,11 +20,12 @@ Simulator::Simulator(const Program& program, SimulatorOptions options, Outside* 
       outside_(outside),
       domain_(*this),
       store_(powerUpState(plan_, options_.choices, options_.dataLost)),
-      machine_(domain_, store_, plan_, options_.choices),
+      machine_(domain_, store_, plan_),
       queue_(program.target),
       devices_(options_.clock),
       unknownIsZero_(outside == nullptr && options_.choices.is(Choice::UnknownBits, "zero")),
       random_(options_.seed) {
+  startClock(Reg::PhaseHundred, options_.phaseMs);
   prepareCosts();
 }
 
@@ -47,6 +48,12 @@ void Simulator::run() {
   stoppedBy_ = nullptr;
 }
 
+void Simulator::startClock(Reg clock, std::uint32_t ms) {
+  if (clock == Reg::PhaseHundred) setTickPhase(store_, ms);
+  if (clock == Reg::PhaseSecond) store_.set(clock, 0, ms % 1000, true);
+  if (clock == Reg::PhaseMinute) store_.set(clock, 0, ms % 60000, true);
+}
+
 void Simulator::stop() { store_.set(Reg::Running, 0, 0, true); }
 
 void Simulator::scan(const ScanRequest& request) {
@@ -65,9 +72,10 @@ void Simulator::scanInStop(std::uint32_t lengthUs) {
   position_ = 0;
   startMs_ = clockMs_;
   machine_.guard = true;
-  machine_.halted = false;
+  machine_.halted = machine_.faulted = false;
   beginStatus(machine_);
   endFirstScanBits(machine_);
+  takeTicks(machine_);  // nobody counts them
   readInputs(machine_);
   for (const Area area : {Area::I, Area::AI}) forced_.apply(area, store_);
   finishScan(lengthUs);
@@ -112,6 +120,7 @@ void Simulator::finishScan(std::uint32_t lengthUs) {
   sinceTick_ = static_cast<std::uint32_t>(total % Cost::perMs);
   machine_.guard = true;
   if (machine_.halted) store_.set(Reg::Running, 0, 0, true);
+  store_.set(Reg::Fault, 0, machine_.faulted ? 1 : 0, true);
   for (const Area area : {Area::V, Area::M, Area::Q, Area::AQ}) forced_.apply(area, store_);
   std::uint32_t left = scanTicks_;
   for (; left > longestStep; left -= longestStep) advanceClocks(machine_, longestStep);

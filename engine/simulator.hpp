@@ -32,6 +32,7 @@ namespace rungproof {
 
 struct SimulatorOptions {
   Choices choices;
+  std::uint32_t phaseMs = 0;     ///< since the last tick of the 10 ms and 100 ms time bases when RUN begins
   std::uint32_t scanUs = 10000;  ///< length of a scan in us for which nothing else is asked
   std::vector<RetentiveRange> retentive = defaultRetentiveRanges();
   bool dataLost = false;   ///< first scan with SM0.2 = 1
@@ -57,6 +58,9 @@ class Simulator final : private Outside {
 
   /// Power off and on; retentive cells keep their values.
   void powerCycle();
+  /// Puts a clock `ms` into its period before the next scan: Reg::PhaseHundred the time bases of the timers,
+  /// PhaseSecond SM0.5, PhaseMinute SM0.4.
+  void startClock(Reg clock, std::uint32_t ms);
   /// The mode switch.
   void run();
   void stop();

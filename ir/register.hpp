@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "ir/choices.hpp"
+
 namespace rungproof {
 
 enum class Reg : std::uint8_t {
@@ -61,6 +63,8 @@ enum class Reg : std::uint8_t {
   FirstScan,
   Running,
   DiagnosticLed,
+  Fault,
+  Reading,
   count
 };
 
@@ -124,6 +128,9 @@ inline constexpr std::array<RegInfo, static_cast<std::size_t>(Reg::count)> regTa
     {Reg::FirstScan, "first scan", 1, 1},
     {Reg::Running, "RUN", 1, 1},
     {Reg::DiagnosticLed, "DIAG", 1, 1},
+    {Reg::Fault, "fault", 1, 1},  // a fatal error has ended the last scan (ir/scan_cycle.hpp)
+    // By choice, two each: whether its second or its third value is the reading; neither: the first (ir/reading.hpp).
+    {Reg::Reading, "reading", 1, 2 * static_cast<std::uint32_t>(choiceCount)},
 }};
 
 constexpr const RegInfo& regInfo(Reg reg) { return regTable[static_cast<std::size_t>(reg)]; }

@@ -143,6 +143,8 @@ Node EncodedScan::atEnd(const Operand& operand, int width) {
 
 Node EncodedScan::atStart(const Place& place) { return impl_->scan->start(place); }
 Node EncodedScan::firstScan() const { return impl_->scan->start(registerPlace(Reg::FirstScan, 0)); }
+Node EncodedScan::halted() const { return impl_->scan->halted(); }
+Node EncodedScan::faulted() const { return impl_->scan->faulted(); }
 TransitionSystem EncodedScan::system() { return impl_->scan->system(); }
 
 const std::vector<HazardRecord>& EncodedScan::hazards() const { return impl_->scan->hazards; }

@@ -31,6 +31,7 @@ struct ExternalBytes {
 
 struct EncoderOptions {
   Choices choices;
+  bool coversAllReadings = false;  ///< those of fixed choices too, to see what depends on them
   TimeRange time;
   bool initialRetentive = false;  ///< retentive cells start with any value
   std::vector<RetentiveRange> retentive = defaultRetentiveRanges();
@@ -117,6 +118,10 @@ class EncodedScan {
   Node atStart(const Place& place);
   /// Whether this is the first scan.
   Node firstScan() const;
+  /// Whether STOP in the main program or a fatal error ends the program in this scan; a fatal error: then the scan has
+  /// no end, nothing is written and no property is asked about it (001:13906-13910).
+  Node halted() const;
+  Node faulted() const;
 
   /// State, inputs and constraints of all that has been touched up to now. Call after the last atEnd().
   TransitionSystem system();

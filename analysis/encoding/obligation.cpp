@@ -81,6 +81,7 @@ Obligations::Obligations(const Program& program, const PropertySet& set, const s
   for (const Property& property : goals) {
     goals_.push_back({inItsBase(property), noNode, {}});
     addMonitor(goals_.back());
+    goals_.back().answer = atScanEnd(goals_.back().answer);
     if (property.atEveryInstruction) {
       const Node within = badSoFar[next++];
       if (within != noNode) goals_.back().answer = encoding_->graph().lor({goals_.back().answer}, {within}).node;
@@ -90,6 +91,7 @@ Obligations::Obligations(const Program& program, const PropertySet& set, const s
     if (property.isGoal()) continue;
     assumptions_.push_back({inItsBase(property), noNode, {}});
     addMonitor(assumptions_.back());
+    assumptions_.back().answer = encoding_->graph().lor({assumptions_.back().answer}, {encoding_->faulted()}).node;
   }
   approximateReals(nullptr, ofProgram, encoding_->graph().size());
 }
@@ -201,6 +203,12 @@ void Obligations::addMonitor(AskedProperty& obligation) {
     obligation.state.before.push_back(before[i].node);
     obligation.state.after.push_back(after[i].node);
   }
+}
+
+/// A scan that a fatal error ends has no end.
+Node Obligations::atScanEnd(Node condition) {
+  Graph& graph = encoding_->graph();
+  return graph.land({condition}, graph.lnot({encoding_->faulted()})).node;
 }
 
 Node Obligations::before(std::string name, Node value) {

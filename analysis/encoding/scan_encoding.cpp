@@ -41,7 +41,7 @@ ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options
       knowledge_(knowledge),
       initial_(powerUpState(plan, options.choices)),
       store_(graph, layout, *this, plan.edgeCount),
-      machine_(graph, store_, plan, options.choices),
+      machine_(graph, store_, plan),
       devices_(graph, plan, knowledge.tables,
                {[this](const Place& place) { return startOfCell(place); },
                 [this](std::string name, int width) { return deviceInputs[name] = input(name, width); },
@@ -162,6 +162,9 @@ bool ScanEncoding::isInput(const Place& place) const {
 Node ScanEncoding::init(const Place& place) const {
   Graph& g = const_cast<Graph&>(graph);
   if (place.isRegister) {
+    const bool isScanClock = place.reg == Reg::PhaseSecond || place.reg == Reg::PhaseMinute;
+    if (isScanClock && !isFixed(Choice::ScanClockStart)) return noNode;
+    if (place.reg == Reg::Reading && !isFixed(choiceOfReading(place.at))) return noNode;
     const bool isTimer = place.reg == Reg::TimerCurrent, isCounter = place.reg == Reg::CounterCurrent;
     if (options_.initialRetentive && (isTimer || isCounter) &&
         isRetentive(options_.retentive, isTimer ? Area::T : Area::C, place.at))
@@ -203,9 +206,16 @@ Cell ScanEncoding::newCell(const Place& place) {
     return {place, CellKind::Constant, graph.constantNode(known->second, place.width)};
   }
   const Node first = init(place);
+  if (place.isRegister && place.reg == Reg::Reading && first != noNode) return {place, CellKind::Constant, first};
   const auto isOfDevice = [&] { return !place.isRegister && devices_.mayWrite(place); };
   if (isClosed_ && !hasHavoc_ && first != noNode && !isOfDevice()) return {place, CellKind::Constant, first};
   const Node node = graph.variable(nameOf(place), place.width, true);
+  if (first == noNode && place.isRegister && (place.reg == Reg::PhaseSecond || place.reg == Reg::PhaseMinute)) {
+    const std::uint64_t period = place.reg == Reg::PhaseSecond ? 1000 : 60000;
+    const Node isPhase = graph.make(Op::Ult, 1, node, graph.constantNode(period, place.width));
+    constraints_.push_back(isPhase);
+    totalConstraints_.push_back(isPhase);
+  }
   const auto values = knowledge_.values.find(place);
   if (values != knowledge_.values.end())
     known_[node] = values->second;

@@ -47,6 +47,8 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   RoundsLeft beyondLimit(Graph::Bool condition);
 
   Node value(const Place& place) { return store_.value(place); }
+  Node halted() const { return machine_.halted.node; }
+  Node faulted() const { return machine_.faulted.node; }
   Node start(const Place& place);
   TransitionSystem system();
 
@@ -103,6 +105,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   void prepareWatched();
   bool isInput(const Place& place) const;
   Node init(const Place& place) const;
+  bool isFixed(Choice choice) const { return !options_.coversAllReadings && options_.choices.isFixed(choice); }
   Node input(std::string name, int width);
   Approximation& approximate(const Instruction* place, std::string_view reason);
 

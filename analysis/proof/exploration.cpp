@@ -292,6 +292,7 @@ class Exploration::Impl {
   /// One scan. Broken: an assumption does not hold in it. Goals that it shows are added to `shown`.
   Went scan(const ReplayScan& script, bool isFirst, std::vector<std::size_t>& shown) {
     simulator_.scan({.lengthUs = script.lengthMs * 1000, .script = &script.script});
+    if (!hasScanEnd(simulator_.store())) return Went::Ended;
     for (Follower& assumption : nowAssumed_) {
       if (!assumption.evaluate(domain_, simulator_.store(), script, isFirst)) return Went::Broken;
     }

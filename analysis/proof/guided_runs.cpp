@@ -96,6 +96,7 @@ class GuidedSearch {
       round = at == step ? round + 1 : 0;
       step = at;
       const bool isFirst = count++ == 0;
+      if (!hasScanEnd(state)) return false;
       for (Follower& assumption : assumptions) {
         if (!assumption.evaluate(domain, state, scans[at], isFirst)) return false;
       }

@@ -121,6 +121,9 @@ std::vector<std::string> environmentTexts(const Program& program, const Property
         fmt::format("{} to {} may be written from outside in any scan", toString(range.first), toString(range.last)));
   if (asksDevices(program))
     texts.push_back("what ports, pulse outputs and other devices write for a request, they write between two scans");
+  texts.emplace_back(set.externals.empty()
+                         ? "nothing outside the program writes its memory: no panel, no network ('external' names it)"
+                         : "nothing else outside the program writes its memory");
   for (const Property& property : set.properties) {
     if (!property.isGoal()) texts.push_back(property.text);
   }

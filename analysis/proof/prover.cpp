@@ -8,6 +8,7 @@
 #include <set>
 
 #include "analysis/proof/asked_goals.hpp"
+#include "analysis/proof/circumstances.hpp"
 #include "analysis/proof/hidden_code.hpp"
 #include "analysis/proof/proof_networks.hpp"
 #include "analysis/proof/question_search.hpp"
@@ -158,6 +159,36 @@ class Session {
     guardInterrupts(row);
     guardLeftOut(row);
     guardHiddenCode(question, row);
+    nameCircumstances(question, row);
+  }
+
+  /// The fixed readings that a question depends on: constants in its encoding, so that it is looked at in another one.
+  std::vector<Choice> fixedReadings(const EncodedScan& encoding, std::size_t question) {
+    std::vector<Choice> asked = fixedReadingsOf(encoding);
+    if (asked.empty() || question >= goals().size()) return asked;
+    if (!open_) {
+      EncoderOptions options = encoderOptionsOf(options_);
+      options.coversAllReadings = true;
+      open_ = std::make_unique<ProofSide>(program_, set_, goals(), options, CheckGroups{});
+    }
+    const Circumstances all = circumstancesOf(open_->obligations().encoding(), open_->variablesOf(question));
+    std::erase_if(asked, [&](Choice choice) { return std::ranges::find(all.fixed, choice) == all.fixed.end(); });
+    return asked;
+  }
+
+  /// The choices that the verdict rests on; for a run, the readings that it needs.
+  void nameCircumstances(std::size_t question, ProofResult& row) {
+    EncodedScan& encoding = search_.exact().obligations().encoding();
+    Circumstances found = circumstancesOf(encoding, search_.exact().variablesOf(question));
+    for (const Choice choice : fixedReadings(encoding, question)) {
+      if (std::ranges::find(found.fixed, choice) == found.fixed.end()) found.fixed.push_back(choice);
+    }
+    row.assumptions = assumptionsOf(found, options_.choices);
+    if (!row.witness || !options_.evidence) return;
+    std::optional<Judge> judge;
+    if (question < goals().size()) judge.emplace(program_, options_.choices, search_.assumptions(), goals()[question]);
+    for (std::string& text : conditionsOf(found, *row.witness, program_, options_.choices, judge ? &*judge : nullptr))
+      row.notes.push_back(std::move(text));
   }
 
   /// Nothing is decided that depends on code which was not read.
@@ -289,6 +320,7 @@ class Session {
   QuestionSearch search_;
   HiddenCode hidden_{program_, set_};
   std::unique_ptr<Facts> facts_;
+  std::unique_ptr<ProofSide> open_;       ///< the program under all readings, those of fixed choices too
   std::set<const Approximation*> noted_;  ///< what some result rests on
 };
 

@@ -44,6 +44,7 @@ struct ProofResult {
   std::optional<Witness> witness;
   std::string certificate;  ///< SMT-LIB 2, if asked for and proved
   std::vector<std::string> notes;
+  std::vector<std::string> assumptions;  ///< of this verdict, beside those of the run: choices and facts of the plant
   std::vector<std::pair<std::string, int>> networks;  ///< blocks and networks that a proof rests on
 };
 

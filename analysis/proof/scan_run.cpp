@@ -44,7 +44,7 @@ std::vector<Node> ScanRun::rootsOf(const EncodedScan& scan, const TransitionSyst
   for (const BoundarySite* site : scan.boundaries()) {
     for (const Node n : scan.visits(site->instruction)) roots.push_back(n);
   }
-  roots.push_back(scan.time().dt());
+  for (const Node n : {scan.time().dt(), scan.time().tensBefore(), scan.time().onesBefore()}) roots.push_back(n);
   return roots;
 }
 
@@ -89,6 +89,8 @@ Concrete::Store ScanRun::initialState() const {
         store.save(p.area, p.at + static_cast<std::uint32_t>(i), 8, value >> (p.width - 8 - i) & 0xFF, true);
     }
   }
+  setTickPhase(
+      store, static_cast<std::uint32_t>(values_[scan_.time().tensBefore()] * 10 + values_[scan_.time().onesBefore()]));
   return store;
 }
 

@@ -131,6 +131,26 @@ class Minimiser {
       }
       if (!isShown(best_.scans)) *best_.initial = before;
     }
+    dropCircumstances();
+  }
+
+  /// The usual readings, and clocks that start at a tick.
+  void dropCircumstances() {
+    const auto tryStart = [&](auto&& change) {
+      const Concrete::Store before = *best_.initial;
+      change(*best_.initial);
+      if (!(before == *best_.initial) && !isShown(best_.scans)) *best_.initial = before;
+    };
+    for (const ChoiceInfo& info : choiceTable) {
+      if (isLate()) return;
+      tryStart([&](Concrete::Store& s) { setReading(s, info.choice, judge_.choices()[info.choice]); });
+    }
+    tryStart([](Concrete::Store& s) { setTickPhase(s, 0); });
+    for (const auto& [reg, period] : {std::pair{Reg::PhaseSecond, 1000U}, std::pair{Reg::PhaseMinute, 60000U}}) {
+      for (const std::uint32_t phase : {period / 2, 0U}) {
+        if (!isLate()) tryStart([&](Concrete::Store& s) { s.set(reg, 0, phase, true); });
+      }
+    }
   }
 
   bool isShown(const std::vector<ReplayScan>& scans) const { return judge_.run(scans, initial()).shown; }

@@ -203,7 +203,7 @@ Exit run(const Arguments& arguments, Context& context) {
       std::vector<const ProofResult*> builtin;
       for (const ProofResult& result : proof.results) {
         part.properties.push_back(rowOf(context, arguments, names, input.program, options.choices, result));
-        part.properties.back().assumptions = {};
+        part.properties.back().assumptions = result.assumptions;
         if (result.builtin) builtin.push_back(&result);
       }
       for (Finding& finding : findingsOf(builtin)) part.findings.push_back(std::move(finding));

@@ -244,6 +244,7 @@ Exit run(const Arguments& arguments, Context& context) {
 
   SimulatorOptions options;
   options.choices = context.settings.choices();
+  options.phaseMs = context.settings.phaseMs();
   options.seed = static_cast<std::uint64_t>(std::stoull(std::string(context.settings.text(Opt::Seed))));
   Simulator simulator(program, options);
   const auto isPage = [](const std::string& name) { return name.ends_with(".html"); };
@@ -260,6 +261,8 @@ Exit run(const Arguments& arguments, Context& context) {
       return Exit::Failed;
   }
   describeRun(report, simulator, job.scanTime);
+  if (const std::string text = stopText(simulator); !text.empty() && !context.settings.flag(Opt::Quiet))
+    context.err << fmt::format("rungproof: {} in scan {}\n", text, trace.rows.empty() ? 0 : trace.rows.back().scan);
   if (job.expected)
     report.comparison = comparisonOf(*job.expected, trace, firstDifference(*job.expected, trace, job.compare));
   if (!preparation.isResult()) return finish(context, std::move(report));
@@ -301,6 +304,8 @@ extern constexpr Command simCommand = {
         "VB101=83 SMB86=2, as far as a request of the program asked for it (then they do nothing else).\n"
         "Expected values are compared with the values at the end of the scan, or of the scan in which the time\n"
         "falls. A written CSV trace is a stimulus as well.\n"
+        "CLOCK.tick, CLOCK.second and CLOCK.minute say how many ms the time bases of the timers, SM0.5 and\n"
+        "SM0.4 are into their periods.\n"
         "\n"
         "Examples:\n"
         "    rungproof sim press.awl --stimulus start.csv --expect start.expected.csv\n"

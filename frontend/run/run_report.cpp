@@ -63,6 +63,11 @@ void listHiddenBlocks(Report& report, const Program& program) {
 
 }  // namespace
 
+std::string stopText(const Simulator& simulator) {
+  if (simulator.isRunning() || simulator.errors().fatal() != nullptr) return "";
+  return fmt::format("the CPU went to STOP{}", placeOf(simulator.stoppedBy(), *simulator.plan().program));
+}
+
 void describeRun(Report& report, const Simulator& simulator, const ScanTime& scanTime) {
   const Program& program = *simulator.plan().program;
   for (const RunTimeError& error : simulator.errors().list()) {
@@ -79,9 +84,7 @@ void describeRun(Report& report, const Simulator& simulator, const ScanTime& sca
   report.assumptions.push_back(fmt::format("scan time {} where the stimulus says nothing", range));
   report.assumptions.push_back(
       fmt::format("{} scans, {:g} ms", simulator.scanCount(), static_cast<double>(simulator.timeUs()) / 1000));
-  const bool wasStopped = !simulator.isRunning() && simulator.errors().fatal() == nullptr;
-  if (wasStopped)
-    report.assumptions.push_back(fmt::format("the CPU went to STOP{}", placeOf(simulator.stoppedBy(), program)));
+  if (const std::string text = stopText(simulator); !text.empty()) report.assumptions.push_back(text);
 }
 
 }  // namespace rungproof

@@ -271,7 +271,10 @@ namespace {
 Trace readTraceWith(const std::string& name, std::string_view text, std::vector<Failure>& failures,
                     const std::function<std::optional<TraceSignal>(const std::string&, Failure&)>& signalOfColumn) {
   TableReader reader(name, text, failures);
-  const Frame frame = reader.frame();
+  Frame frame = reader.frame();
+  // Where clocks start is for stimuli only.
+  std::erase_if(frame.signals,
+                [&](std::size_t i) { return lowered(reader.table().heading[i].text).starts_with("clock."); });
   Trace trace;
   trace.isByTime = frame.isByTime;
   trace.hasTimes = frame.isByTime || frame.isRecorded;

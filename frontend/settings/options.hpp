@@ -29,6 +29,7 @@ enum class Opt : std::uint8_t {
   Symbols,
   StdinFilename,
   ScanTime,
+  Phase,
   Timeout,
   Memory,
   Bound,
@@ -111,6 +112,8 @@ class Settings {
   Severity level() const;
   std::optional<ScanTime> scanTime() const;
   std::optional<Duration> timeout() const;
+  /// Time since the last tick of the time bases when RUN begins, in ms.
+  std::uint32_t phaseMs() const;
   /// Bytes; nothing if no limit was given.
   std::optional<std::uint64_t> memory() const;
   Choices choices() const;

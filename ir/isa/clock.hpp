@@ -37,11 +37,12 @@ struct Clock {
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
-    const bool hasClock = cpuFeatures(m.target).clockBuiltIn || m.choices.is(Choice::ClockModule, "fitted");
-    m.hazard(Hazard::NoClock, d.constant(!hasClock));
+    const auto hasClock =
+        cpuFeatures(m.target).clockBuiltIn ? d.constant(true) : m.reads({Choice::ClockModule, "fitted"});
+    m.hazard(Hazard::NoClock, d.lnot(hasClock));
     const auto fits = a.fits(0, m.number(size, 16), Width::Byte);
     m.hazard(Hazard::OutOfRange, d.lnot(fits));
-    m.when(d.land(fits, d.constant(hasClock)), [&] {
+    m.when(d.land(fits, hasClock), [&] {
       if constexpr (writes) {
         set(m, a);
       } else {
@@ -57,12 +58,12 @@ struct Clock {
   template <class D>
   static typename D::Bool isLegal(Machine<D>& m, typename D::Bits byte, ClockField field) {
     D& d = m.d;
-    if (m.choices.is(Choice::ClockData, "any")) return d.constant(true);
     const auto tens = d.extract(byte, 7, 4), ones = d.extract(byte, 3, 0), nine = m.number(9, 4);
     const auto isBcd = d.land(d.ule(tens, nine, 4), d.ule(ones, nine, 4));
-    if (m.choices.is(Choice::ClockData, "bcd")) return isBcd;
     const auto value = d.add(d.mul(d.zext(tens, 4, 8), m.number(10, 8), 8), d.zext(ones, 4, 8), 8);
-    return d.land(isBcd, d.land(d.ule(m.number(field.low, 8), value, 8), d.ule(value, m.number(field.high, 8), 8)));
+    const auto inRange = d.land(d.ule(m.number(field.low, 8), value, 8), d.ule(value, m.number(field.high, 8), 8));
+    const auto anyRange = d.lor(m.reads({Choice::ClockData, "bcd"}), inRange);
+    return d.lor(m.reads({Choice::ClockData, "any"}), d.land(isBcd, anyRange));
   }
 
   /// Which data are refused is Choice::ClockData; 30 February is not (001:2947).
@@ -78,7 +79,7 @@ struct Clock {
     }
     if constexpr (extended) {
       const auto mode = a.element(0, clockModeAt, Width::Byte);
-      auto known = d.constant(m.choices.is(Choice::ClockData, "any"));
+      auto known = m.reads({Choice::ClockData, "any"});
       for (const std::uint8_t value : clockModes) known = d.lor(known, d.equal(mode, m.number(value, 8), 8));
       auto rule = d.constant(true);
       for (int k = 0; k < 10; ++k)
