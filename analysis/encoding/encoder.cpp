@@ -17,6 +17,11 @@ class EncodedScan::Impl {
     for (const Operand& operand : options.observed) layout.add(operand.area, operand.width, operand.offset);
     // SM0.0 is always on (001:14050), unless the program overwrites it.
     knowledge.constants = {{memoryPlace(Area::SM, 0, Width::Bit, 0), 1}};
+    std::set<int> routines;
+    if (options.interrupts) {
+      for (const auto& [event, attached] : attachmentsOf(plan)) routines.insert(attached.begin(), attached.end());
+    }
+    if (!routines.empty()) effects = std::make_unique<RoutineEffects>(plan, options.choices, layout, routines);
     for (int round = 0; !learn(); ++round) {
       if (round == roundLimit) knowledge.followsPointers = false;
     }
@@ -30,13 +35,14 @@ class EncodedScan::Impl {
   Plan plan;
   MemoryLayout layout;
   Knowledge knowledge;
+  std::unique_ptr<RoutineEffects> effects;  ///< nullptr: nothing is attached
   std::unique_ptr<ScanEncoding> scan;
 
  private:
   /// Rounds until pointers that still gain values are given up.
   static constexpr int roundLimit = 12;
 
-  void encode() { scan = std::make_unique<ScanEncoding>(program, options, plan, layout, knowledge); }
+  void encode() { scan = std::make_unique<ScanEncoding>(program, options, plan, layout, knowledge, effects.get()); }
 
   /// One round. True if it confirmed what it was built on; then the constants it found are adopted as well.
   bool learn() {
