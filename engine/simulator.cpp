@@ -133,7 +133,7 @@ void Simulator::writeByDevice(const Operand& operand, std::uint64_t value) {
   machine_.guard = true;
   setCell(store_, operand, value);
   const std::optional<DeviceEnd> end = endShownBy(machine_, operand, value);
-  if (end && end->event && script_ == nullptr) raise(*end->event);
+  if (end && end->event) raise(*end->event);
 }
 
 /// The value has been saved at the end of the scan before (001:1649-1651).

@@ -182,7 +182,7 @@ class Simulator final : private Outside {
   bool attention_ = false;     ///< events wait in the queue, or an observer looks
   InstructionObserver* observer_ = nullptr;
   const Instruction* stoppedBy_ = nullptr;
-  const std::string* calledBlock_ = nullptr;    ///< library block whose outputs are being asked for
+  const std::string* calledBlock_ = nullptr;  ///< library block whose outputs are being asked for
   std::set<int> withoutCause_;
   std::uint64_t random_;
   std::uint32_t edgeInputs_ = 0;  ///< I0.0-I0.3 as the edge events saw them last

@@ -115,9 +115,7 @@ void Simulator::forgetEdges() {
 
 /// What the script says of a place: ticks, then events. After the program the rest of the scan's time passes.
 void Simulator::scripted(Runner& runner, ScanPlace place) {
-  const auto isHere = [&](const ScanPlace& other) {
-    return other.instruction == place.instruction && other.visit == place.visit;
-  };
+  const auto isHere = [&](const ScanPlace& other) { return other == place; };
   const auto pass = [&](std::uint32_t ticks) {
     if (ticks == 0) return;
     refreshTimers(machine_, 1, ticks, [&](const TimerUse& use, bool reached) { raiseTimer(use, reached); });
@@ -128,6 +126,7 @@ void Simulator::scripted(Runner& runner, ScanPlace place) {
     if (!isEnd && isHere(tick.place)) pass(tick.ticks);
   }
   if (isEnd && scriptedMs_ > scriptedTicks_) pass(scriptedMs_ - scriptedTicks_);
+  scriptedWrites(place);
   forgetEdges();
   bool isTogether = false;  // with the event before
   for (const ScanScript::Event& event : script_->events) {

@@ -206,7 +206,8 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
     {Choice::DetachedEvents,
      "detached-events",
      {"kept", "dropped", ""},
-     "events that wait in a queue when DTCH detaches them: they stay and their routine still runs, which is why the text "
+     "events that wait in a queue when DTCH detaches them: they stay and their routine still runs, which is why the "
+     "text "
      "lets CEVNT clear them after DTCH, or they are dropped; the prover covers both",
      "001:5357"},
     {Choice::BlockMoveNothing,

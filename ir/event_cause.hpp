@@ -1,11 +1,12 @@
-// When an interrupt event can occur, and what it changes in the machine at that moment, over any domain. Ports, counters
-// and pulse outputs end what they do from outside: an event that tells of it can occur only while they are at it. Events
-// 10 and 11 follow from the time, 21 and 22 from their timers: they have no cause here. Engine (scripted runs) and
-// encoder both ask here. Covered by tests/environment/event_cause_test.cpp.
+// When an interrupt event can occur, and what it changes in the machine at that moment, over any domain. Ports,
+// counters and pulse outputs end what they do from outside: an event that tells of it can occur only while they are at
+// it. Events 10 and 11 follow from the time, 21 and 22 from their timers: they have no cause here. Engine (scripted
+// runs) and encoder both ask here. Covered by tests/environment/event_cause_test.cpp.
 #pragma once
 
 #include <optional>
 
+#include "ir/device_end.hpp"
 #include "ir/event.hpp"
 #include "ir/hsc_inputs.hpp"
 #include "ir/machine.hpp"
@@ -105,36 +106,26 @@ void deviceEvent(Machine<D>& m, int event) {
   if (isPulseEvent(event)) {
     const std::uint32_t output = event == 19 ? 0 : 1;
     const auto goesOn = m.getBit(Reg::PulsePending, output);
-    m.when(goesOn, [&] {  // the train that waits begins (001:4584)
-      m.set(Reg::PulseCycle, output, m.get(Reg::PulseNextCycle, output));
-      m.set(Reg::PulseCount, output, m.get(Reg::PulseNextCount, output));
-      m.set(Reg::PulseIsMs, output, m.get(Reg::PulseNextIsMs, output));
-    });
-    m.when(d.lnot(goesOn), [&] {
-      m.setBit(Reg::PulseBusy, output, d.constant(false));
-      m.set(Reg::PulseSegments, output, m.number(0, 8));
-      m.setSm(output == 0 ? 66 : 76, 7, d.constant(true));
-    });
-    m.setBit(Reg::PulsePending, output, d.constant(false));
+    endPulseTrain(m, output);
+    m.when(d.lnot(goesOn), [&] { m.setSm(pulseStatus(output), pulseIdle, d.constant(true)); });
     return;
   }
   const auto port = portEvent(event);
   if (!port) return;
-  const auto busy = m.get(Reg::PortBusy, port->port);
   switch (port->kind) {
     case PortEvent::Character:  // 001:3324, 001:14079
       m.save(Area::SM, 2, Width::Byte, m.external(External::ReceivedByte, port->port, 8));
       m.setSm(3, 0, m.externalBit(External::ReceivedByte, 2 + port->port));
       break;
     case PortEvent::Transmitted:
-      m.set(Reg::PortBusy, port->port, d.band(busy, m.number(2, 2), 2));
-      m.setSm(4, 5 + port->port, d.constant(true));
+      endPortUse(m, port->port, PortUse::Transmission);
+      m.setSm(4, transmitterBit(port->port), d.constant(true));
       break;
-    case PortEvent::Message: {  // the status tells how it ended and is never 0 then (001:14278)
-      const auto status = m.external(External::ReceivedByte, 4 + port->port, 8);
-      m.set(Reg::PortBusy, port->port, d.band(busy, m.number(1, 2), 2));
-      m.save(Area::SM, port->port == 0 ? 86 : 186, Width::Byte,
-             d.select(d.equal(status, m.number(0, 8), 8), m.number(0x20, 8), status, 8));
+    case PortEvent::Message: {  // the status tells how it ended by itself: by e, t, c or p (001:14286)
+      const auto status = d.band(m.external(External::ReceivedByte, 4 + port->port, 8), m.number(0x27, 8), 8);
+      endPortUse(m, port->port, PortUse::Reception);
+      m.save(Area::SM, receiveStatus(port->port), Width::Byte,
+             d.select(d.equal(status, m.number(0, 8), 8), m.number(0x02, 8), status, 8));
       break;
     }
   }

@@ -38,7 +38,7 @@ struct EncoderOptions {
   std::vector<Operand> observed;  ///< direct operands that properties read: they shape the state variables
   bool interrupts = true;
   int eventPasses = 2;  ///< times that each event is let in at one place; what more of them can do is estimated
-  int loopLimit = 256;            ///< rounds of a backward jump that are followed
+  int loopLimit = 256;  ///< rounds of a backward jump that are followed
   std::size_t stepLimit = 50000;  ///< instructions of one scan, loops unrolled, after which no loop is followed further
   /// Asked now and then while the program is encoded; throws whatever shall end it (proof_watch.hpp).
   std::function<void()> interruption;

@@ -66,8 +66,7 @@ void addCauseKeys(int event, Footprint& footprint) {
     addKeys(place, footprint.reads);
     addKeys(place, footprint.writes);
   };
-  if (isTimedEvent(event))
-    reads(registerPlace(Reg::TimedPeriod, static_cast<std::uint32_t>(event) - firstTimedEvent));
+  if (isTimedEvent(event)) reads(registerPlace(Reg::TimedPeriod, static_cast<std::uint32_t>(event) - firstTimedEvent));
   if (const auto counter = counterEvent(event)) {
     reads(registerPlace(Reg::HscMode, counter->counter));
     reads(registerPlace(Reg::HscEnabled, counter->counter));

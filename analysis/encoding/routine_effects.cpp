@@ -18,8 +18,8 @@ constexpr std::size_t trialSteps = 3000;        ///< instructions of a routine, 
 constexpr int trialLoops = 40;                  ///< rounds of a loop
 constexpr std::size_t mostRoutinesPaired = 12;  ///< more are not tried in both orders
 constexpr std::size_t mostConstantsTried = 12;
-constexpr int samples = 300;           ///< random states that weed out bounds
-constexpr unsigned proofLimit = 1000;  ///< ms of one proof
+constexpr int samples = 300;                            ///< random states that weed out bounds
+constexpr unsigned proofLimit = 1000;                   ///< ms of one proof
 constexpr std::chrono::milliseconds searchLimit{3000};  ///< for all proofs
 
 bool isKeptAround(const Place& place) {
@@ -150,8 +150,8 @@ RoutineEffects::RoutineEffects(const Plan& plan, const Choices& choices, const M
       if (!isKeptAround(cell.place) && once->value(cell.place) != cell.start) written.push_back(cell.place);
     }
     std::ranges::sort(written);
-    isOnePassEnough_ = isOnePassEnough_ && !trial.mayHalt && !trial.readsOverflow &&
-                       !differ(*once, *trial.run({routine, routine}));
+    isOnePassEnough_ =
+        isOnePassEnough_ && !trial.mayHalt && !trial.readsOverflow && !differ(*once, *trial.run({routine, routine}));
   }
   isOnePassEnough_ = isOnePassEnough_ && routines.size() <= mostRoutinesPaired;
   for (auto a = routines.begin(); a != routines.end() && isOnePassEnough_; ++a) {
@@ -204,8 +204,8 @@ void RoutineEffects::findBounds(Trial& trial) {
     known.erase(std::ranges::unique(known).begin(), known.end());
     if (known.size() > mostConstantsTried) known.resize(mostConstantsTried);
     using enum Bound::Kind;
-    const std::vector<Bound::Kind> kinds = width == 1 ? std::vector{AtLeast, AtMost}
-                                                      : std::vector{AtLeast, AtMost, SignedAtLeast, SignedAtMost};
+    const std::vector<Bound::Kind> kinds =
+        width == 1 ? std::vector{AtLeast, AtMost} : std::vector{AtLeast, AtMost, SignedAtLeast, SignedAtMost};
     for (const Bound::Kind kind : kinds) {
       w.bounds.push_back({kind, {}});
       for (const std::uint64_t c : known) {
@@ -243,8 +243,8 @@ void RoutineEffects::findBounds(Trial& trial) {
     const std::vector<Bound> given = w.bounds;
     std::erase_if(w.bounds, [&](const Bound& bound) {
       return !bound.constants.empty() && std::ranges::any_of(given, [&](const Bound& other) {
-               return other.kind == bound.kind && other.constants.empty();
-             });
+        return other.kind == bound.kind && other.constants.empty();
+      });
     });
   }
   const auto end = std::chrono::steady_clock::now() + searchLimit;
@@ -262,7 +262,8 @@ void RoutineEffects::findBounds(Trial& trial) {
           std::vector<Node> conditions = assumed;
           conditions.push_back(graph.lnot({bound.holds(graph, w.before, after)}).node);
           if (graph.truth({conditions.back()}) == false) return false;
-          const bool holds = std::chrono::steady_clock::now() < end && satisfiable(graph, conditions, proofLimit) == false;
+          const bool holds =
+              std::chrono::steady_clock::now() < end && satisfiable(graph, conditions, proofLimit) == false;
           isStable = isStable && holds;
           return !holds;
         });

@@ -1,6 +1,7 @@
-// What any number of runs of some interrupt routines, in any order, can leave in the places that they write. The routines
-// are run once on a state of which nothing is known; then
-//   - if one run after the other in a fixed order leaves what all others leave (each is the same when it is repeated, and
+// What any number of runs of some interrupt routines, in any order, can leave in the places that they write. The
+// routines are run once on a state of which nothing is known; then
+//   - if one run after the other in a fixed order leaves what all others leave (each is the same when it is repeated,
+//   and
 //     they may change places), one run of each is enough, and nothing has to be estimated;
 //   - otherwise bounds are sought that every run keeps: "never falls", "at most what it was or 1000", "one of these
 //     numbers". What no bound holds may become anything.

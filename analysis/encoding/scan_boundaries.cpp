@@ -132,8 +132,7 @@ void ScanEncoding::tick(std::uint32_t instruction, std::uint32_t visit) {
   const Node ticks = time.saturated16(graph.make(Op::Sub, w, now, consumed_));
   const Graph::Bool passes = graph.lnot(graph.equal({ticks}, graph.literal(0, 16), 16));
   machine_.when(passes, [&] {
-    refreshTimers(machine_, 1, {ticks},
-                  [&](const TimerUse& use, Graph::Bool reached) { timerReached(use, reached); });
+    refreshTimers(machine_, 1, {ticks}, [&](const TimerUse& use, Graph::Bool reached) { timerReached(use, reached); });
   });
   tickSites.push_back({{instruction, visit, guard}, ticks});
   consumed_ = graph.make(Op::Ite, w, guard, now, consumed_);

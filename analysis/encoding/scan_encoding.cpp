@@ -46,8 +46,7 @@ constexpr std::string_view tableReason = "writes later through a pointer whose t
 }  // namespace
 
 ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options, const Plan& plan,
-                           const MemoryLayout& layout, const Knowledge& knowledge,
-                           const RoutineEffects* effects)
+                           const MemoryLayout& layout, const Knowledge& knowledge, const RoutineEffects* effects)
     : time(graph, options.time),
       program_(program),
       options_(options),

@@ -117,6 +117,8 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   void interrupts(Runner& runner, std::uint32_t instruction);
   void noteAttachment(const Instruction& instruction);
   void timerReached(const TimerUse& use, Graph::Bool reached);
+  void queueOne(int event, Graph::Bool condition);
+  void noteEndOfReception(const Instruction& instruction);
   struct Round;
   void runEvent(Runner& runner, Round& round, int event);
   void runRoutines(Runner& runner, Round& round, int event, Graph::Bool fires);
@@ -169,7 +171,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   std::vector<int> events_;  ///< attached ones, by priority
   const RoutineEffects* effects_;
   EventStates eventStates_;
-  bool isAfterEnable_ = false;  ///< ENI stands in front of this place
+  bool isAfterEnable_ = false;        ///< ENI stands in front of this place
   std::set<std::uint32_t> tickKeys_;  ///< footprint keys of all 1 ms timers
   Footprint watched_;                 ///< read in front of every instruction (EncoderOptions::watched)
   Footprints footprints_;

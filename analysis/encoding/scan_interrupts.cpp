@@ -2,15 +2,16 @@
 //
 // Events that nothing limits (edges, counters, ports while they are at it) may come at any place, any number of times:
 // whether each comes is an input. At a place all of them are let in one after the other, and that several times over
-// (EncoderOptions::eventPasses), so that they come in any order; since a routine that changes nothing may as well not run,
-// more runs matter only if the last pass has changed something. What more can do is estimated (routine_effects.hpp) from
-// the state in front of the place. Scans that use the estimate are marked (Approximation::used).
-// While interrupts are disabled, such events wait in the queue; to come when they are enabled again is the same to the
-// program, so nothing is kept of them - except an entry whose event was detached meanwhile, and the overflow bits.
+// (EncoderOptions::eventPasses), so that they come in any order; since a routine that changes nothing may as well not
+// run, more runs matter only if the last pass has changed something. What more can do is estimated
+// (routine_effects.hpp) from the state in front of the place. Scans that use the estimate are marked
+// (Approximation::used). While interrupts are disabled, such events wait in the queue; to come when they are enabled
+// again is the same to the program, so nothing is kept of them - except an entry whose event was detached meanwhile,
+// and the overflow bits.
 //
 // Events that follow from the time are counted: 10 and 11 come as often as their period has passed, by the end of the
-// scan at the latest and the one that is due for longer first; 21 and 22 come when their timer reaches its preset. Those
-// that meet disabled interrupts wait, as many as the queue holds, and run at the first place where they can.
+// scan at the latest and the one that is due for longer first; 21 and 22 come when their timer reaches its preset.
+// Those that meet disabled interrupts wait, as many as the queue holds, and run at the first place where they can.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,6 +19,7 @@
 
 #include "analysis/encoding/scan_encoding.hpp"
 #include "ir/event_cause.hpp"
+#include "ir/isa/comm.hpp"
 #include "ir/timer_refresh.hpp"
 
 namespace rungproof {
@@ -42,19 +44,25 @@ int depthOf(const Target& target, EventGroup group) {
 
 bool isLimited(int event) { return isTimedEvent(event) || isTimerEvent(event); }
 
+/// Events that tell of the end of a request.
+bool isOfRequest(int event) {
+  const auto port = portEvent(event);
+  return isPulseEvent(event) || (port && port->kind != PortEvent::Character);
+}
+
 }  // namespace
 
 /// What happens at one place.
 struct ScanEncoding::Round {
   BoundarySite where;
-  bool isEnd = false;                ///< after the program
+  bool isEnd = false;  ///< after the program
   bool isLastPass = false;
-  std::vector<int> events{};         ///< that can be noticed here, by priority
-  std::map<Place, Node> before{};    ///< what routines can change, as it was in front of the place
-  Graph::Bool hasChanged{};          ///< the last pass has changed something
-  Graph::Bool mustGoOn{};            ///< more runs come than are followed
-  Graph::Bool mayGoOn{};             ///< they may come whether or not anything has changed
-  std::set<int> ran{};               ///< routines
+  std::vector<int> events{};       ///< that can be noticed here, by priority
+  std::map<Place, Node> before{};  ///< what routines can change, as it was in front of the place
+  Graph::Bool hasChanged{};        ///< the last pass has changed something
+  Graph::Bool mustGoOn{};          ///< more runs come than are followed
+  Graph::Bool mayGoOn{};           ///< they may come whether or not anything has changed
+  std::set<int> ran{};             ///< routines
 };
 
 Node ScanEncoding::state(std::string name, int width) {
@@ -82,7 +90,9 @@ void ScanEncoding::beginEvents() {
       const Node elapsed = graph.make(Op::Zext, w, machine_.get(Reg::TimedElapsed, timer).node);
       s.sinceLast[timer] = graph.make(Op::Add, w, elapsed, dt);
     }
-    if (isLimited(event)) s.waiting[event] = state(fmt::format("event {} waiting", event), queueBits);
+    if (isLimited(event) || isOfRequest(event))
+      s.waiting[event] = state(fmt::format("event {} waiting", event), queueBits);
+    if (const Node end = devices_.ends(event); isOfRequest(event) && end != noNode) queueOne(event, {end});
     if (detached.contains(event) && machine_.choices.is(Choice::DetachedEvents, "kept"))
       s.left[event] = state(fmt::format("event {} left", event), 8);
     if (!isEdgeEvent(event) || event % 2 != 0 || !attachments_.contains(event + 1)) continue;
@@ -116,9 +126,8 @@ void ScanEncoding::endEvents() {
   for (std::uint32_t timer = 0; timer < timedEventCount; ++timer) {
     if (s.sinceLast[timer] == noNode) continue;
     const Graph::Bool counts = hasRoutine(static_cast<int>(firstTimedEvent + timer));
-    machine_.when(counts, [&] {
-      machine_.set(Reg::TimedElapsed, timer, {graph.make(Op::Extract, 8, s.sinceLast[timer])});
-    });
+    machine_.when(counts,
+                  [&] { machine_.set(Reg::TimedElapsed, timer, {graph.make(Op::Extract, 8, s.sinceLast[timer])}); });
   }
   for (StateVariable& variable : s.all) variable.next = variable.node;
   const auto setNext = [&](Node now, const std::string& name) {
@@ -181,8 +190,7 @@ Graph::Bool ScanEncoding::isNextDue(std::uint32_t timer) {
 /// Whether the event comes at this point, nothing waiting.
 Graph::Bool ScanEncoding::occurs(Round& round, int event) {
   const auto input = [&] {
-    return Graph::Bool{
-        this->input(fmt::format("event {} before instruction {}", event, round.where.instruction), 1)};
+    return Graph::Bool{this->input(fmt::format("event {} before instruction {}", event, round.where.instruction), 1)};
   };
   if (isTimerEvent(event)) return graph.constant(false);
   if (isTimedEvent(event)) {
@@ -215,9 +223,10 @@ Node ScanEncoding::anyOf(std::string name, int width) {
 }
 
 Approximation& ScanEncoding::estimate() {
-  return approximate(nullptr, fmt::format("interrupts that come more than {} times at one place, or are lost: what their "
-                                          "routines leave is estimated",
-                                          options_.eventPasses));
+  return approximate(nullptr,
+                     fmt::format("interrupts that come more than {} times at one place, or are lost: what their "
+                                 "routines leave is estimated",
+                                 options_.eventPasses));
 }
 
 void ScanEncoding::useEstimate(Graph::Bool used) {
@@ -277,8 +286,8 @@ void ScanEncoding::runEvent(Runner& runner, Round& round, int event) {
     waited = graph.land(ready, graph.lnot(graph.equal({waits->second}, graph.literal(0, queueBits), queueBits)));
     // A timer's event that has just come may let others pass.
     if (isTimerEvent(event) && !round.isLastPass && graph.truth(here(waited)) != false) {
-      waited = graph.land(waited, {input(fmt::format("event {} before instruction {}", event, round.where.instruction),
-                                         1)});
+      waited =
+          graph.land(waited, {input(fmt::format("event {} before instruction {}", event, round.where.instruction), 1)});
     }
   }
   const Graph::Bool comes = graph.land(graph.lnot(waited), graph.land(ready, occurs(round, event)));
@@ -369,13 +378,13 @@ void ScanEncoding::passTime(Round& round) {
       if (graph.truth(here(waits)) != false) {
         const int depth = depthOf(machine_.target, EventGroup::Timed);
         const Graph::Bits many = graph.udiv({s.sinceLast[timer]}, periodOf(timer), w);
-        const Node room = graph.make(Op::Sub, queueBits + 2, graph.constantNode(static_cast<std::uint64_t>(depth), queueBits + 2), queued());
+        const Node room = graph.make(Op::Sub, queueBits + 2,
+                                     graph.constantNode(static_cast<std::uint64_t>(depth), queueBits + 2), queued());
         const Graph::Bits wide{graph.make(Op::Zext, w, room)};
         const Graph::Bool overflows = graph.ult(wide, many, w);
         const Node more = graph.make(Op::Extract, queueBits, graph.select(overflows, wide, many, w).node);
         become(s.waiting.at(event), here(waits), graph.make(Op::Add, queueBits, s.waiting.at(event), more));
-        machine_.when(graph.land(waits, overflows),
-                      [&] { machine_.setSm(overflowByte, 2, graph.constant(true)); });
+        machine_.when(graph.land(waits, overflows), [&] { machine_.setSm(overflowByte, 2, graph.constant(true)); });
       }
       become(s.sinceLast[timer], here(due), graph.urem({s.sinceLast[timer]}, periodOf(timer), w).node);
     }
@@ -400,8 +409,8 @@ void ScanEncoding::moreRuns(Runner& runner, Round& round) {
                                                 : eventHasCause(machine_, event);
     comesStill = graph.lor(comesStill, graph.land(may, isReady(event)));
   }
-  const Graph::Bool optional = graph.land(graph.lor(graph.land(round.hasChanged, comesStill), round.mayGoOn),
-                                          graph.lnot(round.mustGoOn));
+  const Graph::Bool optional =
+      graph.land(graph.lor(graph.land(round.hasChanged, comesStill), round.mayGoOn), graph.lnot(round.mustGoOn));
   Graph::Bool more = graph.constant(false);
   if (graph.truth(here(optional)) != false)
     more = freely(fmt::format("more interrupts before instruction {}", round.where.instruction), optional);
@@ -413,7 +422,8 @@ void ScanEncoding::moreRuns(Runner& runner, Round& round) {
   std::map<Place, Node> places = round.before;
   if (!effects_->isComplete()) {
     if (hasHavoc_) {
-      store_.havoc(here(more), [this](const Place& place) { return anyOf("after more " + nameOf(place), place.width); });
+      store_.havoc(here(more),
+                   [this](const Place& place) { return anyOf("after more " + nameOf(place), place.width); });
     }
     for (const auto& [routine, footprint] : knowledge_.footprints.ofRoutine) {
       for (const Place& place : placesOf(footprint.writes)) places.try_emplace(place, store_.value(place));
@@ -439,7 +449,8 @@ void ScanEncoding::moreRuns(Runner& runner, Round& round) {
     });
   }
   for (auto& [input, last] : eventStates_.lastEdge) become(last, here(more), graph.constantNode(0, 2));
-  const bool mayHalt = !effects_->isComplete() || std::ranges::any_of(round.ran, [&](int r) { return effects_->mayHalt(r); });
+  const bool mayHalt =
+      !effects_->isComplete() || std::ranges::any_of(round.ran, [&](int r) { return effects_->mayHalt(r); });
   if (mayHalt) machine_.halt(graph.land(more, {anyOf("more interrupts end the program", 1)}));
   for (const int event : round.events) {
     for (const int number : attachments_.at(event)) {
@@ -466,7 +477,8 @@ void ScanEncoding::followEdges(int event) {
   become(last->second, here(graph.lnot(areFollowed)), graph.constantNode(0, 2));
 }
 
-/// A queue may overflow while routines run or interrupts are disabled. That it is full means that many routines will run.
+/// A queue may overflow while routines run or interrupts are disabled. That it is full means that many routines will
+/// run.
 void ScanEncoding::followOverflow(Round& round) {
   for (const int bit : eventStates_.overflowBits) {
     Graph::Bool attached = graph.constant(false);
@@ -492,22 +504,41 @@ void ScanEncoding::endOverflow(const Round&) {
 // ---- Instructions and timers that concern the queue --------------------------------------------------------
 
 void ScanEncoding::timerReached(const TimerUse& use, Graph::Bool reached) {
-  const auto waits = eventStates_.waiting.find(eventOfTimer(use.number));
-  if (waits == eventStates_.waiting.end()) return;
-  const auto depth = static_cast<std::uint64_t>(depthOf(machine_.target, EventGroup::Timed));
-  const Graph::Bool comes = graph.land(reached, graph.land(hasRoutine(waits->first), machine_.getBit(Reg::Running)));
+  if (eventStates_.waiting.contains(eventOfTimer(use.number))) queueOne(eventOfTimer(use.number), reached);
+}
+
+/// The event comes where `condition` holds, and waits for its turn.
+void ScanEncoding::queueOne(int event, Graph::Bool condition) {
+  const auto waits = eventStates_.waiting.find(event);
+  const auto depth = static_cast<std::uint64_t>(depthOf(machine_.target, eventInfo(event).group));
+  const Graph::Bool comes = graph.land(condition, graph.land(hasRoutine(event), machine_.getBit(Reg::Running)));
   const Graph::Bool fits = graph.ult({waits->second}, graph.literal(depth, queueBits), queueBits);
   become(waits->second, here(graph.land(comes, fits)),
          graph.make(Op::Add, queueBits, waits->second, graph.constantNode(1, queueBits)));
+}
+
+/// In front of RCV: with the enable bit off it ends a running reception, which is an event (001:3217).
+void ScanEncoding::noteEndOfReception(const Instruction& instruction) {
+  if (instruction.operands.size() != 2 || instruction.operands[1].kind != OperandKind::Constant) return;
+  const auto port = static_cast<std::uint32_t>(instruction.operands[1].value);
+  if (port > 1 || !eventStates_.waiting.contains(eventOfEnd(PortUse::Reception, port))) return;
+  const bool wasRecording = std::exchange(isRecording_, false);
+  const Graph::Bits busy = machine_.get(Reg::PortBusy, port);
+  const Graph::Bool isUsable =
+      graph.land(isa::portIs(machine_, port, isa::freeport), graph.lnot(graph.bit(busy, isa::sending)));
+  const Graph::Bool ends =
+      graph.land(graph.bit(busy, isa::receiving), graph.lnot(machine_.sm(receiveStatus(port) + 1, 7)));
+  queueOne(eventOfEnd(PortUse::Reception, port), graph.land(machine_.powerFlow(), graph.land(isUsable, ends)));
+  isRecording_ = wasRecording;
 }
 
 /// In front of ATCH, DTCH and CEVNT.
 void ScanEncoding::noteAttachment(const Instruction& instruction) {
   const std::string_view stl = instruction.desc->stl;
   if (stl == "ENI") {
-    isAfterEnable_ =
-        !eventStates_.waiting.empty() || !eventStates_.left.empty() || !eventStates_.overflowBits.empty();
+    isAfterEnable_ = !eventStates_.waiting.empty() || !eventStates_.left.empty() || !eventStates_.overflowBits.empty();
   }
+  if (stl == "RCV") noteEndOfReception(instruction);
   if (stl != "ATCH" && stl != "DTCH" && stl != "CEVNT") return;
   const std::size_t at = stl == "ATCH" ? 1 : 0;
   if (instruction.operands.size() <= at) return;
@@ -536,10 +567,8 @@ void ScanEncoding::noteAttachment(const Instruction& instruction) {
     const Graph::Bool maySit =
         graph.land(machine_.inInterrupt ? graph.constant(true) : graph.lnot(machine_.getBit(Reg::InterruptsEnabled)),
                    graph.land(runs, hasRoutine(event)));
-    const Graph::Bool caused =
-        waits != s.waiting.end()
-            ? graph.lnot(graph.equal({waits->second}, none, queueBits))
-            : eventHasCause(machine_, event);
+    const Graph::Bool caused = waits != s.waiting.end() ? graph.lnot(graph.equal({waits->second}, none, queueBits))
+                                                        : eventHasCause(machine_, event);
     const Graph::Bool sits = graph.land(maySit, caused);
     if (graph.truth(here(sits)) != false) {
       const bool isExact = !machine_.inInterrupt && !isLimited(event);

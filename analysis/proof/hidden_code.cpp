@@ -82,7 +82,8 @@ std::optional<std::string> unfollowedRoutine(const Program& program, const Encod
       if (instruction.desc->stl != "ATCH") continue;
       if (instruction.operands.size() == 2) {
         const auto event = followed.find(static_cast<int>(instruction.operands[1].value));
-        if (event != followed.end() && event->second.contains(static_cast<int>(instruction.operands[0].value))) continue;
+        if (event != followed.end() && event->second.contains(static_cast<int>(instruction.operands[0].value)))
+          continue;
       }
       const Span span = instruction.span;
       return fmt::format("the interrupt routine attached at {}:{} is not followed",

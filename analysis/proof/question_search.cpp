@@ -116,6 +116,12 @@ QuestionSearch::Found QuestionSearch::answer(std::size_t question, Clock::time_p
     witness = minimised(Judge(program_, options_.choices, assumptions_, goals_[question]), std::move(*witness), plainMs,
                         std::clamp(left(), 0.05, minimiseSeconds), options_.seed);
   }
+  const bool hasEvents =
+      witness && std::ranges::any_of(witness->scans, [](const ReplayScan& s) { return !s.script.events.empty(); });
+  if (hasEvents && !isMinimised && options_.evidence && question < goals_.size() && !watch_.isStopped()) {
+    witness = withoutIdleEvents(Judge(program_, options_.choices, assumptions_, goals_[question]), std::move(*witness),
+                                std::clamp(left(), 0.05, minimiseSeconds));
+  }
   return {std::move(answer), std::move(witness)};
 }
 

@@ -35,6 +35,10 @@ class Minimiser {
     if (findIdle()) store();
     return std::move(best_);
   }
+  Witness runForEvents() {
+    dropEvents();
+    return std::move(best_);
+  }
 
  private:
   struct Input {
@@ -218,6 +222,10 @@ class Minimiser {
 
 Witness minimised(const Judge& judge, Witness witness, std::uint32_t plainMs, double seconds, std::uint64_t seed) {
   return Minimiser(judge, std::move(witness), plainMs, seconds, seed).run();
+}
+
+Witness withoutIdleEvents(const Judge& judge, Witness witness, double seconds) {
+  return Minimiser(judge, std::move(witness), 1, seconds, 1).runForEvents();
 }
 
 }  // namespace rungproof

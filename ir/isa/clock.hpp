@@ -93,7 +93,8 @@ struct Clock {
       for (const std::uint8_t value : clockModes) known = d.lor(known, d.equal(mode, m.number(value, 8), 8));
       auto rule = d.constant(true);
       for (int k = 0; k < 10; ++k)
-        rule = d.land(rule, clockFieldHolds(m, a.element(0, k + 9, Width::Byte), clockRuleFields[static_cast<std::size_t>(k)]));
+        rule = d.land(
+            rule, clockFieldHolds(m, a.element(0, k + 9, Width::Byte), clockRuleFields[static_cast<std::size_t>(k)]));
       legal = d.land(d.land(legal, known), d.lor(rule, d.lnot(d.equal(mode, m.number(0xFF, 8), 8))));
     }
     m.hazard(Hazard::ClockData, d.lnot(legal));

@@ -103,8 +103,7 @@ TEST(Interrupt, ClearEventsEmptiesTheQueueOfOneEvent) {
 
 // What waits when its event is detached still runs, or is dropped (001:5357 says that CEVNT is there to clear it).
 TEST(Interrupt, DetachedEventThatWaitsIsAChoice) {
-  const std::string text =
-      "LD SM0.1\nMOVB 10, SMB34\nATCH 0, 10\nLD I0.0\nDTCH 10\nENI\nMEND\nINT 0\nINCW VW0\nRETI\n";
+  const std::string text = "LD SM0.1\nMOVB 10, SMB34\nATCH 0, 10\nLD I0.0\nDTCH 10\nENI\nMEND\nINT 0\nINCW VW0\nRETI\n";
   for (const bool isKept : {true, false}) {
     SimulatorOptions options;
     ASSERT_TRUE(options.choices.set("detached-events", isKept ? "kept" : "dropped"));

@@ -84,7 +84,8 @@ TEST(Replay, EventsThatAreNotEnabledArePassedOver) {
   EXPECT_EQ(word(replay(rig.program, Choices{}, scans).states[0], Area::V, 4), 0U);
 }
 
-// What came while interrupts were disabled runs as soon as they are enabled, in front of the next instruction (001:5372).
+// What came while interrupts were disabled runs as soon as they are enabled, in front of the next instruction
+// (001:5372).
 TEST(Replay, EventsWaitUntilInterruptsAreEnabled) {
   Rig rig(
       "LD SM0.1\nATCH 0, 2\nLD SM0.0\nDISI\nMOVW VW4, VW6\nENI\nMOVW VW4, VW8\nMEND\n"

@@ -1,5 +1,5 @@
-// Events come only when something causes them: timed events with their period, T32 and T96 when they reach their preset,
-// ports, counters and pulse outputs when they are at work (001:3324, 001:4308, 001:4584, 001:5460-5476).
+// Events come only when something causes them: timed events with their period, T32 and T96 when they reach their
+// preset, ports, counters and pulse outputs when they are at work (001:3324, 001:4308, 001:4584, 001:5460-5476).
 #include "interrupt_program.hpp"
 
 namespace rungproof::test {
@@ -10,7 +10,8 @@ const std::vector<std::string> counts = {"LD SM0.0;INCB MB1"};
 
 TEST(EventCause, TimedEventsKeepTheirPeriod) {
   const std::string main = "LD SM0.1;MOVB 20,SMB34;ATCH INT_0,10;ENI";
-  // Scans of 10 ms: the first is too short. The second ends 20 ms after ATCH at most, the third 20 ms after it at least.
+  // Scans of 10 ms: the first is too short. The second ends 20 ms after ATCH at most, the third 20 ms after it at
+  // least.
   EXPECT_EQ(verdict("prove none: first_scan implies MB1 = 0", main, counts, 10), Outcome::Proved);
   EXPECT_EQ(verdict("prove one: prev(first_scan) and not first_scan implies MB1 <= 1", main, counts, 10),
             Outcome::Proved);
@@ -40,8 +41,7 @@ TEST(EventCause, TimedEventsKeepTheirPeriod) {
 TEST(EventCause, TimedEventsThatMeetDisabledInterruptsWait) {
   // Disabled for the first two scans of 10 ms. What waited runs in the third right behind ENI (001:5474): at most one,
   // because the second scan ends 20 ms after ATCH at most.
-  const std::string main =
-      "LD SM0.1;MOVB 20,SMB34;ATCH INT_0,10;LDW>= VW0,2;ENI;MOVB MB1,MB2;LDW< VW0,9;INCW VW0";
+  const std::string main = "LD SM0.1;MOVB 20,SMB34;ATCH INT_0,10;LDW>= VW0,2;ENI;MOVB MB1,MB2;LDW< VW0,9;INCW VW0";
   EXPECT_EQ(verdict("prove one: VW0 = 3 implies MB2 <= 1", main, counts, 10), Outcome::Proved);
   EXPECT_EQ(verdict("reach one: VW0 = 3 and MB2 = 1", main, counts, 10), Outcome::Reachable);
   EXPECT_EQ(verdict("prove none: VW0 < 3 implies MB1 = 0", main, counts, 10), Outcome::Proved);
@@ -68,8 +68,9 @@ TEST(EventCause, PortsTellOfWhatTheyDo) {
     const std::string attach = "LD SM0.1;MOVB 9,SMB30;MOVB 9,SMB130;ATCH INT_0," + std::to_string(event) + ";ENI";
     EXPECT_EQ(verdict("prove never: never M0.0", attach, sets), Outcome::Proved) << event;
   }
-  EXPECT_EQ(verdict("reach sent: M0.0", "LD SM0.1;MOVB 9,SMB30;MOVB 1,VB100;ATCH INT_0,9;ENI;LD I0.0;XMT VB100,0", sets),
-            Outcome::Reachable);
+  EXPECT_EQ(
+      verdict("reach sent: M0.0", "LD SM0.1;MOVB 9,SMB30;MOVB 1,VB100;ATCH INT_0,9;ENI;LD I0.0;XMT VB100,0", sets),
+      Outcome::Reachable);
   EXPECT_EQ(verdict("prove never: never M0.0",
                     "LD SM0.1;MOVB 9,SMB30;MOVB 1,VB100;ATCH INT_0,26;ENI;LD I0.0;XMT VB100,0", sets),
             Outcome::Proved);

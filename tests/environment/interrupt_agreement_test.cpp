@@ -15,8 +15,8 @@ class InterruptProgram {
  public:
   explicit InterruptProgram(std::uint64_t seed) : random_(seed) {
     const bool isTimed = random_.chance(25);
-    events_ = isTimed ? std::vector<int>{10, random_.chance(50) ? 11 : 0}
-                      : std::vector<int>{0, random_.chance(50) ? 2 : 1};
+    events_ =
+        isTimed ? std::vector<int>{10, random_.chance(50) ? 11 : 0} : std::vector<int>{0, random_.chance(50) ? 2 : 1};
     main = "LD SM0.1;";
     if (isTimed) main += "MOVB " + std::to_string(1 + random_.below(4)) + ",SMB34;MOVB 3,SMB35;";
     for (std::size_t i = 0; i < events_.size(); ++i)
@@ -86,7 +86,8 @@ std::set<std::string> reachedBy(const Program& program, const std::vector<int>& 
         scan.inputs.push_back({direct(Area::I, Width::Bit, 0, input), random.below(2)});
       std::vector<std::uint32_t> places;
       for (std::size_t k = random.below(5); k-- > 0;)
-        places.push_back(static_cast<std::uint32_t>(random.below(static_cast<std::uint32_t>(program.instructionCount()) + 1)));
+        places.push_back(
+            static_cast<std::uint32_t>(random.below(static_cast<std::uint32_t>(program.instructionCount()) + 1)));
       std::ranges::sort(places);
       for (const std::uint32_t place : places) {
         const bool isEnd = place == program.instructionCount();

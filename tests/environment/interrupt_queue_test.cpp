@@ -1,5 +1,5 @@
-// Interrupts as proofs see them: any number of events at any place, in any order of arrival; what comes while interrupts
-// are disabled waits; a detached event may still wait; a queue overflows (001:5333-5374, 001:5480-5500).
+// Interrupts as proofs see them: any number of events at any place, in any order of arrival; what comes while
+// interrupts are disabled waits; a detached event may still wait; a queue overflows (001:5333-5374, 001:5480-5500).
 #include "interrupt_program.hpp"
 
 namespace rungproof::test {
@@ -7,18 +7,18 @@ namespace {
 
 TEST(InterruptQueueProof, EventsComeMoreThanOnceInAScan) {
   // Four edges of I0.0 behind the ENI of one scan count to four.
-  EXPECT_EQ(verdict("prove once: prev(once(I0.0)) and not first_scan or MB1 <= 1",
-                    "LD SM0.1;ATCH INT_0,0;LD I0.0;ENI", {"LD SM0.0;INCB MB1"}),
+  EXPECT_EQ(verdict("prove once: prev(once(I0.0)) and not first_scan or MB1 <= 1", "LD SM0.1;ATCH INT_0,0;LD I0.0;ENI",
+                    {"LD SM0.0;INCB MB1"}),
             Outcome::Violated);
   // A falling edge, a counter and a character do so too.
   EXPECT_EQ(verdict("reach two: first_scan and MB1 = 2", "LD SM0.1;ATCH INT_0,1;ENI", {"LD SM0.0;INCB MB1"}),
             Outcome::Reachable);
-  EXPECT_EQ(verdict("reach two: first_scan and MB1 = 2",
-                    "LD SM0.1;MOVB 16#F8,SMB37;HDEF 0,0;ATCH INT_0,12;ENI;HSC 0", {"LD SM0.0;INCB MB1"}),
-            Outcome::Reachable);
-  EXPECT_EQ(verdict("reach two: first_scan and MB1 = 2", "LD SM0.1;MOVB 9,SMB30;ATCH INT_0,8;ENI",
+  EXPECT_EQ(verdict("reach two: first_scan and MB1 = 2", "LD SM0.1;MOVB 16#F8,SMB37;HDEF 0,0;ATCH INT_0,12;ENI;HSC 0",
                     {"LD SM0.0;INCB MB1"}),
             Outcome::Reachable);
+  EXPECT_EQ(
+      verdict("reach two: first_scan and MB1 = 2", "LD SM0.1;MOVB 9,SMB30;ATCH INT_0,8;ENI", {"LD SM0.0;INCB MB1"}),
+      Outcome::Reachable);
 }
 
 TEST(InterruptQueueProof, EventsWaitWhileInterruptsAreDisabled) {
@@ -43,8 +43,7 @@ TEST(InterruptQueueProof, WithoutEnableNoRoutineRuns) {
   EXPECT_EQ(verdict("prove safe: never M0.0", "LD SM0.1;ATCH INT_0,0", {"LD SM0.0;S M0.0,1"}), Outcome::Proved);
   EXPECT_EQ(verdict("prove safe: never M0.0", "LD SM0.1;MOVB 10,SMB34;ATCH INT_0,10", {"LD SM0.0;S M0.0,1"}),
             Outcome::Proved);
-  EXPECT_EQ(verdict("prove safe: never M0.0", "LD SM0.1;ATCH INT_0,0;ENI;DISI;LD I0.0;= Q0.0",
-                    {"LD Q0.0;S M0.0,1"}),
+  EXPECT_EQ(verdict("prove safe: never M0.0", "LD SM0.1;ATCH INT_0,0;ENI;DISI;LD I0.0;= Q0.0", {"LD Q0.0;S M0.0,1"}),
             Outcome::Proved);
   EXPECT_EQ(verdict("reach run: M0.0", "LD SM0.1;ATCH INT_0,0;LD I0.5;ENI", {"LD SM0.0;S M0.0,1"}), Outcome::Reachable);
 }
@@ -54,12 +53,12 @@ TEST(InterruptQueueProof, ArrivalDecidesTheOrder) {
   const std::string main = "LD SM0.1;ATCH INT_0,0;ATCH INT_1,2;ENI;LD SM0.0;R M0.0,2";
   EXPECT_EQ(verdict("reach second: M0.0", main, routines), Outcome::Reachable);  // event 2, then event 0
   // An event of a lower group that came before one of a higher group.
-  EXPECT_EQ(verdict("reach second: M0.0",
-                    "LD SM0.1;MOVB 9,SMB30;ATCH INT_0,8;ATCH INT_1,2;ENI;LD SM0.0;R M0.0,2", routines),
-            Outcome::Reachable);
-  EXPECT_EQ(verdict("reach second: M0.0",
-                    "LD SM0.1;MOVB 5,SMB34;ATCH INT_0,0;ATCH INT_1,10;ENI;LD SM0.0;R M0.0,2", routines),
-            Outcome::Reachable);
+  EXPECT_EQ(
+      verdict("reach second: M0.0", "LD SM0.1;MOVB 9,SMB30;ATCH INT_0,8;ATCH INT_1,2;ENI;LD SM0.0;R M0.0,2", routines),
+      Outcome::Reachable);
+  EXPECT_EQ(
+      verdict("reach second: M0.0", "LD SM0.1;MOVB 5,SMB34;ATCH INT_0,0;ATCH INT_1,10;ENI;LD SM0.0;R M0.0,2", routines),
+      Outcome::Reachable);
   // Without the other event it is not reached.
   EXPECT_EQ(verdict("reach second: M0.0", "LD SM0.1;ATCH INT_0,0;ENI;LD SM0.0;R M0.0,2", routines),
             Outcome::Unreachable);
@@ -68,8 +67,7 @@ TEST(InterruptQueueProof, ArrivalDecidesTheOrder) {
 TEST(InterruptQueueProof, ManyRunsKeepWhatEachRunKeeps) {
   // However often it comes: a counter that stops at 20 stays at most 20.
   EXPECT_EQ(verdict("prove most: MB1 <= 20", "LD SM0.1;ATCH INT_0,0;ENI", {"LDB< MB1,20;INCB MB1"}), Outcome::Proved);
-  EXPECT_EQ(verdict("prove most: VW0 <= 1000", "LD SM0.1;MOVB 5,SMB34;ATCH INT_0,10;ENI",
-                    {"LDW< VW0,1000;INCW VW0"}),
+  EXPECT_EQ(verdict("prove most: VW0 <= 1000", "LD SM0.1;MOVB 5,SMB34;ATCH INT_0,10;ENI", {"LDW< VW0,1000;INCW VW0"}),
             Outcome::Proved);
   // 25 edges in one scan are possible, so that 21 are, without a stop.
   EXPECT_NE(verdict("prove most: MB1 <= 20", "LD SM0.1;ATCH INT_0,0;ENI", {"LD SM0.0;INCB MB1"}), Outcome::Proved);
@@ -127,9 +125,9 @@ TEST(InterruptQueueProof, RoutinesOfAllKinds) {
   EXPECT_EQ(verdict("reach second: M0.1", "LD SM0.1;ATCH INT_0,0;ENI", {"LD SM0.0;ATCH INT_1,0", "LD SM0.0;S M0.1,1"}),
             Outcome::Reachable);
   // One routine for two events.
-  EXPECT_EQ(verdict("reach two: first_scan and MB1 = 2", "LD SM0.1;ATCH INT_0,0;ATCH INT_0,2;ENI",
-                    {"LD SM0.0;INCB MB1"}),
-            Outcome::Reachable);
+  EXPECT_EQ(
+      verdict("reach two: first_scan and MB1 = 2", "LD SM0.1;ATCH INT_0,0;ATCH INT_0,2;ENI", {"LD SM0.0;INCB MB1"}),
+      Outcome::Reachable);
 }
 
 }  // namespace
