@@ -364,8 +364,10 @@ void ScanEncoding::passTime(Round& round) {
   const Graph::Bool enabled = interruptsEnabled();
   const auto queued = [&] {
     Node sum = graph.constantNode(0, queueBits + 2);
-    for (const auto& [event, count] : s.waiting)
+    for (const auto& [event, count] : s.waiting) {
+      if (!isLimited(event)) continue;
       sum = graph.make(Op::Add, queueBits + 2, sum, graph.make(Op::Zext, queueBits + 2, count));
+    }
     return sum;
   };
   for (const int event : round.events) {
