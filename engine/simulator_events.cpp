@@ -48,6 +48,7 @@ void Simulator::beginScript(std::uint32_t lengthMs) {
 }
 
 void Simulator::endScript() {
+  if (!isRunning()) return;
   for (std::uint32_t timer = 0; timer < timedEventCount; ++timer) {
     const std::uint64_t period = store_.get(Reg::TimedPeriod, timer);
     if (period != 0 && store_.get(Reg::EventRoutine, firstTimedEvent + timer) != 0)

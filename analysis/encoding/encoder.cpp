@@ -6,6 +6,7 @@
 
 #include "analysis/encoding/scan_encoding.hpp"
 #include "ir/check.hpp"
+#include "ir/event_cause.hpp"
 
 namespace rungproof {
 
@@ -18,10 +19,15 @@ class EncodedScan::Impl {
     // SM0.0 is always on (001:14050), unless the program overwrites it.
     knowledge.constants = {{memoryPlace(Area::SM, 0, Width::Bit, 0), 1}};
     std::set<int> routines;
+    bool isOfDevices = false;
     if (options.interrupts) {
-      for (const auto& [event, attached] : attachmentsOf(plan)) routines.insert(attached.begin(), attached.end());
+      for (const auto& [event, attached] : attachmentsOf(plan)) {
+        routines.insert(attached.begin(), attached.end());
+        isOfDevices = isOfDevices || isPulseEvent(event) || portEvent(event);
+      }
     }
-    if (!routines.empty()) effects = std::make_unique<RoutineEffects>(plan, options.choices, layout, routines);
+    if (!routines.empty())
+      effects = std::make_unique<RoutineEffects>(plan, options.choices, layout, routines, isOfDevices);
     for (int round = 0; !learn(); ++round) {
       if (round == roundLimit) knowledge.followsPointers = false;
     }

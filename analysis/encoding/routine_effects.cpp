@@ -130,7 +130,8 @@ Graph::Bool RoutineEffects::mayBecome(Graph& graph, const Place& place, Node bef
 }
 
 RoutineEffects::RoutineEffects(const Plan& plan, const Choices& choices, const MemoryLayout& layout,
-                               const std::set<int>& routines) {
+                               const std::set<int>& routines, bool isOfDevices)
+    : isOnePassEnough_(!isOfDevices) {
   Trial trial(plan, choices, layout);
   const auto differ = [&](Graph::Store& a, Graph::Store& b) {
     std::set<Place> all;

@@ -21,8 +21,10 @@ namespace rungproof {
 
 class RoutineEffects {
  public:
-  /// `routines`: numbers of interrupt routines that the program has.
-  RoutineEffects(const Plan& plan, const Choices& choices, const MemoryLayout& layout, const std::set<int>& routines);
+  /// `routines`: numbers of interrupt routines that the program has. `isOfDevices`: some of their events bring values
+  /// of a device with them, so that no run is the same as the one before.
+  RoutineEffects(const Plan& plan, const Choices& choices, const MemoryLayout& layout, const std::set<int>& routines,
+                 bool isOfDevices);
 
   /// One run of each in any fixed order stands for all sequences of runs.
   bool isOnePassEnough() const { return isOnePassEnough_; }

@@ -125,7 +125,11 @@ void ScanEncoding::endEvents() {
   machine_.guard = graph.constant(true);
   for (std::uint32_t timer = 0; timer < timedEventCount; ++timer) {
     if (s.sinceLast[timer] == noNode) continue;
-    const Graph::Bool counts = hasRoutine(static_cast<int>(firstTimedEvent + timer));
+    const Graph::Bool isPeriodic =
+        graph.lnot(graph.equal(machine_.get(Reg::TimedPeriod, timer), graph.literal(0, 8), 8));
+    const Graph::Bool goesOn = graph.land(machine_.getBit(Reg::Running), graph.lnot(machine_.halted));
+    const Graph::Bool counts =
+        graph.land(goesOn, graph.land(isPeriodic, hasRoutine(static_cast<int>(firstTimedEvent + timer))));
     machine_.when(counts,
                   [&] { machine_.set(Reg::TimedElapsed, timer, {graph.make(Op::Extract, 8, s.sinceLast[timer])}); });
   }
@@ -573,9 +577,17 @@ void ScanEncoding::noteAttachment(const Instruction& instruction) {
                                                         : eventHasCause(machine_, event);
     const Graph::Bool sits = graph.land(maySit, caused);
     if (graph.truth(here(sits)) != false) {
-      const bool isExact = !machine_.inInterrupt && !isLimited(event);
+      const bool isExact = !machine_.inInterrupt && waits == s.waiting.end();
       const std::string name = fmt::format("event {} waits at instruction {}", event, instruction.id);
-      const Graph::Bool stays = isExact ? graph.land(sits, {input(name, 1)}) : freely(name, sits);
+      const Graph::Bool any{isExact ? input(name, 1) : anyOf(name, 1)};
+      const Graph::Bool stays = graph.land(sits, any);
+      // An entry that is there stays in the queue of the engine, and all that are there.
+      if (waits != s.waiting.end()) {
+        const Graph::Bool single = graph.equal({waits->second}, graph.literal(1, queueBits), queueBits);
+        useEstimate(graph.land(sits, graph.lnot(graph.land(any, single))));
+      } else if (!isExact) {
+        useEstimate(stays);
+      }
       become(left->second, here(stays), machine_.get(Reg::EventRoutine, static_cast<std::uint32_t>(event)).node);
       if (isExact) {
         eventSites.push_back({{instruction.id, visitOf(instruction.id), machine_.guard.node},
@@ -587,6 +599,13 @@ void ScanEncoding::noteAttachment(const Instruction& instruction) {
     }
   }
   if (waits != s.waiting.end() && stl != "ATCH") become(waits->second, here(runs), none.node);
+  if (left != s.left.end() && stl == "ATCH") {
+    const Graph::Bool isLeft = graph.land(runs, graph.lnot(graph.equal({left->second}, graph.literal(0, 8), 8)));
+    if (graph.truth(here(isLeft)) != false) {  // it runs the new routine, as an event that comes then would
+      anyOf("an entry finds another routine", 1);
+      useEstimate(isLeft);
+    }
+  }
   if (left != s.left.end() && stl != "DTCH") become(left->second, here(runs), graph.constantNode(0, 8));
   isRecording_ = wasRecording;
 }

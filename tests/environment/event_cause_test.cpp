@@ -81,6 +81,10 @@ TEST(EventCause, PortsTellOfWhatTheyDo) {
   EXPECT_EQ(verdict("prove never: never M0.0", "LD SM0.1;ATCH INT_0,8;ENI", sets), Outcome::Proved);
   EXPECT_EQ(verdict("reach character: M0.0", "LD SM0.1;MOVB 9,SMB30;ATCH INT_0,8;ENI", sets), Outcome::Reachable);
   EXPECT_EQ(verdict("prove never: never M0.0", "LD SM0.1;MOVB 9,SMB30;ATCH INT_0,25;ENI", sets), Outcome::Proved);
+  // One character after the other, each with its own routine run, though the routine is the same when repeated.
+  EXPECT_EQ(verdict("reach both: first_scan and M0.1 and M0.2", "LD SM0.1;MOVB 9,SMB30;ATCH INT_0,8;ENI",
+                    {"LDB= SMB2,1;S M0.1,1;LDB= SMB2,2;S M0.2,1"}),
+            Outcome::Reachable);
   // Two characters in one scan may differ (001:3324).
   EXPECT_EQ(verdict("reach other: first_scan and VB1 = 1 and VB2 = 2", "LD SM0.1;MOVB 9,SMB30;ATCH INT_0,8;ENI",
                     {"LD SM0.0;MOVB VB2,VB1;MOVB SMB2,VB2"}),
