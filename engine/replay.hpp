@@ -23,6 +23,9 @@ struct ExternalValue {
   std::uint64_t value;
 };
 
+/// The value of a site of which nothing is said: 0, but the clock shows what it shows after a loss of power (001:2918).
+std::uint64_t quietExternal(const ExternalSite& site);
+
 /// A direct operand set before a scan: I the physical input, others the memory itself.
 struct PresetValue {
   Operand operand;

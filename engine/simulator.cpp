@@ -34,7 +34,7 @@ void Simulator::powerCycle() {
   queue_.clear();
   errors_.clear();
   devices_.reset();
-  timedPeriod_ = {};
+  lastEdge_ = {};
   stoppedBy_ = nullptr;
 }
 
@@ -44,7 +44,7 @@ void Simulator::run() {
   queue_.clear();
   errors_.clear();
   devices_.reset();
-  timedPeriod_ = {};
+  lastEdge_ = {};
   stoppedBy_ = nullptr;
 }
 
@@ -91,7 +91,7 @@ void Simulator::scanInRun(const ScanRequest& request, std::uint32_t lengthUs) {
   startMs_ = clockMs_;
   nextMs_ = script_ != nullptr ? 0 : Cost::perMs - sinceTick_;
   scanTicks_ = scriptedTicks_ = 0;
-  if (script_ != nullptr) visits_.assign(costs_.size(), 0);
+  if (script_ != nullptr) beginScript(lengthUs / 1000);
 
   Ticks<Concrete> ticks = takeTicks(machine_);
   if (script_ != nullptr && script_->ticks10) ticks.ten = *script_->ticks10;
@@ -105,7 +105,7 @@ void Simulator::scanInRun(const ScanRequest& request, std::uint32_t lengthUs) {
   if (script_ != nullptr) scriptedWrites({ScanPlace::startOfScan});
   beginScan(machine_, ticks);
   for (const Area area : {Area::I, Area::AI}) forced_.apply(area, store_);
-  for (const int event : request.events) raise(event);
+  for (const int event : request.events) raiseByStimulus(event);
   runProgram(runner);
   if (observer_ != nullptr) observer_->programEnded(machine_);
   passRest(runner, lengthUs);
@@ -131,6 +131,7 @@ void Simulator::finishScan(std::uint32_t lengthUs) {
   if (script_ == nullptr) devices_.network.endScan(machine_);
   now_ += lastScanUs_;
   clockMs_ = startMs_ + scanTicks_;
+  if (script_ != nullptr) endScript();
   if (!isRunning()) queue_.clear();
 }
 
@@ -141,7 +142,7 @@ void Simulator::writeByDevice(const Operand& operand, std::uint64_t value) {
   machine_.guard = true;
   setCell(store_, operand, value);
   const std::optional<DeviceEnd> end = endShownBy(machine_, operand, value);
-  if (end && end->event && script_ == nullptr) raise(*end->event);
+  if (end && end->event) raise(*end->event);
 }
 
 /// The value has been saved at the end of the scan before (001:1649-1651).

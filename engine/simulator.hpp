@@ -14,6 +14,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "engine/concrete.hpp"
@@ -100,9 +101,15 @@ class Simulator final : private Outside {
 
   const Concrete::Store& store() const { return store_; }
   /// Replaces the state, for a replay that starts elsewhere than at power-up.
-  void setStore(const Concrete::Store& store) { store_ = store; }
+  void setStore(const Concrete::Store& store) {
+    store_ = store;
+    queue_.clear();
+    lastEdge_ = {};
+  }
   const Plan& plan() const { return plan_; }
   const RunTimeErrors& errors() const { return errors_; }
+  /// Events that a stimulus or script named although nothing could cause them then.
+  const std::set<int>& eventsWithoutCause() const { return withoutCause_; }
   /// The instruction that executed STOP last, or nullptr.
   const Instruction* stoppedBy() const { return stoppedBy_; }
 
@@ -126,17 +133,28 @@ class Simulator final : private Outside {
   void prepareCosts();
   void scanInRun(const ScanRequest& request, std::uint32_t lengthUs);
   void scanInStop(std::uint32_t lengthUs);
-  void raiseInputEdges();
-  void raise(int event);
   void boundary(Runner& runner, const FlowStep* step);
+  // simulator_events.cpp
+  void raiseInputEdges();
+  void raiseByStimulus(int event);
+  void raise(int event);
+  void raiseTimer(const TimerUse& use, bool reached);
+  void attachTimed(std::uint32_t event);
+  bool mayBeDue(int event) const;
+  bool hasCause(int event);
+  void occur(int event);
   void scripted(Runner& runner, ScanPlace place);
   void scriptedWrites(ScanPlace place);
   void endSave();
+  void beginScript(std::uint32_t lengthMs);
+  void endScript();
+  void forgetEdges();
+  void serveEvent(Runner& runner, int event);
   void checkWatchdog();
   void setClock();
   void passMillisecond(Runner& runner);
   void serveInterrupts(Runner& runner);
-  void runRoutine(Runner& runner, int event);
+  void runRoutine(Runner& runner, const InterruptQueue::Waiting& waiting);
   void passRest(Runner& runner, std::uint32_t lengthUs);
   void finishScan(std::uint32_t lengthUs);
 
@@ -168,14 +186,17 @@ class Simulator final : private Outside {
   bool attention_ = false;     ///< events wait in the queue, or an observer looks
   InstructionObserver* observer_ = nullptr;
   const Instruction* stoppedBy_ = nullptr;
-  const std::string* calledBlock_ = nullptr;    ///< library block whose outputs are being asked for
-  std::array<std::uint32_t, 2> timedPeriod_{};  ///< of events 10 and 11, taken over by ATCH (001:5472)
-  std::array<std::uint32_t, 2> timedElapsed_{};
+  const std::string* calledBlock_ = nullptr;  ///< library block whose outputs are being asked for
+  std::set<int> withoutCause_;
   std::uint64_t random_;
   std::uint32_t edgeInputs_ = 0;  ///< I0.0-I0.3 as the edge events saw them last
   const ScanScript* script_ = nullptr;
   std::vector<std::uint32_t> visits_;  ///< executions of each instruction in this scan, under a script only
   std::uint32_t scriptedTicks_ = 0;
+  std::uint32_t scriptedMs_ = 0;                          ///< length of the scan
+  std::array<std::uint32_t, timedEventCount> timedMs_{};  ///< since event 10 or 11 at the end of the scan
+  std::uint32_t passedMs_ = 0;                            ///< of the scan, at least, at the place reached
+  std::array<int, edgeInputCount> lastEdge_{};            ///< 0: not known, 1: rising, 2: falling
 };
 
 }  // namespace rungproof

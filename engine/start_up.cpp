@@ -33,9 +33,10 @@ void prepareRun(Concrete::Store& store, const Choices& choices) {
     setSm(store, status, 7, true);
   }
   for (const Reg reg :
-       {Reg::EdgeMemory, Reg::EdgeSeen, Reg::EventRoutine, Reg::InterruptsEnabled, Reg::HscMode, Reg::HscEnabled,
-        Reg::PulseBusy, Reg::PulsePending, Reg::PortBusy, Reg::NetActive, Reg::TimerRunning, Reg::TimerInput,
-        Reg::CounterUp, Reg::CounterDown, Reg::PhaseTen, Reg::PhaseHundred, Reg::Fault}) {
+       {Reg::EdgeMemory,   Reg::EdgeSeen,  Reg::EventRoutine, Reg::InterruptsEnabled, Reg::TimedPeriod,
+        Reg::TimedElapsed, Reg::HscMode,   Reg::HscEnabled,   Reg::PulseBusy,         Reg::PulsePending,
+        Reg::PortBusy,     Reg::NetActive, Reg::TimerRunning, Reg::TimerInput,        Reg::CounterUp,
+        Reg::CounterDown,  Reg::PhaseTen,  Reg::PhaseHundred, Reg::Fault}) {
     fill(store, reg, 0);
   }
   fill(store, Reg::PhaseSecond, clockStartsOn ? 500 : 0);

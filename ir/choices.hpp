@@ -41,6 +41,7 @@ enum class Choice : std::uint8_t {
   PidTimeUnit,         // B 5
   InterruptStack,      // B 6.3
   InterruptCallStack,  // B 6.4
+  DetachedEvents,      // B 6.1
   BlockMoveNothing,    // B 8.3
   BlockMoveOverlap,    // B 8.3
   BlockMoveTooFar,     // B 8.3
@@ -213,6 +214,13 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      "whether CALL in an interrupt routine saves the logic stack as every CALL does, or shares it as the text on "
      "interrupts says",
      "001:5444"},
+    {Choice::DetachedEvents,
+     "detached-events",
+     {"kept", "dropped", ""},
+     "events that wait in a queue when DTCH detaches them: they stay and their routine still runs, which is why the "
+     "text "
+     "lets CEVNT clear them after DTCH, or they are dropped; the prover covers both",
+     "001:5357"},
     {Choice::BlockMoveNothing,
      "block-move-zero",
      {"nothing", "error", ""},

@@ -27,6 +27,8 @@ enum class Reg : std::uint8_t {
   PhysicalOutput,
   EventRoutine,
   InterruptsEnabled,
+  TimedPeriod,
+  TimedElapsed,
   HscCurrent,
   HscPreset,
   HscMode,
@@ -92,6 +94,8 @@ inline constexpr std::array<RegInfo, static_cast<std::size_t>(Reg::count)> regTa
     {Reg::PhysicalOutput, "output", 1, 128},
     {Reg::EventRoutine, "event", 8, 34},  // 0: detached, else interrupt number + 1
     {Reg::InterruptsEnabled, "interrupts", 1, 1},
+    {Reg::TimedPeriod, "timed.period", 8, 2},    // ms between events 10 or 11 as ATCH found it (001:5472); 0: none
+    {Reg::TimedElapsed, "timed.elapsed", 8, 2},  // ms since ATCH or the last of them, less than the period
     {Reg::HscCurrent, "HC", 32, 6},
     {Reg::HscPreset, "HC.preset", 32, 6},
     {Reg::HscMode, "HC.mode", 8, 6},  // 0: no HDEF yet, else mode + 1

@@ -6,6 +6,7 @@
 
 #include "analysis/encoding/scan_encoding.hpp"
 #include "ir/check.hpp"
+#include "ir/event_cause.hpp"
 
 namespace rungproof {
 
@@ -17,6 +18,16 @@ class EncodedScan::Impl {
     for (const Operand& operand : options.observed) layout.add(operand.area, operand.width, operand.offset);
     // SM0.0 is always on (001:14050), unless the program overwrites it.
     knowledge.constants = {{memoryPlace(Area::SM, 0, Width::Bit, 0), 1}};
+    std::set<int> routines;
+    bool isOfDevices = false;
+    if (options.interrupts) {
+      for (const auto& [event, attached] : attachmentsOf(plan)) {
+        routines.insert(attached.begin(), attached.end());
+        isOfDevices = isOfDevices || isPulseEvent(event) || portEvent(event);
+      }
+    }
+    if (!routines.empty())
+      effects = std::make_unique<RoutineEffects>(plan, options.choices, layout, routines, isOfDevices);
     for (int round = 0; !learn(); ++round) {
       if (round == roundLimit) knowledge.followsPointers = false;
     }
@@ -30,13 +41,14 @@ class EncodedScan::Impl {
   Plan plan;
   MemoryLayout layout;
   Knowledge knowledge;
+  std::unique_ptr<RoutineEffects> effects;  ///< nullptr: nothing is attached
   std::unique_ptr<ScanEncoding> scan;
 
  private:
   /// Rounds until pointers that still gain values are given up.
   static constexpr int roundLimit = 12;
 
-  void encode() { scan = std::make_unique<ScanEncoding>(program, options, plan, layout, knowledge); }
+  void encode() { scan = std::make_unique<ScanEncoding>(program, options, plan, layout, knowledge, effects.get()); }
 
   /// One round. True if it confirmed what it was built on; then the constants it found are adopted as well.
   bool learn() {

@@ -38,7 +38,8 @@ struct EncoderOptions {
   std::vector<ExternalBytes> externals;
   std::vector<Operand> observed;  ///< direct operands that properties read: they shape the state variables
   bool interrupts = true;
-  int loopLimit = 256;            ///< rounds of a backward jump that are followed
+  int eventPasses = 2;  ///< times that each event is let in at one place; what more of them can do is estimated
+  int loopLimit = 256;  ///< rounds of a backward jump that are followed
   std::size_t stepLimit = 50000;  ///< instructions of one scan, loops unrolled, after which no loop is followed further
   /// Asked now and then while the program is encoded; throws whatever shall end it (proof_watch.hpp).
   std::function<void()> interruption;
@@ -64,6 +65,8 @@ struct Approximation {
   std::vector<Node> carriers{};
   /// Scans in which this is 1 are not followed to their end: no proof holds unless it can never be 1. noNode: none.
   Node leftOut = noNode;
+  /// 1 in scans that use values of the carriers: without such scans a run is exact. noNode: not known.
+  Node used = noNode;
 };
 
 /// An external value, in the order in which the scan asks; asked for only where `guard` holds.
@@ -87,7 +90,8 @@ struct TickSite {
 struct EventSite {
   BoundarySite where;
   int event;
-  Node fires;  ///< the event comes, is attached and enabled
+  Node fires;   ///< the event comes and is attached, or its routine runs out of the queue
+  Node waited;  ///< the latter
 };
 
 /// A bit or byte that a device writes at the start of the scan where `guard` holds.

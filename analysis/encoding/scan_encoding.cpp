@@ -8,6 +8,7 @@
 
 #include "ir/check.hpp"
 #include "ir/event.hpp"
+#include "ir/isa/clock.hpp"
 #include "ir/isa/comm.hpp"
 #include "ir/special_memory.hpp"
 #include "ir/timer_refresh.hpp"
@@ -28,12 +29,23 @@ std::string siteName(const ExternalSite& site) {
   }
 }
 
+/// Whether HDEF of that high-speed counter stands in the program; without, it stays 0 (001:4308).
+bool definesCounter(const Plan& plan, std::uint32_t counter) {
+  for (const Flow& flow : plan.flows) {
+    for (const FlowStep& step : flow.steps) {
+      const Instruction& i = *step.instruction;
+      if (i.desc->stl == "HDEF" && !i.operands.empty() && i.operands[0].value == counter) return true;
+    }
+  }
+  return false;
+}
+
 constexpr std::string_view unresolvedReason = "pointer whose targets could not be found";
 
 }  // namespace
 
 ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options, const Plan& plan,
-                           const MemoryLayout& layout, const Knowledge& knowledge)
+                           const MemoryLayout& layout, const Knowledge& knowledge, const RoutineEffects* effects)
     : time(graph, options.time),
       program_(program),
       options_(options),
@@ -49,7 +61,8 @@ ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options
                   Approximation& a = approximate(place, reason);
                   a.carriers.push_back(input("written by a device", 8));
                   return a.carriers.back();
-                }}) {
+                }}),
+      effects_(effects) {
   graph.listen(this);
   store_.follow(&machine_);
   if (time.constraint() != noNode) {
@@ -81,6 +94,7 @@ void ScanEncoding::run() {
   beginStatus(machine_);
   machine_.ticks100 = {time.ticks100()};
   refreshTimers(machine_, 10, {time.ticks10()});
+  beginEvents();
   isRecording_ = true;
   Runner runner(machine_, *this, options_.loopLimit, options_.stepLimit);
   runner.program();
@@ -93,6 +107,7 @@ void ScanEncoding::run() {
 
 void ScanEncoding::endOfScan() {
   Machine<Graph>& m = machine_;
+  endEvents();
   m.guard = m.halted;
   m.setBit(Reg::Running, 0, graph.constant(false));
   m.guard = graph.constant(true);
@@ -116,6 +131,7 @@ void ScanEncoding::endOfScan() {
 
 void ScanEncoding::before(Runner& runner, const FlowStep& step) {
   boundary(runner, step.instruction->id);
+  if (!attachments_.empty()) noteAttachment(*step.instruction);
   if (options_.interruption) options_.interruption();
   if (options_.atInstruction && knowledge_.isFinal) options_.atInstruction(runner.machine(), *step.instruction);
 }
@@ -146,7 +162,8 @@ Node ScanEncoding::localByte(std::uint32_t entry, std::uint32_t byte) {
 }
 
 bool ScanEncoding::isInput(const Place& place) const {
-  if (place.isRegister) return place.reg == Reg::PhysicalInput || place.reg == Reg::HscCurrent;
+  if (place.isRegister)
+    return place.reg == Reg::PhysicalInput || (place.reg == Reg::HscCurrent && definesCounter(plan_, place.at));
   if (place.area == Area::I) return true;
   const std::uint32_t byte = place.byte();
   if (place.area == Area::SM) {
@@ -232,6 +249,11 @@ Graph::Bits ScanEncoding::external(const ExternalSite& site, int width) {
     return {sample->second};
   }
   const Node node = input(siteName(site), width);
+  if (site.kind == External::ClockByte) {
+    const Node legal = isa::clockShows(machine_, {node}, site.index).node;
+    constraints_.push_back(legal);
+    totalConstraints_.push_back(legal);
+  }
   externals.push_back({site, node, width, machine_.guard.node});
   if (site.kind == External::AnalogInput) analog_[site.index] = node;
   return {node};
@@ -394,10 +416,18 @@ TransitionSystem ScanEncoding::system() {
   ts.constraints = constraints_;
   for (std::size_t i = 0; i < cells().size(); ++i) {
     const Cell cell = cells()[i];
+    if (cell.kind == CellKind::Input && cell.place.isRegister && cell.place.reg == Reg::HscCurrent) {
+      const Graph::Bool isDefined =
+          graph.lnot(graph.equal({start(registerPlace(Reg::HscMode, cell.place.at))}, graph.literal(0, 8), 8));
+      const Node fits = graph.lor(isDefined, graph.equal({cell.start}, graph.literal(0, 32), 32)).node;
+      ts.constraints.push_back(fits);
+      totalConstraints_.push_back(fits);
+    }
     if (cell.kind != CellKind::State) continue;
     ts.states.push_back({cell.start, init(cell.place), store_.value(cell.place)});
     if (cell.place == registerPlace(Reg::Running, 0)) ts.constraints.push_back(cell.start);
   }
+  ts.states.insert(ts.states.end(), eventStates_.all.begin(), eventStates_.all.end());
   ts.inputs.insert(ts.inputs.end(), inputs_.begin(), inputs_.end());
   ts.totalConstraints = totalConstraints_;
   return ts;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/encoding/scan_encoding.hpp"
 #include "ir/desc.hpp"
 
 namespace rungproof {
@@ -74,11 +75,17 @@ std::vector<std::string> HiddenCode::reasons(const EncodedScan& encoding,
 }
 
 std::optional<std::string> unfollowedRoutine(const Program& program, const EncodedScan& encoding) {
-  if (!encoding.eventSites().empty()) return std::nullopt;
+  const Attachments followed = encoding.options().interrupts ? attachmentsOf(encoding.plan()) : Attachments{};
   for (const Flow& flow : encoding.plan().flows) {
     for (const FlowStep& step : flow.steps) {
-      if (step.instruction->desc->stl != "ATCH") continue;
-      const Span span = step.instruction->span;
+      const Instruction& instruction = *step.instruction;
+      if (instruction.desc->stl != "ATCH") continue;
+      if (instruction.operands.size() == 2) {
+        const auto event = followed.find(static_cast<int>(instruction.operands[1].value));
+        if (event != followed.end() && event->second.contains(static_cast<int>(instruction.operands[0].value)))
+          continue;
+      }
+      const Span span = instruction.span;
       return fmt::format("the interrupt routine attached at {}:{} is not followed",
                          program.sources->file(span.file).name(), program.sources->position(span).line);
     }

@@ -92,9 +92,14 @@ QuestionSearch::Found QuestionSearch::answer(std::size_t question, Clock::time_p
     witness = found->second;
   else if (answer.answer == Answer::Violated)
     witness = confirmed(question, *answer.trace);
-  const bool isOpen = !witness && answer.answer != Answer::Proved;
   watch_.release();
-  if (isOpen && mayGoOn()) std::tie(answer, witness) = search(question, answer.answer);
+  const auto isUnconfirmed = [&] { return !witness && answer.answer == Answer::Violated; };
+  bool isTried = isUnconfirmed() && searchWithoutEstimates(question, answer, witness);
+  const bool isOpen = !witness && answer.answer != Answer::Proved;
+  if (isOpen && !isTried && mayGoOn()) {
+    std::tie(answer, witness) = search(question, answer.answer);
+    isTried = isUnconfirmed() && searchWithoutEstimates(question, answer, witness);
+  }
   if (!witness && answer.answer == Answer::Violated && question < goals_.size() && options_.bound == 0 && mayGoOn()) {
     // A run that rests on values which are not modelled: perhaps the engine finds one with its own.
     std::vector<std::optional<Witness>> found =
@@ -111,7 +116,32 @@ QuestionSearch::Found QuestionSearch::answer(std::size_t question, Clock::time_p
     witness = minimised(Judge(program_, options_.choices, assumptions_, goals_[question]), std::move(*witness), plainMs,
                         std::clamp(left(), 0.05, minimiseSeconds), options_.seed);
   }
+  const bool hasEvents =
+      witness && std::ranges::any_of(witness->scans, [](const ReplayScan& s) { return !s.script.events.empty(); });
+  if (hasEvents && !isMinimised && options_.evidence && question < goals_.size() && !watch_.isStopped()) {
+    witness = withoutIdleEvents(Judge(program_, options_.choices, assumptions_, goals_[question]), std::move(*witness),
+                                std::clamp(left(), 0.05, minimiseSeconds));
+  }
   return {std::move(answer), std::move(witness)};
+}
+
+/// A run that rests on estimates: perhaps there is one without. True: the question was asked so and answered.
+bool QuestionSearch::searchWithoutEstimates(std::size_t question, QuestionAnswer& answer,
+                                            std::optional<Witness>& witness) {
+  const bool isWritten = written_.contains(question);
+  TransitionSystem system = isWritten ? written_.at(question) : exact_->only(question);
+  bool hasEstimates = false;
+  for (const Approximation* a : exact_->approximationsOf(question, isWritten)) {
+    if (a->used == noNode) continue;
+    hasEstimates = true;
+    system.constraints.push_back(system.graph->make(Op::Not, 1, a->used));
+  }
+  if (!hasEstimates || !mayGoOn()) return false;
+  QuestionAnswer found = ask(system, left(), deadline_)[0];
+  if (found.answer == Answer::Violated) witness = replayed(*exact_, system, question, *found.trace);
+  const bool isAnswered = found.answer != Answer::Unknown;
+  if (witness) answer = std::move(found);
+  return isAnswered;
 }
 
 Answer QuestionSearch::supporting(std::size_t goal, double seconds) {

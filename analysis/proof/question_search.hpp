@@ -87,6 +87,7 @@ class QuestionSearch {
   void takeExplored();
   void show(std::size_t question, Witness witness, const char* method);
 
+  bool searchWithoutEstimates(std::size_t question, QuestionAnswer& answer, std::optional<Witness>& witness);
   Found search(std::size_t question, Answer known);
   Found race(std::size_t question);
   ProofSide* relaxedSide();

@@ -40,6 +40,7 @@ std::vector<Node> ScanRun::rootsOf(const EncodedScan& scan, const TransitionSyst
   for (const EventSite& e : scan.eventSites()) {
     roots.push_back(e.where.guard);
     roots.push_back(e.fires);
+    roots.push_back(e.waited);
   }
   for (const BoundarySite* site : scan.boundaries()) {
     for (const Node n : scan.visits(site->instruction)) roots.push_back(n);
@@ -119,7 +120,8 @@ ReplayScan ScanRun::script() const {
     if (holds(t.where.guard) && ticks != 0) result.script.ticks1.push_back({placeOf(t.where), ticks});
   }
   for (const EventSite& e : scan_.eventSites()) {
-    if (holds(e.where.guard) && holds(e.fires)) result.script.events.push_back({placeOf(e.where), e.event});
+    if (holds(e.where.guard) && holds(e.fires)) 
+      result.script.events.push_back({placeOf(e.where), e.event, false, holds(e.waited)});
   }
   return result;
 }

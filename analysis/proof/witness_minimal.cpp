@@ -1,4 +1,5 @@
-// Greedy removal, larger pieces first; then inputs one by one; then trials of all idle inputs together.
+// Greedy removal, larger pieces first; then interrupts; then inputs one by one; then trials of all idle inputs
+// together.
 #include "analysis/proof/witness_minimal.hpp"
 
 #include <algorithm>
@@ -28,9 +29,14 @@ class Minimiser {
     dropScans();
     shortenStretches();
     dropDeviceWrites();
+    dropEvents();
     evenLengths();
     dropStartValues();
     if (findIdle()) store();
+    return std::move(best_);
+  }
+  Witness runForEvents() {
+    dropEvents();
     return std::move(best_);
   }
 
@@ -96,6 +102,22 @@ class Minimiser {
         if (i >= best_.scans.size() || k >= best_.scans[i].script.writes.size()) continue;
         scans = best_.scans;
         scans[i].script.writes.erase(scans[i].script.writes.begin() + static_cast<std::ptrdiff_t>(k));
+        acceptAsLong(std::move(scans));
+      }
+    }
+  }
+
+  /// Interrupts that are not needed: all of a scan at once, or one after the other from the last.
+  void dropEvents() {
+    for (std::size_t i = best_.scans.size(); i-- > 0;) {
+      if (i >= best_.scans.size() || best_.scans[i].script.events.empty() || isLate()) continue;
+      std::vector<ReplayScan> scans = best_.scans;
+      scans[i].script.events.clear();
+      if (acceptAsLong(scans)) continue;
+      for (std::size_t k = best_.scans[i].script.events.size(); k-- > 0 && !isLate();) {
+        if (i >= best_.scans.size() || k >= best_.scans[i].script.events.size()) continue;
+        scans = best_.scans;
+        scans[i].script.events.erase(scans[i].script.events.begin() + static_cast<std::ptrdiff_t>(k));
         acceptAsLong(std::move(scans));
       }
     }
@@ -220,6 +242,10 @@ class Minimiser {
 
 Witness minimised(const Judge& judge, Witness witness, std::uint32_t plainMs, double seconds, std::uint64_t seed) {
   return Minimiser(judge, std::move(witness), plainMs, seconds, seed).run();
+}
+
+Witness withoutIdleEvents(const Judge& judge, Witness witness, double seconds) {
+  return Minimiser(judge, std::move(witness), 1, seconds, 1).runForEvents();
 }
 
 }  // namespace rungproof

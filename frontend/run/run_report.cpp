@@ -75,6 +75,15 @@ void describeRun(Report& report, const Simulator& simulator, const ScanTime& sca
     if (hazardInfo(error.hazard).kind != HazardClass::StatusOnly || isLost)
       report.findings.push_back(findingOf(error, program));
   }
+  for (const int event : simulator.eventsWithoutCause()) {
+    Finding finding;
+    finding.rule = "RUN004";
+    finding.severity = Severity::Note;
+    finding.message = fmt::format("event {} ({}) came from the stimulus although nothing could cause it then", event,
+                                  eventInfo(event).text);
+    finding.help = "see 001:5378 of the manual for what causes each event";
+    report.findings.push_back(std::move(finding));
+  }
   listHiddenBlocks(report, program);
   const auto ms = [](Duration duration) { return static_cast<double>(duration.count()) / 1000; };
   const std::string range = scanTime.low == scanTime.high

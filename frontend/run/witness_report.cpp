@@ -58,8 +58,7 @@ Trace traceOf(const Program& program, const Choices& choices, const Witness& wit
            timeUs += scanUs;
            if (++scan <= skipped) return true;
            TraceRow row{scan, timeUs, scanUs, {}, {}};
-           for (const ScanScript::Event& event : witness.scans[at].script.events)
-             row.events += (row.events.empty() ? "" : " ") + eventText(program, event);
+           row.events = eventsText(program, witness.scans[at].script.events);
            for (const ScanScript::Write& write : witness.scans[at].script.writes)
              row.devices += (row.devices.empty() ? "" : " ") + writeText(program, write);
            for (const TraceSignal& signal : signals) {
