@@ -22,6 +22,12 @@ class EncodedScan::Impl {
       if (range.highBit < 7) layout.add(range.area, Width::Bit, range.last);
     }
     for (const Operand& operand : options.observed) layout.add(operand.area, operand.width, operand.offset);
+    if (options.trail && options.trail->isFollowed) {
+      knowledge = *options.trail->knowledge;
+      encode();
+      scan->close();
+      return;
+    }
     // SM0.0 is always on (001:14050), unless the program overwrites it.
     knowledge.constants = {{memoryPlace(Area::SM, 0, Width::Bit, 0), 1}};
     std::set<int> routines;
@@ -38,6 +44,7 @@ class EncodedScan::Impl {
       if (round == roundLimit) knowledge.followsPointers = false;
     }
     knowledge.isFinal = true;
+    if (options.trail) options.trail->knowledge = std::make_shared<Knowledge>(knowledge);
     encode();
     scan->close();
   }
@@ -175,6 +182,7 @@ const std::vector<DeviceWrite>& EncodedScan::deviceWrites() const { return impl_
 const std::vector<TickSite>& EncodedScan::tickSites() const { return impl_->scan->tickSites; }
 const std::vector<EventSite>& EncodedScan::eventSites() const { return impl_->scan->eventSites; }
 const std::vector<Cell>& EncodedScan::cells() const { return impl_->scan->cells(); }
+const std::vector<KeptCell>& EncodedScan::keptCells() const { return impl_->scan->keptCells; }
 std::vector<const BoundarySite*> EncodedScan::boundaries() const {
   std::vector<const BoundarySite*> all;
   for (const TickSite& t : tickSites()) all.push_back(&t.where);

@@ -14,6 +14,7 @@
 
 #include "analysis/encoding/symbolic_store.hpp"
 #include "analysis/encoding/time_model.hpp"
+#include "analysis/encoding/trail.hpp"
 #include "analysis/graph/transition_system.hpp"
 #include "engine/scan_script.hpp"
 #include "engine/start_up.hpp"
@@ -46,6 +47,8 @@ struct EncoderOptions {
   std::size_t stepLimit = 50000;  ///< instructions of one scan, loops unrolled, after which no loop is followed further
   /// Asked now and then while the program is encoded; throws whatever shall end it (proof_watch.hpp).
   std::function<void()> interruption;
+  /// Left or followed by the final encoding; may be missing.
+  std::shared_ptr<Trail> trail;
   /// What properties read in front of every instruction: interrupts and 1 ms ticks that write it are let in everywhere.
   std::vector<Operand> watched;
   /// Called in front of every instruction that may run, for properties that hold at every instruction.
@@ -150,6 +153,8 @@ class EncodedScan {
   const std::vector<Node>& visits(std::uint32_t instruction) const;
   /// Places whose values at the start of a scan are inputs (I, external memory, status written by devices) or state.
   const std::vector<Cell>& cells() const;
+  /// Of an encoding that follows a trail.
+  const std::vector<KeptCell>& keptCells() const;
   /// Everything that has been read or written up to now except local memory, as runs of bits and registers.
   std::vector<Place> places() const;
 

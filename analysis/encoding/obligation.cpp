@@ -140,6 +140,11 @@ void Obligations::chooseTimeBases(const PropertySet& set, const std::vector<Prop
   };
   for (const Property* property : timed)
     leavesOf(*property);  // all are touched before the next-state functions are read
+  const std::shared_ptr<Trail>& trail = encoding_->options().trail;
+  if (trail && trail->isFollowed) {
+    timeBases_ = trail->timeBases;
+    return;
+  }
   std::unordered_map<std::uint32_t, Node> next;
   for (const StateVariable& state : encoding_->system().states) next[indexOf(state.node)] = state.next;
   std::unordered_map<std::uint32_t, int> resolution;
@@ -163,6 +168,7 @@ void Obligations::chooseTimeBases(const PropertySet& set, const std::vector<Prop
     }
     timeBases_[property->name] = std::max(finest, 1);
   }
+  if (trail) trail->timeBases = timeBases_;
 }
 
 Property Obligations::inItsBase(const Property& property) const {

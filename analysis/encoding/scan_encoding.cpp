@@ -46,7 +46,8 @@ constexpr std::string_view unresolvedReason = "pointer whose targets could not b
 
 ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options, const Plan& plan,
                            const MemoryLayout& layout, const Knowledge& knowledge, const RoutineEffects* effects)
-    : time(graph, options.time),
+    : graph(options.trail && options.trail->isFollowed ? Rewriting::None : Rewriting::Full),
+      time(graph, options.time),
       program_(program),
       options_(options),
       plan_(plan),
@@ -64,6 +65,7 @@ ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options
                 }}),
       effects_(effects) {
   graph.listen(this);
+  if (knowledge.isFinal && options.trail) graph.decideBy(&options.trail->decisions);
   store_.follow(&machine_);
   if (time.constraint() != noNode) {
     constraints_.push_back(time.constraint());
@@ -155,6 +157,12 @@ Node ScanEncoding::input(std::string name, int width) {
   return inputs_.back();
 }
 
+/// A block that is moved through a pointer is one instruction, and up to 255 times 512 writes.
+void ScanEncoding::accessed() {
+  constexpr std::uint32_t accessesBetweenLooks = 256;
+  if (++accesses_ % accessesBetweenLooks == 0 && options_.interruption) options_.interruption();
+}
+
 Node ScanEncoding::localByte(std::uint32_t entry, std::uint32_t byte) {
   ExternalInput& e = externals[localEntries_[entry][byte]];
   if (e.node == noNode) e.node = input(siteName(e.site), e.width);
@@ -220,13 +228,12 @@ Node ScanEncoding::atScan(const Cell& cell) {
 
 Cell ScanEncoding::newCell(const Place& place) {
   if (isInput(place)) return {place, CellKind::Input, input(nameOf(place), place.width)};
-  if (const auto known = knowledge_.constants.find(place); known != knowledge_.constants.end()) {
-    return {place, CellKind::Constant, graph.constantNode(known->second, place.width)};
-  }
+  if (const auto known = knowledge_.constants.find(place); known != knowledge_.constants.end())
+    return keeping(place, known->second);
   const Node first = init(place);
   if (place.isRegister && place.reg == Reg::Reading && first != noNode) return {place, CellKind::Constant, first};
   const auto isOfDevice = [&] { return !place.isRegister && devices_.mayWrite(place); };
-  if (isClosed_ && !hasHavoc_ && first != noNode && !isOfDevice()) return {place, CellKind::Constant, first};
+  if (isClosed_ && !hasHavoc_ && first != noNode && !isOfDevice()) return keeping(place, graph[first].value);
   const Node node = graph.variable(nameOf(place), place.width, true);
   if (first == noNode && place.isRegister && (place.reg == Reg::PhaseSecond || place.reg == Reg::PhaseMinute)) {
     const std::uint64_t period = place.reg == Reg::PhaseSecond ? 1000 : 60000;
@@ -241,6 +248,13 @@ Cell ScanEncoding::newCell(const Place& place) {
     known_[node] = ValueSet::of(graph[first].value);
   if (const auto later = knowledge_.later.find(place); later != knowledge_.later.end()) later_[node] = later->second;
   return {place, CellKind::State, node};
+}
+
+/// A constant; where the encoding is as written, a variable that keeps its value.
+Cell ScanEncoding::keeping(const Place& place, std::uint64_t value) {
+  if (!graph.isAsWritten()) return {place, CellKind::Constant, graph.constantNode(value, place.width)};
+  keptCells.push_back({graph.variable(nameOf(place), place.width, true), value});
+  return {place, CellKind::State, keptCells.back().node};
 }
 
 Graph::Bits ScanEncoding::external(const ExternalSite& site, int width) {
@@ -269,9 +283,13 @@ Node ScanEncoding::analogInput(std::uint32_t byte) {
 bool ScanEncoding::isPossible(Graph::Bool condition) {
   if (const std::optional<bool> known = graph.truth(condition)) return *known;
   if (!knowledge_.followsPointers) return true;
-  const bool isSo = ValueEvaluator(graph, known_).valuesOf(condition.node, machine_.guard.node, valueLimit).contains(1);
-  prunesLoops_ = prunesLoops_ || !isSo;
-  return isSo;
+  const auto answer = graph.listed([&]() -> std::optional<std::vector<std::uint64_t>> {
+    const ValueSet values = ValueEvaluator(graph, known_).valuesOf(condition.node, machine_.guard.node, valueLimit);
+    const bool isSo = values.contains(1);
+    prunesLoops_ = prunesLoops_ || !isSo;
+    return std::vector<std::uint64_t>{isSo ? 1ULL : 0ULL};
+  });
+  return answer->front() != 0;
 }
 
 /// The stack and what the rounds write take any value where the loop goes on.
@@ -329,19 +347,26 @@ ValueSet ScanEncoding::pointerValues(Node pointer, Node guard) {
   return values;
 }
 
-/// The values that the pointer can have here decide between a few places; a legal one is always among them.
-Graph::Bool ScanEncoding::targets(Machine<Graph>& machine, Graph::Bits pointer, Width width, Ref<Graph>& ref) {
-  for (const Node n : variablesOf(graph, pointer.node)) {
-    if (graph.variables()[graph[n].value].isState) pointerCells_.insert(n);
-  }
-  ValueSet values = ValueSet::any(32);
-  if (knowledge_.followsPointers) {
-    values = pointerValues(pointer.node, machine.guard.node);
+/// All values that the pointer can have here; nothing if they are too many.
+std::optional<std::vector<std::uint64_t>> ScanEncoding::targetsOf(Node pointer, Node guard) {
+  return graph.listed([&]() -> std::optional<std::vector<std::uint64_t>> {
+    for (const Node n : variablesOf(graph, pointer)) {
+      if (graph.variables()[graph[n].value].isState) pointerCells_.insert(n);
+    }
+    if (!knowledge_.followsPointers) return std::nullopt;
+    ValueSet values = pointerValues(pointer, guard);
     // A short range is as good as a list.
     values.restrict(values.facts().low, values.facts().high, pointerValueLimit);
-  }
+    if (!values.isListed()) return std::nullopt;
+    return values.values();
+  });
+}
+
+/// The values that the pointer can have here decide between a few places; a legal one is always among them.
+Graph::Bool ScanEncoding::targets(Machine<Graph>& machine, Graph::Bits pointer, Width width, Ref<Graph>& ref) {
   const bool isTable = machine.current != nullptr && machine.current->desc->group == "communication";
-  if (!values.isListed()) {
+  const std::optional<std::vector<std::uint64_t>> values = targetsOf(pointer.node, machine.guard.node);
+  if (!values) {
     ref.isUnresolved = true;
     if (isTable) tableTargets_[machine.current->id].insert(isa::unknownAddress);
     Approximation& a = approximate(machine.current, unresolvedReason);
@@ -349,7 +374,7 @@ Graph::Bool ScanEncoding::targets(Machine<Graph>& machine, Graph::Bits pointer, 
     return {a.carriers.back()};
   }
   Graph::Bool legal = graph.constant(true);
-  for (const std::uint64_t value : values.values()) {
+  for (const std::uint64_t value : *values) {
     const Graph::Bool isValue = graph.equal(pointer, graph.literal(value, 32), 32);
     const auto address = static_cast<std::uint32_t>(value);
     const bool isPlace = pointer::isLegal(machine.target, address, width);
@@ -360,7 +385,7 @@ Graph::Bool ScanEncoding::targets(Machine<Graph>& machine, Graph::Bits pointer, 
       legal = graph.land(legal, graph.lnot(isValue));
   }
   if (ref.targets.empty()) return graph.constant(false);
-  if (values.isSingle()) {
+  if (values->size() == 1) {
     ref.isPlace = true;
     ref.area = ref.targets[0].area;
     ref.offset = ref.targets[0].offset;

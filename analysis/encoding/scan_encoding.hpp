@@ -73,6 +73,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   std::map<std::string, Node> deviceInputs;
   std::vector<TickSite> tickSites;
   std::vector<EventSite> eventSites;
+  std::vector<KeptCell> keptCells;                    ///< instead of constants, where a trail is followed
   std::map<std::uint32_t, std::vector<Node>> visits;  ///< by instruction that has a site: guards of its executions
   std::vector<Place> places() const { return store_.places(); }
   const std::vector<Cell>& cells() const { return store_.cells(); }
@@ -99,6 +100,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   Node atScan(const Cell& cell) override;
   Node startOfCell(const Place& place);
   Node localByte(std::uint32_t entry, std::uint32_t byte) override;
+  void accessed() override;
   Graph::Bits external(const ExternalSite& site, int width) override;
   void report(Hazard hazard, Graph::Bool condition, const Instruction* place) override;
   ValueSet pointerValues(Node pointer, Node guard);
@@ -151,6 +153,8 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   void prepareTicks();
   void prepareWatched();
   bool isInput(const Place& place) const;
+  Cell keeping(const Place& place, std::uint64_t value);
+  std::optional<std::vector<std::uint64_t>> targetsOf(Node pointer, Node guard);
   Node init(const Place& place) const;
   bool isFixed(Choice choice) const { return !options_.coversAllReadings && options_.choices.isFixed(choice); }
   Node input(std::string name, int width);
@@ -179,8 +183,9 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   std::set<std::uint32_t> tickKeys_;  ///< footprint keys of all 1 ms timers
   Footprint watched_;                 ///< read in front of every instruction (EncoderOptions::watched)
   Footprints footprints_;
-  Node consumed_ = noNode;  ///< ms of this scan that have reached the 1 ms timers
-  int routine_ = -1;        ///< interrupt routine that runs
+  std::uint32_t accesses_ = 0;  ///< since the clock was looked at
+  Node consumed_ = noNode;      ///< ms of this scan that have reached the 1 ms timers
+  int routine_ = -1;            ///< interrupt routine that runs
   bool isRecording_ = true;
   bool isClosed_ = false;
   std::optional<std::uint32_t> visit_;  ///< of the instruction at hand, once visitOf() was asked

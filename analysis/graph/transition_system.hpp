@@ -22,6 +22,7 @@ struct StateVariable {
 struct Question {
   std::string name;
   Node bad = noNode;
+  std::size_t number = 0;  ///< in the list that it was asked with first
 };
 
 struct TransitionSystem {

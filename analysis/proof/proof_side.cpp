@@ -27,7 +27,9 @@ ProofSide::ProofSide(const Program& program, const PropertySet& set, const std::
     leftOutQuestion_ = goals.size() + checks_.size();
     obligations_.ask("a scan that is not followed to its end", leftOut.node);
   }
+  graph.decideBy(nullptr);
   system_ = withExactReals(obligations_.system(), RealScope::Comparisons);
+  for (std::size_t i = 0; i < system_.questions.size(); ++i) system_.questions[i].number = i;
 }
 
 TransitionSystem ProofSide::only(std::size_t question) const {

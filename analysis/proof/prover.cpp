@@ -154,8 +154,11 @@ class Session {
       row.witness = std::move(witness);
     } else if (answer.answer == Answer::Proved) {
       row.outcome = wantsYes ? Outcome::Unreachable : Outcome::Proved;
-      if (options_.certificates && answer.certificate)
-        row.certificate = search_.certificate(question, *answer.certificate);
+      if (options_.certificates && answer.certificate) {
+        row.certificate = search_.certificate(question, answer);
+        if (row.certificate.empty())
+          row.notes.push_back("the form of the program decides it: there is nothing to certify");
+      }
       checkVacuity(row);
       if (options_.evidence) row.networks = networksOf(question, answer);
     } else if (answer.answer == Answer::Violated) {

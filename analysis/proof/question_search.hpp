@@ -8,10 +8,12 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "analysis/portfolio/portfolio.hpp"
+#include "analysis/proof/as_written.hpp"
 #include "analysis/proof/exploration.hpp"
 #include "analysis/proof/proof_side.hpp"
 #include "analysis/proof/proof_watch.hpp"
@@ -60,8 +62,9 @@ class QuestionSearch {
 
   /// Whether the answer rests on the question's system with REAL operations written out.
   bool isWrittenOut(std::size_t question) const { return written_.contains(question); }
-  /// The certificate of a proved question as SMT-LIB 2.
-  std::string certificate(std::size_t question, const WordCertificate& certificate) const;
+  /// The certificate of a proved question as SMT-LIB 2, about the program as it is written if `answer` was judged so;
+  /// empty if the form of the program decides the question, so that there is nothing to be solved.
+  std::string certificate(std::size_t question, const QuestionAnswer& answer);
 
   /// Whether the question at hand may take more time.
   bool mayGoOn() const { return left() > 0 && !watch_.isStopped(); }
@@ -72,7 +75,9 @@ class QuestionSearch {
  private:
   class EarlyRuns;
   EncoderOptions encoding(bool relaxed) const;
-  PortfolioOptions portfolio(double each, Clock::time_point deadline, const std::atomic<bool>* cancel) const;
+  PortfolioOptions portfolio(double each, Clock::time_point deadline, const std::atomic<bool>* cancel);
+  std::vector<CheckResult> judge(const std::vector<Claim>& claims, const CheckLimits& limits);
+  AsWritten* asWritten();
   std::vector<QuestionAnswer> ask(const TransitionSystem& system, double each, Clock::time_point deadline);
   bool restsOnReals(std::size_t question) const;
   bool isDeclared(std::size_t question) const { return question < declared_; }
@@ -105,6 +110,9 @@ class QuestionSearch {
   ProofWatch watch_;
   Clock::time_point deadline_{};  ///< of the question at hand
   std::unique_ptr<ProofSide> exact_, relaxed_;
+  std::shared_ptr<Trail> trail_;  ///< of exact_
+  std::unique_ptr<AsWritten> asWritten_;
+  std::set<std::size_t> certifiedWithReals_;  ///< questions whose certificate has REAL operations written out
   std::unique_ptr<Exploration> exploration_;
   std::vector<QuestionAnswer> quick_;
   std::map<std::size_t, Witness> early_;             ///< by goal: witnesses of runs during the encoding

@@ -37,6 +37,20 @@ ExportRemarks remarksOf(const ProgramInput& input, ProofSide& side, const Prover
   return remarks;
 }
 
+/// The program as it is written, so that a reader of the file need not believe our simplifications; where that cannot
+/// be made, simplified.
+std::unique_ptr<ProofSide> asWritten(const ProgramInput& input, const std::vector<Property>& goals,
+                                     EncoderOptions options, const CheckGroups& groups) {
+  options.trail = std::make_shared<Trail>();
+  auto simplified = std::make_unique<ProofSide>(input.program, input.properties, goals, options, groups);
+  options.trail->isFollowed = true;
+  try {
+    return std::make_unique<ProofSide>(input.program, input.properties, goals, options, groups);
+  } catch (const DecisionsDiverge&) {
+    return simplified;
+  }
+}
+
 Exit run(const Arguments& arguments, Context& context) {
   ProgramInput input = readInput(context, arguments.files, arguments.properties);
   const UnreadCode unread(input.program);
@@ -51,7 +65,9 @@ Exit run(const Arguments& arguments, Context& context) {
   for (const Property& property : input.properties.properties) {
     if (property.isGoal()) goals.push_back(property);
   }
-  ProofSide side(input.program, input.properties, goals, encoderOptionsOf(options), {.builtin = arguments.builtin});
+  const std::unique_ptr<ProofSide> written =
+      asWritten(input, goals, encoderOptionsOf(options), {.builtin = arguments.builtin});
+  ProofSide& side = *written;
   if (side.system().questions.empty()) {
     return context.fail({fmt::format("no property is declared in {}", arguments.files.front()),
                          {},

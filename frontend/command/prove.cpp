@@ -12,6 +12,7 @@
 #include "analysis/proof/self_check.hpp"
 #include "analysis/rule.hpp"
 #include "frontend/command/command.hpp"
+#include "frontend/page/certificate_head.hpp"
 #include "frontend/page/excerpt.hpp"
 #include "frontend/proof_input.hpp"
 #include "frontend/run/witness_drawing.hpp"
@@ -98,7 +99,7 @@ std::vector<ShownScan> drawnScans(const Arguments& arguments, const Program& pro
 }
 
 PropertyResult rowOf(const Context& context, const Arguments& arguments, EvidenceNames& names, const Program& program,
-                     const Choices& choices, const ProofResult& result) {
+                     const Choices& choices, const std::vector<std::string>& assumptions, const ProofResult& result) {
   const std::string stem = names.of(result.property.name);
   PropertyResult row;
   row.name = result.property.name;
@@ -129,7 +130,9 @@ PropertyResult rowOf(const Context& context, const Arguments& arguments, Evidenc
   row.networks = networkList(result.networks);
   if (!result.certificate.empty()) {
     const std::string name = fileIn(arguments.certificates, stem + ".smt2");
-    if (context.write({"smt2", name}, result.certificate)) row.notes.push_back(fmt::format("certificate: {}", name));
+    const std::string head = certificateHead(program, assumptions, result, stem + ".smt2");
+    if (context.write({"smt2", name}, head + result.certificate))
+      row.notes.push_back(fmt::format("certificate: {}", name));
   }
   return row;
 }
@@ -193,7 +196,7 @@ bool proveInto(Report& part, const Context& context, const Arguments& arguments,
   if (proof.isInterrupted) context.err << "rungproof: interrupted; what was not settled is UNKNOWN\n";
   std::vector<const ProofResult*> builtin;
   for (const ProofResult& result : proof.results) {
-    part.properties.push_back(rowOf(context, arguments, names, program, options.choices, result));
+    part.properties.push_back(rowOf(context, arguments, names, program, options.choices, proof.assumptions, result));
     part.properties.back().assumptions = result.assumptions;
     if (result.builtin) builtin.push_back(&result);
   }
