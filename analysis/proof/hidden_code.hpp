@@ -16,6 +16,8 @@ namespace rungproof {
 class HiddenCode {
  public:
   HiddenCode(const Program& program, const PropertySet& set);
+  /// Whether all code is visible.
+  bool isEmpty() const { return ranges_.empty() && shared_.empty(); }
 
   /// Why a verdict with these variables in its cone cannot be given, one line for each place; empty: it can.
   std::vector<std::string> reasons(const EncodedScan& encoding,

@@ -60,6 +60,7 @@ Summary summaryOf(const Report& report) {
       default: ++summary.undecided; break;
     }
   }
+  summary.undecided += report.coverage.open;
   return summary;
 }
 
@@ -69,6 +70,7 @@ bool isReadError(const Finding& finding) {
 
 Exit exitOf(const Report& report) {
   if (std::any_of(report.findings.begin(), report.findings.end(), isReadError)) return Exit::Failed;
+  if (!report.defects.empty()) return Exit::Failed;
   const Summary summary = summaryOf(report);
   const bool differs = report.comparison && !report.comparison->equal;
   if (!report.findings.empty() || summary.violated > 0 || differs) return Exit::Found;

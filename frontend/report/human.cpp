@@ -32,6 +32,7 @@ class HumanWriter {
     if (report_.comparison) writeComparison(*report_.comparison);
     if (report_.selfCheck) writeSelfCheck(*report_.selfCheck);
     if (!report_.properties.empty()) writeBasis();
+    for (const std::string& line : report_.coverage.leftOut) out_ << fmt::format("left out: {}\n", line);
     const bool saidAll = report_.comparison && report_.findings.empty() && report_.properties.empty();
     if (!style_.quiet && !saidAll) out_ << closingLine() << '\n';
   }

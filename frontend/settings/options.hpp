@@ -31,6 +31,7 @@ enum class Opt : std::uint8_t {
   ScanTime,
   Timeout,
   Memory,
+  Budget,
   Bound,
   Jobs,
   Seed,
@@ -111,6 +112,7 @@ class Settings {
   Severity level() const;
   std::optional<ScanTime> scanTime() const;
   std::optional<Duration> timeout() const;
+  std::optional<Duration> budget() const;
   /// Bytes; nothing if no limit was given.
   std::optional<std::uint64_t> memory() const;
   Choices choices() const;

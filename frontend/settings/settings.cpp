@@ -93,6 +93,7 @@ Severity Settings::level() const {
 
 std::optional<ScanTime> Settings::scanTime() const { return scanTimeNamed(text(Opt::ScanTime)); }
 std::optional<Duration> Settings::timeout() const { return durationNamed(text(Opt::Timeout)); }
+std::optional<Duration> Settings::budget() const { return durationNamed(text(Opt::Budget)); }
 
 Choices Settings::choices() const { return choices_; }
 
