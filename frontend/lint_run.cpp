@@ -1,6 +1,8 @@
 // One lint run.
 #include "frontend/lint_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "analysis/lint.hpp"
@@ -29,12 +31,16 @@ Report lintProgram(const Settings& settings, const ProgramInput& input, const st
   std::move(found.begin(), found.end(), std::back_inserter(report.findings));
   if (prove) {
     const UnreadCode unread(program);
-    ProverOptions options = proverOptionsOf(settings);
+    ProverOptions options = lintProverOptionsOf(settings);
     options.unread = &unread;
+    OpenQuestions open;
     if (unread.isWhole())
-      settleBySolver(input, options, isSelected, report.findings);
+      open = settleBySolver(input, options, isSelected, report.findings);
     else if (!unread.isUnlimited())
-      settleBySolver({unread.executable(), input.properties}, options, isSelected, report.findings);
+      open = settleBySolver({unread.executable(), input.properties}, options, isSelected, report.findings);
+    report.coverage.leftOut = std::move(open.lines);
+    report.coverage.open = open.count;
+    report.defects = std::move(open.defects);
   }
   const PlaceIndex places(program);
   for (Finding& finding : report.findings) places.complete(finding);
@@ -63,6 +69,7 @@ Report lintFiles(const Context& context, const std::vector<std::string>& files, 
       merger.add(lintProgram(context.settings, readInput(context, group), group, prove));
     report = merger.take();
   }
+  for (const std::string& defect : report.defects) context.err << fmt::format("rungproof: {}\n", defect);
   sortFindings(report);
   return report;
 }

@@ -159,6 +159,9 @@ void ReportMerger::add(const Report& part) {
   report_.coverage.instructions += part.coverage.instructions;
   report_.coverage.understood += part.coverage.understood;
   for (const std::string& place : part.coverage.approximated) report_.coverage.approximated.push_back(place);
+  for (const std::string& line : part.coverage.leftOut) report_.coverage.leftOut.push_back(line);
+  report_.coverage.open += part.coverage.open;
+  for (const std::string& defect : part.defects) report_.defects.push_back(defect);
   for (const std::string& file : part.files) {
     if (std::find(report_.files.begin(), report_.files.end(), file) == report_.files.end())
       report_.files.push_back(file);

@@ -59,7 +59,11 @@ class Session {
     const auto questionOf = [&](std::size_t i) { return i < declared ? i : goals().size() + (i - declared); };
     std::vector<std::size_t> order(total);
     std::iota(order.begin(), order.end(), std::size_t{0});
-    // Those with a run first: who waits for the first bad verdict need not wait for proofs.
+    // What is worth most first, in case the time for everything ends; before that those with a run: who waits for the
+    // first bad verdict need not wait for proofs.
+    const auto worthOf = [&](std::size_t i) { return i < declared ? 0 : costOfIgnoring(checks[i - declared].kind); };
+    if (options_.total > 0)
+      std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return worthOf(a) < worthOf(b); });
     std::stable_partition(order.begin(), order.end(),
                           [&](std::size_t i) { return search_.quick(questionOf(i)).answer == Answer::Violated; });
     std::vector<std::optional<ProofResult>> rows(total);
@@ -78,7 +82,10 @@ class Session {
         if (row.builtin->place != nullptr) row.property.span = row.builtin->place->span;
       }
       const std::size_t question = questionOf(i);
-      settle(question, std::min(start + inSeconds(most), deadlineOf(done + 1)), row, result);
+      if (search_.quick(question).answer == Answer::Unknown && (isOver() || search_.watch().isStopped()))
+        row.notes.push_back(reasonToStop());
+      else
+        settle(question, std::min(start + inSeconds(most), deadlineOf(done + 1)), row, result);
       row.seconds = secondsSince(start) + search_.quick(question).seconds;
       rows[i] = std::move(row);
       if (progress && !progress(*rows[i], done + 1, total)) break;
@@ -99,8 +106,10 @@ class Session {
   const std::vector<Property>& goals() const { return search_.goals(); }
   /// When that many questions have used up their time.
   Clock::time_point deadlineOf(std::size_t questions) const {
-    return begin_ + inSeconds(options_.timeout * static_cast<double>(std::max<std::size_t>(questions, 1)));
+    const double each = options_.timeout * static_cast<double>(std::max<std::size_t>(questions, 1));
+    return begin_ + inSeconds(options_.total > 0 ? std::min(each, options_.total) : each);
   }
+  bool isOver() const { return options_.total > 0 && secondsSince(begin_) >= options_.total; }
   std::string reasonToStop() const {
     return search_.watch().isInterrupted()   ? "interrupted"
            : search_.watch().isOutOfMemory() ? "the memory limit was reached"
@@ -160,7 +169,7 @@ class Session {
           row.notes.push_back("the form of the program decides it: there is nothing to certify");
       }
       checkVacuity(row);
-      if (options_.evidence) row.networks = networksOf(question, answer);
+      if (options_.evidence && options_.explains) row.networks = networksOf(question, answer);
     } else if (answer.answer == Answer::Violated) {
       unconfirmed(question, answer, row, run);
     } else {
@@ -171,11 +180,11 @@ class Session {
                                       answer.method.empty() ? "no engine came to work" : "tried " + answer.method));
       if (search_.watch().isStopped()) row.notes.push_back(reasonToStop());
     }
-    noteApproximations(question, row);
+    if (options_.explains || row.outcome == Outcome::Unknown) noteApproximations(question, row);
     guardInterrupts(row);
     guardLeftOut(row);
     guardUnreadCode(row);
-    nameCircumstances(question, row);
+    if (options_.explains) nameCircumstances(question, row);
   }
 
   /// The fixed readings that a question depends on: constants in its encoding, so that it is looked at in another one.

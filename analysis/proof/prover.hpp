@@ -21,6 +21,7 @@ struct ProverOptions {
   Choices choices;
   TimeRange time;
   double timeout = 60;     ///< seconds per question; encoding and checks of certificates count
+  double total = 0;        ///< seconds for everything, encoding included; 0: no limit
   double ruleTimeout = 2;  ///< at most, for each question of CheckGroups::rungs and powerUp
   int bound = 0;           ///< scans that bounded search may look at; 0: no limit
   int jobs = 2;
@@ -28,6 +29,7 @@ struct ProverOptions {
   std::uint64_t memory = 0;            ///< bytes; 0: no limit
   CheckGroups checks;                  ///< what is asked beside the declared properties
   bool certificates = false;           ///< write out the proofs as SMT-LIB 2
+  bool explains = true;                ///< name what results rest on; without: outcomes and runs only
   bool evidence = true;                ///< check certificates, shorten witnesses, name networks; without: verdicts only
   const UnreadCode* unread = nullptr;  ///< what was left out of the program: all that depends on it is NOT COVERED
   const std::atomic<bool>* cancel = nullptr;  ///< set from outside, as by Ctrl-C: the run ends with what is settled

@@ -62,11 +62,13 @@ Summary summaryOf(const Report& report) {
       default: ++summary.undecided; break;
     }
   }
+  summary.undecided += report.coverage.open;
   return summary;
 }
 
 Exit exitOf(const Report& report) {
   if (std::any_of(report.findings.begin(), report.findings.end(), isReadError)) return Exit::Failed;
+  if (!report.defects.empty()) return Exit::Failed;
   const Summary summary = summaryOf(report);
   const bool isUndecided = report.comparison && report.comparison->verdict == "UNKNOWN";
   const bool differs = report.comparison && !report.comparison->equal && !isUndecided;

@@ -33,6 +33,7 @@ class HumanWriter {
     if (report_.selfCheck) writeSelfCheck(*report_.selfCheck);
     const bool isOfPrograms = report_.comparison && !report_.comparison->verdict.empty();
     if (!report_.properties.empty() || isOfPrograms) writeBasis();
+    for (const std::string& line : report_.coverage.leftOut) out_ << fmt::format("left out: {}\n", line);
     if (isOfPrograms) out_ << verdictLine(*report_.comparison) << '\n';
     const bool saidAll = report_.comparison && report_.findings.empty() && report_.properties.empty();
     if (!style_.quiet && !saidAll) out_ << closingLine() << '\n';

@@ -118,6 +118,7 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
   json["coverage"] = {{"instructions", report.coverage.instructions},
                       {"understood", report.coverage.understood},
                       {"approximated", report.coverage.approximated}};
+  if (!report.coverage.leftOut.empty()) json["coverage"]["left_out"] = report.coverage.leftOut;
   json["summary"] = {{"errors", summary.errors}, {"warnings", summary.warnings}, {"notes", summary.notes},
                      {"proved", summary.proved}, {"violated", summary.violated}, {"undecided", summary.undecided}};
   out << json.dump(2) << '\n';

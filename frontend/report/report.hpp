@@ -109,6 +109,8 @@ struct Coverage {
   std::size_t instructions = 0;
   std::size_t understood = 0;
   std::vector<std::string> approximated;  ///< "PID at press.awl:41: result is any value"
+  std::vector<std::string> leftOut;       ///< "LOG001: 12 of 40 questions are open: ..."
+  std::size_t open = 0;                   ///< questions that those lines speak of
 };
 
 struct Report {
@@ -121,6 +123,7 @@ struct Report {
   std::optional<std::vector<PlantedFault>> selfCheck;
   std::vector<std::string> assumptions;  ///< CPU, scan time, initial memory, external writers
   std::vector<std::string> files;        ///< as given; for the closing line
+  std::vector<std::string> defects;      ///< of rungproof itself, as internal disagreements: the exit code is 2
   std::size_t suppressed = 0;            ///< findings that an allow-comment silenced
   std::size_t baselined = 0;             ///< findings that the baseline lists
 };

@@ -25,7 +25,8 @@ constexpr std::array table = {
     OptionInfo{Opt::ScanTime, Running, Arity::One, "scan-time", "MIN..MAX", "", "length of a scan, as 5ms..20ms or one value (sim: 10ms; prove: 1ms up to the watchdog)"},
     OptionInfo{Opt::Phase, Running, Arity::One, "phase", "TIME", "0ms", "time since the last tick of the 10 ms and 100 ms timers when RUN begins (sim; proofs cover any)"},
     OptionInfo{Opt::Timeout, Running, Arity::One, "timeout", "TIME", "30s", "time limit for each property"},
-    OptionInfo{Opt::Memory, Running, Arity::One, "memory", "SIZE", "", "memory limit, as 500MB or 2GB (three quarters of the machine)"},
+    OptionInfo{Opt::Memory, Running, Arity::One, "memory", "SIZE", "", "memory limit, as 500MB or 2GB (three quarters of the machine; lint --prove: 2GB)"},
+    OptionInfo{Opt::Budget, Running | Rules, Arity::One, "budget", "TIME", "60s", "lint --prove: time for all questions together"},
     OptionInfo{Opt::Bound, Running, Arity::One, "bound", "N", "", "look at no more than N scans"},
     OptionInfo{Opt::Jobs, Running, Arity::One, "jobs", "N", "", "threads to use (all processors)"},
     OptionInfo{Opt::Seed, Running, Arity::One, "seed", "N", "1", "seed of everything random"},
@@ -80,7 +81,7 @@ std::optional<Failure> checkForm(const OptionInfo& info, std::string_view text) 
                    {},
                    zeroAllowed ? "give a whole number" : "give a whole number above 0"};
   }
-  if ((info.id == Opt::Timeout || info.id == Opt::Phase) && !durationNamed(text)) {
+  if ((info.id == Opt::Timeout || info.id == Opt::Budget || info.id == Opt::Phase) && !durationNamed(text)) {
     return Failure{
         fmt::format("'{}' is no time", text), {}, "write a number with its unit, such as 30s, 500ms or 2min"};
   }

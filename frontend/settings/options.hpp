@@ -32,6 +32,7 @@ enum class Opt : std::uint8_t {
   Phase,
   Timeout,
   Memory,
+  Budget,
   Bound,
   Jobs,
   Seed,
@@ -114,6 +115,7 @@ class Settings {
   std::optional<Duration> timeout() const;
   /// Time since the last tick of the time bases when RUN begins, in ms.
   std::uint32_t phaseMs() const;
+  std::optional<Duration> budget() const;
   /// Bytes; nothing if no limit was given.
   std::optional<std::uint64_t> memory() const;
   Choices choices() const;

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
+
+#include "analysis/influence.hpp"
+#include "engine/trace.hpp"
 
 namespace rungproof {
 
@@ -15,48 +17,54 @@ std::string nameWithSymbol(const Program& program, const Operand& operand) {
   return symbol == nullptr ? toString(operand) : fmt::format("{} ({})", toString(operand), symbol->name);
 }
 
-/// The influence of both halves of a pair, in the addresses of OLD where there is one.
-class Judgement {
+/// What one program's networks can influence, in the addresses of OLD where there is one.
+class Reach {
  public:
-  Judgement(const Sides& sides, const Equivalence& equivalence)
-      : sides_(sides), equivalence_(equivalence), before_(sides.before.program), after_(sides.after.program) {}
+  Reach(const Program& program, const AddressPairs& pairs, bool isOld)
+      : program_(program), facts_(program), signals_(touchedSignals(program)), pairs_(pairs), isOld_(isOld) {}
 
-  NetworkChange of(const NetworkPair& pair) {
-    NetworkChange change;
-    change.networks = pair;
-    if (pair.before) add(change, influenceOf(before_, {*pair.before}), true);
-    if (pair.after) add(change, influenceOf(after_, {*pair.after}), false);
-    return change;
+  void add(NetworkChange& change, const NetworkRef& network, const std::vector<ObservedVerdict>& verdicts) const {
+    Influence influence(facts_);
+    influence.addNetwork({static_cast<std::uint32_t>(network.pou), static_cast<std::uint32_t>(network.network)}, 1);
+    influence.spread();
+    change.isEverything = change.isEverything || influence.everything() != Influence::none;
+    for (const TraceSignal& signal : signals_) {
+      const Operand& o = signal.operand;
+      const bool isOutput = o.area == Area::Q || o.area == Area::AQ;
+      if (o.area == Area::I || o.area == Area::AI || o.area == Area::SM) continue;
+      if (!isOutput) {
+        if (isInfluenced(influence, o, 1)) addMemory(change, nameWithSymbol(program_, o));
+        continue;
+      }
+      for (std::uint32_t i = 0; i < extentOf(o); ++i) {
+        const Address own{o.area, addressOf(o).index + i};
+        const Operand bit = direct(own.area, Width::Bit, own.index / 8, own.index % 8);
+        if (isInfluenced(influence, bit, 1)) addOutput(change, own, bit, verdicts);
+      }
+    }
   }
 
  private:
-  void add(NetworkChange& change, const Influence& influence, bool isOld) {
-    change.isEverything = change.isEverything || influence.isEverything;
-    const Program& program = isOld ? sides_.before.program : sides_.after.program;
-    if (influence.isEverything) {
-      for (const ObservedVerdict& output : equivalence_.outputs) addOutput(change, output.name, output.name);
-    }
-    for (const Address& address : influence.outputs) {
-      const std::optional<Address> there = isOld ? address : sides_.pairs.before(address);
-      const Operand own = direct(address.area, Width::Bit, address.index / 8, address.index % 8);
-      const Operand shown = there ? direct(there->area, Width::Bit, there->index / 8, there->index % 8) : own;
-      addOutput(change, toString(shown), nameWithSymbol(program, own));
-    }
-    for (const Operand& operand : influence.memory) {
-      const std::string name = nameWithSymbol(program, operand);
-      if (std::ranges::find(change.memory, name) == change.memory.end()) change.memory.push_back(name);
-    }
+  static bool isInfluenced(const Influence& influence, const Operand& o, std::uint32_t elements) {
+    return influence.causeAt(rowOf(o.area, o.width, o.offset, o.bit, elements)) != Influence::none;
   }
-  void addOutput(NetworkChange& change, const std::string& observed, const std::string& shown) {
-    const auto verdict = std::ranges::find(equivalence_.outputs, observed, &ObservedVerdict::name);
-    if (verdict == equivalence_.outputs.end()) return;
-    if (std::ranges::find(change.outputs, shown, &InfluencedOutput::name) == change.outputs.end())
-      change.outputs.push_back({shown, verdict->equality});
+  static void addMemory(NetworkChange& change, const std::string& name) {
+    if (std::ranges::find(change.memory, name) == change.memory.end()) change.memory.push_back(name);
+  }
+  void addOutput(NetworkChange& change, const Address& own, const Operand& bit, const std::vector<ObservedVerdict>& verdicts) const {
+    const std::optional<Address> there = isOld_ ? own : pairs_.before(own);
+    const Operand observed = there ? direct(there->area, Width::Bit, there->index / 8, there->index % 8) : bit;
+    const auto verdict = std::ranges::find(verdicts, toString(observed), &ObservedVerdict::name);
+    const std::string name = nameWithSymbol(program_, bit);
+    if (verdict != verdicts.end() && std::ranges::find(change.outputs, name, &InfluencedOutput::name) == change.outputs.end())
+      change.outputs.push_back({name, verdict->equality});
   }
 
-  const Sides& sides_;
-  const Equivalence& equivalence_;
-  const Facts before_, after_;
+  const Program& program_;
+  const Facts facts_;
+  const std::vector<TraceSignal> signals_;
+  const AddressPairs& pairs_;
+  const bool isOld_;
 };
 
 /// The properties that OLD declares, read for NEW: addresses and symbols are NEW's.
@@ -98,9 +106,13 @@ ProgramDifference differenceOf(const Sides& sides, const EquivalenceOptions& giv
   const ProgramMatch match = matchPrograms(sides.before.program, sides.after.program, sides.pairs);
   const Side before{&sides.before.program, sides.before.properties}, after{&sides.after.program, sides.after.properties};
   difference.equivalence = compareBehaviour(before, after, options);
-  Judgement judgement(sides, difference.equivalence);
+  const Reach ofBefore(sides.before.program, sides.pairs, true), ofAfter(sides.after.program, sides.pairs, false);
   for (const NetworkPair& pair : match.networks) {
-    if (!pair.isSame) difference.changes.push_back(judgement.of(pair));
+    if (pair.isSame) continue;
+    NetworkChange& change = difference.changes.emplace_back();
+    change.networks = pair;
+    if (pair.before) ofBefore.add(change, *pair.before, difference.equivalence.outputs);
+    if (pair.after) ofAfter.add(change, *pair.after, difference.equivalence.outputs);
   }
   difference.verdicts = changedVerdicts(sides, options.prover);
   return difference;

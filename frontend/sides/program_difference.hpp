@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "analysis/equivalence/equivalence.hpp"
-#include "analysis/equivalence/influence.hpp"
 #include "frontend/sides/sides.hpp"
 
 namespace rungproof {

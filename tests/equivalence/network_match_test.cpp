@@ -1,7 +1,6 @@
-// Networks and instructions that stand for each other, and what a network can influence.
+// Networks and instructions that stand for each other.
 #include <algorithm>
 
-#include "analysis/equivalence/influence.hpp"
 #include "tests/equivalence/pair.hpp"
 
 namespace rungproof::test {
@@ -9,12 +8,6 @@ namespace rungproof::test {
 namespace {
 
 Program readLine(const std::string& text) { return pairSide("p.awl", exportOf(text), "").program; }
-
-std::string namesOf(const Influence& influence) {
-  std::string names;
-  for (const Address& address : influence.outputs) names += addressName(address.area, Width::Bit, address.index / 8, address.index % 8) + ' ';
-  return names;
-}
 
 }  // namespace
 
@@ -50,27 +43,6 @@ TEST(NetworkMatch, TheMapTranslatesAddresses) {
   const ProgramMatch match = matchPrograms(readLine("LD I0.0;= Q0.0"), readLine("LD I1.0;= Q0.0"), pairs);
   ASSERT_EQ(match.networks.size(), 1U);
   EXPECT_TRUE(match.networks[0].isSame);
-}
-
-TEST(InfluenceOfNetworks, GoesThroughMemoryToOutputs) {
-  const Program program = readLine("LD I0.0;= M0.0|LD M0.0;= Q0.0|LD I0.1;= Q0.1|LD Q0.0;= Q0.2");
-  const Facts facts(program);
-  EXPECT_EQ(namesOf(influenceOf(facts, {{0, 0}})), "Q0.0 Q0.2 ");
-  EXPECT_EQ(namesOf(influenceOf(facts, {{0, 2}})), "Q0.1 ");
-}
-
-TEST(InfluenceOfNetworks, ReachesWhatIsJumpedOverAndCalled) {
-  const Program program = readLine("LD I0.0;JMP 1|LD I0.1;= Q0.0|LBL 1|LD I0.2;CALL SBR0@SBR0:LD I0.3;= Q0.5");
-  const Facts facts(program);
-  EXPECT_EQ(namesOf(influenceOf(facts, {{0, 0}})), "Q0.0 Q0.5 ");
-  EXPECT_EQ(namesOf(influenceOf(facts, {{0, 3}})), "Q0.0 Q0.5 ") << "the network of the call decides on its block";
-}
-
-TEST(InfluenceOfNetworks, APointerMayReachAnything) {
-  const Program program = readLine("LD I0.0;MOVD &VB0,VD10;MOVB 1,*VD10|LD I0.1;= Q0.1");
-  const Facts facts(program);
-  EXPECT_TRUE(influenceOf(facts, {{0, 0}}).isEverything);
-  EXPECT_FALSE(influenceOf(facts, {{0, 1}}).isEverything);
 }
 
 }  // namespace rungproof::test
