@@ -180,6 +180,7 @@ const std::map<std::uint32_t, Node>& EncodedScan::analogInputs() const { return 
 const std::map<std::string, Node>& EncodedScan::deviceInputs() const { return impl_->scan->deviceInputs; }
 const std::vector<DeviceWrite>& EncodedScan::deviceWrites() const { return impl_->scan->devices().writes(); }
 const std::vector<TickSite>& EncodedScan::tickSites() const { return impl_->scan->tickSites; }
+const std::vector<SiteInput>& EncodedScan::siteInputs() const { return impl_->scan->siteInputs; }
 const std::vector<EventSite>& EncodedScan::eventSites() const { return impl_->scan->eventSites; }
 const std::vector<Cell>& EncodedScan::cells() const { return impl_->scan->cells(); }
 const std::vector<KeptCell>& EncodedScan::keptCells() const { return impl_->scan->keptCells; }

@@ -42,6 +42,7 @@ struct EncoderOptions {
   std::vector<ExternalBytes> externals;
   std::vector<Operand> observed;  ///< direct operands that properties read: they shape the state variables
   bool interrupts = true;
+  bool interruptsInside = true;   ///< false: events come between scans only
   int eventPasses = 2;  ///< times that each event is let in at one place; what more of them can do is estimated
   int loopLimit = 256;  ///< rounds of a backward jump that are followed
   std::size_t stepLimit = 50000;  ///< instructions of one scan, loops unrolled, after which no loop is followed further
@@ -100,6 +101,14 @@ struct EventSite {
   Node waited;  ///< the latter
 };
 
+/// A free input of a place inside the scan: whether an event comes there, or how many ms have passed.
+struct SiteInput {
+  static constexpr int ticks = -1;
+  int event;                  ///< ticks: ms
+  std::uint32_t instruction;  ///< as in BoundarySite
+  Node node;
+};
+
 /// A bit or byte that a device writes at the start of the scan where `guard` holds.
 struct DeviceWrite {
   Operand operand;
@@ -148,6 +157,8 @@ class EncodedScan {
   const std::vector<DeviceWrite>& deviceWrites() const;
   const std::vector<TickSite>& tickSites() const;
   const std::vector<EventSite>& eventSites() const;
+  /// The inputs of these places, in the order of the scan.
+  const std::vector<SiteInput>& siteInputs() const;
   /// All places of tick and event sites, and the guards of the executions of an instruction in the order of the scan.
   std::vector<const BoundarySite*> boundaries() const;
   const std::vector<Node>& visits(std::uint32_t instruction) const;

@@ -64,6 +64,7 @@ bool ScanEncoding::needsTicks(std::uint32_t instruction) const {
 
 bool ScanEncoding::mayInterrupt(int event, std::uint32_t instruction) const {
   if (instruction == ScanPlace::afterProgram || isAfterEnable_) return true;
+  if (!options_.interruptsInside) return false;
   const auto isSeen = [&](int routine) {
     const auto its = knowledge_.footprints.ofRoutine.find(routine);
     return its != knowledge_.footprints.ofRoutine.end() && watched_.conflictsWith(its->second);
@@ -117,12 +118,19 @@ std::uint32_t ScanEncoding::visitOf(std::uint32_t instruction) {
   return *visit_;
 }
 
+Node ScanEncoding::siteInput(int event, std::uint32_t instruction, int width) {
+  const std::string what = event == SiteInput::ticks ? "ms" : "event " + std::to_string(event);
+  const Node node = input(what + " before instruction " + std::to_string(instruction), width);
+  siteInputs.push_back({event, instruction, node});
+  return node;
+}
+
 void ScanEncoding::tick(std::uint32_t instruction, std::uint32_t visit) {
   const int w = time.width();
   const Node guard = machine_.guard.node;
   Node now = time.dt();
   if (instruction != ScanPlace::afterProgram) {
-    now = input("ms before instruction " + std::to_string(instruction), w);
+    now = siteInput(SiteInput::ticks, instruction, w);
     const Node inOrder =
         graph.make(Op::And, 1, graph.make(Op::Ule, 1, consumed_, now), graph.make(Op::Ule, 1, now, time.dt()));
     const Node constraint = graph.make(Op::Or, 1, graph.make(Op::Not, 1, guard), inOrder);

@@ -73,6 +73,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   std::map<std::string, Node> deviceInputs;
   std::vector<TickSite> tickSites;
   std::vector<EventSite> eventSites;
+  std::vector<SiteInput> siteInputs;
   std::vector<KeptCell> keptCells;                    ///< instead of constants, where a trail is followed
   std::map<std::uint32_t, std::vector<Node>> visits;  ///< by instruction that has a site: guards of its executions
   std::vector<Place> places() const { return store_.places(); }
@@ -158,6 +159,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   Node init(const Place& place) const;
   bool isFixed(Choice choice) const { return !options_.coversAllReadings && options_.choices.isFixed(choice); }
   Node input(std::string name, int width);
+  Node siteInput(int event, std::uint32_t instruction, int width);
   Approximation& approximate(const Instruction* place, std::string_view reason);
 
   const Program& program_;

@@ -194,7 +194,7 @@ Graph::Bool ScanEncoding::isNextDue(std::uint32_t timer) {
 /// Whether the event comes at this point, nothing waiting.
 Graph::Bool ScanEncoding::occurs(Round& round, int event) {
   const auto input = [&] {
-    return Graph::Bool{this->input(fmt::format("event {} before instruction {}", event, round.where.instruction), 1)};
+    return Graph::Bool{siteInput(event, round.where.instruction, 1)};
   };
   if (isTimerEvent(event)) return graph.constant(false);
   if (isTimedEvent(event)) {
@@ -290,8 +290,7 @@ void ScanEncoding::runEvent(Runner& runner, Round& round, int event) {
     waited = graph.land(ready, graph.lnot(graph.equal({waits->second}, graph.literal(0, queueBits), queueBits)));
     // A timer's event that has just come may let others pass.
     if (isTimerEvent(event) && !round.isLastPass && graph.truth(here(waited)) != false) {
-      waited =
-          graph.land(waited, {input(fmt::format("event {} before instruction {}", event, round.where.instruction), 1)});
+      waited = graph.land(waited, {siteInput(event, round.where.instruction, 1)});
     }
   }
   const Graph::Bool comes = graph.land(graph.lnot(waited), graph.land(ready, occurs(round, event)));
@@ -561,7 +560,7 @@ void ScanEncoding::noteAttachment(const Instruction& instruction) {
     const int w = graph[s.passed].width;
     const Graph::Bits dt{graph.make(Op::Zext, w, time.dt())}, before{s.passed};
     const ExternalSite site{External::AsyncTicks, static_cast<std::uint32_t>(event), instruction.id};
-    const Graph::Bits any{input(fmt::format("ms before instruction {}", instruction.id), w)};
+    const Graph::Bits any{siteInput(SiteInput::ticks, instruction.id, w)};
     externals.push_back({site, any.node, w, here(runs).node});
     const Graph::Bool fits = graph.land(graph.ule(before, any, w), graph.ule(any, dt, w));
     const Graph::Bits now = graph.select(fits, any, before, w);

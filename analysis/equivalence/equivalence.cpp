@@ -43,6 +43,7 @@ class ProgramComparison {
       correspond(product);
       compareOutputs(product);
       if (result_.equality == Equality::Equal) guardCoverage(product);
+      guardUnread();
     } catch (const EncodingStopped&) {
       result_.notes.push_back(watch_.isInterrupted() ? "interrupted before both programs were encoded"
                                                      : "the time was over before both programs were encoded");
@@ -75,6 +76,7 @@ class ProgramComparison {
   ProductOptions productOptions(bool relaxed) {
     ProductOptions options;
     options.encoder = encoderOptionsOf(options_.prover, relaxed);
+    options.encoder.interruptsInside = options_.interruptsInside;
     options.encoder.interruption = [this] {
       if (watch_.isStopped() || left() <= 0) throw EncodingStopped{};
     };
@@ -95,6 +97,12 @@ class ProgramComparison {
       }
     }
     for (const Property& assumption : options_.assumptions) result_.assumptions.push_back(assumption.text);
+    for (const Side* side : {&before_, &after_}) {
+      const bool hasRoutines = std::ranges::any_of(side->program->pous, [](const Pou& pou) { return pou.kind == PouKind::Interrupt; });
+      if (!hasRoutines) continue;
+      result_.assumptions.push_back(options_.interruptsInside ? "interrupts come anywhere in a scan" : "interrupts come between scans");
+      break;
+    }
     if (options_.steadyInputs) result_.assumptions.push_back("physical inputs are steady for the whole scan");
     if (options_.latency > 0)
       result_.assumptions.push_back(fmt::format("NEW in scan k + {0} is compared with OLD in scan k", options_.latency));
@@ -159,7 +167,8 @@ class ProgramComparison {
   void compareOutputs(ProgramProduct& product) {
     const JoinedSystem once = product.merged(isMerged_, true);
     std::vector<Question> questions = questionsOf(once);
-    for (const Question& question : questions) result_.outputs.push_back({nameIn(question), Equality::Unknown});
+    for (const ObservedBit& bit : once.observed) result_.outputs.push_back({bit.name, Equality::Unknown, bit.before, bit.after});
+    result_.outputs.push_back({"RUN", Equality::Unknown, {}, {}});
     std::vector<std::size_t> open;
     const Graph& graph = *once.system.graph;
     for (std::size_t i = 0; i < questions.size(); ++i) {
@@ -309,9 +318,6 @@ class ProgramComparison {
     questions.push_back({std::string("RUN") + differsText, merged.stopDiffers});
     return questions;
   }
-  static std::string nameIn(const Question& question) {
-    return question.name.substr(0, question.name.size() - std::string_view(differsText).size());
-  }
 
   void conclude(const std::vector<std::size_t>& open) {
     result_.method = method_;
@@ -335,20 +341,43 @@ class ProgramComparison {
     guardSide(after_, product.newSide());
     if (!result_.notes.empty()) result_.equality = Equality::Unknown;
   }
+  /// Nothing is decided about an output that unread code may decide.
+  void guardUnread() {
+    bool isOpen = false;
+    for (ObservedVerdict& output : result_.outputs) {
+      if (result_.run && output.name != result_.run->signal) continue;
+      for (const auto& [side, address] : {std::pair{&before_, output.before}, {&after_, output.after}}) {
+        if (side->unread == nullptr || side->unread->empty()) continue;
+        for (const std::string& reason : reasonsFor(*side->unread, address)) {
+          note(reason);
+          output.equality = Equality::Unknown;
+          isOpen = true;
+        }
+      }
+    }
+    if (!isOpen) return;
+    result_.equality = Equality::Unknown;
+    result_.run.reset();
+  }
+  static std::vector<std::string> reasonsFor(const UnreadCode& unread, const std::optional<Address>& address) {
+    if (!address) return unread.reasons();
+    ExprNode node;
+    node.op = ExprOp::Address;
+    node.operand = direct(address->area, Width::Bit, address->index / 8, address->index % 8);
+    Property property;
+    property.first.nodes.push_back(node);
+    return unread.reasons(property);
+  }
   void guardSide(const Side& side, Obligations& obligations) {
     EncodedScan& encoding = obligations.encoding();
     if (const auto reason = unfollowedRoutine(*side.program, encoding)) note(*reason);
-    TransitionSystem system = obligations.system();
-    std::unordered_set<std::uint32_t> variables;
-    for (const StateVariable& state : system.states) variables.insert(indexOf(state.node));
-    for (const Node input : system.inputs) variables.insert(indexOf(input));
-    for (const std::string& reason : HiddenCode(*side.program, side.set).reasons(encoding, variables)) note(reason);
     Graph& graph = encoding.graph();
     Graph::Bool leftOut = graph.constant(false);
     for (const Approximation& approximation : obligations.approximations()) {
       if (approximation.leftOut != noNode) leftOut = graph.lor(leftOut, {approximation.leftOut});
     }
     if (graph.truth(leftOut) == false) return;
+    TransitionSystem system = obligations.system();
     system.questions = {{"a scan is not followed to its end", leftOut.node}};
     if (ask(system, left(), Effort::Full)[0].answer == Answer::Proved) return;
     for (const Approximation& approximation : obligations.approximations()) {

@@ -25,6 +25,7 @@ struct EquivalenceOptions {
   bool steadyInputs = false;
   std::uint32_t latency = 0;
   std::uint32_t settleMs = 0;
+  bool interruptsInside = false;  ///< events come anywhere in a scan; otherwise between scans
   bool everyOutput = false;  ///< goes on after the first difference until each output has its verdict
 };
 
@@ -42,6 +43,7 @@ struct EquivalenceRun {
 struct ObservedVerdict {
   std::string name;  ///< "Q0.1", "RUN"
   Equality equality = Equality::Unknown;
+  std::optional<Address> before, after;  ///< nothing: that program does not have it
 };
 
 struct Equivalence {

@@ -216,10 +216,21 @@ void ProgramProduct::findPartners() {
   partners_.resize(newSystem_.states.size());
   for (std::size_t i = 0; i < partners_.size(); ++i) {
     const auto place = places.find(newSystem_.states[i].node);
-    if (place == places.end()) continue;
-    partners_[i] = {oldValue(place->second, false), oldValue(place->second, true)};
+    if (place != places.end()) partners_[i] = {oldValue(place->second, false), oldValue(place->second, true)};
   }
   oldSystem_ = old_.system();  // with all cells that the partners have touched
+  const auto nameIn = [](const TransitionSystem& system, const StateVariable& state) -> const std::string& {
+    return system.graph->variables()[(*system.graph)[state.node].value].name;
+  };
+  std::map<std::string, const StateVariable*> byName;
+  for (const StateVariable& state : oldSystem_.states) byName.emplace(nameIn(oldSystem_, state), &state);
+  for (std::size_t i = 0; i < partners_.size(); ++i) {
+    const StateVariable& state = newSystem_.states[i];
+    if (places.contains(state.node)) continue;
+    const auto same = byName.find(nameIn(newSystem_, state));  // what waits in queues, cells of assumptions
+    const bool isAlike = same != byName.end() && (*oldSystem_.graph)[same->second->node].width == (*newSystem_.graph)[state.node].width;
+    if (isAlike) partners_[i] = {same->second->node, same->second->next};
+  }
   const std::vector<StateVariable>& oldTime = old_.encoding().time().states();
   const std::vector<StateVariable>& newTime = new_.encoding().time().states();
   CHECK(oldTime.size() == newTime.size(), "both programs have one time");
@@ -303,6 +314,24 @@ void ProgramProduct::replaceExternals(SideCopy& copy) {
   }
 }
 
+/// The same event in front of instructions that stand for each other, and between scans.
+void ProgramProduct::replaceSites(SideCopy& copy) {
+  using Site = std::pair<int, std::uint32_t>;
+  std::map<Site, std::vector<Node>> known;
+  for (const SiteInput& site : old_.encoding().siteInputs()) known[{site.event, site.instruction}].push_back(site.node);
+  std::map<Site, std::size_t> count;
+  for (const SiteInput& site : new_.encoding().siteInputs()) {
+    const std::size_t k = count[{site.event, site.instruction}]++;
+    const bool isBetween = site.instruction == ScanPlace::afterProgram;
+    const std::uint32_t there = isBetween ? site.instruction : match_.beforeOf[site.instruction];
+    if (copy.isReplaced(site.node) || (!isBetween && there == noPartner)) continue;
+    const auto found = known.find({site.event, there});
+    if (found == known.end() || k >= found->second.size()) continue;
+    const Node same = found->second[k];
+    if (old_.encoding().graph()[same].width == new_.encoding().graph()[site.node].width) copy.replace(site.node, same);
+  }
+}
+
 JoinedSystem ProgramProduct::merged(const std::vector<bool>& isMerged, bool isOneScan) {
   Graph& graph = old_.encoding().graph();
   JoinedSystem result;
@@ -311,6 +340,7 @@ JoinedSystem ProgramProduct::merged(const std::vector<bool>& isMerged, bool isOn
   SideCopy& copy = *result.copy;
   replaceCells(copy);
   replaceExternals(copy);
+  replaceSites(copy);
   const auto isTaken = [&](std::size_t i) {
     return partners_[i].isWorld || (isMerged[i] && partners_[i].start != noNode);
   };

@@ -17,6 +17,7 @@
 #include "analysis/encoding/obligation.hpp"
 #include "analysis/equivalence/network_match.hpp"
 #include "analysis/equivalence/side_copy.hpp"
+#include "analysis/unread_code.hpp"
 
 namespace rungproof {
 
@@ -25,8 +26,9 @@ inline constexpr std::string_view newSidePrefix = "new.", oldSidePrefix = "old."
 
 /// One of the two programs, with its assumptions and external ranges.
 struct Side {
-  const Program* program = nullptr;
+  const Program* program = nullptr;  ///< what of it may be run
   PropertySet set;
+  const UnreadCode* unread = nullptr;  ///< what was left out of it; nullptr: nothing
 };
 
 struct ProductOptions {
@@ -95,6 +97,7 @@ class ProgramProduct {
   void findPartners();
   void replaceCells(SideCopy& copy);
   void replaceExternals(SideCopy& copy);
+  void replaceSites(SideCopy& copy);
   void holdInputs(JoinedSystem& result);
   void assume(JoinedSystem& result);
   Node assumedLeaf(SideCopy* copy, const Operand& operand, int width);

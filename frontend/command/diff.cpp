@@ -35,9 +35,11 @@ Exit run(Arguments arguments, Context& context) {
   if (!failures.empty()) return failAll(context, failures);
   bool isUnread = false;
   for (const ProgramInput* input : {&sides.before, &sides.after}) {
-    if (!hasReadErrors(input->program)) continue;
+    const UnreadCode& unread = input == &sides.before ? *sides.unreadBefore : *sides.unreadAfter;
+    if (!unread.isRefused()) continue;
     isUnread = true;
     Report report = startReport("diff", input->program, input == &sides.before ? sides.filesBefore : sides.filesAfter);
+    addUnread(report, input->program, unread);
     sortFindings(report);
     reporterNamed("human")->write(report, {false, true}, context.err);
   }

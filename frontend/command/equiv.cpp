@@ -20,6 +20,7 @@ namespace {
 struct Arguments {
   SideArguments sides;
   std::string inputs = "free";
+  std::string interrupts = "between";
   std::uint32_t latency = 0;
   std::string settle;
   std::string trace;
@@ -44,9 +45,10 @@ std::string_view equalityName(Equality equality) {
 }
 
 /// Errors of reading of one side, as the beginning of the report.
-Report partOf(const ProgramInput& input, const std::vector<std::string>& files) {
+Report partOf(const ProgramInput& input, const UnreadCode& unread, const std::vector<std::string>& files) {
   Report part = startReport("equiv", input.program, files);
   std::erase_if(part.findings, [](const Finding& finding) { return finding.severity != Severity::Error; });
+  addUnread(part, input.program, unread);
   const PlaceIndex places(input.program);
   for (Finding& finding : part.findings) places.complete(finding);
   return part;
@@ -92,10 +94,11 @@ Exit run(const Arguments& arguments, Context& context) {
   const Sides sides = readSides(context, arguments.sides, failures);
   if (!failures.empty()) return failAll(context, failures);
   ReportMerger merger;
-  merger.add(partOf(sides.before, sides.filesBefore));
-  merger.add(partOf(sides.after, sides.filesAfter));
+  merger.add(partOf(sides.before, *sides.unreadBefore, sides.filesBefore));
+  merger.add(partOf(sides.after, *sides.unreadAfter, sides.filesAfter));
   Report report = merger.take();
-  if (!report.findings.empty()) return worse(finish(context, std::move(report)), Exit::Failed);
+  if (sides.unreadBefore->isRefused() || sides.unreadAfter->isRefused() || !report.findings.empty())
+    return worse(finish(context, std::move(report)), Exit::Failed);
 
   EquivalenceOptions options;
   options.prover = proverOptionsOf(context.settings);
@@ -105,12 +108,12 @@ Exit run(const Arguments& arguments, Context& context) {
   options.observed = sides.observed;
   options.assumptions = sides.assumptions;
   options.steadyInputs = arguments.inputs == "steady";
+  options.interruptsInside = arguments.interrupts == "anywhere";
   options.latency = arguments.latency;
   options.settleMs = static_cast<std::uint32_t>(settle->count() / 1000);
   equivInterrupted = false;
   const auto before = std::signal(SIGINT, onEquivInterrupt);
-  const Side oldSide{&sides.before.program, sides.before.properties}, newSide{&sides.after.program, sides.after.properties};
-  const Equivalence found = compareBehaviour(oldSide, newSide, options);
+  const Equivalence found = compareBehaviour(sides.oldSide(), sides.newSide(), options);
   std::signal(SIGINT, before);
 
   report.comparison = comparisonOf(found);
@@ -135,6 +138,8 @@ Action setup(ArgumentTable& table) {
   arguments->sides.declare(table);
   table.word("--inputs", arguments->inputs, {"free", "steady"}, "free|steady",
              "steady: immediate reads give what the process image has");
+  table.word("--interrupts", arguments->interrupts, {"between", "anywhere"}, "between|anywhere",
+             "anywhere: events may come anywhere in a scan, not only between scans");
   table.option("--settle", arguments->settle, "TIME", "outputs may differ for less than that without a break");
   table.number("--latency", arguments->latency, "N", "NEW's outputs come N scans later", 0, 1000);
   table.option("--trace", arguments->trace, "FILE", "write the run that differs: inputs and the outputs of both");

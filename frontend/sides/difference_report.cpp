@@ -45,7 +45,7 @@ std::vector<TraceSignal> DifferenceReport::inputsOfRun() const {
   std::vector<TraceSignal> inputs;
   for (const ReplayScan& scan : run_.before) {
     for (const PresetValue& preset : scan.inputs) {
-      TraceSignal signal = signalOf(sides_.before.program, preset.operand);
+      TraceSignal signal = signalOf(*sides_.runBefore, preset.operand);
       if (preset.value != 0 && std::ranges::none_of(inputs, [&](const TraceSignal& s) { return s.name == signal.name; }))
         inputs.push_back(std::move(signal));
     }
@@ -59,8 +59,8 @@ Trace DifferenceReport::joined(const std::vector<TraceSignal>& inputs, const std
   std::vector<TraceSignal> left = inputs;
   left.insert(left.end(), before.begin(), before.end());
   const Choices& choices = options_.prover.choices;
-  Trace trace = traceOf(sides_.before.program, choices, witnessOf(run_, true), left);
-  const Trace other = traceOf(sides_.after.program, choices, witnessOf(run_, false), after);
+  Trace trace = traceOf(*sides_.runBefore, choices, witnessOf(run_, true), left);
+  const Trace other = traceOf(*sides_.runAfter, choices, witnessOf(run_, false), after);
   for (TraceSignal signal : after) {
     signal.name = "new." + signal.name;
     if (!signal.symbol.empty()) signal.symbol = "new." + signal.symbol;
@@ -81,7 +81,7 @@ Trace DifferenceReport::trace() const {
     std::erase_if(signals, [](const TraceSignal& s) { return s.operand.area != Area::Q && s.operand.area != Area::AQ; });
     return signals;
   };
-  return joined(inputsOfRun(), outputsOf(sides_.before.program), outputsOf(sides_.after.program));
+  return joined(inputsOfRun(), outputsOf(*sides_.runBefore), outputsOf(*sides_.runAfter));
 }
 
 /// "I0.2 becomes 1 in scan 3": the last change of an input before the difference.
@@ -106,12 +106,12 @@ void DifferenceReport::describe(Comparison& comparison, const std::string& form)
   comparison.actual = run_.valueAfter ? 1 : 0;
   const std::vector<TraceSignal> inputs = inputsOfRun();
   std::vector<TraceSignal> before, after;
-  if (const auto operand = operandOf(run_.addressBefore)) before.push_back(signalOf(sides_.before.program, *operand));
-  if (const auto operand = operandOf(run_.addressAfter)) after.push_back(signalOf(sides_.after.program, *operand));
+  if (const auto operand = operandOf(run_.addressBefore)) before.push_back(signalOf(*sides_.runBefore, *operand));
+  if (const auto operand = operandOf(run_.addressAfter)) after.push_back(signalOf(*sides_.runAfter, *operand));
   const Trace table = joined(inputs, before, after);
   if (const std::string change = lastChange(table, inputs.size()); !change.empty()) comparison.notes.push_back(change);
   for (const bool isOld : {true, false}) {
-    const Program& program = isOld ? sides_.before.program : sides_.after.program;
+    const Program& program = isOld ? *sides_.runBefore : *sides_.runAfter;
     const std::string start = startText(program, options_.prover.choices, witnessOf(run_, isOld));
     if (!start.empty()) comparison.notes.push_back(fmt::format("memory of {} at the start: {}", isOld ? "OLD" : "NEW", start));
   }
@@ -122,7 +122,7 @@ void DifferenceReport::describe(Comparison& comparison, const std::string& form)
   drawing.scans = 1;
   drawing.svg = true;
   for (const bool isOld : {true, false}) {
-    const Program& program = isOld ? sides_.before.program : sides_.after.program;
+    const Program& program = isOld ? *sides_.runBefore : *sides_.runAfter;
     for (ShownScan& scan : shownScans(program, options_.prover.choices, resultOf(run_, isOld), drawing)) {
       for (ShownNetwork& network : scan.networks) network.heading = (isOld ? "OLD " : "NEW ") + network.heading;
       comparison.scans.push_back(std::move(scan));

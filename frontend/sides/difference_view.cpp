@@ -54,8 +54,8 @@ std::vector<std::string> linesOf(const Program& program, const std::optional<Net
 }
 
 std::string headingOf(const Sides& sides, const NetworkPair& pair) {
-  const std::string before = pair.before ? placeOf(sides.before.program, *pair.before) : "";
-  const std::string after = pair.after ? placeOf(sides.after.program, *pair.after) : "";
+  const std::string before = pair.before ? placeOf(*sides.runBefore, *pair.before) : "";
+  const std::string after = pair.after ? placeOf(*sides.runAfter, *pair.after) : "";
   if (before.empty() || after.empty() || before == after) return fmt::format("{}: {}", before.empty() ? after : before, changeWord(pair));
   return fmt::format("{} (before: {}): {}", after, before, changeWord(pair));
 }
@@ -105,8 +105,8 @@ std::string differenceText(const Sides& sides, const ProgramDifference& differen
     text += fmt::format("{}: '{}' was {}, is {}\n", paint.red("verdict"), verdict.name, verdict.before, verdict.after);
   for (const NetworkChange& change : difference.changes) {
     text += (text.empty() ? "" : "\n") + paint.bold(headingOf(sides, change.networks)) + '\n';
-    const std::vector<std::string> left = linesOf(sides.before.program, change.networks.before, style),
-                                   right = linesOf(sides.after.program, change.networks.after, style);
+    const std::vector<std::string> left = linesOf(*sides.runBefore, change.networks.before, style),
+                                   right = linesOf(*sides.runAfter, change.networks.after, style);
     std::size_t width = 3;
     for (const std::string& line : left) width = std::max(width, columnsOf(line));
     const auto row = [&](std::string_view a, std::string_view b) {
@@ -137,7 +137,7 @@ std::string differencePage(const Sides& sides, const ProgramDifference& differen
     for (const bool isOld : {true, false}) {
       const auto& where = isOld ? change.networks.before : change.networks.after;
       page += fmt::format("<figure><figcaption>{}</figcaption>{}</figure>", isOld ? "OLD" : "NEW",
-                          where ? pictureSvg(viewOf(isOld ? sides.before.program : sides.after.program, *where, style))
+                          where ? pictureSvg(viewOf(isOld ? *sides.runBefore : *sides.runAfter, *where, style))
                                 : std::string("not there"));
     }
     page += "</div>\n<ul>";
@@ -160,8 +160,8 @@ std::string differenceJson(const Sides& sides, const ProgramDifference& differen
     for (const InfluencedOutput& output : change.outputs)
       outputs.push_back({{"name", output.name}, {"verdict", equalityWord(output.equality)}});
     json["changes"].push_back({{"kind", changeWord(change.networks)},
-                               {"old", place(sides.before.program, change.networks.before)},
-                               {"new", place(sides.after.program, change.networks.after)},
+                               {"old", place(*sides.runBefore, change.networks.before)},
+                               {"new", place(*sides.runAfter, change.networks.after)},
                                {"outputs", outputs},
                                {"memory", change.memory}});
   }

@@ -80,7 +80,7 @@ PropertySet declaredFor(const Program& declaring, Program& program) {
 
 std::vector<VerdictChange> changedVerdicts(const Sides& sides, const ProverOptions& options) {
   std::vector<VerdictChange> changes;
-  Program before = sides.before.program, after = sides.after.program;
+  Program before = *sides.runBefore, after = *sides.runAfter;
   const PropertySet ofBefore = declaredFor(before, before), ofAfter = declaredFor(before, after);
   if (std::ranges::none_of(ofBefore.properties, [](const Property& p) { return p.isGoal(); })) return changes;
   const ProofRun then = prove(before, ofBefore, options), now = prove(after, ofAfter, options);
@@ -103,10 +103,9 @@ ProgramDifference differenceOf(const Sides& sides, const EquivalenceOptions& giv
   ProgramDifference difference;
   EquivalenceOptions options = given;
   options.everyOutput = true;
-  const ProgramMatch match = matchPrograms(sides.before.program, sides.after.program, sides.pairs);
-  const Side before{&sides.before.program, sides.before.properties}, after{&sides.after.program, sides.after.properties};
-  difference.equivalence = compareBehaviour(before, after, options);
-  const Reach ofBefore(sides.before.program, sides.pairs, true), ofAfter(sides.after.program, sides.pairs, false);
+  const ProgramMatch match = matchPrograms(*sides.runBefore, *sides.runAfter, sides.pairs);
+  difference.equivalence = compareBehaviour(sides.oldSide(), sides.newSide(), options);
+  const Reach ofBefore(*sides.runBefore, sides.pairs, true), ofAfter(*sides.runAfter, sides.pairs, false);
   for (const NetworkPair& pair : match.networks) {
     if (pair.isSame) continue;
     NetworkChange& change = difference.changes.emplace_back();

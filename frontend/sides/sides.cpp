@@ -144,6 +144,13 @@ Sides readSides(const Context& context, const SideArguments& arguments, std::vec
     else
       failures.push_back({fmt::format("--observe: '{}' is neither an address nor a symbol of OLD", text), {}, {}});
   }
+  sides.unreadBefore = std::make_unique<UnreadCode>(sides.before.program);
+  sides.unreadAfter = std::make_unique<UnreadCode>(sides.after.program);
+  const auto whatRuns = [](const Program& program, const UnreadCode& unread) {
+    return std::make_unique<Program>(unread.isWhole() ? program : unread.executable());
+  };
+  sides.runBefore = whatRuns(sides.before.program, *sides.unreadBefore);
+  sides.runAfter = whatRuns(sides.after.program, *sides.unreadAfter);
   return sides;
 }
 

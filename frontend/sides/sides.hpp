@@ -2,6 +2,7 @@
 // (old: and new: in front of a value), and the properties that constrain the pair. Tested by tests/equivalence.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,9 +22,14 @@ struct SideArguments {
   void declare(ArgumentTable& table);
 };
 
-/// The two programs as they were read.
+/// The two programs as they were read; `unread` says what of each may not be run.
 struct Sides {
   ProgramInput before, after;
+  std::unique_ptr<UnreadCode> unreadBefore, unreadAfter;
+  std::unique_ptr<Program> runBefore, runAfter;  ///< what of the programs may be run
+
+  Side oldSide() const { return {runBefore.get(), before.properties, unreadBefore.get()}; }
+  Side newSide() const { return {runAfter.get(), after.properties, unreadAfter.get()}; }
   std::vector<std::string> filesBefore, filesAfter;
   AddressPairs pairs;
   std::vector<Operand> observed;  ///< addresses of OLD
