@@ -57,28 +57,59 @@ bool claims(const std::string& word) {
   return word == "PROVED" || word == "UNREACHABLE" || word == "VACUOUS" || word == "HOLDS TO BOUND";
 }
 
-/// Why an event of a witness cannot have happened; empty if nothing speaks against it.
-std::string causeMissing(const std::string& text, const std::string& trace) {
+/// Events of timed interrupts by time: no more of them than intervals have passed (001:5470).
+struct TimedCount {
+  std::string event, interval;  ///< "10", "SMB34"
+  int period = 0;
+  int seen = 0;
+};
+
+std::vector<TimedCount> timedCounts(const std::string& text) {
+  std::vector<TimedCount> counts = {{"10", ", SMB34\n"}, {"11", ", SMB35\n"}};
+  for (TimedCount& count : counts) {
+    const std::size_t at = text.find(count.interval);
+    const std::size_t line = at == std::string::npos ? at : text.rfind("MOVB ", at);
+    if (line == std::string::npos || text.find(count.interval, at + 1) != std::string::npos) continue;
+    count.period = std::stoi(text.substr(line + 5));
+  }
+  return counts;
+}
+
+/// Why an event cannot have happened by the text of the program alone; empty if nothing speaks against it.
+std::string causeMissing(const std::string& text, const std::string& number) {
   static const std::vector<std::pair<std::string, std::string>> causes = {
       {"9", "XMT "},  {"23", "RCV "}, {"21", " T32"}, {"22", " T96"},
       {"12", "HSC "}, {"27", "HSC "}, {"28", "HSC "}, {"19", "PLS "}};
+  if (text.find(", " + number + "\n") == std::string::npos) return "event " + number + " is not attached";
+  if (text.find("ENI\n") == std::string::npos) return "event " + number + " without ENI";
+  for (const auto& [of, needed] : causes) {
+    if (of == number && text.find(needed) == std::string::npos) return "event " + number + " has no cause";
+  }
+  return {};
+}
+
+/// Looks through the events of a witness (its columns: scan, time_ms, scan_ms, event, ...).
+std::string impossibleEvent(const std::string& text, const std::string& trace) {
+  std::vector<TimedCount> timed = timedCounts(text);
   std::ifstream file(trace);
   std::string line;
   std::getline(file, line);
-  const std::size_t label = line.find("event");
-  if (label == std::string::npos) return {};
-  const auto column = std::count(line.begin(), line.begin() + static_cast<long>(label), ',');
+  if (line.compare(0, 27, "scan,time_ms,scan_ms,event,") != 0) return {};
   while (std::getline(file, line)) {
     std::istringstream cells(line);
-    std::string cell;
-    for (long n = 0; n <= column; ++n) std::getline(cells, cell, ',');
+    std::string scan, time, length, cell;
+    std::getline(cells, scan, ',');
+    std::getline(cells, time, ',');
+    std::getline(cells, length, ',');
+    std::getline(cells, cell, ',');
     std::istringstream events(cell);
     for (std::string event; events >> event;) {
       const std::string number = event.substr(0, event.find('@'));
-      if (text.find(", " + number + "\n") == std::string::npos) return "event " + number + " is not attached";
-      if (text.find("ENI\n") == std::string::npos) return "event " + number + " without ENI";
-      for (const auto& [of, needed] : causes) {
-        if (of == number && text.find(needed) == std::string::npos) return "event " + number + " has no cause";
+      const std::string missing = causeMissing(text, number);
+      if (!missing.empty()) return missing;
+      for (TimedCount& count : timed) {
+        if (count.event != number || count.period == 0) continue;
+        if (++count.seen * count.period > std::stoi(time)) return "event " + number + " too often by scan " + scan;
       }
     }
   }
@@ -181,7 +212,7 @@ Outcomes compare(const Case& drawn, std::uint64_t seed, const Settings& settings
     } else if (verdict.word == "VIOLATED" || verdict.word == "REACHABLE") {
       ++outcomes.shown;
       if (hit) ++outcomes.reproduced;
-      const std::string why = causeMissing(text, settings.folder + "/traces/" + property.name() + ".csv");
+      const std::string why = impossibleEvent(text, settings.folder + "/traces/" + property.name() + ".csv");
       if (!why.empty()) outcomes.impossible.push_back(why + ": " + line + "\n" + text);
       if (!hit) outcomes.unreproduced.push_back(verdict.word + " " + line + "\n" + text);
     } else {
