@@ -39,7 +39,7 @@ class EncodedScan::Impl {
       }
     }
     if (!routines.empty())
-      effects = std::make_unique<RoutineEffects>(plan, options.choices, layout, routines, isOfDevices);
+      effects = std::make_unique<RoutineEffects>(plan, layout, routines, isOfDevices);
     for (int round = 0; !learn(); ++round) {
       if (round == roundLimit) knowledge.followsPointers = false;
     }

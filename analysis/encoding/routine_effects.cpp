@@ -32,16 +32,13 @@ bool isKeptAround(const Place& place) {
 /// Runs of routines on one graph; each run has a memory of its own that begins with the same variables.
 class RoutineEffects::Trial final : private CellSource, private Graph::Listener {
  public:
-  Trial(const Plan& plan, const Choices& choices, const MemoryLayout& layout)
-      : plan_(plan), choices_(choices), layout_(layout) {
-    graph.listen(this);
-  }
+  Trial(const Plan& plan, const MemoryLayout& layout) : plan_(plan), layout_(layout) { graph.listen(this); }
 
   /// The memory after these routines ran one after the other.
   std::unique_ptr<Graph::Store> run(std::initializer_list<int> routines, Node* halts = nullptr) {
     CellSource& source = *this;
     auto store = std::make_unique<Graph::Store>(graph, layout_, source, plan_.edgeCount);
-    Machine<Graph> machine(graph, *store, plan_, choices_);
+    Machine<Graph> machine(graph, *store, plan_);
     store->follow(&machine);
     // A queue may overflow between two runs: SM4.0 to SM4.2 change.
     store->observe([this](const Touch& touch) {
@@ -98,7 +95,6 @@ class RoutineEffects::Trial final : private CellSource, private Graph::Listener 
   void havoc(Machine<Graph>&) override { isComplete = false; }
 
   const Plan& plan_;
-  const Choices& choices_;
   const MemoryLayout& layout_;
   std::map<Place, Node> cells_;
   Graph::Store* store_ = nullptr;
@@ -129,10 +125,10 @@ Graph::Bool RoutineEffects::mayBecome(Graph& graph, const Place& place, Node bef
   return result;
 }
 
-RoutineEffects::RoutineEffects(const Plan& plan, const Choices& choices, const MemoryLayout& layout,
+RoutineEffects::RoutineEffects(const Plan& plan, const MemoryLayout& layout,
                                const std::set<int>& routines, bool isOfDevices)
     : isOnePassEnough_(!isOfDevices) {
-  Trial trial(plan, choices, layout);
+  Trial trial(plan, layout);
   const auto differ = [&](Graph::Store& a, Graph::Store& b) {
     std::set<Place> all;
     for (const Graph::Store* store : {&a, &b}) {

@@ -93,7 +93,7 @@ void ScanEncoding::beginEvents() {
     if (isLimited(event) || isOfRequest(event))
       s.waiting[event] = state(fmt::format("event {} waiting", event), queueBits);
     if (const Node end = devices_.ends(event); isOfRequest(event) && end != noNode) queueOne(event, {end});
-    if (detached.contains(event) && machine_.choices.is(Choice::DetachedEvents, "kept"))
+    if (detached.contains(event) && options_.choices.is(Choice::DetachedEvents, "kept"))
       s.left[event] = state(fmt::format("event {} left", event), 8);
     if (!isEdgeEvent(event) || event % 2 != 0 || !attachments_.contains(event + 1)) continue;
     const Node last = s.lastEdge[event / 2] = state(fmt::format("edge of I0.{}", event / 2), 2);

@@ -302,7 +302,7 @@ class ProgramComparison {
       for (const std::string& text : approximationTexts(*side->program, *obligations)) reasons.push_back(text);
     }
     if (reasons.empty() && !answer.usesFreeReals) {
-      result_.disagreements.push_back({name, fmt::format("the solver's run of {} scans shows a difference that the engine does not repeat", answer.depth + 1)});
+      result_.disagreements.push_back({name, fmt::format("the solver's run of {} scans shows a difference that the engine does not repeat", answer.depth + 1), {}});
       return;
     }
     for (const std::string& text : reasons) note(name + " may depend on what is not modelled exactly: " + text);
