@@ -2,7 +2,7 @@
 // a line of it could not be read (SYN, GRF), when its body is in a language that is not covered, or when it breaks a
 // rule for which the editor or the CPU takes no program (Rule::refuses); a call of a block whose instructions are not
 // in the text is unread too. Lint reports it; no other command runs it, and nothing is proved that may depend on it.
-// Tested by tests/rules/unread_code_test.cpp and tests/damage.
+// Tested by tests/prover/unread_test.cpp.
 #pragma once
 
 #include <memory>

@@ -1,6 +1,6 @@
 // Which attributes and elements a format has, as far as a drawing is read: whatever else stands there may change what
 // the drawing means, so it is an error and the network is not read. Each format states its shapes in one table.
-// Tested by tests/graphical/strict_test.cpp.
+// Tested by tests/graphical.
 #pragma once
 
 #include <pugixml.hpp>
