@@ -24,6 +24,7 @@ class EncodedScan::Impl {
     for (const Operand& operand : options.observed) layout.add(operand.area, operand.width, operand.offset);
     if (options.trail && options.trail->isFollowed) {
       knowledge = *options.trail->knowledge;
+      effects = options.trail->effects;
       encode();
       scan->close();
       return;
@@ -39,12 +40,15 @@ class EncodedScan::Impl {
       }
     }
     if (!routines.empty())
-      effects = std::make_unique<RoutineEffects>(plan, layout, routines, isOfDevices);
+      effects = std::make_shared<const RoutineEffects>(plan, layout, routines, isOfDevices);
     for (int round = 0; !learn(); ++round) {
       if (round == roundLimit) knowledge.followsPointers = false;
     }
     knowledge.isFinal = true;
-    if (options.trail) options.trail->knowledge = std::make_shared<Knowledge>(knowledge);
+    if (options.trail) {
+      options.trail->knowledge = std::make_shared<Knowledge>(knowledge);
+      options.trail->effects = effects;
+    }
     encode();
     scan->close();
   }
@@ -54,7 +58,7 @@ class EncodedScan::Impl {
   Plan plan;
   MemoryLayout layout;
   Knowledge knowledge;
-  std::unique_ptr<RoutineEffects> effects;  ///< nullptr: nothing is attached
+  std::shared_ptr<const RoutineEffects> effects;  ///< nullptr: nothing is attached
   std::unique_ptr<ScanEncoding> scan;
 
  private:

@@ -12,11 +12,13 @@
 namespace rungproof {
 
 struct Knowledge;
+class RoutineEffects;
 
 struct Trail {
   bool isFollowed = false;  ///< false: it is being left
   Decisions decisions;
   std::shared_ptr<const Knowledge> knowledge;
+  std::shared_ptr<const RoutineEffects> effects;   ///< of interrupt routines; nullptr: nothing is attached
   std::unordered_map<std::string, int> timeBases;  ///< of clocks, by property name
 };
 
