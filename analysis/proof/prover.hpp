@@ -13,6 +13,7 @@
 #include "analysis/proof/builtin_checks.hpp"
 #include "analysis/proof/outcome.hpp"
 #include "analysis/proof/witness.hpp"
+#include "analysis/unread_code.hpp"
 
 namespace rungproof {
 
@@ -28,6 +29,7 @@ struct ProverOptions {
   CheckGroups checks;         ///< what is asked beside the declared properties
   bool certificates = false;  ///< write out the proofs as SMT-LIB 2
   bool evidence = true;       ///< check certificates, shorten witnesses, name networks; without: verdicts only
+  const UnreadCode* unread = nullptr;  ///< what was left out of the program: all that depends on it is NOT COVERED
   const std::atomic<bool>* cancel = nullptr;  ///< set from outside, as by Ctrl-C: the run ends with what is settled
 };
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "analysis/unread_code.hpp"
+
 namespace rungproof {
 
 std::string verdictText(Outcome verdict, int depth) {
@@ -61,10 +63,6 @@ Summary summaryOf(const Report& report) {
     }
   }
   return summary;
-}
-
-bool isReadError(const Finding& finding) {
-  return finding.severity == Severity::Error && (finding.rule.starts_with("SYN") || finding.rule.starts_with("PRP"));
 }
 
 Exit exitOf(const Report& report) {
