@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::uint32_t eventTimers[] = {32, 96};  // events 21 and 22 (001:5476)
 constexpr std::uint32_t longestRow = 255;
+constexpr std::int64_t shortestLimit = 64;  ///< of all counts: that of SHRB (001:6024)
 
 bool byNumber(Area area) {
   return area == Area::T || area == Area::C || area == Area::AC || area == Area::HC;
@@ -58,6 +59,18 @@ bool isKnownTarget(const Facts& facts, const OperandDesc& desc, const Operand& o
                           : operand.width;
   return addressExists(facts.target(), operand.area, width, operand.offset,
                        width == Width::Bit && !isNumber ? operand.bit : 0);
+}
+
+/// Whether its count is one that no instruction takes: then any count may be meant.
+bool hasWrongCount(const Instruction& instruction) {
+  for (std::size_t i = 0; i < std::min<std::size_t>(instruction.operands.size(), instruction.desc->operandCount); ++i) {
+    const Operand& operand = instruction.operands[i];
+    if (instruction.desc->operands[i].name != "N") continue;
+    if (operand.kind != OperandKind::Direct && operand.kind != OperandKind::Indirect &&
+        (operand.kind != OperandKind::Constant || operand.value < 1 || operand.value > shortestLimit))
+      return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -125,10 +138,8 @@ void Influence::addNetwork(NetworkPlace place, std::uint32_t cause) {
       if (operand.direction != Direction::In && !isKnownTarget(facts_, operand, instruction.operands[i]))
         return addEverything(cause);
     }
-    // Its count may be what is wrong.
     for (const Access& access : facts_.accesses().of(id)) {
-      const bool isRow = access.most != 1 || isSet(kindOf(desc)) || isReset(kindOf(desc));
-      if (access.write && isRow)
+      if (access.write && hasWrongCount(instruction))
         addPlace(rowOf(access.area, access.width, access.offset, access.bit, longestRow), cause);
     }
   }

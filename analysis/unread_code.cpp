@@ -14,11 +14,8 @@ namespace rungproof {
 
 namespace {
 
+constexpr std::string_view uncoveredBody = "SYN037";  // frontend/stl/syntax_message.hpp
 constexpr std::size_t mostTexts = 20;  ///< lines about unread parts in a report
-
-bool isOfProgram(const Finding& finding) {
-  return finding.severity == Severity::Error && (finding.rule.starts_with("SYN") || finding.rule.starts_with("GRF"));
-}
 
 /// A name that no table knows, or an operand that was left open. The name of a library block needs no table.
 const Operand* openOperand(const Instruction& instruction) {
@@ -42,14 +39,6 @@ std::uint64_t keyOf(Span span) { return std::uint64_t{span.file} << 32 | span.of
 bool isLibrary(const Pou& pou) { return pou.protectedBlock && libraryBlockNamed(pou.name) != nullptr; }
 
 }  // namespace
-
-bool isReadError(const Finding& finding) {
-  return isOfProgram(finding) || (finding.severity == Severity::Error && finding.rule.starts_with("PRP"));
-}
-
-bool hasReadErrors(const Program& program) {
-  return std::any_of(program.findings.begin(), program.findings.end(), isOfProgram);
-}
 
 class UnreadCode::Collector {
  public:
@@ -107,7 +96,7 @@ class UnreadCode::Collector {
   /// Errors of the readers, and bodies in languages that are not covered.
   void ofReaders() {
     for (const Finding& finding : program_.findings) {
-      if (!isOfProgram(finding)) continue;
+      if (!isProgramReadError(finding)) continue;
       const NetworkPlace* place = finding.network == 0 ? nullptr : placeOf(finding);
       UnreadPart& part = place != nullptr ? partOf(*place, finding.message, finding.span)
                                           : add(fileOf(finding.span), finding.message, finding.span);
@@ -118,6 +107,8 @@ class UnreadCode::Collector {
       const NetworkPlace* place = finding.network == 0 ? nullptr : placeOf(finding);
       if (place != nullptr && finding.severity == Severity::Warning && !networkAt(*place).complete)
         partOf(*place, finding.message, finding.span);
+      if (finding.rule == uncoveredBody && finding.network == 0)
+        add(finding.pou, finding.message, finding.span).isUnlimited = true;
     }
     for (const auto& [network, place] : byNetwork_) {
       if (network->complete) continue;
@@ -201,6 +192,7 @@ class UnreadCode::Collector {
 
 UnreadCode::UnreadCode(const Program& program) : program_(program), facts_(std::make_unique<const Facts>(program)) {
   Collector(program, *facts_, *this).run();
+  hasLibraryText_ = std::any_of(program.pous.begin(), program.pous.end(), isLibrary);
   if (parts_.empty()) return;
   for (const InstructionPlace& place : facts_->instructions()) byPlace_[keyOf(place.instruction->span)] = {place.block, place.network};
   auto influence = std::make_unique<Influence>(*facts_);

@@ -13,13 +13,9 @@
 
 #include "analysis/influence.hpp"
 #include "analysis/property.hpp"
+#include "analysis/read_errors.hpp"
 
 namespace rungproof {
-
-/// An error of the readers of programs: something of the text is not known.
-bool isReadError(const Finding& finding);
-/// Whether the program has one: it is then not wholly known, and the exit code is 2.
-bool hasReadErrors(const Program& program);
 
 /// Something that no command runs.
 struct UnreadPart {
@@ -54,6 +50,8 @@ class UnreadCode {
   /// The program without what is unread: the rest keeps its places and is legal. A protected block that a library
   /// brings (ir/library_block.hpp) is called by its name there, so that its outputs come from outside.
   Program executable() const;
+  /// Whether that is the program itself.
+  bool isWhole() const { return parts_.empty() && !hasLibraryText_; }
 
   /// Why nothing can be said about a property, or about an instruction and what it reads, one line for each cause; empty:
   /// nothing of it depends on unread code.
@@ -72,6 +70,7 @@ class UnreadCode {
   std::vector<UnreadPart> parts_;
   std::vector<Finding> findings_;
   std::size_t instructions_ = 0;
+  bool hasLibraryText_ = false;  ///< a block of a library stands in the text, without its instructions
   std::vector<std::string> everything_;
   std::unordered_map<std::uint64_t, NetworkPlace> byPlace_;  ///< by the place of an instruction
   std::unique_ptr<const Facts> facts_;

@@ -31,7 +31,7 @@ Report lintProgram(const Settings& settings, const ProgramInput& input, const st
     const UnreadCode unread(program);
     ProverOptions options = proverOptionsOf(settings);
     options.unread = &unread;
-    if (unread.empty())
+    if (unread.isWhole())
       settleBySolver(input, options, isSelected, report.findings);
     else if (!unread.isUnlimited())
       settleBySolver({unread.executable(), input.properties}, options, isSelected, report.findings);

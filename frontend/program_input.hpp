@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/property.hpp"
+#include "analysis/unread_code.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/project.hpp"
 #include "frontend/property/property_reader.hpp"

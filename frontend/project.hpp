@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/unread_code.hpp"
+#include "analysis/read_errors.hpp"
 #include "frontend/stl/encoding.hpp"
 #include "ir/program.hpp"
 

@@ -38,13 +38,14 @@ ExportRemarks remarksOf(const ProgramInput& input, ProofSide& side, const Prover
 }
 
 Exit run(const Arguments& arguments, Context& context) {
-  const ProgramInput input = readInput(context, arguments.files, arguments.properties);
+  ProgramInput input = readInput(context, arguments.files, arguments.properties);
   const UnreadCode unread(input.program);
   if (std::ranges::any_of(input.program.findings, isReadError) || !unread.empty()) {
     // A system of what was understood would prove the wrong thing, so the reasons are shown instead.
     printUnread(context, "export", input.program, unread, arguments.files);
     return Exit::Failed;
   }
+  if (!unread.isWhole()) input.program = unread.executable();
   const ProverOptions options = proverOptionsOf(context.settings);
   std::vector<Property> goals;
   for (const Property& property : input.properties.properties) {

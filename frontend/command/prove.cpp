@@ -230,9 +230,9 @@ Exit run(const Arguments& arguments, Context& context) {
     if (!part.findings.empty() || unread.isRefused()) failed = true;
     addUnread(part, input.program, unread);
     hasUnread = hasUnread || !unread.empty();
-    const Program program = unread.empty() ? Program{} : unread.executable();
+    const Program program = unread.isWhole() ? Program{} : unread.executable();
     const bool isSound =
-        proveInto(part, context, arguments, names, unread.empty() ? input.program : program, input.properties, unread);
+        proveInto(part, context, arguments, names, unread.isWhole() ? input.program : program, input.properties, unread);
     failed = failed || !isSound;
     if (part.properties.empty() && !arguments.builtin) {
       context.err << fmt::format(

@@ -230,17 +230,18 @@ std::optional<Failure> record(Simulator& simulator, const Job& job, std::uint64_
 }
 
 Exit run(const Arguments& arguments, Context& context) {
-  const Program program = readProgram(arguments.files, readOptionsOf(context.settings));
-  Report report = startReport("sim", program, arguments.files);
-  const UnreadCode unread(program);
+  const Program text = readProgram(arguments.files, readOptionsOf(context.settings));
+  Report report = startReport("sim", text, arguments.files);
+  const UnreadCode unread(text);
   if (!unread.empty()) {
     // A run of the rest would be the run of another program.
     std::erase_if(report.findings, [](const Finding& finding) { return finding.severity != Severity::Error; });
-    addUnread(report, program, unread);
+    addUnread(report, text, unread);
     context.err << fmt::format("rungproof: the program is not run: {}\n", unread.texts().front());
     finish(context, std::move(report));
     return Exit::Failed;
   }
+  const Program program = unread.executable();
   report.findings.clear();  // warnings of the readers are lint's
   if (program.main() == nullptr)
     return context.fail(

@@ -6,7 +6,7 @@
 #include <map>
 #include <tuple>
 
-#include "analysis/unread_code.hpp"
+#include "analysis/read_errors.hpp"
 #include "frontend/json.hpp"
 #include "frontend/page/fingerprint.hpp"
 

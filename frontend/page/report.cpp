@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "analysis/unread_code.hpp"
+#include "analysis/read_errors.hpp"
 
 namespace rungproof {
 
