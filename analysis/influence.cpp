@@ -13,9 +13,7 @@ constexpr std::uint32_t eventTimers[] = {32, 96};  // events 21 and 22 (001:5476
 constexpr std::uint32_t longestRow = 255;
 constexpr std::int64_t shortestLimit = 64;  ///< of all counts: that of SHRB (001:6024)
 
-bool byNumber(Area area) {
-  return area == Area::T || area == Area::C || area == Area::AC || area == Area::HC;
-}
+bool byNumber(Area area) { return area == Area::T || area == Area::C || area == Area::AC || area == Area::HC; }
 
 /// Acts on hardware, on the queue of interrupts or on a partner: its effects do not show in its operands.
 bool isDevice(Kind kind) {
@@ -104,7 +102,9 @@ void Influence::collectParts() {
   firstPart_.push_back(static_cast<std::uint32_t>(parts_.size()));
 }
 
-const Influence::Part* Influence::part(NetworkPlace place) const { return &parts_[firstPart_[place.block] + place.network]; }
+const Influence::Part* Influence::part(NetworkPlace place) const {
+  return &parts_[firstPart_[place.block] + place.network];
+}
 
 void Influence::addEverything(std::uint32_t cause) {
   if (everything_ == none) everything_ = cause;
@@ -209,8 +209,7 @@ std::uint32_t Influence::causeRead(const Part& part) const {
     for (const Access& access : facts_.accesses().of(id)) {
       if (access.write) continue;
       if (access.viaPointer && some_ != none) return some_;
-      const std::uint32_t cause =
-          causeAt(rowOf(access.area, access.width, access.offset, access.bit, access.most));
+      const std::uint32_t cause = causeAt(rowOf(access.area, access.width, access.offset, access.bit, access.most));
       if (cause != none) return cause;
     }
   }

@@ -1,6 +1,6 @@
-// Influence: what a program does that depends on networks which nobody runs. From what those may write it follows, network
-// by network, who reads it, what these write, and which blocks they switch. Everything left is the same whatever the
-// networks do. Syntactic, and therefore generous: a place that may be influenced counts as influenced.
+// Influence: what a program does that depends on networks which nobody runs. From what those may write it follows,
+// network by network, who reads it, what these write, and which blocks they switch. Everything left is the same
+// whatever the networks do. Syntactic, and therefore generous: a place that may be influenced counts as influenced.
 // Tested by tests/rules/unread_code_test.cpp.
 #pragma once
 

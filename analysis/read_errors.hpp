@@ -1,5 +1,5 @@
-// Which findings of the readers say that something of the text is not known. The exit code is 2 then, and no command runs
-// what they stand in (unread_code.hpp).
+// Which findings of the readers say that something of the text is not known. The exit code is 2 then, and no command
+// runs what they stand in (unread_code.hpp).
 #pragma once
 
 #include <algorithm>

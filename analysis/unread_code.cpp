@@ -15,7 +15,7 @@ namespace rungproof {
 namespace {
 
 constexpr std::string_view uncoveredBody = "SYN037";  // frontend/stl/syntax_message.hpp
-constexpr std::size_t mostTexts = 20;  ///< lines about unread parts in a report
+constexpr std::size_t mostTexts = 20;                 ///< lines about unread parts in a report
 
 /// A name that no table knows, or an operand that was left open. The name of a library block needs no table.
 const Operand* openOperand(const Instruction& instruction) {
@@ -131,9 +131,8 @@ class UnreadCode::Collector {
       if (rule->refuses) ids.emplace_back(rule->id);
     }
     code_.findings_ = runRules(facts_, RuleSelection(ids, {}), {});
-    std::erase_if(code_.findings_, [](const Finding& finding) {
-      return !finding.refused || finding.severity != Severity::Error;
-    });
+    std::erase_if(code_.findings_,
+                  [](const Finding& finding) { return !finding.refused || finding.severity != Severity::Error; });
     for (const Finding& finding : code_.findings_) {
       if (const NetworkPlace* place = placeOf(finding)) {
         partOf(*place, finding.message, finding.span).isRefused = true;
@@ -166,14 +165,14 @@ class UnreadCode::Collector {
     }
     for (const CallSite& site : facts_.calls().sites()) {
       const Instruction& call = *site.instruction;
-      const bool isKnown = site.callee != noBlock || call.operands.empty() ||
-                           (call.operands[0].kind == OperandKind::Symbol &&
-                            libraryBlockNamed(call.operands[0].text) != nullptr);
+      const bool isKnown =
+          site.callee != noBlock || call.operands.empty() ||
+          (call.operands[0].kind == OperandKind::Symbol && libraryBlockNamed(call.operands[0].text) != nullptr);
       if (isKnown) continue;
       const InstructionPlace& place = facts_.place(call.id);
-      UnreadPart& part = partOf({place.block, place.network},
-                                fmt::format("{} calls a subroutine that the program does not have", Facts::text(call)),
-                                call.span);
+      UnreadPart& part =
+          partOf({place.block, place.network},
+                 fmt::format("{} calls a subroutine that the program does not have", Facts::text(call)), call.span);
       part.isUnlimited = part.isUnlimited || mayRun(place.block);
     }
   }
@@ -194,7 +193,8 @@ UnreadCode::UnreadCode(const Program& program) : program_(program), facts_(std::
   Collector(program, *facts_, *this).run();
   hasLibraryText_ = std::any_of(program.pous.begin(), program.pous.end(), isLibrary);
   if (parts_.empty()) return;
-  for (const InstructionPlace& place : facts_->instructions()) byPlace_[keyOf(place.instruction->span)] = {place.block, place.network};
+  for (const InstructionPlace& place : facts_->instructions())
+    byPlace_[keyOf(place.instruction->span)] = {place.block, place.network};
   auto influence = std::make_unique<Influence>(*facts_);
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const std::uint32_t cause = static_cast<std::uint32_t>(i) + 1;
@@ -224,7 +224,8 @@ bool UnreadCode::isRefused() const {
 Program UnreadCode::executable() const {
   Program program = program_;
   for (const UnreadPart& part : parts_) {
-    for (const NetworkPlace place : part.networks) program.pous[place.block].networks[place.network].instructions.clear();
+    for (const NetworkPlace place : part.networks)
+      program.pous[place.block].networks[place.network].instructions.clear();
   }
   std::map<int, std::string> libraries;
   for (const Pou& pou : program.pous) {
@@ -286,10 +287,9 @@ std::vector<std::string> UnreadCode::texts() const {
       texts.push_back(fmt::format("{} further places are not executed", parts_.size() - mostTexts));
       break;
     }
-    texts.push_back(fmt::format("{} ({}:{}) is not executed{}: {}", part.what,
-                                program_.sources->file(part.span.file).name(),
-                                program_.sources->position(part.span).line,
-                                part.isUnlimited ? " and may write anything" : "", part.reason));
+    texts.push_back(fmt::format(
+        "{} ({}:{}) is not executed{}: {}", part.what, program_.sources->file(part.span.file).name(),
+        program_.sources->position(part.span).line, part.isUnlimited ? " and may write anything" : "", part.reason));
   }
   return texts;
 }

@@ -1,7 +1,7 @@
-// Unread code: the one statement, for all commands, of what could not be read or is not legal. A network is unread when a
-// line of it could not be read (SYN, GRF), when its body is in a language that is not covered, or when it breaks a rule for
-// which the editor or the CPU takes no program (Rule::refuses); a call of a block whose instructions are not in the text is
-// unread too. Lint reports it; no other command runs it, and nothing is proved that may depend on it.
+// Unread code: the one statement, for all commands, of what could not be read or is not legal. A network is unread when
+// a line of it could not be read (SYN, GRF), when its body is in a language that is not covered, or when it breaks a
+// rule for which the editor or the CPU takes no program (Rule::refuses); a call of a block whose instructions are not
+// in the text is unread too. Lint reports it; no other command runs it, and nothing is proved that may depend on it.
 // Tested by tests/rules/unread_code_test.cpp and tests/damage.
 #pragma once
 
@@ -53,8 +53,8 @@ class UnreadCode {
   /// Whether that is the program itself.
   bool isWhole() const { return parts_.empty() && !hasLibraryText_; }
 
-  /// Why nothing can be said about a property, or about an instruction and what it reads, one line for each cause; empty:
-  /// nothing of it depends on unread code.
+  /// Why nothing can be said about a property, or about an instruction and what it reads, one line for each cause;
+  /// empty: nothing of it depends on unread code.
   std::vector<std::string> reasons(const Property& property) const;
   std::vector<std::string> reasons(Span instruction, std::span<const Operand> operands) const;
   /// Why nothing can be said at all; empty: something can.

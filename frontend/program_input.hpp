@@ -36,7 +36,7 @@ Report startReport(std::string_view command, const Program& program, const std::
 
 /// Adds what no command runs (unread_code.hpp): the findings of the rules that refuse it, and how much is left.
 void addUnread(Report& report, const Program& program, const UnreadCode& unread);
-/// Prints the errors of the readers and what the rules refuse to standard error, for commands whose result is no report.
+/// Prints the errors of the readers and what the rules refuse to standard error: for commands that write no report.
 void printUnread(const Context& context, std::string_view command, const Program& program, const UnreadCode& unread,
                  const std::vector<std::string>& files);
 

@@ -320,7 +320,8 @@ ProofRun merged(const PropertySet& set, ProofRun plain, ProofRun inside) {
   std::vector<ProofResult> results;
   auto ofPlain = plain.results.begin(), ofInside = inside.results.begin();
   const auto isNext = [](const auto& next, const auto& end, const Property& property) {
-    return next != end && !next->builtin && next->property.span == property.span && next->property.name == property.name;
+    return next != end && !next->builtin && next->property.span == property.span &&
+           next->property.name == property.name;
   };
   for (const Property& property : set.properties) {
     if (!property.isGoal()) continue;
@@ -376,7 +377,8 @@ void noteUntouched(const Program& program, const PropertySet& set, const ProverO
     if (row.builtin || row.property.first.nodes.empty()) continue;
     if (!facts) facts = std::make_unique<const Facts>(program, set.externals);
     const std::vector<Operand> untouched = untouchedBy(*facts, set, row.property);
-    for (const Operand& operand : untouched) row.notes.push_back(fmt::format("no instruction writes {}", toString(operand)));
+    for (const Operand& operand : untouched)
+      row.notes.push_back(fmt::format("no instruction writes {}", toString(operand)));
     if (untouched.empty() || row.outcome != Outcome::Proved) continue;
     const std::optional<AnyProgram> any = anyProgramFor(*facts, set, row.property);
     if (!any) continue;

@@ -1,5 +1,5 @@
-// Untouched addresses: what a property names although no instruction, device, panel or data block writes it, usually the
-// other end of a slip of the pen. Such a property is told so, and one that holds for any program holds vacuously.
+// Untouched addresses: what a property names although no instruction, device, panel or data block writes it, usually
+// the other end of a slip of the pen. Such a property is told so, and one that holds for any program holds vacuously.
 // Covered by tests/prover/untouched_test.cpp.
 #pragma once
 

@@ -167,15 +167,14 @@ std::vector<PlantedFault> plantFaults(const Context& context, const Program& pro
     const Network& network = pou.networks[result.fault.network];
     const Span span = network.instructions[result.fault.instruction].span;
     faults.push_back({std::string(faultKindName(result.fault.kind)), result.fault.text,
-                      std::string(program.sources->file(span.file).name()),
-                      program.sources->position(span).line, pou.name, network.number,
-                      std::string(fateName(result.fate)), result.noticedBy, result.where});
+                      std::string(program.sources->file(span.file).name()), program.sources->position(span).line,
+                      pou.name, network.number, std::string(fateName(result.fate)), result.noticedBy, result.where});
   }
   return faults;
 }
 
-/// Proves what is asked and puts it into the report; false if the tool disagreed with itself. `program`: what of the text
-/// may be run.
+/// Proves what is asked and puts it into the report; false if the tool disagreed with itself. `program`: what of the
+/// text may be run.
 bool proveInto(Report& part, const Context& context, const Arguments& arguments, EvidenceNames& names,
                const Program& program, const PropertySet& properties, const UnreadCode& unread) {
   ProverOptions options = proverOptionsOf(context.settings);
@@ -184,8 +183,8 @@ bool proveInto(Report& part, const Context& context, const Arguments& arguments,
   options.unread = &unread;
   options.cancel = &interrupted;
   const auto before = std::signal(SIGINT, onInterrupt);
-  const ProofRun proof = prove(
-      program, properties, options, [&](const ProofResult& result, std::size_t done, std::size_t total) {
+  const ProofRun proof =
+      prove(program, properties, options, [&](const ProofResult& result, std::size_t done, std::size_t total) {
         if (context.progress)
           context.err << fmt::format("\rprove: {} of {}: {}\x1B[K", done, total, result.property.name) << std::flush;
         return true;
@@ -231,8 +230,8 @@ Exit run(const Arguments& arguments, Context& context) {
     addUnread(part, input.program, unread);
     hasUnread = hasUnread || !unread.empty();
     const Program program = unread.isWhole() ? Program{} : unread.executable();
-    const bool isSound =
-        proveInto(part, context, arguments, names, unread.isWhole() ? input.program : program, input.properties, unread);
+    const bool isSound = proveInto(part, context, arguments, names, unread.isWhole() ? input.program : program,
+                                   input.properties, unread);
     failed = failed || !isSound;
     if (part.properties.empty() && !arguments.builtin) {
       context.err << fmt::format(

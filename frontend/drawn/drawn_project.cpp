@@ -492,8 +492,8 @@ void DrawnBuild::buildPrograms() {
   if (instances.size() > 1) addMainOf(programs, instances.front().span);
   // A block that nobody calls stands in the program once, so that it is checked; so do those of a library.
   for (const DrawnBlock& block : project_.blocks) {
-    const bool isCopied = std::any_of(copies_.begin(), copies_.end(),
-                                      [&](const auto& copy) { return copy->block == &block; });
+    const bool isCopied =
+        std::any_of(copies_.begin(), copies_.end(), [&](const auto& copy) { return copy->block == &block; });
     if (isCopied && !instances.empty()) continue;
     if (block.kind == DrawnBlockKind::Function) functionCopy(block);
     if (block.kind == DrawnBlockKind::FunctionBlock) addPou(*newCopy(block, block.name), PouKind::Subroutine);

@@ -19,17 +19,16 @@ DrawnStorage storageNamed(std::string_view name) {
 /// Elements of a drawing (TC6 2.01). A value that the reader would not follow is not listed.
 constexpr XmlShape bodyShapes[] = {
     {"LD", "localId globalId",
-     "leftPowerRail rightPowerRail contact coil block inVariable outVariable inOutVariable connector continuation jump label "
-     "return comment vendorElement addData documentation"},
+     "leftPowerRail rightPowerRail contact coil block inVariable outVariable inOutVariable connector continuation jump "
+     "label return comment vendorElement addData documentation"},
     {"FBD", "localId globalId",
-     "leftPowerRail rightPowerRail contact coil block inVariable outVariable inOutVariable connector continuation jump label "
-     "return comment vendorElement addData documentation"},
+     "leftPowerRail rightPowerRail contact coil block inVariable outVariable inOutVariable connector continuation jump "
+     "label return comment vendorElement addData documentation"},
     {"leftPowerRail", "localId globalId height:d width:d executionOrderId:n",
      "position connectionPointOut documentation addData"},
     {"rightPowerRail", "localId globalId height:d width:d executionOrderId:n",
      "position connectionPointIn documentation addData"},
-    {"contact",
-     "localId globalId height:d width:d executionOrderId:n negated:b edge:none|rising|falling storage:none",
+    {"contact", "localId globalId height:d width:d executionOrderId:n negated:b edge:none|rising|falling storage:none",
      "position connectionPointIn connectionPointOut variable documentation addData"},
     {"coil",
      "localId globalId height:d width:d executionOrderId:n negated:b edge:none|rising|falling storage:none|set|reset",

@@ -40,8 +40,7 @@ constexpr XmlShape variableShapes[] = {
     {"inOutVars", listAttributes, "variable documentation addData"},
     {"externalVars", listAttributes, "variable documentation addData"},
     {"globalVars", listAttributes, "variable documentation addData"},
-    {"variable", "name globalId address group orderWithinParamSet",
-     "type initialValue documentation addData"},
+    {"variable", "name globalId address group orderWithinParamSet", "type initialValue documentation addData"},
     {"initialValue", "", "simpleValue"},
     {"simpleValue", "value", ""},
 };

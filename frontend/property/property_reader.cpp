@@ -203,10 +203,10 @@ class Parser {
       }
       const auto place = [](const Operand& o) { return o.offset * 8 + (o.width == Width::Bit ? o.bit : 0U); };
       if (place(range.first) > place(range.last)) {
-        throw Mistake{typeRule, head.span,
-                      fmt::format("the range ends at {} before it begins at {}", toString(range.last),
-                                  toString(range.first)),
-                      "write the lower address first"};
+        throw Mistake{
+            typeRule, head.span,
+            fmt::format("the range ends at {} before it begins at {}", toString(range.last), toString(range.first)),
+            "write the lower address first"};
       }
       set.externals.push_back(range);
     } while (accept(","));

@@ -77,7 +77,9 @@ constexpr XmlShape networkShapes[] = {
     {"LabelDeclaration", "UId", "Label Comment"},
     {"Label", "Name UId", ""},
     {"Parts", "", "Access Part Call"},
-    {"Access", "UId Type Scope:LocalVariable|GlobalVariable|LiteralConstant|TypedConstant|LocalConstant|GlobalConstant|Address|Label",
+    {"Access",
+     "UId Type Scope:LocalVariable|GlobalVariable|LiteralConstant|TypedConstant|LocalConstant|GlobalConstant|Address|"
+     "Label",
      "Symbol Constant Address Label Comment"},
     {"Symbol", "UId", "Component Address"},
     {"Component", "Name UId AccessModifier:None SimpleAccessModifier:None SliceAccessModifier:undef", ""},

@@ -24,9 +24,7 @@ bool anyWord(std::string_view words, char separator, Visit visit) {
   return false;
 }
 
-bool isTruth(std::string_view value) {
-  return value == "true" || value == "false" || value == "1" || value == "0";
-}
+bool isTruth(std::string_view value) { return value == "true" || value == "false" || value == "1" || value == "0"; }
 
 bool isNumber(std::string_view value, bool isWhole) {
   if (isWhole) {

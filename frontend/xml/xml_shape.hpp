@@ -1,5 +1,5 @@
-// Which attributes and elements a format has, as far as a drawing is read: whatever else stands there may change what the
-// drawing means, so it is an error and the network is not read. Each format states its shapes in one table.
+// Which attributes and elements a format has, as far as a drawing is read: whatever else stands there may change what
+// the drawing means, so it is an error and the network is not read. Each format states its shapes in one table.
 // Tested by tests/graphical/strict_test.cpp.
 #pragma once
 
@@ -12,8 +12,8 @@
 namespace rungproof {
 
 /// An element by its name without prefix. Attributes and children are separated by blanks. An attribute may state its
-/// values: "edge:none|rising|falling"; ":b" a truth value, ":n" a whole number, ":d" a number. Attributes with a prefix are
-/// those of other name spaces and always allowed. Elements without a shape are not looked into.
+/// values: "edge:none|rising|falling"; ":b" a truth value, ":n" a whole number, ":d" a number. Attributes with a prefix
+/// are those of other name spaces and always allowed. Elements without a shape are not looked into.
 struct XmlShape {
   std::string_view name;
   std::string_view attributes;

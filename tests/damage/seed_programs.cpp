@@ -95,19 +95,20 @@ class Slips {
   }
 
   void number() {
-    static const std::array<const char*, 16> numbers = {"0",     "1",     "7",      "8",           "9",   "63",
-                                                        "64",    "255",   "256",    "300",         "999", "32767",
+    static const std::array<const char*, 16> numbers = {"0",     "1",     "7",      "8",          "9",   "63",
+                                                        "64",    "255",   "256",    "300",        "999", "32767",
                                                         "65535", "99999", "-32769", "99999999999"};
     replaceOne(words([](char c) { return c >= '0' && c <= '9'; }), oneOf(numbers));
   }
 
   void operand() {
     static const std::array<const char*, 30> operands = {
-        "Foo",  "&Foo",  "*VD10",    "*AC1",   "&VB0",    "&I0.0", "AC9",  "T256", "C300", "VW20000",
-        "I0.9", "Q99.0", "16#FFFFF", "1.5",    "'AB'",    "\"x\"", "HC0",  "AIW1", "AQW0", "SM0.5",
-        "LB63", "L60.0", "SBR9",     "INT200", "*LD4",    "T32",   "????", "S0.0", "VD0",  "-1"};
+        "Foo",  "&Foo",  "*VD10",    "*AC1",   "&VB0", "&I0.0", "AC9",  "T256", "C300", "VW20000",
+        "I0.9", "Q99.0", "16#FFFFF", "1.5",    "'AB'", "\"x\"", "HC0",  "AIW1", "AQW0", "SM0.5",
+        "LB63", "L60.0", "SBR9",     "INT200", "*LD4", "T32",   "????", "S0.0", "VD0",  "-1"};
     replaceOne(words([](char c) {
-                 return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '*' || c == '&' || c == '#';
+                 return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '*' || c == '&' ||
+                        c == '#';
                }),
                oneOf(operands));
   }

@@ -32,7 +32,8 @@ void expectRead(const std::string& text, const std::string& name) {
 
 TEST(StrictPlcopen, ValuesOfAttributes) {
   expectRead(plcopen(variables, "LD", rung("", "")), "plain");
-  expectRead(plcopen(variables, "LD", rung("negated=\"0\" edge=\"none\" storage=\"none\"", "storage=\"none\"")), "none");
+  expectRead(plcopen(variables, "LD", rung("negated=\"0\" edge=\"none\" storage=\"none\"", "storage=\"none\"")),
+             "none");
   for (const char* attribute :
        {"edge=\"sideways\"", "edge=\"\"", "negated=\"maybe\"", "negated=\"yes\"", "storage=\"sometimes\"",
         "storage=\"set\"", "executionOrderId=\"first\"", "nagated=\"true\"", "Edge=\"rising\""})
@@ -158,9 +159,8 @@ TEST(StrictSimatic, ABlockBesideAnEmptyMainIsNotLost) {
       "<Document><SW.Blocks.OB ID=\"1\"><AttributeList><Name>Main</Name></AttributeList><ObjectList/></SW.Blocks.OB>"
       "</Document>";
   const std::string function = "<Document>" + blockText("SW.Blocks.FC", "Valve", net) + "</Document>";
-  const Program program =
-      readProgram({folder.file("Main.xml", empty), folder.file("Valve.xml", function),
-                   folder.file("tags.xml", "<Document>" + tagTable + "</Document>")});
+  const Program program = readProgram({folder.file("Main.xml", empty), folder.file("Valve.xml", function),
+                                       folder.file("tags.xml", "<Document>" + tagTable + "</Document>")});
   EXPECT_FALSE(hasReadErrors(program)) << findings(program);
   EXPECT_EQ(program.instructionCount(), 2U);
   const Program without = readProgram({folder.file("Main.xml", empty), folder.file("Valve.xml", function)});
@@ -170,8 +170,8 @@ TEST(StrictSimatic, ABlockBesideAnEmptyMainIsNotLost) {
 
 TEST(StrictSimatic, ArraysAndStructuredTypesAreNamed) {
   for (const char* type : {"Array[0..3] of Bool", "&quot;Motor_Type&quot;"}) {
-    const std::string interface = std::string("<Section Name=\"Temp\"><Member Name=\"x\" Datatype=\"") + type +
-                                  "\"/></Section>";
+    const std::string interface =
+        std::string("<Section Name=\"Temp\"><Member Name=\"x\" Datatype=\"") + type + "\"/></Section>";
     const Program program =
         readText("t.xml", "<Document>" + blockText("SW.Blocks.OB", "Main", net, interface) + tagTable + "</Document>");
     EXPECT_TRUE(hasReadErrors(program)) << type;
@@ -189,13 +189,17 @@ TEST(StrictSimatic, EveryCommandEndsWithTwo) {
   const test::TemporaryFolder folder;
   std::string bad = net;
   bad.replace(bad.find("operand"), 7, "banana");
-  for (const std::string& file :
-       {folder.file("bad.xml", simatic(bad)),
-        folder.file("open.xml", plcopen(variables, "LD", railElement(1) + contactElement(2, {"1"}, "a") +
-                                                             coilElement(3, {"7"}, "y")))}) {
-    for (const std::vector<std::string>& command :
-         {std::vector<std::string>{"lint"}, {"lint", "--prove"}, {"prove", "--builtin"}, {"sim"},
-          {"export", "--format", "btor2"}, {"show"}, {"xref"}}) {
+  for (const std::string& file : {folder.file("bad.xml", simatic(bad)),
+                                  folder.file("open.xml", plcopen(variables, "LD",
+                                                                  railElement(1) + contactElement(2, {"1"}, "a") +
+                                                                      coilElement(3, {"7"}, "y")))}) {
+    for (const std::vector<std::string>& command : {std::vector<std::string>{"lint"},
+                                                    {"lint", "--prove"},
+                                                    {"prove", "--builtin"},
+                                                    {"sim"},
+                                                    {"export", "--format", "btor2"},
+                                                    {"show"},
+                                                    {"xref"}}) {
       std::vector<std::string> arguments = command;
       arguments.insert(arguments.end(), {file, "--isolated"});
       std::istringstream in;

@@ -22,8 +22,8 @@ constexpr const char* otherNetwork = "Network 9\nLD I1.0\nAN I1.0\n= Q0.1\n";
 
 Verdicts verdictsOf(const std::string& networks, const std::string& otherBlocks = "") {
   ProgramInput input;
-  input.program = readText("test.awl", std::string("ORGANIZATION_BLOCK MAIN:OB1\n") + properties + "BEGIN\n" + networks +
-                                           otherNetwork + "END_ORGANIZATION_BLOCK\n" + otherBlocks);
+  input.program = readText("test.awl", std::string("ORGANIZATION_BLOCK MAIN:OB1\n") + properties + "BEGIN\n" +
+                                           networks + otherNetwork + "END_ORGANIZATION_BLOCK\n" + otherBlocks);
   input.properties = readProperties(input.program, {}, lookupIn(input.program));
   const UnreadCode unread(input.program);
   ProverOptions options = usualOptions();
@@ -146,7 +146,8 @@ TEST(UnreadCode, ALineWithoutMeaningMayDoAnything) {
 /// What is unread spreads over memory, the stack, jumps and calls, and no further.
 TEST(UnreadCode, InfluenceSpreads) {
   expectOnlyOne("Network 1\nLD Foo\n= M0.0\nNetwork 2\nLD M0.0\n= M0.1\nNetwork 3\nLD M0.1\nO I0.0\n= Q0.0\n");
-  expectOnlyOne("Network 1\nLD I0.0\nMOVB 300, VB0\nNetwork 2\nLD SM0.0\nMOVW VW0, VW4\nNetwork 3\nLDB= VB4, 1\n= Q0.0\n");
+  expectOnlyOne(
+      "Network 1\nLD I0.0\nMOVB 300, VB0\nNetwork 2\nLD SM0.0\nMOVW VW0, VW4\nNetwork 3\nLDB= VB4, 1\n= Q0.0\n");
   expectOnlyOne("Network 1\nLD I0.0\n= M0.5\nNetwork 2\nLD Foo\n= M0.0\nNetwork 3\nLD M0.0\nS Q0.0, 1\n");
   // A bit beside it is not touched.
   const Verdicts beside = verdictsOf("Network 1\nLD Foo\n= Q0.2\nNetwork 2\nLD I0.0\n= Q0.0\n");
@@ -154,8 +155,7 @@ TEST(UnreadCode, InfluenceSpreads) {
   EXPECT_EQ(beside.other, Outcome::Proved) << beside.text;
   // A jump on it decides over the whole block, a call over the callee.
   expectNone("Network 1\nLD Foo\n= M0.0\nNetwork 2\nLD M0.0\nJMP 1\nNetwork 3\nLD I0.0\n= Q0.0\nNetwork 4\nLBL 1\n");
-  const std::string callee =
-      "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.0\n= Q0.0\nEND_SUBROUTINE_BLOCK\n";
+  const std::string callee = "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.0\n= Q0.0\nEND_SUBROUTINE_BLOCK\n";
   const Verdicts called = verdictsOf("Network 1\nLD Foo\n= M0.0\nNetwork 2\nLD M0.0\nCALL SBR0\n", callee);
   EXPECT_EQ(called.one, Outcome::NotCovered) << called.text;
   EXPECT_EQ(called.other, Outcome::Proved) << called.text;
@@ -175,9 +175,10 @@ TEST(UnreadCode, APlaceThatReadCodeWritesTooIsOpen) {
 
 TEST(UnreadCode, AnAssumptionAboutItLeavesEverythingOpen) {
   ProgramInput input;
-  input.program = readText("test.awl",
-                           "//@ assume a: M0.0\n//@ prove p: never Q0.1\nNetwork 1\nLD Foo\n= M0.0\nNetwork 2\nLD I0.0\nAN "
-                           "I0.0\n= Q0.1\n");
+  input.program =
+      readText("test.awl",
+               "//@ assume a: M0.0\n//@ prove p: never Q0.1\nNetwork 1\nLD Foo\n= M0.0\nNetwork 2\nLD I0.0\nAN "
+               "I0.0\n= Q0.1\n");
   input.properties = readProperties(input.program, {}, lookupIn(input.program));
   const UnreadCode unread(input.program);
   ProverOptions options = usualOptions();
@@ -187,7 +188,8 @@ TEST(UnreadCode, AnAssumptionAboutItLeavesEverythingOpen) {
 
 /// A block that nobody calls is refused all the same, but it does nothing.
 TEST(UnreadCode, ABlockThatNeverRunsLeavesNothingOpen) {
-  const std::string block = "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.0\nMOVB 3, Foo\nEND_SUBROUTINE_BLOCK\n";
+  const std::string block =
+      "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.0\nMOVB 3, Foo\nEND_SUBROUTINE_BLOCK\n";
   const Verdicts verdicts = verdictsOf("Network 1\nLD I0.0\n= Q0.0\n", block);
   EXPECT_EQ(verdicts.one, Outcome::Reachable) << verdicts.text;
   EXPECT_EQ(verdicts.other, Outcome::Proved) << verdicts.text;

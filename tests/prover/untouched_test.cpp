@@ -54,10 +54,10 @@ TEST(Untouched, InputsSystemBitsBuffersAndExternalsHaveTheirWriters) {
 /// `external V300.4` frees that bit and no other, in the encoder and in the run that repeats a counterexample.
 TEST(External, ABitIsNotItsByte) {
   const std::string networks = "Network 1\nLD V300.4\nO V300.5\n= Q0.0\nNetwork 2\nLDB> VB300, 16\n= Q0.1\n";
-  const ProofRun run =
-      runOf("//@ external V300.4\n//@ prove free: never V300.4\n//@ reach on: Q0.0\n//@ reach beside: V300.5\n"
-            "//@ prove others: VB300 = 0 or VB300 = 16\n//@ prove output: never Q0.1\n",
-            networks);
+  const ProofRun run = runOf(
+      "//@ external V300.4\n//@ prove free: never V300.4\n//@ reach on: Q0.0\n//@ reach beside: V300.5\n"
+      "//@ prove others: VB300 = 0 or VB300 = 16\n//@ prove output: never Q0.1\n",
+      networks);
   EXPECT_EQ(outcomeOf(run, "free"), Outcome::Violated);
   EXPECT_EQ(outcomeOf(run, "on"), Outcome::Reachable);
   EXPECT_EQ(outcomeOf(run, "beside"), Outcome::Unreachable);
@@ -67,7 +67,8 @@ TEST(External, ABitIsNotItsByte) {
 
 TEST(External, ARangeOfBitsBeginsAndEndsInsideItsBytes) {
   const ProofRun run = runOf(
-      "//@ external V300.6..V301.1\n//@ reach a: V300.6\n//@ reach b: V301.1\n//@ reach c: V300.5\n//@ reach d: V301.2\n"
+      "//@ external V300.6..V301.1\n//@ reach a: V300.6\n//@ reach b: V301.1\n//@ reach c: V300.5\n//@ reach d: "
+      "V301.2\n"
       "//@ prove word: VW300 = 0 or VB300 >= 64 or VB301 > 0\n",
       "Network 1\nLDW> VW300, 0\n= Q0.0\n");
   EXPECT_EQ(outcomeOf(run, "a"), Outcome::Reachable);
@@ -78,9 +79,9 @@ TEST(External, ARangeOfBitsBeginsAndEndsInsideItsBytes) {
 
 /// A word of the program that lies half inside the range: VB299 stays what the program made it.
 TEST(External, ARangeInsideADoubleWordOfTheProgram) {
-  const ProofRun run = runOf(
-      "//@ external VW300\n//@ reach in: VB301 = 9\n//@ reach before: VB299 = 9\n//@ reach after: VB302 = 9\n",
-      "Network 1\nLDD> VD298, 0\n= Q0.0\nNetwork 2\nLDD> VD300, 0\n= Q0.1\n");
+  const ProofRun run =
+      runOf("//@ external VW300\n//@ reach in: VB301 = 9\n//@ reach before: VB299 = 9\n//@ reach after: VB302 = 9\n",
+            "Network 1\nLDD> VD298, 0\n= Q0.0\nNetwork 2\nLDD> VD300, 0\n= Q0.1\n");
   EXPECT_EQ(outcomeOf(run, "in"), Outcome::Reachable);
   EXPECT_EQ(outcomeOf(run, "before"), Outcome::Unreachable);
   EXPECT_EQ(outcomeOf(run, "after"), Outcome::Unreachable);
