@@ -164,6 +164,7 @@ void Influence::writesOf(std::uint32_t instruction, std::uint32_t cause) {
   const Desc& desc = *facts_.instruction(instruction).desc;
   if (isDevice(kindOf(desc))) return addEverything(cause);
   if (desc.affects != 0) addPlace({Area::SM, 8, 8}, cause);
+  addPlace({Area::SM, 32, 8}, cause);  // a run-time error sets SM4.3 (001:13945)
   for (const Access& access : facts_.accesses().of(instruction)) {
     if (!access.write) continue;
     if (access.viaPointer) return addEverything(cause);

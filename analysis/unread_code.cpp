@@ -15,6 +15,7 @@ namespace rungproof {
 namespace {
 
 constexpr std::string_view uncoveredBody = "SYN037";  // frontend/stl/syntax_message.hpp
+constexpr std::string_view symbolRow = "SYN029";      // a name that is missed is reported where it is used
 constexpr std::size_t mostTexts = 20;                 ///< lines about unread parts in a report
 
 /// A name that no table knows, or an operand that was left open. The name of a library block needs no table.
@@ -101,7 +102,7 @@ class UnreadCode::Collector {
       UnreadPart& part = place != nullptr ? partOf(*place, finding.message, finding.span)
                                           : add(fileOf(finding.span), finding.message, finding.span);
       part.isRefused = true;
-      part.isUnlimited = part.isUnlimited || place == nullptr;
+      part.isUnlimited = part.isUnlimited || (place == nullptr && finding.rule != symbolRow);
     }
     for (const Finding& finding : program_.findings) {
       const NetworkPlace* place = finding.network == 0 ? nullptr : placeOf(finding);

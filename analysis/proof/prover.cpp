@@ -447,6 +447,7 @@ ProofRun prove(const Program& program, const PropertySet& set, const ProverOptio
   ProofRun left;
   left.results = std::move(open);
   result = merged(set, std::move(result), std::move(left));
+  if (forAll.empty()) result.assumptions.push_back("what is not executed does not stop the CPU");
   return result;
 }
 
