@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t longestTable = 256;  ///< bytes of a communication or clock buffer
 
-bool isMemory(Area area) {
+bool isWrittenMemory(Area area) {
   return area == Area::Q || area == Area::V || area == Area::M || area == Area::S || area == Area::AQ;
 }
 
@@ -43,7 +43,7 @@ bool callsLibrary(const Facts& facts) {
 
 bool isWritten(const Facts& facts, const PropertySet& set, const Operand& operand) {
   const bool isNumbered = operand.area == Area::T || operand.area == Area::C || operand.area == Area::AC;
-  if (!isNumbered && !isMemory(operand.area)) return true;
+  if (!isNumbered && !isWrittenMemory(operand.area)) return true;
   const CellMap& cells = facts.index().cells();
   if (isNumbered) {
     const std::uint32_t cell = cells.cell(operand.area, operand.offset, 0);
@@ -90,7 +90,7 @@ std::optional<AnyProgram> anyProgramFor(const Facts& facts, const PropertySet& s
     for (const Operand* operand : addressesOf(each)) {
       if (operand->area == Area::I || operand->area == Area::AI || operand->area == Area::SM) continue;
       if (!isWritten(facts, set, *operand)) continue;
-      if (!isMemory(operand->area) || operand->area == Area::AQ) return std::nullopt;
+      if (!isWrittenMemory(operand->area) || operand->area == Area::AQ) return std::nullopt;
       any.set.externals.push_back({*operand, *operand, {}});
     }
   }
