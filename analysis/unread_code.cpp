@@ -87,10 +87,13 @@ class UnreadCode::Collector {
   }
 
   const NetworkPlace* placeOf(const Finding& finding) const {
-    const auto named = byName_.find({finding.pou, finding.network});
-    if (finding.network != 0 && named != byName_.end()) return &named->second;
     const ProgramPlace place = places_.at(finding.span);
     const auto found = byNetwork_.find(place.network);
+    // Numbers of a list may stand there twice; the elements of drawings stand mixed in their file.
+    if (place.network != nullptr && place.network->form == Form::Stl && found != byNetwork_.end())
+      return &found->second;
+    const auto named = byName_.find({finding.pou, finding.network});
+    if (finding.network != 0 && named != byName_.end()) return &named->second;
     return place.network == nullptr || found == byNetwork_.end() ? nullptr : &found->second;
   }
 

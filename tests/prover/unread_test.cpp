@@ -143,6 +143,12 @@ TEST(UnreadCode, ALineWithoutMeaningMayDoAnything) {
   expectNone("Network 1\nLD I0.0\nMOVB 16#GG, VB0\n");
 }
 
+/// Two networks of one number: the one that is refused is left out, not the other.
+TEST(UnreadCode, NetworksOfOneNumber) {
+  expectOnlyOne("Network 1\nLD I0.1\n= M5.0\nNetwork 1\nLD T256\n= Q0.0\n");
+  expectNone("Network 1\nLD I0.1\n= M5.0\nNetwork 1\nLD I0.0\nEU\nATT VW0, AC9\n");
+}
+
 /// What is unread spreads over memory, the stack, jumps and calls, and no further.
 TEST(UnreadCode, InfluenceSpreads) {
   expectOnlyOne("Network 1\nLD Foo\n= M0.0\nNetwork 2\nLD M0.0\n= M0.1\nNetwork 3\nLD M0.1\nO I0.0\n= Q0.0\n");
