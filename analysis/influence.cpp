@@ -73,7 +73,7 @@ bool hasWrongCount(const Instruction& instruction) {
 
 }  // namespace
 
-BitRow rowOf(Area area, Width width, std::uint32_t offset, unsigned bit, std::uint32_t elements) {
+PlaceRow rowOf(Area area, Width width, std::uint32_t offset, unsigned bit, std::uint32_t elements) {
   if (byNumber(area)) return {area, offset, elements};
   if (width == Width::Bit) return {area, offset * 8 + bit, elements};
   return {area, offset * 8, elements * static_cast<std::uint32_t>(bits(width))};
@@ -110,7 +110,7 @@ void Influence::addEverything(std::uint32_t cause) {
   if (everything_ == none) everything_ = cause;
 }
 
-void Influence::addPlace(const BitRow& row, std::uint32_t cause) {
+void Influence::addPlace(const PlaceRow& row, std::uint32_t cause) {
   std::vector<std::uint32_t>& places = places_[static_cast<std::size_t>(row.area)];
   // The control bytes of devices and the interrupt times lie from SMB30 on.
   if (row.area == Area::SM && row.first + row.count > (smReadOnlyLast + 1) * 8) return addEverything(cause);
@@ -204,7 +204,7 @@ std::uint32_t Influence::causeRead(const Part& part) const {
   for (const std::uint32_t id : part.instructions) {
     // What a block hands back comes out of its local memory.
     if (facts_.instruction(id).desc->control == Control::Call) {
-      const std::uint32_t cause = causeAt(BitRow{Area::L, 0, areaSize(facts_.target(), Area::L) * 8});
+      const std::uint32_t cause = causeAt(PlaceRow{Area::L, 0, areaSize(facts_.target(), Area::L) * 8});
       if (cause != none) return cause;
     }
     for (const Access& access : facts_.accesses().of(id)) {
@@ -228,7 +228,7 @@ void Influence::spread() {
   } while (isChanged_);
 }
 
-std::uint32_t Influence::causeAt(const BitRow& row) const {
+std::uint32_t Influence::causeAt(const PlaceRow& row) const {
   if (everything_ != none) return everything_;
   const std::vector<std::uint32_t>& places = places_[static_cast<std::size_t>(row.area)];
   const std::size_t end = std::min<std::size_t>(places.size(), std::size_t{row.first} + row.count);

@@ -14,13 +14,13 @@
 namespace rungproof {
 
 /// A row of bits of an area; of numbers for T, C, AC and HC, whose bits and values belong together.
-struct BitRow {
+struct PlaceRow {
   Area area = Area::V;
   std::uint32_t first = 0;
   std::uint32_t count = 0;
 };
 /// `elements` elements of that width from an address on.
-BitRow rowOf(Area area, Width width, std::uint32_t offset, unsigned bit, std::uint32_t elements = 1);
+PlaceRow rowOf(Area area, Width width, std::uint32_t offset, unsigned bit, std::uint32_t elements = 1);
 
 /// A network by its indices in Program::pous and Pou::networks.
 struct NetworkPlace {
@@ -38,14 +38,14 @@ class Influence {
   /// The network is not run, for that cause (any number but 0): it may write what its instructions write.
   void addNetwork(NetworkPlace place, std::uint32_t cause);
   /// A place is written for that cause.
-  void addPlace(const BitRow& row, std::uint32_t cause);
+  void addPlace(const PlaceRow& row, std::uint32_t cause);
   /// Everything may be written for that cause.
   void addEverything(std::uint32_t cause);
   /// Follows what has been added to its end.
   void spread();
 
   /// Why the place may be influenced.
-  std::uint32_t causeAt(const BitRow& row) const;
+  std::uint32_t causeAt(const PlaceRow& row) const;
   /// Why what the network does may be influenced.
   std::uint32_t causeAt(NetworkPlace place) const;
   /// Why anything may be.

@@ -210,7 +210,7 @@ UnreadCode::UnreadCode(const Program& program) : program_(program), facts_(std::
                           facts_->calls().reachedFromInterrupt(place.block);
       if (mayRun && !part.isUnlimited) influence->addNetwork(place, cause);
     }
-    for (const BitRow& row : part.places) influence->addPlace(row, cause);
+    for (const PlaceRow& row : part.places) influence->addPlace(row, cause);
     if (part.isUnlimited) influence->addEverything(cause);
     part.isUnlimited = part.isUnlimited || influence->everything() == cause;
   }

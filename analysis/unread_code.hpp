@@ -23,7 +23,7 @@ struct UnreadPart {
   std::string reason;  ///< why, in the words of its finding
   Span span;
   std::vector<NetworkPlace> networks;  ///< that are left out; empty: only named
-  std::vector<BitRow> places;          ///< what it may write, besides what its instructions write
+  std::vector<PlaceRow> places;        ///< what it may write, besides what its instructions write
   bool isUnlimited = false;            ///< may write anything
   bool isRefused = false;              ///< by the readers, the editor or the CPU: exit code 2
 };

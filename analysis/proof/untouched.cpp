@@ -16,7 +16,7 @@ bool isWrittenMemory(Area area) {
   return area == Area::Q || area == Area::V || area == Area::M || area == Area::S || area == Area::AQ;
 }
 
-bool meet(const BitRow& a, const BitRow& b) {
+bool meet(const PlaceRow& a, const PlaceRow& b) {
   return a.area == b.area && a.first < b.first + b.count && b.first < a.first + a.count;
 }
 
@@ -26,7 +26,7 @@ bool usesBuffer(Kind kind) {
 }
 
 /// Whether a buffer that begins at a direct operand of such an instruction may hold the place.
-bool isInBuffer(const Facts& facts, const BitRow& row) {
+bool isInBuffer(const Facts& facts, const PlaceRow& row) {
   return std::ranges::any_of(facts.instructions(), [&](const InstructionPlace& place) {
     if (!usesBuffer(kindOf(*place.instruction))) return false;
     return std::ranges::any_of(place.instruction->operands, [&](const Operand& o) {
@@ -49,10 +49,10 @@ bool isWritten(const Facts& facts, const PropertySet& set, const Operand& operan
     const std::uint32_t cell = cells.cell(operand.area, operand.offset, 0);
     return cell == cells.size() || facts.index().mayBeWritten(cell);
   }
-  const BitRow row = rowOf(operand.area, operand.width, operand.offset, operand.bit);
+  const PlaceRow row = rowOf(operand.area, operand.width, operand.offset, operand.bit);
   const bool isExternal = std::ranges::any_of(set.externals, [&](const ExternalRange& range) {
-    const BitRow first = rowOf(range.first.area, range.first.width, range.first.offset, range.first.bit);
-    const BitRow last = rowOf(range.last.area, range.last.width, range.last.offset, range.last.bit);
+    const PlaceRow first = rowOf(range.first.area, range.first.width, range.first.offset, range.first.bit);
+    const PlaceRow last = rowOf(range.last.area, range.last.width, range.last.offset, range.last.bit);
     return meet(row, {first.area, first.first, last.first + last.count - first.first});
   });
   if (isExternal || isInBuffer(facts, row) || callsLibrary(facts)) return true;
