@@ -79,8 +79,8 @@ struct AlikePlace {
   const Instruction* place;
 };
 
-/// Rank of a question by what it costs not to know the answer, 1 the worst: what stops the CPU, two hands on one output,
-/// what waits for ever, what is merely odd.
+/// Rank of a question by what it costs not to know the answer, 1 the worst: what stops the CPU, two hands on one
+/// output, what waits for ever, what is merely odd.
 constexpr int costOfIgnoring(BuiltinKind kind) {
   switch (kind) {
     case BuiltinKind::StackLevels:
@@ -99,6 +99,7 @@ constexpr int costOfIgnoring(BuiltinKind kind) {
     case BuiltinKind::TimerResettable:
     case BuiltinKind::TimerOncePerScan:
     case BuiltinKind::Preset:
+    case BuiltinKind::LatchOn:
     case BuiltinKind::LatchDrops:
     case BuiltinKind::StepEntered:
     case BuiltinKind::StepLeft:

@@ -45,13 +45,15 @@ class Session {
     const auto questionOf = [&](std::size_t i) { return i < declared ? i : goals().size() + (i - declared); };
     std::vector<std::size_t> order(total);
     std::iota(order.begin(), order.end(), std::size_t{0});
-    // What is worth most first, in case the time for everything ends; before that those with a run: who waits for the
-    // first bad verdict need not wait for proofs.
     const auto worthOf = [&](std::size_t i) { return i < declared ? 0 : costOfIgnoring(checks[i - declared].kind); };
-    if (options_.total > 0)
+    if (options_.total > 0) {
+      // The time may not suffice for all: what is worst not to know first.
       std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return worthOf(a) < worthOf(b); });
-    std::stable_partition(order.begin(), order.end(),
-                          [&](std::size_t i) { return search_.quick(questionOf(i)).answer == Answer::Violated; });
+    } else {
+      // Those with a run first: who waits for the first bad verdict need not wait for proofs.
+      std::stable_partition(order.begin(), order.end(),
+                            [&](std::size_t i) { return search_.quick(questionOf(i)).answer == Answer::Violated; });
+    }
     std::vector<std::optional<ProofResult>> rows(total);
     for (std::size_t done = 0; done < total; ++done) {
       const std::size_t i = order[done];
@@ -68,7 +70,7 @@ class Session {
         if (row.builtin->place != nullptr) row.property.span = row.builtin->place->span;
       }
       const std::size_t question = questionOf(i);
-      if (search_.quick(question).answer == Answer::Unknown && (isOver() || search_.watch().isStopped()))
+      if (!search_.isSettled(question) && (isOver() || search_.watch().isStopped()))
         row.notes.push_back(reasonToStop());
       else
         settle(question, std::min(start + inSeconds(most), deadlineOf(done + 1)), row, result);

@@ -51,6 +51,10 @@ class QuestionSearch {
   void answerQuickly(Clock::time_point deadline);
   /// What answerQuickly() has found.
   const QuestionAnswer& quick(std::size_t question) const { return quick_[question]; }
+  /// Whether that is an answer without further work: a proof, or a run that the engine has made.
+  bool isSettled(std::size_t question) const {
+    return quick_[question].answer == Answer::Proved || found_.contains(question);
+  }
   /// The answer to a question, searched for until `deadline` if it is still open.
   Found answer(std::size_t question, Clock::time_point deadline);
   /// The same for a goal that another verdict rests on, in the time that is left for that one.

@@ -29,8 +29,7 @@ TEST(StepTime, StepThatItsOwnTimerResets) {
 
 TEST(StepTime, LongerThanThePresetIsViolated) {
   // 15 s of ticks are never 16 s between scan ends if scans are short: the run of 10 ms scans shows it.
-  const ProgramInput input =
-      test::inputOf("//@ prove long: rises(M0.1) implies prev(held(M0.0, 16s))\n", ownStep(150));
+  const ProgramInput input = test::inputOf("//@ prove long: rises(M0.1) implies prev(held(M0.0, 16s))\n", ownStep(150));
   const ProofRun run = prove(input.program, input.properties, test::usualOptions(60));
   EXPECT_TRUE(run.disagreements.empty());
   EXPECT_EQ(test::outcomeOf(run, "long"), Outcome::Violated);
