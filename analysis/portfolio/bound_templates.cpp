@@ -220,14 +220,7 @@ class TemplateSearch {
       if (guard == noNode) continue;
       templates_.push_back({guard, noNode, value});
       templates_.push_back({guard, noNode, negative});
-      // A timer that has not run out stands at nothing while what starts it is off, even if its own end has put it off.
-      for (const std::uint64_t stop : x.sum.isPending ? x.stops : std::vector<std::uint64_t>{})
-        templates_.push_back({guard, hasReached(x, stop), x.sum.word});
     }
-  }
-
-  Node hasReached(const CountingWord& x, std::uint64_t stop) {
-    return graph_.make(Op::Ule, 1, graph_.constantNode(stop, widthOf(word(x.state))), word(x.state));
   }
 
   /// Of two orders of a pair one is the complement of the other, which is its negative less 1: one adder does for both.
@@ -243,13 +236,14 @@ class TemplateSearch {
     const CountingWord& x = words_[static_cast<std::size_t>(left)];
     const CountingWord& y = words_[static_cast<std::size_t>(right)];
     const Node difference = this->difference(left, right);
+    const int w = widthOf(word(y.state));
     for (const Node guard : guardsFor({x.state, y.state}, most)) {
       templates_.push_back({guard, noNode, difference, left, right});
       if (scope_ == BoundScope::Few) continue;
-      for (const std::uint64_t stop : y.stops)
-        templates_.push_back({guard, hasReached(y, stop), difference, left, right});
-      for (const std::uint64_t stop : x.sum.isPending ? x.stops : std::vector<std::uint64_t>{})
-        templates_.push_back({guard, hasReached(x, stop), difference, left, right});
+      for (const std::uint64_t stop : y.stops) {
+        templates_.push_back(
+            {guard, graph_.make(Op::Ule, 1, graph_.constantNode(stop, w), word(y.state)), difference, left, right});
+      }
     }
   }
 

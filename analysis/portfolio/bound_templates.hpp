@@ -25,7 +25,7 @@ struct CountingWord {
 /// "guard implies difference <= bound, unless stopped": what is sought is the bound.
 struct BoundTemplate {
   Node guard = noNode;        ///< width 1 over states; noNode: always
-  Node stopped = noNode;      ///< width 1: one of the words has reached a value at which it may stop; noNode: never
+  Node stopped = noNode;      ///< width 1: the subtracted word has reached a value at which it may stop; noNode: never
   Node difference = noNode;   ///< signed
   int left = -1, right = -1;  ///< of a difference of two words: their indices in BoundTemplates::words
 };
