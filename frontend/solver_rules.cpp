@@ -173,7 +173,9 @@ class OpenCount {
       if (result.builtin && !isSelected_(rule)) continue;
       Row& row = rows_[rule];
       ++row.asked;
-      if (result.outcome != Outcome::Unknown) continue;
+      // A run that shows what is wanted, repeated or not, leaves nothing to be found.
+      const bool hasWanted = result.builtin && isWanted(result.builtin->kind) && result.hasSolverRun;
+      if (result.outcome != Outcome::Unknown || hasWanted) continue;
       ++row.open;
       if (result.method.empty() && !result.notes.empty()) row.reason = result.notes.back();
     }

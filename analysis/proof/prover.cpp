@@ -16,7 +16,8 @@ namespace rungproof {
 
 namespace {
 
-constexpr double premiseSeconds = 5;  ///< for a question that a verdict is checked with
+constexpr double shareOfQuickAnswers = 0.5;  ///< of a total, encoding included; the rest confirms runs and goes deeper
+constexpr double premiseSeconds = 5;         ///< for a question that a verdict is checked with
 
 std::size_t goalCount(const PropertySet& set) {
   return static_cast<std::size_t>(
@@ -41,14 +42,20 @@ class Session {
     }
     const std::vector<BuiltinCheck>& checks = search_.exact().checks();
     const std::size_t total = declared + checks.size();
-    search_.answerQuickly(deadlineOf(total));
+    const Clock::time_point half = begin_ + inSeconds(options_.total * shareOfQuickAnswers);
+    search_.answerQuickly(options_.total > 0 ? std::min(half, deadlineOf(total)) : deadlineOf(total));
     const auto questionOf = [&](std::size_t i) { return i < declared ? i : goals().size() + (i - declared); };
     std::vector<std::size_t> order(total);
     std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto worthOf = [&](std::size_t i) { return i < declared ? 0 : costOfIgnoring(checks[i - declared].kind); };
+    // Where the time may not suffice for all: what is settled anyway, then what is worst not to know, and of equals
+    // those that have a run first.
+    const auto rankOf = [&](std::size_t i) {
+      if (search_.isSettled(questionOf(i))) return 0;
+      const int worth = i < declared ? 0 : costOfIgnoring(checks[i - declared].kind);
+      return 2 * worth + (search_.quick(questionOf(i)).answer == Answer::Violated ? 1 : 2);
+    };
     if (options_.total > 0) {
-      // The time may not suffice for all: what is worst not to know first.
-      std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return worthOf(a) < worthOf(b); });
+      std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return rankOf(a) < rankOf(b); });
     } else {
       // Those with a run first: who waits for the first bad verdict need not wait for proofs.
       std::stable_partition(order.begin(), order.end(),
@@ -59,7 +66,7 @@ class Session {
       const std::size_t i = order[done];
       const Clock::time_point start = Clock::now();
       // One question may use its own time, and what those before it have left of theirs is not saved up.
-      const bool isOfRule = i >= declared && isRuleQuestion(checks[i - declared].kind);
+      const bool isOfRule = i >= declared && (options_.total > 0 || isRuleQuestion(checks[i - declared].kind));
       const double most = isOfRule ? std::min(options_.timeout, options_.ruleTimeout) : options_.timeout;
       ProofResult row;
       if (i < declared)
@@ -71,7 +78,7 @@ class Session {
       }
       const std::size_t question = questionOf(i);
       if (!search_.isSettled(question) && (isOver() || search_.watch().isStopped()))
-        row.notes.push_back(reasonToStop());
+        stopAt(question, row);
       else
         settle(question, std::min(start + inSeconds(most), deadlineOf(done + 1)), row, result);
       row.seconds = secondsSince(start) + search_.quick(question).seconds;
@@ -102,6 +109,11 @@ class Session {
     return search_.watch().isInterrupted()   ? "interrupted"
            : search_.watch().isOutOfMemory() ? "the memory limit was reached"
                                              : "the time was over";
+  }
+
+  void stopAt(std::size_t question, ProofResult& row) const {
+    row.hasSolverRun = search_.quick(question).answer == Answer::Violated;
+    row.notes.push_back(reasonToStop());
   }
 
   ProofRun notEncoded(std::size_t declared, ProofRun result) const {

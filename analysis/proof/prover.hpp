@@ -19,10 +19,11 @@ namespace rungproof {
 struct ProverOptions {
   Choices choices;
   TimeRange time;
-  double timeout = 60;     ///< seconds per question; encoding and checks of certificates count
-  double total = 0;        ///< seconds for everything, encoding included; 0: no limit
-  double ruleTimeout = 2;  ///< at most, for each question of CheckGroups::rungs and powerUp
-  int bound = 0;           ///< scans that bounded search may look at; 0: no limit
+  double timeout = 60;  ///< seconds per question; encoding and checks of certificates count
+  double total = 0;     ///< seconds for everything, encoding included; 0: no limit
+  double ruleTimeout =
+      2;          ///< at most, for each question of CheckGroups::rungs and powerUp; with a total, of all checks
+  int bound = 0;  ///< scans that bounded search may look at; 0: no limit
   int jobs = 2;
   std::uint64_t seed = 1;
   std::uint64_t memory = 0;   ///< bytes; 0: no limit
@@ -43,6 +44,7 @@ struct ProofResult {
   std::string method;
   int depth = 0;  ///< scans of the witness, or without a violation
   double seconds = 0;
+  bool hasSolverRun = false;  ///< Unknown: the solver has a run, which the engine had no time to repeat
   std::optional<Witness> witness;
   std::string certificate;  ///< SMT-LIB 2, if asked for and proved
   std::vector<std::string> notes;
