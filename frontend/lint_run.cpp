@@ -27,15 +27,7 @@ Report lintProgram(const Settings& settings, const ProgramInput& input, const st
                 [&](const Finding& finding) { return !isReadError(finding) && !isSelected(finding.rule); });
   std::vector<Finding> found = runRules(facts, selection, settings.ruleSettings());
   std::move(found.begin(), found.end(), std::back_inserter(report.findings));
-  if (prove) {
-    const UnreadCode unread(program);
-    ProverOptions options = proverOptionsOf(settings);
-    options.unread = &unread;
-    if (unread.isWhole())
-      settleBySolver(input, options, isSelected, report.findings);
-    else if (!unread.isUnlimited())
-      settleBySolver({unread.executable(), input.properties}, options, isSelected, report.findings);
-  }
+  if (prove && !hasReadErrors(program)) settleBySolver(input, proverOptionsOf(settings), isSelected, report.findings);
   const PlaceIndex places(program);
   for (Finding& finding : report.findings) places.complete(finding);
 

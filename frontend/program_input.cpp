@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "analysis/rule.hpp"
 #include "frontend/file_reader.hpp"
 #include "frontend/stl/operand_reader.hpp"
 
@@ -69,23 +68,6 @@ Report startReport(std::string_view command, const Program& program, const std::
                                   [](const Finding& finding) { return isReadError(finding) && finding.network != 0; });
   report.coverage.instructions = report.coverage.understood + static_cast<std::size_t>(lost);
   return report;
-}
-
-void addUnread(Report& report, const Program& program, const UnreadCode& unread) {
-  report.findings.insert(report.findings.end(), unread.findings().begin(), unread.findings().end());
-  const PlaceIndex places(program);
-  for (Finding& finding : report.findings) places.complete(finding);
-  report.coverage.understood -= std::min(report.coverage.understood, unread.instructions());
-  for (std::string& text : unread.texts()) report.coverage.approximated.push_back(std::move(text));
-}
-
-void printUnread(const Context& context, std::string_view command, const Program& program, const UnreadCode& unread,
-                 const std::vector<std::string>& files) {
-  Report report = startReport(command, program, files);
-  std::erase_if(report.findings, [](const Finding& finding) { return finding.severity != Severity::Error; });
-  addUnread(report, program, unread);
-  sortFindings(report);
-  reporterNamed("human")->write(report, {false, context.settings.flag(Opt::Quiet)}, context.err);
 }
 
 std::vector<std::string> expandFolders(const std::vector<std::string>& names) {

@@ -14,12 +14,6 @@ class EncodedScan::Impl {
   Impl(const Program& source, const EncoderOptions& given)
       : program(source), options(given), plan(source), layout(source.target) {
     layout.add(program, plan);
-    for (const ExternalBytes& range : options.externals) {
-      layout.beginAt(range.area, range.first);
-      layout.beginAt(range.area, range.last + 1);
-      if (range.lowBit > 0) layout.add(range.area, Width::Bit, range.first);
-      if (range.highBit < 7) layout.add(range.area, Width::Bit, range.last);
-    }
     for (const Operand& operand : options.observed) layout.add(operand.area, operand.width, operand.offset);
     // SM0.0 is always on (001:14050), unless the program overwrites it.
     knowledge.constants = {{memoryPlace(Area::SM, 0, Width::Bit, 0), 1}};

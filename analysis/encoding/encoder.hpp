@@ -22,14 +22,11 @@
 
 namespace rungproof {
 
-/// Bytes `first` to `last` of an area that a panel or the network may write before any scan: from bit `lowBit` of the
-/// first one to bit `highBit` of the last one.
+/// Bytes `first` to `last` of an area that a panel or the network may write before any scan.
 struct ExternalBytes {
   Area area = Area::V;
   std::uint32_t first = 0;
   std::uint32_t last = 0;
-  std::uint8_t lowBit = 0;
-  std::uint8_t highBit = 7;
 };
 
 struct EncoderOptions {

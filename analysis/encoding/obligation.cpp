@@ -44,10 +44,7 @@ Obligations::Obligations(const Program& program, const PropertySet& set, const s
   }
   for (const ExternalRange& range : set.externals) {
     const std::uint32_t last = range.last.offset + static_cast<std::uint32_t>(bytes(range.last.width)) - 1;
-    const bool areBits = range.first.width == Width::Bit;
-    options.externals.push_back({range.first.area, range.first.offset, last,
-                                 static_cast<std::uint8_t>(areBits ? range.first.bit : 0),
-                                 static_cast<std::uint8_t>(areBits ? range.last.bit : 7)});
+    options.externals.push_back({range.first.area, range.first.offset, last});
   }
   options.initialRetentive = options.initialRetentive || set.initialRetentive;
 

@@ -153,11 +153,10 @@ bool ScanEncoding::isInput(const Place& place) const {
     const SmSource source = smSource(program_.target, byte, place.width == 1 ? place.bit() : 0);
     if (source == SmSource::Free || source == SmSource::FirstScan) return true;
   }
-  // The layout begins a place where a range begins or ends, so the first bit tells for all.
-  const std::uint32_t bit = byte * 8 + (place.width == 1 ? place.bit() : 0);
-  return std::any_of(options_.externals.begin(), options_.externals.end(), [&](const ExternalBytes& e) {
-    return e.area == place.area && e.first * 8 + e.lowBit <= bit && bit <= e.last * 8 + e.highBit;
-  });
+  for (const ExternalBytes& e : options_.externals) {
+    if (e.area == place.area && e.first <= byte && byte <= e.last) return true;
+  }
+  return false;
 }
 
 Node ScanEncoding::init(const Place& place) const {

@@ -11,23 +11,10 @@
 #include "analysis/proof/hidden_code.hpp"
 #include "analysis/proof/proof_networks.hpp"
 #include "analysis/proof/question_search.hpp"
-#include "analysis/proof/untouched.hpp"
 
 namespace rungproof {
 
 namespace {
-
-/// A verdict that depends on code which was not read is none.
-void leaveOpen(ProofResult& row, const std::vector<std::string>& reasons) {
-  if (reasons.empty()) return;
-  row.outcome = Outcome::NotCovered;
-  row.method.clear();
-  row.depth = 0;
-  row.certificate.clear();
-  row.witness.reset();
-  row.networks.clear();
-  row.notes.insert(row.notes.end(), reasons.begin(), reasons.end());
-}
 
 constexpr double premiseSeconds = 5;  ///< for a question that a verdict is checked with
 
@@ -170,17 +157,18 @@ class Session {
     noteApproximations(question, row);
     guardInterrupts(row);
     guardLeftOut(row);
-    guardUnreadCode(row);
+    guardHiddenCode(question, row);
   }
 
-  /// Nothing is decided about an instruction that depends on code which was not read.
-  void guardUnreadCode(ProofResult& row) const {
-    if (options_.unread == nullptr || options_.unread->empty() || !row.builtin || row.builtin->place == nullptr) return;
-    const BuiltinCheck& check = *row.builtin;
-    const std::vector<Operand> operands = check.operands();
-    std::vector<std::string> reasons = options_.unread->reasons(check.place->span, operands);
-    if (reasons.empty() && check.other != nullptr) reasons = options_.unread->reasons(check.other->span, operands);
-    leaveOpen(row, reasons);
+  /// Nothing is decided that depends on code which was not read.
+  void guardHiddenCode(std::size_t question, ProofResult& row) {
+    const std::vector<std::string> reasons =
+        hidden_.reasons(search_.exact().obligations().encoding(), search_.exact().variablesOf(question));
+    if (reasons.empty()) return;
+    row.outcome = Outcome::NotCovered;
+    row.witness.reset();
+    row.certificate.clear();
+    row.notes.insert(row.notes.end(), reasons.begin(), reasons.end());
   }
 
   /// What is not followed to its end leaves every proof open, unless it cannot occur.
@@ -299,6 +287,7 @@ class Session {
   const ProverOptions& options_;
   const Clock::time_point begin_ = Clock::now();
   QuestionSearch search_;
+  HiddenCode hidden_{program_, set_};
   std::unique_ptr<Facts> facts_;
   std::set<const Approximation*> noted_;  ///< what some result rests on
 };
@@ -319,19 +308,13 @@ namespace {
 ProofRun merged(const PropertySet& set, ProofRun plain, ProofRun inside) {
   std::vector<ProofResult> results;
   auto ofPlain = plain.results.begin(), ofInside = inside.results.begin();
-  const auto isNext = [](const auto& next, const auto& end, const Property& property) {
-    return next != end && !next->builtin && next->property.span == property.span &&
-           next->property.name == property.name;
-  };
   for (const Property& property : set.properties) {
-    if (!property.isGoal()) continue;
-    if (isNext(ofPlain, plain.results.end(), property))
-      results.push_back(std::move(*ofPlain++));
-    else if (isNext(ofInside, inside.results.end(), property))
-      results.push_back(std::move(*ofInside++));
+    auto& next = property.atEveryInstruction ? ofInside : ofPlain;
+    const auto end = property.atEveryInstruction ? inside.results.end() : plain.results.end();
+    if (property.isGoal() && next != end && !next->builtin && next->property.name == property.name)
+      results.push_back(std::move(*next++));
   }
   results.insert(results.end(), std::make_move_iterator(ofPlain), std::make_move_iterator(plain.results.end()));
-  results.insert(results.end(), std::make_move_iterator(ofInside), std::make_move_iterator(inside.results.end()));
   plain.results = std::move(results);
   for (std::string& text : inside.approximations) {
     if (std::ranges::find(plain.approximations, text) == plain.approximations.end())
@@ -342,10 +325,12 @@ ProofRun merged(const PropertySet& set, ProofRun plain, ProofRun inside) {
   return plain;
 }
 
+}  // namespace
+
 /// What is asked inside scans needs interrupts and 1 ms ticks in front of many instructions; all else is proved on a
 /// system without them.
-ProofRun proveInParts(const Program& program, const PropertySet& set, const ProverOptions& options,
-                      const ProofProgress& progress) {
+ProofRun prove(const Program& program, const PropertySet& set, const ProverOptions& options,
+               const ProofProgress& progress) {
   PropertySet plain = set, inside = set;
   std::erase_if(plain.properties, [](const Property& p) { return p.isGoal() && p.atEveryInstruction; });
   std::erase_if(inside.properties, [](const Property& p) { return p.isGoal() && !p.atEveryInstruction; });
@@ -367,88 +352,6 @@ ProofRun proveInParts(const Program& program, const PropertySet& set, const Prov
                 Session(program, inside, rest).run([&](const ProofResult& row, std::size_t done, std::size_t total) {
                   return !progress || progress(row, before + done, before + total);
                 }));
-}
-
-/// Says which addresses of a property nothing writes. What holds for any program then holds vacuously.
-void noteUntouched(const Program& program, const PropertySet& set, const ProverOptions& options,
-                   std::vector<ProofResult>& rows) {
-  std::unique_ptr<const Facts> facts;
-  for (ProofResult& row : rows) {
-    if (row.builtin || row.property.first.nodes.empty()) continue;
-    if (!facts) facts = std::make_unique<const Facts>(program, set.externals);
-    const std::vector<Operand> untouched = untouchedBy(*facts, set, row.property);
-    for (const Operand& operand : untouched)
-      row.notes.push_back(fmt::format("no instruction writes {}", toString(operand)));
-    if (untouched.empty() || row.outcome != Outcome::Proved) continue;
-    const std::optional<AnyProgram> any = anyProgramFor(*facts, set, row.property);
-    if (!any) continue;
-    ProverOptions quick = options;
-    quick.checks = {};
-    quick.unread = nullptr;
-    quick.certificates = quick.evidence = false;
-    quick.timeout = std::min(options.timeout, premiseSeconds);
-    const ProofRun run = proveInParts(any->program, any->set, quick, {});
-    if (run.results.size() != 1 || run.results.front().outcome != Outcome::Proved) continue;
-    row.outcome = Outcome::Vacuous;
-    row.notes.push_back("it holds for any program that leaves these alone");
-  }
-}
-
-/// Why none of the properties can be settled: an assumption speaks of what unread code may write, or anything may be
-/// written.
-std::vector<std::string> reasonsForAll(const PropertySet& set, const UnreadCode& unread) {
-  std::vector<std::string> reasons = unread.reasons();
-  for (const Property& property : set.properties) {
-    if (property.isGoal() || !reasons.empty()) continue;
-    reasons = unread.reasons(property);
-    if (!reasons.empty()) reasons.insert(reasons.begin(), fmt::format("the assumption '{}' is open", property.text));
-  }
-  return reasons;
-}
-
-}  // namespace
-
-ProofRun prove(const Program& program, const PropertySet& set, const ProverOptions& options,
-               const ProofProgress& progress) {
-  if (options.unread == nullptr || options.unread->empty()) {
-    ProofRun run = proveInParts(program, set, options, progress);
-    noteUntouched(program, set, options, run.results);
-    return run;
-  }
-  const std::vector<std::string> forAll = reasonsForAll(set, *options.unread);
-  PropertySet covered = set;
-  std::vector<ProofResult> open;
-  std::erase_if(covered.properties, [&](const Property& property) {
-    if (!property.isGoal()) return false;
-    const std::vector<std::string> reasons = forAll.empty() ? options.unread->reasons(property) : forAll;
-    if (reasons.empty()) return false;
-    ProofResult& row = open.emplace_back();
-    row.property = property;
-    row.notes = property.remarks;
-    leaveOpen(row, reasons);
-    return true;
-  });
-  ProofRun result;
-  ProverOptions rest = options;
-  if (!forAll.empty() && options.checks.any()) {
-    rest.checks = {};
-    ProofResult& row = open.emplace_back();
-    row.property.name = "built-in checks";
-    leaveOpen(row, forAll);
-  }
-  if (goalCount(covered) > 0 || rest.checks.any()) {
-    result = proveInParts(program, covered, rest, [&](const ProofResult& row, std::size_t done, std::size_t total) {
-      return !progress || progress(row, open.size() + done, open.size() + total);
-    });
-    noteUntouched(program, set, options, result.results);
-  } else {
-    result.assumptions = environmentTexts(program, set, options.time);
-  }
-  ProofRun left;
-  left.results = std::move(open);
-  result = merged(set, std::move(result), std::move(left));
-  if (forAll.empty()) result.assumptions.push_back("what is not executed does not stop the CPU");
-  return result;
 }
 
 }  // namespace rungproof

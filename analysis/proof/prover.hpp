@@ -13,7 +13,6 @@
 #include "analysis/proof/builtin_checks.hpp"
 #include "analysis/proof/outcome.hpp"
 #include "analysis/proof/witness.hpp"
-#include "analysis/unread_code.hpp"
 
 namespace rungproof {
 
@@ -25,11 +24,10 @@ struct ProverOptions {
   int bound = 0;           ///< scans that bounded search may look at; 0: no limit
   int jobs = 2;
   std::uint64_t seed = 1;
-  std::uint64_t memory = 0;            ///< bytes; 0: no limit
-  CheckGroups checks;                  ///< what is asked beside the declared properties
-  bool certificates = false;           ///< write out the proofs as SMT-LIB 2
-  bool evidence = true;                ///< check certificates, shorten witnesses, name networks; without: verdicts only
-  const UnreadCode* unread = nullptr;  ///< what was left out of the program: all that depends on it is NOT COVERED
+  std::uint64_t memory = 0;   ///< bytes; 0: no limit
+  CheckGroups checks;         ///< what is asked beside the declared properties
+  bool certificates = false;  ///< write out the proofs as SMT-LIB 2
+  bool evidence = true;       ///< check certificates, shorten witnesses, name networks; without: verdicts only
   const std::atomic<bool>* cancel = nullptr;  ///< set from outside, as by Ctrl-C: the run ends with what is settled
 };
 

@@ -1,9 +1,8 @@
 // `rungproof export`: the transition system of a program with its properties, for other model checkers.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "analysis/export/system.hpp"
+#include "analysis/proof/hidden_code.hpp"
 #include "analysis/proof/proof_side.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/proof_input.hpp"
@@ -34,18 +33,25 @@ ExportRemarks remarksOf(const ProgramInput& input, ProofSide& side, const Prover
     remarks.push_back("assumes: " + text);
   for (const std::string& text : approximationTexts(input.program, side.obligations()))
     remarks.push_back("approximated: " + text);
+  const HiddenCode hidden(input.program, input.properties);
+  const std::vector<Question>& questions = side.system().questions;
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    for (const std::string& reason : hidden.reasons(side.obligations().encoding(), side.variablesOf(i))) {
+      remarks.push_back(fmt::format("not covered: {}: {}", questions[i].name, reason));
+    }
+  }
   return remarks;
 }
 
 Exit run(const Arguments& arguments, Context& context) {
-  ProgramInput input = readInput(context, arguments.files, arguments.properties);
-  const UnreadCode unread(input.program);
-  if (std::ranges::any_of(input.program.findings, isReadError) || !unread.empty()) {
-    // A system of what was understood would prove the wrong thing, so the reasons are shown instead.
-    printUnread(context, "export", input.program, unread, arguments.files);
+  const ProgramInput input = readInput(context, arguments.files, arguments.properties);
+  if (hasReadErrors(input.program)) {
+    // A system of what was understood would prove the wrong thing, so the errors are shown instead.
+    Report report = startReport("export", input.program, arguments.files);
+    sortFindings(report);
+    reporterNamed("human")->write(report, {false, context.settings.flag(Opt::Quiet)}, context.err);
     return Exit::Failed;
   }
-  if (!unread.isWhole()) input.program = unread.executable();
   const ProverOptions options = proverOptionsOf(context.settings);
   std::vector<Property> goals;
   for (const Property& property : input.properties.properties) {

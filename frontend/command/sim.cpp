@@ -230,18 +230,9 @@ std::optional<Failure> record(Simulator& simulator, const Job& job, std::uint64_
 }
 
 Exit run(const Arguments& arguments, Context& context) {
-  const Program text = readProgram(arguments.files, readOptionsOf(context.settings));
-  Report report = startReport("sim", text, arguments.files);
-  const UnreadCode unread(text);
-  if (!unread.empty()) {
-    // A run of the rest would be the run of another program.
-    std::erase_if(report.findings, [](const Finding& finding) { return finding.severity != Severity::Error; });
-    addUnread(report, text, unread);
-    context.err << fmt::format("rungproof: the program is not run: {}\n", unread.texts().front());
-    finish(context, std::move(report));
-    return Exit::Failed;
-  }
-  const Program program = unread.executable();
+  const Program program = readProgram(arguments.files, readOptionsOf(context.settings));
+  Report report = startReport("sim", program, arguments.files);
+  if (hasReadErrors(program)) return finish(context, std::move(report));
   report.findings.clear();  // warnings of the readers are lint's
   if (program.main() == nullptr)
     return context.fail(

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <tuple>
 
-#include "analysis/read_errors.hpp"
-
 namespace rungproof {
 
 std::string verdictText(Outcome verdict, int depth) {
@@ -63,6 +61,10 @@ Summary summaryOf(const Report& report) {
     }
   }
   return summary;
+}
+
+bool isReadError(const Finding& finding) {
+  return finding.severity == Severity::Error && (finding.rule.starts_with("SYN") || finding.rule.starts_with("PRP"));
 }
 
 Exit exitOf(const Report& report) {

@@ -123,6 +123,9 @@ struct Summary {
 };
 Summary summaryOf(const Report& report);
 
+/// An error of the readers of programs or properties: what it stands in was not understood, and the exit code is 2.
+bool isReadError(const Finding& finding);
+
 /// Exit code of the contract for what the report holds: 2 if the readers could not read everything, else 1, 3 or 0.
 Exit exitOf(const Report& report);
 

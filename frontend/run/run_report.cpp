@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "ir/library_block.hpp"
+
 namespace rungproof {
 
 namespace {
@@ -41,16 +43,19 @@ std::string placeOf(const Instruction* instruction, const Program& program) {
   return fmt::format(" at {}:{}", file.name(), file.position(instruction->span.offset).line);
 }
 
-/// Calls of library blocks: their bodies are hidden, their outputs come from the stimulus.
-void listLibraryBlocks(Report& report, const Program& program) {
+/// Calls of blocks that are in no file: known library blocks take their outputs from the stimulus, others do nothing.
+void listHiddenBlocks(Report& report, const Program& program) {
   for (const Pou& pou : program.pous) {
     for (const Network& network : pou.networks) {
       for (const Instruction& instruction : network.instructions) {
-        const bool isLibrary = instruction.desc->control == Control::Call && !instruction.operands.empty() &&
-                               instruction.operands[0].kind == OperandKind::Symbol;
-        if (!isLibrary) continue;
-        report.coverage.approximated.push_back(fmt::format(
-            "{}{}: outputs come from the stimulus", instruction.operands[0].text, placeOf(&instruction, program)));
+        const bool isHidden = instruction.desc->control == Control::Call && !instruction.operands.empty() &&
+                              instruction.operands[0].kind == OperandKind::Symbol;
+        if (!isHidden) continue;
+        const std::string& name = instruction.operands[0].text;
+        const std::string_view effect = libraryBlockNamed(name) != nullptr
+                                            ? "outputs come from the stimulus"
+                                            : "its text is not there, the call does nothing";
+        report.coverage.approximated.push_back(fmt::format("{}{}: {}", name, placeOf(&instruction, program), effect));
       }
     }
   }
@@ -65,7 +70,7 @@ void describeRun(Report& report, const Simulator& simulator, const ScanTime& sca
     if (hazardInfo(error.hazard).kind != HazardClass::StatusOnly || isLost)
       report.findings.push_back(findingOf(error, program));
   }
-  listLibraryBlocks(report, program);
+  listHiddenBlocks(report, program);
   const auto ms = [](Duration duration) { return static_cast<double>(duration.count()) / 1000; };
   const std::string range = scanTime.low == scanTime.high
                                 ? fmt::format("{:g} ms", ms(scanTime.low))
