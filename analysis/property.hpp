@@ -107,7 +107,6 @@ struct ExternalRange {
   Operand first;
   Operand last;
   Span span{};
-  bool isHidden = false;  ///< written by code of the program that is not read (`hidden VB100..VB199`)
 };
 
 /// Everything that the directives of a program and its property files say.

@@ -110,6 +110,7 @@ Finding& FindingSink::report(Span span, std::string message) {
   Finding& finding = findings_.emplace_back();
   finding.rule = std::string(rule_->id);
   finding.severity = rule_->severity;
+  finding.refused = rule_->refuses;
   finding.message = std::move(message);
   finding.span = span;
   if (rule_->needs == Needs::FlowThenSolver) finding.confirmation = Confirmation::Unconfirmed;

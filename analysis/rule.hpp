@@ -67,6 +67,9 @@ struct Rule {
   RuleStatus status = RuleStatus::Stable;
   Questions questions = Questions::None;
   bool enabledByDefault = true;
+  /// Its errors are those for which the editor or the CPU takes no program (table C-3, 001:13978-14008), so no command
+  /// runs the network they stand in (unread_code.hpp). A check may say otherwise of one finding.
+  bool refuses = false;
   std::string_view since = "0.1";
   std::span<const RuleOption> options{};
   /// Reports into the sink. Null for rules that are spoken by the tool itself (SUP, SYN) or by the prover (Z).

@@ -13,7 +13,7 @@ InterruptQueue::InterruptQueue(const Target& target) {
             static_cast<std::size_t>(features.queueTimed)};
 }
 
-bool InterruptQueue::add(int event, std::uint64_t moment) {
+bool InterruptQueue::add(int event, std::uint64_t moment, int routine) {
   CHECK(event >= 0 && event < eventCount, "events are numbered 0 to 33");
   const EventInfo& info = eventInfo(event);
   std::vector<Entry>& entries = queue(info.group);
@@ -21,18 +21,24 @@ bool InterruptQueue::add(int event, std::uint64_t moment) {
   const auto later = std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) {
     return entry.moment == moment && eventInfo(entry.event).rank > info.rank;
   });
-  entries.insert(later, {event, moment});
+  entries.insert(later, {event, moment, routine});
   return true;
 }
 
-std::optional<int> InterruptQueue::take() {
-  for (std::vector<Entry>& entries : queues_) {
-    if (entries.empty()) continue;
-    const int event = entries.front().event;
-    entries.erase(entries.begin());
-    return event;
+std::optional<InterruptQueue::Waiting> InterruptQueue::take() {
+  for (const std::vector<Entry>& entries : queues_) {
+    if (!entries.empty()) return take(entries.front().event);
   }
   return std::nullopt;
+}
+
+std::optional<InterruptQueue::Waiting> InterruptQueue::take(int event) {
+  std::vector<Entry>& entries = queue(eventInfo(event).group);
+  const auto first = std::ranges::find(entries, event, &Entry::event);
+  if (first == entries.end()) return std::nullopt;
+  const Waiting waiting{event, first->routine};
+  entries.erase(first);
+  return waiting;
 }
 
 void InterruptQueue::drop(int event) {

@@ -18,12 +18,20 @@ class InterruptQueue {
  public:
   explicit InterruptQueue(const Target& target);
 
+  /// What is to be served: the event, and the number of the routine that it had when it came.
+  struct Waiting {
+    int event;
+    int routine;
+  };
+
   /// Takes event 0..33 that occurred at `moment` (any unit that does not decrease). False: the queue is full, the event
   /// is lost.
-  bool add(int event, std::uint64_t moment);
-  /// The event to be served next, removed from its queue.
-  std::optional<int> take();
-  /// CEVNT: drops all entries of that event (001:5357).
+  bool add(int event, std::uint64_t moment, int routine = 0);
+  /// What is to be served next, removed from its queue.
+  std::optional<Waiting> take();
+  /// One entry of that event, removed out of its turn; nothing: none waits.
+  std::optional<Waiting> take(int event);
+  /// CEVNT, or DTCH by Choice::DetachedEvents: drops all entries of that event (001:5357).
   void drop(int event);
   /// STOP in an interrupt routine drops everything that waits (001:5695).
   void clear();
@@ -36,6 +44,7 @@ class InterruptQueue {
   struct Entry {
     int event;
     std::uint64_t moment;
+    int routine;
   };
   const std::vector<Entry>& queue(EventGroup group) const { return queues_[static_cast<std::size_t>(group)]; }
   std::vector<Entry>& queue(EventGroup group) { return queues_[static_cast<std::size_t>(group)]; }

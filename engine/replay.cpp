@@ -49,7 +49,7 @@ class Script final : public Outside {
       // A loop that the prover follows for so many rounds reads an input that stays as it is.
       if (site.kind == External::ImmediateInput && !found.values.empty()) return found.values.back();
     }
-    return isUnknown(site.kind) ? unknown_ : 0;
+    return isUnknown(site.kind) ? unknown_ : quietExternal(site);
   }
   void report(Hazard, const Instruction*) override {}
   std::size_t unused() {
@@ -87,6 +87,10 @@ class Script final : public Outside {
 
 }  // namespace
 
+std::uint64_t quietExternal(const ExternalSite& site) {
+  return site.kind == External::ClockByte ? RealTimeClock{}.byteAt(site.index, 0) : 0;
+}
+
 ReplayResult replay(const Program& program, const Choices& choices, const std::vector<ReplayScan>& scans,
                     const Concrete::Store* initial, const ReplayObserver& observer, InstructionObserver* watcher) {
   Script script(choices);
@@ -97,14 +101,17 @@ ReplayResult replay(const Program& program, const Choices& choices, const std::v
   if (watcher != nullptr) simulator.observe(watcher);
   ReplayResult result;
   bool goesOn = true;
+  ScanScript scanScript;
   for (std::size_t i = 0; i < scans.size() && goesOn; ++i) {
     const ReplayScan& scan = scans[i];
+    scanScript = scan.script;
+    scanScript.needsCauses = true;
     for (const PresetValue& input : scan.inputs) simulator.write(input.operand, input.value);
     script.load(scan.externals);
     simulator.readUnknownAsZero(watcher == nullptr && !script.givesUnknownBits());
     for (std::uint32_t round = 0; round < scan.repeats && goesOn; ++round) {
       script.begin();
-      simulator.scan({.lengthUs = scan.lengthMs * 1000, .script = &scan.script});
+      simulator.scan({.lengthUs = scan.lengthMs * 1000, .script = &scanScript});
       if (observer)
         goesOn = observer(simulator.store(), i);
       else

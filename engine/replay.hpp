@@ -23,6 +23,9 @@ struct ExternalValue {
   std::uint64_t value;
 };
 
+/// The value of a site of which nothing is said: 0, but the clock shows what it shows after a loss of power (001:2918).
+std::uint64_t quietExternal(const ExternalSite& site);
+
 /// A direct operand set before a scan: I the physical input, others the memory itself.
 struct PresetValue {
   Operand operand;
@@ -46,6 +49,9 @@ struct ReplayResult {
   std::size_t unusedExternals =
       0;  ///< values that the run did not ask for; more than 0: prover and engine walked apart
 };
+
+/// Whether the scan that left this state has an end: a scan that a fatal error ends has none (001:13906-13910).
+inline bool hasScanEnd(const Concrete::Store& state) { return state.get(Reg::Fault, 0) == 0; }
 
 /// Is shown the state after each scan and the index of its ReplayScan; false ends the replay.
 using ReplayObserver = std::function<bool(const Concrete::Store& state, std::size_t scan)>;

@@ -26,6 +26,8 @@ struct ScanScript {
   struct Event {
     ScanPlace place;
     int event;
+    bool isWithNext = false;   ///< comes together with the next one: nothing is served in between
+    bool isFromQueue = false;  ///< nothing comes, but an entry that waits is served now
   };
   struct Tick {
     ScanPlace place;
@@ -40,9 +42,15 @@ struct ScanScript {
   };
   std::optional<std::uint32_t> ticks10;  ///< at the start of the scan; nothing: from the length of the scans before
   std::optional<std::uint32_t> ticks100;
-  std::vector<Event> events;  ///< in the order of execution; one that is not attached and enabled is passed over
-  std::vector<Tick> ticks1;   ///< what of the scan's length they leave, elapses after the program
+  /// Interrupt events that occur, in their order: one that is attached enters its queue and runs as soon as interrupts
+  /// are enabled. Events 21 and 22 come from the ticks of their timers by themselves: only their service can be named.
+  /// Events 10 and 11 that are due by the end of the scan and not named come after the program.
+  std::vector<Event> events;
+  std::vector<Tick> ticks1;  ///< what of the scan's length they leave, elapses after the program
   std::vector<Write> writes;  ///< in the order of execution
+  /// Whether an event without a possible cause is left out (runs that shall prove something) or comes all the same
+  /// (somebody's own stimulus). Either way Simulator::eventsWithoutCause() tells.
+  bool needsCauses = false;
 };
 
 }  // namespace rungproof

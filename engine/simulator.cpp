@@ -20,11 +20,12 @@ Simulator::Simulator(const Program& program, SimulatorOptions options, Outside* 
       outside_(outside),
       domain_(*this),
       store_(powerUpState(plan_, options_.choices, options_.dataLost)),
-      machine_(domain_, store_, plan_, options_.choices),
+      machine_(domain_, store_, plan_),
       queue_(program.target),
       devices_(options_.clock),
       unknownIsZero_(outside == nullptr && options_.choices.is(Choice::UnknownBits, "zero")),
       random_(options_.seed) {
+  startClock(Reg::PhaseHundred, options_.phaseMs);
   prepareCosts();
 }
 
@@ -33,7 +34,7 @@ void Simulator::powerCycle() {
   queue_.clear();
   errors_.clear();
   devices_.reset();
-  timedPeriod_ = {};
+  lastEdge_ = {};
   stoppedBy_ = nullptr;
 }
 
@@ -43,8 +44,14 @@ void Simulator::run() {
   queue_.clear();
   errors_.clear();
   devices_.reset();
-  timedPeriod_ = {};
+  lastEdge_ = {};
   stoppedBy_ = nullptr;
+}
+
+void Simulator::startClock(Reg clock, std::uint32_t ms) {
+  if (clock == Reg::PhaseHundred) setTickPhase(store_, ms);
+  if (clock == Reg::PhaseSecond) store_.set(clock, 0, ms % 1000, true);
+  if (clock == Reg::PhaseMinute) store_.set(clock, 0, ms % 60000, true);
 }
 
 void Simulator::stop() { store_.set(Reg::Running, 0, 0, true); }
@@ -65,9 +72,10 @@ void Simulator::scanInStop(std::uint32_t lengthUs) {
   position_ = 0;
   startMs_ = clockMs_;
   machine_.guard = true;
-  machine_.halted = false;
+  machine_.halted = machine_.faulted = false;
   beginStatus(machine_);
   endFirstScanBits(machine_);
+  takeTicks(machine_);  // nobody counts them
   readInputs(machine_);
   for (const Area area : {Area::I, Area::AI}) forced_.apply(area, store_);
   finishScan(lengthUs);
@@ -83,7 +91,7 @@ void Simulator::scanInRun(const ScanRequest& request, std::uint32_t lengthUs) {
   startMs_ = clockMs_;
   nextMs_ = script_ != nullptr ? 0 : Cost::perMs - sinceTick_;
   scanTicks_ = scriptedTicks_ = 0;
-  if (script_ != nullptr) visits_.assign(costs_.size(), 0);
+  if (script_ != nullptr) beginScript(lengthUs / 1000);
 
   Ticks<Concrete> ticks = takeTicks(machine_);
   if (script_ != nullptr && script_->ticks10) ticks.ten = *script_->ticks10;
@@ -97,7 +105,7 @@ void Simulator::scanInRun(const ScanRequest& request, std::uint32_t lengthUs) {
   if (script_ != nullptr) scriptedWrites({ScanPlace::startOfScan});
   beginScan(machine_, ticks);
   for (const Area area : {Area::I, Area::AI}) forced_.apply(area, store_);
-  for (const int event : request.events) raise(event);
+  for (const int event : request.events) raiseByStimulus(event);
   runProgram(runner);
   if (observer_ != nullptr) observer_->programEnded(machine_);
   passRest(runner, lengthUs);
@@ -112,6 +120,7 @@ void Simulator::finishScan(std::uint32_t lengthUs) {
   sinceTick_ = static_cast<std::uint32_t>(total % Cost::perMs);
   machine_.guard = true;
   if (machine_.halted) store_.set(Reg::Running, 0, 0, true);
+  store_.set(Reg::Fault, 0, machine_.faulted ? 1 : 0, true);
   for (const Area area : {Area::V, Area::M, Area::Q, Area::AQ}) forced_.apply(area, store_);
   std::uint32_t left = scanTicks_;
   for (; left > longestStep; left -= longestStep) advanceClocks(machine_, longestStep);
@@ -122,6 +131,7 @@ void Simulator::finishScan(std::uint32_t lengthUs) {
   if (script_ == nullptr) devices_.network.endScan(machine_);
   now_ += lastScanUs_;
   clockMs_ = startMs_ + scanTicks_;
+  if (script_ != nullptr) endScript();
   if (!isRunning()) queue_.clear();
 }
 
@@ -132,7 +142,7 @@ void Simulator::writeByDevice(const Operand& operand, std::uint64_t value) {
   machine_.guard = true;
   setCell(store_, operand, value);
   const std::optional<DeviceEnd> end = endShownBy(machine_, operand, value);
-  if (end && end->event && script_ == nullptr) raise(*end->event);
+  if (end && end->event) raise(*end->event);
 }
 
 /// The value has been saved at the end of the scan before (001:1649-1651).

@@ -14,6 +14,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "engine/concrete.hpp"
@@ -32,6 +33,7 @@ namespace rungproof {
 
 struct SimulatorOptions {
   Choices choices;
+  std::uint32_t phaseMs = 0;     ///< since the last tick of the 10 ms and 100 ms time bases when RUN begins
   std::uint32_t scanUs = 10000;  ///< length of a scan in us for which nothing else is asked
   std::vector<RetentiveRange> retentive = defaultRetentiveRanges();
   bool dataLost = false;   ///< first scan with SM0.2 = 1
@@ -57,6 +59,9 @@ class Simulator final : private Outside {
 
   /// Power off and on; retentive cells keep their values.
   void powerCycle();
+  /// Puts a clock `ms` into its period before the next scan: Reg::PhaseHundred the time bases of the timers,
+  /// PhaseSecond SM0.5, PhaseMinute SM0.4.
+  void startClock(Reg clock, std::uint32_t ms);
   /// The mode switch.
   void run();
   void stop();
@@ -96,9 +101,15 @@ class Simulator final : private Outside {
 
   const Concrete::Store& store() const { return store_; }
   /// Replaces the state, for a replay that starts elsewhere than at power-up.
-  void setStore(const Concrete::Store& store) { store_ = store; }
+  void setStore(const Concrete::Store& store) {
+    store_ = store;
+    queue_.clear();
+    lastEdge_ = {};
+  }
   const Plan& plan() const { return plan_; }
   const RunTimeErrors& errors() const { return errors_; }
+  /// Events that a stimulus or script named although nothing could cause them then.
+  const std::set<int>& eventsWithoutCause() const { return withoutCause_; }
   /// The instruction that executed STOP last, or nullptr.
   const Instruction* stoppedBy() const { return stoppedBy_; }
 
@@ -122,17 +133,28 @@ class Simulator final : private Outside {
   void prepareCosts();
   void scanInRun(const ScanRequest& request, std::uint32_t lengthUs);
   void scanInStop(std::uint32_t lengthUs);
-  void raiseInputEdges();
-  void raise(int event);
   void boundary(Runner& runner, const FlowStep* step);
+  // simulator_events.cpp
+  void raiseInputEdges();
+  void raiseByStimulus(int event);
+  void raise(int event);
+  void raiseTimer(const TimerUse& use, bool reached);
+  void attachTimed(std::uint32_t event);
+  bool mayBeDue(int event) const;
+  bool hasCause(int event);
+  void occur(int event);
   void scripted(Runner& runner, ScanPlace place);
   void scriptedWrites(ScanPlace place);
   void endSave();
+  void beginScript(std::uint32_t lengthMs);
+  void endScript();
+  void forgetEdges();
+  void serveEvent(Runner& runner, int event);
   void checkWatchdog();
   void setClock();
   void passMillisecond(Runner& runner);
   void serveInterrupts(Runner& runner);
-  void runRoutine(Runner& runner, int event);
+  void runRoutine(Runner& runner, const InterruptQueue::Waiting& waiting);
   void passRest(Runner& runner, std::uint32_t lengthUs);
   void finishScan(std::uint32_t lengthUs);
 
@@ -164,14 +186,17 @@ class Simulator final : private Outside {
   bool attention_ = false;     ///< events wait in the queue, or an observer looks
   InstructionObserver* observer_ = nullptr;
   const Instruction* stoppedBy_ = nullptr;
-  const std::string* calledBlock_ = nullptr;    ///< library block whose outputs are being asked for
-  std::array<std::uint32_t, 2> timedPeriod_{};  ///< of events 10 and 11, taken over by ATCH (001:5472)
-  std::array<std::uint32_t, 2> timedElapsed_{};
+  const std::string* calledBlock_ = nullptr;  ///< library block whose outputs are being asked for
+  std::set<int> withoutCause_;
   std::uint64_t random_;
   std::uint32_t edgeInputs_ = 0;  ///< I0.0-I0.3 as the edge events saw them last
   const ScanScript* script_ = nullptr;
   std::vector<std::uint32_t> visits_;  ///< executions of each instruction in this scan, under a script only
   std::uint32_t scriptedTicks_ = 0;
+  std::uint32_t scriptedMs_ = 0;                          ///< length of the scan
+  std::array<std::uint32_t, timedEventCount> timedMs_{};  ///< since event 10 or 11 at the end of the scan
+  std::uint32_t passedMs_ = 0;                            ///< of the scan, at least, at the place reached
+  std::array<int, edgeInputCount> lastEdge_{};            ///< 0: not known, 1: rising, 2: falling
 };
 
 }  // namespace rungproof

@@ -20,6 +20,7 @@ void fill(Concrete::Store& store, Reg reg, std::uint64_t value) {
 /// What the first scan after entering RUN finds in SM and in the registers of devices.
 void prepareRun(Concrete::Store& store, const Choices& choices) {
   const bool clockStartsOn = choices.is(Choice::ScanClockStart, "on");
+  setReadings(store, choices);
   setSm(store, 0, 0, true);
   setSm(store, 0, 1, true);
   for (std::uint32_t bit = 4; bit <= 6; ++bit) setSm(store, 0, bit, clockStartsOn);
@@ -32,11 +33,14 @@ void prepareRun(Concrete::Store& store, const Choices& choices) {
     setSm(store, status, 7, true);
   }
   for (const Reg reg :
-       {Reg::EdgeMemory, Reg::EdgeSeen, Reg::EventRoutine, Reg::InterruptsEnabled, Reg::HscMode, Reg::HscEnabled,
-        Reg::PulseBusy, Reg::PulsePending, Reg::PortBusy, Reg::NetActive, Reg::TimerRunning, Reg::TimerInput,
-        Reg::CounterUp, Reg::CounterDown, Reg::PhaseTen, Reg::PhaseHundred, Reg::PhaseSecond, Reg::PhaseMinute}) {
+       {Reg::EdgeMemory,   Reg::EdgeSeen,  Reg::EventRoutine, Reg::InterruptsEnabled, Reg::TimedPeriod,
+        Reg::TimedElapsed, Reg::HscMode,   Reg::HscEnabled,   Reg::PulseBusy,         Reg::PulsePending,
+        Reg::PortBusy,     Reg::NetActive, Reg::TimerRunning, Reg::TimerInput,        Reg::CounterUp,
+        Reg::CounterDown,  Reg::PhaseTen,  Reg::PhaseHundred, Reg::Fault}) {
     fill(store, reg, 0);
   }
+  fill(store, Reg::PhaseSecond, clockStartsOn ? 500 : 0);
+  fill(store, Reg::PhaseMinute, clockStartsOn ? 30000 : 0);
   fill(store, Reg::PidHistory, 1);  // 001:5295
   fill(store, Reg::FirstScan, 1);
   fill(store, Reg::Running, 1);
@@ -62,6 +66,11 @@ bool isRetentive(const std::vector<RetentiveRange>& ranges, Area area, std::uint
   return std::any_of(ranges.begin(), ranges.end(), [&](const RetentiveRange& range) {
     return range.area == area && range.first <= index && index <= range.last;
   });
+}
+
+void setTickPhase(Concrete::Store& store, std::uint32_t phase) {
+  store.set(Reg::PhaseTen, 0, phase % 10, true);
+  store.set(Reg::PhaseHundred, 0, phase % 100, true);
 }
 
 Concrete::Store powerUpState(const Plan& plan, const Choices& choices, bool dataLost) {
@@ -97,7 +106,9 @@ void enterRun(Concrete::Store& store, const Choices& choices, const std::vector<
     if (!isRetentive(ranges, Area::T, i)) store.set(Reg::TimerCurrent, i, 0, true);
     if (!isRetentive(ranges, Area::C, i)) store.set(Reg::CounterCurrent, i, 0, true);
   }
+  const auto phase = static_cast<std::uint32_t>(store.get(Reg::PhaseHundred, 0));
   prepareRun(store, choices);
+  setTickPhase(store, phase);
   setSm(store, 0, 2, false);
   setSm(store, 0, 3, false);
 }

@@ -19,6 +19,9 @@ struct RetentiveRange {
 /// the TONR timers, all counters. MB0-MB13 are not retentive (001:1619).
 std::vector<RetentiveRange> defaultRetentiveRanges();
 
+/// Puts the time bases of the 10 ms and 100 ms timers `phase` ms behind a tick of both.
+void setTickPhase(Concrete::Store& store, std::uint32_t phase);
+
 /// State after a download and power-up into RUN: everything 0, V from the data block, status bits as the first scan
 /// shows them. `dataLost` sets SM0.2 as after a loss of retained data (001:14052).
 Concrete::Store powerUpState(const Plan& plan, const Choices& choices, bool dataLost = false);
@@ -29,7 +32,8 @@ Concrete::Store powerCycledState(const Plan& plan, const Choices& choices, const
                                  const std::vector<RetentiveRange>& ranges);
 
 /// Entering RUN without loss of power: V, M and retentive current values stay; edges, devices and interrupts start
-/// anew. What is cleared is not in the manual text except for interrupts (001:5333) and HDEF (001:4360).
+/// anew; the time bases run on. What is cleared is not in the manual text except for interrupts (001:5333) and HDEF
+/// (001:4360).
 void enterRun(Concrete::Store& store, const Choices& choices, const std::vector<RetentiveRange>& ranges);
 
 /// Whether V, M, T or C cell `index` (byte or number) is in one of the ranges.

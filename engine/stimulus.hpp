@@ -23,6 +23,9 @@ enum class StimulusTarget : std::uint8_t {
   Characters,     ///< "PORT0.receive": characters that another station sends
   NetworkError,   ///< "NET.error": error code of NETR and NETW requests that end
   NetworkHold,    ///< "NET.hold": 1 keeps requests from ending
+  TickPhase,      ///< "CLOCK.tick": ms since the last tick of the 100 ms time base
+  SecondPhase,    ///< "CLOCK.second": ms that SM0.5 is into its second, first off, then on
+  MinutePhase,    ///< "CLOCK.minute": the same for SM0.4 and its minute
   None            ///< read and passed over: a column of a recorded trace that the program itself computes
 };
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/concrete.hpp"
@@ -47,6 +48,8 @@ struct Trace {
   bool isByTime = false;    ///< rows are keyed by time, not by scan
   bool hasTimes = true;     ///< TraceRow::timeUs is known
   bool hasDevices = false;  ///< devices did what TraceRow::devices says, and nothing else
+  /// Columns of the first row that only a stimulus needs: where clocks start ("CLOCK.tick", ms).
+  std::vector<std::pair<std::string, std::uint64_t>> start{};
   bool hasEvents() const {
     return std::any_of(rows.begin(), rows.end(), [](const TraceRow& row) { return !row.events.empty(); });
   }

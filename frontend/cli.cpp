@@ -43,9 +43,26 @@ fs::path configFolder(const ParsedLine& line) {
   return fs::exists(file, error) && file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-/// Values of the common options on the command line; also splits --choice KEY=VALUE.
-std::optional<Failure> readCommandLine(const ParsedLine& line, Settings& settings) {
-  for (const auto& [option, texts] : line.options) {
+/// The values of an option that hold for one side, without their prefix, or those that hold for both.
+std::vector<std::string> valuesOf(const std::vector<std::string>& texts, std::string_view prefix) {
+  std::vector<std::string> values;
+  for (const std::string& text : texts) {
+    const bool isOfSide = text.starts_with("old:") || text.starts_with("new:");
+    if (prefix.empty() && !isOfSide) values.push_back(text);
+    if (!prefix.empty() && text.starts_with(prefix)) values.push_back(text.substr(prefix.size()));
+  }
+  return values;
+}
+
+/// Values of the common options on the command line; also splits --choice KEY=VALUE. `prefix`: of the side whose values
+/// count, or empty; `hasSides`: values may have one.
+std::optional<Failure> readCommandLine(const ParsedLine& line, Settings& settings, bool hasSides = false,
+                                       std::string_view prefix = {}) {
+  for (const auto& [option, given] : line.options) {
+    const bool isSided = hasSides && (option->group & option_group::Reading) != 0;
+    if (!isSided && !prefix.empty()) continue;
+    const std::vector<std::string> texts = isSided ? valuesOf(given, prefix) : given;
+    if (isSided && texts.empty()) continue;
     const bool isFlag = option->arity == Arity::Flag;
     settings.set(option->id, isFlag ? std::vector<std::string>{"true"} : texts, "command line");
     if (isFlag || option->id == Opt::Format) continue;
@@ -119,8 +136,16 @@ int runCommand(const Command& command, std::vector<std::string> arguments, const
   if (!config.empty()) {
     if (auto failure = readConfig(config, settings)) return failed(streams.err, *failure);
   }
-  if (auto failure = readCommandLine(line, settings)) return failed(streams.err, *failure);
+  if (auto failure = readCommandLine(line, settings, command.comparesTwo)) return failed(streams.err, *failure);
   if (auto failure = settings.check()) return failed(streams.err, *failure);
+  std::array<Settings, 2> sides{};
+  if (command.comparesTwo) {
+    sides = {settings, settings};
+    for (const std::size_t i : {0U, 1U}) {
+      if (auto failure = readCommandLine(line, sides[i], true, i == 0 ? "old:" : "new:")) return failed(streams.err, *failure);
+      if (auto failure = sides[i].check()) return failed(streams.err, *failure);
+    }
+  }
 
   Context context{settings,
                   streams.in,
@@ -128,7 +153,9 @@ int runCommand(const Command& command, std::vector<std::string> arguments, const
                   streams.err,
                   wantsColor(settings, streams.outIsTerminal),
                   streams.errIsTerminal && !settings.flag(Opt::Quiet),
-                  {}};
+                  {},
+                  false,
+                  sides};
   if (auto failure = readOutputs(settings, command, context.outputs)) return failed(streams.err, *failure);
   Exit exit = action(context);
   if (context.hasLostOutput) exit = Exit::Failed;

@@ -1,6 +1,8 @@
 // One lint run.
 #include "frontend/lint_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "analysis/lint.hpp"
@@ -27,7 +29,19 @@ Report lintProgram(const Settings& settings, const ProgramInput& input, const st
                 [&](const Finding& finding) { return !isReadError(finding) && !isSelected(finding.rule); });
   std::vector<Finding> found = runRules(facts, selection, settings.ruleSettings());
   std::move(found.begin(), found.end(), std::back_inserter(report.findings));
-  if (prove && !hasReadErrors(program)) settleBySolver(input, proverOptionsOf(settings), isSelected, report.findings);
+  if (prove) {
+    const UnreadCode unread(program);
+    ProverOptions options = lintProverOptionsOf(settings);
+    options.unread = &unread;
+    OpenQuestions open;
+    if (unread.isWhole())
+      open = settleBySolver(input, options, isSelected, report.findings);
+    else if (!unread.isUnlimited())
+      open = settleBySolver({unread.executable(), input.properties}, options, isSelected, report.findings);
+    report.coverage.leftOut = std::move(open.lines);
+    report.coverage.open = open.count;
+    report.defects = std::move(open.defects);
+  }
   const PlaceIndex places(program);
   for (Finding& finding : report.findings) places.complete(finding);
 
@@ -55,6 +69,7 @@ Report lintFiles(const Context& context, const std::vector<std::string>& files, 
       merger.add(lintProgram(context.settings, readInput(context, group), group, prove));
     report = merger.take();
   }
+  for (const std::string& defect : report.defects) context.err << fmt::format("rungproof: {}\n", defect);
   sortFindings(report);
   return report;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "analysis/rule.hpp"
 #include "frontend/file_reader.hpp"
 #include "frontend/stl/operand_reader.hpp"
 
@@ -68,6 +69,23 @@ Report startReport(std::string_view command, const Program& program, const std::
                                   [](const Finding& finding) { return isReadError(finding) && finding.network != 0; });
   report.coverage.instructions = report.coverage.understood + static_cast<std::size_t>(lost);
   return report;
+}
+
+void addUnread(Report& report, const Program& program, const UnreadCode& unread) {
+  report.findings.insert(report.findings.end(), unread.findings().begin(), unread.findings().end());
+  const PlaceIndex places(program);
+  for (Finding& finding : report.findings) places.complete(finding);
+  report.coverage.understood -= std::min(report.coverage.understood, unread.instructions());
+  for (std::string& text : unread.texts()) report.coverage.approximated.push_back(std::move(text));
+}
+
+void printUnread(const Context& context, std::string_view command, const Program& program, const UnreadCode& unread,
+                 const std::vector<std::string>& files) {
+  Report report = startReport(command, program, files);
+  std::erase_if(report.findings, [](const Finding& finding) { return finding.severity != Severity::Error; });
+  addUnread(report, program, unread);
+  sortFindings(report);
+  reporterNamed("human")->write(report, {false, context.settings.flag(Opt::Quiet)}, context.err);
 }
 
 std::vector<std::string> expandFolders(const std::vector<std::string>& names) {
@@ -141,6 +159,9 @@ void ReportMerger::add(const Report& part) {
   report_.coverage.instructions += part.coverage.instructions;
   report_.coverage.understood += part.coverage.understood;
   for (const std::string& place : part.coverage.approximated) report_.coverage.approximated.push_back(place);
+  for (const std::string& line : part.coverage.leftOut) report_.coverage.leftOut.push_back(line);
+  report_.coverage.open += part.coverage.open;
+  for (const std::string& defect : part.defects) report_.defects.push_back(defect);
   for (const std::string& file : part.files) {
     if (std::find(report_.files.begin(), report_.files.end(), file) == report_.files.end())
       report_.files.push_back(file);

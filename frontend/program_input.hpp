@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/property.hpp"
+#include "analysis/unread_code.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/project.hpp"
 #include "frontend/property/property_reader.hpp"
@@ -32,6 +33,12 @@ OperandLookup lookupIn(const Program& program);
 
 /// A report with sources, findings of the readers and coverage filled in.
 Report startReport(std::string_view command, const Program& program, const std::vector<std::string>& files);
+
+/// Adds what no command runs (unread_code.hpp): the findings of the rules that refuse it, and how much is left.
+void addUnread(Report& report, const Program& program, const UnreadCode& unread);
+/// Prints the errors of the readers and what the rules refuse to standard error: for commands that write no report.
+void printUnread(const Context& context, std::string_view command, const Program& program, const UnreadCode& unread,
+                 const std::vector<std::string>& files);
 
 /// Folders replaced by the programs in and below them (.awl, .stl, .xml), sorted by name; other names unchanged.
 std::vector<std::string> expandFolders(const std::vector<std::string>& names);

@@ -181,10 +181,4 @@ Program readText(std::string name, std::string text, const ReadOptions& options)
   return reader.finish();
 }
 
-bool hasReadErrors(const Program& program) {
-  return std::any_of(program.findings.begin(), program.findings.end(), [](const Finding& finding) {
-    return finding.severity == Severity::Error && (finding.rule.starts_with("SYN") || finding.rule.starts_with("GRF"));
-  });
-}
-
 }  // namespace rungproof

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/read_errors.hpp"
 #include "frontend/stl/encoding.hpp"
 #include "ir/program.hpp"
 
@@ -26,9 +27,5 @@ struct ReadOptions {
 Program readProgram(const std::vector<std::string>& files, const ReadOptions& options = {});
 /// The same for a text in memory (bytes in any encoding); `name` decides where the content does not.
 Program readText(std::string name, std::string text, const ReadOptions& options = {});
-
-/// Whether a reader found an error (SYN, or GRF in a drawing): the program is then not wholly known, and the exit code
-/// is 2.
-bool hasReadErrors(const Program& program);
 
 }  // namespace rungproof

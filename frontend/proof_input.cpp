@@ -30,6 +30,15 @@ ProverOptions proverOptionsOf(const Settings& settings) {
   return options;
 }
 
+ProverOptions lintProverOptionsOf(const Settings& settings) {
+  constexpr std::uint64_t usual = 2ULL << 30;
+  ProverOptions options = proverOptionsOf(settings);
+  options.explains = false;
+  if (!settings.memory()) options.memory = options.memory == 0 ? usual : std::min(options.memory, usual);
+  if (const auto budget = settings.budget()) options.total = static_cast<double>(budget->count()) / 1e6;
+  return options;
+}
+
 namespace {
 
 constexpr std::size_t mostHalves = 8;  ///< of a conflict that are shown beside it

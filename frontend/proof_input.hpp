@@ -11,6 +11,8 @@
 namespace rungproof {
 
 ProverOptions proverOptionsOf(const Settings& settings);
+/// With the limits of lint --prove for all questions together: --budget, and 2 GB unless --memory is given.
+ProverOptions lintProverOptionsOf(const Settings& settings);
 
 /// Built-in checks with the unwanted answer as confirmed findings, in their order. Answers on bits of one range are one
 /// finding that names the whole range; one answer for several networks is a finding in each.

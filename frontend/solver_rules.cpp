@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <set>
 
@@ -159,23 +160,75 @@ void settle(const Program& program, const std::vector<ProofResult>& results,
   }
 }
 
+constexpr double shareOfRules = 0.75;  ///< of the time, for all but power-up
+
+/// Counts by rule what stays open.
+class OpenCount {
+ public:
+  explicit OpenCount(const std::function<bool(std::string_view)>& isSelected) : isSelected_(isSelected) {}
+
+  void add(const ProofRun& run) {
+    for (const ProofResult& result : run.results) {
+      const std::string rule = result.builtin ? result.builtin->rule : result.property.name;
+      if (result.builtin && !isSelected_(rule)) continue;
+      Row& row = rows_[rule];
+      ++row.asked;
+      if (result.outcome != Outcome::Unknown) continue;
+      ++row.open;
+      if (result.method.empty() && !result.notes.empty()) row.reason = result.notes.back();
+    }
+    for (const Disagreement& disagreement : run.disagreements)
+      open_.defects.push_back(
+          fmt::format("internal disagreement on '{}': {}", disagreement.name, disagreement.explanation));
+  }
+  OpenQuestions take() {
+    for (const auto& [rule, row] : rows_) {
+      if (row.open == 0) continue;
+      open_.count += row.open;
+      open_.lines.push_back(fmt::format("{}: {} of {} questions to the prover are open{}", rule, row.open, row.asked,
+                                        row.reason.empty() ? "" : ": " + row.reason));
+    }
+    return std::move(open_);
+  }
+
+ private:
+  struct Row {
+    std::size_t asked = 0, open = 0;
+    std::string reason{};
+  };
+  const std::function<bool(std::string_view)>& isSelected_;
+  std::map<std::string, Row> rows_;
+  OpenQuestions open_;
+};
+
 }  // namespace
 
-void settleBySolver(const ProgramInput& input, const ProverOptions& options,
-                    const std::function<bool(std::string_view)>& isSelected, std::vector<Finding>& findings) {
+OpenQuestions settleBySolver(const ProgramInput& input, const ProverOptions& options,
+                             const std::function<bool(std::string_view)>& isSelected, std::vector<Finding>& findings) {
+  const auto start = std::chrono::steady_clock::now();
   ProverOptions questions = options;
   const auto areAsked = [&](Questions group) {
     return std::ranges::any_of(allRules(),
                                [&](const Rule* rule) { return rule->questions == group && isSelected(rule->id); });
   };
+  const bool asksPowerUp = areAsked(Questions::PowerUp);
   questions.checks = {.builtin = true, .rungs = areAsked(Questions::Rungs)};
-  settle(input.program, prove(input.program, input.properties, questions).results, isSelected, findings);
-  if (!areAsked(Questions::PowerUp)) return;
+  if (asksPowerUp) questions.total *= shareOfRules;
+  OpenCount open(isSelected);
+  const ProofRun rules = prove(input.program, input.properties, questions);
+  open.add(rules);
+  settle(input.program, rules.results, isSelected, findings);
+  if (!asksPowerUp) return open.take();
   PropertySet atPowerUp = input.properties;
   std::erase_if(atPowerUp.properties, [](const Property& property) { return property.isGoal(); });
   atPowerUp.initialRetentive = true;
   questions.checks = {.powerUp = true};
-  settle(input.program, prove(input.program, atPowerUp, questions).results, isSelected, findings);
+  const std::chrono::duration<double> used = std::chrono::steady_clock::now() - start;
+  if (options.total > 0) questions.total = std::max(options.total - used.count(), 0.001);
+  const ProofRun powerUp = prove(input.program, atPowerUp, questions);
+  open.add(powerUp);
+  settle(input.program, powerUp.results, isSelected, findings);
+  return open.take();
 }
 
 }  // namespace rungproof

@@ -13,9 +13,16 @@
 
 namespace rungproof {
 
+/// What the prover could not settle, and what was wrong with it.
+struct OpenQuestions {
+  std::vector<std::string> lines;  ///< "LOG001: 12 of 40 questions are open"
+  std::size_t count = 0;
+  std::vector<std::string> defects;  ///< internal disagreements
+};
+
 /// `findings` holds those of the flow analysis; candidates among them of the same rule and place are confirmed or
-/// dropped, and new findings of the rules that `isSelected` are added.
-void settleBySolver(const ProgramInput& input, const ProverOptions& options,
-                    const std::function<bool(std::string_view)>& isSelected, std::vector<Finding>& findings);
+/// dropped, and new findings of the rules that `isSelected` are added. ProverOptions::total limits all of it.
+OpenQuestions settleBySolver(const ProgramInput& input, const ProverOptions& options,
+                             const std::function<bool(std::string_view)>& isSelected, std::vector<Finding>& findings);
 
 }  // namespace rungproof

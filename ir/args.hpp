@@ -117,6 +117,11 @@ class Args {
   }
   /// Whether `count` elements (width 16 number) from operand i stay inside the area on this CPU.
   Bool fits(std::size_t i, Bits count, Width w);
+  /// False if two operands lie in areas of which one has nothing to do with the other.
+  bool mayOverlap(std::size_t i, std::size_t j) const {
+    const Ref<D>&a = refs_[i], &b = refs_[j];
+    return !(a.isPlace && b.isPlace && a.area != b.area) && a.text == nullptr && b.text == nullptr;
+  }
   /// The largest count that can fit, at most `cap`: how far a loop over the buffer has to look.
   int room(std::size_t i, Width w, int cap) const;
   /// Calls visit(condition, area, offset) for each place that operand i may be.

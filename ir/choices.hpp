@@ -41,6 +41,7 @@ enum class Choice : std::uint8_t {
   PidTimeUnit,         // B 5
   InterruptStack,      // B 6.3
   InterruptCallStack,  // B 6.4
+  DetachedEvents,      // B 6.1
   BlockMoveNothing,    // B 8.3
   BlockMoveOverlap,    // B 8.3
   BlockMoveTooFar,     // B 8.3
@@ -49,8 +50,15 @@ enum class Choice : std::uint8_t {
   FindEmpty,           // B 17
   FindStartBeyond,     // B 17
   AnalogSampling,      // machine 18
+  TimerAfterReset,     // B 19.2
+  MainStack,           // machine 11
   count
 };
+
+/// Whether proofs cover all values of a choice that nobody has made. A fact of the plant is one way for each plant (a
+/// module is fitted or not), or is covered otherwise (unknown bits are free anyway): proofs take the default and say
+/// so.
+enum class ChoiceKind : std::uint8_t { Reading, Fact };
 
 struct ChoiceInfo {
   Choice choice;
@@ -58,6 +66,7 @@ struct ChoiceInfo {
   std::array<std::string_view, 3> values;  ///< names; unused ones are empty
   std::string_view why;                    ///< what is open and why the default is what it is
   std::string_view manual;
+  ChoiceKind kind = ChoiceKind::Reading;
 };
 
 inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)> choiceTable = {{
@@ -82,7 +91,8 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      {"zero", "one", "random"},
      "value the engine gives to bits that the manual calls unknown (popped stack levels, local memory); the prover "
      "takes any",
-     "001:2868"},
+     "001:2868",
+     ChoiceKind::Fact},
     {Choice::SkippedEno, "skipped-eno", {"zero", "kept", ""}, "ENO after a box that had no power flow", "001:2276"},
     {Choice::ScanClockStart,
      "scan-clock-start",
@@ -93,7 +103,8 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      "watchdog",
      {"500ms", "300ms", ""},
      "scan watchdog: the text says 500 ms, the quick reference 300 ms",
-     "001:5718"},
+     "001:5718",
+     ChoiceKind::Fact},
     {Choice::FirstEdge,
      "first-edge",
      {"first-scan-only", "first-execution", ""},
@@ -169,7 +180,8 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      "clock-module",
      {"absent", "fitted", ""},
      "CPU 221 and 222 have the clock as a plug-in module",
-     "001:11666"},
+     "001:11666",
+     ChoiceKind::Fact},
     {Choice::PortAgain,
      "port-again",
      {"ignored", "error", ""},
@@ -202,6 +214,13 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      "whether CALL in an interrupt routine saves the logic stack as every CALL does, or shares it as the text on "
      "interrupts says",
      "001:5444"},
+    {Choice::DetachedEvents,
+     "detached-events",
+     {"kept", "dropped", ""},
+     "events that wait in a queue when DTCH detaches them: they stay and their routine still runs, which is why the "
+     "text "
+     "lets CEVNT clear them after DTCH, or they are dropped; the prover covers both",
+     "001:5357"},
     {Choice::BlockMoveNothing,
      "block-move-zero",
      {"nothing", "error", ""},
@@ -239,12 +258,38 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      {"each-scan", "each-read", ""},
      "analog inputs: sampled once a scan, as with the input filter that is on by default, or at every access, as "
      "without it",
-     "001:1812"},
+     "001:1812",
+     ChoiceKind::Fact},
+    {Choice::TimerAfterReset,
+     "timer-after-reset",
+     {"goes-on", "starts-anew", ""},
+     "an enabled 100 ms timer after R: its next execution counts the intervals since the start of the scan before, as "
+     "without R, or none as when it is enabled",
+     "001:6611"},
+    {Choice::MainStack,
+     "main-stack",
+     {"zero", "unknown", ""},
+     "logic stack at the start of the main program: all 0, or any values",
+     "001:2868"},
 }};
+
+inline constexpr std::size_t choiceCount = static_cast<std::size_t>(Choice::count);
+constexpr const ChoiceInfo& choiceInfo(Choice choice) { return choiceTable[static_cast<std::size_t>(choice)]; }
+
+/// One of the readings of an open point, such as {Choice::InactiveScr, "skipped"}; unknown names do not compile.
+struct NamedReading {
+  Choice choice;
+  std::uint8_t value = 0;  ///< index into ChoiceInfo::values
+
+  consteval NamedReading(Choice of, std::string_view name) : choice(of) {
+    while (choiceInfo(of).values.at(value) != name) ++value;
+  }
+};
 
 /// The value chosen for each open point, as an index into ChoiceInfo::values.
 struct Choices {
-  std::array<std::uint8_t, static_cast<std::size_t>(Choice::count)> value{};
+  std::array<std::uint8_t, choiceCount> value{};
+  std::array<bool, choiceCount> chosen{};  ///< set by the user, even if to the default
 
   std::uint8_t operator[](Choice choice) const { return value[static_cast<std::size_t>(choice)]; }
   bool is(Choice choice, std::string_view name) const {
@@ -257,12 +302,17 @@ struct Choices {
       for (std::uint8_t i = 0; i < info.values.size(); ++i) {
         if (info.values[i] == name && !name.empty()) {
           value[static_cast<std::size_t>(info.choice)] = i;
+          chosen[static_cast<std::size_t>(info.choice)] = true;
           return true;
         }
       }
     }
     return false;
   }
+  bool isChosen(Choice choice) const { return chosen[static_cast<std::size_t>(choice)]; }
+  /// Whether proofs take one value of it: the user's, or that of a fact.
+  bool isFixed(Choice choice) const { return isChosen(choice) || choiceInfo(choice).kind == ChoiceKind::Fact; }
+  std::string_view valueName(Choice choice) const { return choiceInfo(choice).values[(*this)[choice]]; }
   int watchdogMs() const { return (*this)[Choice::WatchdogMs] == 0 ? 500 : 300; }
 };
 

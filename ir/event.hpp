@@ -57,6 +57,18 @@ inline constexpr std::array<EventInfo, 34> eventTable = {{
 }};
 inline constexpr int eventCount = static_cast<int>(eventTable.size());
 
+/// Events 10 and 11, whose period in ms stands in SMB34 and SMB35 (001:5470).
+inline constexpr std::uint32_t firstTimedEvent = 10, timedEventCount = 2, timedPeriodByte = 34;
+constexpr bool isTimedEvent(int event) { return event == 10 || event == 11; }
+
+/// Events 21 and 22 belong to the timers T32 and T96 (001:5476); -1: another timer, which has none.
+constexpr int eventOfTimer(std::uint32_t number) { return number == 32 ? 21 : number == 96 ? 22 : -1; }
+constexpr bool isTimerEvent(int event) { return event == 21 || event == 22; }
+
+/// Events 0 to 7 are the edges of I0.0 to I0.3: rising even, falling odd (001:5460).
+inline constexpr int edgeInputCount = 4;
+constexpr bool isEdgeEvent(int event) { return event >= 0 && event < 2 * edgeInputCount; }
+
 constexpr const EventInfo& eventInfo(int event) { return eventTable[static_cast<std::size_t>(event)]; }
 
 namespace detail {

@@ -35,9 +35,10 @@ struct Finding {
   std::string help;  ///< what to do; may be empty
   std::vector<RelatedPlace> related;
   std::optional<Fix> fix;
-  std::string pou;      ///< name of the block, empty outside blocks
-  int network = 0;      ///< network number as written, 0 outside networks
-  std::string address;  ///< the operand concerned, canonical spelling, or empty
+  std::string pou;       ///< name of the block, empty outside blocks
+  int network = 0;       ///< network number as written, 0 outside networks
+  bool refused = false;  ///< an error for which the editor or the CPU takes no program: its network is never run
+  std::string address;   ///< the operand concerned, canonical spelling, or empty
   Confirmation confirmation = Confirmation::NotNeeded;
   std::string trace;  ///< file or inline id of the trace that shows it, or empty
 };

@@ -13,14 +13,13 @@
 #include <vector>
 
 #include "ir/check.hpp"
-#include "ir/choices.hpp"
 #include "ir/cpu.hpp"
 #include "ir/desc.hpp"
 #include "ir/domain.hpp"
 #include "ir/hazard.hpp"
 #include "ir/plan.hpp"
 #include "ir/program.hpp"
-#include "ir/register.hpp"
+#include "ir/reading.hpp"
 
 namespace rungproof {
 
@@ -154,14 +153,14 @@ class Machine {
   using Bool = typename D::Bool;
   using Bits = typename D::Bits;
 
-  Machine(D& domain, typename D::Store& state, const Plan& programPlan, const Choices& choiceTable)
+  Machine(D& domain, typename D::Store& state, const Plan& programPlan)
       : d(domain),
         store(state),
         plan(programPlan),
         target(programPlan.program->target),
-        choices(choiceTable),
         guard(domain.constant(true)),
         halted(domain.constant(false)),
+        faulted(domain.constant(false)),
         scrActive(domain.constant(true)),
         ticks100(domain.literal(0, 16)) {
     stack.fill(domain.constant(false));
@@ -173,10 +172,10 @@ class Machine {
   typename D::Store& store;
   const Plan& plan;
   const Target target;
-  const Choices& choices;
 
   Bool guard;                 ///< the current instruction runs under this condition
   Bool halted;                ///< STOP or a fatal error has ended the program
+  Bool faulted;               ///< a fatal error has: the scan has no end (001:13906-13910)
   Bool scrActive;             ///< true outside segments; inside: the SCR stack
   std::array<Bool, 9> stack;  ///< logic stack, [0] is the top (001:2753)
   unsigned frame = 0;         ///< local memory in use: 0 main, 1..8 nesting, 9 interrupt, 10 its subroutine
@@ -268,6 +267,16 @@ class Machine {
   Bits load(Area area, std::uint32_t offset, Width width, std::uint32_t bit = 0);
   void save(Area area, std::uint32_t offset, Width width, Bits value, std::uint32_t bit = 0);
 
+  /// Whether that is the reading of an open point that is in force.
+  Bool reads(NamedReading reading) {
+    const auto bit = [&](std::uint8_t value) { return getBit(Reg::Reading, readingIndex(reading.choice, value)); };
+    const bool hasThird = !choiceInfo(reading.choice).values[2].empty();
+    if (reading.value == 1) return bit(1);
+    const Bool notSecond = d.lnot(bit(1));
+    if (!hasThird) return notSecond;
+    return d.land(notSecond, reading.value == 2 ? bit(2) : d.lnot(bit(2)));
+  }
+
   // ---- Externals, errors --------------------------------------------------------------------------
 
   Bits external(External kind, std::uint32_t index, int width) {
@@ -292,11 +301,14 @@ class Machine {
     setBit(Reg::Eno, 0, d.constant(false));
     if (hazardInfo(which).kind == HazardClass::NonFatal) setSm(4, 3, d.constant(true));
     guard = saved;
-    if (hazardInfo(which).kind == HazardClass::Fatal) halt(condition);
+    if (hazardInfo(which).kind == HazardClass::Fatal) {
+      faulted = d.lor(faulted, d.land(guard, condition));
+      halt(condition);
+    }
   }
   /// ENO at the start of a box: 1 if it runs (its hazards clear it), otherwise as Choice::SkippedEno says.
   void enoAfter(Bool runs) {
-    const Bool skipped = choices[Choice::SkippedEno] == 0 ? d.constant(false) : getBit(Reg::Eno);
+    const Bool skipped = d.land(reads({Choice::SkippedEno, "kept"}), getBit(Reg::Eno));
     setBit(Reg::Eno, 0, d.select(runs, d.constant(true), skipped));
   }
   /// Ends the program under `condition` (STOP in the main program, fatal errors).

@@ -53,6 +53,8 @@ struct Network {
   Form form = Form::Stl;
   std::shared_ptr<const Drawing> drawing;  ///< of a network that was read as a drawing, lowered to `instructions`
   bool complete = true;  ///< false: a line of it could not be read; its findings stand in Program::findings
+  /// Of a network that is not complete: all that it may write, where that is known; otherwise it may write anything.
+  std::optional<std::vector<Operand>> mayWrite;
 };
 
 struct Pou {

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "ir/choices.hpp"
+
 namespace rungproof {
 
 enum class Reg : std::uint8_t {
@@ -25,6 +27,8 @@ enum class Reg : std::uint8_t {
   PhysicalOutput,
   EventRoutine,
   InterruptsEnabled,
+  TimedPeriod,
+  TimedElapsed,
   HscCurrent,
   HscPreset,
   HscMode,
@@ -61,6 +65,8 @@ enum class Reg : std::uint8_t {
   FirstScan,
   Running,
   DiagnosticLed,
+  Fault,
+  Reading,
   count
 };
 
@@ -88,6 +94,8 @@ inline constexpr std::array<RegInfo, static_cast<std::size_t>(Reg::count)> regTa
     {Reg::PhysicalOutput, "output", 1, 128},
     {Reg::EventRoutine, "event", 8, 34},  // 0: detached, else interrupt number + 1
     {Reg::InterruptsEnabled, "interrupts", 1, 1},
+    {Reg::TimedPeriod, "timed.period", 8, 2},    // ms between events 10 or 11 as ATCH found it (001:5472); 0: none
+    {Reg::TimedElapsed, "timed.elapsed", 8, 2},  // ms since ATCH or the last of them, less than the period
     {Reg::HscCurrent, "HC", 32, 6},
     {Reg::HscPreset, "HC.preset", 32, 6},
     {Reg::HscMode, "HC.mode", 8, 6},  // 0: no HDEF yet, else mode + 1
@@ -124,6 +132,9 @@ inline constexpr std::array<RegInfo, static_cast<std::size_t>(Reg::count)> regTa
     {Reg::FirstScan, "first scan", 1, 1},
     {Reg::Running, "RUN", 1, 1},
     {Reg::DiagnosticLed, "DIAG", 1, 1},
+    {Reg::Fault, "fault", 1, 1},  // a fatal error has ended the last scan (ir/scan_cycle.hpp)
+    // By choice, two each: whether its second or its third value is the reading; neither: the first (ir/reading.hpp).
+    {Reg::Reading, "reading", 1, 2 * static_cast<std::uint32_t>(choiceCount)},
 }};
 
 constexpr const RegInfo& regInfo(Reg reg) { return regTable[static_cast<std::size_t>(reg)]; }

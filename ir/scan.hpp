@@ -39,13 +39,16 @@ class Scan {
 
   Machine<D>& machine() { return m_; }
 
-  /// Runs the main program once. The stack at its start is not stated; it is taken as all 0.
+  /// Runs the main program once. The stack at its start is not stated (Choice::MainStack).
   void program() {
     const Flow* main = m_.plan.main();
     if (main == nullptr) return;
     m_.frame = 0;
     freshLocals(0);
     enterStack(m_.d.constant(false));
+    m_.when(m_.reads({Choice::MainStack, "unknown"}), [&] {
+      for (std::uint32_t i = 0; i < m_.stack.size(); ++i) m_.setLevel(i, m_.externalBit(External::StackBottom, i));
+    });
     ended_ = m_.d.constant(false);
     walk(*main);
   }
@@ -58,7 +61,7 @@ class Scan {
     m_.when(condition, [&] {
       freshLocals(9);
       const Context saved = enter(9);
-      if (m_.choices.is(Choice::InterruptStack, "zero")) enterStack(m_.d.constant(false));
+      m_.stack[0] = m_.reads({Choice::InterruptStack, "one"});
       std::array<Bits, 4> accumulators;
       for (std::uint32_t i = 0; i < 4; ++i) accumulators[i] = m_.get(Reg::Accumulator, i);
       const Bits status = m_.load(Area::SM, 1, Width::Byte);
@@ -238,8 +241,8 @@ void Scan<D, Hooks>::control(Walk& w, std::uint32_t at) {
       const Bool active = m_.loadBit(Area::S, s.offset, s.bit);
       m_.setTop(active);
       m_.scrActive = m_.d.select(m_.guard, active, m_.scrActive);
-      if (m_.choices.is(Choice::InactiveScr, "skipped") && step.partner != noPartner)
-        branch(w, m_.d.lnot(active), step.partner);
+      if (step.partner != noPartner)
+        branch(w, m_.d.land(m_.d.lnot(active), m_.reads({Choice::InactiveScr, "skipped"})), step.partner);
       break;
     }
     case Control::Scrt: {
@@ -291,8 +294,9 @@ void Scan<D, Hooks>::nextRound(Walk& w, std::uint32_t at) {
   const Bits old = args.value(0);
   const Bits index = m_.d.add(old, m_.d.literal(1, 16), 16);
   m_.when(legal, [&] { args.store(0, index); });
-  Bool last = m_.d.slt(args.value(2), index, 16);
-  if (m_.choices.is(Choice::ForAtMaximum, "ends")) last = m_.d.lor(last, m_.d.equal(old, m_.d.literal(0x7FFF, 16), 16));
+  const Bool atMaximum = m_.d.equal(old, m_.d.literal(0x7FFF, 16), 16);
+  const Bool last =
+      m_.d.lor(m_.d.slt(args.value(2), index, 16), m_.d.land(atMaximum, m_.reads({Choice::ForAtMaximum, "ends"})));
   m_.setTop(m_.d.constant(true));
   branch(w, m_.d.land(legal, m_.d.lnot(last)), step.partner + 1);
 }
@@ -309,8 +313,8 @@ void Scan<D, Hooks>::stop(Walk& w) {
   if (m_.inInterrupt) {
     ended_ = m_.d.lor(ended_, m_.d.land(m_.guard, stopped));
     branch(w, stopped, static_cast<std::uint32_t>(w.flow.steps.size()));
-  } else if (m_.choices.is(Choice::MainStop, "at-once")) {
-    m_.halt(stopped);
+  } else {
+    m_.halt(m_.d.land(stopped, m_.reads({Choice::MainStop, "at-once"})));
   }
 }
 
@@ -326,10 +330,13 @@ void Scan<D, Hooks>::call(const Instruction& instruction) {
   freshLocals(calleeFrame);
   copyIn(instruction, *callee->pou, calleeFrame);
   Context saved = enter(calleeFrame);
-  const bool shared = m_.inInterrupt && m_.choices.is(Choice::InterruptCallStack, "shared");
-  if (shared) m_.stack = saved.stack;
+  const Bool shared = m_.inInterrupt ? m_.reads({Choice::InterruptCallStack, "shared"}) : m_.d.constant(false);
+  const auto share = [&](std::array<Bool, 9>& to, const std::array<Bool, 9>& from) {
+    for (std::size_t i = 0; i < to.size(); ++i) to[i] = m_.d.select(shared, from[i], to[i]);
+  };
+  share(m_.stack, saved.stack);
   walk(*callee);
-  if (shared) saved.stack = m_.stack;
+  share(saved.stack, m_.stack);
   leave(saved);
   copyOut(instruction, *callee->pou, calleeFrame);
 }

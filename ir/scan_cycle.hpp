@@ -69,24 +69,24 @@ void advanceClocks(Machine<D>& m, typename D::Bits elapsed) {
 /// The clock bits SM0.4 (1 min) and SM0.5 (1 s) as the program sees them from now on (001:14054-14055).
 template <class D>
 void showClocks(Machine<D>& m) {
-  const bool startsOn = m.choices.is(Choice::ScanClockStart, "on");
   const auto half = [&](Reg phase, std::uint64_t period) {
     const int width = regInfo(phase).width;
-    const auto second = m.d.ule(m.number(period / 2, width), m.get(phase), width);
-    return startsOn ? m.d.lnot(second) : second;
+    return m.d.ule(m.number(period / 2, width), m.get(phase), width);
   };
   m.setSm(0, 4, half(Reg::PhaseMinute, 60000));
   m.setSm(0, 5, half(Reg::PhaseSecond, 1000));
 }
 
 /// SM0.1 and SM0.4 to SM0.6 as the scan that begins shows them; the manual refreshes SM0 at the end of the scan before
-/// (001:14045), which no program can tell from this, and properties and traces find in SM0 what the program saw.
+/// (001:14045), which no program can tell from this, and properties and traces find in SM0 what the program saw. Where
+/// SM0.6 starts is Choice::ScanClockStart.
 template <class D>
 void beginStatus(Machine<D>& m) {
   const auto first = m.getBit(Reg::FirstScan);
   showClocks(m);
   m.setSm(0, 1, first);
-  m.setSm(0, 6, m.d.lxor(m.sm(0, 6), m.d.land(m.getBit(Reg::Running), m.d.lnot(first))));
+  const auto startsOn = m.reads({Choice::ScanClockStart, "on"});
+  m.setSm(0, 6, m.d.select(first, startsOn, m.d.lxor(m.sm(0, 6), m.getBit(Reg::Running))));
 }
 
 /// SM0.2 and SM0.3 are on in the first scan only, and there as the surroundings say (001:14052-14053).
@@ -100,7 +100,7 @@ void endFirstScanBits(Machine<D>& m) {
 template <class D>
 void beginScan(Machine<D>& m, const Ticks<D>& ticks) {
   m.guard = m.d.constant(true);
-  m.halted = m.d.constant(false);
+  m.halted = m.faulted = m.d.constant(false);
   beginStatus(m);
   endFirstScanBits(m);
   readInputs(m);

@@ -153,6 +153,7 @@ extern constexpr Rule adr001_address_outside_cpu = {
     .falsePositives = "a program for another CPU than the chosen one: name it with --cpu and --edition",
     .peers = "SA0005; Omron area boundary of multi-word operands; ironplc P4025 (bit range)",
     .dialects = dialect::S7200,
+    .refuses = true,
     .check = checkAdr001,
 };
 

@@ -88,6 +88,7 @@ extern constexpr Rule adr002_operand_not_allowed = {
     .good = "Network 1\nLD I0.0\n=I Q0.0\n",
     .peers = "SA0005; Omron operand data types and operand ranges",
     .dialects = dialect::S7200,
+    .refuses = true,
     .check = checkAdr002,
 };
 

@@ -47,6 +47,7 @@ extern constexpr Rule adr003_write_to_read_only = {
     .good = "Network 1\nLD I0.0\n= SM30.0\n",
     .peers = "Omron read-only areas; SA0037 (nearest)",
     .dialects = dialect::S7200,
+    .refuses = true,
     .check = checkAdr003,
 };
 

@@ -38,6 +38,7 @@ extern constexpr Rule adr004_read_of_analogue_output = {
     .good = "Network 1\nLD SM0.0\nMOVW VW0, AQW0\n",
     .peers = "SA0038 (nearest)",
     .dialects = dialect::S7200,
+    .refuses = true,
     .check = checkAdr004,
 };
 

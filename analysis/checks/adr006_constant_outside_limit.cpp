@@ -83,6 +83,7 @@ extern constexpr Rule adr006_constant_outside_limit = {
     .good = "Network 1\nLD I0.0\nSI Q0.0, 8\n",
     .peers = "Omron constants; SA0056; SA0053 for the shift count",
     .dialects = dialect::S7200,
+    .refuses = true,
     .check = checkAdr006,
 };
 

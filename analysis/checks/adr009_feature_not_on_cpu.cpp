@@ -127,6 +127,7 @@ extern constexpr Rule adr009_feature_not_on_cpu = {
         "where the manual "
         "contradicts itself",
     .dialects = dialect::S7200,
+    .refuses = true,
     .check = checkAdr009,
 };
 

@@ -66,6 +66,7 @@ extern constexpr Rule ctl001_bad_jump = {
     .good = "Network 1\nLD I0.0\nJMP 5\nNetwork 2\nLD I0.1\n= Q0.0\nNetwork 3\nLBL 5\n",
     .peers = "Omron JMP-JME pairs; matiec/ironplc parse errors",
     .dialects = dialect::S7200,
+    .refuses = true,
     .check = checkCtl001,
 };
 

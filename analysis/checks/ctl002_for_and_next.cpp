@@ -48,6 +48,7 @@ extern constexpr Rule ctl002_for_and_next = {
     .good = "Network 1\nLD I0.0\nFOR VW0, +1, +10\nNetwork 2\nLD SM0.0\nINCW VW2\nNetwork 3\nNEXT\n",
     .peers = "Omron FOR-NEXT pairs and nesting",
     .dialects = dialect::S7200,
+    .refuses = true,
     .check = checkCtl002,
 };
 

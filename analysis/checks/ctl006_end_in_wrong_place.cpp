@@ -96,6 +96,7 @@ extern constexpr Rule ctl006_end_in_wrong_place = {
     .good = "Network 1\nLD I0.0\nEND\nNetwork 2\nLD I0.1\n= Q0.0\n",
     .peers = "CP14; CP19 (nearest)",
     .dialects = dialect::S7200,
+    .refuses = true,
     .check = checkCtl006,
 };
 

@@ -39,6 +39,7 @@ void checkInt001(const Facts& facts, FindingSink& sink) {
         instruction.span,
         isFreeport ? fmt::format("{} switches a port to freeport mode in {}", Facts::text(instruction), where)
                    : fmt::format("{} is not allowed in {}", Facts::text(instruction), where));
+    finding.refused = isRoutine && isForbidden;  // what a subroutine does is known at run time only
     finding.help =
         isFreeport
             ? "switch the port in the main program (error 009A, 001:13971)"
@@ -68,6 +69,7 @@ extern constexpr Rule int001_not_in_interrupt = {
         "1\nDTCH 0\nEND_ORGANIZATION_BLOCK\n"
         "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nS M0.0, 1\nEND_INTERRUPT_BLOCK\n",
     .dialects = dialect::S7200,
+    .refuses = true,
     .check = checkInt001,
 };
 

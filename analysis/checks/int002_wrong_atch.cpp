@@ -11,9 +11,10 @@ namespace rungproof {
 
 namespace {
 
-void report(FindingSink& sink, const Attachment& a, std::string message, std::string_view help) {
+Finding& report(FindingSink& sink, const Attachment& a, std::string message, std::string_view help) {
   Finding& finding = sink.report(a.instruction->span, std::move(message));
   finding.help = std::string(help);
+  return finding;
 }
 
 /// Timed interrupts take their interval from SMB34 and SMB35 at the ATCH (001:5470).
@@ -22,9 +23,11 @@ void checkInterval(const Facts& facts, FindingSink& sink, const Attachment& a) {
   const std::uint32_t cell = facts.index().cells().cell(Area::SM, byte, 0);
   if (cell == facts.index().cells().size()) return;
   if (!facts.index().mayBeWritten(cell) && !facts.isExternal(cell) && !facts.hasUnreadCode()) {
-    return report(sink, a,
-                  fmt::format("event {} is a timed interrupt, but nothing writes its interval to SMB{}", a.event, byte),
-                  "move 1 to 255 (ms) there before the ATCH (001:5470)");
+    report(sink, a,
+           fmt::format("event {} is a timed interrupt, but nothing writes its interval to SMB{}", a.event, byte),
+           "move 1 to 255 (ms) there before the ATCH (001:5470)")
+        .refused = false;
+    return;
   }
   for (const std::uint32_t i : facts.index().at(cell)) {
     const Access& access = facts.access(i);
@@ -34,6 +37,7 @@ void checkInterval(const Facts& facts, FindingSink& sink, const Attachment& a) {
     Finding& finding =
         sink.report(move.span, fmt::format("{} gives timed interrupt {} an interval of {} ms; 1 to 255 are allowed",
                                            Facts::text(move), a.event - 10, move.operands[0].value));
+    finding.refused = false;
     finding.related.push_back({a.instruction->span, "the interrupt is attached here"});
     finding.help = "for longer times count the interrupts in the routine (001:5470)";
   }
@@ -48,7 +52,8 @@ void checkTimerEvent(const Facts& facts, FindingSink& sink, const Attachment& a)
   });
   if (!fits)
     report(sink, a, fmt::format("event {} needs T{} as a TON or TOF, which the program does not have", a.event, number),
-           "add the timer, or attach another event (001:5476)");
+           "add the timer, or attach another event (001:5476)")
+        .refused = false;
 }
 
 void checkInt002(const Facts& facts, FindingSink& sink) {
@@ -92,6 +97,7 @@ extern constexpr Rule int002_wrong_atch = {
         "10\nENI\nEND_ORGANIZATION_BLOCK\n"
         "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nINCW VW0\nEND_INTERRUPT_BLOCK\n",
     .dialects = dialect::S7200,
+    .refuses = true,
     .check = checkInt002,
 };
 

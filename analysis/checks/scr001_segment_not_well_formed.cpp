@@ -62,6 +62,7 @@ void checkScr001(const Facts& facts, FindingSink& sink) {
       if (isDummy) continue;
       Finding& finding =
           sink.report(instruction.span, fmt::format("{} goes to a step that has no segment", Facts::text(instruction)));
+      finding.refused = false;  // the step bit is set, and nothing follows
       finding.address = toString(target);
       finding.help = fmt::format("add the segment LSCR {}, or correct the number", toString(target));
     }
@@ -86,6 +87,7 @@ extern constexpr Rule scr001_segment_not_well_formed = {
         "Network 5\nLSCR S0.1\nNetwork 6\nLD I0.1\nSCRT S0.0\nNetwork 7\nSCRE\n",
     .peers = "Omron STEP-SNXT; ironplc P0008 (no initial step)",
     .dialects = dialect::S7200,
+    .refuses = true,
     .check = checkScr001,
 };
 

@@ -224,6 +224,7 @@ extern constexpr Rule sub003_call_does_not_match = {
         "VW100\nEND_SUBROUTINE_BLOCK\n",
     .peers = "CP17; SA0107; ironplc P4018; iec-checker CP17",
     .dialects = dialect::S7200,
+    .refuses = true,
     .check = checkSub003,
 };
 

@@ -48,6 +48,7 @@ extern constexpr Rule sym001_undefined_symbol = {
     .good = "Network 1\nLD I0.0\n= Q0.0\n",
     .falsePositives = "the symbol table was not given: name it with --symbols",
     .peers = "ironplc P4007; plceye S0002",
+    .refuses = true,
     .check = checkSym001,
 };
 

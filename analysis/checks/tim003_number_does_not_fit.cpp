@@ -42,6 +42,7 @@ extern constexpr Rule tim003_number_does_not_fit = {
     .bad = "Network 1\nLD I0.0\nTON T5, +10\nNetwork 2\nLD T5\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\nTON T37, +10\nNetwork 2\nLD T37\n= Q0.0\n",
     .dialects = dialect::S7200,
+    .refuses = true,
     .check = checkTim003,
 };
 

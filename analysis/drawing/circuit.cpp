@@ -113,26 +113,26 @@ class Dissolve {
 };
 
 /// Bits [from, to) of an area; timers, counters and accumulators by number.
-struct Stretch {
+struct CircuitStretch {
   Area area;
   std::uint64_t from;
   std::uint64_t to;
 };
 
-bool overlap(const Stretch& a, const Stretch& b) { return a.area == b.area && a.from < b.to && b.from < a.to; }
+bool overlap(const CircuitStretch& a, const CircuitStretch& b) { return a.area == b.area && a.from < b.to && b.from < a.to; }
 
 /// Where an operand of that type lies; nothing for constants. Only for direct operands.
-std::optional<Stretch> stretchOf(const Operand& operand, Type type, std::uint64_t elements) {
+std::optional<CircuitStretch> stretchOf(const Operand& operand, Type type, std::uint64_t elements) {
   if (operand.kind != OperandKind::Direct) return std::nullopt;
   const bool byNumber =
       operand.area == Area::T || operand.area == Area::C || operand.area == Area::AC || operand.area == Area::HC;
-  if (byNumber) return Stretch{operand.area, operand.offset, operand.offset + (type == Type::Bool ? elements : 1)};
+  if (byNumber) return CircuitStretch{operand.area, operand.offset, operand.offset + (type == Type::Bool ? elements : 1)};
   if (type == Type::Bool) {
     const std::uint64_t first = operand.offset * 8ULL + operand.bit;
-    return Stretch{operand.area, first, first + elements};
+    return CircuitStretch{operand.area, first, first + elements};
   }
   const std::uint64_t first = operand.offset * 8ULL;
-  return Stretch{operand.area, first, first + elements * static_cast<std::uint64_t>(bits(widthOf(type)))};
+  return CircuitStretch{operand.area, first, first + elements * static_cast<std::uint64_t>(bits(widthOf(type)))};
 }
 
 /// A contact whose moment of reading matters whatever stands beside it.
@@ -174,12 +174,12 @@ std::uint64_t bitsTouched(const CircuitNode& node) {
   return node.operands->size() < 2 ? 1 : 255;
 }
 
-bool writes(const CircuitNode& effect, const Stretch& place) {
+bool writes(const CircuitNode& effect, const CircuitStretch& place) {
   for (std::size_t i = 0; i < effect.operands->size(); ++i) {
     const OperandDesc& row = effect.desc->operand(static_cast<int>(std::min<std::size_t>(i, maxOperands - 1)));
     if (row.direction == Direction::In) continue;
     const std::uint64_t elements = row.type == Type::Bool ? bitsTouched(effect) : 1;
-    const std::optional<Stretch> written = stretchOf((*effect.operands)[i], row.type, elements);
+    const std::optional<CircuitStretch> written = stretchOf((*effect.operands)[i], row.type, elements);
     if (written && overlap(*written, place)) return true;
   }
   return false;
@@ -191,7 +191,7 @@ bool disturbs(const CircuitNode& effect, const CircuitNode& contact) {
   if (isSweeping(effect)) return true;
   for (std::size_t i = 0; i < contact.operands->size(); ++i) {
     const Type type = contact.desc->operand(static_cast<int>(i)).type;
-    const std::optional<Stretch> place = stretchOf((*contact.operands)[i], type, 1);
+    const std::optional<CircuitStretch> place = stretchOf((*contact.operands)[i], type, 1);
     if (!place) continue;
     const bool isStatus = place->area == Area::SM && place->from >= 8;  // SM0 stays over the scan (001:14046)
     if (isStatus && effect.shape == Shape::Box) return true;

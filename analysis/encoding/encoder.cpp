@@ -6,6 +6,7 @@
 
 #include "analysis/encoding/scan_encoding.hpp"
 #include "ir/check.hpp"
+#include "ir/event_cause.hpp"
 
 namespace rungproof {
 
@@ -14,13 +15,40 @@ class EncodedScan::Impl {
   Impl(const Program& source, const EncoderOptions& given)
       : program(source), options(given), plan(source), layout(source.target) {
     layout.add(program, plan);
+    for (const ExternalBytes& range : options.externals) {
+      layout.beginAt(range.area, range.first);
+      layout.beginAt(range.area, range.last + 1);
+      if (range.lowBit > 0) layout.add(range.area, Width::Bit, range.first);
+      if (range.highBit < 7) layout.add(range.area, Width::Bit, range.last);
+    }
     for (const Operand& operand : options.observed) layout.add(operand.area, operand.width, operand.offset);
+    if (options.trail && options.trail->isFollowed) {
+      knowledge = *options.trail->knowledge;
+      effects = options.trail->effects;
+      encode();
+      scan->close();
+      return;
+    }
     // SM0.0 is always on (001:14050), unless the program overwrites it.
     knowledge.constants = {{memoryPlace(Area::SM, 0, Width::Bit, 0), 1}};
+    std::set<int> routines;
+    bool isOfDevices = false;
+    if (options.interrupts) {
+      for (const auto& [event, attached] : attachmentsOf(plan)) {
+        routines.insert(attached.begin(), attached.end());
+        isOfDevices = isOfDevices || isPulseEvent(event) || portEvent(event);
+      }
+    }
+    if (!routines.empty())
+      effects = std::make_shared<const RoutineEffects>(plan, layout, routines, isOfDevices);
     for (int round = 0; !learn(); ++round) {
       if (round == roundLimit) knowledge.followsPointers = false;
     }
     knowledge.isFinal = true;
+    if (options.trail) {
+      options.trail->knowledge = std::make_shared<Knowledge>(knowledge);
+      options.trail->effects = effects;
+    }
     encode();
     scan->close();
   }
@@ -30,13 +58,14 @@ class EncodedScan::Impl {
   Plan plan;
   MemoryLayout layout;
   Knowledge knowledge;
+  std::shared_ptr<const RoutineEffects> effects;  ///< nullptr: nothing is attached
   std::unique_ptr<ScanEncoding> scan;
 
  private:
   /// Rounds until pointers that still gain values are given up.
   static constexpr int roundLimit = 12;
 
-  void encode() { scan = std::make_unique<ScanEncoding>(program, options, plan, layout, knowledge); }
+  void encode() { scan = std::make_unique<ScanEncoding>(program, options, plan, layout, knowledge, effects.get()); }
 
   /// One round. True if it confirmed what it was built on; then the constants it found are adopted as well.
   bool learn() {
@@ -143,6 +172,8 @@ Node EncodedScan::atEnd(const Operand& operand, int width) {
 
 Node EncodedScan::atStart(const Place& place) { return impl_->scan->start(place); }
 Node EncodedScan::firstScan() const { return impl_->scan->start(registerPlace(Reg::FirstScan, 0)); }
+Node EncodedScan::halted() const { return impl_->scan->halted(); }
+Node EncodedScan::faulted() const { return impl_->scan->faulted(); }
 TransitionSystem EncodedScan::system() { return impl_->scan->system(); }
 
 const std::vector<HazardRecord>& EncodedScan::hazards() const { return impl_->scan->hazards; }
@@ -150,10 +181,13 @@ const std::vector<BitWrite>& EncodedScan::bitWrites() const { return impl_->scan
 const std::vector<Approximation>& EncodedScan::approximations() const { return impl_->scan->approximations; }
 const std::vector<ExternalInput>& EncodedScan::externals() const { return impl_->scan->externals; }
 const std::map<std::uint32_t, Node>& EncodedScan::analogInputs() const { return impl_->scan->analogInputs(); }
+const std::map<std::string, Node>& EncodedScan::deviceInputs() const { return impl_->scan->deviceInputs; }
 const std::vector<DeviceWrite>& EncodedScan::deviceWrites() const { return impl_->scan->devices().writes(); }
 const std::vector<TickSite>& EncodedScan::tickSites() const { return impl_->scan->tickSites; }
+const std::vector<SiteInput>& EncodedScan::siteInputs() const { return impl_->scan->siteInputs; }
 const std::vector<EventSite>& EncodedScan::eventSites() const { return impl_->scan->eventSites; }
 const std::vector<Cell>& EncodedScan::cells() const { return impl_->scan->cells(); }
+const std::vector<KeptCell>& EncodedScan::keptCells() const { return impl_->scan->keptCells; }
 std::vector<const BoundarySite*> EncodedScan::boundaries() const {
   std::vector<const BoundarySite*> all;
   for (const TickSite& t : tickSites()) all.push_back(&t.where);

@@ -14,6 +14,7 @@
 
 #include "analysis/encoding/symbolic_store.hpp"
 #include "analysis/encoding/time_model.hpp"
+#include "analysis/encoding/trail.hpp"
 #include "analysis/graph/transition_system.hpp"
 #include "engine/scan_script.hpp"
 #include "engine/start_up.hpp"
@@ -22,25 +23,33 @@
 
 namespace rungproof {
 
-/// Bytes `first` to `last` of an area that a panel or the network may write before any scan.
+/// Bytes `first` to `last` of an area that a panel or the network may write before any scan: from bit `lowBit` of the
+/// first one to bit `highBit` of the last one.
 struct ExternalBytes {
   Area area = Area::V;
   std::uint32_t first = 0;
   std::uint32_t last = 0;
+  std::uint8_t lowBit = 0;
+  std::uint8_t highBit = 7;
 };
 
 struct EncoderOptions {
   Choices choices;
+  bool coversAllReadings = false;  ///< those of fixed choices too, to see what depends on them
   TimeRange time;
   bool initialRetentive = false;  ///< retentive cells start with any value
   std::vector<RetentiveRange> retentive = defaultRetentiveRanges();
   std::vector<ExternalBytes> externals;
   std::vector<Operand> observed;  ///< direct operands that properties read: they shape the state variables
   bool interrupts = true;
-  int loopLimit = 256;            ///< rounds of a backward jump that are followed
+  bool interruptsInside = true;   ///< false: events come between scans only
+  int eventPasses = 2;  ///< times that each event is let in at one place; what more of them can do is estimated
+  int loopLimit = 256;  ///< rounds of a backward jump that are followed
   std::size_t stepLimit = 50000;  ///< instructions of one scan, loops unrolled, after which no loop is followed further
   /// Asked now and then while the program is encoded; throws whatever shall end it (proof_watch.hpp).
   std::function<void()> interruption;
+  /// Left or followed by the final encoding; may be missing.
+  std::shared_ptr<Trail> trail;
   /// What properties read in front of every instruction: interrupts and 1 ms ticks that write it are let in everywhere.
   std::vector<Operand> watched;
   /// Called in front of every instruction that may run, for properties that hold at every instruction.
@@ -63,6 +72,8 @@ struct Approximation {
   std::vector<Node> carriers{};
   /// Scans in which this is 1 are not followed to their end: no proof holds unless it can never be 1. noNode: none.
   Node leftOut = noNode;
+  /// 1 in scans that use values of the carriers: without such scans a run is exact. noNode: not known.
+  Node used = noNode;
 };
 
 /// An external value, in the order in which the scan asks; asked for only where `guard` holds.
@@ -86,7 +97,16 @@ struct TickSite {
 struct EventSite {
   BoundarySite where;
   int event;
-  Node fires;  ///< the event comes, is attached and enabled
+  Node fires;   ///< the event comes and is attached, or its routine runs out of the queue
+  Node waited;  ///< the latter
+};
+
+/// A free input of a place inside the scan: whether an event comes there, or how many ms have passed.
+struct SiteInput {
+  static constexpr int ticks = -1;
+  int event;                  ///< ticks: ms
+  std::uint32_t instruction;  ///< as in BoundarySite
+  Node node;
 };
 
 /// A bit or byte that a device writes at the start of the scan where `guard` holds.
@@ -117,6 +137,10 @@ class EncodedScan {
   Node atStart(const Place& place);
   /// Whether this is the first scan.
   Node firstScan() const;
+  /// Whether STOP in the main program or a fatal error ends the program in this scan; a fatal error: then the scan has
+  /// no end, nothing is written and no property is asked about it (001:13906-13910).
+  Node halted() const;
+  Node faulted() const;
 
   /// State, inputs and constraints of all that has been touched up to now. Call after the last atEnd().
   TransitionSystem system();
@@ -127,15 +151,21 @@ class EncodedScan {
   const std::vector<ExternalInput>& externals() const;
   /// The samples of analog inputs by word address; with Choice::AnalogSampling = each-read what was read last.
   const std::map<std::uint32_t, Node>& analogInputs() const;
+  /// Inputs that say what devices do, by name; the names tell the request and its addresses.
+  const std::map<std::string, Node>& deviceInputs() const;
   /// What devices may write at the start of the scan.
   const std::vector<DeviceWrite>& deviceWrites() const;
   const std::vector<TickSite>& tickSites() const;
   const std::vector<EventSite>& eventSites() const;
+  /// The inputs of these places, in the order of the scan.
+  const std::vector<SiteInput>& siteInputs() const;
   /// All places of tick and event sites, and the guards of the executions of an instruction in the order of the scan.
   std::vector<const BoundarySite*> boundaries() const;
   const std::vector<Node>& visits(std::uint32_t instruction) const;
   /// Places whose values at the start of a scan are inputs (I, external memory, status written by devices) or state.
   const std::vector<Cell>& cells() const;
+  /// Of an encoding that follows a trail.
+  const std::vector<KeptCell>& keptCells() const;
   /// Everything that has been read or written up to now except local memory, as runs of bits and registers.
   std::vector<Place> places() const;
 

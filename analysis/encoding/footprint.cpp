@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "ir/event_cause.hpp"
+
 namespace rungproof {
 
 namespace {
@@ -32,6 +34,63 @@ void addKeys(const Place& place, std::set<std::uint32_t>& keys) {
   }
   for (std::uint32_t i = 0; i < place.width; ++i)
     keys.insert(static_cast<std::uint32_t>(place.area) << 24 | (place.at + i));
+}
+
+std::vector<Place> placesOf(const std::set<std::uint32_t>& keys) {
+  std::vector<Place> places;
+  for (const std::uint32_t key : keys) {
+    const std::uint32_t kind = key >> 24, at = key & 0xFFFFFF;
+    if (kind >= 32) {
+      places.push_back(registerPlace(static_cast<Reg>(kind - 32), at));
+      continue;
+    }
+    const bool isNewByte = places.empty() || places.back().isRegister ||
+                           places.back().area != static_cast<Area>(kind) || places.back().at / 8 != at / 8;
+    const bool isWhole = at % 8 == 0 && [&] {
+      for (std::uint32_t i = 1; i < 8; ++i) {
+        if (!keys.contains(key + i)) return false;
+      }
+      return true;
+    }();
+    if (isWhole)
+      places.push_back({false, static_cast<Area>(kind), Reg::Accumulator, at, 8});
+    else if (isNewByte || places.back().width == 1)
+      places.push_back({false, static_cast<Area>(kind), Reg::Accumulator, at, 1});
+  }
+  return places;
+}
+
+void addCauseKeys(int event, Footprint& footprint) {
+  const auto reads = [&](const Place& place) { addKeys(place, footprint.reads); };
+  const auto changes = [&](const Place& place) {
+    addKeys(place, footprint.reads);
+    addKeys(place, footprint.writes);
+  };
+  if (isTimedEvent(event)) reads(registerPlace(Reg::TimedPeriod, static_cast<std::uint32_t>(event) - firstTimedEvent));
+  if (const auto counter = counterEvent(event)) {
+    reads(registerPlace(Reg::HscMode, counter->counter));
+    reads(registerPlace(Reg::HscEnabled, counter->counter));
+  }
+  if (isPulseEvent(event)) {
+    const std::uint32_t output = event == 19 ? 0 : 1;
+    reads(registerPlace(Reg::PulseIsPwm, output));
+    for (const Reg reg :
+         {Reg::PulseBusy, Reg::PulsePending, Reg::PulseCycle, Reg::PulseCount, Reg::PulseIsMs, Reg::PulseSegments})
+      changes(registerPlace(reg, output));
+    changes(memoryPlace(Area::SM, output == 0 ? 66 : 76, Width::Bit, 7));
+  }
+  if (const auto port = portEvent(event)) {
+    changes(registerPlace(Reg::PortBusy, port->port));
+    reads(memoryPlace(Area::SM, port->port == 0 ? 30 : 130, Width::Byte));
+    switch (port->kind) {
+      case PortEvent::Character:
+        changes(memoryPlace(Area::SM, 2, Width::Byte));
+        changes(memoryPlace(Area::SM, 3, Width::Bit, 0));
+        break;
+      case PortEvent::Transmitted: changes(memoryPlace(Area::SM, 4, Width::Bit, 5 + port->port)); break;
+      case PortEvent::Message: changes(memoryPlace(Area::SM, port->port == 0 ? 86 : 186, Width::Byte)); break;
+    }
+  }
 }
 
 void Footprints::record(std::uint32_t instruction, int routine, const Touch& touch) {

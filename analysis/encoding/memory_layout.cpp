@@ -43,6 +43,11 @@ void MemoryLayout::add(Area area, Width width, std::uint32_t byte) {
   for (std::uint32_t i = byte; i + 1 < end; ++i) cuts[i].joinsNext = true;
 }
 
+void MemoryLayout::beginAt(Area area, std::uint32_t byte) {
+  std::vector<Cut>& cuts = cuts_[static_cast<std::size_t>(area)];
+  if (byte < cuts.size()) cuts[byte].startsHere = true;
+}
+
 /// Whether the byte and the next belong to one word.
 bool MemoryLayout::isJoined(Area area, std::uint32_t byte) const {
   if (byte + 1 >= size(area)) return false;

@@ -24,6 +24,9 @@ class MemoryLayout {
   /// One more access, for example of a property.
   void add(Area area, Width width, std::uint32_t byte);
 
+  /// No word lies across the start of that byte.
+  void beginAt(Area area, std::uint32_t byte);
+
   /// Size of an area in bytes.
   std::uint32_t size(Area area) const {
     return static_cast<std::uint32_t>(cuts_[static_cast<std::size_t>(area)].size());

@@ -44,7 +44,10 @@ Obligations::Obligations(const Program& program, const PropertySet& set, const s
   }
   for (const ExternalRange& range : set.externals) {
     const std::uint32_t last = range.last.offset + static_cast<std::uint32_t>(bytes(range.last.width)) - 1;
-    options.externals.push_back({range.first.area, range.first.offset, last});
+    const bool areBits = range.first.width == Width::Bit;
+    options.externals.push_back({range.first.area, range.first.offset, last,
+                                 static_cast<std::uint8_t>(areBits ? range.first.bit : 0),
+                                 static_cast<std::uint8_t>(areBits ? range.last.bit : 7)});
   }
   options.initialRetentive = options.initialRetentive || set.initialRetentive;
 
@@ -81,6 +84,7 @@ Obligations::Obligations(const Program& program, const PropertySet& set, const s
   for (const Property& property : goals) {
     goals_.push_back({inItsBase(property), noNode, {}});
     addMonitor(goals_.back());
+    goals_.back().answer = atScanEnd(goals_.back().answer);
     if (property.atEveryInstruction) {
       const Node within = badSoFar[next++];
       if (within != noNode) goals_.back().answer = encoding_->graph().lor({goals_.back().answer}, {within}).node;
@@ -90,6 +94,7 @@ Obligations::Obligations(const Program& program, const PropertySet& set, const s
     if (property.isGoal()) continue;
     assumptions_.push_back({inItsBase(property), noNode, {}});
     addMonitor(assumptions_.back());
+    assumptions_.back().answer = encoding_->graph().lor({assumptions_.back().answer}, {encoding_->faulted()}).node;
   }
   approximateReals(nullptr, ofProgram, encoding_->graph().size());
 }
@@ -135,6 +140,11 @@ void Obligations::chooseTimeBases(const PropertySet& set, const std::vector<Prop
   };
   for (const Property* property : timed)
     leavesOf(*property);  // all are touched before the next-state functions are read
+  const std::shared_ptr<Trail>& trail = encoding_->options().trail;
+  if (trail && trail->isFollowed) {
+    timeBases_ = trail->timeBases;
+    return;
+  }
   std::unordered_map<std::uint32_t, Node> next;
   for (const StateVariable& state : encoding_->system().states) next[indexOf(state.node)] = state.next;
   std::unordered_map<std::uint32_t, int> resolution;
@@ -158,6 +168,7 @@ void Obligations::chooseTimeBases(const PropertySet& set, const std::vector<Prop
     }
     timeBases_[property->name] = std::max(finest, 1);
   }
+  if (trail) trail->timeBases = timeBases_;
 }
 
 Property Obligations::inItsBase(const Property& property) const {
@@ -201,6 +212,12 @@ void Obligations::addMonitor(AskedProperty& obligation) {
     obligation.state.before.push_back(before[i].node);
     obligation.state.after.push_back(after[i].node);
   }
+}
+
+/// A scan that a fatal error ends has no end.
+Node Obligations::atScanEnd(Node condition) {
+  Graph& graph = encoding_->graph();
+  return graph.land({condition}, graph.lnot({encoding_->faulted()})).node;
 }
 
 Node Obligations::before(std::string name, Node value) {

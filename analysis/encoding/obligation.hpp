@@ -49,6 +49,8 @@ class Obligations {
   void ask(std::string name, Node bad) { extra_.push_back({std::move(name), bad}); }
   /// What `value` (a node of the encoding) was in the scan before; 0 in the first scan.
   Node before(std::string name, Node value);
+  /// The condition where the scan has an end (EncodedScan::faulted).
+  Node atScanEnd(Node condition);
   /// Names of state variables that only measure time: their change does not count as a change of the program.
   bool isTimeState(Node variable) const;
 

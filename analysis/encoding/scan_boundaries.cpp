@@ -4,22 +4,14 @@
 // Ticks: how many of the scan's ms have passed at a place is an input, at least as many as at the place before and at
 // most dt; what is left passes after the program.
 //
-// Interrupts: whether an event occurs at a place is an input. Events that wait at one place are served by priority,
-// and at most one of each is taken: an event that occurs more often between two places is not followed.
+// Interrupts: scan_interrupts.cpp.
 #include <algorithm>
+#include <utility>
 
 #include "analysis/encoding/scan_encoding.hpp"
-#include "ir/event.hpp"
 #include "ir/timer_refresh.hpp"
 
 namespace rungproof {
-
-namespace {
-
-/// Places at which routines are run in one scan; more would repeat the routines' text too often.
-constexpr std::size_t eventSiteLimit = 400;
-
-}  // namespace
 
 Attachments attachmentsOf(const Plan& plan) {
   Attachments result;
@@ -71,7 +63,8 @@ bool ScanEncoding::needsTicks(std::uint32_t instruction) const {
 }
 
 bool ScanEncoding::mayInterrupt(int event, std::uint32_t instruction) const {
-  if (instruction == ScanPlace::afterProgram) return true;
+  if (instruction == ScanPlace::afterProgram || isAfterEnable_) return true;
+  if (!options_.interruptsInside) return false;
   const auto isSeen = [&](int routine) {
     const auto its = knowledge_.footprints.ofRoutine.find(routine);
     return its != knowledge_.footprints.ofRoutine.end() && watched_.conflictsWith(its->second);
@@ -83,6 +76,9 @@ bool ScanEncoding::mayInterrupt(int event, std::uint32_t instruction) const {
   addKeys(registerPlace(Reg::EventRoutine, static_cast<std::uint32_t>(event)), needed.reads);
   addKeys(registerPlace(Reg::InterruptsEnabled, 0), needed.reads);
   addKeys(registerPlace(Reg::Running, 0), needed.reads);
+  addCauseKeys(event, needed);
+  if (const int bit = static_cast<int>(eventInfo(event).group); eventStates_.overflowBits.contains(bit))
+    addKeys(memoryPlace(Area::SM, 4, Width::Bit, static_cast<std::uint32_t>(bit)), needed.writes);
   if (own->second.conflictsWith(needed)) return true;
   for (const int routine : attachments_.at(event)) {
     const auto its = knowledge_.footprints.ofRoutine.find(routine);
@@ -92,21 +88,41 @@ bool ScanEncoding::mayInterrupt(int event, std::uint32_t instruction) const {
 }
 
 void ScanEncoding::boundary(Runner& runner, std::uint32_t instruction) {
-  const bool hasTicks = needsTicks(instruction);
-  bool hasEvents = false;
+  bool hasTicks = needsTicks(instruction), hasEvents = false;
+  visit_.reset();
   if (!machine_.inInterrupt) {
-    for (const int event : events_) hasEvents = hasEvents || mayInterrupt(event, instruction);
+    for (const int event : events_) {
+      if (!mayInterrupt(event, instruction)) continue;
+      hasEvents = true;
+      hasTicks = hasTicks || (isTimerEvent(event) && !tickKeys_.empty());
+    }
   }
   if (!hasTicks && !hasEvents) return;
   widening_.block();
   const bool wasRecording = isRecording_;
   isRecording_ = false;
-  std::vector<Node>& executions = visits[instruction];
-  const auto visit = static_cast<std::uint32_t>(executions.size());
-  executions.push_back(machine_.guard.node);
+  const std::uint32_t visit = visitOf(instruction);
   if (hasTicks) tick(instruction, visit);
-  if (hasEvents) interrupts(runner, instruction, visit);
+  if (hasEvents) interrupts(runner, instruction);
+  visit_ = visit;  // routines have had places of their own
+  if (!machine_.inInterrupt) isAfterEnable_ = false;
   isRecording_ = wasRecording;
+}
+
+/// Number of this execution of the instruction among those that have a site.
+std::uint32_t ScanEncoding::visitOf(std::uint32_t instruction) {
+  if (visit_) return *visit_;
+  std::vector<Node>& executions = visits[instruction];
+  visit_ = static_cast<std::uint32_t>(executions.size());
+  executions.push_back(machine_.guard.node);
+  return *visit_;
+}
+
+Node ScanEncoding::siteInput(int event, std::uint32_t instruction, int width) {
+  const std::string what = event == SiteInput::ticks ? "ms" : "event " + std::to_string(event);
+  const Node node = input(what + " before instruction " + std::to_string(instruction), width);
+  siteInputs.push_back({event, instruction, node});
+  return node;
 }
 
 void ScanEncoding::tick(std::uint32_t instruction, std::uint32_t visit) {
@@ -114,7 +130,7 @@ void ScanEncoding::tick(std::uint32_t instruction, std::uint32_t visit) {
   const Node guard = machine_.guard.node;
   Node now = time.dt();
   if (instruction != ScanPlace::afterProgram) {
-    now = input("ms before instruction " + std::to_string(instruction), w);
+    now = siteInput(SiteInput::ticks, instruction, w);
     const Node inOrder =
         graph.make(Op::And, 1, graph.make(Op::Ule, 1, consumed_, now), graph.make(Op::Ule, 1, now, time.dt()));
     const Node constraint = graph.make(Op::Or, 1, graph.make(Op::Not, 1, guard), inOrder);
@@ -123,39 +139,11 @@ void ScanEncoding::tick(std::uint32_t instruction, std::uint32_t visit) {
   }
   const Node ticks = time.saturated16(graph.make(Op::Sub, w, now, consumed_));
   const Graph::Bool passes = graph.lnot(graph.equal({ticks}, graph.literal(0, 16), 16));
-  machine_.when(passes, [&] { refreshTimers(machine_, 1, {ticks}); });
+  machine_.when(passes, [&] {
+    refreshTimers(machine_, 1, {ticks}, [&](const TimerUse& use, Graph::Bool reached) { timerReached(use, reached); });
+  });
   tickSites.push_back({{instruction, visit, guard}, ticks});
   consumed_ = graph.make(Op::Ite, w, guard, now, consumed_);
-}
-
-void ScanEncoding::interrupts(Runner& runner, std::uint32_t instruction, std::uint32_t visit) {
-  for (const int event : events_) {
-    if (!mayInterrupt(event, instruction)) continue;
-    const Graph::Bits routine = machine_.get(Reg::EventRoutine, static_cast<std::uint32_t>(event));
-    const Graph::Bool enabled = graph.land(machine_.getBit(Reg::InterruptsEnabled), machine_.getBit(Reg::Running));
-    const auto isAttached = [&](int number) {
-      return graph.land(enabled, graph.equal(routine, graph.literal(static_cast<std::uint64_t>(number) + 1, 8), 8));
-    };
-    Graph::Bool ready = graph.constant(false);
-    for (const int number : attachments_.at(event)) ready = graph.lor(ready, isAttached(number));
-    if (graph.truth(graph.land(machine_.guard, ready)) == false) continue;
-    if (eventSites.size() >= eventSiteLimit) {
-      approximate(nullptr,
-                  "interrupts are followed at the first " + std::to_string(eventSiteLimit) + " places of a scan only")
-          .leftOut = graph.constant(true).node;
-      return;
-    }
-    const Graph::Bool occurs{
-        input("event " + std::to_string(event) + " before instruction " + std::to_string(instruction), 1)};
-    eventSites.push_back({{instruction, visit, machine_.guard.node}, event, graph.land(occurs, ready).node});
-    for (const int number : attachments_.at(event)) {
-      routine_ = number;
-      isRecording_ = true;
-      runner.interrupt(number, graph.land(occurs, isAttached(number)));
-      isRecording_ = false;
-      routine_ = -1;
-    }
-  }
 }
 
 }  // namespace rungproof

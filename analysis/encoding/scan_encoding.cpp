@@ -8,6 +8,7 @@
 
 #include "ir/check.hpp"
 #include "ir/event.hpp"
+#include "ir/isa/clock.hpp"
 #include "ir/isa/comm.hpp"
 #include "ir/special_memory.hpp"
 #include "ir/timer_refresh.hpp"
@@ -28,29 +29,43 @@ std::string siteName(const ExternalSite& site) {
   }
 }
 
+/// Whether HDEF of that high-speed counter stands in the program; without, it stays 0 (001:4308).
+bool definesCounter(const Plan& plan, std::uint32_t counter) {
+  for (const Flow& flow : plan.flows) {
+    for (const FlowStep& step : flow.steps) {
+      const Instruction& i = *step.instruction;
+      if (i.desc->stl == "HDEF" && !i.operands.empty() && i.operands[0].value == counter) return true;
+    }
+  }
+  return false;
+}
+
 constexpr std::string_view unresolvedReason = "pointer whose targets could not be found";
 
 }  // namespace
 
 ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options, const Plan& plan,
-                           const MemoryLayout& layout, const Knowledge& knowledge)
-    : time(graph, options.time),
+                           const MemoryLayout& layout, const Knowledge& knowledge, const RoutineEffects* effects)
+    : graph(options.trail && options.trail->isFollowed ? Rewriting::None : Rewriting::Full),
+      time(graph, options.time),
       program_(program),
       options_(options),
       plan_(plan),
       knowledge_(knowledge),
       initial_(powerUpState(plan, options.choices)),
       store_(graph, layout, *this, plan.edgeCount),
-      machine_(graph, store_, plan, options.choices),
+      machine_(graph, store_, plan),
       devices_(graph, plan, knowledge.tables,
                {[this](const Place& place) { return startOfCell(place); },
-                [this](std::string name, int width) { return input(std::move(name), width); },
+                [this](std::string name, int width) { return deviceInputs[name] = input(name, width); },
                 [this](const Instruction* place, std::string_view reason) {
                   Approximation& a = approximate(place, reason);
                   a.carriers.push_back(input("written by a device", 8));
                   return a.carriers.back();
-                }}) {
+                }}),
+      effects_(effects) {
   graph.listen(this);
+  if (knowledge.isFinal && options.trail) graph.decideBy(&options.trail->decisions);
   store_.follow(&machine_);
   if (time.constraint() != noNode) {
     constraints_.push_back(time.constraint());
@@ -81,6 +96,7 @@ void ScanEncoding::run() {
   beginStatus(machine_);
   machine_.ticks100 = {time.ticks100()};
   refreshTimers(machine_, 10, {time.ticks10()});
+  beginEvents();
   isRecording_ = true;
   Runner runner(machine_, *this, options_.loopLimit, options_.stepLimit);
   runner.program();
@@ -93,6 +109,7 @@ void ScanEncoding::run() {
 
 void ScanEncoding::endOfScan() {
   Machine<Graph>& m = machine_;
+  endEvents();
   m.guard = m.halted;
   m.setBit(Reg::Running, 0, graph.constant(false));
   m.guard = graph.constant(true);
@@ -116,6 +133,7 @@ void ScanEncoding::endOfScan() {
 
 void ScanEncoding::before(Runner& runner, const FlowStep& step) {
   boundary(runner, step.instruction->id);
+  if (!attachments_.empty()) noteAttachment(*step.instruction);
   if (options_.interruption) options_.interruption();
   if (options_.atInstruction && knowledge_.isFinal) options_.atInstruction(runner.machine(), *step.instruction);
 }
@@ -139,6 +157,12 @@ Node ScanEncoding::input(std::string name, int width) {
   return inputs_.back();
 }
 
+/// A block that is moved through a pointer is one instruction, and up to 255 times 512 writes.
+void ScanEncoding::accessed() {
+  constexpr std::uint32_t accessesBetweenLooks = 256;
+  if (++accesses_ % accessesBetweenLooks == 0 && options_.interruption) options_.interruption();
+}
+
 Node ScanEncoding::localByte(std::uint32_t entry, std::uint32_t byte) {
   ExternalInput& e = externals[localEntries_[entry][byte]];
   if (e.node == noNode) e.node = input(siteName(e.site), e.width);
@@ -146,22 +170,27 @@ Node ScanEncoding::localByte(std::uint32_t entry, std::uint32_t byte) {
 }
 
 bool ScanEncoding::isInput(const Place& place) const {
-  if (place.isRegister) return place.reg == Reg::PhysicalInput || place.reg == Reg::HscCurrent;
+  if (place.isRegister)
+    return place.reg == Reg::PhysicalInput || (place.reg == Reg::HscCurrent && definesCounter(plan_, place.at));
   if (place.area == Area::I) return true;
   const std::uint32_t byte = place.byte();
   if (place.area == Area::SM) {
     const SmSource source = smSource(program_.target, byte, place.width == 1 ? place.bit() : 0);
     if (source == SmSource::Free || source == SmSource::FirstScan) return true;
   }
-  for (const ExternalBytes& e : options_.externals) {
-    if (e.area == place.area && e.first <= byte && byte <= e.last) return true;
-  }
-  return false;
+  // The layout begins a place where a range begins or ends, so the first bit tells for all.
+  const std::uint32_t bit = byte * 8 + (place.width == 1 ? place.bit() : 0);
+  return std::any_of(options_.externals.begin(), options_.externals.end(), [&](const ExternalBytes& e) {
+    return e.area == place.area && e.first * 8 + e.lowBit <= bit && bit <= e.last * 8 + e.highBit;
+  });
 }
 
 Node ScanEncoding::init(const Place& place) const {
   Graph& g = const_cast<Graph&>(graph);
   if (place.isRegister) {
+    const bool isScanClock = place.reg == Reg::PhaseSecond || place.reg == Reg::PhaseMinute;
+    if (isScanClock && !isFixed(Choice::ScanClockStart)) return noNode;
+    if (place.reg == Reg::Reading && !isFixed(choiceOfReading(place.at))) return noNode;
     const bool isTimer = place.reg == Reg::TimerCurrent, isCounter = place.reg == Reg::CounterCurrent;
     if (options_.initialRetentive && (isTimer || isCounter) &&
         isRetentive(options_.retentive, isTimer ? Area::T : Area::C, place.at))
@@ -199,13 +228,19 @@ Node ScanEncoding::atScan(const Cell& cell) {
 
 Cell ScanEncoding::newCell(const Place& place) {
   if (isInput(place)) return {place, CellKind::Input, input(nameOf(place), place.width)};
-  if (const auto known = knowledge_.constants.find(place); known != knowledge_.constants.end()) {
-    return {place, CellKind::Constant, graph.constantNode(known->second, place.width)};
-  }
+  if (const auto known = knowledge_.constants.find(place); known != knowledge_.constants.end())
+    return keeping(place, known->second);
   const Node first = init(place);
+  if (place.isRegister && place.reg == Reg::Reading && first != noNode) return {place, CellKind::Constant, first};
   const auto isOfDevice = [&] { return !place.isRegister && devices_.mayWrite(place); };
-  if (isClosed_ && !hasHavoc_ && first != noNode && !isOfDevice()) return {place, CellKind::Constant, first};
+  if (isClosed_ && !hasHavoc_ && first != noNode && !isOfDevice()) return keeping(place, graph[first].value);
   const Node node = graph.variable(nameOf(place), place.width, true);
+  if (first == noNode && place.isRegister && (place.reg == Reg::PhaseSecond || place.reg == Reg::PhaseMinute)) {
+    const std::uint64_t period = place.reg == Reg::PhaseSecond ? 1000 : 60000;
+    const Node isPhase = graph.make(Op::Ult, 1, node, graph.constantNode(period, place.width));
+    constraints_.push_back(isPhase);
+    totalConstraints_.push_back(isPhase);
+  }
   const auto values = knowledge_.values.find(place);
   if (values != knowledge_.values.end())
     known_[node] = values->second;
@@ -215,6 +250,13 @@ Cell ScanEncoding::newCell(const Place& place) {
   return {place, CellKind::State, node};
 }
 
+/// A constant; where the encoding is as written, a variable that keeps its value.
+Cell ScanEncoding::keeping(const Place& place, std::uint64_t value) {
+  if (!graph.isAsWritten()) return {place, CellKind::Constant, graph.constantNode(value, place.width)};
+  keptCells.push_back({graph.variable(nameOf(place), place.width, true), value});
+  return {place, CellKind::State, keptCells.back().node};
+}
+
 Graph::Bits ScanEncoding::external(const ExternalSite& site, int width) {
   if (site.kind == External::AnalogInput && options_.choices.is(Choice::AnalogSampling, "each-scan")) {
     const auto [sample, isFirst] = analog_.try_emplace(site.index, noNode);
@@ -222,6 +264,11 @@ Graph::Bits ScanEncoding::external(const ExternalSite& site, int width) {
     return {sample->second};
   }
   const Node node = input(siteName(site), width);
+  if (site.kind == External::ClockByte) {
+    const Node legal = isa::clockShows(machine_, {node}, site.index).node;
+    constraints_.push_back(legal);
+    totalConstraints_.push_back(legal);
+  }
   externals.push_back({site, node, width, machine_.guard.node});
   if (site.kind == External::AnalogInput) analog_[site.index] = node;
   return {node};
@@ -236,9 +283,13 @@ Node ScanEncoding::analogInput(std::uint32_t byte) {
 bool ScanEncoding::isPossible(Graph::Bool condition) {
   if (const std::optional<bool> known = graph.truth(condition)) return *known;
   if (!knowledge_.followsPointers) return true;
-  const bool isSo = ValueEvaluator(graph, known_).valuesOf(condition.node, machine_.guard.node, valueLimit).contains(1);
-  prunesLoops_ = prunesLoops_ || !isSo;
-  return isSo;
+  const auto answer = graph.listed([&]() -> std::optional<std::vector<std::uint64_t>> {
+    const ValueSet values = ValueEvaluator(graph, known_).valuesOf(condition.node, machine_.guard.node, valueLimit);
+    const bool isSo = values.contains(1);
+    prunesLoops_ = prunesLoops_ || !isSo;
+    return std::vector<std::uint64_t>{isSo ? 1ULL : 0ULL};
+  });
+  return answer->front() != 0;
 }
 
 /// The stack and what the rounds write take any value where the loop goes on.
@@ -296,19 +347,26 @@ ValueSet ScanEncoding::pointerValues(Node pointer, Node guard) {
   return values;
 }
 
-/// The values that the pointer can have here decide between a few places; a legal one is always among them.
-Graph::Bool ScanEncoding::targets(Machine<Graph>& machine, Graph::Bits pointer, Width width, Ref<Graph>& ref) {
-  for (const Node n : variablesOf(graph, pointer.node)) {
-    if (graph.variables()[graph[n].value].isState) pointerCells_.insert(n);
-  }
-  ValueSet values = ValueSet::any(32);
-  if (knowledge_.followsPointers) {
-    values = pointerValues(pointer.node, machine.guard.node);
+/// All values that the pointer can have here; nothing if they are too many.
+std::optional<std::vector<std::uint64_t>> ScanEncoding::targetsOf(Node pointer, Node guard) {
+  return graph.listed([&]() -> std::optional<std::vector<std::uint64_t>> {
+    for (const Node n : variablesOf(graph, pointer)) {
+      if (graph.variables()[graph[n].value].isState) pointerCells_.insert(n);
+    }
+    if (!knowledge_.followsPointers) return std::nullopt;
+    ValueSet values = pointerValues(pointer, guard);
     // A short range is as good as a list.
     values.restrict(values.facts().low, values.facts().high, pointerValueLimit);
-  }
+    if (!values.isListed()) return std::nullopt;
+    return values.values();
+  });
+}
+
+/// The values that the pointer can have here decide between a few places; a legal one is always among them.
+Graph::Bool ScanEncoding::targets(Machine<Graph>& machine, Graph::Bits pointer, Width width, Ref<Graph>& ref) {
   const bool isTable = machine.current != nullptr && machine.current->desc->group == "communication";
-  if (!values.isListed()) {
+  const std::optional<std::vector<std::uint64_t>> values = targetsOf(pointer.node, machine.guard.node);
+  if (!values) {
     ref.isUnresolved = true;
     if (isTable) tableTargets_[machine.current->id].insert(isa::unknownAddress);
     Approximation& a = approximate(machine.current, unresolvedReason);
@@ -316,7 +374,7 @@ Graph::Bool ScanEncoding::targets(Machine<Graph>& machine, Graph::Bits pointer, 
     return {a.carriers.back()};
   }
   Graph::Bool legal = graph.constant(true);
-  for (const std::uint64_t value : values.values()) {
+  for (const std::uint64_t value : *values) {
     const Graph::Bool isValue = graph.equal(pointer, graph.literal(value, 32), 32);
     const auto address = static_cast<std::uint32_t>(value);
     const bool isPlace = pointer::isLegal(machine.target, address, width);
@@ -327,7 +385,7 @@ Graph::Bool ScanEncoding::targets(Machine<Graph>& machine, Graph::Bits pointer, 
       legal = graph.land(legal, graph.lnot(isValue));
   }
   if (ref.targets.empty()) return graph.constant(false);
-  if (values.isSingle()) {
+  if (values->size() == 1) {
     ref.isPlace = true;
     ref.area = ref.targets[0].area;
     ref.offset = ref.targets[0].offset;
@@ -384,10 +442,18 @@ TransitionSystem ScanEncoding::system() {
   ts.constraints = constraints_;
   for (std::size_t i = 0; i < cells().size(); ++i) {
     const Cell cell = cells()[i];
+    if (cell.kind == CellKind::Input && cell.place.isRegister && cell.place.reg == Reg::HscCurrent) {
+      const Graph::Bool isDefined =
+          graph.lnot(graph.equal({start(registerPlace(Reg::HscMode, cell.place.at))}, graph.literal(0, 8), 8));
+      const Node fits = graph.lor(isDefined, graph.equal({cell.start}, graph.literal(0, 32), 32)).node;
+      ts.constraints.push_back(fits);
+      totalConstraints_.push_back(fits);
+    }
     if (cell.kind != CellKind::State) continue;
     ts.states.push_back({cell.start, init(cell.place), store_.value(cell.place)});
     if (cell.place == registerPlace(Reg::Running, 0)) ts.constraints.push_back(cell.start);
   }
+  ts.states.insert(ts.states.end(), eventStates_.all.begin(), eventStates_.all.end());
   ts.inputs.insert(ts.inputs.end(), inputs_.begin(), inputs_.end());
   ts.totalConstraints = totalConstraints_;
   return ts;

@@ -11,6 +11,8 @@
 #include "analysis/encoding/footprint.hpp"
 #include "analysis/encoding/loop_widening.hpp"
 #include "analysis/encoding/pointer_values.hpp"
+#include "analysis/encoding/routine_effects.hpp"
+#include "ir/event.hpp"
 #include "ir/scan_cycle.hpp"
 
 namespace rungproof {
@@ -31,12 +33,23 @@ struct Knowledge {
 using Attachments = std::map<int, std::set<int>>;
 Attachments attachmentsOf(const Plan& plan);
 
+/// What of the interrupt queue, the timed events and the edges of inputs lies outside the machine, as it is now.
+struct EventStates {
+  std::array<Node, timedEventCount> sinceLast{noNode, noNode};  ///< ms since event 10 or 11 at the end of the scan
+  Node passed = noNode;                                         ///< ms of the scan at least, at this place
+  std::map<int, Node> waiting;                                  ///< entries of 10, 11, 21, 22 in the queue
+  std::map<int, Node> left;        ///< routine + 1 of an entry whose event was detached (Choice::DetachedEvents)
+  std::map<int, Node> lastEdge;    ///< by input of which both edges are attached; 0: not known, 1: rising, 2: falling
+  std::set<int> overflowBits;      ///< bits of SM4 that the program can see
+  std::vector<StateVariable> all;  ///< those that live on from scan to scan, next: not set
+};
+
 class ScanEncoding final : private CellSource, private Graph::Listener {
  public:
   using Runner = Scan<Graph, ScanEncoding>;
 
   ScanEncoding(const Program& program, const EncoderOptions& options, const Plan& plan, const MemoryLayout& layout,
-               const Knowledge& knowledge);
+               const Knowledge& knowledge, const RoutineEffects* effects);
 
   /// Hooks of the walk over the program.
   void before(Runner& runner, const FlowStep& step);
@@ -47,6 +60,8 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   RoundsLeft beyondLimit(Graph::Bool condition);
 
   Node value(const Place& place) { return store_.value(place); }
+  Node halted() const { return machine_.halted.node; }
+  Node faulted() const { return machine_.faulted.node; }
   Node start(const Place& place);
   TransitionSystem system();
 
@@ -55,8 +70,11 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   std::vector<HazardRecord> hazards;
   std::vector<Approximation> approximations;
   std::vector<ExternalInput> externals;
+  std::map<std::string, Node> deviceInputs;
   std::vector<TickSite> tickSites;
   std::vector<EventSite> eventSites;
+  std::vector<SiteInput> siteInputs;
+  std::vector<KeptCell> keptCells;                    ///< instead of constants, where a trail is followed
   std::map<std::uint32_t, std::vector<Node>> visits;  ///< by instruction that has a site: guards of its executions
   std::vector<Place> places() const { return store_.places(); }
   const std::vector<Cell>& cells() const { return store_.cells(); }
@@ -83,6 +101,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   Node atScan(const Cell& cell) override;
   Node startOfCell(const Place& place);
   Node localByte(std::uint32_t entry, std::uint32_t byte) override;
+  void accessed() override;
   Graph::Bits external(const ExternalSite& site, int width) override;
   void report(Hazard hazard, Graph::Bool condition, const Instruction* place) override;
   ValueSet pointerValues(Node pointer, Node guard);
@@ -95,14 +114,52 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   void endOfScan();
   void boundary(Runner& runner, std::uint32_t instruction);
   void tick(std::uint32_t instruction, std::uint32_t visit);
-  void interrupts(Runner& runner, std::uint32_t instruction, std::uint32_t visit);
   bool needsTicks(std::uint32_t instruction) const;
   bool mayInterrupt(int event, std::uint32_t instruction) const;
+  std::uint32_t visitOf(std::uint32_t instruction);
+  // scan_interrupts.cpp
+  void beginEvents();
+  void endEvents();
+  void interrupts(Runner& runner, std::uint32_t instruction);
+  void noteAttachment(const Instruction& instruction);
+  void timerReached(const TimerUse& use, Graph::Bool reached);
+  void queueOne(int event, Graph::Bool condition);
+  void noteEndOfReception(const Instruction& instruction);
+  struct Round;
+  void runEvent(Runner& runner, Round& round, int event);
+  void runRoutines(Runner& runner, Round& round, int event, Graph::Bool fires);
+  void serveLeft(Runner& runner, Round& round, int event);
+  void moreRuns(Runner& runner, Round& round);
+  void passTime(Round& round);
+  void followEdges(int event);
+  void followOverflow(Round& round);
+  void endOverflow(const Round& round);
+  Graph::Bool occurs(Round& round, int event);
+  Graph::Bool isReady(int event);
+  Graph::Bool isDue(std::uint32_t timer);
+  Graph::Bool isNextDue(std::uint32_t timer);
+  Graph::Bits periodOf(std::uint32_t timer);
+  Graph::Bool isAttached(int event, int routine);
+  Graph::Bool hasRoutine(int event);
+  Graph::Bool interruptsEnabled();
+  Graph::Bool here(Graph::Bool condition) { return graph.land(machine_.guard, condition); }
+  Graph::Bool freely(std::string name, Graph::Bool use);
+  Node anyOf(std::string name, int width);
+  Approximation& estimate();
+  void useEstimate(Graph::Bool used);
+  Node state(std::string name, int width);
+  void become(Node& place, Graph::Bool condition, Node value) {
+    place = graph.make(Op::Ite, graph[place].width, condition.node, value, place);
+  }
   void prepareTicks();
   void prepareWatched();
   bool isInput(const Place& place) const;
+  Cell keeping(const Place& place, std::uint64_t value);
+  std::optional<std::vector<std::uint64_t>> targetsOf(Node pointer, Node guard);
   Node init(const Place& place) const;
+  bool isFixed(Choice choice) const { return !options_.coversAllReadings && options_.choices.isFixed(choice); }
   Node input(std::string name, int width);
+  Node siteInput(int event, std::uint32_t instruction, int width);
   Approximation& approximate(const Instruction* place, std::string_view reason);
 
   const Program& program_;
@@ -121,14 +178,19 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   std::vector<std::vector<std::size_t>> localEntries_;  ///< by entry: index in externals of each byte
   std::map<std::uint32_t, Node> analog_;
   Attachments attachments_;
-  std::vector<int> events_;           ///< attached ones, by priority
+  std::vector<int> events_;  ///< attached ones, by priority
+  const RoutineEffects* effects_;
+  EventStates eventStates_;
+  bool isAfterEnable_ = false;        ///< ENI stands in front of this place
   std::set<std::uint32_t> tickKeys_;  ///< footprint keys of all 1 ms timers
   Footprint watched_;                 ///< read in front of every instruction (EncoderOptions::watched)
   Footprints footprints_;
-  Node consumed_ = noNode;  ///< ms of this scan that have reached the 1 ms timers
-  int routine_ = -1;        ///< interrupt routine that runs
+  std::uint32_t accesses_ = 0;  ///< since the clock was looked at
+  Node consumed_ = noNode;      ///< ms of this scan that have reached the 1 ms timers
+  int routine_ = -1;            ///< interrupt routine that runs
   bool isRecording_ = true;
   bool isClosed_ = false;
+  std::optional<std::uint32_t> visit_;  ///< of the instruction at hand, once visitOf() was asked
   bool hasHavoc_ = false;
   bool prunesLoops_ = false;
   LoopWidening widening_;

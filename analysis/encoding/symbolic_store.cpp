@@ -20,6 +20,10 @@ Place registerPlace(Reg reg, std::uint32_t index) { return {true, Area::V, reg, 
 std::string nameOf(const Place& place) {
   if (place.isRegister) {
     const RegInfo& info = regInfo(place.reg);
+    if (place.reg == Reg::Reading) {
+      const ChoiceInfo& choice = choiceInfo(choiceOfReading(place.at));
+      return fmt::format("{} = {}", choice.key, choice.values[valueOfReading(place.at)]);
+    }
     if (info.count == 1) return std::string(info.name);
     const std::size_t dot = info.name.find('.');
     const std::string_view head = info.name.substr(0, dot);

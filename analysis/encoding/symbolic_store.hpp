@@ -55,6 +55,8 @@ class CellSource {
   virtual Node atScan(const Cell& cell) { return cell.start; }
   /// Byte of local memory whose block was entered with `entry` (the number given to enterFrame).
   virtual Node localByte(std::uint32_t entry, std::uint32_t byte) = 0;
+  /// The machine reads or writes once more; may throw to end that. One instruction can do so very often.
+  virtual void accessed() {}
 };
 
 /// A write to a single bit of memory: which instruction, what, and under which guard.
@@ -120,6 +122,7 @@ class Graph::Store {
   void put(Area area, std::uint32_t first, int width, Node value);
   Node read(Node value) { return machine_ == nullptr ? value : graph_.given(value, machine_->guard.node); }
   void note(const Place& place, bool isWrite) const {
+    source_.accessed();
     if (observer_) observer_({place, isWrite});
   }
 

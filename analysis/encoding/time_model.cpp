@@ -27,6 +27,15 @@ Node TimeModel::state(const char* name, int width, Node next) {
   return node;
 }
 
+/// The digit that a state of four bits means; its next value is set later.
+Node TimeModel::digit(const char* name, bool startsAnywhere) {
+  const Node raw = graph_.variable(name, 4, true);
+  states_.push_back({raw, startsAnywhere ? noNode : number(0, 4), noNode});
+  if (!startsAnywhere) return raw;
+  const Node isOver = graph_.make(Op::Ule, 1, number(10, 4), raw);
+  return graph_.make(Op::Ite, 4, isOver, graph_.make(Op::Sub, 4, raw, number(10, 4)), raw);
+}
+
 void TimeModel::free() {
   const std::uint32_t most = (high_ + 99) / 100;
   const int w = width_;
@@ -41,11 +50,14 @@ void TimeModel::free() {
   hundredsNow_ = n;
   tensNow_ = d;
   onesNow_ = u;
-  ten_ = state("time.tens.start", 4, d);
-  const Node ones = state("time.ones.start", 4, u);
-  tenBefore_ = state("time.tens.before", 4, ten_);
+  ten_ = digit("time.tens.start", true);
+  states_.back().next = d;
+  one_ = digit("time.ones.start", true);
+  states_.back().next = u;
+  const auto signedDigit = [&](Node n) { return graph_.make(Op::Zext, 5, n); };
+  step_ = state("time.tens.step", 5, graph_.make(Op::Sub, 5, signedDigit(d), signedDigit(ten_)));
   hundreds_ = state("time.hundreds.start", std::bit_width(most), n);
-  dt_ = add(add(times(wide(n), 100), times(sub(wide(d), wide(ten_)), 10)), sub(wide(u), wide(ones)));
+  dt_ = add(add(times(wide(n), 100), times(sub(wide(d), wide(ten_)), 10)), sub(wide(u), wide(one_)));
   const auto atMost = [&](Node a, std::uint64_t limit) {
     return graph_.make(Op::Ule, 1, a, number(limit, graph_[a].width));
   };
@@ -60,14 +72,11 @@ void TimeModel::fixed(std::uint32_t length) {
   dt_ = number(length, width_);
   const std::uint32_t most = length / 100 + 1;
   const int w = std::bit_width(most);
-  const auto makeState = [&](const char* name, int width) {
-    states_.push_back({graph_.variable(name, width, true), number(0, width), noNode});
-    return states_.back().node;
-  };
-  ten_ = makeState("time.tens.start", 4);
-  const Node ones = makeState("time.ones.start", 4);
-  tenBefore_ = makeState("time.tens.before", 4);
-  hundreds_ = makeState("time.hundreds.start", w);
+  // Where a digit never carries, its start tells nothing.
+  ten_ = digit("time.tens.start", length % 100 != 0);
+  one_ = digit("time.ones.start", length % 10 != 0);
+  step_ = state("time.tens.step", 5, noNode);
+  hundreds_ = state("time.hundreds.start", w, noNode);
   struct Digit {
     Node value, carry;
   };
@@ -79,11 +88,12 @@ void TimeModel::fixed(std::uint32_t length) {
     const Node kept = graph_.make(Op::Ite, 5, carry, graph_.make(Op::Sub, 5, sum, number(10, 5)), sum);
     return {graph_.make(Op::Extract, 4, kept), carry};
   };
-  const Digit one = add(ones, length % 10, number(0, 1));
+  const Digit one = add(one_, length % 10, number(0, 1));
   const Digit ten = add(ten_, length / 10 % 10, one.carry);
   states_[0].next = ten.value;
   states_[1].next = one.value;
-  states_[2].next = ten_;
+  const auto signedDigit = [&](Node n) { return graph_.make(Op::Zext, 5, n); };
+  states_[2].next = graph_.make(Op::Sub, 5, signedDigit(ten.value), signedDigit(ten_));
   states_[3].next = graph_.make(Op::Add, w, number(length / 100, w), graph_.make(Op::Zext, w, ten.carry));
   hundredsNow_ = states_[3].next;
   tensNow_ = ten.value;
@@ -114,7 +124,7 @@ Node TimeModel::ticks10() {
   const int w = std::max(16, graph_[hundreds_].width + 4);
   const auto wide = [&](Node n) { return graph_.make(Op::Zext, w, n); };
   const Node tens = graph_.make(Op::Mul, w, wide(hundreds_), number(10, w));
-  return saturated16(graph_.make(Op::Add, w, tens, graph_.make(Op::Sub, w, wide(ten_), wide(tenBefore_))));
+  return saturated16(graph_.make(Op::Add, w, tens, graph_.make(Op::Sext, w, step_)));
 }
 
 }  // namespace rungproof

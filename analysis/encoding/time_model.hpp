@@ -2,8 +2,9 @@
 // 100 ms time bases must follow from it exactly. Absolute time is split into digits, 100 N + 10 d + u: each scan
 // chooses the new digits, and
 //     dt = 100 n + 10 (d' - d) + (u' - u),   ticks of 10 ms = 10 n + d' - d,   ticks of 100 ms = n
-// so no division appears. Ticks reach the program in the next scan (ir/scan_cycle.hpp), so n and the old d are kept.
-// d and u start at 0, as the engine's clocks do.
+// so no division appears. Ticks reach the program in the next scan (ir/scan_cycle.hpp), so n and d' - d are kept.
+// d and u start with any value: the time bases run freely, RUN begins anywhere in their intervals (001:6592). Four bits
+// hold a digit; those of 10 to 15 mean it less 10, so every start is one.
 //
 // The relaxed range lets a scan last up to 2^22 ms. Every real run is a relaxed run, so proofs hold; a relaxed
 // witness must be expanded into real scans before it counts.
@@ -43,7 +44,9 @@ class TimeModel {
   Node ticks100();
   /// Ticks of `base` (1, 10 or 100 ms) that fall into this scan; any width.
   Node ticksWithin(int base);
-  /// The digits of the absolute time at the end of this scan, 4 bits each.
+  /// The digits of the absolute time at the start and at the end of this scan, 4 bits each.
+  Node tensBefore() const { return ten_; }
+  Node onesBefore() const { return one_; }
   Node tensNow() const { return tensNow_; }
   Node onesNow() const { return onesNow_; }
 
@@ -58,15 +61,17 @@ class TimeModel {
   void fixed(std::uint32_t length);
   Node number(std::uint64_t value, int width) { return graph_.constantNode(value, width); }
   Node state(const char* name, int width, Node next);
+  Node digit(const char* name, bool startsAnywhere);
   Graph& graph_;
   std::uint32_t low_, high_;
   bool relaxed_;
   int width_;
   Node dt_ = noNode;
   Node hundredsNow_ = noNode, tensNow_ = noNode, onesNow_ = noNode;
-  Node hundreds_ = noNode;   ///< ticks of 100 ms since the scan before
-  Node ten_ = noNode;        ///< digit d at the start of this scan
-  Node tenBefore_ = noNode;  ///< and at the start of the scan before
+  Node hundreds_ = noNode;  ///< ticks of 100 ms since the scan before
+  Node ten_ = noNode;       ///< digit d at the start of this scan
+  Node one_ = noNode;       ///< digit u
+  Node step_ = noNode;      ///< d less the digit at the start of the scan before, 5 bits, signed
   Node constraint_ = noNode;
   std::vector<StateVariable> states_;
   std::vector<Node> inputs_;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "analysis/bits/bit_blast.hpp"
 #include "analysis/export/system.hpp"
@@ -103,12 +104,16 @@ class AigerText {
   }
   std::string symbols() const {
     std::string text;
-    for (std::size_t i = 0; i < bits_.inputs.size(); ++i)
-      text += fmt::format("i{} {}\n", i, exportLine(bits_.inputNames[i]));
-    for (std::size_t i = 0; i < bits_.latches.size(); ++i)
-      text += fmt::format("l{} {}\n", i, exportLine(bits_.latches[i].name));
-    for (std::size_t i = 0; i < questions_.size(); ++i)
-      text += fmt::format("b{} {}\n", i, exportLine(questions_[i].name));
+    std::set<std::string> given;  // readers refuse a name that stands twice
+    const auto add = [&](char kind, std::size_t i, const std::string& name) {
+      const std::string plain = exportLine(name);
+      std::string unique = plain;
+      for (int k = 2; !given.insert(unique).second; ++k) unique = fmt::format("{}#{}", plain, k);
+      text += fmt::format("{}{} {}\n", kind, i, unique);
+    };
+    for (std::size_t i = 0; i < bits_.inputs.size(); ++i) add('i', i, bits_.inputNames[i]);
+    for (std::size_t i = 0; i < bits_.latches.size(); ++i) add('l', i, bits_.latches[i].name);
+    for (std::size_t i = 0; i < questions_.size(); ++i) add('b', i, questions_[i].name);
     if (!remarks_.empty()) text += "c\n";
     for (const std::string& remark : remarks_) text += exportLine(remark) + "\n";
     return text;

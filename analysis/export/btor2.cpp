@@ -42,6 +42,10 @@ class Btor2Text {
   explicit Btor2Text(const TransitionSystem& system) : system_(system), graph_(*system.graph) {}
 
   std::string run() {
+    // What a state begins with has to stand before it.
+    for (const StateVariable& s : system_.states) {
+      if (s.init != noNode && graph_[s.init].op == Op::Constant) define(s.init);
+    }
     for (const StateVariable& s : system_.states) variable(s.node, "state");
     for (const Node n : system_.inputs) variable(n, "input");
     std::vector<Node> roots = system_.constraints;

@@ -49,7 +49,7 @@ Node Graph::intern(const NodeData& data) {
     if (same(nodes_[table_[at] - 1], data)) return static_cast<Node>(table_[at] - 1);
   }
   const Facts facts = factsOf(data);
-  if (data.op != Op::Constant && facts.low == facts.high) return constantNode(facts.low, data.width);
+  if (data.op != Op::Constant && facts.low == facts.high && !isAsWritten_) return constantNode(facts.low, data.width);
   CHECK(nodes_.size() < 0xFFFFFFF0U, "graph is full");
   nodes_.push_back(data);
   facts_.push_back(facts);
@@ -99,6 +99,7 @@ bool Graph::widthsAgree(Op op, int width, Node a, Node b, Node c, std::uint64_t 
 
 Node Graph::make(Op op, int width, Node a, Node b, Node c, std::uint64_t value) {
   CHECK(widthsAgree(op, width, a, b, c, value), "operands of unequal width");
+  if (isAsWritten_) return asWritten(op, width, a, b, c, value);
   if (depth_ == 0) work_ = workLimit;
   if (const auto folded = fold(op, width, a, b, c, value)) return constantNode(*folded, width);
   --work_;
@@ -167,6 +168,41 @@ Node Graph::simplify(Op op, int width, Node a, Node b, Node c, std::uint64_t val
   return intern({op, static_cast<std::uint8_t>(width), {a, b, c}, value});
 }
 
+/// Constants are computed, but a comparison of two stays: it is all that a program of constants has to say. Where a
+/// constant condition leaves one part over, it is that part.
+Node Graph::asWritten(Op op, int width, Node a, Node b, Node c, std::uint64_t value) {
+  const bool isComparison = op == Op::Equal || (op >= Op::Ult && op <= Op::Sle);
+  if (!isComparison) {
+    if (const auto folded = fold(op, width, a, b, c, value)) return constantNode(*folded, width);
+  }
+  const bool isTruth = width == 1 && (op == Op::And || op == Op::Or);
+  if (isTruth && (isConstant(a) || isConstant(b))) {
+    if (!isConstant(a)) std::swap(a, b);
+    return isZero(a) == (op == Op::And) ? a : b;
+  }
+  if (op == Op::Ite && isConstant(a)) return isZero(a) ? c : b;
+  if ((op == Op::Extract || op == Op::Zext || op == Op::Sext) && width == widthOf(a)) return a;
+  return intern({op, static_cast<std::uint8_t>(width), {a, b, c}, value});
+}
+
+std::optional<std::uint64_t> Graph::take(Decisions::Kind kind) const {
+  if (decisions_->next == decisions_->made.size() || decisions_->made[decisions_->next].kind != kind)
+    throw DecisionsDiverge{};
+  return decisions_->made[decisions_->next++].answer;
+}
+
+std::optional<std::uint64_t> Graph::decide(Node n) const {
+  const std::optional<std::uint64_t> own = isConstant(n) ? std::optional((*this)[n].value) : std::nullopt;
+  if (decisions_ == nullptr) return own;
+  if (!isAsWritten_) {
+    record(Decisions::Kind::Value, own);
+    return own;
+  }
+  const std::optional<std::uint64_t> answer = take(Decisions::Kind::Value);
+  if (answer && own != answer) decided_.push_back({n, *answer});
+  return answer;
+}
+
 Graph::Bool Graph::constant(bool v) { return {constantNode(v ? 1 : 0, 1)}; }
 Graph::Bool Graph::lnot(Bool a) { return {make(Op::Not, 1, a.node)}; }
 Graph::Bool Graph::land(Bool a, Bool b) { return {make(Op::And, 1, a.node, b.node)}; }
@@ -174,15 +210,12 @@ Graph::Bool Graph::lor(Bool a, Bool b) { return {make(Op::Or, 1, a.node, b.node)
 Graph::Bool Graph::lxor(Bool a, Bool b) { return {make(Op::Xor, 1, a.node, b.node)}; }
 Graph::Bool Graph::select(Bool c, Bool a, Bool b) { return {make(Op::Ite, 1, c.node, a.node, b.node)}; }
 std::optional<bool> Graph::truth(Bool a) const {
-  if (!isConstant(a.node)) return std::nullopt;
-  return (*this)[a.node].value != 0;
+  const std::optional<std::uint64_t> value = decide(a.node);
+  return value ? std::optional(*value != 0) : std::nullopt;
 }
 
 Graph::Bits Graph::literal(std::uint64_t v, int w) { return {constantNode(v, w)}; }
-std::optional<std::uint64_t> Graph::known(Bits a) const {
-  if (!isConstant(a.node)) return std::nullopt;
-  return (*this)[a.node].value;
-}
+std::optional<std::uint64_t> Graph::known(Bits a) const { return decide(a.node); }
 Graph::Bits Graph::add(Bits a, Bits b, int w) { return {make(Op::Add, w, a.node, b.node)}; }
 Graph::Bits Graph::sub(Bits a, Bits b, int w) { return {make(Op::Sub, w, a.node, b.node)}; }
 Graph::Bits Graph::mul(Bits a, Bits b, int w) { return {make(Op::Mul, w, a.node, b.node)}; }

@@ -9,6 +9,8 @@
 //
 // Normal form: Or of width 1 is a negated And; Ule and Sle are negated Ult and Slt; Concat with 0 is Zext;
 // constants stand on the right of commutative operators.
+// A graph made Rewriting::None keeps nodes as they are written: certificates and exports are about those, so that the
+// rules above need not be believed. Only what a constant decides by itself is computed.
 // Covered by tests/encoder/graph_test.cpp and tests/differential/domain_laws_test.cpp.
 #pragma once
 
@@ -19,6 +21,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/graph/decisions.hpp"
 #include "ir/domain.hpp"
 #include "ir/machine.hpp"
 
@@ -81,8 +84,12 @@ struct Variable {
   Node node = noNode;
 };
 
+enum class Rewriting : bool { None, Full };
+
 class Graph {
  public:
+  explicit Graph(Rewriting rewriting = Rewriting::Full) : isAsWritten_(rewriting == Rewriting::None) {}
+
   /// Distinct types keep truth values and vectors apart in instruction meanings; both are nodes.
   struct Bool {
     Node node = noNode;
@@ -118,6 +125,9 @@ class Graph {
   /// The one constructor: simplifies, then looks the node up or adds it.
   Node make(Op op, int width, Node a, Node b = noNode, Node c = noNode, std::uint64_t value = 0);
 
+  /// Answers of truth(), known() and listed() are recorded there, or with Rewriting::None taken from there; nullptr
+  /// ends that. Throws DecisionsDiverge where they do not fit.
+  void decideBy(Decisions* decisions) { decisions_ = decisions; }
   /// A node that equals `n` wherever `guard` (width 1) holds; simpler if the guard decides conditions in n.
   Node given(Node n, Node guard);
 
@@ -167,6 +177,17 @@ class Graph {
   Bits rfromInt(Bits a);
   Bits rtoInt(Bits a, bool round);
 
+  /// The list that `find` gives, or nothing: recorded, or taken from the decisions instead.
+  template <class Find>
+  std::optional<std::vector<std::uint64_t>> listed(Find&& find);
+  bool isAsWritten() const { return isAsWritten_; }
+  /// Nodes that were said to have a value by decisions that this graph follows, and are no constants.
+  struct Decided {
+    Node node;
+    std::uint64_t value;
+  };
+  const std::vector<Decided>& decided() const { return decided_; }
+
   // ---- What the machine asks for beyond values ------------------------------------------------------
   /// A fresh input for the site; the encoder remembers which (analysis/encoding/encoder.hpp).
   Bits external(const ExternalSite& site, int width);
@@ -200,6 +221,12 @@ class Graph {
   };
 
   // graph.cpp
+  std::optional<std::uint64_t> decide(Node n) const;
+  void record(Decisions::Kind kind, std::optional<std::uint64_t> answer) const {
+    decisions_->made.push_back({kind, answer});
+  }
+  std::optional<std::uint64_t> take(Decisions::Kind kind) const;
+  Node asWritten(Op op, int width, Node a, Node b, Node c, std::uint64_t value);
   Node intern(const NodeData& data);
   Node simplify(Op op, int width, Node a, Node b, Node c, std::uint64_t value);
   void growTable();
@@ -262,6 +289,25 @@ class Graph {
   int depth_ = 0;                     ///< of nested rewriting; beyond a limit nodes are made as they are
   int work_ = 0;                      ///< rewriting steps left in the outermost make()
   Listener* listener_ = nullptr;
+  bool isAsWritten_ = false;
+  Decisions* decisions_ = nullptr;
+  mutable std::vector<Decided> decided_;
 };
+
+template <class Find>
+std::optional<std::vector<std::uint64_t>> Graph::listed(Find&& find) {
+  if (decisions_ == nullptr || !isAsWritten_) {
+    std::optional<std::vector<std::uint64_t>> found = find();
+    if (decisions_ == nullptr) return found;
+    record(Decisions::Kind::Targets, found ? std::optional<std::uint64_t>(found->size()) : std::nullopt);
+    for (std::size_t i = 0; found && i < found->size(); ++i) record(Decisions::Kind::Target, (*found)[i]);
+    return found;
+  }
+  const std::optional<std::uint64_t> count = take(Decisions::Kind::Targets);
+  if (!count) return std::nullopt;
+  std::vector<std::uint64_t> list;
+  for (std::uint64_t i = 0; i < *count; ++i) list.push_back(take(Decisions::Kind::Target).value_or(0));
+  return list;
+}
 
 }  // namespace rungproof

@@ -206,7 +206,7 @@ Node Graph::reduced(Node n, std::span<const Node> known) {
 }
 
 Node Graph::given(Node n, Node guard) {
-  if (isConstant(guard) || isConstant(n)) return n;
+  if (isAsWritten_ || isConstant(guard) || isConstant(n)) return n;
   const Node followed = is(guard, Op::Not) ? follow(n, child(guard, 0), false) : follow(n, guard, true);
   if (widthOf(n) != 1) return followed;
   work_ = workLimit;

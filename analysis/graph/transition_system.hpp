@@ -22,6 +22,7 @@ struct StateVariable {
 struct Question {
   std::string name;
   Node bad = noNode;
+  std::size_t number = 0;  ///< in the list that it was asked with first
 };
 
 struct TransitionSystem {
@@ -29,8 +30,8 @@ struct TransitionSystem {
   std::vector<StateVariable> states;
   std::vector<Node> inputs;
   std::vector<Node> constraints;  ///< hold in every scan; a run that breaks one is no run
-  /// Those of `constraints` that inputs of their own can meet in every state: they can be left out of the cone of a
-  /// question that does not share variables with them.
+  /// Those of `constraints` that inputs of their own can meet in every state, or free initial values once and for all:
+  /// they can be left out of the cone of a question that does not share variables with them.
   std::vector<Node> totalConstraints;
   std::vector<Question> questions;
 };

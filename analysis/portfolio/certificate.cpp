@@ -122,15 +122,17 @@ void CertificateWriter::base(const Question& question, const WordCertificate& ce
   oblige("base", terms);
 }
 
-/// Bad is impossible in one scan whatever the values of the open nodes; no scan needs to be known but this one.
+/// Bad is impossible in one scan whatever the values of the open nodes; no scan needs to be known but this one, and of
+/// the invariant what it says about this one.
 void CertificateWriter::surface(const Question& question, const WordCertificate& certificate) {
   std::unordered_set<std::uint32_t> open;
   for (const Node n : certificate.open) open.insert(indexOf(n));
   SmtText smt(system_, fmt::format(".{}", questions_.size()), std::move(open));
-  const std::string bad = smt.term(question.bad, 0);
+  Terms terms{smt.term(question.bad, 0)};
+  for (const Node n : certificate.invariant) terms.push_back(smt.term(n, 0));
   surfaces_ += smt.declarations();
   surfaceDefinitions_.insert(surfaceDefinitions_.end(), smt.definitions().begin(), smt.definitions().end());
-  oblige("safety", {bad});
+  oblige("safety", terms);
 }
 
 void CertificateWriter::add(const Question& question, const WordCertificate& certificate) {

@@ -43,8 +43,15 @@ struct WordCertificate {
   /// Of the invariant: what excludes bad (in the step case, in every scan); empty: all of it.
   std::vector<Node> immediate;
   std::vector<KeptDifference> differences;  ///< used in the step from I to I; each is an obligation of its own
-  /// Nodes that may have any value: the proof does not look below them. Only with k = 0 and an empty invariant.
+  /// Nodes that may have any value: the proof does not look below them. Only with k = 0; then bad is excluded in every
+  /// scan in which the invariant holds, whatever the constraints.
   std::vector<Node> open;
+};
+
+/// A proof that is to be checked.
+struct Claim {
+  const Question* question;
+  const WordCertificate* certificate;
 };
 
 /// The obligations of one certificate or several, over shared declarations and definitions.

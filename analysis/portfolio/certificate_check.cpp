@@ -26,6 +26,13 @@ constexpr double jointSeconds = 0.3;     ///< for several formulas at once
 constexpr std::size_t smallSize = 1000;  ///< numbers in the form of a formula that is checked with others
 constexpr std::size_t jointSize = 2000;  ///< of all formulas that are checked at once
 
+/// The address sanitizer reserves more memory than any limit allows.
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool reservesMuch = true;
+#else
+constexpr bool reservesMuch = false;
+#endif
+
 z3::solver quickSolver(z3::context& context) {
   const auto step = [&](const char* name) { return z3::tactic(context, name); };
   return (step("simplify") & step("propagate-values") & step("solve-eqs") & step("simplify") & step("bit-blast") &
@@ -167,7 +174,7 @@ void writeResult(int pipe, CheckResult result) {
 /// The child's whole life.
 [[noreturn]] void work(int pipe, const std::string& text, const std::vector<std::size_t>& owners,
                        std::size_t ownerCount, const CheckLimits& limits) {
-  if (limits.memory > 0) {
+  if (limits.memory > 0 && !reservesMuch) {
     const rlimit limit{limits.memory, limits.memory};
     setrlimit(RLIMIT_DATA, &limit);
   }

@@ -1,4 +1,5 @@
-// Timers are recognised by the names of their registers.
+// Timers are recognised by the names of their registers; what stays on, and what two bits have in common until then, by
+// their next-state functions.
 #include "analysis/portfolio/invariants_timers.hpp"
 
 #include <string_view>
@@ -6,12 +7,55 @@
 
 namespace rungproof {
 
+namespace {
+
+constexpr std::size_t lastingLimit = 4;  ///< bits that stay on, such as the cell of once(I0.3)
+constexpr std::size_t lookLimit = 3000;  ///< pairs of bits
+
+bool isConstantOne(const Graph& graph, Node n) { return graph[n].op == Op::Constant && graph[n].value == 1; }
+
+/// A timer that a jump may leave out has seen its input's driver as long as the jump was never taken: while a bit that
+/// then stays on is off, the remembered input equals each bit that is written with the same value.
+void guessSeenInputs(const TransitionSystem& system, const std::vector<std::size_t>& inputs,
+                     std::vector<NodeClause>& clauses) {
+  Graph& graph = *system.graph;
+  std::vector<std::size_t> bits, lasting;
+  for (std::size_t i = 0; i < system.states.size(); ++i) {
+    if (graph[system.states[i].node].width != 1 || system.states[i].next == noNode) continue;
+    bits.push_back(i);
+    const bool isLasting = isConstantOne(graph, graph.given(system.states[i].next, system.states[i].node));
+    if (isLasting && lasting.size() < lastingLimit) lasting.push_back(i);
+  }
+  std::size_t looks = 0;
+  for (const std::size_t last : lasting) {
+    const Node off = graph.make(Op::Not, 1, system.states[last].next);
+    for (const std::size_t input : inputs) {
+      const Node seen = graph.given(system.states[input].next, off);
+      for (const std::size_t bit : bits) {
+        if (bit == input || bit == last || ++looks > lookLimit) continue;
+        if (graph.given(system.states[bit].next, off) != seen) continue;
+        const Node in = system.states[input].node, other = system.states[bit].node;
+        clauses.push_back({system.states[last].node, graph.make(Op::Not, 1, in), other});
+        clauses.push_back({system.states[last].node, in, graph.make(Op::Not, 1, other)});
+      }
+    }
+  }
+}
+
+}  // namespace
+
 std::vector<NodeClause> guessTimerStates(const TransitionSystem& system) {
   constexpr std::string_view running = ".running", input = ".in";
   Graph& graph = *system.graph;
   std::unordered_map<std::string_view, Node> states;
-  for (const StateVariable& state : system.states)
-    states.emplace(graph.variables()[graph[state.node].value].name, state.node);
+  std::vector<std::size_t> inputs;
+  for (std::size_t i = 0; i < system.states.size(); ++i) {
+    const Node node = system.states[i].node;
+    const std::string& name = graph.variables()[graph[node].value].name;
+    states.emplace(name, node);
+    const bool isInput = name.starts_with('T') && name.ends_with(input);
+    if (isInput && system.states[i].next != noNode) inputs.push_back(i);
+  }
   std::vector<NodeClause> clauses;
   for (const StateVariable& state : system.states) {
     const std::string& name = graph.variables()[graph[state.node].value].name;
@@ -22,6 +66,7 @@ std::vector<NodeClause> guessTimerStates(const TransitionSystem& system) {
     if (bit == states.end() || in == states.end()) continue;
     clauses.push_back({graph.make(Op::Not, 1, bit->second), in->second, state.node});
   }
+  guessSeenInputs(system, inputs, clauses);
   return clauses;
 }
 

@@ -19,6 +19,7 @@ constexpr double localQuerySeconds = 0.05;
 struct Surface {
   std::size_t size = 0;
   std::unordered_set<std::uint32_t> open;
+  std::vector<Node> variables;
 };
 
 Surface surfaceOf(const Graph& graph, Node root, int depth) {
@@ -29,6 +30,7 @@ Surface surfaceOf(const Graph& graph, Node root, int depth) {
     std::vector<Node> next;
     for (std::size_t i = 0; i < layer.size(); ++i) {
       const NodeData& node = graph[layer[i]];
+      if (node.op == Op::Variable) surface.variables.push_back(layer[i]);
       if (node.op == Op::Variable || node.op == Op::Constant) continue;
       if (distance >= depth) {
         surface.open.insert(indexOf(layer[i]));
@@ -47,13 +49,21 @@ Surface surfaceOf(const Graph& graph, Node root, int depth) {
 
 }  // namespace
 
-std::optional<std::vector<Node>> proveLocally(const TransitionSystem& system, Node bad, const Budget& budget) {
-  const Graph& graph = *system.graph;
+std::optional<std::vector<Node>> proveLocally(const TransitionSystem& system, Node bad, const Budget& budget,
+                                              const KnownVariables& known, std::vector<Node>* used) {
+  Graph& graph = *system.graph;
   for (const int depth : depths) {
     if (budget.isExhausted()) break;
     const Surface surface = surfaceOf(graph, bad, depth);
     if (surface.size > sizeLimit) return std::nullopt;
-    const BitBlast blast(system, bad, surface.open);
+    std::vector<Node> facts;
+    for (const Node n : surface.variables) {
+      if (const auto found = known.find(indexOf(n)); found != known.end())
+        facts.push_back(graph.make(Op::Equal, 1, n, graph.constantNode(found->second, graph[n].width)));
+    }
+    Node goal = bad;
+    for (const Node fact : facts) goal = graph.make(Op::And, 1, goal, fact);
+    const BitBlast blast(system, goal, surface.open);
     const Lit l = blast.bits().bads[0];
     Sat::Outcome outcome = l == falseLit ? Sat::Outcome::Unsatisfiable : Sat::Outcome::Satisfiable;
     if (variableOf(l) != 0) {
@@ -65,6 +75,7 @@ std::optional<std::vector<Node>> proveLocally(const TransitionSystem& system, No
     if (outcome == Sat::Outcome::Unsatisfiable) {
       std::vector<Node> open;
       for (const std::uint32_t n : surface.open) open.push_back(static_cast<Node>(n));
+      if (used != nullptr) used->insert(used->end(), facts.begin(), facts.end());
       return open;
     }
     if (surface.open.empty()) return std::nullopt;

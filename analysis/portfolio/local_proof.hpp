@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "analysis/bits/engine_contract.hpp"
@@ -13,7 +14,10 @@
 namespace rungproof {
 
 /// Nodes below which the proof does not look, if `bad` (width 1) is 0 for all their values and all values of variables;
-/// nothing if it can be 1 or the surface would become too large.
-std::optional<std::vector<Node>> proveLocally(const TransitionSystem& system, Node bad, const Budget& budget);
+/// nothing if it can be 1 or the surface would become too large. `known`: what variables (indices) are known to be; the
+/// constant nodes' equations with those that were used are added to `used`.
+using KnownVariables = std::unordered_map<std::uint32_t, std::uint64_t>;
+std::optional<std::vector<Node>> proveLocally(const TransitionSystem& system, Node bad, const Budget& budget,
+                                              const KnownVariables& known = {}, std::vector<Node>* used = nullptr);
 
 }  // namespace rungproof

@@ -20,6 +20,7 @@ constexpr double mergeShare = 0.3;        ///< of the time of a question, for me
 constexpr double mostMerging = 10;        ///< seconds
 constexpr double unsaturatedShare = 0.7;  ///< of the time, for the system with whole words
 constexpr double leastForBoth = 5;        ///< seconds
+constexpr double judgeShare = 0.6;        ///< of the time for checking, for the judge
 constexpr double leastCheck = 0.5;        ///< seconds for checking certificates, whatever the deadline says
 
 /// What is settled on the surface, then what is left on the merged system, then the certificates about the given one.
@@ -154,12 +155,12 @@ class Answers {
 
   /// A proof whose certificate Z3 does not confirm is not reported as one.
   void checkCertificates() {
-    CertificateWriter writer(system_);
     std::vector<std::size_t> certified;
+    std::vector<Claim> claims;
     for (std::size_t q = 0; q < answers_.size(); ++q) {
       if (!answers_[q].certificate) continue;
       certified.push_back(q);
-      writer.add(system_.questions[q], *answers_[q].certificate);
+      claims.push_back({&system_.questions[q], &*answers_[q].certificate});
     }
     if (certified.empty()) return;
     // What was found before an interruption is worth a short look.
@@ -170,7 +171,7 @@ class Answers {
     limits.memory = options_.memory;
     limits.cancel = isCancelled ? nullptr : options_.cancel;
     const auto begin = Budget::Clock::now();
-    const std::vector<CheckResult> results = writer.check(limits);
+    const std::vector<CheckResult> results = checked(claims, certified, limits);
     const double each =
         std::chrono::duration<double>(Budget::Clock::now() - begin).count() / static_cast<double>(certified.size());
     for (const std::size_t q : certified) answers_[q].seconds += each;
@@ -182,6 +183,33 @@ class Answers {
       answer.method += " (certificate not checked in time)";
       answer.certificate.reset();
     }
+  }
+
+  /// By the judge if there is one, and the rest against the given system.
+  std::vector<CheckResult> checked(const std::vector<Claim>& claims, const std::vector<std::size_t>& questions,
+                                   const CheckLimits& limits) {
+    std::vector<CheckResult> results(claims.size(), CheckResult::Unknown);
+    if (options_.judge) {
+      CheckLimits most = limits;
+      if (limits.total < 1e9) most.total *= judgeShare;
+      results = options_.judge(claims, most);
+    }
+    CertificateWriter writer(system_);
+    std::vector<std::size_t> rest;
+    for (std::size_t i = 0; i < claims.size(); ++i) {
+      if (results[i] == CheckResult::Valid) {
+        answers_[questions[i]].isJudged = true;
+        continue;
+      }
+      rest.push_back(i);
+      writer.add(*claims[i].question, *claims[i].certificate);
+    }
+    if (rest.empty()) return results;
+    CheckLimits left = limits;
+    if (limits.total < 1e9 && options_.deadline) left.total = std::max(options_.left(), leastCheck);
+    const std::vector<CheckResult> own = writer.check(left);
+    for (std::size_t i = 0; i < rest.size(); ++i) results[rest[i]] = own[i];
+    return results;
   }
 
   const TransitionSystem& system_;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,9 +25,12 @@ struct PortfolioOptions {
   double seconds = 30;  ///< wall time for each question
   int jobs = 2;         ///< threads
   std::uint64_t seed = 1;
-  int bound = 0;                              ///< BMC and k-induction look at that many scans at most; 0: no limit
-  std::uint64_t memory = 0;                   ///< bytes that a check of certificates may use; 0: no limit
-  bool check = true;                          ///< check certificates with Z3; without, proofs are reported as they are
+  int bound = 0;             ///< BMC and k-induction look at that many scans at most; 0: no limit
+  std::uint64_t memory = 0;  ///< bytes that a check of certificates may use; 0: no limit
+  bool check = true;         ///< check certificates with Z3; without, proofs are reported as they are
+  /// Checks certificates against something better than the given system; what it leaves Unknown or calls Invalid is
+  /// checked against that. In the order of the claims.
+  std::function<std::vector<CheckResult>(const std::vector<Claim>&, const CheckLimits&)> judge{};
   const std::atomic<bool>* cancel = nullptr;  ///< ends the search from outside; what is open stays unknown
   /// When the whole call has to be back, checks of certificates included (they may take half a second more).
   std::optional<Budget::Clock::time_point> deadline;
@@ -46,6 +50,7 @@ struct QuestionAnswer {
   double seconds = 0;
   std::optional<WordTrace> trace;
   std::optional<WordCertificate> certificate;
+  bool isJudged = false;       ///< PortfolioOptions::judge found the certificate valid
   bool usesFreeReals = false;  ///< Violated: the run may rest on values of REAL operations that the CPU does not give
 };
 

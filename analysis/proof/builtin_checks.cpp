@@ -204,7 +204,9 @@ class Gatherer {
       some = graph_.lor(some, {visit.guard});
     }
     if (some.node == graph_.constant(false).node) return;  // in a block that nothing calls
-    const Node bad = graph_.lor(graph_.lnot(some), twice).node;
+    // Of a scan that a fatal error has cut off nothing is asked.
+    const Graph::Bool isWhole = graph_.lnot({encoding_.faulted()});
+    const Node bad = graph_.lor(graph_.land(isWhole, graph_.lnot(some)), twice).node;
     if (const auto known = graph_.truth({bad}); known && !*known && !settles_) return;
     checks_.push_back({BuiltinKind::TimerOncePerScan, fmt::format("{} runs once a scan", toString(timer)), "TIM004",
                        fmt::format("{} has a resolution of 100 ms, but its box does not run exactly once in every scan",

@@ -79,6 +79,43 @@ struct AlikePlace {
   const Instruction* place;
 };
 
+/// Rank of a question by what it costs not to know the answer, 1 the worst: what stops the CPU, two hands on one
+/// output, what waits for ever, what is merely odd.
+constexpr int costOfIgnoring(BuiltinKind kind) {
+  switch (kind) {
+    case BuiltinKind::StackLevels:
+    case BuiltinKind::Nesting:
+    case BuiltinKind::OperandRange:
+    case BuiltinKind::Division:
+    case BuiltinKind::Comparison:
+    case BuiltinKind::LoopBound: return 1;
+    case BuiltinKind::SetReset:
+    case BuiltinKind::DoubleCoil:
+    case BuiltinKind::TwoWaysOut:
+    case BuiltinKind::StepsTogether:
+    case BuiltinKind::PowerUp:
+    case BuiltinKind::Restart: return 2;
+    case BuiltinKind::TimerReachable:
+    case BuiltinKind::TimerResettable:
+    case BuiltinKind::TimerOncePerScan:
+    case BuiltinKind::Preset:
+    case BuiltinKind::LatchOn:
+    case BuiltinKind::LatchDrops:
+    case BuiltinKind::StepEntered:
+    case BuiltinKind::StepLeft:
+    case BuiltinKind::CounterReset:
+    case BuiltinKind::CountRises: return 3;
+    case BuiltinKind::Overflow:
+    case BuiltinKind::Toggles:
+    case BuiltinKind::RunsTwice:
+    case BuiltinKind::CodeRuns:
+    case BuiltinKind::FlowOn:
+    case BuiltinKind::FlowOff: return 4;
+    case BuiltinKind::ContactMatters: return 5;
+  }
+  return 5;
+}
+
 struct BuiltinCheck {
   BuiltinKind kind;
   std::string name;     ///< "set/reset conflict on Q0.1", "set/reset conflict on Q0.2 to Q0.7"

@@ -20,7 +20,18 @@ std::string nameIn(const TransitionSystem& system, Node variable) {
   return system.graph->variables()[(*system.graph)[variable].value].name;
 }
 
-/// Digits of time that the exact model chooses in a scan that lasts `length` ms and begins `now` ms after power-up.
+/// Where the found run starts between two ticks of 100 ms, in ms (time_model.hpp).
+std::uint32_t phaseOf(const TransitionSystem& found, const WordTrace& trace) {
+  std::uint64_t phase = 0;
+  for (std::size_t i = 0; i < found.states.size(); ++i) {
+    const std::string name = nameIn(found, found.states[i].node);
+    if (name == "time.tens.start") phase += trace.initial[i] % 10 * 10;
+    if (name == "time.ones.start") phase += trace.initial[i] % 10;
+  }
+  return static_cast<std::uint32_t>(phase);
+}
+
+/// Digits of time that the exact model chooses in a scan that lasts `length` ms and begins at the time `now`.
 std::optional<std::uint64_t> digitOf(const std::string& name, std::uint64_t now, std::uint64_t length) {
   const std::uint64_t then = now + length;
   if (name == "time.hundreds") return then / 100 - now / 100;
@@ -32,7 +43,8 @@ std::optional<std::uint64_t> digitOf(const std::string& name, std::uint64_t now,
 /// ms of each scan of a found run, from its time digits.
 std::vector<std::uint32_t> lengthsOf(const TransitionSystem& found, const WordTrace& trace) {
   std::vector<std::uint32_t> lengths;
-  std::uint64_t tens = 0, ones = 0;
+  const std::uint32_t phase = phaseOf(found, trace);
+  std::uint64_t tens = phase / 10, ones = phase % 10;
   for (const std::vector<std::uint64_t>& inputs : trace.inputs) {
     std::uint64_t hundreds = 0, nextTens = tens, nextOnes = ones;
     for (std::size_t i = 0; i < found.inputs.size(); ++i) {
@@ -85,7 +97,7 @@ std::optional<ExactRun> ExactQuestion::runOf(const TransitionSystem& found, cons
   ScanRun run(encoding_, system_, watched);
   begin(run, system_, result);
   const std::vector<std::uint32_t> lengths = lengthsOf(found, trace);
-  std::uint64_t milliseconds = 0;
+  std::uint64_t milliseconds = phaseOf(found, trace);
   for (std::size_t i = 0; i < trace.inputs.size(); ++i) {
     for (const Stretch& part : stretchOf(lengths[i], range)) {
       for (std::uint32_t k = 0; k < part.count; ++k) {

@@ -95,7 +95,7 @@ class Exploration::Impl {
   };
   /// Nothing comes from outside but inputs.
   struct StillOutside final : Outside {
-    std::uint64_t external(const ExternalSite&, int) override { return 0; }
+    std::uint64_t external(const ExternalSite& site, int) override { return quietExternal(site); }
     void report(Hazard, const Instruction*) override {}
   };
   struct Word {
@@ -292,6 +292,7 @@ class Exploration::Impl {
   /// One scan. Broken: an assumption does not hold in it. Goals that it shows are added to `shown`.
   Went scan(const ReplayScan& script, bool isFirst, std::vector<std::size_t>& shown) {
     simulator_.scan({.lengthUs = script.lengthMs * 1000, .script = &script.script});
+    if (!hasScanEnd(simulator_.store())) return Went::Ended;
     for (Follower& assumption : nowAssumed_) {
       if (!assumption.evaluate(domain_, simulator_.store(), script, isFirst)) return Went::Broken;
     }

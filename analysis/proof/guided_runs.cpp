@@ -5,6 +5,7 @@
 #include <chrono>
 #include <random>
 
+#include "analysis/encoding/scan_encoding.hpp"
 #include "analysis/encoding/scan_inputs.hpp"
 #include "analysis/proof/follower.hpp"
 
@@ -17,6 +18,8 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint32_t endless = 1U << 30;
 constexpr int randomPhases = 400;
 constexpr std::uint64_t looksAtClock = 64;       ///< scans between two looks at the clock
+constexpr std::size_t longestQueue = 16;         ///< of all CPUs (001:5488)
+constexpr double plainShare = 0.25;              ///< of the time, for each plain run
 constexpr int plainRuns = 2;                     ///< all on, all off
 constexpr std::uint64_t leastInstructions = 50;  ///< that a scan counts for
 
@@ -34,6 +37,9 @@ class GuidedSearch {
         limits_(limits),
         found_(goals.size()) {
     for (const ScanInput& input : scanInputsOf(encoding)) inputs_.push_back({input.operand, 0});
+    for (const auto& [event, routines] : attachmentsOf(encoding.plan())) events_.push_back(event);
+    if (const Flow* main = encoding.plan().main(); main != nullptr && !main->steps.empty())
+      first_ = {main->steps.front().instruction->id, 0};
   }
 
   std::vector<std::optional<Witness>> run() {
@@ -41,7 +47,8 @@ class GuidedSearch {
         limits_.instructions / std::max<std::uint64_t>(program_.instructionCount(), leastInstructions);
     std::uint64_t barren = 0;  // random scans
     for (int kind = 0; !isDone() && barren < most && used() < limits_.seconds; ++kind) {
-      const auto [made, hasShown] = follow(phases(kind), most);
+      const double share = kind < plainRuns ? plainShare * (kind + 1) : 1;
+      const auto [made, hasShown] = follow(phases(kind), most, share * limits_.seconds);
       if (kind >= plainRuns) barren = (hasShown ? 0 : barren) + made + 1;
     }
     return std::move(found_);
@@ -68,17 +75,38 @@ class GuidedSearch {
         if (i == 0 || random_() % 2 == 0) input.value = random_() & Graph::maskOf(bits(input.operand.width));
       }
       scan.repeats = 1 + static_cast<std::uint32_t>(random_() % (1ULL << (random_() % 12)));
+      if (!events_.empty()) interrupt(scan);
       scans.push_back(scan);
     }
     return scans;
+  }
+
+  /// Interrupts at one place: none, a few, or more of one event at once than a queue holds.
+  void interrupt(ReplayScan& scan) {
+    scan.script.events.clear();
+    const ScanPlace place = random_() % 2 == 0 ? ScanPlace{} : first_;
+    const int one = events_[random_() % events_.size()];
+    switch (random_() % 4) {
+      case 0: return;
+      case 1:
+        for (const int event : events_) {
+          if (random_() % 2 == 0) scan.script.events.push_back({place, event});
+        }
+        break;
+      case 2: scan.script.events.assign(1 + random_() % 5, {place, one}); break;
+      default:
+        scan.script.events.assign(longestQueue + 1, {place, one, true});
+        scan.script.events.back().isWithNext = false;
+    }
+    if (random_() % 2 == 0) scan.repeats = 1 + static_cast<std::uint32_t>(random_() % 3);
   }
 
   struct Course {
     std::uint64_t barren;  ///< scans since the last one that showed a goal
     bool hasShown;
   };
-  /// Ends after `most` scans in which nothing is shown.
-  Course follow(const std::vector<ReplayScan>& scans, std::uint64_t most) {
+  /// Ends after `most` scans in which nothing is shown, or when the search has lasted `seconds`.
+  Course follow(const std::vector<ReplayScan>& scans, std::uint64_t most, double seconds) {
     struct NoOutside final : Outside {
       std::uint64_t external(const ExternalSite&, int) override { return 0; }
       void report(Hazard, const Instruction*) override {}
@@ -96,6 +124,7 @@ class GuidedSearch {
       round = at == step ? round + 1 : 0;
       step = at;
       const bool isFirst = count++ == 0;
+      if (!hasScanEnd(state)) return false;
       for (Follower& assumption : assumptions) {
         if (!assumption.evaluate(domain, state, scans[at], isFirst)) return false;
       }
@@ -109,7 +138,7 @@ class GuidedSearch {
         hits[g] = {at, round};
         shown = count;
       }
-      return isOpen && count - shown < most && (count % looksAtClock != 0 || used() < limits_.seconds);
+      return isOpen && count - shown < most && (count % looksAtClock != 0 || used() < seconds);
     });
     for (std::size_t g = 0; g < goals_.size(); ++g) {
       if (!hits[g]) continue;
@@ -135,6 +164,8 @@ class GuidedSearch {
   const Clock::time_point begin_;
   const GuidedLimits limits_;
   std::vector<PresetValue> inputs_;
+  std::vector<int> events_;  ///< that the program attaches
+  ScanPlace first_;          ///< in front of the program
   std::vector<std::optional<Witness>> found_;
 };
 

@@ -27,7 +27,9 @@ ProofSide::ProofSide(const Program& program, const PropertySet& set, const std::
     leftOutQuestion_ = goals.size() + checks_.size();
     obligations_.ask("a scan that is not followed to its end", leftOut.node);
   }
+  graph.decideBy(nullptr);
   system_ = withExactReals(obligations_.system(), RealScope::Comparisons);
+  for (std::size_t i = 0; i < system_.questions.size(); ++i) system_.questions[i].number = i;
 }
 
 TransitionSystem ProofSide::only(std::size_t question) const {
@@ -121,6 +123,9 @@ std::vector<std::string> environmentTexts(const Program& program, const Property
         fmt::format("{} to {} may be written from outside in any scan", toString(range.first), toString(range.last)));
   if (asksDevices(program))
     texts.push_back("what ports, pulse outputs and other devices write for a request, they write between two scans");
+  texts.emplace_back(set.externals.empty()
+                         ? "nothing outside the program writes its memory: no panel, no network ('external' names it)"
+                         : "nothing else outside the program writes its memory");
   for (const Property& property : set.properties) {
     if (!property.isGoal()) texts.push_back(property.text);
   }

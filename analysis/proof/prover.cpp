@@ -8,13 +8,27 @@
 #include <set>
 
 #include "analysis/proof/asked_goals.hpp"
+#include "analysis/proof/circumstances.hpp"
 #include "analysis/proof/hidden_code.hpp"
 #include "analysis/proof/proof_networks.hpp"
 #include "analysis/proof/question_search.hpp"
+#include "analysis/proof/untouched.hpp"
 
 namespace rungproof {
 
 namespace {
+
+/// A verdict that depends on code which was not read is none.
+void leaveOpen(ProofResult& row, const std::vector<std::string>& reasons) {
+  if (reasons.empty()) return;
+  row.outcome = Outcome::NotCovered;
+  row.method.clear();
+  row.depth = 0;
+  row.certificate.clear();
+  row.witness.reset();
+  row.networks.clear();
+  row.notes.insert(row.notes.end(), reasons.begin(), reasons.end());
+}
 
 constexpr double premiseSeconds = 5;  ///< for a question that a verdict is checked with
 
@@ -45,9 +59,15 @@ class Session {
     const auto questionOf = [&](std::size_t i) { return i < declared ? i : goals().size() + (i - declared); };
     std::vector<std::size_t> order(total);
     std::iota(order.begin(), order.end(), std::size_t{0});
-    // Those with a run first: who waits for the first bad verdict need not wait for proofs.
-    std::stable_partition(order.begin(), order.end(),
-                          [&](std::size_t i) { return search_.quick(questionOf(i)).answer == Answer::Violated; });
+    const auto worthOf = [&](std::size_t i) { return i < declared ? 0 : costOfIgnoring(checks[i - declared].kind); };
+    if (options_.total > 0) {
+      // The time may not suffice for all: what is worst not to know first.
+      std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return worthOf(a) < worthOf(b); });
+    } else {
+      // Those with a run first: who waits for the first bad verdict need not wait for proofs.
+      std::stable_partition(order.begin(), order.end(),
+                            [&](std::size_t i) { return search_.quick(questionOf(i)).answer == Answer::Violated; });
+    }
     std::vector<std::optional<ProofResult>> rows(total);
     for (std::size_t done = 0; done < total; ++done) {
       const std::size_t i = order[done];
@@ -64,7 +84,10 @@ class Session {
         if (row.builtin->place != nullptr) row.property.span = row.builtin->place->span;
       }
       const std::size_t question = questionOf(i);
-      settle(question, std::min(start + inSeconds(most), deadlineOf(done + 1)), row, result);
+      if (!search_.isSettled(question) && (isOver() || search_.watch().isStopped()))
+        row.notes.push_back(reasonToStop());
+      else
+        settle(question, std::min(start + inSeconds(most), deadlineOf(done + 1)), row, result);
       row.seconds = secondsSince(start) + search_.quick(question).seconds;
       rows[i] = std::move(row);
       if (progress && !progress(*rows[i], done + 1, total)) break;
@@ -85,8 +108,10 @@ class Session {
   const std::vector<Property>& goals() const { return search_.goals(); }
   /// When that many questions have used up their time.
   Clock::time_point deadlineOf(std::size_t questions) const {
-    return begin_ + inSeconds(options_.timeout * static_cast<double>(std::max<std::size_t>(questions, 1)));
+    const double each = options_.timeout * static_cast<double>(std::max<std::size_t>(questions, 1));
+    return begin_ + inSeconds(options_.total > 0 ? std::min(each, options_.total) : each);
   }
+  bool isOver() const { return options_.total > 0 && secondsSince(begin_) >= options_.total; }
   std::string reasonToStop() const {
     return search_.watch().isInterrupted()   ? "interrupted"
            : search_.watch().isOutOfMemory() ? "the memory limit was reached"
@@ -140,10 +165,13 @@ class Session {
       row.witness = std::move(witness);
     } else if (answer.answer == Answer::Proved) {
       row.outcome = wantsYes ? Outcome::Unreachable : Outcome::Proved;
-      if (options_.certificates && answer.certificate)
-        row.certificate = search_.certificate(question, *answer.certificate);
+      if (options_.certificates && answer.certificate) {
+        row.certificate = search_.certificate(question, answer);
+        if (row.certificate.empty())
+          row.notes.push_back("the form of the program decides it: there is nothing to certify");
+      }
       checkVacuity(row);
-      if (options_.evidence) row.networks = networksOf(question, answer);
+      if (options_.evidence && options_.explains) row.networks = networksOf(question, answer);
     } else if (answer.answer == Answer::Violated) {
       unconfirmed(question, answer, row, run);
     } else {
@@ -154,21 +182,50 @@ class Session {
                                       answer.method.empty() ? "no engine came to work" : "tried " + answer.method));
       if (search_.watch().isStopped()) row.notes.push_back(reasonToStop());
     }
-    noteApproximations(question, row);
+    if (options_.explains || row.outcome == Outcome::Unknown) noteApproximations(question, row);
     guardInterrupts(row);
     guardLeftOut(row);
-    guardHiddenCode(question, row);
+    guardUnreadCode(row);
+    if (options_.explains) nameCircumstances(question, row);
   }
 
-  /// Nothing is decided that depends on code which was not read.
-  void guardHiddenCode(std::size_t question, ProofResult& row) {
-    const std::vector<std::string> reasons =
-        hidden_.reasons(search_.exact().obligations().encoding(), search_.exact().variablesOf(question));
-    if (reasons.empty()) return;
-    row.outcome = Outcome::NotCovered;
-    row.witness.reset();
-    row.certificate.clear();
-    row.notes.insert(row.notes.end(), reasons.begin(), reasons.end());
+  /// The fixed readings that a question depends on: constants in its encoding, so that it is looked at in another one.
+  std::vector<Choice> fixedReadings(const EncodedScan& encoding, std::size_t question) {
+    std::vector<Choice> asked = fixedReadingsOf(encoding);
+    if (asked.empty() || question >= goals().size()) return asked;
+    if (!open_) {
+      EncoderOptions options = encoderOptionsOf(options_);
+      options.coversAllReadings = true;
+      open_ = std::make_unique<ProofSide>(program_, set_, goals(), options, CheckGroups{});
+    }
+    const Circumstances all = circumstancesOf(open_->obligations().encoding(), open_->variablesOf(question));
+    std::erase_if(asked, [&](Choice choice) { return std::ranges::find(all.fixed, choice) == all.fixed.end(); });
+    return asked;
+  }
+
+  /// The choices that the verdict rests on; for a run, the readings that it needs.
+  void nameCircumstances(std::size_t question, ProofResult& row) {
+    EncodedScan& encoding = search_.exact().obligations().encoding();
+    Circumstances found = circumstancesOf(encoding, search_.exact().variablesOf(question));
+    for (const Choice choice : fixedReadings(encoding, question)) {
+      if (std::ranges::find(found.fixed, choice) == found.fixed.end()) found.fixed.push_back(choice);
+    }
+    row.assumptions = assumptionsOf(found, options_.choices);
+    if (!row.witness || !options_.evidence) return;
+    std::optional<Judge> judge;
+    if (question < goals().size()) judge.emplace(program_, options_.choices, search_.assumptions(), goals()[question]);
+    for (std::string& text : conditionsOf(found, *row.witness, program_, options_.choices, judge ? &*judge : nullptr))
+      row.notes.push_back(std::move(text));
+  }
+
+  /// Nothing is decided about an instruction that depends on code which was not read.
+  void guardUnreadCode(ProofResult& row) const {
+    if (options_.unread == nullptr || options_.unread->empty() || !row.builtin || row.builtin->place == nullptr) return;
+    const BuiltinCheck& check = *row.builtin;
+    const std::vector<Operand> operands = check.operands();
+    std::vector<std::string> reasons = options_.unread->reasons(check.place->span, operands);
+    if (reasons.empty() && check.other != nullptr) reasons = options_.unread->reasons(check.other->span, operands);
+    leaveOpen(row, reasons);
   }
 
   /// What is not followed to its end leaves every proof open, unless it cannot occur.
@@ -287,8 +344,8 @@ class Session {
   const ProverOptions& options_;
   const Clock::time_point begin_ = Clock::now();
   QuestionSearch search_;
-  HiddenCode hidden_{program_, set_};
   std::unique_ptr<Facts> facts_;
+  std::unique_ptr<ProofSide> open_;       ///< the program under all readings, those of fixed choices too
   std::set<const Approximation*> noted_;  ///< what some result rests on
 };
 
@@ -308,13 +365,19 @@ namespace {
 ProofRun merged(const PropertySet& set, ProofRun plain, ProofRun inside) {
   std::vector<ProofResult> results;
   auto ofPlain = plain.results.begin(), ofInside = inside.results.begin();
+  const auto isNext = [](const auto& next, const auto& end, const Property& property) {
+    return next != end && !next->builtin && next->property.span == property.span &&
+           next->property.name == property.name;
+  };
   for (const Property& property : set.properties) {
-    auto& next = property.atEveryInstruction ? ofInside : ofPlain;
-    const auto end = property.atEveryInstruction ? inside.results.end() : plain.results.end();
-    if (property.isGoal() && next != end && !next->builtin && next->property.name == property.name)
-      results.push_back(std::move(*next++));
+    if (!property.isGoal()) continue;
+    if (isNext(ofPlain, plain.results.end(), property))
+      results.push_back(std::move(*ofPlain++));
+    else if (isNext(ofInside, inside.results.end(), property))
+      results.push_back(std::move(*ofInside++));
   }
   results.insert(results.end(), std::make_move_iterator(ofPlain), std::make_move_iterator(plain.results.end()));
+  results.insert(results.end(), std::make_move_iterator(ofInside), std::make_move_iterator(inside.results.end()));
   plain.results = std::move(results);
   for (std::string& text : inside.approximations) {
     if (std::ranges::find(plain.approximations, text) == plain.approximations.end())
@@ -325,12 +388,10 @@ ProofRun merged(const PropertySet& set, ProofRun plain, ProofRun inside) {
   return plain;
 }
 
-}  // namespace
-
 /// What is asked inside scans needs interrupts and 1 ms ticks in front of many instructions; all else is proved on a
 /// system without them.
-ProofRun prove(const Program& program, const PropertySet& set, const ProverOptions& options,
-               const ProofProgress& progress) {
+ProofRun proveInParts(const Program& program, const PropertySet& set, const ProverOptions& options,
+                      const ProofProgress& progress) {
   PropertySet plain = set, inside = set;
   std::erase_if(plain.properties, [](const Property& p) { return p.isGoal() && p.atEveryInstruction; });
   std::erase_if(inside.properties, [](const Property& p) { return p.isGoal() && !p.atEveryInstruction; });
@@ -352,6 +413,88 @@ ProofRun prove(const Program& program, const PropertySet& set, const ProverOptio
                 Session(program, inside, rest).run([&](const ProofResult& row, std::size_t done, std::size_t total) {
                   return !progress || progress(row, before + done, before + total);
                 }));
+}
+
+/// Says which addresses of a property nothing writes. What holds for any program then holds vacuously.
+void noteUntouched(const Program& program, const PropertySet& set, const ProverOptions& options,
+                   std::vector<ProofResult>& rows) {
+  std::unique_ptr<const Facts> facts;
+  for (ProofResult& row : rows) {
+    if (row.builtin || row.property.first.nodes.empty()) continue;
+    if (!facts) facts = std::make_unique<const Facts>(program, set.externals);
+    const std::vector<Operand> untouched = untouchedBy(*facts, set, row.property);
+    for (const Operand& operand : untouched)
+      row.notes.push_back(fmt::format("no instruction writes {}", toString(operand)));
+    if (untouched.empty() || row.outcome != Outcome::Proved) continue;
+    const std::optional<AnyProgram> any = anyProgramFor(*facts, set, row.property);
+    if (!any) continue;
+    ProverOptions quick = options;
+    quick.checks = {};
+    quick.unread = nullptr;
+    quick.certificates = quick.evidence = false;
+    quick.timeout = std::min(options.timeout, premiseSeconds);
+    const ProofRun run = proveInParts(any->program, any->set, quick, {});
+    if (run.results.size() != 1 || run.results.front().outcome != Outcome::Proved) continue;
+    row.outcome = Outcome::Vacuous;
+    row.notes.push_back("it holds for any program that leaves these alone");
+  }
+}
+
+/// Why none of the properties can be settled: an assumption speaks of what unread code may write, or anything may be
+/// written.
+std::vector<std::string> reasonsForAll(const PropertySet& set, const UnreadCode& unread) {
+  std::vector<std::string> reasons = unread.reasons();
+  for (const Property& property : set.properties) {
+    if (property.isGoal() || !reasons.empty()) continue;
+    reasons = unread.reasons(property);
+    if (!reasons.empty()) reasons.insert(reasons.begin(), fmt::format("the assumption '{}' is open", property.text));
+  }
+  return reasons;
+}
+
+}  // namespace
+
+ProofRun prove(const Program& program, const PropertySet& set, const ProverOptions& options,
+               const ProofProgress& progress) {
+  if (options.unread == nullptr || options.unread->empty()) {
+    ProofRun run = proveInParts(program, set, options, progress);
+    noteUntouched(program, set, options, run.results);
+    return run;
+  }
+  const std::vector<std::string> forAll = reasonsForAll(set, *options.unread);
+  PropertySet covered = set;
+  std::vector<ProofResult> open;
+  std::erase_if(covered.properties, [&](const Property& property) {
+    if (!property.isGoal()) return false;
+    const std::vector<std::string> reasons = forAll.empty() ? options.unread->reasons(property) : forAll;
+    if (reasons.empty()) return false;
+    ProofResult& row = open.emplace_back();
+    row.property = property;
+    row.notes = property.remarks;
+    leaveOpen(row, reasons);
+    return true;
+  });
+  ProofRun result;
+  ProverOptions rest = options;
+  if (!forAll.empty() && options.checks.any()) {
+    rest.checks = {};
+    ProofResult& row = open.emplace_back();
+    row.property.name = "built-in checks";
+    leaveOpen(row, forAll);
+  }
+  if (goalCount(covered) > 0 || rest.checks.any()) {
+    result = proveInParts(program, covered, rest, [&](const ProofResult& row, std::size_t done, std::size_t total) {
+      return !progress || progress(row, open.size() + done, open.size() + total);
+    });
+    noteUntouched(program, set, options, result.results);
+  } else {
+    result.assumptions = environmentTexts(program, set, options.time);
+  }
+  ProofRun left;
+  left.results = std::move(open);
+  result = merged(set, std::move(result), std::move(left));
+  if (forAll.empty()) result.assumptions.push_back("what is not executed does not stop the CPU");
+  return result;
 }
 
 }  // namespace rungproof

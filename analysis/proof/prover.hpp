@@ -13,6 +13,7 @@
 #include "analysis/proof/builtin_checks.hpp"
 #include "analysis/proof/outcome.hpp"
 #include "analysis/proof/witness.hpp"
+#include "analysis/unread_code.hpp"
 
 namespace rungproof {
 
@@ -20,14 +21,17 @@ struct ProverOptions {
   Choices choices;
   TimeRange time;
   double timeout = 60;     ///< seconds per question; encoding and checks of certificates count
+  double total = 0;        ///< seconds for everything, encoding included; 0: no limit
   double ruleTimeout = 2;  ///< at most, for each question of CheckGroups::rungs and powerUp
   int bound = 0;           ///< scans that bounded search may look at; 0: no limit
   int jobs = 2;
   std::uint64_t seed = 1;
-  std::uint64_t memory = 0;   ///< bytes; 0: no limit
-  CheckGroups checks;         ///< what is asked beside the declared properties
-  bool certificates = false;  ///< write out the proofs as SMT-LIB 2
-  bool evidence = true;       ///< check certificates, shorten witnesses, name networks; without: verdicts only
+  std::uint64_t memory = 0;            ///< bytes; 0: no limit
+  CheckGroups checks;                  ///< what is asked beside the declared properties
+  bool certificates = false;           ///< write out the proofs as SMT-LIB 2
+  bool explains = true;                ///< name what results rest on; without: outcomes and runs only
+  bool evidence = true;                ///< check certificates, shorten witnesses, name networks; without: verdicts only
+  const UnreadCode* unread = nullptr;  ///< what was left out of the program: all that depends on it is NOT COVERED
   const std::atomic<bool>* cancel = nullptr;  ///< set from outside, as by Ctrl-C: the run ends with what is settled
 };
 
@@ -44,6 +48,7 @@ struct ProofResult {
   std::optional<Witness> witness;
   std::string certificate;  ///< SMT-LIB 2, if asked for and proved
   std::vector<std::string> notes;
+  std::vector<std::string> assumptions;  ///< of this verdict, beside those of the run: choices and facts of the plant
   std::vector<std::pair<std::string, int>> networks;  ///< blocks and networks that a proof rests on
 };
 

@@ -81,7 +81,63 @@ void QuestionSearch::encode(Clock::time_point deadline) {
   deadline_ = deadline;
   std::optional<EarlyRuns> runs;
   if (options_.bound == 0) runs.emplace(*this, deadline);
-  exact_ = std::make_unique<ProofSide>(program_, set_, goals_, encoding(false), options_.checks);
+  EncoderOptions options = encoding(false);
+  if (options_.evidence) options.trail = trail_ = std::make_shared<Trail>();
+  exact_ = std::make_unique<ProofSide>(program_, set_, goals_, options, options_.checks);
+}
+
+/// Nothing if there was no time for it, or it cannot be made.
+AsWritten* QuestionSearch::asWritten() {
+  if (asWritten_ || !trail_) return asWritten_.get();
+  const std::shared_ptr<Trail> trail = std::exchange(trail_, nullptr);
+  trail->isFollowed = true;
+  EncoderOptions options = encoding(false);
+  options.trail = trail;
+  try {
+    asWritten_ = std::make_unique<AsWritten>(
+        *exact_, std::make_unique<ProofSide>(program_, set_, goals_, options, options_.checks));
+  } catch (const EncodingStopped&) {
+    return nullptr;
+  } catch (const DecisionsDiverge&) {
+    return nullptr;
+  }
+  return asWritten_.get();
+}
+
+/// Against the program as it is written. What simplification knew of REAL operations is shown by writing them out.
+std::vector<CheckResult> QuestionSearch::judge(const std::vector<Claim>& claims, const CheckLimits& limits) {
+  std::vector<CheckResult> results(claims.size(), CheckResult::Unknown);
+  AsWritten* side = asWritten();
+  if (side == nullptr) return results;
+  const auto check = [&](const std::vector<std::size_t>& which, bool areRealsWritten) {
+    std::vector<std::size_t> judged;
+    std::optional<CertificateWriter> writer;
+    for (const std::size_t i : which) {
+      const std::size_t question = claims[i].question->number;
+      const std::optional<WordCertificate> certificate =
+          side->translated(question, areRealsWritten, *claims[i].certificate, AsWritten::Purpose::Check);
+      if (!certificate) continue;
+      if (!writer) writer.emplace(side->system(question, areRealsWritten));
+      writer->add(side->question(question, areRealsWritten), *certificate);
+      judged.push_back(i);
+    }
+    if (!writer) return;
+    const std::vector<CheckResult> found = writer->check(limits);
+    for (std::size_t i = 0; i < judged.size(); ++i) results[judged[i]] = found[i];
+  };
+  std::vector<std::size_t> plain;
+  for (std::size_t i = 0; i < claims.size(); ++i) {
+    if (!written_.contains(claims[i].question->number)) plain.push_back(i);
+  }
+  check(plain, false);
+  for (std::size_t i = 0; i < claims.size(); ++i) {
+    const std::size_t question = claims[i].question->number;
+    const bool isWritten = written_.contains(question);
+    if (results[i] == CheckResult::Valid || !(isWritten || restsOnReals(question))) continue;
+    check({i}, true);
+    if (results[i] == CheckResult::Valid && !isWritten) certifiedWithReals_.insert(question);
+  }
+  return results;
 }
 
 QuestionSearch::Found QuestionSearch::answer(std::size_t question, Clock::time_point deadline) {
@@ -92,9 +148,14 @@ QuestionSearch::Found QuestionSearch::answer(std::size_t question, Clock::time_p
     witness = found->second;
   else if (answer.answer == Answer::Violated)
     witness = confirmed(question, *answer.trace);
-  const bool isOpen = !witness && answer.answer != Answer::Proved;
   watch_.release();
-  if (isOpen && mayGoOn()) std::tie(answer, witness) = search(question, answer.answer);
+  const auto isUnconfirmed = [&] { return !witness && answer.answer == Answer::Violated; };
+  bool isTried = isUnconfirmed() && searchWithoutEstimates(question, answer, witness);
+  const bool isOpen = !witness && answer.answer != Answer::Proved;
+  if (isOpen && !isTried && mayGoOn()) {
+    std::tie(answer, witness) = search(question, answer.answer);
+    isTried = isUnconfirmed() && searchWithoutEstimates(question, answer, witness);
+  }
   if (!witness && answer.answer == Answer::Violated && question < goals_.size() && options_.bound == 0 && mayGoOn()) {
     // A run that rests on values which are not modelled: perhaps the engine finds one with its own.
     std::vector<std::optional<Witness>> found =
@@ -111,7 +172,32 @@ QuestionSearch::Found QuestionSearch::answer(std::size_t question, Clock::time_p
     witness = minimised(Judge(program_, options_.choices, assumptions_, goals_[question]), std::move(*witness), plainMs,
                         std::clamp(left(), 0.05, minimiseSeconds), options_.seed);
   }
+  const bool hasEvents =
+      witness && std::ranges::any_of(witness->scans, [](const ReplayScan& s) { return !s.script.events.empty(); });
+  if (hasEvents && !isMinimised && options_.evidence && question < goals_.size() && !watch_.isStopped()) {
+    witness = withoutIdleEvents(Judge(program_, options_.choices, assumptions_, goals_[question]), std::move(*witness),
+                                std::clamp(left(), 0.05, minimiseSeconds));
+  }
   return {std::move(answer), std::move(witness)};
+}
+
+/// A run that rests on estimates: perhaps there is one without. True: the question was asked so and answered.
+bool QuestionSearch::searchWithoutEstimates(std::size_t question, QuestionAnswer& answer,
+                                            std::optional<Witness>& witness) {
+  const bool isWritten = written_.contains(question);
+  TransitionSystem system = isWritten ? written_.at(question) : exact_->only(question);
+  bool hasEstimates = false;
+  for (const Approximation* a : exact_->approximationsOf(question, isWritten)) {
+    if (a->used == noNode) continue;
+    hasEstimates = true;
+    system.constraints.push_back(system.graph->make(Op::Not, 1, a->used));
+  }
+  if (!hasEstimates || !mayGoOn()) return false;
+  QuestionAnswer found = ask(system, left(), deadline_)[0];
+  if (found.answer == Answer::Violated) witness = replayed(*exact_, system, question, *found.trace);
+  const bool isAnswered = found.answer != Answer::Unknown;
+  if (witness) answer = std::move(found);
+  return isAnswered;
 }
 
 Answer QuestionSearch::supporting(std::size_t goal, double seconds) {
@@ -134,14 +220,24 @@ bool QuestionSearch::mayLeaveOut(double seconds) {
   return answer.answer != Answer::Proved;
 }
 
-std::string QuestionSearch::certificate(std::size_t question, const WordCertificate& certificate) const {
-  const auto written = written_.find(question);
-  if (written != written_.end()) return certificateText(written->second, written->second.questions[0], certificate);
-  return certificateText(exact_->system(), exact_->system().questions[question], certificate);
+std::string QuestionSearch::certificate(std::size_t question, const QuestionAnswer& answer) {
+  const bool isWritten = written_.contains(question), hasReals = isWritten || certifiedWithReals_.contains(question);
+  if (AsWritten* side = answer.isJudged ? asWritten() : nullptr; side != nullptr) {
+    if (side->isDecidedByForm(question)) return {};
+    const std::optional<WordCertificate> certificate =
+        side->translated(question, hasReals, *answer.certificate, AsWritten::Purpose::Text);
+    if (certificate)
+      return certificateText(side->system(question, hasReals), side->question(question, hasReals), *certificate);
+  }
+  const std::string remark = "; about the program after simplification, which is not checked here\n";
+  if (isWritten) {
+    const TransitionSystem& system = written_.at(question);
+    return remark + certificateText(system, system.questions[0], *answer.certificate);
+  }
+  return remark + certificateText(exact_->system(), exact_->system().questions[question], *answer.certificate);
 }
 
-PortfolioOptions QuestionSearch::portfolio(double each, Clock::time_point deadline,
-                                           const std::atomic<bool>* cancel) const {
+PortfolioOptions QuestionSearch::portfolio(double each, Clock::time_point deadline, const std::atomic<bool>* cancel) {
   PortfolioOptions options;
   options.seconds = each;
   options.jobs = options_.jobs;
@@ -151,6 +247,10 @@ PortfolioOptions QuestionSearch::portfolio(double each, Clock::time_point deadli
   options.deadline = deadline;
   options.memory = options_.memory;
   options.check = options_.evidence;
+  if (options_.evidence)
+    options.judge = [this](const std::vector<Claim>& claims, const CheckLimits& limits) {
+      return judge(claims, limits);
+    };
   return options;
 }
 

@@ -8,10 +8,12 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "analysis/portfolio/portfolio.hpp"
+#include "analysis/proof/as_written.hpp"
 #include "analysis/proof/exploration.hpp"
 #include "analysis/proof/proof_side.hpp"
 #include "analysis/proof/proof_watch.hpp"
@@ -51,6 +53,10 @@ class QuestionSearch {
   void answerQuickly(Clock::time_point deadline);
   /// What answerQuickly() has found.
   const QuestionAnswer& quick(std::size_t question) const { return quick_[question]; }
+  /// Whether that is an answer without further work: a proof, or a run that the engine has made.
+  bool isSettled(std::size_t question) const {
+    return quick_[question].answer == Answer::Proved || found_.contains(question);
+  }
   /// The answer to a question, searched for until `deadline` if it is still open.
   Found answer(std::size_t question, Clock::time_point deadline);
   /// The same for a goal that another verdict rests on, in the time that is left for that one.
@@ -60,8 +66,9 @@ class QuestionSearch {
 
   /// Whether the answer rests on the question's system with REAL operations written out.
   bool isWrittenOut(std::size_t question) const { return written_.contains(question); }
-  /// The certificate of a proved question as SMT-LIB 2.
-  std::string certificate(std::size_t question, const WordCertificate& certificate) const;
+  /// The certificate of a proved question as SMT-LIB 2, about the program as it is written if `answer` was judged so;
+  /// empty if the form of the program decides the question, so that there is nothing to be solved.
+  std::string certificate(std::size_t question, const QuestionAnswer& answer);
 
   /// Whether the question at hand may take more time.
   bool mayGoOn() const { return left() > 0 && !watch_.isStopped(); }
@@ -72,7 +79,9 @@ class QuestionSearch {
  private:
   class EarlyRuns;
   EncoderOptions encoding(bool relaxed) const;
-  PortfolioOptions portfolio(double each, Clock::time_point deadline, const std::atomic<bool>* cancel) const;
+  PortfolioOptions portfolio(double each, Clock::time_point deadline, const std::atomic<bool>* cancel);
+  std::vector<CheckResult> judge(const std::vector<Claim>& claims, const CheckLimits& limits);
+  AsWritten* asWritten();
   std::vector<QuestionAnswer> ask(const TransitionSystem& system, double each, Clock::time_point deadline);
   bool restsOnReals(std::size_t question) const;
   bool isDeclared(std::size_t question) const { return question < declared_; }
@@ -87,6 +96,7 @@ class QuestionSearch {
   void takeExplored();
   void show(std::size_t question, Witness witness, const char* method);
 
+  bool searchWithoutEstimates(std::size_t question, QuestionAnswer& answer, std::optional<Witness>& witness);
   Found search(std::size_t question, Answer known);
   Found race(std::size_t question);
   ProofSide* relaxedSide();
@@ -104,6 +114,9 @@ class QuestionSearch {
   ProofWatch watch_;
   Clock::time_point deadline_{};  ///< of the question at hand
   std::unique_ptr<ProofSide> exact_, relaxed_;
+  std::shared_ptr<Trail> trail_;  ///< of exact_
+  std::unique_ptr<AsWritten> asWritten_;
+  std::set<std::size_t> certifiedWithReals_;  ///< questions whose certificate has REAL operations written out
   std::unique_ptr<Exploration> exploration_;
   std::vector<QuestionAnswer> quick_;
   std::map<std::size_t, Witness> early_;             ///< by goal: witnesses of runs during the encoding

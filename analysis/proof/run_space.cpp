@@ -57,10 +57,15 @@ class NamedPlaces {
 
  private:
   void addExternal(const ExternalRange& range) {
-    const std::uint32_t end = range.last.offset + static_cast<std::uint32_t>(bytes(range.last.width));
-    for (std::uint32_t byte = range.first.offset; byte < end; ++byte) {
-      inputs_.insert({range.first.area, byte * 8, 8});
-      external_.insert({range.first.area, byte});
+    const bool areBits = range.first.width == Width::Bit;
+    const std::uint32_t first = range.first.offset * 8 + (areBits ? range.first.bit : 0);
+    const std::uint32_t end = areBits ? range.last.offset * 8 + range.last.bit + 1
+                                      : (range.last.offset + static_cast<std::uint32_t>(bytes(range.last.width))) * 8;
+    for (std::uint32_t bit = first; bit < end;) {
+      const bool isByte = bit % 8 == 0 && bit + 8 <= end;
+      inputs_.insert({range.first.area, bit, isByte ? 8 : 1});
+      if (isByte) external_.insert({range.first.area, bit / 8});
+      bit += isByte ? 8 : 1;
     }
   }
   void add(const Operand& o) {

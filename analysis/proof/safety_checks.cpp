@@ -64,7 +64,8 @@ void addPowerUpChecks(const Program&, Obligations& obligations, std::vector<Buil
   Substitution rested = restedScan(encoding);
   for (const auto& [place, driver] : outputs) {
     const Node on = encoding.atEnd(place);
-    const Graph::Bool bad = graph.land(first, graph.land({on}, graph.lnot({rested(on)})));
+    const Graph::Bool switchedOn = graph.land(first, graph.land({on}, graph.lnot({rested(on)})));
+    const Graph::Bool bad{obligations.atScanEnd(switchedOn.node)};
     if (const auto known = graph.truth(bad); known && !*known) continue;
     const std::string name = nameOf(place);
     const BitRow row{place.area, {bitPosition(place.area, place.byte(), place.bit())}};
@@ -118,7 +119,7 @@ void addRestartChecks(const PropertySet& set, Obligations& obligations, std::vec
         {BuiltinKind::Restart, fmt::format("{} comes back with {}", name, button), "SAF006",
          fmt::format("{} comes on by itself when the stop {} is released: memory from before the stop switches it on",
                      name, button),
-         name, driver, nullptr, bad.node});
+         name, driver, nullptr, obligations.atScanEnd(bad.node)});
   }
 }
 

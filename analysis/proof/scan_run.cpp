@@ -40,11 +40,12 @@ std::vector<Node> ScanRun::rootsOf(const EncodedScan& scan, const TransitionSyst
   for (const EventSite& e : scan.eventSites()) {
     roots.push_back(e.where.guard);
     roots.push_back(e.fires);
+    roots.push_back(e.waited);
   }
   for (const BoundarySite* site : scan.boundaries()) {
     for (const Node n : scan.visits(site->instruction)) roots.push_back(n);
   }
-  roots.push_back(scan.time().dt());
+  for (const Node n : {scan.time().dt(), scan.time().tensBefore(), scan.time().onesBefore()}) roots.push_back(n);
   return roots;
 }
 
@@ -89,6 +90,8 @@ Concrete::Store ScanRun::initialState() const {
         store.save(p.area, p.at + static_cast<std::uint32_t>(i), 8, value >> (p.width - 8 - i) & 0xFF, true);
     }
   }
+  setTickPhase(
+      store, static_cast<std::uint32_t>(values_[scan_.time().tensBefore()] * 10 + values_[scan_.time().onesBefore()]));
   return store;
 }
 
@@ -117,7 +120,8 @@ ReplayScan ScanRun::script() const {
     if (holds(t.where.guard) && ticks != 0) result.script.ticks1.push_back({placeOf(t.where), ticks});
   }
   for (const EventSite& e : scan_.eventSites()) {
-    if (holds(e.where.guard) && holds(e.fires)) result.script.events.push_back({placeOf(e.where), e.event});
+    if (holds(e.where.guard) && holds(e.fires)) 
+      result.script.events.push_back({placeOf(e.where), e.event, false, holds(e.waited)});
   }
   return result;
 }

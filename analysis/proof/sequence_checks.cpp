@@ -139,7 +139,7 @@ class SequenceChecks {
           fmt::format("two steps of the chain {} are active", fmt::join(steps, ", ")),
           fmt::format("two steps of the chain {} can be active at the end of a scan, though it has no divergence",
                       fmt::join(steps, ", ")),
-          first, *heads.at(first), two.node);
+          first, *heads.at(first), obligations_.atScanEnd(two.node));
     }
   }
 

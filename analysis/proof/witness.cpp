@@ -96,15 +96,17 @@ Judge::Outcome Judge::run(const std::vector<ReplayScan>& scans, const Concrete::
         outcome.step = step = at;
         const bool isFirst = outcome.scan++ == 0;
         outcome.milliseconds += scans[at].lengthMs;
+        const bool isWhole = hasScanEnd(state);
         for (Follower& assumption : assumptions) {
-          if (!assumption.evaluate(domain, state, scans[at], isFirst)) outcome.assumptionBroken = true;
+          if (isWhole && !assumption.evaluate(domain, state, scans[at], isFirst)) outcome.assumptionBroken = true;
         }
         if (goal_.atEveryInstruction) {
           outcome.place = inside.place();
           const bool staysHere = outcome.round + 1 < scans[at].repeats || at + 1 == scans.size();
           inside.enter(scans[staysHere ? at : at + 1], false);
         }
-        const bool isShownNow = outcome.place != nullptr || goal.evaluate(domain, state, scans[at], isFirst);
+        const bool isShownNow =
+            outcome.place != nullptr || (isWhole && goal.evaluate(domain, state, scans[at], isFirst));
         outcome.shown = !outcome.assumptionBroken && isShownNow;
         return !outcome.shown && !outcome.assumptionBroken;
       },

@@ -1,4 +1,5 @@
-// Greedy removal, larger pieces first; then inputs one by one; then trials of all idle inputs together.
+// Greedy removal, larger pieces first; then interrupts; then inputs one by one; then trials of all idle inputs
+// together.
 #include "analysis/proof/witness_minimal.hpp"
 
 #include <algorithm>
@@ -28,9 +29,14 @@ class Minimiser {
     dropScans();
     shortenStretches();
     dropDeviceWrites();
+    dropEvents();
     evenLengths();
     dropStartValues();
     if (findIdle()) store();
+    return std::move(best_);
+  }
+  Witness runForEvents() {
+    dropEvents();
     return std::move(best_);
   }
 
@@ -101,6 +107,22 @@ class Minimiser {
     }
   }
 
+  /// Interrupts that are not needed: all of a scan at once, or one after the other from the last.
+  void dropEvents() {
+    for (std::size_t i = best_.scans.size(); i-- > 0;) {
+      if (i >= best_.scans.size() || best_.scans[i].script.events.empty() || isLate()) continue;
+      std::vector<ReplayScan> scans = best_.scans;
+      scans[i].script.events.clear();
+      if (acceptAsLong(scans)) continue;
+      for (std::size_t k = best_.scans[i].script.events.size(); k-- > 0 && !isLate();) {
+        if (i >= best_.scans.size() || k >= best_.scans[i].script.events.size()) continue;
+        scans = best_.scans;
+        scans[i].script.events.erase(scans[i].script.events.begin() + static_cast<std::ptrdiff_t>(k));
+        acceptAsLong(std::move(scans));
+      }
+    }
+  }
+
   bool acceptAsLong(std::vector<ReplayScan> scans) {
     std::optional<Witness> found = judge_.witness(std::move(scans), best_.initial);
     if (!found || found->scanCount > best_.scanCount) return false;
@@ -130,6 +152,26 @@ class Minimiser {
         default: initial.area(cell.area)[cell.index] = powerUp.area(cell.area)[cell.index];
       }
       if (!isShown(best_.scans)) *best_.initial = before;
+    }
+    dropCircumstances();
+  }
+
+  /// The usual readings, and clocks that start at a tick.
+  void dropCircumstances() {
+    const auto tryStart = [&](auto&& change) {
+      const Concrete::Store before = *best_.initial;
+      change(*best_.initial);
+      if (!(before == *best_.initial) && !isShown(best_.scans)) *best_.initial = before;
+    };
+    for (const ChoiceInfo& info : choiceTable) {
+      if (isLate()) return;
+      tryStart([&](Concrete::Store& s) { setReading(s, info.choice, judge_.choices()[info.choice]); });
+    }
+    tryStart([](Concrete::Store& s) { setTickPhase(s, 0); });
+    for (const auto& [reg, period] : {std::pair{Reg::PhaseSecond, 1000U}, std::pair{Reg::PhaseMinute, 60000U}}) {
+      for (const std::uint32_t phase : {period / 2, 0U}) {
+        if (!isLate()) tryStart([&](Concrete::Store& s) { s.set(reg, 0, phase, true); });
+      }
     }
   }
 
@@ -200,6 +242,10 @@ class Minimiser {
 
 Witness minimised(const Judge& judge, Witness witness, std::uint32_t plainMs, double seconds, std::uint64_t seed) {
   return Minimiser(judge, std::move(witness), plainMs, seconds, seed).run();
+}
+
+Witness withoutIdleEvents(const Judge& judge, Witness witness, double seconds) {
+  return Minimiser(judge, std::move(witness), 1, seconds, 1).runForEvents();
 }
 
 }  // namespace rungproof

@@ -2,6 +2,7 @@
 
 #include "frontend/page/baseline.hpp"
 
+#include "analysis/read_errors.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/lint_run.hpp"
 

@@ -3,6 +3,8 @@
 // added by the framework and arrive in Context::settings.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <iosfwd>
 #include <span>
@@ -25,6 +27,9 @@ struct OutputRequest {
   std::string file;
 };
 
+/// The programs of a command that compares two.
+enum class ProgramSide : std::uint8_t { Old, New };
+
 /// What a command works with. Results go to `out`; diagnostics of the tool itself and progress to `err`.
 struct Context {
   const Settings& settings;
@@ -35,6 +40,9 @@ struct Context {
   bool progress = false;               ///< `err` is a terminal and --quiet was not given
   std::vector<OutputRequest> outputs;  ///< never empty; names are permitted ones
   mutable bool hasLostOutput = false;  ///< some write() has failed: the exit code says so, whatever was found
+  std::array<Settings, 2> sides{};     ///< of a command that compares two programs: the settings of each
+
+  const Settings& side(ProgramSide which) const { return sides[static_cast<std::size_t>(which)]; }
 
   /// Prints the reason to `err` and gives the exit code for it.
   Exit fail(const Failure& failure) const;
@@ -53,6 +61,7 @@ struct Command {
   std::string_view summary;                ///< one line, for the list of commands
   std::string_view details;                ///< paragraphs and examples for `CMD --help`; may be empty
   OptionGroups shows = option_group::All;  ///< common options that its help lists
+  bool comparesTwo = false;                ///< options about reading may be given for one side: --cpu old:224
   std::string_view formats = {};           ///< "text|json": forms of its output, default first; empty: every Reporter
   Action (*setup)(ArgumentTable& table) = nullptr;
 };

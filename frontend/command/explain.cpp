@@ -50,9 +50,11 @@ Page hazardsPage(const Paint& paint) {
 }
 
 Page choicesPage(const Paint& paint, const Settings& settings) {
-  Page page{paint.bold("Points that the manual leaves open") +
-                "\n\nEach is read in one way, which --choice KEY=VALUE or [choices] changes.\n",
-            Json::array()};
+  Page page{
+      paint.bold("Points that the manual leaves open") +
+          "\n\nsim reads each in one way, which --choice KEY=VALUE or [choices] changes; proofs cover all readings\n"
+          "of a point that is not chosen so, except for facts of the plant.\n",
+      Json::array()};
   for (const ChoiceInfo& info : choiceTable) {
     std::string values;
     Json names = Json::array();

@@ -1,8 +1,9 @@
 // `rungproof export`: the transition system of a program with its properties, for other model checkers.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "analysis/export/system.hpp"
-#include "analysis/proof/hidden_code.hpp"
 #include "analysis/proof/proof_side.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/proof_input.hpp"
@@ -33,31 +34,40 @@ ExportRemarks remarksOf(const ProgramInput& input, ProofSide& side, const Prover
     remarks.push_back("assumes: " + text);
   for (const std::string& text : approximationTexts(input.program, side.obligations()))
     remarks.push_back("approximated: " + text);
-  const HiddenCode hidden(input.program, input.properties);
-  const std::vector<Question>& questions = side.system().questions;
-  for (std::size_t i = 0; i < questions.size(); ++i) {
-    for (const std::string& reason : hidden.reasons(side.obligations().encoding(), side.variablesOf(i))) {
-      remarks.push_back(fmt::format("not covered: {}: {}", questions[i].name, reason));
-    }
-  }
   return remarks;
 }
 
+/// The program as it is written, so that a reader of the file need not believe our simplifications; where that cannot
+/// be made, simplified.
+std::unique_ptr<ProofSide> asWritten(const ProgramInput& input, const std::vector<Property>& goals,
+                                     EncoderOptions options, const CheckGroups& groups) {
+  options.trail = std::make_shared<Trail>();
+  auto simplified = std::make_unique<ProofSide>(input.program, input.properties, goals, options, groups);
+  options.trail->isFollowed = true;
+  try {
+    return std::make_unique<ProofSide>(input.program, input.properties, goals, options, groups);
+  } catch (const DecisionsDiverge&) {
+    return simplified;
+  }
+}
+
 Exit run(const Arguments& arguments, Context& context) {
-  const ProgramInput input = readInput(context, arguments.files, arguments.properties);
-  if (hasReadErrors(input.program)) {
-    // A system of what was understood would prove the wrong thing, so the errors are shown instead.
-    Report report = startReport("export", input.program, arguments.files);
-    sortFindings(report);
-    reporterNamed("human")->write(report, {false, context.settings.flag(Opt::Quiet)}, context.err);
+  ProgramInput input = readInput(context, arguments.files, arguments.properties);
+  const UnreadCode unread(input.program);
+  if (std::ranges::any_of(input.program.findings, isReadError) || !unread.empty()) {
+    // A system of what was understood would prove the wrong thing, so the reasons are shown instead.
+    printUnread(context, "export", input.program, unread, arguments.files);
     return Exit::Failed;
   }
+  if (!unread.isWhole()) input.program = unread.executable();
   const ProverOptions options = proverOptionsOf(context.settings);
   std::vector<Property> goals;
   for (const Property& property : input.properties.properties) {
     if (property.isGoal()) goals.push_back(property);
   }
-  ProofSide side(input.program, input.properties, goals, encoderOptionsOf(options), {.builtin = arguments.builtin});
+  const std::unique_ptr<ProofSide> written =
+      asWritten(input, goals, encoderOptionsOf(options), {.builtin = arguments.builtin});
+  ProofSide& side = *written;
   if (side.system().questions.empty()) {
     return context.fail({fmt::format("no property is declared in {}", arguments.files.front()),
                          {},

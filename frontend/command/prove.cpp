@@ -12,6 +12,7 @@
 #include "analysis/proof/self_check.hpp"
 #include "analysis/rule.hpp"
 #include "frontend/command/command.hpp"
+#include "frontend/page/certificate_head.hpp"
 #include "frontend/page/excerpt.hpp"
 #include "frontend/proof_input.hpp"
 #include "frontend/run/witness_drawing.hpp"
@@ -98,7 +99,7 @@ std::vector<ShownScan> drawnScans(const Arguments& arguments, const Program& pro
 }
 
 PropertyResult rowOf(const Context& context, const Arguments& arguments, EvidenceNames& names, const Program& program,
-                     const Choices& choices, const ProofResult& result) {
+                     const Choices& choices, const std::vector<std::string>& assumptions, const ProofResult& result) {
   const std::string stem = names.of(result.property.name);
   PropertyResult row;
   row.name = result.property.name;
@@ -129,7 +130,9 @@ PropertyResult rowOf(const Context& context, const Arguments& arguments, Evidenc
   row.networks = networkList(result.networks);
   if (!result.certificate.empty()) {
     const std::string name = fileIn(arguments.certificates, stem + ".smt2");
-    if (context.write({"smt2", name}, result.certificate)) row.notes.push_back(fmt::format("certificate: {}", name));
+    const std::string head = certificateHead(program, assumptions, result, stem + ".smt2");
+    if (context.write({"smt2", name}, head + result.certificate))
+      row.notes.push_back(fmt::format("certificate: {}", name));
   }
   return row;
 }
@@ -145,8 +148,8 @@ std::string_view fateName(FaultFate fate) {
 }
 
 /// Plants faults and says which of them the properties notice.
-std::vector<PlantedFault> plantFaults(const Context& context, const ProgramInput& input, const ProverOptions& options,
-                                      const ProofRun& proof) {
+std::vector<PlantedFault> plantFaults(const Context& context, const Program& program, const PropertySet& properties,
+                                      const ProverOptions& options, const ProofRun& proof) {
   SelfCheckOptions check;
   check.prover = options;
   check.seconds = std::min(options.timeout, check.seconds);
@@ -156,80 +159,94 @@ std::vector<PlantedFault> plantFaults(const Context& context, const ProgramInput
       context.err << fmt::format("\rself-check: {} of {}\x1B[K", done, total) << std::flush;
     };
   }
-  const SelfCheck found = selfCheck(input.program, input.properties, proof.results, check);
+  const SelfCheck found = selfCheck(program, properties, proof.results, check);
   if (context.progress) context.err << "\r\x1B[K" << std::flush;
   if (found.untried > 0)
     context.err << fmt::format("rungproof: interrupted; {} of {} faults were not tried\n", found.untried,
                                found.untried + found.results.size());
   std::vector<PlantedFault> faults;
   for (const FaultResult& result : found.results) {
-    const Pou& pou = input.program.pous[result.fault.pou];
+    const Pou& pou = program.pous[result.fault.pou];
     const Network& network = pou.networks[result.fault.network];
     const Span span = network.instructions[result.fault.instruction].span;
     faults.push_back({std::string(faultKindName(result.fault.kind)), result.fault.text,
-                      std::string(input.program.sources->file(span.file).name()),
-                      input.program.sources->position(span).line, pou.name, network.number,
-                      std::string(fateName(result.fate)), result.noticedBy, result.where});
+                      std::string(program.sources->file(span.file).name()), program.sources->position(span).line,
+                      pou.name, network.number, std::string(fateName(result.fate)), result.noticedBy, result.where});
   }
   return faults;
+}
+
+/// Proves what is asked and puts it into the report; false if the tool disagreed with itself. `program`: what of the
+/// text may be run.
+bool proveInto(Report& part, const Context& context, const Arguments& arguments, EvidenceNames& names,
+               const Program& program, const PropertySet& properties, const UnreadCode& unread) {
+  ProverOptions options = proverOptionsOf(context.settings);
+  options.checks.builtin = arguments.builtin;
+  options.certificates = !arguments.certificates.empty();
+  options.unread = &unread;
+  options.cancel = &interrupted;
+  const auto before = std::signal(SIGINT, onInterrupt);
+  const ProofRun proof =
+      prove(program, properties, options, [&](const ProofResult& result, std::size_t done, std::size_t total) {
+        if (context.progress)
+          context.err << fmt::format("\rprove: {} of {}: {}\x1B[K", done, total, result.property.name) << std::flush;
+        return true;
+      });
+  if (context.progress) context.err << "\r\x1B[K" << std::flush;
+  if (proof.isInterrupted) context.err << "rungproof: interrupted; what was not settled is UNKNOWN\n";
+  std::vector<const ProofResult*> builtin;
+  for (const ProofResult& result : proof.results) {
+    part.properties.push_back(rowOf(context, arguments, names, program, options.choices, proof.assumptions, result));
+    part.properties.back().assumptions = result.assumptions;
+    if (result.builtin) builtin.push_back(&result);
+  }
+  for (Finding& finding : findingsOf(builtin)) part.findings.push_back(std::move(finding));
+  if (arguments.selfCheck && unread.empty()) {
+    part.selfCheck = plantFaults(context, program, properties, options, proof);
+  } else if (arguments.selfCheck) {
+    context.err << "rungproof: no faults are planted: a part of the program is not executed\n";
+  }
+  std::signal(SIGINT, before);
+  part.assumptions = proof.assumptions;
+  part.coverage.approximated.insert(part.coverage.approximated.end(), proof.approximations.begin(),
+                                    proof.approximations.end());
+  for (const Disagreement& disagreement : proof.disagreements) {
+    context.err << fmt::format("rungproof: internal disagreement on '{}': {}\n", disagreement.name,
+                               disagreement.explanation);
+    for (const std::string& line : disagreement.traces.solver) context.err << "  solver: " << line << '\n';
+    for (const std::string& line : disagreement.traces.engine) context.err << "  engine: " << line << '\n';
+  }
+  return proof.disagreements.empty();
 }
 
 Exit run(const Arguments& arguments, Context& context) {
   ReportMerger merger;
   EvidenceNames names;
-  bool failed = false;
+  bool failed = false, hasUnread = false;
   interrupted = false;
   for (const std::vector<std::string>& files : groupByProgram(context, arguments.files)) {
     const ProgramInput input = readInput(context, files, arguments.properties);
     Report part = startReport("prove", input.program, files);
     std::erase_if(part.findings, [](const Finding& finding) { return finding.severity != Severity::Error; });
-    if (!part.findings.empty()) failed = true;
-    if (!hasReadErrors(input.program)) {
-      ProverOptions options = proverOptionsOf(context.settings);
-      options.checks.builtin = arguments.builtin;
-      options.certificates = !arguments.certificates.empty();
-      options.cancel = &interrupted;
-      const auto before = std::signal(SIGINT, onInterrupt);
-      const ProofRun proof =
-          prove(input.program, input.properties, options,
-                [&](const ProofResult& result, std::size_t done, std::size_t total) {
-                  if (context.progress)
-                    context.err << fmt::format("\rprove: {} of {}: {}\x1B[K", done, total, result.property.name)
-                                << std::flush;
-                  return true;
-                });
-      if (context.progress) context.err << "\r\x1B[K" << std::flush;
-      if (proof.isInterrupted) context.err << "rungproof: interrupted; what was not settled is UNKNOWN\n";
-      std::vector<const ProofResult*> builtin;
-      for (const ProofResult& result : proof.results) {
-        part.properties.push_back(rowOf(context, arguments, names, input.program, options.choices, result));
-        part.properties.back().assumptions = {};
-        if (result.builtin) builtin.push_back(&result);
-      }
-      for (Finding& finding : findingsOf(builtin)) part.findings.push_back(std::move(finding));
-      if (arguments.selfCheck) part.selfCheck = plantFaults(context, input, options, proof);
-      std::signal(SIGINT, before);
-      part.assumptions = proof.assumptions;
-      part.coverage.approximated = proof.approximations;
-      for (const Disagreement& disagreement : proof.disagreements) {
-        failed = true;
-        context.err << fmt::format("rungproof: internal disagreement on '{}': {}\n", disagreement.name,
-                                   disagreement.explanation);
-        for (const std::string& line : disagreement.traces.solver) context.err << "  solver: " << line << '\n';
-        for (const std::string& line : disagreement.traces.engine) context.err << "  engine: " << line << '\n';
-      }
-      if (proof.results.empty() && !arguments.builtin) {
-        context.err << fmt::format(
-            "rungproof: no property is declared in {}; see 'rungproof prove --help', or give --builtin\n",
-            files.front());
-      }
+    const UnreadCode unread(input.program);
+    if (!part.findings.empty() || unread.isRefused()) failed = true;
+    addUnread(part, input.program, unread);
+    hasUnread = hasUnread || !unread.empty();
+    const Program program = unread.isWhole() ? Program{} : unread.executable();
+    const bool isSound = proveInto(part, context, arguments, names, unread.isWhole() ? input.program : program,
+                                   input.properties, unread);
+    failed = failed || !isSound;
+    if (part.properties.empty() && !arguments.builtin) {
+      context.err << fmt::format(
+          "rungproof: no property is declared in {}; see 'rungproof prove --help', or give --builtin\n", files.front());
     }
     const PlaceIndex places(input.program);
     for (Finding& finding : part.findings) places.complete(finding);
     merger.add(part);
   }
   const Exit exit = finish(context, merger.take());
-  return failed ? Exit::Failed : exit;
+  if (failed) return Exit::Failed;
+  return hasUnread ? worse(exit, Exit::Undecided) : exit;
 }
 
 Action setup(ArgumentTable& table) {

@@ -80,8 +80,13 @@ class Show {
     bool isWhole = true;
     for (const std::vector<std::string>& files : groupByProgram(context_, arguments_.files)) {
       const ProgramInput input = readInput(context_, files);
-      isWhole = isWhole && !hasReadErrors(input.program);
-      addProgram(input, files, blocks);
+      const UnreadCode unread(input.program);
+      isWhole = isWhole && !unread.isRefused();
+      if (!unread.empty()) printUnread(context_, "show", input.program, unread, files);
+      if (lit_ && !unread.empty())
+        failures_.push_back({"no scan is lit: " + unread.texts().front(), files.front()});
+      else
+        addProgram(input, files, blocks);
       if (!failures_.empty()) return failAll(context_, failures_);
     }
     if (const auto failure = unusedSelection()) return context_.fail(*failure);
@@ -113,11 +118,6 @@ class Show {
 
   void addProgram(const ProgramInput& input, const std::vector<std::string>& files, std::vector<BlockView>& blocks) {
     const Program& program = input.program;
-    if (hasReadErrors(program)) {
-      Report report = startReport("show", program, files);
-      sortFindings(report);
-      reporterNamed("human")->write(report, {false, context_.settings.flag(Opt::Quiet)}, context_.err);
-    }
     std::optional<InstructionRecorder> recorder;
     if (lit_) {
       recorder.emplace(program.instructionCount());

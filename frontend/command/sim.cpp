@@ -230,9 +230,18 @@ std::optional<Failure> record(Simulator& simulator, const Job& job, std::uint64_
 }
 
 Exit run(const Arguments& arguments, Context& context) {
-  const Program program = readProgram(arguments.files, readOptionsOf(context.settings));
-  Report report = startReport("sim", program, arguments.files);
-  if (hasReadErrors(program)) return finish(context, std::move(report));
+  const Program text = readProgram(arguments.files, readOptionsOf(context.settings));
+  Report report = startReport("sim", text, arguments.files);
+  const UnreadCode unread(text);
+  if (!unread.empty()) {
+    // A run of the rest would be the run of another program.
+    std::erase_if(report.findings, [](const Finding& finding) { return finding.severity != Severity::Error; });
+    addUnread(report, text, unread);
+    context.err << fmt::format("rungproof: the program is not run: {}\n", unread.texts().front());
+    finish(context, std::move(report));
+    return Exit::Failed;
+  }
+  const Program program = unread.executable();
   report.findings.clear();  // warnings of the readers are lint's
   if (program.main() == nullptr)
     return context.fail(
@@ -244,6 +253,7 @@ Exit run(const Arguments& arguments, Context& context) {
 
   SimulatorOptions options;
   options.choices = context.settings.choices();
+  options.phaseMs = context.settings.phaseMs();
   options.seed = static_cast<std::uint64_t>(std::stoull(std::string(context.settings.text(Opt::Seed))));
   Simulator simulator(program, options);
   const auto isPage = [](const std::string& name) { return name.ends_with(".html"); };
@@ -260,6 +270,8 @@ Exit run(const Arguments& arguments, Context& context) {
       return Exit::Failed;
   }
   describeRun(report, simulator, job.scanTime);
+  if (const std::string text = stopText(simulator); !text.empty() && !context.settings.flag(Opt::Quiet))
+    context.err << fmt::format("rungproof: {} in scan {}\n", text, trace.rows.empty() ? 0 : trace.rows.back().scan);
   if (job.expected)
     report.comparison = comparisonOf(*job.expected, trace, firstDifference(*job.expected, trace, job.compare));
   if (!preparation.isResult()) return finish(context, std::move(report));
@@ -296,11 +308,13 @@ extern constexpr Command simCommand = {
         "The first column of a stimulus or an expected trace is 'scan' (from 1) or 'time_ms'; the others are\n"
         "addresses, symbols, or T37.value for a current value. An empty cell keeps the last value, in an\n"
         "expected trace it matches anything. Column 'scan_ms' gives the length of scans, column 'event' fires\n"
-        "interrupt events: 10 at the start of the scan, 10@17 in front of the instruction in line 17 (then no\n"
-        "other interrupt comes in the whole run), column 'device' gives what ports and other devices write:\n"
-        "VB101=83 SMB86=2, as far as a request of the program asked for it (then they do nothing else).\n"
-        "Expected values are compared with the values at the end of the scan, or of the scan in which the time\n"
-        "falls. A written CSV trace is a stimulus as well.\n"
+        "interrupt events: 10 at the start of the scan, 10@17 in front of the instruction in line 17, 3x10@17\n"
+        "three at once (then none but those and timed ones come in the whole run), column 'device' gives what\n"
+        "ports and other devices write: VB101=83 SMB86=2, as far as a request of the program asked for it (then\n"
+        "they do nothing else). Expected values are compared with the values at the end of the scan, or of the\n"
+        "scan in which the time falls. A written CSV trace is a stimulus as well.\n"
+        "CLOCK.tick, CLOCK.second and CLOCK.minute say how many ms the time bases of the timers, SM0.5 and\n"
+        "SM0.4 are into their periods.\n"
         "\n"
         "Examples:\n"
         "    rungproof sim press.awl --stimulus start.csv --expect start.expected.csv\n"

@@ -158,12 +158,9 @@ std::optional<Operand> takeAddress(std::vector<std::string>& arguments, const Co
 Exit run(Context& context, std::vector<std::string> arguments) {
   const std::optional<Operand> address = takeAddress(arguments, context);
   ProgramInput input = readInput(context, arguments);
-  if (hasReadErrors(input.program)) {
-    // The list would be wrong where the program was not understood, so the places are shown instead.
-    Report report = startReport("xref", input.program, arguments);
-    sortFindings(report);
-    reporterNamed("human")->write(report, {false, context.settings.flag(Opt::Quiet)}, context.err);
-  }
+  const UnreadCode unread(input.program);
+  // The list may be wrong where the program was not understood, so the places are shown beside it.
+  if (!unread.empty()) printUnread(context, "xref", input.program, unread, arguments);
   const Facts facts(input.program, input.properties.externals);
   const Xref xref = crossReference(facts);
   std::vector<std::size_t> shown;
@@ -173,7 +170,7 @@ Exit run(Context& context, std::vector<std::string> arguments) {
     for (std::size_t i = 0; i < xref.entries.size(); ++i) shown.push_back(i);
   }
   const XrefWriter writer(facts, xref, std::move(shown), !address);
-  Exit exit = hasReadErrors(input.program) ? Exit::Failed : Exit::Clean;
+  Exit exit = unread.isRefused() ? Exit::Failed : Exit::Clean;
   for (const OutputRequest& output : context.outputs) {
     const std::string text =
         output.name == "json" ? writer.json() : writer.text(Paint{context.color && output.file.empty()});

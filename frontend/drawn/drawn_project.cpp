@@ -338,8 +338,8 @@ void DrawnBuild::restoreLocals(DrawnCopy& copy, Pou& pou) {
   pou.networks.push_back(std::move(network));
 }
 
-/// A body that is not read may write every variable it names, except inputs: their values come from outside, and a
-/// verdict that depends on them is NOT COVERED.
+/// A body that is not read may write every variable it names, except its inputs; one that names another block may write
+/// anything. A verdict that depends on it is NOT COVERED.
 void DrawnBuild::addUncovered(DrawnCopy& copy, Pou& pou) {
   const UncoveredBody& body = *copy.block->uncovered;
   sink_.setNetwork(1);
@@ -350,22 +350,19 @@ void DrawnBuild::addUncovered(DrawnCopy& copy, Pou& pou) {
   network.span = body.span;
   network.form = Form::Fbd;
   network.complete = false;
-  pou.networks.push_back(std::move(network));
+  network.mayWrite.emplace();
+  bool isClosed = true;
   std::set<std::string> seen, inputs;
   for (const DrawnVariable& variable : copy.block->variables) {
     if (variable.section == DrawnSection::Input) inputs.insert(foldedName(variable.name));
   }
   const auto hide = [&](const VariablePlace& place) {
     const Area area = place.operand.area;
+    isClosed = isClosed && place.copy == nullptr;
     if (place.copy != nullptr || place.constant || place.operand.kind != OperandKind::Direct || area == Area::I ||
-        area == Area::AI || area == Area::T || area == Area::C)
+        area == Area::AI)
       return;
-    const std::string address = toString(place.operand);
-    if (!seen.insert(address).second) return;
-    Directive directive;
-    directive.text = fmt::format("hidden {}..{}", address, address);
-    directive.span = body.span;
-    program_.directives.push_back(std::move(directive));
+    if (seen.insert(toString(place.operand)).second) network.mayWrite->push_back(place.operand);
   };
   for (std::size_t at = 0; at < body.text.size();) {
     const auto isPart = [](char c) {
@@ -383,6 +380,7 @@ void DrawnBuild::addUncovered(DrawnCopy& copy, Pou& pou) {
     if (const auto address = locatedAddress(word)) hide({IecType::None, *address, std::nullopt, nullptr});
     const VariablePlace* place = lookUp(copy, word);
     if (place == nullptr) place = lookUp(copy, word.substr(0, word.find('.')));
+    isClosed = isClosed && (place != nullptr || !blocks_.contains(foldedName(word)));
     if (place != nullptr && !inputs.contains(foldedName(word))) hide(*place);
   }
   for (const DrawnVariable& variable : copy.block->variables) {
@@ -392,6 +390,8 @@ void DrawnBuild::addUncovered(DrawnCopy& copy, Pou& pou) {
   }
   const auto result = copy.places.find(foldedName(copy.block->name));
   if (result != copy.places.end()) hide(result->second);
+  if (!isClosed) network.mayWrite.reset();
+  pou.networks.push_back(std::move(network));
 }
 
 void DrawnBuild::buildBody(DrawnCopy& copy, Pou& pou) {
@@ -490,11 +490,13 @@ void DrawnBuild::buildPrograms() {
     programs.push_back(copy);
   }
   if (instances.size() > 1) addMainOf(programs, instances.front().span);
-  if (instances.empty()) {  // a library: every block once, so that it is checked
-    for (const DrawnBlock& block : project_.blocks) {
-      if (block.kind == DrawnBlockKind::Function) functionCopy(block);
-      if (block.kind == DrawnBlockKind::FunctionBlock) addPou(*newCopy(block, block.name), PouKind::Subroutine);
-    }
+  // A block that nobody calls stands in the program once, so that it is checked; so do those of a library.
+  for (const DrawnBlock& block : project_.blocks) {
+    const bool isCopied =
+        std::any_of(copies_.begin(), copies_.end(), [&](const auto& copy) { return copy->block == &block; });
+    if (isCopied && !instances.empty()) continue;
+    if (block.kind == DrawnBlockKind::Function) functionCopy(block);
+    if (block.kind == DrawnBlockKind::FunctionBlock) addPou(*newCopy(block, block.name), PouKind::Subroutine);
   }
   if (!firstScan_.elements.empty()) {
     const auto main = std::find_if(program_.pous.begin(), program_.pous.end(),

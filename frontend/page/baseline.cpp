@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "analysis/read_errors.hpp"
 #include "frontend/json.hpp"
 #include "frontend/page/fingerprint.hpp"
 

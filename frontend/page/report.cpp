@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "analysis/read_errors.hpp"
+
 namespace rungproof {
 
 std::string verdictText(Outcome verdict, int depth) {
@@ -60,19 +62,18 @@ Summary summaryOf(const Report& report) {
       default: ++summary.undecided; break;
     }
   }
+  summary.undecided += report.coverage.open;
   return summary;
-}
-
-bool isReadError(const Finding& finding) {
-  return finding.severity == Severity::Error && (finding.rule.starts_with("SYN") || finding.rule.starts_with("PRP"));
 }
 
 Exit exitOf(const Report& report) {
   if (std::any_of(report.findings.begin(), report.findings.end(), isReadError)) return Exit::Failed;
+  if (!report.defects.empty()) return Exit::Failed;
   const Summary summary = summaryOf(report);
-  const bool differs = report.comparison && !report.comparison->equal;
+  const bool isUndecided = report.comparison && report.comparison->verdict == "UNKNOWN";
+  const bool differs = report.comparison && !report.comparison->equal && !isUndecided;
   if (!report.findings.empty() || summary.violated > 0 || differs) return Exit::Found;
-  return summary.undecided > 0 ? Exit::Undecided : Exit::Clean;
+  return summary.undecided > 0 || isUndecided ? Exit::Undecided : Exit::Clean;
 }
 
 void sortFindings(Report& report) {

@@ -16,6 +16,56 @@ DrawnStorage storageNamed(std::string_view name) {
   return name == "set" ? DrawnStorage::Set : name == "reset" ? DrawnStorage::Reset : DrawnStorage::None;
 }
 
+/// Elements of a drawing (TC6 2.01). A value that the reader would not follow is not listed.
+constexpr XmlShape bodyShapes[] = {
+    {"LD", "localId globalId",
+     "leftPowerRail rightPowerRail contact coil block inVariable outVariable inOutVariable connector continuation jump "
+     "label return comment vendorElement addData documentation"},
+    {"FBD", "localId globalId",
+     "leftPowerRail rightPowerRail contact coil block inVariable outVariable inOutVariable connector continuation jump "
+     "label return comment vendorElement addData documentation"},
+    {"leftPowerRail", "localId globalId height:d width:d executionOrderId:n",
+     "position connectionPointOut documentation addData"},
+    {"rightPowerRail", "localId globalId height:d width:d executionOrderId:n",
+     "position connectionPointIn documentation addData"},
+    {"contact", "localId globalId height:d width:d executionOrderId:n negated:b edge:none|rising|falling storage:none",
+     "position connectionPointIn connectionPointOut variable documentation addData"},
+    {"coil",
+     "localId globalId height:d width:d executionOrderId:n negated:b edge:none|rising|falling storage:none|set|reset",
+     "position connectionPointIn connectionPointOut variable documentation addData"},
+    {"block", "localId globalId height:d width:d executionOrderId:n typeName instanceName",
+     "position inputVariables inOutVariables outputVariables documentation addData"},
+    {"inputVariables", "", "variable"},
+    {"inOutVariables", "", "variable"},
+    {"outputVariables", "", "variable"},
+    {"variable", "formalParameter negated:b edge:none|rising|falling storage:none hidden:b",
+     "connectionPointIn connectionPointOut documentation addData"},
+    {"inVariable",
+     "localId globalId height:d width:d executionOrderId:n negated:b edge:none|rising|falling storage:none",
+     "position connectionPointOut expression documentation addData"},
+    {"outVariable", "localId globalId height:d width:d executionOrderId:n negated:b edge:none storage:none",
+     "position connectionPointIn expression documentation addData"},
+    {"inOutVariable",
+     "localId globalId height:d width:d executionOrderId:n negatedIn:b edgeIn:none|rising|falling storageIn:none "
+     "negatedOut:false|0 edgeOut:none storageOut:none",
+     "position connectionPointIn connectionPointOut expression documentation addData"},
+    {"connector", "localId globalId height:d width:d executionOrderId:n name",
+     "position connectionPointIn documentation addData"},
+    {"continuation", "localId globalId height:d width:d executionOrderId:n name",
+     "position connectionPointOut documentation addData"},
+    {"jump", "localId globalId height:d width:d executionOrderId:n label negated:b",
+     "position connectionPointIn documentation addData"},
+    {"label", "localId globalId height:d width:d executionOrderId:n label", "position documentation addData"},
+    {"return", "localId globalId height:d width:d executionOrderId:n negated:b",
+     "position connectionPointIn documentation addData"},
+    {"vendorElement", "localId globalId height:d width:d executionOrderId:n",
+     "position alternativeText documentation addData"},
+    {"connectionPointIn", "globalId", "relPosition connection expression addData"},
+    {"connectionPointOut", "globalId formalParameter", "relPosition expression addData"},
+    {"connection", "globalId refLocalId formalParameter", "position addData"},
+    {"position", "x:d y:d", ""},
+};
+
 class BodyReader {
  public:
   BodyReader(const XmlText& xml, const XmlText::Part& part, std::string_view text)
@@ -160,6 +210,8 @@ class BodyReader {
 };
 
 }  // namespace
+
+std::vector<ShapeFault> plcopenFaults(const pugi::xml_node& body) { return faultsOf(body, bodyShapes); }
 
 DrawnNetwork readPlcopenBody(const XmlText& xml, const XmlText::Part& part, const pugi::xml_node& body,
                              std::string_view text) {

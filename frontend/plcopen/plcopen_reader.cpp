@@ -29,6 +29,22 @@ void readComment(Span span, std::string_view text, std::vector<Comment>& lines, 
 
 namespace {
 
+/// Lists of variables. What stands in <type>, <documentation> and <addData> is read elsewhere or says nothing.
+constexpr std::string_view listAttributes =
+    "name globalId constant:b retain:b nonretain:b persistent:b nonpersistent:b";
+constexpr XmlShape variableShapes[] = {
+    {"localVars", listAttributes, "variable documentation addData"},
+    {"tempVars", listAttributes, "variable documentation addData"},
+    {"inputVars", listAttributes, "variable documentation addData"},
+    {"outputVars", listAttributes, "variable documentation addData"},
+    {"inOutVars", listAttributes, "variable documentation addData"},
+    {"externalVars", listAttributes, "variable documentation addData"},
+    {"globalVars", listAttributes, "variable documentation addData"},
+    {"variable", "name globalId address group orderWithinParamSet", "type initialValue documentation addData"},
+    {"initialValue", "", "simpleValue"},
+    {"simpleValue", "value", ""},
+};
+
 class PlcopenReader {
  public:
   PlcopenReader(Program& program, const InputText& input, DrawnProject& project)
@@ -91,8 +107,10 @@ class PlcopenReader {
     return false;
   }
 
-  void damageLast() {
-    DrawnBlock& block = project_.blocks.back();
+  void damageLast() { damage(project_.blocks.back()); }
+
+  /// What the block does besides is not known.
+  static void damage(DrawnBlock& block) {
     if (block.networks.empty()) block.networks.emplace_back();
     block.networks.back().isDamaged = true;
     block.networks.back().span = block.span;
@@ -121,11 +139,16 @@ class PlcopenReader {
       if (child.type() == pugi::node_comment) visit(child);
       // CODESYS: <addData><data name=".../pou"> of methods and actions is not executed by itself.
     }
-    if (!childNamed(node, "body")) {
+    const auto isBody = [](const pugi::xml_node& child) { return localName(child) == "body"; };
+    const auto bodies = std::count_if(node.begin(), node.end(), isBody);
+    if (bodies > 1) {
+      sink_.report(Syntax::XmlStructure, block.span,
+                   fmt::format("block {} has {} bodies; which of them runs is not known", block.name, bodies));
+      damage(block);
+    }
+    if (bodies == 0) {
       sink_.report(Syntax::XmlStructure, block.span, fmt::format("block {} has no body", block.name));
-      block.networks.emplace_back();
-      block.networks.back().isDamaged = true;
-      block.networks.back().span = block.span;
+      damage(block);
     }
     sink_.setPlace("", 0);
     project_.blocks.push_back(std::move(block));
@@ -157,6 +180,11 @@ class PlcopenReader {
       }
       if (name == "documentation") readNote(child, block.comments);
       const auto section = sections.find(name);
+      if (section == sections.end() && child.type() == pugi::node_element && name != "documentation" &&
+          name != "addData") {
+        sink_.report(Syntax::XmlStructure, xml_.span(*part_, child),
+                     fmt::format("element <{}> is not known in an interface", excerpt(name)));
+      }
       if (section != sections.end()) readVariables(child, section->second, block.variables);
     }
   }
@@ -176,6 +204,8 @@ class PlcopenReader {
   }
 
   void readVariables(const pugi::xml_node& list, DrawnSection section, std::vector<DrawnVariable>& variables) {
+    for (const ShapeFault& fault : faultsOf(list, variableShapes))
+      sink_.report(Syntax::XmlStructure, xml_.span(*part_, fault.node), fault.message);
     const bool isConstant = list.attribute("constant").as_bool();
     for (const pugi::xml_node& node : list.children()) {
       if (node.type() == pugi::node_comment) visit(node);
@@ -211,7 +241,14 @@ class PlcopenReader {
   }
 
   void readBody(const pugi::xml_node& body, DrawnBlock& block) {
+    int languages = 0;
     for (const pugi::xml_node& child : body.children()) {
+      if (child.type() == pugi::node_element && localName(child) != "documentation" && localName(child) != "addData" &&
+          ++languages == 2) {
+        sink_.report(Syntax::XmlStructure, xml_.span(*part_, child),
+                     fmt::format("the body of {} has a second language; which of them runs is not known", block.name));
+        damage(block);
+      }
       if (child.type() != pugi::node_element) {
         visit(child);
         continue;
@@ -239,6 +276,7 @@ class PlcopenReader {
       } else if (language != "addData") {
         sink_.report(Syntax::XmlStructure, xml_.span(*part_, child),
                      fmt::format("a body in {} is not known", excerpt(language)));
+        damage(block);
       }
     }
   }
@@ -262,15 +300,8 @@ class PlcopenReader {
   }
 
   void reportUnknown(const pugi::xml_node& body, DrawnNetwork& network) {
-    static const std::array<std::string_view, 17> known = {
-        "leftPowerRail", "rightPowerRail", "contact",       "coil",         "block",  "inVariable",
-        "outVariable",   "inOutVariable",  "connector",     "continuation", "jump",   "label",
-        "return",        "comment",        "vendorElement", "actionBlock",  "addData"};
-    for (const pugi::xml_node& child : body.children()) {
-      if (child.type() != pugi::node_element || std::find(known.begin(), known.end(), localName(child)) != known.end())
-        continue;
-      sink_.report(Syntax::XmlStructure, xml_.span(*part_, child),
-                   fmt::format("element <{}> is not known in a drawing", excerpt(localName(child))));
+    for (const ShapeFault& fault : plcopenFaults(body)) {
+      sink_.report(Syntax::XmlStructure, xml_.span(*part_, fault.node), fault.message);
       network.isDamaged = true;
     }
   }

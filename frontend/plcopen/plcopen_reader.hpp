@@ -5,6 +5,7 @@
 
 #include "frontend/drawn/drawn_model.hpp"
 #include "frontend/file_reader.hpp"
+#include "frontend/xml/xml_shape.hpp"
 #include "frontend/xml/xml_text.hpp"
 
 namespace rungproof {
@@ -15,6 +16,9 @@ void readPlcopen(Program& program, const InputText& input, DrawnProject& project
 /// One <LD> or <FBD> element.
 DrawnNetwork readPlcopenBody(const XmlText& xml, const XmlText::Part& part, const pugi::xml_node& body,
                              std::string_view text);
+
+/// What stands in such an element that its reader does not know: the body is not read then.
+std::vector<ShapeFault> plcopenFaults(const pugi::xml_node& body);
 
 /// The lines of a text inside the file as comments, each without the blanks around it; lines that speak to the tool
 /// (//@) go to `directives`.

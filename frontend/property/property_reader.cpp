@@ -55,7 +55,7 @@ class Parser {
     }
     const Token head = peek();
     const std::string word = lower(head.text);
-    if (word == "external" || word == "hidden") return external(set);
+    if (word == "external") return external(set);
     if (word == "initial") {
       take();
       expect("retentive");
@@ -187,12 +187,26 @@ class Parser {
     do {
       ExternalRange range;
       range.span = head.span;
-      range.isHidden = lower(head.text) == "hidden";
       range.first = range.last = address(take());
       if (accept("..")) range.last = address(take());
       if (range.first.area != range.last.area || range.first.width != range.last.width) {
         throw Mistake{typeRule, head.span, "both ends of a range need the same area and width",
                       "write for example: external VB100..VB199"};
+      }
+      const bool isMemory = range.first.area == Area::V || range.first.area == Area::M || range.first.area == Area::S ||
+                            range.first.area == Area::SM || range.first.area == Area::Q;
+      if (!isMemory) {
+        throw Mistake{typeRule, head.span,
+                      fmt::format("{} cannot be external: only V, M, S, SM and Q memory is written from outside",
+                                  toString(range.first)),
+                      "inputs have any value anyway; let the panel write V or M memory"};
+      }
+      const auto place = [](const Operand& o) { return o.offset * 8 + (o.width == Width::Bit ? o.bit : 0U); };
+      if (place(range.first) > place(range.last)) {
+        throw Mistake{
+            typeRule, head.span,
+            fmt::format("the range ends at {} before it begins at {}", toString(range.last), toString(range.first)),
+            "write the lower address first"};
       }
       set.externals.push_back(range);
     } while (accept(","));

@@ -238,6 +238,8 @@ class HtmlWriter {
                         report_.coverage.instructions);
     for (const std::string& place : report_.coverage.approximated)
       out_ << fmt::format("<li>approximated: {}</li>\n", xmlText(place));
+    for (const std::string& line : report_.coverage.leftOut)
+      out_ << fmt::format("<li>left out: {}</li>\n", xmlText(line));
     for (const std::string& assumption : report_.assumptions)
       out_ << fmt::format("<li>assumes: {}</li>\n", xmlText(assumption));
     out_ << "</ul>\n";

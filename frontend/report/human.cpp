@@ -31,7 +31,10 @@ class HumanWriter {
     for (const PropertyResult& property : report_.properties) writeProperty(property);
     if (report_.comparison) writeComparison(*report_.comparison);
     if (report_.selfCheck) writeSelfCheck(*report_.selfCheck);
-    if (!report_.properties.empty()) writeBasis();
+    const bool isOfPrograms = report_.comparison && !report_.comparison->verdict.empty();
+    if (!report_.properties.empty() || isOfPrograms) writeBasis();
+    for (const std::string& line : report_.coverage.leftOut) out_ << fmt::format("left out: {}\n", line);
+    if (isOfPrograms) out_ << verdictLine(*report_.comparison) << '\n';
     const bool saidAll = report_.comparison && report_.findings.empty() && report_.properties.empty();
     if (!style_.quiet && !saidAll) out_ << closingLine() << '\n';
   }
@@ -144,7 +147,30 @@ class HumanWriter {
     for (const std::string& place : report_.coverage.approximated) out_ << fmt::format("approximated: {}\n", place);
   }
 
+  /// The last line of a comparison of programs.
+  std::string verdictLine(const Comparison& comparison) const {
+    const Painter painter = comparison.equal                    ? &Paint::green
+                            : comparison.verdict == "DIFFERENT" ? &Paint::red
+                                                                : &Paint::yellow;
+    std::string text = (paint_.*painter)(comparison.verdict);
+    if (!comparison.method.empty()) text += fmt::format("  by {}", comparison.method);
+    return text + fmt::format("  in {:.2f} s", comparison.seconds);
+  }
+
+  void writeProgramComparison(const Comparison& comparison) {
+    if (comparison.verdict == "DIFFERENT")
+      out_ << fmt::format("{} scan {}, {:g} ms, {}: OLD {:g}, NEW {:g}\n", paint_.red("first difference:"),
+                          comparison.scan, comparison.timeMs, comparison.signal, comparison.expected, comparison.actual);
+    for (const std::string& note : comparison.notes) out_ << fmt::format("  {} {}\n", paint_.blue("="), note);
+    if (!comparison.trace.empty()) out_ << fmt::format("  {} trace: {}\n", paint_.blue("="), comparison.trace);
+    for (const ShownScan& scan : comparison.scans) writeScan(scan);
+  }
+
   void writeComparison(const Comparison& comparison) {
+    if (!comparison.verdict.empty()) {
+      writeProgramComparison(comparison);
+      return;
+    }
     if (comparison.equal) {
       out_ << "traces agree\n";
       return;

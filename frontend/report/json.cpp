@@ -84,13 +84,19 @@ Json selfCheckJson(const std::vector<PlantedFault>& faults) {
 
 Json comparisonJson(const std::optional<Comparison>& comparison) {
   if (!comparison) return nullptr;
+  const bool isOfPrograms = !comparison->verdict.empty();
+  if (isOfPrograms && comparison->verdict != "DIFFERENT") {
+    return {{"equal", comparison->equal ? Json(true) : Json(nullptr)}, {"verdict", comparison->verdict}};
+  }
   if (comparison->equal) return {{"equal", true}};
-  return {{"equal", false},
+  Json json = {{"equal", false},
           {"scan", comparison->scan},
           {"time_ms", number(comparison->timeMs)},
           {"signal", comparison->signal},
           {"expected", number(comparison->expected)},
           {"actual", number(comparison->actual)}};
+  if (isOfPrograms) json["verdict"] = comparison->verdict;
+  return json;
 }
 
 void write(const Report& report, const ReportStyle&, std::ostream& out) {
@@ -112,6 +118,7 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
   json["coverage"] = {{"instructions", report.coverage.instructions},
                       {"understood", report.coverage.understood},
                       {"approximated", report.coverage.approximated}};
+  if (!report.coverage.leftOut.empty()) json["coverage"]["left_out"] = report.coverage.leftOut;
   json["summary"] = {{"errors", summary.errors}, {"warnings", summary.warnings}, {"notes", summary.notes},
                      {"proved", summary.proved}, {"violated", summary.violated}, {"undecided", summary.undecided}};
   out << json.dump(2) << '\n';

@@ -73,6 +73,13 @@ struct Comparison {
   std::vector<std::string> signals;  ///< names of the columns of `around`
   std::vector<ComparedScan> around;  ///< scans before and after the difference
   bool hasEnded = false;             ///< the trace ends before that scan: there is no actual value
+  /// Of two programs instead of two traces: "EQUAL", "DIFFERENT" or "UNKNOWN"; empty: of traces.
+  std::string verdict{};
+  std::string method{};
+  double seconds = 0;
+  std::vector<std::string> notes{};  ///< why nothing is decided, the run that differs
+  std::string trace{};               ///< file that holds the run, or empty
+  std::vector<ShownScan> scans{};    ///< its last scans as drawings, networks of both programs
 };
 
 /// "scan 7, 70 ms, Q0.0: expected 1, actual 0", or that the trace ends before.
@@ -102,6 +109,8 @@ struct Coverage {
   std::size_t instructions = 0;
   std::size_t understood = 0;
   std::vector<std::string> approximated;  ///< "PID at press.awl:41: result is any value"
+  std::vector<std::string> leftOut;       ///< "LOG001: 12 of 40 questions are open: ..."
+  std::size_t open = 0;                   ///< questions that those lines speak of
 };
 
 struct Report {
@@ -114,6 +123,7 @@ struct Report {
   std::optional<std::vector<PlantedFault>> selfCheck;
   std::vector<std::string> assumptions;  ///< CPU, scan time, initial memory, external writers
   std::vector<std::string> files;        ///< as given; for the closing line
+  std::vector<std::string> defects;      ///< of rungproof itself, as internal disagreements: the exit code is 2
   std::size_t suppressed = 0;            ///< findings that an allow-comment silenced
   std::size_t baselined = 0;             ///< findings that the baseline lists
 };
@@ -122,9 +132,6 @@ struct Summary {
   std::size_t errors = 0, warnings = 0, notes = 0, proved = 0, violated = 0, undecided = 0;
 };
 Summary summaryOf(const Report& report);
-
-/// An error of the readers of programs or properties: what it stands in was not understood, and the exit code is 2.
-bool isReadError(const Finding& finding);
 
 /// Exit code of the contract for what the report holds: 2 if the readers could not read everything, else 1, 3 or 0.
 Exit exitOf(const Report& report);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <utility>
 #include <vector>
 
 namespace rungproof {
@@ -82,8 +83,23 @@ std::string placeText(const Program& program, const ScanPlace& place) {
 
 }  // namespace
 
-std::string eventText(const Program& program, const ScanScript::Event& event) {
-  return fmt::format("{}{}", event.event, placeText(program, event.place));
+std::string eventsText(const Program& program, const std::vector<ScanScript::Event>& events) {
+  std::string text;
+  std::size_t together = 1;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const ScanScript::Event& event = events[i];
+    if (event.isFromQueue) continue;
+    const bool isSame = i + 1 < events.size() && events[i + 1].event == event.event &&
+                        events[i + 1].place == event.place && !events[i + 1].isFromQueue;
+    if (event.isWithNext && isSame) {
+      ++together;
+      continue;
+    }
+    if (!text.empty()) text += ' ';
+    if (together > 1) text += fmt::format("{}x", std::exchange(together, 1));
+    text += fmt::format("{}{}", event.event, placeText(program, event.place));
+  }
+  return text;
 }
 
 std::string writeText(const Program& program, const ScanScript::Write& write) {

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "ir/library_block.hpp"
-
 namespace rungproof {
 
 namespace {
@@ -43,25 +41,27 @@ std::string placeOf(const Instruction* instruction, const Program& program) {
   return fmt::format(" at {}:{}", file.name(), file.position(instruction->span.offset).line);
 }
 
-/// Calls of blocks that are in no file: known library blocks take their outputs from the stimulus, others do nothing.
-void listHiddenBlocks(Report& report, const Program& program) {
+/// Calls of library blocks: their bodies are hidden, their outputs come from the stimulus.
+void listLibraryBlocks(Report& report, const Program& program) {
   for (const Pou& pou : program.pous) {
     for (const Network& network : pou.networks) {
       for (const Instruction& instruction : network.instructions) {
-        const bool isHidden = instruction.desc->control == Control::Call && !instruction.operands.empty() &&
-                              instruction.operands[0].kind == OperandKind::Symbol;
-        if (!isHidden) continue;
-        const std::string& name = instruction.operands[0].text;
-        const std::string_view effect = libraryBlockNamed(name) != nullptr
-                                            ? "outputs come from the stimulus"
-                                            : "its text is not there, the call does nothing";
-        report.coverage.approximated.push_back(fmt::format("{}{}: {}", name, placeOf(&instruction, program), effect));
+        const bool isLibrary = instruction.desc->control == Control::Call && !instruction.operands.empty() &&
+                               instruction.operands[0].kind == OperandKind::Symbol;
+        if (!isLibrary) continue;
+        report.coverage.approximated.push_back(fmt::format(
+            "{}{}: outputs come from the stimulus", instruction.operands[0].text, placeOf(&instruction, program)));
       }
     }
   }
 }
 
 }  // namespace
+
+std::string stopText(const Simulator& simulator) {
+  if (simulator.isRunning() || simulator.errors().fatal() != nullptr) return "";
+  return fmt::format("the CPU went to STOP{}", placeOf(simulator.stoppedBy(), *simulator.plan().program));
+}
 
 void describeRun(Report& report, const Simulator& simulator, const ScanTime& scanTime) {
   const Program& program = *simulator.plan().program;
@@ -70,7 +70,16 @@ void describeRun(Report& report, const Simulator& simulator, const ScanTime& sca
     if (hazardInfo(error.hazard).kind != HazardClass::StatusOnly || isLost)
       report.findings.push_back(findingOf(error, program));
   }
-  listHiddenBlocks(report, program);
+  for (const int event : simulator.eventsWithoutCause()) {
+    Finding finding;
+    finding.rule = "RUN004";
+    finding.severity = Severity::Note;
+    finding.message = fmt::format("event {} ({}) came from the stimulus although nothing could cause it then", event,
+                                  eventInfo(event).text);
+    finding.help = "see 001:5378 of the manual for what causes each event";
+    report.findings.push_back(std::move(finding));
+  }
+  listLibraryBlocks(report, program);
   const auto ms = [](Duration duration) { return static_cast<double>(duration.count()) / 1000; };
   const std::string range = scanTime.low == scanTime.high
                                 ? fmt::format("{:g} ms", ms(scanTime.low))
@@ -79,9 +88,7 @@ void describeRun(Report& report, const Simulator& simulator, const ScanTime& sca
   report.assumptions.push_back(fmt::format("scan time {} where the stimulus says nothing", range));
   report.assumptions.push_back(
       fmt::format("{} scans, {:g} ms", simulator.scanCount(), static_cast<double>(simulator.timeUs()) / 1000));
-  const bool wasStopped = !simulator.isRunning() && simulator.errors().fatal() == nullptr;
-  if (wasStopped)
-    report.assumptions.push_back(fmt::format("the CPU went to STOP{}", placeOf(simulator.stoppedBy(), program)));
+  if (const std::string text = stopText(simulator); !text.empty()) report.assumptions.push_back(text);
 }
 
 }  // namespace rungproof

@@ -8,8 +8,11 @@
 
 namespace rungproof {
 
-/// Adds findings RUN001 (non-fatal run-time error), RUN002 (fatal error, STOP) and RUN003 (interrupt queue overflow),
-/// and the assumptions of the run.
+/// "the CPU went to STOP at press.awl:41" after a STOP; empty while it runs or if a fatal error has stopped it.
+std::string stopText(const Simulator& simulator);
+
+/// Adds findings RUN001 (non-fatal run-time error), RUN002 (fatal error, STOP), RUN003 (interrupt queue overflow) and
+/// RUN004 (an event of the stimulus that nothing could cause), and the assumptions of the run.
 void describeRun(Report& report, const Simulator& simulator, const ScanTime& scanTime);
 
 }  // namespace rungproof

@@ -93,19 +93,22 @@ std::optional<StimulusColumn> libraryColumn(const Program& program, const std::s
   return std::nullopt;
 }
 
-/// "HSC0.pulses", "HSC0.down", "PORT0.receive", "NET.error", "NET.hold".
+/// "HSC0.pulses", "HSC0.down", "PORT0.receive", "NET.error", "NET.hold", "CLOCK.tick".
 std::optional<StimulusColumn> deviceColumn(const std::string& name) {
   struct DeviceName {
     std::string_view before, after;
     StimulusTarget target;
     std::uint32_t count;  ///< how many there are; 0: no number in the name
   };
-  static constexpr std::array<DeviceName, 5> names = {
+  static constexpr std::array<DeviceName, 8> names = {
       {{"hsc", ".pulses", StimulusTarget::Pulses, HighSpeedCounters::count},
        {"hsc", ".down", StimulusTarget::DownPulses, HighSpeedCounters::count},
        {"port", ".receive", StimulusTarget::Characters, 2},
        {"net.error", "", StimulusTarget::NetworkError, 0},
-       {"net.hold", "", StimulusTarget::NetworkHold, 0}}};
+       {"net.hold", "", StimulusTarget::NetworkHold, 0},
+       {"clock.tick", "", StimulusTarget::TickPhase, 0},
+       {"clock.second", "", StimulusTarget::SecondPhase, 0},
+       {"clock.minute", "", StimulusTarget::MinutePhase, 0}}};
   const std::string lower = lowered(name);
   for (const DeviceName& device : names) {
     if (!lower.starts_with(device.before) || !lower.ends_with(device.after)) continue;

@@ -19,6 +19,7 @@ namespace rungproof {
 namespace {
 
 constexpr double largestTimeMs = 1e12;
+constexpr double mostAtOnce = 1000;        ///< events of one kind
 constexpr double mostPulses = 12'000'000;  ///< of a counter in one scan: 200 kHz for 60 s, the longest scan
 
 bool isOpen(const std::string& text) { return text.empty() || text == "x" || text == "X"; }
@@ -119,9 +120,17 @@ class TableReader {
     }
     for (std::size_t at = 0; at < text.size();) {
       const std::size_t end = std::min(text.find(' ', at), text.size());
-      const std::string word = text.substr(at, end - at);
+      std::string word = text.substr(at, end - at);
       at = end + 1;
       if (isOpen(word)) continue;
+      std::size_t count = 1;  // "3x10": three at once
+      if (const std::size_t times = word.find('x'); times != std::string::npos && times > 0) {
+        const std::optional<double> many = numberIn(std::string_view(word).substr(0, times));
+        if (many && *many == std::floor(*many) && *many >= 1 && *many <= mostAtOnce) {
+          count = static_cast<std::size_t>(*many);
+          word.erase(0, times + 1);
+        }
+      }
       const std::size_t mark = word.find('@');
       const std::optional<double> number = numberIn(std::string_view(word).substr(0, mark));
       if (!number || *number != std::floor(*number) || *number < 0 || *number >= eventCount ||
@@ -131,9 +140,10 @@ class TableReader {
         continue;
       }
       if (mark == std::string::npos) {
-        row.events.push_back(static_cast<int>(*number));
+        row.events.insert(row.events.end(), count, static_cast<int>(*number));
       } else if (const auto place = scanPlaceNamed(program, std::string_view(word).substr(mark + 1))) {
-        row.placed.push_back({*place, static_cast<int>(*number)});
+        row.placed.insert(row.placed.end(), count, {*place, static_cast<int>(*number), true});
+        row.placed.back().isWithNext = false;
       } else {
         fail(cell, fmt::format("no instruction stands at '{}'", word.substr(mark + 1)),
              "write EVENT@LINE for an event in front of the instruction in that line of the program, or EVENT@end");
@@ -271,7 +281,10 @@ namespace {
 Trace readTraceWith(const std::string& name, std::string_view text, std::vector<Failure>& failures,
                     const std::function<std::optional<TraceSignal>(const std::string&, Failure&)>& signalOfColumn) {
   TableReader reader(name, text, failures);
-  const Frame frame = reader.frame();
+  Frame frame = reader.frame();
+  // Where clocks start is for stimuli only.
+  std::erase_if(frame.signals,
+                [&](std::size_t i) { return lowered(reader.table().heading[i].text).starts_with("clock."); });
   Trace trace;
   trace.isByTime = frame.isByTime;
   trace.hasTimes = frame.isByTime || frame.isRecorded;

@@ -44,6 +44,12 @@ Trace traceOf(const Program& program, const Choices& choices, const Witness& wit
   Trace trace;
   trace.signals = signals;
   trace.hasDevices = asksDevices(program);
+  for (const auto& [reg, name] :
+       {std::pair{Reg::PhaseHundred, "CLOCK.tick"}, std::pair{Reg::PhaseSecond, "CLOCK.second"},
+        std::pair{Reg::PhaseMinute, "CLOCK.minute"}}) {
+    const std::uint64_t phase = witness.initial ? witness.initial->get(reg, 0) : 0;
+    if (phase != 0) trace.start.emplace_back(name, phase);
+  }
   std::uint64_t scan = 0, timeUs = 0;
   const std::uint64_t skipped = witness.scanCount > limit ? witness.scanCount - limit : 0;
   replay(program, choices, witness.scans, witness.initial ? &*witness.initial : nullptr,
@@ -52,8 +58,7 @@ Trace traceOf(const Program& program, const Choices& choices, const Witness& wit
            timeUs += scanUs;
            if (++scan <= skipped) return true;
            TraceRow row{scan, timeUs, scanUs, {}, {}};
-           for (const ScanScript::Event& event : witness.scans[at].script.events)
-             row.events += (row.events.empty() ? "" : " ") + eventText(program, event);
+           row.events = eventsText(program, witness.scans[at].script.events);
            for (const ScanScript::Write& write : witness.scans[at].script.writes)
              row.devices += (row.devices.empty() ? "" : " ") + writeText(program, write);
            for (const TraceSignal& signal : signals) {

@@ -29,11 +29,11 @@ CLI::Option* declare(CLI::App& app, const Argument& row) {
   return option->required(row.required);
 }
 
-CLI::Option* declare(CLI::App& app, const OptionInfo& info) {
+CLI::Option* declare(CLI::App& app, const OptionInfo& info, bool hasSides) {
   const std::string name = "--" + std::string(info.name);
   CHECK(app.get_option_no_throw(name) == nullptr, "a command declares a common option");
   if (info.arity == Arity::Flag) return app.add_flag(info.id == Opt::Quiet ? "-q," + name : name);
-  return declareValue(app, name, info.arity == Arity::List);
+  return declareValue(app, name, info.arity == Arity::List || (hasSides && (info.group & option_group::Reading) != 0));
 }
 
 std::vector<std::string> optionNames(const CLI::App& app) {
@@ -82,7 +82,7 @@ ParsedLine parseArguments(const Command& command, const ArgumentTable& table, st
   CLI::App app(std::string(command.summary), std::string(command.name));
   std::vector<CLI::Option*> own, common;
   for (const Argument& row : table.rows()) own.push_back(declare(app, row));
-  for (const OptionInfo& info : optionTable()) common.push_back(declare(app, info));
+  for (const OptionInfo& info : optionTable()) common.push_back(declare(app, info, command.comparesTwo));
 
   ParsedLine line;
   try {

@@ -23,8 +23,9 @@ constexpr std::array table = {
     OptionInfo{Opt::Symbols, Reading, Arity::List, "symbols", "FILE", "", "symbol table that belongs to the program"},
     OptionInfo{Opt::StdinFilename, Reading, Arity::One, "stdin-filename", "NAME", "", "name for standard input, which is read where FILE is '-'", false},
     OptionInfo{Opt::ScanTime, Running, Arity::One, "scan-time", "MIN..MAX", "", "length of a scan, as 5ms..20ms or one value (sim: 10ms; prove: 1ms up to the watchdog)"},
+    OptionInfo{Opt::Phase, Running, Arity::One, "phase", "TIME", "0ms", "time since the last tick of the 10 ms and 100 ms timers when RUN begins (sim; proofs cover any)"},
     OptionInfo{Opt::Timeout, Running, Arity::One, "timeout", "TIME", "30s", "time limit for each property"},
-    OptionInfo{Opt::Memory, Running, Arity::One, "memory", "SIZE", "", "memory limit, as 500MB or 2GB (three quarters of the machine)"},
+    OptionInfo{Opt::Memory, Running, Arity::One, "memory", "SIZE", "", "memory limit, as 500MB or 2GB (three quarters of the machine; lint --prove: 2GB)"},
     OptionInfo{Opt::Bound, Running, Arity::One, "bound", "N", "", "look at no more than N scans"},
     OptionInfo{Opt::Jobs, Running, Arity::One, "jobs", "N", "", "threads to use (all processors)"},
     OptionInfo{Opt::Seed, Running, Arity::One, "seed", "N", "1", "seed of everything random"},
@@ -34,6 +35,7 @@ constexpr std::array table = {
     OptionInfo{Opt::Level, Rules, Arity::One, "level", "error|warning|note", "note", "report findings of this severity and above"},
     OptionInfo{Opt::NoSuppress, Rules, Arity::Flag, "no-suppress", "", "", "report findings although an allow-comment silences them"},
     OptionInfo{Opt::Baseline, Rules, Arity::One, "baseline", "FILE", "", "leave out the findings that the baseline file lists"},
+    OptionInfo{Opt::Budget, Rules, Arity::One, "budget", "TIME", "60s", "lint --prove: time for all questions together"},
     OptionInfo{Opt::Format, Output, Arity::List, "format", "NAME[=FILE]", "", "form of the report; with FILE written there; may be repeated"},
     OptionInfo{Opt::Color, Output, Arity::One, "color", "auto|always|never", "auto", "colours; auto: on a terminal unless NO_COLOR is set"},
     OptionInfo{Opt::Quiet, Output, Arity::Flag, "quiet", "", "", "results only: no closing line, no progress"},
@@ -79,7 +81,7 @@ std::optional<Failure> checkForm(const OptionInfo& info, std::string_view text) 
                    {},
                    zeroAllowed ? "give a whole number" : "give a whole number above 0"};
   }
-  if (info.id == Opt::Timeout && !durationNamed(text)) {
+  if ((info.id == Opt::Timeout || info.id == Opt::Budget || info.id == Opt::Phase) && !durationNamed(text)) {
     return Failure{
         fmt::format("'{}' is no time", text), {}, "write a number with its unit, such as 30s, 500ms or 2min"};
   }

@@ -29,6 +29,7 @@ enum class Opt : std::uint8_t {
   Symbols,
   StdinFilename,
   ScanTime,
+  Phase,
   Timeout,
   Memory,
   Bound,
@@ -40,6 +41,7 @@ enum class Opt : std::uint8_t {
   Level,
   NoSuppress,
   Baseline,
+  Budget,
   Format,
   Color,
   Quiet,
@@ -111,6 +113,9 @@ class Settings {
   Severity level() const;
   std::optional<ScanTime> scanTime() const;
   std::optional<Duration> timeout() const;
+  /// Time since the last tick of the time bases when RUN begins, in ms.
+  std::uint32_t phaseMs() const;
+  std::optional<Duration> budget() const;
   /// Bytes; nothing if no limit was given.
   std::optional<std::uint64_t> memory() const;
   Choices choices() const;

@@ -92,7 +92,11 @@ Severity Settings::level() const {
 }
 
 std::optional<ScanTime> Settings::scanTime() const { return scanTimeNamed(text(Opt::ScanTime)); }
+std::uint32_t Settings::phaseMs() const {
+  return static_cast<std::uint32_t>(durationNamed(text(Opt::Phase)).value_or(Duration(0)).count() / 1000 % 100);
+}
 std::optional<Duration> Settings::timeout() const { return durationNamed(text(Opt::Timeout)); }
+std::optional<Duration> Settings::budget() const { return durationNamed(text(Opt::Budget)); }
 
 Choices Settings::choices() const { return choices_; }
 

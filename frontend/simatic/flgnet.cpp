@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdlib>
 #include <unordered_map>
 
 #include "frontend/drawn/drawn_scope.hpp"
 #include "frontend/simatic/simatic_reader.hpp"
 #include "frontend/stl/stl_lexer.hpp"
+#include "frontend/xml/xml_shape.hpp"
 
 namespace rungproof {
 
@@ -68,6 +70,34 @@ const FunctionPart* functionPart(std::string_view name) {
   return nullptr;
 }
 
+/// Elements of a network. Whatever is not listed would change what it means.
+constexpr XmlShape networkShapes[] = {
+    {"FlgNet", "", "Labels Parts Wires"},
+    {"Labels", "", "LabelDeclaration"},
+    {"LabelDeclaration", "UId", "Label Comment"},
+    {"Label", "Name UId", ""},
+    {"Parts", "", "Access Part Call"},
+    {"Access",
+     "UId Type Scope:LocalVariable|GlobalVariable|LiteralConstant|TypedConstant|LocalConstant|GlobalConstant|Address|"
+     "Label",
+     "Symbol Constant Address Label Comment"},
+    {"Symbol", "UId", "Component Address"},
+    {"Component", "Name UId AccessModifier:None SimpleAccessModifier:None SliceAccessModifier:undef", ""},
+    {"Constant", "Name UId", "ConstantType ConstantValue StringAttribute"},
+    {"Part", "Name UId Version DisabledENO:b", "TemplateValue Negated Instance AutomaticTyped Invisible Comment"},
+    {"Negated", "Name", ""},
+    {"TemplateValue", "Name Type:Cardinality|Type|Operation|Function|String", ""},
+    {"Instance", "Scope:LocalVariable|GlobalVariable UId", "Component Address"},
+    {"Call", "UId", "CallInfo Comment"},
+    {"Wires", "", "Wire"},
+    {"Wire", "UId Name", "Powerrail IdentCon NameCon OpenCon Openbranch"},
+    {"Powerrail", "UId", ""},
+    {"IdentCon", "UId", ""},
+    {"NameCon", "UId Name", ""},
+    {"OpenCon", "UId", ""},
+    {"Openbranch", "UId", ""},
+};
+
 /// "DB.Member", without the quotation marks of the editor.
 std::string componentsOf(const pugi::xml_node& node) {
   std::string path;
@@ -75,7 +105,6 @@ std::string componentsOf(const pugi::xml_node& node) {
     if (localName(child) != "Component") continue;
     if (!path.empty()) path += '.';
     path += child.attribute("Name").value();
-    if (child.attribute("AccessModifier")) path += "[]";
   }
   return path;
 }
@@ -84,11 +113,16 @@ std::string componentsOf(const pugi::xml_node& node) {
 std::string addressOf(const pugi::xml_node& node) {
   const std::string_view area = node.attribute("Area").value(), type = node.attribute("Type").value();
   const char letter = area == "Input" ? 'I' : area == "Output" ? 'Q' : area == "Memory" ? 'M' : '\0';
-  const int bit = node.attribute("BitOffset").as_int(-1);
-  if (letter == '\0' || bit < 0) return "";
+  const std::string_view offset = node.attribute("BitOffset").value();
+  int bit = -1;
+  const auto [end, error] = std::from_chars(offset.data(), offset.data() + offset.size(), bit);
+  if (letter == '\0' || bit < 0 || error != std::errc() || end != offset.data() + offset.size()) return "";
   if (type == "Bool") return fmt::format("%{}{}.{}", letter, bit / 8, bit % 8);
-  const char width = type == "Byte" ? 'B' : type == "Word" || type == "Int" ? 'W' : 'D';
-  return fmt::format("%{}{}{}", letter, width, bit / 8);
+  const char width = type == "Byte" || type == "SInt" || type == "USInt"                      ? 'B'
+                     : type == "Word" || type == "Int" || type == "UInt"                      ? 'W'
+                     : type == "DWord" || type == "DInt" || type == "UDInt" || type == "Real" ? 'D'
+                                                                                              : '\0';
+  return width == '\0' || bit % 8 != 0 ? "" : fmt::format("%{}{}{}", letter, width, bit / 8);
 }
 
 int pinNumber(const std::string& name) {
@@ -105,6 +139,7 @@ class FlgNetReader {
   DrawnNetwork read(const pugi::xml_node& net) {
     network_.span = xml_.span(part_, net);
     network_.isWhole = true;
+    for (const ShapeFault& found : faultsOf(net, networkShapes)) fault(found.node, found.message);
     DrawnElement rail;
     rail.kind = DrawnKind::LeftRail;
     rail.id = "rail";
@@ -151,7 +186,7 @@ class FlgNetReader {
     } else if (kind == "Part") {
       if (!shape(node, e)) return;
     } else {
-      return fault(node, fmt::format("element <{}> is not known in a network", excerpt(kind)));
+      return;
     }
     index_.emplace(id, network_.elements.size());
     network_.elements.push_back(std::move(e));
@@ -202,7 +237,9 @@ class FlgNetReader {
   bool shape(const pugi::xml_node& node, DrawnElement& e) {
     const std::string_view name = node.attribute("Name").value();
     for (const pugi::xml_node& child : node.children()) {
-      if (localName(child) == "Negated") negatedPins_[e.id].push_back(foldedName(child.attribute("Name").value()));
+      if (localName(child) != "Negated") continue;
+      negatedPins_[e.id].push_back(foldedName(child.attribute("Name").value()));
+      negations_.push_back({child, e.id});
     }
     if (name == "Contact" || name == "PContact" || name == "NContact") {
       e.kind = DrawnKind::Contact;
@@ -348,8 +385,24 @@ class FlgNetReader {
     e.inputs.push_back(std::move(pin));
   }
 
+  /// A negation belongs to the operand of a contact or coil, or to an input that a wire reaches.
+  void checkNegations() {
+    for (const auto& [node, id] : negations_) {
+      const DrawnElement* e = find(id);
+      if (e == nullptr) continue;
+      const std::string pin = foldedName(node.attribute("Name").value());
+      const bool isOperand = (e->kind == DrawnKind::Contact || e->kind == DrawnKind::Coil) && pin == "OPERAND";
+      const bool isInput = e->kind != DrawnKind::Contact && e->kind != DrawnKind::Coil &&
+                           std::any_of(e->inputs.begin(), e->inputs.end(),
+                                       [&](const DrawnPin& input) { return foldedName(input.name) == pin; });
+      if (!isOperand && !isInput)
+        fault(node, fmt::format("a negation stands at {}, which the part does not have as an input", excerpt(pin)));
+    }
+  }
+
   /// Orders pins, and builds what has no box in the standard.
   void finish() {
+    checkNegations();
     for (std::size_t i = 0; i < network_.elements.size(); ++i) {
       const std::string id = network_.elements[i].id;
       DrawnElement& e = network_.elements[i];
@@ -439,6 +492,7 @@ class FlgNetReader {
   std::unordered_map<std::string, std::string> accesses_;
   std::unordered_map<std::string, std::size_t> index_;
   std::unordered_map<std::string, std::vector<std::string>> negatedPins_;
+  std::vector<std::pair<pugi::xml_node, std::string>> negations_;  ///< with the id of their part
   std::unordered_map<std::string, DrawnEdge> edges_;
   std::unordered_map<std::string, std::string> bistables_;
   std::unordered_map<std::string, const FunctionPart*> order_;

@@ -80,6 +80,10 @@ class SimaticReader {
       dataBlock(node, name == "SW.Blocks.InstanceDB");
     } else if (name == "SW.Tags.PlcTagTable") {
       for (const pugi::xml_node& tag : childNamed(node, "ObjectList").children()) addTag(tag);
+    } else if (name.starts_with("SW.")) {
+      const std::string named = childNamed(childNamed(node, "AttributeList"), "Name").child_value();
+      sink_.report(Syntax::XmlStructure, xml_.span(*part_, node),
+                   fmt::format("{} {} is not one that the S7-200 has", name, excerpt(named)));
     } else {
       return false;
     }
@@ -206,7 +210,12 @@ class SimaticReader {
     std::vector<Comment> notes;
     for (const pugi::xml_node& child : childNamed(node, "ObjectList").children()) {
       comment(child);
-      if (std::string_view(child.name()) == "SW.Blocks.CompileUnit") compileUnit(child, block);
+      const std::string_view name = child.name();
+      if (name == "SW.Blocks.CompileUnit") compileUnit(child, block);
+      if (child.type() == pugi::node_element && name != "SW.Blocks.CompileUnit" && name != "MultilingualText") {
+        sink_.report(Syntax::XmlStructure, xml_.span(*part_, child),
+                     fmt::format("element <{}> is not known in a block", excerpt(name)));
+      }
       if (localName(child) == "MultilingualText") block.title = textOf(child, block.comments);
     }
     for (DrawnVariable& variable : block.variables) {

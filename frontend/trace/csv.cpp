@@ -21,6 +21,7 @@ void write(const Trace& trace, std::string_view, std::ostream& out) {
   const bool hasDevices = !trace.isByTime && trace.hasDevices;
   out << (trace.isByTime ? "time_ms" : "scan,time_ms,scan_ms") << (hasEvents ? ",event" : "")
       << (hasDevices ? ",device" : "");
+  for (const auto& [name, value] : trace.start) out << ',' << name;
   for (const TraceSignal& signal : trace.signals) out << ',' << quoted(signal.name);
   out << '\n';
   for (const TraceRow& row : trace.rows) {
@@ -29,6 +30,8 @@ void write(const Trace& trace, std::string_view, std::ostream& out) {
     if (!trace.isByTime) out << ',' << millisecondsText(row.scanUs);
     if (hasEvents) out << ',' << quoted(row.events);
     if (hasDevices) out << ',' << quoted(row.devices);
+    for (const auto& [name, value] : trace.start)
+      out << ',' << (&row == trace.rows.data() ? std::to_string(value) : "");
     for (std::size_t i = 0; i < trace.signals.size(); ++i) {
       out << ',';
       if (row.values[i]) out << numberText(*row.values[i], trace.signals[i].type);

@@ -68,10 +68,10 @@ struct AsciiToHex {
       }
       m.hazard(Hazard::NotAscii, bad);
       m.flag(status::NotAscii, bad);
-      const bool allOrNothing = m.choices.is(Choice::AthError, "nothing");
+      const auto allOrNothing = m.reads({Choice::AthError, "nothing"});
       m.repeat(length, 8, limit, [&](int k) {
         const auto at = static_cast<std::size_t>(k);
-        m.when(allOrNothing ? d.lnot(bad) : legal[at], [&] {
+        m.when(d.select(allOrNothing, d.lnot(bad), legal[at]), [&] {
           const auto old = a.element(1, k / 2, Width::Byte);
           a.storeElement(1, k / 2, Width::Byte,
                          k % 2 == 0 ? d.concat(digits[at], 4, d.extract(old, 3, 0), 4)

@@ -20,6 +20,29 @@ inline constexpr std::array<ClockField, 10> clockRuleFields = {
 inline constexpr std::array<std::uint8_t, 10> clockModes = {0x00, 0x01, 0x02, 0x03, 0x08, 0x10, 0x11, 0x12, 0x13, 0xFF};
 inline constexpr int clockModeAt = 8;
 
+/// Whether a byte is BCD (where the choice checks that) and inside its field (likewise).
+template <class D>
+typename D::Bool clockFieldHolds(Machine<D>& m, typename D::Bits byte, ClockField field) {
+  D& d = m.d;
+  const auto tens = d.extract(byte, 7, 4), ones = d.extract(byte, 3, 0), nine = m.number(9, 4);
+  const auto isBcd = d.land(d.ule(tens, nine, 4), d.ule(ones, nine, 4));
+  const auto value = d.add(d.mul(d.zext(tens, 4, 8), m.number(10, 8), 8), d.zext(ones, 4, 8), 8);
+  const auto inRange = d.land(d.ule(m.number(field.low, 8), value, 8), d.ule(value, m.number(field.high, 8), 8));
+  const auto anyRange = d.lor(m.reads({Choice::ClockData, "bcd"}), inRange);
+  return d.lor(m.reads({Choice::ClockData, "any"}), d.land(isBcd, anyRange));
+}
+
+/// Whether the clock can show this in byte `index` of the buffer: it holds what TODW accepts (001:2935).
+template <class D>
+typename D::Bool clockShows(Machine<D>& m, typename D::Bits byte, std::uint32_t index) {
+  if (index < clockFields.size()) return clockFieldHolds(m, byte, clockFields[index]);
+  if (index > static_cast<std::uint32_t>(clockModeAt))
+    return m.d.constant(true);  // the rule counts for one mode only and may be anything else
+  auto known = m.reads({Choice::ClockData, "any"});
+  for (const std::uint8_t value : clockModes) known = m.d.lor(known, m.d.equal(byte, m.number(value, 8), 8));
+  return known;
+}
+
 template <bool writes, bool extended, Name stlName, Name meaning, std::uint32_t time>
 struct Clock {
   static constexpr int size = extended ? 19 : 8;
@@ -37,11 +60,12 @@ struct Clock {
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
-    const bool hasClock = cpuFeatures(m.target).clockBuiltIn || m.choices.is(Choice::ClockModule, "fitted");
-    m.hazard(Hazard::NoClock, d.constant(!hasClock));
+    const auto hasClock =
+        cpuFeatures(m.target).clockBuiltIn ? d.constant(true) : m.reads({Choice::ClockModule, "fitted"});
+    m.hazard(Hazard::NoClock, d.lnot(hasClock));
     const auto fits = a.fits(0, m.number(size, 16), Width::Byte);
     m.hazard(Hazard::OutOfRange, d.lnot(fits));
-    m.when(d.land(fits, d.constant(hasClock)), [&] {
+    m.when(d.land(fits, hasClock), [&] {
       if constexpr (writes) {
         set(m, a);
       } else {
@@ -53,18 +77,6 @@ struct Clock {
     });
   }
 
-  /// Whether a byte is BCD (where the choice checks that) and inside its field (likewise).
-  template <class D>
-  static typename D::Bool isLegal(Machine<D>& m, typename D::Bits byte, ClockField field) {
-    D& d = m.d;
-    if (m.choices.is(Choice::ClockData, "any")) return d.constant(true);
-    const auto tens = d.extract(byte, 7, 4), ones = d.extract(byte, 3, 0), nine = m.number(9, 4);
-    const auto isBcd = d.land(d.ule(tens, nine, 4), d.ule(ones, nine, 4));
-    if (m.choices.is(Choice::ClockData, "bcd")) return isBcd;
-    const auto value = d.add(d.mul(d.zext(tens, 4, 8), m.number(10, 8), 8), d.zext(ones, 4, 8), 8);
-    return d.land(isBcd, d.land(d.ule(m.number(field.low, 8), value, 8), d.ule(value, m.number(field.high, 8), 8)));
-  }
-
   /// Which data are refused is Choice::ClockData; 30 February is not (001:2947).
   template <class D>
   static void set(Machine<D>& m, Args<D>& a) {
@@ -74,15 +86,16 @@ struct Clock {
       if (k == 6) continue;
       ClockField field = clockFields[static_cast<std::size_t>(k)];
       if (extended && k == 7) field.low = 1;
-      legal = d.land(legal, isLegal(m, a.element(0, k, Width::Byte), field));
+      legal = d.land(legal, clockFieldHolds(m, a.element(0, k, Width::Byte), field));
     }
     if constexpr (extended) {
       const auto mode = a.element(0, clockModeAt, Width::Byte);
-      auto known = d.constant(m.choices.is(Choice::ClockData, "any"));
+      auto known = m.reads({Choice::ClockData, "any"});
       for (const std::uint8_t value : clockModes) known = d.lor(known, d.equal(mode, m.number(value, 8), 8));
       auto rule = d.constant(true);
       for (int k = 0; k < 10; ++k)
-        rule = d.land(rule, isLegal(m, a.element(0, k + 9, Width::Byte), clockRuleFields[static_cast<std::size_t>(k)]));
+        rule = d.land(
+            rule, clockFieldHolds(m, a.element(0, k + 9, Width::Byte), clockRuleFields[static_cast<std::size_t>(k)]));
       legal = d.land(d.land(legal, known), d.lor(rule, d.lnot(d.equal(mode, m.number(0xFF, 8), 8))));
     }
     m.hazard(Hazard::ClockData, d.lnot(legal));

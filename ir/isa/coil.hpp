@@ -59,10 +59,10 @@ struct Latch {
     const std::uint32_t room = std::min<std::uint32_t>(a.bitsLeft(0), 255);
     const auto outside = m.d.ult(m.number(room, 8), count, 8);
     m.hazard(Hazard::OutOfRange, outside);
-    if (m.choices.is(Choice::LatchZeroCount, "error"))
-      m.hazard(Hazard::OutOfRange, m.d.equal(count, m.number(0, 8), 8));
-    const bool partly = m.choices.is(Choice::LatchOverBorder, "up-to-border");
-    m.when(partly ? m.d.constant(true) : m.d.lnot(outside),
+    const auto isError = m.reads({Choice::LatchZeroCount, "error"});
+    m.hazard(Hazard::OutOfRange, m.d.land(isError, m.d.equal(count, m.number(0, 8), 8)));
+    const auto partly = m.reads({Choice::LatchOverBorder, "up-to-border"});
+    m.when(m.d.lor(partly, m.d.lnot(outside)),
            [&] { m.repeat(count, 8, static_cast<int>(room), [&](int k) { write(m, a, k); }); });
   }
   template <class D>
@@ -80,12 +80,16 @@ struct Latch {
 
  private:
   /// A timer that runs off a signal needs a new edge after R (001:6586); the others go on from 0 while they are
-  /// enabled.
+  /// enabled, a 100 ms timer perhaps as if it was enabled anew (Choice::TimerAfterReset).
   template <class D>
   static void stopTimer(Machine<D>& m, std::uint32_t number) {
     const TimerUse* use = m.plan.timer(number);
-    if (use == nullptr || (use->kind != TimerKind::OffDelay && use->kind != TimerKind::IecPulse)) return;
-    m.setBit(Reg::TimerRunning, number, m.d.constant(false));
+    if (use == nullptr) return;
+    const auto stops = [&] { m.setBit(Reg::TimerRunning, number, m.d.constant(false)); };
+    if (use->kind == TimerKind::OffDelay || use->kind == TimerKind::IecPulse)
+      stops();
+    else if (use->resolution == 100)
+      m.when(m.reads({Choice::TimerAfterReset, "starts-anew"}), stops);
   }
 };
 

@@ -63,7 +63,7 @@ typename D::Bool mayUsePort(Machine<D>& m, std::uint32_t port, int direction) {
   const auto isFree = portIs(m, port, freeport);
   m.hazard(Hazard::PortMode, d.lnot(isFree));
   m.hazard(clash, d.land(isFree, d.bit(state, 1 - direction)));
-  if (m.choices.is(Choice::PortAgain, "error")) m.hazard(clash, d.land(isFree, d.bit(state, direction)));
+  m.hazard(clash, d.land(m.reads({Choice::PortAgain, "error"}), d.land(isFree, d.bit(state, direction))));
   return d.land(isFree, d.lnot(d.bit(state, 1 - direction)));
 }
 template <class D>
@@ -149,7 +149,7 @@ struct Network {
     const auto length = a.element(0, 6, Width::Byte);
     const auto fits = a.fits(0, d.add(d.zext(length, 8, 16), m.number(7, 16), 16), Width::Byte);
     const auto isActive = d.bit(a.value(0), 6);
-    const auto again = m.choices.is(Choice::NetworkAgain, "queued") ? d.constant(false) : isActive;
+    const auto again = d.land(isActive, m.reads({Choice::NetworkAgain, "ignored"}));
     const auto lengthBad = d.lor(d.equal(length, m.number(0, 8), 8), d.ult(m.number(16, 8), length, 8));
     const auto used = m.get(Reg::NetActive);
     const auto full = d.ule(m.number(queueSize, 4), used, 4);

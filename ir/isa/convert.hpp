@@ -81,14 +81,24 @@ struct DIntToReal {
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
     const auto value = a.value(0);
-    auto real = d.rfromInt(value);
-    if (m.choices.is(Choice::RealFromDInt, "truncated")) {
-      // Rounded away from zero: the pattern one lower is the next REAL toward zero, for both signs.
-      const auto wide = d.sext(value, 32, 64), back = d.rtoInt(real, false), zero = m.number(0, 64);
-      const auto away = d.select(d.slt(wide, zero, 64), d.slt(back, wide, 64), d.slt(wide, back, 64));
-      real = d.select(away, d.sub(real, m.number(1, 32), 32), real, 32);
+    const auto truncated = m.reads({Choice::RealFromDInt, "truncated"});
+    a.store(1, d.rfromInt(d.select(truncated, leading(m, value), value, 32)));
+  }
+
+ private:
+  /// The 24 leading binary digits, the others 0: what a REAL can hold.
+  template <class D>
+  static typename D::Bits leading(Machine<D>& m, typename D::Bits value) {
+    D& d = m.d;
+    const auto isNegative = d.bit(value, 31);
+    const auto negated = [&](typename D::Bits v) { return d.select(isNegative, d.sub(m.number(0, 32), v, 32), v, 32); };
+    const auto size = negated(value);
+    auto kept = size;
+    for (int high = 24; high < 32; ++high) {
+      const auto mask = m.number(0xFFFFFFFFU << (high - 23), 32);
+      kept = d.select(d.bit(size, high), d.band(size, mask, 32), kept, 32);
     }
-    a.store(1, real);
+    return negated(kept);
   }
 };
 
@@ -102,14 +112,26 @@ struct RealToDInt {
     D& d = m.d;
     const auto real = a.value(0);
     auto wide = d.rtoInt(real, round);
-    if (round && m.choices.is(Choice::RoundHalf, "up")) {
-      const auto whole = d.rtoInt(real, false);
-      const auto fraction = d.rsub(real, d.rfromInt(d.extract(whole, 31, 0)));
-      wide = d.select(d.requal(fraction, m.number(0xBF000000, 32)), whole, wide, 64);  // -0.5
+    if constexpr (round) {
+      const auto goesUp = d.land(m.reads({Choice::RoundHalf, "up"}), isNegativeHalf(m, real));
+      wide = d.select(goesUp, d.add(wide, m.number(1, 64), 64), wide, 64);
     }
     const auto result = d.extract(wide, 31, 0);
     const auto bad = d.lor(d.lnot(d.rlegal(real)), d.lnot(d.equal(d.sext(result, 32, 64), wide, 64)));
     storeUnless(m, a, 1, result, bad, Hazard::Overflow, status::Overflow);
+  }
+
+ private:
+  /// Whether a REAL is negative with the fraction one half: the digit after the point is its last 1. Exponents 126 (the
+  /// leading 1 is that digit) to 149 leave room for it.
+  template <class D>
+  static typename D::Bool isNegativeHalf(Machine<D>& m, typename D::Bits real) {
+    D& d = m.d;
+    const auto exponent = d.extract(real, 30, 23), low = m.number(126, 8);
+    const auto inside = d.land(d.ule(low, exponent, 8), d.ule(exponent, m.number(149, 8), 8));
+    const auto digits = d.concat(m.number(1, 1), 1, d.extract(real, 22, 0), 23);
+    const auto fraction = d.shl(digits, d.zext(d.sub(exponent, low, 8), 8, 24), 24);
+    return d.land(d.bit(real, 31), d.land(inside, d.equal(fraction, m.number(0x800000, 24), 24)));
   }
 };
 
@@ -129,8 +151,8 @@ constexpr Desc bcdDesc(std::string_view stl, std::string_view meaning, std::uint
 template <class D>
 void storeBcd(Machine<D>& m, Args<D>& a, typename D::Bits result, typename D::Bool bad) {
   storeUnless(m, a, 0, result, bad, Hazard::NotBcd, status::NotBcd);
-  if (m.choices.is(Choice::BcdErrorResult, "unknown"))
-    m.when(bad, [&] { a.store(0, m.external(External::UnknownResult, 0, 16)); });
+  m.when(m.d.land(bad, m.reads({Choice::BcdErrorResult, "unknown"})),
+         [&] { a.store(0, m.external(External::UnknownResult, 0, 16)); });
 }
 
 /// BCDI: four BCD digits to a number; a digit above 9 sets SM1.6.
@@ -197,10 +219,10 @@ struct Encode {
     auto number = m.number(0, 4);
     for (int bit = 15; bit >= 0; --bit)
       number = d.select(d.bit(value, bit), m.number(static_cast<std::uint64_t>(bit), 4), number, 4);
-    const bool keepsHigh = m.choices.is(Choice::EncodeHighNibble, "kept");
-    const auto high = keepsHigh ? d.extract(a.value(1), 7, 4) : m.number(0, 4);
-    const bool keepsForZero = m.choices.is(Choice::EncodeZero, "unchanged");
-    const auto writes = keepsForZero ? d.lnot(d.equal(value, m.number(0, 16), 16)) : d.constant(true);
+    const auto keepsHigh = m.reads({Choice::EncodeHighNibble, "kept"});
+    const auto high = d.select(keepsHigh, d.extract(a.value(1), 7, 4), m.number(0, 4), 4);
+    const auto writesZero = m.reads({Choice::EncodeZero, "zero"});
+    const auto writes = d.lor(writesZero, d.lnot(d.equal(value, m.number(0, 16), 16)));
     m.when(writes, [&] { a.store(1, d.concat(high, 4, number, 4)); });
   }
 };

@@ -14,8 +14,8 @@ namespace rungproof::isa {
 /// only stores unless Choice::CounterFirstEdge says otherwise.
 template <class D>
 typename D::Bool countEdge(Machine<D>& m, Reg memory, std::uint32_t number, typename D::Bool input) {
-  auto edge = m.d.land(input, m.d.lnot(m.getBit(memory, number)));
-  if (m.choices.is(Choice::CounterFirstEdge, "stored")) edge = m.d.land(edge, m.d.lnot(m.getBit(Reg::FirstScan)));
+  const auto onlyStores = m.d.land(m.getBit(Reg::FirstScan), m.reads({Choice::CounterFirstEdge, "stored"}));
+  const auto edge = m.d.land(m.d.land(input, m.d.lnot(m.getBit(memory, number))), m.d.lnot(onlyStores));
   m.setBit(memory, number, input);
   return edge;
 }
@@ -74,7 +74,8 @@ struct CountDown {
     const auto down = countEdge(m, Reg::CounterDown, number, m.powerFlow(1));
     const auto counted = stepped(m, d.land(down, d.slt(zero, current, 16)), current, minusOne);
     auto bit = d.land(d.lnot(load), d.equal(counted, zero, 16));
-    if (m.choices.is(Choice::CountDownFirstScan, "off")) bit = d.land(bit, d.lnot(m.getBit(Reg::FirstScan)));
+    const auto isOff = d.land(m.getBit(Reg::FirstScan), m.reads({Choice::CountDownFirstScan, "off"}));
+    bit = d.land(bit, d.lnot(isOff));
     setCounter(m, number, d.select(load, preset, counted, 16), bit);
   }
 };
@@ -91,7 +92,7 @@ struct CountUpDown {
     const auto reset = m.powerFlow(0);
     auto up = countEdge(m, Reg::CounterUp, number, m.powerFlow(2));
     const auto down = countEdge(m, Reg::CounterDown, number, m.powerFlow(1));
-    if (m.choices.is(Choice::CountUpDownAtPreset, "stops")) up = d.land(up, d.slt(current, preset, 16));
+    up = d.land(up, d.lor(m.reads({Choice::CountUpDownAtPreset, "wraps"}), d.slt(current, preset, 16)));
     const auto counted = stepped(m, down, stepped(m, up, current, plusOne), minusOne);
     setCounter(m, number, d.select(reset, m.number(0, 16), counted, 16),
                d.land(d.lnot(reset), d.sle(preset, counted, 16)));
@@ -184,9 +185,8 @@ struct CountUpDown {
     const auto rises = d.land(d.land(up, d.lnot(down)), d.slt(current, preset, 16));
     const auto falls = d.land(d.land(down, d.lnot(up)), d.slt(zero, current, 16));
     const auto counted = stepped(m, falls, stepped(m, rises, current, plusOne), minusOne);
-    const auto next = m.choices.is(Choice::IecCounterPriority, "reset")
-                          ? d.select(reset, zero, d.select(load, preset, counted, 16), 16)
-                          : d.select(load, preset, d.select(reset, zero, counted, 16), 16);
+    const auto resets = d.land(reset, d.lor(d.lnot(load), m.reads({Choice::IecCounterPriority, "reset"})));
+    const auto next = d.select(resets, zero, d.select(load, preset, counted, 16), 16);
     const auto full = d.equal(next, preset, 16);
     setCounter(m, number, next, full);
     setFlagPin(a, 2, full);

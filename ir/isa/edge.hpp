@@ -23,11 +23,10 @@ struct Edge {
     const auto now = m.top();
     const auto before = m.getBit(Reg::EdgeMemory, memory);
     const auto edge = rising ? m.d.land(now, m.d.lnot(before)) : m.d.land(before, m.d.lnot(now));
-    auto onlyStores = m.getBit(Reg::FirstScan);
-    if (m.choices.is(Choice::FirstEdge, "first-execution")) {
-      onlyStores = m.d.lor(onlyStores, m.d.lnot(m.getBit(Reg::EdgeSeen, memory)));
-      m.setBit(Reg::EdgeSeen, memory, m.d.constant(true));
-    }
+    const auto isNew =
+        m.d.land(m.reads({Choice::FirstEdge, "first-execution"}), m.d.lnot(m.getBit(Reg::EdgeSeen, memory)));
+    const auto onlyStores = m.d.lor(m.getBit(Reg::FirstScan), isNew);
+    m.setBit(Reg::EdgeSeen, memory, m.d.constant(true));
     m.setBit(Reg::EdgeMemory, memory, now);
     m.setTop(m.d.land(edge, m.d.lnot(onlyStores)));
   }

@@ -34,8 +34,8 @@ struct Step {
     const auto one = m.number(1, w);
     const auto result = up ? d.add(old, one, w) : d.sub(old, one, w);
     const auto overflow = d.equal(old, m.number(edge, w), w);
-    const bool wraps = m.choices.is(Choice::IncrementOverflow, "wraps");
-    m.when(wraps ? d.constant(true) : d.lnot(overflow), [&] { a.store(0, result); });
+    const auto wraps = m.reads({Choice::IncrementOverflow, "wraps"});
+    m.when(d.lor(wraps, d.lnot(overflow)), [&] { a.store(0, result); });
     m.hazard(Hazard::Overflow, overflow);
     m.flag(status::Overflow, overflow);
     // With SM1.1 the other two bits mean nothing (001:4814).

@@ -130,11 +130,8 @@ struct DivWide {
         const auto quotient = d.sdiv(dividend, divisor, 16);
         const auto result = d.concat(d.srem(dividend, divisor, 16), 16, quotient, 16);
         a.store(1, result);
-        if (m.choices.is(Choice::DivideFlags, "quotient")) {
-          arithmeticFlags(m, quotient, 16);
-        } else {
-          arithmeticFlags(m, result, 32);
-        }
+        const auto ofQuotient = m.reads({Choice::DivideFlags, "quotient"});
+        arithmeticFlags(m, d.select(ofQuotient, d.sext(quotient, 16, 32), result, 32), 32);
       });
     });
   }

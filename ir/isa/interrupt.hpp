@@ -3,6 +3,7 @@
 // learns of ATCH, DTCH and CEVNT by signals. Tests: tests/manual_b/interrupt_test.cpp.
 #pragma once
 
+#include "ir/event.hpp"
 #include "ir/hsc_inputs.hpp"
 #include "ir/isa/control.hpp"
 
@@ -45,7 +46,7 @@ struct GlobalEnable {
 };
 
 /// ATCH INT, EVNT: one routine per event, a new one replaces it (001:5345, 001:5370). Error 0002 if the event needs
-/// an input that a defined high-speed counter uses.
+/// an input that a defined high-speed counter uses. A timed event takes over its period and starts anew (001:5472).
 struct Attach {
   static constexpr Desc desc =
       withOperands({.stl = "ATCH",
@@ -65,6 +66,11 @@ struct Attach {
     m.hazard(Hazard::InputConflict, taken);
     m.when(m.d.lnot(taken), [&] {
       m.set(Reg::EventRoutine, event, m.number(a.number(0) + 1, 8));
+      if (isTimedEvent(static_cast<int>(event))) {
+        const std::uint32_t timer = event - firstTimedEvent;
+        m.set(Reg::TimedPeriod, timer, m.load(Area::SM, timedPeriodByte + timer, Width::Byte));
+        m.set(Reg::TimedElapsed, timer, m.number(0, 8));
+      }
       m.signal(Signal::EventAttached, event);
     });
   }
@@ -85,7 +91,8 @@ struct Attach {
   }
 };
 
-/// DTCH EVNT: the event is ignored from now on; entries that wait in a queue stay (001:5353).
+/// DTCH EVNT: the event is ignored from now on (001:5353); what becomes of entries that wait in a queue is
+/// Choice::DetachedEvents.
 struct Detach {
   static constexpr Desc desc = withOperands({.stl = "DTCH",
                                              .meaning = "detach an event",

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ir/isa/logic.hpp"
+#include "ir/isa/overlapping_copy.hpp"
 
 namespace rungproof::isa {
 
@@ -86,10 +87,11 @@ template <class D>
 typename D::Bits legalCount(Machine<D>& m, typename D::Bits count, typename D::Bool fits, int room) {
   D& d = m.d;
   const auto nothing = d.equal(count, m.number(0, 16), 16);
-  const bool zeroIsError = m.choices.is(Choice::BlockMoveNothing, "error");
-  m.hazard(Hazard::OutOfRange, d.lor(d.lnot(fits), d.land(nothing, d.constant(zeroIsError))));
-  const bool cut = m.choices.is(Choice::BlockMoveTooFar, "up-to-the-end");
-  return d.select(fits, count, m.number(cut ? static_cast<std::uint64_t>(room) : 0, 16), 16);
+  const auto zeroIsError = m.reads({Choice::BlockMoveNothing, "error"});
+  m.hazard(Hazard::OutOfRange, d.lor(d.lnot(fits), d.land(nothing, zeroIsError)));
+  const auto cut = m.reads({Choice::BlockMoveTooFar, "up-to-the-end"});
+  const auto inside = d.select(cut, m.number(static_cast<std::uint64_t>(room), 16), m.number(0, 16), 16);
+  return d.select(fits, count, inside, 16);
 }
 
 /// BMB, BMW, BMD: N elements. Overlap, N = 0 and the partial effect of error 0091 are choices.
@@ -110,13 +112,10 @@ struct BlockMove {
     const auto n = m.d.zext(a.value(2), 8, 16);
     const int room = std::min(a.room(0, width, 255), a.room(1, width, 255));
     const auto count = legalCount(m, n, m.d.land(a.fits(0, n, width), a.fits(1, n, width)), room);
-    if (m.choices.is(Choice::BlockMoveOverlap, "buffered")) {
-      std::vector<typename D::Bits> buffer(static_cast<std::size_t>(room), m.number(0, bits(width)));
-      m.repeat(count, 16, room, [&](int k) { buffer[static_cast<std::size_t>(k)] = a.element(0, k, width); });
-      m.repeat(count, 16, room, [&](int k) { a.storeElement(1, k, width, buffer[static_cast<std::size_t>(k)]); });
-    } else {
-      m.repeat(count, 16, room, [&](int k) { a.storeElement(1, k, width, a.element(0, k, width)); });
-    }
+    OverlappingCopy<D> copy(m, a.mayOverlap(0, 1), room, bits(width));
+    const auto element = [&](int k) { return a.element(0, k, width); };
+    copy.begin(count, element);
+    m.repeat(count, 16, room, [&](int k) { a.storeElement(1, k, width, copy.value(k, element)); });
   }
 };
 

@@ -45,7 +45,7 @@ struct Pid {
     const auto clamp = [&](typename D::Bits x) {
       return d.select(d.rless(x, zero), zero, d.select(d.rless(one, x), one, x, 32), 32);
     };
-    const auto minutes = real(m.choices.is(Choice::PidTimeUnit, "minutes") ? 60.0F : 1.0F);
+    const auto minutes = d.select(m.reads({Choice::PidTimeUnit, "minutes"}), real(60.0F), one, 32);
 
     const auto pv = field(PV), kc = field(Kc), ts = field(Ts);
     const auto sp = d.select(rising, pv, field(SP), 32);

@@ -177,10 +177,9 @@ struct SubstringToNumber {
     m.hazard(Hazard::Overflow, bad);
     m.flag(status::Overflow, bad);
     m.when(d.lnot(bad), [&] { a.store(2, result); });
-    if (m.choices.is(Choice::SubstringOverflow, "unknown")) {
-      m.when(d.land(reader.hasDigit, tooLarge),
-             [&] { a.store(2, m.external(External::UnknownResult, 0, bits(a.width(2)))); });
-    }
+    const auto isUnknown = m.reads({Choice::SubstringOverflow, "unknown"});
+    m.when(d.land(isUnknown, d.land(reader.hasDigit, tooLarge)),
+           [&] { a.store(2, m.external(External::UnknownResult, 0, bits(a.width(2)))); });
   }
 };
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "ir/isa/group.hpp"
+#include "ir/isa/overlapping_copy.hpp"
 
 namespace rungproof::isa {
 
@@ -60,15 +60,11 @@ void copyCharacters(Machine<D>& m, Args<D>& a, StringSource<D>& source, typename
     a.storeElementAt(to, later(behind, k + 1), room, Width::Byte, character);
   };
   const auto setLength = [&] { a.storeElement(to, 0, Width::Byte, d.extract(d.add(behind, count, 16), 7, 0)); };
-  if (m.choices.is(Choice::BlockMoveOverlap, "buffered")) {
-    std::vector<Bits> buffer(static_cast<std::size_t>(source.limit), m.number(0, 8));
-    m.repeat(count, 16, source.limit, [&](int k) { buffer[static_cast<std::size_t>(k)] = source.at(later(first, k)); });
-    setLength();
-    m.repeat(count, 16, source.limit, [&](int k) { put(k, buffer[static_cast<std::size_t>(k)]); });
-  } else {
-    setLength();
-    m.repeat(count, 16, source.limit, [&](int k) { put(k, source.at(later(first, k))); });
-  }
+  const auto character = [&](int k) { return source.at(later(first, k)); };
+  OverlappingCopy<D> copy(m, a.mayOverlap(source.i, to), source.limit, 8);
+  copy.begin(count, character);
+  setLength();
+  m.repeat(count, 16, source.limit, [&](int k) { put(k, copy.value(k, character)); });
 }
 
 constexpr Desc stringDesc(std::string_view stl, std::string_view meaning, std::uint32_t time, std::string_view manual) {
@@ -123,9 +119,9 @@ struct StringAppend {
     const auto inside =
         d.land(d.land(source.isLegal, target.isLegal), a.fits(1, d.add(total, m.number(1, 16), 16), Width::Byte));
     m.hazard(Hazard::OutOfRange, d.lor(isLong, d.lnot(inside)));
-    const bool cut = m.choices.is(Choice::StringResultOverflow, "cut");
+    const auto cut = m.reads({Choice::StringResultOverflow, "cut"});
     const auto count = d.select(isLong, d.sub(most, target.length, 16), source.length, 16);
-    m.when(d.land(inside, cut ? d.constant(true) : d.lnot(isLong)),
+    m.when(d.land(inside, d.lor(cut, d.lnot(isLong))),
            [&] { copyCharacters(m, a, source, m.number(1, 16), count, 1, target.length); });
   }
 };
@@ -148,7 +144,7 @@ struct SubstringCopy {
     const auto tooMany = d.ult(there, wanted, 16);
     const auto count = d.select(tooMany, there, wanted, 16);
     auto legal = d.land(source.isLegal, a.fits(3, d.add(count, m.number(1, 16), 16), Width::Byte));
-    if (m.choices.is(Choice::SubstringBeyondEnd, "error")) legal = d.land(legal, d.lnot(tooMany));
+    legal = d.land(legal, d.lor(d.lnot(tooMany), m.reads({Choice::SubstringBeyondEnd, "cut"})));
     m.when(d.lnot(isZero), [&] {
       m.hazard(Hazard::OutOfRange, d.lnot(legal));
       m.when(legal, [&] { copyCharacters(m, a, source, first, count, 3, m.number(0, 16)); });
@@ -174,7 +170,7 @@ struct StringFind {
     const auto isZero = d.equal(start, m.number(0, 16), 16);
     m.hazard(Hazard::StringIndexZero, isZero);
     auto legal = d.land(text.isLegal, pattern.isLegal);
-    if (m.choices.is(Choice::FindStartBeyond, "error")) legal = d.land(legal, d.ule(start, text.length, 16));
+    legal = d.land(legal, d.lor(m.reads({Choice::FindStartBeyond, "not-found"}), d.ule(start, text.length, 16)));
     m.when(d.lnot(isZero), [&] {
       m.hazard(Hazard::OutOfRange, d.lnot(legal));
       m.when(legal, [&] { a.store(2, find(m, text, pattern, start)); });
@@ -202,7 +198,7 @@ struct StringFind {
     D& d = m.d;
     const auto empty = d.equal(pattern.length, m.number(0, 16), 16);
     const auto forEmpty =
-        d.land(empty, d.constant(search == Search::Text && m.choices.is(Choice::FindEmpty, "at-start")));
+        search == Search::Text ? d.land(empty, m.reads({Choice::FindEmpty, "at-start"})) : d.constant(false);
     auto result = d.constant(search == Search::Text);
     for (int k = 0; k < pattern.limit; ++k) {
       const auto used = d.ult(m.number(static_cast<std::uint64_t>(k), 16), pattern.length, 16);

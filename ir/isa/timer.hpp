@@ -50,8 +50,10 @@ void sampleTimer(Machine<D>& m, std::uint32_t number, typename D::Bool in) {
   m.setBit(Reg::TimerInput, number, in);
 }
 
-/// The whole instruction. A TOF in an inactive SCR segment stands at 0 and does not time (001:6575); the other kinds
-/// see no power flow there.
+/// The whole instruction. A 100 ms timer counts the intervals since the start of the scan before, if it was already
+/// counting then: a timer counts what passes after it was enabled (001:6590), and a preset one higher than wanted
+/// guarantees the time (001:6592), however long the scans are. A TOF in an inactive SCR segment stands at 0 and does
+/// not time (001:6575); the other kinds see no power flow there.
 template <TimerKind kind, class D>
 void runTimer(Machine<D>& m, Args<D>& a) {
   D& d = m.d;
@@ -65,8 +67,10 @@ void runTimer(Machine<D>& m, Args<D>& a) {
     m.setBit(Reg::TimerInput, number, d.constant(false));
   });
   m.when(active, [&] {
+    const auto wasCounting = m.getBit(Reg::TimerRunning, number);
     sampleTimer<kind>(m, number, m.powerFlow());
-    if (timerResolution(static_cast<int>(number)) == 100) advanceTimer(m, kind, number, m.ticks100);
+    if (timerResolution(static_cast<int>(number)) == 100)
+      m.when(wasCounting, [&] { advanceTimer(m, kind, number, m.ticks100); });
   });
 }
 

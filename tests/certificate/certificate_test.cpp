@@ -29,7 +29,7 @@ std::string askCvc5(const std::string& file) {
 TEST(Certificate, Cvc5AgreesOnTheWholeCorpus) {
   ASSERT_NE(outputOf("command -v cvc5"), "") << "the package cvc5 is missing; see .ci/install";
   const TemporaryFolder folder;
-  std::size_t checked = 0, obligations = 0;
+  std::size_t checked = 0, obligations = 0, decidedByForm = 0, simplified = 0;
   for (const fs::path& path : corpusFiles()) {
     const ProgramInput input = corpusInput(path);
     ProverOptions options = proverOptions(path);
@@ -39,8 +39,17 @@ TEST(Certificate, Cvc5AgreesOnTheWholeCorpus) {
     const ProofRun run = prove(input.program, input.properties, options);
     for (const ProofResult& result : run.results) {
       if (result.outcome != Outcome::Proved && result.outcome != Outcome::Unreachable) continue;
-      ASSERT_NE(result.certificate, "") << path << ": " << result.property.name;
+      if (result.certificate.empty()) {
+        // There is no call at all, or no push: nothing of the program could be said.
+        ++decidedByForm;
+        EXPECT_TRUE(result.builtin) << path << ": " << result.property.name;
+        continue;
+      }
       const std::string& text = result.certificate;
+      if (!text.starts_with("(set-logic")) ++simplified;  // says so in its first line
+      EXPECT_NE(text.find("(declare-fun |"), std::string::npos) << path << ": " << result.property.name;
+      const std::string safety = text.substr(text.find("; safety of"));
+      EXPECT_NE(safety.find('|'), std::string::npos) << path << ": " << result.property.name << ": " << safety;
       const std::string file = folder.file("certificate.smt2", text);
       const std::string answer = askCvc5(file);
       const std::size_t asked = count(text, "(check-sat)");
@@ -54,7 +63,12 @@ TEST(Certificate, Cvc5AgreesOnTheWholeCorpus) {
     }
   }
   EXPECT_GE(checked, leastChecked);
-  std::printf("cvc5 checked %zu certificates with %zu obligations\n", checked, obligations);
+  EXPECT_LT(decidedByForm, checked);
+  // A division of REAL numbers, written out as gates, is more than Z3 can check in its time.
+  EXPECT_LE(simplified, 2U);
+  std::printf(
+      "cvc5 checked %zu certificates with %zu obligations; %zu questions are decided by the form of the program\n",
+      checked, obligations, decidedByForm);
 }
 
 /// A bit x that starts with 0 and stays; y follows x. Bad is y.

@@ -73,6 +73,10 @@ inline ProverOptions proverOptions(const std::filesystem::path& file) {
     options.time.low = static_cast<std::uint32_t>(time->low.count() / 1000);
     options.time.high = static_cast<std::uint32_t>(time->high.count() / 1000);
   }
+  if (const auto choice = given.find("--choice"); choice != given.end()) {
+    const std::size_t equal = choice->second.find('=');
+    options.choices.set(choice->second.substr(0, equal), choice->second.substr(equal + 1));
+  }
   return options;
 }
 

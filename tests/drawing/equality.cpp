@@ -68,9 +68,7 @@ Program wrapped(std::vector<Instruction> instructions) {
 class Side {
  public:
   Side(World& world, const Program& program, const MemoryLayout& layout, const Plan& plan)
-      : program_(program),
-        store_(world.graph, layout, world, plan.edgeCount),
-        machine_(world.graph, store_, plan, choices_) {
+      : program_(program), store_(world.graph, layout, world, plan.edgeCount), machine_(world.graph, store_, plan) {
     world.beginSide();
     store_.follow(&machine_);
   }
@@ -94,7 +92,6 @@ class Side {
 
  private:
   const Program& program_;
-  Choices choices_;
   Graph::Store store_;
   Machine<Graph> machine_;
 };

@@ -9,7 +9,8 @@ namespace rungproof {
 namespace {
 
 /// Runs scans of the given lengths and checks dt and the ticks against floor(time / 10) and floor(time / 100).
-void follow(const TimeRange& range, const std::vector<std::uint32_t>& lengths) {
+/// The first scan starts `phase` ms after a tick of 100 ms.
+void follow(const TimeRange& range, const std::vector<std::uint32_t>& lengths, std::uint32_t phase = 0) {
   Graph graph;
   TimeModel time(graph, range);
   const Node ten = time.ticks10(), hundred = time.ticks100();
@@ -22,8 +23,13 @@ void follow(const TimeRange& range, const std::vector<std::uint32_t>& lengths) {
   for (const Node input : time.inputs()) roots.push_back(input);
   if (time.constraint() != noNode) roots.push_back(time.constraint());
   Evaluator value(graph, roots);
-  for (const StateVariable& s : time.states()) value.set(s.node, 0);
-  std::uint64_t before = 0, now = 0;  // start of the scan before, and of this one
+  for (const StateVariable& s : time.states()) {
+    const std::string& name = graph.variables()[graph[s.node].value].name;
+    const std::uint64_t digit = name == "time.tens.start" ? phase / 10 : name == "time.ones.start" ? phase % 10 : 0;
+    EXPECT_TRUE(s.init == noNode || digit == 0) << name;
+    value.set(s.node, digit);
+  }
+  std::uint64_t before = phase, now = phase;  // start of the scan before, and of this one
   for (const std::uint32_t length : lengths) {
     const std::uint64_t after = now + length;
     if (!time.inputs().empty()) {
@@ -55,6 +61,28 @@ TEST(TimeModel, TicksFollowFromTheLengths) {
 TEST(TimeModel, FixedLengthNeedsNoInputs) {
   follow({13, 13, false}, std::vector<std::uint32_t>(40, 13));
   follow({250, 250, false}, std::vector<std::uint32_t>(12, 250));
+}
+// 001:6592: the first interval may be short, so RUN begins anywhere between two ticks.
+TEST(TimeModel, RunBeginsAnywhereBetweenTwoTicks) {
+  for (const std::uint32_t phase : {1U, 9U, 10U, 57U, 90U, 99U}) {
+    follow({1, 500, false}, {1, 9, 10, 99, 100, 101, 499, 500, 1, 33, 67, 250}, phase);
+    follow({13, 13, false}, std::vector<std::uint32_t>(40, 13), phase);
+  }
+  for (const std::uint32_t phase : {10U, 50U, 90U}) follow({10, 10, false}, std::vector<std::uint32_t>(30, 10), phase);
+}
+
+// All 16 values of a digit's four bits are starts: 10 to 15 mean 0 to 5.
+TEST(TimeModel, EveryValueOfADigitIsAStart) {
+  Graph graph;
+  TimeModel time(graph, {1, 500, false});
+  const Node roots[] = {time.tensBefore(), time.onesBefore()};
+  Evaluator value(graph, roots);
+  for (std::uint64_t raw = 0; raw < 16; ++raw) {
+    for (const StateVariable& s : time.states()) value.set(s.node, graph[s.node].width == 4 ? raw : 0);
+    value.run();
+    EXPECT_EQ(value[time.tensBefore()], raw % 10);
+    EXPECT_EQ(value[time.onesBefore()], raw % 10);
+  }
 }
 TEST(TimeModel, RelaxedScansMayBeLong) { follow({1, 500, true}, {1, 4000000, 7, 300000, 12}); }
 

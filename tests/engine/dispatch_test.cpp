@@ -27,10 +27,9 @@ struct ChosenForms : GeneralForms {
 
 template <class Hooks>
 Concrete::Store runOnce(const Plan& plan, Concrete::Store store) {
-  const Choices choices;
   Nothing outside;
   Concrete domain(outside);
-  Machine<Concrete> machine(domain, store, plan, choices);
+  Machine<Concrete> machine(domain, store, plan);
   Hooks hooks;
   Scan<Concrete, Hooks> scan(machine, hooks);
   scan.program();

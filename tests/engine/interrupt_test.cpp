@@ -12,17 +12,17 @@ TEST(InterruptQueue, HighestGroupFirstThenOrderOfArrival) {
   EXPECT_TRUE(queue.add(12, 2));  // I/O
   EXPECT_TRUE(queue.add(0, 3));   // I/O, later although of better rank
   EXPECT_TRUE(queue.add(8, 4));   // communication
-  EXPECT_EQ(queue.take(), 8);
-  EXPECT_EQ(queue.take(), 12);
-  EXPECT_EQ(queue.take(), 0);
-  EXPECT_EQ(queue.take(), 10);
+  EXPECT_EQ(queue.take()->event, 8);
+  EXPECT_EQ(queue.take()->event, 12);
+  EXPECT_EQ(queue.take()->event, 0);
+  EXPECT_EQ(queue.take()->event, 10);
   EXPECT_FALSE(queue.take());
 }
 
 TEST(InterruptQueue, SimultaneousEventsStandInOrderOfRank) {
   InterruptQueue queue{Target{}};
   for (const int event : {11, 10, 22, 21}) EXPECT_TRUE(queue.add(event, 7));
-  for (const int event : {10, 11, 21, 22}) EXPECT_EQ(queue.take(), event);
+  for (const int event : {10, 11, 21, 22}) EXPECT_EQ(queue.take()->event, event);
 }
 
 TEST(InterruptQueue, DepthsFollowTheCpu) {
@@ -99,6 +99,28 @@ TEST(Interrupt, ClearEventsEmptiesTheQueueOfOneEvent) {
   rig.scans(1);
   EXPECT_EQ(rig.get("VW0"), 0);
   EXPECT_EQ(rig.get("VW2"), 4);
+}
+
+// What waits when its event is detached still runs, or is dropped (001:5357 says that CEVNT is there to clear it).
+TEST(Interrupt, DetachedEventThatWaitsIsAChoice) {
+  const std::string text = "LD SM0.1\nMOVB 10, SMB34\nATCH 0, 10\nLD I0.0\nDTCH 10\nENI\nMEND\nINT 0\nINCW VW0\nRETI\n";
+  for (const bool isKept : {true, false}) {
+    SimulatorOptions options;
+    ASSERT_TRUE(options.choices.set("detached-events", isKept ? "kept" : "dropped"));
+    Rig rig(text, options);
+    rig.scans(3);  // three wait
+    rig.set("I0.0", 1);
+    rig.scans(2);
+    EXPECT_EQ(rig.get("VW0"), isKept ? 3 : 0);
+  }
+}
+
+TEST(Interrupt, StimulusTellsOfEventsWithoutACause) {
+  Rig rig("LD SM0.1\nATCH 0, 12\nATCH 0, 2\nENI\nMEND\nINT 0\nINCW VW0\nRETI\n");
+  rig.scans(1);
+  rig.simulator->scan({.events = {12, 2}});
+  EXPECT_EQ(rig.get("VW0"), 2);  // as the stimulus asks
+  EXPECT_EQ(rig.simulator->eventsWithoutCause(), (std::set<int>{12}));
 }
 
 TEST(Interrupt, DetachedEventIsIgnored) {

@@ -62,26 +62,100 @@ TEST(Replay, OneMillisecondTicksComeInFrontOfTheirInstruction) {
 
 TEST(Replay, InterruptsComeInFrontOfTheirInstructionAndVisit) {
   Rig rig(
-      "LD SM0.1\nATCH 0, 12\nENI\nLD SM0.0\nFOR VW0, +1, +5\nLD SM0.0\nMOVW VW4, VW6\nNEXT\nLD M0.0\n= Q0.0\nMEND\n"
+      "LD SM0.1\nATCH 0, 2\nENI\nLD SM0.0\nFOR VW0, +1, +5\nLD SM0.0\nMOVW VW4, VW6\nNEXT\nLD M0.0\n= Q0.0\nMEND\n"
       "INT 0\nINCW VW4\nS M0.0, 1\nRETI\n");
   const std::uint32_t move = idOf(rig.program, "MOVW");
   std::vector<ReplayScan> scans(1);
-  scans[0].script.events = {{{move, 1}, 12}, {{move, 3}, 12}};
+  scans[0].script.events = {{{move, 1}, 2}, {{move, 3}, 2}};
   const ReplayResult result = replay(rig.program, Choices{}, scans);
   EXPECT_EQ(word(result.states[0], Area::V, 4), 2U);
   EXPECT_EQ(word(result.states[0], Area::V, 6), 2U);
   EXPECT_EQ(bit(result.states[0], Area::Q, 0, 0), 1U);
-  scans[0].script.events = {{{ScanPlace::afterProgram, 0}, 12}};
+  scans[0].script.events = {{{ScanPlace::afterProgram, 0}, 2}};
   const ReplayResult after = replay(rig.program, Choices{}, scans);
   EXPECT_EQ(word(after.states[0], Area::V, 4), 1U);
   EXPECT_EQ(bit(after.states[0], Area::Q, 0, 0), 0U);
 }
 
 TEST(Replay, EventsThatAreNotEnabledArePassedOver) {
-  Rig rig("LD SM0.1\nATCH 0, 12\nMEND\nINT 0\nINCW VW4\nRETI\n");
+  Rig rig("LD SM0.1\nATCH 0, 2\nMEND\nINT 0\nINCW VW4\nRETI\n");
   std::vector<ReplayScan> scans(1);
-  scans[0].script.events = {{{ScanPlace::afterProgram, 0}, 12}};
+  scans[0].script.events = {{{ScanPlace::afterProgram, 0}, 2}};
   EXPECT_EQ(word(replay(rig.program, Choices{}, scans).states[0], Area::V, 4), 0U);
+}
+
+// What came while interrupts were disabled runs as soon as they are enabled, in front of the next instruction
+// (001:5372).
+TEST(Replay, EventsWaitUntilInterruptsAreEnabled) {
+  Rig rig(
+      "LD SM0.1\nATCH 0, 2\nLD SM0.0\nDISI\nMOVW VW4, VW6\nENI\nMOVW VW4, VW8\nMEND\n"
+      "INT 0\nINCW VW4\nRETI\n");
+  std::vector<ReplayScan> scans(1);
+  scans[0].script.events = {{{idOf(rig.program, "MOVW", 0), 0}, 2}, {{idOf(rig.program, "MOVW", 0), 0}, 2}};
+  const ReplayResult result = replay(rig.program, Choices{}, scans);
+  EXPECT_EQ(word(result.states[0], Area::V, 6), 0U);
+  EXPECT_EQ(word(result.states[0], Area::V, 8), 2U);
+}
+
+TEST(Replay, EventsWithoutACauseDoNotCome) {
+  for (const char* attach : {"ATCH 0, 12", "ATCH 0, 9", "ATCH 0, 21", "MOVB 100, SMB34\nATCH 0, 10"}) {
+    Rig rig(std::string("LD SM0.1\n") + attach + "\nENI\nMEND\nINT 0\nINCW VW4\nRETI\n");
+    std::vector<ReplayScan> scans(1);
+    for (const int event : {12, 9, 21, 10}) scans[0].script.events.push_back({{ScanPlace::afterProgram, 0}, event});
+    EXPECT_EQ(word(replay(rig.program, Choices{}, scans).states[0], Area::V, 4), 0U) << attach;
+  }
+}
+
+// With both edges of an input attached, a second rising edge needs a falling one in between (001:5460).
+TEST(Replay, EdgesOfAnInputComeInTurn) {
+  Rig rig("LD SM0.1\nATCH 0, 0\nATCH 1, 1\nENI\nMEND\nINT 0\nINCW VW4\nRETI\nINT 1\nINCW VW6\nRETI\n");
+  std::vector<ReplayScan> scans(1);
+  for (const int event : {0, 0, 1, 1, 0}) scans[0].script.events.push_back({{ScanPlace::afterProgram, 0}, event});
+  const ReplayResult result = replay(rig.program, Choices{}, scans);
+  EXPECT_EQ(word(result.states[0], Area::V, 4), 2U);
+  EXPECT_EQ(word(result.states[0], Area::V, 6), 1U);
+}
+
+// Event 10 follows from the time: 25 ms of scans hold two periods of 10 ms, wherever they are placed.
+TEST(Replay, TimedEventsComeByThemselves) {
+  Rig rig("LD SM0.1\nMOVB 10, SMB34\nATCH 0, 10\nENI\nMEND\nINT 0\nINCW VW4\nRETI\n");
+  std::vector<ReplayScan> scans(5);
+  for (ReplayScan& scan : scans) scan.lengthMs = 5;
+  std::vector<std::uint64_t> counted;
+  for (const Concrete::Store& state : replay(rig.program, Choices{}, scans).states)
+    counted.push_back(word(state, Area::V, 4));
+  EXPECT_EQ(counted, (std::vector<std::uint64_t>{0, 1, 1, 2, 2}));
+}
+
+// Eight of event 10 wait while interrupts are disabled (001:5489), the others are lost; the routine sees SM4.2.
+TEST(Replay, TimedEventsOverflowTheirQueue) {
+  Rig rig(
+      "LD SM0.1\nMOVB 1, SMB34\nATCH 0, 10\nLD I0.0\nENI\nLDN I0.0\nDISI\nMEND\n"
+      "INT 0\nINCW VW4\nLD SM4.2\nINCW VW6\nRETI\n");
+  std::vector<ReplayScan> scans(2);
+  for (ReplayScan& scan : scans) scan.lengthMs = 20;
+  scans[0].inputs = {{operandNamed("I0.0"), 0}};
+  scans[1].inputs = {{operandNamed("I0.0"), 1}};
+  const ReplayResult result = replay(rig.program, Choices{}, scans);
+  EXPECT_EQ(word(result.states[0], Area::V, 4), 0U);
+  EXPECT_EQ(result.states[0].load(Area::SM, 4 * 8 + 2, 1), 1U);
+  EXPECT_EQ(word(result.states[1], Area::V, 4), 28U);
+  EXPECT_EQ(word(result.states[1], Area::V, 6), 8U);
+  EXPECT_EQ(result.states[1].load(Area::SM, 4 * 8 + 2, 1), 0U);
+}
+
+// 17 at once are one more than the queue holds (001:5488): one is lost, and the routine sees SM4.1.
+TEST(Replay, EventsThatComeTogetherOverflowTheirQueue) {
+  Rig rig("LD SM0.1\nATCH 0, 2\nENI\nMEND\nINT 0\nLD SM4.1\nINCW VW4\nRETI\n");
+  std::vector<ReplayScan> scans(2);
+  scans[0].script.events.assign(17, {{ScanPlace::afterProgram, 0}, 2, true});
+  scans[0].script.events.back().isWithNext = false;
+  scans[1].script.events.assign(16, {{ScanPlace::afterProgram, 0}, 2, true});
+  scans[1].script.events.back().isWithNext = false;
+  const ReplayResult result = replay(rig.program, Choices{}, scans);
+  EXPECT_EQ(word(result.states[0], Area::V, 4), 16U);
+  EXPECT_EQ(word(result.states[1], Area::V, 4), 16U);  // 16 fit
+  EXPECT_EQ(result.states[0].load(Area::SM, 4 * 8 + 1, 1), 0U);
 }
 
 TEST(Replay, ExternalValuesAreHandedOutInOrder) {

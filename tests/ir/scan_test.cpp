@@ -40,8 +40,7 @@ TEST(Scan, ContactsAndCoilsMakeAnAndGate) {
     Concrete domain(outside);
     Concrete::Store store(program.target, plan.edgeCount);
     store.area(Area::I)[0] = static_cast<std::uint8_t>(inputs);
-    const Choices choices;
-    Machine<Concrete> machine(domain, store, plan, choices);
+    Machine<Concrete> machine(domain, store, plan);
     NoHooks hooks;
     Scan<Concrete, NoHooks> scan(machine, hooks);
     scan.program();

@@ -133,7 +133,7 @@ class Bench {
   std::uint64_t value(std::string_view address) {
     const Operand o = operandOf(address);
     Concrete domain(world);
-    Machine<Concrete> machine(domain, store, *plan_, choices);
+    Machine<Concrete> machine(domain, store, *plan_);
     return machine.load(o.area, o.offset, o.width, o.bit);
   }
   /// Current value of a counter or timer, signed.
@@ -149,7 +149,7 @@ class Bench {
   void set(std::string_view address, std::int64_t v) {
     const Operand o = operandOf(address);
     Concrete domain(world);
-    Machine<Concrete> machine(domain, store, *plan_, choices);
+    Machine<Concrete> machine(domain, store, *plan_);
     machine.save(o.area, o.offset, o.width, static_cast<std::uint64_t>(v) & Concrete::mask(bits(o.width)), o.bit);
   }
   void setReal(std::string_view address, float v) { set(address, std::bit_cast<std::uint32_t>(v)); }

@@ -51,9 +51,9 @@ struct BenchRun {
 
   /// `prepare` sees the machine before the run.
   template <class D, class Prepare>
-  static Outcome on(const Bench& bench, const Plan& plan, D& domain, typename D::Store& state, bool asInterrupt,
-                    const Start& start, Prepare&& prepare) {
-    Machine<D> machine(domain, state, plan, bench.choices);
+  static Outcome on(const Plan& plan, D& domain, typename D::Store& state, bool asInterrupt, const Start& start,
+                    Prepare&& prepare) {
+    Machine<D> machine(domain, state, plan);
     prepare(machine);
     Hooks<D> hooks{start};
     Scan<D, Hooks<D>> scan(machine, hooks);

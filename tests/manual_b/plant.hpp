@@ -88,7 +88,7 @@ class Plant {
     if (const auto at = registerOf(name)) return store.get(at->first, at->second);
     const Operand o = operandOf(name);
     Concrete domain(outside);
-    Machine<Concrete> machine(domain, store, *plan_, choices);
+    Machine<Concrete> machine(domain, store, *plan_);
     return machine.load(o.area, o.offset, o.width, o.bit);
   }
   Plant& set(std::string_view name, std::uint64_t v) {
@@ -98,7 +98,7 @@ class Plant {
     }
     const Operand o = operandOf(name);
     Concrete domain(outside);
-    Machine<Concrete> machine(domain, store, *plan_, choices);
+    Machine<Concrete> machine(domain, store, *plan_);
     machine.save(o.area, o.offset, o.width, v & Concrete::mask(bits(o.width)), o.bit);
     return *this;
   }

@@ -25,7 +25,7 @@ Plant& Plant::scan(int ten, int hundred) {
 
 void Plant::refresh(int resolution, int count) {
   Concrete domain(outside);
-  Machine<Concrete> machine(domain, store, *plan_, choices);
+  Machine<Concrete> machine(domain, store, *plan_);
   PlantRun::refresh(*this, machine, resolution, count);
 }
 

@@ -40,7 +40,7 @@ struct PlantRun {
   template <class D, class Prepare>
   static Outcome on(Plant& plant, const Plan& plan, D& domain, typename D::Store& state, int ten, int hundred,
                     Prepare&& prepare) {
-    Machine<D> machine(domain, state, plan, plant.choices);
+    Machine<D> machine(domain, state, plan);
     prepare(machine);
     machine.ticks100 = machine.number(static_cast<std::uint64_t>(hundred), 16);
     refresh(plant, machine, 10, ten);
@@ -72,6 +72,7 @@ struct PlantRun {
   }
   static void begin(Plant& plant) {
     plant.outside.errors.begin(plant.store);
+    setReadings(plant.store, plant.choices);
     plant.outside.signals.clear();
     plant.reached.clear();
   }

@@ -54,11 +54,12 @@ const auto watch = [](const auto& machine) {
 
 Bench& Bench::run(bool asInterrupt, const Start& start) {
   world.errors.begin(store);
+  setReadings(store, choices);
   const auto runOn = [&](World& outside, Concrete::Store& memory) {
     Mutated domain(outside);
     Mutated::Store state(memory);
-    return withText(
-        *plan_, [&](const Plan& plan) { return BenchRun::on(*this, plan, domain, state, asInterrupt, start, watch); });
+    return withText(*plan_,
+                    [&](const Plan& plan) { return BenchRun::on(plan, domain, state, asInterrupt, start, watch); });
   };
   Mutation& mutation = Mutation::instance();
   World otherWorld;
@@ -105,7 +106,7 @@ Plant& Plant::scan(int ten, int hundred) {
 void Plant::refresh(int resolution, int count) {
   Mutated domain(outside);
   Mutated::Store state(store);
-  Machine<Mutated> machine(domain, state, *plan_, choices);
+  Machine<Mutated> machine(domain, state, *plan_);
   watch(machine);
   PlantRun::refresh(*this, machine, resolution, count);
   Mutation::instance().watch({});

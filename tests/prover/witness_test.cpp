@@ -86,6 +86,26 @@ TEST(Witness, MarksAnalogInputsOfBuiltinChecks) {
   EXPECT_FALSE(matters["AIW4"]);
 }
 
+// One interrupt of event 0 is needed, of the many that are given.
+TEST(Witness, LeavesOutInterruptsThatAreNotNeeded) {
+  const ProgramInput input = inputOf("//@ reach one: M0.0\n", "Network 1\nLD SM0.1\nATCH INT0, 0\nATCH INT1, 2\nENI\n",
+                                     "INTERRUPT_BLOCK A:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nS M0.0, 1\n"
+                                     "END_INTERRUPT_BLOCK\nINTERRUPT_BLOCK B:INT1\nBEGIN\nNetwork 1\nLD SM0.0\n"
+                                     "INCW VW0\nEND_INTERRUPT_BLOCK\n");
+  const Property& goal = input.properties.properties[0];
+  const std::vector<Property> none;
+  const Choices choices;
+  const Judge judge(input.program, choices, none, goal);
+  std::vector<ReplayScan> scans(1);
+  for (const int event : {2, 0, 2, 0, 2}) scans[0].script.events.push_back({ScanPlace{}, event});
+  std::optional<Witness> found = judge.witness(scans, std::nullopt);
+  ASSERT_TRUE(found.has_value());
+  const Witness small = minimised(judge, std::move(*found), 10, 5, 1);
+  ASSERT_EQ(small.scans.size(), 1U);
+  ASSERT_EQ(small.scans[0].script.events.size(), 1U);
+  EXPECT_EQ(small.scans[0].script.events[0].event, 0);
+}
+
 TEST(Witness, LeavesOutScansThatAreNotNeeded) {
   // One scan off, one scan on; all others are padding.
   const ProgramInput input = inputOf("//@ reach on: Q0.0 and once(not Q0.0)\n", "Network 1\nLD I0.0\nO Q0.0\n= Q0.0\n");

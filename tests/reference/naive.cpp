@@ -256,7 +256,7 @@ bool Interpreter::compareInstruction(const Instruction& i, const std::string& na
 void Interpreter::timerBox(const Instruction& i, const std::string& name) {
   const std::uint32_t n = i.operands[0].offset;
   TimerState& t = timers_[n];
-  const bool input = power(), rises = input && !t.input;
+  const bool input = power(), rises = input && !t.input, wasCounting = t.counting;
   t.kind = name;
   t.preset = static_cast<std::int16_t>(read(i.operands[1], 2));
   const auto start = [&](bool bit) {
@@ -284,7 +284,8 @@ void Interpreter::timerBox(const Instruction& i, const std::string& name) {
     if (name != "TONR" && !input) start(false);
   }
   t.input = input;
-  if (timerResolution(static_cast<int>(n)) == 100 && (scr_ || !name.starts_with("TOF")))
+  // Only what passes after a timer was enabled counts (001:6590).
+  if (timerResolution(static_cast<int>(n)) == 100 && wasCounting && (scr_ || !name.starts_with("TOF")))
     refresh(-static_cast<int>(n), ticks100_);
   if (!name.ends_with(".IEC")) return;
   if (i.operands.size() > 2) writeBit(i.operands[2], timerBit[n]);

@@ -247,6 +247,20 @@ TEST(Invariants, OffDelayBitNeedsInputOrRunningTime) {
   EXPECT_NE(other, running);
 }
 
+// The box runs unless the jump is taken, and then sees what its driver becomes.
+TEST(Invariants, TimersHaveSeenTheirInputUntilAJumpLeavesThemOut) {
+  Family f;
+  const Node in = f.input("in"), jump = f.input("jump");
+  const Node seen = f.state("T37.in"), driver = f.state("Q0.0"), jumped = f.state("jumped");
+  f.next(driver, in);
+  f.next(seen, f.graph->make(Op::Ite, 1, jump, seen, in));
+  f.next(jumped, f.graph->make(Op::Or, 1, jumped, jump));
+  const std::vector<NodeClause> guesses = guessTimerStates(f.system);
+  ASSERT_EQ(guesses.size(), 2U);
+  EXPECT_EQ(guesses[0], (NodeClause{jumped, f.no(seen), driver}));
+  EXPECT_EQ(guesses[1], (NodeClause{jumped, seen, f.no(driver)}));
+}
+
 // Two words that grow by the same input bit from 0 on: equal for ever, so both differences are at most 0.
 TEST(Invariants, DifferencesOfWordsThatGrowAlike) {
   Family f;

@@ -1,6 +1,7 @@
 // Limits are kept: time (encoding, searches and checks of certificates count), memory, and the user's interrupt, which
 // leaves what was settled. The hard question is the factoring of a prime: no engine decides it within seconds. Stands
 // here and not in tests/prover because the limits are of wall time, and nothing runs beside this test program.
+#include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <malloc.h>
 
@@ -60,6 +61,46 @@ TEST(Limits, EveryQuestionHasItsOwnTime) {
   EXPECT_EQ(outcomeOf(run, "prime"), Outcome::Unknown);
   EXPECT_EQ(outcomeOf(run, "prime too"), Outcome::Unknown);
   EXPECT_EQ(outcomeOf(run, "easy"), Outcome::Proved);
+}
+
+/// Twenty pointers that walk through hundreds of bytes, and `networks` with an instruction behind each of them.
+std::string walkingPointers(int networks, const char* instruction) {
+  std::string text = "Network 1\nLD SM0.1\n";
+  for (int i = 0; i < 20; ++i) text += fmt::format("MOVD &VB{}, VD{}\n", 1000 + i * 10, 4 * i);
+  text += "LD I0.0\n";
+  for (int i = 0; i < 20; ++i)
+    text += fmt::format("INCD VD{0}\nLDD> VD{0}, &VB{1}\nMOVD &VB{2}, VD{0}\n", 4 * i, 1400 + i * 10, 1000 + i * 10);
+  for (int i = 0; i < networks; ++i)
+    text += fmt::format("Network {}\nLD I1.{}\n", i + 2, i % 8) +
+            fmt::format(fmt::runtime(instruction), 4 * (i % 20), 4 * ((i + 3) % 20)) + "\n";
+  return text;
+}
+
+/// A block that is moved through a pointer is one instruction and may be a hundred thousand writes: the clock is looked
+/// at within it.
+TEST(Limits, PointersAreFollowedNoLongerThanTheTime) {
+  for (const char* instruction : {"FILL 0, *VD{}, 255", "BMB *VD{}, *VD{}, 255", "BMW *VD{}, *VD{}, 120"}) {
+    const ProgramInput input = inputOf("//@ prove off: never Q0.0\n", walkingPointers(50, instruction));
+    double best = 1e9;
+    for (int i = 0; i < attempts && best > 3; ++i) {
+      const Clock::time_point begin = Clock::now();
+      const ProofRun run = prove(input.program, input.properties, usualOptions(1));
+      best = std::min(best, since(begin));
+      ASSERT_EQ(run.results.size(), 1U);
+    }
+    EXPECT_LE(best, 3.0) << instruction;
+  }
+}
+
+TEST(Limits, FiveThousandPointersAreFollowedNoLongerThanTheTime) {
+  const ProgramInput input = inputOf("//@ prove off: never Q0.0\n", walkingPointers(5000, "MOVB 1, *VD{}"));
+  double best = 1e9;
+  for (int i = 0; i < attempts && best > 3; ++i) {
+    const Clock::time_point begin = Clock::now();
+    prove(input.program, input.properties, usualOptions(1));
+    best = std::min(best, since(begin));
+  }
+  EXPECT_LE(best, 3.0);
 }
 
 /// A polynomial by Horner's rule, with so many REAL operations that no scan is decided in any time.

@@ -64,6 +64,12 @@ TEST(Stimulus, EventsComeInFrontOfTheInstructionInALine) {
   EXPECT_EQ(waveUnder(late, "scan,event\n2,12@end\n3,\n", "VW2", 3), "001");
 }
 
+// Three at once, and 17: one more than the queue holds (001:5488).
+TEST(Stimulus, EventsAtOnce) {
+  Rig rig("LD SM0.1\nATCH 0, 0\nENI\nMEND\nINT 0\nINCW VW0\nRETI\n");
+  EXPECT_EQ(waveUnder(rig, "scan,event\n2,3x0@end\n3,17x0@end\n4,\n", "VW0", 3), "0319");
+}
+
 TEST(Stimulus, PlacesOfEventsMustExist) {
   Rig rig(interrupted);
   for (const char* word : {"12@99", "12@5/2", "12@5*0", "12@", "12@other.awl:5", "12@5x"}) {

@@ -1,0 +1,273 @@
+// Routines on a state of free variables, one cell each.
+#include "analysis/encoding/routine_effects.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <random>
+
+#include "analysis/graph/evaluate.hpp"
+#include "analysis/graph/z3_terms.hpp"
+#include "ir/scan.hpp"
+
+namespace rungproof {
+
+namespace {
+
+constexpr std::size_t trialSteps = 3000;        ///< instructions of a routine, loops unrolled
+constexpr int trialLoops = 40;                  ///< rounds of a loop
+constexpr std::size_t mostRoutinesPaired = 12;  ///< more are not tried in both orders
+constexpr std::size_t mostConstantsTried = 12;
+constexpr int samples = 300;                            ///< random states that weed out bounds
+constexpr unsigned proofLimit = 1000;                   ///< ms of one proof
+constexpr std::chrono::milliseconds searchLimit{3000};  ///< for all proofs
+
+bool isKeptAround(const Place& place) {
+  if (place.isRegister) return place.reg == Reg::Accumulator || place.reg == Reg::Eno;
+  return place.area == Area::L || (place.area == Area::SM && place.byte() == 1);
+}
+
+}  // namespace
+
+/// Runs of routines on one graph; each run has a memory of its own that begins with the same variables.
+class RoutineEffects::Trial final : private CellSource, private Graph::Listener {
+ public:
+  Trial(const Plan& plan, const MemoryLayout& layout) : plan_(plan), layout_(layout) { graph.listen(this); }
+
+  /// The memory after these routines ran one after the other.
+  std::unique_ptr<Graph::Store> run(std::initializer_list<int> routines, Node* halts = nullptr) {
+    CellSource& source = *this;
+    auto store = std::make_unique<Graph::Store>(graph, layout_, source, plan_.edgeCount);
+    Machine<Graph> machine(graph, *store, plan_);
+    store->follow(&machine);
+    // A queue may overflow between two runs: SM4.0 to SM4.2 change.
+    store->observe([this](const Touch& touch) {
+      const Place& p = touch.place;
+      const bool isOverflow = !p.isRegister && p.area == Area::SM && p.byte() <= 4 && p.at + p.width > 4 * 8 + 5;
+      readsOverflow = readsOverflow || (isOverflow && !touch.isWrite);
+    });
+    store_ = store.get();
+    Hooks hooks{*this};
+    Scan<Graph, Hooks> scan(machine, hooks, trialLoops, trialSteps);
+    for (const int routine : routines) scan.interrupt(routine, graph.constant(true));
+    if (halts != nullptr) *halts = machine.halted.node;
+    if (graph.truth(machine.halted) != false) mayHalt = true;
+    store->follow(nullptr);
+    store->observe({});
+    return store;
+  }
+  /// What stood there before the run.
+  Node start(const Place& place) { return cellAt(place).start; }
+
+  Graph graph;
+  bool isComplete = true;
+  bool mayHalt = false;
+  bool readsOverflow = false;
+
+ private:
+  struct Hooks {
+    Trial& trial;
+    void before(Scan<Graph, Hooks>&, const FlowStep&) {}
+    void callWithoutBody(Scan<Graph, Hooks>&, const Instruction&) { trial.isComplete = false; }
+    void freshLocal(Scan<Graph, Hooks>&, unsigned frame, std::uint32_t byte) {
+      trial.store_->forgetLocal(frame, byte, 0);
+    }
+  };
+
+  Cell cellAt(const Place& place) override {
+    const auto [found, isNew] = cells_.try_emplace(place, noNode);
+    if (isNew) found->second = graph.variable(nameOf(place), place.width, true);
+    return {place, CellKind::State, found->second};
+  }
+  Node localByte(std::uint32_t, std::uint32_t) override { return graph.variable("local", 8, false); }
+  Graph::Bits external(const ExternalSite&, int width) override { return {graph.variable("external", width, false)}; }
+  void report(Hazard hazard, Graph::Bool, const Instruction*) override {
+    if (hazard == Hazard::LoopBound) isComplete = false;
+  }
+  Graph::Bool targets(Machine<Graph>&, Graph::Bits, Width, Ref<Graph>&) override {
+    isComplete = false;
+    return graph.constant(false);
+  }
+  Graph::Bits unresolved(Machine<Graph>&, int width) override {
+    isComplete = false;
+    return {graph.variable("unresolved", width, false)};
+  }
+  void havoc(Machine<Graph>&) override { isComplete = false; }
+
+  const Plan& plan_;
+  const MemoryLayout& layout_;
+  std::map<Place, Node> cells_;
+  Graph::Store* store_ = nullptr;
+};
+
+Node RoutineEffects::Bound::holds(Graph& graph, Node before, Node after) const {
+  const int w = graph[before].width;
+  const auto isWithin = [&](Node limit) {
+    switch (kind) {
+      case Kind::AtLeast: return graph.ule({limit}, {after}, w);
+      case Kind::AtMost: return graph.ule({after}, {limit}, w);
+      case Kind::SignedAtLeast: return graph.sle({limit}, {after}, w);
+      case Kind::SignedAtMost: return graph.sle({after}, {limit}, w);
+      case Kind::OneOf: return graph.equal({after}, {limit}, w);
+    }
+    return graph.constant(true);
+  };
+  Graph::Bool result = isWithin(before);
+  for (const std::uint64_t constant : constants) result = graph.lor(result, isWithin(graph.constantNode(constant, w)));
+  return result.node;
+}
+
+Graph::Bool RoutineEffects::mayBecome(Graph& graph, const Place& place, Node before, Node after) const {
+  Graph::Bool result = graph.constant(true);
+  const auto found = bounds_.find(place);
+  if (found == bounds_.end()) return result;
+  for (const Bound& bound : found->second) result = graph.land(result, {bound.holds(graph, before, after)});
+  return result;
+}
+
+RoutineEffects::RoutineEffects(const Plan& plan, const MemoryLayout& layout,
+                               const std::set<int>& routines, bool isOfDevices)
+    : isOnePassEnough_(!isOfDevices) {
+  Trial trial(plan, layout);
+  const auto differ = [&](Graph::Store& a, Graph::Store& b) {
+    std::set<Place> all;
+    for (const Graph::Store* store : {&a, &b}) {
+      for (const Cell& cell : store->cells()) all.insert(cell.place);
+    }
+    return std::ranges::any_of(
+        all, [&](const Place& place) { return !isKeptAround(place) && a.value(place) != b.value(place); });
+  };
+  for (const int routine : routines) {
+    trial.mayHalt = false;
+    const auto once = trial.run({routine});
+    if (trial.mayHalt) halting_.insert(routine);
+    std::vector<Place>& written = written_[routine];
+    const std::vector<Cell> cells = once->cells();
+    for (const Cell& cell : cells) {
+      if (!isKeptAround(cell.place) && once->value(cell.place) != cell.start) written.push_back(cell.place);
+    }
+    std::ranges::sort(written);
+    isOnePassEnough_ =
+        isOnePassEnough_ && !trial.mayHalt && !trial.readsOverflow && !differ(*once, *trial.run({routine, routine}));
+  }
+  isOnePassEnough_ = isOnePassEnough_ && routines.size() <= mostRoutinesPaired;
+  for (auto a = routines.begin(); a != routines.end() && isOnePassEnough_; ++a) {
+    for (auto b = std::next(a); b != routines.end() && isOnePassEnough_; ++b)
+      isOnePassEnough_ = !differ(*trial.run({*a, *b}), *trial.run({*b, *a}));
+  }
+  isComplete_ = trial.isComplete;
+  isOnePassEnough_ = isOnePassEnough_ && isComplete_;
+  if (!isOnePassEnough_ && isComplete_) findBounds(trial);
+}
+
+void RoutineEffects::findBounds(Trial& trial) {
+  Graph& graph = trial.graph;
+  struct Written {
+    Place place;
+    Node before, now;
+    std::vector<Bound> bounds;
+  };
+  std::vector<Written> all;
+  std::map<Place, std::size_t> at;
+  for (const auto& [routine, places] : written_) {
+    for (const Place& place : places) {
+      if (!at.try_emplace(place, all.size()).second) continue;
+      all.push_back({place, graph.variable("before " + nameOf(place), place.width, true), trial.start(place), {}});
+    }
+  }
+  // One run of each routine from a state that has come about by some.
+  std::vector<std::vector<std::pair<std::size_t, Node>>> runs;
+  std::vector<Node> roots;
+  for (const auto& [routine, places] : written_) {
+    const auto store = trial.run({routine});
+    auto& run = runs.emplace_back();
+    for (const Place& place : places) {
+      run.emplace_back(at.at(place), store->value(place));
+      roots.push_back(run.back().second);
+    }
+  }
+  std::map<int, std::set<std::uint64_t>> constants;  // by width
+  std::vector<Node> variables;
+  for (const Node n : coneOf(graph, roots)) {
+    if (graph[n].op == Op::Variable) variables.push_back(n);
+    if (graph[n].op == Op::Constant) constants[graph[n].width].insert(graph[n].value);
+  }
+  for (Written& w : all) {
+    const int width = w.place.width;
+    std::vector<std::uint64_t> known(constants[width].begin(), constants[width].end());
+    for (const std::uint64_t c : std::vector<std::uint64_t>(known)) known.push_back((c + 1) & Graph::maskOf(width));
+    known.push_back(0);
+    std::ranges::sort(known);
+    known.erase(std::ranges::unique(known).begin(), known.end());
+    if (known.size() > mostConstantsTried) known.resize(mostConstantsTried);
+    using enum Bound::Kind;
+    const std::vector<Bound::Kind> kinds =
+        width == 1 ? std::vector{AtLeast, AtMost} : std::vector{AtLeast, AtMost, SignedAtLeast, SignedAtMost};
+    for (const Bound::Kind kind : kinds) {
+      w.bounds.push_back({kind, {}});
+      for (const std::uint64_t c : known) {
+        if (width > 1) w.bounds.push_back({kind, {c}});
+      }
+    }
+    if (width > 1) w.bounds.push_back({OneOf, known});
+  }
+  // Nothing has happened before the first run: bounds that one run from there breaks are no bounds.
+  std::mt19937_64 random(1);
+  Evaluator evaluator(graph, roots);
+  for (int sample = 0; sample < samples; ++sample) {
+    for (const Node v : variables) {
+      const int width = graph[v].width;
+      std::uint64_t value = random();
+      const auto& some = constants[width];
+      if (random() % 2 == 0 && !some.empty())
+        value = *std::next(some.begin(), static_cast<std::ptrdiff_t>(random() % some.size())) + random() % 3 - 1;
+      evaluator.set(v, value & Graph::maskOf(width));
+    }
+    evaluator.run();
+    for (const auto& run : runs) {
+      for (const auto& [index, after] : run) {
+        Written& w = all[index];
+        const bool isRead = std::ranges::find(variables, w.now) != variables.end();
+        const Node from = graph.constantNode(isRead ? evaluator[w.now] : 0, w.place.width);
+        const Node to = graph.constantNode(evaluator[after], w.place.width);
+        if (!isRead) continue;
+        std::erase_if(w.bounds, [&](const Bound& b) { return graph[b.holds(graph, from, to)].value == 0; });
+      }
+    }
+  }
+  // A bound without a constant says more than the same with one.
+  for (Written& w : all) {
+    const std::vector<Bound> given = w.bounds;
+    std::erase_if(w.bounds, [&](const Bound& bound) {
+      return !bound.constants.empty() && std::ranges::any_of(given, [&](const Bound& other) {
+        return other.kind == bound.kind && other.constants.empty();
+      });
+    });
+  }
+  const auto end = std::chrono::steady_clock::now() + searchLimit;
+  // Those that are left are proved together; what one proof refutes is taken out and all is begun anew.
+  for (bool isStable = false; !isStable;) {
+    isStable = true;
+    std::vector<Node> assumed;
+    for (const Written& w : all) {
+      for (const Bound& bound : w.bounds) assumed.push_back(bound.holds(graph, w.before, w.now));
+    }
+    for (const auto& run : runs) {
+      for (const auto& [index, after] : run) {
+        Written& w = all[index];
+        std::erase_if(w.bounds, [&](const Bound& bound) {
+          std::vector<Node> conditions = assumed;
+          conditions.push_back(graph.lnot({bound.holds(graph, w.before, after)}).node);
+          if (graph.truth({conditions.back()}) == false) return false;
+          const bool holds =
+              std::chrono::steady_clock::now() < end && satisfiable(graph, conditions, proofLimit) == false;
+          isStable = isStable && holds;
+          return !holds;
+        });
+      }
+    }
+  }
+  for (Written& w : all) bounds_[w.place] = std::move(w.bounds);
+}
+
+}  // namespace rungproof

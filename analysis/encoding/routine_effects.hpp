@@ -1,0 +1,55 @@
+// What any number of runs of some interrupt routines, in any order, can leave in the places that they write. The
+// routines are run once on a state of which nothing is known; then
+//   - if one run after the other in a fixed order leaves what all others leave (each is the same when it is repeated,
+//   and
+//     they may change places), one run of each is enough, and nothing has to be estimated;
+//   - otherwise bounds are sought that every run keeps: "never falls", "at most what it was or 1000", "one of these
+//     numbers". What no bound holds may become anything.
+// Bounds are proposed from the constants of the routines, tried on random states, and proved by Z3 all together: those
+// that stay hold after any number of runs, because they hold after none. Covered by tests/environment/.
+#pragma once
+
+#include <map>
+#include <set>
+#include <vector>
+
+#include "analysis/encoding/memory_layout.hpp"
+#include "analysis/encoding/symbolic_store.hpp"
+
+namespace rungproof {
+
+class RoutineEffects {
+ public:
+  /// `routines`: numbers of interrupt routines that the program has. `isOfDevices`: some of their events bring values
+  /// of a device with them, so that no run is the same as the one before.
+  RoutineEffects(const Plan& plan, const MemoryLayout& layout, const std::set<int>& routines,
+                 bool isOfDevices);
+
+  /// One run of each in any fixed order stands for all sequences of runs.
+  bool isOnePassEnough() const { return isOnePassEnough_; }
+  /// False: a routine writes through pointers or loops in a way that cannot be told here; places() is not complete.
+  bool isComplete() const { return isComplete_; }
+  /// What a routine writes, in cells of the layout. Saved and restored places and local memory are left out.
+  const std::vector<Place>& places(int routine) const { return written_.at(routine); }
+  /// Whether a routine can end the program by a fatal error.
+  bool mayHalt(int routine) const { return halting_.contains(routine); }
+  /// Whether `after` can stand where `before` stood when the runs began.
+  Graph::Bool mayBecome(Graph& graph, const Place& place, Node before, Node after) const;
+
+ private:
+  class Trial;
+  struct Bound {
+    enum class Kind : std::uint8_t { AtLeast, AtMost, SignedAtLeast, SignedAtMost, OneOf } kind;
+    std::vector<std::uint64_t> constants;  ///< that count beside the value before; of OneOf: all of them
+    Node holds(Graph& graph, Node before, Node after) const;
+  };
+  void findBounds(Trial& trial);
+
+  bool isOnePassEnough_ = true;
+  bool isComplete_ = true;
+  std::map<int, std::vector<Place>> written_;
+  std::set<int> halting_;
+  std::map<Place, std::vector<Bound>> bounds_;
+};
+
+}  // namespace rungproof

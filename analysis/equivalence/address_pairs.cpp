@@ -1,0 +1,77 @@
+// Looks addresses up in the runs of the map.
+#include "analysis/equivalence/address_pairs.hpp"
+
+#include <algorithm>
+
+namespace rungproof {
+
+namespace {
+
+bool covers(const Address& first, std::uint32_t count, const Address& address) {
+  return address.area == first.area && address.index >= first.index && address.index - first.index < count;
+}
+
+}  // namespace
+
+Address addressOf(const Operand& operand) {
+  if (isByNumber(operand.area)) return {operand.area, operand.offset};
+  return {operand.area, operand.offset * 8 + (operand.width == Width::Bit ? operand.bit : 0U)};
+}
+
+std::uint32_t extentOf(const Operand& operand) {
+  return isByNumber(operand.area) ? 1 : static_cast<std::uint32_t>(bits(operand.width));
+}
+
+bool AddressPairs::add(Address before, Address after, std::uint32_t count) {
+  const auto meet = [](Address a, std::uint32_t m, Address b, std::uint32_t n) { return covers(a, m, b) || covers(b, n, a); };
+  const bool isTaken = std::ranges::any_of(runs_, [&](const Run& run) {
+    return meet(run.before, run.count, before, count) || meet(run.after, run.count, after, count);
+  });
+  if (isTaken) return false;
+  runs_.push_back({before, after, count});
+  return true;
+}
+
+std::optional<Address> AddressPairs::before(Address after) const {
+  for (const Run& run : runs_) {
+    if (covers(run.after, run.count, after)) return Address{run.before.area, run.before.index + (after.index - run.after.index)};
+  }
+  const bool isGivenAway = std::ranges::any_of(runs_, [&](const Run& run) { return covers(run.before, run.count, after); });
+  if (isGivenAway) return std::nullopt;
+  return after;
+}
+
+std::optional<Address> AddressPairs::after(Address before) const {
+  for (const Run& run : runs_) {
+    if (covers(run.before, run.count, before)) return Address{run.after.area, run.after.index + (before.index - run.before.index)};
+  }
+  const bool isGivenAway = std::ranges::any_of(runs_, [&](const Run& run) { return covers(run.after, run.count, before); });
+  if (isGivenAway) return std::nullopt;
+  return before;
+}
+
+bool AddressPairs::names(Address after) const {
+  return std::ranges::any_of(runs_, [&](const Run& run) { return covers(run.after, run.count, after); });
+}
+
+std::optional<Operand> AddressPairs::before(const Operand& after) const {
+  const Address first = addressOf(after);
+  const std::optional<Address> start = before(first);
+  if (!start || isByNumber(start->area) != isByNumber(first.area)) return std::nullopt;
+  for (std::uint32_t i = 1; i < extentOf(after); ++i) {
+    const std::optional<Address> next = before(Address{first.area, first.index + i});
+    if (!next || next->area != start->area || next->index != start->index + i) return std::nullopt;
+  }
+  Operand result = after;
+  result.area = start->area;
+  if (isByNumber(start->area)) {
+    result.offset = start->index;
+  } else {
+    if (after.width != Width::Bit && start->index % 8 != 0) return std::nullopt;
+    result.offset = start->index / 8;
+    result.bit = static_cast<std::uint8_t>(after.width == Width::Bit ? start->index % 8 : 0);
+  }
+  return result;
+}
+
+}  // namespace rungproof

@@ -1,0 +1,54 @@
+// Which addresses of two programs stand for each other: the same address, unless a map says otherwise. Bits of memory
+// are paired one by one, timers, counters and analog words by number. The first program is called OLD, the second NEW.
+// Tested by tests/equivalence/address_pairs_test.cpp.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "ir/operand.hpp"
+
+namespace rungproof {
+
+/// One thing that a program can read or write: a bit of memory counted byte * 8 + bit, or the number of a timer, counter,
+/// accumulator, fast counter or analog word.
+struct Address {
+  Area area = Area::V;
+  std::uint32_t index = 0;
+  friend bool operator==(const Address&, const Address&) = default;
+};
+/// Whether the area is addressed by numbers instead of bits.
+constexpr bool isByNumber(Area area) {
+  return area == Area::T || area == Area::C || area == Area::AC || area == Area::HC || area == Area::AI;
+}
+/// First address that a direct operand names.
+Address addressOf(const Operand& operand);
+/// How many addresses it names from there on.
+std::uint32_t extentOf(const Operand& operand);
+
+class AddressPairs {
+ public:
+  /// Pairs `count` addresses from `before` on in OLD with as many from `after` on in NEW. False if one of them has a
+  /// partner already.
+  bool add(Address before, Address after, std::uint32_t count);
+  bool empty() const { return runs_.empty(); }
+
+  /// What stands in OLD for an address of NEW; nothing if the map gives that address of OLD to another one.
+  std::optional<Address> before(Address after) const;
+  /// What stands in NEW for an address of OLD.
+  std::optional<Address> after(Address before) const;
+  /// Whether the map itself names that address of NEW.
+  bool names(Address after) const;
+  /// The operand of OLD for a direct operand of NEW; nothing if its parts are not together there.
+  std::optional<Operand> before(const Operand& after) const;
+
+ private:
+  struct Run {
+    Address before, after;
+    std::uint32_t count;
+  };
+  std::vector<Run> runs_;
+};
+
+}  // namespace rungproof

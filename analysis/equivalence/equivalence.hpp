@@ -1,0 +1,65 @@
+// Do two programs drive the same outputs, for every sequence of inputs and scan times? First it is found out which
+// memory of NEW always holds what OLD's holds: pairs of states are assumed equal at the start of a scan, and those that
+// the scan does not keep equal are dropped until nothing changes (van Eijk's correspondence). What is left is usually one
+// scan without memory of its own; where it is not, both programs run side by side and the portfolio decides each output.
+// A difference counts once the reference engine has shown it on both programs.
+// Tested by tests/equivalence and tests/cli.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/equivalence/product.hpp"
+#include "analysis/proof/prover.hpp"
+
+namespace rungproof {
+
+enum class Equality : std::uint8_t { Equal, Different, Unknown };
+
+struct EquivalenceOptions {
+  ProverOptions prover;  ///< timeout: for the whole comparison
+  AddressPairs pairs;
+  std::vector<Operand> observed;
+  std::vector<Property> assumptions;  ///< that speak of both programs (ProductOptions)
+  bool steadyInputs = false;
+  std::uint32_t latency = 0;
+  std::uint32_t settleMs = 0;
+  bool interruptsInside = false;  ///< events come anywhere in a scan; otherwise between scans
+  bool everyOutput = false;  ///< goes on after the first difference until each output has its verdict
+};
+
+/// A run that ends with a difference, as the reference engine has made it on both programs.
+struct EquivalenceRun {
+  std::vector<ReplayScan> before, after;
+  std::optional<Concrete::Store> initialBefore, initialAfter;
+  std::uint64_t scan = 0;          ///< in which they differ, from 1
+  std::uint64_t milliseconds = 0;  ///< at its end
+  std::string signal;              ///< "Q0.1", or "RUN" where one program has stopped
+  std::optional<Address> addressBefore, addressAfter;
+  bool valueBefore = false, valueAfter = false;
+};
+
+struct ObservedVerdict {
+  std::string name;  ///< "Q0.1", "RUN"
+  Equality equality = Equality::Unknown;
+  std::optional<Address> before, after;  ///< nothing: that program does not have it
+};
+
+struct Equivalence {
+  Equality equality = Equality::Unknown;
+  std::string method;
+  double seconds = 0;
+  int depth = 0;  ///< Unknown: no difference in so many first scans
+  std::vector<ObservedVerdict> outputs;
+  std::optional<EquivalenceRun> run;  ///< of the first difference
+  std::vector<std::string> notes;     ///< why nothing is decided
+  std::vector<std::string> assumptions;
+  std::vector<std::string> approximations;
+  std::vector<std::pair<std::string, std::string>> certificates;  ///< name and SMT-LIB 2 text, if asked for
+  std::vector<Disagreement> disagreements;
+};
+
+Equivalence compareBehaviour(const Side& before, const Side& after, const EquivalenceOptions& options);
+
+}  // namespace rungproof

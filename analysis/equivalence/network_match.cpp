@@ -1,0 +1,190 @@
+// Equal texts first, then the longest common subsequence of what is left in between.
+#include "analysis/equivalence/network_match.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "ir/desc.hpp"
+#include "ir/flow.hpp"
+
+namespace rungproof {
+
+namespace {
+
+/// A network as the list of its instructions in the words of OLD.
+struct Shape {
+  NetworkRef where;
+  std::vector<std::string> lines;
+  std::vector<std::uint32_t> ids;
+  std::string key;  ///< block and lines
+  bool isPaired = false;
+};
+
+std::string blockName(const Pou& pou) {
+  return (pou.kind == PouKind::Main ? "MAIN" : pou.kind == PouKind::Subroutine ? "SBR" : "INT") +
+         std::to_string(pou.kind == PouKind::Main ? 0 : pou.number);
+}
+
+std::vector<Shape> shapesOf(const Program& program, const AddressPairs& pairs) {
+  std::vector<Shape> shapes;
+  for (std::size_t p = 0; p < program.pous.size(); ++p) {
+    for (std::size_t n = 0; n < program.pous[p].networks.size(); ++n) {
+      Shape& shape = shapes.emplace_back();
+      shape.where = {p, n};
+      for (const Instruction& instruction : program.pous[p].networks[n].instructions) {
+        shape.lines.push_back(textInOld(instruction, pairs));
+        shape.ids.push_back(instruction.id);
+        shape.key += shape.lines.back() + '\n';
+      }
+    }
+  }
+  return shapes;
+}
+
+/// Index pairs of a longest common subsequence.
+template <class Same>
+std::vector<std::pair<std::size_t, std::size_t>> commonSubsequence(std::size_t n, std::size_t m, Same&& same) {
+  std::size_t head = 0;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  while (head < n && head < m && same(head, head)) {
+    pairs.emplace_back(head, head);
+    ++head;
+  }
+  const std::size_t rows = n - head, columns = m - head;
+  std::vector<std::uint32_t> best((rows + 1) * (columns + 1), 0);
+  const auto at = [&](std::size_t i, std::size_t j) -> std::uint32_t& { return best[i * (columns + 1) + j]; };
+  for (std::size_t i = rows; i-- > 0;) {
+    for (std::size_t j = columns; j-- > 0;)
+      at(i, j) = same(head + i, head + j) ? at(i + 1, j + 1) + 1 : std::max(at(i + 1, j), at(i, j + 1));
+  }
+  for (std::size_t i = 0, j = 0; i < rows && j < columns;) {
+    if (same(head + i, head + j)) {
+      pairs.emplace_back(head + i++, head + j++);
+    } else if (at(i + 1, j) >= at(i, j + 1)) {
+      ++i;
+    } else {
+      ++j;
+    }
+  }
+  return pairs;
+}
+
+class Matcher {
+ public:
+  Matcher(const Program& before, const Program& after, const AddressPairs& pairs)
+      : before_(before), after_(after), old_(shapesOf(before, {})), new_(shapesOf(after, pairs)) {
+    result_.beforeOf.assign(after.instructionCount(), noPartner);
+    partner_.resize(new_.size());
+  }
+
+  ProgramMatch run() {
+    pairEqual(true);
+    pairEqual(false);
+    for (std::size_t p = 0; p < after_.pous.size(); ++p) pairSimilar(p);
+    write();
+    return std::move(result_);
+  }
+
+ private:
+  /// Networks of equal text, the k-th with the k-th; `inBlock`: of the same block only.
+  void pairEqual(bool inBlock) {
+    std::map<std::string, std::vector<std::size_t>> open;
+    for (std::size_t i = old_.size(); i-- > 0;) {
+      if (!old_[i].isPaired) open[keyOf(before_, old_[i], inBlock)].push_back(i);
+    }
+    for (std::size_t j = 0; j < new_.size(); ++j) {
+      if (new_[j].isPaired) continue;
+      const auto found = open.find(keyOf(after_, new_[j], inBlock));
+      if (found == open.end() || found->second.empty()) continue;
+      pair(found->second.back(), j);
+      found->second.pop_back();
+    }
+  }
+  static std::string keyOf(const Program& program, const Shape& shape, bool inBlock) {
+    return inBlock ? blockName(program.pous[shape.where.pou]) + '\n' + shape.key : shape.key;
+  }
+  void pair(std::size_t i, std::size_t j) {
+    old_[i].isPaired = new_[j].isPaired = true;
+    partner_[j] = i;
+    for (const auto& [a, b] : commonSubsequence(old_[i].lines.size(), new_[j].lines.size(), [&](std::size_t a, std::size_t b) {
+           return old_[i].lines[a] == new_[j].lines[b];
+         }))
+      result_.beforeOf[new_[j].ids[b]] = old_[i].ids[a];
+  }
+
+  /// What is left of a block: a network of NEW with the network of OLD that it shares most instructions with.
+  void pairSimilar(std::size_t pou) {
+    for (std::size_t j = 0; j < new_.size(); ++j) {
+      if (new_[j].isPaired || new_[j].where.pou != pou) continue;
+      std::size_t most = 0, found = old_.size();
+      for (std::size_t i = 0; i < old_.size(); ++i) {
+        if (old_[i].isPaired || blockName(before_.pous[old_[i].where.pou]) != blockName(after_.pous[pou])) continue;
+        const std::size_t common = commonSubsequence(old_[i].lines.size(), new_[j].lines.size(), [&](std::size_t a, std::size_t b) {
+                                     return old_[i].lines[a] == new_[j].lines[b];
+                                   }).size();
+        if (2 * common >= std::min(old_[i].lines.size(), new_[j].lines.size()) && common > most) {
+          most = common;
+          found = i;
+        }
+      }
+      if (found < old_.size()) pair(found, j);
+    }
+  }
+
+  void write() {
+    std::vector<std::vector<std::size_t>> removedBehind(old_.size() + 1);  // by 1 + index of what stood before in OLD
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < old_.size(); ++i) {
+      if (old_[i].isPaired)
+        last = i + 1;
+      else
+        removedBehind[last].push_back(i);
+    }
+    const auto addRemoved = [&](std::size_t behind) {
+      for (const std::size_t i : removedBehind[behind]) result_.networks.push_back({old_[i].where, std::nullopt, false});
+    };
+    addRemoved(0);
+    for (std::size_t j = 0; j < new_.size(); ++j) {
+      NetworkPair& row = result_.networks.emplace_back();
+      row.after = new_[j].where;
+      if (!partner_[j]) continue;
+      row.before = old_[*partner_[j]].where;
+      row.isSame = old_[*partner_[j]].key == new_[j].key;
+      addRemoved(*partner_[j] + 1);
+    }
+  }
+
+  const Program& before_;
+  const Program& after_;
+  std::vector<Shape> old_, new_;
+  std::vector<std::optional<std::size_t>> partner_;  ///< by index in new_
+  ProgramMatch result_;
+};
+
+}  // namespace
+
+std::string textInOld(const Instruction& after, const AddressPairs& pairs) {
+  std::string text(after.desc->stl);
+  for (const Operand& operand : after.operands) {
+    text += text.size() == after.desc->stl.size() ? " " : ", ";
+    if (pairs.empty() || operand.kind == OperandKind::Constant || operand.kind == OperandKind::Text) {
+      text += toString(operand);
+      continue;
+    }
+    Operand place = operand;
+    place.kind = OperandKind::Direct;
+    const std::optional<Operand> there = pairs.before(place);
+    if (there) {
+      place = *there;
+      place.kind = operand.kind;
+    }
+    text += (there ? "" : "new ") + toString(there ? place : operand);
+  }
+  return text;
+}
+
+ProgramMatch matchPrograms(const Program& before, const Program& after, const AddressPairs& pairs) {
+  return Matcher(before, after, pairs).run();
+}
+
+}  // namespace rungproof

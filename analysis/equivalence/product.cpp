@@ -1,0 +1,521 @@
+// Builds the system of both programs in OLD's graph.
+#include "analysis/equivalence/product.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "analysis/encoding/monitor.hpp"
+#include "analysis/graph/evaluate.hpp"
+#include "ir/check.hpp"
+
+namespace rungproof {
+
+namespace {
+
+/// External values that come from the world, not from what the manual leaves undefined.
+bool isOfTheWorld(External kind) {
+  switch (kind) {
+    case External::ImmediateInput:
+    case External::AnalogInput:
+    case External::ClockByte:
+    case External::IntervalClock:
+    case External::StationAddress: return true;
+    default: return false;
+  }
+}
+
+Place bitPlace(const Address& address) {
+  return memoryPlace(address.area, address.index / 8, Width::Bit, address.index % 8);
+}
+/// The i-th bit of a place of memory, from its most significant one.
+Address bitOf(const Place& place, std::uint32_t i) {
+  const std::uint32_t at = place.at + i;
+  return {place.area, at / 8 * 8 + 7 - at % 8};
+}
+
+Width widthOf(int width) {
+  return width == 1 ? Width::Bit : width == 8 ? Width::Byte : width == 16 ? Width::Word : Width::DWord;
+}
+
+bool isEdge(Reg reg) { return reg == Reg::EdgeMemory || reg == Reg::EdgeSeen; }
+bool isOfTimer(Reg reg) {
+  return reg == Reg::TimerCurrent || reg == Reg::TimerBit || reg == Reg::TimerRunning || reg == Reg::TimerPreset ||
+         reg == Reg::TimerInput;
+}
+bool isOfCounter(Reg reg) {
+  return reg == Reg::CounterCurrent || reg == Reg::CounterBit || reg == Reg::CounterUp || reg == Reg::CounterDown;
+}
+
+/// The places of a program that shape its state, so that the other one cuts its memory in the same way.
+void observe(EncoderOptions& options, const Program& program, const AddressPairs* pairs) {
+  for (const Pou& pou : program.pous) {
+    for (const Network& network : pou.networks) {
+      for (const Instruction& instruction : network.instructions) {
+        for (const Operand& operand : instruction.operands) {
+          const bool isShaping = operand.kind == OperandKind::Direct && !isByNumber(operand.area) && operand.area != Area::L;
+          if (!isShaping) continue;
+          const std::optional<Operand> there = pairs == nullptr ? operand : pairs->before(operand);
+          if (there) options.observed.push_back(*there);
+        }
+      }
+    }
+  }
+}
+
+EncoderOptions shaped(EncoderOptions options, const Program& other, const AddressPairs* pairs) {
+  observe(options, other, pairs);
+  return options;
+}
+
+std::string nameOfBit(const Address& address) { return nameOf(bitPlace(address)); }
+
+}  // namespace
+
+ProgramProduct::ProgramProduct(const Side& before, const Side& after, const ProgramMatch& match,
+                               const ProductOptions& options)
+    : options_(options),
+      match_(match),
+      old_(*before.program, before.set, {}, shaped(options.encoder, *after.program, &options.pairs)),
+      new_(*after.program, after.set, {}, shaped(options.encoder, *before.program, nullptr)) {
+  collectOutputs();
+  oldRuns_ = old_.encoding().atEnd(registerPlace(Reg::Running, 0));
+  newRuns_ = new_.encoding().atEnd(registerPlace(Reg::Running, 0));
+  for (const Property& assumption : options_.assumptions) {
+    for (const Expr* expr : {&assumption.first, &assumption.second}) {
+      for (const ExprNode& n : expr->nodes) {
+        if (n.op == ExprOp::Address) assumedLeaf(nullptr, n.operand, n.type == ExprType::Truth ? 1 : numberBits(n.operand));
+      }
+    }
+  }
+  newSystem_ = new_.system();
+  findPartners();
+  SideCopy touched(old_.encoding().graph(), new_.encoding().graph(), "");
+  replaceCells(touched);  // OLD gets all inputs that NEW reads before its system is taken
+  if (options_.steadyInputs) {
+    for (Obligations* side : {&old_, &new_}) {
+      for (const ExternalInput& e : side->encoding().externals()) {
+        if (e.site.kind != External::ImmediateInput) continue;
+        const Address address{Area::I, e.site.index};
+        const auto before = side == &old_ ? std::optional(address) : options_.pairs.before(address);
+        if (before) old_.encoding().atStart(bitPlace(*before));
+      }
+    }
+  }
+  oldSystem_ = old_.system();
+}
+
+void ProgramProduct::addOutput(std::set<std::pair<Area, std::uint32_t>>& known, const Address& before) {
+  if (!known.emplace(before.area, before.index).second) return;
+  Output& output = outputs_.emplace_back();
+  output.before = before;
+  output.oldValue = old_.encoding().atEnd(bitPlace(before));
+  output.after = options_.pairs.after(before);
+  if (output.after) output.newValue = new_.encoding().atEnd(bitPlace(*output.after));
+}
+
+/// Outputs of OLD and what stands for them in NEW; then outputs of NEW without partner.
+void ProgramProduct::collectOutputs() {
+  std::set<std::pair<Area, std::uint32_t>> known;
+  if (!options_.observed.empty()) {
+    for (const Operand& operand : options_.observed) {
+      const Address first = addressOf(operand);
+      for (std::uint32_t i = 0; i < extentOf(operand); ++i) addOutput(known, {first.area, first.index + i});
+    }
+    return;
+  }
+  const auto bitsOf = [](EncodedScan& encoding) {
+    std::vector<Address> found;
+    for (const Place& place : encoding.places()) {
+      if (place.isRegister || (place.area != Area::Q && place.area != Area::AQ)) continue;
+      for (std::uint32_t i = 0; i < place.width; ++i) found.push_back(bitOf(place, i));
+    }
+    std::ranges::sort(found, {}, [](const Address& a) { return std::pair(a.area, a.index); });
+    return found;
+  };
+  for (const Address& address : bitsOf(old_.encoding())) addOutput(known, address);
+  for (const Address& address : bitsOf(new_.encoding())) {
+    if (const std::optional<Address> before = options_.pairs.before(address)) {
+      addOutput(known, *before);
+    } else {
+      outputs_.push_back({std::nullopt, address, noNode, new_.encoding().atEnd(bitPlace(address))});
+    }
+  }
+}
+
+/// What OLD has at a place of NEW, at the start or at the end of the scan; noNode: nothing stands for it.
+Node ProgramProduct::oldValue(const Place& place, bool atEnd) {
+  EncodedScan& encoding = old_.encoding();
+  const auto at = [&](const Place& there) { return atEnd ? encoding.atEnd(there) : encoding.atStart(there); };
+  if (place.isRegister) {
+    Place there = place;
+    if (isEdge(place.reg)) {
+      const std::vector<std::uint32_t>& edges = new_.encoding().plan().edge;
+      const auto own = std::ranges::find(edges, place.at);
+      if (own == edges.end()) return noNode;
+      const std::uint32_t instruction = match_.beforeOf[static_cast<std::size_t>(own - edges.begin())];
+      if (instruction == noPartner || encoding.plan().edge[instruction] == noPartner) return noNode;
+      there.at = encoding.plan().edge[instruction];
+    } else if (isOfTimer(place.reg) || isOfCounter(place.reg)) {
+      const auto number = options_.pairs.before(Address{isOfTimer(place.reg) ? Area::T : Area::C, place.at});
+      if (!number) return noNode;
+      there.at = number->index;
+    } else if (place.reg == Reg::PhysicalInput) {
+      const auto bit = options_.pairs.before(Address{Area::I, place.at});
+      if (!bit || bit->area != Area::I) return noNode;
+      there.at = bit->index;
+    }
+    return at(there);
+  }
+  std::vector<Address> bits;
+  for (std::uint32_t i = 0; i < place.width; ++i) {
+    const auto bit = options_.pairs.before(bitOf(place, i));
+    if (!bit || isByNumber(bit->area)) return noNode;
+    bits.push_back(*bit);
+  }
+  const Place first = bitPlace(bits.front());
+  bool isTogether = true;
+  for (std::uint32_t i = 1; i < place.width; ++i)
+    isTogether = isTogether && bits[i] == bitOf(first, i);
+  if (isTogether) {
+    const Node whole = at({false, first.area, {}, first.at, place.width});
+    if (whole != noNode) return whole;
+  }
+  Graph& graph = encoding.graph();
+  Node value = at(bitPlace(bits.front()));
+  for (std::uint32_t i = 1; i < place.width; ++i)
+    value = graph.make(Op::Concat, static_cast<int>(i) + 1, value, at(bitPlace(bits[i])));
+  return value;
+}
+
+bool ProgramProduct::startsAlike(Node oldStart, const StateVariable& newState) const {
+  const Graph& graph = *oldSystem_.graph;
+  const Node roots[] = {oldStart};
+  Evaluator evaluator(graph, roots);
+  bool isFree = false;
+  for (const Node n : coneOf(graph, roots)) {
+    if (graph[n].op != Op::Variable) continue;
+    const auto state = std::ranges::find(oldSystem_.states, n, &StateVariable::node);
+    if (state == oldSystem_.states.end()) return false;  // an input is no memory
+    if (state->init == noNode)
+      isFree = true;
+    else
+      evaluator.set(n, graph[state->init].value);
+  }
+  if (isFree || newState.init == noNode) return isFree && newState.init == noNode;
+  evaluator.run();
+  return evaluator[oldStart] == (*newSystem_.graph)[newState.init].value;
+}
+
+void ProgramProduct::findPartners() {
+  std::map<Node, Place> places;
+  for (const Cell& cell : new_.encoding().cells()) {
+    if (cell.kind == CellKind::State) places.emplace(cell.start, cell.place);
+  }
+  partners_.resize(newSystem_.states.size());
+  for (std::size_t i = 0; i < partners_.size(); ++i) {
+    const auto place = places.find(newSystem_.states[i].node);
+    if (place != places.end()) partners_[i] = {oldValue(place->second, false), oldValue(place->second, true)};
+  }
+  oldSystem_ = old_.system();  // with all cells that the partners have touched
+  const auto nameIn = [](const TransitionSystem& system, const StateVariable& state) -> const std::string& {
+    return system.graph->variables()[(*system.graph)[state.node].value].name;
+  };
+  std::map<std::string, const StateVariable*> byName;
+  for (const StateVariable& state : oldSystem_.states) byName.emplace(nameIn(oldSystem_, state), &state);
+  for (std::size_t i = 0; i < partners_.size(); ++i) {
+    const StateVariable& state = newSystem_.states[i];
+    if (places.contains(state.node)) continue;
+    const auto same = byName.find(nameIn(newSystem_, state));  // what waits in queues, cells of assumptions
+    const bool isAlike = same != byName.end() && (*oldSystem_.graph)[same->second->node].width == (*newSystem_.graph)[state.node].width;
+    if (isAlike) partners_[i] = {same->second->node, same->second->next};
+  }
+  const std::vector<StateVariable>& oldTime = old_.encoding().time().states();
+  const std::vector<StateVariable>& newTime = new_.encoding().time().states();
+  CHECK(oldTime.size() == newTime.size(), "both programs have one time");
+  for (std::size_t i = 0; i < partners_.size(); ++i) {
+    const StateVariable& state = newSystem_.states[i];
+    const auto clock = std::ranges::find(newTime, state.node, &StateVariable::node);
+    if (clock != newTime.end()) {
+      partners_[i] = {oldTime[static_cast<std::size_t>(clock - newTime.begin())].node, noNode, true};
+      continue;
+    }
+    const bool isKept = partners_[i].start != noNode && startsAlike(partners_[i].start, state);
+    if (!isKept) partners_[i] = {};
+  }
+}
+
+bool ProgramProduct::isOldInput(const Place& place) {
+  const auto isInput = [&](const Place& there) {
+    return std::ranges::any_of(old_.encoding().cells(), [&](const Cell& cell) {
+      const bool isSame = cell.place.isRegister == there.isRegister &&
+                          (there.isRegister ? cell.place == there
+                                            : cell.place.area == there.area && cell.place.at <= there.at &&
+                                                  there.at + there.width <= cell.place.at + cell.place.width);
+      return isSame && cell.kind == CellKind::Input;
+    });
+  };
+  if (place.isRegister) return isInput(place);
+  for (std::uint32_t i = 0; i < place.width; ++i) {
+    const auto bit = options_.pairs.before(bitOf(place, i));
+    if (!bit || (!options_.pairs.names(bitOf(place, i)) && !isInput(bitPlace(*bit)))) return false;
+  }
+  return true;
+}
+
+void ProgramProduct::replaceCells(SideCopy& copy) {
+  const TimeModel& oldTime = old_.encoding().time();
+  const TimeModel& newTime = new_.encoding().time();
+  for (std::size_t i = 0; i < newTime.inputs().size(); ++i) copy.replace(newTime.inputs()[i], oldTime.inputs()[i]);
+  for (const Cell& cell : new_.encoding().cells()) {
+    if (cell.kind != CellKind::Input) continue;
+    const Node value = oldValue(cell.place, false);
+    if (value != noNode && isOldInput(cell.place)) copy.replace(cell.start, value);
+  }
+  for (const auto& [name, node] : new_.encoding().deviceInputs()) {
+    const auto& own = old_.encoding().deviceInputs();
+    const auto same = own.find(name);
+    if (same != own.end() && old_.encoding().graph()[same->second].width == new_.encoding().graph()[node].width) copy.replace(node, same->second);
+  }
+  for (const auto& [word, node] : new_.encoding().analogInputs()) {
+    const auto before = options_.pairs.before(Address{Area::AI, word});
+    if (!before || before->area != Area::AI) continue;
+    const auto& samples = old_.encoding().analogInputs();
+    if (const auto sample = samples.find(before->index); sample != samples.end() && !copy.isReplaced(node))
+      copy.replace(node, sample->second);
+  }
+}
+
+/// External values inside the scan: the k-th of an instruction stands for the k-th of the instruction it is matched
+/// with.
+void ProgramProduct::replaceExternals(SideCopy& copy) {
+  using Site = std::tuple<External, std::uint32_t, std::uint32_t>;
+  std::map<Site, std::vector<Node>> known;
+  for (const ExternalInput& e : old_.encoding().externals())
+    known[{e.site.kind, e.site.index, e.site.instruction}].push_back(e.node);
+  std::map<Site, std::size_t> count;
+  for (const ExternalInput& e : new_.encoding().externals()) {
+    if (!isOfTheWorld(e.site.kind)) continue;
+    const std::size_t k = count[{e.site.kind, e.site.index, e.site.instruction}]++;
+    if (e.node == noNode || copy.isReplaced(e.node)) continue;
+    std::uint32_t index = e.site.index;
+    const bool isAddress = e.site.kind == External::ImmediateInput || e.site.kind == External::AnalogInput;
+    if (isAddress) {
+      const Area area = e.site.kind == External::ImmediateInput ? Area::I : Area::AI;
+      const auto before = options_.pairs.before(Address{area, index});
+      if (!before || before->area != area) continue;
+      index = before->index;
+    }
+    const std::uint32_t instruction = match_.beforeOf[e.site.instruction];
+    if (instruction == noPartner) continue;
+    const auto found = known.find({e.site.kind, index, instruction});
+    if (found != known.end() && k < found->second.size() && found->second[k] != noNode) copy.replace(e.node, found->second[k]);
+  }
+}
+
+/// The same event in front of instructions that stand for each other, and between scans.
+void ProgramProduct::replaceSites(SideCopy& copy) {
+  using Site = std::pair<int, std::uint32_t>;
+  std::map<Site, std::vector<Node>> known;
+  for (const SiteInput& site : old_.encoding().siteInputs()) known[{site.event, site.instruction}].push_back(site.node);
+  std::map<Site, std::size_t> count;
+  for (const SiteInput& site : new_.encoding().siteInputs()) {
+    const std::size_t k = count[{site.event, site.instruction}]++;
+    const bool isBetween = site.instruction == ScanPlace::afterProgram;
+    const std::uint32_t there = isBetween ? site.instruction : match_.beforeOf[site.instruction];
+    if (copy.isReplaced(site.node) || (!isBetween && there == noPartner)) continue;
+    const auto found = known.find({site.event, there});
+    if (found == known.end() || k >= found->second.size()) continue;
+    const Node same = found->second[k];
+    if (old_.encoding().graph()[same].width == new_.encoding().graph()[site.node].width) copy.replace(site.node, same);
+  }
+}
+
+JoinedSystem ProgramProduct::merged(const std::vector<bool>& isMerged, bool isOneScan) {
+  Graph& graph = old_.encoding().graph();
+  JoinedSystem result;
+  result.system = oldSystem_;
+  result.copy = std::make_shared<SideCopy>(graph, new_.encoding().graph(), " (new)");
+  SideCopy& copy = *result.copy;
+  replaceCells(copy);
+  replaceExternals(copy);
+  replaceSites(copy);
+  const auto isTaken = [&](std::size_t i) {
+    return partners_[i].isWorld || (isMerged[i] && partners_[i].start != noNode);
+  };
+  for (std::size_t i = 0; i < partners_.size(); ++i) {
+    if (isTaken(i)) copy.replace(newSystem_.states[i].node, partners_[i].start);
+  }
+  const auto differ = [&](Node a, Node b) { return graph.lnot(graph.equal({a}, {b}, graph[a].width)).node; };
+  result.nextDiffers.assign(partners_.size(), noNode);
+  for (std::size_t i = 0; i < partners_.size(); ++i) {
+    const StateVariable& state = newSystem_.states[i];
+    if (partners_[i].isWorld) continue;
+    if (isTaken(i)) {
+      result.nextDiffers[i] = differ(partners_[i].next, copy(state.next));
+    } else if (isOneScan) {
+      result.system.inputs.push_back(copy(state.node));
+    } else {
+      result.system.states.push_back({copy(state.node), copy(state.init), copy(state.next)});
+      if (new_.isTimeState(state.node)) result.timeStates.push_back(copy(state.node));
+    }
+  }
+  for (const StateVariable& state : oldSystem_.states) {
+    if (old_.isTimeState(state.node)) result.timeStates.push_back(state.node);
+  }
+  for (const Node constraint : newSystem_.constraints) {
+    const Node copied = copy(constraint);
+    if (graph.truth({copied}) != true && std::ranges::find(result.system.constraints, copied) == result.system.constraints.end())
+      result.system.constraints.push_back(copied);  // not a total one: its inputs now serve two programs
+  }
+  if (options_.steadyInputs) holdInputs(result);
+  assume(result);
+  compareOutputs(result);
+  result.stopDiffers = differ(oldRuns_, copy(newRuns_));
+  for (const Node input : copy.newInputs()) {
+    if (std::ranges::find(result.system.inputs, input) == result.system.inputs.end()) result.system.inputs.push_back(input);
+  }
+  return result;
+}
+
+/// An immediate read gives what the image has, and every read of an analog input in a scan the same.
+void ProgramProduct::holdInputs(JoinedSystem& result) {
+  Graph& graph = old_.encoding().graph();
+  std::map<Address, Node, bool (*)(const Address&, const Address&)> samples(
+      [](const Address& a, const Address& b) { return std::pair(a.area, a.index) < std::pair(b.area, b.index); });
+  const auto hold = [&](const Address& address, Node value) {
+    Node& sample = samples.try_emplace(address, noNode).first->second;
+    if (sample == noNode) sample = address.area == Area::I ? old_.encoding().atStart(bitPlace(address)) : value;
+    const Node same = graph.equal({sample}, {value}, graph[value].width).node;
+    if (graph.truth({same}) != true) result.system.constraints.push_back(same);
+  };
+  const auto areaOf = [](External kind) { return kind == External::ImmediateInput ? Area::I : Area::AI; };
+  const auto isRead = [](const ExternalInput& e) {
+    return e.node != noNode && (e.site.kind == External::ImmediateInput || e.site.kind == External::AnalogInput);
+  };
+  for (const ExternalInput& e : old_.encoding().externals()) {
+    if (isRead(e)) hold({areaOf(e.site.kind), e.site.index}, e.node);
+  }
+  for (const ExternalInput& e : new_.encoding().externals()) {
+    if (!isRead(e)) continue;
+    if (const auto before = options_.pairs.before(Address{areaOf(e.site.kind), e.site.index}))
+      hold(*before, (*result.copy)(e.node));
+  }
+}
+
+/// The value of an address in an assumption about both; without `copy` it is only touched.
+Node ProgramProduct::assumedLeaf(SideCopy* copy, const Operand& operand, int width) {
+  const bool isNew = operand.text.starts_with(newSidePrefix);
+  Operand address = operand;
+  if (width != 1 || (operand.area != Area::T && operand.area != Area::C)) address.width = widthOf(width);
+  const Node node = (isNew ? new_ : old_).encoding().atEnd(address, width);
+  CHECK(node != noNode, "assumptions about both programs speak of memory and inputs");
+  return isNew && copy != nullptr ? (*copy)(node) : node;
+}
+
+void ProgramProduct::assume(JoinedSystem& result) {
+  Graph& graph = old_.encoding().graph();
+  TimeModel& time = old_.encoding().time();
+  for (const Property& assumption : options_.assumptions) {
+    std::vector<Graph::Bits> before, after;
+    for (const MonitorCell& cell : assumption.cells) before.push_back({graph.variable(cell.name, cell.width, true)});
+    after = before;
+    const auto look = [&](const Operand& operand, int width) -> Graph::Bits {
+      return {assumedLeaf(result.copy.get(), operand, width)};
+    };
+    const Node ticks = time.ticksWithin(1);
+    const Moment<Graph> moment{{old_.encoding().firstScan()}, {ticks}, graph[ticks].width, {}};
+    const Graph::Bool holds = Monitor<Graph, decltype(look)>(graph, assumption, look, moment, before, after).evaluate();
+    result.system.constraints.push_back(holds.node);
+    for (std::size_t i = 0; i < before.size(); ++i)
+      result.system.states.push_back({before[i].node, graph.constantNode(0, assumption.cells[i].width), after[i].node});
+  }
+}
+
+/// OLD's value `latency` scans ago.
+Node ProgramProduct::delayed(JoinedSystem& result, Node value, const std::string& name) {
+  Graph& graph = old_.encoding().graph();
+  for (std::uint32_t i = 1; i <= options_.latency; ++i) {
+    const Node before = graph.variable(fmt::format("{} {} scans ago", name, i), 1, true);
+    result.system.states.push_back({before, graph.constantNode(0, 1), value});
+    value = before;
+  }
+  return value;
+}
+
+/// Whether the two have differed for at least the time that they are given to settle.
+Node ProgramProduct::settled(JoinedSystem& result, Node differs, const std::string& name) {
+  if (options_.settleMs == 0 || old_.encoding().graph().truth({differs}) == false) return differs;
+  Graph& graph = old_.encoding().graph();
+  TimeModel& time = old_.encoding().time();
+  const int w = std::max(time.width(), bitsFor(options_.settleMs)) + 1;
+  const Node before = graph.variable(name + " differed", 1, true);
+  const Node lasted = graph.variable(name + " differs for ms", w, true);
+  const Node most = graph.constantNode(options_.settleMs, w);
+  const Node sum = graph.make(Op::Add, w, lasted, graph.make(Op::Zext, w, time.dt()));
+  const Node now = graph.make(Op::Ite, w, before, sum, graph.constantNode(0, w));
+  const Node cut = graph.make(Op::Ite, w, graph.make(Op::Ult, 1, most, now), most, now);
+  result.system.states.push_back({before, graph.constantNode(0, 1), differs});
+  result.system.states.push_back({lasted, graph.constantNode(0, w), graph.make(Op::Ite, w, differs, cut, graph.constantNode(0, w))});
+  result.timeStates.push_back(lasted);
+  return graph.land({differs}, {graph.make(Op::Ule, 1, most, now)}).node;
+}
+
+void ProgramProduct::compareOutputs(JoinedSystem& result) {
+  Graph& graph = old_.encoding().graph();
+  Node counts = graph.constantNode(1, 1);
+  for (std::uint32_t i = 1; i <= options_.latency; ++i) {
+    const Node before = graph.variable(fmt::format("scan {} is over", i), 1, true);
+    result.system.states.push_back({before, graph.constantNode(0, 1), counts});
+    counts = before;
+  }
+  const Node zero = graph.constantNode(0, 1);
+  for (const Output& output : outputs_) {
+    ObservedBit& bit = result.observed.emplace_back();
+    bit.before = output.before;
+    bit.after = output.after;
+    bit.name = nameOfBit(output.before ? *output.before : *output.after);
+    const Node left = output.oldValue == noNode ? zero : delayed(result, output.oldValue, bit.name);
+    const Node right = output.newValue == noNode ? zero : (*result.copy)(output.newValue);
+    const Node differs = graph.land({counts}, graph.lxor({left}, {right})).node;
+    bit.differs = settled(result, differs, bit.name);
+  }
+}
+
+WordTrace ProgramProduct::sideTrace(const std::vector<Node>& states, const std::vector<Node>& inputs,
+                                    const TransitionSystem& asked, const WordTrace& trace) {
+  std::vector<Node> roots = states;
+  roots.insert(roots.end(), inputs.begin(), inputs.end());
+  for (const StateVariable& state : asked.states) roots.push_back(state.next);
+  Evaluator evaluator(*asked.graph, roots);
+  WordTrace result;
+  std::vector<std::uint64_t> now = trace.initial;
+  for (const std::vector<std::uint64_t>& scan : trace.inputs) {
+    for (std::size_t i = 0; i < now.size(); ++i) evaluator.set(asked.states[i].node, now[i]);
+    for (std::size_t i = 0; i < scan.size(); ++i) evaluator.set(asked.inputs[i], scan[i]);
+    evaluator.run();
+    if (result.initial.empty()) {
+      for (const Node n : states) result.initial.push_back(evaluator[n]);
+    }
+    std::vector<std::uint64_t>& row = result.inputs.emplace_back();
+    for (const Node n : inputs) row.push_back(evaluator[n]);
+    for (std::size_t i = 0; i < now.size(); ++i) now[i] = evaluator[asked.states[i].next];
+  }
+  return result;
+}
+
+WordTrace ProgramProduct::oldTrace(const TransitionSystem& asked, const WordTrace& trace) {
+  std::vector<Node> states;
+  for (const StateVariable& state : oldSystem_.states) states.push_back(state.node);
+  return sideTrace(states, oldSystem_.inputs, asked, trace);
+}
+
+WordTrace ProgramProduct::newTrace(const JoinedSystem& merged, const TransitionSystem& asked, const WordTrace& trace) {
+  std::vector<Node> states, inputs;
+  for (const StateVariable& state : newSystem_.states) states.push_back((*merged.copy)(state.node));
+  for (const Node input : newSystem_.inputs) inputs.push_back((*merged.copy)(input));
+  return sideTrace(states, inputs, asked, trace);
+}
+
+}  // namespace rungproof

@@ -1,0 +1,122 @@
+// Two programs side by side as one transition system: the same physical inputs, the same scan lengths, each its own
+// memory. Inputs are paired by address (AddressPairs), what happens inside a scan by instructions that stand for each
+// other (ProgramMatch): the same immediate read in the same place of matched networks gives the same value. Values that
+// the manual leaves undefined (stack bottom, local memory, results after errors) are each program's own.
+//
+// NEW's states can be merged with those of OLD that they always equal, which equivalence.cpp finds out.
+// Tested by tests/equivalence.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "analysis/bits/bit_blast.hpp"
+#include "analysis/encoding/obligation.hpp"
+#include "analysis/equivalence/network_match.hpp"
+#include "analysis/equivalence/side_copy.hpp"
+#include "analysis/unread_code.hpp"
+
+namespace rungproof {
+
+/// In front of an address of NEW where both programs are spoken of.
+inline constexpr std::string_view newSidePrefix = "new.", oldSidePrefix = "old.";
+
+/// One of the two programs, with its assumptions and external ranges.
+struct Side {
+  const Program* program = nullptr;  ///< what of it may be run
+  PropertySet set;
+  const UnreadCode* unread = nullptr;  ///< what was left out of it; nullptr: nothing
+};
+
+struct ProductOptions {
+  EncoderOptions encoder;
+  AddressPairs pairs;
+  std::vector<Operand> observed;  ///< addresses of OLD; empty: all outputs that either can write
+  /// Assumptions that speak of both programs; an operand of NEW has a text that begins with newSidePrefix.
+  std::vector<Property> assumptions;
+  bool steadyInputs = false;      ///< an immediate read gives what the image has
+  std::uint32_t latency = 0;      ///< NEW's outputs come so many scans later
+  std::uint32_t settleMs = 0;     ///< a pair of outputs may differ for less than that without a break
+};
+
+/// An output bit, and whether the two programs leave it different at the end of the scan (settling and latency
+/// counted in).
+struct ObservedBit {
+  std::string name;                      ///< of OLD, else of NEW
+  std::optional<Address> before, after;  ///< nothing: that program does not have it, it counts as 0 there
+  Node differs = noNode;
+};
+
+/// The two programs with some of NEW's states merged into OLD's.
+struct JoinedSystem {
+  TransitionSystem system;          ///< without questions
+  std::vector<ObservedBit> observed;
+  Node stopDiffers = noNode;        ///< one program is stopped at the end of the scan, the other is not
+  std::vector<Node> nextDiffers;    ///< by state of NEW: a merged one gets another value than OLD's; else noNode
+  std::vector<Node> timeStates;     ///< they only measure time
+  std::shared_ptr<SideCopy> copy;   ///< of NEW into the system's graph
+};
+
+class ProgramProduct {
+ public:
+  /// `match` is kept by reference.
+  ProgramProduct(const Side& before, const Side& after, const ProgramMatch& match, const ProductOptions& options);
+
+  std::size_t newStateCount() const { return newSystem_.states.size(); }
+  /// Whether the state of NEW stands for something of OLD and starts as that does.
+  bool isMergeable(std::size_t newState) const { return partners_[newState].start != noNode; }
+  /// `isMerged`: by state of NEW; others than mergeable ones do not count. `isOneScan`: NEW's other states have any value
+  /// at the start of each scan, which shows what holds whatever they are.
+  JoinedSystem merged(const std::vector<bool>& isMerged, bool isOneScan);
+
+  /// What a run of `asked`, made from a merged system, is for one of the two programs.
+  WordTrace oldTrace(const TransitionSystem& asked, const WordTrace& trace);
+  WordTrace newTrace(const JoinedSystem& merged, const TransitionSystem& asked, const WordTrace& trace);
+  Obligations& oldSide() { return old_; }
+  Obligations& newSide() { return new_; }
+  const TransitionSystem& oldSystem() const { return oldSystem_; }
+  const TransitionSystem& newSystem() const { return newSystem_; }
+
+ private:
+  struct Output {
+    std::optional<Address> before, after;
+    Node oldValue = noNode, newValue = noNode;  ///< each of its own graph; noNode: 0
+  };
+  /// What of OLD stands for a state of NEW; noNode: nothing.
+  struct Partner {
+    Node start = noNode;
+    Node next = noNode;
+    bool isWorld = false;  ///< the same for both whatever they do: time, and what the manual leaves open
+  };
+
+  void collectOutputs();
+  void addOutput(std::set<std::pair<Area, std::uint32_t>>& known, const Address& before);
+  void findPartners();
+  void replaceCells(SideCopy& copy);
+  void replaceExternals(SideCopy& copy);
+  void replaceSites(SideCopy& copy);
+  void holdInputs(JoinedSystem& result);
+  void assume(JoinedSystem& result);
+  Node assumedLeaf(SideCopy* copy, const Operand& operand, int width);
+  void compareOutputs(JoinedSystem& result);
+  Node delayed(JoinedSystem& result, Node value, const std::string& name);
+  Node settled(JoinedSystem& result, Node differs, const std::string& name);
+  Node oldValue(const Place& newPlace, bool atEnd);
+  bool isOldInput(const Place& newPlace);
+  bool startsAlike(Node oldStart, const StateVariable& newState) const;
+  static WordTrace sideTrace(const std::vector<Node>& states, const std::vector<Node>& inputs,
+                             const TransitionSystem& asked, const WordTrace& trace);
+
+  const ProductOptions options_;
+  const ProgramMatch& match_;
+  Obligations old_, new_;
+  TransitionSystem oldSystem_, newSystem_;
+  std::vector<Output> outputs_;
+  Node oldRuns_ = noNode, newRuns_ = noNode;  ///< in RUN at the end of the scan
+  std::vector<Partner> partners_;             ///< by state of NEW
+};
+
+}  // namespace rungproof

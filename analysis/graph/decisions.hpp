@@ -1,0 +1,25 @@
+// Decisions: what an encoding asked about its nodes on the way - is this condition known, which places can this
+// pointer reach - and was told, in order. A second encoding of the same program that is told the same takes the same
+// way, though its nodes are not simplified and would not tell by themselves. Tested by tests/certificate.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace rungproof {
+
+struct Decisions {
+  enum class Kind : std::uint8_t { Value, Targets, Target };
+  struct One {
+    Kind kind;
+    std::optional<std::uint64_t> answer;
+  };
+  std::vector<One> made;
+  std::size_t next = 0;  ///< of those that are followed
+};
+
+/// The second encoding asks something else: it cannot be made so.
+struct DecisionsDiverge {};
+
+}  // namespace rungproof

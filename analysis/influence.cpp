@@ -1,0 +1,245 @@
+// Spreads influence over networks until nothing is added.
+#include "analysis/influence.hpp"
+
+#include <algorithm>
+
+#include "analysis/instruction_kind.hpp"
+
+namespace rungproof {
+
+namespace {
+
+constexpr std::uint32_t eventTimers[] = {32, 96};  // events 21 and 22 (001:5476)
+constexpr std::uint32_t longestRow = 255;
+constexpr std::int64_t shortestLimit = 64;  ///< of all counts: that of SHRB (001:6024)
+
+bool byNumber(Area area) { return area == Area::T || area == Area::C || area == Area::AC || area == Area::HC; }
+
+/// Acts on hardware, on the queue of interrupts or on a partner: its effects do not show in its operands.
+bool isDevice(Kind kind) {
+  switch (kind) {
+    case Kind::Atch:
+    case Kind::Dtch:
+    case Kind::Cevnt:
+    case Kind::Eni:
+    case Kind::Disi:
+    case Kind::Hdef:
+    case Kind::Hsc:
+    case Kind::Pls:
+    case Kind::Netr:
+    case Kind::Netw:
+    case Kind::Xmt:
+    case Kind::Rcv:
+    case Kind::Spa:
+    case Kind::Todr:
+    case Kind::Todw: return true;
+    default: return false;
+  }
+}
+
+/// Whether the instructions take levels of the logic stack that none of them has filled.
+bool takesFromBelow(const Facts& facts, std::span<const std::uint32_t> instructions) {
+  int level = 0;
+  for (const std::uint32_t id : instructions) {
+    const StackEffect& effect = facts.instruction(id).desc->stack;
+    if (effect.needs > level) return true;
+    level += effect.pushes - effect.pops;
+  }
+  return false;
+}
+
+/// Whether an operand that is written is a place of the CPU.
+bool isKnownTarget(const Facts& facts, const OperandDesc& desc, const Operand& operand) {
+  if (operand.kind != OperandKind::Direct) return false;
+  const bool isNumber = byNumber(operand.area);
+  const Width width = isNumber && operand.area != Area::AC && operand.area != Area::HC
+                          ? (desc.type == Type::Bool ? Width::Bit : Width::Word)
+                          : operand.width;
+  return addressExists(facts.target(), operand.area, width, operand.offset,
+                       width == Width::Bit && !isNumber ? operand.bit : 0);
+}
+
+/// Whether its count is one that no instruction takes: then any count may be meant.
+bool hasWrongCount(const Instruction& instruction) {
+  for (std::size_t i = 0; i < std::min<std::size_t>(instruction.operands.size(), instruction.desc->operandCount); ++i) {
+    const Operand& operand = instruction.operands[i];
+    if (instruction.desc->operands[i].name != "N") continue;
+    if (operand.kind != OperandKind::Direct && operand.kind != OperandKind::Indirect &&
+        (operand.kind != OperandKind::Constant || operand.value < 1 || operand.value > shortestLimit))
+      return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+PlaceRow rowOf(Area area, Width width, std::uint32_t offset, unsigned bit, std::uint32_t elements) {
+  if (byNumber(area)) return {area, offset, elements};
+  if (width == Width::Bit) return {area, offset * 8 + bit, elements};
+  return {area, offset * 8, elements * static_cast<std::uint32_t>(bits(width))};
+}
+
+Influence::Influence(const Facts& facts) : facts_(facts) {
+  for (std::size_t a = 0; a < areaCount; ++a) {
+    const Area area = static_cast<Area>(a);
+    places_[a].resize(static_cast<std::size_t>(areaSize(facts.target(), area)) * (byNumber(area) ? 1 : 8), none);
+  }
+  collectParts();
+}
+
+void Influence::collectParts() {
+  const Program& program = facts_.program();
+  for (std::uint32_t block = 0; block < program.pous.size(); ++block) {
+    firstPart_.push_back(static_cast<std::uint32_t>(parts_.size()));
+    for (std::uint32_t n = 0; n < program.pous[block].networks.size(); ++n) {
+      Part& part = parts_.emplace_back();
+      part.place = {block, n};
+      for (const Instruction& instruction : program.pous[block].networks[n].instructions)
+        part.instructions.push_back(instruction.id);
+      part.needsStack = takesFromBelow(facts_, part.instructions);
+    }
+  }
+  firstPart_.push_back(static_cast<std::uint32_t>(parts_.size()));
+}
+
+const Influence::Part* Influence::part(NetworkPlace place) const {
+  return &parts_[firstPart_[place.block] + place.network];
+}
+
+void Influence::addEverything(std::uint32_t cause) {
+  if (everything_ == none) everything_ = cause;
+}
+
+void Influence::addPlace(const PlaceRow& row, std::uint32_t cause) {
+  std::vector<std::uint32_t>& places = places_[static_cast<std::size_t>(row.area)];
+  // The control bytes of devices and the interrupt times lie from SMB30 on.
+  if (row.area == Area::SM && row.first + row.count > (smReadOnlyLast + 1) * 8) return addEverything(cause);
+  const std::size_t end = std::min<std::size_t>(places.size(), std::size_t{row.first} + row.count);
+  for (std::size_t i = row.first; i < end; ++i) {
+    if (places[i] != none) continue;
+    places[i] = cause;
+    isChanged_ = true;
+  }
+  if (some_ == none) some_ = cause;
+  const bool raisesEvents = row.area == Area::T && !facts_.calls().attachments().empty();
+  for (const std::uint32_t timer : eventTimers) {
+    if (raisesEvents && row.first <= timer && timer < row.first + row.count) addEverything(cause);
+  }
+}
+
+void Influence::addNetwork(NetworkPlace place, std::uint32_t cause) {
+  Part& part = parts_[firstPart_[place.block] + place.network];
+  for (const std::uint32_t id : part.instructions) {
+    const Instruction& instruction = facts_.instruction(id);
+    const Desc& desc = *instruction.desc;
+    if (desc.control != Control::None || isDevice(kindOf(desc))) return addEverything(cause);
+    for (std::size_t i = 0; i < std::min<std::size_t>(instruction.operands.size(), desc.operandCount); ++i) {
+      const OperandDesc& operand = desc.operands[i];
+      if (operand.direction != Direction::In && !isKnownTarget(facts_, operand, instruction.operands[i]))
+        return addEverything(cause);
+    }
+    for (const Access& access : facts_.accesses().of(id)) {
+      if (access.write && hasWrongCount(instruction))
+        addPlace(rowOf(access.area, access.width, access.offset, access.bit, longestRow), cause);
+    }
+  }
+  influence(part, cause);
+}
+
+void Influence::influence(Part& part, std::uint32_t cause) {
+  if (part.cause != none) return;
+  part.cause = cause;
+  isChanged_ = true;
+  for (const std::uint32_t id : part.instructions) {
+    writesOf(id, cause);
+    controlOf(part, id, cause);
+  }
+}
+
+void Influence::influenceBlock(std::uint32_t block, std::uint32_t cause) {
+  for (std::uint32_t i = firstPart_[block]; i < firstPart_[block + 1]; ++i) influence(parts_[i], cause);
+}
+
+void Influence::writesOf(std::uint32_t instruction, std::uint32_t cause) {
+  const Desc& desc = *facts_.instruction(instruction).desc;
+  if (isDevice(kindOf(desc))) return addEverything(cause);
+  if (desc.affects != 0) addPlace({Area::SM, 8, 8}, cause);
+  addPlace({Area::SM, 32, 8}, cause);  // a run-time error sets SM4.3 (001:13945)
+  for (const Access& access : facts_.accesses().of(instruction)) {
+    if (!access.write) continue;
+    if (access.viaPointer) return addEverything(cause);
+    addPlace(rowOf(access.area, access.width, access.offset, access.bit, access.most), cause);
+  }
+}
+
+/// What an influenced instruction lets run or leaves out.
+void Influence::controlOf(const Part& part, std::uint32_t instruction, std::uint32_t cause) {
+  switch (facts_.instruction(instruction).desc->control) {
+    case Control::None:
+    case Control::LabelMark:
+    case Control::Return:
+    case Control::InterruptReturn:
+    case Control::MainEnd:
+    case Control::SubroutineHead:
+    case Control::InterruptHead: return;
+    case Control::Stop: return addEverything(cause);
+    case Control::Call:
+      for (const std::uint32_t site : facts_.calls().callsIn(part.place.block)) {
+        const CallSite& call = facts_.calls().sites()[site];
+        if (call.instruction->id != instruction) continue;
+        if (call.callee == noBlock) continue;  // a library block: what it writes are its parameters
+        influenceBlock(call.callee, cause);
+      }
+      return;
+    default: return influenceBlock(part.place.block, cause);
+  }
+}
+
+std::uint32_t Influence::causeRead(const Part& part) const {
+  if (part.needsStack) {
+    for (std::uint32_t i = firstPart_[part.place.block]; i < firstPart_[part.place.block + 1]; ++i) {
+      if (parts_[i].cause != none) return parts_[i].cause;
+    }
+  }
+  for (const std::uint32_t id : part.instructions) {
+    // What a block hands back comes out of its local memory.
+    if (facts_.instruction(id).desc->control == Control::Call) {
+      const std::uint32_t cause = causeAt(PlaceRow{Area::L, 0, areaSize(facts_.target(), Area::L) * 8});
+      if (cause != none) return cause;
+    }
+    for (const Access& access : facts_.accesses().of(id)) {
+      if (access.write) continue;
+      if (access.viaPointer && some_ != none) return some_;
+      const std::uint32_t cause = causeAt(rowOf(access.area, access.width, access.offset, access.bit, access.most));
+      if (cause != none) return cause;
+    }
+  }
+  return none;
+}
+
+void Influence::spread() {
+  do {
+    isChanged_ = false;
+    for (Part& part : parts_) {
+      if (everything_ != none) return;
+      if (part.cause != none) continue;
+      if (const std::uint32_t cause = causeRead(part); cause != none) influence(part, cause);
+    }
+  } while (isChanged_);
+}
+
+std::uint32_t Influence::causeAt(const PlaceRow& row) const {
+  if (everything_ != none) return everything_;
+  const std::vector<std::uint32_t>& places = places_[static_cast<std::size_t>(row.area)];
+  const std::size_t end = std::min<std::size_t>(places.size(), std::size_t{row.first} + row.count);
+  for (std::size_t i = row.first; i < end; ++i) {
+    if (places[i] != none) return places[i];
+  }
+  return none;
+}
+
+std::uint32_t Influence::causeAt(NetworkPlace place) const {
+  return everything_ != none ? everything_ : part(place)->cause;
+}
+
+}  // namespace rungproof

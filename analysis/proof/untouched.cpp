@@ -1,0 +1,100 @@
+// Asks the access lists who writes the addresses of a property.
+#include "analysis/proof/untouched.hpp"
+
+#include <algorithm>
+
+#include "analysis/influence.hpp"
+#include "analysis/instruction_kind.hpp"
+
+namespace rungproof {
+
+namespace {
+
+constexpr std::uint32_t longestTable = 256;  ///< bytes of a communication or clock buffer
+
+bool isWrittenMemory(Area area) {
+  return area == Area::Q || area == Area::V || area == Area::M || area == Area::S || area == Area::AQ;
+}
+
+bool meet(const PlaceRow& a, const PlaceRow& b) {
+  return a.area == b.area && a.first < b.first + b.count && b.first < a.first + a.count;
+}
+
+/// Fills or reads a buffer while the program goes on (001:3145, 000:1113).
+bool usesBuffer(Kind kind) {
+  return kind == Kind::Rcv || kind == Kind::Xmt || kind == Kind::Netr || kind == Kind::Netw || kind == Kind::Todr;
+}
+
+/// Whether a buffer that begins at a direct operand of such an instruction may hold the place.
+bool isInBuffer(const Facts& facts, const PlaceRow& row) {
+  return std::ranges::any_of(facts.instructions(), [&](const InstructionPlace& place) {
+    if (!usesBuffer(kindOf(*place.instruction))) return false;
+    return std::ranges::any_of(place.instruction->operands, [&](const Operand& o) {
+      return o.kind == OperandKind::Indirect ||
+             (o.kind == OperandKind::Direct && meet(row, rowOf(o.area, Width::Byte, o.offset, 0, longestTable)));
+    });
+  });
+}
+
+/// A library block may write more than its outputs.
+bool callsLibrary(const Facts& facts) {
+  return std::ranges::any_of(facts.calls().sites(), [](const CallSite& site) { return site.callee == noBlock; });
+}
+
+bool isWritten(const Facts& facts, const PropertySet& set, const Operand& operand) {
+  const bool isNumbered = operand.area == Area::T || operand.area == Area::C || operand.area == Area::AC;
+  if (!isNumbered && !isWrittenMemory(operand.area)) return true;
+  const CellMap& cells = facts.index().cells();
+  if (isNumbered) {
+    const std::uint32_t cell = cells.cell(operand.area, operand.offset, 0);
+    return cell == cells.size() || facts.index().mayBeWritten(cell);
+  }
+  const PlaceRow row = rowOf(operand.area, operand.width, operand.offset, operand.bit);
+  const bool isExternal = std::ranges::any_of(set.externals, [&](const ExternalRange& range) {
+    const PlaceRow first = rowOf(range.first.area, range.first.width, range.first.offset, range.first.bit);
+    const PlaceRow last = rowOf(range.last.area, range.last.width, range.last.offset, range.last.bit);
+    return meet(row, {first.area, first.first, last.first + last.count - first.first});
+  });
+  if (isExternal || isInBuffer(facts, row) || callsLibrary(facts)) return true;
+  for (std::uint32_t bit = row.first; bit < row.first + row.count; ++bit) {
+    const std::uint32_t cell = cells.cell(operand.area, bit / 8, 0);
+    if (cell == cells.size() || facts.index().isWrittenAtLarge(cell) || facts.writers(cell, bit % 8) > 0) return true;
+  }
+  return false;
+}
+
+bool isSame(const Operand& a, const Operand& b) {
+  return a.area == b.area && a.offset == b.offset && a.bit == b.bit && a.width == b.width;
+}
+
+}  // namespace
+
+std::vector<Operand> untouchedBy(const Facts& facts, const PropertySet& set, const Property& property) {
+  std::vector<Operand> found;
+  for (const Operand* operand : addressesOf(property)) {
+    const bool isKnown = std::ranges::any_of(found, [&](const Operand& known) { return isSame(known, *operand); });
+    if (!isKnown && !isWritten(facts, set, *operand)) found.push_back(*operand);
+  }
+  return found;
+}
+
+std::optional<AnyProgram> anyProgramFor(const Facts& facts, const PropertySet& set, const Property& property) {
+  AnyProgram any{facts.program(), set};
+  for (Pou& pou : any.program.pous) {
+    for (Network& network : pou.networks) network.instructions.clear();
+  }
+  any.program.number();
+  std::erase_if(any.set.properties, [](const Property& other) { return other.isGoal(); });
+  any.set.properties.push_back(property);
+  for (const Property& each : any.set.properties) {
+    for (const Operand* operand : addressesOf(each)) {
+      if (operand->area == Area::I || operand->area == Area::AI || operand->area == Area::SM) continue;
+      if (!isWritten(facts, set, *operand)) continue;
+      if (!isWrittenMemory(operand->area) || operand->area == Area::AQ) return std::nullopt;
+      any.set.externals.push_back({*operand, *operand, {}});
+    }
+  }
+  return any;
+}
+
+}  // namespace rungproof

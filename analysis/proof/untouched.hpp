@@ -1,0 +1,26 @@
+// Untouched addresses: what a property names although no instruction, device, panel or data block writes it, usually
+// the other end of a slip of the pen. Such a property is told so, and one that holds for any program holds vacuously.
+// Covered by tests/prover/untouched_test.cpp.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "analysis/facts.hpp"
+#include "analysis/proof/prover.hpp"
+
+namespace rungproof {
+
+/// The addresses of a property that nothing writes, in the order of its text, each once.
+std::vector<Operand> untouchedBy(const Facts& facts, const PropertySet& set, const Property& property);
+
+/// The question whether a property holds for any program: the same assumptions over a program without instructions, in
+/// which everything that the property names and that is written has any value in any scan.
+struct AnyProgram {
+  Program program;
+  PropertySet set;
+};
+/// Nothing if a written address of the property cannot be given any value (timers, counters, accumulators).
+std::optional<AnyProgram> anyProgramFor(const Facts& facts, const PropertySet& set, const Property& property);
+
+}  // namespace rungproof

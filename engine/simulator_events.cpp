@@ -1,0 +1,182 @@
+// Interrupt events of a run: edges of inputs, those of a stimulus and of a script, the queue they wait in, and the
+// routines that run when interrupts are enabled (001:5327-5547).
+#include <algorithm>
+
+#include "engine/simulator_hooks.hpp"
+#include "ir/event_cause.hpp"
+
+namespace rungproof {
+
+/// Edges of I0.0-I0.3 are events 0 to 7: rising even, falling odd (001:5460).
+void Simulator::raiseInputEdges() {
+  for (std::uint32_t input = 0; input < edgeInputCount; ++input) {
+    const auto now = static_cast<std::uint32_t>(store_.get(Reg::PhysicalInput, input));
+    if (now != (edgeInputs_ >> input & 1)) raise(static_cast<int>(input * 2 + (now == 0 ? 1 : 0)));
+    edgeInputs_ = (edgeInputs_ & ~(1U << input)) | now << input;
+  }
+}
+
+/// An attached event enters its queue; a full queue loses it.
+void Simulator::raise(int event) {
+  if (!isRunning() || event < 0 || event >= eventCount) return;
+  const auto routine = static_cast<int>(store_.get(Reg::EventRoutine, static_cast<std::uint32_t>(event)));
+  if (routine == 0) return;
+  attention_ = true;
+  if (queue_.add(event, moment_, routine - 1)) return;
+  store_.save(Area::SM, 4 * 8 + static_cast<std::uint32_t>(eventInfo(event).group), 1, 1, true);
+  report(Hazard::QueueOverflow, nullptr);
+}
+
+/// An event that somebody's stimulus names comes as it is; that nothing causes it is said.
+void Simulator::raiseByStimulus(int event) {
+  if (event < 0 || event >= eventCount) return;
+  if (!eventHasCause(machine_, event)) withoutCause_.insert(event);
+  raise(event);
+}
+
+/// 1 ms timers that reach their preset (001:5476).
+void Simulator::raiseTimer(const TimerUse& use, bool reached) {
+  if (reached && eventOfTimer(use.number) >= 0) raise(eventOfTimer(use.number));
+}
+
+void Simulator::beginScript(std::uint32_t lengthMs) {
+  visits_.assign(costs_.size(), 0);
+  scriptedMs_ = lengthMs;
+  passedMs_ = 0;
+  for (std::uint32_t timer = 0; timer < timedEventCount; ++timer)
+    timedMs_[timer] = static_cast<std::uint32_t>(store_.get(Reg::TimedElapsed, timer)) + lengthMs;
+}
+
+void Simulator::endScript() {
+  if (!isRunning()) return;
+  for (std::uint32_t timer = 0; timer < timedEventCount; ++timer) {
+    const std::uint64_t period = store_.get(Reg::TimedPeriod, timer);
+    if (period != 0 && store_.get(Reg::EventRoutine, firstTimedEvent + timer) != 0)
+      store_.set(Reg::TimedElapsed, timer, timedMs_[timer] % period, true);
+  }
+  scriptedMs_ = passedMs_ = 0;
+}
+
+/// ATCH of event 10 or 11 at a time of the scan that comes from outside, not before what has been.
+void Simulator::attachTimed(std::uint32_t event) {
+  const std::uint64_t now = external({External::AsyncTicks, event, machine_.current->id}, 32);
+  if (now > passedMs_ && now <= scriptedMs_) passedMs_ = static_cast<std::uint32_t>(now);
+  timedMs_[event - firstTimedEvent] = scriptedMs_ - passedMs_;
+}
+
+/// Whether event 10 or 11 is due by the end of the scan, and before the other one.
+bool Simulator::mayBeDue(int event) const {
+  const auto timer = static_cast<std::uint32_t>(event) - firstTimedEvent, other = 1 - timer;
+  const auto isDue = [&](std::uint32_t t) {
+    const std::uint64_t period = store_.get(Reg::TimedPeriod, t);
+    return period != 0 && store_.get(Reg::EventRoutine, firstTimedEvent + t) != 0 && timedMs_[t] >= period;
+  };
+  const auto dueFor = [&](std::uint32_t t) { return timedMs_[t] - store_.get(Reg::TimedPeriod, t); };
+  if (!isDue(timer)) return false;
+  return !isDue(other) || dueFor(timer) > dueFor(other) || (dueFor(timer) == dueFor(other) && timer < other);
+}
+
+bool Simulator::hasCause(int event) {
+  if (isTimedEvent(event)) return mayBeDue(event);
+  if (isEdgeEvent(event)) return lastEdge_[static_cast<std::size_t>(event / 2)] != 1 + event % 2;
+  return eventHasCause(machine_, event);
+}
+
+/// An event of the script.
+void Simulator::occur(int event) {
+  if (isTimerEvent(event) && script_->needsCauses) return;
+  const bool isAttached = store_.get(Reg::EventRoutine, static_cast<std::uint32_t>(event)) != 0;
+  if (!isAttached || !isRunning()) return;
+  forgetEdges();
+  if (!hasCause(event)) {
+    withoutCause_.insert(event);
+    if (!script_->needsCauses) raise(event);
+    return;
+  }
+  if (isTimedEvent(event)) {
+    const auto timer = static_cast<std::size_t>(event) - firstTimedEvent;
+    timedMs_[timer] -= static_cast<std::uint32_t>(store_.get(Reg::TimedPeriod, static_cast<std::uint32_t>(timer)));
+    passedMs_ = std::max(passedMs_, scriptedMs_ - std::min(scriptedMs_, timedMs_[timer]));
+  }
+  if (isEdgeEvent(event)) lastEdge_[static_cast<std::size_t>(event / 2)] = 1 + event % 2;
+  deviceEvent(machine_, event);
+  raise(event);
+}
+
+/// Both edges of an input come in turn as long as both are followed; then nothing is known of the last one.
+void Simulator::forgetEdges() {
+  for (std::size_t input = 0; input < edgeInputCount; ++input) {
+    const auto rising = static_cast<std::uint32_t>(input * 2);
+    const bool areFollowed = store_.get(Reg::EventRoutine, rising) != 0 &&
+                             store_.get(Reg::EventRoutine, rising + 1) != 0 &&
+                             store_.get(Reg::InterruptsEnabled, 0) != 0;
+    if (!areFollowed) lastEdge_[input] = 0;
+  }
+}
+
+/// What the script says of a place: ticks, then events. After the program the rest of the scan's time passes.
+void Simulator::scripted(Runner& runner, ScanPlace place) {
+  const auto isHere = [&](const ScanPlace& other) { return other == place; };
+  const auto pass = [&](std::uint32_t ticks) {
+    if (ticks == 0) return;
+    refreshTimers(machine_, 1, ticks, [&](const TimerUse& use, bool reached) { raiseTimer(use, reached); });
+    scriptedTicks_ += ticks;
+  };
+  const bool isEnd = place.instruction == ScanPlace::afterProgram;
+  for (const ScanScript::Tick& tick : script_->ticks1) {
+    if (!isEnd && isHere(tick.place)) pass(tick.ticks);
+  }
+  if (isEnd && scriptedMs_ > scriptedTicks_) pass(scriptedMs_ - scriptedTicks_);
+  scriptedWrites(place);
+  forgetEdges();
+  bool isTogether = false;  // with the event before
+  for (const ScanScript::Event& event : script_->events) {
+    if (!isHere(event.place)) continue;
+    if (!event.isFromQueue) occur(event.event);
+    if (!event.isWithNext && isTogether)
+      serveInterrupts(runner);
+    else if (!event.isWithNext)
+      serveEvent(runner, event.event);
+    isTogether = event.isWithNext;
+  }
+  serveInterrupts(runner);
+  if (!isEnd || machine_.inInterrupt) return;
+  for (int event = firstTimedEvent; event < static_cast<int>(firstTimedEvent + timedEventCount);) {
+    if (!machine_.guard || !isRunning()) return;
+    if (!mayBeDue(event)) {
+      ++event;
+      continue;
+    }
+    occur(event);
+    serveInterrupts(runner);
+    event = firstTimedEvent;
+  }
+}
+
+/// Runs the routine of an event that waits: where several came at one place, the script says in which order they run.
+void Simulator::serveEvent(Runner& runner, int event) {
+  if (machine_.inInterrupt || !machine_.guard || !isRunning() || store_.get(Reg::InterruptsEnabled, 0) == 0) return;
+  if (const auto waiting = queue_.take(event)) runRoutine(runner, *waiting);
+}
+
+void Simulator::serveInterrupts(Runner& runner) {
+  if (machine_.inInterrupt) return;
+  while (!queue_.empty() && machine_.guard && isRunning() && store_.get(Reg::InterruptsEnabled, 0) != 0) {
+    runRoutine(runner, *queue_.take());
+  }
+  if (queue_.empty() && (store_.area(Area::SM)[4] & 7U) != 0) {
+    for (std::uint32_t bit = 0; bit < eventGroupCount; ++bit)
+      store_.save(Area::SM, 4 * 8 + bit, 1, 0, true);  // 001:14113
+  }
+}
+
+/// Runs the routine that the event has now, or had when it was queued (Choice::DetachedEvents).
+void Simulator::runRoutine(Runner& runner, const InterruptQueue::Waiting& waiting) {
+  const auto now = static_cast<int>(store_.get(Reg::EventRoutine, static_cast<std::uint32_t>(waiting.event)));
+  runner.interrupt(now != 0 ? now - 1 : waiting.routine, true);
+  position_ += pending_;
+  pending_ = 0;
+  if (!isRunning()) queue_.clear();  // STOP in the routine (001:5695)
+}
+
+}  // namespace rungproof

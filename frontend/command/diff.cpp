@@ -1,0 +1,114 @@
+// `rungproof diff`: which networks changed in what they do, and which outputs can differ because of it.
+#include <fmt/format.h>
+
+#include "frontend/command/command.hpp"
+#include "frontend/proof_input.hpp"
+#include "frontend/run/trace_file.hpp"
+#include "frontend/sides/difference_view.hpp"
+
+namespace rungproof {
+
+namespace {
+
+struct Arguments {
+  SideArguments sides;
+  std::string form = "ladder";
+  int width = 140;
+  std::vector<std::string> rest;
+};
+
+/// Git calls an external diff with path, old file, old hash, old mode, new file, new hash, new mode.
+void takeFromGit(Arguments& arguments) {
+  if (arguments.rest.size() != 5) return;
+  arguments.sides.before = arguments.sides.after;
+  arguments.sides.after = arguments.rest[2];
+  arguments.rest.clear();
+}
+
+Exit run(Arguments arguments, Context& context) {
+  takeFromGit(arguments);
+  if (!arguments.rest.empty())
+    return context.fail({fmt::format("unexpected argument '{}' for 'rungproof diff'", arguments.rest.front()), {},
+                         "give OLD and NEW; more files of a side with --with"});
+  std::vector<Failure> failures;
+  const Sides sides = readSides(context, arguments.sides, failures);
+  if (!failures.empty()) return failAll(context, failures);
+  bool isUnread = false;
+  for (const ProgramInput* input : {&sides.before, &sides.after}) {
+    const UnreadCode& unread = input == &sides.before ? *sides.unreadBefore : *sides.unreadAfter;
+    if (!unread.isRefused()) continue;
+    isUnread = true;
+    Report report = startReport("diff", input->program, input == &sides.before ? sides.filesBefore : sides.filesAfter);
+    addUnread(report, input->program, unread);
+    sortFindings(report);
+    reporterNamed("human")->write(report, {false, true}, context.err);
+  }
+  if (isUnread) return Exit::Failed;
+
+  EquivalenceOptions options;
+  options.prover = proverOptionsOf(context.settings);
+  options.pairs = sides.pairs;
+  options.observed = sides.observed;
+  options.assumptions = sides.assumptions;
+  const ProgramDifference difference = differenceOf(sides, options);
+  DifferenceStyle style;
+  style.form = arguments.form == "fbd" ? Form::Fbd : arguments.form == "stl" ? Form::Stl : Form::Ladder;
+  style.width = arguments.width;
+  Exit exit = difference.countOf(Equality::Different) > 0 || !difference.verdicts.empty() ? Exit::Found
+              : difference.countOf(Equality::Unknown) > 0                                ? Exit::Undecided
+                                                                                          : Exit::Clean;
+  for (const OutputRequest& output : context.outputs) {
+    style.color = context.color && output.file.empty();
+    std::string text;
+    if (output.name == "json")
+      text = differenceJson(sides, difference);
+    else if (output.name == "html")
+      text = differencePage(sides, difference, style);
+    else
+      text = differenceText(sides, difference, style) + (context.settings.flag(Opt::Quiet) ? "" : closingLine(difference) + '\n');
+    if (!context.write(output, text)) exit = Exit::Failed;
+  }
+  for (const Disagreement& disagreement : difference.equivalence.disagreements) {
+    context.err << fmt::format("rungproof: internal disagreement on '{}': {}\n", disagreement.name, disagreement.explanation);
+    exit = Exit::Failed;
+  }
+  return exit;
+}
+
+Action setup(ArgumentTable& table) {
+  auto arguments = std::make_shared<Arguments>();
+  arguments->sides.declare(table);
+  table.arguments("GIT", arguments->rest, "what git adds where this is its external diff", true);
+  table.word("--as", arguments->form, {"ladder", "lad", "fbd", "stl"}, "ladder|fbd|stl", "how changed networks are drawn");
+  table.number("--width", arguments->width, "N", "columns of the text, both programs together", 60, 400);
+  return [arguments](Context& context) { return run(*arguments, context); };
+}
+
+}  // namespace
+
+extern constexpr Command diffCommand = {
+    .name = "diff",
+    .usage = "OLD NEW [--map FILE]",
+    .summary = "which networks changed in what they do, and which outputs can differ because of it",
+    .details =
+        "Layout, comments, titles, network numbers, the order of blocks, the set of mnemonics and symbol names do not\n"
+        "count. Of every changed network: OLD and NEW side by side, the outputs and the memory that it can influence,\n"
+        "and whether each of these outputs can differ, is proved equal, or is undecided ('rungproof equiv' shows the\n"
+        "run). Properties that OLD declares are proved of both; a verdict that changed stands at the top.\n"
+        "\n"
+        "Exit codes: 0 no output can differ, 1 some can, 3 undecided.\n"
+        "\n"
+        "With git: GIT_EXTERNAL_DIFF='rungproof diff' git diff, or in .gitattributes '*.awl diff=awl' with\n"
+        "git config diff.awl.command 'rungproof diff'; git config diff.awl.textconv 'rungproof show --as stl'\n"
+        "shows statement lists whatever their encoding.\n"
+        "\n"
+        "Examples:\n"
+        "    rungproof diff press.awl press_new.awl\n"
+        "    rungproof diff old/ new/ --format html=changes.html\n",
+    .shows = option_group::Reading | option_group::Running | option_group::Output | option_group::Configuration,
+    .comparesTwo = true,
+    .formats = "text|json|html",
+    .setup = setup,
+};
+
+}  // namespace rungproof

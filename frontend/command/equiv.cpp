@@ -1,0 +1,179 @@
+// `rungproof equiv`: do two versions of a program drive the same outputs?
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <filesystem>
+
+#include "analysis/equivalence/equivalence.hpp"
+#include "frontend/command/command.hpp"
+#include "frontend/proof_input.hpp"
+#include "frontend/run/trace_file.hpp"
+#include "frontend/sides/difference_report.hpp"
+#include "frontend/sides/sides.hpp"
+
+namespace rungproof {
+
+namespace {
+
+struct Arguments {
+  SideArguments sides;
+  std::string inputs = "free";
+  std::string interrupts = "between";
+  std::uint32_t latency = 0;
+  std::string settle;
+  std::string trace;
+  std::string certificates;
+  std::string show = "ladder";
+};
+
+std::atomic<bool> equivInterrupted = false;
+
+extern "C" void onEquivInterrupt(int) {
+  equivInterrupted = true;
+  std::signal(SIGINT, SIG_DFL);
+}
+
+std::string_view equalityName(Equality equality) {
+  switch (equality) {
+    case Equality::Equal: return "EQUAL";
+    case Equality::Different: return "DIFFERENT";
+    case Equality::Unknown: return "UNKNOWN";
+  }
+  return "UNKNOWN";
+}
+
+/// Errors of reading of one side, as the beginning of the report.
+Report partOf(const ProgramInput& input, const UnreadCode& unread, const std::vector<std::string>& files) {
+  Report part = startReport("equiv", input.program, files);
+  std::erase_if(part.findings, [](const Finding& finding) { return finding.severity != Severity::Error; });
+  addUnread(part, input.program, unread);
+  const PlaceIndex places(input.program);
+  for (Finding& finding : part.findings) places.complete(finding);
+  return part;
+}
+
+Comparison comparisonOf(const Equivalence& found) {
+  Comparison comparison;
+  comparison.equal = found.equality == Equality::Equal;
+  comparison.verdict = equalityName(found.equality);
+  comparison.method = found.method;
+  comparison.seconds = found.seconds;
+  comparison.notes = found.notes;
+  if (found.equality == Equality::Unknown) {
+    comparison.notes.insert(comparison.notes.begin(), fmt::format("no difference in the first {} scans", found.depth));
+    std::string open;
+    for (const ObservedVerdict& output : found.outputs) {
+      if (output.equality == Equality::Unknown) open += (open.empty() ? "" : ", ") + output.name;
+    }
+    if (!open.empty()) comparison.notes.push_back("undecided: " + open);
+  }
+  return comparison;
+}
+
+bool writeCertificates(const Context& context, const std::string& directory, const Equivalence& found) {
+  std::error_code error;  // a folder that cannot be made shows when the file is written
+  std::filesystem::create_directories(directory, error);
+  bool isWritten = true;
+  std::size_t number = 0;
+  for (const auto& [name, text] : found.certificates) {
+    const std::string file = (std::filesystem::path(directory) / fmt::format("{:03}.smt2", ++number)).string();
+    isWritten = context.write({"smt2", file}, text) && isWritten;
+  }
+  return isWritten;
+}
+
+Exit run(const Arguments& arguments, Context& context) {
+  std::vector<Failure> failures;
+  const std::optional<Duration> settle = arguments.settle.empty() ? Duration{} : durationNamed(arguments.settle);
+  if (!settle) failures.push_back({fmt::format("'{}' is no time", arguments.settle), {}, "write --settle 100ms"});
+  if (!arguments.trace.empty()) {
+    if (auto failure = checkTraceName(arguments.trace)) failures.push_back(*failure);
+  }
+  const Sides sides = readSides(context, arguments.sides, failures);
+  if (!failures.empty()) return failAll(context, failures);
+  ReportMerger merger;
+  merger.add(partOf(sides.before, *sides.unreadBefore, sides.filesBefore));
+  merger.add(partOf(sides.after, *sides.unreadAfter, sides.filesAfter));
+  Report report = merger.take();
+  if (sides.unreadBefore->isRefused() || sides.unreadAfter->isRefused() || !report.findings.empty())
+    return worse(finish(context, std::move(report)), Exit::Failed);
+
+  EquivalenceOptions options;
+  options.prover = proverOptionsOf(context.settings);
+  options.prover.certificates = !arguments.certificates.empty();
+  options.prover.cancel = &equivInterrupted;
+  options.pairs = sides.pairs;
+  options.observed = sides.observed;
+  options.assumptions = sides.assumptions;
+  options.steadyInputs = arguments.inputs == "steady";
+  options.interruptsInside = arguments.interrupts == "anywhere";
+  options.latency = arguments.latency;
+  options.settleMs = static_cast<std::uint32_t>(settle->count() / 1000);
+  equivInterrupted = false;
+  const auto before = std::signal(SIGINT, onEquivInterrupt);
+  const Equivalence found = compareBehaviour(sides.oldSide(), sides.newSide(), options);
+  std::signal(SIGINT, before);
+
+  report.comparison = comparisonOf(found);
+  report.assumptions = found.assumptions;
+  report.coverage.approximated = found.approximations;
+  bool isFailed = !found.disagreements.empty();
+  for (const Disagreement& disagreement : found.disagreements)
+    context.err << fmt::format("rungproof: internal disagreement on '{}': {}\n", disagreement.name, disagreement.explanation);
+  if (found.run) {
+    const DifferenceReport difference(sides, options, *found.run);
+    difference.describe(*report.comparison, arguments.show);
+    if (!arguments.trace.empty() && !writeTrace(context, arguments.trace, difference.trace(), "outputs differ")) isFailed = true;
+    if (!arguments.trace.empty()) report.comparison->trace = arguments.trace;
+  }
+  if (options.prover.certificates && !writeCertificates(context, arguments.certificates, found)) isFailed = true;
+  const Exit exit = finish(context, std::move(report));
+  return isFailed ? Exit::Failed : exit;
+}
+
+Action setup(ArgumentTable& table) {
+  auto arguments = std::make_shared<Arguments>();
+  arguments->sides.declare(table);
+  table.word("--inputs", arguments->inputs, {"free", "steady"}, "free|steady",
+             "steady: immediate reads give what the process image has");
+  table.word("--interrupts", arguments->interrupts, {"between", "anywhere"}, "between|anywhere",
+             "anywhere: events may come anywhere in a scan, not only between scans");
+  table.option("--settle", arguments->settle, "TIME", "outputs may differ for less than that without a break");
+  table.number("--latency", arguments->latency, "N", "NEW's outputs come N scans later", 0, 1000);
+  table.option("--trace", arguments->trace, "FILE", "write the run that differs: inputs and the outputs of both");
+  table.option("--certificate", arguments->certificates, "DIR", "write the proofs as SMT-LIB 2, for another solver to check");
+  table.word("--show", arguments->show, {"ladder", "lad", "fbd", "stl", "none"}, "ladder|fbd|stl|none",
+             "how the networks that drive a differing output are drawn");
+  return [arguments](Context& context) { return run(*arguments, context); };
+}
+
+}  // namespace
+
+extern constexpr Command equivCommand = {
+    .name = "equiv",
+    .usage = "OLD NEW [--map FILE]",
+    .summary = "prove that two versions of a program drive the same outputs, or show the scan where they differ",
+    .details =
+        "Both programs get the same inputs and the same scan times, each keeps its own memory, and every bit of Q and\n"
+        "AQ that either can write is compared at the end of every scan, from the first one on. A bit that only one\n"
+        "program can write is compared with 0. Options about reading may be given for one side: --cpu new:224.\n"
+        "\n"
+        "An immediate read may differ from the process image, so LDI in place of LD is a difference, unless --inputs\n"
+        "steady holds the inputs for the whole scan. What the manual leaves undefined is each program's own. A program\n"
+        "that stops while the other runs is a difference.\n"
+        "\n"
+        "Verdicts: EQUAL (exit code 0), DIFFERENT (1), with a run that the reference engine has made on both programs,\n"
+        "UNKNOWN (3).\n"
+        "\n"
+        "Examples:\n"
+        "    rungproof equiv press.awl press_tidied.awl\n"
+        "    rungproof equiv old/ new/ --map moved.map --observe Q0.0,QB4\n"
+        "    rungproof equiv press.awl press.xml --with new:tags.sdf --trace difference.csv\n",
+    .shows = option_group::Reading | option_group::Running | option_group::Output | option_group::Configuration,
+    .comparesTwo = true,
+    .setup = setup,
+};
+
+}  // namespace rungproof

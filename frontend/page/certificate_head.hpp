@@ -1,0 +1,19 @@
+// The head of a certificate file: what was proved of which program, under which assumptions, and how to check it.
+// Tested by tests/cli/certificate_file_test.cpp.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/proof/prover.hpp"
+
+namespace rungproof {
+
+/// SHA-256 of the bytes as 64 hexadecimal digits, as sha256sum prints it.
+std::string sha256(std::string_view bytes);
+
+/// Lines of SMT-LIB comments. `file`: the name that the certificate gets, without its folder.
+std::string certificateHead(const Program& program, const std::vector<std::string>& assumptions,
+                            const ProofResult& result, const std::string& file);
+
+}  // namespace rungproof

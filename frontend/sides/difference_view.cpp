@@ -1,0 +1,178 @@
+// Old and new side by side.
+#include "frontend/sides/difference_view.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "frontend/cli.hpp"
+#include "frontend/drawing/network_view.hpp"
+#include "frontend/drawing/svg_picture.hpp"
+#include "frontend/json.hpp"
+#include "frontend/page/excerpt.hpp"
+#include "frontend/run/timing_diagram.hpp"
+
+namespace rungproof {
+
+namespace {
+
+/// Columns that a line of UTF-8 text takes, drawings and letters being one column wide.
+std::size_t columnsOf(std::string_view line) {
+  return static_cast<std::size_t>(std::ranges::count_if(line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string_view equalityWord(Equality equality) {
+  switch (equality) {
+    case Equality::Equal: return "proved equal";
+    case Equality::Different: return "can differ";
+    case Equality::Unknown: return "undecided";
+  }
+  return "undecided";
+}
+
+std::string_view changeWord(const NetworkPair& pair) {
+  return pair.before && pair.after ? "changed" : pair.after ? "added" : "removed";
+}
+
+const Network& networkOf(const Program& program, const NetworkRef& where) {
+  return program.pous[where.pou].networks[where.network];
+}
+std::string placeOf(const Program& program, const NetworkRef& where) {
+  return fmt::format("{}, Network {}", program.pous[where.pou].name, networkOf(program, where).number);
+}
+
+NetworkView viewOf(const Program& program, const NetworkRef& where, const DifferenceStyle& style) {
+  ViewOptions options;
+  options.form = style.form;
+  options.width = style.width / 2 - 2;
+  return networkView(program, program.pous[where.pou], networkOf(program, where), options);
+}
+
+std::vector<std::string> linesOf(const Program& program, const std::optional<NetworkRef>& where, const DifferenceStyle& style) {
+  if (!where) return {"(not there)"};
+  return contentLines(viewOf(program, *where, style), {});
+}
+
+std::string headingOf(const Sides& sides, const NetworkPair& pair) {
+  const std::string before = pair.before ? placeOf(*sides.runBefore, *pair.before) : "";
+  const std::string after = pair.after ? placeOf(*sides.runAfter, *pair.after) : "";
+  if (before.empty() || after.empty() || before == after) return fmt::format("{}: {}", before.empty() ? after : before, changeWord(pair));
+  return fmt::format("{} (before: {}): {}", after, before, changeWord(pair));
+}
+
+std::string listOf(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+std::string outputsWith(const NetworkChange& change, Equality equality) {
+  std::vector<std::string> names;
+  for (const InfluencedOutput& output : change.outputs) {
+    if (output.equality == equality) names.push_back(output.name);
+  }
+  return listOf(names);
+}
+
+std::vector<std::string> influenceLines(const NetworkChange& change) {
+  std::vector<std::string> lines;
+  for (const Equality equality : {Equality::Different, Equality::Unknown, Equality::Equal}) {
+    const std::string names = outputsWith(change, equality);
+    if (!names.empty()) lines.push_back(fmt::format("{}: {}", equalityWord(equality), names));
+  }
+  if (change.outputs.empty()) lines.emplace_back("influences no output");
+  if (!change.memory.empty()) lines.push_back("influences: " + listOf(change.memory));
+  if (change.isEverything) lines.emplace_back("may influence any memory: it writes through a pointer, or stops the program");
+  return lines;
+}
+
+}  // namespace
+
+std::string closingLine(const ProgramDifference& difference) {
+  const auto counted = [](std::size_t n, std::string_view one, std::string_view many) {
+    return fmt::format("{} {}", n, n == 1 ? one : many);
+  };
+  std::string text = counted(difference.changes.size(), "network changed", "networks changed") + ", " +
+                     counted(difference.countOf(Equality::Different), "output can differ", "outputs can differ");
+  if (const std::size_t open = difference.countOf(Equality::Unknown); open > 0) text += fmt::format(", {} undecided", open);
+  return text;
+}
+
+std::string differenceText(const Sides& sides, const ProgramDifference& difference, const DifferenceStyle& style) {
+  const Paint paint{style.color};
+  std::string text;
+  for (const VerdictChange& verdict : difference.verdicts)
+    text += fmt::format("{}: '{}' was {}, is {}\n", paint.red("verdict"), verdict.name, verdict.before, verdict.after);
+  for (const NetworkChange& change : difference.changes) {
+    text += (text.empty() ? "" : "\n") + paint.bold(headingOf(sides, change.networks)) + '\n';
+    const std::vector<std::string> left = linesOf(*sides.runBefore, change.networks.before, style),
+                                   right = linesOf(*sides.runAfter, change.networks.after, style);
+    std::size_t width = 3;
+    for (const std::string& line : left) width = std::max(width, columnsOf(line));
+    const auto row = [&](std::string_view a, std::string_view b) {
+      std::string line = fmt::format("  {}{} | {}", a, std::string(width - std::min(width, columnsOf(a)), ' '), b);
+      line.erase(line.find_last_not_of(' ') + 1);
+      text += line + '\n';
+    };
+    row("OLD", "NEW");
+    for (std::size_t i = 0; i < std::max(left.size(), right.size()); ++i)
+      row(i < left.size() ? left[i] : "", i < right.size() ? right[i] : "");
+    for (const std::string& line : influenceLines(change)) text += fmt::format("  {} {}\n", paint.blue("="), line);
+  }
+  for (const std::string& note : difference.equivalence.notes) text += fmt::format("{}: {}\n", paint.yellow("note"), note);
+  return text;
+}
+
+std::string differencePage(const Sides& sides, const ProgramDifference& difference, const DifferenceStyle& style) {
+  std::string page = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">"
+      "<title>rungproof diff</title><style>body{{font:15px/1.5 system-ui,sans-serif;margin:2em auto;max-width:90em;padding:0 1em}}"
+      ".pair{{display:flex;flex-wrap:wrap;gap:1em}}.pair figure{{flex:1 1 26em;margin:0;overflow-x:auto}}{}</style></head><body>\n"
+      "<h1>rungproof diff</h1>\n",
+      svgStyle());
+  for (const VerdictChange& verdict : difference.verdicts)
+    page += fmt::format("<p><b>verdict:</b> {} was {}, is {}</p>\n", xmlText(verdict.name), verdict.before, verdict.after);
+  for (const NetworkChange& change : difference.changes) {
+    page += fmt::format("<h2>{}</h2>\n<div class=pair>", xmlText(headingOf(sides, change.networks)));
+    for (const bool isOld : {true, false}) {
+      const auto& where = isOld ? change.networks.before : change.networks.after;
+      page += fmt::format("<figure><figcaption>{}</figcaption>{}</figure>", isOld ? "OLD" : "NEW",
+                          where ? pictureSvg(viewOf(isOld ? *sides.runBefore : *sides.runAfter, *where, style))
+                                : std::string("not there"));
+    }
+    page += "</div>\n<ul>";
+    for (const std::string& line : influenceLines(change)) page += fmt::format("<li>{}</li>", xmlText(line));
+    page += "</ul>\n";
+  }
+  for (const std::string& note : difference.equivalence.notes) page += fmt::format("<p>note: {}</p>\n", xmlText(note));
+  return page + fmt::format("<p><b>{}</b></p>\n</body></html>\n", closingLine(difference));
+}
+
+std::string differenceJson(const Sides& sides, const ProgramDifference& difference) {
+  Json json = {{"tool", "rungproof"}, {"version", programVersion()}, {"command", "diff"}};
+  json["changes"] = Json::array();
+  for (const NetworkChange& change : difference.changes) {
+    const auto place = [](const Program& program, const std::optional<NetworkRef>& where) -> Json {
+      if (!where) return nullptr;
+      return {{"pou", program.pous[where->pou].name}, {"network", networkOf(program, *where).number}};
+    };
+    Json outputs = Json::array();
+    for (const InfluencedOutput& output : change.outputs)
+      outputs.push_back({{"name", output.name}, {"verdict", equalityWord(output.equality)}});
+    json["changes"].push_back({{"kind", changeWord(change.networks)},
+                               {"old", place(*sides.runBefore, change.networks.before)},
+                               {"new", place(*sides.runAfter, change.networks.after)},
+                               {"outputs", outputs},
+                               {"memory", change.memory}});
+  }
+  json["verdicts"] = Json::array();
+  for (const VerdictChange& verdict : difference.verdicts)
+    json["verdicts"].push_back({{"name", verdict.name}, {"old", verdict.before}, {"new", verdict.after}});
+  json["summary"] = {{"changed", difference.changes.size()},
+                     {"different", difference.countOf(Equality::Different)},
+                     {"equal", difference.countOf(Equality::Equal)},
+                     {"undecided", difference.countOf(Equality::Unknown)}};
+  return json.dump(2) + '\n';
+}
+
+}  // namespace rungproof

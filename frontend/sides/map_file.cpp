@@ -1,0 +1,87 @@
+// Lines to pairs.
+#include "frontend/sides/map_file.hpp"
+
+#include <fmt/format.h>
+
+namespace rungproof {
+
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\xEF\xBB\xBF");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// What one side of a line names: its first address and how many there are.
+struct Named {
+  Address first;
+  std::uint32_t count = 0;
+};
+
+class LineReader {
+ public:
+  LineReader(std::string place, std::vector<Failure>& failures) : place_(std::move(place)), failures_(failures) {}
+
+  std::optional<Named> named(std::string_view text, const OperandLookup& lookup, std::string_view side) {
+    const std::size_t dots = text.find("..");
+    const auto first = operand(trimmed(text.substr(0, dots)), lookup, side);
+    const auto last = dots == std::string_view::npos ? first : operand(trimmed(text.substr(dots + 2)), lookup, side);
+    if (!first || !last) return std::nullopt;
+    const Address from = addressOf(*first), to = addressOf(*last);
+    if (from.area != to.area || to.index < from.index || first->width != last->width) {
+      fail(fmt::format("'{}' is no range", text), "a range goes up from one address to another of the same area and size");
+      return std::nullopt;
+    }
+    return Named{from, to.index + extentOf(*last) - from.index};
+  }
+  void fail(std::string message, std::string help) { failures_.push_back({std::move(message), place_, std::move(help)}); }
+
+ private:
+  std::optional<Operand> operand(std::string_view text, const OperandLookup& lookup, std::string_view side) {
+    if (text.size() > 1 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
+    const std::optional<Operand> found = lookup(text);
+    if (!found) {
+      fail(text.empty() ? fmt::format("an address of {} is missing", side)
+                        : fmt::format("'{}' is neither an address nor a symbol of {}", text, side),
+           "write OLD-address = NEW-address, such as I0.0 = I1.0 or VB10..VB19 = VB30..VB39");
+    }
+    return found;
+  }
+
+  std::string place_;
+  std::vector<Failure>& failures_;
+};
+
+}  // namespace
+
+std::vector<MapLine> readMap(const std::string& name, std::string_view text, const OperandLookup& before,
+                             const OperandLookup& after, std::vector<Failure>& failures) {
+  std::vector<MapLine> lines;
+  std::uint32_t number = 0;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    std::string_view line = text.substr(begin, end - begin);
+    begin = end + 1;
+    ++number;
+    line = trimmed(line.substr(0, line.find('#')));
+    if (line.empty()) continue;
+    LineReader reader(fmt::format("{}:{}", name, number), failures);
+    const std::size_t sign = line.find('=');
+    if (sign == std::string_view::npos) {
+      reader.fail(fmt::format("'{}' is no pair", line), "write OLD-address = NEW-address");
+      continue;
+    }
+    const auto left = reader.named(trimmed(line.substr(0, sign)), before, "OLD");
+    const auto right = reader.named(trimmed(line.substr(sign + 1)), after, "NEW");
+    if (!left || !right) continue;
+    if (left->count != right->count || isByNumber(left->first.area) != isByNumber(right->first.area)) {
+      reader.fail(fmt::format("the two sides of '{}' are not of one size", line), "pair as many bits of OLD as of NEW");
+      continue;
+    }
+    lines.push_back({number, left->first, right->first, left->count});
+  }
+  return lines;
+}
+
+}  // namespace rungproof

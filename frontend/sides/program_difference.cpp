@@ -1,0 +1,120 @@
+// Matches networks, follows their influence, asks for equality.
+#include "frontend/sides/program_difference.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/influence.hpp"
+#include "engine/trace.hpp"
+
+namespace rungproof {
+
+namespace {
+
+std::string nameWithSymbol(const Program& program, const Operand& operand) {
+  const Symbol* symbol = program.symbolOf(operand);
+  return symbol == nullptr ? toString(operand) : fmt::format("{} ({})", toString(operand), symbol->name);
+}
+
+/// What one program's networks can influence, in the addresses of OLD where there is one.
+class Reach {
+ public:
+  Reach(const Program& program, const AddressPairs& pairs, bool isOld)
+      : program_(program), facts_(program), signals_(touchedSignals(program)), pairs_(pairs), isOld_(isOld) {}
+
+  void add(NetworkChange& change, const NetworkRef& network, const std::vector<ObservedVerdict>& verdicts) const {
+    Influence influence(facts_);
+    influence.addNetwork({static_cast<std::uint32_t>(network.pou), static_cast<std::uint32_t>(network.network)}, 1);
+    influence.spread();
+    change.isEverything = change.isEverything || influence.everything() != Influence::none;
+    for (const TraceSignal& signal : signals_) {
+      const Operand& o = signal.operand;
+      const bool isOutput = o.area == Area::Q || o.area == Area::AQ;
+      if (o.area == Area::I || o.area == Area::AI || o.area == Area::SM) continue;
+      if (!isOutput) {
+        if (isInfluenced(influence, o, 1)) addMemory(change, nameWithSymbol(program_, o));
+        continue;
+      }
+      for (std::uint32_t i = 0; i < extentOf(o); ++i) {
+        const Address own{o.area, addressOf(o).index + i};
+        const Operand bit = direct(own.area, Width::Bit, own.index / 8, own.index % 8);
+        if (isInfluenced(influence, bit, 1)) addOutput(change, own, bit, verdicts);
+      }
+    }
+  }
+
+ private:
+  static bool isInfluenced(const Influence& influence, const Operand& o, std::uint32_t elements) {
+    return influence.causeAt(rowOf(o.area, o.width, o.offset, o.bit, elements)) != Influence::none;
+  }
+  static void addMemory(NetworkChange& change, const std::string& name) {
+    if (std::ranges::find(change.memory, name) == change.memory.end()) change.memory.push_back(name);
+  }
+  void addOutput(NetworkChange& change, const Address& own, const Operand& bit, const std::vector<ObservedVerdict>& verdicts) const {
+    const std::optional<Address> there = isOld_ ? own : pairs_.before(own);
+    const Operand observed = there ? direct(there->area, Width::Bit, there->index / 8, there->index % 8) : bit;
+    const auto verdict = std::ranges::find(verdicts, toString(observed), &ObservedVerdict::name);
+    const std::string name = nameWithSymbol(program_, bit);
+    if (verdict != verdicts.end() && std::ranges::find(change.outputs, name, &InfluencedOutput::name) == change.outputs.end())
+      change.outputs.push_back({name, verdict->equality});
+  }
+
+  const Program& program_;
+  const Facts facts_;
+  const std::vector<TraceSignal> signals_;
+  const AddressPairs& pairs_;
+  const bool isOld_;
+};
+
+/// The properties that OLD declares, read for NEW: addresses and symbols are NEW's.
+PropertySet declaredFor(const Program& declaring, Program& program) {
+  PropertySet set;
+  for (const Directive& directive : declaring.directives) {
+    const std::uint32_t file = program.sources->add("declared in OLD", directive.text);
+    std::vector<Finding> mistakes;  // a property that NEW's symbols do not explain is one that changed
+    readPropertyText(file, directive.text, 0, lookupIn(program), set, mistakes, &program.target);
+  }
+  return set;
+}
+
+std::vector<VerdictChange> changedVerdicts(const Sides& sides, const ProverOptions& options) {
+  std::vector<VerdictChange> changes;
+  Program before = *sides.runBefore, after = *sides.runAfter;
+  const PropertySet ofBefore = declaredFor(before, before), ofAfter = declaredFor(before, after);
+  if (std::ranges::none_of(ofBefore.properties, [](const Property& p) { return p.isGoal(); })) return changes;
+  const ProofRun then = prove(before, ofBefore, options), now = prove(after, ofAfter, options);
+  for (const ProofResult& result : then.results) {
+    const auto same = std::ranges::find_if(now.results, [&](const ProofResult& r) { return r.property.name == result.property.name; });
+    const std::string was = verdictText(result.outcome, result.depth);
+    const std::string is = same == now.results.end() ? "cannot be read" : verdictText(same->outcome, same->depth);
+    if (same == now.results.end() || same->outcome != result.outcome) changes.push_back({result.property.name, was, is});
+  }
+  return changes;
+}
+
+}  // namespace
+
+std::size_t ProgramDifference::countOf(Equality equality) const {
+  return static_cast<std::size_t>(std::ranges::count(equivalence.outputs, equality, &ObservedVerdict::equality));
+}
+
+ProgramDifference differenceOf(const Sides& sides, const EquivalenceOptions& given) {
+  ProgramDifference difference;
+  EquivalenceOptions options = given;
+  options.everyOutput = true;
+  const ProgramMatch match = matchPrograms(*sides.runBefore, *sides.runAfter, sides.pairs);
+  difference.equivalence = compareBehaviour(sides.oldSide(), sides.newSide(), options);
+  const Reach ofBefore(*sides.runBefore, sides.pairs, true), ofAfter(*sides.runAfter, sides.pairs, false);
+  for (const NetworkPair& pair : match.networks) {
+    if (pair.isSame) continue;
+    NetworkChange& change = difference.changes.emplace_back();
+    change.networks = pair;
+    if (pair.before) ofBefore.add(change, *pair.before, difference.equivalence.outputs);
+    if (pair.after) ofAfter.add(change, *pair.after, difference.equivalence.outputs);
+  }
+  difference.verdicts = changedVerdicts(sides, options.prover);
+  return difference;
+}
+
+}  // namespace rungproof

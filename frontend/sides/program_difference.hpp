@@ -1,0 +1,41 @@
+// What a change has changed: the networks that do something else, what each can influence, which outputs can differ
+// because of it, and which declared properties have another verdict. Tested by tests/equivalence.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/equivalence/equivalence.hpp"
+#include "frontend/sides/sides.hpp"
+
+namespace rungproof {
+
+/// An output that a change can influence, with what is proved of it.
+struct InfluencedOutput {
+  std::string name;  ///< "Q0.1 (Pump)"
+  Equality equality = Equality::Unknown;
+};
+
+struct NetworkChange {
+  NetworkPair networks;
+  std::vector<InfluencedOutput> outputs;
+  std::vector<std::string> memory;  ///< places that it can influence beside them
+  bool isEverything = false;        ///< it can influence more than is listed
+};
+
+/// A property of OLD whose verdict is another one in NEW.
+struct VerdictChange {
+  std::string name;
+  std::string before, after;
+};
+
+struct ProgramDifference {
+  std::vector<NetworkChange> changes;
+  std::vector<VerdictChange> verdicts;
+  Equivalence equivalence;  ///< every observed output has its verdict
+  std::size_t countOf(Equality equality) const;
+};
+
+ProgramDifference differenceOf(const Sides& sides, const EquivalenceOptions& options);
+
+}  // namespace rungproof

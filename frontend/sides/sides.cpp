@@ -1,0 +1,157 @@
+// From arguments to two programs.
+#include "frontend/sides/sides.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/access_index.hpp"
+#include "engine/trace.hpp"
+#include "frontend/run/trace_file.hpp"
+#include "frontend/sides/map_file.hpp"
+
+namespace rungproof {
+
+namespace {
+
+constexpr std::string_view oldPrefix = "old:", newPrefix = "new:";
+
+bool overlaps(const TraceSignal& signal, const Address& first, std::uint32_t count) {
+  const Address own = addressOf(signal.operand);
+  return own.area == first.area && own.index < first.index + count && first.index < own.index + extentOf(signal.operand);
+}
+bool isUsed(const std::vector<TraceSignal>& signals, const Address& first, std::uint32_t count) {
+  return std::ranges::any_of(signals, [&](const TraceSignal& signal) { return overlaps(signal, first, count); });
+}
+
+void readPairs(const Context& context, const std::string& name, Sides& sides, std::vector<Failure>& failures) {
+  const std::optional<std::string> text = readFile(context, name, failures);
+  if (!text) return;
+  const std::vector<TraceSignal> before = touchedSignals(sides.before.program), after = touchedSignals(sides.after.program);
+  for (const MapLine& line : readMap(name, *text, lookupIn(sides.before.program), lookupIn(sides.after.program), failures)) {
+    const std::string place = fmt::format("{}:{}", name, line.line);
+    if (!isUsed(before, line.before, line.count) && !isUsed(after, line.after, line.count))
+      failures.push_back({"neither program uses what this line pairs", place, "remove the line, or mend the addresses"});
+    else if (!sides.pairs.add(line.before, line.after, line.count))
+      failures.push_back({"an address of this line has a partner already", place, "pair each address once"});
+  }
+}
+
+/// Lines of a property file for one side, by the prefixes in them: a line that names the other side becomes empty, and
+/// the own prefix becomes blank, so that places stay what they are.
+std::string linesFor(std::string text, std::string_view own, std::string_view other) {
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    std::size_t stop = std::min(text.find('#', begin), end);
+    bool namesOther = false;
+    for (std::size_t i = begin; i < stop; ++i) {
+      const bool isStart = i == begin || (std::isalnum(static_cast<unsigned char>(text[i - 1])) == 0 && text[i - 1] != '_');
+      if (isStart && text.compare(i, other.size(), other) == 0) namesOther = true;
+      if (isStart && text.compare(i, own.size(), own) == 0) std::fill_n(text.begin() + static_cast<std::ptrdiff_t>(i), own.size(), ' ');
+    }
+    if (namesOther) std::fill(text.begin() + static_cast<std::ptrdiff_t>(begin), text.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+    begin = end + 1;
+  }
+  return text;
+}
+
+/// The lines that name both sides; the others become empty.
+std::string linesForBoth(std::string text) {
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string_view line = std::string_view(text).substr(begin, end - begin);
+    const bool namesBoth = line.find(oldSidePrefix) != std::string_view::npos && line.find(newSidePrefix) != std::string_view::npos;
+    if (!namesBoth) std::fill(text.begin() + static_cast<std::ptrdiff_t>(begin), text.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+    begin = end + 1;
+  }
+  return text;
+}
+
+void readPairAssumptions(Sides& sides, const std::string& name, const std::string& text) {
+  const std::uint32_t file = sides.before.program.sources->add(name, linesForBoth(text));
+  const OperandLookup ofOld = lookupIn(sides.before.program), ofNew = lookupIn(sides.after.program);
+  const auto lookup = [&](std::string_view word) -> std::optional<Operand> {
+    if (word.starts_with(oldSidePrefix)) return ofOld(word.substr(oldSidePrefix.size()));
+    if (!word.starts_with(newSidePrefix)) return ofOld(word);
+    std::optional<Operand> operand = ofNew(word.substr(newSidePrefix.size()));
+    if (operand) operand->text = std::string(word);
+    return operand;
+  };
+  PropertySet set;
+  readPropertyText(file, sides.before.program.sources->file(file).text(), 0, lookup, set, sides.before.program.findings);
+  for (Property& property : set.properties) {
+    if (!property.isGoal()) sides.assumptions.push_back(std::move(property));
+  }
+}
+
+ProgramInput readSide(const Settings& settings, const std::vector<std::string>& files) {
+  ProgramInput input;
+  input.program = readProgram(files, readOptionsOf(settings));
+  input.properties = readProperties(input.program, {}, lookupIn(input.program));
+  return input;
+}
+
+void addProperties(ProgramInput& input, const std::string& name, const std::string& text) {
+  const std::uint32_t file = input.program.sources->add(name, text);
+  readPropertyText(file, input.program.sources->file(file).text(), 0, lookupIn(input.program), input.properties,
+                   input.program.findings, &input.program.target);
+}
+
+/// What constrains runs; what is to be proved of one program is no part of a comparison.
+void keepAssumptions(PropertySet& set) {
+  std::erase_if(set.properties, [](const Property& property) { return property.isGoal(); });
+}
+
+}  // namespace
+
+void SideArguments::declare(ArgumentTable& table) {
+  table.argument("OLD", before, "a program: a file or a folder");
+  table.argument("NEW", after, "the program that it is compared with");
+  table.option("--with", with, "SIDE:FILE", "one more file of a side, as old:symbols.sdf; may be repeated");
+  table.option("--map", map, "FILE", "addresses that stand for each other: OLD-address = NEW-address, one pair a line");
+  table.list("--observe", observed, "ADDRESS", "compare these addresses of OLD instead of all outputs");
+  table.option("--props", properties, "FILE", "property file whose assumptions hold; old. and new. before an address name a side");
+}
+
+Sides readSides(const Context& context, const SideArguments& arguments, std::vector<Failure>& failures) {
+  Sides sides;
+  sides.filesBefore = expandFolders({arguments.before});
+  sides.filesAfter = expandFolders({arguments.after});
+  for (const std::string& text : arguments.with) {
+    if (text.starts_with(oldPrefix))
+      sides.filesBefore.push_back(text.substr(oldPrefix.size()));
+    else if (text.starts_with(newPrefix))
+      sides.filesAfter.push_back(text.substr(newPrefix.size()));
+    else
+      failures.push_back({fmt::format("--with {} names no side", text), {}, "write --with old:FILE or --with new:FILE"});
+  }
+  sides.before = readSide(context.side(ProgramSide::Old), sides.filesBefore);
+  sides.after = readSide(context.side(ProgramSide::New), sides.filesAfter);
+  for (const std::string& name : arguments.properties) {
+    const std::optional<std::string> text = readFile(context, name, failures);
+    if (!text) continue;
+    addProperties(sides.before, name, linesFor(*text, oldSidePrefix, newSidePrefix));
+    addProperties(sides.after, name, linesFor(*text, newSidePrefix, oldSidePrefix));
+    readPairAssumptions(sides, name, *text);
+  }
+  keepAssumptions(sides.before.properties);
+  keepAssumptions(sides.after.properties);
+  if (!arguments.map.empty()) readPairs(context, arguments.map, sides, failures);
+  for (const std::string& text : arguments.observed) {
+    const auto operand = lookupIn(sides.before.program)(text);
+    if (operand)
+      sides.observed.push_back(*operand);
+    else
+      failures.push_back({fmt::format("--observe: '{}' is neither an address nor a symbol of OLD", text), {}, {}});
+  }
+  sides.unreadBefore = std::make_unique<UnreadCode>(sides.before.program);
+  sides.unreadAfter = std::make_unique<UnreadCode>(sides.after.program);
+  const auto whatRuns = [](const Program& program, const UnreadCode& unread) {
+    return std::make_unique<Program>(unread.isWhole() ? program : unread.executable());
+  };
+  sides.runBefore = whatRuns(sides.before.program, *sides.unreadBefore);
+  sides.runAfter = whatRuns(sides.after.program, *sides.unreadAfter);
+  return sides;
+}
+
+}  // namespace rungproof

@@ -1,0 +1,48 @@
+// Networks and instructions that stand for each other.
+#include <algorithm>
+
+#include "tests/equivalence/pair.hpp"
+
+namespace rungproof::test {
+
+namespace {
+
+Program readLine(const std::string& text) { return pairSide("p.awl", exportOf(text), "").program; }
+
+}  // namespace
+
+TEST(NetworkMatch, EqualNetworksAreFoundWhereverTheyStand) {
+  const Program before = readLine("LD I0.0;= Q0.0|LD I0.1;= Q0.1"), after = readLine("LD I0.1;= Q0.1|LD I0.0;= Q0.0");
+  const ProgramMatch match = matchPrograms(before, after);
+  ASSERT_EQ(match.networks.size(), 2U);
+  for (const NetworkPair& pair : match.networks) EXPECT_TRUE(pair.isSame);
+  EXPECT_EQ(match.networks[0].before->network, 1U);
+  EXPECT_EQ(match.beforeOf, (std::vector<std::uint32_t>{2, 3, 0, 1}));
+}
+
+TEST(NetworkMatch, AChangedNetworkKeepsTheInstructionsThatStayed) {
+  const Program before = readLine("LD I0.0;A I0.1;= Q0.0"), after = readLine("LD I0.0;AN I0.2;A I0.1;= Q0.0");
+  const ProgramMatch match = matchPrograms(before, after);
+  ASSERT_EQ(match.networks.size(), 1U);
+  EXPECT_FALSE(match.networks[0].isSame);
+  EXPECT_TRUE(match.networks[0].before && match.networks[0].after);
+  EXPECT_EQ(match.beforeOf, (std::vector<std::uint32_t>{0, noPartner, 1, 2}));
+}
+
+TEST(NetworkMatch, AddedAndRemovedNetworksHaveOneSide) {
+  const Program before = readLine("LD I0.0;= Q0.0|LD I1.5;MOVW 7,VW0"), after = readLine("LD I0.0;= Q0.0|LDN M3.3;S Q1.0,1");
+  const ProgramMatch match = matchPrograms(before, after);
+  EXPECT_EQ(std::ranges::count_if(match.networks, [](const NetworkPair& p) { return p.isSame; }), 1);
+  EXPECT_EQ(std::ranges::count_if(match.networks, [](const NetworkPair& p) { return !p.before; }), 1);
+  EXPECT_EQ(std::ranges::count_if(match.networks, [](const NetworkPair& p) { return !p.after; }), 1);
+}
+
+TEST(NetworkMatch, TheMapTranslatesAddresses) {
+  AddressPairs pairs;
+  ASSERT_TRUE(pairs.add({Area::I, 0}, {Area::I, 8}, 1));
+  const ProgramMatch match = matchPrograms(readLine("LD I0.0;= Q0.0"), readLine("LD I1.0;= Q0.0"), pairs);
+  ASSERT_EQ(match.networks.size(), 1U);
+  EXPECT_TRUE(match.networks[0].isSame);
+}
+
+}  // namespace rungproof::test
