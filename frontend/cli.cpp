@@ -142,7 +142,8 @@ int runCommand(const Command& command, std::vector<std::string> arguments, const
   if (command.comparesTwo) {
     sides = {settings, settings};
     for (const std::size_t i : {0U, 1U}) {
-      if (auto failure = readCommandLine(line, sides[i], true, i == 0 ? "old:" : "new:")) return failed(streams.err, *failure);
+      if (auto failure = readCommandLine(line, sides[i], true, i == 0 ? "old:" : "new:"))
+        return failed(streams.err, *failure);
       if (auto failure = sides[i].check()) return failed(streams.err, *failure);
     }
   }

@@ -119,14 +119,17 @@ struct CircuitStretch {
   std::uint64_t to;
 };
 
-bool overlap(const CircuitStretch& a, const CircuitStretch& b) { return a.area == b.area && a.from < b.to && b.from < a.to; }
+bool overlap(const CircuitStretch& a, const CircuitStretch& b) {
+  return a.area == b.area && a.from < b.to && b.from < a.to;
+}
 
 /// Where an operand of that type lies; nothing for constants. Only for direct operands.
 std::optional<CircuitStretch> stretchOf(const Operand& operand, Type type, std::uint64_t elements) {
   if (operand.kind != OperandKind::Direct) return std::nullopt;
   const bool byNumber =
       operand.area == Area::T || operand.area == Area::C || operand.area == Area::AC || operand.area == Area::HC;
-  if (byNumber) return CircuitStretch{operand.area, operand.offset, operand.offset + (type == Type::Bool ? elements : 1)};
+  if (byNumber)
+    return CircuitStretch{operand.area, operand.offset, operand.offset + (type == Type::Bool ? elements : 1)};
   if (type == Type::Bool) {
     const std::uint64_t first = operand.offset * 8ULL + operand.bit;
     return CircuitStretch{operand.area, first, first + elements};

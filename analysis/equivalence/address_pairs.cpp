@@ -23,7 +23,9 @@ std::uint32_t extentOf(const Operand& operand) {
 }
 
 bool AddressPairs::add(Address before, Address after, std::uint32_t count) {
-  const auto meet = [](Address a, std::uint32_t m, Address b, std::uint32_t n) { return covers(a, m, b) || covers(b, n, a); };
+  const auto meet = [](Address a, std::uint32_t m, Address b, std::uint32_t n) {
+    return covers(a, m, b) || covers(b, n, a);
+  };
   const bool isTaken = std::ranges::any_of(runs_, [&](const Run& run) {
     return meet(run.before, run.count, before, count) || meet(run.after, run.count, after, count);
   });
@@ -34,18 +36,22 @@ bool AddressPairs::add(Address before, Address after, std::uint32_t count) {
 
 std::optional<Address> AddressPairs::before(Address after) const {
   for (const Run& run : runs_) {
-    if (covers(run.after, run.count, after)) return Address{run.before.area, run.before.index + (after.index - run.after.index)};
+    if (covers(run.after, run.count, after))
+      return Address{run.before.area, run.before.index + (after.index - run.after.index)};
   }
-  const bool isGivenAway = std::ranges::any_of(runs_, [&](const Run& run) { return covers(run.before, run.count, after); });
+  const bool isGivenAway =
+      std::ranges::any_of(runs_, [&](const Run& run) { return covers(run.before, run.count, after); });
   if (isGivenAway) return std::nullopt;
   return after;
 }
 
 std::optional<Address> AddressPairs::after(Address before) const {
   for (const Run& run : runs_) {
-    if (covers(run.before, run.count, before)) return Address{run.after.area, run.after.index + (before.index - run.before.index)};
+    if (covers(run.before, run.count, before))
+      return Address{run.after.area, run.after.index + (before.index - run.before.index)};
   }
-  const bool isGivenAway = std::ranges::any_of(runs_, [&](const Run& run) { return covers(run.after, run.count, before); });
+  const bool isGivenAway =
+      std::ranges::any_of(runs_, [&](const Run& run) { return covers(run.after, run.count, before); });
   if (isGivenAway) return std::nullopt;
   return before;
 }

@@ -11,8 +11,8 @@
 
 namespace rungproof {
 
-/// One thing that a program can read or write: a bit of memory counted byte * 8 + bit, or the number of a timer, counter,
-/// accumulator, fast counter or analog word.
+/// One thing that a program can read or write: a bit of memory counted byte * 8 + bit, or the number of a timer,
+/// counter, accumulator, fast counter or analog word.
 struct Address {
   Area area = Area::V;
   std::uint32_t index = 0;

@@ -1,5 +1,5 @@
-// A run of two programs on the reference engine, and the first scan at whose end an observed output differs: the judge of
-// every difference that a solver finds. Tested by tests/equivalence.
+// A run of two programs on the reference engine, and the first scan at whose end an observed output differs: the judge
+// of every difference that a solver finds. Tested by tests/equivalence.
 #pragma once
 
 #include "analysis/equivalence/equivalence.hpp"

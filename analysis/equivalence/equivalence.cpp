@@ -19,11 +19,11 @@ namespace rungproof {
 
 namespace {
 
-constexpr double pairSeconds = 2;      ///< for a pair of states that is not settled at once
-constexpr double outputSeconds = 1;    ///< for all outputs, whatever NEW's own memory is
-constexpr int shallowScans = 10;       ///< of a run that is searched for first
-constexpr int longScans = 12;          ///< of a run in which time passes in long scans
-constexpr double searchSeconds = 3;    ///< for each of these searches
+constexpr double pairSeconds = 2;    ///< for a pair of states that is not settled at once
+constexpr double outputSeconds = 1;  ///< for all outputs, whatever NEW's own memory is
+constexpr int shallowScans = 10;     ///< of a run that is searched for first
+constexpr int longScans = 12;        ///< of a run in which time passes in long scans
+constexpr double searchSeconds = 3;  ///< for each of these searches
 
 class ProgramComparison {
  public:
@@ -98,16 +98,20 @@ class ProgramComparison {
     }
     for (const Property& assumption : options_.assumptions) result_.assumptions.push_back(assumption.text);
     for (const Side* side : {&before_, &after_}) {
-      const bool hasRoutines = std::ranges::any_of(side->program->pous, [](const Pou& pou) { return pou.kind == PouKind::Interrupt; });
+      const bool hasRoutines =
+          std::ranges::any_of(side->program->pous, [](const Pou& pou) { return pou.kind == PouKind::Interrupt; });
       if (!hasRoutines) continue;
-      result_.assumptions.push_back(options_.interruptsInside ? "interrupts come anywhere in a scan" : "interrupts come between scans");
+      result_.assumptions.push_back(options_.interruptsInside ? "interrupts come anywhere in a scan"
+                                                              : "interrupts come between scans");
       break;
     }
     if (options_.steadyInputs) result_.assumptions.push_back("physical inputs are steady for the whole scan");
     if (options_.latency > 0)
-      result_.assumptions.push_back(fmt::format("NEW in scan k + {0} is compared with OLD in scan k", options_.latency));
+      result_.assumptions.push_back(
+          fmt::format("NEW in scan k + {0} is compared with OLD in scan k", options_.latency));
     if (options_.settleMs > 0)
-      result_.assumptions.push_back(fmt::format("outputs may differ for less than {} ms without a break", options_.settleMs));
+      result_.assumptions.push_back(
+          fmt::format("outputs may differ for less than {} ms without a break", options_.settleMs));
   }
 
   /// Finds the states of NEW that always hold what their partners hold, whatever NEW's other states are.
@@ -167,7 +171,8 @@ class ProgramComparison {
   void compareOutputs(ProgramProduct& product) {
     const JoinedSystem once = product.merged(isMerged_, true);
     std::vector<Question> questions = questionsOf(once);
-    for (const ObservedBit& bit : once.observed) result_.outputs.push_back({bit.name, Equality::Unknown, bit.before, bit.after});
+    for (const ObservedBit& bit : once.observed)
+      result_.outputs.push_back({bit.name, Equality::Unknown, bit.before, bit.after});
     result_.outputs.push_back({"RUN", Equality::Unknown, {}, {}});
     std::vector<std::size_t> open;
     const Graph& graph = *once.system.graph;
@@ -286,7 +291,8 @@ class ProgramComparison {
       if (i < merged.observed.size()) wanted.push_back(merged.observed[i]);
     }
     const bool comparesStops = std::ranges::find(open, merged.observed.size()) != open.end();
-    const auto shown = BothRuns{*before_.program, *after_.program, options_, wanted, comparesStops}.judged(std::move(run));
+    const auto shown =
+        BothRuns{*before_.program, *after_.program, options_, wanted, comparesStops}.judged(std::move(run));
     if (!shown) return false;
     for (ObservedVerdict& output : result_.outputs) {
       if (output.name == shown->signal) output.equality = Equality::Different;
@@ -302,7 +308,11 @@ class ProgramComparison {
       for (const std::string& text : approximationTexts(*side->program, *obligations)) reasons.push_back(text);
     }
     if (reasons.empty() && !answer.usesFreeReals) {
-      result_.disagreements.push_back({name, fmt::format("the solver's run of {} scans shows a difference that the engine does not repeat", answer.depth + 1), {}});
+      result_.disagreements.push_back(
+          {name,
+           fmt::format("the solver's run of {} scans shows a difference that the engine does not repeat",
+                       answer.depth + 1),
+           {}});
       return;
     }
     for (const std::string& text : reasons) note(name + " may depend on what is not modelled exactly: " + text);

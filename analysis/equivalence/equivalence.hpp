@@ -1,9 +1,9 @@
 // Do two programs drive the same outputs, for every sequence of inputs and scan times? First it is found out which
 // memory of NEW always holds what OLD's holds: pairs of states are assumed equal at the start of a scan, and those that
-// the scan does not keep equal are dropped until nothing changes (van Eijk's correspondence). What is left is usually one
-// scan without memory of its own; where it is not, both programs run side by side and the portfolio decides each output.
-// A difference counts once the reference engine has shown it on both programs.
-// Tested by tests/equivalence and tests/cli.
+// the scan does not keep equal are dropped until nothing changes (van Eijk's correspondence). What is left is usually
+// one scan without memory of its own; where it is not, both programs run side by side and the portfolio decides each
+// output. A difference counts once the reference engine has shown it on both programs. Tested by tests/equivalence and
+// tests/cli.
 #pragma once
 
 #include <string>
@@ -26,7 +26,7 @@ struct EquivalenceOptions {
   std::uint32_t latency = 0;
   std::uint32_t settleMs = 0;
   bool interruptsInside = false;  ///< events come anywhere in a scan; otherwise between scans
-  bool everyOutput = false;  ///< goes on after the first difference until each output has its verdict
+  bool everyOutput = false;       ///< goes on after the first difference until each output has its verdict
 };
 
 /// A run that ends with a difference, as the reference engine has made it on both programs.

@@ -21,7 +21,9 @@ struct Shape {
 };
 
 std::string blockName(const Pou& pou) {
-  return (pou.kind == PouKind::Main ? "MAIN" : pou.kind == PouKind::Subroutine ? "SBR" : "INT") +
+  return (pou.kind == PouKind::Main         ? "MAIN"
+          : pou.kind == PouKind::Subroutine ? "SBR"
+                                            : "INT") +
          std::to_string(pou.kind == PouKind::Main ? 0 : pou.number);
 }
 
@@ -106,9 +108,9 @@ class Matcher {
   void pair(std::size_t i, std::size_t j) {
     old_[i].isPaired = new_[j].isPaired = true;
     partner_[j] = i;
-    for (const auto& [a, b] : commonSubsequence(old_[i].lines.size(), new_[j].lines.size(), [&](std::size_t a, std::size_t b) {
-           return old_[i].lines[a] == new_[j].lines[b];
-         }))
+    for (const auto& [a, b] :
+         commonSubsequence(old_[i].lines.size(), new_[j].lines.size(),
+                           [&](std::size_t a, std::size_t b) { return old_[i].lines[a] == new_[j].lines[b]; }))
       result_.beforeOf[new_[j].ids[b]] = old_[i].ids[a];
   }
 
@@ -119,9 +121,10 @@ class Matcher {
       std::size_t most = 0, found = old_.size();
       for (std::size_t i = 0; i < old_.size(); ++i) {
         if (old_[i].isPaired || blockName(before_.pous[old_[i].where.pou]) != blockName(after_.pous[pou])) continue;
-        const std::size_t common = commonSubsequence(old_[i].lines.size(), new_[j].lines.size(), [&](std::size_t a, std::size_t b) {
-                                     return old_[i].lines[a] == new_[j].lines[b];
-                                   }).size();
+        const std::size_t common =
+            commonSubsequence(old_[i].lines.size(), new_[j].lines.size(), [&](std::size_t a, std::size_t b) {
+              return old_[i].lines[a] == new_[j].lines[b];
+            }).size();
         if (2 * common >= std::min(old_[i].lines.size(), new_[j].lines.size()) && common > most) {
           most = common;
           found = i;
@@ -141,7 +144,8 @@ class Matcher {
         removedBehind[last].push_back(i);
     }
     const auto addRemoved = [&](std::size_t behind) {
-      for (const std::size_t i : removedBehind[behind]) result_.networks.push_back({old_[i].where, std::nullopt, false});
+      for (const std::size_t i : removedBehind[behind])
+        result_.networks.push_back({old_[i].where, std::nullopt, false});
     };
     addRemoved(0);
     for (std::size_t j = 0; j < new_.size(); ++j) {

@@ -54,7 +54,8 @@ void observe(EncoderOptions& options, const Program& program, const AddressPairs
     for (const Network& network : pou.networks) {
       for (const Instruction& instruction : network.instructions) {
         for (const Operand& operand : instruction.operands) {
-          const bool isShaping = operand.kind == OperandKind::Direct && !isByNumber(operand.area) && operand.area != Area::L;
+          const bool isShaping =
+              operand.kind == OperandKind::Direct && !isByNumber(operand.area) && operand.area != Area::L;
           if (!isShaping) continue;
           const std::optional<Operand> there = pairs == nullptr ? operand : pairs->before(operand);
           if (there) options.observed.push_back(*there);
@@ -85,7 +86,8 @@ ProgramProduct::ProgramProduct(const Side& before, const Side& after, const Prog
   for (const Property& assumption : options_.assumptions) {
     for (const Expr* expr : {&assumption.first, &assumption.second}) {
       for (const ExprNode& n : expr->nodes) {
-        if (n.op == ExprOp::Address) assumedLeaf(nullptr, n.operand, n.type == ExprType::Truth ? 1 : numberBits(n.operand));
+        if (n.op == ExprOp::Address)
+          assumedLeaf(nullptr, n.operand, n.type == ExprType::Truth ? 1 : numberBits(n.operand));
       }
     }
   }
@@ -176,8 +178,7 @@ Node ProgramProduct::oldValue(const Place& place, bool atEnd) {
   }
   const Place first = bitPlace(bits.front());
   bool isTogether = true;
-  for (std::uint32_t i = 1; i < place.width; ++i)
-    isTogether = isTogether && bits[i] == bitOf(first, i);
+  for (std::uint32_t i = 1; i < place.width; ++i) isTogether = isTogether && bits[i] == bitOf(first, i);
   if (isTogether) {
     const Node whole = at({false, first.area, {}, first.at, place.width});
     if (whole != noNode) return whole;
@@ -228,7 +229,8 @@ void ProgramProduct::findPartners() {
     const StateVariable& state = newSystem_.states[i];
     if (places.contains(state.node)) continue;
     const auto same = byName.find(nameIn(newSystem_, state));  // what waits in queues, cells of assumptions
-    const bool isAlike = same != byName.end() && (*oldSystem_.graph)[same->second->node].width == (*newSystem_.graph)[state.node].width;
+    const bool isAlike =
+        same != byName.end() && (*oldSystem_.graph)[same->second->node].width == (*newSystem_.graph)[state.node].width;
     if (isAlike) partners_[i] = {same->second->node, same->second->next};
   }
   const std::vector<StateVariable>& oldTime = old_.encoding().time().states();
@@ -276,7 +278,8 @@ void ProgramProduct::replaceCells(SideCopy& copy) {
   for (const auto& [name, node] : new_.encoding().deviceInputs()) {
     const auto& own = old_.encoding().deviceInputs();
     const auto same = own.find(name);
-    if (same != own.end() && old_.encoding().graph()[same->second].width == new_.encoding().graph()[node].width) copy.replace(node, same->second);
+    if (same != own.end() && old_.encoding().graph()[same->second].width == new_.encoding().graph()[node].width)
+      copy.replace(node, same->second);
   }
   for (const auto& [word, node] : new_.encoding().analogInputs()) {
     const auto before = options_.pairs.before(Address{Area::AI, word});
@@ -310,7 +313,8 @@ void ProgramProduct::replaceExternals(SideCopy& copy) {
     const std::uint32_t instruction = match_.beforeOf[e.site.instruction];
     if (instruction == noPartner) continue;
     const auto found = known.find({e.site.kind, index, instruction});
-    if (found != known.end() && k < found->second.size() && found->second[k] != noNode) copy.replace(e.node, found->second[k]);
+    if (found != known.end() && k < found->second.size() && found->second[k] != noNode)
+      copy.replace(e.node, found->second[k]);
   }
 }
 
@@ -366,7 +370,8 @@ JoinedSystem ProgramProduct::merged(const std::vector<bool>& isMerged, bool isOn
   }
   for (const Node constraint : newSystem_.constraints) {
     const Node copied = copy(constraint);
-    if (graph.truth({copied}) != true && std::ranges::find(result.system.constraints, copied) == result.system.constraints.end())
+    if (graph.truth({copied}) != true &&
+        std::ranges::find(result.system.constraints, copied) == result.system.constraints.end())
       result.system.constraints.push_back(copied);  // not a total one: its inputs now serve two programs
   }
   if (options_.steadyInputs) holdInputs(result);
@@ -374,7 +379,8 @@ JoinedSystem ProgramProduct::merged(const std::vector<bool>& isMerged, bool isOn
   compareOutputs(result);
   result.stopDiffers = differ(oldRuns_, copy(newRuns_));
   for (const Node input : copy.newInputs()) {
-    if (std::ranges::find(result.system.inputs, input) == result.system.inputs.end()) result.system.inputs.push_back(input);
+    if (std::ranges::find(result.system.inputs, input) == result.system.inputs.end())
+      result.system.inputs.push_back(input);
   }
   return result;
 }
@@ -457,7 +463,8 @@ Node ProgramProduct::settled(JoinedSystem& result, Node differs, const std::stri
   const Node now = graph.make(Op::Ite, w, before, sum, graph.constantNode(0, w));
   const Node cut = graph.make(Op::Ite, w, graph.make(Op::Ult, 1, most, now), most, now);
   result.system.states.push_back({before, graph.constantNode(0, 1), differs});
-  result.system.states.push_back({lasted, graph.constantNode(0, w), graph.make(Op::Ite, w, differs, cut, graph.constantNode(0, w))});
+  result.system.states.push_back(
+      {lasted, graph.constantNode(0, w), graph.make(Op::Ite, w, differs, cut, graph.constantNode(0, w))});
   result.timeStates.push_back(lasted);
   return graph.land({differs}, {graph.make(Op::Ule, 1, most, now)}).node;
 }

@@ -37,9 +37,9 @@ struct ProductOptions {
   std::vector<Operand> observed;  ///< addresses of OLD; empty: all outputs that either can write
   /// Assumptions that speak of both programs; an operand of NEW has a text that begins with newSidePrefix.
   std::vector<Property> assumptions;
-  bool steadyInputs = false;      ///< an immediate read gives what the image has
-  std::uint32_t latency = 0;      ///< NEW's outputs come so many scans later
-  std::uint32_t settleMs = 0;     ///< a pair of outputs may differ for less than that without a break
+  bool steadyInputs = false;   ///< an immediate read gives what the image has
+  std::uint32_t latency = 0;   ///< NEW's outputs come so many scans later
+  std::uint32_t settleMs = 0;  ///< a pair of outputs may differ for less than that without a break
 };
 
 /// An output bit, and whether the two programs leave it different at the end of the scan (settling and latency
@@ -52,12 +52,12 @@ struct ObservedBit {
 
 /// The two programs with some of NEW's states merged into OLD's.
 struct JoinedSystem {
-  TransitionSystem system;          ///< without questions
+  TransitionSystem system;  ///< without questions
   std::vector<ObservedBit> observed;
-  Node stopDiffers = noNode;        ///< one program is stopped at the end of the scan, the other is not
-  std::vector<Node> nextDiffers;    ///< by state of NEW: a merged one gets another value than OLD's; else noNode
-  std::vector<Node> timeStates;     ///< they only measure time
-  std::shared_ptr<SideCopy> copy;   ///< of NEW into the system's graph
+  Node stopDiffers = noNode;       ///< one program is stopped at the end of the scan, the other is not
+  std::vector<Node> nextDiffers;   ///< by state of NEW: a merged one gets another value than OLD's; else noNode
+  std::vector<Node> timeStates;    ///< they only measure time
+  std::shared_ptr<SideCopy> copy;  ///< of NEW into the system's graph
 };
 
 class ProgramProduct {
@@ -68,8 +68,8 @@ class ProgramProduct {
   std::size_t newStateCount() const { return newSystem_.states.size(); }
   /// Whether the state of NEW stands for something of OLD and starts as that does.
   bool isMergeable(std::size_t newState) const { return partners_[newState].start != noNode; }
-  /// `isMerged`: by state of NEW; others than mergeable ones do not count. `isOneScan`: NEW's other states have any value
-  /// at the start of each scan, which shows what holds whatever they are.
+  /// `isMerged`: by state of NEW; others than mergeable ones do not count. `isOneScan`: NEW's other states have any
+  /// value at the start of each scan, which shows what holds whatever they are.
   JoinedSystem merged(const std::vector<bool>& isMerged, bool isOneScan);
 
   /// What a run of `asked`, made from a merged system, is for one of the two programs.

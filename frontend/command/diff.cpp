@@ -28,7 +28,8 @@ void takeFromGit(Arguments& arguments) {
 Exit run(Arguments arguments, Context& context) {
   takeFromGit(arguments);
   if (!arguments.rest.empty())
-    return context.fail({fmt::format("unexpected argument '{}' for 'rungproof diff'", arguments.rest.front()), {},
+    return context.fail({fmt::format("unexpected argument '{}' for 'rungproof diff'", arguments.rest.front()),
+                         {},
                          "give OLD and NEW; more files of a side with --with"});
   std::vector<Failure> failures;
   const Sides sides = readSides(context, arguments.sides, failures);
@@ -55,7 +56,7 @@ Exit run(Arguments arguments, Context& context) {
   style.form = arguments.form == "fbd" ? Form::Fbd : arguments.form == "stl" ? Form::Stl : Form::Ladder;
   style.width = arguments.width;
   Exit exit = difference.countOf(Equality::Different) > 0 || !difference.verdicts.empty() ? Exit::Found
-              : difference.countOf(Equality::Unknown) > 0                                ? Exit::Undecided
+              : difference.countOf(Equality::Unknown) > 0                                 ? Exit::Undecided
                                                                                           : Exit::Clean;
   for (const OutputRequest& output : context.outputs) {
     style.color = context.color && output.file.empty();
@@ -65,11 +66,13 @@ Exit run(Arguments arguments, Context& context) {
     else if (output.name == "html")
       text = differencePage(sides, difference, style);
     else
-      text = differenceText(sides, difference, style) + (context.settings.flag(Opt::Quiet) ? "" : closingLine(difference) + '\n');
+      text = differenceText(sides, difference, style) +
+             (context.settings.flag(Opt::Quiet) ? "" : closingLine(difference) + '\n');
     if (!context.write(output, text)) exit = Exit::Failed;
   }
   for (const Disagreement& disagreement : difference.equivalence.disagreements) {
-    context.err << fmt::format("rungproof: internal disagreement on '{}': {}\n", disagreement.name, disagreement.explanation);
+    context.err << fmt::format("rungproof: internal disagreement on '{}': {}\n", disagreement.name,
+                               disagreement.explanation);
     exit = Exit::Failed;
   }
   return exit;
@@ -79,7 +82,8 @@ Action setup(ArgumentTable& table) {
   auto arguments = std::make_shared<Arguments>();
   arguments->sides.declare(table);
   table.arguments("GIT", arguments->rest, "what git adds where this is its external diff", true);
-  table.word("--as", arguments->form, {"ladder", "lad", "fbd", "stl"}, "ladder|fbd|stl", "how changed networks are drawn");
+  table.word("--as", arguments->form, {"ladder", "lad", "fbd", "stl"}, "ladder|fbd|stl",
+             "how changed networks are drawn");
   table.number("--width", arguments->width, "N", "columns of the text, both programs together", 60, 400);
   return [arguments](Context& context) { return run(*arguments, context); };
 }

@@ -121,11 +121,13 @@ Exit run(const Arguments& arguments, Context& context) {
   report.coverage.approximated = found.approximations;
   bool isFailed = !found.disagreements.empty();
   for (const Disagreement& disagreement : found.disagreements)
-    context.err << fmt::format("rungproof: internal disagreement on '{}': {}\n", disagreement.name, disagreement.explanation);
+    context.err << fmt::format("rungproof: internal disagreement on '{}': {}\n", disagreement.name,
+                               disagreement.explanation);
   if (found.run) {
     const DifferenceReport difference(sides, options, *found.run);
     difference.describe(*report.comparison, arguments.show);
-    if (!arguments.trace.empty() && !writeTrace(context, arguments.trace, difference.trace(), "outputs differ")) isFailed = true;
+    if (!arguments.trace.empty() && !writeTrace(context, arguments.trace, difference.trace(), "outputs differ"))
+      isFailed = true;
     if (!arguments.trace.empty()) report.comparison->trace = arguments.trace;
   }
   if (options.prover.certificates && !writeCertificates(context, arguments.certificates, found)) isFailed = true;
@@ -143,7 +145,8 @@ Action setup(ArgumentTable& table) {
   table.option("--settle", arguments->settle, "TIME", "outputs may differ for less than that without a break");
   table.number("--latency", arguments->latency, "N", "NEW's outputs come N scans later", 0, 1000);
   table.option("--trace", arguments->trace, "FILE", "write the run that differs: inputs and the outputs of both");
-  table.option("--certificate", arguments->certificates, "DIR", "write the proofs as SMT-LIB 2, for another solver to check");
+  table.option("--certificate", arguments->certificates, "DIR",
+               "write the proofs as SMT-LIB 2, for another solver to check");
   table.word("--show", arguments->show, {"ladder", "lad", "fbd", "stl", "none"}, "ladder|fbd|stl|none",
              "how the networks that drive a differing output are drawn");
   return [arguments](Context& context) { return run(*arguments, context); };
@@ -161,10 +164,12 @@ extern constexpr Command equivCommand = {
         "program can write is compared with 0. Options about reading may be given for one side: --cpu new:224.\n"
         "\n"
         "An immediate read may differ from the process image, so LDI in place of LD is a difference, unless --inputs\n"
-        "steady holds the inputs for the whole scan. What the manual leaves undefined is each program's own. A program\n"
+        "steady holds the inputs for the whole scan. What the manual leaves undefined is each program's own. A "
+        "program\n"
         "that stops while the other runs is a difference.\n"
         "\n"
-        "Verdicts: EQUAL (exit code 0), DIFFERENT (1), with a run that the reference engine has made on both programs,\n"
+        "Verdicts: EQUAL (exit code 0), DIFFERENT (1), with a run that the reference engine has made on both "
+        "programs,\n"
         "UNKNOWN (3).\n"
         "\n"
         "Examples:\n"

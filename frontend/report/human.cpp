@@ -160,7 +160,8 @@ class HumanWriter {
   void writeProgramComparison(const Comparison& comparison) {
     if (comparison.verdict == "DIFFERENT")
       out_ << fmt::format("{} scan {}, {:g} ms, {}: OLD {:g}, NEW {:g}\n", paint_.red("first difference:"),
-                          comparison.scan, comparison.timeMs, comparison.signal, comparison.expected, comparison.actual);
+                          comparison.scan, comparison.timeMs, comparison.signal, comparison.expected,
+                          comparison.actual);
     for (const std::string& note : comparison.notes) out_ << fmt::format("  {} {}\n", paint_.blue("="), note);
     if (!comparison.trace.empty()) out_ << fmt::format("  {} trace: {}\n", paint_.blue("="), comparison.trace);
     for (const ShownScan& scan : comparison.scans) writeScan(scan);

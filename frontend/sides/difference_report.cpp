@@ -46,11 +46,13 @@ std::vector<TraceSignal> DifferenceReport::inputsOfRun() const {
   for (const ReplayScan& scan : run_.before) {
     for (const PresetValue& preset : scan.inputs) {
       TraceSignal signal = signalOf(*sides_.runBefore, preset.operand);
-      if (preset.value != 0 && std::ranges::none_of(inputs, [&](const TraceSignal& s) { return s.name == signal.name; }))
+      if (preset.value != 0 &&
+          std::ranges::none_of(inputs, [&](const TraceSignal& s) { return s.name == signal.name; }))
         inputs.push_back(std::move(signal));
     }
   }
-  std::ranges::sort(inputs, {}, [](const TraceSignal& s) { return std::tuple(s.operand.area, s.operand.offset, s.operand.bit); });
+  std::ranges::sort(inputs, {},
+                    [](const TraceSignal& s) { return std::tuple(s.operand.area, s.operand.offset, s.operand.bit); });
   return inputs;
 }
 
@@ -78,7 +80,8 @@ Trace DifferenceReport::joined(const std::vector<TraceSignal>& inputs, const std
 Trace DifferenceReport::trace() const {
   const auto outputsOf = [](const Program& program) {
     std::vector<TraceSignal> signals = touchedSignals(program);
-    std::erase_if(signals, [](const TraceSignal& s) { return s.operand.area != Area::Q && s.operand.area != Area::AQ; });
+    std::erase_if(signals,
+                  [](const TraceSignal& s) { return s.operand.area != Area::Q && s.operand.area != Area::AQ; });
     return signals;
   };
   return joined(inputsOfRun(), outputsOf(*sides_.runBefore), outputsOf(*sides_.runAfter));
@@ -113,7 +116,8 @@ void DifferenceReport::describe(Comparison& comparison, const std::string& form)
   for (const bool isOld : {true, false}) {
     const Program& program = isOld ? *sides_.runBefore : *sides_.runAfter;
     const std::string start = startText(program, options_.prover.choices, witnessOf(run_, isOld));
-    if (!start.empty()) comparison.notes.push_back(fmt::format("memory of {} at the start: {}", isOld ? "OLD" : "NEW", start));
+    if (!start.empty())
+      comparison.notes.push_back(fmt::format("memory of {} at the start: {}", isOld ? "OLD" : "NEW", start));
   }
   for (const std::string& line : tableOf(table)) comparison.notes.push_back(line);
   if (form == "none") return;

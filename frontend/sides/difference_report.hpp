@@ -1,5 +1,5 @@
-// A run on which two programs differ, for people: a table of the scans that matter, the trace of inputs and both outputs,
-// and the networks that drive the differing output in either program, lit. Tested by tests/equivalence.
+// A run on which two programs differ, for people: a table of the scans that matter, the trace of inputs and both
+// outputs, and the networks that drive the differing output in either program, lit. Tested by tests/equivalence.
 #pragma once
 
 #include <string>

@@ -18,7 +18,8 @@ namespace {
 
 /// Columns that a line of UTF-8 text takes, drawings and letters being one column wide.
 std::size_t columnsOf(std::string_view line) {
-  return static_cast<std::size_t>(std::ranges::count_if(line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 std::string_view equalityWord(Equality equality) {
@@ -48,7 +49,8 @@ NetworkView viewOf(const Program& program, const NetworkRef& where, const Differ
   return networkView(program, program.pous[where.pou], networkOf(program, where), options);
 }
 
-std::vector<std::string> linesOf(const Program& program, const std::optional<NetworkRef>& where, const DifferenceStyle& style) {
+std::vector<std::string> linesOf(const Program& program, const std::optional<NetworkRef>& where,
+                                 const DifferenceStyle& style) {
   if (!where) return {"(not there)"};
   return contentLines(viewOf(program, *where, style), {});
 }
@@ -56,7 +58,8 @@ std::vector<std::string> linesOf(const Program& program, const std::optional<Net
 std::string headingOf(const Sides& sides, const NetworkPair& pair) {
   const std::string before = pair.before ? placeOf(*sides.runBefore, *pair.before) : "";
   const std::string after = pair.after ? placeOf(*sides.runAfter, *pair.after) : "";
-  if (before.empty() || after.empty() || before == after) return fmt::format("{}: {}", before.empty() ? after : before, changeWord(pair));
+  if (before.empty() || after.empty() || before == after)
+    return fmt::format("{}: {}", before.empty() ? after : before, changeWord(pair));
   return fmt::format("{} (before: {}): {}", after, before, changeWord(pair));
 }
 
@@ -82,7 +85,8 @@ std::vector<std::string> influenceLines(const NetworkChange& change) {
   }
   if (change.outputs.empty()) lines.emplace_back("influences no output");
   if (!change.memory.empty()) lines.push_back("influences: " + listOf(change.memory));
-  if (change.isEverything) lines.emplace_back("may influence any memory: it writes through a pointer, or stops the program");
+  if (change.isEverything)
+    lines.emplace_back("may influence any memory: it writes through a pointer, or stops the program");
   return lines;
 }
 
@@ -94,7 +98,8 @@ std::string closingLine(const ProgramDifference& difference) {
   };
   std::string text = counted(difference.changes.size(), "network changed", "networks changed") + ", " +
                      counted(difference.countOf(Equality::Different), "output can differ", "outputs can differ");
-  if (const std::size_t open = difference.countOf(Equality::Unknown); open > 0) text += fmt::format(", {} undecided", open);
+  if (const std::size_t open = difference.countOf(Equality::Unknown); open > 0)
+    text += fmt::format(", {} undecided", open);
   return text;
 }
 
@@ -119,19 +124,24 @@ std::string differenceText(const Sides& sides, const ProgramDifference& differen
       row(i < left.size() ? left[i] : "", i < right.size() ? right[i] : "");
     for (const std::string& line : influenceLines(change)) text += fmt::format("  {} {}\n", paint.blue("="), line);
   }
-  for (const std::string& note : difference.equivalence.notes) text += fmt::format("{}: {}\n", paint.yellow("note"), note);
+  for (const std::string& note : difference.equivalence.notes)
+    text += fmt::format("{}: {}\n", paint.yellow("note"), note);
   return text;
 }
 
 std::string differencePage(const Sides& sides, const ProgramDifference& difference, const DifferenceStyle& style) {
   std::string page = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">"
-      "<title>rungproof diff</title><style>body{{font:15px/1.5 system-ui,sans-serif;margin:2em auto;max-width:90em;padding:0 1em}}"
-      ".pair{{display:flex;flex-wrap:wrap;gap:1em}}.pair figure{{flex:1 1 26em;margin:0;overflow-x:auto}}{}</style></head><body>\n"
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+      "content=\"width=device-width\">"
+      "<title>rungproof diff</title><style>body{{font:15px/1.5 system-ui,sans-serif;margin:2em "
+      "auto;max-width:90em;padding:0 1em}}"
+      ".pair{{display:flex;flex-wrap:wrap;gap:1em}}.pair figure{{flex:1 1 "
+      "26em;margin:0;overflow-x:auto}}{}</style></head><body>\n"
       "<h1>rungproof diff</h1>\n",
       svgStyle());
   for (const VerdictChange& verdict : difference.verdicts)
-    page += fmt::format("<p><b>verdict:</b> {} was {}, is {}</p>\n", xmlText(verdict.name), verdict.before, verdict.after);
+    page +=
+        fmt::format("<p><b>verdict:</b> {} was {}, is {}</p>\n", xmlText(verdict.name), verdict.before, verdict.after);
   for (const NetworkChange& change : difference.changes) {
     page += fmt::format("<h2>{}</h2>\n<div class=pair>", xmlText(headingOf(sides, change.networks)));
     for (const bool isOld : {true, false}) {

@@ -30,12 +30,15 @@ class LineReader {
     if (!first || !last) return std::nullopt;
     const Address from = addressOf(*first), to = addressOf(*last);
     if (from.area != to.area || to.index < from.index || first->width != last->width) {
-      fail(fmt::format("'{}' is no range", text), "a range goes up from one address to another of the same area and size");
+      fail(fmt::format("'{}' is no range", text),
+           "a range goes up from one address to another of the same area and size");
       return std::nullopt;
     }
     return Named{from, to.index + extentOf(*last) - from.index};
   }
-  void fail(std::string message, std::string help) { failures_.push_back({std::move(message), place_, std::move(help)}); }
+  void fail(std::string message, std::string help) {
+    failures_.push_back({std::move(message), place_, std::move(help)});
+  }
 
  private:
   std::optional<Operand> operand(std::string_view text, const OperandLookup& lookup, std::string_view side) {

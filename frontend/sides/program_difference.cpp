@@ -51,12 +51,14 @@ class Reach {
   static void addMemory(NetworkChange& change, const std::string& name) {
     if (std::ranges::find(change.memory, name) == change.memory.end()) change.memory.push_back(name);
   }
-  void addOutput(NetworkChange& change, const Address& own, const Operand& bit, const std::vector<ObservedVerdict>& verdicts) const {
+  void addOutput(NetworkChange& change, const Address& own, const Operand& bit,
+                 const std::vector<ObservedVerdict>& verdicts) const {
     const std::optional<Address> there = isOld_ ? own : pairs_.before(own);
     const Operand observed = there ? direct(there->area, Width::Bit, there->index / 8, there->index % 8) : bit;
     const auto verdict = std::ranges::find(verdicts, toString(observed), &ObservedVerdict::name);
     const std::string name = nameWithSymbol(program_, bit);
-    if (verdict != verdicts.end() && std::ranges::find(change.outputs, name, &InfluencedOutput::name) == change.outputs.end())
+    if (verdict != verdicts.end() &&
+        std::ranges::find(change.outputs, name, &InfluencedOutput::name) == change.outputs.end())
       change.outputs.push_back({name, verdict->equality});
   }
 
@@ -85,10 +87,12 @@ std::vector<VerdictChange> changedVerdicts(const Sides& sides, const ProverOptio
   if (std::ranges::none_of(ofBefore.properties, [](const Property& p) { return p.isGoal(); })) return changes;
   const ProofRun then = prove(before, ofBefore, options), now = prove(after, ofAfter, options);
   for (const ProofResult& result : then.results) {
-    const auto same = std::ranges::find_if(now.results, [&](const ProofResult& r) { return r.property.name == result.property.name; });
+    const auto same = std::ranges::find_if(
+        now.results, [&](const ProofResult& r) { return r.property.name == result.property.name; });
     const std::string was = verdictText(result.outcome, result.depth);
     const std::string is = same == now.results.end() ? "cannot be read" : verdictText(same->outcome, same->depth);
-    if (same == now.results.end() || same->outcome != result.outcome) changes.push_back({result.property.name, was, is});
+    if (same == now.results.end() || same->outcome != result.outcome)
+      changes.push_back({result.property.name, was, is});
   }
   return changes;
 }

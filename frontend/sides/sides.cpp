@@ -18,7 +18,8 @@ constexpr std::string_view oldPrefix = "old:", newPrefix = "new:";
 
 bool overlaps(const TraceSignal& signal, const Address& first, std::uint32_t count) {
   const Address own = addressOf(signal.operand);
-  return own.area == first.area && own.index < first.index + count && first.index < own.index + extentOf(signal.operand);
+  return own.area == first.area && own.index < first.index + count &&
+         first.index < own.index + extentOf(signal.operand);
 }
 bool isUsed(const std::vector<TraceSignal>& signals, const Address& first, std::uint32_t count) {
   return std::ranges::any_of(signals, [&](const TraceSignal& signal) { return overlaps(signal, first, count); });
@@ -27,11 +28,14 @@ bool isUsed(const std::vector<TraceSignal>& signals, const Address& first, std::
 void readPairs(const Context& context, const std::string& name, Sides& sides, std::vector<Failure>& failures) {
   const std::optional<std::string> text = readFile(context, name, failures);
   if (!text) return;
-  const std::vector<TraceSignal> before = touchedSignals(sides.before.program), after = touchedSignals(sides.after.program);
-  for (const MapLine& line : readMap(name, *text, lookupIn(sides.before.program), lookupIn(sides.after.program), failures)) {
+  const std::vector<TraceSignal> before = touchedSignals(sides.before.program),
+                                 after = touchedSignals(sides.after.program);
+  for (const MapLine& line :
+       readMap(name, *text, lookupIn(sides.before.program), lookupIn(sides.after.program), failures)) {
     const std::string place = fmt::format("{}:{}", name, line.line);
     if (!isUsed(before, line.before, line.count) && !isUsed(after, line.after, line.count))
-      failures.push_back({"neither program uses what this line pairs", place, "remove the line, or mend the addresses"});
+      failures.push_back(
+          {"neither program uses what this line pairs", place, "remove the line, or mend the addresses"});
     else if (!sides.pairs.add(line.before, line.after, line.count))
       failures.push_back({"an address of this line has a partner already", place, "pair each address once"});
   }
@@ -45,11 +49,15 @@ std::string linesFor(std::string text, std::string_view own, std::string_view ot
     std::size_t stop = std::min(text.find('#', begin), end);
     bool namesOther = false;
     for (std::size_t i = begin; i < stop; ++i) {
-      const bool isStart = i == begin || (std::isalnum(static_cast<unsigned char>(text[i - 1])) == 0 && text[i - 1] != '_');
+      const bool isStart =
+          i == begin || (std::isalnum(static_cast<unsigned char>(text[i - 1])) == 0 && text[i - 1] != '_');
       if (isStart && text.compare(i, other.size(), other) == 0) namesOther = true;
-      if (isStart && text.compare(i, own.size(), own) == 0) std::fill_n(text.begin() + static_cast<std::ptrdiff_t>(i), own.size(), ' ');
+      if (isStart && text.compare(i, own.size(), own) == 0)
+        std::fill_n(text.begin() + static_cast<std::ptrdiff_t>(i), own.size(), ' ');
     }
-    if (namesOther) std::fill(text.begin() + static_cast<std::ptrdiff_t>(begin), text.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+    if (namesOther)
+      std::fill(text.begin() + static_cast<std::ptrdiff_t>(begin), text.begin() + static_cast<std::ptrdiff_t>(end),
+                ' ');
     begin = end + 1;
   }
   return text;
@@ -60,8 +68,11 @@ std::string linesForBoth(std::string text) {
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     const std::string_view line = std::string_view(text).substr(begin, end - begin);
-    const bool namesBoth = line.find(oldSidePrefix) != std::string_view::npos && line.find(newSidePrefix) != std::string_view::npos;
-    if (!namesBoth) std::fill(text.begin() + static_cast<std::ptrdiff_t>(begin), text.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+    const bool namesBoth =
+        line.find(oldSidePrefix) != std::string_view::npos && line.find(newSidePrefix) != std::string_view::npos;
+    if (!namesBoth)
+      std::fill(text.begin() + static_cast<std::ptrdiff_t>(begin), text.begin() + static_cast<std::ptrdiff_t>(end),
+                ' ');
     begin = end + 1;
   }
   return text;
@@ -78,7 +89,8 @@ void readPairAssumptions(Sides& sides, const std::string& name, const std::strin
     return operand;
   };
   PropertySet set;
-  readPropertyText(file, sides.before.program.sources->file(file).text(), 0, lookup, set, sides.before.program.findings);
+  readPropertyText(file, sides.before.program.sources->file(file).text(), 0, lookup, set,
+                   sides.before.program.findings);
   for (Property& property : set.properties) {
     if (!property.isGoal()) sides.assumptions.push_back(std::move(property));
   }
@@ -110,7 +122,8 @@ void SideArguments::declare(ArgumentTable& table) {
   table.option("--with", with, "SIDE:FILE", "one more file of a side, as old:symbols.sdf; may be repeated");
   table.option("--map", map, "FILE", "addresses that stand for each other: OLD-address = NEW-address, one pair a line");
   table.list("--observe", observed, "ADDRESS", "compare these addresses of OLD instead of all outputs");
-  table.option("--props", properties, "FILE", "property file whose assumptions hold; old. and new. before an address name a side");
+  table.option("--props", properties, "FILE",
+               "property file whose assumptions hold; old. and new. before an address name a side");
 }
 
 Sides readSides(const Context& context, const SideArguments& arguments, std::vector<Failure>& failures) {
@@ -123,7 +136,8 @@ Sides readSides(const Context& context, const SideArguments& arguments, std::vec
     else if (text.starts_with(newPrefix))
       sides.filesAfter.push_back(text.substr(newPrefix.size()));
     else
-      failures.push_back({fmt::format("--with {} names no side", text), {}, "write --with old:FILE or --with new:FILE"});
+      failures.push_back(
+          {fmt::format("--with {} names no side", text), {}, "write --with old:FILE or --with new:FILE"});
   }
   sides.before = readSide(context.side(ProgramSide::Old), sides.filesBefore);
   sides.after = readSide(context.side(ProgramSide::New), sides.filesAfter);
