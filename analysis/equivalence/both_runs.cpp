@@ -12,7 +12,7 @@ namespace {
 struct ScanEnd {
   std::uint64_t milliseconds = 0;
   std::uint32_t lengthMs = 0;
-  std::size_t step = 0;      ///< index of its ReplayScan
+  std::size_t step = 0;  ///< index of its ReplayScan
   std::uint32_t round = 0;
   bool runs = false;
   std::vector<bool> outputs;

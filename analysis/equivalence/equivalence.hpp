@@ -56,7 +56,9 @@ struct Equivalence {
   std::vector<std::string> notes;     ///< why nothing is decided
   std::vector<std::string> assumptions;
   std::vector<std::string> approximations;
-  std::vector<std::pair<std::string, std::string>> certificates;  ///< name and SMT-LIB 2 text, if asked for
+  /// Equal, if asked for: "memory" and each output with its SMT-LIB 2 text (equality_proof.hpp).
+  std::vector<std::pair<std::string, std::string>> certificates;
+  std::vector<std::string> uncertified;  ///< what the certificates that were asked for leave out
   std::vector<Disagreement> disagreements;
 };
 

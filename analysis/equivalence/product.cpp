@@ -39,6 +39,8 @@ Width widthOf(int width) {
   return width == 1 ? Width::Bit : width == 8 ? Width::Byte : width == 16 ? Width::Word : Width::DWord;
 }
 
+/// What both programs find alike whatever they do: how the CPU reads its open points, and the phases of its clocks.
+bool isOfTheCpu(Reg reg) { return reg == Reg::Reading || reg == Reg::PhaseSecond || reg == Reg::PhaseMinute; }
 bool isEdge(Reg reg) { return reg == Reg::EdgeMemory || reg == Reg::EdgeSeen; }
 bool isOfTimer(Reg reg) {
   return reg == Reg::TimerCurrent || reg == Reg::TimerBit || reg == Reg::TimerRunning || reg == Reg::TimerPreset ||
@@ -46,6 +48,19 @@ bool isOfTimer(Reg reg) {
 }
 bool isOfCounter(Reg reg) {
   return reg == Reg::CounterCurrent || reg == Reg::CounterBit || reg == Reg::CounterUp || reg == Reg::CounterDown;
+}
+bool isOfFastCounter(Reg reg) {
+  return reg == Reg::HscCurrent || reg == Reg::HscPreset || reg == Reg::HscMode || reg == Reg::HscEnabled ||
+         reg == Reg::HscUp || reg == Reg::HscSetup;
+}
+/// The area whose addresses number a register; nothing for registers that no address names.
+std::optional<Area> areaOf(Reg reg) {
+  if (isOfTimer(reg)) return Area::T;
+  if (isOfCounter(reg)) return Area::C;
+  if (isOfFastCounter(reg)) return Area::HC;
+  if (reg == Reg::Accumulator) return Area::AC;
+  if (reg == Reg::PhysicalInput) return Area::I;
+  return std::nullopt;
 }
 
 /// The places of a program that shape its state, so that the other one cuts its memory in the same way.
@@ -65,8 +80,10 @@ void observe(EncoderOptions& options, const Program& program, const AddressPairs
   }
 }
 
-EncoderOptions shaped(EncoderOptions options, const Program& other, const AddressPairs* pairs) {
+EncoderOptions shaped(EncoderOptions options, const Program& other, const AddressPairs* pairs,
+                      std::shared_ptr<Trail> trail) {
   observe(options, other, pairs);
+  options.trail = std::move(trail);
   return options;
 }
 
@@ -78,9 +95,11 @@ ProgramProduct::ProgramProduct(const Side& before, const Side& after, const Prog
                                const ProductOptions& options)
     : options_(options),
       match_(match),
-      old_(*before.program, before.set, {}, shaped(options.encoder, *after.program, &options.pairs)),
-      new_(*after.program, after.set, {}, shaped(options.encoder, *before.program, nullptr)) {
+      old_(*before.program, before.set, {},
+           shaped(options.encoder, *after.program, &options.pairs, options.trailBefore)),
+      new_(*after.program, after.set, {}, shaped(options.encoder, *before.program, nullptr, options.trailAfter)) {
   collectOutputs();
+  firstScan_ = old_.encoding().firstScan();
   oldRuns_ = old_.encoding().atEnd(registerPlace(Reg::Running, 0));
   newRuns_ = new_.encoding().atEnd(registerPlace(Reg::Running, 0));
   for (const Property& assumption : options_.assumptions) {
@@ -92,6 +111,7 @@ ProgramProduct::ProgramProduct(const Side& before, const Side& after, const Prog
     }
   }
   newSystem_ = new_.system();
+  for (const KeptCell& cell : new_.encoding().keptCells()) kept_.insert(cell.node);
   findPartners();
   SideCopy touched(old_.encoding().graph(), new_.encoding().graph(), "");
   replaceCells(touched);  // OLD gets all inputs that NEW reads before its system is taken
@@ -106,6 +126,15 @@ ProgramProduct::ProgramProduct(const Side& before, const Side& after, const Prog
     }
   }
   oldSystem_ = old_.system();
+  for (Obligations* side : {&old_, &new_}) side->encoding().graph().decideBy(nullptr);
+}
+
+std::vector<std::string> ProgramProduct::newStateNames() const {
+  std::vector<std::string> names;
+  const Graph& graph = *newSystem_.graph;
+  for (const StateVariable& state : newSystem_.states)
+    names.push_back(kept_.contains(state.node) ? "" : graph.variables()[graph[state.node].value].name);
+  return names;
 }
 
 void ProgramProduct::addOutput(std::set<std::pair<Area, std::uint32_t>>& known, const Address& before) {
@@ -146,29 +175,32 @@ void ProgramProduct::collectOutputs() {
   }
 }
 
+/// The register of OLD that stands for one of NEW; nothing if none does.
+std::optional<Place> ProgramProduct::oldRegister(const Place& place) {
+  Place there = place;
+  if (isEdge(place.reg)) {
+    const std::vector<std::uint32_t>& edges = new_.encoding().plan().edge;
+    const std::vector<std::uint32_t>& oldEdges = old_.encoding().plan().edge;
+    const auto own = std::ranges::find(edges, place.at);
+    if (own == edges.end()) return std::nullopt;
+    const std::uint32_t instruction = match_.beforeOf[static_cast<std::size_t>(own - edges.begin())];
+    if (instruction == noPartner || oldEdges[instruction] == noPartner) return std::nullopt;
+    there.at = oldEdges[instruction];
+  } else if (const std::optional<Area> area = areaOf(place.reg)) {
+    const auto number = options_.pairs.before(Address{*area, place.at});
+    if (!number || number->area != *area) return std::nullopt;
+    there.at = number->index;
+  }
+  return there;
+}
+
 /// What OLD has at a place of NEW, at the start or at the end of the scan; noNode: nothing stands for it.
 Node ProgramProduct::oldValue(const Place& place, bool atEnd) {
   EncodedScan& encoding = old_.encoding();
   const auto at = [&](const Place& there) { return atEnd ? encoding.atEnd(there) : encoding.atStart(there); };
   if (place.isRegister) {
-    Place there = place;
-    if (isEdge(place.reg)) {
-      const std::vector<std::uint32_t>& edges = new_.encoding().plan().edge;
-      const auto own = std::ranges::find(edges, place.at);
-      if (own == edges.end()) return noNode;
-      const std::uint32_t instruction = match_.beforeOf[static_cast<std::size_t>(own - edges.begin())];
-      if (instruction == noPartner || encoding.plan().edge[instruction] == noPartner) return noNode;
-      there.at = encoding.plan().edge[instruction];
-    } else if (isOfTimer(place.reg) || isOfCounter(place.reg)) {
-      const auto number = options_.pairs.before(Address{isOfTimer(place.reg) ? Area::T : Area::C, place.at});
-      if (!number) return noNode;
-      there.at = number->index;
-    } else if (place.reg == Reg::PhysicalInput) {
-      const auto bit = options_.pairs.before(Address{Area::I, place.at});
-      if (!bit || bit->area != Area::I) return noNode;
-      there.at = bit->index;
-    }
-    return at(there);
+    const std::optional<Place> there = oldRegister(place);
+    return there ? at(*there) : noNode;
   }
   std::vector<Address> bits;
   for (std::uint32_t i = 0; i < place.width; ++i) {
@@ -217,7 +249,9 @@ void ProgramProduct::findPartners() {
   partners_.resize(newSystem_.states.size());
   for (std::size_t i = 0; i < partners_.size(); ++i) {
     const auto place = places.find(newSystem_.states[i].node);
-    if (place != places.end()) partners_[i] = {oldValue(place->second, false), oldValue(place->second, true)};
+    if (place == places.end() || kept_.contains(place->first)) continue;
+    const bool isWorld = place->second.isRegister && isOfTheCpu(place->second.reg);
+    partners_[i] = {oldValue(place->second, false), oldValue(place->second, true), isWorld};
   }
   oldSystem_ = old_.system();  // with all cells that the partners have touched
   const auto nameIn = [](const TransitionSystem& system, const StateVariable& state) -> const std::string& {
@@ -227,7 +261,7 @@ void ProgramProduct::findPartners() {
   for (const StateVariable& state : oldSystem_.states) byName.emplace(nameIn(oldSystem_, state), &state);
   for (std::size_t i = 0; i < partners_.size(); ++i) {
     const StateVariable& state = newSystem_.states[i];
-    if (places.contains(state.node)) continue;
+    if (places.contains(state.node) || kept_.contains(state.node)) continue;
     const auto same = byName.find(nameIn(newSystem_, state));  // what waits in queues, cells of assumptions
     const bool isAlike =
         same != byName.end() && (*oldSystem_.graph)[same->second->node].width == (*newSystem_.graph)[state.node].width;
@@ -258,7 +292,10 @@ bool ProgramProduct::isOldInput(const Place& place) {
       return isSame && cell.kind == CellKind::Input;
     });
   };
-  if (place.isRegister) return isInput(place);
+  if (place.isRegister) {
+    const std::optional<Place> there = oldRegister(place);
+    return there && isInput(*there);
+  }
   for (std::uint32_t i = 0; i < place.width; ++i) {
     const auto bit = options_.pairs.before(bitOf(place, i));
     if (!bit || (!options_.pairs.names(bitOf(place, i)) && !isInput(bitPlace(*bit)))) return false;
@@ -336,7 +373,8 @@ void ProgramProduct::replaceSites(SideCopy& copy) {
   }
 }
 
-JoinedSystem ProgramProduct::merged(const std::vector<bool>& isMerged, bool isOneScan) {
+JoinedSystem ProgramProduct::merged(const std::vector<bool>& isMerged, bool isOneScan,
+                                    const std::vector<PairCondition>& conditions) {
   Graph& graph = old_.encoding().graph();
   JoinedSystem result;
   result.system = oldSystem_;
@@ -358,10 +396,15 @@ JoinedSystem ProgramProduct::merged(const std::vector<bool>& isMerged, bool isOn
     if (partners_[i].isWorld) continue;
     if (isTaken(i)) {
       result.nextDiffers[i] = differ(partners_[i].next, copy(state.next));
-    } else if (isOneScan) {
+      if (state.init != noNode)
+        result.starts.push_back(
+            graph.equal({partners_[i].start}, {copy(state.init)}, graph[partners_[i].start].width).node);
+    } else if (isOneScan && !kept_.contains(state.node)) {
       result.system.inputs.push_back(copy(state.node));
     } else {
       result.system.states.push_back({copy(state.node), copy(state.init), copy(state.next)});
+      if (state.init == noNode && partners_[i].start != noNode)
+        startAlike(result, partners_[i].start, copy(state.node));
       if (new_.isTimeState(state.node)) result.timeStates.push_back(copy(state.node));
     }
   }
@@ -374,6 +417,7 @@ JoinedSystem ProgramProduct::merged(const std::vector<bool>& isMerged, bool isOn
         std::ranges::find(result.system.constraints, copied) == result.system.constraints.end())
       result.system.constraints.push_back(copied);  // not a total one: its inputs now serve two programs
   }
+  addConditions(result, conditions);
   if (options_.steadyInputs) holdInputs(result);
   assume(result);
   compareOutputs(result);
@@ -383,6 +427,46 @@ JoinedSystem ProgramProduct::merged(const std::vector<bool>& isMerged, bool isOn
       result.system.inputs.push_back(input);
   }
   return result;
+}
+
+std::vector<std::string> ProgramProduct::oldBitNames() const {
+  std::vector<std::string> names;
+  const Graph& graph = *oldSystem_.graph;
+  for (const StateVariable& state : oldSystem_.states) {
+    if (graph[state.node].width == 1) names.push_back(graph.variables()[graph[state.node].value].name);
+  }
+  return names;
+}
+
+void ProgramProduct::addConditions(JoinedSystem& result, const std::vector<PairCondition>& conditions) {
+  if (conditions.empty()) return;
+  Graph& graph = old_.encoding().graph();
+  const std::vector<std::string> own = newStateNames();
+  std::map<std::string, std::size_t> newStates, oldStates;
+  for (std::size_t i = 0; i < own.size(); ++i) newStates.emplace(own[i], i);
+  for (std::size_t i = 0; i < oldSystem_.states.size(); ++i)
+    oldStates.emplace(graph.variables()[graph[oldSystem_.states[i].node].value].name, i);
+  for (const PairCondition& condition : conditions) {
+    const std::size_t i = newStates.at(condition.state);
+    const StateVariable& bit = oldSystem_.states[oldStates.at(condition.condition)];
+    const auto breaks = [&](Node guard, Node before, Node after) {
+      const Graph::Bool differs = graph.lnot(graph.equal({before}, {after}, graph[before].width));
+      return graph.land(condition.when ? Graph::Bool{guard} : graph.lnot({guard}), differs);
+    };
+    const StateVariable& state = newSystem_.states[i];
+    result.system.constraints.push_back(
+        graph.lnot(breaks(bit.node, partners_[i].start, (*result.copy)(state.node))).node);
+    result.conditionBreaks.push_back(breaks(bit.next, partners_[i].next, (*result.copy)(state.next)).node);
+  }
+}
+
+/// What starts with any value starts with the same where it is paired, whatever becomes of it later.
+void ProgramProduct::startAlike(JoinedSystem& result, Node before, Node after) {
+  Graph& graph = old_.encoding().graph();
+  const Graph::Bool later = graph.lnot({firstScan_});
+  const Node alike = graph.lor(later, graph.equal({before}, {after}, graph[after].width)).node;
+  result.system.constraints.push_back(alike);
+  result.system.totalConstraints.push_back(alike);
 }
 
 /// An immediate read gives what the image has, and every read of an analog input in a scan the same.
@@ -488,6 +572,13 @@ void ProgramProduct::compareOutputs(JoinedSystem& result) {
     const Node differs = graph.land({counts}, graph.lxor({left}, {right})).node;
     bit.differs = settled(result, differs, bit.name);
   }
+}
+
+std::vector<Question> outputQuestions(const JoinedSystem& joined) {
+  std::vector<Question> questions;
+  for (const ObservedBit& bit : joined.observed) questions.push_back({bit.name + " differs", bit.differs});
+  questions.push_back({"RUN differs", joined.stopDiffers});
+  return questions;
 }
 
 WordTrace ProgramProduct::sideTrace(const std::vector<Node>& states, const std::vector<Node>& inputs,

@@ -33,6 +33,7 @@ struct Side {
 
 struct ProductOptions {
   EncoderOptions encoder;
+  std::shared_ptr<Trail> trailBefore, trailAfter;  ///< left or followed by the encodings; may be missing
   AddressPairs pairs;
   std::vector<Operand> observed;  ///< addresses of OLD; empty: all outputs that either can write
   /// Assumptions that speak of both programs; an operand of NEW has a text that begins with newSidePrefix.
@@ -50,14 +51,26 @@ struct ObservedBit {
   Node differs = noNode;
 };
 
+/// A state of NEW equals its partner wherever a bit of OLD's state is `when`, at the starts of scans. By names of
+/// states.
+struct PairCondition {
+  std::string state, condition;
+  bool when = true;
+};
+
+/// Whether outputs differ, then whether one program stops alone.
+std::vector<Question> outputQuestions(const struct JoinedSystem& joined);
+
 /// The two programs with some of NEW's states merged into OLD's.
 struct JoinedSystem {
   TransitionSystem system;  ///< without questions
   std::vector<ObservedBit> observed;
-  Node stopDiffers = noNode;       ///< one program is stopped at the end of the scan, the other is not
-  std::vector<Node> nextDiffers;   ///< by state of NEW: a merged one gets another value than OLD's; else noNode
-  std::vector<Node> timeStates;    ///< they only measure time
-  std::shared_ptr<SideCopy> copy;  ///< of NEW into the system's graph
+  Node stopDiffers = noNode;          ///< one program is stopped at the end of the scan, the other is not
+  std::vector<Node> nextDiffers;      ///< by state of NEW: a merged one gets another value than OLD's; else noNode
+  std::vector<Node> conditionBreaks;  ///< by condition: it does not hold at the end of the scan
+  std::vector<Node> timeStates;       ///< they only measure time
+  std::vector<Node> starts;           ///< by merged state of NEW: it starts with what OLD's starts with; 1 in scan 1
+  std::shared_ptr<SideCopy> copy;     ///< of NEW into the system's graph
 };
 
 class ProgramProduct {
@@ -68,9 +81,15 @@ class ProgramProduct {
   std::size_t newStateCount() const { return newSystem_.states.size(); }
   /// Whether the state of NEW stands for something of OLD and starts as that does.
   bool isMergeable(std::size_t newState) const { return partners_[newState].start != noNode; }
+  /// By state of NEW: its name, which is "" for what only the encoding as it is written has (KeptCell).
+  std::vector<std::string> newStateNames() const;
   /// `isMerged`: by state of NEW; others than mergeable ones do not count. `isOneScan`: NEW's other states have any
-  /// value at the start of each scan, which shows what holds whatever they are.
-  JoinedSystem merged(const std::vector<bool>& isMerged, bool isOneScan);
+  /// value at the start of each scan, which shows what holds whatever they are. `conditions` hold at the start of each
+  /// scan.
+  JoinedSystem merged(const std::vector<bool>& isMerged, bool isOneScan,
+                      const std::vector<PairCondition>& conditions = {});
+  /// States of OLD that are one bit.
+  std::vector<std::string> oldBitNames() const;
 
   /// What a run of `asked`, made from a merged system, is for one of the two programs.
   WordTrace oldTrace(const TransitionSystem& asked, const WordTrace& trace);
@@ -98,12 +117,15 @@ class ProgramProduct {
   void replaceCells(SideCopy& copy);
   void replaceExternals(SideCopy& copy);
   void replaceSites(SideCopy& copy);
+  void addConditions(JoinedSystem& result, const std::vector<PairCondition>& conditions);
+  void startAlike(JoinedSystem& result, Node before, Node after);
   void holdInputs(JoinedSystem& result);
   void assume(JoinedSystem& result);
   Node assumedLeaf(SideCopy* copy, const Operand& operand, int width);
   void compareOutputs(JoinedSystem& result);
   Node delayed(JoinedSystem& result, Node value, const std::string& name);
   Node settled(JoinedSystem& result, Node differs, const std::string& name);
+  std::optional<Place> oldRegister(const Place& newPlace);
   Node oldValue(const Place& newPlace, bool atEnd);
   bool isOldInput(const Place& newPlace);
   bool startsAlike(Node oldStart, const StateVariable& newState) const;
@@ -115,6 +137,8 @@ class ProgramProduct {
   Obligations old_, new_;
   TransitionSystem oldSystem_, newSystem_;
   std::vector<Output> outputs_;
+  std::set<Node> kept_;  ///< states of NEW that keep their value
+  Node firstScan_ = noNode;
   Node oldRuns_ = noNode, newRuns_ = noNode;  ///< in RUN at the end of the scan
   std::vector<Partner> partners_;             ///< by state of NEW
 };

@@ -30,7 +30,8 @@ TEST(NetworkMatch, AChangedNetworkKeepsTheInstructionsThatStayed) {
 }
 
 TEST(NetworkMatch, AddedAndRemovedNetworksHaveOneSide) {
-  const Program before = readLine("LD I0.0;= Q0.0|LD I1.5;MOVW 7,VW0"), after = readLine("LD I0.0;= Q0.0|LDN M3.3;S Q1.0,1");
+  const Program before = readLine("LD I0.0;= Q0.0|LD I1.5;MOVW 7,VW0"),
+                after = readLine("LD I0.0;= Q0.0|LDN M3.3;S Q1.0,1");
   const ProgramMatch match = matchPrograms(before, after);
   EXPECT_EQ(std::ranges::count_if(match.networks, [](const NetworkPair& p) { return p.isSame; }), 1);
   EXPECT_EQ(std::ranges::count_if(match.networks, [](const NetworkPair& p) { return !p.before; }), 1);
