@@ -24,6 +24,15 @@ namespace rungproof {
 /// In front of an address of NEW where both programs are spoken of.
 inline constexpr std::string_view newSidePrefix = "new.", oldSidePrefix = "old.";
 
+inline Place bitPlace(const Address& address) {
+  return memoryPlace(address.area, address.index / 8, Width::Bit, address.index % 8);
+}
+/// The i-th bit of a place of memory, from its most significant one.
+inline Address bitOf(const Place& place, std::uint32_t i) {
+  const std::uint32_t at = place.at + i;
+  return {place.area, at / 8 * 8 + 7 - at % 8};
+}
+
 /// One of the two programs, with its assumptions and external ranges.
 struct Side {
   const Program* program = nullptr;  ///< what of it may be run
