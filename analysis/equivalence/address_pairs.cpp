@@ -18,6 +18,11 @@ Address addressOf(const Operand& operand) {
   return {operand.area, operand.offset * 8 + (operand.width == Width::Bit ? operand.bit : 0U)};
 }
 
+Operand operandAt(const Address& address) {
+  if (isByNumber(address.area)) return direct(address.area, Width::Bit, address.index);
+  return direct(address.area, Width::Bit, address.index / 8, address.index % 8);
+}
+
 std::uint32_t extentOf(const Operand& operand) {
   return isByNumber(operand.area) ? 1 : static_cast<std::uint32_t>(bits(operand.width));
 }

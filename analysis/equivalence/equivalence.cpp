@@ -373,9 +373,10 @@ class ProgramComparison {
       if (i < merged.observed.size()) wanted.push_back(merged.observed[i]);
     }
     const bool comparesStops = std::ranges::find(open, merged.observed.size()) != open.end();
-    const auto shown =
-        BothRuns{*before_.program, *after_.program, options_, wanted, comparesStops}.judged(std::move(run));
+    const BothRuns runs{*before_.program, *after_.program, options_, wanted, comparesStops};
+    auto shown = runs.judged(std::move(run));
     if (!shown) return false;
+    shown = runs.plain(std::move(*shown));
     for (ObservedVerdict& output : result_.outputs) {
       if (output.name == shown->signal) output.equality = Equality::Different;
     }
@@ -447,7 +448,7 @@ class ProgramComparison {
     if (!address) return unread.reasons();
     ExprNode node;
     node.op = ExprOp::Address;
-    node.operand = direct(address->area, Width::Bit, address->index / 8, address->index % 8);
+    node.operand = operandAt(*address);
     Property property;
     property.first.nodes.push_back(node);
     return unread.reasons(property);

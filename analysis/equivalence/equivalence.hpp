@@ -38,6 +38,8 @@ struct EquivalenceRun {
   std::string signal;              ///< "Q0.1", or "RUN" where one program has stopped
   std::optional<Address> addressBefore, addressAfter;
   bool valueBefore = false, valueAfter = false;
+  /// Readings of open points that it needs and that are not those of the choices: index into ChoiceInfo::values.
+  std::vector<std::pair<Choice, std::uint8_t>> readings;
 };
 
 struct ObservedVerdict {

@@ -171,6 +171,10 @@ std::string textInOld(const Instruction& after, const AddressPairs& pairs) {
   std::string text(after.desc->stl);
   for (const Operand& operand : after.operands) {
     text += text.size() == after.desc->stl.size() ? " " : ", ";
+    if (operand.kind == OperandKind::Constant && operand.form != ConstantForm::Real) {
+      text += std::to_string(operand.value);  // 16#10, +16 and 16 are one number
+      continue;
+    }
     if (pairs.empty() || operand.kind == OperandKind::Constant || operand.kind == OperandKind::Text) {
       text += toString(operand);
       continue;

@@ -66,7 +66,12 @@ EncoderOptions shaped(EncoderOptions options, const Program& other, const Addres
   return options;
 }
 
-std::string nameOfBit(const Address& address) { return nameOf(bitPlace(address)); }
+Place observedPlace(const Address& address) {
+  if (address.area == Area::T) return registerPlace(Reg::TimerBit, address.index);
+  if (address.area == Area::C) return registerPlace(Reg::CounterBit, address.index);
+  return bitPlace(address);
+}
+std::string nameOfBit(const Address& address) { return nameOf(observedPlace(address)); }
 
 }  // namespace
 
@@ -120,9 +125,9 @@ void ProgramProduct::addOutput(std::set<std::pair<Area, std::uint32_t>>& known, 
   if (!known.emplace(before.area, before.index).second) return;
   Output& output = outputs_.emplace_back();
   output.before = before;
-  output.oldValue = old_.encoding().atEnd(bitPlace(before));
+  output.oldValue = old_.encoding().atEnd(observedPlace(before));
   output.after = options_.pairs.after(before);
-  if (output.after) output.newValue = new_.encoding().atEnd(bitPlace(*output.after));
+  if (output.after) output.newValue = new_.encoding().atEnd(observedPlace(*output.after));
 }
 
 /// Outputs of OLD and what stands for them in NEW; then outputs of NEW without partner.

@@ -153,10 +153,15 @@ Sides readSides(const Context& context, const SideArguments& arguments, std::vec
   if (!arguments.map.empty()) readPairs(context, arguments.map, sides, failures);
   for (const std::string& text : arguments.observed) {
     const auto operand = lookupIn(sides.before.program)(text);
-    if (operand)
-      sides.observed.push_back(*operand);
-    else
+    if (!operand)
       failures.push_back({fmt::format("--observe: '{}' is neither an address nor a symbol of OLD", text), {}, {}});
+    else if (operand->area == Area::L || operand->area == Area::AC || operand->area == Area::HC ||
+             operand->area == Area::I || operand->area == Area::AI)
+      failures.push_back({fmt::format("--observe: {} is no output and no memory", text),
+                          {},
+                          "name addresses of Q, AQ, V, M, S, SM, T or C"});
+    else
+      sides.observed.push_back(*operand);
   }
   sides.unreadBefore = std::make_unique<UnreadCode>(sides.before.program);
   sides.unreadAfter = std::make_unique<UnreadCode>(sides.after.program);
