@@ -81,7 +81,7 @@ class ProgramComparison {
     portfolio.cancel = &cancel;
     portfolio.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(
                                             std::min(left(), each * static_cast<double>(system.questions.size()))));
-    return answerQuestions(withWrittenReals(system, RealScope::Comparisons), portfolio);
+    return answerQuestions(withWrittenReals(system, reals_), portfolio);
   }
 
   ProductOptions productOptions(bool relaxed) {
@@ -294,11 +294,12 @@ class ProgramComparison {
         both = product.merged(isMerged_, false, conditions_);
         questions = outputQuestions(both);
       }
-      isAskedAgain = true;
+      const bool isLast = std::exchange(isAskedAgain, true);
       const std::vector<QuestionAnswer> answers =
           settle(both.system, questions, open, each / static_cast<double>(open.size()), Effort::Full);
       TransitionSystem asked = both.system;
       for (const std::size_t i : open) asked.questions.push_back(questions[i]);
+      bool needsReals = false;
       for (std::size_t i = 0; i < open.size(); ++i) {
         if (result_.outputs[open[i]].equality == Equality::Different) continue;
         const bool isViolated = answers[i].answer == Answer::Violated;
@@ -306,10 +307,15 @@ class ProgramComparison {
           if (!options_.everyOutput) return;
           continue;
         }
+        if (isViolated && answers[i].usesFreeReals && reals_ != RealScope::All && !isLast) {
+          needsReals = true;
+          continue;
+        }
         if (isViolated) unconfirmed(product, result_.outputs[open[i]].name, answers[i]);
         depth_ = std::min(depth_, answers[i].depth);
       }
       if (!goesOn(open)) return;
+      if (needsReals) reals_ = RealScope::All;
     }
   }
 
@@ -336,7 +342,13 @@ class ProgramComparison {
 
   /// In the relaxed encoding a long scan stands for a stretch in which nothing but time passes.
   bool searchLong(const std::vector<std::size_t>& open) {
-    ProgramProduct relaxed(before_, after_, match_, productOptions(true));
+    std::optional<ProgramProduct> product;
+    try {
+      product.emplace(before_, after_, match_, productOptions(true));
+    } catch (const EncodingStopped&) {
+      return false;
+    }
+    ProgramProduct& relaxed = *product;
     const JoinedSystem both = relaxed.merged(std::vector<bool>(relaxed.newStateCount(), false), false);
     TransitionSystem asked = both.system;
     asked.questions = {{"the outputs differ", anyOf(*asked.graph, outputQuestions(both), open)}};
@@ -477,6 +489,7 @@ class ProgramComparison {
   const ProgramMatch match_;
   const Clock::time_point start_ = Clock::now();
   ProofWatch watch_;
+  RealScope reals_ = RealScope::Comparisons;  ///< REAL operations that are asked about bit by bit
   std::vector<bool> isMerged_;
   std::vector<PairCondition> conditions_;
   const char* method_ = "";

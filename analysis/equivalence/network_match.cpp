@@ -82,7 +82,9 @@ class Matcher {
   ProgramMatch run() {
     pairEqual(true);
     pairEqual(false);
-    for (std::size_t p = 0; p < after_.pous.size(); ++p) pairSimilar(p);
+    for (const Likeness least : {Likeness::Half, Likeness::Result}) {
+      for (std::size_t p = 0; p < after_.pous.size(); ++p) pairSimilar(p, least);
+    }
     write();
     return std::move(result_);
   }
@@ -114,8 +116,21 @@ class Matcher {
       result_.beforeOf[new_[j].ids[b]] = old_[i].ids[a];
   }
 
+  /// Half of the instructions in common, or at least one that does more than read.
+  enum class Likeness : std::uint8_t { Half, Result };
+  static bool onlyReads(const std::string& line) {
+    static const std::vector<std::string> contacts = {"LD", "A", "O", "NOT", "EU", "ED", "LPS", "LPP", "LRD", "ALD"};
+    const std::string name = line.substr(0, line.find(' '));
+    return std::ranges::any_of(contacts, [&](const std::string& c) { return name.starts_with(c); }) && name != "ATCH";
+  }
+  static bool shareResult(const Shape& old, const Shape& other) {
+    return std::ranges::any_of(old.lines, [&](const std::string& line) {
+      return !onlyReads(line) && std::ranges::find(other.lines, line) != other.lines.end();
+    });
+  }
+
   /// What is left of a block: a network of NEW with the network of OLD that it shares most instructions with.
-  void pairSimilar(std::size_t pou) {
+  void pairSimilar(std::size_t pou, Likeness least) {
     for (std::size_t j = 0; j < new_.size(); ++j) {
       if (new_[j].isPaired || new_[j].where.pou != pou) continue;
       std::size_t most = 0, found = old_.size();
@@ -125,7 +140,10 @@ class Matcher {
             commonSubsequence(old_[i].lines.size(), new_[j].lines.size(), [&](std::size_t a, std::size_t b) {
               return old_[i].lines[a] == new_[j].lines[b];
             }).size();
-        if (2 * common >= std::min(old_[i].lines.size(), new_[j].lines.size()) && common > most) {
+        const bool isAlike = least == Likeness::Half
+                                 ? 2 * common >= std::min(old_[i].lines.size(), new_[j].lines.size())
+                                 : shareResult(old_[i], new_[j]);
+        if (isAlike && common > most) {
           most = common;
           found = i;
         }

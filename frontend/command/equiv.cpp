@@ -147,6 +147,7 @@ Exit run(const Arguments& arguments, Context& context) {
     if (!arguments.trace.empty()) report.comparison->trace = arguments.trace;
   }
   if (options.prover.certificates && !writeCertificates(context, arguments.certificates, sides, found)) isFailed = true;
+  if (!found.certificates.empty()) report.comparison->certificate = arguments.certificates;
   const Exit exit = finish(context, std::move(report));
   return isFailed ? Exit::Failed : exit;
 }

@@ -79,6 +79,7 @@ struct Comparison {
   double seconds = 0;
   std::vector<std::string> notes{};  ///< why nothing is decided, the run that differs
   std::string trace{};               ///< file that holds the run, or empty
+  std::string certificate{};         ///< folder of the certificates, or empty
   std::vector<ShownScan> scans{};    ///< its last scans as drawings, networks of both programs
 };
 

@@ -38,6 +38,19 @@ TEST(NetworkMatch, AddedAndRemovedNetworksHaveOneSide) {
   EXPECT_EQ(std::ranges::count_if(match.networks, [](const NetworkPair& p) { return !p.after; }), 1);
 }
 
+TEST(NetworkMatch, ANetworkThatDrivesTheSameCoilIsItsSuccessor) {
+  const ProgramMatch match = matchPrograms(readLine("LD I0.0;A I0.1;= Q0.0|LD I0.2;A I0.3;= Q0.1"),
+                                           readLine("LD I0.5;AN I0.6;= Q0.1|LD I0.1;A I0.0;= Q0.0"));
+  ASSERT_EQ(match.networks.size(), 2U);
+  EXPECT_EQ(match.networks[0].before->network, 1U);
+  EXPECT_EQ(match.networks[1].before->network, 0U);
+}
+
+TEST(NetworkMatch, FormsOfAConstantAreOneNumber) {
+  const ProgramMatch match = matchPrograms(readLine("LD I0.0;MOVW 16#10,VW0"), readLine("LD I0.0;MOVW +16,VW0"));
+  EXPECT_TRUE(match.networks[0].isSame);
+}
+
 TEST(NetworkMatch, TheMapTranslatesAddresses) {
   AddressPairs pairs;
   ASSERT_TRUE(pairs.add({Area::I, 0}, {Area::I, 8}, 1));
