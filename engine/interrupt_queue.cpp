@@ -4,13 +4,13 @@
 #include <algorithm>
 
 #include "ir/check.hpp"
+#include "ir/event_cause.hpp"
 
 namespace rungproof {
 
 InterruptQueue::InterruptQueue(const Target& target) {
-  const CpuFeatures features = cpuFeatures(target);
-  depth_ = {static_cast<std::size_t>(features.queueCommunication), static_cast<std::size_t>(features.queueIo),
-            static_cast<std::size_t>(features.queueTimed)};
+  for (std::size_t group = 0; group < depth_.size(); ++group)
+    depth_[group] = queueDepth(target, static_cast<EventGroup>(group));
 }
 
 bool InterruptQueue::add(int event, std::uint64_t moment, int routine) {

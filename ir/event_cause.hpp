@@ -13,6 +13,17 @@
 
 namespace rungproof {
 
+/// Entries that the queue of a group holds (001:5487).
+inline std::size_t queueDepth(const Target& target, EventGroup group) {
+  const CpuFeatures features = cpuFeatures(target);
+  switch (group) {
+    case EventGroup::Communication: return static_cast<std::size_t>(features.queueCommunication);
+    case EventGroup::InputOutput: return static_cast<std::size_t>(features.queueIo);
+    case EventGroup::Timed: return static_cast<std::size_t>(features.queueTimed);
+  }
+  return 0;
+}
+
 /// What a high-speed counter tells by an event (table 6-46).
 enum class CounterEvent : std::uint8_t { Equal, Direction, Reset };
 struct CounterEventInfo {

@@ -39,8 +39,7 @@ class EncodedScan::Impl {
         isOfDevices = isOfDevices || isPulseEvent(event) || portEvent(event);
       }
     }
-    if (!routines.empty())
-      effects = std::make_shared<const RoutineEffects>(plan, layout, routines, isOfDevices);
+    if (!routines.empty()) effects = std::make_shared<const RoutineEffects>(plan, layout, routines, isOfDevices);
     for (int round = 0; !learn(); ++round) {
       if (round == roundLimit) knowledge.followsPointers = false;
     }

@@ -42,7 +42,7 @@ struct EncoderOptions {
   std::vector<ExternalBytes> externals;
   std::vector<Operand> observed;  ///< direct operands that properties read: they shape the state variables
   bool interrupts = true;
-  bool interruptsInside = true;   ///< false: events come between scans only
+  bool interruptsInside = true;  ///< false: events come between scans only
   int eventPasses = 2;  ///< times that each event is let in at one place; what more of them can do is estimated
   int loopLimit = 256;  ///< rounds of a backward jump that are followed
   std::size_t stepLimit = 50000;  ///< instructions of one scan, loops unrolled, after which no loop is followed further

@@ -125,8 +125,8 @@ Graph::Bool RoutineEffects::mayBecome(Graph& graph, const Place& place, Node bef
   return result;
 }
 
-RoutineEffects::RoutineEffects(const Plan& plan, const MemoryLayout& layout,
-                               const std::set<int>& routines, bool isOfDevices)
+RoutineEffects::RoutineEffects(const Plan& plan, const MemoryLayout& layout, const std::set<int>& routines,
+                               bool isOfDevices)
     : isOnePassEnough_(!isOfDevices) {
   Trial trial(plan, layout);
   const auto differ = [&](Graph::Store& a, Graph::Store& b) {

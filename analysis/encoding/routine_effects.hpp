@@ -22,8 +22,7 @@ class RoutineEffects {
  public:
   /// `routines`: numbers of interrupt routines that the program has. `isOfDevices`: some of their events bring values
   /// of a device with them, so that no run is the same as the one before.
-  RoutineEffects(const Plan& plan, const MemoryLayout& layout, const std::set<int>& routines,
-                 bool isOfDevices);
+  RoutineEffects(const Plan& plan, const MemoryLayout& layout, const std::set<int>& routines, bool isOfDevices);
 
   /// One run of each in any fixed order stands for all sequences of runs.
   bool isOnePassEnough() const { return isOnePassEnough_; }

@@ -257,17 +257,28 @@ Cell ScanEncoding::keeping(const Place& place, std::uint64_t value) {
   return {place, CellKind::State, keptCells.back().node};
 }
 
+/// Whether the program has a TODW or TODWX.
+bool ScanEncoding::setsClock() const {
+  return std::ranges::any_of(plan_.flows, [](const Flow& flow) {
+    return std::ranges::any_of(flow.steps, [](const FlowStep& step) {
+      return step.instruction->desc->stl == "TODW" || step.instruction->desc->stl == "TODWX";
+    });
+  });
+}
+
 Graph::Bits ScanEncoding::external(const ExternalSite& site, int width) {
-  if (site.kind == External::AnalogInput && options_.choices.is(Choice::AnalogSampling, "each-scan")) {
+  if (site.kind == External::AnalogInput && !options_.coversAllReadings &&
+      options_.choices.is(Choice::AnalogSampling, "each-scan")) {
     const auto [sample, isFirst] = analog_.try_emplace(site.index, noNode);
     if (isFirst) sample->second = input(fmt::format("AIW{}", site.index), width);
     return {sample->second};
   }
   const Node node = input(siteName(site), width);
   if (site.kind == External::ClockByte) {
-    const Node legal = isa::clockShows(machine_, {node}, site.index).node;
-    constraints_.push_back(legal);
-    totalConstraints_.push_back(legal);
+    const Graph::Bool legal = isa::clockShows(machine_, {node}, site.index);
+    const Node shown = setsClock() ? graph.lor(legal, machine_.reads({Choice::ClockData, "any"})).node : legal.node;
+    constraints_.push_back(shown);
+    totalConstraints_.push_back(shown);
   }
   externals.push_back({site, node, width, machine_.guard.node});
   if (site.kind == External::AnalogInput) analog_[site.index] = node;

@@ -33,6 +33,8 @@ struct Knowledge {
 using Attachments = std::map<int, std::set<int>>;
 Attachments attachmentsOf(const Plan& plan);
 
+constexpr int queueBits = 5;  ///< width of a count of entries in a queue, at most 16
+
 /// What of the interrupt queue, the timed events and the edges of inputs lies outside the machine, as it is now.
 struct EventStates {
   std::array<Node, timedEventCount> sinceLast{noNode, noNode};  ///< ms since event 10 or 11 at the end of the scan
@@ -157,6 +159,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   Cell keeping(const Place& place, std::uint64_t value);
   std::optional<std::vector<std::uint64_t>> targetsOf(Node pointer, Node guard);
   Node init(const Place& place) const;
+  bool setsClock() const;
   bool isFixed(Choice choice) const { return !options_.coversAllReadings && options_.choices.isFixed(choice); }
   Node input(std::string name, int width);
   Node siteInput(int event, std::uint32_t instruction, int width);

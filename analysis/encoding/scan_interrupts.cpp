@@ -28,19 +28,8 @@ namespace {
 
 /// Events at places of one scan; more would repeat the routines' text too often.
 constexpr std::size_t eventSiteLimit = 400;
-constexpr int queueBits = 5;  ///< entries of a queue, at most 16
 
 constexpr std::uint32_t overflowByte = 4;  // SM4.0 to SM4.2, by group (001:5491)
-
-int depthOf(const Target& target, EventGroup group) {
-  const CpuFeatures features = cpuFeatures(target);
-  switch (group) {
-    case EventGroup::Communication: return features.queueCommunication;
-    case EventGroup::InputOutput: return features.queueIo;
-    case EventGroup::Timed: return features.queueTimed;
-  }
-  return 0;
-}
 
 bool isLimited(int event) { return isTimedEvent(event) || isTimerEvent(event); }
 
@@ -193,9 +182,7 @@ Graph::Bool ScanEncoding::isNextDue(std::uint32_t timer) {
 
 /// Whether the event comes at this point, nothing waiting.
 Graph::Bool ScanEncoding::occurs(Round& round, int event) {
-  const auto input = [&] {
-    return Graph::Bool{siteInput(event, round.where.instruction, 1)};
-  };
+  const auto input = [&] { return Graph::Bool{siteInput(event, round.where.instruction, 1)}; };
   if (isTimerEvent(event)) return graph.constant(false);
   if (isTimedEvent(event)) {
     const Graph::Bool due = isNextDue(static_cast<std::uint32_t>(event) - firstTimedEvent);
@@ -381,10 +368,9 @@ void ScanEncoding::passTime(Round& round) {
       round.mustGoOn = graph.lor(round.mustGoOn, graph.land(enabled, due));
       const Graph::Bool waits = graph.land(due, graph.lnot(enabled));
       if (graph.truth(here(waits)) != false) {
-        const int depth = depthOf(machine_.target, EventGroup::Timed);
+        const std::size_t depth = queueDepth(machine_.target, EventGroup::Timed);
         const Graph::Bits many = graph.udiv({s.sinceLast[timer]}, periodOf(timer), w);
-        const Node room = graph.make(Op::Sub, queueBits + 2,
-                                     graph.constantNode(static_cast<std::uint64_t>(depth), queueBits + 2), queued());
+        const Node room = graph.make(Op::Sub, queueBits + 2, graph.constantNode(depth, queueBits + 2), queued());
         const Graph::Bits wide{graph.make(Op::Zext, w, room)};
         const Graph::Bool overflows = graph.ult(wide, many, w);
         const Node more = graph.make(Op::Extract, queueBits, graph.select(overflows, wide, many, w).node);
@@ -504,109 +490,6 @@ void ScanEncoding::endOverflow(const Round&) {
     for (const int bit : eventStates_.overflowBits)
       machine_.setSm(overflowByte, static_cast<std::uint32_t>(bit), graph.constant(false));
   });
-}
-
-// ---- Instructions and timers that concern the queue --------------------------------------------------------
-
-void ScanEncoding::timerReached(const TimerUse& use, Graph::Bool reached) {
-  if (eventStates_.waiting.contains(eventOfTimer(use.number))) queueOne(eventOfTimer(use.number), reached);
-}
-
-/// The event comes where `condition` holds, and waits for its turn.
-void ScanEncoding::queueOne(int event, Graph::Bool condition) {
-  const auto waits = eventStates_.waiting.find(event);
-  const auto depth = static_cast<std::uint64_t>(depthOf(machine_.target, eventInfo(event).group));
-  const Graph::Bool comes = graph.land(condition, graph.land(hasRoutine(event), machine_.getBit(Reg::Running)));
-  const Graph::Bool fits = graph.ult({waits->second}, graph.literal(depth, queueBits), queueBits);
-  become(waits->second, here(graph.land(comes, fits)),
-         graph.make(Op::Add, queueBits, waits->second, graph.constantNode(1, queueBits)));
-}
-
-/// In front of RCV: with the enable bit off it ends a running reception, which is an event (001:3217).
-void ScanEncoding::noteEndOfReception(const Instruction& instruction) {
-  if (instruction.operands.size() != 2 || instruction.operands[1].kind != OperandKind::Constant) return;
-  const auto port = static_cast<std::uint32_t>(instruction.operands[1].value);
-  if (port > 1 || !eventStates_.waiting.contains(eventOfEnd(PortUse::Reception, port))) return;
-  const bool wasRecording = std::exchange(isRecording_, false);
-  const Graph::Bits busy = machine_.get(Reg::PortBusy, port);
-  const Graph::Bool isUsable =
-      graph.land(isa::portIs(machine_, port, isa::freeport), graph.lnot(graph.bit(busy, isa::sending)));
-  const Graph::Bool ends =
-      graph.land(graph.bit(busy, isa::receiving), graph.lnot(machine_.sm(receiveStatus(port) + 1, 7)));
-  queueOne(eventOfEnd(PortUse::Reception, port), graph.land(machine_.powerFlow(), graph.land(isUsable, ends)));
-  isRecording_ = wasRecording;
-}
-
-/// In front of ATCH, DTCH and CEVNT.
-void ScanEncoding::noteAttachment(const Instruction& instruction) {
-  const std::string_view stl = instruction.desc->stl;
-  if (stl == "ENI") {
-    isAfterEnable_ = !eventStates_.waiting.empty() || !eventStates_.left.empty() || !eventStates_.overflowBits.empty();
-  }
-  if (stl == "RCV") noteEndOfReception(instruction);
-  if (stl != "ATCH" && stl != "DTCH" && stl != "CEVNT") return;
-  const std::size_t at = stl == "ATCH" ? 1 : 0;
-  if (instruction.operands.size() <= at) return;
-  const int event = static_cast<int>(instruction.operands[at].value);
-  if (!attachments_.contains(event)) return;
-  const bool wasRecording = std::exchange(isRecording_, false);
-  EventStates& s = eventStates_;
-  const Graph::Bool runs = machine_.powerFlow();
-  const auto waits = s.waiting.find(event);
-  const auto left = s.left.find(event);
-  const Graph::Bits none = graph.literal(0, queueBits);
-  if (stl == "ATCH" && isTimedEvent(event)) {
-    // At any time of the scan that is not over yet; the engine asks for it likewise.
-    const int w = graph[s.passed].width;
-    const Graph::Bits dt{graph.make(Op::Zext, w, time.dt())}, before{s.passed};
-    const ExternalSite site{External::AsyncTicks, static_cast<std::uint32_t>(event), instruction.id};
-    const Graph::Bits any{siteInput(SiteInput::ticks, instruction.id, w)};
-    externals.push_back({site, any.node, w, here(runs).node});
-    const Graph::Bool fits = graph.land(graph.ule(before, any, w), graph.ule(any, dt, w));
-    const Graph::Bits now = graph.select(fits, any, before, w);
-    become(s.sinceLast[static_cast<std::uint32_t>(event) - firstTimedEvent], here(runs), graph.sub(dt, now, w).node);
-    become(s.passed, here(runs), now.node);
-  }
-  if (stl == "DTCH" && left != s.left.end()) {
-    // Entries are in the queue only while interrupts are disabled, or while a routine runs.
-    const Graph::Bool maySit =
-        graph.land(machine_.inInterrupt ? graph.constant(true) : graph.lnot(machine_.getBit(Reg::InterruptsEnabled)),
-                   graph.land(runs, hasRoutine(event)));
-    const Graph::Bool caused = waits != s.waiting.end() ? graph.lnot(graph.equal({waits->second}, none, queueBits))
-                                                        : eventHasCause(machine_, event);
-    const Graph::Bool sits = graph.land(maySit, caused);
-    if (graph.truth(here(sits)) != false) {
-      const bool isExact = !machine_.inInterrupt && waits == s.waiting.end();
-      const std::string name = fmt::format("event {} waits at instruction {}", event, instruction.id);
-      const Graph::Bool any{isExact ? input(name, 1) : anyOf(name, 1)};
-      const Graph::Bool stays = graph.land(sits, any);
-      // An entry that is there stays in the queue of the engine, and all that are there.
-      if (waits != s.waiting.end()) {
-        const Graph::Bool single = graph.equal({waits->second}, graph.literal(1, queueBits), queueBits);
-        useEstimate(graph.land(sits, graph.lnot(graph.land(any, single))));
-      } else if (!isExact) {
-        useEstimate(stays);
-      }
-      become(left->second, here(stays), machine_.get(Reg::EventRoutine, static_cast<std::uint32_t>(event)).node);
-      if (isExact) {
-        eventSites.push_back({{instruction.id, visitOf(instruction.id), machine_.guard.node},
-                              event,
-                              here(stays).node,
-                              graph.constant(false).node});
-        machine_.when(stays, [&] { deviceEvent(machine_, event); });
-      }
-    }
-  }
-  if (waits != s.waiting.end() && stl != "ATCH") become(waits->second, here(runs), none.node);
-  if (left != s.left.end() && stl == "ATCH") {
-    const Graph::Bool isLeft = graph.land(runs, graph.lnot(graph.equal({left->second}, graph.literal(0, 8), 8)));
-    if (graph.truth(here(isLeft)) != false) {  // it runs the new routine, as an event that comes then would
-      anyOf("an entry finds another routine", 1);
-      useEstimate(isLeft);
-    }
-  }
-  if (left != s.left.end() && stl != "DTCH") become(left->second, here(runs), graph.constantNode(0, 8));
-  isRecording_ = wasRecording;
 }
 
 }  // namespace rungproof

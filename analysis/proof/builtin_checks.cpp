@@ -9,6 +9,7 @@
 
 #include "analysis/facts.hpp"
 #include "ir/isa.hpp"
+#include "ir/reading.hpp"
 
 namespace rungproof {
 
@@ -195,7 +196,9 @@ class Gatherer {
                        fmt::format("once on, the bit of {} never returns to 0", name), name, &box, nullptr, falls});
     if (isTimer && timerResolution(static_cast<int>(o.offset)) == 100) oncePerScan(o, box);
   }
-  /// 001:6611: boxes of a 100 ms timer run exactly once in every scan; more than one, or none, makes it run wrongly.
+  /// 001:6611: boxes of a 100 ms timer run exactly once in every scan; more than one, or none, makes it run wrongly. A
+  /// box in an inactive segment runs without power flow, as the manual's own sequences take it (001:6575), unless the
+  /// other reading was chosen.
   void oncePerScan(const Operand& timer, const Instruction& box) {
     Graph::Bool some = graph_.constant(false), twice = some;
     for (const Visit& visit : record_.visits()) {
@@ -205,13 +208,21 @@ class Gatherer {
     }
     if (some.node == graph_.constant(false).node) return;  // in a block that nothing calls
     // Of a scan that a fatal error has cut off nothing is asked.
-    const Graph::Bool isWhole = graph_.lnot({encoding_.faulted()});
+    const Graph::Bool isWhole = graph_.land(graph_.lnot({encoding_.faulted()}), graph_.lnot(skipsInactiveSegments()));
     const Node bad = graph_.lor(graph_.land(isWhole, graph_.lnot(some)), twice).node;
     if (const auto known = graph_.truth({bad}); known && !*known && !settles_) return;
     checks_.push_back({BuiltinKind::TimerOncePerScan, fmt::format("{} runs once a scan", toString(timer)), "TIM004",
                        fmt::format("{} has a resolution of 100 ms, but its box does not run exactly once in every scan",
                                    toString(timer)),
                        toString(timer), &box, nullptr, bad});
+  }
+
+  /// That inactive segments are not executed at all, where both readings are open.
+  Graph::Bool skipsInactiveSegments() {
+    const Place reading = registerPlace(Reg::Reading, readingIndex(Choice::InactiveScr, 1));
+    const auto cell = std::ranges::find(encoding_.cells(), reading, &Cell::place);
+    if (cell == encoding_.cells().end() || cell->kind != CellKind::State) return graph_.constant(false);
+    return {cell->start};
   }
 
   static bool isBoxOf(const Instruction& instruction, Type type) {

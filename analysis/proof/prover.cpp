@@ -189,9 +189,12 @@ class Session {
     if (options_.explains) nameCircumstances(question, row);
   }
 
-  /// The fixed readings that a question depends on: constants in its encoding, so that it is looked at in another one.
-  std::vector<Choice> fixedReadings(const EncodedScan& encoding, std::size_t question) {
+  /// The fixed choices that a question depends on without showing it: their readings are constants in its encoding, or
+  /// reads of one sample are equal there. So it is looked at in another one.
+  std::vector<Choice> fixedChoices(const EncodedScan& encoding, std::size_t question, const Circumstances& found) {
     std::vector<Choice> asked = fixedReadingsOf(encoding);
+    if (!encoding.analogInputs().empty() && std::ranges::find(found.fixed, Choice::AnalogSampling) == found.fixed.end())
+      asked.push_back(Choice::AnalogSampling);
     if (asked.empty() || question >= goals().size()) return asked;
     if (!open_) {
       EncoderOptions options = encoderOptionsOf(options_);
@@ -207,7 +210,7 @@ class Session {
   void nameCircumstances(std::size_t question, ProofResult& row) {
     EncodedScan& encoding = search_.exact().obligations().encoding();
     Circumstances found = circumstancesOf(encoding, search_.exact().variablesOf(question));
-    for (const Choice choice : fixedReadings(encoding, question)) {
+    for (const Choice choice : fixedChoices(encoding, question, found)) {
       if (std::ranges::find(found.fixed, choice) == found.fixed.end()) found.fixed.push_back(choice);
     }
     row.assumptions = assumptionsOf(found, options_.choices);

@@ -20,25 +20,39 @@ inline constexpr std::array<ClockField, 10> clockRuleFields = {
 inline constexpr std::array<std::uint8_t, 10> clockModes = {0x00, 0x01, 0x02, 0x03, 0x08, 0x10, 0x11, 0x12, 0x13, 0xFF};
 inline constexpr int clockModeAt = 8;
 
-/// Whether a byte is BCD (where the choice checks that) and inside its field (likewise).
+template <class D>
+typename D::Bool isBcdByte(Machine<D>& m, typename D::Bits byte) {
+  D& d = m.d;
+  const auto nine = m.number(9, 4);
+  return d.land(d.ule(d.extract(byte, 7, 4), nine, 4), d.ule(d.extract(byte, 3, 0), nine, 4));
+}
+
+/// A byte in BCD, inside its field.
+template <class D>
+typename D::Bool isOfClockField(Machine<D>& m, typename D::Bits byte, ClockField field) {
+  D& d = m.d;
+  const auto tens = d.zext(d.extract(byte, 7, 4), 4, 8), ones = d.zext(d.extract(byte, 3, 0), 4, 8);
+  const auto value = d.add(d.mul(tens, m.number(10, 8), 8), ones, 8);
+  const auto inRange = d.land(d.ule(m.number(field.low, 8), value, 8), d.ule(value, m.number(field.high, 8), 8));
+  return d.land(isBcdByte(m, byte), inRange);
+}
+
+/// Whether TODW takes a byte: BCD and inside its field, as far as the choice asks for it.
 template <class D>
 typename D::Bool clockFieldHolds(Machine<D>& m, typename D::Bits byte, ClockField field) {
   D& d = m.d;
-  const auto tens = d.extract(byte, 7, 4), ones = d.extract(byte, 3, 0), nine = m.number(9, 4);
-  const auto isBcd = d.land(d.ule(tens, nine, 4), d.ule(ones, nine, 4));
-  const auto value = d.add(d.mul(d.zext(tens, 4, 8), m.number(10, 8), 8), d.zext(ones, 4, 8), 8);
-  const auto inRange = d.land(d.ule(m.number(field.low, 8), value, 8), d.ule(value, m.number(field.high, 8), 8));
-  const auto anyRange = d.lor(m.reads({Choice::ClockData, "bcd"}), inRange);
-  return d.lor(m.reads({Choice::ClockData, "any"}), d.land(isBcd, anyRange));
+  const auto bcdOnly = d.land(m.reads({Choice::ClockData, "bcd"}), isBcdByte(m, byte));
+  return d.lor(m.reads({Choice::ClockData, "any"}), d.lor(bcdOnly, isOfClockField(m, byte, field)));
 }
 
-/// Whether the clock can show this in byte `index` of the buffer: it holds what TODW accepts (001:2935).
+/// Whether a clock that runs by itself can show this in byte `index` of the buffer (001:2935). After a TODW that
+/// accepts anything it may show anything.
 template <class D>
 typename D::Bool clockShows(Machine<D>& m, typename D::Bits byte, std::uint32_t index) {
-  if (index < clockFields.size()) return clockFieldHolds(m, byte, clockFields[index]);
+  if (index < clockFields.size()) return isOfClockField(m, byte, clockFields[index]);
   if (index > static_cast<std::uint32_t>(clockModeAt))
     return m.d.constant(true);  // the rule counts for one mode only and may be anything else
-  auto known = m.reads({Choice::ClockData, "any"});
+  auto known = m.d.constant(false);
   for (const std::uint8_t value : clockModes) known = m.d.lor(known, m.d.equal(byte, m.number(value, 8), 8));
   return known;
 }

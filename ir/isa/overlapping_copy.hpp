@@ -1,5 +1,5 @@
 // Copies of several elements onto themselves: the manual does not say whether each element is written before the next
-// is read (Choice::BlockMoveOverlap). Used by block moves and string copies. Tests: tests/manual_a/move_test.cpp,
+// is read (Choice::BlockMoveOverlap). Used by block moves and string copies. Tests: tests/manual_b/move_test.cpp,
 // tests/manual_b/string_test.cpp.
 #pragma once
 

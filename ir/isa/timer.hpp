@@ -52,7 +52,8 @@ void sampleTimer(Machine<D>& m, std::uint32_t number, typename D::Bool in) {
 
 /// The whole instruction. A 100 ms timer counts the intervals since the start of the scan before, if it was already
 /// counting then: a timer counts what passes after it was enabled (001:6590), and a preset one higher than wanted
-/// guarantees the time (001:6592), however long the scans are. A TOF in an inactive SCR segment stands at 0 and does
+/// guarantees the time (001:6592), however long the scans are. Its bit is set by each execution that finds the value at
+/// the preset (001:6565, 6611), by the one that enables it too. A TOF in an inactive SCR segment stands at 0 and does
 /// not time (001:6575); the other kinds see no power flow there.
 template <TimerKind kind, class D>
 void runTimer(Machine<D>& m, Args<D>& a) {
@@ -70,7 +71,7 @@ void runTimer(Machine<D>& m, Args<D>& a) {
     const auto wasCounting = m.getBit(Reg::TimerRunning, number);
     sampleTimer<kind>(m, number, m.powerFlow());
     if (timerResolution(static_cast<int>(number)) == 100)
-      m.when(wasCounting, [&] { advanceTimer(m, kind, number, m.ticks100); });
+      advanceTimer(m, kind, number, d.select(wasCounting, m.ticks100, m.number(0, 16), 16));
   });
 }
 

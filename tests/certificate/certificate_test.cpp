@@ -23,7 +23,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 }
 
 std::string askCvc5(const std::string& file) {
-  return outputOf("cvc5 --incremental --lang smt2 --tlimit=60000 '" + file + "'");
+  return outputOf("cvc5 --incremental --lang smt2 --tlimit=180000 '" + file + "'");
 }
 
 TEST(Certificate, Cvc5AgreesOnTheWholeCorpus) {

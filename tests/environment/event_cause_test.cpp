@@ -145,6 +145,8 @@ TEST(EventCause, TheClockShowsDatesAndTimes) {
   EXPECT_EQ(verdict("reach no hour: VB3 = 16#24", "LD SM0.0;TODR VB0", {}), Outcome::Unreachable);
   EXPECT_EQ(verdict("reach no month: VB1 = 0 and M0.0", "LD SM0.0;TODR VB0;S M0.0,1", {}), Outcome::Unreachable);
   EXPECT_EQ(verdict("reach no weekday: VB7 = 8", "LD SM0.0;TODRX VB0", {}), Outcome::Unreachable);
+  // A TODW that takes any data (clock-data = any, 001:2924) may have set such an hour.
+  EXPECT_EQ(verdict("reach hour: VB3 = 16#4B", "LD SM0.0;TODR VB0;LD I0.0;TODW VB20", {}), Outcome::Reachable);
 }
 
 }  // namespace

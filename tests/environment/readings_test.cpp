@@ -90,7 +90,7 @@ TEST(Readings, OfStop) {
 }
 
 TEST(Readings, OfInterruptRoutines) {
-  expectBoth({"LD SM0.1;ATCH INT_0,10;ENI", "never M0.0", "interrupt-stack=zero", "interrupt-stack=one",
+  expectBoth({"LD SM0.1;MOVB 10,SMB34;ATCH INT_0,10;ENI", "never M0.0", "interrupt-stack=zero", "interrupt-stack=one",
               "INTERRUPT_BLOCK INT_0:INT0;BEGIN;Network 1;= M0.0;END_INTERRUPT_BLOCK"});
 }
 
@@ -99,7 +99,7 @@ TEST(Readings, OfTheStackAtTheStart) {
 }
 
 TEST(Readings, EnoOfBoxesThatDoNotRun) {
-  expectBoth({"LD SM0.0;MOVB 1,VB0;LD I0.0;MOVB 2,VB1;AENO;= Q0.0", "Q0.0 implies I0.0", "skipped-eno=zero",
+  expectBoth({"LD SM0.0;MOVB 1,VB0;LD I0.0;MOVB 2,VB1;LD SM0.0;AENO;= Q0.0", "Q0.0 implies I0.0", "skipped-eno=zero",
               "skipped-eno=kept"});
 }
 

@@ -93,9 +93,9 @@ TEST(DrawnBlocks, TimerOutputsAndElapsedTime) {
   Simulator simulator(program, options);
   simulator.scan();
   simulator.write(direct(Area::I, Width::Bit, 0, 0), 1);
-  // Scans of 100 ms: the first with the input counts one step.
+  // Scans of 100 ms: the first with the input enables the timer, each later one counts the scan before it.
   for (const auto& [time, on] :
-       std::vector<std::pair<std::uint64_t, std::uint64_t>>{{100, 0}, {200, 0}, {300, 1}, {300, 1}}) {
+       std::vector<std::pair<std::uint64_t, std::uint64_t>>{{0, 0}, {100, 0}, {200, 0}, {300, 1}, {300, 1}}) {
     simulator.scan();
     EXPECT_EQ(simulator.read(program.symbolNamed("e")->address), time);
     EXPECT_EQ(simulator.read(direct(Area::Q, Width::Bit, 0, 0)), on);

@@ -334,12 +334,13 @@ bool DrawnEvaluator::box(const DrawnExpr& e) {
   std::vector<bool> in;
   for (const DrawnExprPtr& part : e.inputs) in.push_back(power(*part));
   Box& b = boxes_[e.name];
-  const int tick = scans_ == 1 ? 0 : 1;
   const bool rises = scans_ > 1 && in[0] && !b.before;
   if (e.type == "TON") {
-    b.current = in[0] ? std::min(b.current + tick, 32767) : 0;
+    // The scan in which a timer is enabled brings it nothing: it counts the time of the scan before (001:6590).
+    b.current = in[0] && b.before ? std::min(b.current + 1, 32767) : 0;
     b.q = in[0] && b.current >= e.preset;
   } else if (e.type == "TOF") {
+    const bool wasRunning = b.running;
     if (in[0]) {
       b.q = true;
       b.running = false;
@@ -348,16 +349,19 @@ bool DrawnEvaluator::box(const DrawnExpr& e) {
       b.running = true;
     }
     if (b.running) {
-      b.current += tick;
+      b.current += wasRunning ? 1 : 0;
       if (b.current >= e.preset) b.q = b.running = false;
     }
   } else if (e.type == "TP") {
+    // A pulse that follows at once on the last one keeps the timer running, so that it counts without a pause.
+    const bool wasTiming = b.active || b.ended;
     if (!b.active && rises) {
       b.active = true;
       b.current = 0;
     }
-    if (b.active) b.current += tick;
-    if (b.active && b.current >= e.preset) b.active = false;
+    if (b.active && wasTiming) ++b.current;
+    b.ended = b.active && b.current >= e.preset;
+    if (b.ended) b.active = false;
     b.q = b.active;
   } else if (e.type == "CTU") {
     if (rises) ++b.current;

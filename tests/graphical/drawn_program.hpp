@@ -59,7 +59,7 @@ class DrawnEvaluator {
 
  private:
   struct Box {
-    bool q = false, running = false, before = false, beforeDown = false, active = false;
+    bool q = false, running = false, before = false, beforeDown = false, active = false, ended = false;
     int current = 0;
   };
   bool power(const DrawnExpr& e);

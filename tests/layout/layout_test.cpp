@@ -30,6 +30,9 @@ const std::map<std::string, std::set<std::string>> roomsBelow = {
     {"analysis/export", {"ir", "analysis/graph", "analysis/bits"}},
     {"analysis/proof",
      {"ir", "engine", "analysis", "analysis/graph", "analysis/bits", "analysis/encoding", "analysis/portfolio"}},
+    {"analysis/equivalence",
+     {"ir", "engine", "analysis", "analysis/graph", "analysis/bits", "analysis/encoding", "analysis/portfolio",
+      "analysis/proof"}},
 };
 
 struct Source {

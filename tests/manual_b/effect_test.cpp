@@ -75,7 +75,7 @@ TEST(Effect, TimersCountUpFromNegativeValues) {
     EXPECT_TRUE(plant.timerBit(number)) << box;
     Plant below("LD SM0.0; " + name + ", -5" + pins);
     below.scan(0, 1);
-    EXPECT_TRUE(below.timerBit(number)) << box << ": 1 is above -5";
+    EXPECT_TRUE(below.timerBit(number)) << box << ": 0 is above -5";
   }
   Plant off("LD I0.0; TOF T37, 2");
   off.set("I0.0=1").scan().set("I0.0=0").scan().set("T.value[37]", 0xFFFD).scan(0, 1);

@@ -42,9 +42,9 @@ TEST(SelfResettingTimer, TenMsByItsOwnBitNeverShows) {
 }
 TEST(SelfResettingTimer, TenMsByTheOutput) { EXPECT_EQ(selfResetting(tenMs, "Q0.0", "Q0.0"), "000100001000"); }
 TEST(SelfResettingTimer, TenMsByABitMemory) { EXPECT_EQ(selfResetting(tenMs, "M0.0", "M0.0"), "000100001000"); }
-TEST(SelfResettingTimer, HundredMsByItsOwnBit) { EXPECT_EQ(selfResetting(hundredMs, "T37", "Q0.0"), "001000100010"); }
-TEST(SelfResettingTimer, HundredMsByTheOutput) { EXPECT_EQ(selfResetting(hundredMs, "Q0.0", "Q0.0"), "001000100010"); }
-TEST(SelfResettingTimer, HundredMsByABitMemory) { EXPECT_EQ(selfResetting(hundredMs, "M0.0", "M0.0"), "001000100010"); }
+TEST(SelfResettingTimer, HundredMsByItsOwnBit) { EXPECT_EQ(selfResetting(hundredMs, "T37", "Q0.0"), "000100001000"); }
+TEST(SelfResettingTimer, HundredMsByTheOutput) { EXPECT_EQ(selfResetting(hundredMs, "Q0.0", "Q0.0"), "000100001000"); }
+TEST(SelfResettingTimer, HundredMsByABitMemory) { EXPECT_EQ(selfResetting(hundredMs, "M0.0", "M0.0"), "000100001000"); }
 
 TEST(Rotate, ByZeroLeavesValueAndLastBit) {
   // 001:5944-5946: N = 0 rotates nothing and leaves SM1.1; SM1.0 says whether the value is 0.

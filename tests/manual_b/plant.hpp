@@ -196,6 +196,7 @@ inline void check(const Example& e) {
     plant.outside.unknownStatus = before ? 0 : 1;
     Plant wanted("LD SM0.0");
     wanted.store = plant.store;
+    setReadings(wanted.store, plant.choices);
     bool hasEno = false;
     for (const Instruction& instruction : plant.program().pous[0].networks[0].instructions)
       hasEno = hasEno || instruction.desc->eno;

@@ -120,7 +120,7 @@ TEST(Scr, TimersInAnInactiveSegment) {
   // A TON sees no power flow; a TOF has value 0, bit 0 and does not time (001:6575).
   Plant plant("LSCR S0.0; LD I0.0; TON T37, +3; LD I0.0; TOF T38, +3; SCRE");
   plant.set("S0.0=1 I0.0=1").scan(0, 1);
-  EXPECT_EQ(plant.current(37), 1);
+  EXPECT_EQ(plant.scan(0, 1).current(37), 1) << "enabled in the scan before";
   EXPECT_TRUE(plant.timerBit(38));
   plant.set("S0.0=0").scan(0, 1);
   EXPECT_EQ(plant.current(37), 0);

@@ -23,6 +23,7 @@ struct Text {
   }
   Text& run() {
     before = plant.store;
+    setReadings(before, plant.choices);
     plant.scan();
     return *this;
   }

@@ -28,22 +28,27 @@ constexpr bool on = true, off = false;
 }  // namespace
 
 // ---- 100 ms: everything happens at the instruction ------------------------------------------------------------
+// An execution counts the intervals of the scan before it if the timer was already enabled there: intervals count after
+// the activation (001:6590).
 
 TEST(Ton, CountsWhileOnAndGoesOnPastThePreset) {
   Plant plant("LD I0.0; TON T37, +3");
   EXPECT_EQ(tick(plant, 37, off), (State{0, off}));
-  EXPECT_EQ(tick(plant, 37, on), (State{1, off})) << "the tick that fell into the first scan counts";
+  EXPECT_EQ(tick(plant, 37, on), (State{0, off})) << "the tick before the activation does not count";
+  EXPECT_EQ(tick(plant, 37, on), (State{1, off}));
   EXPECT_EQ(tick(plant, 37, on), (State{2, off}));
   EXPECT_EQ(tick(plant, 37, on), (State{3, on}));
   EXPECT_EQ(tick(plant, 37, on), (State{4, on}));
   EXPECT_EQ(tick(plant, 37, off), (State{0, off}));
+  EXPECT_EQ(tick(plant, 37, on), (State{0, off}));
   EXPECT_EQ(tick(plant, 37, on), (State{1, off}));
 }
 
 TEST(Ton, StopsAt32767) {
   Plant plant("LD SM0.0; TON T37, +3");
   plant.set("T.value[37]=32765").scan(0, 1);
-  EXPECT_EQ(of(plant, 37), (State{32766, on}));
+  EXPECT_EQ(of(plant, 37), (State{32765, on})) << "enabled only now; the value is beyond the preset";
+  EXPECT_EQ(of(plant.scan(0, 1), 37), (State{32766, on}));
   EXPECT_EQ(of(plant.scan(0, 1), 37), (State{32767, on}));
   EXPECT_EQ(of(plant.scan(0, 1), 37), (State{32767, on}));
   plant.set("T.value[37]=32000").scan(0, 60000);
@@ -61,20 +66,25 @@ TEST(Ton, PresetIsReadAtEachExecution) {
   // "current >= preset" (001:6565): lowering PT below the current value sets the bit.
   Plant plant("LD SM0.0; TON T37, VW0");
   plant.set("VW0=100").scan(0, 5);
+  EXPECT_EQ(of(plant, 37), (State{0, off}));
+  plant.scan(0, 5);
   EXPECT_EQ(of(plant, 37), (State{5, off}));
   plant.set("VW0=5").scan(0, 0);
   EXPECT_EQ(of(plant, 37), (State{5, on}));
   Plant negative("LD SM0.0; TON T37, -1");
-  EXPECT_EQ(of(negative.scan(0, 0), 37), (State{0, on}));
+  EXPECT_EQ(of(negative.scan(0, 0), 37), (State{0, on})) << "0 >= -1 in the execution that enables it";
 }
 
 TEST(Tonr, HoldsWhileOff) {
   Plant plant("LD I0.0; TONR T5, +3");
+  EXPECT_EQ(tick(plant, 5, on), (State{0, off}));
   EXPECT_EQ(tick(plant, 5, on), (State{1, off}));
-  EXPECT_EQ(tick(plant, 5, off), (State{1, off}));
+  EXPECT_EQ(tick(plant, 5, off), (State{1, off})) << "switched off before the tick of its last scan is counted";
+  EXPECT_EQ(tick(plant, 5, on), (State{1, off}));
   EXPECT_EQ(tick(plant, 5, on), (State{2, off}));
   EXPECT_EQ(tick(plant, 5, on), (State{3, on}));
   EXPECT_EQ(tick(plant, 5, off), (State{3, on}));
+  EXPECT_EQ(tick(plant, 5, on), (State{3, on}));
   EXPECT_EQ(tick(plant, 5, on), (State{4, on}));
   plant.set("T.value[5]=32767");
   EXPECT_EQ(tick(plant, 5, on), (State{32767, on}));
@@ -83,17 +93,19 @@ TEST(Tonr, HoldsWhileOff) {
 TEST(Tonr, OnlyRResets) {
   Plant plant("LD I0.0; TONR T5, +2; LD I0.1; R T5, 1");
   tick(plant, 5, on);
+  tick(plant, 5, on);
   EXPECT_EQ(tick(plant, 5, on), (State{2, on}));
   plant.set("I0.1=1");
   EXPECT_EQ(tick(plant, 5, on), (State{0, off}));
   plant.set("I0.1=0");
-  EXPECT_EQ(tick(plant, 5, on), (State{1, off}));
+  EXPECT_EQ(tick(plant, 5, on), (State{1, off})) << "it stayed enabled";
 }
 
-TEST(Tonr, RetainedValueReturnsTheBitAtTheNextUpdate) {
+TEST(Tonr, RetainedValueReturnsTheBitWhenItIsEnabled) {
   Plant plant("LD I0.0; TONR T5, +3");
   plant.set("T.value[5]=9");
   EXPECT_EQ(tick(plant, 5, off), (State{9, off}));
+  EXPECT_EQ(tick(plant, 5, on), (State{9, on}));
   EXPECT_EQ(tick(plant, 5, on), (State{10, on}));
 }
 
@@ -103,6 +115,7 @@ TEST(Tof, CountsAfterAFallOfTheInputOnly) {
   EXPECT_EQ(tick(plant, 37, off), (State{0, off}));
   EXPECT_EQ(tick(plant, 37, on), (State{0, on}));
   EXPECT_EQ(tick(plant, 37, on), (State{0, on}));
+  EXPECT_EQ(tick(plant, 37, off), (State{0, on})) << "the fall: it times from here on";
   EXPECT_EQ(tick(plant, 37, off), (State{1, on}));
   EXPECT_EQ(tick(plant, 37, off), (State{2, on}));
   EXPECT_EQ(tick(plant, 37, off), (State{3, off}));
@@ -113,8 +126,10 @@ TEST(Tof, CountsAfterAFallOfTheInputOnly) {
 TEST(Tof, AnInputThatComesBackEarlyKeepsTheBit) {
   Plant plant("LD I0.0; TOF T37, +3");
   tick(plant, 37, on);
+  tick(plant, 37, off);
   EXPECT_EQ(tick(plant, 37, off), (State{1, on}));
   EXPECT_EQ(tick(plant, 37, on), (State{0, on}));
+  tick(plant, 37, off);
   EXPECT_EQ(tick(plant, 37, off), (State{1, on}));
   plant.scan(0, 50);
   EXPECT_EQ(of(plant, 37), (State{3, off})) << "many ticks at once end at the preset";
@@ -124,19 +139,23 @@ TEST(Tof, AfterRItNeedsANewEdge) {
   // 001:6586.
   Plant plant("LD I0.0; TOF T37, +3; LD I0.1; R T37, 1");
   tick(plant, 37, on);
+  tick(plant, 37, off);
   EXPECT_EQ(tick(plant, 37, off), (State{1, on}));
   plant.set("I0.1=1");
   EXPECT_EQ(tick(plant, 37, off), (State{0, off}));
   plant.set("I0.1=0");
   EXPECT_EQ(tick(plant, 37, off), (State{0, off}));
   EXPECT_EQ(tick(plant, 37, on), (State{0, on}));
+  EXPECT_EQ(tick(plant, 37, off), (State{0, on}));
   EXPECT_EQ(tick(plant, 37, off), (State{1, on}));
 }
 
 TEST(Timer100, ExecutedTwiceRunsFastAndNotExecutedLosesTime) {
   Plant twice("LD SM0.0; TON T37, +100; TON T37, +100");
-  EXPECT_EQ(twice.scan(0, 3).current(37), 6);
+  EXPECT_EQ(twice.scan(0, 3).current(37), 3) << "enabled by the first, counted by the second";
+  EXPECT_EQ(twice.scan(0, 3).current(37), 9);
   Plant skipped("LD I0.0; JMP 1; LD SM0.0; TON T37, +100; LBL 1");
+  EXPECT_EQ(skipped.scan(0, 3).current(37), 0);
   EXPECT_EQ(skipped.scan(0, 3).current(37), 3);
   EXPECT_EQ(skipped.set("I0.0=1").scan(0, 3).current(37), 3);
   EXPECT_EQ(skipped.set("I0.0=0").scan(0, 3).current(37), 6);
@@ -241,8 +260,9 @@ TEST(SelfReset, WithTheTimersOwnBit) {
   // 100 ms: one scan, every time. 10 ms: never, because the instruction clears the bit that the scan start set.
   Plant hundred("LDN T37; TON T37, +3; LD T37; = Q0.0");
   std::string trace;
-  for (int i = 0; i < 8; ++i) trace += hundred.scan(10, 1).value("Q0.0") != 0 ? '1' : '0';
-  EXPECT_EQ(trace, "00100010") << "3 ticks, one scan on, one scan to reset while the tick is lost";
+  for (int i = 0; i < 10; ++i) trace += hundred.scan(10, 1).value("Q0.0") != 0 ? '1' : '0';
+  // Enabled in scan 0, ticks counted in scans 1, 2, 3; reset in scan 4, enabled again in scan 5.
+  EXPECT_EQ(trace, "0001000010");
   Plant ten("LDN T33; TON T33, +3; LD T33; = Q0.0");
   for (int i = 0; i < 20; ++i) EXPECT_EQ(ten.scan(1, 0).value("Q0.0"), 0U) << i;
   // 1 ms: on only if the update falls between the two contacts.
@@ -259,8 +279,8 @@ TEST(SelfReset, WithTheTimersOwnBit) {
 TEST(SelfReset, WithTheOutputIsOneScanForEachResolution) {
   Plant hundred("LDN Q0.0; TON T37, +3; LD T37; = Q0.0");
   std::string trace;
-  for (int i = 0; i < 8; ++i) trace += hundred.scan(10, 1).value("Q0.0") != 0 ? '1' : '0';
-  EXPECT_EQ(trace, "00100010");
+  for (int i = 0; i < 10; ++i) trace += hundred.scan(10, 1).value("Q0.0") != 0 ? '1' : '0';
+  EXPECT_EQ(trace, "0001000010");
   // 10 ms: enabled in scan 0, ticks at the starts of scans 1, 2, 3; reset in scan 4, enabled again in scan 5.
   Plant ten("LDN Q0.0; TON T33, +3; LD T33; = Q0.0");
   trace.clear();
@@ -292,7 +312,7 @@ TEST(TimerReset, ClearsBitAndValueAndTheTimerStartsAnew) {
   Plant plant("LD SM0.0; TON T37, +2; TON T33, +2; LD I0.1; R T33, 5");
   plant.scan(2, 2);
   plant.scan(2, 2);
-  EXPECT_EQ(of(plant, 37), (State{4, on}));
+  EXPECT_EQ(of(plant, 37), (State{2, on}));
   EXPECT_EQ(of(plant, 33), (State{2, on}));
   plant.set("I0.1=1").scan(0, 0);
   EXPECT_EQ(of(plant, 37), (State{0, off}));
@@ -327,6 +347,7 @@ TEST(TimerNumber, TheFirstBoxDecidesHowAMisusedNumberCounts) {
 
 TEST(IecTimer, OnDelayStopsAtThePreset) {
   Plant plant("LD I0.0; TON.IEC T37, +2, Q0.0, VW0");
+  EXPECT_EQ(tick(plant, 37, on), (State{0, off}));
   EXPECT_EQ(tick(plant, 37, on), (State{1, off}));
   EXPECT_EQ(plant.value("VW0"), 1U);
   EXPECT_EQ(tick(plant, 37, on), (State{2, on}));
@@ -342,6 +363,7 @@ TEST(IecTimer, OffDelayKeepsTheTimeUntilTheInputRises) {
   Plant plant("LD I0.0; TOF.IEC T37, +2, Q0.0, VW0");
   EXPECT_EQ(tick(plant, 37, off), (State{0, off}));
   EXPECT_EQ(tick(plant, 37, on), (State{0, on}));
+  EXPECT_EQ(tick(plant, 37, off), (State{0, on}));
   EXPECT_EQ(tick(plant, 37, off), (State{1, on}));
   EXPECT_EQ(plant.value("Q0.0"), 1U);
   EXPECT_EQ(tick(plant, 37, off), (State{2, off}));
@@ -354,6 +376,7 @@ TEST(IecTimer, OffDelayKeepsTheTimeUntilTheInputRises) {
 TEST(IecTimer, PulseLastsThePresetWhateverTheInputDoes) {
   Plant plant("LD I0.0; TP.IEC T37, +3, Q0.0, VW0");
   EXPECT_EQ(tick(plant, 37, off), (State{0, off}));
+  EXPECT_EQ(tick(plant, 37, on), (State{0, on}));
   EXPECT_EQ(tick(plant, 37, on), (State{1, on}));
   EXPECT_EQ(plant.value("Q0.0"), 1U);
   EXPECT_EQ(tick(plant, 37, off), (State{2, on}));
@@ -363,7 +386,7 @@ TEST(IecTimer, PulseLastsThePresetWhateverTheInputDoes) {
   EXPECT_EQ(plant.value("VW0"), 3U);
   EXPECT_EQ(tick(plant, 37, off), (State{0, off}));
   EXPECT_EQ(plant.value("VW0"), 0U);
-  EXPECT_EQ(tick(plant, 37, on), (State{1, on}));
+  EXPECT_EQ(tick(plant, 37, on), (State{0, on}));
 }
 
 TEST(IecTimer, OtherResolutionsAndOpenPins) {

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "analysis/proof/safety_shape.hpp"
+#include "analysis/unread_code.hpp"
 #include "frontend/solver_rules.hpp"
 #include "tests/corpus/corpus_program.hpp"
 #include "tests/prover/proved_text.hpp"
@@ -66,8 +67,11 @@ TEST_P(CorpusRules, FindWhatIsExplained) {
   ProverOptions options = proverOptions(GetParam());
   options.timeout = 10;
   std::vector<Finding> findings;
+  const UnreadCode unread(input.program);
+  options.unread = &unread;
   settleBySolver(
-      input, options, [](std::string_view rule) { return rule != "SAF001" && rule != "OUT003"; }, findings);
+      {unread.executable(), input.properties}, options,
+      [](std::string_view rule) { return rule != "SAF001" && rule != "OUT003"; }, findings);
   RuleAddresses found;
   for (const Finding& finding : findings) {
     if (finding.severity != Severity::Note) found.insert(finding.rule + " " + finding.address);

@@ -65,6 +65,7 @@ void Machine::timer(const Instruction& i) {
     // Intervals count from the activation (001:6590).
     t.timing = true;
     t.since = now_;
+    if (resolution == 100) refresh(t, i.a.offset, 0);  // the bit is set when the instruction is executed (001:6611)
   } else if (t.timing && resolution == 100) {
     const std::int64_t ticks = ticksBetween(100, t.since, now_);
     t.since = now_;

@@ -284,9 +284,9 @@ void Interpreter::timerBox(const Instruction& i, const std::string& name) {
     if (name != "TONR" && !input) start(false);
   }
   t.input = input;
-  // Only what passes after a timer was enabled counts (001:6590).
-  if (timerResolution(static_cast<int>(n)) == 100 && wasCounting && (scr_ || !name.starts_with("TOF")))
-    refresh(-static_cast<int>(n), ticks100_);
+  // Only what passes after a timer was enabled counts (001:6590); each execution compares (001:6611).
+  if (timerResolution(static_cast<int>(n)) == 100 && (scr_ || !name.starts_with("TOF")))
+    refresh(-static_cast<int>(n), wasCounting ? ticks100_ : 0);
   if (!name.ends_with(".IEC")) return;
   if (i.operands.size() > 2) writeBit(i.operands[2], timerBit[n]);
   if (i.operands.size() > 3) write(i.operands[3], 2, static_cast<std::uint16_t>(timer[n]));
