@@ -253,7 +253,7 @@ class ProgramComparison {
     }
     settle(once.system, questions, open, outputSeconds, Effort::Together);
     method_ = "one scan from memory that corresponds";
-    if (!open.empty()) sideBySide(product, open);
+    if (!open.empty() && !options_.oneScan) sideBySide(product, open);
     conclude(open);
   }
 

@@ -86,7 +86,7 @@ struct Comparison {
 /// "scan 7, 70 ms, Q0.0: expected 1, actual 0", or that the trace ends before.
 std::string differenceText(const Comparison& comparison);
 
-/// A planted fault and what became of it (analysis/proof/self_check.hpp).
+/// A planted fault and what became of it (analysis/equivalence/self_check.hpp).
 struct PlantedFault {
   std::string kind;  ///< "removed contact"
   std::string text;  ///< "A I0.2"
