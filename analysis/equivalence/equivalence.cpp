@@ -311,7 +311,11 @@ class ProgramComparison {
           needsReals = true;
           continue;
         }
-        if (isViolated) unconfirmed(product, result_.outputs[open[i]].name, answers[i]);
+        if (isViolated && both.usesEstimates != noNode && searchExact(product, both, asked.questions[i], open)) {
+          if (!options_.everyOutput) return;
+          continue;
+        }
+        if (isViolated && isLast) unconfirmed(product, result_.outputs[open[i]].name, answers[i]);
         depth_ = std::min(depth_, answers[i].depth);
       }
       if (!goesOn(open)) return;
@@ -326,10 +330,24 @@ class ProgramComparison {
     return false;
   }
 
+  /// Runs without estimates only.
+  static void exclude(TransitionSystem& system, Node estimates) {
+    if (estimates != noNode) system.constraints.push_back(system.graph->lnot({estimates}).node);
+  }
+  bool searchExact(ProgramProduct& product, const JoinedSystem& both, const Question& question,
+                   const std::vector<std::size_t>& open) {
+    TransitionSystem asked = both.system;
+    asked.questions = {question};
+    exclude(asked, both.usesEstimates);
+    const QuestionAnswer answer = ask(asked, searchSeconds, Effort::Full)[0];
+    return answer.answer == Answer::Violated && show(product, both, asked, *answer.trace, open);
+  }
+
   bool searchShort(ProgramProduct& product, const JoinedSystem& both, const std::vector<Question>& questions,
                    const std::vector<std::size_t>& open) {
     TransitionSystem asked = both.system;
     asked.questions = {{"the outputs differ", anyOf(*asked.graph, questions, open)}};
+    exclude(asked, both.usesEstimates);
     const auto trace = shallowSearch(asked, shallowScans, std::min(searchSeconds, left()));
     return trace && show(product, both, asked, *trace, open);
   }
@@ -352,6 +370,7 @@ class ProgramComparison {
     const JoinedSystem both = relaxed.merged(std::vector<bool>(relaxed.newStateCount(), false), false);
     TransitionSystem asked = both.system;
     asked.questions = {{"the outputs differ", anyOf(*asked.graph, outputQuestions(both), open)}};
+    exclude(asked, both.usesEstimates);
     const std::unordered_set<std::uint32_t> ofTime = [&] {
       std::unordered_set<std::uint32_t> nodes;
       for (const Node n : both.timeStates) nodes.insert(indexOf(n));

@@ -26,7 +26,7 @@ struct EquivalenceOptions {
   std::uint32_t latency = 0;
   std::uint32_t settleMs = 0;
   bool interruptsInside = false;  ///< events come anywhere in a scan; otherwise between scans
-  bool oneScan = false;          ///< only what one scan from memory that corresponds can prove
+  bool oneScan = false;           ///< only what one scan from memory that corresponds can prove
   bool everyOutput = false;       ///< goes on after the first difference until each output has its verdict
 };
 

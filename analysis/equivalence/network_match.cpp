@@ -110,17 +110,30 @@ class Matcher {
   void pair(std::size_t i, std::size_t j) {
     old_[i].isPaired = new_[j].isPaired = true;
     partner_[j] = i;
-    for (const auto& [a, b] :
-         commonSubsequence(old_[i].lines.size(), new_[j].lines.size(),
-                           [&](std::size_t a, std::size_t b) { return old_[i].lines[a] == new_[j].lines[b]; }))
-      result_.beforeOf[new_[j].ids[b]] = old_[i].ids[a];
+    std::vector<std::pair<std::size_t, std::size_t>> pairs =
+        commonSubsequence(old_[i].lines.size(), new_[j].lines.size(),
+                          [&](std::size_t a, std::size_t b) { return old_[i].lines[a] == new_[j].lines[b]; });
+    pairs.emplace_back(old_[i].lines.size(), new_[j].lines.size());
+    std::size_t fromOld = 0,
+                fromNew = 0;  // what lies between two pairs stands at the same places if it has the same names
+    for (const auto& [a, b] : pairs) {
+      bool isAlike = a - fromOld == b - fromNew;
+      for (std::size_t k = 0; isAlike && fromOld + k < a; ++k)
+        isAlike = nameIn(old_[i].lines[fromOld + k]) == nameIn(new_[j].lines[fromNew + k]);
+      for (std::size_t k = 0; isAlike && fromOld + k < a; ++k)
+        result_.beforeOf[new_[j].ids[fromNew + k]] = old_[i].ids[fromOld + k];
+      if (a < old_[i].lines.size()) result_.beforeOf[new_[j].ids[b]] = old_[i].ids[a];
+      fromOld = a + 1;
+      fromNew = b + 1;
+    }
   }
+  static std::string nameIn(const std::string& line) { return line.substr(0, line.find(' ')); }
 
   /// Half of the instructions in common, or at least one that does more than read.
   enum class Likeness : std::uint8_t { Half, Result };
   static bool onlyReads(const std::string& line) {
     static const std::vector<std::string> contacts = {"LD", "A", "O", "NOT", "EU", "ED", "LPS", "LPP", "LRD", "ALD"};
-    const std::string name = line.substr(0, line.find(' '));
+    const std::string name = nameIn(line);
     return std::ranges::any_of(contacts, [&](const std::string& c) { return name.starts_with(c); }) && name != "ATCH";
   }
   static bool shareResult(const Shape& old, const Shape& other) {

@@ -82,6 +82,7 @@ ProgramProduct::ProgramProduct(const Side& before, const Side& after, const Prog
       old_(*before.program, before.set, {},
            shaped(options.encoder, *after.program, &options.pairs, options.trailBefore)),
       new_(*after.program, after.set, {}, shaped(options.encoder, *before.program, nullptr, options.trailAfter)) {
+  isSame_ = isSameProgram(before, after);
   collectOutputs();
   firstScan_ = old_.encoding().firstScan();
   oldRuns_ = old_.encoding().atEnd(registerPlace(Reg::Running, 0));
@@ -276,6 +277,7 @@ JoinedSystem ProgramProduct::merged(const std::vector<bool>& isMerged, bool isOn
   replaceCells(copy);
   replaceExternals(copy);
   replaceSites(copy);
+  replaceEstimates(copy, isMerged);
   const auto isTaken = [&](std::size_t i) {
     return partners_[i].isWorld || (isMerged[i] && partners_[i].start != noNode);
   };
@@ -311,6 +313,7 @@ JoinedSystem ProgramProduct::merged(const std::vector<bool>& isMerged, bool isOn
       result.system.constraints.push_back(copied);  // not a total one: its inputs now serve two programs
   }
   addConditions(result, conditions);
+  noteEstimates(result);
   if (options_.steadyInputs) holdInputs(result);
   assume(result);
   compareOutputs(result);

@@ -74,8 +74,9 @@ std::vector<Question> outputQuestions(const struct JoinedSystem& joined);
 struct JoinedSystem {
   TransitionSystem system;  ///< without questions
   std::vector<ObservedBit> observed;
-  Node stopDiffers = noNode;          ///< one program is stopped at the end of the scan, the other is not
-  std::vector<Node> nextDiffers;      ///< by state of NEW: a merged one gets another value than OLD's; else noNode
+  Node stopDiffers = noNode;      ///< one program is stopped at the end of the scan, the other is not
+  std::vector<Node> nextDiffers;  ///< by state of NEW: a merged one gets another value than OLD's; else noNode
+  Node usesEstimates = noNode;    ///< 1 in scans that have no counterpart on the machine for certain; noNode: in none
   std::vector<Node> conditionBreaks;  ///< by condition: it does not hold at the end of the scan
   std::vector<Node> timeStates;       ///< they only measure time
   std::vector<Node> starts;           ///< by merged state of NEW: it starts with what OLD's starts with; 1 in scan 1
@@ -128,6 +129,9 @@ class ProgramProduct {
   void replaceSites(SideCopy& copy);
   void addConditions(JoinedSystem& result, const std::vector<PairCondition>& conditions);
   void startAlike(JoinedSystem& result, Node before, Node after);
+  bool isSameProgram(const Side& before, const Side& after) const;
+  void replaceEstimates(SideCopy& copy, const std::vector<bool>& isMerged);
+  void noteEstimates(JoinedSystem& result);
   void holdInputs(JoinedSystem& result);
   void assume(JoinedSystem& result);
   Node assumedLeaf(SideCopy* copy, const Operand& operand, int width);
@@ -146,6 +150,7 @@ class ProgramProduct {
   Obligations old_, new_;
   TransitionSystem oldSystem_, newSystem_;
   std::vector<Output> outputs_;
+  bool isSame_ = false;  ///< the same instructions in the same order
   std::set<Node> kept_;  ///< states of NEW that keep their value
   Node firstScan_ = noNode;
   Node oldRuns_ = noNode, newRuns_ = noNode;  ///< in RUN at the end of the scan

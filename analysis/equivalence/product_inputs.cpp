@@ -139,4 +139,70 @@ void ProgramProduct::holdInputs(JoinedSystem& result) {
   }
 }
 
+bool ProgramProduct::isSameProgram(const Side& before, const Side& after) const {
+  const auto isWhole = [](const Side& side) { return side.unread == nullptr || side.unread->empty(); };
+  const auto isAlike = [](const NetworkPair& pair) { return pair.isSame && *pair.before == *pair.after; };
+  return before.program->pous.size() == after.program->pous.size() && std::ranges::all_of(match_.networks, isAlike) &&
+         isWhole(before) && isWhole(after);
+}
+
+/// What many interrupts at one place leave is estimated with inputs of each program's own. Where one and the same
+/// program runs on equal memory and every other input is equal too, it leaves the same.
+void ProgramProduct::replaceEstimates(SideCopy& copy, const std::vector<bool>& isMerged) {
+  if (!isSame_) return;
+  const std::vector<Approximation>&before = old_.approximations(), &after = new_.approximations();
+  std::set<Node> carriers;
+  std::vector<std::pair<Node, Node>> pairs;
+  for (std::size_t k = 0; k < after.size(); ++k) {
+    if (after[k].place != nullptr || after[k].used == noNode) continue;
+    if (k >= before.size() || before[k].reason != after[k].reason ||
+        before[k].carriers.size() != after[k].carriers.size())
+      return;
+    for (std::size_t i = 0; i < after[k].carriers.size(); ++i) {
+      carriers.insert(after[k].carriers[i]);
+      pairs.emplace_back(after[k].carriers[i], before[k].carriers[i]);
+    }
+  }
+  const Graph& from = new_.encoding().graph();
+  std::map<Node, std::size_t> states;
+  for (std::size_t i = 0; i < newSystem_.states.size(); ++i) states.emplace(newSystem_.states[i].node, i);
+  std::vector<Node> open = newSystem_.constraints;
+  open.push_back(newRuns_);
+  for (const Output& output : outputs_) {
+    if (output.newValue != noNode) open.push_back(output.newValue);
+  }
+  std::set<Node> seen;
+  while (!open.empty()) {  // all that decides the outputs, through any number of scans
+    const Node node = open.back();
+    open.pop_back();
+    if (node == noNode || !seen.insert(node).second) continue;
+    open.insert(open.end(), from[node].child.begin(), from[node].child.end());
+    if (from[node].op != Op::Variable) continue;
+    const auto state = states.find(node);
+    if (state == states.end()) {
+      if (!carriers.contains(node) && !copy.isReplaced(node)) return;
+      continue;
+    }
+    const std::size_t i = state->second;
+    if (!partners_[i].isWorld && !kept_.contains(node) && !(isMerged[i] && isMergeable(i))) return;
+    open.push_back(newSystem_.states[i].next);
+  }
+  for (const auto& [own, there] : pairs) {
+    const bool isInput = from[own].op == Op::Variable && from[own].width == old_.encoding().graph()[there].width;
+    if (isInput && !copy.isReplaced(own)) copy.replace(own, there);
+  }
+}
+
+void ProgramProduct::noteEstimates(JoinedSystem& result) {
+  Graph& graph = old_.encoding().graph();
+  Graph::Bool used = graph.constant(false);
+  for (const Approximation& approximation : old_.approximations()) {
+    if (approximation.used != noNode) used = graph.lor(used, {approximation.used});
+  }
+  for (const Approximation& approximation : new_.approximations()) {
+    if (approximation.used != noNode) used = graph.lor(used, {(*result.copy)(approximation.used)});
+  }
+  if (graph.truth(used) != false) result.usesEstimates = used.node;
+}
+
 }  // namespace rungproof
