@@ -140,6 +140,7 @@ class ProgramProduct {
   Node settled(JoinedSystem& result, Node differs, const std::string& name);
   std::optional<Place> oldRegister(const Place& newPlace);
   Node oldValue(const Place& newPlace, bool atEnd);
+  bool isStatusOfOld(const Place& newPlace) const;
   bool isOldInput(const Place& newPlace);
   bool startsAlike(Node oldStart, const StateVariable& newState) const;
   static WordTrace sideTrace(const std::vector<Node>& states, const std::vector<Node>& inputs,

@@ -44,13 +44,20 @@ bool ProgramProduct::isOldInput(const Place& place) {
   return true;
 }
 
+/// Whether a map gives a bit of SMB0 to it: that is renewed at the start of the scan, and stays until its end.
+bool ProgramProduct::isStatusOfOld(const Place& place) const {
+  if (place.isRegister) return false;
+  const auto bit = options_.pairs.before(bitOf(place, 0));
+  return bit && bit->area == Area::SM && bit->index < 8;
+}
+
 void ProgramProduct::replaceCells(SideCopy& copy) {
   const TimeModel& oldTime = old_.encoding().time();
   const TimeModel& newTime = new_.encoding().time();
   for (std::size_t i = 0; i < newTime.inputs().size(); ++i) copy.replace(newTime.inputs()[i], oldTime.inputs()[i]);
   for (const Cell& cell : new_.encoding().cells()) {
     if (cell.kind != CellKind::Input) continue;
-    const Node value = oldValue(cell.place, false);
+    const Node value = oldValue(cell.place, isStatusOfOld(cell.place));
     if (value != noNode && isOldInput(cell.place)) copy.replace(cell.start, value);
   }
   for (const auto& [name, node] : new_.encoding().deviceInputs()) {

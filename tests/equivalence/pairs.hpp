@@ -265,8 +265,8 @@ inline const std::vector<Pair> pairs = {
      "I0.0 = I1.0"},
     {"map_immediate", "LDI I0.0;= Q0.0", "LDI I1.0;= Q0.0", equal, "one terminal, moved", "I0.0 = I1.0"},
     {"map_analog", "LDW> AIW0,100;= Q0.0", "LDW> AIW4,100;= Q0.0", equal, "one terminal, moved", "AIW0 = AIW4"},
-    {"map_clock", "LD SM0.5;= Q0.0", "LD M100.5;= Q0.0", equal, "a bit that the panel drives stands for the clock",
-     "SM0.5 = M100.5", "external M100.5..M100.5"},
+    {"map_clock", "LD SM0.5;= Q0.0", "LD M10.5;= Q0.0", equal, "a bit that the panel drives stands for the clock",
+     "SM0.5 = M10.5", "external M10.5..M10.5"},
 };
 
 }  // namespace rungproof::test
