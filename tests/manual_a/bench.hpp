@@ -95,6 +95,7 @@ struct World final : Outside {
 struct Outcome {
   std::array<bool, 9> stack{};
   bool halted = false;
+  bool faulted = false;
   friend bool operator==(const Outcome&, const Outcome&) = default;
 };
 

@@ -19,6 +19,7 @@ Outcome outcomeOf(const Machine<D>& machine) {
   Outcome outcome;
   for (std::size_t i = 0; i < outcome.stack.size(); ++i) outcome.stack[i] = plain(machine.stack[i]);
   outcome.halted = plain(machine.halted);
+  outcome.faulted = plain(machine.faulted);
   return outcome;
 }
 
@@ -65,7 +66,7 @@ struct BenchRun {
   }
 
   static void finish(Bench& bench, const Outcome& outcome, bool asInterrupt) {
-    bench.world.errors.check(bench.store, bench.program_, outcome.halted);
+    bench.world.errors.check(bench.store, bench.program_, outcome.halted, outcome.faulted);
     bench.stack = outcome.stack;
     bench.halted = outcome.halted;
     if (!asInterrupt) bench.store.set(Reg::FirstScan, 0, 0, true);

@@ -82,6 +82,18 @@ TEST(Edge, LaterFirstExecutionFollowsTheChoice) {
     bench.set("I0.0", 1);
     EXPECT_EQ(bench.interrupt().value("Q0.0"), 1U);
   }
+  // A memory of 1 from an earlier RUN is a fall for ED, unless the first execution only stores.
+  for (const bool stores : {false, true}) {
+    Bench bench({"LD SM0.0"}, {}, {"LD I0.0", "ED", "= Q0.0"});
+    ASSERT_TRUE(bench.choices.set("first-edge", stores ? "first-execution" : "first-scan-only"));
+    bench.scan();
+    bench.store.set(Reg::EdgeMemory, 0, 1, true);
+    EXPECT_EQ(bench.interrupt().value("Q0.0"), stores ? 0U : 1U);
+    bench.set("I0.0", 1);
+    EXPECT_EQ(bench.interrupt().value("Q0.0"), 0U);
+    bench.set("I0.0", 0);
+    EXPECT_EQ(bench.interrupt().value("Q0.0"), 1U);
+  }
 }
 
 }  // namespace

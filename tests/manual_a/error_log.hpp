@@ -1,6 +1,6 @@
 // ErrorLog: the run-time errors of a scan. An error that the test does not ask about fails the test: where the manual
-// names no error there is none. What every error does is checked for every test: fatal ones end the program, SM4.3 is
-// set by non-fatal ones only (001:14106), and the box that met one leaves ENO at 0 (001:2276-2278).
+// names no error there is none. What every error does is checked for every test: fatal ones, and nothing else, leave
+// the scan without its end (001:13906-13910), SM4.3 is set by non-fatal ones only (001:14106), and the box that met one leaves ENO at 0 (001:2276-2278).
 #pragma once
 
 #include <gtest/gtest.h>
@@ -25,10 +25,11 @@ class ErrorLog {
     errorBitBefore_ = errorBit(store);
   }
   /// After it.
-  void check(const Concrete::Store& store, const Program& program, bool halted) const {
+  void check(const Concrete::Store& store, const Program& program, bool halted, bool faulted) const {
     const bool isFatal =
         std::any_of(list_.begin(), list_.end(), [](Hazard h) { return hazardInfo(h).kind == HazardClass::Fatal; });
     EXPECT_TRUE(halted || !isFatal) << "a fatal error ends the program";
+    EXPECT_EQ(faulted, isFatal) << "a fatal error leaves the scan without its end";
     const bool sets =
         std::any_of(list_.begin(), list_.end(), [](Hazard h) { return hazardInfo(h).kind == HazardClass::NonFatal; });
     EXPECT_EQ(errorBit(store), sets || errorBitBefore_) << "SM4.3";

@@ -43,6 +43,8 @@ TEST(Increment, OverflowKeepsTheOperandByChoice) {
       {"DECB VB0", "VB0=0", "SM1.0=? SM1.1=1", "SM1.1", "increment-overflow=keeps"},
       {"INCW VW0", "VW0=32767", "SM1.0=? SM1.1=1 SM1.2=?", "SM1.1", "increment-overflow=keeps"},
       {"DECD VD0", "VD0=-2147483648", "SM1.0=? SM1.1=1 SM1.2=?", "SM1.1", "increment-overflow=keeps"},
+      {"DECW VW0", "VW0=-32768", "SM1.0=? SM1.1=1 SM1.2=?", "SM1.1", "increment-overflow=keeps"},
+      {"INCD VD0", "VD0=2147483647", "SM1.0=? SM1.1=1 SM1.2=?", "SM1.1", "increment-overflow=keeps"},
       {"INCW VW0", "VW0=5", "VW0=6 SM1.0=0 SM1.1=0 SM1.2=0", "", "increment-overflow=keeps"},
   });
 }

@@ -77,7 +77,7 @@ struct PlantRun {
     plant.reached.clear();
   }
   static void finish(Plant& plant, const Outcome& outcome) {
-    plant.outside.errors.check(plant.store, plant.program_, outcome.halted);
+    plant.outside.errors.check(plant.store, plant.program_, outcome.halted, outcome.faulted);
     plant.stack = outcome.stack;
     plant.halted = outcome.halted;
     plant.store.set(Reg::FirstScan, 0, 0, true);

@@ -69,6 +69,21 @@ TEST(PowerFlow, SkippedBoxesLeaveEnoByChoice) {
   EXPECT_EQ(plant.scan().value("Q0.0"), 1U);
 }
 
+TEST(PowerFlow, SkippedBoxesOfEveryKindKeepEnoByChoice) {
+  int count = 0;
+  for (const Desc& desc : instructionTable()) {
+    if (desc.execution != Execution::Conditional || !desc.eno) continue;
+    ++count;
+    for (const std::uint64_t eno : {0U, 1U}) {
+      Plant plant("LDN SM0.0; " + sampleStatement(desc));
+      ASSERT_TRUE(plant.choices.set("skipped-eno", "kept"));
+      plant.set("ENO[0]", eno);
+      EXPECT_EQ(plant.scan().value("ENO[0]"), eno) << desc.stl;
+    }
+  }
+  EXPECT_GT(count, 100);
+}
+
 TEST(PowerFlow, EnoFollowsTheLastBox) {
   // 001:2276-2278: a box without error sets ENO, one with an error clears it; AENO ANDs it into the top.
   Plant plant("LD SM0.0; MOVB 1, VB0; AENO; = Q0.0; LD SM0.0; /I VW2, VW4; AENO; = Q0.1");
