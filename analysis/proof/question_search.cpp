@@ -166,7 +166,7 @@ QuestionSearch::Found QuestionSearch::answer(std::size_t question, Clock::time_p
   watch_.release();
   const auto isUnconfirmed = [&] { return !witness && answer.answer == Answer::Violated; };
   OwnRuns own(*this, question);
-  if (isUnconfirmed()) witness = own.search(answer, ownRunsShare);
+  if (isUnconfirmed() && !restsOnReals(question)) witness = own.search(answer, ownRunsShare);
   bool isTried = isUnconfirmed() && searchWithoutEstimates(question, answer, witness);
   const bool isOpen = !witness && answer.answer != Answer::Proved;
   if (isOpen && !isTried && mayGoOn()) {
