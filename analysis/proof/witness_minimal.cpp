@@ -31,6 +31,7 @@ class Minimiser {
     dropDeviceWrites();
     dropEvents();
     evenLengths();
+    dropEvents();  // shorter scans have no time for some that they name
     dropStartValues();
     if (findIdle()) store();
     return std::move(best_);

@@ -1,7 +1,7 @@
 // The map of --map: which addresses of OLD and NEW stand for each other, one pair a line:
 //     I0.0..I0.7 = I1.0..I1.7     # ranges of equal length
 //     "Start"    = I0.4           # symbols of either program
-// Mistakes are failures with place. Tested by tests/equivalence/map_file_test.cpp.
+// Mistakes are failures with place. Tested by tests/equivalence/pairs_test.cpp.
 #pragma once
 
 #include <string>
