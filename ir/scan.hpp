@@ -5,14 +5,15 @@
 // `target` and keeps the rest here. Concrete follows the one part that exists. Graph walks on in program order,
 // collecting what was sent forward until its target is reached, and repeats a loop body for what was sent back
 // until nothing can be sent any more, `loopLimit` rounds were made or `stepLimit` instructions were walked. From there
-// on a hook beyondLimit(condition), if there is one, says what becomes of the rounds that are left; without it they are
-// not followed (Hazard::LoopBound).
+// on a hook beyondLimit(condition, isFirst), if there is one, says what becomes of the rounds that are left; without it
+// they are not followed (Hazard::LoopBound).
 //
 // Hooks: before(scan, step) is called in front of every instruction; interrupts and time within a scan live there.
 // A hook entry(step), if there is one, gives the function to run for the instruction, nullptr for control instructions.
 #pragma once
 
 #include <map>
+#include <set>
 
 #include "ir/args.hpp"
 #include "ir/dispatch.hpp"
@@ -113,6 +114,7 @@ class Scan {
     std::uint32_t next = 0;
     std::map<std::uint32_t, Bool> sent{};   ///< guards on their way to a later instruction
     std::map<std::uint32_t, int> rounds{};  ///< rounds made by each backward branch
+    std::set<std::uint32_t> beyond{};       ///< backward branches that have had all their rounds
   };
 
   void walk(const Flow& flow) {
@@ -175,10 +177,11 @@ class Scan {
         return;
       }
       w.rounds.erase(w.rounds.lower_bound(target), w.rounds.lower_bound(from));  // loops inside start anew
+      w.beyond.erase(w.beyond.lower_bound(target), w.beyond.lower_bound(from));
       if constexpr (requires { hooks_.isPossible(condition); }) {
         if (!hooks_.isPossible(condition)) return;
       }
-      if ((++w.rounds[from] > loopLimit_ || steps_ > stepLimit_) && !goesOn(condition)) {
+      if ((++w.rounds[from] > loopLimit_ || steps_ > stepLimit_) && !goesOn(condition, w.beyond.insert(from).second)) {
         m_.guard = stays;
         return;
       }
@@ -188,10 +191,10 @@ class Scan {
     }
   }
 
-  /// Whether a loop that has had its rounds goes into another one.
-  bool goesOn(Bool condition) {
+  /// Whether a loop that has had its rounds goes into another one; `isFirst`: the first one beyond them.
+  bool goesOn(Bool condition, bool isFirst) {
     RoundsLeft left = RoundsLeft::LeftOut;
-    if constexpr (requires { hooks_.beyondLimit(condition); }) left = hooks_.beyondLimit(condition);
+    if constexpr (requires { hooks_.beyondLimit(condition, isFirst); }) left = hooks_.beyondLimit(condition, isFirst);
     if (left == RoundsLeft::Follow) return true;
     m_.hazard(left == RoundsLeft::Endless ? Hazard::FatalWatchdog : Hazard::LoopBound, condition);
     return false;

@@ -7,10 +7,12 @@
 
 namespace rungproof {
 
-/// Lets `ticks` (width 16, unsigned) of its resolution pass for one timer where it is running. Gives the condition
-/// that this update brought the current value up to the preset (events 21 and 22, 001:5476).
+/// Lets `ticks` (width 16, unsigned) of its resolution pass for one timer where it is running; they are added where
+/// `isCounting`. Gives the condition that this update brought the current value up to the preset (events 21 and 22,
+/// 001:5476).
 template <class D>
-typename D::Bool advanceTimer(Machine<D>& m, TimerKind kind, std::uint32_t number, typename D::Bits ticks) {
+typename D::Bool advanceTimer(Machine<D>& m, TimerKind kind, std::uint32_t number, typename D::Bits ticks,
+                              typename D::Bool isCounting) {
   D& d = m.d;
   constexpr int w = 18;  // holds -32768 + 65535 and 32767 + 65535
   const auto running = m.getBit(Reg::TimerRunning, number);
@@ -20,7 +22,8 @@ typename D::Bool advanceTimer(Machine<D>& m, TimerKind kind, std::uint32_t numbe
     const auto preset = m.get(Reg::TimerPreset, number);
     const auto sum = d.add(d.sext(old, 16, w), d.zext(ticks, 16, w), w);
     const auto most = m.number(32767, w);
-    const auto counted = d.extract(d.select(d.slt(most, sum, w), most, sum, w), 15, 0);
+    const auto later = d.extract(d.select(d.slt(most, sum, w), most, sum, w), 15, 0);
+    const auto counted = d.select(isCounting, later, old, 16);
     const auto elapsed = d.sle(preset, counted, 16);
     const bool stopsAtPreset = kind != TimerKind::OnDelay && kind != TimerKind::Retentive;
     const bool endsTheSignal = kind == TimerKind::OffDelay || kind == TimerKind::IecPulse;
@@ -39,7 +42,8 @@ typename D::Bool advanceTimer(Machine<D>& m, TimerKind kind, std::uint32_t numbe
 template <class D, class Reached>
 void refreshTimers(Machine<D>& m, int resolution, typename D::Bits ticks, Reached&& reached) {
   for (const TimerUse& use : m.plan.timers) {
-    if (use.resolution == resolution && use.decides) reached(use, advanceTimer(m, use.kind, use.number, ticks));
+    if (use.resolution == resolution && use.decides)
+      reached(use, advanceTimer(m, use.kind, use.number, ticks, m.d.constant(true)));
   }
 }
 template <class D>

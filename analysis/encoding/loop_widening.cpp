@@ -30,12 +30,16 @@ void LoopWidening::block() {
   for (auto& [branch, loop] : loops_) loop.isBlocked = true;
 }
 
-RoundsLeft LoopWidening::next(std::uint32_t branch) {
+RoundsLeft LoopWidening::next(Branch branch, Node scr) {
   const auto [place, isNew] = loops_.try_emplace(branch);
   Loop& loop = place->second;
-  if (isNew) return RoundsLeft::Follow;
-  const bool isBlocked = loop.isBlocked;
-  if (isBlocked || loop.later.empty()) {
+  if (isNew) {
+    loop.scr = scr;
+    return RoundsLeft::Follow;
+  }
+  const bool isBlocked = loop.isBlocked, changesScr = loop.scr != noNode && loop.scr != scr;
+  if (changesScr) loop.scr = noNode;
+  if (isBlocked || (loop.later.empty() && !changesScr)) {
     loops_.erase(place);
     return isBlocked ? RoundsLeft::LeftOut : RoundsLeft::Endless;
   }
@@ -47,7 +51,12 @@ RoundsLeft LoopWidening::next(std::uint32_t branch) {
   return RoundsLeft::Follow;
 }
 
-std::vector<Place> LoopWidening::freed(std::uint32_t branch) const {
+bool LoopWidening::freesScr(Branch branch) const {
+  const auto found = loops_.find(branch);
+  return found != loops_.end() && found->second.scr == noNode;
+}
+
+std::vector<Place> LoopWidening::freed(Branch branch) const {
   const auto found = loops_.find(branch);
   if (found == loops_.end()) return {};
   std::vector<Place> byWidth(found->second.written.begin(), found->second.written.end());

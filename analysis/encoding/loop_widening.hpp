@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "analysis/encoding/symbolic_store.hpp"
@@ -25,19 +26,28 @@ class LoopWidening {
   void note(const Place& place);
   /// Something has happened that is more than a write of known places: loops that are under way are left out.
   void block();
-  /// What becomes of the loop that `branch` (Instruction::id) closes. With Follow, freed() has to become free.
-  RoundsLeft next(std::uint32_t branch);
+  /// A branch that closes a loop: Instruction::id, and whether an interrupt routine has come to it.
+  using Branch = std::pair<std::uint32_t, bool>;
+
+  /// The loop has come to its limit: nothing is known of it yet.
+  void enter(Branch branch) { loops_.erase(branch); }
+  /// What becomes of the loop that `branch` closes; `scr`: what the SCR stack holds there. With Follow, freed() and, if
+  /// freesScr(), the SCR stack have to become free.
+  RoundsLeft next(Branch branch, Node scr);
   /// All that the rounds of that loop have written, as places that do not overlap, the widest first.
-  std::vector<Place> freed(std::uint32_t branch) const;
+  std::vector<Place> freed(Branch branch) const;
+  /// Whether its rounds change the SCR stack.
+  bool freesScr(Branch branch) const;
 
  private:
   struct Loop {
     std::set<Place> written;  ///< as the instructions wrote it
     std::set<Place> parts;    ///< the same bit by bit, registers whole: what is free at its head
     std::set<Place> later;    ///< written since then and not free
+    Node scr = noNode;        ///< what the SCR stack held at the branch, until it becomes free
     bool isBlocked = false;
   };
-  std::map<std::uint32_t, Loop> loops_;  ///< that are beyond their limit
+  std::map<Branch, Loop> loops_;  ///< that are beyond their limit
 };
 
 }  // namespace rungproof

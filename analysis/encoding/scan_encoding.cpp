@@ -304,9 +304,10 @@ bool ScanEncoding::isPossible(Graph::Bool condition) {
 }
 
 /// The stack and what the rounds write take any value where the loop goes on.
-RoundsLeft ScanEncoding::beyondLimit(Graph::Bool condition) {
-  const std::uint32_t branch = machine_.current->id;
-  const RoundsLeft left = widening_.next(branch);
+RoundsLeft ScanEncoding::beyondLimit(Graph::Bool condition, bool isFirst) {
+  const LoopWidening::Branch branch{machine_.current->id, machine_.inInterrupt};
+  if (isFirst) widening_.enter(branch);
+  const RoundsLeft left = widening_.next(branch, machine_.scrActive.node);
   if (left != RoundsLeft::Follow) return left;
   const auto index = static_cast<std::size_t>(
       &approximate(machine_.current, "what later rounds of the loop write is taken as any value") -
@@ -317,7 +318,7 @@ RoundsLeft ScanEncoding::beyondLimit(Graph::Bool condition) {
     return approximations[index].carriers.back();
   };
   for (Graph::Bool& level : machine_.stack) level = graph.select(taken, {any("stack", 1)}, level);
-  machine_.scrActive = graph.select(taken, {any("SCR stack", 1)}, machine_.scrActive);
+  if (widening_.freesScr(branch)) machine_.scrActive = graph.select(taken, {any("SCR stack", 1)}, machine_.scrActive);
   for (const Place& place : widening_.freed(branch)) store_.replace(place, any(nameOf(place), place.width), taken);
   return RoundsLeft::Follow;
 }

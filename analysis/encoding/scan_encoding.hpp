@@ -59,7 +59,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   void freshLocal(Runner& runner, unsigned frame, std::uint32_t byte);
   /// Whether a loop can go into another round, by what is known of the values of cells.
   bool isPossible(Graph::Bool condition);
-  RoundsLeft beyondLimit(Graph::Bool condition);
+  RoundsLeft beyondLimit(Graph::Bool condition, bool isFirst);
 
   Node value(const Place& place) { return store_.value(place); }
   Node halted() const { return machine_.halted.node; }

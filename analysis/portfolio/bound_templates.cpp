@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <unordered_set>
+#include <unordered_map>
 
 #include "analysis/bits/simulation_runs.hpp"
 #include "analysis/graph/evaluate.hpp"
@@ -19,6 +19,7 @@ constexpr int templateScans = 24;         ///< of random runs on which increment
 constexpr std::size_t comparedBits = 24;  ///< of increments
 constexpr std::size_t groupLimit = 10;    ///< words of one increment
 constexpr std::size_t guardLimit = 14;    ///< conditions for one pair of words, each also negated
+constexpr std::size_t nearGuards = 6;     ///< the same while few bounds are looked for
 constexpr std::size_t fewGuards = 4;      ///< the same for words that tell less about each other
 constexpr int smallWidth = 10;            ///< of words whose range is looked for without condition
 constexpr std::size_t stopLimit = 3;
@@ -44,6 +45,7 @@ class TemplateSearch {
     for (const std::uint32_t state : order_) collect(state);
     if (words_.empty()) return {};
     collectGuards();
+    if (scope_ == BoundScope::Pending) collectEnds();
     for (const std::uint32_t state : order_) {
       const Node n = word(state);
       if (widthOf(n) > 1 && widthOf(n) <= smallWidth)
@@ -58,7 +60,7 @@ class TemplateSearch {
         for (const std::size_t x : group) {
           for (const std::size_t y : group) {
             if (x != y && (words_[x].sum.isPending ? 1 : 0) + (words_[y].sum.isPending ? 1 : 0) == pending)
-              pair(static_cast<int>(x), static_cast<int>(y), pending == 1 ? guardLimit : fewGuards);
+              pair(static_cast<int>(x), static_cast<int>(y), pending == 1 ? clockGuards() : fewGuards);
           }
         }
       }
@@ -73,6 +75,7 @@ class TemplateSearch {
   }
 
  private:
+  std::size_t clockGuards() const { return scope_ == BoundScope::Few ? nearGuards : guardLimit; }
   Node word(std::size_t state) const { return system_.states[state].node; }
   int widthOf(Node n) const { return graph_[n].width; }
 
@@ -187,14 +190,36 @@ class TemplateSearch {
     }
   }
 
+  /// How far below the next value of a state a node is: what decides whether a timer runs is near.
+  std::size_t depthUnder(std::size_t state, Node n) {
+    const auto [entry, isNew] = depths_.try_emplace(state);
+    std::unordered_map<std::uint32_t, std::size_t>& depth = entry->second;
+    if (isNew) {
+      std::vector<Node> level{system_.states[state].next};
+      for (std::size_t d = 0; !level.empty(); ++d) {
+        std::vector<Node> below;
+        for (const Node m : level) {
+          if (m == noNode || !depth.emplace(indexOf(m), d).second || graph_[m].op == Op::Variable) continue;
+          below.insert(below.end(), graph_[m].child.begin(), graph_[m].child.end());
+        }
+        level = std::move(below);
+      }
+    }
+    const auto found = depth.find(indexOf(n));
+    return found == depth.end() ? graph_.size() : found->second;
+  }
+
   /// Conditions for some words: first those that decide how the words change.
   std::vector<Node> guardsFor(const std::vector<std::size_t>& states, std::size_t most) {
-    std::vector<Node> roots;
-    for (const std::size_t s : states) roots.push_back(system_.states[s].next);
-    std::unordered_set<std::uint32_t> near;
-    for (const Node n : coneOf(graph_, roots)) near.insert(indexOf(n));
-    std::vector<Node> result = guards_;
-    std::stable_partition(result.begin(), result.end(), [&](Node n) { return near.contains(indexOf(n)); });
+    std::vector<std::pair<std::size_t, Node>> byDepth;
+    for (const Node guard : guards_) {
+      std::size_t depth = graph_.size();
+      for (const std::size_t s : states) depth = std::min(depth, depthUnder(s, guard));
+      byDepth.emplace_back(depth, guard);
+    }
+    std::ranges::stable_sort(byDepth, {}, &std::pair<std::size_t, Node>::first);
+    std::vector<Node> result;
+    for (const auto& [depth, guard] : byDepth) result.push_back(guard);
     if (result.size() > most) result.resize(most);
     const std::size_t plain = scope_ == BoundScope::Few ? 0 : result.size();
     for (std::size_t i = 0; i < plain; ++i) result.push_back(graph_.make(Op::Not, 1, result[i]));
@@ -216,11 +241,53 @@ class TemplateSearch {
     const Node value = x.sum.progress();
     const int width = widthOf(value);
     const Node negative = graph_.make(Op::Sub, width, graph_.constantNode(0, width), value);
-    for (const Node guard : guardsFor({x.state}, guardLimit)) {
+    for (const Node guard : guardsFor({x.state}, clockGuards())) {
       if (guard == noNode) continue;
       templates_.push_back({guard, noNode, value});
       templates_.push_back({guard, noNode, negative});
+      // A timer that has not run out stands at nothing while what starts it is off, even if its own end has put it off.
+      for (const std::uint64_t stop : endsOf(x)) templates_.push_back({guard, hasReached(x, stop), x.sum.word});
     }
+  }
+
+  /// What a timer's next value is compared with: where its own bit may end what started it.
+  void collectEnds() {
+    std::vector<Node> roots;
+    for (const std::uint32_t state : order_) roots.push_back(system_.states[state].next);
+    const std::vector<Node> cone = coneOf(graph_, roots);
+    for (const CountingWord& x : words_) {
+      if (!x.sum.isPending) continue;
+      std::vector<std::uint64_t>& ends = ends_[x.state];
+      for (const Node n : cone) {
+        if (!isComparison(graph_[n].op) || ends.size() == stopLimit) continue;
+        for (std::size_t side = 0; side < 2; ++side) {
+          const NodeData& limit = graph_[graph_[n].child[side]];
+          if (limit.op != Op::Constant || limit.value < 2 || !isNextOf(graph_[n].child[1 - side], x)) continue;
+          if (std::ranges::find(ends, limit.value) == ends.end()) ends.push_back(limit.value);
+        }
+      }
+    }
+  }
+  static bool isComparison(Op op) {
+    return op == Op::Ult || op == Op::Ule || op == Op::Slt || op == Op::Sle || op == Op::Equal;
+  }
+  /// The sum, the word, or what is chosen between them and constants.
+  bool isNextOf(Node n, const CountingWord& x, int depth = 8) const {
+    n = withoutExtension(n);
+    if (n == withoutExtension(x.sum.next) || n == word(x.state) || n == system_.states[x.state].next) return true;
+    if (graph_[n].op == Op::Extract) return isNextOf(graph_[n].child[0], x, depth);
+    if (graph_[n].op != Op::Ite || depth == 0) return false;
+    const auto isArm = [&](std::size_t i) {
+      return graph_[graph_[n].child[i]].op == Op::Constant || isNextOf(graph_[n].child[i], x, depth - 1);
+    };
+    return isArm(1) && isArm(2);
+  }
+  std::vector<std::uint64_t> endsOf(const CountingWord& x) const {
+    const auto found = ends_.find(x.state);
+    return found == ends_.end() ? std::vector<std::uint64_t>{} : found->second;
+  }
+  Node hasReached(const CountingWord& x, std::uint64_t stop) {
+    return graph_.make(Op::Ule, 1, graph_.constantNode(stop, widthOf(word(x.state))), word(x.state));
   }
 
   /// Of two orders of a pair one is the complement of the other, which is its negative less 1: one adder does for both.
@@ -236,14 +303,13 @@ class TemplateSearch {
     const CountingWord& x = words_[static_cast<std::size_t>(left)];
     const CountingWord& y = words_[static_cast<std::size_t>(right)];
     const Node difference = this->difference(left, right);
-    const int w = widthOf(word(y.state));
     for (const Node guard : guardsFor({x.state, y.state}, most)) {
       templates_.push_back({guard, noNode, difference, left, right});
       if (scope_ == BoundScope::Few) continue;
-      for (const std::uint64_t stop : y.stops) {
-        templates_.push_back(
-            {guard, graph_.make(Op::Ule, 1, graph_.constantNode(stop, w), word(y.state)), difference, left, right});
-      }
+      for (const std::uint64_t stop : y.stops)
+        templates_.push_back({guard, hasReached(y, stop), difference, left, right});
+      for (const std::uint64_t stop : endsOf(x))
+        templates_.push_back({guard, hasReached(x, stop), difference, left, right});
     }
   }
 
@@ -258,6 +324,8 @@ class TemplateSearch {
   std::vector<std::uint32_t> order_;
   std::vector<CountingWord> words_;
   std::vector<Node> guards_;
+  std::map<std::size_t, std::vector<std::uint64_t>> ends_;                        ///< by state
+  std::map<std::size_t, std::unordered_map<std::uint32_t, std::size_t>> depths_;  ///< by state, then node
   std::vector<BoundTemplate> templates_;
 };
 

@@ -11,8 +11,9 @@
 namespace rungproof {
 
 /// Few: of clocks against timers, while a condition holds; a chain of steps needs no more, and many would take too
-/// long.
-enum class BoundScope : std::uint8_t { Few, All };
+/// long. Pending: also for timers that have not run out, for steps that their own timers end; it comes last, since the
+/// most bounds are looked for.
+enum class BoundScope : std::uint8_t { Few, All, Pending };
 
 /// A state word that counts: what is compared of it is a Summand (certificate.hpp), with the node of the increment.
 struct CountingWord {
@@ -25,7 +26,7 @@ struct CountingWord {
 /// "guard implies difference <= bound, unless stopped": what is sought is the bound.
 struct BoundTemplate {
   Node guard = noNode;        ///< width 1 over states; noNode: always
-  Node stopped = noNode;      ///< width 1: the subtracted word has reached a value at which it may stop; noNode: never
+  Node stopped = noNode;      ///< width 1: one of the words has reached a value at which it may stop; noNode: never
   Node difference = noNode;   ///< signed
   int left = -1, right = -1;  ///< of a difference of two words: their indices in BoundTemplates::words
 };

@@ -20,6 +20,7 @@ using Signature = std::vector<std::uint64_t>;
 using Class = std::vector<Lit>;
 constexpr std::size_t ofOneClass = 6;    ///< truths of one class that pairs are made of
 constexpr std::size_t unseenLimit = 32;  ///< truths that are 0 in all samples
+constexpr std::size_t ofReadings = 64;   ///< latches that pairs under one reading of an open point are made of
 constexpr std::size_t blockSize = 32;    ///< clauses that one assumption switches on
 constexpr int neighbourBatches = 6;      ///< of 64 states near a counterexample
 constexpr int walkPatience = 24;         ///< scans of a walk that drop nothing, then the solver is asked again
@@ -143,6 +144,44 @@ class Miner {
       }
     }
     makePairsOfUnseen(isTruth, representatives);
+    if (!options_.pairsOnly) makePairsByReading(representatives);
+  }
+
+  /// Pairs of latches that hold under one value of a latch that keeps any value it starts with, as the readings of open
+  /// points do.
+  void makePairsByReading(const std::vector<std::size_t>& representatives) {
+    std::vector<std::size_t> latches;
+    for (const std::size_t r : representatives) {
+      if (!system_.isGate(watched_[r])) latches.push_back(r);
+    }
+    if (latches.size() > ofReadings) return;
+    for (const Latch& latch : system_.latches) {
+      const Lit own = positive(latch.variable);
+      const auto at = std::lower_bound(watched_.begin(), watched_.end(), own);
+      if (latch.init != LatchInit::Free || latch.next != own || at == watched_.end() || *at != own) continue;
+      const Signature& reading = signatures_[static_cast<std::size_t>(at - watched_.begin())];
+      for (const Lit other : {own, negate(own)}) {
+        const std::uint64_t flip = isNegative(other) ? ~0ULL : 0;
+        for (std::size_t i = 0; i < latches.size(); ++i) {
+          for (std::size_t j = i + 1; j < latches.size(); ++j)
+            addPairsUnless(other, flip, reading, latches[i], latches[j]);
+        }
+      }
+    }
+  }
+  void addPairsUnless(Lit other, std::uint64_t flip, const Signature& reading, std::size_t i, std::size_t j) {
+    const Signature &a = signatures_[i], &b = signatures_[j];
+    for (unsigned polarity = 0; polarity < 4; ++polarity) {
+      const std::uint64_t flipA = (polarity & 1U) != 0 ? ~0ULL : 0, flipB = (polarity & 2U) != 0 ? ~0ULL : 0;
+      bool holds = true, holdsAlone = true;
+      for (std::size_t w = 0; w < a.size() && holds; ++w) {
+        const std::uint64_t either = (a[w] ^ flipA) | (b[w] ^ flipB);
+        holds = (either | (reading[w] ^ flip)) == ~0ULL;
+        holdsAlone = holdsAlone && either == ~0ULL;
+      }
+      if (!holds || holdsAlone || clauses_.size() >= options_.implicationLimit) continue;
+      clauses_.push_back({other, watched_[i] ^ (polarity & 1U), watched_[j] ^ (polarity >> 1U)});
+    }
   }
 
   /// Truths that no sample shows may still exclude each other, and need or exclude what is seen.

@@ -12,7 +12,7 @@ namespace rungproof {
 
 namespace {
 
-constexpr std::size_t leastMembers = 3;  ///< pairs are mined as such
+constexpr std::size_t leastCandidates = 3;
 constexpr std::size_t mostCandidates = 400;
 constexpr int coverScans = 96;    ///< sampled on 64 runs
 constexpr int mostTrials = 5000;  ///< members tried, in all groups
@@ -20,25 +20,27 @@ constexpr int mostGroups = 12;    ///< that are asked for by induction
 
 class CoverSearch {
  public:
-  CoverSearch(const BitSystem& system, const Invariants& known, std::uint64_t seed, const Budget& budget)
+  CoverSearch(const BitSystem& system, const Invariants& known, const std::vector<std::size_t>& asked,
+              std::uint64_t seed, const Budget& budget)
       : system_(system),
         known_(known),
         budget_(budget),
         steps_(system, Unrolling::Start::Any),
         cnf_(steps_.graph(), sat_) {
     collect();
+    if (members() > 1) addHeads(asked);
     sample(seed);
   }
 
   std::vector<std::vector<Lit>> run() {
     std::vector<std::vector<Lit>> covers;
-    if (candidates_.size() < leastMembers || candidates_.size() > mostCandidates) return covers;
+    if (candidates_.size() < leastCandidates || candidates_.size() > mostCandidates) return covers;
     prepare();
     for (std::size_t first = 0; first < candidates_.size(); ++first) {
       if (!isInitial_[first]) continue;
       for (int group = 0; group < mostGroups; ++group) {
         members_ = {first};
-        if (!extend() || members_.size() < leastMembers) break;
+        if (!extend()) break;
         const Sat::Outcome outcome = leave();
         if (outcome == Sat::Outcome::Unknown) return covers;
         if (outcome == Sat::Outcome::Satisfiable) continue;
@@ -73,6 +75,22 @@ class CoverSearch {
     }
   }
 
+  std::size_t members() const { return apart_.size(); }
+
+  /// "Not l" for latches that are off at the start: while l is on, one of the others is. They exclude nothing.
+  void addHeads(const std::vector<std::size_t>& asked) {
+    for (const std::size_t latch : asked) {
+      if (system_.latches[latch].init != LatchInit::Zero) continue;
+      candidates_.push_back(negate(positive(system_.latches[latch].variable)));
+      latches_.push_back(latch);
+      isInitial_.push_back(true);
+    }
+  }
+
+  bool areApart(std::size_t member, std::size_t other) const {
+    return member >= members() ? latches_[member] != latches_[other] : apart_[member][other];
+  }
+
   void sample(std::uint64_t seed) {
     SimulationRuns runs(system_, seed);
     std::set<std::vector<bool>> seen;
@@ -80,7 +98,8 @@ class CoverSearch {
       for (std::size_t lane = 0; lane < 64; ++lane) {
         if ((runs.live() >> lane & 1U) == 0) continue;
         std::vector<bool> state;
-        for (const std::size_t latch : latches_) state.push_back((runs.simulator().latch(latch) >> lane & 1U) != 0);
+        for (std::size_t c = 0; c < latches_.size(); ++c)
+          state.push_back(((runs.simulator().latch(latches_[c]) >> lane & 1U) != 0) != isNegative(candidates_[c]));
         if (seen.insert(state).second) states_.push_back(std::move(state));
       }
       runs.step();
@@ -105,9 +124,9 @@ class CoverSearch {
     const auto open =
         std::find_if(states_.begin(), states_.end(), [&](const std::vector<bool>& state) { return !isOneOn(state); });
     if (open == states_.end()) return true;
-    for (std::size_t c = 0; c < candidates_.size(); ++c) {
+    for (std::size_t c = 0; c < members(); ++c) {
       if (!(*open)[c] || ++trials_ > mostTrials) continue;
-      if (!std::all_of(members_.begin(), members_.end(), [&](std::size_t m) { return apart_[m][c]; })) continue;
+      if (!std::all_of(members_.begin(), members_.end(), [&](std::size_t m) { return areApart(m, c); })) continue;
       members_.push_back(c);
       if (extend()) return true;
       members_.pop_back();
@@ -152,9 +171,10 @@ class CoverSearch {
 
 }  // namespace
 
-std::vector<std::vector<Lit>> mineCovers(const BitSystem& system, const Invariants& known, std::uint64_t seed,
+std::vector<std::vector<Lit>> mineCovers(const BitSystem& system, const Invariants& known,
+                                         const std::vector<std::size_t>& asked, std::uint64_t seed,
                                          const Budget& budget) {
-  return CoverSearch(system, known, seed, budget).run();
+  return CoverSearch(system, known, asked, seed, budget).run();
 }
 
 }  // namespace rungproof

@@ -9,8 +9,10 @@
 
 namespace rungproof {
 
-/// Clauses that hold in all reachable states, given `known` ones. Nothing when the budget ends.
-std::vector<std::vector<Lit>> mineCovers(const BitSystem& system, const Invariants& known, std::uint64_t seed,
+/// Clauses that hold in all reachable states, given `known` ones. Nothing when the budget ends. `asked`: indices of
+/// latches for which "while it is on, one of the steps is active" is sought as well.
+std::vector<std::vector<Lit>> mineCovers(const BitSystem& system, const Invariants& known,
+                                         const std::vector<std::size_t>& asked, std::uint64_t seed,
                                          const Budget& budget);
 
 }  // namespace rungproof

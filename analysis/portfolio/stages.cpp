@@ -69,7 +69,7 @@ class Stages {
       beginWithCandidates();
       if (options_.check) mine();
       searchTogether(shortInduction, false);
-      for (const BoundScope scope : {BoundScope::Few, BoundScope::All}) {
+      for (const BoundScope scope : {BoundScope::Few, BoundScope::All, BoundScope::Pending}) {
         if (!open_.empty() && options_.check && mineDifferences(scope)) searchTogether(shortInduction, false);
       }
       if (!open_.empty()) raceApart();
@@ -175,8 +175,19 @@ class Stages {
     mining.seed = options_.seed;
     const Budget limit = budget(seconds);
     invariants_ = mineInvariants(blast_->bits(), truths_, guesses_, mining, limit);
-    for (std::vector<Lit>& clause : mineCovers(blast_->bits(), invariants_, options_.seed, limit))
+    for (std::vector<Lit>& clause : mineCovers(blast_->bits(), invariants_, askedLatches(), options_.seed, limit))
       invariants_.clauses.push_back(std::move(clause));
+  }
+
+  /// Truth values of the state that the open questions ask for.
+  std::vector<std::size_t> askedLatches() const {
+    const std::vector<bool> isAsked = statesAskedFor(system_, open_);
+    std::vector<std::size_t> latches;
+    for (std::size_t latch = 0; latch < blast_->bits().latches.size(); ++latch) {
+      const std::size_t state = blast_->stateBit(static_cast<std::uint32_t>(latch)).state;
+      if (isAsked[state] && (*system_.graph)[system_.states[state].node].width == 1) latches.push_back(latch);
+    }
+    return latches;
   }
 
   /// Bounds on differences of words that count together; false if there are none.

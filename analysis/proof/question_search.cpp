@@ -20,8 +20,10 @@ constexpr int shallowDepth = 12;         ///< scans of a short accelerated run
 constexpr double shallowSeconds = 0.25;  ///< for all of them
 constexpr double engineSeconds = 2;      ///< for runs of the engine, which count their scans, on a busy machine
 constexpr std::uint64_t fewInstructions = 200'000;  ///< of its runs before any proof is tried
-constexpr double exploringSeconds = 0.15;           ///< for all questions that are open after the quick ones
-constexpr double quickSeconds = 0.5;                ///< for each question while all are looked at together
+constexpr double ownRunsShare = 0.05;          ///< of the time, for the engine's own runs when one was not confirmed
+constexpr double lastOwnRunsShare = 0.3;       ///< the same when nothing else is left to be tried
+constexpr double exploringSeconds = 0.15;      ///< for all questions that are open after the quick ones
+constexpr double quickSeconds = 0.5;           ///< for each question while all are looked at together
 constexpr int fillings = 16;                   ///< of inputs that a question does not mention, tried to confirm a run
 constexpr double minimiseSeconds = 0.25;       ///< for making a witness smaller
 constexpr std::uint64_t minimisedScans = 200;  ///< longer witnesses wait for a timer; they stay as they were found
@@ -140,6 +142,19 @@ std::vector<CheckResult> QuestionSearch::judge(const std::vector<Claim>& claims,
   return results;
 }
 
+/// Of the engine for one goal, when solvers have found a run that it does not repeat.
+class QuestionSearch::OwnRuns {
+ public:
+  OwnRuns(QuestionSearch& search, std::size_t goal) : search_(search), goal_(goal) {}
+  /// Goes on where it stopped, for that share of the time of a question.
+  std::optional<Witness> search(QuestionAnswer& answer, double share);
+
+ private:
+  QuestionSearch& search_;
+  const std::size_t goal_;
+  std::unique_ptr<Exploration> exploration_;
+};
+
 QuestionSearch::Found QuestionSearch::answer(std::size_t question, Clock::time_point deadline) {
   deadline_ = deadline;
   QuestionAnswer answer = quick_[question];
@@ -150,20 +165,15 @@ QuestionSearch::Found QuestionSearch::answer(std::size_t question, Clock::time_p
     witness = confirmed(question, *answer.trace);
   watch_.release();
   const auto isUnconfirmed = [&] { return !witness && answer.answer == Answer::Violated; };
+  OwnRuns own(*this, question);
+  if (isUnconfirmed() && !restsOnReals(question)) witness = own.search(answer, ownRunsShare);
   bool isTried = isUnconfirmed() && searchWithoutEstimates(question, answer, witness);
   const bool isOpen = !witness && answer.answer != Answer::Proved;
   if (isOpen && !isTried && mayGoOn()) {
     std::tie(answer, witness) = search(question, answer.answer);
     isTried = isUnconfirmed() && searchWithoutEstimates(question, answer, witness);
   }
-  if (!witness && answer.answer == Answer::Violated && question < goals_.size() && options_.bound == 0 && mayGoOn()) {
-    // A run that rests on values which are not modelled: perhaps the engine finds one with its own.
-    std::vector<std::optional<Witness>> found =
-        guidedRuns(program_, exact_->obligations().encoding(), assumptions_, {&goals_[question]}, options_.seed,
-                   {std::min(left(), options_.timeout / 10)});
-    witness = std::move(found[0]);
-    if (witness) answer.method = "engine runs";
-  }
+  if (isUnconfirmed()) witness = own.search(answer, lastOwnRunsShare);
   const bool isMinimised = options_.evidence && witness && question < goals_.size() &&
                            witness->scanCount <= minimisedScans && !watch_.isStopped();
   if (isMinimised) {
@@ -179,6 +189,32 @@ QuestionSearch::Found QuestionSearch::answer(std::size_t question, Clock::time_p
                                 std::clamp(left(), 0.05, minimiseSeconds));
   }
   return {std::move(answer), std::move(witness)};
+}
+
+/// A run that rests on what is not modelled exactly ends no search: the engine's own runs count, whatever is modelled.
+std::optional<Witness> QuestionSearch::OwnRuns::search(QuestionAnswer& answer, double share) {
+  if (goal_ >= search_.goals_.size() || search_.options_.bound > 0 || !search_.mayGoOn()) return std::nullopt;
+  const auto shown = [&](Witness witness, const char* method) {
+    answer.method = method;
+    return std::optional(std::move(witness));
+  };
+  if (const auto early = search_.early_.find(goal_); early != search_.early_.end())
+    return shown(early->second, "exploration");
+  const EncodedScan& encoding = search_.exact_->obligations().encoding();
+  const double seconds = std::min(search_.left(), search_.options_.timeout * share);
+  if (!exploration_) {
+    const std::vector<Property>& goals = search_.goals_;
+    auto found = guidedRuns(search_.program_, encoding, search_.assumptions_, {&goals[goal_]}, search_.options_.seed,
+                            {std::min(seconds, engineSeconds)});
+    if (found[0]) return shown(std::move(*found[0]), "engine runs");
+    exploration_ = std::make_unique<Exploration>(search_.program_, runSpaceOf(encoding), search_.assumptions_, goals,
+                                                 std::vector{goal_}, search_.options_.seed);
+  }
+  std::atomic<bool> cancel{false};
+  const ProofWatch::Guard guard(search_.watch_, cancel);
+  exploration_->search(std::min(search_.deadline_, Clock::now() + inSeconds(seconds)), cancel, goal_);
+  if (const std::optional<Witness>& found = exploration_->found(goal_)) return shown(*found, "exploration");
+  return std::nullopt;
 }
 
 /// A run that rests on estimates: perhaps there is one without. True: the question was asked so and answered.

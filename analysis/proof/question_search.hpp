@@ -78,6 +78,7 @@ class QuestionSearch {
 
  private:
   class EarlyRuns;
+  class OwnRuns;
   EncoderOptions encoding(bool relaxed) const;
   PortfolioOptions portfolio(double each, Clock::time_point deadline, const std::atomic<bool>* cancel);
   std::vector<CheckResult> judge(const std::vector<Claim>& claims, const CheckLimits& limits);

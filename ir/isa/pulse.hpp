@@ -111,7 +111,9 @@ struct PulseOutput {
     const auto offset = d.zext(at, 16, 32);
     Ref<D> table;
     const auto inside = a.follow(d.add(m.number(pointer::encode(Area::V, 0), 32), offset, 32), Width::Byte, table);
-    const auto segments = d.select(inside, a.elementOf(table, 0, Width::Byte), m.number(0, 8), 8);
+    const auto none = m.number(0, 8);
+    const bool leadsNowhere = d.truth(inside) == std::optional(false);
+    const auto segments = leadsNowhere ? none : d.select(inside, a.elementOf(table, 0, Width::Byte), none, 8);
     const auto empty = d.land(inside, d.equal(segments, m.number(0, 8), 8));
     const auto end = d.add(offset, d.add(d.mul(d.zext(segments, 8, 32), m.number(8, 32), 32), m.number(1, 32), 32), 32);
     const auto fits = d.land(inside, d.ule(end, m.number(areaSize(m.target, Area::V), 32), 32));

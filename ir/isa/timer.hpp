@@ -70,8 +70,7 @@ void runTimer(Machine<D>& m, Args<D>& a) {
   m.when(active, [&] {
     const auto wasCounting = m.getBit(Reg::TimerRunning, number);
     sampleTimer<kind>(m, number, m.powerFlow());
-    if (timerResolution(static_cast<int>(number)) == 100)
-      advanceTimer(m, kind, number, d.select(wasCounting, m.ticks100, m.number(0, 16), 16));
+    if (timerResolution(static_cast<int>(number)) == 100) advanceTimer(m, kind, number, m.ticks100, wasCounting);
   });
 }
 

@@ -125,6 +125,13 @@ TEST(EventCause, PulseOutputsTellOfTheEndOfATrain) {
             Outcome::Proved);
 }
 
+TEST(EventCause, RoutinesMayStartPulses) {
+  // The table of a profile, which the routine does not use, is asked for at a place that is not known.
+  EXPECT_EQ(verdict("reach started: M0.0", "LD SM0.1;MOVB 16#85,SMB67;MOVW 100,SMW68;MOVD 1,SMD72;ATCH INT_0,0;ENI",
+                    {"LD SM0.0;PLS 0;S M0.0,1"}),
+            Outcome::Reachable);
+}
+
 TEST(EventCause, EdgesOfAnInputComeInTurn) {
   // Event 0 twice with no event 1 in between is no run that is shown.
   EXPECT_NE(verdict("reach twice: M0.1", "LD SM0.1;ATCH INT_0,0;ATCH INT_1,1;ENI",

@@ -268,13 +268,17 @@ TEST_P(BuiltinIn, TimerThatFiresAndOneThatNeverDoes) {
 }
 
 TEST(Builtin, LoopBeyondTheLimitLeavesProofsOpen) {
-  // A jump back that an input keeps going is followed 256 times only; what lies behind is left out, so nothing that the
-  // loop could spoil is proved.
-  const ProgramInput input = inputOf("//@ prove counter stays small: VW0 <> 300\n",
-                                     "Network 1\nLBL 1\nNetwork 2\nLD SM0.0\nINCW VW0\nNetwork 3\nLDW< VW0, 1000\nJMP "
-                                     "1\nNetwork 4\nLD SM0.0\nMOVW 0, VW0\n");
+  // A jump back is followed 256 times; in the rounds behind these VW0 counts from any value. The loop is left with 1000
+  // in truth, and with 1000 or more as far as that tells: 900 is out of the question, 1500 is left open. VW4 is set
+  // anew behind the loop.
+  const ProgramInput input =
+      inputOf("//@ prove not early: VW2 <> 900\n//@ prove not late: VW2 <> 1500\n//@ prove anew: VW4 = 7\n",
+              "Network 1\nLD SM0.0\nMOVW 0, VW0\nNetwork 2\nLBL 1\nNetwork 3\nLD SM0.0\nINCW VW0\nMOVW VW0, VW2\n"
+              "MOVW VW0, VW4\nNetwork 4\nLDW< VW0, 1000\nJMP 1\nNetwork 5\nLD SM0.0\nMOVW 7, VW4\n");
   const ProofRun run = prove(input.program, input.properties, usualOptions(15));
-  EXPECT_EQ(outcomeOf(run, "counter stays small"), Outcome::NotCovered);
+  EXPECT_EQ(outcomeOf(run, "not early"), Outcome::Proved);
+  EXPECT_EQ(outcomeOf(run, "not late"), Outcome::NotCovered);
+  EXPECT_EQ(outcomeOf(run, "anew"), Outcome::Proved);
 }
 
 }  // namespace

@@ -56,19 +56,48 @@ TEST(Loops, LimitThatWasClampedInAnEarlierScanIsFollowedToItsEnd) {
 
 TEST(Loops, JumpBackOnAnInput) {
   // I0.0 is read once a scan: with it the loop never ends, without it there is one round (001:13920).
-  const ProofRun run = proofOf("//@ reach on: Q0.0\n//@ reach later: not first_scan\n//@ prove beside: Q0.1 = I1.1\n",
-                               "NETWORK 1\nLD I1.1\n= Q0.1\nNETWORK 2\nLBL 1\nNETWORK 3\nLD I0.0\nJMP 1\n"
-                               "NETWORK 4\nLD I0.1\n= Q0.0\n");
+  const ProofRun run = proofOf(
+      "//@ reach on: Q0.0\n//@ reach later: not first_scan\n//@ prove beside: Q0.1 = I1.1\n"
+      "//@ prove follow: Q0.0 = I0.1\n",
+      "NETWORK 1\nLD I1.1\n= Q0.1\nNETWORK 2\nLBL 1\nNETWORK 3\nLD I0.0\nJMP 1\n"
+      "NETWORK 4\nLD I0.1\n= Q0.0\n");
   EXPECT_EQ(test::outcomeOf(run, "on"), Outcome::Reachable);
   EXPECT_EQ(test::outcomeOf(run, "later"), Outcome::Reachable);
   EXPECT_EQ(test::outcomeOf(run, "beside"), Outcome::Proved);
+  EXPECT_EQ(test::outcomeOf(run, "follow"), Outcome::Proved);  // the watchdog ends the other scans before their end
 }
 
 TEST(Loops, JumpBackOnAnInputThatIsReadAtOnce) {
-  const ProofRun run = proofOf("//@ reach on: Q0.0\n//@ prove beside: Q0.1 = I1.1\n",
+  const ProofRun run = proofOf("//@ reach on: Q0.0\n//@ prove beside: Q0.1 = I1.1\n//@ prove follow: Q0.0 = I0.1\n",
                                "NETWORK 1\nLD I1.1\n= Q0.1\nNETWORK 2\nLBL 1\nNETWORK 3\nLDI I0.0\nJMP 1\n"
                                "NETWORK 4\nLD I0.1\n= Q0.0\n");
   EXPECT_EQ(test::outcomeOf(run, "on"), Outcome::Reachable);
+  EXPECT_EQ(test::outcomeOf(run, "beside"), Outcome::Proved);
+  EXPECT_EQ(test::outcomeOf(run, "follow"), Outcome::Proved);
+}
+
+TEST(Loops, WhatFollowsALongLoopIsAsWithoutIt) {
+  // Behind FOR with any end (001:5762), and behind a jump back inside an SCR segment, whose coil follows the segment.
+  const ProofRun loop = proofOf("//@ prove follow: Q0.0 = I1.0\n//@ reach on: Q0.0\n",
+                                "NETWORK 1\nLD SM0.0\nMOVW IW2, VW2\nFOR VW0, +1, VW2\nNETWORK 2\nLD SM0.0\nINCW VW4\n"
+                                "NETWORK 3\nNEXT\nNETWORK 4\nLD I1.0\n= Q0.0\n");
+  EXPECT_EQ(test::outcomeOf(loop, "follow"), Outcome::Proved);
+  EXPECT_EQ(test::outcomeOf(loop, "on"), Outcome::Reachable);
+  const ProofRun segment = proofOf("//@ prove follow: S0.0 implies Q0.0 = I0.1\n//@ reach on: Q0.0\n",
+                                   "NETWORK 1\nLD I0.2\n= S0.0\nNETWORK 2\nLSCR S0.0\nNETWORK 3\nLBL 1\n"
+                                   "NETWORK 4\nLDI I0.0\nJMP 1\nNETWORK 5\nLD I0.1\n= Q0.0\nNETWORK 6\nSCRE\n");
+  EXPECT_EQ(test::outcomeOf(segment, "follow"), Outcome::Proved);
+  EXPECT_EQ(test::outcomeOf(segment, "on"), Outcome::Reachable);
+}
+
+TEST(Loops, SegmentThatALoopGoesThroughIsAnyOneBehindIt) {
+  // The jump back leads in front of LSCR, and V0.0 is what decides: the coil behind the loop follows the last round.
+  const ProofRun run = proofOf("//@ prove off: never Q0.0\n//@ prove beside: Q0.1 = I1.1\n",
+                               "NETWORK 1\nLD I1.1\n= Q0.1\nNETWORK 2\nLD SM0.0\nMOVW 0, VW0\nNETWORK 3\nLBL 1\n"
+                               "NETWORK 4\nLD SM0.0\nINCW VW0\nLDW= VW0, +300\n= S0.0\nNETWORK 5\nLSCR S0.0\n"
+                               "NETWORK 6\nLD SM0.0\n= M0.0\nNETWORK 7\nSCRE\nNETWORK 8\nLDW< VW0, +300\nJMP 1\n"
+                               "NETWORK 9\nLD M0.0\n= Q0.0\n");
+  EXPECT_NE(test::outcomeOf(run, "off"), Outcome::Proved);  // in round 300 the segment is active
   EXPECT_EQ(test::outcomeOf(run, "beside"), Outcome::Proved);
 }
 

@@ -104,12 +104,16 @@ std::string impossibleEvent(const std::string& text, const std::string& trace) {
     std::getline(cells, cell, ',');
     std::istringstream events(cell);
     for (std::string event; events >> event;) {
-      const std::string number = event.substr(0, event.find('@'));
+      // "17x1@5" is event 1, 17 times.
+      const std::size_t times = event.find('x');
+      const std::size_t begin = times == std::string::npos ? 0 : times + 1;
+      const std::string number = event.substr(begin, event.find('@') - begin);
       const std::string missing = causeMissing(text, number);
       if (!missing.empty()) return missing;
       for (TimedCount& count : timed) {
         if (count.event != number || count.period == 0) continue;
-        if (++count.seen * count.period > std::stoi(time)) return "event " + number + " too often by scan " + scan;
+        count.seen += times == std::string::npos ? 1 : std::stoi(event);
+        if (count.seen * count.period > std::stoi(time)) return "event " + number + " too often by scan " + scan;
       }
     }
   }

@@ -45,6 +45,8 @@ bool Machine::scan() {
 }
 
 void Machine::startOfScan() {
+  lastScanStart_ = scanStart_;
+  scanStart_ = now_;
   systemBits();
   if (scanNumber_ > 1) {
     while (random_.chance(temper_.devices / 2)) networkProgress();

@@ -214,6 +214,7 @@ class Machine {
   int length_ = 0;
   int executed_ = 0;
   std::int64_t now_ = 0;
+  std::int64_t scanStart_ = 0, lastScanStart_ = 0;
   std::int64_t clockSeconds_ = 0;
   int shortest_ = 0, longest_ = 0;
   std::array<int, 2> phase_{};  ///< of the 10 ms and the 100 ms base

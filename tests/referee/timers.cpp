@@ -24,7 +24,7 @@ std::int64_t Machine::ticksBetween(int resolution, std::int64_t from, std::int64
 }
 
 void Machine::refresh(TimerState& t, int number, std::int64_t ticks) {
-  if (!t.timing || ticks <= 0) return;
+  if (!t.timing) return;
   t.current = static_cast<int>(std::min<std::int64_t>(32767, t.current + ticks));
   if (t.offDelay) {
     if (t.current < t.preset) return;
@@ -67,9 +67,9 @@ void Machine::timer(const Instruction& i) {
     t.since = now_;
     if (resolution == 100) refresh(t, i.a.offset, 0);  // the bit is set when the instruction is executed (001:6611)
   } else if (t.timing && resolution == 100) {
-    const std::int64_t ticks = ticksBetween(100, t.since, now_);
-    t.since = now_;
-    refresh(t, i.a.offset, ticks);
+    // How many intervals are added is settled at the start of the scan: those since the start of the scan before
+    // (004:4594); what passes in scans that jump over the box is lost (004:4598).
+    refresh(t, i.a.offset, ticksBetween(100, lastScanStart_, scanStart_));
   }
   t.input = input;
 }

@@ -170,7 +170,7 @@ TEST(Invariants, OneOfTheStepsIsAlwaysActive) {
     std::vector<Lit> truths;
     for (const Node step : steps) truths.push_back(blast.of(step)[0]);
     const Invariants known = mineInvariants(blast.bits(), truths, {}, {}, Budget::seconds(10));
-    const std::vector<std::vector<Lit>> covers = mineCovers(blast.bits(), known, miningSeed, Budget::seconds(10));
+    const std::vector<std::vector<Lit>> covers = mineCovers(blast.bits(), known, {}, miningSeed, Budget::seconds(10));
     ASSERT_EQ(covers.size(), isClosed ? 1U : 0U);
     for (const std::vector<Lit>& cover : covers) EXPECT_EQ(cover.size(), 4U);
   }
