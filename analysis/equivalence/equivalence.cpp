@@ -66,7 +66,7 @@ class ProgramComparison {
 
  private:
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-  double left() const { return std::max(options_.prover.timeout - seconds(), 0.0); }
+  double left() const { return std::max(options_.prover.timeout + more_ - seconds(), 0.0); }
 
   std::vector<QuestionAnswer> ask(const TransitionSystem& system, double each, Effort effort) {
     std::atomic<bool> cancel{false};
@@ -223,13 +223,14 @@ class ProgramComparison {
   /// Proves the equality once more, of both programs as they are written: that is what the certificates say.
   void certify(const ProgramProduct& product, ProductOptions options) {
     options.trailBefore->isFollowed = options.trailAfter->isFollowed = true;
+    more_ = seconds();                // as long again
     reals_ = RealScope::Comparisons;  // the certificates say themselves what is written out
     const EqualityProof::Ask asks = [this](const TransitionSystem& system, double each, Effort effort) {
       return ask(system, each, effort);
     };
     try {
       ProgramProduct written(before_, after_, match_, options);
-      EqualityProof proof(written, product.newStateNames(), isMerged_, conditions_, asks, left());
+      EqualityProof proof(written, product.newStateNames(), isMerged_, conditions_, asks, options_.prover.timeout);
       result_.certificates = proof.certificates();
       result_.uncertified = proof.missing();
     } catch (const DecisionsDiverge&) {
@@ -534,6 +535,7 @@ class ProgramComparison {
   const ProgramMatch match_;
   const Clock::time_point start_ = Clock::now();
   ProofWatch watch_;
+  double more_ = 0;                           ///< seconds beside the time that was given
   RealScope reals_ = RealScope::Comparisons;  ///< REAL operations that are asked about bit by bit
   std::vector<bool> isMerged_;
   std::vector<PairCondition> conditions_;
