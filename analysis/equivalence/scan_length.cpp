@@ -21,7 +21,20 @@ std::optional<NetworkRef> networkAt(const Program& program, const Span& span) {
   return std::nullopt;
 }
 
+/// Whether anything in the program can run more than once in a scan by itself.
+bool mayLoop(const Program& program) {
+  for (const Pou& pou : program.pous) {
+    for (const Network& network : pou.networks) {
+      for (const Instruction& i : network.instructions) {
+        if (i.desc->control == Control::For || i.desc->control == Control::Jump) return true;
+      }
+    }
+  }
+  return false;
+}
+
 void collect(const Program& program, std::string_view side, bool isOld, const ProgramMatch& match, LongScans& result) {
+  if (!mayLoop(program)) return;
   const Facts facts(program);
   for (const Finding& finding : runRules(facts, RuleSelection({"CTL004"}, {}), {})) {
     const std::optional<NetworkRef> where = networkAt(program, finding.span);
