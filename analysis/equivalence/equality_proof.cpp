@@ -10,12 +10,20 @@ namespace {
 constexpr double quickProof = 2;  ///< seconds for each question while all are asked together
 }  // namespace
 
-TransitionSystem withWrittenReals(const TransitionSystem& system, RealScope scope) {
+namespace {
+
+bool hasReals(const TransitionSystem& system) {
   const Graph& graph = *system.graph;
   for (std::size_t i = 0; i < graph.size(); ++i) {
-    if (isRealOperation(graph[static_cast<Node>(i)].op)) return withExactReals(system, scope);
+    if (isRealOperation(graph[static_cast<Node>(i)].op)) return true;
   }
-  return system;
+  return false;
+}
+
+}  // namespace
+
+TransitionSystem withWrittenReals(const TransitionSystem& system, RealScope scope) {
+  return hasReals(system) ? withExactReals(system, scope) : system;
 }
 
 EqualityProof::EqualityProof(ProgramProduct& written, const std::vector<std::string>& names,
@@ -36,9 +44,9 @@ EqualityProof::EqualityProof(ProgramProduct& written, const std::vector<std::str
 }
 
 std::vector<Question> EqualityProof::prove(const TransitionSystem& system, const std::vector<Question>& questions,
-                                           CertificateWriter& writer) {
+                                           double longest, CertificateWriter& writer) {
   std::vector<Question> open = questions;
-  for (const auto& [each, effort] : {std::pair{quickProof, Effort::Together}, std::pair{seconds_, Effort::Full}}) {
+  for (const auto& [each, effort] : {std::pair{quickProof, Effort::Together}, std::pair{longest, Effort::Full}}) {
     if (open.empty()) break;
     TransitionSystem asked = system;
     asked.questions = open;
@@ -67,22 +75,28 @@ void EqualityProof::writeMemory(const JoinedSystem& joined, const std::vector<st
                              condition.condition + (condition.when ? " 1" : " 0"),
                          joined.conditionBreaks[i]});
   }
-  TransitionSystem system = joined.system;
-  system.questions = questions;
-  system = withWrittenReals(system, RealScope::Comparisons);
-  CertificateWriter writer(system);
-  writer.addStart("pairs start equal", joined.starts);
-  for (const Question& question : prove(system, system.questions, writer)) missing_.push_back(question.name);
-  certificates_.emplace_back("memory", writer.text());
+  std::vector<Question> open;
+  for (const RealScope scope : {RealScope::Comparisons, RealScope::All}) {
+    TransitionSystem system = joined.system;
+    system.questions = questions;
+    system = withWrittenReals(system, scope);
+    CertificateWriter writer(system);
+    writer.addStart("pairs start equal", joined.starts);
+    open = prove(system, system.questions, seconds_, writer);
+    if (!open.empty() && scope == RealScope::Comparisons && hasReals(system)) continue;
+    certificates_.emplace_back("memory", writer.text());
+    break;
+  }
+  for (const Question& question : open) missing_.push_back(question.name);
 }
 
-bool EqualityProof::writeOutput(const TransitionSystem& given, const Question& question) {
+bool EqualityProof::writeOutput(const TransitionSystem& given, const Question& question, double longest) {
   for (const RealScope scope : {RealScope::Comparisons, RealScope::All}) {
     TransitionSystem system = given;
     system.questions = {question};
     system = withWrittenReals(system, scope);
     CertificateWriter writer(system);
-    if (!prove(system, system.questions, writer).empty()) continue;
+    if (!prove(system, system.questions, longest, writer).empty()) continue;
     certificates_.emplace_back(question.name.substr(0, question.name.find(' ')), writer.text());
     return true;
   }
@@ -94,9 +108,9 @@ void EqualityProof::writeOutputs(ProgramProduct& written, const JoinedSystem& jo
   const std::vector<Question> questions = outputQuestions(joined);
   std::optional<JoinedSystem> both;
   for (std::size_t i = 0; i < questions.size(); ++i) {
-    if (writeOutput(joined.system, questions[i])) continue;
+    if (writeOutput(joined.system, questions[i], quickProof)) continue;
     if (!both) both = written.merged(isMerged, false, conditions_);
-    if (!writeOutput(both->system, outputQuestions(*both)[i])) missing_.push_back(questions[i].name);
+    if (!writeOutput(both->system, outputQuestions(*both)[i], seconds_)) missing_.push_back(questions[i].name);
   }
 }
 

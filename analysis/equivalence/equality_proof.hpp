@@ -36,11 +36,11 @@ class EqualityProof {
 
  private:
   /// Proves the questions of that system; those that are left open.
-  std::vector<Question> prove(const TransitionSystem& system, const std::vector<Question>& questions,
+  std::vector<Question> prove(const TransitionSystem& system, const std::vector<Question>& questions, double longest,
                               CertificateWriter& writer);
   void writeMemory(const JoinedSystem& joined, const std::vector<std::string>& names);
   void writeOutputs(ProgramProduct& written, const JoinedSystem& joined, const std::vector<bool>& isMerged);
-  bool writeOutput(const TransitionSystem& system, const Question& question);
+  bool writeOutput(const TransitionSystem& system, const Question& question, double longest);
 
   const std::vector<PairCondition>& conditions_;
   Ask ask_;

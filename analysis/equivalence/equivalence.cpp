@@ -11,6 +11,7 @@
 #include "analysis/encoding/accelerate.hpp"
 #include "analysis/equivalence/both_runs.hpp"
 #include "analysis/equivalence/equality_proof.hpp"
+#include "analysis/equivalence/scan_length.hpp"
 #include "analysis/graph/evaluate.hpp"
 #include "analysis/portfolio/portfolio.hpp"
 #include "analysis/proof/hidden_code.hpp"
@@ -52,7 +53,7 @@ class ProgramComparison {
       ProgramProduct product(before_, after_, match_, options);
       correspond(product, false);
       compareOutputs(product);
-      if (result_.equality == Equality::Equal) guardCoverage(product);
+      if (std::ranges::any_of(result_.outputs, isEqual)) guardCoverage(product);
       guardUnread();
       if (result_.equality == Equality::Equal && options_.prover.certificates) certify(product, std::move(options));
     } catch (const EncodingStopped&) {
@@ -65,7 +66,7 @@ class ProgramComparison {
 
  private:
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-  double left() const { return std::max(options_.prover.timeout - seconds(), 0.0); }
+  double left() const { return std::max(options_.prover.timeout + more_ - seconds(), 0.0); }
 
   std::vector<QuestionAnswer> ask(const TransitionSystem& system, double each, Effort effort) {
     std::atomic<bool> cancel{false};
@@ -222,12 +223,14 @@ class ProgramComparison {
   /// Proves the equality once more, of both programs as they are written: that is what the certificates say.
   void certify(const ProgramProduct& product, ProductOptions options) {
     options.trailBefore->isFollowed = options.trailAfter->isFollowed = true;
+    more_ = seconds();                // as long again
+    reals_ = RealScope::Comparisons;  // the certificates say themselves what is written out
     const EqualityProof::Ask asks = [this](const TransitionSystem& system, double each, Effort effort) {
       return ask(system, each, effort);
     };
     try {
       ProgramProduct written(before_, after_, match_, options);
-      EqualityProof proof(written, product.newStateNames(), isMerged_, conditions_, asks, left());
+      EqualityProof proof(written, product.newStateNames(), isMerged_, conditions_, asks, options_.prover.timeout);
       result_.certificates = proof.certificates();
       result_.uncertified = proof.missing();
     } catch (const DecisionsDiverge&) {
@@ -451,11 +454,35 @@ class ProgramComparison {
     if (left() <= 0) note("the time was over");
   }
 
+  static bool isEqual(const ObservedVerdict& output) { return output.equality == Equality::Equal; }
+
   /// What was not read or not followed to its end leaves equality open.
   void guardCoverage(ProgramProduct& product) {
+    const std::size_t before = result_.notes.size();
     guardSide(before_, product.oldSide());
     guardSide(after_, product.newSide());
-    if (!result_.notes.empty()) result_.equality = Equality::Unknown;
+    guardRuns(product);
+    const LongScans loops = longScansOf(*before_.program, *after_.program, match_);
+    for (const std::string& text : loops.ofOne) note(text);
+    if (loops.areInBoth)
+      result_.assumptions.push_back("the loops that may outlast the watchdog, alike in both programs, do not");
+    if (result_.notes.size() == before) return;
+    for (ObservedVerdict& output : result_.outputs) {
+      if (isEqual(output)) output.equality = Equality::Unknown;
+    }
+    if (result_.equality == Equality::Equal) result_.equality = Equality::Unknown;
+  }
+  /// Assumptions that no run meets show nothing.
+  void guardRuns(ProgramProduct& product) {
+    const auto isAssumption = [](const Property& property) { return !property.isGoal(); };
+    const bool hasAny = !options_.assumptions.empty() || std::ranges::any_of(before_.set.properties, isAssumption) ||
+                        std::ranges::any_of(after_.set.properties, isAssumption);
+    if (!hasAny) return;
+    TransitionSystem some = product.merged(isMerged_, false, conditions_).system;
+    some.questions = {{"a run that meets the assumptions", some.graph->constant(true).node}};
+    if (shallowSearch(some, 1, std::min(searchSeconds, left()))) return;
+    if (ask(some, left(), Effort::Full)[0].answer != Answer::Violated)
+      note("the assumptions contradict each other: no run meets them");
   }
   /// Nothing is decided about an output that unread code may decide.
   void guardUnread() {
@@ -508,6 +535,7 @@ class ProgramComparison {
   const ProgramMatch match_;
   const Clock::time_point start_ = Clock::now();
   ProofWatch watch_;
+  double more_ = 0;                           ///< seconds beside the time that was given
   RealScope reals_ = RealScope::Comparisons;  ///< REAL operations that are asked about bit by bit
   std::vector<bool> isMerged_;
   std::vector<PairCondition> conditions_;
