@@ -7,7 +7,7 @@ namespace rungproof {
 
 namespace {
 
-bool isInRun(const Address& first, std::uint32_t count, const Address& address) {
+bool coversAddress(const Address& first, std::uint32_t count, const Address& address) {
   return address.area == first.area && address.index >= first.index && address.index - first.index < count;
 }
 
@@ -18,13 +18,18 @@ Address addressOf(const Operand& operand) {
   return {operand.area, operand.offset * 8 + (operand.width == Width::Bit ? operand.bit : 0U)};
 }
 
+Operand operandAt(const Address& address) {
+  if (isByNumber(address.area)) return direct(address.area, Width::Bit, address.index);
+  return direct(address.area, Width::Bit, address.index / 8, address.index % 8);
+}
+
 std::uint32_t extentOf(const Operand& operand) {
   return isByNumber(operand.area) ? 1 : static_cast<std::uint32_t>(bits(operand.width));
 }
 
 bool AddressPairs::add(Address before, Address after, std::uint32_t count) {
   const auto meet = [](Address a, std::uint32_t m, Address b, std::uint32_t n) {
-    return isInRun(a, m, b) || isInRun(b, n, a);
+    return coversAddress(a, m, b) || coversAddress(b, n, a);
   };
   const bool isTaken = std::ranges::any_of(runs_, [&](const Run& run) {
     return meet(run.before, run.count, before, count) || meet(run.after, run.count, after, count);
@@ -36,28 +41,28 @@ bool AddressPairs::add(Address before, Address after, std::uint32_t count) {
 
 std::optional<Address> AddressPairs::before(Address after) const {
   for (const Run& run : runs_) {
-    if (isInRun(run.after, run.count, after))
+    if (coversAddress(run.after, run.count, after))
       return Address{run.before.area, run.before.index + (after.index - run.after.index)};
   }
   const bool isGivenAway =
-      std::ranges::any_of(runs_, [&](const Run& run) { return isInRun(run.before, run.count, after); });
+      std::ranges::any_of(runs_, [&](const Run& run) { return coversAddress(run.before, run.count, after); });
   if (isGivenAway) return std::nullopt;
   return after;
 }
 
 std::optional<Address> AddressPairs::after(Address before) const {
   for (const Run& run : runs_) {
-    if (isInRun(run.before, run.count, before))
+    if (coversAddress(run.before, run.count, before))
       return Address{run.after.area, run.after.index + (before.index - run.before.index)};
   }
   const bool isGivenAway =
-      std::ranges::any_of(runs_, [&](const Run& run) { return isInRun(run.after, run.count, before); });
+      std::ranges::any_of(runs_, [&](const Run& run) { return coversAddress(run.after, run.count, before); });
   if (isGivenAway) return std::nullopt;
   return before;
 }
 
 bool AddressPairs::names(Address after) const {
-  return std::ranges::any_of(runs_, [&](const Run& run) { return isInRun(run.after, run.count, after); });
+  return std::ranges::any_of(runs_, [&](const Run& run) { return coversAddress(run.after, run.count, after); });
 }
 
 std::optional<Operand> AddressPairs::before(const Operand& after) const {

@@ -24,6 +24,8 @@ constexpr bool isByNumber(Area area) {
 }
 /// First address that a direct operand names.
 Address addressOf(const Operand& operand);
+/// The operand that names one address: a bit, or the bit of a timer or counter.
+Operand operandAt(const Address& address);
 /// How many addresses it names from there on.
 std::uint32_t extentOf(const Operand& operand);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "analysis/proof/witness.hpp"
+#include "ir/reading.hpp"
 
 namespace rungproof {
 
@@ -12,14 +13,17 @@ namespace {
 struct ScanEnd {
   std::uint64_t milliseconds = 0;
   std::uint32_t lengthMs = 0;
-  std::size_t step = 0;      ///< index of its ReplayScan
+  std::size_t step = 0;  ///< index of its ReplayScan
   std::uint32_t round = 0;
   bool runs = false;
   std::vector<bool> outputs;
 };
 
 bool bitIn(const Concrete::Store& state, const std::optional<Address>& address) {
-  return address && state.load(address->area, address->index, 1) != 0;
+  if (!address) return false;
+  if (address->area == Area::T) return state.get(Reg::TimerBit, address->index) != 0;
+  if (address->area == Area::C) return state.get(Reg::CounterBit, address->index) != 0;
+  return state.load(address->area, address->index, 1) != 0;
 }
 
 std::vector<ScanEnd> scanEnds(const Program& program, const Choices& choices, const std::vector<ReplayScan>& scans,
@@ -81,6 +85,29 @@ std::optional<EquivalenceRun> BothRuns::judged(EquivalenceRun run) const {
     }
   }
   return std::nullopt;
+}
+
+EquivalenceRun BothRuns::plain(EquivalenceRun run) const {
+  if (!run.initialBefore || !run.initialAfter) return run;
+  const auto tryWith = [&](const auto& change) {
+    EquivalenceRun other = run;
+    change(*other.initialBefore);
+    change(*other.initialAfter);
+    std::optional<EquivalenceRun> found = judged(std::move(other));
+    if (!found) return false;
+    run = std::move(*found);
+    return true;
+  };
+  for (const Reg phase : {Reg::PhaseTen, Reg::PhaseHundred, Reg::PhaseSecond, Reg::PhaseMinute}) {
+    if (run.initialBefore->get(phase, 0) != 0) tryWith([&](Concrete::Store& state) { state.set(phase, 0, 0, true); });
+  }
+  for (const ChoiceInfo& info : choiceTable) {
+    const std::uint8_t usual = options.prover.choices[info.choice], now = readingIn(*run.initialBefore, info.choice);
+    if (info.kind != ChoiceKind::Reading || now == usual) continue;
+    if (!tryWith([&](Concrete::Store& state) { setReading(state, info.choice, usual); }))
+      run.readings.emplace_back(info.choice, now);
+  }
+  return run;
 }
 
 }  // namespace rungproof

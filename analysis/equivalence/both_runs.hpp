@@ -16,6 +16,9 @@ struct BothRuns {
 
   /// The first difference of the run; `run` has scans and initial states.
   std::optional<EquivalenceRun> judged(EquivalenceRun run) const;
+  /// A judged run, with the usual readings of open points and clocks that start at 0 as far as it differs with them
+  /// too.
+  EquivalenceRun plain(EquivalenceRun run) const;
 };
 
 }  // namespace rungproof

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numeric>
 #include <unordered_set>
 
 #include "analysis/encoding/accelerate.hpp"
 #include "analysis/equivalence/both_runs.hpp"
+#include "analysis/equivalence/equality_proof.hpp"
+#include "analysis/graph/evaluate.hpp"
 #include "analysis/portfolio/portfolio.hpp"
 #include "analysis/proof/hidden_code.hpp"
 #include "analysis/proof/proof_side.hpp"
@@ -19,11 +22,13 @@ namespace rungproof {
 
 namespace {
 
-constexpr double pairSeconds = 2;    ///< for a pair of states that is not settled at once
-constexpr double outputSeconds = 1;  ///< for all outputs, whatever NEW's own memory is
-constexpr int shallowScans = 10;     ///< of a run that is searched for first
-constexpr int longScans = 12;        ///< of a run in which time passes in long scans
-constexpr double searchSeconds = 3;  ///< for each of these searches
+constexpr double pairSeconds = 2;            ///< for a pair of states that is not settled at once
+constexpr double outputSeconds = 1;          ///< for all outputs, whatever NEW's own memory is
+constexpr int shallowScans = 10;             ///< of a run that is searched for first
+constexpr int longScans = 12;                ///< of a run in which time passes in long scans
+constexpr std::size_t mostConditions = 400;  ///< under which states may correspond
+constexpr int pairScans = 8;                 ///< of a run that shows that states do not correspond
+constexpr double searchSeconds = 3;          ///< for each of these searches
 
 class ProgramComparison {
  public:
@@ -39,11 +44,17 @@ class ProgramComparison {
   Equivalence run() {
     nameAssumptions();
     try {
-      ProgramProduct product(before_, after_, match_, productOptions(false));
-      correspond(product);
+      ProductOptions options = productOptions(false);
+      if (options_.prover.certificates) {
+        options.trailBefore = std::make_shared<Trail>();
+        options.trailAfter = std::make_shared<Trail>();
+      }
+      ProgramProduct product(before_, after_, match_, options);
+      correspond(product, false);
       compareOutputs(product);
       if (result_.equality == Equality::Equal) guardCoverage(product);
       guardUnread();
+      if (result_.equality == Equality::Equal && options_.prover.certificates) certify(product, std::move(options));
     } catch (const EncodingStopped&) {
       result_.notes.push_back(watch_.isInterrupted() ? "interrupted before both programs were encoded"
                                                      : "the time was over before both programs were encoded");
@@ -70,7 +81,7 @@ class ProgramComparison {
     portfolio.cancel = &cancel;
     portfolio.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(
                                             std::min(left(), each * static_cast<double>(system.questions.size()))));
-    return answerQuestions(system, portfolio);
+    return answerQuestions(withWrittenReals(system, reals_), portfolio);
   }
 
   ProductOptions productOptions(bool relaxed) {
@@ -114,63 +125,121 @@ class ProgramComparison {
           fmt::format("outputs may differ for less than {} ms without a break", options_.settleMs));
   }
 
-  /// Finds the states of NEW that always hold what their partners hold, whatever NEW's other states are.
-  void correspond(ProgramProduct& product) {
-    isMerged_.resize(product.newStateCount());
+  /// Finds the states of NEW that always hold what their partners hold, whatever NEW's other states are. With
+  /// conditions: those that do not may do so wherever some bit of OLD has a value.
+  void correspond(ProgramProduct& product, bool withConditions) {
+    isMerged_.assign(product.newStateCount(), false);
+    conditions_.clear();
     for (std::size_t i = 0; i < isMerged_.size(); ++i) isMerged_[i] = product.isMergeable(i);
     while (!watch_.isStopped() && left() > 0) {
-      const JoinedSystem merged = product.merged(isMerged_, true);
+      const JoinedSystem merged = product.merged(isMerged_, true, conditions_);
       TransitionSystem system = merged.system;
-      std::vector<std::size_t> open;
+      std::vector<std::size_t> open;  // states, then conditions
       const Graph& graph = *system.graph;
-      for (std::size_t i = 0; i < merged.nextDiffers.size(); ++i) {
-        if (merged.nextDiffers[i] == noNode || graph.truth({merged.nextDiffers[i]}) == false) continue;
-        open.push_back(i);
-        system.questions.push_back({"what stands for " + nameOfState(product, i) + " differs", merged.nextDiffers[i]});
-      }
+      const auto ask1 = [&](std::size_t what, Node differs, const std::string& name) {
+        if (differs == noNode || graph.truth({differs}) == false) return;
+        open.push_back(what);
+        system.questions.push_back({"what stands for " + name + " differs", differs});
+      };
+      for (std::size_t i = 0; i < isMerged_.size(); ++i) ask1(i, merged.nextDiffers[i], nameOfState(product, i));
+      for (std::size_t i = 0; i < conditions_.size(); ++i)
+        ask1(isMerged_.size() + i, merged.conditionBreaks[i], conditions_[i].state);
       if (open.empty()) return;
-      std::vector<QuestionAnswer> answers = ask(system, pairSeconds, Effort::Together);
-      bool isDropped = false;
-      for (std::size_t i = 0; i < open.size(); ++i) {
-        if (answers[i].answer == Answer::Violated) isDropped = drop(open[i]);
+      std::vector<std::size_t> dropped;
+      for (const std::size_t i : withConditions ? brokenSoon(system) : brokenOrOpen(system)) dropped.push_back(open[i]);
+      if (dropped.empty() && withConditions) {
+        for (const std::size_t i : brokenOrOpen(system)) dropped.push_back(open[i]);
       }
-      if (isDropped) continue;
-      certify(system, answers);
-      for (std::size_t i = 0; i < open.size(); ++i) {
-        if (answers[i].answer == Answer::Proved) continue;
-        TransitionSystem one = system;
-        one.questions = {system.questions[i]};
-        const std::vector<QuestionAnswer> longer = ask(one, pairSeconds, Effort::Full);
-        if (longer[0].answer != Answer::Proved) isDropped = drop(open[i]);
-        certify(one, longer);
-      }
-      if (!isDropped) return;
-      pairCertificates_.clear();
+      if (dropped.empty()) return;
+      drop(product, dropped, withConditions);
     }
     isMerged_.assign(isMerged_.size(), false);  // not settled: nothing is known to correspond
-    pairCertificates_.clear();
+    conditions_.clear();
   }
-  bool drop(std::size_t state) {
-    isMerged_[state] = false;
-    return true;
+  /// Questions that a short run answers with yes: all that are so in one run.
+  std::vector<std::size_t> brokenSoon(const TransitionSystem& system) const {
+    TransitionSystem asked = system;
+    std::vector<std::size_t> all(system.questions.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    asked.questions = {{"something differs", anyOf(*asked.graph, system.questions, all)}};
+    const auto trace = shallowSearch(asked, pairScans, std::min(pairSeconds, left()));
+    return trace ? brokenIn(system, *trace) : std::vector<std::size_t>{};
+  }
+  static std::vector<std::size_t> brokenIn(const TransitionSystem& system, const WordTrace& trace) {
+    std::vector<Node> roots;
+    for (const Question& question : system.questions) roots.push_back(question.bad);
+    for (const StateVariable& state : system.states) roots.push_back(state.next);
+    Evaluator evaluator(*system.graph, roots);
+    std::vector<std::uint64_t> now = trace.initial;
+    for (const std::vector<std::uint64_t>& scan : trace.inputs) {
+      for (std::size_t i = 0; i < now.size(); ++i) evaluator.set(system.states[i].node, now[i]);
+      for (std::size_t i = 0; i < scan.size(); ++i) evaluator.set(system.inputs[i], scan[i]);
+      evaluator.run();
+      for (std::size_t i = 0; i < now.size(); ++i) now[i] = evaluator[system.states[i].next];
+    }
+    std::vector<std::size_t> broken;
+    for (std::size_t i = 0; i < system.questions.size(); ++i) {
+      if (evaluator[system.questions[i].bad] != 0) broken.push_back(i);
+    }
+    return broken;
+  }
+  /// Questions that are answered with yes; if there are none, the first one that is not answered with no.
+  std::vector<std::size_t> brokenOrOpen(const TransitionSystem& system) {
+    const std::vector<QuestionAnswer> answers = ask(system, pairSeconds, Effort::Together);
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      if (answers[i].answer == Answer::Violated) found.push_back(i);
+    }
+    for (std::size_t i = 0; found.empty() && i < answers.size(); ++i) {
+      if (answers[i].answer == Answer::Proved) continue;
+      TransitionSystem one = system;
+      one.questions = {system.questions[i]};
+      if (ask(one, pairSeconds, Effort::Full)[0].answer != Answer::Proved) found.push_back(i);
+    }
+    return found;
+  }
+  void drop(const ProgramProduct& product, const std::vector<std::size_t>& dropped, bool withConditions) {
+    std::vector<PairCondition> kept;
+    for (std::size_t i = 0; i < conditions_.size(); ++i) {
+      if (std::ranges::find(dropped, isMerged_.size() + i) == dropped.end()) kept.push_back(conditions_[i]);
+    }
+    conditions_ = std::move(kept);
+    const std::vector<std::string> bits = withConditions ? product.oldBitNames() : std::vector<std::string>{};
+    for (const std::size_t i : dropped) {
+      if (i >= isMerged_.size()) continue;
+      isMerged_[i] = false;
+      if (conditions_.size() + 2 * bits.size() > mostConditions) continue;
+      for (const std::string& bit : bits) {
+        for (const bool when : {true, false}) conditions_.push_back({nameOfState(product, i), bit, when});
+      }
+    }
   }
   static std::string nameOfState(const ProgramProduct& product, std::size_t i) {
     const TransitionSystem& system = product.newSystem();
     return system.graph->variables()[(*system.graph)[system.states[i].node].value].name;
   }
 
-  void certify(const TransitionSystem& system, const std::vector<QuestionAnswer>& answers) {
-    if (!options_.prover.certificates) return;
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-      if (answers[i].answer == Answer::Proved && answers[i].certificate)
-        pairCertificates_.emplace_back(system.questions[i].name,
-                                       certificateText(system, system.questions[i], *answers[i].certificate));
+  /// Proves the equality once more, of both programs as they are written: that is what the certificates say.
+  void certify(const ProgramProduct& product, ProductOptions options) {
+    options.trailBefore->isFollowed = options.trailAfter->isFollowed = true;
+    const EqualityProof::Ask asks = [this](const TransitionSystem& system, double each, Effort effort) {
+      return ask(system, each, effort);
+    };
+    try {
+      ProgramProduct written(before_, after_, match_, options);
+      EqualityProof proof(written, product.newStateNames(), isMerged_, conditions_, asks, left());
+      result_.certificates = proof.certificates();
+      result_.uncertified = proof.missing();
+    } catch (const DecisionsDiverge&) {
+      result_.uncertified.emplace_back("both programs");
+    } catch (const EncodingStopped&) {
+      result_.uncertified.emplace_back("both programs");
     }
   }
 
   void compareOutputs(ProgramProduct& product) {
-    const JoinedSystem once = product.merged(isMerged_, true);
-    std::vector<Question> questions = questionsOf(once);
+    const JoinedSystem once = product.merged(isMerged_, true, conditions_);
+    std::vector<Question> questions = outputQuestions(once);
     for (const ObservedBit& bit : once.observed)
       result_.outputs.push_back({bit.name, Equality::Unknown, bit.before, bit.after});
     result_.outputs.push_back({"RUN", Equality::Unknown, {}, {}});
@@ -184,7 +253,7 @@ class ProgramComparison {
     }
     settle(once.system, questions, open, outputSeconds, Effort::Together);
     method_ = "one scan from memory that corresponds";
-    if (!open.empty()) sideBySide(product, open);
+    if (!open.empty() && !options_.oneScan) sideBySide(product, open);
     conclude(open);
   }
 
@@ -195,7 +264,6 @@ class ProgramComparison {
     TransitionSystem asked = system;
     for (const std::size_t i : open) asked.questions.push_back(questions[i]);
     std::vector<QuestionAnswer> answers = ask(asked, each, effort), rest;
-    certify(asked, answers);
     std::vector<std::size_t> still;
     for (std::size_t i = 0; i < open.size(); ++i) {
       if (answers[i].answer == Answer::Proved) {
@@ -212,18 +280,26 @@ class ProgramComparison {
   /// Both programs with memory of their own: runs that differ first, short ones and those that wait for timers, then
   /// proofs.
   void sideBySide(ProgramProduct& product, std::vector<std::size_t>& open) {
-    const JoinedSystem both = product.merged(isMerged_, false);
-    const std::vector<Question> questions = questionsOf(both);
+    JoinedSystem both = product.merged(isMerged_, false, conditions_);
+    std::vector<Question> questions = outputQuestions(both);
     method_ = "both programs side by side";
     while (searchShort(product, both, questions, open) || searchLong(open)) {
       if (!goesOn(open)) return;
     }
+    bool isAskedAgain = false;
     for (const double each : {std::min(2.0, left()), left()}) {
       if (open.empty() || left() <= 0 || watch_.isStopped()) return;
+      if (isAskedAgain && hasDropped(product)) {
+        correspond(product, true);
+        both = product.merged(isMerged_, false, conditions_);
+        questions = outputQuestions(both);
+      }
+      const bool isLast = std::exchange(isAskedAgain, true);
       const std::vector<QuestionAnswer> answers =
           settle(both.system, questions, open, each / static_cast<double>(open.size()), Effort::Full);
       TransitionSystem asked = both.system;
       for (const std::size_t i : open) asked.questions.push_back(questions[i]);
+      bool needsReals = false;
       for (std::size_t i = 0; i < open.size(); ++i) {
         if (result_.outputs[open[i]].equality == Equality::Different) continue;
         const bool isViolated = answers[i].answer == Answer::Violated;
@@ -231,17 +307,47 @@ class ProgramComparison {
           if (!options_.everyOutput) return;
           continue;
         }
-        if (isViolated) unconfirmed(product, result_.outputs[open[i]].name, answers[i]);
+        if (isViolated && answers[i].usesFreeReals && reals_ != RealScope::All && !isLast) {
+          needsReals = true;
+          continue;
+        }
+        if (isViolated && both.usesEstimates != noNode && searchExact(product, both, asked.questions[i], open)) {
+          if (!options_.everyOutput) return;
+          continue;
+        }
+        if (isViolated && isLast) unconfirmed(product, result_.outputs[open[i]].name, answers[i]);
         depth_ = std::min(depth_, answers[i].depth);
       }
       if (!goesOn(open)) return;
+      if (needsReals) reals_ = RealScope::All;
     }
+  }
+
+  bool hasDropped(const ProgramProduct& product) const {
+    for (std::size_t i = 0; i < isMerged_.size(); ++i) {
+      if (!isMerged_[i] && product.isMergeable(i)) return true;
+    }
+    return false;
+  }
+
+  /// Runs without estimates only.
+  static void exclude(TransitionSystem& system, Node estimates) {
+    if (estimates != noNode) system.constraints.push_back(system.graph->lnot({estimates}).node);
+  }
+  bool searchExact(ProgramProduct& product, const JoinedSystem& both, const Question& question,
+                   const std::vector<std::size_t>& open) {
+    TransitionSystem asked = both.system;
+    asked.questions = {question};
+    exclude(asked, both.usesEstimates);
+    const QuestionAnswer answer = ask(asked, searchSeconds, Effort::Full)[0];
+    return answer.answer == Answer::Violated && show(product, both, asked, *answer.trace, open);
   }
 
   bool searchShort(ProgramProduct& product, const JoinedSystem& both, const std::vector<Question>& questions,
                    const std::vector<std::size_t>& open) {
     TransitionSystem asked = both.system;
     asked.questions = {{"the outputs differ", anyOf(*asked.graph, questions, open)}};
+    exclude(asked, both.usesEstimates);
     const auto trace = shallowSearch(asked, shallowScans, std::min(searchSeconds, left()));
     return trace && show(product, both, asked, *trace, open);
   }
@@ -254,10 +360,17 @@ class ProgramComparison {
 
   /// In the relaxed encoding a long scan stands for a stretch in which nothing but time passes.
   bool searchLong(const std::vector<std::size_t>& open) {
-    ProgramProduct relaxed(before_, after_, match_, productOptions(true));
+    std::optional<ProgramProduct> product;
+    try {
+      product.emplace(before_, after_, match_, productOptions(true));
+    } catch (const EncodingStopped&) {
+      return false;
+    }
+    ProgramProduct& relaxed = *product;
     const JoinedSystem both = relaxed.merged(std::vector<bool>(relaxed.newStateCount(), false), false);
     TransitionSystem asked = both.system;
-    asked.questions = {{"the outputs differ", anyOf(*asked.graph, questionsOf(both), open)}};
+    asked.questions = {{"the outputs differ", anyOf(*asked.graph, outputQuestions(both), open)}};
+    exclude(asked, both.usesEstimates);
     const std::unordered_set<std::uint32_t> ofTime = [&] {
       std::unordered_set<std::uint32_t> nodes;
       for (const Node n : both.timeStates) nodes.insert(indexOf(n));
@@ -291,9 +404,10 @@ class ProgramComparison {
       if (i < merged.observed.size()) wanted.push_back(merged.observed[i]);
     }
     const bool comparesStops = std::ranges::find(open, merged.observed.size()) != open.end();
-    const auto shown =
-        BothRuns{*before_.program, *after_.program, options_, wanted, comparesStops}.judged(std::move(run));
+    const BothRuns runs{*before_.program, *after_.program, options_, wanted, comparesStops};
+    auto shown = runs.judged(std::move(run));
     if (!shown) return false;
+    shown = runs.plain(std::move(*shown));
     for (ObservedVerdict& output : result_.outputs) {
       if (output.name == shown->signal) output.equality = Equality::Different;
     }
@@ -322,13 +436,6 @@ class ProgramComparison {
     if (std::ranges::find(result_.notes, text) == result_.notes.end()) result_.notes.push_back(text);
   }
 
-  std::vector<Question> questionsOf(const JoinedSystem& merged) const {
-    std::vector<Question> questions;
-    for (const ObservedBit& bit : merged.observed) questions.push_back({bit.name + differsText, bit.differs});
-    questions.push_back({std::string("RUN") + differsText, merged.stopDiffers});
-    return questions;
-  }
-
   void conclude(const std::vector<std::size_t>& open) {
     result_.method = method_;
     if (result_.run) {
@@ -337,7 +444,6 @@ class ProgramComparison {
     }
     if (open.empty()) {
       result_.equality = Equality::Equal;
-      result_.certificates = std::move(pairCertificates_);
       return;
     }
     result_.depth = depth_ == unlimited ? 0 : depth_;
@@ -373,7 +479,7 @@ class ProgramComparison {
     if (!address) return unread.reasons();
     ExprNode node;
     node.op = ExprOp::Address;
-    node.operand = direct(address->area, Width::Bit, address->index / 8, address->index % 8);
+    node.operand = operandAt(*address);
     Property property;
     property.first.nodes.push_back(node);
     return unread.reasons(property);
@@ -395,7 +501,6 @@ class ProgramComparison {
     }
   }
 
-  static constexpr const char* differsText = " differs";
   static constexpr int unlimited = 1 << 30;
   const Side& before_;
   const Side& after_;
@@ -403,8 +508,9 @@ class ProgramComparison {
   const ProgramMatch match_;
   const Clock::time_point start_ = Clock::now();
   ProofWatch watch_;
+  RealScope reals_ = RealScope::Comparisons;  ///< REAL operations that are asked about bit by bit
   std::vector<bool> isMerged_;
-  std::vector<std::pair<std::string, std::string>> pairCertificates_;
+  std::vector<PairCondition> conditions_;
   const char* method_ = "";
   int depth_ = unlimited;
   Equivalence result_;

@@ -26,6 +26,7 @@ struct EquivalenceOptions {
   std::uint32_t latency = 0;
   std::uint32_t settleMs = 0;
   bool interruptsInside = false;  ///< events come anywhere in a scan; otherwise between scans
+  bool oneScan = false;           ///< only what one scan from memory that corresponds can prove
   bool everyOutput = false;       ///< goes on after the first difference until each output has its verdict
 };
 
@@ -38,6 +39,8 @@ struct EquivalenceRun {
   std::string signal;              ///< "Q0.1", or "RUN" where one program has stopped
   std::optional<Address> addressBefore, addressAfter;
   bool valueBefore = false, valueAfter = false;
+  /// Readings of open points that it needs and that are not those of the choices: index into ChoiceInfo::values.
+  std::vector<std::pair<Choice, std::uint8_t>> readings;
 };
 
 struct ObservedVerdict {
@@ -56,7 +59,9 @@ struct Equivalence {
   std::vector<std::string> notes;     ///< why nothing is decided
   std::vector<std::string> assumptions;
   std::vector<std::string> approximations;
-  std::vector<std::pair<std::string, std::string>> certificates;  ///< name and SMT-LIB 2 text, if asked for
+  /// Equal, if asked for: "memory" and each output with its SMT-LIB 2 text (equality_proof.hpp).
+  std::vector<std::pair<std::string, std::string>> certificates;
+  std::vector<std::string> uncertified;  ///< what the certificates that were asked for leave out
   std::vector<Disagreement> disagreements;
 };
 

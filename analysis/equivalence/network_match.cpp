@@ -82,7 +82,9 @@ class Matcher {
   ProgramMatch run() {
     pairEqual(true);
     pairEqual(false);
-    for (std::size_t p = 0; p < after_.pous.size(); ++p) pairSimilar(p);
+    for (const Likeness least : {Likeness::Half, Likeness::Result}) {
+      for (std::size_t p = 0; p < after_.pous.size(); ++p) pairSimilar(p, least);
+    }
     write();
     return std::move(result_);
   }
@@ -108,14 +110,40 @@ class Matcher {
   void pair(std::size_t i, std::size_t j) {
     old_[i].isPaired = new_[j].isPaired = true;
     partner_[j] = i;
-    for (const auto& [a, b] :
-         commonSubsequence(old_[i].lines.size(), new_[j].lines.size(),
-                           [&](std::size_t a, std::size_t b) { return old_[i].lines[a] == new_[j].lines[b]; }))
-      result_.beforeOf[new_[j].ids[b]] = old_[i].ids[a];
+    std::vector<std::pair<std::size_t, std::size_t>> pairs =
+        commonSubsequence(old_[i].lines.size(), new_[j].lines.size(),
+                          [&](std::size_t a, std::size_t b) { return old_[i].lines[a] == new_[j].lines[b]; });
+    pairs.emplace_back(old_[i].lines.size(), new_[j].lines.size());
+    std::size_t fromOld = 0,
+                fromNew = 0;  // what lies between two pairs stands at the same places if it has the same names
+    for (const auto& [a, b] : pairs) {
+      bool isAlike = a - fromOld == b - fromNew;
+      for (std::size_t k = 0; isAlike && fromOld + k < a; ++k)
+        isAlike = nameIn(old_[i].lines[fromOld + k]) == nameIn(new_[j].lines[fromNew + k]);
+      for (std::size_t k = 0; isAlike && fromOld + k < a; ++k)
+        result_.beforeOf[new_[j].ids[fromNew + k]] = old_[i].ids[fromOld + k];
+      if (a < old_[i].lines.size()) result_.beforeOf[new_[j].ids[b]] = old_[i].ids[a];
+      fromOld = a + 1;
+      fromNew = b + 1;
+    }
+  }
+  static std::string nameIn(const std::string& line) { return line.substr(0, line.find(' ')); }
+
+  /// Half of the instructions in common, or at least one that does more than read.
+  enum class Likeness : std::uint8_t { Half, Result };
+  static bool onlyReads(const std::string& line) {
+    static const std::vector<std::string> contacts = {"LD", "A", "O", "NOT", "EU", "ED", "LPS", "LPP", "LRD", "ALD"};
+    const std::string name = nameIn(line);
+    return std::ranges::any_of(contacts, [&](const std::string& c) { return name.starts_with(c); }) && name != "ATCH";
+  }
+  static bool shareResult(const Shape& old, const Shape& other) {
+    return std::ranges::any_of(old.lines, [&](const std::string& line) {
+      return !onlyReads(line) && std::ranges::find(other.lines, line) != other.lines.end();
+    });
   }
 
   /// What is left of a block: a network of NEW with the network of OLD that it shares most instructions with.
-  void pairSimilar(std::size_t pou) {
+  void pairSimilar(std::size_t pou, Likeness least) {
     for (std::size_t j = 0; j < new_.size(); ++j) {
       if (new_[j].isPaired || new_[j].where.pou != pou) continue;
       std::size_t most = 0, found = old_.size();
@@ -125,7 +153,10 @@ class Matcher {
             commonSubsequence(old_[i].lines.size(), new_[j].lines.size(), [&](std::size_t a, std::size_t b) {
               return old_[i].lines[a] == new_[j].lines[b];
             }).size();
-        if (2 * common >= std::min(old_[i].lines.size(), new_[j].lines.size()) && common > most) {
+        const bool isAlike = least == Likeness::Half
+                                 ? 2 * common >= std::min(old_[i].lines.size(), new_[j].lines.size())
+                                 : shareResult(old_[i], new_[j]);
+        if (isAlike && common > most) {
           most = common;
           found = i;
         }
@@ -171,6 +202,10 @@ std::string textInOld(const Instruction& after, const AddressPairs& pairs) {
   std::string text(after.desc->stl);
   for (const Operand& operand : after.operands) {
     text += text.size() == after.desc->stl.size() ? " " : ", ";
+    if (operand.kind == OperandKind::Constant && operand.form != ConstantForm::Real) {
+      text += std::to_string(operand.value);  // 16#10, +16 and 16 are one number
+      continue;
+    }
     if (pairs.empty() || operand.kind == OperandKind::Constant || operand.kind == OperandKind::Text) {
       text += toString(operand);
       continue;

@@ -14,31 +14,12 @@ namespace rungproof {
 
 namespace {
 
-/// External values that come from the world, not from what the manual leaves undefined.
-bool isOfTheWorld(External kind) {
-  switch (kind) {
-    case External::ImmediateInput:
-    case External::AnalogInput:
-    case External::ClockByte:
-    case External::IntervalClock:
-    case External::StationAddress: return true;
-    default: return false;
-  }
-}
-
-Place bitPlace(const Address& address) {
-  return memoryPlace(address.area, address.index / 8, Width::Bit, address.index % 8);
-}
-/// The i-th bit of a place of memory, from its most significant one.
-Address bitOf(const Place& place, std::uint32_t i) {
-  const std::uint32_t at = place.at + i;
-  return {place.area, at / 8 * 8 + 7 - at % 8};
-}
-
 Width widthOf(int width) {
   return width == 1 ? Width::Bit : width == 8 ? Width::Byte : width == 16 ? Width::Word : Width::DWord;
 }
 
+/// What both programs find alike whatever they do: how the CPU reads its open points, and the phases of its clocks.
+bool isOfTheCpu(Reg reg) { return reg == Reg::Reading || reg == Reg::PhaseSecond || reg == Reg::PhaseMinute; }
 bool isEdge(Reg reg) { return reg == Reg::EdgeMemory || reg == Reg::EdgeSeen; }
 bool isOfTimer(Reg reg) {
   return reg == Reg::TimerCurrent || reg == Reg::TimerBit || reg == Reg::TimerRunning || reg == Reg::TimerPreset ||
@@ -46,6 +27,19 @@ bool isOfTimer(Reg reg) {
 }
 bool isOfCounter(Reg reg) {
   return reg == Reg::CounterCurrent || reg == Reg::CounterBit || reg == Reg::CounterUp || reg == Reg::CounterDown;
+}
+bool isOfFastCounter(Reg reg) {
+  return reg == Reg::HscCurrent || reg == Reg::HscPreset || reg == Reg::HscMode || reg == Reg::HscEnabled ||
+         reg == Reg::HscUp || reg == Reg::HscSetup;
+}
+/// The area whose addresses number a register; nothing for registers that no address names.
+std::optional<Area> areaOf(Reg reg) {
+  if (isOfTimer(reg)) return Area::T;
+  if (isOfCounter(reg)) return Area::C;
+  if (isOfFastCounter(reg)) return Area::HC;
+  if (reg == Reg::Accumulator) return Area::AC;
+  if (reg == Reg::PhysicalInput) return Area::I;
+  return std::nullopt;
 }
 
 /// The places of a program that shape its state, so that the other one cuts its memory in the same way.
@@ -65,12 +59,19 @@ void observe(EncoderOptions& options, const Program& program, const AddressPairs
   }
 }
 
-EncoderOptions shaped(EncoderOptions options, const Program& other, const AddressPairs* pairs) {
+EncoderOptions shaped(EncoderOptions options, const Program& other, const AddressPairs* pairs,
+                      std::shared_ptr<Trail> trail) {
   observe(options, other, pairs);
+  options.trail = std::move(trail);
   return options;
 }
 
-std::string nameOfBit(const Address& address) { return nameOf(bitPlace(address)); }
+Place observedPlace(const Address& address) {
+  if (address.area == Area::T) return registerPlace(Reg::TimerBit, address.index);
+  if (address.area == Area::C) return registerPlace(Reg::CounterBit, address.index);
+  return bitPlace(address);
+}
+std::string nameOfBit(const Address& address) { return nameOf(observedPlace(address)); }
 
 }  // namespace
 
@@ -78,9 +79,12 @@ ProgramProduct::ProgramProduct(const Side& before, const Side& after, const Prog
                                const ProductOptions& options)
     : options_(options),
       match_(match),
-      old_(*before.program, before.set, {}, shaped(options.encoder, *after.program, &options.pairs)),
-      new_(*after.program, after.set, {}, shaped(options.encoder, *before.program, nullptr)) {
+      old_(*before.program, before.set, {},
+           shaped(options.encoder, *after.program, &options.pairs, options.trailBefore)),
+      new_(*after.program, after.set, {}, shaped(options.encoder, *before.program, nullptr, options.trailAfter)) {
+  isSame_ = isSameProgram(before, after);
   collectOutputs();
+  firstScan_ = old_.encoding().firstScan();
   oldRuns_ = old_.encoding().atEnd(registerPlace(Reg::Running, 0));
   newRuns_ = new_.encoding().atEnd(registerPlace(Reg::Running, 0));
   for (const Property& assumption : options_.assumptions) {
@@ -92,6 +96,7 @@ ProgramProduct::ProgramProduct(const Side& before, const Side& after, const Prog
     }
   }
   newSystem_ = new_.system();
+  for (const KeptCell& cell : new_.encoding().keptCells()) kept_.insert(cell.node);
   findPartners();
   SideCopy touched(old_.encoding().graph(), new_.encoding().graph(), "");
   replaceCells(touched);  // OLD gets all inputs that NEW reads before its system is taken
@@ -106,15 +111,24 @@ ProgramProduct::ProgramProduct(const Side& before, const Side& after, const Prog
     }
   }
   oldSystem_ = old_.system();
+  for (Obligations* side : {&old_, &new_}) side->encoding().graph().decideBy(nullptr);
+}
+
+std::vector<std::string> ProgramProduct::newStateNames() const {
+  std::vector<std::string> names;
+  const Graph& graph = *newSystem_.graph;
+  for (const StateVariable& state : newSystem_.states)
+    names.push_back(kept_.contains(state.node) ? "" : graph.variables()[graph[state.node].value].name);
+  return names;
 }
 
 void ProgramProduct::addOutput(std::set<std::pair<Area, std::uint32_t>>& known, const Address& before) {
   if (!known.emplace(before.area, before.index).second) return;
   Output& output = outputs_.emplace_back();
   output.before = before;
-  output.oldValue = old_.encoding().atEnd(bitPlace(before));
+  output.oldValue = old_.encoding().atEnd(observedPlace(before));
   output.after = options_.pairs.after(before);
-  if (output.after) output.newValue = new_.encoding().atEnd(bitPlace(*output.after));
+  if (output.after) output.newValue = new_.encoding().atEnd(observedPlace(*output.after));
 }
 
 /// Outputs of OLD and what stands for them in NEW; then outputs of NEW without partner.
@@ -146,29 +160,32 @@ void ProgramProduct::collectOutputs() {
   }
 }
 
+/// The register of OLD that stands for one of NEW; nothing if none does.
+std::optional<Place> ProgramProduct::oldRegister(const Place& place) {
+  Place there = place;
+  if (isEdge(place.reg)) {
+    const std::vector<std::uint32_t>& edges = new_.encoding().plan().edge;
+    const std::vector<std::uint32_t>& oldEdges = old_.encoding().plan().edge;
+    const auto own = std::ranges::find(edges, place.at);
+    if (own == edges.end()) return std::nullopt;
+    const std::uint32_t instruction = match_.beforeOf[static_cast<std::size_t>(own - edges.begin())];
+    if (instruction == noPartner || oldEdges[instruction] == noPartner) return std::nullopt;
+    there.at = oldEdges[instruction];
+  } else if (const std::optional<Area> area = areaOf(place.reg)) {
+    const auto number = options_.pairs.before(Address{*area, place.at});
+    if (!number || number->area != *area) return std::nullopt;
+    there.at = number->index;
+  }
+  return there;
+}
+
 /// What OLD has at a place of NEW, at the start or at the end of the scan; noNode: nothing stands for it.
 Node ProgramProduct::oldValue(const Place& place, bool atEnd) {
   EncodedScan& encoding = old_.encoding();
   const auto at = [&](const Place& there) { return atEnd ? encoding.atEnd(there) : encoding.atStart(there); };
   if (place.isRegister) {
-    Place there = place;
-    if (isEdge(place.reg)) {
-      const std::vector<std::uint32_t>& edges = new_.encoding().plan().edge;
-      const auto own = std::ranges::find(edges, place.at);
-      if (own == edges.end()) return noNode;
-      const std::uint32_t instruction = match_.beforeOf[static_cast<std::size_t>(own - edges.begin())];
-      if (instruction == noPartner || encoding.plan().edge[instruction] == noPartner) return noNode;
-      there.at = encoding.plan().edge[instruction];
-    } else if (isOfTimer(place.reg) || isOfCounter(place.reg)) {
-      const auto number = options_.pairs.before(Address{isOfTimer(place.reg) ? Area::T : Area::C, place.at});
-      if (!number) return noNode;
-      there.at = number->index;
-    } else if (place.reg == Reg::PhysicalInput) {
-      const auto bit = options_.pairs.before(Address{Area::I, place.at});
-      if (!bit || bit->area != Area::I) return noNode;
-      there.at = bit->index;
-    }
-    return at(there);
+    const std::optional<Place> there = oldRegister(place);
+    return there ? at(*there) : noNode;
   }
   std::vector<Address> bits;
   for (std::uint32_t i = 0; i < place.width; ++i) {
@@ -217,7 +234,9 @@ void ProgramProduct::findPartners() {
   partners_.resize(newSystem_.states.size());
   for (std::size_t i = 0; i < partners_.size(); ++i) {
     const auto place = places.find(newSystem_.states[i].node);
-    if (place != places.end()) partners_[i] = {oldValue(place->second, false), oldValue(place->second, true)};
+    if (place == places.end() || kept_.contains(place->first)) continue;
+    const bool isWorld = place->second.isRegister && isOfTheCpu(place->second.reg);
+    partners_[i] = {oldValue(place->second, false), oldValue(place->second, true), isWorld};
   }
   oldSystem_ = old_.system();  // with all cells that the partners have touched
   const auto nameIn = [](const TransitionSystem& system, const StateVariable& state) -> const std::string& {
@@ -227,7 +246,7 @@ void ProgramProduct::findPartners() {
   for (const StateVariable& state : oldSystem_.states) byName.emplace(nameIn(oldSystem_, state), &state);
   for (std::size_t i = 0; i < partners_.size(); ++i) {
     const StateVariable& state = newSystem_.states[i];
-    if (places.contains(state.node)) continue;
+    if (places.contains(state.node) || kept_.contains(state.node)) continue;
     const auto same = byName.find(nameIn(newSystem_, state));  // what waits in queues, cells of assumptions
     const bool isAlike =
         same != byName.end() && (*oldSystem_.graph)[same->second->node].width == (*newSystem_.graph)[state.node].width;
@@ -248,95 +267,8 @@ void ProgramProduct::findPartners() {
   }
 }
 
-bool ProgramProduct::isOldInput(const Place& place) {
-  const auto isInput = [&](const Place& there) {
-    return std::ranges::any_of(old_.encoding().cells(), [&](const Cell& cell) {
-      const bool isSame = cell.place.isRegister == there.isRegister &&
-                          (there.isRegister ? cell.place == there
-                                            : cell.place.area == there.area && cell.place.at <= there.at &&
-                                                  there.at + there.width <= cell.place.at + cell.place.width);
-      return isSame && cell.kind == CellKind::Input;
-    });
-  };
-  if (place.isRegister) return isInput(place);
-  for (std::uint32_t i = 0; i < place.width; ++i) {
-    const auto bit = options_.pairs.before(bitOf(place, i));
-    if (!bit || (!options_.pairs.names(bitOf(place, i)) && !isInput(bitPlace(*bit)))) return false;
-  }
-  return true;
-}
-
-void ProgramProduct::replaceCells(SideCopy& copy) {
-  const TimeModel& oldTime = old_.encoding().time();
-  const TimeModel& newTime = new_.encoding().time();
-  for (std::size_t i = 0; i < newTime.inputs().size(); ++i) copy.replace(newTime.inputs()[i], oldTime.inputs()[i]);
-  for (const Cell& cell : new_.encoding().cells()) {
-    if (cell.kind != CellKind::Input) continue;
-    const Node value = oldValue(cell.place, false);
-    if (value != noNode && isOldInput(cell.place)) copy.replace(cell.start, value);
-  }
-  for (const auto& [name, node] : new_.encoding().deviceInputs()) {
-    const auto& own = old_.encoding().deviceInputs();
-    const auto same = own.find(name);
-    if (same != own.end() && old_.encoding().graph()[same->second].width == new_.encoding().graph()[node].width)
-      copy.replace(node, same->second);
-  }
-  for (const auto& [word, node] : new_.encoding().analogInputs()) {
-    const auto before = options_.pairs.before(Address{Area::AI, word});
-    if (!before || before->area != Area::AI) continue;
-    const auto& samples = old_.encoding().analogInputs();
-    if (const auto sample = samples.find(before->index); sample != samples.end() && !copy.isReplaced(node))
-      copy.replace(node, sample->second);
-  }
-}
-
-/// External values inside the scan: the k-th of an instruction stands for the k-th of the instruction it is matched
-/// with.
-void ProgramProduct::replaceExternals(SideCopy& copy) {
-  using Site = std::tuple<External, std::uint32_t, std::uint32_t>;
-  std::map<Site, std::vector<Node>> known;
-  for (const ExternalInput& e : old_.encoding().externals())
-    known[{e.site.kind, e.site.index, e.site.instruction}].push_back(e.node);
-  std::map<Site, std::size_t> count;
-  for (const ExternalInput& e : new_.encoding().externals()) {
-    if (!isOfTheWorld(e.site.kind)) continue;
-    const std::size_t k = count[{e.site.kind, e.site.index, e.site.instruction}]++;
-    if (e.node == noNode || copy.isReplaced(e.node)) continue;
-    std::uint32_t index = e.site.index;
-    const bool isAddress = e.site.kind == External::ImmediateInput || e.site.kind == External::AnalogInput;
-    if (isAddress) {
-      const Area area = e.site.kind == External::ImmediateInput ? Area::I : Area::AI;
-      const auto before = options_.pairs.before(Address{area, index});
-      if (!before || before->area != area) continue;
-      index = before->index;
-    }
-    const std::uint32_t instruction = match_.beforeOf[e.site.instruction];
-    if (instruction == noPartner) continue;
-    const auto found = known.find({e.site.kind, index, instruction});
-    if (found != known.end() && k < found->second.size() && found->second[k] != noNode)
-      copy.replace(e.node, found->second[k]);
-  }
-}
-
-/// The same event in front of instructions that stand for each other, and between scans.
-void ProgramProduct::replaceSites(SideCopy& copy) {
-  using Site = std::pair<int, std::uint32_t>;
-  std::map<Site, std::vector<Node>> known;
-  for (const SiteInput& site : old_.encoding().siteInputs()) known[{site.event, site.instruction}].push_back(site.node);
-  std::map<Site, std::size_t> count;
-  for (const SiteInput& site : new_.encoding().siteInputs()) {
-    const std::size_t k = count[{site.event, site.instruction}]++;
-    const bool isBetween = site.instruction == ScanPlace::afterProgram;
-    const std::uint32_t there = isBetween ? site.instruction : match_.beforeOf[site.instruction];
-    if (copy.isReplaced(site.node) || (!isBetween && there == noPartner)) continue;
-    const auto found = known.find({site.event, there});
-    if (found == known.end() || k >= found->second.size()) continue;
-    const Node same = found->second[k];
-    if (old_.encoding().graph()[same].width == new_.encoding().graph()[site.node].width) copy.replace(site.node, same);
-  }
-}
-
-JoinedSystem ProgramProduct::merged(const std::vector<bool>& isMerged, bool isOneScan) {
+JoinedSystem ProgramProduct::merged(const std::vector<bool>& isMerged, bool isOneScan,
+                                    const std::vector<PairCondition>& conditions) {
   Graph& graph = old_.encoding().graph();
   JoinedSystem result;
   result.system = oldSystem_;
@@ -345,6 +277,7 @@ JoinedSystem ProgramProduct::merged(const std::vector<bool>& isMerged, bool isOn
   replaceCells(copy);
   replaceExternals(copy);
   replaceSites(copy);
+  replaceEstimates(copy, isMerged);
   const auto isTaken = [&](std::size_t i) {
     return partners_[i].isWorld || (isMerged[i] && partners_[i].start != noNode);
   };
@@ -358,10 +291,15 @@ JoinedSystem ProgramProduct::merged(const std::vector<bool>& isMerged, bool isOn
     if (partners_[i].isWorld) continue;
     if (isTaken(i)) {
       result.nextDiffers[i] = differ(partners_[i].next, copy(state.next));
-    } else if (isOneScan) {
+      if (state.init != noNode)
+        result.starts.push_back(
+            graph.equal({partners_[i].start}, {copy(state.init)}, graph[partners_[i].start].width).node);
+    } else if (isOneScan && !kept_.contains(state.node)) {
       result.system.inputs.push_back(copy(state.node));
     } else {
       result.system.states.push_back({copy(state.node), copy(state.init), copy(state.next)});
+      if (state.init == noNode && partners_[i].start != noNode)
+        startAlike(result, partners_[i].start, copy(state.node));
       if (new_.isTimeState(state.node)) result.timeStates.push_back(copy(state.node));
     }
   }
@@ -374,6 +312,8 @@ JoinedSystem ProgramProduct::merged(const std::vector<bool>& isMerged, bool isOn
         std::ranges::find(result.system.constraints, copied) == result.system.constraints.end())
       result.system.constraints.push_back(copied);  // not a total one: its inputs now serve two programs
   }
+  addConditions(result, conditions);
+  noteEstimates(result);
   if (options_.steadyInputs) holdInputs(result);
   assume(result);
   compareOutputs(result);
@@ -385,29 +325,44 @@ JoinedSystem ProgramProduct::merged(const std::vector<bool>& isMerged, bool isOn
   return result;
 }
 
-/// An immediate read gives what the image has, and every read of an analog input in a scan the same.
-void ProgramProduct::holdInputs(JoinedSystem& result) {
+std::vector<std::string> ProgramProduct::oldBitNames() const {
+  std::vector<std::string> names;
+  const Graph& graph = *oldSystem_.graph;
+  for (const StateVariable& state : oldSystem_.states) {
+    if (graph[state.node].width == 1) names.push_back(graph.variables()[graph[state.node].value].name);
+  }
+  return names;
+}
+
+void ProgramProduct::addConditions(JoinedSystem& result, const std::vector<PairCondition>& conditions) {
+  if (conditions.empty()) return;
   Graph& graph = old_.encoding().graph();
-  std::map<Address, Node, bool (*)(const Address&, const Address&)> samples(
-      [](const Address& a, const Address& b) { return std::pair(a.area, a.index) < std::pair(b.area, b.index); });
-  const auto hold = [&](const Address& address, Node value) {
-    Node& sample = samples.try_emplace(address, noNode).first->second;
-    if (sample == noNode) sample = address.area == Area::I ? old_.encoding().atStart(bitPlace(address)) : value;
-    const Node same = graph.equal({sample}, {value}, graph[value].width).node;
-    if (graph.truth({same}) != true) result.system.constraints.push_back(same);
-  };
-  const auto areaOf = [](External kind) { return kind == External::ImmediateInput ? Area::I : Area::AI; };
-  const auto isRead = [](const ExternalInput& e) {
-    return e.node != noNode && (e.site.kind == External::ImmediateInput || e.site.kind == External::AnalogInput);
-  };
-  for (const ExternalInput& e : old_.encoding().externals()) {
-    if (isRead(e)) hold({areaOf(e.site.kind), e.site.index}, e.node);
+  const std::vector<std::string> own = newStateNames();
+  std::map<std::string, std::size_t> newStates, oldStates;
+  for (std::size_t i = 0; i < own.size(); ++i) newStates.emplace(own[i], i);
+  for (std::size_t i = 0; i < oldSystem_.states.size(); ++i)
+    oldStates.emplace(graph.variables()[graph[oldSystem_.states[i].node].value].name, i);
+  for (const PairCondition& condition : conditions) {
+    const std::size_t i = newStates.at(condition.state);
+    const StateVariable& bit = oldSystem_.states[oldStates.at(condition.condition)];
+    const auto breaks = [&](Node guard, Node before, Node after) {
+      const Graph::Bool differs = graph.lnot(graph.equal({before}, {after}, graph[before].width));
+      return graph.land(condition.when ? Graph::Bool{guard} : graph.lnot({guard}), differs);
+    };
+    const StateVariable& state = newSystem_.states[i];
+    result.system.constraints.push_back(
+        graph.lnot(breaks(bit.node, partners_[i].start, (*result.copy)(state.node))).node);
+    result.conditionBreaks.push_back(breaks(bit.next, partners_[i].next, (*result.copy)(state.next)).node);
   }
-  for (const ExternalInput& e : new_.encoding().externals()) {
-    if (!isRead(e)) continue;
-    if (const auto before = options_.pairs.before(Address{areaOf(e.site.kind), e.site.index}))
-      hold(*before, (*result.copy)(e.node));
-  }
+}
+
+/// What starts with any value starts with the same where it is paired, whatever becomes of it later.
+void ProgramProduct::startAlike(JoinedSystem& result, Node before, Node after) {
+  Graph& graph = old_.encoding().graph();
+  const Graph::Bool later = graph.lnot({firstScan_});
+  const Node alike = graph.lor(later, graph.equal({before}, {after}, graph[after].width)).node;
+  result.system.constraints.push_back(alike);
+  result.system.totalConstraints.push_back(alike);
 }
 
 /// The value of an address in an assumption about both; without `copy` it is only touched.
@@ -488,6 +443,13 @@ void ProgramProduct::compareOutputs(JoinedSystem& result) {
     const Node differs = graph.land({counts}, graph.lxor({left}, {right})).node;
     bit.differs = settled(result, differs, bit.name);
   }
+}
+
+std::vector<Question> outputQuestions(const JoinedSystem& joined) {
+  std::vector<Question> questions;
+  for (const ObservedBit& bit : joined.observed) questions.push_back({bit.name + " differs", bit.differs});
+  questions.push_back({"RUN differs", joined.stopDiffers});
+  return questions;
 }
 
 WordTrace ProgramProduct::sideTrace(const std::vector<Node>& states, const std::vector<Node>& inputs,

@@ -24,6 +24,15 @@ namespace rungproof {
 /// In front of an address of NEW where both programs are spoken of.
 inline constexpr std::string_view newSidePrefix = "new.", oldSidePrefix = "old.";
 
+inline Place bitPlace(const Address& address) {
+  return memoryPlace(address.area, address.index / 8, Width::Bit, address.index % 8);
+}
+/// The i-th bit of a place of memory, from its most significant one.
+inline Address bitOf(const Place& place, std::uint32_t i) {
+  const std::uint32_t at = place.at + i;
+  return {place.area, at / 8 * 8 + 7 - at % 8};
+}
+
 /// One of the two programs, with its assumptions and external ranges.
 struct Side {
   const Program* program = nullptr;  ///< what of it may be run
@@ -33,6 +42,7 @@ struct Side {
 
 struct ProductOptions {
   EncoderOptions encoder;
+  std::shared_ptr<Trail> trailBefore, trailAfter;  ///< left or followed by the encodings; may be missing
   AddressPairs pairs;
   std::vector<Operand> observed;  ///< addresses of OLD; empty: all outputs that either can write
   /// Assumptions that speak of both programs; an operand of NEW has a text that begins with newSidePrefix.
@@ -50,14 +60,27 @@ struct ObservedBit {
   Node differs = noNode;
 };
 
+/// A state of NEW equals its partner wherever a bit of OLD's state is `when`, at the starts of scans. By names of
+/// states.
+struct PairCondition {
+  std::string state, condition;
+  bool when = true;
+};
+
+/// Whether outputs differ, then whether one program stops alone.
+std::vector<Question> outputQuestions(const struct JoinedSystem& joined);
+
 /// The two programs with some of NEW's states merged into OLD's.
 struct JoinedSystem {
   TransitionSystem system;  ///< without questions
   std::vector<ObservedBit> observed;
-  Node stopDiffers = noNode;       ///< one program is stopped at the end of the scan, the other is not
-  std::vector<Node> nextDiffers;   ///< by state of NEW: a merged one gets another value than OLD's; else noNode
-  std::vector<Node> timeStates;    ///< they only measure time
-  std::shared_ptr<SideCopy> copy;  ///< of NEW into the system's graph
+  Node stopDiffers = noNode;      ///< one program is stopped at the end of the scan, the other is not
+  std::vector<Node> nextDiffers;  ///< by state of NEW: a merged one gets another value than OLD's; else noNode
+  Node usesEstimates = noNode;    ///< 1 in scans that have no counterpart on the machine for certain; noNode: in none
+  std::vector<Node> conditionBreaks;  ///< by condition: it does not hold at the end of the scan
+  std::vector<Node> timeStates;       ///< they only measure time
+  std::vector<Node> starts;           ///< by merged state of NEW: it starts with what OLD's starts with; 1 in scan 1
+  std::shared_ptr<SideCopy> copy;     ///< of NEW into the system's graph
 };
 
 class ProgramProduct {
@@ -68,9 +91,15 @@ class ProgramProduct {
   std::size_t newStateCount() const { return newSystem_.states.size(); }
   /// Whether the state of NEW stands for something of OLD and starts as that does.
   bool isMergeable(std::size_t newState) const { return partners_[newState].start != noNode; }
+  /// By state of NEW: its name, which is "" for what only the encoding as it is written has (KeptCell).
+  std::vector<std::string> newStateNames() const;
   /// `isMerged`: by state of NEW; others than mergeable ones do not count. `isOneScan`: NEW's other states have any
-  /// value at the start of each scan, which shows what holds whatever they are.
-  JoinedSystem merged(const std::vector<bool>& isMerged, bool isOneScan);
+  /// value at the start of each scan, which shows what holds whatever they are. `conditions` hold at the start of each
+  /// scan.
+  JoinedSystem merged(const std::vector<bool>& isMerged, bool isOneScan,
+                      const std::vector<PairCondition>& conditions = {});
+  /// States of OLD that are one bit.
+  std::vector<std::string> oldBitNames() const;
 
   /// What a run of `asked`, made from a merged system, is for one of the two programs.
   WordTrace oldTrace(const TransitionSystem& asked, const WordTrace& trace);
@@ -98,13 +127,20 @@ class ProgramProduct {
   void replaceCells(SideCopy& copy);
   void replaceExternals(SideCopy& copy);
   void replaceSites(SideCopy& copy);
+  void addConditions(JoinedSystem& result, const std::vector<PairCondition>& conditions);
+  void startAlike(JoinedSystem& result, Node before, Node after);
+  bool isSameProgram(const Side& before, const Side& after) const;
+  void replaceEstimates(SideCopy& copy, const std::vector<bool>& isMerged);
+  void noteEstimates(JoinedSystem& result);
   void holdInputs(JoinedSystem& result);
   void assume(JoinedSystem& result);
   Node assumedLeaf(SideCopy* copy, const Operand& operand, int width);
   void compareOutputs(JoinedSystem& result);
   Node delayed(JoinedSystem& result, Node value, const std::string& name);
   Node settled(JoinedSystem& result, Node differs, const std::string& name);
+  std::optional<Place> oldRegister(const Place& newPlace);
   Node oldValue(const Place& newPlace, bool atEnd);
+  bool isStatusOfOld(const Place& newPlace) const;
   bool isOldInput(const Place& newPlace);
   bool startsAlike(Node oldStart, const StateVariable& newState) const;
   static WordTrace sideTrace(const std::vector<Node>& states, const std::vector<Node>& inputs,
@@ -115,6 +151,9 @@ class ProgramProduct {
   Obligations old_, new_;
   TransitionSystem oldSystem_, newSystem_;
   std::vector<Output> outputs_;
+  bool isSame_ = false;  ///< the same instructions in the same order
+  std::set<Node> kept_;  ///< states of NEW that keep their value
+  Node firstScan_ = noNode;
   Node oldRuns_ = noNode, newRuns_ = noNode;  ///< in RUN at the end of the scan
   std::vector<Partner> partners_;             ///< by state of NEW
 };

@@ -4,7 +4,6 @@
 
 #include <string>
 #include <unordered_map>
-#include <string>
 #include <vector>
 
 #include "analysis/graph/graph.hpp"

@@ -146,6 +146,13 @@ void CertificateWriter::add(const Question& question, const WordCertificate& cer
     surface(question, certificate);
 }
 
+void CertificateWriter::addStart(const std::string& name, const std::vector<Node>& facts) {
+  questions_.push_back(name);
+  WordCertificate start;
+  start.invariant = facts;
+  initiation(start);
+}
+
 std::vector<SmtText::Definition> CertificateWriter::definitions() const {
   std::vector<SmtText::Definition> all = smt_.definitions();
   all.insert(all.end(), surfaceDefinitions_.begin(), surfaceDefinitions_.end());

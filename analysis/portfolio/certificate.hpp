@@ -59,6 +59,8 @@ class CertificateWriter {
  public:
   explicit CertificateWriter(const TransitionSystem& system) : system_(system), smt_(system) {}
   void add(const Question& question, const WordCertificate& certificate);
+  /// Only that these nodes over states are 1 at the start of the first scan.
+  void addStart(const std::string& name, const std::vector<Node>& facts);
   /// A self-contained file: each obligation between push and pop, with the expected answer unsat.
   std::string text() const;
   /// Checks the obligations with Z3, as their text says. By certificate, in the order of add().

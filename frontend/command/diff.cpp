@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "frontend/command/command.hpp"
+#include "frontend/page/excerpt.hpp"
 #include "frontend/proof_input.hpp"
 #include "frontend/run/trace_file.hpp"
 #include "frontend/sides/difference_view.hpp"
@@ -17,16 +18,37 @@ struct Arguments {
   std::vector<std::string> rest;
 };
 
-/// Git calls an external diff with path, old file, old hash, old mode, new file, new hash, new mode.
-void takeFromGit(Arguments& arguments) {
-  if (arguments.rest.size() != 5) return;
+/// Git calls an external diff with path, old file, old hash, old mode, new file, new hash, new mode, and for a file
+/// that was renamed its new path and a remark.
+bool isFromGit(const Arguments& arguments) { return arguments.rest.size() == 5 || arguments.rest.size() == 7; }
+
+constexpr std::string_view noFile = "/dev/null";
+
+/// The path in the repository; the arguments become those of a user.
+std::string takeFromGit(Arguments& arguments) {
+  std::string path = arguments.sides.before;
+  if (arguments.rest.size() == 7) path += " -> " + arguments.rest[5];
   arguments.sides.before = arguments.sides.after;
   arguments.sides.after = arguments.rest[2];
   arguments.rest.clear();
+  return path;
 }
 
+Exit compare(const Arguments& arguments, Context& context);
+
+/// For git a difference is no failure: any other exit code than 0 would end its run.
 Exit run(Arguments arguments, Context& context) {
-  takeFromGit(arguments);
+  if (!isFromGit(arguments)) return compare(arguments, context);
+  const std::string path = takeFromGit(arguments);
+  const bool isAdded = arguments.sides.before == noFile, isRemoved = arguments.sides.after == noFile;
+  context.out << Paint{context.color}.bold(path) << (isAdded ? ": added\n" : isRemoved ? ": removed\n" : "\n");
+  if (isAdded || isRemoved) return Exit::Clean;
+  context.out << std::flush;
+  const Exit exit = compare(arguments, context);
+  return exit == Exit::Failed ? exit : Exit::Clean;
+}
+
+Exit compare(const Arguments& arguments, Context& context) {
   if (!arguments.rest.empty())
     return context.fail({fmt::format("unexpected argument '{}' for 'rungproof diff'", arguments.rest.front()),
                          {},

@@ -8,6 +8,7 @@
 
 #include "analysis/equivalence/equivalence.hpp"
 #include "frontend/command/command.hpp"
+#include "frontend/page/certificate_head.hpp"
 #include "frontend/proof_input.hpp"
 #include "frontend/run/trace_file.hpp"
 #include "frontend/sides/difference_report.hpp"
@@ -61,6 +62,9 @@ Comparison comparisonOf(const Equivalence& found) {
   comparison.method = found.method;
   comparison.seconds = found.seconds;
   comparison.notes = found.notes;
+  if (!found.certificates.empty())
+    comparison.notes.push_back(fmt::format("{} certificates", found.certificates.size()));
+  for (const std::string& name : found.uncertified) comparison.notes.push_back("no certificate in time for: " + name);
   if (found.equality == Equality::Unknown) {
     comparison.notes.insert(comparison.notes.begin(), fmt::format("no difference in the first {} scans", found.depth));
     std::string open;
@@ -72,14 +76,26 @@ Comparison comparisonOf(const Equivalence& found) {
   return comparison;
 }
 
-bool writeCertificates(const Context& context, const std::string& directory, const Equivalence& found) {
+/// One file for the memory that corresponds, on which the others rest, and one for each output.
+bool writeCertificates(const Context& context, const std::string& directory, const Sides& sides,
+                       const Equivalence& found) {
   std::error_code error;  // a folder that cannot be made shows when the file is written
   std::filesystem::create_directories(directory, error);
   bool isWritten = true;
-  std::size_t number = 0;
   for (const auto& [name, text] : found.certificates) {
-    const std::string file = (std::filesystem::path(directory) / fmt::format("{:03}.smt2", ++number)).string();
-    isWritten = context.write({"smt2", file}, text) && isWritten;
+    const bool isMemory = name == found.certificates.front().first;
+    const std::string file = name + ".smt2";
+    CertifiedStatement statement{"comparison",
+                                 isMemory ? "memory of both programs that corresponds" : name + " is equal",
+                                 {sides.runBefore.get(), sides.runAfter.get()},
+                                 found.assumptions,
+                                 {}};
+    statement.notes.push_back(
+        isMemory ? "from equal pairs of memory every scan leads to equal ones; the other files rest on it"
+                 : "rests on memory.smt2");
+    isWritten = context.write({"smt2", (std::filesystem::path(directory) / file).string()},
+                              certificateHead(statement, file) + text) &&
+                isWritten;
   }
   return isWritten;
 }
@@ -130,7 +146,8 @@ Exit run(const Arguments& arguments, Context& context) {
       isFailed = true;
     if (!arguments.trace.empty()) report.comparison->trace = arguments.trace;
   }
-  if (options.prover.certificates && !writeCertificates(context, arguments.certificates, found)) isFailed = true;
+  if (options.prover.certificates && !writeCertificates(context, arguments.certificates, sides, found)) isFailed = true;
+  if (!found.certificates.empty()) report.comparison->certificate = arguments.certificates;
   const Exit exit = finish(context, std::move(report));
   return isFailed ? Exit::Failed : exit;
 }
@@ -146,7 +163,7 @@ Action setup(ArgumentTable& table) {
   table.number("--latency", arguments->latency, "N", "NEW's outputs come N scans later", 0, 1000);
   table.option("--trace", arguments->trace, "FILE", "write the run that differs: inputs and the outputs of both");
   table.option("--certificate", arguments->certificates, "DIR",
-               "write the proofs as SMT-LIB 2, for another solver to check");
+               "write the proofs of EQUAL as SMT-LIB 2, for another solver to check");
   table.word("--show", arguments->show, {"ladder", "lad", "fbd", "stl", "none"}, "ladder|fbd|stl|none",
              "how the networks that drive a differing output are drawn");
   return [arguments](Context& context) { return run(*arguments, context); };

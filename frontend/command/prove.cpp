@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "analysis/proof/proof_networks.hpp"
-#include "analysis/proof/self_check.hpp"
+#include "analysis/equivalence/self_check.hpp"
 #include "analysis/rule.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/page/certificate_head.hpp"

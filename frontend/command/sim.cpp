@@ -34,6 +34,7 @@ struct Arguments {
   unsigned slack = 0;
   std::uint64_t scans = 0;
   std::string duration;
+  std::string side = "old";
 };
 
 /// What the arguments and files ask for, ready to run.
@@ -93,7 +94,7 @@ class Preparation {
   void readFiles(Job& job) {
     if (!arguments_.stimulus.empty()) {
       const std::optional<std::string> text = readFile(context_, arguments_.stimulus, failures);
-      if (text) job.stimulus = readStimulus(arguments_.stimulus, *text, program_, failures);
+      if (text) job.stimulus = readStimulus(arguments_.stimulus, *text, program_, failures, arguments_.side);
     }
     if (arguments_.expect.empty()) {
       if (!arguments_.tolerances.empty() || arguments_.slack != 0)
@@ -102,7 +103,7 @@ class Preparation {
     }
     const std::optional<std::string> text = readFile(context_, arguments_.expect, failures);
     if (!text) return;
-    job.expected = readTrace(arguments_.expect, *text, program_, failures);
+    job.expected = readTrace(arguments_.expect, *text, program_, failures, arguments_.side);
     job.compare.slack = arguments_.slack;
     for (const std::string& given : arguments_.tolerances) {
       Failure failure;
@@ -295,6 +296,8 @@ Action setup(ArgumentTable& table) {
   table.option("--duration", arguments->duration, "TIME", "run for this time, such as 30s");
   table.option("--tolerance", arguments->tolerances, "SIGNAL=VALUE", "how far a value may be off; may be repeated");
   table.number("--slack", arguments->slack, "N", "scans by which a value may come earlier or later");
+  table.word("--side", arguments->side, {"old", "new"}, "old|new",
+             "which program this is in a trace that 'rungproof equiv' wrote of two");
   return [arguments](Context& context) { return run(*arguments, context); };
 }
 
@@ -312,7 +315,8 @@ extern constexpr Command simCommand = {
         "three at once (then none but those and timed ones come in the whole run), column 'device' gives what\n"
         "ports and other devices write: VB101=83 SMB86=2, as far as a request of the program asked for it (then\n"
         "they do nothing else). Expected values are compared with the values at the end of the scan, or of the\n"
-        "scan in which the time falls. A written CSV trace is a stimulus as well.\n"
+        "scan in which the time falls. A written CSV trace is a stimulus as well. In a trace that 'rungproof equiv'\n"
+        "wrote, columns such as old.Q0.0 and new.Q0.0 belong to one of the programs: --side says which one this is.\n"
         "CLOCK.tick, CLOCK.second and CLOCK.minute say how many ms the time bases of the timers, SM0.5 and\n"
         "SM0.4 are into their periods.\n"
         "\n"

@@ -68,8 +68,7 @@ std::string sha256(std::string_view bytes) {
   return text;
 }
 
-std::string certificateHead(const Program& program, const std::vector<std::string>& assumptions,
-                            const ProofResult& result, const std::string& file) {
+std::string certificateHead(const CertifiedStatement& statement, const std::string& file) {
   std::string text;
   const auto add = [&](std::string_view what, const std::string& value) {
     text += fmt::format("; {}: {}\n", what, oneLine(value));
@@ -77,17 +76,25 @@ std::string certificateHead(const Program& program, const std::vector<std::strin
   add("rungproof", fmt::format("{}, certificate of a proof in SMT-LIB 2", programVersion()));
   add("check", fmt::format("cvc5 --incremental {}", file));
   add("holds if", "every answer is unsat");
-  add("property", result.property.text.empty() ? result.property.name
-                                               : fmt::format("{}: {}", result.property.name, result.property.text));
-  for (std::uint32_t i = 0; i < program.sources->size(); ++i) {
-    const SourceFile& source = program.sources->file(i);
-    const std::optional<std::string> bytes = bytesOfInput(source.name());
-    add("program",
-        fmt::format("{}, SHA-256 {}", source.name(), sha256(bytes ? std::string_view(*bytes) : source.text())));
+  add(statement.kind, statement.text);
+  for (const Program* program : statement.programs) {
+    for (std::uint32_t i = 0; i < program->sources->size(); ++i) {
+      const SourceFile& source = program->sources->file(i);
+      const std::optional<std::string> bytes = bytesOfInput(source.name());
+      add("program",
+          fmt::format("{}, SHA-256 {}", source.name(), sha256(bytes ? std::string_view(*bytes) : source.text())));
+    }
   }
-  for (const std::string& assumption : assumptions) add("assumes", assumption);
-  for (const std::string& note : result.notes) add("note", note);
+  for (const std::string& assumption : statement.assumptions) add("assumes", assumption);
+  for (const std::string& note : statement.notes) add("note", note);
   return text;
+}
+
+std::string certificateHead(const Program& program, const std::vector<std::string>& assumptions,
+                            const ProofResult& result, const std::string& file) {
+  const Property& property = result.property;
+  const std::string text = property.text.empty() ? property.name : fmt::format("{}: {}", property.name, property.text);
+  return certificateHead({"property", text, {&program}, assumptions, result.notes}, file);
 }
 
 }  // namespace rungproof

@@ -12,7 +12,16 @@ namespace rungproof {
 /// SHA-256 of the bytes as 64 hexadecimal digits, as sha256sum prints it.
 std::string sha256(std::string_view bytes);
 
+/// What a certificate says.
+struct CertifiedStatement {
+  std::string kind;  ///< "property"
+  std::string text;
+  std::vector<const Program*> programs;
+  std::vector<std::string> assumptions, notes;
+};
 /// Lines of SMT-LIB comments. `file`: the name that the certificate gets, without its folder.
+std::string certificateHead(const CertifiedStatement& statement, const std::string& file);
+/// The same for a property.
 std::string certificateHead(const Program& program, const std::vector<std::string>& assumptions,
                             const ProofResult& result, const std::string& file);
 

@@ -82,20 +82,29 @@ Json selfCheckJson(const std::vector<PlantedFault>& faults) {
           {"faults", std::move(rows)}};
 }
 
-Json comparisonJson(const std::optional<Comparison>& comparison) {
+/// Two programs: beside the verdict, what a property has too.
+Json programsJson(const Comparison& comparison, const std::vector<std::string>& assumptions) {
+  Json json = {{"equal", comparison.verdict == "UNKNOWN" ? Json(nullptr) : Json(comparison.verdict == "EQUAL")},
+               {"verdict", comparison.verdict},
+               {"method", comparison.method},
+               {"seconds", comparison.seconds},
+               {"certificate", comparison.certificate.empty() ? Json(nullptr) : Json(comparison.certificate)},
+               {"trace", comparison.trace.empty() ? Json(nullptr) : Json(comparison.trace)},
+               {"notes", comparison.notes},
+               {"assumptions", assumptions}};
+  return json;
+}
+
+Json comparisonJson(const std::optional<Comparison>& comparison, const std::vector<std::string>& assumptions) {
   if (!comparison) return nullptr;
   const bool isOfPrograms = !comparison->verdict.empty();
-  if (isOfPrograms && comparison->verdict != "DIFFERENT") {
-    return {{"equal", comparison->equal ? Json(true) : Json(nullptr)}, {"verdict", comparison->verdict}};
-  }
-  if (comparison->equal) return {{"equal", true}};
-  Json json = {{"equal", false},
-          {"scan", comparison->scan},
-          {"time_ms", number(comparison->timeMs)},
-          {"signal", comparison->signal},
-          {"expected", number(comparison->expected)},
-          {"actual", number(comparison->actual)}};
-  if (isOfPrograms) json["verdict"] = comparison->verdict;
+  Json json = isOfPrograms ? programsJson(*comparison, assumptions) : Json{{"equal", comparison->equal}};
+  if (isOfPrograms ? comparison->verdict != "DIFFERENT" : comparison->equal) return json;
+  json["scan"] = comparison->scan;
+  json["time_ms"] = number(comparison->timeMs);
+  json["signal"] = comparison->signal;
+  json["expected"] = number(comparison->expected);
+  json["actual"] = number(comparison->actual);
   return json;
 }
 
@@ -114,7 +123,7 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
     json["properties"].push_back(std::move(row));
   }
   if (report.selfCheck) json["self_check"] = selfCheckJson(*report.selfCheck);
-  json["comparison"] = comparisonJson(report.comparison);
+  json["comparison"] = comparisonJson(report.comparison, report.assumptions);
   json["coverage"] = {{"instructions", report.coverage.instructions},
                       {"understood", report.coverage.understood},
                       {"approximated", report.coverage.approximated}};

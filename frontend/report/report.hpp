@@ -79,13 +79,14 @@ struct Comparison {
   double seconds = 0;
   std::vector<std::string> notes{};  ///< why nothing is decided, the run that differs
   std::string trace{};               ///< file that holds the run, or empty
+  std::string certificate{};         ///< folder of the certificates, or empty
   std::vector<ShownScan> scans{};    ///< its last scans as drawings, networks of both programs
 };
 
 /// "scan 7, 70 ms, Q0.0: expected 1, actual 0", or that the trace ends before.
 std::string differenceText(const Comparison& comparison);
 
-/// A planted fault and what became of it (analysis/proof/self_check.hpp).
+/// A planted fault and what became of it (analysis/equivalence/self_check.hpp).
 struct PlantedFault {
   std::string kind;  ///< "removed contact"
   std::string text;  ///< "A I0.2"

@@ -36,8 +36,18 @@ struct Frame {
 
 class TableReader {
  public:
-  TableReader(const std::string& name, std::string_view text, std::vector<Failure>& failures)
-      : failures_(failures), table_(readCsv(name, text, failures)) {}
+  TableReader(const std::string& name, std::string_view text, std::vector<Failure>& failures, std::string_view side)
+      : failures_(failures), table_(readCsv(name, text, failures)) {
+    for (std::size_t i = 0; i < table_.heading.size(); ++i) {
+      std::string& heading = table_.heading[i].text;
+      const std::string prefix = lowered(heading.substr(0, heading.find('.') + 1));
+      if (side.empty() || (prefix != "old." && prefix != "new.")) continue;
+      if (prefix.starts_with(side))
+        heading.erase(0, prefix.size());
+      else
+        others_.insert(i);
+    }
+  }
 
   Frame frame() {
     Frame frame;
@@ -49,6 +59,7 @@ class TableReader {
            "name it 'scan' or 'time_ms'");
     std::set<std::string> seen;
     for (std::size_t i = 0; i < table_.heading.size(); ++i) {
+      if (others_.contains(i)) continue;
       const CsvCell& cell = table_.heading[i];
       const std::string name = lowered(cell.text);
       if (!seen.insert(name).second)
@@ -226,13 +237,14 @@ class TableReader {
  private:
   std::vector<Failure>& failures_;
   CsvTable table_;
+  std::set<std::size_t> others_;  ///< columns of the other one of two programs
 };
 
 }  // namespace
 
 Stimulus readStimulus(const std::string& name, std::string_view text, const Program& program,
-                      std::vector<Failure>& failures) {
-  TableReader reader(name, text, failures);
+                      std::vector<Failure>& failures, std::string_view side) {
+  TableReader reader(name, text, failures, side);
   const Frame frame = reader.frame();
   Stimulus stimulus;
   stimulus.isByTime = frame.isByTime;
@@ -279,8 +291,9 @@ Stimulus readStimulus(const std::string& name, std::string_view text, const Prog
 namespace {
 
 Trace readTraceWith(const std::string& name, std::string_view text, std::vector<Failure>& failures,
+                    std::string_view side,
                     const std::function<std::optional<TraceSignal>(const std::string&, Failure&)>& signalOfColumn) {
-  TableReader reader(name, text, failures);
+  TableReader reader(name, text, failures, side);
   Frame frame = reader.frame();
   // Where clocks start is for stimuli only.
   std::erase_if(frame.signals,
@@ -318,15 +331,15 @@ Trace readTraceWith(const std::string& name, std::string_view text, std::vector<
 
 }  // namespace
 
-Trace readTrace(const std::string& name, std::string_view text, const Program& program,
-                std::vector<Failure>& failures) {
-  return readTraceWith(name, text, failures, [&](const std::string& column, Failure& failure) {
+Trace readTrace(const std::string& name, std::string_view text, const Program& program, std::vector<Failure>& failures,
+                std::string_view side) {
+  return readTraceWith(name, text, failures, side, [&](const std::string& column, Failure& failure) {
     return signalNamed(program, column, failure);
   });
 }
 
 Trace readTrace(const std::string& name, std::string_view text, std::vector<Failure>& failures) {
-  return readTraceWith(name, text, failures, [](const std::string& column, Failure&) {
+  return readTraceWith(name, text, failures, {}, [](const std::string& column, Failure&) {
     TraceSignal signal;
     signal.name = column;
     signal.type = SignalType::Number;

@@ -18,12 +18,15 @@
 
 namespace rungproof {
 
-/// Reads a stimulus for a program. With failures, the result is not to be used.
+/// Reads a stimulus for a program. With failures, the result is not to be used. `side`: "old" or "new": in a trace of
+/// two programs (rungproof equiv) the columns "old.I0.0" and "new.I0.0" belong to one of them; those of the other one
+/// are passed over.
 Stimulus readStimulus(const std::string& name, std::string_view text, const Program& program,
-                      std::vector<Failure>& failures);
+                      std::vector<Failure>& failures, std::string_view side = "old");
 
 /// Reads an expected or recorded trace; columns become signals of the program.
-Trace readTrace(const std::string& name, std::string_view text, const Program& program, std::vector<Failure>& failures);
+Trace readTrace(const std::string& name, std::string_view text, const Program& program, std::vector<Failure>& failures,
+                std::string_view side = "old");
 
 /// Reads a trace without a program: columns that are no addresses keep their names, values are taken as numbers.
 Trace readTrace(const std::string& name, std::string_view text, std::vector<Failure>& failures);

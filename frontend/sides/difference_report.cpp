@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "frontend/run/witness_drawing.hpp"
 #include "frontend/run/witness_report.hpp"
@@ -23,7 +24,7 @@ Witness witnessOf(const EquivalenceRun& run, bool isOld) {
 
 std::optional<Operand> operandOf(const std::optional<Address>& address) {
   if (!address) return std::nullopt;
-  return direct(address->area, Width::Bit, address->index / 8, address->index % 8);
+  return operandAt(*address);
 }
 
 /// A result whose property is the differing bit, for what draws networks of a witness.
@@ -41,33 +42,58 @@ ProofResult resultOf(const EquivalenceRun& run, bool isOld) {
 
 }  // namespace
 
-std::vector<TraceSignal> DifferenceReport::inputsOfRun() const {
-  std::vector<TraceSignal> inputs;
-  for (const ReplayScan& scan : run_.before) {
-    for (const PresetValue& preset : scan.inputs) {
-      TraceSignal signal = signalOf(*sides_.runBefore, preset.operand);
-      if (preset.value != 0 &&
-          std::ranges::none_of(inputs, [&](const TraceSignal& s) { return s.name == signal.name; }))
-        inputs.push_back(std::move(signal));
+DifferenceReport::Inputs DifferenceReport::inputs() const {
+  using Values = std::vector<std::uint64_t>;
+  const auto valuesIn = [](const Program& program, const std::vector<ReplayScan>& scans) {
+    std::map<std::string, std::pair<TraceSignal, Values>> found;
+    for (std::size_t k = 0; k < scans.size(); ++k) {
+      for (const PresetValue& preset : scans[k].inputs) {
+        TraceSignal signal = signalOf(program, preset.operand);
+        Values& values = found.try_emplace(signal.name, signal, Values{}).first->second.second;
+        values.resize(scans.size());
+        values[k] = preset.value;
+      }
     }
+    return found;
+  };
+  const auto before = valuesIn(*sides_.runBefore, run_.before), after = valuesIn(*sides_.runAfter, run_.after);
+  const auto isIdleIn = [](const Values& values) { return std::ranges::all_of(values, [](auto v) { return v == 0; }); };
+  Inputs result;
+  for (const auto& [name, column] : before) {
+    const auto other = after.find(name);
+    const bool isAlike = other == after.end()
+                             ? !sides_.pairs.after(addressOf(column.first.operand)) || sides_.pairs.empty()
+                             : other->second.second == column.second;
+    if (isAlike && isIdleIn(column.second)) continue;
+    (isAlike ? result.common : result.before).push_back(column.first);
   }
-  std::ranges::sort(inputs, {},
-                    [](const TraceSignal& s) { return std::tuple(s.operand.area, s.operand.offset, s.operand.bit); });
-  return inputs;
+  for (const auto& [name, column] : after) {
+    const auto other = before.find(name);
+    const bool isAlike = other == before.end() ? sides_.pairs.empty() : other->second.second == column.second;
+    if (other != before.end() && isAlike) continue;
+    if (!(isAlike && isIdleIn(column.second))) result.after.push_back(column.first);
+  }
+  for (std::vector<TraceSignal>* list : {&result.common, &result.before, &result.after})
+    std::ranges::sort(*list, {},
+                      [](const TraceSignal& s) { return std::tuple(s.operand.area, s.operand.offset, s.operand.bit); });
+  return result;
 }
 
-Trace DifferenceReport::joined(const std::vector<TraceSignal>& inputs, const std::vector<TraceSignal>& before,
-                               const std::vector<TraceSignal>& after) const {
-  std::vector<TraceSignal> left = inputs;
+Trace DifferenceReport::joined(const std::vector<TraceSignal>& common, std::vector<TraceSignal> before,
+                               std::vector<TraceSignal> after) const {
+  std::vector<TraceSignal> left = common;
   left.insert(left.end(), before.begin(), before.end());
   const Choices& choices = options_.prover.choices;
   Trace trace = traceOf(*sides_.runBefore, choices, witnessOf(run_, true), left);
   const Trace other = traceOf(*sides_.runAfter, choices, witnessOf(run_, false), after);
-  for (TraceSignal signal : after) {
-    signal.name = "new." + signal.name;
-    if (!signal.symbol.empty()) signal.symbol = "new." + signal.symbol;
-    trace.signals.push_back(std::move(signal));
-  }
+  const auto named = [](TraceSignal signal, std::string_view prefix) {
+    signal.name = std::string(prefix) + signal.name;
+    if (!signal.symbol.empty()) signal.symbol = std::string(prefix) + signal.symbol;
+    return signal;
+  };
+  for (std::size_t i = common.size(); i < trace.signals.size(); ++i)
+    trace.signals[i] = named(trace.signals[i], oldSidePrefix);
+  for (const TraceSignal& signal : after) trace.signals.push_back(named(signal, newSidePrefix));
   for (std::size_t i = 0; i < trace.rows.size(); ++i) {
     if (i < other.rows.size())
       trace.rows[i].values.insert(trace.rows[i].values.end(), other.rows[i].values.begin(), other.rows[i].values.end());
@@ -78,13 +104,15 @@ Trace DifferenceReport::joined(const std::vector<TraceSignal>& inputs, const std
 }
 
 Trace DifferenceReport::trace() const {
-  const auto outputsOf = [](const Program& program) {
-    std::vector<TraceSignal> signals = touchedSignals(program);
-    std::erase_if(signals,
-                  [](const TraceSignal& s) { return s.operand.area != Area::Q && s.operand.area != Area::AQ; });
-    return signals;
+  const auto addOutputs = [](std::vector<TraceSignal>& list, const Program& program) {
+    for (TraceSignal& signal : touchedSignals(program)) {
+      if (signal.operand.area == Area::Q || signal.operand.area == Area::AQ) list.push_back(std::move(signal));
+    }
   };
-  return joined(inputsOfRun(), outputsOf(*sides_.runBefore), outputsOf(*sides_.runAfter));
+  Inputs columns = inputs();
+  addOutputs(columns.before, *sides_.runBefore);
+  addOutputs(columns.after, *sides_.runAfter);
+  return joined(columns.common, columns.before, columns.after);
 }
 
 /// "I0.2 becomes 1 in scan 3": the last change of an input before the difference.
@@ -107,12 +135,17 @@ void DifferenceReport::describe(Comparison& comparison, const std::string& form)
   comparison.signal = run_.signal;
   comparison.expected = run_.valueBefore ? 1 : 0;
   comparison.actual = run_.valueAfter ? 1 : 0;
-  const std::vector<TraceSignal> inputs = inputsOfRun();
-  std::vector<TraceSignal> before, after;
+  const Inputs read = inputs();
+  std::vector<TraceSignal> common = read.common, before, after;
+  common.insert(common.end(), read.before.begin(), read.before.end());
   if (const auto operand = operandOf(run_.addressBefore)) before.push_back(signalOf(*sides_.runBefore, *operand));
   if (const auto operand = operandOf(run_.addressAfter)) after.push_back(signalOf(*sides_.runAfter, *operand));
-  const Trace table = joined(inputs, before, after);
-  if (const std::string change = lastChange(table, inputs.size()); !change.empty()) comparison.notes.push_back(change);
+  const Trace table = joined(common, before, after);
+  if (const std::string change = lastChange(table, common.size()); !change.empty()) comparison.notes.push_back(change);
+  for (const auto& [choice, value] : run_.readings) {
+    const ChoiceInfo& info = choiceInfo(choice);
+    comparison.notes.push_back(fmt::format("under {0} = {1} (sim: --choice {0}={1})", info.key, info.values[value]));
+  }
   for (const bool isOld : {true, false}) {
     const Program& program = isOld ? *sides_.runBefore : *sides_.runAfter;
     const std::string start = startText(program, options_.prover.choices, witnessOf(run_, isOld));

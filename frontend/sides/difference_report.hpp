@@ -18,13 +18,18 @@ class DifferenceReport {
 
   /// Fills in scan, signal, values, the table and the drawings; `form`: ladder, fbd, stl or none.
   void describe(Comparison& comparison, const std::string& form) const;
-  /// All inputs of the run, then the outputs of OLD under their names and those of NEW as "new.Q0.0".
+  /// Inputs and outputs of the run. What only one program has, or has otherwise, stands under "old.Q0.0", "new.Q0.0".
   Trace trace() const;
 
  private:
-  Trace joined(const std::vector<TraceSignal>& inputs, const std::vector<TraceSignal>& before,
-               const std::vector<TraceSignal>& after) const;
-  std::vector<TraceSignal> inputsOfRun() const;
+  /// Columns of both runs: those that are alike in both, then OLD's, then NEW's.
+  Trace joined(const std::vector<TraceSignal>& common, std::vector<TraceSignal> before,
+               std::vector<TraceSignal> after) const;
+  /// Inputs that are not 0 all the time: alike in both programs, OLD's own, NEW's own.
+  struct Inputs {
+    std::vector<TraceSignal> common, before, after;
+  };
+  Inputs inputs() const;
   std::string lastChange(const Trace& table, std::size_t inputs) const;
 
   const Sides& sides_;

@@ -17,7 +17,7 @@ namespace rungproof {
 namespace {
 
 /// Columns that a line of UTF-8 text takes, drawings and letters being one column wide.
-std::size_t screenColumns(std::string_view line) {
+std::size_t textColumns(std::string_view line) {
   return static_cast<std::size_t>(
       std::ranges::count_if(line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
@@ -38,7 +38,7 @@ std::string_view changeWord(const NetworkPair& pair) {
 const Network& networkOf(const Program& program, const NetworkRef& where) {
   return program.pous[where.pou].networks[where.network];
 }
-std::string headOf(const Program& program, const NetworkRef& where) {
+std::string networkPlace(const Program& program, const NetworkRef& where) {
   return fmt::format("{}, Network {}", program.pous[where.pou].name, networkOf(program, where).number);
 }
 
@@ -56,8 +56,8 @@ std::vector<std::string> linesOf(const Program& program, const std::optional<Net
 }
 
 std::string headingOf(const Sides& sides, const NetworkPair& pair) {
-  const std::string before = pair.before ? headOf(*sides.runBefore, *pair.before) : "";
-  const std::string after = pair.after ? headOf(*sides.runAfter, *pair.after) : "";
+  const std::string before = pair.before ? networkPlace(*sides.runBefore, *pair.before) : "";
+  const std::string after = pair.after ? networkPlace(*sides.runAfter, *pair.after) : "";
   if (before.empty() || after.empty() || before == after)
     return fmt::format("{}: {}", before.empty() ? after : before, changeWord(pair));
   return fmt::format("{} (before: {}): {}", after, before, changeWord(pair));
@@ -113,9 +113,9 @@ std::string differenceText(const Sides& sides, const ProgramDifference& differen
     const std::vector<std::string> left = linesOf(*sides.runBefore, change.networks.before, style),
                                    right = linesOf(*sides.runAfter, change.networks.after, style);
     std::size_t width = 3;
-    for (const std::string& line : left) width = std::max(width, screenColumns(line));
+    for (const std::string& line : left) width = std::max(width, textColumns(line));
     const auto row = [&](std::string_view a, std::string_view b) {
-      std::string line = fmt::format("  {}{} | {}", a, std::string(width - std::min(width, screenColumns(a)), ' '), b);
+      std::string line = fmt::format("  {}{} | {}", a, std::string(width - std::min(width, textColumns(a)), ' '), b);
       line.erase(line.find_last_not_of(' ') + 1);
       text += line + '\n';
     };

@@ -38,7 +38,7 @@ class Reach {
       }
       for (std::uint32_t i = 0; i < extentOf(o); ++i) {
         const Address own{o.area, addressOf(o).index + i};
-        const Operand bit = direct(own.area, Width::Bit, own.index / 8, own.index % 8);
+        const Operand bit = operandAt(own);
         if (isInfluenced(influence, bit, 1)) addOutput(change, own, bit, verdicts);
       }
     }
@@ -54,7 +54,7 @@ class Reach {
   void addOutput(NetworkChange& change, const Address& own, const Operand& bit,
                  const std::vector<ObservedVerdict>& verdicts) const {
     const std::optional<Address> there = isOld_ ? own : pairs_.before(own);
-    const Operand observed = there ? direct(there->area, Width::Bit, there->index / 8, there->index % 8) : bit;
+    const Operand observed = there ? operandAt(*there) : bit;
     const auto verdict = std::ranges::find(verdicts, toString(observed), &ObservedVerdict::name);
     const std::string name = nameWithSymbol(program_, bit);
     if (verdict != verdicts.end() &&

@@ -79,7 +79,7 @@ std::string linesForBoth(std::string text) {
 }
 
 void readPairAssumptions(Sides& sides, const std::string& name, const std::string& text) {
-  const std::uint32_t file = sides.before.program.sources->add(name, linesForBoth(text));
+  const std::uint32_t file = sides.before.program.sources->add(name, text);
   const OperandLookup ofOld = lookupIn(sides.before.program), ofNew = lookupIn(sides.after.program);
   const auto lookup = [&](std::string_view word) -> std::optional<Operand> {
     if (word.starts_with(oldSidePrefix)) return ofOld(word.substr(oldSidePrefix.size()));
@@ -89,8 +89,7 @@ void readPairAssumptions(Sides& sides, const std::string& name, const std::strin
     return operand;
   };
   PropertySet set;
-  readPropertyText(file, sides.before.program.sources->file(file).text(), 0, lookup, set,
-                   sides.before.program.findings);
+  readPropertyText(file, linesForBoth(text), 0, lookup, set, sides.before.program.findings);
   for (Property& property : set.properties) {
     if (!property.isGoal()) sides.assumptions.push_back(std::move(property));
   }
@@ -103,10 +102,11 @@ ProgramInput readSide(const Settings& settings, const std::vector<std::string>& 
   return input;
 }
 
-void addProperties(ProgramInput& input, const std::string& name, const std::string& text) {
+/// `lines`: what of the text is said of this program; the rest is blank.
+void addProperties(ProgramInput& input, const std::string& name, const std::string& text, const std::string& lines) {
   const std::uint32_t file = input.program.sources->add(name, text);
-  readPropertyText(file, input.program.sources->file(file).text(), 0, lookupIn(input.program), input.properties,
-                   input.program.findings, &input.program.target);
+  readPropertyText(file, lines, 0, lookupIn(input.program), input.properties, input.program.findings,
+                   &input.program.target);
 }
 
 /// What constrains runs; what is to be proved of one program is no part of a comparison.
@@ -144,8 +144,8 @@ Sides readSides(const Context& context, const SideArguments& arguments, std::vec
   for (const std::string& name : arguments.properties) {
     const std::optional<std::string> text = readFile(context, name, failures);
     if (!text) continue;
-    addProperties(sides.before, name, linesFor(*text, oldSidePrefix, newSidePrefix));
-    addProperties(sides.after, name, linesFor(*text, newSidePrefix, oldSidePrefix));
+    addProperties(sides.before, name, *text, linesFor(*text, oldSidePrefix, newSidePrefix));
+    addProperties(sides.after, name, *text, linesFor(*text, newSidePrefix, oldSidePrefix));
     readPairAssumptions(sides, name, *text);
   }
   keepAssumptions(sides.before.properties);
@@ -153,10 +153,15 @@ Sides readSides(const Context& context, const SideArguments& arguments, std::vec
   if (!arguments.map.empty()) readPairs(context, arguments.map, sides, failures);
   for (const std::string& text : arguments.observed) {
     const auto operand = lookupIn(sides.before.program)(text);
-    if (operand)
-      sides.observed.push_back(*operand);
-    else
+    if (!operand)
       failures.push_back({fmt::format("--observe: '{}' is neither an address nor a symbol of OLD", text), {}, {}});
+    else if (operand->area == Area::L || operand->area == Area::AC || operand->area == Area::HC ||
+             operand->area == Area::I || operand->area == Area::AI)
+      failures.push_back({fmt::format("--observe: {} is no output and no memory", text),
+                          {},
+                          "name addresses of Q, AQ, V, M, S, SM, T or C"});
+    else
+      sides.observed.push_back(*operand);
   }
   sides.unreadBefore = std::make_unique<UnreadCode>(sides.before.program);
   sides.unreadAfter = std::make_unique<UnreadCode>(sides.after.program);

@@ -13,8 +13,8 @@ namespace rungproof {
 
 /// What a command that compares programs is given; rows for its table.
 struct SideArguments {
-  std::string before, after;          ///< a file or a folder each
-  std::vector<std::string> with;      ///< "old:FILE", "new:FILE"
+  std::string before, after;      ///< a file or a folder each
+  std::vector<std::string> with;  ///< "old:FILE", "new:FILE"
   std::vector<std::string> properties;
   std::string map;
   std::vector<std::string> observed;
@@ -32,7 +32,7 @@ struct Sides {
   Side newSide() const { return {runAfter.get(), after.properties, unreadAfter.get()}; }
   std::vector<std::string> filesBefore, filesAfter;
   AddressPairs pairs;
-  std::vector<Operand> observed;  ///< addresses of OLD
+  std::vector<Operand> observed;      ///< addresses of OLD
   std::vector<Property> assumptions;  ///< that speak of both programs
 };
 

@@ -1,7 +1,8 @@
 // Pairs of addresses, and the file that says them.
+#include "analysis/equivalence/address_pairs.hpp"
+
 #include <gtest/gtest.h>
 
-#include "analysis/equivalence/address_pairs.hpp"
 #include "frontend/program_input.hpp"
 #include "frontend/sides/map_file.hpp"
 
@@ -16,7 +17,8 @@ struct ReadMap {
   std::vector<Failure> failures;
 };
 ReadMap mapOf(const std::string& text) {
-  const Program program = readText("a.awl", "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\n= Q0.0\nEND_ORGANIZATION_BLOCK\n");
+  const Program program =
+      readText("a.awl", "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\n= Q0.0\nEND_ORGANIZATION_BLOCK\n");
   ReadMap result;
   result.lines = readMap("moved.map", text, lookupIn(program), lookupIn(program), result.failures);
   return result;
@@ -62,7 +64,8 @@ TEST(AddressPairs, AWordIsPairedIfItsBytesStayTogether) {
 }
 
 TEST(MapFile, HasOnePairALine) {
-  const ReadMap read = mapOf("# moved to the second module\nI0.0..I0.7 = I1.0..I1.7   # a byte\n\nT37 = T40\nVB10..VB19=VB30..VB39\n");
+  const ReadMap read =
+      mapOf("# moved to the second module\nI0.0..I0.7 = I1.0..I1.7   # a byte\n\nT37 = T40\nVB10..VB19=VB30..VB39\n");
   EXPECT_TRUE(read.failures.empty());
   ASSERT_EQ(read.lines.size(), 3U);
   EXPECT_EQ(read.lines[0].count, 8U);

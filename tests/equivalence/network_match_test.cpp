@@ -30,11 +30,25 @@ TEST(NetworkMatch, AChangedNetworkKeepsTheInstructionsThatStayed) {
 }
 
 TEST(NetworkMatch, AddedAndRemovedNetworksHaveOneSide) {
-  const Program before = readLine("LD I0.0;= Q0.0|LD I1.5;MOVW 7,VW0"), after = readLine("LD I0.0;= Q0.0|LDN M3.3;S Q1.0,1");
+  const Program before = readLine("LD I0.0;= Q0.0|LD I1.5;MOVW 7,VW0"),
+                after = readLine("LD I0.0;= Q0.0|LDN M3.3;S Q1.0,1");
   const ProgramMatch match = matchPrograms(before, after);
   EXPECT_EQ(std::ranges::count_if(match.networks, [](const NetworkPair& p) { return p.isSame; }), 1);
   EXPECT_EQ(std::ranges::count_if(match.networks, [](const NetworkPair& p) { return !p.before; }), 1);
   EXPECT_EQ(std::ranges::count_if(match.networks, [](const NetworkPair& p) { return !p.after; }), 1);
+}
+
+TEST(NetworkMatch, ANetworkThatDrivesTheSameCoilIsItsSuccessor) {
+  const ProgramMatch match = matchPrograms(readLine("LD I0.0;A I0.1;= Q0.0|LD I0.2;A I0.3;= Q0.1"),
+                                           readLine("LD I0.5;AN I0.6;= Q0.1|LD I0.1;A I0.0;= Q0.0"));
+  ASSERT_EQ(match.networks.size(), 2U);
+  EXPECT_EQ(match.networks[0].before->network, 1U);
+  EXPECT_EQ(match.networks[1].before->network, 0U);
+}
+
+TEST(NetworkMatch, FormsOfAConstantAreOneNumber) {
+  const ProgramMatch match = matchPrograms(readLine("LD I0.0;MOVW 16#10,VW0"), readLine("LD I0.0;MOVW +16,VW0"));
+  EXPECT_TRUE(match.networks[0].isSame);
 }
 
 TEST(NetworkMatch, TheMapTranslatesAddresses) {

@@ -1,5 +1,5 @@
-// Pairs of programs with a truth that was reasoned out by hand: what the tests of this folder share. Programs are written
-// in one line: ';' ends an instruction, '|' begins a network, '@SBR0:' or '@INT0:' begins a block.
+// Pairs of programs with a truth that was reasoned out by hand: what the tests of this folder share. Programs are
+// written in one line: ';' ends an instruction, '|' begins a network, '@SBR0:' or '@INT0:' begins a block.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -46,7 +46,9 @@ inline std::string exportOf(const std::string& line) {
     end = "END_" + kind + '\n';
     network = 0;
   };
-  const auto add = [&](const std::string& part) { text += "Network " + std::to_string(++network) + '\n' + lines(part); };
+  const auto add = [&](const std::string& part) {
+    text += "Network " + std::to_string(++network) + '\n' + lines(part);
+  };
   open("");
   text += "BEGIN\n";
   while (begin <= line.size()) {

@@ -1,10 +1,10 @@
 // Bugs seeded into the interlocks of the corpus - one contact removed, two networks swapped, EU for ED - are found by
 // the declared properties: at least 95 % of those that change behaviour. A fault counts as harmless only if the prover
-// has shown that the outputs are the same in every run (output_comparison.hpp); one that it could not decide counts as
+// has shown that the outputs are the same in every run (analysis/equivalence); one that it could not decide counts as
 // not found.
 #include <gtest/gtest.h>
 
-#include "analysis/proof/self_check.hpp"
+#include "analysis/equivalence/self_check.hpp"
 #include "tests/corpus/corpus_program.hpp"
 
 namespace rungproof::test {

@@ -3,8 +3,8 @@
 
 #include <map>
 
-#include "analysis/proof/output_comparison.hpp"
-#include "analysis/proof/self_check.hpp"
+#include "analysis/equivalence/equivalence.hpp"
+#include "analysis/equivalence/self_check.hpp"
 #include "tests/prover/proved_text.hpp"
 
 namespace rungproof::test {
@@ -16,6 +16,13 @@ SelfCheck checked(const ProgramInput& input, std::vector<FaultKind> kinds = {}) 
   options.kinds = std::move(kinds);
   const ProofRun before = prove(input.program, input.properties, options.prover);
   return selfCheck(input.program, input.properties, before.results, options);
+}
+
+Equality comparedOutputs(const Program& before, Program after) {
+  after.number();
+  EquivalenceOptions options;
+  options.prover = usualOptions(10);
+  return compareBehaviour({&before, {}}, {&after, {}}, options).equality;
 }
 
 const FaultResult* faultNamed(const SelfCheck& check, const std::string& part, FaultKind kind) {
@@ -79,8 +86,7 @@ TEST(SelfCheck, OrderOfSetAndResetExchangesTheirRungs) {
     for (const Instruction& instruction : changed.pous[0].networks[0].instructions)
       order += std::string(instruction.desc->stl) + " ";
     EXPECT_EQ(order, "LD A R LD S ");
-    EXPECT_EQ(compareOutputs(input.program, changed, input.properties, usualOptions(5), 5),
-              OutputComparison::Different);
+    EXPECT_EQ(comparedOutputs(input.program, changed), Equality::Different);
     return;
   }
   FAIL() << "no such fault";
@@ -90,8 +96,8 @@ TEST(SelfCheck, ComparesOutputsOverTime) {
   // T37 after 5 s and after 10 s: the same outputs for at least ten scans, then not.
   const ProgramInput slow = inputOf("", "Network 1\nLD I0.0\nTON T37, 100\nNetwork 2\nLD T37\n= Q0.0\n");
   const ProgramInput fast = inputOf("", "Network 1\nLD I0.0\nTON T37, 50\nNetwork 2\nLD T37\n= Q0.0\n");
-  EXPECT_EQ(compareOutputs(slow.program, fast.program, {}, usualOptions(5), 10), OutputComparison::Different);
-  EXPECT_EQ(compareOutputs(slow.program, slow.program, {}, usualOptions(5), 10), OutputComparison::Equal);
+  EXPECT_EQ(comparedOutputs(slow.program, fast.program), Equality::Different);
+  EXPECT_EQ(comparedOutputs(slow.program, slow.program), Equality::Equal);
 }
 
 }  // namespace

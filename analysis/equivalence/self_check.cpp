@@ -1,5 +1,5 @@
 // One thread for each job takes the next fault; verdicts are compared by name.
-#include "analysis/proof/self_check.hpp"
+#include "analysis/equivalence/self_check.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -7,7 +7,7 @@
 #include <mutex>
 #include <thread>
 
-#include "analysis/proof/output_comparison.hpp"
+#include "analysis/equivalence/equivalence.hpp"
 
 namespace rungproof {
 
@@ -81,15 +81,20 @@ class Checker {
     options.checks = {};
     options.evidence = false;
     options.certificates = false;
-    const Program inPlace = planted(program_, result.fault);
+    Program numbered = planted(program_, result.fault);
+    numbered.number();
+    EquivalenceOptions both;
+    both.prover = options;
+    both.interruptsInside = true;
     // Three looks, the cheap ones first: most faults show at once, or can be seen to do nothing in any single scan.
     const double quick = std::min(secondsPerFault, options.timeout);
-    if (haveSameScans(program_, inPlace, set_, options, quick)) {
+    both.prover.timeout = quick;
+    both.oneScan = true;
+    const Side before{&program_, set_}, after{&numbered, set_};
+    if (compareBehaviour(before, after, both).equality == Equality::Equal) {
       result.fate = FaultFate::NoEffect;
       return;
     }
-    Program numbered = inPlace;
-    numbered.number();
     for (const double seconds : {quick, most}) {
       options.timeout = seconds;
       prove(numbered, asked_, options, [&](const ProofResult& now, std::size_t, std::size_t) {
@@ -103,11 +108,15 @@ class Checker {
       return;
     }
     if (isInterrupted()) return;
-    switch (compareOutputs(program_, inPlace, set_, options, most, &result.where)) {
-      case OutputComparison::Equal: result.fate = FaultFate::NoEffect; break;
-      case OutputComparison::Different: result.fate = FaultFate::Unnoticed; break;
-      case OutputComparison::Undecided: result.fate = FaultFate::Undecided; break;
+    both.prover.timeout = most;
+    both.oneScan = false;
+    const Equivalence found = compareBehaviour(before, after, both);
+    switch (found.equality) {
+      case Equality::Equal: result.fate = FaultFate::NoEffect; break;
+      case Equality::Different: result.fate = FaultFate::Unnoticed; break;
+      case Equality::Unknown: result.fate = FaultFate::Undecided; break;
     }
+    if (found.run) result.where = found.run->signal + " in scan " + std::to_string(found.run->scan);
   }
 
   const Program& program_;

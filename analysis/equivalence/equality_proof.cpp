@@ -1,0 +1,103 @@
+// Asks again, of the systems as they are written.
+#include "analysis/equivalence/equality_proof.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace rungproof {
+
+namespace {
+constexpr double quickProof = 2;  ///< seconds for each question while all are asked together
+}  // namespace
+
+TransitionSystem withWrittenReals(const TransitionSystem& system, RealScope scope) {
+  const Graph& graph = *system.graph;
+  for (std::size_t i = 0; i < graph.size(); ++i) {
+    if (isRealOperation(graph[static_cast<Node>(i)].op)) return withExactReals(system, scope);
+  }
+  return system;
+}
+
+EqualityProof::EqualityProof(ProgramProduct& written, const std::vector<std::string>& names,
+                             const std::vector<bool>& isMerged, const std::vector<PairCondition>& conditions, Ask ask,
+                             double seconds)
+    : conditions_(conditions), ask_(std::move(ask)), seconds_(seconds) {
+  std::unordered_map<std::string, bool> known;
+  for (std::size_t i = 0; i < names.size(); ++i) known.emplace(names[i], isMerged[i]);
+  const std::vector<std::string> own = written.newStateNames();
+  std::vector<bool> merges;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const auto found = known.find(own[i]);
+    merges.push_back(!own[i].empty() && written.isMergeable(i) && found != known.end() && found->second);
+  }
+  const JoinedSystem joined = written.merged(merges, true, conditions_);
+  writeMemory(joined, own);
+  writeOutputs(written, joined, merges);
+}
+
+std::vector<Question> EqualityProof::prove(const TransitionSystem& system, const std::vector<Question>& questions,
+                                           CertificateWriter& writer) {
+  std::vector<Question> open = questions;
+  for (const auto& [each, effort] : {std::pair{quickProof, Effort::Together}, std::pair{seconds_, Effort::Full}}) {
+    if (open.empty()) break;
+    TransitionSystem asked = system;
+    asked.questions = open;
+    const std::vector<QuestionAnswer> answers = ask_(asked, each, effort);
+    std::vector<Question> still;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      if (answers[i].answer == Answer::Proved && answers[i].certificate)
+        writer.add(open[i], *answers[i].certificate);
+      else
+        still.push_back(open[i]);
+    }
+    open = std::move(still);
+  }
+  return open;
+}
+
+void EqualityProof::writeMemory(const JoinedSystem& joined, const std::vector<std::string>& names) {
+  std::vector<Question> questions;
+  for (std::size_t i = 0; i < joined.nextDiffers.size(); ++i) {
+    if (joined.nextDiffers[i] != noNode)
+      questions.push_back({"what stands for " + names[i] + " ends a scan with another value", joined.nextDiffers[i]});
+  }
+  for (std::size_t i = 0; i < joined.conditionBreaks.size(); ++i) {
+    const PairCondition& condition = conditions_[i];
+    questions.push_back({"what stands for " + condition.state + " ends a scan with another value and " +
+                             condition.condition + (condition.when ? " 1" : " 0"),
+                         joined.conditionBreaks[i]});
+  }
+  TransitionSystem system = joined.system;
+  system.questions = questions;
+  system = withWrittenReals(system, RealScope::Comparisons);
+  CertificateWriter writer(system);
+  writer.addStart("pairs start equal", joined.starts);
+  for (const Question& question : prove(system, system.questions, writer)) missing_.push_back(question.name);
+  certificates_.emplace_back("memory", writer.text());
+}
+
+bool EqualityProof::writeOutput(const TransitionSystem& given, const Question& question) {
+  for (const RealScope scope : {RealScope::Comparisons, RealScope::All}) {
+    TransitionSystem system = given;
+    system.questions = {question};
+    system = withWrittenReals(system, scope);
+    CertificateWriter writer(system);
+    if (!prove(system, system.questions, writer).empty()) continue;
+    certificates_.emplace_back(question.name.substr(0, question.name.find(' ')), writer.text());
+    return true;
+  }
+  return false;
+}
+
+void EqualityProof::writeOutputs(ProgramProduct& written, const JoinedSystem& joined,
+                                 const std::vector<bool>& isMerged) {
+  const std::vector<Question> questions = outputQuestions(joined);
+  std::optional<JoinedSystem> both;
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    if (writeOutput(joined.system, questions[i])) continue;
+    if (!both) both = written.merged(isMerged, false, conditions_);
+    if (!writeOutput(both->system, outputQuestions(*both)[i])) missing_.push_back(questions[i].name);
+  }
+}
+
+}  // namespace rungproof

@@ -1,0 +1,52 @@
+// Certificates of an equality, over both programs as they are written. "memory" says that every pair of states which
+// stand for each other starts equal, and that no scan which begins with all pairs equal ends with a pair that differs:
+// then all of them are equal in every scan. On that rests the certificate of each output: in the system in which one
+// state stands for each pair, the output never differs. What is asked is asked of the encodings along the trails of the
+// simplified ones (encoding/trail.hpp), so that no simplification need be believed.
+// Tested by tests/equivalence/certificates_test.cpp.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/encoding/exact_reals.hpp"
+#include "analysis/equivalence/product.hpp"
+#include "analysis/portfolio/portfolio.hpp"
+
+namespace rungproof {
+
+/// The system with REAL operations of that scope written out; itself if it has none.
+TransitionSystem withWrittenReals(const TransitionSystem& system, RealScope scope);
+
+class EqualityProof {
+ public:
+  using Ask = std::function<std::vector<QuestionAnswer>(const TransitionSystem&, double each, Effort)>;
+
+  /// `written`: follows the trails. `names`, `isMerged`: the states of the simplified product's NEW, and which of them
+  /// are known to equal their partners, the rest under `conditions`. `seconds`: for each question that is hard.
+  EqualityProof(ProgramProduct& written, const std::vector<std::string>& names, const std::vector<bool>& isMerged,
+                const std::vector<PairCondition>& conditions, Ask ask, double seconds);
+
+  /// Name and text.
+  const std::vector<std::pair<std::string, std::string>>& certificates() const { return certificates_; }
+  /// What could not be proved again in this form.
+  const std::vector<std::string>& missing() const { return missing_; }
+
+ private:
+  /// Proves the questions of that system; those that are left open.
+  std::vector<Question> prove(const TransitionSystem& system, const std::vector<Question>& questions,
+                              CertificateWriter& writer);
+  void writeMemory(const JoinedSystem& joined, const std::vector<std::string>& names);
+  void writeOutputs(ProgramProduct& written, const JoinedSystem& joined, const std::vector<bool>& isMerged);
+  bool writeOutput(const TransitionSystem& system, const Question& question);
+
+  const std::vector<PairCondition>& conditions_;
+  Ask ask_;
+  double seconds_;
+  std::vector<std::pair<std::string, std::string>> certificates_;
+  std::vector<std::string> missing_;
+};
+
+}  // namespace rungproof

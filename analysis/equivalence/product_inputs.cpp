@@ -1,0 +1,215 @@
+// What of the world is the same for both programs: inputs, time, immediate reads and events in front of instructions
+// that stand for each other.
+#include <algorithm>
+#include <map>
+
+#include "analysis/equivalence/product.hpp"
+
+namespace rungproof {
+
+namespace {
+
+/// External values that come from the world, not from what the manual leaves undefined.
+bool isOfTheWorld(External kind) {
+  switch (kind) {
+    case External::ImmediateInput:
+    case External::AnalogInput:
+    case External::ClockByte:
+    case External::IntervalClock:
+    case External::StationAddress: return true;
+    default: return false;
+  }
+}
+
+}  // namespace
+
+bool ProgramProduct::isOldInput(const Place& place) {
+  const auto isInput = [&](const Place& there) {
+    return std::ranges::any_of(old_.encoding().cells(), [&](const Cell& cell) {
+      const bool isSame = cell.place.isRegister == there.isRegister &&
+                          (there.isRegister ? cell.place == there
+                                            : cell.place.area == there.area && cell.place.at <= there.at &&
+                                                  there.at + there.width <= cell.place.at + cell.place.width);
+      return isSame && cell.kind == CellKind::Input;
+    });
+  };
+  if (place.isRegister) {
+    const std::optional<Place> there = oldRegister(place);
+    return there && isInput(*there);
+  }
+  for (std::uint32_t i = 0; i < place.width; ++i) {
+    const auto bit = options_.pairs.before(bitOf(place, i));
+    if (!bit || (!options_.pairs.names(bitOf(place, i)) && !isInput(bitPlace(*bit)))) return false;
+  }
+  return true;
+}
+
+/// Whether a map gives a bit of SMB0 to it: that is renewed at the start of the scan, and stays until its end.
+bool ProgramProduct::isStatusOfOld(const Place& place) const {
+  if (place.isRegister) return false;
+  const auto bit = options_.pairs.before(bitOf(place, 0));
+  return bit && bit->area == Area::SM && bit->index < 8;
+}
+
+void ProgramProduct::replaceCells(SideCopy& copy) {
+  const TimeModel& oldTime = old_.encoding().time();
+  const TimeModel& newTime = new_.encoding().time();
+  for (std::size_t i = 0; i < newTime.inputs().size(); ++i) copy.replace(newTime.inputs()[i], oldTime.inputs()[i]);
+  for (const Cell& cell : new_.encoding().cells()) {
+    if (cell.kind != CellKind::Input) continue;
+    const Node value = oldValue(cell.place, isStatusOfOld(cell.place));
+    if (value != noNode && isOldInput(cell.place)) copy.replace(cell.start, value);
+  }
+  for (const auto& [name, node] : new_.encoding().deviceInputs()) {
+    const auto& own = old_.encoding().deviceInputs();
+    const auto same = own.find(name);
+    if (same != own.end() && old_.encoding().graph()[same->second].width == new_.encoding().graph()[node].width)
+      copy.replace(node, same->second);
+  }
+  for (const auto& [word, node] : new_.encoding().analogInputs()) {
+    const auto before = options_.pairs.before(Address{Area::AI, word});
+    if (!before || before->area != Area::AI) continue;
+    const auto& samples = old_.encoding().analogInputs();
+    if (const auto sample = samples.find(before->index); sample != samples.end() && !copy.isReplaced(node))
+      copy.replace(node, sample->second);
+  }
+}
+
+/// External values inside the scan: the k-th of an instruction stands for the k-th of the instruction it is matched
+/// with.
+void ProgramProduct::replaceExternals(SideCopy& copy) {
+  using Site = std::tuple<External, std::uint32_t, std::uint32_t>;
+  std::map<Site, std::vector<Node>> known;
+  for (const ExternalInput& e : old_.encoding().externals())
+    known[{e.site.kind, e.site.index, e.site.instruction}].push_back(e.node);
+  std::map<Site, std::size_t> count;
+  for (const ExternalInput& e : new_.encoding().externals()) {
+    if (!isOfTheWorld(e.site.kind)) continue;
+    const std::size_t k = count[{e.site.kind, e.site.index, e.site.instruction}]++;
+    if (e.node == noNode || copy.isReplaced(e.node)) continue;
+    std::uint32_t index = e.site.index;
+    const bool isAddress = e.site.kind == External::ImmediateInput || e.site.kind == External::AnalogInput;
+    if (isAddress) {
+      const Area area = e.site.kind == External::ImmediateInput ? Area::I : Area::AI;
+      const auto before = options_.pairs.before(Address{area, index});
+      if (!before || before->area != area) continue;
+      index = before->index;
+    }
+    const std::uint32_t instruction = match_.beforeOf[e.site.instruction];
+    if (instruction == noPartner) continue;
+    const auto found = known.find({e.site.kind, index, instruction});
+    if (found != known.end() && k < found->second.size() && found->second[k] != noNode)
+      copy.replace(e.node, found->second[k]);
+  }
+}
+
+/// The same event in front of instructions that stand for each other, and between scans.
+void ProgramProduct::replaceSites(SideCopy& copy) {
+  using Site = std::pair<int, std::uint32_t>;
+  std::map<Site, std::vector<Node>> known;
+  for (const SiteInput& site : old_.encoding().siteInputs()) known[{site.event, site.instruction}].push_back(site.node);
+  std::map<Site, std::size_t> count;
+  for (const SiteInput& site : new_.encoding().siteInputs()) {
+    const std::size_t k = count[{site.event, site.instruction}]++;
+    const bool isBetween = site.instruction == ScanPlace::afterProgram;
+    const std::uint32_t there = isBetween ? site.instruction : match_.beforeOf[site.instruction];
+    if (copy.isReplaced(site.node) || (!isBetween && there == noPartner)) continue;
+    const auto found = known.find({site.event, there});
+    if (found == known.end() || k >= found->second.size()) continue;
+    const Node same = found->second[k];
+    if (old_.encoding().graph()[same].width == new_.encoding().graph()[site.node].width) copy.replace(site.node, same);
+  }
+}
+
+/// An immediate read gives what the image has, and every read of an analog input in a scan the same.
+void ProgramProduct::holdInputs(JoinedSystem& result) {
+  Graph& graph = old_.encoding().graph();
+  std::map<Address, Node, bool (*)(const Address&, const Address&)> samples(
+      [](const Address& a, const Address& b) { return std::pair(a.area, a.index) < std::pair(b.area, b.index); });
+  const auto hold = [&](const Address& address, Node value) {
+    Node& sample = samples.try_emplace(address, noNode).first->second;
+    if (sample == noNode) sample = address.area == Area::I ? old_.encoding().atStart(bitPlace(address)) : value;
+    const Node same = graph.equal({sample}, {value}, graph[value].width).node;
+    if (graph.truth({same}) != true) result.system.constraints.push_back(same);
+  };
+  const auto areaOf = [](External kind) { return kind == External::ImmediateInput ? Area::I : Area::AI; };
+  const auto isRead = [](const ExternalInput& e) {
+    return e.node != noNode && (e.site.kind == External::ImmediateInput || e.site.kind == External::AnalogInput);
+  };
+  for (const ExternalInput& e : old_.encoding().externals()) {
+    if (isRead(e)) hold({areaOf(e.site.kind), e.site.index}, e.node);
+  }
+  for (const ExternalInput& e : new_.encoding().externals()) {
+    if (!isRead(e)) continue;
+    if (const auto before = options_.pairs.before(Address{areaOf(e.site.kind), e.site.index}))
+      hold(*before, (*result.copy)(e.node));
+  }
+}
+
+bool ProgramProduct::isSameProgram(const Side& before, const Side& after) const {
+  const auto isWhole = [](const Side& side) { return side.unread == nullptr || side.unread->empty(); };
+  const auto isAlike = [](const NetworkPair& pair) { return pair.isSame && *pair.before == *pair.after; };
+  return before.program->pous.size() == after.program->pous.size() && std::ranges::all_of(match_.networks, isAlike) &&
+         isWhole(before) && isWhole(after);
+}
+
+/// What many interrupts at one place leave is estimated with inputs of each program's own. Where one and the same
+/// program runs on equal memory and every other input is equal too, it leaves the same.
+void ProgramProduct::replaceEstimates(SideCopy& copy, const std::vector<bool>& isMerged) {
+  if (!isSame_) return;
+  const std::vector<Approximation>&before = old_.approximations(), &after = new_.approximations();
+  std::set<Node> carriers;
+  std::vector<std::pair<Node, Node>> pairs;
+  for (std::size_t k = 0; k < after.size(); ++k) {
+    if (after[k].place != nullptr || after[k].used == noNode) continue;
+    if (k >= before.size() || before[k].reason != after[k].reason ||
+        before[k].carriers.size() != after[k].carriers.size())
+      return;
+    for (std::size_t i = 0; i < after[k].carriers.size(); ++i) {
+      carriers.insert(after[k].carriers[i]);
+      pairs.emplace_back(after[k].carriers[i], before[k].carriers[i]);
+    }
+  }
+  const Graph& from = new_.encoding().graph();
+  std::map<Node, std::size_t> states;
+  for (std::size_t i = 0; i < newSystem_.states.size(); ++i) states.emplace(newSystem_.states[i].node, i);
+  std::vector<Node> open = newSystem_.constraints;
+  open.push_back(newRuns_);
+  for (const Output& output : outputs_) {
+    if (output.newValue != noNode) open.push_back(output.newValue);
+  }
+  std::set<Node> seen;
+  while (!open.empty()) {  // all that decides the outputs, through any number of scans
+    const Node node = open.back();
+    open.pop_back();
+    if (node == noNode || !seen.insert(node).second) continue;
+    open.insert(open.end(), from[node].child.begin(), from[node].child.end());
+    if (from[node].op != Op::Variable) continue;
+    const auto state = states.find(node);
+    if (state == states.end()) {
+      if (!carriers.contains(node) && !copy.isReplaced(node)) return;
+      continue;
+    }
+    const std::size_t i = state->second;
+    if (!partners_[i].isWorld && !kept_.contains(node) && !(isMerged[i] && isMergeable(i))) return;
+    open.push_back(newSystem_.states[i].next);
+  }
+  for (const auto& [own, there] : pairs) {
+    const bool isInput = from[own].op == Op::Variable && from[own].width == old_.encoding().graph()[there].width;
+    if (isInput && !copy.isReplaced(own)) copy.replace(own, there);
+  }
+}
+
+void ProgramProduct::noteEstimates(JoinedSystem& result) {
+  Graph& graph = old_.encoding().graph();
+  Graph::Bool used = graph.constant(false);
+  for (const Approximation& approximation : old_.approximations()) {
+    if (approximation.used != noNode) used = graph.lor(used, {approximation.used});
+  }
+  for (const Approximation& approximation : new_.approximations()) {
+    if (approximation.used != noNode) used = graph.lor(used, {(*result.copy)(approximation.used)});
+  }
+  if (graph.truth(used) != false) result.usesEstimates = used.node;
+}
+
+}  // namespace rungproof

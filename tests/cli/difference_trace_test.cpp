@@ -1,0 +1,65 @@
+// The run that shows a difference is written as a trace, and the trace is a stimulus: played to either program by
+// `sim`, each does what the trace says of it.
+#include <gtest/gtest.h>
+
+#include "program_run.hpp"
+#include "tests/equivalence/pairs.hpp"
+
+namespace rungproof::test {
+namespace {
+
+/// What a stimulus cannot say: what retentive memory holds at power-on, what local memory holds on entry, and what an
+/// input does within a scan.
+bool isSayable(const Pair& pair) {
+  return std::string(pair.properties).find("retentive") == std::string::npos &&
+         std::string(pair.name).find("undefined") == std::string::npos &&
+         std::string(pair.after).find("LDI ") == std::string::npos;
+}
+
+class DifferentPairs : public testing::TestWithParam<Pair> {};
+
+TEST_P(DifferentPairs, HaveATraceThatEitherProgramRepeats) {
+  const Pair& pair = GetParam();
+  const TemporaryFolder folder;
+  const std::string before = folder.file("old.awl", exportOf(pair.before)),
+                    after = folder.file("new.awl", exportOf(pair.after));
+  const std::string map = folder.file("moved.map", lines(pair.map)),
+                    props = folder.file("a.prop", lines(pair.properties));
+  const std::string trace = folder.path("difference.csv");
+  std::vector<std::string> arguments = {
+      "equiv",       "--isolated",
+      before,        after,
+      "--map",       map,
+      "--props",     props,
+      "--trace",     trace,
+      "--show",      "none",
+      "--scan-time", std::to_string(pair.low) + "ms.." + std::to_string(pair.high) + "ms",
+      "--latency",   std::to_string(pair.latency),
+      "--settle",    std::to_string(pair.settleMs) + "ms"};
+  const ProgramRun found = run(arguments);
+  ASSERT_EQ(found.exit, 1) << found.err << found.out;
+  for (const auto& [side, program] : {std::pair{"old", before}, std::pair{"new", after}}) {
+    std::vector<std::string> replay = {"sim",      "--isolated", program,  "--stimulus", trace,
+                                       "--expect", trace,        "--side", side};
+    const std::string option = "(sim: --choice ";  // readings of open points that the run needs
+    for (std::size_t at = found.out.find(option); at != std::string::npos; at = found.out.find(option, at + 1)) {
+      const std::size_t begin = at + option.size();
+      replay.insert(replay.end(), {"--choice", found.out.substr(begin, found.out.find(')', begin) - begin)});
+    }
+    const ProgramRun played = run(replay);
+    EXPECT_EQ(played.exit, 0) << side << '\n' << contentOf(trace) << played.err << played.out;
+  }
+}
+
+std::vector<Pair> differentPairs() {
+  std::vector<Pair> found;
+  std::ranges::copy_if(pairs, std::back_inserter(found),
+                       [](const Pair& pair) { return pair.truth == different && isSayable(pair); });
+  return found;
+}
+
+INSTANTIATE_TEST_SUITE_P(Pairs, DifferentPairs, testing::ValuesIn(differentPairs()),
+                         [](const testing::TestParamInfo<Pair>& info) { return std::string(info.param.name); });
+
+}  // namespace
+}  // namespace rungproof::test
