@@ -20,6 +20,30 @@ std::string nameIn(const TransitionSystem& system, Node variable) {
   return system.graph->variables()[(*system.graph)[variable].value].name;
 }
 
+/// Variables of the system in which a run was found that mean what variables of the exact one do: within one graph
+/// the same ones, since several may have one name (the visits of an instruction); else those of the same name.
+class FoundVariables {
+ public:
+  FoundVariables(const TransitionSystem& found, const TransitionSystem& exact) : found_(found), exact_(exact) {}
+  void add(Node variable) {
+    bySelf_.emplace(variable, count_);
+    byName_[nameIn(found_, variable)] = count_++;
+  }
+  std::optional<std::size_t> indexOfSame(Node variable) const {
+    if (const auto self = bySelf_.find(variable); found_.graph == exact_.graph && self != bySelf_.end())
+      return self->second;
+    const auto named = byName_.find(nameIn(exact_, variable));
+    return named == byName_.end() ? std::nullopt : std::optional(named->second);
+  }
+
+ private:
+  const TransitionSystem& found_;
+  const TransitionSystem& exact_;
+  std::map<Node, std::size_t> bySelf_;
+  std::map<std::string, std::size_t> byName_;
+  std::size_t count_ = 0;
+};
+
 /// Where the found run starts between two ticks of 100 ms, in ms (time_model.hpp).
 std::uint32_t phaseOf(const TransitionSystem& found, const WordTrace& trace) {
   std::uint64_t phase = 0;
@@ -85,13 +109,13 @@ bool isShown(ScanRun& run, const TransitionSystem& system, Node bad, const Exact
 
 std::optional<ExactRun> ExactQuestion::runOf(const TransitionSystem& found, const WordTrace& trace,
                                              const TimeRange& range) const {
-  std::map<std::string, std::size_t> inputNamed, stateNamed;
-  for (std::size_t i = 0; i < found.inputs.size(); ++i) inputNamed[nameIn(found, found.inputs[i])] = i;
-  for (std::size_t i = 0; i < found.states.size(); ++i) stateNamed[nameIn(found, found.states[i].node)] = i;
+  FoundVariables inputs(found, system_), states(found, system_);
+  for (const Node input : found.inputs) inputs.add(input);
+  for (const StateVariable& state : found.states) states.add(state.node);
   ExactRun result;
   for (const StateVariable& state : system_.states) {
-    const auto given = stateNamed.find(nameIn(system_, state.node));
-    result.initial.push_back(given == stateNamed.end() ? 0 : trace.initial[given->second]);
+    const std::optional<std::size_t> given = states.indexOfSame(state.node);
+    result.initial.push_back(given ? trace.initial[*given] : 0);
   }
   const std::vector<Node> watched{bad_};
   ScanRun run(encoding_, system_, watched);
@@ -104,9 +128,9 @@ std::optional<ExactRun> ExactQuestion::runOf(const TransitionSystem& found, cons
         std::vector<std::uint64_t>& values = result.inputs.emplace_back();
         for (const Node input : system_.inputs) {
           const std::string name = nameIn(system_, input);
-          const auto given = inputNamed.find(name);
+          const std::optional<std::size_t> given = inputs.indexOfSame(input);
           const auto digit = digitOf(name, milliseconds, part.length);
-          values.push_back(digit ? *digit : given == inputNamed.end() ? 0 : trace.inputs[i][given->second]);
+          values.push_back(digit ? *digit : given ? trace.inputs[i][*given] : 0);
         }
         result.lengths.push_back(part.length);
         setInputs(run, system_, values);

@@ -60,5 +60,61 @@ TEST(GuidedRuns, WhatCannotBeIsNotFoundAndAssumptionsHold) {
   for (const std::optional<Witness>& witness : s.search()) EXPECT_FALSE(witness.has_value());
 }
 
+TEST(OwnRuns, CountWhereTheSolversRunRestsOnEstimates) {
+  // Event 10 comes every 10 ms, up to 50 times in one scan; more than two at one place are estimated, so what solvers
+  // find is no run. In 20 scans of 500 ms the engine counts to 1000 (001:5470).
+  const ProgramInput input =
+      inputOf("//@ reach full: VW0 = 1000\n//@ reach half: VW0 = 500\n//@ reach negative: VW0 < 0\n",
+              "Network 1\nLD SM0.1\nMOVB 10, SMB34\nATCH INT0, 10\nNetwork 2\nLD I0.0\nENI\n",
+              "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLDW< VW0, +1000\nINCW VW0\nEND_INTERRUPT_BLOCK\n");
+  const ProofRun run = prove(input.program, input.properties, usualOptions(8));
+  EXPECT_TRUE(run.disagreements.empty());
+  EXPECT_EQ(outcomeOf(run, "full"), Outcome::Reachable);
+  EXPECT_EQ(outcomeOf(run, "half"), Outcome::Reachable);
+  EXPECT_EQ(outcomeOf(run, "negative"), Outcome::Unreachable);
+}
+
+/// 18 blocks: MAIN, twelve subroutines of string and REAL instructions, two interrupt routines that write what others
+/// read, and three subroutines of bits.
+std::string demoBlocks() {
+  std::string text;
+  for (int i = 0; i < 15; ++i) {
+    const std::string n = std::to_string(i), b = std::to_string(100 + 400 * i);
+    const auto v = [&](int offset) { return std::to_string(100 + 400 * i + offset); };
+    text += "SUBROUTINE_BLOCK SBR_" + n + ":SBR" + n + "\nBEGIN\nNetwork 1\nLD SM0.0\n";
+    if (i % 5 == 4)
+      text += "A I1.0\n= M10." + std::to_string(i / 5) + "\n";
+    else if (i % 2 == 0)
+      text += "ITD AIW" + std::to_string(2 * i) + ", VD" + b + "\nDTR VD" + b + ", VD" + b + "\n/R 32000.0, VD" + b +
+              "\nMOVR VD" + b + ", VD" + v(4) + "\nSQRT VD" + v(4) + ", VD" + v(8) + "\n*R VD" + v(4) + ", VD" + v(8) +
+              "\n+R VD" + v(8) + ", VD" + v(12) + "\nNetwork 2\nLDR> VD" + v(12) + ", 50.0\nS M" + n + ".0, 1\n";
+    else
+      text += "ITA IW0, VB" + b + ", 0\nSCPY VB" + v(40) + ", VB" + v(100) + "\nSCAT VB" + v(40) + ", VB" + v(100) +
+              "\nSLEN VB" + v(100) + ", VB" + v(300) + "\nNetwork 2\nLDS= VB" + v(100) + ", VB" + v(40) + "\n= M" + n +
+              ".1\n";
+    text += "END_SUBROUTINE_BLOCK\n";
+  }
+  for (int i = 0; i < 2; ++i) {
+    const std::string n = std::to_string(i);
+    text += "INTERRUPT_BLOCK INT_" + n + ":INT" + n + "\nBEGIN\nNetwork 1\nLD SM0.0\nINCW VW" +
+            std::to_string(8000 + 2 * i) + "\n+R 1.5, VD" + std::to_string(112 + 800 * i) + "\nEND_INTERRUPT_BLOCK\n";
+  }
+  return text;
+}
+
+TEST(OwnRuns, ComeInTimeWhateverHasToBeEncoded) {
+  // Q0.3 is on in the first scan. The limit is what users give to a first look.
+  std::string calls =
+      "Network 1\nLD SM0.0\n= Q0.3\nNetwork 2\nLD SM0.1\nATCH INT0, 0\nATCH INT1, 10\nMOVB 50, "
+      "SMB34\nENI\n";
+  for (int i = 0; i < 15; ++i)
+    calls += "Network " + std::to_string(3 + i) + "\nLD SM0.0\nCALL SBR" + std::to_string(i) + "\n";
+  const ProgramInput input = inputOf("//@ reach lamp: Q0.3\n", calls, demoBlocks());
+  for (const double limit : {2.0, 8.0, 12.0}) {
+    const ProofRun run = prove(input.program, input.properties, usualOptions(limit));
+    EXPECT_EQ(outcomeOf(run, "lamp"), Outcome::Reachable) << limit;
+  }
+}
+
 }  // namespace
 }  // namespace rungproof::test
