@@ -179,6 +179,7 @@ std::optional<Witness> ExactQuestion::witness(const Program& program, const Choi
              const bool isPhase =
                  cell.place.isRegister && (cell.place.reg == Reg::PhaseTen || cell.place.reg == Reg::PhaseHundred);
              if (cell.kind != CellKind::State || place == stateOf.end() || isPhase) continue;
+             if (!cone_.contains(indexOf(cell.start))) continue;
              agrees = agrees && valueAt(cell.place, state) == predicted[at][place->second];
            }
            return agrees;

@@ -1,10 +1,12 @@
 // Witnesses of questions that are no properties, such as those of the built-in checks: a found run, in real scans, is
 // followed on the exact system until the question's node is 1, and on the engine; both must have the same state after
-// every scan. Inputs that may have any value without changing the answer are found the same way. Covered by
-// tests/prover/witness_test.cpp and tests/prover/builtin_test.cpp.
+// every scan, as far as the question depends on it. Inputs that may have any value without changing the answer are
+// found the same way. Covered by tests/prover/witness_test.cpp and tests/prover/builtin_test.cpp.
 #pragma once
 
 #include <optional>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "analysis/proof/witness.hpp"
@@ -21,8 +23,9 @@ struct ExactRun {
 /// One question about an encoding.
 class ExactQuestion {
  public:
-  ExactQuestion(EncodedScan& encoding, const TransitionSystem& system, Node bad)
-      : encoding_(encoding), system_(system), bad_(bad) {}
+  /// `cone`: the variables (node indices) that the question depends on.
+  ExactQuestion(EncodedScan& encoding, const TransitionSystem& system, Node bad, std::unordered_set<std::uint32_t> cone)
+      : encoding_(encoding), system_(system), bad_(bad), cone_(std::move(cone)) {}
 
   /// The run that `trace` of another system over the same program describes, up to the scan in which the question's
   /// node is 1; nothing if it never is. Scans longer than the range become several.
@@ -37,6 +40,7 @@ class ExactQuestion {
   EncodedScan& encoding_;
   const TransitionSystem& system_;
   Node bad_;
+  std::unordered_set<std::uint32_t> cone_;
 };
 
 }  // namespace rungproof

@@ -506,7 +506,7 @@ std::optional<Witness> QuestionSearch::replayed(ProofSide& side, const Transitio
 std::optional<Witness> QuestionSearch::replayedCheck(const TransitionSystem& system, std::size_t question,
                                                      const WordTrace& trace) {
   const ExactQuestion asked(exact_->obligations().encoding(), exact_->system(),
-                            exact_->system().questions[question].bad);
+                            exact_->system().questions[question].bad, exact_->variablesOf(question));
   std::optional<ExactRun> run = asked.runOf(system, trace, options_.time);
   std::optional<Witness> witness = run ? asked.witness(program_, options_.choices, *run) : std::nullopt;
   const std::size_t check = question - goals_.size();

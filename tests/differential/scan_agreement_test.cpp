@@ -3,6 +3,9 @@
 // is shown. RUNGPROOF_SEED chooses other programs, RUNGPROOF_PROGRAMS how many.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
 #include "analysis/proof/scan_run.hpp"
 #include "tests/differential/program_generator.hpp"
 
@@ -36,8 +39,15 @@ Outcome compare(const RandomProgram& random, std::uint64_t seed, int scanCount, 
   EncodedScan scan(program, options);
   const TransitionSystem system = scan.system();
   Outcome outcome;
-  outcome.isExact = scan.approximations().empty();
-  if (!outcome.isExact) return outcome;
+  // What is estimated in some scans only says in which; its inputs stay 0 here, and such a scan is not compared.
+  std::vector<Node> estimates;
+  std::set<Node> kept;
+  for (const Approximation& approximation : scan.approximations()) {
+    if (approximation.used == noNode) return outcome;
+    estimates.push_back(approximation.used);
+    kept.insert(approximation.carriers.begin(), approximation.carriers.end());
+  }
+  outcome.isExact = true;
   std::vector<Place> places;
   std::vector<Node> ends;
   for (const Place& place : scan.places()) {
@@ -45,7 +55,9 @@ Outcome compare(const RandomProgram& random, std::uint64_t seed, int scanCount, 
     places.push_back(place);
     ends.push_back(scan.atEnd(place));
   }
-  ScanRun run(scan, system, ends);
+  std::vector<Node> watched = ends;
+  watched.insert(watched.end(), estimates.begin(), estimates.end());
+  ScanRun run(scan, system, watched);
   RandomSource inputs(seed);
   run.start();
   for (const StateVariable& s : system.states) {
@@ -58,6 +70,7 @@ Outcome compare(const RandomProgram& random, std::uint64_t seed, int scanCount, 
     bool isScan = false;
     for (int tries = 0; tries < 200 && !isScan; ++tries) {
       for (const Node input : system.inputs) {
+        if (kept.contains(input)) continue;
         if (tries == 0 && k > 0 && inputs.chance(60)) continue;  // most inputs keep their values for a while
         const int width = scan.graph()[input].width;
         run.set(input, tries > 20 && inputs.chance(50) ? inputs.below(10) : inputs.value(width));
@@ -65,6 +78,7 @@ Outcome compare(const RandomProgram& random, std::uint64_t seed, int scanCount, 
       isScan = run.evaluate();
     }
     if (!isScan) break;  // the program has stopped
+    if (std::ranges::any_of(estimates, [&](Node used) { return run[used] != 0; })) break;
     if (k == 0) initial = run.initialState();
     script.push_back(run.script());
     expected.emplace_back();
@@ -140,7 +154,7 @@ TEST(ScanAgreement, FromPowerUp) { runAll({.rungs = 7}, {}, 60, 60, 20000); }
 TEST(ScanAgreement, FixedScanTime) {
   EncoderOptions options = anyMemory();
   options.time = {13, 13, false};
-  runAll({.rungs = 6}, options, 40, 60, 30000);
+  runAll({.rungs = 6, .loops = false}, options, 40, 60, 30000);
 }
 
 TEST(ScanAgreement, Interrupts) {

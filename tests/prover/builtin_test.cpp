@@ -228,8 +228,11 @@ TEST_P(BuiltinIn, PointersThatLeaveTheirArea) {
   const std::string ring =
       "Network 1\nLD SM0.0\nLPS\nAD= VD40, 0\nMOVD &VB10235, VD40\nLPP\nMOVB IB0, *VD40\nINCD VD40\n"
       "Network 2\nLDD> VD40, &VB10239\nMOVD &VB10235, VD40\n";
+  // A routine may run more often at one place than is followed: what the ring holds then is any value, so nothing is
+  // decided there.
+  const Outcome expected = GetParam() == std::string("INT") ? Outcome::NotCovered : Outcome::Proved;
   for (const Outcome outcome : outcomes(builtinsIn(GetParam(), ring), BuiltinKind::OperandRange, "MOVB"))
-    EXPECT_EQ(outcome, Outcome::Proved);
+    EXPECT_EQ(outcome, expected);
 }
 
 TEST_P(BuiltinIn, DivisionByZero) {

@@ -76,7 +76,7 @@ TEST(WholeProgram, CommandsOnDamagedPrograms) {
 TEST(WholeProgram, EveryExitIsItsOwn) {
   const TemporaryFolder folder;
   const std::string file = folder.file("p.awl", mainBlock("Network 1\nLD I0.0\n= Q0.0\n"));
-  EXPECT_EQ(run({"prove", "--isolated", file}).exit, 2) << "no property";
+  EXPECT_EQ(run({"prove", "--isolated", folder.path("missing.awl")}).exit, 2);
   EXPECT_EQ(run({"nonsense"}).exit, 2);
   EXPECT_EQ(run({"sim", "--isolated", "--scans", "3", file}).exit, 0);
 }
