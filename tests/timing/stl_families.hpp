@@ -66,15 +66,16 @@ inline std::string chain(int n) {
 }
 
 /// n timers with presets from `preset` on, each against a count of the scans that its input has been on since: for
-/// scans of 100 ms. The scan that enables a timer brings it no tick (001:6590), so that the count is one ahead.
+/// scans of 100 ms. The scan that enables a timer brings it no tick (001:6590) and is not counted either: M remembers
+/// the input of the scan before.
 inline std::string timed(int n, int preset) {
   std::string properties, networks;
   for (int i = 0; i < n; ++i) {
-    const std::string in = bitOf("I", i), count = "VW" + std::to_string(2 * i), limit = std::to_string(preset + i);
+    const std::string in = bitOf("I", i), before = bitOf("M", i), count = "VW" + std::to_string(2 * i), limit = std::to_string(preset + i);
     networks += "Network " + std::to_string(i + 1) + "\nLD " + in + "\nTON " + timerOf(i) + ", " + limit + "\nLD " +
-                in + "\nAW< " + count + ", 32767\nINCW " + count + "\nLDN " + in + "\nMOVW 0, " + count +
-                "\n";
-    properties += "//@ prove exact " + std::to_string(i) + ": " + timerOf(i) + " = (" + count + " > " + limit + ")\n";
+                in + "\nA " + before + "\nAW< " + count + ", 32767\nINCW " + count + "\nLDN " + in + "\nMOVW 0, " +
+                count + "\nLD " + in + "\n= " + before + "\n";
+    properties += "//@ prove exact " + std::to_string(i) + ": " + timerOf(i) + " = (" + count + " >= " + limit + ")\n";
   }
   return programOf(properties, networks);
 }
