@@ -71,9 +71,8 @@ void Machine::startOfScan() {
   for (int n = 0; n < 256; ++n) {
     TimerState& t = timers_[static_cast<std::size_t>(n)];
     if (!t.timing || ((n % 64 < 1 || n % 64 > 4) && (n % 64 < 33 || n % 64 > 36)) || n > 100) continue;
-    const std::int64_t ticks = ticksBetween(10, t.since, now_);
-    t.since = now_;
-    refresh(t, n, ticks);
+    // All intervals since the start of the scan before, for every timer that is enabled (004:4584).
+    refresh(t, n, ticksBetween(10, lastScanStart_, scanStart_));
   }
 }
 

@@ -68,7 +68,6 @@ class Machine {
     bool timing = false;
     bool input = false;
     bool offDelay = false;
-    std::int64_t since = 0;
   };
   struct CounterState {
     int current = 0;

@@ -41,7 +41,6 @@ void Machine::resetTimer(int number) {
   TimerState& t = timers_[static_cast<std::size_t>(number)];
   t.current = 0;
   t.bit = false;
-  t.since = now_;
   if (t.offDelay) t.timing = t.input = false;  // a new falling edge is needed (001:6586)
 }
 
@@ -64,7 +63,6 @@ void Machine::timer(const Instruction& i) {
   } else if (starts) {
     // Intervals count from the activation (001:6590).
     t.timing = true;
-    t.since = now_;
     if (resolution == 100) refresh(t, i.a.offset, 0);  // the bit is set when the instruction is executed (001:6611)
   } else if (t.timing && resolution == 100) {
     // How many intervals are added is settled at the start of the scan: those since the start of the scan before
