@@ -1,8 +1,7 @@
-// How long the comparison of programs of ordinary size takes.
-#include <chrono>
-
+// How long the comparison of programs of ordinary size takes, by the wall clock at the pace of a quiet machine.
 #include "frontend/sides/program_difference.hpp"
 #include "tests/equivalence/pair.hpp"
+#include "tests/machine_pace.hpp"
 
 namespace rungproof::test {
 
@@ -48,10 +47,6 @@ std::string project(int blocks, int changed) {
   return main + rest;
 }
 
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 }  // namespace
 
 TEST(Measures, FiveHundredInstructionsAgainstATidiedCopy) {
@@ -59,10 +54,10 @@ TEST(Measures, FiveHundredInstructionsAgainstATidiedCopy) {
   const ProgramInput after = pairSide("new.awl", exportOf(plant(22, true)), "");
   ASSERT_GE(before.program.instructionCount(), 500U);
   EquivalenceOptions options;
-  const auto start = std::chrono::steady_clock::now();
-  const Equivalence found = compareBehaviour({&before.program, {}}, {&after.program, {}}, options);
+  Equivalence found;
+  const auto compare = [&] { found = compareBehaviour({&before.program, {}}, {&after.program, {}}, options); };
+  const double seconds = quietSeconds(compare, equalSeconds, 2, wallSeconds);
   EXPECT_EQ(equalityText(found.equality), "EQUAL");
-  const double seconds = secondsSince(start);
   EXPECT_LE(seconds, equalSeconds);
   std::printf("%zu instructions: EQUAL after %.2f s\n", before.program.instructionCount(), seconds);
 }
@@ -74,9 +69,8 @@ TEST(Measures, TwoVersionsOfAProjectOfThirtyBlocks) {
   sides.runBefore = std::make_unique<Program>(sides.before.program);
   sides.runAfter = std::make_unique<Program>(sides.after.program);
   EquivalenceOptions options;
-  const auto start = std::chrono::steady_clock::now();
-  const ProgramDifference found = differenceOf(sides, options);
-  const double seconds = secondsSince(start);
+  ProgramDifference found;
+  const double seconds = quietSeconds([&] { found = differenceOf(sides, options); }, differenceSeconds, 2, wallSeconds);
   // The run-up time of one drive: its alarm comes later, nothing else changes.
   EXPECT_EQ(found.changes.size(), 1U);
   EXPECT_EQ(found.countOf(Equality::Different), 1U);

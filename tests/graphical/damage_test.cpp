@@ -2,13 +2,13 @@
 // a program, never a crash, and no hang. What stands before and behind the damage is read.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <random>
 #include <sstream>
 
 #include "tests/graphical/plcopen_text.hpp"
+#include "tests/machine_pace.hpp"
 #include "tests/reader/read.hpp"
 
 namespace rungproof {
@@ -32,9 +32,7 @@ std::vector<std::string> corpusTexts() {
 }
 
 double secondsFor(const std::string& text, Program& program) {
-  const auto start = std::chrono::steady_clock::now();
-  program = readText("t.xml", text);
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return test::quietSeconds([&] { program = readText("t.xml", text); }, 0, 1);
 }
 
 std::string rules(const Program& program) {

@@ -1,11 +1,11 @@
 // Damaged input: cut, mixed and random texts never crash or hang, and time grows with the length only.
 #include <gtest/gtest.h>
 
-#include <ctime>
 #include <random>
 
 #include "frontend/stl/stl_parser.hpp"
 #include "frontend/stl/stl_writer.hpp"
+#include "tests/machine_pace.hpp"
 #include "tests/reader/read.hpp"
 
 namespace rungproof {
@@ -127,16 +127,8 @@ std::string repeated(std::string_view piece, std::size_t count) {
   return result;
 }
 
-/// Processor time, so that other work of the machine does not count.
 double milliseconds(const std::string& text) {
-  double best = 1e9;
-  for (int round = 0; round < 3; ++round) {
-    const std::clock_t start = std::clock();
-    const Program program = readText("long.awl", text);
-    best = std::min(best, 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-    EXPECT_GT(program.sources->size(), 0U);
-  }
-  return best;
+  return 1000 * test::quietSeconds([&] { EXPECT_GT(readText("long.awl", text).sources->size(), 0U); }, 0, 2);
 }
 
 TEST(Damage, TimeGrowsWithTheLengthOnly) {

@@ -7,29 +7,29 @@
 #include <string_view>
 
 #include "tests/corpus/corpus_program.hpp"
+#include "tests/machine_pace.hpp"
 #include "tests/timing/measured_proof.hpp"
 
 namespace rungproof {
 namespace {
 
 constexpr double mostOfOne = 2;  ///< CPU seconds: the bar of one property
-/// wound_rotor has two properties that compare a chain of steps with the time: 2.2 s each since the time bases run free.
+/// wound_rotor has two properties that compare a chain of steps with the time: 2.2 s each since the time bases run
+/// free.
 constexpr double mostOfSlowest = 6;
 constexpr std::array<std::string_view, 4> slowest = {"long_star_delta", "press_two_hand", "traffic_light",
                                                      "wound_rotor"};
-/// CPU seconds; 50 to 70 were measured, by what else the machine does. Phases of the time bases, readings of the manual,
-/// queues and devices are part of every proof; without them it was half of that.
+/// CPU seconds; 50 to 70 were measured, by what else the machine does. Phases of the time bases, readings of the
+/// manual, queues and devices are part of every proof; without them it was half of that.
 constexpr double mostOfAll = 90;
 constexpr std::size_t leastPrograms = 100;
-constexpr int attempts = 3;  ///< other work on the machine costs caches
+constexpr int attempts = 3;
 
 double secondsOf(const std::filesystem::path& file) {
   const ProgramInput input = test::corpusInput(file);
   ProverOptions options = test::proverOptions(file);
   options.jobs = 1;
-  const double begin = cpuSeconds();
-  prove(input.program, input.properties, options);
-  return cpuSeconds() - begin;
+  return test::quietSeconds([&] { prove(input.program, input.properties, options); }, 0, 1, cpuSeconds);
 }
 
 TEST(CorpusBar, EachProgramWithAllItsProperties) {

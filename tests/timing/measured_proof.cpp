@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "frontend/cli.hpp"
+#include "tests/machine_pace.hpp"
 
 namespace rungproof {
 
@@ -34,9 +35,7 @@ MeasuredProof measureProof(const std::string& program, const std::vector<std::st
     arguments.insert(arguments.end(), options.begin(), options.end());
     std::istringstream in;
     std::ostringstream out, err;
-    const double begin = cpuSeconds();
-    runProgram(arguments, {in, out, err});
-    const double seconds = cpuSeconds() - begin;
+    const double seconds = test::quietSeconds([&] { runProgram(arguments, {in, out, err}); }, 0, 1, cpuSeconds);
     result.cpuSeconds = run == 0 ? seconds : std::min(result.cpuSeconds, seconds);
     EXPECT_EQ(err.str(), "");
     const nlohmann::json report = nlohmann::json::parse(out.str(), nullptr, false);

@@ -1,5 +1,5 @@
-// One run of `prove` on a program text, with its verdicts and the CPU time that all its threads took. CPU time, the
-// least of several runs, is what bars are stated in: it does not depend on what else the machine does.
+// One run of `prove` on a program text, with its verdicts and the CPU time that all its threads took. CPU time at the
+// pace of a quiet machine, the least of several runs, is what bars are stated in.
 #pragma once
 
 #include <map>

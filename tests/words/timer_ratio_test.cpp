@@ -1,10 +1,9 @@
 // The engine on words against IC3 on bits, both alone, on timers with presets of 100, 1,000 and 30,000 ticks against an
-// independent count. CPU time, because it does not depend on what else the machine does.
+// independent count, in CPU time at the pace of a quiet machine.
 #include <gtest/gtest.h>
 
-#include <ctime>
-
 #include "analysis/words/word_engine.hpp"
+#include "tests/machine_pace.hpp"
 #include "tests/solver/families.hpp"
 
 namespace rungproof {
@@ -15,29 +14,26 @@ constexpr double wordSeconds = 0.1;  ///< CPU time
 constexpr double leastRatio = 10;
 constexpr int measurings = 3;
 
-double cpuTime() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
 struct Measured {
   Answer answer = Answer::Unknown;
-  double seconds = 1e9;  ///< CPU time, the least of some runs
+  double seconds = 0;  ///< CPU time
 };
 
 Measured onWords(const families::Family& family, WordSolverKind solver) {
   Measured measured;
-  for (int run = 0; run < measurings; ++run) {
-    const double begin = cpuTime();
+  const auto search = [&] {
     measured.answer = makeWordEngine(family.system, 0, {}, solver)->advance(Budget::seconds(20)).answer;
-    measured.seconds = std::min(measured.seconds, cpuTime() - begin);
-  }
+  };
+  measured.seconds = test::quietSeconds(search, 0, measurings);
   return measured;
 }
 
 Measured onBits(const families::Family& family) {
   Measured measured;
-  const double begin = cpuTime();
+  const double begin = test::processorSeconds();
   const BitBlast blast(family.system, {0});
   measured.answer = makeIc3(blast.bits(), {})->advance(Budget::seconds(bitSeconds)).answer;
-  measured.seconds = cpuTime() - begin;
+  measured.seconds = test::processorSeconds() - begin;
   return measured;
 }
 
