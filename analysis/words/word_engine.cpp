@@ -19,6 +19,9 @@ namespace {
 
 constexpr std::size_t scansForSamples = 160, gatesForSamples = 200'000'000;
 constexpr std::size_t sampleLimit = 1024;
+/// Questions to the solvers before a search begins anew; twice as many each time. A search that settles its question
+/// needs a thousand or so, one that took the wrong predicates early goes on without end.
+constexpr std::size_t firstRestart = 2000;
 
 /// States met in random runs, the first ones excepted.
 std::vector<WordState> sampleStates(const WordCone& cone, const BitBlast& blast, std::uint64_t seed) {
@@ -94,7 +97,12 @@ class Ic3OnWords final : public WordEngine {
     if (isExhausted_) return verdict;
     frames_->setBudget(budget);
     try {
-      run(verdict);
+      while (!run(verdict)) {
+        mostQueries_ *= 2;
+        ++restarts_;
+        build();
+        frames_->setBudget(budget);
+      }
     } catch (const Ic3Interrupted&) {
       verdict.depth = frames_->top();
     }
@@ -116,6 +124,11 @@ class Ic3OnWords final : public WordEngine {
   enum class Blocking : std::uint8_t { Done, Violated, Refined };
 
   void build() {
+    concrete_.reset();
+    frames_.reset();
+    refinement_.reset();
+    predicates_.reset();
+    usesSamples_ = true;
     cone_ = std::make_unique<WordCone>(given_, question_);
     isExhausted_ = cone_->hasOpaque();
     if (isExhausted_) return;
@@ -125,7 +138,7 @@ class Ic3OnWords final : public WordEngine {
     blast_ = std::make_unique<BitBlast>(cone_->system(), std::vector<std::size_t>{0}, variables);
     const bool onBits = solver_ == WordSolverKind::Bits || (solver_ == WordSolverKind::Fitting && !cone_->hasReals());
     std::vector<WordState> samples;
-    if (!cone_->hasReals()) samples = sampleStates(*cone_, *blast_, options_.seed);
+    if (!cone_->hasReals()) samples = sampleStates(*cone_, *blast_, options_.seed + restarts_);
     predicates_ = std::make_unique<Predicates>(*cone_, std::move(samples));
     for (const Node n : syntacticPredicates(*cone_)) predicates_->add(n);
     refinement_ = std::make_unique<Refinement>(*cone_, *predicates_);
@@ -133,13 +146,15 @@ class Ic3OnWords final : public WordEngine {
     concrete_ = std::make_unique<ConcreteScan>(*cone_);
   }
 
-  void run(Verdict& verdict) {
+  /// False if the search is to begin anew.
+  bool run(Verdict& verdict) {
     for (;;) {
       while (std::optional<WordStep> bad = frames_->findBad(frames_->top())) {
+        if (frames_->queries() > mostQueries_) return false;
         if (block(std::move(*bad)) != Blocking::Violated) continue;
         verdict.answer = Answer::Violated;
         verdict.depth = static_cast<int>(trace_.inputs.size()) - 1;
-        return;
+        return true;
       }
       frames_->addFrame();
       if (const std::optional<int> level = frames_->propagate()) {
@@ -147,7 +162,7 @@ class Ic3OnWords final : public WordEngine {
           invariant_.insert(invariant_.end(), frames_->lemmas(i).begin(), frames_->lemmas(i).end());
         }
         verdict.answer = Answer::Proved;
-        return;
+        return true;
       }
     }
   }
@@ -279,6 +294,8 @@ class Ic3OnWords final : public WordEngine {
   std::deque<WordObligation> obligations_;
   std::vector<WordCube> invariant_;
   WordTrace trace_;
+  std::size_t mostQueries_ = firstRestart;
+  std::uint64_t restarts_ = 0;
   bool usesSamples_ = true;
   bool isExhausted_ = false;
 };

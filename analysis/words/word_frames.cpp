@@ -31,6 +31,7 @@ WordFrames::WordFrames(WordCone& cone, Predicates& predicates, BitBlast* blast)
 
 Sat::Outcome WordFrames::solve(WordSolver& solver, const std::vector<int>& assumptions,
                                std::span<const int> temporary) {
+  ++queries_;
   const Sat::Outcome outcome = solver.solve(assumptions, *budget_, temporary);
   if (outcome == Sat::Outcome::Unknown) throw Ic3Interrupted{};
   return outcome;

@@ -46,6 +46,8 @@ class WordFrames {
   bool isBlocked(const WordCube& cube, int level) const;
   /// Pushes lemmas to higher frames; the level whose frame became inductive, if any.
   std::optional<int> propagate();
+  /// Questions asked of the solvers so far.
+  std::size_t queries() const { return queries_; }
   double activity(Lit l) const { return variableOf(l) < activity_.size() ? activity_[variableOf(l)] : 0; }
 
  private:
@@ -70,6 +72,7 @@ class WordFrames {
   double bump_ = 1;
   std::vector<int> assumptions_;
   const Budget* budget_ = nullptr;
+  std::size_t queries_ = 0;
   bool wholeCubes_ = false;
 };
 
