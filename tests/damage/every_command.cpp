@@ -97,15 +97,20 @@ void runAll(const SeedProgram& program, const EveryCommandLimits& limits, const 
   result << "done\n" << std::flush;
 }
 
+std::string readWhole(const std::string& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 }  // namespace
 
 std::string faultOf(const SeedProgram& program, const EveryCommandLimits& limits, bool& isSlow) {
   const TemporaryFolder folder;
-  const std::string report = folder.path("report.txt");
+  const std::string report = folder.path("report.txt"), printed = folder.path("stderr.txt");
   const pid_t child = ::fork();
   if (child == 0) {
     // What a failing CHECK prints belongs to the report, not between those of the test.
-    if (std::freopen("/dev/null", "w", stderr) == nullptr) ::_exit(9);
+    if (std::freopen(printed.c_str(), "w", stderr) == nullptr) ::_exit(9);
     runAll(program, limits, report);
     ::_exit(0);
   }
@@ -120,7 +125,8 @@ std::string faultOf(const SeedProgram& program, const EveryCommandLimits& limits
       last = line;
   }
   isSlow = WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL);
-  if (WIFSIGNALED(status) && !isSlow) faults += last + ": ended by signal " + std::to_string(WTERMSIG(status)) + "\n";
+  if (WIFSIGNALED(status) && !isSlow)
+    faults += last + ": ended by signal " + std::to_string(WTERMSIG(status)) + "\n" + readWhole(printed);
   if (WIFEXITED(status) && WEXITSTATUS(status) != 0)
     faults += last + ": ended with " + std::to_string(WEXITSTATUS(status)) + "\n";
   return faults;
