@@ -15,8 +15,7 @@ struct ScanEnd {
   std::uint32_t lengthMs = 0;
   std::size_t step = 0;  ///< index of its ReplayScan
   std::uint32_t round = 0;
-  bool runs = false;
-  std::vector<bool> outputs;
+  ScanOutputs outputs;
 };
 
 bool bitIn(const Concrete::Store& state, const std::optional<Address>& address) {
@@ -26,20 +25,19 @@ bool bitIn(const Concrete::Store& state, const std::optional<Address>& address) 
   return state.load(address->area, address->index, 1) != 0;
 }
 
-std::vector<ScanEnd> scanEnds(const Program& program, const Choices& choices, const std::vector<ReplayScan>& scans,
-                              const std::optional<Concrete::Store>& initial, const std::vector<ObservedBit>& observed,
-                              bool isOld) {
+std::vector<ScanEnd> scanEnds(const BothRuns& runs, const EquivalenceRun& run, bool isOld) {
+  const std::vector<ReplayScan>& scans = isOld ? run.before : run.after;
+  const std::optional<Concrete::Store>& initial = isOld ? run.initialBefore : run.initialAfter;
   std::vector<ScanEnd> ends;
   std::uint64_t now = 0;
-  replay(program, choices, scans, initial ? &*initial : nullptr, [&](const Concrete::Store& state, std::size_t at) {
-    const bool isSame = !ends.empty() && ends.back().step == at;
-    const std::uint32_t round = isSame ? ends.back().round + 1 : 0;
-    now += scans[at].lengthMs;
-    ScanEnd& end = ends.emplace_back();
-    end = {now, scans[at].lengthMs, at, round, state.get(Reg::Running, 0) != 0, {}};
-    for (const ObservedBit& bit : observed) end.outputs.push_back(bitIn(state, isOld ? bit.before : bit.after));
-    return end.runs;
-  });
+  replay(isOld ? runs.before : runs.after, runs.options.prover.choices, scans, initial ? &*initial : nullptr,
+         [&](const Concrete::Store& state, std::size_t at) {
+           const bool isSame = !ends.empty() && ends.back().step == at;
+           const std::uint32_t round = isSame ? ends.back().round + 1 : 0;
+           now += scans[at].lengthMs;
+           ends.push_back({now, scans[at].lengthMs, at, round, runs.outputsOf(state, isOld)});
+           return ends.back().outputs.runs;
+         });
   return ends;
 }
 
@@ -50,39 +48,49 @@ void cut(std::vector<ReplayScan>& scans, const ScanEnd& end) {
 
 }  // namespace
 
-std::optional<EquivalenceRun> BothRuns::judged(EquivalenceRun run) const {
-  const Choices& choices = options.prover.choices;
-  const std::vector<ScanEnd> left = scanEnds(before, choices, run.before, run.initialBefore, observed, true);
-  const std::vector<ScanEnd> right = scanEnds(after, choices, run.after, run.initialAfter, observed, false);
-  std::vector<std::optional<std::uint64_t>> lasted(observed.size());  // ms since the first scan end with a difference
-  const std::size_t count = std::max(left.size(), right.size());
-  for (std::size_t k = 0; k < count && k < left.size() && k < right.size(); ++k) {
-    const auto show = [&](std::string signal, bool a, bool b, const ObservedBit* bit) {
-      run.scan = k + 1;
-      run.milliseconds = left[k].milliseconds;
-      run.signal = std::move(signal);
-      run.valueBefore = a;
-      run.valueAfter = b;
-      if (bit != nullptr) {
-        run.addressBefore = bit->before;
-        run.addressAfter = bit->after;
-      }
-      cut(run.before, left[k]);
-      cut(run.after, right[k]);
-      return run;
-    };
-    if (comparesStops && left[k].runs != right[k].runs) return show("RUN", left[k].runs, right[k].runs, nullptr);
-    if (k < options.latency) continue;
-    const ScanEnd& then = left[k - options.latency];
-    for (std::size_t i = 0; i < observed.size(); ++i) {
-      const bool a = then.outputs[i], b = right[k].outputs[i];
-      if (a == b) {
-        lasted[i].reset();
-        continue;
-      }
-      lasted[i] = lasted[i] ? *lasted[i] + right[k].lengthMs : 0;
-      if (*lasted[i] >= options.settleMs) return show(observed[i].name, a, b, &observed[i]);
+std::optional<OutputWatch::Difference> OutputWatch::next(ScanOutputs before, const ScanOutputs& after,
+                                                         std::uint32_t lengthMs) {
+  if (comparesStops_ && before.runs != after.runs) return Difference{lasted_.size(), before.runs, after.runs};
+  old_.push_back(std::move(before));
+  if (old_.size() <= latency_) return std::nullopt;
+  const ScanOutputs then = std::move(old_.front());
+  old_.pop_front();
+  for (std::size_t i = 0; i < lasted_.size(); ++i) {
+    if (then.values[i] == after.values[i]) {
+      lasted_[i].reset();
+      continue;
     }
+    lasted_[i] = lasted_[i] ? *lasted_[i] + lengthMs : 0;
+    if (*lasted_[i] >= settleMs_) return Difference{i, then.values[i], after.values[i]};
+  }
+  return std::nullopt;
+}
+
+ScanOutputs BothRuns::outputsOf(const Concrete::Store& state, bool isOld) const {
+  ScanOutputs result{state.get(Reg::Running, 0) != 0, {}};
+  for (const ObservedBit& bit : observed) result.values.push_back(bitIn(state, isOld ? bit.before : bit.after));
+  return result;
+}
+
+std::optional<EquivalenceRun> BothRuns::judged(EquivalenceRun run) const {
+  const std::vector<ScanEnd> left = scanEnds(*this, run, true), right = scanEnds(*this, run, false);
+  OutputWatch watch(*this);
+  for (std::size_t k = 0; k < std::min(left.size(), right.size()); ++k) {
+    const auto found = watch.next(left[k].outputs, right[k].outputs, right[k].lengthMs);
+    if (!found) continue;
+    const bool isStop = found->output == observed.size();
+    run.scan = k + 1;
+    run.milliseconds = left[k].milliseconds;
+    run.signal = isStop ? "RUN" : observed[found->output].name;
+    run.valueBefore = found->before;
+    run.valueAfter = found->after;
+    if (!isStop) {
+      run.addressBefore = observed[found->output].before;
+      run.addressAfter = observed[found->output].after;
+    }
+    cut(run.before, left[k]);
+    cut(run.after, right[k]);
+    return run;
   }
   return std::nullopt;
 }

@@ -8,9 +8,6 @@ namespace rungproof {
 
 namespace {
 constexpr double quickProof = 2;  ///< seconds for each question while all are asked together
-}  // namespace
-
-namespace {
 
 bool hasReals(const TransitionSystem& system) {
   const Graph& graph = *system.graph;
@@ -27,16 +24,15 @@ TransitionSystem withWrittenReals(const TransitionSystem& system, RealScope scop
 }
 
 EqualityProof::EqualityProof(ProgramProduct& written, const std::vector<std::string>& names,
-                             const std::vector<bool>& isMerged, const std::vector<PairCondition>& conditions, Ask ask,
-                             double seconds)
-    : conditions_(conditions), ask_(std::move(ask)), seconds_(seconds) {
+                             const Correspondence& found, Ask ask, double seconds)
+    : conditions_(found.conditions), ask_(std::move(ask)), seconds_(seconds) {
   std::unordered_map<std::string, bool> known;
-  for (std::size_t i = 0; i < names.size(); ++i) known.emplace(names[i], isMerged[i]);
+  for (std::size_t i = 0; i < names.size(); ++i) known.emplace(names[i], found.isMerged[i]);
   const std::vector<std::string> own = written.newStateNames();
   std::vector<bool> merges;
   for (std::size_t i = 0; i < own.size(); ++i) {
-    const auto found = known.find(own[i]);
-    merges.push_back(!own[i].empty() && written.isMergeable(i) && found != known.end() && found->second);
+    const auto state = known.find(own[i]);
+    merges.push_back(!own[i].empty() && written.isMergeable(i) && state != known.end() && state->second);
   }
   const JoinedSystem joined = written.merged(merges, true, conditions_);
   writeMemory(joined, own);

@@ -6,14 +6,12 @@
 // Tested by tests/equivalence/certificates_test.cpp.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "analysis/encoding/exact_reals.hpp"
-#include "analysis/equivalence/product.hpp"
-#include "analysis/portfolio/portfolio.hpp"
+#include "analysis/equivalence/correspondence.hpp"
 
 namespace rungproof {
 
@@ -22,12 +20,10 @@ TransitionSystem withWrittenReals(const TransitionSystem& system, RealScope scop
 
 class EqualityProof {
  public:
-  using Ask = std::function<std::vector<QuestionAnswer>(const TransitionSystem&, double each, Effort)>;
-
-  /// `written`: follows the trails. `names`, `isMerged`: the states of the simplified product's NEW, and which of them
-  /// are known to equal their partners, the rest under `conditions`. `seconds`: for each question that is hard.
-  EqualityProof(ProgramProduct& written, const std::vector<std::string>& names, const std::vector<bool>& isMerged,
-                const std::vector<PairCondition>& conditions, Ask ask, double seconds);
+  /// `written`: follows the trails. `names`: the states of the simplified product's NEW, of which `found` speaks.
+  /// `seconds`: for each question that is hard.
+  EqualityProof(ProgramProduct& written, const std::vector<std::string>& names, const Correspondence& found, Ask ask,
+                double seconds);
 
   /// Name and text.
   const std::vector<std::pair<std::string, std::string>>& certificates() const { return certificates_; }

@@ -11,8 +11,8 @@
 #include "analysis/encoding/accelerate.hpp"
 #include "analysis/equivalence/both_runs.hpp"
 #include "analysis/equivalence/equality_proof.hpp"
+#include "analysis/equivalence/pair_exploration.hpp"
 #include "analysis/equivalence/scan_length.hpp"
-#include "analysis/graph/evaluate.hpp"
 #include "analysis/portfolio/portfolio.hpp"
 #include "analysis/proof/hidden_code.hpp"
 #include "analysis/proof/proof_side.hpp"
@@ -23,13 +23,15 @@ namespace rungproof {
 
 namespace {
 
-constexpr double pairSeconds = 2;            ///< for a pair of states that is not settled at once
-constexpr double outputSeconds = 1;          ///< for all outputs, whatever NEW's own memory is
-constexpr int shallowScans = 10;             ///< of a run that is searched for first
-constexpr int longScans = 12;                ///< of a run in which time passes in long scans
-constexpr std::size_t mostConditions = 400;  ///< under which states may correspond
-constexpr int pairScans = 8;                 ///< of a run that shows that states do not correspond
-constexpr double searchSeconds = 3;          ///< for each of these searches
+constexpr double outputSeconds = 1;     ///< for all outputs, whatever NEW's own memory is
+constexpr int shallowScans = 10;        ///< of a run that is searched for first
+constexpr int longScans = 12;           ///< of a run in which time passes in long scans
+constexpr double searchSeconds = 3;     ///< for each of these searches
+constexpr double shortShare = 0.25;     ///< of the time that is left, at most
+constexpr double earlySeconds = 0.15;   ///< for runs of the engine before anything is encoded
+constexpr double earlyShare = 0.1;      ///< of the time, at most
+constexpr double exploringSeconds = 5;  ///< for such runs when no short one differs
+constexpr double exploringShare = 0.4;  ///< of the time that is left, at most
 
 class ProgramComparison {
  public:
@@ -44,6 +46,12 @@ class ProgramComparison {
 
   Equivalence run() {
     nameAssumptions();
+    if (auto early = exploreEarly()) {
+      shorten(std::move(*early));
+      guardUnread();
+      result_.seconds = seconds();
+      return std::move(result_);
+    }
     try {
       ProductOptions options = productOptions(false);
       if (options_.prover.certificates) {
@@ -66,7 +74,8 @@ class ProgramComparison {
 
  private:
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-  double left() const { return std::max(options_.prover.timeout + more_ - seconds(), 0.0); }
+  /// Seconds.
+  double left() const { return std::max(std::min(options_.prover.timeout + more_, until_) - seconds(), 0.0); }
 
   std::vector<QuestionAnswer> ask(const TransitionSystem& system, double each, Effort effort) {
     std::atomic<bool> cancel{false};
@@ -126,98 +135,12 @@ class ProgramComparison {
           fmt::format("outputs may differ for less than {} ms without a break", options_.settleMs));
   }
 
-  /// Finds the states of NEW that always hold what their partners hold, whatever NEW's other states are. With
-  /// conditions: those that do not may do so wherever some bit of OLD has a value.
   void correspond(ProgramProduct& product, bool withConditions) {
-    isMerged_.assign(product.newStateCount(), false);
-    conditions_.clear();
-    for (std::size_t i = 0; i < isMerged_.size(); ++i) isMerged_[i] = product.isMergeable(i);
-    while (!watch_.isStopped() && left() > 0) {
-      const JoinedSystem merged = product.merged(isMerged_, true, conditions_);
-      TransitionSystem system = merged.system;
-      std::vector<std::size_t> open;  // states, then conditions
-      const Graph& graph = *system.graph;
-      const auto ask1 = [&](std::size_t what, Node differs, const std::string& name) {
-        if (differs == noNode || graph.truth({differs}) == false) return;
-        open.push_back(what);
-        system.questions.push_back({"what stands for " + name + " differs", differs});
-      };
-      for (std::size_t i = 0; i < isMerged_.size(); ++i) ask1(i, merged.nextDiffers[i], nameOfState(product, i));
-      for (std::size_t i = 0; i < conditions_.size(); ++i)
-        ask1(isMerged_.size() + i, merged.conditionBreaks[i], conditions_[i].state);
-      if (open.empty()) return;
-      std::vector<std::size_t> dropped;
-      for (const std::size_t i : withConditions ? brokenSoon(system) : brokenOrOpen(system)) dropped.push_back(open[i]);
-      if (dropped.empty() && withConditions) {
-        for (const std::size_t i : brokenOrOpen(system)) dropped.push_back(open[i]);
-      }
-      if (dropped.empty()) return;
-      drop(product, dropped, withConditions);
-    }
-    isMerged_.assign(isMerged_.size(), false);  // not settled: nothing is known to correspond
-    conditions_.clear();
+    const auto remaining = [this] { return watch_.isStopped() ? 0.0 : left(); };
+    correspondence_ = findCorrespondence(product, withConditions, asks(), remaining);
   }
-  /// Questions that a short run answers with yes: all that are so in one run.
-  std::vector<std::size_t> brokenSoon(const TransitionSystem& system) const {
-    TransitionSystem asked = system;
-    std::vector<std::size_t> all(system.questions.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    asked.questions = {{"something differs", anyOf(*asked.graph, system.questions, all)}};
-    const auto trace = shallowSearch(asked, pairScans, std::min(pairSeconds, left()));
-    return trace ? brokenIn(system, *trace) : std::vector<std::size_t>{};
-  }
-  static std::vector<std::size_t> brokenIn(const TransitionSystem& system, const WordTrace& trace) {
-    std::vector<Node> roots;
-    for (const Question& question : system.questions) roots.push_back(question.bad);
-    for (const StateVariable& state : system.states) roots.push_back(state.next);
-    Evaluator evaluator(*system.graph, roots);
-    std::vector<std::uint64_t> now = trace.initial;
-    for (const std::vector<std::uint64_t>& scan : trace.inputs) {
-      for (std::size_t i = 0; i < now.size(); ++i) evaluator.set(system.states[i].node, now[i]);
-      for (std::size_t i = 0; i < scan.size(); ++i) evaluator.set(system.inputs[i], scan[i]);
-      evaluator.run();
-      for (std::size_t i = 0; i < now.size(); ++i) now[i] = evaluator[system.states[i].next];
-    }
-    std::vector<std::size_t> broken;
-    for (std::size_t i = 0; i < system.questions.size(); ++i) {
-      if (evaluator[system.questions[i].bad] != 0) broken.push_back(i);
-    }
-    return broken;
-  }
-  /// Questions that are answered with yes; if there are none, the first one that is not answered with no.
-  std::vector<std::size_t> brokenOrOpen(const TransitionSystem& system) {
-    const std::vector<QuestionAnswer> answers = ask(system, pairSeconds, Effort::Together);
-    std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-      if (answers[i].answer == Answer::Violated) found.push_back(i);
-    }
-    for (std::size_t i = 0; found.empty() && i < answers.size(); ++i) {
-      if (answers[i].answer == Answer::Proved) continue;
-      TransitionSystem one = system;
-      one.questions = {system.questions[i]};
-      if (ask(one, pairSeconds, Effort::Full)[0].answer != Answer::Proved) found.push_back(i);
-    }
-    return found;
-  }
-  void drop(const ProgramProduct& product, const std::vector<std::size_t>& dropped, bool withConditions) {
-    std::vector<PairCondition> kept;
-    for (std::size_t i = 0; i < conditions_.size(); ++i) {
-      if (std::ranges::find(dropped, isMerged_.size() + i) == dropped.end()) kept.push_back(conditions_[i]);
-    }
-    conditions_ = std::move(kept);
-    const std::vector<std::string> bits = withConditions ? product.oldBitNames() : std::vector<std::string>{};
-    for (const std::size_t i : dropped) {
-      if (i >= isMerged_.size()) continue;
-      isMerged_[i] = false;
-      if (conditions_.size() + 2 * bits.size() > mostConditions) continue;
-      for (const std::string& bit : bits) {
-        for (const bool when : {true, false}) conditions_.push_back({nameOfState(product, i), bit, when});
-      }
-    }
-  }
-  static std::string nameOfState(const ProgramProduct& product, std::size_t i) {
-    const TransitionSystem& system = product.newSystem();
-    return system.graph->variables()[(*system.graph)[system.states[i].node].value].name;
+  Ask asks() {
+    return [this](const TransitionSystem& system, double each, Effort effort) { return ask(system, each, effort); };
   }
 
   /// Proves the equality once more, of both programs as they are written: that is what the certificates say.
@@ -225,12 +148,9 @@ class ProgramComparison {
     options.trailBefore->isFollowed = options.trailAfter->isFollowed = true;
     more_ = seconds();                // as long again
     reals_ = RealScope::Comparisons;  // the certificates say themselves what is written out
-    const EqualityProof::Ask asks = [this](const TransitionSystem& system, double each, Effort effort) {
-      return ask(system, each, effort);
-    };
     try {
       ProgramProduct written(before_, after_, match_, options);
-      EqualityProof proof(written, product.newStateNames(), isMerged_, conditions_, asks, options_.prover.timeout);
+      EqualityProof proof(written, product.newStateNames(), correspondence_, asks(), options_.prover.timeout);
       result_.certificates = proof.certificates();
       result_.uncertified = proof.missing();
     } catch (const DecisionsDiverge&) {
@@ -240,12 +160,54 @@ class ProgramComparison {
     }
   }
 
-  void compareOutputs(ProgramProduct& product) {
-    const JoinedSystem once = product.merged(isMerged_, true, conditions_);
-    std::vector<Question> questions = outputQuestions(once);
-    for (const ObservedBit& bit : once.observed)
+  double searchTime() const { return std::min(searchSeconds, left() * shortShare); }
+
+  /// Runs of the engine before anything is encoded: most changes show at once.
+  std::optional<EquivalenceRun> exploreEarly() {
+    if (options_.oneScan || options_.everyOutput || options_.prover.bound > 0) return std::nullopt;
+    return explored(namedOutputs(*before_.program, *after_.program, options_), true,
+                    std::min(earlySeconds, left() * earlyShare));
+  }
+  std::optional<EquivalenceRun> explored(std::vector<ObservedBit> observed, bool comparesStops, double most) {
+    std::atomic<bool> cancel{false};
+    const ProofWatch::Guard guard(watch_, cancel);
+    const BothRuns runs{*before_.program, *after_.program, options_, std::move(observed), comparesStops};
+    const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(most));
+    return exploredRun(before_, after_, runs, end, cancel);
+  }
+  /// A run that differs, or a shorter one if there is one.
+  void shorten(EquivalenceRun early) {
+    method_ = "runs of both programs";
+    until_ = seconds() + searchSeconds;
+    if (early.scan > 1) {
+      try {
+        ProgramProduct product(before_, after_, match_, productOptions(false));
+        const JoinedSystem both = product.merged(std::vector<bool>(product.newStateCount(), false), false);
+        listOutputs(both.observed);
+        std::vector<std::size_t> all(result_.outputs.size());
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        const auto most = static_cast<int>(std::min<std::uint64_t>(early.scan - 1, shallowScans));
+        if (searchShort(product, both, outputQuestions(both), all, most)) method_ = "both programs side by side";
+      } catch (const EncodingStopped&) {
+        result_.outputs.clear();
+      }
+    }
+    until_ = 1e9;
+    if (result_.outputs.empty()) listOutputs(namedOutputs(*before_.program, *after_.program, options_));
+    if (!result_.run) take(early);
+    conclude({});
+  }
+
+  void listOutputs(const std::vector<ObservedBit>& observed) {
+    for (const ObservedBit& bit : observed)
       result_.outputs.push_back({bit.name, Equality::Unknown, bit.before, bit.after});
     result_.outputs.push_back({"RUN", Equality::Unknown, {}, {}});
+  }
+
+  void compareOutputs(ProgramProduct& product) {
+    const JoinedSystem once = product.merged(correspondence_.isMerged, true, correspondence_.conditions);
+    std::vector<Question> questions = outputQuestions(once);
+    listOutputs(once.observed);
     std::vector<std::size_t> open;
     const Graph& graph = *once.system.graph;
     for (std::size_t i = 0; i < questions.size(); ++i) {
@@ -283,10 +245,10 @@ class ProgramComparison {
   /// Both programs with memory of their own: runs that differ first, short ones and those that wait for timers, then
   /// proofs.
   void sideBySide(ProgramProduct& product, std::vector<std::size_t>& open) {
-    JoinedSystem both = product.merged(isMerged_, false, conditions_);
+    JoinedSystem both = product.merged(correspondence_.isMerged, false, correspondence_.conditions);
     std::vector<Question> questions = outputQuestions(both);
     method_ = "both programs side by side";
-    while (searchShort(product, both, questions, open) || searchLong(open)) {
+    while (searchShort(product, both, questions, open, shallowScans) || explore(both, open) || searchLong(open)) {
       if (!goesOn(open)) return;
     }
     bool isAskedAgain = false;
@@ -294,7 +256,7 @@ class ProgramComparison {
       if (open.empty() || left() <= 0 || watch_.isStopped()) return;
       if (isAskedAgain && hasDropped(product)) {
         correspond(product, true);
-        both = product.merged(isMerged_, false, conditions_);
+        both = product.merged(correspondence_.isMerged, false, correspondence_.conditions);
         questions = outputQuestions(both);
       }
       const bool isLast = std::exchange(isAskedAgain, true);
@@ -327,8 +289,8 @@ class ProgramComparison {
   }
 
   bool hasDropped(const ProgramProduct& product) const {
-    for (std::size_t i = 0; i < isMerged_.size(); ++i) {
-      if (!isMerged_[i] && product.isMergeable(i)) return true;
+    for (std::size_t i = 0; i < correspondence_.isMerged.size(); ++i) {
+      if (!correspondence_.isMerged[i] && product.isMergeable(i)) return true;
     }
     return false;
   }
@@ -347,12 +309,20 @@ class ProgramComparison {
   }
 
   bool searchShort(ProgramProduct& product, const JoinedSystem& both, const std::vector<Question>& questions,
-                   const std::vector<std::size_t>& open) {
+                   const std::vector<std::size_t>& open, int most) {
     TransitionSystem asked = both.system;
     asked.questions = {{"the outputs differ", anyOf(*asked.graph, questions, open)}};
     exclude(asked, both.usesEstimates);
-    const auto trace = shallowSearch(asked, shallowScans, std::min(searchSeconds, left()));
+    const auto trace = shallowSearch(asked, most, searchTime());
     return trace && show(product, both, asked, *trace, open);
+  }
+
+  bool explore(const JoinedSystem& both, const std::vector<std::size_t>& open) {
+    if (options_.prover.bound > 0) return false;
+    const auto run = explored(observedOf(both, open), comparesStops(both, open),
+                              std::min(exploringSeconds, left() * exploringShare));
+    if (run) take(*run);
+    return run.has_value();
   }
 
   /// After a difference: closes the outputs that have their verdict; whether some are left that are to have one.
@@ -382,7 +352,7 @@ class ProgramComparison {
     TimeModel& time = relaxed.oldSide().encoding().time();
     accelerate(asked, time.dt(), time.width(), options_.prover.time.high,
                [&](Node n) { return ofTime.contains(indexOf(n)); });
-    const auto trace = shallowSearch(asked, longScans, std::min(searchSeconds, left()));
+    const auto trace = shallowSearch(asked, longScans, searchTime());
     return trace && show(relaxed, both, asked, *trace, open);
   }
 
@@ -402,20 +372,28 @@ class ProgramComparison {
     run.after = scansOf(product.newSide().encoding(), product.newSystem(), right, range);
     run.initialBefore = initialOf(product.oldSide().encoding(), product.oldSystem(), left);
     run.initialAfter = initialOf(product.newSide().encoding(), product.newSystem(), right);
+    const BothRuns runs{*before_.program, *after_.program, options_, observedOf(merged, open),
+                        comparesStops(merged, open)};
+    const auto shown = runs.judged(std::move(run));
+    if (shown) take(runs.plain(*shown));
+    return shown.has_value();
+  }
+  static std::vector<ObservedBit> observedOf(const JoinedSystem& merged, const std::vector<std::size_t>& open) {
     std::vector<ObservedBit> wanted;
     for (const std::size_t i : open) {
       if (i < merged.observed.size()) wanted.push_back(merged.observed[i]);
     }
-    const bool comparesStops = std::ranges::find(open, merged.observed.size()) != open.end();
-    const BothRuns runs{*before_.program, *after_.program, options_, wanted, comparesStops};
-    auto shown = runs.judged(std::move(run));
-    if (!shown) return false;
-    shown = runs.plain(std::move(*shown));
+    return wanted;
+  }
+  static bool comparesStops(const JoinedSystem& merged, const std::vector<std::size_t>& open) {
+    return std::ranges::find(open, merged.observed.size()) != open.end();
+  }
+  /// A run on which an output differs; the first one is shown.
+  void take(const EquivalenceRun& run) {
     for (ObservedVerdict& output : result_.outputs) {
-      if (output.name == shown->signal) output.equality = Equality::Different;
+      if (output.name == run.signal) output.equality = Equality::Different;
     }
-    if (!result_.run) result_.run = shown;
-    return true;
+    if (!result_.run) result_.run = run;
   }
 
   /// A run that the engine does not repeat: it rests on what is not modelled, or the tool is wrong.
@@ -462,6 +440,8 @@ class ProgramComparison {
     guardSide(before_, product.oldSide());
     guardSide(after_, product.newSide());
     guardRuns(product);
+    if (comparesPulseOutputs() && !product.pulsesCorrespond(correspondence_.isMerged))
+      note("what PLS makes of Q0.0 and Q0.1 may differ: pulses are no part of the process image");
     const LongScans loops = longScansOf(*before_.program, *after_.program, match_);
     for (const std::string& text : loops.ofOne) note(text);
     if (loops.areInBoth)
@@ -472,13 +452,19 @@ class ProgramComparison {
     }
     if (result_.equality == Equality::Equal) result_.equality = Equality::Unknown;
   }
+  bool comparesPulseOutputs() const {
+    constexpr std::uint32_t pulseOutputs = 2;
+    return options_.observed.empty() || std::ranges::any_of(result_.outputs, [](const ObservedVerdict& output) {
+             return output.before && output.before->area == Area::Q && output.before->index < pulseOutputs;
+           });
+  }
   /// Assumptions that no run meets show nothing.
   void guardRuns(ProgramProduct& product) {
     const auto isAssumption = [](const Property& property) { return !property.isGoal(); };
     const bool hasAny = !options_.assumptions.empty() || std::ranges::any_of(before_.set.properties, isAssumption) ||
                         std::ranges::any_of(after_.set.properties, isAssumption);
     if (!hasAny) return;
-    TransitionSystem some = product.merged(isMerged_, false, conditions_).system;
+    TransitionSystem some = product.merged(correspondence_.isMerged, false, correspondence_.conditions).system;
     some.questions = {{"a run that meets the assumptions", some.graph->constant(true).node}};
     if (shallowSearch(some, 1, std::min(searchSeconds, left()))) return;
     if (ask(some, left(), Effort::Full)[0].answer != Answer::Violated)
@@ -536,9 +522,9 @@ class ProgramComparison {
   const Clock::time_point start_ = Clock::now();
   ProofWatch watch_;
   double more_ = 0;                           ///< seconds beside the time that was given
+  double until_ = 1e9;                        ///< seconds since the start, while that is less
   RealScope reals_ = RealScope::Comparisons;  ///< REAL operations that are asked about bit by bit
-  std::vector<bool> isMerged_;
-  std::vector<PairCondition> conditions_;
+  Correspondence correspondence_;
   const char* method_ = "";
   int depth_ = unlimited;
   Equivalence result_;

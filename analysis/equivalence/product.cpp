@@ -32,6 +32,11 @@ bool isOfFastCounter(Reg reg) {
   return reg == Reg::HscCurrent || reg == Reg::HscPreset || reg == Reg::HscMode || reg == Reg::HscEnabled ||
          reg == Reg::HscUp || reg == Reg::HscSetup;
 }
+bool isOfPulses(Reg reg) { return reg >= Reg::PulseBusy && reg <= Reg::PulseNextIsMs; }
+/// The profile table of a pulse train stands in V memory where SMW168 and SMW178 say (001:4596).
+bool isPulseTableAddress(const Place& place) {
+  return !place.isRegister && place.area == Area::SM && place.byte() >= 166 && place.byte() < 186;
+}
 /// The area whose addresses number a register; nothing for registers that no address names.
 std::optional<Area> areaOf(Reg reg) {
   if (isOfTimer(reg)) return Area::T;
@@ -71,9 +76,9 @@ Place observedPlace(const Address& address) {
   if (address.area == Area::C) return registerPlace(Reg::CounterBit, address.index);
   return bitPlace(address);
 }
-std::string nameOfBit(const Address& address) { return nameOf(observedPlace(address)); }
-
 }  // namespace
+
+std::string nameOfBit(const Address& address) { return nameOf(observedPlace(address)); }
 
 ProgramProduct::ProgramProduct(const Side& before, const Side& after, const ProgramMatch& match,
                                const ProductOptions& options)
@@ -323,6 +328,30 @@ JoinedSystem ProgramProduct::merged(const std::vector<bool>& isMerged, bool isOn
       result.system.inputs.push_back(input);
   }
   return result;
+}
+
+bool ProgramProduct::pulsesCorrespond(const std::vector<bool>& isMerged) {
+  const auto isPulse = [](const Cell& cell) { return cell.place.isRegister && isOfPulses(cell.place.reg); };
+  const std::vector<Cell>&before = old_.encoding().cells(), &after = new_.encoding().cells();
+  const bool hasTable = std::ranges::any_of(before, isPulseTableAddress, &Cell::place) ||
+                        std::ranges::any_of(after, isPulseTableAddress, &Cell::place);
+  std::map<Node, std::size_t> states;
+  for (std::size_t i = 0; i < newSystem_.states.size(); ++i) states.emplace(newSystem_.states[i].node, i);
+  const auto isAlike = [&](const Cell& cell) {
+    const auto state = states.find(cell.start);
+    return state == states.end() || (isMerged[state->second] && isMergeable(state->second));
+  };
+  std::set<std::pair<Reg, std::uint32_t>> commands;
+  for (const Cell& cell : after) {
+    const bool isTable = hasTable && !cell.place.isRegister && cell.place.area == Area::V;
+    if ((isPulse(cell) || isTable) && cell.kind == CellKind::State && !isAlike(cell)) return false;
+    if (isPulse(cell)) commands.emplace(cell.place.reg, cell.place.at);
+  }
+  return std::ranges::all_of(before,
+                             [&](const Cell& cell) {
+                               return !isPulse(cell) || commands.erase({cell.place.reg, cell.place.at}) > 0;
+                             }) &&
+         commands.empty();
 }
 
 std::vector<std::string> ProgramProduct::oldBitNames() const {

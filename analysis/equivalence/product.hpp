@@ -33,6 +33,9 @@ inline Address bitOf(const Place& place, std::uint32_t i) {
   return {place.area, at / 8 * 8 + 7 - at % 8};
 }
 
+/// "Q0.0", "T37".
+std::string nameOfBit(const Address& address);
+
 /// One of the two programs, with its assumptions and external ranges.
 struct Side {
   const Program* program = nullptr;  ///< what of it may be run
@@ -98,6 +101,9 @@ class ProgramProduct {
   /// scan.
   JoinedSystem merged(const std::vector<bool>& isMerged, bool isOneScan,
                       const std::vector<PairCondition>& conditions = {});
+  /// Whether the pulse outputs get the same commands in every scan, as far as states that are merged show it: PLS
+  /// drives Q0.0 and Q0.1 past the process image.
+  bool pulsesCorrespond(const std::vector<bool>& isMerged);
   /// States of OLD that are one bit.
   std::vector<std::string> oldBitNames() const;
 

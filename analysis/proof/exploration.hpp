@@ -23,8 +23,8 @@ class Exploration {
 
   /// `wanted`: indices of the goals that are watched. Program, assumptions and goals must outlive the exploration. Runs
   /// start at power-up with lost memory.
-  Exploration(const Program& program, RunSpace space, const std::vector<Property>& assumptions,
-              const std::vector<Property>& goals, std::vector<std::size_t> wanted, std::uint64_t seed);
+  Exploration(const Program& program, const RunSpace& space, const std::vector<Property>& assumptions,
+              const std::vector<Property>& goals, const std::vector<std::size_t>& wanted, std::uint64_t seed);
   ~Exploration();
 
   /// That goal is settled elsewhere.

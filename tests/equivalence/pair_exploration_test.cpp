@@ -1,0 +1,72 @@
+// Differences that show after hours: runs of the engine on both programs find them where no search from power-up does.
+#include "analysis/equivalence/pair_exploration.hpp"
+
+#include "tests/equivalence/pair.hpp"
+
+namespace rungproof::test {
+
+namespace {
+
+/// Counts seconds by a timer that restarts itself, then minutes.
+std::string clockwork(const std::string& seconds, const std::string& minutes) {
+  return "LD I0.0;AN T37;TON T37," + seconds + "|LD T37;LD C1;CTU C1,60|LD C1;LD I0.7;CTU C2," + minutes +
+         "|LD C2;= Q0.0";
+}
+
+struct Explored {
+  Explored(const std::string& old, const std::string& now, const char* map = "", const char* properties = "")
+      : before(pairSide("old.awl", exportOf(old), properties)), after(pairSide("new.awl", exportOf(now), properties)) {
+    Pair pair{"", "", "", Equality::Equal, "", map};
+    options = optionsOf(pair, before.program, after.program);
+  }
+  std::optional<EquivalenceRun> run(double seconds = 20) const {
+    const std::atomic<bool> cancel{false};
+    const BothRuns runs{before.program, after.program, options, namedOutputs(before.program, after.program, options)};
+    return exploredRun({&before.program, before.properties}, {&after.program, after.properties}, runs,
+                       std::chrono::steady_clock::now() + std::chrono::milliseconds(int(seconds * 1000)), cancel);
+  }
+
+  ProgramInput before, after;
+  EquivalenceOptions options;
+};
+
+}  // namespace
+
+TEST(PairExploration, TwoHoursAgainstTwoHoursAndAMinute) {
+  const auto run = Explored(clockwork("10", "120"), clockwork("10", "121")).run();
+  ASSERT_TRUE(run.has_value());
+  EXPECT_EQ(run->signal, "Q0.0");
+  EXPECT_TRUE(run->valueBefore);
+  // 120 minutes of 60 periods; a period is the timer's second, less a tick and a scan that count in advance, and the
+  // scan in which the timer restarts.
+  EXPECT_GE(run->milliseconds, 120U * 60 * 900);
+}
+
+TEST(PairExploration, NoDifferenceOfAProgramFromItself) {
+  EXPECT_FALSE(Explored(clockwork("1", "2"), clockwork("1", "2")).run(0.5).has_value());
+}
+
+TEST(PairExploration, ATerminalIsOneThatOnlyARangeReaches) {
+  EXPECT_FALSE(Explored("LD SM0.0;BMB IB0,QB0,2", "LD SM0.0;MOVW IW0,QW0").run(0.5).has_value())
+      << "OLD reads IB1 without naming it";
+  EXPECT_FALSE(Explored("LD SM0.0;MOVW IW0,QW0", "LD SM0.0;BMB IB0,QB0,2").run(0.5).has_value());
+}
+
+TEST(PairExploration, TheMapJoinsInputs) {
+  EXPECT_FALSE(Explored("LD I0.0;= Q0.0", "LD I1.0;= Q0.0", "I0.0 = I1.0").run(0.5).has_value());
+  EXPECT_TRUE(Explored("LD I0.0;= Q0.0", "LD I1.0;= Q0.0").run().has_value());
+  EXPECT_FALSE(Explored("LDW> AIW0,9;= Q0.0", "LDW> AIW4,9;= Q0.0", "AIW0 = AIW4").run(0.5).has_value());
+  EXPECT_FALSE(Explored("LD SM0.5;= Q0.0", "LD M10.5;= Q0.0", "SM0.5 = M10.5", "external M10.5..M10.5").run(0.5))
+      << "the panel shows the clock; no run of this kind can, so that there is none";
+}
+
+TEST(PairExploration, WhatThePanelWritesIsOneValue) {
+  EXPECT_FALSE(Explored("LDB> VB10,7;= Q0.0", "LDB>= VB10,8;= Q0.0", "", "external VB10..VB10").run(0.5).has_value());
+  EXPECT_TRUE(Explored("LDB> VB10,7;= Q0.0", "LDB> VB11,7;= Q0.0", "", "external VB10..VB11").run().has_value());
+}
+
+TEST(PairExploration, KeepsAssumptions) {
+  EXPECT_FALSE(Explored("LD I0.0;A I0.1;= Q0.0", "LD I0.0;= Q0.0", "", "assume a: I0.0 implies I0.1").run(0.5));
+}
+
+}  // namespace rungproof::test
