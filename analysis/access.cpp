@@ -218,11 +218,11 @@ AccessTable::AccessTable(const Program& program, const Plan& plan) {
   AccessCollector collector(program, accesses_);
   for (const Flow& flow : plan.flows) {
     for (const FlowStep& step : flow.steps) {
-      first_.push_back(static_cast<std::uint32_t>(accesses_.size()));
+      first_.resize(step.id + 1, static_cast<std::uint32_t>(accesses_.size()));
       collector.collect(flow, step);
     }
   }
-  first_.push_back(static_cast<std::uint32_t>(accesses_.size()));
+  first_.resize(count + 1, static_cast<std::uint32_t>(accesses_.size()));
 }
 
 std::optional<int> constantCount(const Operand& operand) {

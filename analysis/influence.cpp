@@ -15,39 +15,6 @@ constexpr std::int64_t shortestLimit = 64;  ///< of all counts: that of SHRB (00
 
 bool byNumber(Area area) { return area == Area::T || area == Area::C || area == Area::AC || area == Area::HC; }
 
-/// Acts on hardware, on the queue of interrupts or on a partner: its effects do not show in its operands.
-bool isDevice(Kind kind) {
-  switch (kind) {
-    case Kind::Atch:
-    case Kind::Dtch:
-    case Kind::Cevnt:
-    case Kind::Eni:
-    case Kind::Disi:
-    case Kind::Hdef:
-    case Kind::Hsc:
-    case Kind::Pls:
-    case Kind::Netr:
-    case Kind::Netw:
-    case Kind::Xmt:
-    case Kind::Rcv:
-    case Kind::Spa:
-    case Kind::Todr:
-    case Kind::Todw: return true;
-    default: return false;
-  }
-}
-
-/// Whether the instructions take levels of the logic stack that none of them has filled.
-bool takesFromBelow(const Facts& facts, std::span<const std::uint32_t> instructions) {
-  int level = 0;
-  for (const std::uint32_t id : instructions) {
-    const StackEffect& effect = facts.instruction(id).desc->stack;
-    if (effect.needs > level) return true;
-    level += effect.pushes - effect.pops;
-  }
-  return false;
-}
-
 /// Whether an operand that is written is a place of the CPU.
 bool isKnownTarget(const Facts& facts, const OperandDesc& desc, const Operand& operand) {
   if (operand.kind != OperandKind::Direct) return false;
@@ -72,6 +39,37 @@ bool hasWrongCount(const Instruction& instruction) {
 }
 
 }  // namespace
+
+bool actsOnDevices(const Desc& desc) {
+  switch (kindOf(desc)) {
+    case Kind::Atch:
+    case Kind::Dtch:
+    case Kind::Cevnt:
+    case Kind::Eni:
+    case Kind::Disi:
+    case Kind::Hdef:
+    case Kind::Hsc:
+    case Kind::Pls:
+    case Kind::Netr:
+    case Kind::Netw:
+    case Kind::Xmt:
+    case Kind::Rcv:
+    case Kind::Spa:
+    case Kind::Todr:
+    case Kind::Todw: return true;
+    default: return false;
+  }
+}
+
+bool takesFromBelow(const Facts& facts, std::span<const std::uint32_t> instructions) {
+  int level = 0;
+  for (const std::uint32_t id : instructions) {
+    const StackEffect& effect = facts.instruction(id).desc->stack;
+    if (effect.needs > level) return true;
+    level += effect.pushes - effect.pops;
+  }
+  return false;
+}
 
 PlaceRow rowOf(Area area, Width width, std::uint32_t offset, unsigned bit, std::uint32_t elements) {
   if (byNumber(area)) return {area, offset, elements};
@@ -132,7 +130,7 @@ void Influence::addNetwork(NetworkPlace place, std::uint32_t cause) {
   for (const std::uint32_t id : part.instructions) {
     const Instruction& instruction = facts_.instruction(id);
     const Desc& desc = *instruction.desc;
-    if (desc.control != Control::None || isDevice(kindOf(desc))) return addEverything(cause);
+    if (desc.control != Control::None || actsOnDevices(desc)) return addEverything(cause);
     for (std::size_t i = 0; i < std::min<std::size_t>(instruction.operands.size(), desc.operandCount); ++i) {
       const OperandDesc& operand = desc.operands[i];
       if (operand.direction != Direction::In && !isKnownTarget(facts_, operand, instruction.operands[i]))
@@ -162,7 +160,7 @@ void Influence::influenceBlock(std::uint32_t block, std::uint32_t cause) {
 
 void Influence::writesOf(std::uint32_t instruction, std::uint32_t cause) {
   const Desc& desc = *facts_.instruction(instruction).desc;
-  if (isDevice(kindOf(desc))) return addEverything(cause);
+  if (actsOnDevices(desc)) return addEverything(cause);
   if (desc.affects != 0) addPlace({Area::SM, 8, 8}, cause);
   addPlace({Area::SM, 32, 8}, cause);  // a run-time error sets SM4.3 (001:13945)
   for (const Access& access : facts_.accesses().of(instruction)) {

@@ -22,6 +22,11 @@ struct PlaceRow {
 /// `elements` elements of that width from an address on.
 PlaceRow rowOf(Area area, Width width, std::uint32_t offset, unsigned bit, std::uint32_t elements = 1);
 
+/// Acts on hardware, on the queue of interrupts or on a partner: its effects do not show in its operands.
+bool actsOnDevices(const Desc& desc);
+/// Whether the instructions take levels of the logic stack that none of them has filled.
+bool takesFromBelow(const Facts& facts, std::span<const std::uint32_t> instructions);
+
 /// A network by its indices in Program::pous and Pou::networks.
 struct NetworkPlace {
   std::uint32_t block = 0;

@@ -104,12 +104,14 @@ class Pairing {
 
 }  // namespace
 
-Flow flowOf(const Pou& pou) {
+Flow flowOf(const Pou& pou, const std::vector<bool>& isLeftOut) {
   Flow flow;
   flow.pou = &pou;
   for (std::uint32_t n = 0; n < pou.networks.size(); ++n) {
-    for (const Instruction& instruction : pou.networks[n].instructions)
-      flow.steps.push_back({&instruction, noPartner, n, instruction.id});
+    for (const Instruction& instruction : pou.networks[n].instructions) {
+      if (isLeftOut.empty() || !isLeftOut[instruction.id])
+        flow.steps.push_back({&instruction, noPartner, n, instruction.id});
+    }
   }
   Pairing(flow).run();
   return flow;

@@ -48,6 +48,7 @@ struct Flow {
   std::vector<FlowFault> faults;
 };
 
-Flow flowOf(const Pou& pou);
+/// `isLeftOut`, by Instruction::id (may be empty): instructions that do not run.
+Flow flowOf(const Pou& pou, const std::vector<bool>& isLeftOut = {});
 
 }  // namespace rungproof

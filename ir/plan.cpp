@@ -27,18 +27,15 @@ const TimerUse* Plan::timer(std::uint32_t number) const {
   return found == timers.end() ? nullptr : &*found;
 }
 
-Plan::Plan(const Program& source) : program(&source) {
+Plan::Plan(const Program& source, const std::vector<bool>& isLeftOut) : program(&source) {
   edge.assign(source.instructionCount(), noPartner);
   for (const Pou& pou : source.pous) {
-    flows.push_back(flowOf(pou));
+    for (const Network& network : pou.networks) {
+      for (const Instruction& instruction : network.instructions) number(instruction);
+    }
+    flows.push_back(flowOf(pou, isLeftOut));
     for (const FlowStep& step : flows.back().steps) {
       const Instruction& instruction = *step.instruction;
-      if (instruction.desc->stl == "EU" || instruction.desc->stl == "ED") edge[instruction.id] = edgeCount++;
-      if (instruction.desc->control == Control::Call) {
-        for (const Operand& operand : instruction.operands) {
-          if (operand.kind == OperandKind::Text) texts.push_back(&operand);
-        }
-      }
       const bool isTimer = instruction.desc->operandCount > 0 && instruction.desc->operands[0].type == Type::Timer;
       if (!isTimer || instruction.operands.empty()) continue;
       const TimerUse use{instruction.operands[0].offset, instruction.desc,
@@ -48,6 +45,14 @@ Plan::Plan(const Program& source) : program(&source) {
                                        [&](const TimerUse& t) { return t.number == use.number && t.desc == use.desc; });
       if (!isKnown) timers.push_back(use);
     }
+  }
+}
+
+void Plan::number(const Instruction& instruction) {
+  if (instruction.desc->stl == "EU" || instruction.desc->stl == "ED") edge[instruction.id] = edgeCount++;
+  if (instruction.desc->control != Control::Call) return;
+  for (const Operand& operand : instruction.operands) {
+    if (operand.kind == OperandKind::Text) texts.push_back(&operand);
   }
 }
 

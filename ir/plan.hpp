@@ -25,7 +25,9 @@ struct TimerUse {
 };
 
 struct Plan {
-  explicit Plan(const Program& program);
+  /// `isLeftOut`, by Instruction::id (may be empty): instructions that do not run. Numbers of edges and texts are those
+  /// of the whole program all the same.
+  explicit Plan(const Program& program, const std::vector<bool>& isLeftOut = {});
 
   const Program* program;
   std::vector<Flow> flows;          ///< parallel to Program::pous
@@ -42,6 +44,7 @@ struct Plan {
   const Flow* interrupt(int number) const { return find(PouKind::Interrupt, number); }
 
  private:
+  void number(const Instruction& instruction);
   const Flow* find(PouKind kind, int number) const;
 };
 

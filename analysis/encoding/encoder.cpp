@@ -13,7 +13,7 @@ namespace rungproof {
 class EncodedScan::Impl {
  public:
   Impl(const Program& source, const EncoderOptions& given)
-      : program(source), options(given), plan(source), layout(source.target) {
+      : program(source), options(given), plan(source, given.isLeftOut), layout(source.target) {
     layout.add(program, plan);
     for (const ExternalBytes& range : options.externals) {
       layout.beginAt(range.area, range.first);

@@ -14,7 +14,7 @@
 #include "analysis/equivalence/pair_exploration.hpp"
 #include "analysis/equivalence/scan_length.hpp"
 #include "analysis/portfolio/portfolio.hpp"
-#include "analysis/proof/hidden_code.hpp"
+#include "analysis/proof/unfollowed_routine.hpp"
 #include "analysis/proof/proof_side.hpp"
 #include "analysis/proof/proof_watch.hpp"
 #include "analysis/proof/witness.hpp"

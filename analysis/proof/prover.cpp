@@ -9,7 +9,7 @@
 
 #include "analysis/proof/asked_goals.hpp"
 #include "analysis/proof/circumstances.hpp"
-#include "analysis/proof/hidden_code.hpp"
+#include "analysis/proof/unfollowed_routine.hpp"
 #include "analysis/proof/proof_networks.hpp"
 #include "analysis/proof/question_search.hpp"
 #include "analysis/proof/untouched.hpp"
@@ -199,6 +199,7 @@ class Session {
     if (!open_) {
       EncoderOptions options = encoderOptionsOf(options_);
       options.coversAllReadings = true;
+      options.isLeftOut = search_.leftOut();
       open_ = std::make_unique<ProofSide>(program_, set_, goals(), options, CheckGroups{});
     }
     const Circumstances all = circumstancesOf(open_->obligations().encoding(), open_->variablesOf(question));

@@ -31,6 +31,7 @@ struct ProverOptions {
   bool certificates = false;           ///< write out the proofs as SMT-LIB 2
   bool explains = true;                ///< name what results rest on; without: outcomes and runs only
   bool evidence = true;                ///< check certificates, shorten witnesses, name networks; without: verdicts only
+  bool usesCone = true;  ///< encode only networks that can have an effect on what is asked (cone_of_influence.hpp)
   const UnreadCode* unread = nullptr;  ///< what was left out of the program: all that depends on it is NOT COVERED
   const std::atomic<bool>* cancel = nullptr;  ///< set from outside, as by Ctrl-C: the run ends with what is settled
 };

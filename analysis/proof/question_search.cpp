@@ -1,12 +1,15 @@
 // From cheap to costly: simulation, induction and runs of the engine for all questions; then each on its own.
 #include "analysis/proof/question_search.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <numeric>
 #include <random>
 #include <thread>
 
+#include "analysis/cone_of_influence.hpp"
 #include "analysis/proof/asked_goals.hpp"
 #include "analysis/proof/exact_run.hpp"
 #include "analysis/proof/guided_runs.hpp"
@@ -41,6 +44,17 @@ QuestionSearch::QuestionSearch(const Program& program, const PropertySet& set, c
     else
       assumptions_.push_back(property);
   }
+  if (options.usesCone && !options.checks.any()) isLeftOut_ = outsideConeOfGoals();
+}
+
+std::vector<bool> QuestionSearch::outsideConeOfGoals() const {
+  std::vector<PlaceRow> asked;
+  for (const std::vector<Property>* properties : {&goals_, &assumptions_}) {
+    for (const Property& property : *properties) {
+      for (const Operand* o : addressesOf(property)) asked.push_back(rowOf(o->area, o->width, o->offset, o->bit));
+    }
+  }
+  return outsideCone(Facts(program_, set_.externals), asked);
 }
 
 /// The engine's own runs while the program is being encoded, if that takes long.
@@ -258,14 +272,19 @@ bool QuestionSearch::mayLeaveOut(double seconds) {
 
 std::string QuestionSearch::certificate(std::size_t question, const QuestionAnswer& answer) {
   const bool isWritten = written_.contains(question), hasReals = isWritten || certifiedWithReals_.contains(question);
+  const auto leftOut = std::ranges::count(isLeftOut_, true);
+  const std::string cone =
+      leftOut == 0
+          ? ""
+          : fmt::format("; without {} instructions of networks that have no effect on the property\n", leftOut);
   if (AsWritten* side = answer.isJudged ? asWritten() : nullptr; side != nullptr) {
     if (side->isDecidedByForm(question)) return {};
     const std::optional<WordCertificate> certificate =
         side->translated(question, hasReals, *answer.certificate, AsWritten::Purpose::Text);
     if (certificate)
-      return certificateText(side->system(question, hasReals), side->question(question, hasReals), *certificate);
+      return cone + certificateText(side->system(question, hasReals), side->question(question, hasReals), *certificate);
   }
-  const std::string remark = "; about the program after simplification, which is not checked here\n";
+  const std::string remark = cone + "; about the program after simplification, which is not checked here\n";
   if (isWritten) {
     const TransitionSystem& system = written_.at(question);
     return remark + certificateText(system, system.questions[0], *answer.certificate);
@@ -292,6 +311,7 @@ PortfolioOptions QuestionSearch::portfolio(double each, Clock::time_point deadli
 
 EncoderOptions QuestionSearch::encoding(bool relaxed) const {
   EncoderOptions options = encoderOptionsOf(options_, relaxed);
+  options.isLeftOut = isLeftOut_;
   options.interruption = [this] {
     if (watch_.isStopped() || Clock::now() >= deadline_) throw EncodingStopped{};
   };

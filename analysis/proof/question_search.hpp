@@ -47,6 +47,8 @@ class QuestionSearch {
   /// What is asked about declared properties: they themselves, their premises, whether any run meets the assumptions.
   const std::vector<Property>& goals() const { return goals_; }
   const std::vector<Property>& assumptions() const { return assumptions_; }
+  /// By Instruction::id: what is not encoded, since it has no effect on any question. May be empty.
+  const std::vector<bool>& leftOut() const { return isLeftOut_; }
 
   /// Looks at all questions together: what takes milliseconds; then short runs in which time passes in long scans, so
   /// that what a timer brings about costs the same whatever its preset; then half a second for what is left.
@@ -80,6 +82,7 @@ class QuestionSearch {
   class EarlyRuns;
   class OwnRuns;
   EncoderOptions encoding(bool relaxed) const;
+  std::vector<bool> outsideConeOfGoals() const;
   PortfolioOptions portfolio(double each, Clock::time_point deadline, const std::atomic<bool>* cancel);
   std::vector<CheckResult> judge(const std::vector<Claim>& claims, const CheckLimits& limits);
   AsWritten* asWritten();
@@ -111,6 +114,7 @@ class QuestionSearch {
   const ProverOptions& options_;
   const std::vector<Property> goals_;
   std::vector<Property> assumptions_;
+  std::vector<bool> isLeftOut_;  ///< by Instruction::id: outside the cone of influence of all questions
   std::size_t declared_ = 0;  ///< goals that the user has declared; they come first
   ProofWatch watch_;
   Clock::time_point deadline_{};  ///< of the question at hand

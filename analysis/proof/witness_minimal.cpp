@@ -28,16 +28,16 @@ class Minimiser {
   Witness run() {
     dropScans();
     shortenStretches();
-    dropDeviceWrites();
-    dropEvents();
+    dropOf(&ScanScript::writes);
+    dropOf(&ScanScript::events);
     evenLengths();
-    dropEvents();  // shorter scans have no time for some that they name
+    dropOf(&ScanScript::events);  // shorter scans have no time for some that they name
     dropStartValues();
     if (findIdle()) store();
     return std::move(best_);
   }
   Witness runForEvents() {
-    dropEvents();
+    dropOf(&ScanScript::events);
     return std::move(best_);
   }
 
@@ -92,33 +92,20 @@ class Minimiser {
     }
   }
 
-  /// Writes of devices that are not needed: all of a scan at once, or one after the other.
-  void dropDeviceWrites() {
+  /// What a scan's script holds in a list and is not needed: all of a scan at once, or one after the other from the
+  /// last.
+  template <class Entry>
+  void dropOf(std::vector<Entry> ScanScript::*list) {
     for (std::size_t i = best_.scans.size(); i-- > 0;) {
-      if (i >= best_.scans.size() || best_.scans[i].script.writes.empty() || isLate()) continue;
+      if (i >= best_.scans.size() || (best_.scans[i].script.*list).empty() || isLate()) continue;
       std::vector<ReplayScan> scans = best_.scans;
-      scans[i].script.writes.clear();
+      (scans[i].script.*list).clear();
       if (acceptAsLong(scans)) continue;
-      for (std::size_t k = best_.scans[i].script.writes.size(); k-- > 0 && !isLate();) {
-        if (i >= best_.scans.size() || k >= best_.scans[i].script.writes.size()) continue;
+      for (std::size_t k = (best_.scans[i].script.*list).size(); k-- > 0 && !isLate();) {
+        if (i >= best_.scans.size() || k >= (best_.scans[i].script.*list).size()) continue;
         scans = best_.scans;
-        scans[i].script.writes.erase(scans[i].script.writes.begin() + static_cast<std::ptrdiff_t>(k));
-        acceptAsLong(std::move(scans));
-      }
-    }
-  }
-
-  /// Interrupts that are not needed: all of a scan at once, or one after the other from the last.
-  void dropEvents() {
-    for (std::size_t i = best_.scans.size(); i-- > 0;) {
-      if (i >= best_.scans.size() || best_.scans[i].script.events.empty() || isLate()) continue;
-      std::vector<ReplayScan> scans = best_.scans;
-      scans[i].script.events.clear();
-      if (acceptAsLong(scans)) continue;
-      for (std::size_t k = best_.scans[i].script.events.size(); k-- > 0 && !isLate();) {
-        if (i >= best_.scans.size() || k >= best_.scans[i].script.events.size()) continue;
-        scans = best_.scans;
-        scans[i].script.events.erase(scans[i].script.events.begin() + static_cast<std::ptrdiff_t>(k));
+        std::vector<Entry>& entries = scans[i].script.*list;
+        entries.erase(entries.begin() + static_cast<std::ptrdiff_t>(k));
         acceptAsLong(std::move(scans));
       }
     }

@@ -73,20 +73,11 @@ std::vector<ShapeFault> faultsOf(const pugi::xml_node& node, std::span<const Xml
   const auto shapeOf = [&](const pugi::xml_node& at) {
     return std::find_if(shapes.begin(), shapes.end(), [&](const XmlShape& s) { return s.name == localName(at); });
   };
-  pugi::xml_node at = node;
-  while (at) {
-    const bool isElement = at.type() == pugi::node_element;
-    const auto shape = isElement ? shapeOf(at) : shapes.end();
-    if (shape != shapes.end()) {
-      checkElement(at, *shape, faults);
-      if (at.first_child()) {
-        at = at.first_child();
-        continue;
-      }
-    }
-    while (at && at != node && !at.next_sibling()) at = at.parent();
-    if (!at || at == node) break;
-    at = at.next_sibling();
+  bool isKnown = false;
+  for (pugi::xml_node at = node; at; at = nextWithin(node, at, isKnown)) {
+    const auto shape = at.type() == pugi::node_element ? shapeOf(at) : shapes.end();
+    isKnown = shape != shapes.end();
+    if (isKnown) checkElement(at, *shape, faults);
   }
   return faults;
 }

@@ -48,18 +48,14 @@ pugi::xml_node childNamed(const pugi::xml_node& node, std::string_view name) {
   return {};
 }
 
+pugi::xml_node nextWithin(const pugi::xml_node& root, pugi::xml_node at, bool descends) {
+  if (descends && at.first_child()) return at.first_child();
+  while (at && at != root && !at.next_sibling()) at = at.parent();
+  return at && at != root ? at.next_sibling() : pugi::xml_node{};
+}
+
 void forEachBelow(const pugi::xml_node& node, const std::function<void(const pugi::xml_node&)>& visit) {
-  pugi::xml_node at = node.first_child();
-  while (at) {
-    visit(at);
-    if (at.first_child()) {
-      at = at.first_child();
-      continue;
-    }
-    while (at && at != node && !at.next_sibling()) at = at.parent();
-    if (!at || at == node) break;
-    at = at.next_sibling();
-  }
+  for (pugi::xml_node at = node.first_child(); at; at = nextWithin(node, at, true)) visit(at);
 }
 
 std::string allText(const pugi::xml_node& node) {

@@ -50,6 +50,9 @@ bool looksLikeXml(std::string_view text);
 pugi::xml_node childNamed(const pugi::xml_node& node, std::string_view name);
 /// The name without its namespace prefix.
 std::string_view localName(const pugi::xml_node& node);
+/// The node behind `at` in the order of the document within `root`, without recursion; children of `at` only if it
+/// `descends`. Empty at the end.
+pugi::xml_node nextWithin(const pugi::xml_node& root, pugi::xml_node at, bool descends);
 /// Everything below a node in the order of the text, without recursion, as damaged files nest to any depth.
 void forEachBelow(const pugi::xml_node& node, const std::function<void(const pugi::xml_node&)>& visit);
 /// All characters below a node, in order.

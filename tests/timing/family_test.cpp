@@ -39,5 +39,19 @@ TEST(Family, Timed4) { expectProved(families::timed(4, 100), 4, 0.77); }
 TEST(Family, Timed16) { expectProved(families::timed(16, 100), 16, 2); }
 TEST(Family, Timed64) { expectProved(families::timed(64, 100), 64, 7); }
 
+/// Two interlocked coils among 10,000 networks that have nothing to do with them: reading, and finding out that they
+/// have nothing to do with them, is all that these may cost.
+TEST(Family, ThreeNetworksAmongTenThousand) {
+  std::string networks =
+      "Network 1\nLD I0.0\nAN Q0.1\n= Q0.0\nNetwork 2\nLD I0.1\nAN Q0.0\n= Q0.1\nNetwork 3\nLD Q0.0\n= Q0.2\n";
+  for (int i = 0; i < 10000; ++i) {
+    const std::string own = families::bitOf("V", i), word = "VW" + std::to_string(2000 + 2 * (i % 1000));
+    networks += "Network " + std::to_string(i + 4) + "\nLD " + families::bitOf("I", 8 + i % 56) + "\nO " + own +
+                "\nAN " + families::bitOf("M", i % 200) + "\n= " + own + "\nLD " + own + "\n+I " +
+                std::to_string(i % 100) + ", " + word + "\n";
+  }
+  expectProved(families::programOf("//@ prove apart: never Q0.0 and Q0.1\n", networks), 1, 0.25);
+}
+
 }  // namespace
 }  // namespace rungproof

@@ -1,5 +1,5 @@
 // Looks for ATCH instructions behind which no event can come.
-#include "analysis/proof/hidden_code.hpp"
+#include "analysis/proof/unfollowed_routine.hpp"
 
 #include <fmt/format.h>
 
