@@ -6,15 +6,12 @@
 #include <limits>
 #include <map>
 
-#include "analysis/instruction_kind.hpp"
 #include "ir/library_block.hpp"
 
 namespace rungproof {
 
 namespace {
 
-constexpr int tableWords = 102;   // TL, EC and at most 100 entries (001:6260)
-constexpr int findWords = 101;    // FND starts at EC (001:6441)
 constexpr int stringBytes = 255;  // length byte and at most 254 characters (001:1414)
 
 /// How many elements an operand covers: at least, at most.
@@ -34,7 +31,6 @@ class AccessCollector {
   void collect(const Flow& flow, const FlowStep& step) {
     instruction_ = step.instruction;
     desc_ = instruction_->desc;
-    kind_ = kindOf(*desc_);
     conditional_ = desc_->execution == Execution::Conditional ||
                    (desc_->execution == Execution::Control && desc_->stack.needs > 0);
     if (desc_->control == Control::Call) return call();
@@ -49,35 +45,24 @@ class AccessCollector {
     return i < instruction_->operands.size() ? constantCount(op(i)) : std::nullopt;
   }
 
-  /// Count operand `i` with its upper limit, scaled to elements by `scale` (numerator, denominator).
-  Extent counted(std::size_t i, int limit, int divisor = 1) const {
-    if (const auto n = constantAt(i)) {
-      const int elements = (std::min(*n, limit) + divisor - 1) / divisor;
-      return {elements, elements};
-    }
-    return {1, limit / divisor};
+  /// Elements that the operand which counts them gives: all of them if it is constant, from one up to its limit if not.
+  Extent counted(const CountOperand& count) const {
+    const auto by = static_cast<std::size_t>(count.operand);
+    const bool isSigned = desc_->operands[by].ranges[0].low < 0;  // N of SHRB, -64 to 64 (001:6024)
+    const auto n = isSigned ? signedCount(by) : constantAt(by);
+    if (!n) return {1, count.limit / count.divisor};
+    const int elements = (std::min<int>(*n, count.limit) + count.divisor - 1) / count.divisor;
+    return {elements, elements};
+  }
+  /// Amount of a count of which only the sign tells the direction; at least 1.
+  std::optional<int> signedCount(std::size_t i) const {
+    if (i >= instruction_->operands.size() || op(i).kind != OperandKind::Constant) return std::nullopt;
+    const std::int64_t n = op(i).value > 127 ? op(i).value - 256 : op(i).value;
+    return static_cast<int>(std::clamp<std::int64_t>(std::abs(n), 1, 255));
   }
 
-  Extent extentOf(std::size_t i) const {
-    const OperandDesc& d = desc_->operands[i];
-    switch (kind_) {
-      case Kind::Set:
-      case Kind::Reset: return i == 0 ? counted(1, 255) : Extent{};
-      case Kind::SetImmediate:
-      case Kind::ResetImmediate: return i == 0 ? counted(1, 128) : Extent{};
-      case Kind::BlockByte:
-      case Kind::BlockWord:
-      case Kind::BlockDWord: return i < 2 ? counted(2, 255) : Extent{};
-      case Kind::Fill: return i == 1 ? counted(2, 255) : Extent{};
-      case Kind::Shrb: return i == 1 ? shiftRegister() : Extent{};
-      case Kind::Att: return i == 1 ? Extent{2, tableWords} : Extent{};
-      case Kind::Lifo:
-      case Kind::Fifo: return i == 0 ? Extent{2, tableWords} : Extent{};
-      case Kind::Find: return i == 0 ? Extent{1, findWords} : Extent{};
-      case Kind::AsciiToHex: return i == 0 ? counted(2, 255) : i == 1 ? counted(2, 255, 2) : Extent{};
-      case Kind::HexToAscii: return i == 0 ? counted(2, 255, 2) : i == 1 ? counted(2, 255) : Extent{};
-      default: break;
-    }
+  Extent extentOf(const OperandDesc& d) const {
+    if (d.count.operand >= 0) return counted(d.count);
     if (d.type == Type::String) return stringExtent(d);
     if (d.buffer.high == 0) return {std::max(d.buffer.low, 1), 255};
     return {std::max(d.buffer.low, 1), std::max(d.buffer.high, 1)};
@@ -85,26 +70,17 @@ class AccessCollector {
 
   /// A string written from a text constant has a known length.
   Extent stringExtent(const OperandDesc& d) const {
-    if (kind_ == Kind::StringCopy && d.direction == Direction::Out && op(0).kind == OperandKind::Text) {
+    if (desc_->role == Role::StringCopy && d.direction == Direction::Out && op(0).kind == OperandKind::Text) {
       const int length = static_cast<int>(op(0).text.size()) + 1;
       return {length, length};
     }
     return {1, stringBytes};
   }
 
-  /// N of SHRB is signed, -64 to 64 (001:6024).
-  Extent shiftRegister() const {
-    if (instruction_->operands.size() < 3 || op(2).kind != OperandKind::Constant) return {1, 64};
-    std::int64_t n = op(2).value;
-    if (n > 127) n -= 256;
-    const int length = static_cast<int>(std::clamp<std::int64_t>(std::abs(n), 1, 64));
-    return {length, length};
-  }
-
   void operand(std::size_t i) {
     const OperandDesc& d = desc_->operands[i];
     const Operand& o = op(i);
-    const Extent extent = extentOf(i);
+    const Extent extent = extentOf(d);
     switch (d.type) {
       case Type::Timer:
       case Type::Counter: return box(i, o);
@@ -115,19 +91,17 @@ class AccessCollector {
     }
     const bool reads = d.direction != Direction::Out, writes = d.direction != Direction::In;
     const Width width = widthOf(d.type);
-    if (reads && isLowWordOnly(i)) {
+    if (reads && d.lowWordRead) {
       lowWord(i, o);
     } else if (reads) {
       add(i, o, width, extent, false);
     }
     if (writes) add(i, o, width, extent, true);
-    if (writes && isReset(kind_) && i == 0 && o.kind == OperandKind::Direct &&
-        (o.area == Area::T || o.area == Area::C)) {
+    if (writes && isReset(desc_->role) && i == 0 && o.kind == OperandKind::Direct && (hasBitAndWord(o.area))) {
       add(i, o, Width::Word, extent, true);
     }
   }
 
-  bool isLowWordOnly(std::size_t i) const { return i == 1 && (kind_ == Kind::Mul || kind_ == Kind::Div); }
   void lowWord(std::size_t i, const Operand& o) {
     Operand low = o;
     if (o.kind == OperandKind::Direct && o.area != Area::AC) low.offset += 2;
@@ -194,7 +168,7 @@ class AccessCollector {
       add(i, op(i), widthOf(parameter.type), {}, parameter.direction == Direction::Out);
     }
     for (; i < count; ++i) {
-      const bool isFixed = op(i).kind == OperandKind::Direct && (op(i).area == Area::T || op(i).area == Area::C);
+      const bool isFixed = op(i).kind == OperandKind::Direct && hasBitAndWord(op(i).area);
       const Width width = isFixed ? Width::Bit : op(i).width;
       add(i, op(i), width, {}, false, true);
       add(i, op(i), width, {}, true, true);
@@ -205,7 +179,6 @@ class AccessCollector {
   std::map<int, const Pou*> subroutines_;
   const Instruction* instruction_ = nullptr;
   const Desc* desc_ = nullptr;
-  Kind kind_ = Kind::Other;
   bool conditional_ = false;
 };
 

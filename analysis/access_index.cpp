@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "analysis/instruction_kind.hpp"
-
 namespace rungproof {
 
 CellMap::CellMap(const Target& target, std::size_t blocks) : blocks_(std::max<std::size_t>(blocks, 1)) {
@@ -127,7 +125,7 @@ void AccessIndex::coverPointers(const Program& program, const AccessTable& table
   if (!reads && !writes) return;
   for (std::uint32_t c = 0; c < cells_.size(); ++c) {
     const Area area = cells_.areaOf(c);
-    if (area == Area::L || area == Area::HC || area == Area::AC) continue;
+    if (!rungproof::mayBePointedTo(area)) continue;
     const bool reached = anyAddress ? cells_.offsetOf(c) >= from[static_cast<std::size_t>(area)] : true;
     if (!reached) continue;
     pointed_[c] = 1;

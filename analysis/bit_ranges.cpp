@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t mostRanges = 4;  ///< that are named
 
 std::string bitAt(Area area, std::uint32_t at) {
-  if (area == Area::T || area == Area::C) return addressName(area, Width::Bit, at);
+  if (hasBitAndWord(area)) return addressName(area, Width::Bit, at);
   return addressName(area, Width::Bit, at / 8, at % 8);
 }
 

@@ -25,7 +25,7 @@ struct BitRow {
 
 /// Position of a bit in a BitRow.
 constexpr std::uint32_t bitPosition(Area area, std::uint32_t offset, unsigned bit) {
-  return area == Area::T || area == Area::C ? offset : offset * 8 + bit;
+  return hasBitAndWord(area) ? offset : offset * 8 + bit;
 }
 
 /// "MAIN", "MAIN and SBR_0", "MAIN, SBR_0 and SBR_1".

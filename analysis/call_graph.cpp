@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <map>
 
-#include "analysis/instruction_kind.hpp"
-
 namespace rungproof {
 
 namespace {
@@ -113,7 +111,7 @@ CallGraph::CallGraph(const Program& program, const Plan& plan) {
         sites_.push_back({&instruction, b, callee});
         callsIn_[b].push_back(site);
         if (callee != noBlock) callsOf_[callee].push_back(site);
-      } else if (kindOf(instruction) == Kind::Atch) {
+      } else if (roleOf(instruction) == Role::Atch) {
         const int number = numberOf(instruction, 0);
         attachments_.push_back({&instruction, b, find(PouKind::Interrupt, number), number, numberOf(instruction, 1)});
       }

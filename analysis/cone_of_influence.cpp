@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "analysis/instruction_kind.hpp"
 #include "ir/special_memory.hpp"
 
 namespace rungproof {
@@ -15,9 +14,9 @@ constexpr std::uint32_t eventNumbers[] = {32, 96};  // timers that raise events 
 
 /// Takes what it is to do from tables in memory that none of its operands covers.
 bool readsTables(const Desc& desc) {
-  const Kind kind = kindOf(desc);
-  return kind == Kind::Netr || kind == Kind::Netw || kind == Kind::Xmt || kind == Kind::Rcv || kind == Kind::Pls ||
-         kind == Kind::Spa;
+  const Role role = desc.role;
+  return role == Role::Netr || role == Role::Netw || role == Role::Xmt || role == Role::Rcv || role == Role::Pls ||
+         role == Role::Spa;
 }
 
 /// May meet an error that ends the program (001:13906-13937): a compare contact with a number, text or pointer that is

@@ -8,26 +8,30 @@ namespace rungproof {
 
 namespace {
 
+/// Adds to a double word in place, as one steps a pointer.
+bool isStep(const Instruction& instruction) {
+  const Role role = roleOf(instruction);
+  const bool adds = role == Role::Increment || role == Role::Decrement || role == Role::Add || role == Role::Sub;
+  return adds && instruction.desc->operands[0].type == Type::DInt;
+}
+
 /// Bytes that an instruction adds to its last operand, if it is a step by a constant.
 std::optional<std::int64_t> stepOf(const Instruction& instruction) {
+  if (!isStep(instruction)) return std::nullopt;
   const auto constantOf = [&]() -> std::optional<std::int64_t> {
     if (instruction.operands.empty() || instruction.operands[0].kind != OperandKind::Constant) return std::nullopt;
     return instruction.operands[0].value;
   };
-  switch (kindOf(instruction)) {
-    case Kind::IncDWord: return 1;
-    case Kind::DecDWord: return -1;
-    case Kind::AddDInt: return constantOf();
-    case Kind::SubDInt: {
+  switch (roleOf(instruction)) {
+    case Role::Increment: return 1;
+    case Role::Decrement: return -1;
+    case Role::Add: return constantOf();
+    case Role::Sub: {
       const auto value = constantOf();
       return value ? std::optional(-*value) : std::nullopt;
     }
     default: return std::nullopt;
   }
-}
-
-bool isStep(Kind kind) {
-  return kind == Kind::IncDWord || kind == Kind::DecDWord || kind == Kind::AddDInt || kind == Kind::SubDInt;
 }
 
 }  // namespace
@@ -100,7 +104,7 @@ void PointerTable::collectUses(const Facts& facts) {
 
 void PointerTable::collectWrites(const Facts& facts) {
   for (const Access& access : facts.accesses().all()) {
-    if (access.viaPointer || (access.area != Area::V && access.area != Area::L && access.area != Area::AC)) continue;
+    if (access.viaPointer || !mayHoldPointer(access.area)) continue;
     const std::uint32_t block = facts.blockOf(access.instruction);
     const Instruction& instruction = facts.instruction(access.instruction);
     const auto length = static_cast<std::uint32_t>(access.area == Area::AC ? 1 : 4);
@@ -113,7 +117,7 @@ void PointerTable::collectWrites(const Facts& facts) {
         if (instruction.desc->execution == Execution::Compare && back == 0 && isValue) pointer->isCompared = true;
         continue;
       }
-      if (isStep(kindOf(instruction)) && back == 0) {
+      if (isStep(instruction) && back == 0) {
         pointer->steps.push_back(&instruction);
         continue;
       }
@@ -127,7 +131,7 @@ void PointerTable::collectWrites(const Facts& facts) {
     if (pointer.area != Area::AC || pointer.isSet) continue;
     const std::uint32_t cell = facts.index().cells().cell(Area::AC, pointer.offset, 0);
     for (const std::uint32_t i : facts.index().at(cell)) {
-      if (facts.access(i).write && !isStep(kindOf(facts.instruction(facts.access(i).instruction))))
+      if (facts.access(i).write && !isStep(facts.instruction(facts.access(i).instruction)))
         pointer.isSet = pointer.isSetAgain = true;
     }
   }
@@ -164,7 +168,7 @@ void PointerTable::followBlock(const Facts& facts, const Flow& flow, std::uint32
         life.narrowest = width;
       }
       if (life.set == nullptr) continue;
-      const bool byNumber = life.area == Area::T || life.area == Area::C;
+      const bool byNumber = hasBitAndWord(life.area);
       known_.push_back({&access, life.set, life.area, byNumber ? life.offset / 2 : life.offset});
     }
     for (const Access& access : accesses) {
@@ -172,7 +176,7 @@ void PointerTable::followBlock(const Facts& facts, const Flow& flow, std::uint32
       const Pointer* pointer = at(access.area, access.offset, block);
       if (pointer == nullptr) continue;
       Life& life = lives[pointer];
-      if (isStep(kindOf(instruction))) {
+      if (isStep(instruction)) {
         const std::optional<std::int64_t> distance = stepOf(instruction);
         if (!distance) life.isComputed = true;
         if (life.network != step.network && life.last != nullptr)
@@ -188,11 +192,11 @@ void PointerTable::followBlock(const Facts& facts, const Flow& flow, std::uint32
       }
       closeStrides(life);
       const bool isAddress =
-          kindOf(instruction) == Kind::MoveDWord && instruction.operands[0].kind == OperandKind::Address;
+          isMoveOf(*instruction.desc, Type::DWord) && instruction.operands[0].kind == OperandKind::Address;
       if (!isAddress) continue;
       life.set = &instruction;
       life.area = instruction.operands[0].area;
-      const bool byNumber = life.area == Area::T || life.area == Area::C;
+      const bool byNumber = hasBitAndWord(life.area);
       life.offset = static_cast<std::int64_t>(instruction.operands[0].offset) * (byNumber ? 2 : 1);
     }
   }

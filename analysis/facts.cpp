@@ -13,7 +13,7 @@ namespace rungproof {
 namespace {
 
 std::uint64_t addressKey(const Operand& o) {
-  const bool byNumber = o.area == Area::T || o.area == Area::C;
+  const bool byNumber = hasBitAndWord(o.area);
   const std::uint64_t shape = byNumber ? 0 : static_cast<std::uint64_t>(o.width) << 4 | o.bit;
   return static_cast<std::uint64_t>(o.area) << 48 | shape << 40 | o.offset;
 }
@@ -107,11 +107,11 @@ void Facts::findPulses() {
 void Facts::collectBoxes() {
   for (const InstructionPlace& place : places_) {
     const Instruction& instruction = *place.instruction;
-    const Kind kind = kindOf(instruction);
-    if ((!isTimerBox(kind) && !isCounterBox(kind)) || instruction.operands.empty()) continue;
+    const Role role = roleOf(instruction);
+    if ((!isTimerBox(role) && !isCounterBox(role)) || instruction.operands.empty()) continue;
     const Operand& o = instruction.operands[0];
     if (o.kind != OperandKind::Direct || o.offset >= 256) continue;
-    (isTimerBox(kind) ? timers_ : counters_)[o.offset].push_back(instruction.id);
+    (isTimerBox(role) ? timers_ : counters_)[o.offset].push_back(instruction.id);
   }
 }
 
@@ -126,7 +126,7 @@ void Facts::collectExternals(std::span<const ExternalRange> externals) {
   const CellMap& cells = index_.cells();
   external_.assign(cells.size(), 0);
   for (const ExternalRange& range : externals) {
-    const bool byNumber = range.first.area == Area::T || range.first.area == Area::C;
+    const bool byNumber = hasBitAndWord(range.first.area);
     const std::uint32_t end = range.last.offset + static_cast<std::uint32_t>(byNumber ? 1 : bytes(range.last.width));
     for (std::uint32_t at = range.first.offset; at < end; ++at) {
       const std::uint32_t cell = cells.cell(range.first.area, at, 0);

@@ -17,7 +17,6 @@
 #include "analysis/access_index.hpp"
 #include "analysis/call_graph.hpp"
 #include "analysis/execution.hpp"
-#include "analysis/instruction_kind.hpp"
 #include "analysis/property.hpp"
 #include "analysis/stack_depth.hpp"
 #include "ir/program.hpp"

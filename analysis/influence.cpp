@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "analysis/instruction_kind.hpp"
-
 namespace rungproof {
 
 namespace {
@@ -13,15 +11,12 @@ constexpr std::uint32_t eventTimers[] = {32, 96};  // events 21 and 22 (001:5476
 constexpr std::uint32_t longestRow = 255;
 constexpr std::int64_t shortestLimit = 64;  ///< of all counts: that of SHRB (001:6024)
 
-bool byNumber(Area area) { return area == Area::T || area == Area::C || area == Area::AC || area == Area::HC; }
-
 /// Whether an operand that is written is a place of the CPU.
 bool isKnownTarget(const Facts& facts, const OperandDesc& desc, const Operand& operand) {
   if (operand.kind != OperandKind::Direct) return false;
-  const bool isNumber = byNumber(operand.area);
-  const Width width = isNumber && operand.area != Area::AC && operand.area != Area::HC
-                          ? (desc.type == Type::Bool ? Width::Bit : Width::Word)
-                          : operand.width;
+  const bool isNumber = isByNumber(operand.area);
+  const Width width =
+      hasBitAndWord(operand.area) ? (desc.type == Type::Bool ? Width::Bit : Width::Word) : operand.width;
   return addressExists(facts.target(), operand.area, width, operand.offset,
                        width == Width::Bit && !isNumber ? operand.bit : 0);
 }
@@ -41,22 +36,22 @@ bool hasWrongCount(const Instruction& instruction) {
 }  // namespace
 
 bool actsOnDevices(const Desc& desc) {
-  switch (kindOf(desc)) {
-    case Kind::Atch:
-    case Kind::Dtch:
-    case Kind::Cevnt:
-    case Kind::Eni:
-    case Kind::Disi:
-    case Kind::Hdef:
-    case Kind::Hsc:
-    case Kind::Pls:
-    case Kind::Netr:
-    case Kind::Netw:
-    case Kind::Xmt:
-    case Kind::Rcv:
-    case Kind::Spa:
-    case Kind::Todr:
-    case Kind::Todw: return true;
+  switch (desc.role) {
+    case Role::Atch:
+    case Role::Dtch:
+    case Role::Cevnt:
+    case Role::Eni:
+    case Role::Disi:
+    case Role::Hdef:
+    case Role::Hsc:
+    case Role::Pls:
+    case Role::Netr:
+    case Role::Netw:
+    case Role::Xmt:
+    case Role::Rcv:
+    case Role::Spa:
+    case Role::Todr:
+    case Role::Todw: return true;
     default: return false;
   }
 }
@@ -72,7 +67,7 @@ bool takesFromBelow(const Facts& facts, std::span<const std::uint32_t> instructi
 }
 
 PlaceRow rowOf(Area area, Width width, std::uint32_t offset, unsigned bit, std::uint32_t elements) {
-  if (byNumber(area)) return {area, offset, elements};
+  if (isByNumber(area)) return {area, offset, elements};
   if (width == Width::Bit) return {area, offset * 8 + bit, elements};
   return {area, offset * 8, elements * static_cast<std::uint32_t>(bits(width))};
 }
@@ -80,7 +75,7 @@ PlaceRow rowOf(Area area, Width width, std::uint32_t offset, unsigned bit, std::
 Influence::Influence(const Facts& facts) : facts_(facts) {
   for (std::size_t a = 0; a < areaCount; ++a) {
     const Area area = static_cast<Area>(a);
-    places_[a].resize(static_cast<std::size_t>(areaSize(facts.target(), area)) * (byNumber(area) ? 1 : 8), none);
+    places_[a].resize(static_cast<std::size_t>(areaSize(facts.target(), area)) * (isByNumber(area) ? 1 : 8), none);
   }
   collectParts();
 }

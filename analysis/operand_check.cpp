@@ -19,8 +19,6 @@ Forms pointerForm(Area area) {
   }
 }
 
-bool isNumber(Area area) { return area == Area::T || area == Area::C || area == Area::AC || area == Area::HC; }
-
 }  // namespace
 
 bool formIsAllowed(const OperandDesc& desc, const Operand& operand) {
@@ -37,16 +35,13 @@ bool formIsAllowed(const OperandDesc& desc, const Operand& operand) {
 }
 
 Width accessWidth(const OperandDesc& desc, const Operand& operand) {
-  if (operand.area == Area::AC) return Width::DWord;
-  if (operand.area == Area::HC) return Width::DWord;
-  if (operand.area == Area::AI || operand.area == Area::AQ) return Width::Word;
-  if (operand.area == Area::T || operand.area == Area::C) return desc.type == Type::Bool ? Width::Bit : Width::Word;
-  return operand.width;
+  if (hasBitAndWord(operand.area)) return desc.type == Type::Bool ? Width::Bit : Width::Word;
+  return areaInfo(operand.area).width.value_or(operand.width);
 }
 
 bool widthIsAllowed(const OperandDesc& desc, const Operand& operand) {
-  if (operand.kind != OperandKind::Direct || isNumber(operand.area)) return true;
-  if (operand.area == Area::AI || operand.area == Area::AQ) return true;
+  if (operand.kind != OperandKind::Direct || isByNumber(operand.area)) return true;
+  if (isAnalogue(operand.area)) return true;
   if (desc.type == Type::Parameter) return true;
   return operand.width == widthOf(desc.type);
 }
@@ -63,7 +58,7 @@ bool notationIsAllowed(const OperandDesc& desc, const Operand& operand) {
 }
 
 bool pointerMayStandThere(const Operand& operand) {
-  return operand.area == Area::V || operand.area == Area::L || (operand.area == Area::AC && operand.offset != 0);
+  return mayHoldPointer(operand.area) && (operand.area != Area::AC || operand.offset != 0);
 }
 
 std::string_view widthName(Width width) {
@@ -82,11 +77,8 @@ std::string allowedForms(const OperandDesc& desc) {
   for (int a = 0; a < areaCount; ++a) {
     const Area area = static_cast<Area>(a);
     if ((desc.forms & form::area(area)) == 0) continue;
-    const bool isFixed = isNumber(area);
-    words.push_back(fmt::format("{}{}", areaName(area),
-                                isFixed                                ? ""
-                                : area == Area::AI || area == Area::AQ ? "W"
-                                                                       : suffix));
+    const bool isFixed = isByNumber(area);
+    words.push_back(fmt::format("{}{}", areaName(area), isFixed ? "" : isAnalogue(area) ? "W" : suffix));
   }
   if ((desc.forms & form::PtrV) != 0) words.emplace_back("*VD");
   if ((desc.forms & form::PtrL) != 0) words.emplace_back("*LD");

@@ -81,11 +81,7 @@ void layoutCells(Property& property) {
   }
 }
 
-int numberBits(const Operand& o) {
-  if (o.area == Area::T || o.area == Area::C || o.area == Area::AI || o.area == Area::AQ) return 16;
-  if (o.area == Area::AC || o.area == Area::HC) return 32;
-  return bits(o.width);
-}
+int numberBits(const Operand& o) { return bits(areaInfo(o.area).width.value_or(o.width)); }
 
 bool hasClock(const Property& property) {
   const auto holds = [](const Expr& expr) {

@@ -8,8 +8,8 @@ std::vector<std::uint8_t> protectedCode(const Facts& facts) {
   for (const Flow& flow : facts.plan().flows) {
     bool isOff = false;
     for (const FlowStep& step : flow.steps) {
-      if (kindOf(*step.instruction) == Kind::Disi) isOff = true;
-      if (kindOf(*step.instruction) == Kind::Eni) isOff = false;
+      if (roleOf(*step.instruction) == Role::Disi) isOff = true;
+      if (roleOf(*step.instruction) == Role::Eni) isOff = false;
       marks[step.instruction->id] = isOff;
     }
   }

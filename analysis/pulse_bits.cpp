@@ -26,12 +26,13 @@ class PulseFinder {
     for (const InstructionPlace& place : facts_.instructions()) {
       if (!runsOnce(place) || place.instruction->operands.empty()) continue;
       const Operand& o = place.instruction->operands[0];
-      if (o.kind != OperandKind::Direct || o.area == Area::L || o.bit > 7) continue;
-      switch (kindOf(*place.instruction)) {
-        case Kind::Assign: coil(place, o); break;
-        case Kind::Set: latch(place, o); break;
-        case Kind::Ton: timer(place, o); break;
-        case Kind::Ctu: counter(place, o); break;
+      if (o.kind != OperandKind::Direct || o.area == Area::L || o.bit > 7 || place.instruction->desc->immediate)
+        continue;
+      switch (roleOf(*place.instruction)) {
+        case Role::Assign: coil(place, o); break;
+        case Role::Set: latch(place, o); break;
+        case Role::Ton: timer(place, o); break;
+        case Role::Ctu: counter(place, o); break;
         default: break;
       }
     }
@@ -82,27 +83,27 @@ class PulseFinder {
       return std::nullopt;
     const std::uint32_t key = keyOf(contact.operands[0], block);
     if (key == noKey()) return std::nullopt;
-    return Literal{key, contact.desc->stl.back() == 'N'};
+    return Literal{key, invertsImage(*contact.desc)};
   }
   /// Bit contacts of a rung that is one series of contacts (`joint`: And) or one row of parallel ones (Or).
-  std::optional<std::vector<Literal>> rungBefore(const InstructionPlace& place, Kind joint) const {
+  std::optional<std::vector<Literal>> rungBefore(const InstructionPlace& place, Role joint) const {
     const Flow& flow = facts_.plan().flows[place.block];
     std::vector<Literal> literals;
     for (std::uint32_t at = place.step; at > 0 && flow.steps[at - 1].network == place.network;) {
       const Instruction& instruction = *flow.steps[--at].instruction;
-      const Kind kind = kindOf(instruction);
-      if (kind == Kind::Load || kind == joint) {
+      const Role role = roleOf(instruction);
+      if (role == Role::Load || role == joint) {
         if (const auto literal = literalOf(instruction, place.block))
           literals.push_back(*literal);
-        else if (joint == Kind::Or)
+        else if (joint == Role::Or)
           return std::nullopt;
-        if (kind == Kind::Load) return literals;
-      } else if (kind == Kind::Lpp || kind == Kind::Lrd) {
+        if (role == Role::Load) return literals;
+      } else if (role == Role::Lpp || role == Role::Lrd) {
         for (int open = 1; open > 0 && at > 0;) {
-          const Kind earlier = kindOf(*flow.steps[--at].instruction);
-          open += earlier == Kind::Lpp ? 1 : earlier == Kind::Lps ? -1 : 0;
+          const Role earlier = roleOf(*flow.steps[--at].instruction);
+          open += earlier == Role::Lpp ? 1 : earlier == Role::Lps ? -1 : 0;
         }
-      } else if (kind != Kind::Lps && (isLogic(kind) || instruction.desc->control != Control::None)) {
+      } else if (role != Role::Lps && (isLogic(role) || instruction.desc->control != Control::None)) {
         return std::nullopt;
       }
     }
@@ -110,7 +111,7 @@ class PulseFinder {
   }
 
   void coil(const InstructionPlace& place, const Operand& o) {
-    if (o.area == Area::T || o.area == Area::C || !isOnlyWriter(keyOf(o, place.block), *place.instruction)) return;
+    if (hasBitAndWord(o.area) || !isOnlyWriter(keyOf(o, place.block), *place.instruction)) return;
     const Condition flow = flowOf(place) & lasting;
     if (flow != 0)
       know(o, flow);
@@ -120,15 +121,15 @@ class PulseFinder {
 
   /// `x AND NOT m` where a later coil gives m the value of x: on in the scan in which x comes, then m blocks it.
   bool isEdgeByHand(const InstructionPlace& place) const {
-    const auto rung = rungBefore(place, Kind::And);
+    const auto rung = rungBefore(place, Role::And);
     if (!rung) return false;
     return std::any_of(rung->begin(), rung->end(), [&](const Literal& blocked) {
       if (!blocked.isNegated || facts_.writers(blocked.key / 8, blocked.key % 8) != 1) return false;
       const auto writers = writersOf(blocked.key);
       if (!writers || writers->size() != 1) return false;
       const InstructionPlace& memory = facts_.place(writers->front());
-      if (kindOf(*memory.instruction) != Kind::Assign || !runsOnce(memory) || memory.step < place.step) return false;
-      const auto follows = rungBefore(memory, Kind::And);
+      if (!isPlainCoil(*memory.instruction->desc) || !runsOnce(memory) || memory.step < place.step) return false;
+      const auto follows = rungBefore(memory, Role::And);
       return follows && follows->size() == 1 && isPlain(memory) &&
              std::find(rung->begin(), rung->end(), follows->front()) != rung->end() &&
              !isWrittenBetween(follows->front().key, place.step, memory.step);
@@ -139,8 +140,8 @@ class PulseFinder {
     const Flow& flow = facts_.plan().flows[place.block];
     for (std::uint32_t at = place.step; at > 0 && flow.steps[at - 1].network == place.network;) {
       const Instruction& instruction = *flow.steps[--at].instruction;
-      if (kindOf(instruction) == Kind::Load) return literalOf(instruction, place.block).has_value();
-      if (kindOf(instruction) == Kind::And && !literalOf(instruction, place.block)) return false;
+      if (roleOf(instruction) == Role::Load) return literalOf(instruction, place.block).has_value();
+      if (roleOf(instruction) == Role::And && !literalOf(instruction, place.block)) return false;
     }
     return false;
   }
@@ -158,14 +159,13 @@ class PulseFinder {
   void latch(const InstructionPlace& place, const Operand& o) {
     const Condition flow = flowOf(place) & (condition::FirstScan | condition::Pulse);
     const std::uint32_t key = keyOf(o, place.block);
-    if (flow == 0 || o.area == Area::T || o.area == Area::C || key == noKey() || facts_.bits().at(key).size() != 2)
-      return;
+    if (flow == 0 || hasBitAndWord(o.area) || key == noKey() || facts_.bits().at(key).size() != 2) return;
     const auto writers = writersOf(key);
     if (!writers || writers->size() != 2) return;
     const std::uint32_t other = writers->front() == place.instruction->id ? writers->back() : writers->front();
     const InstructionPlace& reset = facts_.place(other);
-    if (kindOf(*reset.instruction) != Kind::Reset || !runsOnce(reset)) return;
-    const auto rung = rungBefore(reset, Kind::And);
+    if (!isReset(roleOf(*reset.instruction)) || reset.instruction->desc->immediate || !runsOnce(reset)) return;
+    const auto rung = rungBefore(reset, Role::And);
     const bool isItsOwn = rung && isPlain(reset) && *rung == std::vector<Literal>{{key, false}};
     if ((flowOf(reset) & condition::Always) == 0 && !isItsOwn) return;
     know(o, reset.step > place.step ? flow : condition::Pulse);
@@ -173,13 +173,13 @@ class PulseFinder {
 
   /// A box that its own bit switches off, or resets, in the next scan.
   void timer(const InstructionPlace& place, const Operand& o) {
-    const auto rung = rungBefore(place, Kind::And);
+    const auto rung = rungBefore(place, Role::And);
     if (!rung || facts_.timerBoxes(o.offset).size() != 1 || !hasPreset(*place.instruction)) return;
     if (std::find(rung->begin(), rung->end(), Literal{keyOf(o, place.block), true}) != rung->end())
       know(o, condition::Pulse);
   }
   void counter(const InstructionPlace& place, const Operand& o) {
-    const auto resets = rungBefore(place, Kind::Or);
+    const auto resets = rungBefore(place, Role::Or);
     if (!resets || facts_.counterBoxes(o.offset).size() != 1 || !hasPreset(*place.instruction)) return;
     if (std::find(resets->begin(), resets->end(), Literal{keyOf(o, place.block), false}) != resets->end())
       know(o, condition::Pulse);

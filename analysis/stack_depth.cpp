@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "analysis/instruction_kind.hpp"
-
 namespace rungproof {
 
 namespace {
@@ -98,7 +96,7 @@ class Run {
     }
     endNetwork();
     for (const Entry& entry : entries_) {
-      const bool isLoad = entry.by != nullptr && isLogic(kindOf(*entry.by));
+      const bool isLoad = entry.by != nullptr && isLogic(roleOf(*entry.by));
       if (isLoad && !entry.isRead) fault(StackFaultKind::LoadUnused, *entry.by);
     }
   }
@@ -280,30 +278,27 @@ class Run {
   void step(const Instruction& at, bool isTarget) {
     if (isTarget) join();
     const Desc& desc = *at.desc;
-    const Kind kind = kindOf(desc);
     points_[at.id] = {flowOf(0), static_cast<std::uint8_t>(std::min<std::size_t>(ownLevels(), 255)),
                       entries_.empty() ? nullptr : entries_.back().by};
-    const bool isNegated = desc.stl.size() > 1 && desc.stl.back() == 'N';
-    const bool isImmediateNegated = desc.stl.size() > 2 && desc.stl.ends_with("NI");
     const auto contact = [&] {
       return at.operands.empty() || desc.execution == Execution::Compare
                  ? Condition{0}
-                 : conditionOf(at.operands[0], isNegated || isImmediateNegated, known_);
+                 : conditionOf(at.operands[0], desc.negated, known_);
     };
-    switch (kind) {
-      case Kind::Load: return push(at, contact());
-      case Kind::And: return change(at, conjunction(flowOf(0), contact()));
-      case Kind::Or: return change(at, disjunction(flowOf(0), contact()));
-      case Kind::Not: return change(at, negation(flowOf(0)));
-      case Kind::Eu:
-      case Kind::Ed: return change(at, static_cast<Condition>(condition::Pulse | (flowOf(0) & condition::FirstScan)));
-      case Kind::Ald: return combine(at, true);
-      case Kind::Old: return combine(at, false);
-      case Kind::Lps: return pushCopy(at);
-      case Kind::Lrd: return readOrPop(at, false);
-      case Kind::Lpp: return readOrPop(at, true);
-      case Kind::Lds: return loadLevel(at);
-      case Kind::Aeno:
+    switch (desc.role) {
+      case Role::Load: return push(at, contact());
+      case Role::And: return change(at, conjunction(flowOf(0), contact()));
+      case Role::Or: return change(at, disjunction(flowOf(0), contact()));
+      case Role::Not: return change(at, negation(flowOf(0)));
+      case Role::Eu:
+      case Role::Ed: return change(at, static_cast<Condition>(condition::Pulse | (flowOf(0) & condition::FirstScan)));
+      case Role::Ald: return combine(at, true);
+      case Role::Old: return combine(at, false);
+      case Role::Lps: return pushCopy(at);
+      case Role::Lrd: return readOrPop(at, false);
+      case Role::Lpp: return readOrPop(at, true);
+      case Role::Lds: return loadLevel(at);
+      case Role::Aeno:
         if (!hasBox_) fault(StackFaultKind::AenoWithoutBox, at);
         return change(at, flowOf(0) & static_cast<Condition>(~condition::Always));
       default: break;

@@ -11,11 +11,9 @@ namespace rungproof {
 
 namespace {
 
-bool isNumbered(Area area) { return area == Area::T || area == Area::C || area == Area::AC || area == Area::HC; }
-
 /// Bit and value of a timer or counter are two things under one number, not an overlap.
 bool shareStorage(const XrefEntry& a, const XrefEntry& b) {
-  const bool isTimed = a.area == Area::T || a.area == Area::C;
+  const bool isTimed = hasBitAndWord(a.area);
   return !isTimed || (a.width == Width::Bit) == (b.width == Width::Bit);
 }
 
@@ -79,10 +77,10 @@ std::vector<FreeRange> freeRanges(const Facts& facts, const std::vector<XrefEntr
 
 }  // namespace
 
-std::uint32_t XrefEntry::firstBit() const { return isNumbered(area) ? offset * 32 : offset * 8 + bit; }
+std::uint32_t XrefEntry::firstBit() const { return isByNumber(area) ? offset * 32 : offset * 8 + bit; }
 
 std::uint32_t XrefEntry::endBit() const {
-  if (isNumbered(area)) return (offset + count) * 32U;
+  if (isByNumber(area)) return (offset + count) * 32U;
   return firstBit() + count * static_cast<std::uint32_t>(bits(width));
 }
 
@@ -97,7 +95,7 @@ Xref crossReference(const Facts& facts) {
       continue;
     }
     const std::uint32_t block = access.area == Area::L ? facts.blockOf(access.instruction) : 0;
-    const std::uint8_t bit = access.width == Width::Bit && !isNumbered(access.area) ? access.bit : 0;
+    const std::uint8_t bit = access.width == Width::Bit && !isByNumber(access.area) ? access.bit : 0;
     byPlace[{access.area, block, access.offset, bit, access.width, access.count}].push_back(&access);
   }
   for (auto& [place, uses] : byPlace) {
@@ -115,7 +113,7 @@ std::vector<std::size_t> entriesTouching(const Xref& xref, const Operand& addres
   wanted.area = address.area;
   wanted.width = address.width;
   wanted.offset = address.offset;
-  wanted.bit = address.width == Width::Bit && !isNumbered(address.area) ? address.bit : 0;
+  wanted.bit = address.width == Width::Bit && !isByNumber(address.area) ? address.bit : 0;
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < xref.entries.size(); ++i) {
     const XrefEntry& entry = xref.entries[i];
@@ -126,7 +124,7 @@ std::vector<std::size_t> entriesTouching(const Xref& xref, const Operand& addres
 }
 
 std::string entryName(const XrefEntry& entry) {
-  if (entry.area == Area::T || entry.area == Area::C) {
+  if (hasBitAndWord(entry.area)) {
     const std::string first = addressName(entry.area, Width::Bit, entry.offset);
     const std::string last =
         entry.count > 1 ? ".." + addressName(entry.area, Width::Bit, entry.offset + entry.count - 1U) : "";
@@ -144,7 +142,7 @@ std::string entryName(const XrefEntry& entry) {
 }
 
 std::string rangeName(const FreeRange& range) {
-  const Width width = isNumbered(range.area) ? Width::Bit : Width::Byte;
+  const Width width = isByNumber(range.area) ? Width::Bit : Width::Byte;
   const std::string first = addressName(range.area, width, range.first);
   return range.first == range.last ? first : first + ".." + addressName(range.area, width, range.last);
 }

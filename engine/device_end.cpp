@@ -92,8 +92,8 @@ bool mayWriteStatus(Machine<Concrete>& machine, const Operand& operand, std::uin
 }
 
 bool asks(const Instruction& instruction) {
-  static constexpr std::array<std::string_view, 6> names = {"XMT", "RCV", "NETR", "NETW", "PLS", "HDEF"};
-  if (std::ranges::find(names, instruction.desc->stl) != names.end()) return true;
+  static constexpr std::array roles = {Role::Xmt, Role::Rcv, Role::Netr, Role::Netw, Role::Pls, Role::Hdef};
+  if (std::ranges::find(roles, roleOf(instruction)) != roles.end()) return true;
   return std::ranges::any_of(instruction.operands, [](const Operand& operand) {
     return operand.kind == OperandKind::Direct && operand.area == Area::SM && operand.offset == 31;
   });

@@ -18,9 +18,7 @@ bool sameOperand(const Operand& a, const Operand& b) {
 }  // namespace
 
 bool ForceTable::set(const Operand& operand, std::uint64_t value) {
-  const bool mayForce = isImage(operand.area) || operand.area == Area::V || operand.area == Area::M ||
-                        operand.area == Area::AI || operand.area == Area::AQ;
-  if (operand.kind != OperandKind::Direct || !mayForce) return false;
+  if (operand.kind != OperandKind::Direct || !areaInfo(operand.area).mayBeForced) return false;
   if (operand.width == Width::Bit && !isImage(operand.area)) return false;
   const auto known = std::find_if(entries_.begin(), entries_.end(),
                                   [&](const Entry& entry) { return sameOperand(entry.operand, operand); });

@@ -110,7 +110,7 @@ void InstructionRecorder::finish(Running& running, const Machine<Concrete>& mach
   }
   if (!instruction.operands.empty()) {
     const Operand& first = instruction.operands[0];
-    const bool isElement = first.kind == OperandKind::Direct && (first.area == Area::T || first.area == Area::C);
+    const bool isElement = first.kind == OperandKind::Direct && hasBitAndWord(first.area);
     if (isElement)
       record.elementBit =
           cellAt(machine.store, first.area, first.offset, 0, Width::Bit, running.frame).value_or(0) != 0;

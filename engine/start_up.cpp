@@ -32,11 +32,10 @@ void prepareRun(Concrete::Store& store, const Choices& choices) {
     setSm(store, status, 6, false);  // 001:4651
     setSm(store, status, 7, true);
   }
-  for (const Reg reg :
-       {Reg::EdgeMemory,   Reg::EdgeSeen,  Reg::EventRoutine, Reg::InterruptsEnabled, Reg::TimedPeriod,
-        Reg::TimedElapsed, Reg::HscMode,   Reg::HscEnabled,   Reg::PulseBusy,         Reg::PulsePending,
-        Reg::PortBusy,     Reg::NetActive, Reg::TimerRunning, Reg::TimerInput,        Reg::CounterUp,
-        Reg::CounterDown,  Reg::PhaseTen,  Reg::PhaseHundred, Reg::Fault}) {
+  for (const Reg reg : {Reg::EdgeMemory, Reg::EdgeSeen, Reg::EventRoutine, Reg::InterruptsEnabled, Reg::TimedPeriod,
+                        Reg::TimedElapsed, Reg::HscMode, Reg::HscEnabled, Reg::PulseBusy, Reg::PulsePending,
+                        Reg::PortBusy, Reg::NetActive, Reg::TimerRunning, Reg::TimerInput, Reg::CounterUp,
+                        Reg::CounterDown, Reg::PhaseTen, Reg::PhaseHundred, Reg::Fault}) {
     fill(store, reg, 0);
   }
   fill(store, Reg::PhaseSecond, clockStartsOn ? 500 : 0);
@@ -86,7 +85,9 @@ Concrete::Store powerUpState(const Plan& plan, const Choices& choices, bool data
 Concrete::Store powerCycledState(const Plan& plan, const Choices& choices, const Concrete::Store& before,
                                  const std::vector<RetentiveRange>& ranges) {
   Concrete::Store store = powerUpState(plan, choices);
-  for (const Area area : {Area::V, Area::M}) {
+  for (const AreaInfo& info : areaTable) {
+    if (!info.mayRetain || info.addressing != Addressing::Bytes) continue;
+    const Area area = info.area;
     const std::vector<std::uint8_t>& old = before.area(area);
     for (std::uint32_t i = 0; i < old.size(); ++i) {
       if (isRetentive(ranges, area, i)) store.area(area)[i] = old[i];

@@ -24,16 +24,13 @@ Cell cellOf(const Operand& o) { return {o.area, o.offset, o.bit, o.width}; }
 /// Operands of T and C take the width of the instruction's operand; everything else its written width.
 Operand accessed(const Operand& operand, Type type) {
   Operand result = operand;
-  const bool byNumber = operand.area == Area::T || operand.area == Area::C;
-  if (byNumber) result.width = type == Type::Bool ? Width::Bit : Width::Word;
-  if (operand.area == Area::AI || operand.area == Area::AQ) result.width = Width::Word;
-  if (operand.area == Area::HC) result.width = Width::DWord;
+  result.width = hasBitAndWord(operand.area) && type == Type::Bool
+                     ? Width::Bit
+                     : areaInfo(operand.area).width.value_or(operand.width);
   return result;
 }
 
-bool isTraced(const Operand& operand) {
-  return operand.kind == OperandKind::Direct && operand.area != Area::L && operand.area != Area::AC;
-}
+bool isTraced(const Operand& operand) { return operand.kind == OperandKind::Direct && lastsOverScans(operand.area); }
 
 /// Calls visit(operand, type) for every direct memory operand of the program that has a value between scans.
 template <class Visit>
@@ -114,7 +111,7 @@ int Trace::indexOf(const TraceSignal& signal) const {
 TraceSignal signalOf(const Program& program, const Operand& operand) {
   TraceSignal signal;
   signal.operand = operand;
-  const bool byNumber = operand.area == Area::T || operand.area == Area::C;
+  const bool byNumber = hasBitAndWord(operand.area);
   const Symbol* symbol = program.symbolOf(operand);
   if (symbol != nullptr) signal.symbol = symbol->name;
   signal.name = toString(operand);
@@ -136,7 +133,7 @@ std::vector<TraceSignal> touchedSignals(const Program& program) {
     const Operand first = accessed(operand, type);
     for (unsigned k = 0; k < bitCount(instruction, i); ++k) {
       Operand next = first;
-      if (operand.area == Area::T || operand.area == Area::C) {
+      if (hasBitAndWord(operand.area)) {
         next.offset += k;
       } else {
         next.offset += (first.bit + k) / 8;

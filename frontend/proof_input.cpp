@@ -7,7 +7,6 @@
 #include <map>
 #include <set>
 
-#include "analysis/instruction_kind.hpp"
 #include "analysis/proof/proof_watch.hpp"
 #include "analysis/rule.hpp"
 
@@ -98,8 +97,8 @@ Finding findingAt(const ProofResult& result) {
 
 /// S or R of more than one bit.
 bool isRowLatch(const Instruction& instruction) {
-  const Kind kind = kindOf(instruction);
-  if ((!isSet(kind) && !isReset(kind)) || instruction.operands.size() < 2) return false;
+  const Role role = roleOf(instruction);
+  if ((!isSet(role) && !isReset(role)) || instruction.operands.size() < 2) return false;
   return instruction.operands[1].kind != OperandKind::Constant || instruction.operands[1].value > 1;
 }
 

@@ -61,13 +61,13 @@ class Args {
   /// Bit k counted from a bit operand, over byte borders; T and C: bit of the k-th number further on.
   Bool bitAt(std::size_t i, int k) {
     const Ref<D>& r = refs_[i];
-    if (r.area == Area::T || r.area == Area::C)
+    if (hasBitAndWord(r.area))
       return m_.d.bit(m_.load(r.area, r.offset + static_cast<std::uint32_t>(k), Width::Bit), 0);
     return m_.loadBit(r.area, r.offset, static_cast<std::uint32_t>(r.bit + k));
   }
   void storeBitAt(std::size_t i, int k, Bool value) {
     const Ref<D>& r = refs_[i];
-    if (r.area == Area::T || r.area == Area::C)
+    if (hasBitAndWord(r.area))
       return m_.save(r.area, r.offset + static_cast<std::uint32_t>(k), Width::Bit, m_.d.fromBool(value, 1));
     m_.saveBit(r.area, r.offset, static_cast<std::uint32_t>(r.bit + k), value);
   }
@@ -76,7 +76,7 @@ class Args {
     const Ref<D>& r = refs_[i];
     const std::uint32_t size = m_.areaSize(r.area);
     if (r.offset >= size) return 0;
-    return r.area == Area::T || r.area == Area::C ? size - r.offset : (size - r.offset) * 8 - r.bit;
+    return hasBitAndWord(r.area) ? size - r.offset : (size - r.offset) * 8 - r.bit;
   }
   /// Element at a computed index 0..limit-1 (width 16).
   Bits elementAt(std::size_t i, Bits index, int limit, Width w) {
@@ -143,14 +143,14 @@ class Args {
   Bool followText(Bits address, Ref<D>& ref);
   Bits loadText(const Ref<D>& ref, int element, Width w, Bits otherwise);
   std::uint32_t left(Area area, std::uint32_t offset, Width w) const {
-    const bool byNumber = area == Area::T || area == Area::C;
+    const bool byNumber = hasBitAndWord(area);
     const std::uint32_t size = m_.areaSize(area);
     return offset >= size ? 0 : (size - offset) / static_cast<std::uint32_t>(byNumber ? 1 : bytes(w));
   }
   Bits load(Ref<D>& ref, int element, Width w);
   void save(Ref<D>& ref, int element, Width w, Bits value);
   static std::uint32_t advance(Area area, std::uint32_t offset, int element, Width w) {
-    const bool byNumber = area == Area::T || area == Area::C || area == Area::AC || area == Area::HC;
+    const bool byNumber = isByNumber(area);
     return offset + static_cast<std::uint32_t>(element * (byNumber ? 1 : bytes(w)));
   }
 

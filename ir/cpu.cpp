@@ -69,8 +69,8 @@ bool addressExists(const Target& target, Area area, Width width, std::uint32_t o
   const cpu_tables::LimitRow* row = limitRow(target, area, width);
   if (row == nullptr || offset > row->last) return false;
   if (area == Area::HC) return hscExists(target, static_cast<int>(offset));
-  if (area == Area::AI || area == Area::AQ) return offset % 2 == 0;
-  return width != Width::Bit || area == Area::T || area == Area::C || bit <= 7;
+  if (isAnalogue(area)) return offset % 2 == 0;
+  return width != Width::Bit || hasBitAndWord(area) || bit <= 7;
 }
 
 CpuFeatures cpuFeatures(const Target& target) {
@@ -153,12 +153,10 @@ bool timerIsRetentive(int number) {
 }
 
 std::uint32_t areaSize(const Target& target, Area area) {
-  const Width width = area == Area::HC                                                               ? Width::DWord
-                      : (area == Area::AI || area == Area::AQ || area == Area::T || area == Area::C) ? Width::Word
-                                                                                                     : Width::Byte;
+  const Width width = areaInfo(area).width.value_or(Width::Byte);
   const std::optional<AddressLimit> limit = addressLimit(target, area, width);
   if (!limit) return 0;
-  return limit->lastByte + static_cast<std::uint32_t>(area == Area::AI || area == Area::AQ ? 2 : 1);
+  return limit->lastByte + static_cast<std::uint32_t>(isAnalogue(area) ? 2 : 1);
 }
 
 }  // namespace rungproof

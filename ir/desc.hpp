@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "ir/cpu.hpp"
+#include "ir/role.hpp"
 
 namespace rungproof {
 
@@ -73,6 +74,14 @@ struct BufferLength {
   int high = 1;
 };
 
+/// Another operand that counts the elements: N of S, BMB, SHRB. Its range tells whether it is signed; then its amount
+/// counts. `divisor`: how many of N share one element (two hexadecimal digits a byte).
+struct CountOperand {
+  std::int8_t operand = -1;
+  std::uint8_t limit = 0;  ///< the most that takes effect
+  std::uint8_t divisor = 1;
+};
+
 struct OperandDesc {
   std::string_view name;
   Direction direction = Direction::In;
@@ -80,6 +89,8 @@ struct OperandDesc {
   Forms forms = 0;
   std::array<ValueRange, 5> ranges{};  ///< unused rows have cpus == 0
   BufferLength buffer{};
+  CountOperand count{};      ///< operand < 0: nothing counts them
+  bool lowWordRead = false;  ///< a double word of which only the low word is read (MUL, DIV)
   bool optional = false;
 
   constexpr bool hasRanges() const { return ranges[0].cpus != 0; }
@@ -92,6 +103,11 @@ struct OperandDesc {
   constexpr OperandDesc elements(int low, int high) const {
     OperandDesc copy = *this;
     copy.buffer = {low, high};
+    return copy;
+  }
+  constexpr OperandDesc counted(int by, int limit, int divisor = 1) const {
+    OperandDesc copy = *this;
+    copy.count = {static_cast<std::int8_t>(by), static_cast<std::uint8_t>(limit), static_cast<std::uint8_t>(divisor)};
     return copy;
   }
 };
@@ -117,6 +133,11 @@ constexpr OperandDesc inout(std::string_view name, Type type, Forms forms) {
 
 constexpr OperandDesc optional(OperandDesc desc) {
   desc.optional = true;
+  return desc;
+}
+
+constexpr OperandDesc lowWordRead(OperandDesc desc) {
+  desc.lowWordRead = true;
   return desc;
 }
 
@@ -169,12 +190,20 @@ inline constexpr StatusBits Zero = 1, Overflow = 2, Negative = 4, DivideByZero =
 
 inline constexpr int maxOperands = 5;  ///< CTUD.IEC has most
 
+using FlowPins = std::array<std::string_view, 4>;
+
 struct Desc {
   std::string_view stl;           ///< international mnemonic, "LDW>="
   std::string_view german = {};   ///< SIMATIC German mnemonic where it differs, "UW>="
   std::string_view family = {};   ///< "LDWx" for comparison families; empty: the mnemonic itself
   std::string_view meaning = {};  ///< a few words for explain, xref and completion
   std::string_view group = {};    ///< manual section, "boolean", "timers and counters"
+  Role role = Role::Other;
+  bool negated = false;    ///< a contact that is closed by a 0
+  bool immediate = false;  ///< reads or writes the physical point at that moment (001:2731, 001:2781)
+  Relation relation = Relation::None;
+  std::string_view drawn = {};  ///< name of its box or sign of its contact or coil; empty: the mnemonic
+  FlowPins flowPins = {"EN"};   ///< names of the power inputs of its box, topmost first
   std::array<OperandDesc, maxOperands> operands{};
   std::uint8_t operandCount = 0;
   Execution execution = Execution::Conditional;
@@ -194,12 +223,22 @@ struct Desc {
 
   constexpr const OperandDesc& operand(int i) const { return operands[static_cast<std::size_t>(i)]; }
   constexpr std::string_view familyName() const { return family.empty() ? stl : family; }
+  constexpr std::string_view drawnName() const { return drawn.empty() ? stl : drawn; }
 };
 
 constexpr Desc withOperands(Desc desc, std::initializer_list<OperandDesc> list) {
   for (const OperandDesc& operand : list) desc.operands[desc.operandCount++] = operand;
   return desc;
 }
+
+/// A move of values of that type: MOVW for Type::Word.
+constexpr bool isMoveOf(const Desc& desc, Type type) {
+  return desc.role == Role::Move && desc.operands[0].type == type;
+}
+/// = , which reaches the image only.
+constexpr bool isPlainCoil(const Desc& desc) { return desc.role == Role::Assign && !desc.immediate; }
+/// A contact of the image or of memory that is closed by a 0: LDN, not LDNI.
+constexpr bool invertsImage(const Desc& desc) { return desc.negated && !desc.immediate; }
 
 /// Width of a value of that type; String and buffers: Byte; numbers of timers and counters: Word.
 constexpr Width widthOf(Type type) {

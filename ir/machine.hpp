@@ -76,48 +76,23 @@ struct PointerTarget {
 /// Numeric form of a pointer: area tag in the high byte, byte offset below (timers and counters: 2 * number,
 /// because the step from one current value to the next is 2, 001:1478). The manual leaves the form open.
 namespace pointer {
-constexpr std::optional<Area> areaOf(std::uint32_t value) {
-  switch (value >> 24) {
-    case 0x00: return Area::I;
-    case 0x01: return Area::Q;
-    case 0x02: return Area::AI;
-    case 0x03: return Area::AQ;
-    case 0x04: return Area::M;
-    case 0x05: return Area::SM;
-    case 0x06: return Area::S;
-    case 0x08: return Area::V;
-    case 0x09: return Area::T;
-    case 0x0A: return Area::C;
-    default: return std::nullopt;
+/// Areas by their tag.
+inline constexpr auto areasByTag = [] {
+  std::array<std::optional<Area>, 256> areas{};
+  for (const AreaInfo& info : areaTable) {
+    if (info.tag) areas[*info.tag] = info.area;
   }
-}
+  return areas;
+}();
+constexpr std::optional<Area> areaOf(std::uint32_t value) { return areasByTag[value >> 24]; }
 constexpr std::uint32_t encode(Area area, std::uint32_t offset) {
-  std::uint32_t tag = 0;
-  switch (area) {
-    case Area::I: tag = 0x00; break;
-    case Area::Q: tag = 0x01; break;
-    case Area::AI: tag = 0x02; break;
-    case Area::AQ: tag = 0x03; break;
-    case Area::M: tag = 0x04; break;
-    case Area::SM: tag = 0x05; break;
-    case Area::S: tag = 0x06; break;
-    case Area::V: tag = 0x08; break;
-    case Area::T:
-      tag = 0x09;
-      offset *= 2;
-      break;
-    case Area::C:
-      tag = 0x0A;
-      offset *= 2;
-      break;
-    default: tag = 0xFF; break;
-  }
-  return tag << 24 | offset;
+  const std::uint32_t tag = areaInfo(area).tag.value_or(0xFF);
+  return tag << 24 | (hasBitAndWord(area) ? 2 * offset : offset);
 }
 constexpr std::uint32_t offsetOf(std::uint32_t value) {
   const std::uint32_t offset = value & 0xFFFFFF;
-  const bool byNumber = value >> 24 == 0x09 || value >> 24 == 0x0A;
-  return byNumber ? offset / 2 : offset;
+  const std::optional<Area> area = areaOf(value);
+  return area && hasBitAndWord(*area) ? offset / 2 : offset;
 }
 /// Pointer to string constant number `index` of Plan::texts, for STRING parameters (001:6804). It can only be read.
 constexpr std::uint32_t textTag = 0x0C;
@@ -126,8 +101,8 @@ constexpr std::uint32_t encodeText(std::size_t index) { return textTag << 24 | s
 inline bool isLegal(const Target& target, std::uint32_t value, Width width) {
   const std::optional<Area> area = areaOf(value);
   if (!area) return false;
-  if ((*area == Area::T || *area == Area::C) && ((value & 1) != 0 || width != Width::Word)) return false;
-  if ((*area == Area::AI || *area == Area::AQ) && width != Width::Word) return false;
+  if (hasBitAndWord(*area) && ((value & 1) != 0 || width != Width::Word)) return false;
+  if (isAnalogue(*area) && width != Width::Word) return false;
   return addressExists(target, *area, width, offsetOf(value), 0);
 }
 }  // namespace pointer

@@ -3,27 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <bit>
 
 namespace rungproof {
 
-std::string_view areaName(Area area) {
-  static constexpr std::array<std::string_view, areaCount> names = {"I",  "Q", "AI", "AQ", "V",  "M", "S",
-                                                                    "SM", "L", "T",  "C",  "AC", "HC"};
-  return names[static_cast<std::size_t>(area)];
-}
-
 std::string addressName(Area area, Width width, std::uint32_t offset, unsigned bit) {
-  switch (area) {
-    case Area::T:
-    case Area::C:
-    case Area::AC:
-    case Area::HC: return fmt::format("{}{}", areaName(area), offset);
-    case Area::AI:
-    case Area::AQ: return fmt::format("{}W{}", areaName(area), offset);
-    default: break;
-  }
+  if (isByNumber(area)) return fmt::format("{}{}", areaName(area), offset);
+  if (isAnalogue(area)) width = Width::Word;
   switch (width) {
     case Width::Bit: return fmt::format("{}{}.{}", areaName(area), offset, bit);
     case Width::Byte: return fmt::format("{}B{}", areaName(area), offset);

@@ -1,23 +1,14 @@
-// Operands: memory areas, widths, and the ways of writing an address or a value.
-// Areas and addressing: 001:1267-1431, pointers 001:1459-1478. See s7200 table 6-2 for limits (cpu.hpp).
+// Operands: the ways of writing an address or a value. Areas and widths stand in ir/area.hpp.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 
+#include "ir/area.hpp"
 #include "ir/source.hpp"
 
 namespace rungproof {
-
-/// Memory areas. The order is the order of the area tag in a pointer (see Choices::pointerTags in machine.hpp).
-enum class Area : std::uint8_t { I, Q, AI, AQ, V, M, S, SM, L, T, C, AC, HC };
-inline constexpr int areaCount = 13;
-
-/// Access width. Word accesses to T, C, AI, AQ and double word accesses to HC are the only ones there.
-enum class Width : std::uint8_t { Bit, Byte, Word, DWord };
-constexpr int bits(Width w) { return w == Width::Bit ? 1 : w == Width::Byte ? 8 : w == Width::Word ? 16 : 32; }
-constexpr int bytes(Width w) { return w == Width::DWord ? 4 : w == Width::Word ? 2 : 1; }
 
 /// Types of local variables and parameters (001:6789-6805).
 enum class DataType : std::uint8_t { Bool, Byte, Word, Int, DWord, DInt, Real, String, Time };
@@ -50,8 +41,6 @@ struct Operand {
   bool isMemory() const { return kind == OperandKind::Direct || kind == OperandKind::Indirect; }
 };
 
-/// Letters of an area as the international mnemonics write it: "I", "Q", "AI", "SM".
-std::string_view areaName(Area area);
 /// "I0.0", "VW10", "T37", "AC1", "*VD10", "&VB10", "16#FF", "sym"; the canonical international spelling.
 std::string toString(const Operand& operand);
 /// Characters between marks (' or "), with $ escapes for the mark, $, and bytes outside printable ASCII.

@@ -7,7 +7,7 @@ namespace rungproof {
 
 bool overlaps(const Operand& a, const Operand& b) {
   if (a.kind != OperandKind::Direct || b.kind != OperandKind::Direct || a.area != b.area) return false;
-  if (a.area == Area::T || a.area == Area::C) return a.offset == b.offset;
+  if (hasBitAndWord(a.area)) return a.offset == b.offset;
   const auto range = [](const Operand& o) {
     const std::uint32_t first = o.offset * 8 + (o.width == Width::Bit ? o.bit : 0);
     return std::pair(first, first + static_cast<std::uint32_t>(bits(o.width)));

@@ -31,7 +31,7 @@ const Pou* find(const std::vector<Pou>& pous, PouKind kind, int number) {
 }
 
 bool sameCell(const Operand& a, const Operand& b) {
-  const bool byNumber = a.area == Area::T || a.area == Area::C;
+  const bool byNumber = hasBitAndWord(a.area);
   return a.kind == b.kind && a.area == b.area && a.offset == b.offset &&
          (byNumber || (a.width == b.width && a.bit == b.bit));
 }

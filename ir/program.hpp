@@ -9,14 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "ir/cpu.hpp"
+#include "ir/desc.hpp"
 #include "ir/finding.hpp"
 #include "ir/operand.hpp"
 #include "ir/source.hpp"
 
 namespace rungproof {
 
-struct Desc;     // descriptor of an instruction, isa.hpp
 struct Drawing;  // ladder or FBD, drawing.hpp
 
 enum class PouKind : std::uint8_t { Main, Subroutine, Interrupt };
@@ -39,6 +38,8 @@ struct Instruction {
   Span mnemonic;         ///< the mnemonic as written
   std::uint32_t id = 0;  ///< number over the whole program, in program order; set by Program::number()
 };
+
+inline Role roleOf(const Instruction& instruction) { return instruction.desc->role; }
 
 struct Comment {
   Span span;  ///< the comment with its marker

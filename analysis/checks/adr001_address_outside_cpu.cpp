@@ -39,7 +39,7 @@ std::string limitText(const AddressLimit& limit) {
 void reportAddress(const Facts& facts, FindingSink& sink, const Instruction& instruction, const Operand& operand,
                    Width width) {
   const Target& target = facts.target();
-  const bool isBit = width == Width::Bit && operand.area != Area::T && operand.area != Area::C;
+  const bool isBit = width == Width::Bit && !hasBitAndWord(operand.area);
   if (addressExists(target, operand.area, width, operand.offset, isBit ? operand.bit : 0)) return;
   const std::optional<AddressLimit> limit = addressLimit(target, operand.area, width);
   const std::string name = addressName(operand.area, width, operand.offset, operand.bit);
@@ -81,9 +81,8 @@ void reportAddress(const Facts& facts, FindingSink& sink, const Instruction& ins
 
 /// Rows of bits or bytes with a known length whose first element exists and whose last one does not.
 void reportExtent(const Facts& facts, FindingSink& sink, const Instruction& instruction) {
-  const Kind kind = kindOf(instruction);
-  if (kind == Kind::BlockByte || kind == Kind::BlockWord || kind == Kind::BlockDWord || kind == Kind::Fill)
-    return;  // PTR004
+  const Role role = roleOf(instruction);
+  if (role == Role::BlockMove || role == Role::Fill) return;  // PTR004
   std::uint8_t reported = impliedOperand;
   for (const Access& access : facts.accesses().of(instruction.id)) {
     if (access.viaPointer || access.count < 2 || access.operand == reported || access.operand == impliedOperand)
@@ -119,8 +118,7 @@ void checkAdr001(const Facts& facts, FindingSink& sink) {
           if (pointerMayStandThere(operand)) reportAddress(facts, sink, instruction, operand, Width::DWord);
           break;
         case OperandKind::Address: {
-          const bool isWord = operand.area == Area::T || operand.area == Area::C || operand.area == Area::AI ||
-                              operand.area == Area::AQ;
+          const bool isWord = hasBitAndWord(operand.area) || isAnalogue(operand.area);
           if (operand.area != Area::L && operand.area != Area::HC && operand.area != Area::AC) {
             reportAddress(facts, sink, instruction, operand, isWord ? Width::Word : Width::Byte);
           }

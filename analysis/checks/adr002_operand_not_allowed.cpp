@@ -16,7 +16,7 @@ namespace {
 bool isSpokenByOthers(const OperandDesc& desc, const Operand& operand) {
   const bool isPlace = desc.type != Type::Label && desc.type != Type::Subroutine && desc.type != Type::Interrupt;
   if (operand.kind != OperandKind::Direct || !isPlace) return false;
-  const bool writesReadOnly = desc.direction != Direction::In && (operand.area == Area::AI || operand.area == Area::HC);
+  const bool writesReadOnly = desc.direction != Direction::In && isReadOnlyArea(operand.area);
   const bool readsOutput = desc.direction == Direction::In && operand.area == Area::AQ;
   return writesReadOnly || readsOutput;
 }
@@ -53,7 +53,7 @@ void checkForm(const Facts& facts, FindingSink& sink, const Instruction& instruc
                                                                 : "a whole number";
     report(fmt::format("{} needs {} as {}, not {}", instruction.desc->stl, wanted, desc.name, toString(operand)));
   } else if (operand.kind == OperandKind::Address && facts.target().edition == Edition::Edition2003 &&
-             (operand.area == Area::SM || operand.area == Area::AI || operand.area == Area::AQ)) {
+             (operand.area == Area::SM || isAnalogue(operand.area))) {
     report(fmt::format(
         "{} in {} is not in the operand list of the 2003 edition (000:7587), only in that of 2004 (001:5619)",
         toString(operand), instruction.desc->stl));

@@ -16,7 +16,7 @@ void checkAdr003(const Facts& facts, FindingSink& sink) {
   for (const Access& access : facts.accesses().all()) {
     if (!access.write || access.maybe || access.viaPointer || access.operand == impliedOperand) continue;
     const bool isStatus = access.area == Area::SM && !smRow(access.offset, 0).isWritable();
-    if (!isStatus && access.area != Area::AI && access.area != Area::HC) continue;
+    if (!isStatus && !isReadOnlyArea(access.area)) continue;
     if (access.instruction == lastInstruction && access.operand == lastOperand) continue;
     lastInstruction = access.instruction;
     lastOperand = access.operand;

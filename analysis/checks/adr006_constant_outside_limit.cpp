@@ -21,8 +21,8 @@ void checkConstant(const Facts& facts, FindingSink& sink, const Instruction& ins
   const Operand& operand = instruction.operands[i];
   if (operand.kind != OperandKind::Constant || operand.form == ConstantForm::Real || !notationIsAllowed(desc, operand))
     return;
-  const Kind kind = kindOf(instruction);
-  const std::int64_t value = kind == Kind::Shrb ? signedByteValue(operand.value) : operand.value;
+  const Role role = roleOf(instruction);
+  const std::int64_t value = role == Role::Shrb ? signedByteValue(operand.value) : operand.value;
   const auto report = [&](std::string message) -> Finding& {
     Finding& finding = sink.report(operand.span, std::move(message));
     finding.address = toString(operand);
@@ -43,13 +43,13 @@ void checkConstant(const Facts& facts, FindingSink& sink, const Instruction& ins
         .help = "use a smaller constant or a wider instruction";
     return;
   }
-  if (kind == Kind::Shift && i == 1 && value >= shiftedBits(instruction)) {
+  if (role == Role::Shift && i == 1 && value >= shiftedBits(instruction)) {
     Finding& finding = report(fmt::format("{} shifts {} bits by {}: nothing of the value is left",
                                           Facts::text(instruction), shiftedBits(instruction), value));
     finding.severity = Severity::Warning;
     finding.help = "the count is cut to the width (001:5925); use MOV with 0 if the value is to be cleared";
   }
-  const bool isIndex = kind == Kind::StringConvert || kind == Kind::StringPart;
+  const bool isIndex = role == Role::StringConvert || role == Role::StringPart;
   if (isIndex && i == 1 && value == 0) {
     report(fmt::format("INDX of {} is 0; characters of a string are counted from 1", Facts::text(instruction))).help =
         "error 009B (001:14005)";

@@ -33,7 +33,7 @@ Uses collect(const Facts& facts) {
     if (access.viaPointer || access.maybe || access.width == Width::Bit || access.byNumber() || access.most > 1 ||
         access.operand == impliedOperand)
       continue;
-    if (access.area == Area::I || access.area == Area::AI || access.area == Area::AQ) continue;
+    if (access.area == Area::I || isAnalogue(access.area)) continue;
     const std::uint32_t cell = facts.cellOf(access);
     if (cell == cells.size()) continue;
     Use& use = uses.at[cell][column(access.width)];

@@ -22,9 +22,9 @@ bool isReserved(const Access& access) {
 /// What the editor writes: a bit stored by = and read in the same network by LD or as a parameter.
 bool isEditorForm(const Facts& facts, const Access& access) {
   if (access.width != Width::Bit || access.offset < firstReserved) return false;
-  const Kind kind = kindOf(facts.instruction(access.instruction));
+  const Role role = roleOf(facts.instruction(access.instruction));
   const bool isCall = facts.instruction(access.instruction).desc->control == Control::Call;
-  return isCall || (access.write ? kind == Kind::Assign : kind == Kind::Load);
+  return isCall || (access.write ? role == Role::Assign : role == Role::Load);
 }
 
 void checkAdr008(const Facts& facts, FindingSink& sink) {

@@ -28,7 +28,7 @@ class Checker {
     }
     const std::size_t count = std::min<std::size_t>(instruction.operands.size(), desc.operandCount);
     for (std::size_t i = 0; i < count; ++i) operand(instruction, i);
-    if (kindOf(instruction) == Kind::Todr || kindOf(instruction) == Kind::Todw) clock(instruction);
+    if (roleOf(instruction) == Role::Todr || roleOf(instruction) == Role::Todw) clock(instruction);
   }
 
  private:
@@ -46,8 +46,8 @@ class Checker {
       return fastCounter(instruction, operand, static_cast<int>(operand.offset));
     if (operand.kind != OperandKind::Constant || operand.form == ConstantForm::Real) return;
     const int value = static_cast<int>(std::clamp<std::int64_t>(operand.value, -1, 100000));
-    const Kind kind = kindOf(instruction);
-    if ((kind == Kind::Hsc || kind == Kind::Hdef) && i == 0) return fastCounter(instruction, operand, value);
+    const Role role = roleOf(instruction);
+    if ((role == Role::Hsc || role == Role::Hdef) && i == 0) return fastCounter(instruction, operand, value);
     if (desc.type == Type::Subroutine) return subroutine(instruction, operand, value);
     if (desc.name == "EVNT") return event(instruction, operand, value);
     if (!desc.hasRanges() || !valueIsInRange(desc, operand.value, everyCpu) ||

@@ -34,7 +34,7 @@ void checkAdr010(const Facts& facts, FindingSink& sink) {
   for (const Access& access : facts.accesses().all()) {
     if (access.write || access.maybe || access.viaPointer || access.operand == impliedOperand || access.bit > 7)
       continue;
-    if (access.area != Area::V && access.area != Area::M && access.area != Area::S) continue;
+    if (!isMemoryArea(access.area)) continue;
     const Instruction& instruction = facts.instruction(access.instruction);
     const Desc& desc = *instruction.desc;
     if (desc.control == Control::Lscr || access.most > access.count) continue;

@@ -11,9 +11,7 @@ namespace rungproof {
 
 namespace {
 
-bool isStorage(Area area) {
-  return area == Area::V || area == Area::M || area == Area::S || area == Area::L || area == Area::T || area == Area::C;
-}
+bool isStorage(Area area) { return isMemoryArea(area) || area == Area::L || hasBitAndWord(area); }
 
 bool isRead(const Facts& facts, const Access& access) {
   const CellMap& cells = facts.index().cells();

@@ -12,9 +12,7 @@ namespace rungproof {
 
 namespace {
 
-bool isDivision(Kind kind) {
-  return kind == Kind::Div || kind == Kind::DivInt || kind == Kind::DivDInt || kind == Kind::DivReal;
-}
+bool isDivision(Role role) { return role == Role::Div || role == Role::DivWide; }
 
 bool samePlace(const Operand& a, const Operand& b) {
   return a.kind == b.kind && a.area == b.area && a.offset == b.offset && (a.area == Area::AC || a.width == b.width);
@@ -44,7 +42,7 @@ bool isNeverZero(const Facts& facts, const Access& divisor) {
     const Access& access = facts.access(i);
     if (!access.write) continue;
     const Instruction& move = facts.instruction(access.instruction);
-    const bool isMove = kindOf(move) >= Kind::MoveByte && kindOf(move) <= Kind::MoveReal && move.operands.size() == 2;
+    const bool isMove = roleOf(move) == Role::Move && move.operands.size() == 2;
     if (!isMove || move.operands[0].kind != OperandKind::Constant || move.operands[0].value == 0) return false;
     isWritten = true;
   }
@@ -54,7 +52,7 @@ bool isNeverZero(const Facts& facts, const Access& divisor) {
 void checkAri001(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
-    if (!isDivision(kindOf(instruction)) || instruction.operands.empty()) continue;
+    if (!isDivision(roleOf(instruction)) || instruction.operands.empty()) continue;
     const Operand& divisor = instruction.operands[0];
     if (divisor.kind == OperandKind::Constant) {
       if (divisor.value != 0) continue;

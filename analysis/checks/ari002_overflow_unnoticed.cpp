@@ -10,10 +10,10 @@ namespace rungproof {
 
 namespace {
 
-bool isProduct(std::string_view stl) { return stl == "*I" || stl == "*D"; }
-bool isGrowth(std::string_view stl) {
-  return stl == "INCW" || stl == "INCD" || stl == "INCB" || stl == "DECW" || stl == "DECD" || stl == "DECB" ||
-         stl == "+I" || stl == "+D";
+bool isReal(const Desc& desc) { return desc.operands[0].type == Type::Real; }
+bool isProduct(const Desc& desc) { return desc.role == Role::Mul && !isReal(desc); }
+bool isGrowth(const Desc& desc) {
+  return desc.role == Role::Increment || desc.role == Role::Decrement || (desc.role == Role::Add && !isReal(desc));
 }
 
 /// Whether one of the next instructions asks ENO or SM1.1: in the same network or the one after it.
@@ -21,7 +21,7 @@ bool isTested(const Facts& facts, const InstructionPlace& place) {
   const Flow& flow = facts.plan().flows[place.block];
   for (std::uint32_t at = place.step + 1; at < flow.steps.size() && flow.steps[at].network <= place.network + 1; ++at) {
     const Instruction& instruction = *flow.steps[at].instruction;
-    if (kindOf(instruction) == Kind::Aeno) return true;
+    if (roleOf(instruction) == Role::Aeno) return true;
     if (instruction.desc->affects != 0 && at > place.step + 4) return false;
     for (const Operand& o : instruction.operands) {
       if (o.kind == OperandKind::Direct && o.area == Area::SM && o.offset == 1 && o.bit == 1) return true;
@@ -47,19 +47,19 @@ void checkAri002(const Facts& facts, FindingSink& sink) {
   if (facts.hasUnreadCode()) return;
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
-    const std::string_view stl = instruction.desc->stl;
-    if ((!isProduct(stl) && !isGrowth(stl)) || !facts.execution().at(instruction.id).isReachable) continue;
+    const Desc& desc = *instruction.desc;
+    if ((!isProduct(desc) && !isGrowth(desc)) || !facts.execution().at(instruction.id).isReachable) continue;
     const Access* target = nullptr;
     for (const Access& access : facts.accesses().of(instruction.id)) {
       if (access.write && !access.viaPointer) target = &access;
     }
     if (target == nullptr) continue;
     const bool hasConstant = instruction.operands[0].kind == OperandKind::Constant;
-    const bool isCandidate = isProduct(stl) ? !hasConstant : growsForEver(facts, *target);
+    const bool isCandidate = isProduct(desc) ? !hasConstant : growsForEver(facts, *target);
     if (!isCandidate || isTested(facts, place)) continue;
     const std::string name = accessName(*target);
     const std::string text =
-        isProduct(stl)
+        isProduct(desc)
             ? fmt::format("the product in {} can leave its type, and neither ENO nor SM1.1 is asked",
                           Facts::text(instruction))
             : fmt::format("{} only ever grows by {}; in the end it overflows, and neither ENO nor SM1.1 is asked", name,

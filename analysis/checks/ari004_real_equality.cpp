@@ -13,9 +13,7 @@ void checkAri004(const Facts& facts, FindingSink& sink) {
     const Instruction& instruction = *place.instruction;
     const Desc& desc = *instruction.desc;
     if (desc.execution != Execution::Compare || desc.operandCount == 0 || desc.operands[0].type != Type::Real) continue;
-    const bool isEquality =
-        desc.stl.ends_with("<>") || (desc.stl.ends_with("=") && !desc.stl.ends_with(">=") && !desc.stl.ends_with("<="));
-    if (!isEquality) continue;
+    if (desc.relation != Relation::Equal && desc.relation != Relation::NotEqual) continue;
     Finding& finding =
         sink.report(instruction.span, fmt::format("{} compares real numbers for equality", Facts::text(instruction)));
     finding.help = "results are rounded to about six digits (001:1401); compare with a lower and an upper limit";

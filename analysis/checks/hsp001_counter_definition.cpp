@@ -23,12 +23,12 @@ void checkHsp001(const Facts& facts, FindingSink& sink) {
   std::array<const Instruction*, counters> definition{}, use{};
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
-    const Kind kind = kindOf(instruction);
-    if (kind != Kind::Hdef && kind != Kind::Hsc) continue;
+    const Role role = roleOf(instruction);
+    if (role != Role::Hdef && role != Role::Hsc) continue;
     const int counter = counterOf(instruction);
     if (counter < 0) continue;
     const auto n = static_cast<std::size_t>(counter);
-    if (kind == Kind::Hsc) {
+    if (role == Role::Hsc) {
       if (use[n] == nullptr) use[n] = &instruction;
       continue;
     }

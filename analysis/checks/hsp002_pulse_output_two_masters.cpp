@@ -15,7 +15,7 @@ namespace {
 int pulseOutput(const Instruction& instruction) {
   if (instruction.operands.empty()) return -1;
   const Operand& o = instruction.operands[0];
-  if (kindOf(instruction) == Kind::Pls && o.kind == OperandKind::Constant && (o.value == 0 || o.value == 1))
+  if (roleOf(instruction) == Role::Pls && o.kind == OperandKind::Constant && (o.value == 0 || o.value == 1))
     return static_cast<int>(o.value);
   const bool isWizard = instruction.desc->control == Control::Call && o.kind == OperandKind::Symbol &&
                         o.text.size() > 4 && (o.text.starts_with("PTO") || o.text.starts_with("PWM")) &&
@@ -24,8 +24,8 @@ int pulseOutput(const Instruction& instruction) {
 }
 
 bool clears(const Instruction& instruction) {
-  if (isReset(kindOf(instruction))) return true;
-  const bool isMove = kindOf(instruction) >= Kind::MoveByte && kindOf(instruction) <= Kind::MoveReal;
+  if (isReset(roleOf(instruction))) return true;
+  const bool isMove = roleOf(instruction) == Role::Move;
   return isMove && instruction.operands[0].kind == OperandKind::Constant && instruction.operands[0].value == 0;
 }
 

@@ -20,8 +20,8 @@ void checkClock(const Facts& facts, FindingSink& sink) {
   const Instruction* scan = nullptr;
   const Instruction* interrupt = nullptr;
   for (const InstructionPlace& place : facts.instructions()) {
-    const Kind kind = kindOf(*place.instruction);
-    if (kind != Kind::Todr && kind != Kind::Todw) continue;
+    const Role role = roleOf(*place.instruction);
+    if (role != Role::Todr && role != Role::Todw) continue;
     if (facts.calls().reachedFromInterrupt(place.block))
       interrupt = place.instruction;
     else
@@ -39,7 +39,7 @@ void checkTransfers(const Facts& facts, FindingSink& sink) {
   int count = 0;
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
-    if (kindOf(instruction) != Kind::Netr && kindOf(instruction) != Kind::Netw) continue;
+    if (roleOf(instruction) != Role::Netr && roleOf(instruction) != Role::Netw) continue;
     const bool isAlways = (facts.stack().at(instruction.id).flow & condition::Always) != 0;
     if (!isAlways || ++count != mostTransfers + 1) continue;
     sink.report(instruction.span,
@@ -56,10 +56,10 @@ void checkHsp003(const Facts& facts, FindingSink& sink) {
   const Instruction* receive = nullptr;
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
-    const Kind kind = kindOf(instruction);
-    if ((kind != Kind::Xmt && kind != Kind::Rcv) || instruction.operands.size() < 2) continue;
-    const Instruction* other = kind == Kind::Xmt ? receive : send;
-    (kind == Kind::Xmt ? send : receive) = &instruction;
+    const Role role = roleOf(instruction);
+    if ((role != Role::Xmt && role != Role::Rcv) || instruction.operands.size() < 2) continue;
+    const Instruction* other = role == Role::Xmt ? receive : send;
+    (role == Role::Xmt ? send : receive) = &instruction;
     if (other == nullptr || other->operands[1].value != instruction.operands[1].value ||
         !sharesRung(facts, *other, instruction))
       continue;

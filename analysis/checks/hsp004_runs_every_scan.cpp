@@ -14,25 +14,26 @@ namespace {
 
 /// Whether the instruction starts a save to permanent memory: a 1 into SM31.7 (001:1629).
 bool savesToEeprom(const Instruction& instruction) {
-  const Kind kind = kindOf(instruction);
+  const Role role = roleOf(instruction);
   if (instruction.operands.empty()) return false;
   const Operand& target = instruction.operands.back();
   const Operand& bit = instruction.operands[0];
-  if (isSet(kind)) return bit.area == Area::SM && bit.offset == 31 && bit.bit == 7;
-  if (kind != Kind::MoveByte || target.kind != OperandKind::Direct || target.area != Area::SM || target.offset != 31)
+  if (isSet(role)) return bit.area == Area::SM && bit.offset == 31 && bit.bit == 7;
+  if (!isMoveOf(*instruction.desc, Type::Byte) || target.kind != OperandKind::Direct || target.area != Area::SM ||
+      target.offset != 31)
     return false;
   return bit.kind == OperandKind::Constant && (bit.value & 0x80) != 0;
 }
 
 std::string_view harmOf(const Instruction& instruction) {
-  switch (kindOf(instruction)) {
-    case Kind::Att:
-    case Kind::Lifo:
-    case Kind::Fifo: return "the table fills or empties within a few scans (001:6511)";
-    case Kind::Netr:
-    case Kind::Netw: return "the transfer is started again before it is done";
-    case Kind::Hdef: return "a counter can be defined once only (001:4360)";
-    case Kind::Pls: return "the pulse output is started anew in every scan";
+  switch (roleOf(instruction)) {
+    case Role::Att:
+    case Role::Lifo:
+    case Role::Fifo: return "the table fills or empties within a few scans (001:6511)";
+    case Role::Netr:
+    case Role::Netw: return "the transfer is started again before it is done";
+    case Role::Hdef: return "a counter can be defined once only (001:4360)";
+    case Role::Pls: return "the pulse output is started anew in every scan";
     default:
       return "permanent memory is good for about 100 000 writes: with a scan of 50 ms that is 5 000 seconds "
              "(001:1637-1639)";
@@ -40,14 +41,14 @@ std::string_view harmOf(const Instruction& instruction) {
 }
 
 bool isOnce(const Instruction& instruction) {
-  switch (kindOf(instruction)) {
-    case Kind::Att:
-    case Kind::Lifo:
-    case Kind::Fifo:
-    case Kind::Netr:
-    case Kind::Netw:
-    case Kind::Hdef:
-    case Kind::Pls: return true;
+  switch (roleOf(instruction)) {
+    case Role::Att:
+    case Role::Lifo:
+    case Role::Fifo:
+    case Role::Netr:
+    case Role::Netw:
+    case Role::Hdef:
+    case Role::Pls: return true;
     default: return savesToEeprom(instruction);
   }
 }
@@ -59,8 +60,8 @@ bool endsItself(const Facts& facts, const InstructionPlace& place) {
   while (from > 0 && flow.steps[from - 1].network == place.network) --from;
   while (to + 1 < flow.steps.size() && flow.steps[to + 1].network == place.network) ++to;
   const Operand* table = nullptr;
-  const Kind kind = kindOf(*place.instruction);
-  if (kind == Kind::Netr || kind == Kind::Netw) table = &place.instruction->operands[0];
+  const Role role = roleOf(*place.instruction);
+  if (role == Role::Netr || role == Role::Netw) table = &place.instruction->operands[0];
   for (std::uint32_t i = from; i <= to; ++i) {
     for (const Access& read : facts.accesses().of(flow.steps[i].instruction->id)) {
       const bool isContact = !read.write && read.width == Width::Bit && !read.viaPointer;
@@ -69,8 +70,8 @@ bool endsItself(const Facts& facts, const InstructionPlace& place) {
           read.offset == table->offset)
         return true;
       for (std::uint32_t k = i + 1; k <= to; ++k) {
-        if (!isReset(kindOf(*flow.steps[k].instruction)) && !isSet(kindOf(*flow.steps[k].instruction)) &&
-            !isCoil(kindOf(*flow.steps[k].instruction)))
+        if (!isReset(roleOf(*flow.steps[k].instruction)) && !isSet(roleOf(*flow.steps[k].instruction)) &&
+            !isCoil(roleOf(*flow.steps[k].instruction)))
           continue;
         for (const Access& write : facts.accesses().of(flow.steps[k].instruction->id)) {
           if (write.write && write.area == read.area && write.offset == read.offset && write.bit == read.bit)

@@ -14,7 +14,7 @@ void checkHsp005(const Facts& facts, FindingSink& sink) {
   std::map<std::int64_t, const Instruction*> loops;
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
-    if (kindOf(instruction) != Kind::Pid || instruction.operands.size() < 2 ||
+    if (roleOf(instruction) != Role::Pid || instruction.operands.size() < 2 ||
         instruction.operands[1].kind != OperandKind::Constant)
       continue;
     const auto [found, isNew] = loops.emplace(instruction.operands[1].value, &instruction);

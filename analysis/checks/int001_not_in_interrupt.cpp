@@ -16,7 +16,7 @@ bool isStep(Control control) {
 
 /// MOVB of a constant with protocol 01 (freeport) into SMB30 or SMB130 (001:13971).
 bool switchesToFreeport(const Instruction& instruction) {
-  if (kindOf(instruction) != Kind::MoveByte || instruction.operands.size() != 2) return false;
+  if (!isMoveOf(*instruction.desc, Type::Byte) || instruction.operands.size() != 2) return false;
   const Operand& value = instruction.operands[0];
   const Operand& port = instruction.operands[1];
   const bool isPort =

@@ -32,7 +32,7 @@ void checkInterval(const Facts& facts, FindingSink& sink, const Attachment& a) {
   for (const std::uint32_t i : facts.index().at(cell)) {
     const Access& access = facts.access(i);
     const Instruction& move = facts.instruction(access.instruction);
-    if (!access.write || kindOf(move) != Kind::MoveByte || move.operands[0].kind != OperandKind::Constant) continue;
+    if (!access.write || !isMoveOf(*move.desc, Type::Byte) || move.operands[0].kind != OperandKind::Constant) continue;
     if (move.operands[0].value >= 1 && move.operands[0].value <= 255) continue;
     Finding& finding =
         sink.report(move.span, fmt::format("{} gives timed interrupt {} an interval of {} ms; 1 to 255 are allowed",
@@ -47,8 +47,8 @@ void checkTimerEvent(const Facts& facts, FindingSink& sink, const Attachment& a)
   const std::uint32_t number = a.event == 21 ? 32 : 96;
   const std::span<const std::uint32_t> boxes = facts.timerBoxes(number);
   const bool fits = std::any_of(boxes.begin(), boxes.end(), [&](std::uint32_t id) {
-    const Kind kind = kindOf(facts.instruction(id));
-    return kind == Kind::Ton || kind == Kind::Tof || kind == Kind::IecTimer;
+    const Role role = roleOf(facts.instruction(id));
+    return role == Role::Ton || role == Role::Tof || role == Role::IecTimer;
   });
   if (!fits)
     report(sink, a, fmt::format("event {} needs T{} as a TON or TOF, which the program does not have", a.event, number),

@@ -20,9 +20,9 @@ void checkInt003(const Facts& facts, FindingSink& sink) {
     const bool isLive = facts.execution().at(instruction.id).isReachable &&
                         (facts.stack().at(instruction.id).flow & condition::Never) == 0;
     if (!isLive) continue;
-    if (kindOf(instruction) == Kind::Eni) enables.push_back(&instruction);
-    if (kindOf(instruction) == Kind::Disi) disables.push_back(&instruction);
-    if (kindOf(instruction) == Kind::Atch) attaches.push_back(&instruction);
+    if (roleOf(instruction) == Role::Eni) enables.push_back(&instruction);
+    if (roleOf(instruction) == Role::Disi) disables.push_back(&instruction);
+    if (roleOf(instruction) == Role::Atch) attaches.push_back(&instruction);
   }
   for (const CallSite& site : facts.calls().sites()) hasUnknownCall = hasUnknownCall || site.callee == noBlock;
   if (hasUnknownCall) return;  // a library may attach and enable

@@ -19,7 +19,7 @@ bool isWide(const Access& access) { return access.width == Width::Word || access
 
 /// Whether the instruction takes over a whole value that stands somewhere else.
 bool isCopy(const Instruction& instruction) {
-  return instruction.desc->stl.starts_with("MOV") && !instruction.operands.empty() &&
+  return roleOf(instruction) == Role::Move && !instruction.operands.empty() &&
          instruction.operands[0].kind != OperandKind::Constant;
 }
 
@@ -29,7 +29,7 @@ void findLostUpdates(const Facts& facts, const std::vector<std::uint8_t>& isProt
   std::uint32_t lastReported = ~0U;
   for (std::uint32_t cell = 0; cell < cells.size(); ++cell) {
     const Area area = cells.areaOf(cell);
-    if (area != Area::V && area != Area::M && area != Area::Q && area != Area::S) continue;
+    if (!isMemoryArea(area) && area != Area::Q) continue;
     const Access* lost = nullptr;
     const Access* read = nullptr;
     const Access* back = nullptr;

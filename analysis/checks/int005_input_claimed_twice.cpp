@@ -44,7 +44,7 @@ void checkInt005(const Facts& facts, FindingSink& sink) {
   };
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
-    if (kindOf(instruction) != Kind::Hdef || instruction.operands.size() < 2) continue;
+    if (roleOf(instruction) != Role::Hdef || instruction.operands.size() < 2) continue;
     if (instruction.operands[0].kind != OperandKind::Constant || instruction.operands[1].kind != OperandKind::Constant)
       continue;
     const int counter = static_cast<int>(instruction.operands[0].value),

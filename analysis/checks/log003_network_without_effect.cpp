@@ -34,9 +34,9 @@ bool isMemory(const Access& access) {
 
 /// An instruction whose only effect is to write memory, and all of it is overwritten later.
 const Instruction* overwriter(const Facts& facts, const Instruction& instruction, const Overwrites& later) {
-  const Kind kind = kindOf(instruction);
-  const bool isPlain = kind == Kind::Assign || kind == Kind::Set || kind == Kind::Reset ||
-                       (kind >= Kind::MoveByte && kind <= Kind::MoveReal);
+  const Role role = roleOf(instruction);
+  const bool isPlain =
+      (!instruction.desc->immediate && (isCoil(role) || isSet(role) || isReset(role))) || role == Role::Move;
   if (!isPlain) return nullptr;
   const Instruction* by = nullptr;
   for (const Access& access : facts.accesses().of(instruction.id)) {
@@ -91,14 +91,14 @@ void checkNetworks(const Facts& facts, FindingSink& sink, const Flow& flow) {
       isDead = hasEffect = false;
     }
     if (instruction.desc->control != Control::None) later.clear();
-    if (!isLogic(kindOf(instruction))) {
+    if (!isLogic(roleOf(instruction))) {
       const Instruction* overwrite = overwriter(facts, instruction, later);
       if (overwrite == nullptr)
         hasEffect = true;
       else
         by = overwrite;
       isDead = isDead || overwrite != nullptr;
-    } else if (kindOf(instruction) == Kind::Eu || kindOf(instruction) == Kind::Ed) {
+    } else if (roleOf(instruction) == Role::Eu || roleOf(instruction) == Role::Ed) {
       hasEffect = true;  // the edge memory
     }
     first = &instruction;

@@ -17,7 +17,7 @@ const Access* onlyCoil(const Facts& facts, std::uint32_t key) {
     return nullptr;
   const Access& access = facts.access(writers.front());
   const bool isPlain =
-      isCoil(kindOf(facts.instruction(access.instruction))) && !facts.execution().at(access.instruction).inLoop;
+      isCoil(roleOf(facts.instruction(access.instruction))) && !facts.execution().at(access.instruction).inLoop;
   return isPlain && (access.area == Area::Q || access.area == Area::M || access.area == Area::V) ? &access : nullptr;
 }
 

@@ -25,9 +25,9 @@ Toggle rungOf(const Flow& flow, std::uint32_t at, const Operand& bit) {
   const std::uint32_t network = flow.steps[at].network;
   while (at > 0 && flow.steps[at - 1].network == network) {
     const Instruction& instruction = *flow.steps[--at].instruction;
-    const Kind kind = kindOf(instruction);
-    if (kind != Kind::Load && kind != Kind::And) return Toggle::No;
-    const bool isNegated = instruction.desc->stl.back() == 'N';
+    const Role role = roleOf(instruction);
+    if (role != Role::Load && role != Role::And) return Toggle::No;
+    const bool isNegated = invertsImage(*instruction.desc);
     if (isContactOn(instruction, bit)) {
       if (!isNegated) return Toggle::No;
       hasOwn = true;
@@ -38,7 +38,7 @@ Toggle rungOf(const Flow& flow, std::uint32_t at, const Operand& bit) {
       if ((known & condition::Pulse) != 0) return Toggle::No;
       if ((known & condition::Always) == 0) isPlain = false;
     }
-    if (kind == Kind::Load) break;
+    if (role == Role::Load) break;
   }
   return !hasOwn ? Toggle::No : isPlain ? Toggle::Always : Toggle::While;
 }
@@ -46,7 +46,7 @@ Toggle rungOf(const Flow& flow, std::uint32_t at, const Operand& bit) {
 void checkLog005(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
-    if (kindOf(instruction) != Kind::Assign || facts.isUnread(instruction.id) || instruction.operands.empty() ||
+    if (!isPlainCoil(*instruction.desc) || facts.isUnread(instruction.id) || instruction.operands.empty() ||
         instruction.operands[0].kind != OperandKind::Direct)
       continue;
     const Operand& bit = instruction.operands[0];

@@ -29,7 +29,7 @@ void checkOut001(const Facts& facts, FindingSink& sink) {
       const Access& access = facts.access(i);
       const bool isDead = !facts.execution().at(access.instruction).isReachable ||
                           facts.execution().runs(facts.blockOf(access.instruction)) == Runs::Never;
-      if (access.area != Area::L && isCoil(kindOf(facts.instruction(access.instruction))) && !isDead)
+      if (access.area != Area::L && isCoil(roleOf(facts.instruction(access.instruction))) && !isDead)
         coils.push_back(access.instruction);
     }
     if (coils.size() < 2) continue;

@@ -16,11 +16,11 @@ namespace {
 /// S and R that name the bit as their first, for good.
 bool isLatchOf(const Facts& facts, const Access& access, std::uint32_t key) {
   const Instruction& instruction = facts.instruction(access.instruction);
-  const Kind kind = kindOf(instruction);
-  const bool isInitial = isReset(kind) && ((facts.conditionOf(instruction.id) & condition::FirstScan) != 0 ||
+  const Role role = roleOf(instruction);
+  const bool isInitial = isReset(role) && ((facts.conditionOf(instruction.id) & condition::FirstScan) != 0 ||
                                            facts.isUnread(instruction.id));
   const bool isFirstBit = access.offset == facts.index().cells().offsetOf(key / 8) && access.bit == key % 8;
-  return (isSet(kind) || isReset(kind)) && isFirstBit && !isInitial;
+  return (isSet(role) || isReset(role)) && isFirstBit && !isInitial;
 }
 
 void checkOut002(const Facts& facts, FindingSink& sink) {
@@ -31,7 +31,7 @@ void checkOut002(const Facts& facts, FindingSink& sink) {
     for (const std::uint32_t i : writers) {
       const Access& access = facts.access(i);
       if (access.area == Area::L) break;
-      if (coil == nullptr && isCoil(kindOf(facts.instruction(access.instruction))))
+      if (coil == nullptr && isCoil(roleOf(facts.instruction(access.instruction))))
         coil = &facts.instruction(access.instruction);
     }
     const Instruction* latch = nullptr;
@@ -40,7 +40,7 @@ void checkOut002(const Facts& facts, FindingSink& sink) {
       if (coil == nullptr || latch != nullptr) break;
       const Instruction& instruction = facts.instruction(access.instruction);
       const bool isSwitchOff =
-          isReset(kindOf(instruction)) && access.count > 1 && runsBefore(facts, coil->id, instruction.id);
+          isReset(roleOf(instruction)) && access.count > 1 && runsBefore(facts, coil->id, instruction.id);
       if (isLatchOf(facts, access, key) && !isSwitchOff) latch = &instruction;
     }
     if (latch == nullptr) continue;

@@ -40,10 +40,10 @@ std::vector<LatchHands> allHands(const Facts& facts) {
     LatchHands& hands = all[key];
     hands.other = isOther;
     for (const std::uint32_t i : writers) {
-      const Kind kind = kindOf(facts.instruction(facts.access(i).instruction));
-      if (isSet(kind))
+      const Role role = roleOf(facts.instruction(facts.access(i).instruction));
+      if (isSet(role))
         hands.set = true;
-      else if (isReset(kind))
+      else if (isReset(role))
         hands.reset = true;
       else
         hands.other = true;
@@ -54,7 +54,7 @@ std::vector<LatchHands> allHands(const Facts& facts) {
 
 void checkInstruction(const Facts& facts, FindingSink& sink, const Instruction& instruction, const Access& access,
                       const std::vector<LatchHands>& all, std::vector<std::uint8_t>& seen) {
-  const bool sets = isSet(kindOf(instruction));
+  const bool sets = isSet(roleOf(instruction));
   const std::uint32_t start = facts.cellOf(access) * 8 + access.bit;
   if (facts.cellOf(access) == facts.index().cells().size()) return;
   BitRow lonely{access.area};
@@ -88,8 +88,8 @@ void checkOut004(const Facts& facts, FindingSink& sink) {
   std::vector<std::uint8_t> seen(all.size(), 0);
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
-    const Kind kind = kindOf(instruction);
-    if (!isSet(kind) && !isReset(kind)) continue;
+    const Role role = roleOf(instruction);
+    if (!isSet(role) && !isReset(role)) continue;
     for (const Access& access : facts.accesses().of(instruction.id)) {
       const bool isBit = access.write && access.width == Width::Bit && !access.byNumber() && access.bit <= 7;
       if (isBit && access.area != Area::SM && access.area != Area::L && access.most == access.count)

@@ -20,15 +20,15 @@ constexpr std::size_t mostDrivers = 8;
 /// An instruction of another network that drives the bit on its own, against the block.
 const Instruction* driver(const Facts& facts, std::uint32_t key, const Instruction& block) {
   const Network* home = &facts.networkOf(block.id);
-  const bool sets = isSet(kindOf(block));
+  const bool sets = isSet(roleOf(block));
   int looked = 0;
   for (const std::uint32_t i : facts.bits().at(key)) {
     const Access& access = facts.access(i);
     const Instruction& instruction = facts.instruction(access.instruction);
     if (++looked > 16) return nullptr;
     if (&instruction == &block || &facts.networkOf(instruction.id) == home) continue;
-    if (isCoil(kindOf(instruction)) && (sets || !runsBefore(facts, instruction.id, block.id))) return &instruction;
-    const bool isLatch = isSet(kindOf(instruction)) || isReset(kindOf(instruction));
+    if (isCoil(roleOf(instruction)) && (sets || !runsBefore(facts, instruction.id, block.id))) return &instruction;
+    const bool isLatch = isSet(roleOf(instruction)) || isReset(roleOf(instruction));
     if (sets && isLatch && access.count == 1) return &instruction;
   }
   return nullptr;
@@ -65,8 +65,8 @@ void checkBlock(const Facts& facts, FindingSink& sink, const Instruction& block,
 void checkOut005(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
-    const Kind kind = kindOf(instruction);
-    if (!isSet(kind) && !isReset(kind)) continue;
+    const Role role = roleOf(instruction);
+    if (!isSet(role) && !isReset(role)) continue;
     if ((facts.conditionOf(instruction.id) & condition::FirstScan) != 0 || facts.isUnread(instruction.id)) continue;
     for (const Access& access : facts.accesses().of(instruction.id)) {
       if (access.write && access.width == Width::Bit && !access.byNumber() && access.count >= 2 && access.bit <= 7)

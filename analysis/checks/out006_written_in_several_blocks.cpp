@@ -47,8 +47,8 @@ enum class WritingHand : std::uint8_t { Set, Reset, Other };
 
 WritingHand handOf(const Facts& facts, const Access& access) {
   if (access.width != Width::Bit) return WritingHand::Other;
-  const Kind kind = kindOf(facts.instruction(access.instruction));
-  return isSet(kind) ? WritingHand::Set : isReset(kind) ? WritingHand::Reset : WritingHand::Other;
+  const Role role = roleOf(facts.instruction(access.instruction));
+  return isSet(role) ? WritingHand::Set : isReset(role) ? WritingHand::Reset : WritingHand::Other;
 }
 
 /// The bits of a cell that an access writes, one bit each.

@@ -10,7 +10,7 @@ namespace rungproof {
 namespace {
 
 bool isCoilOfMemory(const Instruction& instruction) {
-  return isCoil(kindOf(instruction)) && !instruction.operands.empty() && instruction.operands[0].area != Area::L;
+  return isCoil(roleOf(instruction)) && !instruction.operands.empty() && instruction.operands[0].area != Area::L;
 }
 
 void checkOut007(const Facts& facts, FindingSink& sink) {

@@ -13,7 +13,7 @@ namespace {
 void reportKnown(const Facts& facts, FindingSink& sink, const PointerUse& use) {
   const Access& access = *use.access;
   const Target& target = facts.target();
-  const bool isNumber = use.area == Area::T || use.area == Area::C;
+  const bool isNumber = hasBitAndWord(use.area);
   if (use.offset >= 0 &&
       addressExists(target, use.area, isNumber ? Width::Word : access.width, static_cast<std::uint32_t>(use.offset), 0))
     return;

@@ -19,8 +19,8 @@ void checkUse(FindingSink& sink, const Instruction& instruction, const Operand& 
     finding.help = "move the address to one of these places (001:1459)";
   }
   if (operand.kind != OperandKind::Address) return;
-  const bool isBadArea = operand.area == Area::L || operand.area == Area::HC || operand.area == Area::AC;
-  const bool isBit = operand.width == Width::Bit && operand.area != Area::T && operand.area != Area::C;
+  const bool isBadArea = !mayBePointedTo(operand.area);
+  const bool isBit = operand.width == Width::Bit && !hasBitAndWord(operand.area);
   if (!isBadArea && !isBit) return;
   Finding& finding = sink.report(
       operand.span,

@@ -9,8 +9,6 @@ namespace rungproof {
 
 namespace {
 
-bool isBlockMove(Kind kind) { return kind == Kind::BlockByte || kind == Kind::BlockWord || kind == Kind::BlockDWord; }
-
 void checkEnd(const Facts& facts, FindingSink& sink, const Instruction& instruction, const Access& access) {
   const std::uint32_t size = areaSize(facts.target(), access.area);
   if (access.offset >= size) return;  // ADR001
@@ -48,12 +46,12 @@ void checkOverlap(FindingSink& sink, const Instruction& instruction, const Acces
 void checkPtr004(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
-    const Kind kind = kindOf(instruction);
-    if (!isBlockMove(kind) && kind != Kind::Fill) continue;
+    const Role role = roleOf(instruction);
+    if (role != Role::BlockMove && role != Role::Fill) continue;
     const Access* source = nullptr;
     const Access* target = nullptr;
     for (const Access& access : facts.accesses().of(instruction.id)) {
-      if (access.viaPointer || (access.operand == 0 && kind == Kind::Fill)) continue;
+      if (access.viaPointer || (access.operand == 0 && role == Role::Fill)) continue;
       if (access.operand == 0 && !access.write) source = &access;
       if (access.operand == 1 && access.write) target = &access;
     }

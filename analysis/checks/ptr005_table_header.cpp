@@ -33,9 +33,9 @@ bool isPrepared(const Facts& facts, std::uint32_t cell, const Instruction& own) 
   const std::span<const std::uint32_t> accesses = facts.index().at(cell);
   const bool isWritten = std::any_of(accesses.begin(), accesses.end(), [&](std::uint32_t i) {
     const Access& access = facts.access(i);
-    const Kind kind = kindOf(facts.instruction(access.instruction));
-    return access.write && access.instruction != own.id && kind != Kind::Att && kind != Kind::Fifo &&
-           kind != Kind::Lifo;
+    const Role role = roleOf(facts.instruction(access.instruction));
+    return access.write && access.instruction != own.id && role != Role::Att && role != Role::Fifo &&
+           role != Role::Lifo;
   });
   if (isWritten) return true;
   const std::span<const std::uint32_t> wide = facts.index().wide();
@@ -60,7 +60,7 @@ void checkLength(const Facts& facts, FindingSink& sink, const Instruction& instr
   for (const std::uint32_t i : facts.index().at(cell)) {
     const Access& access = facts.access(i);
     const Instruction& move = facts.instruction(access.instruction);
-    const bool isMove = access.write && kindOf(move) == Kind::MoveWord && access.offset == table.offset &&
+    const bool isMove = access.write && isMoveOf(*move.desc, Type::Word) && access.offset == table.offset &&
                         move.operands[0].kind == OperandKind::Constant;
     if (!isMove || (move.operands[0].value >= 1 && move.operands[0].value <= mostEntries)) continue;
     Finding& finding = sink.report(move.operands[0].span,
@@ -91,16 +91,16 @@ void checkPtr005(const Facts& facts, FindingSink& sink) {
   std::unordered_map<std::uint32_t, const Instruction*> tables;  // by cell
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
-    const Kind kind = kindOf(instruction);
-    if (kind == Kind::StringFind) checkSearch(facts, sink, instruction);
-    if (kind != Kind::Att && kind != Kind::Fifo && kind != Kind::Lifo) continue;
-    const Access* table = tableOf(facts, instruction, kind == Kind::Att ? 1 : 0);
+    const Role role = roleOf(instruction);
+    if (role == Role::StringFind) checkSearch(facts, sink, instruction);
+    if (role != Role::Att && role != Role::Fifo && role != Role::Lifo) continue;
+    const Access* table = tableOf(facts, instruction, role == Role::Att ? 1 : 0);
     if (table == nullptr || !tables.emplace(facts.cellOf(*table), &instruction).second) continue;
-    if (kind == Kind::Att) checkLength(facts, sink, instruction, *table);
+    if (role == Role::Att) checkLength(facts, sink, instruction, *table);
   }
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
-    if (kindOf(instruction) != Kind::Find) continue;
+    if (roleOf(instruction) != Role::Find) continue;
     const Access* table = tableOf(facts, instruction, 0);
     const auto found = table == nullptr ? tables.end() : tables.find(facts.cellOf(*table));
     if (found == tables.end()) continue;

@@ -29,10 +29,10 @@ StepHands handsOf(const Facts& facts, std::uint32_t key) {
     const std::uint32_t from = access.offset * 8 + access.bit, at = facts.index().cells().offsetOf(cell) * 8 + key % 8;
     if (at < from || at >= from + access.count) continue;
     const Instruction& instruction = facts.instruction(access.instruction);
-    const Kind kind = kindOf(instruction);
-    if (isSet(kind))
+    const Role role = roleOf(instruction);
+    if (isSet(role))
       hands.sets = true;
-    else if (isReset(kind))
+    else if (isReset(role))
       hands.resets = true;
     else if (instruction.desc->control == Control::Scrt)
       (access.operand == impliedOperand ? hands.resets : hands.sets) = true;

@@ -11,12 +11,12 @@ namespace {
 
 /// Inputs in the order of the loads.
 std::string_view inputsOf(const Instruction& instruction) {
-  switch (kindOf(instruction)) {
-    case Kind::Ctu: return "count up, reset";
-    case Kind::Ctd: return "count down, load";
-    case Kind::Ctud: return "count up, count down, reset";
-    case Kind::Sr: return "set, reset";
-    case Kind::Rs: return "set, reset";
+  switch (roleOf(instruction)) {
+    case Role::Ctu: return "count up, reset";
+    case Role::Ctd: return "count down, load";
+    case Role::Ctud: return "count up, count down, reset";
+    case Role::Sr: return "set, reset";
+    case Role::Rs: return "set, reset";
     default: return "";
   }
 }

@@ -25,10 +25,10 @@ void checkSty002(const Facts& facts, FindingSink& sink) {
     for (const Network& network : pou.networks) {
       int contacts = 0, levels = 0, branches = 0;
       for (const Instruction& instruction : network.instructions) {
-        const Kind kind = kindOf(instruction);
-        if (kind == Kind::Load || kind == Kind::And || kind == Kind::Or) ++contacts;
-        if (kind == Kind::Lps || kind == Kind::Lrd || kind == Kind::Lpp) ++branches;
-        const bool pushes = kind == Kind::Load || kind == Kind::Lps || kind == Kind::Lds;
+        const Role role = roleOf(instruction);
+        if (role == Role::Load || role == Role::And || role == Role::Or) ++contacts;
+        if (role == Role::Lps || role == Role::Lrd || role == Role::Lpp) ++branches;
+        const bool pushes = role == Role::Load || role == Role::Lps || role == Role::Lds;
         levels = std::max(levels, facts.stack().at(instruction.id).levels + (pushes ? 1 : 0));
       }
       std::string text;

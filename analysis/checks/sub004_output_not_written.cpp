@@ -21,10 +21,10 @@ const Instruction* conditionalWriter(const Facts& facts, const Flow& flow, const
   for (const FlowStep& step : flow.steps) {
     for (const Access& access : facts.accesses().of(step.instruction->id)) {
       if (!access.write || access.area != Area::L || access.viaPointer || (localBitsOf(access) & bits).none()) continue;
-      const Kind kind = kindOf(*step.instruction);
+      const Role role = roleOf(*step.instruction);
       const bool isAlways = (facts.stack().at(step.instruction->id).flow & condition::Always) != 0;
       if (!access.conditional || isAlways) return nullptr;
-      if (!isSet(kind) && !isReset(kind)) isLatchesOnly = false;
+      if (!isSet(role) && !isReset(role)) isLatchesOnly = false;
       if (first == nullptr) first = step.instruction;
       ++writers;
     }

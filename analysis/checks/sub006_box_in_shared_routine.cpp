@@ -9,7 +9,7 @@ namespace rungproof {
 
 namespace {
 
-bool keepsState(Kind kind) { return kind == Kind::Eu || kind == Kind::Ed || isTimerBox(kind) || isCounterBox(kind); }
+bool keepsState(Role role) { return role == Role::Eu || role == Role::Ed || isTimerBox(role) || isCounterBox(role); }
 
 /// Whether two calls of the block certainly run in one scan.
 bool isCertain(const Facts& facts, std::uint32_t block) {
@@ -33,7 +33,7 @@ void checkSub006(const Facts& facts, FindingSink& sink) {
     const bool isSure = isCertain(facts, block);
     for (const FlowStep& step : facts.plan().flows[block].steps) {
       const Instruction& instruction = *step.instruction;
-      if (!keepsState(kindOf(instruction))) continue;
+      if (!keepsState(roleOf(instruction))) continue;
       Finding& finding = sink.report(
           instruction.span, fmt::format("{} stands in {}, which is called {} in a scan; all calls share its state",
                                         Facts::text(instruction), facts.program().pous[block].name,

@@ -13,12 +13,11 @@ namespace {
 /// Whether any access touches a byte of the address.
 bool addressIsUsed(const Facts& facts, const Operand& address) {
   const AccessIndex& index = facts.index();
-  const auto length =
-      static_cast<std::uint32_t>(address.area == Area::T || address.area == Area::C ? 1 : bytes(address.width));
+  const auto length = static_cast<std::uint32_t>(hasBitAndWord(address.area) ? 1 : bytes(address.width));
   for (std::uint32_t k = 0; k < length; ++k) {
     const std::uint32_t cell = index.cells().cell(address.area, address.offset + k, 0);
     if (cell == index.cells().size()) return true;  // outside the CPU: another mistake
-    const bool isBit = address.width == Width::Bit && length == 1 && address.area != Area::T && address.area != Area::C;
+    const bool isBit = address.width == Width::Bit && length == 1 && !hasBitAndWord(address.area);
     if (!isBit) {
       if (!index.at(cell).empty() || index.mayBeRead(cell) || index.mayBeWritten(cell)) return true;
     } else if (facts.readers(cell, address.bit & 7) > 0 || facts.writers(cell, address.bit & 7) > 0 ||

@@ -9,14 +9,14 @@ namespace rungproof {
 
 namespace {
 
-bool isTonTofPair(Kind a, Kind b) { return (a == Kind::Ton && b == Kind::Tof) || (a == Kind::Tof && b == Kind::Ton); }
+bool isTonTofPair(Role a, Role b) { return (a == Role::Ton && b == Role::Tof) || (a == Role::Tof && b == Role::Ton); }
 
 void checkBoxes(const Facts& facts, FindingSink& sink, std::span<const std::uint32_t> boxes) {
   if (boxes.size() < 2) return;
   const Instruction& first = facts.instruction(boxes[0]);
   for (std::size_t i = 1; i < boxes.size(); ++i) {
     const Instruction& box = facts.instruction(boxes[i]);
-    if (isTonTofPair(kindOf(first), kindOf(box))) continue;
+    if (isTonTofPair(roleOf(first), roleOf(box))) continue;
     const std::string number = facts.name(box.operands[0]);
     Finding& finding = sink.report(box.span, fmt::format("{} is used by a second box, {}; both share one current value",
                                                          number, Facts::text(box)));

@@ -14,8 +14,8 @@ void checkTim002(const Facts& facts, FindingSink& sink) {
     const Instruction* off = nullptr;
     for (const std::uint32_t id : facts.timerBoxes(number)) {
       const Instruction& box = facts.instruction(id);
-      if (kindOf(box) == Kind::Ton && on == nullptr) on = &box;
-      if (kindOf(box) == Kind::Tof && off == nullptr) off = &box;
+      if (roleOf(box) == Role::Ton && on == nullptr) on = &box;
+      if (roleOf(box) == Role::Tof && off == nullptr) off = &box;
     }
     if (on == nullptr || off == nullptr) continue;
     const Instruction& later = on->id > off->id ? *on : *off;

@@ -13,7 +13,7 @@ namespace {
 void checkTim003(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
-    if (!isTimerBox(kindOf(instruction)) || instruction.operands.empty()) continue;
+    if (!isTimerBox(roleOf(instruction)) || instruction.operands.empty()) continue;
     const Operand& timer = instruction.operands[0];
     const int resolution = timerResolution(static_cast<int>(timer.offset));
     if (timer.kind != OperandKind::Direct || timer.area != Area::T || resolution == 0) continue;

@@ -33,8 +33,8 @@ std::string reason(const Facts& facts, const InstructionPlace& place, const Inst
 void checkTim004(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
-    const Kind kind = kindOf(instruction);
-    if (!isTimerBox(kind) || instruction.operands.empty() || instruction.operands[0].kind != OperandKind::Direct)
+    const Role role = roleOf(instruction);
+    if (!isTimerBox(role) || instruction.operands.empty() || instruction.operands[0].kind != OperandKind::Direct)
       continue;
     if (timerResolution(static_cast<int>(instruction.operands[0].offset)) != 100) continue;
     const Instruction* cause = nullptr;

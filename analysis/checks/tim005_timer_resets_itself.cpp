@@ -18,17 +18,17 @@ const Instruction* ownContact(const Flow& flow, std::uint32_t at, std::uint32_t 
   bool isInverted = false;
   while (at > 0 && flow.steps[at - 1].network == network && needed > 0) {
     const Instruction& instruction = *flow.steps[--at].instruction;
-    const Kind kind = kindOf(instruction);
-    const bool isContact = kind == Kind::Load || kind == Kind::And || kind == Kind::Or;
+    const Role role = roleOf(instruction);
+    const bool isContact = role == Role::Load || role == Role::And || role == Role::Or;
     if (isContact && instruction.desc->execution == Execution::Stack && !instruction.operands.empty()) {
       const Operand& o = instruction.operands[0];
-      const bool isNegated = instruction.desc->stl.back() == 'N';
+      const bool isNegated = instruction.desc->negated;
       if (o.kind == OperandKind::Direct && o.area == Area::T && o.offset == number && isNegated != isInverted)
         return &instruction;
     }
-    if (kind == Kind::Not) isInverted = !isInverted;
-    if (kind == Kind::Load) --needed;
-    if (kind == Kind::Ald || kind == Kind::Old) ++needed;
+    if (role == Role::Not) isInverted = !isInverted;
+    if (role == Role::Load) --needed;
+    if (role == Role::Ald || role == Role::Old) ++needed;
   }
   return nullptr;
 }
@@ -36,7 +36,7 @@ const Instruction* ownContact(const Flow& flow, std::uint32_t at, std::uint32_t 
 void checkTim005(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
-    if (kindOf(instruction) != Kind::Ton && kindOf(instruction) != Kind::Tonr) continue;
+    if (roleOf(instruction) != Role::Ton && roleOf(instruction) != Role::Tonr) continue;
     if (facts.isUnread(instruction.id)) continue;
     if (instruction.operands.empty() || instruction.operands[0].kind != OperandKind::Direct) continue;
     const std::uint32_t number = instruction.operands[0].offset;

@@ -25,7 +25,7 @@ void checkTim006(const Facts& facts, FindingSink& sink) {
   for (std::uint32_t number = 0; number < 256; ++number) {
     for (const std::uint32_t id : facts.timerBoxes(number)) {
       const Instruction& box = facts.instruction(id);
-      if (kindOf(box) != Kind::Tonr || isReset(facts, number)) continue;
+      if (roleOf(box) != Role::Tonr || isReset(facts, number)) continue;
       const std::string name = facts.name(box.operands[0]);
       Finding& finding = sink.report(
           box.span, fmt::format("{} is a retentive timer that nothing resets; once elapsed its bit stays on", name));

@@ -26,7 +26,7 @@ const Instruction* badMove(const Facts& facts, const Access& preset) {
     if (!access.write) continue;
     const Instruction& instruction = facts.instruction(access.instruction);
     const bool isMove =
-        kindOf(instruction) == Kind::MoveWord && access.offset == preset.offset && instruction.operands.size() == 2;
+        isMoveOf(*instruction.desc, Type::Word) && access.offset == preset.offset && instruction.operands.size() == 2;
     if (!isMove || instruction.operands[0].kind != OperandKind::Constant) return nullptr;
     if (bad == nullptr && isBad(instruction.operands[0].value)) bad = &instruction;
   }
@@ -34,7 +34,7 @@ const Instruction* badMove(const Facts& facts, const Access& preset) {
 }
 
 void checkBox(const Facts& facts, FindingSink& sink, const Instruction& box) {
-  const bool isTimer = isTimerBox(kindOf(box));
+  const bool isTimer = isTimerBox(roleOf(box));
   const Operand& preset = box.operands[1];
   const std::string_view effect = isTimer ? "the timer fires at once" : "the counter bit is on at once";
   const auto report = [&](Span span, std::int64_t value) -> Finding& {
@@ -62,8 +62,8 @@ void checkBox(const Facts& facts, FindingSink& sink, const Instruction& box) {
 
 void checkTim007(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
-    const Kind kind = kindOf(*place.instruction);
-    if ((isTimerBox(kind) || isCounterBox(kind)) && place.instruction->operands.size() >= 2)
+    const Role role = roleOf(*place.instruction);
+    if ((isTimerBox(role) || isCounterBox(role)) && place.instruction->operands.size() >= 2)
       checkBox(facts, sink, *place.instruction);
   }
 }

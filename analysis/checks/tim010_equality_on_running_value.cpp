@@ -13,9 +13,8 @@ namespace rungproof {
 namespace {
 
 bool isEquality(const Desc& desc) {
-  if (desc.execution != Execution::Compare) return false;
-  return desc.stl.ends_with("<>") ||
-         (desc.stl.ends_with("=") && !desc.stl.ends_with(">=") && !desc.stl.ends_with("<="));
+  return desc.execution == Execution::Compare &&
+         (desc.relation == Relation::Equal || desc.relation == Relation::NotEqual);
 }
 
 void checkTim010(const Facts& facts, FindingSink& sink) {
@@ -27,7 +26,7 @@ void checkTim010(const Facts& facts, FindingSink& sink) {
     });
     if (isWithZero) continue;
     for (const Operand& o : instruction.operands) {
-      if (o.kind != OperandKind::Direct || (o.area != Area::T && o.area != Area::C && o.area != Area::HC)) continue;
+      if (o.kind != OperandKind::Direct || (!hasBitAndWord(o.area) && o.area != Area::HC)) continue;
       const std::string_view what = o.area == Area::T ? "timer" : o.area == Area::C ? "counter" : "fast counter";
       Finding& finding =
           sink.report(instruction.span, fmt::format("{} compares the running value of {} {} for equality",

@@ -22,9 +22,9 @@ bool hasOwnReset(const Facts& facts, std::uint32_t number) {
 void checkTim012(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
-    const Kind kind = kindOf(instruction);
+    const Role role = roleOf(instruction);
     const std::span<const Condition> inputs = facts.stack().inputs(instruction.id);
-    if (!isCounterBox(kind) || inputs.size() < 2 || instruction.operands.empty()) continue;
+    if (!isCounterBox(role) || inputs.size() < 2 || instruction.operands.empty()) continue;
     const std::string name = facts.name(instruction.operands[0]);
     const auto report = [&](std::string message, std::string_view help) {
       Finding& finding = sink.report(instruction.span, std::move(message));
@@ -32,7 +32,7 @@ void checkTim012(const Facts& facts, FindingSink& sink) {
       finding.confirmation = Confirmation::NotNeeded;
       finding.help = std::string(help);
     };
-    const std::string_view top = kind == Kind::Ctd ? "load" : "reset";
+    const std::string_view top = role == Role::Ctd ? "load" : "reset";
     if ((inputs[0] & condition::Always) != 0) {
       report(fmt::format("the {} input of {} is always on, so it never counts", top, name),
              "the last load before the box is the reset or load input (001:3994-4004)");

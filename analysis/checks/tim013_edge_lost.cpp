@@ -15,8 +15,8 @@ void checkTim013(const Facts& facts, FindingSink& sink) {
   const Instruction* plain = nullptr;
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
-    const Kind kind = kindOf(instruction);
-    if (kind != Kind::Eu && kind != Kind::Ed) continue;
+    const Role role = roleOf(instruction);
+    if (role != Role::Eu && role != Role::Ed) continue;
     (instruction.operands.empty() ? plain : numbered) = &instruction;
     if (++count == limit + 1) {
       sink.report(instruction.span, fmt::format("{} is edge number {}; a program has at most {} EU and ED together",
@@ -25,7 +25,7 @@ void checkTim013(const Facts& facts, FindingSink& sink) {
     }
     const Condition flow = facts.stack().at(instruction.id).flow;
     const bool isFirst = (facts.conditionOf(instruction.id) & condition::FirstScan) != 0;
-    if ((flow & condition::Always) == 0 && !(kind == Kind::Eu && isFirst)) continue;
+    if ((flow & condition::Always) == 0 && !(role == Role::Eu && isFirst)) continue;
     const std::string_view why = isFirst ? "no edge is seen in the first scan, and this value is 1 only there"
                                          : "the value before it is always 1";
     sink.report(instruction.span, fmt::format("{} never gives an edge: {}", instruction.desc->stl, why)).help =

@@ -10,9 +10,7 @@ namespace rungproof {
 
 namespace {
 
-bool isEdgeDetector(const Instruction& instruction) {
-  return instruction.desc->stl == "EU" || instruction.desc->stl == "ED";
-}
+bool isEdgeDetector(const Instruction& instruction) { return isEdge(roleOf(instruction)); }
 
 void checkTim014(const Facts& facts, FindingSink& sink) {
   for (const SkippedCode& edges : skippedCode(facts, isEdgeDetector)) {

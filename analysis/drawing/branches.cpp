@@ -213,11 +213,11 @@ class Writer {
 
   void visit(std::uint32_t n) { frames_.emplace_back().node = n; }
   void load(std::uint32_t n) {
-    code_.contact(n, ContactForm::Load);
+    code_.contact(n, Role::Load);
     checkDepth(n);
   }
   void loadPower(std::uint32_t n) {
-    code_.power(ContactForm::Load, nodes_[n].span);
+    code_.power(Role::Load, nodes_[n].span);
     checkDepth(n);
   }
   void checkDepth(std::uint32_t n) {
@@ -234,7 +234,7 @@ class Writer {
       if (isRoot(n))
         load(n);
       else
-        code_.contact(n, ContactForm::And);
+        code_.contact(n, Role::And);
       frame.stage = Stage::Kids;
       return;
     }
@@ -265,13 +265,13 @@ class Writer {
     }
     if (node.isGate() && !isFirstOfBlock) {
       if (from == railNode) {
-        if (node.shape == Shape::Or) code_.power(ContactForm::Or, node.span);
+        if (node.shape == Shape::Or) code_.power(Role::Or, node.span);
         ++frame.at;
         return;
       }
       if (isSingleContact(from)) {
         written_.push_back(from);
-        code_.contact(from, node.shape == Shape::And ? ContactForm::And : ContactForm::Or);
+        code_.contact(from, node.shape == Shape::And ? Role::And : Role::Or);
         code_.mark(frame.node);
         ++frame.at;
         return;
@@ -291,7 +291,7 @@ class Writer {
     const CircuitNode& node = nodes_[n];
     const bool isFirstOfBlock = isBlock_[n] != 0 && frame.at == 0;
     if (node.isGate() && !isFirstOfBlock) {
-      code_.operation(node.shape == Shape::And ? "ALD" : "OLD", n);
+      code_.operation(node.shape == Shape::And ? Role::Ald : Role::Old, n);
       code_.mark(n);
       --below_;
     }
@@ -317,10 +317,10 @@ class Writer {
     written_.push_back(n);
     below_ = frame.below;
     if (isBlock_[n] != 0) {
-      code_.operation("ALD", n);
+      code_.operation(Role::Ald, n);
       code_.mark(n);
     } else if (!frame.bits.empty()) {
-      code_.recall(frame.bits[0], ContactForm::Load, n);
+      code_.recall(frame.bits[0], Role::Load, n);
       code_.call(n, {frame.bits.begin() + 1, frame.bits.end()});
       for (const unsigned bit : frame.bits) code_.pool().give(bit);
     } else if (!node.isGate()) {
@@ -341,7 +341,7 @@ class Writer {
     if (isIecBox(node)) {
       if (!code_.iecOutput(n)) refuse(n, "no bit in L60.0 to L63.7 is free for its output");
     } else if (node.desc->eno) {
-      code_.operation("AENO", n);
+      code_.operation(Role::Aeno, n);
     }
   }
   bool leavesLevels(std::uint32_t n) const {
@@ -374,13 +374,13 @@ class Writer {
       const auto rest = kids_.begin() + first;
       const bool isNeededAgain =
           std::any_of(rest + frame.at, rest + count - 1, [&](std::uint32_t other) { return changesTop(other); });
-      code_.operation(isNeededAgain ? "LRD" : "LPP", frame.node);
+      code_.operation(isNeededAgain ? Role::Lrd : Role::Lpp, frame.node);
       frame.isSaved = isNeededAgain;
       below_ = frame.below + (frame.isSaved ? 1 : 0);
     }
     frame.isChanged = changesTop(kid);
     if (frame.isChanged && !isLast && !frame.isSaved) {
-      code_.operation("LPS", frame.node);
+      code_.operation(Role::Lps, frame.node);
       frame.isSaved = true;
       below_ = frame.below + 1;
       checkDepth(frame.node);

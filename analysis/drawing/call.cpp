@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "analysis/drawing/levels.hpp"
-#include "ir/desc.hpp"
+#include "ir/instruction_forms.hpp"
 
 namespace rungproof {
 
@@ -13,9 +13,9 @@ bool isEditorBit(const Operand& operand, std::uint32_t byte, unsigned bit) {
          operand.offset == byte && operand.bit == bit;
 }
 
-bool isOn(const Instruction& instruction, std::string_view mnemonic, std::uint32_t byte, unsigned bit) {
-  return instruction.desc->stl == mnemonic && !instruction.operands.empty() &&
-         isEditorBit(instruction.operands[0], byte, bit);
+/// L60.0 holds the power flow of the CALL.
+bool isOnEnable(const Instruction& instruction) {
+  return !instruction.operands.empty() && isEditorBit(instruction.operands[0], 60, 0);
 }
 
 /// Flow input k: L63.7, L63.6, ...
@@ -45,13 +45,15 @@ CallIdiom callIdiomOf(const Network& network) {
     const std::size_t from = begin;
     begin = call + 1;
     const std::optional<unsigned> flows = flowsOf(all[call]);
-    if (!flows || *flows == 0 || call == from || !isOn(all[call - 1], "LD", 60, 0)) continue;
+    if (!flows || *flows == 0 || call == from || all[call - 1].desc != &bitContact(Role::Load) ||
+        !isOnEnable(all[call - 1]))
+      continue;
     std::vector<std::size_t> stores;
     for (std::size_t i = from; i + 1 < call; ++i) {
       const std::size_t next = stores.size();
       const bool isStore =
-          next == 0 ? isOn(all[i], "=", 60, 0)
-                    : all[i].desc->stl == "=" && isFlowBit(all[i].operands[0], static_cast<unsigned>(next - 1));
+          isPlainCoil(*all[i].desc) &&
+          (next == 0 ? isOnEnable(all[i]) : isFlowBit(all[i].operands[0], static_cast<unsigned>(next - 1)));
       if (isStore) stores.push_back(i);
     }
     if (stores.size() != *flows + 1 || stores.back() + 2 != call) continue;

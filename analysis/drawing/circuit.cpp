@@ -7,7 +7,7 @@
 
 #include "analysis/drawing/check.hpp"
 #include "analysis/drawing/code.hpp"
-#include "ir/isa.hpp"
+#include "ir/instruction_forms.hpp"
 
 namespace rungproof {
 
@@ -86,9 +86,7 @@ class Dissolve {
 
   /// A load form, or EU, ED, NOT.
   static bool isContactDesc(const Desc& desc) {
-    const bool isTransform = desc.execution == Execution::Stack && desc.operandCount == 0 && desc.stack.needs == 1 &&
-                             desc.stack.pushes == 0 && desc.stl != "AENO";
-    return isTransform || loadForm(desc) == &desc;
+    return desc.role == Role::Not || isEdge(desc.role) || desc.role == Role::Load;
   }
   static bool hasNoOutput(const CircuitNode& node) {
     if (node.shape != Shape::Box) return false;
@@ -97,7 +95,7 @@ class Dissolve {
 
   std::uint32_t negation(std::uint32_t from, Span span) {
     CircuitNode node;
-    node.desc = instructionNamed("NOT");
+    node.desc = &instructionOf(Role::Not);
     node.inputs = {from};
     node.span = span;
     return append(std::move(node));
@@ -126,8 +124,7 @@ bool overlap(const CircuitStretch& a, const CircuitStretch& b) {
 /// Where an operand of that type lies; nothing for constants. Only for direct operands.
 std::optional<CircuitStretch> stretchOf(const Operand& operand, Type type, std::uint64_t elements) {
   if (operand.kind != OperandKind::Direct) return std::nullopt;
-  const bool byNumber =
-      operand.area == Area::T || operand.area == Area::C || operand.area == Area::AC || operand.area == Area::HC;
+  const bool byNumber = isByNumber(operand.area);
   if (byNumber)
     return CircuitStretch{operand.area, operand.offset, operand.offset + (type == Type::Bool ? elements : 1)};
   if (type == Type::Bool) {
@@ -140,7 +137,7 @@ std::optional<CircuitStretch> stretchOf(const Operand& operand, Type type, std::
 
 /// A contact whose moment of reading matters whatever stands beside it.
 bool isMomentary(const CircuitNode& node) {
-  if (node.desc->stl.ends_with("I") && node.desc->operandCount == 1) return true;
+  if (node.desc->immediate) return true;
   for (std::size_t i = 0; i < node.operands->size(); ++i) {
     const Operand& operand = (*node.operands)[i];
     const Type type = node.desc->operand(static_cast<int>(std::min<std::size_t>(i, maxOperands - 1))).type;
@@ -190,7 +187,7 @@ bool writes(const CircuitNode& effect, const CircuitStretch& place) {
 
 bool disturbs(const CircuitNode& effect, const CircuitNode& contact) {
   // An edge is executed or not; what it remembers is its own.
-  if (contact.isTransform()) return effect.desc->execution == Execution::Control && contact.desc->stl != "NOT";
+  if (contact.isTransform()) return effect.desc->execution == Execution::Control && contact.desc->role != Role::Not;
   if (isSweeping(effect)) return true;
   for (std::size_t i = 0; i < contact.operands->size(); ++i) {
     const Type type = contact.desc->operand(static_cast<int>(i)).type;

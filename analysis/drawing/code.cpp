@@ -5,47 +5,15 @@
 #include <string>
 
 #include "ir/check.hpp"
-#include "ir/isa.hpp"
+#include "ir/instruction_forms.hpp"
 
 namespace rungproof {
 
 namespace {
 
-/// Forms of each contact by opcode of any of its forms.
-struct FormTable {
-  struct Row {
-    const Desc* load = nullptr;
-    const Desc* conjunction = nullptr;
-    const Desc* disjunction = nullptr;
-  };
-  std::vector<Row> rows;
-
-  FormTable() : rows(instructionTable().size()) {
-    for (const Desc& desc : instructionTable()) {
-      if (desc.stack.pushes != 1 || desc.stack.needs != 0 || !desc.stl.starts_with("LD")) continue;
-      const std::string rest(desc.stl.substr(2));
-      const Row row{&desc, instructionNamed("A" + rest), instructionNamed("O" + rest)};
-      CHECK(row.conjunction != nullptr && row.disjunction != nullptr, "every contact has three forms");
-      rows[desc.opcode] = rows[row.conjunction->opcode] = rows[row.disjunction->opcode] = row;
-    }
-  }
-};
-
-const FormTable::Row& formsOf(const Desc& desc) {
-  static const FormTable table;
-  return table.rows[desc.opcode];
-}
-
 Operand editorOperand(unsigned bit) { return direct(Area::L, Width::Bit, 60 + bit / 8, bit % 8); }
 
 }  // namespace
-
-const Desc* contactForm(const Desc& load, ContactForm form) {
-  const FormTable::Row& row = formsOf(load);
-  return form == ContactForm::Load ? row.load : form == ContactForm::And ? row.conjunction : row.disjunction;
-}
-
-const Desc* loadForm(const Desc& contact) { return formsOf(contact).load; }
 
 std::optional<unsigned> EditorBitPool::takeLowest() {
   if (taken_ == ~EditorBits{0}) return std::nullopt;
@@ -76,27 +44,19 @@ void CircuitCode::mark(std::uint32_t n) {
     lowered_.instructionOf[element] = static_cast<std::uint32_t>(lowered_.instructions.size() - 1);
 }
 
-void CircuitCode::contact(std::uint32_t n, ContactForm form) {
-  add(contactForm(*node(n).desc, form), *node(n).operands, node(n).span);
+void CircuitCode::contact(std::uint32_t n, Role form) {
+  add(joinedForm(*node(n).desc, form), *node(n).operands, node(n).span);
   mark(n);
 }
 
-void CircuitCode::power(ContactForm form, Span span) {
-  static const Desc* const load = instructionNamed("LD");
-  add(contactForm(*load, form), {direct(Area::SM, Width::Bit, 0, 0)}, span);
-}
+void CircuitCode::power(Role form, Span span) { add(&bitContact(form), {direct(Area::SM, Width::Bit, 0, 0)}, span); }
 
-void CircuitCode::operation(std::string_view mnemonic, std::uint32_t n) {
-  add(instructionNamed(mnemonic), {}, node(n).span);
-}
+void CircuitCode::operation(Role role, std::uint32_t n) { add(&instructionOf(role), {}, node(n).span); }
 
-void CircuitCode::store(unsigned bit, std::uint32_t n) {
-  add(instructionNamed("="), {editorOperand(bit)}, node(n).span);
-}
+void CircuitCode::store(unsigned bit, std::uint32_t n) { add(&plainAssign(), {editorOperand(bit)}, node(n).span); }
 
-void CircuitCode::recall(unsigned bit, ContactForm form, std::uint32_t n) {
-  static const Desc* const load = instructionNamed("LD");
-  add(contactForm(*load, form), {editorOperand(bit)}, node(n).span);
+void CircuitCode::recall(unsigned bit, Role form, std::uint32_t n) {
+  add(&bitContact(form), {editorOperand(bit)}, node(n).span);
 }
 
 void CircuitCode::instruction(std::uint32_t n) {
@@ -128,7 +88,7 @@ bool CircuitCode::iecOutput(std::uint32_t n) {
     pool_.give(*bit);  // read by the next instruction and never again
     lowered_.usesEditorBits = true;
   }
-  add(instructionNamed("LD"), {operands[q]}, node(n).span);
+  add(&bitContact(Role::Load), {operands[q]}, node(n).span);
   return true;
 }
 

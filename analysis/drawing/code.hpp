@@ -4,19 +4,11 @@
 
 #include <cstdint>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "analysis/drawing/circuit.hpp"
 
 namespace rungproof {
-
-enum class ContactForm : std::uint8_t { Load, And, Or };
-
-/// The form of a contact that is given in its load form: LDW>= to AW>= or OW>=.
-const Desc* contactForm(const Desc& load, ContactForm form);
-/// The load form of LD, A and O forms.
-const Desc* loadForm(const Desc& contact);
 
 /// Hands out bits of L60 to L63.
 class EditorBitPool {
@@ -42,14 +34,14 @@ class CircuitCode {
   EditorBitPool& pool() { return pool_; }
   const CircuitNode& node(std::uint32_t n) const { return circuit_.nodes[n]; }
 
-  /// The contact of node n; counts as its instruction.
-  void contact(std::uint32_t n, ContactForm form);
+  /// The contact of node n in the form that joins so; counts as its instruction.
+  void contact(std::uint32_t n, Role form);
   /// Power: LD, A or O of SM0.0.
-  void power(ContactForm form, Span span);
+  void power(Role form, Span span);
   /// A stack operation, or = and LD on a bit of L60-L63, on behalf of node n.
-  void operation(std::string_view mnemonic, std::uint32_t n);
+  void operation(Role role, std::uint32_t n);
   void store(unsigned bit, std::uint32_t n);
-  void recall(unsigned bit, ContactForm form, std::uint32_t n);
+  void recall(unsigned bit, Role form, std::uint32_t n);
   /// The instruction of an edge, coil or box without flow parameters, as it stands in the element.
   void instruction(std::uint32_t n);
   /// CALL with its flow parameters in these bits.

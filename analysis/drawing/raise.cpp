@@ -9,9 +9,8 @@
 #include "analysis/drawing/branches.hpp"
 #include "analysis/drawing/code.hpp"
 #include "analysis/drawing/levels.hpp"
-#include "analysis/instruction_kind.hpp"
 #include "analysis/stack_depth.hpp"
-#include "ir/isa.hpp"
+#include "ir/instruction_forms.hpp"
 
 namespace rungproof {
 
@@ -103,23 +102,23 @@ class Raising {
 
   void step(const Instruction& instruction) {
     if (idiom_.roles[at_] != CallRole::None) return callStep(instruction);
-    switch (kindOf(instruction)) {
-      case Kind::Load: return load();
-      case Kind::And: return series();
-      case Kind::Or: return parallel();
-      case Kind::Not:
-      case Kind::Eu:
-      case Kind::Ed: return transform();
-      case Kind::Ald: return joinSeries();
-      case Kind::Old: return joinParallel();
-      case Kind::Lps: return copy();
-      case Kind::Lrd:
-      case Kind::Lpp: return restore(kindOf(instruction) == Kind::Lpp);
-      case Kind::Lds: return refuseHere("has no picture in LAD or FBD");
-      case Kind::Aeno: return eno();
+    switch (roleOf(instruction)) {
+      case Role::Load: return load();
+      case Role::And: return series();
+      case Role::Or: return parallel();
+      case Role::Not:
+      case Role::Eu:
+      case Role::Ed: return transform();
+      case Role::Ald: return joinSeries();
+      case Role::Old: return joinParallel();
+      case Role::Lps: return copy();
+      case Role::Lrd:
+      case Role::Lpp: return restore(roleOf(instruction) == Role::Lpp);
+      case Role::Lds:
+      case Role::Nop: return refuseHere("has no picture in LAD or FBD");
+      case Role::Aeno: return eno();
       default: break;
     }
-    if (instruction.desc->stl == "NOP") return refuseHere("has no picture in LAD or FBD");
     if (shapeOf(*instruction.desc) == Shape::Coil) return coil();
     box();
   }
@@ -133,7 +132,7 @@ class Raising {
   }
   /// LD of the Q operand of the IEC box in front: the power output of the box.
   bool loadsIecOutput() const {
-    if (at_ == 0 || current().desc->stl != "LD") return false;
+    if (at_ == 0 || current().desc != &bitContact(Role::Load)) return false;
     const Instruction& box = network_.instructions[at_ - 1];
     if (!box.desc->drawingOnly || box.desc->stack.pops > 0 || box.operands.size() <= iecOutputOperand) return false;
     const Operand& q = box.operands[iecOutputOperand];
@@ -144,7 +143,7 @@ class Raising {
 
   void series() {
     if (!mayUseTop()) return;
-    const Desc* load = loadForm(*current().desc);
+    const Desc* load = joinedForm(*current().desc, Role::Load);
     DrawnLevel& level = top();
     if (form_ == Form::Ladder) {
       level.element = add(Shape::Contact, load, {level.element});
@@ -157,7 +156,7 @@ class Raising {
 
   void parallel() {
     if (!mayUseTop()) return;
-    DrawnLevel branch = loaded(loadForm(*current().desc));
+    DrawnLevel branch = loaded(joinedForm(*current().desc, Role::Load));
     unite(branch);
   }
   void joinParallel() {
@@ -318,7 +317,7 @@ class Raising {
     return uses;
   }
 
-  static bool isNot(const Element& element) { return element.desc != nullptr && kindOf(*element.desc) == Kind::Not; }
+  static bool isNot(const Element& element) { return element.desc != nullptr && element.desc->role == Role::Not; }
 
   /// FBD shows NOT as a circle at the pin that it feeds (001:2249), if that is the only one and no NOT itself.
   void foldNegations() {

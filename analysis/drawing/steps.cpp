@@ -84,9 +84,9 @@ class Steps {
   }
 
   /// Brings an input into play: loads it, or joins it to the top.
-  void bring(std::uint32_t n, std::uint32_t from, ContactForm form) {
+  void bring(std::uint32_t n, std::uint32_t from, Role form) {
     if (from == railNode) {
-      if (form != ContactForm::And) code_.power(form, nodes_[n].span);
+      if (form != Role::And) code_.power(form, nodes_[n].span);
       return;
     }
     if (place_[from] == ValuePlace::Inline) code_.contact(from, form);
@@ -101,12 +101,12 @@ class Steps {
       gate(n);
     } else if (node.isContact()) {
       const std::uint32_t from = node.inputs[0];
-      if (from != railNode) bring(n, from, ContactForm::Load);
-      code_.contact(n, from == railNode ? ContactForm::Load : ContactForm::And);
+      if (from != railNode) bring(n, from, Role::Load);
+      code_.contact(n, from == railNode ? Role::Load : Role::And);
     } else if (flowParameters(node) > 0) {
       call(n);
     } else {
-      for (const std::uint32_t from : node.inputs) bring(n, from, ContactForm::Load);
+      for (const std::uint32_t from : node.inputs) bring(n, from, Role::Load);
       code_.instruction(n);
     }
     output(n);
@@ -117,9 +117,9 @@ class Steps {
     const auto top =
         std::find_if(node.inputs.begin(), node.inputs.end(), [&](std::uint32_t from) { return isOnTop(from); });
     const std::size_t first = top == node.inputs.end() ? 0 : static_cast<std::size_t>(top - node.inputs.begin());
-    bring(n, node.inputs[first], ContactForm::Load);
+    bring(n, node.inputs[first], Role::Load);
     for (std::size_t pin = 0; pin < node.inputs.size(); ++pin) {
-      if (pin != first) bring(n, node.inputs[pin], node.shape == Shape::And ? ContactForm::And : ContactForm::Or);
+      if (pin != first) bring(n, node.inputs[pin], node.shape == Shape::And ? Role::And : Role::Or);
     }
     code_.mark(n);
   }
@@ -127,10 +127,10 @@ class Steps {
   void call(std::uint32_t n) {
     const CircuitNode& node = nodes_[n];
     for (std::size_t pin = 0; pin < node.inputs.size(); ++pin) {
-      bring(n, node.inputs[pin], ContactForm::Load);
+      bring(n, node.inputs[pin], Role::Load);
       code_.store(callBits_[pin], n);
     }
-    code_.recall(callBits_[0], ContactForm::Load, n);
+    code_.recall(callBits_[0], Role::Load, n);
     code_.call(n, {callBits_.begin() + 1, callBits_.end()});
   }
 
@@ -139,7 +139,7 @@ class Steps {
     if (node.uses.empty()) return;
     if (node.shape == Shape::Box) {
       if (isIecBox(node) && !code_.iecOutput(n)) take(n);
-      if (!isIecBox(node) && node.desc->eno) code_.operation("AENO", n);
+      if (!isIecBox(node) && node.desc->eno) code_.operation(Role::Aeno, n);
     }
     if (place_[n] != ValuePlace::Bit) return;
     bit_[n] = take(n);

@@ -40,16 +40,16 @@ void DeviceWrites::collect(const Plan& plan, const TableTargets& pointers) {
   for (const Flow& flow : plan.flows) {
     for (const FlowStep& step : flow.steps) {
       const Instruction& instruction = *step.instruction;
-      const std::string_view name = instruction.desc->stl;
+      const Role role = roleOf(instruction);
       const auto number = [&](std::size_t i) { return static_cast<std::uint32_t>(instruction.operands[i].value); };
-      if ((name == "XMT" || name == "RCV") && isConstantPort(instruction)) {
-        (name == "XMT" ? transmits_ : receives_)[number(1)] = true;
-        if (name == "RCV") addTables(messages_[number(1)], instruction, pointers);
-      } else if (name == "NETR" || name == "NETW") {
+      if ((role == Role::Xmt || role == Role::Rcv) && isConstantPort(instruction)) {
+        (role == Role::Xmt ? transmits_ : receives_)[number(1)] = true;
+        if (role == Role::Rcv) addTables(messages_[number(1)], instruction, pointers);
+      } else if (role == Role::Netr || role == Role::Netw) {
         addTables(requests_, instruction, pointers);
-      } else if (name == "PLS" && !instruction.operands.empty() && number(0) < pulses_.size()) {
+      } else if (role == Role::Pls && !instruction.operands.empty() && number(0) < pulses_.size()) {
         pulses_[number(0)] = true;
-      } else if (name == "HDEF" && !instruction.operands.empty() && number(0) < counterStatus.size()) {
+      } else if (role == Role::Hdef && !instruction.operands.empty() && number(0) < counterStatus.size()) {
         counters_.insert(number(0));
       }
     }
@@ -59,7 +59,7 @@ void DeviceWrites::collect(const Plan& plan, const TableTargets& pointers) {
 /// The same address once: what is written there does not depend on who asked.
 void DeviceWrites::addTables(std::vector<Table>& tables, const Instruction& instruction, const TableTargets& pointers) {
   if (instruction.operands.empty()) return;
-  const bool isFilled = instruction.desc->stl != "NETW";
+  const bool isFilled = roleOf(instruction) != Role::Netw;
   const auto add = [&](std::uint32_t address) {
     const auto same = std::ranges::find(tables, address, &Table::address);
     if (same == tables.end())

@@ -43,13 +43,13 @@ void ScanEncoding::noteEndOfReception(const Instruction& instruction) {
 
 /// In front of ATCH, DTCH and CEVNT.
 void ScanEncoding::noteAttachment(const Instruction& instruction) {
-  const std::string_view stl = instruction.desc->stl;
-  if (stl == "ENI") {
+  const Role role = roleOf(instruction);
+  if (role == Role::Eni) {
     isAfterEnable_ = !eventStates_.waiting.empty() || !eventStates_.left.empty() || !eventStates_.overflowBits.empty();
   }
-  if (stl == "RCV") noteEndOfReception(instruction);
-  if (stl != "ATCH" && stl != "DTCH" && stl != "CEVNT") return;
-  const std::size_t at = stl == "ATCH" ? 1 : 0;
+  if (role == Role::Rcv) noteEndOfReception(instruction);
+  if (role != Role::Atch && role != Role::Dtch && role != Role::Cevnt) return;
+  const std::size_t at = role == Role::Atch ? 1 : 0;
   if (instruction.operands.size() <= at) return;
   const int event = static_cast<int>(instruction.operands[at].value);
   if (!attachments_.contains(event)) return;
@@ -59,7 +59,7 @@ void ScanEncoding::noteAttachment(const Instruction& instruction) {
   const auto waits = s.waiting.find(event);
   const auto left = s.left.find(event);
   const Graph::Bits none = graph.literal(0, queueBits);
-  if (stl == "ATCH" && isTimedEvent(event)) {
+  if (role == Role::Atch && isTimedEvent(event)) {
     // At any time of the scan that is not over yet; the engine asks for it likewise.
     const int w = graph[s.passed].width;
     const Graph::Bits dt{graph.make(Op::Zext, w, time.dt())}, before{s.passed};
@@ -71,7 +71,7 @@ void ScanEncoding::noteAttachment(const Instruction& instruction) {
     become(s.sinceLast[static_cast<std::uint32_t>(event) - firstTimedEvent], here(runs), graph.sub(dt, now, w).node);
     become(s.passed, here(runs), now.node);
   }
-  if (stl == "DTCH" && left != s.left.end()) {
+  if (role == Role::Dtch && left != s.left.end()) {
     // Entries are in the queue only while interrupts are disabled, or while a routine runs.
     const Graph::Bool maySit =
         graph.land(machine_.inInterrupt ? graph.constant(true) : graph.lnot(machine_.getBit(Reg::InterruptsEnabled)),
@@ -101,15 +101,15 @@ void ScanEncoding::noteAttachment(const Instruction& instruction) {
       }
     }
   }
-  if (waits != s.waiting.end() && stl != "ATCH") become(waits->second, here(runs), none.node);
-  if (left != s.left.end() && stl == "ATCH") {
+  if (waits != s.waiting.end() && role != Role::Atch) become(waits->second, here(runs), none.node);
+  if (left != s.left.end() && role == Role::Atch) {
     const Graph::Bool isLeft = graph.land(runs, graph.lnot(graph.equal({left->second}, graph.literal(0, 8), 8)));
     if (graph.truth(here(isLeft)) != false) {  // it runs the new routine, as an event that comes then would
       anyOf("an entry finds another routine", 1);
       useEstimate(isLeft);
     }
   }
-  if (left != s.left.end() && stl != "DTCH") become(left->second, here(runs), graph.constantNode(0, 8));
+  if (left != s.left.end() && role != Role::Dtch) become(left->second, here(runs), graph.constantNode(0, 8));
   isRecording_ = wasRecording;
 }
 

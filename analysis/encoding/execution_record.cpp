@@ -10,13 +10,10 @@ namespace rungproof {
 
 namespace {
 
-bool isContact(Kind kind) { return kind == Kind::Load || kind == Kind::And || kind == Kind::Or; }
-
 /// A plain contact of a bit that stands in memory: its value can be read again without asking anything new.
 bool isPlainContact(const Instruction& i) {
-  const std::string_view stl = i.desc->stl;
   return i.operands.size() == 1 && i.operands[0].kind == OperandKind::Direct && i.desc->execution == Execution::Stack &&
-         (stl == "LD" || stl == "A" || stl == "O" || stl == "LDN" || stl == "AN" || stl == "ON");
+         isContact(i.desc->role) && !i.desc->immediate;
 }
 
 }  // namespace
@@ -59,18 +56,18 @@ void ExecutionRecord::at(Machine<Graph>& machine, const Instruction& instruction
   const Site& site = sites_[instruction.id];
   const Desc& desc = *instruction.desc;
   Visit visit{&instruction, machine.guard.node};
-  if (!isLogic(kindOf(instruction))) {
+  if (!isLogic(roleOf(instruction))) {
     for (std::size_t k = 0; k < std::min<std::size_t>(desc.stack.needs, visit.flow.size()); ++k)
       visit.flow[k] = machine.powerFlow(k).node;
   }
-  const bool isBox = isTimerBox(kindOf(instruction)) || isCounterBox(kindOf(instruction));
+  const bool isBox = isTimerBox(roleOf(instruction)) || isCounterBox(roleOf(instruction));
   if (isBox && instruction.operands.size() > 1 && instruction.operands[1].kind == OperandKind::Direct &&
       instruction.operands[1].area != Area::AI) {
     visit.preset = machine.load(instruction.operands[1].area, instruction.operands[1].offset, Width::Word).node;
   }
   visits_.push_back(visit);
   for (const Operand& o : instruction.operands) {
-    if (o.kind != OperandKind::Direct || (o.area != Area::T && o.area != Area::C)) continue;
+    if (o.kind != OperandKind::Direct || !hasBitAndWord(o.area)) continue;
     Node& seen = seenOn_.try_emplace({o.area, o.offset}, machine.d.constant(false).node).first->second;
     seen =
         machine.d
@@ -99,9 +96,9 @@ void ExecutionRecord::followHeights(Machine<Graph>& machine, const Instruction& 
     here.lostBy.clear();
   }
   const StackEffect effect = instruction.desc->stack;
-  const Kind kind = kindOf(instruction);
+  const Role role = roleOf(instruction);
   std::uint64_t deepest = effect.needs;  // levels that must be there
-  if (kind == Kind::Lds && !instruction.operands.empty())
+  if (role == Role::Lds && !instruction.operands.empty())
     deepest = static_cast<std::uint64_t>(std::clamp<std::int64_t>(instruction.operands[0].value, 0, levels - 1)) + 1;
   if (deepest > 0) {
     const Graph::Bool isLost =
@@ -138,7 +135,7 @@ void ExecutionRecord::followContacts(Machine<Graph>& machine, const Instruction&
     contactEffects_[bridged.contact] = machine.d.constant(true).node;
     return true;
   });
-  if (isContact(kindOf(instruction)) && !hasEntriesWithin_[site.block] && !takesFromBelow_[site.block])
+  if (isContact(roleOf(instruction)) && !hasEntriesWithin_[site.block] && !takesFromBelow_[site.block])
     begin(machine, instruction, site);
 }
 
@@ -146,57 +143,57 @@ void ExecutionRecord::followContacts(Machine<Graph>& machine, const Instruction&
 bool ExecutionRecord::follow(Machine<Graph>& machine, const Instruction& instruction, Bridged& bridged) {
   Graph& graph = machine.d;
   std::array<Graph::Bool, levels>& stack = bridged.stack;
-  const Kind kind = kindOf(instruction);
+  const Role role = roleOf(instruction);
   const auto push = [&](Graph::Bool value) {
     std::copy_backward(stack.begin(), stack.end() - 1, stack.end());
     stack[0] = value;
   };
   const auto pop = [&] { std::copy(stack.begin() + 1, stack.end(), stack.begin()); };
-  if (isContact(kind)) {
+  if (isContact(role)) {
     if (!isPlainContact(instruction)) return false;
     const Operand& o = instruction.operands[0];
     Graph::Bool value = graph.bit(machine.load(o.area, o.offset, Width::Bit, o.bit), 0);
-    if (instruction.desc->stl.back() == 'N') value = graph.lnot(value);
-    if (kind == Kind::Load)
+    if (instruction.desc->negated) value = graph.lnot(value);
+    if (role == Role::Load)
       push(value);
     else
-      stack[0] = kind == Kind::And ? graph.land(stack[0], value) : graph.lor(stack[0], value);
+      stack[0] = role == Role::And ? graph.land(stack[0], value) : graph.lor(stack[0], value);
     return true;
   }
-  switch (kind) {
-    case Kind::Not: stack[0] = graph.lnot(stack[0]); return true;
-    case Kind::Ald:
-    case Kind::Old: {
-      const Graph::Bool joined = kind == Kind::Ald ? graph.land(stack[0], stack[1]) : graph.lor(stack[0], stack[1]);
+  switch (role) {
+    case Role::Not: stack[0] = graph.lnot(stack[0]); return true;
+    case Role::Ald:
+    case Role::Old: {
+      const Graph::Bool joined = role == Role::Ald ? graph.land(stack[0], stack[1]) : graph.lor(stack[0], stack[1]);
       pop();
       stack[0] = joined;
       return true;
     }
-    case Kind::Lps: push(stack[0]); return true;
-    case Kind::Lrd: stack[0] = stack[1]; return true;
-    case Kind::Lpp: pop(); return true;
-    case Kind::Lds: return false;
+    case Role::Lps: push(stack[0]); return true;
+    case Role::Lrd: stack[0] = stack[1]; return true;
+    case Role::Lpp: pop(); return true;
+    case Role::Lds: return false;
     default: break;
   }
   const StackEffect effect = instruction.desc->stack;
   Graph::Bool differs = graph.constant(false);
   for (std::size_t k = 0; k < effect.needs; ++k) differs = graph.lor(differs, graph.lxor(machine.stack[k], stack[k]));
   differs = graph.land(differs, machine.guard);
-  if (!isLogic(kind)) differs = graph.land(differs, machine.scrActive);
+  if (!isLogic(role)) differs = graph.land(differs, machine.scrActive);
   Node& effectOf = contactEffects_.try_emplace(bridged.contact, graph.constant(false).node).first->second;
   effectOf = graph.lor({effectOf}, differs).node;
   for (std::uint8_t k = 0; k < effect.pops; ++k) pop();
   const Control control = instruction.desc->control;
   const bool setsTop = control == Control::For || control == Control::Next || control == Control::Lscr;
-  bridged.takesTop = setsTop || kind == Kind::Eu || kind == Kind::Ed || kind == Kind::Aeno;
+  bridged.takesTop = setsTop || role == Role::Eu || role == Role::Ed || role == Role::Aeno;
   return true;
 }
 
 void ExecutionRecord::begin(Machine<Graph>& machine, const Instruction& contact, const Site& site) {
   Bridged bridged{&contact, site.block, site.network, machine.stack};
-  if (kindOf(contact) == Kind::Load) {
+  if (roleOf(contact) == Role::Load) {
     // The first contact of a parallel circuit is cut out of it, that of a series is bridged.
-    const bool isParallel = site.next != nullptr && kindOf(*site.next) == Kind::Or;
+    const bool isParallel = site.next != nullptr && roleOf(*site.next) == Role::Or;
     std::copy_backward(bridged.stack.begin(), bridged.stack.end() - 1, bridged.stack.end());
     bridged.stack[0] = machine.d.constant(!isParallel);
   }
@@ -208,25 +205,25 @@ std::vector<const Instruction*> rungOf(const Network& network, std::size_t at) {
   std::size_t missing = 1;  // levels whose load has not been met
   for (std::size_t i = at; i-- > 0 && missing > 0;) {
     const Instruction& instruction = network.instructions[i];
-    switch (const Kind kind = kindOf(instruction)) {
-      case Kind::Load:
+    switch (const Role role = roleOf(instruction)) {
+      case Role::Load:
         contacts.push_back(&instruction);
         --missing;
         break;
-      case Kind::And:
-      case Kind::Or: contacts.push_back(&instruction); break;
-      case Kind::Ald:
-      case Kind::Old: ++missing; break;
-      case Kind::Lrd:
-      case Kind::Lpp:
+      case Role::And:
+      case Role::Or: contacts.push_back(&instruction); break;
+      case Role::Ald:
+      case Role::Old: ++missing; break;
+      case Role::Lrd:
+      case Role::Lpp:
         // The branch before this one is not part of the way: back to the push that both begin at.
         for (std::size_t open = 1; open > 0 && i > 0;) {
-          const Kind earlier = kindOf(network.instructions[--i]);
-          if (earlier == Kind::Lpp) ++open;
-          if (earlier == Kind::Lps) --open;
+          const Role earlier = roleOf(network.instructions[--i]);
+          if (earlier == Role::Lpp) ++open;
+          if (earlier == Role::Lps) --open;
         }
         break;
-      default: (void)kind; break;
+      default: (void)role; break;
     }
   }
   return contacts;

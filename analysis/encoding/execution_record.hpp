@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "analysis/encoding/encoder.hpp"
-#include "analysis/instruction_kind.hpp"
 
 namespace rungproof {
 

@@ -9,7 +9,7 @@ namespace rungproof {
 MemoryLayout::MemoryLayout(const Target& target) {
   for (int a = 0; a < areaCount; ++a) {
     const Area area = static_cast<Area>(a);
-    const bool inRegisters = area == Area::T || area == Area::C || area == Area::AC || area == Area::HC;
+    const bool inRegisters = isByNumber(area);
     cuts_[static_cast<std::size_t>(a)].resize(inRegisters ? 0 : area == Area::L ? localBytes : areaSize(target, area));
   }
   std::vector<Cut>& special = cuts_[static_cast<std::size_t>(Area::SM)];

@@ -182,7 +182,7 @@ Property Obligations::inItsBase(const Property& property) const {
 
 Node Obligations::leaf(const Operand& operand, int width) {
   Operand address = operand;
-  if (width != 1 || (operand.area != Area::T && operand.area != Area::C)) address.width = leafWidth(width);
+  if (width != 1 || !hasBitAndWord(operand.area)) address.width = leafWidth(width);
   return encoding_->atEnd(address, width);
 }
 

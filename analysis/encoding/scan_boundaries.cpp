@@ -18,7 +18,7 @@ Attachments attachmentsOf(const Plan& plan) {
   for (const Flow& flow : plan.flows) {
     for (const FlowStep& step : flow.steps) {
       const Instruction& instruction = *step.instruction;
-      if (instruction.desc->stl != "ATCH" || instruction.operands.size() != 2) continue;
+      if (roleOf(instruction) != Role::Atch || instruction.operands.size() != 2) continue;
       const auto number = [&](std::size_t i) { return static_cast<int>(instruction.operands[i].value); };
       if (number(1) < 0 || number(1) >= eventCount || plan.interrupt(number(0)) == nullptr) continue;
       result[number(1)].insert(number(0));

@@ -34,7 +34,7 @@ bool definesCounter(const Plan& plan, std::uint32_t counter) {
   for (const Flow& flow : plan.flows) {
     for (const FlowStep& step : flow.steps) {
       const Instruction& i = *step.instruction;
-      if (i.desc->stl == "HDEF" && !i.operands.empty() && i.operands[0].value == counter) return true;
+      if (roleOf(i) == Role::Hdef && !i.operands.empty() && i.operands[0].value == counter) return true;
     }
   }
   return false;
@@ -260,9 +260,8 @@ Cell ScanEncoding::keeping(const Place& place, std::uint64_t value) {
 /// Whether the program has a TODW or TODWX.
 bool ScanEncoding::setsClock() const {
   return std::ranges::any_of(plan_.flows, [](const Flow& flow) {
-    return std::ranges::any_of(flow.steps, [](const FlowStep& step) {
-      return step.instruction->desc->stl == "TODW" || step.instruction->desc->stl == "TODWX";
-    });
+    return std::ranges::any_of(flow.steps,
+                               [](const FlowStep& step) { return roleOf(*step.instruction) == Role::Todw; });
   });
 }
 

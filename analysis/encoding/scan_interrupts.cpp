@@ -65,7 +65,7 @@ void ScanEncoding::beginEvents() {
   std::set<int> detached;
   for (const Flow& flow : plan_.flows) {
     for (const FlowStep& step : flow.steps) {
-      if (step.instruction->desc->stl == "DTCH" && !step.instruction->operands.empty())
+      if (roleOf(*step.instruction) == Role::Dtch && !step.instruction->operands.empty())
         detached.insert(static_cast<int>(step.instruction->operands[0].value));
     }
   }

@@ -14,17 +14,17 @@ bool coversAddress(const Address& first, std::uint32_t count, const Address& add
 }  // namespace
 
 Address addressOf(const Operand& operand) {
-  if (isByNumber(operand.area)) return {operand.area, operand.offset};
+  if (isWholeValue(operand.area)) return {operand.area, operand.offset};
   return {operand.area, operand.offset * 8 + (operand.width == Width::Bit ? operand.bit : 0U)};
 }
 
 Operand operandAt(const Address& address) {
-  if (isByNumber(address.area)) return direct(address.area, Width::Bit, address.index);
+  if (isWholeValue(address.area)) return direct(address.area, Width::Bit, address.index);
   return direct(address.area, Width::Bit, address.index / 8, address.index % 8);
 }
 
 std::uint32_t extentOf(const Operand& operand) {
-  return isByNumber(operand.area) ? 1 : static_cast<std::uint32_t>(bits(operand.width));
+  return isWholeValue(operand.area) ? 1 : static_cast<std::uint32_t>(bits(operand.width));
 }
 
 bool AddressPairs::add(Address before, Address after, std::uint32_t count) {
@@ -68,14 +68,14 @@ bool AddressPairs::names(Address after) const {
 std::optional<Operand> AddressPairs::before(const Operand& after) const {
   const Address first = addressOf(after);
   const std::optional<Address> start = before(first);
-  if (!start || isByNumber(start->area) != isByNumber(first.area)) return std::nullopt;
+  if (!start || isWholeValue(start->area) != isWholeValue(first.area)) return std::nullopt;
   for (std::uint32_t i = 1; i < extentOf(after); ++i) {
     const std::optional<Address> next = before(Address{first.area, first.index + i});
     if (!next || next->area != start->area || next->index != start->index + i) return std::nullopt;
   }
   Operand result = after;
   result.area = start->area;
-  if (isByNumber(start->area)) {
+  if (isWholeValue(start->area)) {
     result.offset = start->index;
   } else {
     if (after.width != Width::Bit && start->index % 8 != 0) return std::nullopt;

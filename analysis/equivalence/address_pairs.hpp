@@ -18,10 +18,9 @@ struct Address {
   std::uint32_t index = 0;
   friend bool operator==(const Address&, const Address&) = default;
 };
-/// Whether the area is addressed by numbers instead of bits.
-constexpr bool isByNumber(Area area) {
-  return area == Area::T || area == Area::C || area == Area::AC || area == Area::HC || area == Area::AI;
-}
+/// Whether an address is a whole value instead of a bit: numbers, and the words that the terminals give. What goes to
+/// AQ is counted in bits like memory.
+constexpr bool isWholeValue(Area area) { return isByNumber(area) || (isInputArea(area) && isAnalogue(area)); }
 /// First address that a direct operand names.
 Address addressOf(const Operand& operand);
 /// The operand that names one address: a bit, or the bit of a timer or counter.

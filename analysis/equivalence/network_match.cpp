@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "ir/desc.hpp"
 #include "ir/flow.hpp"
@@ -16,7 +17,8 @@ struct Shape {
   NetworkRef where;
   std::vector<std::string> lines;
   std::vector<std::uint32_t> ids;
-  std::string key;  ///< block and lines
+  std::vector<bool> onlyReads;  ///< contacts and operations on the stack
+  std::string key;              ///< block and lines
   bool isPaired = false;
 };
 
@@ -36,6 +38,7 @@ std::vector<Shape> shapesOf(const Program& program, const AddressPairs& pairs) {
       for (const Instruction& instruction : program.pous[p].networks[n].instructions) {
         shape.lines.push_back(textInOld(instruction, pairs));
         shape.ids.push_back(instruction.id);
+        shape.onlyReads.push_back(isLogic(roleOf(instruction)));
         shape.key += shape.lines.back() + '\n';
       }
     }
@@ -131,15 +134,11 @@ class Matcher {
 
   /// Half of the instructions in common, or at least one that does more than read.
   enum class Likeness : std::uint8_t { Half, Result };
-  static bool onlyReads(const std::string& line) {
-    static const std::vector<std::string> contacts = {"LD", "A", "O", "NOT", "EU", "ED", "LPS", "LPP", "LRD", "ALD"};
-    const std::string name = nameIn(line);
-    return std::ranges::any_of(contacts, [&](const std::string& c) { return name.starts_with(c); }) && name != "ATCH";
-  }
   static bool shareResult(const Shape& old, const Shape& other) {
-    return std::ranges::any_of(old.lines, [&](const std::string& line) {
-      return !onlyReads(line) && std::ranges::find(other.lines, line) != other.lines.end();
-    });
+    for (std::size_t i = 0; i < old.lines.size(); ++i) {
+      if (!old.onlyReads[i] && std::ranges::find(other.lines, old.lines[i]) != other.lines.end()) return true;
+    }
+    return false;
   }
 
   /// What is left of a block: a network of NEW with the network of OLD that it shares most instructions with.
@@ -200,8 +199,9 @@ class Matcher {
 
 std::string textInOld(const Instruction& after, const AddressPairs& pairs) {
   std::string text(after.desc->stl);
+  std::string_view gap = " ";
   for (const Operand& operand : after.operands) {
-    text += text.size() == after.desc->stl.size() ? " " : ", ";
+    text += std::exchange(gap, ", ");
     if (operand.kind == OperandKind::Constant && operand.form != ConstantForm::Real) {
       text += std::to_string(operand.value);  // 16#10, +16 and 16 are one number
       continue;

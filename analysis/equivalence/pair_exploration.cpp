@@ -41,7 +41,7 @@ class InputPairing {
   };
   using Key = std::pair<Area, std::uint32_t>;
   static Key keyOf(const Address& address) { return {address.area, address.index}; }
-  static bool isTerminal(Area area) { return area == Area::I || area == Area::AI || area == Area::HC; }
+  static bool isTerminal(Area area) { return isInputArea(area) || area == Area::HC; }
   /// Bits of the operand's value from the lowest one; a number as a whole.
   static Address bitAt(const Operand& operand, int i) {
     if (isByNumber(operand.area)) return addressOf(operand);
@@ -206,9 +206,7 @@ class ExploredPair {
 std::vector<ObservedBit> namedOutputs(const Program& before, const Program& after, const EquivalenceOptions& options) {
   std::vector<ObservedBit> outputs;
   std::vector<Operand> operands = options.observed;
-  const auto isOutput = [](const TraceSignal& signal) {
-    return signal.operand.area == Area::Q || signal.operand.area == Area::AQ;
-  };
+  const auto isOutput = [](const TraceSignal& signal) { return isOutputArea(signal.operand.area); };
   const auto add = [&](const std::optional<Address>& old, const std::optional<Address>& now) {
     const auto isSame = [&](const ObservedBit& bit) { return bit.before == old && bit.after == now; };
     if (std::ranges::none_of(outputs, isSame)) outputs.push_back({nameOfBit(old ? *old : *now), old, now});

@@ -54,7 +54,7 @@ void observe(EncoderOptions& options, const Program& program, const AddressPairs
       for (const Instruction& instruction : network.instructions) {
         for (const Operand& operand : instruction.operands) {
           const bool isShaping =
-              operand.kind == OperandKind::Direct && !isByNumber(operand.area) && operand.area != Area::L;
+              operand.kind == OperandKind::Direct && !isWholeValue(operand.area) && operand.area != Area::L;
           if (!isShaping) continue;
           const std::optional<Operand> there = pairs == nullptr ? operand : pairs->before(operand);
           if (there) options.observed.push_back(*there);
@@ -149,7 +149,7 @@ void ProgramProduct::collectOutputs() {
   const auto bitsOf = [](EncodedScan& encoding) {
     std::vector<Address> found;
     for (const Place& place : encoding.places()) {
-      if (place.isRegister || (place.area != Area::Q && place.area != Area::AQ)) continue;
+      if (place.isRegister || !isOutputArea(place.area)) continue;
       for (std::uint32_t i = 0; i < place.width; ++i) found.push_back(bitOf(place, i));
     }
     std::ranges::sort(found, {}, [](const Address& a) { return std::pair(a.area, a.index); });
@@ -195,7 +195,7 @@ Node ProgramProduct::oldValue(const Place& place, bool atEnd) {
   std::vector<Address> bits;
   for (std::uint32_t i = 0; i < place.width; ++i) {
     const auto bit = options_.pairs.before(bitOf(place, i));
-    if (!bit || isByNumber(bit->area)) return noNode;
+    if (!bit || isWholeValue(bit->area)) return noNode;
     bits.push_back(*bit);
   }
   const Place first = bitPlace(bits.front());
@@ -398,7 +398,7 @@ void ProgramProduct::startAlike(JoinedSystem& result, Node before, Node after) {
 Node ProgramProduct::assumedLeaf(SideCopy* copy, const Operand& operand, int width) {
   const bool isNew = operand.text.starts_with(newSidePrefix);
   Operand address = operand;
-  if (width != 1 || (operand.area != Area::T && operand.area != Area::C)) address.width = widthOf(width);
+  if (width != 1 || !hasBitAndWord(operand.area)) address.width = widthOf(width);
   const Node node = (isNew ? new_ : old_).encoding().atEnd(address, width);
   CHECK(node != noNode, "assumptions about both programs speak of memory and inputs");
   return isNew && copy != nullptr ? (*copy)(node) : node;

@@ -70,17 +70,13 @@ class Gatherer {
     }
   }
   static bool isLatchOrCoil(const Instruction& instruction) {
-    const std::string_view stl = instruction.desc->stl;
-    return stl == "S" || stl == "R" || stl == "SI" || stl == "RI" || stl == "=" || stl == "=I" || stl == "SR" ||
-           stl == "RS";
-  }
-  static bool isLatch(const Instruction& instruction) {
-    return instruction.desc->stl[0] == 'S' || instruction.desc->stl[0] == 'R';
+    return isCoil(roleOf(instruction)) || isLatch(roleOf(instruction));
   }
   using ConflictPairs = std::map<std::pair<const Instruction*, const Instruction*>, Node>;
   /// `a` runs before `b`.
   void addConflict(const BitWrite& a, const BitWrite& b, ConflictPairs& pairs) {
-    if (a.instruction == b.instruction || (!isLatch(*a.instruction) && !isLatch(*b.instruction))) return;
+    if (a.instruction == b.instruction || (!isLatch(roleOf(*a.instruction)) && !isLatch(roleOf(*b.instruction))))
+      return;
     if (isSwitchOff(a, b)) return;
     const Graph::Bool both = graph_.land(graph_.land({a.guard}, {b.guard}), graph_.lxor({a.value}, {b.value}));
     if (const auto known = graph_.truth(both); known && !*known) return;
@@ -91,8 +87,7 @@ class Gatherer {
   /// A reset of several bits behind their coils switches them off in general; OUT005 recommends it.
   bool isSwitchOff(const BitWrite& a, const BitWrite& b) const {
     const Instruction& reset = *b.instruction;
-    if (!isCoil(rungproof::kindOf(*a.instruction)) || !isReset(rungproof::kindOf(reset)) || reset.operands.size() < 2)
-      return false;
+    if (!isCoil(roleOf(*a.instruction)) || !isReset(roleOf(reset)) || reset.operands.size() < 2) return false;
     const bool isRow = reset.operands[1].kind != OperandKind::Constant || reset.operands[1].value > 1;
     return isRow && !isInInterrupt(*a.instruction) && !isInInterrupt(reset);
   }

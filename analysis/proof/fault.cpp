@@ -1,49 +1,24 @@
-// Finds places for faults by mnemonics. A contact is "removed" by a contact of SM0.0, which is always on (001:14041):
-// instructions keep their numbers, and the power flow is that of the network without it.
+// Finds places for faults by the roles of instructions. A contact is "removed" by a contact of SM0.0, which is always
+// on (001:14041): instructions keep their numbers, and the power flow is that of the network without it.
 #include "analysis/proof/fault.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
-#include "ir/isa.hpp"
+#include "ir/instruction_forms.hpp"
 
 namespace rungproof {
 
 namespace {
 
-using Pair = std::pair<std::string_view, std::string_view>;
-constexpr std::array polarities = {Pair{"LD", "LDN"},   Pair{"A", "AN"},   Pair{"O", "ON"},
-                                   Pair{"LDI", "LDNI"}, Pair{"AI", "ANI"}, Pair{"OI", "ONI"}};
-constexpr std::array latches = {Pair{"S", "R"}, Pair{"SI", "RI"}, Pair{"SR", "RS"}};
-constexpr std::array edges = {Pair{"EU", "ED"}};
-constexpr std::array timers = {Pair{"TON", "TOF"}};
 constexpr std::int64_t largestPreset = 32767;  // 001:6569
 
-std::string textOf(std::string_view stl, const std::vector<Operand>& operands) {
-  std::string text(stl);
+std::string textOf(const Desc& desc, const std::vector<Operand>& operands) {
+  std::string text(desc.stl);
   for (std::size_t i = 0; i < operands.size(); ++i) text += (i == 0 ? " " : ", ") + toString(operands[i]);
   return text;
-}
-
-template <std::size_t N>
-std::string_view partnerOf(std::string_view stl, const std::array<Pair, N>& pairs) {
-  for (const auto& [a, b] : pairs) {
-    if (stl == a) return b;
-    if (stl == b) return a;
-  }
-  return {};
-}
-
-bool isLoad(std::string_view stl) { return stl.starts_with("LD") && stl != "LDS"; }
-/// A, AN, AI, ANI and comparisons such as AW>=; the same with O.
-bool isContact(std::string_view stl, char how) {
-  if (stl.empty() || stl[0] != how) return false;
-  const std::string_view rest = stl.substr(1);
-  return rest.empty() || rest == "N" || rest == "I" || rest == "NI" ||
-         rest.find_first_of("=<>") != std::string_view::npos;
 }
 
 class Finder {
@@ -75,44 +50,42 @@ class Finder {
     result.instruction = index_;
     return result;
   }
-  void replace(FaultKind kind, std::string_view stl, std::vector<Operand> operands, std::string text = {}) {
-    const Desc* desc = instructionNamed(stl);
-    if (desc == nullptr) return;
-    const std::string given = textOf(instruction().desc->stl, instruction().operands);
-    Fault result = fault(kind, text.empty() ? fmt::format("{} for {}", textOf(stl, operands), given) : std::move(text));
-    result.desc = desc;
+  void replace(FaultKind kind, const Desc& desc, std::vector<Operand> operands, std::string text = {}) {
+    const std::string given = textOf(*instruction().desc, instruction().operands);
+    Fault result =
+        fault(kind, text.empty() ? fmt::format("{} for {}", textOf(desc, operands), given) : std::move(text));
+    result.desc = &desc;
     result.operands = std::move(operands);
     faults_.push_back(std::move(result));
   }
 
   void atInstruction() {
-    const std::string_view stl = instruction().desc->stl;
+    const Desc& desc = *instruction().desc;
     const std::vector<Operand>& operands = instruction().operands;
-    if (const auto other = partnerOf(stl, polarities); !other.empty()) replace(FaultKind::Polarity, other, operands);
+    if (const Desc* negated = negatedForm(desc)) replace(FaultKind::Polarity, *negated, operands);
     removeContact();
-    if (const auto other = partnerOf(stl, latches); !other.empty()) replace(FaultKind::SetForReset, other, operands);
-    if (const auto other = partnerOf(stl, edges); !other.empty()) replace(FaultKind::Edge, other, operands);
-    if (const auto other = partnerOf(stl, timers); !other.empty()) replace(FaultKind::TimerKind, other, operands);
+    if (const Desc* opposite = oppositeForm(desc)) {
+      const FaultKind kind = isLatch(desc.role)  ? FaultKind::SetForReset
+                             : isEdge(desc.role) ? FaultKind::Edge
+                                                 : FaultKind::TimerKind;
+      replace(kind, *opposite, operands);
+    }
     preset();
   }
 
   void removeContact() {
     const Desc& desc = *instruction().desc;
     const std::vector<Operand> always{direct(Area::SM, Width::Bit, 0, 0)};
-    const std::string text = textOf(desc.stl, instruction().operands);
+    const std::string text = textOf(desc, instruction().operands);
     if (instruction().operands.size() == 1 && instruction().operands[0].area == Area::SM &&
         instruction().operands[0].offset == 0 && instruction().operands[0].bit == 0)
       return;
-    if (isLoad(desc.stl)) {
-      // The first contact of a parallel circuit is cut out of it, that of a series is bridged.
-      const bool isParallel =
-          index_ + 1 < here().instructions.size() && isContact(here().instructions[index_ + 1].desc->stl, 'O');
-      replace(FaultKind::RemovedContact, isParallel ? "LDN" : "LD", always, text);
-    } else if (isContact(desc.stl, 'A')) {
-      replace(FaultKind::RemovedContact, "A", always, text);
-    } else if (isContact(desc.stl, 'O')) {
-      replace(FaultKind::RemovedContact, "ON", always, text);
-    }
+    if (!isContact(desc.role)) return;
+    // The first contact of a parallel circuit is cut out of it, that of a series is bridged.
+    const bool isParallel =
+        desc.role == Role::Or || (desc.role == Role::Load && index_ + 1 < here().instructions.size() &&
+                                  roleOf(here().instructions[index_ + 1]) == Role::Or);
+    replace(FaultKind::RemovedContact, bitContact(desc.role, isParallel), always, text);
   }
   void preset() {
     const Desc& desc = *instruction().desc;
@@ -124,7 +97,7 @@ class Finder {
       if (value < 1 || value > largestPreset || value == given.value) continue;
       std::vector<Operand> operands = instruction().operands;
       operands[1] = constant(value);
-      replace(FaultKind::Preset, desc.stl, std::move(operands));
+      replace(FaultKind::Preset, desc, std::move(operands));
     }
   }
 
@@ -149,8 +122,9 @@ class Finder {
     const std::vector<Network>& networks = program_.pous[pou_].networks;
     for (std::uint32_t n = 0; n < networks.size(); ++n) {
       for (std::uint32_t i = 0; i < networks[n].instructions.size(); ++i) {
-        const std::string_view stl = networks[n].instructions[i].desc->stl;
-        if ((stl == "S" || stl == "R") && !networks[n].instructions[i].operands.empty()) found.push_back({n, i});
+        const Desc& desc = *networks[n].instructions[i].desc;
+        const bool isPlainLatch = (isSet(desc.role) || isReset(desc.role)) && !desc.immediate;
+        if (isPlainLatch && !networks[n].instructions[i].operands.empty()) found.push_back({n, i});
       }
     }
     const auto at = [&](const Latch& l) -> const Instruction& {
@@ -162,9 +136,9 @@ class Finder {
         if (first.desc == second.desc || toString(first.operands[0]) != toString(second.operands[0])) continue;
         network_ = found[a].network;
         index_ = found[a].instruction;
-        Fault result = fault(FaultKind::LatchOrder, fmt::format("rungs of {} and {} in the other order",
-                                                                textOf(first.desc->stl, first.operands),
-                                                                textOf(second.desc->stl, second.operands)));
+        Fault result = fault(FaultKind::LatchOrder,
+                             fmt::format("rungs of {} and {} in the other order", textOf(*first.desc, first.operands),
+                                         textOf(*second.desc, second.operands)));
         result.otherNetwork = found[b].network;
         result.otherInstruction = found[b].instruction;
         faults_.push_back(std::move(result));
@@ -181,12 +155,11 @@ class Finder {
 /// one.
 std::pair<std::size_t, std::size_t> rungAround(const std::vector<Instruction>& instructions, std::size_t at) {
   const auto isOutput = [&](std::size_t i) {
-    const std::string_view stl = instructions[i].desc->stl;
-    return stl == "=" || stl == "S" || stl == "R" || instructions[i].desc->execution == Execution::Conditional;
+    return isPlainCoil(*instructions[i].desc) || instructions[i].desc->execution == Execution::Conditional;
   };
   std::size_t begin = at, end = at + 1;
-  while (begin > 0 && !(isLoad(instructions[begin].desc->stl) && isOutput(begin - 1))) --begin;
-  while (end < instructions.size() && !isLoad(instructions[end].desc->stl)) ++end;
+  while (begin > 0 && !(roleOf(instructions[begin]) == Role::Load && isOutput(begin - 1))) --begin;
+  while (end < instructions.size() && roleOf(instructions[end]) != Role::Load) ++end;
   return {begin, end};
 }
 

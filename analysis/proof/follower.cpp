@@ -34,7 +34,7 @@ std::uint64_t Follower::leaf(const Concrete::Store& state, const ReplayScan& sca
                              int width) const {
   if (operand.area == Area::AI) return analog(state, scan, operand.offset);
   Operand address = operand;
-  if (operand.area == Area::T || operand.area == Area::C) address.width = width == 1 ? Width::Bit : Width::Word;
+  if (hasBitAndWord(operand.area)) address.width = width == 1 ? Width::Bit : Width::Word;
   return valueIn(state, address);
 }
 
@@ -53,7 +53,7 @@ bool Follower::isUnchanged(const Concrete::Store& state, const ReplayScan& scan)
     ++at;
   };
   for (const Operand* operand : read_) {
-    const bool isTwofold = operand->area == Area::T || operand->area == Area::C;
+    const bool isTwofold = hasBitAndWord(operand->area);
     compare(leaf(state, scan, *operand, 1));
     if (isTwofold) compare(leaf(state, scan, *operand, 16));
   }

@@ -63,8 +63,7 @@ class UseWalk {
     // A subroutine runs because it is called.
     if (facts_.program().pous[block].kind == PouKind::Main) return;
     for (const InstructionPlace& place : facts_.instructions()) {
-      const std::string_view name = place.instruction->desc->stl;
-      if (name != "CALL" && name != "ATCH") continue;
+      if (place.instruction->desc->control != Control::Call && roleOf(*place.instruction) != Role::Atch) continue;
       for (const Operand& operand : place.instruction->operands) {
         const bool isThis = facts_.program().pous[block].number ==
                             static_cast<int>(operand.kind == OperandKind::Constant ? operand.value : operand.offset);

@@ -32,12 +32,9 @@ bool isContactOf(const Instruction& contact, const Operand& bit, bool negated) {
   if (contact.operands.size() != 1 || contact.desc->execution != Execution::Stack ||
       toString(contact.operands[0]) != toString(bit))
     return false;
-  return (contact.desc->stl.back() == 'N') == negated;
+  return invertsImage(*contact.desc) == negated;
 }
-bool isNegated(const Instruction& contact) {
-  return contact.desc->execution == Execution::Stack &&
-         (contact.desc->stl.back() == 'N' || contact.desc->stl.ends_with("NI"));
-}
+bool isNegated(const Instruction& contact) { return contact.desc->negated; }
 
 class RungChecks {
  public:
@@ -98,7 +95,7 @@ class RungChecks {
   /// One pair of questions for each condition: outputs behind the same contacts have the same power flow. Each network
   /// that has the condition is a place of its own.
   void askFlow(const Instruction& output) {
-    if (byInstruction_.at(&output).front()->flow[0] == noNode || isCounterBox(kindOf(output))) return;
+    if (byInstruction_.at(&output).front()->flow[0] == noNode || isCounterBox(roleOf(output))) return;
     const std::vector<const Instruction*> contacts = rung(output);
     if (std::all_of(contacts.begin(), contacts.end(), [](const Instruction* c) { return isSpecial(*c); })) return;
     const Graph::Bool on = anyOf(output, true), off = anyOf(output, false);
@@ -119,12 +116,12 @@ class RungChecks {
 
   /// A coil that holds itself, and bits with S and R. Bits that the same instructions write are one question.
   void askLatch(const Instruction& output) {
-    const Kind kind = kindOf(output);
+    const Role kind = roleOf(output);
     if (output.operands.empty() || output.operands[0].kind != OperandKind::Direct || output.operands[0].area == Area::L)
       return;
     const Operand& bit = output.operands[0];
-    if (bit.area == Area::T || bit.area == Area::C) return;
-    if (kind == Kind::Assign) {
+    if (hasBitAndWord(bit.area)) return;
+    if (isPlainCoil(*output.desc)) {
       const std::vector<const Instruction*> contacts = rung(output);
       if (std::none_of(contacts.begin(), contacts.end(),
                        [&](const Instruction* c) { return isContactOf(*c, bit, false); }))
@@ -172,7 +169,7 @@ class RungChecks {
   bool isReset(Area area, std::uint32_t bit) const {
     return std::any_of(positions_.begin(), positions_.end(), [&](const auto& entry) {
       const Instruction& reset = *entry.first;
-      if (!rungproof::isReset(kindOf(reset)) || reset.operands.size() < 2 || reset.operands[0].area != area ||
+      if (!rungproof::isReset(roleOf(reset)) || reset.operands.size() < 2 || reset.operands[0].area != area ||
           reset.operands[0].kind != OperandKind::Direct)
         return false;
       const bool isOpen = reset.operands[1].kind != OperandKind::Constant;
@@ -183,8 +180,7 @@ class RungChecks {
   }
 
   void askToggle(const Instruction& coil) {
-    if (kindOf(coil) != Kind::Assign || coil.operands[0].kind != OperandKind::Direct ||
-        coil.operands[0].area == Area::L)
+    if (!isPlainCoil(*coil.desc) || coil.operands[0].kind != OperandKind::Direct || coil.operands[0].area == Area::L)
       return;
     const Operand& bit = coil.operands[0];
     const std::vector<const Instruction*> contacts = rung(coil);
@@ -200,13 +196,14 @@ class RungChecks {
   }
 
   void askOnce(const Instruction& box) {
-    static const std::set<Kind> once{Kind::Att,  Kind::Lifo, Kind::Fifo, Kind::Netr,         Kind::Netw,
-                                     Kind::Hdef, Kind::Pls,  Kind::Set,  Kind::SetImmediate, Kind::MoveByte};
-    const Kind kind = kindOf(box);
-    if (!once.contains(kind) || box.operands.empty()) return;
-    const Operand& target = kind == Kind::MoveByte ? box.operands.back() : box.operands[0];
+    static const std::set<Role> once{Role::Att,  Role::Lifo, Role::Fifo, Role::Netr, Role::Netw,
+                                     Role::Hdef, Role::Pls,  Role::Set,  Role::Move};
+    const Role kind = roleOf(box);
+    if (!once.contains(kind) || box.operands.empty() || (kind == Role::Move && !isMoveOf(*box.desc, Type::Byte)))
+      return;
+    const Operand& target = kind == Role::Move ? box.operands.back() : box.operands[0];
     const bool savesMemory = target.kind == OperandKind::Direct && target.area == Area::SM && target.offset == 31;
-    if ((isSet(kind) || kind == Kind::MoveByte) && !savesMemory) return;
+    if ((isSet(kind) || kind == Role::Move) && !savesMemory) return;
     const Graph::Bool now = anyOf(box, true);
     const Graph::Bool again = graph_.land(now, {obligations_.before("run of " + Facts::text(box), now.node)});
     ask(BuiltinKind::RunsTwice, "HSP004", fmt::format("{} runs in two scans in a row", Facts::text(box)),
@@ -216,7 +213,7 @@ class RungChecks {
   void askDoubleCoils() {
     std::map<Place, std::map<std::uint32_t, std::pair<const Instruction*, Graph::Bool>>> coils;
     for (const BitWrite& write : encoding_.bitWrites()) {
-      if (write.instruction == nullptr || !isCoil(kindOf(*write.instruction)) || write.place.area == Area::L) continue;
+      if (write.instruction == nullptr || !isCoil(roleOf(*write.instruction)) || write.place.area == Area::L) continue;
       auto& runs = coils[write.place]
                        .try_emplace(write.instruction->id, write.instruction, graph_.constant(false))
                        .first->second.second;

@@ -177,7 +177,7 @@ class SequenceChecks {
   /// The top level resets or loads, the others count (001:3994-4004).
   void askCounter(const Instruction& box) {
     const Runs* runs = runsOf(box);
-    if (runs == nullptr || !isCounterBox(kindOf(box)) || kindOf(box) == Kind::IecCounter || box.operands.empty())
+    if (runs == nullptr || !isCounterBox(roleOf(box)) || roleOf(box) == Role::IecCounter || box.operands.empty())
       return;
     const std::string name = toString(box.operands[0]);
     if (runs->off[0].node != noNode) {

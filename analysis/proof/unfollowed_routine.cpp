@@ -13,7 +13,7 @@ std::optional<std::string> unfollowedRoutine(const Program& program, const Encod
   for (const Flow& flow : encoding.plan().flows) {
     for (const FlowStep& step : flow.steps) {
       const Instruction& instruction = *step.instruction;
-      if (instruction.desc->stl != "ATCH") continue;
+      if (roleOf(instruction) != Role::Atch) continue;
       if (instruction.operands.size() == 2) {
         const auto event = followed.find(static_cast<int>(instruction.operands[1].value));
         if (event != followed.end() && event->second.contains(static_cast<int>(instruction.operands[0].value)))

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "analysis/influence.hpp"
-#include "analysis/instruction_kind.hpp"
 
 namespace rungproof {
 
@@ -12,23 +11,21 @@ namespace {
 
 constexpr std::uint32_t longestTable = 256;  ///< bytes of a communication or clock buffer
 
-bool isWrittenMemory(Area area) {
-  return area == Area::Q || area == Area::V || area == Area::M || area == Area::S || area == Area::AQ;
-}
+bool isWrittenMemory(Area area) { return isMemoryArea(area) || isOutputArea(area); }
 
 bool meet(const PlaceRow& a, const PlaceRow& b) {
   return a.area == b.area && a.first < b.first + b.count && b.first < a.first + a.count;
 }
 
 /// Fills or reads a buffer while the program goes on (001:3145, 000:1113).
-bool usesBuffer(Kind kind) {
-  return kind == Kind::Rcv || kind == Kind::Xmt || kind == Kind::Netr || kind == Kind::Netw || kind == Kind::Todr;
+bool usesBuffer(Role role) {
+  return role == Role::Rcv || role == Role::Xmt || role == Role::Netr || role == Role::Netw || role == Role::Todr;
 }
 
 /// Whether a buffer that begins at a direct operand of such an instruction may hold the place.
 bool isInBuffer(const Facts& facts, const PlaceRow& row) {
   return std::ranges::any_of(facts.instructions(), [&](const InstructionPlace& place) {
-    if (!usesBuffer(kindOf(*place.instruction))) return false;
+    if (!usesBuffer(roleOf(*place.instruction))) return false;
     return std::ranges::any_of(place.instruction->operands, [&](const Operand& o) {
       return o.kind == OperandKind::Indirect ||
              (o.kind == OperandKind::Direct && meet(row, rowOf(o.area, Width::Byte, o.offset, 0, longestTable)));
@@ -42,7 +39,7 @@ bool callsLibrary(const Facts& facts) {
 }
 
 bool isWritten(const Facts& facts, const PropertySet& set, const Operand& operand) {
-  const bool isNumbered = operand.area == Area::T || operand.area == Area::C || operand.area == Area::AC;
+  const bool isNumbered = hasBitAndWord(operand.area) || operand.area == Area::AC;
   if (!isNumbered && !isWrittenMemory(operand.area)) return true;
   const CellMap& cells = facts.index().cells();
   if (isNumbered) {
@@ -88,7 +85,7 @@ std::optional<AnyProgram> anyProgramFor(const Facts& facts, const PropertySet& s
   any.set.properties.push_back(property);
   for (const Property& each : any.set.properties) {
     for (const Operand* operand : addressesOf(each)) {
-      if (operand->area == Area::I || operand->area == Area::AI || operand->area == Area::SM) continue;
+      if (isInputArea(operand->area) || operand->area == Area::SM) continue;
       if (!isWritten(facts, set, *operand)) continue;
       if (!isWrittenMemory(operand->area) || operand->area == Area::AQ) return std::nullopt;
       any.set.externals.push_back({*operand, *operand, {}});

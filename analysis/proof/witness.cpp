@@ -32,7 +32,9 @@ struct NoOutside final : Outside {
 std::vector<StartCell> startCells(const Program& program, const Choices& choices, const Concrete::Store& initial) {
   const Concrete::Store powerUp = powerUpState(Plan(program), choices);
   std::vector<StartCell> cells;
-  for (const Area area : {Area::V, Area::M}) {
+  for (const AreaInfo& info : areaTable) {
+    if (!info.mayRetain || info.addressing != Addressing::Bytes) continue;
+    const Area area = info.area;
     for (std::uint32_t i = 0; i < initial.area(area).size(); ++i) {
       if (initial.area(area)[i] != powerUp.area(area)[i]) cells.push_back({area, i});
     }

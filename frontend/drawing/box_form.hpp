@@ -1,6 +1,6 @@
-// How instructions look in ladder and FBD: the name in a box, the sign in a contact or coil, which operand stands at
-// which pin. Names of operands come from the descriptors; this table adds the names of boxes that differ from the
-// mnemonic (the manual prints a few of them: 001:2210, 001:4946, 001:5595). Tested by tests/show/layout_test.cpp.
+// How instructions look in ladder and FBD: which operand stands at which pin. The name in a box, the sign in a contact
+// or coil and the names of operands and power inputs come from the descriptors (Desc::drawnName). Tested by
+// tests/show/layout_test.cpp.
 #pragma once
 
 #include <string>
@@ -12,18 +12,8 @@
 
 namespace rungproof {
 
-/// "ADD_I" for +I, "MOV_W" for MOVW, "TON" for TON and TON.IEC.
-std::string boxName(const Desc& desc);
-
-/// "/" for LDN, "P" for EU, ">=I" for LDW>=, "NOT"; a blank for LD.
-std::string contactSign(const Desc& desc);
-/// "S", "RET" for CRET; a blank for =.
-std::string coilSign(const Desc& desc);
 /// A heading that stands in brackets: LBL and LSCR.
 bool isBracket(const Desc& desc);
-/// Whether a bit contact is closed by a 0.
-bool isNegatedContact(const Desc& desc);
-
 enum class PinSide : std::uint8_t { Above, Left, Right };
 
 /// Where an operand stands. An operand that is read and written stands on both sides.
@@ -37,8 +27,8 @@ struct OperandPin {
 /// CALL, for the names of parameters; may be nullptr.
 std::vector<OperandPin> operandPins(const Desc& desc, std::size_t count, const Pou* callee);
 
-/// Names of the power inputs, topmost first: EN; IN; CU, CD, R. `count`: how many there are.
-std::vector<std::string> powerPins(const Desc& desc, std::size_t count);
+/// Names of the power inputs, topmost first: EN; IN; CU, CD, R.
+std::vector<std::string> powerPins(const Desc& desc);
 /// The same of a CALL: EN, then the parameters that are given as power flow (001:6808).
 std::vector<std::string> callPowerPins(const std::vector<Operand>& operands, const Pou* callee);
 /// "ENO", "Q", "OUT"; empty where the box has no power output.

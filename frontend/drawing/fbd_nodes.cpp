@@ -116,15 +116,15 @@ class FbdPlan {
     node.output = node.state;
     if (element.operands.size() > 1) {
       node.kind = NodeKind::Box;
-      node.name = contactSign(*element.desc);
+      node.name = std::string(element.desc->drawnName());
       for (std::size_t k = 0; k < element.operands.size(); ++k) {
         const OperandText text = texts_.operand(i, k);
         node.left.push_back({"IN" + std::to_string(k + 1), text.whole(), text.isConstant});
       }
       return {add(std::move(node))};
     }
-    const bool isNegated = isNegatedContact(*element.desc);
-    const bool isImmediate = element.desc->stl.ends_with('I');
+    const bool isNegated = element.desc->negated;
+    const bool isImmediate = element.desc->immediate;
     node.kind = NodeKind::Leaf;
     node.above = {texts_.operand(i, 0).whole() + (isImmediate ? " (I)" : "")};
     if (isNegated && node.output != Flow3::Unknown) node.output = node.output == Flow3::On ? Flow3::Off : Flow3::On;
@@ -145,7 +145,7 @@ class FbdPlan {
     }
     PlanNode node = nodeOf(texts_, i);
     node.kind = NodeKind::Box;
-    node.name = contactSign(*element.desc);
+    node.name = std::string(element.desc->drawnName());
     node.inputs = {pin(wire)};
     return {add(std::move(node))};
   }
@@ -164,9 +164,8 @@ class FbdPlan {
     node.kind = NodeKind::Box;
     node.hasOutput = false;
     node.isLast = !element.inputs.empty();
-    node.name = coilSign(*element.desc);
-    if (node.name == " ") node.name = "=";
-    if (node.name == "I") node.name = "=I";
+    node.name = std::string(element.desc->drawnName());
+    if (isCoil(element.desc->role)) node.name = element.desc->stl;  // a box has no round sign to stand for "="
     for (const Wire& wire : element.inputs) node.inputs.push_back(pin(wire));
     addAbove(node, texts_.operand(i, 0));
     if (element.operands.size() > 1) {

@@ -107,7 +107,7 @@ class LadderPlan {
     PlanNode node = nodeOf(texts_, i);
     node.kind = NodeKind::Contact;
     node.inputs = {{from}};
-    node.sign = contactSign(*at(i).desc);
+    node.sign = std::string(at(i).desc->drawnName());
     addAbove(node, texts_.operand(i, 0));
     if (at(i).operands.size() > 1) node.below = {texts_.operand(i, 1).whole()};
     // Moved behind another part of a series: power needs both.
@@ -155,7 +155,7 @@ class LadderPlan {
     node.hasOutput = false;
     node.output = plan_.nodes[static_cast<std::size_t>(from)].output;
     node.inputs = {{from}};
-    node.sign = coilSign(*element.desc);
+    node.sign = std::string(element.desc->drawnName());
     addAbove(node, texts_.operand(i, 0));
     if (element.operands.size() > 1) node.below = {texts_.operand(i, 1).whole()};
     return add(std::move(node));

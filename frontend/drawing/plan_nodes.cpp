@@ -47,7 +47,7 @@ const Pou* calleeOf(const ElementTexts& texts, const Element& element) {
 namespace {
 
 std::string nameOfBox(const ElementTexts& texts, const Element& element, int index) {
-  if (element.desc->control != Control::Call) return boxName(*element.desc);
+  if (element.desc->control != Control::Call) return std::string(element.desc->drawnName());
   if (const Pou* callee = calleeOf(texts, element)) return callee->name;
   const OperandText text = texts.operand(index, 0);
   return element.operands.empty()                            ? "CALL"
@@ -87,7 +87,7 @@ PlanNode boxNode(const ElementTexts& texts, const Element& element, int index, b
 
 std::vector<std::string> powerPinsOf(const ElementTexts& texts, const Element& element) {
   if (element.desc->control == Control::Call) return callPowerPins(element.operands, calleeOf(texts, element));
-  return powerPins(*element.desc, element.inputs.size());
+  return powerPins(*element.desc);
 }
 
 }  // namespace rungproof

@@ -23,13 +23,15 @@ SignalType signalType(const Instruction& instruction, std::size_t index) {
   }
 }
 
-bool isTrue(double a, double b, std::string_view relation) {
-  if (relation == "<") return a < b;
-  if (relation == "<=") return a <= b;
-  if (relation == "=") return a == b;
-  if (relation == ">=") return a >= b;
-  if (relation == ">") return a > b;
-  return a != b;
+bool isTrue(double a, double b, Relation relation) {
+  switch (relation) {
+    case Relation::Less: return a < b;
+    case Relation::LessEqual: return a <= b;
+    case Relation::Equal: return a == b;
+    case Relation::GreaterEqual: return a >= b;
+    case Relation::Greater: return a > b;
+    default: return a != b;
+  }
 }
 
 /// The value of operand `index` in front of the instruction as a number; constants too.
@@ -47,17 +49,15 @@ std::optional<double> numberRead(const Instruction& instruction, const Instructi
 bool isClosed(const Element& element, const Instruction& instruction, const InstructionRecord& record) {
   if (element.desc->execution != Execution::Compare) {
     const std::optional<std::uint64_t> value = record.read.empty() ? std::nullopt : record.read[0];
-    return value && (*value != 0) != isNegatedContact(*element.desc);
+    return value && (*value != 0) != element.desc->negated;
   }
-  const std::string_view stl = element.desc->stl;
   if (element.desc->operands[0].type != Type::String) {
     const std::optional<double> a = numberRead(instruction, record, 0), b = numberRead(instruction, record, 1);
-    return a && b && isTrue(*a, *b, stl.substr(stl.find_first_of("<>=")));
+    return a && b && isTrue(*a, *b, element.desc->relation);
   }
   // Strings: the stack tells. Where the other side of an AND is off or of an OR is on, it cannot be seen, nor does it
   // matter.
-  const bool isLoad = instruction.desc->stl.starts_with("LD"), isOr = instruction.desc->stl.starts_with('O');
-  return record.after[0] && (isLoad || !isOr || !record.before[0]);
+  return record.after[0] && (roleOf(instruction) != Role::Or || !record.before[0]);
 }
 
 class FlowWalk {
@@ -114,7 +114,7 @@ class FlowWalk {
 
   static void contact(const Element& element, const Instruction& instruction, const InstructionRecord& record,
                       bool input, ElementFlow& result) {
-    if (element.desc->stl == "NOT") {
+    if (element.desc->role == Role::Not) {
       result.output = result.state = flowOf(!input);
     } else if (element.operands.empty()) {
       result.output = result.state = flowOf(record.after[0]);  // EU, ED

@@ -9,6 +9,7 @@
 #include "frontend/drawn/drawn_blocks.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 #include "ir/check.hpp"
+#include "ir/instruction_forms.hpp"
 #include "ir/isa.hpp"
 
 namespace rungproof {
@@ -53,7 +54,7 @@ Wire DrawnLowering::edge(Wire input, DrawnEdge kind) {
 Wire DrawnLowering::negation(Wire wire) {
   if (wire.from == 0 || wire.from != fresh_ || wire.negated) return inverted(wire);
   Element& element = drawing_.elements[wire.from];
-  element.desc = instructionNamed(element.desc->stl == "LD" ? "LDN" : "LD");
+  element.desc = negatedForm(*element.desc);
   fresh_ = 0;
   return wire;
 }

@@ -178,8 +178,7 @@ void DrawnBuild::addInitialValue(const VariablePlace& place, const DrawnVariable
     program_.data.push_back(std::move(init));
     return;
   }
-  if (place.operand.area == Area::I || place.operand.area == Area::AI)
-    return;  // read from outside before anybody looks
+  if (isInputArea(place.operand.area)) return;  // read from outside before anybody looks
   if (place.type == IecType::Bool)
     addFirst(firstScan_, "S", {place.operand, constant(1)}, variable.span);
   else
@@ -229,9 +228,9 @@ void DrawnBuild::declare(DrawnCopy& copy, const DrawnVariable& variable, const s
   } else if (!variable.address.empty()) {
     const auto address = locatedAddress(variable.address);
     const bool fitsType =
-        address && (address->width == widthOf(variable.type) ||
-                    (address->width == Width::Bit && (address->area == Area::T || address->area == Area::C) &&
-                     widthOf(variable.type) == Width::Word));
+        address &&
+        (address->width == widthOf(variable.type) ||
+         (address->width == Width::Bit && hasBitAndWord(address->area) && widthOf(variable.type) == Width::Word));
     if (!fitsType) {
       return sink_.report(
           Syntax::XmlStructure, variable.span,
@@ -359,8 +358,7 @@ void DrawnBuild::addUncovered(DrawnCopy& copy, Pou& pou) {
   const auto hide = [&](const VariablePlace& place) {
     const Area area = place.operand.area;
     isClosed = isClosed && place.copy == nullptr;
-    if (place.copy != nullptr || place.constant || place.operand.kind != OperandKind::Direct || area == Area::I ||
-        area == Area::AI)
+    if (place.copy != nullptr || place.constant || place.operand.kind != OperandKind::Direct || isInputArea(area))
       return;
     if (seen.insert(toString(place.operand)).second) network.mayWrite->push_back(place.operand);
   };

@@ -408,13 +408,11 @@ class Parser {
     bare.text = text;
     ExprNode node{.op = ExprOp::Address, .operand = address(bare), .span = t.span};
     const Operand& o = node.operand;
-    const bool hasBit = o.area == Area::T || o.area == Area::C;
+    const bool hasBit = hasBitAndWord(o.area);
     if (asValue && !hasBit)
       throw Mistake{typeRule, t.span, fmt::format("'{}' has no value beside itself", text),
                     ".value is for timers and counters"};
-    if ((hasBit && !asValue) || (!hasBit && o.width == Width::Bit && o.area != Area::AI && o.area != Area::AQ &&
-                                 o.area != Area::AC && o.area != Area::HC))
-      return add(e, std::move(node));
+    if ((hasBit && !asValue) || (!areaInfo(o.area).width && o.width == Width::Bit)) return add(e, std::move(node));
     node.type = ExprType::Number;
     node.width = signedWidth(o);
     return add(e, std::move(node));
@@ -451,7 +449,7 @@ class Parser {
   void needNumber(Expr& e, std::uint32_t i, Span at) {
     ExprNode& n = e.nodes[i];
     if (n.type != ExprType::Truth) return;
-    if (n.op == ExprOp::Address && (n.operand.area == Area::T || n.operand.area == Area::C)) {
+    if (n.op == ExprOp::Address && hasBitAndWord(n.operand.area)) {
       n.type = ExprType::Number;
       n.width = 16;
       return;

@@ -47,8 +47,7 @@ std::uint8_t signedWidth(const Operand& operand) {
 }
 
 bool isTimerBit(const ExprNode& node) {
-  return node.op == ExprOp::Address && node.type == ExprType::Truth &&
-         (node.operand.area == Area::T || node.operand.area == Area::C);
+  return node.op == ExprOp::Address && node.type == ExprType::Truth && (hasBitAndWord(node.operand.area));
 }
 
 bool comparesTruth(const Expr& expr, ExprOp op, std::uint32_t left, std::uint32_t right) {
@@ -91,7 +90,7 @@ void asReals(Expr& expr, std::uint32_t left, std::uint32_t right) {
 
 std::optional<std::string> missingFrom(const Target& target, const Operand& operand) {
   if (operand.area == Area::L) return std::nullopt;
-  const bool isNumbered = operand.area == Area::T || operand.area == Area::C;
+  const bool isNumbered = hasBitAndWord(operand.area);
   const Width width = isNumbered && operand.width == Width::Bit ? Width::Word : operand.width;
   const bool isBit = width == Width::Bit;
   if (addressExists(target, operand.area, width, operand.offset, isBit ? operand.bit : 0)) return std::nullopt;

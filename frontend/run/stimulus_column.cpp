@@ -158,14 +158,12 @@ std::optional<TraceSignal> signalNamed(const Program& program, std::string_view 
                              : fmt::format("did you mean '{}'?", meant)};
     return std::nullopt;
   }
-  const bool byNumber = operand.area == Area::T || operand.area == Area::C;
+  const bool byNumber = hasBitAndWord(operand.area);
   if (asValue && !byNumber) {
     failure = {fmt::format("'.value' belongs to timers and counters, not to {}", bare)};
     return std::nullopt;
   }
-  if (byNumber) operand.width = asValue ? Width::Word : Width::Bit;
-  if (operand.area == Area::AI || operand.area == Area::AQ) operand.width = Width::Word;
-  if (operand.area == Area::HC) operand.width = Width::DWord;
+  operand.width = byNumber && !asValue ? Width::Bit : areaInfo(operand.area).width.value_or(operand.width);
   if (operand.area == Area::L) {
     failure = {fmt::format("{} has no value between scans: local memory belongs to one call (001:1367)", name)};
     return std::nullopt;

@@ -29,8 +29,8 @@ struct Cells {
 
 std::optional<Cells> touchedCells(const Instruction& instruction, std::size_t index) {
   const Operand& o = instruction.operands[index];
-  if (o.kind != OperandKind::Direct || o.area == Area::AC || o.area == Area::L) return std::nullopt;
-  if (o.area == Area::T || o.area == Area::C || o.area == Area::HC) return Cells{o.area, o.offset, 1};
+  if (o.kind != OperandKind::Direct || !lastsOverScans(o.area)) return std::nullopt;
+  if (isByNumber(o.area)) return Cells{o.area, o.offset, 1};
   const Width width = operandWidth(instruction, index);
   Cells cells{o.area, o.offset * 8 + (width == Width::Bit ? o.bit : 0U), static_cast<std::uint32_t>(bits(width))};
   // S and R: N bits.
@@ -69,9 +69,8 @@ std::vector<Cells> cellsOfProperty(const ProofResult& result) {
   for (const Expr* expr : {&result.property.first, &result.property.second}) {
     for (const ExprNode& node : expr->nodes) {
       const Operand& o = node.operand;
-      if (node.op != ExprOp::Address || o.area == Area::AC || o.area == Area::L) continue;
-      const bool byNumber = o.area == Area::T || o.area == Area::C || o.area == Area::HC;
-      if (byNumber)
+      if (node.op != ExprOp::Address || !lastsOverScans(o.area)) continue;
+      if (isByNumber(o.area))
         cells.push_back({o.area, o.offset, 1});
       else
         cells.push_back(

@@ -92,8 +92,7 @@ std::vector<TraceSignal> signalsThatMatter(const Program& program, const ProofRe
     for (const ExprNode& node : expr->nodes) {
       if (node.op != ExprOp::Address) continue;
       Operand operand = node.operand;
-      if ((operand.area == Area::T || operand.area == Area::C) && node.type == ExprType::Number)
-        operand.width = Width::Word;
+      if (hasBitAndWord(operand.area) && node.type == ExprType::Number) operand.width = Width::Word;
       add(operand);
     }
   }
@@ -110,7 +109,7 @@ std::string startText(const Program& program, const Choices& choices, const Witn
   const std::vector<StartCell> cells = startCells(program, choices, *witness.initial);
   std::string text;
   for (const TraceSignal& signal : touchedSignals(program)) {
-    const bool isCounted = signal.operand.area == Area::T || signal.operand.area == Area::C;
+    const bool isCounted = hasBitAndWord(signal.operand.area);
     if (isCounted && signal.operand.width == Width::Bit) continue;
     const std::uint32_t last =
         signal.operand.offset + (isCounted ? 0 : static_cast<std::uint32_t>(bytes(signal.operand.width)) - 1);

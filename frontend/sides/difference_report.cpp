@@ -106,7 +106,7 @@ Trace DifferenceReport::joined(const std::vector<TraceSignal>& common, std::vect
 Trace DifferenceReport::trace() const {
   const auto addOutputs = [](std::vector<TraceSignal>& list, const Program& program) {
     for (TraceSignal& signal : touchedSignals(program)) {
-      if (signal.operand.area == Area::Q || signal.operand.area == Area::AQ) list.push_back(std::move(signal));
+      if (isOutputArea(signal.operand.area)) list.push_back(std::move(signal));
     }
   };
   Inputs columns = inputs();

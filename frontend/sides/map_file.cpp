@@ -78,7 +78,7 @@ std::vector<MapLine> readMap(const std::string& name, std::string_view text, con
     const auto left = reader.named(trimmed(line.substr(0, sign)), before, "OLD");
     const auto right = reader.named(trimmed(line.substr(sign + 1)), after, "NEW");
     if (!left || !right) continue;
-    if (left->count != right->count || isByNumber(left->first.area) != isByNumber(right->first.area)) {
+    if (left->count != right->count || isWholeValue(left->first.area) != isWholeValue(right->first.area)) {
       reader.fail(fmt::format("the two sides of '{}' are not of one size", line), "pair as many bits of OLD as of NEW");
       continue;
     }

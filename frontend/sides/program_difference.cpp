@@ -30,8 +30,8 @@ class Reach {
     change.isEverything = change.isEverything || influence.everything() != Influence::none;
     for (const TraceSignal& signal : signals_) {
       const Operand& o = signal.operand;
-      const bool isOutput = o.area == Area::Q || o.area == Area::AQ;
-      if (o.area == Area::I || o.area == Area::AI || o.area == Area::SM) continue;
+      const bool isOutput = isOutputArea(o.area);
+      if (isInputArea(o.area) || o.area == Area::SM) continue;
       if (!isOutput) {
         if (isInfluenced(influence, o, 1)) addMemory(change, nameWithSymbol(program_, o));
         continue;

@@ -156,7 +156,7 @@ Sides readSides(const Context& context, const SideArguments& arguments, std::vec
     if (!operand)
       failures.push_back({fmt::format("--observe: '{}' is neither an address nor a symbol of OLD", text), {}, {}});
     else if (operand->area == Area::L || operand->area == Area::AC || operand->area == Area::HC ||
-             operand->area == Area::I || operand->area == Area::AI)
+             isInputArea(operand->area))
       failures.push_back({fmt::format("--observe: {} is no output and no memory", text),
                           {},
                           "name addresses of Q, AQ, V, M, S, SM, T or C"});

@@ -95,7 +95,7 @@ OperandResult readPointer(std::string_view target, std::string_view whole, Spell
   OperandResult result = faulty(OperandFault::Pointer);
   Operand& o = result.operand;
   if (readAddress(target, spelling, o)) {
-    const bool mayHold = o.area == Area::AC || ((o.area == Area::V || o.area == Area::L) && o.width == Width::DWord);
+    const bool mayHold = mayHoldPointer(o.area) && (o.area == Area::AC || o.width == Width::DWord);
     if (!mayHold) return result;
     o.kind = OperandKind::Indirect;
     result.fault = OperandFault::None;
@@ -108,10 +108,10 @@ OperandResult readAddressOf(std::string_view target, std::string_view whole, Spe
   OperandResult result = faulty(OperandFault::AddressOf);
   Operand& o = result.operand;
   if (readAddress(target, spelling, o)) {
-    const bool isNumbered = o.area == Area::T || o.area == Area::C || o.area == Area::AC || o.area == Area::HC;
+    const bool isNumbered = isByNumber(o.area);
     if (o.width == Width::Bit && !isNumbered) return result;
     o.kind = OperandKind::Address;
-    if (!isNumbered && o.area != Area::AI && o.area != Area::AQ) o.width = Width::Byte;
+    if (!isNumbered && !isAnalogue(o.area)) o.width = Width::Byte;
     result.fault = OperandFault::None;
     return result;
   }
@@ -166,7 +166,7 @@ bool readAddress(std::string_view text, Spelling spelling, Operand& operand) {
     if (!isBitOfArea || !readNumber(rest.substr(point + 1), bit)) return false;
     bit = std::min(bit, 255U);
   } else if (row.shape == AddressShape::Numbered) {
-    width = row.area == Area::AC || row.area == Area::HC ? Width::DWord : Width::Bit;
+    width = hasBitAndWord(row.area) ? Width::Bit : areaInfo(row.area).width.value_or(Width::Bit);
   } else if (row.shape == AddressShape::WordOnly) {
     if (letters.size != 'W') return false;
     width = Width::Word;

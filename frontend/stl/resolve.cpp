@@ -100,11 +100,10 @@ class Resolver {
   }
 
   bool replace(Operand& operand, const Operand& place, char sign) {
-    const bool isNumbered = place.area == Area::T || place.area == Area::C || place.area == Area::AC;
+    const bool isNumbered = isByNumber(place.area);
     if (sign == '*') {
-      const bool mayHold =
-          place.kind == OperandKind::Direct &&
-          (place.area == Area::AC || ((place.area == Area::V || place.area == Area::L) && place.width == Width::DWord));
+      const bool mayHold = place.kind == OperandKind::Direct && mayHoldPointer(place.area) &&
+                           (place.area == Area::AC || place.width == Width::DWord);
       if (!mayHold)
         return fault(operand,
                      fmt::format("{} is {}, but pointers are kept in VD, LD or AC", operand.text, toString(place)));
@@ -119,7 +118,7 @@ class Resolver {
     if (sign == '*') operand.kind = OperandKind::Indirect;
     if (sign == '&') {
       operand.kind = OperandKind::Address;
-      if (!isNumbered && place.area != Area::AI && place.area != Area::AQ) operand.width = Width::Byte;
+      if (!isNumbered && !isAnalogue(place.area)) operand.width = Width::Byte;
     }
     return true;
   }

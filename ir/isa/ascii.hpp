@@ -9,17 +9,21 @@
 
 namespace rungproof::isa {
 
-constexpr Desc hexDesc(std::string_view stl, std::string_view meaning, std::uint32_t time, StatusBits affects) {
-  return withOperands({.stl = stl,
-                       .meaning = meaning,
-                       .group = "table, find, conversion",
-                       .stack = {1, 0, 0},
-                       .eno = true,
-                       .affects = affects,
-                       .time = time,
-                       .manual = "001:3583"},
-                      {in("IN", Type::Byte, form::byteBuffer).elements(1, 0),
-                       out("OUT", Type::Byte, form::byteBuffer).elements(1, 0), in("LEN", Type::Byte, form::byteIn)});
+constexpr Desc hexDesc(Role role, std::string_view stl, std::string_view meaning, std::uint32_t time,
+                       StatusBits affects) {
+  return withOperands(
+      {.stl = stl,
+       .meaning = meaning,
+       .group = "table, find, conversion",
+       .role = role,
+       .stack = {1, 0, 0},
+       .eno = true,
+       .affects = affects,
+       .time = time,
+       .manual = "001:3583"},
+      {in("IN", Type::Byte, form::byteBuffer).elements(1, 0).counted(2, 255, role == Role::HexToAscii ? 2 : 1),
+       out("OUT", Type::Byte, form::byteBuffer).elements(1, 0).counted(2, 255, role == Role::AsciiToHex ? 2 : 1),
+       in("LEN", Type::Byte, form::byteIn)});
 }
 
 /// LEN hexadecimal digits: one byte each as characters, two in a byte as digits.
@@ -47,7 +51,7 @@ int digitLimit(Machine<D>& m, Args<D>& a, std::size_t wide, std::size_t packed, 
 /// ATH: characters 0-9 and A-F to digits, high nibble first; the low nibble left over by an odd LEN keeps its value
 /// (001:3709-3714). What stands before an illegal character is written or not by Choice::AthError.
 struct AsciiToHex {
-  static constexpr Desc desc = hexDesc("ATH", "ASCII to hexadecimal", 2300, status::NotAscii);
+  static constexpr Desc desc = hexDesc(Role::AsciiToHex, "ATH", "ASCII to hexadecimal", 2300, status::NotAscii);
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -84,7 +88,7 @@ struct AsciiToHex {
 
 /// HTA: digits to characters, high nibble first (001:3583-3589).
 struct HexToAscii {
-  static constexpr Desc desc = hexDesc("HTA", "hexadecimal to ASCII", 2000, 0);
+  static constexpr Desc desc = hexDesc(Role::HexToAscii, "HTA", "hexadecimal to ASCII", 2000, 0);
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;

@@ -14,6 +14,8 @@ struct Bistable {
       withOperands({.stl = stlName.view(),
                     .meaning = meaning.view(),
                     .group = "boolean",
+                    .role = setDominant ? Role::Sr : Role::Rs,
+                    .flowPins = setDominant ? FlowPins{"S1", "R"} : FlowPins{"S", "R1"},
                     .execution = Execution::Sampled,
                     .stack = {2, 1, 0},
                     .drawingOnly = true,

@@ -33,6 +33,7 @@ struct ReturnConditional : InScan {
   static constexpr Desc desc{.stl = "CRET",
                              .meaning = "return from the subroutine if there is power flow",
                              .group = "program control",
+                             .drawn = "RET",
                              .execution = Execution::Control,
                              .stack = {1, 0, 0},
                              .control = Control::ReturnConditional,

@@ -57,13 +57,15 @@ typename D::Bool clockShows(Machine<D>& m, typename D::Bits byte, std::uint32_t 
   return known;
 }
 
-template <bool writes, bool extended, Name stlName, Name meaning, std::uint32_t time>
+template <bool writes, bool extended, Name stlName, Name boxName, Name meaning, std::uint32_t time>
 struct Clock {
   static constexpr int size = extended ? 19 : 8;
   static constexpr Desc desc = withOperands(
       {.stl = stlName.view(),
        .meaning = meaning.view(),
        .group = "real-time clock",
+       .role = writes ? Role::Todw : Role::Todr,
+       .drawn = boxName.view(),
        .stack = {1, 0, 0},
        .eno = true,
        .since2004 = extended,
@@ -121,10 +123,10 @@ struct Clock {
   }
 };
 
-using ReadClock = Clock<false, false, "TODR", "read the real-time clock", 33100>;
-using WriteClock = Clock<true, false, "TODW", "write the real-time clock", 43600>;
-using ReadClockExtended = Clock<false, true, "TODRX", "read the extended clock (daylight saving)", 39100>;
-using WriteClockExtended = Clock<true, true, "TODWX", "set the extended clock (daylight saving)", 55400>;
+using ReadClock = Clock<false, false, "TODR", "READ_RTC", "read the real-time clock", 33100>;
+using WriteClock = Clock<true, false, "TODW", "SET_RTC", "write the real-time clock", 43600>;
+using ReadClockExtended = Clock<false, true, "TODRX", "READ_RTCX", "read the extended clock (daylight saving)", 39100>;
+using WriteClockExtended = Clock<true, true, "TODWX", "SET_RTCX", "set the extended clock (daylight saving)", 55400>;
 
 using ClockGroup = Group<ReadClock, WriteClock, ReadClockExtended, WriteClockExtended>;
 

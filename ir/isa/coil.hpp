@@ -11,6 +11,8 @@ struct Assign {
   static constexpr Desc desc = withOperands({.stl = "=",
                                              .meaning = "assign",
                                              .group = "boolean",
+                                             .role = Role::Assign,
+                                             .drawn = " ",
                                              .execution = Execution::Coil,
                                              .stack = {1, 0, 0},
                                              .time = 24,
@@ -27,6 +29,9 @@ struct AssignImmediate {
   static constexpr Desc desc = withOperands({.stl = "=I",
                                              .meaning = "assign immediate",
                                              .group = "boolean",
+                                             .role = Role::Assign,
+                                             .immediate = true,
+                                             .drawn = "I",
                                              .execution = Execution::Coil,
                                              .stack = {1, 0, 0},
                                              .time = 1600,
@@ -43,16 +48,19 @@ struct AssignImmediate {
 template <bool value, bool immediate, Name stlName, Name germanName, Name meaning>
 struct Latch {
   static constexpr int limit = immediate ? 128 : 255;  // 001:2789, 001:2800
-  static constexpr Desc desc = withOperands({.stl = stlName.view(),
-                                             .german = germanName.view(),
-                                             .meaning = meaning.view(),
-                                             .group = "boolean",
-                                             .stack = {1, 0, 0},
-                                             .eno = true,
-                                             .time = immediate ? 890 : 290,
-                                             .manual = immediate ? "001:2812" : "001:2811"},
-                                            {out("bit", Type::Bool, immediate ? form::Q : form::bitAny),
-                                             in("N", Type::Byte, form::byteIn).within({{1, limit, everyCpu}})});
+  static constexpr Desc desc =
+      withOperands({.stl = stlName.view(),
+                    .german = germanName.view(),
+                    .meaning = meaning.view(),
+                    .group = "boolean",
+                    .role = value ? Role::Set : Role::Reset,
+                    .immediate = immediate,
+                    .stack = {1, 0, 0},
+                    .eno = true,
+                    .time = immediate ? 890 : 290,
+                    .manual = immediate ? "001:2812" : "001:2811"},
+                   {out("bit", Type::Bool, immediate ? form::Q : form::bitAny).counted(1, limit),
+                    in("N", Type::Byte, form::byteIn).within({{1, limit, everyCpu}})});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     const auto count = a.value(1);
@@ -71,7 +79,7 @@ struct Latch {
     a.storeBitAt(0, k, m.d.constant(value));
     const std::uint32_t number = r.offset + static_cast<std::uint32_t>(k);
     if constexpr (!value) {
-      if (r.area == Area::T || r.area == Area::C) m.save(r.area, number, Width::Word, m.number(0, 16));
+      if (hasBitAndWord(r.area)) m.save(r.area, number, Width::Word, m.number(0, 16));
       if (r.area == Area::T) stopTimer(m, number);
     }
     if constexpr (immediate)

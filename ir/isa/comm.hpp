@@ -11,11 +11,13 @@ constexpr OperandDesc portOperand() {
   constexpr CpuSet two = cpuBit(Cpu::Cpu224XP) | cpuBit(Cpu::Cpu226) | cpuBit(Cpu::Cpu226XM);
   return in("PORT", Type::Byte, form::Const).within({{0, 0, everyCpu & ~two}, {0, 1, two}});  // 001:3041
 }
-constexpr Desc commDesc(std::string_view stl, std::string_view meaning, OperandDesc first, std::uint32_t time,
-                        std::string_view manual) {
+constexpr Desc commDesc(Role role, std::string_view stl, std::string_view box, std::string_view meaning,
+                        OperandDesc first, std::uint32_t time, std::string_view manual) {
   return withOperands({.stl = stl,
                        .meaning = meaning,
                        .group = "communication",
+                       .role = role,
+                       .drawn = box,
                        .stack = {1, 0, 0},
                        .eno = true,
                        .time = time,
@@ -74,7 +76,7 @@ void setPortBusy(Machine<D>& m, std::uint32_t port, std::uint64_t state) {
 /// XMT TBL, PORT: byte 0 is the number of characters behind it, 0 a break (001:3194). SM4.5 or SM4.6 is 0 until the
 /// transmission has ended.
 struct Transmit {
-  static constexpr Desc desc = commDesc("XMT", "transmit in freeport mode",
+  static constexpr Desc desc = commDesc(Role::Xmt, "XMT", {}, "transmit in freeport mode",
                                         in("TBL", Type::Byte, messageBuffer).elements(1, 256), 4200, "001:3153");
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -96,7 +98,7 @@ struct Transmit {
 /// RCV TBL, PORT: with the enable bit off it ends a running reception (n = 1, 001:3217); otherwise it checks the start
 /// and end conditions (r = 1 and ENO 0 if one is missing) and starts; SMB86 or SMB186 is 0 while it runs (001:3207).
 struct Receive {
-  static constexpr Desc desc = commDesc("RCV", "receive a message in freeport mode",
+  static constexpr Desc desc = commDesc(Role::Rcv, "RCV", {}, "receive a message in freeport mode",
                                         out("TBL", Type::Byte, messageBuffer).elements(1, 256), 5100, "001:3153");
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -136,7 +138,7 @@ struct Receive {
 template <bool writes, Name stlName, Name meaning, std::uint32_t time>
 struct Network {
   static constexpr Desc desc =
-      commDesc(stlName.view(), meaning.view(),
+      commDesc(writes ? Role::Netw : Role::Netr, stlName.view(), {}, meaning.view(),
                inout("TBL", Type::Byte, form::V | form::M | form::Pointers).elements(7, 23), time, "001:3040");
   static constexpr std::uint64_t active = 0x40, error = 0x20, queueFull = 4, notMaster = 5, badParameter = 6;
   static constexpr std::uint32_t queueSize = 8;
@@ -188,8 +190,8 @@ struct Network {
 
 /// GPA ADDR, PORT: the station address in use, from SPA or else the system block (001:3348).
 struct GetPortAddress {
-  static constexpr Desc desc =
-      commDesc("GPA", "get port address", out("ADDR", Type::Byte, form::byteOut), 1600, "001:3348");
+  static constexpr Desc desc = commDesc(Role::Gpa, "GPA", "GET_ADDR", "get port address",
+                                        out("ADDR", Type::Byte, form::byteOut), 1600, "001:3348");
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     const auto port = portOf(m, a);
@@ -204,7 +206,8 @@ struct GetPortAddress {
 /// SPA ADDR, PORT: until the next restart; not in an interrupt routine (001:3348-3353).
 struct SetPortAddress {
   static constexpr Desc desc = [] {
-    Desc d = commDesc("SPA", "set port address", in("ADDR", Type::Byte, form::byteIn), 37100, "001:3348");
+    Desc d = commDesc(Role::Spa, "SPA", "SET_ADDR", "set port address", in("ADDR", Type::Byte, form::byteIn), 37100,
+                      "001:3348");
     d.notInInterrupt = true;
     return d;
   }();

@@ -9,19 +9,17 @@
 
 namespace rungproof::isa {
 
-enum class Relation { Less, LessEqual, Equal, GreaterEqual, Greater, NotEqual };
-
 constexpr std::string_view symbolOf(Relation r) {
-  constexpr std::string_view symbols[] = {"<", "<=", "=", ">=", ">", "<>"};
+  constexpr std::string_view symbols[] = {"", "<", "<=", "=", ">=", ">", "<>"};
   return symbols[static_cast<std::size_t>(r)];
 }
-constexpr std::string_view prefixOf(Joint j, bool german) {
-  return j == Joint::Load ? "LD" : j == Joint::Or ? "O" : german ? "U" : "A";
+constexpr std::string_view prefixOf(Role j, bool german) {
+  return j == Role::Load ? "LD" : j == Role::Or ? "O" : german ? "U" : "A";
 }
-constexpr std::string_view effectOf(Joint j) {
-  return j == Joint::Load  ? "load the result"
-         : j == Joint::And ? "AND the result with the top of stack"
-                           : "OR the result with the top of stack";
+constexpr std::string_view effectOf(Role j) {
+  return j == Role::Load  ? "load the result"
+         : j == Role::And ? "AND the result with the top of stack"
+                          : "OR the result with the top of stack";
 }
 
 /// A text put together at compile time, for names of families.
@@ -36,11 +34,16 @@ struct JoinedText {
   constexpr std::string_view view() const { return {characters.data(), length}; }
 };
 
+/// "==I", ">=D": the relation between the rails of a ladder, with the letter of the box (001:2206).
+constexpr JoinedText signOf(Relation relation, std::string_view letter) {
+  return {relation == Relation::Equal ? "==" : symbolOf(relation), letter};
+}
+
 constexpr std::string_view letterOf(Type type) {
   return type == Type::Byte ? "B" : type == Type::Int ? "W" : type == Type::DInt ? "D" : type == Type::Real ? "R" : "S";
 }
 
-template <Joint joint, Type type, Relation relation, std::uint16_t time>
+template <Role joint, Type type, Relation relation, std::uint16_t time>
 struct Compare {
   static constexpr JoinedText stl{prefixOf(joint, false), letterOf(type), symbolOf(relation)};
   static constexpr JoinedText german{prefixOf(joint, true), letterOf(type), symbolOf(relation)};
@@ -50,6 +53,7 @@ struct Compare {
                                       : type == Type::DInt ? "compare double words"
                                                            : "compare reals",
                                       ": IN1 ", symbolOf(relation), " IN2, ", effectOf(joint)};
+  static constexpr JoinedText sign = signOf(relation, type == Type::Int ? "I" : letterOf(type));
   static constexpr Forms forms = type == Type::Byte   ? form::byteIn
                                  : type == Type::Int  ? form::wordIn
                                  : type == Type::DInt ? form::dwordIn
@@ -59,6 +63,9 @@ struct Compare {
                                              .family = family.view(),
                                              .meaning = meaning.view(),
                                              .group = "boolean / compare",
+                                             .role = joint,
+                                             .relation = relation,
+                                             .drawn = sign.view(),
                                              .execution = Execution::Compare,
                                              .stack = stackOf(joint),
                                              .time = time,
@@ -98,7 +105,7 @@ struct Compare {
 };
 
 /// LDS=, AS<> and so on: equal length and equal bytes. A constant may stand first only (001:3429-3430).
-template <Joint joint, Relation relation>
+template <Role joint, Relation relation>
 struct CompareString {
   /// Characters that can stand behind the length byte of operand i.
   template <class D>
@@ -110,12 +117,16 @@ struct CompareString {
   static constexpr JoinedText german{prefixOf(joint, true), "S", symbolOf(relation)};
   static constexpr JoinedText family{prefixOf(joint, false), "Sx"};
   static constexpr JoinedText meaning{"compare strings: IN1 ", symbolOf(relation), " IN2, ", effectOf(joint)};
+  static constexpr JoinedText sign = signOf(relation, "S");
   static constexpr Desc desc =
       withOperands({.stl = stl.view(),
                     .german = german.view(),
                     .family = family.view(),
                     .meaning = meaning.view(),
                     .group = "boolean / compare",
+                    .role = joint,
+                    .relation = relation,
+                    .drawn = sign.view(),
                     .execution = Execution::Compare,
                     .stack = stackOf(joint),
                     .time = 3300,
@@ -144,20 +155,20 @@ struct CompareString {
   }
 };
 
-template <Joint j, Type t, std::uint16_t time>
+template <Role j, Type t, std::uint16_t time>
 using CompareFamily = Group<Compare<j, t, Relation::Less, time>, Compare<j, t, Relation::LessEqual, time>,
                             Compare<j, t, Relation::Equal, time>, Compare<j, t, Relation::GreaterEqual, time>,
                             Compare<j, t, Relation::Greater, time>, Compare<j, t, Relation::NotEqual, time>>;
-template <Joint j>
+template <Role j>
 using CompareStringFamily = Group<CompareString<j, Relation::Equal>, CompareString<j, Relation::NotEqual>>;
 
 using CompareGroup =
-    Join<CompareFamily<Joint::Load, Type::Byte, 1800>, CompareFamily<Joint::And, Type::Byte, 1800>,
-         CompareFamily<Joint::Or, Type::Byte, 1800>, CompareFamily<Joint::Load, Type::Int, 2400>,
-         CompareFamily<Joint::And, Type::Int, 2300>, CompareFamily<Joint::Or, Type::Int, 2400>,
-         CompareFamily<Joint::Load, Type::DInt, 2700>, CompareFamily<Joint::And, Type::DInt, 2700>,
-         CompareFamily<Joint::Or, Type::DInt, 2600>, CompareFamily<Joint::Load, Type::Real, 2900>,
-         CompareFamily<Joint::And, Type::Real, 2900>, CompareFamily<Joint::Or, Type::Real, 2900>,
-         CompareStringFamily<Joint::Load>, CompareStringFamily<Joint::And>, CompareStringFamily<Joint::Or>>::type;
+    Join<CompareFamily<Role::Load, Type::Byte, 1800>, CompareFamily<Role::And, Type::Byte, 1800>,
+         CompareFamily<Role::Or, Type::Byte, 1800>, CompareFamily<Role::Load, Type::Int, 2400>,
+         CompareFamily<Role::And, Type::Int, 2300>, CompareFamily<Role::Or, Type::Int, 2400>,
+         CompareFamily<Role::Load, Type::DInt, 2700>, CompareFamily<Role::And, Type::DInt, 2700>,
+         CompareFamily<Role::Or, Type::DInt, 2600>, CompareFamily<Role::Load, Type::Real, 2900>,
+         CompareFamily<Role::And, Type::Real, 2900>, CompareFamily<Role::Or, Type::Real, 2900>,
+         CompareStringFamily<Role::Load>, CompareStringFamily<Role::And>, CompareStringFamily<Role::Or>>::type;
 
 }  // namespace rungproof::isa

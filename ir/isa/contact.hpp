@@ -6,26 +6,26 @@
 
 namespace rungproof::isa {
 
-/// How a contact joins the stack: pushed, ANDed with the top, ORed with it.
-enum class Joint { Load, And, Or };
-
-template <Joint joint, class D>
+/// How a contact joins the stack is its role: pushed, ANDed with the top, ORed with it.
+template <Role joint, class D>
 void join(Machine<D>& m, typename D::Bool value) {
-  if constexpr (joint == Joint::Load) m.push(value);
-  if constexpr (joint == Joint::And) m.setTop(m.d.land(m.top(), value));
-  if constexpr (joint == Joint::Or) m.setTop(m.d.lor(m.top(), value));
+  static_assert(isContact(joint));
+  if constexpr (joint == Role::Load) m.push(value);
+  if constexpr (joint == Role::And) m.setTop(m.d.land(m.top(), value));
+  if constexpr (joint == Role::Or) m.setTop(m.d.lor(m.top(), value));
 }
 
-constexpr StackEffect stackOf(Joint joint) {
-  return joint == Joint::Load ? StackEffect{0, 0, 1} : StackEffect{1, 0, 0};
-}
+constexpr StackEffect stackOf(Role joint) { return joint == Role::Load ? StackEffect{0, 0, 1} : StackEffect{1, 0, 0}; }
 
-template <Joint joint, bool negated, Name stlName, Name germanName, Name meaning, std::uint16_t time>
+template <Role joint, bool negated, Name stlName, Name germanName, Name meaning, std::uint16_t time>
 struct Contact {
   static constexpr Desc desc = withOperands({.stl = stlName.view(),
                                              .german = germanName.view(),
                                              .meaning = meaning.view(),
                                              .group = "boolean",
+                                             .role = joint,
+                                             .negated = negated,
+                                             .drawn = negated ? "/" : " ",
                                              .execution = Execution::Stack,
                                              .stack = stackOf(joint),
                                              .time = time,
@@ -37,12 +37,16 @@ struct Contact {
   }
 };
 
-template <Joint joint, bool negated, Name stlName, Name germanName, Name meaning>
+template <Role joint, bool negated, Name stlName, Name germanName, Name meaning>
 struct ImmediateContact {
   static constexpr Desc desc = withOperands({.stl = stlName.view(),
                                              .german = germanName.view(),
                                              .meaning = meaning.view(),
                                              .group = "boolean",
+                                             .role = joint,
+                                             .negated = negated,
+                                             .immediate = true,
+                                             .drawn = negated ? "/I" : "I",
                                              .execution = Execution::Stack,
                                              .stack = stackOf(joint),
                                              .time = 1500,
@@ -61,6 +65,7 @@ struct Not {
   static constexpr Desc desc{.stl = "NOT",
                              .meaning = "invert the top of stack",
                              .group = "boolean",
+                             .role = Role::Not,
                              .execution = Execution::Stack,
                              .stack = {1, 0, 0},
                              .time = 22,
@@ -71,18 +76,18 @@ struct Not {
   }
 };
 
-using Ld = Contact<Joint::Load, false, "LD", "LD", "load bit", 22>;
-using Ldn = Contact<Joint::Load, true, "LDN", "LDN", "load inverted bit", 30>;
-using And = Contact<Joint::And, false, "A", "U", "AND bit", 22>;
-using Andn = Contact<Joint::And, true, "AN", "UN", "AND inverted bit", 22>;
-using Or = Contact<Joint::Or, false, "O", "O", "OR bit", 22>;
-using Orn = Contact<Joint::Or, true, "ON", "ON", "OR inverted bit", 22>;
-using Ldi = ImmediateContact<Joint::Load, false, "LDI", "LDI", "load bit immediate">;
-using Ldni = ImmediateContact<Joint::Load, true, "LDNI", "LDNI", "load inverted bit immediate">;
-using Ai = ImmediateContact<Joint::And, false, "AI", "UI", "AND bit immediate">;
-using Ani = ImmediateContact<Joint::And, true, "ANI", "UNI", "AND inverted bit immediate">;
-using Oi = ImmediateContact<Joint::Or, false, "OI", "OI", "OR bit immediate">;
-using Oni = ImmediateContact<Joint::Or, true, "ONI", "ONI", "OR inverted bit immediate">;
+using Ld = Contact<Role::Load, false, "LD", "LD", "load bit", 22>;
+using Ldn = Contact<Role::Load, true, "LDN", "LDN", "load inverted bit", 30>;
+using And = Contact<Role::And, false, "A", "U", "AND bit", 22>;
+using Andn = Contact<Role::And, true, "AN", "UN", "AND inverted bit", 22>;
+using Or = Contact<Role::Or, false, "O", "O", "OR bit", 22>;
+using Orn = Contact<Role::Or, true, "ON", "ON", "OR inverted bit", 22>;
+using Ldi = ImmediateContact<Role::Load, false, "LDI", "LDI", "load bit immediate">;
+using Ldni = ImmediateContact<Role::Load, true, "LDNI", "LDNI", "load inverted bit immediate">;
+using Ai = ImmediateContact<Role::And, false, "AI", "UI", "AND bit immediate">;
+using Ani = ImmediateContact<Role::And, true, "ANI", "UNI", "AND inverted bit immediate">;
+using Oi = ImmediateContact<Role::Or, false, "OI", "OI", "OR bit immediate">;
+using Oni = ImmediateContact<Role::Or, true, "ONI", "ONI", "OR inverted bit immediate">;
 
 using ContactGroup = Group<Ld, Ldn, And, Andn, Or, Orn, Ldi, Ldni, Ai, Ani, Oi, Oni, Not>;
 

@@ -28,6 +28,7 @@ struct MainEnd : InScan {
   static constexpr Desc desc{.stl = "MEND",
                              .meaning = "end of the main program",
                              .group = "only in Appendix F or C",
+                             .drawn = "END",
                              .execution = Execution::Control,
                              .control = Control::MainEnd,
                              .olderDialectOnly = true,
@@ -97,6 +98,7 @@ struct WatchdogReset {
   static constexpr Desc desc{.stl = "WDR",
                              .meaning = "restart the scan watchdog",
                              .group = "program control",
+                             .role = Role::Wdr,
                              .stack = {1, 0, 0},
                              .time = 700,
                              .manual = "001:5699"};
@@ -111,6 +113,7 @@ struct DiagnosticLed {
   static constexpr Desc desc = withOperands({.stl = "DLED",
                                              .meaning = "diagnostic LED",
                                              .group = "program control",
+                                             .drawn = "DIAG_LED",
                                              .stack = {1, 0, 0},
                                              .since2004 = true,
                                              .time = 1400,

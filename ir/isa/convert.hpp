@@ -7,11 +7,12 @@
 
 namespace rungproof::isa {
 
-constexpr Desc conversion(std::string_view stl, std::string_view meaning, OperandDesc from, OperandDesc to,
-                          std::uint32_t time, std::string_view manual, StatusBits affects = 0) {
+constexpr Desc conversion(std::string_view stl, std::string_view box, std::string_view meaning, OperandDesc from,
+                          OperandDesc to, std::uint32_t time, std::string_view manual, StatusBits affects = 0) {
   return withOperands({.stl = stl,
                        .meaning = meaning,
                        .group = "table, find, conversion",
+                       .drawn = box,
                        .stack = {1, 0, 0},
                        .eno = true,
                        .affects = affects,
@@ -31,7 +32,7 @@ void storeUnless(Machine<D>& m, Args<D>& a, std::size_t i, typename D::Bits resu
 
 /// BTI: zero-extends (001:3480).
 struct ByteToInt {
-  static constexpr Desc desc = conversion("BTI", "byte to integer", in("IN", Type::Byte, form::byteIn),
+  static constexpr Desc desc = conversion("BTI", "B_I", "byte to integer", in("IN", Type::Byte, form::byteIn),
                                           out("OUT", Type::Int, form::wordOut), 1600, "001:3480");
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -41,7 +42,7 @@ struct ByteToInt {
 
 /// ITB: 0 to 255 only (001:3485).
 struct IntToByte {
-  static constexpr Desc desc = conversion("ITB", "integer to byte", in("IN", Type::Int, form::wordIn),
+  static constexpr Desc desc = conversion("ITB", "I_B", "integer to byte", in("IN", Type::Int, form::wordIn),
                                           out("OUT", Type::Byte, form::byteOut), 1700, "001:3485", status::Overflow);
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -53,7 +54,7 @@ struct IntToByte {
 
 /// ITD: sign-extends (001:3475).
 struct IntToDInt {
-  static constexpr Desc desc = conversion("ITD", "integer to double integer", in("IN", Type::Int, form::wordIn),
+  static constexpr Desc desc = conversion("ITD", "I_DI", "integer to double integer", in("IN", Type::Int, form::wordIn),
                                           out("OUT", Type::DInt, form::dwordOut), 2000, "001:3475");
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -63,8 +64,9 @@ struct IntToDInt {
 
 /// DTI: -32768 to 32767 only (001:3470).
 struct DIntToInt {
-  static constexpr Desc desc = conversion("DTI", "double integer to integer", in("IN", Type::DInt, form::dwordIn),
-                                          out("OUT", Type::Int, form::wordOut), 2100, "001:3470", status::Overflow);
+  static constexpr Desc desc =
+      conversion("DTI", "DI_I", "double integer to integer", in("IN", Type::DInt, form::dwordIn),
+                 out("OUT", Type::Int, form::wordOut), 2100, "001:3470", status::Overflow);
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     const auto value = a.value(0), low = m.d.extract(value, 15, 0);
@@ -75,7 +77,7 @@ struct DIntToInt {
 
 /// DTR: to the nearest REAL, or toward zero by Choice::RealFromDInt (001:3465).
 struct DIntToReal {
-  static constexpr Desc desc = conversion("DTR", "double integer to real", in("IN", Type::DInt, form::dwordIn),
+  static constexpr Desc desc = conversion("DTR", "DI_R", "double integer to real", in("IN", Type::DInt, form::dwordIn),
                                           out("OUT", Type::Real, form::dwordOut), 3500, "001:3465");
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -105,7 +107,7 @@ struct DIntToReal {
 /// ROUND and TRUNC: an illegal REAL or one beyond a double integer sets SM1.1 (001:3496-3499).
 template <bool round, Name stlName, Name meaning, std::uint32_t time>
 struct RealToDInt {
-  static constexpr Desc desc = conversion(stlName.view(), meaning.view(), in("IN", Type::Real, form::realIn),
+  static constexpr Desc desc = conversion(stlName.view(), {}, meaning.view(), in("IN", Type::Real, form::realIn),
                                           out("OUT", Type::DInt, form::dwordOut), time, "001:3496", status::Overflow);
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -135,10 +137,11 @@ struct RealToDInt {
   }
 };
 
-constexpr Desc bcdDesc(std::string_view stl, std::string_view meaning, std::uint32_t time) {
+constexpr Desc bcdDesc(std::string_view stl, std::string_view box, std::string_view meaning, std::uint32_t time) {
   return withOperands({.stl = stl,
                        .meaning = meaning,
                        .group = "table, find, conversion",
+                       .drawn = box,
                        .stack = {1, 0, 0},
                        .eno = true,
                        .affects = status::NotBcd,
@@ -157,7 +160,7 @@ void storeBcd(Machine<D>& m, Args<D>& a, typename D::Bits result, typename D::Bo
 
 /// BCDI: four BCD digits to a number; a digit above 9 sets SM1.6.
 struct BcdToInt {
-  static constexpr Desc desc = bcdDesc("BCDI", "BCD to integer", 3500);
+  static constexpr Desc desc = bcdDesc("BCDI", "BCD_I", "BCD to integer", 3500);
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -175,7 +178,7 @@ struct BcdToInt {
 
 /// IBCD: 0 to 9999 to four BCD digits, anything else sets SM1.6.
 struct IntToBcd {
-  static constexpr Desc desc = bcdDesc("IBCD", "integer to BCD", 5200);
+  static constexpr Desc desc = bcdDesc("IBCD", "I_BCD", "integer to BCD", 5200);
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -195,7 +198,7 @@ inline constexpr std::array<std::uint8_t, 16> segments = {0x3F, 0x06, 0x5B, 0x4F
 
 /// SEG: the low nibble as a seven-segment pattern (001:3545).
 struct SevenSegment {
-  static constexpr Desc desc = conversion("SEG", "seven-segment pattern", in("IN", Type::Byte, form::byteIn),
+  static constexpr Desc desc = conversion("SEG", {}, "seven-segment pattern", in("IN", Type::Byte, form::byteIn),
                                           out("OUT", Type::Byte, form::byteOut), 1500, "001:3545");
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -210,7 +213,7 @@ struct SevenSegment {
 
 /// ENCO: number of the lowest 1 bit into the low nibble of OUT (001:3947).
 struct Encode {
-  static constexpr Desc desc = conversion("ENCO", "encode", in("IN", Type::Word, form::wordIn),
+  static constexpr Desc desc = conversion("ENCO", {}, "encode", in("IN", Type::Word, form::wordIn),
                                           out("OUT", Type::Byte, form::byteOut), 2400, "001:3947");
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -229,7 +232,7 @@ struct Encode {
 
 /// DECO: the bit of OUT that the low nibble of IN names, all others 0 (001:3952).
 struct Decode {
-  static constexpr Desc desc = conversion("DECO", "decode", in("IN", Type::Byte, form::byteIn),
+  static constexpr Desc desc = conversion("DECO", {}, "decode", in("IN", Type::Byte, form::byteIn),
                                           out("OUT", Type::Word, form::wordOut | form::AQ), 1900, "001:3952");
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {

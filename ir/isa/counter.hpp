@@ -33,12 +33,14 @@ void setCounter(Machine<D>& m, std::uint32_t number, typename D::Bits current, t
   m.setBit(Reg::CounterBit, number, bit);
 }
 
-constexpr Desc counterDesc(std::string_view stl, std::string_view german, std::string_view meaning, std::uint8_t inputs,
-                           std::uint16_t time) {
+constexpr Desc counterDesc(Role role, std::string_view stl, std::string_view german, std::string_view meaning,
+                           std::uint8_t inputs, FlowPins pins, std::uint16_t time) {
   return withOperands({.stl = stl,
                        .german = german,
                        .meaning = meaning,
                        .group = "timers and counters",
+                       .role = role,
+                       .flowPins = pins,
                        .execution = Execution::Sampled,
                        .stack = {inputs, 0, 0},
                        .time = time,
@@ -48,7 +50,7 @@ constexpr Desc counterDesc(std::string_view stl, std::string_view german, std::s
 
 /// CTU: counts up to 32767, not only to PV; the bit is current >= PV (001:3990).
 struct CountUp {
-  static constexpr Desc desc = counterDesc("CTU", "ZV", "count up", 2, 3100);
+  static constexpr Desc desc = counterDesc(Role::Ctu, "CTU", "ZV", "count up", 2, {"CU", "R"}, 3100);
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -64,7 +66,7 @@ struct CountUp {
 
 /// CTD: counts down to 0 and stops; the bit is current = 0; the load input takes PV and clears the bit (001:3999).
 struct CountDown {
-  static constexpr Desc desc = counterDesc("CTD", "ZR", "count down", 2, 2700);
+  static constexpr Desc desc = counterDesc(Role::Ctd, "CTD", "ZR", "count down", 2, {"CD", "LD"}, 2700);
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -83,7 +85,7 @@ struct CountDown {
 /// CTUD: counts both ways and wraps at the ends of the word (000:3361-3376); Choice::CountUpDownAtPreset is the
 /// sentence that it stops at PV. Both edges at once leave the value.
 struct CountUpDown {
-  static constexpr Desc desc = counterDesc("CTUD", "ZVR", "count up/down", 3, 3700);
+  static constexpr Desc desc = counterDesc(Role::Ctud, "CTUD", "ZVR", "count up/down", 3, {"CU", "CD", "R"}, 3700);
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -105,10 +107,14 @@ inline constexpr Forms presetIn = form::wordIn & ~(form::T | form::C);          
 inline constexpr Forms flagOut = form::I | form::Q | form::V | form::M | form::SM | form::S | form::L;  // 001:4110
 inline constexpr Forms currentOut = form::wordOut & ~(form::T | form::C | form::SM);                    // 001:4111
 
-constexpr Desc boxDesc(std::string_view stl, std::string_view meaning, std::uint8_t inputs, std::uint16_t time) {
+constexpr Desc boxDesc(std::string_view stl, std::string_view box, std::string_view meaning, std::uint8_t inputs,
+                       FlowPins pins, std::uint16_t time) {
   return {.stl = stl,
           .meaning = meaning,
           .group = "timers and counters",
+          .role = Role::IecCounter,
+          .drawn = box,
+          .flowPins = pins,
           .execution = Execution::Sampled,
           .stack = {inputs, 0, 0},
           .drawingOnly = true,
@@ -132,7 +138,7 @@ void setWordPin(Args<D>& a, std::size_t i, typename D::Bits value) {
 /// Counts up and stops at PV; Q is CV >= PV.
 struct CountUp {
   static constexpr Desc desc =
-      withOperands(boxDesc("CTU.IEC", "count up (IEC)", 2, 3100),
+      withOperands(boxDesc("CTU.IEC", "CTU", "count up (IEC)", 2, {"CU", "R"}, 3100),
                    {numberPin, presetPin, optional(out("Q", Type::Bool, flagOut)), currentPin});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -152,7 +158,7 @@ struct CountUp {
 /// Counts down and stops at 0; LD takes PV; Q is CV = 0.
 struct CountDown {
   static constexpr Desc desc =
-      withOperands(boxDesc("CTD.IEC", "count down (IEC)", 2, 2700),
+      withOperands(boxDesc("CTD.IEC", "CTD", "count down (IEC)", 2, {"CD", "LD"}, 2700),
                    {numberPin, presetPin, optional(out("Q", Type::Bool, flagOut)), currentPin});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -171,9 +177,10 @@ struct CountDown {
 
 /// Counts both ways between 0 and PV; QU is CV = PV, QD is CV = 0. R against LD is Choice::IecCounterPriority.
 struct CountUpDown {
-  static constexpr Desc desc = withOperands(boxDesc("CTUD.IEC", "count up/down (IEC)", 4, 3700),
-                                            {numberPin, presetPin, optional(out("QU", Type::Bool, flagOut)),
-                                             optional(out("QD", Type::Bool, flagOut)), currentPin});
+  static constexpr Desc desc =
+      withOperands(boxDesc("CTUD.IEC", "CTUD", "count up/down (IEC)", 4, {"CU", "CD", "R", "LD"}, 3700),
+                   {numberPin, presetPin, optional(out("QU", Type::Bool, flagOut)),
+                    optional(out("QD", Type::Bool, flagOut)), currentPin});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;

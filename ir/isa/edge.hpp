@@ -13,6 +13,8 @@ struct Edge {
   static constexpr Desc desc{.stl = stlName.view(),
                              .meaning = meaning.view(),
                              .group = "boolean",
+                             .role = rising ? Role::Eu : Role::Ed,
+                             .drawn = rising ? "P" : "N",
                              .execution = Execution::Stack,
                              .stack = {1, 0, 0},
                              .time = 800,

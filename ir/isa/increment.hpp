@@ -8,7 +8,7 @@
 
 namespace rungproof::isa {
 
-template <bool up, Width width, Name stlName, Name meaning, std::uint32_t time>
+template <bool up, Width width, Name stlName, Name boxName, Name meaning, std::uint32_t time>
 struct Step {
   static constexpr int w = bits(width);
   static constexpr Type type = width == Width::Byte ? Type::Byte : width == Width::Word ? Type::Int : Type::DInt;
@@ -20,6 +20,8 @@ struct Step {
       {.stl = stlName.view(),
        .meaning = meaning.view(),
        .group = "math, increment, decrement",
+       .role = up ? Role::Increment : Role::Decrement,
+       .drawn = boxName.view(),
        .stack = {1, 0, 0},
        .eno = true,
        .affects =
@@ -47,12 +49,12 @@ struct Step {
   }
 };
 
-using IncrementByte = Step<true, Width::Byte, "INCB", "increment byte", 1500>;
-using IncrementWord = Step<true, Width::Word, "INCW", "increment word", 2000>;
-using IncrementDWord = Step<true, Width::DWord, "INCD", "increment double word", 2200>;
-using DecrementByte = Step<false, Width::Byte, "DECB", "decrement byte", 1600>;
-using DecrementWord = Step<false, Width::Word, "DECW", "decrement word", 2000>;
-using DecrementDWord = Step<false, Width::DWord, "DECD", "decrement double word", 2200>;
+using IncrementByte = Step<true, Width::Byte, "INCB", "INC_B", "increment byte", 1500>;
+using IncrementWord = Step<true, Width::Word, "INCW", "INC_W", "increment word", 2000>;
+using IncrementDWord = Step<true, Width::DWord, "INCD", "INC_DW", "increment double word", 2200>;
+using DecrementByte = Step<false, Width::Byte, "DECB", "DEC_B", "decrement byte", 1600>;
+using DecrementWord = Step<false, Width::Word, "DECW", "DEC_W", "decrement word", 2000>;
+using DecrementDWord = Step<false, Width::DWord, "DECD", "DEC_DW", "decrement double word", 2200>;
 
 using IncrementGroup =
     Group<IncrementByte, IncrementWord, IncrementDWord, DecrementByte, DecrementWord, DecrementDWord>;

@@ -29,8 +29,12 @@ void arithmeticOverflow(Machine<D>& m, typename D::Bool overflow) {
 }
 
 enum class Integer { Add, Sub, Mul, Div };
+constexpr Role roleOf(Integer operation) {
+  constexpr Role roles[] = {Role::Add, Role::Sub, Role::Mul, Role::Div};
+  return roles[static_cast<std::size_t>(operation)];
+}
 
-template <Integer operation, bool wide, Name stlName, Name meaning, std::uint16_t time>
+template <Integer operation, bool wide, Name stlName, Name boxName, Name meaning, std::uint16_t time>
 struct IntegerMath {
   static constexpr Type type = wide ? Type::DInt : Type::Int;
   static constexpr int w = wide ? 32 : 16;
@@ -38,6 +42,8 @@ struct IntegerMath {
       {.stl = stlName.view(),
        .meaning = meaning.view(),
        .group = "math, increment, decrement",
+       .role = roleOf(operation),
+       .drawn = boxName.view(),
        .stack = {1, 0, 0},
        .eno = true,
        .affects = static_cast<StatusBits>(arithmeticBits | (operation == Integer::Div ? status::DivideByZero : 0)),
@@ -76,30 +82,32 @@ struct IntegerMath {
   }
 };
 
-using AddInt = IntegerMath<Integer::Add, false, "+I", "add integers, IN1 + OUT = OUT", 2500>;
-using SubInt = IntegerMath<Integer::Sub, false, "-I", "subtract integers, OUT - IN1 = OUT", 2500>;
-using MulInt = IntegerMath<Integer::Mul, false, "*I", "multiply integers, IN1 * OUT = OUT", 3700>;
-using DivInt = IntegerMath<Integer::Div, false, "/I", "divide integers, OUT / IN1 = OUT", 6400>;
-using AddDInt = IntegerMath<Integer::Add, true, "+D", "add double integers, IN1 + OUT = OUT", 2900>;
-using SubDInt = IntegerMath<Integer::Sub, true, "-D", "subtract double integers, OUT - IN1 = OUT", 2900>;
-using MulDInt = IntegerMath<Integer::Mul, true, "*D", "multiply double integers, IN1 * OUT = OUT", 4700>;
-using DivDInt = IntegerMath<Integer::Div, true, "/D", "divide double integers, OUT / IN1 = OUT", 25000>;
+using AddInt = IntegerMath<Integer::Add, false, "+I", "ADD_I", "add integers, IN1 + OUT = OUT", 2500>;
+using SubInt = IntegerMath<Integer::Sub, false, "-I", "SUB_I", "subtract integers, OUT - IN1 = OUT", 2500>;
+using MulInt = IntegerMath<Integer::Mul, false, "*I", "MUL_I", "multiply integers, IN1 * OUT = OUT", 3700>;
+using DivInt = IntegerMath<Integer::Div, false, "/I", "DIV_I", "divide integers, OUT / IN1 = OUT", 6400>;
+using AddDInt = IntegerMath<Integer::Add, true, "+D", "ADD_DI", "add double integers, IN1 + OUT = OUT", 2900>;
+using SubDInt = IntegerMath<Integer::Sub, true, "-D", "SUB_DI", "subtract double integers, OUT - IN1 = OUT", 2900>;
+using MulDInt = IntegerMath<Integer::Mul, true, "*D", "MUL_DI", "multiply double integers, IN1 * OUT = OUT", 4700>;
+using DivDInt = IntegerMath<Integer::Div, true, "/D", "DIV_DI", "divide double integers, OUT / IN1 = OUT", 25000>;
 
-constexpr Desc wideDesc(std::string_view stl, std::string_view meaning, std::uint32_t time, std::string_view manual) {
+constexpr Desc wideDesc(Role role, std::string_view stl, std::string_view meaning, std::uint32_t time,
+                        std::string_view manual) {
   return withOperands({.stl = stl,
                        .meaning = meaning,
                        .group = "math, increment, decrement",
+                       .role = role,
                        .stack = {1, 0, 0},
                        .eno = true,
                        .affects = static_cast<StatusBits>(arithmeticBits | status::DivideByZero),
                        .time = time,
                        .manual = manual},
-                      {in("IN1", Type::Int, form::wordIn), inout("OUT", Type::DInt, form::dwordOut)});
+                      {in("IN1", Type::Int, form::wordIn), lowWordRead(inout("OUT", Type::DInt, form::dwordOut))});
 }
 
 /// MUL: IN1 times the low word of OUT into the double word OUT (001:4881).
 struct MulWide {
-  static constexpr Desc desc = wideDesc("MUL", "multiply integers, 16*16 -> 32", 3700, "001:4881");
+  static constexpr Desc desc = wideDesc(Role::MulWide, "MUL", "multiply integers, 16*16 -> 32", 3700, "001:4881");
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -114,7 +122,8 @@ struct MulWide {
 /// remainder has the dividend's sign; -32768 / -1 overflows and leaves OUT (the manual is silent on both).
 struct DivWide {
   static constexpr Desc desc = wideDesc(
-      "DIV", "divide integers with remainder, 16/16 -> 32 (remainder high word, quotient low word)", 6700, "001:4890");
+      Role::DivWide, "DIV", "divide integers with remainder, 16/16 -> 32 (remainder high word, quotient low word)",
+      6700, "001:4890");
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;

@@ -20,13 +20,14 @@ constexpr Forms targetForms(Width w) {
   return w == Width::Byte ? form::byteOut : w == Width::Word ? form::wordOut : form::dwordOut;
 }
 
-template <Bitwise operation, Width width, Name stlName, Name germanName, Name meaning, std::uint32_t time>
+template <Bitwise operation, Width width, Name stlName, Name germanName, Name boxName, Name meaning, std::uint32_t time>
 struct BitwiseLogic {
   static constexpr Desc desc = withOperands(
       {.stl = stlName.view(),
        .german = germanName.view(),
        .meaning = meaning.view(),
        .group = "logic (bitwise)",
+       .drawn = boxName.view(),
        .stack = {1, 0, 0},
        .eno = true,
        .affects = status::Zero,
@@ -46,11 +47,12 @@ struct BitwiseLogic {
 };
 
 /// One's complement in place.
-template <Width width, Name stlName, Name meaning, std::uint32_t time>
+template <Width width, Name stlName, Name boxName, Name meaning, std::uint32_t time>
 struct Invert {
   static constexpr Desc desc = withOperands({.stl = stlName.view(),
                                              .meaning = meaning.view(),
                                              .group = "logic (bitwise)",
+                                             .drawn = boxName.view(),
                                              .stack = {1, 0, 0},
                                              .eno = true,
                                              .affects = status::Zero,
@@ -66,18 +68,22 @@ struct Invert {
   }
 };
 
-using AndByte = BitwiseLogic<Bitwise::And, Width::Byte, "ANDB", "UNDB", "bitwise AND of bytes", 1900>;
-using AndWord = BitwiseLogic<Bitwise::And, Width::Word, "ANDW", "UNDW", "bitwise AND of words", 2500>;
-using AndDWord = BitwiseLogic<Bitwise::And, Width::DWord, "ANDD", "UNDD", "bitwise AND of double words", 3000>;
-using OrByte = BitwiseLogic<Bitwise::Or, Width::Byte, "ORB", "ORB", "bitwise OR of bytes", 1900>;
-using OrWord = BitwiseLogic<Bitwise::Or, Width::Word, "ORW", "ORW", "bitwise OR of words", 2500>;
-using OrDWord = BitwiseLogic<Bitwise::Or, Width::DWord, "ORD", "ORD", "bitwise OR of double words", 2900>;
-using XorByte = BitwiseLogic<Bitwise::Xor, Width::Byte, "XORB", "XORB", "bitwise exclusive OR of bytes", 1900>;
-using XorWord = BitwiseLogic<Bitwise::Xor, Width::Word, "XORW", "XORW", "bitwise exclusive OR of words", 2500>;
-using XorDWord = BitwiseLogic<Bitwise::Xor, Width::DWord, "XORD", "XORD", "bitwise exclusive OR of double words", 2900>;
-using InvertByte = Invert<Width::Byte, "INVB", "one's complement of a byte", 1600>;
-using InvertWord = Invert<Width::Word, "INVW", "one's complement of a word", 2000>;
-using InvertDWord = Invert<Width::DWord, "INVD", "one's complement of a double word", 2200>;
+using AndByte = BitwiseLogic<Bitwise::And, Width::Byte, "ANDB", "UNDB", "WAND_B", "bitwise AND of bytes", 1900>;
+using AndWord = BitwiseLogic<Bitwise::And, Width::Word, "ANDW", "UNDW", "WAND_W", "bitwise AND of words", 2500>;
+using AndDWord =
+    BitwiseLogic<Bitwise::And, Width::DWord, "ANDD", "UNDD", "WAND_DW", "bitwise AND of double words", 3000>;
+using OrByte = BitwiseLogic<Bitwise::Or, Width::Byte, "ORB", "ORB", "WOR_B", "bitwise OR of bytes", 1900>;
+using OrWord = BitwiseLogic<Bitwise::Or, Width::Word, "ORW", "ORW", "WOR_W", "bitwise OR of words", 2500>;
+using OrDWord = BitwiseLogic<Bitwise::Or, Width::DWord, "ORD", "ORD", "WOR_DW", "bitwise OR of double words", 2900>;
+using XorByte =
+    BitwiseLogic<Bitwise::Xor, Width::Byte, "XORB", "XORB", "WXOR_B", "bitwise exclusive OR of bytes", 1900>;
+using XorWord =
+    BitwiseLogic<Bitwise::Xor, Width::Word, "XORW", "XORW", "WXOR_W", "bitwise exclusive OR of words", 2500>;
+using XorDWord =
+    BitwiseLogic<Bitwise::Xor, Width::DWord, "XORD", "XORD", "WXOR_DW", "bitwise exclusive OR of double words", 2900>;
+using InvertByte = Invert<Width::Byte, "INVB", "INV_B", "one's complement of a byte", 1600>;
+using InvertWord = Invert<Width::Word, "INVW", "INV_W", "one's complement of a word", 2000>;
+using InvertDWord = Invert<Width::DWord, "INVD", "INV_DW", "one's complement of a double word", 2200>;
 
 using LogicGroup = Group<AndByte, AndWord, AndDWord, OrByte, OrWord, OrDWord, XorByte, XorWord, XorDWord, InvertByte,
                          InvertWord, InvertDWord>;

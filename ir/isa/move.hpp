@@ -8,11 +8,13 @@
 namespace rungproof::isa {
 
 /// IN to OUT, bit for bit. MOVD also takes an address and so makes pointers (001:5607).
-template <Type type, Forms sources, Forms targets, Name stlName, Name meaning, std::uint32_t time>
+template <Type type, Forms sources, Forms targets, Name stlName, Name boxName, Name meaning, std::uint32_t time>
 struct Move {
   static constexpr Desc desc = withOperands({.stl = stlName.view(),
                                              .meaning = meaning.view(),
                                              .group = "move, shift, rotate",
+                                             .role = Role::Move,
+                                             .drawn = boxName.view(),
                                              .stack = {1, 0, 0},
                                              .eno = true,
                                              .time = time,
@@ -30,6 +32,8 @@ struct MoveImmediateRead {
       withOperands({.stl = "BIR",
                     .meaning = "move byte from the physical inputs",
                     .group = "move, shift, rotate",
+                    .immediate = true,
+                    .drawn = "MOV_BIR",
                     .stack = {1, 0, 0},
                     .eno = true,
                     .time = 2300,
@@ -60,6 +64,8 @@ struct MoveImmediateWrite {
       withOperands({.stl = "BIW",
                     .meaning = "move byte to the physical outputs",
                     .group = "move, shift, rotate",
+                    .immediate = true,
+                    .drawn = "MOV_BIW",
                     .stack = {1, 0, 0},
                     .eno = true,
                     .time = 2400,
@@ -95,18 +101,20 @@ typename D::Bits legalCount(Machine<D>& m, typename D::Bits count, typename D::B
 }
 
 /// BMB, BMW, BMD: N elements. Overlap, N = 0 and the partial effect of error 0091 are choices.
-template <Width width, Forms sources, Forms targets, Name stlName, Name meaning, std::uint32_t time>
+template <Width width, Forms sources, Forms targets, Name stlName, Name boxName, Name meaning, std::uint32_t time>
 struct BlockMove {
-  static constexpr Desc desc = withOperands(
-      {.stl = stlName.view(),
-       .meaning = meaning.view(),
-       .group = "move, shift, rotate",
-       .stack = {1, 0, 0},
-       .eno = true,
-       .time = time,
-       .manual = "001:5650"},
-      {in("IN", unsignedType(width), sources).elements(1, 0), out("OUT", unsignedType(width), targets).elements(1, 0),
-       in("N", Type::Byte, form::byteIn).within({{1, 255, everyCpu}})});
+  static constexpr Desc desc = withOperands({.stl = stlName.view(),
+                                             .meaning = meaning.view(),
+                                             .group = "move, shift, rotate",
+                                             .role = Role::BlockMove,
+                                             .drawn = boxName.view(),
+                                             .stack = {1, 0, 0},
+                                             .eno = true,
+                                             .time = time,
+                                             .manual = "001:5650"},
+                                            {in("IN", unsignedType(width), sources).elements(1, 0).counted(2, 255),
+                                             out("OUT", unsignedType(width), targets).elements(1, 0).counted(2, 255),
+                                             in("N", Type::Byte, form::byteIn).within({{1, 255, everyCpu}})});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     const auto n = m.d.zext(a.value(2), 8, 16);
@@ -138,16 +146,17 @@ struct Swap {
 
 inline constexpr Forms wordBuffer = form::byteBuffer | form::T | form::C;
 
-using MoveByte = Move<Type::Byte, form::byteIn, form::byteOut, "MOVB", "move byte", 1500>;
-using MoveWord = Move<Type::Word, form::wordIn, form::wordOut | form::AQ, "MOVW", "move word", 1800>;
-using MoveDWord =
-    Move<Type::DWord, form::dwordIn | form::Address, form::dwordOut, "MOVD", "move double word or address", 2000>;
-using MoveReal = Move<Type::Real, form::realIn, form::dwordOut, "MOVR", "move real", 2000>;
-using BlockMoveByte = BlockMove<Width::Byte, form::byteBuffer, form::byteBuffer, "BMB", "block move of bytes", 1000>;
-using BlockMoveWord =
-    BlockMove<Width::Word, wordBuffer | form::AI, wordBuffer | form::AQ, "BMW", "block move of words", 1000>;
+using MoveByte = Move<Type::Byte, form::byteIn, form::byteOut, "MOVB", "MOV_B", "move byte", 1500>;
+using MoveWord = Move<Type::Word, form::wordIn, form::wordOut | form::AQ, "MOVW", "MOV_W", "move word", 1800>;
+using MoveDWord = Move<Type::DWord, form::dwordIn | form::Address, form::dwordOut, "MOVD", "MOV_DW",
+                       "move double word or address", 2000>;
+using MoveReal = Move<Type::Real, form::realIn, form::dwordOut, "MOVR", "MOV_R", "move real", 2000>;
+using BlockMoveByte =
+    BlockMove<Width::Byte, form::byteBuffer, form::byteBuffer, "BMB", "BLKMOV_B", "block move of bytes", 1000>;
+using BlockMoveWord = BlockMove<Width::Word, wordBuffer | form::AI, wordBuffer | form::AQ, "BMW", "BLKMOV_W",
+                                "block move of words", 1000>;
 using BlockMoveDWord =
-    BlockMove<Width::DWord, form::byteBuffer, form::byteBuffer, "BMD", "block move of double words", 1100>;
+    BlockMove<Width::DWord, form::byteBuffer, form::byteBuffer, "BMD", "BLKMOV_D", "block move of double words", 1100>;
 
 using MoveGroup = Group<MoveByte, MoveWord, MoveDWord, MoveReal, MoveImmediateRead, MoveImmediateWrite, BlockMoveByte,
                         BlockMoveWord, BlockMoveDWord, Swap>;

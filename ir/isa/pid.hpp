@@ -14,6 +14,7 @@ struct Pid {
   static constexpr Desc desc = withOperands({.stl = "PID",
                                              .meaning = "PID loop",
                                              .group = "math, increment, decrement",
+                                             .role = Role::Pid,
                                              .execution = Execution::Sampled,
                                              .stack = {1, 0, 0},
                                              .eno = true,

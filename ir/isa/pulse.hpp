@@ -12,6 +12,7 @@ struct PulseOutput {
   static constexpr Desc desc = withOperands({.stl = "PLS",
                                              .meaning = "pulse output",
                                              .group = "high-speed",
+                                             .role = Role::Pls,
                                              .stack = {1, 0, 0},
                                              .eno = true,
                                              .time = 3100,

@@ -22,14 +22,20 @@ void storeReal(Machine<D>& m, Args<D>& a, std::size_t to, typename D::Bits resul
 }
 
 enum class RealOperation { Add, Sub, Mul, Div };
+constexpr Role roleOf(RealOperation operation) {
+  constexpr Role roles[] = {Role::Add, Role::Sub, Role::Mul, Role::Div};
+  return roles[static_cast<std::size_t>(operation)];
+}
 
-template <RealOperation operation, Name stlName, Name meaning, std::uint32_t time>
+template <RealOperation operation, Name stlName, Name boxName, Name meaning, std::uint32_t time>
 struct RealMath {
   static constexpr bool divides = operation == RealOperation::Div;
   static constexpr Desc desc =
       withOperands({.stl = stlName.view(),
                     .meaning = meaning.view(),
                     .group = "math, increment, decrement",
+                    .role = roleOf(operation),
+                    .drawn = boxName.view(),
                     .stack = {1, 0, 0},
                     .eno = true,
                     .affects = static_cast<StatusBits>(arithmeticBits | (divides ? status::DivideByZero : 0)),
@@ -80,10 +86,10 @@ struct RealFunctionBox {
   }
 };
 
-using AddReal = RealMath<RealOperation::Add, "+R", "add reals", 7100>;
-using SubReal = RealMath<RealOperation::Sub, "-R", "subtract reals", 7200>;
-using MulReal = RealMath<RealOperation::Mul, "*R", "multiply reals", 5600>;
-using DivReal = RealMath<RealOperation::Div, "/R", "divide reals", 17700>;
+using AddReal = RealMath<RealOperation::Add, "+R", "ADD_R", "add reals", 7100>;
+using SubReal = RealMath<RealOperation::Sub, "-R", "SUB_R", "subtract reals", 7200>;
+using MulReal = RealMath<RealOperation::Mul, "*R", "MUL_R", "multiply reals", 5600>;
+using DivReal = RealMath<RealOperation::Div, "/R", "DIV_R", "divide reals", 17700>;
 using SquareRoot = RealFunctionBox<RealFunction::Sqrt, "SQRT", "square root", 46000>;
 using Sine = RealFunctionBox<RealFunction::Sin, "SIN", "sine", 90000>;
 using Cosine = RealFunctionBox<RealFunction::Cos, "COS", "cosine", 90000>;

@@ -9,11 +9,13 @@ namespace rungproof::isa {
 
 enum class Way { Left, Right };
 
-constexpr Desc shiftDesc(Width width, std::string_view stl, std::string_view meaning, std::uint32_t time,
-                         std::string_view manual) {
+constexpr Desc shiftDesc(Role role, Width width, std::string_view stl, std::string_view box, std::string_view meaning,
+                         std::uint32_t time, std::string_view manual) {
   return withOperands({.stl = stl,
                        .meaning = meaning,
                        .group = "move, shift, rotate",
+                       .role = role,
+                       .drawn = box,
                        .stack = {1, 0, 0},
                        .eno = true,
                        .affects = status::Zero | status::Overflow,
@@ -22,10 +24,11 @@ constexpr Desc shiftDesc(Width width, std::string_view stl, std::string_view mea
                       {inout("OUT", unsignedType(width), targetForms(width)), in("N", Type::Byte, form::byteIn)});
 }
 
-template <Way way, Width width, Name stlName, Name meaning, std::uint32_t time>
+template <Way way, Width width, Name stlName, Name boxName, Name meaning, std::uint32_t time>
 struct Shift {
   static constexpr int w = bits(width);
-  static constexpr Desc desc = shiftDesc(width, stlName.view(), meaning.view(), time, "001:5925");
+  static constexpr Desc desc =
+      shiftDesc(Role::Shift, width, stlName.view(), boxName.view(), meaning.view(), time, "001:5925");
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -41,10 +44,11 @@ struct Shift {
   }
 };
 
-template <Way way, Width width, Name stlName, Name meaning, std::uint32_t time>
+template <Way way, Width width, Name stlName, Name boxName, Name meaning, std::uint32_t time>
 struct Rotate {
   static constexpr int w = bits(width);
-  static constexpr Desc desc = shiftDesc(width, stlName.view(), meaning.view(), time, "001:5942");
+  static constexpr Desc desc =
+      shiftDesc(Role::Rotate, width, stlName.view(), boxName.view(), meaning.view(), time, "001:5942");
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -71,12 +75,13 @@ struct ShiftRegister {
       withOperands({.stl = "SHRB",
                     .meaning = "shift a bit into a shift register",
                     .group = "move, shift, rotate",
+                    .role = Role::Shrb,
                     .stack = {1, 0, 0},
                     .eno = true,
                     .affects = status::Overflow,
                     .time = 4800,
                     .manual = "001:5986"},
-                   {in("DATA", Type::Bool, form::bitAny), inout("S_BIT", Type::Bool, form::bitAny),
+                   {in("DATA", Type::Bool, form::bitAny), inout("S_BIT", Type::Bool, form::bitAny).counted(2, longest),
                     in("N", Type::Byte, form::byteIn).within({{-longest, longest, everyCpu}})});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -107,18 +112,18 @@ struct ShiftRegister {
   }
 };
 
-using ShiftLeftByte = Shift<Way::Left, Width::Byte, "SLB", "shift byte left", 2300>;
-using ShiftLeftWord = Shift<Way::Left, Width::Word, "SLW", "shift word left", 2700>;
-using ShiftLeftDWord = Shift<Way::Left, Width::DWord, "SLD", "shift double word left", 2900>;
-using ShiftRightByte = Shift<Way::Right, Width::Byte, "SRB", "shift byte right", 2200>;
-using ShiftRightWord = Shift<Way::Right, Width::Word, "SRW", "shift word right", 2700>;
-using ShiftRightDWord = Shift<Way::Right, Width::DWord, "SRD", "shift double word right", 2800>;
-using RotateLeftByte = Rotate<Way::Left, Width::Byte, "RLB", "rotate byte left", 2300>;
-using RotateLeftWord = Rotate<Way::Left, Width::Word, "RLW", "rotate word left", 2700>;
-using RotateLeftDWord = Rotate<Way::Left, Width::DWord, "RLD", "rotate double word left", 2800>;
-using RotateRightByte = Rotate<Way::Right, Width::Byte, "RRB", "rotate byte right", 2200>;
-using RotateRightWord = Rotate<Way::Right, Width::Word, "RRW", "rotate word right", 2600>;
-using RotateRightDWord = Rotate<Way::Right, Width::DWord, "RRD", "rotate double word right", 2800>;
+using ShiftLeftByte = Shift<Way::Left, Width::Byte, "SLB", "SHL_B", "shift byte left", 2300>;
+using ShiftLeftWord = Shift<Way::Left, Width::Word, "SLW", "SHL_W", "shift word left", 2700>;
+using ShiftLeftDWord = Shift<Way::Left, Width::DWord, "SLD", "SHL_DW", "shift double word left", 2900>;
+using ShiftRightByte = Shift<Way::Right, Width::Byte, "SRB", "SHR_B", "shift byte right", 2200>;
+using ShiftRightWord = Shift<Way::Right, Width::Word, "SRW", "SHR_W", "shift word right", 2700>;
+using ShiftRightDWord = Shift<Way::Right, Width::DWord, "SRD", "SHR_DW", "shift double word right", 2800>;
+using RotateLeftByte = Rotate<Way::Left, Width::Byte, "RLB", "ROL_B", "rotate byte left", 2300>;
+using RotateLeftWord = Rotate<Way::Left, Width::Word, "RLW", "ROL_W", "rotate word left", 2700>;
+using RotateLeftDWord = Rotate<Way::Left, Width::DWord, "RLD", "ROL_DW", "rotate double word left", 2800>;
+using RotateRightByte = Rotate<Way::Right, Width::Byte, "RRB", "ROR_B", "rotate byte right", 2200>;
+using RotateRightWord = Rotate<Way::Right, Width::Word, "RRW", "ROR_W", "rotate word right", 2600>;
+using RotateRightDWord = Rotate<Way::Right, Width::DWord, "RRD", "ROR_DW", "rotate double word right", 2800>;
 
 using ShiftGroup =
     Group<ShiftRegister, ShiftRightByte, ShiftRightWord, ShiftRightDWord, ShiftLeftByte, ShiftLeftWord, ShiftLeftDWord,

@@ -11,7 +11,7 @@ namespace rungproof::isa {
 
 /// ITS, DTS, RTS: the characters of ITA, DTA, RTA behind a length byte (001:3770, 001:3804, 001:3821). ITS takes no
 /// accumulator (001:3792).
-template <NumberKind kind, Name stlName, Name meaning, std::uint32_t time>
+template <NumberKind kind, Name stlName, Name boxName, Name meaning, std::uint32_t time>
 struct NumberToString {
   static constexpr Forms source = kind == NumberKind::Int    ? form::wordIn & ~form::AC
                                   : kind == NumberKind::DInt ? form::dwordIn
@@ -20,6 +20,7 @@ struct NumberToString {
       {.stl = stlName.view(),
        .meaning = meaning.view(),
        .group = "table, find, conversion",
+       .drawn = boxName.view(),
        .stack = {1, 0, 0},
        .eno = true,
        .time = time,
@@ -119,12 +120,14 @@ typename D::Bits realOfDecimal(Machine<D>& m, typename D::Bits magnitude, typena
 
 /// STI, STD, STR (001:3865-3913). No digit where one must stand sets SM1.1 and leaves OUT; a number too large for OUT
 /// as well, by Choice::SubstringOverflow.
-template <NumberKind kind, Name stlName, Name meaning, std::uint32_t time>
+template <NumberKind kind, Name stlName, Name boxName, Name meaning, std::uint32_t time>
 struct SubstringToNumber {
   static constexpr Forms target = kind == NumberKind::Int ? form::wordOut | form::AQ : form::dwordOut;
   static constexpr Desc desc = withOperands({.stl = stlName.view(),
                                              .meaning = meaning.view(),
                                              .group = "table, find, conversion",
+                                             .role = Role::StringConvert,
+                                             .drawn = boxName.view(),
                                              .stack = {1, 0, 0},
                                              .eno = true,
                                              .affects = status::Overflow,
@@ -183,12 +186,12 @@ struct SubstringToNumber {
   }
 };
 
-using IntToString = NumberToString<NumberKind::Int, "ITS", "integer to string", 13900>;
-using DIntToString = NumberToString<NumberKind::DInt, "DTS", "double integer to string", 30500>;
-using RealToString = NumberToString<NumberKind::Real, "RTS", "real to string", 15400>;
-using SubstringToInt = SubstringToNumber<NumberKind::Int, "STI", "substring to integer", 5800>;
-using SubstringToDInt = SubstringToNumber<NumberKind::DInt, "STD", "substring to double integer", 6900>;
-using SubstringToReal = SubstringToNumber<NumberKind::Real, "STR", "substring to real", 0>;
+using IntToString = NumberToString<NumberKind::Int, "ITS", "I_S", "integer to string", 13900>;
+using DIntToString = NumberToString<NumberKind::DInt, "DTS", "DI_S", "double integer to string", 30500>;
+using RealToString = NumberToString<NumberKind::Real, "RTS", "R_S", "real to string", 15400>;
+using SubstringToInt = SubstringToNumber<NumberKind::Int, "STI", "S_I", "substring to integer", 5800>;
+using SubstringToDInt = SubstringToNumber<NumberKind::DInt, "STD", "S_DI", "substring to double integer", 6900>;
+using SubstringToReal = SubstringToNumber<NumberKind::Real, "STR", "S_R", "substring to real", 0>;
 
 using StringGroup = Group<IntToString, DIntToString, RealToString, SubstringToInt, SubstringToDInt, SubstringToReal>;
 

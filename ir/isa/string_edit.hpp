@@ -67,10 +67,13 @@ void copyCharacters(Machine<D>& m, Args<D>& a, StringSource<D>& source, typename
   m.repeat(count, 16, source.limit, [&](int k) { put(k, copy.value(k, character)); });
 }
 
-constexpr Desc stringDesc(std::string_view stl, std::string_view meaning, std::uint32_t time, std::string_view manual) {
+constexpr Desc stringDesc(Role role, std::string_view stl, std::string_view box, std::string_view meaning,
+                          std::uint32_t time, std::string_view manual) {
   return {.stl = stl,
           .meaning = meaning,
           .group = "strings",
+          .role = role,
+          .drawn = box,
           .stack = {1, 0, 0},
           .eno = true,
           .time = time,
@@ -80,7 +83,7 @@ constexpr Desc stringDesc(std::string_view stl, std::string_view meaning, std::u
 /// SLEN: the length byte (001:6071).
 struct StringLength {
   static constexpr Desc desc =
-      withOperands(stringDesc("SLEN", "length of a string", 2100, "001:6071"),
+      withOperands(stringDesc(Role::StringLength, "SLEN", "STR_LEN", "length of a string", 2100, "001:6071"),
                    {in("IN", Type::String, form::stringIn), out("OUT", Type::Byte, form::byteOut)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -93,7 +96,7 @@ struct StringLength {
 /// SCPY: copy (001:6075).
 struct StringCopy {
   static constexpr Desc desc =
-      withOperands(stringDesc("SCPY", "copy a string", 2700, "001:6075"),
+      withOperands(stringDesc(Role::StringCopy, "SCPY", "STR_CPY", "copy a string", 2700, "001:6075"),
                    {in("IN", Type::String, form::stringIn), out("OUT", Type::String, form::stringOut)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -107,7 +110,7 @@ struct StringCopy {
 /// SCAT: appends IN to OUT (001:6079).
 struct StringAppend {
   static constexpr Desc desc =
-      withOperands(stringDesc("SCAT", "append a string", 3000, "001:6079"),
+      withOperands(stringDesc(Role::StringAppend, "SCAT", "STR_CAT", "append a string", 3000, "001:6079"),
                    {in("IN", Type::String, form::stringIn), inout("OUT", Type::String, form::stringOut)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -129,7 +132,7 @@ struct StringAppend {
 /// SSCPY: N characters of IN from position INDX on become OUT (001:6133).
 struct SubstringCopy {
   static constexpr Desc desc =
-      withOperands(stringDesc("SSCPY", "copy a substring", 4200, "001:6133"),
+      withOperands(stringDesc(Role::StringPart, "SSCPY", "SSTR_CPY", "copy a substring", 4200, "001:6133"),
                    {in("IN", Type::String, form::stringIn), in("INDX", Type::Byte, form::byteIn),
                     in("N", Type::Byte, form::byteIn), out("OUT", Type::String, form::stringOut)});
   template <class D>
@@ -156,10 +159,11 @@ enum class Search { Text, AnyCharacter };
 
 /// SFND, CFND: OUT becomes the first position, from its old value on, where IN2 stands in IN1, or where one of the
 /// characters of IN2 stands; 0 if there is none (001:6158, 001:6170). OUT = 0 before is error 009B.
-template <Search search, Name stlName, Name meaning, std::uint32_t time>
+template <Search search, Name stlName, Name boxName, Name meaning, std::uint32_t time>
 struct StringFind {
   static constexpr Desc desc =
-      withOperands(stringDesc(stlName.view(), meaning.view(), time, search == Search::Text ? "001:6158" : "001:6170"),
+      withOperands(stringDesc(Role::StringFind, stlName.view(), boxName.view(), meaning.view(), time,
+                              search == Search::Text ? "001:6158" : "001:6170"),
                    {in("IN1", Type::String, form::stringIn), in("IN2", Type::String, form::stringIn),
                     inout("OUT", Type::Byte, form::byteOut)});
   template <class D>
@@ -214,8 +218,9 @@ struct StringFind {
   }
 };
 
-using FindText = StringFind<Search::Text, "SFND", "find a string in a string", 3900>;
-using FindCharacter = StringFind<Search::AnyCharacter, "CFND", "find one of several characters in a string", 3500>;
+using FindText = StringFind<Search::Text, "SFND", "STR_FIND", "find a string in a string", 3900>;
+using FindCharacter =
+    StringFind<Search::AnyCharacter, "CFND", "CHR_FIND", "find one of several characters in a string", 3500>;
 
 using StringEditGroup = Group<StringLength, StringCopy, StringAppend, SubstringCopy, FindText, FindCharacter>;
 

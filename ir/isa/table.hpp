@@ -28,12 +28,15 @@ struct AddToTable {
       withOperands({.stl = "ATT",
                     .meaning = "add a value to a table",
                     .group = "table, find, conversion",
+                    .role = Role::Att,
+                    .drawn = "AD_T_TBL",
                     .stack = {1, 0, 0},
                     .eno = true,
                     .affects = status::TableFull,
                     .time = 3600,
                     .manual = "001:6260"},
-                   {in("DATA", Type::Int, form::wordIn), inout("TBL", Type::Word, wordBuffer).elements(1, 0)});
+                   {in("DATA", Type::Int, form::wordIn),
+                    inout("TBL", Type::Word, wordBuffer).elements(2, firstEntry + tableEntries)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -57,16 +60,18 @@ struct AddToTable {
 /// LIFO, FIFO TBL, DATA: take the newest or the oldest entry; an empty table sets SM1.5. FIFO moves the rest up.
 template <bool oldest, Name stlName, Name meaning, std::uint32_t time>
 struct TakeFromTable {
-  static constexpr Desc desc = withOperands(
-      {.stl = stlName.view(),
-       .meaning = meaning.view(),
-       .group = "table, find, conversion",
-       .stack = {1, 0, 0},
-       .eno = true,
-       .affects = status::TableEmpty,
-       .time = time,
-       .manual = "001:6314"},
-      {inout("TBL", Type::Word, wordBuffer).elements(1, 0), out("DATA", Type::Int, form::wordOut | form::AQ)});
+  static constexpr Desc desc =
+      withOperands({.stl = stlName.view(),
+                    .meaning = meaning.view(),
+                    .group = "table, find, conversion",
+                    .role = oldest ? Role::Fifo : Role::Lifo,
+                    .stack = {1, 0, 0},
+                    .eno = true,
+                    .affects = status::TableEmpty,
+                    .time = time,
+                    .manual = "001:6314"},
+                   {inout("TBL", Type::Word, wordBuffer).elements(2, firstEntry + tableEntries),
+                    out("DATA", Type::Int, form::wordOut | form::AQ)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -99,16 +104,18 @@ struct TakeFromTable {
 
 /// FILL IN, OUT, N: N words become IN (001:6383).
 struct Fill {
-  static constexpr Desc desc =
-      withOperands({.stl = "FILL",
-                    .meaning = "fill N words with a value",
-                    .group = "table, find, conversion",
-                    .stack = {1, 0, 0},
-                    .eno = true,
-                    .time = 1500,
-                    .manual = "001:6383"},
-                   {in("IN", Type::Int, form::wordIn), out("OUT", Type::Int, wordBuffer | form::AQ).elements(1, 0),
-                    in("N", Type::Byte, form::byteIn).within({{1, 255, everyCpu}})});
+  static constexpr Desc desc = withOperands(
+      {.stl = "FILL",
+       .meaning = "fill N words with a value",
+       .group = "table, find, conversion",
+       .role = Role::Fill,
+       .drawn = "FILL_N",
+       .stack = {1, 0, 0},
+       .eno = true,
+       .time = 1500,
+       .manual = "001:6383"},
+      {in("IN", Type::Int, form::wordIn), out("OUT", Type::Int, wordBuffer | form::AQ).elements(1, 0).counted(2, 255),
+       in("N", Type::Byte, form::byteIn).within({{1, 255, everyCpu}})});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     const auto value = a.value(0);
@@ -119,23 +126,24 @@ struct Fill {
   }
 };
 
-enum class FindRelation { Equal, NotEqual, Less, Greater };
-
 /// FND TBL, PTN, INDX: first entry from INDX on with the relation to PTN, signed; otherwise INDX becomes EC
 /// (001:6416-6418). An INDX above EC stays; the manual is silent.
-template <FindRelation relation, Name stlName, Name meaning>
+template <Relation relation, Name stlName, Name boxName, Name meaning>
 struct Find {
   static constexpr Desc desc =
       withOperands({.stl = stlName.view(),
                     .family = "FNDx",
                     .meaning = meaning.view(),
                     .group = "table, find, conversion",
+                    .role = Role::Find,
+                    .relation = relation,
+                    .drawn = boxName.view(),
                     .stack = {1, 0, 0},
                     .eno = true,
                     .time = 3900,
                     .manual = "001:6416"},
-                   {in("TBL", Type::Word, wordBuffer & ~form::S).elements(1, 0), in("PTN", Type::Int, form::wordIn),
-                    inout("INDX", Type::Word, form::wordOut)});
+                   {in("TBL", Type::Word, wordBuffer & ~form::S).elements(1, 1 + tableEntries),
+                    in("PTN", Type::Int, form::wordIn), inout("INDX", Type::Word, form::wordOut)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
@@ -160,19 +168,19 @@ struct Find {
  private:
   template <class D>
   static typename D::Bool holds(D& d, typename D::Bits entry, typename D::Bits pattern) {
-    if constexpr (relation == FindRelation::Equal) return d.equal(entry, pattern, 16);
-    if constexpr (relation == FindRelation::NotEqual) return d.lnot(d.equal(entry, pattern, 16));
-    if constexpr (relation == FindRelation::Less) return d.slt(entry, pattern, 16);
-    if constexpr (relation == FindRelation::Greater) return d.slt(pattern, entry, 16);
+    if constexpr (relation == Relation::Equal) return d.equal(entry, pattern, 16);
+    if constexpr (relation == Relation::NotEqual) return d.lnot(d.equal(entry, pattern, 16));
+    if constexpr (relation == Relation::Less) return d.slt(entry, pattern, 16);
+    if constexpr (relation == Relation::Greater) return d.slt(pattern, entry, 16);
   }
 };
 
 using LastIn = TakeFromTable<false, "LIFO", "take the newest entry from a table", 3700>;
 using FirstIn = TakeFromTable<true, "FIFO", "take the oldest entry from a table", 3000>;
-using FindEqual = Find<FindRelation::Equal, "FND=", "find an entry equal to the pattern">;
-using FindNotEqual = Find<FindRelation::NotEqual, "FND<>", "find an entry not equal to the pattern">;
-using FindLess = Find<FindRelation::Less, "FND<", "find an entry below the pattern">;
-using FindGreater = Find<FindRelation::Greater, "FND>", "find an entry above the pattern">;
+using FindEqual = Find<Relation::Equal, "FND=", "TBL_FIND =", "find an entry equal to the pattern">;
+using FindNotEqual = Find<Relation::NotEqual, "FND<>", "TBL_FIND <>", "find an entry not equal to the pattern">;
+using FindLess = Find<Relation::Less, "FND<", "TBL_FIND <", "find an entry below the pattern">;
+using FindGreater = Find<Relation::Greater, "FND>", "TBL_FIND >", "find an entry above the pattern">;
 
 using TableGroup = Group<AddToTable, LastIn, FirstIn, Fill, FindEqual, FindNotEqual, FindLess, FindGreater>;
 

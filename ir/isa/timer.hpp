@@ -15,6 +15,10 @@ constexpr OperandDesc timerOperand(TimerKind kind) {
                                       : timer.within({{32, 63, everyCpu}, {96, 255, everyCpu}});
 }
 
+constexpr Role roleOf(TimerKind kind) {
+  return kind == TimerKind::OnDelay ? Role::Ton : kind == TimerKind::OffDelay ? Role::Tof : Role::Tonr;
+}
+
 template <class D>
 void clearTimer(Machine<D>& m, std::uint32_t number) {
   m.set(Reg::TimerCurrent, number, m.number(0, 16));
@@ -79,6 +83,8 @@ struct Timer {
   static constexpr Desc desc = withOperands({.stl = stlName.view(),
                                              .meaning = meaning.view(),
                                              .group = "timers and counters",
+                                             .role = roleOf(kind),
+                                             .flowPins = {"IN"},
                                              .execution = Execution::Sampled,
                                              .stack = {1, 0, 0},
                                              .time = time,
@@ -91,12 +97,15 @@ struct Timer {
 };
 
 /// IEC boxes exist in drawings only (001:2217). Q and ET may be left open.
-template <TimerKind kind, Name stlName, Name meaning>
+template <TimerKind kind, Name stlName, Name boxName, Name meaning>
 struct IecTimer {
   static constexpr Forms numbers = form::T | form::C;
   static constexpr Desc desc = withOperands({.stl = stlName.view(),
                                              .meaning = meaning.view(),
                                              .group = "timers and counters",
+                                             .role = Role::IecTimer,
+                                             .drawn = boxName.view(),
+                                             .flowPins = {"IN"},
                                              .execution = Execution::Sampled,
                                              .stack = {1, 0, 0},
                                              .drawingOnly = true,
@@ -117,6 +126,7 @@ struct BeginInterval {
   static constexpr Desc desc = withOperands({.stl = "BITIM",
                                              .meaning = "store the 1 ms counter",
                                              .group = "timers and counters",
+                                             .drawn = "BGN_ITIME",
                                              .stack = {1, 0, 0},
                                              .since2004 = true,
                                              .time = 1600,
@@ -134,6 +144,7 @@ struct CalculateInterval {
       withOperands({.stl = "CITIM",
                     .meaning = "time since a stored counter value",
                     .group = "timers and counters",
+                    .drawn = "CAL_ITIME",
                     .stack = {1, 0, 0},
                     .since2004 = true,
                     .time = 2300,
@@ -148,9 +159,9 @@ struct CalculateInterval {
 using OnDelay = Timer<TimerKind::OnDelay, "TON", "on-delay timer", 3300>;
 using OffDelay = Timer<TimerKind::OffDelay, "TOF", "off-delay timer", 3600>;
 using RetentiveOnDelay = Timer<TimerKind::Retentive, "TONR", "retentive on-delay timer", 3200>;
-using IecOnDelay = IecTimer<TimerKind::IecOnDelay, "TON.IEC", "IEC on-delay timer">;
-using IecOffDelay = IecTimer<TimerKind::OffDelay, "TOF.IEC", "IEC off-delay timer">;
-using IecPulse = IecTimer<TimerKind::IecPulse, "TP.IEC", "IEC pulse timer">;
+using IecOnDelay = IecTimer<TimerKind::IecOnDelay, "TON.IEC", "TON", "IEC on-delay timer">;
+using IecOffDelay = IecTimer<TimerKind::OffDelay, "TOF.IEC", "TOF", "IEC off-delay timer">;
+using IecPulse = IecTimer<TimerKind::IecPulse, "TP.IEC", "TP", "IEC pulse timer">;
 
 using TimerGroup =
     Group<OnDelay, OffDelay, RetentiveOnDelay, BeginInterval, CalculateInterval, IecOnDelay, IecOffDelay, IecPulse>;

@@ -11,7 +11,6 @@
 
 #include "analysis/encoding/symbolic_store.hpp"
 #include "analysis/graph/z3_terms.hpp"
-#include "analysis/instruction_kind.hpp"
 #include "ir/args.hpp"
 #include "ir/dispatch.hpp"
 
@@ -220,7 +219,7 @@ std::string difference(const Drawing& drawing, const std::vector<Instruction>& i
     if (drawing.elements[i].desc == nullptr) continue;
     ofElement[i] = &left.pous[0].networks[0].instructions[positions[i]];
     const Instruction& other = right.pous[0].networks[0].instructions[instructionOf[i]];
-    if (kindOf(other) == Kind::Eu || kindOf(other) == Kind::Ed)
+    if (roleOf(other) == Role::Eu || roleOf(other) == Role::Ed)
       rightPlan.edge[other.id] = leftPlan.edge[ofElement[i]->id];
   }
   World world;

@@ -46,6 +46,19 @@ TEST(NetworkMatch, ANetworkThatDrivesTheSameCoilIsItsSuccessor) {
   EXPECT_EQ(match.networks[1].before->network, 0U);
 }
 
+TEST(NetworkMatch, AWordOperationIsAResultThoughItsNameBeginsLikeAContact) {
+  // ANDW, ORB, ATT and ATH write what they name (001:5553, 001:6260, 001:3583); contacts and AENO only read.
+  for (const std::string result : {"ANDW VW0,VW2", "ORB VB0,VB2", "ATT VW0,VW200", "ATH VB0,VB10,4"}) {
+    const ProgramMatch match =
+        matchPrograms(readLine("LD I0.0;A I0.1;A I0.2;AENO;" + result), readLine("LDN I0.5;AN I0.6;AN I0.7;" + result));
+    ASSERT_EQ(match.networks.size(), 1U) << result;
+    EXPECT_TRUE(match.networks[0].before && match.networks[0].after) << result;
+  }
+  const ProgramMatch reads =
+      matchPrograms(readLine("LD I0.0;A I0.1;A I0.2;AENO;= Q0.0"), readLine("LDN I0.5;AN I0.6;AN I0.7;AENO;= Q0.1"));
+  EXPECT_EQ(reads.networks.size(), 2U);
+}
+
 TEST(NetworkMatch, FormsOfAConstantAreOneNumber) {
   const ProgramMatch match = matchPrograms(readLine("LD I0.0;MOVW 16#10,VW0"), readLine("LD I0.0;MOVW +16,VW0"));
   EXPECT_TRUE(match.networks[0].isSame);

@@ -10,6 +10,8 @@
 #include <set>
 #include <sstream>
 
+#include "ir/isa.hpp"
+
 namespace rungproof {
 namespace {
 
@@ -118,6 +120,58 @@ TEST(Layout, LinesAreAsWideAsTheFormatAllows) {
       if (line.find(")\"") != std::string::npos) isRaw = false;
     }
   }
+}
+
+/// Readers and printers of text, which have to know how instructions are spelt. Everybody else asks the descriptor.
+bool mayKnowSpellings(const Source& source) {
+  static const std::set<std::string> rooms = {
+      "ir", "ir/isa", "frontend/stl", "frontend/drawn", "frontend/plcopen", "frontend/simatic"};
+  static const std::set<std::string> files = {"explain.cpp", "completion.cpp", "instruction_page.cpp",
+                                              "sty003_program_in_comment.cpp"};
+  return rooms.contains(source.folder) || files.contains(source.path.filename().string());
+}
+
+/// The part of a line that asks how an instruction is spelt, or nothing: `desc.stl == "LD"`, `stl.back()`, a view of
+/// the spelling kept to be compared, a look-up by name, or any comparison with a mnemonic of two letters or more.
+std::string spellingAsked(const std::string& line) {
+  static const std::regex ofDesc(
+      "\\bstl\\b *(==|!=|\\[|\\.(back|front|starts_with|ends_with|find|contains|substr|at|compare|data|begin)\\b)|"
+      "(==|!=) *[\\w.>*()-]*(\\.|->)stl\\b|string_view \\w+ = [^;]*(\\.|->)stl;|"
+      "(instructionNamed|instructionNamedGerman|instructionAlias)\\(");
+  static const std::regex literal("(==|!=|starts_with\\(|ends_with\\() *\"([^\"]+)\"|\"([^\"]+)\" *(==|!=)");
+  const auto has = [&](std::string_view part) { return line.find(part) != std::string::npos; };
+  std::smatch match;
+  if ((has("stl") || has("instruction")) && std::regex_search(line, match, ofDesc)) return match.str();
+  if (!has("\"") || (!has("==") && !has("!=") && !has("_with("))) return "";
+  for (std::sregex_iterator i(line.begin(), line.end(), literal), end; i != end; ++i) {
+    const std::string word = (*i)[2].matched ? (*i)[2].str() : (*i)[3].str();
+    const bool isSign = std::none_of(word.begin(), word.end(), [](unsigned char c) { return std::isalpha(c) != 0; });
+    if (word.size() > 1 && !isSign && instructionNamed(word) != nullptr) return i->str();
+  }
+  return "";
+}
+
+TEST(Layout, OnlyReadersAndPrintersKnowHowInstructionsAreSpelt) {
+  for (const char* line :
+       {"  if (desc.stl == \"LD\") return;", "const bool n = i.desc->stl.back() == 'N';",
+        "return wanted == element.desc->stl;", "const std::string_view name = i.desc->stl;",
+        "if (name == \"ATCH\") return;", "const Desc* d = instructionNamed(text);", "if (text.starts_with(\"MOVB\"))"})
+    EXPECT_NE(spellingAsked(line), "") << line;
+  for (const char* line : {"std::string text(instruction.desc->stl);", "fmt::format(\"{} of\", desc.stl)",
+                           "if (form == \"stl\") return;", "if (relation == \"=\") return a == b;"})
+    EXPECT_EQ(spellingAsked(line), "") << line;
+  std::size_t knowing = 0;
+  for (const Source& source : sources()) {
+    std::istringstream in(source.text);
+    for (std::string line; std::getline(in, line);) {
+      const std::string asked = line.find_first_not_of(' ') == line.find("//") ? "" : spellingAsked(line);
+      if (mayKnowSpellings(source))
+        knowing += asked.empty() ? 0 : 1;
+      else
+        EXPECT_EQ(asked, "") << source.path << ": " << line;
+    }
+  }
+  EXPECT_GT(knowing, 20u) << "the search no longer finds the readers";
 }
 
 /// Lines of the unnamed namespaces of a file that begin in the first column, where declarations stand.

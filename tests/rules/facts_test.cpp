@@ -8,18 +8,6 @@
 namespace rungproof::testing {
 namespace {
 
-TEST(InstructionKind, TellsContactsFromStackOperations) {
-  const auto kind = [](const char* name) { return kindOf(*instructionNamed(name)); };
-  EXPECT_EQ(kind("LD"), Kind::Load);
-  EXPECT_EQ(kind("LDW>="), Kind::Load);
-  EXPECT_EQ(kind("AN"), Kind::And);
-  EXPECT_EQ(kind("OR="), Kind::Or);     // a comparison of reals
-  EXPECT_EQ(kind("ORB"), Kind::Other);  // a word operation
-  EXPECT_EQ(kind("ALD"), Kind::Ald);
-  EXPECT_EQ(kind("LDS"), Kind::Lds);
-  EXPECT_EQ(kind("STR"), Kind::StringConvert);
-}
-
 TEST(LibraryBlock, NamesHaveADigit) {
   ASSERT_NE(libraryBlockNamed("pto1_run"), nullptr);
   EXPECT_EQ(libraryBlockNamed("PTO1_RUN")->parameters.size(), 8U);

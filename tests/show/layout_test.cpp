@@ -265,23 +265,23 @@ TEST(BoxForm, NamesSignsAndPins) {
     }
     return text;
   };
-  EXPECT_EQ(boxName(*instructionNamed("+I")), "ADD_I");
-  EXPECT_EQ(boxName(*instructionNamed("TON.IEC")), "TON");
-  EXPECT_EQ(boxName(*instructionNamed("FND<>")), "TBL_FIND <>");
-  EXPECT_EQ(contactSign(*instructionNamed("LDW>=")), ">=I");
-  EXPECT_EQ(contactSign(*instructionNamed("LDR=")), "==R");
-  EXPECT_EQ(contactSign(*instructionNamed("LDNI")), "/I");
-  EXPECT_EQ(contactSign(*instructionNamed("EU")), "P");
-  EXPECT_EQ(coilSign(*instructionNamed("=I")), "I");
-  EXPECT_EQ(coilSign(*instructionNamed("CRET")), "RET");
+  EXPECT_EQ(instructionNamed("+I")->drawnName(), "ADD_I");
+  EXPECT_EQ(instructionNamed("TON.IEC")->drawnName(), "TON");
+  EXPECT_EQ(instructionNamed("FND<>")->drawnName(), "TBL_FIND <>");
+  EXPECT_EQ(instructionNamed("LDW>=")->drawnName(), ">=I");
+  EXPECT_EQ(instructionNamed("LDR=")->drawnName(), "==R");
+  EXPECT_EQ(instructionNamed("LDNI")->drawnName(), "/I");
+  EXPECT_EQ(instructionNamed("EU")->drawnName(), "P");
+  EXPECT_EQ(instructionNamed("=I")->drawnName(), "I");
+  EXPECT_EQ(instructionNamed("CRET")->drawnName(), "RET");
   EXPECT_EQ(pins("TON"), "^Txx0 <PT1");
   EXPECT_EQ(pins("MOVW"), "<IN0 >OUT1");
   EXPECT_EQ(pins("INCW"), "<IN0 >OUT0");
   EXPECT_EQ(pins("+I"), "<IN10 <IN21 >OUT1");
   // STL: OUT - IN1 = OUT (001:4814); the box subtracts IN2 from IN1.
   EXPECT_EQ(pins("-I"), "<IN11 <IN20 >OUT1");
-  EXPECT_EQ(powerPins(*instructionNamed("CTUD"), 3), (std::vector<std::string>{"CU", "CD", "R"}));
-  EXPECT_EQ(powerPins(*instructionNamed("RS"), 2), (std::vector<std::string>{"S", "R1"}));
+  EXPECT_EQ(powerPins(*instructionNamed("CTUD")), (std::vector<std::string>{"CU", "CD", "R"}));
+  EXPECT_EQ(powerPins(*instructionNamed("RS")), (std::vector<std::string>{"S", "R1"}));
 }
 
 }  // namespace
