@@ -44,15 +44,15 @@ class InputPairing {
   static bool isTerminal(Area area) { return isInputArea(area) || area == Area::HC; }
   /// Bits of the operand's value from the lowest one; a number as a whole.
   static Address bitAt(const Operand& operand, int i) {
-    if (isByNumber(operand.area)) return addressOf(operand);
+    if (isWholeValue(operand.area)) return addressOf(operand);
     const auto width = static_cast<std::uint32_t>(bits(operand.width));
     return bitOf(memoryPlace(operand.area, operand.offset, operand.width, operand.bit),
                  width - 1 - static_cast<std::uint32_t>(i));
   }
-  static int countOf(const Operand& operand) { return isByNumber(operand.area) ? 1 : bits(operand.width); }
+  static int countOf(const Operand& operand) { return isWholeValue(operand.area) ? 1 : bits(operand.width); }
   /// One bit of an input, or a number as wide as `like`.
   static ScanInput partAt(const Address& address, const Operand& like, int shift) {
-    const bool isNumber = isByNumber(address.area);
+    const bool isNumber = isWholeValue(address.area);
     return {isNumber ? direct(address.area, like.width, address.index) : operandAt(address), noNode, shift};
   }
 
@@ -66,7 +66,7 @@ class InputPairing {
         known_[keyOf(before)] = {inputs_.size() - 1, part.shift + i};
         const std::optional<Address> after = pairs_.after(before);
         if (!isTerminal(before.area) || !after) continue;
-        if (!isTerminal(after->area) || isByNumber(before.area) != isByNumber(after->area)) isWhole_ = false;
+        if (!isTerminal(after->area) || isWholeValue(before.area) != isWholeValue(after->area)) isWhole_ = false;
         if (isWhole_) added.operands[newIndex].push_back(partAt(*after, part.operand, part.shift + i));
       }
     }
@@ -84,7 +84,7 @@ class InputPairing {
           continue;
         }
         const bool isShared = before && isTerminal(before->area) && isTerminal(after.area) &&
-                              isByNumber(before->area) == isByNumber(after.area);
+                              isWholeValue(before->area) == isWholeValue(after.area);
         if (pairs_.names(after) && !isShared) isWhole_ = false;
         if (!own) {
           own = inputs_.size();
