@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "frontend/page/columns.hpp"
+#include "ir/manual.hpp"
 
 namespace rungproof {
 
@@ -100,7 +101,7 @@ std::string instructionPage(const Desc& desc, const Paint& paint) {
   if (desc.notInInterrupt) rows.push_back({"Not allowed", "in interrupt routines"});
   if (desc.affects != 0) rows.push_back({"Changes", statusText(desc.affects)});
   if (desc.time != 0) rows.push_back({"Time", fmt::format("{:g} us with power flow", desc.time / 100.0)});
-  if (!desc.manual.empty()) rows.push_back({"Manual", std::string(desc.manual)});
+  if (!desc.manual.empty()) rows.push_back({"Manual", manualPlace(desc.manual)});
   appendRows(text, rows, 16);
   if (desc.operandCount == 0) return text;
   text += fmt::format("\n  {}\n", paint.bold("Operands"));

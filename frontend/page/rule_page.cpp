@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "frontend/page/columns.hpp"
+#include "ir/manual.hpp"
 
 namespace rungproof {
 
@@ -54,7 +55,7 @@ std::string rulePage(const Rule& rule, const Paint& paint) {
       {"Status", fmt::format("{} since {}, {} by default", rule.status == RuleStatus::Stable ? "stable" : "preview",
                              rule.since, rule.enabledByDefault ? "on" : "off")}};
   if (rule.fix != FixClass::None) rows.push_back({"Fix", std::string(fixText(rule.fix))});
-  if (!rule.manual.empty()) rows.push_back({"Manual", std::string(rule.manual)});
+  if (!rule.manual.empty()) rows.push_back({"Manual", manualPlace(rule.manual)});
   if (!rule.peers.empty()) rows.push_back({"Elsewhere", std::string(rule.peers)});
   appendRows(text, rows, 14);
   appendSection(text, paint, "Detects", rule.detects);
