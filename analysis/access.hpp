@@ -35,7 +35,7 @@ struct Access {
   bool isBox = false;        ///< the number of a timer or counter box
   bool maybe = false;        ///< the direction is not known (parameter of a block without text)
 
-  bool byNumber() const { return isByNumber(area); }
+  bool byNumber() const { return addressedByNumber(area); }
   /// Bytes (numbers for T, C, AC, HC) from `offset` that `elements` elements cover.
   std::uint32_t length(std::uint32_t elements) const {
     if (elements == 0) return 0;

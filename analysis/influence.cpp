@@ -14,7 +14,7 @@ constexpr std::int64_t shortestLimit = 64;  ///< of all counts: that of SHRB (00
 /// Whether an operand that is written is a place of the CPU.
 bool isKnownTarget(const Facts& facts, const OperandDesc& desc, const Operand& operand) {
   if (operand.kind != OperandKind::Direct) return false;
-  const bool isNumber = isByNumber(operand.area);
+  const bool isNumber = addressedByNumber(operand.area);
   const Width width =
       hasBitAndWord(operand.area) ? (desc.type == Type::Bool ? Width::Bit : Width::Word) : operand.width;
   return addressExists(facts.target(), operand.area, width, operand.offset,
@@ -67,7 +67,7 @@ bool takesFromBelow(const Facts& facts, std::span<const std::uint32_t> instructi
 }
 
 PlaceRow rowOf(Area area, Width width, std::uint32_t offset, unsigned bit, std::uint32_t elements) {
-  if (isByNumber(area)) return {area, offset, elements};
+  if (addressedByNumber(area)) return {area, offset, elements};
   if (width == Width::Bit) return {area, offset * 8 + bit, elements};
   return {area, offset * 8, elements * static_cast<std::uint32_t>(bits(width))};
 }
@@ -75,7 +75,8 @@ PlaceRow rowOf(Area area, Width width, std::uint32_t offset, unsigned bit, std::
 Influence::Influence(const Facts& facts) : facts_(facts) {
   for (std::size_t a = 0; a < areaCount; ++a) {
     const Area area = static_cast<Area>(a);
-    places_[a].resize(static_cast<std::size_t>(areaSize(facts.target(), area)) * (isByNumber(area) ? 1 : 8), none);
+    places_[a].resize(static_cast<std::size_t>(areaSize(facts.target(), area)) * (addressedByNumber(area) ? 1 : 8),
+                      none);
   }
   collectParts();
 }

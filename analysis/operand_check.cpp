@@ -40,7 +40,7 @@ Width accessWidth(const OperandDesc& desc, const Operand& operand) {
 }
 
 bool widthIsAllowed(const OperandDesc& desc, const Operand& operand) {
-  if (operand.kind != OperandKind::Direct || isByNumber(operand.area)) return true;
+  if (operand.kind != OperandKind::Direct || addressedByNumber(operand.area)) return true;
   if (isAnalogue(operand.area)) return true;
   if (desc.type == Type::Parameter) return true;
   return operand.width == widthOf(desc.type);
@@ -77,7 +77,7 @@ std::string allowedForms(const OperandDesc& desc) {
   for (int a = 0; a < areaCount; ++a) {
     const Area area = static_cast<Area>(a);
     if ((desc.forms & form::area(area)) == 0) continue;
-    const bool isFixed = isByNumber(area);
+    const bool isFixed = addressedByNumber(area);
     words.push_back(fmt::format("{}{}", areaName(area), isFixed ? "" : isAnalogue(area) ? "W" : suffix));
   }
   if ((desc.forms & form::PtrV) != 0) words.emplace_back("*VD");

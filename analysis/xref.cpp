@@ -77,10 +77,10 @@ std::vector<FreeRange> freeRanges(const Facts& facts, const std::vector<XrefEntr
 
 }  // namespace
 
-std::uint32_t XrefEntry::firstBit() const { return isByNumber(area) ? offset * 32 : offset * 8 + bit; }
+std::uint32_t XrefEntry::firstBit() const { return addressedByNumber(area) ? offset * 32 : offset * 8 + bit; }
 
 std::uint32_t XrefEntry::endBit() const {
-  if (isByNumber(area)) return (offset + count) * 32U;
+  if (addressedByNumber(area)) return (offset + count) * 32U;
   return firstBit() + count * static_cast<std::uint32_t>(bits(width));
 }
 
@@ -95,7 +95,7 @@ Xref crossReference(const Facts& facts) {
       continue;
     }
     const std::uint32_t block = access.area == Area::L ? facts.blockOf(access.instruction) : 0;
-    const std::uint8_t bit = access.width == Width::Bit && !isByNumber(access.area) ? access.bit : 0;
+    const std::uint8_t bit = access.width == Width::Bit && !addressedByNumber(access.area) ? access.bit : 0;
     byPlace[{access.area, block, access.offset, bit, access.width, access.count}].push_back(&access);
   }
   for (auto& [place, uses] : byPlace) {
@@ -113,7 +113,7 @@ std::vector<std::size_t> entriesTouching(const Xref& xref, const Operand& addres
   wanted.area = address.area;
   wanted.width = address.width;
   wanted.offset = address.offset;
-  wanted.bit = address.width == Width::Bit && !isByNumber(address.area) ? address.bit : 0;
+  wanted.bit = address.width == Width::Bit && !addressedByNumber(address.area) ? address.bit : 0;
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < xref.entries.size(); ++i) {
     const XrefEntry& entry = xref.entries[i];
@@ -142,7 +142,7 @@ std::string entryName(const XrefEntry& entry) {
 }
 
 std::string rangeName(const FreeRange& range) {
-  const Width width = isByNumber(range.area) ? Width::Bit : Width::Byte;
+  const Width width = addressedByNumber(range.area) ? Width::Bit : Width::Byte;
   const std::string first = addressName(range.area, width, range.first);
   return range.first == range.last ? first : first + ".." + addressName(range.area, width, range.last);
 }

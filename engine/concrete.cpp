@@ -11,7 +11,7 @@ constexpr std::uint32_t localBytes = 11 * 64;
 Concrete::Store::Store(const Target& target, std::uint32_t edges) {
   for (int a = 0; a < areaCount; ++a) {
     const Area area = static_cast<Area>(a);
-    const bool inRegisters = isByNumber(area);
+    const bool inRegisters = addressedByNumber(area);
     areas_[static_cast<std::size_t>(a)].assign(inRegisters       ? 0
                                                : area == Area::L ? localBytes
                                                                  : areaSize(target, area),

@@ -105,7 +105,7 @@ inline constexpr AreaSet betweenScans =
 /// T, C: one number names a bit and a word.
 constexpr bool hasBitAndWord(Area area) { return inAreas(area_sets::elements, area); }
 /// T, C, AC, HC: the address is a number, not a place of bytes.
-constexpr bool isByNumber(Area area) { return inAreas(area_sets::elements | area_sets::numbers, area); }
+constexpr bool addressedByNumber(Area area) { return inAreas(area_sets::elements | area_sets::numbers, area); }
 /// AI, AQ: words only.
 constexpr bool isAnalogue(Area area) { return inAreas(area_sets::words, area); }
 /// I, AI.

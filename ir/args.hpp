@@ -150,7 +150,7 @@ class Args {
   Bits load(Ref<D>& ref, int element, Width w);
   void save(Ref<D>& ref, int element, Width w, Bits value);
   static std::uint32_t advance(Area area, std::uint32_t offset, int element, Width w) {
-    const bool byNumber = isByNumber(area);
+    const bool byNumber = addressedByNumber(area);
     return offset + static_cast<std::uint32_t>(element * (byNumber ? 1 : bytes(w)));
   }
 

@@ -8,7 +8,7 @@
 namespace rungproof {
 
 std::string addressName(Area area, Width width, std::uint32_t offset, unsigned bit) {
-  if (isByNumber(area)) return fmt::format("{}{}", areaName(area), offset);
+  if (addressedByNumber(area)) return fmt::format("{}{}", areaName(area), offset);
   if (isAnalogue(area)) width = Width::Word;
   switch (width) {
     case Width::Bit: return fmt::format("{}{}.{}", areaName(area), offset, bit);

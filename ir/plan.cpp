@@ -49,7 +49,7 @@ Plan::Plan(const Program& source, const std::vector<bool>& isLeftOut) : program(
 }
 
 void Plan::number(const Instruction& instruction) {
-  if (instruction.desc->stl == "EU" || instruction.desc->stl == "ED") edge[instruction.id] = edgeCount++;
+  if (isEdge(roleOf(instruction))) edge[instruction.id] = edgeCount++;
   if (instruction.desc->control != Control::Call) return;
   for (const Operand& operand : instruction.operands) {
     if (operand.kind == OperandKind::Text) texts.push_back(&operand);

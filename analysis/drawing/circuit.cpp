@@ -124,7 +124,7 @@ bool overlap(const CircuitStretch& a, const CircuitStretch& b) {
 /// Where an operand of that type lies; nothing for constants. Only for direct operands.
 std::optional<CircuitStretch> stretchOf(const Operand& operand, Type type, std::uint64_t elements) {
   if (operand.kind != OperandKind::Direct) return std::nullopt;
-  const bool byNumber = isByNumber(operand.area);
+  const bool byNumber = addressedByNumber(operand.area);
   if (byNumber)
     return CircuitStretch{operand.area, operand.offset, operand.offset + (type == Type::Bool ? elements : 1)};
   if (type == Type::Bool) {

@@ -9,7 +9,7 @@ namespace rungproof {
 MemoryLayout::MemoryLayout(const Target& target) {
   for (int a = 0; a < areaCount; ++a) {
     const Area area = static_cast<Area>(a);
-    const bool inRegisters = isByNumber(area);
+    const bool inRegisters = addressedByNumber(area);
     cuts_[static_cast<std::size_t>(a)].resize(inRegisters ? 0 : area == Area::L ? localBytes : areaSize(target, area));
   }
   std::vector<Cut>& special = cuts_[static_cast<std::size_t>(Area::SM)];

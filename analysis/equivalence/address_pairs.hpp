@@ -20,7 +20,7 @@ struct Address {
 };
 /// Whether an address is a whole value instead of a bit: numbers, and the words that the terminals give. What goes to
 /// AQ is counted in bits like memory.
-constexpr bool isWholeValue(Area area) { return isByNumber(area) || (isInputArea(area) && isAnalogue(area)); }
+constexpr bool isWholeValue(Area area) { return addressedByNumber(area) || (isInputArea(area) && isAnalogue(area)); }
 /// First address that a direct operand names.
 Address addressOf(const Operand& operand);
 /// The operand that names one address: a bit, or the bit of a timer or counter.

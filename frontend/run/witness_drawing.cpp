@@ -30,7 +30,7 @@ struct Cells {
 std::optional<Cells> touchedCells(const Instruction& instruction, std::size_t index) {
   const Operand& o = instruction.operands[index];
   if (o.kind != OperandKind::Direct || !lastsOverScans(o.area)) return std::nullopt;
-  if (isByNumber(o.area)) return Cells{o.area, o.offset, 1};
+  if (addressedByNumber(o.area)) return Cells{o.area, o.offset, 1};
   const Width width = operandWidth(instruction, index);
   Cells cells{o.area, o.offset * 8 + (width == Width::Bit ? o.bit : 0U), static_cast<std::uint32_t>(bits(width))};
   // S and R: N bits.
@@ -70,7 +70,7 @@ std::vector<Cells> cellsOfProperty(const ProofResult& result) {
     for (const ExprNode& node : expr->nodes) {
       const Operand& o = node.operand;
       if (node.op != ExprOp::Address || !lastsOverScans(o.area)) continue;
-      if (isByNumber(o.area))
+      if (addressedByNumber(o.area))
         cells.push_back({o.area, o.offset, 1});
       else
         cells.push_back(

@@ -108,7 +108,7 @@ OperandResult readAddressOf(std::string_view target, std::string_view whole, Spe
   OperandResult result = faulty(OperandFault::AddressOf);
   Operand& o = result.operand;
   if (readAddress(target, spelling, o)) {
-    const bool isNumbered = isByNumber(o.area);
+    const bool isNumbered = addressedByNumber(o.area);
     if (o.width == Width::Bit && !isNumbered) return result;
     o.kind = OperandKind::Address;
     if (!isNumbered && !isAnalogue(o.area)) o.width = Width::Byte;

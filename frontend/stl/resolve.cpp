@@ -100,7 +100,7 @@ class Resolver {
   }
 
   bool replace(Operand& operand, const Operand& place, char sign) {
-    const bool isNumbered = isByNumber(place.area);
+    const bool isNumbered = addressedByNumber(place.area);
     if (sign == '*') {
       const bool mayHold = place.kind == OperandKind::Direct && mayHoldPointer(place.area) &&
                            (place.area == Area::AC || place.width == Width::DWord);

@@ -15,7 +15,7 @@ std::string areasWhere(bool (*holds)(Area)) {
 }
 
 TEST(Area, PropertiesName) {
-  EXPECT_EQ(areasWhere(isByNumber), "T C AC HC");  // 001:1309, 001:1322, 001:1338, 001:1348
+  EXPECT_EQ(areasWhere(addressedByNumber), "T C AC HC");  // 001:1309, 001:1322, 001:1338, 001:1348
   EXPECT_EQ(areasWhere(hasBitAndWord), "T C");
   EXPECT_EQ(areasWhere(isAnalogue), "AI AQ");  // words at even bytes (001:1382, 001:1388)
   EXPECT_EQ(areasWhere(isInputArea), "I AI");
