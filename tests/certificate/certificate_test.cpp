@@ -22,8 +22,12 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
-std::string askCvc5(const std::string& file) {
-  return outputOf("cvc5 --incremental --lang smt2 --tlimit=180000 '" + file + "'");
+/// With cvc5's usual solver for words, and where that takes its time (two of eight hundred: more than a minute) with
+/// the other one, which needs seconds.
+std::string askCvc5(const std::string& file, std::size_t obligations) {
+  const std::string answer = outputOf("cvc5 --incremental --lang smt2 --tlimit=20000 '" + file + "' 2>/dev/null");
+  if (count(answer, "unsat\n") == obligations) return answer;
+  return outputOf("cvc5 --incremental --bv-solver=bitblast-internal --lang smt2 --tlimit=180000 '" + file + "'");
 }
 
 TEST(Certificate, Cvc5AgreesOnTheWholeCorpus) {
@@ -46,7 +50,7 @@ TEST(Certificate, Cvc5AgreesOnTheWholeCorpus) {
         continue;
       }
       const std::string& text = result.certificate;
-      if (!text.starts_with("(set-logic")) {  // says so in its first line
+      if (text.find("; about the program after simplification") != std::string::npos) {
         ++simplified;
         std::printf("after simplification: %s, %s\n", path.filename().c_str(), result.property.name.c_str());
       }
@@ -54,8 +58,8 @@ TEST(Certificate, Cvc5AgreesOnTheWholeCorpus) {
       const std::string safety = text.substr(text.find("; safety of"));
       EXPECT_NE(safety.find('|'), std::string::npos) << path << ": " << result.property.name << ": " << safety;
       const std::string file = folder.file("certificate.smt2", text);
-      const std::string answer = askCvc5(file);
       const std::size_t asked = count(text, "(check-sat)");
+      const std::string answer = askCvc5(file, asked);
       EXPECT_EQ(count(text, "; initiation of"), 1U);
       EXPECT_EQ(count(text, "; consecution of"), 1U);
       EXPECT_EQ(count(text, "; safety of"), 1U);
@@ -105,7 +109,7 @@ TEST(Certificate, WrongOnesAreRefused) {
     writer.add(pair.system.questions[0], certificate);
     EXPECT_EQ(writer.check({}), std::vector<CheckResult>{expected});
     const std::string file = folder.file("pair.smt2", writer.text());
-    const std::string answer = askCvc5(file);
+    const std::string answer = askCvc5(file, 3);
     EXPECT_EQ(count(answer, "unsat\n") == 3, expected == CheckResult::Valid) << answer;
   }
 }

@@ -229,15 +229,15 @@ TEST(ScanAgreement, Pointers) {
 }
 
 TEST(ScanAgreement, ConeOfInfluence) {
-  runAll({.rungs = 10, .jumps = false, .loops = false, .subroutines = false}, anyMemory(), 100, 60, 60000, Part::Cone);
+  runAll({.rungs = 10, .jumps = false, .loops = false, .subroutines = false}, anyMemory(), 60, 60, 60000, Part::Cone);
 }
 
 TEST(ScanAgreement, ConeOfInfluenceUnderControlFlow) {
-  runAll({.rungs = 10, .loops = false}, {}, 60, 60, 70000, Part::Cone);
+  runAll({.rungs = 10, .loops = false}, {}, 40, 60, 70000, Part::Cone);
 }
 
 TEST(ScanAgreement, ConeOfInfluenceUnderInterrupts) {
-  runAll({.rungs = 8, .loops = false, .subroutines = false, .interrupts = true}, {}, 20, 60, 80000, Part::Cone);
+  runAll({.rungs = 8, .loops = false, .subroutines = false, .interrupts = true}, {}, 10, 60, 80000, Part::Cone);
 }
 
 }  // namespace
