@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <random>
 
 #include "analysis/proof/follower.hpp"
 #include "analysis/proof/state_pool.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 constexpr std::size_t oldIndex = 0, newIndex = 1;
 constexpr std::uint32_t heldScans = 1U << 16;  ///< of a run in which no input changes
+constexpr int walkedSteps = 400;               ///< of a random walk
 
 /// An input of the pair, and what it is in either program.
 struct PairedInput {
@@ -201,6 +203,72 @@ class ExploredPair {
   std::optional<EquivalenceRun> found_;
 };
 
+/// Walks from power-up: in each of them every input stays off, stays on, or changes now and then.
+class RandomWalks {
+ public:
+  RandomWalks(ExploredPair& pair, const TimeRange& range, const std::vector<int>& widths,
+              const PoolConstants& constants, std::uint64_t seed)
+      : pair_(pair),
+        range_(range),
+        widths_(widths),
+        constants_(constants.values().begin(), constants.values().end()),
+        random_(seed),
+        start_(pair.snapshot()) {}
+
+  /// Ends with the first difference.
+  template <class IsOver>
+  void walk(const IsOver& isOver) {
+    choose();
+    pair_.restore(start_);
+    std::vector<RunStep> way;
+    for (int k = 0; k < walkedSteps && !isOver(); ++k) {
+      way.push_back(nextStep(k == 0));
+      pair_.begin(way.back());
+      const std::uint32_t most = random_() % 32 == 0 ? 256 : 1 + static_cast<std::uint32_t>(random_() % 3);
+      for (std::uint32_t& n = way.back().repeats; n < most;) {
+        const Went went = pair_.scan(k == 0 && n == 0);
+        if (went == Went::Broken) return;
+        ++n;
+        if (pair_.hasShown()) return pair_.keepShown(way);
+        if (went == Went::Ended) return;
+      }
+    }
+  }
+
+ private:
+  enum class Course : std::uint8_t { Off, On, Changing };
+
+  void choose() {
+    courses_.clear();
+    values_.assign(widths_.size(), 0);
+    for (std::size_t i = 0; i < widths_.size(); ++i) {
+      courses_.push_back(static_cast<Course>(random_() % 3));
+      if (courses_[i] == Course::On) values_[i] = widths_[i] == 1 ? 1 : anyWord();
+    }
+    isSlow_ = random_() % 2 == 0;
+  }
+  std::uint64_t anyWord() { return random_() % 2 == 0 ? random_() : constants_[random_() % constants_.size()]; }
+  RunStep nextStep(bool isFirst) {
+    for (std::size_t i = 0; i < widths_.size(); ++i) {
+      const bool changes = courses_[i] == Course::Changing && !isFirst && random_() % 2 == 0;
+      if (changes) values_[i] = widths_[i] == 1 ? values_[i] ^ 1U : anyWord();
+    }
+    const std::uint32_t length =
+        isSlow_ ? range_.high : range_.low + static_cast<std::uint32_t>(random_() % (range_.high - range_.low + 1));
+    return {RunStep::none, 0, length, values_};
+  }
+
+  ExploredPair& pair_;
+  const TimeRange range_;
+  const std::vector<int>& widths_;
+  const std::vector<std::uint64_t> constants_;
+  std::mt19937_64 random_;
+  const ExploredPair::Snapshot start_;
+  std::vector<Course> courses_;
+  std::vector<std::uint64_t> values_;
+  bool isSlow_ = true;
+};
+
 }  // namespace
 
 std::vector<ObservedBit> namedOutputs(const Program& before, const Program& after, const EquivalenceOptions& options) {
@@ -248,17 +316,19 @@ std::optional<EquivalenceRun> exploredRun(const Side& before, const Side& after,
   constants.add(*after.program);
   ExploredPair pair(before, after, runs, pairing.inputs());
   StatePool<ExploredPair> pool(pair, options.time, widths, cells, constants, options.seed);
+  RandomWalks walks(pair, options.time, widths, constants, options.seed);
   pool.notePatience(runs.options.latency, runs.options.settleMs);
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begin = Clock::now();
   const auto isStopped = [&] { return cancel.load(std::memory_order_relaxed) || pair.found().has_value(); };
-  // All inputs off, all on, one of them on, and the pool's own choices in what is left of the time.
-  const Clock::time_point held = begin + (deadline - begin) / 2;
+  // All inputs off, all on, one of them on; random walks; then the pool's own choices in what is left of the time.
+  const Clock::time_point held = begin + (deadline - begin) / 3, walked = held + (deadline - begin) / 3;
   for (std::size_t kind = 0; kind < widths.size() + 2 && !isStopped() && Clock::now() < held; ++kind) {
     std::vector<std::uint64_t> values(widths.size(), kind == 1 ? ~0ULL : 0);
     if (kind > 1) values[kind - 2] = ~0ULL;
     pool.hold(values, heldScans, [&] { return isStopped() || Clock::now() >= held; });
   }
+  while (!isStopped() && Clock::now() < walked) walks.walk([&] { return isStopped() || Clock::now() >= walked; });
   pool.search([&] { return isStopped() || Clock::now() >= deadline; }, [&] { return pair.found().has_value(); });
   return pair.found();
 }

@@ -66,7 +66,9 @@ Comparison comparisonOf(const Equivalence& found) {
     comparison.notes.push_back(fmt::format("{} certificates", found.certificates.size()));
   for (const std::string& name : found.uncertified) comparison.notes.push_back("no certificate in time for: " + name);
   if (found.equality == Equality::Unknown) {
-    comparison.notes.insert(comparison.notes.begin(), fmt::format("no difference in the first {} scans", found.depth));
+    if (found.depth > 0)
+      comparison.notes.insert(comparison.notes.begin(),
+                              fmt::format("no difference in the first {} scans", found.depth));
     std::string open;
     for (const ObservedVerdict& output : found.outputs) {
       if (output.equality == Equality::Unknown) open += (open.empty() ? "" : ", ") + output.name;
@@ -129,8 +131,13 @@ Exit run(const Arguments& arguments, Context& context) {
   options.settleMs = static_cast<std::uint32_t>(settle->count() / 1000);
   equivInterrupted = false;
   const auto before = std::signal(SIGINT, onEquivInterrupt);
-  const Equivalence found = compareBehaviour(sides.oldSide(), sides.newSide(), options);
+  Equivalence found = compareBehaviour(sides.oldSide(), sides.newSide(), options);
   std::signal(SIGINT, before);
+  const auto isRun = [](const ObservedVerdict& output) { return !output.before && !output.after; };
+  if (found.equality == Equality::Equal && std::ranges::all_of(found.outputs, isRun)) {
+    found.equality = Equality::Unknown;
+    found.notes.emplace_back("neither program writes an output: name memory to be compared with --observe");
+  }
 
   report.comparison = comparisonOf(found);
   report.assumptions = found.assumptions;

