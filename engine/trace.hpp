@@ -40,18 +40,21 @@ struct TraceRow {
   std::vector<std::optional<double>> values;  ///< by signal; nothing: any value
   std::string events{};                       ///< interrupts of the scan at their places, as a stimulus writes them
   std::string devices{};                      ///< what devices wrote, as a stimulus writes it
+  std::string newEvents{};  ///< Trace::hasTwoEvents: the interrupts of the second program; `events` are the first one's
 };
 
 struct Trace {
   std::vector<TraceSignal> signals;
   std::vector<TraceRow> rows;
-  bool isByTime = false;    ///< rows are keyed by time, not by scan
-  bool hasTimes = true;     ///< TraceRow::timeUs is known
-  bool hasDevices = false;  ///< devices did what TraceRow::devices says, and nothing else
+  bool isByTime = false;      ///< rows are keyed by time, not by scan
+  bool hasTimes = true;       ///< TraceRow::timeUs is known
+  bool hasTwoEvents = false;  ///< of two programs, whose interrupts come at different places
+  bool hasDevices = false;    ///< devices did what TraceRow::devices says, and nothing else
   /// Columns of the first row that only a stimulus needs: where clocks start ("CLOCK.tick", ms).
   std::vector<std::pair<std::string, std::uint64_t>> start{};
   bool hasEvents() const {
-    return std::any_of(rows.begin(), rows.end(), [](const TraceRow& row) { return !row.events.empty(); });
+    return std::any_of(rows.begin(), rows.end(),
+                       [](const TraceRow& row) { return !row.events.empty() || !row.newEvents.empty(); });
   }
 
   /// Index of the signal of that name or symbol (case does not matter), or -1.

@@ -33,7 +33,7 @@ bool areSame(const TraceRow& a, const TraceRow& b) {
     return x.has_value() == y.has_value() &&
            (!x || std::bit_cast<std::uint64_t>(*x) == std::bit_cast<std::uint64_t>(*y));
   };
-  return a.events == b.events && a.devices == b.devices &&
+  return a.events == b.events && a.newEvents == b.newEvents && a.devices == b.devices &&
          std::equal(a.values.begin(), a.values.end(), b.values.begin(), b.values.end(), isEqual);
 }
 
@@ -134,7 +134,8 @@ std::vector<std::string> tableOf(const Trace& trace, std::size_t rows) {
   std::vector<Row> table{{"scan", "ms", {}}};
   const bool hasEvents = trace.hasEvents();
   const bool hasDevices = std::ranges::any_of(trace.rows, [](const TraceRow& row) { return !row.devices.empty(); });
-  if (hasEvents) table[0].values.push_back("events");
+  if (hasEvents) table[0].values.push_back(trace.hasTwoEvents ? "old.events" : "events");
+  if (hasEvents && trace.hasTwoEvents) table[0].values.push_back("new.events");
   if (hasDevices) table[0].values.push_back("devices");
   for (const TraceSignal& signal : trace.signals)
     table[0].values.push_back(signal.symbol.empty() ? signal.name : signal.symbol);
@@ -145,6 +146,7 @@ std::vector<std::string> tableOf(const Trace& trace, std::size_t rows) {
     if (!isSame) {
       Row next{"", "", {}, row.scan};
       if (hasEvents) next.values.push_back(row.events);
+      if (hasEvents && trace.hasTwoEvents) next.values.push_back(row.newEvents);
       if (hasDevices) next.values.push_back(row.devices);
       for (std::size_t s = 0; s < trace.signals.size(); ++s)
         next.values.push_back(row.values[s] ? numberText(*row.values[s], trace.signals[s].type) : "-");

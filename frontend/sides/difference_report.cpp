@@ -94,6 +94,10 @@ Trace DifferenceReport::joined(const std::vector<TraceSignal>& common, std::vect
   for (std::size_t i = common.size(); i < trace.signals.size(); ++i)
     trace.signals[i] = named(trace.signals[i], oldSidePrefix);
   for (const TraceSignal& signal : after) trace.signals.push_back(named(signal, newSidePrefix));
+  for (std::size_t i = 0; i < trace.rows.size() && i < other.rows.size(); ++i) {
+    trace.rows[i].newEvents = other.rows[i].events;
+    trace.hasTwoEvents = trace.hasTwoEvents || trace.rows[i].events != trace.rows[i].newEvents;
+  }
   for (std::size_t i = 0; i < trace.rows.size(); ++i) {
     if (i < other.rows.size())
       trace.rows[i].values.insert(trace.rows[i].values.end(), other.rows[i].values.begin(), other.rows[i].values.end());

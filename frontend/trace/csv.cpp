@@ -1,4 +1,5 @@
-// Traces as CSV: scan, time_ms at the end of the scan, scan_ms, event if interrupts are known, device if
+// Traces as CSV: scan, time_ms at the end of the scan, scan_ms, event if interrupts are known (old.event and
+// new.event where they come at different places of two programs), device if
 // devices do only what stands there, then one column per signal. The file is a stimulus as well: having time_ms behind
 // scan, it is known as a recording (frontend/run/stimulus_reader.hpp). Tested by tests/trace/csv_test.cpp.
 #include <ostream>
@@ -19,7 +20,10 @@ std::string quoted(const std::string& text) {
 void write(const Trace& trace, std::string_view, std::ostream& out) {
   const bool hasEvents = !trace.isByTime && trace.hasEvents();
   const bool hasDevices = !trace.isByTime && trace.hasDevices;
-  out << (trace.isByTime ? "time_ms" : "scan,time_ms,scan_ms") << (hasEvents ? ",event" : "")
+  out << (trace.isByTime ? "time_ms" : "scan,time_ms,scan_ms")
+      << (!hasEvents           ? ""
+          : trace.hasTwoEvents ? ",old.event,new.event"
+                               : ",event")
       << (hasDevices ? ",device" : "");
   for (const auto& [name, value] : trace.start) out << ',' << name;
   for (const TraceSignal& signal : trace.signals) out << ',' << quoted(signal.name);
@@ -29,6 +33,7 @@ void write(const Trace& trace, std::string_view, std::ostream& out) {
     out << millisecondsText(row.timeUs);
     if (!trace.isByTime) out << ',' << millisecondsText(row.scanUs);
     if (hasEvents) out << ',' << quoted(row.events);
+    if (hasEvents && trace.hasTwoEvents) out << ',' << quoted(row.newEvents);
     if (hasDevices) out << ',' << quoted(row.devices);
     for (const auto& [name, value] : trace.start)
       out << ',' << (&row == trace.rows.data() ? std::to_string(value) : "");

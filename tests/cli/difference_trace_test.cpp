@@ -53,6 +53,23 @@ TEST_P(DifferentPairs, HaveATraceThatEitherProgramRepeats) {
   }
 }
 
+/// An interrupt between two reads of M0.0 shows in OLD; NEW has one instruction less, so that its lines are others.
+TEST(DifferenceTrace, HasTheEventsOfEitherProgramAtItsOwnPlaces) {
+  const std::string start = "LD SM0.1;ATCH INT0,0;ENI|LD I1.0;A I1.1;= M9.0|", routine = "@INT0:LD SM0.0;S M0.0,1";
+  const TemporaryFolder folder;
+  const std::string before = folder.file("old.awl", exportOf(start + "LD M0.0;= Q0.0|LD M0.0;= Q0.1" + routine)),
+                    after = folder.file("new.awl", exportOf("LD M0.0;= Q0.0;= Q0.1|" + start + routine));
+  const std::string trace = folder.path("difference.csv");
+  const ProgramRun found = run({"equiv", "--isolated", before, after, "--interrupts", "anywhere", "--trace", trace});
+  ASSERT_EQ(found.exit, 1) << found.err << found.out;
+  EXPECT_NE(contentOf(trace).find("old.event,new.event"), std::string::npos) << contentOf(trace);
+  for (const auto& [side, program] : {std::pair{"old", before}, std::pair{"new", after}}) {
+    const ProgramRun played =
+        run({"sim", "--isolated", program, "--stimulus", trace, "--expect", trace, "--side", side});
+    EXPECT_EQ(played.exit, 0) << side << '\n' << contentOf(trace) << played.err << played.out;
+  }
+}
+
 std::vector<Pair> differentPairs() {
   std::vector<Pair> found;
   std::ranges::copy_if(pairs, std::back_inserter(found),
