@@ -71,6 +71,19 @@ constexpr bool isEdgeEvent(int event) { return event >= 0 && event < 2 * edgeInp
 
 constexpr const EventInfo& eventInfo(int event) { return eventTable[static_cast<std::size_t>(event)]; }
 
+/// Whether two events come from the same cause, be it at different inputs, counters, ports or timers: their texts are
+/// the same but for numbers.
+constexpr bool areAlikeEvents(int a, int b) {
+  const std::string_view x = eventInfo(a).text, y = eventInfo(b).text;
+  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+  for (std::size_t i = 0, k = 0;; ++i, ++k) {
+    while (i < x.size() && isDigit(x[i])) ++i;
+    while (k < y.size() && isDigit(y[k])) ++k;
+    if (i >= x.size() || k >= y.size()) return i >= x.size() && k >= y.size();
+    if (x[i] != y[k]) return false;
+  }
+}
+
 namespace detail {
 constexpr bool eventTableIsInOrder() {
   for (std::size_t i = 0; i < eventTable.size(); ++i) {
@@ -79,6 +92,7 @@ constexpr bool eventTableIsInOrder() {
   return true;
 }
 static_assert(eventTableIsInOrder(), "eventTable must be sorted by event number");
+static_assert(areAlikeEvents(0, 4) && !areAlikeEvents(0, 1) && areAlikeEvents(12, 33) && !areAlikeEvents(12, 14));
 }  // namespace detail
 
 }  // namespace rungproof

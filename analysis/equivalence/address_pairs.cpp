@@ -39,6 +39,21 @@ bool AddressPairs::add(Address before, Address after, std::uint32_t count) {
   return true;
 }
 
+bool AddressPairs::addEvent(int before, int after) {
+  if (std::ranges::any_of(events_, [&](const auto& pair) { return pair.first == before || pair.second == after; }))
+    return false;
+  events_.emplace_back(before, after);
+  return true;
+}
+
+std::optional<int> AddressPairs::eventBefore(int after) const {
+  for (const auto& [old, now] : events_) {
+    if (now == after) return old;
+  }
+  if (std::ranges::any_of(events_, [&](const auto& pair) { return pair.first == after; })) return std::nullopt;
+  return after;
+}
+
 std::optional<Address> AddressPairs::before(Address after) const {
   for (const Run& run : runs_) {
     if (coversAddress(run.after, run.count, after))

@@ -1,6 +1,6 @@
 // Which addresses of two programs stand for each other: the same address, unless a map says otherwise. Bits of memory
-// are paired one by one, timers, counters and analog words by number. The first program is called OLD, the second NEW.
-// Tested by tests/equivalence/address_pairs_test.cpp.
+// are paired one by one, timers, counters and analog words by number, and interrupt events by number too. The first
+// program is called OLD, the second NEW. Tested by tests/equivalence/address_pairs_test.cpp.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,11 @@ class AddressPairs {
   /// Pairs `count` addresses from `before` on in OLD with as many from `after` on in NEW. False if one of them has a
   /// partner already.
   bool add(Address before, Address after, std::uint32_t count);
-  bool empty() const { return runs_.empty(); }
+  /// Pairs an interrupt event of OLD with one of NEW. False if one of them has a partner already.
+  bool addEvent(int before, int after);
+  bool empty() const { return runs_.empty() && events_.empty(); }
+  /// The event of OLD for one of NEW: the same one unless the map gives it to another.
+  std::optional<int> eventBefore(int after) const;
 
   /// What stands in OLD for an address of NEW; nothing if the map gives that address of OLD to another one.
   std::optional<Address> before(Address after) const;
@@ -50,6 +54,7 @@ class AddressPairs {
     std::uint32_t count;
   };
   std::vector<Run> runs_;
+  std::vector<std::pair<int, int>> events_;
 };
 
 }  // namespace rungproof

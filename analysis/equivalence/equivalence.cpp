@@ -30,7 +30,7 @@ constexpr double searchSeconds = 3;     ///< for each of these searches
 constexpr double shortShare = 0.25;     ///< of the time that is left, at most
 constexpr double earlySeconds = 0.15;   ///< for runs of the engine before anything is encoded
 constexpr double earlyShare = 0.1;      ///< of the time, at most
-constexpr double exploringSeconds = 5;  ///< for such runs when no short one differs
+constexpr double exploringSeconds = 5;  ///< for such runs when a short proof has failed
 constexpr double exploringShare = 0.4;  ///< of the time that is left, at most
 
 class ProgramComparison {
@@ -248,12 +248,16 @@ class ProgramComparison {
     JoinedSystem both = product.merged(correspondence_.isMerged, false, correspondence_.conditions);
     std::vector<Question> questions = outputQuestions(both);
     method_ = "both programs side by side";
-    while (searchShort(product, both, questions, open, shallowScans) || explore(both, open) || searchLong(open)) {
+    while (searchShort(product, both, questions, open, shallowScans) || explore(both, open, earlySeconds) ||
+           searchLong(open)) {
       if (!goesOn(open)) return;
     }
     bool isAskedAgain = false;
     for (const double each : {std::min(2.0, left()), left()}) {
       if (open.empty() || left() <= 0 || watch_.isStopped()) return;
+      while (isAskedAgain && explore(both, open, exploringSeconds)) {
+        if (!goesOn(open)) return;
+      }
       if (isAskedAgain && hasDropped(product)) {
         correspond(product, true);
         both = product.merged(correspondence_.isMerged, false, correspondence_.conditions);
@@ -317,10 +321,10 @@ class ProgramComparison {
     return trace && show(product, both, asked, *trace, open);
   }
 
-  bool explore(const JoinedSystem& both, const std::vector<std::size_t>& open) {
+  bool explore(const JoinedSystem& both, const std::vector<std::size_t>& open, double most) {
     if (options_.prover.bound > 0) return false;
-    const auto run = explored(observedOf(both, open), comparesStops(both, open),
-                              std::min(exploringSeconds, left() * exploringShare));
+    const auto run =
+        explored(observedOf(both, open), comparesStops(both, open), std::min(most, left() * exploringShare));
     if (run) take(*run);
     return run.has_value();
   }

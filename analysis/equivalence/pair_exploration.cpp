@@ -31,6 +31,10 @@ class InputPairing {
   InputPairing(const RunSpace& before, const RunSpace& after, const AddressPairs& pairs) : pairs_(pairs) {
     for (const RunSpace::Input& input : before.inputs) addOld(input);
     for (const RunSpace::Input& input : after.inputs) addNew(input);
+    for (const auto& [key, bit] : known_) {
+      const std::optional<Address> there = pairs.after({key.first, key.second});
+      if (!isTerminal(key.first) && there && pairs.names(*there) && !bit.isPaired) isWhole_ = false;
+    }
   }
   /// False if the map pairs an input with what is none.
   bool isWhole() const { return isWhole_; }
@@ -40,6 +44,7 @@ class InputPairing {
   struct Bit {
     std::size_t input;
     int shift;
+    bool isPaired = false;
   };
   using Key = std::pair<Area, std::uint32_t>;
   static Key keyOf(const Address& address) { return {address.area, address.index}; }
@@ -81,6 +86,7 @@ class InputPairing {
         const std::optional<Address> before = pairs_.before(after);
         const auto found = before ? known_.find(keyOf(*before)) : known_.end();
         if (found != known_.end()) {
+          found->second.isPaired = true;
           if (!isTerminal(before->area))
             inputs_[found->second.input].operands[newIndex].push_back(partAt(after, part.operand, found->second.shift));
           continue;

@@ -89,6 +89,7 @@ ProgramProduct::ProgramProduct(const Side& before, const Side& after, const Prog
       new_(*after.program, after.set, {}, shaped(options.encoder, *before.program, nullptr, options.trailAfter)) {
   isSame_ = isSameProgram(before, after);
   collectOutputs();
+  findClocks();
   firstScan_ = old_.encoding().firstScan();
   oldRuns_ = old_.encoding().atEnd(registerPlace(Reg::Running, 0));
   newRuns_ = new_.encoding().atEnd(registerPlace(Reg::Running, 0));
@@ -176,6 +177,10 @@ std::optional<Place> ProgramProduct::oldRegister(const Place& place) {
     const std::uint32_t instruction = match_.beforeOf[static_cast<std::size_t>(own - edges.begin())];
     if (instruction == noPartner || oldEdges[instruction] == noPartner) return std::nullopt;
     there.at = oldEdges[instruction];
+  } else if (place.reg == Reg::EventRoutine) {
+    const std::optional<int> event = options_.pairs.eventBefore(static_cast<int>(place.at));
+    if (!event) return std::nullopt;
+    there.at = static_cast<std::uint32_t>(*event);
   } else if (const std::optional<Area> area = areaOf(place.reg)) {
     const auto number = options_.pairs.before(Address{*area, place.at});
     if (!number || number->area != *area) return std::nullopt;
@@ -320,6 +325,7 @@ JoinedSystem ProgramProduct::merged(const std::vector<bool>& isMerged, bool isOn
   addConditions(result, conditions);
   noteEstimates(result);
   if (options_.steadyInputs) holdInputs(result);
+  holdClocks(result);
   assume(result);
   compareOutputs(result);
   result.stopDiffers = differ(oldRuns_, copy(newRuns_));

@@ -139,6 +139,8 @@ class ProgramProduct {
   void replaceEstimates(SideCopy& copy, const std::vector<bool>& isMerged);
   void noteEstimates(JoinedSystem& result);
   void holdInputs(JoinedSystem& result);
+  void findClocks();
+  void holdClocks(JoinedSystem& result);
   void assume(JoinedSystem& result);
   Node assumedLeaf(SideCopy* copy, const Operand& operand, int width);
   void compareOutputs(JoinedSystem& result);
@@ -157,8 +159,9 @@ class ProgramProduct {
   Obligations old_, new_;
   TransitionSystem oldSystem_, newSystem_;
   std::vector<Output> outputs_;
-  bool isSame_ = false;  ///< the same instructions in the same order
-  std::set<Node> kept_;  ///< states of NEW that keep their value
+  std::vector<std::pair<Node, Node>> clocks_;  ///< inputs of OLD's graph that show what NEW has in SMB0
+  bool isSame_ = false;                        ///< the same instructions in the same order
+  std::set<Node> kept_;                        ///< states of NEW that keep their value
   Node firstScan_ = noNode;
   Node oldRuns_ = noNode, newRuns_ = noNode;  ///< in RUN at the end of the scan
   std::vector<Partner> partners_;             ///< by state of NEW

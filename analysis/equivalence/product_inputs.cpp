@@ -114,11 +114,34 @@ void ProgramProduct::replaceSites(SideCopy& copy) {
     const bool isBetween = site.instruction == ScanPlace::afterProgram;
     const std::uint32_t there = isBetween ? site.instruction : match_.beforeOf[site.instruction];
     if (copy.isReplaced(site.node) || (!isBetween && there == noPartner)) continue;
-    const auto found = known.find({site.event, there});
+    const std::optional<int> event = options_.pairs.eventBefore(site.event);
+    if (!event) continue;
+    const auto found = known.find({*event, there});
     if (found == known.end() || k >= found->second.size()) continue;
     const Node same = found->second[k];
     if (old_.encoding().graph()[same].width == new_.encoding().graph()[site.node].width) copy.replace(site.node, same);
   }
+}
+
+/// A bit of SMB0 of NEW that stands for an input of OLD: the panel shows OLD the clock that NEW has itself.
+void ProgramProduct::findClocks() {
+  EncodedScan& before = old_.encoding();
+  std::vector<Address> given;
+  for (const Cell& cell : before.cells()) {
+    if (cell.kind != CellKind::Input || cell.place.isRegister) continue;
+    for (std::uint32_t i = 0; i < cell.place.width; ++i) given.push_back(bitOf(cell.place, i));
+  }
+  for (const Address& address : given) {
+    const std::optional<Address> after = options_.pairs.after(address);
+    if (after && after->area == Area::SM && after->index < 8)
+      clocks_.emplace_back(before.atStart(bitPlace(address)), new_.encoding().atEnd(bitPlace(*after)));
+  }
+}
+
+void ProgramProduct::holdClocks(JoinedSystem& result) {
+  Graph& graph = old_.encoding().graph();
+  for (const auto& [input, clock] : clocks_)
+    result.system.constraints.push_back(graph.equal({input}, {(*result.copy)(clock)}, 1).node);
 }
 
 /// An immediate read gives what the image has, and every read of an analog input in a scan the same.

@@ -3,6 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+
+#include "frontend/program_input.hpp"
+#include "ir/event.hpp"
+
 namespace rungproof {
 
 namespace {
@@ -36,6 +41,29 @@ class LineReader {
     }
     return Named{from, to.index + extentOf(*last) - from.index};
   }
+  /// What causes an interrupt in a program of that family: "event 8". Another family would name it otherwise.
+  std::optional<int> event(std::string_view text, const Program& program, std::string_view side) {
+    constexpr std::string_view help = "write 'event 8 = event 25': the S7-200 numbers its interrupt events 0 to 33";
+    const std::size_t first = text.find_first_of("0123456789");
+    if (!isEvent(text)) {
+      const bool isBlock = text.size() > 2 && (text.starts_with("OB") || text.starts_with("ob"));
+      fail(isBlock ? fmt::format("{} is an S7-200 program, which has no {}", side, text)
+                   : fmt::format("'{}' names no interrupt event of {}", text, side),
+           std::string(help));
+      return std::nullopt;
+    }
+    int number = -1;
+    const auto end = text.data() + text.size();
+    const auto [stop, error] =
+        std::from_chars(first == std::string_view::npos ? end : text.data() + first, end, number);
+    if (error != std::errc{} || stop != end || number >= eventCount || !eventExists(program.target, number)) {
+      fail(fmt::format("'{}' is no interrupt event of CPU {}, which is {}'s", text, cpuName(program.target.cpu), side),
+           std::string(help));
+      return std::nullopt;
+    }
+    return number;
+  }
+  static bool isEvent(std::string_view text) { return text.starts_with("event ") || text.starts_with("EVENT "); }
   void fail(std::string message, std::string help) {
     failures_.push_back({std::move(message), place_, std::move(help)});
   }
@@ -58,8 +86,9 @@ class LineReader {
 
 }  // namespace
 
-std::vector<MapLine> readMap(const std::string& name, std::string_view text, const OperandLookup& before,
-                             const OperandLookup& after, std::vector<Failure>& failures) {
+std::vector<MapLine> readMap(const std::string& name, std::string_view text, const Program& before,
+                             const Program& after, std::vector<Failure>& failures) {
+  const OperandLookup ofOld = lookupIn(before), ofNew = lookupIn(after);
   std::vector<MapLine> lines;
   std::uint32_t number = 0;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -75,8 +104,19 @@ std::vector<MapLine> readMap(const std::string& name, std::string_view text, con
       reader.fail(fmt::format("'{}' is no pair", line), "write OLD-address = NEW-address");
       continue;
     }
-    const auto left = reader.named(trimmed(line.substr(0, sign)), before, "OLD");
-    const auto right = reader.named(trimmed(line.substr(sign + 1)), after, "NEW");
+    const std::string_view one = trimmed(line.substr(0, sign)), other = trimmed(line.substr(sign + 1));
+    if (LineReader::isEvent(one) || LineReader::isEvent(other)) {
+      const auto old = reader.event(one, before, "OLD"), now = reader.event(other, after, "NEW");
+      if (old && now && !areAlikeEvents(*old, *now))
+        reader.fail(
+            fmt::format("event {} is '{}', event {} is '{}'", *old, eventInfo(*old).text, *now, eventInfo(*now).text),
+            "pair events that come from the same cause");
+      else if (old && now)
+        lines.push_back({number, {}, {}, 0, std::pair(*old, *now)});
+      continue;
+    }
+    const auto left = reader.named(one, ofOld, "OLD");
+    const auto right = reader.named(other, ofNew, "NEW");
     if (!left || !right) continue;
     if (left->count != right->count || isWholeValue(left->first.area) != isWholeValue(right->first.area)) {
       reader.fail(fmt::format("the two sides of '{}' are not of one size", line), "pair as many bits of OLD as of NEW");

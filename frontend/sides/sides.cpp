@@ -9,6 +9,7 @@
 #include "engine/trace.hpp"
 #include "frontend/run/trace_file.hpp"
 #include "frontend/sides/map_file.hpp"
+#include "ir/event.hpp"
 
 namespace rungproof {
 
@@ -25,19 +26,69 @@ bool isUsed(const std::vector<TraceSignal>& signals, const Address& first, std::
   return std::ranges::any_of(signals, [&](const TraceSignal& signal) { return overlaps(signal, first, count); });
 }
 
+/// Whether an ATCH names that event, or one that only the running program knows.
+bool mayAttach(const Program& program, int event) {
+  for (const Pou& pou : program.pous) {
+    for (const Network& network : pou.networks) {
+      for (const Instruction& instruction : network.instructions) {
+        if (instruction.desc->stl != "ATCH" || instruction.operands.size() != 2) continue;
+        const Operand& attached = instruction.operands[1];
+        if (attached.kind != OperandKind::Constant || attached.value == event) return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// The input, timer or counter that an event comes from; nothing for ports, pulse trains and timed interrupts.
+std::optional<Address> sourceOf(int event) {
+  constexpr std::string_view counter = "HSC";
+  if (isEdgeEvent(event)) return Address{Area::I, static_cast<std::uint32_t>(event) / 2};
+  const std::string_view text = eventInfo(event).text;
+  if (text.starts_with(counter)) return Address{Area::HC, static_cast<std::uint32_t>(text[counter.size()] - '0')};
+  for (const std::uint32_t timer : {32U, 96U}) {
+    if (eventOfTimer(timer) == event) return Address{Area::T, timer};
+  }
+  return std::nullopt;
+}
+
+std::string nameOfSource(const Address& source) {
+  Operand operand = operandAt(source);
+  if (source.area == Area::HC) operand.width = Width::DWord;
+  return toString(operand);
+}
+
 void readPairs(const Context& context, const std::string& name, Sides& sides, std::vector<Failure>& failures) {
   const std::optional<std::string> text = readFile(context, name, failures);
   if (!text) return;
   const std::vector<TraceSignal> before = touchedSignals(sides.before.program),
                                  after = touchedSignals(sides.after.program);
-  for (const MapLine& line :
-       readMap(name, *text, lookupIn(sides.before.program), lookupIn(sides.after.program), failures)) {
+  std::vector<MapLine> events;
+  for (const MapLine& line : readMap(name, *text, sides.before.program, sides.after.program, failures)) {
     const std::string place = fmt::format("{}:{}", name, line.line);
+    if (line.events) {
+      const auto& [old, now] = *line.events;
+      if (!mayAttach(sides.before.program, old) && !mayAttach(sides.after.program, now))
+        failures.push_back({"neither program attaches what this line pairs", place, "remove the line, or mend it"});
+      else if (!sides.pairs.addEvent(old, now))
+        failures.push_back({"an event of this line has a partner already", place, "pair each event once"});
+      else
+        events.push_back(line);
+      continue;
+    }
     if (!isUsed(before, line.before, line.count) && !isUsed(after, line.after, line.count))
       failures.push_back(
           {"neither program uses what this line pairs", place, "remove the line, or mend the addresses"});
     else if (!sides.pairs.add(line.before, line.after, line.count))
       failures.push_back({"an address of this line has a partner already", place, "pair each address once"});
+  }
+  for (const MapLine& line : events) {
+    const std::optional<Address> old = sourceOf(line.events->first), now = sourceOf(line.events->second);
+    if (!old || sides.pairs.before(*now) == old) continue;
+    const std::string one = nameOfSource(*old), other = nameOfSource(*now);
+    failures.push_back({fmt::format("event {} comes from {}, event {} from {}, which do not stand for each other",
+                                    line.events->first, one, line.events->second, other),
+                        fmt::format("{}:{}", name, line.line), fmt::format("pair them too: {} = {}", one, other)});
   }
 }
 

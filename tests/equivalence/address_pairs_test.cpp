@@ -20,7 +20,7 @@ ReadMap mapOf(const std::string& text) {
   const Program program =
       readText("a.awl", "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\n= Q0.0\nEND_ORGANIZATION_BLOCK\n");
   ReadMap result;
-  result.lines = readMap("moved.map", text, lookupIn(program), lookupIn(program), result.failures);
+  result.lines = readMap("moved.map", text, program, program, result.failures);
   return result;
 }
 
@@ -63,6 +63,22 @@ TEST(AddressPairs, AWordIsPairedIfItsBytesStayTogether) {
   EXPECT_FALSE(pairs.before(direct(Area::V, Width::Word, 11))) << "its second byte stands elsewhere";
 }
 
+TEST(AddressPairs, AnEventStandsForItselfOrItsPartner) {
+  AddressPairs pairs;
+  ASSERT_TRUE(pairs.addEvent(8, 25));
+  EXPECT_EQ(pairs.eventBefore(25), 8);
+  EXPECT_EQ(pairs.eventBefore(8), std::nullopt) << "event 8 of OLD stands for event 25 of NEW";
+  EXPECT_EQ(pairs.eventBefore(9), 9);
+  EXPECT_FALSE(pairs.addEvent(8, 26));
+}
+
+TEST(MapFile, PairsEvents) {
+  const ReadMap read = mapOf("event 8 = event 25  # the other port\n");
+  EXPECT_TRUE(read.failures.empty());
+  ASSERT_EQ(read.lines.size(), 1U);
+  EXPECT_EQ(read.lines[0].events, std::pair(8, 25));
+}
+
 TEST(MapFile, HasOnePairALine) {
   const ReadMap read =
       mapOf("# moved to the second module\nI0.0..I0.7 = I1.0..I1.7   # a byte\n\nT37 = T40\nVB10..VB19=VB30..VB39\n");
@@ -86,6 +102,10 @@ TEST(MapFile, MistakesHaveTheirLine) {
   EXPECT_EQ(failureOf("Pump = I0.1"), "'Pump' is neither an address nor a symbol of OLD");
   EXPECT_EQ(failureOf("I0.1..I0.3 = I1.1..I1.2"), "the two sides of 'I0.1..I0.3 = I1.1..I1.2' are not of one size");
   EXPECT_EQ(failureOf("I0.3..I0.1 = I1.1..I1.3"), "'I0.3..I0.1' is no range");
+  EXPECT_EQ(failureOf("event 8 = OB40"), "NEW is an S7-200 program, which has no OB40");
+  EXPECT_EQ(failureOf("event 8 = event 34"), "'event 34' is no interrupt event of CPU 226, which is NEW's");
+  EXPECT_EQ(failureOf("event 8 = I0.0"), "'I0.0' names no interrupt event of NEW");
+  EXPECT_EQ(failureOf("event 0 = event 1"), "event 0 is 'rising edge of I0.0', event 1 is 'falling edge of I0.0'");
   EXPECT_EQ(failureOf("T37 = M0.0"), "the two sides of 'T37 = M0.0' are not of one size");
 }
 

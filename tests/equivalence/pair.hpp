@@ -83,8 +83,10 @@ inline EquivalenceOptions optionsOf(const Pair& pair, const Program& before, con
   options.settleMs = pair.settleMs;
   options.steadyInputs = pair.steady;
   std::vector<Failure> failures;
-  for (const MapLine& line : readMap("map", lines(pair.map), lookupIn(before), lookupIn(after), failures))
-    EXPECT_TRUE(options.pairs.add(line.before, line.after, line.count)) << line.line;
+  for (const MapLine& line : readMap("map", lines(pair.map), before, after, failures))
+    EXPECT_TRUE(line.events ? options.pairs.addEvent(line.events->first, line.events->second)
+                            : options.pairs.add(line.before, line.after, line.count))
+        << line.line;
   for (const Failure& failure : failures) ADD_FAILURE() << failure.message;
   return options;
 }

@@ -67,6 +67,7 @@ TEST(PairExploration, TheMapJoinsInputs) {
   EXPECT_FALSE(Explored("LDW> AIW0,9;= Q0.0", "LDW> AIW4,9;= Q0.0", "AIW0 = AIW4").run(0.5).has_value());
   EXPECT_FALSE(Explored("LD SM0.5;= Q0.0", "LD M10.5;= Q0.0", "SM0.5 = M10.5", "external M10.5..M10.5").run(0.5))
       << "the panel shows the clock; no run of this kind can, so that there is none";
+  EXPECT_FALSE(Explored("LD M10.5;= Q0.0", "LD SM0.5;= Q0.0", "M10.5 = SM0.5", "external M10.5..M10.5").run(0.5));
 }
 
 TEST(PairExploration, WhatThePanelWritesIsOneValue) {

@@ -14,6 +14,7 @@ TEST_P(HandStated, HasTheVerdictThatWasReasonedOut) {
   EXPECT_EQ(equalityText(found.equality), equalityText(pair.truth)) << pair.why;
   EXPECT_EQ(found.run.has_value(), pair.truth == Equality::Different);
   EXPECT_TRUE(found.disagreements.empty());
+  EXPECT_LT(found.seconds, 60);
   for (const std::string& note : found.notes) EXPECT_EQ(note, "") << "a note is only made where nothing is decided";
 }
 
@@ -23,7 +24,7 @@ INSTANTIATE_TEST_SUITE_P(Pairs, HandStated, testing::ValuesIn(pairs),
 TEST(HandStatedPairs, AreEnoughAndHalfOfThemDiffer) {
   const auto count = [](Equality truth) { return std::ranges::count(pairs, truth, &Pair::truth); };
   EXPECT_GE(pairs.size(), 60U);
-  EXPECT_GE(count(different) * 5, static_cast<std::ptrdiff_t>(pairs.size()) * 2);
+  EXPECT_GE(count(different) * 2, static_cast<std::ptrdiff_t>(pairs.size()));
 }
 
 }  // namespace rungproof::test
