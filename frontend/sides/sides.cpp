@@ -52,6 +52,15 @@ std::optional<Address> sourceOf(int event) {
   return std::nullopt;
 }
 
+/// Whether an interrupt of the program comes from one of these addresses, which no instruction need name.
+bool isSource(const Program& program, const Address& first, std::uint32_t count) {
+  return std::ranges::any_of(eventTable, [&](const EventInfo& info) {
+    const std::optional<Address> source = sourceOf(info.event);
+    return source && source->area == first.area && source->index >= first.index &&
+           source->index < first.index + count && mayAttach(program, info.event);
+  });
+}
+
 std::string nameOfSource(const Address& source) {
   Operand operand = operandAt(source);
   if (source.area == Area::HC) operand.width = Width::DWord;
@@ -76,7 +85,10 @@ void readPairs(const Context& context, const std::string& name, Sides& sides, st
         events.push_back(line);
       continue;
     }
-    if (!isUsed(before, line.before, line.count) && !isUsed(after, line.after, line.count))
+    const bool isNamed = isUsed(before, line.before, line.count) || isUsed(after, line.after, line.count) ||
+                         isSource(sides.before.program, line.before, line.count) ||
+                         isSource(sides.after.program, line.after, line.count);
+    if (!isNamed)
       failures.push_back(
           {"neither program uses what this line pairs", place, "remove the line, or mend the addresses"});
     else if (!sides.pairs.add(line.before, line.after, line.count))
