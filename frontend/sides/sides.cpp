@@ -31,7 +31,7 @@ bool mayAttach(const Program& program, int event) {
   for (const Pou& pou : program.pous) {
     for (const Network& network : pou.networks) {
       for (const Instruction& instruction : network.instructions) {
-        if (instruction.desc->stl != "ATCH" || instruction.operands.size() != 2) continue;
+        if (roleOf(instruction) != Role::Atch || instruction.operands.size() != 2) continue;
         const Operand& attached = instruction.operands[1];
         if (attached.kind != OperandKind::Constant || attached.value == event) return true;
       }
