@@ -256,6 +256,8 @@ class BoundSearch {
   }
 
   /// (x + i) - (y + i) = x - y: said once for every pair of words, so that the solver need not find it out from adders.
+  /// And where x falls behind or y runs ahead, the difference does not grow; that is true of numbers, so it is said
+  /// only of words so small that nothing wraps around.
   void tellArithmetic(Unrolling& steps, Sat& sat, BitCnf& cnf) {
     BitArithmetic arithmetic(steps.graph());
     const auto at = [&](int frame, Node n) {
@@ -263,7 +265,15 @@ class BoundSearch {
       for (const Lit l : blast_.of(n)) bits.push_back(steps.at(frame, l));
       return bits;
     };
-    const auto atMost = [&](const LitVector& a, const LitVector& b) { return negate(arithmetic.less(b, a)); };
+    const auto atMost = [&](const LitVector& a, const LitVector& b) { return negate(arithmetic.lessSigned(b, a)); };
+    // Between -2^(w - n) and 2^(w - n), w the width: the highest n bits are equal.
+    const auto fits = [&](const LitVector& word, std::size_t n) {
+      Lit result = trueLit;
+      for (std::size_t i = 1; i < std::min(n, word.size()); ++i)
+        result = steps.graph().addAnd(result,
+                                      negate(steps.graph().addXor(word[word.size() - i], word[word.size() - i - 1])));
+      return result;
+    };
     for (const Pair& pair : pairs_) {
       const Summand& x = summand(pair.left);
       const Summand& y = summand(pair.right);
@@ -271,12 +281,15 @@ class BoundSearch {
       const LitVector xAfter = at(1, x.word), yAfter = at(1, y.word), xNext = at(0, x.next), yNext = at(0, y.next);
       const Lit together = steps.graph().addAnd(
           same, steps.graph().addAnd(arithmetic.equal(xAfter, xNext), arithmetic.equal(yAfter, yNext)));
-      const Lit falls = steps.graph().addAnd(same, steps.graph().addAnd(atMost(xAfter, xNext), atMost(yNext, yAfter)));
+      Lit falls = steps.graph().addAnd(same, steps.graph().addAnd(atMost(xAfter, xNext), atMost(yNext, yAfter)));
+      for (const LitVector* word : {&xAfter, &yAfter, &xNext, &yNext})
+        falls = steps.graph().addAnd(falls, fits(*word, 3));
       LitVector start, end;
       for (const Lit l : differences_[pair.difference]) {
         start.push_back(steps.at(0, l));
         end.push_back(steps.at(1, l));
       }
+      falls = steps.graph().addAnd(falls, steps.graph().addAnd(fits(start, 2), fits(end, 2)));
       sat.add({-cnf.literal(falls), -cnf.literal(arithmetic.lessSigned(start, end))});
       for (const Lit l : differences_[pair.difference]) {
         const int before = cnf.literal(steps.at(0, l)), after = cnf.literal(steps.at(1, l)),

@@ -111,6 +111,7 @@ std::string faultOf(const SeedProgram& program, const EveryCommandLimits& limits
   if (child == 0) {
     // What a failing CHECK prints belongs to the report, not between those of the test.
     if (std::freopen(printed.c_str(), "w", stderr) == nullptr) ::_exit(9);
+    std::setvbuf(stderr, nullptr, _IONBF, 0);
     runAll(program, limits, report);
     ::_exit(0);
   }
