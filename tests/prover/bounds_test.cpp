@@ -37,11 +37,13 @@ TEST(BoundsOfPrograms, AreInductiveWithoutOtherInvariants) {
     ProofSide side(input.program, input.properties, goals, encoderOptionsOf(options), {});
     for (std::size_t q = 0; q < goals.size(); ++q) {
       const TransitionSystem system = side.only(q);
-      BitBlast blast(system, {0});
-      const MinedBounds mined = mineBounds(system, blast, {}, 1, BoundScope::Few, Budget::seconds(5));
-      blast.add(mined.clauses);
-      found += mined.clauses.size();
-      EXPECT_EQ(brokenByAScan(blast, mined.clauses), 0U) << name << ": " << goals[q].name;
+      for (const BoundScope scope : {BoundScope::Few, BoundScope::All, BoundScope::Pending}) {
+        BitBlast blast(system, {0});
+        const MinedBounds mined = mineBounds(system, blast, {}, 1, scope, Budget::seconds(5));
+        blast.add(mined.clauses);
+        found += mined.clauses.size();
+        EXPECT_EQ(brokenByAScan(blast, mined.clauses), 0U) << name << ": " << goals[q].name;
+      }
     }
   }
   EXPECT_GT(found, 10U);
