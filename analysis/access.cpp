@@ -97,7 +97,7 @@ class AccessCollector {
       add(i, o, width, extent, false);
     }
     if (writes) add(i, o, width, extent, true);
-    if (writes && isReset(desc_->role) && i == 0 && o.kind == OperandKind::Direct && (hasBitAndWord(o.area))) {
+    if (writes && isReset(desc_->role) && i == 0 && o.kind == OperandKind::Direct && hasBitAndWord(o.area)) {
       add(i, o, Width::Word, extent, true);
     }
   }

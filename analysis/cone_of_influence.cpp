@@ -2,21 +2,15 @@
 #include "analysis/cone_of_influence.hpp"
 
 #include <algorithm>
-#include <array>
-
-#include "ir/special_memory.hpp"
 
 namespace rungproof {
 
 namespace {
 
-constexpr std::uint32_t eventNumbers[] = {32, 96};  // timers that raise events 21 and 22 (001:5476)
-
 /// Takes what it is to do from tables in memory that none of its operands covers.
 bool readsTables(const Desc& desc) {
   const Role role = desc.role;
-  return role == Role::Netr || role == Role::Netw || role == Role::Xmt || role == Role::Rcv || role == Role::Pls ||
-         role == Role::Spa;
+  return role == Role::Netr || role == Role::Netw || role == Role::Xmt || role == Role::Rcv || role == Role::Pls;
 }
 
 /// May meet an error that ends the program (001:13906-13937): a compare contact with a number, text or pointer that is
@@ -30,23 +24,11 @@ bool canEndProgram(const Instruction& instruction) {
 
 class Cone {
  public:
-  explicit Cone(const Facts& facts) : facts_(facts) {
-    for (std::size_t a = 0; a < areaCount; ++a) {
-      const std::size_t bits = rowOf(static_cast<Area>(a), Width::Byte, 0, 0).count;
-      places_[a].resize(static_cast<std::size_t>(areaSize(facts.target(), static_cast<Area>(a))) * bits);
-    }
-    collect();
-  }
+  explicit Cone(const Facts& facts) : facts_(facts), places_(facts.target()) { collect(); }
 
   void add(const PlaceRow& row) {
-    std::vector<bool>& places = places_[static_cast<std::size_t>(row.area)];
-    // A run-time error of any instruction sets SM4.3 (001:13945).
-    if (row.area == Area::SM && row.first < 40 && row.first + row.count > 32) isWhole_ = true;
-    const std::size_t end = std::min<std::size_t>(places.size(), std::size_t{row.first} + row.count);
-    for (std::size_t i = row.first; i < end; ++i) {
-      isChanged_ = isChanged_ || !places[i];
-      places[i] = true;
-    }
+    isWhole_ = isWhole_ || meet(row, errorBits);
+    isChanged_ = places_.set(row, true) || isChanged_;
   }
 
   /// False if the whole program belongs to the cone.
@@ -100,21 +82,17 @@ class Cone {
     if (instruction.desc->control != Control::None || actsOnDevices(*instruction.desc) || canEndProgram(instruction))
       return true;
     return std::ranges::any_of(facts_.accesses().of(instruction.id), [&](const Access& access) {
-      const bool raisesEvents =
-          hasEvents && access.area == Area::T && std::ranges::any_of(eventNumbers, [&](std::uint32_t n) {
-            return access.offset <= n && n < access.offset + access.most;
-          });
       // Control bytes of devices and the times of interrupts lie in SM.
-      return (access.write || access.maybe) && (access.viaPointer || access.area == Area::SM || raisesEvents);
+      return (access.write || access.maybe) &&
+             (access.viaPointer || access.area == Area::SM || (hasEvents && raisesEvents(rowOf(access))));
     });
   }
 
   bool writesInside(const Part& part) const {
     return std::ranges::any_of(part.instructions, [&](std::uint32_t id) {
-      // Results of arithmetic: SM1.0 to SM1.7.
-      if (facts_.instruction(id).desc->affects != 0 && isInside({Area::SM, 8, 8})) return true;
+      if (facts_.instruction(id).desc->affects != 0 && places_.first(resultBits)) return true;
       return std::ranges::any_of(facts_.accesses().of(id), [&](const Access& access) {
-        return (access.write || access.maybe) && isInside(rowOfAccess(access));
+        return (access.write || access.maybe) && places_.first(rowOf(access));
       });
     });
   }
@@ -128,27 +106,14 @@ class Cone {
       for (const Access& access : facts_.accesses().of(id)) {
         if (access.write && !access.maybe) continue;
         if (access.viaPointer) isWhole_ = true;
-        add(rowOfAccess(access));
+        add(rowOf(access));
       }
     }
   }
 
-  static PlaceRow rowOfAccess(const Access& access) {
-    return rowOf(access.area, access.width, access.offset, access.bit, access.most);
-  }
-
-  bool isInside(const PlaceRow& row) const {
-    const std::vector<bool>& places = places_[static_cast<std::size_t>(row.area)];
-    const std::size_t end = std::min<std::size_t>(places.size(), std::size_t{row.first} + row.count);
-    for (std::size_t i = row.first; i < end; ++i) {
-      if (places[i]) return true;
-    }
-    return false;
-  }
-
   const Facts& facts_;
   std::vector<Part> parts_;
-  std::array<std::vector<bool>, areaCount> places_;
+  PlaceMap<std::uint8_t> places_;  ///< 1: belongs to the cone
   bool isWhole_ = false;
   bool isChanged_ = false;
 };

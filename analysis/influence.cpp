@@ -7,7 +7,6 @@ namespace rungproof {
 
 namespace {
 
-constexpr std::uint32_t eventTimers[] = {32, 96};  // events 21 and 22 (001:5476)
 constexpr std::uint32_t longestRow = 255;
 constexpr std::int64_t shortestLimit = 64;  ///< of all counts: that of SHRB (001:6024)
 
@@ -66,20 +65,7 @@ bool takesFromBelow(const Facts& facts, std::span<const std::uint32_t> instructi
   return false;
 }
 
-PlaceRow rowOf(Area area, Width width, std::uint32_t offset, unsigned bit, std::uint32_t elements) {
-  if (addressedByNumber(area)) return {area, offset, elements};
-  if (width == Width::Bit) return {area, offset * 8 + bit, elements};
-  return {area, offset * 8, elements * static_cast<std::uint32_t>(bits(width))};
-}
-
-Influence::Influence(const Facts& facts) : facts_(facts) {
-  for (std::size_t a = 0; a < areaCount; ++a) {
-    const Area area = static_cast<Area>(a);
-    places_[a].resize(static_cast<std::size_t>(areaSize(facts.target(), area)) * (addressedByNumber(area) ? 1 : 8),
-                      none);
-  }
-  collectParts();
-}
+Influence::Influence(const Facts& facts) : facts_(facts), places_(facts.target()) { collectParts(); }
 
 void Influence::collectParts() {
   const Program& program = facts_.program();
@@ -105,20 +91,11 @@ void Influence::addEverything(std::uint32_t cause) {
 }
 
 void Influence::addPlace(const PlaceRow& row, std::uint32_t cause) {
-  std::vector<std::uint32_t>& places = places_[static_cast<std::size_t>(row.area)];
   // The control bytes of devices and the interrupt times lie from SMB30 on.
   if (row.area == Area::SM && row.first + row.count > (smReadOnlyLast + 1) * 8) return addEverything(cause);
-  const std::size_t end = std::min<std::size_t>(places.size(), std::size_t{row.first} + row.count);
-  for (std::size_t i = row.first; i < end; ++i) {
-    if (places[i] != none) continue;
-    places[i] = cause;
-    isChanged_ = true;
-  }
+  isChanged_ = places_.set(row, cause) || isChanged_;
   if (some_ == none) some_ = cause;
-  const bool raisesEvents = row.area == Area::T && !facts_.calls().attachments().empty();
-  for (const std::uint32_t timer : eventTimers) {
-    if (raisesEvents && row.first <= timer && timer < row.first + row.count) addEverything(cause);
-  }
+  if (raisesEvents(row) && !facts_.calls().attachments().empty()) addEverything(cause);
 }
 
 void Influence::addNetwork(NetworkPlace place, std::uint32_t cause) {
@@ -157,12 +134,12 @@ void Influence::influenceBlock(std::uint32_t block, std::uint32_t cause) {
 void Influence::writesOf(std::uint32_t instruction, std::uint32_t cause) {
   const Desc& desc = *facts_.instruction(instruction).desc;
   if (actsOnDevices(desc)) return addEverything(cause);
-  if (desc.affects != 0) addPlace({Area::SM, 8, 8}, cause);
-  addPlace({Area::SM, 32, 8}, cause);  // a run-time error sets SM4.3 (001:13945)
+  if (desc.affects != 0) addPlace(resultBits, cause);
+  addPlace(errorBits, cause);
   for (const Access& access : facts_.accesses().of(instruction)) {
     if (!access.write) continue;
     if (access.viaPointer) return addEverything(cause);
-    addPlace(rowOf(access.area, access.width, access.offset, access.bit, access.most), cause);
+    addPlace(rowOf(access), cause);
   }
 }
 
@@ -204,7 +181,7 @@ std::uint32_t Influence::causeRead(const Part& part) const {
     for (const Access& access : facts_.accesses().of(id)) {
       if (access.write) continue;
       if (access.viaPointer && some_ != none) return some_;
-      const std::uint32_t cause = causeAt(rowOf(access.area, access.width, access.offset, access.bit, access.most));
+      const std::uint32_t cause = causeAt(rowOf(access));
       if (cause != none) return cause;
     }
   }
@@ -223,13 +200,7 @@ void Influence::spread() {
 }
 
 std::uint32_t Influence::causeAt(const PlaceRow& row) const {
-  if (everything_ != none) return everything_;
-  const std::vector<std::uint32_t>& places = places_[static_cast<std::size_t>(row.area)];
-  const std::size_t end = std::min<std::size_t>(places.size(), std::size_t{row.first} + row.count);
-  for (std::size_t i = row.first; i < end; ++i) {
-    if (places[i] != none) return places[i];
-  }
-  return none;
+  return everything_ != none ? everything_ : places_.first(row);
 }
 
 std::uint32_t Influence::causeAt(NetworkPlace place) const {

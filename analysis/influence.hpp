@@ -4,23 +4,14 @@
 // Tested by tests/prover/unread_test.cpp.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "analysis/facts.hpp"
+#include "analysis/place_rows.hpp"
 
 namespace rungproof {
-
-/// A row of bits of an area; of numbers for T, C, AC and HC, whose bits and values belong together.
-struct PlaceRow {
-  Area area = Area::V;
-  std::uint32_t first = 0;
-  std::uint32_t count = 0;
-};
-/// `elements` elements of that width from an address on.
-PlaceRow rowOf(Area area, Width width, std::uint32_t offset, unsigned bit, std::uint32_t elements = 1);
 
 /// Acts on hardware, on the queue of interrupts or on a partner: its effects do not show in its operands.
 bool actsOnDevices(const Desc& desc);
@@ -75,7 +66,7 @@ class Influence {
   const Facts& facts_;
   std::vector<Part> parts_;               ///< in program order
   std::vector<std::uint32_t> firstPart_;  ///< by block; one more at the end
-  std::array<std::vector<std::uint32_t>, areaCount> places_;
+  PlaceMap<std::uint32_t> places_;        ///< causes
   std::uint32_t everything_ = none;
   std::uint32_t some_ = none;  ///< cause of any place, for reads through pointers
   bool isChanged_ = false;

@@ -119,8 +119,7 @@ class UnreadCode::Collector {
       UnreadPart& part = partOf(place, "a line of it could not be read", network->span);
       if (!network->mayWrite) part.isUnlimited = part.isUnlimited || mayRun(place.block);
       if (!network->mayWrite || !mayRun(place.block)) continue;
-      for (const Operand& operand : *network->mayWrite)
-        part.places.push_back(rowOf(operand.area, operand.width, operand.offset, operand.bit));
+      for (const Operand& operand : *network->mayWrite) part.places.push_back(rowOf(operand));
     }
     // A line was read in part: what it would do besides is not known.
     for (UnreadPart& part : code_.parts_) {
@@ -261,8 +260,7 @@ std::string UnreadCode::causeText(std::uint32_t cause) const {
 std::vector<std::string> UnreadCode::reasons(const Property& property) const {
   if (empty() || isUnlimited()) return everything_;
   std::set<std::uint32_t> causes;
-  for (const Operand* operand : addressesOf(property))
-    causes.insert(influence_->causeAt(rowOf(operand->area, operand->width, operand->offset, operand->bit)));
+  for (const Operand* operand : addressesOf(property)) causes.insert(influence_->causeAt(rowOf(*operand)));
   causes.erase(Influence::none);
   std::vector<std::string> texts;
   for (const std::uint32_t cause : causes) texts.push_back(causeText(cause));
@@ -275,8 +273,7 @@ std::vector<std::string> UnreadCode::reasons(Span instruction, std::span<const O
   if (const auto place = byPlace_.find(keyOf(instruction)); place != byPlace_.end())
     causes.insert(influence_->causeAt(place->second));
   for (const Operand& operand : operands) {
-    if (operand.kind == OperandKind::Direct)
-      causes.insert(influence_->causeAt(rowOf(operand.area, operand.width, operand.offset, operand.bit)));
+    if (operand.kind == OperandKind::Direct) causes.insert(influence_->causeAt(rowOf(operand)));
   }
   causes.erase(Influence::none);
   std::vector<std::string> texts;

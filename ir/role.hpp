@@ -93,7 +93,7 @@ constexpr bool isCoil(Role role) { return role == Role::Assign; }
 /// S and SI; R and RI.
 constexpr bool isSet(Role role) { return role == Role::Set; }
 constexpr bool isReset(Role role) { return role == Role::Reset; }
-/// S, R and the bistables: what keeps a bit when power is gone.
+/// S, R and the bistables: the bit stays when their power flow has gone.
 constexpr bool isLatch(Role role) {
   return role == Role::Set || role == Role::Reset || role == Role::Sr || role == Role::Rs;
 }

@@ -51,7 +51,7 @@ std::vector<bool> QuestionSearch::outsideConeOfGoals() const {
   std::vector<PlaceRow> asked;
   for (const std::vector<Property>* properties : {&goals_, &assumptions_}) {
     for (const Property& property : *properties) {
-      for (const Operand* o : addressesOf(property)) asked.push_back(rowOf(o->area, o->width, o->offset, o->bit));
+      for (const Operand* o : addressesOf(property)) asked.push_back(rowOf(*o));
     }
   }
   return outsideCone(Facts(program_, set_.externals), asked);

@@ -240,7 +240,7 @@ class StatePool {
   std::uint64_t anyValue(int width) {
     if (width == 1) return random_() & 1U;
     const std::uint64_t value = random_() % 4 == 0 ? random_() : constants_[random_() % constants_.size()];
-    return value & maskOf(width);
+    return value & Graph::maskOf(width);
   }
   /// Those of that state or of another one, a few of them changed, or any.
   std::vector<std::uint64_t> chosenInputs(std::vector<std::uint64_t> values) {
@@ -345,8 +345,6 @@ class StatePool {
     std::reverse(way.begin(), way.end());
     return way;
   }
-
-  static std::uint64_t maskOf(int width) { return width >= 64 ? ~0ULL : (1ULL << width) - 1; }
 
   World& world_;
   const TimeRange range_;

@@ -13,10 +13,6 @@ constexpr std::uint32_t longestTable = 256;  ///< bytes of a communication or cl
 
 bool isWrittenMemory(Area area) { return isMemoryArea(area) || isOutputArea(area); }
 
-bool meet(const PlaceRow& a, const PlaceRow& b) {
-  return a.area == b.area && a.first < b.first + b.count && b.first < a.first + a.count;
-}
-
 /// Fills or reads a buffer while the program goes on (001:3145, 000:1113).
 bool usesBuffer(Role role) {
   return role == Role::Rcv || role == Role::Xmt || role == Role::Netr || role == Role::Netw || role == Role::Todr;
@@ -46,10 +42,10 @@ bool isWritten(const Facts& facts, const PropertySet& set, const Operand& operan
     const std::uint32_t cell = cells.cell(operand.area, operand.offset, 0);
     return cell == cells.size() || facts.index().mayBeWritten(cell);
   }
-  const PlaceRow row = rowOf(operand.area, operand.width, operand.offset, operand.bit);
+  const PlaceRow row = rowOf(operand);
   const bool isExternal = std::ranges::any_of(set.externals, [&](const ExternalRange& range) {
-    const PlaceRow first = rowOf(range.first.area, range.first.width, range.first.offset, range.first.bit);
-    const PlaceRow last = rowOf(range.last.area, range.last.width, range.last.offset, range.last.bit);
+    const PlaceRow first = rowOf(range.first);
+    const PlaceRow last = rowOf(range.last);
     return meet(row, {first.area, first.first, last.first + last.count - first.first});
   });
   if (isExternal || isInBuffer(facts, row) || callsLibrary(facts)) return true;

@@ -7,6 +7,7 @@
 
 #include "frontend/command/command.hpp"
 #include "frontend/json.hpp"
+#include "frontend/missing_address.hpp"
 #include "frontend/page/columns.hpp"
 #include "frontend/page/excerpt.hpp"
 #include "frontend/program_input.hpp"
@@ -158,6 +159,8 @@ std::optional<Operand> takeAddress(std::vector<std::string>& arguments, const Co
 Exit run(Context& context, std::vector<std::string> arguments) {
   const std::optional<Operand> address = takeAddress(arguments, context);
   ProgramInput input = readInput(context, arguments);
+  if (const auto missing = address ? missingFrom(input.program.target, *address) : std::nullopt)
+    return context.fail({*missing, {}, "choose the CPU with --cpu"});
   const UnreadCode unread(input.program);
   // The list may be wrong where the program was not understood, so the places are shown beside it.
   if (!unread.empty()) printUnread(context, "xref", input.program, unread, arguments);

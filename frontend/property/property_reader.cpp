@@ -8,6 +8,7 @@
 #include <set>
 
 #include "frontend/disk_file.hpp"
+#include "frontend/missing_address.hpp"
 #include "frontend/property/property_lexer.hpp"
 #include "frontend/property/property_message.hpp"
 #include "frontend/property/property_types.hpp"

@@ -88,22 +88,6 @@ void asReals(Expr& expr, std::uint32_t left, std::uint32_t right) {
   makeReal(expr, right);
 }
 
-std::optional<std::string> missingFrom(const Target& target, const Operand& operand) {
-  if (operand.area == Area::L) return std::nullopt;
-  const bool isNumbered = hasBitAndWord(operand.area);
-  const Width width = isNumbered && operand.width == Width::Bit ? Width::Word : operand.width;
-  const bool isBit = width == Width::Bit;
-  if (addressExists(target, operand.area, width, operand.offset, isBit ? operand.bit : 0)) return std::nullopt;
-  const std::optional<AddressLimit> limit = addressLimit(target, operand.area, width);
-  const std::string name = toString(operand);
-  if (!limit) return fmt::format("the CPU {} has no {}", cpuName(target.cpu), name);
-  if (operand.offset > limit->lastByte)
-    return fmt::format("the CPU {} has no {}: the last one is {}", cpuName(target.cpu), name,
-                       addressName(operand.area, width, limit->lastByte, 7));
-  if (isBit) return fmt::format("{} has bit number {}; a byte has bits 0 to 7", name, operand.bit);
-  return fmt::format("the CPU {} has no {}", cpuName(target.cpu), name);
-}
-
 bool isKeyword(std::string_view word) {
   static constexpr std::array<std::string_view, 23> words = {
       "and",   "or",   "xor",    "implies", "always", "never", "leads",    "to",    "within",  "scan", "scans", "only",

@@ -2,13 +2,11 @@
 // beside them. Tested by tests/property/language_test.cpp.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "analysis/property.hpp"
-#include "ir/cpu.hpp"
 
 namespace rungproof {
 
@@ -26,8 +24,6 @@ bool comparesTruth(const Expr& expr, ExprOp op, std::uint32_t left, std::uint32_
 void fitConstant(Expr& expr, std::uint32_t constant, std::uint32_t other, std::vector<std::string>& remarks);
 /// Beside a REAL, a double word is a REAL as well, and so is what is computed from double words.
 void asReals(Expr& expr, std::uint32_t left, std::uint32_t right);
-/// Why the CPU does not have that address; nothing if it has.
-std::optional<std::string> missingFrom(const Target& target, const Operand& operand);
 /// A word of the language, in small letters.
 bool isKeyword(std::string_view word);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "frontend/closest_word.hpp"
+#include "frontend/missing_address.hpp"
 #include "frontend/run/trace_cell.hpp"
 #include "frontend/stl/operand_reader.hpp"
 #include "ir/library_block.hpp"
@@ -168,9 +169,8 @@ std::optional<TraceSignal> signalNamed(const Program& program, std::string_view 
     failure = {fmt::format("{} has no value between scans: local memory belongs to one call (001:1367)", name)};
     return std::nullopt;
   }
-  if (!addressExists(program.target, operand.area, operand.width, operand.offset, operand.bit)) {
-    failure = {
-        fmt::format("{} does not exist on CPU {}", name, cpuName(program.target.cpu)), {}, "choose the CPU with --cpu"};
+  if (auto missing = missingFrom(program.target, operand)) {
+    failure = {std::move(*missing), {}, "choose the CPU with --cpu"};
     return std::nullopt;
   }
   TraceSignal signal = signalOf(program, operand);

@@ -5,6 +5,7 @@
 
 #include <charconv>
 
+#include "frontend/missing_address.hpp"
 #include "frontend/program_input.hpp"
 #include "ir/event.hpp"
 
@@ -28,10 +29,10 @@ class LineReader {
  public:
   LineReader(std::string place, std::vector<Failure>& failures) : place_(std::move(place)), failures_(failures) {}
 
-  std::optional<Named> named(std::string_view text, const OperandLookup& lookup, std::string_view side) {
+  std::optional<Named> named(std::string_view text, const Program& program, std::string_view side) {
     const std::size_t dots = text.find("..");
-    const auto first = operand(trimmed(text.substr(0, dots)), lookup, side);
-    const auto last = dots == std::string_view::npos ? first : operand(trimmed(text.substr(dots + 2)), lookup, side);
+    const auto first = operand(trimmed(text.substr(0, dots)), program, side);
+    const auto last = dots == std::string_view::npos ? first : operand(trimmed(text.substr(dots + 2)), program, side);
     if (!first || !last) return std::nullopt;
     const Address from = addressOf(*first), to = addressOf(*last);
     if (from.area != to.area || to.index < from.index || first->width != last->width) {
@@ -69,9 +70,15 @@ class LineReader {
   }
 
  private:
-  std::optional<Operand> operand(std::string_view text, const OperandLookup& lookup, std::string_view side) {
+  std::optional<Operand> operand(std::string_view text, const Program& program, std::string_view side) {
     if (text.size() > 1 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
-    const std::optional<Operand> found = lookup(text);
+    const std::optional<Operand> found = lookupIn(program)(text);
+    const std::optional<std::string> missing = found ? missingFrom(program.target, *found) : std::nullopt;
+    if (missing) {
+      fail(fmt::format("{} of {}: {}", text, side, *missing),
+           "mend the address, or choose the CPU of that side: --cpu old:CPU, --cpu new:CPU");
+      return std::nullopt;
+    }
     if (!found) {
       fail(text.empty() ? fmt::format("an address of {} is missing", side)
                         : fmt::format("'{}' is neither an address nor a symbol of {}", text, side),
@@ -88,7 +95,6 @@ class LineReader {
 
 std::vector<MapLine> readMap(const std::string& name, std::string_view text, const Program& before,
                              const Program& after, std::vector<Failure>& failures) {
-  const OperandLookup ofOld = lookupIn(before), ofNew = lookupIn(after);
   std::vector<MapLine> lines;
   std::uint32_t number = 0;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -115,8 +121,8 @@ std::vector<MapLine> readMap(const std::string& name, std::string_view text, con
         lines.push_back({number, {}, {}, 0, std::pair(*old, *now)});
       continue;
     }
-    const auto left = reader.named(one, ofOld, "OLD");
-    const auto right = reader.named(other, ofNew, "NEW");
+    const auto left = reader.named(one, before, "OLD");
+    const auto right = reader.named(other, after, "NEW");
     if (!left || !right) continue;
     if (left->count != right->count || isWholeValue(left->first.area) != isWholeValue(right->first.area)) {
       reader.fail(fmt::format("the two sides of '{}' are not of one size", line), "pair as many bits of OLD as of NEW");

@@ -7,6 +7,7 @@
 
 #include "analysis/access_index.hpp"
 #include "engine/trace.hpp"
+#include "frontend/missing_address.hpp"
 #include "frontend/run/trace_file.hpp"
 #include "frontend/sides/map_file.hpp"
 #include "ir/event.hpp"
@@ -216,7 +217,10 @@ Sides readSides(const Context& context, const SideArguments& arguments, std::vec
   if (!arguments.map.empty()) readPairs(context, arguments.map, sides, failures);
   for (const std::string& text : arguments.observed) {
     const auto operand = lookupIn(sides.before.program)(text);
-    if (!operand)
+    const auto missing = operand ? missingFrom(sides.before.program.target, *operand) : std::nullopt;
+    if (missing)
+      failures.push_back({fmt::format("--observe: {}", *missing), {}, "choose the CPU with --cpu"});
+    else if (!operand)
       failures.push_back({fmt::format("--observe: '{}' is neither an address nor a symbol of OLD", text), {}, {}});
     else if (operand->area == Area::L || operand->area == Area::AC || operand->area == Area::HC ||
              isInputArea(operand->area))

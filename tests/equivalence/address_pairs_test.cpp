@@ -106,6 +106,9 @@ TEST(MapFile, MistakesHaveTheirLine) {
   EXPECT_EQ(failureOf("event 8 = event 34"), "'event 34' is no interrupt event of CPU 226, which is NEW's");
   EXPECT_EQ(failureOf("event 8 = I0.0"), "'I0.0' names no interrupt event of NEW");
   EXPECT_EQ(failureOf("event 0 = event 1"), "event 0 is 'rising edge of I0.0', event 1 is 'falling edge of I0.0'");
+  EXPECT_EQ(failureOf("I0.0 = M9.9"), "M9.9 of NEW: M9.9 has bit number 9; a byte has bits 0 to 7");
+  EXPECT_EQ(failureOf("I77.0 = I0.0"), "I77.0 of OLD: the CPU 226 has no I77.0: the last one is I15.7");
+  EXPECT_EQ(failureOf("T37..T300 = T37..T99"), "T300 of OLD: the CPU 226 has no T300: the last one is T255");
   EXPECT_EQ(failureOf("T37 = M0.0"), "the two sides of 'T37 = M0.0' are not of one size");
 }
 

@@ -19,8 +19,8 @@ constexpr double mostOfOne = 2;  ///< CPU seconds: the bar of one property
 constexpr double mostOfSlowest = 4;
 constexpr std::array<std::string_view, 4> slowest = {"long_star_delta", "press_two_hand", "traffic_light",
                                                      "wound_rotor"};
-/// CPU seconds; 50 to 70 were measured, by what else the machine does. Phases of the time bases, readings of the
-/// manual, queues and devices are part of every proof; without them it was half of that.
+/// CPU seconds; 38 were measured. Phases of the time bases, readings of the manual, queues and devices are part of
+/// every proof.
 constexpr double mostOfAll = 60;
 constexpr std::size_t leastPrograms = 100;
 constexpr int attempts = 3;

@@ -125,7 +125,7 @@ struct BadTable {
 };
 const std::vector<BadTable> badTables = {
     {"unknown signal", "scan,Q0.0,Strat\n1,1,1\n", ":1:11", "'Strat' is no address and no symbol"},
-    {"address that the CPU lacks", "scan,Q99.0\n1,1\n", ":1:6", "does not exist on CPU 226"},
+    {"address that the CPU lacks", "scan,Q99.0\n1,1\n", ":1:6", "the CPU 226 has no Q99.0"},
     {"unsorted scans", "scan,Q0.0\n3,1\n2,0\n", ":3:1", "scan 2 comes after scan 3"},
     {"unsorted times", "time_ms,Q0.0\n10,1\n10,0\n", ":3:1", "time 10 comes after 10 ms"},
     {"wrong type", "scan,Q0.0\n1,on\n", ":2:3", "'on' is no value for Q0.0"},
@@ -212,7 +212,7 @@ TEST_F(SimCommand, MistakesEndWithTwoAndAReason) {
                         Case{{"sim", program, "--trace", path("t.txt")}, "no ending that names a trace form"},
                         Case{{"sim", program, "--slack", "1"}, "belong to --expect"},
                         Case{{"sim", program, "--duration", "soon"}, "'soon' is no duration"},
-                        Case{{"sim", program, "--signals", "Q99.0"}, "does not exist"},
+                        Case{{"sim", program, "--signals", "Q99.0"}, "the CPU 226 has no Q99.0"},
                         Case{{"sim", program, "--expect", path("good.csv"), "--tolerance", "Q5.0=1"},
                              "no column of the expected trace"},
                         Case{{"sim", path("library.awl")}, "no main program"},

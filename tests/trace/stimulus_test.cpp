@@ -163,7 +163,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"scan,scan_ms\n1,0\n", "s.csv:2:3", "'0' is no length of a scan"},
                     Mistake{"scan,event\n1,34\n", "s.csv:2:3", "'34' is no interrupt event"},
                     Mistake{"scan,I0.0,time_ms\n1,1,1\n", "s.csv:1:11", "stands in the wrong place"},
-                    Mistake{"scan,VW20000\n1,1\n", "s.csv:1:6", "does not exist on CPU 226"},
+                    Mistake{"scan,VW20000\n1,1\n", "s.csv:1:6", "the CPU 226 has no VW20000"},
                     Mistake{"scan,L0.0\n1,1\n", "s.csv:1:6", "no value between scans"},
                     Mistake{"scan,VW0.value\n1,1\n", "s.csv:1:6", "belongs to timers and counters"},
                     Mistake{"scan,PORT0.receive\n1,300\n", "s.csv:2:3", "'300' is no character"}));
