@@ -6,18 +6,23 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "ir/finding.hpp"
+#include "ir/hazard.hpp"
 #include "ir/program.hpp"
 
 namespace rungproof {
 
 class Facts;  // what rules may ask about a program; analysis/facts.hpp
 class FindingSink;
+class Asking;        // what a rule's questions to the prover stand on; analysis/proof/asking.hpp
+struct ProofResult;  // analysis/proof/prover.hpp
+struct BitRow;       // analysis/bit_ranges.hpp
 
 /// How much has to be known before the rule can speak.
 enum class Needs : std::uint8_t {
@@ -28,9 +33,6 @@ enum class Needs : std::uint8_t {
 };
 
 enum class RuleStatus : std::uint8_t { Stable, Preview };
-/// What a rule asks the prover beside the questions of prove --builtin: about rungs, steps and declared stops, or about
-/// power-up with retentive memory.
-enum class Questions : std::uint8_t { None, Rungs, PowerUp };
 enum class FixClass : std::uint8_t { None, Safe, Unsafe };
 
 /// A set of dialects, one bit each.
@@ -47,6 +49,60 @@ struct RuleOption {
   int initial = 0;
   std::string_view meaning;
 };
+
+/// The runs of the prover in which a rule asks: a set, one bit each.
+using AskedIn = std::uint8_t;
+namespace asked {
+inline constexpr AskedIn Builtin = 1;  ///< prove --builtin, and lint --prove
+inline constexpr AskedIn Lint = 2;     ///< lint --prove only; with Builtin: its findings rest on such answers
+inline constexpr AskedIn PowerUp = 4;  ///< lint --prove, of a run that begins with any retentive memory
+}  // namespace asked
+
+/// What a rule asks the prover. It asks in one of three ways: about the program at large, about each timer and counter,
+/// or about hazards that the encoding has met.
+struct RuleAsks {
+  AskedIn in = 0;
+  int turn = 100;            ///< place among the questions of all rules: earlier ones are asked and listed first
+  int cost = 5;              ///< of not knowing: 1 stops the CPU, 2 two hands on one output, 3 waits for ever, 4-5 odd
+  bool wantsYes = false;     ///< the answer should be yes (a timer can come on), not no (a fault cannot happen)
+  bool onlySettles = false;  ///< the answer confirms or drops what `check` has found; without that it says nothing new
+  std::string_view whenNone = {};      ///< name of the question that stands, proved, where there is no occasion to ask
+  std::span<const Hazard> hazards{};   ///< each instruction that may meet one is a question
+  void (*program)(Asking&) = nullptr;  ///< asks about the whole program
+  void (*box)(Asking&, const Instruction& box) = nullptr;  ///< asks about a timer or counter, given its first box
+};
+
+/// How answers become findings. Most of a finding stands in the question (rule_question.hpp).
+struct RuleTells {
+  std::string_view advice = {};  ///< what to do; stands behind how the answer was found
+  std::string_view otherPlace = "the other half of the conflict";  ///< what RuleQuestion::other is called
+  /// One message for several bits; `last`: the instruction that has the last word on all of them, or empty.
+  std::string (*bits)(const BitRow& row, std::string_view last) = nullptr;
+  /// The message if the result of a declared property is this rule's to tell.
+  std::optional<std::string> (*property)(const ProofResult& result) = nullptr;
+};
+
+/// Where the answer that explains another one lies.
+enum class Where : std::uint8_t {
+  SamePlace,       ///< at the same instruction
+  SameNetwork,     ///< anywhere in the network
+  NetworkBefore,   ///< in the network before, of the same block
+  SameAddress,     ///< about the same operand
+  LaterInNetwork,  ///< about the same operand, further down in the same network
+  NotShown,        ///< nowhere: no run was found that gives the wanted answer about the same operand
+  RelatedPlace,    ///< at the place that a finding of `check` points to
+  SameProperty     ///< about the same declared property
+};
+/// An answer that makes a finding superfluous, because it says the same or makes it untrue.
+struct Explanation {
+  static constexpr int any = -1;
+  std::string_view rule;  ///< whose answer explains
+  Where where = Where::SamePlace;
+  int aspect = any;  ///< of that rule's questions (RuleQuestion::aspect)
+  int of = any;      ///< of this rule's questions
+};
+/// Aspects of the questions about a rung's power flow (LOG001), which explain findings of several rules.
+inline constexpr int powerReaches = 0, canBeWithoutPower = 1;
 
 struct Rule {
   std::string_view id;     ///< "ADR001": three letters of the group, three digits; never reused
@@ -65,15 +121,17 @@ struct Rule {
   Dialects dialects = dialect::Every;
   FixClass fix = FixClass::None;
   RuleStatus status = RuleStatus::Stable;
-  Questions questions = Questions::None;
   bool enabledByDefault = true;
   /// Its errors are those for which the editor or the CPU takes no program (table C-3, 001:13978-14008), so no command
   /// runs the network they stand in (unread_code.hpp). A check may say otherwise of one finding.
   bool refuses = false;
   std::string_view since = "0.1";
   std::span<const RuleOption> options{};
-  /// Reports into the sink. Null for rules that are spoken by the tool itself (SUP, SYN) or by the prover (Z).
+  /// Reports into the sink. Null for rules that are spoken by the tool itself (SUP, SYN) or only by the prover (Z).
   void (*check)(const Facts&, FindingSink&) = nullptr;
+  RuleAsks ask{};                              ///< what the prover is asked
+  RuleTells tell{};                            ///< what becomes of the answers
+  std::span<const Explanation> explainedBy{};  ///< answers that make a finding of this rule superfluous
 
   constexpr std::string_view group() const { return id.substr(0, 3); }
 };

@@ -21,7 +21,8 @@ struct OpenQuestions {
 };
 
 /// `findings` holds those of the flow analysis; candidates among them of the same rule and place are confirmed or
-/// dropped, and new findings of the rules that `isSelected` are added. ProverOptions::total limits all of it.
+/// dropped, and new findings of the rules that `isSelected` are added. ProverOptions::total limits all of it, and
+/// ProverOptions::checks says whose questions are asked.
 OpenQuestions settleBySolver(const ProgramInput& input, const ProverOptions& options,
                              const std::function<bool(std::string_view)>& isSelected, std::vector<Finding>& findings);
 

@@ -74,6 +74,8 @@ void checkAri001(const Facts& facts, FindingSink& sink) {
   }
 }
 
+constexpr Hazard ari001Hazards[] = {Hazard::DivideByZero};
+
 }  // namespace
 
 extern constexpr Rule ari001_division_by_zero = {
@@ -89,6 +91,7 @@ extern constexpr Rule ari001_division_by_zero = {
     .falsePositives = "a divisor whose range is known from elsewhere: the prover drops it",
     .peers = "SA0040",
     .check = checkAri001,
+    .ask = {.in = asked::Builtin, .turn = 30, .cost = 1, .hazards = ari001Hazards},
 };
 
 }  // namespace rungproof

@@ -72,6 +72,8 @@ void checkAri002(const Facts& facts, FindingSink& sink) {
   }
 }
 
+constexpr Hazard ari002Hazards[] = {Hazard::Overflow};
+
 }  // namespace
 
 extern constexpr Rule ari002_overflow_unnoticed = {
@@ -88,6 +90,7 @@ extern constexpr Rule ari002_overflow_unnoticed = {
     .good = "Network 1\nLD SM0.0\nMOVW AIW0, VW0\n*I VW2, VW0\nAENO\nNOT\n= M0.0\n",
     .falsePositives = "values whose range is known from elsewhere: the prover drops them",
     .check = checkAri002,
+    .ask = {.in = asked::Builtin, .turn = 30, .cost = 4, .hazards = ari002Hazards},
 };
 
 }  // namespace rungproof

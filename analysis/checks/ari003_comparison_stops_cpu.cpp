@@ -64,6 +64,8 @@ void checkAri003(const Facts& facts, FindingSink& sink) {
   }
 }
 
+constexpr Hazard ari003Hazards[] = {Hazard::FatalIndirectAddress, Hazard::FatalReal, Hazard::FatalRange};
+
 }  // namespace
 
 extern constexpr Rule ari003_comparison_stops_cpu = {
@@ -79,6 +81,7 @@ extern constexpr Rule ari003_comparison_stops_cpu = {
     .falsePositives = "a pointer whose range is known from elsewhere: the prover drops it",
     .dialects = dialect::S7200,
     .check = checkAri003,
+    .ask = {.in = asked::Builtin, .turn = 30, .cost = 1, .hazards = ari003Hazards},
 };
 
 }  // namespace rungproof

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "analysis/facts.hpp"
+#include "analysis/proof/asking.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -69,6 +70,24 @@ void checkCtl003(const Facts& facts, FindingSink& sink) {
   }
 }
 
+void askCtl003(Asking& asking) {
+  Graph& graph = asking.graph();
+  for (const Flow& flow : asking.encoding().plan().flows) {
+    if (!isExecuted(asking, flow)) continue;
+    for (std::size_t i = 1; i < flow.steps.size(); ++i) {
+      const Instruction& loop = *flow.steps[i - 1].instruction;
+      if (loop.desc->control != Control::For) continue;
+      const Asking::Runs* runs = asking.runsOf(*flow.steps[i].instruction);
+      const Graph::Bool guard = runs == nullptr ? graph.constant(false) : runs->guard;
+      if (const auto known = graph.truth(guard); known && *known) continue;
+      asking.ask({.name = fmt::format("the body of {} runs", Facts::text(loop)),
+                  .message = fmt::format("{} never runs its body in any reachable state", Facts::text(loop)),
+                  .place = &loop,
+                  .bad = guard.node});
+    }
+  }
+}
+
 }  // namespace
 
 extern constexpr Rule ctl003_for_limits = {
@@ -86,8 +105,9 @@ extern constexpr Rule ctl003_for_limits = {
     .falsePositives = "an index that is raised to the end on purpose, to leave the loop early",
     .peers = "SA0072; L22",
     .dialects = dialect::S7200,
-    .questions = Questions::Rungs,
     .check = checkCtl003,
+    .ask = {.in = asked::Lint, .turn = 82, .cost = 4, .wantsYes = true, .program = askCtl003},
+    .tell = {.advice = "look at the conditions of the jumps, calls and loops before it"},
 };
 
 }  // namespace rungproof

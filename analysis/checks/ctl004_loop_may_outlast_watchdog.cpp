@@ -107,6 +107,8 @@ void checkCtl004(const Facts& facts, FindingSink& sink) {
   }
 }
 
+constexpr Hazard ctl004Hazards[] = {Hazard::LoopBound, Hazard::FatalWatchdog};
+
 }  // namespace
 
 extern constexpr Rule ctl004_loop_may_outlast_watchdog = {
@@ -124,6 +126,7 @@ extern constexpr Rule ctl004_loop_may_outlast_watchdog = {
     .falsePositives = "a loop whose exit condition comes soon, or that runs WDR: the prover drops what it can bound",
     .dialects = dialect::S7200,
     .check = checkCtl004,
+    .ask = {.in = asked::Builtin, .turn = 30, .cost = 1, .hazards = ctl004Hazards},
 };
 
 }  // namespace rungproof

@@ -2,7 +2,10 @@
 // Tested by its examples and tests/rules/control_rules_test.cpp.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "analysis/facts.hpp"
+#include "analysis/proof/asking.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -49,6 +52,37 @@ void checkCtl005(const Facts& facts, FindingSink& sink) {
   }
 }
 
+/// A network that begins with these may be reached by no scan and nothing is lost.
+bool isMarkOrEnd(const Instruction& instruction) {
+  const Control control = instruction.desc->control;
+  return control == Control::LabelMark || control == Control::Return || control == Control::InterruptReturn ||
+         control == Control::MainEnd;
+}
+
+/// Networks at their first instruction; the body of a loop is CTL003's.
+void askCtl005(Asking& asking) {
+  Graph& graph = asking.graph();
+  for (const Flow& flow : asking.encoding().plan().flows) {
+    if (!isExecuted(asking, flow)) continue;
+    for (std::size_t i = 0; i < flow.steps.size(); ++i) {
+      const FlowStep& step = flow.steps[i];
+      const bool isFirst = i == 0 || step.network != flow.steps[i - 1].network;
+      const bool isBody = i > 0 && flow.steps[i - 1].instruction->desc->control == Control::For;
+      if (!isFirst || isBody || isMarkOrEnd(*step.instruction)) continue;
+      const Asking::Runs* runs = asking.runsOf(*step.instruction);
+      const Graph::Bool guard = runs == nullptr ? graph.constant(false) : runs->guard;
+      if (const auto known = graph.truth(guard); known && *known) continue;
+      asking.ask({.name = fmt::format("{}, network {} runs", flow.pou->name, flow.pou->networks[step.network].number),
+                  .message = "no reachable state comes to this network",
+                  .place = step.instruction,
+                  .bad = guard.node});
+    }
+  }
+}
+
+/// All but the first of dead networks in a row.
+constexpr Explanation ctl005Explained[] = {{"CTL005", Where::NetworkBefore}};
+
 }  // namespace
 
 extern constexpr Rule ctl005_unreachable_code = {
@@ -63,8 +97,10 @@ extern constexpr Rule ctl005_unreachable_code = {
     .good = "Network 1\nLD I0.1\nJMP 1\nNetwork 2\nLD I0.0\n= Q0.0\nNetwork 3\nLBL 1\n",
     .falsePositives = "code switched off for a time by a jump on SM0.0",
     .peers = "SA0001; CP2; iec-checker CP2",
-    .questions = Questions::Rungs,
     .check = checkCtl005,
+    .ask = {.in = asked::Lint, .turn = 83, .cost = 4, .wantsYes = true, .program = askCtl005},
+    .tell = {.advice = "look at the conditions of the jumps, calls and loops before it"},
+    .explainedBy = ctl005Explained,
 };
 
 }  // namespace rungproof

@@ -3,9 +3,11 @@
 // its examples and tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
+#include <set>
 #include <vector>
 
 #include "analysis/facts.hpp"
+#include "analysis/proof/asking.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -102,6 +104,27 @@ void checkHsp004(const Facts& facts, FindingSink& sink) {
   }
 }
 
+/// What is meant to run once and can run in two scans in a row.
+void askHsp004(Asking& asking) {
+  static const std::set<Role> once{Role::Att,  Role::Lifo, Role::Fifo, Role::Netr, Role::Netw,
+                                   Role::Hdef, Role::Pls,  Role::Set,  Role::Move};
+  for (const Instruction* box : asking.executed()) {
+    const Role kind = roleOf(*box);
+    if (!once.contains(kind) || box->operands.empty() || (kind == Role::Move && !isMoveOf(*box->desc, Type::Byte)))
+      continue;
+    const Operand& target = kind == Role::Move ? box->operands.back() : box->operands[0];
+    const bool savesMemory = target.kind == OperandKind::Direct && target.area == Area::SM && target.offset == 31;
+    if ((isSet(kind) || kind == Role::Move) && !savesMemory) continue;
+    const std::string text = Facts::text(*box);
+    const Graph::Bool now = asking.runsOf(*box)->on[0];
+    const Graph::Bool before{asking.obligations().before("run of " + text, now.node)};
+    asking.ask({.name = fmt::format("{} runs in two scans in a row", text),
+                .message = fmt::format("{} can run in two scans in a row", text),
+                .place = box,
+                .bad = asking.graph().land(now, before).node});
+  }
+}
+
 }  // namespace
 
 extern constexpr Rule hsp004_runs_every_scan = {
@@ -118,8 +141,8 @@ extern constexpr Rule hsp004_runs_every_scan = {
     .good = "Network 1\nLD SM0.1\nMOVW +10, VW200\nNetwork 2\nLD I0.0\nEU\nATT VW0, VW200\n",
     .falsePositives = "a condition that another network ends in the next scan: the prover drops it",
     .dialects = dialect::S7200,
-    .questions = Questions::Rungs,
     .check = checkHsp004,
+    .ask = {.in = asked::Lint, .turn = 63, .cost = 4, .onlySettles = true, .program = askHsp004},
 };
 
 }  // namespace rungproof

@@ -1,9 +1,70 @@
-// LOG001: always true or always false. A rung with one power flow in every reachable state. Asked by
-// analysis/proof/rung_checks.cpp; this file is its page. Tested by tests/prover/rule_questions_test.cpp, which runs the
-// examples.
+// LOG001: always true or always false. A rung with one power flow in every reachable state. Only the prover can say.
+// Tested by tests/prover/rule_questions_test.cpp, which runs the examples.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "analysis/facts.hpp"
+#include "analysis/proof/asking.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
+
+namespace {
+
+/// One pair of questions for each condition: outputs behind the same contacts have the same power flow. Each network
+/// that has the condition is a place of its own.
+void askLog001(Asking& asking) {
+  struct Condition {
+    RuleQuestion reaches, without;
+    std::set<const Network*> networks;
+  };
+  std::map<std::pair<Node, Node>, std::size_t> known;  // by power flow
+  std::vector<Condition> conditions;
+  for (const Instruction* output : asking.executed()) {
+    const Asking::Runs& runs = *asking.runsOf(*output);
+    if (!runs.samples(0) || isCounterBox(roleOf(*output))) continue;
+    if (std::ranges::all_of(asking.rungOf(*output), [](const Instruction* c) { return isOfSpecialMemory(*c); }))
+      continue;
+    const auto [asked, isNew] = known.try_emplace({runs.on[0].node, runs.off[0].node}, conditions.size());
+    if (isNew) conditions.emplace_back();
+    Condition& condition = conditions[asked->second];
+    if (!condition.networks.insert(&asking.networkOf(*output)).second) continue;
+    const std::string text = Facts::text(*output);
+    const std::string address = output->operands.empty() ? "" : toString(output->operands[0]);
+    const std::string never = fmt::format("no reachable state lets power flow to {}", text),
+                      always = fmt::format("power flows to {} in every reachable state", text);
+    if (!isNew) {
+      condition.reaches.alike.push_back({never, address, output});
+      condition.without.alike.push_back({always, address, output});
+      continue;
+    }
+    condition.reaches = {.name = fmt::format("power can reach {}", text),
+                         .message = never,
+                         .address = address,
+                         .place = output,
+                         .bad = runs.on[0].node,
+                         .aspect = powerReaches};
+    condition.without = {.name = fmt::format("{} can be without power", text),
+                         .message = always,
+                         .address = address,
+                         .place = output,
+                         .bad = runs.off[0].node,
+                         .aspect = canBeWithoutPower};
+  }
+  for (Condition& condition : conditions) {
+    asking.ask(std::move(condition.reaches));
+    asking.ask(std::move(condition.without));
+  }
+}
+
+/// A rung that never runs.
+constexpr Explanation log001Explained[] = {{"LOG001", Where::SamePlace, canBeWithoutPower, powerReaches},
+                                           {"LOG001", Where::SamePlace, powerReaches, canBeWithoutPower}};
+
+}  // namespace
 
 extern constexpr Rule log001_always_true_or_false = {
     .id = "LOG001",
@@ -21,7 +82,9 @@ extern constexpr Rule log001_always_true_or_false = {
     .good = "Network 1\nLD I0.0\nLPS\nA I0.1\n= M0.0\nLPP\nAN I0.1\n= M0.1\nNetwork 2\nLD M0.0\nO M0.1\n= Q0.0\n",
     .falsePositives = "a rung that waits for memory which a panel or the network writes: declare it with //@ external",
     .peers = "SA0059; SA0062; Frama-PLC E4.1",
-    .questions = Questions::Rungs,
+    .ask = {.in = asked::Lint, .turn = 60, .cost = 4, .wantsYes = true, .program = askLog001},
+    .tell = {.advice = "a contact is missing, of the wrong kind, or at the wrong address"},
+    .explainedBy = log001Explained,
 };
 
 }  // namespace rungproof

@@ -3,7 +3,10 @@
 // Tested by its examples and tests/rules/output_rules_test.cpp.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "analysis/facts.hpp"
+#include "analysis/proof/asking.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -64,6 +67,26 @@ void checkLog005(const Facts& facts, FindingSink& sink) {
   }
 }
 
+void askLog005(Asking& asking) {
+  Graph& graph = asking.graph();
+  for (const Instruction* coil : asking.executed()) {
+    if (!isPlainCoil(*coil->desc) || coil->operands[0].kind != OperandKind::Direct || coil->operands[0].area == Area::L)
+      continue;
+    const Operand& bit = coil->operands[0];
+    if (std::ranges::none_of(asking.rungOf(*coil), [&](const Instruction* c) { return isContactOf(*c, bit, true); }))
+      continue;
+    const Place place = memoryPlace(bit.area, bit.offset, Width::Bit, bit.bit);
+    const Graph::Bool changes = graph.lxor({asking.encoding().atStart(place)}, {asking.encoding().atEnd(place)});
+    const std::string name = toString(bit);
+    const Graph::Bool before{asking.obligations().before("change of " + name, changes.node)};
+    asking.ask({.name = fmt::format("{} changes in two scans in a row", name),
+                .message = fmt::format("{} changes in every scan", name),
+                .address = name,
+                .place = coil,
+                .bad = graph.land(changes, before).node});
+  }
+}
+
 }  // namespace
 
 extern constexpr Rule log005_bit_toggles = {
@@ -79,8 +102,8 @@ extern constexpr Rule log005_bit_toggles = {
         "Network 1\nLD I0.0\nEU\nLPS\nAN M0.0\n= M0.1\nLPP\nA M0.0\n= M0.2\nNetwork 2\nLD M0.1\nS M0.0, 1\nNetwork "
         "3\nLD M0.2\nR M0.0, 1\n",
     .falsePositives = "a scan clock on purpose: SM0.6 is one already",
-    .questions = Questions::Rungs,
     .check = checkLog005,
+    .ask = {.in = asked::Lint, .turn = 62, .cost = 4, .onlySettles = true, .program = askLog005},
 };
 
 }  // namespace rungproof

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "analysis/facts.hpp"
+#include "analysis/proof/asking.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -51,6 +53,32 @@ void checkOut001(const Facts& facts, FindingSink& sink) {
   }
 }
 
+void askOut001(Asking& asking) {
+  Graph& graph = asking.graph();
+  std::map<Place, std::map<std::uint32_t, std::pair<const Instruction*, Graph::Bool>>> coils;  // by Instruction::id
+  for (const BitWrite& write : asking.encoding().bitWrites()) {
+    if (write.instruction == nullptr || !isCoil(roleOf(*write.instruction)) || write.place.area == Area::L) continue;
+    auto& runs = coils[write.place]
+                     .try_emplace(write.instruction->id, write.instruction, graph.constant(false))
+                     .first->second.second;
+    runs = graph.lor(runs, {write.guard});
+  }
+  for (const auto& [place, list] : coils) {
+    if (list.size() < 2) continue;
+    Graph::Bool some = graph.constant(false), two = some;
+    for (const auto& [id, coil] : list) {
+      two = graph.lor(two, graph.land(some, coil.second));
+      some = graph.lor(some, coil.second);
+    }
+    const std::string name = nameOf(place);
+    asking.ask({.name = fmt::format("two coils of {} run in one scan", name),
+                .message = fmt::format("{} is driven by {} coils", name, list.size()),
+                .address = name,
+                .place = std::next(list.begin())->second.first,
+                .bad = two.node});
+  }
+}
+
 }  // namespace
 
 extern constexpr Rule out001_double_coil = {
@@ -70,8 +98,8 @@ extern constexpr Rule out001_double_coil = {
         "lint alone "
         "marks them unconfirmed",
     .peers = "SA0004; CP12; Rockwell duplicate destructive bit; Omron duplicate outputs",
-    .questions = Questions::Rungs,
     .check = checkOut001,
+    .ask = {.in = asked::Lint, .turn = 70, .cost = 2, .onlySettles = true, .program = askOut001},
 };
 
 }  // namespace rungproof

@@ -28,6 +28,9 @@ void checkOut007(const Facts& facts, FindingSink& sink) {
   }
 }
 
+/// A jump or a return that never comes to pass.
+constexpr Explanation out007Explained[] = {{"LOG001", Where::RelatedPlace, powerReaches}};
+
 }  // namespace
 
 extern constexpr Rule out007_coil_may_not_run = {
@@ -45,6 +48,7 @@ extern constexpr Rule out007_coil_may_not_run = {
     .falsePositives = "outputs that are meant to hold",
     .peers = "SA0022 (nearest)",
     .check = checkOut007,
+    .explainedBy = out007Explained,
 };
 
 }  // namespace rungproof

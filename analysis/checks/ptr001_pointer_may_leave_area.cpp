@@ -47,6 +47,8 @@ void checkPtr001(const Facts& facts, FindingSink& sink) {
   }
 }
 
+constexpr Hazard ptr001Hazards[] = {Hazard::BadIndirectAddress};
+
 }  // namespace
 
 extern constexpr Rule ptr001_pointer_may_leave_area = {
@@ -63,6 +65,7 @@ extern constexpr Rule ptr001_pointer_may_leave_area = {
     .peers = "SA0172; iec-checker OutOfBounds",
     .dialects = dialect::S7200,
     .check = checkPtr001,
+    .ask = {.in = asked::Builtin, .turn = 30, .cost = 1, .hazards = ptr001Hazards},
 };
 
 }  // namespace rungproof

@@ -61,6 +61,8 @@ void checkPtr004(const Facts& facts, FindingSink& sink) {
   }
 }
 
+constexpr Hazard ptr004Hazards[] = {Hazard::OutOfRange, Hazard::BadCount};
+
 }  // namespace
 
 extern constexpr Rule ptr004_block_overruns = {
@@ -77,6 +79,7 @@ extern constexpr Rule ptr004_block_overruns = {
     .peers = "SA0028; SA0172 (nearest)",
     .dialects = dialect::S7200,
     .check = checkPtr004,
+    .ask = {.in = asked::Builtin, .turn = 30, .cost = 1, .hazards = ptr004Hazards},
 };
 
 }  // namespace rungproof

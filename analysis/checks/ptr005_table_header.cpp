@@ -114,6 +114,8 @@ void checkPtr005(const Facts& facts, FindingSink& sink) {
   }
 }
 
+constexpr Hazard ptr005Hazards[] = {Hazard::StringIndexZero};
+
 }  // namespace
 
 extern constexpr Rule ptr005_table_header = {
@@ -132,6 +134,7 @@ extern constexpr Rule ptr005_table_header = {
     .falsePositives = "tables that an operator panel prepares: declare them with //@ external",
     .dialects = dialect::S7200,
     .check = checkPtr005,
+    .ask = {.in = asked::Builtin, .turn = 30, .cost = 1, .hazards = ptr005Hazards},
 };
 
 }  // namespace rungproof

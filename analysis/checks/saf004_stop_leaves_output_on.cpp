@@ -1,9 +1,19 @@
-// SAF004: emergency stop leaves an output on. Declared in a property, broken by a run. Asked by
-// analysis/proof/safety_shape.cpp; this file is its page. Tested by tests/prover/rule_questions_test.cpp, which runs
-// the examples.
+// SAF004: emergency stop leaves an output on. Declared in a property, broken by a run. Tested by
+// tests/prover/rule_questions_test.cpp, which runs the examples.
+#include "analysis/proof/rule_answers.hpp"
+#include "analysis/proof/safety_shape.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
+
+namespace {
+
+std::optional<std::string> tellSaf004(const ProofResult& result) {
+  if (result.outcome != Outcome::Violated || !stopShapeOf(result.property)) return std::nullopt;
+  return violationText(result) + "; besides, a stop must work without the controller (001:2016-2021)";
+}
+
+}  // namespace
 
 extern constexpr Rule saf004_stop_leaves_output_on = {
     .id = "SAF004",
@@ -20,6 +30,7 @@ extern constexpr Rule saf004_stop_leaves_output_on = {
     .bad = "//@ prove stop: not I0.1 implies not Q0.0\nNetwork 1\nLD I0.0\nO Q0.0\n= Q0.0\n",
     .good = "//@ prove stop: not I0.1 implies not Q0.0\nNetwork 1\nLD I0.0\nO Q0.0\nA I0.1\n= Q0.0\n",
     .peers = "PLCverif implication",
+    .tell = {.property = tellSaf004},
 };
 
 }  // namespace rungproof

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "analysis/facts.hpp"
+#include "analysis/proof/asking.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -69,6 +70,38 @@ void checkScr003(const Facts& facts, FindingSink& sink) {
   }
 }
 
+enum StepAspect : int { StepEntered, StepLeft };
+
+void askScr003(Asking& asking) {
+  Graph& graph = asking.graph();
+  for (const Flow& flow : asking.encoding().plan().flows) {
+    for (const FlowStep& step : flow.steps) {
+      const Instruction& head = *step.instruction;
+      if (head.desc->control != Control::Lscr || head.operands.empty() ||
+          head.operands[0].kind != OperandKind::Direct || asking.runsOf(head) == nullptr)
+        continue;
+      const Operand& bit = head.operands[0];
+      const Place place = memoryPlace(bit.area, bit.offset, Width::Bit, bit.bit);
+      const std::string name = toString(bit);
+      const Graph::Bool now{asking.encoding().atEnd(place)}, before{asking.encoding().atStart(place)};
+      asking.ask({.name = fmt::format("step {} can be active", name),
+                  .message = fmt::format("no reachable state activates step {}", name),
+                  .address = name,
+                  .place = &head,
+                  .bad = now.node,
+                  .aspect = StepEntered});
+      asking.ask({.name = fmt::format("step {} can be left", name),
+                  .message = fmt::format("once active, step {} is never left in any reachable state", name),
+                  .address = name,
+                  .place = &head,
+                  .bad = graph.land(before, graph.lnot(now)).node,
+                  .aspect = StepLeft});
+    }
+  }
+}
+
+constexpr Explanation scr003Explained[] = {{"SCR003", Where::SameAddress, StepEntered, StepLeft}};
+
 }  // namespace
 
 extern constexpr Rule scr003_step_dead_end = {
@@ -88,8 +121,10 @@ extern constexpr Rule scr003_step_dead_end = {
     .falsePositives = "a last step in which the machine is meant to stay",
     .peers = "Frama-PLC E4.3 (transition constant)",
     .dialects = dialect::S7200,
-    .questions = Questions::Rungs,
     .check = checkScr003,
+    .ask = {.in = asked::Lint, .turn = 80, .cost = 3, .wantsYes = true, .program = askScr003},
+    .tell = {.advice = "look at the conditions of the transitions"},
+    .explainedBy = scr003Explained,
 };
 
 }  // namespace rungproof

@@ -3,7 +3,10 @@
 // The run is analysis/stack_depth. Tested by its examples and tests/rules/stack_depth_test.cpp.
 #include <fmt/format.h>
 
+#include <map>
+
 #include "analysis/facts.hpp"
+#include "analysis/proof/asking.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -19,6 +22,26 @@ void checkStk001(const Facts& facts, FindingSink& sink) {
                     Facts::text(*fault.instruction), Facts::text(*fault.other)));
     finding.related.push_back({fault.other->span, "the lost level is used here, where the CPU finds 0 or 1 by chance"});
     finding.help = "split the network, or keep an intermediate result in an M bit (error 0081, 001:13983)";
+  }
+}
+
+/// Levels that a push has lost (001:2759) and that are used nevertheless, on the paths that the scan can take.
+void askStk001(Asking& asking) {
+  Graph& graph = asking.graph();
+  std::map<std::pair<const Instruction*, const Instruction*>, Node> lost;
+  for (const LostLevel& level : asking.record().lostLevels()) {
+    Node& bad = lost.try_emplace({level.use, level.push}, graph.constant(false).node).first->second;
+    bad = graph.lor({bad}, {level.condition}).node;
+  }
+  for (const auto& [places, bad] : lost) {
+    const auto [use, push] = places;
+    const std::string text = Facts::text(*use);
+    asking.ask(
+        {.name = fmt::format("logic stack at {}", text),
+         .message = fmt::format("{} takes a level that was pushed out of the nine levels of the logic stack", text),
+         .place = push == nullptr ? use : push,
+         .bad = bad,
+         .other = use});
   }
 }
 
@@ -45,6 +68,12 @@ extern constexpr Rule stk001_stack_too_deep = {
     .peers = "Omron stack overflows",
     .dialects = dialect::S7200,
     .check = checkStk001,
+    .ask = {.in = asked::Builtin,
+            .turn = 20,
+            .cost = 1,
+            .whenNone = "the logic stack loses no level that is used",
+            .program = askStk001},
+    .tell = {.otherPlace = "the level is used here"},
 };
 
 }  // namespace rungproof

@@ -44,6 +44,8 @@ void checkSub002(const Facts& facts, FindingSink& sink) {
   }
 }
 
+constexpr Hazard sub002Hazards[] = {Hazard::NestingTooDeep};
+
 }  // namespace
 
 extern constexpr Rule sub002_nesting_too_deep = {
@@ -67,6 +69,11 @@ extern constexpr Rule sub002_nesting_too_deep = {
     .peers = "Omron illegal nesting",
     .dialects = dialect::S7200,
     .check = checkSub002,
+    .ask = {.in = asked::Builtin,
+            .turn = 30,
+            .cost = 1,
+            .whenNone = "calls nest no deeper than the CPU allows",
+            .hazards = sub002Hazards},
 };
 
 }  // namespace rungproof

@@ -4,8 +4,12 @@
 // Tested by its examples and tests/rules/timer_rules_test.cpp.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "analysis/facts.hpp"
+#include "analysis/proof/asking.hpp"
 #include "analysis/rule.hpp"
+#include "ir/reading.hpp"
 
 namespace rungproof {
 
@@ -49,6 +53,45 @@ void checkTim004(const Facts& facts, FindingSink& sink) {
   }
 }
 
+/// That inactive segments are not executed at all, where both readings are open.
+Graph::Bool skipsInactiveSegments(Asking& asking) {
+  const Place reading = registerPlace(Reg::Reading, readingIndex(Choice::InactiveScr, 1));
+  const auto cell = std::ranges::find(asking.encoding().cells(), reading, &Cell::place);
+  if (cell == asking.encoding().cells().end() || cell->kind != CellKind::State) return asking.graph().constant(false);
+  return {cell->start};
+}
+
+/// 001:6611: boxes of a 100 ms timer run exactly once in every scan; more than one, or none, makes it run wrongly. A
+/// box in an inactive segment runs without power flow, as the manual's own sequences take it (001:6575), unless the
+/// other reading was chosen.
+void askTim004(Asking& asking, const Instruction& box) {
+  const Operand& timer = box.operands[0];
+  if (!isBoxOf(box, Type::Timer) || timerResolution(static_cast<int>(timer.offset)) != 100) return;
+  Graph& graph = asking.graph();
+  Graph::Bool some = graph.constant(false), twice = some;
+  for (const Visit& visit : asking.record().visits()) {
+    if (!isBoxOf(*visit.instruction, Type::Timer) || visit.instruction->operands[0].offset != timer.offset) continue;
+    twice = graph.lor(twice, graph.land(some, {visit.guard}));
+    some = graph.lor(some, {visit.guard});
+  }
+  if (some.node == graph.constant(false).node) return;  // in a block that nothing calls
+  // Of a scan that a fatal error has cut off nothing is asked.
+  const Graph::Bool isWhole =
+      graph.land(graph.lnot({asking.encoding().faulted()}), graph.lnot(skipsInactiveSegments(asking)));
+  const Node bad = graph.lor(graph.land(isWhole, graph.lnot(some)), twice).node;
+  if (const auto known = graph.truth({bad}); known && !*known && !asking.settles()) return;
+  const std::string name = toString(timer);
+  asking.ask({.name = fmt::format("{} runs once a scan", name),
+              .message = fmt::format(
+                  "{} has a resolution of 100 ms, but its box does not run exactly once in every scan", name),
+              .address = name,
+              .place = &box,
+              .bad = bad});
+}
+
+/// A jump or a return that never comes to pass.
+constexpr Explanation tim004Explained[] = {{"LOG001", Where::RelatedPlace, powerReaches}};
+
 }  // namespace
 
 extern constexpr Rule tim004_slow_timer_skipped = {
@@ -71,8 +114,9 @@ extern constexpr Rule tim004_slow_timer_skipped = {
         "the "
         "prover drops it",
     .dialects = dialect::S7200,
-    .questions = Questions::Rungs,
     .check = checkTim004,
+    .ask = {.in = asked::Builtin | asked::Lint, .turn = 41, .cost = 3, .box = askTim004},
+    .explainedBy = tim004Explained,
 };
 
 }  // namespace rungproof

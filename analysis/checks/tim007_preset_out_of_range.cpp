@@ -2,9 +2,11 @@
 // the program computes are the prover's. Tested by its examples and tests/rules/timer_rules_test.cpp.
 #include <fmt/format.h>
 
+#include <map>
 #include <optional>
 
 #include "analysis/facts.hpp"
+#include "analysis/proof/asking.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -68,6 +70,31 @@ void checkTim007(const Facts& facts, FindingSink& sink) {
   }
 }
 
+/// 001:6569, 001:4015: presets are signed words. At 0 and below a timer fires, and a counter is on, at once.
+void askTim007(Asking& asking) {
+  Graph& graph = asking.graph();
+  std::map<const Instruction*, Node> outside;
+  std::vector<const Instruction*> order;
+  for (const Visit& visit : asking.record().visits()) {
+    if (visit.preset == noNode) continue;
+    Graph::Bool bad = graph.land({visit.guard}, graph.slt({visit.preset}, graph.literal(1, 16), 16));
+    if (isBoxOf(*visit.instruction, Type::Timer)) bad = graph.land(bad, {visit.flow[0]});
+    const auto [place, isNew] = outside.try_emplace(visit.instruction, bad.node);
+    if (isNew)
+      order.push_back(visit.instruction);
+    else
+      place->second = graph.lor({place->second}, bad).node;
+  }
+  for (const Instruction* box : order) {
+    const std::string text = Facts::text(*box);
+    asking.ask({.name = fmt::format("preset of {}", text),
+                .message = fmt::format("{} can be 0 or negative when {} runs", toString(box->operands[1]), text),
+                .address = toString(box->operands[0]),
+                .place = box,
+                .bad = outside[box]});
+  }
+}
+
 }  // namespace
 
 extern constexpr Rule tim007_preset_out_of_range = {
@@ -82,6 +109,7 @@ extern constexpr Rule tim007_preset_out_of_range = {
     .good = "Network 1\nLD I0.0\nTON T37, +10\nNetwork 2\nLD T37\n= Q0.0\n",
     .peers = "SA0056 (constants only)",
     .check = checkTim007,
+    .ask = {.in = asked::Builtin, .turn = 50, .cost = 3, .program = askTim007},
 };
 
 }  // namespace rungproof

@@ -1,8 +1,40 @@
-// TIM008: timer or counter can never fire. Spoken by the prover (analysis/proof/builtin_checks, analysis/proof/prover);
-// this file is its page. Tested by tests/prover/rule_questions_test.cpp, which runs the examples.
+// TIM008: timer or counter can never fire, or never returns. Only the prover can say. Tested by
+// tests/prover/builtin_test.cpp and tests/prover/rule_questions_test.cpp, which runs the examples.
+#include <fmt/format.h>
+
+#include "analysis/proof/asking.hpp"
 #include "analysis/rule.hpp"
+#include "ir/isa.hpp"
 
 namespace rungproof {
+
+namespace {
+
+void askTim008(Asking& asking, const Instruction& box) {
+  Graph& graph = asking.graph();
+  EncodedScan& encoding = asking.encoding();
+  const Operand& o = box.operands[0];
+  const Place bit = registerPlace(isBoxOf(box, Type::Timer) ? Reg::TimerBit : Reg::CounterBit, o.offset);
+  const Node now = encoding.atEnd(bit);
+  // A bit that is reset in the scan in which it comes on is on for the instructions between.
+  const Node seen = asking.record().seenOn(o.area, o.offset);
+  const Graph::Bool within{seen == noNode ? graph.constant(false).node : seen};
+  const Node on = graph.lor({now}, within).node;
+  const Graph::Bool before = graph.lor({encoding.atStart(bit)}, within);
+  const std::string name = toString(o);
+  asking.ask({.name = fmt::format("{} can come on", name),
+              .message = fmt::format("the bit of {} can never be 1", name),
+              .address = name,
+              .place = &box,
+              .bad = on});
+  asking.ask({.name = fmt::format("{} can be reset", name),
+              .message = fmt::format("once on, the bit of {} never returns to 0", name),
+              .address = name,
+              .place = &box,
+              .bad = graph.land(before, graph.lnot({now})).node});
+}
+
+}  // namespace
 
 extern constexpr Rule tim008_never_fires = {
     .id = "TIM008",
@@ -15,6 +47,8 @@ extern constexpr Rule tim008_never_fires = {
     .bad = "Network 1\nLD I0.0\nEU\nTON T37, +10\nNetwork 2\nLD T37\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\nTON T37, +10\nNetwork 2\nLD T37\n= Q0.0\n",
     .falsePositives = "a timer that is only used through its current value",
+    .ask = {.in = asked::Builtin, .turn = 40, .cost = 3, .wantsYes = true, .box = askTim008},
+    .tell = {.advice = "look at the input and the preset"},
 };
 
 }  // namespace rungproof

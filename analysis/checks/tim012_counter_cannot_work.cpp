@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "analysis/facts.hpp"
+#include "analysis/proof/asking.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -47,6 +48,37 @@ void checkTim012(const Facts& facts, FindingSink& sink) {
   }
 }
 
+/// The top level resets or loads, the others count (001:3994-4004).
+void askCounter(Asking& asking, const Instruction& box) {
+  const Asking::Runs* runs = asking.runsOf(box);
+  if (runs == nullptr || !isCounterBox(roleOf(box)) || roleOf(box) == Role::IecCounter || box.operands.empty()) return;
+  const std::string name = toString(box.operands[0]);
+  if (runs->samples(0)) {
+    asking.ask({.name = fmt::format("{} is not always held", name),
+                .message = fmt::format(
+                    "the reset or load input of {} is on in every reachable state, so it never counts", name),
+                .address = name,
+                .place = &box,
+                .bad = runs->off[0].node});
+  }
+  for (std::size_t k = 1; k < runs->on.size(); ++k) {
+    if (!runs->samples(k)) continue;
+    const Graph::Bool before{
+        asking.obligations().before(fmt::format("rest of input {} of {}", k, name), runs->off[k].node)};
+    asking.ask({.name = fmt::format("the count input of {} at stack level {} can rise", name, k + 1),
+                .message = fmt::format("a count input of {} never rises in any reachable state", name),
+                .address = name,
+                .place = &box,
+                .bad = asking.graph().land(before, runs->on[k]).node});
+  }
+}
+
+void askTim012(Asking& asking) {
+  for (const Flow& flow : asking.encoding().plan().flows) {
+    for (const FlowStep& step : flow.steps) askCounter(asking, *step.instruction);
+  }
+}
+
 }  // namespace
 
 extern constexpr Rule tim012_counter_cannot_work = {
@@ -59,8 +91,9 @@ extern constexpr Rule tim012_counter_cannot_work = {
     .manual = "001:3994-4005",
     .bad = "Network 1\nLD I0.0\nLD SM0.0\nCTU C1, +10\nNetwork 2\nLD C1\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\nLD I0.1\nCTU C1, +10\nNetwork 2\nLD C1\n= Q0.0\n",
-    .questions = Questions::Rungs,
     .check = checkTim012,
+    .ask = {.in = asked::Lint, .turn = 84, .cost = 3, .wantsYes = true, .program = askTim012},
+    .tell = {.advice = "the last load before the box is the reset or load input (001:3994-4004)"},
 };
 
 }  // namespace rungproof

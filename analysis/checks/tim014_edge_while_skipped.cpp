@@ -26,6 +26,9 @@ void checkTim014(const Facts& facts, FindingSink& sink) {
   }
 }
 
+/// A jump or a return that never comes to pass.
+constexpr Explanation tim014Explained[] = {{"LOG001", Where::RelatedPlace, powerReaches}};
+
 }  // namespace
 
 extern constexpr Rule tim014_edge_while_skipped = {
@@ -49,6 +52,7 @@ extern constexpr Rule tim014_edge_while_skipped = {
     .falsePositives = "signals that do not change while the code is left out",
     .peers = "none has it",
     .check = checkTim014,
+    .explainedBy = tim014Explained,
 };
 
 }  // namespace rungproof

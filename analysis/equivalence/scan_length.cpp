@@ -8,6 +8,8 @@
 
 namespace rungproof {
 
+extern const Rule ctl004_loop_may_outlast_watchdog;  // analysis/checks
+
 namespace {
 
 /// The network that holds an instruction with that span.
@@ -36,7 +38,8 @@ bool mayLoop(const Program& program) {
 void collect(const Program& program, std::string_view side, bool isOld, const ProgramMatch& match, LongScans& result) {
   if (!mayLoop(program)) return;
   const Facts facts(program);
-  for (const Finding& finding : runRules(facts, RuleSelection({"CTL004"}, {}), {})) {
+  const RuleSelection aboutLoops({std::string(ctl004_loop_may_outlast_watchdog.id)}, {});
+  for (const Finding& finding : runRules(facts, aboutLoops, {})) {
     const std::optional<NetworkRef> where = networkAt(program, finding.span);
     const bool isInBoth = where && std::ranges::any_of(match.networks, [&](const NetworkPair& pair) {
                             const std::optional<NetworkRef>& own = isOld ? pair.before : pair.after;

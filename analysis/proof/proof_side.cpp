@@ -15,9 +15,9 @@ namespace rungproof {
 
 ProofSide::ProofSide(const Program& program, const PropertySet& set, const std::vector<Property>& goals,
                      const EncoderOptions& options, const CheckGroups& groups)
-    : record_(program, groups.rungs), obligations_(program, set, goals, options, groups.any() ? &record_ : nullptr) {
-  checks_ = builtinChecks(program, set, groups, obligations_, record_);
-  for (const BuiltinCheck& check : checks_) obligations_.ask(check.name, check.bad);
+    : record_(program, groups.lint), obligations_(program, set, goals, options, groups.any() ? &record_ : nullptr) {
+  checks_ = ruleQuestions(program, set, groups, obligations_, record_);
+  for (const RuleQuestion& check : checks_) obligations_.ask(check.name, check.bad);
   Graph& graph = obligations_.encoding().graph();
   Graph::Bool leftOut = graph.constant(false);
   for (const Approximation& approximation : obligations_.approximations()) {

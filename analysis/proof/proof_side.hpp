@@ -9,7 +9,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "analysis/proof/builtin_checks.hpp"
+#include "analysis/proof/asking.hpp"
 
 namespace rungproof {
 
@@ -21,7 +21,7 @@ class ProofSide {
 
   Obligations& obligations() { return obligations_; }
   TransitionSystem& system() { return system_; }
-  const std::vector<BuiltinCheck>& checks() const { return checks_; }
+  const std::vector<RuleQuestion>& checks() const { return checks_; }
   /// The question whether a scan can occur that the encoding does not follow to its end; nothing if none can.
   std::optional<std::size_t> leftOutQuestion() const { return leftOutQuestion_; }
 
@@ -41,7 +41,7 @@ class ProofSide {
  private:
   ExecutionRecord record_;
   Obligations obligations_;
-  std::vector<BuiltinCheck> checks_;
+  std::vector<RuleQuestion> checks_;
   std::optional<std::size_t> leftOutQuestion_;
   TransitionSystem system_;
 };

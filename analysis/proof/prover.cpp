@@ -9,9 +9,9 @@
 
 #include "analysis/proof/asked_goals.hpp"
 #include "analysis/proof/circumstances.hpp"
-#include "analysis/proof/unfollowed_routine.hpp"
 #include "analysis/proof/proof_networks.hpp"
 #include "analysis/proof/question_search.hpp"
+#include "analysis/proof/unfollowed_routine.hpp"
 #include "analysis/proof/untouched.hpp"
 
 namespace rungproof {
@@ -53,13 +53,13 @@ class Session {
     } catch (const EncodingStopped&) {
       return notEncoded(declared, std::move(result));
     }
-    const std::vector<BuiltinCheck>& checks = search_.exact().checks();
+    const std::vector<RuleQuestion>& checks = search_.exact().checks();
     const std::size_t total = declared + checks.size();
     search_.answerQuickly(deadlineOf(total));
     const auto questionOf = [&](std::size_t i) { return i < declared ? i : goals().size() + (i - declared); };
     std::vector<std::size_t> order(total);
     std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto worthOf = [&](std::size_t i) { return i < declared ? 0 : costOfIgnoring(checks[i - declared].kind); };
+    const auto worthOf = [&](std::size_t i) { return i < declared ? 0 : checks[i - declared].rule->ask.cost; };
     if (options_.total > 0) {
       // The time may not suffice for all: what is worst not to know first.
       std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return worthOf(a) < worthOf(b); });
@@ -73,7 +73,7 @@ class Session {
       const std::size_t i = order[done];
       const Clock::time_point start = Clock::now();
       // One question may use its own time, and what those before it have left of theirs is not saved up.
-      const bool isOfRule = i >= declared && isRuleQuestion(checks[i - declared].kind);
+      const bool isOfRule = i >= declared && !isAskedByProve(*checks[i - declared].rule);
       const double most = isOfRule ? std::min(options_.timeout, options_.ruleTimeout) : options_.timeout;
       ProofResult row;
       if (i < declared)
@@ -141,7 +141,7 @@ class Session {
 
   /// A run of the engine is a run, whatever was or was not encoded.
   static void showRun(ProofResult& row, const Witness& witness, const char* method) {
-    const bool wantsYes = row.builtin ? isWanted(row.builtin->kind) : row.property.kind == PropertyKind::Reach;
+    const bool wantsYes = row.builtin ? row.builtin->rule->ask.wantsYes : row.property.kind == PropertyKind::Reach;
     row.outcome = wantsYes ? Outcome::Reachable : Outcome::Violated;
     row.method = method;
     row.notes = row.property.remarks;
@@ -154,7 +154,7 @@ class Session {
     row.method = answer.method;
     row.depth = answer.depth;
     row.notes = row.property.remarks;
-    const bool wantsYes = row.builtin ? isWanted(row.builtin->kind) : row.property.kind == PropertyKind::Reach;
+    const bool wantsYes = row.builtin ? row.builtin->rule->ask.wantsYes : row.property.kind == PropertyKind::Reach;
     if (witness && answer.answer == Answer::Proved) {
       row.notes.push_back("a proof and a run of the engine contradict each other");
       run.disagreements.push_back(
@@ -225,7 +225,7 @@ class Session {
   /// Nothing is decided about an instruction that depends on code which was not read.
   void guardUnreadCode(ProofResult& row) const {
     if (options_.unread == nullptr || options_.unread->empty() || !row.builtin || row.builtin->place == nullptr) return;
-    const BuiltinCheck& check = *row.builtin;
+    const RuleQuestion& check = *row.builtin;
     const std::vector<Operand> operands = check.operands();
     std::vector<std::string> reasons = options_.unread->reasons(check.place->span, operands);
     if (reasons.empty() && check.other != nullptr) reasons = options_.unread->reasons(check.other->span, operands);

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "analysis/proof/both_traces.hpp"
-#include "analysis/proof/builtin_checks.hpp"
 #include "analysis/proof/outcome.hpp"
+#include "analysis/proof/rule_question.hpp"
 #include "analysis/proof/witness.hpp"
 #include "analysis/unread_code.hpp"
 
@@ -22,16 +22,16 @@ struct ProverOptions {
   TimeRange time;
   double timeout = 60;     ///< seconds per question; encoding and checks of certificates count
   double total = 0;        ///< seconds for everything, encoding included; 0: no limit
-  double ruleTimeout = 2;  ///< at most, for each question of CheckGroups::rungs and powerUp
+  double ruleTimeout = 2;  ///< at most, for each question of CheckGroups::lint and powerUp
   int bound = 0;           ///< scans that bounded search may look at; 0: no limit
   int jobs = 2;
   std::uint64_t seed = 1;
-  std::uint64_t memory = 0;            ///< bytes; 0: no limit
-  CheckGroups checks;                  ///< what is asked beside the declared properties
-  bool certificates = false;           ///< write out the proofs as SMT-LIB 2
-  bool explains = true;                ///< name what results rest on; without: outcomes and runs only
-  bool evidence = true;                ///< check certificates, shorten witnesses, name networks; without: verdicts only
-  bool usesCone = true;  ///< encode only networks that can have an effect on what is asked (cone_of_influence.hpp)
+  std::uint64_t memory = 0;   ///< bytes; 0: no limit
+  CheckGroups checks;         ///< what is asked beside the declared properties
+  bool certificates = false;  ///< write out the proofs as SMT-LIB 2
+  bool explains = true;       ///< name what results rest on; without: outcomes and runs only
+  bool evidence = true;       ///< check certificates, shorten witnesses, name networks; without: verdicts only
+  bool usesCone = true;       ///< encode only networks that can have an effect on what is asked (cone_of_influence.hpp)
   const UnreadCode* unread = nullptr;  ///< what was left out of the program: all that depends on it is NOT COVERED
   const std::atomic<bool>* cancel = nullptr;  ///< set from outside, as by Ctrl-C: the run ends with what is settled
 };
@@ -40,8 +40,8 @@ struct ProverOptions {
 EncoderOptions encoderOptionsOf(const ProverOptions& options, bool relaxed = false);
 
 struct ProofResult {
-  Property property;  ///< declared; for a built-in check only name and span
-  std::optional<BuiltinCheck> builtin;
+  Property property;  ///< declared; for a question of a rule only name and span
+  std::optional<RuleQuestion> builtin;
   Outcome outcome = Outcome::Unknown;
   std::string method;
   int depth = 0;  ///< scans of the witness, or without a violation

@@ -531,7 +531,7 @@ std::optional<Witness> QuestionSearch::replayedCheck(const TransitionSystem& sys
   std::optional<Witness> witness = run ? asked.witness(program_, options_.choices, *run) : std::nullopt;
   const std::size_t check = question - goals_.size();
   const bool isShownToPeople =
-      options_.evidence && check < exact_->checks().size() && !isRuleQuestion(exact_->checks()[check].kind);
+      options_.evidence && check < exact_->checks().size() && isAskedByProve(*exact_->checks()[check].rule);
   if (!witness || !isShownToPeople || witness->scanCount > minimisedScans || watch_.isStopped()) return witness;
   std::vector<std::vector<bool>> matters;
   if (!asked.dropIdle(*run, matters, minimiseSeconds, options_.seed)) return witness;

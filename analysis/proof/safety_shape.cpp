@@ -74,8 +74,4 @@ bool excludesOutputs(const Property& property) {
          shape.all(root.args[0], outputs);
 }
 
-std::string_view ruleOfViolation(const Property& property) {
-  return excludesOutputs(property) ? "SAF003" : stopShapeOf(property) ? "SAF004" : "SAF001";
-}
-
 }  // namespace rungproof

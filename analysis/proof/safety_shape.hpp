@@ -4,7 +4,6 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "analysis/property.hpp"
@@ -25,8 +24,5 @@ std::optional<StopShape> stopShapeOf(const Property& property);
 
 /// `never Q0.0 and Q0.1` or the like: two or more outputs and nothing else.
 bool excludesOutputs(const Property& property);
-
-/// The rule that a violation of the property belongs to: SAF003, SAF004 or SAF001.
-std::string_view ruleOfViolation(const Property& property);
 
 }  // namespace rungproof

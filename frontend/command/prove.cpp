@@ -8,8 +8,9 @@
 #include <set>
 #include <sstream>
 
-#include "analysis/proof/proof_networks.hpp"
 #include "analysis/equivalence/self_check.hpp"
+#include "analysis/proof/proof_networks.hpp"
+#include "analysis/proof/rule_answers.hpp"
 #include "analysis/rule.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/page/certificate_head.hpp"

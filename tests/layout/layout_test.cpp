@@ -10,6 +10,7 @@
 #include <set>
 #include <sstream>
 
+#include "analysis/rule.hpp"
 #include "ir/isa.hpp"
 
 namespace rungproof {
@@ -23,7 +24,8 @@ const std::map<std::string, std::set<std::string>> roomsBelow = {
     {"engine", {"ir"}},
     {"analysis", {"ir", "engine"}},
     {"analysis/drawing", {"ir", "analysis"}},
-    {"analysis/checks", {"ir", "analysis", "analysis/drawing"}},
+    {"analysis/checks",
+     {"ir", "analysis", "analysis/drawing", "analysis/graph", "analysis/encoding", "analysis/proof"}},
     {"analysis/graph", {"ir", "engine"}},
     {"analysis/bits", {"ir", "analysis/graph"}},
     {"analysis/encoding", {"ir", "engine", "analysis", "analysis/graph", "analysis/bits"}},
@@ -172,6 +174,51 @@ TEST(Layout, OnlyReadersAndPrintersKnowHowInstructionsAreSpelt) {
     }
   }
   EXPECT_GT(knowing, 20u) << "the search no longer finds the readers";
+}
+
+/// Who reads a file, a comment or a baseline tells what is wrong with it on the spot, under the id of a rule that has
+/// its page in analysis/checks.
+bool mayTell(const Source& source, std::string_view id) {
+  static const std::map<std::string, std::set<std::string_view>> told = {
+      {"suppress.cpp", {"SUP001", "SUP002"}},
+      {"baseline.cpp", {"SUP003"}},
+      {"syntax_sink.cpp", {"STY004"}},
+      {"check.cpp", {"GRF001", "GRF003"}},
+      {"drawn_sink.cpp", {"GRF001", "GRF002", "GRF003"}},
+  };
+  const auto found = told.find(source.path.filename().string());
+  return found != told.end() && found->second.contains(id);
+}
+
+/// Ids of rules that stand as a text of their own in the code: `"OUT003"`. Help texts and comments may give examples.
+std::vector<std::string> ruleIdsIn(const std::string& text) {
+  static const std::regex literal("\"([A-Z]{3}[0-9]{3})\"");
+  std::vector<std::string> found;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    if (line.find_first_not_of(' ') == line.find("//")) continue;
+    line = line.substr(0, line.find(" //"));
+    for (std::sregex_iterator i(line.begin(), line.end(), literal), end; i != end; ++i) {
+      if (ruleNamed((*i)[1].str()) != nullptr) found.push_back((*i)[1]);
+    }
+  }
+  return found;
+}
+
+TEST(Layout, ARuleIsOneFileAndNobodyElseKnowsItsId) {
+  EXPECT_EQ(ruleIdsIn("  ask(kind, \"OUT003\", name);  // \"OUT001\"\n  // \"OUT002\"\n"),
+            std::vector<std::string>{"OUT003"});
+  EXPECT_EQ(ruleIdsIn("\"give a rule (ADR001), a group\" \"SYN001\""), std::vector<std::string>{});
+  std::size_t rules = 0;
+  for (const Source& source : sources()) {
+    for (const std::string& id : ruleIdsIn(source.text)) {
+      if (source.folder == "analysis/checks")
+        ++rules;
+      else
+        EXPECT_TRUE(mayTell(source, id)) << source.path << " names " << id;
+    }
+  }
+  EXPECT_GE(rules, allRules().size()) << "the search no longer finds the rules";
 }
 
 /// Lines of the unnamed namespaces of a file that begin in the first column, where declarations stand.

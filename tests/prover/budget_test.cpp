@@ -60,9 +60,10 @@ TEST(Budget, LeavesNothingOpenWhereThereIsEnough) {
 }
 
 TEST(Budget, WhatStopsTheMachineIsAskedBeforeWhatIsOdd) {
-  EXPECT_LT(costOfIgnoring(BuiltinKind::Comparison), costOfIgnoring(BuiltinKind::DoubleCoil));
-  EXPECT_LT(costOfIgnoring(BuiltinKind::SetReset), costOfIgnoring(BuiltinKind::TimerReachable));
-  EXPECT_LT(costOfIgnoring(BuiltinKind::LatchDrops), costOfIgnoring(BuiltinKind::ContactMatters));
+  const auto cost = [](std::string_view rule) { return ruleNamed(rule)->ask.cost; };
+  EXPECT_LT(cost("ARI003"), cost("OUT001"));  // a comparison that stops the CPU, a double coil
+  EXPECT_LT(cost("OUT003"), cost("TIM008"));  // set against reset, a timer that never fires
+  EXPECT_LT(cost("LOG006"), cost("LOG002"));  // a latch that cannot drop out, a contact without effect
 }
 
 TEST(Budget, OpenQuestionsAndDefectsDecideTheExitCode) {

@@ -1,4 +1,6 @@
 // The built-in checks on programs made so that each answer is known beforehand.
+#include <set>
+
 #include "proved_text.hpp"
 
 namespace rungproof::test {
@@ -10,11 +12,16 @@ ProofRun builtins(const ProgramInput& input) {
   return prove(input.program, input.properties, options);
 }
 
-/// Outcomes of the built-in checks of one kind whose name contains `part`.
-std::vector<Outcome> outcomes(const ProofRun& run, BuiltinKind kind, const std::string& part = "") {
+using Rules = std::set<std::string_view>;
+const Rules setAndReset{"OUT003"}, stackLevels{"STK001"}, nesting{"SUB002"}, division{"ARI001"}, firing{"TIM008"},
+    oncePerScan{"TIM004"}, presets{"TIM007"}, operandRange{"PTR001", "PTR004", "PTR005"};
+
+/// Outcomes of those rules' questions whose name contains `part`.
+std::vector<Outcome> outcomes(const ProofRun& run, const Rules& rules, const std::string& part = "") {
   std::vector<Outcome> found;
   for (const ProofResult& result : run.results) {
-    if (result.builtin && result.builtin->kind == kind && result.builtin->name.find(part) != std::string::npos)
+    if (result.builtin && rules.contains(result.builtin->rule->id) &&
+        result.builtin->name.find(part) != std::string::npos)
       found.push_back(result.outcome);
   }
   return found;
@@ -27,7 +34,7 @@ const char* const subroutine =
 TEST(Builtin, SetAndResetInMainAndSubroutine) {
   const ProofRun run =
       builtins(inputOf("", "Network 1\nLD I0.0\nS Q0.0, 1\nNetwork 2\nLD SM0.0\nCALL SBR_0\n", subroutine));
-  EXPECT_EQ(outcomes(run, BuiltinKind::SetReset, "Q0.0"), Outcomes{Outcome::Violated});
+  EXPECT_EQ(outcomes(run, setAndReset, "Q0.0"), Outcomes{Outcome::Violated});
 }
 
 TEST(Builtin, WitnessesShowOnlyInputsThatMatter) {
@@ -36,7 +43,7 @@ TEST(Builtin, WitnessesShowOnlyInputsThatMatter) {
       "",
       "Network 1\nLD I0.0\nS Q0.0, 1\nNetwork 2\nLD I0.1\nR Q0.0, 1\nNetwork 3\nLD I0.2\nA I0.3\nO I0.4\n= Q0.1\n"));
   for (const ProofResult& result : run.results) {
-    if (!result.builtin || result.builtin->kind != BuiltinKind::SetReset) continue;
+    if (!result.builtin || result.builtin->rule->id != "OUT003") continue;
     ASSERT_TRUE(result.witness);
     ASSERT_EQ(result.witness->matters.size(), result.witness->scans.size());
     const ReplayScan& last = result.witness->scans.back();
@@ -55,7 +62,7 @@ TEST(Builtin, SetAndResetUnderOppositeConditionsIsNoConflict) {
   const ProofRun run =
       builtins(inputOf("", "Network 1\nLD I0.0\nS Q0.0, 1\nNetwork 2\nLDN I0.0\nCALL SBR_0\n",
                        "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD SM0.0\nR Q0.0, 1\nEND_SUBROUTINE_BLOCK\n"));
-  for (const Outcome outcome : outcomes(run, BuiltinKind::SetReset, "Q0.0")) EXPECT_EQ(outcome, Outcome::Proved);
+  for (const Outcome outcome : outcomes(run, setAndReset, "Q0.0")) EXPECT_EQ(outcome, Outcome::Proved);
 }
 
 TEST(Builtin, SetInMainAndResetInInterrupt) {
@@ -63,7 +70,7 @@ TEST(Builtin, SetInMainAndResetInInterrupt) {
   const ProofRun run =
       builtins(inputOf("", "Network 1\nLD SM0.1\nATCH INT_0, 0\nENI\nNetwork 2\nLD I0.5\nS M0.0, 1\n",
                        "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nR M0.0, 1\nEND_INTERRUPT_BLOCK\n"));
-  const Outcomes found = outcomes(run, BuiltinKind::SetReset, "M0.0");
+  const Outcomes found = outcomes(run, setAndReset, "M0.0");
   ASSERT_FALSE(found.empty());
   for (const Outcome outcome : found) EXPECT_EQ(outcome, Outcome::Violated);
 }
@@ -72,21 +79,21 @@ TEST(Builtin, SlowTimerSkippedByAJump) {
   // T37 has a resolution of 100 ms; with I0.0 its box is jumped over.
   const ProofRun run = builtins(inputOf(
       "", "Network 1\nLD I0.0\nJMP 1\nNetwork 2\nLD I0.1\nTON T37, 10\nNetwork 3\nLBL 1\nNetwork 4\nLD T37\n= Q0.0\n"));
-  EXPECT_EQ(outcomes(run, BuiltinKind::TimerOncePerScan, "T37"), Outcomes{Outcome::Violated});
+  EXPECT_EQ(outcomes(run, oncePerScan, "T37"), Outcomes{Outcome::Violated});
 }
 
 TEST(Builtin, SlowTimerCalledTwice) {
   const ProofRun run = builtins(inputOf(
       "", "Network 1\nLD SM0.0\nCALL SBR_0\nNetwork 2\nLD I0.7\nCALL SBR_0\n",
       "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\nTON T37, 10\nLD T37\n= Q0.0\nEND_SUBROUTINE_BLOCK\n"));
-  EXPECT_EQ(outcomes(run, BuiltinKind::TimerOncePerScan, "T37"), Outcomes{Outcome::Violated});
+  EXPECT_EQ(outcomes(run, oncePerScan, "T37"), Outcomes{Outcome::Violated});
 }
 
 TEST(Builtin, SlowTimerInEveryScanAndFastTimersAreNoQuestion) {
   const ProofRun run = builtins(inputOf("",
                                         "Network 1\nLD I0.1\nTON T37, 10\nNetwork 2\nLD I0.0\nJMP 1\nNetwork 3\nLD "
                                         "I0.1\nTON T33, 10\nNetwork 4\nLBL 1\n"));
-  EXPECT_EQ(outcomes(run, BuiltinKind::TimerOncePerScan), Outcomes{});
+  EXPECT_EQ(outcomes(run, oncePerScan), Outcomes{});
 }
 
 TEST(Builtin, NestingAtTheLimitAndBeyond) {
@@ -101,8 +108,8 @@ TEST(Builtin, NestingAtTheLimitAndBeyond) {
     }
     return builtins(inputOf("", "Network 1\nLD I0.0\nCALL SBR_0\n", blocks));
   };
-  for (const Outcome outcome : outcomes(chain(8), BuiltinKind::Nesting)) EXPECT_EQ(outcome, Outcome::Proved);
-  const Outcomes tooDeep = outcomes(chain(9), BuiltinKind::Nesting);
+  for (const Outcome outcome : outcomes(chain(8), nesting)) EXPECT_EQ(outcome, Outcome::Proved);
+  const Outcomes tooDeep = outcomes(chain(9), nesting);
   EXPECT_NE(std::count(tooDeep.begin(), tooDeep.end(), Outcome::Violated), 0);
 }
 
@@ -111,20 +118,20 @@ TEST(Builtin, PointerThatMayLeaveItsArea) {
   const ProofRun wide = builtins(inputOf("",
                                          "Network 1\nLD SM0.0\nMOVD &VB0, VD0\nMOVB IB1, VB6\nMOVB 0, VB7\nMOVB 0, "
                                          "VB4\nMOVB 0, VB5\n+D VD4, VD0\nMOVB *VD0, QB0\n"));
-  const Outcomes found = outcomes(wide, BuiltinKind::OperandRange);
+  const Outcomes found = outcomes(wide, operandRange);
   EXPECT_NE(std::count(found.begin(), found.end(), Outcome::Violated), 0);
   // One byte of offset cannot leave it.
   const ProofRun narrow = builtins(inputOf("",
                                            "Network 1\nLD SM0.0\nMOVD &VB0, VD0\nMOVB IB1, VB7\nMOVB 0, VB6\nMOVB 0, "
                                            "VB4\nMOVB 0, VB5\n+D VD4, VD0\nMOVB *VD0, QB0\n"));
-  for (const Outcome outcome : outcomes(narrow, BuiltinKind::OperandRange)) EXPECT_EQ(outcome, Outcome::Proved);
+  for (const Outcome outcome : outcomes(narrow, operandRange)) EXPECT_EQ(outcome, Outcome::Proved);
 }
 
 TEST(Builtin, DivisionIsGuardedOrNot) {
   const ProofRun open = builtins(inputOf("", "Network 1\nLD SM0.0\nMOVW IW0, VW0\n/I IW2, VW0\n"));
-  EXPECT_EQ(outcomes(open, BuiltinKind::Division), Outcomes{Outcome::Violated});
+  EXPECT_EQ(outcomes(open, division), Outcomes{Outcome::Violated});
   const ProofRun guarded = builtins(inputOf("", "Network 1\nLDW<> IW2, 0\nMOVW IW0, VW0\n/I IW2, VW0\n"));
-  for (const Outcome outcome : outcomes(guarded, BuiltinKind::Division)) EXPECT_EQ(outcome, Outcome::Proved);
+  for (const Outcome outcome : outcomes(guarded, division)) EXPECT_EQ(outcome, Outcome::Proved);
 }
 
 TEST(Builtin, TimerThatCanComeOnAndOneThatCannot) {
@@ -132,16 +139,16 @@ TEST(Builtin, TimerThatCanComeOnAndOneThatCannot) {
   // only.
   const ProofRun run = builtins(inputOf(
       "", "Network 1\nLD I0.0\nTON T37, 50\nNetwork 2\nLD I0.1\nEU\nTON T38, 100\nNetwork 3\nLD T37\nO T38\n= Q0.0\n"));
-  EXPECT_EQ(outcomes(run, BuiltinKind::TimerReachable, "T37"), Outcomes{Outcome::Reachable});
-  EXPECT_EQ(outcomes(run, BuiltinKind::TimerResettable, "T37"), Outcomes{Outcome::Reachable});
-  EXPECT_EQ(outcomes(run, BuiltinKind::TimerReachable, "T38"), Outcomes{Outcome::Unreachable});
+  EXPECT_EQ(outcomes(run, firing, "T37 can come on"), Outcomes{Outcome::Reachable});
+  EXPECT_EQ(outcomes(run, firing, "T37 can be reset"), Outcomes{Outcome::Reachable});
+  EXPECT_EQ(outcomes(run, firing, "T38 can come on"), Outcomes{Outcome::Unreachable});
 }
 
 TEST(Builtin, TimerThatIsResetInTheScanInWhichItComesOn) {
   // T5 is on for the contact of network 2 only, which resets it: never at the end of a scan, but it does come on.
   const ProofRun run = builtins(inputOf("", "Network 1\nLD I0.0\nTONR T5, 10\nNetwork 2\nLD T5\nR T5, 1\nINCW VW4\n"));
-  EXPECT_EQ(outcomes(run, BuiltinKind::TimerReachable, "T5"), Outcomes{Outcome::Reachable});
-  EXPECT_EQ(outcomes(run, BuiltinKind::TimerResettable, "T5"), Outcomes{Outcome::Reachable});
+  EXPECT_EQ(outcomes(run, firing, "T5 can come on"), Outcomes{Outcome::Reachable});
+  EXPECT_EQ(outcomes(run, firing, "T5 can be reset"), Outcomes{Outcome::Reachable});
 }
 
 /// MAIN, a subroutine or an interrupt routine with these networks; MAIN calls or attaches it.
@@ -167,10 +174,9 @@ TEST_P(BuiltinIn, LevelsThatTheStackLoses) {
     for (int i = 0; i < joined; ++i) text += "ALD\n";
     return text + "= Q0.0\n";
   };
-  EXPECT_EQ(outcomes(builtinsIn(GetParam(), loads(10, 9)), BuiltinKind::StackLevels, "ALD"),
-            Outcomes{Outcome::Violated});
-  EXPECT_EQ(outcomes(builtinsIn(GetParam(), loads(10, 8)), BuiltinKind::StackLevels), Outcomes{Outcome::Proved});
-  EXPECT_EQ(outcomes(builtinsIn(GetParam(), loads(9, 8)), BuiltinKind::StackLevels), Outcomes{Outcome::Proved});
+  EXPECT_EQ(outcomes(builtinsIn(GetParam(), loads(10, 9)), stackLevels, "ALD"), Outcomes{Outcome::Violated});
+  EXPECT_EQ(outcomes(builtinsIn(GetParam(), loads(10, 8)), stackLevels), Outcomes{Outcome::Proved});
+  EXPECT_EQ(outcomes(builtinsIn(GetParam(), loads(9, 8)), stackLevels), Outcomes{Outcome::Proved});
 }
 
 TEST_P(BuiltinIn, LevelsLostOnOnePathOnly) {
@@ -180,23 +186,22 @@ TEST_P(BuiltinIn, LevelsLostOnOnePathOnly) {
   for (int i = 0; i < 8; ++i) head += "LD I0." + std::to_string(i) + "\n";
   for (int i = 0; i < 8; ++i) tail += "ALD\n";
   const std::string lost = head + "LD I1.0\nJMP 1\nLD I1.1\nLBL 1\n" + tail + "ALD\n= Q0.0\n";
-  const Outcomes ofLost = outcomes(builtinsIn(GetParam(), lost), BuiltinKind::StackLevels, "ALD");
+  const Outcomes ofLost = outcomes(builtinsIn(GetParam(), lost), stackLevels, "ALD");
   EXPECT_EQ(std::count(ofLost.begin(), ofLost.end(), Outcome::Violated), 1);
   const std::string never = head + "LD I1.0\nON I1.0\nJMP 1\nLD I1.1\nLBL 1\n" + tail + "= Q0.0\n";
-  for (const Outcome outcome : outcomes(builtinsIn(GetParam(), never), BuiltinKind::StackLevels))
+  for (const Outcome outcome : outcomes(builtinsIn(GetParam(), never), stackLevels))
     EXPECT_EQ(outcome, Outcome::Proved);
 }
 
 TEST_P(BuiltinIn, SetAndReset) {
   // An interrupt routine may run twice in a scan: then each of the two can be the last one.
-  const Outcomes both =
-      outcomes(builtinsIn(GetParam(), "Network 1\nLD I0.1\nS M0.0, 1\nNetwork 2\nLD I0.2\nR M0.0, 1\n"),
-               BuiltinKind::SetReset, "M0.0");
+  const Outcomes both = outcomes(
+      builtinsIn(GetParam(), "Network 1\nLD I0.1\nS M0.0, 1\nNetwork 2\nLD I0.2\nR M0.0, 1\n"), setAndReset, "M0.0");
   EXPECT_FALSE(both.empty());
   for (const Outcome outcome : both) EXPECT_EQ(outcome, Outcome::Violated);
   for (const Outcome outcome :
-       outcomes(builtinsIn(GetParam(), "Network 1\nLD I0.1\nS M0.0, 1\nNetwork 2\nLDN I0.1\nR M0.0, 1\n"),
-                BuiltinKind::SetReset, "M0.0"))
+       outcomes(builtinsIn(GetParam(), "Network 1\nLD I0.1\nS M0.0, 1\nNetwork 2\nLDN I0.1\nR M0.0, 1\n"), setAndReset,
+                "M0.0"))
     EXPECT_EQ(outcome, Outcome::Proved);
 }
 
@@ -206,13 +211,13 @@ TEST_P(BuiltinIn, CountsTablesAndStringsThatLeaveTheirArea) {
     return "Network 1\nLDB<= IB1, " + limit +
            "\nAB>= IB1, 1\nFILL 0, VW10000, 120\nMOVB IB1, VB0\nBMW VW100, VW10000, VB0\n";
   };
-  const Outcomes wide = outcomes(builtinsIn(GetParam(), fill("200")), BuiltinKind::OperandRange, "BMW");
+  const Outcomes wide = outcomes(builtinsIn(GetParam(), fill("200")), operandRange, "BMW");
   EXPECT_NE(std::count(wide.begin(), wide.end(), Outcome::Violated), 0);
-  for (const Outcome outcome : outcomes(builtinsIn(GetParam(), fill("100")), BuiltinKind::OperandRange, "BMW"))
+  for (const Outcome outcome : outcomes(builtinsIn(GetParam(), fill("100")), operandRange, "BMW"))
     EXPECT_EQ(outcome, Outcome::Proved);
   // A string index of 0 is error 009B (001:13972).
   const auto part = [](const std::string& guard) { return "Network 1\n" + guard + "SSCPY VB100, IB1, 2, VB200\n"; };
-  const Outcomes zero = outcomes(builtinsIn(GetParam(), part("LD I0.0\n")), BuiltinKind::OperandRange, "SSCPY");
+  const Outcomes zero = outcomes(builtinsIn(GetParam(), part("LD I0.0\n")), operandRange, "SSCPY");
   EXPECT_NE(std::count(zero.begin(), zero.end(), Outcome::Violated), 0);
 }
 
@@ -222,8 +227,8 @@ TEST_P(BuiltinIn, PointersThatLeaveTheirArea) {
     return "Network 1\nLD I0.0\nMOVD &" + start +
            ", AC1\nITD IW4, AC0\n+D AC0, AC1\nLDW>= IW4, 0\nAW<= IW4, 12\nA I0.0\nMOVB IB0, *AC1\n";
   };
-  EXPECT_EQ(outcomes(builtinsIn(GetParam(), table("VB10230")), BuiltinKind::OperandRange), Outcomes{Outcome::Violated});
-  for (const Outcome outcome : outcomes(builtinsIn(GetParam(), table("VB10200")), BuiltinKind::OperandRange))
+  EXPECT_EQ(outcomes(builtinsIn(GetParam(), table("VB10230")), operandRange), Outcomes{Outcome::Violated});
+  for (const Outcome outcome : outcomes(builtinsIn(GetParam(), table("VB10200")), operandRange))
     EXPECT_EQ(outcome, Outcome::Proved);
   const std::string ring =
       "Network 1\nLD SM0.0\nLPS\nAD= VD40, 0\nMOVD &VB10235, VD40\nLPP\nMOVB IB0, *VD40\nINCD VD40\n"
@@ -231,7 +236,7 @@ TEST_P(BuiltinIn, PointersThatLeaveTheirArea) {
   // A routine may run more often at one place than is followed: what the ring holds then is any value, so nothing is
   // decided there.
   const Outcome expected = GetParam() == std::string("INT") ? Outcome::NotCovered : Outcome::Proved;
-  for (const Outcome outcome : outcomes(builtinsIn(GetParam(), ring), BuiltinKind::OperandRange, "MOVB"))
+  for (const Outcome outcome : outcomes(builtinsIn(GetParam(), ring), operandRange, "MOVB"))
     EXPECT_EQ(outcome, expected);
 }
 
@@ -239,8 +244,8 @@ TEST_P(BuiltinIn, DivisionByZero) {
   const ProofRun run = builtinsIn(GetParam(),
                                   "Network 1\nLD I0.0\nMOVW 100, VW0\n/I IW4, VW0\n"
                                   "Network 2\nLDW<> IW6, 0\nMOVW 100, VW2\n/I IW6, VW2\n");
-  EXPECT_EQ(outcomes(run, BuiltinKind::Division, "/I IW4"), Outcomes{Outcome::Violated});
-  for (const Outcome outcome : outcomes(run, BuiltinKind::Division, "/I IW6")) EXPECT_EQ(outcome, Outcome::Proved);
+  EXPECT_EQ(outcomes(run, division, "/I IW4"), Outcomes{Outcome::Violated});
+  for (const Outcome outcome : outcomes(run, division, "/I IW6")) EXPECT_EQ(outcome, Outcome::Proved);
 }
 
 TEST_P(BuiltinIn, TableLengthOutOfRange) {
@@ -248,26 +253,26 @@ TEST_P(BuiltinIn, TableLengthOutOfRange) {
   const auto filled = [](const std::string& length) {
     return "Network 1\nLD SM0.0\nMOVW " + length + ", VW10000\nATT IW4, VW10000\n";
   };
-  const Outcomes open = outcomes(builtinsIn(GetParam(), filled("IW6")), BuiltinKind::OperandRange, "ATT");
+  const Outcomes open = outcomes(builtinsIn(GetParam(), filled("IW6")), operandRange, "ATT");
   EXPECT_NE(std::count(open.begin(), open.end(), Outcome::Violated), 0);
-  for (const Outcome outcome : outcomes(builtinsIn(GetParam(), filled("50")), BuiltinKind::OperandRange, "ATT"))
+  for (const Outcome outcome : outcomes(builtinsIn(GetParam(), filled("50")), operandRange, "ATT"))
     EXPECT_EQ(outcome, Outcome::Proved);
 }
 
 TEST_P(BuiltinIn, PresetOutOfRange) {
-  EXPECT_EQ(outcomes(builtinsIn(GetParam(), "Network 1\nLD I0.0\nTON T33, IW2\n"), BuiltinKind::Preset),
+  EXPECT_EQ(outcomes(builtinsIn(GetParam(), "Network 1\nLD I0.0\nTON T33, IW2\n"), presets),
             Outcomes{Outcome::Violated});
-  EXPECT_EQ(outcomes(builtinsIn(GetParam(), "Network 1\nLDW> IW2, 0\nTON T33, IW2\n"), BuiltinKind::Preset),
+  EXPECT_EQ(outcomes(builtinsIn(GetParam(), "Network 1\nLDW> IW2, 0\nTON T33, IW2\n"), presets),
             Outcomes{Outcome::Proved});
-  EXPECT_EQ(outcomes(builtinsIn(GetParam(), "Network 1\nLD I0.0\nLD I0.1\nCTU C1, IW2\n"), BuiltinKind::Preset),
+  EXPECT_EQ(outcomes(builtinsIn(GetParam(), "Network 1\nLD I0.0\nLD I0.1\nCTU C1, IW2\n"), presets),
             Outcomes{Outcome::Violated});
 }
 
 TEST_P(BuiltinIn, TimerThatFiresAndOneThatNeverDoes) {
   const ProofRun run =
       builtinsIn(GetParam(), "Network 1\nLD I0.0\nTON T33, 5\nNetwork 2\nLD I0.1\nAN I0.1\nTON T34, 5\n");
-  EXPECT_EQ(outcomes(run, BuiltinKind::TimerReachable, "T33"), Outcomes{Outcome::Reachable});
-  EXPECT_EQ(outcomes(run, BuiltinKind::TimerReachable, "T34"), Outcomes{Outcome::Unreachable});
+  EXPECT_EQ(outcomes(run, firing, "T33 can come on"), Outcomes{Outcome::Reachable});
+  EXPECT_EQ(outcomes(run, firing, "T34 can come on"), Outcomes{Outcome::Unreachable});
 }
 
 TEST(Builtin, LoopBeyondTheLimitLeavesProofsOpen) {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "analysis/proof/prover.hpp"
+#include "analysis/proof/rule_answers.hpp"
 #include "frontend/program_input.hpp"
 
 namespace rungproof::test {
@@ -40,6 +40,14 @@ inline const ProofResult* resultNamed(const ProofRun& run, const std::string& na
 inline Outcome outcomeOf(const ProofRun& run, const std::string& name) {
   const ProofResult* result = resultNamed(run, name);
   return result == nullptr ? Outcome::Unknown : result->outcome;
+}
+
+/// The rule that tells of the property when a run breaks it.
+inline const Rule* ruleOfViolation(const Property& property) {
+  ProofResult result;
+  result.property = property;
+  result.outcome = Outcome::Violated;
+  return ruleOf(result);
 }
 
 inline bool hasNote(const ProofResult& result, const std::string& part) {

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "analysis/lint.hpp"
-#include "analysis/proof/safety_shape.hpp"
 #include "analysis/rule.hpp"
 #include "frontend/solver_rules.hpp"
 #include "proved_text.hpp"
@@ -380,7 +379,7 @@ TEST(SafetyShape, IsReadFromTheStatement) {
   const auto rule = [](const std::string& statement) {
     const ProgramInput input = inputOf("//@ prove p: " + statement + "\n", "Network 1\nLD I0.0\n= Q0.0\n");
     return input.properties.properties.empty() ? std::string_view("none")
-                                               : ruleOfViolation(input.properties.properties[0]);
+                                               : ruleOfViolation(input.properties.properties[0])->id;
   };
   EXPECT_EQ(rule("never Q0.0 and Q0.1"), "SAF003");
   EXPECT_EQ(rule("not (Q0.0 and Q0.1)"), "SAF003");

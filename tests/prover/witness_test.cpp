@@ -73,9 +73,8 @@ TEST(Witness, MarksAnalogInputsOfBuiltinChecks) {
   ProverOptions options = usualOptions();
   options.checks.builtin = true;
   const ProofRun run = prove(input.program, input.properties, options);
-  const auto division = std::find_if(run.results.begin(), run.results.end(), [](const ProofResult& r) {
-    return r.builtin && r.builtin->kind == BuiltinKind::Division;
-  });
+  const auto division = std::find_if(run.results.begin(), run.results.end(),
+                                     [](const ProofResult& r) { return r.builtin && r.builtin->rule->id == "ARI001"; });
   ASSERT_TRUE(division != run.results.end() && division->witness);
   ASSERT_EQ(division->witness->matters.size(), division->witness->scans.size());
   for (std::size_t i = 0; i < division->witness->scans.size(); ++i)
