@@ -35,7 +35,10 @@ Exit finish(const Context& context, Report report) {
     const Reporter* reporter = reporterNamed(output.name);
     CHECK(reporter != nullptr, "formats are checked when the command line is read");
     std::ostringstream text;
-    reporter->write(report, {context.color && output.file.empty(), context.settings.flag(Opt::Quiet)}, text);
+    reporter->write(
+        report,
+        {context.color && output.file.empty(), context.settings.flag(Opt::Quiet), context.settings.flag(Opt::Verbose)},
+        text);
     if (!context.write(output, text.view())) exit = Exit::Failed;
   }
   return exit;

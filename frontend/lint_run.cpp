@@ -40,6 +40,7 @@ Report lintProgram(const Settings& settings, const ProgramInput& input, const st
       open = settleBySolver({unread.executable(), input.properties}, options, isSelected, report.findings);
     report.coverage.leftOut = std::move(open.lines);
     report.coverage.open = open.count;
+    report.techniques = open.techniques;
     report.defects = std::move(open.defects);
   }
   const PlaceIndex places(program);

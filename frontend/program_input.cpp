@@ -166,6 +166,10 @@ void ReportMerger::add(const Report& part) {
     if (std::find(report_.files.begin(), report_.files.end(), file) == report_.files.end())
       report_.files.push_back(file);
   }
+  if (part.techniques) {
+    if (!report_.techniques) report_.techniques.emplace();
+    ::rungproof::add(*report_.techniques, *part.techniques);
+  }
   report_.suppressed += part.suppressed;
   report_.baselined += part.baselined;
 }

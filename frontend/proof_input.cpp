@@ -21,6 +21,7 @@ ProverOptions proverOptionsOf(const Settings& settings) {
   options.bound = static_cast<int>(settings.number(Opt::Bound, 0));
   options.jobs = static_cast<int>(settings.number(Opt::Jobs, 2));
   options.seed = static_cast<std::uint64_t>(settings.number(Opt::Seed, 1));
+  for (const std::string& name : settings.list(Opt::Without)) options.techniques.leaveOut(techniqueNamed(name)->id);
   return options;
 }
 

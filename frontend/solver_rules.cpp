@@ -8,12 +8,11 @@
 #include <map>
 
 #include "analysis/proof/rule_answers.hpp"
+#include "analysis/schedule/schedule.hpp"
 
 namespace rungproof {
 
 namespace {
-
-constexpr double shareOfRules = 0.75;  ///< of the time, for all but power-up
 
 /// Counts by rule what stays open.
 class OpenCount {
@@ -21,6 +20,7 @@ class OpenCount {
   explicit OpenCount(const std::function<bool(std::string_view)>& isSelected) : isSelected_(isSelected) {}
 
   void add(const ProofRun& run) {
+    rungproof::add(open_.techniques, run.techniques);
     for (const ProofResult& result : run.results) {
       const std::string rule = result.builtin ? std::string(result.builtin->rule->id) : result.property.name;
       if (result.builtin && !isSelected_(rule)) continue;
@@ -67,7 +67,7 @@ OpenQuestions settleBySolver(const ProgramInput& input, const ProverOptions& opt
   };
   const bool asksPowerUp = areAsked(asked::PowerUp);
   questions.checks = {.builtin = true, .lint = areAsked(asked::Lint), .rules = known};
-  if (asksPowerUp) questions.total *= shareOfRules;
+  if (asksPowerUp) questions.total *= schedule::rulesShare;
   OpenCount open(isSelected);
   const ProofRun rules = prove(input.program, input.properties, questions);
   open.add(rules);

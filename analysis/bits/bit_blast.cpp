@@ -4,13 +4,12 @@
 #include <algorithm>
 
 #include "analysis/graph/evaluate.hpp"
+#include "analysis/schedule/schedule.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
 
-namespace {
-constexpr std::size_t gatesBetweenLooks = 10000;  ///< at the clock
-}  // namespace
+namespace {}  // namespace
 
 BitBlast::BitBlast(const TransitionSystem& system, const std::vector<std::size_t>& questions,
                    const std::vector<Node>& extra, const Budget* budget)
@@ -84,7 +83,7 @@ void BitBlast::collectCone(const std::vector<Node>& roots, const std::unordered_
   for (std::size_t i = 0; i < inCone.size(); ++i) {
     if (!inCone[i] || graph_[static_cast<Node>(i)].op == Op::Variable) continue;
     blast(static_cast<Node>(i));
-    if (budget == nullptr || bits_.gates.size() < gates + gatesBetweenLooks) continue;
+    if (budget == nullptr || bits_.gates.size() < gates + schedule::gatesBetweenLooks) continue;
     gates = bits_.gates.size();
     if (budget->isExhausted()) throw OutOfBudget{};
   }

@@ -5,6 +5,7 @@
 
 #include "analysis/bits/bit_cnf.hpp"
 #include "analysis/bits/bit_simulator.hpp"
+#include "analysis/schedule/schedule.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
@@ -173,7 +174,7 @@ std::optional<BitTrace> completeTrace(const BitSystem& system, const BitCone& co
   Sat sat(Sat::Use::Many);
   BitCnf cnf(system, sat);
   for (const Lit constraint : system.constraints) sat.add({cnf.literal(constraint)});
-  const Budget budget = Budget::seconds(3600);
+  const Budget budget = Budget::seconds(schedule::completionSeconds);
   std::vector<bool> scan(system.inputs.size(), false);
   std::vector<bool> isFixed(system.inputs.size(), false);
   for (const std::uint32_t i : cone.inputs) isFixed[i] = true;

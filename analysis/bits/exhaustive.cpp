@@ -8,17 +8,12 @@
 
 #include "analysis/bits/bit_simulator.hpp"
 #include "analysis/bits/bit_unrolling.hpp"
+#include "analysis/schedule/schedule.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
 
 namespace {
-
-constexpr std::size_t stateLimit = 4U << 20U;
-constexpr std::size_t inputLimit = 12;
-constexpr std::size_t freeLimit = 16;    ///< latches of unknown initial value
-constexpr std::size_t latchLimit = 64;   ///< a state is one word
-constexpr std::size_t gateLimit = 3000;  ///< of a certificate that another solver can still check
 
 using State = std::uint64_t;  ///< bit i: latch i
 
@@ -27,7 +22,8 @@ class Exhaustive final : public Engine {
   Exhaustive(const BitSystem& system, const EngineOptions&) : system_(system), simulator_(system) {
     std::size_t freeLatches = 0;
     for (const Latch& latch : system.latches) freeLatches += latch.init == LatchInit::Free ? 1 : 0;
-    tooLarge_ = system.latches.size() > latchLimit || system.inputs.size() > inputLimit || freeLatches > freeLimit;
+    tooLarge_ = system.latches.size() > schedule::explicitLatches || system.inputs.size() > schedule::explicitInputs ||
+                freeLatches > schedule::explicitFree;
     if (!tooLarge_) addInitialStates();
   }
 
@@ -39,11 +35,11 @@ class Exhaustive final : public Engine {
     while (!tooLarge_ && done_ < states_.size()) {
       if (++batches_ % 64 == 0 && budget.isExhausted()) return verdict;
       if (expand(verdict)) return verdict;
-      if (states_.size() > stateLimit) tooLarge_ = true;
+      if (states_.size() > schedule::explicitStates) tooLarge_ = true;
     }
     if (tooLarge_) return verdict;
     Certificate evidence = certificate();
-    tooLarge_ = evidence.gates.size() > gateLimit;
+    tooLarge_ = evidence.gates.size() > schedule::explicitGates;
     if (tooLarge_) return verdict;
     verdict.answer = Answer::Proved;
     verdict.certificate = std::move(evidence);

@@ -10,17 +10,12 @@
 
 #include "analysis/bits/bit_simulator.hpp"
 #include "analysis/bits/bit_unrolling.hpp"
+#include "analysis/schedule/schedule.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
 
 namespace {
-
-constexpr int longestHeldRun = 1 << 17;               ///< scans
-constexpr std::size_t gatesOfHeldRuns = 300'000'000;  ///< evaluated at most: about half a second
-constexpr std::size_t largestUnrolled = 200'000;      ///< gates of one scan; larger systems are left to others
-constexpr std::size_t lanesOfOneKind = 32;            ///< runs whose inputs stay; as many take turns
-constexpr std::size_t latchesTried = 256;
 
 class HeldInputs final : public Engine {
  public:
@@ -29,7 +24,7 @@ class HeldInputs final : public Engine {
   Verdict advance(const Budget& budget) override {
     Verdict verdict;
     verdict.method = "held inputs";
-    if (system_.gates.size() > largestUnrolled || system_.latches.empty()) isExhausted_ = true;
+    if (system_.gates.size() > schedule::largestUnrolled || system_.latches.empty()) isExhausted_ = true;
     if (!isExhausted_ && !areChosen_) choose(budget);
     while (!isExhausted_ && areChosen_ && !budget.isExhausted()) {
       const std::size_t turn = static_cast<std::size_t>(scan_) % 2;
@@ -48,7 +43,7 @@ class HeldInputs final : public Engine {
       }
       ++scan_;
       const std::size_t done = static_cast<std::size_t>(scan_) * (system_.gates.size() + system_.latches.size());
-      isExhausted_ = live_ == 0 || scan_ >= longestHeldRun || done > gatesOfHeldRuns;
+      isExhausted_ = live_ == 0 || scan_ >= schedule::longestHeldRun || done > schedule::gatesOfHeldRuns;
       simulator_.step();
     }
     return verdict;
@@ -61,12 +56,12 @@ class HeldInputs final : public Engine {
   /// Goes on with the next latch when there is time again.
   void choose(const Budget& budget) {
     if (!sat_) prepare();
-    const std::size_t questions = 2 * std::min(latchesTried, system_.latches.size());
+    const std::size_t questions = 2 * std::min(schedule::latchesTried, system_.latches.size());
     for (; asked_ < questions && !budget.isExhausted(); ++asked_) {
       const std::size_t latch = asked_ / 2;
       const bool isHeld = asked_ % 2 == 0;
       std::set<Choice>& found = isHeld ? held_ : turning_;
-      if (found.size() >= lanesOfOneKind) continue;
+      if (found.size() >= schedule::lanesOfOneKind) continue;
       // Held: from one scan to the next. In turns: from a scan to the second one after it.
       const Lit l = positive(system_.latches[latch].variable);
       const Lit changes = unrolling_->graph().addXor(unrolling_->at(isHeld ? 1 : 0, l), unrolling_->at(2, l));

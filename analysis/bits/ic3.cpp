@@ -6,13 +6,12 @@
 #include <queue>
 
 #include "analysis/bits/ic3_frames.hpp"
+#include "analysis/schedule/schedule.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
 
 namespace {
-
-constexpr int ctgLimit = 3;  ///< counterexamples to generalisation looked at for one literal
 
 struct Obligation {
   Ic3State state;
@@ -127,7 +126,7 @@ class Ic3 final : public Engine {
       const Ic3State state = frames_.predecessor(cube);
       const Cube& spoiler = state.latches;
       Cube spoilerCore;
-      if (spoilers < ctgLimit && level > 0 && !frames_.meetsInitial(spoiler) &&
+      if (spoilers < schedule::ctgLimit && level > 0 && !frames_.meetsInitial(spoiler) &&
           frames_.isInductive(spoiler, level - 1, true, &spoilerCore)) {
         ++spoilers;
         int high = level;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "analysis/schedule/schedule.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
@@ -183,7 +184,7 @@ void Ic3Frames::addLemma(const Cube& cube, int level) {
     alive += frames_[i].size();
   }
   frames_[level].push_back(cube);
-  bump_ *= 1.05;
+  bump_ *= schedule::activityGrowth;
   for (const Lit l : cube) activity_[variableOf(l)] += bump_;
   if (bump_ > 1e100) {
     for (double& a : activity_) a *= 1e-100;

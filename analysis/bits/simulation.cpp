@@ -6,14 +6,12 @@
 
 #include "analysis/bits/bit_unrolling.hpp"
 #include "analysis/bits/simulation_runs.hpp"
+#include "analysis/schedule/schedule.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
 
 namespace {
-
-constexpr int longestEpisode = 1 << 16;          ///< scans
-constexpr std::size_t memoryLimit = 16U << 20U;  ///< recorded input words of one episode
 
 class Simulation final : public Engine {
  public:
@@ -45,7 +43,7 @@ class Simulation final : public Engine {
         CHECK(isViolation(system_, *verdict.trace), "a simulated run does not violate the property");
         return verdict;
       }
-      if (scan_ >= length_ || record_.size() + inputs > memoryLimit)
+      if (scan_ >= length_ || record_.size() + inputs > schedule::episodeWords)
         endEpisode();
       else
         runs_.step();
@@ -56,7 +54,7 @@ class Simulation final : public Engine {
  private:
   void endEpisode() {
     scan_ = 0;
-    if (++episodes_ % 2 == 0) length_ = std::min(length_ * 2, longestEpisode);
+    if (++episodes_ % 2 == 0) length_ = std::min(length_ * 2, schedule::longestEpisode);
   }
 
   BitTrace traceOf(int lane) const {

@@ -3,13 +3,12 @@
 #include "analysis/bits/simulation_runs.hpp"
 
 #include "analysis/bits/bit_unrolling.hpp"
+#include "analysis/schedule/schedule.hpp"
 
 namespace rungproof {
 
 namespace {
 constexpr std::uint64_t everyScan = 0x1111111111111111ULL;  ///< lanes that change inputs in every scan
-constexpr int redraws = 3;
-constexpr int sampleCount = 8;
 }  // namespace
 
 SimulationRuns::SimulationRuns(const BitSystem& system, std::uint64_t seed)
@@ -51,8 +50,8 @@ bool SimulationRuns::choose() {
   }
   simulator_.evaluate();
   std::uint64_t wrong = violating();
-  for (int attempt = 0; wrong != 0 && attempt < redraws + 1; ++attempt) {
-    const bool keep = attempt == redraws;
+  for (int attempt = 0; wrong != 0 && attempt < schedule::redraws + 1; ++attempt) {
+    const bool keep = attempt == schedule::redraws;
     for (std::size_t i = 0; i < before.size(); ++i) {
       simulator_.setInput(i, (simulator_.input(i) & ~wrong) | ((keep ? before[i] : random_()) & wrong));
     }
@@ -81,8 +80,8 @@ void SimulationRuns::collectSamples() {
   Sat sat(Sat::Use::Many);
   BitCnf cnf(unrolling.graph(), sat);
   for (const Lit constraint : system_.constraints) sat.add({cnf.literal(unrolling.at(0, constraint))});
-  const Budget budget = Budget::seconds(0.5);
-  for (int round = 0; round < sampleCount; ++round) {
+  const Budget budget = Budget::seconds(schedule::inputSampleSeconds);
+  for (int round = 0; round < schedule::inputSamples; ++round) {
     for (const std::uint32_t v : system_.inputs) {
       const int l = cnf.known(unrolling.at(0, positive(v)));
       const bool value = round == 0 || (round > 1 && (random_() & 1U) != 0);

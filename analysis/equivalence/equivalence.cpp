@@ -14,9 +14,9 @@
 #include "analysis/equivalence/pair_exploration.hpp"
 #include "analysis/equivalence/scan_length.hpp"
 #include "analysis/portfolio/portfolio.hpp"
-#include "analysis/proof/unfollowed_routine.hpp"
 #include "analysis/proof/proof_side.hpp"
 #include "analysis/proof/proof_watch.hpp"
+#include "analysis/proof/unfollowed_routine.hpp"
 #include "analysis/proof/witness.hpp"
 
 namespace rungproof {
@@ -87,6 +87,7 @@ class ProgramComparison {
     portfolio.seed = options_.prover.seed;
     portfolio.bound = options_.prover.bound;
     portfolio.memory = options_.prover.memory;
+    portfolio.techniques = options_.prover.techniques;
     portfolio.check = options_.prover.evidence;
     portfolio.cancel = &cancel;
     portfolio.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(

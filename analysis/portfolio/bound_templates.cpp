@@ -10,20 +10,11 @@
 
 #include "analysis/bits/simulation_runs.hpp"
 #include "analysis/graph/evaluate.hpp"
+#include "analysis/schedule/schedule.hpp"
 
 namespace rungproof {
 
 namespace {
-
-constexpr int templateScans = 24;         ///< of random runs on which increments are compared
-constexpr std::size_t comparedBits = 24;  ///< of increments
-constexpr std::size_t groupLimit = 10;    ///< words of one increment
-constexpr std::size_t guardLimit = 14;    ///< conditions for one pair of words, each also negated
-constexpr std::size_t nearGuards = 6;     ///< the same while few bounds are looked for
-constexpr std::size_t fewGuards = 4;      ///< the same for words that tell less about each other
-constexpr int smallWidth = 10;            ///< of words whose range is looked for without condition
-constexpr std::size_t stopLimit = 3;
-constexpr std::size_t templateLimit = 1600;
 
 class TemplateSearch {
  public:
@@ -48,7 +39,7 @@ class TemplateSearch {
     if (scope_ == BoundScope::Pending) collectEnds();
     for (const std::uint32_t state : order_) {
       const Node n = word(state);
-      if (widthOf(n) > 1 && widthOf(n) <= smallWidth)
+      if (widthOf(n) > 1 && widthOf(n) <= schedule::smallWidth)
         templates_.push_back({noNode, noNode, graph_.make(Op::Zext, widthOf(n) + 1, n)});
     }
     const std::vector<std::vector<std::size_t>> all = groups();
@@ -60,7 +51,7 @@ class TemplateSearch {
         for (const std::size_t x : group) {
           for (const std::size_t y : group) {
             if (x != y && (words_[x].sum.isPending ? 1 : 0) + (words_[y].sum.isPending ? 1 : 0) == pending)
-              pair(static_cast<int>(x), static_cast<int>(y), pending == 1 ? clockGuards() : fewGuards);
+              pair(static_cast<int>(x), static_cast<int>(y), pending == 1 ? clockGuards() : schedule::fewGuards);
           }
         }
       }
@@ -70,12 +61,12 @@ class TemplateSearch {
         }
       }
     }
-    if (templates_.size() > templateLimit) templates_.resize(templateLimit);
+    if (templates_.size() > schedule::templateLimit) templates_.resize(schedule::templateLimit);
     return {std::move(words_), std::move(templates_)};
   }
 
  private:
-  std::size_t clockGuards() const { return scope_ == BoundScope::Few ? nearGuards : guardLimit; }
+  std::size_t clockGuards() const { return scope_ == BoundScope::Few ? schedule::nearGuards : schedule::guardLimit; }
   Node word(std::size_t state) const { return system_.states[state].node; }
   int widthOf(Node n) const { return graph_[n].width; }
 
@@ -108,8 +99,8 @@ class TemplateSearch {
     if (!found || !isBlasted(found->sum.increment)) return;
     found->sum.isPending = dependsOnStatesOnly(found->sum.increment);
     found->stops.assign(constants.begin(), constants.end());
-    if (found->stops.size() > stopLimit)
-      found->stops.erase(found->stops.begin() + 1, found->stops.end() - (stopLimit - 1));
+    if (found->stops.size() > schedule::stopLimit)
+      found->stops.erase(found->stops.begin() + 1, found->stops.end() - (schedule::stopLimit - 1));
     words_.push_back(std::move(*found));
   }
   bool isBlasted(Node n) const { return blast_.contains(n); }
@@ -133,10 +124,10 @@ class TemplateSearch {
     std::vector<std::vector<std::uint64_t>> seen(words_.size());  // by scan, then bit
     SimulationRuns runs(blast_.bits(), seed_);
     int done = 0;
-    for (; done < templateScans && !budget_.isExhausted() && runs.choose(); ++done) {
+    for (; done < schedule::templateScans && !budget_.isExhausted() && runs.choose(); ++done) {
       for (std::size_t i = 0; i < words_.size(); ++i) {
         const LitVector& bits = blast_.of(words_[i].sum.increment);
-        for (std::size_t bit = 0; bit < comparedBits; ++bit)
+        for (std::size_t bit = 0; bit < schedule::comparedBits; ++bit)
           seen[i].push_back(bit < bits.size() ? runs.simulator().value(bits[bit]) : 0);
       }
       runs.step();
@@ -144,16 +135,16 @@ class TemplateSearch {
     for (std::size_t i = 0; i < words_.size() && done > 0; ++i) {
       // A pending increment of one scan is that of the scan before.
       if (words_[i].sum.isPending)
-        seen[i].erase(seen[i].begin(), seen[i].begin() + comparedBits);
+        seen[i].erase(seen[i].begin(), seen[i].begin() + schedule::comparedBits);
       else
-        seen[i].resize(seen[i].size() - comparedBits);
+        seen[i].resize(seen[i].size() - schedule::comparedBits);
       for (std::uint64_t& lanes : seen[i]) lanes &= runs.live();
     }
     std::map<std::vector<std::uint64_t>, std::vector<std::size_t>> byIncrement;
     for (std::size_t i = 0; i < words_.size(); ++i) byIncrement[seen[i]].push_back(i);
     std::vector<std::vector<std::size_t>> result;
     for (auto& [increments, group] : byIncrement) {
-      if (group.size() > groupLimit) group.resize(groupLimit);
+      if (group.size() > schedule::incrementGroup) group.resize(schedule::incrementGroup);
       result.push_back(std::move(group));
     }
     return result;
@@ -259,7 +250,7 @@ class TemplateSearch {
       if (!x.sum.isPending) continue;
       std::vector<std::uint64_t>& ends = ends_[x.state];
       for (const Node n : cone) {
-        if (!isComparison(graph_[n].op) || ends.size() == stopLimit) continue;
+        if (!isComparison(graph_[n].op) || ends.size() == schedule::stopLimit) continue;
         for (std::size_t side = 0; side < 2; ++side) {
           const NodeData& limit = graph_[graph_[n].child[side]];
           if (limit.op != Op::Constant || limit.value < 2 || !isNextOf(graph_[n].child[1 - side], x)) continue;

@@ -14,17 +14,13 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "analysis/schedule/schedule.hpp"
+
 namespace rungproof {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr double quickSeconds = 3;  ///< for a plain strategy that starts fast, before Z3's own for QF_BV
-
-constexpr double jointSeconds = 0.3;     ///< for several formulas at once
-constexpr std::size_t smallSize = 1000;  ///< numbers in the form of a formula that is checked with others
-constexpr std::size_t jointSize = 2000;  ///< of all formulas that are checked at once
 
 /// The address sanitizer reserves more memory than any limit allows.
 #ifdef __SANITIZE_ADDRESS__
@@ -42,7 +38,7 @@ z3::solver quickSolver(z3::context& context) {
 
 CheckResult checkFormula(z3::context& context, const z3::expr& formula, double seconds) {
   for (const bool quick : {true, false}) {
-    const double limit = quick ? std::min(seconds, quickSeconds) : seconds;
+    const double limit = quick ? std::min(seconds, schedule::plainCheckSeconds) : seconds;
     if (limit <= 0) return CheckResult::Unknown;
     z3::solver solver = quick ? quickSolver(context) : z3::solver(context, "QF_BV");
     z3::params params(context);
@@ -140,7 +136,7 @@ class GateForms {
     z3::expr_vector together(context_);
     std::vector<Known*> taken;
     std::size_t size = 0;
-    for (; i < forms_.size() && size < jointSize; ++i) {
+    for (; i < forms_.size() && size < schedule::jointFormulas; ++i) {
       if (!isOpen(i)) continue;
       const z3::expr formula = formulas_.arg(static_cast<unsigned>(i) + 1);
       forms_[i]->second.isTried = true;
@@ -149,7 +145,8 @@ class GateForms {
       together.push_back(formula);
       taken.push_back(&forms_[i]->second);
     }
-    if (taken.size() < 2 || checkFormula(context_, z3::mk_or(together), jointSeconds) != CheckResult::Valid) return;
+    if (taken.size() < 2 || checkFormula(context_, z3::mk_or(together), schedule::jointSeconds) != CheckResult::Valid)
+      return;
     for (Known* known : taken) known->result = CheckResult::Valid;
   }
 
@@ -158,7 +155,9 @@ class GateForms {
     CheckResult result = CheckResult::Unknown;
     bool isTried = false;
   };
-  bool isOpen(std::size_t i) const { return !forms_[i]->second.isTried && forms_[i]->first.size() <= smallSize; }
+  bool isOpen(std::size_t i) const {
+    return !forms_[i]->second.isTried && forms_[i]->first.size() <= schedule::smallFormula;
+  }
 
   z3::context& context_;
   const z3::expr formulas_;

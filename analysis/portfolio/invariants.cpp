@@ -8,6 +8,7 @@
 
 #include "analysis/bits/bit_unrolling.hpp"
 #include "analysis/bits/simulation_runs.hpp"
+#include "analysis/schedule/schedule.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
@@ -18,12 +19,6 @@ using Signature = std::vector<std::uint64_t>;
 
 /// Literals with equal values in all reachable states, presumably; the first represents the others.
 using Class = std::vector<Lit>;
-constexpr std::size_t ofOneClass = 6;    ///< truths of one class that pairs are made of
-constexpr std::size_t unseenLimit = 32;  ///< truths that are 0 in all samples
-constexpr std::size_t ofReadings = 64;   ///< latches that pairs under one reading of an open point are made of
-constexpr std::size_t blockSize = 32;    ///< clauses that one assumption switches on
-constexpr int neighbourBatches = 6;      ///< of 64 states near a counterexample
-constexpr int walkPatience = 24;         ///< scans of a walk that drop nothing, then the solver is asked again
 
 /// At least one of them holds.
 using Clause = std::vector<Lit>;
@@ -122,7 +117,7 @@ class Miner {
       // All truth values of the state, since what was equal up to now may part; of comparisons one is enough.
       std::size_t taken = 0;
       for (const Lit l : c) {
-        if (!isTruth[variableOf(l)] || taken == ofOneClass || (taken > 0 && system_.isGate(l))) continue;
+        if (!isTruth[variableOf(l)] || taken == schedule::ofOneClass || (taken > 0 && system_.isGate(l))) continue;
         representatives.push_back(
             static_cast<std::size_t>(std::lower_bound(watched_.begin(), watched_.end(), l & ~1U) - watched_.begin()));
         ++taken;
@@ -154,7 +149,7 @@ class Miner {
     for (const std::size_t r : representatives) {
       if (!system_.isGate(watched_[r])) latches.push_back(r);
     }
-    if (latches.size() > ofReadings) return;
+    if (latches.size() > schedule::ofReadings) return;
     for (const Latch& latch : system_.latches) {
       const Lit own = positive(latch.variable);
       const auto at = std::lower_bound(watched_.begin(), watched_.end(), own);
@@ -188,9 +183,9 @@ class Miner {
   void makePairsOfUnseen(const std::vector<bool>& isTruth, const std::vector<std::size_t>& seen) {
     std::vector<Lit> unseen = unseen_;
     for (const Lit l : classes_[0]) {
-      if (variableOf(l) != 0 && isTruth[variableOf(l)] && unseen.size() < unseenLimit) unseen.push_back(l);
+      if (variableOf(l) != 0 && isTruth[variableOf(l)] && unseen.size() < schedule::unseenLimit) unseen.push_back(l);
     }
-    const bool isFew = unseen.size() <= unseenLimit;
+    const bool isFew = unseen.size() <= schedule::unseenLimit;
     for (std::size_t i = 0; i < unseen.size(); ++i) {
       for (std::size_t j = i + 1; j < unseen.size(); ++j) {
         clauses_.push_back({negate(unseen[i]), negate(unseen[j])});
@@ -280,8 +275,8 @@ class Miner {
     BitSimulator simulator(system_);
     findConstrained();
     blockOf_.resize(clauses_.size());
-    for (std::size_t i = 0; i < clauses_.size(); ++i) blockOf_[i] = i / blockSize;
-    blocks_.resize(clauses_.size() / blockSize + 1);
+    for (std::size_t i = 0; i < clauses_.size(); ++i) blockOf_[i] = i / schedule::invariantBlock;
+    blocks_.resize(clauses_.size() / schedule::invariantBlock + 1);
     for (std::size_t first = 0;;) {
       const std::vector<int> assumed = assumeCandidates();
       const std::vector<Group> groups = candidatesAfterScan();
@@ -368,7 +363,7 @@ class Miner {
     for (const Latch& latch : system_.latches) state.push_back(cnf_.value(steps_.at(0, positive(latch.variable))));
     for (const std::uint32_t v : system_.inputs) inputs.push_back(cnf_.value(steps_.at(0, positive(v))));
     bool changed = false;
-    for (int batch = 0; batch < neighbourBatches; ++batch) {
+    for (int batch = 0; batch < schedule::neighbourBatches; ++batch) {
       for (std::size_t i = 0; i < state.size(); ++i) simulator.setLatch(i, state[i] ? ~0ULL : 0);
       for (std::size_t i = 0; i < inputs.size(); ++i)
         simulator.setInput(i, (batch == 0 ? random() & ~1ULL : random()) | (inputs[i] && batch == 0 ? 1U : 0U));
@@ -401,7 +396,7 @@ class Miner {
     std::vector<bool> isTruth(system_.variableCount(), false);
     for (const Lit l : watched_) isTruth[variableOf(l)] = true;
     std::uint64_t lanes = 0;
-    for (int idle = 0; idle < walkPatience && !budget_.isExhausted(); ++idle) {
+    for (int idle = 0; idle < schedule::walkPatience && !budget_.isExhausted(); ++idle) {
       for (std::size_t i = 0; i < state.size(); ++i) {
         const std::uint32_t v = system_.latches[i].variable;
         const std::uint64_t start = state[i] ? ~0ULL : 0;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analysis/bits/bit_cone.hpp"
+#include "analysis/schedule/schedule.hpp"
 
 namespace rungproof {
 
@@ -22,8 +23,8 @@ struct Invariants {
 
 struct MiningOptions {
   std::uint64_t seed = 1;
-  int scans = 192;                      ///< sampled on 64 runs
-  std::size_t implicationLimit = 3000;  ///< candidates of two literals
+  int scans = 192;                                            ///< sampled on 64 runs
+  std::size_t implicationLimit = schedule::implicationLimit;  ///< candidates of two literals
   /// Only clauses of two truths: for merged systems, whose constants and equal latches are known already.
   bool pairsOnly = false;
 };

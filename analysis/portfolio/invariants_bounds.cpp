@@ -10,16 +10,13 @@
 #include "analysis/bits/bit_unrolling.hpp"
 #include "analysis/bits/simulation_runs.hpp"
 #include "analysis/portfolio/bound_templates.hpp"
+#include "analysis/schedule/schedule.hpp"
 
 namespace rungproof {
 
 namespace {
 
 constexpr std::int64_t unreached = std::numeric_limits<std::int64_t>::min();
-constexpr std::int64_t hopeless = 32000;  ///< a bound that the words' own ranges give
-constexpr int boundScans = 160;           ///< sampled on 64 runs
-constexpr int raisesAllowed = 6;          ///< times that a bound may be raised to its largest value
-constexpr int growthPatience = 1;         ///< the same for a difference that can grow on and on
 
 enum class Course : std::uint8_t { NotAsked, Falls, Grows };
 
@@ -100,7 +97,7 @@ class BoundSearch {
   void sample() {
     SimulationRuns runs(blast_.bits(), seed_);
     std::vector<std::array<std::int64_t, 64>> values(differences_.size());
-    for (int scan = 0; scan < boundScans && !budget_.isExhausted() && runs.choose(); ++scan) {
+    for (int scan = 0; scan < schedule::boundScans && !budget_.isExhausted() && runs.choose(); ++scan) {
       const BitSimulator& simulator = runs.simulator();
       for (std::size_t d = 0; d < differences_.size(); ++d) {
         const LitVector& bits = differences_[d];
@@ -118,7 +115,7 @@ class BoundSearch {
       }
       runs.step();
     }
-    for (Bound& bound : bounds_) bound.isDropped = bound.high > hopeless;
+    for (Bound& bound : bounds_) bound.isDropped = bound.high > schedule::hopelessBound;
   }
 
   /// difference <= high, in a frame of an unrolling.
@@ -221,7 +218,7 @@ class BoundSearch {
         Bound& bound = *raised[i];
         if (bound.course == Course::NotAsked && !askCourse(steps, sat, cnf, bound)) return false;
         if (bound.course == Course::Grows) {
-          bound.isDropped = ++bound.raises > growthPatience;
+          bound.isDropped = ++bound.raises > schedule::growthPatience;
         } else if (!maximise(steps, sat, cnf, bound, assumed, take)) {
           return false;
         }
@@ -236,7 +233,7 @@ class BoundSearch {
     const std::int64_t widest = (1LL << (difference.size() - 1)) - 1;
     assumed.push_back(cnf.literal(isActive(steps, 1, bound)));
     bool isNarrowing = false;
-    for (std::int64_t step = 1; step > 0 && bound.high <= hopeless;) {
+    for (std::int64_t step = 1; step > 0 && bound.high <= schedule::hopelessBound;) {
       Sat::Outcome more = Sat::Outcome::Unsatisfiable;
       if (bound.high + step <= widest) {
         assumed.push_back(-cnf.literal(atMost(steps, 1, difference, bound.high + step - 1)));
@@ -251,7 +248,7 @@ class BoundSearch {
       step = isNarrowing ? step / 2 : step * 2;
     }
     assumed.pop_back();
-    bound.isDropped = bound.high > hopeless || ++bound.raises > raisesAllowed;
+    bound.isDropped = bound.high > schedule::hopelessBound || ++bound.raises > schedule::raisesAllowed;
     return true;
   }
 

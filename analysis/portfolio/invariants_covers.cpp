@@ -7,16 +7,11 @@
 
 #include "analysis/bits/bit_unrolling.hpp"
 #include "analysis/bits/simulation_runs.hpp"
+#include "analysis/schedule/schedule.hpp"
 
 namespace rungproof {
 
 namespace {
-
-constexpr std::size_t leastCandidates = 3;
-constexpr std::size_t mostCandidates = 400;
-constexpr int coverScans = 96;    ///< sampled on 64 runs
-constexpr int mostTrials = 5000;  ///< members tried, in all groups
-constexpr int mostGroups = 12;    ///< that are asked for by induction
 
 class CoverSearch {
  public:
@@ -34,11 +29,11 @@ class CoverSearch {
 
   std::vector<std::vector<Lit>> run() {
     std::vector<std::vector<Lit>> covers;
-    if (candidates_.size() < leastCandidates || candidates_.size() > mostCandidates) return covers;
+    if (candidates_.size() < schedule::leastCovers || candidates_.size() > schedule::mostCovers) return covers;
     prepare();
     for (std::size_t first = 0; first < candidates_.size(); ++first) {
       if (!isInitial_[first]) continue;
-      for (int group = 0; group < mostGroups; ++group) {
+      for (int group = 0; group < schedule::coverGroups; ++group) {
         members_ = {first};
         if (!extend()) break;
         const Sat::Outcome outcome = leave();
@@ -94,7 +89,7 @@ class CoverSearch {
   void sample(std::uint64_t seed) {
     SimulationRuns runs(system_, seed);
     std::set<std::vector<bool>> seen;
-    for (int scan = 0; scan < coverScans && !budget_.isExhausted() && runs.choose(); ++scan) {
+    for (int scan = 0; scan < schedule::coverScans && !budget_.isExhausted() && runs.choose(); ++scan) {
       for (std::size_t lane = 0; lane < 64; ++lane) {
         if ((runs.live() >> lane & 1U) == 0) continue;
         std::vector<bool> state;
@@ -125,7 +120,7 @@ class CoverSearch {
         std::find_if(states_.begin(), states_.end(), [&](const std::vector<bool>& state) { return !isOneOn(state); });
     if (open == states_.end()) return true;
     for (std::size_t c = 0; c < members(); ++c) {
-      if (!(*open)[c] || ++trials_ > mostTrials) continue;
+      if (!(*open)[c] || ++trials_ > schedule::coverTrials) continue;
       if (!std::all_of(members_.begin(), members_.end(), [&](std::size_t m) { return areApart(m, c); })) continue;
       members_.push_back(c);
       if (extend()) return true;

@@ -4,12 +4,11 @@
 
 #include "analysis/bits/bit_unrolling.hpp"
 #include "analysis/portfolio/invariants.hpp"
+#include "analysis/schedule/schedule.hpp"
 
 namespace rungproof {
 
-namespace {
-constexpr std::size_t closureLimit = 300;  ///< needed invariants; where so many rest on each other, most rest on all
-}  // namespace
+namespace {}  // namespace
 
 class InvariantCores::Question {
  public:
@@ -58,10 +57,10 @@ class InvariantCores::Question {
       outcome = solve(denied, candidates, budget);
     }
     if (outcome != Sat::Outcome::Unsatisfiable) return std::nullopt;
-    for (int round = 0; round < coreRounds; ++round) {
+    for (int round = 0; round < schedule::coreRounds; ++round) {
       const std::size_t before = candidates.size();
       std::erase_if(candidates, [&](std::size_t i) { return !sat_.failed(switches_[i]); });
-      if (candidates.size() == before || round + 1 == coreRounds) break;
+      if (candidates.size() == before || round + 1 == schedule::coreRounds) break;
       // The solver takes assumptions in their order: in the next round the last ones come first.
       std::reverse(candidates.begin(), candidates.end());
       std::stable_partition(candidates.begin(), candidates.end(), [&](std::size_t i) { return isPreferred_[i]; });
@@ -77,8 +76,6 @@ class InvariantCores::Question {
   }
 
  private:
-  static constexpr int coreRounds = 4;
-
   Sat::Outcome solve(const std::vector<int>& denied, const std::vector<std::size_t>& candidates, const Budget& budget) {
     std::vector<int> assumptions = denied;
     for (const std::size_t i : candidates) assumptions.push_back(switches_[i]);
@@ -144,7 +141,7 @@ InvariantCores::Needed InvariantCores::of(Lit bad, const Certificate& certificat
       if (isNeeded[other]) continue;
       open.push_back(other);
       isNeeded[other] = true;
-      isDense_ = isDense_ || ++count > closureLimit;
+      isDense_ = isDense_ || ++count > schedule::closureLimit;
     }
   }
   if (isDense_) isNeeded.assign(invariants_.size(), true);

@@ -5,12 +5,11 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "analysis/schedule/schedule.hpp"
+
 namespace rungproof {
 
 namespace {
-
-constexpr std::size_t lastingLimit = 4;  ///< bits that stay on, such as the cell of once(I0.3)
-constexpr std::size_t lookLimit = 3000;  ///< pairs of bits
 
 bool isConstantOne(const Graph& graph, Node n) { return graph[n].op == Op::Constant && graph[n].value == 1; }
 
@@ -24,7 +23,7 @@ void guessSeenInputs(const TransitionSystem& system, const std::vector<std::size
     if (graph[system.states[i].node].width != 1 || system.states[i].next == noNode) continue;
     bits.push_back(i);
     const bool isLasting = isConstantOne(graph, graph.given(system.states[i].next, system.states[i].node));
-    if (isLasting && lasting.size() < lastingLimit) lasting.push_back(i);
+    if (isLasting && lasting.size() < schedule::lastingLimit) lasting.push_back(i);
   }
   std::size_t looks = 0;
   for (const std::size_t last : lasting) {
@@ -32,7 +31,7 @@ void guessSeenInputs(const TransitionSystem& system, const std::vector<std::size
     for (const std::size_t input : inputs) {
       const Node seen = graph.given(system.states[input].next, off);
       for (const std::size_t bit : bits) {
-        if (bit == input || bit == last || ++looks > lookLimit) continue;
+        if (bit == input || bit == last || ++looks > schedule::timerPairs) continue;
         if (graph.given(system.states[bit].next, off) != seen) continue;
         const Node in = system.states[input].node, other = system.states[bit].node;
         clauses.push_back({system.states[last].node, graph.make(Op::Not, 1, in), other});

@@ -7,16 +7,11 @@
 #include <unordered_map>
 
 #include "analysis/bits/simulation_runs.hpp"
+#include "analysis/schedule/schedule.hpp"
 
 namespace rungproof {
 
 namespace {
-
-constexpr int wordScans = 384;
-constexpr int laneStep = 4;               ///< every fourth run is sampled
-constexpr std::size_t wordLimit = 160;    ///< counting words looked at
-constexpr std::size_t capLimit = 6;       ///< constants per word
-constexpr std::int64_t widest = 1 << 20;  ///< bounds further apart tell nothing
 
 struct Word {
   std::size_t state = 0;  ///< index in TransitionSystem::states
@@ -35,7 +30,7 @@ class DifferenceGuess {
     collect();
     sample();
     std::erase_if(words_, [&](const Word& w) { return !counts(w); });
-    if (words_.size() > wordLimit) words_.resize(wordLimit);
+    if (words_.size() > schedule::countingWords) words_.resize(schedule::countingWords);
     for (Word& word : words_) collectCaps(word);
     for (std::size_t i = 0; i < words_.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
@@ -63,13 +58,13 @@ class DifferenceGuess {
 
   void sample() {
     int taken = 0;
-    for (; taken < wordScans && !budget_.isExhausted() && runs_.choose() && runs_.live() == ~0ULL; ++taken) {
+    for (; taken < schedule::wordScans && !budget_.isExhausted() && runs_.choose() && runs_.live() == ~0ULL; ++taken) {
       for (Word& word : words_) {
         std::size_t base = word.values.size();
-        word.values.resize(base + lanes, 0);
+        word.values.resize(base + schedule::wordLanes, 0);
         for (std::size_t bit = 0; bit < word.bits.size(); ++bit) {
           const std::uint64_t value = runs_.simulator().value(word.bits[bit]);
-          for (std::size_t lane = 0; lane < lanes; ++lane) {
+          for (std::size_t lane = 0; lane < schedule::wordLanes; ++lane) {
             word.values[base + lane] |= static_cast<std::int64_t>(value >> laneOf(lane) & 1U) << bit;
           }
         }
@@ -78,9 +73,8 @@ class DifferenceGuess {
     }
   }
 
-  static constexpr std::size_t lanes = 16;
   /// Sampled lanes, four of each pace of input changes.
-  static std::size_t laneOf(std::size_t i) { return i * laneStep + i / laneStep; }
+  static std::size_t laneOf(std::size_t i) { return i * schedule::wordLaneStep + i / schedule::wordLaneStep; }
 
   static bool counts(const Word& word) {
     std::set<std::int64_t> different(word.values.begin(), word.values.end());
@@ -93,9 +87,9 @@ class DifferenceGuess {
     std::int64_t low = 0, high = 0, most = 0;
     const std::int64_t capX = x.caps.empty() ? 0 : static_cast<std::int64_t>(x.caps.front());
     const std::int64_t capY = y.caps.empty() ? 0 : static_cast<std::int64_t>(y.caps.front());
-    for (std::size_t i = lanes; i < x.values.size(); ++i) {
+    for (std::size_t i = schedule::wordLanes; i < x.values.size(); ++i) {
       const std::int64_t vx = x.values[i], vy = y.values[i];
-      const std::int64_t dx = vx - x.values[i - lanes], dy = vy - y.values[i - lanes];
+      const std::int64_t dx = vx - x.values[i - schedule::wordLanes], dy = vy - y.values[i - schedule::wordLanes];
       if (dx > 0 || dy > 0) (dx == dy ? same : other) += 1;
       if (3 * other > same + 48) return false;
       most = std::max(most, std::min(vx, vy));
@@ -115,7 +109,7 @@ class DifferenceGuess {
       for (std::size_t i = 0; i < x.values.size(); ++i) {
         if (cap == 0 || y.values[i] < static_cast<std::int64_t>(cap)) high = std::max(high, x.values[i] - y.values[i]);
       }
-      if (high > widest || high < -widest) continue;
+      if (high > schedule::widestDifference || high < -schedule::widestDifference) continue;
       NodeClause clause{atMost(x, y, high)};
       if (cap != 0)
         clause.push_back(graph_.make(Op::Ule, 1, graph_.constantNode(cap, y.width), system_.states[y.state].node));
@@ -152,8 +146,8 @@ class DifferenceGuess {
       }
     }
     word.caps.assign(found.begin(), found.end());
-    if (word.caps.size() > capLimit)
-      word.caps.erase(word.caps.begin(), word.caps.end() - static_cast<std::ptrdiff_t>(capLimit));
+    if (word.caps.size() > schedule::capLimit)
+      word.caps.erase(word.caps.begin(), word.caps.end() - static_cast<std::ptrdiff_t>(schedule::capLimit));
   }
 
   const TransitionSystem& system_;

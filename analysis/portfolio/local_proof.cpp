@@ -6,14 +6,13 @@
 #include "analysis/bits/bit_blast.hpp"
 #include "analysis/bits/bit_cnf.hpp"
 #include "analysis/bits/sat.hpp"
+#include "analysis/schedule/schedule.hpp"
 
 namespace rungproof {
 
 namespace {
 
 constexpr int depths[] = {4, 16};
-constexpr std::size_t sizeLimit = 400;  ///< nodes of the surface
-constexpr double localQuerySeconds = 0.05;
 
 /// Nodes within that distance; those at its edge are open.
 struct Surface {
@@ -55,7 +54,7 @@ std::optional<std::vector<Node>> proveLocally(const TransitionSystem& system, No
   for (const int depth : depths) {
     if (budget.isExhausted()) break;
     const Surface surface = surfaceOf(graph, bad, depth);
-    if (surface.size > sizeLimit) return std::nullopt;
+    if (surface.size > schedule::surfaceNodes) return std::nullopt;
     std::vector<Node> facts;
     for (const Node n : surface.variables) {
       if (const auto found = known.find(indexOf(n)); found != known.end())
@@ -70,7 +69,7 @@ std::optional<std::vector<Node>> proveLocally(const TransitionSystem& system, No
       Sat sat(Sat::Use::Many);
       BitCnf cnf(blast.bits(), sat);
       sat.add({cnf.literal(l)});
-      outcome = sat.solve({}, budget.slice(localQuerySeconds));
+      outcome = sat.solve({}, budget.slice(schedule::surfaceQuerySeconds));
     }
     if (outcome == Sat::Outcome::Unsatisfiable) {
       std::vector<Node> open;

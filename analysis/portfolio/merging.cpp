@@ -13,15 +13,12 @@
 #include "analysis/bits/bit_cnf.hpp"
 #include "analysis/bits/simulation_runs.hpp"
 #include "analysis/graph/substitution.hpp"
+#include "analysis/schedule/schedule.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
 
 namespace {
-
-constexpr int sampledScans = 96;   ///< sampled on 64 runs
-constexpr std::size_t narrow = 4;  ///< bits of such words are looked at one by one
-constexpr int mergingBatches = 4;  ///< of 64 states near a counterexample
 
 /// A word or a bit of one. Its literals are those of the difference to its initial value, so every item starts with 0.
 struct Item {
@@ -60,7 +57,7 @@ class Merger {
     for (std::uint32_t latch = 0; latch < bits_.latches.size(); ++latch) {
       const auto [state, bit] = blast_.stateBit(latch);
       if (bits_.latches[latch].init == LatchInit::Free) continue;
-      const bool isWide = static_cast<std::size_t>(widthOf(state)) > narrow;
+      const bool isWide = static_cast<std::size_t>(widthOf(state)) > schedule::narrowWord;
       if (!isWide || bit == 0) items_.push_back({state, bit, {}, {}});
       items_.back().literals.push_back(positive(bits_.latches[latch].variable) ^
                                        (bits_.latches[latch].init == LatchInit::One ? 1U : 0U));
@@ -74,8 +71,8 @@ class Merger {
   void sample() {
     std::vector<std::vector<std::uint64_t>> seen(items_.size());
     SimulationRuns runs(bits_, seed_);
-    for (int scan = 0; scan < sampledScans && !budget_.isExhausted(); ++scan) {
-      if (scan == sampledScans / 2) runs.restart();
+    for (int scan = 0; scan < schedule::mergingScans && !budget_.isExhausted(); ++scan) {
+      if (scan == schedule::mergingScans / 2) runs.restart();
       if (!runs.choose()) {
         runs.restart();
         continue;
@@ -157,7 +154,7 @@ class Merger {
       for (const Latch& latch : bits_.latches) state.push_back(cnf.value(values[latch.variable]));
       for (const std::uint32_t v : bits_.inputs) inputs.push_back(cnf.value(values[v]));
       bool isRefined = false;
-      for (int batch = 0; batch < mergingBatches; ++batch)
+      for (int batch = 0; batch < schedule::mergingBatches; ++batch)
         isRefined = refineNear(simulator, random, state, inputs, batch) || isRefined;
       CHECK(isRefined, "a counterexample breaks a candidate");
     }
@@ -234,7 +231,7 @@ class Merger {
     const auto found = members.find(state);
     if (found == members.end()) return word;
     const int width = widthOf(state);
-    if (static_cast<std::size_t>(width) > narrow) {
+    if (static_cast<std::size_t>(width) > schedule::narrowWord) {
       const Item* first = found->second[0].second;
       if (first == nullptr) return graph_.constantNode(initOf(state), width);
       return graph_.make(Op::Xor, width, given_.states[first->state].node,
@@ -272,9 +269,10 @@ class Merger {
         replaced.emplace(indexOf(word), other);
       }
       const std::size_t replacedBits =
-          members.contains(s) ? (static_cast<std::size_t>(widthOf(s)) > narrow ? static_cast<std::size_t>(widthOf(s))
-                                                                               : members[s].size())
-                              : 0;
+          members.contains(s)
+              ? (static_cast<std::size_t>(widthOf(s)) > schedule::narrowWord ? static_cast<std::size_t>(widthOf(s))
+                                                                             : members[s].size())
+              : 0;
       if (isBlasted[s] && replacedBits < static_cast<std::size_t>(widthOf(s))) result.kept.push_back(s);
     }
     Substitution rewritten(graph_, std::move(replaced));

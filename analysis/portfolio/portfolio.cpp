@@ -10,18 +10,12 @@
 #include "analysis/portfolio/merging.hpp"
 #include "analysis/portfolio/saturation.hpp"
 #include "analysis/portfolio/stages.hpp"
+#include "analysis/schedule/schedule.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
 
 namespace {
-
-constexpr double mergeShare = 0.3;        ///< of the time of a question, for merging states
-constexpr double mostMerging = 10;        ///< seconds
-constexpr double unsaturatedShare = 0.7;  ///< of the time, for the system with whole words
-constexpr double leastForBoth = 5;        ///< seconds
-constexpr double judgeShare = 0.6;        ///< of the time for checking, for the judge
-constexpr double leastCheck = 0.5;        ///< seconds for checking certificates, whatever the deadline says
 
 /// What is settled on the surface, then what is left on the merged system, then the certificates about the given one.
 class Answers {
@@ -41,9 +35,7 @@ class Answers {
     }
     if (!open.empty()) {
       const auto begin = Budget::Clock::now();
-      const MergedSystem merged = mergeStates(
-          rest, options_.seed,
-          budget.slice(std::min(options_.seconds * static_cast<double>(open.size()) * mergeShare, mostMerging)));
+      const MergedSystem merged = merge(rest, budget);
       const double each =
           std::chrono::duration<double>(Budget::Clock::now() - begin).count() / static_cast<double>(open.size());
       std::vector<QuestionAnswer> found = search(merged.system);
@@ -57,10 +49,20 @@ class Answers {
   }
 
  private:
+  /// Without time nothing is merged.
+  MergedSystem merge(const TransitionSystem& system, const Budget& budget) const {
+    if (!options_.techniques.has(Technique::Merging)) return mergeStates(system, options_.seed, budget.slice(0));
+    const TechniqueTurn turn(options_.log, Technique::Merging, system.questions.size());
+    const double seconds = options_.seconds * static_cast<double>(system.questions.size()) * schedule::mergeShare;
+    return mergeStates(system, options_.seed, budget.slice(std::min(seconds, schedule::mostMerging)));
+  }
   bool settleLocally(std::size_t q, const Budget& budget) {
+    if (!options_.techniques.has(Technique::OneScan)) return false;
+    TechniqueTurn turn(options_.log, Technique::OneScan, 1);
     const auto begin = Budget::Clock::now();
     const std::optional<std::vector<Node>> open = proveLocally(system_, system_.questions[q].bad, budget);
     if (!open) return false;
+    turn.settled();
     QuestionAnswer& answer = answers_[q];
     answer.answer = Answer::Proved;
     answer.method = "one scan";
@@ -73,13 +75,13 @@ class Answers {
   /// The portfolio on the system as it is; where that leaves questions open, what is left of the time on the saturated
   /// one.
   std::vector<QuestionAnswer> search(const TransitionSystem& system) const {
-    if (options_.effort != Effort::Full || !options_.check ||
-        std::min(options_.seconds, options_.left()) < leastForBoth)
+    if (options_.effort != Effort::Full || !options_.check || !options_.techniques.has(Technique::Saturation) ||
+        std::min(options_.seconds, options_.left()) < schedule::leastForBoth)
       return runStages(system, options_);
     PortfolioOptions first = options_;
-    first.seconds *= unsaturatedShare;
+    first.seconds *= schedule::unsaturatedShare;
     if (first.deadline) {
-      const std::chrono::duration<double> most(options_.left() * unsaturatedShare);
+      const std::chrono::duration<double> most(options_.left() * schedule::unsaturatedShare);
       first.deadline = Budget::Clock::now() + std::chrono::duration_cast<Budget::Clock::duration>(most);
     }
     std::vector<QuestionAnswer> answers = runStages(system, first);
@@ -93,10 +95,11 @@ class Answers {
     }
     const Budget budget = options_.budget();
     if (open.empty() || budget.isExhausted()) return answers;
-    const SaturatedSystem saturated = saturate(rest, budget.slice(options_.seconds * mergeShare));
+    TechniqueTurn turn(options_.log, Technique::Saturation, open.size());
+    const SaturatedSystem saturated = saturate(rest, budget.slice(options_.seconds * schedule::mergeShare));
     if (saturated.words.empty()) return answers;
     PortfolioOptions second = options_;
-    second.seconds *= 1 - unsaturatedShare;
+    second.seconds *= 1 - schedule::unsaturatedShare;
     std::vector<QuestionAnswer> found = runStages(saturated.system, second);
     for (std::size_t i = 0; i < open.size(); ++i) {
       found[i].seconds += answers[open[i]].seconds;
@@ -104,6 +107,7 @@ class Answers {
       if (found[i].answer == Answer::Unknown) continue;
       if (found[i].certificate && !unsaturate(rest, rest.questions[i], *found[i].certificate, saturated)) continue;
       answers[open[i]] = std::move(found[i]);
+      turn.settled();
     }
     return answers;
   }
@@ -139,6 +143,7 @@ class Answers {
       roots.push_back(system_.questions[q].bad);
       roots.insert(roots.end(), system_.constraints.begin(), system_.constraints.end());
       std::vector<Node> facts = factsBehind(system_, merged.facts, roots);
+      if (options_.log != nullptr && !facts.empty()) options_.log->add(Technique::Merging, {0, 1, 0});
       std::vector<Node>& invariant = answer.certificate->invariant;
       invariant.insert(invariant.begin(), facts.begin(), facts.end());
       answer.certificate->immediate.insert(answer.certificate->immediate.begin(), facts.begin(), facts.end());
@@ -166,8 +171,10 @@ class Answers {
     // What was found before an interruption is worth a short look.
     const bool isCancelled = options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed);
     CheckLimits limits;
-    limits.each = std::max(options_.seconds, 10.0);
-    limits.total = isCancelled ? leastCheck : options_.deadline ? std::max(options_.left(), leastCheck) : 1e9;
+    limits.each = std::max(options_.seconds, schedule::leastForCertificate);
+    limits.total = isCancelled         ? schedule::leastCheck
+                   : options_.deadline ? std::max(options_.left(), schedule::leastCheck)
+                                       : 1e9;
     limits.memory = options_.memory;
     limits.cancel = isCancelled ? nullptr : options_.cancel;
     const auto begin = Budget::Clock::now();
@@ -191,7 +198,7 @@ class Answers {
     std::vector<CheckResult> results(claims.size(), CheckResult::Unknown);
     if (options_.judge) {
       CheckLimits most = limits;
-      if (limits.total < 1e9) most.total *= judgeShare;
+      if (limits.total < 1e9) most.total *= schedule::judgeShare;
       results = options_.judge(claims, most);
     }
     CertificateWriter writer(system_);
@@ -206,7 +213,7 @@ class Answers {
     }
     if (rest.empty()) return results;
     CheckLimits left = limits;
-    if (limits.total < 1e9 && options_.deadline) left.total = std::max(options_.left(), leastCheck);
+    if (limits.total < 1e9 && options_.deadline) left.total = std::max(options_.left(), schedule::leastCheck);
     const std::vector<CheckResult> own = writer.check(left);
     for (std::size_t i = 0; i < rest.size(); ++i) results[rest[i]] = own[i];
     return results;

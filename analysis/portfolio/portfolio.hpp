@@ -14,6 +14,7 @@
 
 #include "analysis/bits/bit_blast.hpp"
 #include "analysis/portfolio/certificate.hpp"
+#include "analysis/schedule/technique.hpp"
 
 namespace rungproof {
 
@@ -31,6 +32,8 @@ struct PortfolioOptions {
   /// Checks certificates against something better than the given system; what it leaves Unknown or calls Invalid is
   /// checked against that. In the order of the claims.
   std::function<std::vector<CheckResult>(const std::vector<Claim>&, const CheckLimits&)> judge{};
+  Techniques techniques{};                    ///< what may be used
+  TechniqueLog* log = nullptr;                ///< told of what was used
   const std::atomic<bool>* cancel = nullptr;  ///< ends the search from outside; what is open stays unknown
   /// When the whole call has to be back, checks of certificates included (they may take half a second more).
   std::optional<Budget::Clock::time_point> deadline;

@@ -1,5 +1,5 @@
 // Workers take the question that has had the least time, and of its engines that are not at work the one with the
-// least weighted time. Slices double from 5 ms to 1 s, so that short proofs do not wait for long searches.
+// least weighted time. Slices double.
 #include "analysis/portfolio/race.hpp"
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <mutex>
 #include <thread>
 
+#include "analysis/schedule/schedule.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
@@ -16,22 +17,29 @@ namespace rungproof {
 namespace {
 
 struct EngineKind {
+  Technique technique;
+  std::string_view name;
   std::unique_ptr<Engine> (*make)(const BitSystem&, const EngineOptions&);
   double weight;  ///< share of time relative to the others
 };
-constexpr std::array engineKinds = {EngineKind{makeIc3, 4},        EngineKind{makeBmc, 2},
-                                    EngineKind{makeSimulation, 1}, EngineKind{makeExhaustive, 1},
-                                    EngineKind{makeHeldInputs, 1}, EngineKind{makeKInduction, 1},
-                                    EngineKind{nullptr, 3}};
+constexpr std::array engineKinds = {
+    EngineKind{Technique::Ic3, "IC3", makeIc3, schedule::ic3Weight},
+    EngineKind{Technique::Bmc, "BMC", makeBmc, schedule::bmcWeight},
+    EngineKind{Technique::LongSimulation, "simulation", makeSimulation, schedule::simulationWeight},
+    EngineKind{Technique::Explicit, "explicit search", makeExhaustive, schedule::exhaustiveWeight},
+    EngineKind{Technique::HeldInputs, "held inputs", makeHeldInputs, schedule::heldInputsWeight},
+    EngineKind{Technique::KInduction, "k-induction", makeKInduction, schedule::kInductionWeight},
+    EngineKind{Technique::WordIc3, "IC3 on words", nullptr, schedule::wordsWeight}};
 constexpr std::size_t onWords = engineKinds.size() - 1;  ///< made by the caller
 
 struct Runner {
   Engine* engine = nullptr;  ///< made when first run, unless the caller has made it
   std::unique_ptr<Engine> own;
   double used = 0;
-  double slice = 0.005;
+  double slice = schedule::firstSlice;
   bool working = false;
   bool ended = false;
+  bool hasWon = false;  ///< the answer is this engine's
 };
 
 struct Contest {
@@ -50,8 +58,13 @@ class Race {
         contests_(questions.size()),
         perQuestion_(options.seconds * std::max(options.jobs, 1)) {
     for (std::size_t q = 0; q < questions.size(); ++q) {
-      contests_[q].runners[onWords].engine = questions[q].words;
-      contests_[q].runners[onWords].ended = questions[q].words == nullptr;
+      auto& runners = contests_[q].runners;
+      runners[onWords].engine = questions[q].words;
+      runners[onWords].ended = questions[q].words == nullptr;
+      for (std::size_t e = 0; e < engineKinds.size(); ++e) {
+        if (!options.techniques.has(engineKinds[e].technique)) runners[e].ended = true;
+      }
+      contests_[q].done = std::ranges::all_of(runners, &Runner::ended);
     }
   }
 
@@ -60,6 +73,13 @@ class Race {
     for (int i = 1; i < options_.jobs; ++i) threads.emplace_back([this] { work(); });
     work();
     for (std::thread& thread : threads) thread.join();
+    if (options_.log == nullptr) return;
+    for (const Contest& contest : contests_) {
+      for (std::size_t e = 0; e < engineKinds.size(); ++e) {
+        const Runner& runner = contest.runners[e];
+        if (runner.used > 0) options_.log->add(engineKinds[e].technique, {1, runner.hasWon ? 1U : 0U, runner.used});
+      }
+    }
   }
 
  private:
@@ -102,7 +122,7 @@ class Race {
       Runner& runner = contest.runners[task.engine];
       runner.working = true;
       ++contest.workers;
-      const double limit = std::min(runner.slice, std::max(perQuestion_ - contest.used, 0.001));
+      const double limit = std::min(runner.slice, std::max(perQuestion_ - contest.used, schedule::leastSlice));
       lock.unlock();
       const Budget::Clock::time_point begin = Budget::Clock::now();
       if (runner.engine == nullptr) {
@@ -117,10 +137,10 @@ class Race {
       runner.working = false;
       runner.ended = ended || verdict.answer != Answer::Unknown;  // an engine is not asked again after an answer
       runner.used += used;
-      runner.slice = std::min(runner.slice * 2, 1.0);
+      runner.slice = std::min(runner.slice * 2, schedule::longestSlice);
       contest.used += used;
       --contest.workers;
-      record(task.question, verdict);
+      record(task, verdict);
       changed_.notify_all();
     }
     changed_.notify_all();
@@ -140,15 +160,18 @@ class Race {
            (verdict.answer == Answer::Violated && (options_.bound == 0 || verdict.depth < options_.bound));
   }
 
-  void record(std::size_t question, const Verdict& verdict) {
-    Contest& contest = contests_[question];
-    Verdict& known = questions_[question].verdict;
-    questions_[question].seconds = contest.used;
+  void record(const Task& task, const Verdict& verdict) {
+    Contest& contest = contests_[task.question];
+    Verdict& known = questions_[task.question].verdict;
+    questions_[task.question].seconds = contest.used;
     if (isAnswer(verdict)) {
       CHECK(known.answer == Answer::Unknown || known.answer == verdict.answer, "two engines disagree about a question");
       const bool better =
           known.answer == Answer::Unknown || (verdict.answer == Answer::Violated && verdict.depth < known.depth);
-      if (better) known = verdict;
+      if (better) {
+        known = verdict;
+        for (Runner& runner : contest.runners) runner.hasWon = &runner == &contest.runners[task.engine];
+      }
       contest.cancel = true;
       contest.done = true;
       return;
@@ -174,6 +197,19 @@ class Race {
 };
 
 }  // namespace
+
+std::string enginesOf(const Techniques& techniques) {
+  constexpr std::array order = {
+      Technique::Bmc,        Technique::KInduction, Technique::Ic3,    Technique::LongSimulation,
+      Technique::HeldInputs, Technique::Explicit,   Technique::WordIc3};
+  std::string names;
+  for (const Technique technique : order) {
+    if (!techniques.has(technique)) continue;
+    names += names.empty() ? "" : ", ";
+    names += std::ranges::find(engineKinds, technique, &EngineKind::technique)->name;
+  }
+  return names;
+}
 
 void race(std::vector<RaceQuestion>& questions, const RaceOptions& options) {
   if (!questions.empty()) Race(questions, options).run();

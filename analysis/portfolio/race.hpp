@@ -3,9 +3,11 @@
 // proof and a violation of the same question stop the program. Tested by tests/solver/portfolio_test.cpp.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "analysis/bits/engine_contract.hpp"
+#include "analysis/schedule/technique.hpp"
 
 namespace rungproof {
 
@@ -25,8 +27,12 @@ struct RaceOptions {
   int bound = 0;  ///< 0: no limit
   const std::atomic<bool>* cancel = nullptr;
   Budget::Clock::time_point deadline = Budget::Clock::time_point::max();  ///< of all questions
+  Techniques techniques{};                                                ///< engines that take part
+  TechniqueLog* log = nullptr;
 };
 
+/// "BMC, k-induction, IC3 ...": the engines that take part.
+std::string enginesOf(const Techniques& techniques);
 void race(std::vector<RaceQuestion>& questions, const RaceOptions& options);
 
 }  // namespace rungproof

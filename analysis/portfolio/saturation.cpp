@@ -11,14 +11,11 @@
 #include "analysis/bits/sat.hpp"
 #include "analysis/graph/evaluate.hpp"
 #include "analysis/graph/substitution.hpp"
+#include "analysis/schedule/schedule.hpp"
 
 namespace rungproof {
 
 namespace {
-
-constexpr int leastWidth = 8;              ///< of words that are worth it
-constexpr std::size_t triedConstants = 8;  ///< largest ones of those that a scan has for the word
-constexpr double saturationQuerySeconds = 0.1;
 
 class Saturation {
  public:
@@ -31,7 +28,7 @@ class Saturation {
     std::unordered_map<std::uint32_t, Node> wide;
     for (std::size_t s = 0; s < given_.states.size() && !budget_.isExhausted(); ++s) {
       const StateVariable& state = given_.states[s];
-      if (graph_[state.node].width < leastWidth || state.init == noNode) continue;
+      if (graph_[state.node].width < schedule::saturatedWidth || state.init == noNode) continue;
       if (const std::uint64_t cap = capOf(s); cap != 0) result.words.push_back(wordOf(s, cap));
     }
     if (result.words.empty()) return result;
@@ -100,7 +97,7 @@ class Saturation {
       if (graph_[n].op == Op::Constant && value > 1 && value + 1 < 1ULL << (width - 2))
         constants.insert({value, value + 1});
     }
-    while (constants.size() > 2 * triedConstants) constants.erase(constants.begin());
+    while (constants.size() > 2 * schedule::saturationConstants) constants.erase(constants.begin());
     for (const std::uint64_t cap : constants) {
       if (cap > init && !budget_.isExhausted() && holds(s, cap, roots)) return cap;
     }
@@ -128,7 +125,7 @@ class Saturation {
     Sat sat(Sat::Use::Many);
     BitCnf cnf(blast.bits(), sat);
     sat.add({cnf.literal(l)});
-    return sat.solve({}, budget_.slice(saturationQuerySeconds)) == Sat::Outcome::Unsatisfiable;
+    return sat.solve({}, budget_.slice(schedule::saturationQuerySeconds)) == Sat::Outcome::Unsatisfiable;
   }
 
   const TransitionSystem& given_;

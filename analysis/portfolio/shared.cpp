@@ -5,13 +5,12 @@
 #include <bit>
 
 #include "analysis/bits/simulation_runs.hpp"
+#include "analysis/schedule/schedule.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
 
 namespace {
-constexpr double inductionQuerySeconds = 0.25;
-constexpr std::size_t mostShared = 2;  ///< how often a gate may be encoded, on average, for solvers of their own
 
 /// Do the questions depend on different parts of the system within two scans? A solver of one part is much quicker
 /// than one that decides variables of the others too.
@@ -45,9 +44,9 @@ bool areApart(const BitSystem& system) {
         reach(scan - 1, system.latches[system.position[v]].next);
       }
     }
-    if (together > mostShared * single + variables) return false;
+    if (together > schedule::mostShared * single + variables) return false;
   }
-  return question > 1 && together <= mostShared * single;
+  return question > 1 && together <= schedule::mostShared * single;
 }
 }  // namespace
 
@@ -106,9 +105,9 @@ void SharedSearch::extendBase(int depth, const Budget& budget) {
     const bool longer = verdict.answer == Answer::Violated && verdict.depth > depth;
     if ((!answers_[q].open() && !longer) || cleanScans_[q] != depth || budget.isExhausted()) continue;
     const Lit bad = base_.at(depth, system_.bads[q]);
-    const Sat::Outcome outcome = bad == falseLit
-                                     ? Sat::Outcome::Unsatisfiable
-                                     : baseSat_.solve({baseCnf_.literal(bad)}, budget.slice(inductionQuerySeconds));
+    const Sat::Outcome outcome =
+        bad == falseLit ? Sat::Outcome::Unsatisfiable
+                        : baseSat_.solve({baseCnf_.literal(bad)}, budget.slice(schedule::inductionQuerySeconds));
     if (outcome == Sat::Outcome::Unsatisfiable) cleanScans_[q] = depth + 1;
     if (outcome != Sat::Outcome::Satisfiable) continue;
     verdict.answer = Answer::Violated;
@@ -152,7 +151,7 @@ void SharedSearch::induce(int most, const std::vector<std::vector<Lit>>& invaria
         for (int earlier = 0; earlier < k; ++earlier)
           assumptions.push_back(-solver.cnf.literal(steps.at(earlier, system_.bads[q])));
         assumptions.push_back(solver.cnf.literal(bad));
-        outcome = solver.sat.solve(assumptions, budget.slice(inductionQuerySeconds));
+        outcome = solver.sat.solve(assumptions, budget.slice(schedule::inductionQuerySeconds));
       }
       if (outcome != Sat::Outcome::Unsatisfiable) continue;
       Verdict& verdict = answers_[q].verdict;

@@ -21,21 +21,13 @@
 #include "analysis/portfolio/race.hpp"
 #include "analysis/portfolio/shared.hpp"
 #include "analysis/portfolio/truths.hpp"
+#include "analysis/schedule/schedule.hpp"
 #include "analysis/words/word_engine.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
 
 namespace {
-
-constexpr int simulatedScans = 256;
-constexpr int shortInduction = 3;
-constexpr std::size_t truthLimit = 600;
-constexpr std::size_t pairedTruths = 400;  ///< truth values whose pairs are looked at together
-constexpr std::size_t pairLimit = 12000;
-constexpr std::size_t manyClauses = 100;  ///< of a certificate, to be joined
-constexpr double miningShare = 0.3;       ///< of the time that is left for bounds on differences
-constexpr double searchShare = 0.9;  ///< of the time that is left for searches; the rest is for checking what they find
 
 class Stages {
  public:
@@ -68,9 +60,9 @@ class Stages {
       begin({});
       beginWithCandidates();
       if (options_.check) mine();
-      searchTogether(shortInduction, false);
+      searchTogether(schedule::shortInduction, false);
       for (const BoundScope scope : {BoundScope::Few, BoundScope::All, BoundScope::Pending}) {
-        if (!open_.empty() && options_.check && mineDifferences(scope)) searchTogether(shortInduction, false);
+        if (!open_.empty() && options_.check && mineDifferences(scope)) searchTogether(schedule::shortInduction, false);
       }
       if (!open_.empty()) raceApart();
     }
@@ -87,11 +79,18 @@ class Stages {
   }
   /// Blasts the open questions with the nodes that candidate invariants speak about.
   void beginWithCandidates() {
-    const std::vector<Node> truths = stateTruths(system_, open_, truthLimit);
-    std::vector<NodeClause> guesses = guessDifferences(system_, *blast_, options_.seed, whole_);
-    for (NodeClause& clause : guessTimerStates(system_)) {
-      if (std::all_of(clause.begin(), clause.end(), [&](Node n) { return isInCone(n); }))
-        guesses.push_back(std::move(clause));
+    const std::vector<Node> truths = stateTruths(system_, open_, schedule::truthLimit);
+    std::vector<NodeClause> guesses;
+    if (options_.techniques.has(Technique::WordGuesses)) {
+      const TechniqueTurn turn(options_.log, Technique::WordGuesses, open_.size());
+      guesses = guessDifferences(system_, *blast_, options_.seed, whole_);
+    }
+    if (options_.techniques.has(Technique::TimerStates)) {
+      const TechniqueTurn turn(options_.log, Technique::TimerStates, open_.size());
+      for (NodeClause& clause : guessTimerStates(system_)) {
+        if (std::all_of(clause.begin(), clause.end(), [&](Node n) { return isInCone(n); }))
+          guesses.push_back(std::move(clause));
+      }
     }
     std::vector<Node> nodes = truths;
     for (const NodeClause& clause : guesses) nodes.insert(nodes.end(), clause.begin(), clause.end());
@@ -110,7 +109,7 @@ class Stages {
   }
   Budget budget(double seconds) const { return options_.budget().slice(seconds); }
   Budget::Clock::time_point searchEnd() const {
-    const std::chrono::duration<double> rest(options_.left() * searchShare);
+    const std::chrono::duration<double> rest(options_.left() * schedule::searchShare);
     return options_.deadline ? Budget::Clock::now() + std::chrono::duration_cast<Budget::Clock::duration>(rest)
                              : Budget::Clock::time_point::max();
   }
@@ -124,11 +123,20 @@ class Stages {
     std::vector<int> clean;
     for (const std::size_t q : open_) clean.push_back(answers_[q].depth);
     SharedSearch search(blast_->bits(), options_.seed, clean);
-    if (simulate)
-      search.simulate(options_.bound > 0 ? std::min(simulatedScans, options_.bound) : simulatedScans,
-                      budget(seconds * 0.1));
-    search.induce(options_.bound > 0 ? std::min(most, options_.bound - 1) : most, invariants_.clauses,
-                  budget(seconds * 0.3));
+    if (simulate && options_.techniques.has(Technique::Simulation)) {
+      TechniqueTurn turn(options_.log, Technique::Simulation, open_.size());
+      search.simulate(
+          options_.bound > 0 ? std::min(schedule::simulatedScans, options_.bound) : schedule::simulatedScans,
+          budget(seconds * schedule::simulationShare));
+      turn.settled(open_.size() - search.openCount());
+    }
+    if (options_.techniques.has(Technique::ShortInduction)) {
+      const std::size_t before = search.openCount();
+      TechniqueTurn turn(options_.log, Technique::ShortInduction, before);
+      search.induce(options_.bound > 0 ? std::min(most, options_.bound - 1) : most, invariants_.clauses,
+                    budget(seconds * schedule::inductionShare));
+      turn.settled(before - search.openCount());
+    }
     const double each = share();
     std::vector<std::size_t> open;
     positions_.clear();
@@ -147,6 +155,9 @@ class Stages {
   /// What truth values of the state say about each other, for all questions at once: interlocks and steps. Often those
   /// that the questions ask for are enough, which are few.
   bool minePairs(bool askedOnly) {
+    if (!options_.techniques.has(Technique::StatePairs)) return false;
+    const TechniqueTurn turn(options_.log, Technique::StatePairs, open_.size());
+    mined_ = Technique::StatePairs;
     std::vector<Lit> truths;
     bool isWhole = true;
     const BitSystem& bits = blast_->bits();
@@ -159,22 +170,29 @@ class Stages {
       else
         truths.push_back(positive(bits.latches[latch].variable));
     }
-    if (truths.size() < 2 || truths.size() > pairedTruths || (askedOnly && isWhole)) return false;
+    if (truths.size() < 2 || truths.size() > schedule::pairedTruths || (askedOnly && isWhole)) return false;
     MiningOptions mining;
     mining.seed = options_.seed;
     mining.pairsOnly = true;
-    mining.implicationLimit = pairLimit;
-    const Budget limit = budget(std::min(options_.seconds * 0.3 * static_cast<double>(open_.size()), 10.0));
+    mining.implicationLimit = schedule::pairLimit;
+    const double seconds = options_.seconds * static_cast<double>(open_.size());
+    const Budget limit = budget(std::min(seconds * schedule::pairsShare, schedule::mostMining));
     invariants_ = mineInvariants(bits, truths, {}, mining, limit);
     return !invariants_.empty();
   }
 
   void mine() {
-    const double seconds = std::min(options_.seconds * 0.3, 10.0);
+    mined_ = Technique::Invariants;
+    const double seconds = std::min(options_.seconds * schedule::invariantShare, schedule::mostMining);
     MiningOptions mining;
     mining.seed = options_.seed;
     const Budget limit = budget(seconds);
-    invariants_ = mineInvariants(blast_->bits(), truths_, guesses_, mining, limit);
+    if (options_.techniques.has(Technique::Invariants)) {
+      const TechniqueTurn turn(options_.log, Technique::Invariants, open_.size());
+      invariants_ = mineInvariants(blast_->bits(), truths_, guesses_, mining, limit);
+    }
+    if (!options_.techniques.has(Technique::Covers)) return;
+    const TechniqueTurn turn(options_.log, Technique::Covers, open_.size());
     for (std::vector<Lit>& clause : mineCovers(blast_->bits(), invariants_, askedLatches(), options_.seed, limit))
       invariants_.clauses.push_back(std::move(clause));
   }
@@ -192,8 +210,11 @@ class Stages {
 
   /// Bounds on differences of words that count together; false if there are none.
   bool mineDifferences(BoundScope scope) {
+    if (!options_.techniques.has(Technique::Bounds)) return false;
+    const TechniqueTurn turn(options_.log, Technique::Bounds, open_.size());
     const MinedBounds mined = mineBounds(system_, *blast_, invariants_, options_.seed, scope,
-                                         budget(std::min({options_.seconds * 2, 10.0, options_.left() * miningShare})));
+                                         budget(std::min({options_.seconds * schedule::boundShare, schedule::mostMining,
+                                                          options_.left() * schedule::miningShare})));
     if (mined.clauses.empty()) return false;
     blast_->add(mined.clauses);
     for (const Node n : mined.clauses) {
@@ -222,17 +243,18 @@ class Stages {
       questions[i].system = &cones[i].system;
       questions[i].invariants = cones[i].translated(invariants_.clauses);
       questions[i].verdict.depth = answers_[open_[i]].depth;
-      if (!blast_->unmodelled().empty()) continue;  // certificates leave REAL operations open
+      // Certificates leave REAL operations open.
+      if (!blast_->unmodelled().empty() || !options_.techniques.has(Technique::WordIc3)) continue;
       EngineOptions options;
       options.seed = options_.seed;
       words[i] = makeWordEngine(system_, open_[i], options);
       questions[i].words = words[i].get();
     }
-    race(questions, {options_.seconds, options_.jobs, options_.seed, options_.bound, options_.cancel, searchEnd()});
+    race(questions, {options_.seconds, options_.jobs, options_.seed, options_.bound, options_.cancel, searchEnd(),
+                     options_.techniques, options_.log});
     for (std::size_t i = 0; i < open_.size(); ++i) {
       answers_[open_[i]].seconds += questions[i].seconds / std::max(options_.jobs, 1);
-      if (questions[i].verdict.answer == Answer::Unknown)
-        questions[i].verdict.method = "BMC, k-induction, IC3, simulation, held inputs, explicit search, IC3 on words";
+      if (questions[i].verdict.answer == Answer::Unknown) questions[i].verdict.method = enginesOf(options_.techniques);
       completeEvidence(questions[i].verdict, words[i].get(), cones[i]);
       take(open_[i], positions_[i], questions[i].verdict, &cones[i]);
     }
@@ -298,6 +320,8 @@ class Stages {
     for (const KeptDifference& d : differences_) {
       if (isUsed[indexOf(d.difference)]) result.differences.push_back(d);
     }
+    if (options_.log != nullptr && !needed.clauses.empty())
+      options_.log->add(result.differences.empty() ? mined_ : Technique::Bounds, {0, 1, 0});
     if (given.simplePath) {
       const std::size_t count = cone == nullptr ? bits.latches.size() : cone->latches.size();
       for (std::size_t i = 0; i < count; ++i) {
@@ -314,7 +338,7 @@ class Stages {
     return n;
   }
   void append(std::vector<Node>& conditions, const std::vector<std::vector<Lit>>& clauses) {
-    if (clauses.size() < manyClauses) {
+    if (clauses.size() < schedule::manyClauses) {
       for (const std::vector<Lit>& clause : clauses) conditions.push_back(nodeOf(clause));
       return;
     }
@@ -375,6 +399,7 @@ class Stages {
   std::vector<Lit> truths_;                      ///< literals of blast_
   std::vector<std::vector<Lit>> guesses_;        ///< further candidate invariants, in literals of blast_
   Invariants invariants_;                        ///< of blast_'s system
+  Technique mined_ = Technique::StatePairs;      ///< where they come from
   std::unique_ptr<InvariantCores> cores_;        ///< of invariants_
   std::optional<Certificate> onWholeSystem_;     ///< of the verdict at hand, if it was found on words
   std::vector<KeptDifference> differences_;      ///< that bounds among invariants_ speak of

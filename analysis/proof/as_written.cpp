@@ -7,12 +7,11 @@
 
 #include "analysis/encoding/exact_reals.hpp"
 #include "analysis/graph/evaluate.hpp"
+#include "analysis/schedule/schedule.hpp"
 
 namespace rungproof {
 
-namespace {
-constexpr double localSeconds = 1;  ///< for a proof on the surface
-}  // namespace
+namespace {}  // namespace
 
 AsWritten::AsWritten(ProofSide& simplified, std::unique_ptr<ProofSide> side)
     : from_(*simplified.system().graph), side_(std::move(side)) {
@@ -105,7 +104,7 @@ std::optional<WordCertificate> AsWritten::translated(std::size_t question, bool 
   const Node bad = this->question(question, isWritten).bad;
   WordCertificate own;
   if (!certificate.open.empty() && purpose == Purpose::Check) {
-    if (const auto open = proveLocally(whole, bad, Budget::seconds(localSeconds), kept_, &own.invariant);
+    if (const auto open = proveLocally(whole, bad, Budget::seconds(schedule::asWrittenSeconds), kept_, &own.invariant);
         open && !open->empty()) {
       std::vector<Node> once = own.invariant;
       once.insert(once.end(), whole.constraints.begin(), whole.constraints.end());

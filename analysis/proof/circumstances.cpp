@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
+#include "analysis/schedule/schedule.hpp"
+
 namespace rungproof {
 
 namespace {
-
-constexpr std::uint64_t triedScans = 20000;  ///< longer runs are not repeated under other readings
 
 bool isScanClock(const Place& place) {
   return place.isRegister && (place.reg == Reg::PhaseSecond || place.reg == Reg::PhaseMinute);
@@ -27,7 +27,7 @@ class Trials {
   Trials(const Witness& witness, const Program& program, const Choices& choices, const Judge* judge)
       : witness_(witness),
         start_(witness.initial ? *witness.initial : powerUpState(Plan(program), choices)),
-        judge_(witness.scanCount <= triedScans ? judge : nullptr) {}
+        judge_(witness.scanCount <= schedule::triedScans ? judge : nullptr) {}
 
   const Concrete::Store& start() const { return start_; }
   /// Whether the goal may get lost; `isUsual`: without a judge, that the start is as usual.

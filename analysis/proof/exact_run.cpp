@@ -7,14 +7,13 @@
 #include <random>
 
 #include "analysis/proof/scan_run.hpp"
+#include "analysis/schedule/schedule.hpp"
 
 namespace rungproof {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr int replayTrials = 24;  ///< random assignments of all idle inputs together
 
 std::string nameIn(const TransitionSystem& system, Node variable) {
   return system.graph->variables()[(*system.graph)[variable].value].name;
@@ -221,7 +220,7 @@ bool ExactQuestion::dropIdle(ExactRun& given, std::vector<std::vector<bool>>& ma
     }
   }
   std::mt19937_64 random(seed);
-  for (int trial = 0; trial < replayTrials && !idle.empty();) {
+  for (int trial = 0; trial < schedule::replayTrials && !idle.empty();) {
     ExactRun tried = best;
     for (const Input& input : idle)
       tried.inputs[input.scan][input.index] = trial == 0 ? input.highest : random() & input.highest;

@@ -8,6 +8,7 @@
 #include "analysis/encoding/scan_encoding.hpp"
 #include "analysis/encoding/scan_inputs.hpp"
 #include "analysis/proof/follower.hpp"
+#include "analysis/schedule/schedule.hpp"
 
 namespace rungproof {
 
@@ -16,12 +17,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint32_t endless = 1U << 30;
-constexpr int randomPhases = 400;
-constexpr std::uint64_t looksAtClock = 64;       ///< scans between two looks at the clock
-constexpr std::size_t longestQueue = 16;         ///< of all CPUs (001:5488)
-constexpr double plainShare = 0.25;              ///< of the time, for each plain run
-constexpr int plainRuns = 2;                     ///< all on, all off
-constexpr std::uint64_t leastInstructions = 50;  ///< that a scan counts for
+constexpr std::size_t longestQueue = 16;  ///< of all CPUs (001:5488)
 
 class GuidedSearch {
  public:
@@ -44,12 +40,12 @@ class GuidedSearch {
 
   std::vector<std::optional<Witness>> run() {
     const std::uint64_t most =
-        limits_.instructions / std::max<std::uint64_t>(program_.instructionCount(), leastInstructions);
+        limits_.instructions / std::max<std::uint64_t>(program_.instructionCount(), schedule::leastInstructions);
     std::uint64_t barren = 0;  // random scans
     for (int kind = 0; !isDone() && barren < most && used() < limits_.seconds; ++kind) {
-      const double share = kind < plainRuns ? plainShare * (kind + 1) : 1;
+      const double share = kind < schedule::plainRuns ? schedule::plainShare * (kind + 1) : 1;
       const auto [made, hasShown] = follow(phases(kind), most, share * limits_.seconds);
-      if (kind >= plainRuns) barren = (hasShown ? 0 : barren) + made + 1;
+      if (kind >= schedule::plainRuns) barren = (hasShown ? 0 : barren) + made + 1;
     }
     return std::move(found_);
   }
@@ -65,12 +61,12 @@ class GuidedSearch {
     ReplayScan scan;
     scan.lengthMs = lengthMs_;
     scan.inputs = inputs_;
-    if (kind < plainRuns) {
+    if (kind < schedule::plainRuns) {
       for (PresetValue& input : scan.inputs) input.value = kind == 0 ? Graph::maskOf(bits(input.operand.width)) : 0;
       scan.repeats = endless;
       return {scan};
     }
-    for (int i = 0; i < randomPhases; ++i) {
+    for (int i = 0; i < schedule::guidedPhases; ++i) {
       for (PresetValue& input : scan.inputs) {
         if (i == 0 || random_() % 2 == 0) input.value = random_() & Graph::maskOf(bits(input.operand.width));
       }
@@ -138,7 +134,7 @@ class GuidedSearch {
         hits[g] = {at, round};
         shown = count;
       }
-      return isOpen && count - shown < most && (count % looksAtClock != 0 || used() < seconds);
+      return isOpen && count - shown < most && (count % schedule::guidedScansBetweenLooks != 0 || used() < seconds);
     });
     for (std::size_t g = 0; g < goals_.size(); ++g) {
       if (!hits[g]) continue;

@@ -9,14 +9,14 @@
 
 #include "analysis/encoding/encoder.hpp"
 #include "analysis/proof/witness.hpp"
+#include "analysis/schedule/schedule.hpp"
 
 namespace rungproof {
 
 struct GuidedLimits {
   double seconds;
-  /// Without a new goal shown, of the run with all inputs on, of that with all off, and of all random runs together:
-  /// 40,000 scans of 100 instructions, hours of the machine's time.
-  std::uint64_t instructions = 4'000'000;
+  /// Without a new goal shown, of the run with all inputs on, of that with all off, and of all random runs together.
+  std::uint64_t instructions = schedule::guidedInstructions;
 };
 
 /// By goal: a run that shows it, if one was found within the limits. `encoding` tells the program's inputs.

@@ -13,6 +13,7 @@
 #include "analysis/proof/question_search.hpp"
 #include "analysis/proof/unfollowed_routine.hpp"
 #include "analysis/proof/untouched.hpp"
+#include "analysis/schedule/schedule.hpp"
 
 namespace rungproof {
 
@@ -29,8 +30,6 @@ void leaveOpen(ProofResult& row, const std::vector<std::string>& reasons) {
   row.networks.clear();
   row.notes.insert(row.notes.end(), reasons.begin(), reasons.end());
 }
-
-constexpr double premiseSeconds = 5;  ///< for a question that a verdict is checked with
 
 std::size_t goalCount(const PropertySet& set) {
   return static_cast<std::size_t>(
@@ -101,6 +100,7 @@ class Session {
         result.approximations.push_back(approximationText(program_, approximation));
     }
     result.isInterrupted = search_.watch().isInterrupted();
+    result.techniques = search_.techniques();
     return result;
   }
 
@@ -234,7 +234,7 @@ class Session {
 
   /// What is not followed to its end leaves every proof open, unless it cannot occur.
   void guardLeftOut(ProofResult& row) {
-    if (row.witness || !search_.mayLeaveOut(premiseSeconds)) return;
+    if (row.witness || !search_.mayLeaveOut(schedule::premiseSeconds)) return;
     row.outcome = Outcome::NotCovered;
     row.certificate.clear();
     for (const Approximation& approximation : search_.exact().obligations().approximations()) {
@@ -325,7 +325,7 @@ class Session {
       return;
     }
     if (premise == goals().size() || row.outcome != Outcome::Proved) return;
-    const Answer answer = search_.supporting(premise, premiseSeconds);
+    const Answer answer = search_.supporting(premise, schedule::premiseSeconds);
     if (answer == Answer::Proved) {
       row.outcome = Outcome::Vacuous;
       row.notes.push_back(fmt::format("the premise '{}' can never be met", goals()[premise].text));
@@ -389,6 +389,7 @@ ProofRun merged(const PropertySet& set, ProofRun plain, ProofRun inside) {
   }
   plain.disagreements.insert(plain.disagreements.end(), inside.disagreements.begin(), inside.disagreements.end());
   plain.isInterrupted = plain.isInterrupted || inside.isInterrupted;
+  add(plain.techniques, inside.techniques);
   return plain;
 }
 
@@ -436,7 +437,7 @@ void noteUntouched(const Program& program, const PropertySet& set, const ProverO
     quick.checks = {};
     quick.unread = nullptr;
     quick.certificates = quick.evidence = false;
-    quick.timeout = std::min(options.timeout, premiseSeconds);
+    quick.timeout = std::min(options.timeout, schedule::premiseSeconds);
     const ProofRun run = proveInParts(any->program, any->set, quick, {});
     if (run.results.size() != 1 || run.results.front().outcome != Outcome::Proved) continue;
     row.outcome = Outcome::Vacuous;

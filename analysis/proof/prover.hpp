@@ -13,6 +13,8 @@
 #include "analysis/proof/outcome.hpp"
 #include "analysis/proof/rule_question.hpp"
 #include "analysis/proof/witness.hpp"
+#include "analysis/schedule/schedule.hpp"
+#include "analysis/schedule/technique.hpp"
 #include "analysis/unread_code.hpp"
 
 namespace rungproof {
@@ -20,10 +22,10 @@ namespace rungproof {
 struct ProverOptions {
   Choices choices;
   TimeRange time;
-  double timeout = 60;     ///< seconds per question; encoding and checks of certificates count
-  double total = 0;        ///< seconds for everything, encoding included; 0: no limit
-  double ruleTimeout = 2;  ///< at most, for each question of CheckGroups::lint and powerUp
-  int bound = 0;           ///< scans that bounded search may look at; 0: no limit
+  double timeout = schedule::questionSeconds;  ///< seconds per question; encoding and checks of certificates count
+  double total = 0;                            ///< seconds for everything, encoding included; 0: no limit
+  double ruleTimeout = schedule::ruleSeconds;  ///< at most, for each question of CheckGroups::lint and powerUp
+  int bound = 0;                               ///< scans that bounded search may look at; 0: no limit
   int jobs = 2;
   std::uint64_t seed = 1;
   std::uint64_t memory = 0;   ///< bytes; 0: no limit
@@ -31,6 +33,7 @@ struct ProverOptions {
   bool certificates = false;  ///< write out the proofs as SMT-LIB 2
   bool explains = true;       ///< name what results rest on; without: outcomes and runs only
   bool evidence = true;       ///< check certificates, shorten witnesses, name networks; without: verdicts only
+  Techniques techniques{};    ///< what may be used
   bool usesCone = true;       ///< encode only networks that can have an effect on what is asked (cone_of_influence.hpp)
   const UnreadCode* unread = nullptr;  ///< what was left out of the program: all that depends on it is NOT COVERED
   const std::atomic<bool>* cancel = nullptr;  ///< set from outside, as by Ctrl-C: the run ends with what is settled
@@ -66,6 +69,7 @@ struct ProofRun {
   std::vector<std::string> assumptions;     ///< CPU, scan time, initial memory, external writers
   std::vector<std::string> approximations;  ///< "PID at press.awl:41: result is any value"
   std::vector<Disagreement> disagreements;
+  TechniqueUses techniques{};  ///< what each has done
   bool isInterrupted = false;  ///< by ProverOptions::cancel; what was open is Unknown
 };
 

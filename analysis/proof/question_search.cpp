@@ -14,27 +14,11 @@
 #include "analysis/proof/exact_run.hpp"
 #include "analysis/proof/guided_runs.hpp"
 #include "analysis/proof/witness_minimal.hpp"
+#include "analysis/schedule/schedule.hpp"
 
 namespace rungproof {
 
-namespace {
-
-constexpr int shallowDepth = 12;         ///< scans of a short accelerated run
-constexpr double shallowSeconds = 0.25;  ///< for all of them
-constexpr double engineSeconds = 2;      ///< for runs of the engine, which count their scans, on a busy machine
-constexpr std::uint64_t fewInstructions = 200'000;  ///< of its runs before any proof is tried
-constexpr double ownRunsShare = 0.05;          ///< of the time, for the engine's own runs when one was not confirmed
-constexpr double lastOwnRunsShare = 0.3;       ///< the same when nothing else is left to be tried
-constexpr double exploringSeconds = 0.15;      ///< for all questions that are open after the quick ones
-constexpr double quickSeconds = 0.5;           ///< for each question while all are looked at together
-constexpr int fillings = 16;                   ///< of inputs that a question does not mention, tried to confirm a run
-constexpr double minimiseSeconds = 0.25;       ///< for making a witness smaller
-constexpr std::uint64_t minimisedScans = 200;  ///< longer witnesses wait for a timer; they stay as they were found
-constexpr std::size_t writtenReals = 200;      ///< REAL operations of a goal that are written out as bits
-constexpr std::size_t writtenForChecks = 12;   ///< of a built-in check: there is one at each REAL operation
-constexpr double freeRealShare = 0.25;         ///< of a question's time, before REAL operations are written out
-
-}  // namespace
+namespace {}  // namespace
 
 QuestionSearch::QuestionSearch(const Program& program, const PropertySet& set, const ProverOptions& options)
     : program_(program), set_(set), options_(options), goals_(askedGoals(set)), watch_(options.cancel, options.memory) {
@@ -62,7 +46,8 @@ class QuestionSearch::EarlyRuns {
  public:
   EarlyRuns(QuestionSearch& search, Clock::time_point deadline)
       : search_(search), thread_([this, deadline] {
-          for (int i = 0; i < patienceMs && !isEnded_; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+          for (int i = 0; i < schedule::earlyPatience && !isEnded_; ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
           if (!isEnded_) explore(deadline);
         }) {}
   ~EarlyRuns() {
@@ -73,8 +58,6 @@ class QuestionSearch::EarlyRuns {
   EarlyRuns& operator=(const EarlyRuns&) = delete;
 
  private:
-  static constexpr int patienceMs = 50;  ///< most programs are encoded by then
-
   void explore(Clock::time_point deadline) {
     const ProofWatch::Guard guard(search_.watch_, isEnded_);
     std::vector<std::size_t> all(search_.goals_.size());
@@ -82,10 +65,12 @@ class QuestionSearch::EarlyRuns {
     const ProverOptions& options = search_.options_;
     Exploration runs(search_.program_, runSpaceOf(search_.program_, search_.set_, options.choices, options.time),
                      search_.assumptions_, search_.goals_, all, options.seed);
+    TechniqueTurn turn(&search_.log_, Technique::EarlyRuns, all.size());
     runs.search(deadline, isEnded_);
     for (const std::size_t goal : all) {
       if (runs.found(goal)) search_.early_.emplace(goal, *runs.found(goal));
     }
+    turn.settled(search_.early_.size());
   }
 
   QuestionSearch& search_;
@@ -96,7 +81,7 @@ class QuestionSearch::EarlyRuns {
 void QuestionSearch::encode(Clock::time_point deadline) {
   deadline_ = deadline;
   std::optional<EarlyRuns> runs;
-  if (options_.bound == 0) runs.emplace(*this, deadline);
+  if (options_.bound == 0 && options_.techniques.has(Technique::EarlyRuns)) runs.emplace(*this, deadline);
   EncoderOptions options = encoding(false);
   if (options_.evidence) options.trail = trail_ = std::make_shared<Trail>();
   exact_ = std::make_unique<ProofSide>(program_, set_, goals_, options, options_.checks);
@@ -180,27 +165,27 @@ QuestionSearch::Found QuestionSearch::answer(std::size_t question, Clock::time_p
   watch_.release();
   const auto isUnconfirmed = [&] { return !witness && answer.answer == Answer::Violated; };
   OwnRuns own(*this, question);
-  if (isUnconfirmed() && !restsOnReals(question)) witness = own.search(answer, ownRunsShare);
+  if (isUnconfirmed() && !restsOnReals(question)) witness = own.search(answer, schedule::ownRunsShare);
   bool isTried = isUnconfirmed() && searchWithoutEstimates(question, answer, witness);
   const bool isOpen = !witness && answer.answer != Answer::Proved;
   if (isOpen && !isTried && mayGoOn()) {
     std::tie(answer, witness) = search(question, answer.answer);
     isTried = isUnconfirmed() && searchWithoutEstimates(question, answer, witness);
   }
-  if (isUnconfirmed()) witness = own.search(answer, lastOwnRunsShare);
+  if (isUnconfirmed()) witness = own.search(answer, schedule::lastOwnRunsShare);
   const bool isMinimised = options_.evidence && witness && question < goals_.size() &&
-                           witness->scanCount <= minimisedScans && !watch_.isStopped();
+                           witness->scanCount <= schedule::minimisedScans && !watch_.isStopped();
   if (isMinimised) {
     const std::uint32_t plainMs =
         std::clamp<std::uint32_t>(ReplayScan{}.lengthMs, options_.time.low, options_.time.high);
     witness = minimised(Judge(program_, options_.choices, assumptions_, goals_[question]), std::move(*witness), plainMs,
-                        std::clamp(left(), 0.05, minimiseSeconds), options_.seed);
+                        std::clamp(left(), schedule::leastMinimising, schedule::minimiseSeconds), options_.seed);
   }
   const bool hasEvents =
       witness && std::ranges::any_of(witness->scans, [](const ReplayScan& s) { return !s.script.events.empty(); });
   if (hasEvents && !isMinimised && options_.evidence && question < goals_.size() && !watch_.isStopped()) {
     witness = withoutIdleEvents(Judge(program_, options_.choices, assumptions_, goals_[question]), std::move(*witness),
-                                std::clamp(left(), 0.05, minimiseSeconds));
+                                std::clamp(left(), schedule::leastMinimising, schedule::minimiseSeconds));
   }
   return {std::move(answer), std::move(witness)};
 }
@@ -218,17 +203,25 @@ std::optional<Witness> QuestionSearch::OwnRuns::search(QuestionAnswer& answer, d
   const double seconds = std::min(search_.left(), search_.options_.timeout * share);
   if (!exploration_) {
     const std::vector<Property>& goals = search_.goals_;
-    auto found = guidedRuns(search_.program_, encoding, search_.assumptions_, {&goals[goal_]}, search_.options_.seed,
-                            {std::min(seconds, engineSeconds)});
-    if (found[0]) return shown(std::move(*found[0]), "engine runs");
+    if (search_.options_.techniques.has(Technique::EngineRuns)) {
+      TechniqueTurn turn(&search_.log_, Technique::EngineRuns, 1);
+      auto found = guidedRuns(search_.program_, encoding, search_.assumptions_, {&goals[goal_]}, search_.options_.seed,
+                              {std::min(seconds, schedule::engineSeconds)});
+      if (found[0]) turn.settled();
+      if (found[0]) return shown(std::move(*found[0]), "engine runs");
+    }
+    if (!search_.options_.techniques.has(Technique::Exploration)) return std::nullopt;
     exploration_ = std::make_unique<Exploration>(search_.program_, runSpaceOf(encoding), search_.assumptions_, goals,
                                                  std::vector{goal_}, search_.options_.seed);
   }
+  TechniqueTurn turn(&search_.log_, Technique::Exploration, 1);
   std::atomic<bool> cancel{false};
   const ProofWatch::Guard guard(search_.watch_, cancel);
   exploration_->search(std::min(search_.deadline_, Clock::now() + inSeconds(seconds)), cancel, goal_);
-  if (const std::optional<Witness>& found = exploration_->found(goal_)) return shown(*found, "exploration");
-  return std::nullopt;
+  const std::optional<Witness>& found = exploration_->found(goal_);
+  if (!found) return std::nullopt;
+  turn.settled();
+  return shown(*found, "exploration");
 }
 
 /// A run that rests on estimates: perhaps there is one without. True: the question was asked so and answered.
@@ -301,6 +294,8 @@ PortfolioOptions QuestionSearch::portfolio(double each, Clock::time_point deadli
   options.cancel = cancel;
   options.deadline = deadline;
   options.memory = options_.memory;
+  options.techniques = options_.techniques;
+  options.log = &log_;
   options.check = options_.evidence;
   if (options_.evidence)
     options.judge = [this](const std::vector<Claim>& claims, const CheckLimits& limits) {
@@ -321,7 +316,7 @@ EncoderOptions QuestionSearch::encoding(bool relaxed) const {
 /// Whether REAL operations decide the question that can be written out: engines take them as any value at first.
 bool QuestionSearch::restsOnReals(std::size_t question) const {
   const std::size_t count = exact_->exactReals(question);
-  return count > 0 && count <= (question < goals_.size() ? writtenReals : writtenForChecks);
+  return count > 0 && count <= (question < goals_.size() ? schedule::writtenReals : schedule::writtenForChecks);
 }
 
 std::vector<QuestionAnswer> QuestionSearch::ask(const TransitionSystem& system, double each,
@@ -334,16 +329,16 @@ std::vector<QuestionAnswer> QuestionSearch::ask(const TransitionSystem& system, 
 void QuestionSearch::answerQuickly(Clock::time_point deadline) {
   std::atomic<bool> cancel{false};
   const ProofWatch::Guard guard(watch_, cancel);
-  PortfolioOptions together = portfolio(std::min(options_.timeout, quickSeconds), deadline, &cancel);
+  PortfolioOptions together = portfolio(std::min(options_.timeout, schedule::quickSeconds), deadline, &cancel);
   together.effort = Effort::Together;
   quick_.resize(exact_->system().questions.size());
-  searchOnEngine([&](std::size_t q) { return !isDeclared(q); }, fewInstructions);
+  searchOnEngine([&](std::size_t q) { return !isDeclared(q); }, schedule::fewInstructions);
   TransitionSystem rest = exact_->system();
   answerOpen(rest, openQuestions([](std::size_t) { return true; }), together);
   const auto start = Clock::now();
   std::vector<std::size_t> open;
   for (std::size_t q = 0; q < quick_.size(); ++q) {
-    const bool maySearch = q < goals_.size() && options_.bound == 0 && secondsSince(start) <= shallowSeconds;
+    const bool maySearch = q < goals_.size() && options_.bound == 0 && secondsSince(start) <= schedule::shallowSeconds;
     if (quick_[q].answer == Answer::Unknown && !(maySearch && searchShallow(q))) open.push_back(q);
   }
   searchOnEngine([&](std::size_t q) { return !isDeclared(q) || goals_[q].kind == PropertyKind::Reach; },
@@ -351,20 +346,24 @@ void QuestionSearch::answerQuickly(Clock::time_point deadline) {
   std::erase_if(open, [&](std::size_t q) { return quick_[q].answer != Answer::Unknown; });
   takeExplored();
   std::erase_if(open, [&](std::size_t q) { return quick_[q].answer != Answer::Unknown; });
-  answerOpen(rest, open, portfolio(std::min(options_.timeout, quickSeconds), deadline, &cancel));
-  explore(std::min(deadline, Clock::now() + inSeconds(std::min(options_.timeout / 10, exploringSeconds))));
+  answerOpen(rest, open, portfolio(std::min(options_.timeout, schedule::quickSeconds), deadline, &cancel));
+  explore(std::min(deadline, Clock::now() + inSeconds(std::min(options_.timeout * schedule::engineShare,
+                                                               schedule::exploringSeconds))));
 }
 
 /// What the engine finds from state to state for all open goals.
 void QuestionSearch::explore(Clock::time_point deadline) {
   const std::vector<std::size_t> open = openQuestions([&](std::size_t q) { return q < goals_.size(); });
   if (open.empty() || options_.bound > 0 || watch_.isStopped()) return;
+  if (!options_.techniques.has(Technique::Exploration)) return;
+  TechniqueTurn turn(&log_, Technique::Exploration, open.size());
   std::atomic<bool> cancel{false};
   const ProofWatch::Guard guard(watch_, cancel);
   exploration_ = std::make_unique<Exploration>(program_, runSpaceOf(exact_->obligations().encoding()), assumptions_,
                                                goals_, open, options_.seed);
   exploration_->search(deadline, cancel);
   takeExplored();
+  turn.settled(open.size() - openQuestions([&](std::size_t q) { return q < goals_.size(); }).size());
 }
 
 /// Runs that the exploration has found for questions that were still open.
@@ -412,25 +411,33 @@ void QuestionSearch::searchOnEngine(Wanted&& wanted, std::uint64_t instructions)
   std::vector<const Property*> goals;
   for (const std::size_t q : open) goals.push_back(&goals_[q]);
   if (options_.bound > 0 || open.empty() || watch_.isStopped()) return;
+  if (!options_.techniques.has(Technique::EngineRuns)) return;
+  TechniqueTurn turn(&log_, Technique::EngineRuns, open.size());
   std::vector<std::optional<Witness>> found =
       guidedRuns(program_, exact_->obligations().encoding(), assumptions_, goals, options_.seed,
-                 {std::min(options_.timeout / 10, engineSeconds), instructions});
+                 {std::min(options_.timeout * schedule::engineShare, schedule::engineSeconds), instructions});
   for (std::size_t i = 0; i < open.size(); ++i) {
-    if (found[i]) show(open[i], std::move(*found[i]), "engine runs");
+    if (!found[i]) continue;
+    show(open[i], std::move(*found[i]), "engine runs");
+    turn.settled();
   }
 }
 
 /// A short run of the accelerated system that the engine repeats.
 bool QuestionSearch::searchShallow(std::size_t question) {
   const auto start = Clock::now();
+  if (!options_.techniques.has(Technique::QuickAccelerated)) return false;
   if (!exact_->dependsOnTime(exact_->variablesOf(question))) return false;
+  TechniqueTurn turn(&log_, Technique::QuickAccelerated, 1);
   ProofSide* relaxed = relaxedSide();
   if (relaxed == nullptr) return false;
   const TransitionSystem accelerated = relaxed->accelerated(question, options_.time.high);
-  if (const auto trace = shallowSearch(accelerated, shallowDepth, shallowSeconds / 4)) {
+  if (const auto trace =
+          shallowSearch(accelerated, schedule::shallowDepth, schedule::shallowSeconds * schedule::shallowShare)) {
     if (auto witness = replayed(*relaxed, accelerated, question, *trace)) {
       show(question, std::move(*witness), "accelerated search");
       quick_[question].seconds += secondsSince(start);
+      turn.settled();
       return true;
     }
   }
@@ -439,15 +446,19 @@ bool QuestionSearch::searchShallow(std::size_t question) {
 
 /// REAL operations take any value at first, which is enough for many proofs; where it is not, they are written out.
 QuestionSearch::Found QuestionSearch::search(std::size_t question, Answer known) {
-  if (!restsOnReals(question)) return race(question);
+  if (!restsOnReals(question) || !options_.techniques.has(Technique::ExactReals)) return race(question);
   if (known == Answer::Unknown) {
-    const Clock::time_point whole = std::exchange(deadline_, Clock::now() + inSeconds(left() * freeRealShare));
+    const Clock::time_point whole =
+        std::exchange(deadline_, Clock::now() + inSeconds(left() * schedule::freeRealShare));
     Found found = race(question);
     deadline_ = whole;
     if (found.second || found.first.answer == Answer::Proved || !mayGoOn()) return found;
   }
+  TechniqueTurn turn(&log_, Technique::ExactReals, 1);
   written_.emplace(question, withExactReals(exact_->only(question), RealScope::All));
-  return race(question);
+  Found found = race(question);
+  if (found.second || found.first.answer == Answer::Proved) turn.settled();
+  return found;
 }
 
 /// The exact system and the accelerated one at the same time; the first valid result ends both. Witnesses of built-in
@@ -463,7 +474,8 @@ QuestionSearch::Found QuestionSearch::race(std::size_t question) {
   std::optional<TransitionSystem> accelerated;
   std::thread fast;
   const bool isBounded = options_.bound > 0;  // by scans of the program, which the accelerated system does not count
-  ProofSide* relaxed = !isBounded && exact_->dependsOnTime(exact_->variablesOf(question)) ? relaxedSide() : nullptr;
+  const bool mayAccelerate = !isBounded && options_.techniques.has(Technique::Accelerated);
+  ProofSide* relaxed = mayAccelerate && exact_->dependsOnTime(exact_->variablesOf(question)) ? relaxedSide() : nullptr;
   if (relaxed != nullptr) {
     accelerated = relaxed->accelerated(question, options_.time.high);
     if (isWritten) accelerated = withExactReals(*accelerated, RealScope::All);
@@ -471,15 +483,21 @@ QuestionSearch::Found QuestionSearch::race(std::size_t question) {
       PortfolioOptions options = portfolio(left(), deadline_, &cancelFast);
       options.jobs = 1;
       options.check = false;
+      options.log = nullptr;
+      TechniqueTurn turn(&log_, Technique::Accelerated, 1);
       QuestionAnswer answer = answerQuestions(*accelerated, options)[0];
       if (answer.answer != Answer::Violated) return;
       if (question < goals_.size()) witness = replayed(*relaxed, *accelerated, question, *answer.trace);
       fastAnswer = std::move(answer);
-      if (witness || question >= goals_.size()) cancelExact = true;
+      if (!witness && question < goals_.size()) return;
+      turn.settled();
+      cancelExact = true;
     });
   }
+  std::optional<TechniqueTurn> turn;
   std::optional<ExplorationThread> exploring;
   if (exploration_ && question < goals_.size() && !exploration_->found(question)) {
+    turn.emplace(&log_, Technique::Exploration, 1);
     exploring.emplace(*exploration_, question, deadline_, [&] { cancelExact = cancelFast = true; });
   }
   QuestionAnswer answer = answerQuestions(exact, portfolio(std::max(left(), 0.0), deadline_, &cancelExact))[0];
@@ -487,7 +505,11 @@ QuestionSearch::Found QuestionSearch::race(std::size_t question) {
   if (fast.joinable()) fast.join();
   const bool isExplored = exploring && exploring->end() && !witness;
   takeExplored();
-  if (isExplored) witness = exploration_->found(question);
+  if (isExplored) {
+    witness = exploration_->found(question);
+    turn->settled();
+  }
+  turn.reset();
   if (fastAnswer && !witness && question >= goals_.size()) {
     witness = replayed(*relaxed, *accelerated, question, *fastAnswer->trace);
     if (!witness && answer.answer == Answer::Unknown && mayGoOn()) answer = ask(exact, left(), deadline_)[0];
@@ -532,9 +554,10 @@ std::optional<Witness> QuestionSearch::replayedCheck(const TransitionSystem& sys
   const std::size_t check = question - goals_.size();
   const bool isShownToPeople =
       options_.evidence && check < exact_->checks().size() && isAskedByProve(*exact_->checks()[check].rule);
-  if (!witness || !isShownToPeople || witness->scanCount > minimisedScans || watch_.isStopped()) return witness;
+  if (!witness || !isShownToPeople || witness->scanCount > schedule::minimisedScans || watch_.isStopped())
+    return witness;
   std::vector<std::vector<bool>> matters;
-  if (!asked.dropIdle(*run, matters, minimiseSeconds, options_.seed)) return witness;
+  if (!asked.dropIdle(*run, matters, schedule::minimiseSeconds, options_.seed)) return witness;
   std::optional<Witness> smaller = asked.witness(program_, options_.choices, *run);
   if (smaller) smaller->matters = std::move(matters);
   return smaller ? smaller : witness;
@@ -549,7 +572,7 @@ std::optional<Witness> QuestionSearch::confirmed(std::size_t question, const Wor
   for (const Node n : exact_->obligations().encoding().time().inputs()) fixed.insert(indexOf(n));
   std::mt19937_64 random(options_.seed);
   WordTrace tried = trace;
-  for (int attempt = 0; attempt < fillings && !witness && !watch_.isStopped(); ++attempt) {
+  for (int attempt = 0; attempt < schedule::fillings && !witness && !watch_.isStopped(); ++attempt) {
     fillOtherInputs(exact_->system(), fixed, random, tried);
     witness = replayed(*exact_, exact_->system(), question, tried);
   }

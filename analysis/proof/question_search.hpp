@@ -77,6 +77,7 @@ class QuestionSearch {
   /// Seconds that are left for the question at hand.
   double left() const { return std::chrono::duration<double>(deadline_ - Clock::now()).count(); }
   const ProofWatch& watch() const { return watch_; }
+  TechniqueUses techniques() const { return log_.uses(); }
 
  private:
   class EarlyRuns;
@@ -115,8 +116,9 @@ class QuestionSearch {
   const std::vector<Property> goals_;
   std::vector<Property> assumptions_;
   std::vector<bool> isLeftOut_;  ///< by Instruction::id: outside the cone of influence of all questions
-  std::size_t declared_ = 0;  ///< goals that the user has declared; they come first
+  std::size_t declared_ = 0;     ///< goals that the user has declared; they come first
   ProofWatch watch_;
+  TechniqueLog log_;
   Clock::time_point deadline_{};  ///< of the question at hand
   std::unique_ptr<ProofSide> exact_, relaxed_;
   std::shared_ptr<Trail> trail_;  ///< of exact_

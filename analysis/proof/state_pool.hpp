@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "analysis/proof/run_space.hpp"
+#include "analysis/schedule/schedule.hpp"
 #include "engine/replay.hpp"
 #include "engine/simulator.hpp"
 
@@ -64,7 +65,7 @@ inline bool tellsStatesApart(const Place& p) {
 class PoolConstants {
  public:
   void add(std::int64_t value) {
-    if (values_.size() >= most) return;
+    if (values_.size() >= schedule::explorationConstants) return;
     for (const std::int64_t v : {value - 1, value, value + 1}) values_.insert(static_cast<std::uint64_t>(v));
   }
   void add(const Program& program) {
@@ -81,7 +82,6 @@ class PoolConstants {
   const std::set<std::uint64_t>& values() const { return values_; }
 
  private:
-  static constexpr std::size_t most = 200;
   std::set<std::uint64_t> values_{0, 1};
 };
 
@@ -132,24 +132,16 @@ class StatePool {
   bool search(const IsOver& isOver, const IsDone& isDone) {
     while (!isOver()) {
       if (isDone()) return true;
-      if (barren_ > barrenRuns) return false;
+      if (barren_ > schedule::barrenRuns) return false;
       const std::size_t from = choose();
-      for (int i = 0; i < shortRuns && !isOver(); ++i) vary(from, 1U + (random_() & 1U), isOver);
-      vary(from, (random_() % patience == 0 ? 16U : 1U) << (random_() % longestStretch), isOver);
+      for (int i = 0; i < schedule::shortRuns && !isOver(); ++i) vary(from, 1U + (random_() & 1U), isOver);
+      vary(from, (random_() % schedule::longerStretch == 0 ? 16U : 1U) << (random_() % schedule::longestStretch),
+           isOver);
     }
     return true;
   }
 
  private:
-  static constexpr std::size_t mostStates = 3000;   ///< kept with their memory
-  static constexpr int shortRuns = 32;              ///< of one or two scans, for each one that may be long
-  static constexpr int longestStretch = 14;         ///< a long one keeps its inputs for up to 2^13 scans,
-  static constexpr int patience = 16;               ///< one of so many 16 times as long
-  static constexpr std::uint64_t exactBelow = 64;   ///< words below tell states apart by value, above by size
-  static constexpr std::uint32_t lookAtClock = 64;  ///< scans between two looks at the clock
-  static constexpr std::size_t newest = 8;          ///< states that are chosen more often
-  static constexpr int barrenRuns = 50000;          ///< without a new state, after which the exploration is at its end
-
   struct State {
     typename World::Snapshot snapshot;
     std::vector<std::uint64_t> inputs;
@@ -205,8 +197,9 @@ class StatePool {
     for (Word& word : words_) {
       if (word.isTime) continue;
       const std::uint64_t value = read(word.cell);
-      const std::uint64_t size =
-          value < exactBelow ? value : exactBelow + static_cast<std::uint64_t>(std::bit_width(value));
+      const std::uint64_t size = value < schedule::exactBelow
+                                     ? value
+                                     : schedule::exactBelow + static_cast<std::uint64_t>(std::bit_width(value));
       result = word.sizes.insert(size).second || result;
     }
     return result;
@@ -226,7 +219,8 @@ class StatePool {
 
   /// Seldom chosen states first, then those that came last.
   std::size_t choose() {
-    if (random_() % 4 == 0) return states_.size() - 1 - random_() % std::min<std::size_t>(states_.size(), newest);
+    if (random_() % 4 == 0)
+      return states_.size() - 1 - random_() % std::min<std::size_t>(states_.size(), schedule::newestStates);
     std::size_t best = random_() % states_.size();
     for (int i = 0; i < 5; ++i) {
       const std::size_t other = random_() % states_.size();
@@ -299,7 +293,7 @@ class StatePool {
       quiet = now.all == last ? quiet + 1 : 0;
       if (quiet > quietScans_ && quiet * step.lengthMs > longestHeld_) break;
       last = now.all;
-      if (n % lookAtClock == 0 && isOver()) break;
+      if (n % schedule::exploredScansBetweenLooks == 0 && isOver()) break;
     }
     if (isHigh && step.repeats > 0 && isOn) {
       isBarren = false;
@@ -325,13 +319,13 @@ class StatePool {
   std::size_t keep(const RunStep& step) {
     State state{world_.snapshot(), step.inputs, static_cast<std::uint32_t>(steps_.size()), 0};
     steps_.push_back(step);
-    if (states_.size() < mostStates) {
+    if (states_.size() < schedule::exploredStates) {
       states_.push_back(std::move(state));
       return states_.size() - 1;
     }
-    std::size_t at = 1 + random_() % (mostStates - 1);
+    std::size_t at = 1 + random_() % (schedule::exploredStates - 1);
     for (int i = 0; i < 5; ++i) {
-      const std::size_t other = 1 + random_() % (mostStates - 1);
+      const std::size_t other = 1 + random_() % (schedule::exploredStates - 1);
       if (states_[other].chosen > states_[at].chosen) at = other;
     }
     states_[at] = std::move(state);

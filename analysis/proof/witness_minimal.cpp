@@ -6,6 +6,7 @@
 #include <chrono>
 #include <random>
 
+#include "analysis/schedule/schedule.hpp"
 #include "engine/start_up.hpp"
 
 namespace rungproof {
@@ -13,8 +14,6 @@ namespace rungproof {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr int trials = 48;  ///< random assignments of all idle inputs together
 
 class Minimiser {
  public:
@@ -181,7 +180,7 @@ class Minimiser {
         if (isIdle) idle_.push_back({s, i});
       }
     }
-    for (int trial = 0; trial < trials; ++trial) {
+    for (int trial = 0; trial < schedule::minimisingTrials; ++trial) {
       if (isLate()) return false;
       std::vector<ReplayScan> tried = scans;
       for (const Input& input : idle_) {

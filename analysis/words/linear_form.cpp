@@ -6,12 +6,11 @@
 
 #include "analysis/graph/evaluate.hpp"
 #include "analysis/graph/substitution.hpp"
+#include "analysis/schedule/schedule.hpp"
 
 namespace rungproof {
 
 namespace {
-
-constexpr int choiceLimit = 128;  ///< equations that one becomes
 
 class Linearised {
  public:
@@ -54,7 +53,7 @@ class Linearised {
         sum.terms[n] += factor;
       }
     }
-    return ++equations_ > choiceLimit ? std::nullopt : std::optional<Node>(written(sum));
+    return ++equations_ > schedule::choiceLimit ? std::nullopt : std::optional<Node>(written(sum));
   }
 
   /// A sign extension as what it is of: of a choice, or of a word plus a constant, which may overflow. noNode: of

@@ -4,20 +4,16 @@
 #include <algorithm>
 #include <tuple>
 
+#include "analysis/schedule/schedule.hpp"
 #include "analysis/words/terms.hpp"
 
 namespace rungproof {
 
-namespace {
-
-constexpr std::size_t storeLimit = 1500;
-constexpr std::size_t mostTelling = 3, mostCarried = 3;  ///< predicates that one refinement adds
-
-}  // namespace
+namespace {}  // namespace
 
 Refinement::Refinement(WordCone& cone, Predicates& predicates) : cone_(cone), predicates_(predicates) {
   std::vector<Node> nodes = linearPredicates(cone, predicates.samples());
-  for (const Node n : orderPredicates(cone, storeLimit)) nodes.push_back(n);
+  for (const Node n : orderPredicates(cone, schedule::predicateStore)) nodes.push_back(n);
   for (const Node n : nodes) {
     if (cone.graph()[n].op == Op::Constant) continue;
     store_.push_back({n, predicates.overSamples(n)});
@@ -69,8 +65,8 @@ bool Refinement::refine(const WordState& reached, const WordStep& step, Node goa
   std::vector<Node> best;
   for (const Telling& t : telling) best.push_back(t.node);
   const bool tellsAll = !telling.empty() && telling[0].ofCube == whole;
-  const bool hasTelling = add(best, mostTelling);
-  const bool hasCarried = !(tellsAll && hasTelling) && add(carried, mostCarried);
+  const bool hasTelling = add(best, schedule::mostTelling);
+  const bool hasCarried = !(tellsAll && hasTelling) && add(carried, schedule::mostCarried);
   return hasTelling || hasCarried;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "analysis/schedule/schedule.hpp"
 #include "analysis/words/terms.hpp"
 
 namespace rungproof {
@@ -13,11 +14,6 @@ namespace {
 __extension__ using Wide = unsigned __int128;
 
 constexpr std::uint64_t prime = (1ULL << 61) - 1;
-constexpr std::size_t eliminationLimit = 48;  ///< words looked at together
-constexpr std::size_t leastSamples = 32;
-constexpr std::int64_t coefficientLimit = 1'000'000;
-constexpr std::uint64_t denominatorLimit = 4000;
-constexpr std::size_t termLimit = 5;  ///< words of an equation
 
 std::uint64_t times(std::uint64_t a, std::uint64_t b) {
   return static_cast<std::uint64_t>(static_cast<Wide>(a) * b % prime);
@@ -78,13 +74,13 @@ class Echelon {
 
 /// The combination times the smallest number that makes all coefficients small integers.
 std::optional<std::vector<std::int64_t>> integers(const std::vector<std::uint64_t>& combination) {
-  for (std::uint64_t scale = 1; scale <= denominatorLimit; ++scale) {
+  for (std::uint64_t scale = 1; scale <= schedule::denominatorLimit; ++scale) {
     std::vector<std::int64_t> result;
     for (const std::uint64_t v : combination) {
       const std::uint64_t scaled = times(v, scale);
       const std::int64_t value =
           scaled <= prime / 2 ? static_cast<std::int64_t>(scaled) : -static_cast<std::int64_t>(prime - scaled);
-      if (std::abs(value) > coefficientLimit) break;
+      if (std::abs(value) > schedule::coefficientLimit) break;
       result.push_back(value);
     }
     if (result.size() == combination.size()) return result;
@@ -122,10 +118,10 @@ Node equation(WordCone& cone, const std::vector<std::size_t>& words, const std::
 
 std::vector<Node> linearPredicates(WordCone& cone, const std::vector<WordState>& samples) {
   std::vector<Node> result;
-  if (samples.size() < leastSamples) return result;
+  if (samples.size() < schedule::leastSamples) return result;
   const Graph& graph = cone.graph();
   std::vector<std::size_t> words;
-  for (std::size_t i = 0; i < cone.system().states.size() && words.size() < eliminationLimit; ++i) {
+  for (std::size_t i = 0; i < cone.system().states.size() && words.size() < schedule::eliminationLimit; ++i) {
     const int width = graph[cone.system().states[i].node].width;
     const bool varies = std::ranges::any_of(samples, [&](const WordState& s) { return s[i] != samples[0][i]; });
     if (width >= 8 && width <= 32 && varies) words.push_back(i);
@@ -143,8 +139,8 @@ std::vector<Node> linearPredicates(WordCone& cone, const std::vector<WordState>&
     const auto combination = echelon.kernel(column);
     if (!combination) continue;
     const auto coefficients = integers(*combination);
-    if (!coefficients || static_cast<std::size_t>(
-                             std::ranges::count_if(*coefficients, [](std::int64_t c) { return c != 0; })) > termLimit)
+    if (!coefficients || static_cast<std::size_t>(std::ranges::count_if(
+                             *coefficients, [](std::int64_t c) { return c != 0; })) > schedule::termLimit)
       continue;
     std::int64_t constant = 0;
     for (std::size_t i = 0; i < words.size(); ++i) constant += (*coefficients)[i] * valueOf(samples[0], i);

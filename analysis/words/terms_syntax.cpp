@@ -4,13 +4,12 @@
 #include <array>
 #include <set>
 
+#include "analysis/schedule/schedule.hpp"
 #include "analysis/words/terms.hpp"
 
 namespace rungproof {
 
 namespace {
-
-constexpr std::size_t leafLimit = 12;  ///< alternatives of one term
 
 bool isComparison(Op op) {
   return op == Op::Equal || op == Op::Ult || op == Op::Slt || op == Op::RealLess || op == Op::RealEqual ||
@@ -41,7 +40,7 @@ std::vector<bool> overStatesOnly(const WordCone& cone, const std::vector<Node>& 
 
 /// What a term may be, whatever the conditions.
 void collectLeaves(const Graph& graph, Node n, std::vector<Node>& leaves, std::set<Node>& seen) {
-  if (leaves.size() >= leafLimit || !seen.insert(n).second) return;
+  if (leaves.size() >= schedule::leafLimit || !seen.insert(n).second) return;
   const NodeData& node = graph[n];
   if (node.op == Op::Ite) {
     collectLeaves(graph, node.child[1], leaves, seen);

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "analysis/bits/simulation_runs.hpp"
+#include "analysis/schedule/schedule.hpp"
 #include "analysis/words/linear_form.hpp"
 #include "analysis/words/refinement.hpp"
 #include "analysis/words/terms.hpp"
@@ -17,22 +18,17 @@ namespace rungproof {
 
 namespace {
 
-constexpr std::size_t scansForSamples = 160, gatesForSamples = 200'000'000;
-constexpr std::size_t sampleLimit = 1024;
-/// Questions to the solvers before a search begins anew; twice as many each time. A search that settles its question
-/// needs a thousand or so, one that took the wrong predicates early goes on without end.
-constexpr std::size_t firstRestart = 2000;
-
 /// States met in random runs, the first ones excepted.
 std::vector<WordState> sampleStates(const WordCone& cone, const BitBlast& blast, std::uint64_t seed) {
   SimulationRuns runs(blast.bits(), seed);
   std::set<WordState> states;
-  const std::size_t scans = std::min(scansForSamples, gatesForSamples / (blast.bits().gates.size() + 1));
-  for (std::size_t scan = 0; scan < scans && states.size() < sampleLimit && runs.choose(); ++scan) {
+  const std::size_t scans =
+      std::min(schedule::wordEngineScans, schedule::wordEngineGates / (blast.bits().gates.size() + 1));
+  for (std::size_t scan = 0; scan < scans && states.size() < schedule::wordEngineSamples && runs.choose(); ++scan) {
     const std::uint64_t live = runs.live();
     runs.step();
     if (scan > 4 && scan % 8 != 0) continue;
-    for (int lane = 0; lane < 64 && states.size() < sampleLimit; ++lane) {
+    for (int lane = 0; lane < 64 && states.size() < schedule::wordEngineSamples; ++lane) {
       if ((live >> lane & 1U) == 0) continue;
       WordState state(cone.system().states.size(), 0);
       for (std::uint32_t latch = 0; latch < blast.bits().latches.size(); ++latch) {
@@ -294,7 +290,7 @@ class Ic3OnWords final : public WordEngine {
   std::deque<WordObligation> obligations_;
   std::vector<WordCube> invariant_;
   WordTrace trace_;
-  std::size_t mostQueries_ = firstRestart;
+  std::size_t mostQueries_ = schedule::firstRestart;
   std::uint64_t restarts_ = 0;
   bool usesSamples_ = true;
   bool isExhausted_ = false;

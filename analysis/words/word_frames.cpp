@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "analysis/bits/bit_blast.hpp"
+#include "analysis/schedule/schedule.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
@@ -181,7 +182,7 @@ void WordFrames::addLemma(const WordCube& cube, int level) {
   }
   frames_[static_cast<std::size_t>(level)].push_back(cube);
   activity_.resize(predicates_.size(), 0);
-  bump_ *= 1.05;
+  bump_ *= schedule::activityGrowth;
   for (const Lit l : cube) activity_[variableOf(l)] += bump_;
   while (static_cast<int>(frameLiterals_.size()) <= level) frameLiterals_.push_back(frame_->newLiteral());
   std::vector<int> clause{-frameLiterals_[static_cast<std::size_t>(level)]};

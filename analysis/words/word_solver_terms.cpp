@@ -7,13 +7,12 @@
 #include <unordered_set>
 
 #include "analysis/graph/z3_terms.hpp"
+#include "analysis/schedule/schedule.hpp"
 #include "analysis/words/word_solver.hpp"
 
 namespace rungproof {
 
 namespace {
-
-constexpr double sliceSeconds = 0.05;  ///< how long Z3 works before it looks at the budget, at first
 
 class TermSolver final : public WordSolver {
  public:
@@ -92,7 +91,7 @@ class TermSolver final : public WordSolver {
   Sat::Outcome check(const z3::expr_vector& assumed, const Budget& budget) {
     core_.clear();
     model_.reset();
-    for (double slice = sliceSeconds; !budget.isExhausted(); slice *= 2) {
+    for (double slice = schedule::firstTermSlice; !budget.isExhausted(); slice *= 2) {
       z3::params parameters(context_);
       parameters.set("timeout", static_cast<unsigned>(slice * 1000));
       solver_.set(parameters);

@@ -72,7 +72,8 @@ extern constexpr Command lintCommand = {
         "    rungproof lint press.awl\n"
         "    rungproof lint --cpu 224 --select ADR,STK --format concise *.awl\n"
         "    rungproof lint --baseline known.json --format sarif=report.sarif --format human press.awl\n",
-    .shows = option_group::Reading | option_group::Rules | option_group::Output | option_group::Configuration,
+    .shows = option_group::Reading | option_group::Rules | option_group::Output | option_group::Configuration |
+             option_group::Proving,
     .setup = setup,
 };
 

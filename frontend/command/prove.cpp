@@ -209,6 +209,7 @@ bool proveInto(Report& part, const Context& context, const Arguments& arguments,
   }
   std::signal(SIGINT, before);
   part.assumptions = proof.assumptions;
+  part.techniques = proof.techniques;
   part.coverage.approximated.insert(part.coverage.approximated.end(), proof.approximations.begin(),
                                     proof.approximations.end());
   for (const Disagreement& disagreement : proof.disagreements) {
@@ -306,7 +307,8 @@ extern constexpr Command proveCommand = {
         "    rungproof prove press.awl --show ladder --format html=press.html\n"
         "    rungproof prove press.awl --self-check\n"
         "    rungproof prove press.awl --builtin --traces witnesses --certificate proofs\n",
-    .shows = option_group::Reading | option_group::Running | option_group::Output | option_group::Configuration,
+    .shows = option_group::Reading | option_group::Running | option_group::Output | option_group::Configuration |
+             option_group::Proving,
     .setup = setup,
 };
 

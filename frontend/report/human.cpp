@@ -34,6 +34,7 @@ class HumanWriter {
     const bool isOfPrograms = report_.comparison && !report_.comparison->verdict.empty();
     if (!report_.properties.empty() || isOfPrograms) writeBasis();
     for (const std::string& line : report_.coverage.leftOut) out_ << fmt::format("left out: {}\n", line);
+    if (style_.verbose && report_.techniques) writeTechniques(*report_.techniques);
     if (isOfPrograms) out_ << verdictLine(*report_.comparison) << '\n';
     const bool saidAll = report_.comparison && report_.findings.empty() && report_.properties.empty();
     if (!style_.quiet && !saidAll) out_ << closingLine() << '\n';
@@ -137,6 +138,16 @@ class HumanWriter {
                             fault.line, fault.pou, fault.network, fault.kind, fault.text,
                             fault.differs.empty() ? "" : "; other value of " + fault.differs);
       }
+    }
+  }
+
+  void writeTechniques(const TechniqueUses& uses) {
+    out_ << fmt::format("\n{:<20}{:>8}{:>10}{:>11}\n", "technique", "asked", "settled", "seconds");
+    for (const TechniqueInfo& info : techniqueTable()) {
+      const TechniqueUse& use = uses[static_cast<std::size_t>(info.id)];
+      if (use.asked == 0) continue;
+      out_ << fmt::format("{:<20}{:>8}{:>10}{:>11.3f}\n", info.name, use.asked,
+                          info.settles ? std::to_string(use.settled) : "-", use.seconds);
     }
   }
 

@@ -82,6 +82,19 @@ Json selfCheckJson(const std::vector<PlantedFault>& faults) {
           {"faults", std::move(rows)}};
 }
 
+Json techniquesJson(const TechniqueUses& uses) {
+  Json rows = Json::array();
+  for (const TechniqueInfo& info : techniqueTable()) {
+    const TechniqueUse& use = uses[static_cast<std::size_t>(info.id)];
+    if (use.asked == 0) continue;
+    rows.push_back({{"name", info.name},
+                    {"asked", use.asked},
+                    {"settled", info.settles ? Json(use.settled) : Json(nullptr)},
+                    {"seconds", use.seconds}});
+  }
+  return rows;
+}
+
 /// Two programs: beside the verdict, what a property has too.
 Json programsJson(const Comparison& comparison, const std::vector<std::string>& assumptions) {
   Json json = {{"equal", comparison.verdict == "UNKNOWN" ? Json(nullptr) : Json(comparison.verdict == "EQUAL")},
@@ -123,6 +136,7 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
     json["properties"].push_back(std::move(row));
   }
   if (report.selfCheck) json["self_check"] = selfCheckJson(*report.selfCheck);
+  if (report.techniques) json["techniques"] = techniquesJson(*report.techniques);
   json["comparison"] = comparisonJson(report.comparison, report.assumptions);
   json["coverage"] = {{"instructions", report.coverage.instructions},
                       {"understood", report.coverage.understood},

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "analysis/proof/outcome.hpp"
+#include "analysis/schedule/technique.hpp"
 #include "frontend/exit.hpp"
 #include "ir/finding.hpp"
 #include "ir/source.hpp"
@@ -122,11 +123,12 @@ struct Report {
   std::optional<Comparison> comparison;
   Coverage coverage;
   std::optional<std::vector<PlantedFault>> selfCheck;
-  std::vector<std::string> assumptions;  ///< CPU, scan time, initial memory, external writers
-  std::vector<std::string> files;        ///< as given; for the closing line
-  std::vector<std::string> defects;      ///< of rungproof itself, as internal disagreements: the exit code is 2
-  std::size_t suppressed = 0;            ///< findings that an allow-comment silenced
-  std::size_t baselined = 0;             ///< findings that the baseline lists
+  std::vector<std::string> assumptions;       ///< CPU, scan time, initial memory, external writers
+  std::vector<std::string> files;             ///< as given; for the closing line
+  std::vector<std::string> defects;           ///< of rungproof itself, as internal disagreements: the exit code is 2
+  std::optional<TechniqueUses> techniques{};  ///< of the prover: what each has done
+  std::size_t suppressed = 0;                 ///< findings that an allow-comment silenced
+  std::size_t baselined = 0;                  ///< findings that the baseline lists
 };
 
 struct Summary {
@@ -144,6 +146,7 @@ void sortFindings(Report& report);
 struct ReportStyle {
   bool color = false;
   bool quiet = false;
+  bool verbose = false;
 };
 
 /// One output form; each file of frontend/report defines one.

@@ -42,10 +42,12 @@ struct GroupTitle {
   OptionGroups group;
   std::string_view title;
 };
-constexpr std::array groupTitles = {
-    GroupTitle{option_group::Reading, "Reading"}, GroupTitle{option_group::Running, "Running and proving"},
-    GroupTitle{option_group::Rules, "Rules"}, GroupTitle{option_group::Output, "Output"},
-    GroupTitle{option_group::Configuration, "Configuration"}};
+constexpr std::array groupTitles = {GroupTitle{option_group::Reading, "Reading"},
+                                    GroupTitle{option_group::Running, "Running and proving"},
+                                    GroupTitle{option_group::Proving, "The prover's work"},
+                                    GroupTitle{option_group::Rules, "Rules"},
+                                    GroupTitle{option_group::Output, "Output"},
+                                    GroupTitle{option_group::Configuration, "Configuration"}};
 
 }  // namespace
 

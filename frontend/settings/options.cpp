@@ -3,7 +3,9 @@
 #include "frontend/settings/options.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
+#include "analysis/schedule/technique.hpp"
 #include "frontend/closest_word.hpp"
 #include "frontend/settings/code_list.hpp"
 
@@ -29,6 +31,7 @@ constexpr std::array table = {
     OptionInfo{Opt::Bound, Running, Arity::One, "bound", "N", "", "look at no more than N scans"},
     OptionInfo{Opt::Jobs, Running, Arity::One, "jobs", "N", "", "threads to use (all processors)"},
     OptionInfo{Opt::Seed, Running, Arity::One, "seed", "N", "1", "seed of everything random"},
+    OptionInfo{Opt::Without, Hidden, Arity::List, "without", "NAME", "", "technique that the prover does without", false},
     OptionInfo{Opt::ChoiceOf, Running, Arity::List, "choice", "KEY=VALUE", "", "reading of a point that the manual leaves open; see 'rungproof explain choices'", false},
     OptionInfo{Opt::Select, Rules, Arity::List, "select", "CODE", "", "rules to run, by id or prefix (ADR001, ADR, ALL); those that are on by default"},
     OptionInfo{Opt::Ignore, Rules, Arity::List, "ignore", "CODE", "", "rules not to run, by id or prefix"},
@@ -39,6 +42,7 @@ constexpr std::array table = {
     OptionInfo{Opt::Format, Output, Arity::List, "format", "NAME[=FILE]", "", "form of the report; with FILE written there; may be repeated"},
     OptionInfo{Opt::Color, Output, Arity::One, "color", "auto|always|never", "auto", "colours; auto: on a terminal unless NO_COLOR is set"},
     OptionInfo{Opt::Quiet, Output, Arity::Flag, "quiet", "", "", "results only: no closing line, no progress"},
+    OptionInfo{Opt::Verbose, Proving, Arity::Flag, "verbose", "", "", "also what each technique of the prover was asked, what it settled, and the time it took"},
     OptionInfo{Opt::Isolated, Configuration, Arity::Flag, "isolated", "", "", "read no configuration file", false},
     OptionInfo{Opt::Config, Configuration, Arity::One, "config", "FILE", "", "configuration file (rungproof.toml beside the first FILE or above it)", false},
 };
@@ -94,6 +98,12 @@ std::optional<Failure> checkForm(const OptionInfo& info, std::string_view text) 
     return Failure{fmt::format("'{}' is no scan time", text),
                    {},
                    "write one time above zero, or the shortest and the longest, such as 10ms or 5ms..20ms"};
+  }
+  if (info.id == Opt::Without && techniqueNamed(text) == nullptr) {
+    std::vector<std::string_view> names;
+    for (const TechniqueInfo& technique : techniqueTable()) names.push_back(technique.name);
+    return Failure{
+        fmt::format("the prover has no technique '{}'", text), {}, fmt::format("it has {}", fmt::join(names, ", "))};
   }
   if (info.id == Opt::Select || info.id == Opt::Ignore) {
     if (text == "ALL") return std::nullopt;

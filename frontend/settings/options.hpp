@@ -35,6 +35,7 @@ enum class Opt : std::uint8_t {
   Bound,
   Jobs,
   Seed,
+  Without,
   ChoiceOf,
   Select,
   Ignore,
@@ -45,6 +46,7 @@ enum class Opt : std::uint8_t {
   Format,
   Color,
   Quiet,
+  Verbose,
   Isolated,
   Config,
   count
@@ -53,8 +55,9 @@ enum class Opt : std::uint8_t {
 /// Which commands show an option in their help. Every command accepts all of them.
 using OptionGroups = std::uint8_t;
 namespace option_group {
-inline constexpr OptionGroups Reading = 1, Running = 2, Rules = 4, Output = 8, Configuration = 16;
-inline constexpr OptionGroups All = 31;
+inline constexpr OptionGroups Reading = 1, Running = 2, Rules = 4, Output = 8, Configuration = 16, Proving = 32;
+inline constexpr OptionGroups All = 63;
+inline constexpr OptionGroups Hidden = 64;  ///< in no help: for whoever works on rungproof itself
 }  // namespace option_group
 
 enum class Arity : std::uint8_t { Flag, One, List };  ///< List: may be repeated, values are separated by commas

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "analysis/rule.hpp"
+#include "analysis/schedule/schedule.hpp"
 #include "ir/isa.hpp"
 
 namespace rungproof {
@@ -23,17 +24,19 @@ const std::map<std::string, std::set<std::string>> roomsBelow = {
     {"ir", {}},
     {"engine", {"ir"}},
     {"analysis", {"ir", "engine"}},
+    {"analysis/schedule", {}},
     {"analysis/drawing", {"ir", "analysis"}},
     {"analysis/checks",
      {"ir", "analysis", "analysis/drawing", "analysis/graph", "analysis/encoding", "analysis/proof"}},
     {"analysis/graph", {"ir", "engine"}},
-    {"analysis/bits", {"ir", "analysis/graph"}},
+    {"analysis/bits", {"ir", "analysis/graph", "analysis/schedule"}},
     {"analysis/encoding", {"ir", "engine", "analysis", "analysis/graph", "analysis/bits"}},
-    {"analysis/words", {"ir", "analysis/graph", "analysis/bits"}},
-    {"analysis/portfolio", {"ir", "analysis/graph", "analysis/bits", "analysis/words"}},
+    {"analysis/words", {"ir", "analysis/graph", "analysis/bits", "analysis/schedule"}},
+    {"analysis/portfolio", {"ir", "analysis/graph", "analysis/bits", "analysis/words", "analysis/schedule"}},
     {"analysis/export", {"ir", "analysis/graph", "analysis/bits"}},
     {"analysis/proof",
-     {"ir", "engine", "analysis", "analysis/graph", "analysis/bits", "analysis/encoding", "analysis/portfolio"}},
+     {"ir", "engine", "analysis", "analysis/graph", "analysis/bits", "analysis/encoding", "analysis/portfolio",
+      "analysis/schedule"}},
     {"analysis/equivalence",
      {"ir", "engine", "analysis", "analysis/graph", "analysis/bits", "analysis/encoding", "analysis/portfolio",
       "analysis/proof"}},
@@ -219,6 +222,47 @@ TEST(Layout, ARuleIsOneFileAndNobodyElseKnowsItsId) {
     }
   }
   EXPECT_GE(rules, allRules().size()) << "the search no longer finds the rules";
+}
+
+/// A share, limit or patience of the prover that stands outside the table of its schedule: a constant with a number.
+/// What a program or the controller gives, patterns and marks are no schedule.
+bool isOfNoSchedule(const std::string& name) {
+  static const std::set<std::string> names = {"depths",       "everyScan",     "none",           "noInput",
+                                              "noReader",     "prime",         "endless",        "longestQueue",
+                                              "longestTable", "shownScans",    "shownAddresses", "onWords",
+                                              "unreached",    "largestPreset", "mostHalves"};
+  return names.contains(name);
+}
+std::string scheduledElsewhere(const std::string& line) {
+  static const std::regex constant(
+      "constexpr (?:double|int|unsigned|std::u?int\\d*_t|std::size_t) (\\w+) = [^;]*[0-9]");
+  static const std::regex seconds("(Budget::seconds|slice)\\([0-9.]+\\)");
+  std::smatch match;
+  if (std::regex_search(line, match, constant) && !isOfNoSchedule(match[1])) return match.str();
+  return std::regex_search(line, match, seconds) && match.str() != "slice(0)" ? match.str() : "";
+}
+
+TEST(Layout, TheScheduleOfTheProverIsOneTable) {
+  EXPECT_NE(scheduledElsewhere("constexpr double quickSeconds = 0.5;  ///< for each question"), "");
+  EXPECT_NE(scheduledElsewhere("  static constexpr std::size_t mostStates = 3000;"), "");
+  EXPECT_NE(scheduledElsewhere("  const Budget budget = Budget::seconds(0.5);"), "");
+  EXPECT_EQ(scheduledElsewhere("  const Budget budget = Budget::seconds(schedule::inputSampleSeconds);"), "");
+  const std::set<std::string> rooms = {"analysis/bits", "analysis/words", "analysis/portfolio", "analysis/proof"};
+  std::size_t uses = 0;
+  std::string all;
+  for (const Source& source : sources()) {
+    all += source.folder == "analysis/schedule" ? "" : source.text;
+    if (!rooms.contains(source.folder)) continue;
+    std::istringstream in(source.text);
+    for (std::string line; std::getline(in, line);) EXPECT_EQ(scheduledElsewhere(line), "") << source.path;
+  }
+  for (const ScheduleRow& row : scheduleRows) {
+    EXPECT_FALSE(row.reason.empty()) << row.name;
+    const bool isUsed = all.find("schedule::" + std::string(row.name)) != std::string::npos;
+    EXPECT_TRUE(isUsed) << "nobody keeps to " << row.name;
+    uses += isUsed ? 1 : 0;
+  }
+  EXPECT_GT(uses, 100u);
 }
 
 /// Lines of the unnamed namespaces of a file that begin in the first column, where declarations stand.
