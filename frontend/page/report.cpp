@@ -27,11 +27,21 @@ std::string_view resultKindName(ResultKind kind) {
   return kind == ResultKind::Prove ? "prove" : kind == ResultKind::Reach ? "reach" : "builtin";
 }
 
+std::string plainNumber(double value) {
+  const bool isWhole = std::nearbyint(value) == value && std::abs(value) < 9e15;
+  return isWhole ? fmt::format("{:.0f}", value) : fmt::format("{:g}", value);
+}
+
 std::string differenceText(const Comparison& comparison) {
-  return fmt::format(
-      "scan {}, {:g} ms, {}: expected {:g}, {}", comparison.scan, comparison.timeMs, comparison.signal,
-      comparison.expected,
-      comparison.hasEnded ? "but the trace ends before that scan" : fmt::format("actual {:g}", comparison.actual));
+  if (comparison.isUndecided())
+    return fmt::format("undecided{}{}", comparison.notes.empty() ? "" : ": ", fmt::join(comparison.notes, "; "));
+  if (comparison.isOfPrograms())
+    return fmt::format("scan {}, {} ms, {}: OLD {}, NEW {}", comparison.scan, plainNumber(comparison.timeMs),
+                       comparison.signal, plainNumber(comparison.expected), plainNumber(comparison.actual));
+  return fmt::format("scan {}, {} ms, {}: expected {}, {}", comparison.scan, plainNumber(comparison.timeMs),
+                     comparison.signal, plainNumber(comparison.expected),
+                     comparison.hasEnded ? "but the trace ends before that scan"
+                                         : fmt::format("actual {}", plainNumber(comparison.actual)));
 }
 
 FaultCounts countsOf(const std::vector<PlantedFault>& faults) {

@@ -24,9 +24,9 @@ void write(const Report& report, const ReportStyle& style, std::ostream& out) {
     out << fmt::format("{}{} {}{}\n", place, verdictText(property.verdict, property.depth), property.name,
                        property.trace.empty() ? "" : " (" + property.trace + ")");
   }
-  if (report.comparison && !report.comparison->equal) {
-    out << differenceText(*report.comparison) << '\n';
-  }
+  if (report.comparison && report.comparison->isOfPrograms())
+    out << report.comparison->verdict << (report.comparison->equal ? "\n" : " ");
+  if (report.comparison && !report.comparison->equal) out << differenceText(*report.comparison) << '\n';
 }
 
 }  // namespace

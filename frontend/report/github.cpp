@@ -50,7 +50,9 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
                        escaped(property.name, false));
   }
   if (report.comparison && !report.comparison->equal) {
-    out << fmt::format("::error title=traces differ::{}\n", escaped(differenceText(*report.comparison), false));
+    const std::string& verdict = report.comparison->verdict;
+    out << fmt::format("::error title={}::{}\n", verdict.empty() ? "traces differ" : verdict,
+                       escaped(differenceText(*report.comparison), false));
   }
 }
 

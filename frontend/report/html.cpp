@@ -173,17 +173,17 @@ class HtmlWriter {
           "<button class=forward>scan forward</button> <button class=last>last</button> <span "
           "class=where></span></p>\n",
           verdictText(property.verdict, property.depth), xmlText(property.name));
-      for (const ShownScan& scan : property.scans) {
-        out_ << fmt::format("<div class=scan><h4>scan {}, {:g} ms</h4>\n", scan.scan, scan.timeMs);
-        for (const ShownNetwork& network : scan.networks) {
-          out_ << fmt::format("<figure><figcaption>{}</figcaption>\n{}</figure>\n", xmlText(network.heading),
-                              network.svg);
-        }
-        out_ << "</div>\n";
-      }
+      for (const ShownScan& scan : property.scans) writeScan(scan);
       out_ << "</section>\n";
     }
     if (!isFirst) out_ << fmt::format("<script>{}</script>\n", runScript);
+  }
+
+  void writeScan(const ShownScan& scan) {
+    out_ << fmt::format("<div class=scan><h4>scan {}, {} ms</h4>\n", scan.scan, plainNumber(scan.timeMs));
+    for (const ShownNetwork& network : scan.networks)
+      out_ << fmt::format("<figure><figcaption>{}</figcaption>\n{}</figure>\n", xmlText(network.heading), network.svg);
+    out_ << "</div>\n";
   }
 
   /// How many planted faults the properties notice, and each that they do not.
@@ -207,8 +207,28 @@ class HtmlWriter {
     out_ << "</table>\n";
   }
 
+  /// The run with both programs' networks, or why nothing is decided.
+  void writeProgramComparison(const Comparison& comparison) {
+    const bool isDifferent = !comparison.equal && !comparison.isUndecided();
+    out_ << fmt::format("<p class={}><b>{}</b> by {}{}</p>\n",
+                        comparison.equal ? "good"
+                        : isDifferent    ? "bad"
+                                         : "open",
+                        comparison.verdict, xmlText(comparison.method),
+                        isDifferent ? ": " + xmlText(differenceText(comparison)) : "");
+    if (!comparison.notes.empty()) {
+      out_ << "<pre>";
+      for (const std::string& note : comparison.notes) out_ << xmlText(note) << '\n';
+      out_ << "</pre>\n";
+    }
+    if (comparison.scans.empty()) return;
+    out_ << fmt::format("<style>{}{}</style>\n", runStyle, svgStyle());
+    for (const ShownScan& scan : comparison.scans) writeScan(scan);
+  }
+
   void writeComparison(const Comparison& comparison) {
     out_ << "<h2>Comparison</h2>\n";
+    if (comparison.isOfPrograms()) return writeProgramComparison(comparison);
     if (comparison.equal) {
       out_ << "<p class=good>The traces agree.</p>\n";
       return;
@@ -219,7 +239,7 @@ class HtmlWriter {
     for (const std::string& signal : comparison.signals) out_ << fmt::format("<th>{}</th>", xmlText(signal));
     out_ << "</tr>\n";
     for (const ComparedScan& scan : comparison.around) {
-      out_ << fmt::format("<tr><td class=n>{}</td><td class=n>{:g}</td>", scan.scan, scan.timeMs);
+      out_ << fmt::format("<tr><td class=n>{}</td><td class=n>{}</td>", scan.scan, plainNumber(scan.timeMs));
       for (std::size_t i = 0; i < comparison.signals.size(); ++i) {
         const bool differs = !scan.expected[i].empty() && scan.expected[i] != scan.actual[i];
         out_ << (differs ? fmt::format("<td class=\"n bad\">{} (expected {})</td>", xmlText(scan.actual[i]),

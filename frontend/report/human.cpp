@@ -31,7 +31,7 @@ class HumanWriter {
     for (const PropertyResult& property : report_.properties) writeProperty(property);
     if (report_.comparison) writeComparison(*report_.comparison);
     if (report_.selfCheck) writeSelfCheck(*report_.selfCheck);
-    const bool isOfPrograms = report_.comparison && !report_.comparison->verdict.empty();
+    const bool isOfPrograms = report_.comparison && report_.comparison->isOfPrograms();
     if (!report_.properties.empty() || isOfPrograms) writeBasis();
     for (const std::string& line : report_.coverage.leftOut) out_ << fmt::format("left out: {}\n", line);
     if (style_.verbose && report_.techniques) writeTechniques(*report_.techniques);
@@ -115,7 +115,8 @@ class HumanWriter {
     for (const ShownNetwork& network : scan.networks) {
       if (network.text.empty()) continue;
       if (isFirst)
-        out_ << fmt::format("\n  {}\n", paint_.bold(fmt::format("scan {}, {:g} ms", scan.scan, scan.timeMs)));
+        out_ << fmt::format("\n  {}\n",
+                            paint_.bold(fmt::format("scan {}, {} ms", scan.scan, plainNumber(scan.timeMs))));
       isFirst = false;
       out_ << fmt::format("  {}\n", network.heading);
       for (const std::string& line : network.text) out_ << fmt::format("  {}\n", line);
@@ -170,16 +171,14 @@ class HumanWriter {
 
   void writeProgramComparison(const Comparison& comparison) {
     if (comparison.verdict == "DIFFERENT")
-      out_ << fmt::format("{} scan {}, {:g} ms, {}: OLD {:g}, NEW {:g}\n", paint_.red("first difference:"),
-                          comparison.scan, comparison.timeMs, comparison.signal, comparison.expected,
-                          comparison.actual);
+      out_ << fmt::format("{} {}\n", paint_.red("first difference:"), differenceText(comparison));
     for (const std::string& note : comparison.notes) out_ << fmt::format("  {} {}\n", paint_.blue("="), note);
     if (!comparison.trace.empty()) out_ << fmt::format("  {} trace: {}\n", paint_.blue("="), comparison.trace);
     for (const ShownScan& scan : comparison.scans) writeScan(scan);
   }
 
   void writeComparison(const Comparison& comparison) {
-    if (!comparison.verdict.empty()) {
+    if (comparison.isOfPrograms()) {
       writeProgramComparison(comparison);
       return;
     }
@@ -206,7 +205,7 @@ class HumanWriter {
     out_ << row("scan", "ms", "", comparison.signals);
     for (const ComparedScan& scan : comparison.around) {
       const bool first = scan.scan == comparison.scan;
-      const std::string time = fmt::format("{:g}", scan.timeMs);
+      const std::string time = plainNumber(scan.timeMs);
       const std::string number = fmt::format("{}{}", first ? "> " : "", scan.scan);
       out_ << row(number, time, "expected", scan.expected);
       const std::string actual = row("", "", "actual", scan.actual);

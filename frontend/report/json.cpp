@@ -97,7 +97,7 @@ Json techniquesJson(const TechniqueUses& uses) {
 
 /// Two programs: beside the verdict, what a property has too.
 Json programsJson(const Comparison& comparison, const std::vector<std::string>& assumptions) {
-  Json json = {{"equal", comparison.verdict == "UNKNOWN" ? Json(nullptr) : Json(comparison.verdict == "EQUAL")},
+  Json json = {{"equal", comparison.isUndecided() ? Json(nullptr) : Json(comparison.verdict == "EQUAL")},
                {"verdict", comparison.verdict},
                {"method", comparison.method},
                {"seconds", comparison.seconds},
@@ -110,7 +110,7 @@ Json programsJson(const Comparison& comparison, const std::vector<std::string>& 
 
 Json comparisonJson(const std::optional<Comparison>& comparison, const std::vector<std::string>& assumptions) {
   if (!comparison) return nullptr;
-  const bool isOfPrograms = !comparison->verdict.empty();
+  const bool isOfPrograms = comparison->isOfPrograms();
   Json json = isOfPrograms ? programsJson(*comparison, assumptions) : Json{{"equal", comparison->equal}};
   if (isOfPrograms ? comparison->verdict != "DIFFERENT" : comparison->equal) return json;
   json["scan"] = comparison->scan;

@@ -101,14 +101,11 @@ class JunitWriter {
     pugi::xml_node suite = root_.append_child("testsuite");
     suite.append_attribute("name") = "comparison";
     pugi::xml_node test = addCase(suite, "comparison", report_.command, 0);
-    if (!c.equal) {
-      addFailure(test, "difference",
-                 fmt::format("scan {}, {:g} ms, {}: expected {:g}, actual {:g}", c.scan, c.timeMs, c.signal, c.expected,
-                             c.actual),
-                 "");
-      ++failures_;
-    }
-    setCounts(suite, 1, c.equal ? 0 : 1, 0);
+    const bool isFailed = !c.equal && !c.isUndecided();
+    if (c.isUndecided()) test.append_child("skipped").append_attribute("message") = differenceText(c).c_str();
+    if (isFailed) addFailure(test, "difference", differenceText(c), "");
+    failures_ += isFailed ? 1 : 0;
+    setCounts(suite, 1, isFailed ? 1 : 0, c.isUndecided() ? 1 : 0);
     ++tests_;
   }
 

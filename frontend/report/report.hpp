@@ -82,9 +82,15 @@ struct Comparison {
   std::string trace{};               ///< file that holds the run, or empty
   std::string certificate{};         ///< folder of the certificates, or empty
   std::vector<ShownScan> scans{};    ///< its last scans as drawings, networks of both programs
+
+  bool isOfPrograms() const { return !verdict.empty(); }
+  bool isUndecided() const { return verdict == "UNKNOWN"; }
 };
 
-/// "scan 7, 70 ms, Q0.0: expected 1, actual 0", or that the trace ends before.
+/// Whole numbers with all their digits, others with six: "1476000", "0.05".
+std::string plainNumber(double value);
+/// "scan 7, 70 ms, Q0.0: expected 1, actual 0", of programs "OLD 1, NEW 0"; or that the trace ends before, or why
+/// nothing is decided.
 std::string differenceText(const Comparison& comparison);
 
 /// A planted fault and what became of it (analysis/equivalence/self_check.hpp).

@@ -17,8 +17,8 @@ Finding findingOf(const RunTimeError& error, const Program& program) {
                            : isFatal || info.kind == HazardClass::NonFatal ? fmt::format("run-time error {}", info.code)
                                                                            : std::string("events lost");
   const std::string often = error.count > 1 ? fmt::format(", {} times in all", error.count) : "";
-  finding.message = fmt::format("{}: {} (scan {}, {:g} ms{})", code, info.text, error.scan,
-                                static_cast<double>(error.timeUs) / 1000, often);
+  finding.message = fmt::format("{}: {} (scan {}, {} ms{})", code, info.text, error.scan,
+                                plainNumber(static_cast<double>(error.timeUs) / 1000), often);
   finding.help = fmt::format("see {} of the manual", info.manual);
   finding.confirmation = Confirmation::Confirmed;
   if (error.place == nullptr) return finding;
@@ -86,8 +86,8 @@ void describeRun(Report& report, const Simulator& simulator, const ScanTime& sca
                                 : fmt::format("{:g} ms to {:g} ms", ms(scanTime.low), ms(scanTime.high));
   report.assumptions.push_back(fmt::format("CPU {}", cpuName(program.target.cpu)));
   report.assumptions.push_back(fmt::format("scan time {} where the stimulus says nothing", range));
-  report.assumptions.push_back(
-      fmt::format("{} scans, {:g} ms", simulator.scanCount(), static_cast<double>(simulator.timeUs()) / 1000));
+  report.assumptions.push_back(fmt::format("{} scans, {} ms", simulator.scanCount(),
+                                           plainNumber(static_cast<double>(simulator.timeUs()) / 1000)));
   if (const std::string text = stopText(simulator); !text.empty()) report.assumptions.push_back(text);
 }
 

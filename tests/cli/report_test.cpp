@@ -207,5 +207,42 @@ TEST(Report, SaysWhenTheTraceEndsBeforeTheExpectedScan) {
   EXPECT_EQ(differenceText(comparison), "scan 7, 70 ms, Q0.0: expected 1, but the trace ends before that scan");
 }
 
+TEST(Report, WritesWholeNumbersWithAllTheirDigits) {
+  EXPECT_EQ(plainNumber(1476000), "1476000");
+  EXPECT_EQ(plainNumber(4294967295.0), "4294967295");
+  EXPECT_EQ(plainNumber(-1), "-1");
+  EXPECT_EQ(plainNumber(12.5), "12.5");
+  const Comparison comparison{false, 2952, 1476000, "VD0", 1234567, -7654321, {}, {}};
+  EXPECT_EQ(differenceText(comparison), "scan 2952, 1476000 ms, VD0: expected 1234567, actual -7654321");
+}
+
+/// Of two programs: no scan is named where nothing is decided.
+TEST(Report, EachFormatSaysWhatIsUndecidedAboutTwoPrograms) {
+  Report report;
+  report.command = "equiv";
+  Comparison& comparison = report.comparison.emplace();
+  comparison.equal = false;
+  comparison.verdict = "UNKNOWN";
+  comparison.notes = {"the time was over"};
+  for (const char* name : {"human", "concise", "github", "junit", "html"}) {
+    std::ostringstream out;
+    reporterNamed(name)->write(report, {}, out);
+    EXPECT_NE(out.str().find("the time was over"), std::string::npos) << name;
+    EXPECT_EQ(out.str().find("scan 0"), std::string::npos) << name;
+  }
+}
+
+TEST(Report, EachFormatNamesTheProgramsThatDiffer) {
+  Report report;
+  report.command = "equiv";
+  report.comparison = Comparison{false, 7, 70, "Q0.0", 1, 0, {}, {}};
+  report.comparison->verdict = "DIFFERENT";
+  for (const char* name : {"human", "concise", "github", "junit", "html"}) {
+    std::ostringstream out;
+    reporterNamed(name)->write(report, {}, out);
+    EXPECT_NE(out.str().find("scan 7, 70 ms, Q0.0: OLD 1, NEW 0"), std::string::npos) << name << out.str();
+  }
+}
+
 }  // namespace
 }  // namespace rungproof
