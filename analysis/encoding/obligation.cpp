@@ -56,7 +56,9 @@ Obligations::Obligations(const Program& program, const PropertySet& set, const s
   const Instruction* last = nullptr;
   std::vector<std::pair<const Instruction*, std::size_t>>
       ends;  // nodes that each instruction had made when the next one began
+  const auto listener = std::move(options.atInstruction);
   options.atInstruction = [&](Machine<Graph>& machine, const Instruction& instruction) {
+    if (listener) listener(machine, instruction);
     Graph& graph = machine.d;
     ends.emplace_back(last, graph.size());
     last = &instruction;

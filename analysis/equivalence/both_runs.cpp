@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "analysis/proof/state_pool.hpp"
 #include "analysis/proof/witness.hpp"
 #include "ir/reading.hpp"
 
@@ -23,6 +24,13 @@ bool bitIn(const Concrete::Store& state, const std::optional<Address>& address) 
   if (address->area == Area::T) return state.get(Reg::TimerBit, address->index) != 0;
   if (address->area == Area::C) return state.get(Reg::CounterBit, address->index) != 0;
   return state.load(address->area, address->index, 1) != 0;
+}
+
+std::uint64_t pulseNumberIn(const Concrete::Store& state, const PulseSignal& signal) {
+  StillOutside outside;
+  Concrete domain(outside);
+  return pulseNumber(domain, signal.number,
+                     [&](Reg reg) { return state.get(reg, reg == Reg::Running ? 0 : signal.output); });
 }
 
 std::vector<ScanEnd> scanEnds(const BothRuns& runs, const EquivalenceRun& run, bool isOld) {
@@ -56,7 +64,7 @@ std::optional<OutputWatch::Difference> OutputWatch::next(ScanOutputs before, con
   const ScanOutputs then = std::move(old_.front());
   old_.pop_front();
   for (std::size_t i = 0; i < lasted_.size(); ++i) {
-    if (then.values[i] == after.values[i]) {
+    if (isAlike(i, then.values[i], after.values[i])) {
       lasted_[i].reset();
       continue;
     }
@@ -66,9 +74,19 @@ std::optional<OutputWatch::Difference> OutputWatch::next(ScanOutputs before, con
   return std::nullopt;
 }
 
+bool OutputWatch::isAlike(std::size_t output, std::uint64_t before, std::uint64_t after) const {
+  if (!pulses_[output]) return before == after;
+  StillOutside outside;
+  Concrete domain(outside);
+  return !pulsesDiffer(domain, pulses_[output]->number, before, after);
+}
+
 ScanOutputs BothRuns::outputsOf(const Concrete::Store& state, bool isOld) const {
   ScanOutputs result{state.get(Reg::Running, 0) != 0, {}};
-  for (const ObservedBit& bit : observed) result.values.push_back(bitIn(state, isOld ? bit.before : bit.after));
+  for (const ObservedBit& bit : observed) {
+    result.values.push_back(bit.pulses ? pulseNumberIn(state, *bit.pulses)
+                                       : static_cast<std::uint64_t>(bitIn(state, isOld ? bit.before : bit.after)));
+  }
   return result;
 }
 

@@ -11,7 +11,7 @@ namespace rungproof {
 /// A program at the end of a scan.
 struct ScanOutputs {
   bool runs = false;
-  std::vector<bool> values;  ///< by observed output
+  std::vector<std::uint64_t> values;  ///< by observed output
 };
 
 /// Two programs and what is compared of them.
@@ -37,16 +37,21 @@ class OutputWatch {
       : latency_(runs.options.latency),
         settleMs_(runs.options.settleMs),
         comparesStops_(runs.comparesStops),
-        lasted_(runs.observed.size()) {}
+        lasted_(runs.observed.size()) {
+    for (const ObservedBit& bit : runs.observed) pulses_.push_back(bit.pulses);
+  }
 
   struct Difference {
     std::size_t output = 0;  ///< BothRuns::observed.size(): one program has stopped
-    bool before = false, after = false;
+    std::uint64_t before = 0, after = 0;
   };
   /// Both programs at the end of the next scan, which took that long.
   std::optional<Difference> next(ScanOutputs before, const ScanOutputs& after, std::uint32_t lengthMs);
 
  private:
+  bool isAlike(std::size_t output, std::uint64_t before, std::uint64_t after) const;
+
+  std::vector<std::optional<PulseSignal>> pulses_;  ///< by observed output
   std::size_t latency_;
   std::uint32_t settleMs_;
   bool comparesStops_;

@@ -59,6 +59,7 @@ class ProgramComparison {
         options.trailAfter = std::make_shared<Trail>();
       }
       ProgramProduct product(before_, after_, match_, options);
+      nameApproximations(product);
       correspond(product, false);
       compareOutputs(product);
       if (std::ranges::any_of(result_.outputs, isEqual)) guardCoverage(product);
@@ -127,6 +128,8 @@ class ProgramComparison {
                                                               : "interrupts come between scans");
       break;
     }
+    if (sendsMessages(*before_.program) || sendsMessages(*after_.program))
+      result_.assumptions.emplace_back("what XMT and NETW send is no output, and is not compared");
     if (options_.steadyInputs) result_.assumptions.push_back("physical inputs are steady for the whole scan");
     if (options_.latency > 0)
       result_.assumptions.push_back(
@@ -134,6 +137,15 @@ class ProgramComparison {
     if (options_.settleMs > 0)
       result_.assumptions.push_back(
           fmt::format("outputs may differ for less than {} ms without a break", options_.settleMs));
+  }
+
+  void nameApproximations(ProgramProduct& product) {
+    for (const auto& [side, obligations] : {std::pair{&before_, &product.oldSide()}, {&after_, &product.newSide()}}) {
+      for (std::string& text : approximationTexts(*side->program, *obligations)) {
+        if (std::ranges::find(result_.approximations, text) == result_.approximations.end())
+          result_.approximations.push_back(std::move(text));
+      }
+    }
   }
 
   void correspond(ProgramProduct& product, bool withConditions) {
@@ -183,6 +195,7 @@ class ProgramComparison {
     if (early.scan > 1) {
       try {
         ProgramProduct product(before_, after_, match_, productOptions(false));
+        nameApproximations(product);
         const JoinedSystem both = product.merged(std::vector<bool>(product.newStateCount(), false), false);
         listOutputs(both.observed);
         std::vector<std::size_t> all(result_.outputs.size());
@@ -201,8 +214,8 @@ class ProgramComparison {
 
   void listOutputs(const std::vector<ObservedBit>& observed) {
     for (const ObservedBit& bit : observed)
-      result_.outputs.push_back({bit.name, Equality::Unknown, bit.before, bit.after});
-    result_.outputs.push_back({"RUN", Equality::Unknown, {}, {}});
+      result_.outputs.push_back({bit.name, Equality::Unknown, bit.before, bit.after, bit.pulses});
+    result_.outputs.push_back({"RUN", Equality::Unknown, {}, {}, {}});
   }
 
   void compareOutputs(ProgramProduct& product) {
@@ -285,7 +298,7 @@ class ProgramComparison {
           if (!options_.everyOutput) return;
           continue;
         }
-        if (isViolated && isLast) unconfirmed(product, result_.outputs[open[i]].name, answers[i]);
+        if (isViolated && isLast) unconfirmed(result_.outputs[open[i]].name, answers[i]);
         depth_ = std::min(depth_, answers[i].depth);
       }
       if (!goesOn(open)) return;
@@ -402,11 +415,8 @@ class ProgramComparison {
   }
 
   /// A run that the engine does not repeat: it rests on what is not modelled, or the tool is wrong.
-  void unconfirmed(ProgramProduct& product, const std::string& name, const QuestionAnswer& answer) {
-    std::vector<std::string> reasons;
-    for (const auto& [side, obligations] : {std::pair{&before_, &product.oldSide()}, {&after_, &product.newSide()}}) {
-      for (const std::string& text : approximationTexts(*side->program, *obligations)) reasons.push_back(text);
-    }
+  void unconfirmed(const std::string& name, const QuestionAnswer& answer) {
+    const std::vector<std::string>& reasons = result_.approximations;
     if (reasons.empty() && !answer.usesFreeReals) {
       result_.disagreements.push_back(
           {name,
@@ -441,12 +451,15 @@ class ProgramComparison {
 
   /// What was not read or not followed to its end leaves equality open.
   void guardCoverage(ProgramProduct& product) {
+    const bool dependOnDevices = guardRequests(product);
     const std::size_t before = result_.notes.size();
     guardSide(before_, product.oldSide());
     guardSide(after_, product.newSide());
     guardRuns(product);
-    if (comparesPulseOutputs() && !product.pulsesCorrespond(correspondence_.isMerged))
-      note("what PLS makes of Q0.0 and Q0.1 may differ: pulses are no part of the process image");
+    if ((comparesPulseOutputs() || dependOnDevices) && !product.pulsesCorrespond(correspondence_.isMerged))
+      note(
+          "what PLS makes of Q0.0 and Q0.1 may differ in a way that is not compared: by profiles, or by constant "
+          "levels");
     const LongScans loops = longScansOf(*before_.program, *after_.program, match_);
     for (const std::string& text : loops.ofOne) note(text);
     if (loops.areInBoth)
@@ -456,6 +469,47 @@ class ProgramComparison {
       if (isEqual(output)) output.equality = Equality::Unknown;
     }
     if (result_.equality == Equality::Equal) result_.equality = Equality::Unknown;
+  }
+  /// Devices are taken to do the same in both programs, which holds as long as both ask the same of them. Whether some
+  /// output that is equal depends on what they do.
+  bool guardRequests(ProgramProduct& product) {
+    const JoinedSystem both = product.merged(correspondence_.isMerged, false, correspondence_.conditions);
+    const std::vector<bool> depends = product.dependsOnDevices(both);
+    bool isConcerned = false;
+    for (std::size_t i = 0; i < depends.size(); ++i)
+      isConcerned = isConcerned || (depends[i] && isEqual(result_.outputs[i]));
+    if (!isConcerned) return false;
+    bool isSettled = true;
+    if (!both.requests.empty()) {
+      TransitionSystem system = both.system;
+      for (const RequestDifference& request : both.requests)
+        system.questions.push_back({"devices are asked for different things", request.differs});
+      const double each = left() / static_cast<double>(both.requests.size());
+      const std::vector<QuestionAnswer> answers = ask(system, each, Effort::Full);
+      for (std::size_t i = 0; i < answers.size(); ++i) {
+        if (answers[i].answer == Answer::Proved) continue;
+        isSettled = false;
+        note(requestText(both.requests[i]));
+      }
+    }
+    for (std::size_t i = 0; !isSettled && i < depends.size(); ++i) {
+      if (depends[i] && isEqual(result_.outputs[i])) result_.outputs[i].equality = Equality::Unknown;
+    }
+    if (!isSettled && result_.equality == Equality::Equal) result_.equality = Equality::Unknown;
+    return true;
+  }
+  std::string requestText(const RequestDifference& request) const {
+    constexpr std::string_view sequel = "what comes of it may differ";
+    if (request.before != nullptr && request.after != nullptr)
+      return fmt::format("{} may ask for something else than {}, or at another time: {}",
+                         placeText(*after_.program, *request.after), placeText(*before_.program, *request.before),
+                         sequel);
+    if (request.after != nullptr)
+      return fmt::format("OLD asks for nothing like {}: {}", placeText(*after_.program, *request.after), sequel);
+    if (request.before != nullptr)
+      return fmt::format("NEW asks for nothing like {}: {}", placeText(*before_.program, *request.before), sequel);
+    return fmt::format("SMB{} may differ: what arrives at port {} may be read otherwise",
+                       portControl(static_cast<std::uint32_t>(request.port)), request.port);
   }
   bool comparesPulseOutputs() const {
     constexpr std::uint32_t pulseOutputs = 2;

@@ -36,17 +36,19 @@ struct EquivalenceRun {
   std::optional<Concrete::Store> initialBefore, initialAfter;
   std::uint64_t scan = 0;          ///< in which they differ, from 1
   std::uint64_t milliseconds = 0;  ///< at its end
-  std::string signal;              ///< "Q0.1", or "RUN" where one program has stopped
+  std::string signal;              ///< "Q0.1", "PLS0.width", or "RUN" where one program has stopped
   std::optional<Address> addressBefore, addressAfter;
-  bool valueBefore = false, valueAfter = false;
+  std::uint64_t valueBefore = 0, valueAfter = 0;
   /// Readings of open points that it needs and that are not those of the choices: index into ChoiceInfo::values.
   std::vector<std::pair<Choice, std::uint8_t>> readings;
 };
 
 struct ObservedVerdict {
-  std::string name;  ///< "Q0.1", "RUN"
+  std::string name;  ///< "Q0.1", "PLS0.width", "RUN"
   Equality equality = Equality::Unknown;
   std::optional<Address> before, after;  ///< nothing: that program does not have it
+  std::optional<PulseSignal> pulses{};   ///< in place of addresses
+  bool isRun() const { return !before && !after && !pulses; }
 };
 
 struct Equivalence {

@@ -300,6 +300,11 @@ std::vector<ObservedBit> namedOutputs(const Program& before, const Program& afte
   }
   for (const Operand& operand : operands)
     eachBit(operand, [&](const Address& old) { add(old, options.pairs.after(old)); });
+  std::array<bool, 2> isUsed = pulseOutputsOf(before);
+  const std::array<bool, 2> ofNew = pulseOutputsOf(after);
+  for (std::size_t i = 0; i < isUsed.size(); ++i) isUsed[i] = isUsed[i] || ofNew[i];
+  for (const PulseSignal& signal : comparedPulses(options.observed, options.pairs, options.latency, isUsed))
+    outputs.push_back({nameOf(signal), {}, {}, noNode, signal});
   return outputs;
 }
 

@@ -64,10 +64,15 @@ void observe(EncoderOptions& options, const Program& program, const AddressPairs
   }
 }
 
-EncoderOptions shaped(EncoderOptions options, const Program& other, const AddressPairs* pairs,
-                      std::shared_ptr<Trail> trail) {
+EncoderOptions shaped(EncoderOptions options, const Program& own, const Program& other, const AddressPairs* pairs,
+                      std::shared_ptr<Trail> trail, RequestRecord& requests) {
   observe(options, other, pairs);
+  observeRequests(options, own);
+  observeRequests(options, other);
   options.trail = std::move(trail);
+  options.atInstruction = [&requests](Machine<Graph>& machine, const Instruction& instruction) {
+    requests.at(machine, instruction);
+  };
   return options;
 }
 
@@ -85,10 +90,12 @@ ProgramProduct::ProgramProduct(const Side& before, const Side& after, const Prog
     : options_(options),
       match_(match),
       old_(*before.program, before.set, {},
-           shaped(options.encoder, *after.program, &options.pairs, options.trailBefore)),
-      new_(*after.program, after.set, {}, shaped(options.encoder, *before.program, nullptr, options.trailAfter)) {
+           shaped(options.encoder, *before.program, *after.program, &options.pairs, options.trailBefore, oldRequests_)),
+      new_(*after.program, after.set, {},
+           shaped(options.encoder, *after.program, *before.program, nullptr, options.trailAfter, newRequests_)) {
   isSame_ = isSameProgram(before, after);
   collectOutputs();
+  addPulses();
   findClocks();
   firstScan_ = old_.encoding().firstScan();
   oldRuns_ = old_.encoding().atEnd(registerPlace(Reg::Running, 0));
@@ -100,6 +107,9 @@ ProgramProduct::ProgramProduct(const Side& before, const Side& after, const Prog
           assumedLeaf(nullptr, n.operand, n.type == ExprType::Truth ? 1 : numberBits(n.operand));
       }
     }
+  }
+  for (const std::uint32_t port : usedPorts()) {
+    for (Obligations* side : {&old_, &new_}) side->encoding().atEnd(portPlace(port));
   }
   newSystem_ = new_.system();
   for (const KeptCell& cell : new_.encoding().keptCells()) kept_.insert(cell.node);
@@ -328,6 +338,7 @@ JoinedSystem ProgramProduct::merged(const std::vector<bool>& isMerged, bool isOn
   holdClocks(result);
   assume(result);
   compareOutputs(result);
+  compareRequests(result);
   result.stopDiffers = differ(oldRuns_, copy(newRuns_));
   for (const Node input : copy.newInputs()) {
     if (std::ranges::find(result.system.inputs, input) == result.system.inputs.end())
@@ -472,6 +483,14 @@ void ProgramProduct::compareOutputs(JoinedSystem& result) {
     ObservedBit& bit = result.observed.emplace_back();
     bit.before = output.before;
     bit.after = output.after;
+    bit.pulses = output.pulses;
+    if (output.pulses) {
+      bit.name = nameOf(*output.pulses);
+      const Graph::Bits there{(*result.copy)(output.newValue)};
+      bit.differs =
+          settled(result, pulsesDiffer(graph, output.pulses->number, {output.oldValue}, there).node, bit.name);
+      continue;
+    }
     bit.name = nameOfBit(output.before ? *output.before : *output.after);
     const Node left = output.oldValue == noNode ? zero : delayed(result, output.oldValue, bit.name);
     const Node right = output.newValue == noNode ? zero : (*result.copy)(output.newValue);

@@ -15,7 +15,9 @@
 
 #include "analysis/bits/bit_blast.hpp"
 #include "analysis/encoding/obligation.hpp"
+#include "analysis/equivalence/device_requests.hpp"
 #include "analysis/equivalence/network_match.hpp"
+#include "analysis/equivalence/pulse_drive.hpp"
 #include "analysis/equivalence/side_copy.hpp"
 #include "analysis/unread_code.hpp"
 
@@ -32,6 +34,8 @@ inline Address bitOf(const Place& place, std::uint32_t i) {
   const std::uint32_t at = place.at + i;
   return {place.area, at / 8 * 8 + 7 - at % 8};
 }
+
+inline Place portPlace(std::uint32_t port) { return memoryPlace(Area::SM, portControl(port), Width::Byte); }
 
 /// "Q0.0", "T37".
 std::string nameOfBit(const Address& address);
@@ -55,12 +59,25 @@ struct ProductOptions {
   std::uint32_t settleMs = 0;  ///< a pair of outputs may differ for less than that without a break
 };
 
+/// A number of a pulse output: what PLS drives past the process image.
+struct PulseSignal {
+  std::uint32_t output = 0;
+  PulseNumber number = PulseNumber::Mode;
+};
+/// "PLS0.width".
+std::string nameOf(const PulseSignal& signal);
+/// Those that are compared: of the generators that PLS in either program sets going, unless the map moves their outputs
+/// or outputs come with latency.
+std::vector<PulseSignal> comparedPulses(const std::vector<Operand>& observed, const AddressPairs& pairs,
+                                        std::uint32_t latency, const std::array<bool, 2>& isUsed);
+
 /// An output bit, and whether the two programs leave it different at the end of the scan (settling and latency
 /// counted in).
 struct ObservedBit {
   std::string name;                      ///< of OLD, else of NEW
   std::optional<Address> before, after;  ///< nothing: that program does not have it, it counts as 0 there
   Node differs = noNode;
+  std::optional<PulseSignal> pulses{};  ///< in place of addresses
 };
 
 /// A state of NEW equals its partner wherever a bit of OLD's state is `when`, at the starts of scans. By names of
@@ -73,6 +90,14 @@ struct PairCondition {
 /// Whether outputs differ, then whether one program stops alone.
 std::vector<Question> outputQuestions(const struct JoinedSystem& joined);
 
+/// That a device may be asked for different things.
+struct RequestDifference {
+  const Instruction* before;  ///< nullptr: OLD does not ask for that
+  const Instruction* after;   ///< nullptr: NEW does not ask for that
+  int port = -1;              ///< the port whose control byte differs at the end of the scan, without any request
+  Node differs = noNode;
+};
+
 /// The two programs with some of NEW's states merged into OLD's.
 struct JoinedSystem {
   TransitionSystem system;  ///< without questions
@@ -80,10 +105,11 @@ struct JoinedSystem {
   Node stopDiffers = noNode;      ///< one program is stopped at the end of the scan, the other is not
   std::vector<Node> nextDiffers;  ///< by state of NEW: a merged one gets another value than OLD's; else noNode
   Node usesEstimates = noNode;    ///< 1 in scans that have no counterpart on the machine for certain; noNode: in none
-  std::vector<Node> conditionBreaks;  ///< by condition: it does not hold at the end of the scan
-  std::vector<Node> timeStates;       ///< they only measure time
-  std::vector<Node> starts;           ///< by merged state of NEW: it starts with what OLD's starts with; 1 in scan 1
-  std::shared_ptr<SideCopy> copy;     ///< of NEW into the system's graph
+  std::vector<Node> conditionBreaks;        ///< by condition: it does not hold at the end of the scan
+  std::vector<RequestDifference> requests;  ///< without those that cannot be
+  std::vector<Node> timeStates;             ///< they only measure time
+  std::vector<Node> starts;        ///< by merged state of NEW: it starts with what OLD's starts with; 1 in scan 1
+  std::shared_ptr<SideCopy> copy;  ///< of NEW into the system's graph
 };
 
 class ProgramProduct {
@@ -104,6 +130,8 @@ class ProgramProduct {
   /// Whether the pulse outputs get the same commands in every scan, as far as states that are merged show it: PLS
   /// drives Q0.0 and Q0.1 past the process image.
   bool pulsesCorrespond(const std::vector<bool>& isMerged);
+  /// By output, then RUN: it depends on what a device does for a request, which is the same for both programs.
+  std::vector<bool> dependsOnDevices(const JoinedSystem& joined);
   /// States of OLD that are one bit.
   std::vector<std::string> oldBitNames() const;
 
@@ -119,6 +147,7 @@ class ProgramProduct {
   struct Output {
     std::optional<Address> before, after;
     Node oldValue = noNode, newValue = noNode;  ///< each of its own graph; noNode: 0
+    std::optional<PulseSignal> pulses{};
   };
   /// What of OLD stands for a state of NEW; noNode: nothing.
   struct Partner {
@@ -128,6 +157,7 @@ class ProgramProduct {
   };
 
   void collectOutputs();
+  void addPulses();
   void addOutput(std::set<std::pair<Area, std::uint32_t>>& known, const Address& before);
   void findPartners();
   void replaceCells(SideCopy& copy);
@@ -138,6 +168,8 @@ class ProgramProduct {
   bool isSameProgram(const Side& before, const Side& after) const;
   void replaceEstimates(SideCopy& copy, const std::vector<bool>& isMerged);
   void noteEstimates(JoinedSystem& result);
+  void compareRequests(JoinedSystem& result);
+  std::vector<std::uint32_t> usedPorts();
   void holdInputs(JoinedSystem& result);
   void findClocks();
   void holdClocks(JoinedSystem& result);
@@ -156,6 +188,7 @@ class ProgramProduct {
 
   const ProductOptions options_;
   const ProgramMatch& match_;
+  RequestRecord oldRequests_, newRequests_;  ///< the encodings tell them
   Obligations old_, new_;
   TransitionSystem oldSystem_, newSystem_;
   std::vector<Output> outputs_;

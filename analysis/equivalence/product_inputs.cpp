@@ -16,6 +16,7 @@ bool isOfTheWorld(External kind) {
     case External::AnalogInput:
     case External::ClockByte:
     case External::IntervalClock:
+    case External::ReceivedByte:
     case External::StationAddress: return true;
     default: return false;
   }
@@ -76,16 +77,19 @@ void ProgramProduct::replaceCells(SideCopy& copy) {
 }
 
 /// External values inside the scan: the k-th of an instruction stands for the k-th of the instruction it is matched
-/// with.
+/// with. What arrives at a port between scans belongs to no instruction.
 void ProgramProduct::replaceExternals(SideCopy& copy) {
   using Site = std::tuple<External, std::uint32_t, std::uint32_t>;
+  const auto isBetween = [&](const ExternalInput& e) {
+    return e.site.kind == External::ReceivedByte && !options_.encoder.interruptsInside;
+  };
   std::map<Site, std::vector<Node>> known;
   for (const ExternalInput& e : old_.encoding().externals())
-    known[{e.site.kind, e.site.index, e.site.instruction}].push_back(e.node);
+    known[{e.site.kind, e.site.index, isBetween(e) ? noPartner : e.site.instruction}].push_back(e.node);
   std::map<Site, std::size_t> count;
   for (const ExternalInput& e : new_.encoding().externals()) {
     if (!isOfTheWorld(e.site.kind)) continue;
-    const std::size_t k = count[{e.site.kind, e.site.index, e.site.instruction}]++;
+    const std::size_t k = count[{e.site.kind, e.site.index, isBetween(e) ? noPartner : e.site.instruction}]++;
     if (e.node == noNode || copy.isReplaced(e.node)) continue;
     std::uint32_t index = e.site.index;
     const bool isAddress = e.site.kind == External::ImmediateInput || e.site.kind == External::AnalogInput;
@@ -95,8 +99,8 @@ void ProgramProduct::replaceExternals(SideCopy& copy) {
       if (!before || before->area != area) continue;
       index = before->index;
     }
-    const std::uint32_t instruction = match_.beforeOf[e.site.instruction];
-    if (instruction == noPartner) continue;
+    const std::uint32_t instruction = isBetween(e) ? noPartner : match_.beforeOf[e.site.instruction];
+    if (instruction == noPartner && !isBetween(e)) continue;
     const auto found = known.find({e.site.kind, index, instruction});
     if (found != known.end() && k < found->second.size() && found->second[k] != noNode)
       copy.replace(e.node, found->second[k]);

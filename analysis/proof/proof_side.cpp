@@ -132,11 +132,15 @@ std::vector<std::string> environmentTexts(const Program& program, const Property
   return texts;
 }
 
+std::string placeText(const Program& program, const Instruction& instruction) {
+  const Span span = instruction.span;
+  return fmt::format("{} at {}:{}", instruction.desc->stl, program.sources->file(span.file).name(),
+                     program.sources->position(span).line);
+}
+
 std::string approximationText(const Program& program, const Approximation& approximation) {
   if (approximation.place == nullptr) return approximation.reason;
-  const Span span = approximation.place->span;
-  return fmt::format("{} at {}:{}: {}", approximation.place->desc->stl, program.sources->file(span.file).name(),
-                     program.sources->position(span).line, approximation.reason);
+  return fmt::format("{}: {}", placeText(program, *approximation.place), approximation.reason);
 }
 
 bool isWrittenOut(const Graph& graph, const Approximation& approximation) {

@@ -48,6 +48,8 @@ class ProofSide {
 
 /// CPU, scan time, initial memory, external writers, declared assumptions.
 std::vector<std::string> environmentTexts(const Program& program, const PropertySet& set, const TimeRange& time);
+/// "PID at press.awl:41".
+std::string placeText(const Program& program, const Instruction& instruction);
 /// "PID at press.awl:41: result is any value".
 std::string approximationText(const Program& program, const Approximation& approximation);
 /// Whether it is gone once REAL operations are written out.

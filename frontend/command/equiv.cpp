@@ -133,15 +133,15 @@ Exit run(const Arguments& arguments, Context& context) {
   const auto before = std::signal(SIGINT, onEquivInterrupt);
   Equivalence found = compareBehaviour(sides.oldSide(), sides.newSide(), options);
   std::signal(SIGINT, before);
-  const auto isRun = [](const ObservedVerdict& output) { return !output.before && !output.after; };
-  if (found.equality == Equality::Equal && std::ranges::all_of(found.outputs, isRun)) {
+  if (found.equality == Equality::Equal && std::ranges::all_of(found.outputs, &ObservedVerdict::isRun)) {
     found.equality = Equality::Unknown;
     found.notes.emplace_back("neither program writes an output: name memory to be compared with --observe");
   }
 
   report.comparison = comparisonOf(found);
   report.assumptions = found.assumptions;
-  report.coverage.approximated = found.approximations;
+  report.coverage.approximated.insert(report.coverage.approximated.end(), found.approximations.begin(),
+                                      found.approximations.end());
   bool isFailed = !found.disagreements.empty();
   for (const Disagreement& disagreement : found.disagreements)
     context.err << fmt::format("rungproof: internal disagreement on '{}': {}\n", disagreement.name,

@@ -137,8 +137,11 @@ void DifferenceReport::describe(Comparison& comparison, const std::string& form)
   comparison.scan = static_cast<int>(std::min<std::uint64_t>(run_.scan, 1U << 30));
   comparison.timeMs = static_cast<double>(run_.milliseconds);
   comparison.signal = run_.signal;
-  comparison.expected = run_.valueBefore ? 1 : 0;
-  comparison.actual = run_.valueAfter ? 1 : 0;
+  comparison.expected = static_cast<double>(run_.valueBefore);
+  comparison.actual = static_cast<double>(run_.valueAfter);
+  if (run_.signal.ends_with(".mode"))
+    comparison.notes.emplace_back(
+        "modes of a pulse output: 0 none, 1 pulse train, 2 PWM, 3 profile, 4 always 0, 5 always 1");
   const Inputs read = inputs();
   std::vector<TraceSignal> common = read.common, before, after;
   common.insert(common.end(), read.before.begin(), read.before.end());

@@ -86,7 +86,8 @@ std::vector<std::string> influenceLines(const NetworkChange& change) {
   if (change.outputs.empty()) lines.emplace_back("influences no output");
   if (!change.memory.empty()) lines.push_back("influences: " + listOf(change.memory));
   if (change.isEverything)
-    lines.emplace_back("may influence any memory: it writes through a pointer, or stops the program");
+    lines.emplace_back(
+        "may influence any memory: it writes through a pointer, sets a device going, or stops the program");
   return lines;
 }
 

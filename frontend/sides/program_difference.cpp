@@ -28,6 +28,7 @@ class Reach {
     influence.addNetwork({static_cast<std::uint32_t>(network.pou), static_cast<std::uint32_t>(network.network)}, 1);
     influence.spread();
     change.isEverything = change.isEverything || influence.everything() != Influence::none;
+    if (change.isEverything) addPulses(change, verdicts);
     for (const TraceSignal& signal : signals_) {
       const Operand& o = signal.operand;
       const bool isOutput = isOutputArea(o.area);
@@ -50,6 +51,14 @@ class Reach {
   }
   static void addMemory(NetworkChange& change, const std::string& name) {
     if (std::ranges::find(change.memory, name) == change.memory.end()) change.memory.push_back(name);
+  }
+  /// What sets a device going can influence anything; pulse outputs have no other place.
+  static void addPulses(NetworkChange& change, const std::vector<ObservedVerdict>& verdicts) {
+    for (const ObservedVerdict& verdict : verdicts) {
+      if (verdict.pulses &&
+          std::ranges::find(change.outputs, verdict.name, &InfluencedOutput::name) == change.outputs.end())
+        change.outputs.push_back({verdict.name, verdict.equality});
+    }
   }
   void addOutput(NetworkChange& change, const Address& own, const Operand& bit,
                  const std::vector<ObservedVerdict>& verdicts) const {

@@ -1,0 +1,198 @@
+// Fields of special memory by instruction, and tables.
+#include "analysis/equivalence/device_requests.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "ir/args.hpp"
+#include "ir/event_cause.hpp"
+#include "ir/isa/hsc.hpp"
+
+namespace rungproof {
+
+namespace {
+
+/// A field of special memory that an instruction takes; `update`: bit of the control byte that lets it, -1: always.
+struct TakenField {
+  std::uint32_t byte;
+  Width width;
+  int update = -1;
+};
+
+constexpr std::uint64_t setupBits = 0x07;  ///< of a counter's control byte, those that HDEF reads (001:4279)
+constexpr int longestTransmission = 255;   // 001:3194
+constexpr int networkHead = 7, longestNetworkTable = 23;
+constexpr int clockBytes = 8, extendedClockBytes = 19;
+
+bool hasConstant(const Instruction& instruction, std::size_t i, std::uint64_t most) {
+  return i < instruction.operands.size() && instruction.operands[i].kind == OperandKind::Constant &&
+         static_cast<std::uint64_t>(instruction.operands[i].value) <= most;
+}
+std::uint32_t constantAt(const Instruction& instruction, std::size_t i) {
+  return static_cast<std::uint32_t>(instruction.operands[i].value);
+}
+
+struct Addressee {
+  Device device;
+  std::uint32_t number;
+};
+
+std::optional<Addressee> addresseeOf(const Instruction& instruction) {
+  const Role role = roleOf(instruction);
+  switch (role) {
+    case Role::Hdef:
+    case Role::Hsc:
+      if (hasConstant(instruction, 0, isa::hscCount - 1)) return Addressee{Device::Counter, constantAt(instruction, 0)};
+      return std::nullopt;
+    case Role::Pls:
+      if (hasConstant(instruction, 0, 1)) return Addressee{Device::PulseOutput, constantAt(instruction, 0)};
+      return std::nullopt;
+    case Role::Xmt:
+    case Role::Rcv:
+    case Role::Netr:
+    case Role::Netw: {
+      const bool isPort = role == Role::Xmt || role == Role::Rcv;
+      if (hasConstant(instruction, 1, 1))
+        return Addressee{isPort ? Device::Port : Device::Network, constantAt(instruction, 1)};
+      return std::nullopt;
+    }
+    case Role::Todw: return Addressee{Device::Clock, 0};
+    default: return std::nullopt;
+  }
+}
+
+/// The control byte first.
+std::vector<TakenField> fieldsOf(const Addressee& to, Role role) {
+  switch (to.device) {
+    case Device::Counter: {
+      const std::uint32_t control = isa::hscControl[to.number];
+      if (role == Role::Hdef) return {{control, Width::Byte}};
+      return {{control, Width::Byte}, {control + 1, Width::DWord, 6}, {control + 5, Width::DWord, 5}};
+    }
+    case Device::PulseOutput: {
+      const std::uint32_t control = to.number == 0 ? 67 : 77;
+      return {{control, Width::Byte},
+              {control + 1, Width::Word, 0},
+              {control + 3, Width::Word, 1},
+              {control + 5, Width::DWord, 2},
+              {control + 101, Width::Word, 5}};
+    }
+    case Device::Port: {
+      const std::uint32_t control = portControl(to.number), receive = to.number == 0 ? 87 : 187;
+      if (role == Role::Xmt) return {{control, Width::Byte}};
+      return {{control, Width::Byte},     {receive, Width::Byte},     {receive + 1, Width::Byte},
+              {receive + 2, Width::Byte}, {receive + 3, Width::Word}, {receive + 5, Width::Word},
+              {receive + 7, Width::Byte}};
+    }
+    case Device::Network: return {{portControl(to.number), Width::Byte}};
+    case Device::Clock: return {};
+  }
+  return {};
+}
+
+/// Bytes `first` to `last` of the table at operand 0; of a message as many as its first byte says.
+struct TakenTable {
+  int first = 0, last = -1;
+  bool isMessage = false;
+};
+
+TakenTable tableOf(const Instruction& instruction) {
+  switch (roleOf(instruction)) {
+    case Role::Xmt: return {0, longestTransmission, true};
+    case Role::Netr: return {1, networkHead - 1};  // byte 0 is the status, which the request writes
+    case Role::Netw: return {1, longestNetworkTable - 1};
+    case Role::Todw: return {0, (instruction.desc->stl.ends_with('X') ? extendedClockBytes : clockBytes) - 1};
+    default: return {};
+  }
+}
+
+template <class Visit>
+void eachRequest(const Program& program, const Visit& visit) {
+  for (const Pou& pou : program.pous) {
+    for (const Network& network : pou.networks) {
+      for (const Instruction& instruction : network.instructions) {
+        if (const std::optional<Addressee> to = addresseeOf(instruction)) visit(instruction, *to);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void RequestRecord::at(Machine<Graph>& m, const Instruction& instruction) {
+  const std::optional<Addressee> to = addresseeOf(instruction);
+  if (!to) return;
+  Graph& graph = m.d;
+  const Role role = roleOf(instruction);
+  const Graph::Bool runs = graph.land(m.guard, m.powerFlow());
+  if (graph.truth(runs) == false) return;
+  DeviceRequest request{&instruction, to->device, to->number, runs.node, {}};
+  const auto take = [&](Graph::Bits value, int width, Graph::Bool isUsed) {
+    request.settings.push_back(graph.select(isUsed, value, graph.literal(0, width), width).node);
+  };
+  const Graph::Bool always = graph.constant(true);
+  take(graph.literal(static_cast<std::uint64_t>(role), 8), 8, always);
+  if (role == Role::Hdef && instruction.operands.size() == 2)
+    take(graph.literal(static_cast<std::uint64_t>(instruction.operands[1].value), 8), 8, always);
+  const std::vector<TakenField> fields = fieldsOf(*to, role);
+  const auto fieldAt = [&](const TakenField& field) { return m.load(Area::SM, field.byte, field.width); };
+  const Graph::Bits control = fields.empty() ? graph.literal(0, 8) : fieldAt(fields[0]);
+  for (const TakenField& field : fields) {
+    if (role == Role::Hdef)
+      take(graph.band(control, graph.literal(setupBits, 8), 8), 8, always);
+    else
+      take(fieldAt(field), bits(field.width), field.update < 0 ? always : graph.bit(control, field.update));
+  }
+  const TakenTable table = tableOf(instruction);
+  if (table.last >= 0) {
+    const Instruction* last = std::exchange(m.current, &instruction);  // whose pointer is followed
+    Args<Graph> a(m, instruction, *instruction.desc);
+    a.resolve();
+    const int end = std::min(table.last + 1, a.room(0, Width::Byte, table.last + 1));
+    const Graph::Bits count = a.element(0, 0, Width::Byte);
+    for (int k = table.first; k < end; ++k) {
+      const Graph::Bool isUsed =
+          table.isMessage ? graph.ule(graph.literal(static_cast<std::uint64_t>(k), 8), count, 8) : always;
+      take(a.element(0, k, Width::Byte), 8, isUsed);
+    }
+    m.current = last;
+  }
+  requests_.push_back(std::move(request));
+}
+
+void observeRequests(EncoderOptions& options, const Program& program) {
+  eachRequest(program, [&](const Instruction& instruction, const Addressee& to) {
+    for (const TakenField& field : fieldsOf(to, roleOf(instruction)))
+      options.observed.push_back(direct(Area::SM, field.width, field.byte));
+    const TakenTable table = tableOf(instruction);
+    if (table.last < 0 || instruction.operands[0].kind != OperandKind::Direct) return;
+    const Operand& first = instruction.operands[0];
+    for (int k = 0; k <= table.last; ++k) {
+      const std::uint32_t byte = first.offset + static_cast<std::uint32_t>(k);
+      if (byte < areaSize(program.target, first.area))
+        options.observed.push_back(direct(first.area, Width::Byte, byte));
+    }
+  });
+}
+
+bool sendsMessages(const Program& program) {
+  bool found = false;
+  eachRequest(program, [&](const Instruction& instruction, const Addressee&) {
+    const Role role = roleOf(instruction);
+    found = found || role == Role::Xmt || role == Role::Netw;
+  });
+  return found;
+}
+
+std::array<bool, 2> pulseOutputsOf(const Program& program) {
+  std::array<bool, 2> found{};
+  eachRequest(program, [&](const Instruction&, const Addressee& to) {
+    if (to.device == Device::PulseOutput) found.at(to.number) = true;
+  });
+  return found;
+}
+
+bool isDeviceEvent(int event) { return isPulseEvent(event) || portEvent(event) || counterEvent(event); }
+
+}  // namespace rungproof
