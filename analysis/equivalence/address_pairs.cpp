@@ -11,6 +11,9 @@ bool coversAddress(const Address& first, std::uint32_t count, const Address& add
   return address.area == first.area && address.index >= first.index && address.index - first.index < count;
 }
 
+constexpr std::uint32_t analogBits = 16;
+Address wordOf(const Address& address) { return {address.area, address.index / analogBits * analogBits}; }
+
 }  // namespace
 
 Address addressOf(const Operand& operand) {
@@ -20,6 +23,7 @@ Address addressOf(const Operand& operand) {
 
 Operand operandAt(const Address& address) {
   if (isWholeValue(address.area)) return direct(address.area, Width::Bit, address.index);
+  if (isAnalogue(address.area)) return direct(address.area, Width::Word, wordOf(address).index / 8);
   return direct(address.area, Width::Bit, address.index / 8, address.index % 8);
 }
 
@@ -74,6 +78,28 @@ std::optional<Address> AddressPairs::after(Address before) const {
       std::ranges::any_of(runs_, [&](const Run& run) { return coversAddress(run.after, run.count, before); });
   if (isGivenAway) return std::nullopt;
   return before;
+}
+
+ComparedRange AddressPairs::comparedFrom(Address before) const {
+  if (!isAnalogue(before.area) || isWholeValue(before.area)) return {before};
+  const Address first = wordOf(before);
+  const std::optional<Address> there = after(first);
+  for (std::uint32_t i = 1; i < analogBits; ++i) {
+    const std::optional<Address> next = after(Address{first.area, first.index + i});
+    const bool isTogether = there ? next == Address{there->area, there->index + i} : !next;
+    if (!isTogether) return {before};
+  }
+  const bool isWord = !there || (isAnalogue(there->area) && wordOf(*there) == *there);
+  return isWord ? ComparedRange{first, analogBits} : ComparedRange{before};
+}
+
+ComparedRange AddressPairs::comparedAlone(Address after) const {
+  if (!isAnalogue(after.area) || isWholeValue(after.area)) return {after};
+  const Address first = wordOf(after);
+  for (std::uint32_t i = 0; i < analogBits; ++i) {
+    if (before(Address{first.area, first.index + i})) return {after};
+  }
+  return {first, analogBits};
 }
 
 bool AddressPairs::names(Address after) const {

@@ -23,7 +23,12 @@ struct Address {
 constexpr bool isWholeValue(Area area) { return addressedByNumber(area) || (isInputArea(area) && isAnalogue(area)); }
 /// First address that a direct operand names.
 Address addressOf(const Operand& operand);
-/// The operand that names one address: a bit, or the bit of a timer or counter.
+/// Addresses that are compared as one value.
+struct ComparedRange {
+  Address first;
+  std::uint32_t bits = 1;
+};
+/// The operand that names one address: a bit, the bit of a timer or counter, or the word of an analog output.
 Operand operandAt(const Address& address);
 /// How many addresses it names from there on.
 std::uint32_t extentOf(const Operand& operand);
@@ -45,6 +50,10 @@ class AddressPairs {
   std::optional<Address> after(Address before) const;
   /// Whether the map itself names that address of NEW.
   bool names(Address after) const;
+  /// What an address of OLD is compared with: the word of an analog output where it stands together in both programs.
+  ComparedRange comparedFrom(Address before) const;
+  /// The same for an address of NEW that has no partner.
+  ComparedRange comparedAlone(Address after) const;
   /// The operand of OLD for a direct operand of NEW; nothing if its parts are not together there.
   std::optional<Operand> before(const Operand& after) const;
 

@@ -19,11 +19,11 @@ struct ScanEnd {
   ScanOutputs outputs;
 };
 
-bool bitIn(const Concrete::Store& state, const std::optional<Address>& address) {
-  if (!address) return false;
-  if (address->area == Area::T) return state.get(Reg::TimerBit, address->index) != 0;
-  if (address->area == Area::C) return state.get(Reg::CounterBit, address->index) != 0;
-  return state.load(address->area, address->index, 1) != 0;
+std::uint64_t valueIn(const Concrete::Store& state, const std::optional<Address>& address, std::uint32_t bits) {
+  if (!address) return 0;
+  if (address->area == Area::T) return state.get(Reg::TimerBit, address->index);
+  if (address->area == Area::C) return state.get(Reg::CounterBit, address->index);
+  return state.load(address->area, address->index, static_cast<int>(bits));
 }
 
 std::uint64_t pulseNumberIn(const Concrete::Store& state, const PulseSignal& signal) {
@@ -85,7 +85,7 @@ ScanOutputs BothRuns::outputsOf(const Concrete::Store& state, bool isOld) const 
   ScanOutputs result{state.get(Reg::Running, 0) != 0, {}};
   for (const ObservedBit& bit : observed) {
     result.values.push_back(bit.pulses ? pulseNumberIn(state, *bit.pulses)
-                                       : static_cast<std::uint64_t>(bitIn(state, isOld ? bit.before : bit.after)));
+                                       : valueIn(state, isOld ? bit.before : bit.after, bit.bits));
   }
   return result;
 }

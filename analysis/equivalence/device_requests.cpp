@@ -21,9 +21,7 @@ struct TakenField {
 };
 
 constexpr std::uint64_t setupBits = 0x07;  ///< of a counter's control byte, those that HDEF reads (001:4279)
-constexpr int longestTransmission = 255;   // 001:3194
-constexpr int networkHead = 7, longestNetworkTable = 23;
-constexpr int clockBytes = 8, extendedClockBytes = 19;
+constexpr int networkHead = 7;             ///< bytes of a network table before the data (000:1113)
 
 bool hasConstant(const Instruction& instruction, std::size_t i, std::uint64_t most) {
   return i < instruction.operands.size() && instruction.operands[i].kind == OperandKind::Constant &&
@@ -98,11 +96,12 @@ struct TakenTable {
 };
 
 TakenTable tableOf(const Instruction& instruction) {
+  const int last = instruction.desc->operands[0].buffer.high - 1;
   switch (roleOf(instruction)) {
-    case Role::Xmt: return {0, longestTransmission, true};
+    case Role::Xmt: return {0, last, true};
     case Role::Netr: return {1, networkHead - 1};  // byte 0 is the status, which the request writes
-    case Role::Netw: return {1, longestNetworkTable - 1};
-    case Role::Todw: return {0, (instruction.desc->stl.ends_with('X') ? extendedClockBytes : clockBytes) - 1};
+    case Role::Netw: return {1, last};
+    case Role::Todw: return {0, last};
     default: return {};
   }
 }

@@ -445,6 +445,8 @@ class ProgramComparison {
     result_.depth = depth_ == unlimited ? 0 : depth_;
     if (watch_.isInterrupted()) note("interrupted");
     if (left() <= 0) note("the time was over");
+    if (result_.notes.empty())
+      note("runs of the engine, bounded search, k-induction and IC3 found neither a run nor a proof");
   }
 
   static bool isEqual(const ObservedVerdict& output) { return output.equality == Equality::Equal; }

@@ -6,6 +6,7 @@
 #include <map>
 #include <random>
 
+#include "analysis/equivalence/shorter_run.hpp"
 #include "analysis/proof/follower.hpp"
 #include "analysis/proof/state_pool.hpp"
 #include "engine/trace.hpp"
@@ -17,6 +18,7 @@ namespace {
 constexpr std::size_t oldIndex = 0, newIndex = 1;
 constexpr std::uint32_t heldScans = 1U << 16;  ///< of a run in which no input changes
 constexpr int walkedSteps = 400;               ///< of a random walk
+constexpr std::chrono::milliseconds shorteningTime{200};
 
 /// An input of the pair, and what it is in either program.
 struct PairedInput {
@@ -281,9 +283,13 @@ std::vector<ObservedBit> namedOutputs(const Program& before, const Program& afte
   std::vector<ObservedBit> outputs;
   std::vector<Operand> operands = options.observed;
   const auto isOutput = [](const TraceSignal& signal) { return isOutputArea(signal.operand.area); };
-  const auto add = [&](const std::optional<Address>& old, const std::optional<Address>& now) {
+  const auto add = [&](const std::optional<Address>& before, const std::optional<Address>& after) {
+    const ComparedRange range = before ? options.pairs.comparedFrom(*before) : options.pairs.comparedAlone(*after);
+    const std::optional<Address> old = before ? std::optional(range.first) : std::nullopt;
+    const std::optional<Address> now = before ? options.pairs.after(range.first) : std::optional(range.first);
     const auto isSame = [&](const ObservedBit& bit) { return bit.before == old && bit.after == now; };
-    if (std::ranges::none_of(outputs, isSame)) outputs.push_back({nameOfBit(old ? *old : *now), old, now});
+    if (std::ranges::none_of(outputs, isSame))
+      outputs.push_back({nameOfBit(range.first), old, now, noNode, {}, range.bits});
   };
   const auto eachBit = [](const Operand& operand, const auto& use) {
     const Address first = addressOf(operand);
@@ -341,7 +347,11 @@ std::optional<EquivalenceRun> exploredRun(const Side& before, const Side& after,
   }
   while (!isStopped() && Clock::now() < walked) walks.walk([&] { return isStopped() || Clock::now() >= walked; });
   pool.search([&] { return isStopped() || Clock::now() >= deadline; }, [&] { return pair.found().has_value(); });
-  return pair.found();
+  const auto isAssumption = [](const Property& property) { return !property.isGoal(); };
+  const bool isConstrained = std::ranges::any_of(before.set.properties, isAssumption) ||
+                             std::ranges::any_of(after.set.properties, isAssumption);
+  if (!pair.found() || isConstrained) return pair.found();
+  return shorterRun(runs, *pair.found(), Clock::now() + shorteningTime);
 }
 
 }  // namespace rungproof

@@ -76,14 +76,16 @@ EncoderOptions shaped(EncoderOptions options, const Program& own, const Program&
   return options;
 }
 
-Place observedPlace(const Address& address) {
+Place observedPlace(const ComparedRange& range) {
+  const Address& address = range.first;
+  if (range.bits > 1) return memoryPlace(address.area, address.index / 8, widthOf(static_cast<int>(range.bits)));
   if (address.area == Area::T) return registerPlace(Reg::TimerBit, address.index);
   if (address.area == Area::C) return registerPlace(Reg::CounterBit, address.index);
   return bitPlace(address);
 }
 }  // namespace
 
-std::string nameOfBit(const Address& address) { return nameOf(observedPlace(address)); }
+std::string nameOfBit(const Address& address) { return nameOf(observedPlace({address})); }
 
 ProgramProduct::ProgramProduct(const Side& before, const Side& after, const ProgramMatch& match,
                                const ProductOptions& options)
@@ -139,12 +141,14 @@ std::vector<std::string> ProgramProduct::newStateNames() const {
 }
 
 void ProgramProduct::addOutput(std::set<std::pair<Area, std::uint32_t>>& known, const Address& before) {
-  if (!known.emplace(before.area, before.index).second) return;
+  const ComparedRange range = options_.pairs.comparedFrom(before);
+  if (!known.emplace(range.first.area, range.first.index).second) return;
   Output& output = outputs_.emplace_back();
-  output.before = before;
-  output.oldValue = old_.encoding().atEnd(observedPlace(before));
-  output.after = options_.pairs.after(before);
-  if (output.after) output.newValue = new_.encoding().atEnd(observedPlace(*output.after));
+  output.before = range.first;
+  output.bits = range.bits;
+  output.oldValue = old_.encoding().atEnd(observedPlace(range));
+  output.after = options_.pairs.after(range.first);
+  if (output.after) output.newValue = new_.encoding().atEnd(observedPlace({*output.after, range.bits}));
 }
 
 /// Outputs of OLD and what stands for them in NEW; then outputs of NEW without partner.
@@ -167,12 +171,16 @@ void ProgramProduct::collectOutputs() {
     return found;
   };
   for (const Address& address : bitsOf(old_.encoding())) addOutput(known, address);
+  std::set<std::pair<Area, std::uint32_t>> alone;
   for (const Address& address : bitsOf(new_.encoding())) {
     if (const std::optional<Address> before = options_.pairs.before(address)) {
       addOutput(known, *before);
-    } else {
-      outputs_.push_back({std::nullopt, address, noNode, new_.encoding().atEnd(bitPlace(address))});
+      continue;
     }
+    const ComparedRange range = options_.pairs.comparedAlone(address);
+    if (!alone.emplace(range.first.area, range.first.index).second) continue;
+    outputs_.push_back(
+        {std::nullopt, range.first, noNode, new_.encoding().atEnd(observedPlace(range)), std::nullopt, range.bits});
   }
 }
 
@@ -443,9 +451,10 @@ void ProgramProduct::assume(JoinedSystem& result) {
 /// OLD's value `latency` scans ago.
 Node ProgramProduct::delayed(JoinedSystem& result, Node value, const std::string& name) {
   Graph& graph = old_.encoding().graph();
+  const int width = graph[value].width;
   for (std::uint32_t i = 1; i <= options_.latency; ++i) {
-    const Node before = graph.variable(fmt::format("{} {} scans ago", name, i), 1, true);
-    result.system.states.push_back({before, graph.constantNode(0, 1), value});
+    const Node before = graph.variable(fmt::format("{} {} scans ago", name, i), width, true);
+    result.system.states.push_back({before, graph.constantNode(0, width), value});
     value = before;
   }
   return value;
@@ -478,12 +487,12 @@ void ProgramProduct::compareOutputs(JoinedSystem& result) {
     result.system.states.push_back({before, graph.constantNode(0, 1), counts});
     counts = before;
   }
-  const Node zero = graph.constantNode(0, 1);
   for (const Output& output : outputs_) {
     ObservedBit& bit = result.observed.emplace_back();
     bit.before = output.before;
     bit.after = output.after;
     bit.pulses = output.pulses;
+    bit.bits = output.bits;
     if (output.pulses) {
       bit.name = nameOf(*output.pulses);
       const Graph::Bits there{(*result.copy)(output.newValue)};
@@ -492,9 +501,11 @@ void ProgramProduct::compareOutputs(JoinedSystem& result) {
       continue;
     }
     bit.name = nameOfBit(output.before ? *output.before : *output.after);
+    const auto width = static_cast<int>(output.bits);
+    const Node zero = graph.constantNode(0, width);
     const Node left = output.oldValue == noNode ? zero : delayed(result, output.oldValue, bit.name);
     const Node right = output.newValue == noNode ? zero : (*result.copy)(output.newValue);
-    const Node differs = graph.land({counts}, graph.lxor({left}, {right})).node;
+    const Node differs = graph.land({counts}, graph.lnot(graph.equal({left}, {right}, width))).node;
     bit.differs = settled(result, differs, bit.name);
   }
 }

@@ -71,13 +71,14 @@ std::string nameOf(const PulseSignal& signal);
 std::vector<PulseSignal> comparedPulses(const std::vector<Operand>& observed, const AddressPairs& pairs,
                                         std::uint32_t latency, const std::array<bool, 2>& isUsed);
 
-/// An output bit, and whether the two programs leave it different at the end of the scan (settling and latency
+/// An output bit or word, and whether the two programs leave it different at the end of the scan (settling and latency
 /// counted in).
 struct ObservedBit {
   std::string name;                      ///< of OLD, else of NEW
   std::optional<Address> before, after;  ///< nothing: that program does not have it, it counts as 0 there
   Node differs = noNode;
   std::optional<PulseSignal> pulses{};  ///< in place of addresses
+  std::uint32_t bits = 1;               ///< from the addresses on
 };
 
 /// A state of NEW equals its partner wherever a bit of OLD's state is `when`, at the starts of scans. By names of
@@ -148,6 +149,7 @@ class ProgramProduct {
     std::optional<Address> before, after;
     Node oldValue = noNode, newValue = noNode;  ///< each of its own graph; noNode: 0
     std::optional<PulseSignal> pulses{};
+    std::uint32_t bits = 1;
   };
   /// What of OLD stands for a state of NEW; noNode: nothing.
   struct Partner {

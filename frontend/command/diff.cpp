@@ -87,6 +87,8 @@ Exit compare(const Arguments& arguments, Context& context) {
       text = differenceJson(sides, difference);
     else if (output.name == "html")
       text = differencePage(sides, difference, style);
+    else if (output.name == "svg")
+      text = differencePicture(sides, difference, style);
     else
       text = differenceText(sides, difference, style) +
              (context.settings.flag(Opt::Quiet) ? "" : closingLine(difference) + '\n');
@@ -133,7 +135,7 @@ extern constexpr Command diffCommand = {
         "    rungproof diff old/ new/ --format html=changes.html\n",
     .shows = option_group::Reading | option_group::Running | option_group::Output | option_group::Configuration,
     .comparesTwo = true,
-    .formats = "text|json|html",
+    .formats = "text|json|html|svg",
     .setup = setup,
 };
 

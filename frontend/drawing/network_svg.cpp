@@ -17,6 +17,8 @@ constexpr int pageMargin = 16, lineHeight = 18, networkGap = 22;
 /// Grows downwards; `y` is the next free place.
 class Page {
  public:
+  explicit Page(int least = 600) : width_(least) {}
+
   void line(std::string_view text, std::string_view className, int indent = 0) {
     appendSvgText(body_, pageMargin + indent, y_ + 13, text, className);
     y_ += lineHeight;
@@ -49,9 +51,10 @@ class Page {
         width_, y_ + pageMargin, svgStyle(), body_);
   }
   /// Without style sheet, for a page that brings it.
-  std::string element() const {
-    return fmt::format("<svg width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n{2}</svg>\n", width_, y_ + 4,
-                       body_);
+  SizedSvg element() const {
+    return {
+        fmt::format("<svg width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n{2}</svg>\n", width_, y_ + 4, body_),
+        width_, y_ + 4};
   }
 
  private:
@@ -68,7 +71,7 @@ class Page {
 
   std::string body_;
   int y_ = pageMargin;
-  int width_ = 600;
+  int width_;
 };
 
 }  // namespace
@@ -91,6 +94,12 @@ std::string viewSvg(const std::vector<BlockView>& blocks) {
 
 std::string pictureSvg(const NetworkView& view) {
   Page page;
+  page.content(view);
+  return page.element().element;
+}
+
+SizedSvg sizedSvg(const NetworkView& view) {
+  Page page(0);
   page.content(view);
   return page.element();
 }

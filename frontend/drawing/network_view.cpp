@@ -141,7 +141,8 @@ NetworkView networkView(const Program& program, const Pou& pou, const Network& n
         texts.setFlow(&flows);
       }
       PlacedPicture placed =
-          place(options.form == Form::Fbd ? fbdNodes(*raised.drawing, texts) : ladderNodes(*raised.drawing, texts));
+          place(options.form == Form::Fbd ? fbdNodes(*raised.drawing, texts) : ladderNodes(*raised.drawing, texts),
+                options.width);
       view.reason = placed.reason;
       if (placed.reason.empty()) {
         view.picture = wrapped(placed.picture, options.width);

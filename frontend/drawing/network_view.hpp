@@ -51,5 +51,11 @@ std::string viewText(const std::vector<BlockView>& blocks, const TextStyle& styl
 std::string viewSvg(const std::vector<BlockView>& blocks);
 /// The picture or statements of one network without heading, as an SVG element for an HTML page that brings svgStyle().
 std::string pictureSvg(const NetworkView& view);
+/// The same no wider than what is in it, with its size in pixels.
+struct SizedSvg {
+  std::string element;
+  int width = 0, height = 0;
+};
+SizedSvg sizedSvg(const NetworkView& view);
 
 }  // namespace rungproof

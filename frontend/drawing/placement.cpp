@@ -29,8 +29,12 @@ struct Spot {
 
 class Placement {
  public:
-  explicit Placement(const PlanNodes& plan)
-      : nodes_(plan.nodes), hasRails_(plan.hasRails), spots_(plan.nodes.size()), uses_(plan.nodes.size(), 0) {
+  Placement(const PlanNodes& plan, int page)
+      : nodes_(plan.nodes),
+        hasRails_(plan.hasRails),
+        usual_(std::min(page, usualWidth)),
+        spots_(plan.nodes.size()),
+        uses_(plan.nodes.size(), 0) {
     for (const PlanNode& node : nodes_) {
       for (const NodeInput& input : node.inputs) ++uses_[index(input.from)];
     }
@@ -264,8 +268,8 @@ class Placement {
     border_.assign(index(columns_ + 1), 0);
     for (int c = 0; c < columns_; ++c) border_[index(c + 1)] = border_[index(c)] + 1 + width_[index(c)];
     // Coils of short and long rungs stand below each other.
-    if (hasRails_ && border_.back() < usualWidth - 1) {
-      const int more = usualWidth - 1 - border_.back();
+    if (hasRails_ && border_.back() < usual_ - 1) {
+      const int more = usual_ - 1 - border_.back();
       border_[index(columns_)] += more;
     }
   }
@@ -370,6 +374,7 @@ class Placement {
 
   const std::vector<PlanNode>& nodes_;
   bool hasRails_;
+  int usual_;
   std::vector<Spot> spots_;
   std::vector<int> uses_;
   int columns_ = 0;
@@ -387,9 +392,9 @@ class Placement {
 
 }  // namespace
 
-PlacedPicture place(const PlanNodes& plan) {
+PlacedPicture place(const PlanNodes& plan, int page) {
   if (!plan.reason.empty()) return {{}, plan.reason};
-  return Placement(plan).run();
+  return Placement(plan, page).run();
 }
 
 }  // namespace rungproof

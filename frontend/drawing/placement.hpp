@@ -11,8 +11,8 @@
 
 namespace rungproof {
 
-/// Columns of a ladder, rails included, and of the last strip of a wrapped one: coils of all networks stand below each
-/// other.
+/// Columns of a ladder, rails included, and of the last strip of a wrapped one, where the page has them: coils of all
+/// networks stand below each other.
 inline constexpr int usualWidth = 72;
 
 struct PlacedPicture {
@@ -20,6 +20,7 @@ struct PlacedPicture {
   std::string reason;  ///< why there is no picture; empty: there is one
 };
 
-PlacedPicture place(const PlanNodes& plan);
+/// `page`: columns of the page.
+PlacedPicture place(const PlanNodes& plan, int page = usualWidth);
 
 }  // namespace rungproof

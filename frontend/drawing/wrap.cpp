@@ -43,7 +43,8 @@ std::vector<Strip> stripsOf(const Picture& picture, int width) {
 
 class Wrapper {
  public:
-  Wrapper(const Picture& picture, int width) : from_(picture), strips_(stripsOf(picture, width)) {}
+  Wrapper(const Picture& picture, int width)
+      : from_(picture), usual_(std::min(width, usualWidth)), strips_(stripsOf(picture, width)) {}
 
   Picture run() {
     if (strips_.size() == 1) return from_;
@@ -54,7 +55,7 @@ class Wrapper {
       dy_ -= top_;
       const bool isLast = k + 1 == strips_.size();
       stretch_ = isLast && !from_.rails.empty() && from_.cuts.back() >= strip_.first
-                     ? std::max(0, usualWidth - 1 - from_.rails.back().x - strip_.dx)
+                     ? std::max(0, usual_ - 1 - from_.rails.back().x - strip_.dx)
                      : 0;
       copy(isLast);
       dy_ += bottom_ + 1;
@@ -152,6 +153,7 @@ class Wrapper {
   void see(int x) { to_.width = std::max(to_.width, x + 1); }
 
   const Picture& from_;
+  int usual_;
   std::vector<Strip> strips_;
   Strip strip_{};
   Picture to_;

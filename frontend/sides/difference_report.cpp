@@ -137,8 +137,13 @@ void DifferenceReport::describe(Comparison& comparison, const std::string& form)
   comparison.scan = static_cast<int>(std::min<std::uint64_t>(run_.scan, 1U << 30));
   comparison.timeMs = static_cast<double>(run_.milliseconds);
   comparison.signal = run_.signal;
-  comparison.expected = static_cast<double>(run_.valueBefore);
-  comparison.actual = static_cast<double>(run_.valueAfter);
+  const auto numberFor = [](std::uint64_t value, const std::optional<Address>& address) {
+    const bool isAnalog = address && isAnalogue(address->area);
+    return isAnalog ? static_cast<double>(static_cast<std::int16_t>(value)) : static_cast<double>(value);
+  };
+  const std::optional<Address>& some = run_.addressBefore ? run_.addressBefore : run_.addressAfter;
+  comparison.expected = numberFor(run_.valueBefore, some);
+  comparison.actual = numberFor(run_.valueAfter, some);
   if (run_.signal.ends_with(".mode"))
     comparison.notes.emplace_back(
         "modes of a pulse output: 0 none, 1 pulse train, 2 PWM, 3 profile, 4 always 0, 5 always 1");

@@ -6,11 +6,8 @@
 #include <algorithm>
 
 #include "frontend/cli.hpp"
-#include "frontend/drawing/network_view.hpp"
-#include "frontend/drawing/svg_picture.hpp"
 #include "frontend/json.hpp"
 #include "frontend/page/excerpt.hpp"
-#include "frontend/run/timing_diagram.hpp"
 
 namespace rungproof {
 
@@ -42,25 +39,10 @@ std::string networkPlace(const Program& program, const NetworkRef& where) {
   return fmt::format("{}, Network {}", program.pous[where.pou].name, networkOf(program, where).number);
 }
 
-NetworkView viewOf(const Program& program, const NetworkRef& where, const DifferenceStyle& style) {
-  ViewOptions options;
-  options.form = style.form;
-  options.width = style.width / 2 - 2;
-  return networkView(program, program.pous[where.pou], networkOf(program, where), options);
-}
-
 std::vector<std::string> linesOf(const Program& program, const std::optional<NetworkRef>& where,
                                  const DifferenceStyle& style) {
   if (!where) return {"(not there)"};
-  return contentLines(viewOf(program, *where, style), {});
-}
-
-std::string headingOf(const Sides& sides, const NetworkPair& pair) {
-  const std::string before = pair.before ? networkPlace(*sides.runBefore, *pair.before) : "";
-  const std::string after = pair.after ? networkPlace(*sides.runAfter, *pair.after) : "";
-  if (before.empty() || after.empty() || before == after)
-    return fmt::format("{}: {}", before.empty() ? after : before, changeWord(pair));
-  return fmt::format("{} (before: {}): {}", after, before, changeWord(pair));
+  return contentLines(changedView(program, *where, style), {});
 }
 
 std::string listOf(const std::vector<std::string>& names) {
@@ -77,21 +59,39 @@ std::string outputsWith(const NetworkChange& change, Equality equality) {
   return listOf(names);
 }
 
-std::vector<std::string> influenceLines(const NetworkChange& change) {
-  std::vector<std::string> lines;
-  for (const Equality equality : {Equality::Different, Equality::Unknown, Equality::Equal}) {
-    const std::string names = outputsWith(change, equality);
-    if (!names.empty()) lines.push_back(fmt::format("{}: {}", equalityWord(equality), names));
-  }
-  if (change.outputs.empty()) lines.emplace_back("influences no output");
-  if (!change.memory.empty()) lines.push_back("influences: " + listOf(change.memory));
-  if (change.isEverything)
-    lines.emplace_back(
-        "may influence any memory: it writes through a pointer, sets a device going, or stops the program");
-  return lines;
+}  // namespace
+
+NetworkView changedView(const Program& program, const NetworkRef& where, const DifferenceStyle& style) {
+  ViewOptions options;
+  options.form = style.form;
+  options.width = style.width / 2 - 2;
+  return networkView(program, program.pous[where.pou], networkOf(program, where), options);
 }
 
-}  // namespace
+std::string changeHeading(const Sides& sides, const NetworkPair& pair) {
+  const std::string before = pair.before ? networkPlace(*sides.runBefore, *pair.before) : "";
+  const std::string after = pair.after ? networkPlace(*sides.runAfter, *pair.after) : "";
+  if (before.empty() || after.empty() || before == after)
+    return fmt::format("{}: {}", before.empty() ? after : before, changeWord(pair));
+  return fmt::format("{} (before: {}): {}", after, before, changeWord(pair));
+}
+
+std::vector<InfluenceLine> influenceLines(const NetworkChange& change) {
+  std::vector<InfluenceLine> lines;
+  for (const Equality equality : {Equality::Different, Equality::Unknown, Equality::Equal}) {
+    const std::string names = outputsWith(change, equality);
+    if (!names.empty()) lines.push_back({fmt::format("{}: {}", equalityWord(equality), names), equality});
+  }
+  if (change.isOfPart)
+    lines.push_back({"may influence outputs: who runs it is not known", Equality::Unknown});
+  else if (change.outputs.empty())
+    lines.push_back({"influences no output", {}});
+  if (!change.memory.empty()) lines.push_back({"influences: " + listOf(change.memory), {}});
+  if (change.isEverything)
+    lines.push_back(
+        {"may influence any memory: it writes through a pointer, sets a device going, or stops the program", {}});
+  return lines;
+}
 
 std::string closingLine(const ProgramDifference& difference) {
   const auto counted = [](std::size_t n, std::string_view one, std::string_view many) {
@@ -110,7 +110,7 @@ std::string differenceText(const Sides& sides, const ProgramDifference& differen
   for (const VerdictChange& verdict : difference.verdicts)
     text += fmt::format("{}: '{}' was {}, is {}\n", paint.red("verdict"), verdict.name, verdict.before, verdict.after);
   for (const NetworkChange& change : difference.changes) {
-    text += (text.empty() ? "" : "\n") + paint.bold(headingOf(sides, change.networks)) + '\n';
+    text += (text.empty() ? "" : "\n") + paint.bold(changeHeading(sides, change.networks)) + '\n';
     const std::vector<std::string> left = linesOf(*sides.runBefore, change.networks.before, style),
                                    right = linesOf(*sides.runAfter, change.networks.after, style);
     std::size_t width = 3;
@@ -123,40 +123,12 @@ std::string differenceText(const Sides& sides, const ProgramDifference& differen
     row("OLD", "NEW");
     for (std::size_t i = 0; i < std::max(left.size(), right.size()); ++i)
       row(i < left.size() ? left[i] : "", i < right.size() ? right[i] : "");
-    for (const std::string& line : influenceLines(change)) text += fmt::format("  {} {}\n", paint.blue("="), line);
+    for (const InfluenceLine& line : influenceLines(change))
+      text += fmt::format("  {} {}\n", paint.blue("="), line.text);
   }
   for (const std::string& note : difference.equivalence.notes)
     text += fmt::format("{}: {}\n", paint.yellow("note"), note);
   return text;
-}
-
-std::string differencePage(const Sides& sides, const ProgramDifference& difference, const DifferenceStyle& style) {
-  std::string page = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-      "content=\"width=device-width\">"
-      "<title>rungproof diff</title><style>body{{font:15px/1.5 system-ui,sans-serif;margin:2em "
-      "auto;max-width:90em;padding:0 1em}}"
-      ".pair{{display:flex;flex-wrap:wrap;gap:1em}}.pair figure{{flex:1 1 "
-      "26em;margin:0;overflow-x:auto}}{}</style></head><body>\n"
-      "<h1>rungproof diff</h1>\n",
-      svgStyle());
-  for (const VerdictChange& verdict : difference.verdicts)
-    page +=
-        fmt::format("<p><b>verdict:</b> {} was {}, is {}</p>\n", xmlText(verdict.name), verdict.before, verdict.after);
-  for (const NetworkChange& change : difference.changes) {
-    page += fmt::format("<h2>{}</h2>\n<div class=pair>", xmlText(headingOf(sides, change.networks)));
-    for (const bool isOld : {true, false}) {
-      const auto& where = isOld ? change.networks.before : change.networks.after;
-      page += fmt::format("<figure><figcaption>{}</figcaption>{}</figure>", isOld ? "OLD" : "NEW",
-                          where ? pictureSvg(viewOf(isOld ? *sides.runBefore : *sides.runAfter, *where, style))
-                                : std::string("not there"));
-    }
-    page += "</div>\n<ul>";
-    for (const std::string& line : influenceLines(change)) page += fmt::format("<li>{}</li>", xmlText(line));
-    page += "</ul>\n";
-  }
-  for (const std::string& note : difference.equivalence.notes) page += fmt::format("<p>note: {}</p>\n", xmlText(note));
-  return page + fmt::format("<p><b>{}</b></p>\n</body></html>\n", closingLine(difference));
 }
 
 std::string differenceJson(const Sides& sides, const ProgramDifference& difference) {

@@ -1,8 +1,9 @@
-// A difference of programs as text, HTML and JSON. Tested by tests/golden/diff.
+// A difference of programs as text, HTML, SVG and JSON. Tested by tests/golden/diff.
 #pragma once
 
 #include <string>
 
+#include "frontend/drawing/network_view.hpp"
 #include "frontend/sides/program_difference.hpp"
 
 namespace rungproof {
@@ -14,9 +15,22 @@ struct DifferenceStyle {
 };
 
 std::string differenceText(const Sides& sides, const ProgramDifference& difference, const DifferenceStyle& style);
+/// As a page and as one picture: difference_page.cpp.
 std::string differencePage(const Sides& sides, const ProgramDifference& difference, const DifferenceStyle& style);
+std::string differencePicture(const Sides& sides, const ProgramDifference& difference, const DifferenceStyle& style);
 std::string differenceJson(const Sides& sides, const ProgramDifference& difference);
 /// "2 networks changed, 1 output can differ".
 std::string closingLine(const ProgramDifference& difference);
+
+/// "MAIN, Network 2: changed".
+std::string changeHeading(const Sides& sides, const NetworkPair& pair);
+/// A network as wide as half a page.
+NetworkView changedView(const Program& program, const NetworkRef& where, const DifferenceStyle& style);
+/// What a change can influence; of outputs with their verdict.
+struct InfluenceLine {
+  std::string text;
+  std::optional<Equality> verdict;
+};
+std::vector<InfluenceLine> influenceLines(const NetworkChange& change);
 
 }  // namespace rungproof

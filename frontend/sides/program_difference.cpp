@@ -33,15 +33,13 @@ class Reach {
       const Operand& o = signal.operand;
       const bool isOutput = isOutputArea(o.area);
       if (isInputArea(o.area) || o.area == Area::SM) continue;
-      if (!isOutput) {
-        if (isInfluenced(influence, o, 1)) addMemory(change, nameWithSymbol(program_, o));
-        continue;
-      }
+      bool isObserved = isOutput;
       for (std::uint32_t i = 0; i < extentOf(o); ++i) {
         const Address own{o.area, addressOf(o).index + i};
         const Operand bit = operandAt(own);
-        if (isInfluenced(influence, bit, 1)) addOutput(change, own, bit, verdicts);
+        if (isInfluenced(influence, bit, 1)) isObserved = addOutput(change, own, bit, verdicts) || isObserved;
       }
+      if (!isObserved && isInfluenced(influence, o, 1)) addMemory(change, nameWithSymbol(program_, o));
     }
   }
 
@@ -60,15 +58,17 @@ class Reach {
         change.outputs.push_back({verdict.name, verdict.equality});
     }
   }
-  void addOutput(NetworkChange& change, const Address& own, const Operand& bit,
+  /// False if it is not compared: memory that nobody observes.
+  bool addOutput(NetworkChange& change, const Address& own, const Operand& bit,
                  const std::vector<ObservedVerdict>& verdicts) const {
     const std::optional<Address> there = isOld_ ? own : pairs_.before(own);
     const Operand observed = there ? operandAt(*there) : bit;
     const auto verdict = std::ranges::find(verdicts, toString(observed), &ObservedVerdict::name);
     const std::string name = nameWithSymbol(program_, bit);
-    if (verdict != verdicts.end() &&
-        std::ranges::find(change.outputs, name, &InfluencedOutput::name) == change.outputs.end())
+    if (verdict == verdicts.end()) return false;
+    if (std::ranges::find(change.outputs, name, &InfluencedOutput::name) == change.outputs.end())
       change.outputs.push_back({name, verdict->equality});
+    return true;
   }
 
   const Program& program_;
@@ -127,6 +127,19 @@ ProgramDifference differenceOf(const Sides& sides, const EquivalenceOptions& giv
     if (pair.after) ofAfter.add(change, *pair.after, difference.equivalence.outputs);
   }
   difference.verdicts = changedVerdicts(sides, options.prover);
+  if (difference.changes.empty()) return difference;
+  const auto leaveOpen = [&](std::string reason) {
+    difference.equivalence.notes.push_back(std::move(reason));
+    for (ObservedVerdict& output : difference.equivalence.outputs) {
+      if (output.equality == Equality::Equal) output.equality = Equality::Unknown;
+    }
+  };
+  if (sides.runBefore->main() == nullptr || sides.runAfter->main() == nullptr) {
+    for (NetworkChange& change : difference.changes) change.isOfPart = true;
+    leaveOpen("there is no main program: give the whole project, a folder or more files with --with");
+  } else if (std::ranges::all_of(difference.equivalence.outputs, &ObservedVerdict::isRun)) {
+    leaveOpen("neither program writes an output: name memory to be compared with --observe");
+  }
   return difference;
 }
 

@@ -21,6 +21,7 @@ struct NetworkChange {
   std::vector<InfluencedOutput> outputs;
   std::vector<std::string> memory;  ///< places that it can influence beside them
   bool isEverything = false;        ///< it can influence more than is listed
+  bool isOfPart = false;            ///< who runs it is not known: there is no main program
 };
 
 /// A property of OLD whose verdict is another one in NEW.

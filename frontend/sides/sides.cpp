@@ -219,7 +219,9 @@ Sides readSides(const Context& context, const SideArguments& arguments, std::vec
     const auto operand = lookupIn(sides.before.program)(text);
     const auto missing = operand ? missingFrom(sides.before.program.target, *operand) : std::nullopt;
     if (missing)
-      failures.push_back({fmt::format("--observe: {}", *missing), {}, "choose the CPU with --cpu"});
+      failures.push_back({fmt::format("--observe: {}", *missing),
+                          {},
+                          operand->bit > 7 ? "mend the address" : "mend the address, or choose the CPU with --cpu"});
     else if (!operand)
       failures.push_back({fmt::format("--observe: '{}' is neither an address nor a symbol of OLD", text), {}, {}});
     else if (operand->area == Area::L || operand->area == Area::AC || operand->area == Area::HC ||

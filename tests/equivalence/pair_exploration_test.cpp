@@ -51,6 +51,21 @@ TEST(PairExploration, ALongShiftRegister) {
   EXPECT_GE(run->scan, 2U * 19) << "V12.2 is the 19th place, and each edge takes two scans";
 }
 
+/// Fifty edges take a hundred scans; what else the walk has done is left out of the run.
+TEST(PairExploration, ARunHasOnlyWhatItNeeds) {
+  const std::string reset = ";LD I0.2;CTU C10,50|LD C10;= Q0.0|LD I0.3;= Q0.1|LD I0.4;= Q0.2";
+  const auto run = Explored("LD I0.0" + reset, "LD I0.0;A I0.1" + reset).run();
+  ASSERT_TRUE(run.has_value());
+  EXPECT_EQ(run->signal, "Q0.0");
+  EXPECT_LE(run->scan, 200U);
+  for (const ReplayScan& scan : run->before) {
+    for (const PresetValue& input : scan.inputs) {
+      const bool isNeeded = addressOf(input.operand) == Address{Area::I, 0};
+      EXPECT_TRUE(isNeeded || input.value == 0) << toString(input.operand);
+    }
+  }
+}
+
 TEST(PairExploration, NoDifferenceOfAProgramFromItself) {
   EXPECT_FALSE(Explored(clockwork("1", "2"), clockwork("1", "2")).run(0.5).has_value());
 }

@@ -18,7 +18,7 @@ std::string textOf(const Drawing& drawing, Form form, const TextStyle& style = {
                    const std::vector<ElementFlow>* flows = nullptr, int width = 1000) {
   ElementTexts texts(nullptr, nullptr, drawing);
   texts.setFlow(flows);
-  const PlacedPicture placed = place(form == Form::Fbd ? fbdNodes(drawing, texts) : ladderNodes(drawing, texts));
+  const PlacedPicture placed = place(form == Form::Fbd ? fbdNodes(drawing, texts) : ladderNodes(drawing, texts), width);
   EXPECT_EQ(placed.reason, "");
   std::string text = "\n";
   for (const std::string& line : textLines(wrapped(placed.picture, width), style)) text += line + "\n";
@@ -121,9 +121,14 @@ TEST(Text, WrappedRung) {
 │ I1.0    I1.1    I1.2    I1.3    I1.4    I1.5
 ├──┤ ├─────┤ ├─────┤ ├─────┤ ├─────┤ ├─────┤ ├────>1
 
-      I1.6    I1.7    I1.0                                       Q0.0  │
-  1>───┤ ├─────┤ ├─────┤ ├────────────────────────────────────────( )──┤
-)");
+      I1.6    I1.7    I1.0                           Q0.0  │
+  1>───┤ ├─────┤ ├─────┤ ├────────────────────────────( )──┤
+)") << "no wider than the page of 60 columns";
+}
+
+/// Coils stand at the border of a page that is narrower than usual, so that a short rung is in one piece.
+TEST(Text, ARungThatFitsANarrowPageIsNotCut) {
+  EXPECT_EQ(textOf(latch(), Form::Ladder, {}, nullptr, 40).find(">1"), std::string::npos);
 }
 
 TEST(Text, ColorOnATerminal) {

@@ -1,0 +1,111 @@
+// Leaves out ever smaller parts and judges again.
+#include "analysis/equivalence/shorter_run.hpp"
+
+#include <algorithm>
+
+namespace rungproof {
+
+namespace {
+
+class RunShortener {
+ public:
+  RunShortener(const BothRuns& runs, EquivalenceRun run, std::chrono::steady_clock::time_point deadline)
+      : runs_(runs), best_(std::move(run)), deadline_(deadline) {}
+
+  EquivalenceRun shortest() {
+    if (best_.before.size() != best_.after.size()) return std::move(best_);
+    holdEachStepOnce();
+    leaveOutScans();
+    quietenInputs();
+    leaveOutScans();
+    return std::move(best_);
+  }
+
+ private:
+  bool isOver() const { return std::chrono::steady_clock::now() >= deadline_; }
+
+  /// Keeps the candidate if it shows the same.
+  bool accept(EquivalenceRun candidate) {
+    auto judged = runs_.judged(std::move(candidate));
+    if (!judged || judged->signal != best_.signal || judged->scan > best_.scan) return false;
+    best_ = std::move(*judged);
+    return true;
+  }
+
+  void holdEachStepOnce() {
+    EquivalenceRun run = best_;
+    for (std::vector<ReplayScan>* scans : {&run.before, &run.after}) {
+      for (ReplayScan& scan : *scans) scan.repeats = 1;
+    }
+    accept(std::move(run));
+  }
+  void leaveOutScans() {
+    for (std::size_t length = std::max<std::size_t>(best_.before.size() / 2, 1); length > 0; length /= 2) {
+      for (std::size_t first = 0; first + length <= best_.before.size() && !isOver();) {
+        if (best_.before.size() == length || !accept(without(first, length))) first += length;
+      }
+    }
+    for (std::size_t i = 0; i < best_.before.size(); ++i) {
+      std::uint32_t rounds = best_.before[i].repeats / 2;
+      while (rounds > 0 && i < best_.before.size() && !isOver()) {
+        if (best_.before[i].repeats <= rounds || !accept(withFewerRounds(i, rounds))) rounds /= 2;
+      }
+    }
+  }
+  EquivalenceRun without(std::size_t first, std::size_t length) const {
+    EquivalenceRun run = best_;
+    for (std::vector<ReplayScan>* scans : {&run.before, &run.after}) {
+      const auto begin = scans->begin() + static_cast<std::ptrdiff_t>(first);
+      scans->erase(begin, begin + static_cast<std::ptrdiff_t>(length));
+    }
+    return run;
+  }
+  EquivalenceRun withFewerRounds(std::size_t i, std::uint32_t rounds) const {
+    EquivalenceRun run = best_;
+    run.before[i].repeats -= rounds;
+    run.after[i].repeats -= rounds;
+    return run;
+  }
+
+  /// Each input of OLD with what stands for it in NEW, then inputs of NEW alone: off all the time.
+  void quietenInputs() {
+    const std::vector<PresetValue> before = best_.before.empty() ? std::vector<PresetValue>{} : best_.before[0].inputs,
+                                   after = best_.after.empty() ? std::vector<PresetValue>{} : best_.after[0].inputs;
+    for (const PresetValue& input : before) {
+      const std::optional<Address> there = runs_.options.pairs.after(addressOf(input.operand));
+      quieten(addressOf(input.operand), there);
+    }
+    for (const PresetValue& input : after) {
+      if (!runs_.options.pairs.before(addressOf(input.operand))) quieten(std::nullopt, addressOf(input.operand));
+    }
+  }
+  void quieten(const std::optional<Address>& before, const std::optional<Address>& after) {
+    if (isOver()) return;
+    EquivalenceRun run = best_;
+    bool isChanged = false;
+    const auto quiet = [&](std::vector<ReplayScan>& scans, const std::optional<Address>& address) {
+      for (ReplayScan& scan : scans) {
+        for (PresetValue& value : scan.inputs) {
+          if (value.value == 0 || !address || addressOf(value.operand) != *address) continue;
+          value.value = 0;
+          isChanged = true;
+        }
+      }
+    };
+    quiet(run.before, before);
+    quiet(run.after, after);
+    if (isChanged) accept(std::move(run));
+  }
+
+  const BothRuns& runs_;
+  EquivalenceRun best_;
+  const std::chrono::steady_clock::time_point deadline_;
+};
+
+}  // namespace
+
+EquivalenceRun shorterRun(const BothRuns& runs, EquivalenceRun run, std::chrono::steady_clock::time_point deadline) {
+  return RunShortener(runs, std::move(run), deadline).shortest();
+}
+
+}  // namespace rungproof
