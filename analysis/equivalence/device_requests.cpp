@@ -89,19 +89,17 @@ std::vector<TakenField> fieldsOf(const Addressee& to, Role role) {
   return {};
 }
 
-/// Bytes `first` to `last` of the table at operand 0; of a message as many as its first byte says.
+/// Bytes `first` to `last` of the table at operand 0. What XMT and NETW send decides nothing about the device.
 struct TakenTable {
   int first = 0, last = -1;
-  bool isMessage = false;
 };
 
 TakenTable tableOf(const Instruction& instruction) {
-  const int last = instruction.desc->operands[0].buffer.high - 1;
   switch (roleOf(instruction)) {
-    case Role::Xmt: return {0, last, true};
-    case Role::Netr: return {1, networkHead - 1};  // byte 0 is the status, which the request writes
-    case Role::Netw: return {1, last};
-    case Role::Todw: return {0, last};
+    case Role::Xmt: return {0, 0};  // how many characters (001:3194)
+    case Role::Netr:
+    case Role::Netw: return {1, networkHead - 1};  // byte 0 is the status, which the request writes
+    case Role::Todw: return {0, instruction.desc->operands[0].buffer.high - 1};
     default: return {};
   }
 }
@@ -149,12 +147,7 @@ void RequestRecord::at(Machine<Graph>& m, const Instruction& instruction) {
     Args<Graph> a(m, instruction, *instruction.desc);
     a.resolve();
     const int end = std::min(table.last + 1, a.room(0, Width::Byte, table.last + 1));
-    const Graph::Bits count = a.element(0, 0, Width::Byte);
-    for (int k = table.first; k < end; ++k) {
-      const Graph::Bool isUsed =
-          table.isMessage ? graph.ule(graph.literal(static_cast<std::uint64_t>(k), 8), count, 8) : always;
-      take(a.element(0, k, Width::Byte), 8, isUsed);
-    }
+    for (int k = table.first; k < end; ++k) take(a.element(0, k, Width::Byte), 8, always);
     m.current = last;
   }
   requests_.push_back(std::move(request));

@@ -1,8 +1,8 @@
 // What a program asks of devices, as nodes of its encoding: at each execution of HDEF, HSC, PLS, XMT, RCV, NETR, NETW
-// and TODW whether it runs, and all that it hands over. Two programs that ask the same in the same order have devices
-// that can be taken to do the same: the same count, the same answer, an end at the same time. Where they may ask for
-// different things, nothing that depends on a device is known to be equal. Tested by
-// tests/equivalence/requests_test.cpp.
+// and TODW whether it runs, and what it hands over that decides what the device does. Two programs that ask the same in
+// the same order have devices that can be taken to do the same: the same count, the same answer, an end at the same
+// time. Where they may ask for different things, nothing that depends on a device is known to be equal.
+// Tested by tests/equivalence/requests_test.cpp.
 #pragma once
 
 #include <array>

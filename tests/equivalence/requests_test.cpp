@@ -68,6 +68,15 @@ TEST(Requests, TransmissionsThatTakeAnotherTime) {
       << "bits 2 to 4 of SMB30 are the baud rate (001:14167)";
 }
 
+/// What is sent is no output; the assumptions of the verdict say so.
+TEST(Requests, TransmissionsOfOtherCharacters) {
+  const Equivalence found =
+      compared(transmission("9", "10", idleLamp), "LD SM0.1;MOVB 65,VB101|" + transmission("9", "10", idleLamp));
+  EXPECT_EQ(equalityText(found.equality), "EQUAL");
+  EXPECT_TRUE(std::ranges::any_of(
+      found.assumptions, [](const std::string& text) { return text.find("XMT and NETW") != std::string::npos; }));
+}
+
 TEST(Requests, OutputsThatDoNotDependOnThem) {
   EXPECT_EQ(verdict(transmission("9", "10", "LD I0.1;= Q0.0"), transmission("9", "200", "LD I0.1;= Q0.0")), "EQUAL");
 }
