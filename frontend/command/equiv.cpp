@@ -140,8 +140,10 @@ Exit run(const Arguments& arguments, Context& context) {
 
   report.comparison = comparisonOf(found);
   report.assumptions = found.assumptions;
-  report.coverage.approximated.insert(report.coverage.approximated.end(), found.approximations.begin(),
-                                      found.approximations.end());
+  std::vector<std::string>& approximated = report.coverage.approximated;  // of both programs, which may share files
+  approximated.insert(approximated.end(), found.approximations.begin(), found.approximations.end());
+  for (auto text = approximated.begin(); text != approximated.end();)
+    text = std::find(approximated.begin(), text, *text) != text ? approximated.erase(text) : text + 1;
   bool isFailed = !found.disagreements.empty();
   for (const Disagreement& disagreement : found.disagreements)
     context.err << fmt::format("rungproof: internal disagreement on '{}': {}\n", disagreement.name,

@@ -173,6 +173,13 @@ void addProperties(ProgramInput& input, const std::string& name, const std::stri
                    &input.program.target);
 }
 
+/// An address of OLD by its name there, or by a symbol that only NEW has.
+std::optional<Operand> observedNamed(const Sides& sides, const std::string& text) {
+  if (std::optional<Operand> own = lookupIn(sides.before.program)(text)) return own;
+  const std::optional<Operand> there = lookupIn(sides.after.program)(text);
+  return there ? sides.pairs.before(*there) : std::nullopt;
+}
+
 /// What constrains runs; what is to be proved of one program is no part of a comparison.
 void keepAssumptions(PropertySet& set) {
   std::erase_if(set.properties, [](const Property& property) { return property.isGoal(); });
@@ -216,14 +223,16 @@ Sides readSides(const Context& context, const SideArguments& arguments, std::vec
   keepAssumptions(sides.after.properties);
   if (!arguments.map.empty()) readPairs(context, arguments.map, sides, failures);
   for (const std::string& text : arguments.observed) {
-    const auto operand = lookupIn(sides.before.program)(text);
+    const auto operand = observedNamed(sides, text);
     const auto missing = operand ? missingFrom(sides.before.program.target, *operand) : std::nullopt;
     if (missing)
       failures.push_back({fmt::format("--observe: {}", *missing),
                           {},
                           operand->bit > 7 ? "mend the address" : "mend the address, or choose the CPU with --cpu"});
     else if (!operand)
-      failures.push_back({fmt::format("--observe: '{}' is neither an address nor a symbol of OLD", text), {}, {}});
+      failures.push_back({fmt::format("--observe: '{}' is neither an address nor a symbol of either program", text),
+                          {},
+                          "name an address of OLD, or give the symbol table with --symbols"});
     else if (operand->area == Area::L || operand->area == Area::AC || operand->area == Area::HC ||
              isInputArea(operand->area))
       failures.push_back({fmt::format("--observe: {} is no output and no memory", text),
