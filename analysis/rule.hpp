@@ -1,7 +1,8 @@
 // The rule descriptor: everything the tool knows about one rule stands in one file of analysis/checks, as one
-// object named after the file. From it come the check itself, the pages of `explain`, the list of `rules`, the
-// SARIF rules array, the configuration keys and the completion list. tests/cli/rule_table_test.cpp demands
-// unique ids and complete pages; the good and bad examples are run by the tests of the rules.
+// object named after the file. From it come the check itself, what is asked of the prover and how its answers are
+// told, the pages of `explain`, the list of `rules`, the SARIF rules array, the configuration keys and the completion
+// list. tests/cli/rule_table_test.cpp demands unique ids and complete pages; the good and bad examples are run by the
+// tests of the rules.
 #pragma once
 
 #include <cstdint>

@@ -42,6 +42,23 @@ TEST(RuleTable, PagesAreComplete) {
   }
 }
 
+// What a rule asks and what becomes of the answers fits together, and an explanation names a rule that exists.
+TEST(RuleTable, QuestionsAndAnswersFitTogether) {
+  for (const Rule* rule : allRules()) {
+    SCOPED_TRACE(rule->id);
+    const RuleAsks& ask = rule->ask;
+    const int ways = (ask.program != nullptr ? 1 : 0) + (ask.box != nullptr ? 1 : 0) + (ask.hazards.empty() ? 0 : 1);
+    EXPECT_EQ(ways, ask.in == 0 ? 0 : 1);
+    EXPECT_TRUE(ask.cost >= 1 && ask.cost <= 5) << ask.cost;
+    EXPECT_TRUE(!ask.wantsYes || !rule->tell.advice.empty()) << "'proved for every run' and no advice";
+    EXPECT_TRUE(!ask.onlySettles || rule->check != nullptr) << "nothing to be settled";
+    const bool speaks = ask.in != 0 || rule->tell.property != nullptr;
+    EXPECT_TRUE(rule->needs != Needs::Solver || speaks) << "only the prover can answer, and it is not asked";
+    for (const Explanation& explanation : rule->explainedBy)
+      EXPECT_NE(ruleNamed(explanation.rule), nullptr) << explanation.rule;
+  }
+}
+
 TEST(RuleTable, EveryRuleHasAPageAndStandsInEveryList) {
   const std::string text = test::run({"rules"}).out;
   const std::string markdown = test::run({"rules", "--format", "markdown"}).out;
