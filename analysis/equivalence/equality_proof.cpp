@@ -24,8 +24,8 @@ TransitionSystem withWrittenReals(const TransitionSystem& system, RealScope scop
 }
 
 EqualityProof::EqualityProof(ProgramProduct& written, const std::vector<std::string>& names,
-                             const Correspondence& found, Ask ask, double seconds)
-    : conditions_(found.conditions), ask_(std::move(ask)), seconds_(seconds) {
+                             const Correspondence& found, Ask ask, double seconds, bool withRequests)
+    : conditions_(found.conditions), ask_(std::move(ask)), seconds_(seconds), withRequests_(withRequests) {
   std::unordered_map<std::string, bool> known;
   for (std::size_t i = 0; i < names.size(); ++i) known.emplace(names[i], found.isMerged[i]);
   const std::vector<std::string> own = written.newStateNames();
@@ -101,12 +101,19 @@ bool EqualityProof::writeOutput(const TransitionSystem& given, const Question& q
 
 void EqualityProof::writeOutputs(ProgramProduct& written, const JoinedSystem& joined,
                                  const std::vector<bool>& isMerged) {
-  const std::vector<Question> questions = outputQuestions(joined);
+  const auto questionsOf = [&](const JoinedSystem& system) {
+    std::vector<Question> questions = outputQuestions(system);
+    if (!withRequests_) return questions;
+    for (Question& question : requestQuestions(system)) questions.push_back(std::move(question));
+    return questions;
+  };
   std::optional<JoinedSystem> both;
-  for (std::size_t i = 0; i < questions.size(); ++i) {
-    if (writeOutput(joined.system, questions[i], quickProof)) continue;
+  for (const Question& question : questionsOf(joined)) {
+    if (writeOutput(joined.system, question, quickProof)) continue;
     if (!both) both = written.merged(isMerged, false, conditions_);
-    if (!writeOutput(both->system, outputQuestions(*both)[i], seconds_)) missing_.push_back(questions[i].name);
+    const std::vector<Question> again = questionsOf(*both);
+    const auto same = std::ranges::find(again, question.name, &Question::name);
+    if (same == again.end() || !writeOutput(both->system, *same, seconds_)) missing_.push_back(question.name);
   }
 }
 

@@ -1,9 +1,10 @@
 // Certificates of an equality, over both programs as they are written. "memory" says that every pair of states which
 // stand for each other starts equal, and that no scan which begins with all pairs equal ends with a pair that differs:
 // then all of them are equal in every scan. On that rests the certificate of each output: in the system in which one
-// state stands for each pair, the output never differs. What is asked is asked of the encodings along the trails of the
-// simplified ones (encoding/trail.hpp), so that no simplification need be believed.
-// Tested by tests/equivalence/certificates_test.cpp.
+// state stands for each pair, the output never differs. Where outputs depend on devices, which are one and the same for
+// both programs there, one more for each request says that both ask the same. What is asked is asked of the encodings
+// along the trails of the simplified ones (encoding/trail.hpp), so that no simplification need be believed. Tested by
+// tests/equivalence/certificates_test.cpp.
 #pragma once
 
 #include <string>
@@ -21,9 +22,9 @@ TransitionSystem withWrittenReals(const TransitionSystem& system, RealScope scop
 class EqualityProof {
  public:
   /// `written`: follows the trails. `names`: the states of the simplified product's NEW, of which `found` speaks.
-  /// `seconds`: for each question that is hard.
+  /// `seconds`: for each question that is hard. `withRequests`: what is asked of devices decides outputs.
   EqualityProof(ProgramProduct& written, const std::vector<std::string>& names, const Correspondence& found, Ask ask,
-                double seconds);
+                double seconds, bool withRequests);
 
   /// Name and text.
   const std::vector<std::pair<std::string, std::string>>& certificates() const { return certificates_; }
@@ -41,6 +42,7 @@ class EqualityProof {
   const std::vector<PairCondition>& conditions_;
   Ask ask_;
   double seconds_;
+  bool withRequests_;
   std::vector<std::pair<std::string, std::string>> certificates_;
   std::vector<std::string> missing_;
 };

@@ -163,7 +163,8 @@ class ProgramComparison {
     reals_ = RealScope::Comparisons;  // the certificates say themselves what is written out
     try {
       ProgramProduct written(before_, after_, match_, options);
-      EqualityProof proof(written, product.newStateNames(), correspondence_, asks(), options_.prover.timeout);
+      EqualityProof proof(written, product.newStateNames(), correspondence_, asks(), options_.prover.timeout,
+                          dependOnDevices_);
       result_.certificates = proof.certificates();
       result_.uncertified = proof.missing();
     } catch (const DecisionsDiverge&) {
@@ -453,12 +454,12 @@ class ProgramComparison {
 
   /// What was not read or not followed to its end leaves equality open.
   void guardCoverage(ProgramProduct& product) {
-    const bool dependOnDevices = guardRequests(product);
+    dependOnDevices_ = guardRequests(product);
     const std::size_t before = result_.notes.size();
     guardSide(before_, product.oldSide());
     guardSide(after_, product.newSide());
     guardRuns(product);
-    if ((comparesPulseOutputs() || dependOnDevices) && !product.pulsesCorrespond(correspondence_.isMerged))
+    if ((comparesPulseOutputs() || dependOnDevices_) && !product.pulsesCorrespond(correspondence_.isMerged))
       note(
           "what PLS makes of Q0.0 and Q0.1 may differ in a way that is not compared: by profiles, or by constant "
           "levels");
@@ -491,7 +492,7 @@ class ProgramComparison {
       for (std::size_t i = 0; i < answers.size(); ++i) {
         if (answers[i].answer == Answer::Proved) continue;
         isSettled = false;
-        note(requestText(both.requests[i]));
+        note(requestText(both.requests[i], *before_.program, *after_.program));
       }
     }
     for (std::size_t i = 0; !isSettled && i < depends.size(); ++i) {
@@ -499,19 +500,6 @@ class ProgramComparison {
     }
     if (!isSettled && result_.equality == Equality::Equal) result_.equality = Equality::Unknown;
     return true;
-  }
-  std::string requestText(const RequestDifference& request) const {
-    constexpr std::string_view sequel = "what comes of it may differ";
-    if (request.before != nullptr && request.after != nullptr)
-      return fmt::format("{} may ask for something else than {}, or at another time: {}",
-                         placeText(*after_.program, *request.after), placeText(*before_.program, *request.before),
-                         sequel);
-    if (request.after != nullptr)
-      return fmt::format("OLD asks for nothing like {}: {}", placeText(*after_.program, *request.after), sequel);
-    if (request.before != nullptr)
-      return fmt::format("NEW asks for nothing like {}: {}", placeText(*before_.program, *request.before), sequel);
-    return fmt::format("SMB{} may differ: what arrives at port {} may be read otherwise",
-                       portControl(static_cast<std::uint32_t>(request.port)), request.port);
   }
   bool comparesPulseOutputs() const {
     constexpr std::uint32_t pulseOutputs = 2;
@@ -587,6 +575,7 @@ class ProgramComparison {
   RealScope reals_ = RealScope::Comparisons;  ///< REAL operations that are asked about bit by bit
   Correspondence correspondence_;
   const char* method_ = "";
+  bool dependOnDevices_ = false;  ///< outputs that are equal
   int depth_ = unlimited;
   Equivalence result_;
 };

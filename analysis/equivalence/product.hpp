@@ -88,8 +88,13 @@ struct PairCondition {
   bool when = true;
 };
 
+/// What may differ, for people.
+std::string requestText(const struct RequestDifference& request, const Program& before, const Program& after);
+
 /// Whether outputs differ, then whether one program stops alone.
 std::vector<Question> outputQuestions(const struct JoinedSystem& joined);
+/// "request3 differs": by the numbers of the requests.
+std::vector<Question> requestQuestions(const struct JoinedSystem& joined);
 
 /// That a device may be asked for different things.
 struct RequestDifference {
@@ -97,6 +102,7 @@ struct RequestDifference {
   const Instruction* after;   ///< nullptr: NEW does not ask for that
   int port = -1;              ///< the port whose control byte differs at the end of the scan, without any request
   Node differs = noNode;
+  int number = 0;  ///< the same in every system of these programs
 };
 
 /// The two programs with some of NEW's states merged into OLD's.

@@ -1,8 +1,11 @@
 // What both programs ask of their devices, request by request, and which outputs depend on what comes of it.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 
 #include "analysis/equivalence/product.hpp"
+#include "analysis/proof/proof_side.hpp"
 
 namespace rungproof {
 
@@ -68,7 +71,9 @@ std::vector<std::uint32_t> ProgramProduct::usedPorts() {
 /// The k-th request to a device in OLD and in NEW.
 void ProgramProduct::compareRequests(JoinedSystem& result) {
   Graph& graph = old_.encoding().graph();
-  const auto add = [&](const RequestDifference& difference) {
+  int number = 0;
+  const auto add = [&](RequestDifference difference) {
+    difference.number = ++number;
     if (graph.truth({difference.differs}) != false) result.requests.push_back(difference);
   };
   Requests before, after;
@@ -111,6 +116,26 @@ void ProgramProduct::compareRequests(JoinedSystem& result) {
     const Node theirs = (*result.copy)(new_.encoding().atEnd(portPlace(port)));
     add({nullptr, nullptr, static_cast<int>(port), graph.lnot(graph.equal({mine}, {theirs}, 8)).node});
   }
+}
+
+std::string requestText(const RequestDifference& request, const Program& before, const Program& after) {
+  constexpr std::string_view sequel = "what comes of it may differ";
+  if (request.before != nullptr && request.after != nullptr)
+    return fmt::format("{} may ask for something else than {}, or at another time: {}",
+                       placeText(after, *request.after), placeText(before, *request.before), sequel);
+  if (request.after != nullptr)
+    return fmt::format("OLD asks for nothing like {}: {}", placeText(after, *request.after), sequel);
+  if (request.before != nullptr)
+    return fmt::format("NEW asks for nothing like {}: {}", placeText(before, *request.before), sequel);
+  return fmt::format("SMB{} may differ: what arrives at port {} may be read otherwise",
+                     portControl(static_cast<std::uint32_t>(request.port)), request.port);
+}
+
+std::vector<Question> requestQuestions(const JoinedSystem& joined) {
+  std::vector<Question> questions;
+  for (const RequestDifference& request : joined.requests)
+    questions.push_back({fmt::format("request{} differs", request.number), request.differs});
+  return questions;
 }
 
 std::vector<bool> ProgramProduct::dependsOnDevices(const JoinedSystem& joined) {

@@ -86,9 +86,12 @@ bool writeCertificates(const Context& context, const std::string& directory, con
   bool isWritten = true;
   for (const auto& [name, text] : found.certificates) {
     const bool isMemory = name == found.certificates.front().first;
+    const bool isRequest = name.starts_with("request");
     const std::string file = name + ".smt2";
     CertifiedStatement statement{"comparison",
-                                 isMemory ? "memory of both programs that corresponds" : name + " is equal",
+                                 isMemory    ? "memory of both programs that corresponds"
+                                 : isRequest ? "both programs ask the same of a device: " + name
+                                             : name + " is equal",
                                  {sides.runBefore.get(), sides.runAfter.get()},
                                  found.assumptions,
                                  {}};

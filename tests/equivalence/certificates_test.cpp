@@ -54,12 +54,15 @@ TEST_P(EqualPairs, HaveCertificatesThatCvc5Accepts) {
   const Equivalence found = certified(GetParam());
   ASSERT_EQ(equalityText(found.equality), "EQUAL");
   for (const std::string& name : found.uncertified) ADD_FAILURE() << "no certificate for " << name;
-  ASSERT_EQ(found.certificates.size(), found.outputs.size() + 1) << "memory, every output, RUN";
+  ASSERT_GE(found.certificates.size(), found.outputs.size() + 1) << "memory, every output, RUN; then requests";
   EXPECT_EQ(found.certificates.front().first, "memory");
   for (std::size_t i = 0; i < found.certificates.size(); ++i) {
     const auto& [name, text] = found.certificates[i];
     if (i > 0) {
-      EXPECT_EQ(name, found.outputs[i - 1].name);
+      if (i <= found.outputs.size())
+        EXPECT_EQ(name, found.outputs[i - 1].name);
+      else
+        EXPECT_TRUE(name.starts_with("request")) << name;
       EXPECT_EQ(countOf(text, "; safety of"), 1U);
     }
     const std::size_t asked = countOf(text, "(check-sat)");

@@ -134,6 +134,21 @@ TEST(Requests, TrainsThatEndAtOtherTimes) {
   EXPECT_EQ(verdict(train("10"), train("+10"), "Q0.5"), "EQUAL");
 }
 
+/// The equality rests on devices that do the same: that both ask the same of them has certificates of its own.
+TEST(Requests, AreCertified) {
+  const std::string source = counter("16#F8", "0") + "|LDD>= HC0,100;= Q0.0";
+  const ProgramInput one = pairSide("old.awl", exportOf(source), "");
+  const ProgramInput other =
+      pairSide("new.awl", exportOf(counter("16#F8", "0", "+100") + "|LDD>= HC0,100;= Q0.0;= M0.0"), "");
+  EquivalenceOptions options;
+  options.prover.certificates = true;
+  const Equivalence found = compareBehaviour({&one.program, {}}, {&other.program, {}}, options);
+  EXPECT_EQ(equalityText(found.equality), "EQUAL");
+  for (const std::string& name : found.uncertified) ADD_FAILURE() << name;
+  const auto isOfRequest = [](const auto& certificate) { return certificate.first.starts_with("request"); };
+  EXPECT_GE(std::ranges::count_if(found.certificates, isOfRequest), 2) << "HDEF and HSC";
+}
+
 TEST(Pulses, NumbersThatDiffer) {
   const auto signal = [](const Equivalence& found) { return found.run ? found.run->signal : "none"; };
   const Equivalence widths = compared(modulation("100"), modulation("200"));
