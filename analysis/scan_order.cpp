@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "ir/frame.hpp"
+
 namespace rungproof {
 
 namespace {
@@ -26,11 +28,10 @@ class ScanOrder {
     if (!a || !b) return false;
     if (a->last < b->first) return true;
     const bool isSameCall = a->callee != noBlock && a->callee == b->callee && a->first == b->first;
-    return isSameCall && depth < deepest && holdsIn(a->callee, depth + 1);
+    return isSameCall && depth < static_cast<int>(mainNesting) && holdsIn(a->callee, depth + 1);
   }
 
  private:
-  static constexpr int deepest = 8;  ///< levels of calls (001:6744)
   struct Followed {
     std::uint32_t instruction;
     std::vector<std::uint8_t> callers;  ///< by block: its own, and those from which calls lead there

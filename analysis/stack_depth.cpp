@@ -73,8 +73,13 @@ struct Bracket {
 class Run {
  public:
   using Inputs = std::unordered_map<std::uint32_t, std::vector<Condition>>;
-  Run(const KnownBits& known, std::vector<StackFault>& faults, std::vector<StackPoint>& points, Inputs& inputs)
-      : known_(known), faults_(faults), points_(points), inputs_(inputs) {}
+  Run(const Target& target, const KnownBits& known, std::vector<StackFault>& faults, std::vector<StackPoint>& points,
+      Inputs& inputs)
+      : levels_(static_cast<std::size_t>(cpuFeatures(target).stackLevels)),
+        known_(known),
+        faults_(faults),
+        points_(points),
+        inputs_(inputs) {}
 
   void block(const Flow& flow) {
     entries_.clear();
@@ -146,8 +151,8 @@ class Run {
     entry.flow = inSegment_ ? static_cast<Condition>(flow & ~condition::Always) : flow;
     entries_.push_back(entry);
     flowsFrom_ = std::min(flowsFrom_, size() - 1);
-    if (size() <= stackLevels) return;
-    Entry& lost = entries_[size() - 1 - stackLevels];
+    if (size() <= levels_) return;
+    Entry& lost = entries_[size() - 1 - levels_];
     if (lost.lostAt == nullptr) lost.lostAt = &by;
   }
 
@@ -236,8 +241,9 @@ class Run {
   }
 
   void loadLevel(const Instruction& at) {
-    const auto n =
-        at.operands.empty() ? 0 : static_cast<std::size_t>(std::clamp<std::int64_t>(at.operands[0].value, 0, 8));
+    const auto n = at.operands.empty() ? 0
+                                       : static_cast<std::size_t>(std::clamp<std::int64_t>(
+                                             at.operands[0].value, 0, static_cast<std::int64_t>(levels_) - 1));
     Entry* entry = level(n);
     if (entry == nullptr || (!isOwn(n) && entry->given == Given::No)) {
       fault(StackFaultKind::LdsBeyond, at, nullptr, static_cast<int>(ownLevels()), static_cast<int>(n));
@@ -320,6 +326,7 @@ class Run {
     use(0, at);
   }
 
+  const std::size_t levels_;  ///< of the logic stack
   const KnownBits& known_;
   std::vector<StackFault>& faults_;
   std::vector<StackPoint>& points_;
@@ -339,7 +346,7 @@ class Run {
 
 StackRun::StackRun(const Program& program, const Plan& plan, const KnownBits& known) {
   points_.resize(program.instructionCount());
-  Run run(known, faults_, points_, inputs_);
+  Run run(program.target, known, faults_, points_, inputs_);
   for (const Flow& flow : plan.flows) run.block(flow);
   // A network with an unreadable line has lost an instruction; what the stack misses there says nothing.
   std::vector<std::uint8_t> isDamaged(points_.size(), 0);

@@ -3,8 +3,8 @@
 // what is common to their jumps. The stack is not cleared between networks (a network is only a divider, 001:2232),
 // so levels of earlier networks stay below and are marked as such.
 //
-// Nine levels: 001:2759, 001:2870. A called block starts with 1, 0, 0, ... (001:6765); LSCR replaces the top
-// (001:5809); after FOR and NEXT the top is 1 (001:5770). Tested by tests/rules/stack_depth_test.cpp.
+// Nine levels, on the S7-200 SMART 32: 001:2759, 001:2870. A called block starts with 1, 0, 0, ... (001:6765); LSCR
+// replaces the top (001:5809); after FOR and NEXT the top is 1 (001:5770). Tested by tests/rules/stack_depth_test.cpp.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,6 @@
 #include "ir/program.hpp"
 
 namespace rungproof {
-
-inline constexpr int stackLevels = 9;
 
 /// What is known about a bit or about the power flow. Several may hold.
 using Condition = std::uint8_t;

@@ -58,6 +58,7 @@ class UnreadCode::Collector {
     ofReaders();
     ofRules();
     ofOperands();
+    ofUncovered();
     ofBlocks();
   }
 
@@ -142,6 +143,27 @@ class UnreadCode::Collector {
       } else {
         UnreadPart& part = add(fileOf(finding.span), finding.message, finding.span);
         part.isRefused = part.isUnlimited = true;
+      }
+    }
+  }
+
+  /// Instructions whose request goes on outside the program, in ways that are not modelled.
+  void ofUncovered() {
+    for (const InstructionPlace& place : facts_.instructions()) {
+      const Desc& desc = *place.instruction->desc;
+      if (desc.modelling == Modelling::Whole) continue;
+      UnreadPart& part =
+          partOf({place.block, place.network},
+                 fmt::format("{} is not modelled: {}", desc.stl,
+                             desc.modelling == Modelling::WritesAnything ? "a pointer names what it writes"
+                                                                         : "its status changes from outside"),
+                 place.instruction->span);
+      const bool writesOperands = desc.modelling == Modelling::WritesOperands;
+      if (!mayRun(place.block)) continue;
+      part.isUnlimited = part.isUnlimited || !writesOperands;
+      for (const Access& access : facts_.accesses().of(place.instruction->id)) {
+        if (access.write && access.viaPointer) part.isUnlimited = true;
+        if (access.write && !access.viaPointer) part.places.push_back(rowOf(access));
       }
     }
   }

@@ -5,7 +5,6 @@ namespace rungproof {
 
 namespace {
 /// Frames of local memory: main, eight nesting levels, interrupt routine and its subroutine (001:1367).
-constexpr std::uint32_t localBytes = 11 * 64;
 }  // namespace
 
 Concrete::Store::Store(const Target& target, std::uint32_t edges) {
@@ -35,6 +34,9 @@ Concrete::Bits Concrete::rfunction(std::uint64_t f, Bits a) const {
     case RealFunction::Tan: return pattern(std::tan(x));
     case RealFunction::Ln: return pattern(std::log(x));
     case RealFunction::Exp: return pattern(std::exp(x));
+    case RealFunction::ArcSin: return pattern(std::asin(x));
+    case RealFunction::ArcCos: return pattern(std::acos(x));
+    case RealFunction::ArcTan: return pattern(std::atan(x));
   }
   return 0;
 }

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "ir/device_end.hpp"
+#include "ir/special_memory.hpp"
 
 namespace rungproof {
 
@@ -31,7 +32,7 @@ std::optional<DeviceEnd> portEnd(Machine<Concrete>& machine, const Operand& oper
 
 std::optional<DeviceEnd> trainEnd(Machine<Concrete>& machine, const Operand& operand) {
   if (operand.width != Width::Bit || operand.bit != pulseIdle) return std::nullopt;
-  for (std::uint32_t output = 0; output < 2; ++output) {
+  for (std::uint32_t output = 0; output < pulseOutputCount; ++output) {
     const bool isTrain = machine.getBit(Reg::PulseBusy, output) && !machine.getBit(Reg::PulseIsPwm, output);
     if (operand.offset != pulseStatus(output) || !isTrain) continue;
     endPulseTrain(machine, output);
@@ -76,6 +77,8 @@ bool mayWriteStatus(Machine<Concrete>& machine, const Operand& operand, std::uin
       return (machine.getBit(Reg::FirstScan) && (value & 0x18) == 0) ||
              (uses(machine, i, PortUse::Reception) && value != 0 && (value & ~0x27ULL) == 0);
     if (isBit(4, transmitterBit(i))) return value != 0 && uses(machine, i, PortUse::Transmission);
+  }
+  for (std::uint32_t i = 0; i < pulseOutputCount; ++i) {
     const bool isTrain = store.get(Reg::PulseBusy, i) != 0 && store.get(Reg::PulseIsPwm, i) == 0;
     const std::uint64_t segments = store.get(Reg::PulseSegments, i);
     if (isBit(pulseStatus(i), pulseIdle)) return isTrain && (value != 0) == (store.get(Reg::PulsePending, i) == 0);
@@ -88,7 +91,7 @@ bool mayWriteStatus(Machine<Concrete>& machine, const Operand& operand, std::uin
     if (operand.offset == counters[i] && operand.width == Width::Bit && operand.bit >= 5)
       return store.get(Reg::HscMode, i) != 0;
   }
-  return isBit(31, 7) && value == 0 && store.load(Area::SM, 31 * 8 + 7, 1) != 0;
+  return savesMemory(machine.target) && isBit(31, 7) && value == 0 && store.load(Area::SM, 31 * 8 + 7, 1) != 0;
 }
 
 bool asks(const Instruction& instruction) {

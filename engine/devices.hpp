@@ -16,7 +16,7 @@ namespace rungproof {
 
 class Devices {
  public:
-  explicit Devices(const ClockTime& time) : clock(time) {}
+  Devices(const ClockTime& time, const Target& target) : clock(time), counters(target), pulses(target) {}
 
   RealTimeClock clock;
   HighSpeedCounters counters;

@@ -7,12 +7,12 @@ namespace rungproof {
 
 namespace {
 
-/// Events of a counter; -1: it has none (table 6-46).
+/// Events of a counter; -1: it has none (table 6-46). HSC5 has direction and reset on the S7-200 SMART only.
 struct CounterEvents {
   int equal, direction, reset;
 };
 constexpr std::array<CounterEvents, HighSpeedCounters::count> events = {
-    {{12, 27, 28}, {13, 14, 15}, {16, 17, 18}, {32, -1, -1}, {29, 30, 31}, {33, -1, -1}}};
+    {{12, 27, 28}, {13, 14, 15}, {16, 17, 18}, {32, -1, -1}, {29, 30, 31}, {33, 43, 44}}};
 constexpr std::array<std::uint32_t, HighSpeedCounters::count> statusByte = {36, 46, 56, 136, 146, 156};
 
 int modeOf(const Concrete::Store& store, std::uint32_t counter) {
@@ -47,7 +47,7 @@ void HighSpeedCounters::takeInputs(Concrete::Store& store, std::uint32_t counter
   const Lines before = lines_[counter];
   Lines& now = lines_[counter];
   for (std::size_t k = 0; k < now.level.size(); ++k) {
-    const int input = hscInputs(static_cast<int>(counter))[k];
+    const int input = hscInputs(target_, static_cast<int>(counter))[k];
     now.level[k] = input >= 0 && store.get(Reg::PhysicalInput, static_cast<std::uint32_t>(input)) != 0;
   }
   const int mode = modeOf(store, counter);
@@ -75,8 +75,7 @@ void HighSpeedCounters::takeInputs(Concrete::Store& store, std::uint32_t counter
   }
 }
 
-void HighSpeedCounters::passMillisecond(Concrete::Store& store, const std::array<std::uint32_t, 2>& ptoPulses,
-                                        const RaiseEvent& raise) {
+void HighSpeedCounters::passMillisecond(Concrete::Store& store, const PulseCounts& ptoPulses, const RaiseEvent& raise) {
   const auto share = [&](std::uint32_t total) {
     const std::uint64_t before = static_cast<std::uint64_t>(total) * (passed_ - 1) / scanMs_;
     const std::uint64_t after = static_cast<std::uint64_t>(total) * passed_ / scanMs_;

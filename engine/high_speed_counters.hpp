@@ -9,15 +9,21 @@
 #include <functional>
 
 #include "engine/concrete.hpp"
+#include "ir/pulse_output.hpp"
 
 namespace rungproof {
 
 /// Receives an interrupt event the moment it occurs; the routine may run inside the call.
 using RaiseEvent = std::function<void(int event)>;
 
+/// Pulses that each pulse output made.
+using PulseCounts = std::array<std::uint32_t, pulseOutputCount>;
+
 class HighSpeedCounters {
  public:
   static constexpr std::uint32_t count = 6;
+
+  explicit HighSpeedCounters(const Target& target) : target_(target) {}
 
   /// Pulses of the clock (or up-clock) input and of the down-clock input in every scan from now on, spread evenly over
   /// its ms. In quadrature modes: whole periods forwards and backwards.
@@ -27,7 +33,7 @@ class HighSpeedCounters {
   /// Start of a scan of `lengthMs`: takes up what the physical inputs did.
   void beginScan(Concrete::Store& store, std::uint32_t lengthMs, const RaiseEvent& raise);
   /// One ms of the scan. `ptoPulses`: pulses of PTO0 and PTO1 in it, for mode 12.
-  void passMillisecond(Concrete::Store& store, const std::array<std::uint32_t, 2>& ptoPulses, const RaiseEvent& raise);
+  void passMillisecond(Concrete::Store& store, const PulseCounts& ptoPulses, const RaiseEvent& raise);
   void reset();
 
  private:
@@ -42,6 +48,7 @@ class HighSpeedCounters {
   void turn(Concrete::Store& store, std::uint32_t counter, bool up, const RaiseEvent& raise);
   static void showStatus(Concrete::Store& store, std::uint32_t counter);
 
+  Target target_;
   std::array<std::array<std::uint32_t, 2>, count> pulses_{};
   std::array<Lines, count> lines_{};
   std::uint32_t scanMs_ = 1;

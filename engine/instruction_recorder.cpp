@@ -25,7 +25,7 @@ std::optional<std::uint64_t> cellAt(const Concrete::Store& store, Area area, std
     case Area::AC:
       if (offset >= store.count(Reg::Accumulator)) return std::nullopt;
       return store.get(Reg::Accumulator, offset) & Concrete::mask(bits(width));
-    case Area::L: offset += frame * 64; break;
+    case Area::L: offset += frame * frameBytes; break;
     default: break;
   }
   if (offset + static_cast<std::uint32_t>(bytes(width)) > store.area(area).size()) return std::nullopt;

@@ -12,8 +12,8 @@ namespace rungproof {
 
 struct InstructionRecord {
   unsigned executions = 0;  ///< in the scan; with 0 the rest has no meaning
-  std::array<bool, 9> before{};
-  std::array<bool, 9> after{};
+  std::array<bool, mostStackLevels> before{};
+  std::array<bool, mostStackLevels> after{};
   bool scrActive = true;                              ///< outside SCR segments and in active ones
   bool eno = false;                                   ///< behind the instruction
   std::vector<std::optional<std::uint64_t>> read;     ///< operand values in front of it, in the width of their type
@@ -45,7 +45,7 @@ class InstructionRecorder final : public InstructionObserver {
   void finish(Running& running, const Machine<Concrete>& machine);
 
   std::vector<InstructionRecord> records_;
-  std::array<Running, 11> running_{};  ///< by frame
+  std::array<Running, frameCount> running_{};  ///< by frame
   bool isOn_ = true;
 };
 

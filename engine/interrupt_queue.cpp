@@ -14,7 +14,7 @@ InterruptQueue::InterruptQueue(const Target& target) {
 }
 
 bool InterruptQueue::add(int event, std::uint64_t moment, int routine) {
-  CHECK(event >= 0 && event < eventCount, "events are numbered 0 to 33");
+  CHECK(event >= 0 && event < eventCount, "events are numbered 0 to 44");
   const EventInfo& info = eventInfo(event);
   std::vector<Entry>& entries = queue(info.group);
   if (entries.size() >= depth_[static_cast<std::size_t>(info.group)]) return false;

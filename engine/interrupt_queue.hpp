@@ -24,7 +24,7 @@ class InterruptQueue {
     int routine;
   };
 
-  /// Takes event 0..33 that occurred at `moment` (any unit that does not decrease). False: the queue is full, the event
+  /// Takes event 0..44 that occurred at `moment` (any unit that does not decrease). False: the queue is full, the event
   /// is lost.
   bool add(int event, std::uint64_t moment, int routine = 0);
   /// What is to be served next, removed from its queue.

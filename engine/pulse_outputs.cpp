@@ -7,9 +7,11 @@ namespace rungproof {
 
 namespace {
 
-constexpr std::array<std::uint32_t, 2> pulseStatusByte = {66, 76};
-constexpr std::uint32_t abortedByIncrement = 4, idle = 7;
 constexpr std::int64_t shortestCycle = 2, longestCycle = 65535;  // 001:4570, 001:4600
+constexpr std::uint64_t mostPulses = 0x7FFFFFFF;
+
+/// Length in us of one pulse of a frequency in Hz; 0 counts as 1, and more than 100 kHz as that.
+std::int64_t cycleOf(std::int64_t hertz) { return 1000000 / std::clamp<std::int64_t>(hertz, 1, 100000); }
 
 }  // namespace
 
@@ -23,32 +25,44 @@ void PulseOutputs::command(const Concrete::Store& store, std::uint32_t output) {
   }
 }
 
-PulseOutputs::Train PulseOutputs::trainOf(const Concrete::Store& store, std::uint32_t output) {
+PulseOutputs::Train PulseOutputs::trainOf(const Concrete::Store& store, std::uint32_t output) const {
   Train train;
   train.isRunning = true;
   const std::int64_t unit = store.get(Reg::PulseIsMs, output) != 0 ? 1000 : 1;
   const auto segments = static_cast<std::uint32_t>(store.get(Reg::PulseSegments, output));
   if (segments == 0) {
-    train.segments.push_back(
-        {static_cast<std::int64_t>(store.get(Reg::PulseCycle, output)) * unit, 0, store.get(Reg::PulseCount, output)});
+    const auto value = static_cast<std::int64_t>(store.get(Reg::PulseCycle, output));
+    const std::int64_t cycle = form_.hasFrequency ? cycleOf(value) : value * unit;
+    train.segments.push_back({cycle, 0, store.get(Reg::PulseCount, output)});
     return train;
   }
   const auto table = static_cast<std::uint32_t>(store.get(Reg::PulseTable, output));
-  for (std::uint32_t i = 0; i < segments && !train.isAborted; ++i) {
-    const std::uint32_t at = (table + 1 + i * 8) * 8;
-    const auto cycle = static_cast<std::int64_t>(store.load(Area::V, at, 16));
-    const std::int64_t change = Concrete::toSigned(store.load(Area::V, at + 16, 16), 16);
-    std::uint64_t count = store.load(Area::V, at + 32, 32);
-    const std::int64_t room = change > 0   ? (longestCycle - cycle) / change
-                              : change < 0 ? (cycle - shortestCycle) / -change
-                                           : 0;
-    if (change != 0 && count > static_cast<std::uint64_t>(std::max<std::int64_t>(room, 0)) + 1) {
-      count = static_cast<std::uint64_t>(std::max<std::int64_t>(room, 0)) + 1;
-      train.isAborted = true;
-    }
-    train.segments.push_back({cycle * unit, change * unit, count});
-  }
+  for (std::uint32_t i = 0; i < segments && !train.isAborted; ++i)
+    train.segments.push_back(segmentIn(store, (table + 1 + i * form_.segmentBytes) * 8, unit, train.isAborted));
   return train;
+}
+
+/// The segment of a profile at that bit of V.
+PulseOutputs::Segment PulseOutputs::segmentIn(const Concrete::Store& store, std::uint32_t bit, std::int64_t unitUs,
+                                              bool& isAborted) const {
+  if (form_.hasFrequency) {
+    const auto first = static_cast<std::int64_t>(store.load(Area::V, bit, 32));
+    const auto last = static_cast<std::int64_t>(store.load(Area::V, bit + 32, 32));
+    const std::uint64_t count = std::clamp<std::uint64_t>(store.load(Area::V, bit + 64, 32), 1, mostPulses);
+    const std::int64_t steps = static_cast<std::int64_t>(count) - 1;
+    return {cycleOf(first), steps == 0 ? 0 : (cycleOf(last) - cycleOf(first)) / steps, count};
+  }
+  const auto cycle = static_cast<std::int64_t>(store.load(Area::V, bit, 16));
+  const std::int64_t change = Concrete::toSigned(store.load(Area::V, bit + 16, 16), 16);
+  std::uint64_t count = store.load(Area::V, bit + 32, 32);
+  const std::int64_t room = change > 0   ? (longestCycle - cycle) / change
+                            : change < 0 ? (cycle - shortestCycle) / -change
+                                         : 0;
+  if (change != 0 && count > static_cast<std::uint64_t>(std::max<std::int64_t>(room, 0)) + 1) {
+    count = static_cast<std::uint64_t>(std::max<std::int64_t>(room, 0)) + 1;
+    isAborted = true;
+  }
+  return {cycle * unitUs, change * unitUs, count};
 }
 
 std::uint64_t PulseOutputs::durationUs(const Segment& segment, std::uint64_t pulses) {
@@ -94,9 +108,9 @@ std::uint64_t PulseOutputs::pulsesAt(const Train& train, std::uint64_t timeUs) {
   return pulses;
 }
 
-std::array<std::uint32_t, 2> PulseOutputs::passMillisecond(Concrete::Store& store, const RaiseEvent& raise) {
-  std::array<std::uint32_t, 2> made{};
-  for (std::uint32_t output = 0; output < 2; ++output) {
+PulseCounts PulseOutputs::passMillisecond(Concrete::Store& store, const RaiseEvent& raise) {
+  PulseCounts made{};
+  for (std::uint32_t output = 0; output < pulseOutputCount; ++output) {
     std::uint64_t left = 1000;
     while (left > 0 && trains_[output].isRunning) {
       Train& train = trains_[output];
@@ -107,7 +121,7 @@ std::array<std::uint32_t, 2> PulseOutputs::passMillisecond(Concrete::Store& stor
       left -= now;
       made[output] += static_cast<std::uint32_t>(pulsesAt(train, train.passedUs) - before);
       if (train.segments.size() > 1 || store.get(Reg::PulseSegments, output) != 0) {
-        store.save(Area::SM, (output == 0 ? 166U : 176U) * 8, 8, segmentAt(train, train.passedUs) + 1, true);
+        store.save(Area::SM, segmentByte(output) * 8, 8, segmentAt(train, train.passedUs) + 1, true);
       }
       if (now == rest) finish(store, output, raise);
       if (now == 0 && rest == 0) break;
@@ -129,10 +143,10 @@ void PulseOutputs::finish(Concrete::Store& store, std::uint32_t output, const Ra
   } else {
     store.set(Reg::PulseBusy, output, 0, true);
     store.set(Reg::PulseSegments, output, 0, true);
-    store.save(Area::SM, pulseStatusByte[output] * 8 + idle, 1, 1, true);
-    if (wasAborted) store.save(Area::SM, pulseStatusByte[output] * 8 + abortedByIncrement, 1, 1, true);
+    store.save(Area::SM, pulseStatus(output) * 8 + pulseIdle, 1, 1, true);
+    if (wasAborted) store.save(Area::SM, pulseStatus(output) * 8 + pulseAborted, 1, 1, true);
   }
-  raise(output == 0 ? 19 : 20);
+  raise(eventOfTrain(output));
 }
 
 }  // namespace rungproof

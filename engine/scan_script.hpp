@@ -46,7 +46,7 @@ struct ScanScript {
   /// are enabled. Events 21 and 22 come from the ticks of their timers by themselves: only their service can be named.
   /// Events 10 and 11 that are due by the end of the scan and not named come after the program.
   std::vector<Event> events;
-  std::vector<Tick> ticks1;  ///< what of the scan's length they leave, elapses after the program
+  std::vector<Tick> ticks1;   ///< what of the scan's length they leave, elapses after the program
   std::vector<Write> writes;  ///< in the order of execution
   /// Whether an event without a possible cause is left out (runs that shall prove something) or comes all the same
   /// (somebody's own stimulus). Either way Simulator::eventsWithoutCause() tells.

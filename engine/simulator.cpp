@@ -5,6 +5,7 @@
 #include "engine/cell_value.hpp"
 #include "engine/device_end.hpp"
 #include "engine/simulator_hooks.hpp"
+#include "ir/special_memory.hpp"
 
 namespace rungproof {
 
@@ -12,17 +13,24 @@ namespace {
 
 constexpr std::uint64_t defaultStation = 2;  // of a CPU as delivered (not in the manual text)
 
+/// With what the CPU makes of choices that nobody has made.
+SimulatorOptions optionsFor(const Target& target, SimulatorOptions options) {
+  options.choices = choicesFor(target, options.choices);
+  if (!options.retentive) options.retentive = defaultRetentiveRanges(target);
+  return options;
+}
+
 }  // namespace
 
 Simulator::Simulator(const Program& program, SimulatorOptions options, Outside* outside)
     : plan_(program),
-      options_(std::move(options)),
+      options_(optionsFor(program.target, std::move(options))),
       outside_(outside),
       domain_(*this),
       store_(powerUpState(plan_, options_.choices, options_.dataLost)),
       machine_(domain_, store_, plan_),
       queue_(program.target),
-      devices_(options_.clock),
+      devices_(options_.clock, program.target),
       unknownIsZero_(outside == nullptr && options_.choices.is(Choice::UnknownBits, "zero")),
       random_(options_.seed) {
   startClock(Reg::PhaseHundred, options_.phaseMs);
@@ -30,7 +38,7 @@ Simulator::Simulator(const Program& program, SimulatorOptions options, Outside* 
 }
 
 void Simulator::powerCycle() {
-  store_ = powerCycledState(plan_, options_.choices, store_, options_.retentive);
+  store_ = powerCycledState(plan_, options_.choices, store_, *options_.retentive);
   queue_.clear();
   errors_.clear();
   devices_.reset();
@@ -40,7 +48,7 @@ void Simulator::powerCycle() {
 
 void Simulator::run() {
   if (isRunning()) return;
-  enterRun(store_, options_.choices, options_.retentive);
+  enterRun(store_, options_.choices, *options_.retentive);
   queue_.clear();
   errors_.clear();
   devices_.reset();
@@ -146,7 +154,9 @@ void Simulator::writeByDevice(const Operand& operand, std::uint64_t value) {
 }
 
 /// The value has been saved at the end of the scan before (001:1649-1651).
-void Simulator::endSave() { store_.save(Area::SM, 31 * 8 + 7, 1, 0, true); }
+void Simulator::endSave() {
+  if (savesMemory(target())) store_.save(Area::SM, 31 * 8 + 7, 1, 0, true);
+}
 
 bool Simulator::force(const Operand& operand, std::uint64_t value) { return forced_.set(operand, value); }
 void Simulator::unforce(const Operand& operand) { forced_.remove(operand); }

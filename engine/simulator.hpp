@@ -35,8 +35,8 @@ struct SimulatorOptions {
   Choices choices;
   std::uint32_t phaseMs = 0;     ///< since the last tick of the 10 ms and 100 ms time bases when RUN begins
   std::uint32_t scanUs = 10000;  ///< length of a scan in us for which nothing else is asked
-  std::vector<RetentiveRange> retentive = defaultRetentiveRanges();
-  bool dataLost = false;   ///< first scan with SM0.2 = 1
+  std::optional<std::vector<RetentiveRange>> retentive{};  ///< those of the system block; nothing: the CPU's default
+  bool dataLost = false;                                   ///< first scan with SM0.2 = 1
   std::uint64_t seed = 1;  ///< for bits that the manual calls unknown, if Choice::UnknownBits is "random"
   ClockTime clock;         ///< real-time clock at power-up
 };
@@ -107,6 +107,7 @@ class Simulator final : private Outside {
     lastEdge_ = {};
   }
   const Plan& plan() const { return plan_; }
+  const Target& target() const { return machine_.target; }
   const RunTimeErrors& errors() const { return errors_; }
   /// Events that a stimulus or script named although nothing could cause them then.
   const std::set<int>& eventsWithoutCause() const { return withoutCause_; }

@@ -34,7 +34,7 @@ struct Simulator::Hooks {
   void freshLocal(Runner& runner, unsigned frame, std::uint32_t byte) {
     const std::uint64_t value =
         simulator.unknownIsZero_ ? 0 : runner.machine().external(External::LocalMemory, byte, 8);
-    simulator.store_.area(Area::L)[frame * 64 + byte] = static_cast<std::uint8_t>(value);
+    simulator.store_.area(Area::L)[frame * frameBytes + byte] = static_cast<std::uint8_t>(value);
   }
 };
 

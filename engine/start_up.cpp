@@ -56,7 +56,8 @@ void loadDataBlock(const Program& program, Concrete::Store& store) {
 
 }  // namespace
 
-std::vector<RetentiveRange> defaultRetentiveRanges() {
+std::vector<RetentiveRange> defaultRetentiveRanges(const Target& target) {
+  if (isSmart(target)) return {};  // nothing, unless the system block says otherwise
   return {{Area::V, 0, 0xFFFFFFFF}, {Area::M, 14, 31}, {Area::T, 0, 31}, {Area::T, 64, 95}, {Area::C, 0, 255}};
 }
 
@@ -78,7 +79,7 @@ Concrete::Store powerUpState(const Plan& plan, const Choices& choices, bool data
   prepareRun(store, choices);
   setSm(store, 0, 2, dataLost);
   setSm(store, 0, 3, true);
-  store.area(Area::SM)[6] = cpuIdentifier(plan.program->target.cpu).value_or(0x20);  // 224XP: that of the 224
+  store.area(Area::SM)[6] = cpuRow(plan.program->target.cpu).identifier.value_or(0x20);  // 224XP: that of the 224
   return store;
 }
 

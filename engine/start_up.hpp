@@ -17,7 +17,7 @@ struct RetentiveRange {
 };
 /// The manual gives no default for V, T and C; taken are those that the programming software sets: all of V, MB14-MB31,
 /// the TONR timers, all counters. MB0-MB13 are not retentive (001:1619).
-std::vector<RetentiveRange> defaultRetentiveRanges();
+std::vector<RetentiveRange> defaultRetentiveRanges(const Target& target);
 
 /// Puts the time bases of the 10 ms and 100 ms timers `phase` ms behind a tick of both.
 void setTickPhase(Concrete::Store& store, std::uint32_t phase);

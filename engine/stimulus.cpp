@@ -47,7 +47,8 @@ void StimulusPlayer::act(const StimulusColumn& column, std::uint64_t value) {
   switch (column.target) {
     case StimulusTarget::Memory: {
       const Operand& operand = column.signal.operand;
-      const bool isStatus = operand.area == Area::SM && smRow(operand.offset, operand.bit).source == SmSource::Device;
+      const bool isStatus = operand.area == Area::SM &&
+                            smRow(simulator_.target(), operand.offset, operand.bit).source == SmSource::Device;
       if (isStatus)
         simulator_.writeByDevice(operand, value);
       else

@@ -1,6 +1,8 @@
 // From arguments to programs and reports.
 #include "frontend/program_input.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -36,6 +38,28 @@ ReadOptions readOptionsOf(const Settings& settings) {
   return options;
 }
 
+namespace {
+
+/// Without --cpu, a program with instructions that only the S7-200 SMART has is taken for its largest CPU.
+void guessCpu(const Context& context, Program& program) {
+  if (context.settings.isSet(Opt::Cpu)) return;
+  for (const Pou& pou : program.pous) {
+    for (const Network& network : pou.networks) {
+      for (const Instruction& instruction : network.instructions) {
+        if ((instruction.desc->cpus & s7200Cpus) != 0) continue;
+        program.target = {Cpu::St60, usualEdition(Cpu::St60)};
+        if (!context.settings.flag(Opt::Quiet))
+          context.err << fmt::format(
+              "rungproof: {} exists on the S7-200 SMART only: taken for a CPU {}; --cpu names another\n",
+              instruction.desc->stl, cpuName(program.target.cpu));
+        return;
+      }
+    }
+  }
+}
+
+}  // namespace
+
 OperandLookup lookupIn(const Program& program) {
   return [&program](std::string_view text) -> std::optional<Operand> {
     Operand operand;
@@ -54,6 +78,7 @@ ProgramInput readInput(const Context& context, const std::vector<std::string>& f
                        const std::vector<std::string>& propertyFiles) {
   ProgramInput input;
   input.program = readProgram(files, readOptionsOf(context.settings));
+  guessCpu(context, input.program);
   input.properties = readProperties(input.program, propertyFiles, lookupIn(input.program));
   return input;
 }

@@ -283,9 +283,12 @@ void execute(Machine<D>& m, const Instruction& instruction) {
     Args<D> args(m, instruction, desc);
     const typename D::Bool legal = args.resolve();
     if constexpr (desc.eno) m.enoAfter(desc.execution == Execution::Sampled ? m.powerFlow() : m.d.constant(true));
-    m.hazard(desc.execution == Execution::Compare ? Hazard::FatalIndirectAddress : Hazard::BadIndirectAddress,
-             m.d.lnot(legal));
+    const bool isFatal = desc.execution == Execution::Compare && m.features.stopsInCompare;
+    m.hazard(isFatal ? Hazard::FatalIndirectAddress : Hazard::BadIndirectAddress, m.d.lnot(legal));
     m.when(legal, [&] { Op::run(m, args); });
+    if constexpr (desc.execution == Execution::Compare) {
+      if (!isFatal) m.when(m.d.lnot(legal), [&] { Op::fails(m); });
+    }
   };
   if constexpr (desc.execution == Execution::Conditional) {
     const typename D::Bool runs = m.powerFlow();

@@ -10,13 +10,9 @@ namespace rungproof {
 
 namespace {
 
-constexpr std::array<std::string_view, cpuCount> names = {"212", "214", "221", "222", "224", "224XP", "226", "226XM"};
-
-bool isOld(Cpu cpu) { return cpu == Cpu::Cpu212 || cpu == Cpu::Cpu214; }
-
 /// One cell per edition, CPU, area and width, filled once from the rows.
 struct LimitIndex {
-  std::array<const cpu_tables::LimitRow*, 2 * cpuCount * areaCount * 4> cell{};
+  std::array<const cpu_tables::LimitRow*, editionCount * cpuCount * areaCount * 4> cell{};
 
   static std::size_t at(Edition edition, Cpu cpu, Area area, Width width) {
     return ((static_cast<std::size_t>(edition) * cpuCount + static_cast<std::size_t>(cpu)) * areaCount +
@@ -25,11 +21,12 @@ struct LimitIndex {
            static_cast<std::size_t>(width);
   }
   LimitIndex() {
-    for (const cpu_tables::LimitRow& row : cpu_tables::limits) {
-      for (int c = 0; c < cpuCount; ++c) {
-        const Cpu cpu = static_cast<Cpu>(c);
-        if ((row.cpus & cpuBit(cpu)) != 0) cell[at(row.edition, cpu, row.area, row.width)] = &row;
-      }
+    for (const cpu_tables::LimitRow& row : cpu_tables::limits) enter(row);
+    for (const cpu_tables::LimitRow& row : cpu_tables::smartLimits) enter(row);
+  }
+  void enter(const cpu_tables::LimitRow& row) {
+    for (const CpuRow& cpu : cpu_rows::rows) {
+      if ((row.cpus & cpuBit(cpu.cpu)) != 0) cell[at(row.edition, cpu.cpu, row.area, row.width)] = &row;
     }
   }
 };
@@ -37,26 +34,45 @@ struct LimitIndex {
 const cpu_tables::LimitRow* limitRow(const Target& target, Area area, Width width) {
   static const LimitIndex index;
   // A CPU that the chosen edition does not describe keeps the limits of the one that does.
-  const Edition other = target.edition == Edition::Edition2003 ? Edition::Edition2004 : Edition::Edition2003;
-  const Edition edition = editionCovers(target.edition, target.cpu) && !isOld(target.cpu) ? target.edition
-                          : isOld(target.cpu)                                             ? cpu_tables::oldEdition
-                                                                                          : other;
+  const bool isOld = (cpuBit(target.cpu) & cpu_tables::oldCpus) != 0;
+  const Edition edition = isOld                                       ? cpu_tables::oldEdition
+                          : editionCovers(target.edition, target.cpu) ? target.edition
+                                                                      : usualEdition(target.cpu);
   return index.cell[LimitIndex::at(edition, target.cpu, area, width)];
 }
 
 }  // namespace
 
 std::optional<Cpu> cpuNamed(std::string_view name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) return std::nullopt;
-  return static_cast<Cpu>(found - names.begin());
+  const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  for (const CpuRow& row : cpu_rows::rows) {
+    if (std::ranges::equal(row.name, name, {}, small, small)) return row.cpu;
+  }
+  return std::nullopt;
 }
 
-std::string_view cpuName(Cpu cpu) { return names[static_cast<std::size_t>(cpu)]; }
+namespace {
 
-bool editionCovers(Edition edition, Cpu cpu) {
-  if (isOld(cpu)) return true;
-  return edition == Edition::Edition2003 ? cpu != Cpu::Cpu224XP : cpu != Cpu::Cpu226XM;
+struct EditionRow {
+  Edition edition;
+  std::string_view name, text;
+};
+constexpr std::array<EditionRow, editionCount> editionRows = {{
+    {Edition::Edition2003, "2003", "2003 edition of the manual"},
+    {Edition::Edition2004, "2004", "2004 edition of the manual"},
+    {Edition::Smart27, "smart-2.7", "S7-200 SMART, firmware up to V2.7"},
+    {Edition::Smart28, "smart-2.8", "S7-200 SMART, firmware from V2.8 on"},
+}};
+
+}  // namespace
+
+std::string_view editionName(Edition edition) { return editionRows[static_cast<std::size_t>(edition)].name; }
+std::string_view editionText(Edition edition) { return editionRows[static_cast<std::size_t>(edition)].text; }
+std::optional<Edition> editionNamed(std::string_view name) {
+  for (const EditionRow& row : editionRows) {
+    if (row.name == name) return row.edition;
+  }
+  return std::nullopt;
 }
 
 std::optional<AddressLimit> addressLimit(const Target& target, Area area, Width width) {
@@ -69,56 +85,12 @@ bool addressExists(const Target& target, Area area, Width width, std::uint32_t o
   const cpu_tables::LimitRow* row = limitRow(target, area, width);
   if (row == nullptr || offset > row->last) return false;
   if (area == Area::HC) return hscExists(target, static_cast<int>(offset));
+  if (row->last > cpu_tables::localImage &&
+      offset + static_cast<std::uint32_t>(bits(width) + 7) / 8 > cpu_tables::localImage &&
+      offset < cpu_tables::networkImage && (area == Area::I || area == Area::Q))
+    return false;
   if (isAnalogue(area)) return offset % 2 == 0;
   return width != Width::Bit || hasBitAndWord(area) || bit <= 7;
-}
-
-CpuFeatures cpuFeatures(const Target& target) {
-  CpuFeatures features;
-  const bool large = target.cpu == Cpu::Cpu224XP || target.cpu == Cpu::Cpu226 || target.cpu == Cpu::Cpu226XM;
-  if (large) {
-    features.ports = 2;
-    features.queueCommunication = 8;
-  }
-  // 001:2666 against 001:6751 for the 224XP: the stricter number is kept, the rule names both lines.
-  const bool manySubroutines =
-      target.cpu == Cpu::Cpu226XM || (target.cpu == Cpu::Cpu226 && target.edition == Edition::Edition2004);
-  if (manySubroutines) features.subroutines = 128;
-  if (target.cpu == Cpu::Cpu221 || target.cpu == Cpu::Cpu222) features.clockBuiltIn = false;
-  // No table of the CPUs before 22x is at hand: general knowledge, except that the 212 lacks pulse outputs and clock
-  // (004:345, 004:734).
-  if (isOld(target.cpu)) {
-    features.pidLoops = 0;
-    features.queueTimed = 4;
-  }
-  if (target.cpu == Cpu::Cpu212) {
-    features.subroutines = 16;
-    features.interruptRoutines = 32;
-    features.labels = 64;
-    features.queueIo = 4;
-    features.queueTimed = 2;
-    features.pulseOutputs = 0;
-    features.clockBuiltIn = false;
-  }
-  return features;
-}
-
-bool eventExists(const Target& target, int event) {
-  if (event < 0 || event > 33) return false;
-  if (target.cpu == Cpu::Cpu212) return event <= 1 || (event >= 8 && event <= 10) || event == 12;
-  if (target.cpu == Cpu::Cpu214) return event <= 20;
-  if (target.cpu == Cpu::Cpu221 || target.cpu == Cpu::Cpu222)
-    return event <= 12 || (event >= 19 && event <= 23) || event >= 27;
-  if (target.cpu == Cpu::Cpu224) return event <= 23 || event >= 27;
-  return true;
-}
-
-bool hscExists(const Target& target, int counter) {
-  if (counter < 0 || counter > 5) return false;
-  if (target.cpu == Cpu::Cpu212) return counter == 0;
-  if (target.cpu == Cpu::Cpu214) return counter <= 2;
-  if (target.cpu == Cpu::Cpu221 || target.cpu == Cpu::Cpu222) return counter != 1 && counter != 2;
-  return true;
 }
 
 namespace {

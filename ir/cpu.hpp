@@ -1,7 +1,10 @@
-// CPU models and their limits: tables 6-1 and 6-2 of both manual editions (001:2640-2717, 000:30-390).
-// The only place with limits; everything else asks here.
+// CPU models: one row each, with what the manuals' tables give per CPU (tables 6-1, 6-45, 6-48; 001:2640-2717,
+// 000:30-390; S7-200 SMART: system manual V2.8). Limits of addresses are in ir/cpu_tables.hpp. Sets of CPUs that
+// descriptors name are derived from the rows, so a new CPU is a new row. Tests: tests/ir/cpu_table_test.cpp,
+// tests/smart.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -10,14 +13,41 @@
 
 namespace rungproof {
 
-enum class Cpu : std::uint8_t { Cpu212, Cpu214, Cpu221, Cpu222, Cpu224, Cpu224XP, Cpu226, Cpu226XM };
-inline constexpr int cpuCount = 8;
-enum class Edition : std::uint8_t { Edition2003, Edition2004 };
+enum class Cpu : std::uint8_t {
+  Cpu212,
+  Cpu214,
+  Cpu221,
+  Cpu222,
+  Cpu224,
+  Cpu224XP,
+  Cpu226,
+  Cpu226XM,  // S7-200
+  Cr20s,
+  Cr30s,
+  Cr40s,
+  Cr60s,
+  Cr40,
+  Cr60,  // S7-200 SMART, compact line
+  Sr20,
+  St20,
+  Sr30,
+  St30,
+  Sr40,
+  St40,
+  Sr60,
+  St60  // S7-200 SMART, standard line
+};
+inline constexpr int cpuCount = 22;
+/// Editions of the S7-200 system manual, and of the S7-200 SMART's firmware: up to V2.7, and from V2.8 on.
+enum class Edition : std::uint8_t { Edition2003, Edition2004, Smart27, Smart28 };
+inline constexpr int editionCount = 4;
+/// Families of CPUs with one instruction set and one map of special memory each.
+enum class Series : std::uint8_t { S7200, Smart };
 
 /// A set of CPU models, one bit each.
-using CpuSet = std::uint16_t;
-constexpr CpuSet cpuBit(Cpu cpu) { return static_cast<CpuSet>(1U << static_cast<unsigned>(cpu)); }
-inline constexpr CpuSet everyCpu = (1U << cpuCount) - 1;
+using CpuSet = std::uint32_t;
+constexpr CpuSet cpuBit(Cpu cpu) { return CpuSet{1} << static_cast<unsigned>(cpu); }
+inline constexpr CpuSet everyCpu = (CpuSet{1} << cpuCount) - 1;
 
 /// What a program is checked against and run on.
 struct Target {
@@ -25,23 +55,12 @@ struct Target {
   Edition edition = Edition::Edition2004;
 };
 
-/// "221" ... "226XM", or nothing.
-std::optional<Cpu> cpuNamed(std::string_view name);
-std::string_view cpuName(Cpu cpu);
-/// Whether the manual edition describes that CPU at all (224XP: 2004 only; 226XM: 2003 only; 212/214: seed 004).
-bool editionCovers(Edition edition, Cpu cpu);
+/// A set of small numbers, such as interrupt events or counters: bit n stands for number n.
+using NumberSet = std::uint64_t;
+constexpr NumberSet numbers(int low, int high) { return ((NumberSet{1} << (high - low + 1)) - 1) << low; }
+constexpr bool contains(NumberSet set, int number) { return number >= 0 && number < 64 && (set >> number & 1) != 0; }
 
-/// Highest legal start address of an access (table 6-2). Areas without such access give nothing.
-struct AddressLimit {
-  std::uint32_t lastByte = 0;  ///< highest start byte, or highest number for T, C, AC, HC
-  std::string_view source;     ///< "001:2679"
-  std::string_view note;       ///< the misprint that was resolved, or empty
-};
-std::optional<AddressLimit> addressLimit(const Target& target, Area area, Width width);
-/// Whether the address exists; knows the gaps (HC1/HC2 on 221/222, odd AI/AQ).
-bool addressExists(const Target& target, Area area, Width width, std::uint32_t offset, unsigned bit);
-
-/// Numbers that tables 6-1, 6-45 and 6-48 give per CPU.
+/// Numbers that the tables give per CPU. The initial values are those of most S7-200.
 struct CpuFeatures {
   int subroutines = 64;         ///< count; numbers are 0..subroutines-1 (001:2666)
   int interruptRoutines = 128;  ///< 001:2667
@@ -53,12 +72,173 @@ struct CpuFeatures {
   int queueIo = 16;             ///< 001:5488
   int queueTimed = 8;           ///< 001:5489
   int pulseOutputs = 2;
-  bool clockBuiltIn = true;  ///< 001:565; without, TODR gives error 000C
+  bool clockBuiltIn = true;            ///< 001:565; without, TODR gives error 000C
+  bool stopsInCompare = true;          ///< a compare contact that cannot compare is fatal (001:3384); else it is 0
+  int stackLevels = 9;                 ///< levels of the logic stack (001:2753)
+  int interruptNesting = 1;            ///< subroutine levels below an interrupt routine (001:5444)
+  NumberSet counters = numbers(0, 5);  ///< high-speed counters (001:4166)
+  NumberSet events = numbers(0, 33);   ///< interrupt events (001:5366)
 };
-CpuFeatures cpuFeatures(const Target& target);
+
+struct CpuRow {
+  Cpu cpu;
+  std::string_view name;
+  Series series;
+  std::array<Edition, 2> editions;              ///< that describe it, the usual one first; twice the same: only that
+  std::optional<std::uint8_t> identifier = {};  ///< SM6.4 to SM6.7 as the high half of the byte (001:14138)
+  CpuFeatures features = {};                    ///< by the usual edition
+  int olderSubroutines = 0, olderPidLoops = 0, olderPulseOutputs = 0;  ///< by the other one, where it differs
+};
+
+namespace cpu_rows {
+
+inline constexpr std::array both = {Edition::Edition2004, Edition::Edition2003};
+inline constexpr std::array only2003 = {Edition::Edition2003, Edition::Edition2003};
+inline constexpr std::array only2004 = {Edition::Edition2004, Edition::Edition2004};
+inline constexpr std::array smart = {Edition::Smart28, Edition::Smart27};
+inline constexpr std::array onlySmart27 = {Edition::Smart27, Edition::Smart27};
+
+// No table of the CPUs before 22x is at hand: general knowledge, except that the 212 lacks pulse outputs and clock
+// (004:345, 004:734).
+inline constexpr CpuFeatures of212 = {.subroutines = 16,
+                                      .interruptRoutines = 32,
+                                      .labels = 64,
+                                      .pidLoops = 0,
+                                      .queueIo = 4,
+                                      .queueTimed = 2,
+                                      .pulseOutputs = 0,
+                                      .clockBuiltIn = false,
+                                      .counters = numbers(0, 0),
+                                      .events = numbers(0, 1) | numbers(8, 10) | numbers(12, 12)};
+inline constexpr CpuFeatures of214 = {
+    .pidLoops = 0, .queueTimed = 4, .counters = numbers(0, 2), .events = numbers(0, 20)};
+inline constexpr CpuFeatures small = {.clockBuiltIn = false,
+                                      .counters = numbers(0, 0) | numbers(3, 5),
+                                      .events = numbers(0, 12) | numbers(19, 23) | numbers(27, 33)};
+inline constexpr CpuFeatures of224 = {.events = numbers(0, 23) | numbers(27, 33)};
+/// 001:2666 against 001:6751 for the 224XP: the stricter number is kept, the rule names both lines.
+inline constexpr CpuFeatures large = {.ports = 2, .queueCommunication = 8};
+inline constexpr CpuFeatures largest = {.subroutines = 128, .ports = 2, .queueCommunication = 8};
+
+constexpr CpuFeatures smartFeatures(int ports, int pulseOutputs, int pidLoops, bool hasClock, NumberSet counters,
+                                    NumberSet events) {
+  return {.subroutines = 128,
+          .edges = 1024,
+          .pidLoops = pidLoops,
+          .ports = ports,
+          .pulseOutputs = pulseOutputs,
+          .clockBuiltIn = hasClock,
+          .stopsInCompare = false,
+          .stackLevels = 32,
+          .interruptNesting = 4,
+          .counters = counters,
+          .events = events};
+}
+/// Without signal board, pulse outputs, second port and the counters 4 and 5.
+inline constexpr CpuFeatures compact =
+    smartFeatures(1, 0, 8, false, numbers(0, 3),
+                  numbers(0, 13) | numbers(16, 18) | numbers(21, 23) | numbers(27, 28) | numbers(32, 32));
+/// The numbers 14, 15 and 39 to 42 stand in no list; those of I7.0 and I7.1 and of HSC5 are uncertain (ir/event.hpp).
+constexpr CpuFeatures standard(int pulseOutputs) {
+  const NumberSet pulses = pulseOutputs > 2 ? numbers(34, 34) : 0;
+  return smartFeatures(2, pulseOutputs, 16, true, numbers(0, 5),
+                       numbers(0, 13) | numbers(16, 33) | pulses | numbers(35, 38) | numbers(43, 44));
+}
+
+// clang-format off
+inline constexpr std::array<CpuRow, cpuCount> rows = {{
+    {Cpu::Cpu212, "212", Series::S7200, both, {}, of212},
+    {Cpu::Cpu214, "214", Series::S7200, both, {}, of214},
+    {Cpu::Cpu221, "221", Series::S7200, both, 0x60, small},
+    {Cpu::Cpu222, "222", Series::S7200, both, 0x00, small},
+    {Cpu::Cpu224, "224", Series::S7200, both, 0x20, of224},
+    {Cpu::Cpu224XP, "224XP", Series::S7200, only2004, {}, large},
+    {Cpu::Cpu226, "226", Series::S7200, both, 0x90, largest, 64},
+    {Cpu::Cpu226XM, "226XM", Series::S7200, only2003, 0x90, largest},
+    {Cpu::Cr20s, "CR20s", Series::Smart, smart, {}, compact},
+    {Cpu::Cr30s, "CR30s", Series::Smart, smart, {}, compact},
+    {Cpu::Cr40s, "CR40s", Series::Smart, smart, {}, compact},
+    {Cpu::Cr60s, "CR60s", Series::Smart, smart, {}, compact},
+    {Cpu::Cr40, "CR40", Series::Smart, onlySmart27, {}, compact},
+    {Cpu::Cr60, "CR60", Series::Smart, onlySmart27, {}, compact},
+    {Cpu::Sr20, "SR20", Series::Smart, smart, {}, standard(2), 0, 8},
+    {Cpu::St20, "ST20", Series::Smart, smart, {}, standard(2), 0, 8},
+    {Cpu::Sr30, "SR30", Series::Smart, smart, {}, standard(3), 0, 8},
+    {Cpu::St30, "ST30", Series::Smart, smart, {}, standard(3), 0, 8},
+    {Cpu::Sr40, "SR40", Series::Smart, smart, {}, standard(3), 0, 8},
+    {Cpu::St40, "ST40", Series::Smart, smart, {}, standard(3), 0, 8},
+    {Cpu::Sr60, "SR60", Series::Smart, smart, {}, standard(3), 0, 8},
+    {Cpu::St60, "ST60", Series::Smart, smart, {}, standard(4), 0, 8, 3},
+}};
+// clang-format on
+
+constexpr bool areInOrder() {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (static_cast<std::size_t>(rows[i].cpu) != i) return false;
+  }
+  return true;
+}
+static_assert(areInOrder(), "the rows must follow the enumeration");
+
+}  // namespace cpu_rows
+
+constexpr const CpuRow& cpuRow(Cpu cpu) { return cpu_rows::rows[static_cast<std::size_t>(cpu)]; }
+constexpr bool isSmart(Cpu cpu) { return cpuRow(cpu).series == Series::Smart; }
+constexpr bool isSmart(const Target& target) { return isSmart(target.cpu); }
+
+/// The CPUs whose row fulfils the condition.
+template <class Condition>
+constexpr CpuSet cpusWith(Condition condition) {
+  CpuSet set = 0;
+  for (const CpuRow& row : cpu_rows::rows) set |= condition(row) ? cpuBit(row.cpu) : 0;
+  return set;
+}
+inline constexpr CpuSet smartCpus = cpusWith([](const CpuRow& row) { return row.series == Series::Smart; });
+/// Place of facts on the S7-200 SMART: its manual has no line numbers here.
+inline constexpr std::string_view smartManual = "S7-200 SMART system manual";
+inline constexpr CpuSet s7200Cpus = everyCpu & ~smartCpus;
+
+/// "221" ... "ST60", in any case of letters, or nothing.
+std::optional<Cpu> cpuNamed(std::string_view name);
+constexpr std::string_view cpuName(Cpu cpu) { return cpuRow(cpu).name; }
+/// "2003", "2004", "smart-2.7", "smart-2.8", as --edition takes it.
+std::string_view editionName(Edition edition);
+std::optional<Edition> editionNamed(std::string_view name);
+/// As a sentence names it: "2004 edition of the manual", "firmware from V2.8 on".
+std::string_view editionText(Edition edition);
+/// Whether the manual edition describes that CPU at all (224XP: 2004 only; 226XM: 2003 only; 212/214: seed 004).
+constexpr bool editionCovers(Edition edition, Cpu cpu) {
+  return cpuRow(cpu).editions[0] == edition || cpuRow(cpu).editions[1] == edition;
+}
+constexpr Edition usualEdition(Cpu cpu) { return cpuRow(cpu).editions[0]; }
+/// The other edition that describes the CPU; the same if there is only one.
+constexpr Edition otherEdition(const Target& target) {
+  const std::array<Edition, 2>& editions = cpuRow(target.cpu).editions;
+  return editions[0] == target.edition ? editions[1] : editions[0];
+}
+
+/// Highest legal start address of an access (table 6-2). Areas without such access give nothing.
+struct AddressLimit {
+  std::uint32_t lastByte = 0;  ///< highest start byte, or highest number for T, C, AC, HC
+  std::string_view source;     ///< "001:2679"
+  std::string_view note;       ///< the misprint that was resolved, or empty
+};
+std::optional<AddressLimit> addressLimit(const Target& target, Area area, Width width);
+/// Whether the address exists; knows the gaps (HC1/HC2 on 221/222, odd AI/AQ, bytes 32 to 127 of the SMART's images).
+bool addressExists(const Target& target, Area area, Width width, std::uint32_t offset, unsigned bit);
+
+constexpr CpuFeatures cpuFeatures(const Target& target) {
+  const CpuRow& row = cpuRow(target.cpu);
+  CpuFeatures features = row.features;
+  if (target.edition == row.editions[0]) return features;
+  if (row.olderSubroutines != 0) features.subroutines = row.olderSubroutines;
+  if (row.olderPidLoops != 0) features.pidLoops = row.olderPidLoops;
+  if (row.olderPulseOutputs != 0) features.pulseOutputs = row.olderPulseOutputs;
+  return features;
+}
 /// Whether the CPU has that interrupt event (001:5366).
-bool eventExists(const Target& target, int event);
-bool hscExists(const Target& target, int counter);
+constexpr bool eventExists(const Target& target, int event) { return contains(cpuFeatures(target).events, event); }
+constexpr bool hscExists(const Target& target, int counter) { return contains(cpuFeatures(target).counters, counter); }
 /// SM0..smReadOnlyLast are read only (001:2652).
 inline constexpr std::uint32_t smReadOnlyLast = 29;
 

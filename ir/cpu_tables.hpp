@@ -26,6 +26,7 @@ inline constexpr CpuSet c212 = cpuBit(Cpu::Cpu212), c214 = cpuBit(Cpu::Cpu214), 
 inline constexpr CpuSet all2004 = c221 | c222 | c224 | c224XP | c226;
 inline constexpr CpuSet all2003 = c221 | c222 | c224 | c226 | c226XM;
 /// The S7-212 and S7-214 are older than both editions; their rows serve whichever edition is chosen.
+inline constexpr CpuSet oldCpus = c212 | c214;
 inline constexpr Edition oldEdition = Edition::Edition2003;
 inline constexpr std::string_view untabled =
     "limit from general knowledge: the application examples give no table for this CPU";
@@ -220,5 +221,86 @@ inline constexpr LimitRow limits[] = {
     {oldEdition, Area::HC, Width::DWord, 2, c214, "", untabled},
 };
 // clang-format on
+
+/// The process images of the S7-200 SMART end at byte 31; on the standard line PROFINET data follow from byte 128 on.
+inline constexpr std::uint32_t localImage = 32, networkImage = 128;
+
+/// Last byte (number) of an area of the S7-200 SMART, for each firmware and line.
+struct SmartArea {
+  Area area;
+  Edition edition;
+  CpuSet cpus;
+  std::uint32_t last;
+};
+namespace smart_sets {
+inline constexpr CpuSet standard =
+    cpusWith([](const CpuRow& row) { return row.series == Series::Smart && row.features.ports == 2; });
+inline constexpr CpuSet compact = smartCpus & ~standard;
+inline constexpr CpuSet c20 = cpuBit(Cpu::Sr20) | cpuBit(Cpu::St20), c30 = cpuBit(Cpu::Sr30) | cpuBit(Cpu::St30),
+                        c40 = cpuBit(Cpu::Sr40) | cpuBit(Cpu::St40), c60 = cpuBit(Cpu::Sr60) | cpuBit(Cpu::St60);
+}  // namespace smart_sets
+
+inline constexpr auto smartAreas = [] {
+  using namespace smart_sets;
+  std::array<SmartArea, 40> areas{};
+  std::size_t count = 0;
+  const auto both = [&](Area area, CpuSet cpus, std::uint32_t last) {
+    for (const Edition edition : {Edition::Smart27, Edition::Smart28}) areas[count++] = {area, edition, cpus, last};
+  };
+  for (const Area area : {Area::I, Area::Q}) {
+    both(area, compact, localImage - 1);
+    both(area, standard, 1279);
+  }
+  for (const Area area : {Area::M, Area::S}) both(area, smartCpus, 31);
+  both(Area::SM, smartCpus, 2047);
+  both(Area::L, smartCpus, 63);
+  for (const Area area : {Area::T, Area::C}) both(area, smartCpus, 255);
+  both(Area::AC, smartCpus, 3);
+  for (const Area area : {Area::AI, Area::AQ}) both(area, standard, 111);
+  both(Area::HC, compact, 3);
+  both(Area::HC, standard, 5);
+  both(Area::V, compact, 8191);
+  const CpuSet sizes[] = {c20, c30, c40, c60};
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const std::uint32_t older = 8192 + 4096 * i;  // V2.8 has 4 KB more
+    areas[count++] = {Area::V, Edition::Smart27, sizes[i], older - 1};
+    areas[count++] = {Area::V, Edition::Smart28, sizes[i], older + 4095};
+  }
+  return areas;
+}();
+
+/// Whether an area can be accessed in that width: T and C by bit and word, AC without bits, HC as double word only.
+constexpr bool hasWidth(Area area, Width width) {
+  switch (area) {
+    case Area::T:
+    case Area::C: return width == Width::Bit || width == Width::Word;
+    case Area::AC: return width != Width::Bit;
+    case Area::AI:
+    case Area::AQ: return width == Width::Word;
+    case Area::HC: return width == Width::DWord;
+    default: return true;
+  }
+}
+
+inline constexpr auto smartLimits = [] {
+  std::array<LimitRow, smartAreas.size() * 4> rows{};
+  std::size_t count = 0;
+  for (const SmartArea& area : smartAreas) {
+    for (const Width width : {Width::Bit, Width::Byte, Width::Word, Width::DWord}) {
+      const bool byNumber =
+          area.area == Area::T || area.area == Area::C || area.area == Area::AC || area.area == Area::HC;
+      const std::uint32_t length = width == Width::Word ? 2 : width == Width::DWord ? 4 : 1;
+      const std::uint32_t last = byNumber ? area.last : area.last + 1 - length;
+      rows[count++] = {area.edition,
+                       area.area,
+                       width,
+                       last,
+                       hasWidth(area.area, width) ? area.cpus : 0,
+                       smartManual,
+                       ""};
+    }
+  }
+  return rows;
+}();
 
 }  // namespace rungproof::cpu_tables

@@ -87,7 +87,7 @@ struct OperandDesc {
   Direction direction = Direction::In;
   Type type = Type::Bool;
   Forms forms = 0;
-  std::array<ValueRange, 5> ranges{};  ///< unused rows have cpus == 0
+  std::array<ValueRange, 6> ranges{};  ///< unused rows have cpus == 0
   BufferLength buffer{};
   CountOperand count{};      ///< operand < 0: nothing counts them
   bool lowWordRead = false;  ///< a double word of which only the low word is read (MUL, DIV)
@@ -188,7 +188,15 @@ inline constexpr StatusBits Zero = 1, Overflow = 2, Negative = 4, DivideByZero =
                             NotBcd = 64, NotAscii = 128;
 }
 
-inline constexpr int maxOperands = 5;  ///< CTUD.IEC has most
+/// What the model has of an instruction. Networks with others than Whole are left out, and nothing is proved that may
+/// depend on what they write.
+enum class Modelling : std::uint8_t {
+  Whole,
+  WritesOperands,  ///< what is written, now or later, lies at its operands
+  WritesAnything   ///< a pointer in its table names a buffer
+};
+
+inline constexpr int maxOperands = 6;  ///< S_ITR has most
 
 using FlowPins = std::array<std::string_view, 4>;
 
@@ -213,6 +221,8 @@ struct Desc {
   Control control = Control::None;
   CpuSet cpus = everyCpu;
   bool since2004 = false;         ///< absent from the 2003 edition (001:130)
+  bool since28 = false;           ///< S7-200 SMART: needs firmware V2.8
+  Modelling modelling = Modelling::Whole;
   bool olderDialectOnly = false;  ///< RET, RETI, MEND: written only in the one-text dialect
   bool drawingOnly = false;       ///< SR, RS and the IEC boxes: exist in LAD/FBD only, named so in the IR
   bool notInInterrupt = false;    ///< 001:5426, 001:3353

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ir/machine.hpp"
+#include "ir/pulse_output.hpp"
 
 namespace rungproof {
 
@@ -15,17 +16,10 @@ constexpr int eventOfEnd(PortUse use, std::uint32_t port) {
   if (use == PortUse::Transmission) return port == 0 ? 9 : 26;
   return port == 0 ? 23 : 24;
 }
-/// Events 19 and 20 of pulse output 0 and 1.
-constexpr int eventOfTrain(std::uint32_t output) { return output == 0 ? 19 : 20; }
 
-/// Status byte of RCV (001:14286) and of the pulse outputs (001:14243), bit of SM4 for an idle transmitter (001:14109).
+/// Status byte of RCV (001:14286), bit of SM4 for an idle transmitter (001:14109).
 constexpr std::uint32_t receiveStatus(std::uint32_t port) { return port == 0 ? 86 : 186; }
-constexpr std::uint32_t pulseStatus(std::uint32_t output) { return output == 0 ? 66 : 76; }
 constexpr std::uint32_t transmitterBit(std::uint32_t port) { return port == 0 ? 5 : 6; }
-/// Active segment of a profile (001:14367).
-constexpr std::uint32_t segmentByte(std::uint32_t output) { return output == 0 ? 166 : 176; }
-/// Bits of a pulse output's status byte that its end writes.
-inline constexpr std::uint32_t pulseAborted = 4, pulseIdle = 7;
 
 template <class D>
 void endPortUse(Machine<D>& m, std::uint32_t port, PortUse use) {

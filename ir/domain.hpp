@@ -66,6 +66,6 @@ concept Domain = requires(D d, typename D::Bool p, typename D::Bits v, int w, st
 };
 
 /// Functions of section "numeric functions" (001:4938-4995).
-enum class RealFunction : std::uint64_t { Sqrt, Sin, Cos, Tan, Ln, Exp };
+enum class RealFunction : std::uint64_t { Sqrt, Sin, Cos, Tan, Ln, Exp, ArcSin, ArcCos, ArcTan };
 
 }  // namespace rungproof

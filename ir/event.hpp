@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "ir/cpu.hpp"
+
 namespace rungproof {
 
 /// Priority groups, highest first; each has its own queue (001:5480-5491).
@@ -19,7 +21,7 @@ struct EventInfo {
   std::string_view text;
 };
 
-inline constexpr std::array<EventInfo, 34> eventTable = {{
+inline constexpr std::array<EventInfo, 45> eventTable = {{
     {0, EventGroup::InputOutput, 2, "rising edge of I0.0"},
     {1, EventGroup::InputOutput, 6, "falling edge of I0.0"},
     {2, EventGroup::InputOutput, 3, "rising edge of I0.1"},
@@ -54,6 +56,18 @@ inline constexpr std::array<EventInfo, 34> eventTable = {{
     {31, EventGroup::InputOutput, 22, "HSC4: external reset"},
     {32, EventGroup::InputOutput, 19, "HSC3: current value equals preset"},
     {33, EventGroup::InputOutput, 23, "HSC5: current value equals preset"},
+    // S7-200 SMART only. Beside 34 the numbers and ranks are uncertain; 39 to 42 stand in no list.
+    {34, EventGroup::InputOutput, 1, "PTO2: train complete"},
+    {35, EventGroup::InputOutput, 5, "rising edge of I7.0"},
+    {36, EventGroup::InputOutput, 9, "falling edge of I7.0"},
+    {37, EventGroup::InputOutput, 5, "rising edge of I7.1"},
+    {38, EventGroup::InputOutput, 9, "falling edge of I7.1"},
+    {39, EventGroup::InputOutput, 24, "no cause is known"},
+    {40, EventGroup::InputOutput, 24, "no cause is known"},
+    {41, EventGroup::InputOutput, 24, "no cause is known"},
+    {42, EventGroup::InputOutput, 24, "no cause is known"},
+    {43, EventGroup::InputOutput, 23, "HSC5: direction changed"},
+    {44, EventGroup::InputOutput, 23, "HSC5: external reset"},
 }};
 inline constexpr int eventCount = static_cast<int>(eventTable.size());
 
@@ -68,6 +82,13 @@ constexpr bool isTimerEvent(int event) { return event == 21 || event == 22; }
 /// Events 0 to 7 are the edges of I0.0 to I0.3: rising even, falling odd (001:5460).
 inline constexpr int edgeInputCount = 4;
 constexpr bool isEdgeEvent(int event) { return event >= 0 && event < 2 * edgeInputCount; }
+
+/// The highest number of an event that the CPU has.
+constexpr int lastEvent(const Target& target) {
+  int event = eventCount - 1;
+  while (!eventExists(target, event)) --event;
+  return event;
+}
 
 constexpr const EventInfo& eventInfo(int event) { return eventTable[static_cast<std::size_t>(event)]; }
 

@@ -47,6 +47,8 @@ constexpr std::optional<CounterEventInfo> counterEvent(int event) {
     case 30: return CounterEventInfo{4, Direction};
     case 31: return CounterEventInfo{4, Reset};
     case 33: return CounterEventInfo{5, Equal};
+    case 43: return CounterEventInfo{5, Direction};
+    case 44: return CounterEventInfo{5, Reset};
     default: return std::nullopt;
   }
 }
@@ -79,7 +81,6 @@ constexpr std::optional<PortEventInfo> portEvent(int event) {
     default: return std::nullopt;
   }
 }
-constexpr bool isPulseEvent(int event) { return event == 19 || event == 20; }
 
 /// Whether the event can occur in the state as it is, the time aside (false for 10, 11, 21 and 22).
 template <class D>
@@ -87,7 +88,7 @@ typename D::Bool eventHasCause(Machine<D>& m, int event) {
   D& d = m.d;
   if (isTimedEvent(event) || isTimerEvent(event)) return d.constant(false);
   if (isPulseEvent(event)) {  // a train of pulses ends (001:4584)
-    const std::uint32_t output = event == 19 ? 0 : 1;
+    const std::uint32_t output = outputOfTrain(event);
     return d.land(m.getBit(Reg::PulseBusy, output), d.lnot(m.getBit(Reg::PulseIsPwm, output)));
   }
   if (const auto port = portEvent(event)) {
@@ -102,7 +103,7 @@ typename D::Bool eventHasCause(Machine<D>& m, int event) {
     const auto defined = m.get(Reg::HscMode, counter->counter);
     auto isInMode = d.constant(false);
     for (int mode = 0; mode <= 12; ++mode) {
-      if (hscHasMode(static_cast<int>(counter->counter), mode) && counterModeHas(counter->kind, mode))
+      if (hscHasMode(m.target, static_cast<int>(counter->counter), mode) && counterModeHas(counter->kind, mode))
         isInMode = d.lor(isInMode, d.equal(defined, m.number(static_cast<std::uint64_t>(mode) + 1, 8), 8));
     }
     return d.land(isInMode, m.getBit(Reg::HscEnabled, counter->counter));
@@ -115,7 +116,7 @@ template <class D>
 void deviceEvent(Machine<D>& m, int event) {
   D& d = m.d;
   if (isPulseEvent(event)) {
-    const std::uint32_t output = event == 19 ? 0 : 1;
+    const std::uint32_t output = outputOfTrain(event);
     const auto goesOn = m.getBit(Reg::PulsePending, output);
     endPulseTrain(m, output);
     m.when(d.lnot(goesOn), [&] { m.setSm(pulseStatus(output), pulseIdle, d.constant(true)); });

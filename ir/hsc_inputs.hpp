@@ -5,14 +5,28 @@
 
 #include <array>
 
+#include "ir/cpu.hpp"
+
 namespace rungproof {
 
 /// What a mode uses an input of the counter for, in the order of its inputs: clock, direction or second clock, reset,
 /// start.
 inline constexpr int hscInputCount = 4;
 
-/// Numbers of the inputs 1-4 of a counter, I0.0 = 0, I1.0 = 8; -1: it has no such input.
-constexpr std::array<int, hscInputCount> hscInputs(int counter) {
+/// Numbers of the inputs 1-4 of a counter, I0.0 = 0, I1.0 = 8; -1: it has no such input. No counter of the S7-200 SMART
+/// has a start input.
+constexpr std::array<int, hscInputCount> hscInputs(const Target& target, int counter) {
+  if (isSmart(target)) {
+    switch (counter) {
+      case 0: return {0, 1, 4, -1};
+      case 1: return {1, -1, -1, -1};
+      case 2: return {2, 3, 5, -1};
+      case 3: return {3, -1, -1, -1};
+      case 4: return {6, 7, 10, -1};
+      case 5: return {8, 9, 11, -1};
+      default: return {-1, -1, -1, -1};
+    }
+  }
   switch (counter) {
     case 0: return {0, 1, 2, -1};
     case 1: return {6, 7, 8, 9};
@@ -32,20 +46,20 @@ constexpr bool hscModeUses(int mode, int k) {
 }
 
 /// Whether the counter can be defined in that mode at all: without a second, reset or start input it cannot.
-constexpr bool hscHasMode(int counter, int mode) {
-  if (mode == 12) return counter == 0 || counter == 3;
+constexpr bool hscHasMode(const Target& target, int counter, int mode) {
+  if (mode == 12) return !isSmart(target) && (counter == 0 || counter == 3);
   if (counter < 0 || counter > 5 || mode < 0 || mode > 12) return false;
   for (int k = 0; k < hscInputCount; ++k) {
-    if (hscModeUses(mode, k) && hscInputs(counter)[static_cast<std::size_t>(k)] < 0) return false;
+    if (hscModeUses(mode, k) && hscInputs(target, counter)[static_cast<std::size_t>(k)] < 0) return false;
   }
   return true;
 }
 
 /// Whether the counter in that mode occupies input number `input`.
-constexpr bool hscUsesInput(int counter, int mode, int input) {
-  if (!hscHasMode(counter, mode)) return false;
+constexpr bool hscUsesInput(const Target& target, int counter, int mode, int input) {
+  if (!hscHasMode(target, counter, mode)) return false;
   for (int k = 0; k < hscInputCount; ++k) {
-    if (hscModeUses(mode, k) && hscInputs(counter)[static_cast<std::size_t>(k)] == input) return true;
+    if (hscModeUses(mode, k) && hscInputs(target, counter)[static_cast<std::size_t>(k)] == input) return true;
   }
   return false;
 }

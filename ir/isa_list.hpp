@@ -14,6 +14,7 @@
 #include "ir/isa/convert.hpp"
 #include "ir/isa/counter.hpp"
 #include "ir/isa/edge.hpp"
+#include "ir/isa/ethernet.hpp"
 #include "ir/isa/hsc.hpp"
 #include "ir/isa/increment.hpp"
 #include "ir/isa/integer.hpp"
@@ -25,6 +26,7 @@
 #include "ir/isa/real.hpp"
 #include "ir/isa/scr.hpp"
 #include "ir/isa/shift.hpp"
+#include "ir/isa/smart_math.hpp"
 #include "ir/isa/stack.hpp"
 #include "ir/isa/string.hpp"
 #include "ir/isa/string_edit.hpp"
@@ -37,7 +39,7 @@ using AllInstructions =
     Join<ContactGroup, CoilGroup, StackGroup, EdgeGroup, BistableGroup, ClockGroup, CommGroup, CompareGroup,
          ConvertGroup, AsciiGroup, StringGroup, StringEditGroup, CounterGroup, HscGroup, PulseGroup, IntegerGroup,
          RealGroup, IncrementGroup, PidGroup, InterruptGroup, LogicGroup, MoveGroup, ControlGroup, CallGroup, ScrGroup,
-         ShiftGroup, TableGroup, TimerGroup>::type;
+         ShiftGroup, TableGroup, TimerGroup, SmartMathGroup, EthernetGroup>::type;
 
 template <class... Ops>
 constexpr std::array<Desc, sizeof...(Ops)> makeTable(Group<Ops...>) {

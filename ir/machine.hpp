@@ -16,6 +16,7 @@
 #include "ir/cpu.hpp"
 #include "ir/desc.hpp"
 #include "ir/domain.hpp"
+#include "ir/frame.hpp"
 #include "ir/hazard.hpp"
 #include "ir/plan.hpp"
 #include "ir/program.hpp"
@@ -123,6 +124,9 @@ struct Ref {
 };
 
 template <class D>
+using LogicStack = std::array<typename D::Bool, mostStackLevels>;
+
+template <class D>
 class Machine {
  public:
   using Bool = typename D::Bool;
@@ -133,6 +137,8 @@ class Machine {
         store(state),
         plan(programPlan),
         target(programPlan.program->target),
+        features(cpuFeatures(target)),
+        stackLevels(static_cast<std::size_t>(features.stackLevels)),
         guard(domain.constant(true)),
         halted(domain.constant(false)),
         faulted(domain.constant(false)),
@@ -147,13 +153,15 @@ class Machine {
   typename D::Store& store;
   const Plan& plan;
   const Target target;
+  const CpuFeatures features;
+  const std::size_t stackLevels;  ///< of the logic stack of this CPU; what lies behind them has no meaning
 
-  Bool guard;                 ///< the current instruction runs under this condition
-  Bool halted;                ///< STOP or a fatal error has ended the program
-  Bool faulted;               ///< a fatal error has: the scan has no end (001:13906-13910)
-  Bool scrActive;             ///< true outside segments; inside: the SCR stack
-  std::array<Bool, 9> stack;  ///< logic stack, [0] is the top (001:2753)
-  unsigned frame = 0;         ///< local memory in use: 0 main, 1..8 nesting, 9 interrupt, 10 its subroutine
+  Bool guard;           ///< the current instruction runs under this condition
+  Bool halted;          ///< STOP or a fatal error has ended the program
+  Bool faulted;         ///< a fatal error has: the scan has no end (001:13906-13910)
+  Bool scrActive;       ///< true outside segments; inside: the SCR stack
+  LogicStack<D> stack;  ///< [0] is the top (001:2753)
+  unsigned frame = 0;   ///< local memory in use (ir/frame.hpp)
   bool inInterrupt = false;
   const Instruction* current = nullptr;
   Bits ticks100;  ///< 100 ms ticks between the starts of the previous and of this scan, width 16 (001:6611)
@@ -189,7 +197,7 @@ class Machine {
       stack[0] = value;
       return;
     }
-    for (std::size_t i = stack.size() - 1; i > 0; --i) setLevel(i, stack[i - 1]);
+    for (std::size_t i = stackLevels - 1; i > 0; --i) setLevel(i, stack[i - 1]);
     setLevel(0, value);
   }
   Bool pop() {
@@ -198,11 +206,11 @@ class Machine {
       const Bool bottom = externalBit(External::StackBottom);
       if (!guard) return top;
       std::memmove(&stack[0], &stack[1], stack.size() - 1);
-      stack[stack.size() - 1] = bottom;
+      stack[stackLevels - 1] = bottom;
       return top;
     }
-    for (std::size_t i = 0; i + 1 < stack.size(); ++i) setLevel(i, stack[i + 1]);
-    setLevel(stack.size() - 1, externalBit(External::StackBottom));
+    for (std::size_t i = 0; i + 1 < stackLevels; ++i) setLevel(i, stack[i + 1]);
+    setLevel(stackLevels - 1, externalBit(External::StackBottom));
     return top;
   }
   Bool top() const { return stack[0]; }
@@ -296,7 +304,7 @@ class Machine {
   std::array<std::uint32_t, areaCount> areaSizes_{};
 
   std::uint32_t addressBits(Area area, std::uint32_t byte) const {
-    return (area == Area::L ? frame * 64 + byte : byte) * 8;
+    return (area == Area::L ? frame * frameBytes + byte : byte) * 8;
   }
 };
 

@@ -4,6 +4,7 @@
 // one it needs. Covered by tests/environment/readings_test.cpp.
 #pragma once
 
+#include "ir/cpu.hpp"
 #include "ir/register.hpp"
 
 namespace rungproof {
@@ -14,6 +15,15 @@ constexpr std::uint32_t readingIndex(Choice choice, std::uint8_t value) {
 }
 constexpr Choice choiceOfReading(std::uint32_t index) { return static_cast<Choice>(index / 2); }
 constexpr std::uint8_t valueOfReading(std::uint32_t index) { return static_cast<std::uint8_t>(index % 2 + 1); }
+
+/// The choices with what the CPU itself makes of those that nobody has made: the S7-200 SMART has no input filter for
+/// analog inputs, so each read of AIW finds a new value.
+inline Choices choicesFor(const Target& target, Choices choices) {
+  if (isSmart(target) && !choices.isChosen(Choice::AnalogSampling))
+    choices.value[static_cast<std::size_t>(Choice::AnalogSampling)] =
+        NamedReading(Choice::AnalogSampling, "each-read").value;
+  return choices;
+}
 
 /// Puts the chosen readings in force in a state of the engine.
 template <class Store>

@@ -92,7 +92,7 @@ inline constexpr std::array<RegInfo, static_cast<std::size_t>(Reg::count)> regTa
     {Reg::EdgeSeen, "edge.seen", 1, 0},
     {Reg::PhysicalInput, "input", 1, 128},
     {Reg::PhysicalOutput, "output", 1, 128},
-    {Reg::EventRoutine, "event", 8, 34},  // 0: detached, else interrupt number + 1
+    {Reg::EventRoutine, "event", 8, 45},  // 0: detached, else interrupt number + 1
     {Reg::InterruptsEnabled, "interrupts", 1, 1},
     {Reg::TimedPeriod, "timed.period", 8, 2},    // ms between events 10 or 11 as ATCH found it (001:5472); 0: none
     {Reg::TimedElapsed, "timed.elapsed", 8, 2},  // ms since ATCH or the last of them, less than the period
@@ -102,18 +102,18 @@ inline constexpr std::array<RegInfo, static_cast<std::size_t>(Reg::count)> regTa
     {Reg::HscEnabled, "HC.enabled", 1, 6},
     {Reg::HscUp, "HC.up", 1, 6},
     {Reg::HscSetup, "HC.setup", 3, 6},  // control bits 0-2 as HDEF found them (001:4279)
-    {Reg::PulseBusy, "PLS.busy", 1, 2},
-    {Reg::PulsePending, "PLS.pending", 1, 2},
-    {Reg::PulseCycle, "PLS.cycle", 16, 2},
-    {Reg::PulseWidth, "PLS.width", 16, 2},
-    {Reg::PulseCount, "PLS.count", 32, 2},
-    {Reg::PulseIsPwm, "PLS.pwm", 1, 2},
-    {Reg::PulseIsMs, "PLS.ms", 1, 2},                // time base 1 ms instead of 1 us
-    {Reg::PulseSegments, "PLS.segments", 8, 2},      // of a running profile, 0: single train
-    {Reg::PulseTable, "PLS.table", 16, 2},           // V byte of the running profile
-    {Reg::PulseNextCycle, "PLS.next.cycle", 16, 2},  // the one entry of the pipeline
-    {Reg::PulseNextCount, "PLS.next.count", 32, 2},
-    {Reg::PulseNextIsMs, "PLS.next.ms", 1, 2},
+    {Reg::PulseBusy, "PLS.busy", 1, 4},
+    {Reg::PulsePending, "PLS.pending", 1, 4},
+    {Reg::PulseCycle, "PLS.cycle", 16, 4},
+    {Reg::PulseWidth, "PLS.width", 16, 4},
+    {Reg::PulseCount, "PLS.count", 32, 4},
+    {Reg::PulseIsPwm, "PLS.pwm", 1, 4},
+    {Reg::PulseIsMs, "PLS.ms", 1, 4},                // time base 1 ms instead of 1 us
+    {Reg::PulseSegments, "PLS.segments", 8, 4},      // of a running profile, 0: single train
+    {Reg::PulseTable, "PLS.table", 16, 4},           // V byte of the running profile
+    {Reg::PulseNextCycle, "PLS.next.cycle", 16, 4},  // the one entry of the pipeline
+    {Reg::PulseNextCount, "PLS.next.count", 32, 4},
+    {Reg::PulseNextIsMs, "PLS.next.ms", 1, 4},
     {Reg::PortBusy, "port.busy", 2, 2},           // bit 0: XMT, bit 1: RCV
     {Reg::PortTable, "port.table", 32, 4},        // address of TBL: port 0 XMT, port 0 RCV, port 1 XMT, port 1 RCV
     {Reg::PortLimit, "port.limit", 8, 2},         // characters that a running reception may store
@@ -123,7 +123,7 @@ inline constexpr std::array<RegInfo, static_cast<std::size_t>(Reg::count)> regTa
     {Reg::NetIsWrite, "net.write", 1, 8},
     {Reg::NetLength, "net.length", 5, 8},  // data bytes of the request
     {Reg::ClockSetting, "clock", 8, 19},   // bytes of the last TODW or TODWX
-    {Reg::PidHistory, "PID.history", 1, 8},
+    {Reg::PidHistory, "PID.history", 1, 16},
     {Reg::PhaseTen, "phase10", 16, 1},  // ms since the last 10 ms tick that a scan took
     {Reg::PhaseHundred, "phase100", 16, 1},
     {Reg::PhaseSecond, "phase1000", 10, 1},

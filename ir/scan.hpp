@@ -48,7 +48,7 @@ class Scan {
     freshLocals(0);
     enterStack(m_.d.constant(false));
     m_.when(m_.reads({Choice::MainStack, "unknown"}), [&] {
-      for (std::uint32_t i = 0; i < m_.stack.size(); ++i) m_.setLevel(i, m_.externalBit(External::StackBottom, i));
+      for (std::uint32_t i = 0; i < m_.stackLevels; ++i) m_.setLevel(i, m_.externalBit(External::StackBottom, i));
     });
     ended_ = m_.d.constant(false);
     walk(*main);
@@ -60,8 +60,8 @@ class Scan {
     const Flow* routine = m_.plan.interrupt(number);
     if (routine == nullptr) return;
     m_.when(condition, [&] {
-      freshLocals(9);
-      const Context saved = enter(9);
+      freshLocals(interruptFrame);
+      const Context saved = enter(interruptFrame);
       m_.stack[0] = m_.reads({Choice::InterruptStack, "one"});
       std::array<Bits, 4> accumulators;
       for (std::uint32_t i = 0; i < 4; ++i) accumulators[i] = m_.get(Reg::Accumulator, i);
@@ -80,7 +80,7 @@ class Scan {
 
  private:
   struct Context {
-    std::array<Bool, 9> stack;
+    LogicStack<D> stack;
     Bool scrActive;
     unsigned frame;
     const Instruction* current;
@@ -99,7 +99,7 @@ class Scan {
     return saved;
   }
   void freshLocals(unsigned frame) {
-    for (std::uint32_t byte = 0; byte < 64; ++byte) hooks_.freshLocal(*this, frame, byte);
+    for (std::uint32_t byte = 0; byte < frameBytes; ++byte) hooks_.freshLocal(*this, frame, byte);
   }
   void leave(const Context& saved) {
     m_.stack = saved.stack;
@@ -327,15 +327,17 @@ void Scan<D, Hooks>::call(const Instruction& instruction) {
   const Flow* callee = hasNumber ? m_.plan.subroutine(static_cast<int>(instruction.operands[0].value)) : nullptr;
   if (callee == nullptr) return hooks_.callWithoutBody(*this, instruction);
   const unsigned calleeFrame = m_.frame + 1;
-  const bool tooDeep = m_.inInterrupt ? calleeFrame > 10 : calleeFrame > 8;  // 001:6744, 001:5444
+  const bool tooDeep = m_.inInterrupt
+                           ? calleeFrame > interruptFrame + static_cast<unsigned>(m_.features.interruptNesting)
+                           : calleeFrame > mainNesting;
   m_.hazard(Hazard::NestingTooDeep, m_.d.constant(tooDeep));
   if (tooDeep) return;
   freshLocals(calleeFrame);
   copyIn(instruction, *callee->pou, calleeFrame);
   Context saved = enter(calleeFrame);
   const Bool shared = m_.inInterrupt ? m_.reads({Choice::InterruptCallStack, "shared"}) : m_.d.constant(false);
-  const auto share = [&](std::array<Bool, 9>& to, const std::array<Bool, 9>& from) {
-    for (std::size_t i = 0; i < to.size(); ++i) to[i] = m_.d.select(shared, from[i], to[i]);
+  const auto share = [&](LogicStack<D>& to, const LogicStack<D>& from) {
+    for (std::size_t i = 0; i < m_.stackLevels; ++i) to[i] = m_.d.select(shared, from[i], to[i]);
   };
   share(m_.stack, saved.stack);
   walk(*callee);

@@ -13,20 +13,18 @@ namespace rungproof {
 namespace {
 
 std::string cpuText(const Target& target) {
-  return fmt::format("CPU {} ({} edition of the manual)", cpuName(target.cpu),
-                     target.edition == Edition::Edition2003 ? "2003" : "2004");
+  return fmt::format("CPU {} ({})", cpuName(target.cpu), editionText(target.edition));
 }
 
-Target otherEdition(Target target) {
-  target.edition = target.edition == Edition::Edition2003 ? Edition::Edition2004 : Edition::Edition2003;
+Target inOtherEdition(Target target) {
+  target.edition = otherEdition(target);
   return target;
 }
 
 /// The editions disagree on L60-L63 and on SM166-SM179 of the 221 without a change of the hardware (s7200 C2, C7).
 bool isDisputed(const Target& target, Area area, Width width, std::uint32_t offset) {
-  if (area != Area::L && area != Area::SM) return false;
-  return editionCovers(otherEdition(target).edition, target.cpu) &&
-         addressExists(otherEdition(target), area, width, offset, 0);
+  if (isSmart(target) || (area != Area::L && area != Area::SM)) return false;
+  return addressExists(inOtherEdition(target), area, width, offset, 0);
 }
 
 std::string limitText(const AddressLimit& limit) {
@@ -75,7 +73,7 @@ void reportAddress(const Facts& facts, FindingSink& sink, const Instruction& ins
   if (isBeyond && isDisputed(target, operand.area, width, operand.offset)) {
     finding.severity = Severity::Warning;
     finding.help = fmt::format("the other edition of the manual allows it ({}); check against the device",
-                               limitText(*addressLimit(otherEdition(target), operand.area, width)));
+                               limitText(*addressLimit(inOtherEdition(target), operand.area, width)));
   }
 }
 

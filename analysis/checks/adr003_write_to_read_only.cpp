@@ -15,7 +15,7 @@ void checkAdr003(const Facts& facts, FindingSink& sink) {
   std::uint8_t lastOperand = 0;
   for (const Access& access : facts.accesses().all()) {
     if (!access.write || access.maybe || access.viaPointer || access.operand == impliedOperand) continue;
-    const bool isStatus = access.area == Area::SM && !smRow(access.offset, 0).isWritable();
+    const bool isStatus = access.area == Area::SM && !smRow(facts.target(), access.offset, 0).isWritable();
     if (!isStatus && !isReadOnlyArea(access.area)) continue;
     if (access.instruction == lastInstruction && access.operand == lastOperand) continue;
     lastInstruction = access.instruction;

@@ -29,8 +29,11 @@ void checkConstant(const Facts& facts, FindingSink& sink, const Instruction& ins
     return finding;
   };
   if (desc.hasRanges()) {
-    if (valueIsInRange(desc, value, everyCpu)) return;  // some CPU has it: ADR009 asks whether this one has
-    const std::string limits = rangesText(desc, facts.target().cpu);
+    const Cpu cpu = facts.target().cpu;
+    if ((instruction.desc->cpus & cpuBit(cpu)) == 0) return;
+    // Some CPU of the family has it: ADR009 asks whether this one has.
+    if (valueIsInRange(desc, value, familyOf(cpu))) return;
+    const std::string limits = rangesText(desc, cpu);
     report(fmt::format("{} of {} must be {}, not {}", desc.name, Facts::text(instruction), limits, operand.value))
         .help = fmt::format("the limit stands with the instruction ({}); error 0092 or 0090 at download",
                             instruction.desc->manual);

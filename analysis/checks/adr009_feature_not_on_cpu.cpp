@@ -8,6 +8,7 @@
 #include "analysis/facts.hpp"
 #include "analysis/operand_check.hpp"
 #include "analysis/rule.hpp"
+#include "ir/event.hpp"
 
 namespace rungproof {
 
@@ -25,6 +26,11 @@ class Checker {
     } else if (desc.since2004 && target.edition == Edition::Edition2003) {
       report(instruction.mnemonic,
              fmt::format("{} does not exist in the 2003 edition; it came with 2004 (001:130)", desc.stl));
+    }
+    if (desc.since28 && target.edition == Edition::Smart27) {
+      report(instruction.mnemonic, fmt::format("{} came with firmware V2.8 of the S7-200 SMART; the program is for {}",
+                                               desc.stl, editionText(target.edition)))
+          .severity = Severity::Warning;
     }
     const std::size_t count = std::min<std::size_t>(instruction.operands.size(), desc.operandCount);
     for (std::size_t i = 0; i < count; ++i) operand(instruction, i);
@@ -50,7 +56,7 @@ class Checker {
     if ((role == Role::Hsc || role == Role::Hdef) && i == 0) return fastCounter(instruction, operand, value);
     if (desc.type == Type::Subroutine) return subroutine(instruction, operand, value);
     if (desc.name == "EVNT") return event(instruction, operand, value);
-    if (!desc.hasRanges() || !valueIsInRange(desc, operand.value, everyCpu) ||
+    if (!desc.hasRanges() || !valueIsInRange(desc, operand.value, familyOf(facts_.target().cpu)) ||
         valueIsInRange(desc, operand.value, cpuBit(facts_.target().cpu)))
       return;
     report(operand.span, fmt::format("{} of {} must be {} on the {}, not {} ({})", desc.name, Facts::text(instruction),
@@ -67,10 +73,12 @@ class Checker {
   }
 
   void event(const Instruction& instruction, const Operand& operand, int number) {
-    if (number < 0 || number > 33 || eventExists(facts_.target(), number)) return;
-    report(operand.span, fmt::format("the {} has no interrupt event {}, which {} names (001:5366)", cpu(), number,
-                                     Facts::text(instruction)))
-        .address = toString(operand);
+    if (number < 0 || number >= eventCount || eventExists(facts_.target(), number)) return;
+    Finding& finding = report(operand.span, fmt::format("the {} has no interrupt event {}, which {} names (001:5366)",
+                                                        cpu(), number, Facts::text(instruction)));
+    finding.address = toString(operand);
+    const bool isUnlisted = number == 14 || number == 15 || (number >= 39 && number <= 42);
+    if (isSmart(facts_.target()) && isUnlisted) finding.severity = Severity::Warning;  // in no list, in none refused
   }
 
   void subroutine(const Instruction& instruction, const Operand& operand, int number) {

@@ -50,7 +50,7 @@ void checkInt005(const Facts& facts, FindingSink& sink) {
     const int counter = static_cast<int>(instruction.operands[0].value),
               mode = static_cast<int>(instruction.operands[1].value);
     for (int input = 0; input < inputCount; ++input) {
-      if (hscUsesInput(counter, mode, input)) claim(input, {&instruction, counter});
+      if (hscUsesInput(facts.target(), counter, mode, input)) claim(input, {&instruction, counter});
     }
   }
   for (const Attachment& a : facts.calls().attachments()) {

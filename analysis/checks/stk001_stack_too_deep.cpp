@@ -1,4 +1,5 @@
-// STK001: a level of the logic stack is lost at the bottom and used later. The stack has nine levels; only levels that
+// STK001: a level of the logic stack is lost at the bottom and used later. The stack has nine levels, that of
+// the S7-200 SMART 32; only levels that
 // something still needs are counted, because leftovers of earlier networks may fall out unharmed.
 // The run is analysis/stack_depth. Tested by its examples and tests/rules/stack_depth_test.cpp.
 #include <fmt/format.h>
@@ -14,12 +15,13 @@ namespace rungproof {
 namespace {
 
 void checkStk001(const Facts& facts, FindingSink& sink) {
+  const int levels = cpuFeatures(facts.target()).stackLevels;
   for (const StackFault& fault : facts.stack().faults()) {
     if (fault.kind != StackFaultKind::TooDeep) continue;
     Finding& finding = sink.report(
         fault.instruction->span,
-        fmt::format("{} pushes a tenth level; the stack has nine, and the lowest level is lost though {} uses it later",
-                    Facts::text(*fault.instruction), Facts::text(*fault.other)));
+        fmt::format("{} pushes level {}; the stack has {}, and the lowest level is lost though {} uses it later",
+                    Facts::text(*fault.instruction), levels + 1, levels, Facts::text(*fault.other)));
     finding.related.push_back({fault.other->span, "the lost level is used here, where the CPU finds 0 or 1 by chance"});
     finding.help = "split the network, or keep an intermediate result in an M bit (error 0081, 001:13983)";
   }
@@ -53,7 +55,8 @@ extern constexpr Rule stk001_stack_too_deep = {
     .severity = Severity::Error,
     .needs = Needs::Flow,
     .detects =
-        "a load or LPS when nine levels are in use, so that a level which is needed later is pushed out of the bottom",
+        "a load or LPS when all nine levels are in use (S7-200 SMART: 32), so that a level which is needed later is "
+        "pushed out of the bottom",
     .why =
         "the ninth level is lost silently at run time, a pop brings an unknown value, and the compiler may refuse the "
         "network with error 0081",

@@ -15,8 +15,9 @@ void checkStk006(const Facts& facts, FindingSink& sink) {
   if (facts.program().olderDialect) return;
   for (const Pou& pou : facts.program().pous) {
     for (const Network& network : pou.networks) {
-      if (!network.complete || network.drawing != nullptr || raise(network, Form::Ladder).drawing) continue;
-      const Raised fbd = raise(network, Form::Fbd);
+      if (!network.complete || network.drawing != nullptr || raise(network, Form::Ladder, facts.target()).drawing)
+        continue;
+      const Raised fbd = raise(network, Form::Fbd, facts.target());
       if (fbd.drawing) continue;
       const Span place = fbd.at == nullptr ? network.span : fbd.at->span;
       sink.report(place, fmt::format("neither LAD nor FBD can show this network: {}", fbd.reason)).help =

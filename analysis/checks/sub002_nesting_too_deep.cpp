@@ -4,13 +4,11 @@
 
 #include "analysis/facts.hpp"
 #include "analysis/rule.hpp"
+#include "ir/frame.hpp"
 
 namespace rungproof {
 
 namespace {
-
-constexpr int levelsFromMain = 8;       // 001:6744
-constexpr int levelsFromInterrupt = 1;  // 001:5444, 001:6746
 
 void checkFrom(const Facts& facts, FindingSink& sink, std::uint32_t root, int allowed,
                std::vector<std::uint8_t>& reported) {
@@ -39,8 +37,9 @@ void checkSub002(const Facts& facts, FindingSink& sink) {
   std::vector<std::uint8_t> reported(facts.program().pous.size(), 0);
   for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block) {
     const PouKind kind = facts.program().pous[block].kind;
-    if (kind == PouKind::Main) checkFrom(facts, sink, block, levelsFromMain, reported);
-    if (kind == PouKind::Interrupt) checkFrom(facts, sink, block, levelsFromInterrupt, reported);
+    if (kind == PouKind::Main) checkFrom(facts, sink, block, static_cast<int>(mainNesting), reported);
+    if (kind == PouKind::Interrupt)
+      checkFrom(facts, sink, block, cpuFeatures(facts.target()).interruptNesting, reported);
   }
 }
 
@@ -53,7 +52,9 @@ extern constexpr Rule sub002_nesting_too_deep = {
     .title = "Nesting too deep",
     .severity = Severity::Error,
     .needs = Needs::Text,
-    .detects = "calls nested more than 8 levels below the main program, or more than 1 below an interrupt routine",
+    .detects =
+        "calls nested more than 8 levels below the main program, or more than 1 (S7-200 SMART: 4) below an interrupt "
+        "routine",
     .why = "the ninth call is not executed and gives run-time error 0008",
     .manual = "001:5444, 001:6744-6746, 001:13956",
     .bad =

@@ -27,7 +27,11 @@ std::string nameOf(const Instruction& instruction) {
 
 class Raising {
  public:
-  Raising(const Network& network, Form form) : network_(network), form_(form), idiom_(callIdiomOf(network)) {}
+  Raising(const Network& network, Form form, const Target& target)
+      : network_(network),
+        form_(form),
+        idiom_(callIdiomOf(network)),
+        stackLevels_(static_cast<std::size_t>(cpuFeatures(target).stackLevels)) {}
 
   Raised run() {
     if (!network_.complete) return {std::nullopt, "a line of the network could not be read", nullptr};
@@ -72,13 +76,13 @@ class Raising {
       return false;
     }
     if (levels_.size() >= count) return true;
-    refuseHere(isLost_ ? "takes a value that was pushed out of the nine levels"
+    refuseHere(isLost_ ? "takes a value that was pushed out of the logic stack"
                        : "takes a value that this network has not loaded");
     return false;
   }
   void push(DrawnLevel level) {
     levels_.push_back(std::move(level));
-    if (levels_.size() <= stackLevels) return;
+    if (levels_.size() <= stackLevels_) return;
     levels_.erase(levels_.begin());
     isLost_ = true;
   }
@@ -382,6 +386,7 @@ class Raising {
   const Network& network_;
   Form form_;
   CallIdiom idiom_;
+  std::size_t stackLevels_;
   std::size_t at_ = 0;
   std::vector<Element> elements_;
   std::vector<std::uint32_t> replaced_;
@@ -400,6 +405,6 @@ class Raising {
 
 }  // namespace
 
-Raised raise(const Network& network, Form form) { return Raising(network, form).run(); }
+Raised raise(const Network& network, Form form, const Target& target) { return Raising(network, form, target).run(); }
 
 }  // namespace rungproof

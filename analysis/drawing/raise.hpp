@@ -25,7 +25,7 @@ struct Raised {
 };
 
 /// Draws a network of STL. `form`: Ladder or Fbd. Does not look at Network::drawing.
-Raised raise(const Network& network, Form form);
+Raised raise(const Network& network, Form form, const Target& target = {});
 
 /// The same circuit with gates in place of contacts in series and of joined branches; exists for every ladder. In
 /// the elements `instruction` stays; a gate made from a contact has that of the contact.

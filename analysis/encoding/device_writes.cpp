@@ -32,7 +32,7 @@ bool isConstantPort(const Instruction& instruction) {
 }  // namespace
 
 DeviceWrites::DeviceWrites(Graph& graph, const Plan& plan, const TableTargets& pointers, Source source)
-    : graph_(graph), source_(std::move(source)) {
+    : graph_(graph), source_(std::move(source)), target_(plan.program->target) {
   collect(plan, pointers);
 }
 
@@ -82,13 +82,15 @@ void DeviceWrites::begin(Machine<Graph>& machine) {
     if (receives_[port]) beginPort(machine, port, PortUse::Reception);
   }
   if (!requests_.empty()) beginNetwork(machine);
-  for (std::uint32_t output = 0; output < 2; ++output) {
+  for (std::uint32_t output = 0; output < pulseOutputCount; ++output) {
     if (pulses_[output]) beginPulses(machine, output);
   }
   // The status shows the end to the engine: it is written even where the program does not look.
   for (std::uint32_t i = 0; i < 2; ++i) {
     if (transmits_[i]) writesTo(Area::SM, 4);
     if (receives_[i]) writesTo(Area::SM, receiveStatus(i));
+  }
+  for (std::uint32_t i = 0; i < pulseOutputCount; ++i) {
     if (pulses_[i]) writesTo(Area::SM, pulseStatus(i));
   }
   for (const auto& [address, end] : answered_) writesTo(*pointer::areaOf(address), pointer::offsetOf(address));
@@ -159,7 +161,8 @@ const std::vector<DeviceWrites::ByteWrite>& DeviceWrites::writesTo(Area area, st
   const bool hasTables = !requests_.empty() || !messages_[0].empty() || !messages_[1].empty();
   if (area != Area::SM && !hasTables) return none;
   // Its write depends on the bit itself: the cell of the bit comes first.
-  if (area == Area::SM && byte == saveByte) source_.start(memoryPlace(Area::SM, saveByte, Width::Bit, saveBit));
+  if (area == Area::SM && byte == saveByte && savesMemory(target_))
+    source_.start(memoryPlace(Area::SM, saveByte, Width::Bit, saveBit));
   if (const auto found = known_.find({area, byte}); found != known_.end()) return found->second;
   std::vector<ByteWrite> list;
   if (area == Area::SM) statusWrites(byte, list);
@@ -195,7 +198,7 @@ void DeviceWrites::statusWrites(std::uint32_t byte, std::vector<ByteWrite>& list
     if (byte == 4 && transmits_[port])
       list.push_back({ends_.at(eventOfEnd(PortUse::Transmission, port)), number(0xFF, 8), 1U << transmitterBit(port)});
   }
-  for (std::uint32_t output = 0; output < 2; ++output) {
+  for (std::uint32_t output = 0; output < pulseOutputCount; ++output) {
     if (!pulses_[output]) continue;
     const Node end = ends_.at(eventOfTrain(output));
     if (byte == pulseStatus(output)) {
@@ -217,7 +220,7 @@ void DeviceWrites::statusWrites(std::uint32_t byte, std::vector<ByteWrite>& list
     const Node isDefined = isNot(graph_.make(Op::Equal, 1, reg(Reg::HscMode, counter), number(0, 8)));
     list.push_back({isDefined, source_.input(fmt::format("status of HSC{}", counter), 8), counterBits});
   }
-  if (byte == saveByte) {
+  if (byte == saveByte && savesMemory(target_)) {
     const Node asked = source_.start(memoryPlace(Area::SM, saveByte, Width::Bit, saveBit));
     list.push_back({both(asked, source_.input("value is saved", 1)), number(0, 8), 1U << saveBit});
   }
@@ -283,7 +286,8 @@ void DeviceWrites::networkWrites(Area area, std::uint32_t byte, std::vector<Byte
 }
 
 bool DeviceWrites::mayWrite(const Place& place) {
-  if (place.area == Area::SM && smRow(place.byte(), place.width == 1 ? place.bit() : 0).source == SmSource::Device)
+  if (place.area == Area::SM &&
+      smRow(target_, place.byte(), place.width == 1 ? place.bit() : 0).source == SmSource::Device)
     return true;
   for (std::uint32_t byte = place.byte(); byte <= (place.at + place.width - 1U) / 8; ++byte) {
     if (!writesTo(place.area, byte).empty()) return true;

@@ -86,13 +86,15 @@ class DeviceWrites {
 
   Graph& graph_;
   const Source source_;
-  std::array<bool, 2> transmits_{}, receives_{}, pulses_{};
+  const Target target_;
+  std::array<bool, 2> transmits_{}, receives_{};
+  std::array<bool, pulseOutputCount> pulses_{};
   std::set<std::uint32_t> counters_;
   std::array<std::vector<Table>, 2> messages_;  ///< of RCV by port
   std::vector<Table> requests_;                 ///< of NETR and NETW
   std::map<int, Node> ends_;                    ///< by event
   std::map<std::uint32_t, Node> answered_;      ///< by network table: its request ends
-  std::array<Node, 2> aborted_{noNode, noNode};
+  std::array<Node, pulseOutputCount> aborted_{noNode, noNode, noNode, noNode};
   std::map<std::pair<Area, std::uint32_t>, std::vector<ByteWrite>> known_;
   std::vector<DeviceWrite> writes_;
 };

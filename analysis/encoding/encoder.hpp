@@ -37,8 +37,8 @@ struct EncoderOptions {
   Choices choices;
   bool coversAllReadings = false;  ///< those of fixed choices too, to see what depends on them
   TimeRange time;
-  bool initialRetentive = false;  ///< retentive cells start with any value
-  std::vector<RetentiveRange> retentive = defaultRetentiveRanges();
+  bool initialRetentive = false;                           ///< retentive cells start with any value
+  std::optional<std::vector<RetentiveRange>> retentive{};  ///< those of the system block; nothing: the CPU's default
   std::vector<ExternalBytes> externals;
   std::vector<Operand> observed;  ///< direct operands that properties read: they shape the state variables
   /// By Instruction::id: what cannot reach any question and is not encoded (analysis/cone_of_influence.hpp).

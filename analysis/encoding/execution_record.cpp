@@ -82,6 +82,7 @@ void ExecutionRecord::at(Machine<Graph>& machine, const Instruction& instruction
 void ExecutionRecord::followHeights(Machine<Graph>& machine, const Instruction& instruction, const Site& site) {
   Graph& graph = machine.d;
   const auto number = [&](std::uint64_t value) { return graph.literal(value, heightBits); };
+  const std::uint64_t levels = machine.stackLevels;
   Heights& here = heights_[machine.frame];
   // Where no path enters a network in its middle, all paths that come here have the same heights.
   const bool isSame = !hasEntriesWithin_[site.block] || site.isEntry;
@@ -99,7 +100,9 @@ void ExecutionRecord::followHeights(Machine<Graph>& machine, const Instruction& 
   const Role role = roleOf(instruction);
   std::uint64_t deepest = effect.needs;  // levels that must be there
   if (role == Role::Lds && !instruction.operands.empty())
-    deepest = static_cast<std::uint64_t>(std::clamp<std::int64_t>(instruction.operands[0].value, 0, levels - 1)) + 1;
+    deepest = static_cast<std::uint64_t>(
+                  std::clamp<std::int64_t>(instruction.operands[0].value, 0, static_cast<std::int64_t>(levels) - 1)) +
+              1;
   if (deepest > 0) {
     const Graph::Bool isLost =
         graph.ult({here.height}, graph.add({here.lost}, number(deepest), heightBits), heightBits);
@@ -142,7 +145,7 @@ void ExecutionRecord::followContacts(Machine<Graph>& machine, const Instruction&
 /// What the instruction does to the levels without the contact. False if that cannot be told.
 bool ExecutionRecord::follow(Machine<Graph>& machine, const Instruction& instruction, Bridged& bridged) {
   Graph& graph = machine.d;
-  std::array<Graph::Bool, levels>& stack = bridged.stack;
+  LogicStack<Graph>& stack = bridged.stack;
   const Role role = roleOf(instruction);
   const auto push = [&](Graph::Bool value) {
     std::copy_backward(stack.begin(), stack.end() - 1, stack.end());

@@ -48,10 +48,9 @@ class ExecutionRecord {
   const std::map<const Instruction*, Node>& contactEffects() const { return contactEffects_; }
 
  private:
-  static constexpr int levels = 9;
-  static constexpr std::uint64_t bottom = 32;  ///< height at which a network begins: what is below belongs to others
+  static constexpr std::uint64_t bottom =
+      mostStackLevels;  ///< height at which a network begins: what is below belongs to others
   static constexpr int heightBits = 16;
-  static constexpr std::size_t frames = 11;
 
   struct Site {
     std::uint32_t block = 0, network = 0;
@@ -68,7 +67,7 @@ class ExecutionRecord {
   struct Bridged {
     const Instruction* contact;
     std::uint32_t block, network;
-    std::array<Graph::Bool, levels> stack;
+    LogicStack<Graph> stack;
     bool takesTop = false;  ///< the last instruction made a new top: go on with that
   };
 
@@ -81,7 +80,7 @@ class ExecutionRecord {
   std::vector<bool> hasEntriesWithin_;  ///< by block: a jump leads into the middle of one of its networks
   std::vector<bool> takesFromBelow_;    ///< by block: some network uses levels of an earlier one
   bool contacts_;
-  std::array<Heights, frames> heights_{};
+  std::array<Heights, frameCount> heights_{};
   std::vector<Bridged> bridged_;
   std::vector<Visit> visits_;
   std::vector<LostLevel> lostLevels_;

@@ -72,12 +72,12 @@ void addCauseKeys(int event, Footprint& footprint) {
     reads(registerPlace(Reg::HscEnabled, counter->counter));
   }
   if (isPulseEvent(event)) {
-    const std::uint32_t output = event == 19 ? 0 : 1;
+    const std::uint32_t output = outputOfTrain(event);
     reads(registerPlace(Reg::PulseIsPwm, output));
     for (const Reg reg :
          {Reg::PulseBusy, Reg::PulsePending, Reg::PulseCycle, Reg::PulseCount, Reg::PulseIsMs, Reg::PulseSegments})
       changes(registerPlace(reg, output));
-    changes(memoryPlace(Area::SM, output == 0 ? 66 : 76, Width::Bit, 7));
+    changes(memoryPlace(Area::SM, pulseStatus(output), Width::Bit, pulseIdle));
   }
   if (const auto port = portEvent(event)) {
     changes(registerPlace(Reg::PortBusy, port->port));

@@ -13,7 +13,7 @@ MemoryLayout::MemoryLayout(const Target& target) {
     cuts_[static_cast<std::size_t>(a)].resize(inRegisters ? 0 : area == Area::L ? localBytes : areaSize(target, area));
   }
   std::vector<Cut>& special = cuts_[static_cast<std::size_t>(Area::SM)];
-  for (const SmRow& row : smTable) {
+  for (const SmRow& row : smTable(target)) {
     if (row.first >= special.size()) break;
     special[row.first].startsHere = true;
     if (row.low != 0 || row.high != 7) special[row.first].isSingleBits = true;

@@ -7,12 +7,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "ir/frame.hpp"
 #include "ir/plan.hpp"
 
 namespace rungproof {
 
 /// Bytes of local memory: main, eight nesting levels, interrupt routine and its subroutine (001:1367).
-inline constexpr std::uint32_t localBytes = 11 * 64;
 
 class MemoryLayout {
  public:

@@ -42,6 +42,13 @@ bool definesCounter(const Plan& plan, std::uint32_t counter) {
 
 constexpr std::string_view unresolvedReason = "pointer whose targets could not be found";
 
+/// With what the CPU makes of choices that nobody has made.
+EncoderOptions optionsFor(const Target& target, EncoderOptions options) {
+  options.choices = choicesFor(target, options.choices);
+  if (!options.retentive) options.retentive = defaultRetentiveRanges(target);
+  return options;
+}
+
 }  // namespace
 
 ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options, const Plan& plan,
@@ -49,7 +56,7 @@ ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options
     : graph(options.trail && options.trail->isFollowed ? Rewriting::None : Rewriting::Full),
       time(graph, options.time),
       program_(program),
-      options_(options),
+      options_(optionsFor(program.target, options)),
       plan_(plan),
       knowledge_(knowledge),
       initial_(powerUpState(plan, options.choices)),
@@ -193,11 +200,11 @@ Node ScanEncoding::init(const Place& place) const {
     if (place.reg == Reg::Reading && !isFixed(choiceOfReading(place.at))) return noNode;
     const bool isTimer = place.reg == Reg::TimerCurrent, isCounter = place.reg == Reg::CounterCurrent;
     if (options_.initialRetentive && (isTimer || isCounter) &&
-        isRetentive(options_.retentive, isTimer ? Area::T : Area::C, place.at))
+        isRetentive(*options_.retentive, isTimer ? Area::T : Area::C, place.at))
       return noNode;
     return g.constantNode(initial_.get(place.reg, place.at), place.width);
   }
-  if (options_.initialRetentive && isRetentive(options_.retentive, place.area, place.byte())) return noNode;
+  if (options_.initialRetentive && isRetentive(*options_.retentive, place.area, place.byte())) return noNode;
   if (place.width == 1) return g.constantNode(initial_.load(place.area, place.byte() * 8 + place.bit(), 1), 1);
   std::uint64_t value = 0;
   for (std::uint32_t i = 0; i < place.width / 8U; ++i)
@@ -316,7 +323,8 @@ RoundsLeft ScanEncoding::beyondLimit(Graph::Bool condition, bool isFirst) {
     approximations[index].carriers.push_back(input(name + " in later rounds", width));
     return approximations[index].carriers.back();
   };
-  for (Graph::Bool& level : machine_.stack) level = graph.select(taken, {any("stack", 1)}, level);
+  for (Graph::Bool& level : std::span(machine_.stack).first(machine_.stackLevels))
+    level = graph.select(taken, {any("stack", 1)}, level);
   if (widening_.freesScr(branch)) machine_.scrActive = graph.select(taken, {any("SCR stack", 1)}, machine_.scrActive);
   for (const Place& place : widening_.freed(branch)) store_.replace(place, any(nameOf(place), place.width), taken);
   return RoundsLeft::Follow;

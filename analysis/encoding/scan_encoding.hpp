@@ -166,7 +166,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   Approximation& approximate(const Instruction* place, std::string_view reason);
 
   const Program& program_;
-  const EncoderOptions& options_;
+  const EncoderOptions options_;
   const Plan& plan_;
   const Knowledge& knowledge_;
   Concrete::Store initial_;

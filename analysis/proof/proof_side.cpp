@@ -112,8 +112,10 @@ TransitionSystem ProofSide::accelerated(std::size_t question, std::uint32_t long
 
 std::vector<std::string> environmentTexts(const Program& program, const PropertySet& set, const TimeRange& time) {
   std::vector<std::string> texts;
-  texts.push_back(fmt::format("CPU {}, {} edition", cpuName(program.target.cpu),
-                              program.target.edition == Edition::Edition2003 ? 2003 : 2004));
+  texts.push_back(
+      isSmart(program.target)
+          ? fmt::format("CPU {}, {}", cpuName(program.target.cpu), editionName(program.target.edition))
+          : fmt::format("CPU {}, {} edition", cpuName(program.target.cpu), editionName(program.target.edition)));
   texts.push_back(time.low == time.high ? fmt::format("every scan lasts {} ms", time.low)
                                         : fmt::format("every scan lasts {} to {} ms", time.low, time.high));
   texts.push_back(set.initialRetentive ? "retentive memory starts with any value, the rest with zero"

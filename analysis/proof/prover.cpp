@@ -459,8 +459,10 @@ std::vector<std::string> reasonsForAll(const PropertySet& set, const UnreadCode&
 
 }  // namespace
 
-ProofRun prove(const Program& program, const PropertySet& set, const ProverOptions& options,
+ProofRun prove(const Program& program, const PropertySet& set, const ProverOptions& given,
                const ProofProgress& progress) {
+  ProverOptions options = given;
+  options.choices = choicesFor(program.target, given.choices);
   if (options.unread == nullptr || options.unread->empty()) {
     ProofRun run = proveInParts(program, set, options, progress);
     noteUntouched(program, set, options, run.results);

@@ -120,7 +120,7 @@ ReplayScan ScanRun::script() const {
     if (holds(t.where.guard) && ticks != 0) result.script.ticks1.push_back({placeOf(t.where), ticks});
   }
   for (const EventSite& e : scan_.eventSites()) {
-    if (holds(e.where.guard) && holds(e.fires)) 
+    if (holds(e.where.guard) && holds(e.fires))
       result.script.events.push_back({placeOf(e.where), e.event, false, holds(e.waited)});
   }
   return result;

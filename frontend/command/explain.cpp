@@ -102,10 +102,10 @@ Json rowJson(const SmRow& row) {
           {"manual", row.manual}};
 }
 
-Page specialMemoryPage(const Paint& paint) {
+Page specialMemoryPage(const Target& target, const Paint& paint) {
   Page page{paint.bold("Where the values of special memory come from") + "\n\n", Json::array()};
   std::vector<TextRow> rows;
-  for (const SmRow& row : smTable) {
+  for (const SmRow& row : smTable(target)) {
     rows.push_back({rowName(row), fmt::format("{}: {} ({})", row.text, sourceText(row.source), row.manual)});
     page.json.push_back(rowJson(row));
   }
@@ -114,12 +114,12 @@ Page specialMemoryPage(const Paint& paint) {
 }
 
 /// "SM0.3", "SMB28": the row of the bit, or of the first bit.
-std::optional<Page> specialBitPage(const std::string& word, const Paint& paint) {
+std::optional<Page> specialBitPage(const Target& target, const std::string& word, const Paint& paint) {
   Operand operand;
   if (!readAddress(word, Spelling::International, operand) || operand.area != Area::SM || operand.bit > 7)
     return std::nullopt;
-  if (operand.offset > smTable.back().last) return std::nullopt;
-  const SmRow& row = smRow(operand.offset, operand.width == Width::Bit ? operand.bit : 0);
+  if (operand.offset > smTable(target).back().last) return std::nullopt;
+  const SmRow& row = smRow(target, operand.offset, operand.width == Width::Bit ? operand.bit : 0);
   return Page{
       fmt::format("{}: {}\n\n  {}\n  {}; {}\n", paint.bold(rowName(row)), paint.bold(row.text), sourceText(row.source),
                   row.isWritable() ? "the program may write it" : "read-only", row.manual),
@@ -149,8 +149,8 @@ std::optional<Page> pageOf(const std::string& word, const Settings& settings, co
   if (const Rule* rule = ruleNamed(word)) return Page{rulePage(*rule, paint), ruleJson(*rule)};
   if (word == "hazards") return hazardsPage(paint);
   if (word == "choices") return choicesPage(paint, settings);
-  if (upper == "SM") return specialMemoryPage(paint);
-  if (auto page = specialBitPage(upper, paint)) return page;
+  if (upper == "SM") return specialMemoryPage(settings.target(), paint);
+  if (auto page = specialBitPage(settings.target(), upper, paint)) return page;
   if (auto page = groupPage(upper, paint)) return page;
   if (const auto code = codeNamed(upper)) {
     return Page{

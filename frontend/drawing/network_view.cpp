@@ -103,9 +103,9 @@ std::vector<std::string> statementLines(const Program& program, const Network& n
 }
 
 /// The drawing of a network in that form, or why there is none.
-Raised drawingOf(const Network& network, Form form) {
+Raised drawingOf(const Network& network, Form form, const Target& target) {
   if (network.drawing != nullptr && network.form == form) return {*network.drawing, {}, nullptr};
-  Raised raised = raise(network, form);
+  Raised raised = raise(network, form, target);
   // A ladder whose values pass through memory in STL is drawn from the ladder itself.
   const bool isLadder = network.drawing != nullptr && network.form == Form::Ladder;
   if (!raised.drawing && form == Form::Fbd && isLadder) return {asFbd(*network.drawing), {}, nullptr};
@@ -130,7 +130,7 @@ NetworkView networkView(const Program& program, const Pou& pou, const Network& n
       options.recorder != nullptr && !network.instructions.empty() && !wasExecuted(network, *options.recorder);
   if (!network.complete) view.reason = "a line of the network could not be read";
   if (options.form != Form::Stl && network.complete && !network.instructions.empty()) {
-    const Raised raised = drawingOf(network, options.form);
+    const Raised raised = drawingOf(network, options.form, program.target);
     view.reason = raised.reason;
     if (raised.drawing) {
       ElementTexts texts(&program, &pou, *raised.drawing);

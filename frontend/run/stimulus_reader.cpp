@@ -146,8 +146,9 @@ class TableReader {
       const std::optional<double> number = numberIn(std::string_view(word).substr(0, mark));
       if (!number || *number != std::floor(*number) || *number < 0 || *number >= eventCount ||
           !eventExists(program.target, static_cast<int>(*number))) {
-        fail(cell, fmt::format("'{}' is no interrupt event of CPU {}", word, cpuName(program.target.cpu)),
-             "events are numbers from 0 to 33; several are separated by blanks");
+        fail(
+            cell, fmt::format("'{}' is no interrupt event of CPU {}", word, cpuName(program.target.cpu)),
+            fmt::format("events are numbers from 0 to {}; several are separated by blanks", lastEvent(program.target)));
         continue;
       }
       if (mark == std::string::npos) {

@@ -15,10 +15,26 @@ namespace {
 
 using namespace option_group;
 
+/// The names of all CPUs, as "212|214|...".
+struct CpuNames {
+  std::array<char, 256> text{};
+  std::size_t length = 0;
+
+  constexpr CpuNames() {
+    for (const CpuRow& row : cpu_rows::rows) {
+      if (length > 0) text[length++] = '|';
+      for (const char c : row.name) text[length++] = c;
+    }
+  }
+  constexpr std::string_view view() const { return {text.data(), length}; }
+};
+
 // clang-format off
+constexpr CpuNames cpuNames;
+
 constexpr std::array table = {
-    OptionInfo{Opt::Cpu, Reading, Arity::One, "cpu", "221|222|224|224XP|226|226XM|212|214", "226", "CPU whose limits count"},
-    OptionInfo{Opt::Edition, Reading, Arity::One, "edition", "2003|2004", "2004", "edition of the system manual whose tables count"},
+    OptionInfo{Opt::Cpu, Reading, Arity::One, "cpu", cpuNames.view(), "226", "CPU whose limits count"},
+    OptionInfo{Opt::Edition, Reading, Arity::One, "edition", "2003|2004|smart-2.7|smart-2.8", "2004", "edition of the system manual whose tables count, or firmware of an S7-200 SMART"},
     OptionInfo{Opt::Dialect, Reading, Arity::One, "dialect", "auto|s7-200|s7-300|s7-400", "auto", "what the files are written in"},
     OptionInfo{Opt::Mnemonics, Reading, Arity::One, "mnemonics", "auto|international|german", "auto", "which set of mnemonics the files use"},
     OptionInfo{Opt::Encoding, Reading, Arity::One, "encoding", "auto|utf-8|cp1252|cp1251|gb18030", "auto", "character encoding of the files"},
@@ -156,6 +172,7 @@ std::vector<std::string_view> permittedWords(std::string_view value) {
 std::optional<Failure> checkValue(const OptionInfo& info, std::string_view text) {
   const auto words = permittedWords(info.value);
   if (words.empty()) return checkForm(info, text);
+  if (info.id == Opt::Cpu && cpuNamed(text)) return std::nullopt;  // in any case of letters
   for (const std::string_view word : words) {
     if (word == text) return std::nullopt;
   }

@@ -80,9 +80,8 @@ std::optional<std::uint64_t> Settings::memory() const { return memoryNamed(text(
 Target Settings::target() const {
   Target target;
   target.cpu = *cpuNamed(text(Opt::Cpu));
-  target.edition = text(Opt::Edition) == "2003" ? Edition::Edition2003 : Edition::Edition2004;
-  // Without an explicit edition, the one that describes the chosen CPU counts (the 226XM left the manual in 2004).
-  if (!isSet(Opt::Edition) && !editionCovers(target.edition, target.cpu)) target.edition = Edition::Edition2003;
+  // Without an explicit edition, the newest that describes the chosen CPU counts (the 226XM left the manual in 2004).
+  target.edition = isSet(Opt::Edition) ? *editionNamed(text(Opt::Edition)) : usualEdition(target.cpu);
   return target;
 }
 
@@ -152,10 +151,12 @@ std::optional<Failure> Settings::setRuleOption(std::string_view id, std::string_
 std::optional<Failure> Settings::check() const {
   const Target chosen = target();
   if (!editionCovers(chosen.edition, chosen.cpu)) {
-    return Failure{
-        fmt::format("the {} edition of the manual does not describe the CPU {}", text(Opt::Edition), text(Opt::Cpu)),
-        {},
-        fmt::format("leave out --edition, or give --edition {}", text(Opt::Edition) == "2003" ? "2004" : "2003")};
+    return Failure{isSmart(chosen.cpu) || chosen.edition == Edition::Smart27 || chosen.edition == Edition::Smart28
+                       ? fmt::format("the CPU {} is not of the edition {}", text(Opt::Cpu), text(Opt::Edition))
+                       : fmt::format("the {} edition of the manual does not describe the CPU {}", text(Opt::Edition),
+                                     text(Opt::Cpu)),
+                   {},
+                   fmt::format("leave out --edition, or give --edition {}", editionName(usualEdition(chosen.cpu)))};
   }
   return std::nullopt;
 }

@@ -12,7 +12,7 @@ namespace rungproof {
 
 namespace {
 
-constexpr std::size_t longestMnemonic = 8;
+constexpr std::size_t longestMnemonic = 10;  // BLKMOV_BIR
 
 std::string capitals(std::string_view text) {
   std::string result(text);
@@ -154,7 +154,7 @@ std::string_view nearestHeading(std::string_view word) {
 }
 
 std::string_view familyOfForeignInstruction(std::string_view word) {
-  static constexpr std::array<std::string_view, 5> smart = {"GET", "PUT", "GIP", "SIP", "RTUM"};
+  static constexpr std::array<std::string_view, 1> smart = {"RTUM"};
   static constexpr std::array<std::string_view, 33> s7300 = {
       "L",   "T",   "X",   "XN",  "FP",   "FN",   "SET", "CLR", "SAVE", "JU",   "JC",
       "JCN", "JCB", "JNB", "SPB", "SPBN", "SPBI", "BE",  "BEC", "BEU",  "BEA",  "BEB",

@@ -1,4 +1,5 @@
-// Table of system names; addresses by comparison of exports with and without names, meanings in Appendix D (001:14027).
+// Table of system names; addresses by comparison of exports with and without names, meanings in
+// Appendix D (001:14027) and, for the S7-200 SMART, in its own table.
 #include "frontend/stl/system_symbol.hpp"
 
 #include <algorithm>
@@ -15,13 +16,46 @@ struct SystemRow {
   std::string_view name;
   std::string_view address;
 };
-constexpr std::array<SystemRow, 22> rows = {{
-    {"Always_On", "SM0.0"},     {"First_Scan_On", "SM0.1"}, {"Clock_1s", "SM0.5"},     {"P0_Config", "SMB30"},
-    {"Time_0_Intrvl", "SMB34"}, {"HSC0_Ctrl", "SMB37"},     {"HSC0_CV", "SMD38"},      {"HSC0_PV", "SMD42"},
-    {"PLS0_Ctrl", "SMB67"},     {"PLS0_Cycle", "SMW68"},    {"PTO0_PC", "SMD72"},      {"PLS1_Ctrl", "SMB77"},
-    {"PLS1_Cycle", "SMW78"},    {"PWM1_PW", "SMW80"},       {"P0_Stat_Rcv", "SMB86"},  {"P0_Ctrl_Rcv", "SMB87"},
-    {"P0_Start_Char", "SMB88"}, {"P0_End_Char", "SMB89"},   {"P0_Idle_Time", "SMW90"}, {"P0_Timeout", "SMW92"},
-    {"P0_Max_Char", "SMB94"},   {"Time_1_Intrvl", "SMB35"},
+constexpr std::array<SystemRow, 78> rows = {{
+    {"Always_On", "SM0.0"},      {"First_Scan_On", "SM0.1"},
+    {"Retentive_Lost", "SM0.2"}, {"RUN_Power_Up", "SM0.3"},
+    {"Clock_60s", "SM0.4"},      {"Clock_1s", "SM0.5"},
+    {"Clock_Scan", "SM0.6"},     {"RTC_Lost", "SM0.7"},
+    {"Result_0", "SM1.0"},       {"Overflow_Illegal", "SM1.1"},
+    {"Table_Overflow", "SM1.4"}, {"Table_Empty", "SM1.5"},
+    {"Not_Hex", "SM1.7"},        {"Receive_Char", "SMB2"},
+    {"Parity_Err", "SM3.0"},     {"Comm_Int_Ovr", "SM4.0"},
+    {"Input_Int_Ovr", "SM4.1"},  {"Timed_Int_Ovr", "SM4.2"},
+    {"RUN_Err", "SM4.3"},        {"Int_Enable", "SM4.4"},
+    {"Xmit0_Idle", "SM4.5"},     {"Xmit1_Idle", "SM4.6"},
+    {"Force_On", "SM4.7"},       {"IO_Err", "SM5.0"},
+    {"CPU_ID", "SMB6"},          {"CPU_IO", "SMB7"},
+    {"P0_Config", "SMB30"},      {"Time_0_Intrvl", "SMB34"},
+    {"HSC0_Ctrl", "SMB37"},      {"HSC0_CV", "SMD38"},
+    {"HSC0_PV", "SMD42"},        {"HSC1_Ctrl", "SMB47"},
+    {"HSC1_CV", "SMD48"},        {"HSC1_PV", "SMD52"},
+    {"HSC2_Ctrl", "SMB57"},      {"HSC2_CV", "SMD58"},
+    {"HSC2_PV", "SMD62"},        {"HSC3_Ctrl", "SMB137"},
+    {"HSC3_CV", "SMD138"},       {"HSC3_PV", "SMD142"},
+    {"HSC4_Ctrl", "SMB147"},     {"HSC4_CV", "SMD148"},
+    {"HSC4_PV", "SMD152"},       {"HSC5_Ctrl", "SMB157"},
+    {"HSC5_CV", "SMD158"},       {"HSC5_PV", "SMD162"},
+    {"PLS0_Ctrl", "SMB67"},      {"PLS0_Cycle", "SMW68"},
+    {"PWM0_PW", "SMW70"},        {"PTO0_PC", "SMD72"},
+    {"PLS1_Ctrl", "SMB77"},      {"PLS1_Cycle", "SMW78"},
+    {"PWM1_PW", "SMW80"},        {"PTO1_PC", "SMD82"},
+    {"PLS2_Ctrl", "SMB567"},     {"PLS2_Cycle", "SMW568"},
+    {"PWM2_PW", "SMW570"},       {"PTO2_PC", "SMD572"},
+    {"PLS3_Ctrl", "SMB581"},     {"PLS3_Cycle", "SMW582"},
+    {"PWM3_PW", "SMW584"},       {"PTO3_PC", "SMD586"},
+    {"P0_Stat_Rcv", "SMB86"},    {"P0_Ctrl_Rcv", "SMB87"},
+    {"P0_Start_Char", "SMB88"},  {"P0_End_Char", "SMB89"},
+    {"P0_Idle_Time", "SMW90"},   {"P0_Timeout", "SMW92"},
+    {"P0_Max_Char", "SMB94"},    {"P1_Stat_Rcv", "SMB186"},
+    {"P1_Ctrl_Rcv", "SMB187"},   {"P1_Start_Char", "SMB188"},
+    {"P1_End_Char", "SMB189"},   {"P1_Idle_Time", "SMW190"},
+    {"P1_Timeout", "SMW192"},    {"P1_Max_Char", "SMB194"},
+    {"P1_Config", "SMB130"},     {"Time_1_Intrvl", "SMB35"},
 }};
 
 struct PointName {

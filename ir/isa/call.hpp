@@ -13,8 +13,9 @@ inline constexpr Forms anyParameter =
 /// The second operand stands for 0 to 16 actual parameters (001:6775). Subroutine numbers: table 6-78 (001:6751)
 /// against 0..63 for the 224XP in table 6-1 (001:2666): the descriptor has the wider range, cpuFeatures the narrower.
 struct Call : InScan {
-  static constexpr CpuSet large = cpuBit(Cpu::Cpu224XP) | cpuBit(Cpu::Cpu226) | cpuBit(Cpu::Cpu226XM);
-  static constexpr CpuSet small = static_cast<CpuSet>(everyCpu & ~large & ~cpuBit(Cpu::Cpu212));
+  static constexpr CpuSet large =
+      cpuBit(Cpu::Cpu224XP) | cpusWith([](const CpuRow& row) { return row.features.subroutines == 128; });
+  static constexpr CpuSet smallest = cpusWith([](const CpuRow& row) { return row.features.subroutines == 16; });
   static constexpr Desc desc =
       withOperands({.stl = "CALL",
                     .meaning = "call a subroutine with up to 16 parameters",
@@ -26,7 +27,7 @@ struct Call : InScan {
                     .time = 900,
                     .manual = "001:6733"},
                    {in("SBR_N", Type::Subroutine, form::Const)
-                        .within({{0, 15, cpuBit(Cpu::Cpu212)}, {0, 63, small}, {0, 127, large}}),
+                        .within({{0, 15, smallest}, {0, 63, everyCpu & ~large & ~smallest}, {0, 127, large}}),
                     optional(inout("parameter", Type::Parameter, anyParameter))});
 };
 struct ReturnConditional : InScan {

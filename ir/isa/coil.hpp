@@ -47,20 +47,22 @@ struct AssignImmediate {
 /// S, R, SI, RI: N consecutive bits to 1 or 0. R on T or C clears the current value as well (001:2791).
 template <bool value, bool immediate, Name stlName, Name germanName, Name meaning>
 struct Latch {
-  static constexpr int limit = immediate ? 128 : 255;  // 001:2789, 001:2800
-  static constexpr Desc desc =
-      withOperands({.stl = stlName.view(),
-                    .german = germanName.view(),
-                    .meaning = meaning.view(),
-                    .group = "boolean",
-                    .role = value ? Role::Set : Role::Reset,
-                    .immediate = immediate,
-                    .stack = {1, 0, 0},
-                    .eno = true,
-                    .time = immediate ? 890 : 290,
-                    .manual = immediate ? "001:2812" : "001:2811"},
-                   {out("bit", Type::Bool, immediate ? form::Q : form::bitAny).counted(1, limit),
-                    in("N", Type::Byte, form::byteIn).within({{1, limit, everyCpu}})});
+  static constexpr int limit = 255;                           // 001:2789
+  static constexpr int s7200Limit = immediate ? 128 : limit;  // 001:2800
+  static constexpr Desc desc = withOperands(
+      {.stl = stlName.view(),
+       .german = germanName.view(),
+       .meaning = meaning.view(),
+       .group = "boolean",
+       .role = value ? Role::Set : Role::Reset,
+       .immediate = immediate,
+       .stack = {1, 0, 0},
+       .eno = true,
+       .time = immediate ? 890 : 290,
+       .manual = immediate ? "001:2812" : "001:2811"},
+      {out("bit", Type::Bool, immediate ? form::Q : form::bitAny).counted(1, limit),
+       in("N", Type::Byte, form::byteIn)
+           .within({{1, s7200Limit, immediate ? s7200Cpus : everyCpu}, {1, limit, immediate ? smartCpus : 0}})});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     const auto count = a.value(1);

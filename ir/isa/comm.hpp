@@ -8,7 +8,7 @@
 namespace rungproof::isa {
 
 constexpr OperandDesc portOperand() {
-  constexpr CpuSet two = cpuBit(Cpu::Cpu224XP) | cpuBit(Cpu::Cpu226) | cpuBit(Cpu::Cpu226XM);
+  constexpr CpuSet two = cpusWith([](const CpuRow& row) { return row.features.ports == 2; });
   return in("PORT", Type::Byte, form::Const).within({{0, 0, everyCpu & ~two}, {0, 1, two}});  // 001:3041
 }
 constexpr Desc commDesc(Role role, std::string_view stl, std::string_view box, std::string_view meaning,
@@ -133,13 +133,19 @@ struct Receive {
   }
 };
 
+/// The S7-200 SMART has GET and PUT instead (ir/isa/ethernet.hpp).
+constexpr Desc onS7200(Desc desc) {
+  desc.cpus = s7200Cpus;
+  return desc;
+}
+
 /// NETR, NETW TBL, PORT: at most eight at a time (001:3033). Byte 0 of the table is the status D A E 0 eeee; an active
 /// table keeps its address in Reg::NetTable until the answer has come. Error codes 001:3052-3065.
 template <bool writes, Name stlName, Name meaning, std::uint32_t time>
 struct Network {
   static constexpr Desc desc =
-      commDesc(writes ? Role::Netw : Role::Netr, stlName.view(), {}, meaning.view(),
-               inout("TBL", Type::Byte, form::V | form::M | form::Pointers).elements(7, 23), time, "001:3040");
+      onS7200(commDesc(writes ? Role::Netw : Role::Netr, stlName.view(), {}, meaning.view(),
+                       inout("TBL", Type::Byte, form::V | form::M | form::Pointers).elements(7, 23), time, "001:3040"));
   static constexpr std::uint64_t active = 0x40, error = 0x20, queueFull = 4, notMaster = 5, badParameter = 6;
   static constexpr std::uint32_t queueSize = 8;
 

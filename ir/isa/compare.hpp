@@ -92,7 +92,11 @@ struct Compare {
         return d.equal(x, y, bits(widthOf(type)));
       }
     };
-    if constexpr (type == Type::Real) m.hazard(Hazard::FatalReal, d.lnot(d.land(d.rlegal(x), d.rlegal(y))));
+    auto isLegal = d.constant(true);
+    if constexpr (type == Type::Real) {
+      isLegal = d.land(d.rlegal(x), d.rlegal(y));
+      m.hazard(m.features.stopsInCompare ? Hazard::FatalReal : Hazard::BadCompareNumber, d.lnot(isLegal));
+    }
     auto result = d.constant(false);
     if constexpr (relation == Relation::Less) result = less(x, y);
     if constexpr (relation == Relation::LessEqual) result = d.lor(less(x, y), equal());
@@ -100,7 +104,12 @@ struct Compare {
     if constexpr (relation == Relation::GreaterEqual) result = d.lor(less(y, x), equal());
     if constexpr (relation == Relation::Greater) result = less(y, x);
     if constexpr (relation == Relation::NotEqual) result = d.lnot(equal());
-    join<joint>(m, result);
+    join<joint>(m, m.features.stopsInCompare ? result : d.land(isLegal, result));
+  }
+  /// The contact of a CPU that goes on after an illegal pointer.
+  template <class D>
+  static void fails(Machine<D>& m) {
+    join<joint>(m, m.d.constant(false));
   }
 };
 
@@ -142,7 +151,7 @@ struct CompareString {
       const auto total = d.add(d.zext(i == 0 ? length : other, 8, 16), m.number(1, 16), 16);
       outside = d.lor(outside, d.lor(d.ult(m.number(255, 16), total, 16), d.lnot(a.fits(i, total, Width::Byte))));
     }
-    m.hazard(Hazard::FatalRange, outside);
+    m.hazard(m.features.stopsInCompare ? Hazard::FatalRange : Hazard::OutOfRange, outside);
     auto equal = d.equal(length, other, 8);
     const auto known = d.known(length) ? d.known(length) : d.known(other);
     const int limit = std::min({known ? static_cast<int>(*known) : 254, roomAfterLength(a, 0), roomAfterLength(a, 1)});
@@ -151,7 +160,12 @@ struct CompareString {
       const auto beyond = d.ule(length, m.number(static_cast<std::uint64_t>(k), 8), 8);
       equal = d.land(equal, d.lor(beyond, d.equal(a.byteAt(0, k + 1), a.byteAt(1, k + 1), 8)));
     }
-    join<joint>(m, relation == Relation::Equal ? equal : d.lnot(equal));
+    const auto result = relation == Relation::Equal ? equal : d.lnot(equal);
+    join<joint>(m, m.features.stopsInCompare ? result : d.land(d.lnot(outside), result));
+  }
+  template <class D>
+  static void fails(Machine<D>& m) {
+    join<joint>(m, m.d.constant(false));
   }
 };
 

@@ -45,8 +45,8 @@ struct Stop : InScan {
 };
 /// Labels of JMP and LBL (001:5798; CPU 212: general knowledge).
 constexpr OperandDesc labelOperand() {
-  constexpr CpuSet c212 = cpuBit(Cpu::Cpu212);
-  return in("N", Type::Label, form::Const).within({{0, 63, c212}, {0, 255, static_cast<CpuSet>(everyCpu & ~c212)}});
+  constexpr CpuSet few = cpusWith([](const CpuRow& row) { return row.features.labels == 64; });
+  return in("N", Type::Label, form::Const).within({{0, 63, few}, {0, 255, everyCpu & ~few}});
 }
 
 struct Jump : InScan {
@@ -115,6 +115,7 @@ struct DiagnosticLed {
                                              .group = "program control",
                                              .drawn = "DIAG_LED",
                                              .stack = {1, 0, 0},
+                                             .cpus = s7200Cpus,
                                              .since2004 = true,
                                              .time = 1400,
                                              .manual = "001:5888"},

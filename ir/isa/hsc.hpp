@@ -13,40 +13,42 @@ inline constexpr std::uint32_t hscCount = 6;
 /// (001:4272-4356).
 inline constexpr std::array<std::uint32_t, hscCount> hscControl = {37, 47, 57, 137, 147, 157};
 
-namespace cpus {
-inline constexpr CpuSet small = cpuBit(Cpu::Cpu221) | cpuBit(Cpu::Cpu222);
-inline constexpr CpuSet large =
-    cpuBit(Cpu::Cpu224) | cpuBit(Cpu::Cpu224XP) | cpuBit(Cpu::Cpu226) | cpuBit(Cpu::Cpu226XM);
-}  // namespace cpus
-
-/// Numbers of counters: HSC1 and HSC2 are missing on CPU 221 and 222 (001:4166).
+/// Numbers of counters: HSC1 and HSC2 are missing on CPU 221 and 222 (001:4166), HSC4 and HSC5 on the compact SMART.
 constexpr OperandDesc counterNumber(std::string_view name, Type type) {
+  constexpr auto with = [](NumberSet counters) {
+    return cpusWith([=](const CpuRow& row) { return row.features.counters == counters; });
+  };
+  constexpr CpuSet gap = with(numbers(0, 0) | numbers(3, 5));
   return in(name, type, form::Const)
-      .within({{0, 0, cpus::small | cpuBit(Cpu::Cpu212)},
-               {3, 5, cpus::small},
-               {0, 5, cpus::large},
-               {0, 2, cpuBit(Cpu::Cpu214)}});
+      .within({{0, 0, gap | with(numbers(0, 0))},
+               {3, 5, gap},
+               {0, 5, with(numbers(0, 5))},
+               {0, 2, with(numbers(0, 2))},
+               {0, 3, with(numbers(0, 3))}});
 }
 
 /// HDEF HSC, MODE: 0003 if an input of that mode is taken, 0004 in an interrupt routine, 000A the second time.
 struct DefineHsc {
-  static constexpr Desc desc =
-      withOperands({.stl = "HDEF",
-                    .meaning = "define the high-speed counter mode",
-                    .group = "high-speed",
-                    .role = Role::Hdef,
-                    .stack = {1, 0, 0},
-                    .eno = true,
-                    .notInInterrupt = true,
-                    .time = 1800,
-                    .manual = "001:4151"},
-                   {counterNumber("HSC", Type::Byte), in("MODE", Type::Byte, form::Const).within({{0, 12, everyCpu}})});
+  static constexpr Desc desc = withOperands(
+      {.stl = "HDEF",
+       .meaning = "define the high-speed counter mode",
+       .group = "high-speed",
+       .role = Role::Hdef,
+       .stack = {1, 0, 0},
+       .eno = true,
+       .notInInterrupt = true,
+       .time = 1800,
+       .manual = "001:4151"},
+      {counterNumber("HSC", Type::Byte),
+       in("MODE", Type::Byte, form::Const)
+           .within({{0, 12, s7200Cpus}, {0, 1, smartCpus}, {3, 4, smartCpus}, {6, 7, smartCpus}, {9, 10, smartCpus}})});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     D& d = m.d;
     const std::uint32_t counter = a.number(0);
     const int mode = static_cast<int>(a.number(1));
-    const bool exists = hscExists(m.target, static_cast<int>(counter)) && hscHasMode(static_cast<int>(counter), mode);
+    const bool exists =
+        hscExists(m.target, static_cast<int>(counter)) && hscHasMode(m.target, static_cast<int>(counter), mode);
     m.hazard(Hazard::OutOfRange, d.constant(!exists));
     m.hazard(Hazard::NotInInterrupt, d.constant(m.inInterrupt));
     if (!exists || m.inInterrupt) return;
@@ -67,13 +69,13 @@ struct DefineHsc {
   static typename D::Bool inputTaken(Machine<D>& m, std::uint32_t counter, int mode) {
     D& d = m.d;
     auto taken = d.constant(false);
-    for (const int input : hscInputs(static_cast<int>(counter))) {
-      if (input < 0 || !hscUsesInput(static_cast<int>(counter), mode, input)) continue;
+    for (const int input : hscInputs(m.target, static_cast<int>(counter))) {
+      if (input < 0 || !hscUsesInput(m.target, static_cast<int>(counter), mode, input)) continue;
       for (std::uint32_t other = 0; other < hscCount; ++other) {
         if (other == counter) continue;
         const auto defined = m.get(Reg::HscMode, other);
         for (int k = 0; k <= 12; ++k) {
-          if (hscUsesInput(static_cast<int>(other), k, input))
+          if (hscUsesInput(m.target, static_cast<int>(other), k, input))
             taken = d.lor(taken, d.equal(defined, m.number(static_cast<std::uint64_t>(k) + 1, 8), 8));
         }
       }

@@ -9,18 +9,22 @@
 
 namespace rungproof::isa {
 
-/// Events of each CPU (001:5366; 226XM: 000:6980-6986).
+/// Events of each CPU (001:5366; 226XM: 000:6980-6986). What of these the oldest and the compact CPUs lack is ADR009's.
 constexpr OperandDesc eventOperand() {
-  constexpr CpuSet small = cpuBit(Cpu::Cpu221) | cpuBit(Cpu::Cpu222);
-  constexpr CpuSet middle = cpuBit(Cpu::Cpu224);
-  constexpr CpuSet large = cpuBit(Cpu::Cpu224XP) | cpuBit(Cpu::Cpu226) | cpuBit(Cpu::Cpu226XM);
-  constexpr CpuSet old = cpuBit(Cpu::Cpu212) | cpuBit(Cpu::Cpu214);
+  constexpr auto with = [](bool port1, bool counter1) {
+    return cpusWith([=](const CpuRow& row) {
+      return row.series == Series::S7200 && contains(row.features.events, 25) == port1 &&
+             contains(row.features.events, 13) == counter1 && contains(row.features.events, 27);
+    });
+  };
+  constexpr CpuSet small = with(false, false), middle = with(false, true);
   return in("EVNT", Type::Byte, form::Const)
       .within({{0, 12, small},
                {0, 23, middle},
-               {19, 23, static_cast<CpuSet>(small)},
+               {19, 23, small},
                {27, 33, small | middle},
-               {0, 33, large | old}});
+               {0, 33, s7200Cpus & ~small & ~middle},
+               {0, 44, smartCpus}});
 }
 
 /// ENI, DISI: SM4.4 shows the state (001:14108). Forbidden in interrupt routines (001:5426, code 0004).
@@ -84,7 +88,7 @@ struct Attach {
     auto used = m.d.constant(false);
     for (int counter = 0; counter < 6; ++counter) {
       for (int mode = 0; mode <= 12; ++mode) {
-        if (!hscUsesInput(counter, mode, input)) continue;
+        if (!hscUsesInput(m.target, counter, mode, input)) continue;
         const auto defined = m.get(Reg::HscMode, static_cast<std::uint32_t>(counter));
         used = m.d.lor(used, m.d.equal(defined, m.number(static_cast<std::uint64_t>(mode) + 1, 8), 8));
       }

@@ -1,13 +1,15 @@
 // Bitwise logic on bytes, words and double words: INV, AND, OR, XOR (001:5551-5599; INV: 000:7387-7442, its page is
 // missing in the 2004 text; s7200 digest B 7). SM1.0 tells whether the result is 0; no other status bit changes.
-// Tests: tests/manual_b/logic_test.cpp.
+// S7-200 SMART: NAND, NOR, NXOR as well. Tests: tests/manual_b/logic_test.cpp, tests/smart.
 #pragma once
 
 #include "ir/isa/group.hpp"
 
 namespace rungproof::isa {
 
-enum class Bitwise { And, Or, Xor };
+enum class Bitwise { And, Or, Xor, Nand, Nor, Nxor };
+/// Those with a complemented result exist on the S7-200 SMART only.
+constexpr bool isComplemented(Bitwise operation) { return operation >= Bitwise::Nand; }
 
 /// Unsigned type and operand forms of a width, for instructions that exist for bytes, words and double words.
 constexpr Type unsignedType(Width w) {
@@ -31,16 +33,19 @@ struct BitwiseLogic {
        .stack = {1, 0, 0},
        .eno = true,
        .affects = status::Zero,
+       .cpus = isComplemented(operation) ? smartCpus : everyCpu,
+       .since28 = isComplemented(operation),
        .time = time,
-       .manual = "001:5553"},
+       .manual = isComplemented(operation) ? smartManual : "001:5553"},
       {in("IN1", unsignedType(width), sourceForms(width)), inout("OUT", unsignedType(width), targetForms(width))});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     constexpr int w = bits(width);
     typename D::Bits result{};
-    if constexpr (operation == Bitwise::And) result = m.d.band(a.value(0), a.value(1), w);
-    if constexpr (operation == Bitwise::Or) result = m.d.bor(a.value(0), a.value(1), w);
-    if constexpr (operation == Bitwise::Xor) result = m.d.bxor(a.value(0), a.value(1), w);
+    if constexpr (operation == Bitwise::And || operation == Bitwise::Nand) result = m.d.band(a.value(0), a.value(1), w);
+    if constexpr (operation == Bitwise::Or || operation == Bitwise::Nor) result = m.d.bor(a.value(0), a.value(1), w);
+    if constexpr (operation == Bitwise::Xor || operation == Bitwise::Nxor) result = m.d.bxor(a.value(0), a.value(1), w);
+    if constexpr (isComplemented(operation)) result = m.d.bnot(result, w);
     a.store(1, result);
     m.flag(status::Zero, m.d.equal(result, m.number(0, w), w));
   }
@@ -85,7 +90,22 @@ using InvertByte = Invert<Width::Byte, "INVB", "INV_B", "one's complement of a b
 using InvertWord = Invert<Width::Word, "INVW", "INV_W", "one's complement of a word", 2000>;
 using InvertDWord = Invert<Width::DWord, "INVD", "INV_DW", "one's complement of a double word", 2200>;
 
-using LogicGroup = Group<AndByte, AndWord, AndDWord, OrByte, OrWord, OrDWord, XorByte, XorWord, XorDWord, InvertByte,
-                         InvertWord, InvertDWord>;
+using NandByte = BitwiseLogic<Bitwise::Nand, Width::Byte, "NANDB", "NANDB", "WNAND_B", "bitwise NAND of bytes", 0>;
+using NandWord = BitwiseLogic<Bitwise::Nand, Width::Word, "NANDW", "NANDW", "WNAND_W", "bitwise NAND of words", 0>;
+using NandDWord =
+    BitwiseLogic<Bitwise::Nand, Width::DWord, "NANDD", "NANDD", "WNAND_DW", "bitwise NAND of double words", 0>;
+using NorByte = BitwiseLogic<Bitwise::Nor, Width::Byte, "NORB", "NORB", "WNOR_B", "bitwise NOR of bytes", 0>;
+using NorWord = BitwiseLogic<Bitwise::Nor, Width::Word, "NORW", "NORW", "WNOR_W", "bitwise NOR of words", 0>;
+using NorDWord = BitwiseLogic<Bitwise::Nor, Width::DWord, "NORD", "NORD", "WNOR_DW", "bitwise NOR of double words", 0>;
+using NxorByte =
+    BitwiseLogic<Bitwise::Nxor, Width::Byte, "NXORB", "NXORB", "WNXOR_B", "bitwise exclusive NOR of bytes", 0>;
+using NxorWord =
+    BitwiseLogic<Bitwise::Nxor, Width::Word, "NXORW", "NXORW", "WNXOR_W", "bitwise exclusive NOR of words", 0>;
+using NxorDWord =
+    BitwiseLogic<Bitwise::Nxor, Width::DWord, "NXORD", "NXORD", "WNXOR_DW", "bitwise exclusive NOR of double words", 0>;
+
+using LogicGroup =
+    Group<AndByte, AndWord, AndDWord, OrByte, OrWord, OrDWord, XorByte, XorWord, XorDWord, InvertByte, InvertWord,
+          InvertDWord, NandByte, NandWord, NandDWord, NorByte, NorWord, NorDWord, NxorByte, NxorWord, NxorDWord>;
 
 }  // namespace rungproof::isa

@@ -11,18 +11,21 @@
 namespace rungproof::isa {
 
 struct Pid {
-  static constexpr Desc desc = withOperands({.stl = "PID",
-                                             .meaning = "PID loop",
-                                             .group = "math, increment, decrement",
-                                             .role = Role::Pid,
-                                             .execution = Execution::Sampled,
-                                             .stack = {1, 0, 0},
-                                             .eno = true,
-                                             .affects = status::Overflow,
-                                             .time = 40000,
-                                             .manual = "001:5069"},
-                                            {inout("TBL", Type::Byte, form::V).elements(36, 80),
-                                             in("LOOP", Type::Byte, form::Const).within({{0, 7, everyCpu}})});
+  /// 16 loops from V2.8 on; the rule on features tells what older firmware has.
+  static constexpr CpuSet many = cpusWith([](const CpuRow& row) { return row.features.pidLoops == 16; });
+  static constexpr Desc desc =
+      withOperands({.stl = "PID",
+                    .meaning = "PID loop",
+                    .group = "math, increment, decrement",
+                    .role = Role::Pid,
+                    .execution = Execution::Sampled,
+                    .stack = {1, 0, 0},
+                    .eno = true,
+                    .affects = status::Overflow,
+                    .time = 40000,
+                    .manual = "001:5069"},
+                   {inout("TBL", Type::Byte, form::V).elements(36, 80),
+                    in("LOOP", Type::Byte, form::Const).within({{0, 7, everyCpu & ~many}, {0, 15, many}})});
 
   enum Field : int { PV, SP, M, Kc, Ts, Ti, Td, MX, previousPV };
 

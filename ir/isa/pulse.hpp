@@ -4,10 +4,12 @@
 #pragma once
 
 #include "ir/isa/group.hpp"
+#include "ir/pulse_output.hpp"
 
 namespace rungproof::isa {
 
-/// PLS Q0.X: X = 0 or 1. Offsets are those of SMB67 or SMB77: status byte before, values behind (001:4656-4680).
+/// PLS Q0.X: X = 0 or 1, on the S7-200 SMART up to 3. Offsets are those of SMB67 or SMB77: status byte before, values
+/// behind (001:4656-4680).
 struct PulseOutput {
   static constexpr Desc desc = withOperands({.stl = "PLS",
                                              .meaning = "pulse output",
@@ -17,18 +19,29 @@ struct PulseOutput {
                                              .eno = true,
                                              .time = 3100,
                                              .manual = "001:4533"},
-                                            {in("Q0.X", Type::Word, form::Const).within({{0, 1, everyCpu}})});
+                                            {in("Q0.X", Type::Word, form::Const)
+                                                 .within({{0, 1, cpusWithPulseOutputs(2) | s7200Cpus},
+                                                          {0, 2, cpusWithPulseOutputs(3)},
+                                                          {0, 3, cpusWithPulseOutputs(4)}})});
 
+  /// Outputs that PLS knows. The CPU 212 is not refused: what it lacks is only known from examples (004:345).
+  static constexpr std::uint32_t most(const Target& target) {
+    const auto outputs = static_cast<std::uint32_t>(cpuFeatures(target).pulseOutputs);
+    return isSmart(target) ? outputs : std::max(outputs, 2U);
+  }
   /// Bits of the status byte.
   static constexpr std::uint32_t abortedByUser = 5, pipelineFull = 6, idle = 7;
 
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     const std::uint32_t q = a.number(0);
-    m.hazard(Hazard::OutOfRange, m.d.constant(q > 1));
-    if (q > 1) return;
-    const std::uint32_t control = q == 0 ? 67 : 77;
-    const auto enabled = m.sm(control, 7), isPwm = m.sm(control, 6), isMulti = m.sm(control, 5);
+    const bool exists = q < most(m.target);
+    m.hazard(Hazard::OutOfRange, m.d.constant(!exists));
+    if (!exists) return;
+    const std::uint32_t control = pulseStatus(q) + 1;
+    const auto mode = m.sm(control, 6);
+    const auto enabled = m.sm(control, 7), isPwm = pulseForm(m.target).bit6IsPwm ? mode : m.d.lnot(mode),
+               isMulti = m.sm(control, 5);
     const auto busy = m.getBit(Reg::PulseBusy, q), wasPwm = m.getBit(Reg::PulseIsPwm, q);
     const auto runsProfile = m.d.land(busy, m.d.lnot(m.d.equal(m.get(Reg::PulseSegments, q), m.number(0, 8), 8)));
     // A running generator may only be given more of its own kind; a profile cannot be extended (001:13961).
@@ -86,7 +99,7 @@ struct PulseOutput {
   /// One train; while one runs, the next waits in a pipeline of one entry (001:4584).
   template <class D>
   static void singleTrain(Machine<D>& m, std::uint32_t q, std::uint32_t control, typename D::Bool busy) {
-    const auto cycle = loaded(m, control, 0, 1, Reg::PulseCycle, q, 16, 2);
+    const auto cycle = loaded(m, control, 0, 1, Reg::PulseCycle, q, 16, pulseForm(m.target).hasFrequency ? 1 : 2);
     const auto count = loaded(m, control, 2, 5, Reg::PulseCount, q, 32, 1);
     const auto full = m.getBit(Reg::PulsePending, q);
     m.when(m.d.lnot(busy), [&] {
@@ -104,11 +117,11 @@ struct PulseOutput {
     m.when(m.d.land(busy, full), [&] { m.setSm(control - 1, pipelineFull, m.d.constant(true)); });
   }
 
-  /// Profile table in V from the byte in SMW168 or SMW178: number of segments, then 8 bytes each (001:4596-4608).
+  /// Profile table in V from the byte in SMW168 or SMW178: number of segments, then 8 or 12 bytes each (001:4596-4608).
   template <class D>
   static void profile(Machine<D>& m, Args<D>& a, std::uint32_t q, std::uint32_t control) {
     D& d = m.d;
-    const auto at = m.load(Area::SM, control + 101, Width::Word);
+    const auto at = m.load(Area::SM, segmentByte(q) + 2, Width::Word);
     const auto offset = d.zext(at, 16, 32);
     Ref<D> table;
     const auto inside = a.follow(d.add(m.number(pointer::encode(Area::V, 0), 32), offset, 32), Width::Byte, table);
@@ -116,14 +129,17 @@ struct PulseOutput {
     const bool leadsNowhere = d.truth(inside) == std::optional(false);
     const auto segments = leadsNowhere ? none : d.select(inside, a.elementOf(table, 0, Width::Byte), none, 8);
     const auto empty = d.land(inside, d.equal(segments, m.number(0, 8), 8));
-    const auto end = d.add(offset, d.add(d.mul(d.zext(segments, 8, 32), m.number(8, 32), 32), m.number(1, 32), 32), 32);
+    const auto end = d.add(
+        offset,
+        d.add(d.mul(d.zext(segments, 8, 32), m.number(pulseForm(m.target).segmentBytes, 32), 32), m.number(1, 32), 32),
+        32);
     const auto fits = d.land(inside, d.ule(end, m.number(areaSize(m.target, Area::V), 32), 32));
     m.hazard(Hazard::PulseProfile, d.lnot(fits));
     m.hazard(Hazard::NoSegments, empty);
     m.when(d.land(fits, d.lnot(empty)), [&] {
       m.set(Reg::PulseTable, q, at);
       m.set(Reg::PulseSegments, q, segments);
-      m.save(Area::SM, control + 99, Width::Byte, m.number(1, 8));
+      m.save(Area::SM, segmentByte(q), Width::Byte, m.number(1, 8));
       begin(m, q, control);
     });
   }

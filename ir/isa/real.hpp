@@ -65,9 +65,11 @@ struct RealMath {
   }
 };
 
-/// Angles are in radians (001:4942). Illegal: SQRT of a negative, LN of 0 or less, EXP beyond the range.
+/// Angles are in radians (001:4942). Illegal: SQRT of a negative, LN of 0 or less, EXP beyond the range,
+/// ARCSIN and ARCCOS outside -1 to 1 (S7-200 SMART only).
 template <RealFunction function, Name stlName, Name meaning, std::uint32_t time>
 struct RealFunctionBox {
+  static constexpr bool isArc = function >= RealFunction::ArcSin;
   static constexpr Desc desc =
       withOperands({.stl = stlName.view(),
                     .meaning = meaning.view(),
@@ -75,8 +77,10 @@ struct RealFunctionBox {
                     .stack = {1, 0, 0},
                     .eno = true,
                     .affects = arithmeticBits,
+                    .cpus = isArc ? smartCpus : everyCpu,
+                    .since28 = isArc,
                     .time = time,
-                    .manual = "001:4976"},
+                    .manual = isArc ? smartManual : "001:4976"},
                    {in("IN", Type::Real, form::realIn), out("OUT", Type::Real, form::dwordOut)});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
@@ -97,6 +101,11 @@ using Tangent = RealFunctionBox<RealFunction::Tan, "TAN", "tangent", 108000>;
 using Logarithm = RealFunctionBox<RealFunction::Ln, "LN", "natural logarithm", 68000>;
 using Exponential = RealFunctionBox<RealFunction::Exp, "EXP", "natural exponential", 72000>;
 
-using RealGroup = Group<AddReal, SubReal, MulReal, DivReal, SquareRoot, Sine, Cosine, Tangent, Logarithm, Exponential>;
+using ArcSine = RealFunctionBox<RealFunction::ArcSin, "ARCSIN", "arc sine", 0>;
+using ArcCosine = RealFunctionBox<RealFunction::ArcCos, "ARCCOS", "arc cosine", 0>;
+using ArcTangent = RealFunctionBox<RealFunction::ArcTan, "ARCTAN", "arc tangent", 0>;
+
+using RealGroup = Group<AddReal, SubReal, MulReal, DivReal, SquareRoot, Sine, Cosine, Tangent, Logarithm, Exponential,
+                        ArcSine, ArcCosine, ArcTangent>;
 
 }  // namespace rungproof::isa

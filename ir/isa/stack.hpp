@@ -1,6 +1,6 @@
-// Logic stack: ALD OLD LPS LRD LPP LDS AENO, and NOP (001:2825-2872; s7200 digest A 4). The stack has nine levels;
-// a push loses the lowest one, a pop fills it with an unknown value (001:2868-2870). LRD replaces the top without a
-// push. Tests: tests/manual_a/stack_test.cpp.
+// Logic stack: ALD OLD LPS LRD LPP LDS AENO, and NOP (001:2825-2872; s7200 digest A 4). The stack has nine levels, that
+// of the S7-200 SMART 32; a push loses the lowest one, a pop fills it with an unknown value (001:2868-2870). LRD
+// replaces the top without a push. Tests: tests/manual_a/stack_test.cpp.
 #pragma once
 
 #include <algorithm>
@@ -77,20 +77,22 @@ struct PopTop {
   }
 };
 
-/// LDS N: pushes a copy of level N, 0 to 8; LDS 0 is LPS (001:2857-2862). It needs N + 1 filled levels.
+/// LDS N: pushes a copy of level N, 0 to 8 (S7-200 SMART: 31); LDS 0 is LPS (001:2857-2862). It needs N + 1 filled
+/// levels.
 struct LoadLevel {
-  static constexpr Desc desc = withOperands({.stl = "LDS",
-                                             .meaning = "duplicate stack bit N on the top",
-                                             .group = "boolean / stack",
-                                             .role = Role::Lds,
-                                             .execution = Execution::Stack,
-                                             .stack = {1, 0, 1},
-                                             .time = 22,
-                                             .manual = "001:2857"},
-                                            {in("N", Type::Byte, form::Const).within({{0, 8, everyCpu}})});
+  static constexpr Desc desc =
+      withOperands({.stl = "LDS",
+                    .meaning = "duplicate stack bit N on the top",
+                    .group = "boolean / stack",
+                    .role = Role::Lds,
+                    .execution = Execution::Stack,
+                    .stack = {1, 0, 1},
+                    .time = 22,
+                    .manual = "001:2857"},
+                   {in("N", Type::Byte, form::Const).within({{0, 8, s7200Cpus}, {0, 31, smartCpus}})});
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
-    m.push(m.level(std::min<std::size_t>(a.number(0), 8)));
+    m.push(m.level(std::min<std::size_t>(a.number(0), m.stackLevels - 1)));
   }
 };
 

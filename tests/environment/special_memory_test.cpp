@@ -56,7 +56,7 @@ TEST(SpecialMemory, TableSaysWhatTheManualSaysOfEveryBit) {
     if (row.reading == "mixed") continue;  // SMB31: its bits have rows of their own
     const bool overlapsLinear = row.address == "SMD168" || row.address == "SMD178";  // SMB170, SMB180 have rows
     for (std::uint32_t bit = row.bits.first; bit <= row.bits.last - (overlapsLinear ? 16 : 0); ++bit) {
-      const SmRow& found = smRow(bit / 8, bit % 8);
+      const SmRow& found = smRow(Target{}, bit / 8, bit % 8);
       EXPECT_EQ(found.source, sources.at(row.reading)) << row.address << " " << row.manual;
       EXPECT_EQ(found.isWritable(), row.isWritable) << row.address << " " << row.manual;
     }
@@ -127,7 +127,7 @@ TEST(SpecialMemory, ProgramBitsAreWhatTheProgramWrites) {
   const std::map<std::string, Outcome> untouched = smVerdicts(bits, "Network 1\nLD SM0.0\n= Q0.0\n");
   for (const std::uint32_t bit : bits) {
     const std::string number = std::to_string(bit);
-    const bool isOfModule = smRow(bit / 8, bit % 8).source == SmSource::Free;  // the linear PTO behind SMD168, SMD178
+    const bool isOfModule = smRow(Target{}, bit / 8, bit % 8).source == SmSource::Free;  // the linear PTO behind SMD168, SMD178
     EXPECT_EQ(written.at("one" + number), Outcome::Reachable) << bitName(bit);
     EXPECT_EQ(written.at("zero" + number), Outcome::Reachable) << bitName(bit);
     if (!isOfModule) {
@@ -232,7 +232,7 @@ TEST(SpecialMemory, WordOverTwoKindsIsCut) {
 TEST(SpecialMemory, UnknownIdentifierIsFree) {
   EXPECT_EQ(smSource({Cpu::Cpu224XP, Edition::Edition2004}, 6, 5), SmSource::Free);
   EXPECT_EQ(smSource({Cpu::Cpu224, Edition::Edition2004}, 6, 5), SmSource::Constant);
-  EXPECT_EQ(cpuIdentifier(Cpu::Cpu221), 0x60);
+  EXPECT_EQ(cpuRow(Cpu::Cpu221).identifier, 0x60);
 }
 
 // In a simulation they keep sensible values, and the stimulus drives them.

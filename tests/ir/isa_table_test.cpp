@@ -188,6 +188,7 @@ TEST(InstructionTable, NamesGroupsEditionsAndTimesOfTheQuickReference) {
 TEST(InstructionTable, NothingBeyondTheQuickReferenceButBoxes) {
   const std::vector<Row> rows = read("stl-quick-reference.tsv");
   for (const Desc& desc : instructionTable()) {
+    if ((desc.cpus & s7200Cpus) == 0) continue;  // tests/smart
     const bool isListed =
         std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return row.at("mnemonic") == desc.stl; });
     EXPECT_NE(isListed, desc.drawingOnly) << desc.stl;
@@ -247,6 +248,7 @@ TEST(InstructionTable, TypesAgreeWithOneRowOfTheManual) {
 TEST(InstructionTable, EveryOperandHasARowAndEveryBufferItsLength) {
   const std::vector<OperandRow> rows = operandRows();
   for (const Desc& desc : instructionTable()) {
+    if ((desc.cpus & s7200Cpus) == 0) continue;
     for (std::size_t i = 0; i < desc.operandCount; ++i) {
       const OperandDesc& operand = desc.operands[i];
       if (operand.type == Type::Parameter) continue;

