@@ -7,8 +7,11 @@
 #include <filesystem>
 
 #include "analysis/rule.hpp"
+#include "frontend/file_block.hpp"
 #include "frontend/file_reader.hpp"
 #include "frontend/stl/operand_reader.hpp"
+#include "frontend/stl/stl_likeness.hpp"
+#include "frontend/stl/syntax_sink.hpp"
 
 namespace rungproof {
 
@@ -74,11 +77,16 @@ OperandLookup lookupIn(const Program& program) {
   };
 }
 
+Program readFiles(const Context& context, const std::vector<std::string>& files) {
+  Program program = readProgram(expandFolders(files), readOptionsOf(context.settings));
+  guessCpu(context, program);
+  return program;
+}
+
 ProgramInput readInput(const Context& context, const std::vector<std::string>& files,
                        const std::vector<std::string>& propertyFiles) {
   ProgramInput input;
-  input.program = readProgram(files, readOptionsOf(context.settings));
-  guessCpu(context, input.program);
+  input.program = readFiles(context, files);
   input.properties = readProperties(input.program, propertyFiles, lookupIn(input.program));
   return input;
 }
@@ -113,6 +121,31 @@ void printUnread(const Context& context, std::string_view command, const Program
   reporterNamed("human")->write(report, {false, context.settings.flag(Opt::Quiet)}, context.err);
 }
 
+namespace {
+
+/// Whether a file beside programs is a symbol table or a data block; traces and stimuli are none.
+bool isTableOfProject(const std::string& path) {
+  const Program alone = readProgram({path});
+  return (!alone.symbols.empty() || !alone.data.empty()) && alone.instructionCount() == 0 &&
+         std::ranges::none_of(alone.findings, [](const Finding& finding) {
+           return finding.severity == Severity::Error && finding.rule != syntaxMessage(Syntax::NoInstruction).id;
+         });
+}
+
+/// Whether the file holds a main program. One without a head is a block of the program whose file is called MAIN or
+/// OB1.
+bool holdsMain(const std::string& file, const std::vector<std::string>& files, const ReadOptions& options) {
+  const Program alone = readProgram({file}, options);
+  if (alone.main() == nullptr) return false;
+  if (fileBlock(file).kind || stlLikeness(alone.sources->file(0).text()).hasHeading) return true;
+  const auto folderOf = [](const std::string& name) { return std::filesystem::path(name).parent_path(); };
+  return std::ranges::none_of(files, [&](const std::string& other) {
+    return fileBlock(other).kind == PouKind::Main && folderOf(other) == folderOf(file);
+  });
+}
+
+}  // namespace
+
 std::vector<std::string> expandFolders(const std::vector<std::string>& names) {
   namespace fs = std::filesystem;
   std::vector<std::string> files;
@@ -122,12 +155,19 @@ std::vector<std::string> expandFolders(const std::vector<std::string>& names) {
       files.push_back(name);
       continue;
     }
-    std::vector<std::string> found;
+    std::vector<std::string> found, others;
     for (fs::recursive_directory_iterator entry(name, fs::directory_options::skip_permission_denied, error), end;
          !error && entry != end; entry.increment(error)) {
       if (entry->is_regular_file(error) && endsInAny(entry->path().string(), {".awl", ".stl", ".xml"}))
         found.push_back(entry->path().string());
+      else if (entry->is_regular_file(error) &&
+               endsInAny(entry->path().string(), {".csv", ".txt", ".sdf", ".tsv", ".asc"}))
+        others.push_back(entry->path().string());
     }
+    // Tables belong to the one program of the folder; which of several they would belong to, nobody says.
+    const auto isMain = [&](const std::string& file) { return holdsMain(file, found, {}); };
+    if (!others.empty() && std::ranges::count_if(found, isMain) == 1)
+      std::ranges::copy_if(others, std::back_inserter(found), isTableOfProject);
     std::sort(found.begin(), found.end());
     files.insert(files.end(), found.begin(), found.end());
   }
@@ -141,8 +181,7 @@ std::vector<std::vector<std::string>> groupByProgram(const Context& context, con
   std::vector<std::string> mains;
   std::vector<std::string> others;
   for (const std::string& file : files) {
-    const Program alone = readProgram({file}, options);
-    (alone.main() != nullptr ? mains : others).push_back(file);
+    (holdsMain(file, files, options) ? mains : others).push_back(file);
   }
   if (mains.size() < 2) return {files};
   std::vector<std::vector<std::string>> groups;

@@ -25,6 +25,8 @@ struct ProgramInput {
   Program program;
   PropertySet properties;
 };
+/// The program alone: folders expanded, and the CPU guessed where nobody names one.
+Program readFiles(const Context& context, const std::vector<std::string>& files);
 ProgramInput readInput(const Context& context, const std::vector<std::string>& files,
                        const std::vector<std::string>& propertyFiles = {});
 
@@ -40,7 +42,8 @@ void addUnread(Report& report, const Program& program, const UnreadCode& unread)
 void printUnread(const Context& context, std::string_view command, const Program& program, const UnreadCode& unread,
                  const std::vector<std::string>& files);
 
-/// Folders replaced by the programs in and below them (.awl, .stl, .xml), sorted by name; other names unchanged.
+/// Folders replaced by the programs in and below them (.awl, .stl, .xml), sorted by name, and, where they are one
+/// program, by its symbol tables and data blocks; other names unchanged.
 std::vector<std::string> expandFolders(const std::vector<std::string>& names);
 
 /// The files as programs: one group for each file that holds a main program, together with all files that hold none

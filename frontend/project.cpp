@@ -11,9 +11,11 @@
 
 #include "frontend/disk_file.hpp"
 #include "frontend/drawn/drawn_build.hpp"
+#include "frontend/file_block.hpp"
 #include "frontend/file_reader.hpp"
 #include "frontend/stl/resolve.hpp"
 #include "frontend/stl/stl_lexer.hpp"
+#include "frontend/stl/stl_likeness.hpp"
 #include "frontend/stl/syntax_sink.hpp"
 
 namespace rungproof {
@@ -87,11 +89,16 @@ class ProjectReader {
                   fmt::format("{} place{} not valid in {}, the first here", decoded.badBytes,
                               decoded.badBytes == 1 ? " is" : "s are", encodingName(decoded.encoding)));
     }
+    const std::size_t before = program_.pous.size();
     read({file, decoded.encoding, isSymbolFile, &drawn_});
+    const bool isBlock = program_.pous.size() == before + 1 && program_.pous[before].kind == PouKind::Main;
+    if (isBlock && !program_.olderDialect && !stlLikeness(program_.sources->file(file).text()).hasHeading)
+      headless_.push_back({before, program_.sources->file(file).name()});
   }
 
   Program finish() {
     buildDrawnProject(program_, drawn_);
+    nameFromFiles(program_, headless_);
     mainFirst();
     reportTwins();
     resolveNames(program_);
@@ -163,6 +170,7 @@ class ProjectReader {
   const ReadOptions& options_;
   Program program_;
   DrawnProject drawn_;
+  std::vector<HeadlessBlock> headless_;
 };
 
 }  // namespace

@@ -10,6 +10,7 @@ namespace rungproof {
 ProverOptions proverOptionsOf(const Settings& settings) {
   ProverOptions options;
   options.choices = settings.choices();
+  options.retentive = settings.retentive();
   options.time.high = static_cast<std::uint32_t>(options.choices.watchdogMs());
   if (const auto range = settings.scanTime()) {
     options.time.low = static_cast<std::uint32_t>(std::max<std::int64_t>(range->low.count() / 1000, 1));

@@ -45,6 +45,9 @@ std::vector<std::pair<std::uint32_t, std::size_t>> timersIn(std::string_view tex
   return timers;
 }
 
+/// Properties and expectations speak of the whole machine.
+bool isDirective(std::string_view text) { return text.starts_with("//@") || text.starts_with("//!"); }
+
 class Comparison {
  public:
   Comparison(const Facts& facts, FindingSink& sink) : facts_(facts), sink_(sink) {
@@ -78,6 +81,7 @@ class Comparison {
   /// The list of timers in the head of a block: one timer a line.
   void ofBlock(const Comment& comment) {
     const std::string_view text = facts_.program().sources->text(comment.span);
+    if (isDirective(text)) return;
     const auto named = timersIn(text);
     if (named.size() != 1) return;
     for (const TimerPlace& timer : timers_) {
@@ -86,12 +90,12 @@ class Comparison {
   }
 
   void ofNetwork(const Network& network) {
+    if (network.instructions.empty()) return;
     std::vector<const TimerPlace*> here;
-    for (const TimerPlace& timer : timers_) {
-      if (!network.instructions.empty() && network.instructions.front().id <= timer.instruction->id &&
-          timer.instruction->id <= network.instructions.back().id)
-        here.push_back(&timer);
-    }
+    const auto idOf = [](const TimerPlace& timer) { return timer.instruction->id; };
+    const auto first = std::ranges::lower_bound(timers_, network.instructions.front().id, {}, idOf);
+    for (auto timer = first; timer != timers_.end() && idOf(*timer) <= network.instructions.back().id; ++timer)
+      here.push_back(&*timer);
     if (here.empty()) return;
     const SourceSet& sources = *facts_.program().sources;
     for (const Comment& comment : network.comments) {
@@ -108,7 +112,7 @@ class Comparison {
   /// A comment in a network with these timers; `beside`: it stands on the line of that one.
   void ofText(std::string_view text, const std::vector<const TimerPlace*>& here, const TimerPlace* beside, Span span) {
     const std::vector<WrittenDuration> durations = durationsIn(text);
-    if (durations.empty()) return;
+    if (durations.empty() || isDirective(text)) return;
     const auto named = timersIn(text);
     if (named.empty()) {
       const auto claims = std::ranges::count_if(durations, [](const WrittenDuration& d) { return !d.isTimeBase; });

@@ -358,6 +358,7 @@ class Session {
 EncoderOptions encoderOptionsOf(const ProverOptions& options, bool relaxed) {
   EncoderOptions result;
   result.choices = options.choices;
+  result.retentive = options.retentive;
   result.time = options.time;
   result.time.relaxed = relaxed;
   return result;

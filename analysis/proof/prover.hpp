@@ -22,6 +22,7 @@ namespace rungproof {
 struct ProverOptions {
   Choices choices;
   TimeRange time;
+  std::optional<std::vector<RetentiveRange>> retentive{};  ///< nothing: the CPU's default
   double timeout = schedule::questionSeconds;  ///< seconds per question; encoding and checks of certificates count
   double total = 0;                            ///< seconds for everything, encoding included; 0: no limit
   double ruleTimeout = schedule::ruleSeconds;  ///< at most, for each question of CheckGroups::lint and powerUp

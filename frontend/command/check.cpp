@@ -5,9 +5,11 @@
 #include "analysis/drawing/editor_verdict.hpp"
 #include "frontend/cli.hpp"
 #include "frontend/command/command.hpp"
+#include "frontend/file_block.hpp"
 #include "frontend/json.hpp"
 #include "frontend/page/excerpt.hpp"
 #include "frontend/program_input.hpp"
+#include "frontend/stl/stl_likeness.hpp"
 
 namespace rungproof {
 
@@ -26,6 +28,14 @@ struct Checked {
   bool isGuessed = false;  ///< the language was taken from the program
 
   const Pou& pouOf(const NetworkVerdict& verdict) const { return program.pous[verdict.place.block]; }
+  /// A block without a head has the name of its file.
+  std::string nameOf(const NetworkVerdict& verdict) const {
+    const Pou& pou = pouOf(verdict);
+    const SourceFile& file = program.sources->file(pou.span.file);
+    const bool isHeadless = pou.kind == PouKind::Main && pou.name == "MAIN" && !program.olderDialect &&
+                            !stlLikeness(file.text()).hasHeading && pou.networks.front().form == Form::Stl;
+    return isHeadless ? fileBlock(file.name()).name : pou.name;
+  }
   int numberOf(const NetworkVerdict& verdict) const { return pouOf(verdict).networks[verdict.place.network].number; }
   std::string placeOf(const NetworkVerdict& verdict) const {
     const Position position = program.sources->position(verdict.span);
@@ -39,7 +49,7 @@ struct Checked {
 
 Checked checked(const Context& context, const CheckArguments& arguments) {
   Checked result;
-  result.program = readInput(context, expandFolders(arguments.files)).program;
+  result.program = readInput(context, arguments.files).program;
   result.isGuessed = arguments.language.empty();
   result.isStl = result.isGuessed ? isWrittenAsStl(result.program) : arguments.language == "stl";
   const UnreadCode unread(result.program);
@@ -61,13 +71,13 @@ std::string textOf(const Checked& check, const Paint& paint, bool isQuiet) {
   for (const NetworkVerdict& verdict : check.verdicts) {
     if (!verdict.isDrawn) ++notDrawn;
     if (verdict.reason.empty()) continue;
-    text += fmt::format("{}: {}, network {} is {}: {}\n", check.placeOf(verdict), check.pouOf(verdict).name,
+    text += fmt::format("{}: {}, network {} is {}: {}\n", check.placeOf(verdict), check.nameOf(verdict),
                         check.numberOf(verdict), paint.red("invalid"), verdict.reason);
   }
   for (const NetworkVerdict& verdict : check.verdicts) {
     if (verdict.isDrawn) continue;
     text += fmt::format("{}: note: {}, network {} is valid, but the ladder view may not be able to show it\n",
-                        check.placeOf(verdict), check.pouOf(verdict).name, check.numberOf(verdict));
+                        check.placeOf(verdict), check.nameOf(verdict), check.numberOf(verdict));
   }
   if (isQuiet) return text;
   const std::size_t invalid = check.invalid();
@@ -83,7 +93,7 @@ std::string jsonOf(const Checked& check) {
                {"networks", Json::array()}};
   for (const NetworkVerdict& verdict : check.verdicts) {
     const Position position = check.program.sources->position(verdict.span);
-    json["networks"].push_back({{"pou", check.pouOf(verdict).name},
+    json["networks"].push_back({{"pou", check.nameOf(verdict)},
                                 {"network", check.numberOf(verdict)},
                                 {"valid", verdict.reason.empty()},
                                 {"reason", verdict.reason.empty() ? Json(nullptr) : Json(verdict.reason)},

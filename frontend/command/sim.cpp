@@ -231,7 +231,7 @@ std::optional<Failure> record(Simulator& simulator, const Job& job, std::uint64_
 }
 
 Exit run(const Arguments& arguments, Context& context) {
-  const Program text = readProgram(arguments.files, readOptionsOf(context.settings));
+  const Program text = readFiles(context, arguments.files);
   Report report = startReport("sim", text, arguments.files);
   const UnreadCode unread(text);
   if (!unread.empty()) {
@@ -253,6 +253,7 @@ Exit run(const Arguments& arguments, Context& context) {
   if (!preparation.failures.empty()) return failAll(context, preparation.failures);
 
   SimulatorOptions options;
+  options.retentive = context.settings.retentive();
   options.choices = context.settings.choices();
   options.phaseMs = context.settings.phaseMs();
   options.seed = static_cast<std::uint64_t>(std::stoull(std::string(context.settings.text(Opt::Seed))));

@@ -8,6 +8,7 @@
 #include "analysis/schedule/technique.hpp"
 #include "frontend/closest_word.hpp"
 #include "frontend/settings/code_list.hpp"
+#include "frontend/settings/retentive_range.hpp"
 
 namespace rungproof {
 
@@ -40,6 +41,7 @@ constexpr std::array table = {
     OptionInfo{Opt::Encoding, Reading, Arity::One, "encoding", "auto|utf-8|cp1252|cp1251|gb18030", "auto", "character encoding of the files"},
     OptionInfo{Opt::Symbols, Reading, Arity::List, "symbols", "FILE", "", "symbol table that belongs to the program"},
     OptionInfo{Opt::StdinFilename, Reading, Arity::One, "stdin-filename", "NAME", "", "name for standard input, which is read where FILE is '-'", false},
+    OptionInfo{Opt::Retentive, Running, Arity::List, "retentive", "RANGE", "", "what keeps its value without power, as VB0..VB99, MB0..MB13, T0..T31 or C0..C255 (S7-200: all of V, MB14..MB31, T0..T31, T64..T95, C0..C255; S7-200 SMART: nothing)"},
     OptionInfo{Opt::ScanTime, Running, Arity::One, "scan-time", "MIN..MAX", "", "length of a scan, as 5ms..20ms or one value (sim: 10ms; prove: 1ms up to the watchdog)"},
     OptionInfo{Opt::Phase, Running, Arity::One, "phase", "TIME", "0ms", "time since the last tick of the 10 ms and 100 ms timers when RUN begins (sim; proofs cover any)"},
     OptionInfo{Opt::Timeout, Running, Arity::One, "timeout", "TIME", "30s", "time limit for each property"},
@@ -109,6 +111,11 @@ std::optional<Failure> checkForm(const OptionInfo& info, std::string_view text) 
     return Failure{fmt::format("'{}' is no amount of memory", text),
                    {},
                    "write a whole number with its unit, such as 500MB or 2GB"};
+  }
+  if (info.id == Opt::Retentive && !retentiveRangeNamed(text)) {
+    return Failure{fmt::format("'{}' is no retentive range", text),
+                   {},
+                   "write bytes of V or M, or numbers of T or C, such as VB0..VB99 or C0..C15"};
   }
   if (info.id == Opt::ScanTime && !scanTimeNamed(text)) {
     return Failure{fmt::format("'{}' is no scan time", text),

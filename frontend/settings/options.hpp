@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "analysis/rule.hpp"
+#include "engine/start_up.hpp"
 #include "frontend/failure.hpp"
 #include "ir/choices.hpp"
 #include "ir/cpu.hpp"
@@ -28,6 +29,7 @@ enum class Opt : std::uint8_t {
   Encoding,
   Symbols,
   StdinFilename,
+  Retentive,
   ScanTime,
   Phase,
   Timeout,
@@ -114,6 +116,8 @@ class Settings {
 
   Target target() const;
   Severity level() const;
+  /// Nothing if none is named: the default of the CPU.
+  std::optional<std::vector<RetentiveRange>> retentive() const;
   std::optional<ScanTime> scanTime() const;
   std::optional<Duration> timeout() const;
   /// Time since the last tick of the time bases when RUN begins, in ms.

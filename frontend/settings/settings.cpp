@@ -8,6 +8,7 @@
 
 #include "frontend/closest_word.hpp"
 #include "frontend/settings/options.hpp"
+#include "frontend/settings/retentive_range.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
@@ -90,6 +91,12 @@ Severity Settings::level() const {
   return name == "error" ? Severity::Error : name == "warning" ? Severity::Warning : Severity::Note;
 }
 
+std::optional<std::vector<RetentiveRange>> Settings::retentive() const {
+  if (!isSet(Opt::Retentive)) return std::nullopt;
+  std::vector<RetentiveRange> ranges;
+  for (const std::string& text : list(Opt::Retentive)) ranges.push_back(*retentiveRangeNamed(text));
+  return ranges;
+}
 std::optional<ScanTime> Settings::scanTime() const { return scanTimeNamed(text(Opt::ScanTime)); }
 std::uint32_t Settings::phaseMs() const {
   return static_cast<std::uint32_t>(durationNamed(text(Opt::Phase)).value_or(Duration(0)).count() / 1000 % 100);

@@ -7,6 +7,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "frontend/file_block.hpp"
 #include "frontend/stl/operand_reader.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 #include "frontend/stl/stl_statement.hpp"
@@ -48,6 +49,12 @@ class Resolver {
     for (const Pou& pou : program.pous) {
       if (pou.kind != PouKind::Main)
         (pou.kind == PouKind::Interrupt ? interrupts_ : subroutines_).add(pou.name, pou.number);
+    }
+    // By what follows the underscore in SBR3_Valves, where no block has that name itself.
+    for (const Pou& pou : program.pous) {
+      const std::string_view name = pou.kind == PouKind::Main ? std::string_view() : shortName(pou.name);
+      NameIndex<int>& routines = pou.kind == PouKind::Interrupt ? interrupts_ : subroutines_;
+      if (!name.empty() && routines.find(name) == nullptr) routines.add(name, pou.number);
     }
   }
 
@@ -144,16 +151,13 @@ class Resolver {
     return true;
   }
 
-  /// SBR_0, SBR0, INT_12.
+  /// SBR_0, SBR0, FC0, INT_12.
   static std::optional<std::int64_t> numberOf(std::string_view name, Type type) {
-    const std::string_view prefix = type == Type::Interrupt ? "INT" : "SBR";
-    if (name.size() <= prefix.size() || !equalsIgnoringCase(name.substr(0, prefix.size()), prefix)) return std::nullopt;
-    std::string_view digits = name.substr(prefix.size());
-    if (digits[0] == '_') digits.remove_prefix(1);
-    if (digits.empty() || digits.size() > 4 || !std::all_of(digits.begin(), digits.end(), isDigit)) return std::nullopt;
-    std::int64_t value = 0;
-    for (const char c : digits) value = value * 10 + (c - '0');
-    return value;
+    const FileBlock block = fileBlock(name);
+    const bool isWhole = block.number && shortName(name).empty() && name.find('.') == std::string_view::npos;
+    if (!isWhole || block.kind != (type == Type::Interrupt ? PouKind::Interrupt : PouKind::Subroutine))
+      return std::nullopt;
+    return *block.number;
   }
 
   /// "name" where no text is expected: a quoted symbol. A parameter of CALL may be either.

@@ -55,8 +55,9 @@ class World final : public CellSource, public Graph::Listener {
   std::map<std::tuple<External, std::uint32_t, int>, Node> externals_;
 };
 
-Program wrapped(std::vector<Instruction> instructions) {
+Program wrapped(std::vector<Instruction> instructions, const Target& target) {
   Program program;
+  program.target = target;
   program.pous.emplace_back().name = "MAIN";
   program.pous[0].networks.emplace_back().instructions = std::move(instructions);
   program.number();
@@ -197,7 +198,7 @@ std::string compare(World& world, Side& a, Side& b) {
 }  // namespace
 
 std::string difference(const Drawing& drawing, const std::vector<Instruction>& instructions,
-                       const std::vector<std::uint32_t>& instructionOf) {
+                       const std::vector<std::uint32_t>& instructionOf, const Target& target) {
   std::vector<Instruction> drawn;
   std::vector<std::size_t> positions(drawing.elements.size(), 0);
   for (std::size_t i = 0; i < drawing.elements.size(); ++i) {
@@ -208,7 +209,7 @@ std::string difference(const Drawing& drawing, const std::vector<Instruction>& i
     instruction.desc = element.desc;
     instruction.operands = element.operands;
   }
-  const Program left = wrapped(std::move(drawn)), right = wrapped(instructions);
+  const Program left = wrapped(std::move(drawn), target), right = wrapped(instructions, target);
   Plan leftPlan(left), rightPlan(right);
   MemoryLayout layout(left.target);
   layout.add(Area::SM, Width::Bit, 0);
@@ -230,8 +231,8 @@ std::string difference(const Drawing& drawing, const std::vector<Instruction>& i
   return compare(world, a, b);
 }
 
-std::string difference(const std::vector<Instruction>& a, const std::vector<Instruction>& b) {
-  const Program left = wrapped(a), right = wrapped(b);
+std::string difference(const std::vector<Instruction>& a, const std::vector<Instruction>& b, const Target& target) {
+  const Program left = wrapped(a, target), right = wrapped(b, target);
   const Plan leftPlan(left), rightPlan(right);
   MemoryLayout layout(left.target);
   layout.add(Area::SM, Width::Bit, 0);

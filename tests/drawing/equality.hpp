@@ -14,8 +14,8 @@ namespace rungproof::testing {
 
 /// "" if equal for every state; otherwise what differs, or why nothing can be said.
 std::string difference(const Drawing& drawing, const std::vector<Instruction>& instructions,
-                       const std::vector<std::uint32_t>& instructionOf);
+                       const std::vector<std::uint32_t>& instructionOf, const Target& target = {});
 /// The same for two lists of instructions. Edges are matched by their order.
-std::string difference(const std::vector<Instruction>& a, const std::vector<Instruction>& b);
+std::string difference(const std::vector<Instruction>& a, const std::vector<Instruction>& b, const Target& target = {});
 
 }  // namespace rungproof::testing

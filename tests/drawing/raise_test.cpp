@@ -116,7 +116,7 @@ TEST(RaiseReason, SaysWhatHasNoPicture) {
   EXPECT_EQ(both("A I0.0; = Q0.0"), "refused: A I0.0 takes a value that this network has not loaded");
   EXPECT_EQ(both("LD I0.0; LD I0.1; LD I0.2; LD I0.3; LD I0.4; LD I0.5; LD I0.6; LD I0.7; LD I1.0; LD I1.1; "
                  "OLD; OLD; OLD; OLD; OLD; OLD; OLD; OLD; OLD; = Q0.0"),
-            "refused: OLD takes a value that was pushed out of the nine levels");
+            "refused: OLD takes a value that was pushed out of the logic stack");
   EXPECT_EQ(both("LD I0.0; LDS 0; = Q0.0"), "refused: LDS 0 has no picture in LAD or FBD");
   EXPECT_EQ(both("LD I0.0; LD I0.1; = Q0.0"), "refused: the branch of I0.0 ends without a coil or box");
   EXPECT_EQ(both("LD I0.0; AENO; = Q0.0"), "refused: AENO stands behind no box with ENO");

@@ -1,0 +1,29 @@
+// Reads them.
+#include "frontend/settings/retentive_range.hpp"
+
+#include "frontend/stl/operand_reader.hpp"
+
+namespace rungproof {
+
+namespace {
+
+std::optional<Operand> endNamed(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  Operand operand;
+  if (!readAddress(text, Spelling::International, operand) || !areaInfo(operand.area).mayRetain) return std::nullopt;
+  const bool isByte = operand.width == Width::Byte;
+  return isByte || hasBitAndWord(operand.area) ? std::optional(operand) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<RetentiveRange> retentiveRangeNamed(std::string_view text) {
+  const std::size_t dots = text.find("..");
+  const auto first = endNamed(text.substr(0, dots));
+  const auto last = dots == std::string_view::npos ? first : endNamed(text.substr(dots + 2));
+  if (!first || !last || first->area != last->area || last->offset < first->offset) return std::nullopt;
+  return RetentiveRange{first->area, first->offset, last->offset};
+}
+
+}  // namespace rungproof
