@@ -126,6 +126,8 @@ namespace {
 /// Whether a file beside programs is a symbol table or a data block; traces and stimuli are none.
 bool isTableOfProject(const std::string& path) {
   const Program alone = readProgram({path});
+  const std::string_view text = alone.sources->file(0).text();
+  if (text.starts_with("scan") || text.starts_with("time_ms")) return false;  // the heading of a trace
   return (!alone.symbols.empty() || !alone.data.empty()) && alone.instructionCount() == 0 &&
          std::ranges::none_of(alone.findings, [](const Finding& finding) {
            return finding.severity == Severity::Error && finding.rule != syntaxMessage(Syntax::NoInstruction).id;

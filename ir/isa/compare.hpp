@@ -92,9 +92,8 @@ struct Compare {
         return d.equal(x, y, bits(widthOf(type)));
       }
     };
-    auto isLegal = d.constant(true);
     if constexpr (type == Type::Real) {
-      isLegal = d.land(d.rlegal(x), d.rlegal(y));
+      const auto isLegal = d.land(d.rlegal(x), d.rlegal(y));
       m.hazard(m.features.stopsInCompare ? Hazard::FatalReal : Hazard::BadCompareNumber, d.lnot(isLegal));
     }
     auto result = d.constant(false);
@@ -104,7 +103,10 @@ struct Compare {
     if constexpr (relation == Relation::GreaterEqual) result = d.lor(less(y, x), equal());
     if constexpr (relation == Relation::Greater) result = less(y, x);
     if constexpr (relation == Relation::NotEqual) result = d.lnot(equal());
-    join<joint>(m, m.features.stopsInCompare ? result : d.land(isLegal, result));
+    if constexpr (type == Type::Real) {
+      if (!m.features.stopsInCompare) result = d.land(result, d.land(d.rlegal(x), d.rlegal(y)));
+    }
+    join<joint>(m, result);
   }
   /// The contact of a CPU that goes on after an illegal pointer.
   template <class D>

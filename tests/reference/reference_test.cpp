@@ -156,6 +156,7 @@ TEST(Reference, EngineAgreesWithTheNaiveInterpreter) {
 
 TEST(Reference, TheNaiveInterpreterKnowsAllButDevices) {
   for (const Desc& desc : instructionTable()) {
+    if ((desc.cpus & s7200Cpus) == 0) continue;  // it is an S7-200
     const std::string name(desc.stl);
     EXPECT_NE(naive::signatureOf(name).has_value(), leftOut.contains(name)) << name;
   }
