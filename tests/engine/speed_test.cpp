@@ -1,6 +1,6 @@
 // Speed of the reference engine on bit logic: at least 30 million instructions per second of processor time on one
-// core. The loop is in the engine's library; the processor's own clock counts, so that other work beside the test does
-// not. Debug builds are slower by design and have no such bar.
+// core. The loop is in the engine's library; the processor's own clock counts, held against the pace of the machine, so
+// that other work beside the test does not. Debug builds are slower by design and have no such bar.
 #ifdef NDEBUG
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -10,6 +10,7 @@
 
 #include "engine/simulator.hpp"
 #include "tests/engine/rig.hpp"
+#include "tests/machine_pace.hpp"
 
 namespace rungproof {
 namespace {
@@ -59,7 +60,8 @@ TEST(EngineSpeed, ThirtyMillionBitInstructionsPerSecond) {
       rig.simulator->write(direct(Area::I, Width::DWord, 0), inputs >> 32);
       rig.simulator->scan();
     }
-    best = std::max(best, static_cast<double>(counter.instructions) * scans / (processorSeconds() - begin));
+    const double seconds = processorSeconds() - begin;
+    best = std::max(best, test::machinePace() * static_cast<double>(counter.instructions) * scans / seconds);
   }
   fmt::print("{:.1f} million bit instructions per second\n", best / 1e6);
   EXPECT_GE(best, 30e6);
