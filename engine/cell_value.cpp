@@ -31,6 +31,9 @@ void setCell(Concrete::Store& store, const Operand& operand, std::uint64_t value
   switch (operand.area) {
     case Area::I: {
       const int width = bits(operand.width);
+      if (offset * 8 >= store.count(Reg::PhysicalInput)) {  // of a PROFINET device: no terminal
+        return store.save(Area::I, offset * 8 + (width == 1 ? operand.bit : 0), width, value, true);
+      }
       if (width == 1) return store.set(Reg::PhysicalInput, offset * 8 + operand.bit, value & 1, true);
       for (int i = 0; i < width; ++i) {
         const auto byte = offset + static_cast<std::uint32_t>(i / 8);

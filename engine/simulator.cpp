@@ -188,7 +188,9 @@ std::uint64_t Simulator::externalValue(const ExternalSite& site, int width) {
       break;
     case External::ImmediateInput:
       if (const std::optional<bool> forced = forced_.bit(Area::I, site.index)) return *forced ? 1 : 0;
-      if (outside_ == nullptr) return store_.get(Reg::PhysicalInput, site.index);
+      if (outside_ == nullptr)
+        return site.index < store_.count(Reg::PhysicalInput) ? store_.get(Reg::PhysicalInput, site.index)
+                                                             : store_.load(Area::I, site.index, 1);
       break;
     case External::AnalogInput:
       if (outside_ == nullptr || options_.choices.is(Choice::AnalogSampling, "each-scan"))

@@ -190,7 +190,7 @@ class Simulator final : private Outside {
   const std::string* calledBlock_ = nullptr;  ///< library block whose outputs are being asked for
   std::set<int> withoutCause_;
   std::uint64_t random_;
-  std::uint32_t edgeInputs_ = 0;  ///< I0.0-I0.3 as the edge events saw them last
+  std::uint32_t edgeInputs_ = 0;  ///< the inputs of edge events as these saw them last
   const ScanScript* script_ = nullptr;
   std::vector<std::uint32_t> visits_;  ///< executions of each instruction in this scan, under a script only
   std::uint32_t scriptedTicks_ = 0;

@@ -7,11 +7,11 @@
 
 namespace rungproof {
 
-/// Edges of I0.0-I0.3 are events 0 to 7: rising even, falling odd (001:5460).
+/// Edges of inputs that are events.
 void Simulator::raiseInputEdges() {
-  for (std::uint32_t input = 0; input < edgeInputCount; ++input) {
-    const auto now = static_cast<std::uint32_t>(store_.get(Reg::PhysicalInput, input));
-    if (now != (edgeInputs_ >> input & 1)) raise(static_cast<int>(input * 2 + (now == 0 ? 1 : 0)));
+  for (std::size_t input = 0; input < edgeInputs.size(); ++input) {
+    const auto now = static_cast<std::uint32_t>(store_.get(Reg::PhysicalInput, edgeInputs[input].bit));
+    if (now != (edgeInputs_ >> input & 1)) raise(edgeInputs[input].rising + (now == 0 ? 1 : 0));
     edgeInputs_ = (edgeInputs_ & ~(1U << input)) | now << input;
   }
 }
@@ -78,7 +78,7 @@ bool Simulator::mayBeDue(int event) const {
 
 bool Simulator::hasCause(int event) {
   if (isTimedEvent(event)) return mayBeDue(event);
-  if (isEdgeEvent(event)) return lastEdge_[static_cast<std::size_t>(event / 2)] != 1 + event % 2;
+  if (isEdgeEvent(event)) return lastEdge_[static_cast<std::size_t>(edgeInputOf(event))] != edgeKind(event);
   return eventHasCause(machine_, event);
 }
 
@@ -98,15 +98,15 @@ void Simulator::occur(int event) {
     timedMs_[timer] -= static_cast<std::uint32_t>(store_.get(Reg::TimedPeriod, static_cast<std::uint32_t>(timer)));
     passedMs_ = std::max(passedMs_, scriptedMs_ - std::min(scriptedMs_, timedMs_[timer]));
   }
-  if (isEdgeEvent(event)) lastEdge_[static_cast<std::size_t>(event / 2)] = 1 + event % 2;
+  if (isEdgeEvent(event)) lastEdge_[static_cast<std::size_t>(edgeInputOf(event))] = edgeKind(event);
   deviceEvent(machine_, event);
   raise(event);
 }
 
 /// Both edges of an input come in turn as long as both are followed; then nothing is known of the last one.
 void Simulator::forgetEdges() {
-  for (std::size_t input = 0; input < edgeInputCount; ++input) {
-    const auto rising = static_cast<std::uint32_t>(input * 2);
+  for (std::size_t input = 0; input < edgeInputs.size(); ++input) {
+    const auto rising = static_cast<std::uint32_t>(edgeInputs[input].rising);
     const bool areFollowed = store_.get(Reg::EventRoutine, rising) != 0 &&
                              store_.get(Reg::EventRoutine, rising + 1) != 0 &&
                              store_.get(Reg::InterruptsEnabled, 0) != 0;

@@ -192,7 +192,8 @@ std::vector<std::optional<double>> sampleValues(const Concrete::Store& store, co
         const auto byte = o.offset + static_cast<std::uint32_t>(i / 8);
         const auto bit = o.width == Width::Bit ? o.bit : static_cast<std::uint32_t>(i % 8);
         const int place = o.width == Width::Bit ? 0 : signal.width() - 8 * (i / 8 + 1) + i % 8;
-        value |= store.get(Reg::PhysicalOutput, byte * 8 + bit) << place;
+        const std::uint32_t terminal = byte * 8 + bit;  // behind them: what a PROFINET device is told
+        if (terminal < store.count(Reg::PhysicalOutput)) value |= store.get(Reg::PhysicalOutput, terminal) << place;
       }
     }
     values.emplace_back(numberOf(value, signal.type, signal.width()));

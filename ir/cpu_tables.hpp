@@ -291,13 +291,8 @@ inline constexpr auto smartLimits = [] {
           area.area == Area::T || area.area == Area::C || area.area == Area::AC || area.area == Area::HC;
       const std::uint32_t length = width == Width::Word ? 2 : width == Width::DWord ? 4 : 1;
       const std::uint32_t last = byNumber ? area.last : area.last + 1 - length;
-      rows[count++] = {area.edition,
-                       area.area,
-                       width,
-                       last,
-                       hasWidth(area.area, width) ? area.cpus : 0,
-                       smartManual,
-                       ""};
+      rows[count++] = {area.edition, area.area, width, last, hasWidth(area.area, width) ? area.cpus : 0,
+                       smartManual,  ""};
     }
   }
   return rows;

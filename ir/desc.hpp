@@ -220,8 +220,8 @@ struct Desc {
   StatusBits affects = 0;  ///< SM1.x bits it may change
   Control control = Control::None;
   CpuSet cpus = everyCpu;
-  bool since2004 = false;         ///< absent from the 2003 edition (001:130)
-  bool since28 = false;           ///< S7-200 SMART: needs firmware V2.8
+  bool since2004 = false;  ///< absent from the 2003 edition (001:130)
+  bool since28 = false;    ///< S7-200 SMART: needs firmware V2.8
   Modelling modelling = Modelling::Whole;
   bool olderDialectOnly = false;  ///< RET, RETI, MEND: written only in the one-text dialect
   bool drawingOnly = false;       ///< SR, RS and the IEC boxes: exist in LAD/FBD only, named so in the IR

@@ -79,9 +79,27 @@ constexpr bool isTimedEvent(int event) { return event == 10 || event == 11; }
 constexpr int eventOfTimer(std::uint32_t number) { return number == 32 ? 21 : number == 96 ? 22 : -1; }
 constexpr bool isTimerEvent(int event) { return event == 21 || event == 22; }
 
-/// Events 0 to 7 are the edges of I0.0 to I0.3: rising even, falling odd (001:5460).
-inline constexpr int edgeInputCount = 4;
-constexpr bool isEdgeEvent(int event) { return event >= 0 && event < 2 * edgeInputCount; }
+/// Inputs whose edges are events (001:5460): a bit of the image and the event of its rising edge, behind which that of
+/// the falling one stands. I7.0 and I7.1 are on a signal board of the S7-200 SMART.
+struct EdgeInput {
+  std::uint32_t bit;
+  int rising;
+};
+inline constexpr std::array<EdgeInput, 6> edgeInputs = {{{0, 0}, {1, 2}, {2, 4}, {3, 6}, {56, 35}, {57, 37}}};
+inline constexpr int edgeInputCount = static_cast<int>(edgeInputs.size());
+/// Which of them the event belongs to; -1: none.
+constexpr int edgeInputOf(int event) {
+  for (int input = 0; input < edgeInputCount; ++input) {
+    const int rising = edgeInputs[static_cast<std::size_t>(input)].rising;
+    if (event == rising || event == rising + 1) return input;
+  }
+  return -1;
+}
+constexpr bool isEdgeEvent(int event) { return edgeInputOf(event) >= 0; }
+constexpr const EdgeInput& edgeInputFor(int event) { return edgeInputs[static_cast<std::size_t>(edgeInputOf(event))]; }
+constexpr bool isRisingEdge(int event) { return isEdgeEvent(event) && edgeInputFor(event).rising == event; }
+/// How an edge is remembered: 1 rising, 2 falling.
+constexpr int edgeKind(int event) { return isRisingEdge(event) ? 1 : 2; }
 
 /// The highest number of an event that the CPU has.
 constexpr int lastEvent(const Target& target) {

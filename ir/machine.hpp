@@ -27,7 +27,7 @@ namespace rungproof {
 /// Sources of values that the program does not determine. Concrete takes them from the stimulus or a fixed
 /// choice; Graph makes a fresh input of the scan for each.
 enum class External : std::uint8_t {
-  ImmediateInput,  ///< physical input read in mid-scan; index = bit number 0..127
+  ImmediateInput,  ///< physical input read in mid-scan; index = bit number
   AnalogInput,     ///< AIW; index = word address
   StackBottom,     ///< level shifted in by a pop (001:2868)
   LocalMemory,     ///< L on entry to a block (001:1373); index = byte
@@ -219,6 +219,13 @@ class Machine {
   void setLevel(std::size_t i, Bool value) { stack[i] = d.select(guard, value, stack[i]); }
   /// What coils, boxes, timers and counters see of a level: gated by the SCR segment they stand in (001:5830).
   Bool powerFlow(std::size_t i = 0) { return d.land(stack[i], scrActive); }
+
+  /// Bits of the I and Q images that stand for terminals; those behind them come and go with PROFINET devices.
+  std::uint32_t terminals() const { return std::min(8 * areaSize(Area::I), regInfo(Reg::PhysicalInput).count); }
+  /// An output at once, beside its image; the data of PROFINET devices go out at the end of the scan.
+  void setTerminal(std::uint32_t bit, Bool value) {
+    if (bit < terminals()) setBit(Reg::PhysicalOutput, bit, value);
+  }
 
   /// Size of an area in bytes on this CPU (T, C, AC, HC: count).
   std::uint32_t areaSize(Area area) const { return areaSizes_[static_cast<std::size_t>(area)]; }

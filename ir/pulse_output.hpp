@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "ir/cpu.hpp"
 
@@ -23,8 +24,20 @@ inline constexpr std::array<PulseOutputInfo, pulseOutputCount> pulseOutputs = {
 /// Bits of the status byte that the end of a train writes.
 inline constexpr std::uint32_t pulseAborted = 4, pulseIdle = 7;
 
+/// The pulse output that drives Q0.`point`.
+constexpr std::optional<std::uint32_t> generatorOf(std::uint32_t point) {
+  for (std::uint32_t output = 0; output < pulseOutputCount; ++output) {
+    if (pulseOutputs[output].point == point) return output;
+  }
+  return std::nullopt;
+}
+
 constexpr std::uint32_t pulseStatus(std::uint32_t output) { return pulseOutputs[output].status; }
+/// The control byte. From it on: +1 cycle time or frequency (word), +3 pulse width (word), +5 number of pulses.
+constexpr std::uint32_t pulseControl(std::uint32_t output) { return pulseStatus(output) + 1; }
 constexpr std::uint32_t segmentByte(std::uint32_t output) { return pulseOutputs[output].segment; }
+/// Word with the place of the profile in V.
+constexpr std::uint32_t profileWord(std::uint32_t output) { return segmentByte(output) + 2; }
 constexpr int eventOfTrain(std::uint32_t output) { return pulseOutputs[output].event; }
 constexpr bool isPulseEvent(int event) { return event == 19 || event == 20 || event == 34; }
 constexpr std::uint32_t outputOfTrain(int event) { return event == 19 ? 0 : event == 20 ? 1 : 2; }
@@ -40,6 +53,8 @@ struct PulseForm {
   bool bit6IsPwm;
   bool hasFrequency;
   std::uint32_t segmentBytes;
+
+  bool operator==(const PulseForm&) const = default;
 };
 constexpr PulseForm pulseForm(const Target& target) {
   return isSmart(target) ? PulseForm{false, true, 12} : PulseForm{true, false, 8};

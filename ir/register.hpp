@@ -90,8 +90,8 @@ inline constexpr std::array<RegInfo, static_cast<std::size_t>(Reg::count)> regTa
     {Reg::CounterDown, "C.down", 1, 256},
     {Reg::EdgeMemory, "edge", 1, 0},
     {Reg::EdgeSeen, "edge.seen", 1, 0},
-    {Reg::PhysicalInput, "input", 1, 128},
-    {Reg::PhysicalOutput, "output", 1, 128},
+    {Reg::PhysicalInput, "input", 1, 256},
+    {Reg::PhysicalOutput, "output", 1, 256},
     {Reg::EventRoutine, "event", 8, 45},  // 0: detached, else interrupt number + 1
     {Reg::InterruptsEnabled, "interrupts", 1, 1},
     {Reg::TimedPeriod, "timed.period", 8, 2},    // ms between events 10 or 11 as ATCH found it (001:5472); 0: none

@@ -39,13 +39,13 @@ Ticks<D> takeTicks(Machine<D>& m) {
 template <class D>
 void readInputs(Machine<D>& m) {
   if constexpr (std::same_as<typename D::Bool, bool>) {  // the same, byte by byte
-    for (std::uint32_t byte = 0; byte < regInfo(Reg::PhysicalInput).count / 8; ++byte) {
+    for (std::uint32_t byte = 0; byte < m.terminals() / 8; ++byte) {
       typename D::Bits value = 0;
       for (std::uint32_t bit = 0; bit < 8; ++bit) value |= m.get(Reg::PhysicalInput, byte * 8 + bit) << bit;
       m.save(Area::I, byte, Width::Byte, value);
     }
   } else {
-    for (std::uint32_t bit = 0; bit < regInfo(Reg::PhysicalInput).count; ++bit)
+    for (std::uint32_t bit = 0; bit < m.terminals(); ++bit)
       m.saveBit(Area::I, bit / 8, bit % 8, m.getBit(Reg::PhysicalInput, bit));
   }
 }
@@ -133,10 +133,10 @@ void refreshSpecialMemory(Machine<D>& m, typename D::Bits elapsed) {
 template <class D>
 void writeOutputs(Machine<D>& m) {
   const auto running = m.getBit(Reg::Running);
-  for (std::uint32_t bit = 0; bit < regInfo(Reg::PhysicalOutput).count; ++bit) {
+  for (std::uint32_t bit = 0; bit < m.terminals(); ++bit) {
     const auto image = m.d.land(running, m.loadBit(Area::Q, bit / 8, bit % 8));
-    const bool mayPulse = bit < regInfo(Reg::PulseBusy).count;
-    const auto owned = mayPulse ? m.d.land(running, m.getBit(Reg::PulseBusy, bit)) : m.d.constant(false);
+    const std::optional<std::uint32_t> generator = generatorOf(bit);
+    const auto owned = generator ? m.d.land(running, m.getBit(Reg::PulseBusy, *generator)) : m.d.constant(false);
     m.setBit(Reg::PhysicalOutput, bit, m.d.select(owned, m.getBit(Reg::PhysicalOutput, bit), image));
   }
 }

@@ -9,8 +9,6 @@
 
 namespace rungproof {
 
-namespace {}  // namespace
-
 BitBlast::BitBlast(const TransitionSystem& system, const std::vector<std::size_t>& questions,
                    const std::vector<Node>& extra, const Budget* budget)
     : system_(system), graph_(*system.graph) {

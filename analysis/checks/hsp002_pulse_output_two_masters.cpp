@@ -6,6 +6,7 @@
 
 #include "analysis/facts.hpp"
 #include "analysis/rule.hpp"
+#include "ir/pulse_output.hpp"
 
 namespace rungproof {
 
@@ -15,11 +16,12 @@ namespace {
 int pulseOutput(const Instruction& instruction) {
   if (instruction.operands.empty()) return -1;
   const Operand& o = instruction.operands[0];
-  if (roleOf(instruction) == Role::Pls && o.kind == OperandKind::Constant && (o.value == 0 || o.value == 1))
+  if (roleOf(instruction) == Role::Pls && o.kind == OperandKind::Constant && o.value >= 0 &&
+      o.value < static_cast<std::int64_t>(pulseOutputCount))
     return static_cast<int>(o.value);
   const bool isWizard = instruction.desc->control == Control::Call && o.kind == OperandKind::Symbol &&
                         o.text.size() > 4 && (o.text.starts_with("PTO") || o.text.starts_with("PWM")) &&
-                        (o.text[3] == '0' || o.text[3] == '1');
+                        o.text[3] >= '0' && o.text[3] < '0' + static_cast<int>(pulseOutputCount);
   return isWizard ? o.text[3] - '0' : -1;
 }
 
@@ -30,15 +32,16 @@ bool clears(const Instruction& instruction) {
 }
 
 void checkHsp002(const Facts& facts, FindingSink& sink) {
-  std::array<const Instruction*, 2> generator{};
+  std::array<const Instruction*, pulseOutputCount> generator{};
   for (const InstructionPlace& place : facts.instructions()) {
     const int output = pulseOutput(*place.instruction);
     if (output >= 0 && generator[static_cast<std::size_t>(output)] == nullptr)
       generator[static_cast<std::size_t>(output)] = place.instruction;
   }
   const std::uint32_t cell = facts.index().cells().cell(Area::Q, 0, 0);
-  for (unsigned bit = 0; bit < 2; ++bit) {
-    if (generator[bit] == nullptr) continue;
+  for (std::uint32_t output = 0; output < pulseOutputCount; ++output) {
+    if (generator[output] == nullptr) continue;
+    const std::uint32_t bit = pulseOutputs[output].point;
     for (const std::uint32_t i : facts.index().at(cell)) {
       const Access& access = facts.access(i);
       const Instruction& instruction = facts.instruction(access.instruction);
@@ -48,9 +51,9 @@ void checkHsp002(const Facts& facts, FindingSink& sink) {
       if (!covers) continue;
       Finding& finding =
           sink.report(instruction.span, fmt::format("{} writes Q0.{}, which {} drives as a pulse output",
-                                                    Facts::text(instruction), bit, Facts::text(*generator[bit])));
+                                                    Facts::text(instruction), bit, Facts::text(*generator[output])));
       finding.address = fmt::format("Q0.{}", bit);
-      finding.related.push_back({generator[bit]->span, "the pulse generator"});
+      finding.related.push_back({generator[output]->span, "the pulse generator"});
       finding.help =
           "while the generator runs the image has no effect, and when it stops the image decides: keep the bit 0 "
           "(001:4528-4539)";

@@ -6,6 +6,7 @@
 
 #include "analysis/facts.hpp"
 #include "analysis/rule.hpp"
+#include "ir/event.hpp"
 #include "ir/hsc_inputs.hpp"
 
 namespace rungproof {
@@ -54,7 +55,9 @@ void checkInt005(const Facts& facts, FindingSink& sink) {
     }
   }
   for (const Attachment& a : facts.calls().attachments()) {
-    if (a.event >= 0 && a.event <= 7) claim(a.event / 2, {a.instruction, -1});
+    if (!isEdgeEvent(a.event)) continue;
+    const auto input = static_cast<int>(edgeInputFor(a.event).bit);
+    if (input < inputCount) claim(input, {a.instruction, -1});  // no counter uses the others
   }
 }
 

@@ -26,6 +26,11 @@ namespace rungproof {
 
 namespace {
 
+std::string nameOfEdge(int input) {
+  const std::uint32_t bit = edgeInputs[static_cast<std::size_t>(input)].bit;
+  return fmt::format("edge of I{}.{}", bit / 8, bit % 8);
+}
+
 /// Events at places of one scan; more would repeat the routines' text too often.
 constexpr std::size_t eventSiteLimit = 400;
 
@@ -84,10 +89,10 @@ void ScanEncoding::beginEvents() {
     if (const Node end = devices_.ends(event); isOfRequest(event) && end != noNode) queueOne(event, {end});
     if (detached.contains(event) && options_.choices.is(Choice::DetachedEvents, "kept"))
       s.left[event] = state(fmt::format("event {} left", event), 8);
-    if (!isEdgeEvent(event) || event % 2 != 0 || !attachments_.contains(event + 1)) continue;
-    const Node last = s.lastEdge[event / 2] = state(fmt::format("edge of I0.{}", event / 2), 2);
+    if (!isRisingEdge(event) || !attachments_.contains(event + 1)) continue;
+    const Node last = s.lastEdge[edgeInputOf(event)] = state(nameOfEdge(edgeInputOf(event)), 2);
     // Every edge was followed, so the input is as the last one left it.
-    const Graph::Bool isOn = machine_.loadBit(Area::I, 0, static_cast<std::uint32_t>(event / 2));
+    const Graph::Bool isOn = machine_.loadBit(Area::I, 0, edgeInputFor(event).bit);
     const auto was = [&](std::uint64_t which) { return graph.equal({last}, graph.literal(which, 2), 2); };
     const Node agrees =
         graph.land(graph.lor(graph.lnot(was(1)), isOn), graph.lor(graph.lnot(was(2)), graph.lnot(isOn))).node;
@@ -130,7 +135,7 @@ void ScanEncoding::endEvents() {
   };
   for (const auto& [event, now] : s.waiting) setNext(now, fmt::format("event {} waiting", event));
   for (const auto& [event, now] : s.left) setNext(now, fmt::format("event {} left", event));
-  for (const auto& [input, now] : s.lastEdge) setNext(now, fmt::format("edge of I0.{}", input));
+  for (const auto& [input, now] : s.lastEdge) setNext(now, nameOfEdge(input));
 }
 
 // ---- Conditions --------------------------------------------------------------------------------------------
@@ -189,9 +194,8 @@ Graph::Bool ScanEncoding::occurs(Round& round, int event) {
     return round.isEnd || graph.truth(due) == false ? due : graph.land(due, input());
   }
   Graph::Bool possible = graph.land(hasRoutine(event), eventHasCause(machine_, event));
-  if (const auto last = eventStates_.lastEdge.find(event / 2);
-      isEdgeEvent(event) && last != eventStates_.lastEdge.end()) {
-    const auto same = static_cast<std::uint64_t>(1 + event % 2);
+  if (const auto last = eventStates_.lastEdge.find(edgeInputOf(event)); last != eventStates_.lastEdge.end()) {
+    const auto same = static_cast<std::uint64_t>(edgeKind(event));
     possible = graph.land(possible, graph.lnot(graph.equal({last->second}, graph.literal(same, 2), 2)));
   }
   return graph.truth(possible) == false ? possible : graph.land(possible, input());
@@ -297,8 +301,8 @@ void ScanEncoding::runEvent(Runner& runner, Round& round, int event) {
     const Node due = graph.make(Op::Ite, w, isInScan.node, graph.sub({dt}, {since}, w).node, graph.constantNode(0, w));
     become(s.passed, here(graph.land(comes, graph.ult({s.passed}, {due}, w))), due);
   }
-  if (const auto last = s.lastEdge.find(event / 2); isEdgeEvent(event) && last != s.lastEdge.end())
-    become(last->second, here(comes), graph.constantNode(static_cast<std::uint64_t>(1 + event % 2), 2));
+  if (const auto last = s.lastEdge.find(edgeInputOf(event)); last != s.lastEdge.end())
+    become(last->second, here(comes), graph.constantNode(static_cast<std::uint64_t>(edgeKind(event)), 2));
   machine_.when(comes, [&] { deviceEvent(machine_, event); });
   runRoutines(runner, round, event, fires);
 }
@@ -460,9 +464,9 @@ void ScanEncoding::moreRuns(Runner& runner, Round& round) {
 
 /// Edges of an input are in turn only while both are followed.
 void ScanEncoding::followEdges(int event) {
-  const auto last = eventStates_.lastEdge.find(event / 2);
-  if (!isEdgeEvent(event) || last == eventStates_.lastEdge.end()) return;
-  const int rising = event / 2 * 2;
+  const auto last = eventStates_.lastEdge.find(edgeInputOf(event));
+  if (last == eventStates_.lastEdge.end()) return;
+  const int rising = edgeInputFor(event).rising;
   const Graph::Bool areFollowed =
       graph.land(machine_.getBit(Reg::InterruptsEnabled), graph.land(hasRoutine(rising), hasRoutine(rising + 1)));
   become(last->second, here(graph.lnot(areFollowed)), graph.constantNode(0, 2));

@@ -8,8 +8,6 @@
 
 namespace rungproof {
 
-namespace {}  // namespace
-
 class InvariantCores::Question {
  public:
   Question(const BitSystem& system, const Clauses& invariants)

@@ -44,7 +44,7 @@ bool mayAttach(const Program& program, int event) {
 /// The input, timer or counter that an event comes from; nothing for ports, pulse trains and timed interrupts.
 std::optional<Address> sourceOf(int event) {
   constexpr std::string_view counter = "HSC";
-  if (isEdgeEvent(event)) return Address{Area::I, static_cast<std::uint32_t>(event) / 2};
+  if (isEdgeEvent(event)) return Address{Area::I, edgeInputFor(event).bit};
   const std::string_view text = eventInfo(event).text;
   if (text.starts_with(counter)) return Address{Area::HC, static_cast<std::uint32_t>(text[counter.size()] - '0')};
   for (const std::uint32_t timer : {32U, 96U}) {

@@ -40,7 +40,7 @@ struct AssignImmediate {
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     a.storeBit(0, m.powerFlow());
-    m.setBit(Reg::PhysicalOutput, a.operand(0).offset * 8 + a.operand(0).bit, m.powerFlow());
+    m.setTerminal(a.operand(0).offset * 8 + a.operand(0).bit, m.powerFlow());
   }
 };
 
@@ -84,8 +84,7 @@ struct Latch {
       if (hasBitAndWord(r.area)) m.save(r.area, number, Width::Word, m.number(0, 16));
       if (r.area == Area::T) stopTimer(m, number);
     }
-    if constexpr (immediate)
-      m.setBit(Reg::PhysicalOutput, r.offset * 8 + r.bit + static_cast<std::uint32_t>(k), m.d.constant(value));
+    if constexpr (immediate) m.setTerminal(r.offset * 8 + r.bit + static_cast<std::uint32_t>(k), m.d.constant(value));
   }
 
  private:

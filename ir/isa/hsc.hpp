@@ -3,6 +3,7 @@
 // HDEF reads bits 0-2 of the control byte, HSC bits 3-7. Tests: tests/manual_a/hsc_test.cpp.
 #pragma once
 
+#include "ir/event.hpp"
 #include "ir/hsc_inputs.hpp"
 #include "ir/isa/group.hpp"
 
@@ -79,9 +80,11 @@ struct DefineHsc {
             taken = d.lor(taken, d.equal(defined, m.number(static_cast<std::uint64_t>(k) + 1, 8), 8));
         }
       }
-      for (std::uint32_t event = 0; event < 8; ++event) {
-        if (static_cast<int>(event / 2) == input)
-          taken = d.lor(taken, d.lnot(d.equal(m.get(Reg::EventRoutine, event), m.number(0, 8), 8)));
+      for (const EdgeInput& edge : edgeInputs) {
+        if (static_cast<int>(edge.bit) != input) continue;
+        for (const int event : {edge.rising, edge.rising + 1})
+          taken = d.lor(
+              taken, d.lnot(d.equal(m.get(Reg::EventRoutine, static_cast<std::uint32_t>(event)), m.number(0, 8), 8)));
       }
     }
     return taken;

@@ -68,7 +68,8 @@ struct Attach {
     const std::uint32_t event = a.number(1);
     if (event >= regInfo(Reg::EventRoutine).count) return;
     auto taken = m.d.constant(false);
-    if (event < 8) taken = hscUses(m, static_cast<int>(event / 2));
+    if (isEdgeEvent(static_cast<int>(event)))
+      taken = hscUses(m, static_cast<int>(edgeInputFor(static_cast<int>(event)).bit));
     m.hazard(Hazard::InputConflict, taken);
     m.when(m.d.lnot(taken), [&] {
       m.set(Reg::EventRoutine, event, m.number(a.number(0) + 1, 8));

@@ -79,7 +79,7 @@ struct MoveImmediateWrite {
       m.when(m.d.land(condition, m.d.constant(area == Area::Q)), [&] {
         m.save(Area::Q, offset, Width::Byte, value);
         for (std::uint32_t bit = 0; bit < 8; ++bit)
-          m.setBit(Reg::PhysicalOutput, offset * 8 + bit, m.d.bit(value, static_cast<int>(bit)));
+          m.setTerminal(offset * 8 + bit, m.d.bit(value, static_cast<int>(bit)));
       });
       isOutput = m.d.lor(isOutput, m.d.land(condition, m.d.constant(area == Area::Q)));
     });

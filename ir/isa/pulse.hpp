@@ -1,4 +1,4 @@
-// Pulse outputs: PLS for PTO and PWM on Q0.0 and Q0.1 (001:4510-4782; s7200 digest A 18). PLS takes cycle time, width
+// Pulse outputs: PLS for PTO and PWM on Q0.0 and Q0.1 (001:4510-4782). PLS takes cycle time, width
 // and count from SM as the update bits of the control byte allow and starts, continues or stops the generator; the
 // pulses themselves, their end and a profile's steps are the device's. Tests: tests/manual_a/pulse_test.cpp.
 #pragma once
@@ -38,7 +38,7 @@ struct PulseOutput {
     const bool exists = q < most(m.target);
     m.hazard(Hazard::OutOfRange, m.d.constant(!exists));
     if (!exists) return;
-    const std::uint32_t control = pulseStatus(q) + 1;
+    const std::uint32_t control = pulseControl(q);
     const auto mode = m.sm(control, 6);
     const auto enabled = m.sm(control, 7), isPwm = pulseForm(m.target).bit6IsPwm ? mode : m.d.lnot(mode),
                isMulti = m.sm(control, 5);
@@ -100,7 +100,11 @@ struct PulseOutput {
   template <class D>
   static void singleTrain(Machine<D>& m, std::uint32_t q, std::uint32_t control, typename D::Bool busy) {
     const auto cycle = loaded(m, control, 0, 1, Reg::PulseCycle, q, 16, pulseForm(m.target).hasFrequency ? 1 : 2);
-    const auto count = loaded(m, control, 2, 5, Reg::PulseCount, q, 32, 1);
+    auto count = loaded(m, control, 2, 5, Reg::PulseCount, q, 32, 1);
+    if (isSmart(m.target)) {  // a number above the most counts as that
+      const auto most = m.number(0x7FFFFFFF, 32);
+      count = m.d.select(m.d.ult(most, count, 32), most, count, 32);
+    }
     const auto full = m.getBit(Reg::PulsePending, q);
     m.when(m.d.lnot(busy), [&] {
       m.set(Reg::PulseCycle, q, cycle);
@@ -121,7 +125,7 @@ struct PulseOutput {
   template <class D>
   static void profile(Machine<D>& m, Args<D>& a, std::uint32_t q, std::uint32_t control) {
     D& d = m.d;
-    const auto at = m.load(Area::SM, segmentByte(q) + 2, Width::Word);
+    const auto at = m.load(Area::SM, profileWord(q), Width::Word);
     const auto offset = d.zext(at, 16, 32);
     Ref<D> table;
     const auto inside = a.follow(d.add(m.number(pointer::encode(Area::V, 0), 32), offset, 32), Width::Byte, table);
