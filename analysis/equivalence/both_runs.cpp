@@ -26,10 +26,10 @@ std::uint64_t valueIn(const Concrete::Store& state, const std::optional<Address>
   return state.load(address->area, address->index, static_cast<int>(bits));
 }
 
-std::uint64_t pulseNumberIn(const Concrete::Store& state, const PulseSignal& signal) {
+std::uint64_t pulseNumberIn(const Concrete::Store& state, const PulseSignal& signal, const PulseForm& form) {
   StillOutside outside;
   Concrete domain(outside);
-  return pulseNumber(domain, signal.number,
+  return pulseNumber(domain, signal.number, form,
                      [&](Reg reg) { return state.get(reg, reg == Reg::Running ? 0 : signal.output); });
 }
 
@@ -83,8 +83,9 @@ bool OutputWatch::isAlike(std::size_t output, std::uint64_t before, std::uint64_
 
 ScanOutputs BothRuns::outputsOf(const Concrete::Store& state, bool isOld) const {
   ScanOutputs result{state.get(Reg::Running, 0) != 0, {}};
+  const PulseForm form = pulseForm((isOld ? before : after).target);
   for (const ObservedBit& bit : observed) {
-    result.values.push_back(bit.pulses ? pulseNumberIn(state, *bit.pulses)
+    result.values.push_back(bit.pulses ? pulseNumberIn(state, *bit.pulses, form)
                                        : valueIn(state, isOld ? bit.before : bit.after, bit.bits));
   }
   return result;

@@ -44,7 +44,8 @@ std::optional<Addressee> addresseeOf(const Instruction& instruction) {
       if (hasConstant(instruction, 0, isa::hscCount - 1)) return Addressee{Device::Counter, constantAt(instruction, 0)};
       return std::nullopt;
     case Role::Pls:
-      if (hasConstant(instruction, 0, 1)) return Addressee{Device::PulseOutput, constantAt(instruction, 0)};
+      if (hasConstant(instruction, 0, pulseOutputCount - 1))
+        return Addressee{Device::PulseOutput, constantAt(instruction, 0)};
       return std::nullopt;
     case Role::Xmt:
     case Role::Rcv:
@@ -69,12 +70,12 @@ std::vector<TakenField> fieldsOf(const Addressee& to, Role role) {
       return {{control, Width::Byte}, {control + 1, Width::DWord, 6}, {control + 5, Width::DWord, 5}};
     }
     case Device::PulseOutput: {
-      const std::uint32_t control = to.number == 0 ? 67 : 77;
+      const std::uint32_t control = pulseControl(to.number);
       return {{control, Width::Byte},
               {control + 1, Width::Word, 0},
               {control + 3, Width::Word, 1},
               {control + 5, Width::DWord, 2},
-              {control + 101, Width::Word, 5}};
+              {profileWord(to.number), Width::Word, 5}};
     }
     case Device::Port: {
       const std::uint32_t control = portControl(to.number), receive = to.number == 0 ? 87 : 187;
@@ -130,6 +131,9 @@ void RequestRecord::at(Machine<Graph>& m, const Instruction& instruction) {
   };
   const Graph::Bool always = graph.constant(true);
   take(graph.literal(static_cast<std::uint64_t>(role), 8), 8, always);
+  // The same numbers mean other inputs of a counter and other pulses in the other family.
+  if (to->device == Device::Counter || to->device == Device::PulseOutput)
+    take(graph.literal(isSmart(m.target) ? 1 : 0, 8), 8, always);
   if (role == Role::Hdef && instruction.operands.size() == 2)
     take(graph.literal(static_cast<std::uint64_t>(instruction.operands[1].value), 8), 8, always);
   const std::vector<TakenField> fields = fieldsOf(*to, role);
@@ -177,8 +181,8 @@ bool sendsMessages(const Program& program) {
   return found;
 }
 
-std::array<bool, 2> pulseOutputsOf(const Program& program) {
-  std::array<bool, 2> found{};
+UsedPulses pulseOutputsOf(const Program& program) {
+  UsedPulses found{};
   eachRequest(program, [&](const Instruction&, const Addressee& to) {
     if (to.device == Device::PulseOutput) found.at(to.number) = true;
   });

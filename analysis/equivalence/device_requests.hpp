@@ -10,6 +10,7 @@
 
 #include "analysis/encoding/encoder.hpp"
 #include "ir/program.hpp"
+#include "ir/pulse_output.hpp"
 
 namespace rungproof {
 
@@ -40,8 +41,9 @@ void observeRequests(EncoderOptions& options, const Program& program);
 
 /// Whether it sends messages to others.
 bool sendsMessages(const Program& program);
-/// By output: whether PLS may set its generator going.
-std::array<bool, 2> pulseOutputsOf(const Program& program);
+/// By pulse output: whether PLS may set its generator going.
+using UsedPulses = std::array<bool, pulseOutputCount>;
+UsedPulses pulseOutputsOf(const Program& program);
 /// Whether a device tells of something by that event.
 bool isDeviceEvent(int event);
 /// The control byte of a serial port: baud rate, parity, protocol (001:14167).

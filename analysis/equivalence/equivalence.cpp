@@ -461,7 +461,7 @@ class ProgramComparison {
     guardRuns(product);
     if ((comparesPulseOutputs() || dependOnDevices_) && !product.pulsesCorrespond(correspondence_.isMerged))
       note(
-          "what PLS makes of Q0.0 and Q0.1 may differ in a way that is not compared: by profiles, or by constant "
+          "what PLS makes of its outputs may differ in a way that is not compared: by profiles, or by constant "
           "levels");
     const LongScans loops = longScansOf(*before_.program, *after_.program, match_);
     for (const std::string& text : loops.ofOne) note(text);

@@ -306,10 +306,11 @@ std::vector<ObservedBit> namedOutputs(const Program& before, const Program& afte
   }
   for (const Operand& operand : operands)
     eachBit(operand, [&](const Address& old) { add(old, options.pairs.after(old)); });
-  std::array<bool, 2> isUsed = pulseOutputsOf(before);
-  const std::array<bool, 2> ofNew = pulseOutputsOf(after);
+  UsedPulses isUsed = pulseOutputsOf(before);
+  const UsedPulses ofNew = pulseOutputsOf(after);
   for (std::size_t i = 0; i < isUsed.size(); ++i) isUsed[i] = isUsed[i] || ofNew[i];
-  for (const PulseSignal& signal : comparedPulses(options.observed, options.pairs, options.latency, isUsed))
+  const std::array<PulseForm, 2> forms = {pulseForm(before.target), pulseForm(after.target)};
+  for (const PulseSignal& signal : comparedPulses(options.observed, options.pairs, options.latency, isUsed, forms))
     outputs.push_back({nameOf(signal), {}, {}, noNode, signal});
   return outputs;
 }

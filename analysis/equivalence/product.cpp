@@ -35,7 +35,11 @@ bool isOfFastCounter(Reg reg) {
 bool isOfPulses(Reg reg) { return reg >= Reg::PulseBusy && reg <= Reg::PulseNextIsMs; }
 /// The profile table of a pulse train stands in V memory where SMW168 and SMW178 say (001:4596).
 bool isPulseTableAddress(const Place& place) {
-  return !place.isRegister && place.area == Area::SM && place.byte() >= 166 && place.byte() < 186;
+  if (place.isRegister || place.area != Area::SM) return false;
+  for (std::uint32_t output = 0; output < pulseOutputCount; ++output) {
+    if (place.byte() == profileWord(output) || place.byte() == profileWord(output) + 1) return true;
+  }
+  return false;
 }
 /// The area whose addresses number a register; nothing for registers that no address names.
 std::optional<Area> areaOf(Reg reg) {
@@ -96,6 +100,7 @@ ProgramProduct::ProgramProduct(const Side& before, const Side& after, const Prog
       new_(*after.program, after.set, {},
            shaped(options.encoder, *after.program, *before.program, nullptr, options.trailAfter, newRequests_)) {
   isSame_ = isSameProgram(before, after);
+  pulseForms_ = {pulseForm(before.program->target), pulseForm(after.program->target)};
   collectOutputs();
   addPulses();
   findClocks();
@@ -356,6 +361,7 @@ JoinedSystem ProgramProduct::merged(const std::vector<bool>& isMerged, bool isOn
 }
 
 bool ProgramProduct::pulsesCorrespond(const std::vector<bool>& isMerged) {
+  if (pulseForms_[0] != pulseForms_[1]) return false;
   const auto isPulse = [](const Cell& cell) { return cell.place.isRegister && isOfPulses(cell.place.reg); };
   const std::vector<Cell>&before = old_.encoding().cells(), &after = new_.encoding().cells();
   const bool hasTable = std::ranges::any_of(before, isPulseTableAddress, &Cell::place) ||

@@ -69,7 +69,8 @@ std::string nameOf(const PulseSignal& signal);
 /// Those that are compared: of the generators that PLS in either program sets going, unless the map moves their outputs
 /// or outputs come with latency.
 std::vector<PulseSignal> comparedPulses(const std::vector<Operand>& observed, const AddressPairs& pairs,
-                                        std::uint32_t latency, const std::array<bool, 2>& isUsed);
+                                        std::uint32_t latency, const UsedPulses& isUsed,
+                                        const std::array<PulseForm, 2>& forms);
 
 /// An output bit or word, and whether the two programs leave it different at the end of the scan (settling and latency
 /// counted in).
@@ -135,7 +136,7 @@ class ProgramProduct {
   JoinedSystem merged(const std::vector<bool>& isMerged, bool isOneScan,
                       const std::vector<PairCondition>& conditions = {});
   /// Whether the pulse outputs get the same commands in every scan, as far as states that are merged show it: PLS
-  /// drives Q0.0 and Q0.1 past the process image.
+  /// drives its outputs past the process image.
   bool pulsesCorrespond(const std::vector<bool>& isMerged);
   /// By output, then RUN: it depends on what a device does for a request, which is the same for both programs.
   std::vector<bool> dependsOnDevices(const JoinedSystem& joined);
@@ -202,6 +203,7 @@ class ProgramProduct {
   std::vector<Output> outputs_;
   std::vector<std::pair<Node, Node>> clocks_;  ///< inputs of OLD's graph that show what NEW has in SMB0
   bool isSame_ = false;                        ///< the same instructions in the same order
+  std::array<PulseForm, 2> pulseForms_{};      ///< of OLD and of NEW
   std::set<Node> kept_;                        ///< states of NEW that keep their value
   Node firstScan_ = noNode;
   Node oldRuns_ = noNode, newRuns_ = noNode;  ///< in RUN at the end of the scan

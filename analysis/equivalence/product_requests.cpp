@@ -21,36 +21,41 @@ std::string nameOf(const PulseSignal& signal) {
 }
 
 std::vector<PulseSignal> comparedPulses(const std::vector<Operand>& observed, const AddressPairs& pairs,
-                                        std::uint32_t latency, const std::array<bool, 2>& isUsed) {
+                                        std::uint32_t latency, const UsedPulses& isUsed,
+                                        const std::array<PulseForm, 2>& forms) {
   std::vector<PulseSignal> signals;
   if (!observed.empty() || latency > 0) return signals;
   for (std::uint32_t output = 0; output < isUsed.size(); ++output) {
-    const Address address{Area::Q, output};
+    const Address address{Area::Q, pulseOutputs[output].point};
     if (!isUsed[output] || pairs.after(address) != address) continue;
-    for (const PulseNumber number : pulseNumbers) signals.push_back({output, number});
+    for (const PulseNumber number : pulseNumbers) {
+      if (number == PulseNumber::Frequency && !forms[0].hasFrequency && !forms[1].hasFrequency) continue;
+      signals.push_back({output, number});
+    }
   }
   return signals;
 }
 
 void ProgramProduct::addPulses() {
-  std::array<bool, 2> isUsed{};
+  UsedPulses isUsed{};
   for (const RequestRecord* side : {&oldRequests_, &newRequests_}) {
     for (const DeviceRequest& request : side->requests()) {
       if (request.device == Device::PulseOutput) isUsed.at(request.number) = true;
     }
   }
-  for (const PulseSignal& signal : comparedPulses(options_.observed, options_.pairs, options_.latency, isUsed)) {
-    const auto valueIn = [&](EncodedScan& encoding) {
+  for (const PulseSignal& signal :
+       comparedPulses(options_.observed, options_.pairs, options_.latency, isUsed, pulseForms_)) {
+    const auto valueIn = [&](EncodedScan& encoding, const PulseForm& form) {
       return pulseNumber(
-                 encoding.graph(), signal.number,
+                 encoding.graph(), signal.number, form,
                  [&](Reg reg) {
                    return Graph::Bits{encoding.atEnd(registerPlace(reg, reg == Reg::Running ? 0 : signal.output))};
                  })
           .node;
     };
     Output& output = outputs_.emplace_back();
-    output.oldValue = valueIn(old_.encoding());
-    output.newValue = valueIn(new_.encoding());
+    output.oldValue = valueIn(old_.encoding(), pulseForms_[0]);
+    output.newValue = valueIn(new_.encoding(), pulseForms_[1]);
     output.pulses = signal;
   }
 }

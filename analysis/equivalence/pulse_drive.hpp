@@ -1,20 +1,21 @@
-// What a pulse generator gives to Q0.0 or Q0.1 past the process image (001:4528), over any domain: numbers at the end
+// What a pulse generator gives to its output past the process image (001:4528), over any domain: numbers at the end
 // of a scan that two programs can be compared by. Tested by tests/equivalence/requests_test.cpp.
 #pragma once
 
 #include <array>
 #include <string_view>
 
+#include "ir/pulse_output.hpp"
 #include "ir/register.hpp"
 
 namespace rungproof {
 
-enum class PulseNumber : std::uint8_t { Mode, Cycle, Width, Count };
+enum class PulseNumber : std::uint8_t { Mode, Cycle, Width, Count, Frequency };
 inline constexpr std::array pulseNumbers = {PulseNumber::Mode, PulseNumber::Cycle, PulseNumber::Width,
-                                            PulseNumber::Count};
-/// Cycle and width in us.
+                                            PulseNumber::Count, PulseNumber::Frequency};
+/// Cycle and width in us, frequency in Hz.
 constexpr std::string_view pulseNumberName(PulseNumber number) {
-  constexpr std::array<std::string_view, pulseNumbers.size()> names = {"mode", "cycle", "width", "count"};
+  constexpr std::array<std::string_view, pulseNumbers.size()> names = {"mode", "cycle", "width", "count", "frequency"};
   return names[static_cast<std::size_t>(number)];
 }
 
@@ -24,7 +25,7 @@ inline constexpr int pulseBits = 32;
 
 /// 32 bits; 0 for what the mode does not have. `get(Reg)`: a register of the generator, or Reg::Running.
 template <class D, class Get>
-typename D::Bits pulseNumber(D& d, PulseNumber number, const Get& get) {
+typename D::Bits pulseNumber(D& d, PulseNumber number, const PulseForm& form, const Get& get) {
   constexpr int w = pulseBits;
   const auto literal = [&](auto value) { return d.literal(static_cast<std::uint64_t>(value), w); };
   const auto isSet = [&](Reg reg) { return d.bit(get(reg), 0); };
@@ -46,7 +47,10 @@ typename D::Bits pulseNumber(D& d, PulseNumber number, const Get& get) {
       const auto train = d.select(isProfile, literal(PulseMode::Profile), literal(PulseMode::Train), w);
       return where(runs, d.select(isPwm, modulation, train, w));
     }
-    case PulseNumber::Cycle: return where(d.lor(modulates, trains), inUs(Reg::PulseCycle));
+    case PulseNumber::Cycle:
+      return where(form.hasFrequency ? modulates : d.lor(modulates, trains), inUs(Reg::PulseCycle));
+    case PulseNumber::Frequency:
+      return form.hasFrequency ? where(trains, d.zext(cycle, regInfo(Reg::PulseCycle).width, w)) : literal(0);
     case PulseNumber::Width: return where(modulates, inUs(Reg::PulseWidth));
     case PulseNumber::Count: return where(trains, get(Reg::PulseCount));
   }
