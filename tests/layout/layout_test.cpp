@@ -132,7 +132,7 @@ bool mayKnowSpellings(const Source& source) {
   static const std::set<std::string> rooms = {
       "ir", "ir/isa", "frontend/stl", "frontend/drawn", "frontend/plcopen", "frontend/simatic"};
   static const std::set<std::string> files = {"explain.cpp", "completion.cpp", "instruction_page.cpp",
-                                              "sty003_program_in_comment.cpp"};
+                                              "swallowed_text.cpp"};
   return rooms.contains(source.folder) || files.contains(source.path.filename().string());
 }
 

@@ -57,9 +57,5 @@ TEST(DeviceRules, GuardsOfOneScan) {
   EXPECT_EQ(lines("HSP001", "Network 1\nLD SM0.1\nHDEF 0, 0\nHSC 0\nNetwork 2\nLD I0.0\nHDEF 0, 3\n"), Lines{7});
 }
 
-TEST(StyleRules, OnlyInstructionsCount) {
-  EXPECT_EQ(lines("STY003", "Network 1\nLD I0.0\n// A new valve from 2004\n// MOVW VW0, VW2\n= Q0.0\n"), Lines{4});
-}
-
 }  // namespace
 }  // namespace rungproof::testing
