@@ -20,8 +20,10 @@ std::uint64_t addressKey(const Operand& o) {
 
 }  // namespace
 
-Facts::Facts(const Program& program, std::span<const ExternalRange> externals)
+Facts::Facts(const Program& program, std::span<const ExternalRange> externals, Surroundings around)
     : program_(program),
+      surroundings_(std::move(around)),
+      externals_(externals.begin(), externals.end()),
       plan_(program),
       places_(placesOf(program, plan_)),
       accesses_(program, plan_),
@@ -38,7 +40,7 @@ Facts::Facts(const Program& program, std::span<const ExternalRange> externals)
   }
   collectBoxes();
   collectSymbols();
-  collectExternals(externals);
+  collectExternals();
   findPulses();
   pointers_ = std::make_unique<const PointerTable>(*this);
 }
@@ -122,10 +124,10 @@ void Facts::collectSymbols() {
   }
 }
 
-void Facts::collectExternals(std::span<const ExternalRange> externals) {
+void Facts::collectExternals() {
   const CellMap& cells = index_.cells();
   external_.assign(cells.size(), 0);
-  for (const ExternalRange& range : externals) {
+  for (const ExternalRange& range : externals_) {
     const bool byNumber = hasBitAndWord(range.first.area);
     const std::uint32_t end = range.last.offset + static_cast<std::uint32_t>(byNumber ? 1 : bytes(range.last.width));
     for (std::uint32_t at = range.first.offset; at < end; ++at) {

@@ -19,6 +19,7 @@
 #include "analysis/execution.hpp"
 #include "analysis/property.hpp"
 #include "analysis/stack_depth.hpp"
+#include "analysis/surroundings.hpp"
 #include "ir/program.hpp"
 
 namespace rungproof {
@@ -35,7 +36,7 @@ struct InstructionPlace {
 
 class Facts {
  public:
-  explicit Facts(const Program& program, std::span<const ExternalRange> externals = {});
+  explicit Facts(const Program& program, std::span<const ExternalRange> externals = {}, Surroundings around = {});
   ~Facts();
   Facts(const Facts&) = delete;
   Facts& operator=(const Facts&) = delete;
@@ -43,6 +44,9 @@ class Facts {
   const Program& program() const { return program_; }
   const Target& target() const { return program_.target; }
   const Plan& plan() const { return plan_; }
+  const Surroundings& surroundings() const { return surroundings_; }
+  /// What a panel or a network writes, as it was declared; tags of a panel are part of it.
+  std::span<const ExternalRange> externals() const { return externals_; }
 
   /// All instructions in program order; the index is Instruction::id.
   std::span<const InstructionPlace> instructions() const { return places_; }
@@ -110,10 +114,12 @@ class Facts {
   void findPulses();
   void collectBoxes();
   void collectSymbols();
-  void collectExternals(std::span<const ExternalRange> externals);
+  void collectExternals();
   void countUses();
 
   const Program& program_;
+  Surroundings surroundings_;
+  std::vector<ExternalRange> externals_;
   Plan plan_;
   std::vector<InstructionPlace> places_;
   AccessTable accesses_;

@@ -106,7 +106,8 @@ struct Property {
 struct ExternalRange {
   Operand first;
   Operand last;
-  Span span{};
+  Span span{};              ///< of its declaration; empty: a setting
+  bool isPanelTag = false;  ///< a row of a panel's tag list
 };
 
 /// Everything that the directives of a program and its property files say.

@@ -17,7 +17,7 @@ Report lintProgram(const Settings& settings, const ProgramInput& input, const st
                    bool prove) {
   const Program& program = input.program;
   const RuleSelection selection(settings.list(Opt::Select), settings.list(Opt::Ignore));
-  const Facts facts(program, input.properties.externals);
+  const Facts facts(program, input.properties.externals, input.surroundings);
   Report report = startReport("lint", program, files);
 
   const auto isSelected = [&](std::string_view id) {

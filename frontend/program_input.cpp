@@ -9,9 +9,12 @@
 #include "analysis/rule.hpp"
 #include "frontend/file_block.hpp"
 #include "frontend/file_reader.hpp"
+#include "frontend/missing_address.hpp"
+#include "frontend/settings/external_range.hpp"
 #include "frontend/stl/operand_reader.hpp"
 #include "frontend/stl/stl_likeness.hpp"
 #include "frontend/stl/syntax_sink.hpp"
+#include "frontend/tag_list.hpp"
 
 namespace rungproof {
 
@@ -88,7 +91,22 @@ ProgramInput readInput(const Context& context, const std::vector<std::string>& f
   ProgramInput input;
   input.program = readFiles(context, files);
   input.properties = readProperties(input.program, propertyFiles, lookupIn(input.program));
+  addSurroundings(context.settings, input);
   return input;
+}
+
+void addSurroundings(const Settings& settings, ProgramInput& input) {
+  std::vector<ExternalRange>& externals = input.properties.externals;
+  for (const std::string& text : settings.list(Opt::External)) externals.push_back(*externalRangeNamed(text));
+  for (const std::string& file : settings.list(Opt::Tags)) {
+    for (PanelTag& tag : readTagList(input.program, file, *encodingNamed(settings.text(Opt::Encoding)))) {
+      const bool isThere = !missingFrom(input.program.target, tag.address);
+      if (isThere && tag.access != TagAccess::Reads && mayBeExternal(tag.address.area))
+        externals.push_back({tag.address, tag.address, tag.span, true});
+      input.surroundings.tags.push_back(std::move(tag));
+    }
+  }
+  input.surroundings.portTo = settings.portTo();
 }
 
 Report startReport(std::string_view command, const Program& program, const std::vector<std::string>& files) {

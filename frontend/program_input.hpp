@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/property.hpp"
+#include "analysis/surroundings.hpp"
 #include "analysis/unread_code.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/project.hpp"
@@ -24,11 +25,15 @@ ReadOptions readOptionsOf(const Settings& settings);
 struct ProgramInput {
   Program program;
   PropertySet properties;
+  Surroundings surroundings{};
 };
 /// The program alone: folders expanded, and the CPU guessed where nobody names one.
 Program readFiles(const Context& context, const std::vector<std::string>& files);
 ProgramInput readInput(const Context& context, const std::vector<std::string>& files,
                        const std::vector<std::string>& propertyFiles = {});
+
+/// Adds what the options and the configuration say beside the program: panel and network, the CPU to port to.
+void addSurroundings(const Settings& settings, ProgramInput& input);
 
 /// The operand that an address or a symbol of the program means, for property files, stimuli and command lines.
 OperandLookup lookupIn(const Program& program);

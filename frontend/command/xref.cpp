@@ -1,10 +1,12 @@
-// `rungproof xref`: who reads and who writes each address, at which width, overlaps and free areas.
+// `rungproof xref`: who reads and who writes each address, at which width, overlaps and free areas; with --tags also
+// what is wrong with the tag list of a panel.
 #include "analysis/xref.hpp"
 
 #include <fmt/ranges.h>
 
 #include <filesystem>
 
+#include "analysis/panel_tags.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/json.hpp"
 #include "frontend/missing_address.hpp"
@@ -18,8 +20,9 @@ namespace {
 
 class XrefWriter {
  public:
-  XrefWriter(const Facts& facts, const Xref& xref, std::vector<std::size_t> shown, bool whole)
-      : facts_(facts), xref_(xref), shown_(std::move(shown)), whole_(whole) {
+  XrefWriter(const Facts& facts, const Xref& xref, std::vector<std::size_t> shown, bool whole,
+             const std::vector<TagReport>& tags)
+      : facts_(facts), xref_(xref), shown_(std::move(shown)), whole_(whole), tags_(tags) {
     for (const std::size_t i : shown_) {
       for (const Access* use : xref_.entries[i].uses) useColumn_ = std::max(useColumn_, useRow(*use).left.size() + 4);
     }
@@ -40,6 +43,7 @@ class XrefWriter {
       text += '\n';
     }
     if (whole_) appendFree(text, paint);
+    if (!tags_.empty()) appendTags(text, paint);
     if (text.ends_with("\n\n")) text.pop_back();
     return text;
   }
@@ -68,6 +72,8 @@ class XrefWriter {
       for (const FreeRange& range : xref_.free)
         json["free"].push_back({{"area", areaName(range.area)}, {"first", range.first}, {"last", range.last}});
     }
+    if (!tags_.empty()) json["tags"] = Json::array();
+    for (const TagReport& tag : tags_) json["tags"].push_back(tagJson(tag));
     return json.dump(2) + "\n";
   }
 
@@ -132,10 +138,44 @@ class XrefWriter {
     appendRows(text, rows, 6);
   }
 
+  void appendTags(std::string& text, const Paint& paint) const {
+    const SourceSet& sources = *facts_.program().sources;
+    std::vector<TextRow> rows;
+    std::size_t width = 0;
+    for (const TagReport& report : tags_) {
+      for (const TagProblem& problem : report.problems) {
+        std::string place =
+            problem.place == nullptr ? std::string() : fmt::format(" ({})", placeText(sources, problem.place->span));
+        rows.push_back(
+            {fmt::format("  {} {}", placeText(sources, report.tag->span), report.tag->name), problem.message + place});
+        width = std::max(width, rows.back().left.size() + 2);
+      }
+    }
+    if (!text.ends_with("\n\n")) text += '\n';
+    text += fmt::format("{}: {} tag{}, {}\n", paint.bold("Panel"), tags_.size(), tags_.size() == 1 ? "" : "s",
+                        rows.empty()       ? std::string("nothing wrong with them")
+                        : rows.size() == 1 ? std::string("one problem")
+                                           : fmt::format("{} problems", rows.size()));
+    appendRows(text, rows, std::min<std::size_t>(width, 50));
+  }
+
+  Json tagJson(const TagReport& report) const {
+    const SourceSet& sources = *facts_.program().sources;
+    const Position position = sources.position(report.tag->span);
+    Json row = {{"name", report.tag->name},     {"address", toString(report.tag->address)},
+                {"type", report.tag->typeText}, {"file", sources.file(report.tag->span.file).name()},
+                {"line", position.line},        {"reads", report.readers},
+                {"writes", report.writers},     {"problems", Json::array()}};
+    for (const TagProblem& problem : report.problems)
+      row["problems"].push_back({{"problem", tagFaultName(problem.fault)}, {"message", problem.message}});
+    return row;
+  }
+
   const Facts& facts_;
   const Xref& xref_;
   std::vector<std::size_t> shown_;
   bool whole_;
+  const std::vector<TagReport>& tags_;
   std::size_t useColumn_ = 0;  ///< where the second column begins
 };
 
@@ -164,7 +204,7 @@ Exit run(Context& context, std::vector<std::string> arguments) {
   const UnreadCode unread(input.program);
   // The list may be wrong where the program was not understood, so the places are shown beside it.
   if (!unread.empty()) printUnread(context, "xref", input.program, unread, arguments);
-  const Facts facts(input.program, input.properties.externals);
+  const Facts facts(input.program, input.properties.externals, input.surroundings);
   const Xref xref = crossReference(facts);
   std::vector<std::size_t> shown;
   if (address) {
@@ -172,8 +212,13 @@ Exit run(Context& context, std::vector<std::string> arguments) {
   } else {
     for (std::size_t i = 0; i < xref.entries.size(); ++i) shown.push_back(i);
   }
-  const XrefWriter writer(facts, xref, std::move(shown), !address);
+  std::vector<TagReport> tags;
+  if (!address)
+    tags = tagReports(facts, context.settings.retentive().value_or(defaultRetentiveRanges(input.program.target)));
+  const XrefWriter writer(facts, xref, std::move(shown), !address, tags);
   Exit exit = unread.isRefused() ? Exit::Failed : Exit::Clean;
+  if (std::ranges::any_of(tags, [](const TagReport& tag) { return !tag.problems.empty(); }))
+    exit = worse(exit, Exit::Found);
   for (const OutputRequest& output : context.outputs) {
     const std::string text =
         output.name == "json" ? writer.json() : writer.text(Paint{context.color && output.file.empty()});
@@ -198,7 +243,9 @@ extern constexpr Command xrefCommand = {
     .details =
         "Examples:\n"
         "    rungproof xref press.awl\n"
-        "    rungproof xref press.awl VW10\n",
+        "    rungproof xref press.awl VW10\n"
+        "    rungproof xref press.awl --tags panel.csv    tags that nothing uses, of wrong width or type, with two\n"
+        "                                                 masters, or cleared by a power failure: exit code 1\n",
     .shows = option_group::Reading | option_group::Output | option_group::Configuration,
     .formats = "text|json",
     .setup = setup,

@@ -12,6 +12,7 @@
 #include "frontend/property/property_lexer.hpp"
 #include "frontend/property/property_message.hpp"
 #include "frontend/property/property_types.hpp"
+#include "frontend/settings/external_range.hpp"
 #include "ir/desc.hpp"
 
 namespace rungproof {
@@ -194,9 +195,7 @@ class Parser {
         throw Mistake{typeRule, head.span, "both ends of a range need the same area and width",
                       "write for example: external VB100..VB199"};
       }
-      const bool isMemory = range.first.area == Area::V || range.first.area == Area::M || range.first.area == Area::S ||
-                            range.first.area == Area::SM || range.first.area == Area::Q;
-      if (!isMemory) {
+      if (!mayBeExternal(range.first.area)) {
         throw Mistake{typeRule, head.span,
                       fmt::format("{} cannot be external: only V, M, S, SM and Q memory is written from outside",
                                   toString(range.first)),

@@ -73,6 +73,7 @@ class Reader {
     }
     for (std::string& text : texts) {
       if (auto failure = checkValue(*info, text)) return at(node.source(), *failure);
+      if (info->id == Opt::Tags && fs::path(text).is_relative()) text = (folder_ / text).lexically_normal().string();
       if (info->id != Opt::Format) continue;
       if (auto failure = placeOutput(text)) return at(node.source(), *failure);
     }

@@ -8,6 +8,7 @@
 #include "analysis/schedule/technique.hpp"
 #include "frontend/closest_word.hpp"
 #include "frontend/settings/code_list.hpp"
+#include "frontend/settings/external_range.hpp"
 #include "frontend/settings/retentive_range.hpp"
 
 namespace rungproof {
@@ -40,6 +41,8 @@ constexpr std::array table = {
     OptionInfo{Opt::Mnemonics, Reading, Arity::One, "mnemonics", "auto|international|german", "auto", "which set of mnemonics the files use"},
     OptionInfo{Opt::Encoding, Reading, Arity::One, "encoding", "auto|utf-8|cp1252|cp1251|gb18030", "auto", "character encoding of the files"},
     OptionInfo{Opt::Symbols, Reading, Arity::List, "symbols", "FILE", "", "symbol table that belongs to the program"},
+    OptionInfo{Opt::Tags, Reading, Arity::List, "tags", "FILE", "", "tag list of an operator panel (CSV: name, address, type, access); what it does not mark as read-only counts as external"},
+    OptionInfo{Opt::External, Reading, Arity::List, "external", "RANGE", "", "what a panel or a network writes in any scan, as VW100 or VB100..VB199"},
     OptionInfo{Opt::StdinFilename, Reading, Arity::One, "stdin-filename", "NAME", "", "name for standard input, which is read where FILE is '-'", false},
     OptionInfo{Opt::Retentive, Running, Arity::List, "retentive", "RANGE", "", "what keeps its value without power, as VB0..VB99, MB0..MB13, T0..T31 or C0..C255 (S7-200: all of V, MB14..MB31, T0..T31, T64..T95, C0..C255; S7-200 SMART: nothing)"},
     OptionInfo{Opt::ScanTime, Running, Arity::One, "scan-time", "MIN..MAX", "", "length of a scan, as 5ms..20ms or one value (sim: 10ms; prove: 1ms up to the watchdog)"},
@@ -53,6 +56,7 @@ constexpr std::array table = {
     OptionInfo{Opt::ChoiceOf, Running, Arity::List, "choice", "KEY=VALUE", "", "reading of a point that the manual leaves open; see 'rungproof explain choices'", false},
     OptionInfo{Opt::Select, Rules, Arity::List, "select", "CODE", "", "rules to run, by id or prefix (ADR001, ADR, ALL); those that are on by default"},
     OptionInfo{Opt::Ignore, Rules, Arity::List, "ignore", "CODE", "", "rules not to run, by id or prefix"},
+    OptionInfo{Opt::PortTo, Rules, Arity::One, "port-to", cpuNames.view(), "", "CPU that the program is to be ported to: PRT001 tells what is not the same there"},
     OptionInfo{Opt::Level, Rules, Arity::One, "level", "error|warning|note", "note", "report findings of this severity and above"},
     OptionInfo{Opt::NoSuppress, Rules, Arity::Flag, "no-suppress", "", "", "report findings although an allow-comment silences them"},
     OptionInfo{Opt::Baseline, Rules, Arity::One, "baseline", "FILE", "", "leave out the findings that the baseline file lists"},
@@ -117,6 +121,11 @@ std::optional<Failure> checkForm(const OptionInfo& info, std::string_view text) 
                    {},
                    "write bytes of V or M, or numbers of T or C, such as VB0..VB99 or C0..C15"};
   }
+  if (info.id == Opt::External && !externalRangeNamed(text)) {
+    return Failure{fmt::format("'{}' is nothing that is written from outside", text),
+                   {},
+                   "write an address of V, M, S, SM or Q, or the first and the last, such as VW100 or VB100..VB199"};
+  }
   if (info.id == Opt::ScanTime && !scanTimeNamed(text)) {
     return Failure{fmt::format("'{}' is no scan time", text),
                    {},
@@ -179,7 +188,7 @@ std::vector<std::string_view> permittedWords(std::string_view value) {
 std::optional<Failure> checkValue(const OptionInfo& info, std::string_view text) {
   const auto words = permittedWords(info.value);
   if (words.empty()) return checkForm(info, text);
-  if (info.id == Opt::Cpu && cpuNamed(text)) return std::nullopt;  // in any case of letters
+  if ((info.id == Opt::Cpu || info.id == Opt::PortTo) && cpuNamed(text)) return std::nullopt;  // in any case of letters
   for (const std::string_view word : words) {
     if (word == text) return std::nullopt;
   }

@@ -28,6 +28,8 @@ enum class Opt : std::uint8_t {
   Mnemonics,
   Encoding,
   Symbols,
+  Tags,
+  External,
   StdinFilename,
   Retentive,
   ScanTime,
@@ -41,6 +43,7 @@ enum class Opt : std::uint8_t {
   ChoiceOf,
   Select,
   Ignore,
+  PortTo,
   Level,
   NoSuppress,
   Baseline,
@@ -116,6 +119,8 @@ class Settings {
 
   Target target() const;
   Severity level() const;
+  /// The CPU of --port-to with its usual edition; nothing: the program stays where it is.
+  std::optional<Target> portTo() const;
   /// Nothing if none is named: the default of the CPU.
   std::optional<std::vector<RetentiveRange>> retentive() const;
   std::optional<ScanTime> scanTime() const;

@@ -86,6 +86,11 @@ Target Settings::target() const {
   return target;
 }
 
+std::optional<Target> Settings::portTo() const {
+  const std::optional<Cpu> cpu = cpuNamed(text(Opt::PortTo));
+  return cpu ? std::optional(Target{*cpu, usualEdition(*cpu)}) : std::nullopt;
+}
+
 Severity Settings::level() const {
   const std::string_view name = text(Opt::Level);
   return name == "error" ? Severity::Error : name == "warning" ? Severity::Warning : Severity::Note;
@@ -108,7 +113,8 @@ Choices Settings::choices() const { return choices_; }
 
 void Settings::set(Opt id, const std::vector<std::string>& texts, const std::string& origin) {
   Value& value = values_[index(id)];
-  value.texts = optionInfo(id).arity == Arity::List && id != Opt::Symbols ? splitAtCommas(texts) : texts;
+  const bool areFiles = id == Opt::Symbols || id == Opt::Tags;
+  value.texts = optionInfo(id).arity == Arity::List && !areFiles ? splitAtCommas(texts) : texts;
   value.origin = origin;
 }
 

@@ -163,6 +163,7 @@ ProgramInput readSide(const Settings& settings, const std::vector<std::string>& 
   ProgramInput input;
   input.program = readProgram(files, readOptionsOf(settings));
   input.properties = readProperties(input.program, {}, lookupIn(input.program));
+  addSurroundings(settings, input);
   return input;
 }
 

@@ -11,7 +11,7 @@
 
 namespace rungproof::testing {
 
-Linted::Linted(std::string text, Target target, std::string_view symbols) {
+Linted::Linted(std::string text, Target target, std::string_view symbols, Surroundings around) {
   ReadOptions options;
   options.target = target;
   const std::string file = ::testing::TempDir() + "rungproof_symbols_" + std::to_string(::getpid()) + ".txt";
@@ -22,7 +22,7 @@ Linted::Linted(std::string text, Target target, std::string_view symbols) {
   program = readText("test.awl", std::move(text), options);
   if (!symbols.empty()) std::remove(file.c_str());
   properties = readProperties(program, {}, operandLookup(program));
-  facts = std::make_unique<Facts>(program, properties.externals);
+  facts = std::make_unique<Facts>(program, properties.externals, std::move(around));
 }
 
 OperandLookup Linted::operandLookup(const Program& program) {

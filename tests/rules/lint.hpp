@@ -15,11 +15,12 @@ namespace rungproof::testing {
 
 /// A program, its directives and its facts.
 struct Linted {
-  explicit Linted(std::string text, Target target = {}, std::string_view symbols = {});
+  explicit Linted(std::string text, Target target = {}, std::string_view symbols = {}, Surroundings around = {});
   Linted(const Linted&) = delete;  // the facts refer to the program
   /// An example of a rule on its CPU with its symbol table.
   static Linted example(const Rule& rule, std::string_view text) {
-    return Linted(std::string(text), {*cpuNamed(rule.exampleCpu), Edition::Edition2004}, rule.exampleSymbols);
+    const Cpu cpu = *cpuNamed(rule.exampleCpu);
+    return Linted(std::string(text), {cpu, usualEdition(cpu)}, rule.exampleSymbols);
   }
 
   /// Findings of one rule, in the order in which it reports.
