@@ -74,6 +74,8 @@ enum class Role : std::uint8_t {
   Pid,
   Netr,
   Netw,
+  Get,
+  Put,  ///< by Ethernet
   Xmt,
   Rcv,
   Gpa,

@@ -81,6 +81,7 @@ void reportAddress(const Facts& facts, FindingSink& sink, const Instruction& ins
 void reportExtent(const Facts& facts, FindingSink& sink, const Instruction& instruction) {
   const Role role = roleOf(instruction);
   if (role == Role::BlockMove || role == Role::Fill) return;  // PTR004
+  if (role == Role::Get || role == Role::Put) return;         // GET001
   std::uint8_t reported = impliedOperand;
   for (const Access& access : facts.accesses().of(instruction.id)) {
     if (access.viaPointer || access.count < 2 || access.operand == reported || access.operand == impliedOperand)

@@ -24,14 +24,26 @@ constexpr Desc ethernetDesc(std::string_view stl, std::string_view box, std::str
                       operands);
 }
 
-/// A request by a table. Whether TCON and its kin take the connection as a second operand is uncertain: they may.
-template <Modelling modelling, bool mayNameConnection, Name stlName, Name meaning>
+/// GET and PUT. The table: 0 status, 1-4 address of the partner, 5-6 zero, 7-10 pointer to its data, 11 length, 12-15
+/// pointer to the own data.
+inline constexpr int requestTableBytes = 16;
+template <Role role, Modelling modelling, Name stlName, Name meaning>
+struct Request : InScan {
+  static constexpr OperandDesc table =
+      inout("TABLE", Type::Byte, ethernetTable).elements(requestTableBytes, requestTableBytes);
+  static constexpr Desc desc = [] {
+    Desc d = ethernetDesc(stlName.view(), {}, meaning.view(), modelling, {table});
+    d.role = role;
+    return d;
+  }();
+};
+
+/// A request on a connection. Whether TCON and its kin take the connection as a second operand is uncertain: they may.
+template <Modelling modelling, Name stlName, Name meaning>
 struct TableRequest : InScan {
   static constexpr OperandDesc table = inout("TABLE", Type::Byte, ethernetTable);
   static constexpr OperandDesc connection = optional(in("ConnID", Type::Word, form::wordIn));
-  static constexpr Desc desc = mayNameConnection
-                                   ? ethernetDesc(stlName.view(), {}, meaning.view(), modelling, {table, connection})
-                                   : ethernetDesc(stlName.view(), {}, meaning.view(), modelling, {table});
+  static constexpr Desc desc = ethernetDesc(stlName.view(), {}, meaning.view(), modelling, {table, connection});
 };
 
 /// GIP: address, subnet mask and gateway as the system block or SIP have set them.
@@ -77,12 +89,12 @@ struct GetError {
   }
 };
 
-using GetRequest = TableRequest<Modelling::WritesAnything, false, "GET", "read from another CPU by Ethernet">;
-using PutRequest = TableRequest<Modelling::WritesOperands, false, "PUT", "write to another CPU by Ethernet">;
-using Connect = TableRequest<Modelling::WritesOperands, true, "TCON", "open a connection">;
-using Send = TableRequest<Modelling::WritesOperands, true, "TSEND", "send on a connection">;
-using ReceiveOn = TableRequest<Modelling::WritesAnything, true, "TRECV", "receive on a connection">;
-using Disconnect = TableRequest<Modelling::WritesOperands, true, "TDCON", "close a connection">;
+using GetRequest = Request<Role::Get, Modelling::WritesAnything, "GET", "read from another CPU by Ethernet">;
+using PutRequest = Request<Role::Put, Modelling::WritesOperands, "PUT", "write to another CPU by Ethernet">;
+using Connect = TableRequest<Modelling::WritesOperands, "TCON", "open a connection">;
+using Send = TableRequest<Modelling::WritesOperands, "TSEND", "send on a connection">;
+using ReceiveOn = TableRequest<Modelling::WritesAnything, "TRECV", "receive on a connection">;
+using Disconnect = TableRequest<Modelling::WritesOperands, "TDCON", "close a connection">;
 
 /// RDREC, WRREC, BLKMOV_BIR, BLKMOV_BIW: their operands in STL stand in no text.
 template <Name stlName, Name meaning>
