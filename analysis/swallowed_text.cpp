@@ -49,15 +49,14 @@ class InstructionScanner {
 
   /// An instruction with all its operands at that place. `anyCase`: small letters too.
   std::optional<FoundInstruction> instructionAt(std::size_t at, bool anyCase) const {
-    std::string name;
-    for (std::size_t i = at; i < text_.size() && name.size() < longestMnemonic && !isGap(text_[i]); ++i)
-      name += anyCase ? asCapital(text_[i]) : text_[i];
-    for (; !name.empty(); name.pop_back()) {
-      const Desc* desc = instructionNamed(name);
-      if (desc == nullptr || desc->drawingOnly || desc->control == Control::LabelMark) continue;
-      if (auto read = operandsOf(*desc, at, at + name.size())) return read;
-    }
-    return std::nullopt;
+    std::size_t end = at;
+    while (end < text_.size() && end - at <= longestMnemonic && !isGap(text_[end])) ++end;
+    if (end - at > longestMnemonic) return std::nullopt;
+    std::string name(text_.substr(at, end - at));
+    if (anyCase) std::ranges::transform(name, name.begin(), asCapital);
+    const Desc* desc = instructionNamed(name);
+    if (desc == nullptr || desc->drawingOnly || desc->control == Control::LabelMark) return std::nullopt;
+    return operandsOf(*desc, at, end);
   }
   std::size_t behindBlanks(std::size_t at) const {
     while (at < text_.size() && isGap(text_[at])) ++at;
@@ -73,8 +72,8 @@ class InstructionScanner {
     }
     const std::size_t first = behindBlanks(at);
     if (first == at) return std::nullopt;
-    read.isPadded = text_.substr(at, first - at).find('\t') != std::string_view::npos ||
-                    (first - begin == paddedMnemonic && first - at > 1);
+    const bool isColumn = isLikeProse(desc) ? first - begin == paddedMnemonic : first - at >= 3;
+    read.isPadded = isColumn || text_.substr(at, first - at).find('\t') != std::string_view::npos;
     const std::size_t needed = static_cast<std::size_t>(std::count_if(
         desc.operands.begin(), desc.operands.begin() + desc.operandCount, [](const auto& o) { return !o.optional; }));
     bool hasAddress = false;
@@ -158,6 +157,22 @@ struct FoundSequence {
 };
 
 std::optional<FoundSequence> sequenceFrom(std::string_view text, const InstructionScanner& scanner, std::size_t at,
+                                          bool anyCase);
+
+/// The comment of a swallowed line may have swallowed the next one.
+FoundSequence withFollowing(FoundSequence sequence, std::string_view text, const InstructionScanner& scanner,
+                            std::size_t from) {
+  for (std::size_t at = from; at < text.size(); ++at) {
+    if (isAsciiCapital(text[at - 1]) || isGap(text[at])) continue;
+    const auto rest = sequenceFrom(text, scanner, at, false);
+    if (!rest) continue;
+    sequence.instructions.insert(sequence.instructions.end(), rest->instructions.begin(), rest->instructions.end());
+    return sequence;
+  }
+  return sequence;
+}
+
+std::optional<FoundSequence> sequenceFrom(std::string_view text, const InstructionScanner& scanner, std::size_t at,
                                           bool anyCase) {
   FoundSequence sequence;
   while (true) {
@@ -166,7 +181,8 @@ std::optional<FoundSequence> sequenceFrom(std::string_view text, const Instructi
     sequence.instructions.push_back(*read);
     at = scanner.behindBlanks(read->end);
     std::string_view rest = text.substr(at);
-    if (rest.empty() || rest.starts_with("//")) return sequence;
+    if (rest.empty()) return sequence;
+    if (rest.starts_with("//")) return withFollowing(std::move(sequence), text, scanner, at + 2);
     for (const std::string_view heading : {"NETWORK ", "Network ", "TITLE="}) {
       if (rest.starts_with(heading)) return sequence;
     }

@@ -59,18 +59,7 @@ class Reader {
       return std::nullopt;
     }
     std::vector<std::string> texts;
-    if (const toml::array* array = node.as_array(); array != nullptr && info->arity == Arity::List) {
-      for (const toml::node& element : *array) {
-        const auto text = textOf(element);
-        if (!text) return at(element.source(), {fmt::format("'{}' must be a list of texts", key)});
-        texts.push_back(*text);
-      }
-    } else if (const auto text = textOf(node)) {
-      texts.push_back(*text);
-    } else {
-      return at(node.source(),
-                {fmt::format("'{}' must be a text{}", key, info->arity == Arity::List ? " or a list of texts" : "")});
-    }
+    if (auto failure = readTexts(*info, node, texts)) return failure;
     for (std::string& text : texts) {
       if (auto failure = checkValue(*info, text)) return at(node.source(), *failure);
       if (info->id == Opt::Tags && fs::path(text).is_relative()) text = (folder_ / text).lexically_normal().string();
@@ -78,6 +67,31 @@ class Reader {
       if (auto failure = placeOutput(text)) return at(node.source(), *failure);
     }
     settings_.set(info->id, texts, origin(region));
+    return std::nullopt;
+  }
+
+  /// One text or a list of them; of `external` also a table whose keys say who writes.
+  std::optional<Failure> readTexts(const OptionInfo& info, const toml::node& node,
+                                   std::vector<std::string>& texts) const {
+    if (const toml::table* table = node.as_table(); table != nullptr && info.id == Opt::External) {
+      for (const auto& [who, ranges] : *table) {
+        if (ranges.is_table()) return at(ranges.source(), {fmt::format("'{}' must be a list of ranges", who.str())});
+        if (auto failure = readTexts(info, ranges, texts)) return failure;
+      }
+      return std::nullopt;
+    }
+    if (const toml::array* array = node.as_array(); array != nullptr && info.arity == Arity::List) {
+      for (const toml::node& element : *array) {
+        const auto text = textOf(element);
+        if (!text) return at(element.source(), {fmt::format("'{}' must be a list of texts", info.name)});
+        texts.push_back(*text);
+      }
+    } else if (const auto text = textOf(node)) {
+      texts.push_back(*text);
+    } else {
+      return at(node.source(), {fmt::format("'{}' must be a text{}", info.name,
+                                            info.arity == Arity::List ? " or a list of texts" : "")});
+    }
     return std::nullopt;
   }
 

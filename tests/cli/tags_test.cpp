@@ -142,8 +142,13 @@ TEST(TagsOfTheProject, CountAsExternalUnlessTheyAreOnlyShown) {
   EXPECT_EQ(verdict("Level,VW100,INT,read\n"), 0) << "nothing writes it";
   EXPECT_EQ(verdict("Level,VW100,INT,read/write\n"), 1);
   EXPECT_EQ(verdict("Level,VW100,INT\n"), 1) << "nobody says that the panel does not write it";
-  folder.file("rungproof.toml", "external = [\"VB100..VB101\"]\n");
-  EXPECT_EQ(test::run({"prove", awl}).exit, 1);
+  for (const char* text : {"external = [\"VB100..VB101\"]\n", "external = \"VW100\"\n",
+                           "[external]\npanel = [\"VW100\"]\nscada = \"VW300\"\n"}) {
+    folder.file("rungproof.toml", text);
+    EXPECT_EQ(test::run({"prove", awl}).exit, 1) << text;
+  }
+  folder.file("rungproof.toml", "[external]\npanel = [\"I0.0\"]\n");
+  EXPECT_EQ(test::run({"prove", awl}).exit, 2) << "inputs are free anyway";
   EXPECT_EQ(test::run({"prove", "--isolated", "--external", "VW100", awl}).exit, 1);
   EXPECT_EQ(test::run({"prove", "--isolated", "--external", "VW102", awl}).exit, 0);
   EXPECT_EQ(test::run({"prove", "--isolated", "--external", "I0.0", awl}).exit, 2);

@@ -29,6 +29,8 @@ TEST(CommentedCode, SwallowedInstructionsAreFound) {
         std::pair{"// end Network 4 // next LD     I0.0", "LD I0.0"},
         std::pair{"// high LDW>=  VW0, 100S      Q0.0, 1 // alarm", "LDW>= VW0, 100; S Q0.0, 1"},
         std::pair{"// by name LD     Start_Button=      Lamp", "LD Start_Button; = Lamp"},
+        std::pair{"// start LD I0.0 // stop AN I0.1 // motor = Q0.0", "LD I0.0; AN I0.1; = Q0.0"},
+        std::pair{"// start TON   T37, 50", "TON T37, 50"},
         std::pair{"// LD     I0.0=      Q0.0", "LD I0.0; = Q0.0"}}) {
     const CommentText found = codeIn(comment);
     EXPECT_EQ(found.kind, CommentedCode::Swallowed) << comment;
