@@ -45,6 +45,8 @@ constexpr LibraryUse uses[] = {
     {"RCPx_WRITE", Once, {}, false, false, "001:11056"},
     {"DATx_WRITE", Once, {}, false, false, "001:11251"},
     {"MBUS_CTRL", EveryScan, {}, true},
+    {"MBUS_CTRL_Px", EveryScan, {}, true},
+    {"MBUS_MSG_Px", Request, modbusMaster},
     {"MB_CTRL2", EveryScan, {}, true},
     {"MBUS_MSG", Request, modbusMaster},
     {"MB_MSG2", Request, secondMaster},

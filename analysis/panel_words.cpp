@@ -122,12 +122,16 @@ class ConflictFinder {
     const Access& use = *uses.front();
     const std::uint32_t cell = facts_.cellOf(use), length = use.certainLength();
     std::set<std::uint32_t> met;
-    std::uint32_t inRows = 0;
+    std::uint32_t inRows = 0, inRanges = 0;
     for (std::uint32_t k = 0; k < length; ++k) {
       const auto found = byCell_.find(cell + k);
       if (found == byCell_.end()) continue;
       met.insert(found->second.begin(), found->second.end());
-      inRows += std::ranges::any_of(found->second, [&](std::uint32_t w) { return words_[w].isRow; }) ? 1 : 0;
+      const auto holds = [&](bool PanelWord::*kind) {
+        return std::ranges::any_of(found->second, [&](std::uint32_t w) { return words_[w].*kind; });
+      };
+      inRows += holds(&PanelWord::isRow) ? 1 : 0;
+      inRanges += holds(&PanelWord::isOfRange) ? 1 : 0;
     }
     for (const std::uint32_t w : met) {
       const PanelWord& word = words_[w];
@@ -141,7 +145,7 @@ class ConflictFinder {
       }
       if (word.address.offset == use.offset && word.address.width == use.width)
         ofPanel(word.address, word, uses);
-      else if (isMistaken(word, use))
+      else if (isMistaken(word, use) && (inRanges < length || use.offset != words_[*met.begin()].address.offset))
         crossing(word.address, word, use);
     }
   }
@@ -267,6 +271,7 @@ void addPanelRange(std::vector<PanelWord>& words, const ExternalRange& range) {
   }
   word.bytes = static_cast<std::uint32_t>(rungproof::bytes(range.first.width));
   if (range.first.width == Width::Bit && toString(range.first) != toString(range.last)) return;
+  word.isOfRange = range.last.offset > range.first.offset;
   for (; word.address.offset <= range.last.offset; word.address.offset += word.bytes) words.push_back(word);
 }
 

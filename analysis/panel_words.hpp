@@ -17,6 +17,7 @@ struct PanelWord {
   Operand address;          ///< of a row: its first byte
   std::uint32_t bytes = 1;  ///< that it covers
   bool isRow = false;       ///< declared as bytes, first to last: what the words in it are, the program tells
+  bool isOfRange = false;   ///< one of several words, first to last, that were declared together
   TagAccess access = TagAccess::Sets;
   bool isText = false;
   std::string name{};  ///< of the tag, or empty

@@ -119,8 +119,8 @@ extern constexpr Rule lib003_library_memory_used = {
     .severity = Severity::Error,
     .needs = Needs::Text,
     .detects =
-        "an access inside the 16 bytes behind DB_Ptr of a USS block, holding registers of Modbus that reach into memory "
-        "of a library or beyond the end of V",
+        "an access inside the 16 bytes behind DB_Ptr of a USS block, holding registers of Modbus that reach into "
+        "memory of a library or beyond the end of V",
     .why = "the library and the program overwrite each other, and nothing reports it",
     .manual = "001:2497, 001:10037, 001:10256, 001:10686",
     .bad =

@@ -76,6 +76,8 @@ TEST(Adr012, HonestUsesAreSilent) {
         "//@ external VW100\nNetwork 1\nLDB> VB100, 5\nAB> VB101, 5\n= Q0.0\n",
         // Bits of the panel's word.
         "//@ external VW100\nNetwork 1\nLD V100.3\nR V100.3, 1\n= Q0.0\n",
+        // Two of the words that were declared together.
+        "//@ external VW100..VW118\nNetwork 1\nLDD>= VD104, 5\n= Q0.0\n",
         // A block copy of a recipe.
         "//@ external VB100..VB119\nNetwork 1\nLD I0.0\nEU\nBMB VB300, VB90, 40\n",
         // A reset by a constant while a condition holds.
