@@ -147,16 +147,20 @@ std::optional<Operand> addressIn(const Program& program, std::string_view cell) 
   return std::nullopt;
 }
 
+/// Only what says nothing else: "Cyclic in operation" is no access.
 TagAccess accessNamed(std::string_view cell) {
-  const std::string text = smallText(cell);
-  if (text.empty()) return TagAccess::Unknown;
-  for (const std::string_view word : {"w", "写", "schreib", "запис"}) {
-    if (text.find(word) != std::string::npos) return TagAccess::Sets;
+  static constexpr std::array<std::string_view, 13> reads = {
+      "r",  "ro",           "read",         "readonly", "nurlesen", "lesen",  "只读",
+      "读", "толькочтение", "Толькочтение", "чтение",   "Чтение",   "display"};
+  static constexpr std::array<std::string_view, 17> sets = {
+      "w",         "wo",   "rw", "wr",     "write",        "writeonly",    "readwrite", "writeread", "lesenschreiben",
+      "schreiben", "读写", "写", "可读写", "чтениезапись", "Чтениезапись", "запись",    "Запись"};
+  std::string word;
+  for (const char c : smallText(cell)) {
+    if (c != ' ' && c != '-' && c != '_' && c != '/' && c != '&' && c != '+') word += c;
   }
-  for (const std::string_view word : {"r", "读", "les", "чт", "только"}) {
-    if (text.find(word) != std::string::npos) return TagAccess::Reads;
-  }
-  return TagAccess::Unknown;
+  if (std::ranges::find(sets, word) != sets.end()) return TagAccess::Sets;
+  return std::ranges::find(reads, word) != reads.end() ? TagAccess::Reads : TagAccess::Unknown;
 }
 
 class TagReader {

@@ -37,6 +37,10 @@ TEST(TagList, IsReadInTheWaysThatEditorsWriteIt) {
   EXPECT_EQ(read("Speed_Set,VW100,INT\nSpeed,VW102,INT\n"), "Speed_Set VW100 INT!; Speed VW102 INT");
   EXPECT_EQ(read("name,address\nInternal,LW5:3\nEmpty,\nLevel,VW100\n"), "Level VW100 ") << "tags of the panel itself";
   EXPECT_EQ(read("Name,Address,Type,Comment\nDose,VD4,REAL,Sollwert\n"), "Dose VD4 REAL!");
+  EXPECT_EQ(read("Name,Acquisition mode,Address\nLevel,Cyclic in operation,VW100\n"), "Level VW100 ")
+      << "the mode says nothing about who writes";
+  EXPECT_EQ(read("a,VW0,INT,R\nb,VW2,INT,R/W\nc,VW4,INT,Read-Only\nd,VW6,INT,motor speed\n"),
+            "a VW0 INT-; b VW2 INT!; c VW4 INT-; d VW6 INT");
   EXPECT_EQ(read(""), "");
 }
 
