@@ -1,8 +1,9 @@
 // OUT006: memory written in several blocks. Every writer of a place is compared with every other; what hangs together -
 // bits that one instruction writes at once - becomes one finding that names the whole range and all the blocks. Writes
 // in the first scan only are initialisation; a flag that an interrupt routine sets and another block resets (or the
-// reverse) is a handshake, and between DISI and ENI no interrupt comes; code that never runs writes nothing.
-// Tested by its examples and tests/rules/output_rules_test.cpp.
+// reverse) is a handshake, and between DISI and ENI no interrupt comes; code that never runs writes nothing. Blocks of
+// which the text lets one run at a time (exclusion.hpp) may share their outputs; where it leaves that open, the prover
+// is asked. Tested by its examples and tests/rules/output_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +11,9 @@
 #include <numeric>
 
 #include "analysis/bit_ranges.hpp"
+#include "analysis/exclusion.hpp"
 #include "analysis/facts.hpp"
+#include "analysis/proof/asking.hpp"
 #include "analysis/protected_code.hpp"
 #include "analysis/rule.hpp"
 
@@ -63,11 +66,12 @@ unsigned maskOf(const Facts& facts, const Access& access, std::uint32_t cell) {
   return mask;
 }
 
-/// Writers of one block that do the same, on one cell.
+/// Writers of one block that do the same on the same ways, on one cell.
 struct WriterClass {
   std::uint32_t block;
   WritingHand hand;
-  bool isProtected;  ///< between DISI and ENI
+  bool isProtected;    ///< between DISI and ENI
+  std::uint32_t ways;  ///< Exclusion::waysTo
   unsigned mask = 0;
 };
 
@@ -83,16 +87,23 @@ bool keepApart(const Facts& facts, const WriterClass& a, const WriterClass& b) {
          (a.hand == WritingHand::Reset && b.hand == WritingHand::Set);
 }
 
+/// Whether the text lets one of the two run at a time.
+bool takeTurns(const Facts& facts, const Exclusion& exclusion, const WriterClass& a, const WriterClass& b) {
+  return !isInterruptBlock(facts, a.block) && !isInterruptBlock(facts, b.block) && exclusion.exclude(a.ways, b.ways);
+}
+
 /// The bits of the cell that two blocks write against each other.
-unsigned contested(const Facts& facts, const std::vector<std::uint8_t>& isProtected, std::uint32_t cell) {
+unsigned contested(const Facts& facts, Exclusion& exclusion, const std::vector<std::uint8_t>& isProtected,
+                   std::uint32_t cell) {
   std::vector<WriterClass> classes;
   for (const std::uint32_t i : facts.index().at(cell)) {
     const Access& access = facts.access(i);
     if (!counts(facts, access)) continue;
     const WriterClass own{facts.blockOf(access.instruction), handOf(facts, access),
-                          isProtected[access.instruction] != 0};
+                          isProtected[access.instruction] != 0, exclusion.waysTo(access.instruction)};
     auto found = std::find_if(classes.begin(), classes.end(), [&](const WriterClass& other) {
-      return other.block == own.block && other.hand == own.hand && other.isProtected == own.isProtected;
+      return other.block == own.block && other.hand == own.hand && other.isProtected == own.isProtected &&
+             other.ways == own.ways;
     });
     if (found == classes.end()) found = classes.insert(classes.end(), own);
     found->mask |= maskOf(facts, access, cell);
@@ -100,7 +111,8 @@ unsigned contested(const Facts& facts, const std::vector<std::uint8_t>& isProtec
   unsigned bits = 0;
   for (std::size_t i = 0; i < classes.size(); ++i) {
     for (std::size_t k = i + 1; k < classes.size(); ++k) {
-      if (classes[i].block != classes[k].block && !keepApart(facts, classes[i], classes[k]))
+      if (classes[i].block != classes[k].block && !keepApart(facts, classes[i], classes[k]) &&
+          !takeTurns(facts, exclusion, classes[i], classes[k]))
         bits |= classes[i].mask & classes[k].mask;
     }
   }
@@ -112,9 +124,11 @@ class Contested {
  public:
   explicit Contested(const Facts& facts) : facts_(facts) {
     const std::vector<std::uint8_t> isProtected = protectedCode(facts);
+    Exclusion exclusion(facts);
     for (std::uint32_t cell = 0; cell < facts.index().cells().size(); ++cell) {
       if (facts.index().at(cell).size() < 2) continue;
-      const unsigned bits = contested(facts, isProtected, cell);
+      if (!isInSeveralBlocks(cell)) continue;
+      const unsigned bits = contested(facts, exclusion, isProtected, cell);
       for (unsigned bit = 0; bit < 8; ++bit) {
         if ((bits >> bit & 1) == 0) continue;
         number_.emplace(cell * 8 + bit, static_cast<std::uint32_t>(keys_.size()));
@@ -147,6 +161,11 @@ class Contested {
   }
 
  private:
+  bool isInSeveralBlocks(std::uint32_t cell) const {
+    const auto block = [&](std::uint32_t i) { return facts_.blockOf(facts_.access(i).instruction); };
+    const std::span<const std::uint32_t> all = facts_.index().at(cell);
+    return std::any_of(all.begin(), all.end(), [&](std::uint32_t i) { return block(i) != block(all.front()); });
+  }
   std::uint32_t find(std::uint32_t i) {
     while (root_[i] != i) i = root_[i] = root_[root_[i]];
     return i;
@@ -201,22 +220,43 @@ ContestedName nameOf(const Facts& facts, const Contested::Group& group) {
   return {fmt::format("{} to {}", first, addressName(row.area, Width::Byte, row.bits.back() / 8)), first, false};
 }
 
-void checkOut006(const Facts& facts, FindingSink& sink) {
-  Contested all(facts);
-  for (const Contested::Group& group : all.groups()) {
-    std::vector<std::uint32_t> blocks;
-    std::vector<const Access*> firsts;  // of each block
+/// The blocks that write a group, each with its first writer.
+struct Sharers {
+  std::vector<std::uint32_t> blocks{};
+  std::vector<const Access*> firsts{};
+
+  Sharers(const Facts& facts, const Contested::Group& group) {
     for (const Access* access : group.writers) {
       const std::uint32_t block = facts.blockOf(access->instruction);
       if (std::find(blocks.begin(), blocks.end(), block) != blocks.end()) continue;
       blocks.push_back(block);
       firsts.push_back(access);
     }
-    std::vector<std::string> names;
-    for (const std::uint32_t block : blocks) names.push_back("in " + facts.program().pous[block].name);
-    const bool isInterrupted = std::any_of(blocks.begin(), blocks.end(), [&](std::uint32_t block) {
+  }
+  bool haveInterrupt(const Facts& facts) const {
+    return std::any_of(blocks.begin(), blocks.end(), [&](std::uint32_t block) {
       return isInterruptBlock(facts, block) != isInterruptBlock(facts, blocks.front());
     });
+  }
+  /// Blocks that run in every scan do so in the same one.
+  bool runTogether(const Facts& facts) const {
+    const auto always = std::count_if(firsts.begin(), firsts.end(), [&](const Access* access) {
+      const ExecutionPoint& point = facts.execution().at(access->instruction);
+      return point.skippedBy == nullptr && !access->conditional &&
+             facts.execution().runs(facts.blockOf(access->instruction)) == Runs::Once;
+    });
+    return always >= 2;
+  }
+};
+
+void checkOut006(const Facts& facts, FindingSink& sink) {
+  Contested all(facts);
+  for (const Contested::Group& group : all.groups()) {
+    const Sharers sharers(facts, group);
+    const std::vector<const Access*>& firsts = sharers.firsts;
+    std::vector<std::string> names;
+    for (const std::uint32_t block : sharers.blocks) names.push_back("in " + facts.program().pous[block].name);
+    const bool isInterrupted = sharers.haveInterrupt(facts);
     const auto [name, address, isOne] = nameOf(facts, group);
     const Instruction& place = facts.instruction(firsts[1]->instruction);
     Finding& finding =
@@ -228,9 +268,40 @@ void checkOut006(const Facts& facts, FindingSink& sink) {
       if (i == 1) continue;
       finding.related.push_back(
           {facts.instruction(firsts[i]->instruction).span,
-           fmt::format("{} writes {} here", facts.program().pous[blocks[i]].name, isOne ? "it" : "them")});
+           fmt::format("{} writes {} here", facts.program().pous[sharers.blocks[i]].name, isOne ? "it" : "them")});
     }
     finding.help = "let one block own the place, and give the others a request bit";
+    if (isInterrupted || sharers.runTogether(facts)) finding.confirmation = Confirmation::NotNeeded;
+  }
+}
+
+/// Whether writers of two blocks act in one scan.
+void askOut006(Asking& asking) {
+  const Facts facts(asking.program(), asking.properties().externals);
+  Graph& graph = asking.graph();
+  Contested all(facts);
+  for (const Contested::Group& group : all.groups()) {
+    const Sharers sharers(facts, group);
+    if (sharers.haveInterrupt(facts) || sharers.runTogether(facts)) continue;
+    std::map<std::uint32_t, Graph::Bool> acts;  // by block
+    for (const Access* access : group.writers) {
+      const Asking::Runs* runs = asking.runsOf(facts.instruction(access->instruction));
+      if (runs == nullptr) continue;
+      const Graph::Bool act = access->conditional && runs->samples(0) ? runs->on[0] : runs->guard;
+      Graph::Bool& known = acts.try_emplace(facts.blockOf(access->instruction), graph.constant(false)).first->second;
+      known = graph.lor(known, act);
+    }
+    Graph::Bool some = graph.constant(false), two = some;
+    for (const auto& [block, act] : acts) {
+      two = graph.lor(two, graph.land(some, act));
+      some = graph.lor(some, act);
+    }
+    const ContestedName name = nameOf(facts, group);
+    asking.ask({.name = fmt::format("two blocks write {} in one scan", name.name),
+                .message = fmt::format("two blocks write {} in one scan", name.name),
+                .address = name.address,
+                .place = &facts.instruction(sharers.firsts[1]->instruction),
+                .bad = two.node});
   }
 }
 
@@ -240,8 +311,10 @@ extern constexpr Rule out006_written_in_several_blocks = {
     .id = "OUT006",
     .title = "Written from several places of the program",
     .severity = Severity::Warning,
-    .needs = Needs::Text,
-    .detects = "one bit or word written in two blocks, or in a block of the scan and in an interrupt routine",
+    .needs = Needs::FlowThenSolver,
+    .detects =
+        "one bit or word written in two blocks, or in a block of the scan and in an interrupt routine, unless the text "
+        "lets only one of the blocks run at a time",
     .why = "the order of the calls decides which value stays, and interrupts come anywhere in the scan",
     .manual = "001:2084, 001:5434-5440",
     .bad =
@@ -252,9 +325,10 @@ extern constexpr Rule out006_written_in_several_blocks = {
         "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\nCALL SBR0\nNetwork 2\nLD I0.1\nO M0.0\n= "
         "Q0.0\nEND_ORGANIZATION_BLOCK\n"
         "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.2\n= M0.0\nEND_SUBROUTINE_BLOCK\n",
-    .falsePositives = "blocks of which only one is called, such as one for each operating mode",
+    .falsePositives = "blocks that exclude each other in a way that only the prover finds: lint --prove drops them",
     .peers = "SA0006; CP10; CP26; Frama-PLC common outputs of two tasks",
     .check = checkOut006,
+    .ask = {.in = asked::Lint, .turn = 72, .cost = 2, .onlySettles = true, .program = askOut006},
 };
 
 }  // namespace rungproof

@@ -1,8 +1,10 @@
 // STK006: a network that exists in STL only. What has a picture and why not is said by analysis/drawing/raise.hpp;
-// a network that one of LAD and FBD can show is left alone. The older dialect knows no networks and is left out.
+// a network that one of LAD and FBD can show is left alone. The older dialect knows no networks and is left out, and a
+// program that is plainly written as STL gets one line a block.
 // Tested by its examples, tests/rules/stack_depth_test.cpp and tests/drawing/raise_test.cpp.
 #include <fmt/format.h>
 
+#include "analysis/drawing/editor_verdict.hpp"
 #include "analysis/drawing/raise.hpp"
 #include "analysis/facts.hpp"
 #include "analysis/rule.hpp"
@@ -11,18 +13,33 @@ namespace rungproof {
 
 namespace {
 
+/// Of a program that is plainly written as STL each block is told once.
 void checkStk006(const Facts& facts, FindingSink& sink) {
   if (facts.program().olderDialect) return;
+  const bool isStl = isWrittenAsStl(facts.program());
   for (const Pou& pou : facts.program().pous) {
+    std::size_t count = 0;
+    std::string reason;
+    Span first;
     for (const Network& network : pou.networks) {
       if (!network.complete || network.drawing != nullptr || raise(network, Form::Ladder, facts.target()).drawing)
         continue;
       const Raised fbd = raise(network, Form::Fbd, facts.target());
       if (fbd.drawing) continue;
       const Span place = fbd.at == nullptr ? network.span : fbd.at->span;
-      sink.report(place, fmt::format("neither LAD nor FBD can show this network: {}", fbd.reason)).help =
-          "divide the network, or keep the block as STL";
+      if (++count == 1) {
+        first = place;
+        reason = fbd.reason;
+      }
+      if (!isStl)
+        sink.report(place, fmt::format("neither LAD nor FBD can show this network: {}", fbd.reason)).help =
+            "divide the network, or keep the block as STL";
     }
+    if (!isStl || count == 0) continue;
+    const std::string what = count == 1 ? "a network" : fmt::format("{} networks", count);
+    sink.report(first, fmt::format("neither LAD nor FBD can show {} of {}{}: {}", what, pou.name,
+                                   count == 1 ? "" : ", the first of them", reason))
+        .help = "keep the program as STL, or divide the networks";
   }
 }
 
@@ -39,7 +56,7 @@ extern constexpr Rule stk006_no_drawing = {
     .manual = "001:2230-2232, 001:6808-6809",
     .bad = "Network 1\nLD I0.0\n= Q0.0\nLD I0.1\n= Q0.1\n",
     .good = "Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\n= Q0.1\n",
-    .falsePositives = "programs that are kept as STL on purpose",
+    .falsePositives = "programs that are kept as STL on purpose: they get one note a block",
     .dialects = dialect::S7200,
     .check = checkStk006,
 };

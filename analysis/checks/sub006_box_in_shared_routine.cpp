@@ -1,7 +1,9 @@
-// SUB006: an edge, timer or counter in a subroutine that is called several times in a scan. Calls on conditions may
-// exclude each other; then the finding is a warning. Tested by its examples and tests/rules/control_rules_test.cpp.
+// SUB006: an edge, timer or counter in a subroutine that is called several times in a scan. Calls that exclude each
+// other by the text (exclusion.hpp) are one call; where that stays open the finding is a warning. Tested by its
+// examples, tests/rules/control_rules_test.cpp and tests/rules/exclusion_test.cpp.
 #include <fmt/format.h>
 
+#include "analysis/exclusion.hpp"
 #include "analysis/facts.hpp"
 #include "analysis/rule.hpp"
 
@@ -26,10 +28,31 @@ bool isCertain(const Facts& facts, std::uint32_t block) {
   return certain >= 2;
 }
 
+/// Whether of any two calls of the block the text lets one run at a time, and each runs once.
+bool areTurns(const Facts& facts, Exclusion& exclusion, std::uint32_t block) {
+  std::vector<std::uint32_t> ways;
+  for (const std::uint32_t s : facts.calls().callsOf(block)) {
+    const CallSite& site = facts.calls().sites()[s];
+    if (facts.execution().at(site.instruction->id).inLoop || facts.calls().reachedFromInterrupt(site.caller) ||
+        facts.execution().runs(site.caller) == Runs::Several)
+      return false;
+    ways.push_back(exclusion.waysTo(site.instruction->id));
+  }
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    for (std::size_t k = i + 1; k < ways.size(); ++k) {
+      if (!exclusion.exclude(ways[i], ways[k])) return false;
+    }
+  }
+  return true;
+}
+
 void checkSub006(const Facts& facts, FindingSink& sink) {
+  std::optional<Exclusion> exclusion;
   for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block) {
     if (facts.program().pous[block].kind != PouKind::Subroutine || facts.execution().runs(block) != Runs::Several)
       continue;
+    if (!exclusion) exclusion.emplace(facts);
+    if (areTurns(facts, *exclusion, block)) continue;
     const bool isSure = isCertain(facts, block);
     for (const FlowStep& step : facts.plan().flows[block].steps) {
       const Instruction& instruction = *step.instruction;
@@ -68,7 +91,9 @@ extern constexpr Rule sub006_box_in_shared_routine = {
     .good =
         "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0\nEND_ORGANIZATION_BLOCK\n"
         "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.0\nEU\n= Q0.0\nEND_SUBROUTINE_BLOCK\n",
-    .falsePositives = "calls on conditions that exclude each other: reported as an unconfirmed warning",
+    .falsePositives =
+        "calls on conditions that exclude each other in a way that the text does not show: reported as an unconfirmed "
+        "warning",
     .peers = "SA0105 (nearest)",
     .dialects = dialect::S7200,
     .check = checkSub006,

@@ -353,6 +353,25 @@ TEST(Course, OneRungForBothTransitionsIsMeant) {
                                     "8\nLSCR S0.2\nNetwork 9\nLD I0.2\nSCRT S0.3\nNetwork 10\nSCRE\n")));
 }
 
+// ---- OUT ------------------------------------------------------------------------------------------------
+
+TEST(SeveralBlocks, OneAtATimeIsProvedWhereTheTextLeavesItOpen) {
+  const std::string block =
+      "SUBROUTINE_BLOCK SBR_{0}:SBR{0}\nBEGIN\nNetwork 1\nLD I1.{0}\n= Q0.2\nEND_SUBROUTINE_BLOCK\n";
+  const std::string two = fmt::format(fmt::runtime(block), 0) + fmt::format(fmt::runtime(block), 1);
+  const std::string calls = "Network 8\nLD M1.0\nCALL SBR0\nNetwork 9\nLD M1.1\nCALL SBR1\n";
+  // Of two flags each resets the other; without the resets both may be on.
+  EXPECT_TRUE(isSilent("OUT006", findingsOf("Network 1\nLD I0.0\nS M1.0, 1\nR M1.1, 1\nNetwork 2\nLD I0.1\nS M1.1, "
+                                            "1\nR M1.0, 1\n" +
+                                                calls,
+                                            two)));
+  EXPECT_EQ(of("OUT006", findingsOf("Network 1\nLD I0.0\nS M1.0, 1\nNetwork 2\nLD I0.1\nS M1.1, 1\nR M1.0, 1\nNetwork "
+                                    "3\nLD I0.2\nR M1.1, 1\nS M1.0, 1\nNetwork 4\nLD I0.0\nS M1.1, 1\n" +
+                                        calls,
+                                    two)),
+            Found{"Q0.2"});
+}
+
 // ---- SAF ------------------------------------------------------------------------------------------------
 
 TEST(PowerUp, AStartButtonThatIsHeldIsNoOldMemory) {
