@@ -13,16 +13,24 @@
 
 #include "analysis/proof/prover.hpp"
 #include "frontend/program_input.hpp"
+#include "frontend/settings/retentive_range.hpp"
 
 namespace rungproof::test {
 
-/// Files in corpus/, or in one folder of it, sorted by name.
+/// The file with the expectations: of a project of many files its main program.
+inline std::filesystem::path headOf(const std::filesystem::path& program) {
+  return std::filesystem::is_directory(program) ? program / "MAIN.stl" : program;
+}
+
+/// Programs in corpus/, or in one folder of it, sorted by name: files, and folders that hold one program in many files.
 inline std::vector<std::filesystem::path> corpusFiles(const std::string& folder = "") {
   std::vector<std::filesystem::path> files;
   for (const auto& entry :
        std::filesystem::recursive_directory_iterator(std::filesystem::path(RUNGPROOF_SOURCE_DIR) / "corpus" / folder)) {
     const std::string ending = entry.path().extension().string();
-    if (ending == ".awl" || ending == ".stl" || ending == ".xml") files.push_back(entry.path());
+    if (entry.is_directory() && std::filesystem::exists(headOf(entry.path()))) files.push_back(entry.path());
+    const bool isProgram = ending == ".awl" || ending == ".stl" || ending == ".xml";
+    if (isProgram && !std::filesystem::exists(headOf(entry.path().parent_path()))) files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   return files;
@@ -39,7 +47,7 @@ inline std::string testNameOf(const std::filesystem::path& file) {
 /// What the head of a program says about each property, what is still owed included.
 inline std::map<std::string, std::string> trueVerdicts(const std::filesystem::path& file) {
   std::map<std::string, std::string> verdicts;
-  std::ifstream stream(file, std::ios::binary);
+  std::ifstream stream(headOf(file), std::ios::binary);
   for (std::string line; std::getline(stream, line);) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     for (const std::string head : {"//! verdict ", "//! open "}) {
@@ -53,7 +61,7 @@ inline std::map<std::string, std::string> trueVerdicts(const std::filesystem::pa
 /// The options that the head of a program gives, such as --cpu 222.
 inline std::map<std::string, std::string> optionsOf(const std::filesystem::path& file) {
   std::map<std::string, std::string> options;
-  std::ifstream stream(file, std::ios::binary);
+  std::ifstream stream(headOf(file), std::ios::binary);
   for (std::string line; std::getline(stream, line);) {
     std::istringstream words(line);
     std::string head, kind, name, value;
@@ -85,7 +93,9 @@ inline ProgramInput corpusInput(const std::filesystem::path& file) {
   ReadOptions reading;
   const auto given = optionsOf(file);
   if (const auto cpu = given.find("--cpu"); cpu != given.end()) reading.target.cpu = *cpuNamed(cpu->second);
-  input.program = readProgram({file.string()}, reading);
+  input.program = readProgram(expandFolders({file.string()}), reading);
+  if (const auto memory = given.find("--library-memory"); memory != given.end())
+    input.program.libraryMemory.push_back(*libraryMemoryNamed(memory->second));
   input.properties = readProperties(input.program, {}, lookupIn(input.program));
   return input;
 }

@@ -1,5 +1,5 @@
 // The corpus keeps its word: every program states in its head which findings and verdicts are expected,
-//     //! options --cpu 222
+//     //! options --cpu 222            a project of many files has its expectations in its MAIN.stl
 //     //! finding ADR001 MAIN 1        rule, block, network
 //     //! verdict NAME: PROVED
 //     //! open NAME: PROVED            what is true, but not yet decided in the time that this test gives
@@ -36,7 +36,7 @@ constexpr std::size_t mostOpen = 0;
 
 Expectation expectationOf(const fs::path& file) {
   Expectation expectation;
-  std::ifstream stream(file, std::ios::binary);
+  std::ifstream stream(test::headOf(file), std::ios::binary);
   std::string line;
   while (std::getline(stream, line)) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
