@@ -161,8 +161,8 @@ class AccessCollector {
         ++i;
       }
     }
-    const LibraryBlock* library =
-        count > 0 && op(0).kind == OperandKind::Symbol ? libraryBlockNamed(op(0).text) : nullptr;
+    const bool isHidden = count > 0 && found == subroutines_.end();
+    const LibraryBlock* library = isHidden ? libraryBlockWith(op(0).text, count - 1) : nullptr;
     for (; library != nullptr && i < count && i <= library->parameters.size(); ++i) {
       const LibraryParameter& parameter = library->parameters[i - 1];
       add(i, op(i), widthOf(parameter.type), {}, parameter.direction == Direction::Out);

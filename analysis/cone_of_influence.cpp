@@ -75,7 +75,8 @@ class Cone {
       }
       for (std::size_t i = first; sharesStack && i < parts_.size(); ++i) parts_[i].isFixed = true;
     }
-    for (const CallSite& site : facts_.calls().sites()) isWhole_ = isWhole_ || site.callee == noBlock;
+    for (const auto& [id, contract] : facts_.contracts().all())
+      isWhole_ = isWhole_ || contract.mayDoAnything || contract.fillsAnyV;
   }
 
   bool isFixed(const Instruction& instruction, bool hasEvents) const {

@@ -31,6 +31,7 @@ Facts::Facts(const Program& program, std::span<const ExternalRange> externals, S
       index_(program, accesses_, blocks_),
       bits_(accesses_, index_.cells(), blocks_),
       calls_(program, plan_),
+      contracts_(program),
       stack_(program, plan_, {}),
       execution_(program, plan_, calls_, stack_) {
   countUses();
@@ -38,6 +39,8 @@ Facts::Facts(const Program& program, std::span<const ExternalRange> externals, S
     hasUnreadCode_ = hasUnreadCode_ || hasUnreadCode(block);
     hasHiddenCode_ = hasHiddenCode_ || hasUnreadCode_ || program.pous[block].protectedBlock;
   }
+  for (const auto& [id, contract] : contracts_.all())
+    hasHiddenCode_ = hasHiddenCode_ || contract.source != CallContract::Source::Library;
   collectBoxes();
   collectSymbols();
   collectExternals();
@@ -127,6 +130,12 @@ void Facts::collectSymbols() {
 void Facts::collectExternals() {
   const CellMap& cells = index_.cells();
   external_.assign(cells.size(), 0);
+  for (const auto& [id, contract] : contracts_.all()) {
+    for (const MemoryRow& row : contract.memory) {
+      for (std::uint32_t byte = row.first / 8; byte * 8 < row.first + row.count; ++byte)
+        if (const std::uint32_t cell = cells.cell(row.area, byte, 0); cell != cells.size()) external_[cell] = 1;
+    }
+  }
   for (const ExternalRange& range : externals_) {
     const bool byNumber = hasBitAndWord(range.first.area);
     const std::uint32_t end = range.last.offset + static_cast<std::uint32_t>(byNumber ? 1 : bytes(range.last.width));

@@ -20,6 +20,7 @@
 #include "analysis/property.hpp"
 #include "analysis/stack_depth.hpp"
 #include "analysis/surroundings.hpp"
+#include "ir/call_contract.hpp"
 #include "ir/program.hpp"
 
 namespace rungproof {
@@ -62,6 +63,8 @@ class Facts {
   const BitWrites& bits() const { return bits_; }
   const Access& access(std::uint32_t i) const { return accesses_.all()[i]; }
   const CallGraph& calls() const { return calls_; }
+  /// What calls of blocks without text may do.
+  const CallContracts& contracts() const { return contracts_; }
   const StackRun& stack() const { return stack_; }
   const ExecutionTable& execution() const { return execution_; }
   const PointerTable& pointers() const { return *pointers_; }
@@ -128,6 +131,7 @@ class Facts {
   BitWrites bits_;
   std::vector<std::uint8_t> writers_, readers_;
   CallGraph calls_;
+  CallContracts contracts_;
   StackRun stack_;
   ExecutionTable execution_;
   std::unique_ptr<const PointerTable> pointers_;

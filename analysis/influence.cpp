@@ -133,6 +133,12 @@ void Influence::influenceBlock(std::uint32_t block, std::uint32_t cause) {
 
 void Influence::writesOf(std::uint32_t instruction, std::uint32_t cause) {
   const Desc& desc = *facts_.instruction(instruction).desc;
+  if (const CallContract* contract = facts_.contracts().of(facts_.instruction(instruction))) {
+    if (contract->mayDoAnything) return addEverything(cause);
+    for (const MemoryRow& row : contract->memory) addPlace({row.area, row.first, row.count}, cause);
+    addPlace(resultBits, cause);
+    addPlace({Area::AC, 0, 4}, cause);
+  }
   if (actsOnDevices(desc)) return addEverything(cause);
   if (desc.affects != 0) addPlace(resultBits, cause);
   addPlace(errorBits, cause);
@@ -158,8 +164,7 @@ void Influence::controlOf(const Part& part, std::uint32_t instruction, std::uint
       for (const std::uint32_t site : facts_.calls().callsIn(part.place.block)) {
         const CallSite& call = facts_.calls().sites()[site];
         if (call.instruction->id != instruction) continue;
-        if (call.callee == noBlock) continue;  // a library block: what it writes are its parameters
-        influenceBlock(call.callee, cause);
+        if (call.callee != noBlock) influenceBlock(call.callee, cause);
       }
       return;
     default: return influenceBlock(part.place.block, cause);

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "analysis/lint.hpp"
-#include "ir/library_block.hpp"
+#include "ir/call_contract.hpp"
 
 namespace rungproof {
 
@@ -18,13 +18,14 @@ constexpr std::string_view uncoveredBody = "SYN037";  // frontend/stl/syntax_mes
 constexpr std::string_view symbolRow = "SYN029";      // a name that is missed is reported where it is used
 constexpr std::size_t mostTexts = 20;                 ///< lines about unread parts in a report
 
-/// A name that no table knows, or an operand that was left open. The name of a library block needs no table.
-const Operand* openOperand(const Instruction& instruction) {
+/// A name that no table knows, or an operand that was left open. The name of a block that has a contract needs no
+/// table.
+const Operand* openOperand(const Instruction& instruction, const CallContracts& contracts) {
   for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
     const Operand& operand = instruction.operands[i];
     if (operand.kind != OperandKind::Symbol && operand.kind != OperandKind::Missing) continue;
-    const bool isCallee = i == 0 && instruction.desc->control == Control::Call;
-    if (isCallee && operand.kind == OperandKind::Symbol && libraryBlockNamed(operand.text) != nullptr) continue;
+    const CallContract* contract = i == 0 ? contracts.of(instruction) : nullptr;
+    if (contract != nullptr && !contract->isUndefined && operand.kind == OperandKind::Symbol) continue;
     return &operand;
   }
   return nullptr;
@@ -36,15 +37,12 @@ std::string networkName(const Pou& pou, const Network& network) {
 
 std::uint64_t keyOf(Span span) { return std::uint64_t{span.file} << 32 | span.offset; }
 
-/// A protected block of that name is one of the manual's: what it writes is known.
-bool isLibrary(const Pou& pou) { return pou.protectedBlock && libraryBlockNamed(pou.name) != nullptr; }
-
 }  // namespace
 
 class UnreadCode::Collector {
  public:
-  Collector(const Program& program, const Facts& facts, UnreadCode& code)
-      : program_(program), facts_(facts), code_(code), places_(program) {
+  Collector(const Program& program, const Facts& facts, const Choices& choices, UnreadCode& code)
+      : program_(program), facts_(facts), choices_(choices), code_(code), places_(program) {
     for (std::uint32_t block = 0; block < program.pous.size(); ++block) {
       const Pou& pou = program.pous[block];
       for (std::uint32_t n = 0; n < pou.networks.size(); ++n) {
@@ -171,7 +169,7 @@ class UnreadCode::Collector {
   /// A name that is used twice has one finding, at its first place.
   void ofOperands() {
     for (const InstructionPlace& place : facts_.instructions()) {
-      const Operand* open = openOperand(*place.instruction);
+      const Operand* open = openOperand(*place.instruction, facts_.contracts());
       if (open == nullptr) continue;
       const std::string reason = open->kind == OperandKind::Symbol
                                      ? fmt::format("{} is not defined", open->text)
@@ -180,33 +178,47 @@ class UnreadCode::Collector {
     }
   }
 
-  /// Blocks without text: who calls or attaches them runs something that nobody has read.
+  /// Blocks without text: who calls or attaches them runs something that nobody has read. A contract says what it may
+  /// write.
   void ofBlocks() {
     for (std::uint32_t block = 0; block < program_.pous.size(); ++block) {
       const Pou& pou = program_.pous[block];
-      if (!pou.protectedBlock || isLibrary(pou) || !mayRun(block)) continue;
-      UnreadPart& part = add(pou.name, "it is protected by a password: its instructions are not in the text", pou.span);
-      part.isUnlimited = true;
+      if (pou.kind != PouKind::Interrupt || !pou.protectedBlock || !mayRun(block)) continue;
+      add(pou.name, hiddenText, pou.span).isUnlimited = true;
     }
-    for (const CallSite& site : facts_.calls().sites()) {
-      const Instruction& call = *site.instruction;
-      const bool isKnown =
-          site.callee != noBlock || call.operands.empty() ||
-          (call.operands[0].kind == OperandKind::Symbol && libraryBlockNamed(call.operands[0].text) != nullptr);
-      if (isKnown) continue;
-      const InstructionPlace& place = facts_.place(call.id);
-      UnreadPart& part =
-          partOf({place.block, place.network},
-                 fmt::format("{} calls a subroutine that the program does not have", Facts::text(call)), call.span);
-      part.isUnlimited = part.isUnlimited || mayRun(place.block);
+    std::set<std::string> named;
+    for (const auto& [id, contract] : facts_.contracts().all()) {
+      const InstructionPlace& place = facts_.place(id);
+      const bool mayWriteAnything = contract.mayDoAnything || (contract.source != CallContract::Source::Library &&
+                                                               choices_.is(Choice::MissingBlocks, "anything"));
+      const Instruction& call = *place.instruction;
+      const Pou* hidden = call.operands[0].kind == OperandKind::Constant
+                              ? program_.subroutine(static_cast<int>(call.operands[0].value))
+                              : nullptr;
+      if (mayWriteAnything && hidden == nullptr && call.operands.size() == 1) {
+        UnreadPart& part =
+            partOf({place.block, place.network},
+                   fmt::format("{} calls a subroutine that the program does not have", Facts::text(call)), call.span);
+        part.isUnlimited = part.isUnlimited || mayRun(place.block);
+      } else if (mayWriteAnything && mayRun(place.block) && named.insert(contract.name).second) {
+        add(contract.name, hidden != nullptr ? hiddenText : "its instructions are in no file",
+            hidden != nullptr ? hidden->span : call.span)
+            .isUnlimited = true;
+      } else if (contract.fillsAnyV && mayRun(place.block) && named.insert(contract.name).second) {
+        UnreadPart& part = add(contract.name, "which V memory it fills stands in no text", call.span);
+        part.places.push_back({Area::V, 0, areaSize(program_.target, Area::V) * 8});
+        part.isOfBlock = true;
+      }
     }
   }
 
   const Network& networkAt(NetworkPlace place) const { return program_.pous[place.block].networks[place.network]; }
   std::string fileOf(Span span) const { return std::string(program_.sources->file(span.file).name()); }
 
+  static constexpr const char* hiddenText = "it is protected by a password: its instructions are not in the text";
   const Program& program_;
   const Facts& facts_;
+  const Choices& choices_;
   UnreadCode& code_;
   PlaceIndex places_;
   std::map<const Network*, NetworkPlace> byNetwork_;
@@ -214,9 +226,12 @@ class UnreadCode::Collector {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> parts_;  ///< by network, index in code_.parts_
 };
 
-UnreadCode::UnreadCode(const Program& program) : program_(program), facts_(std::make_unique<const Facts>(program)) {
-  Collector(program, *facts_, *this).run();
-  hasLibraryText_ = std::any_of(program.pous.begin(), program.pous.end(), isLibrary);
+UnreadCode::UnreadCode(const Program& program, const Choices& choices)
+    : program_(program), facts_(std::make_unique<const Facts>(program)) {
+  Collector(program, *facts_, choices, *this).run();
+  callsProtected_ = std::ranges::any_of(facts_->contracts().all(), [&](const auto& call) {
+    return facts_->instruction(call.first).operands[0].kind == OperandKind::Constant;
+  });
   if (parts_.empty()) return;
   for (const InstructionPlace& place : facts_->instructions())
     byPlace_[keyOf(place.instruction->span)] = {place.block, place.network};
@@ -242,6 +257,10 @@ UnreadCode::UnreadCode(const Program& program) : program_(program), facts_(std::
 
 UnreadCode::~UnreadCode() = default;
 
+bool UnreadCode::hinderRuns() const {
+  return std::ranges::any_of(parts_, [](const UnreadPart& part) { return !part.isOfBlock; });
+}
+
 bool UnreadCode::isRefused() const {
   return std::any_of(parts_.begin(), parts_.end(), [](const UnreadPart& part) { return part.isRefused; });
 }
@@ -252,19 +271,13 @@ Program UnreadCode::executable() const {
     for (const NetworkPlace place : part.networks)
       program.pous[place.block].networks[place.network].instructions.clear();
   }
-  std::map<int, std::string> libraries;
-  for (const Pou& pou : program.pous) {
-    if (pou.kind == PouKind::Subroutine && isLibrary(pou)) libraries.emplace(pou.number, pou.name);
-  }
   for (Pou& pou : program.pous) {
     for (Network& network : pou.networks) {
       for (Instruction& instruction : network.instructions) {
-        if (libraries.empty() || instruction.desc->control != Control::Call || instruction.operands.empty()) continue;
-        Operand& callee = instruction.operands[0];
-        const auto library = libraries.find(static_cast<int>(callee.value));
-        if (callee.kind != OperandKind::Constant || library == libraries.end()) continue;
-        callee.kind = OperandKind::Symbol;
-        callee.text = library->second;
+        const CallContract* contract = facts_->contracts().of(instruction);
+        if (contract == nullptr) continue;
+        instruction.operands[0].kind = OperandKind::Symbol;
+        instruction.operands[0].text = contract->name;
       }
     }
   }

@@ -1,7 +1,8 @@
 // Unread code: the one statement, for all commands, of what could not be read or is not legal. A network is unread when
 // a line of it could not be read (SYN, GRF), when its body is in a language that is not covered, or when it breaks a
-// rule for which the editor or the CPU takes no program (Rule::refuses); a call of a block whose instructions are not
-// in the text is unread too. Lint reports it; no other command runs it, and nothing is proved that may depend on it.
+// rule for which the editor or the CPU takes no program (Rule::refuses); a called block whose instructions are not in
+// the text is unread as far as no contract says what it may write (ir/call_contract.hpp). Lint reports it; no other
+// command runs it, and nothing is proved that may depend on it.
 // Tested by tests/prover/unread_test.cpp.
 #pragma once
 
@@ -26,18 +27,22 @@ struct UnreadPart {
   std::vector<PlaceRow> places;        ///< what it may write, besides what its instructions write
   bool isUnlimited = false;            ///< may write anything
   bool isRefused = false;              ///< by the readers, the editor or the CPU: exit code 2
+  bool isOfBlock = false;              ///< a library block fills memory of which no text says where it lies
 };
 
 class UnreadCode {
  public:
-  /// Runs the rules that refuse, whatever is selected or silenced.
-  explicit UnreadCode(const Program& program);
+  /// Runs the rules that refuse, whatever is selected or silenced. Of the choices Choice::MissingBlocks counts.
+  explicit UnreadCode(const Program& program, const Choices& choices = {});
   ~UnreadCode();
   UnreadCode(const UnreadCode&) = delete;
   UnreadCode& operator=(const UnreadCode&) = delete;
 
+  const Facts& facts() const { return *facts_; }
   bool empty() const { return parts_.empty(); }
   std::span<const UnreadPart> parts() const { return parts_; }
+  /// Whether a run of the rest would be the run of another program.
+  bool hinderRuns() const;
   /// Whether the readers, the editor or the CPU refuse something: exit code 2.
   bool isRefused() const;
   /// What the rules that refuse have found, in program order; errors of the readers stand in Program::findings.
@@ -47,11 +52,11 @@ class UnreadCode {
   /// Whether anything may depend on it, so that nothing needs to be asked.
   bool isUnlimited() const { return !everything_.empty(); }
 
-  /// The program without what is unread: the rest keeps its places and is legal. A protected block that a library
-  /// brings (ir/library_block.hpp) is called by its name there, so that its outputs come from outside.
+  /// The program without what is unread: the rest keeps its places and is legal. A protected block is called by its
+  /// name there, so that what it writes comes from outside.
   Program executable() const;
   /// Whether that is the program itself.
-  bool isWhole() const { return parts_.empty() && !hasLibraryText_; }
+  bool isWhole() const { return parts_.empty() && !callsProtected_; }
 
   /// Why nothing can be said about a property, or about an instruction and what it reads, one line for each cause;
   /// empty: nothing of it depends on unread code.
@@ -70,7 +75,7 @@ class UnreadCode {
   std::vector<UnreadPart> parts_;
   std::vector<Finding> findings_;
   std::size_t instructions_ = 0;
-  bool hasLibraryText_ = false;  ///< a block of a library stands in the text, without its instructions
+  bool callsProtected_ = false;  ///< a block stands in the text, without its instructions
   std::vector<std::string> everything_;
   std::unordered_map<std::uint64_t, NetworkPlace> byPlace_;  ///< by the place of an instruction
   std::unique_ptr<const Facts> facts_;

@@ -28,6 +28,10 @@ class Devices {
   void setLibraryOutput(const std::string& name, std::uint32_t position, std::uint64_t value) {
     library_[{name, position}] = value;
   }
+  bool hasLibraryOutput(const std::string& name) const {
+    const auto first = library_.lower_bound({name, 0});
+    return first != library_.end() && first->first.first == name;
+  }
   std::uint64_t libraryOutput(const std::string& name, std::uint32_t position) const {
     const auto found = library_.find({name, position});
     return found == library_.end() ? 0 : found->second;

@@ -24,6 +24,7 @@ SimulatorOptions optionsFor(const Target& target, SimulatorOptions options) {
 
 Simulator::Simulator(const Program& program, SimulatorOptions options, Outside* outside)
     : plan_(program),
+      contracts_(std::make_shared<const CallContracts>(program)),
       options_(optionsFor(program.target, std::move(options))),
       outside_(outside),
       domain_(*this),
@@ -177,6 +178,14 @@ std::uint64_t Simulator::external(const ExternalSite& site, int width) {
   return value;
 }
 
+/// Of a block without text a stimulus says what its outputs are; everything else stays as it is.
+std::uint64_t Simulator::kept(const LibraryEffect& effect) const {
+  if (effect.area == Area::AC)
+    return effect.at == LibraryEffect::eno ? store_.get(Reg::Eno, 0) : store_.get(Reg::Accumulator, effect.at);
+  return effect.bit ? store_.load(effect.area, effect.at * 8 + *effect.bit, 1)
+                    : store_.load(effect.area, effect.at * 8, 8);
+}
+
 std::uint64_t Simulator::externalValue(const ExternalSite& site, int width) {
   switch (site.kind) {
     case External::StackBottom:
@@ -206,7 +215,9 @@ std::uint64_t Simulator::externalValue(const ExternalSite& site, int width) {
       if (outside_ == nullptr) return defaultStation;
       break;
     case External::LibraryOutput:
-      if (outside_ == nullptr) return devices_.libraryOutput(*calledBlock_, site.index);
+      if (outside_ == nullptr)
+        return libraryEffect(site.index) ? kept(*libraryEffect(site.index))
+                                         : devices_.libraryOutput(*calledBlock_, site.index);
       break;
     default: break;
   }

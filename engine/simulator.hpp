@@ -43,6 +43,8 @@ struct SimulatorOptions {
 
 template <class D, class Hooks>
 class Scan;
+class CallContracts;
+struct LibraryEffect;
 
 /// What is asked of one scan.
 struct ScanRequest {
@@ -127,6 +129,7 @@ class Simulator final : private Outside {
 
   std::uint64_t external(const ExternalSite& site, int width) override;
   std::uint64_t externalValue(const ExternalSite& site, int width);
+  std::uint64_t kept(const LibraryEffect& effect) const;
   void report(Hazard hazard, const Instruction* place) override;
   void signal(Signal which, std::uint32_t index) override;
   std::uint64_t unknown(int width);
@@ -160,6 +163,7 @@ class Simulator final : private Outside {
   void finishScan(std::uint32_t lengthUs);
 
   Plan plan_;
+  std::shared_ptr<const CallContracts> contracts_;  ///< of calls of blocks without text
   SimulatorOptions options_;
   Outside* outside_;
   Concrete domain_;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/simulator.hpp"
-#include "ir/library_block.hpp"
+#include "ir/call_contract.hpp"
 #include "ir/scan_cycle.hpp"
 
 namespace rungproof {
@@ -20,13 +20,14 @@ struct Simulator::Hooks {
     s.pending_ = cost.time[runner.machine().powerFlow() ? 1 : 0];
   }
 
-  /// A block that is in no file changes its outputs, if it is known, and nothing else.
+  /// Of a block that only its call describes, a stimulus has to say what it writes: it may take all for inputs.
   void callWithoutBody(Runner& runner, const Instruction& instruction) {
-    if (instruction.operands.empty() || instruction.operands[0].kind != OperandKind::Symbol) return;
-    const LibraryBlock* block = libraryBlockNamed(instruction.operands[0].text);
-    if (block == nullptr) return;
-    simulator.calledBlock_ = &instruction.operands[0].text;
-    callLibraryBlock(runner.machine(), instruction, *block);
+    const CallContract* contract = simulator.contracts_->of(instruction);
+    if (contract == nullptr) return;
+    const bool isLibrary = contract->source == CallContract::Source::Library;
+    if (simulator.outside_ == nullptr && !isLibrary && !simulator.devices_.hasLibraryOutput(contract->name)) return;
+    simulator.calledBlock_ = &contract->name;
+    callByContract(runner.machine(), instruction, *contract);
   }
 
   Execute<Concrete> entry(const FlowStep& step) const { return simulator.costs_[step.id].run; }

@@ -41,6 +41,25 @@ std::optional<Parts> partsOf(std::string_view name) {
   return std::nullopt;
 }
 
+/// Numbers of subroutines that calls and symbol tables name.
+std::set<int> routineNumbers(const Program& program) {
+  std::set<int> numbers;
+  const auto add = [&](const Operand& operand) {
+    if (operand.kind == OperandKind::Constant) numbers.insert(static_cast<int>(operand.value));
+    const auto named = operand.kind == OperandKind::Symbol ? partsOf(operand.text) : std::nullopt;
+    if (named && named->kind == PouKind::Subroutine && named->number) numbers.insert(*named->number);
+  };
+  for (const Pou& pou : program.pous) {
+    for (const Network& network : pou.networks) {
+      for (const Instruction& instruction : network.instructions) {
+        if (instruction.desc->control == Control::Call && !instruction.operands.empty()) add(instruction.operands[0]);
+      }
+    }
+  }
+  for (const Symbol& symbol : program.symbols) add(symbol.address);
+  return numbers;
+}
+
 }  // namespace
 
 FileBlock fileBlock(std::string_view path) {
@@ -78,6 +97,9 @@ void nameFromFiles(Program& program, const std::vector<HeadlessBlock>& blocks) {
   for (const FileBlock& file : files) {
     if (file.kind == PouKind::Subroutine) taken.insert(file.number.value_or(0));
   }
+  // A number that the project uses belongs to the block that it means, whether a file holds that or not.
+  const std::set<int> meant = routineNumbers(program);
+  taken.insert(meant.begin(), meant.end());
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const FileBlock& file = files[i];
     Pou& pou = program.pous[blocks[i].pou];

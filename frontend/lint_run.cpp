@@ -30,7 +30,7 @@ Report lintProgram(const Settings& settings, const ProgramInput& input, const st
   std::vector<Finding> found = runRules(facts, selection, settings.ruleSettings());
   std::move(found.begin(), found.end(), std::back_inserter(report.findings));
   if (prove) {
-    const UnreadCode unread(program);
+    const UnreadCode unread(program, settings.choices());
     ProverOptions options = lintProverOptionsOf(settings);
     options.unread = &unread;
     OpenQuestions open;

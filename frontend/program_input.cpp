@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "analysis/drawing/editor_verdict.hpp"
 #include "analysis/rule.hpp"
 #include "frontend/file_block.hpp"
 #include "frontend/file_reader.hpp"
@@ -83,6 +84,7 @@ OperandLookup lookupIn(const Program& program) {
 Program readFiles(const Context& context, const std::vector<std::string>& files) {
   Program program = readProgram(expandFolders(files), readOptionsOf(context.settings));
   guessCpu(context, program);
+  program.libraryMemory = context.settings.libraryMemory();
   return program;
 }
 
@@ -107,6 +109,17 @@ void addSurroundings(const Settings& settings, ProgramInput& input) {
     }
   }
   input.surroundings.portTo = settings.portTo();
+}
+
+std::vector<std::string> leaveOut(Program& program) {
+  std::vector<std::string> lines;
+  for (const NetworkVerdict& verdict : leaveOutInvalid(program)) {
+    const Pou& pou = program.pous[verdict.place.block];
+    lines.push_back(fmt::format(
+        "{}, network {} ({}:{}) is not in the download: {}", pou.name, pou.networks[verdict.place.network].number,
+        program.sources->file(verdict.span.file).name(), program.sources->position(verdict.span).line, verdict.reason));
+  }
+  return lines;
 }
 
 Report startReport(std::string_view command, const Program& program, const std::vector<std::string>& files) {

@@ -38,6 +38,12 @@ void addSurroundings(const Settings& settings, ProgramInput& input);
 /// The operand that an address or a symbol of the program means, for property files, stimuli and command lines.
 OperandLookup lookupIn(const Program& program);
 
+/// With --as-downloaded: empties the networks that the editor leaves out of the download, and names them, one line
+/// each: "MAIN, network 3 (press.awl:12) is not in the download: ...".
+std::vector<std::string> leaveOut(Program& program);
+inline constexpr std::string_view asDownloadedHelp =
+    "leave out the networks that 'check --language stl' calls invalid, as the editor leaves them out of the download";
+
 /// A report with sources, findings of the readers and coverage filled in.
 Report startReport(std::string_view command, const Program& program, const std::vector<std::string>& files);
 

@@ -52,6 +52,7 @@ enum class Choice : std::uint8_t {
   AnalogSampling,      // machine 18
   TimerAfterReset,     // B 19.2
   MainStack,           // machine 11
+  MissingBlocks,
   count
 };
 
@@ -271,6 +272,13 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      {"zero", "unknown", ""},
      "logic stack at the start of the main program: all 0, or any values",
      "001:2868"},
+    {Choice::MissingBlocks,
+     "missing-blocks",
+     {"by-signature", "anything", ""},
+     "what a called block may write whose text is missing or hidden by a password: the places that its calls give it, "
+     "or anything, so that nothing is proved beside it",
+     "001:6815",
+     ChoiceKind::Fact},
 }};
 
 inline constexpr std::size_t choiceCount = static_cast<std::size_t>(Choice::count);

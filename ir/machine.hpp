@@ -36,7 +36,7 @@ enum class External : std::uint8_t {
   NetworkStatus,   ///< NETR/NETW completion; index = table byte
   ReceivedByte,
   StationAddress,
-  LibraryOutput,  ///< result of a library block; index = parameter
+  LibraryOutput,  ///< what a block without text leaves; index = parameter or effect (ir/call_contract.hpp)
   AsyncTicks,     ///< 1 ms ticks that elapse before this instruction
   EventFires,     ///< whether interrupt event `index` occurs before this instruction
   UnknownStatus,  ///< status bits that the manual calls meaningless after an error (001:4814)

@@ -93,6 +93,13 @@ struct Directive {
   int network = 0;
 };
 
+/// Bytes of V memory that a library was given (001:2497), as the project's settings name them.
+struct LibraryMemory {
+  std::string block;  ///< "MBUS_SLAVE"; empty: of any library
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
+};
+
 struct Program {
   std::shared_ptr<SourceSet> sources = std::make_shared<SourceSet>();
   Target target;
@@ -100,6 +107,7 @@ struct Program {
   std::vector<Symbol> symbols;
   std::vector<DataInit> data;
   std::vector<Directive> directives;
+  std::vector<LibraryMemory> libraryMemory;
   std::vector<Finding> findings;  ///< of the readers
   bool olderDialect = false;      ///< one-text dialect of the S7-212/214 time (MEND, SBR n)
 

@@ -58,6 +58,8 @@ void checkAdr011(const Facts& facts, FindingSink& sink) {
       continue;
     if (!isStorage(access.area) || (access.byNumber() && !access.isBox)) continue;
     if (access.most > access.count || isParameter(facts, access)) continue;
+    // Each output of a library block needs a place, whether the program wants it or not.
+    if (facts.contracts().of(facts.instruction(access.instruction)) != nullptr) continue;
     const std::uint64_t key = static_cast<std::uint64_t>(facts.cellOf(access)) << 8 |
                               static_cast<std::uint64_t>(access.isBox ? Width::Bit : access.width) << 4 | access.bit;
     if (!seen.insert(key).second || isRead(facts, access) || hasEvent(facts, access)) continue;

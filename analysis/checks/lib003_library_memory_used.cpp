@@ -1,6 +1,7 @@
-// LIB003: V memory that belongs to a library and that the program touches: the 16 bytes behind DB_Ptr of the USS
-// blocks, and holding registers that reach into them or beyond the end. Tested by its examples and
-// tests/rules/library_rules_test.cpp.
+// LIB003: V memory that belongs to a library and that the program touches: what the project's settings give to
+// libraries, the 16 bytes behind DB_Ptr of the USS blocks, and holding registers that reach into them or beyond the
+// end. What a wizard made for the program to read, such as the record of a recipe, is no such memory. Tested by its
+// examples, tests/rules/library_rules_test.cpp and tests/smart/contract_test.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,6 +45,11 @@ class LibraryMemoryCheck {
       if (!at) continue;
       const std::uint32_t first = call.call->operands[*at].offset;
       owned_.push_back({call.name, first, first + ussBuffer - 1, call.call});
+    }
+    for (const LibraryMemory& memory : facts.program().libraryMemory) {
+      const LibraryBlock* block = libraryBlockNamed(memory.block);
+      if (block != nullptr && block->reach == LibraryReach::Record) continue;
+      owned_.push_back({memory.block.empty() ? "a library" : memory.block, memory.first, memory.last, nullptr});
     }
   }
 
@@ -119,8 +125,8 @@ extern constexpr Rule lib003_library_memory_used = {
     .severity = Severity::Error,
     .needs = Needs::Text,
     .detects =
-        "an access inside the 16 bytes behind DB_Ptr of a USS block, holding registers of Modbus that reach into "
-        "memory of a library or beyond the end of V",
+        "an access inside memory that the settings give to a library or the 16 bytes behind DB_Ptr of a USS block, "
+        "holding registers of Modbus that reach into memory of a library or beyond the end of V",
     .why = "the library and the program overwrite each other, and nothing reports it",
     .manual = "001:2497, 001:10037, 001:10256, 001:10686",
     .bad =

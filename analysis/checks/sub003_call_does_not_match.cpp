@@ -186,13 +186,16 @@ void checkSub003(const Facts& facts, FindingSink& sink) {
       CallCheck(sink, call)
           .run(callee.name, formalsOf(callee), callee.locals.empty() ? Span{} : callee.locals.front().span);
     } else if (target.kind == OperandKind::Symbol) {
-      const LibraryBlock* library = libraryBlockNamed(target.text);
-      if (library == nullptr) continue;  // SYM001 speaks
+      const LibraryBlock* library = libraryBlockWith(target.text, call.operands.size() - 1);
+      // Without the manual's word on the parameters there is nothing to hold against; of unknown names SYM001 speaks.
+      if (library == nullptr && hasFixedParameters(facts.target(), target.text))
+        library = libraryBlockNamed(target.text);
+      if (library == nullptr) continue;
       std::vector<Formal> formals;
       for (const LibraryParameter& p : library->parameters)
         formals.push_back({p.name, sectionOf(p.direction), p.type, p.mayBeReal});
       CallCheck(sink, call).run(target.text, formals, {});
-    } else if (target.kind == OperandKind::Constant && facts.program().main() != nullptr) {
+    } else if (target.kind == OperandKind::Constant && call.operands.size() == 1 && facts.program().main() != nullptr) {
       sink.report(call.span, fmt::format("{} calls a subroutine that the program does not have", Facts::text(call)))
           .help = "add the subroutine, or correct the number (error 0087, 001:13989)";
     }
@@ -208,8 +211,7 @@ extern constexpr Rule sub003_call_does_not_match = {
     .needs = Needs::Text,
     .detects =
         "number, direction, width or kind of the actual parameters that do not fit the local variable table of the "
-        "called block; more than 16 "
-        "parameters; a call of a subroutine that does not exist",
+        "called block; more than 16 parameters; a call without parameters of a subroutine that does not exist",
     .why =
         "no conversion is made and the order is fixed, so the values land in the wrong bytes; error 009E or 0087 at "
         "download",

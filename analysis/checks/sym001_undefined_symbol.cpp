@@ -5,7 +5,6 @@
 
 #include "analysis/facts.hpp"
 #include "analysis/rule.hpp"
-#include "ir/library_block.hpp"
 
 namespace rungproof {
 
@@ -18,7 +17,8 @@ void checkSym001(const Facts& facts, FindingSink& sink) {
     const bool isCall = place.instruction->desc->control == Control::Call;
     for (const Operand& operand : place.instruction->operands) {
       const bool isCallee = isCall && &operand == &place.instruction->operands[0];
-      if (isCallee && libraryBlockNamed(operand.text) != nullptr) continue;
+      const CallContract* contract = isCallee ? facts.contracts().of(*place.instruction) : nullptr;
+      if (contract != nullptr && !contract->isUndefined) continue;  // SUB008 speaks where the manual does not know it
       if (operand.kind == OperandKind::Symbol && ++places[operand.text] == 1) first.push_back(&operand);
     }
   }

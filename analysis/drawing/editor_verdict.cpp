@@ -117,6 +117,28 @@ std::vector<NetworkVerdict> editorVerdicts(const Program& program, const UnreadC
   return verdicts;
 }
 
+std::vector<NetworkVerdict> leaveOutInvalid(Program& program) {
+  std::vector<NetworkVerdict> invalid = editorVerdicts(program, UnreadCode(program), EditorLanguage::Stl);
+  std::erase_if(invalid, [](const NetworkVerdict& verdict) { return verdict.reason.empty(); });
+  const PlaceIndex places(program);
+  const auto isGone = [&](const Network* network) {
+    return network != nullptr && std::ranges::any_of(invalid, [&](const NetworkVerdict& verdict) {
+             return network == &program.pous[verdict.place.block].networks[verdict.place.network];
+           });
+  };
+  std::erase_if(program.findings, [&](const Finding& finding) {
+    return finding.network != 0 && isProgramReadError(finding) && isGone(places.at(finding.span).network);
+  });
+  for (const NetworkVerdict& verdict : invalid) {
+    Network& network = program.pous[verdict.place.block].networks[verdict.place.network];
+    network.instructions.clear();
+    network.mayWrite.reset();
+    network.complete = true;
+  }
+  program.number();
+  return invalid;
+}
+
 bool isWrittenAsStl(const Program& program) {
   std::size_t networks = 0, withSeveral = 0;
   for (const Pou& pou : program.pous) {

@@ -23,6 +23,10 @@ struct NetworkVerdict {
 /// One verdict for each network, in program order. In STL a network may hold several rungs.
 std::vector<NetworkVerdict> editorVerdicts(const Program& program, const UnreadCode& unread, EditorLanguage language);
 
+/// Empties the networks that are invalid in every language, as the editor of the S7-200 SMART leaves them out of the
+/// download: their instructions, and the readers' findings on them. Gives their verdicts.
+std::vector<NetworkVerdict> leaveOutInvalid(Program& program);
+
 /// Whether the program is plainly written as STL: at least three networks, and more than half of those with
 /// instructions, hold several rungs.
 bool isWrittenAsStl(const Program& program);

@@ -43,6 +43,8 @@ struct EncoderOptions {
   std::vector<Operand> observed;  ///< direct operands that properties read: they shape the state variables
   /// By Instruction::id: what cannot reach any question and is not encoded (analysis/cone_of_influence.hpp).
   std::vector<bool> isLeftOut;
+  /// What blocks without text write is as much as their contract says (ir/call_contract.hpp); false: anything.
+  bool followsContracts = false;
   bool interrupts = true;
   bool interruptsInside = true;  ///< false: events come between scans only
   int eventPasses = 2;  ///< times that each event is let in at one place; what more of them can do is estimated

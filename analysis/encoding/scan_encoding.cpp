@@ -57,6 +57,7 @@ ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options
       time(graph, options.time),
       program_(program),
       options_(optionsFor(program.target, options)),
+      contracts_(program),
       plan_(plan),
       knowledge_(knowledge),
       initial_(powerUpState(plan, options.choices)),
@@ -147,7 +148,19 @@ void ScanEncoding::before(Runner& runner, const FlowStep& step) {
 
 void ScanEncoding::callWithoutBody(Runner& runner, const Instruction& instruction) {
   Machine<Graph>& m = runner.machine();
-  havocBy(m, approximate(&instruction, "calls a block without visible text, which may change any memory"));
+  const CallContract* contract = options_.followsContracts ? contracts_.of(instruction) : nullptr;
+  if (contract == nullptr || contract->mayDoAnything) {
+    havocBy(m, approximate(&instruction, "calls a block without visible text, which may change any memory"));
+    return;
+  }
+  const auto index = static_cast<std::size_t>(
+      &approximate(&instruction, fmt::format("{} has no text: what it may write is any value", contract->name)) -
+      approximations.data());
+  const std::size_t first = externals.size();
+  callByContract(m, instruction, *contract);
+  for (std::size_t i = first; i < externals.size(); ++i) {
+    if (externals[i].site.kind == External::LibraryOutput) approximations[index].carriers.push_back(externals[i].node);
+  }
 }
 
 void ScanEncoding::freshLocal(Runner& runner, unsigned frame, std::uint32_t byte) {

@@ -12,6 +12,7 @@
 #include "analysis/encoding/loop_widening.hpp"
 #include "analysis/encoding/pointer_values.hpp"
 #include "analysis/encoding/routine_effects.hpp"
+#include "ir/call_contract.hpp"
 #include "ir/event.hpp"
 #include "ir/scan_cycle.hpp"
 
@@ -167,6 +168,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
 
   const Program& program_;
   const EncoderOptions options_;
+  const CallContracts contracts_;
   const Plan& plan_;
   const Knowledge& knowledge_;
   Concrete::Store initial_;

@@ -99,6 +99,7 @@ class ProgramComparison {
   ProductOptions productOptions(bool relaxed) {
     ProductOptions options;
     options.encoder = encoderOptionsOf(options_.prover, relaxed);
+    options.encoder.followsContracts = false;  // whether both are asked the same is not compared
     options.encoder.interruptsInside = options_.interruptsInside;
     options.encoder.interruption = [this] {
       if (watch_.isStopped() || left() <= 0) throw EncodingStopped{};

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <set>
 
+#include "analysis/hidden_blocks.hpp"
 #include "analysis/proof/asked_goals.hpp"
 #include "analysis/proof/circumstances.hpp"
 #include "analysis/proof/proof_networks.hpp"
@@ -357,6 +359,7 @@ class Session {
 
 EncoderOptions encoderOptionsOf(const ProverOptions& options, bool relaxed) {
   EncoderOptions result;
+  result.followsContracts = true;
   result.choices = options.choices;
   result.retentive = options.retentive;
   result.time = options.time;
@@ -460,10 +463,10 @@ std::vector<std::string> reasonsForAll(const PropertySet& set, const UnreadCode&
 
 }  // namespace
 
-ProofRun prove(const Program& program, const PropertySet& set, const ProverOptions& given,
-               const ProofProgress& progress) {
-  ProverOptions options = given;
-  options.choices = choicesFor(program.target, given.choices);
+namespace {
+
+ProofRun proveAll(const Program& program, const PropertySet& set, const ProverOptions& options,
+                  const ProofProgress& progress) {
   if (options.unread == nullptr || options.unread->empty()) {
     ProofRun run = proveInParts(program, set, options, progress);
     noteUntouched(program, set, options, run.results);
@@ -503,6 +506,24 @@ ProofRun prove(const Program& program, const PropertySet& set, const ProverOptio
   result = merged(set, std::move(result), std::move(left));
   if (forAll.empty()) result.assumptions.push_back("what is not executed does not stop the CPU");
   return result;
+}
+
+}  // namespace
+
+/// What blocks without text write at any time is memory that is written from outside.
+ProofRun prove(const Program& program, const PropertySet& set, const ProverOptions& given,
+               const ProofProgress& progress) {
+  ProverOptions options = given;
+  options.choices = choicesFor(program.target, given.choices);
+  if (CallContracts(program).empty()) return proveAll(program, set, options, progress);
+  const Facts facts(program, set.externals);
+  PropertySet open = set;
+  std::ranges::move(externalsOfCalls(facts), std::back_inserter(open.externals));
+  std::optional<UnreadCode> unread;  // of a caller that does not look for it
+  if (options.unread == nullptr) options.unread = &unread.emplace(program, options.choices);
+  ProofRun run = proveAll(program, open, options, progress);
+  std::ranges::move(assumptionsOfCalls(facts), std::back_inserter(run.assumptions));
+  return run;
 }
 
 }  // namespace rungproof

@@ -29,9 +29,15 @@ bool isInBuffer(const Facts& facts, const PlaceRow& row) {
   });
 }
 
-/// A library block may write more than its outputs.
-bool callsLibrary(const Facts& facts) {
-  return std::ranges::any_of(facts.calls().sites(), [](const CallSite& site) { return site.callee == noBlock; });
+/// Whether a called block without text may write there, beside its outputs.
+bool isWrittenByCalls(const Facts& facts, const PlaceRow& row) {
+  return std::ranges::any_of(facts.contracts().all(), [&](const auto& call) {
+    const CallContract& contract = call.second;
+    return contract.mayDoAnything || (contract.fillsAnyV && row.area == Area::V) ||
+           std::ranges::any_of(contract.memory, [&](const MemoryRow& memory) {
+             return meet(row, {memory.area, memory.first, memory.count});
+           });
+  });
 }
 
 bool isWritten(const Facts& facts, const PropertySet& set, const Operand& operand) {
@@ -48,7 +54,7 @@ bool isWritten(const Facts& facts, const PropertySet& set, const Operand& operan
     const PlaceRow last = rowOf(range.last);
     return meet(row, {first.area, first.first, last.first + last.count - first.first});
   });
-  if (isExternal || isInBuffer(facts, row) || callsLibrary(facts)) return true;
+  if (isExternal || isInBuffer(facts, row) || isWrittenByCalls(facts, row)) return true;
   for (std::uint32_t bit = row.first; bit < row.first + row.count; ++bit) {
     const std::uint32_t cell = cells.cell(operand.area, bit / 8, 0);
     if (cell == cells.size() || facts.index().isWrittenAtLarge(cell) || facts.writers(cell, bit % 8) > 0) return true;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "analysis/drawing/editor_verdict.hpp"
+#include "analysis/hidden_blocks.hpp"
 #include "frontend/cli.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/file_block.hpp"
@@ -24,6 +25,7 @@ struct CheckArguments {
 struct Checked {
   Program program;
   std::vector<NetworkVerdict> verdicts;
+  std::vector<std::pair<Span, std::string>> notes;  ///< on blocks that no file holds
   bool isStl = false;
   bool isGuessed = false;  ///< the language was taken from the program
 
@@ -37,9 +39,9 @@ struct Checked {
     return isHeadless ? fileBlock(file.name()).name : pou.name;
   }
   int numberOf(const NetworkVerdict& verdict) const { return pouOf(verdict).networks[verdict.place.network].number; }
-  std::string placeOf(const NetworkVerdict& verdict) const {
-    const Position position = program.sources->position(verdict.span);
-    return fmt::format("{}:{}:{}", program.sources->file(verdict.span.file).name(), position.line, position.column);
+  std::string placeOf(Span span) const {
+    const Position position = program.sources->position(span);
+    return fmt::format("{}:{}:{}", program.sources->file(span.file).name(), position.line, position.column);
   }
   std::size_t invalid() const {
     return static_cast<std::size_t>(
@@ -54,6 +56,8 @@ Checked checked(const Context& context, const CheckArguments& arguments) {
   result.isStl = result.isGuessed ? isWrittenAsStl(result.program) : arguments.language == "stl";
   const UnreadCode unread(result.program);
   result.verdicts = editorVerdicts(result.program, unread, result.isStl ? EditorLanguage::Stl : EditorLanguage::Ladder);
+  for (const MissingBlock& block : missingBlocks(unread.facts()))
+    result.notes.emplace_back(block.firstCall->span, missingText(block));
   return result;
 }
 
@@ -71,14 +75,15 @@ std::string textOf(const Checked& check, const Paint& paint, bool isQuiet) {
   for (const NetworkVerdict& verdict : check.verdicts) {
     if (!verdict.isDrawn) ++notDrawn;
     if (verdict.reason.empty()) continue;
-    text += fmt::format("{}: {}, network {} is {}: {}\n", check.placeOf(verdict), check.nameOf(verdict),
+    text += fmt::format("{}: {}, network {} is {}: {}\n", check.placeOf(verdict.span), check.nameOf(verdict),
                         check.numberOf(verdict), paint.red("invalid"), verdict.reason);
   }
   for (const NetworkVerdict& verdict : check.verdicts) {
     if (verdict.isDrawn) continue;
     text += fmt::format("{}: note: {}, network {} is valid, but the ladder view may not be able to show it\n",
-                        check.placeOf(verdict), check.nameOf(verdict), check.numberOf(verdict));
+                        check.placeOf(verdict.span), check.nameOf(verdict), check.numberOf(verdict));
   }
+  for (const auto& [span, note] : check.notes) text += fmt::format("{}: note: {}\n", check.placeOf(span), note);
   if (isQuiet) return text;
   const std::size_t invalid = check.invalid();
   return text + fmt::format("{}: {} valid, {} invalid\n", plural(check.verdicts.size(), "network"),
@@ -101,6 +106,8 @@ std::string jsonOf(const Checked& check) {
                                 {"file", check.program.sources->file(verdict.span.file).name()},
                                 {"line", position.line}});
   }
+  json["notes"] = Json::array();
+  for (const auto& [span, note] : check.notes) json["notes"].push_back(note);
   return json.dump(2) + "\n";
 }
 

@@ -56,6 +56,9 @@ Exit compare(const Arguments& arguments, Context& context) {
   std::vector<Failure> failures;
   const Sides sides = readSides(context, arguments.sides, failures);
   if (!failures.empty()) return failAll(context, failures);
+  for (const std::vector<std::string>* lines : {&sides.leftOutBefore, &sides.leftOutAfter}) {
+    for (const std::string& line : *lines) context.err << fmt::format("left out: {}\n", line);
+  }
   bool isUnread = false;
   for (const ProgramInput* input : {&sides.before, &sides.after}) {
     const UnreadCode& unread = input == &sides.before ? *sides.unreadBefore : *sides.unreadAfter;

@@ -46,8 +46,10 @@ std::string_view equalityName(Equality equality) {
 }
 
 /// Errors of reading of one side, as the beginning of the report.
-Report partOf(const ProgramInput& input, const UnreadCode& unread, const std::vector<std::string>& files) {
+Report partOf(const ProgramInput& input, const UnreadCode& unread, const std::vector<std::string>& files,
+              const std::vector<std::string>& leftOut) {
   Report part = startReport("equiv", input.program, files);
+  part.coverage.leftOut = leftOut;
   std::erase_if(part.findings, [](const Finding& finding) { return finding.severity != Severity::Error; });
   addUnread(part, input.program, unread);
   const PlaceIndex places(input.program);
@@ -115,8 +117,8 @@ Exit run(const Arguments& arguments, Context& context) {
   const Sides sides = readSides(context, arguments.sides, failures);
   if (!failures.empty()) return failAll(context, failures);
   ReportMerger merger;
-  merger.add(partOf(sides.before, *sides.unreadBefore, sides.filesBefore));
-  merger.add(partOf(sides.after, *sides.unreadAfter, sides.filesAfter));
+  merger.add(partOf(sides.before, *sides.unreadBefore, sides.filesBefore, sides.leftOutBefore));
+  merger.add(partOf(sides.after, *sides.unreadAfter, sides.filesAfter, sides.leftOutAfter));
   Report report = merger.take();
   if (sides.unreadBefore->isRefused() || sides.unreadAfter->isRefused() || !report.findings.empty())
     return worse(finish(context, std::move(report)), Exit::Failed);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "analysis/export/system.hpp"
+#include "analysis/hidden_blocks.hpp"
 #include "analysis/proof/proof_side.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/proof_input.hpp"
@@ -15,6 +16,7 @@ namespace {
 struct Arguments {
   std::vector<std::string> files;
   std::vector<std::string> properties;
+  bool asDownloaded = false;
   bool builtin = false;
   std::string output;
 };
@@ -53,13 +55,17 @@ std::unique_ptr<ProofSide> asWritten(const ProgramInput& input, const std::vecto
 
 Exit run(const Arguments& arguments, Context& context) {
   ProgramInput input = readInput(context, arguments.files, arguments.properties);
-  const UnreadCode unread(input.program);
-  if (std::ranges::any_of(input.program.findings, isReadError) || !unread.empty()) {
+  const std::vector<std::string> leftOut =
+      arguments.asDownloaded ? leaveOut(input.program) : std::vector<std::string>();
+  const UnreadCode unread(input.program, context.settings.choices());
+  if (std::ranges::any_of(input.program.findings, isReadError) || unread.hinderRuns()) {
     // A system of what was understood would prove the wrong thing, so the reasons are shown instead.
     printUnread(context, "export", input.program, unread, arguments.files);
     return Exit::Failed;
   }
   if (!unread.isWhole()) input.program = unread.executable();
+  const std::vector<ExternalRange> byCalls = externalsOfCalls(Facts(input.program));
+  input.properties.externals.insert(input.properties.externals.end(), byCalls.begin(), byCalls.end());
   const ProverOptions options = proverOptionsOf(context.settings);
   std::vector<Property> goals;
   for (const Property& property : input.properties.properties) {
@@ -73,7 +79,8 @@ Exit run(const Arguments& arguments, Context& context) {
                          {},
                          "declare some, or give --builtin; see 'rungproof prove --help'"});
   }
-  const ExportRemarks remarks = remarksOf(input, side, options);
+  ExportRemarks remarks = remarksOf(input, side, options);
+  for (const std::string& line : leftOut) remarks.push_back("left out: " + line);
   const TransitionSystem system = withExactReals(side.system(), RealScope::All);
   bool isWritten = true;
   for (const OutputRequest& request : context.outputs) {
@@ -88,6 +95,7 @@ Action setup(ArgumentTable& table) {
   table.arguments("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input");
   table.option("--props", arguments->properties, "FILE", "property file; may be repeated");
   table.flag("--builtin", arguments->builtin, "also the questions of the built-in checks");
+  table.flag("--as-downloaded", arguments->asDownloaded, asDownloadedHelp);
   table.option("-o,--output", arguments->output, "FILE", "write there instead of standard output");
   return [arguments](Context& context) { return run(*arguments, context); };
 }

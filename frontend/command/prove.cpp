@@ -27,6 +27,7 @@ namespace {
 struct Arguments {
   std::vector<std::string> files;
   std::vector<std::string> properties;
+  bool asDownloaded = false;
   bool builtin = false;
   bool selfCheck = false;
   std::string certificates;
@@ -227,13 +228,15 @@ Exit run(const Arguments& arguments, Context& context) {
   bool failed = false, hasUnread = false;
   interrupted = false;
   for (const std::vector<std::string>& files : groupByProgram(context, arguments.files)) {
-    const ProgramInput input = readInput(context, files, arguments.properties);
+    ProgramInput input = readInput(context, files, arguments.properties);
+    std::vector<std::string> leftOut = arguments.asDownloaded ? leaveOut(input.program) : std::vector<std::string>();
     Report part = startReport("prove", input.program, files);
+    part.coverage.leftOut = std::move(leftOut);
     std::erase_if(part.findings, [](const Finding& finding) { return finding.severity != Severity::Error; });
-    const UnreadCode unread(input.program);
+    const UnreadCode unread(input.program, context.settings.choices());
     if (!part.findings.empty() || unread.isRefused()) failed = true;
     addUnread(part, input.program, unread);
-    hasUnread = hasUnread || !unread.empty();
+    hasUnread = hasUnread || unread.hinderRuns();
     const Program program = unread.isWhole() ? Program{} : unread.executable();
     const bool isSound = proveInto(part, context, arguments, names, unread.isWhole() ? input.program : program,
                                    input.properties, unread);
@@ -260,6 +263,7 @@ Action setup(ArgumentTable& table) {
   table.flag(
       "--self-check", arguments->selfCheck,
       "plant faults one by one and list those that no property notices (the exit code stays that of the proofs)");
+  table.flag("--as-downloaded", arguments->asDownloaded, asDownloadedHelp);
   table.option("--certificate", arguments->certificates, "DIR",
                "write the proof of each PROVED as SMT-LIB 2, for another solver to check");
   table.option("--traces", arguments->traces, "DIR", "write each witness as CSV (also a stimulus), VCD and SVG");

@@ -31,6 +31,7 @@ struct Arguments {
   std::vector<std::string> traces;
   std::vector<std::string> signals;
   std::vector<std::string> tolerances;
+  bool asDownloaded = false;
   unsigned slack = 0;
   std::uint64_t scans = 0;
   std::string duration;
@@ -231,10 +232,12 @@ std::optional<Failure> record(Simulator& simulator, const Job& job, std::uint64_
 }
 
 Exit run(const Arguments& arguments, Context& context) {
-  const Program text = readFiles(context, arguments.files);
+  Program text = readFiles(context, arguments.files);
+  std::vector<std::string> leftOut = arguments.asDownloaded ? leaveOut(text) : std::vector<std::string>();
   Report report = startReport("sim", text, arguments.files);
+  report.coverage.leftOut = std::move(leftOut);
   const UnreadCode unread(text);
-  if (!unread.empty()) {
+  if (unread.hinderRuns()) {
     // A run of the rest would be the run of another program.
     std::erase_if(report.findings, [](const Finding& finding) { return finding.severity != Severity::Error; });
     addUnread(report, text, unread);
@@ -279,7 +282,7 @@ Exit run(const Arguments& arguments, Context& context) {
   if (!preparation.isResult()) return finish(context, std::move(report));
   // Nothing else was asked for: the trace itself is the result, and what there is to say goes beside it.
   if (!writeTrace(context, "-", trace, "")) return Exit::Failed;
-  if (report.findings.empty()) return Exit::Clean;
+  if (report.findings.empty() && report.coverage.leftOut.empty()) return Exit::Clean;
   Context beside{context.settings, context.in, context.err, context.err, false, context.progress, context.outputs};
   return finish(beside, std::move(report));
 }
@@ -297,6 +300,7 @@ Action setup(ArgumentTable& table) {
   table.option("--duration", arguments->duration, "TIME", "run for this time, such as 30s");
   table.option("--tolerance", arguments->tolerances, "SIGNAL=VALUE", "how far a value may be off; may be repeated");
   table.number("--slack", arguments->slack, "N", "scans by which a value may come earlier or later");
+  table.flag("--as-downloaded", arguments->asDownloaded, asDownloadedHelp);
   table.word("--side", arguments->side, {"old", "new"}, "old|new",
              "which program this is in a trace that 'rungproof equiv' wrote of two");
   return [arguments](Context& context) { return run(*arguments, context); };

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "ir/call_contract.hpp"
+
 namespace rungproof {
 
 namespace {
@@ -41,16 +43,19 @@ std::string placeOf(const Instruction* instruction, const Program& program) {
   return fmt::format(" at {}:{}", file.name(), file.position(instruction->span.offset).line);
 }
 
-/// Calls of library blocks: their bodies are hidden, their outputs come from the stimulus.
-void listLibraryBlocks(Report& report, const Program& program) {
+/// Calls of blocks without text: what they write comes from the stimulus.
+void listHiddenBlocks(Report& report, const Program& program) {
+  const CallContracts contracts(program);
   for (const Pou& pou : program.pous) {
     for (const Network& network : pou.networks) {
       for (const Instruction& instruction : network.instructions) {
-        const bool isLibrary = instruction.desc->control == Control::Call && !instruction.operands.empty() &&
-                               instruction.operands[0].kind == OperandKind::Symbol;
-        if (!isLibrary) continue;
-        report.coverage.approximated.push_back(fmt::format(
-            "{}{}: outputs come from the stimulus", instruction.operands[0].text, placeOf(&instruction, program)));
+        const CallContract* contract = contracts.of(instruction);
+        if (contract == nullptr) continue;
+        const bool isLibrary = contract->source == CallContract::Source::Library;
+        report.coverage.approximated.push_back(
+            fmt::format("{}{}: {}", contract->name, placeOf(&instruction, program),
+                        isLibrary ? "outputs come from the stimulus"
+                                  : "its text is missing; it writes what the stimulus says, or nothing"));
       }
     }
   }
@@ -79,7 +84,7 @@ void describeRun(Report& report, const Simulator& simulator, const ScanTime& sca
     finding.help = "see 001:5378 of the manual for what causes each event";
     report.findings.push_back(std::move(finding));
   }
-  listLibraryBlocks(report, program);
+  listHiddenBlocks(report, program);
   const auto ms = [](Duration duration) { return static_cast<double>(duration.count()) / 1000; };
   const std::string range = scanTime.low == scanTime.high
                                 ? fmt::format("{:g} ms", ms(scanTime.low))

@@ -3,14 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "frontend/closest_word.hpp"
 #include "frontend/missing_address.hpp"
+#include "frontend/run/library_columns.hpp"
 #include "frontend/run/trace_cell.hpp"
 #include "frontend/stl/operand_reader.hpp"
-#include "ir/library_block.hpp"
+#include "ir/call_contract.hpp"
+#include "ir/call_parameters.hpp"
 #include "ir/overlap.hpp"
 #include "ir/special_memory.hpp"
 
@@ -50,46 +53,30 @@ bool isSurrounding(const Program& program, const Operand& operand) {
   }
 }
 
-/// Type of the values of a column that stands for `type`.
-SignalType signalTypeOf(DataType type) {
-  switch (type) {
-    case DataType::Bool: return SignalType::Bool;
-    case DataType::Real: return SignalType::Real;
-    case DataType::Byte: return SignalType::Unsigned;
-    default: return SignalType::Signed;
-  }
-}
-
-/// "BLOCK.Done" or "BLOCK.3" if the program calls a library block of that name.
+/// "BLOCK.Done" or "BLOCK.3" if the program calls a block of that name whose text it does not have.
 std::optional<StimulusColumn> libraryColumn(const Program& program, const std::string& name) {
   const std::size_t dot = name.rfind('.');
   if (dot == std::string::npos) return std::nullopt;
   const std::string blockName = name.substr(0, dot);
-  const LibraryBlock* block = libraryBlockNamed(blockName);
-  if (block == nullptr) return std::nullopt;
-  std::uint32_t position = libraryOutputNamed(*block, name.substr(dot + 1));
-  const std::optional<double> number = numberIn(std::string_view(name).substr(dot + 1));
-  if (number && *number >= 1 && *number <= static_cast<double>(block->parameters.size()))
-    position = static_cast<std::uint32_t>(*number);
-  const LibraryParameter* output = libraryOutput(*block, position);
-  if (output == nullptr) return std::nullopt;
-  for (const Pou& pou : program.pous) {
-    for (const Network& network : pou.networks) {
-      for (const Instruction& instruction : network.instructions) {
-        const bool isCall = instruction.desc->control == Control::Call && !instruction.operands.empty();
-        if (!isCall || instruction.operands[0].kind != OperandKind::Symbol ||
-            lowered(instruction.operands[0].text) != lowered(blockName))
-          continue;
-        StimulusColumn column;
-        column.target = StimulusTarget::LibraryOutput;
-        column.block = instruction.operands[0].text;
-        column.position = position;
-        column.signal.name = name;
-        column.signal.operand = direct(Area::V, widthOf(output->type), 0);  // only its width counts
-        column.signal.type = signalTypeOf(output->type);
-        return column;
-      }
-    }
+  const std::string outputName = name.substr(dot + 1);
+  const std::optional<double> number = numberIn(outputName);
+  const CallContracts contracts(program);
+  for (const auto& [id, contract] : contracts.all()) {
+    if (lowered(contract.name) != lowered(blockName)) continue;
+    std::uint32_t position =
+        number && *number >= 1 && *number <= maxParameters ? static_cast<std::uint32_t>(*number) : 0;
+    const LibraryBlock* block = libraryBlockWith(contract.name, contract.given);
+    if (position == 0 && block != nullptr) position = libraryOutputNamed(*block, outputName);
+    const auto output = std::ranges::find(contract.outputs, position, &CallContract::Output::place);
+    if (output == contract.outputs.end()) continue;
+    StimulusColumn column;
+    column.target = StimulusTarget::LibraryOutput;
+    column.block = contract.name;
+    column.position = position;
+    column.signal.name = name;
+    column.signal.operand = direct(Area::V, widthOf(output->type), 0);  // only its width counts
+    column.signal.type = signalTypeOf(output->type);
+    return column;
   }
   return std::nullopt;
 }

@@ -8,6 +8,7 @@
 
 #include "engine/device_end.hpp"
 #include "frontend/run/event_place.hpp"
+#include "frontend/run/library_columns.hpp"
 
 namespace rungproof {
 
@@ -43,6 +44,8 @@ Trace traceOf(const Program& program, const Choices& choices, const Witness& wit
               const std::vector<TraceSignal>& signals, std::size_t limit, bool hidesIdle) {
   Trace trace;
   trace.signals = signals;
+  const LibraryColumns libraries(program, witness);
+  trace.signals.insert(trace.signals.end(), libraries.signals().begin(), libraries.signals().end());
   trace.hasDevices = asksDevices(program);
   for (const auto& [reg, name] :
        {std::pair{Reg::PhaseHundred, "CLOCK.tick"}, std::pair{Reg::PhaseSecond, "CLOCK.second"},
@@ -65,6 +68,7 @@ Trace traceOf(const Program& program, const Choices& choices, const Witness& wit
              row.values.push_back(numberOf(valueIn(state, signal.operand), signal.type, signal.width()));
              if (hidesIdle && isIdle(witness, at, signal.operand)) row.values.back().reset();
            }
+           for (const std::optional<double>& value : libraries.valuesIn(at)) row.values.push_back(value);
            trace.rows.push_back(std::move(row));
            return true;
          });

@@ -45,6 +45,7 @@ constexpr std::array table = {
     OptionInfo{Opt::External, Reading, Arity::List, "external", "RANGE", "", "what a panel or a network writes in any scan, as VW100 or VB100..VB199"},
     OptionInfo{Opt::StdinFilename, Reading, Arity::One, "stdin-filename", "NAME", "", "name for standard input, which is read where FILE is '-'", false},
     OptionInfo{Opt::Retentive, Running, Arity::List, "retentive", "RANGE", "", "what keeps its value without power, as VB0..VB99, MB0..MB13, T0..T31 or C0..C255 (S7-200: all of V, MB14..MB31, T0..T31, T64..T95, C0..C255; S7-200 SMART: nothing)"},
+    OptionInfo{Opt::LibraryMemory, Running, Arity::List, "library-memory", "RANGE", "", "V memory of the libraries, as VB1000..VB1285, or of one block, as RCP0_READ=VB100..VB119"},
     OptionInfo{Opt::ScanTime, Running, Arity::One, "scan-time", "MIN..MAX", "", "length of a scan, as 5ms..20ms or one value (sim: 10ms; prove: 1ms up to the watchdog)"},
     OptionInfo{Opt::Phase, Running, Arity::One, "phase", "TIME", "0ms", "time since the last tick of the 10 ms and 100 ms timers when RUN begins (sim; proofs cover any)"},
     OptionInfo{Opt::Timeout, Running, Arity::One, "timeout", "TIME", "30s", "time limit for each property"},
@@ -125,6 +126,11 @@ std::optional<Failure> checkForm(const OptionInfo& info, std::string_view text) 
     return Failure{fmt::format("'{}' is nothing that is written from outside", text),
                    {},
                    "write an address of V, M, S, SM or Q, or the first and the last, such as VW100 or VB100..VB199"};
+  }
+  if (info.id == Opt::LibraryMemory && !libraryMemoryNamed(text)) {
+    return Failure{fmt::format("'{}' is no library memory", text),
+                   {},
+                   "write bytes of V, such as VB1000..VB1285, or MBUS_SLAVE=VB1000..VB1778"};
   }
   if (info.id == Opt::ScanTime && !scanTimeNamed(text)) {
     return Failure{fmt::format("'{}' is no scan time", text),

@@ -18,6 +18,7 @@
 #include "frontend/failure.hpp"
 #include "ir/choices.hpp"
 #include "ir/cpu.hpp"
+#include "ir/program.hpp"
 
 namespace rungproof {
 
@@ -32,6 +33,7 @@ enum class Opt : std::uint8_t {
   External,
   StdinFilename,
   Retentive,
+  LibraryMemory,
   ScanTime,
   Phase,
   Timeout,
@@ -123,6 +125,7 @@ class Settings {
   std::optional<Target> portTo() const;
   /// Nothing if none is named: the default of the CPU.
   std::optional<std::vector<RetentiveRange>> retentive() const;
+  std::vector<LibraryMemory> libraryMemory() const;
   std::optional<ScanTime> scanTime() const;
   std::optional<Duration> timeout() const;
   /// Time since the last tick of the time bases when RUN begins, in ms.

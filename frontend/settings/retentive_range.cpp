@@ -26,4 +26,12 @@ std::optional<RetentiveRange> retentiveRangeNamed(std::string_view text) {
   return RetentiveRange{first->area, first->offset, last->offset};
 }
 
+std::optional<LibraryMemory> libraryMemoryNamed(std::string_view text) {
+  const std::size_t equals = text.find('=');
+  const std::string_view block = equals == std::string_view::npos ? std::string_view() : text.substr(0, equals);
+  const auto range = retentiveRangeNamed(text.substr(equals == std::string_view::npos ? 0 : equals + 1));
+  if (!range || range->area != Area::V || (block.empty() && equals != std::string_view::npos)) return std::nullopt;
+  return LibraryMemory{std::string(block), range->first, range->last};
+}
+
 }  // namespace rungproof

@@ -96,6 +96,12 @@ Severity Settings::level() const {
   return name == "error" ? Severity::Error : name == "warning" ? Severity::Warning : Severity::Note;
 }
 
+std::vector<LibraryMemory> Settings::libraryMemory() const {
+  std::vector<LibraryMemory> memory;
+  for (const std::string& text : list(Opt::LibraryMemory)) memory.push_back(*libraryMemoryNamed(text));
+  return memory;
+}
+
 std::optional<std::vector<RetentiveRange>> Settings::retentive() const {
   if (!isSet(Opt::Retentive)) return std::nullopt;
   std::vector<RetentiveRange> ranges;

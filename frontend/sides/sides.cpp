@@ -192,6 +192,7 @@ void SideArguments::declare(ArgumentTable& table) {
   table.argument("OLD", before, "a program: a file or a folder");
   table.argument("NEW", after, "the program that it is compared with");
   table.option("--with", with, "SIDE:FILE", "one more file of a side, as old:symbols.sdf; may be repeated");
+  table.flag("--as-downloaded", asDownloaded, asDownloadedHelp);
   table.option("--map", map, "FILE", "addresses that stand for each other: OLD-address = NEW-address, one pair a line");
   table.list("--observe", observed, "ADDRESS", "compare these addresses of OLD instead of all outputs");
   table.option("--props", properties, "FILE",
@@ -242,8 +243,15 @@ Sides readSides(const Context& context, const SideArguments& arguments, std::vec
     else
       sides.observed.push_back(*operand);
   }
-  sides.unreadBefore = std::make_unique<UnreadCode>(sides.before.program);
-  sides.unreadAfter = std::make_unique<UnreadCode>(sides.after.program);
+  if (arguments.asDownloaded) {
+    sides.leftOutBefore = leaveOut(sides.before.program);
+    sides.leftOutAfter = leaveOut(sides.after.program);
+    std::erase_if(sides.leftOutAfter, [&](const std::string& line) {  // of a file that both have
+      return std::ranges::find(sides.leftOutBefore, line) != sides.leftOutBefore.end();
+    });
+  }
+  sides.unreadBefore = std::make_unique<UnreadCode>(sides.before.program, context.settings.choices());
+  sides.unreadAfter = std::make_unique<UnreadCode>(sides.after.program, context.settings.choices());
   const auto whatRuns = [](const Program& program, const UnreadCode& unread) {
     return std::make_unique<Program>(unread.isWhole() ? program : unread.executable());
   };

@@ -18,6 +18,7 @@ struct SideArguments {
   std::vector<std::string> properties;
   std::string map;
   std::vector<std::string> observed;
+  bool asDownloaded = false;
 
   void declare(ArgumentTable& table);
 };
@@ -31,6 +32,7 @@ struct Sides {
   Side oldSide() const { return {runBefore.get(), before.properties, unreadBefore.get()}; }
   Side newSide() const { return {runAfter.get(), after.properties, unreadAfter.get()}; }
   std::vector<std::string> filesBefore, filesAfter;
+  std::vector<std::string> leftOutBefore, leftOutAfter;  ///< networks that are not in the download
   AddressPairs pairs;
   std::vector<Operand> observed;      ///< addresses of OLD
   std::vector<Property> assumptions;  ///< that speak of both programs
