@@ -410,5 +410,17 @@ TEST(SafetyShape, IsReadFromTheStatement) {
   EXPECT_EQ(rule("not I0.0 implies Q0.0"), "SAF001");
 }
 
+// A request of a library must be started by a pulse: the coil of its first input is asked for two scans in a row.
+TEST(SolverRules, StartsOfLibraryRequestsAreSettled) {
+  const std::string call = "Network 9\nLD SM0.0\nCALL USS_RPM_W, M3.0, 0, 3, 0, &VB100, M0.1, VB10, VW12\n";
+  // M5.0 does not depend on the request: I0.0 and I0.4 held on start it in every scan from the second on.
+  EXPECT_EQ(of("LIB002", findingsOf("Network 1\nLD I0.0\nA M5.0\n= M3.0\nNetwork 3\nLD I0.4\n= M5.0\n" + call)),
+            Found{"M3.0"});
+  // M4.0 holds itself from the scan of the start until I0.0 goes: M3.0 is on for one scan only.
+  EXPECT_TRUE(isSilent("LIB002", findingsOf("Network 1\nLD I0.0\nAN M4.0\n= M3.0\nNetwork 2\nLD M3.0\nO M4.0\nA I0.0\n"
+                                            "= M4.0\n" +
+                                            call)));
+}
+
 }  // namespace
 }  // namespace rungproof::test

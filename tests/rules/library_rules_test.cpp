@@ -132,9 +132,10 @@ TEST(Lib002, PulsesAndHandshakesAreSilent) {
     EXPECT_EQ(found("LIB002", text), "") << text;
 }
 
-/// Messages of LIB003.
+/// Messages of LIB003 where the settings give VB1000 to VB1099 to a library.
 std::string owned(const std::string& networks) {
   Linted linted(networks);
+  linted.program.libraryMemory.push_back({"MBUS_SLAVE", 1000, 1099});
   std::string result;
   for (const std::string& text : linted.messages("LIB003")) result += (result.empty() ? "" : "\n") + text;
   return result;
@@ -143,6 +144,12 @@ std::string owned(const std::string& networks) {
 TEST(Lib003, FindsUsesOfLibraryMemory) {
   const std::string buffer = "Network 1\n" + plain("I0.0") + "Network 2\nLD I0.1\n";
   for (const auto& [text, part] : std::vector<std::pair<std::string, std::string>>{
+           {"Network 1\nLD I0.0\nMOVW 1, VW1098\n",
+            "MOVW 1, VW1098 writes VW1098, which lies in the memory of MBUS_SLAVE"},
+           {"Network 1\nLD V1000.0\n= Q0.0\n", "LD V1000.0 reads V1000.0"},
+           {"Network 1\nLD I0.0\nMOVD 1, VD997\n", "MOVD 1, VD997 writes VD997"},
+           {"Network 1\nLD SM0.1\nCALL MBUS_INIT, 1, 1, 9600, 2, 0, 128, 32, 100, &VB900, M0.1, MB1\n",
+            "100 holding registers from VB900 on of MBUS_INIT reach into VB1000 to VB1099 of MBUS_SLAVE (error 5)"},
            {buffer + "MOVW 1, VW114\n", "which lies in the memory of USS_RPM_W (VB100 to VB115)"},
            {buffer + "MOVB VB100, VB0\n", "MOVB VB100, VB0 reads VB100"},
            {buffer + "BMB VB0, VB90, 20\n", "BMB VB0, VB90, 20 writes VB90 to VB109"},
@@ -159,7 +166,8 @@ TEST(Lib003, FindsUsesOfLibraryMemory) {
 TEST(Lib003, OtherMemoryIsSilent) {
   const std::string buffer = "Network 1\n" + plain("I0.0") + "Network 2\nLD I0.1\n";
   for (const std::string& text : std::vector<std::string>{
-           "Network 1\nLD I0.0\nMOVW 1, VW100\n", buffer + "MOVW 1, MW104\n", buffer + "MOVW 1, VW116\n",
+           "Network 1\nLD I0.0\nMOVW 1, VW100\n", "Network 1\nLD I0.0\nMOVW 1, VW998\n",
+           "Network 1\nLD V1100.0\n= Q0.0\n", buffer + "MOVW 1, MW104\n", buffer + "MOVW 1, VW116\n",
            buffer + "MOVW 1, VW98\n", buffer + "BMB VB0, VB80, 20\n",
            "Network 1\nLD SM0.1\nCALL MBUS_INIT, 1, 1, 9600, 2, 0, 128, 32, 100, &VB800, M0.1, MB1\n"})
     EXPECT_EQ(owned(text), "") << text;
