@@ -58,7 +58,7 @@ Exit run(const Arguments& arguments, Context& context) {
   const std::vector<std::string> leftOut =
       arguments.asDownloaded ? leaveOut(input.program) : std::vector<std::string>();
   const UnreadCode unread(input.program, context.settings.choices());
-  if (std::ranges::any_of(input.program.findings, isReadError) || unread.hinderRuns()) {
+  if (std::ranges::any_of(input.program.findings, isReadError) || !unread.empty()) {
     // A system of what was understood would prove the wrong thing, so the reasons are shown instead.
     printUnread(context, "export", input.program, unread, arguments.files);
     return Exit::Failed;

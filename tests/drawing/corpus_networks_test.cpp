@@ -9,6 +9,7 @@
 #include <set>
 
 #include "frontend/project.hpp"
+#include "tests/corpus/corpus_program.hpp"
 #include "tests/drawing/equality.hpp"
 #include "tests/drawing/networks.hpp"
 
@@ -25,14 +26,12 @@ const std::vector<std::pair<std::string, Program>>& corpus() {
   static const std::vector<std::pair<std::string, Program>> programs = [] {
     const std::filesystem::path folder = std::filesystem::path(RUNGPROOF_SOURCE_DIR) / "corpus";
     std::vector<std::string> files;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-      const std::string ending = entry.path().extension().string();
-      if (ending == ".awl" || ending == ".stl") files.push_back(entry.path().string());
+    for (const std::filesystem::path& file : test::corpusFiles()) {
+      if (file.extension() != ".xml") files.push_back(file.string());
     }
-    std::sort(files.begin(), files.end());
     std::vector<std::pair<std::string, Program>> result;
     for (const std::string& file : files) {
-      result.emplace_back(std::filesystem::relative(file, folder).string(), readProgram({file}));
+      result.emplace_back(std::filesystem::relative(file, folder).string(), readProgram(expandFolders({file})));
       result.back().second.number();
     }
     return result;
