@@ -58,6 +58,10 @@ std::string_view severityName(Severity severity) {
   }
 }
 
+Severity severityNamed(std::string_view name) {
+  return name == "error" ? Severity::Error : name == "warning" ? Severity::Warning : Severity::Note;
+}
+
 std::string_view needsName(Needs needs) {
   switch (needs) {
     case Needs::Text: return "T";

@@ -150,6 +150,7 @@ struct RuleGroup {
 std::span<const RuleGroup> ruleGroups();
 
 std::string_view severityName(Severity severity);  ///< "error", "warning", "note"
+Severity severityNamed(std::string_view name);     ///< Severity::Note for any other word
 std::string_view needsName(Needs needs);           ///< "T", "F", "F>Z", "Z"
 
 /// Values of rule options that differ from their initial ones, keyed "STY002.contacts".

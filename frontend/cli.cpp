@@ -10,6 +10,7 @@
 #include <ostream>
 
 #include "frontend/closest_word.hpp"
+#include "frontend/program_input.hpp"
 #include "frontend/settings/argument_parser.hpp"
 #include "frontend/settings/config.hpp"
 
@@ -37,10 +38,14 @@ std::size_t commandIndex(const std::vector<std::string>& arguments) {
 }
 
 /// Folder where the search for the configuration begins: that of the first file argument, else the current one.
-fs::path configFolder(const ParsedLine& line) {
+fs::path folderOf(const fs::path& file) {
   std::error_code error;
-  const fs::path file = line.arguments.empty() ? fs::path() : fs::path(line.arguments.front());
+  if (fs::is_directory(file, error)) return file;
   return fs::exists(file, error) && file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+fs::path configFolder(const ParsedLine& line) {
+  return line.arguments.empty() ? fs::path(".") : folderOf(line.arguments.front());
 }
 
 /// The values of an option that hold for one side, without their prefix, or those that hold for both.
@@ -117,6 +122,45 @@ int failed(std::ostream& err, const Failure& failure) {
   return static_cast<int>(Exit::Failed);
 }
 
+/// The settings of programs beside which another configuration lies than beside the first one.
+class NearbySettings {
+ public:
+  NearbySettings(const ParsedLine& line, const Settings& usual, fs::path config, std::ostream& err)
+      : line_(line), usual_(usual), config_(std::move(config)), err_(err) {}
+
+  const Settings& near(const std::string& file) {
+    const fs::path config = findConfig(folderOf(file));
+    if (config.empty() || isSame(config, config_)) return usual_;
+    const auto [known, isNew] = byConfig_.try_emplace(config);
+    if (!isNew) return known->second;
+    Settings& settings = known->second;
+    std::optional<Failure> failure = readConfig(config, settings);
+    settings.setRoot(usual_.root());
+    if (!failure) failure = readCommandLine(line_, settings);
+    if (!failure) failure = settings.check();
+    if (failure) {
+      print(err_, *failure);
+      hasFailed_ = true;
+      settings = usual_;
+    }
+    return settings;
+  }
+  bool hasFailed() const { return hasFailed_; }
+
+ private:
+  static bool isSame(const fs::path& a, const fs::path& b) {
+    std::error_code error;
+    return !b.empty() && fs::equivalent(a, b, error);
+  }
+
+  const ParsedLine& line_;
+  const Settings& usual_;
+  const fs::path config_;
+  std::ostream& err_;
+  std::map<fs::path, Settings> byConfig_;
+  bool hasFailed_ = false;
+};
+
 int runCommand(const Command& command, std::vector<std::string> arguments, const Streams& streams) {
   ArgumentTable table;
   const Action action = command.setup(table);
@@ -134,10 +178,24 @@ int runCommand(const Command& command, std::vector<std::string> arguments, const
                           : isolated       ? fs::path()
                                            : findConfig(configFolder(line));
   if (!config.empty()) {
-    if (auto failure = readConfig(config, settings)) return failed(streams.err, *failure);
+    if (auto failure = readConfig(config, settings)) {
+      if (!command.needsNoConfig) return failed(streams.err, *failure);
+      print(streams.err, *failure);
+      settings = {};
+    }
   }
   if (auto failure = readCommandLine(line, settings, command.comparesTwo)) return failed(streams.err, *failure);
   if (auto failure = settings.check()) return failed(streams.err, *failure);
+  if (line.lacking != nullptr) {
+    const std::vector<std::string>& inputs = settings.inputs();
+    if (inputs.empty())
+      return failed(streams.err, {fmt::format("{} is required", line.lacking->names),
+                                  {},
+                                  fmt::format("usage: rungproof {} {}", command.name, command.usage)});
+    if (auto failure = line.lacking->take(inputs)) return failed(streams.err, *failure);
+  }
+  if (auto failure = folderFailure(line.lacking != nullptr ? settings.inputs() : line.inputs))
+    return failed(streams.err, *failure);
   std::array<Settings, 2> sides{};
   if (command.comparesTwo) {
     sides = {settings, settings};
@@ -158,8 +216,11 @@ int runCommand(const Command& command, std::vector<std::string> arguments, const
                   false,
                   sides};
   if (auto failure = readOutputs(settings, command, context.outputs)) return failed(streams.err, *failure);
+  NearbySettings nearby(line, settings, config, streams.err);
+  if (named == nullptr && !isolated)
+    context.settingsNear = [&](const std::string& file) -> const Settings& { return nearby.near(file); };
   Exit exit = action(context);
-  if (context.hasLostOutput) exit = Exit::Failed;
+  if (context.hasLostOutput || nearby.hasFailed()) exit = Exit::Failed;
   streams.out.flush();
   if (!streams.out) return failed(streams.err, {"standard output cannot be written"});
   return static_cast<int>(exit);

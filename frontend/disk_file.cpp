@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <fnmatch.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -125,12 +126,30 @@ void forgetInputs() { inputs().clear(); }
 
 std::optional<std::string> bytesOfInput(const std::string& name) {
   std::ifstream stream(name, std::ios::binary);
-  if (!stream) return std::nullopt;
+  std::error_code error;
+  if (!stream || fs::is_directory(name, error)) return std::nullopt;
   std::ostringstream bytes;
   bytes << stream.rdbuf();
   if (stream.bad()) return std::nullopt;
   noteInput(name);
   return std::move(bytes).str();
+}
+
+std::string nameInProject(const std::string& name, const fs::path& root) {
+  if (root.empty()) return name;
+  std::error_code error;
+  const fs::path place = fs::weakly_canonical(name, error), home = fs::weakly_canonical(root, error);
+  const fs::path inside = place.lexically_relative(home);
+  return error || inside.empty() || *inside.begin() == ".." ? name : inside.generic_string();
+}
+
+bool fitsPattern(const std::string& name, const std::string& pattern) {
+  return fnmatch((pattern.ends_with('/') ? pattern + "*" : pattern).c_str(), name.c_str(), 0) == 0;
+}
+
+std::string pathInProject(const std::string& name, const fs::path& root) {
+  std::error_code error;
+  return !root.empty() && fs::exists(root / name, error) ? (root / name).string() : name;
 }
 
 fs::path behindLinks(const fs::path& name) {

@@ -23,6 +23,14 @@ void forgetInputs();
 /// circle.
 std::filesystem::path behindLinks(const std::filesystem::path& name);
 
+/// The name of a file from the root of its project, or as given if it lies outside or `root` is empty: one file has one
+/// name, whatever the current folder and the spelling of the path are.
+std::string nameInProject(const std::string& name, const std::filesystem::path& root);
+/// Whether a name fits a pattern with * (also across folders), ? and [...]; a pattern that ends in / means all below.
+bool fitsPattern(const std::string& name, const std::string& pattern);
+/// Where that file is.
+std::string pathInProject(const std::string& name, const std::filesystem::path& root);
+
 enum class InputFile : bool { Refuse, Replace };  ///< Replace: the input itself is to be changed
 
 /// Writes the whole text, or says why not. A regular file is replaced as a whole by one of the same mode and owner, at

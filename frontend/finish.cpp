@@ -30,6 +30,8 @@ bool Context::write(const OutputRequest& output, std::string_view text, InputFil
 Exit finish(const Context& context, Report report) {
   std::erase_if(report.findings, [&](const Finding& finding) { return finding.severity < context.settings.level(); });
   sortFindings(report);
+  if (!report.failLevel || context.settings.isSet(Opt::FailLevel)) report.failLevel = context.settings.failLevel();
+  report.exitsZero = context.settings.flag(Opt::ExitZero);
   Exit exit = exitOf(report);
   for (const OutputRequest& output : context.outputs) {
     const Reporter* reporter = reporterNamed(output.name);

@@ -13,6 +13,35 @@
 
 namespace rungproof {
 
+namespace {
+
+void applySeverities(const Settings& settings, Report& report) {
+  for (Finding& finding : report.findings) {
+    const auto wanted = settings.severities().find(finding.rule);
+    if (wanted != settings.severities().end() && !isReadError(finding)) finding.severity = wanted->second;
+  }
+}
+
+/// What files are not to be reported for; errors of the readers stay.
+void ignoreInFiles(const Settings& settings, Report& report) {
+  std::erase_if(report.findings, [&](const Finding& finding) {
+    if (isReadError(finding)) return false;
+    return std::ranges::any_of(settings.fileIgnores(), [&](const FileIgnore& ignore) {
+      const auto isMeant = [&](const std::string& code) { return code == "ALL" || finding.rule.starts_with(code); };
+      return std::ranges::any_of(ignore.codes, isMeant) &&
+             fitsPattern(report.sources->file(finding.span.file).name(), ignore.pattern);
+    });
+  });
+}
+
+}  // namespace
+
+bool isSelected(const Settings& settings, std::string_view id) {
+  const RuleSelection selection(settings.list(Opt::Select), settings.list(Opt::Ignore));
+  const auto code = codeNamed(id);
+  return !code || selection.includes(id, code->onByDefault);
+}
+
 Report lintProgram(const Settings& settings, const ProgramInput& input, const std::vector<std::string>& files,
                    bool prove) {
   const Program& program = input.program;
@@ -20,10 +49,7 @@ Report lintProgram(const Settings& settings, const ProgramInput& input, const st
   const Facts facts(program, input.properties.externals, input.surroundings);
   Report report = startReport("lint", program, files);
 
-  const auto isSelected = [&](std::string_view id) {
-    const auto code = codeNamed(id);
-    return !code || selection.includes(id, code->onByDefault);
-  };
+  const auto isSelected = [&](std::string_view id) { return rungproof::isSelected(settings, id); };
   // Errors of the readers cannot be ignored: what was not read was not checked.
   std::erase_if(report.findings,
                 [&](const Finding& finding) { return !isReadError(finding) && !isSelected(finding.rule); });
@@ -45,6 +71,8 @@ Report lintProgram(const Settings& settings, const ProgramInput& input, const st
   }
   const PlaceIndex places(program);
   for (Finding& finding : report.findings) places.complete(finding);
+  applySeverities(settings, report);
+  ignoreInFiles(settings, report);
 
   if (!settings.flag(Opt::NoSuppress)) {
     const KnownRules known{[](std::string_view id) { return codeNamed(id).has_value(); },
@@ -63,11 +91,14 @@ Report lintFiles(const Context& context, const std::vector<std::string>& files, 
   const std::vector<std::vector<std::string>> groups = groupByProgram(context, files);
   Report report;
   if (groups.size() == 1) {
-    report = lintProgram(context.settings, readInput(context, groups.front()), groups.front(), prove);
+    const Settings& settings = context.settingsOf(groups.front());
+    report = lintProgram(settings, readInput(context, settings, groups.front()), groups.front(), prove);
   } else {
     ReportMerger merger;
-    for (const std::vector<std::string>& group : groups)
-      merger.add(lintProgram(context.settings, readInput(context, group), group, prove));
+    for (const std::vector<std::string>& group : groups) {
+      const Settings& settings = context.settingsOf(group);
+      merger.add(lintProgram(settings, readInput(context, settings, group), group, prove));
+    }
     report = merger.take();
   }
   for (const std::string& defect : report.defects) context.err << fmt::format("rungproof: {}\n", defect);

@@ -9,6 +9,9 @@
 
 namespace rungproof {
 
+/// Whether --select and --ignore let the code be reported.
+bool isSelected(const Settings& settings, std::string_view id);
+
 /// Findings of the readers and of all selected rules, allow-comments applied unless --no-suppress. `prove`: candidates
 /// are confirmed or dropped by the prover, and its own findings added.
 Report lintProgram(const Settings& settings, const ProgramInput& input, const std::vector<std::string>& files,

@@ -41,6 +41,7 @@ ReadOptions readOptionsOf(const Settings& settings) {
   options.mnemonics = mnemonicsOf(settings.text(Opt::Mnemonics));
   options.encoding = *encodingNamed(settings.text(Opt::Encoding));
   options.symbolFiles = settings.list(Opt::Symbols);
+  options.root = settings.root();
   if (settings.isSet(Opt::StdinFilename)) options.stdinName = std::string(settings.text(Opt::StdinFilename));
   return options;
 }
@@ -48,14 +49,14 @@ ReadOptions readOptionsOf(const Settings& settings) {
 namespace {
 
 /// Without --cpu, a program with instructions that only the S7-200 SMART has is taken for its largest CPU.
-void guessCpu(const Context& context, Program& program) {
-  if (context.settings.isSet(Opt::Cpu)) return;
+void guessCpu(const Context& context, const Settings& settings, Program& program) {
+  if (settings.isSet(Opt::Cpu)) return;
   for (const Pou& pou : program.pous) {
     for (const Network& network : pou.networks) {
       for (const Instruction& instruction : network.instructions) {
         if ((instruction.desc->cpus & s7200Cpus) != 0) continue;
         program.target = {Cpu::St60, usualEdition(Cpu::St60)};
-        if (!context.settings.flag(Opt::Quiet))
+        if (!settings.flag(Opt::Quiet))
           context.err << fmt::format(
               "rungproof: {} exists on the S7-200 SMART only: taken for a CPU {}; --cpu names another\n",
               instruction.desc->stl, cpuName(program.target.cpu));
@@ -81,20 +82,34 @@ OperandLookup lookupIn(const Program& program) {
   };
 }
 
-Program readFiles(const Context& context, const std::vector<std::string>& files) {
-  Program program = readProgram(expandFolders(files), readOptionsOf(context.settings));
-  guessCpu(context, program);
-  program.libraryMemory = context.settings.libraryMemory();
+namespace {
+
+Program readFilesBy(const Context& context, const Settings& settings, const std::vector<std::string>& files) {
+  Program program = readProgram(expandFolders(files, settings), readOptionsOf(settings));
+  guessCpu(context, settings, program);
+  program.libraryMemory = settings.libraryMemory();
   return program;
 }
 
-ProgramInput readInput(const Context& context, const std::vector<std::string>& files,
+}  // namespace
+
+Program readFiles(const Context& context, const std::vector<std::string>& files) {
+  return readFilesBy(context, context.settings, files);
+}
+
+ProgramInput readInput(const Context& context, const Settings& settings, const std::vector<std::string>& files,
                        const std::vector<std::string>& propertyFiles) {
   ProgramInput input;
-  input.program = readFiles(context, files);
-  input.properties = readProperties(input.program, propertyFiles, lookupIn(input.program));
-  addSurroundings(context.settings, input);
+  input.program = readFilesBy(context, settings, files);
+  std::vector<std::string> all = settings.propertyFiles();
+  all.insert(all.end(), propertyFiles.begin(), propertyFiles.end());
+  input.properties = readProperties(input.program, all, lookupIn(input.program), settings.root());
+  addSurroundings(settings, input);
   return input;
+}
+ProgramInput readInput(const Context& context, const std::vector<std::string>& files,
+                       const std::vector<std::string>& propertyFiles) {
+  return readInput(context, context.settings, files, propertyFiles);
 }
 
 void addSurroundings(const Settings& settings, ProgramInput& input) {
@@ -154,6 +169,8 @@ void printUnread(const Context& context, std::string_view command, const Program
 
 namespace {
 
+bool isProgramName(std::string_view name) { return endsInAny(name, {".awl", ".stl", ".xml"}); }
+
 /// Whether a file beside programs is a symbol table or a data block; traces and stimuli are none.
 bool isTableOfProject(const std::string& path) {
   const Program alone = readProgram({path});
@@ -191,7 +208,7 @@ std::vector<std::string> expandFolders(const std::vector<std::string>& names) {
     std::vector<std::string> found, others;
     for (fs::recursive_directory_iterator entry(name, fs::directory_options::skip_permission_denied, error), end;
          !error && entry != end; entry.increment(error)) {
-      if (entry->is_regular_file(error) && endsInAny(entry->path().string(), {".awl", ".stl", ".xml"}))
+      if (entry->is_regular_file(error) && isProgramName(entry->path().string()))
         found.push_back(entry->path().string());
       else if (entry->is_regular_file(error) &&
                endsInAny(entry->path().string(), {".csv", ".txt", ".sdf", ".tsv", ".asc"}))
@@ -204,6 +221,31 @@ std::vector<std::string> expandFolders(const std::vector<std::string>& names) {
     std::sort(found.begin(), found.end());
     files.insert(files.end(), found.begin(), found.end());
   }
+  return files;
+}
+
+std::optional<Failure> folderFailure(const std::vector<std::string>& names) {
+  namespace fs = std::filesystem;
+  for (const std::string& name : names) {
+    std::error_code error;
+    if (!fs::is_directory(name, error)) continue;
+    bool holdsProgram = false;
+    for (fs::recursive_directory_iterator entry(name, fs::directory_options::skip_permission_denied, error), end;
+         !error && entry != end && !holdsProgram; entry.increment(error))
+      holdsProgram = isProgramName(entry->path().string()) && entry->is_regular_file(error);
+    if (!holdsProgram) return Failure{"the folder holds no program", name, "programs end in .awl, .stl or .xml"};
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> expandFolders(const std::vector<std::string>& names, const Settings& settings) {
+  std::vector<std::string> files = expandFolders(names);
+  std::erase_if(files, [&](const std::string& file) {
+    if (std::ranges::find(names, file) != names.end()) return false;
+    const std::string name = nameInProject(file, settings.root());
+    return std::ranges::any_of(settings.list(Opt::Exclude),
+                               [&](const std::string& pattern) { return fitsPattern(name, pattern); });
+  });
   return files;
 }
 
@@ -259,6 +301,7 @@ void ReportMerger::add(const Report& part) {
   for (const std::string& line : part.coverage.leftOut) report_.coverage.leftOut.push_back(line);
   report_.coverage.open += part.coverage.open;
   for (const std::string& defect : part.defects) report_.defects.push_back(defect);
+  report_.reasons.insert(report_.reasons.end(), part.reasons.begin(), part.reasons.end());
   for (const std::string& file : part.files) {
     if (std::find(report_.files.begin(), report_.files.end(), file) == report_.files.end())
       report_.files.push_back(file);

@@ -31,6 +31,9 @@ struct ProgramInput {
 Program readFiles(const Context& context, const std::vector<std::string>& files);
 ProgramInput readInput(const Context& context, const std::vector<std::string>& files,
                        const std::vector<std::string>& propertyFiles = {});
+/// By other settings than those of the run.
+ProgramInput readInput(const Context& context, const Settings& settings, const std::vector<std::string>& files,
+                       const std::vector<std::string>& propertyFiles = {});
 
 /// Adds what the options and the configuration say beside the program: panel and network, the CPU to port to.
 void addSurroundings(const Settings& settings, ProgramInput& input);
@@ -56,6 +59,10 @@ void printUnread(const Context& context, std::string_view command, const Program
 /// Folders replaced by the programs in and below them (.awl, .stl, .xml), sorted by name, and, where they are one
 /// program, by its symbol tables and data blocks; other names unchanged.
 std::vector<std::string> expandFolders(const std::vector<std::string>& names);
+/// Why a folder stands for no program.
+std::optional<Failure> folderFailure(const std::vector<std::string>& names);
+/// The same without the files that the settings exclude.
+std::vector<std::string> expandFolders(const std::vector<std::string>& names, const Settings& settings);
 
 /// The files as programs: one group for each file that holds a main program, together with all files that hold none
 /// (libraries, symbol tables, data blocks). One group if there is at most one main program.

@@ -59,7 +59,7 @@ class ProjectReader {
 
   void addFile(const std::string& path, bool isSymbolFile) {
     std::string bytes;
-    const std::string name = path == "-" ? options_.stdinName : path;
+    const std::string name = path == "-" ? options_.stdinName : nameInProject(path, options_.root);
     if (readBytes(path, bytes)) return addText(name, bytes, isSymbolFile);
     const std::uint32_t file = program_.sources->add(name, "");
     SyntaxSink(program_, file).report(Syntax::FileUnreadable, {file, 0, 0}, fmt::format("cannot read {}", name));

@@ -2,6 +2,7 @@
 // symbol tables, data blocks, libraries. Tested by tests/reader/project_test.cpp.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct ReadOptions {
   TextEncoding encoding = TextEncoding::Auto;
   std::vector<std::string> symbolFiles{};  ///< read as symbol tables whatever they look like
   std::string stdinName = "<stdin>";       ///< name of the file `-` in messages
+  std::filesystem::path root{};            ///< of the project: files are named from there (nameInProject)
 };
 
 /// Reads all files into one program. `-` is standard input. Whatever cannot be read becomes a finding.

@@ -27,6 +27,8 @@ struct Argument {
   std::function<std::optional<Failure>(const std::vector<std::string>&)> take;
 
   bool isOption() const { return names.starts_with('-'); }
+  /// Programs: where none is given, the configuration may name them (inputs).
+  bool isInputs() const { return names == "FILE" && required && repeatable; }
   bool isFlag() const { return isOption() && value.empty(); }
   /// "--output" of "-o,--output".
   std::string_view longName() const { return names.substr(names.rfind(',') + 1); }

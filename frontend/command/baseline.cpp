@@ -2,6 +2,8 @@
 
 #include "frontend/page/baseline.hpp"
 
+#include <fmt/format.h>
+
 #include "analysis/read_errors.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/lint_run.hpp"
@@ -13,16 +15,43 @@ namespace {
 struct State {
   std::vector<std::string> files;
   std::string output;
+  std::string show;
+  std::string prune;
 };
+
+std::string tableOf(const Baseline& baseline) {
+  std::string text;
+  std::size_t findings = 0;
+  for (const BaselineEntry& entry : baseline.entries) {
+    findings += entry.count;
+    text += fmt::format("{}: {}{}: {}\n", entry.file, entry.rule,
+                        entry.count > 1 ? fmt::format(", {} places", entry.count) : "", entry.message);
+  }
+  return text + fmt::format("{} finding{} in {} entr{}\n", findings, findings == 1 ? "" : "s", baseline.entries.size(),
+                            baseline.entries.size() == 1 ? "y" : "ies");
+}
 
 Action setup(ArgumentTable& table) {
   auto state = std::make_shared<State>();
-  table.arguments("FILE", state->files, "programs, symbol tables and data blocks; '-' is standard input");
+  table.arguments("FILE", state->files, "programs, symbol tables and data blocks; '-' is standard input", true);
   table.option("-o,--output", state->output, "FILE", "file to write; standard output without");
+  table.option("--show", state->show, "BASELINE", "print what the baseline file lists");
+  table.option("--prune", state->prune, "BASELINE", "remove the entries that no finding of FILE matches any more");
   return [state](Context& context) {
-    const std::vector<std::string> files = expandFolders(state->files);
+    if (!state->show.empty()) {
+      Baseline known;
+      std::string text;
+      if (auto failure = readBaselineFile(state->show, known, text)) return context.fail(*failure);
+      context.out << tableOf(known);
+      return Exit::Clean;
+    }
+    if (state->files.empty()) state->files = context.settings.inputs();
+    if (state->files.empty())
+      return context.fail({"FILE is required", {}, "usage: rungproof baseline FILE... [-o FILE]"});
+    if (auto failure = folderFailure(state->files)) return context.fail(*failure);
+    const std::vector<std::string> files = expandFolders(state->files, context.settings);
     if (files.empty())
-      return context.fail({"the folder holds no program", state->files.front(), "programs end in .awl, .stl or .xml"});
+      return context.fail({"every program is excluded", state->files.front(), "see 'exclude' of 'rungproof config'"});
     Report report = lintFiles(context, files);
     std::erase_if(report.findings, [&](const Finding& finding) { return finding.severity < context.settings.level(); });
     for (const Finding& finding : report.findings) {
@@ -30,7 +59,18 @@ Action setup(ArgumentTable& table) {
         return context.fail(
             {"the program could not be read: " + finding.message, {}, "'rungproof lint' shows the places"});
     }
-    return context.write({"json", state->output}, toJson(baselineOf(report))) ? Exit::Clean : Exit::Failed;
+    if (state->prune.empty())
+      return context.write({"json", state->output}, toJson(baselineOf(report))) ? Exit::Clean : Exit::Failed;
+    Baseline known;
+    std::string text;
+    if (auto failure = readBaselineFile(state->prune, known, text)) return context.fail(*failure);
+    const Baseline pruned = prunedBaseline(known, report);
+    const std::string& target = state->output.empty() ? state->prune : state->output;
+    if (!context.write({"json", target}, toJson(pruned), InputFile::Replace)) return Exit::Failed;
+    if (!context.settings.flag(Opt::Quiet))
+      context.err << fmt::format("rungproof: {} of {} entries are left in {}\n", pruned.entries.size(),
+                                 known.entries.size(), target);
+    return Exit::Clean;
   };
 }
 
@@ -38,14 +78,16 @@ Action setup(ArgumentTable& table) {
 
 extern constexpr Command baselineCommand = {
     .name = "baseline",
-    .usage = "FILE... [-o FILE]",
-    .summary = "write the present findings to a baseline file",
+    .usage = "FILE... [-o FILE] [--prune BASELINE] | --show BASELINE",
+    .summary = "write, prune or show the file of known findings",
     .details =
         "Entries hold the rule, the block, the address and the text of the line, but no line numbers: a\n"
         "baseline survives edits elsewhere. Entries that no finding matches any more are reported as SUP003.\n"
         "\n"
         "Example:\n"
         "    rungproof baseline press.awl -o known.json\n"
+        "    rungproof baseline --prune known.json press.awl\n"
+        "    rungproof baseline --show known.json\n"
         "    rungproof lint --baseline known.json press.awl\n",
     .shows = option_group::Reading | option_group::Rules | option_group::Configuration,
     .formats = "json",

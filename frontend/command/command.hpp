@@ -41,6 +41,12 @@ struct Context {
   std::vector<OutputRequest> outputs;  ///< never empty; names are permitted ones
   mutable bool hasLostOutput = false;  ///< some write() has failed: the exit code says so, whatever was found
   std::array<Settings, 2> sides{};     ///< of a command that compares two programs: the settings of each
+  /// By configuration nearest to a program; empty: those of the run.
+  std::function<const Settings&(const std::string& file)> settingsNear{};
+
+  const Settings& settingsOf(const std::vector<std::string>& files) const {
+    return settingsNear && !files.empty() ? settingsNear(files.front()) : settings;
+  }
 
   const Settings& side(ProgramSide which) const { return sides[static_cast<std::size_t>(which)]; }
 
@@ -61,6 +67,7 @@ struct Command {
   std::string_view summary;                ///< one line, for the list of commands
   std::string_view details;                ///< paragraphs and examples for `CMD --help`; may be empty
   OptionGroups shows = option_group::All;  ///< common options that its help lists
+  bool needsNoConfig = false;              ///< does its work beside a broken configuration too
   bool comparesTwo = false;                ///< options about reading may be given for one side: --cpu old:224
   std::string_view formats = {};           ///< "text|json": forms of its output, default first; empty: every Reporter
   Action (*setup)(ArgumentTable& table) = nullptr;

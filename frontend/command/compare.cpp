@@ -25,6 +25,7 @@ Exit run(const Arguments& arguments, Context& context) {
   const Trace expected = readTrace(arguments.expected, *expectedText, failures);
   const Trace actual = readTrace(arguments.actual, *actualText, failures);
   if (!failures.empty()) return failAll(context, failures);
+  if (!expectsAnything(expected)) return context.fail(expectsNothing(arguments.expected));
 
   CompareOptions options;
   options.slack = arguments.slack;

@@ -161,6 +161,7 @@ extern constexpr Command completionCommand = {
     .summary = "print a completion script for bash, zsh or fish",
     .details = "To use it now: eval \"$(rungproof completion bash)\"\n",
     .shows = 0,
+    .needsNoConfig = true,
     .formats = "text",
     .setup = setup,
 };

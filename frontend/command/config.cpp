@@ -2,6 +2,9 @@
 // leaves open with the chosen reading.
 #include <fmt/core.h>
 
+#include <map>
+
+#include "analysis/rule.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/json.hpp"
 
@@ -9,14 +12,19 @@ namespace rungproof {
 
 namespace {
 
+std::string listText(const std::vector<std::string>& items) {
+  std::string text = "[";
+  for (const std::string& item : items) text += fmt::format("{}\"{}\"", text.size() > 1 ? ", " : "", item);
+  return text + "]";
+}
+
 std::string valueText(const OptionInfo& info, const Settings& settings) {
   if (info.arity == Arity::Flag) return settings.flag(info.id) ? "true" : "false";
+  if (info.id == Opt::Edition) return fmt::format("\"{}\"", editionName(settings.target().edition));
+  if (info.id == Opt::Edition) return fmt::format("\"{}\"", editionName(settings.target().edition));
   if (info.arity == Arity::One && settings.text(info.id).empty()) return "\"\"";
   if (info.arity == Arity::One) return fmt::format("\"{}\"", settings.text(info.id));
-  std::string text = "[";
-  for (const std::string& item : settings.list(info.id))
-    text += fmt::format("{}\"{}\"", text.size() > 1 ? ", " : "", item);
-  return text + "]";
+  return listText(settings.list(info.id));
 }
 
 std::string_view chosen(const ChoiceInfo& info, const Settings& settings) {
@@ -48,14 +56,25 @@ std::string configText(const Settings& settings) {
     choices.push_back(
         {fmt::format("{} = \"{}\"", info.key, chosen(info, settings)), settings.choiceOrigin(info.choice)});
   }
+  if (!settings.inputs().empty())
+    options.push_back({fmt::format("inputs = {}", listText(settings.inputs())), "configuration"});
   std::string text;
   appendLines(text, options);
   text += "\n# points that the manual leaves open, see 'rungproof explain choices'\n[choices]\n";
   appendLines(text, choices);
+  std::map<std::string, std::string> rules;
   for (const auto& [key, value] : settings.ruleSettings()) {
     const std::size_t dot = key.find('.');
-    text += fmt::format("\n[rules.{}]\n{} = {}\n", key.substr(0, dot), key.substr(dot + 1), value);
+    rules[key.substr(0, dot)] += fmt::format("{} = {}\n", key.substr(dot + 1), value);
   }
+  for (const auto& [id, severity] : settings.severities())
+    rules[id] += fmt::format("severity = \"{}\"\n", severityName(severity));
+  for (const auto& [id, lines] : rules) text += fmt::format("\n[rules.{}]\n{}", id, lines);
+  if (!settings.fileIgnores().empty()) text += "\n[per-file-ignores]\n";
+  for (const FileIgnore& ignore : settings.fileIgnores())
+    text += fmt::format("\"{}\" = {}\n", ignore.pattern, listText(ignore.codes));
+  if (!settings.propertyFiles().empty())
+    text += fmt::format("\n[properties]\nfiles = {}\n", listText(settings.propertyFiles()));
   return text;
 }
 
@@ -75,6 +94,11 @@ std::string configJson(const Settings& settings) {
   }
   json["rules"] = Json::object();
   for (const auto& [key, value] : settings.ruleSettings()) json["rules"][key] = value;
+  for (const auto& [id, severity] : settings.severities()) json["rules"][id + ".severity"] = severityName(severity);
+  json["inputs"] = settings.inputs();
+  json["properties"] = {{"files", settings.propertyFiles()}};
+  json["per-file-ignores"] = Json::object();
+  for (const FileIgnore& ignore : settings.fileIgnores()) json["per-file-ignores"][ignore.pattern] = ignore.codes;
   return json.dump(2) + "\n";
 }
 
@@ -112,6 +136,17 @@ std::string configSchema() {
                                                     {"description", option.meaning}};
     }
   }
+  const Json texts = {{"type", "array"}, {"items", {{"type", "string"}}}};
+  for (const Rule* rule : allRules()) {
+    Json& of = rules[std::string(rule->id)];
+    of["type"] = "object";
+    of["additionalProperties"] = false;
+    of["properties"]["severity"] = {{"enum", Json::array({"error", "warning", "note"})}};
+  }
+  properties["extend"] = {{"type", "string"}, {"description", "configuration file that this one builds on"}};
+  properties["inputs"] = texts;
+  properties["properties"] = {{"type", "object"}, {"additionalProperties", false}, {"properties", {{"files", texts}}}};
+  properties["per-file-ignores"] = {{"type", "object"}, {"additionalProperties", texts}};
   properties["choices"] = {{"type", "object"}, {"additionalProperties", false}, {"properties", choices}};
   properties["rules"] = {{"type", "object"}, {"additionalProperties", false}, {"properties", rules}};
   const Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},

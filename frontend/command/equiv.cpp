@@ -120,8 +120,10 @@ Exit run(const Arguments& arguments, Context& context) {
   merger.add(partOf(sides.before, *sides.unreadBefore, sides.filesBefore, sides.leftOutBefore));
   merger.add(partOf(sides.after, *sides.unreadAfter, sides.filesAfter, sides.leftOutAfter));
   Report report = merger.take();
-  if (sides.unreadBefore->isRefused() || sides.unreadAfter->isRefused() || !report.findings.empty())
-    return worse(finish(context, std::move(report)), Exit::Failed);
+  if (sides.unreadBefore->isRefused() || sides.unreadAfter->isRefused() || !report.findings.empty()) {
+    report.reasons.push_back({Exit::Failed, "a part of a program is refused"});
+    return finish(context, std::move(report));
+  }
 
   EquivalenceOptions options;
   options.prover = proverOptionsOf(context.settings);
@@ -149,10 +151,12 @@ Exit run(const Arguments& arguments, Context& context) {
   approximated.insert(approximated.end(), found.approximations.begin(), found.approximations.end());
   for (auto text = approximated.begin(); text != approximated.end();)
     text = std::find(approximated.begin(), text, *text) != text ? approximated.erase(text) : text + 1;
-  bool isFailed = !found.disagreements.empty();
-  for (const Disagreement& disagreement : found.disagreements)
+  bool isFailed = false;
+  for (const Disagreement& disagreement : found.disagreements) {
     context.err << fmt::format("rungproof: internal disagreement on '{}': {}\n", disagreement.name,
                                disagreement.explanation);
+    report.defects.push_back(disagreement.name);
+  }
   if (found.run) {
     const DifferenceReport difference(sides, options, *found.run);
     difference.describe(*report.comparison, arguments.show);

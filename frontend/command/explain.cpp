@@ -208,6 +208,7 @@ extern constexpr Command explainCommand = {
     .summary = "show the page of a rule, an instruction or a run-time error",
     .details = "",
     .shows = option_group::Output,
+    .needsNoConfig = true,
     .formats = "text|json",
     .setup = setup,
 };

@@ -1,4 +1,9 @@
 // `rungproof lint`: every rule that needs no solver, over one or several programs.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/rule.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/lint_run.hpp"
 #include "frontend/page/baseline.hpp"
@@ -14,21 +19,31 @@ struct State {
   bool prove = false;
 };
 
-std::optional<Failure> subtractBaseline(const std::string& name, Report& report) {
-  const std::optional<std::string> text = bytesOfInput(name);
-  if (!text)
-    return Failure{"the baseline file cannot be read", name,
-                   "write one with 'rungproof baseline FILE... > " + name + "'"};
+std::optional<Failure> subtractBaseline(const Settings& settings, const std::string& name, Report& report) {
   Baseline baseline;
-  if (auto failure = readBaseline(*text, name, baseline)) return failure;
+  std::string text;
+  if (auto failure = readBaselineFile(name, baseline, text)) return failure;
   // The baseline becomes a source of the report, so that stale entries have a place.
   auto sources = std::make_shared<SourceSet>();
   for (std::uint32_t i = 0; i < report.sources->size(); ++i)
     sources->add(report.sources->file(i).name(), std::string(report.sources->file(i).text()));
-  const std::uint32_t file = sources->add(name, *text);
+  const std::uint32_t file = sources->add(name, text);
   report.sources = sources;
-  applyBaseline(baseline, file, report);
+  applyBaseline(
+      baseline, file, [&](std::string_view id) { return isSelected(settings, id); }, report);
   return std::nullopt;
+}
+
+/// The codes of --select that name no rule which runs without the prover.
+std::vector<std::string> needingProver(const Settings& settings) {
+  std::vector<std::string> result;
+  for (const std::string& text : settings.list(Opt::Select)) {
+    const auto isMeant = [&](const Rule* rule) { return text == "ALL" || rule->id.starts_with(text); };
+    const auto asks = [&](const Rule* rule) { return isMeant(rule) && rule->ask.in != 0; };
+    const auto looks = [&](const Rule* rule) { return isMeant(rule) && (rule->check != nullptr || rule->ask.in == 0); };
+    if (std::ranges::any_of(allRules(), asks) && std::ranges::none_of(allRules(), looks)) result.push_back(text);
+  }
+  return result;
 }
 
 Action setup(ArgumentTable& table) {
@@ -39,17 +54,23 @@ Action setup(ArgumentTable& table) {
   table.flag("--prove", state->prove,
              "also the rules that need the prover: candidates are confirmed by a replayed run, or dropped");
   return [state](Context& context) {
-    const std::vector<std::string> files = expandFolders(state->files);
+    const std::vector<std::string> files = expandFolders(state->files, context.settings);
     if (files.empty())
-      return context.fail({"the folder holds no program", state->files.front(), "programs end in .awl, .stl or .xml"});
+      return context.fail({"every program is excluded", state->files.front(), "see 'exclude' of 'rungproof config'"});
     Report report = lintFiles(context, files, state->prove);
     if (state->fix) {
       const bool written = applyFixes(context, report);
       report = lintFiles(context, files, state->prove);
       if (!written) return worse(Exit::Failed, finish(context, std::move(report)));
     }
+    if (!state->prove) {
+      for (const std::string& ids : needingProver(context.settings)) {
+        print(context.err, {fmt::format("the rules that '{}' selects need the prover", ids), {}, "give --prove"});
+        report.reasons.push_back({Exit::Failed, fmt::format("{} was not checked", ids)});
+      }
+    }
     if (context.settings.isSet(Opt::Baseline)) {
-      if (auto failure = subtractBaseline(std::string(context.settings.text(Opt::Baseline)), report))
+      if (auto failure = subtractBaseline(context.settings, std::string(context.settings.text(Opt::Baseline)), report))
         return context.fail(*failure);
     }
     return finish(context, std::move(report));

@@ -178,11 +178,10 @@ std::vector<PlantedFault> plantFaults(const Context& context, const Program& pro
   return faults;
 }
 
-/// Proves what is asked and puts it into the report; false if the tool disagreed with itself. `program`: what of the
-/// text may be run.
-bool proveInto(Report& part, const Context& context, const Arguments& arguments, EvidenceNames& names,
-               const Program& program, const PropertySet& properties, const UnreadCode& unread) {
-  ProverOptions options = proverOptionsOf(context.settings);
+/// Proves what is asked and puts it into the report. `program`: what of the text may be run.
+void proveInto(Report& part, const Context& context, const Settings& settings, const Arguments& arguments,
+               EvidenceNames& names, const Program& program, const PropertySet& properties, const UnreadCode& unread) {
+  ProverOptions options = proverOptionsOf(settings);
   options.checks.builtin = arguments.builtin;
   options.certificates = !arguments.certificates.empty();
   options.unread = &unread;
@@ -218,29 +217,29 @@ bool proveInto(Report& part, const Context& context, const Arguments& arguments,
                                disagreement.explanation);
     for (const std::string& line : disagreement.traces.solver) context.err << "  solver: " << line << '\n';
     for (const std::string& line : disagreement.traces.engine) context.err << "  engine: " << line << '\n';
+    part.defects.push_back(disagreement.name);
   }
-  return proof.disagreements.empty();
 }
 
 Exit run(const Arguments& arguments, Context& context) {
   ReportMerger merger;
   EvidenceNames names;
-  bool failed = false, hasUnread = false;
   interrupted = false;
   for (const std::vector<std::string>& files : groupByProgram(context, arguments.files)) {
-    ProgramInput input = readInput(context, files, arguments.properties);
+    const Settings& settings = context.settingsOf(files);
+    ProgramInput input = readInput(context, settings, files, arguments.properties);
     std::vector<std::string> leftOut = arguments.asDownloaded ? leaveOut(input.program) : std::vector<std::string>();
     Report part = startReport("prove", input.program, files);
     part.coverage.leftOut = std::move(leftOut);
     std::erase_if(part.findings, [](const Finding& finding) { return finding.severity != Severity::Error; });
-    const UnreadCode unread(input.program, context.settings.choices());
-    if (!part.findings.empty() || unread.isRefused()) failed = true;
+    const UnreadCode unread(input.program, settings.choices());
+    if (!part.findings.empty() || unread.isRefused())
+      part.reasons.push_back({Exit::Failed, "a part of the program is refused"});
     addUnread(part, input.program, unread);
-    hasUnread = hasUnread || unread.hinderRuns();
+    if (unread.hinderRuns()) part.reasons.push_back({Exit::Undecided, "a part of the program was not read"});
     const Program program = unread.isWhole() ? Program{} : unread.executable();
-    const bool isSound = proveInto(part, context, arguments, names, unread.isWhole() ? input.program : program,
-                                   input.properties, unread);
-    failed = failed || !isSound;
+    proveInto(part, context, settings, arguments, names, unread.isWhole() ? input.program : program, input.properties,
+              unread);
     if (part.properties.empty() && !arguments.builtin) {
       context.err << fmt::format(
           "rungproof: no property is declared in {}; see 'rungproof prove --help', or give --builtin\n", files.front());
@@ -249,9 +248,10 @@ Exit run(const Arguments& arguments, Context& context) {
     for (Finding& finding : part.findings) places.complete(finding);
     merger.add(part);
   }
-  const Exit exit = finish(context, merger.take());
-  if (failed) return Exit::Failed;
-  return hasUnread ? worse(exit, Exit::Undecided) : exit;
+  Report report = merger.take();
+  if (report.properties.empty() && report.reasons.empty())
+    report.reasons.push_back({Exit::Failed, "nothing was checked"});
+  return finish(context, std::move(report));
 }
 
 Action setup(ArgumentTable& table) {

@@ -91,6 +91,7 @@ extern constexpr Command rulesCommand = {
     .summary = "list the rules",
     .details = "",
     .shows = option_group::Output,
+    .needsNoConfig = true,
     .formats = "text|json|markdown",
     .setup = setup,
 };

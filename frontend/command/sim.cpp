@@ -105,6 +105,7 @@ class Preparation {
     const std::optional<std::string> text = readFile(context_, arguments_.expect, failures);
     if (!text) return;
     job.expected = readTrace(arguments_.expect, *text, program_, failures, arguments_.side);
+    if (failures.empty() && !expectsAnything(*job.expected)) failures.push_back(expectsNothing(arguments_.expect));
     job.compare.slack = arguments_.slack;
     for (const std::string& given : arguments_.tolerances) {
       Failure failure;
@@ -277,8 +278,10 @@ Exit run(const Arguments& arguments, Context& context) {
   describeRun(report, simulator, job.scanTime);
   if (const std::string text = stopText(simulator); !text.empty() && !context.settings.flag(Opt::Quiet))
     context.err << fmt::format("rungproof: {} in scan {}\n", text, trace.rows.empty() ? 0 : trace.rows.back().scan);
-  if (job.expected)
+  if (job.expected) {
+    report.failLevel = Severity::Error;  // a warning is said beside the comparison
     report.comparison = comparisonOf(*job.expected, trace, firstDifference(*job.expected, trace, job.compare));
+  }
   if (!preparation.isResult()) return finish(context, std::move(report));
   // Nothing else was asked for: the trace itself is the result, and what there is to say goes beside it.
   if (!writeTrace(context, "-", trace, "")) return Exit::Failed;

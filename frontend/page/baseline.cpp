@@ -3,10 +3,13 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <map>
 #include <tuple>
 
 #include "analysis/read_errors.hpp"
+#include "frontend/disk_file.hpp"
 #include "frontend/json.hpp"
 #include "frontend/page/fingerprint.hpp"
 
@@ -22,7 +25,8 @@ bool belongsIn(const Finding& finding) { return !isReadError(finding) && !findin
 using Key = std::pair<std::string, std::string>;  // file, fingerprint
 
 Key keyOf(const Finding& finding, const SourceSet& sources) {
-  return {sources.file(finding.span.file).name(), fingerprintOf(finding, sources)};
+  const std::string& name = sources.file(finding.span.file).name();
+  return {std::filesystem::path(name).lexically_normal().generic_string(), fingerprintOf(finding, sources)};
 }
 
 }  // namespace
@@ -85,21 +89,92 @@ std::optional<Failure> readBaseline(const std::string& text, const std::string& 
   return std::nullopt;
 }
 
-void applyBaseline(const Baseline& baseline, std::uint32_t file, Report& report) {
-  std::map<Key, std::size_t> left;
-  for (const BaselineEntry& entry : baseline.entries) left[{entry.file, entry.fingerprint}] += entry.count;
-  const std::size_t before = report.findings.size();
-  std::erase_if(report.findings, [&](const Finding& finding) {
-    if (!belongsIn(finding)) return false;
-    const auto found = left.find(keyOf(finding, *report.sources));
-    if (found == left.end() || found->second == 0) return false;
-    --found->second;
-    return true;
-  });
-  report.baselined += before - report.findings.size();
+std::optional<Failure> readBaselineFile(const std::string& name, Baseline& baseline, std::string& text) {
+  std::optional<std::string> bytes = bytesOfInput(name);
+  if (!bytes)
+    return Failure{"the baseline file cannot be read", name,
+                   "write one with 'rungproof baseline FILE... > " + name + "'"};
+  text = std::move(*bytes);
+  return readBaseline(text, name, baseline);
+}
+
+namespace {
+
+/// Whether two names may be spellings of one file: one ends in the other, folder by folder.
+bool mayBeSameFile(const std::string& a, const std::string& b) {
+  const auto parts = [](const std::string& name) {
+    std::vector<std::string> result;
+    for (const std::filesystem::path& part : std::filesystem::path(name).lexically_normal()) {
+      if (part == ".." || part == "." || part == "/") continue;
+      result.push_back(part.string());
+    }
+    return result;
+  };
+  const std::vector<std::string> left = parts(a), right = parts(b);
+  const std::size_t count = std::min(left.size(), right.size());
+  return count > 0 && std::equal(left.end() - static_cast<std::ptrdiff_t>(count), left.end(),
+                                 right.end() - static_cast<std::ptrdiff_t>(count));
+}
+
+/// Removes from the findings what the entries allow; what is left of each entry's count, by entry.
+std::vector<std::size_t> subtract(const Baseline& baseline, const SourceSet& sources, std::vector<Finding>& findings) {
+  std::vector<std::size_t> left;
+  std::map<std::string, std::vector<std::size_t>> byFingerprint;
   for (const BaselineEntry& entry : baseline.entries) {
-    std::size_t& rest = left[{entry.file, entry.fingerprint}];
-    if (rest == 0) continue;
+    byFingerprint[entry.fingerprint].push_back(left.size());
+    left.push_back(entry.count);
+  }
+  // Without a root of the project a file may be named from another folder than when the baseline was written.
+  for (const bool bySpelling : {true, false}) {
+    std::erase_if(findings, [&](const Finding& finding) {
+      if (!belongsIn(finding)) return false;
+      const auto [file, fingerprint] = keyOf(finding, sources);
+      const auto entries = byFingerprint.find(fingerprint);
+      if (entries == byFingerprint.end()) return false;
+      for (const std::size_t i : entries->second) {
+        const std::string& known = baseline.entries[i].file;
+        if (left[i] == 0 || !(bySpelling ? known == file : mayBeSameFile(known, file))) continue;
+        --left[i];
+        return true;
+      }
+      return false;
+    });
+  }
+  return left;
+}
+
+/// Whether the report is about that file: of others nobody knows whether the findings are still there.
+bool isRead(const BaselineEntry& entry, const SourceSet& sources) {
+  for (std::uint32_t i = 0; i < sources.size(); ++i) {
+    if (mayBeSameFile(entry.file, sources.file(i).name())) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Baseline prunedBaseline(const Baseline& baseline, const Report& report) {
+  std::vector<Finding> findings = report.findings;
+  const std::vector<std::size_t> left = subtract(baseline, *report.sources, findings);
+  Baseline pruned;
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    const bool isKnown = isRead(baseline.entries[i], *report.sources);
+    if (isKnown && left[i] == baseline.entries[i].count) continue;
+    pruned.entries.push_back(baseline.entries[i]);
+    if (isKnown) pruned.entries.back().count -= left[i];
+  }
+  return pruned;
+}
+
+void applyBaseline(const Baseline& baseline, std::uint32_t file,
+                   const std::function<bool(std::string_view)>& isSelected, Report& report) {
+  const std::size_t before = report.findings.size();
+  const std::vector<std::size_t> left = subtract(baseline, *report.sources, report.findings);
+  report.baselined += before - report.findings.size();
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    const BaselineEntry& entry = baseline.entries[i];
+    const std::size_t rest = left[i];
+    if (rest == 0 || !isSelected(entry.rule) || !isRead(entry, *report.sources)) continue;
     Finding& stale = report.findings.emplace_back();
     stale.rule = "SUP003";
     stale.severity = Severity::Note;
@@ -108,7 +183,6 @@ void applyBaseline(const Baseline& baseline, std::uint32_t file, Report& report)
         fmt::format("{} in {} is gone{}: {}", entry.rule, entry.file,
                     rest < entry.count ? fmt::format(" in {} of {} places", rest, entry.count) : "", entry.message);
     stale.help = "write the baseline again to remove the entry";
-    rest = 0;
   }
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,8 +32,16 @@ std::string toJson(const Baseline& baseline);
 /// Reads a baseline text; `name` is for the failure.
 std::optional<Failure> readBaseline(const std::string& text, const std::string& name, Baseline& baseline);
 
-/// Removes the findings that the baseline lists, adds SUP003 for entries with too many; `file` is the baseline's own
-/// file in `sources`, for the places of SUP003. Errors of the readers stay.
-void applyBaseline(const Baseline& baseline, std::uint32_t file, Report& report);
+/// Reads the file of that name and gives its text too.
+std::optional<Failure> readBaselineFile(const std::string& name, Baseline& baseline, std::string& text);
+
+/// The entries that findings of the report match, with as many places.
+Baseline prunedBaseline(const Baseline& baseline, const Report& report);
+
+/// Removes the findings that the baseline lists, adds SUP003 for entries with too many, of rules that were
+/// selected and files that were read;
+/// `file` is the baseline's own file in `sources`, for the places of SUP003. Errors of the readers stay.
+void applyBaseline(const Baseline& baseline, std::uint32_t file,
+                   const std::function<bool(std::string_view)>& isSelected, Report& report);
 
 }  // namespace rungproof

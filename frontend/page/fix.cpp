@@ -37,7 +37,8 @@ std::vector<FixedFile> fixedFiles(const Report& report) {
 bool applyFixes(const Context& context, const Report& report) {
   bool written = true;
   for (const FixedFile& file : fixedFiles(report)) {
-    const std::optional<std::string> bytes = bytesOfInput(file.name);
+    const std::string path = pathInProject(file.name, context.settings.root());
+    const std::optional<std::string> bytes = bytesOfInput(path);
     const auto& sources = *report.sources;
     bool isAsRead = false;
     for (std::uint32_t i = 0; bytes && i < sources.size(); ++i)
@@ -49,7 +50,7 @@ bool applyFixes(const Context& context, const Report& report) {
       written = false;
       continue;
     }
-    if (!context.write({"text", file.name}, file.text, InputFile::Replace)) {
+    if (!context.write({"text", path}, file.text, InputFile::Replace)) {
       written = false;
       continue;
     }

@@ -76,14 +76,29 @@ Summary summaryOf(const Report& report) {
   return summary;
 }
 
-Exit exitOf(const Report& report) {
-  if (std::any_of(report.findings.begin(), report.findings.end(), isReadError)) return Exit::Failed;
-  if (!report.defects.empty()) return Exit::Failed;
+ExitReason exitReasonOf(const Report& report) {
+  const Severity failLevel = report.failLevel.value_or(Severity::Warning);
+  const auto fails = [&](const Finding& finding) { return finding.severity >= failLevel; };
   const Summary summary = summaryOf(report);
-  const bool isUndecided = report.comparison && report.comparison->verdict == "UNKNOWN";
+  const bool isUndecided = report.comparison && report.comparison->isUndecided();
   const bool differs = report.comparison && !report.comparison->equal && !isUndecided;
-  if (!report.findings.empty() || summary.violated > 0 || differs) return Exit::Found;
-  return summary.undecided > 0 || isUndecided ? Exit::Undecided : Exit::Clean;
+  ExitReason worst;
+  const auto add = [&](bool applies, Exit exit, std::string text) {
+    if (applies && (worst.text.empty() || (exit != worst.exit && worse(exit, worst.exit) == exit)))
+      worst = {exit, std::move(text)};
+  };
+  add(std::ranges::any_of(report.findings, isReadError), Exit::Failed, "not everything could be read");
+  add(!report.defects.empty(), Exit::Failed, "rungproof disagrees with itself");
+  for (const ExitReason& reason : report.reasons) add(true, reason.exit, reason.text);
+  add(summary.violated > 0, Exit::Found, "a property does not hold");
+  add(differs, Exit::Found,
+      report.comparison && report.comparison->isOfPrograms() ? "outputs differ" : "traces differ");
+  add(std::ranges::any_of(report.findings, fails), Exit::Found,
+      failLevel == Severity::Note ? "findings" : fmt::format("findings at or above '{}'", severityName(failLevel)));
+  add(summary.undecided > 0 || isUndecided, Exit::Undecided, "something is undecided");
+  add(!report.findings.empty(), Exit::Clean, fmt::format("findings below '{}' do not fail", severityName(failLevel)));
+  if (report.exitsZero && worst.exit != Exit::Failed && worst.exit != Exit::Clean) return {Exit::Clean, "--exit-zero"};
+  return worst;
 }
 
 void sortFindings(Report& report) {

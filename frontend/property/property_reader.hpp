@@ -2,6 +2,7 @@
 // findings PRP001-PRP004 with place and help; the statements around them are still read.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -18,7 +19,8 @@ using OperandLookup = std::function<std::optional<Operand>(std::string_view)>;
 
 /// Reads the directives of `program`, then the files; findings go to program.findings. A file that cannot be
 /// opened is an error finding as well.
-PropertySet readProperties(Program& program, const std::vector<std::string>& files, const OperandLookup& lookup);
+PropertySet readProperties(Program& program, const std::vector<std::string>& files, const OperandLookup& lookup,
+                           const std::filesystem::path& root = {});
 
 /// Reads statements from one text, a line each; `#` begins a comment. Addresses must exist on `target`, if given. For
 /// tests and for readProperties.

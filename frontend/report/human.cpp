@@ -245,6 +245,8 @@ class HumanWriter {
     if (report_.files.size() > 1) tail += fmt::format(" of {} files", report_.files.size());
     if (report_.suppressed > 0) tail += fmt::format("; {} suppressed", report_.suppressed);
     if (report_.baselined > 0) tail += fmt::format("; {} in the baseline", report_.baselined);
+    if (const ExitReason reason = exitReasonOf(report_); !reason.text.empty())
+      tail += fmt::format("; exit {}: {}", static_cast<int>(reason.exit), reason.text);
     return text + tail;
   }
 

@@ -121,6 +121,12 @@ struct Coverage {
   std::size_t open = 0;                   ///< questions that those lines speak of
 };
 
+/// Why the exit code is what it is: "a property does not hold"; empty if there is nothing to say.
+struct ExitReason {
+  Exit exit = Exit::Clean;
+  std::string text{};
+};
+
 struct Report {
   std::string command;  ///< "lint", "prove", ...
   std::shared_ptr<const SourceSet> sources;
@@ -132,6 +138,9 @@ struct Report {
   std::vector<std::string> assumptions;       ///< CPU, scan time, initial memory, external writers
   std::vector<std::string> files;             ///< as given; for the closing line
   std::vector<std::string> defects;           ///< of rungproof itself, as internal disagreements: the exit code is 2
+  std::vector<ExitReason> reasons{};          ///< of the exit code, beside what the rest of the report tells
+  std::optional<Severity> failLevel{};        ///< findings below it leave the exit code alone; as set if none
+  bool exitsZero = false;                     ///< whatever was found or stays open
   std::optional<TechniqueUses> techniques{};  ///< of the prover: what each has done
   std::size_t suppressed = 0;                 ///< findings that an allow-comment silenced
   std::size_t baselined = 0;                  ///< findings that the baseline lists
@@ -142,8 +151,10 @@ struct Summary {
 };
 Summary summaryOf(const Report& report);
 
-/// Exit code of the contract for what the report holds: 2 if the readers could not read everything, else 1, 3 or 0.
-Exit exitOf(const Report& report);
+/// Exit code of the contract for what the report holds: 2 if the readers could not read everything or nothing was
+/// checked, else 1, 3 or 0.
+ExitReason exitReasonOf(const Report& report);
+inline Exit exitOf(const Report& report) { return exitReasonOf(report).exit; }
 
 /// Sorts findings by place and removes those that say the same of the same place.
 void sortFindings(Report& report);

@@ -65,6 +65,17 @@ Comparison comparisonOf(const Trace& expected, const Trace& actual, const std::o
   return result;
 }
 
+bool expectsAnything(const Trace& expected) {
+  return std::ranges::any_of(expected.rows, [](const TraceRow& row) {
+    return std::ranges::any_of(row.values, [](const std::optional<double>& value) { return value.has_value(); });
+  });
+}
+
+Failure expectsNothing(const std::string& name) {
+  return {"the expected trace holds no value, so nothing is compared", name,
+          "give a column for each signal and the values that it must have"};
+}
+
 std::optional<Tolerance> toleranceIn(const std::string& text, const Trace& expected, Failure& failure) {
   const std::size_t equals = text.rfind('=');
   std::size_t used = 0;

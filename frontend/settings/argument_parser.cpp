@@ -26,7 +26,7 @@ CLI::Option* declare(CLI::App& app, const Argument& row) {
   CLI::Option* option = declareValue(app, names, row.repeatable);
   if (!row.isOption() && row.repeatable) option->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args();
   if (row.splits) option->delimiter(',');
-  return option->required(row.required);
+  return option->required(row.required && !row.isInputs());
 }
 
 CLI::Option* declare(CLI::App& app, const OptionInfo& info, bool hasSides) {
@@ -96,10 +96,12 @@ ParsedLine parseArguments(const Command& command, const ArgumentTable& table, st
     return line;
   }
   for (std::size_t i = 0; i < own.size(); ++i) {
-    if (own[i]->count() == 0) continue;
     const Argument& row = table.rows()[i];
+    if (own[i]->count() == 0 && row.isInputs()) line.lacking = &row;
+    if (own[i]->count() == 0) continue;
     const std::vector<std::string>& texts = own[i]->results();
     if (!row.isOption()) line.arguments.insert(line.arguments.end(), texts.begin(), texts.end());
+    if (row.isInputs()) line.inputs = texts;
     line.failure = row.take(texts);
     if (line.failure) return line;
   }

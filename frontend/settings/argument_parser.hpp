@@ -19,7 +19,9 @@ struct ParsedLine {
   bool helpWanted = false;
   std::vector<std::string> arguments;  ///< those that are no options, in order
   std::vector<CommonOption> options;
-  std::optional<Failure> failure;  ///< why the line cannot be understood
+  std::vector<std::string> inputs;    ///< those of them that are programs
+  const Argument* lacking = nullptr;  ///< the programs, if none is given
+  std::optional<Failure> failure;     ///< why the line cannot be understood
 
   const CommonOption* option(Opt id) const;
 };

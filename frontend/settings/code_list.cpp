@@ -28,4 +28,10 @@ std::optional<Code> codeNamed(std::string_view id) {
   return found == codes.end() ? std::nullopt : std::optional<Code>(*found);
 }
 
+std::string asCode(std::string_view text) {
+  std::string code(text);
+  std::ranges::transform(code, code.begin(), [](char c) { return c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c; });
+  return code;
+}
+
 }  // namespace rungproof

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,5 +22,7 @@ struct Code {
 /// Rules first, in their order, then the readers' messages by id.
 std::vector<Code> allCodes();
 std::optional<Code> codeNamed(std::string_view id);
+/// A code as somebody wrote it, in capitals.
+std::string asCode(std::string_view text);
 
 }  // namespace rungproof

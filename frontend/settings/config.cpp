@@ -30,6 +30,14 @@ class Reader {
         failure = readChoices(node);
       } else if (key == "rules") {
         failure = readRules(node);
+      } else if (key == "per-file-ignores") {
+        failure = readFileIgnores(node);
+      } else if (key == "properties") {
+        failure = readPropertyFiles(node);
+      } else if (key == "inputs") {
+        failure = readInputs(node);
+      } else if (key == "extend") {
+        continue;  // read before the rest
       } else {
         failure = readOption(key.str(), key.source(), node);
       }
@@ -62,7 +70,7 @@ class Reader {
     if (auto failure = readTexts(*info, node, texts)) return failure;
     for (std::string& text : texts) {
       if (auto failure = checkValue(*info, text)) return at(node.source(), *failure);
-      if (info->id == Opt::Tags && fs::path(text).is_relative()) text = (folder_ / text).lexically_normal().string();
+      if (info->value == "FILE") text = placed(text);
       if (info->id != Opt::Format) continue;
       if (auto failure = placeOutput(text)) return at(node.source(), *failure);
     }
@@ -132,12 +140,74 @@ class Reader {
       const toml::table* table = value.as_table();
       if (table == nullptr) return at(value.source(), {fmt::format("'rules.{}' must be a table", id.str())});
       for (const auto& [key, number] : *table) {
+        if (key == "severity") {
+          const auto word = number.value_exact<std::string>();
+          if (!word) return at(number.source(), {"'severity' must be a text: error, warning or note"});
+          if (auto failure = settings_.setSeverity(id.str(), *word)) return at(number.source(), *failure);
+          continue;
+        }
         const auto integer = number.value_exact<std::int64_t>();
         if (!integer) return at(number.source(), {fmt::format("'{}' must be a whole number", key.str())});
         if (auto failure = settings_.setRuleOption(id.str(), key.str(), *integer)) return at(key.source(), *failure);
       }
     }
     return std::nullopt;
+  }
+
+  std::optional<Failure> readInputs(const toml::node& node) {
+    auto names = textsOf(node);
+    if (!names) return at(node.source(), {"'inputs' must be a list of files and folders"});
+    for (std::string& name : *names) name = placed(name);
+    settings_.setInputs(std::move(*names));
+    return std::nullopt;
+  }
+
+  std::optional<Failure> readFileIgnores(const toml::node& node) {
+    const toml::table* table = node.as_table();
+    if (table == nullptr)
+      return at(node.source(), {"'per-file-ignores' must hold a list of codes for each pattern of names"});
+    for (const auto& [pattern, value] : *table) {
+      auto codes = textsOf(value);
+      if (!codes) return at(value.source(), {fmt::format("'{}' must be a list of codes", pattern.str())});
+      if (auto failure = settings_.addFileIgnore({std::string(pattern.str()), std::move(*codes)}))
+        return at(value.source(), *failure);
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Failure> readPropertyFiles(const toml::node& node) {
+    const toml::table* table = node.as_table();
+    if (table == nullptr) return at(node.source(), {"'properties' must be a table", {}, "files = [\"press.prop\"]"});
+    for (const auto& [key, value] : *table) {
+      const auto files = textsOf(value);
+      if (key != "files" || !files)
+        return at(value.source(), {fmt::format("'{}' is nothing that [properties] has", key.str()),
+                                   {},
+                                   "it has files, a list of property files"});
+      for (const std::string& file : *files) settings_.addPropertyFile(placed(file));
+    }
+    return std::nullopt;
+  }
+
+  /// A file of the project, by its place from the current folder.
+  std::string placed(const std::string& file) const {
+    if (fs::path(file).is_absolute()) return file;
+    std::error_code error;
+    const fs::path nearer = fs::proximate(folder_ / file, error);
+    return error || nearer.empty() ? (folder_ / file).string() : nearer.string();
+  }
+
+  static std::optional<std::vector<std::string>> textsOf(const toml::node& node) {
+    if (const auto text = textOf(node)) return std::vector{*text};
+    const toml::array* array = node.as_array();
+    if (array == nullptr) return std::nullopt;
+    std::vector<std::string> texts;
+    for (const toml::node& element : *array) {
+      const auto text = textOf(element);
+      if (!text) return std::nullopt;
+      texts.push_back(*text);
+    }
+    return texts;
   }
 
   /// Numbers may be written without quotes: cpu = 224.
@@ -149,7 +219,7 @@ class Reader {
 
   static Failure unknownKey(std::string_view key, bool commandLineOnly) {
     if (commandLineOnly) return {fmt::format("'{}' can only be given on the command line", key)};
-    std::vector<std::string_view> keys = {"choices", "rules"};
+    std::vector<std::string_view> keys = {"choices", "rules", "extend", "inputs", "per-file-ignores", "properties"};
     for (const OptionInfo& info : optionTable()) {
       if (info.inConfig) keys.push_back(info.name);
     }
@@ -178,7 +248,15 @@ fs::path findConfig(const fs::path& folder) {
   return {};
 }
 
-std::optional<Failure> readConfig(const fs::path& file, Settings& settings) {
+namespace {
+
+constexpr int mostBases = 8;
+
+/// The configuration that this one builds on, if it names one.
+std::optional<Failure> readBase(const toml::table& root, const fs::path& file, const std::string& name,
+                                Settings& settings, int depth);
+
+std::optional<Failure> readLayer(const fs::path& file, Settings& settings, int depth) {
   std::error_code error;
   const fs::path nearer = fs::proximate(file, error);
   const std::string name = error || nearer.empty() ? file.string() : nearer.string();
@@ -190,7 +268,24 @@ std::optional<Failure> readConfig(const fs::path& file, Settings& settings) {
     return Failure{std::string(fault.description()),
                    fmt::format("{}:{}:{}", name, fault.source().begin.line, fault.source().begin.column)};
   }
+  if (auto failure = readBase(result.table(), file, name, settings, depth)) return failure;
+  settings.setRoot(fs::absolute(file, error).parent_path());
   return Reader(file, name, settings).read(result.table());
 }
+
+std::optional<Failure> readBase(const toml::table& root, const fs::path& file, const std::string& name,
+                                Settings& settings, int depth) {
+  const toml::node* node = root.get("extend");
+  if (node == nullptr) return std::nullopt;
+  const std::string place = fmt::format("{}:{}:{}", name, node->source().begin.line, node->source().begin.column);
+  const auto base = node->value_exact<std::string>();
+  if (!base) return Failure{"'extend' must be a text: the configuration file that this one builds on", place};
+  if (depth >= mostBases) return Failure{"configurations extend each other without end", place};
+  return readLayer(fs::absolute(file).parent_path() / *base, settings, depth + 1);
+}
+
+}  // namespace
+
+std::optional<Failure> readConfig(const fs::path& file, Settings& settings) { return readLayer(file, settings, 0); }
 
 }  // namespace rungproof

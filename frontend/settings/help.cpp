@@ -64,9 +64,9 @@ std::string programHelp() {
              helpColumn);
   text +=
       "\nExit codes:\n"
-      "  0  nothing at or above the level, every property proved, traces agree\n"
+      "  0  no finding at or above --fail-level, every property proved, traces agree\n"
       "  1  findings, violated properties, differing traces\n"
-      "  2  could not do the job: usage, unreadable or unparsable input, bad configuration\n"
+      "  2  could not do the job: usage, unreadable or unparsable input, bad configuration, nothing to check\n"
       "  3  nothing found, but something undecided\n"
       "\n'rungproof COMMAND --help' shows the options of a command, 'rungproof explain CODE' a rule.\n";
   return text;

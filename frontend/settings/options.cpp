@@ -43,6 +43,7 @@ constexpr std::array table = {
     OptionInfo{Opt::Symbols, Reading, Arity::List, "symbols", "FILE", "", "symbol table that belongs to the program"},
     OptionInfo{Opt::Tags, Reading, Arity::List, "tags", "FILE", "", "tag list of an operator panel (CSV: name, address, type, access); what it does not mark as read-only counts as external"},
     OptionInfo{Opt::External, Reading, Arity::List, "external", "RANGE", "", "what a panel or a network writes in any scan, as VW100 or VB100..VB199"},
+    OptionInfo{Opt::Exclude, Reading, Arity::List, "exclude", "PATTERN", "", "files that a folder does not stand for, by their name in the project, such as old/*"},
     OptionInfo{Opt::StdinFilename, Reading, Arity::One, "stdin-filename", "NAME", "", "name for standard input, which is read where FILE is '-'", false},
     OptionInfo{Opt::Retentive, Running, Arity::List, "retentive", "RANGE", "", "what keeps its value without power, as VB0..VB99, MB0..MB13, T0..T31 or C0..C255 (S7-200: all of V, MB14..MB31, T0..T31, T64..T95, C0..C255; S7-200 SMART: nothing)"},
     OptionInfo{Opt::LibraryMemory, Running, Arity::List, "library-memory", "RANGE", "", "V memory of the libraries, as VB1000..VB1285, or of one block, as RCP0_READ=VB100..VB119"},
@@ -59,6 +60,8 @@ constexpr std::array table = {
     OptionInfo{Opt::Ignore, Rules, Arity::List, "ignore", "CODE", "", "rules not to run, by id or prefix"},
     OptionInfo{Opt::PortTo, Rules, Arity::One, "port-to", cpuNames.view(), "", "CPU that the program is to be ported to: PRT001 tells what is not the same there"},
     OptionInfo{Opt::Level, Rules, Arity::One, "level", "error|warning|note", "note", "report findings of this severity and above"},
+    OptionInfo{Opt::FailLevel, Rules, Arity::One, "fail-level", "error|warning|note", "warning", "findings of this severity and above make the exit code 1 (sim --expect: error)"},
+    OptionInfo{Opt::ExitZero, Rules, Arity::Flag, "exit-zero", "", "", "exit with 0 whatever is found; with 2 only if the job could not be done"},
     OptionInfo{Opt::NoSuppress, Rules, Arity::Flag, "no-suppress", "", "", "report findings although an allow-comment silences them"},
     OptionInfo{Opt::Baseline, Rules, Arity::One, "baseline", "FILE", "", "leave out the findings that the baseline file lists"},
     OptionInfo{Opt::Budget, Rules, Arity::One, "budget", "TIME", "60s", "lint --prove: time for all questions together"},
@@ -144,10 +147,11 @@ std::optional<Failure> checkForm(const OptionInfo& info, std::string_view text) 
         fmt::format("the prover has no technique '{}'", text), {}, fmt::format("it has {}", fmt::join(names, ", "))};
   }
   if (info.id == Opt::Select || info.id == Opt::Ignore) {
-    if (text == "ALL") return std::nullopt;
+    const std::string id = asCode(text);
+    if (id == "ALL") return std::nullopt;
     std::vector<std::string_view> ids;
     for (const Code& code : allCodes()) {
-      if (code.id.starts_with(text) && !text.empty()) return std::nullopt;
+      if (code.id.starts_with(id) && !id.empty()) return std::nullopt;
       ids.push_back(code.id);
     }
     const std::string_view meant = closest(text, ids);

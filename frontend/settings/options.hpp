@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <span>
@@ -31,6 +32,7 @@ enum class Opt : std::uint8_t {
   Symbols,
   Tags,
   External,
+  Exclude,
   StdinFilename,
   Retentive,
   LibraryMemory,
@@ -47,6 +49,8 @@ enum class Opt : std::uint8_t {
   Ignore,
   PortTo,
   Level,
+  FailLevel,
+  ExitZero,
   NoSuppress,
   Baseline,
   Budget,
@@ -104,6 +108,12 @@ struct ScanTime {
 /// "5ms..20ms" or one value; nothing if it cannot be read, is zero, or its ends are swapped.
 std::optional<ScanTime> scanTimeNamed(std::string_view text);
 
+/// Codes, or beginnings of codes, that a file's findings are not reported for.
+struct FileIgnore {
+  std::string pattern;  ///< of names: * ? [...]
+  std::vector<std::string> codes;
+};
+
 /// Values of all options, with the place each comes from.
 class Settings {
  public:
@@ -123,6 +133,7 @@ class Settings {
   Severity level() const;
   /// The CPU of --port-to with its usual edition; nothing: the program stays where it is.
   std::optional<Target> portTo() const;
+  Severity failLevel() const;
   /// Nothing if none is named: the default of the CPU.
   std::optional<std::vector<RetentiveRange>> retentive() const;
   std::vector<LibraryMemory> libraryMemory() const;
@@ -136,10 +147,25 @@ class Settings {
   Choices choices() const;
   const std::string& choiceOrigin(Choice choice) const { return choiceOrigins_[static_cast<std::size_t>(choice)]; }
   const RuleSettings& ruleSettings() const { return ruleSettings_; }
+  /// Folder of the configuration file: findings name files from there; empty without one.
+  const std::filesystem::path& root() const { return root_; }
+  /// Severities that the configuration gives to rules, by id.
+  const std::map<std::string, Severity, std::less<>>& severities() const { return severities_; }
+  /// Codes that do not count in files whose name from the root fits the pattern.
+  const std::vector<FileIgnore>& fileIgnores() const { return fileIgnores_; }
+  /// Programs of the configuration, for a command line that names none.
+  const std::vector<std::string>& inputs() const { return inputs_; }
+  void setInputs(std::vector<std::string> names) { inputs_ = std::move(names); }
+  /// Property files of the configuration.
+  const std::vector<std::string>& propertyFiles() const { return propertyFiles_; }
+  void setRoot(std::filesystem::path folder) { root_ = std::move(folder); }
 
   /// Sets a value that checkValue() has passed; lists are split at commas.
   void set(Opt id, const std::vector<std::string>& texts, const std::string& origin);
   std::optional<Failure> setChoice(std::string_view key, std::string_view value, const std::string& origin);
+  std::optional<Failure> setSeverity(std::string_view rule, std::string_view severity);
+  std::optional<Failure> addFileIgnore(FileIgnore ignore);
+  void addPropertyFile(std::string name) { propertyFiles_.push_back(std::move(name)); }
   std::optional<Failure> setRuleOption(std::string_view rule, std::string_view option, std::int64_t value);
   /// Errors that only values together show, such as a CPU that the edition does not know.
   std::optional<Failure> check() const;
@@ -154,6 +180,11 @@ class Settings {
   Choices choices_;
   std::array<std::string, static_cast<std::size_t>(Choice::count)> choiceOrigins_;
   RuleSettings ruleSettings_;
+  std::map<std::string, Severity, std::less<>> severities_;
+  std::vector<FileIgnore> fileIgnores_;
+  std::vector<std::string> inputs_;
+  std::vector<std::string> propertyFiles_;
+  std::filesystem::path root_;
 };
 
 }  // namespace rungproof

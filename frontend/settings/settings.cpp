@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "frontend/closest_word.hpp"
+#include "frontend/settings/code_list.hpp"
 #include "frontend/settings/options.hpp"
 #include "frontend/settings/retentive_range.hpp"
 #include "ir/check.hpp"
@@ -91,10 +92,8 @@ std::optional<Target> Settings::portTo() const {
   return cpu ? std::optional(Target{*cpu, usualEdition(*cpu)}) : std::nullopt;
 }
 
-Severity Settings::level() const {
-  const std::string_view name = text(Opt::Level);
-  return name == "error" ? Severity::Error : name == "warning" ? Severity::Warning : Severity::Note;
-}
+Severity Settings::level() const { return severityNamed(text(Opt::Level)); }
+Severity Settings::failLevel() const { return severityNamed(text(Opt::FailLevel)); }
 
 std::vector<LibraryMemory> Settings::libraryMemory() const {
   std::vector<LibraryMemory> memory;
@@ -121,6 +120,7 @@ void Settings::set(Opt id, const std::vector<std::string>& texts, const std::str
   Value& value = values_[index(id)];
   const bool areFiles = id == Opt::Symbols || id == Opt::Tags;
   value.texts = optionInfo(id).arity == Arity::List && !areFiles ? splitAtCommas(texts) : texts;
+  if (id == Opt::Select || id == Opt::Ignore) std::ranges::transform(value.texts, value.texts.begin(), asCode);
   value.origin = origin;
 }
 
@@ -143,6 +143,25 @@ std::optional<Failure> Settings::setChoice(std::string_view key, std::string_vie
   return Failure{fmt::format("there is no choice called '{}'", key),
                  {},
                  meant.empty() ? "'rungproof explain choices' lists them" : fmt::format("did you mean '{}'?", meant)};
+}
+
+std::optional<Failure> Settings::setSeverity(std::string_view rule, std::string_view severity) {
+  const std::optional<Code> code = codeNamed(asCode(rule));
+  if (!code) return Failure{fmt::format("no rule is called '{}'", rule), {}, "'rungproof rules' lists them"};
+  const Severity wanted = severityNamed(severity);
+  if (severityName(wanted) != severity)
+    return Failure{fmt::format("'{}' is no severity", severity), {}, "it can be error, warning or note"};
+  severities_[std::string(code->id)] = wanted;
+  return std::nullopt;
+}
+
+std::optional<Failure> Settings::addFileIgnore(FileIgnore ignore) {
+  for (std::string& text : ignore.codes) {
+    if (auto failure = checkValue(optionInfo(Opt::Ignore), text)) return failure;
+    text = asCode(text);
+  }
+  fileIgnores_.push_back(std::move(ignore));
+  return std::nullopt;
 }
 
 std::optional<Failure> Settings::setRuleOption(std::string_view id, std::string_view name, std::int64_t value) {

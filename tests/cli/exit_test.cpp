@@ -44,6 +44,10 @@ TEST(LintExit, FindingsBelowTheLevelDoNotCount) {
   const std::string file =
       folder.file("a.awl", test::mainBlock("Network 1\nLD I0.0 // rungproof: allow ADR001 nothing here\n= Q0.0\n"));
   EXPECT_EQ(run({"lint", "--select", "SUP,ADR", file}).exit, 1);
+  EXPECT_EQ(run({"lint", "--select", "SUP,ADR", "--exit-zero", file}).exit, 0);
+  const ProgramRun lenient = run({"lint", "--select", "SUP,ADR", "--fail-level", "error", file});
+  EXPECT_EQ(lenient.exit, 0);
+  EXPECT_NE(lenient.out.find("SUP001"), std::string::npos) << "shown all the same";
   const ProgramRun errorsOnly = run({"lint", "--select", "SUP,ADR", "--level", "error", file});
   EXPECT_EQ(errorsOnly.exit, 0);
   EXPECT_EQ(errorsOnly.out.find("SUP001"), std::string::npos);

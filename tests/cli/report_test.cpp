@@ -51,10 +51,11 @@ nlohmann::json schema() {
 
 TEST(ExitOf, FollowsTheContract) {
   EXPECT_EQ(exitOf(reportWith({})), Exit::Clean);
-  EXPECT_EQ(exitOf(reportWith({finding("ADR011", Severity::Note)})), Exit::Found);
+  EXPECT_EQ(exitOf(reportWith({finding("ADR011", Severity::Note)})), Exit::Clean) << "notes do not fail";
+  EXPECT_EQ(exitOf(reportWith({finding("ADR011", Severity::Warning)})), Exit::Found);
   EXPECT_EQ(exitOf(reportWith({finding("SYN010", Severity::Error), finding("ADR001", Severity::Error)})), Exit::Failed);
   EXPECT_EQ(exitOf(reportWith({finding("PRP001", Severity::Error)})), Exit::Failed);
-  EXPECT_EQ(exitOf(reportWith({finding("SYN018", Severity::Note)})), Exit::Found);
+  EXPECT_EQ(exitOf(reportWith({finding("SYN018", Severity::Note)})), Exit::Clean);
   EXPECT_EQ(exitOf(reportWith({}, {property(Outcome::Proved), property(Outcome::Reachable)})), Exit::Clean);
   EXPECT_EQ(exitOf(reportWith({}, {property(Outcome::Unknown), property(Outcome::Violated)})), Exit::Found);
   for (const Outcome verdict : {Outcome::Unreachable, Outcome::Vacuous})
