@@ -20,6 +20,7 @@ class Generator {
 
   RandomProgram run() {
     RandomProgram program;
+    program.target = options_.target;
     program.blocks.push_back({});
     if (options_.subroutines) {
       for (int n = 0; n < 2; ++n) program.blocks.push_back(subroutine(n));
@@ -56,7 +57,8 @@ class Generator {
 
   void attach() {
     emit("LD", {direct(Area::SM, Width::Bit, 0, 1)});
-    emit("ATCH", {constant(0), constant(static_cast<std::int64_t>(2 * r_.below(2)))});
+    static constexpr std::int64_t edges[] = {0, 2, 35, 38};  // the last two on a SMART alone
+    emit("ATCH", {constant(0), constant(edges[r_.below(isSmart(options_.target) ? 4 : 2)])});
     emit("ENI");
     if (r_.chance(30)) {
       emit("LD", {bit()});
@@ -72,7 +74,7 @@ class Generator {
     switch (r_.below(12)) {
       case 0:
       case 1:
-      case 2: return direct(Area::I, Width::Bit, 0, r_.below(6));
+      case 2: return direct(Area::I, Width::Bit, inputByte(), r_.below(6));
       case 3:
       case 4: return direct(Area::Q, Width::Bit, 0, r_.below(4));
       case 5:
@@ -89,6 +91,18 @@ class Generator {
         return inLocal_ ? direct(Area::L, Width::Bit, 0, r_.below(3)) : direct(Area::S, Width::Bit, 0, r_.below(3));
     }
   }
+  /// On a SMART also bytes of modules, and of PROFINET devices, which have no terminals.
+  std::uint32_t inputByte() {
+    static constexpr std::uint32_t bytes[] = {0, 7, 20, 130};
+    return isSmart(options_.target) ? bytes[r_.below(4)] : 0;
+  }
+  /// SMB0 to SMB29 of a SMART are read-only.
+  Operand written() {
+    Operand target = bit();
+    while (isSmart(options_.target) && target.area == Area::SM) target = bit();
+    return target;
+  }
+  bool isOnCpu(CpuSet cpus) const { return (cpus & cpuBit(options_.target.cpu)) != 0; }
   Operand timer() {
     static constexpr std::uint32_t numbers[] = {32, 33, 37, 38, 96, 0, 1, 5};
     return direct(Area::T, Width::Bit, numbers[r_.below(8)]);
@@ -120,7 +134,8 @@ class Generator {
       case Type::Parameter: return std::nullopt;
       default: break;
     }
-    if (desc.type == Type::Bool && (desc.forms & form::V) != 0) return bit();
+    if (desc.type == Type::Bool && (desc.forms & form::V) != 0)
+      return desc.direction == Direction::In ? bit() : written();
     for (int tries = 0; tries < 40; ++tries) {
       const std::uint32_t pick = r_.below(20);
       const auto allows = [&](Forms f) { return (desc.forms & f) != 0; };
@@ -147,7 +162,11 @@ class Generator {
 
   Operand constantOperand(const OperandDesc& desc, Width width) {
     if (desc.hasRanges()) {
-      const ValueRange& range = desc.ranges[0];
+      const ValueRange* found = &desc.ranges[0];
+      for (const ValueRange& other : desc.ranges) {
+        if (isOnCpu(other.cpus) && !isOnCpu(found->cpus)) found = &other;
+      }
+      const ValueRange& range = *found;
       const std::int64_t span = std::min<std::int64_t>(range.high - range.low + 1, r_.chance(85) ? 9 : 256);
       return constant(range.low + r_.below(static_cast<std::uint32_t>(span)));
     }
@@ -218,8 +237,8 @@ class Generator {
   }
 
   void output() {
-    if (r_.chance(25)) return emit("=", {bit()});
-    if (r_.chance(20)) return emit(r_.chance(50) ? "S" : "R", {bit(), constant(1 + r_.below(3))});
+    if (r_.chance(25)) return emit("=", {written()});
+    if (r_.chance(20)) return emit(r_.chance(50) ? "S" : "R", {written(), constant(1 + r_.below(3))});
     if (r_.chance(25)) {
       static constexpr std::string_view timers[] = {"TON", "TOF", "TONR"};
       Instruction instruction = make(timers[r_.below(3)]);
@@ -234,7 +253,7 @@ class Generator {
       const Desc& desc = table[r_.below(static_cast<std::uint32_t>(table.size()))];
       const bool isPlain =
           desc.control == Control::None && desc.execution != Execution::Stack && desc.execution != Execution::Compare;
-      if (isPlain && desc.stl != "STOP" && emitFrom(desc)) return;
+      if (isPlain && desc.stl != "STOP" && isOnCpu(desc.cpus) && emitFrom(desc)) return;
     }
   }
 
@@ -311,6 +330,7 @@ class Generator {
 
 Program RandomProgram::program() const {
   Program result;
+  result.target = target;
   for (const Block& block : blocks) {
     Pou pou;
     pou.kind = block.kind;

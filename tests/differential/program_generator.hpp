@@ -19,6 +19,7 @@ struct GeneratorOptions {
   bool subroutines = true;
   bool interrupts = false;
   bool pointers = false;
+  Target target{};
 };
 
 /// A program as blocks of instructions; block 0 is the main program.
@@ -30,6 +31,7 @@ struct RandomProgram {
     std::vector<Instruction> instructions{};
   };
   std::vector<Block> blocks;
+  Target target{};
 
   Program program() const;
   std::string text() const;

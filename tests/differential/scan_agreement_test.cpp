@@ -228,6 +228,21 @@ TEST(ScanAgreement, Pointers) {
   runAll({.rungs = 6, .loops = false, .subroutines = false, .pointers = true}, {}, 40, 60, 50000);
 }
 
+constexpr Target smartTarget{Cpu::St60, Edition::Smart28};
+
+TEST(ScanAgreement, SmartPrograms) {
+  runAll({.rungs = 8, .loops = false, .target = smartTarget}, anyMemory(), 60, 60, 90000);
+}
+
+TEST(ScanAgreement, SmartFromPowerUp) {
+  runAll({.rungs = 8, .pointers = true, .target = smartTarget}, {}, 40, 60, 91000);
+}
+
+TEST(ScanAgreement, SmartInterrupts) {
+  runAll({.rungs = 5, .loops = false, .subroutines = false, .interrupts = true, .target = smartTarget}, anyMemory(), 30,
+         60, 92000);
+}
+
 TEST(ScanAgreement, ConeOfInfluence) {
   runAll({.rungs = 10, .jumps = false, .loops = false, .subroutines = false}, anyMemory(), 60, 60, 60000, Part::Cone);
 }

@@ -21,7 +21,8 @@ struct Rounded {
 std::optional<Rounded> roundedBy(std::string_view name) {
   if (name == "PID") return Rounded{0, {2, 7}};
   if (name == "STR") return Rounded{2, {0}};
-  if (name == "SIN" || name == "COS" || name == "TAN" || name == "LN" || name == "EXP") return Rounded{1, {0}};
+  if (name == "SIN" || name == "COS" || name == "TAN" || name == "LN" || name == "EXP" || name.starts_with("ARC"))
+    return Rounded{1, {0}};
   return std::nullopt;
 }
 

@@ -11,9 +11,9 @@ namespace rungproof::naive {
 
 Interpreter::Interpreter(const Program& program) : program_(program) {
   for (const Area area : {Area::I, Area::Q, Area::V, Area::M, Area::S, Area::SM, Area::L, Area::AI, Area::AQ})
-    memory[area].assign(area == Area::V ? 10240 + 512 : 1024, 0);  // behind the end of an area stands 0
-  memory[Area::SM][0] = 3;                                         // SM0.0, SM0.1
-  pidHistory.fill(true);                                           // 001:5295
+    memory[area].assign(isSmart(program.target) ? 32768 : area == Area::V ? 10240 + 512 : 1024, 0);  // 0 behind its end
+  memory[Area::SM][0] = 3;                                                                           // SM0.0, SM0.1
+  pidHistory.fill(true);                                                                             // 001:5295
 }
 
 void Interpreter::scan(int ticks10, int ticks100) {
@@ -242,7 +242,12 @@ bool Interpreter::compareInstruction(const Instruction& i, const std::string& na
     return static_cast<std::int32_t>(v);
   };
   const double a = number(x), b = number(y);
-  if (!std::isfinite(a) || !std::isfinite(b)) return fatal("F0012");
+  if (!std::isfinite(a) || !std::isfinite(b)) {
+    if (!isSmart(program_.target)) return fatal("F0012");
+    fail("000F");  // no comparison of an S7-200 SMART stops it
+    joinResult(joint, false);
+    return true;
+  }
   joinResult(joint, relation == "="    ? a == b
                     : relation == "<>" ? a != b
                     : relation == "<"  ? a < b

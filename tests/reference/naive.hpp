@@ -87,6 +87,7 @@ class Interpreter {
   void joinResult(const std::string& joint, bool holds);
   bool bistable(const Instruction& i, const std::string& name);
   void box(const Instruction& i, const std::string& name);
+  bool smartArithmetic(const Instruction& i, const std::string& name);
   bool arithmetic(const Instruction& i, const std::string& name);
   bool divide(const Instruction& i, const std::string& name);
   bool realArithmetic(const Instruction& i, const std::string& name);

@@ -102,6 +102,16 @@ std::map<std::string, std::string_view> allSignatures() {
                                                  {"TONR", "kw"},      {"TON.IEC", "kwXW"}, {"TOF.IEC", "kwXW"},
                                                  {"TP.IEC", "kwXW"},  {"BITIM", "D"},      {"CITIM", "dD"},
                                                  {"CALL", "k"},       {"CRET", ""},        {"RET", ""}};
+  // Of the S7-200 SMART.
+  for (const char* logic : {"NAND", "NOR", "NXOR"}) {
+    all[std::string(logic) + "B"] = "bB";
+    all[std::string(logic) + "W"] = "wW";
+    all[std::string(logic) + "D"] = "dD";
+  }
+  all["BCDDI"] = all["DIBCD"] = "D";
+  all["ABSI"] = "wW";
+  all["ABSDI"] = "dD";
+  all["ABSR"] = all["ARCSIN"] = all["ARCCOS"] = all["ARCTAN"] = "rR";
   for (const char* shift : {"SL", "SR", "RL", "RR"}) {
     all[std::string(shift) + "B"] = "Bb";
     all[std::string(shift) + "W"] = "Wb";

@@ -44,9 +44,9 @@ bool Interpreter::realFunction(const Instruction& i, const std::string& name) {
     write(i.operands[1], 4, static_cast<std::uint32_t>(static_cast<std::int64_t>(whole)));
     return true;
   }
-  static const std::map<std::string, double (*)(double)> functions = {{"SQRT", std::sqrt}, {"SIN", std::sin},
-                                                                      {"COS", std::cos},   {"TAN", std::tan},
-                                                                      {"LN", std::log},    {"EXP", std::exp}};
+  static const std::map<std::string, double (*)(double)> functions = {
+      {"SQRT", std::sqrt}, {"SIN", std::sin},     {"COS", std::cos},     {"TAN", std::tan},    {"LN", std::log},
+      {"EXP", std::exp},   {"ARCSIN", std::asin}, {"ARCCOS", std::acos}, {"ARCTAN", std::atan}};
   const auto function = functions.find(name);
   if (function == functions.end()) return false;
   const double x = asReal(read(i.operands[0], 4));

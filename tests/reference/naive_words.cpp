@@ -1,5 +1,7 @@
 // The naive interpreter: boxes that work on bytes, words and double words.
 
+#include <fmt/format.h>
+
 #include <bit>
 #include <cstdlib>
 
@@ -27,11 +29,33 @@ void Interpreter::box(const Instruction& i, const std::string& name) {
     setOrReset(i, name[0] == 'S', name.size() == 2);
   else if (name == "SHRB")
     shiftRegister(i);
-  else if (!arithmetic(i, name) && !divide(i, name) && !realArithmetic(i, name) && !realFunction(i, name) &&
-           !bitwise(i, name) && !shifts(i, name) && !moves(i, name) && !immediateMove(i, name) &&
-           !conversions(i, name) && !digits(i, name) && !numberToText(i, name) && !textToNumber(i, name) &&
-           !strings(i, name) && !tables(i, name) && !clockBox(i, name) && !interrupts(i, name) && !ports(i, name))
+  else if (!smartArithmetic(i, name) && !arithmetic(i, name) && !divide(i, name) && !realArithmetic(i, name) &&
+           !realFunction(i, name) && !bitwise(i, name) && !shifts(i, name) && !moves(i, name) &&
+           !immediateMove(i, name) && !conversions(i, name) && !digits(i, name) && !numberToText(i, name) &&
+           !textToNumber(i, name) && !strings(i, name) && !tables(i, name) && !clockBox(i, name) &&
+           !interrupts(i, name) && !ports(i, name))
     std::abort();
+}
+
+/// Of the S7-200 SMART: BCDDI and DIBCD in the place of their operand, absolute values.
+bool Interpreter::smartArithmetic(const Instruction& i, const std::string& name) {
+  if (name == "BCDDI" || name == "DIBCD") {
+    const std::uint32_t v = read(i.operands[0], 4);
+    const std::string base = name == "BCDDI" ? fmt::format("{:x}", v) : fmt::format("{}", v);
+    const bool bad = name == "BCDDI" ? base.find_first_of("abcdef") != std::string::npos : v > 99999999;
+    status(name == "BCDDI" ? 6 : 1, bad);
+    if (bad) return fail(name == "BCDDI" ? "SM1.6" : "SM1.1");
+    write(i.operands[0], 4, static_cast<std::uint32_t>(std::stoul(base, nullptr, name == "BCDDI" ? 10 : 16)));
+    return true;
+  }
+  if (name.substr(0, 3) != "ABS") return false;
+  const int bytes = name == "ABSI" ? 2 : 4;
+  const std::uint32_t v = read(i.operands[0], bytes);
+  const bool isNegative = (v >> (8 * bytes - 1) & 1) != 0;
+  const std::uint32_t r = !isNegative ? v : name == "ABSR" ? v ^ 0x80000000U : ~v + 1;
+  write(i.operands[1], bytes, r);
+  status(0, (bytes == 2 ? r & 0xFFFF : r) == 0);
+  return true;
 }
 
 bool Interpreter::arithmetic(const Instruction& i, const std::string& name) {
@@ -120,6 +144,12 @@ bool Interpreter::bitwise(const Instruction& i, const std::string& name) {
     r = read(i.operands[0], bytes) | read(i.operands[1], bytes);
   else if (operation == "XOR")
     r = read(i.operands[0], bytes) ^ read(i.operands[1], bytes);
+  else if (operation == "NAND")
+    r = ~(read(i.operands[0], bytes) & read(i.operands[1], bytes));
+  else if (operation == "NOR")
+    r = ~(read(i.operands[0], bytes) | read(i.operands[1], bytes));
+  else if (operation == "NXOR")
+    r = ~(read(i.operands[0], bytes) ^ read(i.operands[1], bytes));
   else
     return false;
   write(i.operands[at], bytes, r);

@@ -24,7 +24,8 @@ bool isAlone(const Desc& desc) {
 std::vector<std::string> mnemonics() {
   std::vector<std::string> list;
   for (const Desc& desc : instructionTable()) {
-    if (naive::signatureOf(std::string(desc.stl)) && isAlone(desc)) list.emplace_back(desc.stl);
+    const bool isOfS7200 = (desc.cpus & s7200Cpus) != 0;  // others: smart_test
+    if (isOfS7200 && naive::signatureOf(std::string(desc.stl)) && isAlone(desc)) list.emplace_back(desc.stl);
   }
   return list;
 }
