@@ -28,6 +28,7 @@ struct Arguments {
   std::vector<std::string> files;
   std::vector<std::string> properties;
   bool asDownloaded = false;
+  std::vector<std::string> only;
   bool builtin = false;
   bool selfCheck = false;
   std::string certificates;
@@ -41,10 +42,11 @@ constexpr std::size_t scansInText = 3, scansInPage = 16;  // the last ones of a 
 std::atomic<bool> interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler writes it");
 
-/// The first Ctrl-C ends the search and leads to the report, the second one ends the program.
+/// The first Ctrl-C or request to end leads to the report, the second one ends the program.
 extern "C" void onInterrupt(int) {
   interrupted = true;
   std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
 }
 
 /// File names made of the names of properties; no two properties get the same one.
@@ -119,7 +121,8 @@ PropertyResult rowOf(const Context& context, const Arguments& arguments, Evidenc
     const Trace trace = traceOf(program, choices, *result.witness, signalsThatMatter(program, result), 100000, true);
     if (const std::string start = startText(program, choices, *result.witness); !start.empty())
       row.notes.push_back("memory at the start: " + start);
-    for (const std::string& line : tableOf(trace)) row.notes.push_back(line);
+    row.run = tableOf(trace);
+    row.notes.insert(row.notes.end(), row.run.begin(), row.run.end());
     if (const Instruction* place = result.witness->place; place != nullptr) {
       row.notes.push_back(fmt::format("inside the last scan, in front of '{}' at {}", Facts::text(*place),
                                       placeText(*program.sources, place->span)));
@@ -133,8 +136,8 @@ PropertyResult rowOf(const Context& context, const Arguments& arguments, Evidenc
   if (!result.certificate.empty()) {
     const std::string name = fileIn(arguments.certificates, stem + ".smt2");
     const std::string head = certificateHead(program, assumptions, result, stem + ".smt2");
-    if (context.write({"smt2", name}, head + result.certificate))
-      row.notes.push_back(fmt::format("certificate: {}", name));
+    if (context.write({"smt2", name}, head + result.certificate)) row.certificate = name;
+    if (!row.certificate.empty()) row.notes.push_back(fmt::format("certificate: {}", name));
   }
   return row;
 }
@@ -186,11 +189,14 @@ void proveInto(Report& part, const Context& context, const Settings& settings, c
   options.certificates = !arguments.certificates.empty();
   options.unread = &unread;
   options.cancel = &interrupted;
-  const auto before = std::signal(SIGINT, onInterrupt);
+  const auto before = std::signal(SIGINT, onInterrupt), beforeTerm = std::signal(SIGTERM, onInterrupt);
   const ProofRun proof =
       prove(program, properties, options, [&](const ProofResult& result, std::size_t done, std::size_t total) {
         if (context.progress)
-          context.err << fmt::format("\rprove: {} of {}: {}\x1B[K", done, total, result.property.name) << std::flush;
+          context.err << fmt::format("\rprove: {} of {}: {} {}{} in {:.1f} s\x1B[K", done, total,
+                                     verdictText(result.outcome, result.depth), result.property.name,
+                                     result.method.empty() ? "" : " by " + result.method, result.seconds)
+                      << std::flush;
         return true;
       });
   if (context.progress) context.err << "\r\x1B[K" << std::flush;
@@ -208,6 +214,7 @@ void proveInto(Report& part, const Context& context, const Settings& settings, c
     context.err << "rungproof: no faults are planted: a part of the program is not executed\n";
   }
   std::signal(SIGINT, before);
+  std::signal(SIGTERM, beforeTerm);
   part.assumptions = proof.assumptions;
   part.techniques = proof.techniques;
   part.coverage.approximated.insert(part.coverage.approximated.end(), proof.approximations.begin(),
@@ -221,14 +228,34 @@ void proveInto(Report& part, const Context& context, const Settings& settings, c
   }
 }
 
+/// Leaves the properties that --only names; assumptions stay. The names that are met.
+std::set<std::string> keepOnly(const std::vector<std::string>& only, PropertySet& set) {
+  std::set<std::string> met;
+  if (only.empty()) return met;
+  std::erase_if(set.properties, [&](const Property& property) {
+    if (!property.isGoal()) return false;
+    bool isKept = false;
+    for (const std::string& pattern : only) {
+      if (!fitsPattern(property.name, pattern)) continue;
+      met.insert(pattern);
+      isKept = true;
+    }
+    return !isKept;
+  });
+  return met;
+}
+
 Exit run(const Arguments& arguments, Context& context) {
   ReportMerger merger;
   EvidenceNames names;
+  std::set<std::string> met;
   interrupted = false;
-  for (const std::vector<std::string>& files : groupByProgram(context, arguments.files)) {
+  const std::vector<std::vector<std::string>> programs = groupByProgram(context, arguments.files);
+  for (const std::vector<std::string>& files : programs) {
     const Settings& settings = context.settingsOf(files);
     ProgramInput input = readInput(context, settings, files, arguments.properties);
     std::vector<std::string> leftOut = arguments.asDownloaded ? leaveOut(input.program) : std::vector<std::string>();
+    met.merge(keepOnly(arguments.only, input.properties));
     Report part = startReport("prove", input.program, files);
     part.coverage.leftOut = std::move(leftOut);
     std::erase_if(part.findings, [](const Finding& finding) { return finding.severity != Severity::Error; });
@@ -246,9 +273,20 @@ Exit run(const Arguments& arguments, Context& context) {
     }
     const PlaceIndex places(input.program);
     for (Finding& finding : part.findings) places.complete(finding);
+    if (programs.size() > 1) {
+      for (PropertyResult& property : part.properties) property.program = nameInProject(files.front(), settings.root());
+    }
     merger.add(part);
   }
+  std::vector<ExitReason> unmet;
+  for (const std::string& pattern : arguments.only) {
+    if (met.contains(pattern)) continue;
+    print(context.err,
+          {fmt::format("no property is called '{}'", pattern), {}, "--only takes the names of properties"});
+    unmet.push_back({Exit::Failed, fmt::format("'{}' was not checked", pattern)});
+  }
   Report report = merger.take();
+  report.reasons.insert(report.reasons.end(), unmet.begin(), unmet.end());
   if (report.properties.empty() && report.reasons.empty())
     report.reasons.push_back({Exit::Failed, "nothing was checked"});
   return finish(context, std::move(report));
@@ -258,6 +296,7 @@ Action setup(ArgumentTable& table) {
   auto arguments = std::make_shared<Arguments>();
   table.arguments("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input");
   table.option("--props", arguments->properties, "FILE", "property file; may be repeated");
+  table.list("--only", arguments->only, "NAME", "prove these properties only; * and ? stand for any characters");
   table.flag("--builtin", arguments->builtin,
              "also the built-in checks: set/reset conflicts, operand ranges, timers, division, loops");
   table.flag(

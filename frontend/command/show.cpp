@@ -184,6 +184,13 @@ class Show {
                                          simulator.scanCount(), lit_->scan)});
         return false;
       }
+      if (const StimulusRow* last = stimulus.rows.empty() ? nullptr : &stimulus.rows.back();
+          last == nullptr ||
+          (stimulus.isByTime ? simulator.timeUs() > last->timeUs : simulator.scanCount() >= last->scan)) {
+        failures_.push_back({fmt::format("the trace ends before scan {}", lit_->scan), lit_->trace,
+                             fmt::format("its last scan is {}", simulator.scanCount())});
+        return false;
+      }
       recorder.beginScan(simulator.scanCount() + 1 == lit_->scan);
       simulator.scan(player.next());
     }

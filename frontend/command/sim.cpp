@@ -298,7 +298,7 @@ Action setup(ArgumentTable& table) {
   table.option("--trace", arguments->traces, "FILE",
                "write the trace: .csv .vcd .json .svg .html, or '-'; may be repeated");
   table.list("--signals", arguments->signals, "LIST", "addresses or symbols to trace; all that the program touches");
-  table.number("--scans", arguments->scans, "N", "run so many scans; until stimulus and expected trace end, or 100", 0,
+  table.number("--scans", arguments->scans, "N", "run so many scans; until stimulus and expected trace end, or 100", 1,
                static_cast<std::int64_t>(mostScans));
   table.option("--duration", arguments->duration, "TIME", "run for this time, such as 30s");
   table.option("--tolerance", arguments->tolerances, "SIGNAL=VALUE", "how far a value may be off; may be repeated");

@@ -5,21 +5,21 @@
 
 namespace rungproof {
 
-std::string fingerprintOf(const Finding& finding, const SourceSet& sources) {
+std::string fingerprintOf(const std::vector<std::string>& parts) {
   std::uint64_t hash = 0xCBF29CE484222325ULL;
-  const auto add = [&](std::string_view text, bool withSpaces) {
-    for (const char c : text) {
-      if (!withSpaces && (c == ' ' || c == '\t')) continue;
-      hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3ULL;
-    }
-    hash = (hash ^ 0xFF) * 0x100000001B3ULL;  // a byte that UTF-8 never holds ends each part
-  };
-  const SourceFile& file = sources.file(finding.span.file);
-  add(finding.rule, true);
-  add(finding.pou, true);
-  add(finding.address, true);
-  add(file.line(file.position(finding.span.offset).line), false);
+  const auto add = [&](unsigned char byte) { hash = (hash ^ byte) * 0x100000001B3ULL; };
+  for (const std::string& part : parts) {
+    for (const char c : part) add(static_cast<unsigned char>(c));
+    add(0xFF);  // a byte that UTF-8 never holds ends each part
+  }
   return fmt::format("{:016x}", hash);
+}
+
+std::string fingerprintOf(const Finding& finding, const SourceSet& sources) {
+  const SourceFile& file = sources.file(finding.span.file);
+  std::string line(file.line(file.position(finding.span.offset).line));
+  std::erase_if(line, [](char c) { return c == ' ' || c == '\t'; });
+  return fingerprintOf({finding.rule, finding.pou, finding.address, line});
 }
 
 }  // namespace rungproof

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "ir/finding.hpp"
 
@@ -11,5 +12,7 @@ namespace rungproof {
 
 /// 16 hexadecimal digits.
 std::string fingerprintOf(const Finding& finding, const SourceSet& sources);
+/// Of texts that belong together.
+std::string fingerprintOf(const std::vector<std::string>& parts);
 
 }  // namespace rungproof

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "analysis/read_errors.hpp"
+#include "analysis/rule.hpp"
 
 namespace rungproof {
 

@@ -179,6 +179,11 @@ class Parser {
     property.first = truth();
     if (property.first.nodes.size() != 1 || property.first.root().op != ExprOp::Address)
       throw Mistake{syntaxRule, address.span, "'pulse' needs one input bit", "write: pulse I0.0 at most every 50ms"};
+    const Area area = property.first.root().operand.area;
+    if (area != Area::I && (area == Area::Q || !mayBeExternal(area)))
+      throw Mistake{syntaxRule, address.span,
+                    fmt::format("{} is no input: nothing outside the program sets it", address.text),
+                    "write: pulse I0.0 at most every 50ms"};
     expect("at");
     expect("most");
     expect("every");

@@ -21,7 +21,7 @@ void write(const Report& report, const ReportStyle& style, std::ostream& out) {
   }
   for (const PropertyResult& property : report.properties) {
     const std::string place = property.span ? placeText(*report.sources, *property.span) + ": " : std::string();
-    out << fmt::format("{}{} {}{}\n", place, verdictText(property.verdict, property.depth), property.name,
+    out << fmt::format("{}{} {}{}\n", place, verdictText(property.verdict, property.depth), property.title(),
                        property.trace.empty() ? "" : " (" + property.trace + ")");
   }
   if (report.comparison && report.comparison->isOfPrograms())

@@ -34,9 +34,10 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
     const SourceFile& file = report.sources->file(finding.span.file);
     const Position begin = file.position(finding.span.offset);
     const Position end = file.position(finding.span.offset + finding.span.length);
-    out << fmt::format("::{} file={},line={},endLine={},col={},title={}::{}\n", levelName(finding.severity),
+    out << fmt::format("::{} file={},line={},endLine={},col={},title={}::{}{}\n", levelName(finding.severity),
                        escaped(file.name(), true), begin.line, end.line, begin.column, escaped(finding.rule, true),
-                       escaped(finding.message, false));
+                       escaped(finding.message, false),
+                       finding.confirmation == Confirmation::Unconfirmed ? " (unconfirmed)" : "");
   }
   for (const PropertyResult& property : report.properties) {
     const bool good = property.verdict == Outcome::Proved || property.verdict == Outcome::Reachable;
@@ -46,8 +47,13 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
       const SourceFile& file = report.sources->file(property.span->file);
       place = fmt::format("file={},line={},", escaped(file.name(), true), file.position(property.span->offset).line);
     }
-    out << fmt::format("::error {}title={}::{}\n", place, escaped(verdictText(property.verdict, property.depth), true),
-                       escaped(property.name, false));
+    const bool isOpen = property.verdict == Outcome::Unknown || property.verdict == Outcome::HoldsToBound ||
+                        property.verdict == Outcome::NotCovered;
+    std::string text = property.title();
+    if (!property.statement.empty()) text += ": " + property.statement;
+    for (const std::string& line : property.run) text += '\n' + line;
+    out << fmt::format("::{} {}title={}::{}\n", isOpen ? "warning" : "error", place,
+                       escaped(verdictText(property.verdict, property.depth), true), escaped(text, false));
   }
   if (report.comparison && !report.comparison->equal) {
     const std::string& verdict = report.comparison->verdict;

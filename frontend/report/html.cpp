@@ -126,7 +126,7 @@ class HtmlWriter {
       const bool good = property.verdict == Outcome::Proved || property.verdict == Outcome::Reachable;
       const bool bad = property.verdict == Outcome::Violated || property.verdict == Outcome::Unreachable ||
                        property.verdict == Outcome::Vacuous;
-      std::string text = fmt::format("<b>{}</b>", xmlText(property.name));
+      std::string text = fmt::format("<b>{}</b>", xmlText(property.title()));
       if (!property.statement.empty()) text += fmt::format("<br><code>{}</code>", xmlText(property.statement));
       writeNotes(property.notes, text);
       if (!property.networks.empty())
@@ -172,7 +172,7 @@ class HtmlWriter {
           "<button class=back>scan back</button> "
           "<button class=forward>scan forward</button> <button class=last>last</button> <span "
           "class=where></span></p>\n",
-          verdictText(property.verdict, property.depth), xmlText(property.name));
+          verdictText(property.verdict, property.depth), xmlText(property.title()));
       for (const ShownScan& scan : property.scans) writeScan(scan);
       out_ << "</section>\n";
     }

@@ -92,7 +92,7 @@ class HumanWriter {
                      property.verdict == Outcome::Vacuous;
     const Painter painter = good ? &Paint::green : bad ? &Paint::red : &Paint::yellow;
     out_ << fmt::format("{}  {}", (paint_.*painter)(verdictText(property.verdict, property.depth)),
-                        paint_.bold(property.name));
+                        paint_.bold(property.title()));
     if (!property.method.empty()) out_ << fmt::format("  by {}", property.method);
     out_ << fmt::format("  in {:.2f} s\n", property.seconds);
     if (property.span && hasPlace(*property.span)) {

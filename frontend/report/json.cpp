@@ -48,14 +48,20 @@ Json findingJson(const Finding& finding, const SourceSet& sources) {
   return json;
 }
 
-Json propertyJson(const PropertyResult& property) {
+Json propertyJson(const PropertyResult& property, const SourceSet* sources) {
+  const bool hasPlace = sources != nullptr && property.span.has_value();
   return {{"name", property.name},
+          {"program", textOrNull(property.program)},
+          {"file", hasPlace ? Json(sources->file(property.span->file).name()) : Json(nullptr)},
+          {"line", hasPlace ? Json(sources->position(*property.span).line) : Json(nullptr)},
+          {"expression", textOrNull(property.statement)},
           {"kind", resultKindName(property.kind)},
           {"verdict", verdictText(property.verdict, property.depth)},
           {"method", property.method},
           {"depth", property.depth},
           {"seconds", property.seconds},
           {"trace", textOrNull(property.trace)},
+          {"certificate", textOrNull(property.certificate)},
           {"assumptions", property.assumptions},
           {"networks", textOrNull(property.networks)},
           {"notes", property.notes}};
@@ -128,7 +134,7 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
   for (const Finding& finding : report.findings) json["findings"].push_back(findingJson(finding, *report.sources));
   json["properties"] = Json::array();
   for (const PropertyResult& property : report.properties) {
-    Json row = propertyJson(property);
+    Json row = propertyJson(property, report.sources.get());
     // The assumptions of the run hold for each property; who reads one row must see all of them.
     Json all = report.assumptions;
     for (const std::string& own : property.assumptions) all.push_back(own);

@@ -1,5 +1,5 @@
 // JUnit XML: a test suite for each file (findings) and one for the properties, as CI servers read it.
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <ostream>
 #include <pugixml.hpp>
@@ -59,6 +59,7 @@ class JunitWriter {
       pugi::xml_node test =
           addCase(suite, name, fmt::format("{} line {} column {}", finding.rule, place.line, place.column), 0);
       std::string text = fmt::format("{}: {}", placeText(*report_.sources, finding.span), finding.message);
+      if (finding.confirmation == Confirmation::Unconfirmed) text += " (unconfirmed)";
       if (!finding.help.empty()) text += "\nhelp: " + finding.help;
       addFailure(test, std::string(severityName(finding.severity)), finding.message, text);
       ++count;
@@ -76,7 +77,8 @@ class JunitWriter {
     std::size_t failed = 0;
     std::size_t skipped = 0;
     for (const PropertyResult& property : report_.properties) {
-      pugi::xml_node test = addCase(suite, "properties", property.name, property.seconds);
+      pugi::xml_node test =
+          addCase(suite, property.program.empty() ? "properties" : property.program, property.name, property.seconds);
       const std::string verdict = verdictText(property.verdict, property.depth);
       switch (property.verdict) {
         case Outcome::Proved:
@@ -84,7 +86,9 @@ class JunitWriter {
         case Outcome::Violated:
         case Outcome::Unreachable:
         case Outcome::Vacuous:
-          addFailure(test, verdict, property.statement.empty() ? property.name : property.statement, property.trace);
+          addFailure(
+              test, verdict, property.statement.empty() ? property.name : property.statement,
+              fmt::format("{}{}{}", fmt::join(property.run, "\n"), property.run.empty() ? "" : "\n", property.trace));
           ++failed;
           break;
         default: test.append_child("skipped").append_attribute("message") = verdict.c_str(); ++skipped;

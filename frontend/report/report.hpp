@@ -53,6 +53,12 @@ struct PropertyResult {
   std::string networks;                  ///< that the verdict rests on: "MAIN 1, 3-5; SBR_0 2", or empty
   std::vector<std::string> notes;        ///< what was tried, which lines are not covered, what the witness shows
   std::vector<ShownScan> scans{};        ///< the last scans of the witness as drawings
+  std::vector<std::string> run{};        ///< the witness as a table, a line each, heading first
+  std::string certificate{};             ///< file, or empty
+  std::string program{};                 ///< its first file where the report is about several programs
+
+  /// With the program if there are several.
+  std::string title() const { return program.empty() ? name : name + " of " + program; }
 };
 
 /// A row of the table around the first difference: the values of all compared signals in one scan.

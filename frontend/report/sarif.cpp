@@ -83,14 +83,44 @@ Json resultOf(const Finding& finding, const Report& report, std::size_t ruleInde
                       {"artifactChanges", Json::array({change})}}});
   }
   result["partialFingerprints"] = {{"rungproof/v1", fingerprintOf(finding, sources)}};
+  if (finding.confirmation == Confirmation::Unconfirmed) {
+    result["message"] = {{"text", finding.message + " (unconfirmed)"}};
+    result["kind"] = "review";
+    result["level"] = "none";
+  }
   return result;
 }
 
+std::string idOf(const PropertyResult& property) {
+  return (property.program.empty() ? "property/" : "property/" + property.program + "/") + property.name;
+}
+
+/// A property is a rule of the program's own.
+Json ruleObject(const PropertyResult& property) {
+  Json rule = {{"id", idOf(property)}, {"name", property.name}};
+  rule["shortDescription"] = {{"text", property.statement.empty() ? property.name : property.statement}};
+  rule["defaultConfiguration"] = {{"level", "error"}};
+  return rule;
+}
+
+/// The run that breaks it, scan by scan, as steps of one thread.
+Json codeFlowOf(const PropertyResult& property, const Report& report) {
+  Json steps = Json::array();
+  for (std::size_t i = 1; i < property.run.size(); ++i) {
+    Json location = {{"message", {{"text", property.run.front() + " : " + property.run[i]}}}};
+    if (property.span) location["physicalLocation"] = physicalLocation(*report.sources, *property.span);
+    steps.push_back({{"location", location}});
+  }
+  return Json::array({{{"threadFlows", Json::array({{{"locations", steps}}})}}});
+}
+
 /// Verdicts on properties are results too; proofs have kind "pass".
-Json resultOf(const PropertyResult& property, const Report& report) {
-  Json result = {
-      {"ruleId", "property/" + property.name},
-      {"message", {{"text", fmt::format("{}: {}", verdictText(property.verdict, property.depth), property.name)}}}};
+Json resultOf(const PropertyResult& property, const Report& report, std::size_t ruleIndex) {
+  Json result = {{"ruleId", idOf(property)},
+                 {"ruleIndex", ruleIndex},
+                 {"message",
+                  {{"text", fmt::format("{}: {}{}{}", verdictText(property.verdict, property.depth), property.title(),
+                                        property.statement.empty() ? "" : ": ", property.statement)}}}};
   const bool good = property.verdict == Outcome::Proved || property.verdict == Outcome::Reachable;
   const bool bad = property.verdict == Outcome::Violated || property.verdict == Outcome::Unreachable ||
                    property.verdict == Outcome::Vacuous;
@@ -98,6 +128,8 @@ Json resultOf(const PropertyResult& property, const Report& report) {
   result["level"] = bad ? "error" : "none";
   if (property.span)
     result["locations"] = Json::array({{{"physicalLocation", physicalLocation(*report.sources, *property.span)}}});
+  if (property.run.size() > 1) result["codeFlows"] = codeFlowOf(property, report);
+  result["partialFingerprints"] = {{"rungproof/v1", fingerprintOf({idOf(property), property.statement})}};
   return result;
 }
 
@@ -110,7 +142,11 @@ void write(const Report& report, const ReportStyle&, std::ostream& out) {
     if (isNew) rules.push_back(ruleObject(finding.rule));
     results.push_back(resultOf(finding, report, entry->second));
   }
-  for (const PropertyResult& property : report.properties) results.push_back(resultOf(property, report));
+  for (const PropertyResult& property : report.properties) {
+    const auto [entry, isNew] = ruleIndex.emplace(idOf(property), rules.size());
+    if (isNew) rules.push_back(ruleObject(property));
+    results.push_back(resultOf(property, report, entry->second));
+  }
   const Json run = {
       {"tool", {{"driver", {{"name", "rungproof"}, {"semanticVersion", programVersion()}, {"rules", rules}}}}},
       {"columnKind", "unicodeCodePoints"},

@@ -174,6 +174,13 @@ std::optional<StimulusColumn> stimulusColumn(const Program& program, const std::
   if (!signal) return std::nullopt;
   StimulusColumn column;
   column.signal = *signal;
+  const Area area = signal->operand.area;
+  if (!isRecorded && (area == Area::Q || area == Area::AQ)) {
+    failure = {fmt::format("{} is an output: the program drives it, a stimulus does not", name),
+               {},
+               "remove the column, or give the file to --expect"};
+    return std::nullopt;
+  }
   const bool applies = !isRecorded || isSurrounding(program, signal->operand);
   column.target = applies ? StimulusTarget::Memory : StimulusTarget::None;
   return column;

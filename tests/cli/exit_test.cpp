@@ -216,5 +216,18 @@ TEST(Completion, EveryShellNamesEveryCommand) {
   }
 }
 
+/// As an editor of Windows writes it: with a byte order mark, or a comment in CP1252.
+TEST(PropertyFiles, OfAnyEncodingAreRead) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("a.awl", test::mainBlock("Network 1\nLD I0.0\n= Q0.0\n"));
+  const std::string statement = "prove lamp: Q0.0 implies I0.0\n";
+  for (const std::string& head : {std::string("\xEF\xBB\xBF"), std::string("# Pr\xFC"
+                                                                           "fung\n")}) {
+    const ProgramRun result = run({"prove", "--props", folder.file("a.prop", head + statement), file});
+    EXPECT_EQ(result.exit, 0) << result.out;
+    EXPECT_NE(result.out.find("PROVED  lamp"), std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace rungproof

@@ -70,6 +70,37 @@ TEST(ExitOf, FollowsTheContract) {
   EXPECT_EQ(exitOf(compared), Exit::Found);
 }
 
+TEST(JsonReport, SaysWhereAPropertyStandsAndWhatItSays) {
+  PropertyResult declared = property(Outcome::Proved);
+  declared.statement = "prove p: Q0.0 implies I0.0";
+  declared.span = Span{0, 8, 6};
+  declared.certificate = "proofs/p.smt2";
+  PropertyResult builtin = property(Outcome::Proved);
+  builtin.kind = ResultKind::Builtin;
+  std::ostringstream text;
+  reporterNamed("json")->write(reportWith({}, {declared, builtin}), {}, text);
+  const nlohmann::json rows = nlohmann::json::parse(text.str())["properties"];
+  EXPECT_EQ(rows[0]["file"], "a.awl");
+  EXPECT_EQ(rows[0]["line"], 2);
+  EXPECT_EQ(rows[0]["expression"], "prove p: Q0.0 implies I0.0");
+  EXPECT_EQ(rows[0]["certificate"], "proofs/p.smt2");
+  for (const char* key : {"file", "line", "expression", "certificate"}) EXPECT_TRUE(rows[1][key].is_null()) << key;
+}
+
+TEST(ExitReason, IsTheWorstOfAll) {
+  Report report = reportWith({finding("ADR011", Severity::Note)});
+  EXPECT_EQ(exitReasonOf(report).text, "findings below 'warning' do not fail");
+  report.failLevel = Severity::Note;
+  EXPECT_EQ(exitReasonOf(report).exit, Exit::Found);
+  report.reasons.push_back({Exit::Undecided, "a part of the program was not read"});
+  EXPECT_EQ(exitReasonOf(report).exit, Exit::Found);
+  report.exitsZero = true;
+  EXPECT_EQ(exitReasonOf(report).exit, Exit::Clean);
+  report.reasons.push_back({Exit::Failed, "nothing was checked"});
+  EXPECT_EQ(exitReasonOf(report).exit, Exit::Failed) << "--exit-zero is no way round what could not be done";
+  EXPECT_EQ(exitReasonOf(report).text, "nothing was checked");
+}
+
 TEST(Worse, PrefersFailedThenFoundThenUndecided) {
   EXPECT_EQ(worse(Exit::Undecided, Exit::Found), Exit::Found);
   EXPECT_EQ(worse(Exit::Failed, Exit::Found), Exit::Failed);
