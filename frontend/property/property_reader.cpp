@@ -7,13 +7,11 @@
 #include <algorithm>
 #include <set>
 
-#include "frontend/disk_file.hpp"
 #include "frontend/missing_address.hpp"
 #include "frontend/property/property_lexer.hpp"
 #include "frontend/property/property_message.hpp"
 #include "frontend/property/property_types.hpp"
 #include "frontend/settings/external_range.hpp"
-#include "frontend/stl/encoding.hpp"
 #include "ir/desc.hpp"
 
 namespace rungproof {
@@ -566,54 +564,6 @@ void readPropertyText(std::uint32_t file, std::string_view text, std::uint32_t o
     }
     begin = stop + 1;
   }
-}
-
-namespace {
-
-bool declaresNothing(std::string_view text) {
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    const std::size_t first = line.find_first_not_of(" \t\r");
-    if (first != std::string_view::npos && line[first] != '#') return false;
-  }
-  return true;
-}
-
-}  // namespace
-
-PropertySet readProperties(Program& program, const std::vector<std::string>& files, const OperandLookup& lookup,
-                           const std::filesystem::path& root) {
-  PropertySet set;
-  for (const Directive& directive : program.directives) {
-    readPropertyText(directive.span.file, directive.text, directive.span.offset, lookup, set, program.findings,
-                     &program.target);
-  }
-  for (const std::string& name : files) {
-    const std::optional<std::string> content = bytesOfInput(name);
-    if (!content) {
-      Finding finding;
-      finding.rule = syntaxRule;
-      finding.span = {program.sources->add(name, ""), 0, 0};
-      finding.message = fmt::format("cannot open the property file '{}'", name);
-      finding.help = "check the name given to --props, and that it is a file";
-      program.findings.push_back(std::move(finding));
-      continue;
-    }
-    const std::uint32_t file =
-        program.sources->add(nameInProject(name, root), decode(*content, TextEncoding::Auto).text);
-    if (declaresNothing(program.sources->file(file).text())) {
-      Finding finding;
-      finding.rule = syntaxRule;
-      finding.span = {file, 0, 0};
-      finding.message = fmt::format("the property file '{}' declares nothing", name);
-      finding.help = "write for example: prove no_shoot_through: never Q0.0 and Q0.1";
-      program.findings.push_back(std::move(finding));
-    }
-    readPropertyText(file, program.sources->file(file).text(), 0, lookup, set, program.findings, &program.target);
-  }
-  return set;
 }
 
 }  // namespace rungproof

@@ -124,23 +124,23 @@ struct BadTable {
   std::string kind, text, place, message;
 };
 const std::vector<BadTable> badTables = {
-    {"unknown signal", "scan,Q0.0,Strat\n1,1,1\n", ":1:11", "'Strat' is no address and no symbol"},
-    {"address that the CPU lacks", "scan,Q99.0\n1,1\n", ":1:6", "the CPU 226 has no Q99.0"},
-    {"unsorted scans", "scan,Q0.0\n3,1\n2,0\n", ":3:1", "scan 2 comes after scan 3"},
-    {"unsorted times", "time_ms,Q0.0\n10,1\n10,0\n", ":3:1", "time 10 comes after 10 ms"},
-    {"wrong type", "scan,Q0.0\n1,on\n", ":2:3", "'on' is no value for Q0.0"},
+    {"unknown signal", "scan,I0.0,Strat\n1,1,1\n", ":1:11", "'Strat' is no address and no symbol"},
+    {"address that the CPU lacks", "scan,I99.0\n1,1\n", ":1:6", "the CPU 226 has no I99.0"},
+    {"unsorted scans", "scan,I0.0\n3,1\n2,0\n", ":3:1", "scan 2 comes after scan 3"},
+    {"unsorted times", "time_ms,I0.0\n10,1\n10,0\n", ":3:1", "time 10 comes after 10 ms"},
+    {"wrong type", "scan,I0.0\n1,on\n", ":2:3", "'on' is no value for I0.0"},
     {"fraction in a word", "scan,VW0\n1,1.5\n", ":2:3", "VW0 takes whole numbers"},
     {"value out of range", "scan,VW0\n1,70000\n", ":2:3", "VW0 does not hold 70000"},
-    {"bit out of range", "scan,Q0.0\n1,2\n", ":2:3", "Q0.0 is a bit"},
-    {"ragged row", "scan,Q0.0\n1,1\n2\n", ":3:1", "this row has 1 cells, the heading has 2"},
+    {"bit out of range", "scan,I0.0\n1,2\n", ":2:3", "I0.0 is a bit"},
+    {"ragged row", "scan,I0.0\n1,1\n2\n", ":3:1", "this row has 1 cells, the heading has 2"},
     {"missing heading", "1,1\n2,0\n", ":1:1", "the first column is '1'"},
     {"column without heading", "scan,\n1,1\n", ":1:6", "this column has no heading"},
-    {"column twice", "scan,Q0.0,Q0.0\n1,1,1\n", ":1:11", "stands here twice"},
-    {"scan number", "scan,Q0.0\n0,1\n", ":2:1", "'0' is no scan number"},
-    {"time", "time_ms,Q0.0\n-5,1\n", ":2:1", "'-5' is no time in ms"},
+    {"column twice", "scan,I0.0,I0.0\n1,1,1\n", ":1:11", "stands here twice"},
+    {"scan number", "scan,I0.0\n0,1\n", ":2:1", "'0' is no scan number"},
+    {"time", "time_ms,I0.0\n-5,1\n", ":2:1", "'-5' is no time in ms"},
     {"empty file", "", ":1:1", "the file is empty"},
     {"blank lines only", "\n\n", ":1:1", "the file is empty"},
-    {"open quotes", "scan,Q0.0\n1,\"1\n", ":2:3", "are not closed"},
+    {"open quotes", "scan,I0.0\n1,\"1\n", ":2:3", "are not closed"},
 };
 
 TEST_F(SimCommand, BadStimulusNamesFileLineColumnAndHelp) {

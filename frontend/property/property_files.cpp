@@ -1,0 +1,62 @@
+// Property files and the statements in comments of a program, read as one set.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "frontend/disk_file.hpp"
+#include "frontend/property/property_message.hpp"
+#include "frontend/property/property_reader.hpp"
+#include "frontend/stl/encoding.hpp"
+
+namespace rungproof {
+
+namespace {
+
+bool declaresNothing(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    if (first != std::string_view::npos && line[first] != '#') return false;
+  }
+  return true;
+}
+
+void report(Program& program, std::uint32_t file, std::string message, std::string help) {
+  Finding finding;
+  finding.rule = std::string(propertyMessages[0].id);
+  finding.span = {file, 0, 0};
+  finding.message = std::move(message);
+  finding.help = std::move(help);
+  program.findings.push_back(std::move(finding));
+}
+
+}  // namespace
+
+PropertySet readProperties(Program& program, const std::vector<std::string>& files, const OperandLookup& lookup,
+                           const std::filesystem::path& root) {
+  PropertySet set;
+  for (const Directive& directive : program.directives) {
+    readPropertyText(directive.span.file, directive.text, directive.span.offset, lookup, set, program.findings,
+                     &program.target);
+  }
+  for (const std::string& name : files) {
+    const std::optional<std::string> content = bytesOfInput(name);
+    if (!content) {
+      report(program, program.sources->add(name, ""), fmt::format("cannot open the property file '{}'", name),
+             "check the name given to --props, and that it is a file");
+      continue;
+    }
+    const std::uint32_t file =
+        program.sources->add(nameInProject(name, root), decode(*content, TextEncoding::Auto).text);
+    const std::string_view text = program.sources->file(file).text();
+    if (declaresNothing(text))
+      report(program, file, fmt::format("the property file '{}' declares nothing", name),
+             "write for example: prove no_shoot_through: never Q0.0 and Q0.1");
+    readPropertyText(file, text, 0, lookup, set, program.findings, &program.target);
+  }
+  return set;
+}
+
+}  // namespace rungproof
