@@ -199,15 +199,29 @@ class ContractBuilder {
     if (kind == OperandKind::Direct || kind == OperandKind::Indirect) contract_.outputs.push_back({place, type});
   }
 
-  /// An address: how much stands there nobody says.
+  /// An address: how much stands there nobody says. A double word may hold any address that the program forms.
   void address(std::uint32_t place) {
-    if (call_.operands[place].kind == OperandKind::Address) buffer(place, longest_);
+    const Operand& o = call_.operands[place];
+    if (o.kind == OperandKind::Address) return buffer(o, longest_);
+    const bool isPlace = o.kind == OperandKind::Direct || o.kind == OperandKind::Indirect;
+    if (!isPlace || (o.area != Area::AC && o.width != Width::DWord)) return;
+    for (const Pou& pou : program_.pous) {
+      for (const Network& network : pou.networks) {
+        for (const Instruction& instruction : network.instructions) {
+          for (const Operand& formed : instruction.operands) {
+            if (formed.kind == OperandKind::Address) buffer(formed, longest_);
+          }
+        }
+      }
+    }
   }
 
   /// `length` bytes, at most to the end of the area, from what the operand points to.
   void buffer(std::size_t place, std::uint32_t length) {
     if (place == 0 || place >= call_.operands.size() || length == 0) return;
-    const Operand& o = call_.operands[place];
+    buffer(call_.operands[place], length);
+  }
+  void buffer(const Operand& o, std::uint32_t length) {
     std::optional<Area> area;
     std::uint32_t first = 0;
     if (o.kind == OperandKind::Address) {

@@ -366,5 +366,17 @@ TEST(Contract, AMissingNumberIsNoOtherBlock) {
     EXPECT_FALSE(finding.rule.starts_with("SUB") && finding.severity != Severity::Note) << finding.message;
 }
 
+/// What is formed with & may be handed over in any double word, also by way of an accumulator or a pointer.
+TEST(Contract, ADoubleWordMayHoldAnyAddressThatTheProgramForms) {
+  for (const char* given : {"VD0", "AC1", "*VD4"}) {
+    const std::string program = std::string("LD SM0.0;MOVD &VB200,VD0;MOVD &VB200,AC1;MOVD &VB0,VD4;CALL SBR21, ") +
+                                given + ", M5.0|LD V210.0;= Q0.0";
+    EXPECT_EQ(verdictOn(program, "never Q0.0"), Outcome::Violated) << given;
+    EXPECT_EQ(verdictOn(program, "Q0.0 = V210.0"), Outcome::Proved) << given;
+  }
+  EXPECT_EQ(verdictOn("LD SM0.0;MOVD &VB200,VD0;CALL SBR21, VW0, M5.0|LD V210.0;= Q0.0", "never Q0.0"), Outcome::Proved)
+      << "a word holds no address";
+}
+
 }  // namespace
 }  // namespace rungproof
