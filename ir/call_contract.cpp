@@ -121,7 +121,7 @@ class ContractBuilder {
       byOperands(named);
     const bool writesNothing = contract_.outputs.empty() && contract_.memory.empty() && !contract_.fillsAnyV;
     contract_.mayDoAnything = contract_.source != CallContract::Source::Library && writesNothing;
-    contract_.isUndefined = named == nullptr && block == nullptr && call.operands.size() == 1;
+    contract_.isUndefined = named == nullptr && block == nullptr && call.operands[0].kind == OperandKind::Symbol;
     if (named != nullptr) placeOwn(*named);
   }
   CallContract take() { return std::move(contract_); }

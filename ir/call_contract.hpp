@@ -42,7 +42,7 @@ struct CallContract {
   std::vector<MemoryRow> touched;  ///< the part of it that instructions of the program touch
   bool fillsAnyV = false;          ///< writes V memory whose place stands in no text
   bool mayDoAnything = false;      ///< nothing says what it is for: no output, no place to write to
-  bool isUndefined = false;        ///< a name that no table, file or manual knows, called without a parameter
+  bool isUndefined = false;        ///< a name that no table, file or manual knows
   bool keepsAccumulators = false;  ///< Modbus saves them (001:10704); others destroy them (001:6769, 001:10038)
   std::uint32_t ownBytes = 0;      ///< V memory of the library that no setting places
 };

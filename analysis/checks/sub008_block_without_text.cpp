@@ -24,7 +24,9 @@ extern constexpr Rule sub008_block_without_text = {
     .title = "Called block is in no file",
     .severity = Severity::Note,
     .needs = Needs::Text,
-    .detects = "a call with parameters of a subroutine that no file holds and that is none of the known library blocks",
+    .detects =
+        "a call with parameters of a subroutine whose number no file holds and that is none of the known library "
+        "blocks",
     .why =
         "what the block does is not in the text: proofs take the places that its calls give it to write as any value, "
         "and assume that it writes no others",

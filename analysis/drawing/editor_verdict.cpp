@@ -9,6 +9,7 @@
 #include "analysis/drawing/levels.hpp"
 #include "analysis/drawing/raise.hpp"
 #include "analysis/facts.hpp"
+#include "analysis/rule.hpp"
 
 namespace rungproof {
 

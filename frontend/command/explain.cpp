@@ -6,7 +6,9 @@
 #include "frontend/closest_word.hpp"
 #include "frontend/command/command.hpp"
 #include "frontend/json.hpp"
+#include "frontend/page/address_page.hpp"
 #include "frontend/page/columns.hpp"
+#include "frontend/page/idea_page.hpp"
 #include "frontend/page/instruction_page.hpp"
 #include "frontend/page/rule_page.hpp"
 #include "frontend/settings/code_list.hpp"
@@ -142,6 +144,21 @@ std::optional<Page> groupPage(std::string_view word, const Paint& paint) {
   return std::nullopt;
 }
 
+/// Lines of at most 92 characters, indented.
+std::string wrapped(std::string_view text) {
+  std::string result, line;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    if (line.size() + end > 90) {
+      result += "  " + line + "\n";
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + std::string(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return result + "  " + line + "\n";
+}
+
 std::optional<Page> pageOf(const std::string& word, const Settings& settings, const Paint& paint) {
   std::string upper = word;
   std::transform(upper.begin(), upper.end(), upper.begin(),
@@ -151,6 +168,10 @@ std::optional<Page> pageOf(const std::string& word, const Settings& settings, co
   if (word == "choices") return choicesPage(paint, settings);
   if (upper == "SM") return specialMemoryPage(settings.target(), paint);
   if (auto page = specialBitPage(settings.target(), upper, paint)) return page;
+  if (auto page = addressPage(settings.target(), upper, paint)) return Page{page->text, page->json};
+  if (const Idea* idea = ideaNamed(word))
+    return Page{fmt::format("{}\n\n{}", paint.bold(std::string(idea->name)), wrapped(idea->text)),
+                {{"name", idea->name}, {"text", idea->text}}};
   if (auto page = groupPage(upper, paint)) return page;
   if (const auto code = codeNamed(upper)) {
     return Page{
@@ -175,20 +196,24 @@ std::optional<Page> pageOf(const std::string& word, const Settings& settings, co
 
 Failure unknown(const std::string& word) {
   std::vector<std::string_view> words = {"hazards", "choices", "SM"};
+  for (const Idea& idea : ideas()) words.push_back(idea.name);
   for (const Code& code : allCodes()) words.push_back(code.id);
   const std::string_view meant = closest(word, words);
   return {
       fmt::format("there is no page called '{}'", word),
       {},
       meant.empty()
-          ? "give a rule (ADR001), a group (ADR), an instruction (TON), a run-time error (0006), 'hazards' or 'choices'"
+          ? "give a rule (ADR001), a group (ADR), an instruction (TON), an address (T37), a verdict or method ('one "
+            "scan'), a run-time error (0006), 'hazards' or 'choices'"
           : fmt::format("did you mean '{}'?", meant)};
 }
 
 Action setup(ArgumentTable& table) {
   auto word = std::make_shared<std::string>();
-  table.argument("CODE", *word,
-                 "rule (ADR001), group (ADR), instruction (TON), run-time error (0006), 'hazards' or 'choices'");
+  table.argument(
+      "CODE", *word,
+      "rule (ADR001), group (ADR), instruction (TON), address (T37), verdict or method ('one scan'), run-time "
+      "error (0006), 'hazards' or 'choices'");
   return [word](Context& context) {
     Exit exit = Exit::Clean;
     for (const OutputRequest& output : context.outputs) {
@@ -205,7 +230,7 @@ Action setup(ArgumentTable& table) {
 extern constexpr Command explainCommand = {
     .name = "explain",
     .usage = "CODE",
-    .summary = "show the page of a rule, an instruction or a run-time error",
+    .summary = "show the page of a rule, an instruction, an address, a method or a run-time error",
     .details = "",
     .shows = option_group::Output,
     .needsNoConfig = true,

@@ -123,6 +123,8 @@ PropertyResult rowOf(const Context& context, const Arguments& arguments, Evidenc
       row.notes.push_back("memory at the start: " + start);
     row.run = tableOf(trace);
     row.notes.insert(row.notes.end(), row.run.begin(), row.run.end());
+    const auto isOpen = [](const std::string& line) { return line.ends_with(" -") || line.find(" - ") != line.npos; };
+    if (std::ranges::any_of(row.run, isOpen)) row.notes.emplace_back("'-': any value leads to the same");
     if (const Instruction* place = result.witness->place; place != nullptr) {
       row.notes.push_back(fmt::format("inside the last scan, in front of '{}' at {}", Facts::text(*place),
                                       placeText(*program.sources, place->span)));
