@@ -10,48 +10,49 @@
 
 namespace rungproof {
 
+/// What each is stands in its row of choiceTable.
 enum class Choice : std::uint8_t {
-  InactiveScr,          // s7200 digest B 14
-  IncrementOverflow,    // B 4
-  RoundHalf,            // A 11
-  MainStop,             // B 10
-  UnknownBits,          // stack bottom, local memory
-  SkippedEno,           // machine 11
-  ScanClockStart,       // C18
-  WatchdogMs,           // C1
-  FirstEdge,            // A 2.4
-  DivideFlags,          // B 2
-  LatchZeroCount,       // A 20.4
-  LatchOverBorder,      // A 20.4
-  RealFromDInt,         // A 20.5
-  BcdErrorResult,       // A 20.6
-  AthError,             // A 20.6
-  SubstringOverflow,    // A 20.6
-  EncodeZero,           // A 20.7
-  EncodeHighNibble,     // A 20.7
-  CountUpDownAtPreset,  // A 20.1
-  CountDownFirstScan,   // A 20.2
-  CounterFirstEdge,     // A 20.3
-  IecCounterPriority,   // A 20.9
-  ClockData,            // A 20.10
-  ClockModule,          // A 6
-  PortAgain,            // A 20.13
-  NetworkAgain,         // A 20.13
+  InactiveScr,
+  IncrementOverflow,
+  RoundHalf,
+  MainStop,
+  UnknownBits,
+  SkippedEno,
+  ScanClockStart,
+  WatchdogMs,
+  FirstEdge,
+  DivideFlags,
+  LatchZeroCount,
+  LatchOverBorder,
+  RealFromDInt,
+  BcdErrorResult,
+  AthError,
+  SubstringOverflow,
+  EncodeZero,
+  EncodeHighNibble,
+  CountUpDownAtPreset,
+  CountDownFirstScan,
+  CounterFirstEdge,
+  IecCounterPriority,
+  ClockData,
+  ClockModule,
+  PortAgain,
+  NetworkAgain,
   StringResultOverflow,
-  PidTimeUnit,         // B 5
-  InterruptStack,      // B 6.3
-  InterruptCallStack,  // B 6.4
-  DetachedEvents,      // B 6.1
-  BlockMoveNothing,    // B 8.3
-  BlockMoveOverlap,    // B 8.3
-  BlockMoveTooFar,     // B 8.3
-  ForAtMaximum,        // B 12
-  SubstringBeyondEnd,  // B 17
-  FindEmpty,           // B 17
-  FindStartBeyond,     // B 17
-  AnalogSampling,      // machine 18
-  TimerAfterReset,     // B 19.2
-  MainStack,           // machine 11
+  PidTimeUnit,
+  InterruptStack,
+  InterruptCallStack,
+  DetachedEvents,
+  BlockMoveNothing,
+  BlockMoveOverlap,
+  BlockMoveTooFar,
+  ForAtMaximum,
+  SubstringBeyondEnd,
+  FindEmpty,
+  FindStartBeyond,
+  AnalogSampling,
+  TimerAfterReset,
+  MainStack,
   MissingBlocks,
   count
 };

@@ -141,7 +141,7 @@ constexpr OperandDesc lowWordRead(OperandDesc desc) {
   return desc;
 }
 
-/// When an instruction runs and what it does with the top of the stack (s7200 digest part A 0.4, part B 0.3).
+/// When an instruction runs and what it does with the top of the stack.
 enum class Execution : std::uint8_t {
   Stack,        ///< always executed, reads or writes the logic stack
   Compare,      ///< always executed even without power flow; errors are fatal (001:3384-3391)

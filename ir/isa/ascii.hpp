@@ -1,4 +1,4 @@
-// ASCII arrays: ATH, HTA, ITA, DTA, RTA (001:3579-3760; s7200 digest A 12). Source and destination of ATH and HTA may
+// ASCII arrays: ATH, HTA, ITA, DTA, RTA (001:3579-3760). Source and destination of ATH and HTA may
 // overlap; the source is read completely before anything is written (the manual is silent). Tests:
 // tests/manual_a/ascii_test.cpp.
 #pragma once

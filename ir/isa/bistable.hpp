@@ -1,4 +1,4 @@
-// Bistables SR (set dominant) and RS (reset dominant) (001:2876-2908; s7200 digest A 5). They exist in LAD and FBD
+// Bistables SR (set dominant) and RS (reset dominant) (001:2876-2908). They exist in LAD and FBD
 // only; the IR writes `SR bit` and `RS bit` with the set input on level 1 and the reset input on top, as after
 // `LD set / LD reset`. The reset level is popped and OUT, which mirrors the bit, becomes the new top, so that a coil
 // may follow. Evaluated in every pass. Tests: tests/manual_a/coil_test.cpp.

@@ -1,4 +1,4 @@
-// Subroutines: CALL, CRET, RET (001:6731-6838; s7200 digest B 22). Their meaning is in ir/scan.hpp.
+// Subroutines: CALL, CRET, RET (001:6731-6838). Their meaning is in ir/scan.hpp.
 // What each kind of parameter may be is in ir/call_parameters.hpp. Tests: tests/manual_b/call_test.cpp.
 #pragma once
 

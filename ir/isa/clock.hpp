@@ -1,7 +1,7 @@
-// Real-time clock: TODR, TODW and, since 2004, TODRX, TODWX with the daylight-saving rule (001:2910-3018; s7200 digest
-// A 6). Buffer in BCD: year, month, day, hour, minute, second, 0, weekday (1 = Sunday, 0 = none); the long form adds
-// the mode and ten bytes of the user's own rule. The time itself lies outside the program; a setting goes to
-// Reg::ClockSetting. Tests: tests/manual_a/clock_test.cpp.
+// Real-time clock: TODR, TODW and, since 2004, TODRX, TODWX with the daylight-saving rule (001:2910-3018). Buffer in
+// BCD: year, month, day, hour, minute, second, 0, weekday (1 = Sunday, 0 = none); the long form adds the mode and ten
+// bytes of the user's own rule. The time itself lies outside the program; a setting goes to Reg::ClockSetting. Tests:
+// tests/manual_a/clock_test.cpp.
 #pragma once
 
 #include "ir/isa/group.hpp"

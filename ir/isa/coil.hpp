@@ -1,4 +1,4 @@
-// Coils: assignment and its immediate form, set, reset (001:2775-2821; s7200 digest A 3).
+// Coils: assignment and its immediate form, set, reset (001:2775-2821).
 // Order decides: the last write of a scan wins, and "=" overrides S and R on the same bit (001:2821).
 #pragma once
 

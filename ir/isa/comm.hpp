@@ -1,4 +1,4 @@
-// Communication: XMT, RCV in Freeport mode, NETR, NETW as PPI master, GPA, SPA (001:3022-3360; s7200 digest A 7-9). The
+// Communication: XMT, RCV in Freeport mode, NETR, NETW as PPI master, GPA, SPA (001:3022-3360). The
 // instructions check and start; what arrives and when a request ends come from outside. Port 0 is set by SMB30 and
 // SMB86 to SMB94, port 1 by SMB130 and SMB186 to SMB194. Tests: tests/manual_a/comm_test.cpp.
 #pragma once

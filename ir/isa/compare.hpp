@@ -1,4 +1,4 @@
-// Compare contacts: 72 numeric ones and 6 for strings (001:3362-3431; s7200 digest A 10). They run without power
+// Compare contacts: 72 numeric ones and 6 for strings (001:3362-3431). They run without power
 // flow, and a bad pointer, an illegal REAL or a string outside its area stops the CPU (001:3384-3391, 001:3417-3419).
 // Bytes compare unsigned; INT, DINT and REAL signed (001:3371-3374). Tests: tests/manual_a/compare_test.cpp.
 #pragma once

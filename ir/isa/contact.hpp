@@ -1,4 +1,4 @@
-// Contacts: LD A O with their negated and immediate forms, NOT (001:2719-2739; s7200 digest A 2.1-2.3).
+// Contacts: LD A O with their negated and immediate forms, NOT (001:2719-2739).
 // A contact of I or Q reads the process image; an immediate one the physical input at that moment (001:2731).
 #pragma once
 

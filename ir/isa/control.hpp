@@ -1,4 +1,4 @@
-// Program control: END MEND STOP WDR JMP LBL FOR NEXT DLED (001:5687-5801, 001:5886-5915; s7200 digest B 9-13, 15).
+// Program control: END MEND STOP WDR JMP LBL FOR NEXT DLED (001:5687-5801, 001:5886-5915).
 // What moves the flow of the program has its meaning in ir/scan.hpp; here are the descriptors.
 // Tests: tests/manual_b/control_test.cpp.
 #pragma once

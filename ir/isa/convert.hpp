@@ -1,4 +1,4 @@
-// Standard conversions, seven-segment pattern, encode and decode (001:3435-3577, 001:3941-3980; s7200 digest A 11, 14).
+// Standard conversions, seven-segment pattern, encode and decode (001:3435-3577, 001:3941-3980).
 // A value that does not fit sets SM1.1 (SM1.6 for BCD) and leaves OUT as it was. Tests:
 // tests/manual_a/convert_test.cpp.
 #pragma once

@@ -1,4 +1,4 @@
-// Counters: CTU, CTD, CTUD (001:3984-4086; s7200 digest A 15) and the boxes of the IEC set (001:4090-4117; A 16).
+// Counters: CTU, CTD, CTUD (001:3984-4086) and the boxes of the IEC set (001:4090-4117; A 16).
 // They run in every pass and take stack levels as inputs: reset or load on top, below it count-down, below that
 // count-up. The current value is a signed word, shared with the bit under one number. The stack stays as it is.
 // IEC boxes exist in drawings only; the IR names them CTU.IEC, CTD.IEC, CTUD.IEC with the same order of levels

@@ -1,7 +1,7 @@
-// Writing numbers as decimal characters: the common part of ITA DTA RTA and ITS DTS RTS (001:3601-3693; s7200 digest
-// A 12.2). FMT gives the digits right of the point (bits 2-0), the kind of point (bit 3) and, for REAL, the size of the
-// buffer (bits 7-4). Rules: no plus sign, minus directly before the first digit, no leading zeros but the one next to
-// the point, right-justified, blanks in front.
+// Writing numbers as decimal characters: the common part of ITA DTA RTA and ITS DTS RTS (001:3601-3693). FMT gives the
+// digits right of the point (bits 2-0), the kind of point (bit 3) and, for REAL, the size of the buffer (bits 7-4).
+// Rules: no plus sign, minus directly before the first digit, no leading zeros but the one next to the point,
+// right-justified, blanks in front.
 #pragma once
 
 #include <vector>

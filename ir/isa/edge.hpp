@@ -1,4 +1,4 @@
-// Edges: EU and ED (001:2741-2745, 001:2763; s7200 digest A 2.4). Each occurrence owns one memory bit, the top of the
+// Edges: EU and ED (001:2741-2745, 001:2763). Each occurrence owns one memory bit, the top of the
 // stack at its previous execution. The first scan only stores: no edge can be seen there. What an occurrence compares
 // with that is first executed later is Choice::FirstEdge. An occurrence that is not executed keeps its memory.
 // Tests: tests/manual_a/edge_test.cpp.

@@ -1,4 +1,4 @@
-// High-speed counters: HDEF and HSC (001:4121-4508; s7200 digest A 17). HDEF fixes the mode once per RUN; HSC takes
+// High-speed counters: HDEF and HSC (001:4121-4508). HDEF fixes the mode once per RUN; HSC takes
 // what its control byte in SM allows. Counting, reset and events are the device's and lie outside the instructions.
 // HDEF reads bits 0-2 of the control byte, HSC bits 3-7. Tests: tests/manual_a/hsc_test.cpp.
 #pragma once

@@ -1,4 +1,4 @@
-// INC and DEC of bytes (unsigned), words and double words (signed) (001:4999-5054; s7200 digest B 4).
+// INC and DEC of bytes (unsigned), words and double words (signed) (001:4999-5054).
 // Overflow sets SM1.1; whether the result then wraps or the operand stays is Choice::IncrementOverflow. A byte never
 // changes SM1.2 (001:5026-5028). Tests: tests/manual_b/increment_test.cpp.
 #pragma once

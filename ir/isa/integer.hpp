@@ -1,4 +1,4 @@
-// Integer arithmetic: +I -I *I /I, +D -D *D /D, MUL, DIV (001:4786-4936; s7200 digest B 1-2).
+// Integer arithmetic: +I -I *I /I, +D -D *D /D, MUL, DIV (001:4786-4936).
 // On overflow SM1.1 is set and the operands stay as they were; on division by zero SM1.3 is set and the other
 // status bits keep their values (001:4814). Tests: tests/manual_a/integer_test.cpp.
 #pragma once

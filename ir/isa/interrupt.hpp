@@ -1,4 +1,4 @@
-// Interrupts: ENI DISI ATCH DTCH CEVNT, and the returns CRETI RETI (001:5327-5547; s7200 digest B 6).
+// Interrupts: ENI DISI ATCH DTCH CEVNT, and the returns CRETI RETI (001:5327-5547).
 // The registers hold what is attached and whether interrupts are enabled; the queues belong to the engine, which
 // learns of ATCH, DTCH and CEVNT by signals. Tests: tests/manual_b/interrupt_test.cpp.
 #pragma once

@@ -1,5 +1,5 @@
 // Bitwise logic on bytes, words and double words: INV, AND, OR, XOR (001:5551-5599; INV: 000:7387-7442, its page is
-// missing in the 2004 text; s7200 digest B 7). SM1.0 tells whether the result is 0; no other status bit changes.
+// missing in the 2004 text). SM1.0 tells whether the result is 0; no other status bit changes.
 // S7-200 SMART: NAND, NOR, NXOR as well. Tests: tests/manual_b/logic_test.cpp, tests/smart.
 #pragma once
 

@@ -1,5 +1,5 @@
-// Moves: MOVB MOVW MOVD MOVR, immediate BIR BIW, block moves BMB BMW BMD, SWAP (001:5601-5683, 001:6031-6065;
-// s7200 digest B 8). No status bits. Tests: tests/manual_b/move_test.cpp.
+// Moves: MOVB MOVW MOVD MOVR, immediate BIR BIW, block moves BMB BMW BMD, SWAP (001:5601-5683, 001:6031-6065). No
+// status bits. Tests: tests/manual_b/move_test.cpp.
 #pragma once
 
 #include "ir/isa/logic.hpp"

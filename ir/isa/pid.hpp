@@ -1,4 +1,4 @@
-// PID loop (001:5056-5325; s7200 digest B 5). The loop table, REAL fields at offsets from TBL: 0 PV, 4 SP, 8 output M,
+// PID loop (001:5056-5325). The loop table, REAL fields at offsets from TBL: 0 PV, 4 SP, 8 output M,
 // 12 Kc, 16 Ts (s), 20 Ti (min), 24 Td (min), 28 bias MX, 32 previous PV. Autotune (chapter 15) is not modelled.
 // Rising power flow makes the loop bumpless: SP = previous PV = PV, MX = M (001:5289-5293); the history bit of a loop
 // is 1 after power-up and STOP to RUN (001:5295). Tests: tests/manual_b/pid_test.cpp.

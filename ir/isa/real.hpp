@@ -1,6 +1,6 @@
-// REAL arithmetic +R -R *R /R and functions SQRT SIN COS TAN LN EXP (001:4786-4872, 001:4938-4995; s7200 digest B 1,
-// 3). IEEE 754 single precision. A result or operand that is no legal number sets SM1.1 and leaves the operands as they
-// were (001:4814, 001:4976). Tests: tests/manual_b/real_test.cpp.
+// REAL arithmetic +R -R *R /R and functions SQRT SIN COS TAN LN EXP (001:4786-4872, 001:4938-4995). IEEE 754 single
+// precision. A result or operand that is no legal number sets SM1.1 and leaves the operands as they were (001:4814,
+// 001:4976). Tests: tests/manual_b/real_test.cpp.
 #pragma once
 
 #include "ir/isa/integer.hpp"

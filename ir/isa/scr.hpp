@@ -1,4 +1,4 @@
-// Sequence control relays: LSCR SCRT CSCRE SCRE (001:5803-5884, 000:7974-8004; s7200 digest B 14).
+// Sequence control relays: LSCR SCRT CSCRE SCRE (001:5803-5884, 000:7974-8004).
 // Their meaning is in ir/scan.hpp; what an inactive segment does is Choice::InactiveScr.
 // Tests: tests/manual_b/scr_test.cpp.
 #pragma once

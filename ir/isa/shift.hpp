@@ -1,4 +1,4 @@
-// Shifts, rotates and the shift register (001:5921-6027; s7200 digest B 16).
+// Shifts, rotates and the shift register (001:5921-6027).
 // Shifts fill with 0 whatever the sign (001:5927) and stop at the width; rotates take N modulo the width (001:5942).
 // SM1.1 is the last bit out, data and not an error. Tests: tests/manual_b/shift_test.cpp.
 #pragma once

@@ -1,4 +1,4 @@
-// Logic stack: ALD OLD LPS LRD LPP LDS AENO, and NOP (001:2825-2872; s7200 digest A 4). The stack has nine levels, that
+// Logic stack: ALD OLD LPS LRD LPP LDS AENO, and NOP (001:2825-2872). The stack has nine levels, that
 // of the S7-200 SMART 32; a push loses the lowest one, a pop fills it with an unknown value (001:2868-2870). LRD
 // replaces the top without a push. Tests: tests/manual_a/stack_test.cpp.
 #pragma once

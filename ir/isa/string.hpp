@@ -1,4 +1,4 @@
-// Numbers to strings and back: ITS DTS RTS, STI STD STR (001:3762-3939; s7200 digest A 13). FMT stands before OUT here
+// Numbers to strings and back: ITS DTS RTS, STI STD STR (001:3762-3939). FMT stands before OUT here
 // (001:14938), after it in ITA. Substrings are read from character INDX (1 is the first): blanks, one sign, digits; STR
 // also takes a point or comma with digits, and no exponent. Tests: tests/manual_a/string_test.cpp.
 #pragma once

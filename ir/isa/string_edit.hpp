@@ -1,4 +1,4 @@
-// Strings: SLEN SCPY SCAT SSCPY, SFND CFND (001:6067-6254; s7200 digest B 17). A string is a length byte and 0 to 254
+// Strings: SLEN SCPY SCAT SSCPY, SFND CFND (001:6067-6254). A string is a length byte and 0 to 254
 // characters; positions count from 1. A longer one, or one that leaves its area, is error 0091. What the manual leaves
 // open (results over 254, substrings beyond the end, empty search texts, overlap) are choices.
 // Tests: tests/manual_b/string_test.cpp.

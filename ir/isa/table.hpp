@@ -1,4 +1,4 @@
-// Tables: ATT LIFO FIFO FILL FND (001:6256-6511; s7200 digest B 18). A table of words: +0 TL, the most entries; +1 EC,
+// Tables: ATT LIFO FIFO FILL FND (001:6256-6511). A table of words: +0 TL, the most entries; +1 EC,
 // the entries there are; +2 the entries, at most 100. FND gets its TBL one word further, at EC (001:6441).
 // Clearing of SM1.4 and SM1.5 by a success is not stated and assumed. Tests: tests/manual_b/table_test.cpp.
 #pragma once

@@ -1,6 +1,6 @@
-// Timers TON TOF TONR, the IEC boxes TON TOF TP, and the interval time BITIM CITIM (001:6517-6727; s7200 digest B
-// 19-21). The instruction samples its input and, for 100 ms timers, lets the time of the scan pass; the other
-// resolutions count in ir/timer_refresh.hpp. Tests: tests/manual_b/timer_test.cpp.
+// Timers TON TOF TONR, the IEC boxes TON TOF TP, and the interval time BITIM CITIM (001:6517-6727). The instruction
+// samples its input and, for 100 ms timers, lets the time of the scan pass; the other resolutions count in
+// ir/timer_refresh.hpp. Tests: tests/manual_b/timer_test.cpp.
 #pragma once
 
 #include "ir/isa/group.hpp"

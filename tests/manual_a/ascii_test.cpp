@@ -1,4 +1,4 @@
-// ASCII arrays: ATH, HTA, ITA, DTA, RTA (s7200 digest A 12).
+// ASCII arrays: ATH, HTA, ITA, DTA, RTA.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Real-time clock: buffer layout, refused data, CPUs without a clock (s7200 digest A 6).
+// Real-time clock: buffer layout, refused data, CPUs without a clock.
 #include <gtest/gtest.h>
 
 #include "bench.hpp"

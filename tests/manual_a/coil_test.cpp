@@ -1,4 +1,4 @@
-// Coils, set and reset, bistables (s7200 digest A 3 and 5).
+// Coils, set and reset, bistables.
 #include <gtest/gtest.h>
 
 #include "bench.hpp"

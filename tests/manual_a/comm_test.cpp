@@ -1,4 +1,4 @@
-// Communication: XMT, RCV, NETR, NETW, GPA, SPA (s7200 digest A 7-9).
+// Communication: XMT, RCV, NETR, NETW, GPA, SPA.
 #include <gtest/gtest.h>
 
 #include "bench.hpp"

@@ -1,4 +1,4 @@
-// Compare contacts: signedness, relations, joints, fatal errors (s7200 digest A 10).
+// Compare contacts: signedness, relations, joints, fatal errors.
 #include <gtest/gtest.h>
 
 #include <cmath>

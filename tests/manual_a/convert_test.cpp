@@ -1,4 +1,4 @@
-// Standard conversions, SEG, ENCO, DECO (s7200 digest A 11 and 14).
+// Standard conversions, SEG, ENCO, DECO.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Counters of both instruction sets (s7200 digest A 15-16).
+// Counters of both instruction sets.
 #include <gtest/gtest.h>
 
 #include "bench.hpp"

@@ -1,5 +1,4 @@
-// What the descriptors say besides operands: class of execution, effect on the stack, ENO, status bits, restrictions
-// (s7200 digest A 0.4 and the error lists of its sections 2 to 18, B 1-2).
+// What the descriptors say besides operands: class of execution, effect on the stack, ENO, status bits, restrictions.
 #include <gtest/gtest.h>
 
 #include <set>

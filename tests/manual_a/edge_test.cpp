@@ -1,4 +1,4 @@
-// EU and ED: no edge in the first scan, one pulse per change, memory of skipped occurrences (s7200 digest A 2.4).
+// EU and ED: no edge in the first scan, one pulse per change, memory of skipped occurrences.
 #include <gtest/gtest.h>
 
 #include "bench.hpp"

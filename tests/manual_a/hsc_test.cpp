@@ -1,4 +1,4 @@
-// High-speed counters: HDEF and HSC (s7200 digest A 17).
+// High-speed counters: HDEF and HSC.
 #include <gtest/gtest.h>
 
 #include "bench.hpp"

@@ -1,4 +1,4 @@
-// Integer arithmetic (s7200 digest B 1-2; 001:4786-4936).
+// Integer arithmetic (001:4786-4936).
 #include <gtest/gtest.h>
 
 #include "bench.hpp"

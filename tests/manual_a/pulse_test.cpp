@@ -1,4 +1,4 @@
-// Pulse outputs: PLS with the control bytes of the manual (s7200 digest A 18).
+// Pulse outputs: PLS with the control bytes of the manual.
 #include <gtest/gtest.h>
 
 #include "bench.hpp"

@@ -1,4 +1,4 @@
-// Logic stack, contacts, NOT and NOP: the table of s7200 digest A 4 and the example 001:2768.
+// Logic stack, contacts, NOT and NOP: the instructions of 001:2825-2872 and the example 001:2768.
 #include <gtest/gtest.h>
 
 #include "bench.hpp"

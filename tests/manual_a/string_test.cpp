@@ -1,4 +1,4 @@
-// Strings: ITS, DTS, RTS, STI, STD, STR (s7200 digest A 13).
+// Strings: ITS, DTS, RTS, STI, STD, STR.
 #include <gtest/gtest.h>
 
 #include "bench.hpp"

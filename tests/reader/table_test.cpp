@@ -86,7 +86,7 @@ LocalVariable local(std::string name, VarSection section, DataType type) {
   return variable;
 }
 
-TEST(LocalLayout, ExampleOfTheManual) {  // 001:2424-2431, two addresses of the print mended (digest B 22.2)
+TEST(LocalLayout, ExampleOfTheManual) {  // 001:2424-2431, two addresses of the print mended
   std::vector<LocalVariable> locals = {
       local("FinalPass", VarSection::Input, DataType::Bool), local("Addr", VarSection::Input, DataType::Byte),
       local("Data", VarSection::Input, DataType::Int),       local("Status", VarSection::InOut, DataType::Byte),

@@ -1,4 +1,4 @@
-// The naive interpreter: bit logic, control, timers and counters (s7200 digest A 2-5, 10, 15-16; B 9-14, 19-22).
+// The naive interpreter: bit logic, control, timers and counters.
 #include "naive.hpp"
 
 #include <bit>

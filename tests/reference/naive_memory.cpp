@@ -1,4 +1,4 @@
-// The naive interpreter: signatures, memory, pointers and ranges (s7200 digest A 1, 001:1459-1478).
+// The naive interpreter: signatures, memory, pointers and ranges (001:1459-1478).
 #include <map>
 
 #include "naive.hpp"

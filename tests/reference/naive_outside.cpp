@@ -1,5 +1,5 @@
 // The naive interpreter: what meets the world outside, as far as it is cheap: clock, immediate bytes, port address,
-// attachment of interrupts (s7200 digest A 6, 9; B 6, 8.2, 11, 15, 21).
+// attachment of interrupts.
 #include "naive.hpp"
 
 namespace rungproof::naive {

@@ -1,4 +1,4 @@
-// The naive interpreter: REAL numbers and the PID loop (s7200 digest A 11, B 1, 3, 5).
+// The naive interpreter: REAL numbers and the PID loop.
 #include <bit>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// The naive interpreter: characters and strings (s7200 digest A 12-13, B 17; 001:3579-3939, 001:6067-6254).
+// The naive interpreter: characters and strings (001:3579-3939, 001:6067-6254).
 #include <bit>
 #include <cmath>
 #include <cstdlib>

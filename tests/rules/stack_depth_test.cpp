@@ -32,7 +32,7 @@ const Case cases[] = {
     // LPS, LRD and LPP around branches, one of them joined by ALD.
     {"Branches", "Network 1\nLD I0.0\nLPS\nA I0.1\n= Q0.0\nLRD\nLD I0.2\nO I0.3\nALD\n= Q0.1\nLPP\nA I0.4\n= Q0.2\n",
      ""},
-    // The text that the editor shows for RS (s7200 digest A 5): LPP is followed by ALD.
+    // The text that the editor shows for RS: LPP is followed by ALD.
     {"Bistable", "Network 1\nLD I0.0\nLD I0.1\nNOT\nLPS\nA Q0.0\n= Q0.0\nLPP\nALD\nO Q0.0\n= Q0.0\n", ""},
     // Power flow of a call kept in L60.0 and L63.7 (001:6809).
     {"EditorCall",
