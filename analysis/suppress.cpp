@@ -38,22 +38,37 @@ std::string_view trimmed(std::string_view text, std::string_view what) {
 /// Text of a comment without its signs: "// x", "(* x *)", "{ x }".
 std::string_view bareText(std::string_view comment) { return trimmed(comment, " \t\r\n/*(){}"); }
 
-/// Ids and reason behind "rungproof:"; the problem says what is missing.
-void readAllow(std::string_view text, Allow& allow) {
-  const std::size_t verbEnd = std::min(text.find_first_of(blanks), text.size());
-  if (text.substr(0, verbEnd) != "allow") {
+enum class Verb : std::uint8_t { Allow, Begin, End, Other };
+
+/// The word in front of the ids: "allow ADR001", "allow(ADR001)", "begin ADR001", "begin allow ADR001", "end".
+Verb takeVerb(std::string_view& text) {
+  const auto take = [&](std::string_view word) {
+    const bool isThere = text.starts_with(word) && (text.size() == word.size() || !isLetter(text[word.size()]));
+    if (isThere) text.remove_prefix(word.size());
+    return isThere;
+  };
+  if (take("end")) return Verb::End;
+  if (take("allow")) return Verb::Allow;
+  if (!take("begin")) return Verb::Other;
+  text = trimmed(text, blanks);
+  take("allow");
+  return Verb::Begin;
+}
+
+/// Ids and reason behind the verb; the problem says what is missing.
+void readAllow(std::string_view text, Verb verb, Allow& allow) {
+  if (verb == Verb::Other) {
     allow.problem = "the comment does not say 'allow'";
     return;
   }
-  text.remove_prefix(verbEnd);
   while (true) {
-    text = text.substr(std::min(text.find_first_not_of(" \t,"), text.size()));
-    const std::string_view word = text.substr(0, text.find_first_of(" \t,:"));
+    text = text.substr(std::min(text.find_first_not_of(" \t,()"), text.size()));
+    const std::string_view word = text.substr(0, text.find_first_of(" \t,:()"));
     if (!looksLikeId(word)) break;
     allow.ids.push_back(inCapitals(word));
     text.remove_prefix(word.size());
   }
-  allow.reason = std::string(trimmed(text, " \t:-"));
+  allow.reason = std::string(trimmed(text, " \t:-()"));
   if (allow.ids.empty()) allow.problem = "the suppression names no rule";
   if (!allow.ids.empty() && allow.reason.empty()) allow.problem = "the suppression gives no reason";
 }
@@ -69,6 +84,7 @@ class AllowCollector {
         for (const Comment& comment : network.comments) add(comment, pou, &network);
       }
     }
+    endRanges();
     return std::move(allows_);
   }
 
@@ -80,9 +96,40 @@ class AllowCollector {
     allow.comment = comment.span;
     allow.pou = &pou;
     allow.network = network;
-    readAllow(trimmed(text.substr(marker.size()), blanks), allow);
+    std::string_view rest = trimmed(text.substr(marker.size()), blanks);
+    const Verb verb = takeVerb(rest);
+    if (verb == Verb::End) {
+      ends_.push_back(std::move(allow));
+      return;
+    }
+    readAllow(rest, verb, allow);
     setScope(allow);
+    if (verb == Verb::Begin) allow.scope = AllowScope::Range;
     allows_.push_back(std::move(allow));
+  }
+
+  /// Each end ends the last range that is open in its file.
+  void endRanges() {
+    std::ranges::sort(ends_, {}, [](const Allow& end) { return std::pair(end.comment.file, end.comment.offset); });
+    for (Allow& end : ends_) {
+      Allow* last = nullptr;
+      for (Allow& allow : allows_) {
+        const bool isOpen = allow.scope == AllowScope::Range && allow.until == 0 &&
+                            allow.comment.file == end.comment.file && allow.comment.offset < end.comment.offset;
+        if (isOpen && (last == nullptr || allow.comment.offset > last->comment.offset)) last = &allow;
+      }
+      if (last != nullptr) {
+        last->until = end.comment.offset;
+        continue;
+      }
+      end.problem = "the comment ends no range";
+    }
+    for (Allow& allow : allows_) {
+      if (allow.scope == AllowScope::Range && allow.until == 0 && allow.problem.empty())
+        allow.problem = "the range has no 'rungproof: end'";
+    }
+    std::erase_if(ends_, [](const Allow& end) { return end.problem.empty(); });
+    std::ranges::move(ends_, std::back_inserter(allows_));
   }
 
   void setScope(Allow& allow) const {
@@ -104,13 +151,15 @@ class AllowCollector {
   }
 
   const Program& program_;
-  std::vector<Allow> allows_;
+  std::vector<Allow> allows_, ends_;
 };
 
 /// Whether the place of a finding lies where the comment speaks.
 bool covers(const Allow& allow, const Finding& finding, const ProgramPlace& place, std::uint32_t line) {
   if (finding.span.file != allow.comment.file) return false;
   if (allow.scope == AllowScope::Line) return line == allow.line;
+  if (allow.scope == AllowScope::Range)
+    return allow.comment.offset < finding.span.offset && finding.span.offset < allow.until;
   return allow.scope == AllowScope::Network ? place.network == allow.network : place.pou == allow.pou;
 }
 

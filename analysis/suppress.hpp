@@ -1,7 +1,8 @@
 // Silencing of findings by comments `// rungproof: allow ADR001 REASON`. A comment behind an instruction, or alone on
 // the line before one, speaks for that instruction's line; before the first instruction of a network for the network;
-// in the head of a block for the block. A comment that silences nothing is a finding itself (SUP001), and so is one
-// that names no rule or gives no reason (SUP002). Tested by tests/cli/suppress_test.cpp.
+// in the head of a block for the block; between `// rungproof: begin ADR001 REASON` and `// rungproof: end` for all
+// that stands there in the file. A comment that silences nothing is a finding itself (SUP001), and so is one that names
+// no rule or gives no reason (SUP002). Tested by tests/cli/suppress_test.cpp.
 #pragma once
 
 #include <functional>
@@ -13,7 +14,7 @@
 
 namespace rungproof {
 
-enum class AllowScope : std::uint8_t { Line, Network, Block };
+enum class AllowScope : std::uint8_t { Line, Network, Block, Range };
 
 /// One allow-comment.
 struct Allow {
@@ -22,7 +23,8 @@ struct Allow {
   std::string reason;
   std::string problem;  ///< why it silences nothing; empty if it is well formed
   AllowScope scope = AllowScope::Line;
-  std::uint32_t line = 0;  ///< Line: the line it speaks for
+  std::uint32_t line = 0;   ///< Line: the line it speaks for
+  std::uint32_t until = 0;  ///< Range: where the comment stands that ends it
   const Pou* pou = nullptr;
   const Network* network = nullptr;
 };

@@ -29,11 +29,12 @@ const Desc* lookUp(const Index& index, std::string_view name) {
   return found != index.end() && found->first == name ? found->second : nullptr;
 }
 
-/// Ladder box names and misprints that stand in the manual's own STL examples (001:1523, 3098, 6118, 6201, 6235).
+/// Ladder box names and misprints that stand in the manual's own STL examples (001:1523, 3098, 6118, 6201, 6235), and
+/// spellings that sources on the S7-200 SMART give beside the usual ones.
 constexpr std::pair<std::string_view, std::string_view> aliases[] = {
-    {"CHR_FIND", "CFND"}, {"FILL_N", "FILL"},   {"MOV_B", "MOVB"}, {"MOV_D", "MOVD"},
-    {"MOV_DW", "MOVD"},   {"MOV_R", "MOVR"},    {"MOV_W", "MOVW"}, {"STRCPY", "SCPY"},
-    {"STRLEN", "SLEN"},   {"STR_FIND", "SFND"}, {"S_R", "STR"},
+    {"CHR_FIND", "CFND"}, {"FILL_N", "FILL"}, {"MOV_B", "MOVB"},   {"MOV_D", "MOVD"},  {"MOV_DW", "MOVD"},
+    {"MOV_R", "MOVR"},    {"MOV_W", "MOVW"},  {"STRCPY", "SCPY"},  {"STRLEN", "SLEN"}, {"STR_FIND", "SFND"},
+    {"S_R", "STR"},       {"ABSD", "ABSDI"},  {"CEVENT", "CEVNT"},
 };
 
 }  // namespace

@@ -86,8 +86,10 @@ extern constexpr Command lintCommand = {
     .details =
         "Files without a main program (symbol tables, data blocks, libraries) belong to every program given.\n"
         "A finding is silenced by a comment with the rule and a reason, on its line, before the first\n"
-        "instruction of its network, or in the head of its block:\n"
+        "instruction of its network, or in the head of its block; what stands between begin and end by one pair:\n"
         "    // rungproof: allow OUT001 the two networks exclude each other\n"
+        "    // rungproof: begin OUT001 networks of the old machine\n"
+        "    // rungproof: end\n"
         "\n"
         "Examples:\n"
         "    rungproof lint press.awl\n"

@@ -121,6 +121,12 @@ TEST(SmartTables, InstructionsOfTheFamily) {
   }
 }
 
+/// One source spells them otherwise; both are read.
+TEST(SmartTables, OtherSpellings) {
+  EXPECT_EQ(instructionAlias("ABSD"), instructionNamed("ABSDI"));
+  EXPECT_EQ(instructionAlias("CEVENT"), instructionNamed("CEVNT"));
+}
+
 TEST(SmartTables, WhatTheFamilyLacksIsRefused) {
   const auto errors = [](const std::string& statement, Target target) {
     const Program program = readText(
