@@ -3,6 +3,7 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -105,6 +106,9 @@ std::optional<Failure> readOutputs(const Settings& settings, const Command& comm
     }
     outputs.push_back(std::move(request));
   }
+  const auto isOnStandardOutput = [](const OutputRequest& output) { return output.file.empty() || output.file == "-"; };
+  if (std::ranges::count_if(outputs, isOnStandardOutput) > 1)
+    return Failure{"two forms of the report would be mixed on standard output", {}, "write --format NAME=FILE for one"};
   if (outputs.empty()) outputs.push_back({std::string(permitted.front()), {}});
   return std::nullopt;
 }
