@@ -81,7 +81,10 @@ void layoutCells(Property& property) {
   }
 }
 
-int numberBits(const Operand& o) { return bits(areaInfo(o.area).width.value_or(o.width)); }
+int numberBits(const Operand& o) {
+  const bool isRest = o.area == Area::T && o.width == Width::DWord;  // ms of an S5 timer
+  return isRest ? 32 : bits(areaInfo(o.area).width.value_or(o.width));
+}
 
 bool hasClock(const Property& property) {
   const auto holds = [](const Expr& expr) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 
 #include "ir/program.hpp"
 
@@ -11,6 +13,17 @@ namespace rungproof {
 /// An error of the readers of programs (SYN, or GRF in a drawing).
 inline bool isProgramReadError(const Finding& finding) {
   return finding.severity == Severity::Error && (finding.rule.starts_with("SYN") || finding.rule.starts_with("GRF"));
+}
+/// Such an error behind which it is not known which block or network the lines around belong to, or what a block
+/// declares: a heading, a declaration, a Network line, a line outside of any block, a file.
+inline bool isFrameReadError(const Finding& finding) {
+  constexpr std::string_view firstOfFrame = "SYN020", lastOfFrame = "SYN028";
+  constexpr std::string_view firstOfTables = "SYN029", lastOfTables = "SYN032";
+  constexpr std::string_view nothingInside[] = {"SYN006", "SYN007"};
+  if (!isProgramReadError(finding) || std::ranges::find(nothingInside, finding.rule) != std::end(nothingInside))
+    return false;
+  if (finding.rule >= firstOfFrame && finding.rule <= lastOfFrame) return true;
+  return finding.network == 0 && (finding.rule < firstOfTables || finding.rule > lastOfTables);
 }
 /// The same, or an error of the reader of properties (PRP).
 inline bool isReadError(const Finding& finding) {

@@ -13,17 +13,18 @@
 #include <string_view>
 #include <vector>
 
+#include "ir/dialect.hpp"
 #include "ir/finding.hpp"
 #include "ir/hazard.hpp"
 #include "ir/program.hpp"
 
 namespace rungproof {
 
-class Facts;  // what rules may ask about a program; analysis/facts.hpp
+class Facts;  // what rules may ask about a program; analysis/flow/facts.hpp
 class FindingSink;
-class Asking;        // what a rule's questions to the prover stand on; analysis/proof/asking.hpp
+class Asking;        // what a rule's questions to the prover stand on; analysis/asking/asking.hpp
 struct ProofResult;  // analysis/proof/prover.hpp
-struct BitRow;       // analysis/bit_ranges.hpp
+struct BitRow;       // analysis/flow/bit_ranges.hpp
 
 /// How much has to be known before the rule can speak.
 enum class Needs : std::uint8_t {
@@ -35,12 +36,6 @@ enum class Needs : std::uint8_t {
 
 enum class RuleStatus : std::uint8_t { Stable, Preview };
 enum class FixClass : std::uint8_t { None, Safe, Unsafe };
-
-/// A set of dialects, one bit each.
-using Dialects = std::uint8_t;
-namespace dialect {
-inline constexpr Dialects S7200 = 1, S7300 = 2, Every = 3;
-}
 
 /// An integer option of a rule: configuration key `[rules.STY002] contacts = 24`.
 struct RuleOption {
@@ -121,11 +116,15 @@ struct Rule {
   std::string_view peers = {};           ///< rules of other tools, "SA0005; ironplc P4025"; empty: none has it
   Dialects dialects = dialect::Every;
   FixClass fix = FixClass::None;
+  bool surplus = false;  ///< speaks of what could be taken away without a change; editors show it faded
   RuleStatus status = RuleStatus::Stable;
   bool enabledByDefault = true;
   /// Its errors are those for which the editor or the CPU takes no program (table C-3, 001:13978-14008), so no command
   /// runs the network they stand in (unread_code.hpp). A check may say otherwise of one finding.
   bool refuses = false;
+  /// Judges each instruction by itself and by tables: it speaks even where a heading, a declaration or a Network line
+  /// could not be read, and with it which block and which network the instructions around belong to.
+  bool standsAlone = false;
   std::string_view since = "0.1";
   std::span<const RuleOption> options{};
   /// Reports into the sink. Null for rules that are spoken by the tool itself (SUP, SYN) or only by the prover (Z).
@@ -136,6 +135,9 @@ struct Rule {
 
   constexpr std::string_view group() const { return id.substr(0, 3); }
 };
+
+/// Whether the rule knows programs for that CPU; whoever runs rules leaves out the others.
+inline bool knows(const Rule& rule, const Target& target) { return (rule.dialects & dialectOf(target).set) != 0; }
 
 /// Every rule, sorted by file name and so by id.
 std::span<const Rule* const> allRules();

@@ -1,6 +1,6 @@
 // Surroundings: what is known of a machine beside its program, from options and the configuration file: the tags of
 // its operator panel, and the CPU that the program is to be ported to. Rules find it in Facts. Tag lists are read by
-// frontend/tag_list.hpp.
+// frontend/input/tag_list.hpp.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "ir/cpu.hpp"
 #include "ir/operand.hpp"
+#include "ir/s7200/cpu.hpp"
 
 namespace rungproof {
 

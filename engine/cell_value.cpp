@@ -13,8 +13,13 @@ std::uint64_t cellValue(const Concrete::Store& store, const Operand& operand) {
   CHECK(operand.kind == OperandKind::Direct, "only direct operands have a value of their own");
   const std::uint32_t offset = operand.offset;
   switch (operand.area) {
-    case Area::T: return store.get(operand.width == Width::Bit ? Reg::TimerBit : Reg::TimerCurrent, offset);
-    case Area::C: return store.get(operand.width == Width::Bit ? Reg::CounterBit : Reg::CounterCurrent, offset);
+    case Area::T:
+      if (offset >= store.count(Reg::TimerBit)) return 0;  // the program does not name it
+      return store.get(timerRegister(operand.width), offset);
+    case Area::C:
+      if (offset >= store.count(Reg::CounterBit)) return 0;
+      return store.get(operand.width == Width::Bit ? Reg::CounterBit : Reg::CounterCurrent, offset);
+    case Area::PI: return store.load(Area::AI, offset * 8, bits(operand.width));
     case Area::AC: return store.get(Reg::Accumulator, offset) & Concrete::mask(bits(operand.width));
     case Area::HC: return store.get(Reg::HscCurrent, offset);
     case Area::AI:
@@ -42,9 +47,12 @@ void setCell(Concrete::Store& store, const Operand& operand, std::uint64_t value
       }
       return;
     }
+    case Area::PI: return store.save(Area::AI, offset * 8, bits(operand.width), value, true);
     case Area::T:
-      return store.set(operand.width == Width::Bit ? Reg::TimerBit : Reg::TimerCurrent, offset, value, true);
+      if (offset >= store.count(Reg::TimerBit)) return;
+      return store.set(timerRegister(operand.width), offset, value, true);
     case Area::C:
+      if (offset >= store.count(Reg::CounterBit)) return;
       return store.set(operand.width == Width::Bit ? Reg::CounterBit : Reg::CounterCurrent, offset, value, true);
     case Area::AC: return store.set(Reg::Accumulator, offset, value, true);
     case Area::HC: return store.set(Reg::HscCurrent, offset, value, true);

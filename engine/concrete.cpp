@@ -3,26 +3,25 @@
 
 namespace rungproof {
 
-namespace {
-/// Frames of local memory: main, eight nesting levels, interrupt routine and its subroutine (001:1367).
-}  // namespace
-
-Concrete::Store::Store(const Target& target, std::uint32_t edges) {
+Concrete::Store::Store(const Plan& plan) {
+  const Target& target = plan.program->target;
   for (int a = 0; a < areaCount; ++a) {
     const Area area = static_cast<Area>(a);
     const bool inRegisters = addressedByNumber(area);
-    areas_[static_cast<std::size_t>(a)].assign(inRegisters       ? 0
-                                               : area == Area::L ? localBytes
-                                                                 : areaSize(target, area),
+    areas_[static_cast<std::size_t>(a)].assign(inRegisters        ? 0
+                                               : area == Area::L  ? plan.localBytes
+                                               : area == Area::DB ? plan.blocks->size()
+                                                                  : areaSize(target, area),
                                                0);
   }
   std::uint32_t next = 0;
   for (const RegInfo& info : regTable) {
     first_[static_cast<std::size_t>(info.reg)] = next;
-    next += info.count == 0 ? edges : info.count;
+    next += registerCount(info, plan);
   }
   first_.back() = next;
   registers_.assign(next, 0);
+  blocks_ = plan.blocks;
 }
 
 Concrete::Bits Concrete::rfunction(std::uint64_t f, Bits a) const {

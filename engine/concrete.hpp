@@ -9,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-#include "ir/machine.hpp"
+#include "ir/s7200/machine.hpp"
 
 namespace rungproof {
 
@@ -40,11 +40,11 @@ class Concrete {
   class Store {
    public:
     Store() = default;
-    /// `edges`: EU and ED instructions of the program.
-    Store(const Target& target, std::uint32_t edges);
+    explicit Store(const Plan& plan);
 
     Bits load(Area area, std::uint32_t bitOffset, int width) const {
       const std::vector<std::uint8_t>& bytes = areas_[static_cast<std::size_t>(area)];
+      if (area == Area::DB) bitOffset = blocks_->bitPlace(bitOffset);
       const std::uint32_t byte = bitOffset / 8;
       if (width == 1) return byte < bytes.size() ? bytes[byte] >> (bitOffset % 8) & 1U : 0U;
       Bits value = 0;
@@ -55,6 +55,7 @@ class Concrete {
     void save(Area area, std::uint32_t bitOffset, int width, Bits value, Bool guard) {
       if (!guard) return;
       std::vector<std::uint8_t>& bytes = areas_[static_cast<std::size_t>(area)];
+      if (area == Area::DB) bitOffset = blocks_->bitPlace(bitOffset);
       const std::uint32_t byte = bitOffset / 8;
       if (width == 1) {
         if (byte >= bytes.size()) return;
@@ -77,12 +78,17 @@ class Concrete {
       return first_[static_cast<std::size_t>(reg) + 1] - first_[static_cast<std::size_t>(reg)];
     }
 
-    friend bool operator==(const Store&, const Store&) = default;
+    const BlockMap& blocks() const { return *blocks_; }
+
+    friend bool operator==(const Store& a, const Store& b) {
+      return a.areas_ == b.areas_ && a.registers_ == b.registers_;
+    }
 
    private:
     std::array<std::vector<std::uint8_t>, areaCount> areas_;
     std::array<std::uint32_t, static_cast<std::size_t>(Reg::count) + 1> first_{};
     std::vector<std::uint32_t> registers_;
+    std::shared_ptr<const BlockMap> blocks_;  ///< S7-300/400 only
   };
 
   explicit Concrete(Outside& outside) : outside_(&outside) {}

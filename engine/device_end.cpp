@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "ir/device_end.hpp"
-#include "ir/special_memory.hpp"
+#include "ir/s7200/device_end.hpp"
+#include "ir/s7200/special_memory.hpp"
 
 namespace rungproof {
 

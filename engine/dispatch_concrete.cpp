@@ -1,11 +1,11 @@
 // The one place where all instruction meanings are compiled for plain numbers. Besides the general form, contacts and
 // coils are compiled once for each memory area: the compiler then folds the choice of the area away. Both forms are the
-// same meaning from ir/isa; tests/engine/dispatch_test.cpp compares them.
+// same meaning from ir/s7200/isa; tests/engine/dispatch_test.cpp compares them.
 #include "engine/dispatch_concrete.hpp"
 
 #include <array>
 
-#include "ir/isa_list.hpp"
+#include "ir/s7300/isa_list.hpp"
 
 namespace rungproof {
 
@@ -57,9 +57,16 @@ std::span<const Execute<Concrete>> dispatchTable<Concrete>() {
   return table;
 }
 
+template <>
+std::span<const Execute<Concrete>> step7DispatchTable<Concrete>() {
+  static constexpr auto table = isa::step7::makeDispatch<Concrete>(isa::step7::AllInstructions{});
+  return table;
+}
+
 Execute<Concrete> executionOf(const Instruction& instruction) {
   static constexpr auto forms = makeAreaForms(isa::AllInstructions{});
   if (instruction.desc->control != Control::None) return nullptr;
+  if (instruction.desc->execution == Execution::Always) return step7DispatchTable<Concrete>()[instruction.desc->opcode];
   const AreaForms& atAreas = forms[instruction.desc->opcode];
   if (instruction.operands.size() == 1 && instruction.operands[0].kind == OperandKind::Direct) {
     for (std::size_t i = 0; i < byteAreas.size(); ++i) {

@@ -1,7 +1,7 @@
 // Counting, one pulse at a time, so that an interrupt routine can act between two pulses.
 #include "engine/high_speed_counters.hpp"
 
-#include "ir/hsc_inputs.hpp"
+#include "ir/s7200/hsc_inputs.hpp"
 
 namespace rungproof {
 

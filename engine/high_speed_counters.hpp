@@ -1,6 +1,6 @@
 // The high-speed counters as devices: they count edges of their inputs and pulses that the stimulus gives per scan,
-// obey direction, reset and start inputs, and raise their events (001:4121-4356). Modes and inputs: ir/hsc_inputs.hpp.
-// In quadrature modes input A leading B counts up; the manual does not say which. Covered by
+// obey direction, reset and start inputs, and raise their events (001:4121-4356). Modes and inputs:
+// ir/s7200/hsc_inputs.hpp. In quadrature modes input A leading B counts up; the manual does not say which. Covered by
 // tests/engine/device_test.cpp.
 #pragma once
 
@@ -9,7 +9,7 @@
 #include <functional>
 
 #include "engine/concrete.hpp"
-#include "ir/pulse_output.hpp"
+#include "ir/s7200/pulse_output.hpp"
 
 namespace rungproof {
 

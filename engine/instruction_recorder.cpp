@@ -47,6 +47,7 @@ std::optional<std::uint64_t> operandValue(const Machine<Concrete>& machine, cons
   if (operand.kind == OperandKind::Direct)
     return cellAt(machine.store, operand.area, operand.offset, operand.bit, width, frame);
   if (operand.kind != OperandKind::Indirect) return std::nullopt;
+  if (operand.reach != nullptr) return std::nullopt;  // registers of an S7-300 decide
   const std::optional<std::uint64_t> target =
       cellAt(machine.store, operand.area, operand.offset, 0, Width::DWord, frame);
   if (!target) return std::nullopt;

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "ir/check.hpp"
-#include "ir/event_cause.hpp"
+#include "ir/s7200/event_cause.hpp"
 
 namespace rungproof {
 

@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "ir/cpu.hpp"
-#include "ir/event.hpp"
+#include "ir/s7200/cpu.hpp"
+#include "ir/s7200/event.hpp"
 
 namespace rungproof {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "engine/concrete.hpp"
-#include "ir/device_end.hpp"
+#include "ir/s7200/device_end.hpp"
 
 namespace rungproof {
 

@@ -12,8 +12,8 @@
 #include "engine/instruction_observer.hpp"
 #include "engine/run_time_error.hpp"
 #include "engine/scan_script.hpp"
-#include "ir/choices.hpp"
-#include "ir/plan.hpp"
+#include "ir/s7200/choices.hpp"
+#include "ir/s7200/plan.hpp"
 
 namespace rungproof {
 

@@ -5,7 +5,7 @@
 #include "engine/cell_value.hpp"
 #include "engine/device_end.hpp"
 #include "engine/simulator_hooks.hpp"
-#include "ir/special_memory.hpp"
+#include "ir/s7200/special_memory.hpp"
 
 namespace rungproof {
 

@@ -1,6 +1,6 @@
 // Simulator: the reference engine. It runs a program scan by scan on the concrete machine: power-up, RUN and STOP, the
-// scan cycle of ir/scan_cycle.hpp, instruction times and what they move (1 ms timers, timed interrupts, pulse trains,
-// watchdog), interrupts at instruction boundaries, devices and forced values.
+// scan cycle of ir/s7200/scan_cycle.hpp, instruction times and what they move (1 ms timers, timed interrupts, pulse
+// trains, watchdog), interrupts at instruction boundaries, devices and forced values.
 //
 // Time within a scan: every instruction takes its time of Appendix F; when a full ms of the CPU's clock has passed,
 // everything that hangs on the 1 ms clock happens before the next instruction. After the program the rest of the scan
@@ -26,8 +26,8 @@
 #include "engine/run_time_error.hpp"
 #include "engine/scan_script.hpp"
 #include "engine/start_up.hpp"
-#include "ir/choices.hpp"
-#include "ir/plan.hpp"
+#include "ir/s7200/choices.hpp"
+#include "ir/s7200/plan.hpp"
 
 namespace rungproof {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/simulator_hooks.hpp"
-#include "ir/event_cause.hpp"
+#include "ir/s7200/event_cause.hpp"
 
 namespace rungproof {
 
@@ -164,7 +164,7 @@ void Simulator::serveInterrupts(Runner& runner) {
   while (!queue_.empty() && machine_.guard && isRunning() && store_.get(Reg::InterruptsEnabled, 0) != 0) {
     runRoutine(runner, *queue_.take());
   }
-  if (queue_.empty() && (store_.area(Area::SM)[4] & 7U) != 0) {
+  if (queue_.empty() && (store_.load(Area::SM, 4 * 8, 8) & 7U) != 0) {  // no S7-300/400 has SM
     for (std::uint32_t bit = 0; bit < eventGroupCount; ++bit)
       store_.save(Area::SM, 4 * 8 + bit, 1, 0, true);  // 001:14113
   }

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "engine/simulator.hpp"
-#include "ir/call_contract.hpp"
-#include "ir/scan_cycle.hpp"
+#include "ir/s7200/call_contract.hpp"
+#include "ir/s7200/scan_cycle.hpp"
 
 namespace rungproof {
 
@@ -32,10 +32,11 @@ struct Simulator::Hooks {
 
   Execute<Concrete> entry(const FlowStep& step) const { return simulator.costs_[step.id].run; }
 
-  void freshLocal(Runner& runner, unsigned frame, std::uint32_t byte) {
+  /// `base`: where the block's local memory begins.
+  void freshLocal(Runner& runner, std::uint32_t base, std::uint32_t byte) {
     const std::uint64_t value =
         simulator.unknownIsZero_ ? 0 : runner.machine().external(External::LocalMemory, byte, 8);
-    simulator.store_.area(Area::L)[frame * frameBytes + byte] = static_cast<std::uint8_t>(value);
+    simulator.store_.area(Area::L)[base + byte] = static_cast<std::uint8_t>(value);
   }
 };
 

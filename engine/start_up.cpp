@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "ir/special_memory.hpp"
+#include "ir/s7200/special_memory.hpp"
 
 namespace rungproof {
 
@@ -52,6 +52,10 @@ void loadDataBlock(const Program& program, Concrete::Store& store) {
       if (init.offset + i < memory.size()) memory[init.offset + i] = init.bytes[i];
     }
   }
+  for (const DataBlock& block : program.dataBlocks) {
+    const std::uint32_t first = store.blocks().place(dataByte(block.number, 0));
+    if (first < store.area(Area::DB).size()) std::ranges::copy(block.bytes, store.area(Area::DB).begin() + first);
+  }
 }
 
 }  // namespace
@@ -74,11 +78,12 @@ void setTickPhase(Concrete::Store& store, std::uint32_t phase) {
 }
 
 Concrete::Store powerUpState(const Plan& plan, const Choices& choices, bool dataLost) {
-  Concrete::Store store(plan.program->target, plan.edgeCount);
+  Concrete::Store store(plan);
   loadDataBlock(*plan.program, store);
   prepareRun(store, choices);
   setSm(store, 0, 2, dataLost);
   setSm(store, 0, 3, true);
+  if (plan.isStep7()) return store;
   store.area(Area::SM)[6] = cpuRow(plan.program->target.cpu).identifier.value_or(0x20);  // 224XP: that of the 224
   return store;
 }
@@ -94,18 +99,22 @@ Concrete::Store powerCycledState(const Plan& plan, const Choices& choices, const
       if (isRetentive(ranges, area, i)) store.area(area)[i] = old[i];
     }
   }
-  for (std::uint32_t i = 0; i < 256; ++i) {
+  for (std::uint32_t i = 0; i < plan.timerCount; ++i) {
     if (isRetentive(ranges, Area::T, i)) store.set(Reg::TimerCurrent, i, before.get(Reg::TimerCurrent, i), true);
+  }
+  for (std::uint32_t i = 0; i < plan.counterCount; ++i) {
     if (isRetentive(ranges, Area::C, i)) store.set(Reg::CounterCurrent, i, before.get(Reg::CounterCurrent, i), true);
   }
   return store;
 }
 
 void enterRun(Concrete::Store& store, const Choices& choices, const std::vector<RetentiveRange>& ranges) {
-  for (std::uint32_t i = 0; i < 256; ++i) {
+  for (std::uint32_t i = 0; i < store.count(Reg::TimerBit); ++i) {
     store.set(Reg::TimerBit, i, 0, true);
-    store.set(Reg::CounterBit, i, 0, true);
     if (!isRetentive(ranges, Area::T, i)) store.set(Reg::TimerCurrent, i, 0, true);
+  }
+  for (std::uint32_t i = 0; i < store.count(Reg::CounterBit); ++i) {
+    store.set(Reg::CounterBit, i, 0, true);
     if (!isRetentive(ranges, Area::C, i)) store.set(Reg::CounterCurrent, i, 0, true);
   }
   const auto phase = static_cast<std::uint32_t>(store.get(Reg::PhaseHundred, 0));

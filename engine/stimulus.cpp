@@ -1,7 +1,7 @@
 // Plays rows in front of the scans they belong to.
 #include "engine/stimulus.hpp"
 
-#include "ir/special_memory.hpp"
+#include "ir/s7200/special_memory.hpp"
 
 namespace rungproof {
 

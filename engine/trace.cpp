@@ -61,9 +61,11 @@ bool isUsedAsReal(const Program& program, const Operand& operand) {
 int groupOf(Area area) {
   switch (area) {
     case Area::I:
-    case Area::AI: return 0;
+    case Area::AI:
+    case Area::PI: return 0;
     case Area::Q:
-    case Area::AQ: return 1;
+    case Area::AQ:
+    case Area::PQ: return 1;
     case Area::T: return 2;
     case Area::C: return 3;
     case Area::SM: return 5;
@@ -105,7 +107,8 @@ int Trace::indexOf(const TraceSignal& signal) const {
         return static_cast<int>(i);
     }
   }
-  return signalNamed(signal.name);
+  const int named = signalNamed(signal.name);
+  return named >= 0 || signal.symbol.empty() ? named : signalNamed(signal.symbol);
 }
 
 TraceSignal signalOf(const Program& program, const Operand& operand) {
@@ -130,7 +133,9 @@ std::vector<TraceSignal> touchedSignals(const Program& program) {
     if (seen.insert(cellOf(operand)).second) operands.push_back(operand);
   };
   forEachOperand(program, [&](const Instruction& instruction, std::size_t i, const Operand& operand, Type type) {
-    const Operand first = accessed(operand, type);
+    Operand first = accessed(operand, type);
+    if (first.area == Area::T && first.width == Width::Word && isStep7(program.target))
+      first.width = Width::DWord;  // ms
     for (unsigned k = 0; k < bitCount(instruction, i); ++k) {
       Operand next = first;
       if (hasBitAndWord(operand.area)) {

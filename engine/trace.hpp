@@ -59,7 +59,7 @@ struct Trace {
 
   /// Index of the signal of that name or symbol (case does not matter), or -1.
   int signalNamed(std::string_view name) const;
-  /// Index of the signal with the same operand, else of the same name, or -1.
+  /// Index of the signal with the same operand, else of the same name or symbol, or -1.
   int indexOf(const TraceSignal& signal) const;
 };
 

@@ -57,8 +57,24 @@ std::optional<std::size_t> matchingRow(const Trace& expected, const TraceRow& ro
   return std::nullopt;
 }
 
+Trace keyedByTime(Trace expected) {
+  if (expected.isByTime) return expected;
+  std::vector<std::uint64_t> starts;
+  for (std::size_t i = 0; i < expected.rows.size(); ++i) starts.push_back(startOf(expected, i));
+  for (std::size_t i = 0; i < starts.size(); ++i) expected.rows[i].timeUs = starts[i];
+  expected.isByTime = true;
+  return expected;
+}
+
 std::optional<TraceDifference> firstDifference(const Trace& expected, const Trace& actual,
                                                const CompareOptions& options) {
+  const std::vector<TraceDifference> list = differences(expected, actual, options, 1);
+  return list.empty() ? std::nullopt : std::optional(list.front());
+}
+
+std::vector<TraceDifference> differences(const Trace& expected, const Trace& actual, const CompareOptions& options,
+                                         std::size_t most) {
+  std::vector<TraceDifference> list;
   struct Pair {
     std::size_t expected;
     std::size_t actual;
@@ -83,7 +99,11 @@ std::optional<TraceDifference> firstDifference(const Trace& expected, const Trac
       const std::optional<double> wanted = row.values[pair.expected];
       if (!wanted) continue;
       TraceDifference difference{e, match, pair.expected, row.scan, row.timeUs, *wanted, std::nullopt};
-      if (!match) return difference;
+      if (list.size() >= most) return list;
+      if (!match) {
+        list.push_back(difference);
+        continue;
+      }
       const std::size_t low = *match >= options.slack ? *match - options.slack : 0;
       const std::size_t high = std::min<std::size_t>(*match + options.slack, actual.rows.size() - 1);
       bool found = false;
@@ -94,11 +114,11 @@ std::optional<TraceDifference> firstDifference(const Trace& expected, const Trac
       if (found) continue;
       difference.actual = actual.rows[*match].values[pair.actual];
       difference.scan = actual.isByTime ? row.scan : actual.rows[*match].scan;
-      difference.timeUs = actual.rows[*match].timeUs;
-      return difference;
+      if (!actual.isByTime) difference.timeUs = actual.rows[*match].timeUs;
+      list.push_back(difference);
     }
   }
-  return std::nullopt;
+  return list;
 }
 
 }  // namespace rungproof

@@ -36,10 +36,17 @@ struct TraceDifference {
 /// Signals of the expected trace that the actual one lacks.
 std::vector<std::string> missingSignals(const Trace& expected, const Trace& actual);
 
+/// The expected trace keyed by time, where it counts scans and knows when they were: a row stands where its scan
+/// begins.
+Trace keyedByTime(Trace expected);
+
 /// The row of `actual` that belongs to a row of `expected`: the same scan, or the scan in which the time falls, its
 /// end excluded (a time equal to the end of the run belongs to the last scan). Nothing: beyond the end.
 std::optional<std::size_t> matchingRow(const Trace& expected, const TraceRow& row, const Trace& actual);
 
+/// Expected values that the actual trace does not show, in the order of the expected rows, at most so many.
+std::vector<TraceDifference> differences(const Trace& expected, const Trace& actual, const CompareOptions& options,
+                                         std::size_t most);
 /// Nothing: every expected value is there. Signals are matched by name; missing ones are passed over.
 std::optional<TraceDifference> firstDifference(const Trace& expected, const Trace& actual,
                                                const CompareOptions& options);

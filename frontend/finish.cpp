@@ -3,7 +3,7 @@
 #include <ostream>
 #include <sstream>
 
-#include "frontend/command/command.hpp"
+#include "frontend/command.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {

@@ -1,6 +1,7 @@
 // The memory areas of the CPU and what can be done with each: one row per area, asked by its properties. Who wants to
 // know whether an area is addressed by number, is an output or outlives a power failure asks here and names no area.
-// Areas and addressing: 001:1267-1431, pointers 001:1459-1478. Limits stand in ir/cpu_tables.hpp.
+// Areas and addressing: 001:1267-1431, pointers 001:1459-1478. Limits stand in ir/s7200/cpu_tables.hpp
+// and ir/s7300/cpu.hpp.
 // Tested by tests/ir/area_test.cpp.
 #pragma once
 
@@ -12,8 +13,8 @@
 
 namespace rungproof {
 
-enum class Area : std::uint8_t { I, Q, AI, AQ, V, M, S, SM, L, T, C, AC, HC };
-inline constexpr int areaCount = 13;
+enum class Area : std::uint8_t { I, Q, AI, AQ, V, M, S, SM, L, T, C, AC, HC, DB, PI, PQ };
+inline constexpr int areaCount = 16;
 
 /// Access width. Word accesses to T, C, AI, AQ and double word accesses to HC are the only ones there.
 enum class Width : std::uint8_t { Bit, Byte, Word, DWord };
@@ -68,6 +69,10 @@ inline constexpr std::array<AreaInfo, areaCount> areaTable = {{
     {Area::C,  "C",  AreaUse::Element,     Addressing::Elements, Width::Word,  true,  false, false, 0x0A},
     {Area::AC, "AC", AreaUse::Accumulator, Addressing::Numbers,  Width::DWord, false, false, true,  {}},
     {Area::HC, "HC", AreaUse::Device,      Addressing::Numbers,  Width::DWord, false, false, false, {}},
+    // S7-300/400: data blocks (byte numbers: ir/block_map.hpp) and modules without their image.
+    {Area::DB, "DB", AreaUse::Memory,      Addressing::Bytes,    {},           true,  true,  false, {}},
+    {Area::PI, "PI", AreaUse::Input,       Addressing::Bytes,    {},           false, false, false, {}},
+    {Area::PQ, "PQ", AreaUse::Output,      Addressing::Bytes,    {},           false, false, false, {}},
 }};
 // clang-format on
 
@@ -95,7 +100,7 @@ inline constexpr AreaSet inputs = areasThat([](const AreaInfo& a) { return a.use
 inline constexpr AreaSet outputs = areasThat([](const AreaInfo& a) { return a.use == AreaUse::Output; });
 inline constexpr AreaSet memory = areasThat([](const AreaInfo& a) { return a.use == AreaUse::Memory; });
 inline constexpr AreaSet readOnly =
-    areasThat([](const AreaInfo& a) { return a.area == Area::AI || a.use == AreaUse::Device; });
+    areasThat([](const AreaInfo& a) { return a.area == Area::AI || a.area == Area::PI || a.use == AreaUse::Device; });
 inline constexpr AreaSet pointers = areasThat([](const AreaInfo& a) { return a.mayHoldPointer; });
 inline constexpr AreaSet pointedTo = areasThat([](const AreaInfo& a) { return a.tag.has_value(); });
 inline constexpr AreaSet betweenScans =
@@ -114,7 +119,7 @@ constexpr bool isInputArea(Area area) { return inAreas(area_sets::inputs, area);
 constexpr bool isOutputArea(Area area) { return inAreas(area_sets::outputs, area); }
 /// V, M, S: the program's own memory.
 constexpr bool isMemoryArea(Area area) { return inAreas(area_sets::memory, area); }
-/// AI, HC: no instruction may write there (001:2647, 001:1336).
+/// AI, HC, PI: no instruction may write there (001:2647, 001:1336).
 constexpr bool isReadOnlyArea(Area area) { return inAreas(area_sets::readOnly, area); }
 /// V, L, AC: where a pointer may stand (001:1459).
 constexpr bool mayHoldPointer(Area area) { return inAreas(area_sets::pointers, area); }

@@ -1,5 +1,5 @@
 // What a descriptor of an instruction says: spelling, operands, stack effect, class of execution.
-// One constexpr Desc stands in each instruction's struct in ir/isa/*.hpp; names, look-ups, operand checks,
+// One constexpr Desc stands in each instruction's struct in ir/s7200/isa/*.hpp; names, look-ups, operand checks,
 // printing, completion and dispatch derive from it. The table is compared row by row with
 // tests/data/*.tsv by tests/ir/isa_table_test.cpp.
 #pragma once
@@ -9,8 +9,10 @@
 #include <initializer_list>
 #include <string_view>
 
-#include "ir/cpu.hpp"
+#include "ir/area.hpp"
+#include "ir/operand.hpp"
 #include "ir/role.hpp"
+#include "ir/target.hpp"
 
 namespace rungproof {
 
@@ -29,7 +31,9 @@ enum class Type : std::uint8_t {
   Label,
   Subroutine,
   Interrupt,  ///< numbers of LBL, SBR, INT
-  Parameter   ///< an actual parameter of CALL: its type comes from the called block
+  Parameter,  ///< an actual parameter of CALL: its type comes from the called block
+  Block,      ///< S7-300/400: FC, FB, SFC, SFB (ir/s7300/block.hpp), DB
+  Value       ///< S7-300/400: byte, word or double word as the operand is written
 };
 
 enum class Direction : std::uint8_t { In, Out, InOut };
@@ -148,10 +152,11 @@ enum class Execution : std::uint8_t {
   Coil,         ///< always executed; copies the top to a bit
   Conditional,  ///< executed only with power flow (001:2274); otherwise nothing changes
   Sampled,      ///< always executed; takes stack levels as data (timers, counters, PID)
-  Control       ///< moves the flow of the program; its meaning is in ir/scan.hpp
+  Control,      ///< moves the flow of the program; its meaning is in ir/s7200/scan.hpp
+  Always        ///< S7-300/400: runs whatever the RLO is
 };
 
-/// Which control instruction, for ir/flow.hpp and ir/scan.hpp.
+/// Which control instruction, for ir/flow.hpp, ir/s7200/scan.hpp and ir/s7300/control.hpp.
 enum class Control : std::uint8_t {
   None,
   Jump,
@@ -171,7 +176,11 @@ enum class Control : std::uint8_t {
   ScrEndConditional,
   ScrEnd,
   SubroutineHead,
-  InterruptHead
+  InterruptHead,
+  Branch,       ///< S7-300/400: jumps where the meaning says so; LOOP too
+  Distributor,  ///< JL
+  BlockEnd,     ///< BE, BEU, BEC
+  BlockCall     ///< CALL, UC, CC
 };
 
 /// Stack effect for depth analysis: levels it needs filled, levels popped, levels pushed.

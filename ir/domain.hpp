@@ -1,6 +1,6 @@
 // The concept Domain: what a kind of value must offer so that instruction meanings can be executed over it.
 // Instances: Concrete (engine/concrete.hpp, plain numbers, the reference) and Graph (analysis/graph/graph.hpp, shared
-// expression nodes for solvers and exports). Meanings in ir/isa/*.hpp see nothing but this interface.
+// expression nodes for solvers and exports). Meanings in ir/s7200/isa/*.hpp see nothing but this interface.
 //
 // Laws (tests/differential/domain_laws_test.cpp compares every instance with Concrete):
 //   values of width w lie in 0 .. 2^w - 1; add, sub, mul wrap; sdiv truncates toward zero and srem has the

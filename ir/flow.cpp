@@ -24,7 +24,9 @@ class Pairing {
     segmentOf_.push_back(segment_);
     switch (control(i)) {
       case Control::LabelMark: label(i); break;
-      case Control::Jump: jumps_.push_back(i); break;
+      case Control::Jump:
+      case Control::Branch:
+      case Control::Distributor: jumps_.push_back(i); break;
       case Control::For:
         if (loops_.size() >= 8) fault(FlowProblem::ForTooDeep, i);
         loops_.push_back(i);

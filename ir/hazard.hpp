@@ -1,5 +1,5 @@
 // Hazards: what can go wrong while an instruction runs. One list for the engine (run-time errors of table C-2,
-// 001:13945-13973, and fatal errors of table C-1, 001:13917-13940), the prover (proof obligations) and rules.
+// 001:13945-13973, and fatal errors of table C-1, 001:13917-13940), the prover (proof askedProperties) and rules.
 #pragma once
 
 #include <array>
@@ -47,7 +47,17 @@ enum class Hazard : std::uint8_t {
   QueueOverflow,
   LoopBound,
   PortMode,
-  PortParameter
+  PortParameter,
+  S7Bcd,
+  S7AreaLength,
+  S7AreaUnknown,
+  S7TimerNumber,
+  S7CounterNumber,
+  S7Alignment,
+  S7WriteProtected,
+  S7BlockMissing,
+  S7Nesting,
+  S7Stop
 };
 
 /// How the CPU takes it: a status bit only, a logged non-fatal error with SM4.3, or STOP.
@@ -118,6 +128,26 @@ inline constexpr std::array hazardTable = {
                "001:3147"},
     HazardInfo{Hazard::PortParameter, "", HazardClass::StatusOnly,
                "communication parameters not legal, or too many requests", "001:3145"},
+    // S7-300/400: synchronous errors, which end in STOP where OB121 is missing (002:1278-1290). The code is the
+    // OB121_SW_FLT of the first of them.
+    HazardInfo{Hazard::S7Bcd, "OB121 21", HazardClass::Fatal, "value is not BCD", "002:1286"},
+    HazardInfo{Hazard::S7AreaLength, "OB121 22", HazardClass::Fatal, "access leaves its area or data block",
+               "002:1289"},
+    HazardInfo{Hazard::S7AreaUnknown, "OB121 24", HazardClass::Fatal, "pointer names an area that cannot be accessed",
+               "002:1289"},
+    HazardInfo{Hazard::S7TimerNumber, "OB121 26", HazardClass::Fatal, "the CPU has no timer of that number",
+               "002:1289"},
+    HazardInfo{Hazard::S7CounterNumber, "OB121 27", HazardClass::Fatal, "the CPU has no counter of that number",
+               "002:1289"},
+    HazardInfo{Hazard::S7Alignment, "OB121 28", HazardClass::Fatal,
+               "bit part of the pointer to a byte, word or double "
+               "word is not 0",
+               "002:1290"},
+    HazardInfo{Hazard::S7WriteProtected, "OB121 30", HazardClass::Fatal, "write to a write-protected data block",
+               "002:1288"},
+    HazardInfo{Hazard::S7BlockMissing, "OB121 3A", HazardClass::Fatal, "block is not loaded", "002:1287"},
+    HazardInfo{Hazard::S7Nesting, "STOP", HazardClass::Fatal, "blocks nested too deeply", "002:1278"},
+    HazardInfo{Hazard::S7Stop, "STOP", HazardClass::Fatal, "SFC 46 stops the CPU", "002:2343"},
 };
 
 constexpr const HazardInfo& hazardInfo(Hazard hazard) { return hazardTable[static_cast<std::size_t>(hazard)]; }
@@ -127,7 +157,7 @@ constexpr bool hazardTableIsInOrder() {
   for (std::size_t i = 0; i < hazardTable.size(); ++i) {
     if (static_cast<std::size_t>(hazardTable[i].hazard) != i) return false;
   }
-  return hazardTable.size() == static_cast<std::size_t>(Hazard::PortParameter) + 1;
+  return hazardTable.size() == static_cast<std::size_t>(Hazard::S7Stop) + 1;
 }
 static_assert(hazardTableIsInOrder(), "hazardTable must list the hazards in the order of the enumeration");
 }  // namespace detail

@@ -8,6 +8,12 @@
 namespace rungproof {
 
 std::string addressName(Area area, Width width, std::uint32_t offset, unsigned bit) {
+  if (area == Area::DB) {
+    static constexpr std::string_view letters[] = {"X", "B", "W", "D"};
+    const std::string place =
+        fmt::format("DB{}.DB{}{}", offset >> 16, letters[static_cast<int>(width)], offset & 0xFFFF);
+    return width == Width::Bit ? fmt::format("{}.{}", place, bit) : place;
+  }
   if (addressedByNumber(area)) return fmt::format("{}{}", areaName(area), offset);
   if (isAnalogue(area)) width = Width::Word;
   switch (width) {
@@ -57,6 +63,7 @@ std::string constantText(const Operand& operand) {
       return rungproof::quoted(characters, '\'');
     }
     case ConstantForm::Typed: {
+      if (!operand.text.empty()) return operand.text;
       const std::string_view prefix = operand.width == Width::Byte ? "B" : operand.width == Width::Word ? "W" : "DW";
       return fmt::format("{}#{}", prefix, operand.value);
     }
@@ -67,7 +74,44 @@ std::string constantText(const Operand& operand) {
 
 }  // namespace
 
+namespace {
+
+constexpr std::string_view widths[] = {"", "B", "W", "D"};
+
+/// "M", "MB", "DIW", "T": the letters before an offset or a bracket.
+std::string step7Letters(const Operand& operand) {
+  if (addressedByNumber(operand.area)) return std::string(areaName(operand.area));
+  if (operand.area != Area::DB)
+    return fmt::format("{}{}", areaName(operand.area), widths[static_cast<int>(operand.width)]);
+  const std::string_view width = operand.width == Width::Bit ? "X" : widths[static_cast<int>(operand.width)];
+  return fmt::format("D{}{}", operand.reach->inDi ? "I" : "B", width);
+}
+
+/// DBW 2, #name, M[MD4], M[AR1,P#2.1], W[AR2,P#0.0] (002:1622-1711); a name that stood there comes first.
+std::string step7Text(const Operand& operand) {
+  if (!operand.text.empty()) return operand.text;
+  const Reach& reach = *operand.reach;
+  const std::string offset = fmt::format("P#{}.{}", operand.offset, operand.bit);
+  const std::string_view ar = reach.byAr2 ? "AR2" : "AR1";
+  const auto place = [&] {
+    return operand.width == Width::Bit ? fmt::format("{}{}.{}", step7Letters(operand), operand.offset, operand.bit)
+                                       : fmt::format("{}{}", step7Letters(operand), operand.offset);
+  };
+  switch (reach.way) {
+    case Way::OpenBlock:
+    case Way::Instance: return place();
+    case Way::Parameter: return fmt::format("#{}", reach.parameter);
+    case Way::Pointer: return fmt::format("{}[{}]", step7Letters(operand), toString(reach.pointer));
+    case Way::Register: return fmt::format("{}[{},{}]", step7Letters(operand), ar, offset);
+    case Way::Crossing: return fmt::format("{}[{},{}]", widths[static_cast<int>(operand.width)], ar, offset);
+  }
+  return {};
+}
+
+}  // namespace
+
 std::string toString(const Operand& operand) {
+  if (operand.reach != nullptr) return step7Text(operand);
   switch (operand.kind) {
     case OperandKind::Direct: return addressName(operand.area, operand.width, operand.offset, operand.bit);
     case OperandKind::Indirect: return "*" + addressName(operand.area, Width::DWord, operand.offset);

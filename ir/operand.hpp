@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -11,11 +12,38 @@
 namespace rungproof {
 
 /// Types of local variables and parameters (001:6789-6805).
-enum class DataType : std::uint8_t { Bool, Byte, Word, Int, DWord, DInt, Real, String, Time };
+/// those of the S7-300/400 behind them: spec of types 002:1951-1978.
+enum class DataType : std::uint8_t {
+  Bool,
+  Byte,
+  Word,
+  Int,
+  DWord,
+  DInt,
+  Real,
+  String,
+  Time,
+  Char,
+  S5Time,
+  Date,
+  TimeOfDay,
+  DateAndTime,
+  Array,
+  Struct,    ///< a UDT too
+  Instance,  ///< an FB or SFB as static data: a multi-instance
+  Timer,
+  Counter,
+  BlockFb,
+  BlockFc,
+  BlockDb,
+  Pointer,
+  Any,
+  Void
+};
 
 enum class OperandKind : std::uint8_t {
   Direct,    ///< I0.0, VB10, T37, AC1
-  Indirect,  ///< *VD10, *LD4, *AC1: the value at the address that the pointer holds
+  Indirect,  ///< *VD10, *LD4, *AC1: the value at the address that the pointer holds; S7-300: as Operand::reach says
   Address,   ///< &VB10: the address itself
   Constant,  ///< 12, 16#FF, 1.5, 'AB'
   Text,      ///< "ABC"
@@ -25,6 +53,8 @@ enum class OperandKind : std::uint8_t {
 
 /// How a constant was written; its bits are in Operand::value.
 enum class ConstantForm : std::uint8_t { Decimal, SignedDecimal, Hex, Binary, Ascii, Real, Typed, Boolean };
+
+struct Reach;
 
 /// One operand. Which fields count is told by `kind`.
 struct Operand {
@@ -38,7 +68,28 @@ struct Operand {
   Span span;                 ///< the operand as written
   std::string text;          ///< Symbol: name; Text: characters; resolved symbols: the name that stood there
 
+  /// S7-300/400: how a place is found that no number names (OperandKind::Indirect); otherwise nullptr.
+  std::shared_ptr<const Reach> reach;
+
   bool isMemory() const { return kind == OperandKind::Direct || kind == OperandKind::Indirect; }
+};
+
+/// The ways in which an S7-300/400 finds a place (002:1622-1711); Operand::area, width, offset and bit say what and
+/// where.
+enum class Way : std::uint8_t {
+  OpenBlock,  ///< DBW 2, DIX 0.0: in the block that is open in the DB or DI register
+  Instance,   ///< #static, a parameter of an FB: in the block open in DI, AR2 further
+  Parameter,  ///< a formal parameter that the call gives by reference; offset and bit: within an actual of complex type
+  Pointer,    ///< I[MD4], DBW[LD8], T[MW2]: the bit address, or the number, stands in memory
+  Register,   ///< M[AR1,P#2.1]: the register's bit address plus offset and bit
+  Crossing    ///< [AR1,P#2.1], W[AR2,P#0.0]: the area stands in the register too
+};
+struct Reach {
+  Way way;
+  bool inDi = false;            ///< OpenBlock, and area DB of Pointer and Register: DI instead of DB
+  bool byAr2 = false;           ///< Register, Crossing: AR2 instead of AR1
+  std::uint32_t parameter = 0;  ///< Parameter: number of the formal one among the block's parameters
+  Operand pointer;              ///< Pointer: where it stands; its width: Word for numbers, DWord for bit addresses
 };
 
 /// "I0.0", "VW10", "T37", "AC1", "*VD10", "&VB10", "16#FF", "sym"; the canonical international spelling.

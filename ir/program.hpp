@@ -17,9 +17,14 @@
 namespace rungproof {
 
 struct Drawing;  // ladder or FBD, drawing.hpp
+namespace s7300 {
+struct Declarations;  // names of data, ir/s7300/declarations.hpp
+}
 
 enum class PouKind : std::uint8_t { Main, Subroutine, Interrupt };
-enum class VarSection : std::uint8_t { Input, InOut, Output, Temp };
+enum class VarSection : std::uint8_t { Input, InOut, Output, Temp, Static };
+/// What a block of an S7-300/400 is; all blocks of an S7-200 are None.
+enum class BlockType : std::uint8_t { None, Ob, Fc, Fb, Sfc, Sfb };
 enum class Form : std::uint8_t { Stl, Ladder, Fbd };
 
 /// A row of a local variable table with its place in L memory (001:6817-6821).
@@ -27,7 +32,11 @@ struct LocalVariable {
   std::string name;
   VarSection section = VarSection::Temp;
   DataType type = DataType::Bool;
-  Operand address;  ///< L operand assigned by the layout rule
+  /// The L operand that the layout rule assigns. S7-300/400: static data and parameters of an FB by Way::Instance,
+  /// parameters by reference by Way::Parameter.
+  Operand address;
+  std::uint32_t size = 0;  ///< S7-300/400: bytes; 0 for a bit
+  int instanceOf = 0;      ///< DataType::Instance: Pou::number of the FB
   Span span;
 };
 
@@ -61,13 +70,16 @@ struct Network {
 struct Pou {
   PouKind kind = PouKind::Main;
   std::string name;  ///< "MAIN", "SBR_0", or the symbolic name
-  int number = 0;    ///< of SBRn, INTn, OBn
+  int number = 0;    ///< of SBRn, INTn, OBn; of blocks of an S7-300/400: blockNumber() (ir/s7300/block.hpp)
   std::string title;
   std::vector<LocalVariable> locals;
   std::vector<Network> networks;
   std::vector<Comment> comments;  ///< outside networks
   Span span;
   bool protectedBlock = false;  ///< password-protected: no instruction is visible
+  BlockType type = BlockType::None;
+  std::uint32_t localBytes = 0;     ///< S7-300/400: L memory, with that of the LAD/FBD compiler; even
+  std::uint32_t instanceBytes = 0;  ///< of an FB
 };
 
 /// A row of a symbol table.
@@ -93,6 +105,16 @@ struct Directive {
   int network = 0;
 };
 
+/// A data block of an S7-300/400.
+struct DataBlock {
+  std::uint32_t number = 0;
+  std::string name;                 ///< symbol, or empty
+  std::vector<std::uint8_t> bytes;  ///< actual values as they are loaded
+  int instanceOf = 0;               ///< Pou::number of the FB; 0: a global block
+  bool readOnly = false, unlinked = false, nonRetain = false;
+  Span span;
+};
+
 /// Bytes of V memory that a library was given (001:2497), as the project's settings name them.
 struct LibraryMemory {
   std::string block;  ///< "MBUS_SLAVE"; empty: of any library
@@ -106,7 +128,9 @@ struct Program {
   std::vector<Pou> pous;  ///< main first when there is one
   std::vector<Symbol> symbols;
   std::vector<DataInit> data;
+  std::vector<DataBlock> dataBlocks;  ///< in the order of their numbers
   std::vector<Directive> directives;
+  std::shared_ptr<const s7300::Declarations> declarations;  ///< S7-300/400: names of data; nullptr elsewhere
   std::vector<LibraryMemory> libraryMemory;
   std::vector<Finding> findings;  ///< of the readers
   bool olderDialect = false;      ///< one-text dialect of the S7-212/214 time (MEND, SBR n)

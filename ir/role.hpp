@@ -1,6 +1,6 @@
 // What an instruction is for, in the words of those who ask: a contact, a coil, a timer, a move. Each descriptor in
-// ir/isa/*.hpp names its role (Role::Other: nobody asks), and no reader looks at a spelling. Width and type are those
-// of the operands: Role::Move with Type::Word is MOVW. Tested by tests/ir/role_test.cpp.
+// ir/s7200/isa/*.hpp names its role (Role::Other: nobody asks), and no reader looks at a spelling. Width and type are
+// those of the operands: Role::Move with Type::Word is MOVW. Tested by tests/ir/role_test.cpp.
 #pragma once
 
 #include <cstdint>

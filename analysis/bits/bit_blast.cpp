@@ -9,8 +9,8 @@
 
 namespace rungproof {
 
-BitBlast::BitBlast(const TransitionSystem& system, const std::vector<std::size_t>& questions,
-                   const std::vector<Node>& extra, const Budget* budget)
+BitBlast::BitBlast(const TransitionSystem& system, const Questions& questions, const std::vector<Node>& extra,
+                   const Budget* budget)
     : system_(system), graph_(*system.graph) {
   for (std::size_t i = 0; i < system.states.size(); ++i) states_.emplace(indexOf(system.states[i].node), i);
   for (std::size_t i = 0; i < system.inputs.size(); ++i) inputs_.emplace(indexOf(system.inputs[i]), i);
@@ -27,8 +27,14 @@ BitBlast::BitBlast(const TransitionSystem& system, const std::vector<std::size_t
     total_.push_back(std::find(system.totalConstraints.begin(), system.totalConstraints.end(), n) !=
                      system.totalConstraints.end());
   }
-  for (const std::size_t q : questions) bits_.bads.push_back(of(system.questions[q].bad)[0]);
+  ask(questions);
   for (const Node n : extra) remember(n);
+}
+
+void BitBlast::ask(const Questions& questions) {
+  questions_ = questions;
+  bits_.bads.clear();
+  for (const std::size_t q : questions) bits_.bads.push_back(badOf(q));
 }
 
 BitBlast::BitBlast(const TransitionSystem& system, Node root, const std::unordered_set<std::uint32_t>& open)

@@ -27,15 +27,20 @@ struct OutOfBudget {};
 
 class BitBlast {
  public:
-  /// Covers the cone of `questions` (indices), of all constraints, and of `extra` nodes over states and inputs. Throws
+  /// Covers the cone of `questions`, of all constraints, and of `extra` nodes over states and inputs. Throws
   /// OutOfBudget: long arithmetic can be millions of gates.
-  BitBlast(const TransitionSystem& system, const std::vector<std::size_t>& questions,
-           const std::vector<Node>& extra = {}, const Budget* budget = nullptr);
+  BitBlast(const TransitionSystem& system, const Questions& questions, const std::vector<Node>& extra = {},
+           const Budget* budget = nullptr);
   /// One node within one scan; `open` nodes (indices) and variables of any kind become free inputs.
   BitBlast(const TransitionSystem& system, Node root, const std::unordered_set<std::uint32_t>& open);
 
   const BitSystem& bits() const { return bits_; }
   BitSystem& bits() { return bits_; }
+  /// The questions that bits().bads stand for, in their order.
+  const Questions& questions() const { return questions_; }
+  Lit badOf(std::size_t question) const { return of(system_.questions[question].bad)[0]; }
+  /// bits().bads are those of these questions from now on, all of the cone.
+  void ask(const Questions& questions);
   /// By index in bits().constraints: left out of a cone that shares no variables with it.
   const std::vector<bool>& isTotal() const { return total_; }
   /// Literals of a node of the cone, lowest bit first.
@@ -72,6 +77,7 @@ class BitBlast {
   const TransitionSystem& system_;
   Graph& graph_;
   BitSystem bits_;
+  Questions questions_;
   std::unordered_map<std::uint32_t, LitVector> literals_;    ///< by node index
   std::unordered_map<std::uint32_t, std::uint32_t> states_;  ///< variable node index -> index in system_.states
   std::unordered_map<std::uint32_t, std::uint32_t> inputs_;  ///< variable node index -> index in system_.inputs

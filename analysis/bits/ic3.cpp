@@ -46,11 +46,9 @@ class Ic3 final : public Engine {
       if (const std::optional<int> level = frames_.propagate()) {
         verdict.answer = Answer::Proved;
         verdict.certificate = Certificate{};
-        for (int i = *level + 1; i <= frames_.top(); ++i) {
-          for (const Cube& cube : frames_.lemmas(i)) {
-            std::vector<Lit>& clause = verdict.certificate->clauses.emplace_back();
-            for (const Lit l : cube) clause.push_back(negate(l));
-          }
+        for (const Cube& cube : frames_.lemmas().above(*level)) {
+          std::vector<Lit>& clause = verdict.certificate->clauses.emplace_back();
+          for (const Lit l : cube) clause.push_back(negate(l));
         }
         return;
       }
@@ -73,7 +71,7 @@ class Ic3 final : public Engine {
       const auto [key, index] = queue.top();
       const int level = key.first;
       const Cube cube = obligations_[index].state.latches;
-      if (frames_.isBlocked(cube, level)) {
+      if (frames_.lemmas().isBlocked(cube, level)) {
         queue.pop();
         if (level < frames_.top()) queue.push({{level + 1, key.second}, index});
         continue;
@@ -97,7 +95,7 @@ class Ic3 final : public Engine {
   void generalise(Cube& cube, int level, int depth) {
     Cube order = cube;
     std::stable_sort(order.begin(), order.end(),
-                     [&](Lit a, Lit b) { return frames_.activity(a) < frames_.activity(b); });
+                     [&](Lit a, Lit b) { return frames_.lemmas().activity(a) < frames_.lemmas().activity(b); });
     std::vector<Lit> needed;
     for (const Lit drop : order) {
       if (cube.size() <= 1) break;

@@ -4,25 +4,17 @@
 
 #include <algorithm>
 
-#include "analysis/schedule/schedule.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
-
-bool subsumes(const Cube& general, const Cube& special) {
-  if (general.size() > special.size()) return false;
-  return std::includes(special.begin(), special.end(), general.begin(), general.end());
-}
 
 Ic3Frames::Ic3Frames(const BitSystem& system, const EngineOptions& options)
     : system_(system),
       options_(options),
       unrolling_(system, Unrolling::Start::Any),
-      init_(system.variableCount(), LatchInit::Free),
-      activity_(system.variableCount(), 0) {
+      init_(system.variableCount(), LatchInit::Free) {
   for (const Lit bad : system.bads) bad_ = unrolling_.graph().addOr(bad_, unrolling_.at(0, bad));
   for (const Latch& latch : system.latches) init_[latch.variable] = latch.init;
-  frames_.resize(1);
   build();
 }
 
@@ -52,7 +44,7 @@ void Ic3Frames::build() {
     sat_->add({-frameLiterals_[0], current(positive(latch.variable) ^ (latch.init == LatchInit::One ? 0U : 1U))});
   }
   for (int level = 1; level <= top(); ++level) {
-    for (const Cube& cube : frames_[level]) assertLemma(cube, level);
+    for (const Cube& cube : frames_.at(level)) assertLemma(cube, level);
   }
 }
 
@@ -178,44 +170,20 @@ void Ic3Frames::assertLemma(const Cube& cube, int level) {
 }
 
 void Ic3Frames::addLemma(const Cube& cube, int level) {
-  std::size_t alive = 0;
-  for (int i = 1; i <= top(); ++i) {
-    if (i <= level) std::erase_if(frames_[i], [&](const Cube& lemma) { return subsumes(cube, lemma); });
-    alive += frames_[i].size();
-  }
-  frames_[level].push_back(cube);
-  bump_ *= schedule::activityGrowth;
-  for (const Lit l : cube) activity_[variableOf(l)] += bump_;
-  if (bump_ > 1e100) {
-    for (double& a : activity_) a *= 1e-100;
-    bump_ *= 1e-100;
-  }
-  if (asserted_ > 500 + 3 * alive)
+  frames_.add(cube, level);
+  if (asserted_ > 500 + 3 * frames_.size())
     build();
   else
     assertLemma(cube, level);
 }
 
-bool Ic3Frames::isBlocked(const Cube& cube, int level) const {
-  for (int i = level; i <= top(); ++i) {
-    for (const Cube& lemma : frames_[i]) {
-      if (subsumes(lemma, cube)) return true;
-    }
-  }
-  return false;
-}
-
 std::optional<int> Ic3Frames::propagate() {
-  for (int level = 1; level < top(); ++level) {
-    const std::vector<Cube> lemmas = frames_[level];
-    for (const Cube& lemma : lemmas) {
-      if (std::find(frames_[level].begin(), frames_[level].end(), lemma) == frames_[level].end()) continue;
-      Cube core;
-      if (isInductive(lemma, level, false, &core)) addLemma(core, level + 1);
-    }
-    if (frames_[level].empty()) return level;
-  }
-  return std::nullopt;
+  return frames_.propagate(
+      [&](const Cube& lemma, int level) -> std::optional<Cube> {
+        Cube core;
+        return isInductive(lemma, level, false, &core) ? std::optional(std::move(core)) : std::nullopt;
+      },
+      [&](const Cube& core, int level) { addLemma(core, level); });
 }
 
 }  // namespace rungproof

@@ -1,5 +1,5 @@
-// The frames of IC3: over-approximations F_0 .. F_N of the states reachable in 0 .. N scans, as clauses over the
-// latches, and the SAT questions about them. Everything that talks to the solver is here; ic3.cpp has the strategy.
+// The frames of IC3 as clauses over the latches, and the SAT questions about them. Everything that talks to the solver
+// is here; ic3.cpp has the strategy.
 // Tested by tests/solver/engine_agreement_test.cpp.
 #pragma once
 
@@ -8,11 +8,9 @@
 #include <vector>
 
 #include "analysis/bits/bit_unrolling.hpp"
+#include "analysis/bits/lemma_frames.hpp"
 
 namespace rungproof {
-
-/// A conjunction of latch literals, sorted by variable: a set of states. Its negation is a lemma.
-using Cube = std::vector<Lit>;
 
 /// A state with the inputs of the scan that starts in it.
 struct Ic3State {
@@ -21,16 +19,13 @@ struct Ic3State {
   std::vector<bool> inputs;  ///< by input index
 };
 
-/// The budget ran out in the middle of a question; the frames are as sound as before.
-struct Ic3Interrupted {};
-
 class Ic3Frames {
  public:
   Ic3Frames(const BitSystem& system, const EngineOptions& options);
 
-  int top() const { return static_cast<int>(frames_.size()) - 1; }
-  void addFrame() { frames_.emplace_back(); }
-  const std::vector<Cube>& lemmas(int level) const { return frames_[level]; }
+  const LemmaFrames& lemmas() const { return frames_; }
+  int top() const { return frames_.top(); }
+  void addFrame() { frames_.addFrame(); }
   void setBudget(const Budget& budget) { budget_ = &budget; }
 
   /// Can an initial state lie in the cube? Initial values only; constraints are not looked at.
@@ -45,10 +40,8 @@ class Ic3Frames {
   Ic3State predecessor(const Cube& cube);
   /// Excludes the cube from F_1 .. F_level.
   void addLemma(const Cube& cube, int level);
-  bool isBlocked(const Cube& cube, int level) const;
   /// Pushes lemmas to higher frames; the level whose frame became inductive, if any.
   std::optional<int> propagate();
-  double activity(Lit l) const { return activity_[variableOf(l)]; }
 
  private:
   void build();
@@ -65,10 +58,8 @@ class Ic3Frames {
   const Budget* budget_ = nullptr;
   Unrolling unrolling_;
   Lit bad_ = falseLit;
-  std::vector<LatchInit> init_;            ///< by variable
-  std::vector<std::vector<Cube>> frames_;  ///< by level: lemmas that hold up to this level and not (known) above
-  std::vector<double> activity_;           ///< by variable: how often in recent lemmas
-  double bump_ = 1.0;
+  std::vector<LatchInit> init_;  ///< by variable
+  LemmaFrames frames_;
 
   std::unique_ptr<Sat> sat_;
   std::unique_ptr<BitCnf> cnf_;
@@ -78,7 +69,5 @@ class Ic3Frames {
   std::vector<int> assumptions_;
   std::size_t asserted_ = 0;  ///< clauses given to sat_, for rebuilding it in time
 };
-
-bool subsumes(const Cube& general, const Cube& special);
 
 }  // namespace rungproof

@@ -1,11 +1,11 @@
-// ADR001: an address that the chosen CPU does not have. Limits come from table 6-2 through ir/cpu.hpp, for every
+// ADR001: an address that the chosen CPU does not have. Limits come from table 6-2 through ir/s7200/cpu.hpp, for every
 // operand form: direct, the cell of a pointer, an address made with &. Tested by tests/rules/operand_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "analysis/facts.hpp"
-#include "analysis/operand_check.hpp"
+#include "analysis/flow/facts.hpp"
+#include "analysis/flow/operand_check.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -151,6 +151,7 @@ extern constexpr Rule adr001_address_outside_cpu = {
     .peers = "SA0005; Omron area boundary of multi-word operands; ironplc P4025 (bit range)",
     .dialects = dialect::S7200,
     .refuses = true,
+    .standsAlone = true,
     .check = checkAdr001,
 };
 

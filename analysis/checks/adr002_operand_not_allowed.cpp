@@ -1,12 +1,12 @@
 // ADR002: an operand of an area, width or kind that the instruction does not take. The lists are those of the
-// descriptors (ir/isa), which tests compare with the manual's operand tables. Writes to read-only areas are ADR003,
-// reads of AQ are ADR004. Tested by tests/rules/operand_rules_test.cpp.
+// descriptors (ir/s7200/isa), which tests compare with the manual's operand tables. Writes to read-only areas are
+// ADR003, reads of AQ are ADR004. Tested by tests/rules/operand_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "analysis/facts.hpp"
-#include "analysis/operand_check.hpp"
+#include "analysis/flow/facts.hpp"
+#include "analysis/flow/operand_check.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -89,6 +89,7 @@ extern constexpr Rule adr002_operand_not_allowed = {
     .peers = "SA0005; Omron operand data types and operand ranges",
     .dialects = dialect::S7200,
     .refuses = true,
+    .standsAlone = true,
     .check = checkAdr002,
 };
 

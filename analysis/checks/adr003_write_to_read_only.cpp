@@ -2,9 +2,9 @@
 // Tested by its examples and tests/rules/address_rules_test.cpp.
 #include <fmt/format.h>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
-#include "ir/special_memory.hpp"
+#include "ir/s7200/special_memory.hpp"
 
 namespace rungproof {
 
@@ -48,6 +48,7 @@ extern constexpr Rule adr003_write_to_read_only = {
     .peers = "Omron read-only areas; SA0037 (nearest)",
     .dialects = dialect::S7200,
     .refuses = true,
+    .standsAlone = true,
     .check = checkAdr003,
 };
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -39,6 +39,7 @@ extern constexpr Rule adr004_read_of_analogue_output = {
     .peers = "SA0038 (nearest)",
     .dialects = dialect::S7200,
     .refuses = true,
+    .standsAlone = true,
     .check = checkAdr004,
 };
 

@@ -1,7 +1,7 @@
 // ADR005: the program writes the image of the inputs. Tested by its examples and tests/rules/address_rules_test.cpp.
 #include <fmt/format.h>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "analysis/facts.hpp"
-#include "analysis/operand_check.hpp"
+#include "analysis/flow/facts.hpp"
+#include "analysis/flow/operand_check.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -87,6 +87,7 @@ extern constexpr Rule adr006_constant_outside_limit = {
     .peers = "Omron constants; SA0056; SA0053 for the shift count",
     .dialects = dialect::S7200,
     .refuses = true,
+    .standsAlone = true,
     .check = checkAdr006,
 };
 

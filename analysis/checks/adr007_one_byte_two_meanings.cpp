@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "analysis/drawing/lower.hpp"
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -84,6 +84,7 @@ extern constexpr Rule adr008_editor_local_bytes = {
     .good = "Network 1\nLD SM0.0\nMOVB VB0, LB10\n",
     .falsePositives = "a program that is never shown as LAD or FBD may use all 64 bytes",
     .dialects = dialect::S7200,
+    .standsAlone = true,
     .check = checkAdr008,
 };
 

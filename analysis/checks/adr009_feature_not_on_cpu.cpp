@@ -1,14 +1,14 @@
 // ADR009: something that other CPUs have and the chosen one has not: fast counters, port 1, interrupt events,
-// subroutine numbers, the clock, whole instructions. Ranges per CPU come from the descriptors and ir/cpu.hpp.
+// subroutine numbers, the clock, whole instructions. Ranges per CPU come from the descriptors and ir/s7200/cpu.hpp.
 // Tested by tests/rules/operand_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "analysis/facts.hpp"
-#include "analysis/operand_check.hpp"
+#include "analysis/flow/facts.hpp"
+#include "analysis/flow/operand_check.hpp"
 #include "analysis/rule.hpp"
-#include "ir/event.hpp"
+#include "ir/s7200/event.hpp"
 
 namespace rungproof {
 
@@ -83,7 +83,7 @@ class Checker {
 
   void subroutine(const Instruction& instruction, const Operand& operand, int number) {
     if (number < features_.subroutines || number > 127) return;
-    const bool isDisputed = facts_.target().cpu == Cpu::Cpu224XP;
+    const bool isDisputed = number < features_.callable;
     Finding& finding =
         report(operand.span,
                fmt::format("{} names subroutine {}; the {} has {} of them, numbers 0 to {} (001:2666{})",
@@ -136,6 +136,7 @@ extern constexpr Rule adr009_feature_not_on_cpu = {
         "contradicts itself",
     .dialects = dialect::S7200,
     .refuses = true,
+    .standsAlone = true,
     .check = checkAdr009,
 };
 

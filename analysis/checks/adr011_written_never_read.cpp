@@ -4,7 +4,7 @@
 
 #include <unordered_set>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -95,6 +95,7 @@ extern constexpr Rule adr011_written_never_read = {
     .falsePositives = "values for an operator panel or a network partner: declare them with //@ external VB100..VB199",
     .peers = "SA0033; CP24",
     .dialects = dialect::S7200,
+    .surplus = true,
     .check = checkAdr011,
 };
 

@@ -4,8 +4,8 @@
 // tests/rules/panel_rules_test.cpp.
 #include <fmt/format.h>
 
-#include "analysis/facts.hpp"
-#include "analysis/panel_words.hpp"
+#include "analysis/flow/facts.hpp"
+#include "analysis/panel/panel_words.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

@@ -3,7 +3,7 @@
 // tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

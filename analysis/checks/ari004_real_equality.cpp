@@ -1,7 +1,7 @@
 // ARI004: = or <> between REAL values. Tested by its examples.
 #include <fmt/format.h>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -34,6 +34,7 @@ extern constexpr Rule ari004_real_equality = {
     .good = "Network 1\nLDR>= VD0, 1.49\nAR<= VD0, 1.51\n= Q0.0\n",
     .falsePositives = "comparison with a value that was moved, not computed",
     .peers = "SA0054; CP8; iec-checker CP8; Frama-PLC E2.1",
+    .standsAlone = true,
     .check = checkAri004,
 };
 

@@ -2,8 +2,8 @@
 // are the prover's. Tested by its examples and tests/rules/control_rules_test.cpp.
 #include <fmt/format.h>
 
-#include "analysis/facts.hpp"
-#include "analysis/proof/asking.hpp"
+#include "analysis/asking/asking.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

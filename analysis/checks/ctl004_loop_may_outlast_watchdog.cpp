@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
-#include "ir/choices.hpp"
+#include "ir/s7200/choices.hpp"
 
 namespace rungproof {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "analysis/facts.hpp"
-#include "analysis/proof/asking.hpp"
+#include "analysis/asking/asking.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -97,6 +97,8 @@ extern constexpr Rule ctl005_unreachable_code = {
     .good = "Network 1\nLD I0.1\nJMP 1\nNetwork 2\nLD I0.0\n= Q0.0\nNetwork 3\nLBL 1\n",
     .falsePositives = "code switched off for a time by a jump on SM0.0",
     .peers = "SA0001; CP2; iec-checker CP2",
+    .dialects = dialect::S7200,
+    .surplus = true,
     .check = checkCtl005,
     .ask = {.in = asked::Lint, .turn = 83, .cost = 4, .wantsYes = true, .program = askCtl005},
     .tell = {.advice = "look at the conditions of the jumps, calls and loops before it"},

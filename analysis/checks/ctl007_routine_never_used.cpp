@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -47,6 +47,7 @@ extern constexpr Rule ctl007_routine_never_used = {
         "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\n= Q0.1\nEND_SUBROUTINE_BLOCK\n",
     .falsePositives = "routines kept for another variant of the machine",
     .peers = "SA0031; CP2; plceye S0003/S0004",
+    .dialects = dialect::S7200,
     .check = checkCtl007,
 };
 

@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
-#include "ir/isa/ethernet.hpp"
-#include "ir/machine.hpp"
+#include "ir/s7200/isa/ethernet.hpp"
+#include "ir/s7200/machine.hpp"
 
 namespace rungproof {
 

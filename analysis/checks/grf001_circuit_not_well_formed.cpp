@@ -16,6 +16,7 @@ extern constexpr Rule grf001_circuit_not_well_formed = {
     .why = "a network is one closed circuit; the editor does not compile anything else, so what it does is not defined",
     .manual = "001:2230, 001:2304",
     .peers = "Mitsubishi compile error 6602 (reverse flow)",
+    .standsAlone = true,
 };
 
 }  // namespace rungproof

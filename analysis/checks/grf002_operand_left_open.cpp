@@ -1,6 +1,6 @@
 // GRF002: a contact, coil or pin that was left with question marks. The readers of graphical files speak of drawings,
 // the check of the text that an editor wrote of one. Tested by its examples and tests/cli/rule_table_test.cpp.
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -13,6 +13,7 @@ void checkGrf002(const Facts& facts, FindingSink& sink) {
     if (facts.isUnread(instruction.id)) continue;
     for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
       if (instruction.operands[i].kind != OperandKind::Missing) continue;
+      if (instruction.desc->control == Control::BlockCall) continue;  // a parameter of an FB need not be given
       Finding& finding =
           sink.report(instruction.span, fmt::format("operand {} of {} is left open", i + 1, instruction.desc->stl));
       finding.help = "give it an operand; the editor writes question marks where none was entered";
@@ -34,6 +35,7 @@ extern constexpr Rule grf002_operand_left_open = {
     .good = "Network 1\nLD I0.0\n= Q0.0\n",
     .peers = "the editor's own check",
     .refuses = true,
+    .standsAlone = true,
     .check = checkGrf002,
 };
 

@@ -13,6 +13,7 @@ extern constexpr Rule grf003_fbd_pin_rule = {
     .detects = "an AND or OR box with more than 32 inputs; a negation circle on a pin that is not Boolean",
     .why = "the editor does not offer such a box: the network cannot be brought to the controller as it stands",
     .manual = "001:2268, 001:2727, 001:2249",
+    .standsAlone = true,
 };
 
 }  // namespace rungproof

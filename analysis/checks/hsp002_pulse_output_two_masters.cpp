@@ -4,9 +4,9 @@
 
 #include <array>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
-#include "ir/pulse_output.hpp"
+#include "ir/s7200/pulse_output.hpp"
 
 namespace rungproof {
 

@@ -2,7 +2,7 @@
 // in an interrupt routine. Tested by its examples and tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

@@ -6,8 +6,8 @@
 #include <set>
 #include <vector>
 
-#include "analysis/facts.hpp"
-#include "analysis/proof/asking.hpp"
+#include "analysis/asking/asking.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -117,7 +117,7 @@ void askHsp004(Asking& asking) {
     if ((isSet(kind) || kind == Role::Move) && !savesMemory) continue;
     const std::string text = Facts::text(*box);
     const Graph::Bool now = asking.runsOf(*box)->on[0];
-    const Graph::Bool before{asking.obligations().before("run of " + text, now.node)};
+    const Graph::Bool before{asking.askedProperties().before("run of " + text, now.node)};
     asking.ask({.name = fmt::format("{} runs in two scans in a row", text),
                 .message = fmt::format("{} can run in two scans in a row", text),
                 .place = box,

@@ -2,7 +2,7 @@
 // HDEF, END, SPA, steps, and the switch of a port to freeport mode. Tested by its examples.
 #include <fmt/format.h>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

@@ -7,8 +7,8 @@
 
 #include <vector>
 
-#include "analysis/facts.hpp"
-#include "analysis/protected_code.hpp"
+#include "analysis/flow/facts.hpp"
+#include "analysis/flow/protected_code.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

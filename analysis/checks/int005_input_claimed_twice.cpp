@@ -1,13 +1,13 @@
 // INT005: an input that a fast counter and an edge event, or two fast counters, use. Inputs of the modes:
-// ir/hsc_inputs.hpp. Tested by its examples and tests/rules/control_rules_test.cpp.
+// ir/s7200/hsc_inputs.hpp. Tested by its examples and tests/rules/control_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <array>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
-#include "ir/event.hpp"
-#include "ir/hsc_inputs.hpp"
+#include "ir/s7200/event.hpp"
+#include "ir/s7200/hsc_inputs.hpp"
 
 namespace rungproof {
 

@@ -4,8 +4,8 @@
 
 #include <map>
 
-#include "analysis/facts.hpp"
-#include "analysis/library_use.hpp"
+#include "analysis/flow/facts.hpp"
+#include "analysis/flow/library_use.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

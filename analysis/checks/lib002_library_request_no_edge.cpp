@@ -7,9 +7,9 @@
 #include <map>
 #include <vector>
 
-#include "analysis/facts.hpp"
-#include "analysis/library_use.hpp"
-#include "analysis/proof/asking.hpp"
+#include "analysis/asking/asking.hpp"
+#include "analysis/flow/facts.hpp"
+#include "analysis/flow/library_use.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -139,7 +139,7 @@ void askLib002(Asking& asking) {
     if (runs == nullptr || !runs->samples(0)) continue;
     const Graph::Bool now = runs->on[0];
     const Graph::Bool last{
-        asking.obligations().before(fmt::format("start of {} at {}", call.name, call.call->id), now.node)};
+        asking.askedProperties().before(fmt::format("start of {} at {}", call.name, call.call->id), now.node)};
     asking.ask({.name = fmt::format("{} is started in two scans in a row", call.name),
                 .message = fmt::format("{} can be started in two scans in a row by {}", call.name,
                                        inputs.source(*call.call, start)),

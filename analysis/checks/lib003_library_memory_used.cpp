@@ -8,15 +8,13 @@
 #include <optional>
 #include <set>
 
-#include "analysis/facts.hpp"
-#include "analysis/library_use.hpp"
+#include "analysis/flow/facts.hpp"
+#include "analysis/flow/library_use.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
 
 namespace {
-
-constexpr std::uint32_t ussBuffer = 16;  // 001:10256
 
 struct OwnedMemory {
   std::string owner;
@@ -44,7 +42,7 @@ class LibraryMemoryCheck {
       const auto at = isUss ? addressOperand(*call.call) : std::nullopt;
       if (!at) continue;
       const std::uint32_t first = call.call->operands[*at].offset;
-      owned_.push_back({call.name, first, first + ussBuffer - 1, call.call});
+      owned_.push_back({call.name, first, first + ussScratchBytes - 1, call.call});
     }
     for (const LibraryMemory& memory : facts.program().libraryMemory) {
       const LibraryBlock* block = libraryBlockNamed(memory.block);

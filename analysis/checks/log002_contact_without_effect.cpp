@@ -2,8 +2,8 @@
 // Tested by tests/prover/rule_questions_test.cpp, which runs the examples.
 #include <fmt/format.h>
 
-#include "analysis/facts.hpp"
-#include "analysis/proof/asking.hpp"
+#include "analysis/asking/asking.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

@@ -5,7 +5,7 @@
 
 #include <unordered_map>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -127,6 +127,7 @@ extern constexpr Rule log003_network_without_effect = {
     .bad = "Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\n= Q0.0\nNetwork 2\nLD I0.1\nA Q0.0\n= Q0.1\n",
     .peers = "SA0168; SA0003",
+    .dialects = dialect::S7200,
     .check = checkLog003,
 };
 

@@ -3,7 +3,7 @@
 // Tested by its examples and tests/rules/output_rules_test.cpp.
 #include <fmt/format.h>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -64,6 +64,7 @@ extern constexpr Rule log004_read_before_written = {
     .bad = "Network 1\nLD I0.0\nAN M0.0\n= Q0.0\nNetwork 2\nLD I0.1\n= M0.0\n",
     .good = "Network 1\nLD I0.1\n= M0.0\nNetwork 2\nLD I0.0\nAN M0.0\n= Q0.0\n",
     .falsePositives = "feedback that is meant to come from the scan before",
+    .dialects = dialect::S7200,
     .check = checkLog004,
 };
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "analysis/facts.hpp"
-#include "analysis/proof/asking.hpp"
+#include "analysis/asking/asking.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -78,7 +78,7 @@ void askLog005(Asking& asking) {
     const Place place = memoryPlace(bit.area, bit.offset, Width::Bit, bit.bit);
     const Graph::Bool changes = graph.lxor({asking.encoding().atStart(place)}, {asking.encoding().atEnd(place)});
     const std::string name = toString(bit);
-    const Graph::Bool before{asking.obligations().before("change of " + name, changes.node)};
+    const Graph::Bool before{asking.askedProperties().before("change of " + name, changes.node)};
     asking.ask({.name = fmt::format("{} changes in two scans in a row", name),
                 .message = fmt::format("{} changes in every scan", name),
                 .address = name,
@@ -102,6 +102,7 @@ extern constexpr Rule log005_bit_toggles = {
         "Network 1\nLD I0.0\nEU\nLPS\nAN M0.0\n= M0.1\nLPP\nA M0.0\n= M0.2\nNetwork 2\nLD M0.1\nS M0.0, 1\nNetwork "
         "3\nLD M0.2\nR M0.0, 1\n",
     .falsePositives = "a scan clock on purpose: SM0.6 is one already",
+    .dialects = dialect::S7200,
     .check = checkLog005,
     .ask = {.in = asked::Lint, .turn = 62, .cost = 4, .onlySettles = true, .program = askLog005},
 };

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <set>
 
-#include "analysis/proof/asking.hpp"
+#include "analysis/asking/asking.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
+#include "analysis/flow/scan_order.hpp"
 #include "analysis/rule.hpp"
-#include "analysis/scan_order.hpp"
 
 namespace rungproof {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include "analysis/proof/asking.hpp"
+#include "analysis/asking/asking.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

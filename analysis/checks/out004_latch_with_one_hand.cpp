@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "analysis/bit_ranges.hpp"
-#include "analysis/facts.hpp"
+#include "analysis/flow/bit_ranges.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

@@ -6,10 +6,10 @@
 
 #include <algorithm>
 
-#include "analysis/bit_ranges.hpp"
-#include "analysis/facts.hpp"
+#include "analysis/flow/bit_ranges.hpp"
+#include "analysis/flow/facts.hpp"
+#include "analysis/flow/scan_order.hpp"
 #include "analysis/rule.hpp"
-#include "analysis/scan_order.hpp"
 
 namespace rungproof {
 

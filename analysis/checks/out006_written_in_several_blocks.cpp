@@ -10,11 +10,11 @@
 #include <map>
 #include <numeric>
 
-#include "analysis/bit_ranges.hpp"
-#include "analysis/exclusion.hpp"
-#include "analysis/facts.hpp"
-#include "analysis/proof/asking.hpp"
-#include "analysis/protected_code.hpp"
+#include "analysis/asking/asking.hpp"
+#include "analysis/flow/bit_ranges.hpp"
+#include "analysis/flow/exclusion.hpp"
+#include "analysis/flow/facts.hpp"
+#include "analysis/flow/protected_code.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

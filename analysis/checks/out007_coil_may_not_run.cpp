@@ -2,8 +2,8 @@
 // Tested by its examples and tests/rules/output_rules_test.cpp.
 #include <fmt/format.h>
 
+#include "analysis/flow/skipped_code.hpp"
 #include "analysis/rule.hpp"
-#include "analysis/skipped_code.hpp"
 
 namespace rungproof {
 
@@ -47,6 +47,7 @@ extern constexpr Rule out007_coil_may_not_run = {
     .good = "Network 1\nLDN I0.0\nA I0.1\n= Q0.0\n",
     .falsePositives = "outputs that are meant to hold",
     .peers = "SA0022 (nearest)",
+    .dialects = dialect::S7200,
     .check = checkOut007,
     .explainedBy = out007Explained,
 };

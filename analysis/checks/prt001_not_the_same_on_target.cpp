@@ -12,13 +12,13 @@
 #include <set>
 #include <tuple>
 
-#include "analysis/analogue_flow.hpp"
-#include "analysis/facts.hpp"
-#include "analysis/operand_check.hpp"
+#include "analysis/flow/analogue_flow.hpp"
+#include "analysis/flow/facts.hpp"
+#include "analysis/flow/operand_check.hpp"
 #include "analysis/rule.hpp"
-#include "ir/hsc_inputs.hpp"
-#include "ir/points.hpp"
-#include "ir/pulse_output.hpp"
+#include "ir/s7200/hsc_inputs.hpp"
+#include "ir/s7200/points.hpp"
+#include "ir/s7200/pulse_output.hpp"
 
 namespace rungproof {
 
@@ -283,7 +283,7 @@ class PortCheck {
                  });
     }
   }
-  Target otherFamily() const { return toSmart_ ? Target{} : Target{Cpu::St60, usualEdition(Cpu::St60)}; }
+  Target otherFamily() const { return toSmart_ ? Target{} : Target{s7200Cpu("ST60"), usualEdition(s7200Cpu("ST60"))}; }
   /// Reports the mode that the byte selects; whether it selected a train in the family that the program comes from.
   bool controlByte(const Access& access, const Instruction& instruction, std::uint32_t control) {
     const bool isMove = roleOf(instruction) == Role::Move && access.width == Width::Byte;

@@ -3,7 +3,7 @@
 // Tested by its examples and tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
-#include "analysis/dataflow_pointers.hpp"
+#include "analysis/flow/dataflow_pointers.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

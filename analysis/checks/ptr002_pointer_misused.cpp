@@ -2,8 +2,8 @@
 // Tested by its examples and tests/rules/data_rules_test.cpp.
 #include <fmt/format.h>
 
-#include "analysis/dataflow_pointers.hpp"
-#include "analysis/operand_check.hpp"
+#include "analysis/flow/dataflow_pointers.hpp"
+#include "analysis/flow/operand_check.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

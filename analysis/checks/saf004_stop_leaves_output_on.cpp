@@ -1,7 +1,7 @@
 // SAF004: emergency stop leaves an output on. Declared in a property, broken by a run. Tested by
 // tests/prover/rule_questions_test.cpp, which runs the examples.
+#include "analysis/asking/safety_shape.hpp"
 #include "analysis/proof/rule_answers.hpp"
-#include "analysis/proof/safety_shape.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

@@ -2,9 +2,9 @@
 // inputs but with empty memory, leaves it off. Tested by tests/prover/rule_questions_test.cpp, which runs the examples.
 #include <fmt/format.h>
 
-#include "analysis/proof/asking.hpp"
-#include "analysis/proof/rested_scan.hpp"
+#include "analysis/asking/asking.hpp"
 #include "analysis/rule.hpp"
+#include "analysis/witness/rested_scan.hpp"
 
 namespace rungproof {
 
@@ -24,7 +24,7 @@ void askSaf005(Asking& asking) {
   for (const auto& [place, driver] : outputs) {
     const Node on = encoding.atEnd(place);
     const Graph::Bool switchedOn = graph.land(first, graph.land({on}, graph.lnot({rested(on)})));
-    const Graph::Bool bad{asking.obligations().atScanEnd(switchedOn.node)};
+    const Graph::Bool bad{asking.askedProperties().atScanEnd(switchedOn.node)};
     if (const auto known = graph.truth(bad); known && !*known) continue;
     const std::string name = nameOf(place);
     const BitRow row{place.area, {bitPosition(place.area, place.byte(), place.bit())}};

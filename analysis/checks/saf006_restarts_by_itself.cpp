@@ -5,10 +5,10 @@
 #include <map>
 #include <set>
 
-#include "analysis/proof/asking.hpp"
-#include "analysis/proof/rested_scan.hpp"
-#include "analysis/proof/safety_shape.hpp"
+#include "analysis/asking/asking.hpp"
+#include "analysis/asking/safety_shape.hpp"
 #include "analysis/rule.hpp"
+#include "analysis/witness/rested_scan.hpp"
 
 namespace rungproof {
 
@@ -40,7 +40,7 @@ std::map<Place, Graph::Bool> unchangedInputs(Asking& asking) {
   std::map<Place, Graph::Bool> unchanged;
   for (const Cell& cell : asking.encoding().cells()) {
     if (cell.kind != CellKind::Input || cell.place.isRegister || cell.place.area != Area::I) continue;
-    const Node before = asking.obligations().before("earlier " + nameOf(cell.place), cell.start);
+    const Node before = asking.askedProperties().before("earlier " + nameOf(cell.place), cell.start);
     unchanged[cell.place] = asking.graph().equal({before}, {cell.start}, cell.place.width);
   }
   return unchanged;
@@ -59,7 +59,7 @@ void askSaf006(Asking& asking) {
     const Graph::Bool released = stop.activeWhenOff ? input : graph.lnot(input);
     const std::string name = nameOf(place), button = toString(stop.input);
     const Graph::Bool stopped{
-        asking.obligations().before(fmt::format("{} stops {}", button, name), graph.lnot(released).node)};
+        asking.askedProperties().before(fmt::format("{} stops {}", button, name), graph.lnot(released).node)};
     const Node on = encoding.atEnd(place);
     Graph::Bool bad =
         graph.land(graph.land(stopped, released), graph.land({on}, graph.lnot({encoding.atStart(place)})));
@@ -74,7 +74,7 @@ void askSaf006(Asking& asking) {
                     name, button),
                 .address = name,
                 .place = drivers.at(place),
-                .bad = asking.obligations().atScanEnd(bad.node)});
+                .bad = asking.askedProperties().atScanEnd(bad.node)});
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "analysis/proof/asking.hpp"
+#include "analysis/asking/asking.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -50,7 +50,7 @@ void askTogether(Asking& asking, const Flow& flow, const TransitionsOfStep& ofSt
                     "two steps of the chain {} can be active at the end of a scan, though it has no divergence", names),
                 .address = first,
                 .place = heads.at(first),
-                .bad = asking.obligations().atScanEnd(two.node)});
+                .bad = asking.askedProperties().atScanEnd(two.node)});
   }
 }
 

@@ -3,7 +3,7 @@
 // Tested by its examples and tests/rules/stack_depth_test.cpp.
 #include <fmt/format.h>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -20,6 +20,7 @@ void checkStk002(const Facts& facts, FindingSink& sink) {
       finding.help = "begin the network with a load such as LD";
       continue;
     }
+    if (facts.isUnread(fault.other->id)) continue;  // the unread line may have taken it
     Finding& finding =
         sink.report(fault.instruction->span,
                     fmt::format("{} uses a value that its network did not load; it comes from {} in network {}", text,

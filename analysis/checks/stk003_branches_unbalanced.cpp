@@ -2,7 +2,7 @@
 // analysis/stack_depth. Tested by its examples and tests/rules/stack_depth_test.cpp.
 #include <fmt/format.h>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

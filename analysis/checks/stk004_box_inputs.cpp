@@ -2,7 +2,7 @@
 // top and the count inputs below it. The run is analysis/stack_depth. Tested by tests/rules/stack_depth_test.cpp.
 #include <fmt/format.h>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

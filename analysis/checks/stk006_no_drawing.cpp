@@ -6,7 +6,7 @@
 
 #include "analysis/drawing/editor_verdict.hpp"
 #include "analysis/drawing/raise.hpp"
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

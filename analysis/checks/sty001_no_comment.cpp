@@ -1,7 +1,7 @@
 // STY001: a block or network without a comment. Off by default. Tested by its examples.
 #include <fmt/format.h>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

@@ -9,9 +9,9 @@
 #include <string>
 #include <string_view>
 
-#include "analysis/facts.hpp"
+#include "analysis/comment/swallowed_text.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
-#include "analysis/swallowed_text.hpp"
 
 namespace rungproof {
 
@@ -112,6 +112,7 @@ extern constexpr Rule sty003_program_in_comment = {
     .good = "Network 1\nLD I0.0\n= Q0.0\n// lamp test\nLD I0.3\n= Q0.5\n",
     .falsePositives = "instructions that a comment describes: write them in quotes or behind a colon",
     .peers = "SA0140; C4",
+    .standsAlone = true,
     .check = checkSty003,
 };
 

@@ -17,6 +17,7 @@ extern constexpr Rule sty004_look_alike_characters = {
     .bad = "Network 1\nLD IO.0\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\n= Q0.0\n",
     .fix = FixClass::Safe,
+    .standsAlone = true,
 };
 
 }  // namespace rungproof

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -68,6 +68,7 @@ extern constexpr Rule sub001_recursion = {
         "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\nCALL SBR0\nEND_ORGANIZATION_BLOCK\n"
         "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\n= Q0.1\nEND_SUBROUTINE_BLOCK\n",
     .peers = "SA0160; CP13; ironplc P4005; iec-checker CP13 (direct calls only)",
+    .dialects = dialect::S7200,
     .check = checkSub001,
 };
 

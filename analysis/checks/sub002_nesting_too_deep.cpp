@@ -2,9 +2,9 @@
 // Tested by its examples and tests/rules/control_rules_test.cpp.
 #include <fmt/format.h>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
-#include "ir/frame.hpp"
+#include "ir/s7200/frame.hpp"
 
 namespace rungproof {
 

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <vector>
 
-#include "analysis/facts.hpp"
-#include "analysis/operand_check.hpp"
+#include "analysis/flow/facts.hpp"
+#include "analysis/flow/operand_check.hpp"
 #include "analysis/rule.hpp"
-#include "ir/call_parameters.hpp"
-#include "ir/library_block.hpp"
+#include "ir/s7200/call_parameters.hpp"
+#include "ir/s7200/library_block.hpp"
 
 namespace rungproof {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "analysis/dataflow_locals.hpp"
+#include "analysis/flow/dataflow_locals.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

@@ -2,7 +2,7 @@
 // tests/rules/control_rules_test.cpp.
 #include <fmt/format.h>
 
-#include "analysis/dataflow_locals.hpp"
+#include "analysis/flow/dataflow_locals.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

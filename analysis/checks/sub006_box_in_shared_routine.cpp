@@ -3,8 +3,8 @@
 // examples, tests/rules/control_rules_test.cpp and tests/rules/exclusion_test.cpp.
 #include <fmt/format.h>
 
-#include "analysis/exclusion.hpp"
-#include "analysis/facts.hpp"
+#include "analysis/flow/exclusion.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

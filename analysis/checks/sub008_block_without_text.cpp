@@ -1,7 +1,7 @@
 // SUB008: a called block that no file holds and no library of the manual brings. Its calls say what it may write.
 // Tested by its examples and tests/smart/contract_test.cpp.
-#include "analysis/hidden_blocks.hpp"
 #include "analysis/rule.hpp"
+#include "analysis/unread/hidden_blocks.hpp"
 
 namespace rungproof {
 

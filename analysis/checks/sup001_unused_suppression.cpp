@@ -1,4 +1,4 @@
-// SUP001: an allow-comment that silences nothing. Spoken by analysis/suppress.cpp, which knows what each comment
+// SUP001: an allow-comment that silences nothing. Spoken by analysis/lint/suppress.cpp, which knows what each comment
 // silenced; tested by tests/cli/suppress_test.cpp.
 #include "analysis/rule.hpp"
 
@@ -12,6 +12,7 @@ extern constexpr Rule sup001_unused_suppression = {
     .detects = "an allow-comment that silences no finding, or that names a rule which does not exist",
     .why = "a suppression that outlived its cause would silence the next, real finding at that place",
     .peers = "ruff RUF100; eslint --report-unused-disable-directives; cppcheck unmatchedSuppression",
+    .surplus = true,
 };
 
 }  // namespace rungproof

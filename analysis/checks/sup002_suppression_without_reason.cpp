@@ -1,4 +1,4 @@
-// SUP002: an allow-comment without a rule id or without a reason. Spoken by analysis/suppress.cpp; tested by
+// SUP002: an allow-comment without a rule id or without a reason. Spoken by analysis/lint/suppress.cpp; tested by
 // tests/cli/suppress_test.cpp.
 #include "analysis/rule.hpp"
 

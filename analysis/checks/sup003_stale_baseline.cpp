@@ -1,5 +1,5 @@
-// SUP003: an entry of the baseline file that no finding matches any more. Spoken by frontend/page/baseline.cpp; tested
-// by tests/cli/baseline_test.cpp.
+// SUP003: an entry of the baseline file that no finding matches any more. Spoken by frontend/linting/baseline.cpp;
+// tested by tests/cli/baseline_test.cpp.
 #include "analysis/rule.hpp"
 
 namespace rungproof {

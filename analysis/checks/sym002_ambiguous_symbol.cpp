@@ -4,7 +4,7 @@
 
 #include <unordered_map>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -79,6 +79,7 @@ extern constexpr Rule sym002_ambiguous_symbol = {
         "LW0, VW0\nEND_SUBROUTINE_BLOCK\n",
     .falsePositives = "a second name on purpose, such as one for the hardware point and one for its meaning",
     .peers = "SA0013; SA0027; N5; N9; CP4",
+    .standsAlone = true,
     .check = checkSym002,
 };
 

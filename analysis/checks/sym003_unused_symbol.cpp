@@ -3,7 +3,7 @@
 
 #include <unordered_set>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -61,6 +61,7 @@ extern constexpr Rule sym003_unused_symbol = {
     .exampleSymbols = "Symbol\tAddress\tComment\nStart\tI0.0\tpush button\nPump\tQ0.1\tmain pump\n",
     .falsePositives = "rows kept for spare points or for an operator panel",
     .peers = "SA0033; CP24; plceye S0001",
+    .surplus = true,
     .check = checkSym003,
 };
 

@@ -1,7 +1,7 @@
 // TIM002: TON and TOF on one number. Tested by its examples.
 #include <fmt/format.h>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

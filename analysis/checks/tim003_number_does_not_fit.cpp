@@ -2,8 +2,8 @@
 // Ranges come from the descriptors. Tested by its examples and tests/rules/timer_rules_test.cpp.
 #include <fmt/format.h>
 
-#include "analysis/facts.hpp"
-#include "analysis/operand_check.hpp"
+#include "analysis/flow/facts.hpp"
+#include "analysis/flow/operand_check.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -43,6 +43,7 @@ extern constexpr Rule tim003_number_does_not_fit = {
     .good = "Network 1\nLD I0.0\nTON T37, +10\nNetwork 2\nLD T37\n= Q0.0\n",
     .dialects = dialect::S7200,
     .refuses = true,
+    .standsAlone = true,
     .check = checkTim003,
 };
 

@@ -6,10 +6,10 @@
 
 #include <algorithm>
 
-#include "analysis/facts.hpp"
-#include "analysis/proof/asking.hpp"
+#include "analysis/asking/asking.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
-#include "ir/reading.hpp"
+#include "ir/s7200/reading.hpp"
 
 namespace rungproof {
 

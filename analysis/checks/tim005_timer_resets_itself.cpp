@@ -3,7 +3,7 @@
 // that one is only a note. Tested by its examples and tests/rules/timer_rules_test.cpp.
 #include <fmt/format.h>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

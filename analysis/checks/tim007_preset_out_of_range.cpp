@@ -5,8 +5,8 @@
 #include <map>
 #include <optional>
 
-#include "analysis/facts.hpp"
-#include "analysis/proof/asking.hpp"
+#include "analysis/asking/asking.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

@@ -2,9 +2,9 @@
 // tests/prover/builtin_test.cpp and tests/prover/rule_questions_test.cpp, which runs the examples.
 #include <fmt/format.h>
 
-#include "analysis/proof/asking.hpp"
+#include "analysis/asking/asking.hpp"
 #include "analysis/rule.hpp"
-#include "ir/isa.hpp"
+#include "ir/s7200/isa.hpp"
 
 namespace rungproof {
 

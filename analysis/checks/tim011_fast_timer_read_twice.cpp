@@ -1,7 +1,7 @@
 // TIM011: a 1 ms timer read at two places of the scan. Tested by its examples.
 #include <fmt/format.h>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "analysis/facts.hpp"
-#include "analysis/proof/asking.hpp"
+#include "analysis/asking/asking.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -64,7 +64,7 @@ void askCounter(Asking& asking, const Instruction& box) {
   for (std::size_t k = 1; k < runs->on.size(); ++k) {
     if (!runs->samples(k)) continue;
     const Graph::Bool before{
-        asking.obligations().before(fmt::format("rest of input {} of {}", k, name), runs->off[k].node)};
+        asking.askedProperties().before(fmt::format("rest of input {} of {}", k, name), runs->off[k].node)};
     asking.ask({.name = fmt::format("the count input of {} at stack level {} can rise", name, k + 1),
                 .message = fmt::format("a count input of {} never rises in any reachable state", name),
                 .address = name,

@@ -1,7 +1,7 @@
 // TIM013: edges that never come, and too many of them. Tested by its examples and tests/rules/timer_rules_test.cpp.
 #include <fmt/format.h>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

@@ -3,8 +3,8 @@
 // step or block, at its first detector. Tested by its examples and tests/rules/timer_rules_test.cpp.
 #include <fmt/format.h>
 
+#include "analysis/flow/skipped_code.hpp"
 #include "analysis/rule.hpp"
-#include "analysis/skipped_code.hpp"
 
 namespace rungproof {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <set>
 
-#include "analysis/duration_text.hpp"
-#include "analysis/facts.hpp"
+#include "analysis/comment/duration_text.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "analysis/drawing/levels.hpp"
-#include "ir/instruction_forms.hpp"
+#include "ir/s7200/isa.hpp"
 
 namespace rungproof {
 
@@ -45,7 +45,7 @@ CallIdiom callIdiomOf(const Network& network) {
     const std::size_t from = begin;
     begin = call + 1;
     const std::optional<unsigned> flows = flowsOf(all[call]);
-    if (!flows || *flows == 0 || call == from || all[call - 1].desc != &bitContact(Role::Load) ||
+    if (!flows || *flows == 0 || call == from || all[call - 1].desc != &s7200Instructions().bitContact(Role::Load) ||
         !isOnEnable(all[call - 1]))
       continue;
     std::vector<std::size_t> stores;

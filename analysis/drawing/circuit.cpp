@@ -7,7 +7,7 @@
 
 #include "analysis/drawing/check.hpp"
 #include "analysis/drawing/code.hpp"
-#include "ir/instruction_forms.hpp"
+#include "ir/s7200/isa.hpp"
 
 namespace rungproof {
 
@@ -95,7 +95,7 @@ class Dissolve {
 
   std::uint32_t negation(std::uint32_t from, Span span) {
     CircuitNode node;
-    node.desc = &instructionOf(Role::Not);
+    node.desc = &s7200Instructions().only(Role::Not);
     node.inputs = {from};
     node.span = span;
     return append(std::move(node));

@@ -5,7 +5,8 @@
 #include <string>
 
 #include "ir/check.hpp"
-#include "ir/instruction_forms.hpp"
+#include "ir/s7200/isa.hpp"
+#include "ir/s7200/special_memory.hpp"
 
 namespace rungproof {
 
@@ -45,18 +46,22 @@ void CircuitCode::mark(std::uint32_t n) {
 }
 
 void CircuitCode::contact(std::uint32_t n, Role form) {
-  add(joinedForm(*node(n).desc, form), *node(n).operands, node(n).span);
+  add(s7200Instructions().joinedForm(*node(n).desc, form), *node(n).operands, node(n).span);
   mark(n);
 }
 
-void CircuitCode::power(Role form, Span span) { add(&bitContact(form), {direct(Area::SM, Width::Bit, 0, 0)}, span); }
+void CircuitCode::power(Role form, Span span) {
+  add(&s7200Instructions().bitContact(form), {s7200SystemBits.alwaysOn.operand()}, span);
+}
 
-void CircuitCode::operation(Role role, std::uint32_t n) { add(&instructionOf(role), {}, node(n).span); }
+void CircuitCode::operation(Role role, std::uint32_t n) { add(&s7200Instructions().only(role), {}, node(n).span); }
 
-void CircuitCode::store(unsigned bit, std::uint32_t n) { add(&plainAssign(), {editorOperand(bit)}, node(n).span); }
+void CircuitCode::store(unsigned bit, std::uint32_t n) {
+  add(&s7200Instructions().plainAssign(), {editorOperand(bit)}, node(n).span);
+}
 
 void CircuitCode::recall(unsigned bit, Role form, std::uint32_t n) {
-  add(&bitContact(form), {editorOperand(bit)}, node(n).span);
+  add(&s7200Instructions().bitContact(form), {editorOperand(bit)}, node(n).span);
 }
 
 void CircuitCode::instruction(std::uint32_t n) {
@@ -88,7 +93,7 @@ bool CircuitCode::iecOutput(std::uint32_t n) {
     pool_.give(*bit);  // read by the next instruction and never again
     lowered_.usesEditorBits = true;
   }
-  add(&bitContact(Role::Load), {operands[q]}, node(n).span);
+  add(&s7200Instructions().bitContact(Role::Load), {operands[q]}, node(n).span);
   return true;
 }
 

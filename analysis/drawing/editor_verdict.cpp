@@ -8,7 +8,7 @@
 
 #include "analysis/drawing/levels.hpp"
 #include "analysis/drawing/raise.hpp"
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/unread_code.hpp"
+#include "analysis/unread/unread_code.hpp"
 
 namespace rungproof {
 

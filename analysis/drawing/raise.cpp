@@ -9,8 +9,9 @@
 #include "analysis/drawing/branches.hpp"
 #include "analysis/drawing/code.hpp"
 #include "analysis/drawing/levels.hpp"
-#include "analysis/stack_depth.hpp"
-#include "ir/instruction_forms.hpp"
+#include "analysis/flow/stack_depth.hpp"
+#include "ir/s7200/cpu.hpp"
+#include "ir/s7200/isa.hpp"
 
 namespace rungproof {
 
@@ -136,7 +137,7 @@ class Raising {
   }
   /// LD of the Q operand of the IEC box in front: the power output of the box.
   bool loadsIecOutput() const {
-    if (at_ == 0 || current().desc != &bitContact(Role::Load)) return false;
+    if (at_ == 0 || current().desc != &s7200Instructions().bitContact(Role::Load)) return false;
     const Instruction& box = network_.instructions[at_ - 1];
     if (!box.desc->drawingOnly || box.desc->stack.pops > 0 || box.operands.size() <= iecOutputOperand) return false;
     const Operand& q = box.operands[iecOutputOperand];
@@ -147,7 +148,7 @@ class Raising {
 
   void series() {
     if (!mayUseTop()) return;
-    const Desc* load = joinedForm(*current().desc, Role::Load);
+    const Desc* load = s7200Instructions().joinedForm(*current().desc, Role::Load);
     DrawnLevel& level = top();
     if (form_ == Form::Ladder) {
       level.element = add(Shape::Contact, load, {level.element});
@@ -160,7 +161,7 @@ class Raising {
 
   void parallel() {
     if (!mayUseTop()) return;
-    DrawnLevel branch = loaded(joinedForm(*current().desc, Role::Load));
+    DrawnLevel branch = loaded(s7200Instructions().joinedForm(*current().desc, Role::Load));
     unite(branch);
   }
   void joinParallel() {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "ir/check.hpp"
-#include "ir/isa/comm.hpp"
-#include "ir/special_memory.hpp"
+#include "ir/s7200/isa/comm.hpp"
+#include "ir/s7200/special_memory.hpp"
 
 namespace rungproof {
 

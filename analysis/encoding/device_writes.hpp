@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "analysis/encoding/encoder.hpp"
-#include "ir/device_end.hpp"
+#include "ir/s7200/device_end.hpp"
 
 namespace rungproof {
 

@@ -1,13 +1,19 @@
 // The one place where all instruction meanings are compiled for graph nodes.
 #include "analysis/encoding/symbolic_store.hpp"
-#include "ir/dispatch.hpp"
-#include "ir/isa_list.hpp"
+#include "ir/s7200/dispatch.hpp"
+#include "ir/s7300/isa_list.hpp"
 
 namespace rungproof {
 
 template <>
 std::span<const Execute<Graph>> dispatchTable<Graph>() {
   static constexpr auto table = isa::makeDispatch<Graph>(isa::AllInstructions{});
+  return table;
+}
+
+template <>
+std::span<const Execute<Graph>> step7DispatchTable<Graph>() {
+  static constexpr auto table = isa::step7::makeDispatch<Graph>(isa::step7::AllInstructions{});
   return table;
 }
 

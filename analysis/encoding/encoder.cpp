@@ -6,14 +6,15 @@
 
 #include "analysis/encoding/scan_encoding.hpp"
 #include "ir/check.hpp"
-#include "ir/event_cause.hpp"
+#include "ir/dialect.hpp"
+#include "ir/s7200/event_cause.hpp"
 
 namespace rungproof {
 
 class EncodedScan::Impl {
  public:
   Impl(const Program& source, const EncoderOptions& given)
-      : program(source), options(given), plan(source, given.isLeftOut), layout(source.target) {
+      : program(source), options(given), plan(source, given.isLeftOut), layout(plan) {
     layout.add(program, plan);
     for (const ExternalBytes& range : options.externals) {
       layout.beginAt(range.area, range.first);
@@ -29,8 +30,9 @@ class EncodedScan::Impl {
       scan->close();
       return;
     }
-    // SM0.0 is always on (001:14050), unless the program overwrites it.
-    knowledge.constants = {{memoryPlace(Area::SM, 0, Width::Bit, 0), 1}};
+    // On, unless the program overwrites it.
+    const SystemBit& on = dialectOf(program.target).systemBits.alwaysOn;
+    knowledge.constants = {{memoryPlace(on.area, on.byte, Width::Bit, on.bit), 1}};
     std::set<int> routines;
     bool isOfDevices = false;
     if (options.interrupts) {
@@ -154,8 +156,20 @@ Node EncodedScan::atEnd(const Operand& operand, int width) {
   CHECK(operand.kind == OperandKind::Direct, "only direct operands have a value of their own");
   const auto low = [&](Node n) { return graph().make(Op::Extract, width, n); };
   switch (operand.area) {
-    case Area::T: return atEnd(registerPlace(width == 1 ? Reg::TimerBit : Reg::TimerCurrent, operand.offset));
-    case Area::C: return atEnd(registerPlace(width == 1 ? Reg::CounterBit : Reg::CounterCurrent, operand.offset));
+    case Area::T: {
+      if (operand.offset >= plan().timerCount) return graph().constantNode(0, width);
+      const Reg reg = timerRegister(width == 1 ? Width::Bit : width == 32 ? Width::DWord : Width::Word);
+      return graph().make(Op::Zext, width, atEnd(registerPlace(reg, operand.offset)));
+    }
+    case Area::PI: {
+      const auto word = [&](std::uint32_t byte) { return impl_->scan->analogInput(byte); };
+      if (width == 32) return graph().make(Op::Concat, 32, word(operand.offset), word(operand.offset + 2));
+      return width == 16 ? word(operand.offset)
+                         : graph().make(Op::Extract, width, word(operand.offset), noNode, noNode, 8);
+    }
+    case Area::C:
+      if (operand.offset >= plan().counterCount) return graph().constantNode(0, width);
+      return atEnd(registerPlace(width == 1 ? Reg::CounterBit : Reg::CounterCurrent, operand.offset));
     case Area::AC: return low(atEnd(registerPlace(Reg::Accumulator, operand.offset)));
     case Area::HC: return low(atEnd(registerPlace(Reg::HscCurrent, operand.offset)));
     case Area::AI: return impl_->scan->analogInput(operand.offset);

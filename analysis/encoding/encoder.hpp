@@ -18,8 +18,8 @@
 #include "analysis/graph/transition_system.hpp"
 #include "engine/scan_script.hpp"
 #include "engine/start_up.hpp"
-#include "ir/choices.hpp"
-#include "ir/plan.hpp"
+#include "ir/s7200/choices.hpp"
+#include "ir/s7200/plan.hpp"
 
 namespace rungproof {
 
@@ -41,9 +41,9 @@ struct EncoderOptions {
   std::optional<std::vector<RetentiveRange>> retentive{};  ///< those of the system block; nothing: the CPU's default
   std::vector<ExternalBytes> externals;
   std::vector<Operand> observed;  ///< direct operands that properties read: they shape the state variables
-  /// By Instruction::id: what cannot reach any question and is not encoded (analysis/cone_of_influence.hpp).
+  /// By Instruction::id: what cannot reach any question and is not encoded (analysis/unread/cone_of_influence.hpp).
   std::vector<bool> isLeftOut;
-  /// What blocks without text write is as much as their contract says (ir/call_contract.hpp); false: anything.
+  /// What blocks without text write is as much as their contract says (ir/s7200/call_contract.hpp); false: anything.
   bool followsContracts = false;
   bool interrupts = true;
   bool interruptsInside = true;  ///< false: events come between scans only

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "analysis/encoding/scan_encoding.hpp"
-#include "ir/event_cause.hpp"
-#include "ir/isa/comm.hpp"
+#include "ir/s7200/event_cause.hpp"
+#include "ir/s7200/isa/comm.hpp"
 
 namespace rungproof {
 

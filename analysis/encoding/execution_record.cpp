@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "analysis/stack_depth.hpp"
+#include "analysis/flow/stack_depth.hpp"
 
 namespace rungproof {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "ir/event_cause.hpp"
+#include "ir/s7200/event_cause.hpp"
 
 namespace rungproof {
 

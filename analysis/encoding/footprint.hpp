@@ -40,7 +40,7 @@ struct Footprints {
 void addKeys(const Place& place, std::set<std::uint32_t>& keys);
 /// The places behind keys: runs of bits inside one byte, and registers.
 std::vector<Place> placesOf(const std::set<std::uint32_t>& keys);
-/// What decides whether an interrupt event can occur, and what its device writes then (ir/event_cause.hpp).
+/// What decides whether an interrupt event can occur, and what its device writes then (ir/s7200/event_cause.hpp).
 void addCauseKeys(int event, Footprint& footprint);
 
 }  // namespace rungproof

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "analysis/encoding/symbolic_store.hpp"
-#include "ir/scan.hpp"
+#include "ir/s7200/scan.hpp"
 
 namespace rungproof {
 

@@ -1,16 +1,20 @@
 // Cuts memory into words and bits by the accesses of the program.
 #include "analysis/encoding/memory_layout.hpp"
 
-#include "analysis/access.hpp"
-#include "ir/special_memory.hpp"
+#include "analysis/flow/access.hpp"
+#include "ir/s7200/special_memory.hpp"
 
 namespace rungproof {
 
-MemoryLayout::MemoryLayout(const Target& target) {
+MemoryLayout::MemoryLayout(const Plan& plan) : blocks_(plan.blocks) {
+  const Target& target = plan.program->target;
   for (int a = 0; a < areaCount; ++a) {
     const Area area = static_cast<Area>(a);
     const bool inRegisters = addressedByNumber(area);
-    cuts_[static_cast<std::size_t>(a)].resize(inRegisters ? 0 : area == Area::L ? localBytes : areaSize(target, area));
+    cuts_[static_cast<std::size_t>(a)].resize(inRegisters        ? 0
+                                              : area == Area::L  ? plan.localBytes
+                                              : area == Area::DB ? blocks_->size()
+                                                                 : areaSize(target, area));
   }
   std::vector<Cut>& special = cuts_[static_cast<std::size_t>(Area::SM)];
   for (const SmRow& row : smTable(target)) {
@@ -33,7 +37,8 @@ void MemoryLayout::add(const Program& program, const Plan& plan) {
   }
 }
 
-void MemoryLayout::add(Area area, Width width, std::uint32_t byte) {
+void MemoryLayout::add(Area area, Width width, std::uint32_t name) {
+  const std::uint32_t byte = inRow(area, name);
   std::vector<Cut>& cuts = cuts_[static_cast<std::size_t>(area)];
   const std::uint32_t end = byte + static_cast<std::uint32_t>(bytes(width));
   if (end > cuts.size()) return;
@@ -43,7 +48,8 @@ void MemoryLayout::add(Area area, Width width, std::uint32_t byte) {
   for (std::uint32_t i = byte; i + 1 < end; ++i) cuts[i].joinsNext = true;
 }
 
-void MemoryLayout::beginAt(Area area, std::uint32_t byte) {
+void MemoryLayout::beginAt(Area area, std::uint32_t name) {
+  const std::uint32_t byte = inRow(area, name);
   std::vector<Cut>& cuts = cuts_[static_cast<std::size_t>(area)];
   if (byte < cuts.size()) cuts[byte].startsHere = true;
 }

@@ -7,17 +7,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "ir/frame.hpp"
-#include "ir/plan.hpp"
+#include "ir/s7200/frame.hpp"
+#include "ir/s7200/plan.hpp"
 
 namespace rungproof {
 
-/// Bytes of local memory: main, eight nesting levels, interrupt routine and its subroutine (001:1367).
-
 class MemoryLayout {
  public:
-  /// Special memory is cut where the source of its values changes (ir/special_memory.hpp).
-  explicit MemoryLayout(const Target& target);
+  /// Special memory is cut where the source of its values changes (ir/s7200/special_memory.hpp).
+  /// Bytes of data blocks are counted in the one row of all blocks, except where accesses are added.
+  explicit MemoryLayout(const Plan& plan);
 
   /// Takes the direct operands of the program into account, each in the width of its instruction.
   void add(const Program& program, const Plan& plan);
@@ -48,6 +47,9 @@ class MemoryLayout {
   const Cut& cut(Area area, std::uint32_t byte) const { return cuts_[static_cast<std::size_t>(area)][byte]; }
   bool isJoined(Area area, std::uint32_t byte) const;
 
+  std::uint32_t inRow(Area area, std::uint32_t byte) const { return area == Area::DB ? blocks_->place(byte) : byte; }
+
+  std::shared_ptr<const BlockMap> blocks_;
   std::array<std::vector<Cut>, areaCount> cuts_;
 };
 

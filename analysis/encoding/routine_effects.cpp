@@ -8,7 +8,7 @@
 
 #include "analysis/graph/evaluate.hpp"
 #include "analysis/graph/z3_terms.hpp"
-#include "ir/scan.hpp"
+#include "ir/s7200/scan.hpp"
 
 namespace rungproof {
 
@@ -37,7 +37,7 @@ class RoutineEffects::Trial final : private CellSource, private Graph::Listener 
   /// The memory after these routines ran one after the other.
   std::unique_ptr<Graph::Store> run(std::initializer_list<int> routines, Node* halts = nullptr) {
     CellSource& source = *this;
-    auto store = std::make_unique<Graph::Store>(graph, layout_, source, plan_.edgeCount);
+    auto store = std::make_unique<Graph::Store>(graph, layout_, source, plan_);
     Machine<Graph> machine(graph, *store, plan_);
     store->follow(&machine);
     // A queue may overflow between two runs: SM4.0 to SM4.2 change.
@@ -69,8 +69,8 @@ class RoutineEffects::Trial final : private CellSource, private Graph::Listener 
     Trial& trial;
     void before(Scan<Graph, Hooks>&, const FlowStep&) {}
     void callWithoutBody(Scan<Graph, Hooks>&, const Instruction&) { trial.isComplete = false; }
-    void freshLocal(Scan<Graph, Hooks>&, unsigned frame, std::uint32_t byte) {
-      trial.store_->forgetLocal(frame, byte, 0);
+    void freshLocal(Scan<Graph, Hooks>&, std::uint32_t base, std::uint32_t byte) {
+      trial.store_->forgetLocal(base, byte, 0);
     }
   };
 
@@ -88,6 +88,7 @@ class RoutineEffects::Trial final : private CellSource, private Graph::Listener 
     isComplete = false;
     return graph.constant(false);
   }
+  std::optional<std::vector<std::uint64_t>> locations(Machine<Graph>&, Graph::Bits) override { return std::nullopt; }
   Graph::Bits unresolved(Machine<Graph>&, int width) override {
     isComplete = false;
     return {graph.variable("unresolved", width, false)};

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "analysis/encoding/scan_encoding.hpp"
-#include "ir/timer_refresh.hpp"
+#include "ir/s7200/timer_refresh.hpp"
 
 namespace rungproof {
 
@@ -30,8 +30,13 @@ Attachments attachmentsOf(const Plan& plan) {
 void ScanEncoding::prepareTicks() {
   for (const TimerUse& use : plan_.timers) {
     if (use.resolution != 1) continue;
+    if (use.kind == TimerKind::S5) addKeys(registerPlace(Reg::S5Rest, use.number), tickKeys_);
     for (const Reg reg : {Reg::TimerCurrent, Reg::TimerBit, Reg::TimerRunning, Reg::TimerPreset})
       addKeys(registerPlace(reg, use.number), tickKeys_);
+  }
+  for (const std::uint32_t instance : plan_.iecTimers) {
+    addKeys(memoryPlace(Area::DB, instance + 12, Width::Byte), tickKeys_);
+    addKeys(memoryPlace(Area::DB, instance + 18, Width::DWord), tickKeys_);
   }
   consumed_ = graph.constantNode(0, time.width());
 }
@@ -40,7 +45,7 @@ void ScanEncoding::prepareWatched() {
   for (const Operand& operand : options_.watched) {
     switch (operand.area) {
       case Area::T:
-        for (const Reg reg : {Reg::TimerBit, Reg::TimerCurrent})
+        for (const Reg reg : {Reg::TimerBit, timerRegister(operand.width)})
           addKeys(registerPlace(reg, operand.offset), watched_.reads);
         break;
       case Area::C:
@@ -49,7 +54,8 @@ void ScanEncoding::prepareWatched() {
         break;
       case Area::AC: addKeys(registerPlace(Reg::Accumulator, operand.offset), watched_.reads); break;
       case Area::HC:
-      case Area::AI: break;  // not written by instructions
+      case Area::AI:
+      case Area::PI: break;  // not written by instructions
       default: addKeys(memoryPlace(operand.area, operand.offset, operand.width, operand.bit), watched_.reads);
     }
   }

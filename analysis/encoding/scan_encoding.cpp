@@ -4,14 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "ir/check.hpp"
-#include "ir/event.hpp"
-#include "ir/isa/clock.hpp"
-#include "ir/isa/comm.hpp"
-#include "ir/special_memory.hpp"
-#include "ir/timer_refresh.hpp"
+#include "ir/s7200/event.hpp"
+#include "ir/s7200/isa/clock.hpp"
+#include "ir/s7200/isa/comm.hpp"
+#include "ir/s7200/special_memory.hpp"
+#include "ir/s7200/timer_refresh.hpp"
 
 namespace rungproof {
 
@@ -61,7 +62,7 @@ ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options
       plan_(plan),
       knowledge_(knowledge),
       initial_(powerUpState(plan, options.choices)),
-      store_(graph, layout, *this, plan.edgeCount),
+      store_(graph, layout, *this, plan),
       machine_(graph, store_, plan),
       devices_(graph, plan, knowledge.tables,
                {[this](const Place& place) { return startOfCell(place); },
@@ -104,6 +105,7 @@ void ScanEncoding::run() {
   beginStatus(machine_);
   machine_.ticks100 = {time.ticks100()};
   refreshTimers(machine_, 10, {time.ticks10()});
+  refreshS5Timers(machine_);
   beginEvents();
   isRecording_ = true;
   Runner runner(machine_, *this, options_.loopLimit, options_.stepLimit);
@@ -163,13 +165,13 @@ void ScanEncoding::callWithoutBody(Runner& runner, const Instruction& instructio
   }
 }
 
-void ScanEncoding::freshLocal(Runner& runner, unsigned frame, std::uint32_t byte) {
+void ScanEncoding::freshLocal(Runner& runner, std::uint32_t base, std::uint32_t byte) {
   const Machine<Graph>& m = runner.machine();
   if (byte == 0) localEntries_.emplace_back();
   const ExternalSite site{External::LocalMemory, byte, m.current == nullptr ? 0 : m.current->id};
   localEntries_.back().push_back(externals.size());
   externals.push_back({site, noNode, 8, m.guard.node});
-  store_.forgetLocal(frame, byte, static_cast<std::uint32_t>(localEntries_.size() - 1));
+  store_.forgetLocal(base, byte, static_cast<std::uint32_t>(localEntries_.size() - 1));
 }
 
 Node ScanEncoding::input(std::string name, int width) {
@@ -339,6 +341,9 @@ RoundsLeft ScanEncoding::beyondLimit(Graph::Bool condition, bool isFirst) {
   for (Graph::Bool& level : std::span(machine_.stack).first(machine_.stackLevels))
     level = graph.select(taken, {any("stack", 1)}, level);
   if (widening_.freesScr(branch)) machine_.scrActive = graph.select(taken, {any("SCR stack", 1)}, machine_.scrActive);
+  if (plan_.isStep7())
+    machine_.step7.each([&](Graph::Bool& bit) { bit = graph.select(taken, {any("status bit", 1)}, bit); },
+                        [&](Graph::Bits& bits, int w) { bits = graph.select(taken, {any("register", w)}, bits, w); });
   for (const Place& place : widening_.freed(branch)) store_.replace(place, any(nameOf(place), place.width), taken);
   return RoundsLeft::Follow;
 }
@@ -426,6 +431,10 @@ Graph::Bool ScanEncoding::targets(Machine<Graph>& machine, Graph::Bits pointer, 
   return legal;
 }
 
+std::optional<std::vector<std::uint64_t>> ScanEncoding::locations(Machine<Graph>& machine, Graph::Bits location) {
+  return targetsOf(location.node, machine.guard.node);
+}
+
 Graph::Bits ScanEncoding::unresolved(Machine<Graph>& machine, int width) {
   Approximation& a = approximate(machine.current, unresolvedReason);
   a.carriers.push_back(input("value behind a pointer", width));
@@ -470,6 +479,7 @@ TransitionSystem ScanEncoding::system() {
   TransitionSystem ts;
   ts.graph = &graph;
   ts.states = time.states();
+  std::map<std::uint32_t, TimerHint> timers;
   ts.inputs = time.inputs();
   ts.constraints = constraints_;
   for (std::size_t i = 0; i < cells().size(); ++i) {
@@ -484,7 +494,12 @@ TransitionSystem ScanEncoding::system() {
     if (cell.kind != CellKind::State) continue;
     ts.states.push_back({cell.start, init(cell.place), store_.value(cell.place)});
     if (cell.place == registerPlace(Reg::Running, 0)) ts.constraints.push_back(cell.start);
+    if (!cell.place.isRegister) continue;
+    if (cell.place.reg == Reg::TimerBit) timers[cell.place.at].bit = cell.start;
+    if (cell.place.reg == Reg::TimerInput) timers[cell.place.at].input = cell.start;
+    if (cell.place.reg == Reg::TimerRunning) timers[cell.place.at].running = cell.start;
   }
+  for (const auto& [number, timer] : timers) ts.timers.push_back(timer);
   ts.states.insert(ts.states.end(), eventStates_.all.begin(), eventStates_.all.end());
   ts.inputs.insert(ts.inputs.end(), inputs_.begin(), inputs_.end());
   ts.totalConstraints = totalConstraints_;

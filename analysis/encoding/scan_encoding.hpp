@@ -12,9 +12,9 @@
 #include "analysis/encoding/loop_widening.hpp"
 #include "analysis/encoding/pointer_values.hpp"
 #include "analysis/encoding/routine_effects.hpp"
-#include "ir/call_contract.hpp"
-#include "ir/event.hpp"
-#include "ir/scan_cycle.hpp"
+#include "ir/s7200/call_contract.hpp"
+#include "ir/s7200/event.hpp"
+#include "ir/s7200/scan_cycle.hpp"
 
 namespace rungproof {
 
@@ -57,7 +57,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   /// Hooks of the walk over the program.
   void before(Runner& runner, const FlowStep& step);
   void callWithoutBody(Runner& runner, const Instruction& instruction);
-  void freshLocal(Runner& runner, unsigned frame, std::uint32_t byte);
+  void freshLocal(Runner& runner, std::uint32_t base, std::uint32_t byte);
   /// Whether a loop can go into another round, by what is known of the values of cells.
   bool isPossible(Graph::Bool condition);
   RoundsLeft beyondLimit(Graph::Bool condition, bool isFirst);
@@ -109,6 +109,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   void report(Hazard hazard, Graph::Bool condition, const Instruction* place) override;
   ValueSet pointerValues(Node pointer, Node guard);
   Graph::Bool targets(Machine<Graph>& machine, Graph::Bits pointer, Width width, Ref<Graph>& ref) override;
+  std::optional<std::vector<std::uint64_t>> locations(Machine<Graph>& machine, Graph::Bits location) override;
   Graph::Bits unresolved(Machine<Graph>& machine, int width) override;
   void havoc(Machine<Graph>& machine) override;
   void havocBy(const Machine<Graph>& machine, const Approximation& cause);

@@ -18,9 +18,9 @@
 #include <utility>
 
 #include "analysis/encoding/scan_encoding.hpp"
-#include "ir/event_cause.hpp"
-#include "ir/isa/comm.hpp"
-#include "ir/timer_refresh.hpp"
+#include "ir/s7200/event_cause.hpp"
+#include "ir/s7200/isa/comm.hpp"
+#include "ir/s7200/timer_refresh.hpp"
 
 namespace rungproof {
 

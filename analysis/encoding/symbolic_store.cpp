@@ -35,10 +35,10 @@ std::string nameOf(const Place& place) {
   return fmt::format("{}..{}", addressName(place.area, Width::Byte, place.byte()), place.byte() + place.width / 8U - 1);
 }
 
-Graph::Store::Store(Graph& graph, const MemoryLayout& layout, CellSource& source, std::uint32_t edgeCount)
-    : graph_(graph), layout_(layout), source_(source), localEntry_(localBytes, 0) {
+Graph::Store::Store(Graph& graph, const MemoryLayout& layout, CellSource& source, const Plan& plan)
+    : graph_(graph), layout_(layout), blocks_(plan.blocks), source_(source), localEntry_(plan.localBytes) {
   for (const RegInfo& info : regTable)
-    registers_[static_cast<std::size_t>(info.reg)].assign(info.count == 0 ? edgeCount : info.count, noNode);
+    registers_[static_cast<std::size_t>(info.reg)].assign(registerCount(info, plan), noNode);
 }
 
 std::vector<Graph::Store::BitRef>& Graph::Store::bitsOf(Area area) {
@@ -58,16 +58,19 @@ void Graph::Store::touch(Area area, std::uint32_t first, int width) {
     }
     const std::uint32_t byte = at / 8;
     if (area == Area::L) {
-      const Node node = source_.localByte(localEntry_[byte], byte % 64);
+      const auto [entry, inBlock] = localEntry_[byte];
+      const Node node = source_.localByte(entry, inBlock);
       for (std::uint32_t i = 0; i < 8; ++i) {
         if (bits[byte * 8 + i].node == noNode) bits[byte * 8 + i] = {node, 7 - i};
       }
       continue;
     }
-    Place place{false, area, Reg::Accumulator, at, 1};
+    Place place{false, area, Reg::Accumulator, named(area, at), 1};
+    std::uint32_t from = at;
     if (!layout_.isSingleBits(area, byte)) {
       const MemoryLayout::Word word = layout_.wordOf(area, byte);
-      place.at = word.first * 8;
+      from = word.first * 8;
+      place.at = named(area, from);
       place.width = static_cast<std::uint8_t>(word.bytes * 8);
     }
     Cell cell = source_.cellAt(place);
@@ -75,7 +78,7 @@ void Graph::Store::touch(Area area, std::uint32_t first, int width) {
     Node start = source_.atScan(cell);
     for (const Havoc& h : havocs_) start = graph_.make(Op::Ite, place.width, h.guard, h.fresh(place), start);
     for (std::uint32_t i = 0; i < place.width; ++i) {
-      if (bits[place.at + i].node == noNode) bits[place.at + i] = {start, place.width - 1 - i};
+      if (bits[from + i].node == noNode) bits[from + i] = {start, place.width - 1 - i};
     }
   }
 }
@@ -122,11 +125,12 @@ void Graph::Store::put(Area area, std::uint32_t first, int width, Node value) {
 }
 
 Graph::Bits Graph::Store::load(Area area, std::uint32_t offset, int width) {
-  const std::uint32_t first = width == 1 ? offset / 8 * 8 + (7 - offset % 8) : offset / 8 * 8;
+  const std::uint32_t at = width == 1 ? offset / 8 * 8 + (7 - offset % 8) : offset / 8 * 8;
+  const std::uint32_t first = inRow(area, at);
   const std::uint32_t size = layout_.size(area) * 8;
   if (first >= size) return graph_.literal(0, width);
   const int inside = static_cast<int>(std::min<std::uint32_t>(static_cast<std::uint32_t>(width), size - first));
-  note({false, area, Reg::Accumulator, first, static_cast<std::uint8_t>(inside)}, false);
+  note({false, area, Reg::Accumulator, at, static_cast<std::uint8_t>(inside)}, false);
   touch(area, first, inside);
   const Node node = read(join(area, first, inside));
   return {inside == width ? node : graph_.make(Op::Concat, width, node, graph_.constantNode(0, width - inside))};
@@ -134,11 +138,12 @@ Graph::Bits Graph::Store::load(Area area, std::uint32_t offset, int width) {
 
 void Graph::Store::save(Area area, std::uint32_t offset, int width, Bits value, Bool guard) {
   if (graph_.truth(guard) == false) return;
-  const std::uint32_t first = width == 1 ? offset / 8 * 8 + (7 - offset % 8) : offset / 8 * 8;
+  const std::uint32_t at = width == 1 ? offset / 8 * 8 + (7 - offset % 8) : offset / 8 * 8;
+  const std::uint32_t first = inRow(area, at);
   const std::uint32_t size = layout_.size(area) * 8;
   if (first >= size) return;
   const int inside = static_cast<int>(std::min<std::uint32_t>(static_cast<std::uint32_t>(width), size - first));
-  const Place place{false, area, Reg::Accumulator, first, static_cast<std::uint8_t>(inside)};
+  const Place place{false, area, Reg::Accumulator, at, static_cast<std::uint8_t>(inside)};
   note(place, true);
   if (width == 1 && machine_ != nullptr && machine_->current != nullptr && area != Area::L && area != Area::SM) {
     bitWrites_.push_back({machine_->current, place, value.node, guard.node});
@@ -176,8 +181,9 @@ Node Graph::Store::value(const Place& place) {
     touchRegister(place.reg, place.at);
     return registers_[static_cast<std::size_t>(place.reg)][place.at];
   }
-  touch(place.area, place.at, place.width);
-  return join(place.area, place.at, place.width);
+  const std::uint32_t first = inRow(place.area, place.at);
+  touch(place.area, first, place.width);
+  return join(place.area, first, place.width);
 }
 
 void Graph::Store::replace(const Place& place, Node value, Bool guard) {
@@ -186,13 +192,13 @@ void Graph::Store::replace(const Place& place, Node value, Bool guard) {
   if (place.isRegister)
     registers_[static_cast<std::size_t>(place.reg)][place.at] = chosen;
   else
-    put(place.area, place.at, place.width, chosen);
+    put(place.area, inRow(place.area, place.at), place.width, chosen);
 }
 
-void Graph::Store::forgetLocal(std::uint32_t frame, std::uint32_t byte, std::uint32_t entry) {
+void Graph::Store::forgetLocal(std::uint32_t base, std::uint32_t byte, std::uint32_t entry) {
   std::vector<BitRef>& bits = bitsOf(Area::L);
-  const std::uint32_t at = frame * 64 + byte;
-  localEntry_[at] = entry;
+  const std::uint32_t at = base + byte;
+  localEntry_[at] = {entry, byte};
   for (std::uint32_t i = 0; i < 8; ++i) bits[at * 8 + i] = {};
 }
 
@@ -208,7 +214,7 @@ std::vector<Place> Graph::Store::places() const {
       while (run < 64 && at + run < bits.size() && bits[at + run].node == bits[at].node &&
              bits[at + run].low + run == bits[at].low)
         ++run;
-      result.push_back({false, area, Reg::Accumulator, at, static_cast<std::uint8_t>(run)});
+      result.push_back({false, area, Reg::Accumulator, named(area, at), static_cast<std::uint8_t>(run)});
       at += run - 1;
     }
   }
@@ -230,7 +236,7 @@ void Graph::Store::havoc(Bool guard, std::function<Node(const Place&)> fresh) {
     if (place.isRegister)
       registers_[static_cast<std::size_t>(place.reg)][place.at] = changed;
     else
-      put(place.area, place.at, place.width, changed);
+      put(place.area, inRow(place.area, place.at), place.width, changed);
   }
   havocs_.push_back({guard.node, std::move(fresh)});
 }

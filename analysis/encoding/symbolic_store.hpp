@@ -75,7 +75,7 @@ struct Touch {
 
 class Graph::Store {
  public:
-  Store(Graph& graph, const MemoryLayout& layout, CellSource& source, std::uint32_t edgeCount);
+  Store(Graph& graph, const MemoryLayout& layout, CellSource& source, const Plan& plan);
 
   /// `offset` is byte * 8 + bit for width 1 and byte * 8 for whole bytes, as Machine counts.
   Bits load(Area area, std::uint32_t offset, int width);
@@ -88,7 +88,7 @@ class Graph::Store {
   /// Puts a value where `guard` holds, as a write.
   void replace(const Place& place, Node value, Bool guard);
   /// A byte of local memory is unknown again, its block having been entered.
-  void forgetLocal(std::uint32_t frame, std::uint32_t byte, std::uint32_t entry);
+  void forgetLocal(std::uint32_t base, std::uint32_t byte, std::uint32_t entry);
   /// Any value may stand in any place that a pointer can reach, where `guard` holds; fresh(place) makes the values.
   void havoc(Bool guard, std::function<Node(const Place&)> fresh);
 
@@ -116,6 +116,11 @@ class Graph::Store {
     std::function<Node(const Place&)> fresh;
   };
   std::vector<BitRef>& bitsOf(Area area);
+  /// Bits of data blocks stand in the one row of all blocks; outside they are named by block and byte.
+  std::uint32_t inRow(Area area, std::uint32_t at) const { return area == Area::DB ? blocks_->bitPlace(at) : at; }
+  std::uint32_t named(Area area, std::uint32_t at) const {
+    return area == Area::DB ? blocks_->dataByteAt(at / 8) * 8 + at % 8 : at;
+  }
   void touch(Area area, std::uint32_t first, int width);
   void touchRegister(Reg reg, std::uint32_t index);
   Node join(Area area, std::uint32_t first, int width);
@@ -128,10 +133,12 @@ class Graph::Store {
 
   Graph& graph_;
   const MemoryLayout& layout_;
+  std::shared_ptr<const BlockMap> blocks_;
   CellSource& source_;
   std::array<std::vector<BitRef>, areaCount> bits_;
   std::array<std::vector<Node>, static_cast<std::size_t>(Reg::count)> registers_;
-  std::vector<std::uint32_t> localEntry_;  ///< by byte of L: number of the block entry
+  /// By byte of L: number of the block entry, and the byte in the block's local memory.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> localEntry_;
   std::vector<Cell> cells_;
   std::vector<BitWrite> bitWrites_;
   std::vector<Havoc> havocs_;

@@ -2,7 +2,7 @@
 // 100 ms time bases must follow from it exactly. Absolute time is split into digits, 100 N + 10 d + u: each scan
 // chooses the new digits, and
 //     dt = 100 n + 10 (d' - d) + (u' - u),   ticks of 10 ms = 10 n + d' - d,   ticks of 100 ms = n
-// so no division appears. Ticks reach the program in the next scan (ir/scan_cycle.hpp), so n and d' - d are kept.
+// so no division appears. Ticks reach the program in the next scan (ir/s7200/scan_cycle.hpp), so n and d' - d are kept.
 // d and u start with any value: the time bases run freely, RUN begins anywhere in their intervals (001:6592). Four bits
 // hold a digit; those of 10 to 15 mean it less 10, so every start is one.
 //

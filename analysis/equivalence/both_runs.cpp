@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "analysis/proof/state_pool.hpp"
-#include "analysis/proof/witness.hpp"
-#include "ir/reading.hpp"
+#include "analysis/witness/state_pool.hpp"
+#include "analysis/witness/witness.hpp"
+#include "ir/s7200/reading.hpp"
 
 namespace rungproof {
 

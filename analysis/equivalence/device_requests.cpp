@@ -5,9 +5,9 @@
 #include <array>
 #include <utility>
 
-#include "ir/args.hpp"
-#include "ir/event_cause.hpp"
-#include "ir/isa/hsc.hpp"
+#include "ir/s7200/args.hpp"
+#include "ir/s7200/event_cause.hpp"
+#include "ir/s7200/isa/hsc.hpp"
 
 namespace rungproof {
 

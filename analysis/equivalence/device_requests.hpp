@@ -10,7 +10,7 @@
 
 #include "analysis/encoding/encoder.hpp"
 #include "ir/program.hpp"
-#include "ir/pulse_output.hpp"
+#include "ir/s7200/pulse_output.hpp"
 
 namespace rungproof {
 

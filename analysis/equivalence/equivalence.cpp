@@ -14,10 +14,10 @@
 #include "analysis/equivalence/pair_exploration.hpp"
 #include "analysis/equivalence/scan_length.hpp"
 #include "analysis/portfolio/portfolio.hpp"
-#include "analysis/proof/proof_side.hpp"
 #include "analysis/proof/proof_watch.hpp"
+#include "analysis/proof/question_system.hpp"
 #include "analysis/proof/unfollowed_routine.hpp"
-#include "analysis/proof/witness.hpp"
+#include "analysis/witness/witness.hpp"
 
 namespace rungproof {
 
@@ -141,8 +141,9 @@ class ProgramComparison {
   }
 
   void nameApproximations(ProgramProduct& product) {
-    for (const auto& [side, obligations] : {std::pair{&before_, &product.oldSide()}, {&after_, &product.newSide()}}) {
-      for (std::string& text : approximationTexts(*side->program, *obligations)) {
+    for (const auto& [side, askedProperties] :
+         {std::pair{&before_, &product.oldSide()}, {&after_, &product.newSide()}}) {
+      for (std::string& text : approximationTexts(*side->program, *askedProperties)) {
         if (std::ranges::find(result_.approximations, text) == result_.approximations.end())
           result_.approximations.push_back(std::move(text));
       }
@@ -547,19 +548,19 @@ class ProgramComparison {
     property.first.nodes.push_back(node);
     return unread.reasons(property);
   }
-  void guardSide(const Side& side, Obligations& obligations) {
-    EncodedScan& encoding = obligations.encoding();
+  void guardSide(const Side& side, AskedProperties& askedProperties) {
+    EncodedScan& encoding = askedProperties.encoding();
     if (const auto reason = unfollowedRoutine(*side.program, encoding)) note(*reason);
     Graph& graph = encoding.graph();
     Graph::Bool leftOut = graph.constant(false);
-    for (const Approximation& approximation : obligations.approximations()) {
+    for (const Approximation& approximation : askedProperties.approximations()) {
       if (approximation.leftOut != noNode) leftOut = graph.lor(leftOut, {approximation.leftOut});
     }
     if (graph.truth(leftOut) == false) return;
-    TransitionSystem system = obligations.system();
+    TransitionSystem system = askedProperties.system();
     system.questions = {{"a scan is not followed to its end", leftOut.node}};
     if (ask(system, left(), Effort::Full)[0].answer == Answer::Proved) return;
-    for (const Approximation& approximation : obligations.approximations()) {
+    for (const Approximation& approximation : askedProperties.approximations()) {
       if (approximation.leftOut != noNode) note("not followed: " + approximationText(*side.program, approximation));
     }
   }

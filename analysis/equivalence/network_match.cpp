@@ -13,7 +13,7 @@ namespace rungproof {
 namespace {
 
 /// A network as the list of its instructions in the words of OLD.
-struct Shape {
+struct NetworkShape {
   NetworkRef where;
   std::vector<std::string> lines;
   std::vector<std::uint32_t> ids;
@@ -29,11 +29,11 @@ std::string blockName(const Pou& pou) {
          std::to_string(pou.kind == PouKind::Main ? 0 : pou.number);
 }
 
-std::vector<Shape> shapesOf(const Program& program, const AddressPairs& pairs) {
-  std::vector<Shape> shapes;
+std::vector<NetworkShape> networkShapesOf(const Program& program, const AddressPairs& pairs) {
+  std::vector<NetworkShape> shapes;
   for (std::size_t p = 0; p < program.pous.size(); ++p) {
     for (std::size_t n = 0; n < program.pous[p].networks.size(); ++n) {
-      Shape& shape = shapes.emplace_back();
+      NetworkShape& shape = shapes.emplace_back();
       shape.where = {p, n};
       for (const Instruction& instruction : program.pous[p].networks[n].instructions) {
         shape.lines.push_back(textInOld(instruction, pairs));
@@ -77,7 +77,7 @@ std::vector<std::pair<std::size_t, std::size_t>> commonSubsequence(std::size_t n
 class Matcher {
  public:
   Matcher(const Program& before, const Program& after, const AddressPairs& pairs)
-      : before_(before), after_(after), old_(shapesOf(before, {})), new_(shapesOf(after, pairs)) {
+      : before_(before), after_(after), old_(networkShapesOf(before, {})), new_(networkShapesOf(after, pairs)) {
     result_.beforeOf.assign(after.instructionCount(), noPartner);
     partner_.resize(new_.size());
   }
@@ -107,7 +107,7 @@ class Matcher {
       found->second.pop_back();
     }
   }
-  static std::string keyOf(const Program& program, const Shape& shape, bool inBlock) {
+  static std::string keyOf(const Program& program, const NetworkShape& shape, bool inBlock) {
     return inBlock ? blockName(program.pous[shape.where.pou]) + '\n' + shape.key : shape.key;
   }
   void pair(std::size_t i, std::size_t j) {
@@ -134,7 +134,7 @@ class Matcher {
 
   /// Half of the instructions in common, or at least one that does more than read.
   enum class Likeness : std::uint8_t { Half, Result };
-  static bool shareResult(const Shape& old, const Shape& other) {
+  static bool shareResult(const NetworkShape& old, const NetworkShape& other) {
     for (std::size_t i = 0; i < old.lines.size(); ++i) {
       if (!old.onlyReads[i] && std::ranges::find(other.lines, old.lines[i]) != other.lines.end()) return true;
     }
@@ -190,7 +190,7 @@ class Matcher {
 
   const Program& before_;
   const Program& after_;
-  std::vector<Shape> old_, new_;
+  std::vector<NetworkShape> old_, new_;
   std::vector<std::optional<std::size_t>> partner_;  ///< by index in new_
   ProgramMatch result_;
 };

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "analysis/equivalence/shorter_run.hpp"
-#include "analysis/proof/follower.hpp"
-#include "analysis/proof/state_pool.hpp"
+#include "analysis/witness/follower.hpp"
+#include "analysis/witness/state_pool.hpp"
 #include "engine/trace.hpp"
 
 namespace rungproof {

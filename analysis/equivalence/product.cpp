@@ -116,7 +116,7 @@ ProgramProduct::ProgramProduct(const Side& before, const Side& after, const Prog
     }
   }
   for (const std::uint32_t port : usedPorts()) {
-    for (Obligations* side : {&old_, &new_}) side->encoding().atEnd(portPlace(port));
+    for (AskedProperties* side : {&old_, &new_}) side->encoding().atEnd(portPlace(port));
   }
   newSystem_ = new_.system();
   for (const KeptCell& cell : new_.encoding().keptCells()) kept_.insert(cell.node);
@@ -124,7 +124,7 @@ ProgramProduct::ProgramProduct(const Side& before, const Side& after, const Prog
   SideCopy touched(old_.encoding().graph(), new_.encoding().graph(), "");
   replaceCells(touched);  // OLD gets all inputs that NEW reads before its system is taken
   if (options_.steadyInputs) {
-    for (Obligations* side : {&old_, &new_}) {
+    for (AskedProperties* side : {&old_, &new_}) {
       for (const ExternalInput& e : side->encoding().externals()) {
         if (e.site.kind != External::ImmediateInput) continue;
         const Address address{Area::I, e.site.index};
@@ -134,7 +134,7 @@ ProgramProduct::ProgramProduct(const Side& before, const Side& after, const Prog
     }
   }
   oldSystem_ = old_.system();
-  for (Obligations* side : {&old_, &new_}) side->encoding().graph().decideBy(nullptr);
+  for (AskedProperties* side : {&old_, &new_}) side->encoding().graph().decideBy(nullptr);
 }
 
 std::vector<std::string> ProgramProduct::newStateNames() const {

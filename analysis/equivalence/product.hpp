@@ -14,12 +14,12 @@
 #include <vector>
 
 #include "analysis/bits/bit_blast.hpp"
-#include "analysis/encoding/obligation.hpp"
+#include "analysis/encoding/asked_properties.hpp"
 #include "analysis/equivalence/device_requests.hpp"
 #include "analysis/equivalence/network_match.hpp"
 #include "analysis/equivalence/pulse_drive.hpp"
 #include "analysis/equivalence/side_copy.hpp"
-#include "analysis/unread_code.hpp"
+#include "analysis/unread/unread_code.hpp"
 
 namespace rungproof {
 
@@ -146,8 +146,8 @@ class ProgramProduct {
   /// What a run of `asked`, made from a merged system, is for one of the two programs.
   WordTrace oldTrace(const TransitionSystem& asked, const WordTrace& trace);
   WordTrace newTrace(const JoinedSystem& merged, const TransitionSystem& asked, const WordTrace& trace);
-  Obligations& oldSide() { return old_; }
-  Obligations& newSide() { return new_; }
+  AskedProperties& oldSide() { return old_; }
+  AskedProperties& newSide() { return new_; }
   const TransitionSystem& oldSystem() const { return oldSystem_; }
   const TransitionSystem& newSystem() const { return newSystem_; }
 
@@ -198,7 +198,7 @@ class ProgramProduct {
   const ProductOptions options_;
   const ProgramMatch& match_;
   RequestRecord oldRequests_, newRequests_;  ///< the encodings tell them
-  Obligations old_, new_;
+  AskedProperties old_, new_;
   TransitionSystem oldSystem_, newSystem_;
   std::vector<Output> outputs_;
   std::vector<std::pair<Node, Node>> clocks_;  ///< inputs of OLD's graph that show what NEW has in SMB0

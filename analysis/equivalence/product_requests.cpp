@@ -5,7 +5,7 @@
 #include <map>
 
 #include "analysis/equivalence/product.hpp"
-#include "analysis/proof/proof_side.hpp"
+#include "analysis/proof/question_system.hpp"
 
 namespace rungproof {
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "analysis/facts.hpp"
-#include "analysis/lint.hpp"
+#include "analysis/flow/facts.hpp"
+#include "analysis/lint/lint.hpp"
 
 namespace rungproof {
 

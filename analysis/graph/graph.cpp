@@ -273,6 +273,10 @@ Graph::Bool Graph::targets(Machine<Graph>& machine, Bits pointer, Width width, R
   CHECK(listener_ != nullptr, "a pointer needs a listener");
   return listener_->targets(machine, pointer, width, ref);
 }
+std::optional<std::vector<std::uint64_t>> Graph::locations(Machine<Graph>& machine, Bits location) {
+  CHECK(listener_ != nullptr, "a pointer needs a listener");
+  return listener_->locations(machine, location);
+}
 Graph::Bits Graph::unresolved(Machine<Graph>& machine, int width) {
   CHECK(listener_ != nullptr, "an unresolved pointer needs a listener");
   return listener_->unresolved(machine, width);

@@ -23,7 +23,7 @@
 
 #include "analysis/graph/decisions.hpp"
 #include "ir/domain.hpp"
-#include "ir/machine.hpp"
+#include "ir/s7200/machine.hpp"
 
 namespace rungproof {
 
@@ -194,6 +194,8 @@ class Graph {
   void report(Hazard hazard, Bool condition, const Instruction* place);
   /// Fills ref with the possible targets of a pointer, from the value analysis; gives the legality condition.
   Bool targets(Machine<Graph>& machine, Bits pointer, Width width, Ref<Graph>& ref);
+  /// All values that a place's number can have here, from the value analysis; nothing if they are too many.
+  std::optional<std::vector<std::uint64_t>> locations(Machine<Graph>& machine, Bits location);
   Bits unresolved(Machine<Graph>& machine, int width);
   void havoc(Machine<Graph>& machine);
 
@@ -204,6 +206,7 @@ class Graph {
     virtual Bits external(const ExternalSite& site, int width) = 0;
     virtual void report(Hazard hazard, Bool condition, const Instruction* place) = 0;
     virtual Bool targets(Machine<Graph>& machine, Bits pointer, Width width, Ref<Graph>& ref) = 0;
+    virtual std::optional<std::vector<std::uint64_t>> locations(Machine<Graph>& machine, Bits location) = 0;
     virtual Bits unresolved(Machine<Graph>& machine, int width) = 0;
     virtual void havoc(Machine<Graph>& machine) = 0;
   };

@@ -1,6 +1,6 @@
 // Nodes with other nodes in place of some, simplified on the way. What was rewritten once is kept, so that all parts of
 // a transition system can be put through the same substitution. Tested by tests/solver/merging_test.cpp and
-// tests/solver/saturation_test.cpp.
+// tests/solver/word_caps_test.cpp.
 #pragma once
 
 #include <array>

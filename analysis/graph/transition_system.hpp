@@ -22,8 +22,16 @@ struct StateVariable {
 struct Question {
   std::string name;
   Node bad = noNode;
-  std::size_t number = 0;  ///< in the list that it was asked with first
+  std::size_t number = 0;  ///< its index in the system of the side that asks it, in parts of that system too
 };
+
+/// State variables that belong to one timer, as far as the program has them. A hint: nothing is believed for it.
+struct TimerHint {
+  Node bit = noNode, input = noNode, running = noNode;
+};
+
+/// Questions of a system by their index there, which never changes: who answers a part of them is given a list.
+using Questions = std::vector<std::size_t>;
 
 struct TransitionSystem {
   Graph* graph = nullptr;
@@ -34,6 +42,13 @@ struct TransitionSystem {
   /// they can be left out of the cone of a question that does not share variables with them.
   std::vector<Node> totalConstraints;
   std::vector<Question> questions;
+  std::vector<TimerHint> timers;  ///< state variables that were reduced away may still be named
 };
+
+inline Questions allQuestions(const TransitionSystem& system) {
+  Questions all(system.questions.size());
+  for (std::size_t q = 0; q < all.size(); ++q) all[q] = q;
+  return all;
+}
 
 }  // namespace rungproof

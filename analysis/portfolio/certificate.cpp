@@ -162,7 +162,7 @@ std::vector<SmtText::Definition> CertificateWriter::definitions() const {
 std::string CertificateWriter::text() const {
   std::string text = "(set-logic QF_BV)\n" + theorems_ + smt_.declarations() + surfaces_;
   const std::vector<SmtText::Definition> all = definitions();
-  for (const Obligation& o : obligations_) {
+  for (const Condition& o : obligations_) {
     std::string name = questions_[o.certificate];
     std::replace_if(
         name.begin(), name.end(), [](unsigned char c) { return c < 32; }, ' ');
@@ -178,7 +178,7 @@ std::vector<CheckResult> CertificateWriter::check(const CheckLimits& limits) con
   std::string sorts, arguments = "true";
   std::unordered_map<std::string_view, std::size_t> index;
   std::vector<std::size_t> formulaOf, owners;
-  for (const Obligation& o : obligations_) {
+  for (const Condition& o : obligations_) {
     const auto [at, isNew] = index.emplace(o.formula, index.size());
     formulaOf.push_back(at->second);
     if (!isNew) continue;

@@ -67,7 +67,7 @@ class CertificateWriter {
   std::vector<CheckResult> check(const CheckLimits& limits) const;
 
  private:
-  struct Obligation {
+  struct Condition {
     std::size_t certificate;
     std::string name;     ///< "initiation", "consecution", "base", "safety"
     std::string formula;  ///< must be unsatisfiable
@@ -90,7 +90,7 @@ class CertificateWriter {
   std::string surfaces_;  ///< declarations of certificates with open nodes
   std::vector<SmtText::Definition> surfaceDefinitions_;
   std::vector<std::string> questions_;
-  std::vector<Obligation> obligations_;
+  std::vector<Condition> obligations_;
   std::string theorems_;                         ///< declarations of their variables
   std::unordered_map<std::string, int> proved_;  ///< theorems that are obligations already, by their form
 };

@@ -32,7 +32,7 @@ constexpr bool reservesMuch = false;
 z3::solver quickSolver(z3::context& context) {
   const auto step = [&](const char* name) { return z3::tactic(context, name); };
   return (step("simplify") & step("propagate-values") & step("solve-eqs") & step("simplify") & step("bit-blast") &
-          step("simplify") & step("smt"))
+          step("simplify") & step("solve-eqs") & step("smt"))
       .mk_solver();
 }
 

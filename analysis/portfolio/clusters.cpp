@@ -8,7 +8,7 @@ namespace rungproof {
 
 namespace {
 
-struct Reach {
+struct ConeOfQuestion {
   std::size_t question = 0;
   std::vector<std::size_t> states;  ///< indices in TransitionSystem::states
   int bits = 0;
@@ -23,10 +23,10 @@ std::vector<std::vector<std::size_t>> clustersOf(const TransitionSystem& system,
   for (std::size_t i = 0; i < system.states.size(); ++i) stateOf.emplace(indexOf(system.states[i].node), i);
   std::vector<std::uint32_t> mark(graph.size(), 0);
   std::uint32_t round = 0;
-  std::vector<Reach> reaches;
+  std::vector<ConeOfQuestion> reaches;
   for (const std::size_t q : questions) {
     ++round;
-    Reach& reach = reaches.emplace_back(Reach{q, {}, 0});
+    ConeOfQuestion& reach = reaches.emplace_back(ConeOfQuestion{q, {}, 0});
     std::vector<Node> stack{system.questions[q].bad};
     while (!stack.empty()) {
       const Node n = stack.back();
@@ -47,10 +47,11 @@ std::vector<std::vector<std::size_t>> clustersOf(const TransitionSystem& system,
       }
     }
   }
-  std::stable_sort(reaches.begin(), reaches.end(), [](const Reach& a, const Reach& b) { return a.bits > b.bits; });
+  std::stable_sort(reaches.begin(), reaches.end(),
+                   [](const ConeOfQuestion& a, const ConeOfQuestion& b) { return a.bits > b.bits; });
   std::vector<std::vector<std::size_t>> clusters;
   std::vector<std::vector<bool>> covered;
-  for (const Reach& reach : reaches) {
+  for (const ConeOfQuestion& reach : reaches) {
     std::size_t home = clusters.size();
     for (std::size_t c = 0; c < clusters.size() && home == clusters.size(); ++c) {
       int shared = 0;

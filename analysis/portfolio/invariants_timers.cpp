@@ -1,9 +1,9 @@
-// Timers are recognised by the names of their registers; what stays on, and what two bits have in common until then, by
+// Timers are those that the encoder names; what stays on, and what two bits have in common until then, by
 // their next-state functions.
 #include "analysis/portfolio/invariants_timers.hpp"
 
-#include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "analysis/schedule/schedule.hpp"
 
@@ -44,26 +44,26 @@ void guessSeenInputs(const TransitionSystem& system, const std::vector<std::size
 }  // namespace
 
 std::vector<NodeClause> guessTimerStates(const TransitionSystem& system) {
-  constexpr std::string_view running = ".running", input = ".in";
   Graph& graph = *system.graph;
-  std::unordered_map<std::string_view, Node> states;
+  std::unordered_map<Node, const TimerHint*> byRunning;
+  std::unordered_set<Node> isInput;
+  for (const TimerHint& timer : system.timers) {
+    byRunning.emplace(timer.running, &timer);
+    isInput.insert(timer.input);
+  }
+  std::unordered_set<Node> isState;
   std::vector<std::size_t> inputs;
   for (std::size_t i = 0; i < system.states.size(); ++i) {
-    const Node node = system.states[i].node;
-    const std::string& name = graph.variables()[graph[node].value].name;
-    states.emplace(name, node);
-    const bool isInput = name.starts_with('T') && name.ends_with(input);
-    if (isInput && system.states[i].next != noNode) inputs.push_back(i);
+    isState.insert(system.states[i].node);
+    if (isInput.contains(system.states[i].node) && system.states[i].next != noNode) inputs.push_back(i);
   }
   std::vector<NodeClause> clauses;
   for (const StateVariable& state : system.states) {
-    const std::string& name = graph.variables()[graph[state.node].value].name;
-    if (name.size() <= running.size() || name.compare(name.size() - running.size(), running.size(), running) != 0)
-      continue;
-    const std::string timer = name.substr(0, name.size() - running.size());
-    const auto bit = states.find(timer), in = states.find(timer + std::string(input));
-    if (bit == states.end() || in == states.end()) continue;
-    clauses.push_back({graph.make(Op::Not, 1, bit->second), in->second, state.node});
+    const auto timer = byRunning.find(state.node);
+    if (timer == byRunning.end()) continue;
+    const auto [bit, input, running] = *timer->second;
+    if (isState.contains(bit) && isState.contains(input))
+      clauses.push_back({graph.make(Op::Not, 1, bit), input, running});
   }
   guessSeenInputs(system, inputs, clauses);
   return clauses;

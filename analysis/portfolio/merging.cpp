@@ -30,12 +30,12 @@ struct Item {
 
 class Merger {
  public:
-  Merger(const TransitionSystem& given, std::uint64_t seed, const Budget& budget)
+  Merger(const TransitionSystem& given, const Questions& questions, std::uint64_t seed, const Budget& budget)
       : given_(given),
         graph_(*given.graph),
         seed_(seed),
         budget_(budget),
-        blast_(given, allQuestions(given), {}, &budget),
+        blast_(given, questions, {}, &budget),
         bits_(blast_.bits()) {}
 
   MergedSystem run() {
@@ -46,11 +46,6 @@ class Merger {
   }
 
  private:
-  static std::vector<std::size_t> allQuestions(const TransitionSystem& system) {
-    std::vector<std::size_t> all(system.questions.size());
-    for (std::size_t q = 0; q < all.size(); ++q) all[q] = q;
-    return all;
-  }
   int widthOf(std::size_t state) const { return graph_[given_.states[state].node].width; }
 
   void collectItems() {
@@ -278,6 +273,7 @@ class Merger {
     Substitution rewritten(graph_, std::move(replaced));
     result.system.graph = given_.graph;
     result.system.inputs = given_.inputs;
+    result.system.timers = given_.timers;
     for (const std::size_t s : result.kept)
       result.system.states.push_back({given_.states[s].node, given_.states[s].init, rewritten(given_.states[s].next)});
     for (const Node n : given_.constraints) {
@@ -287,8 +283,9 @@ class Merger {
       if (std::find(given_.totalConstraints.begin(), given_.totalConstraints.end(), n) != given_.totalConstraints.end())
         result.system.totalConstraints.push_back(other);
     }
-    for (const Question& question : given_.questions)
-      result.system.questions.push_back({question.name, rewritten(question.bad)});
+    result.system.questions = given_.questions;
+    for (Question& question : result.system.questions) question.bad = noNode;
+    for (const std::size_t q : blast_.questions()) result.system.questions[q].bad = rewritten(given_.questions[q].bad);
     return result;
   }
 
@@ -327,9 +324,10 @@ std::vector<Node> factsBehind(const TransitionSystem& given, const std::vector<R
   return result;
 }
 
-MergedSystem mergeStates(const TransitionSystem& given, std::uint64_t seed, const Budget& budget) {
+MergedSystem mergeStates(const TransitionSystem& given, const Questions& questions, std::uint64_t seed,
+                         const Budget& budget) {
   try {
-    return Merger(given, seed, budget).run();
+    return Merger(given, questions, seed, budget).run();
   } catch (const OutOfBudget&) {
     MergedSystem same;
     same.system = given;

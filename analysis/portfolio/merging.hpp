@@ -19,7 +19,8 @@ struct Replaced {
 };
 
 struct MergedSystem {
-  TransitionSystem system;  ///< same graph, inputs and questions (in their order); words that were replaced are missing
+  TransitionSystem
+      system;  ///< same graph and inputs, the questions that were asked; words that were replaced are missing
   std::vector<std::size_t> kept;  ///< by state of `system`: its index in the given system
   std::vector<Replaced> facts;    ///< over states of the given system, inductive together
 };
@@ -29,6 +30,7 @@ std::vector<Node> factsBehind(const TransitionSystem& given, const std::vector<R
                               const std::vector<Node>& roots);
 
 /// Adds nodes to the graph. When the budget ends, nothing is merged.
-MergedSystem mergeStates(const TransitionSystem& given, std::uint64_t seed, const Budget& budget);
+MergedSystem mergeStates(const TransitionSystem& given, const Questions& questions, std::uint64_t seed,
+                         const Budget& budget);
 
 }  // namespace rungproof

@@ -1,5 +1,5 @@
 // What can be settled on a property's surface, then the stages on the merged system and, where that leaves questions
-// open, on the saturated one; then the certificates, which are about the given system, are checked.
+// open, on the capped one; then the certificates, which are about the given system, are checked.
 #include "analysis/portfolio/portfolio.hpp"
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 #include "analysis/bits/engine_contract.hpp"
 #include "analysis/portfolio/local_proof.hpp"
 #include "analysis/portfolio/merging.hpp"
-#include "analysis/portfolio/saturation.hpp"
 #include "analysis/portfolio/stages.hpp"
+#include "analysis/portfolio/word_caps.hpp"
 #include "analysis/schedule/schedule.hpp"
 #include "ir/check.hpp"
 
@@ -23,25 +23,21 @@ class Answers {
   Answers(const TransitionSystem& system, const PortfolioOptions& options)
       : system_(system), options_(options), answers_(system.questions.size()) {}
 
-  std::vector<QuestionAnswer> run() {
+  std::vector<QuestionAnswer> run(const Questions& questions) {
     const Budget budget = options_.budget();
-    TransitionSystem rest = system_;
-    rest.questions.clear();
-    std::vector<std::size_t> open;
-    for (std::size_t q = 0; q < answers_.size(); ++q) {
-      if (settleLocally(q, budget)) continue;
-      open.push_back(q);
-      rest.questions.push_back(system_.questions[q]);
+    Questions open;
+    for (const std::size_t q : questions) {
+      if (!settleLocally(q, budget)) open.push_back(q);
     }
     if (!open.empty()) {
       const auto begin = Budget::Clock::now();
-      const MergedSystem merged = merge(rest, budget);
+      const MergedSystem merged = merge(open, budget);
       const double each =
           std::chrono::duration<double>(Budget::Clock::now() - begin).count() / static_cast<double>(open.size());
-      std::vector<QuestionAnswer> found = search(merged.system);
-      for (std::size_t i = 0; i < open.size(); ++i) {
-        found[i].seconds += each;
-        answers_[open[i]] = onGivenSystem(open[i], std::move(found[i]), merged);
+      std::vector<QuestionAnswer> found = search(merged.system, open);
+      for (const std::size_t q : open) {
+        found[q].seconds += each;
+        answers_[q] = onGivenSystem(q, std::move(found[q]), merged);
       }
     }
     if (options_.check) checkCertificates();
@@ -50,11 +46,11 @@ class Answers {
 
  private:
   /// Without time nothing is merged.
-  MergedSystem merge(const TransitionSystem& system, const Budget& budget) const {
-    if (!options_.techniques.has(Technique::Merging)) return mergeStates(system, options_.seed, budget.slice(0));
-    const TechniqueTurn turn(options_.log, Technique::Merging, system.questions.size());
-    const double seconds = options_.seconds * static_cast<double>(system.questions.size()) * schedule::mergeShare;
-    return mergeStates(system, options_.seed, budget.slice(std::min(seconds, schedule::mostMerging)));
+  MergedSystem merge(const Questions& open, const Budget& budget) const {
+    if (!options_.techniques.has(Technique::Merging)) return mergeStates(system_, open, options_.seed, budget.slice(0));
+    const TechniqueTurn turn(options_.log, Technique::Merging, open.size());
+    const double seconds = options_.seconds * static_cast<double>(open.size()) * schedule::mergeShare;
+    return mergeStates(system_, open, options_.seed, budget.slice(std::min(seconds, schedule::mostMerging)));
   }
   bool settleLocally(std::size_t q, const Budget& budget) {
     if (!options_.techniques.has(Technique::OneScan)) return false;
@@ -72,41 +68,37 @@ class Answers {
     return true;
   }
 
-  /// The portfolio on the system as it is; where that leaves questions open, what is left of the time on the saturated
+  /// The portfolio on the system as it is; where that leaves questions open, what is left of the time on the capped
   /// one.
-  std::vector<QuestionAnswer> search(const TransitionSystem& system) const {
-    if (options_.effort != Effort::Full || !options_.check || !options_.techniques.has(Technique::Saturation) ||
+  std::vector<QuestionAnswer> search(const TransitionSystem& system, const Questions& asked) const {
+    if (options_.effort == Effort::Together || !options_.check || !options_.techniques.has(Technique::WordCaps) ||
         std::min(options_.seconds, options_.left()) < schedule::leastForBoth)
-      return runStages(system, options_);
+      return runStages(system, asked, options_);
     PortfolioOptions first = options_;
-    first.seconds *= schedule::unsaturatedShare;
+    first.seconds *= schedule::uncappedShare;
     if (first.deadline) {
-      const std::chrono::duration<double> most(options_.left() * schedule::unsaturatedShare);
+      const std::chrono::duration<double> most(options_.left() * schedule::uncappedShare);
       first.deadline = Budget::Clock::now() + std::chrono::duration_cast<Budget::Clock::duration>(most);
     }
-    std::vector<QuestionAnswer> answers = runStages(system, first);
-    TransitionSystem rest = system;
-    rest.questions.clear();
-    std::vector<std::size_t> open;
-    for (std::size_t q = 0; q < answers.size(); ++q) {
-      if (answers[q].answer != Answer::Unknown) continue;
-      open.push_back(q);
-      rest.questions.push_back(system.questions[q]);
+    std::vector<QuestionAnswer> answers = runStages(system, asked, first);
+    Questions open;
+    for (const std::size_t q : asked) {
+      if (answers[q].answer == Answer::Unknown) open.push_back(q);
     }
     const Budget budget = options_.budget();
     if (open.empty() || budget.isExhausted()) return answers;
-    TechniqueTurn turn(options_.log, Technique::Saturation, open.size());
-    const SaturatedSystem saturated = saturate(rest, budget.slice(options_.seconds * schedule::mergeShare));
-    if (saturated.words.empty()) return answers;
+    TechniqueTurn turn(options_.log, Technique::WordCaps, open.size());
+    const CappedSystem capped = capWords(system, open, budget.slice(options_.seconds * schedule::mergeShare));
+    if (capped.words.empty()) return answers;
     PortfolioOptions second = options_;
-    second.seconds *= 1 - schedule::unsaturatedShare;
-    std::vector<QuestionAnswer> found = runStages(saturated.system, second);
-    for (std::size_t i = 0; i < open.size(); ++i) {
-      found[i].seconds += answers[open[i]].seconds;
-      found[i].depth = std::max(found[i].depth, answers[open[i]].depth);
-      if (found[i].answer == Answer::Unknown) continue;
-      if (found[i].certificate && !unsaturate(rest, rest.questions[i], *found[i].certificate, saturated)) continue;
-      answers[open[i]] = std::move(found[i]);
+    second.seconds *= 1 - schedule::uncappedShare;
+    std::vector<QuestionAnswer> found = runStages(capped.system, open, second);
+    for (const std::size_t q : open) {
+      found[q].seconds += answers[q].seconds;
+      found[q].depth = std::max(found[q].depth, answers[q].depth);
+      if (found[q].answer == Answer::Unknown) continue;
+      if (found[q].certificate && !onWholeWords(system, system.questions[q], *found[q].certificate, capped)) continue;
+      answers[q] = std::move(found[q]);
       turn.settled();
     }
     return answers;
@@ -114,11 +106,11 @@ class Answers {
 
   /// The certificate about the system with whole words; false if it rests on states being different, which it cannot
   /// say.
-  static bool unsaturate(const TransitionSystem& system, const Question& question, WordCertificate& certificate,
-                         const SaturatedSystem& saturated) {
+  static bool onWholeWords(const TransitionSystem& system, const Question& question, WordCertificate& certificate,
+                           const CappedSystem& capped) {
     if (certificate.simplePath) return false;
     Graph& graph = *system.graph;
-    const auto whole = [&](Node& n) { n = saturated.onGivenSystem(graph, n); };
+    const auto whole = [&](Node& n) { n = capped.onGivenSystem(graph, n); };
     for (Node& n : certificate.invariant) whole(n);
     for (Node& n : certificate.immediate) whole(n);
     for (KeptDifference& d : certificate.differences) {
@@ -127,7 +119,7 @@ class Answers {
         whole(*n);
     }
     std::vector<Replaced> ranges;
-    for (const SaturatedWord& word : saturated.words) ranges.push_back({.word = word.given, .equation = word.range});
+    for (const CappedWord& word : capped.words) ranges.push_back({.word = word.given, .equation = word.range});
     std::vector<Node> roots = certificate.invariant;
     roots.push_back(question.bad);
     roots.insert(roots.end(), system.constraints.begin(), system.constraints.end());
@@ -240,8 +232,9 @@ std::optional<WordTrace> shallowSearch(const TransitionSystem& system, int depth
   return std::nullopt;
 }
 
-std::vector<QuestionAnswer> answerQuestions(const TransitionSystem& system, const PortfolioOptions& options) {
-  return Answers(system, options).run();
+std::vector<QuestionAnswer> answerQuestions(const TransitionSystem& system, const Questions& questions,
+                                            const PortfolioOptions& options) {
+  return Answers(system, options).run(questions);
 }
 
 }  // namespace rungproof

@@ -18,8 +18,9 @@
 
 namespace rungproof {
 
-/// Together: only what treats all questions at once, within milliseconds. Full: then groups of questions, then each.
-enum class Effort : std::uint8_t { Together, Full };
+/// Together: only what treats all questions at once, within milliseconds. Apart: groups of questions, then each, after
+/// the other has been tried. Full: both.
+enum class Effort : std::uint8_t { Together, Apart, Full };
 
 struct PortfolioOptions {
   Effort effort = Effort::Full;
@@ -61,7 +62,11 @@ struct QuestionAnswer {
 /// time.
 std::optional<WordTrace> shallowSearch(const TransitionSystem& system, int depth, double seconds);
 
-/// By question of the system. Adds nodes (of invariants) to its graph.
-std::vector<QuestionAnswer> answerQuestions(const TransitionSystem& system, const PortfolioOptions& options);
+/// By question of the system; others than `questions` are not looked at. Adds nodes (of invariants) to its graph.
+std::vector<QuestionAnswer> answerQuestions(const TransitionSystem& system, const Questions& questions,
+                                            const PortfolioOptions& options);
+inline std::vector<QuestionAnswer> answerQuestions(const TransitionSystem& system, const PortfolioOptions& options) {
+  return answerQuestions(system, allQuestions(system), options);
+}
 
 }  // namespace rungproof

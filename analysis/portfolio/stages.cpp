@@ -19,8 +19,8 @@
 #include "analysis/portfolio/invariants_timers.hpp"
 #include "analysis/portfolio/invariants_words.hpp"
 #include "analysis/portfolio/race.hpp"
-#include "analysis/portfolio/shared.hpp"
-#include "analysis/portfolio/truths.hpp"
+#include "analysis/portfolio/shared_search.hpp"
+#include "analysis/portfolio/state_truths.hpp"
 #include "analysis/schedule/schedule.hpp"
 #include "analysis/words/word_engine.hpp"
 #include "ir/check.hpp"
@@ -31,11 +31,10 @@ namespace {
 
 class Stages {
  public:
-  Stages(const TransitionSystem& system, const PortfolioOptions& options)
-      : system_(system), options_(options), answers_(system.questions.size()) {}
+  Stages(const TransitionSystem& system, const Questions& questions, const PortfolioOptions& options)
+      : system_(system), options_(options), open_(questions), answers_(system.questions.size()) {}
 
   std::vector<QuestionAnswer> run() {
-    for (std::size_t q = 0; q < answers_.size(); ++q) open_.push_back(q);
     try {
       answer();
     } catch (const OutOfBudget&) {  // what is open stays open
@@ -46,16 +45,10 @@ class Stages {
 
  private:
   void answer() {
-    begin({});
-    if (!open_.empty()) searchTogether(1, true);
-    for (const bool asked : {true, false}) {
-      if (open_.empty() || !options_.check) break;
-      begin({});
-      if (minePairs(asked)) searchTogether(1, false);
-    }
-    std::vector<std::vector<std::size_t>> clusters;
-    if (options_.effort == Effort::Full) clusters = clustersOf(system_, open_);
-    for (const std::vector<std::size_t>& cluster : clusters) {
+    if (options_.effort != Effort::Apart) answerTogether();
+    std::vector<Questions> clusters;
+    if (options_.effort != Effort::Together) clusters = clustersOf(system_, open_);
+    for (const Questions& cluster : clusters) {
       open_ = cluster;
       begin({});
       beginWithCandidates();
@@ -65,6 +58,16 @@ class Stages {
         if (!open_.empty() && options_.check && mineDifferences(scope)) searchTogether(schedule::shortInduction, false);
       }
       if (!open_.empty()) raceApart();
+    }
+  }
+
+  void answerTogether() {
+    begin({});
+    if (!open_.empty()) searchTogether(1, true);
+    for (const bool asked : {true, false}) {
+      if (open_.empty() || !options_.check) break;
+      begin({});
+      if (minePairs(asked)) searchTogether(1, false);
     }
   }
 
@@ -138,18 +141,14 @@ class Stages {
       turn.settled(before - search.openCount());
     }
     const double each = share();
-    std::vector<std::size_t> open;
-    positions_.clear();
-    for (std::size_t i = 0; i < open_.size(); ++i) {
-      answers_[open_[i]].seconds += each;
+    open_.clear();
+    for (std::size_t i = 0; i < blast_->questions().size(); ++i) {
+      const std::size_t q = blast_->questions()[i];
+      answers_[q].seconds += each;
       const Verdict& verdict = search.answers()[i].verdict;
-      if (verdict.answer == Answer::Unknown) {
-        open.push_back(open_[i]);
-        positions_.push_back(i);
-      }
-      take(open_[i], i, verdict, nullptr);
+      if (verdict.answer == Answer::Unknown) open_.push_back(q);
+      take(q, verdict, nullptr);
     }
-    open_ = std::move(open);
   }
 
   /// What truth values of the state say about each other, for all questions at once: interlocks and steps. Often those
@@ -223,10 +222,7 @@ class Stages {
     }
     differences_.insert(differences_.end(), mined.differences.begin(), mined.differences.end());
     cores_.reset();
-    // The questions that are left, in the stage's order.
-    std::vector<Lit> bads;
-    for (const std::size_t position : positions_) bads.push_back(blast_->bits().bads[position]);
-    blast_->bits().bads = bads;
+    blast_->ask(open_);
     return true;
   }
 
@@ -238,7 +234,7 @@ class Stages {
     std::vector<RaceQuestion> questions(open_.size());
     std::vector<std::unique_ptr<WordEngine>> words(open_.size());
     for (std::size_t i = 0; i < open_.size(); ++i) {
-      const Lit bad = blast_->bits().bads[positions_[i]];
+      const Lit bad = blast_->badOf(open_[i]);
       cones.push_back(makeCone(blast_->bits(), {bad}, blast_->isTotal(), invariants_.equal, wanted));
       questions[i].system = &cones[i].system;
       questions[i].invariants = cones[i].translated(invariants_.clauses);
@@ -256,7 +252,7 @@ class Stages {
       answers_[open_[i]].seconds += questions[i].seconds / std::max(options_.jobs, 1);
       if (questions[i].verdict.answer == Answer::Unknown) questions[i].verdict.method = enginesOf(options_.techniques);
       completeEvidence(questions[i].verdict, words[i].get(), cones[i]);
-      take(open_[i], positions_[i], questions[i].verdict, &cones[i]);
+      take(open_[i], questions[i].verdict, &cones[i]);
     }
   }
 
@@ -283,9 +279,8 @@ class Stages {
     }
   }
 
-  /// Turns a verdict about the cone (nullptr: about the whole bit system), for bad literal `position` of this stage,
-  /// into the answer of question q.
-  void take(std::size_t q, std::size_t position, const Verdict& verdict, const BitCone* cone) {
+  /// Turns a verdict about the cone (nullptr: about the whole bit system) into the answer of question q.
+  void take(std::size_t q, const Verdict& verdict, const BitCone* cone) {
     QuestionAnswer& answer = answers_[q];
     answer.answer = verdict.answer;
     answer.depth = verdict.depth;
@@ -297,17 +292,17 @@ class Stages {
       answer.trace = blast_->wordTrace(*trace);
       answer.usesFreeReals = !blast_->unmodelled().empty();
     }
-    if (verdict.answer == Answer::Proved) answer.certificate = wordCertificate(position, *verdict.certificate, cone);
+    if (verdict.answer == Answer::Proved) answer.certificate = wordCertificate(q, *verdict.certificate, cone);
   }
 
   /// The certificate over the whole bit system, then in words, with the mined invariants it rests on.
-  WordCertificate wordCertificate(std::size_t position, const Certificate& given, const BitCone* cone) {
+  WordCertificate wordCertificate(std::size_t q, const Certificate& given, const BitCone* cone) {
     Certificate whole = cone == nullptr  ? given
                         : onWholeSystem_ ? *std::exchange(onWholeSystem_, std::nullopt)
                                          : onWholeSystem(given, *cone);
     const BitSystem& bits = blast_->bits();
     if (!cores_) cores_ = std::make_unique<InvariantCores>(bits, invariants_.clauses);
-    const InvariantCores::Needed needed = cores_->of(bits.bads[position], whole, budget(options_.seconds));
+    const InvariantCores::Needed needed = cores_->of(blast_->badOf(q), whole, budget(options_.seconds));
     WordCertificate result;
     result.k = given.k;
     result.simplePath = given.simplePath;
@@ -405,15 +400,15 @@ class Stages {
   std::vector<KeptDifference> differences_;      ///< that bounds among invariants_ speak of
   std::vector<std::vector<Lit>> joinedClauses_;  ///< of blast_'s system
   std::vector<Node> joined_;                     ///< what they say
-  std::vector<std::size_t> open_;                ///< questions without answer
-  std::vector<std::size_t> positions_;           ///< of the open questions among the bad literals of blast_
+  Questions open_;                               ///< without answer; in a stage, of those that it is about
   std::vector<QuestionAnswer> answers_;
 };
 
 }  // namespace
 
-std::vector<QuestionAnswer> runStages(const TransitionSystem& system, const PortfolioOptions& options) {
-  return Stages(system, options).run();
+std::vector<QuestionAnswer> runStages(const TransitionSystem& system, const Questions& questions,
+                                      const PortfolioOptions& options) {
+  return Stages(system, questions, options).run();
 }
 
 }  // namespace rungproof

@@ -8,7 +8,9 @@
 
 namespace rungproof {
 
-/// Answers about the system as it is; certificates are not checked yet.
-std::vector<QuestionAnswer> runStages(const TransitionSystem& system, const PortfolioOptions& options);
+/// Answers about the system as it is, by question; others than `questions` are not looked at. Certificates are not
+/// checked yet.
+std::vector<QuestionAnswer> runStages(const TransitionSystem& system, const Questions& questions,
+                                      const PortfolioOptions& options);
 
 }  // namespace rungproof

@@ -13,10 +13,10 @@ namespace rungproof {
 
 namespace {}  // namespace
 
-AsWritten::AsWritten(ProofSide& simplified, std::unique_ptr<ProofSide> side)
+AsWritten::AsWritten(QuestionSystem& simplified, std::unique_ptr<QuestionSystem> side)
     : from_(*simplified.system().graph), side_(std::move(side)) {
   const Graph& to = *side_->system().graph;
-  for (const KeptCell& cell : side_->obligations().encoding().keptCells()) kept_[indexOf(cell.node)] = cell.value;
+  for (const KeptCell& cell : side_->askedProperties().encoding().keptCells()) kept_[indexOf(cell.node)] = cell.value;
   for (const StateVariable& state : side_->system().states) next_[indexOf(state.node)] = state.next;
   std::size_t at = 0;
   for (const Variable& variable : from_.variables()) {

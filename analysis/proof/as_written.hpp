@@ -10,14 +10,14 @@
 
 #include "analysis/portfolio/certificate.hpp"
 #include "analysis/portfolio/local_proof.hpp"
-#include "analysis/proof/proof_side.hpp"
+#include "analysis/proof/question_system.hpp"
 
 namespace rungproof {
 
 class AsWritten {
  public:
   /// `side`: encoded along the trail that `simplified` has left.
-  AsWritten(ProofSide& simplified, std::unique_ptr<ProofSide> side);
+  AsWritten(QuestionSystem& simplified, std::unique_ptr<QuestionSystem> side);
 
   /// `isWritten`: with REAL operations written out.
   const TransitionSystem& system(std::size_t question, bool isWritten);
@@ -37,7 +37,7 @@ class AsWritten {
   std::vector<Node> keptBehind(const std::vector<Node>& once, const std::vector<Node>& followed, bool isLong);
 
   const Graph& from_;
-  std::unique_ptr<ProofSide> side_;
+  std::unique_ptr<QuestionSystem> side_;
   std::unordered_map<std::uint32_t, Node> copies_;   ///< by node of the simplified graph; noNode: has none
   KnownVariables kept_;                              ///< variables here that keep a value
   std::unordered_map<std::uint32_t, Node> next_;     ///< of state variables

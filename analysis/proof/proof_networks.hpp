@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "analysis/encoding/encoder.hpp"
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 
 namespace rungproof {
 

@@ -8,14 +8,14 @@
 #include <numeric>
 #include <set>
 
-#include "analysis/hidden_blocks.hpp"
-#include "analysis/proof/asked_goals.hpp"
-#include "analysis/proof/circumstances.hpp"
+#include "analysis/asking/asked_goals.hpp"
 #include "analysis/proof/proof_networks.hpp"
 #include "analysis/proof/question_search.hpp"
 #include "analysis/proof/unfollowed_routine.hpp"
 #include "analysis/proof/untouched.hpp"
 #include "analysis/schedule/schedule.hpp"
+#include "analysis/unread/hidden_blocks.hpp"
+#include "analysis/witness/circumstances.hpp"
 
 namespace rungproof {
 
@@ -96,8 +96,8 @@ class Session {
     for (std::optional<ProofResult>& row : rows) {
       if (row) result.results.push_back(std::move(*row));
     }
-    ProofSide& exact = search_.exact();
-    for (const Approximation& approximation : exact.obligations().approximations()) {
+    QuestionSystem& exact = search_.exact();
+    for (const Approximation& approximation : exact.askedProperties().approximations()) {
       if (!isWrittenOut(*exact.system().graph, approximation) || noted_.contains(&approximation))
         result.approximations.push_back(approximationText(program_, approximation));
     }
@@ -202,16 +202,16 @@ class Session {
       EncoderOptions options = encoderOptionsOf(options_);
       options.coversAllReadings = true;
       options.isLeftOut = search_.leftOut();
-      open_ = std::make_unique<ProofSide>(program_, set_, goals(), options, CheckGroups{});
+      open_ = std::make_unique<QuestionSystem>(program_, set_, goals(), options, CheckGroups{});
     }
-    const Circumstances all = circumstancesOf(open_->obligations().encoding(), open_->variablesOf(question));
+    const Circumstances all = circumstancesOf(open_->askedProperties().encoding(), open_->variablesOf(question));
     std::erase_if(asked, [&](Choice choice) { return std::ranges::find(all.fixed, choice) == all.fixed.end(); });
     return asked;
   }
 
   /// The choices that the verdict rests on; for a run, the readings that it needs.
   void nameCircumstances(std::size_t question, ProofResult& row) {
-    EncodedScan& encoding = search_.exact().obligations().encoding();
+    EncodedScan& encoding = search_.exact().askedProperties().encoding();
     Circumstances found = circumstancesOf(encoding, search_.exact().variablesOf(question));
     for (const Choice choice : fixedChoices(encoding, question, found)) {
       if (std::ranges::find(found.fixed, choice) == found.fixed.end()) found.fixed.push_back(choice);
@@ -239,7 +239,7 @@ class Session {
     if (row.witness || !search_.mayLeaveOut(schedule::premiseSeconds)) return;
     row.outcome = Outcome::NotCovered;
     row.certificate.clear();
-    for (const Approximation& approximation : search_.exact().obligations().approximations()) {
+    for (const Approximation& approximation : search_.exact().askedProperties().approximations()) {
       if (approximation.leftOut != noNode)
         row.notes.push_back("not followed: " + approximationText(program_, approximation));
     }
@@ -258,13 +258,13 @@ class Session {
     } else {
       variables = search_.exact().variablesOf(question);
     }
-    return networksBehind(*facts_, search_.exact().obligations().encoding(), read, variables);
+    return networksBehind(*facts_, search_.exact().askedProperties().encoding(), read, variables);
   }
 
   /// A routine that is attached but whose events the encoding does not know leaves every proof open.
   void guardInterrupts(ProofResult& row) {
     if (row.outcome != Outcome::Proved && row.outcome != Outcome::Unreachable) return;
-    const std::optional<std::string> reason = unfollowedRoutine(program_, search_.exact().obligations().encoding());
+    const std::optional<std::string> reason = unfollowedRoutine(program_, search_.exact().askedProperties().encoding());
     if (!reason) return;
     row.outcome = Outcome::NotCovered;
     row.certificate.clear();
@@ -290,13 +290,13 @@ class Session {
     row.notes.push_back("the run that was found is not repeated by the engine: a defect of rungproof");
     run.disagreements.push_back(
         {row.property.name, fmt::format("the solver's run of {} scans is not repeated by the engine", answer.depth + 1),
-         bothTracesOf(program_, search_.exact().obligations().encoding(), search_.exact().system(), *answer.trace,
+         bothTracesOf(program_, search_.exact().askedProperties().encoding(), search_.exact().system(), *answer.trace,
                       addressesOf(question))});
   }
 
   /// Whether the run ends in the engine because a scan takes too long by the times of Appendix F (001:13920).
   bool outlastsWatchdog(const WordTrace& trace) {
-    EncodedScan& encoding = search_.exact().obligations().encoding();
+    EncodedScan& encoding = search_.exact().askedProperties().encoding();
     const TransitionSystem& system = search_.exact().system();
     const std::optional<Concrete::Store> initial = initialOf(encoding, system, trace);
     const std::vector<RunTimeError> errors =
@@ -351,7 +351,7 @@ class Session {
   const Clock::time_point begin_ = Clock::now();
   QuestionSearch search_;
   std::unique_ptr<Facts> facts_;
-  std::unique_ptr<ProofSide> open_;       ///< the program under all readings, those of fixed choices too
+  std::unique_ptr<QuestionSystem> open_;  ///< the program under all readings, those of fixed choices too
   std::set<const Approximation*> noted_;  ///< what some result rests on
 };
 

@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "analysis/proof/both_traces.hpp"
-#include "analysis/proof/outcome.hpp"
-#include "analysis/proof/rule_question.hpp"
-#include "analysis/proof/witness.hpp"
+#include "analysis/asking/rule_question.hpp"
 #include "analysis/schedule/schedule.hpp"
 #include "analysis/schedule/technique.hpp"
-#include "analysis/unread_code.hpp"
+#include "analysis/unread/unread_code.hpp"
+#include "analysis/witness/both_traces.hpp"
+#include "analysis/witness/outcome.hpp"
+#include "analysis/witness/witness.hpp"
 
 namespace rungproof {
 

@@ -9,12 +9,12 @@
 #include <random>
 #include <thread>
 
-#include "analysis/cone_of_influence.hpp"
-#include "analysis/proof/asked_goals.hpp"
-#include "analysis/proof/exact_run.hpp"
-#include "analysis/proof/guided_runs.hpp"
-#include "analysis/proof/witness_minimal.hpp"
+#include "analysis/asking/asked_goals.hpp"
 #include "analysis/schedule/schedule.hpp"
+#include "analysis/unread/cone_of_influence.hpp"
+#include "analysis/witness/guided_runs.hpp"
+#include "analysis/witness/question_witness.hpp"
+#include "analysis/witness/witness_minimal.hpp"
 
 namespace rungproof {
 
@@ -84,7 +84,7 @@ void QuestionSearch::encode(Clock::time_point deadline) {
   if (options_.bound == 0 && options_.techniques.has(Technique::EarlyRuns)) runs.emplace(*this, deadline);
   EncoderOptions options = encoding(false);
   if (options_.evidence) options.trail = trail_ = std::make_shared<Trail>();
-  exact_ = std::make_unique<ProofSide>(program_, set_, goals_, options, options_.checks);
+  exact_ = std::make_unique<QuestionSystem>(program_, set_, goals_, options, options_.checks);
 }
 
 /// Nothing if there was no time for it, or it cannot be made.
@@ -96,7 +96,7 @@ AsWritten* QuestionSearch::asWritten() {
   options.trail = trail;
   try {
     asWritten_ = std::make_unique<AsWritten>(
-        *exact_, std::make_unique<ProofSide>(program_, set_, goals_, options, options_.checks));
+        *exact_, std::make_unique<QuestionSystem>(program_, set_, goals_, options, options_.checks));
   } catch (const EncodingStopped&) {
     return nullptr;
   } catch (const DecisionsDiverge&) {
@@ -199,7 +199,7 @@ std::optional<Witness> QuestionSearch::OwnRuns::search(QuestionAnswer& answer, d
   };
   if (const auto early = search_.early_.find(goal_); early != search_.early_.end())
     return shown(early->second, "exploration");
-  const EncodedScan& encoding = search_.exact_->obligations().encoding();
+  const EncodedScan& encoding = search_.exact_->askedProperties().encoding();
   const double seconds = std::min(search_.left(), search_.options_.timeout * share);
   if (!exploration_) {
     const std::vector<Property>& goals = search_.goals_;
@@ -332,9 +332,11 @@ void QuestionSearch::answerQuickly(Clock::time_point deadline) {
   PortfolioOptions together = portfolio(std::min(options_.timeout, schedule::quickSeconds), deadline, &cancel);
   together.effort = Effort::Together;
   quick_.resize(exact_->system().questions.size());
-  searchOnEngine([&](std::size_t q) { return !isDeclared(q); }, schedule::fewInstructions);
-  TransitionSystem rest = exact_->system();
-  answerOpen(rest, openQuestions([](std::size_t) { return true; }), together);
+  const auto isPremise = [&](std::size_t q) { return !isDeclared(q); };
+  const bool hasManyPremises = openQuestions(isPremise).size() > schedule::manyPremises;
+  if (hasManyPremises) searchOnEngine(isPremise, schedule::premiseInstructions);
+  answerOpen(openQuestions([](std::size_t) { return true; }), together);
+  if (!hasManyPremises) searchOnEngine(isPremise, schedule::fewInstructions);
   const auto start = Clock::now();
   std::vector<std::size_t> open;
   for (std::size_t q = 0; q < quick_.size(); ++q) {
@@ -346,7 +348,9 @@ void QuestionSearch::answerQuickly(Clock::time_point deadline) {
   std::erase_if(open, [&](std::size_t q) { return quick_[q].answer != Answer::Unknown; });
   takeExplored();
   std::erase_if(open, [&](std::size_t q) { return quick_[q].answer != Answer::Unknown; });
-  answerOpen(rest, open, portfolio(std::min(options_.timeout, schedule::quickSeconds), deadline, &cancel));
+  PortfolioOptions apart = portfolio(std::min(options_.timeout, schedule::quickSeconds), deadline, &cancel);
+  apart.effort = Effort::Apart;
+  answerOpen(open, apart);
   explore(std::min(deadline, Clock::now() + inSeconds(std::min(options_.timeout * schedule::engineShare,
                                                                schedule::exploringSeconds))));
 }
@@ -359,7 +363,7 @@ void QuestionSearch::explore(Clock::time_point deadline) {
   TechniqueTurn turn(&log_, Technique::Exploration, open.size());
   std::atomic<bool> cancel{false};
   const ProofWatch::Guard guard(watch_, cancel);
-  exploration_ = std::make_unique<Exploration>(program_, runSpaceOf(exact_->obligations().encoding()), assumptions_,
+  exploration_ = std::make_unique<Exploration>(program_, runSpaceOf(exact_->askedProperties().encoding()), assumptions_,
                                                goals_, open, options_.seed);
   exploration_->search(deadline, cancel);
   takeExplored();
@@ -392,15 +396,12 @@ std::vector<std::size_t> QuestionSearch::openQuestions(Wanted&& wanted) const {
   return open;
 }
 
-void QuestionSearch::answerOpen(TransitionSystem& rest, const std::vector<std::size_t>& open,
-                                const PortfolioOptions& options) {
+void QuestionSearch::answerOpen(const Questions& open, const PortfolioOptions& options) {
   if (open.empty()) return;
-  rest.questions.clear();
-  for (const std::size_t q : open) rest.questions.push_back(exact_->system().questions[q]);
-  std::vector<QuestionAnswer> answers = answerQuestions(rest, options);
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    answers[i].seconds += quick_[open[i]].seconds;
-    quick_[open[i]] = std::move(answers[i]);
+  std::vector<QuestionAnswer> answers = answerQuestions(exact_->system(), open, options);
+  for (const std::size_t q : open) {
+    answers[q].seconds += quick_[q].seconds;
+    quick_[q] = std::move(answers[q]);
   }
 }
 
@@ -414,7 +415,7 @@ void QuestionSearch::searchOnEngine(Wanted&& wanted, std::uint64_t instructions)
   if (!options_.techniques.has(Technique::EngineRuns)) return;
   TechniqueTurn turn(&log_, Technique::EngineRuns, open.size());
   std::vector<std::optional<Witness>> found =
-      guidedRuns(program_, exact_->obligations().encoding(), assumptions_, goals, options_.seed,
+      guidedRuns(program_, exact_->askedProperties().encoding(), assumptions_, goals, options_.seed,
                  {std::min(options_.timeout * schedule::engineShare, schedule::engineSeconds), instructions});
   for (std::size_t i = 0; i < open.size(); ++i) {
     if (!found[i]) continue;
@@ -429,7 +430,7 @@ bool QuestionSearch::searchShallow(std::size_t question) {
   if (!options_.techniques.has(Technique::QuickAccelerated)) return false;
   if (!exact_->dependsOnTime(exact_->variablesOf(question))) return false;
   TechniqueTurn turn(&log_, Technique::QuickAccelerated, 1);
-  ProofSide* relaxed = relaxedSide();
+  QuestionSystem* relaxed = relaxedSide();
   if (relaxed == nullptr) return false;
   const TransitionSystem accelerated = relaxed->accelerated(question, options_.time.high);
   if (const auto trace =
@@ -475,7 +476,8 @@ QuestionSearch::Found QuestionSearch::race(std::size_t question) {
   std::thread fast;
   const bool isBounded = options_.bound > 0;  // by scans of the program, which the accelerated system does not count
   const bool mayAccelerate = !isBounded && options_.techniques.has(Technique::Accelerated);
-  ProofSide* relaxed = mayAccelerate && exact_->dependsOnTime(exact_->variablesOf(question)) ? relaxedSide() : nullptr;
+  QuestionSystem* relaxed =
+      mayAccelerate && exact_->dependsOnTime(exact_->variablesOf(question)) ? relaxedSide() : nullptr;
   if (relaxed != nullptr) {
     accelerated = relaxed->accelerated(question, options_.time.high);
     if (isWritten) accelerated = withExactReals(*accelerated, RealScope::All);
@@ -524,10 +526,10 @@ QuestionSearch::Found QuestionSearch::race(std::size_t question) {
 }
 
 /// Nothing if there was no time to encode it.
-ProofSide* QuestionSearch::relaxedSide() {
+QuestionSystem* QuestionSearch::relaxedSide() {
   if (relaxed_) return relaxed_.get();
   try {
-    relaxed_ = std::make_unique<ProofSide>(program_, set_, goals_, encoding(true), options_.checks);
+    relaxed_ = std::make_unique<QuestionSystem>(program_, set_, goals_, encoding(true), options_.checks);
   } catch (const EncodingStopped&) {
     return nullptr;
   }
@@ -535,10 +537,10 @@ ProofSide* QuestionSearch::relaxedSide() {
 }
 
 /// The run as the engine repeats it, if it shows the same.
-std::optional<Witness> QuestionSearch::replayed(ProofSide& side, const TransitionSystem& system, std::size_t question,
-                                                const WordTrace& trace) {
+std::optional<Witness> QuestionSearch::replayed(QuestionSystem& side, const TransitionSystem& system,
+                                                std::size_t question, const WordTrace& trace) {
   if (question >= goals_.size()) return replayedCheck(system, question, trace);
-  EncodedScan& encoding = side.obligations().encoding();
+  EncodedScan& encoding = side.askedProperties().encoding();
   std::vector<ReplayScan> scans = scansOf(encoding, system, trace, options_.time);
   return Judge(program_, options_.choices, assumptions_, goals_[question])
       .witness(std::move(scans), initialOf(encoding, system, trace));
@@ -547,8 +549,8 @@ std::optional<Witness> QuestionSearch::replayed(ProofSide& side, const Transitio
 /// The same for a built-in check, whose nodes the exact graph knows.
 std::optional<Witness> QuestionSearch::replayedCheck(const TransitionSystem& system, std::size_t question,
                                                      const WordTrace& trace) {
-  const ExactQuestion asked(exact_->obligations().encoding(), exact_->system(),
-                            exact_->system().questions[question].bad, exact_->variablesOf(question));
+  const QuestionWitness asked(exact_->askedProperties().encoding(), exact_->system(),
+                              exact_->system().questions[question].bad, exact_->variablesOf(question));
   std::optional<ExactRun> run = asked.runOf(system, trace, options_.time);
   std::optional<Witness> witness = run ? asked.witness(program_, options_.choices, *run) : std::nullopt;
   const std::size_t check = question - goals_.size();
@@ -569,7 +571,7 @@ std::optional<Witness> QuestionSearch::confirmed(std::size_t question, const Wor
   std::optional<Witness> witness = replayed(*exact_, exact_->system(), question, trace);
   if (witness || exact_->approximationsOf(question, written_.contains(question)).empty()) return witness;
   std::unordered_set<std::uint32_t> fixed = exact_->variablesOf(question);
-  for (const Node n : exact_->obligations().encoding().time().inputs()) fixed.insert(indexOf(n));
+  for (const Node n : exact_->askedProperties().encoding().time().inputs()) fixed.insert(indexOf(n));
   std::mt19937_64 random(options_.seed);
   WordTrace tried = trace;
   for (int attempt = 0; attempt < schedule::fillings && !witness && !watch_.isStopped(); ++attempt) {

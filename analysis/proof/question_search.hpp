@@ -14,10 +14,10 @@
 
 #include "analysis/portfolio/portfolio.hpp"
 #include "analysis/proof/as_written.hpp"
-#include "analysis/proof/exploration.hpp"
-#include "analysis/proof/proof_side.hpp"
 #include "analysis/proof/proof_watch.hpp"
 #include "analysis/proof/prover.hpp"
+#include "analysis/proof/question_system.hpp"
+#include "analysis/witness/exploration.hpp"
 
 namespace rungproof {
 
@@ -42,8 +42,8 @@ class QuestionSearch {
   void encode(Clock::time_point deadline);
   /// What those runs have shown, by goal.
   const std::map<std::size_t, Witness>& early() const { return early_; }
-  /// The encoded program. Questions are the goals, then the built-in checks (proof_side.hpp).
-  ProofSide& exact() { return *exact_; }
+  /// The encoded program. Questions are the goals, then the built-in checks (question_system.hpp).
+  QuestionSystem& exact() { return *exact_; }
   /// What is asked about declared properties: they themselves, their premises, whether any run meets the assumptions.
   const std::vector<Property>& goals() const { return goals_; }
   const std::vector<Property>& assumptions() const { return assumptions_; }
@@ -93,7 +93,7 @@ class QuestionSearch {
 
   template <class Wanted>
   std::vector<std::size_t> openQuestions(Wanted&& wanted) const;
-  void answerOpen(TransitionSystem& rest, const std::vector<std::size_t>& open, const PortfolioOptions& options);
+  void answerOpen(const Questions& open, const PortfolioOptions& options);
   template <class Wanted>
   void searchOnEngine(Wanted&& wanted, std::uint64_t instructions);
   bool searchShallow(std::size_t question);
@@ -104,8 +104,8 @@ class QuestionSearch {
   bool searchWithoutEstimates(std::size_t question, QuestionAnswer& answer, std::optional<Witness>& witness);
   Found search(std::size_t question, Answer known);
   Found race(std::size_t question);
-  ProofSide* relaxedSide();
-  std::optional<Witness> replayed(ProofSide& side, const TransitionSystem& system, std::size_t question,
+  QuestionSystem* relaxedSide();
+  std::optional<Witness> replayed(QuestionSystem& side, const TransitionSystem& system, std::size_t question,
                                   const WordTrace& trace);
   std::optional<Witness> replayedCheck(const TransitionSystem& system, std::size_t question, const WordTrace& trace);
   std::optional<Witness> confirmed(std::size_t question, const WordTrace& trace);
@@ -120,7 +120,7 @@ class QuestionSearch {
   ProofWatch watch_;
   TechniqueLog log_;
   Clock::time_point deadline_{};  ///< of the question at hand
-  std::unique_ptr<ProofSide> exact_, relaxed_;
+  std::unique_ptr<QuestionSystem> exact_, relaxed_;
   std::shared_ptr<Trail> trail_;  ///< of exact_
   std::unique_ptr<AsWritten> asWritten_;
   std::set<std::size_t> certifiedWithReals_;  ///< questions whose certificate has REAL operations written out

@@ -1,5 +1,5 @@
 // Code that the encoding does not follow: a routine is attached whose events it does not know. Code that nobody read is
-// analysis/unread_code.hpp. Tested by tests/prover.
+// analysis/unread/unread_code.hpp. Tested by tests/prover.
 #pragma once
 
 #include <optional>

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "analysis/influence.hpp"
+#include "analysis/unread/influence.hpp"
 
 namespace rungproof {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/proof/prover.hpp"
 
 namespace rungproof {

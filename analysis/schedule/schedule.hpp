@@ -25,7 +25,9 @@
   ROW(int, earlyPatience, 50, "ms", "most programs are encoded by then; longer ones are run meanwhile") \
   ROW(double, engineSeconds, 2, "s", "for runs of the engine, which count their scans, on a busy machine") \
   ROW(double, engineShare, 0.1, "of a question", "for runs of the engine before each question has its own time") \
-  ROW(std::uint64_t, fewInstructions, 200'000, "instructions", "of such runs before any proof is tried") \
+  ROW(std::uint64_t, fewInstructions, 20'000, "instructions", "of such runs before questions are looked at one by one") \
+  ROW(std::size_t, manyPremises, 8, "questions", "that are not declared: one run serves them all, bits answer each") \
+  ROW(std::uint64_t, premiseInstructions, 200'000, "instructions", "of runs for so many, before any proof is tried") \
   ROW(std::uint64_t, guidedInstructions, 4'000'000, "instructions", "40,000 scans of 100 instructions, hours of the machine's time") \
   ROW(int, guidedPhases, 400, "phases", "of a random run") \
   ROW(std::uint64_t, guidedScansBetweenLooks, 64, "scans", "between two looks at the clock") \
@@ -56,20 +58,20 @@
   /* Long scans instead of many */ \
   ROW(int, shallowDepth, 12, "scans", "of a short accelerated run") \
   ROW(double, shallowSeconds, 0.25, "s", "for all of them") \
-  ROW(double, shallowShare, 0.25, "of that time", "for each") \
+  ROW(double, shallowShare, 0.06, "of that time", "for each: most proofs are found sooner, and longer runs have the race") \
   /* Before the engines */ \
   ROW(std::size_t, surfaceNodes, 400, "nodes", "of the surface that a proof in one scan looks at") \
   ROW(double, surfaceQuerySeconds, 0.05, "s", "for each look") \
-  ROW(double, mergeShare, 0.3, "of a question", "for merging states, or for finding words to saturate") \
+  ROW(double, mergeShare, 0.3, "of a question", "for merging states, or for finding words to cap") \
   ROW(double, mostMerging, 10, "s", "the same for all questions together") \
   ROW(int, mergingScans, 96, "scans", "sampled on 64 runs") \
   ROW(std::size_t, narrowWord, 4, "bits", "of words that are looked at bit by bit") \
   ROW(int, mergingBatches, 4, "batches", "of 64 states near a counterexample") \
-  ROW(double, unsaturatedShare, 0.7, "of a question", "for the system with whole words") \
-  ROW(double, leastForBoth, 5, "s", "of a question, below which words are not saturated") \
-  ROW(int, saturatedWidth, 8, "bits", "of words that are worth it, at least") \
-  ROW(std::size_t, saturationConstants, 8, "constants", "the largest ones that a scan has for the word") \
-  ROW(double, saturationQuerySeconds, 0.1, "s", "for each query") \
+  ROW(double, uncappedShare, 0.7, "of a question", "for the system with whole words") \
+  ROW(double, leastForBoth, 5, "s", "of a question, below which words are not capped") \
+  ROW(int, cappedWidth, 8, "bits", "of words that are worth it, at least") \
+  ROW(std::size_t, cappingConstants, 8, "constants", "the largest ones that a scan has for the word") \
+  ROW(double, cappingQuerySeconds, 0.1, "s", "for each query") \
   /* All questions of a stage together */ \
   ROW(int, simulatedScans, 256, "scans", "of 64 random runs") \
   ROW(double, simulationShare, 0.1, "of a stage", "for them") \

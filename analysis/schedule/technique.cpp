@@ -19,7 +19,7 @@ constexpr std::array techniques = {
     TechniqueInfo{Technique::TimerStates, "timer-states", "guesses about timers and the bits that start them", false},
     TechniqueInfo{Technique::WordGuesses, "word-guesses", "guesses about words that count together", false},
     TechniqueInfo{Technique::Bounds, "bounds", "bounds on differences of words that count together"},
-    TechniqueInfo{Technique::Saturation, "saturation", "words that stop counting at the largest constant they meet"},
+    TechniqueInfo{Technique::WordCaps, "word-caps", "words that stop counting at the largest constant they meet"},
     TechniqueInfo{Technique::Ic3, "ic3", "IC3 on bits"},
     TechniqueInfo{Technique::WordIc3, "word-ic3", "IC3 on words"},
     TechniqueInfo{Technique::Bmc, "bmc", "bounded model checking"},

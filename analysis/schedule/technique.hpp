@@ -23,7 +23,7 @@ enum class Technique : std::uint8_t {
   TimerStates,
   WordGuesses,
   Bounds,
-  Saturation,
+  WordCaps,
   Ic3,
   WordIc3,
   Bmc,

@@ -154,9 +154,7 @@ class Ic3OnWords final : public WordEngine {
       }
       frames_->addFrame();
       if (const std::optional<int> level = frames_->propagate()) {
-        for (int i = *level + 1; i <= frames_->top(); ++i) {
-          invariant_.insert(invariant_.end(), frames_->lemmas(i).begin(), frames_->lemmas(i).end());
-        }
+        invariant_ = frames_->lemmas().above(*level);
         verdict.answer = Answer::Proved;
         return true;
       }
@@ -180,7 +178,7 @@ class Ic3OnWords final : public WordEngine {
       const auto [key, index] = queue.top();
       const int level = key.first;
       const WordCube cube = obligations_[static_cast<std::size_t>(index)].step.cube;
-      if (frames_->isBlocked(cube, level)) {
+      if (frames_->lemmas().isBlocked(cube, level)) {
         queue.pop();
         if (level < frames_->top()) queue.push({{level + 1, key.second}, index});
         continue;
@@ -253,7 +251,8 @@ class Ic3OnWords final : public WordEngine {
   /// Shrinks a cube that is inductive relative to F_level to one with fewer literals.
   void generalise(WordCube& cube, int level) {
     WordCube order = cube;
-    std::ranges::stable_sort(order, [&](Lit a, Lit b) { return frames_->activity(a) < frames_->activity(b); });
+    std::ranges::stable_sort(
+        order, [&](Lit a, Lit b) { return frames_->lemmas().activity(a) < frames_->lemmas().activity(b); });
     for (const Lit drop : order) {
       if (cube.size() <= 1) break;
       if (!std::ranges::binary_search(cube, drop)) continue;

@@ -4,13 +4,11 @@
 #include <algorithm>
 
 #include "analysis/bits/bit_blast.hpp"
-#include "analysis/schedule/schedule.hpp"
 #include "ir/check.hpp"
 
 namespace rungproof {
 
-WordFrames::WordFrames(WordCone& cone, Predicates& predicates, BitBlast* blast)
-    : cone_(cone), predicates_(predicates), frames_(1) {
+WordFrames::WordFrames(WordCone& cone, Predicates& predicates, BitBlast* blast) : cone_(cone), predicates_(predicates) {
   const auto make = [&] { return blast != nullptr ? makeBitSolver(*blast) : makeTermSolver(cone.graph()); };
   frame_ = make();
   lift_ = make();
@@ -177,39 +175,20 @@ std::optional<std::vector<std::uint64_t>> WordFrames::inputsBetween(const WordSt
 }
 
 void WordFrames::addLemma(const WordCube& cube, int level) {
-  for (int i = 1; i <= level; ++i) {
-    std::erase_if(frames_[static_cast<std::size_t>(i)], [&](const WordCube& lemma) { return subsumes(cube, lemma); });
-  }
-  frames_[static_cast<std::size_t>(level)].push_back(cube);
-  activity_.resize(predicates_.size(), 0);
-  bump_ *= schedule::activityGrowth;
-  for (const Lit l : cube) activity_[variableOf(l)] += bump_;
+  frames_.add(cube, level);
   while (static_cast<int>(frameLiterals_.size()) <= level) frameLiterals_.push_back(frame_->newLiteral());
   std::vector<int> clause{-frameLiterals_[static_cast<std::size_t>(level)]};
   for (const Lit l : cube) clause.push_back(-now(l));
   frame_->add(clause);
 }
 
-bool WordFrames::isBlocked(const WordCube& cube, int level) const {
-  for (int i = level; i <= top(); ++i) {
-    for (const WordCube& lemma : lemmas(i)) {
-      if (subsumes(lemma, cube)) return true;
-    }
-  }
-  return false;
-}
-
 std::optional<int> WordFrames::propagate() {
-  for (int level = 1; level < top(); ++level) {
-    const std::vector<WordCube> before = lemmas(level);
-    for (const WordCube& lemma : before) {
-      if (std::ranges::find(lemmas(level), lemma) == lemmas(level).end()) continue;
-      WordCube core;
-      if (isInductive(lemma, level, false, &core)) addLemma(core, level + 1);
-    }
-    if (lemmas(level).empty()) return level;
-  }
-  return std::nullopt;
+  return frames_.propagate(
+      [&](const WordCube& lemma, int level) -> std::optional<WordCube> {
+        WordCube core;
+        return isInductive(lemma, level, false, &core) ? std::optional(std::move(core)) : std::nullopt;
+      },
+      [&](const WordCube& core, int level) { addLemma(core, level); });
 }
 
 }  // namespace rungproof

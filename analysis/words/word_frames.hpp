@@ -1,11 +1,11 @@
-// The frames of IC3 over predicates: over-approximations F_0 .. F_N of the states reachable in 0 .. N scans, as clauses
-// over predicates, and the questions about them. The scan itself is exact; only sets of states are abstracted. Tested
+// The frames of IC3 as clauses over predicates, and the questions about them. The scan itself is exact; only sets of
+// states are abstracted. Tested
 // by tests/words/word_engine_test.cpp.
 #pragma once
 
 #include <memory>
 
-#include "analysis/bits/ic3_frames.hpp"
+#include "analysis/bits/lemma_frames.hpp"
 #include "analysis/words/predicates.hpp"
 #include "analysis/words/word_solver.hpp"
 
@@ -23,9 +23,9 @@ class WordFrames {
   /// `blast` (over the cone's system) serves both solvers; none: Z3 does.
   WordFrames(WordCone& cone, Predicates& predicates, BitBlast* blast);
 
-  int top() const { return static_cast<int>(frames_.size()) - 1; }
-  void addFrame() { frames_.emplace_back(); }
-  const std::vector<WordCube>& lemmas(int level) const { return frames_[static_cast<std::size_t>(level)]; }
+  const LemmaFrames& lemmas() const { return frames_; }
+  int top() const { return frames_.top(); }
+  void addFrame() { frames_.addFrame(); }
   void setBudget(const Budget& budget) { budget_ = &budget; }
   /// Cubes of steps hold all predicates, not only those that the step needs.
   void takeWholeCubes() { wholeCubes_ = true; }
@@ -43,12 +43,10 @@ class WordFrames {
   std::optional<std::vector<std::uint64_t>> inputsBetween(const WordState& from, const WordCube* to);
   /// Excludes the cube from F_1 .. F_level.
   void addLemma(const WordCube& cube, int level);
-  bool isBlocked(const WordCube& cube, int level) const;
   /// Pushes lemmas to higher frames; the level whose frame became inductive, if any.
   std::optional<int> propagate();
   /// Questions asked of the solvers so far.
   std::size_t queries() const { return queries_; }
-  double activity(Lit l) const { return variableOf(l) < activity_.size() ? activity_[variableOf(l)] : 0; }
 
  private:
   Sat::Outcome solve(WordSolver& solver, const std::vector<int>& assumptions, std::span<const int> temporary = {});
@@ -67,9 +65,7 @@ class WordFrames {
   std::unique_ptr<WordSolver> lift_;  ///< the scan alone
   std::vector<int> frameLiterals_;    ///< by level, of frame_
   int initial_ = 0;                   ///< of lift_: the state is an initial one
-  std::vector<std::vector<WordCube>> frames_;
-  std::vector<double> activity_;  ///< by predicate: how often in recent lemmas
-  double bump_ = 1;
+  LemmaFrames frames_;
   std::vector<int> assumptions_;
   const Budget* budget_ = nullptr;
   std::size_t queries_ = 0;

@@ -1,12 +1,12 @@
 // `rungproof baseline`: writes the findings of today into a file, so that `lint --baseline` reports only new ones.
 
-#include "frontend/page/baseline.hpp"
+#include "frontend/linting/baseline.hpp"
 
 #include <fmt/format.h>
 
 #include "analysis/read_errors.hpp"
-#include "frontend/command/command.hpp"
-#include "frontend/lint_run.hpp"
+#include "frontend/command.hpp"
+#include "frontend/linting/lint_run.hpp"
 
 namespace rungproof {
 

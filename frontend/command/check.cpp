@@ -3,14 +3,15 @@
 #include <fmt/format.h>
 
 #include "analysis/drawing/editor_verdict.hpp"
-#include "analysis/hidden_blocks.hpp"
-#include "frontend/cli.hpp"
-#include "frontend/command/command.hpp"
-#include "frontend/file_block.hpp"
-#include "frontend/json.hpp"
-#include "frontend/page/excerpt.hpp"
-#include "frontend/program_input.hpp"
+#include "analysis/unread/hidden_blocks.hpp"
+#include "frontend/cli/cli.hpp"
+#include "frontend/command.hpp"
+#include "frontend/files/json.hpp"
+#include "frontend/input/program_input.hpp"
+#include "frontend/stl/file_block.hpp"
 #include "frontend/stl/stl_likeness.hpp"
+#include "frontend/text/excerpt.hpp"
+#include "frontend/watch.hpp"
 
 namespace rungproof {
 
@@ -19,6 +20,7 @@ namespace {
 struct CheckArguments {
   std::vector<std::string> files;
   std::string language;
+  bool watch = false;
 };
 
 /// The verdicts on one program, and what they are about.
@@ -142,6 +144,7 @@ Action setup(ArgumentTable& table) {
   table.arguments("FILE", arguments->files, "files of one program; a folder stands for its programs");
   table.word("--language", arguments->language, {"ladder", "stl"}, "ladder|stl",
              "view that must show the networks; in stl a network may hold several rungs (from the program)");
+  table.flag(watchOption, arguments->watch, watchHelp);
   return [arguments](Context& context) { return run(*arguments, context); };
 }
 

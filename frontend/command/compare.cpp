@@ -1,30 +1,59 @@
 // `rungproof compare`: two trace files against each other.
+#include <fmt/format.h>
+
 #include <memory>
 
-#include "frontend/command/command.hpp"
-#include "frontend/run/comparison.hpp"
-#include "frontend/run/stimulus_reader.hpp"
-#include "frontend/run/trace_file.hpp"
+#include "frontend/command.hpp"
+#include "frontend/input/program_input.hpp"
+#include "frontend/logger/trace_import.hpp"
+#include "frontend/simulation/comparison.hpp"
+#include "frontend/simulation/expected_lanes.hpp"
+#include "frontend/simulation/stimulus_reader.hpp"
+#include "frontend/simulation/trace_file.hpp"
 
 namespace rungproof {
 
 namespace {
 
+constexpr std::string_view noInstruction = "SYN006";  // frontend/stl/syntax_message.hpp
+
 struct Arguments {
   std::string expected;
   std::string actual;
   std::vector<std::string> tolerances;
+  std::vector<std::string> traces;
   unsigned slack = 0;
 };
+
+/// The symbols of the tables that --symbols names.
+std::vector<Symbol> symbolsOf(const Context& context, std::vector<Failure>& failures) {
+  if (context.settings.list(Opt::Symbols).empty()) return {};
+  const Program program = readProgram({}, readOptionsOf(context.settings));
+  for (const Finding& finding : program.findings) {
+    const SourceFile& file = program.sources->file(finding.span.file);
+    const Position at = file.position(finding.span.offset);
+    if (finding.severity == Severity::Error && finding.rule != noInstruction)
+      failures.push_back({finding.message, fmt::format("{}:{}:{}", file.name(), at.line, at.column), finding.help});
+  }
+  return program.symbols;
+}
 
 Exit run(const Arguments& arguments, Context& context) {
   std::vector<Failure> failures;
   const std::optional<std::string> expectedText = readFile(context, arguments.expected, failures);
   const std::optional<std::string> actualText = readFile(context, arguments.actual, failures);
   if (!failures.empty()) return failAll(context, failures);
-  const Trace expected = readTrace(arguments.expected, *expectedText, failures);
-  const Trace actual = readTrace(arguments.actual, *actualText, failures);
+  const TraceImport import = traceImportOf(context.settings, failures);
+  const std::vector<Symbol> symbols = symbolsOf(context, failures);
+  for (const std::string& name : arguments.traces) {
+    if (auto failure = checkTraceName(name)) failures.push_back(*failure);
+  }
   if (!failures.empty()) return failAll(context, failures);
+  Trace expected = readTrace(arguments.expected, *expectedText, failures, import, symbols);
+  const Trace actual = readTrace(arguments.actual, *actualText, failures, import, symbols);
+  if (failures.empty()) checkRenames(import, arguments.expected + ", " + arguments.actual, failures);
+  if (!failures.empty()) return failAll(context, failures);
+  if (!expected.isByTime && expected.hasTimes && actual.isByTime) expected = keyedByTime(std::move(expected));
   if (!expectsAnything(expected)) return context.fail(expectsNothing(arguments.expected));
 
   CompareOptions options;
@@ -45,6 +74,14 @@ Exit run(const Arguments& arguments, Context& context) {
   }
   if (!failures.empty()) return failAll(context, failures);
 
+  const TraceBeside beside = arguments.traces.empty() ? TraceBeside{} : besideExpected(expected, actual, options);
+  for (const std::string& name : arguments.traces) {
+    const bool isPage = name.ends_with(".html");
+    if (!(isPage ? writePage(context, name, beside.trace, arguments.actual, {}, beside.lanes)
+                 : writeTrace(context, name, beside.trace, arguments.actual)))
+      return Exit::Failed;
+  }
+
   Report report;
   report.command = "compare";
   report.sources = std::make_shared<SourceSet>();
@@ -55,10 +92,12 @@ Exit run(const Arguments& arguments, Context& context) {
 
 Action setup(ArgumentTable& table) {
   auto arguments = std::make_shared<Arguments>();
-  table.argument("EXPECTED", arguments->expected, "the trace as it should be (CSV)");
-  table.argument("ACTUAL", arguments->actual, "the trace as it is (CSV); '-' is standard input");
+  table.argument("EXPECTED", arguments->expected, "the trace as it should be (CSV, VCD)");
+  table.argument("ACTUAL", arguments->actual, "the trace as it is (CSV, VCD); '-' is standard input");
   table.option("--tolerance", arguments->tolerances, "SIGNAL=VALUE", "how far a value may be off; may be repeated");
   table.number("--slack", arguments->slack, "N", "scans by which a value may come earlier or later");
+  table.option("--trace", arguments->traces, "FILE",
+               "write both, each expected curve below the actual one: .html .svg .vcd .json; may be repeated");
   return [arguments](Context& context) { return run(*arguments, context); };
 }
 
@@ -72,11 +111,16 @@ extern constexpr Command compareCommand = {
         "Both files have 'scan' or 'time_ms' in the first column and a signal in every other one. Empty\n"
         "cells and x in EXPECTED match anything; columns that only ACTUAL has are passed over. The first\n"
         "difference is shown with the scans around it, and the exit code is 1.\n"
+        "Columns are the same if they mean the same address: E0.0 and I0.0, with --symbols also names. Files of\n"
+        "loggers, oscilloscopes and simulators (CSV of any separator, VCD) are read too: --time-column and\n"
+        "--time-unit say what the time is; dates count from the first row. A trace with both 'scan' and 'time_ms' is\n"
+        "compared by time with one that tells times only.\n"
         "\n"
         "Examples:\n"
         "    rungproof compare expected.csv trace.csv\n"
-        "    rungproof compare --tolerance VW10=2 --slack 1 expected.csv trace.csv\n",
-    .shows = option_group::Output | option_group::Configuration,
+        "    rungproof compare --tolerance VW10=2 --slack 1 expected.csv trace.csv\n"
+        "    rungproof compare trace.csv scope.vcd --rename CH1=Q0.0 --trace both.html\n",
+    .shows = option_group::Traces | option_group::Output | option_group::Configuration,
     .setup = setup,
 };
 

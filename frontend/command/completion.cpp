@@ -2,8 +2,8 @@
 // and the option table, so that it is never behind.
 #include <fmt/ranges.h>
 
-#include "frontend/cli.hpp"
-#include "frontend/command/command.hpp"
+#include "frontend/cli/cli.hpp"
+#include "frontend/command.hpp"
 #include "frontend/settings/code_list.hpp"
 
 namespace rungproof {
@@ -18,6 +18,14 @@ struct Completed {
   bool takesValue = false;
 };
 
+/// Rules and their groups, as --select takes them.
+std::vector<std::string_view> codeWords() {
+  std::vector<std::string_view> words = {"ALL"};
+  for (const RuleGroup& group : ruleGroups()) words.push_back(group.prefix);
+  for (const Code& code : allCodes()) words.push_back(code.id);
+  return words;
+}
+
 std::vector<Completed> optionsOf(const Command& command) {
   ArgumentTable table;
   const Action action = command.setup(table);
@@ -27,8 +35,11 @@ std::vector<Completed> optionsOf(const Command& command) {
       options.push_back({std::string(row.longName()), std::string(row.help), permittedWords(row.value), !row.isFlag()});
   }
   for (const OptionInfo& info : optionTable()) {
+    const bool isOfRules = info.id == Opt::Select || info.id == Opt::Ignore;
     options.push_back({"--" + std::string(info.name), std::string(info.help),
-                       info.id == Opt::Format ? formatsOf(command) : permittedWords(info.value),
+                       info.id == Opt::Format ? formatsOf(command)
+                       : isOfRules            ? codeWords()
+                                              : permittedWords(info.value),
                        info.arity != Arity::Flag});
   }
   return options;
@@ -118,7 +129,8 @@ std::string zshScript() {
       "  case $command in\n{}"
       "  esac\n"
       "}}\n"
-      "compdef _rungproof rungproof\n",
+      "# as a file in a folder of completions, or evaluated\n"
+      "if [ \"$funcstack[1]\" = _rungproof ]; then _rungproof \"$@\"; else compdef _rungproof rungproof; fi\n",
       commands, cases);
 }
 

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "analysis/rule.hpp"
-#include "frontend/command/command.hpp"
-#include "frontend/json.hpp"
+#include "frontend/command.hpp"
+#include "frontend/files/json.hpp"
 
 namespace rungproof {
 

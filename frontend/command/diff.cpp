@@ -1,11 +1,11 @@
 // `rungproof diff`: which networks changed in what they do, and which outputs can differ because of it.
 #include <fmt/format.h>
 
-#include "frontend/command/command.hpp"
-#include "frontend/page/excerpt.hpp"
-#include "frontend/proof_input.hpp"
-#include "frontend/run/trace_file.hpp"
+#include "frontend/command.hpp"
+#include "frontend/input/proof_input.hpp"
 #include "frontend/sides/difference_view.hpp"
+#include "frontend/simulation/trace_file.hpp"
+#include "frontend/text/excerpt.hpp"
 
 namespace rungproof {
 

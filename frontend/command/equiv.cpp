@@ -7,12 +7,12 @@
 #include <filesystem>
 
 #include "analysis/equivalence/equivalence.hpp"
-#include "frontend/command/command.hpp"
-#include "frontend/page/certificate_head.hpp"
-#include "frontend/proof_input.hpp"
-#include "frontend/run/trace_file.hpp"
+#include "frontend/command.hpp"
+#include "frontend/explain/certificate_head.hpp"
+#include "frontend/input/proof_input.hpp"
 #include "frontend/sides/difference_report.hpp"
 #include "frontend/sides/sides.hpp"
+#include "frontend/simulation/trace_file.hpp"
 
 namespace rungproof {
 
@@ -96,7 +96,8 @@ bool writeCertificates(const Context& context, const std::string& directory, con
                                              : name + " is equal",
                                  {sides.runBefore.get(), sides.runAfter.get()},
                                  found.assumptions,
-                                 {}};
+                                 {},
+                                 context.settings.root()};
     statement.notes.push_back(
         isMemory ? "from equal pairs of memory every scan leads to equal ones; the other files rest on it"
                  : "rests on memory.smt2");

@@ -3,19 +3,20 @@
 
 #include <algorithm>
 
-#include "frontend/closest_word.hpp"
-#include "frontend/command/command.hpp"
-#include "frontend/json.hpp"
-#include "frontend/page/address_page.hpp"
-#include "frontend/page/columns.hpp"
-#include "frontend/page/idea_page.hpp"
-#include "frontend/page/instruction_page.hpp"
-#include "frontend/page/rule_page.hpp"
+#include "frontend/command.hpp"
+#include "frontend/explain/address_page.hpp"
+#include "frontend/explain/idea_page.hpp"
+#include "frontend/explain/instruction_page.hpp"
+#include "frontend/explain/rule_page.hpp"
+#include "frontend/files/closest_word.hpp"
+#include "frontend/files/json.hpp"
 #include "frontend/settings/code_list.hpp"
 #include "frontend/stl/operand_reader.hpp"
+#include "frontend/text/columns.hpp"
 #include "ir/hazard.hpp"
-#include "ir/isa.hpp"
-#include "ir/special_memory.hpp"
+#include "ir/manual.hpp"
+#include "ir/s7200/isa.hpp"
+#include "ir/s7200/special_memory.hpp"
 
 namespace rungproof {
 
@@ -66,7 +67,7 @@ Page choicesPage(const Paint& paint, const Settings& settings) {
       names.push_back(info.values[i]);
     }
     page.text += fmt::format("\n  {}: {}\n", paint.bold(info.key), values);
-    appendParagraph(page.text, fmt::format("{} ({})", info.why, info.manual), 4);
+    appendParagraph(page.text, fmt::format("{}; see {}", info.why, manualPlace(info.manual)), 4);
     page.json.push_back({{"key", info.key},
                          {"values", names},
                          {"chosen", info.values[settings.choices()[info.choice]]},
@@ -124,7 +125,7 @@ std::optional<Page> specialBitPage(const Target& target, const std::string& word
   const SmRow& row = smRow(target, operand.offset, operand.width == Width::Bit ? operand.bit : 0);
   return Page{
       fmt::format("{}: {}\n\n  {}\n  {}; {}\n", paint.bold(rowName(row)), paint.bold(row.text), sourceText(row.source),
-                  row.isWritable() ? "the program may write it" : "read-only", row.manual),
+                  row.isWritable() ? "the program may write it" : "read-only", manualPlace(row.manual)),
       rowJson(row)};
 }
 
@@ -183,13 +184,13 @@ std::optional<Page> pageOf(const std::string& word, const Settings& settings, co
   }
   for (const HazardInfo& info : hazardTable) {
     if (info.code != upper) continue;
-    return Page{
-        fmt::format("{}: {}\n\n  {} ({})\n", paint.bold(info.code), info.text, hazardClassText(info.kind), info.manual),
-        hazardJson(info)};
+    return Page{fmt::format("{}: {}\n\n  {}\n  {}\n", paint.bold(info.code), info.text, hazardClassText(info.kind),
+                            manualPlace(info.manual)),
+                hazardJson(info)};
   }
-  const Desc* desc = instructionNamed(upper);
-  if (desc == nullptr) desc = instructionAlias(upper);
-  if (desc == nullptr) desc = instructionNamedGerman(upper);
+  const Desc* desc = s7200Instructions().named(upper);
+  if (desc == nullptr) desc = s7200Instructions().alias(upper);
+  if (desc == nullptr) desc = s7200Instructions().namedGerman(upper);
   if (desc != nullptr) return Page{instructionPage(*desc, paint), instructionJson(*desc)};
   return std::nullopt;
 }

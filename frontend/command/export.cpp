@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "analysis/export/system.hpp"
-#include "analysis/hidden_blocks.hpp"
-#include "analysis/proof/proof_side.hpp"
-#include "frontend/command/command.hpp"
-#include "frontend/proof_input.hpp"
+#include "analysis/proof/question_system.hpp"
+#include "analysis/unread/hidden_blocks.hpp"
+#include "frontend/command.hpp"
+#include "frontend/input/proof_input.hpp"
 
 namespace rungproof {
 
@@ -30,24 +30,24 @@ std::string textOf(const std::string& format, const TransitionSystem& system, in
 }
 
 /// What the reader of the file must know to read its answers as ours.
-ExportRemarks remarksOf(const ProgramInput& input, ProofSide& side, const ProverOptions& options) {
+ExportRemarks remarksOf(const ProgramInput& input, QuestionSystem& side, const ProverOptions& options) {
   ExportRemarks remarks;
   for (const std::string& text : environmentTexts(input.program, input.properties, options.time))
     remarks.push_back("assumes: " + text);
-  for (const std::string& text : approximationTexts(input.program, side.obligations()))
+  for (const std::string& text : approximationTexts(input.program, side.askedProperties()))
     remarks.push_back("approximated: " + text);
   return remarks;
 }
 
 /// The program as it is written, so that a reader of the file need not believe our simplifications; where that cannot
 /// be made, simplified.
-std::unique_ptr<ProofSide> asWritten(const ProgramInput& input, const std::vector<Property>& goals,
-                                     EncoderOptions options, const CheckGroups& groups) {
+std::unique_ptr<QuestionSystem> asWritten(const ProgramInput& input, const std::vector<Property>& goals,
+                                          EncoderOptions options, const CheckGroups& groups) {
   options.trail = std::make_shared<Trail>();
-  auto simplified = std::make_unique<ProofSide>(input.program, input.properties, goals, options, groups);
+  auto simplified = std::make_unique<QuestionSystem>(input.program, input.properties, goals, options, groups);
   options.trail->isFollowed = true;
   try {
-    return std::make_unique<ProofSide>(input.program, input.properties, goals, options, groups);
+    return std::make_unique<QuestionSystem>(input.program, input.properties, goals, options, groups);
   } catch (const DecisionsDiverge&) {
     return simplified;
   }
@@ -71,9 +71,9 @@ Exit run(const Arguments& arguments, Context& context) {
   for (const Property& property : input.properties.properties) {
     if (property.isGoal()) goals.push_back(property);
   }
-  const std::unique_ptr<ProofSide> written =
+  const std::unique_ptr<QuestionSystem> written =
       asWritten(input, goals, encoderOptionsOf(options), {.builtin = arguments.builtin});
-  ProofSide& side = *written;
+  QuestionSystem& side = *written;
   if (side.system().questions.empty()) {
     return context.fail({fmt::format("no property is declared in {}", arguments.files.front()),
                          {},

@@ -4,10 +4,11 @@
 #include <algorithm>
 
 #include "analysis/rule.hpp"
-#include "frontend/command/command.hpp"
-#include "frontend/lint_run.hpp"
-#include "frontend/page/baseline.hpp"
-#include "frontend/page/fix.hpp"
+#include "frontend/command.hpp"
+#include "frontend/linting/baseline.hpp"
+#include "frontend/linting/fix.hpp"
+#include "frontend/linting/lint_run.hpp"
+#include "frontend/watch.hpp"
 
 namespace rungproof {
 
@@ -16,23 +17,11 @@ namespace {
 struct State {
   std::vector<std::string> files;
   bool fix = false;
+  bool diff = false;
+  bool unsafeFixes = false;
   bool prove = false;
+  bool watch = false;
 };
-
-std::optional<Failure> subtractBaseline(const Settings& settings, const std::string& name, Report& report) {
-  Baseline baseline;
-  std::string text;
-  if (auto failure = readBaselineFile(name, baseline, text)) return failure;
-  // The baseline becomes a source of the report, so that stale entries have a place.
-  auto sources = std::make_shared<SourceSet>();
-  for (std::uint32_t i = 0; i < report.sources->size(); ++i)
-    sources->add(report.sources->file(i).name(), std::string(report.sources->file(i).text()));
-  const std::uint32_t file = sources->add(name, text);
-  report.sources = sources;
-  applyBaseline(
-      baseline, file, [&](std::string_view id) { return isSelected(settings, id); }, report);
-  return std::nullopt;
-}
 
 /// The codes of --select that name no rule which runs without the prover.
 std::vector<std::string> needingProver(const Settings& settings) {
@@ -46,21 +35,48 @@ std::vector<std::string> needingProver(const Settings& settings) {
   return result;
 }
 
+/// A file that was not read at all: what would be fixed in it is not known.
+bool isLostForFixes(const Finding& finding) { return finding.rule == "SYN001" || finding.rule == "SYN002"; }
+
 Action setup(ArgumentTable& table) {
   auto state = std::make_shared<State>();
   table.arguments("FILE", state->files,
                   "programs, symbol tables and data blocks; '-' is standard input; a folder stands for its programs");
-  table.flag("--fix", state->fix, "write the safe fixes into the files, then report what is left");
+  table.flag("--fix", state->fix,
+             "write the safe fixes into the files, then report what is left; of standard input the fixed text goes to "
+             "standard output and the report to standard error");
+  table.flag("--diff", state->diff,
+             "show as a diff what --fix would change, and change nothing; 1: something would be");
+  table.flag("--unsafe-fixes", state->unsafeFixes,
+             "with --fix and --diff: also the fixes that are guesses and may change what the program does");
   table.flag("--prove", state->prove,
              "also the rules that need the prover: candidates are confirmed by a replayed run, or dropped");
+  table.flag(watchOption, state->watch, watchHelp);
   return [state](Context& context) {
     const std::vector<std::string> files = expandFolders(state->files, context.settings);
     if (files.empty())
       return context.fail({"every program is excluded", state->files.front(), "see 'exclude' of 'rungproof config'"});
     Report report = lintFiles(context, files, state->prove);
+    const FixLevel level = state->unsafeFixes ? FixLevel::Unsafe : FixLevel::Safe;
+    const bool readsInput = std::ranges::find(files, "-") != files.end();
+    if (state->diff) {
+      bool isRead = true;
+      for (const Finding& finding : report.findings) {
+        if (!isLostForFixes(finding)) continue;
+        isRead = false;
+        print(context.err, {finding.message, report.sources->file(finding.span.file).name(), finding.help});
+      }
+      const std::size_t count = showFixes(context, report, level);
+      return !isRead ? Exit::Failed : count > 0 ? Exit::Found : Exit::Clean;
+    }
     if (state->fix) {
-      const bool written = applyFixes(context, report);
+      const bool written = applyFixes(context, report, level, readsInput);
       report = lintFiles(context, files, state->prove);
+      if (readsInput) {
+        Context beside{context.settings, context.in,     context.err, context.err, false,
+                       context.progress, context.outputs};
+        return written ? finish(beside, std::move(report)) : worse(Exit::Failed, finish(beside, std::move(report)));
+      }
       if (!written) return worse(Exit::Failed, finish(context, std::move(report)));
     }
     if (!state->prove) {
@@ -69,10 +85,7 @@ Action setup(ArgumentTable& table) {
         report.reasons.push_back({Exit::Failed, fmt::format("{} was not checked", ids)});
       }
     }
-    if (context.settings.isSet(Opt::Baseline)) {
-      if (auto failure = subtractBaseline(context.settings, std::string(context.settings.text(Opt::Baseline)), report))
-        return context.fail(*failure);
-    }
+    if (auto failure = subtractBaseline(context.settings, report)) return context.fail(*failure);
     return finish(context, std::move(report));
   };
 }
@@ -81,7 +94,7 @@ Action setup(ArgumentTable& table) {
 
 extern constexpr Command lintCommand = {
     .name = "lint",
-    .usage = "[--fix] [--prove] FILE...",
+    .usage = "[--fix] [--diff] [--prove] FILE...",
     .summary = "check programs against the rules",
     .details =
         "Files without a main program (symbol tables, data blocks, libraries) belong to every program given.\n"
@@ -93,6 +106,7 @@ extern constexpr Command lintCommand = {
         "\n"
         "Examples:\n"
         "    rungproof lint press.awl\n"
+        "    rungproof lint --diff press.awl\n"
         "    rungproof lint --cpu 224 --select ADR,STK --format concise *.awl\n"
         "    rungproof lint --baseline known.json --format sarif=report.sarif --format human press.awl\n",
     .shows = option_group::Reading | option_group::Rules | option_group::Output | option_group::Configuration |

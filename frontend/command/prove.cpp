@@ -8,17 +8,19 @@
 #include <set>
 #include <sstream>
 
-#include "analysis/equivalence/self_check.hpp"
 #include "analysis/proof/proof_networks.hpp"
 #include "analysis/proof/rule_answers.hpp"
 #include "analysis/rule.hpp"
-#include "frontend/command/command.hpp"
-#include "frontend/page/certificate_head.hpp"
-#include "frontend/page/excerpt.hpp"
-#include "frontend/proof_input.hpp"
-#include "frontend/run/witness_drawing.hpp"
-#include "frontend/run/witness_report.hpp"
-#include "frontend/trace/format.hpp"
+#include "analysis/selfcheck/self_check.hpp"
+#include "frontend/acceptance/record_of.hpp"
+#include "frontend/command.hpp"
+#include "frontend/explain/certificate_head.hpp"
+#include "frontend/input/proof_input.hpp"
+#include "frontend/simulation/witness_drawing.hpp"
+#include "frontend/simulation/witness_report.hpp"
+#include "frontend/text/excerpt.hpp"
+#include "frontend/trace_format.hpp"
+#include "frontend/watch.hpp"
 
 namespace rungproof {
 
@@ -30,6 +32,7 @@ struct Arguments {
   bool asDownloaded = false;
   std::vector<std::string> only;
   bool builtin = false;
+  bool watch = false;
   bool selfCheck = false;
   std::string certificates;
   std::string traces;
@@ -37,7 +40,7 @@ struct Arguments {
 };
 
 constexpr double secondsForUndecided = 4;  ///< of the self-check, for a fault that a quick look leaves open
-constexpr std::size_t scansInText = 3, scansInPage = 16;  // the last ones of a witness
+constexpr std::size_t scansInText = 3, scansInPage = 300;  // the last ones of a witness
 
 std::atomic<bool> interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler writes it");
@@ -95,11 +98,16 @@ std::vector<ShownScan> drawnScans(const Arguments& arguments, const Program& pro
   options.scans = hasPage ? scansInPage : scansInText;
   options.text = !arguments.show.empty();
   options.svg = hasPage;
+  options.asRead = arguments.show.empty();
   std::vector<ShownScan> scans = shownScans(program, choices, result, options);
   for (std::size_t i = 0; i + scansInText < scans.size(); ++i) {
     for (ShownNetwork& network : scans[i].networks) network.text.clear();
   }
   return scans;
+}
+
+bool wantsPage(const Context& context) {
+  return std::ranges::any_of(context.outputs, [](const OutputRequest& output) { return output.name == "html"; });
 }
 
 PropertyResult rowOf(const Context& context, const Arguments& arguments, EvidenceNames& names, const Program& program,
@@ -117,6 +125,8 @@ PropertyResult rowOf(const Context& context, const Arguments& arguments, Evidenc
   row.statement = result.property.text;
   if (result.property.span.length > 0) row.span = result.property.span;
   row.notes = result.notes;
+  const bool hasPage = wantsPage(context);
+  if (hasPage && !result.witness) addEvidence(row, program, choices, result, nullptr);
   if (result.witness) {
     const Trace trace = traceOf(program, choices, *result.witness, signalsThatMatter(program, result), 100000, true);
     if (const std::string start = startText(program, choices, *result.witness); !start.empty())
@@ -129,16 +139,16 @@ PropertyResult rowOf(const Context& context, const Arguments& arguments, Evidenc
       row.notes.push_back(fmt::format("inside the last scan, in front of '{}' at {}", Facts::text(*place),
                                       placeText(*program.sources, place->span)));
     }
-    const bool hasPage =
-        std::ranges::any_of(context.outputs, [](const OutputRequest& output) { return output.name == "html"; });
+    if (hasPage) addEvidence(row, program, choices, result, &trace);
     if (!arguments.show.empty() || hasPage) row.scans = drawnScans(arguments, program, choices, result, hasPage);
     if (!arguments.traces.empty()) row.trace = writeTraces(context, arguments.traces, stem, program, choices, result);
   }
   row.networks = networkList(result.networks);
   if (!result.certificate.empty()) {
     const std::string name = fileIn(arguments.certificates, stem + ".smt2");
-    const std::string head = certificateHead(program, assumptions, result, stem + ".smt2");
+    const std::string head = certificateHead(program, assumptions, result, stem + ".smt2", context.settings.root());
     if (context.write({"smt2", name}, head + result.certificate)) row.certificate = name;
+    row.evidence.certificateSha256 = sha256(head + result.certificate);
     if (!row.certificate.empty()) row.notes.push_back(fmt::format("certificate: {}", name));
   }
   return row;
@@ -273,6 +283,7 @@ Exit run(const Arguments& arguments, Context& context) {
       context.err << fmt::format(
           "rungproof: no property is declared in {}; see 'rungproof prove --help', or give --builtin\n", files.front());
     }
+    if (wantsPage(context)) addRecord(part, settings, input, files, arguments.properties);
     const PlaceIndex places(input.program);
     for (Finding& finding : part.findings) places.complete(finding);
     if (programs.size() > 1) {
@@ -310,6 +321,7 @@ Action setup(ArgumentTable& table) {
   table.option("--traces", arguments->traces, "DIR", "write each witness as CSV (also a stimulus), VCD and SVG");
   table.word("--show", arguments->show, {"ladder", "lad", "fbd", "stl"}, "ladder|fbd|stl",
              "draw the networks that matter, with the power flow of the last 3 scans of each witness");
+  table.flag(watchOption, arguments->watch, watchHelp);
   return [arguments](Context& context) { return run(*arguments, context); };
 }
 

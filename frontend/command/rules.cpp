@@ -1,9 +1,9 @@
 // `rungproof rules`: the list of rules as text, JSON or Markdown.
 #include <fmt/core.h>
 
-#include "frontend/command/command.hpp"
-#include "frontend/json.hpp"
-#include "frontend/page/rule_page.hpp"
+#include "frontend/command.hpp"
+#include "frontend/explain/rule_page.hpp"
+#include "frontend/files/json.hpp"
 #include "frontend/settings/code_list.hpp"
 
 namespace rungproof {

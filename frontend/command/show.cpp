@@ -9,12 +9,12 @@
 
 #include "engine/instruction_recorder.hpp"
 #include "engine/stimulus.hpp"
-#include "frontend/command/command.hpp"
-#include "frontend/drawing/network_view.hpp"
-#include "frontend/lint_run.hpp"
-#include "frontend/program_input.hpp"
-#include "frontend/run/stimulus_reader.hpp"
-#include "frontend/run/trace_file.hpp"
+#include "frontend/command.hpp"
+#include "frontend/input/program_input.hpp"
+#include "frontend/linting/lint_run.hpp"
+#include "frontend/picture/network_view.hpp"
+#include "frontend/simulation/stimulus_reader.hpp"
+#include "frontend/simulation/trace_file.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 
 namespace rungproof {
@@ -163,7 +163,9 @@ class Show {
   bool record(const Program& program, InstructionRecorder& recorder) {
     const std::optional<std::string> text = readFile(context_, lit_->trace, failures_);
     if (!text) return false;
-    const Stimulus stimulus = readStimulus(lit_->trace, *text, program, failures_);
+    const TraceImport import = traceImportOf(context_.settings, failures_);
+    const Stimulus stimulus = readStimulus(lit_->trace, *text, program, failures_, "old", import);
+    if (failures_.empty()) checkRenames(import, lit_->trace, failures_);
     if (!failures_.empty()) return false;
     if (program.main() == nullptr) {
       failures_.push_back(

@@ -6,17 +6,20 @@
 #include <chrono>
 #include <memory>
 #include <ostream>
+#include <utility>
 
 #include "engine/stimulus.hpp"
-#include "frontend/command/command.hpp"
-#include "frontend/program_input.hpp"
-#include "frontend/run/comparison.hpp"
-#include "frontend/run/run_limits.hpp"
-#include "frontend/run/run_report.hpp"
-#include "frontend/run/scan_drawings.hpp"
-#include "frontend/run/stimulus_column.hpp"
-#include "frontend/run/stimulus_reader.hpp"
-#include "frontend/run/trace_file.hpp"
+#include "frontend/command.hpp"
+#include "frontend/input/program_input.hpp"
+#include "frontend/logger/trace_import.hpp"
+#include "frontend/simulation/comparison.hpp"
+#include "frontend/simulation/expected_lanes.hpp"
+#include "frontend/simulation/run_limits.hpp"
+#include "frontend/simulation/run_report.hpp"
+#include "frontend/simulation/scan_drawings.hpp"
+#include "frontend/simulation/stimulus_column.hpp"
+#include "frontend/simulation/stimulus_reader.hpp"
+#include "frontend/simulation/trace_file.hpp"
 
 namespace rungproof {
 
@@ -36,6 +39,11 @@ struct Arguments {
   std::uint64_t scans = 0;
   std::string duration;
   std::string side = "old";
+  std::string names = "address";
+
+  SignalNames signalNames() const {
+    return names == "symbol" ? SignalNames::Symbol : names == "both" ? SignalNames::Both : SignalNames::Address;
+  }
 };
 
 /// What the arguments and files ask for, ready to run.
@@ -93,9 +101,16 @@ class Preparation {
   }
 
   void readFiles(Job& job) {
+    const TraceImport import = traceImportOf(context_.settings, failures);
+    readFiles(job, import);
+    const std::string both = arguments_.stimulus.empty() ? arguments_.expect : arguments_.stimulus;
+    if (failures.empty()) checkRenames(import, both, failures);
+  }
+
+  void readFiles(Job& job, const TraceImport& import) {
     if (!arguments_.stimulus.empty()) {
       const std::optional<std::string> text = readFile(context_, arguments_.stimulus, failures);
-      if (text) job.stimulus = readStimulus(arguments_.stimulus, *text, program_, failures, arguments_.side);
+      if (text) job.stimulus = readStimulus(arguments_.stimulus, *text, program_, failures, arguments_.side, import);
     }
     if (arguments_.expect.empty()) {
       if (!arguments_.tolerances.empty() || arguments_.slack != 0)
@@ -104,7 +119,7 @@ class Preparation {
     }
     const std::optional<std::string> text = readFile(context_, arguments_.expect, failures);
     if (!text) return;
-    job.expected = readTrace(arguments_.expect, *text, program_, failures, arguments_.side);
+    job.expected = readTrace(arguments_.expect, *text, program_, failures, arguments_.side, import);
     if (failures.empty() && !expectsAnything(*job.expected)) failures.push_back(expectsNothing(arguments_.expect));
     job.compare.slack = arguments_.slack;
     for (const std::string& given : arguments_.tolerances) {
@@ -272,7 +287,13 @@ Exit run(const Arguments& arguments, Context& context) {
 
   for (const std::string& name : arguments.traces) {
     const std::string& title = program.sources->file(0).name();
-    if (!(isPage(name) ? writePage(context, name, trace, title, drawn) : writeTrace(context, name, trace, title)))
+    const bool isDrawn = job.expected && (isPage(name) || name.ends_with(".svg"));
+    TraceBeside shown = isDrawn ? besideExpected(*job.expected, trace, job.compare) : TraceBeside{};
+    const bool isRenamed = !isDrawn && arguments.signalNames() != SignalNames::Address;
+    if (isRenamed) shown.trace = named(trace, arguments.signalNames());
+    const Trace& written = isDrawn || isRenamed ? shown.trace : trace;
+    if (!(isPage(name) ? writePage(context, name, written, title, drawn, shown.lanes)
+                       : writeTrace(context, name, written, title)))
       return Exit::Failed;
   }
   describeRun(report, simulator, job.scanTime);
@@ -284,7 +305,7 @@ Exit run(const Arguments& arguments, Context& context) {
   }
   if (!preparation.isResult()) return finish(context, std::move(report));
   // Nothing else was asked for: the trace itself is the result, and what there is to say goes beside it.
-  if (!writeTrace(context, "-", trace, "")) return Exit::Failed;
+  if (!writeTrace(context, "-", named(std::move(trace), arguments.signalNames()), "")) return Exit::Failed;
   if (report.findings.empty() && report.coverage.leftOut.empty()) return Exit::Clean;
   Context beside{context.settings, context.in, context.err, context.err, false, context.progress, context.outputs};
   return finish(beside, std::move(report));
@@ -293,11 +314,13 @@ Exit run(const Arguments& arguments, Context& context) {
 Action setup(ArgumentTable& table) {
   auto arguments = std::make_shared<Arguments>();
   table.arguments("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input");
-  table.option("--stimulus", arguments->stimulus, "FILE", "what the inputs do, scan by scan or by time (CSV)");
-  table.option("--expect", arguments->expect, "FILE", "the trace as it should be (CSV)");
+  table.option("--stimulus", arguments->stimulus, "FILE", "what the inputs do, scan by scan or by time (CSV, VCD)");
+  table.option("--expect", arguments->expect, "FILE", "the trace as it should be (CSV, VCD)");
   table.option("--trace", arguments->traces, "FILE",
                "write the trace: .csv .vcd .json .svg .html, or '-'; may be repeated");
   table.list("--signals", arguments->signals, "LIST", "addresses or symbols to trace; all that the program touches");
+  table.word("--names", arguments->names, {"address", "symbol", "both"}, "address|symbol|both",
+             "what columns of written traces are called [default: address]");
   table.number("--scans", arguments->scans, "N", "run so many scans; until stimulus and expected trace end, or 100", 1,
                static_cast<std::int64_t>(mostScans));
   table.option("--duration", arguments->duration, "TIME", "run for this time, such as 30s");
@@ -328,12 +351,17 @@ extern constexpr Command simCommand = {
         "this is.\n"
         "CLOCK.tick, CLOCK.second and CLOCK.minute say how many ms the time bases of the timers, SM0.5 and\n"
         "SM0.4 are into their periods.\n"
+        "Files of loggers, oscilloscopes and simulators are read too: with another first column --time-column and\n"
+        "--time-unit say what the time is; dates count from the first row. VCD values that are x or z are open.\n"
+        "A page (.html, .svg) shows the expected curve below the actual one.\n"
         "\n"
         "Examples:\n"
         "    rungproof sim press.awl --stimulus start.csv --expect start.expected.csv\n"
         "    rungproof sim press.awl --stimulus start.csv --trace start.vcd --trace start.html\n"
+        "    rungproof sim press.awl --expect logger.csv --time-column Zeit --time-unit s --rename Pumpe=Q0.1\n"
         "    rungproof sim press.awl --duration 10s --scan-time 5ms --signals I0.0,Q0.0,T37.value --trace -\n",
-    .shows = option_group::Reading | option_group::Running | option_group::Output | option_group::Configuration,
+    .shows = option_group::Reading | option_group::Running | option_group::Traces | option_group::Output |
+             option_group::Configuration,
     .setup = setup,
 };
 

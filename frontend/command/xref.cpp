@@ -1,18 +1,19 @@
 // `rungproof xref`: who reads and who writes each address, at which width, overlaps and free areas; with --tags also
 // what is wrong with the tag list of a panel.
-#include "analysis/xref.hpp"
+#include "analysis/flow/xref.hpp"
 
 #include <fmt/ranges.h>
 
 #include <filesystem>
 
-#include "analysis/panel_tags.hpp"
-#include "frontend/command/command.hpp"
-#include "frontend/json.hpp"
-#include "frontend/missing_address.hpp"
-#include "frontend/page/columns.hpp"
-#include "frontend/page/excerpt.hpp"
-#include "frontend/program_input.hpp"
+#include "analysis/panel/panel_tags.hpp"
+#include "frontend/command.hpp"
+#include "frontend/files/closest_word.hpp"
+#include "frontend/files/json.hpp"
+#include "frontend/input/program_input.hpp"
+#include "frontend/stl/missing_address.hpp"
+#include "frontend/text/columns.hpp"
+#include "frontend/text/excerpt.hpp"
 
 namespace rungproof {
 
@@ -33,8 +34,11 @@ class XrefWriter {
 
   std::string text(const Paint& paint) const {
     std::string text;
-    if (shown_.empty()) text += "no instruction names it\n\n";
+    if (shown_.empty())
+      text += whole_ ? "no instruction names an address\n\n"
+                     : "no instruction names it: nothing writes it, nothing reads it\n\n";
     for (const std::size_t i : shown_) appendEntry(text, xref_.entries[i], paint);
+    if (!whole_ && !shown_.empty() && !isWritten()) text += "nothing in the program writes it\n\n";
     if (!xref_.throughPointers.empty()) {
       text += fmt::format("{} (these may touch other addresses too)\n", paint.bold("Through pointers"));
       std::vector<TextRow> rows;
@@ -78,6 +82,15 @@ class XrefWriter {
   }
 
  private:
+  /// Whether an instruction writes what is shown, or something outside does.
+  bool isWritten() const {
+    return std::ranges::any_of(shown_, [&](std::size_t i) {
+      const XrefEntry& entry = xref_.entries[i];
+      return isReadOnlyArea(entry.area) || entry.area == Area::I || entry.area == Area::SM ||
+             std::ranges::any_of(entry.uses, [](const Access* use) { return use->write || use->maybe; });
+    });
+  }
+
   std::string symbolOf(const XrefEntry& entry) const {
     const Symbol* symbol = facts_.symbolOf(direct(entry.area, entry.width, entry.offset, entry.bit));
     return symbol == nullptr ? std::string() : symbol->name;
@@ -196,8 +209,28 @@ std::optional<Operand> takeAddress(std::vector<std::string>& arguments, const Co
   return address;
 }
 
+/// A last argument that is no file either, and does not look like the name of one.
+std::optional<Failure> unknownName(const std::vector<std::string>& arguments, const Context& context) {
+  std::error_code error;
+  const std::string& name = arguments.back();
+  if (arguments.size() < 2 || name == "-" || name.find_first_of("./\\*") != std::string::npos ||
+      std::filesystem::exists(name, error))
+    return std::nullopt;
+  const Program program = readProgram({arguments.begin(), arguments.end() - 1}, readOptionsOf(context.settings));
+  std::vector<std::string> names;
+  for (const Symbol& symbol : program.symbols) names.push_back(symbol.name);
+  const std::string_view meant = closest(name, names);
+  return Failure{fmt::format("'{}' is no file, no address and no symbol of the program", name),
+                 {},
+                 meant.empty() ? "give the symbol table with --symbols, or write the address"
+                               : fmt::format("did you mean '{}'?", meant)};
+}
+
 Exit run(Context& context, std::vector<std::string> arguments) {
   const std::optional<Operand> address = takeAddress(arguments, context);
+  if (!address) {
+    if (const auto failure = unknownName(arguments, context)) return context.fail(*failure);
+  }
   ProgramInput input = readInput(context, arguments);
   if (const auto missing = address ? missingFrom(input.program.target, *address) : std::nullopt)
     return context.fail({*missing, {}, "choose the CPU with --cpu"});

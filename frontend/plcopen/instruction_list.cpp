@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "frontend/drawn/drawn_scope.hpp"
+#include "frontend/graphical/drawn_scope.hpp"
 #include "frontend/plcopen/plcopen_reader.hpp"
 #include "frontend/stl/directive.hpp"
 #include "frontend/stl/stl_lexer.hpp"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include "frontend/drawn/iec_type.hpp"
+#include "frontend/graphical/iec_type.hpp"
 #include "frontend/stl/directive.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 

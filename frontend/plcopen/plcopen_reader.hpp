@@ -3,8 +3,8 @@
 // Tested by tests/graphical/plcopen_test.cpp and tests/graphical/damage_test.cpp.
 #pragma once
 
-#include "frontend/drawn/drawn_model.hpp"
-#include "frontend/file_reader.hpp"
+#include "frontend/files/file_reader.hpp"
+#include "frontend/graphical/drawn_model.hpp"
 #include "frontend/xml/xml_shape.hpp"
 #include "frontend/xml/xml_text.hpp"
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "frontend/disk_file.hpp"
+#include "frontend/files/disk_file.hpp"
+#include "frontend/files/encoding.hpp"
 #include "frontend/property/property_message.hpp"
 #include "frontend/property/property_reader.hpp"
-#include "frontend/stl/encoding.hpp"
 
 namespace rungproof {
 
@@ -38,8 +38,11 @@ PropertySet readProperties(Program& program, const std::vector<std::string>& fil
                            const std::filesystem::path& root) {
   PropertySet set;
   for (const Directive& directive : program.directives) {
-    readPropertyText(directive.span.file, directive.text, directive.span.offset, lookup, set, program.findings,
-                     &program.target);
+    // The comment's sign stands before the statement.
+    const std::size_t before = program.sources->text(directive.span).find(directive.text);
+    const std::size_t begin = directive.span.offset + (before == std::string_view::npos ? 0 : before);
+    readPropertyText(directive.span.file, directive.text, static_cast<std::uint32_t>(begin), lookup, set,
+                     program.findings, &program.target);
   }
   for (const std::string& name : files) {
     const std::optional<std::string> content = bytesOfInput(name);

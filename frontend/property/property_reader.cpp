@@ -7,12 +7,13 @@
 #include <algorithm>
 #include <set>
 
-#include "frontend/missing_address.hpp"
+#include "frontend/property/external_range.hpp"
 #include "frontend/property/property_lexer.hpp"
 #include "frontend/property/property_message.hpp"
 #include "frontend/property/property_types.hpp"
-#include "frontend/settings/external_range.hpp"
+#include "frontend/stl/missing_address.hpp"
 #include "ir/desc.hpp"
+#include "ir/s7300/cpu.hpp"
 
 namespace rungproof {
 
@@ -411,6 +412,9 @@ class Parser {
     Token bare = t;
     bare.text = text;
     ExprNode node{.op = ExprOp::Address, .operand = address(bare), .span = t.span};
+    // Of an S5 timer the value is the ms that are left.
+    if (asValue && node.operand.area == Area::T && target_ != nullptr && isStep7(*target_))
+      node.operand.width = Width::DWord;
     const Operand& o = node.operand;
     const bool hasBit = hasBitAndWord(o.area);
     if (asValue && !hasBit)

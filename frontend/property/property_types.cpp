@@ -88,11 +88,15 @@ void asReals(Expr& expr, std::uint32_t left, std::uint32_t right) {
   makeReal(expr, right);
 }
 
-bool isKeyword(std::string_view word) {
+std::span<const std::string_view> propertyKeywords() {
   static constexpr std::array<std::string_view, 23> words = {
       "and",   "or",   "xor",    "implies", "always", "never", "leads",    "to",    "within",  "scan", "scans", "only",
       "after", "held", "unless", "prove",   "assume", "reach", "external", "pulse", "initial", "at",   "every"};
-  return std::find(words.begin(), words.end(), word) != words.end();
+  return words;
+}
+
+bool isKeyword(std::string_view word) {
+  return std::ranges::find(propertyKeywords(), word) != propertyKeywords().end();
 }
 
 }  // namespace rungproof

@@ -2,6 +2,7 @@
 // beside them. Tested by tests/property/language_test.cpp.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,8 @@ bool comparesTruth(const Expr& expr, ExprOp op, std::uint32_t left, std::uint32_
 void fitConstant(Expr& expr, std::uint32_t constant, std::uint32_t other, std::vector<std::string>& remarks);
 /// Beside a REAL, a double word is a REAL as well, and so is what is computed from double words.
 void asReals(Expr& expr, std::uint32_t left, std::uint32_t right);
+/// The words of the language.
+std::span<const std::string_view> propertyKeywords();
 /// A word of the language, in small letters.
 bool isKeyword(std::string_view word);
 

@@ -1,5 +1,5 @@
 // Reader of data blocks that stand in a file of their own without a DATA_BLOCK heading.
-#include "frontend/file_reader.hpp"
+#include "frontend/files/file_reader.hpp"
 #include "frontend/stl/data_block.hpp"
 
 namespace rungproof {

@@ -1,14 +1,14 @@
 // Reader of PLCopen TC6 XML.
-#include "frontend/file_reader.hpp"
+#include "frontend/files/file_reader.hpp"
 #include "frontend/plcopen/plcopen_reader.hpp"
+#include "ir/s7200/dialect.hpp"
 
 namespace rungproof {
 
 namespace {
 
 int rate(const SourceFile& file, const InputText& input, const ReadOptions& options) {
-  if (input.isSymbolFile || options.dialect == Dialect::S7300 || options.dialect == Dialect::S7400)
-    return sureness::None;
+  if (input.isSymbolFile || !options.allows(s7200Dialect)) return sureness::None;
   if (!looksLikeXml(file.text())) return sureness::None;
   const std::string_view text = file.text();
   if (text.find("plcopen.org/xml/tc6") != std::string_view::npos) return sureness::Certain;

@@ -1,5 +1,5 @@
 // Reader of SimaticML.
-#include "frontend/file_reader.hpp"
+#include "frontend/files/file_reader.hpp"
 #include "frontend/simatic/simatic_reader.hpp"
 
 namespace rungproof {
@@ -17,8 +17,10 @@ int rate(const SourceFile& file, const InputText& input, const ReadOptions&) {
 
 void read(Program& program, const InputText& input, const ReadOptions&) { readSimatic(program, input, *input.drawn); }
 
+bool holdsTagsOnly(const SourceFile& file) { return file.text().find("<SW.Blocks.") == std::string_view::npos; }
+
 }  // namespace
 
-extern const FileReader simatic_file{"SimaticML", &rate, &read};
+extern const FileReader simatic_file{"SimaticML", &rate, &read, &holdsTagsOnly};
 
 }  // namespace rungproof

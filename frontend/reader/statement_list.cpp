@@ -1,17 +1,17 @@
 // Reader of statement lists: Micro/WIN and SMART exports, bare lists, and the older one-text dialect.
 #include <algorithm>
 
-#include "frontend/file_reader.hpp"
+#include "frontend/files/file_reader.hpp"
 #include "frontend/stl/stl_likeness.hpp"
 #include "frontend/stl/stl_parser.hpp"
+#include "ir/s7200/dialect.hpp"
 
 namespace rungproof {
 
 namespace {
 
 int rate(const SourceFile& file, const InputText& input, const ReadOptions& options) {
-  if (input.isSymbolFile || options.dialect == Dialect::S7300 || options.dialect == Dialect::S7400)
-    return sureness::None;
+  if (input.isSymbolFile || !options.allows(s7200Dialect)) return sureness::None;
   const StlLikeness likeness = stlLikeness(file.text());
   if (likeness.isMarkup) return sureness::None;
   if (likeness.hasHeading) return sureness::Keyword;

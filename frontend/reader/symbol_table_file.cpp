@@ -1,5 +1,5 @@
 // Reader of symbol tables.
-#include "frontend/file_reader.hpp"
+#include "frontend/files/file_reader.hpp"
 #include "frontend/stl/symbol_table.hpp"
 
 namespace rungproof {
@@ -30,6 +30,6 @@ void read(Program& program, const InputText& input, const ReadOptions& options) 
 
 }  // namespace
 
-extern const FileReader symbol_table_file{"symbol table", &rate, &read};
+extern const FileReader symbol_table_file{"symbol table", &rate, &read, [](const SourceFile&) { return true; }};
 
 }  // namespace rungproof

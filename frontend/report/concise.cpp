@@ -4,8 +4,8 @@
 #include <ostream>
 
 #include "analysis/rule.hpp"
-#include "frontend/page/excerpt.hpp"
-#include "frontend/report/report.hpp"
+#include "frontend/report.hpp"
+#include "frontend/text/excerpt.hpp"
 
 namespace rungproof {
 

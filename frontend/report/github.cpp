@@ -3,7 +3,7 @@
 
 #include <ostream>
 
-#include "frontend/report/report.hpp"
+#include "frontend/report.hpp"
 
 namespace rungproof {
 

@@ -6,8 +6,8 @@
 #include <ostream>
 
 #include "analysis/rule.hpp"
-#include "frontend/page/excerpt.hpp"
-#include "frontend/report/report.hpp"
+#include "frontend/report.hpp"
+#include "frontend/text/excerpt.hpp"
 
 namespace rungproof {
 
@@ -73,7 +73,8 @@ class HumanWriter {
     if (!finding.help.empty()) out_ << fmt::format("{}{} help: {}\n", margin, paint_.blue("="), finding.help);
     if (finding.fix) {
       const std::string_view instead = finding.fix->replacement;
-      out_ << fmt::format("{}{} fix: {}\n", margin, paint_.blue("="),
+      out_ << fmt::format("{}{} fix{}: {}\n", margin, paint_.blue("="),
+                          finding.fix->safe ? "" : " (unsafe, with --unsafe-fixes)",
                           instead.empty() ? "remove it" : fmt::format("write '{}'", instead));
     }
     if (!finding.trace.empty()) out_ << fmt::format("{}{} trace: {}\n", margin, paint_.blue("="), finding.trace);

@@ -1,12 +1,12 @@
 // The JSON report, a stable contract: schema.json beside this file describes it.
-#include "frontend/json.hpp"
+#include "frontend/files/json.hpp"
 
 #include <cmath>
 #include <ostream>
 
 #include "analysis/rule.hpp"
-#include "frontend/cli.hpp"
-#include "frontend/report/report.hpp"
+#include "frontend/cli/cli.hpp"
+#include "frontend/report.hpp"
 
 namespace rungproof {
 

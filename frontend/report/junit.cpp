@@ -5,8 +5,8 @@
 #include <pugixml.hpp>
 
 #include "analysis/rule.hpp"
-#include "frontend/page/excerpt.hpp"
-#include "frontend/report/report.hpp"
+#include "frontend/report.hpp"
+#include "frontend/text/excerpt.hpp"
 
 namespace rungproof {
 
@@ -61,7 +61,9 @@ class JunitWriter {
       std::string text = fmt::format("{}: {}", placeText(*report_.sources, finding.span), finding.message);
       if (finding.confirmation == Confirmation::Unconfirmed) text += " (unconfirmed)";
       if (!finding.help.empty()) text += "\nhelp: " + finding.help;
-      addFailure(test, std::string(severityName(finding.severity)), finding.message, text);
+      const bool isOpen = finding.confirmation == Confirmation::Unconfirmed;
+      addFailure(test, std::string(severityName(finding.severity)), finding.message + (isOpen ? " (unconfirmed)" : ""),
+                 text);
       ++count;
     }
     if (count == 0) addCase(suite, name, report_.command, 0);

@@ -6,11 +6,11 @@
 #include <ostream>
 
 #include "analysis/rule.hpp"
-#include "frontend/cli.hpp"
-#include "frontend/json.hpp"
-#include "frontend/page/fingerprint.hpp"
-#include "frontend/page/rule_page.hpp"
-#include "frontend/report/report.hpp"
+#include "frontend/cli/cli.hpp"
+#include "frontend/explain/rule_page.hpp"
+#include "frontend/files/json.hpp"
+#include "frontend/linting/fingerprint.hpp"
+#include "frontend/report.hpp"
 
 namespace rungproof {
 
@@ -78,9 +78,10 @@ Json resultOf(const Finding& finding, const Report& report, std::size_t ruleInde
     const Json change = {{"artifactLocation", {{"uri", uriOf(sources.file(finding.fix->span.file).name())}}},
                          {"replacements", Json::array({{{"deletedRegion", regionOf(sources, finding.fix->span)},
                                                         {"insertedContent", {{"text", finding.fix->replacement}}}}})}};
+    const std::string what = finding.help.empty() ? "replace the text" : finding.help;
+    const char* const doubt = finding.fix->safe ? "" : " (unsafe: a guess at what was meant)";
     result["fixes"] =
-        Json::array({{{"description", {{"text", finding.help.empty() ? "replace the text" : finding.help}}},
-                      {"artifactChanges", Json::array({change})}}});
+        Json::array({{{"description", {{"text", what + doubt}}}, {"artifactChanges", Json::array({change})}}});
   }
   result["partialFingerprints"] = {{"rungproof/v1", fingerprintOf(finding, sources)}};
   if (finding.confirmation == Confirmation::Unconfirmed) {

@@ -1,5 +1,5 @@
 // The kinds of rows that a command can declare: what each makes of the texts on the command line.
-#include "frontend/command/arguments.hpp"
+#include "frontend/settings/arguments.hpp"
 
 #include <fmt/ranges.h>
 

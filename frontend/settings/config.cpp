@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "frontend/closest_word.hpp"
-#include "frontend/disk_file.hpp"
+#include "frontend/files/closest_word.hpp"
+#include "frontend/files/disk_file.hpp"
 
 #define TOML_EXCEPTIONS 0
 #include <toml++/toml.h>

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "frontend/failure.hpp"
+#include "frontend/files/failure.hpp"
 #include "frontend/settings/options.hpp"
 
 namespace rungproof {

@@ -6,9 +6,9 @@
 #include <fmt/ranges.h>
 
 #include "analysis/schedule/technique.hpp"
-#include "frontend/closest_word.hpp"
+#include "frontend/files/closest_word.hpp"
+#include "frontend/property/external_range.hpp"
 #include "frontend/settings/code_list.hpp"
-#include "frontend/settings/external_range.hpp"
 #include "frontend/settings/retentive_range.hpp"
 
 namespace rungproof {
@@ -65,6 +65,10 @@ constexpr std::array table = {
     OptionInfo{Opt::NoSuppress, Rules, Arity::Flag, "no-suppress", "", "", "report findings although an allow-comment silences them"},
     OptionInfo{Opt::Baseline, Rules, Arity::One, "baseline", "FILE", "", "leave out the findings that the baseline file lists"},
     OptionInfo{Opt::Budget, Rules, Arity::One, "budget", "TIME", "60s", "lint --prove: time for all questions together"},
+    OptionInfo{Opt::TimeColumn, Traces, Arity::One, "time-column", "NAME", "", "column of a logger's file that holds the time: its heading, or its number from 1"},
+    OptionInfo{Opt::TimeUnit, Traces, Arity::One, "time-unit", "ns|us|ms|s|min|h", "", "unit of that column where its heading does not say it; dates and times of day need none"},
+    OptionInfo{Opt::Separator, Traces, Arity::One, "separator", "auto|comma|semicolon|tab|bar", "auto", "what separates the cells of a trace or stimulus file"},
+    OptionInfo{Opt::Rename, Traces, Arity::List, "rename", "COLUMN=ADDRESS", "", "what a column of a trace or stimulus file is; COLUMN=- leaves it out, '*=-' all that mean nothing in the program"},
     OptionInfo{Opt::Format, Output, Arity::List, "format", "NAME[=FILE]", "", "form of the report; with FILE written there; may be repeated"},
     OptionInfo{Opt::Color, Output, Arity::One, "color", "auto|always|never", "auto", "colours; auto: on a terminal unless NO_COLOR is set"},
     OptionInfo{Opt::Quiet, Output, Arity::Flag, "quiet", "", "", "results only: no closing line, no progress"},

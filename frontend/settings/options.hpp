@@ -16,10 +16,10 @@
 
 #include "analysis/rule.hpp"
 #include "engine/start_up.hpp"
-#include "frontend/failure.hpp"
-#include "ir/choices.hpp"
-#include "ir/cpu.hpp"
+#include "frontend/files/failure.hpp"
 #include "ir/program.hpp"
+#include "ir/s7200/choices.hpp"
+#include "ir/s7200/cpu.hpp"
 
 namespace rungproof {
 
@@ -54,6 +54,10 @@ enum class Opt : std::uint8_t {
   NoSuppress,
   Baseline,
   Budget,
+  TimeColumn,
+  TimeUnit,
+  Separator,
+  Rename,
   Format,
   Color,
   Quiet,
@@ -68,7 +72,8 @@ using OptionGroups = std::uint8_t;
 namespace option_group {
 inline constexpr OptionGroups Reading = 1, Running = 2, Rules = 4, Output = 8, Configuration = 16, Proving = 32;
 inline constexpr OptionGroups All = 63;
-inline constexpr OptionGroups Hidden = 64;  ///< in no help: for whoever works on rungproof itself
+inline constexpr OptionGroups Traces = 128;  ///< of files that loggers and simulators wrote
+inline constexpr OptionGroups Hidden = 64;   ///< in no help: for whoever works on rungproof itself
 }  // namespace option_group
 
 enum class Arity : std::uint8_t { Flag, One, List };  ///< List: may be repeated, values are separated by commas

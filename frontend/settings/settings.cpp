@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "frontend/closest_word.hpp"
+#include "frontend/files/closest_word.hpp"
 #include "frontend/settings/code_list.hpp"
 #include "frontend/settings/options.hpp"
 #include "frontend/settings/retentive_range.hpp"

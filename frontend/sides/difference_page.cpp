@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "frontend/drawing/svg_picture.hpp"
-#include "frontend/page/excerpt.hpp"
-#include "frontend/run/timing_diagram.hpp"
+#include "frontend/picture/svg_picture.hpp"
+#include "frontend/picture/timing_diagram.hpp"
 #include "frontend/sides/difference_view.hpp"
+#include "frontend/text/excerpt.hpp"
 
 namespace rungproof {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <map>
 
-#include "frontend/run/witness_drawing.hpp"
-#include "frontend/run/witness_report.hpp"
+#include "frontend/simulation/witness_drawing.hpp"
+#include "frontend/simulation/witness_report.hpp"
 
 namespace rungproof {
 

@@ -6,7 +6,7 @@
 
 #include "analysis/equivalence/equivalence.hpp"
 #include "engine/trace.hpp"
-#include "frontend/report/report.hpp"
+#include "frontend/report.hpp"
 #include "frontend/sides/sides.hpp"
 
 namespace rungproof {

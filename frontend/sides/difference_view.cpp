@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "frontend/cli.hpp"
-#include "frontend/json.hpp"
-#include "frontend/page/excerpt.hpp"
+#include "frontend/cli/cli.hpp"
+#include "frontend/files/json.hpp"
+#include "frontend/text/excerpt.hpp"
 
 namespace rungproof {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "frontend/drawing/network_view.hpp"
+#include "frontend/picture/network_view.hpp"
 #include "frontend/sides/program_difference.hpp"
 
 namespace rungproof {

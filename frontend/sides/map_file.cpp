@@ -5,9 +5,9 @@
 
 #include <charconv>
 
-#include "frontend/missing_address.hpp"
-#include "frontend/program_input.hpp"
-#include "ir/event.hpp"
+#include "frontend/input/program_input.hpp"
+#include "frontend/stl/missing_address.hpp"
+#include "ir/s7200/event.hpp"
 
 namespace rungproof {
 

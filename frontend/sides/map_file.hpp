@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "analysis/equivalence/address_pairs.hpp"
-#include "frontend/failure.hpp"
+#include "frontend/files/failure.hpp"
 #include "ir/program.hpp"
 
 namespace rungproof {

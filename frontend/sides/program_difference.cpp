@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "analysis/influence.hpp"
+#include "analysis/unread/influence.hpp"
 #include "engine/trace.hpp"
 
 namespace rungproof {
@@ -18,9 +18,9 @@ std::string nameWithSymbol(const Program& program, const Operand& operand) {
 }
 
 /// What one program's networks can influence, in the addresses of OLD where there is one.
-class Reach {
+class ReachOfChange {
  public:
-  Reach(const Program& program, const AddressPairs& pairs, bool isOld)
+  ReachOfChange(const Program& program, const AddressPairs& pairs, bool isOld)
       : program_(program), facts_(program), signals_(touchedSignals(program)), pairs_(pairs), isOld_(isOld) {}
 
   void add(NetworkChange& change, const NetworkRef& network, const std::vector<ObservedVerdict>& verdicts) const {
@@ -118,7 +118,7 @@ ProgramDifference differenceOf(const Sides& sides, const EquivalenceOptions& giv
   options.everyOutput = true;
   const ProgramMatch match = matchPrograms(*sides.runBefore, *sides.runAfter, sides.pairs);
   difference.equivalence = compareBehaviour(sides.oldSide(), sides.newSide(), options);
-  const Reach ofBefore(*sides.runBefore, sides.pairs, true), ofAfter(*sides.runAfter, sides.pairs, false);
+  const ReachOfChange ofBefore(*sides.runBefore, sides.pairs, true), ofAfter(*sides.runAfter, sides.pairs, false);
   for (const NetworkPair& pair : match.networks) {
     if (pair.isSame) continue;
     NetworkChange& change = difference.changes.emplace_back();

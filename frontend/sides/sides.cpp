@@ -5,12 +5,12 @@
 
 #include <algorithm>
 
-#include "analysis/access_index.hpp"
+#include "analysis/flow/access_index.hpp"
 #include "engine/trace.hpp"
-#include "frontend/missing_address.hpp"
-#include "frontend/run/trace_file.hpp"
 #include "frontend/sides/map_file.hpp"
-#include "ir/event.hpp"
+#include "frontend/simulation/trace_file.hpp"
+#include "frontend/stl/missing_address.hpp"
+#include "ir/s7200/event.hpp"
 
 namespace rungproof {
 

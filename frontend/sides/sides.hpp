@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/equivalence/product.hpp"
-#include "frontend/program_input.hpp"
+#include "frontend/input/program_input.hpp"
 
 namespace rungproof {
 

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <unordered_map>
 
-#include "frontend/drawn/drawn_scope.hpp"
+#include "frontend/graphical/drawn_scope.hpp"
 #include "frontend/simatic/simatic_reader.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 #include "frontend/xml/xml_shape.hpp"

@@ -6,8 +6,8 @@
 // Tested by tests/graphical/simatic_test.cpp and tests/graphical/damage_test.cpp.
 #pragma once
 
-#include "frontend/drawn/drawn_model.hpp"
-#include "frontend/file_reader.hpp"
+#include "frontend/files/file_reader.hpp"
+#include "frontend/graphical/drawn_model.hpp"
 #include "frontend/xml/xml_text.hpp"
 
 namespace rungproof {

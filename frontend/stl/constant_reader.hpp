@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "frontend/stl/encoding.hpp"
+#include "frontend/files/encoding.hpp"
 #include "ir/operand.hpp"
 
 namespace rungproof {

@@ -3,7 +3,7 @@
 // Tested by tests/reader/table_test.cpp.
 #pragma once
 
-#include "frontend/stl/encoding.hpp"
+#include "frontend/files/encoding.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 #include "frontend/stl/syntax_sink.hpp"
 

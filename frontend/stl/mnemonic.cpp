@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "frontend/closest_word.hpp"
+#include "frontend/files/closest_word.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 
 namespace rungproof {
@@ -22,9 +22,9 @@ std::string capitals(std::string_view text) {
 
 const Desc* lookUp(std::string_view name, Spelling spelling) {
   if (spelling == Spelling::German) {
-    if (const Desc* desc = instructionNamedGerman(name)) return desc;
+    if (const Desc* desc = s7200Instructions().namedGerman(name)) return desc;
   }
-  return instructionNamed(name);
+  return s7200Instructions().named(name);
 }
 
 /// Comparison signs of printed text and markup.
@@ -95,7 +95,7 @@ MnemonicResult findMnemonic(std::string_view word, const OperandContext& context
     std::transform(word.begin(), word.end(), buffer.begin(), upper);
     const std::string_view name(buffer.data(), word.size());
     if (const Desc* desc = lookUp(name, context.spelling)) return {desc, MnemonicMatch::Exact, word.size()};
-    if (const Desc* desc = instructionAlias(name)) return {desc, MnemonicMatch::LadderName, word.size()};
+    if (const Desc* desc = s7200Instructions().alias(name)) return {desc, MnemonicMatch::LadderName, word.size()};
   }
   if (word.size() <= 3 * longestMnemonic) {
     if (const Desc* desc = lookUpLookAlike(word, context.spelling))
@@ -133,7 +133,7 @@ std::string_view nearestMnemonic(std::string_view word) {
   const std::string name = capitals(word);
   std::string_view best;
   std::size_t bestDistance = name.size() <= 3 ? 2 : 3;
-  for (const Desc& desc : instructionTable()) {
+  for (const Desc& desc : s7200Instructions().all()) {
     const std::size_t longer = std::max(name.size(), desc.stl.size());
     if (desc.drawingOnly || 2 * longer - name.size() - desc.stl.size() >= bestDistance) continue;
     const std::size_t distance = editDistance(name, desc.stl);

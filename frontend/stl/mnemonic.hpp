@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "frontend/stl/operand_reader.hpp"
-#include "ir/isa.hpp"
+#include "ir/s7200/isa.hpp"
 
 namespace rungproof {
 

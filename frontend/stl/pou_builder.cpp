@@ -197,7 +197,6 @@ void PouBuilder::releaseTrailingComments() {
 }
 
 void PouBuilder::finish(std::uint32_t end) {
-  if (isFramed()) reportOpen();
   close(end);
   if (program_.pous.empty()) return;
   std::vector<Comment>& comments = program_.pous.back().comments;

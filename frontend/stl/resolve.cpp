@@ -7,7 +7,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "frontend/file_block.hpp"
+#include "frontend/stl/file_block.hpp"
 #include "frontend/stl/operand_reader.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 #include "frontend/stl/stl_statement.hpp"

@@ -67,8 +67,8 @@ Spelling detectSpelling(std::string_view text) {
     const std::string_view word = lexer.slice(line.words[0]);
     if (word.size() <= 4 && line.words.size() <= 3) {
       const char first = upper(word[0]);
-      if (first == 'U' && instructionNamedGerman(word) != nullptr) ++german;
-      if (first == 'A' && instructionNamed(word) != nullptr) ++international;
+      if (first == 'U' && s7200Instructions().namedGerman(word) != nullptr) ++german;
+      if (first == 'A' && s7200Instructions().named(word) != nullptr) ++international;
     }
     for (std::size_t i = 1; i < line.words.size(); ++i) {
       const std::string_view text2 = lexer.slice(line.words[i]);

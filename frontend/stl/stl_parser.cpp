@@ -21,6 +21,23 @@ namespace {
 
 enum class Section : std::uint8_t { Outside, Heading, Variables, Body, Data, Symbols };
 
+/// A heading or an end of a block or a table.
+bool opensOrEnds(Keyword keyword) {
+  switch (keyword) {
+    case Keyword::OrganizationBlock:
+    case Keyword::SubroutineBlock:
+    case Keyword::InterruptBlock:
+    case Keyword::DataBlock:
+    case Keyword::SymbolTable:
+    case Keyword::EndOrganizationBlock:
+    case Keyword::EndSubroutineBlock:
+    case Keyword::EndInterruptBlock:
+    case Keyword::EndDataBlock:
+    case Keyword::EndSymbolTable: return true;
+    default: return false;
+  }
+}
+
 class StlParser {
  public:
   StlParser(Program& program, const InputText& input, Spelling spelling)
@@ -41,12 +58,14 @@ class StlParser {
       }
       std::size_t length = 0;
       const Keyword keyword = keywordOf(word(0), length);
+      if (keyword == Keyword::None) lastLineFailed_ = false;
       if (keyword == Keyword::None) {
         plainLine();
       } else {
         keywordLine(keyword, length);
       }
     }
+    if (blocks_.isFramed() && !lastLineFailed_) blocks_.reportOpen();
     blocks_.finish(static_cast<std::uint32_t>(text_.size()));
     closeOpenTable();
   }
@@ -109,7 +128,12 @@ class StlParser {
       case Section::Variables:
         readDeclaration(text_, line_.begin, line_.end, variables_, sink_, blocks_.locals());
         break;
-      case Section::Data: data_.line(line_); break;
+      case Section::Data: {
+        const std::size_t before = program_.findings.size();
+        data_.line(line_);
+        lastLineFailed_ = program_.findings.size() > before;
+        break;
+      }
       case Section::Symbols: return symbolRow();
       default: return instructionLine();
     }
@@ -118,8 +142,9 @@ class StlParser {
 
   // Frames --------------------------------------------------------------------------------------------------------
 
+  /// An unreadable line in front of the next heading may be the end that is missing.
   void closeWhatIsOpen() {
-    if (blocks_.isFramed()) blocks_.reportOpen();
+    if (blocks_.isFramed() && !lastLineFailed_) blocks_.reportOpen();
     blocks_.close(line_.begin);
     closeOpenTable();
   }
@@ -139,6 +164,82 @@ class StlParser {
     blocks_.close(line_.end);
     section_ = Section::Outside;
     keepComment();
+  }
+
+  /// Keyword of the line, with `continuation_` as that line.
+  Keyword lookedAt() {
+    std::size_t length = 0;
+    return continuation_.words.empty() ? Keyword::None : keywordOf(lexer_.slice(continuation_.words[0]), length);
+  }
+  /// Keyword of the next line that has words; None behind the last one too.
+  Keyword nextKeyword() {
+    const std::uint32_t back = lexer_.position();
+    continuation_.words.clear();
+    while (continuation_.words.empty() && lexer_.next(continuation_)) {
+    }
+    const Keyword keyword = lookedAt();
+    lexer_.rewind(back);
+    return keyword;
+  }
+  /// The next heading or end of a block or table; the text is looked through once.
+  Keyword nextFrame() {
+    const std::uint32_t back = lexer_.position();
+    if (back < frameFrom_ || back >= frameAt_) {
+      frame_ = Keyword::None;
+      frameFrom_ = back;
+      while (frame_ == Keyword::None && lexer_.next(continuation_)) {
+        if (opensOrEnds(lookedAt())) frame_ = lookedAt();
+      }
+      frameAt_ = frame_ == Keyword::None ? static_cast<std::uint32_t>(text_.size()) + 1 : continuation_.begin;
+      lexer_.rewind(back);
+    }
+    return frame_;
+  }
+
+  /// The line stands where a heading is missing: what follows belongs to a block, or to a table, whose end is there.
+  bool readLostHeading() {
+    const Keyword end = nextFrame();
+    if (end == Keyword::EndDataBlock || end == Keyword::EndSymbolTable) {
+      outsideLine();
+      table_ = statementSpan();
+      data_.begin();
+      section_ = end == Keyword::EndDataBlock ? Section::Data : Section::Symbols;
+      return true;
+    }
+    const Keyword first = nextKeyword();
+    if (first == Keyword::None || opensOrEnds(first)) return false;
+    if (end != Keyword::EndOrganizationBlock && end != Keyword::EndSubroutineBlock && end != Keyword::EndInterruptBlock)
+      return false;
+    Heading heading;
+    heading.kind = end == Keyword::EndOrganizationBlock ? PouKind::Main
+                   : end == Keyword::EndSubroutineBlock ? PouKind::Subroutine
+                                                        : PouKind::Interrupt;
+    blocks_.open(std::move(heading), statementSpan(), true);
+    section_ = Section::Heading;
+    keepComment();
+    return true;
+  }
+
+  /// A line in the head of a block that is no instruction: the head goes on behind it, or declarations follow whose VAR
+  /// is missing.
+  bool readLostHeadLine() {
+    if (s7200Instructions().named(word(0)) != nullptr) return false;
+    const Keyword keyword = nextKeyword();
+    const bool isDeclared =
+        keyword == Keyword::None && slice(continuation_.begin, continuation_.end).find(':') != std::string_view::npos;
+    const bool isHead = keyword == Keyword::Title || keyword == Keyword::Begin || keyword == Keyword::Var ||
+                        keyword == Keyword::VarInput || keyword == Keyword::VarInOut || keyword == Keyword::VarOutput;
+    if (!isDeclared && !isHead) return false;
+    sink_.report(Syntax::Declaration, statementSpan(),
+                 isHead ? fmt::format("\"{}\" stands in the head of a block", statementText())
+                        : fmt::format("\"{}\" does not say which declarations follow", statementText()));
+    if (isDeclared) {
+      resumeSection_ = Section::Heading;
+      section_ = Section::Variables;
+      variables_ = VarSection::Temp;
+    }
+    keepComment();
+    return true;
   }
 
   void begin() {
@@ -195,7 +296,8 @@ class StlParser {
     if (!blocks_.isOpen()) section_ = Section::Outside;
   }
   void closeOpenTable() {
-    if (section_ == Section::Data || section_ == Section::Symbols) blocks_.reportOpen(table_, "table");
+    const bool isOpen = section_ == Section::Data || section_ == Section::Symbols;
+    if (isOpen && !lastLineFailed_) blocks_.reportOpen(table_, "table");
     section_ = Section::Outside;
   }
   void symbolRow() {
@@ -276,6 +378,8 @@ class StlParser {
         return keepComment();
       }
     }
+    if (!blocks_.isOpen() && readLostHeading()) return;
+    if (section_ == Section::Heading && readLostHeadLine()) return;
     if (!blocks_.isOpen()) {
       if (blocks_.hadBlock()) return outsideLine();
       openImplicitMain();
@@ -295,7 +399,10 @@ class StlParser {
         instruction_ = Instruction{};
         break;
       case StatementKind::Stray: blocks_.addComment(span); break;
-      case StatementKind::Failed: blocks_.addDamage(span.offset); break;
+      case StatementKind::Failed:
+        blocks_.addDamage(span.offset);
+        lastLineFailed_ = true;
+        break;
     }
     keepComment();
   }
@@ -306,7 +413,7 @@ class StlParser {
     while (line_.endsWithComma && !line_.hasComment() && line_.words.size() < mostWords) {
       const std::uint32_t back = lexer_.position();
       if (!lexer_.next(continuation_) || continuation_.words.empty() || continuation_.isBanner ||
-          instructionNamed(lexer_.slice(continuation_.words[0])) != nullptr) {
+          s7200Instructions().named(lexer_.slice(continuation_.words[0])) != nullptr) {
         return lexer_.rewind(back);
       }
       sink_.report(Syntax::LenientSpelling, sink_.span(line_.begin, continuation_.end),
@@ -336,6 +443,9 @@ class StlParser {
   Section resumeSection_ = Section::Outside;
   VarSection variables_ = VarSection::Temp;
   Span table_;
+  Keyword frame_ = Keyword::None;  ///< nextFrame(): what was found, behind where, and where
+  std::uint32_t frameFrom_ = 0, frameAt_ = 0;
+  bool lastLineFailed_ = false;  ///< the last line that is no keyword made no instruction
   std::size_t outsideFinding_ = 0;
   int outsideLines_ = 0;
 };

@@ -4,7 +4,7 @@
 // Tested by tests/reader/stl_parser_test.cpp, older_dialect_test.cpp, damage_test.cpp.
 #pragma once
 
-#include "frontend/file_reader.hpp"
+#include "frontend/files/file_reader.hpp"
 
 namespace rungproof {
 

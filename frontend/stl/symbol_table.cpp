@@ -7,7 +7,7 @@
 #include <array>
 
 #include "frontend/stl/stl_lexer.hpp"
-#include "ir/isa.hpp"
+#include "ir/s7200/isa.hpp"
 
 namespace rungproof {
 
@@ -163,7 +163,8 @@ int symbolRowShare(std::string_view text, Spelling spelling) {
     const Row row = splitRow(text, begin, end, separator);
     std::size_t name = 0, address = 0;
     Operand operand;
-    const bool isInstruction = instructionNamed(trimmed(head.substr(0, head.find_first_of("\t,; ")))) != nullptr;
+    const bool isInstruction =
+        s7200Instructions().named(trimmed(head.substr(0, head.find_first_of("\t,; ")))) != nullptr;
     const bool isRow = !isInstruction && findRow(text, row, spelling, name, address, operand);
     if (isRow || (lines == 1 && isHeader(line))) ++rows;
   }

@@ -1,10 +1,10 @@
 // Traces as CSV: scan, time_ms at the end of the scan, scan_ms, event if interrupts are known (old.event and
 // new.event where they come at different places of two programs), device if
 // devices do only what stands there, then one column per signal. The file is a stimulus as well: having time_ms behind
-// scan, it is known as a recording (frontend/run/stimulus_reader.hpp). Tested by tests/trace/csv_test.cpp.
+// scan, it is known as a recording (frontend/simulation/stimulus_reader.hpp). Tested by tests/trace/csv_test.cpp.
 #include <ostream>
 
-#include "frontend/trace/format.hpp"
+#include "frontend/trace_format.hpp"
 
 namespace rungproof {
 

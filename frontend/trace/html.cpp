@@ -3,10 +3,10 @@
 // sees the static diagram. Tested by tests/trace/drawing_test.cpp.
 #include <ostream>
 
-#include "frontend/json.hpp"
-#include "frontend/run/timing_diagram.hpp"
-#include "frontend/trace/format.hpp"
-#include "frontend/trace/page.hpp"
+#include "frontend/files/json.hpp"
+#include "frontend/picture/timing_diagram.hpp"
+#include "frontend/trace_format.hpp"
+#include "frontend/trace_page.hpp"
 
 namespace rungproof {
 
@@ -19,7 +19,7 @@ button{font:inherit;padding:.1em .6em}
 svg text{font:12px sans-serif}.w{fill:none;stroke:#000;stroke-width:1.5}.b{fill:#fff;stroke:#000}.x{fill:#ddd;stroke:#999}
 .n{text-anchor:middle}.a{text-anchor:middle;fill:#57606a}.g{stroke:#e4e7eb}.c{stroke:#c62828;stroke-width:1.5}
 table{border-collapse:collapse}td,th{border:1px solid #d8dee4;padding:.1em .6em;text-align:left}td.v{text-align:right}
-.changed{background:#fff3cd}
+.changed{background:#fff3cd}.wrong{background:#ffd7d5}.e .w{stroke:#1a7f37;stroke-dasharray:4 2}.e .b{stroke:#1a7f37}.d{fill:#ffd7d5}.p{fill:#1a7f37}
 #below{display:flex;gap:2em;align-items:flex-start;flex-wrap:wrap}#drawings{display:flex;flex-direction:column}.drawn h3{margin:.6em 0 .2em;font-size:1em}.drawn[hidden]{display:none}.drawn svg{display:block}
 )";
 
@@ -46,6 +46,7 @@ const lanes = signals.map((s, i) => runs(i));
 function drawLane(i) {
   const y = top + i * lane;
   let text = "", path = "", pen = false;
+  for (const r of signals[i].wrong || []) text += `<rect class="d" x="${labelWidth + r * unit}" y="${y - lane - 4}" width="${unit}" height="${lane + level + 8}"/>`;
   for (const run of lanes[i]) {
     const x = labelWidth + run.row * unit, end = x + run.count * unit;
     if (run.value === null) {
@@ -60,7 +61,7 @@ function drawLane(i) {
       if (shown(run.value).length * 7 < end - x) text += `<text class="n" x="${(x + end) / 2}" y="${y + level - 3}">${shown(run.value)}</text>`;
     }
   }
-  return text + `<path class="w" d="${path}"/>`;
+  return `<g${signals[i].of === undefined ? "" : ' class="e"'}>${text}<path class="w" d="${path}"/></g>`;
 }
 function draw() {
   const width = labelWidth + rows.length * unit + 20, bottom = top + signals.length * lane;
@@ -71,10 +72,10 @@ function draw() {
     text += `<path class="g" d="M${x} ${top}V${bottom}"/><text class="a" x="${x}" y="${bottom + 14}">${rows[r].scan || rows[r].time_ms}</text>`;
     free = x + 44;
   }
-  for (let i = 0; i < signals.length; ++i) text += drawLane(i);
+  for (const late of [false, true]) for (let i = 0; i < signals.length; ++i) if ((signals[i].of === undefined) === late) text += drawLane(i);
   const at = labelWidth + (cursor + 0.5) * unit;
   text += `<path class="c" d="M${at} 0V${bottom}"/>`;
-  const names = signals.map((s, i) => `<text x="4" y="${top + i * lane + level - 3}">${escapeText(s.name)}</text>`).join("");
+  const names = signals.map((s, i) => `<text${s.of === undefined ? "" : ' class="p"'} x="4" y="${top + i * lane + level - 3}">${escapeText(s.name)}</text>`).join("");
   document.getElementById("view").innerHTML = `<svg width="${width}" height="${bottom + 24}">${text}<g id="names"><rect width="${labelWidth - 6}" height="${bottom}" fill="#fff"/>${names}</g></svg>`;
   keepNames();
   showValues();
@@ -89,7 +90,7 @@ function showValues() {
   const row = rows[cursor], before = cursor ? rows[cursor - 1] : row;
   document.getElementById("where").textContent = (row.scan ? `scan ${row.scan}, ` : "") + `${row.time_ms} ms`;
   document.getElementById("values").innerHTML = "<tr><th>signal</th><th>value</th></tr>" + signals.map((s, i) =>
-    `<tr${row.values[i] !== before.values[i] ? ' class="changed"' : ""}><td>${escapeText(s.name)}</td><td class="v">${shown(row.values[i])}</td></tr>`).join("");
+    `<tr${(s.wrong || []).includes(cursor) ? ' class="wrong"' : row.values[i] !== before.values[i] ? ' class="changed"' : ""}><td>${escapeText(s.name)}</td><td class="v">${shown(row.values[i])}</td></tr>`).join("");
 }
 function go(to) {
   cursor = Math.max(0, Math.min(rows.length - 1, to));
@@ -123,7 +124,7 @@ draw();
 })();
 )";
 
-std::string dataJson(const Trace& trace, const TraceDrawings& drawings) {
+std::string dataJson(const Trace& trace, const TraceDrawings& drawings, const ExpectedLanes& expected) {
   Json json = {{"signals", Json::array()}, {"rows", Json::array()}};
   json["pages"] = Json::array();
   for (const std::vector<std::size_t>& pages : drawings.pagesOf) {
@@ -131,9 +132,15 @@ std::string dataJson(const Trace& trace, const TraceDrawings& drawings) {
     for (const std::size_t page : pages) row.push_back(page);
     json["pages"].push_back(std::move(row));
   }
-  for (const TraceSignal& signal : trace.signals) {
+  for (std::size_t i = 0; i < trace.signals.size(); ++i) {
+    const TraceSignal& signal = trace.signals[i];
     json["signals"].push_back(
         {{"name", signal.symbol.empty() ? signal.name : signal.name + " " + signal.symbol}, {"bits", signal.width()}});
+    if (i >= expected.of.size() || expected.of[i] < 0) continue;
+    Json wrong = Json::array();
+    for (const std::size_t row : expected.wrong[i]) wrong.push_back(row);
+    json["signals"].back()["of"] = expected.of[i];
+    json["signals"].back()["wrong"] = std::move(wrong);
   }
   for (const TraceRow& row : trace.rows) {
     Json values = Json::array();
@@ -151,7 +158,8 @@ void write(const Trace& trace, std::string_view title, std::ostream& out) { writ
 
 }  // namespace
 
-void writeTracePage(const Trace& trace, std::string_view title, const TraceDrawings& drawings, std::ostream& out) {
+void writeTracePage(const Trace& trace, std::string_view title, const TraceDrawings& drawings, std::ostream& out,
+                    const ExpectedLanes& expected) {
   const std::string heading = xmlText(title.empty() ? "trace" : title);
   out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" << heading << "</title><style>"
       << style << drawings.style << "</style></head><body>\n<h1>" << heading
@@ -165,7 +173,7 @@ void writeTracePage(const Trace& trace, std::string_view title, const TraceDrawi
   for (const std::string& page : drawings.pages) out << page;
   if (drawings.pagesOf.size() < trace.rows.size() && !drawings.pages.empty())
     out << "<p>Scans behind the first " << drawings.pagesOf.size() << " are not drawn.</p>\n";
-  out << "</div></div>\n<script type=\"application/json\" id=\"data\">" << dataJson(trace, drawings)
+  out << "</div></div>\n<script type=\"application/json\" id=\"data\">" << dataJson(trace, drawings, expected)
       << "</script>\n<script>" << script << "</script>\n</body></html>\n";
 }
 

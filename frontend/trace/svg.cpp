@@ -1,8 +1,8 @@
 // Traces as a drawing: a timing diagram in the look of the manual. Tested by tests/trace/drawing_test.cpp.
 #include <ostream>
 
-#include "frontend/run/timing_diagram.hpp"
-#include "frontend/trace/format.hpp"
+#include "frontend/picture/timing_diagram.hpp"
+#include "frontend/trace_format.hpp"
 
 namespace rungproof {
 

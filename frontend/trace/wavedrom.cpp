@@ -2,8 +2,8 @@
 // rest stand in groups. Tested by tests/trace/drawing_test.cpp.
 #include <ostream>
 
-#include "frontend/json.hpp"
-#include "frontend/trace/format.hpp"
+#include "frontend/files/json.hpp"
+#include "frontend/trace_format.hpp"
 
 namespace rungproof {
 

@@ -2,8 +2,8 @@
 // tests/show/scan_test.cpp holds.
 #include <benchmark/benchmark.h>
 
-#include "frontend/drawing/network_view.hpp"
-#include "frontend/project.hpp"
+#include "frontend/input/project.hpp"
+#include "frontend/picture/network_view.hpp"
 #include "tests/bench/long_program.hpp"
 
 namespace rungproof::testing {

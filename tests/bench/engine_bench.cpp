@@ -3,14 +3,14 @@
 #include <benchmark/benchmark.h>
 
 #include "engine/simulator.hpp"
-#include "ir/isa.hpp"
+#include "ir/s7200/isa.hpp"
 
 namespace rungproof {
 namespace {
 
 Instruction make(std::string_view mnemonic, std::vector<Operand> operands = {}) {
   Instruction instruction;
-  instruction.desc = instructionNamed(mnemonic);
+  instruction.desc = s7200Instructions().named(mnemonic);
   instruction.operands = std::move(operands);
   return instruction;
 }

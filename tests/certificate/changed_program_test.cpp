@@ -11,7 +11,7 @@
 #include "analysis/graph/evaluate.hpp"
 #include "analysis/portfolio/portfolio.hpp"
 #include "analysis/proof/as_written.hpp"
-#include "ir/isa.hpp"
+#include "ir/s7200/isa.hpp"
 #include "tests/corpus/corpus_program.hpp"
 
 namespace rungproof::test {
@@ -27,10 +27,10 @@ struct Encoded {
           const ProverOptions& options) {
     EncoderOptions encoding = encoderOptionsOf(options);
     encoding.trail = std::make_shared<Trail>();
-    simplified = std::make_unique<ProofSide>(program, set, goals, encoding, CheckGroups{});
+    simplified = std::make_unique<QuestionSystem>(program, set, goals, encoding, CheckGroups{});
     encoding.trail->isFollowed = true;
-    written = std::make_unique<AsWritten>(*simplified,
-                                          std::make_unique<ProofSide>(program, set, goals, encoding, CheckGroups{}));
+    written = std::make_unique<AsWritten>(
+        *simplified, std::make_unique<QuestionSystem>(program, set, goals, encoding, CheckGroups{}));
   }
   std::vector<QuestionAnswer> answers() const {
     PortfolioOptions options;
@@ -39,7 +39,7 @@ struct Encoded {
     options.jobs = 1;
     return answerQuestions(simplified->system(), options);
   }
-  std::unique_ptr<ProofSide> simplified;
+  std::unique_ptr<QuestionSystem> simplified;
   std::unique_ptr<AsWritten> written;
 };
 
@@ -88,8 +88,8 @@ const Desc* opposite(const Instruction& instruction) {
   static const std::array<std::pair<const char*, const char*>, 6> pairs = {
       {{"LD", "LDN"}, {"A", "AN"}, {"O", "ON"}, {"S", "R"}, {"ALD", "OLD"}, {"EU", "ED"}}};
   for (const auto& [one, other] : pairs) {
-    if (instruction.desc->stl == one) return instructionNamed(other);
-    if (instruction.desc->stl == other) return instructionNamed(one);
+    if (instruction.desc->stl == one) return s7200Instructions().named(other);
+    if (instruction.desc->stl == other) return s7200Instructions().named(one);
   }
   return nullptr;
 }

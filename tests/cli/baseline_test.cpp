@@ -1,9 +1,9 @@
 // The baseline: what it holds, what it hides, when it is stale, and that edits elsewhere leave it alone.
-#include "frontend/page/baseline.hpp"
+#include "frontend/linting/baseline.hpp"
 
 #include <gtest/gtest.h>
 
-#include "frontend/page/fingerprint.hpp"
+#include "frontend/linting/fingerprint.hpp"
 
 namespace rungproof {
 namespace {

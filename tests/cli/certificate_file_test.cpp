@@ -1,8 +1,8 @@
 // The head of a certificate file says what was proved of which program and how to check it.
 #include <gtest/gtest.h>
 
-#include "frontend/cli.hpp"
-#include "frontend/page/certificate_head.hpp"
+#include "frontend/cli/cli.hpp"
+#include "frontend/explain/certificate_head.hpp"
 #include "program_run.hpp"
 
 namespace rungproof::test {

@@ -1,5 +1,5 @@
 // Excerpts: the mark stands below the characters of the span, whatever they are.
-#include "frontend/page/excerpt.hpp"
+#include "frontend/text/excerpt.hpp"
 
 #include <gtest/gtest.h>
 

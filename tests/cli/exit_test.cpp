@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "frontend/command/command.hpp"
+#include "frontend/command.hpp"
 #include "frontend/settings/config.hpp"
 #include "ir/hazard.hpp"
 #include "program_run.hpp"

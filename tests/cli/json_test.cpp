@@ -1,5 +1,5 @@
-// Values of frontend/json.hpp: their text, and the way back.
-#include "frontend/json.hpp"
+// Values of frontend/files/json.hpp: their text, and the way back.
+#include "frontend/files/json.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "frontend/cli.hpp"
+#include "frontend/cli/cli.hpp"
 
 namespace rungproof::test {
 

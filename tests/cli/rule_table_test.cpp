@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "analysis/lint.hpp"
+#include "analysis/lint/lint.hpp"
 #include "frontend/settings/code_list.hpp"
 #include "program_run.hpp"
 

@@ -1,7 +1,7 @@
 // Values of the common options: defaults, forms of times, ranks of origins, values that exclude each other.
 #include <gtest/gtest.h>
 
-#include "frontend/closest_word.hpp"
+#include "frontend/files/closest_word.hpp"
 #include "frontend/settings/options.hpp"
 
 namespace rungproof {
@@ -37,7 +37,7 @@ TEST(ScanTimeOption, IsOneTimeOrTwoInOrder) {
 
 TEST(Settings, BeginWithTheDefaultsOfTheTable) {
   const Settings settings;
-  EXPECT_EQ(settings.target().cpu, Cpu::Cpu226);               // the default
+  EXPECT_EQ(settings.target().cpu, s7200Cpu("226"));           // the default
   EXPECT_EQ(settings.target().edition, Edition::Edition2004);  // default 2004
   EXPECT_EQ(settings.timeout(), Duration(30s));
   EXPECT_EQ(settings.level(), Severity::Note);

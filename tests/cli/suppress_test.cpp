@@ -1,9 +1,9 @@
 // Allow-comments: how they are read, for what they speak, and what is said of those that silence nothing.
-#include "analysis/suppress.hpp"
+#include "analysis/lint/suppress.hpp"
 
 #include <gtest/gtest.h>
 
-#include "frontend/project.hpp"
+#include "frontend/input/project.hpp"
 #include "program_run.hpp"
 
 namespace rungproof {

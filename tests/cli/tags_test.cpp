@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "frontend/settings/external_range.hpp"
-#include "frontend/tag_list.hpp"
+#include "frontend/input/tag_list.hpp"
+#include "frontend/property/external_range.hpp"
 #include "program_run.hpp"
 
 namespace rungproof {

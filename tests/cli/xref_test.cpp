@@ -1,9 +1,9 @@
 // The cross reference: entries by address and width, overlaps, free ranges, questions for one address.
-#include "analysis/xref.hpp"
+#include "analysis/flow/xref.hpp"
 
 #include <gtest/gtest.h>
 
-#include "frontend/program_input.hpp"
+#include "frontend/input/program_input.hpp"
 #include "program_run.hpp"
 
 namespace rungproof {

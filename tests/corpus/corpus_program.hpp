@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "analysis/proof/prover.hpp"
-#include "frontend/program_input.hpp"
+#include "frontend/input/program_input.hpp"
 #include "frontend/settings/retentive_range.hpp"
 
 namespace rungproof::test {

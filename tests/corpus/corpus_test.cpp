@@ -14,7 +14,7 @@
 #include <set>
 #include <sstream>
 
-#include "frontend/cli.hpp"
+#include "frontend/cli/cli.hpp"
 #include "tests/corpus/corpus_program.hpp"
 
 namespace rungproof {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/portfolio/portfolio.hpp"
-#include "analysis/proof/proof_side.hpp"
+#include "analysis/proof/question_system.hpp"
 #include "tests/corpus/corpus_program.hpp"
 
 namespace rungproof::test {
@@ -16,8 +16,8 @@ TEST(CorpusInduction, TwentyPropertiesNeedMoreThanOneScan) {
     const std::map<std::string, std::string> verdicts = trueVerdicts(path);
     if (verdicts.empty()) continue;
     const ProgramInput input = corpusInput(path);
-    ProofSide side(input.program, input.properties, goalsOf(input.properties), encoderOptionsOf(proverOptions(path)),
-                   {});
+    QuestionSystem side(input.program, input.properties, goalsOf(input.properties),
+                        encoderOptionsOf(proverOptions(path)), {});
     PortfolioOptions options;
     options.effort = Effort::Together;
     options.check = false;

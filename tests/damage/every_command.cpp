@@ -10,9 +10,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "analysis/unread_code.hpp"
-#include "frontend/cli.hpp"
-#include "frontend/project.hpp"
+#include "analysis/unread/unread_code.hpp"
+#include "frontend/cli/cli.hpp"
+#include "frontend/input/project.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rungproof::test {

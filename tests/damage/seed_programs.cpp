@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "analysis/rule.hpp"
-#include "ir/isa.hpp"
+#include "ir/s7200/isa.hpp"
 
 namespace rungproof::test {
 
@@ -122,7 +122,7 @@ class Slips {
       if (word > at) found.push_back({at, word - at});
       at = end + 1;
     }
-    const auto all = instructionTable();
+    const auto all = s7200Instructions().all();
     replaceOne(found, std::string(all[below(all.size())].stl));
   }
 

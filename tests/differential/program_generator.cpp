@@ -1,7 +1,8 @@
 // Generation of random programs.
 #include "tests/differential/program_generator.hpp"
 
-#include "ir/isa.hpp"
+#include "ir/s7200/cpu.hpp"
+#include "ir/s7200/isa.hpp"
 
 namespace rungproof {
 
@@ -9,7 +10,7 @@ namespace {
 
 Instruction make(std::string_view mnemonic, std::vector<Operand> operands = {}) {
   Instruction instruction;
-  instruction.desc = instructionNamed(mnemonic);
+  instruction.desc = s7200Instructions().named(mnemonic);
   instruction.operands = std::move(operands);
   return instruction;
 }
@@ -208,7 +209,7 @@ class Generator {
   }
   void compare() {
     static constexpr std::string_view compares[] = {"AW>=", "OW<", "AB=", "AD<=", "OW<>", "AR>", "OB>="};
-    emitFrom(*instructionNamed(compares[r_.below(7)]));
+    emitFrom(*s7200Instructions().named(compares[r_.below(7)]));
   }
 
   void load() { emit(r_.chance(20) ? "LDN" : "LD", {bit()}); }
@@ -248,7 +249,7 @@ class Generator {
       out_->push_back(std::move(instruction));
       return;
     }
-    const std::span<const Desc> table = instructionTable();
+    const std::span<const Desc> table = s7200Instructions().all();
     for (int tries = 0; tries < 20; ++tries) {
       const Desc& desc = table[r_.below(static_cast<std::uint32_t>(table.size()))];
       const bool isPlain =

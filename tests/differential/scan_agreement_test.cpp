@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <set>
 
-#include "analysis/cone_of_influence.hpp"
-#include "analysis/proof/scan_run.hpp"
+#include "analysis/unread/cone_of_influence.hpp"
+#include "analysis/witness/scan_run.hpp"
 #include "tests/differential/program_generator.hpp"
 
 namespace rungproof {
@@ -228,7 +228,7 @@ TEST(ScanAgreement, Pointers) {
   runAll({.rungs = 6, .loops = false, .subroutines = false, .pointers = true}, {}, 40, 60, 50000);
 }
 
-constexpr Target smartTarget{Cpu::St60, Edition::Smart28};
+constexpr Target smartTarget{s7200Cpu("ST60"), Edition::Smart28};
 
 TEST(ScanAgreement, SmartPrograms) {
   runAll({.rungs = 8, .loops = false, .target = smartTarget}, anyMemory(), 60, 60, 90000);

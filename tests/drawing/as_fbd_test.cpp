@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "frontend/drawing/network_view.hpp"
+#include "frontend/picture/network_view.hpp"
 #include "ir/desc.hpp"
 #include "tests/drawing/equality.hpp"
 #include "tests/drawing/networks.hpp"

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <set>
 
-#include "frontend/project.hpp"
+#include "frontend/input/project.hpp"
 #include "tests/corpus/corpus_program.hpp"
 #include "tests/drawing/equality.hpp"
 #include "tests/drawing/networks.hpp"
@@ -58,7 +58,7 @@ bool mayBeFaulty(std::string_view place) {
 }
 
 Target targetOf(std::string_view place) {
-  return place.starts_with("smart/") ? Target{Cpu::St60, Edition::Smart28} : Target{};
+  return place.starts_with("smart/") ? Target{s7200Cpu("ST60"), Edition::Smart28} : Target{};
 }
 
 TEST(CorpusNetworks, EveryNetworkHasAPictureOrAReason) {

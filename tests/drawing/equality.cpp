@@ -11,8 +11,8 @@
 
 #include "analysis/encoding/symbolic_store.hpp"
 #include "analysis/graph/z3_terms.hpp"
-#include "ir/args.hpp"
-#include "ir/dispatch.hpp"
+#include "ir/s7200/args.hpp"
+#include "ir/s7200/dispatch.hpp"
 
 namespace rungproof::testing {
 
@@ -46,6 +46,7 @@ class World final : public CellSource, public Graph::Listener {
     hasPointers = ref.isUnresolved = true;
     return graph.constant(true);
   }
+  std::optional<std::vector<std::uint64_t>> locations(Machine<Graph>&, Graph::Bits) override { return std::nullopt; }
   Graph::Bits unresolved(Machine<Graph>&, int width) override { return graph.literal(0, width); }
   void havoc(Machine<Graph>&) override { hasPointers = true; }
 
@@ -68,7 +69,7 @@ Program wrapped(std::vector<Instruction> instructions, const Target& target) {
 class Side {
  public:
   Side(World& world, const Program& program, const MemoryLayout& layout, const Plan& plan)
-      : program_(program), store_(world.graph, layout, world, plan.edgeCount), machine_(world.graph, store_, plan) {
+      : program_(program), store_(world.graph, layout, world, plan), machine_(world.graph, store_, plan) {
     world.beginSide();
     store_.follow(&machine_);
   }
@@ -211,7 +212,7 @@ std::string difference(const Drawing& drawing, const std::vector<Instruction>& i
   }
   const Program left = wrapped(std::move(drawn), target), right = wrapped(instructions, target);
   Plan leftPlan(left), rightPlan(right);
-  MemoryLayout layout(left.target);
+  MemoryLayout layout(leftPlan);
   layout.add(Area::SM, Width::Bit, 0);
   layout.add(left, leftPlan);
   layout.add(right, rightPlan);
@@ -234,7 +235,7 @@ std::string difference(const Drawing& drawing, const std::vector<Instruction>& i
 std::string difference(const std::vector<Instruction>& a, const std::vector<Instruction>& b, const Target& target) {
   const Program left = wrapped(a, target), right = wrapped(b, target);
   const Plan leftPlan(left), rightPlan(right);
-  MemoryLayout layout(left.target);
+  MemoryLayout layout(leftPlan);
   layout.add(Area::SM, Width::Bit, 0);
   layout.add(left, leftPlan);
   layout.add(right, rightPlan);

@@ -3,7 +3,7 @@
 // for branches (000:795-810) and calls (001:10223-10238).
 #include <gtest/gtest.h>
 
-#include "ir/isa.hpp"
+#include "ir/s7200/isa.hpp"
 #include "tests/drawing/equality.hpp"
 #include "tests/drawing/networks.hpp"
 
@@ -117,7 +117,7 @@ TEST(Lower, WhatTheStackCannotFollowWaitsInBits) {
 
 TEST(Lower, IecTimerHandsOnItsOutput) {  // Q left open: the bit is read behind the box
   Element timer = box("TON T37, +5", {w(1)});
-  timer.desc = instructionNamed("TON.IEC");
+  timer.desc = s7200Instructions().named("TON.IEC");
   const Drawing drawing =
       drawingOf({contact("LD I0.0", w(0)), std::move(timer), contact("LD I0.1", w(2)), coil("= Q0.0", w(3))});
   EXPECT_EQ(proven(drawing), "LD I0.0; TON.IEC T37, +5, L60.0; LD L60.0; A I0.1; = Q0.0");
@@ -130,7 +130,7 @@ TEST(Lower, IecTimerHandsOnItsOutput) {  // Q left open: the bit is read behind 
 
 TEST(Lower, BistableTakesTwoLevelsAndLeavesItsOutput) {  // S deepest, R on top; as a drawing it comes back
   Element bistable = box("= M0.0", {w(2), w(3)});
-  bistable.desc = instructionNamed("SR");
+  bistable.desc = s7200Instructions().named("SR");
   const Drawing drawing =
       drawingOf({contact("LD I0.0", w(0)), contact("LD I0.1", w(1)), contact("LD I0.2", w(0)), std::move(bistable),
                  coil("= Q0.0", w(4)), contact("LD I0.3", w(4)), coil("= Q0.1", w(6))});

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "frontend/project.hpp"
+#include "frontend/input/project.hpp"
 #include "ir/desc.hpp"
 
 namespace rungproof::testing {

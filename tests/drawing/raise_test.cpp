@@ -2,9 +2,9 @@
 // drawings follow from what each stack instruction does (001:2825-2872).
 #include <gtest/gtest.h>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
-#include "frontend/project.hpp"
+#include "frontend/input/project.hpp"
 #include "tests/drawing/networks.hpp"
 
 namespace rungproof::testing {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "ir/isa.hpp"
+#include "ir/s7200/isa.hpp"
 #include "tests/drawing/networks.hpp"
 
 namespace rungproof::testing {
@@ -205,7 +205,7 @@ Drawing randomDrawing(std::mt19937_64& random, std::size_t size) {
     std::vector<Element> result;
     for (const Choice& choice : choices) {
       result.push_back(element(choice.shape, choice.instruction, {}));
-      if (!choice.drawingOnly.empty()) result.back().desc = instructionNamed(choice.drawingOnly);
+      if (!choice.drawingOnly.empty()) result.back().desc = s7200Instructions().named(choice.drawingOnly);
     }
     return result;
   }();

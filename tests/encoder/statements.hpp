@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "ir/isa.hpp"
 #include "ir/program.hpp"
+#include "ir/s7200/isa.hpp"
 
 namespace rungproof {
 
@@ -70,7 +70,7 @@ inline Program programOf(std::string_view text) {
       continue;
     }
     Instruction instruction;
-    instruction.desc = instructionNamed(mnemonic);
+    instruction.desc = s7200Instructions().named(mnemonic);
     if (instruction.desc == nullptr) throw std::runtime_error("mnemonic " + mnemonic);
     std::istringstream operands(rest);
     while (std::getline(operands, operand, ',')) {

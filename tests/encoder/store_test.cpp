@@ -27,9 +27,9 @@ struct StoreRig {
   explicit StoreRig(std::string_view touched)
       : program(programOf(touched)),
         plan(program),
-        layout(program.target),
+        layout(plan),
         cells(graph),
-        store((layout.add(program, plan), graph), layout, cells, 0) {}
+        store((layout.add(program, plan), graph), layout, cells, plan) {}
   Program program;
   Plan plan;
   Graph graph;

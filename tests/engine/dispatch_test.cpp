@@ -6,8 +6,8 @@
 
 #include "engine/dispatch_concrete.hpp"
 #include "engine/start_up.hpp"
-#include "ir/isa.hpp"
-#include "ir/scan.hpp"
+#include "ir/s7200/isa.hpp"
+#include "ir/s7200/scan.hpp"
 
 namespace rungproof {
 namespace {
@@ -46,7 +46,7 @@ Program randomProgram(std::mt19937& random) {
   program.pous[0].networks.push_back({});
   for (int i = 0; i < 200; ++i) {
     Instruction instruction;
-    instruction.desc = instructionNamed(names[random() % names.size()]);
+    instruction.desc = s7200Instructions().named(names[random() % names.size()]);
     if (instruction.desc->operandCount == 1) {
       Area area = areas[random() % areas.size()];
       if (instruction.desc->stl == "=I") area = Area::Q;
@@ -77,7 +77,7 @@ TEST(Dispatch, FormsForAreasAgreeWithTheGeneralForms) {
 
 TEST(Dispatch, ControlInstructionsHaveNoFunction) {
   Instruction jump;
-  jump.desc = instructionNamed("JMP");
+  jump.desc = s7200Instructions().named("JMP");
   jump.operands.push_back(constant(1));
   EXPECT_EQ(executionOf(jump), nullptr);
 }

@@ -32,10 +32,10 @@ TEST(InterruptQueue, DepthsFollowTheCpu) {
     while (queue.add(event, static_cast<std::uint64_t>(count))) ++count;
     return count;
   };
-  EXPECT_EQ(room(Cpu::Cpu224, 8), 4);  // table 6-48, 001:5486-5489
-  EXPECT_EQ(room(Cpu::Cpu226, 8), 8);
-  EXPECT_EQ(room(Cpu::Cpu224, 0), 16);
-  EXPECT_EQ(room(Cpu::Cpu226, 10), 8);
+  EXPECT_EQ(room(s7200Cpu("224"), 8), 4);  // table 6-48, 001:5486-5489
+  EXPECT_EQ(room(s7200Cpu("226"), 8), 8);
+  EXPECT_EQ(room(s7200Cpu("224"), 0), 16);
+  EXPECT_EQ(room(s7200Cpu("226"), 10), 8);
 }
 
 // Event 10 sets, event 11 of the double period resets. Both are due together at 100 ms: with 10 before 11 the output is

@@ -1,5 +1,5 @@
 // Library blocks: names, output parameters, values from outside (chapters 7 to 15 of the manual).
-#include "ir/library_block.hpp"
+#include "ir/s7200/library_block.hpp"
 #include "tests/engine/rig.hpp"
 
 namespace rungproof {

@@ -8,7 +8,7 @@
 
 #include "engine/simulator.hpp"
 #include "engine/trace.hpp"
-#include "frontend/project.hpp"
+#include "frontend/input/project.hpp"
 #include "frontend/stl/operand_reader.hpp"
 
 namespace rungproof {

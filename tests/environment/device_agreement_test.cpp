@@ -2,7 +2,7 @@
 // after every scan, so that what proofs let devices write is what the engine takes from a script, no more and no less.
 #include <random>
 
-#include "analysis/proof/scan_run.hpp"
+#include "analysis/witness/scan_run.hpp"
 #include "tests/prover/proved_text.hpp"
 
 namespace rungproof::test {

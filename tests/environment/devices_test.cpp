@@ -3,12 +3,12 @@
 // that breaks a property is repeated by the reference engine, and its trace is a stimulus that repeats it again.
 #include <sstream>
 
-#include "analysis/lint.hpp"
+#include "analysis/lint/lint.hpp"
 #include "engine/stimulus.hpp"
-#include "frontend/run/stimulus_reader.hpp"
-#include "frontend/run/witness_report.hpp"
-#include "frontend/solver_rules.hpp"
-#include "frontend/trace/format.hpp"
+#include "frontend/linting/solver_rules.hpp"
+#include "frontend/simulation/stimulus_reader.hpp"
+#include "frontend/simulation/witness_report.hpp"
+#include "frontend/trace_format.hpp"
 #include "tests/engine/rig.hpp"
 #include "tests/prover/proved_text.hpp"
 

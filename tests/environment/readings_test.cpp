@@ -120,7 +120,7 @@ TEST(Readings, FactsOfThePlantAreNamed) {
   EXPECT_EQ(sampled.outcome, Outcome::Proved);
   EXPECT_TRUE(assumes(sampled, "analog-sampling = each-scan"));
   test::Asked clock{"LD SM0.0;TODR VB0", "VB0 = 0", 10};
-  clock.target.cpu = Cpu::Cpu221;
+  clock.target.cpu = s7200Cpu("221");
   const ProofResult absent = asked(clock);
   EXPECT_EQ(absent.outcome, Outcome::Proved);
   EXPECT_TRUE(assumes(absent, "clock-module = absent"));

@@ -1,7 +1,7 @@
 // Special memory as the manual's tables D-1 to D-20 describe it, row by row, and what programs see of SM0 and of bits
 // that the surroundings choose. The readings in tests/data/sm-bits.tsv come from the manual's columns: status that
 // modules, switches and lines give is free, status of a request is its device's, what the program sets stays.
-#include "ir/special_memory.hpp"
+#include "ir/s7200/special_memory.hpp"
 
 #include "tests/engine/rig.hpp"
 #include "tests/ir/tsv.hpp"
@@ -127,7 +127,8 @@ TEST(SpecialMemory, ProgramBitsAreWhatTheProgramWrites) {
   const std::map<std::string, Outcome> untouched = smVerdicts(bits, "Network 1\nLD SM0.0\n= Q0.0\n");
   for (const std::uint32_t bit : bits) {
     const std::string number = std::to_string(bit);
-    const bool isOfModule = smRow(Target{}, bit / 8, bit % 8).source == SmSource::Free;  // the linear PTO behind SMD168, SMD178
+    const bool isOfModule =
+        smRow(Target{}, bit / 8, bit % 8).source == SmSource::Free;  // the linear PTO behind SMD168, SMD178
     EXPECT_EQ(written.at("one" + number), Outcome::Reachable) << bitName(bit);
     EXPECT_EQ(written.at("zero" + number), Outcome::Reachable) << bitName(bit);
     if (!isOfModule) {
@@ -230,9 +231,9 @@ TEST(SpecialMemory, WordOverTwoKindsIsCut) {
 
 // The 224 XP has no identifier in the manual (001:14138): a program must not count on one.
 TEST(SpecialMemory, UnknownIdentifierIsFree) {
-  EXPECT_EQ(smSource({Cpu::Cpu224XP, Edition::Edition2004}, 6, 5), SmSource::Free);
-  EXPECT_EQ(smSource({Cpu::Cpu224, Edition::Edition2004}, 6, 5), SmSource::Constant);
-  EXPECT_EQ(cpuRow(Cpu::Cpu221).identifier, 0x60);
+  EXPECT_EQ(smSource({s7200Cpu("224XP"), Edition::Edition2004}, 6, 5), SmSource::Free);
+  EXPECT_EQ(smSource({s7200Cpu("224"), Edition::Edition2004}, 6, 5), SmSource::Constant);
+  EXPECT_EQ(cpuRow(s7200Cpu("221")).identifier, 0x60);
 }
 
 // In a simulation they keep sensible values, and the stimulus drives them.

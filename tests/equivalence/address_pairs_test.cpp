@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "frontend/program_input.hpp"
+#include "frontend/input/program_input.hpp"
 #include "frontend/sides/map_file.hpp"
 
 namespace rungproof::test {

@@ -4,6 +4,7 @@
 
 #include "analysis/read_errors.hpp"
 #include "frontend/stl/stl_writer.hpp"
+#include "ir/s7200/isa.hpp"
 #include "tests/equivalence/pair.hpp"
 
 namespace rungproof::test {
@@ -18,7 +19,7 @@ bool turnOneContact(Program& program) {
     for (Network& network : pou.networks) {
       for (Instruction& instruction : network.instructions) {
         if (instruction.desc->stl != "LD" || instruction.operands[0].area != Area::I) continue;
-        instruction.desc = instructionNamed("LDN");
+        instruction.desc = s7200Instructions().named("LDN");
         return true;
       }
     }

@@ -7,9 +7,9 @@
 #include <random>
 #include <set>
 
-#include "analysis/proof/fault.hpp"
-#include "analysis/proof/run_space.hpp"
 #include "analysis/read_errors.hpp"
+#include "analysis/selfcheck/fault.hpp"
+#include "analysis/witness/run_space.hpp"
 #include "engine/replay.hpp"
 #include "tests/equivalence/pair.hpp"
 

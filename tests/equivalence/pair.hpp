@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "analysis/equivalence/equivalence.hpp"
-#include "frontend/program_input.hpp"
+#include "frontend/input/program_input.hpp"
 #include "frontend/sides/map_file.hpp"
 
 namespace rungproof::test {

@@ -8,7 +8,7 @@ namespace rungproof::test {
 
 namespace {
 
-constexpr Target smartCpu{Cpu::St60, Edition::Smart28}, classicCpu{Cpu::Cpu226, Edition::Edition2004};
+constexpr Target smartCpu{s7200Cpu("ST60"), Edition::Smart28}, classicCpu{s7200Cpu("226"), Edition::Edition2004};
 
 Equivalence comparedPulsesOf(const std::string& before, const std::string& after, Target targetBefore = smartCpu,
                              Target targetAfter = smartCpu) {

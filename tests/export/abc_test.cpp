@@ -7,8 +7,8 @@
 #include <set>
 
 #include "analysis/export/system.hpp"
-#include "analysis/proof/proof_side.hpp"
 #include "analysis/proof/prover.hpp"
+#include "analysis/proof/question_system.hpp"
 #include "tests/corpus/command_output.hpp"
 #include "tests/corpus/corpus_program.hpp"
 #include "tests/temporary_folder.hpp"
@@ -49,9 +49,9 @@ TEST(Abc, AnswersTheCorpusAsItsVerdictsSay) {
     const std::map<std::string, std::string> verdicts = trueVerdicts(path);
     if (verdicts.empty()) continue;
     const ProgramInput input = corpusInput(path);
-    ProofSide side(input.program, input.properties, goalsOf(input.properties), encoderOptionsOf(proverOptions(path)),
-                   CheckGroups{});
-    const bool isExact = side.obligations().approximations().empty();
+    QuestionSystem side(input.program, input.properties, goalsOf(input.properties),
+                        encoderOptionsOf(proverOptions(path)), CheckGroups{});
+    const bool isExact = side.askedProperties().approximations().empty();
     const AbcAnswers answers = askAbc(folder.file("system.aig", exportAiger(side.system())), 1);
     ASSERT_NE(answers.text.find("Properties:"), std::string::npos) << path << ": " << answers.text;
     for (std::size_t i = 0; i < side.system().questions.size(); ++i) {

@@ -6,8 +6,8 @@
 
 #include "analysis/export/system.hpp"
 #include "analysis/graph/evaluate.hpp"
-#include "analysis/proof/proof_side.hpp"
 #include "analysis/proof/prover.hpp"
+#include "analysis/proof/question_system.hpp"
 #include "tests/corpus/corpus_program.hpp"
 #include "tests/export/word_reader.hpp"
 
@@ -62,8 +62,8 @@ class CorpusExport : public testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(CorpusExport, FilesComputeTheSameStep) {
   const ProgramInput input = corpusInput(GetParam());
-  ProofSide side(input.program, input.properties, goalsOf(input.properties),
-                 encoderOptionsOf(proverOptions(GetParam())), {.builtin = true});
+  QuestionSystem side(input.program, input.properties, goalsOf(input.properties),
+                      encoderOptionsOf(proverOptions(GetParam())), {.builtin = true});
   const TransitionSystem& system = side.system();
   const std::string btor2 = exportBtor2(system, {"a remark"}), smv = exportSmv(system, {"a remark"});
   EXPECT_GE(btor2Shape(btor2).states.size(), system.states.size());

@@ -5,7 +5,7 @@
 #include <set>
 #include <sstream>
 
-#include "frontend/cli.hpp"
+#include "frontend/cli/cli.hpp"
 #include "tests/corpus/command_output.hpp"
 #include "tests/temporary_folder.hpp"
 

@@ -42,6 +42,7 @@ Outcome runChild(const std::string& program, const std::vector<std::string>& arg
     ::unsetenv("NO_COLOR");
     ::setenv("TERM", "xterm", 1);
     ::setenv("LC_ALL", "C.UTF-8", 1);
+    ::setenv("SOURCE_DATE_EPOCH", "1700000000", 1);  // pages name the day they were made
     std::vector<char*> argv = {const_cast<char*>("rungproof")};
     for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);

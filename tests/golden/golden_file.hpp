@@ -8,6 +8,7 @@
 //   --- stdout / --- stderr  empty if left out
 //   --- wrote NAME           content of a file that the command wrote
 //
+// Behind the mark a word with a point in it, such as the file name of a unified diff, is text of its section.
 // A section ends with a line end that belongs to the file, not to the section's text, if `--- end` follows; otherwise
 // each line of it ends with one.
 #pragma once

@@ -1,9 +1,9 @@
 // Literals and addresses of IEC 61131-3, and the places that variables, timers and counters get.
-#include "frontend/drawn/iec_type.hpp"
+#include "frontend/graphical/iec_type.hpp"
 
 #include <gtest/gtest.h>
 
-#include "frontend/drawn/drawn_memory.hpp"
+#include "frontend/graphical/drawn_memory.hpp"
 
 namespace rungproof {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "frontend/project.hpp"
+#include "frontend/input/project.hpp"
 
 namespace rungproof {
 

@@ -1,7 +1,7 @@
 // SimaticML: networks, tags, data blocks, calls, several files; and bodies that are not covered.
 #include <gtest/gtest.h>
 
-#include "frontend/cli.hpp"
+#include "frontend/cli/cli.hpp"
 #include "tests/graphical/plcopen_text.hpp"
 #include "tests/reader/read.hpp"
 #include "tests/temporary_folder.hpp"

@@ -2,7 +2,7 @@
 // A word that the reader passed over in silence would change what the drawing means.
 #include <gtest/gtest.h>
 
-#include "frontend/cli.hpp"
+#include "frontend/cli/cli.hpp"
 #include "tests/graphical/plcopen_text.hpp"
 #include "tests/reader/read.hpp"
 #include "tests/temporary_folder.hpp"

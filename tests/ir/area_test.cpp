@@ -18,17 +18,17 @@ TEST(Area, PropertiesName) {
   EXPECT_EQ(areasWhere(addressedByNumber), "T C AC HC");  // 001:1309, 001:1322, 001:1338, 001:1348
   EXPECT_EQ(areasWhere(hasBitAndWord), "T C");
   EXPECT_EQ(areasWhere(isAnalogue), "AI AQ");  // words at even bytes (001:1382, 001:1388)
-  EXPECT_EQ(areasWhere(isInputArea), "I AI");
-  EXPECT_EQ(areasWhere(isOutputArea), "Q AQ");
-  EXPECT_EQ(areasWhere(isMemoryArea), "V M S");
-  EXPECT_EQ(areasWhere(isReadOnlyArea), "AI HC");                      // 001:2647, 001:1336
-  EXPECT_EQ(areasWhere(mayHoldPointer), "V L AC");                     // 001:1459
-  EXPECT_EQ(areasWhere(mayBePointedTo), "I Q AI AQ V M S SM T C");     // 001:1461
-  EXPECT_EQ(areasWhere(lastsOverScans), "I Q AI AQ V M S SM T C HC");  // L belongs to one call (001:1367)
+  EXPECT_EQ(areasWhere(isInputArea), "I AI PI");
+  EXPECT_EQ(areasWhere(isOutputArea), "Q AQ PQ");
+  EXPECT_EQ(areasWhere(isMemoryArea), "V M S DB");
+  EXPECT_EQ(areasWhere(isReadOnlyArea), "AI HC PI");                            // 001:2647, 001:1336
+  EXPECT_EQ(areasWhere(mayHoldPointer), "V L AC");                              // 001:1459
+  EXPECT_EQ(areasWhere(mayBePointedTo), "I Q AI AQ V M S SM T C");              // 001:1461
+  EXPECT_EQ(areasWhere(lastsOverScans), "I Q AI AQ V M S SM T C HC DB PI PQ");  // L belongs to one call (001:1367)
 }
 
 TEST(Area, OnlyVMAndTheValuesOfTAndCCanBeRetentive) {  // 001:1534
-  EXPECT_EQ(areasWhere([](Area area) { return areaInfo(area).mayRetain; }), "V M T C");
+  EXPECT_EQ(areasWhere([](Area area) { return areaInfo(area).mayRetain; }), "V M T C DB");
 }
 
 TEST(Area, TagsOfPointersDiffer) {

@@ -1,5 +1,5 @@
 // CPU limits against tables 6-1 and 6-2 of both editions, row by row, and what is known of the CPUs before them.
-#include "ir/cpu.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "tsv.hpp"
 
 namespace rungproof::tables {
@@ -116,7 +116,7 @@ TEST(CpuTable, SpecialMemoryOfTable61) {
     if (row.at("feature") != "SM_memory_total") continue;
     const Target target = targetOf(row);
     // Tables 6-1 and 6-2 of 2004 disagree for the CPU 221: SM179 against SM165 (001:2652, 001:2681).
-    const bool isContradiction = target.cpu == Cpu::Cpu221 && target.edition == Edition::Edition2004;
+    const bool isContradiction = target.cpu == s7200Cpu("221") && target.edition == Edition::Edition2004;
     EXPECT_EQ(areaSize(target, Area::SM), isContradiction ? 166U : lastNumber(row.at("high")) + 1) << row.at("cpu");
   }
 }
@@ -195,7 +195,7 @@ TEST(CpuTable, CpusBefore22x) {
   // VD1056, which the 212 does not have; 004:359 and 004:4241 count with HSC 0, 1 and 2 of the 214; 004:67: only the
   // 214 has the second timed interrupt. The rest is general knowledge.
   for (const Edition edition : {Edition::Edition2003, Edition::Edition2004}) {
-    const Target small{Cpu::Cpu212, edition}, large{Cpu::Cpu214, edition};
+    const Target small{s7200Cpu("212"), edition}, large{s7200Cpu("214"), edition};
     EXPECT_EQ(areaSize(small, Area::T), 64U);
     EXPECT_EQ(areaSize(large, Area::T), 128U);
     EXPECT_FALSE(addressExists(small, Area::V, Width::DWord, 1056, 0));
@@ -227,18 +227,18 @@ TEST(CpuTable, CpusBefore22x) {
 }
 
 TEST(CpuTable, EditionsCoverTheirCpus) {
-  for (const Cpu cpu : {Cpu::Cpu221, Cpu::Cpu222, Cpu::Cpu224, Cpu::Cpu226}) {
+  for (const Cpu cpu : {s7200Cpu("221"), s7200Cpu("222"), s7200Cpu("224"), s7200Cpu("226")}) {
     EXPECT_TRUE(editionCovers(Edition::Edition2003, cpu));
     EXPECT_TRUE(editionCovers(Edition::Edition2004, cpu));
   }
-  EXPECT_FALSE(editionCovers(Edition::Edition2003, Cpu::Cpu224XP));
-  EXPECT_FALSE(editionCovers(Edition::Edition2004, Cpu::Cpu226XM));
+  EXPECT_FALSE(editionCovers(Edition::Edition2003, s7200Cpu("224XP")));
+  EXPECT_FALSE(editionCovers(Edition::Edition2004, s7200Cpu("226XM")));
   // A CPU that the edition does not describe keeps the limits of the one that does.
-  EXPECT_EQ(areaSize({Cpu::Cpu224XP, Edition::Edition2003}, Area::V), 10240U);
-  EXPECT_EQ(areaSize({Cpu::Cpu226XM, Edition::Edition2004}, Area::V), 10240U);
-  EXPECT_EQ(cpuNamed("224XP"), Cpu::Cpu224XP);
+  EXPECT_EQ(areaSize({s7200Cpu("224XP"), Edition::Edition2003}, Area::V), 10240U);
+  EXPECT_EQ(areaSize({s7200Cpu("226XM"), Edition::Edition2004}, Area::V), 10240U);
+  EXPECT_EQ(cpuNamed("224XP"), s7200Cpu("224XP"));
   EXPECT_EQ(cpuNamed("CPU224"), std::nullopt);
-  EXPECT_EQ(cpuName(Cpu::Cpu226XM), "226XM");
+  EXPECT_EQ(cpuName(s7200Cpu("226XM")), "226XM");
 }
 
 }  // namespace rungproof::tables

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/manual_a/bench.hpp"
+#include "tests/manual/statement.hpp"
 
 namespace rungproof {
 namespace {

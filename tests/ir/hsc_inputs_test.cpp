@@ -1,5 +1,5 @@
 // Inputs of high-speed counters: tables 6-26 and G-5 (001:4216-4237, 001:14759-14801).
-#include "ir/hsc_inputs.hpp"
+#include "ir/s7200/hsc_inputs.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,15 +1,15 @@
 // The joined table: opcodes are positions, look-ups find every mnemonic.
 #include <gtest/gtest.h>
 
-#include "ir/isa.hpp"
+#include "ir/s7200/isa.hpp"
 
 namespace rungproof {
 
 TEST(InstructionTable, EveryMnemonicIsFoundAtItsOwnPosition) {
-  for (std::size_t i = 0; i < instructionTable().size(); ++i) {
-    const Desc& desc = instructionTable()[i];
+  for (std::size_t i = 0; i < s7200Instructions().all().size(); ++i) {
+    const Desc& desc = s7200Instructions().all()[i];
     EXPECT_EQ(desc.opcode, i) << desc.stl;
-    EXPECT_EQ(instructionNamed(desc.stl), &desc) << desc.stl;
+    EXPECT_EQ(s7200Instructions().named(desc.stl), &desc) << desc.stl;
   }
 }
 

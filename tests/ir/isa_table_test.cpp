@@ -1,13 +1,14 @@
 // Every descriptor against the manual's tables: the quick reference (names, groups, numbers of operands, times,
 // editions) and the operand tables of chapter 6 (directions, types, areas, ranges of constants), row by row.
-#include "ir/call_parameters.hpp"
-#include "ir/isa.hpp"
+#include "ir/s7200/call_parameters.hpp"
+#include "ir/s7200/cpu.hpp"
+#include "ir/s7200/isa.hpp"
 #include "tsv.hpp"
 
 namespace rungproof::tables {
 namespace {
 
-constexpr Cpu tabledCpus[] = {Cpu::Cpu221, Cpu::Cpu222, Cpu::Cpu224, Cpu::Cpu224XP, Cpu::Cpu226};
+constexpr Cpu tabledCpus[] = {s7200Cpu("221"), s7200Cpu("222"), s7200Cpu("224"), s7200Cpu("224XP"), s7200Cpu("226")};
 
 /// A row of the operand tables without its pins that a statement does not write.
 struct OperandRow {
@@ -24,7 +25,7 @@ std::vector<OperandRow> operandRows() {
         if (instruction == "*") continue;
         if (const std::size_t colon = instruction.find(":IEC"); colon != std::string::npos)
           instruction.replace(colon, 4, ".IEC");
-        const Desc* desc = instructionNamed(instruction);
+        const Desc* desc = s7200Instructions().named(instruction);
         EXPECT_NE(desc, nullptr) << instruction;
         if (desc == nullptr) continue;
         for (std::string operand : split(row.at("operand"), ',')) {
@@ -167,7 +168,7 @@ TEST(InstructionTable, NamesGroupsEditionsAndTimesOfTheQuickReference) {
   for (const Row& row : rows) {
     const std::string& mnemonic = row.at("mnemonic");
     SCOPED_TRACE(mnemonic + " " + row.at("source"));
-    const Desc* desc = instructionNamed(mnemonic);
+    const Desc* desc = s7200Instructions().named(mnemonic);
     EXPECT_NE(desc, nullptr);
     if (desc == nullptr) continue;
     EXPECT_EQ(desc->group, row.at("group"));
@@ -187,7 +188,7 @@ TEST(InstructionTable, NamesGroupsEditionsAndTimesOfTheQuickReference) {
 
 TEST(InstructionTable, NothingBeyondTheQuickReferenceButBoxes) {
   const std::vector<Row> rows = read("stl-quick-reference.tsv");
-  for (const Desc& desc : instructionTable()) {
+  for (const Desc& desc : s7200Instructions().all()) {
     if ((desc.cpus & s7200Cpus) == 0) continue;  // tests/smart
     const bool isListed =
         std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return row.at("mnemonic") == desc.stl; });
@@ -199,7 +200,7 @@ TEST(InstructionTable, OperandsAgreeWithTheManualRowByRow) {
   for (const OperandRow& row : operandRows()) {
     if (row.instruction == "CALL" && row.operand != "SBR_N") continue;
     SCOPED_TRACE(row.instruction + " " + row.operand + " " + row.type + " " + row.source);
-    const OperandDesc* operand = operandNamed(*instructionNamed(row.instruction), row.operand);
+    const OperandDesc* operand = operandNamed(*s7200Instructions().named(row.instruction), row.operand);
     ASSERT_NE(operand, nullptr);
     const Direction direction = row.direction == "in"    ? Direction::In
                                 : row.direction == "out" ? Direction::Out
@@ -239,7 +240,7 @@ TEST(InstructionTable, TypesAgreeWithOneRowOfTheManual) {
   }
   for (const auto& [key, list] : types) {
     if (key.first == "CALL" && key.second != "SBR_N") continue;
-    const OperandDesc* operand = operandNamed(*instructionNamed(key.first), key.second);
+    const OperandDesc* operand = operandNamed(*s7200Instructions().named(key.first), key.second);
     ASSERT_NE(operand, nullptr) << key.first << " " << key.second;
     EXPECT_NE(std::find(list.begin(), list.end(), operand->type), list.end()) << key.first << " " << key.second;
   }
@@ -247,7 +248,7 @@ TEST(InstructionTable, TypesAgreeWithOneRowOfTheManual) {
 
 TEST(InstructionTable, EveryOperandHasARowAndEveryBufferItsLength) {
   const std::vector<OperandRow> rows = operandRows();
-  for (const Desc& desc : instructionTable()) {
+  for (const Desc& desc : s7200Instructions().all()) {
     if ((desc.cpus & s7200Cpus) == 0) continue;
     for (std::size_t i = 0; i < desc.operandCount; ++i) {
       const OperandDesc& operand = desc.operands[i];
@@ -293,7 +294,7 @@ TEST(CallParameters, FormsAgreeWithTable678) {
         EXPECT_EQ(area->width, widthOf(types.at(row.type))) << cell;
       }
       if (area) {
-        EXPECT_EQ(area->form & instructionNamed("CALL")->operands[1].forms, area->form) << cell;
+        EXPECT_EQ(area->form & s7200Instructions().named("CALL")->operands[1].forms, area->form) << cell;
       }
     }
   }

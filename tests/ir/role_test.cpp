@@ -1,13 +1,12 @@
 // Facts of instructions that their readers ask for, each against the manual, and the forms that belong together.
 #include <gtest/gtest.h>
 
-#include "ir/instruction_forms.hpp"
-#include "ir/isa.hpp"
+#include "ir/s7200/isa.hpp"
 
 namespace rungproof {
 namespace {
 
-const Desc& named(std::string_view mnemonic) { return *instructionNamed(mnemonic); }
+const Desc& named(std::string_view mnemonic) { return *s7200Instructions().named(mnemonic); }
 std::string_view nameOf(const Desc* desc) { return desc == nullptr ? "" : desc->stl; }
 
 TEST(Role, TellsContactsFromWordOperationsAndStackOperations) {
@@ -25,7 +24,7 @@ TEST(Role, TellsContactsFromWordOperationsAndStackOperations) {
 }
 
 TEST(Role, NegatedAndImmediateAreFactsNotLetters) {
-  for (const Desc& desc : instructionTable()) {
+  for (const Desc& desc : s7200Instructions().all()) {
     EXPECT_TRUE(!desc.negated || isContact(desc.role)) << desc.stl;
   }
   EXPECT_TRUE(named("ONI").negated && named("ONI").immediate);
@@ -43,7 +42,7 @@ TEST(Role, ComparisonsCarryTheirRelation) {
 
 /// The names of the power inputs are those of the stack levels that the box takes (001:3984-4008, 001:2880).
 TEST(Role, BoxesHaveAPinForEachLevelTheyTake) {
-  for (const Desc& desc : instructionTable()) {
+  for (const Desc& desc : s7200Instructions().all()) {
     if (desc.execution != Execution::Sampled) continue;
     std::size_t pins = 0;
     for (const std::string_view pin : desc.flowPins) pins += pin.empty() ? 0 : 1;
@@ -52,38 +51,38 @@ TEST(Role, BoxesHaveAPinForEachLevelTheyTake) {
 }
 
 TEST(InstructionForms, ContactsHaveThreeJointsAndAContrary) {
-  EXPECT_EQ(nameOf(joinedForm(named("AW>="), Role::Load)), "LDW>=");
-  EXPECT_EQ(nameOf(joinedForm(named("LDNI"), Role::Or)), "ONI");
-  EXPECT_EQ(nameOf(joinedForm(named("LDS="), Role::And)), "AS=");
-  EXPECT_EQ(nameOf(joinedForm(named("LDB="), Role::And)), "AB=");
-  EXPECT_EQ(joinedForm(named("LDS"), Role::And), nullptr);
-  EXPECT_EQ(nameOf(negatedForm(named("LD"))), "LDN");
-  EXPECT_EQ(nameOf(negatedForm(named("ONI"))), "OI");
-  EXPECT_EQ(negatedForm(named("LDW=")), nullptr);
-  EXPECT_EQ(nameOf(&bitContact(Role::And, true)), "AN");
-  EXPECT_EQ(nameOf(&bitContact(Role::Or, false, true)), "OI");
+  EXPECT_EQ(nameOf(s7200Instructions().joinedForm(named("AW>="), Role::Load)), "LDW>=");
+  EXPECT_EQ(nameOf(s7200Instructions().joinedForm(named("LDNI"), Role::Or)), "ONI");
+  EXPECT_EQ(nameOf(s7200Instructions().joinedForm(named("LDS="), Role::And)), "AS=");
+  EXPECT_EQ(nameOf(s7200Instructions().joinedForm(named("LDB="), Role::And)), "AB=");
+  EXPECT_EQ(s7200Instructions().joinedForm(named("LDS"), Role::And), nullptr);
+  EXPECT_EQ(nameOf(s7200Instructions().negatedForm(named("LD"))), "LDN");
+  EXPECT_EQ(nameOf(s7200Instructions().negatedForm(named("ONI"))), "OI");
+  EXPECT_EQ(s7200Instructions().negatedForm(named("LDW=")), nullptr);
+  EXPECT_EQ(nameOf(&s7200Instructions().bitContact(Role::And, true)), "AN");
+  EXPECT_EQ(nameOf(&s7200Instructions().bitContact(Role::Or, false, true)), "OI");
 }
 
 TEST(InstructionForms, OppositesComeInPairs) {
-  EXPECT_EQ(nameOf(oppositeForm(named("S"))), "R");
-  EXPECT_EQ(nameOf(oppositeForm(named("RI"))), "SI");
-  EXPECT_EQ(nameOf(oppositeForm(named("SR"))), "RS");
-  EXPECT_EQ(nameOf(oppositeForm(named("ED"))), "EU");
-  EXPECT_EQ(nameOf(oppositeForm(named("TON"))), "TOF");
-  EXPECT_EQ(oppositeForm(named("TONR")), nullptr);
-  EXPECT_EQ(oppositeForm(named("TON.IEC")), nullptr);
-  for (const Desc& desc : instructionTable()) {
-    const Desc* opposite = oppositeForm(desc);
-    const Desc* negated = negatedForm(desc);
-    EXPECT_TRUE(opposite == nullptr || oppositeForm(*opposite) == &desc) << desc.stl;
-    EXPECT_TRUE(negated == nullptr || negatedForm(*negated) == &desc) << desc.stl;
+  EXPECT_EQ(nameOf(s7200Instructions().oppositeForm(named("S"))), "R");
+  EXPECT_EQ(nameOf(s7200Instructions().oppositeForm(named("RI"))), "SI");
+  EXPECT_EQ(nameOf(s7200Instructions().oppositeForm(named("SR"))), "RS");
+  EXPECT_EQ(nameOf(s7200Instructions().oppositeForm(named("ED"))), "EU");
+  EXPECT_EQ(nameOf(s7200Instructions().oppositeForm(named("TON"))), "TOF");
+  EXPECT_EQ(s7200Instructions().oppositeForm(named("TONR")), nullptr);
+  EXPECT_EQ(s7200Instructions().oppositeForm(named("TON.IEC")), nullptr);
+  for (const Desc& desc : s7200Instructions().all()) {
+    const Desc* opposite = s7200Instructions().oppositeForm(desc);
+    const Desc* negated = s7200Instructions().negatedForm(desc);
+    EXPECT_TRUE(opposite == nullptr || s7200Instructions().oppositeForm(*opposite) == &desc) << desc.stl;
+    EXPECT_TRUE(negated == nullptr || s7200Instructions().negatedForm(*negated) == &desc) << desc.stl;
   }
 }
 
 TEST(InstructionForms, SingleInstructionsAreFoundByWhatTheyDo) {
-  EXPECT_EQ(instructionOf(Role::Aeno).stl, "AENO");
-  EXPECT_EQ(instructionOf(Control::Call).stl, "CALL");
-  EXPECT_EQ(plainAssign().stl, "=");
+  EXPECT_EQ(s7200Instructions().only(Role::Aeno).stl, "AENO");
+  EXPECT_EQ(s7200Instructions().only(Control::Call).stl, "CALL");
+  EXPECT_EQ(s7200Instructions().plainAssign().stl, "=");
 }
 
 }  // namespace

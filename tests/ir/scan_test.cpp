@@ -1,10 +1,10 @@
 // The walk over a program: jumps, guards and the concrete domain together.
-#include "ir/scan.hpp"
+#include "ir/s7200/scan.hpp"
 
 #include <gtest/gtest.h>
 
 #include "engine/concrete.hpp"
-#include "ir/isa.hpp"
+#include "ir/s7200/isa.hpp"
 
 namespace rungproof {
 namespace {
@@ -21,7 +21,7 @@ struct NoHooks {
 
 Instruction make(std::string_view mnemonic, std::vector<Operand> operands = {}) {
   Instruction instruction;
-  instruction.desc = instructionNamed(mnemonic);
+  instruction.desc = s7200Instructions().named(mnemonic);
   instruction.operands = std::move(operands);
   return instruction;
 }
@@ -38,7 +38,7 @@ TEST(Scan, ContactsAndCoilsMakeAnAndGate) {
   for (int inputs = 0; inputs < 4; ++inputs) {
     Nothing outside;
     Concrete domain(outside);
-    Concrete::Store store(program.target, plan.edgeCount);
+    Concrete::Store store(plan);
     store.area(Area::I)[0] = static_cast<std::uint8_t>(inputs);
     Machine<Concrete> machine(domain, store, plan);
     NoHooks hooks;

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ir/cpu.hpp"
+#include "ir/s7200/cpu.hpp"
 
 namespace rungproof::tables {
 
@@ -46,7 +46,7 @@ inline std::vector<Row> read(const std::string& file) {
 inline Cpu cpuOf(const std::string& cell) {
   const std::optional<Cpu> cpu = cpuNamed(cell.substr(3));
   EXPECT_TRUE(cpu.has_value()) << cell;
-  return cpu.value_or(Cpu::Cpu226);
+  return cpu.value_or(s7200Cpu("226"));
 }
 inline Target targetOf(const Row& row) {
   return {cpuOf(row.at("cpu")), row.at("edition") == "2003" ? Edition::Edition2003 : Edition::Edition2004};

@@ -1,4 +1,4 @@
-// The campaign: every mutant of every instruction is tried against the manual's tests (test_manual_a, test_manual_b)
+// The campaign: every mutant of every instruction is tried against the manual's tests (test_manual, test_manual)
 // and the naive interpreter (tests/reference). It fails when an instruction is reached by no test, has fewer than 3
 // mutants or none that is noticed, when fewer than 95 % of all mutants are noticed, those that mean the same included,
 // or when the survivors are not exactly those of survivors.tsv, each with its reason. "test_mutation +I" tries one
@@ -11,7 +11,8 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "ir/isa.hpp"
+#include "ir/s7200/cpu.hpp"
+#include "ir/s7200/isa.hpp"
 #include "tests/mutation/trial.hpp"
 #include "tests/reference/naive.hpp"
 
@@ -20,16 +21,16 @@ namespace {
 
 /// Changes that make sense at a site.
 bool applies(const Site& site, int change) {
-  const Desc& desc = instructionTable()[site.opcode];
+  const Desc& desc = s7200Instructions().all()[site.opcode];
   const std::string& file = Mutation::instance().fileName(site);
   const std::string_view function = Mutation::instance().functionName(site);
-  const bool shared = file == "machine.hpp" || file == "args.hpp";
+  const bool shared = isShared(file);
   // The frame keeps the books of guards: its conditions come from sites of their own, what it restores is for later
   // instructions.
-  if (file == "machine.hpp" && function == "when") return false;
-  if (file == "scan.hpp" && function == "walk") return false;
+  if (file == "guarded_run.hpp" && function == "when") return false;
+  if (file == "flow_walk.hpp" && function == "walk") return false;
   const bool hasPlace = site.op != Op::Whole && site.op != Op::Text;
-  if (hasPlace && file.ends_with("_run.hpp")) return false;  // the tests' own surroundings
+  if (hasPlace && file == "plant_run.hpp") return false;  // the tests' own surroundings
   switch (site.op) {
     case Op::Whole: return change == 1 || desc.execution == Execution::Stack || desc.execution == Execution::Compare;
     case Op::Text:
@@ -64,7 +65,7 @@ std::map<Site, std::string> nameSites() {
 /// Of the S7-200 SMART alone, those that the naive interpreter does not know: devices, and what is any value. They are
 /// asked in tests/smart.
 bool isLeftOut(std::size_t opcode) {
-  const Desc& desc = instructionTable()[opcode];
+  const Desc& desc = s7200Instructions().all()[opcode];
   return (desc.cpus & s7200Cpus) == 0 && !naive::signatureOf(std::string(desc.stl));
 }
 
@@ -78,7 +79,7 @@ struct Survivor {
 };
 
 struct Campaign {
-  std::vector<Tally> byOpcode = std::vector<Tally>(instructionTable().size());
+  std::vector<Tally> byOpcode = std::vector<Tally>(s7200Instructions().all().size());
   std::vector<Survivor> survivors;
 };
 
@@ -87,7 +88,7 @@ Campaign run(const std::vector<std::string>& tests, std::string_view only) {
   const auto names = nameSites();
   std::vector<Candidate> candidates;
   for (const auto& [site, reachedBy] : Mutation::instance().sites()) {
-    const std::string mnemonic(instructionTable()[site.opcode].stl);
+    const std::string mnemonic(s7200Instructions().all()[site.opcode].stl);
     if (isLeftOut(site.opcode)) continue;
     if (!only.empty() && fnmatch(std::string(only).c_str(), mnemonic.c_str(), 0) != 0) continue;
     for (int change = 1; change <= static_cast<int>(changesOf(site.op).size()); ++change) {
@@ -97,7 +98,7 @@ Campaign run(const std::vector<std::string>& tests, std::string_view only) {
   const std::vector<Verdict> verdicts = tryMutants(candidates, tests);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const Mutant& mutant = candidates[i].mutant;
-    const std::string mnemonic(instructionTable()[mutant.site.opcode].stl);
+    const std::string mnemonic(s7200Instructions().all()[mutant.site.opcode].stl);
     const std::string changed(changesOf(mutant.site.op)[static_cast<std::size_t>(mutant.change - 1)]);
     Tally& tally = campaign.byOpcode[mutant.site.opcode];
     ++tally.mutants;
@@ -191,7 +192,7 @@ int judge(const Campaign& campaign) {
     all.noticed += tally.noticed;
     if (isLeftOut(i)) continue;
     if (tally.mutants >= 3 && tally.noticed > 0) continue;
-    fmt::print("{}: {} mutants, {} noticed\n", instructionTable()[i].stl, tally.mutants, tally.noticed);
+    fmt::print("{}: {} mutants, {} noticed\n", s7200Instructions().all()[i].stl, tally.mutants, tally.noticed);
     ++problems;
   }
   const auto share = [&](int of) { return 100.0 * all.noticed / std::max(of, 1); };

@@ -129,8 +129,7 @@ Site Mutation::siteOf(Op op, const Where& where, const Desc& desc) {
   const std::string& name = files_[site.file];
   const auto [function, isNew] = functions_.try_emplace({site.file, site.line});
   if (isNew) function->second = nameOfFunction(where.function_name());
-  const bool isShared = name == "machine.hpp" || name == "args.hpp";
-  if (isShared && function->second != "repeat" && !function->second.ends_with("Text")) {
+  if (isShared(name) && function->second != "repeat" && !function->second.ends_with("Text")) {
     site.ordinal = static_cast<std::uint8_t>(std::min(++visits_[site], mostVisits));
   }
   return site;

@@ -1,9 +1,9 @@
 // Mutants: changes to the meaning of one instruction, made while tests run. A site is a place in the text of a meaning
 // where an operation of the domain is asked for, seen from one mnemonic; a mutant is a site and one of the changes that
-// its operation knows ("add": "sub", "plus 1"). Sites in ir/machine.hpp and ir/args.hpp, which all instructions share,
-// also carry how many times the instruction has been there, so that operands and status bits are told apart (the
-// rounds of a loop are not, nor what comes after the fifth visit).
-// The campaign (campaign.cpp) collects the sites that the manual's tests reach, then runs those tests on each mutant.
+// its operation knows ("add": "sub", "plus 1"). Sites in files that all instructions share (isShared) also carry how
+// many times the instruction has been there, so that operands and status bits are told apart (the rounds of a loop are
+// not, nor what comes after the fifth visit). The campaign (campaign.cpp) collects the sites that the manual's tests
+// reach, then runs those tests on each mutant.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +18,11 @@
 #include "ir/program.hpp"
 
 namespace rungproof::mutation {
+
+/// Whether a file of meanings is that of the machine, not of some instructions.
+inline bool isShared(const std::string& file) {
+  return file == "guarded_run.hpp" || file == "machine.hpp" || file == "args.hpp";
+}
 
 using Where = std::source_location;
 

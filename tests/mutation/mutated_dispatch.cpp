@@ -1,6 +1,6 @@
 // All instruction meanings compiled for the mutated domain, and the changes to an instruction as a whole.
-#include "ir/dispatch.hpp"
-#include "ir/isa_list.hpp"
+#include "ir/s7200/dispatch.hpp"
+#include "ir/s7200/isa_list.hpp"
 #include "tests/mutation/mutated.hpp"
 
 namespace rungproof {
@@ -27,6 +27,12 @@ template <>
 std::span<const Execute<Mutated>> dispatchTable<Mutated>() {
   static constexpr auto table = everyEntry(std::make_index_sequence<isa::instructionTable.size()>{});
   return table;
+}
+
+/// Programs of the S7-300/400 are not mutated here.
+template <>
+std::span<const Execute<Mutated>> step7DispatchTable<Mutated>() {
+  return {};
 }
 
 }  // namespace rungproof

@@ -1,9 +1,8 @@
-// What a run of the bench and a scan of the plant are in this program: the meanings on the mutated domain, and, for
+// What a run of the plant is in this program: the meanings on the mutated domain, and, for
 // control instructions, a changed text.
 #include <optional>
 
-#include "tests/manual_a/bench_run.hpp"
-#include "tests/manual_b/plant_run.hpp"
+#include "tests/manual/plant_run.hpp"
 #include "tests/mutation/mutated.hpp"
 
 namespace rungproof::manual {
@@ -52,38 +51,13 @@ const auto watch = [](const auto& machine) {
 
 }  // namespace
 
-Bench& Bench::run(bool asInterrupt, const Start& start) {
-  world.errors.begin(store);
-  setReadings(store, choices);
-  const auto runOn = [&](World& outside, Concrete::Store& memory) {
-    Mutated domain(outside);
-    Mutated::Store state(memory);
-    return withText(*plan_,
-                    [&](const Plan& plan) { return BenchRun::on(plan, domain, state, asInterrupt, start, watch); });
-  };
-  Mutation& mutation = Mutation::instance();
-  World otherWorld;
-  otherWorld.values = world.values;
-  Concrete::Store otherStore = store;
-  const Outcome outcome = runOn(world, store);
-  if (mutation.isActive() && mutation.comparesOutcomes && !mutation.outcomeDiffers) {
-    mutation.pause(true);
-    const Outcome other = runOn(otherWorld, otherStore);
-    mutation.pause(false);
-    mutation.outcomeDiffers = !(other == outcome && otherStore == store && otherWorld.errors == world.errors);
-  }
-  BenchRun::finish(*this, outcome, asInterrupt);
-  return *this;
-}
-
-Plant& Plant::scan(int ten, int hundred) {
+Plant& Plant::run(const Run& run) {
   PlantRun::begin(*this);
-  const auto scanOn = [&](Surroundings& surroundings, Concrete::Store& memory) {
+  const auto runOn = [&](Surroundings& surroundings, Concrete::Store& memory) {
     reached.clear();
     Mutated domain(surroundings);
     Mutated::Store state(memory);
-    return withText(*plan_,
-                    [&](const Plan& plan) { return PlantRun::on(*this, plan, domain, state, ten, hundred, watch); });
+    return withText(*plan_, [&](const Plan& plan) { return PlantRun::on(*this, plan, domain, state, run, watch); });
   };
   Mutation& mutation = Mutation::instance();
   Surroundings otherOutside = outside;
@@ -91,15 +65,15 @@ Plant& Plant::scan(int ten, int hundred) {
   std::optional<Outcome> other;
   if (mutation.isActive() && mutation.comparesOutcomes && !mutation.outcomeDiffers) {
     mutation.pause(true);
-    other = scanOn(otherOutside, otherStore);
+    other = runOn(otherOutside, otherStore);
     mutation.pause(false);
   }
-  const Outcome outcome = scanOn(outside, store);
+  const Outcome outcome = runOn(outside, store);
   if (other) {
     mutation.outcomeDiffers = !(*other == outcome && otherStore == store && otherOutside.errors == outside.errors &&
                                 otherOutside.signals == outside.signals);
   }
-  PlantRun::finish(*this, outcome);
+  PlantRun::finish(*this, run, outcome);
   return *this;
 }
 

@@ -4,7 +4,7 @@
 
 #include "analysis/bits/bit_unrolling.hpp"
 #include "analysis/portfolio/invariants_bounds.hpp"
-#include "analysis/proof/proof_side.hpp"
+#include "analysis/proof/question_system.hpp"
 #include "tests/corpus/corpus_program.hpp"
 #include "tests/prover/proved_text.hpp"
 
@@ -34,7 +34,7 @@ TEST(BoundsOfPrograms, AreInductiveWithoutOtherInvariants) {
     for (const Property& property : input.properties.properties) {
       if (property.isGoal()) goals.push_back(property);
     }
-    ProofSide side(input.program, input.properties, goals, encoderOptionsOf(options), {});
+    QuestionSystem side(input.program, input.properties, goals, encoderOptionsOf(options), {});
     for (std::size_t q = 0; q < goals.size(); ++q) {
       const TransitionSystem system = side.only(q);
       for (const BoundScope scope : {BoundScope::Few, BoundScope::All, BoundScope::Pending}) {

@@ -4,8 +4,8 @@
 
 #include <chrono>
 
-#include "frontend/report/report.hpp"
-#include "frontend/solver_rules.hpp"
+#include "frontend/linting/solver_rules.hpp"
+#include "frontend/report.hpp"
 #include "tests/prover/proved_text.hpp"
 
 namespace rungproof::test {

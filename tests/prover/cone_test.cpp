@@ -3,7 +3,7 @@
 // tests/differential.
 #include <gtest/gtest.h>
 
-#include "analysis/cone_of_influence.hpp"
+#include "analysis/unread/cone_of_influence.hpp"
 #include "tests/prover/proved_text.hpp"
 
 namespace rungproof {

@@ -2,8 +2,8 @@
 // finding is right nevertheless; everything else must be silent. Programs whose encoding takes long are left out.
 #include <set>
 
-#include "analysis/unread_code.hpp"
-#include "frontend/solver_rules.hpp"
+#include "analysis/unread/unread_code.hpp"
+#include "frontend/linting/solver_rules.hpp"
 #include "tests/corpus/corpus_program.hpp"
 #include "tests/prover/proved_text.hpp"
 

@@ -2,8 +2,8 @@
 // the program. And what is printed when they do part.
 #include <gtest/gtest.h>
 
-#include "analysis/proof/both_traces.hpp"
-#include "analysis/proof/proof_side.hpp"
+#include "analysis/proof/question_system.hpp"
+#include "analysis/witness/both_traces.hpp"
 #include "tests/prover/proved_text.hpp"
 
 namespace rungproof {
@@ -65,10 +65,10 @@ TEST(Agreement, ScansThatTakeLongerThanTheWatchdogAllows) {
 TEST(BothTraces, SayWhatSolverAndEngineMakeOfARun) {
   // A made-up run: two scans with I0.0 off and on. Both make Q0.0 follow it.
   const ProgramInput input = test::inputOf("//@ reach on: Q0.0\n", "NETWORK 1\nLD I0.0\n= Q0.0\n");
-  ProofSide side(input.program, input.properties, input.properties.properties, encoderOptionsOf(test::usualOptions()),
-                 {});
+  QuestionSystem side(input.program, input.properties, input.properties.properties,
+                      encoderOptionsOf(test::usualOptions()), {});
   const TransitionSystem& system = side.system();
-  EncodedScan& encoding = side.obligations().encoding();
+  EncodedScan& encoding = side.askedProperties().encoding();
   WordTrace trace;
   trace.initial.assign(system.states.size(), 0);
   for (const std::uint64_t value : {0U, 1U}) {

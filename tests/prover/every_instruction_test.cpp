@@ -3,7 +3,7 @@
 // has been repeated by the engine, or the outcome would be a disagreement.
 #include <fmt/format.h>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "proved_text.hpp"
 
 namespace rungproof::test {

@@ -1,7 +1,7 @@
 // Exploration: runs that are too deep to be searched from power-up, step by step from states that are new.
-#include "analysis/proof/exploration.hpp"
+#include "analysis/witness/exploration.hpp"
 
-#include "analysis/encoding/obligation.hpp"
+#include "analysis/encoding/asked_properties.hpp"
 #include "proved_text.hpp"
 
 namespace rungproof::test {
@@ -13,9 +13,9 @@ struct ExploredProgram {
     for (const Property& property : input.properties.properties)
       (property.isGoal() ? goals : assumptions).push_back(property);
     for (std::size_t g = 0; g < goals.size(); ++g) all.push_back(g);
-    Obligations obligations(input.program, input.properties, goals, encoderOptionsOf(options));
-    exploration =
-        std::make_unique<Exploration>(input.program, runSpaceOf(obligations.encoding()), assumptions, goals, all, 1);
+    AskedProperties askedProperties(input.program, input.properties, goals, encoderOptionsOf(options));
+    exploration = std::make_unique<Exploration>(input.program, runSpaceOf(askedProperties.encoding()), assumptions,
+                                                goals, all, 1);
   }
   void search(double seconds) {
     const std::atomic<bool> cancel{false};

@@ -1,7 +1,7 @@
 // Runs of the engine: they show what waits for timers, however long, and give witnesses that the judge repeats.
-#include "analysis/proof/guided_runs.hpp"
+#include "analysis/witness/guided_runs.hpp"
 
-#include "analysis/encoding/obligation.hpp"
+#include "analysis/encoding/asked_properties.hpp"
 #include "proved_text.hpp"
 
 namespace rungproof::test {
@@ -12,12 +12,13 @@ struct Setting {
       : input(inputOf(properties, networks)), options(usualOptions()) {
     for (const Property& property : input.properties.properties)
       (property.isGoal() ? goals : assumptions).push_back(property);
-    obligations = std::make_unique<Obligations>(input.program, input.properties, goals, encoderOptionsOf(options));
+    askedProperties =
+        std::make_unique<AskedProperties>(input.program, input.properties, goals, encoderOptionsOf(options));
   }
   std::vector<std::optional<Witness>> search() {
     std::vector<const Property*> wanted;
     for (const Property& goal : goals) wanted.push_back(&goal);
-    return guidedRuns(input.program, obligations->encoding(), assumptions, wanted, 1, {20});
+    return guidedRuns(input.program, askedProperties->encoding(), assumptions, wanted, 1, {20});
   }
   bool isRepeated(std::size_t goal, const Witness& witness) const {
     return Judge(input.program, options.choices, assumptions, goals[goal])
@@ -27,7 +28,7 @@ struct Setting {
   ProgramInput input;
   ProverOptions options;
   std::vector<Property> goals, assumptions;
-  std::unique_ptr<Obligations> obligations;
+  std::unique_ptr<AskedProperties> askedProperties;
 };
 
 TEST(GuidedRuns, LongTimersOneBehindTheOther) {

@@ -3,9 +3,9 @@
 #include <array>
 #include <set>
 
-#include "analysis/facts.hpp"
-#include "analysis/proof/asking.hpp"
-#include "frontend/solver_rules.hpp"
+#include "analysis/asking/asking.hpp"
+#include "analysis/flow/facts.hpp"
+#include "frontend/linting/solver_rules.hpp"
 #include "proved_text.hpp"
 
 namespace rungproof::test {

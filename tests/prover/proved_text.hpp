@@ -6,7 +6,7 @@
 #include <string>
 
 #include "analysis/proof/rule_answers.hpp"
-#include "frontend/program_input.hpp"
+#include "frontend/input/program_input.hpp"
 
 namespace rungproof::test {
 

@@ -4,9 +4,9 @@
 
 #include <set>
 
-#include "analysis/lint.hpp"
+#include "analysis/lint/lint.hpp"
 #include "analysis/rule.hpp"
-#include "frontend/solver_rules.hpp"
+#include "frontend/linting/solver_rules.hpp"
 #include "proved_text.hpp"
 
 namespace rungproof::test {

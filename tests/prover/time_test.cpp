@@ -4,7 +4,7 @@
 #include <set>
 
 #include "analysis/graph/evaluate.hpp"
-#include "analysis/proof/proof_side.hpp"
+#include "analysis/proof/question_system.hpp"
 #include "proved_text.hpp"
 
 namespace rungproof::test {
@@ -39,7 +39,7 @@ TEST(Time, AcceleratedSystemKnowsAllItsVariables) {
       inputOf("//@ prove late: T37 implies held(I0.0, 1s)\n//@ at every instruction prove early: T32 implies T96\n",
               "Network 1\nLD I0.0\nTON T37, 50\nNetwork 2\nLD I0.0\nTON T32, 50\nTON T96, 40\n");
   const EncoderOptions options = encoderOptionsOf(usualOptions(), true);
-  ProofSide side(input.program, input.properties, input.properties.properties, options, {});
+  QuestionSystem side(input.program, input.properties, input.properties.properties, options, {});
   const TransitionSystem system = side.accelerated(0, 500);
   std::set<Node> known(system.inputs.begin(), system.inputs.end());
   std::vector<Node> roots = system.constraints;

@@ -1,6 +1,6 @@
 // Witnesses are as small as they can be made: no scan too many, and inputs that may have any value are marked.
-#include "analysis/proof/witness_minimal.hpp"
-#include "frontend/run/witness_report.hpp"
+#include "analysis/witness/witness_minimal.hpp"
+#include "frontend/simulation/witness_report.hpp"
 #include "proved_text.hpp"
 
 namespace rungproof::test {
@@ -103,6 +103,39 @@ TEST(Witness, LeavesOutInterruptsThatAreNotNeeded) {
   ASSERT_EQ(small.scans.size(), 1U);
   ASSERT_EQ(small.scans[0].script.events.size(), 1U);
   EXPECT_EQ(small.scans[0].script.events[0].event, 0);
+}
+
+// In the witnesses of programs with interrupts no event can be left out: without any one of them the run shows nothing.
+TEST(Witness, EveryInterruptOfACorpusWitnessIsNeeded) {
+  std::size_t events = 0;
+  for (const char* name :
+       {"defects/interrupt_byte.awl", "defects/blip_written_out.awl", "timers/interrupt_count.awl"}) {
+    ProgramInput input;
+    input.program = readProgram({std::string(RUNGPROOF_SOURCE_DIR) + "/corpus/" + name});
+    input.properties = readProperties(input.program, {}, lookupIn(input.program));
+    const ProverOptions options = usualOptions();
+    const ProofRun run = prove(input.program, input.properties, options);
+    std::vector<Property> assumptions;
+    for (const Property& property : input.properties.properties) {
+      if (property.kind == PropertyKind::Assume) assumptions.push_back(property);
+    }
+    for (const ProofResult& result : run.results) {
+      if (!result.witness) continue;
+      const Judge judge(input.program, options.choices, assumptions, result.property);
+      const Witness& witness = *result.witness;
+      const Concrete::Store* initial = witness.initial ? &*witness.initial : nullptr;
+      ASSERT_TRUE(judge.run(witness.scans, initial).shown) << name << " " << result.property.name;
+      for (std::size_t scan = 0; scan < witness.scans.size(); ++scan) {
+        for (std::size_t k = 0; k < witness.scans[scan].script.events.size(); ++k, ++events) {
+          std::vector<ReplayScan> fewer = witness.scans;
+          auto& list = fewer[scan].script.events;
+          list.erase(list.begin() + static_cast<std::ptrdiff_t>(k));
+          EXPECT_FALSE(judge.run(fewer, initial).shown) << name << " " << result.property.name << " scan " << scan + 1;
+        }
+      }
+    }
+  }
+  EXPECT_GE(events, 3U);
 }
 
 TEST(Witness, LeavesOutScansThatAreNotNeeded) {

@@ -1,5 +1,5 @@
 // Bytes to UTF-8: marks, detection, damaged sequences, control characters, line ends.
-#include "frontend/stl/encoding.hpp"
+#include "frontend/files/encoding.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,8 @@
 // each type: VB0, VW0, VD0, T37, C1, a number in its range.
 #include <gtest/gtest.h>
 
-#include "ir/isa.hpp"
+#include "ir/s7200/cpu.hpp"
+#include "ir/s7200/isa.hpp"
 #include "tests/reader/read.hpp"
 
 namespace rungproof {
@@ -12,7 +13,7 @@ namespace {
 std::string constantFor(const OperandDesc& operand) {
   if (!operand.hasRanges()) return operand.type == Type::Real ? "1.0" : operand.type == Type::String ? "\"A\"" : "1";
   for (const ValueRange& range : operand.ranges) {
-    if ((range.cpus & cpuBit(Cpu::Cpu226)) != 0) return std::to_string(range.low);
+    if ((range.cpus & cpuBit(s7200Cpu("226"))) != 0) return std::to_string(range.low);
   }
   return "1";
 }
@@ -54,7 +55,7 @@ std::string inGerman(std::string operand) {
 std::string programOf(bool german) {
   std::string text = "ORGANIZATION_BLOCK MAIN:OB1\nTITLE=\nBEGIN\n";
   int network = 0;
-  for (const Desc& desc : instructionTable()) {
+  for (const Desc& desc : s7200Instructions().all()) {
     if (desc.drawingOnly || desc.olderDialectOnly) continue;
     text += fmt::format("Network {}\n{}", ++network, german && !desc.german.empty() ? desc.german : desc.stl);
     for (int i = 0; i < desc.operandCount; ++i) {
@@ -75,7 +76,7 @@ void expectEveryMnemonic(bool german) {
   const Program program = readText("all.awl", programOf(german), options);
   EXPECT_EQ(findings(program), "");
   std::size_t next = 0;
-  for (const Desc& desc : instructionTable()) {
+  for (const Desc& desc : s7200Instructions().all()) {
     if (desc.drawingOnly || desc.olderDialectOnly) continue;
     ASSERT_LT(next, program.pous[0].networks.size());
     const Network& network = program.pous[0].networks[next++];

@@ -1,9 +1,9 @@
 // Projects of files without block heads: names of files say what the blocks are.
-#include "frontend/file_block.hpp"
+#include "frontend/stl/file_block.hpp"
 
 #include <gtest/gtest.h>
 
-#include "frontend/program_input.hpp"
+#include "frontend/input/program_input.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rungproof {

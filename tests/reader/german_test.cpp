@@ -4,7 +4,7 @@
 #include <set>
 
 #include "frontend/stl/stl_likeness.hpp"
-#include "ir/isa.hpp"
+#include "ir/s7200/isa.hpp"
 #include "tests/reader/read.hpp"
 
 namespace rungproof {
@@ -38,13 +38,14 @@ TEST(German, LookAlikesInGermanTexts) {
 
 TEST(German, SpellingsNameOneInstructionEach) {
   std::set<std::string_view> seen;
-  for (const Desc& desc : instructionTable()) {
+  for (const Desc& desc : s7200Instructions().all()) {
     if (desc.german.empty() || desc.german == desc.stl) continue;
     EXPECT_TRUE(seen.insert(desc.german).second) << desc.german;
-    EXPECT_EQ(instructionNamed(desc.german), nullptr)
+    EXPECT_EQ(s7200Instructions().named(desc.german), nullptr)
         << desc.german << " means something else in the international set";
-    EXPECT_EQ(instructionNamedGerman(desc.german), &desc);
-    EXPECT_EQ(instructionNamedGerman(desc.stl), &desc) << "the international spelling is read in German texts, too";
+    EXPECT_EQ(s7200Instructions().namedGerman(desc.german), &desc);
+    EXPECT_EQ(s7200Instructions().namedGerman(desc.stl), &desc)
+        << "the international spelling is read in German texts, too";
   }
   for (const char* german : {"U", "UN", "UI", "UNI", "ULD", "UENO", "UB=", "UW>=", "UD<", "UR<>", "US="})
     EXPECT_TRUE(seen.count(german) > 0) << german;

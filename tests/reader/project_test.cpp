@@ -1,12 +1,13 @@
 // Files to one program: kinds, unreadable files, several files, standard input names.
-#include "frontend/project.hpp"
+#include "frontend/input/project.hpp"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
-#include "frontend/file_reader.hpp"
+#include "frontend/files/file_reader.hpp"
+#include "ir/s7200/cpu.hpp"
 #include "tests/reader/read.hpp"
 
 namespace rungproof {
@@ -101,8 +102,8 @@ TEST(ProjectKinds, EveryReaderHasANameAndRefusesNothingness) {
 
 TEST(ProjectKinds, TargetComesFromTheOptions) {
   ReadOptions options;
-  options.target.cpu = Cpu::Cpu222;
-  EXPECT_EQ(readText("a.awl", "NOT\n", options).target.cpu, Cpu::Cpu222);
+  options.target.cpu = s7200Cpu("222");
+  EXPECT_EQ(readText("a.awl", "NOT\n", options).target.cpu, s7200Cpu("222"));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "frontend/project.hpp"
+#include "frontend/input/project.hpp"
 #include "ir/desc.hpp"
 
 namespace rungproof {

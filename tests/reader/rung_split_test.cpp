@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-#include "ir/isa.hpp"
+#include "ir/s7200/isa.hpp"
 
 namespace rungproof {
 namespace {
@@ -16,7 +16,7 @@ std::vector<std::size_t> starts(const std::string& mnemonics) {
   std::istringstream stream(mnemonics);
   for (std::string name; stream >> name;) {
     Instruction instruction;
-    instruction.desc = instructionNamed(name);
+    instruction.desc = s7200Instructions().named(name);
     EXPECT_NE(instruction.desc, nullptr) << name;
     instructions.push_back(instruction);
   }

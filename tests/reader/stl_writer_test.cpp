@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ir/isa.hpp"
+#include "ir/s7200/isa.hpp"
 #include "tests/reader/read.hpp"
 
 namespace rungproof {
@@ -90,7 +90,7 @@ TEST(StlWriter, CanonicalForm) {
 
 TEST(StlWriter, EveryInstructionCanBeWrittenAndRead) {
   int count = 0;
-  for (const Desc& desc : instructionTable()) {
+  for (const Desc& desc : s7200Instructions().all()) {
     if (desc.drawingOnly) continue;
     Instruction instruction;
     instruction.desc = &desc;

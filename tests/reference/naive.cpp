@@ -5,7 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "ir/isa.hpp"
+#include "ir/s7200/cpu.hpp"
+#include "ir/s7200/isa.hpp"
 
 namespace rungproof::naive {
 

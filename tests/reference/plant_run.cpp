@@ -1,13 +1,13 @@
-// What a scan of the plant is in this program: the meanings on plain numbers.
-#include "tests/manual_b/plant_run.hpp"
+// What a run of the plant is in this program: the meanings on plain numbers.
+#include "tests/manual/plant_run.hpp"
 
 namespace rungproof::manual {
 
-Plant& Plant::scan(int ten, int hundred) {
+Plant& Plant::run(const Run& run) {
   PlantRun::begin(*this);
   Concrete domain(outside);
-  const Outcome outcome = PlantRun::on(*this, *plan_, domain, store, ten, hundred, [](auto&) {});
-  PlantRun::finish(*this, outcome);
+  const Outcome outcome = PlantRun::on(*this, *plan_, domain, store, run, [](auto&) {});
+  PlantRun::finish(*this, run, outcome);
   return *this;
 }
 

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "engine/simulator.hpp"
-#include "frontend/project.hpp"
-#include "ir/isa.hpp"
+#include "frontend/input/project.hpp"
+#include "ir/s7200/isa.hpp"
 #include "likeness.hpp"
 #include "naive.hpp"
 #include "program_generator.hpp"
@@ -147,7 +147,7 @@ TEST(Reference, EngineAgreesWithTheNaiveInterpreter) {
     for (const auto& [name, count] : executed) total += count;
   }
   fmt::print("seed {}: {} instructions executed, {} mnemonics\n", seed, total, executed.size());
-  for (const Desc& desc : instructionTable()) {
+  for (const Desc& desc : s7200Instructions().all()) {
     const std::string name(desc.stl);
     if ((desc.cpus & s7200Cpus) == 0 || !naive::signatureOf(name) || notInPrograms.contains(name)) continue;
     EXPECT_GT(executed[name], 0U) << name << " was never executed";
@@ -155,7 +155,7 @@ TEST(Reference, EngineAgreesWithTheNaiveInterpreter) {
 }
 
 TEST(Reference, TheNaiveInterpreterKnowsAllButDevices) {
-  for (const Desc& desc : instructionTable()) {
+  for (const Desc& desc : s7200Instructions().all()) {
     if ((desc.cpus & s7200Cpus) == 0) continue;  // it is an S7-200
     const std::string name(desc.stl);
     EXPECT_NE(naive::signatureOf(name).has_value(), leftOut.contains(name)) << name;

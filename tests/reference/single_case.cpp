@@ -5,7 +5,7 @@
 
 #include <bit>
 
-#include "ir/isa.hpp"
+#include "ir/s7200/isa.hpp"
 
 namespace rungproof::reference {
 
@@ -65,7 +65,7 @@ void SingleCase::fillMemory(const std::string& mnemonic) {
   fill(Area::SM, 200, 260);
   fill(Area::SM, 1, 2);
   const auto registers = [&](Reg reg) {
-    for (std::uint32_t n = 0; n < regInfo(reg).count; ++n)
+    for (std::uint32_t n = 0; n < registerCount(regInfo(reg), plant_->plan()); ++n)
       store.set(reg, n, random_() & (~0ULL >> (64 - regInfo(reg).width)), true);
   };
   for (const Reg reg : {Reg::Accumulator, Reg::TimerCurrent, Reg::TimerBit, Reg::CounterCurrent, Reg::CounterBit,

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "naive.hpp"
-#include "tests/manual_b/plant.hpp"
+#include "tests/manual/plant.hpp"
 
 namespace rungproof::reference {
 

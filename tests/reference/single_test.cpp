@@ -6,7 +6,8 @@
 
 #include <cstdlib>
 
-#include "ir/isa.hpp"
+#include "ir/s7200/cpu.hpp"
+#include "ir/s7200/isa.hpp"
 #include "likeness.hpp"
 #include "single_case.hpp"
 
@@ -23,7 +24,7 @@ bool isAlone(const Desc& desc) {
 
 std::vector<std::string> mnemonics() {
   std::vector<std::string> list;
-  for (const Desc& desc : instructionTable()) {
+  for (const Desc& desc : s7200Instructions().all()) {
     const bool isOfS7200 = (desc.cpus & s7200Cpus) != 0;  // others: smart_test
     if (isOfS7200 && naive::signatureOf(std::string(desc.stl)) && isAlone(desc)) list.emplace_back(desc.stl);
   }

@@ -8,16 +8,16 @@
 #include <random>
 #include <set>
 
-#include "ir/isa.hpp"
+#include "ir/s7200/isa.hpp"
 #include "likeness.hpp"
 #include "smart_case.hpp"
-#include "tests/manual_b/plant.hpp"
+#include "tests/manual/plant.hpp"
 
 namespace rungproof::reference {
 
 namespace {
 
-constexpr Target st60{Cpu::St60, Edition::Smart28};
+constexpr Target st60{s7200Cpu("ST60"), Edition::Smart28};
 
 /// Devices, and what is any value.
 const std::set<std::string> leftOutOfSmart = {"GIP",        "SIP",   "GERR",  "GET",   "PUT",   "TCON",
@@ -90,7 +90,7 @@ namespace {
 
 std::vector<std::string> smartMnemonics() {
   std::vector<std::string> list;
-  for (const Desc& desc : instructionTable()) {
+  for (const Desc& desc : s7200Instructions().all()) {
     const std::string name(desc.stl);
     if ((desc.cpus & s7200Cpus) == 0 && naive::signatureOf(name)) list.push_back(name);
   }
@@ -107,7 +107,7 @@ TEST_P(SmartSingle, AgreesWithTheNaiveInterpreter) {
 INSTANTIATE_TEST_SUITE_P(Every, SmartSingle, testing::ValuesIn(smartMnemonics()));
 
 TEST(SmartSingles, AreAllButDevicesAndWhatIsAnyValue) {
-  for (const Desc& desc : instructionTable()) {
+  for (const Desc& desc : s7200Instructions().all()) {
     const std::string name(desc.stl);
     if ((desc.cpus & s7200Cpus) != 0) continue;
     EXPECT_NE(naive::signatureOf(name).has_value(), leftOutOfSmart.contains(name)) << name;

@@ -3,19 +3,19 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "ir/isa.hpp"
+#include "ir/s7200/isa.hpp"
 #include "likeness.hpp"
 #include "smart_case.hpp"
-#include "tests/manual_b/plant.hpp"
+#include "tests/manual/plant.hpp"
 
 namespace rungproof::reference {
 namespace {
 
-constexpr Target onSmart{Cpu::St60, Edition::Smart28};
+constexpr Target onSmart{s7200Cpu("ST60"), Edition::Smart28};
 
 TEST(SmartReference, WhatBothFamiliesHave) {
   int compared = 0;
-  for (const Desc& desc : instructionTable()) {
+  for (const Desc& desc : s7200Instructions().all()) {
     const std::string name(desc.stl);
     const bool isOfBoth = (desc.cpus & s7200Cpus) != 0 && (desc.cpus & cpuBit(onSmart.cpu)) != 0;
     const auto signature = naive::signatureOf(name);

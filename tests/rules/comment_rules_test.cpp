@@ -1,7 +1,7 @@
 // STY003: what counts as program text in a comment, and what only speaks of it.
 #include <gtest/gtest.h>
 
-#include "analysis/swallowed_text.hpp"
+#include "analysis/comment/swallowed_text.hpp"
 #include "lint.hpp"
 
 namespace rungproof::testing {

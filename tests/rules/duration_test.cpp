@@ -1,7 +1,7 @@
 // Durations in comments and names, and TIM015, which holds them against what the timers do.
 #include <gtest/gtest.h>
 
-#include "analysis/duration_text.hpp"
+#include "analysis/comment/duration_text.hpp"
 #include "lint.hpp"
 
 namespace rungproof::testing {

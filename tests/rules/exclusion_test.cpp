@@ -1,6 +1,6 @@
 // Blocks that exclude each other may write the same place: what OUT006 says of dispatchers, modes, steps, and of what
 // only looks like them.
-#include "analysis/exclusion.hpp"
+#include "analysis/flow/exclusion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ std::string program(const std::string& main, const std::vector<std::string>& sub
 }
 
 /// What OUT006 finds where both subroutines write Q0.2 and VW10.
-std::vector<std::string> found(const std::string& main) {
+std::vector<std::string> exclusiveFindings(const std::string& main) {
   return Linted(program(main, {"LD I1.2;= Q0.2;MOVW 1, VW10", "LD I1.3;= Q0.2;MOVW 2, VW10"})).messages("OUT006");
 }
 
@@ -46,27 +46,27 @@ TEST(Exclusion, DispatchersCallOneBlockAtATime) {
         "LD SM0.0;LPS;AB= VB0, 1;CALL SBR0;LPP;AB= VB0, 2;CALL SBR1",
         "LDB= VB0, 1;= M1.1|LDB= VB0, 2;= M1.2|LD M1.1;CALL SBR0|LD M1.2;CALL SBR1",
         "LDB= VB0, 1;LD I0.0;O I0.1;ALD;CALL SBR0|LDB= VB0, 2;CALL SBR1"})
-    EXPECT_EQ(found(main), std::vector<std::string>()) << main;
+    EXPECT_EQ(exclusiveFindings(main), std::vector<std::string>()) << main;
 }
 
 TEST(Exclusion, ModesExcludeEachOther) {
   for (const char* main :
        {"LD I0.0;CALL SBR0|LDN I0.0;CALL SBR1", "LD M0.0;A I0.1;CALL SBR0|LDN M0.0;CALL SBR1",
         "LD I0.0;= M0.0|LD M0.0;CALL SBR0|LDN I0.0;CALL SBR1", "LD I0.0;EU;CALL SBR0|LDN I0.0;CALL SBR1"})
-    EXPECT_EQ(found(main), std::vector<std::string>()) << main;
+    EXPECT_EQ(exclusiveFindings(main), std::vector<std::string>()) << main;
 }
 
 TEST(Exclusion, StepsOfAChainFollowEachOther) {
   const std::string chain =
       "LD SM0.1;S S0.0, 1|LSCR S0.0|LD SM0.0;CALL SBR0|LD I0.0;SCRT S0.1|SCRE|LSCR S0.1|LD SM0.0;CALL SBR1|LD "
       "I0.1;SCRT S0.0|SCRE";
-  EXPECT_EQ(found(chain), std::vector<std::string>());
+  EXPECT_EQ(exclusiveFindings(chain), std::vector<std::string>());
   // Two steps that are entered together run together.
   const std::string fork =
       "LD SM0.1;S S0.0, 1|LSCR S0.0|LD I0.0;SCRT S0.1;SCRT S0.2|SCRE|LSCR S0.1|LD SM0.0;CALL SBR0|SCRE|LSCR S0.2|LD "
       "SM0.0;CALL SBR1|SCRE";
-  EXPECT_EQ(found(fork).size(), 2U);
-  EXPECT_EQ(found(chain + "|LD I0.7;S S0.1, 1").size(), 2U) << "a step that is set from elsewhere";
+  EXPECT_EQ(exclusiveFindings(fork).size(), 2U);
+  EXPECT_EQ(exclusiveFindings(chain + "|LD I0.7;S S0.1, 1").size(), 2U) << "a step that is set from elsewhere";
 }
 
 TEST(Exclusion, WhatOverlapsIsNoExclusion) {
@@ -76,7 +76,7 @@ TEST(Exclusion, WhatOverlapsIsNoExclusion) {
         "LDB= VB0, 1;O I0.0;CALL SBR0|LDB= VB0, 2;CALL SBR1", "LDB= VB0, 1;CALL SBR0|LDB<> VB0, 2;CALL SBR1",
         "LDB= VB0, 1;LD I0.0;OLD;CALL SBR0|LDB= VB0, 2;CALL SBR1", "LD I0.0;ED;CALL SBR0|LDN I0.0;CALL SBR1",
         "LD I0.0;NOT;CALL SBR0|LDN I0.0;CALL SBR1", "LDB= VB0, 1;CALL SBR0|LDB= VB0, 2;CALL SBR1|LD I0.7;CALL SBR1"})
-    EXPECT_EQ(found(main).size(), 2U) << main;
+    EXPECT_EQ(exclusiveFindings(main).size(), 2U) << main;
 }
 
 /// A coil writes in every scan in which its block runs; a move only where its rung is closed.

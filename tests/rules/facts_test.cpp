@@ -1,8 +1,8 @@
 // Facts about calls, execution and conditions on small programs whose answers follow from the text beside them.
 #include <gtest/gtest.h>
 
-#include "ir/isa.hpp"
-#include "ir/library_block.hpp"
+#include "ir/s7200/isa.hpp"
+#include "ir/s7200/library_block.hpp"
 #include "tests/rules/lint.hpp"
 
 namespace rungproof::testing {

@@ -2,7 +2,7 @@
 // belongs to a library.
 #include <gtest/gtest.h>
 
-#include "analysis/library_use.hpp"
+#include "analysis/flow/library_use.hpp"
 #include "lint.hpp"
 
 namespace rungproof::testing {

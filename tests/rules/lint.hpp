@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/facts.hpp"
+#include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
-#include "frontend/project.hpp"
+#include "frontend/input/project.hpp"
 #include "frontend/property/property_reader.hpp"
 
 namespace rungproof::testing {

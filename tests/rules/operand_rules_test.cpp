@@ -9,8 +9,8 @@
 #include <set>
 #include <sstream>
 
-#include "analysis/operand_check.hpp"
-#include "ir/isa.hpp"
+#include "analysis/flow/operand_check.hpp"
+#include "ir/s7200/isa.hpp"
 #include "tests/rules/lint.hpp"
 
 namespace rungproof::testing {
@@ -158,7 +158,7 @@ TEST(OperandRules, EveryFormOfEveryOperandIsJudgedAsInTheTables) {
   std::map<std::uint32_t, Expected> expected;
   int operands = 0;
   for (const auto& [key, words] : allowed) {
-    const Desc* desc = instructionNamed(key.first);
+    const Desc* desc = s7200Instructions().named(key.first);
     ASSERT_NE(desc, nullptr) << key.first;
     for (std::size_t i = 0; i < desc->operandCount; ++i) {
       if (desc->operands[i].name != key.second) continue;
@@ -177,12 +177,12 @@ TEST(OperandRules, EveryFormOfEveryOperandIsJudgedAsInTheTables) {
 
 /// An instruction and operand that take that area at that width.
 std::pair<const Desc*, std::size_t> carrier(const std::string& area, Width width) {
-  if (area == "AQ") return {instructionNamed("MOVW"), 1};
+  if (area == "AQ") return {s7200Instructions().named("MOVW"), 1};
   switch (width) {
-    case Width::Bit: return {instructionNamed("LD"), 0};
-    case Width::Byte: return {instructionNamed("MOVB"), 0};
-    case Width::Word: return {instructionNamed("MOVW"), 0};
-    default: return {instructionNamed("MOVD"), 0};
+    case Width::Bit: return {s7200Instructions().named("LD"), 0};
+    case Width::Byte: return {s7200Instructions().named("MOVB"), 0};
+    case Width::Word: return {s7200Instructions().named("MOVW"), 0};
+    default: return {s7200Instructions().named("MOVD"), 0};
   }
 }
 
@@ -251,16 +251,16 @@ TEST(OperandRules, FeaturesDependOnTheCpu) {
     return Linted(text, {cpu, edition}).of("ADR009").size();
   };
   const char* hsc = "Network 1\nLD SM0.1\nHDEF 1, 0\n";  // 001:4166
-  EXPECT_EQ(count(hsc, Cpu::Cpu222), 1U);
-  EXPECT_EQ(count(hsc, Cpu::Cpu224), 0U);
+  EXPECT_EQ(count(hsc, s7200Cpu("222")), 1U);
+  EXPECT_EQ(count(hsc, s7200Cpu("224")), 0U);
   const char* port = "Network 1\nLD SM0.1\nXMT VB0, 1\n";  // 001:2670
-  EXPECT_EQ(count(port, Cpu::Cpu224), 1U);
-  EXPECT_EQ(count(port, Cpu::Cpu226), 0U);
+  EXPECT_EQ(count(port, s7200Cpu("224")), 1U);
+  EXPECT_EQ(count(port, s7200Cpu("226")), 0U);
   const char* newer = "Network 1\nLD SM0.1\nBITIM VD0\n";  // 001:130
-  EXPECT_EQ(count(newer, Cpu::Cpu226, Edition::Edition2003), 1U);
-  EXPECT_EQ(count(newer, Cpu::Cpu226), 0U);
+  EXPECT_EQ(count(newer, s7200Cpu("226"), Edition::Edition2003), 1U);
+  EXPECT_EQ(count(newer, s7200Cpu("226")), 0U);
   // The manual contradicts itself: 0-63 (001:2666) against 0-127 (001:6751), so the message names both lines.
-  const Linted disputed("Network 1\nLD SM0.1\nCALL 100\n", {Cpu::Cpu224XP, Edition::Edition2004});
+  const Linted disputed("Network 1\nLD SM0.1\nCALL 100\n", {s7200Cpu("224XP"), Edition::Edition2004});
   ASSERT_EQ(disputed.of("ADR009").size(), 1U);
   EXPECT_NE(disputed.messages("ADR009")[0].find("001:2666"), std::string::npos);
   EXPECT_NE(disputed.messages("ADR009")[0].find("001:6751"), std::string::npos);

@@ -1,7 +1,7 @@
 // ADR012: words of a panel that the program uses for itself.
 #include <gtest/gtest.h>
 
-#include "analysis/panel_words.hpp"
+#include "analysis/panel/panel_words.hpp"
 #include "lint.hpp"
 
 namespace rungproof::testing {

@@ -2,13 +2,13 @@
 // without --port-to.
 #include <gtest/gtest.h>
 
-#include "analysis/analogue_flow.hpp"
+#include "analysis/flow/analogue_flow.hpp"
 #include "lint.hpp"
 
 namespace rungproof::testing {
 namespace {
 
-constexpr Target cpu226{Cpu::Cpu226, Edition::Edition2004}, smartCpu{Cpu::St40, Edition::Smart28};
+constexpr Target cpu226{s7200Cpu("226"), Edition::Edition2004}, smartCpu{s7200Cpu("ST40"), Edition::Smart28};
 
 std::vector<Finding> ported(const std::string& networks, Target cpu, std::optional<Target> to) {
   return Linted(networks, cpu, {}, {.portTo = to}).of("PRT001");
@@ -100,7 +100,7 @@ TEST(Prt001, WhatTheCpuLacksIsToldByTheRulesOfLimits) {
   EXPECT_TRUE(message(deep + "= Q0.0\n", smartCpu, cpu226).starts_with("on a CPU 226: "));
   EXPECT_TRUE(message("Network 1\nLD I0.0\nEU\nGET VB200\n", smartCpu, cpu226).starts_with("on a CPU 226: "));
   // From one S7-200 to a smaller one.
-  EXPECT_TRUE(message("Network 1\nLD I0.0\nMOVB 1, VB5000\n", cpu226, {Cpu::Cpu222, Edition::Edition2004})
+  EXPECT_TRUE(message("Network 1\nLD I0.0\nMOVB 1, VB5000\n", cpu226, {s7200Cpu("222"), Edition::Edition2004})
                   .starts_with("on a CPU 222: "));
 }
 

@@ -1,12 +1,13 @@
 // GET001: tables of GET and PUT, byte by byte.
 #include <gtest/gtest.h>
 
+#include "ir/s7200/cpu.hpp"
 #include "lint.hpp"
 
 namespace rungproof::testing {
 namespace {
 
-constexpr Target requestTarget{Cpu::St40, Edition::Smart28};
+constexpr Target requestTarget{s7200Cpu("ST40"), Edition::Smart28};
 
 /// A table at VB780 that is right, for a GET of 20 bytes into VB200.
 std::string requestTable(const std::string& length = "20", const std::string& local = "&VB200",

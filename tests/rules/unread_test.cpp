@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "analysis/lint.hpp"
+#include "analysis/lint/lint.hpp"
 #include "tests/rules/lint.hpp"
 
 namespace rungproof::testing {

@@ -4,7 +4,7 @@
 // not found.
 #include <gtest/gtest.h>
 
-#include "analysis/equivalence/self_check.hpp"
+#include "analysis/selfcheck/self_check.hpp"
 #include "tests/corpus/corpus_program.hpp"
 
 namespace rungproof::test {

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "analysis/equivalence/equivalence.hpp"
-#include "analysis/equivalence/self_check.hpp"
+#include "analysis/selfcheck/self_check.hpp"
 #include "tests/prover/proved_text.hpp"
 
 namespace rungproof::test {

@@ -8,7 +8,7 @@
 
 #include "ir/check.hpp"
 #include "ir/drawing.hpp"
-#include "ir/isa.hpp"
+#include "ir/s7200/isa.hpp"
 
 namespace rungproof::show_test {
 
@@ -54,7 +54,7 @@ class Builder {
 
  private:
   static const Desc* instruction(std::string_view mnemonic) {
-    const Desc* desc = instructionNamed(mnemonic);
+    const Desc* desc = s7200Instructions().named(mnemonic);
     CHECK(desc != nullptr, "unknown mnemonic in a test");
     return desc;
   }

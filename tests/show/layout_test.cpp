@@ -6,9 +6,9 @@
 #include <random>
 #include <set>
 
-#include "frontend/drawing/box_form.hpp"
-#include "frontend/drawing/placement.hpp"
-#include "frontend/page/excerpt.hpp"
+#include "frontend/picture/box_form.hpp"
+#include "frontend/picture/placement.hpp"
+#include "frontend/text/excerpt.hpp"
 #include "tests/show/drawings.hpp"
 
 namespace rungproof::show_test {
@@ -256,7 +256,7 @@ TEST(Layout, RandomNetworks) {
 TEST(BoxForm, NamesSignsAndPins) {
   const auto pins = [](std::string_view mnemonic) {
     std::string text;
-    for (const OperandPin& pin : operandPins(*instructionNamed(mnemonic), 5, nullptr)) {
+    for (const OperandPin& pin : operandPins(*s7200Instructions().named(mnemonic), 5, nullptr)) {
       text += (text.empty() ? "" : " ") +
               std::string(pin.side == PinSide::Above  ? "^"
                           : pin.side == PinSide::Left ? "<"
@@ -265,23 +265,23 @@ TEST(BoxForm, NamesSignsAndPins) {
     }
     return text;
   };
-  EXPECT_EQ(instructionNamed("+I")->drawnName(), "ADD_I");
-  EXPECT_EQ(instructionNamed("TON.IEC")->drawnName(), "TON");
-  EXPECT_EQ(instructionNamed("FND<>")->drawnName(), "TBL_FIND <>");
-  EXPECT_EQ(instructionNamed("LDW>=")->drawnName(), ">=I");
-  EXPECT_EQ(instructionNamed("LDR=")->drawnName(), "==R");
-  EXPECT_EQ(instructionNamed("LDNI")->drawnName(), "/I");
-  EXPECT_EQ(instructionNamed("EU")->drawnName(), "P");
-  EXPECT_EQ(instructionNamed("=I")->drawnName(), "I");
-  EXPECT_EQ(instructionNamed("CRET")->drawnName(), "RET");
+  EXPECT_EQ(s7200Instructions().named("+I")->drawnName(), "ADD_I");
+  EXPECT_EQ(s7200Instructions().named("TON.IEC")->drawnName(), "TON");
+  EXPECT_EQ(s7200Instructions().named("FND<>")->drawnName(), "TBL_FIND <>");
+  EXPECT_EQ(s7200Instructions().named("LDW>=")->drawnName(), ">=I");
+  EXPECT_EQ(s7200Instructions().named("LDR=")->drawnName(), "==R");
+  EXPECT_EQ(s7200Instructions().named("LDNI")->drawnName(), "/I");
+  EXPECT_EQ(s7200Instructions().named("EU")->drawnName(), "P");
+  EXPECT_EQ(s7200Instructions().named("=I")->drawnName(), "I");
+  EXPECT_EQ(s7200Instructions().named("CRET")->drawnName(), "RET");
   EXPECT_EQ(pins("TON"), "^Txx0 <PT1");
   EXPECT_EQ(pins("MOVW"), "<IN0 >OUT1");
   EXPECT_EQ(pins("INCW"), "<IN0 >OUT0");
   EXPECT_EQ(pins("+I"), "<IN10 <IN21 >OUT1");
   // STL: OUT - IN1 = OUT (001:4814); the box subtracts IN2 from IN1.
   EXPECT_EQ(pins("-I"), "<IN11 <IN20 >OUT1");
-  EXPECT_EQ(powerPins(*instructionNamed("CTUD")), (std::vector<std::string>{"CU", "CD", "R"}));
-  EXPECT_EQ(powerPins(*instructionNamed("RS")), (std::vector<std::string>{"S", "R1"}));
+  EXPECT_EQ(powerPins(*s7200Instructions().named("CTUD")), (std::vector<std::string>{"CU", "CD", "R"}));
+  EXPECT_EQ(powerPins(*s7200Instructions().named("RS")), (std::vector<std::string>{"S", "R1"}));
 }
 
 }  // namespace

@@ -3,10 +3,10 @@
 
 #include <pugixml.hpp>
 
-#include "frontend/drawing/network_view.hpp"
-#include "frontend/drawing/placement.hpp"
-#include "frontend/drawing/svg_picture.hpp"
-#include "frontend/drawing/text_picture.hpp"
+#include "frontend/picture/network_view.hpp"
+#include "frontend/picture/placement.hpp"
+#include "frontend/picture/svg_picture.hpp"
+#include "frontend/picture/text_picture.hpp"
 #include "tests/show/drawings.hpp"
 
 namespace rungproof::show_test {

@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "engine/simulator.hpp"
-#include "frontend/project.hpp"
-#include "frontend/run/scan_drawings.hpp"
+#include "frontend/input/project.hpp"
+#include "frontend/simulation/scan_drawings.hpp"
 
 namespace rungproof {
 namespace {

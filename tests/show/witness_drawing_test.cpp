@@ -1,9 +1,9 @@
 // Which networks of a witness are drawn.
-#include "frontend/run/witness_drawing.hpp"
+#include "frontend/simulation/witness_drawing.hpp"
 
 #include <gtest/gtest.h>
 
-#include "frontend/project.hpp"
+#include "frontend/input/project.hpp"
 
 namespace rungproof {
 namespace {

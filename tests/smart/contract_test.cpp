@@ -1,12 +1,12 @@
 // Blocks without text: what a call of one may write is any value, what it cannot write is decided as ever. Libraries by
 // their parameters (001:10594-10834 and the libraries of the S7-200 SMART), other blocks by what the call gives them.
 #include "analysis/drawing/editor_verdict.hpp"
-#include "analysis/hidden_blocks.hpp"
-#include "analysis/lint.hpp"
+#include "analysis/lint/lint.hpp"
+#include "analysis/unread/hidden_blocks.hpp"
 #include "engine/simulator.hpp"
-#include "frontend/cli.hpp"
+#include "frontend/cli/cli.hpp"
 #include "frontend/settings/retentive_range.hpp"
-#include "ir/call_contract.hpp"
+#include "ir/s7200/call_contract.hpp"
 #include "tests/prover/proved_text.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 using test::outcomeOf;
 using test::usualOptions;
 
-constexpr Target callingCpu{Cpu::St40, Edition::Smart28};
+constexpr Target callingCpu{s7200Cpu("ST40"), Edition::Smart28};
 
 /// A main program; ';' ends a line, '|' begins a network.
 std::string mainOf(const std::string& lines, const std::string& properties = "") {

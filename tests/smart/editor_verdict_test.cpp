@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "frontend/program_input.hpp"
+#include "frontend/input/program_input.hpp"
 
 namespace rungproof {
 namespace {
 
-constexpr Target st40{Cpu::St40, Edition::Smart28};
+constexpr Target st40{s7200Cpu("ST40"), Edition::Smart28};
 
 Program programOf(const std::string& lines) {
   std::string text = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\n";

@@ -3,13 +3,13 @@
 // calls below interrupt routines. Each program is asked on a CPU ST40 and on a CPU 226.
 #include <gtest/gtest.h>
 
-#include "analysis/unread_code.hpp"
+#include "analysis/unread/unread_code.hpp"
 #include "tests/environment/asked.hpp"
 
 namespace rungproof::test {
 namespace {
 
-constexpr Target st40{Cpu::St40, Edition::Smart28};
+constexpr Target st40{s7200Cpu("ST40"), Edition::Smart28};
 
 struct OnBoth {
   const char* name;

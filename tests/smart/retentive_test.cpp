@@ -38,7 +38,7 @@ Outcome onFirstScan(const char* address, Target target, std::optional<std::vecto
 }
 
 TEST(RetentiveRange, DecidesWhatStartsWithAnyValue) {
-  const Target st40{Cpu::St40, Edition::Smart28}, cpu226;
+  const Target st40{s7200Cpu("ST40"), Edition::Smart28}, cpu226;
   const std::vector<RetentiveRange> some = {{Area::V, 0, 9}};
   EXPECT_EQ(onFirstScan("V5.0", st40, std::nullopt), Outcome::Unreachable) << "nothing, unless it is named";
   EXPECT_EQ(onFirstScan("V5.0", st40, some), Outcome::Reachable);

@@ -1,14 +1,14 @@
 // The S7-200 SMART against its tables, row by row: areas of each CPU and firmware, instructions, special memory.
 #include <gtest/gtest.h>
 
-#include "analysis/facts.hpp"
-#include "analysis/lint.hpp"
+#include "analysis/flow/facts.hpp"
+#include "analysis/lint/lint.hpp"
 #include "analysis/rule.hpp"
-#include "frontend/project.hpp"
+#include "frontend/input/project.hpp"
 #include "frontend/stl/system_symbol.hpp"
-#include "ir/event.hpp"
-#include "ir/isa.hpp"
-#include "ir/special_memory.hpp"
+#include "ir/s7200/event.hpp"
+#include "ir/s7200/isa.hpp"
+#include "ir/s7200/special_memory.hpp"
 #include "tests/ir/tsv.hpp"
 
 namespace rungproof::tables {
@@ -95,7 +95,7 @@ TEST(SmartTables, AreasOfEachCpuAndFirmware) {
 }
 
 TEST(SmartTables, BetweenTheImageAndProfinetIsNothing) {
-  const Target st30{Cpu::St30, Edition::Smart28};
+  const Target st30{s7200Cpu("ST30"), Edition::Smart28};
   for (const std::uint32_t byte : {32U, 100U, 127U}) EXPECT_FALSE(addressExists(st30, Area::I, Width::Byte, byte, 0));
   EXPECT_FALSE(addressExists(st30, Area::Q, Width::Word, 31, 0)) << "QW31 would reach QB32";
   EXPECT_FALSE(addressExists(st30, Area::Q, Width::DWord, 126, 0)) << "QD126 would begin in the gap";
@@ -108,7 +108,7 @@ TEST(SmartTables, InstructionsOfTheFamily) {
   for (const Row& row : rows) {
     const std::string& name = row.at("mnemonic");
     SCOPED_TRACE(name);
-    const Desc* desc = instructionNamed(name);
+    const Desc* desc = s7200Instructions().named(name);
     ASSERT_NE(desc, nullptr);
     if (desc->olderDialectOnly) {
       EXPECT_EQ(row.at("in_smart"), "no");
@@ -123,8 +123,8 @@ TEST(SmartTables, InstructionsOfTheFamily) {
 
 /// One source spells them otherwise; both are read.
 TEST(SmartTables, OtherSpellings) {
-  EXPECT_EQ(instructionAlias("ABSD"), instructionNamed("ABSDI"));
-  EXPECT_EQ(instructionAlias("CEVENT"), instructionNamed("CEVNT"));
+  EXPECT_EQ(s7200Instructions().alias("ABSD"), s7200Instructions().named("ABSDI"));
+  EXPECT_EQ(s7200Instructions().alias("CEVENT"), s7200Instructions().named("CEVNT"));
 }
 
 TEST(SmartTables, WhatTheFamilyLacksIsRefused) {
@@ -137,8 +137,8 @@ TEST(SmartTables, WhatTheFamilyLacksIsRefused) {
       found += std::string(severityName(finding.severity)) + ": " + finding.message;
     return found;
   };
-  const Target st40{Cpu::St40, Edition::Smart28}, older{Cpu::St40, Edition::Smart27},
-      cr40s{Cpu::Cr40s, Edition::Smart28}, classic;
+  const Target st40{s7200Cpu("ST40"), Edition::Smart28}, older{s7200Cpu("ST40"), Edition::Smart27},
+      cr40s{s7200Cpu("CR40s"), Edition::Smart28}, classic;
   EXPECT_NE(errors("NETR VB100, 0", st40).find("error: the CPU ST40 has no instruction NETR"), std::string::npos);
   EXPECT_EQ(errors("GET VB100", st40), "");
   EXPECT_NE(errors("GET VB100", classic).find("error: the CPU 226 has no instruction GET"), std::string::npos);
@@ -153,13 +153,13 @@ TEST(SmartTables, WhatTheFamilyLacksIsRefused) {
   EXPECT_EQ(errors("SI Q0.0, 200", st40), "");
   EXPECT_NE(errors("SI Q0.0, 200", classic), "");
   EXPECT_EQ(errors("PLS 2", st40), "");
-  EXPECT_NE(errors("PLS 2", {Cpu::St20, Edition::Smart28}), "") << "two pulse outputs";
+  EXPECT_NE(errors("PLS 2", {s7200Cpu("ST20"), Edition::Smart28}), "") << "two pulse outputs";
   EXPECT_NE(errors("PLS 0", cr40s), "") << "none";
 }
 
 TEST(SmartTables, EventsOfTheFamily) {
-  const Target st40{Cpu::St40, Edition::Smart28}, st20{Cpu::St20, Edition::Smart28},
-      cr40s{Cpu::Cr40s, Edition::Smart28};
+  const Target st40{s7200Cpu("ST40"), Edition::Smart28}, st20{s7200Cpu("ST20"), Edition::Smart28},
+      cr40s{s7200Cpu("CR40s"), Edition::Smart28};
   for (int event = 0; event < eventCount; ++event) {
     const bool isListed = (event <= 13 || event >= 16) && !(event >= 39 && event <= 42);
     EXPECT_EQ(eventExists(st40, event), isListed) << event;
@@ -173,7 +173,7 @@ TEST(SmartTables, EventsOfTheFamily) {
 }
 
 TEST(SmartTables, SpecialMemoryIsReadOnlyToByte29) {
-  const Target st40{Cpu::St40, Edition::Smart28};
+  const Target st40{s7200Cpu("ST40"), Edition::Smart28};
   for (const Row& row : read("smart-sm-bits.tsv")) {
     const std::string& address = row.at("address");
     if (!address.starts_with("SM") || address.find('-') != std::string::npos) continue;

@@ -8,7 +8,7 @@
 namespace rungproof::test {
 namespace {
 
-constexpr Target withTerminals{Cpu::St40, Edition::Smart28};
+constexpr Target withTerminals{s7200Cpu("ST40"), Edition::Smart28};
 
 /// A program on a CPU ST40 that runs by the reference engine.
 class SmartRun {

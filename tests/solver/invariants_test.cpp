@@ -10,7 +10,7 @@
 #include "analysis/portfolio/invariants_timers.hpp"
 #include "analysis/portfolio/invariants_words.hpp"
 #include "analysis/portfolio/portfolio.hpp"
-#include "analysis/portfolio/truths.hpp"
+#include "analysis/portfolio/state_truths.hpp"
 #include "families.hpp"
 
 namespace rungproof {
@@ -241,6 +241,7 @@ TEST(Invariants, OffDelayBitNeedsInputOrRunningTime) {
   Family f;
   const Node bit = f.state("T97"), in = f.state("T97.in"), running = f.state("T97.running"),
              other = f.state("T98.running");
+  f.system.timers = {{bit, in, running}, {.running = other}};
   const std::vector<NodeClause> guesses = guessTimerStates(f.system);
   ASSERT_EQ(guesses.size(), 1U) << "T98 has no bit and no input here";
   EXPECT_EQ(guesses[0], (NodeClause{f.no(bit), in, running}));
@@ -255,6 +256,7 @@ TEST(Invariants, TimersHaveSeenTheirInputUntilAJumpLeavesThemOut) {
   f.next(driver, in);
   f.next(seen, f.graph->make(Op::Ite, 1, jump, seen, in));
   f.next(jumped, f.graph->make(Op::Or, 1, jumped, jump));
+  f.system.timers = {{.input = seen}};
   const std::vector<NodeClause> guesses = guessTimerStates(f.system);
   ASSERT_EQ(guesses.size(), 2U);
   EXPECT_EQ(guesses[0], (NodeClause{jumped, f.no(seen), driver}));

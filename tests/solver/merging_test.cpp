@@ -15,7 +15,7 @@ namespace {
 
 using families::Family;
 
-MergedSystem merged(const Family& f) { return mergeStates(f.system, 5, Budget::seconds(10)); }
+MergedSystem merged(const Family& f) { return mergeStates(f.system, allQuestions(f.system), 5, Budget::seconds(10)); }
 
 std::vector<Node> statesOf(const TransitionSystem& system) {
   std::vector<Node> nodes;

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "frontend/cli.hpp"
+#include "frontend/cli/cli.hpp"
 #include "tests/machine_pace.hpp"
 #include "tests/temporary_folder.hpp"
 

@@ -13,7 +13,7 @@
 
 #include "analysis/portfolio/certificate_check.hpp"
 #include "analysis/proof/proof_watch.hpp"
-#include "frontend/cli.hpp"
+#include "frontend/cli/cli.hpp"
 #include "tests/machine_pace.hpp"
 #include "tests/prover/proved_text.hpp"
 

@@ -33,9 +33,9 @@ std::string starDelta(int preset, bool proof) {
 }
 
 void expectIndependent(std::string (*program)(int, bool), bool proof) {
-  const MeasuredProof small = measureProof(program(50, proof), {}, 3),
-                      middle = measureProof(program(3000, proof), {}, 3),
-                      large = measureProof(program(30000, proof), {}, 3);
+  const MeasuredProof small = measureProof(program(50, proof), {}, 5),
+                      middle = measureProof(program(3000, proof), {}, 5),
+                      large = measureProof(program(30000, proof), {}, 5);
   for (const MeasuredProof* m : {&small, &middle, &large})
     EXPECT_EQ(m->verdicts.at("late"), proof ? "PROVED" : "REACHABLE");
   testing::Test::RecordProperty("seconds", std::to_string(small.cpuSeconds) + " " + std::to_string(middle.cpuSeconds) +

@@ -1,10 +1,10 @@
 // Comparison of traces: first difference, don't care, tolerance, slack, rows by time.
-#include "frontend/run/comparison.hpp"
+#include "frontend/simulation/comparison.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "frontend/run/stimulus_reader.hpp"
+#include "frontend/simulation/stimulus_reader.hpp"
 
 namespace rungproof {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <sstream>
 
-#include "frontend/run/csv_table.hpp"
-#include "frontend/trace/format.hpp"
+#include "frontend/logger/csv_table.hpp"
+#include "frontend/trace_format.hpp"
 #include "tests/trace/traces.hpp"
 
 namespace rungproof {

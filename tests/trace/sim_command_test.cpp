@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "frontend/cli.hpp"
+#include "frontend/cli/cli.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rungproof {
@@ -128,7 +128,7 @@ const std::vector<BadTable> badTables = {
     {"address that the CPU lacks", "scan,I99.0\n1,1\n", ":1:6", "the CPU 226 has no I99.0"},
     {"unsorted scans", "scan,I0.0\n3,1\n2,0\n", ":3:1", "scan 2 comes after scan 3"},
     {"unsorted times", "time_ms,I0.0\n10,1\n10,0\n", ":3:1", "time 10 comes after 10 ms"},
-    {"wrong type", "scan,I0.0\n1,on\n", ":2:3", "'on' is no value for I0.0"},
+    {"wrong type", "scan,I0.0\n1,up\n", ":2:3", "'up' is no value for I0.0"},
     {"fraction in a word", "scan,VW0\n1,1.5\n", ":2:3", "VW0 takes whole numbers"},
     {"value out of range", "scan,VW0\n1,70000\n", ":2:3", "VW0 does not hold 70000"},
     {"bit out of range", "scan,I0.0\n1,2\n", ":2:3", "I0.0 is a bit"},

@@ -1,7 +1,7 @@
 // Stimulus files: what they mean, recorded traces as stimuli, and every mistake with its place.
 #include "engine/stimulus.hpp"
 
-#include "frontend/run/stimulus_reader.hpp"
+#include "frontend/simulation/stimulus_reader.hpp"
 #include "tests/engine/rig.hpp"
 
 namespace rungproof {
@@ -156,7 +156,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"scan,I0.0\n1.5,1\n", "s.csv:2:1", "'1.5' is no scan number"},
                     Mistake{"time_ms,I0.0\n-1,1\n", "s.csv:2:1", "'-1' is no time"},
                     Mistake{"scan,I0.0\n1,2\n", "s.csv:2:3", "I0.0 is a bit: 0 or 1, not 2"},
-                    Mistake{"scan,I0.0\n1,on\n", "s.csv:2:3", "'on' is no value for I0.0"},
+                    Mistake{"scan,I0.0\n1,up\n", "s.csv:2:3", "'up' is no value for I0.0"},
                     Mistake{"scan,I0.0,VW0\n1,1,65536\n", "s.csv:2:5", "VW0 does not hold 65536"},
                     Mistake{"scan,VW0\n1,1.5\n", "s.csv:2:3", "VW0 takes whole numbers"},
                     Mistake{"scan,I0.0\n1,1\n2\n", "s.csv:3:1", "this row has 1 cells, the heading has 2"},

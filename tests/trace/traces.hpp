@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "engine/trace.hpp"
-#include "frontend/trace/format.hpp"
+#include "frontend/trace_format.hpp"
 
 namespace rungproof {
 

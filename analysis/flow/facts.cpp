@@ -1,0 +1,191 @@
+// Builds the facts in the order in which they depend on each other.
+#include "analysis/flow/facts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/flow/dataflow_pointers.hpp"
+#include "analysis/flow/pulse_bits.hpp"
+#include "analysis/read_errors.hpp"
+
+namespace rungproof {
+
+namespace {
+
+std::uint64_t addressKey(const Operand& o) {
+  const bool byNumber = hasBitAndWord(o.area);
+  const std::uint64_t shape = byNumber ? 0 : static_cast<std::uint64_t>(o.width) << 4 | o.bit;
+  return static_cast<std::uint64_t>(o.area) << 48 | shape << 40 | o.offset;
+}
+
+}  // namespace
+
+Facts::Facts(const Program& program, std::span<const ExternalRange> externals, Surroundings around)
+    : program_(program),
+      surroundings_(std::move(around)),
+      externals_(externals.begin(), externals.end()),
+      plan_(program),
+      places_(placesOf(program, plan_)),
+      accesses_(program, plan_),
+      blocks_(blocksOf(places_)),
+      index_(program, accesses_, blocks_),
+      bits_(accesses_, index_.cells(), blocks_),
+      calls_(program, plan_),
+      contracts_(program),
+      stack_(program, plan_, {}),
+      execution_(program, plan_, calls_, stack_) {
+  countUses();
+  for (const Finding& finding : program.findings) {
+    hasUnreadFrame_ = hasUnreadFrame_ || isFrameReadError(finding);
+    hasUnreadCode_ = hasUnreadCode_ || (finding.network == 0 && isProgramReadError(finding));
+  }
+  hasHiddenCode_ = hasUnreadCode_;
+  for (std::uint32_t block = 0; block < program.pous.size(); ++block) {
+    hasUnreadCode_ = hasUnreadCode_ || hasUnreadCode(block);
+    hasHiddenCode_ = hasHiddenCode_ || hasUnreadCode_ || program.pous[block].protectedBlock;
+  }
+  for (const auto& [id, contract] : contracts_.all())
+    hasHiddenCode_ = hasHiddenCode_ || contract.source != CallContract::Source::Library;
+  collectBoxes();
+  collectSymbols();
+  collectExternals();
+  findPulses();
+  pointers_ = std::make_unique<const PointerTable>(*this);
+}
+
+Facts::~Facts() = default;
+
+bool Facts::hasUnreadCode(const Pou& block) const {
+  return hasUnreadFrame_ ||
+         std::ranges::any_of(block.networks, [](const Network& network) { return !network.complete; });
+}
+
+std::vector<InstructionPlace> Facts::placesOf(const Program& program, const Plan& plan) {
+  std::vector<InstructionPlace> places;
+  places.reserve(program.instructionCount());
+  for (std::uint32_t block = 0; block < plan.flows.size(); ++block) {
+    const Flow& flow = plan.flows[block];
+    for (std::uint32_t step = 0; step < flow.steps.size(); ++step) {
+      places.push_back({flow.steps[step].instruction, block, step, flow.steps[step].network});
+    }
+  }
+  return places;
+}
+
+std::vector<std::uint32_t> Facts::blocksOf(std::span<const InstructionPlace> places) {
+  std::vector<std::uint32_t> blocks;
+  blocks.reserve(places.size());
+  for (const InstructionPlace& place : places) blocks.push_back(place.block);
+  return blocks;
+}
+
+void Facts::countUses() {
+  const CellMap& cells = index_.cells();
+  writers_.assign(static_cast<std::size_t>(cells.size()) * 8, 0);
+  readers_.assign(static_cast<std::size_t>(cells.size()) * 8, 0);
+  for (const Access& a : accesses_.all()) {
+    if (a.viaPointer || a.certainLength() > AccessIndex::longest) continue;
+    const Desc& desc = *instruction(a.instruction).desc;
+    const bool isOwn = desc.control != Control::Call && a.operand < desc.operandCount &&
+                       desc.operands[a.operand].direction == Direction::InOut;
+    if (!a.write && isOwn) continue;
+    std::vector<std::uint8_t>& counts = a.write ? writers_ : readers_;
+    const std::uint32_t cell = cellOf(a);
+    if (cell == cells.size()) continue;
+    const std::size_t end =
+        (static_cast<std::size_t>(cell) + std::min(a.certainLength(), cells.left(cell, a.area))) * 8;
+    const bool isBits = a.width == Width::Bit && !a.byNumber();
+    const std::size_t start = static_cast<std::size_t>(cell) * 8 + (isBits ? std::min<unsigned>(a.bit, 7) : 0);
+    const std::size_t stop = isBits ? std::min(start + a.count, end) : end;
+    for (std::size_t bit = start; bit < stop; ++bit)
+      counts[bit] = static_cast<std::uint8_t>(std::min(counts[bit] + 1, 2));
+  }
+}
+
+/// What is known about one bit may tell something about the next.
+void Facts::findPulses() {
+  constexpr int mostRounds = 4;
+  KnownBits known;
+  for (int round = 0; round < mostRounds; ++round) {
+    KnownBits pulses = pulseBits(*this);
+    if (pulses == known) return;
+    known = std::move(pulses);
+    stack_ = StackRun(program_, plan_, known);
+    execution_ = ExecutionTable(program_, plan_, calls_, stack_);
+  }
+}
+
+void Facts::collectBoxes() {
+  for (const InstructionPlace& place : places_) {
+    const Instruction& instruction = *place.instruction;
+    const Role role = roleOf(instruction);
+    if ((!isTimerBox(role) && !isCounterBox(role)) || instruction.operands.empty()) continue;
+    const Operand& o = instruction.operands[0];
+    if (o.kind != OperandKind::Direct || o.offset >= 256) continue;
+    (isTimerBox(role) ? timers_ : counters_)[o.offset].push_back(instruction.id);
+  }
+}
+
+void Facts::collectSymbols() {
+  for (const Symbol& symbol : program_.symbols) {
+    symbolByName_.emplace(symbol.name, &symbol);
+    if (symbol.address.kind == OperandKind::Direct) symbolByAddress_.emplace(addressKey(symbol.address), &symbol);
+  }
+}
+
+void Facts::collectExternals() {
+  const CellMap& cells = index_.cells();
+  external_.assign(cells.size(), 0);
+  for (const auto& [id, contract] : contracts_.all()) {
+    for (const MemoryRow& row : contract.memory) {
+      for (std::uint32_t byte = row.first / 8; byte * 8 < row.first + row.count; ++byte)
+        if (const std::uint32_t cell = cells.cell(row.area, byte, 0); cell != cells.size()) external_[cell] = 1;
+    }
+  }
+  for (const ExternalRange& range : externals_) {
+    const bool byNumber = hasBitAndWord(range.first.area);
+    const std::uint32_t end = range.last.offset + static_cast<std::uint32_t>(byNumber ? 1 : bytes(range.last.width));
+    for (std::uint32_t at = range.first.offset; at < end; ++at) {
+      const std::uint32_t cell = cells.cell(range.first.area, at, 0);
+      if (cell == cells.size()) break;
+      external_[cell] = 1;
+    }
+  }
+}
+
+Condition Facts::conditionOf(std::uint32_t id) const {
+  const Condition flow = stack_.at(id).flow;
+  return static_cast<Condition>(flow | execution_.at(id).within | execution_.condition(blockOf(id)));
+}
+
+const Symbol* Facts::symbolOf(const Operand& address) const {
+  const auto found = symbolByAddress_.find(addressKey(address));
+  return found == symbolByAddress_.end() ? nullptr : found->second;
+}
+
+const Symbol* Facts::symbolNamed(std::string_view name) const {
+  const auto found = symbolByName_.find(name);
+  return found == symbolByName_.end() ? nullptr : found->second;
+}
+
+std::string Facts::name(const Operand& operand) const {
+  const std::string address = toString(operand);
+  if (operand.kind != OperandKind::Direct) return address;
+  const Symbol* symbol = symbolOf(operand);
+  return symbol == nullptr ? address : fmt::format("{} ({})", address, symbol->name);
+}
+
+std::string Facts::bitName(std::uint32_t key) const {
+  const CellMap& cells = index_.cells();
+  return name(direct(cells.areaOf(key / 8), Width::Bit, cells.offsetOf(key / 8), key % 8));
+}
+
+std::string Facts::text(const Instruction& instruction) {
+  std::string text(instruction.desc->stl);
+  for (std::size_t i = 0; i < instruction.operands.size(); ++i)
+    text += (i == 0 ? " " : ", ") + toString(instruction.operands[i]);
+  return text;
+}
+
+}  // namespace rungproof

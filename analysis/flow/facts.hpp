@@ -1,0 +1,148 @@
+// Facts: everything that rules may ask about a program, built once and shared by all of them. Construction and every
+// question are linear in the program or constant, so that linting on save stays free.
+// Tested by tests/rules/facts_test.cpp; cost by tests/rules/scale_test.cpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "analysis/flow/access.hpp"
+#include "analysis/flow/access_bits.hpp"
+#include "analysis/flow/access_index.hpp"
+#include "analysis/flow/call_graph.hpp"
+#include "analysis/flow/execution.hpp"
+#include "analysis/flow/stack_depth.hpp"
+#include "analysis/property.hpp"
+#include "analysis/surroundings.hpp"
+#include "ir/program.hpp"
+#include "ir/s7200/call_contract.hpp"
+
+namespace rungproof {
+
+class PointerTable;  // analysis/flow/dataflow_pointers.hpp
+
+/// Where an instruction stands.
+struct InstructionPlace {
+  const Instruction* instruction;
+  std::uint32_t block;    ///< index in Program::pous and Plan::flows
+  std::uint32_t step;     ///< index in Flow::steps
+  std::uint32_t network;  ///< index in Pou::networks
+};
+
+class Facts {
+ public:
+  explicit Facts(const Program& program, std::span<const ExternalRange> externals = {}, Surroundings around = {});
+  ~Facts();
+  Facts(const Facts&) = delete;
+  Facts& operator=(const Facts&) = delete;
+
+  const Program& program() const { return program_; }
+  const Target& target() const { return program_.target; }
+  const Plan& plan() const { return plan_; }
+  const Surroundings& surroundings() const { return surroundings_; }
+  /// What a panel or a network writes, as it was declared; tags of a panel are part of it.
+  std::span<const ExternalRange> externals() const { return externals_; }
+
+  /// All instructions in program order; the index is Instruction::id.
+  std::span<const InstructionPlace> instructions() const { return places_; }
+  const Instruction& instruction(std::uint32_t id) const { return *places_[id].instruction; }
+  const InstructionPlace& place(std::uint32_t id) const { return places_[id]; }
+  const Pou& pouOf(std::uint32_t id) const { return program_.pous[places_[id].block]; }
+  const Network& networkOf(std::uint32_t id) const { return pouOf(id).networks[places_[id].network]; }
+  const Flow& flowOf(std::uint32_t id) const { return plan_.flows[places_[id].block]; }
+  std::uint32_t blockOf(std::uint32_t id) const { return places_[id].block; }
+
+  const AccessTable& accesses() const { return accesses_; }
+  const AccessIndex& index() const { return index_; }
+  const BitWrites& bits() const { return bits_; }
+  const Access& access(std::uint32_t i) const { return accesses_.all()[i]; }
+  const CallGraph& calls() const { return calls_; }
+  /// What calls of blocks without text may do.
+  const CallContracts& contracts() const { return contracts_; }
+  const StackRun& stack() const { return stack_; }
+  const ExecutionTable& execution() const { return execution_; }
+  const PointerTable& pointers() const { return *pointers_; }
+
+  /// Whether some code is not visible: protected blocks, networks that could not be read. Rules that speak of
+  /// something missing are silent then.
+  bool hasHiddenCode() const { return hasHiddenCode_; }
+  /// Whether a line of some network could not be read; of one of this block; of the one that holds the instruction.
+  /// Rules that need the instruction which that line may have been say nothing.
+  bool hasUnreadCode() const { return hasUnreadCode_; }
+  bool hasUnreadCode(const Pou& block) const;
+  bool hasUnreadCode(std::uint32_t block) const { return hasUnreadCode(program_.pous[block]); }
+  bool isUnread(std::uint32_t id) const { return hasUnreadFrame_ || !networkOf(id).complete; }
+  /// Whether a heading, a declaration, a Network line or a whole file could not be read: only rules that stand alone
+  /// speak then (Rule::standsAlone).
+  bool hasUnreadFrame() const { return hasUnreadFrame_; }
+
+  /// Ids of the boxes with that timer or counter number, in program order.
+  std::span<const std::uint32_t> timerBoxes(std::uint32_t number) const {
+    return number < 256 ? std::span<const std::uint32_t>(timers_[number]) : std::span<const std::uint32_t>();
+  }
+  std::span<const std::uint32_t> counterBoxes(std::uint32_t number) const {
+    return number < 256 ? std::span<const std::uint32_t>(counters_[number]) : std::span<const std::uint32_t>();
+  }
+
+  /// What is known about the condition under which the instruction acts: its power flow and that of its block.
+  Condition conditionOf(std::uint32_t id) const;
+  /// Whether the cell is declared external: a panel, a network partner or a person may write and read it.
+  bool isExternal(std::uint32_t cell) const { return external_[cell] != 0; }
+  /// Accesses that write the bit directly, 0, 1 or 2 for "more"; accesses through pointers and long blocks are not
+  /// counted.
+  int writers(std::uint32_t cell, unsigned bit) const { return writers_[cell * 8 + bit]; }
+  /// The same for reads, without those of an instruction that reads only to change the place itself.
+  int readers(std::uint32_t cell, unsigned bit) const { return readers_[cell * 8 + bit]; }
+  std::uint32_t cellOf(const Access& access) const {
+    return index_.cells().cell(access.area, access.offset, blockOf(access.instruction));
+  }
+
+  /// "Q0.1" for a bit of a cell.
+  std::string bitName(std::uint32_t key) const;
+  /// First symbol of an address, or nullptr; constant time.
+  const Symbol* symbolOf(const Operand& address) const;
+  /// First symbol of that name, or nullptr; constant time.
+  const Symbol* symbolNamed(std::string_view name) const;
+  /// "Q0.1", with its symbol if there is one: "Q0.1 (Pump)".
+  std::string name(const Operand& operand) const;
+  /// Mnemonic and operands: "TON T37, +10".
+  static std::string text(const Instruction& instruction);
+
+ private:
+  static std::vector<InstructionPlace> placesOf(const Program& program, const Plan& plan);
+  static std::vector<std::uint32_t> blocksOf(std::span<const InstructionPlace> places);
+  void findPulses();
+  void collectBoxes();
+  void collectSymbols();
+  void collectExternals();
+  void countUses();
+
+  const Program& program_;
+  Surroundings surroundings_;
+  std::vector<ExternalRange> externals_;
+  Plan plan_;
+  std::vector<InstructionPlace> places_;
+  AccessTable accesses_;
+  std::vector<std::uint32_t> blocks_;  ///< by Instruction::id
+  AccessIndex index_;
+  BitWrites bits_;
+  std::vector<std::uint8_t> writers_, readers_;
+  CallGraph calls_;
+  CallContracts contracts_;
+  StackRun stack_;
+  ExecutionTable execution_;
+  std::unique_ptr<const PointerTable> pointers_;
+  std::array<std::vector<std::uint32_t>, 256> timers_, counters_;
+  std::vector<std::uint8_t> external_;
+  bool hasHiddenCode_ = false, hasUnreadCode_ = false, hasUnreadFrame_ = false;
+  std::unordered_map<std::uint64_t, const Symbol*> symbolByAddress_;
+  std::unordered_map<std::string_view, const Symbol*> symbolByName_;
+};
+
+}  // namespace rungproof

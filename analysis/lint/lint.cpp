@@ -1,0 +1,39 @@
+// Running rules over a program.
+#include "analysis/lint/lint.hpp"
+
+namespace rungproof {
+
+namespace {
+
+/// Length of the longest prefix in the list that fits the id, or -1.
+int longestMatch(const std::vector<std::string>& prefixes, std::string_view id) {
+  int longest = -1;
+  for (const std::string& prefix : prefixes) {
+    const int length = prefix == "ALL" ? 0 : static_cast<int>(prefix.size());
+    if (length > longest && (length == 0 || id.starts_with(prefix))) longest = length;
+  }
+  return longest;
+}
+
+}  // namespace
+
+bool RuleSelection::includes(std::string_view id, bool onByDefault) const {
+  const int selected = longestMatch(select_, id);
+  const int ignored = longestMatch(ignore_, id);
+  if (select_.empty()) return onByDefault && ignored < 0;
+  return selected > ignored;
+}
+
+std::vector<Finding> runRules(const Facts& facts, const RuleSelection& selection, const RuleSettings& settings,
+                              std::span<const Rule* const> rules) {
+  FindingSink sink(facts.program(), settings);
+  for (const Rule* rule : rules) {
+    if (rule->check == nullptr || !selection.includes(*rule) || !knows(*rule, facts.target())) continue;
+    if (facts.hasUnreadFrame() && !rule->standsAlone) continue;
+    sink.begin(*rule);
+    rule->check(facts, sink);
+  }
+  return sink.take();
+}
+
+}  // namespace rungproof

@@ -1,0 +1,231 @@
+// Allow-comments: reading them, and the silence they bring.
+#include "analysis/lint/suppress.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+
+#include "analysis/rule.hpp"
+
+namespace rungproof {
+
+namespace {
+
+constexpr std::string_view marker = "rungproof:";
+constexpr std::string_view blanks = " \t\r\n";
+
+bool isLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+bool looksLikeId(std::string_view word) {
+  return word.size() == 6 && std::all_of(word.begin(), word.begin() + 3, isLetter) &&
+         std::all_of(word.begin() + 3, word.end(), isDigit);
+}
+
+std::string inCapitals(std::string_view word) {
+  std::string text(word);
+  for (char& c : text) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  return text;
+}
+
+std::string_view trimmed(std::string_view text, std::string_view what) {
+  const std::size_t begin = text.find_first_not_of(what);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(what) - begin + 1);
+}
+
+/// Text of a comment without its signs: "// x", "(* x *)", "{ x }".
+std::string_view bareText(std::string_view comment) { return trimmed(comment, " \t\r\n/*(){}"); }
+
+enum class Verb : std::uint8_t { Allow, Begin, End, Other };
+
+/// The word in front of the ids: "allow ADR001", "allow(ADR001)", "begin ADR001", "begin allow ADR001", "end".
+Verb takeVerb(std::string_view& text) {
+  const auto take = [&](std::string_view word) {
+    const bool isThere = text.starts_with(word) && (text.size() == word.size() || !isLetter(text[word.size()]));
+    if (isThere) text.remove_prefix(word.size());
+    return isThere;
+  };
+  if (take("end")) return Verb::End;
+  if (take("allow")) return Verb::Allow;
+  if (!take("begin")) return Verb::Other;
+  text = trimmed(text, blanks);
+  take("allow");
+  return Verb::Begin;
+}
+
+/// Ids and reason behind the verb; the problem says what is missing.
+void readAllow(std::string_view text, Verb verb, Allow& allow) {
+  if (verb == Verb::Other) {
+    allow.problem = "the comment does not say 'allow'";
+    return;
+  }
+  while (true) {
+    text = text.substr(std::min(text.find_first_not_of(" \t,()"), text.size()));
+    const std::string_view word = text.substr(0, text.find_first_of(" \t,:()"));
+    if (!looksLikeId(word)) break;
+    allow.ids.push_back(inCapitals(word));
+    text.remove_prefix(word.size());
+  }
+  allow.reason = std::string(trimmed(text, " \t:-()"));
+  if (allow.ids.empty()) allow.problem = "the suppression names no rule";
+  if (!allow.ids.empty() && allow.reason.empty()) allow.problem = "the suppression gives no reason";
+}
+
+class AllowCollector {
+ public:
+  explicit AllowCollector(const Program& program) : program_(program) {}
+
+  std::vector<Allow> collect() {
+    for (const Pou& pou : program_.pous) {
+      for (const Comment& comment : pou.comments) add(comment, pou, nullptr);
+      for (const Network& network : pou.networks) {
+        for (const Comment& comment : network.comments) add(comment, pou, &network);
+      }
+    }
+    endRanges();
+    return std::move(allows_);
+  }
+
+ private:
+  void add(const Comment& comment, const Pou& pou, const Network* network) {
+    const std::string_view text = bareText(program_.sources->text(comment.span));
+    if (!text.starts_with(marker)) return;
+    Allow allow;
+    allow.comment = comment.span;
+    allow.pou = &pou;
+    allow.network = network;
+    std::string_view rest = trimmed(text.substr(marker.size()), blanks);
+    const Verb verb = takeVerb(rest);
+    if (verb == Verb::End) {
+      ends_.push_back(std::move(allow));
+      return;
+    }
+    readAllow(rest, verb, allow);
+    setScope(allow);
+    if (verb == Verb::Begin) allow.scope = AllowScope::Range;
+    allows_.push_back(std::move(allow));
+  }
+
+  /// Each end ends the last range that is open in its file.
+  void endRanges() {
+    std::ranges::sort(ends_, {}, [](const Allow& end) { return std::pair(end.comment.file, end.comment.offset); });
+    for (Allow& end : ends_) {
+      Allow* last = nullptr;
+      for (Allow& allow : allows_) {
+        const bool isOpen = allow.scope == AllowScope::Range && allow.until == 0 &&
+                            allow.comment.file == end.comment.file && allow.comment.offset < end.comment.offset;
+        if (isOpen && (last == nullptr || allow.comment.offset > last->comment.offset)) last = &allow;
+      }
+      if (last != nullptr) {
+        last->until = end.comment.offset;
+        continue;
+      }
+      end.problem = "the comment ends no range";
+    }
+    for (Allow& allow : allows_) {
+      if (allow.scope == AllowScope::Range && allow.until == 0 && allow.problem.empty())
+        allow.problem = "the range has no 'rungproof: end'";
+    }
+    std::erase_if(ends_, [](const Allow& end) { return end.problem.empty(); });
+    std::ranges::move(ends_, std::back_inserter(allows_));
+  }
+
+  void setScope(Allow& allow) const {
+    allow.scope = AllowScope::Block;
+    if (allow.network == nullptr) return;
+    const auto& instructions = allow.network->instructions;
+    allow.line = program_.sources->position(allow.comment).line;
+    const auto next = std::find_if(instructions.begin(), instructions.end(), [&](const Instruction& instruction) {
+      return instruction.span.file == allow.comment.file &&
+             program_.sources->position(instruction.span).line >= allow.line;
+    });
+    const bool besideOne = next != instructions.end() && program_.sources->position(next->span).line == allow.line;
+    if (!besideOne && next == instructions.begin()) {
+      allow.scope = AllowScope::Network;
+      return;
+    }
+    allow.scope = AllowScope::Line;
+    if (!besideOne && next != instructions.end()) allow.line = program_.sources->position(next->span).line;
+  }
+
+  const Program& program_;
+  std::vector<Allow> allows_, ends_;
+};
+
+/// Whether the place of a finding lies where the comment speaks.
+bool covers(const Allow& allow, const Finding& finding, const ProgramPlace& place, std::uint32_t line) {
+  if (finding.span.file != allow.comment.file) return false;
+  if (allow.scope == AllowScope::Line) return line == allow.line;
+  if (allow.scope == AllowScope::Range)
+    return allow.comment.offset < finding.span.offset && finding.span.offset < allow.until;
+  return allow.scope == AllowScope::Network ? place.network == allow.network : place.pou == allow.pou;
+}
+
+Finding suppressionFinding(const Allow& allow, std::string_view id, std::string message, std::string help) {
+  Finding finding;
+  finding.rule = std::string(id);
+  finding.severity = Severity::Warning;
+  finding.message = std::move(message);
+  finding.help = std::move(help);
+  finding.span = allow.comment;
+  finding.pou = allow.pou->name;
+  finding.network = allow.network == nullptr ? 0 : allow.network->number;
+  return finding;
+}
+
+}  // namespace
+
+std::vector<Allow> allowsOf(const Program& program) { return AllowCollector(program).collect(); }
+
+std::size_t applySuppressions(const Program& program, const KnownRules& rules, std::vector<Finding>& findings) {
+  std::vector<Allow> allows = allowsOf(program);
+  if (allows.empty()) return 0;
+  // By rule and comment, so that each id of a comment must earn its place.
+  std::multimap<std::string, Allow*, std::less<>> byId;
+  std::map<std::pair<const Allow*, std::string>, bool> used;
+  for (Allow& allow : allows) {
+    if (!allow.problem.empty()) continue;
+    for (const std::string& id : allow.ids) byId.emplace(id, &allow);
+  }
+
+  const PlaceIndex places(program);
+  const std::size_t before = findings.size();
+  std::erase_if(findings, [&](const Finding& finding) {
+    if (finding.severity == Severity::Error && finding.rule.starts_with("SYN")) return false;
+    const auto [first, last] = byId.equal_range(finding.rule);
+    if (first == last) return false;
+    const ProgramPlace place = places.at(finding.span);
+    const std::uint32_t line = program.sources->position(finding.span).line;
+    bool silenced = false;
+    for (auto candidate = first; candidate != last; ++candidate) {
+      if (!covers(*candidate->second, finding, place, line)) continue;
+      used[{candidate->second, finding.rule}] = true;
+      silenced = true;
+    }
+    return silenced;
+  });
+  const std::size_t removed = before - findings.size();
+
+  for (const Allow& allow : allows) {
+    if (!allow.problem.empty()) {
+      findings.push_back(suppressionFinding(allow, "SUP002", allow.problem + " and silences nothing",
+                                            "write '// rungproof: allow ADR001 why it is safe here'"));
+      continue;
+    }
+    for (const std::string& id : allow.ids) {
+      if (!rules.exists(id)) {
+        findings.push_back(suppressionFinding(allow, "SUP001", fmt::format("no rule is called {}", id),
+                                              "'rungproof rules' lists them"));
+      } else if (rules.ran(id) && !used[{&allow, id}]) {
+        findings.push_back(suppressionFinding(allow, "SUP001",
+                                              fmt::format("{} is allowed here, but nothing reports it", id),
+                                              "remove it from the comment"));
+      }
+    }
+  }
+  return removed;
+}
+
+}  // namespace rungproof

@@ -1,0 +1,89 @@
+// Questions to the contracts of the calls.
+#include "analysis/unread/hidden_blocks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace rungproof {
+
+namespace {
+
+using Source = CallContract::Source;
+
+}  // namespace
+
+std::vector<MissingBlock> missingBlocks(const Facts& facts) {
+  std::vector<MissingBlock> blocks;
+  std::map<std::string_view, std::size_t> known;
+  for (const auto& [id, contract] : facts.contracts().all()) {
+    if (contract.source != Source::Operands || contract.isUndefined) continue;
+    const auto [found, isNew] = known.try_emplace(contract.name, blocks.size());
+    if (isNew) blocks.push_back({contract.name, &facts.instruction(id)});
+    MissingBlock& block = blocks[found->second];
+    ++block.calls;
+    block.isGivenNothing = block.isGivenNothing || contract.mayDoAnything;
+  }
+  return blocks;
+}
+
+std::string missingText(const MissingBlock& block) {
+  const std::string times = block.calls == 1 ? "" : fmt::format(" {} times", block.calls);
+  if (block.isGivenNothing)
+    return fmt::format(
+        "{} is called{}, but no file holds it, and a call gives it nothing to write: it may write anything", block.name,
+        times);
+  return fmt::format("{} is called{}, but no file holds it: what its calls give it to write may be any value",
+                     block.name, times);
+}
+
+bool mayBeCalled(const Facts& facts, std::uint32_t instruction) {
+  const std::uint32_t block = facts.blockOf(instruction);
+  return facts.program().main() == nullptr || facts.program().pous[block].kind == PouKind::Main ||
+         facts.calls().reachedFromMain(block) || facts.calls().reachedFromInterrupt(block);
+}
+
+std::vector<ExternalRange> externalsOfCalls(const Facts& facts) {
+  std::vector<ExternalRange> ranges;
+  std::set<std::tuple<Area, std::uint32_t, std::uint32_t>> known;
+  for (const auto& [id, contract] : facts.contracts().all()) {
+    if (!mayBeCalled(facts, id)) continue;
+    for (const MemoryRow& row : contract.memory) {
+      // Outputs are written inside the call, by the master that the program serves there (001:10715).
+      if (row.area == Area::Q || !known.emplace(row.area, row.first, row.count).second) continue;
+      ranges.push_back({direct(row.area, Width::Byte, row.first / 8),
+                        direct(row.area, Width::Byte, (row.first + row.count - 1) / 8),
+                        {}});
+    }
+  }
+  return ranges;
+}
+
+std::vector<std::string> assumptionsOfCalls(const Facts& facts) {
+  std::vector<std::string> texts;
+  const auto say = [&](std::string text) {
+    if (std::ranges::find(texts, text) == texts.end()) texts.push_back(std::move(text));
+  };
+  for (const auto& [id, contract] : facts.contracts().all()) {
+    if (!mayBeCalled(facts, id) || contract.mayDoAnything) continue;
+    if (contract.source == Source::Library) {
+      say(fmt::format(
+          "{} gives its outputs any value and writes nothing else of the program's but the buffers that its "
+          "parameters name",
+          contract.name));
+      if (contract.ownBytes > 0)
+        say(fmt::format("the V memory of {} ({} bytes) is not touched by the program (library-memory names its place)",
+                        contract.name, contract.ownBytes));
+    } else {
+      say(
+          fmt::format("{}, whose text is missing, writes only what its calls give it, with any value "
+                      "(missing-blocks = by-signature)",
+                      contract.name));
+    }
+  }
+  return texts;
+}
+
+}  // namespace rungproof

@@ -1,0 +1,373 @@
+// Collects what is unread from the readers' findings, the rules that refuse, and calls of blocks without text.
+#include "analysis/unread/unread_code.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "analysis/lint/lint.hpp"
+#include "ir/s7200/call_contract.hpp"
+#include "ir/s7300/block.hpp"
+
+namespace rungproof {
+
+namespace {
+
+constexpr std::string_view uncoveredBody = "SYN037";  // frontend/stl/syntax_message.hpp
+constexpr std::string_view symbolRow = "SYN029";      // a name that is missed is reported where it is used
+constexpr std::size_t mostTexts = 20;                 ///< lines about unread parts in a report
+
+/// A name that no table knows, or an operand that was left open. The name of a block that has a contract needs no
+/// table.
+const Operand* openOperand(const Instruction& instruction, const CallContracts& contracts) {
+  for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
+    const Operand& operand = instruction.operands[i];
+    if (operand.kind != OperandKind::Symbol && operand.kind != OperandKind::Missing) continue;
+    const bool mayBeLeftOut = instruction.desc->control == Control::BlockCall && i > 0;
+    if (operand.kind == OperandKind::Missing && mayBeLeftOut) continue;
+    const CallContract* contract = i == 0 ? contracts.of(instruction) : nullptr;
+    if (contract != nullptr && !contract->isUndefined && operand.kind == OperandKind::Symbol) continue;
+    return &operand;
+  }
+  return nullptr;
+}
+
+std::string networkName(const Pou& pou, const Network& network) {
+  return fmt::format("{}, network {}", pou.name, network.number);
+}
+
+std::uint64_t keyOf(Span span) { return std::uint64_t{span.file} << 32 | span.offset; }
+
+}  // namespace
+
+class UnreadCode::Collector {
+ public:
+  Collector(const Program& program, const Facts& facts, const Choices& choices, UnreadCode& code)
+      : program_(program), facts_(facts), choices_(choices), code_(code), places_(program) {
+    for (std::uint32_t block = 0; block < program.pous.size(); ++block) {
+      const Pou& pou = program.pous[block];
+      for (std::uint32_t n = 0; n < pou.networks.size(); ++n) {
+        byNetwork_[&pou.networks[n]] = {block, n};
+        byName_.emplace(std::pair(pou.name, pou.networks[n].number), NetworkPlace{block, n});
+      }
+    }
+  }
+
+  void run() {
+    ofReaders();
+    ofRules();
+    ofOperands();
+    ofUncovered();
+    ofBlocks();
+    if (isStep7(program_.target)) ofStep7();
+  }
+
+ private:
+  /// Whether the block may run at all; a program without a main program is taken as a part of one.
+  bool mayRun(std::uint32_t block) const {
+    return program_.main() == nullptr || program_.pous[block].kind == PouKind::Main ||
+           facts_.calls().reachedFromMain(block) || facts_.calls().reachedFromInterrupt(block);
+  }
+
+  UnreadPart& add(std::string what, std::string reason, Span span) {
+    UnreadPart& part = code_.parts_.emplace_back();
+    part.what = std::move(what);
+    part.reason = std::move(reason);
+    part.span = span;
+    return part;
+  }
+
+  /// The part of a network, new with that reason if it has none yet.
+  UnreadPart& partOf(NetworkPlace place, const std::string& reason, Span span) {
+    const auto [found, isNew] = parts_.try_emplace({place.block, place.network}, code_.parts_.size());
+    if (!isNew) return code_.parts_[found->second];
+    const Pou& pou = program_.pous[place.block];
+    UnreadPart& part = add(networkName(pou, pou.networks[place.network]), reason, span);
+    part.networks.push_back(place);
+    return part;
+  }
+
+  const NetworkPlace* placeOf(const Finding& finding) const {
+    const ProgramPlace place = places_.at(finding.span);
+    const auto found = byNetwork_.find(place.network);
+    // Numbers of a list may stand there twice; the elements of drawings stand mixed in their file.
+    if (place.network != nullptr && place.network->form == Form::Stl && found != byNetwork_.end())
+      return &found->second;
+    const auto named = byName_.find({finding.pou, finding.network});
+    if (finding.network != 0 && named != byName_.end()) return &named->second;
+    return place.network == nullptr || found == byNetwork_.end() ? nullptr : &found->second;
+  }
+
+  /// Errors of the readers, and bodies in languages that are not covered.
+  void ofReaders() {
+    for (const Finding& finding : program_.findings) {
+      if (!isProgramReadError(finding)) continue;
+      const NetworkPlace* place = finding.network == 0 ? nullptr : placeOf(finding);
+      UnreadPart& part = place != nullptr ? partOf(*place, finding.message, finding.span)
+                                          : add(fileOf(finding.span), finding.message, finding.span);
+      part.isRefused = true;
+      part.isUnlimited =
+          part.isUnlimited || isFrameReadError(finding) || (place == nullptr && finding.rule != symbolRow);
+    }
+    for (const Finding& finding : program_.findings) {
+      const NetworkPlace* place = finding.network == 0 ? nullptr : placeOf(finding);
+      if (place != nullptr && finding.severity == Severity::Warning && !networkAt(*place).complete)
+        partOf(*place, finding.message, finding.span);
+      if (finding.rule == uncoveredBody && finding.network == 0)
+        add(finding.pou, finding.message, finding.span).isUnlimited = true;
+    }
+    for (const auto& [network, place] : byNetwork_) {
+      if (network->complete) continue;
+      UnreadPart& part = partOf(place, "a line of it could not be read", network->span);
+      if (!network->mayWrite) part.isUnlimited = part.isUnlimited || mayRun(place.block);
+      if (!network->mayWrite || !mayRun(place.block)) continue;
+      for (const Operand& operand : *network->mayWrite) part.places.push_back(rowOf(operand));
+    }
+    // A line was read in part: what it would do besides is not known.
+    for (UnreadPart& part : code_.parts_) {
+      if (!part.networks.empty() && networkAt(part.networks.front()).complete)
+        part.isUnlimited = mayRun(part.networks.front().block);
+    }
+  }
+
+  void ofRules() {
+    std::vector<std::string> ids;
+    for (const Rule* rule : allRules()) {
+      if (rule->refuses) ids.emplace_back(rule->id);
+    }
+    code_.findings_ = runRules(facts_, RuleSelection(ids, {}), {});
+    std::erase_if(code_.findings_,
+                  [](const Finding& finding) { return !finding.refused || finding.severity != Severity::Error; });
+    for (const Finding& finding : code_.findings_) {
+      if (const NetworkPlace* place = placeOf(finding)) {
+        partOf(*place, finding.message, finding.span).isRefused = true;
+      } else {
+        UnreadPart& part = add(fileOf(finding.span), finding.message, finding.span);
+        part.isRefused = part.isUnlimited = true;
+      }
+    }
+  }
+
+  /// Instructions whose request goes on outside the program, in ways that are not modelled.
+  void ofUncovered() {
+    for (const InstructionPlace& place : facts_.instructions()) {
+      const Desc& desc = *place.instruction->desc;
+      if (desc.modelling == Modelling::Whole) continue;
+      UnreadPart& part =
+          partOf({place.block, place.network},
+                 fmt::format("{} is not modelled: {}", desc.stl,
+                             desc.modelling == Modelling::WritesAnything ? "a pointer names what it writes"
+                                                                         : "its status changes from outside"),
+                 place.instruction->span);
+      const bool writesOperands = desc.modelling == Modelling::WritesOperands;
+      if (!mayRun(place.block)) continue;
+      part.isUnlimited = part.isUnlimited || !writesOperands;
+      for (const Access& access : facts_.accesses().of(place.instruction->id)) {
+        if (access.write && access.viaPointer) part.isUnlimited = true;
+        if (access.write && !access.viaPointer) part.places.push_back(rowOf(access));
+      }
+    }
+  }
+
+  /// A name that is used twice has one finding, at its first place.
+  void ofOperands() {
+    for (const InstructionPlace& place : facts_.instructions()) {
+      const Operand* open = openOperand(*place.instruction, facts_.contracts());
+      if (open == nullptr) continue;
+      const std::string reason = open->kind == OperandKind::Symbol
+                                     ? fmt::format("{} is not defined", open->text)
+                                     : fmt::format("an operand of {} is left open", place.instruction->desc->stl);
+      partOf({place.block, place.network}, reason, place.instruction->span).isRefused = true;
+    }
+  }
+
+  /// S7-300/400: blocks that the system starts, blocks without text, and what is read but not modelled. Registers are
+  /// handed on over networks, so that whatever is left out may have an effect on everything.
+  void ofStep7() {
+    const auto isModelled = [](int number) { return number == 1 || number == 100 || number == 121; };
+    for (const Pou& pou : program_.pous) {
+      if (pou.type != BlockType::Ob || isModelled(numberOfBlock(pou.number))) continue;
+      add(blockName(pou.number), "what starts it is not modelled", pou.span).isUnlimited = true;
+    }
+    for (const InstructionPlace& place : facts_.instructions()) {
+      const Instruction& instruction = *place.instruction;
+      const std::string reason = step7Gap(instruction);
+      if (reason.empty()) continue;
+      const std::string text = fmt::format("{}: {}", Facts::text(instruction), reason);
+      partOf({place.block, place.network}, text, instruction.span);
+    }
+    for (UnreadPart& part : code_.parts_) {
+      for (const NetworkPlace& place : part.networks) part.isUnlimited = part.isUnlimited || mayRun(place.block);
+    }
+  }
+
+  /// What of an instruction is not modelled; empty: nothing.
+  std::string step7Gap(const Instruction& instruction) const {
+    for (const Operand& operand : instruction.operands) {
+      if (operand.kind == OperandKind::Text) return "POINTER and ANY as parameters are not modelled";
+      if (operand.kind == OperandKind::Address && operand.reach != nullptr && operand.reach->way == Way::Parameter)
+        return "the address of a parameter is not modelled";
+    }
+    if (instruction.desc->control != Control::BlockCall || instruction.operands.empty()) return {};
+    const Operand& block = instruction.operands[0];
+    if (block.kind != OperandKind::Constant || block.value == blockNumber(BlockType::Sfc, 46)) return {};
+    const Pou* callee = program_.subroutine(static_cast<int>(block.value));
+    if (callee == nullptr) return fmt::format("{} is in no file", blockName(static_cast<int>(block.value)));
+    return callee->protectedBlock ? "its statements are in no file" : "";
+  }
+
+  /// Blocks without text: who calls or attaches them runs something that nobody has read. A contract says what it may
+  /// write.
+  void ofBlocks() {
+    for (std::uint32_t block = 0; block < program_.pous.size(); ++block) {
+      const Pou& pou = program_.pous[block];
+      if (pou.kind != PouKind::Interrupt || !pou.protectedBlock || !mayRun(block)) continue;
+      add(pou.name, hiddenText, pou.span).isUnlimited = true;
+    }
+    std::set<std::string> named;
+    for (const auto& [id, contract] : facts_.contracts().all()) {
+      const InstructionPlace& place = facts_.place(id);
+      const bool mayWriteAnything = contract.mayDoAnything || (contract.source != CallContract::Source::Library &&
+                                                               choices_.is(Choice::MissingBlocks, "anything"));
+      const Instruction& call = *place.instruction;
+      const Pou* hidden = call.operands[0].kind == OperandKind::Constant
+                              ? program_.subroutine(static_cast<int>(call.operands[0].value))
+                              : nullptr;
+      if (mayWriteAnything && hidden == nullptr && call.operands.size() == 1) {
+        UnreadPart& part =
+            partOf({place.block, place.network},
+                   fmt::format("{} calls a subroutine that the program does not have", Facts::text(call)), call.span);
+        part.isUnlimited = part.isUnlimited || mayRun(place.block);
+      } else if (mayWriteAnything && mayRun(place.block) && named.insert(contract.name).second) {
+        add(contract.name, hidden != nullptr ? hiddenText : "its instructions are in no file",
+            hidden != nullptr ? hidden->span : call.span)
+            .isUnlimited = true;
+      } else if (contract.fillsAnyV && mayRun(place.block) && named.insert(contract.name).second) {
+        UnreadPart& part = add(contract.name, "which V memory it fills stands in no text", call.span);
+        part.places.push_back({Area::V, 0, areaSize(program_.target, Area::V) * 8});
+        part.isOfBlock = true;
+      }
+    }
+  }
+
+  const Network& networkAt(NetworkPlace place) const { return program_.pous[place.block].networks[place.network]; }
+  std::string fileOf(Span span) const { return std::string(program_.sources->file(span.file).name()); }
+
+  static constexpr const char* hiddenText = "it is protected by a password: its instructions are not in the text";
+  const Program& program_;
+  const Facts& facts_;
+  const Choices& choices_;
+  UnreadCode& code_;
+  PlaceIndex places_;
+  std::map<const Network*, NetworkPlace> byNetwork_;
+  std::map<std::pair<std::string, int>, NetworkPlace> byName_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> parts_;  ///< by network, index in code_.parts_
+};
+
+UnreadCode::UnreadCode(const Program& program, const Choices& choices)
+    : program_(program), facts_(std::make_unique<const Facts>(program)) {
+  Collector(program, *facts_, choices, *this).run();
+  callsProtected_ = std::ranges::any_of(facts_->contracts().all(), [&](const auto& call) {
+    return facts_->instruction(call.first).operands[0].kind == OperandKind::Constant;
+  });
+  if (parts_.empty()) return;
+  for (const InstructionPlace& place : facts_->instructions())
+    byPlace_[keyOf(place.instruction->span)] = {place.block, place.network};
+  auto influence = std::make_unique<Influence>(*facts_);
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const std::uint32_t cause = static_cast<std::uint32_t>(i) + 1;
+    UnreadPart& part = parts_[i];
+    for (const NetworkPlace place : part.networks) {
+      instructions_ += program.pous[place.block].networks[place.network].instructions.size();
+      const bool mayRun = program.main() == nullptr || program.pous[place.block].kind == PouKind::Main ||
+                          facts_->calls().reachedFromMain(place.block) ||
+                          facts_->calls().reachedFromInterrupt(place.block);
+      if (mayRun && !part.isUnlimited) influence->addNetwork(place, cause);
+    }
+    for (const PlaceRow& row : part.places) influence->addPlace(row, cause);
+    if (part.isUnlimited) influence->addEverything(cause);
+    part.isUnlimited = part.isUnlimited || influence->everything() == cause;
+  }
+  influence->spread();
+  if (influence->everything() != Influence::none) everything_.push_back(causeText(influence->everything()));
+  influence_ = std::move(influence);
+}
+
+UnreadCode::~UnreadCode() = default;
+
+bool UnreadCode::hinderRuns() const {
+  return std::ranges::any_of(parts_, [](const UnreadPart& part) { return !part.isOfBlock; });
+}
+
+bool UnreadCode::isRefused() const {
+  return std::any_of(parts_.begin(), parts_.end(), [](const UnreadPart& part) { return part.isRefused; });
+}
+
+Program UnreadCode::executable() const {
+  Program program = program_;
+  for (const UnreadPart& part : parts_) {
+    for (const NetworkPlace place : part.networks)
+      program.pous[place.block].networks[place.network].instructions.clear();
+  }
+  for (Pou& pou : program.pous) {
+    for (Network& network : pou.networks) {
+      for (Instruction& instruction : network.instructions) {
+        const CallContract* contract = facts_->contracts().of(instruction);
+        if (contract == nullptr) continue;
+        instruction.operands[0].kind = OperandKind::Symbol;
+        instruction.operands[0].text = contract->name;
+      }
+    }
+  }
+  program.number();
+  return program;
+}
+
+std::string UnreadCode::causeText(std::uint32_t cause) const {
+  const UnreadPart& part = parts_[cause - 1];
+  return fmt::format("{} is not executed and may write {}: {} ({}:{})", part.what,
+                     part.isUnlimited ? "anything" : "what this depends on", part.reason,
+                     program_.sources->file(part.span.file).name(), program_.sources->position(part.span).line);
+}
+
+std::vector<std::string> UnreadCode::reasons(const Property& property) const {
+  if (empty() || isUnlimited()) return everything_;
+  std::set<std::uint32_t> causes;
+  for (const Operand* operand : addressesOf(property)) causes.insert(influence_->causeAt(rowOf(*operand)));
+  causes.erase(Influence::none);
+  std::vector<std::string> texts;
+  for (const std::uint32_t cause : causes) texts.push_back(causeText(cause));
+  return texts;
+}
+
+std::vector<std::string> UnreadCode::reasons(Span instruction, std::span<const Operand> operands) const {
+  if (empty() || isUnlimited()) return everything_;
+  std::set<std::uint32_t> causes;
+  if (const auto place = byPlace_.find(keyOf(instruction)); place != byPlace_.end())
+    causes.insert(influence_->causeAt(place->second));
+  for (const Operand& operand : operands) {
+    if (operand.kind == OperandKind::Direct) causes.insert(influence_->causeAt(rowOf(operand)));
+  }
+  causes.erase(Influence::none);
+  std::vector<std::string> texts;
+  for (const std::uint32_t cause : causes) texts.push_back(causeText(cause));
+  return texts;
+}
+
+std::vector<std::string> UnreadCode::texts() const {
+  std::vector<std::string> texts;
+  for (const UnreadPart& part : parts_) {
+    if (texts.size() == mostTexts) {
+      texts.push_back(fmt::format("{} further places are not executed", parts_.size() - mostTexts));
+      break;
+    }
+    texts.push_back(fmt::format(
+        "{} ({}:{}) is not executed{}: {}", part.what, program_.sources->file(part.span.file).name(),
+        program_.sources->position(part.span).line, part.isUnlimited ? " and may write anything" : "", part.reason));
+  }
+  return texts;
+}
+
+}  // namespace rungproof

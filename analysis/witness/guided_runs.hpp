@@ -1,0 +1,28 @@
+// Runs of the engine that look for what takes long: inputs that stay, scans as long as they may be, thousands of scans
+// in milliseconds. Several goals are watched at once. What such a run shows needs no solver, however far a timer
+// counts. Tested by tests/prover/guided_runs_test.cpp.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "analysis/encoding/encoder.hpp"
+#include "analysis/schedule/schedule.hpp"
+#include "analysis/witness/witness.hpp"
+
+namespace rungproof {
+
+struct GuidedLimits {
+  double seconds;
+  /// Without a new goal shown, of the run with all inputs on, of that with all off, and of all random runs together.
+  std::uint64_t instructions = schedule::guidedInstructions;
+};
+
+/// By goal: a run that shows it, if one was found within the limits. `encoding` tells the program's inputs.
+std::vector<std::optional<Witness>> guidedRuns(const Program& program, const EncodedScan& encoding,
+                                               const std::vector<Property>& assumptions,
+                                               const std::vector<const Property*>& goals, std::uint64_t seed,
+                                               const GuidedLimits& limits);
+
+}  // namespace rungproof

@@ -1,0 +1,146 @@
+// Names of places, symbols beside addresses, the date.
+#include "frontend/acceptance/page_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <ctime>
+
+#include "frontend/picture/timing_diagram.hpp"
+#include "ir/manual.hpp"
+
+namespace rungproof {
+
+namespace {
+
+bool isWordByte(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return std::isalnum(byte) != 0 || byte >= 0x80 || c == '_';
+}
+
+std::string inCapitals(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return result;
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string placeName(std::string_view text) {
+  std::string name;
+  for (const char c : text) {
+    if (isWordByte(c))
+      name += c;
+    else if (!name.empty() && name.back() != '-')
+      name += '-';
+  }
+  while (!name.empty() && name.back() == '-') name.pop_back();
+  return name.empty() ? "unnamed" : name;
+}
+
+std::string PlaceNames::of(std::string_view text) {
+  const std::string plain = placeName(text);
+  std::string name = plain;
+  for (int i = 2; !given_.insert(name).second; ++i) name = fmt::format("{}-{}", plain, i);
+  return name;
+}
+
+AddressNames::AddressNames(const std::vector<NamedAddress>& names) {
+  for (const NamedAddress& name : names) {
+    symbolOf_.try_emplace(name.address, name.symbol);
+    addressOf_.try_emplace(inCapitals(name.symbol), name.address);
+  }
+}
+
+std::string AddressNames::otherName(std::string_view word) const {
+  std::string_view base = word;
+  if (const std::size_t dot = base.find(".value"); dot != std::string_view::npos) base = base.substr(0, dot);
+  if (const auto symbol = symbolOf_.find(inCapitals(base)); symbol != symbolOf_.end()) return symbol->second;
+  const auto address = addressOf_.find(inCapitals(base));
+  return address == addressOf_.end() ? "" : address->second;
+}
+
+std::string AddressNames::marked(std::string_view text, bool isExpression) const {
+  std::string result;
+  while (!text.empty()) {
+    std::size_t end = 0;
+    // An address has a point inside: Q0.0; a point at the end of a sentence is none.
+    while (end < text.size() && (isWordByte(text[end]) ||
+                                 (text[end] == '.' && end > 0 && end + 1 < text.size() && isWordByte(text[end + 1]))))
+      ++end;
+    if (end == 0) {
+      result += xmlText(text.substr(0, 1));
+      text.remove_prefix(1);
+      continue;
+    }
+    const std::string_view word = text.substr(0, end);
+    text.remove_prefix(end);
+    result += xmlText(word);
+    // In a sentence a word such as "left" is a word, whatever a symbol is called.
+    const std::string other = isExpression || word.find_first_of("0123456789") != word.npos ? otherName(word) : "";
+    const std::size_t next = std::min(text.find_first_not_of(" ('"), text.size());
+    if (!other.empty() && !text.substr(next).starts_with(other))
+      result += fmt::format(" <span class=\"also\">{}</span>", xmlText(other));
+  }
+  return result;
+}
+
+std::string AddressNames::markedStatement(std::string_view text) const {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos) return marked(text, true);
+  return xmlText(text.substr(0, colon + 1)) + marked(text.substr(colon + 1), true);
+}
+
+std::string withManualTitles(std::string_view text) {
+  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+  std::string result, before;  // `before`: the place that stands in front, which a second reference need not repeat
+  for (std::size_t i = 0; i < text.size();) {
+    const bool isReference = text.size() - i > 4 && text[i] == '0' && isDigit(text[i + 1]) && isDigit(text[i + 2]) &&
+                             text[i + 3] == ':' && isDigit(text[i + 4]) && (i == 0 || !isWordByte(text[i - 1]));
+    if (!isReference) {
+      result += text[i++];
+      continue;
+    }
+    std::size_t end = i + 4;
+    while (end < text.size() &&
+           (isDigit(text[end]) || (text[end] == '-' && end + 1 < text.size() && isDigit(text[end + 1]))))
+      ++end;
+    std::string place = manualPlace(text.substr(i, end - i));
+    place = place.substr(0, place.rfind(" ("));
+    const bool isInList = !before.empty() && result.ends_with(before + ", ");
+    if (isInList) result.resize(result.size() - 2);
+    if (!isInList || place != before) result += (isInList ? "; " : "") + place;
+    before = std::move(place);
+    i = end;
+  }
+  return result;
+}
+
+std::string dataLink(std::string_view mediaType, std::string_view text) {
+  return fmt::format("data:{};base64,{}", mediaType, base64(text));
+}
+
+std::string pageDate() {
+  const char* fixed = std::getenv("SOURCE_DATE_EPOCH");
+  const std::time_t now =
+      fixed != nullptr ? static_cast<std::time_t>(std::strtoll(fixed, nullptr, 10)) : std::time(nullptr);
+  std::tm utc{};
+  ::gmtime_r(&now, &utc);
+  return fmt::format("{:04}-{:02}-{:02} {:02}:{:02} UTC", utc.tm_year + 1900, utc.tm_mon + 1, utc.tm_mday, utc.tm_hour,
+                     utc.tm_min);
+}
+
+}  // namespace rungproof

@@ -1,0 +1,39 @@
+// `rungproof lsp`: the server behind an editor.
+#include <unistd.h>
+
+#include "frontend/command.hpp"
+#include "frontend/editor/editor_server.hpp"
+
+namespace rungproof {
+
+namespace {
+
+Action setup(ArgumentTable& table) {
+  // Editors add it without being asked; there is no other way to talk.
+  auto isStdio = std::make_shared<bool>(false);
+  table.flag("--stdio", *isStdio, "speak over standard input and output (always so)");
+  return [isStdio](Context& context) { return EditorServer(context, STDIN_FILENO, STDOUT_FILENO).run(); };
+}
+
+}  // namespace
+
+extern constexpr Command lspCommand = {
+    .name = "lsp",
+    .usage = "[--stdio]",
+    .summary = "serve an editor over standard input and output (Language Server Protocol)",
+    .details =
+        "Reads and writes messages of the Language Server Protocol 3.17 on standard input and output. Findings are\n"
+        "those of 'rungproof lint' with the configuration nearest to each document; options given here count for all.\n"
+        "Offers: diagnostics on open, change and save; hover; definition; references; outline; workspace symbols;\n"
+        "completion; fixes and suppressions as code actions; 'prove this property' as a code lens; the picture of a\n"
+        "network (command rungproof.show, request rungproof/network).\n"
+        "\n"
+        "Examples:\n"
+        "    rungproof lsp\n"
+        "    rungproof lsp --cpu ST40\n",
+    .shows = option_group::Reading | option_group::Rules | option_group::Configuration | option_group::Proving,
+    .formats = "json",
+    .setup = setup,
+};
+
+}  // namespace rungproof

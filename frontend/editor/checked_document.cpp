@@ -1,0 +1,121 @@
+// From a document to what lint says of it.
+#include "frontend/editor/checked_document.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include "frontend/files/disk_file.hpp"
+#include "frontend/files/file_reader.hpp"
+#include "frontend/linting/lint_run.hpp"
+
+namespace rungproof {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+
+bool isSameFile(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
+}
+
+bool holds(const std::vector<std::string>& files, const std::string& path) {
+  return std::ranges::any_of(files, [&](const std::string& file) { return isSameFile(file, path); });
+}
+
+/// Programs that a property file beside them may speak of: press.awl of press.prop.
+std::vector<std::string> programBeside(const std::string& path) {
+  for (const char* ending : {".awl", ".stl", ".xml", ".AWL", ".STL"}) {
+    const std::string candidate = fs::path(path).replace_extension(ending).string();
+    std::error_code error;
+    if (fs::is_regular_file(candidate, error) || heldText(candidate) != nullptr) return {candidate};
+  }
+  return {};
+}
+
+}  // namespace
+
+CheckedDocument::CheckedDocument(const Context& context, const Document& document)
+    : uri_(document.uri), version_(document.version), hasMark_(document.text.starts_with(byteOrderMark)) {
+  // What reading has to say beside findings is not for the editor's log: it would come with every keystroke.
+  std::ostringstream nobody;
+  failure_ = context.readSettings(document.path, settings_);
+  if (failure_) settings_ = {};
+  const Context own{settings_, context.in, nobody, nobody, false, false, {}, false, {}, {}, {}, {}};
+  read(own, document.path);
+  const std::string name = nameInProject(document.path, settings_.root());
+  const SourceSet& sources = *input_.program.sources;
+  for (std::uint32_t i = 0; i < sources.size(); ++i) {
+    if (sources.file(i).name() == name) file_ = i;
+  }
+}
+
+void CheckedDocument::chooseFiles(const Context& context, const std::string& path) {
+  const bool isPropertyFile = endsInAny(path, {".prop"});
+  if (isPropertyFile) files_ = programBeside(path);
+  if (!isPropertyFile) files_ = {path};
+  if (settings_.inputs().empty()) return;
+  const std::vector<std::string> inputs = expandFolders(settings_.inputs(), settings_);
+  const bool isProperty = isPropertyFile && holds(settings_.propertyFiles(), path);
+  if (!isProperty && !holds(inputs, path)) return;
+  for (const std::vector<std::string>& group : groupByProgram(context, inputs)) {
+    if (!isProperty && !holds(group, path)) continue;
+    files_ = group;
+    return;
+  }
+}
+
+void CheckedDocument::read(const Context& context, const std::string& path) {
+  chooseFiles(context, path);
+  if (endsInAny(path, {".prop"}) && !holds(settings_.propertyFiles(), path)) propertyFiles_ = {path};
+  if (!files_.empty()) {
+    input_ = readInput(context, settings_, files_, propertyFiles_);
+    return lint();
+  }
+  input_.program.target = settings_.target();
+  input_.properties = readProperties(input_.program, propertyFiles_, lookupIn(input_.program), settings_.root());
+  report_ = startReport("lint", input_.program, {path});
+}
+
+void CheckedDocument::lint() {
+  report_ = lintProgram(settings_, input_, files_);
+  if (auto failure = subtractBaseline(settings_, report_); failure && !failure_) failure_ = failure;
+  std::erase_if(report_.findings, [&](const Finding& finding) { return finding.severity < settings_.level(); });
+  sortFindings(report_);
+}
+
+Json CheckedDocument::range(Span span) const {
+  const SourceFile& file = report_.sources->file(span.file);
+  ClientPlace begin = placeOf(file, span.offset), end = placeOf(file, span.offset + span.length);
+  const bool isShifted = hasMark_ && isHere(span);
+  if (isShifted && begin.line == 0) ++begin.character;
+  if (isShifted && end.line == 0) ++end.character;
+  return rangeJson(begin, end);
+}
+
+std::string CheckedDocument::uriOf(std::uint32_t file) const {
+  if (file == file_) return uri_;
+  std::error_code error;
+  const std::string path = pathInProject(report_.sources->file(file).name(), settings_.root());
+  return uriOfPath(fs::weakly_canonical(path, error).string());
+}
+
+std::uint32_t CheckedDocument::offset(ClientPlace place) const {
+  if (hasMark_ && place.line == 0 && place.character > 0) --place.character;
+  return static_cast<std::uint32_t>(offsetOf(source().text(), place));
+}
+
+const Facts& CheckedDocument::facts() const {
+  if (!facts_) facts_ = std::make_unique<const Facts>(input_.program, input_.properties.externals, input_.surroundings);
+  return *facts_;
+}
+
+const Xref& CheckedDocument::xref() const {
+  if (!xref_) xref_ = std::make_unique<const Xref>(crossReference(facts()));
+  return *xref_;
+}
+
+}  // namespace rungproof

@@ -1,0 +1,169 @@
+// Pages for the pointer.
+#include "frontend/editor/hover.hpp"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "frontend/editor/picture.hpp"
+#include "frontend/explain/address_page.hpp"
+#include "frontend/explain/instruction_page.hpp"
+#include "frontend/picture/network_view.hpp"
+#include "frontend/rpc/command_output.hpp"
+#include "ir/s7200/special_memory.hpp"
+
+namespace rungproof {
+
+namespace {
+
+constexpr std::size_t mostUses = 8;  ///< of each kind that are named
+
+std::string block(std::string_view text) {
+  while (text.ends_with('\n')) text.remove_suffix(1);
+  return fmt::format("```text\n{}\n```\n", text);
+}
+
+/// "CPU 226: VW up to VW10238, T up to T255": of the direct forms that the operands take.
+std::string limitsOf(const Target& target, const Desc& desc) {
+  std::vector<std::string> limits;
+  std::set<std::string> seen;
+  for (int i = 0; i < desc.operandCount; ++i) {
+    const OperandDesc& operand = desc.operand(i);
+    for (int a = 0; a < areaCount; ++a) {
+      const auto area = static_cast<Area>(a);
+      if ((operand.forms & form::area(area)) == 0) continue;
+      const std::optional<AddressLimit> limit = addressLimit(target, area, widthOf(operand.type));
+      if (!limit) continue;
+      const std::string last = addressName(area, widthOf(operand.type), limit->lastByte,
+                                           widthOf(operand.type) == Width::Bit && !addressedByNumber(area) ? 7 : 0);
+      if (seen.insert(last).second) limits.push_back(last);
+    }
+  }
+  if (limits.empty()) return {};
+  return fmt::format("CPU {}, highest addresses: {}\n", cpuName(target.cpu), fmt::join(limits, ", "));
+}
+
+std::string instructionText(const CheckedDocument& document, const Desc& desc) {
+  const Target& target = document.program().target;
+  std::string text = block(instructionPage(desc, Paint{}));
+  if ((desc.cpus & cpuBit(target.cpu)) == 0)
+    text += fmt::format("\nThe CPU {} does not have it.\n", cpuName(target.cpu));
+  if (const std::string limits = limitsOf(target, desc); !limits.empty()) text += "\n" + limits;
+  return text;
+}
+
+std::string useText(const CheckedDocument& document, const Access& access) {
+  const Facts& facts = document.facts();
+  const Instruction& instruction = facts.instruction(access.instruction);
+  const SourceSet& sources = *document.program().sources;
+  const std::string place = document.isHere(instruction.span)
+                                ? fmt::format("line {}", sources.position(instruction.span).line)
+                                : placeText(sources, instruction.span);
+  return fmt::format("- {} network {}, {}: `{}`\n", facts.pouOf(access.instruction).name,
+                     facts.networkOf(access.instruction).number, place, Facts::text(instruction));
+}
+
+std::string usesText(const CheckedDocument& document, std::string_view heading, const std::vector<const Access*>& uses,
+                     std::string_view none) {
+  if (uses.empty()) return fmt::format("\n{}\n", none);
+  std::string text = fmt::format("\n{}\n\n", heading);
+  for (std::size_t i = 0; i < std::min(uses.size(), mostUses); ++i) text += useText(document, *uses[i]);
+  if (uses.size() > mostUses) text += fmt::format("- and {} more\n", uses.size() - mostUses);
+  return text;
+}
+
+/// The preset of each box of the timer or counter, with the time that it stands for.
+std::string presetText(const CheckedDocument& document, const Operand& address) {
+  std::string text;
+  const Facts& facts = document.facts();
+  const bool isTimer = address.area == Area::T;
+  for (const std::uint32_t id : isTimer ? facts.timerBoxes(address.offset) : facts.counterBoxes(address.offset)) {
+    const Instruction& box = facts.instruction(id);
+    if (box.operands.size() < 2) continue;
+    const Operand& preset = box.operands[1];
+    text += fmt::format("\nPreset {} in network {}", toString(preset), facts.networkOf(id).number);
+    if (isTimer && preset.kind == OperandKind::Constant)
+      text += fmt::format(": {:g} s",
+                          static_cast<double>(preset.value * timerResolution(static_cast<int>(address.offset))) / 1000);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string pageText(const CheckedDocument& document, const std::string& name, const Operand& address) {
+  const Target& target = document.program().target;
+  if (address.area == Area::SM) {
+    const std::string cpu = fmt::format("--cpu={}", cpuName(target.cpu));
+    const CommandOutput page = outputOf({"explain", name, "--isolated", cpu});
+    return page.exit == 0 ? block(page.out) : std::string();
+  }
+  const std::optional<AddressPage> page = addressPage(target, name, Paint{});
+  return page ? block(page->text) : std::string();
+}
+
+std::string addressText(const CheckedDocument& document, const Operand& operand) {
+  Operand address = operand;
+  address.kind = OperandKind::Direct;
+  const std::string name = addressName(address.area, address.width, address.offset, address.bit);
+  const Symbol* const symbol = document.facts().symbolOf(address);
+  std::string text = fmt::format("**{}**", name);
+  if (symbol != nullptr) text += fmt::format(" {}", symbol->name);
+  if (symbol != nullptr && !symbol->comment.empty()) text += fmt::format(": {}", symbol->comment);
+  text += "\n\n" + pageText(document, name, address);
+  if (hasBitAndWord(address.area)) text += presetText(document, address);
+  std::vector<const Access*> writers, readers;
+  for (const std::size_t entry : entriesTouching(document.xref(), address)) {
+    for (const Access* use : document.xref().entries[entry].uses)
+      (use->write || use->isBox || use->maybe ? writers : readers).push_back(use);
+  }
+  const auto isEarlier = [](const Access* a, const Access* b) { return a->instruction < b->instruction; };
+  const auto isSame = [](const Access* a, const Access* b) { return a->instruction == b->instruction; };
+  for (std::vector<const Access*>* uses : {&writers, &readers}) {
+    std::ranges::stable_sort(*uses, isEarlier);
+    uses->erase(std::unique(uses->begin(), uses->end(), isSame), uses->end());
+  }
+  text += usesText(document, "Written by", writers, "No instruction writes it.");
+  text += usesText(document, "Read by", readers, "No instruction reads it.");
+  return text;
+}
+
+std::string routineText(const CheckedDocument& document, Type type, const Operand& operand) {
+  const auto number = static_cast<int>(operand.value);
+  if (type == Type::Label) return fmt::format("Label {}", number);
+  const Pou* const pou =
+      type == Type::Subroutine ? document.program().subroutine(number) : document.program().interrupt(number);
+  if (pou == nullptr) return "A block without text in this program";
+  std::string text = fmt::format("**{}** {}\n", blockHeading(*pou), pou->protectedBlock ? "(protected)" : "");
+  for (const LocalVariable& local : pou->locals) {
+    if (local.section == VarSection::Temp) continue;
+    const std::string_view section = local.section == VarSection::Input    ? "in"
+                                     : local.section == VarSection::Output ? "out"
+                                                                           : "in and out";
+    text += fmt::format("- {} ({})\n", local.name, section);
+  }
+  return text;
+}
+
+}  // namespace
+
+Json hoverAt(const CheckedDocument& document, ClientPlace place) {
+  if (document.source().text().empty()) return nullptr;
+  const Cursor cursor = cursorAt(document, document.offset(place));
+  std::string text;
+  if (cursor.isMnemonic) {
+    text = instructionText(document, *cursor.instruction->desc);
+  } else if (cursor.operand && cursor.routine()) {
+    text = routineText(document, *cursor.routine(), *cursor.operand);
+  } else if (cursor.operand && (cursor.operand->isMemory() || cursor.operand->kind == OperandKind::Address)) {
+    text = addressText(document, *cursor.operand);
+  } else if (cursor.operand && cursor.operand->kind == OperandKind::Constant) {
+    text = fmt::format("{} = 16#{:X}", cursor.operand->value, static_cast<std::uint32_t>(cursor.operand->value));
+  } else if (cursor.isHeading) {
+    text = block(pictureOf(document, *cursor.pou, *cursor.network).text);
+  }
+  if (text.empty()) return nullptr;
+  return {{"contents", Json{{"kind", "markdown"}, {"value", text}}}, {"range", document.range(cursor.span)}};
+}
+
+}  // namespace rungproof

@@ -1,0 +1,247 @@
+// POSIX calls where the standard library has no word for mode, owner and identity of a file.
+#include "frontend/files/disk_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <fnmatch.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <mutex>
+#include <set>
+#include <sstream>
+#include <utility>
+
+namespace rungproof {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int mostLinks = 40;  ///< behind each other, as the system counts them
+
+using Identity = std::pair<dev_t, ino_t>;
+Identity identityOf(const struct stat& status) { return {status.st_dev, status.st_ino}; }
+
+/// What this run has read.
+class Inputs {
+ public:
+  void add(const struct stat& status) {
+    const std::lock_guard lock(mutex_);
+    read_.insert(identityOf(status));
+  }
+  void add(const std::string& name) {
+    const std::lock_guard lock(mutex_);
+    names_.insert(name);
+  }
+  std::vector<std::string> names() {
+    const std::lock_guard lock(mutex_);
+    return {names_.begin(), names_.end()};
+  }
+  void clear() {
+    const std::lock_guard lock(mutex_);
+    read_.clear();
+    names_.clear();
+  }
+  bool contains(const struct stat& status) {
+    const std::lock_guard lock(mutex_);
+    return read_.contains(identityOf(status));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::set<Identity> read_;
+  std::set<std::string> names_;
+};
+
+Inputs& inputs() {
+  static Inputs all;
+  return all;
+}
+
+std::map<std::string, HeldText>& heldTexts() {
+  static std::map<std::string, HeldText> all;
+  return all;
+}
+
+/// One file has one key, whatever the spelling of its path.
+std::string heldKey(const std::string& name) {
+  std::error_code error;
+  const fs::path place = fs::weakly_canonical(name, error);
+  return error ? name : place.string();
+}
+
+/// What came on standard input, once it has been asked for.
+std::optional<std::string>& givenInput() {
+  static std::optional<std::string> text;
+  return text;
+}
+
+Failure failureOf(const std::string& name, const char* reason, std::string help = {}) {
+  return {fmt::format("'{}' cannot be written: {}", name, reason), {}, std::move(help)};
+}
+
+/// All bytes, also where the system takes them in pieces; errno tells why not.
+bool writeAll(int file, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = ::write(file, text.data(), text.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
+/// Into what stands there, without replacing it. A pipe without a reader is an error, not the end of the program.
+std::optional<Failure> writeDirectly(const std::string& name, std::string_view text, bool isRegular) {
+  const int file = ::open(name.c_str(), O_WRONLY | O_CLOEXEC | (isRegular ? O_TRUNC : 0));
+  if (file < 0) return failureOf(name, std::strerror(errno));
+  const auto before = std::signal(SIGPIPE, SIG_IGN);
+  const bool isWritten = writeAll(file, text);
+  const int reason = errno;
+  std::signal(SIGPIPE, before);
+  if (::close(file) == 0 && isWritten) return std::nullopt;
+  return failureOf(name, std::strerror(isWritten ? errno : reason));
+}
+
+/// Beside the target, then in its place. `old`: what stands there now, or nullptr.
+std::optional<Failure> replaceWhole(const std::string& name, const fs::path& target, std::string_view text,
+                                    const struct stat* old) {
+  const std::string part = target.string() + fmt::format(".{}.part", ::getpid());
+  const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file < 0) {
+    // A folder in which nothing may be made can still hold a file that may be written.
+    if (old != nullptr) return writeDirectly(target.string(), text, true);
+    return failureOf(name, std::strerror(errno));
+  }
+  bool isDone = true;
+  if (old != nullptr) {
+    const bool isOwn = old->st_uid == ::geteuid() && old->st_gid == ::getegid();
+    isDone = (isOwn || ::fchown(file, old->st_uid, old->st_gid) == 0) && ::fchmod(file, old->st_mode & 07777U) == 0;
+    if (!isDone) {
+      ::close(file);
+      ::unlink(part.c_str());
+      return writeDirectly(target.string(), text, true);
+    }
+  }
+  isDone = writeAll(file, text);
+  int reason = errno;
+  if (::close(file) != 0 && isDone) {
+    isDone = false;
+    reason = errno;
+  }
+  if (isDone && ::rename(part.c_str(), target.c_str()) != 0) {
+    isDone = false;
+    reason = errno;
+  }
+  if (isDone) return std::nullopt;
+  ::unlink(part.c_str());
+  return failureOf(name, std::strerror(reason));
+}
+
+}  // namespace
+
+void noteInput(const std::string& name) {
+  inputs().add(name);
+  struct stat status {};
+  if (::stat(name.c_str(), &status) == 0 && S_ISREG(status.st_mode)) inputs().add(status);
+}
+
+std::vector<std::string> inputNames() { return inputs().names(); }
+
+const std::string& standardInput() {
+  std::optional<std::string>& text = givenInput();
+  if (!text) text.emplace(std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>());
+  return *text;
+}
+
+void replaceStandardInput(std::string text) { givenInput() = std::move(text); }
+
+void forgetInputs() {
+  inputs().clear();
+  givenInput().reset();
+}
+
+void holdText(const std::string& name, HeldText text) { heldTexts()[heldKey(name)] = std::move(text); }
+
+void releaseText(const std::string& name) { heldTexts().erase(heldKey(name)); }
+
+const HeldText* heldText(const std::string& name) {
+  if (heldTexts().empty()) return nullptr;
+  const auto found = heldTexts().find(heldKey(name));
+  return found == heldTexts().end() ? nullptr : &found->second;
+}
+
+std::optional<std::string> bytesOfInput(const std::string& name) {
+  if (const HeldText* held = heldText(name)) return held->text;
+  noteInput(name);
+  std::ifstream stream(name, std::ios::binary);
+  std::error_code error;
+  if (!stream || fs::is_directory(name, error)) return std::nullopt;
+  std::ostringstream bytes;
+  bytes << stream.rdbuf();
+  if (stream.bad()) return std::nullopt;
+  return std::move(bytes).str();
+}
+
+std::string nameInProject(const std::string& name, const fs::path& root) {
+  if (root.empty()) return name;
+  std::error_code error;
+  const fs::path place = fs::weakly_canonical(name, error), home = fs::weakly_canonical(root, error);
+  const fs::path inside = place.lexically_relative(home);
+  return error || inside.empty() || *inside.begin() == ".." ? name : inside.generic_string();
+}
+
+bool fitsPattern(const std::string& name, const std::string& pattern) {
+  return fnmatch((pattern.ends_with('/') ? pattern + "*" : pattern).c_str(), name.c_str(), 0) == 0;
+}
+
+std::string pathInProject(const std::string& name, const fs::path& root) {
+  std::error_code error;
+  return !root.empty() && fs::exists(root / name, error) ? (root / name).string() : name;
+}
+
+fs::path behindLinks(const fs::path& name) {
+  std::error_code error;
+  fs::path place = name;
+  for (int i = 0; i < mostLinks; ++i) {
+    if (!fs::is_symlink(fs::symlink_status(place, error))) return fs::weakly_canonical(place, error);
+    const fs::path next = fs::read_symlink(place, error);
+    if (error) return {};
+    place = next.is_absolute() ? next : place.parent_path() / next;
+  }
+  return {};
+}
+
+std::optional<Failure> writeOutputFile(const std::string& name, std::string_view text, InputFile input) {
+  struct stat old {};
+  if (::stat(name.c_str(), &old) != 0) {
+    if (errno != ENOENT) return failureOf(name, std::strerror(errno));
+    const fs::path target = behindLinks(name);
+    if (target.empty()) return failureOf(name, std::strerror(ELOOP));
+    return replaceWhole(name, target, text, nullptr);
+  }
+  if (S_ISDIR(old.st_mode)) return failureOf(name, "it is a folder", "give the name of a file");
+  if (!S_ISREG(old.st_mode)) return writeDirectly(name, text, false);
+  if (input == InputFile::Refuse && inputs().contains(old))
+    return failureOf(name, "it has been read as input", "give the output another name");
+  if ((old.st_mode & 0222U) == 0 || ::access(name.c_str(), W_OK) != 0)
+    return failureOf(name, "it is write-protected", "permit writing first, or give the output another name");
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
+    struct stat open {};
+    if (::fstat(stream, &open) == 0 && identityOf(open) == identityOf(old))  // /dev/stdout, led into a file
+      return writeAll(stream, text) ? std::nullopt : std::optional(failureOf(name, std::strerror(errno)));
+  }
+  if (old.st_nlink > 1) return writeDirectly(name, text, true);  // all its names stay the same file
+  const fs::path target = behindLinks(name);
+  return target.empty() ? failureOf(name, std::strerror(ELOOP)) : replaceWhole(name, target, text, &old);
+}
+
+}  // namespace rungproof

@@ -1,0 +1,61 @@
+// Files on disk, read and written in one place: what has been read as input is remembered, so that no output takes its
+// place, and an output neither destroys what its name stands for (a device, a pipe, a link) nor is ever seen half
+// written. Tested by tests/cli/output_file_test.cpp.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "frontend/files/encoding.hpp"
+#include "frontend/files/failure.hpp"
+
+namespace rungproof {
+
+/// The bytes of a file or pipe, which counts as input from now on; nothing if it cannot be read.
+std::optional<std::string> bytesOfInput(const std::string& name);
+/// All of standard input; it is read once in a run.
+const std::string& standardInput();
+/// What standardInput() gives from now on.
+void replaceStandardInput(std::string text);
+/// Notes a file that is read in another way.
+void noteInput(const std::string& name);
+/// Another run of the program begins: nothing has been read.
+void forgetInputs();
+/// Everything that has been asked for as input, also what could not be read.
+std::vector<std::string> inputNames();
+
+/// Texts that stand for files while an editor or an assistant holds them: UTF-8, whatever lies on the disk under that
+/// name. `encoding`: of the file on the disk, in which the controller gets its characters.
+struct HeldText {
+  std::string text;
+  TextEncoding encoding = TextEncoding::Utf8;
+};
+void holdText(const std::string& name, HeldText text);
+void releaseText(const std::string& name);
+/// nullptr: the file on the disk counts. Valid until that name is held anew or released.
+const HeldText* heldText(const std::string& name);
+
+/// Where a name leads to behind all symbolic links, also if nothing stands there yet; empty if the links run in a
+/// circle.
+std::filesystem::path behindLinks(const std::filesystem::path& name);
+
+/// The name of a file from the root of its project, or as given if it lies outside or `root` is empty: one file has one
+/// name, whatever the current folder and the spelling of the path are.
+std::string nameInProject(const std::string& name, const std::filesystem::path& root);
+/// Whether a name fits a pattern with * (also across folders), ? and [...]; a pattern that ends in / means all below.
+bool fitsPattern(const std::string& name, const std::string& pattern);
+/// Where that file is.
+std::string pathInProject(const std::string& name, const std::filesystem::path& root);
+
+enum class InputFile : bool { Refuse, Replace };  ///< Replace: the input itself is to be changed
+
+/// Writes the whole text, or says why not. A regular file is replaced as a whole by one of the same mode and owner, at
+/// the place that links lead to; anything else (device, pipe, standard output by its name) is written to directly. What
+/// no mode bit permits to write is refused, whoever asks.
+std::optional<Failure> writeOutputFile(const std::string& name, std::string_view text,
+                                       InputFile input = InputFile::Refuse);
+
+}  // namespace rungproof

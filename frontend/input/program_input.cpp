@@ -1,0 +1,335 @@
+// From arguments to programs and reports.
+#include "frontend/input/program_input.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "analysis/drawing/editor_verdict.hpp"
+#include "analysis/rule.hpp"
+#include "frontend/files/file_reader.hpp"
+#include "frontend/input/tag_list.hpp"
+#include "frontend/property/external_range.hpp"
+#include "frontend/step7/name_lookup.hpp"
+#include "frontend/step7/symbol_list.hpp"
+#include "frontend/stl/file_block.hpp"
+#include "frontend/stl/missing_address.hpp"
+#include "frontend/stl/operand_reader.hpp"
+#include "frontend/stl/stl_likeness.hpp"
+#include "frontend/stl/syntax_sink.hpp"
+
+namespace rungproof {
+
+namespace {
+
+Mnemonics mnemonicsOf(std::string_view name) {
+  if (name == "international") return Mnemonics::International;
+  return name == "german" ? Mnemonics::German : Mnemonics::Auto;
+}
+
+}  // namespace
+
+ReadOptions readOptionsOf(const Settings& settings) {
+  ReadOptions options;
+  options.target = settings.target();
+  options.dialect = settings.text(Opt::Dialect);
+  options.mnemonics = mnemonicsOf(settings.text(Opt::Mnemonics));
+  options.encoding = *encodingNamed(settings.text(Opt::Encoding));
+  options.symbolFiles = settings.list(Opt::Symbols);
+  options.root = settings.root();
+  if (settings.isSet(Opt::StdinFilename)) options.stdinName = std::string(settings.text(Opt::StdinFilename));
+  return options;
+}
+
+namespace {
+
+/// Without --cpu, a program with instructions that only the S7-200 SMART has is taken for its largest CPU.
+void guessCpu(const Context& context, const Settings& settings, Program& program) {
+  if (settings.isSet(Opt::Cpu)) return;
+  for (const Pou& pou : program.pous) {
+    for (const Network& network : pou.networks) {
+      for (const Instruction& instruction : network.instructions) {
+        if ((instruction.desc->cpus & s7200Cpus) != 0) continue;
+        program.target = {s7200Cpu("ST60"), usualEdition(s7200Cpu("ST60"))};
+        if (!settings.flag(Opt::Quiet))
+          context.err << fmt::format(
+              "rungproof: {} exists on the S7-200 SMART only: taken for a CPU {}; --cpu names another\n",
+              instruction.desc->stl, cpuName(program.target.cpu));
+        return;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+OperandLookup lookupIn(const Program& program) {
+  return [&program](std::string_view text) -> std::optional<Operand> {
+    if (program.declarations != nullptr) return step7::placeNamed(program, text);
+    Operand operand;
+    if (readAddress(text, Spelling::International, operand)) return operand;
+    if (const Symbol* symbol = program.symbolNamed(text)) {
+      operand = symbol->address;
+      operand.text = symbol->name;
+      return operand;
+    }
+    if (readAddress(text, Spelling::German, operand)) return operand;
+    return std::nullopt;
+  };
+}
+
+namespace {
+
+Program readFilesBy(const Context& context, const Settings& settings, const std::vector<std::string>& files) {
+  Program program = readProgram(expandFolders(files, settings), readOptionsOf(settings));
+  guessCpu(context, settings, program);
+  program.libraryMemory = settings.libraryMemory();
+  return program;
+}
+
+}  // namespace
+
+Program readFiles(const Context& context, const std::vector<std::string>& files) {
+  return readFilesBy(context, context.settings, files);
+}
+
+ProgramInput readInput(const Context& context, const Settings& settings, const std::vector<std::string>& files,
+                       const std::vector<std::string>& propertyFiles) {
+  ProgramInput input;
+  input.program = readFilesBy(context, settings, files);
+  std::vector<std::string> all = settings.propertyFiles();
+  all.insert(all.end(), propertyFiles.begin(), propertyFiles.end());
+  input.properties = readProperties(input.program, all, lookupIn(input.program), settings.root());
+  addSurroundings(settings, input);
+  return input;
+}
+ProgramInput readInput(const Context& context, const std::vector<std::string>& files,
+                       const std::vector<std::string>& propertyFiles) {
+  return readInput(context, context.settings, files, propertyFiles);
+}
+
+void addSurroundings(const Settings& settings, ProgramInput& input) {
+  std::vector<ExternalRange>& externals = input.properties.externals;
+  for (const std::string& text : settings.list(Opt::External)) externals.push_back(*externalRangeNamed(text));
+  for (const std::string& file : settings.list(Opt::Tags)) {
+    for (PanelTag& tag : readTagList(input.program, file, *encodingNamed(settings.text(Opt::Encoding)))) {
+      const bool isThere = !missingFrom(input.program.target, tag.address);
+      if (isThere && tag.access != TagAccess::Reads && mayBeExternal(tag.address.area))
+        externals.push_back({tag.address, tag.address, tag.span, true});
+      input.surroundings.tags.push_back(std::move(tag));
+    }
+  }
+  input.surroundings.portTo = settings.portTo();
+}
+
+std::vector<std::string> leaveOut(Program& program) {
+  std::vector<std::string> lines;
+  for (const NetworkVerdict& verdict : leaveOutInvalid(program)) {
+    const Pou& pou = program.pous[verdict.place.block];
+    lines.push_back(fmt::format(
+        "{}, network {} ({}:{}) is not in the download: {}", pou.name, pou.networks[verdict.place.network].number,
+        program.sources->file(verdict.span.file).name(), program.sources->position(verdict.span).line, verdict.reason));
+  }
+  return lines;
+}
+
+Report startReport(std::string_view command, const Program& program, const std::vector<std::string>& files) {
+  Report report;
+  report.command = std::string(command);
+  report.sources = program.sources;
+  report.findings = program.findings;
+  report.files = files;
+  report.coverage.understood = program.instructionCount();
+  const auto lost = std::count_if(program.findings.begin(), program.findings.end(),
+                                  [](const Finding& finding) { return isReadError(finding) && finding.network != 0; });
+  report.coverage.instructions = report.coverage.understood + static_cast<std::size_t>(lost);
+  return report;
+}
+
+void addUnread(Report& report, const Program& program, const UnreadCode& unread) {
+  report.findings.insert(report.findings.end(), unread.findings().begin(), unread.findings().end());
+  const PlaceIndex places(program);
+  for (Finding& finding : report.findings) places.complete(finding);
+  report.coverage.understood -= std::min(report.coverage.understood, unread.instructions());
+  for (std::string& text : unread.texts()) report.coverage.approximated.push_back(std::move(text));
+}
+
+void printUnread(const Context& context, std::string_view command, const Program& program, const UnreadCode& unread,
+                 const std::vector<std::string>& files) {
+  Report report = startReport(command, program, files);
+  std::erase_if(report.findings, [](const Finding& finding) { return finding.severity != Severity::Error; });
+  addUnread(report, program, unread);
+  sortFindings(report);
+  reporterNamed("human")->write(report, {false, context.settings.flag(Opt::Quiet)}, context.err);
+}
+
+namespace {
+
+bool isProgramName(std::string_view name) { return endsInAny(name, {".awl", ".stl", ".xml", ".udt", ".db"}); }
+
+/// Whether a file beside programs is a symbol table or a data block; traces and stimuli are none.
+bool isTableOfProject(const std::string& path, bool isStep7) {
+  const Program alone = readProgram({path});
+  const std::string_view text = alone.sources->file(0).text();
+  if (isStep7) return step7::isSymbolList(text);
+  if (text.starts_with("scan") || text.starts_with("time_ms")) return false;  // the heading of a trace
+  return (!alone.symbols.empty() || !alone.data.empty()) && alone.instructionCount() == 0 &&
+         std::ranges::none_of(alone.findings, [](const Finding& finding) {
+           return finding.severity == Severity::Error && finding.rule != syntaxMessage(Syntax::NoInstruction).id;
+         });
+}
+
+/// Whether the file, read alone, holds a main program. One without a head is a block of the program whose file is
+/// called MAIN or OB1.
+bool holdsMain(const Program& alone, const std::string& file, const std::vector<std::string>& files) {
+  if (alone.main() == nullptr) return false;
+  if (fileBlock(file).kind || stlLikeness(alone.sources->file(0).text()).hasHeading) return true;
+  const auto folderOf = [](const std::string& name) { return std::filesystem::path(name).parent_path(); };
+  return std::ranges::none_of(files, [&](const std::string& other) {
+    return fileBlock(other).kind == PouKind::Main && folderOf(other) == folderOf(file);
+  });
+}
+
+}  // namespace
+
+std::vector<std::string> expandFolders(const std::vector<std::string>& names) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> files;
+  for (const std::string& name : names) {
+    std::error_code error;
+    if (!fs::is_directory(name, error)) {
+      files.push_back(name);
+      continue;
+    }
+    std::vector<std::string> found, others;
+    for (fs::recursive_directory_iterator entry(name, fs::directory_options::skip_permission_denied, error), end;
+         !error && entry != end; entry.increment(error)) {
+      if (entry->is_regular_file(error) && isProgramName(entry->path().string()))
+        found.push_back(entry->path().string());
+      else if (entry->is_regular_file(error) &&
+               endsInAny(entry->path().string(), {".csv", ".txt", ".sdf", ".tsv", ".asc", ".seq", ".dif"}))
+        others.push_back(entry->path().string());
+    }
+    // Tables belong to the one program of the folder; which of several they would belong to, nobody says.
+    const auto isMain = [&](const std::string& file) { return holdsMain(readProgram({file}), file, found); };
+    if (!others.empty()) {
+      const bool isStep7 = std::ranges::any_of(
+          found, [](const std::string& file) { return readProgram({file}).declarations != nullptr; });
+      if (isStep7 || std::ranges::count_if(found, isMain) == 1)
+        std::ranges::copy_if(others, std::back_inserter(found),
+                             [&](const std::string& file) { return isTableOfProject(file, isStep7); });
+    }
+    std::sort(found.begin(), found.end());
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  return files;
+}
+
+std::optional<Failure> folderFailure(const std::vector<std::string>& names) {
+  namespace fs = std::filesystem;
+  for (const std::string& name : names) {
+    std::error_code error;
+    if (!fs::is_directory(name, error)) continue;
+    bool holdsProgram = false;
+    for (fs::recursive_directory_iterator entry(name, fs::directory_options::skip_permission_denied, error), end;
+         !error && entry != end && !holdsProgram; entry.increment(error))
+      holdsProgram = isProgramName(entry->path().string()) && entry->is_regular_file(error);
+    if (!holdsProgram) return Failure{"the folder holds no program", name, "programs end in .awl, .stl or .xml"};
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> expandFolders(const std::vector<std::string>& names, const Settings& settings) {
+  std::vector<std::string> files = expandFolders(names);
+  std::erase_if(files, [&](const std::string& file) {
+    if (std::ranges::find(names, file) != names.end()) return false;
+    const std::string name = nameInProject(file, settings.root());
+    return std::ranges::any_of(settings.list(Opt::Exclude),
+                               [&](const std::string& pattern) { return fitsPattern(name, pattern); });
+  });
+  return files;
+}
+
+std::vector<std::vector<std::string>> groupByProgram(const Context& context, const std::vector<std::string>& files) {
+  if (files.size() < 2 || std::find(files.begin(), files.end(), "-") != files.end()) return {files};
+  ReadOptions options = readOptionsOf(context.settings);
+  options.symbolFiles.clear();
+  std::vector<std::string> mains;
+  std::vector<std::string> others;
+  std::vector<std::string> ofOneProject;  // S7-300/400: all files of a command are one program
+  for (const std::string& file : files) {
+    const Program alone = readProgram({file}, options);
+    if (alone.declarations != nullptr)
+      ofOneProject.push_back(file);
+    else
+      (holdsMain(alone, file, files) ? mains : others).push_back(file);
+  }
+  if (mains.empty() || (mains.size() < 2 && ofOneProject.empty())) return {files};
+  std::vector<std::vector<std::string>> groups;
+  for (const std::string& file : mains) {
+    std::vector<std::string>& group = groups.emplace_back(others);
+    group.insert(group.begin(), file);
+  }
+  if (!ofOneProject.empty()) groups.push_back(std::move(ofOneProject));
+  return groups;
+}
+
+void ReportMerger::add(const Report& part) {
+  std::vector<std::uint32_t> places;  // index in sources_ of each file of the part
+  for (std::uint32_t i = 0; i < part.sources->size(); ++i) {
+    const SourceFile& file = part.sources->file(i);
+    const auto [entry, isNew] = indices_.emplace(file.name(), static_cast<std::uint32_t>(sources_->size()));
+    if (isNew) sources_->add(file.name(), std::string(file.text()));
+    places.push_back(entry->second);
+  }
+  const auto addFindings = [&](const std::vector<Finding>& from, std::vector<Finding>& to) {
+    for (Finding finding : from) {
+      finding.span.file = places[finding.span.file];
+      for (RelatedPlace& related : finding.related) related.span.file = places[related.span.file];
+      if (finding.fix) finding.fix->span.file = places[finding.fix->span.file];
+      to.push_back(std::move(finding));
+    }
+  };
+  addFindings(part.findings, report_.findings);
+  addFindings(part.lintFindings, report_.lintFindings);
+  report_.programs.insert(report_.programs.end(), part.programs.begin(), part.programs.end());
+  for (PropertyResult property : part.properties) {
+    if (property.span) property.span->file = places[property.span->file];
+    report_.properties.push_back(std::move(property));
+  }
+  if (part.selfCheck) {
+    if (!report_.selfCheck) report_.selfCheck.emplace();
+    report_.selfCheck->insert(report_.selfCheck->end(), part.selfCheck->begin(), part.selfCheck->end());
+  }
+  for (const std::string& assumption : part.assumptions) {
+    if (std::find(report_.assumptions.begin(), report_.assumptions.end(), assumption) == report_.assumptions.end())
+      report_.assumptions.push_back(assumption);
+  }
+  if (isEmpty_) report_.command = part.command;
+  isEmpty_ = false;
+  report_.coverage.instructions += part.coverage.instructions;
+  report_.coverage.understood += part.coverage.understood;
+  for (const std::string& place : part.coverage.approximated) report_.coverage.approximated.push_back(place);
+  for (const std::string& line : part.coverage.leftOut) report_.coverage.leftOut.push_back(line);
+  report_.coverage.open += part.coverage.open;
+  for (const std::string& defect : part.defects) report_.defects.push_back(defect);
+  report_.reasons.insert(report_.reasons.end(), part.reasons.begin(), part.reasons.end());
+  for (const std::string& file : part.files) {
+    if (std::find(report_.files.begin(), report_.files.end(), file) == report_.files.end())
+      report_.files.push_back(file);
+  }
+  if (part.techniques) {
+    if (!report_.techniques) report_.techniques.emplace();
+    ::rungproof::add(*report_.techniques, *part.techniques);
+  }
+  report_.suppressed += part.suppressed;
+  report_.baselined += part.baselined;
+}
+
+Report ReportMerger::take() {
+  report_.sources = sources_;
+  return std::move(report_);
+}
+
+}  // namespace rungproof

@@ -1,0 +1,127 @@
+// One lint run.
+#include "frontend/linting/lint_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/lint/lint.hpp"
+#include "analysis/lint/suppress.hpp"
+#include "frontend/input/proof_input.hpp"
+#include "frontend/linting/baseline.hpp"
+#include "frontend/linting/solver_rules.hpp"
+#include "frontend/settings/code_list.hpp"
+
+namespace rungproof {
+
+namespace {
+
+void applySeverities(const Settings& settings, Report& report) {
+  for (Finding& finding : report.findings) {
+    const auto wanted = settings.severities().find(finding.rule);
+    if (wanted != settings.severities().end() && !isReadError(finding)) finding.severity = wanted->second;
+  }
+}
+
+/// What files are not to be reported for; errors of the readers stay.
+void ignoreInFiles(const Settings& settings, Report& report) {
+  std::erase_if(report.findings, [&](const Finding& finding) {
+    if (isReadError(finding)) return false;
+    return std::ranges::any_of(settings.fileIgnores(), [&](const FileIgnore& ignore) {
+      const auto isMeant = [&](const std::string& code) { return code == "ALL" || finding.rule.starts_with(code); };
+      return std::ranges::any_of(ignore.codes, isMeant) &&
+             fitsPattern(report.sources->file(finding.span.file).name(), ignore.pattern);
+    });
+  });
+}
+
+}  // namespace
+
+bool isSelected(const Settings& settings, std::string_view id) {
+  const RuleSelection selection(settings.list(Opt::Select), settings.list(Opt::Ignore));
+  const auto code = codeNamed(id);
+  return !code || selection.includes(id, code->onByDefault);
+}
+
+Report lintProgram(const Settings& settings, const ProgramInput& input, const std::vector<std::string>& files,
+                   bool prove) {
+  const Program& program = input.program;
+  const RuleSelection selection(settings.list(Opt::Select), settings.list(Opt::Ignore));
+  const Facts facts(program, input.properties.externals, input.surroundings);
+  Report report = startReport("lint", program, files);
+
+  const auto isSelected = [&](std::string_view id) { return rungproof::isSelected(settings, id); };
+  // Errors of the readers cannot be ignored: what was not read was not checked.
+  std::erase_if(report.findings,
+                [&](const Finding& finding) { return !isReadError(finding) && !isSelected(finding.rule); });
+  std::vector<Finding> found = runRules(facts, selection, settings.ruleSettings());
+  std::move(found.begin(), found.end(), std::back_inserter(report.findings));
+  if (prove) {
+    const UnreadCode unread(program, settings.choices());
+    ProverOptions options = lintProverOptionsOf(settings);
+    options.unread = &unread;
+    OpenQuestions open;
+    if (unread.isWhole())
+      open = settleBySolver(input, options, isSelected, report.findings);
+    else if (!unread.isUnlimited())
+      open = settleBySolver({unread.executable(), input.properties}, options, isSelected, report.findings);
+    report.coverage.leftOut = std::move(open.lines);
+    report.coverage.open = open.count;
+    report.techniques = open.techniques;
+    report.defects = std::move(open.defects);
+  }
+  const PlaceIndex places(program);
+  for (Finding& finding : report.findings) places.complete(finding);
+  applySeverities(settings, report);
+  ignoreInFiles(settings, report);
+
+  if (!settings.flag(Opt::NoSuppress)) {
+    const KnownRules known{[](std::string_view id) { return codeNamed(id).has_value(); },
+                           [&](std::string_view id) {
+                             const Rule* rule = ruleNamed(id);
+                             return isSelected(id) && (rule == nullptr || rule->check != nullptr);
+                           }};
+    report.suppressed = applySuppressions(program, known, report.findings);
+    std::erase_if(report.findings,
+                  [&](const Finding& finding) { return finding.rule.starts_with("SUP") && !isSelected(finding.rule); });
+  }
+  return report;
+}
+
+Report lintFiles(const Context& context, const std::vector<std::string>& files, bool prove) {
+  const std::vector<std::vector<std::string>> groups = groupByProgram(context, files);
+  Report report;
+  if (groups.size() == 1) {
+    const Settings& settings = context.settingsOf(groups.front());
+    report = lintProgram(settings, readInput(context, settings, groups.front()), groups.front(), prove);
+  } else {
+    ReportMerger merger;
+    for (const std::vector<std::string>& group : groups) {
+      const Settings& settings = context.settingsOf(group);
+      merger.add(lintProgram(settings, readInput(context, settings, group), group, prove));
+    }
+    report = merger.take();
+  }
+  for (const std::string& defect : report.defects) context.err << fmt::format("rungproof: {}\n", defect);
+  sortFindings(report);
+  return report;
+}
+
+std::optional<Failure> subtractBaseline(const Settings& settings, Report& report) {
+  if (!settings.isSet(Opt::Baseline)) return std::nullopt;
+  const std::string name(settings.text(Opt::Baseline));
+  Baseline baseline;
+  std::string text;
+  if (auto failure = readBaselineFile(name, baseline, text)) return failure;
+  // The baseline becomes a source of the report, so that stale entries have a place.
+  auto sources = std::make_shared<SourceSet>();
+  for (std::uint32_t i = 0; i < report.sources->size(); ++i)
+    sources->add(report.sources->file(i).name(), std::string(report.sources->file(i).text()));
+  const std::uint32_t file = sources->add(name, text);
+  report.sources = sources;
+  applyBaseline(
+      baseline, file, [&](std::string_view id) { return isSelected(settings, id); }, report);
+  return std::nullopt;
+}
+
+}  // namespace rungproof

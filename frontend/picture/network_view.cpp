@@ -1,0 +1,200 @@
+// What is shown of a network, and the page as text.
+#include "frontend/picture/network_view.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/drawing/raise.hpp"
+#include "frontend/picture/placement.hpp"
+#include "frontend/picture/power_flow.hpp"
+#include "frontend/stl/stl_writer.hpp"
+#include "frontend/text/excerpt.hpp"
+
+namespace rungproof {
+
+namespace {
+
+bool isInside(const Network& network, const Finding& finding) {
+  const Span& n = network.span;
+  return n.file == finding.span.file && finding.span.offset >= n.offset && finding.span.offset < n.offset + n.length;
+}
+
+std::string commentText(std::string_view text) {
+  if (text.starts_with("//"))
+    text.remove_prefix(2);
+  else if (text.starts_with("(*"))
+    text = text.substr(2, text.size() - (text.ends_with("*)") ? 4 : 2));
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\r')) text.remove_suffix(1);
+  return std::string(text);
+}
+
+/// Names of the operands that have one: "Start, Stop".
+std::string namesIn(const Program& program, const Instruction& instruction) {
+  std::string names;
+  for (const Operand& operand : instruction.operands) {
+    const Symbol* symbol = program.symbolOf(operand);
+    const std::string name = !operand.text.empty() && operand.kind == OperandKind::Direct ? operand.text
+                             : symbol == nullptr                                          ? ""
+                                                                                          : symbol->name;
+    if (!name.empty()) names += (names.empty() ? "" : ", ") + name;
+  }
+  return names;
+}
+
+/// Statement, stack top and values of the scan, names, findings: one line, columns aligned by the caller.
+struct StatementRow {
+  std::string statement, top, values, names, marks;
+};
+
+std::vector<StatementRow> statementRows(const Program& program, const Network& network, const ViewOptions& options) {
+  std::vector<StatementRow> rows;
+  for (const Instruction& instruction : network.instructions) {
+    StatementRow row;
+    row.statement = writeInstruction(instruction);
+    row.names = namesIn(program, instruction);
+    if (options.recorder != nullptr) {
+      const InstructionRecord& record = options.recorder->of(instruction);
+      row.top = record.executions == 0 ? "-" : record.after[0] ? "1" : "0";
+      if (record.executions > 0) {
+        const std::vector<std::string> values = valueTexts(instruction, record);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+          if (!values[i].empty())
+            row.values +=
+                fmt::format("{}{}={}", row.values.empty() ? "" : " ", toString(instruction.operands[i]), values[i]);
+        }
+      }
+    }
+    for (const Finding* finding : options.findings) {
+      const bool isHere = finding->span.file == instruction.span.file &&
+                          finding->span.offset >= instruction.span.offset &&
+                          finding->span.offset < instruction.span.offset + instruction.span.length;
+      if (isHere && row.marks.find(finding->rule) == std::string::npos)
+        row.marks += (row.marks.empty() ? "^" : " ") + finding->rule;
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::vector<std::string> statementLines(const Program& program, const Network& network, const ViewOptions& options) {
+  const std::vector<StatementRow> rows = statementRows(program, network, options);
+  int statement = 0, values = 0;
+  bool hasNames = false;
+  for (const StatementRow& row : rows) {
+    statement = std::max(statement, displayWidth(row.statement));
+    values = std::max(values, displayWidth(row.values));
+    hasNames = hasNames || !row.names.empty();
+  }
+  const auto padded = [](const std::string& text, int width) {
+    return text + std::string(static_cast<std::size_t>(std::max(0, width - displayWidth(text))), ' ');
+  };
+  std::vector<std::string> lines;
+  for (const StatementRow& row : rows) {
+    std::string line = padded(row.statement, statement);
+    if (options.recorder != nullptr) line += "  " + row.top + "  " + padded(row.values, values);
+    if (!row.names.empty()) line += "  // " + row.names;
+    if (!row.marks.empty()) line += "  " + row.marks;
+    line.erase(line.find_last_not_of(' ') + 1);
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+/// The drawing of a network in that form, or why there is none.
+Raised drawingOf(const Network& network, Form form, const Target& target) {
+  if (network.drawing != nullptr && network.form == form) return {*network.drawing, {}, nullptr};
+  Raised raised = raise(network, form, target);
+  // A ladder whose values pass through memory in STL is drawn from the ladder itself.
+  const bool isLadder = network.drawing != nullptr && network.form == Form::Ladder;
+  if (!raised.drawing && form == Form::Fbd && isLadder) return {asFbd(*network.drawing), {}, nullptr};
+  return raised;
+}
+
+}  // namespace
+
+NetworkView networkView(const Program& program, const Pou& pou, const Network& network, const ViewOptions& options) {
+  NetworkView view;
+  view.heading = fmt::format("Network {}", network.number);
+  if (!network.title.empty()) view.heading += "  " + network.title;
+  for (const Comment& comment : network.comments) {
+    std::string text = commentText(program.sources->text(comment.span));
+    if (text != network.title) view.comments.push_back(std::move(text));
+  }
+  ViewOptions own = options;
+  std::erase_if(own.findings, [&](const Finding* finding) { return !isInside(network, *finding); });
+  for (const Finding* finding : own.findings)
+    view.notes.push_back({finding->severity, fmt::format("{}: {}", finding->rule, finding->message)});
+  view.notExecuted =
+      options.recorder != nullptr && !network.instructions.empty() && !wasExecuted(network, *options.recorder);
+  if (!network.complete) view.reason = "a line of the network could not be read";
+  if (options.form != Form::Stl && network.complete && !network.instructions.empty()) {
+    const Raised raised = drawingOf(network, options.form, program.target);
+    view.reason = raised.reason;
+    if (raised.drawing) {
+      ElementTexts texts(&program, &pou, *raised.drawing);
+      texts.setFindings(own.findings);
+      std::vector<ElementFlow> flows;
+      if (options.recorder != nullptr) {
+        flows = elementFlows(*raised.drawing, network, *options.recorder);
+        texts.setFlow(&flows);
+      }
+      PlacedPicture placed =
+          place(options.form == Form::Fbd ? fbdNodes(*raised.drawing, texts) : ladderNodes(*raised.drawing, texts),
+                options.width);
+      view.reason = placed.reason;
+      if (placed.reason.empty()) {
+        view.picture = wrapped(placed.picture, options.width);
+        return view;
+      }
+    }
+  }
+  view.statements = statementLines(program, network, own);
+  return view;
+}
+
+std::string blockHeading(const Pou& pou) {
+  constexpr std::string_view prefixes[] = {"OB", "SBR", "INT"};
+  std::string heading = fmt::format("{} ({}{})", pou.name, prefixes[static_cast<std::size_t>(pou.kind)], pou.number);
+  if (!pou.title.empty()) heading += "  " + pou.title;
+  return heading;
+}
+
+std::vector<std::string> contentLines(const NetworkView& view, const TextStyle& style) {
+  const Paint paint{style.color};
+  std::vector<std::string> lines;
+  if (!view.reason.empty()) lines.push_back("shown as STL: " + view.reason);
+  if (view.notExecuted) lines.emplace_back("not executed in this scan");
+  if (view.picture.height > 0) {
+    for (std::string& line : textLines(view.picture, style)) lines.push_back(std::move(line));
+  }
+  for (const std::string& line : view.statements) lines.push_back("  " + line);
+  for (const ViewNote& note : view.notes) {
+    const std::string word = note.severity == Severity::Error     ? paint.red("error")
+                             : note.severity == Severity::Warning ? paint.yellow("warning")
+                                                                  : paint.blue("note");
+    lines.push_back(fmt::format("  {} {}", word, note.text));
+  }
+  return lines;
+}
+
+std::string viewText(const std::vector<BlockView>& blocks, const TextStyle& style) {
+  const Paint paint{style.color};
+  std::string text;
+  for (const BlockView& block : blocks) {
+    if (!text.empty()) text += "\n";
+    text += paint.bold(block.heading) + "\n";
+    for (const NetworkView& view : block.networks) {
+      text += "\n" + paint.bold(view.heading) + "\n";
+      for (const std::string& comment : view.comments) {
+        const bool isDirective = comment.starts_with('@') || comment.starts_with('!');
+        text += (isDirective ? "//" : "// ") + comment + "\n";
+      }
+      for (const std::string& line : contentLines(view, style)) text += line + "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace rungproof

@@ -1,0 +1,99 @@
+// Findings and assumptions of a run.
+#include "frontend/simulation/run_report.hpp"
+
+#include <fmt/format.h>
+
+#include "ir/s7200/call_contract.hpp"
+
+namespace rungproof {
+
+namespace {
+
+Finding findingOf(const RunTimeError& error, const Program& program) {
+  const HazardInfo& info = hazardInfo(error.hazard);
+  Finding finding;
+  const bool isFatal = info.kind == HazardClass::Fatal;
+  finding.rule = error.hazard == Hazard::QueueOverflow ? "RUN003" : isFatal ? "RUN002" : "RUN001";
+  finding.severity = isFatal ? Severity::Error : Severity::Warning;
+  const std::string code = info.code.starts_with('F') ? fmt::format("fatal error {}", info.code.substr(1))
+                           : isFatal || info.kind == HazardClass::NonFatal ? fmt::format("run-time error {}", info.code)
+                                                                           : std::string("events lost");
+  const std::string often = error.count > 1 ? fmt::format(", {} times in all", error.count) : "";
+  finding.message = fmt::format("{}: {} (scan {}, {} ms{})", code, info.text, error.scan,
+                                plainNumber(static_cast<double>(error.timeUs) / 1000), often);
+  finding.help = fmt::format("see {} of the manual", info.manual);
+  finding.confirmation = Confirmation::Confirmed;
+  if (error.place == nullptr) return finding;
+  finding.span = error.place->span;
+  for (const Pou& pou : program.pous) {
+    for (const Network& network : pou.networks) {
+      for (const Instruction& instruction : network.instructions) {
+        if (&instruction != error.place) continue;
+        finding.pou = pou.name;
+        finding.network = network.number;
+      }
+    }
+  }
+  return finding;
+}
+
+std::string placeOf(const Instruction* instruction, const Program& program) {
+  if (instruction == nullptr) return "";
+  const SourceFile& file = program.sources->file(instruction->span.file);
+  return fmt::format(" at {}:{}", file.name(), file.position(instruction->span.offset).line);
+}
+
+/// Calls of blocks without text: what they write comes from the stimulus.
+void listHiddenBlocks(Report& report, const Program& program) {
+  const CallContracts contracts(program);
+  for (const Pou& pou : program.pous) {
+    for (const Network& network : pou.networks) {
+      for (const Instruction& instruction : network.instructions) {
+        const CallContract* contract = contracts.of(instruction);
+        if (contract == nullptr) continue;
+        const bool isLibrary = contract->source == CallContract::Source::Library;
+        report.coverage.approximated.push_back(
+            fmt::format("{}{}: {}", contract->name, placeOf(&instruction, program),
+                        isLibrary ? "outputs come from the stimulus"
+                                  : "its text is missing; it writes what the stimulus says, or nothing"));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::string stopText(const Simulator& simulator) {
+  if (simulator.isRunning() || simulator.errors().fatal() != nullptr) return "";
+  return fmt::format("the CPU went to STOP{}", placeOf(simulator.stoppedBy(), *simulator.plan().program));
+}
+
+void describeRun(Report& report, const Simulator& simulator, const ScanTime& scanTime) {
+  const Program& program = *simulator.plan().program;
+  for (const RunTimeError& error : simulator.errors().list()) {
+    const bool isLost = error.hazard == Hazard::QueueOverflow;
+    if (hazardInfo(error.hazard).kind != HazardClass::StatusOnly || isLost)
+      report.findings.push_back(findingOf(error, program));
+  }
+  for (const int event : simulator.eventsWithoutCause()) {
+    Finding finding;
+    finding.rule = "RUN004";
+    finding.severity = Severity::Note;
+    finding.message = fmt::format("event {} ({}) came from the stimulus although nothing could cause it then", event,
+                                  eventInfo(event).text);
+    finding.help = "see 001:5378 of the manual for what causes each event";
+    report.findings.push_back(std::move(finding));
+  }
+  listHiddenBlocks(report, program);
+  const auto ms = [](Duration duration) { return static_cast<double>(duration.count()) / 1000; };
+  const std::string range = scanTime.low == scanTime.high
+                                ? fmt::format("{:g} ms", ms(scanTime.low))
+                                : fmt::format("{:g} ms to {:g} ms", ms(scanTime.low), ms(scanTime.high));
+  report.assumptions.push_back(fmt::format("CPU {}", cpuName(program.target.cpu)));
+  report.assumptions.push_back(fmt::format("scan time {} where the stimulus says nothing", range));
+  report.assumptions.push_back(fmt::format("{} scans, {} ms", simulator.scanCount(),
+                                           plainNumber(static_cast<double>(simulator.timeUs()) / 1000)));
+  if (const std::string text = stopText(simulator); !text.empty()) report.assumptions.push_back(text);
+}
+
+}  // namespace rungproof

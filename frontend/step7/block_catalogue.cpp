@@ -1,0 +1,149 @@
+// Numbers and names of blocks.
+#include "frontend/step7/block_catalogue.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "ir/s7300/library.hpp"
+
+namespace rungproof::step7 {
+
+namespace {
+
+using s7300::foldedName;
+
+bool isSameAddress(const Operand& a, const Operand& b) {
+  if (a.form != b.form) return false;
+  if (a.form == OperandForm::Block) return a.block->kind == b.block->kind && a.block->number == b.block->number;
+  return a.place == b.place && a.size == b.size && a.number == b.number && a.bit == b.bit;
+}
+
+}  // namespace
+
+std::string toString(BlockKey key) { return fmt::format("{}{}", blockKindName(key.kind), key.number); }
+
+BlockCatalogue::BlockCatalogue(const std::vector<SourceSyntax>& sources, const std::vector<SymbolRow>& symbols,
+                               Reports& reports) {
+  addSymbols(symbols, reports);
+  addNumbered(sources, reports);
+  addNamed(sources, reports);
+  std::ranges::stable_sort(entries_, {}, [](const CatalogueEntry& entry) { return entry.syntax->heading.file; });
+  for (std::size_t i = 0; i < entries_.size(); ++i) byKey_[entries_[i].key] = i;
+}
+
+void BlockCatalogue::addSymbols(const std::vector<SymbolRow>& symbols, Reports& reports) {
+  for (const SymbolRow& row : symbols) {
+    const auto [place, isNew] = symbols_.emplace(foldedName(row.name.text), &row);
+    if (!isNew) {
+      if (isSameAddress(place->second->address, row.address)) continue;
+      reports.report(Syntax::SymbolRow, row.name.span,
+                     fmt::format("\"{}\" already stands for another address", row.name.text));
+      reports.relate(place->second->name.span, "the first row of that name");
+      continue;
+    }
+    if (row.address.form == OperandForm::Block)
+      names_.emplace(BlockKey{*row.address.block->kind, row.address.block->number}, row.name.text);
+  }
+}
+
+void BlockCatalogue::add(BlockKey key, const BlockSyntax& block, Reports& reports) {
+  const auto [place, isNew] = byKey_.emplace(key, entries_.size());
+  if (isNew) {
+    entries_.push_back({key, &block, nameOf(key)});
+    return;
+  }
+  reports.report(Syntax::BlockTwice, block.heading,
+                 fmt::format("{} is there twice: only the first one is read", toString(key)), nameOf(key), 0);
+  reports.relate(entries_[place->second].syntax->heading, "the first one");
+}
+
+void BlockCatalogue::addNumbered(const std::vector<SourceSyntax>& sources, Reports& reports) {
+  for (const SourceSyntax& source : sources) {
+    for (const BlockSyntax& block : source.blocks) {
+      if (block.name.kind) add({*block.name.kind, block.name.number}, block, reports);
+    }
+  }
+}
+
+/// OBs that TIA Portal calls by these names where no table says more.
+std::optional<BlockKey> BlockCatalogue::organizationBlockNamed(std::string_view name) const {
+  constexpr std::array<std::pair<std::string_view, std::uint32_t>, 10> usual = {{{"Main", 1},
+                                                                                 {"Startup", 100},
+                                                                                 {"Complete Restart", 100},
+                                                                                 {"COMPLETE RESTART", 100},
+                                                                                 {"Cyclic interrupt", 35},
+                                                                                 {"CYC_INT5", 35},
+                                                                                 {"Cycle Execution", 1},
+                                                                                 {"Program cycle", 1},
+                                                                                 {"Hardware interrupt", 40},
+                                                                                 {"Programming error", 121}}};
+  const auto row = std::ranges::find_if(usual, [&](const auto& entry) { return s7300::isSameName(entry.first, name); });
+  return row == usual.end() ? std::nullopt : std::optional(BlockKey{BlockKind::Ob, row->second});
+}
+
+void BlockCatalogue::addNamed(const std::vector<SourceSyntax>& sources, Reports& reports) {
+  std::map<BlockKind, std::uint32_t> next;
+  for (const SourceSyntax& source : sources) {
+    for (const BlockSyntax& block : source.blocks) {
+      if (block.name.kind || block.name.symbol.empty()) continue;
+      const std::string folded = foldedName(block.name.symbol);
+      std::optional<BlockKey> key;
+      if (const SymbolRow* row = symbol(block.name.symbol); row != nullptr && row->address.form == OperandForm::Block) {
+        if (*row->address.block->kind == block.kind) key = BlockKey{block.kind, row->address.block->number};
+      }
+      if (const auto named = byName_.find(folded); !key && named != byName_.end() && named->second.kind == block.kind)
+        key = named->second;
+      if (!key && block.kind == BlockKind::Ob) key = organizationBlockNamed(block.name.symbol);
+      if (!key && block.kind == BlockKind::Ob) {
+        reports.report(Syntax::BlockHeading7, block.name.span,
+                       fmt::format("no symbol table says which OB \"{}\" is", block.name.symbol));
+        continue;
+      }
+      while (!key) {
+        const BlockKey candidate{block.kind, ++next[block.kind]};
+        if (!byKey_.contains(candidate) && !names_.contains(candidate)) key = candidate;
+      }
+      names_.emplace(*key, block.name.symbol);
+      byName_.emplace(folded, *key);
+      add(*key, block, reports);
+    }
+  }
+}
+
+const CatalogueEntry* BlockCatalogue::entry(BlockKey key) const {
+  const auto found = byKey_.find(key);
+  return found == byKey_.end() ? nullptr : &entries_[found->second];
+}
+
+const SymbolRow* BlockCatalogue::symbol(std::string_view name) const {
+  const auto found = symbols_.find(foldedName(name));
+  return found == symbols_.end() ? nullptr : found->second;
+}
+
+std::optional<BlockKey> BlockCatalogue::keyOf(const BlockName& name) const {
+  if (name.kind) {
+    const BlockKind kind = *name.kind == BlockKind::Di ? BlockKind::Db : *name.kind;
+    return BlockKey{kind, name.number};
+  }
+  if (const SymbolRow* row = symbol(name.symbol)) {
+    if (row->address.form != OperandForm::Block) return std::nullopt;
+    return BlockKey{*row->address.block->kind, row->address.block->number};
+  }
+  if (const auto named = byName_.find(foldedName(name.symbol)); named != byName_.end()) return named->second;
+  if (const s7300::LibraryBlock* block = s7300::libraryBlockNamed(name.symbol)) {
+    const BlockKind kind = block->type == BlockType::Sfb   ? BlockKind::Sfb
+                           : block->type == BlockType::Sfc ? BlockKind::Sfc
+                                                           : BlockKind::Fc;
+    return BlockKey{kind, block->number};
+  }
+  return std::nullopt;
+}
+
+std::string BlockCatalogue::nameOf(BlockKey key) const {
+  const auto found = names_.find(key);
+  return found == names_.end() ? toString(key) : found->second;
+}
+
+}  // namespace rungproof::step7

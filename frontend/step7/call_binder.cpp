@@ -1,0 +1,318 @@
+// Calls: the block, its instance, and one operand for each of its parameters (002:145-247).
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "frontend/step7/constant_spelling.hpp"
+#include "frontend/step7/library_source.hpp"
+#include "frontend/step7/statement_binder.hpp"
+#include "ir/block_map.hpp"
+#include "ir/s7300/block.hpp"
+#include "ir/s7300/declarations.hpp"
+#include "ir/s7300/library.hpp"
+
+namespace rungproof::step7 {
+
+using s7300::Field;
+using s7300::Structure;
+using s7300::Type;
+using s7300::TypeKind;
+
+namespace {
+
+bool isParameter(const Field& field) { return field.section <= Section::InOut; }
+
+rungproof::Operand missingOperand(Span span) {
+  rungproof::Operand operand;
+  operand.kind = OperandKind::Missing;
+  operand.span = span;
+  return operand;
+}
+
+/// The bits of a constant as a value of the type, or nothing if it is none.
+std::optional<std::int64_t> bitsOfType(const Type& type, const Constant& value) {
+  if (s7300::isComplex(type)) return std::nullopt;
+  std::vector<std::uint8_t> bytes(s7300::sizeOf(type));
+  if (bytes.size() > 4 || s7300::writeValues(type, std::span(&value, 1), 0, 0, bytes)) return std::nullopt;
+  std::int64_t bits = 0;
+  for (const std::uint8_t byte : bytes) bits = bits << 8 | byte;
+  return bits;
+}
+
+bool isModelledBlock(BlockKey callee) {
+  const s7300::LibraryBlock* block = s7300::libraryBlock(blockTypeOf(irNumber(callee)), callee.number);
+  return block != nullptr && isModelled(*block);
+}
+
+}  // namespace
+
+std::shared_ptr<const Structure> StatementBinder::parametersOf(BlockKey callee) {
+  if (const CatalogueEntry* entry = catalogue_.entry(callee))
+    return callee.kind == BlockKind::Fb ? types_.structure(callee) : types_.parameters(*entry->syntax);
+  const BlockType type = blockTypeOf(irNumber(callee));
+  const s7300::LibraryBlock* library = s7300::libraryBlock(type, callee.number);
+  return library != nullptr ? s7300::interfaceOf(*library) : nullptr;
+}
+
+bool StatementBinder::call(const Desc& desc, const Statement& statement) {
+  if (statement.operand.form == OperandForm::None)
+    return refuse(Syntax::Operand7, statement.mnemonic.span, fmt::format("{} needs a block", statement.mnemonic.text));
+  BoundOperand target;
+  if (statement.operand.form == OperandForm::Word) {  // CALL TON: a block by its usual name
+    const std::optional<BlockKey> key =
+        catalogue_.keyOf(BlockName{std::nullopt, 0, statement.operand.name, statement.operand.span});
+    if (key) {
+      target.block = key;
+      target.operand = constant(irNumber(*key), ConstantForm::Typed);
+      target.operand.text = statement.operand.name;
+    }
+  }
+  if (!target.block) target = operands_.bind(statement.operand, *scope_);
+  if (!target.fault.empty()) return refuse(target);
+  target.operand.span = statement.operand.span;
+  const bool isIndirect = target.operand.kind == OperandKind::Indirect;
+  // CALL #instance: the multi-instance says which block it is.
+  const bool isMultiInstance = target.type && target.type->kind == TypeKind::Struct && !target.type->name.empty();
+  if (isIndirect && !isMultiInstance) return indirectCall(desc, statement, std::move(target));
+  if (isMultiInstance) {
+    const std::string& name = target.type->name;
+    const bool isSystem = name.starts_with("SFB");
+    if (!isSystem && !name.starts_with("FB"))
+      return refuse(Syntax::Operand7, statement.operand.span,
+                    fmt::format("{} is no instance of a block", target.operand.text));
+    target.block = BlockKey{isSystem ? BlockKind::Sfb : BlockKind::Fb,
+                            static_cast<std::uint32_t>(std::stoul(name.substr(name.find(' ') + 1)))};
+  }
+  const std::string& mnemonic = statement.mnemonic.text;
+  if (!target.block || target.block->kind == BlockKind::Db || target.block->kind == BlockKind::Ob ||
+      target.block->kind == BlockKind::Udt)
+    return refuse(Syntax::Operand7, statement.operand.span, fmt::format("{} takes an FC, FB, SFC or SFB", mnemonic));
+  const BlockKey callee = *target.block;
+  const std::shared_ptr<const Structure> parameters = parametersOf(callee);
+  // The number of a library FC is no library call unless the parameters are those of the library.
+  const bool isOtherFc =
+      parameters != nullptr && callee.kind == BlockKind::Fc && catalogue_.entry(callee) == nullptr &&
+      (statement.arguments.empty() || std::ranges::any_of(statement.arguments, [&](const Argument& argument) {
+         return parameters->field(argument.formal.text) == nullptr;
+       }));
+  if (parameters == nullptr || isOtherFc)
+    return refuse(Syntax::BlockMissing, statement.operand.span,
+                  fmt::format("{} is in none of the files", toString(callee)));
+  const bool isBlockWithInstance = callee.kind == BlockKind::Fb || callee.kind == BlockKind::Sfb;
+  Instruction instruction;
+  rungproof::Operand number = constant(irNumber(callee), ConstantForm::Typed);
+  number.text = catalogue_.nameOf(callee);
+  number.span = statement.operand.span;
+  instruction.operands.push_back(std::move(number));
+  if (mnemonic != "CALL") {
+    if (isBlockWithInstance || std::ranges::any_of(parameters->fields, isParameter))
+      return refuse(Syntax::CallList, statement.operand.span,
+                    fmt::format("{} gives no parameters, but {} has some", mnemonic, toString(callee)));
+  } else if (isBlockWithInstance) {
+    std::optional<rungproof::Operand> instance =
+        isMultiInstance ? std::optional(target.operand) : instanceOf(statement, callee);
+    if (!instance) return false;
+    instance->width = Width::Byte;
+    instruction.operands.push_back(std::move(*instance));
+  } else if (statement.instance.form != OperandForm::None) {
+    return refuse(Syntax::Operand7, statement.instance.span,
+                  fmt::format("{} has no instance data block", toString(callee)));
+  }
+  if (!arguments(statement, callee, *parameters, instruction)) return false;
+  if (catalogue_.entry(callee) == nullptr && !isModelledBlock(callee))
+    return refuse(Syntax::LibraryBlock, statement.operand.span,
+                  fmt::format("what {} of the library does is not modelled", toString(callee)));
+  append(desc, statement, std::move(instruction.operands));
+  return true;
+}
+
+/// UC FC[MW10], UC #block: which block it is, the run decides.
+bool StatementBinder::indirectCall(const Desc& desc, const Statement& statement, BoundOperand target) {
+  const std::string& mnemonic = statement.mnemonic.text;
+  const bool byNumber = target.block && (target.block->kind == BlockKind::Fc);
+  const bool byParameter = target.type && target.type->kind == TypeKind::BlockFc;
+  if (mnemonic == "CALL" || (!byNumber && !byParameter))
+    return refuse(Syntax::Operand7, statement.operand.span,
+                  fmt::format("{} does not call such a block", mnemonic == "CALL" ? "CALL" : mnemonic));
+  if (statement.hasArguments)
+    return refuse(Syntax::CallList, statement.operand.span, fmt::format("{} gives no parameters", mnemonic));
+  append(desc, statement, {std::move(target.operand)});
+  return true;
+}
+
+std::optional<rungproof::Operand> StatementBinder::instanceOf(const Statement& statement, BlockKey callee) {
+  const Operand& written = statement.instance;
+  if (written.form == OperandForm::None) {
+    refuse(Syntax::CallList, statement.operand.span, fmt::format("{} needs an instance data block", toString(callee)));
+    return std::nullopt;
+  }
+  BoundOperand bound = operands_.bind(written, *scope_);
+  if (!bound.fault.empty()) {
+    refuse(bound);
+    return std::nullopt;
+  }
+  if (!bound.block || bound.block->kind != BlockKind::Db) {
+    refuse(Syntax::Operand7, written.span, "an instance is a data block");
+    return std::nullopt;
+  }
+  const CatalogueEntry* entry = catalogue_.entry(*bound.block);
+  if (entry == nullptr) {
+    refuse(Syntax::BlockMissing, written.span, fmt::format("{} is in none of the files", toString(*bound.block)));
+    return std::nullopt;
+  }
+  if (bound.block->number > lastDataBlock) {
+    refuse(Syntax::NotModelled, written.span, fmt::format("{} is above DB{}", toString(*bound.block), lastDataBlock));
+    return std::nullopt;
+  }
+  if (types_.instanceOf(*entry->syntax) != callee) {
+    refuse(Syntax::CallList, written.span,
+           fmt::format("{} is no instance of {}", toString(*bound.block), toString(callee)));
+    reports_.relate(entry->syntax->heading, "the data block");
+    return std::nullopt;
+  }
+  bound.operand.reach = nullptr;
+  bound.operand.text = written.form == OperandForm::Symbol ? written.name : "";
+  return bound.operand;
+}
+
+bool StatementBinder::arguments(const Statement& statement, BlockKey callee, const Structure& parameters,
+                                Instruction& instruction) {
+  bool isWhole = true;
+  std::map<std::string, const Argument*> given;
+  for (const Argument& argument : statement.arguments) {
+    const Field* field = parameters.field(argument.formal.text);
+    if (field == nullptr || !isParameter(*field)) {
+      isWhole = refuse(Syntax::CallList, argument.formal.span,
+                       fmt::format("{} has no parameter {}", toString(callee), argument.formal.text));
+    } else if (!given.emplace(s7300::foldedName(argument.formal.text), &argument).second) {
+      isWhole = refuse(Syntax::CallList, argument.formal.span, fmt::format("{} is given twice", argument.formal.text));
+    }
+  }
+  const bool needsAll = callee.kind == BlockKind::Fc || callee.kind == BlockKind::Sfc;
+  for (const Field& field : parameters.fields) {
+    if (!isParameter(field)) continue;
+    const auto found = given.find(s7300::foldedName(field.name));
+    const bool isGiven = found != given.end() && found->second->actual.form != OperandForm::None;
+    if (!isGiven) {
+      // What an FB is not given stays in its instance; places that it takes by reference have to be given.
+      if (statement.mnemonic.text == "CALL" && (needsAll || field.byReference || isNumberType(field.type.kind))) {
+        isWhole = refuse(Syntax::CallList, statement.operand.span,
+                         fmt::format("{} needs a value for {}", toString(callee), field.name));
+      }
+      instruction.operands.push_back(missingOperand(statement.operand.span));
+      continue;
+    }
+    std::optional<rungproof::Operand> operand = actual(*found->second, field, callee);
+    if (!operand) isWhole = false;
+    instruction.operands.push_back(operand ? std::move(*operand) : missingOperand(found->second->span));
+  }
+  return isWhole;
+}
+
+std::optional<rungproof::Operand> StatementBinder::actual(const Argument& argument, const Field& formal,
+                                                          BlockKey callee) {
+  const Span span = argument.actual.span;
+  const auto fail = [&](std::string message) {
+    refuse(Syntax::CallList, span, std::move(message));
+    return std::nullopt;
+  };
+  BoundOperand bound = operands_.bind(argument.actual, *scope_);
+  if (!bound.fault.empty()) {
+    refuse(bound);
+    return std::nullopt;
+  }
+  const Type& type = formal.type;
+  const std::string wanted = s7300::toString(type);
+  if (type.kind == TypeKind::Pointer || type.kind == TypeKind::Any) return pointerActual(argument, bound, formal);
+  if (bound.operand.kind == OperandKind::Address) return fail(fmt::format("{} takes no pointer", formal.name));
+  if (isNumberType(type.kind)) {
+    const bool fits = [&] {
+      if (bound.type) return bound.type->kind == type.kind;
+      switch (type.kind) {
+        case TypeKind::Timer: return bound.operand.area == Area::T && bound.operand.isMemory() && !bound.block;
+        case TypeKind::Counter: return bound.operand.area == Area::C && bound.operand.isMemory() && !bound.block;
+        case TypeKind::BlockDb: return bound.block && bound.block->kind == BlockKind::Db;
+        case TypeKind::BlockFc: return bound.block && bound.block->kind == BlockKind::Fc;
+        case TypeKind::BlockFb: return bound.block && bound.block->kind == BlockKind::Fb;
+        default: return false;
+      }
+    }();
+    if (!fits) return fail(fmt::format("{} of {} takes a {}", formal.name, toString(callee), wanted));
+    return std::move(bound.operand);
+  }
+  if (bound.block) return fail(fmt::format("{} of {} takes a {}", formal.name, toString(callee), wanted));
+  if (bound.constant) {
+    if (formal.section != Section::Input)
+      return fail(fmt::format("{} of {} takes no constant: the block writes it", formal.name, toString(callee)));
+    const std::optional<std::int64_t> bits = bitsOfType(type, *bound.constant);
+    if (!bits) return fail(fmt::format("the value for {} is no {}", formal.name, wanted));
+    bound.operand.value = *bits;
+    bound.operand.width = s7300::accessWidth(type).value_or(Width::DWord);
+    return std::move(bound.operand);
+  }
+  if (s7300::isComplex(type)) {
+    if (!bound.type || bound.type->kind != type.kind ||
+        (type.kind != TypeKind::String && !s7300::isSameType(*bound.type, type)))
+      return fail(fmt::format("{} of {} takes {} of the same shape, by name", formal.name, toString(callee), wanted));
+    return std::move(bound.operand);
+  }
+  if (bound.type && s7300::isComplex(*bound.type))
+    return fail(
+        fmt::format("{} of {} takes {}, not {}", formal.name, toString(callee), wanted, s7300::toString(*bound.type)));
+  const Width width = s7300::accessWidth(type).value_or(Width::DWord);
+  const bool isElement = bound.operand.area == Area::T || bound.operand.area == Area::C;
+  if (bound.operand.width != width || isElement)
+    return fail(fmt::format("{} of {} is {}: the operand has another width", formal.name, toString(callee), wanted));
+  if (formal.section != Section::Input && bound.operand.area == Area::PI)
+    return fail(fmt::format("{} of {} is written, and inputs of modules are not", formal.name, toString(callee)));
+  return std::move(bound.operand);
+}
+
+/// POINTER and ANY: constants as text, parts of the caller's own data by their place.
+std::optional<rungproof::Operand> StatementBinder::pointerActual(const Argument& argument, const BoundOperand& bound,
+                                                                 const Field& formal) {
+  using s7300::ConstantKind;
+  const Span span = argument.actual.span;
+  const auto text = [&](const Constant& pointer) {
+    rungproof::Operand operand;
+    operand.kind = OperandKind::Text;
+    operand.text = spellingOf(pointer);
+    operand.span = span;
+    return operand;
+  };
+  if (bound.constant) {
+    const bool isPointer = bound.constant->kind == ConstantKind::Pointer || bound.constant->kind == ConstantKind::Any;
+    if (isPointer && (bound.constant->value & 0x80000000) != 0) return text(*bound.constant);
+    refuse(Syntax::CallList, span, fmt::format("{} takes a pointer such as P#M 10.0 BYTE 4", formal.name));
+    return std::nullopt;
+  }
+  if (bound.block) {
+    refuse(Syntax::CallList, span, fmt::format("{} takes no whole block", formal.name));
+    return std::nullopt;
+  }
+  if (bound.operand.kind != OperandKind::Direct || bound.operand.area == Area::L || bound.operand.area == Area::T ||
+      bound.operand.area == Area::C)
+    return bound.operand;
+  // M40.0, MW 40, "Db".list: the pointer to it, bytes for what is no elementary value (002:2174-2249).
+  Constant pointer;
+  pointer.kind = formal.type.kind == TypeKind::Any ? ConstantKind::Any : ConstantKind::Pointer;
+  const Area area = bound.operand.area;
+  const std::uint32_t code = area == Area::PI || area == Area::PQ ? 0U
+                             : area == Area::I                    ? 1U
+                             : area == Area::Q                    ? 2U
+                             : area == Area::M                    ? 3U
+                                                                  : 4U;
+  std::uint32_t byte = bound.operand.offset;
+  if (area == Area::DB) {
+    pointer.block = static_cast<std::uint16_t>(blockOfByte(byte));
+    byte = byteInBlock(byte);
+  }
+  pointer.value = 0x80000000U | code << 24 | byte << 3 | bound.operand.bit;
+  const bool isWhole = bound.type && s7300::isComplex(*bound.type);
+  constexpr std::uint8_t codes[] = {0x01, 0x02, 0x04, 0x06};
+  pointer.anyType = isWhole ? 0x02 : codes[static_cast<int>(bound.operand.width)];
+  pointer.anyCount = isWhole ? static_cast<std::uint16_t>(s7300::sizeOf(*bound.type)) : 1;
+  return text(pointer);
+}
+
+}  // namespace rungproof::step7

@@ -1,0 +1,65 @@
+// Names of a finished program.
+#include "frontend/step7/name_lookup.hpp"
+
+#include "frontend/step7/operand_parser.hpp"
+#include "ir/block_map.hpp"
+#include "ir/s7300/declarations.hpp"
+
+namespace rungproof::step7 {
+
+namespace {
+
+std::optional<rungproof::Operand> placeOfAddress(const Program& program, const Operand& operand) {
+  static constexpr Area areas[] = {Area::I, Area::Q,  Area::M,  Area::PI, Area::PQ,
+                                   Area::L, Area::DB, Area::DB, Area::T,  Area::C};
+  std::uint32_t offset = operand.number;
+  if (operand.place == Place::DB || operand.place == Place::DI || operand.place == Place::L) {
+    if (!operand.block || operand.place != Place::DB) return std::nullopt;  // no place without a block that is open
+    std::uint32_t block = operand.block->number;
+    if (!operand.block->kind) {
+      const auto named = program.declarations->dataBlockNames.find(s7300::foldedName(operand.block->symbol));
+      if (named == program.declarations->dataBlockNames.end()) return std::nullopt;
+      block = named->second;
+    }
+    if (block == 0 || block > lastDataBlock) return std::nullopt;
+    offset = dataByte(block, operand.number);
+  }
+  return direct(areas[static_cast<int>(operand.place)], static_cast<Width>(operand.size), offset, operand.bit);
+}
+
+std::optional<rungproof::Operand> placeOfParts(const Program& program, std::string_view block,
+                                               std::span<const PathStep> path, std::string_view text) {
+  const s7300::Declarations& declarations = *program.declarations;
+  const auto named = declarations.dataBlockNames.find(s7300::foldedName(block));
+  if (named == declarations.dataBlockNames.end()) return std::nullopt;
+  std::optional<rungproof::Operand> place = declarations.place(named->second, path);
+  if (place) place->text = text;
+  return place;
+}
+
+}  // namespace
+
+std::optional<rungproof::Operand> placeNamed(const Program& program, std::string_view text) {
+  if (program.declarations == nullptr) return std::nullopt;
+  if (const Symbol* symbol = program.symbolNamed(text)) {
+    rungproof::Operand operand = symbol->address;
+    operand.text = symbol->name;
+    return operand;
+  }
+  for (const MnemonicSet set : {MnemonicSet::International, MnemonicSet::German}) {
+    Cursor cursor(text, 0);
+    const OperandOutcome read = readOperand7(cursor, {set, TextEncoding::Utf8});
+    if (!read.fault.empty() || !cursor.atEnd()) continue;
+    if (read.operand.form == OperandForm::Address) return placeOfAddress(program, read.operand);
+    if (read.operand.form == OperandForm::Symbol) {
+      if (!read.operand.path.empty()) return placeOfParts(program, read.operand.name, read.operand.path, text);
+      if (const Symbol* symbol = program.symbolNamed(read.operand.name)) return symbol->address;
+    }
+    // Motor.Speed: a data block's name without its marks, DB10.Speed.
+    if (read.operand.form == OperandForm::Local && read.operand.path.size() > 1 && !text.starts_with('#'))
+      return placeOfParts(program, read.operand.path[0].name, std::span(read.operand.path).subspan(1), text);
+  }
+  return std::nullopt;
+}
+
+}  // namespace rungproof::step7

@@ -1,0 +1,37 @@
+// The sinks of all files of a project, for those who look at all of them at once.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "frontend/stl/syntax_sink.hpp"
+
+namespace rungproof::step7 {
+
+class Reports {
+ public:
+  explicit Reports(Program& program) : program_(program) {}
+
+  Program& program() { return program_; }
+  /// The finding goes to the file of the span.
+  void report(Syntax code, Span span, std::string message) { sinkOf(span).report(code, span, std::move(message)); }
+  /// The same, in a block and a network.
+  void report(Syntax code, Span span, std::string message, const std::string& block, int network) {
+    SyntaxSink& sink = sinkOf(span);
+    sink.setPlace(block, network);
+    sink.report(code, span, std::move(message));
+    sink.setPlace({}, 0);
+  }
+  /// A second place for the finding reported last.
+  void relate(Span span, std::string message) {
+    if (!program_.findings.empty()) program_.findings.back().related.push_back({span, std::move(message)});
+  }
+
+ private:
+  SyntaxSink& sinkOf(Span span) { return sinks_.try_emplace(span.file, program_, span.file).first->second; }
+
+  Program& program_;
+  std::map<std::uint32_t, SyntaxSink> sinks_;
+};
+
+}  // namespace rungproof::step7

@@ -1,0 +1,289 @@
+// Mnemonics, operands, labels. Calls: call_binder.cpp.
+#include "frontend/step7/statement_binder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "ir/check.hpp"
+#include "ir/s7300/isa.hpp"
+
+namespace rungproof::step7 {
+
+using s7300::TypeKind;
+
+namespace {
+
+/// The conditions of the status word in the order of their numbers (002:1570-1581).
+constexpr std::array<std::string_view, 10> conditions = {"BR",  "OV", "OS", "UO",  "==0",
+                                                         "<>0", ">0", "<0", ">=0", "<=0"};
+
+const Desc* descOf(std::string_view mnemonic, MnemonicSet set) {
+  if (mnemonic == "OR" || mnemonic == "LABEL") return nullptr;  // names of the table that nobody writes
+  return set == MnemonicSet::German ? s7300Instructions().namedGerman(mnemonic) : s7300Instructions().named(mnemonic);
+}
+
+const Desc& required(std::string_view name) {
+  const Desc* desc = s7300Instructions().named(name);
+  CHECK(desc != nullptr, "the table has this instruction");
+  return *desc;
+}
+
+/// Instructions whose operand makes another one of them: L T 5, S C 3, T STW.
+bool hasVariants(std::string_view mnemonic) {
+  static constexpr std::array<std::string_view, 8> names = {"L", "LC", "T", "S", "R", "FR", "LAR1", "TAR1"};
+  return std::ranges::find(names, mnemonic) != names.end();
+}
+
+bool isRegisterWord(const Operand& operand) {
+  static constexpr std::array<std::string_view, 6> names = {"STW", "DBNO", "DINO", "DBLG", "DILG", "AR2"};
+  return operand.form == OperandForm::Word &&
+         std::ranges::any_of(names, [&](std::string_view name) { return equalsWord(operand.name, name); });
+}
+
+std::string upperText(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  return result;
+}
+
+std::string_view widthWord(Width width) {
+  switch (width) {
+    case Width::Bit: return "bit";
+    case Width::Byte: return "byte";
+    case Width::Word: return "word";
+    default: return "double word";
+  }
+}
+
+}  // namespace
+
+bool StatementBinder::refuse(Syntax code, Span span, std::string message) {
+  reports_.report(code, span, std::move(message), scope_->name, network_ != nullptr ? network_->number : 0);
+  return false;
+}
+
+bool StatementBinder::refuse(const BoundOperand& operand) {
+  return refuse(operand.code, operand.faultSpan, operand.fault);
+}
+
+void StatementBinder::findLabels(const BlockSyntax& block, BlockScope& scope) {
+  scope_ = &scope;
+  network_ = nullptr;
+  std::map<std::string, Span> first;
+  for (const NetworkSyntax& network : block.networks) {
+    for (const Statement& statement : network.statements) {
+      if (statement.label.text.empty()) continue;
+      const auto [place, isNew] = first.emplace(statement.label.text, statement.label.span);
+      if (isNew) {
+        scope.labels.emplace(statement.label.text, static_cast<std::int64_t>(scope.labels.size()));
+        continue;
+      }
+      reports_.report(Syntax::LabelOfBlock, statement.label.span,
+                      fmt::format("label {} is there twice", statement.label.text), scope.name, network.number);
+      reports_.relate(place->second, "the first one");
+    }
+  }
+}
+
+void StatementBinder::bind(const NetworkSyntax& syntax, MnemonicSet set, BlockScope& scope, Network& network) {
+  set_ = set;
+  scope_ = &scope;
+  network_ = &network;
+  for (const Statement& each : syntax.statements) {
+    if (!statement(each)) network.complete = false;
+  }
+  network_ = nullptr;
+}
+
+void StatementBinder::append(const Desc& desc, const Statement& statement, std::vector<rungproof::Operand> operands) {
+  Instruction instruction;
+  instruction.desc = &desc;
+  instruction.operands = std::move(operands);
+  instruction.mnemonic = statement.mnemonic.span;
+  const std::uint32_t end = statement.span.offset + statement.span.length;
+  instruction.span = statement.mnemonic.span;
+  instruction.span.length = std::max(end, instruction.span.offset) - instruction.span.offset;
+  network_->instructions.push_back(std::move(instruction));
+}
+
+bool StatementBinder::statement(const Statement& statement) {
+  if (!statement.label.text.empty()) {
+    Instruction label;
+    label.desc = &required("LABEL");
+    label.mnemonic = label.span = statement.label.span;
+    rungproof::Operand number = constant(scope_->labels[statement.label.text], ConstantForm::Typed);
+    number.text = statement.label.text;
+    number.span = statement.label.span;
+    label.operands.push_back(std::move(number));
+    network_->instructions.push_back(std::move(label));
+  }
+  const std::string& mnemonic = statement.mnemonic.text;
+  if (mnemonic.empty()) return true;
+  const Desc* plain = descOf(mnemonic, set_);
+  if (plain == nullptr && !hasVariants(mnemonic) && mnemonic != "NOP") {
+    const bool isOfOtherSet =
+        descOf(mnemonic, set_ == MnemonicSet::German ? MnemonicSet::International : MnemonicSet::German) != nullptr;
+    if (isOfOtherSet)
+      return refuse(Syntax::Statement7, statement.mnemonic.span,
+                    fmt::format("{} is a mnemonic of the {} set, the source is written in the {} one", mnemonic,
+                                set_ == MnemonicSet::German ? "international" : "German",
+                                set_ == MnemonicSet::German ? "German" : "international"));
+    return refuse(Syntax::Statement7, statement.mnemonic.span,
+                  fmt::format("unknown instruction {}", excerpt(mnemonic)));
+  }
+  if (!statement.fault.empty()) return refuse(Syntax::Statement7, statement.faultSpan, statement.fault);
+  if (plain != nullptr && (plain->control == Control::Branch || plain->control == Control::Distributor))
+    return jump(*plain, statement);
+  if (plain != nullptr && plain->control == Control::BlockCall) return call(*plain, statement);
+  BoundOperand operand;
+  if (statement.operand.form != OperandForm::None && !isRegisterWord(statement.operand)) {
+    if (std::optional<rungproof::Operand> scanned = condition(statement)) {
+      operand.operand = std::move(*scanned);
+      operand.constant.emplace();
+    } else {
+      operand = operands_.bind(statement.operand, *scope_);
+      if (!operand.fault.empty()) return refuse(operand);
+    }
+  }
+  const Desc* desc = instruction(statement, operand);
+  if (desc == nullptr)
+    return refuse(Syntax::Operand7,
+                  statement.operand.form == OperandForm::None ? statement.mnemonic.span : statement.operand.span,
+                  fmt::format("{} takes another operand", mnemonic));
+  if (!operandFits(*desc, statement, operand)) return false;
+  std::vector<rungproof::Operand> operands;
+  if (desc->operandCount > 0 && operand.operand.kind != OperandKind::Missing)
+    operands.push_back(std::move(operand.operand));
+  append(*desc, statement, std::move(operands));
+  return true;
+}
+
+/// The instruction that mnemonic and operand name together.
+const Desc* StatementBinder::instruction(const Statement& statement, const BoundOperand& operand) {
+  const std::string& mnemonic = statement.mnemonic.text;
+  const auto named = [](const std::string& name) { return s7300Instructions().named(name); };
+  if (mnemonic == "O" && statement.operand.form == OperandForm::None) return named("OR");
+  if (mnemonic == "NOP") {
+    const bool isNumber = operand.constant && operand.operand.value <= 1 && operand.operand.value >= 0;
+    return isNumber ? named(fmt::format("NOP {}", operand.operand.value)) : nullptr;
+  }
+  if (isRegisterWord(statement.operand)) {
+    const std::string word = upperText(statement.operand.name);
+    return named(mnemonic + " " + word);
+  }
+  if (hasVariants(mnemonic) && operand.operand.isMemory() &&
+      (operand.operand.area == Area::T || operand.operand.area == Area::C)) {
+    const bool isCounter = operand.operand.area == Area::C;
+    if (const Desc* variant = named(mnemonic + (isCounter ? " C" : " T"))) return variant;
+    return nullptr;
+  }
+  return descOf(mnemonic, set_);
+}
+
+/// A ==0, O BR: what is scanned is the status word.
+std::optional<rungproof::Operand> StatementBinder::condition(const Statement& statement) const {
+  static constexpr std::array<std::string_view, 8> scans = {"A", "AN", "U", "UN", "O", "ON", "X", "XN"};
+  if (statement.operand.form != OperandForm::Word || !statement.operand.path.empty()) return std::nullopt;
+  if (std::ranges::find(scans, statement.mnemonic.text) == scans.end()) return std::nullopt;
+  std::string word = upperText(statement.operand.name);
+  if (set_ == MnemonicSet::German && word == "BIE") word = "BR";
+  const auto found = std::ranges::find(conditions, word);
+  if (found == conditions.end()) return std::nullopt;
+  rungproof::Operand operand = constant(found - conditions.begin(), ConstantForm::Typed);
+  operand.text = word;
+  operand.width = Width::Bit;
+  operand.span = statement.operand.span;
+  return operand;
+}
+
+bool StatementBinder::operandFits(const Desc& desc, const Statement& statement, const BoundOperand& bound) {
+  const std::string& mnemonic = statement.mnemonic.text;
+  const rungproof::Operand& operand = bound.operand;
+  const bool isGiven = statement.operand.form != OperandForm::None;
+  if (desc.operandCount == 0) {
+    const bool isPartOfName = isRegisterWord(statement.operand) || mnemonic == "NOP";
+    if (!isGiven || isPartOfName) return true;
+    return refuse(Syntax::Operand7, statement.operand.span, fmt::format("{} takes no operand", mnemonic));
+  }
+  const OperandDesc& wanted = desc.operands[0];
+  if (!isGiven) {
+    if (wanted.optional) return true;
+    return refuse(Syntax::Operand7, statement.mnemonic.span, fmt::format("{} needs an operand", mnemonic));
+  }
+  const Span span = statement.operand.span;
+  if (operand.kind == OperandKind::Constant && bound.block)
+    return refuse(Syntax::Operand7, span, fmt::format("{} does not take {}", mnemonic, toString(*bound.block)));
+  if (operand.kind == OperandKind::Constant || operand.kind == OperandKind::Address) {
+    if ((wanted.forms & form::Const) == 0)
+      return refuse(Syntax::Operand7, span, fmt::format("{} takes no constant", mnemonic));
+    if (wanted.type == Type::Bool && operand.width != Width::Bit)
+      return refuse(Syntax::Operand7, span, fmt::format("{} takes a bit", mnemonic));
+    if (bound.constant && bound.constant->kind == s7300::ConstantKind::Text && bound.constant->text.size() > 4)
+      return refuse(Syntax::Operand7, span, "at most four characters fit into an accumulator");
+    const bool isWordOnly = wanted.type == Type::Word;
+    if (isWordOnly && operand.width == Width::DWord)
+      return refuse(Syntax::Operand7, span, fmt::format("{} takes a constant of 16 bits", mnemonic));
+    for (const ValueRange& range : wanted.ranges) {
+      if (range.cpus == 0) continue;
+      const std::int64_t value = bound.constant ? bound.constant->value : operand.value;
+      if (value < range.low || value > range.high)
+        return refuse(Syntax::Operand7, span, fmt::format("{} takes {} to {}", mnemonic, range.low, range.high));
+    }
+    return true;
+  }
+  if (bound.type && s7300::isComplex(*bound.type) && desc.operands[0].type != Type::Block)
+    return refuse(Syntax::Operand7, span,
+                  fmt::format("{} is {}: name one of its parts", operand.text, s7300::toString(*bound.type)));
+  if (bound.type && !s7300::isComplex(*bound.type) &&
+      (bound.type->kind == TypeKind::Any || bound.type->kind == TypeKind::Pointer))
+    return refuse(Syntax::Operand7, span, fmt::format("{} is reached through P#{} only", operand.text, operand.text));
+  if (desc.operands[0].type == Type::Block) {
+    const bool isDataBlock =
+        (bound.block && bound.block->kind == BlockKind::Db) || (bound.type && bound.type->kind == TypeKind::BlockDb);
+    if (!isDataBlock) return refuse(Syntax::Operand7, span, fmt::format("{} takes a data block", mnemonic));
+    const bool isMissing = bound.block && bound.operand.kind == OperandKind::Direct && bound.block->number != 0 &&
+                           catalogue_.entry(*bound.block) == nullptr;
+    return !isMissing ||
+           refuse(Syntax::BlockMissing, span, fmt::format("{} is in none of the files", toString(*bound.block)));
+  }
+  if (bound.block)
+    return refuse(Syntax::Operand7, span, fmt::format("{} does not take {}", mnemonic, toString(*bound.block)));
+  const bool isCrossing = operand.reach != nullptr && operand.reach->way == Way::Crossing;
+  if (!isCrossing && (wanted.forms & form::area(operand.area)) == 0)
+    return refuse(Syntax::Operand7, span, fmt::format("{} does not take an operand of this area", mnemonic));
+  const auto needs = [&](Width width) {
+    return operand.width == width ||
+           refuse(Syntax::Operand7, span,
+                  fmt::format("{} takes a {}, not a {}", mnemonic, widthWord(width), widthWord(operand.width)));
+  };
+  switch (wanted.type) {
+    case Type::Bool:
+    case Type::Timer:
+    case Type::Counter: return needs(Width::Bit);
+    case Type::DWord:
+    case Type::DInt: return needs(Width::DWord);
+    case Type::Value:
+      return operand.width != Width::Bit ||
+             refuse(Syntax::Operand7, span, fmt::format("{} takes a byte, word or double word, not a bit", mnemonic));
+    default: return true;
+  }
+}
+
+bool StatementBinder::jump(const Desc& desc, const Statement& statement) {
+  if (statement.operand.form != OperandForm::Word)
+    return refuse(Syntax::LabelOfBlock, statement.mnemonic.span,
+                  fmt::format("{} needs a label", statement.mnemonic.text));
+  const auto label = scope_->labels.find(statement.operand.name);
+  if (label == scope_->labels.end())
+    return refuse(Syntax::LabelOfBlock, statement.operand.span,
+                  fmt::format("the block has no label {}", statement.operand.name));
+  rungproof::Operand operand = constant(label->second, ConstantForm::Typed);
+  operand.text = statement.operand.name;
+  operand.span = statement.operand.span;
+  append(desc, statement, {std::move(operand)});
+  return true;
+}
+
+}  // namespace rungproof::step7

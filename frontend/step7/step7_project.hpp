@@ -1,0 +1,26 @@
+// The sources and symbol tables of an S7-300/400 project, collected while files are read, and the program that they
+// make together, in whatever order they came. Tested by tests/step7/project_test.cpp.
+#pragma once
+
+#include <vector>
+
+#include "frontend/files/file_reader.hpp"
+#include "frontend/step7/constant_parser.hpp"
+
+namespace rungproof::step7 {
+
+/// A file that is read when all are known: the mnemonics of one may be told by another.
+struct PendingFile {
+  std::uint32_t file = 0;
+  TextEncoding encoding = TextEncoding::Utf8;
+};
+
+struct Step7Project {
+  std::vector<PendingFile> sources;
+  std::vector<PendingFile> tables;
+};
+
+/// Reads what was collected and appends its blocks, data blocks, symbols and findings to the program.
+void buildStep7Project(Program& program, const Step7Project& project, const ReadOptions& options);
+
+}  // namespace rungproof::step7

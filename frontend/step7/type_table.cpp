@@ -1,0 +1,195 @@
+// From the syntax of declarations to structures.
+#include "frontend/step7/type_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ir/s7300/library.hpp"
+
+namespace rungproof::step7 {
+
+using s7300::Field;
+using s7300::Structure;
+using s7300::Type;
+using s7300::TypeKind;
+
+namespace {
+
+constexpr std::uint64_t longestStructure = 65535;
+
+bool isAmongSections(Section section, std::initializer_list<Section> sections) {
+  return std::ranges::find(sections, section) != sections.end();
+}
+
+}  // namespace
+
+Type TypeTable::named(const TypeSyntax& syntax) {
+  Type type;
+  const BlockName& name = *syntax.named;
+  const auto unknown = [&](std::string message) {
+    sawUnknown_ = true;
+    reports_.report(Syntax::TypeUndefined, name.span, std::move(message));
+    return type;
+  };
+  const std::optional<BlockKey> key = catalogue_.keyOf(name);
+  if (!key) return unknown(fmt::format("nothing defines the type {}", toString(name)));
+  if (key->kind != BlockKind::Udt && key->kind != BlockKind::Fb && key->kind != BlockKind::Sfb)
+    return unknown(fmt::format("{} is no type", toString(name)));
+  if (inProgress_.contains(*key)) return unknown(fmt::format("{} contains itself", toString(name)));
+  const std::shared_ptr<const Structure> found = structure(*key);
+  if (found == nullptr) return unknown(fmt::format("nothing defines the type {}", toString(name)));
+  if (!isKnown(*key)) sawUnknown_ = true;
+  type.kind = TypeKind::Struct;
+  type.structure = found;
+  type.name = fmt::format("{} {}", blockKindName(key->kind), key->number);
+  return type;
+}
+
+Type TypeTable::resolve(const TypeSyntax& syntax) {
+  if (syntax.named) return named(syntax);
+  Type type = syntax.elementary;
+  if (type.kind == TypeKind::Unknown) sawUnknown_ = true;  // has been reported
+  if (type.kind == TypeKind::Array) {
+    type.bounds = syntax.bounds;
+    const Type element = resolve(*syntax.element);
+    if (element.kind == TypeKind::Unknown) return Type{};
+    type.element = std::make_shared<Type>(element);
+  } else if (type.kind == TypeKind::Struct) {
+    auto structure = std::make_shared<Structure>();
+    append(syntax.fields, {Section::Static}, *structure);
+    layOut(*structure);
+    type.structure = std::move(structure);
+  }
+  return type;
+}
+
+std::optional<Field> TypeTable::field(const DeclarationSyntax& declaration) {
+  if (!declaration.view.empty()) {
+    sawUnknown_ = true;
+    reports_.report(Syntax::Declaration7, declaration.span,
+                    fmt::format("{}: views with AT are not covered", declaration.name.text));
+    return std::nullopt;
+  }
+  Field field;
+  field.name = declaration.name.text;
+  field.span = declaration.name.span;
+  field.section = declaration.section;
+  field.type = resolve(*declaration.type);
+  if (s7300::sizeOf(field.type) > longestStructure) {
+    sawUnknown_ = true;
+    reports_.report(Syntax::NotModelled, declaration.name.span,
+                    fmt::format("{} has more than {} bytes", field.name, longestStructure));
+    return std::nullopt;
+  }
+  if (declaration.initial.empty() || field.type.kind == TypeKind::Unknown) return field;
+  std::vector<std::uint8_t> scratch(s7300::sizeOf(field.type));
+  if (const auto fault = s7300::writeValues(field.type, declaration.initial, 0, 0, scratch)) {
+    const Constant& value = declaration.initial[std::min(fault->value, declaration.initial.size() - 1)];
+    reports_.report(Syntax::ValueOfType, value.span,
+                    fault->tooMany ? fmt::format("{} has fewer elements than values", field.name)
+                                   : fmt::format("the value is no {}", s7300::toString(field.type)));
+  } else {
+    field.initial = declaration.initial;
+  }
+  return field;
+}
+
+void TypeTable::append(const std::vector<DeclarationSyntax>& declarations, std::initializer_list<Section> sections,
+                       Structure& structure) {
+  for (const DeclarationSyntax& declaration : declarations) {
+    if (!isAmongSections(declaration.section, sections)) continue;
+    std::optional<Field> made = field(declaration);
+    if (!made) continue;
+    if (const Field* twin = structure.field(made->name)) {
+      reports_.report(Syntax::Declaration7, made->span, fmt::format("{} is declared twice", made->name));
+      if (twin->span.length > 0) reports_.relate(twin->span, "the first declaration");
+      continue;
+    }
+    structure.fields.push_back(std::move(*made));
+  }
+}
+
+void TypeTable::checkSize(const Structure& structure, const BlockSyntax& block) {
+  if (structure.size <= longestStructure) return;
+  sawUnknown_ = true;
+  reports_.report(Syntax::NotModelled, block.heading,
+                  fmt::format("the block has {} bytes, more than {}", structure.size, longestStructure));
+}
+
+std::optional<BlockKey> TypeTable::instanceOf(const BlockSyntax& block) const {
+  if (block.kind != BlockKind::Db || block.type == nullptr || !block.type->named) return std::nullopt;
+  const std::optional<BlockKey> key = catalogue_.keyOf(*block.type->named);
+  return key && (key->kind == BlockKind::Fb || key->kind == BlockKind::Sfb) ? key : std::nullopt;
+}
+
+std::shared_ptr<const Structure> TypeTable::structure(BlockKey key) {
+  if (const auto found = made_.find(key); found != made_.end()) return found->second;
+  const bool sawBefore = std::exchange(sawUnknown_, false);
+  inProgress_.insert(key);
+  std::shared_ptr<const Structure> structure = make(key);
+  inProgress_.erase(key);
+  if (sawUnknown_) unknown_.insert(key);
+  sawUnknown_ = sawBefore;
+  made_.emplace(key, structure);
+  return structure;
+}
+
+std::shared_ptr<const Structure> TypeTable::make(BlockKey key) {
+  const CatalogueEntry* entry = catalogue_.entry(key);
+  if (entry == nullptr) {
+    if (key.kind != BlockKind::Sfb) return nullptr;
+    const s7300::LibraryBlock* library = s7300::libraryBlock(BlockType::Sfb, key.number);
+    return library != nullptr ? s7300::interfaceOf(*library) : nullptr;
+  }
+  const BlockSyntax& block = *entry->syntax;
+  if (!block.declarationsRead) sawUnknown_ = true;
+  auto structure = std::make_shared<Structure>();
+  if (key.kind == BlockKind::Fb) {
+    append(block.declarations, {Section::Input, Section::Output, Section::InOut, Section::Static}, *structure);
+    layOutInstance(*structure);
+  } else if (block.type != nullptr) {
+    const Type type = resolve(*block.type);
+    if (type.kind == TypeKind::Struct && type.structure != nullptr) return type.structure;
+    if (type.kind != TypeKind::Unknown) {  // DATA_BLOCK of an array: one field without a name
+      Field field;
+      field.type = type;
+      structure->fields.push_back(std::move(field));
+      layOut(*structure);
+    }
+  } else {
+    append(block.declarations, {Section::Static}, *structure);
+    layOut(*structure);
+  }
+  checkSize(*structure, block);
+  return structure;
+}
+
+std::shared_ptr<const Structure> TypeTable::parameters(const BlockSyntax& block) {
+  auto structure = std::make_shared<Structure>();
+  append(block.declarations, {Section::Input, Section::Output, Section::InOut}, *structure);
+  std::ranges::stable_sort(structure->fields, {}, &Field::section);
+  if (block.type != nullptr) {
+    Field value;
+    value.type = resolve(*block.type);
+    if (value.type.kind != TypeKind::Void) {
+      value.name = "RET_VAL";
+      value.section = Section::Output;
+      value.span = block.heading;
+      const auto first =
+          std::ranges::find_if(structure->fields, [](const Field& field) { return field.section != Section::Input; });
+      structure->fields.insert(first, std::move(value));
+    }
+  }
+  return structure;
+}
+
+std::shared_ptr<const Structure> TypeTable::temporary(const BlockSyntax& block) {
+  auto structure = std::make_shared<Structure>();
+  append(block.declarations, {Section::Temp}, *structure);
+  layOut(*structure);
+  checkSize(*structure, block);
+  return structure;
+}
+
+}  // namespace rungproof::step7

@@ -1,0 +1,47 @@
+// What the types of a project are: UDTs, instances of FBs and system blocks, data blocks, parameters and local data of
+// blocks, each resolved once, with places and values. Reports types that nothing defines or that contain themselves,
+// and values that do not fit. Tested by tests/step7/layout_test.cpp.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+
+#include "frontend/step7/block_catalogue.hpp"
+#include "ir/s7300/declaration.hpp"
+
+namespace rungproof::step7 {
+
+class TypeTable {
+ public:
+  TypeTable(const BlockCatalogue& catalogue, Reports& reports) : catalogue_(catalogue), reports_(reports) {}
+
+  /// The structure of a UDT, of the instance of an FB or SFB, or of a data block; nullptr if nothing defines it.
+  std::shared_ptr<const s7300::Structure> structure(BlockKey key);
+  /// Parameters of an FC in the order IN, OUT, IN_OUT, RET_VAL as the first output; without places.
+  std::shared_ptr<const s7300::Structure> parameters(const BlockSyntax& block);
+  /// Temporary data, laid out in L memory.
+  std::shared_ptr<const s7300::Structure> temporary(const BlockSyntax& block);
+  /// The FB or SFB of an instance data block.
+  std::optional<BlockKey> instanceOf(const BlockSyntax& block) const;
+  /// Whether all types of the structure of that block are known.
+  bool isKnown(BlockKey key) const { return !unknown_.contains(key); }
+
+ private:
+  s7300::Type resolve(const TypeSyntax& syntax);
+  s7300::Type named(const TypeSyntax& syntax);
+  std::optional<s7300::Field> field(const DeclarationSyntax& declaration);
+  void append(const std::vector<DeclarationSyntax>& declarations, std::initializer_list<Section> sections,
+              s7300::Structure& structure);
+  std::shared_ptr<const s7300::Structure> make(BlockKey key);
+  void checkSize(const s7300::Structure& structure, const BlockSyntax& block);
+
+  const BlockCatalogue& catalogue_;
+  Reports& reports_;
+  std::map<BlockKey, std::shared_ptr<const s7300::Structure>> made_;
+  std::set<BlockKey> inProgress_;
+  std::set<BlockKey> unknown_;
+  bool sawUnknown_ = false;  ///< since it was last cleared
+};
+
+}  // namespace rungproof::step7

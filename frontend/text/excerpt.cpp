@@ -1,0 +1,121 @@
+// Excerpts of source text.
+#include "frontend/text/excerpt.hpp"
+
+#include <fmt/core.h>
+#include <unicode/uchar.h>
+#include <unicode/utf8.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace rungproof {
+
+namespace {
+
+constexpr int tabWidth = 4;
+
+/// A character of the shown line: its text and its columns.
+struct TextCell {
+  std::string text;
+  int width = 1;
+};
+
+int columnsOf(UChar32 c) {
+  const auto category = u_charType(c);
+  if (category == U_NON_SPACING_MARK || category == U_ENCLOSING_MARK || category == U_FORMAT_CHAR) return 0;
+  const int eastAsian = u_getIntPropertyValue(c, UCHAR_EAST_ASIAN_WIDTH);
+  return eastAsian == U_EA_WIDE || eastAsian == U_EA_FULLWIDTH ? 2 : 1;
+}
+
+/// Splits UTF-8 into cells; `cellOfByte` gets the cell index of each byte and one past the end.
+std::vector<TextCell> textCells(std::string_view text, std::vector<std::size_t>& cellOfByte) {
+  std::vector<TextCell> cells;
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
+  const auto size = static_cast<std::int32_t>(text.size());
+  for (std::int32_t i = 0; i < size;) {
+    const std::int32_t begin = i;
+    UChar32 c = 0;
+    U8_NEXT(bytes, i, size, c);
+    for (std::int32_t k = begin; k < i; ++k) cellOfByte.push_back(cells.size());
+    if (c == '\t') {
+      cells.push_back({std::string(tabWidth, ' '), tabWidth});
+    } else if (c < 0 || c == 0x7F) {
+      cells.push_back({"\xEF\xBF\xBD", 1});
+    } else if (c < 0x20) {
+      const UChar32 picture = 0x2400 + c;  // the control pictures of Unicode
+      cells.push_back({{'\xE2', static_cast<char>(0x90), static_cast<char>(0x80 | (picture & 0x3F))}, 1});
+    } else {
+      cells.push_back({std::string(text.substr(static_cast<std::size_t>(begin), static_cast<std::size_t>(i - begin))),
+                       columnsOf(c)});
+    }
+  }
+  cellOfByte.push_back(cells.size());
+  return cells;
+}
+
+int widthOf(const std::vector<TextCell>& cells, std::size_t begin, std::size_t end) {
+  int width = 0;
+  for (std::size_t i = begin; i < end; ++i) width += cells[i].width;
+  return width;
+}
+
+}  // namespace
+
+std::string Paint::with(std::string_view code, std::string_view text) const {
+  return on ? fmt::format("\x1B[{}m{}\x1B[0m", code, text) : std::string(text);
+}
+
+int displayWidth(std::string_view text) {
+  std::vector<std::size_t> cellOfByte;
+  const std::vector<TextCell> cells = textCells(text, cellOfByte);
+  return widthOf(cells, 0, cells.size());
+}
+
+Excerpt excerptOf(const SourceFile& file, Span span) {
+  Excerpt excerpt;
+  excerpt.lineNumber = file.position(span.offset).line;
+  const std::string_view line = file.line(excerpt.lineNumber);
+  const std::size_t start = std::min<std::size_t>(span.offset - file.lineStart(excerpt.lineNumber), line.size());
+  const std::size_t stop = std::min<std::size_t>(start + span.length, line.size());
+
+  std::vector<std::size_t> cellOfByte;
+  const std::vector<TextCell> cells = textCells(line, cellOfByte);
+  const std::size_t markFirst = cellOfByte[start];
+  const std::size_t markEnd = std::max(cellOfByte[stop], markFirst);
+
+  // The window: the whole line if it fits, else as much around the mark's beginning as fits.
+  std::size_t first = 0;
+  std::size_t end = cells.size();
+  if (widthOf(cells, 0, end) > excerptWidth) {
+    constexpr int before = excerptWidth / 3;
+    first = markFirst;
+    for (int room = before; first > 0 && room >= cells[first - 1].width; --first) room -= cells[first - 1].width;
+    end = first;
+    for (int room = excerptWidth; end < cells.size() && room >= cells[end].width; ++end) room -= cells[end].width;
+  }
+  if (first > 0) excerpt.line += "...";
+  excerpt.markBegin = displayWidth(excerpt.line) + widthOf(cells, first, markFirst);
+  for (std::size_t i = first; i < end; ++i) excerpt.line += cells[i].text;
+  if (end < cells.size()) excerpt.line += "...";
+  excerpt.markWidth = std::max(1, widthOf(cells, markFirst, std::min(markEnd, end)));
+  excerpt.line.erase(excerpt.line.find_last_not_of(' ') + 1);
+  return excerpt;
+}
+
+std::string drawExcerpt(const Excerpt& excerpt, int gutter, char mark, const Paint& paint,
+                        std::string (Paint::*paintMark)(std::string_view) const) {
+  const std::string bar = paint.blue("|");
+  const std::string margin(static_cast<std::size_t>(gutter), ' ');
+  const std::string marks(static_cast<std::size_t>(excerpt.markWidth), mark);
+  const std::string gap = excerpt.line.empty() ? "" : " ";
+  return fmt::format("{} {}\n{} {}{}{}\n{} {} {}{}\n", margin, bar,
+                     paint.blue(fmt::format("{:>{}}", excerpt.lineNumber, gutter)), bar, gap, excerpt.line, margin, bar,
+                     std::string(static_cast<std::size_t>(excerpt.markBegin), ' '), (paint.*paintMark)(marks));
+}
+
+std::string placeText(const SourceSet& sources, Span span) {
+  const Position position = sources.position(span);
+  return fmt::format("{}:{}:{}", sources.file(span.file).name(), position.line, position.column);
+}
+
+}  // namespace rungproof

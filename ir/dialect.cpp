@@ -1,0 +1,68 @@
+// The list of dialects, and what is looked up over all of them.
+#include "ir/dialect.hpp"
+
+#include <algorithm>
+
+#include "ir/check.hpp"
+#include "ir/s7200/dialect.hpp"
+#include "ir/s7300/dialect.hpp"
+
+namespace rungproof {
+
+namespace {
+
+constinit const Dialect* const all[] = {&s7200Dialect, &s7300Dialect, &s7400Dialect};
+
+/// The first row of some dialect's list that `isWanted`, or nullptr.
+template <class Row, class Wanted>
+const Row* found(std::span<const Row> Dialect::*list, Wanted isWanted) {
+  for (const Dialect* dialect : all) {
+    for (const Row& row : dialect->*list) {
+      if (isWanted(row)) return &row;
+    }
+  }
+  return nullptr;
+}
+
+const EditionModel& modelOf(Edition edition) {
+  const EditionModel* row = found(&Dialect::editions, [&](const EditionModel& r) { return r.edition == edition; });
+  CHECK(row != nullptr, "every edition has a row");
+  return *row;
+}
+
+}  // namespace
+
+std::span<const Dialect* const> dialects() { return all; }
+
+const Dialect& dialectOf(Cpu cpu) {
+  for (const Dialect* dialect : all) {
+    if (std::ranges::any_of(dialect->cpus, [&](const CpuModel& row) { return row.cpu == cpu; })) return *dialect;
+  }
+  CHECK(false, "every CPU has a dialect");
+  return *all[0];
+}
+
+Target::Target() : Target(all[0]->usual) {}
+
+std::optional<Cpu> cpuNamed(std::string_view name) {
+  const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  const CpuModel* row =
+      found(&Dialect::cpus, [&](const CpuModel& r) { return std::ranges::equal(r.name, name, {}, small, small); });
+  return row != nullptr ? std::optional(row->cpu) : std::nullopt;
+}
+
+std::string_view cpuName(Cpu cpu) {
+  const CpuModel* row = found(&Dialect::cpus, [&](const CpuModel& r) { return r.cpu == cpu; });
+  CHECK(row != nullptr, "every CPU has a row");
+  return row->name;
+}
+
+std::string_view editionName(Edition edition) { return modelOf(edition).name; }
+std::string_view editionText(Edition edition) { return modelOf(edition).text; }
+
+std::optional<Edition> editionNamed(std::string_view name) {
+  const EditionModel* row = found(&Dialect::editions, [&](const EditionModel& r) { return r.name == name; });
+  return row != nullptr ? std::optional(row->edition) : std::nullopt;
+}
+
+}  // namespace rungproof

@@ -1,0 +1,131 @@
+// FlowWalk: the walk of a machine over the steps of a block. What a step does, the family's scan says.
+//
+// Branches are guards: branch(condition, target) sends the part of the current guard where `condition` holds to
+// `target` and keeps the rest here. Concrete follows the one part that exists. Graph walks on in program order,
+// collecting what was sent forward until its target is reached, and repeats a loop body for what was sent back
+// until nothing can be sent any more, `loopLimit` rounds were made or `stepLimit` instructions were walked. From there
+// on a hook beyondLimit(condition, isFirst), if there is one, says what becomes of the rounds that are left; without it
+// they are not followed (Hazard::LoopBound).
+//
+// Hooks: before(scan, step) is called in front of every instruction; interrupts and time within a scan live there.
+#pragma once
+
+#include <concepts>
+#include <map>
+#include <set>
+
+#include "ir/flow.hpp"
+#include "ir/hazard.hpp"
+
+namespace rungproof {
+
+/// What becomes of the rounds of a loop that are too many to be followed one by one.
+enum class RoundsLeft : std::uint8_t {
+  Follow,   ///< one more round, from a state that the hook has made stand for several
+  Endless,  ///< all rounds in which the loop can end have been followed: what is left runs into the watchdog
+  LeftOut,  ///< they are not followed
+};
+
+/// `Derived` runs one step in execute(walk, at); `Machine` is a GuardedRun.
+template <class Derived, class Machine, class Hooks>
+class FlowWalk {
+ protected:
+  using Bool = typename Machine::Bool;
+  static constexpr bool isConcrete = std::same_as<Bool, bool>;
+
+  FlowWalk(Machine& machine, Hooks& hooks, int loopLimit, std::size_t stepLimit)
+      : m_(machine), hooks_(hooks), loopLimit_(loopLimit), stepLimit_(stepLimit) {}
+
+  Machine& m_;
+  Hooks& hooks_;
+
+  /// State of the walk over one block.
+  struct Walk {
+    const Flow& flow;
+    std::uint32_t next = 0;
+    std::map<std::uint32_t, Bool> sent{};   ///< guards on their way to a later instruction
+    std::map<std::uint32_t, int> rounds{};  ///< rounds made by each backward branch
+    std::set<std::uint32_t> beyond{};       ///< backward branches that have had all their rounds
+  };
+
+  void walk(const Flow& flow) {
+    const Bool entry = m_.guard;
+    Walk w{flow};
+    Derived& derived = static_cast<Derived&>(*this);
+    const auto end = static_cast<std::uint32_t>(flow.steps.size());
+    while (w.next < end) {
+      const std::uint32_t at = w.next++;
+      if constexpr (isConcrete) {
+        if (!m_.guard) break;
+      } else {
+        arrive(w, at);
+        if (const auto known = m_.d.truth(m_.guard); known && !*known) continue;
+      }
+      const FlowStep& step = flow.steps[at];
+      m_.current = step.instruction;
+      ++steps_;
+      hooks_.before(derived, step);
+      if constexpr (isConcrete) {
+        if (!m_.guard) break;  // an interrupt routine in front of the instruction has ended the program
+      }
+      derived.execute(w, at);
+    }
+    m_.guard = m_.d.land(entry, m_.d.lnot(m_.halted));
+  }
+
+  /// Continues at `target` where `condition` holds. The end of the block is target steps.size().
+  void branch(Walk& w, Bool condition, std::uint32_t target) {
+    if constexpr (isConcrete) {
+      if (condition) w.next = target;
+    } else {
+      const std::uint32_t from = w.next;
+      const Bool taken = m_.d.land(m_.guard, condition);
+      const Bool stays = m_.d.land(m_.guard, m_.d.lnot(condition));
+      if (const auto known = m_.d.truth(taken); known && !*known) return;
+      if (target >= from) {
+        send(w, target, taken);
+        m_.guard = stays;
+        return;
+      }
+      w.rounds.erase(w.rounds.lower_bound(target), w.rounds.lower_bound(from));  // loops inside start anew
+      w.beyond.erase(w.beyond.lower_bound(target), w.beyond.lower_bound(from));
+      if constexpr (requires { hooks_.isPossible(condition); }) {
+        if (!hooks_.isPossible(condition)) return;
+      }
+      if ((++w.rounds[from] > loopLimit_ || steps_ > stepLimit_) && !goesOn(condition, w.beyond.insert(from).second)) {
+        m_.guard = stays;
+        return;
+      }
+      send(w, from, stays);
+      m_.guard = taken;
+      w.next = target;
+    }
+  }
+
+ private:
+  void arrive(Walk& w, std::uint32_t at) {
+    const auto found = w.sent.find(at);
+    if (found == w.sent.end()) return;
+    m_.guard = m_.d.lor(m_.guard, found->second);
+    w.sent.erase(found);
+  }
+  void send(Walk& w, std::uint32_t target, Bool guard) {
+    const auto [place, isNew] = w.sent.emplace(target, guard);
+    if (!isNew) place->second = m_.d.lor(place->second, guard);
+  }
+
+  /// Whether a loop that has had its rounds goes into another one; `isFirst`: the first one beyond them.
+  bool goesOn(Bool condition, bool isFirst) {
+    RoundsLeft left = RoundsLeft::LeftOut;
+    if constexpr (requires { hooks_.beyondLimit(condition, isFirst); }) left = hooks_.beyondLimit(condition, isFirst);
+    if (left == RoundsLeft::Follow) return true;
+    m_.hazard(left == RoundsLeft::Endless ? Hazard::FatalWatchdog : Hazard::LoopBound, condition);
+    return false;
+  }
+
+  int loopLimit_;
+  std::size_t stepLimit_;
+  std::size_t steps_ = 0;  ///< instructions walked so far
+};
+
+}  // namespace rungproof

@@ -1,0 +1,114 @@
+// Look-ups in tables 6-1 and 6-2.
+#include "ir/s7200/cpu.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "ir/s7200/cpu_tables.hpp"
+
+namespace rungproof {
+
+namespace {
+
+/// One cell per edition, CPU, area and width, filled once from the rows.
+struct LimitIndex {
+  std::array<const cpu_tables::LimitRow*, editionCount * cpuCount * areaCount * 4> cell{};
+
+  static std::size_t at(Edition edition, Cpu cpu, Area area, Width width) {
+    return ((static_cast<std::size_t>(edition) * cpuCount + static_cast<std::size_t>(cpu)) * areaCount +
+            static_cast<std::size_t>(area)) *
+               4 +
+           static_cast<std::size_t>(width);
+  }
+  LimitIndex() {
+    for (const cpu_tables::LimitRow& row : cpu_tables::limits) enter(row);
+    for (const cpu_tables::LimitRow& row : cpu_tables::smartLimits) enter(row);
+  }
+  void enter(const cpu_tables::LimitRow& row) {
+    for (std::size_t i = 0; i < cpuCount; ++i) {
+      const Cpu cpu{static_cast<std::uint8_t>(i)};
+      if ((row.cpus & cpuBit(cpu)) != 0) cell[at(row.edition, cpu, row.area, row.width)] = &row;
+    }
+  }
+};
+
+const cpu_tables::LimitRow* limitRow(const Target& target, Area area, Width width) {
+  if (isStep7(target)) return nullptr;
+  static const LimitIndex index;
+  // A CPU that the chosen edition does not describe keeps the limits of the one that does.
+  const bool isOld = (cpuBit(target.cpu) & cpu_tables::oldCpus) != 0;
+  const Edition edition = isOld                                       ? cpu_tables::oldEdition
+                          : editionCovers(target.edition, target.cpu) ? target.edition
+                                                                      : usualEdition(target.cpu);
+  return index.cell[LimitIndex::at(edition, target.cpu, area, width)];
+}
+
+}  // namespace
+
+std::optional<AddressLimit> addressLimit(const Target& target, Area area, Width width) {
+  if (isStep7(target)) {
+    const std::uint32_t size = step7AreaSize(step7Row(target.cpu), area);
+    const auto length = static_cast<std::uint32_t>(hasBitAndWord(area) ? 1 : bytes(width));
+    if (size < length) return std::nullopt;
+    return AddressLimit{size - length, {}, {}};
+  }
+  const cpu_tables::LimitRow* row = limitRow(target, area, width);
+  if (row == nullptr) return std::nullopt;
+  return AddressLimit{row->last, row->source, row->note};
+}
+
+bool addressExists(const Target& target, Area area, Width width, std::uint32_t offset, unsigned bit) {
+  if (isStep7(target)) {
+    const std::optional<AddressLimit> limit = addressLimit(target, area, width);
+    return area == Area::DB || (limit && offset <= limit->lastByte && (width != Width::Bit || bit <= 7));
+  }
+  const cpu_tables::LimitRow* row = limitRow(target, area, width);
+  if (row == nullptr || offset > row->last) return false;
+  if (area == Area::HC) return hscExists(target, static_cast<int>(offset));
+  if (row->last > cpu_tables::localImage &&
+      offset + static_cast<std::uint32_t>(bits(width) + 7) / 8 > cpu_tables::localImage &&
+      offset < cpu_tables::networkImage && (area == Area::I || area == Area::Q))
+    return false;
+  if (isAnalogue(area)) return offset % 2 == 0;
+  return width != Width::Bit || hasBitAndWord(area) || bit <= 7;
+}
+
+namespace {
+
+struct TimerRange {
+  int low, high, resolution;
+  bool retentive;
+};
+// Table 6-74 (001:6597-6603).
+constexpr TimerRange timerRanges[] = {
+    {0, 0, 1, true},     {1, 4, 10, true},     {5, 31, 100, true},   {32, 32, 1, false},
+    {33, 36, 10, false}, {37, 63, 100, false}, {64, 64, 1, true},    {65, 68, 10, true},
+    {69, 95, 100, true}, {96, 96, 1, false},   {97, 100, 10, false}, {101, 255, 100, false},
+};
+
+const TimerRange* timerRange(int number) {
+  const auto found = std::find_if(std::begin(timerRanges), std::end(timerRanges),
+                                  [&](const TimerRange& range) { return number >= range.low && number <= range.high; });
+  return found == std::end(timerRanges) ? nullptr : &*found;
+}
+
+}  // namespace
+
+int timerResolution(int number) {
+  const TimerRange* range = timerRange(number);
+  return range == nullptr ? 0 : range->resolution;
+}
+
+bool timerIsRetentive(int number) {
+  const TimerRange* range = timerRange(number);
+  return range != nullptr && range->retentive;
+}
+
+std::uint32_t areaSize(const Target& target, Area area) {
+  const Width width = areaInfo(area).width.value_or(Width::Byte);
+  const std::optional<AddressLimit> limit = addressLimit(target, area, width);
+  if (!limit) return 0;
+  return limit->lastByte + static_cast<std::uint32_t>(isAnalogue(area) ? 2 : 1);
+}
+
+}  // namespace rungproof

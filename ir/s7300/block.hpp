@@ -1,0 +1,18 @@
+// Numbers of code blocks of an S7-300/400: one number for kind and number together, as Pou::number and the operand of
+// a call hold it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "ir/program.hpp"
+
+namespace rungproof {
+
+constexpr int blockNumber(BlockType type, int number) { return static_cast<int>(type) << 16 | number; }
+constexpr BlockType blockTypeOf(int block) { return static_cast<BlockType>(block >> 16); }
+constexpr int numberOfBlock(int block) { return block & 0xFFFF; }
+/// "FC5", "SFB4".
+std::string blockName(int block);
+
+}  // namespace rungproof

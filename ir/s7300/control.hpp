@@ -1,0 +1,261 @@
+// What moves the flow of an S7-300/400 program: organization blocks, jumps, calls (002:145-247, 002:2790-2824).
+// An FC takes its parameters by reference; an FB works on its instance, into which the call copies what it is given and
+// from which it copies what it hands out (002:154-169, 002:255). The return gives back DB and DI register (002:222);
+// accumulators, AR1 and the RLO stay as the block left them; of AR2, CALL of an FB takes care (general knowledge).
+// Part of ir/s7200/scan.hpp: members of Scan.
+#pragma once
+
+#include "ir/s7300/block.hpp"
+#include "ir/s7300/place.hpp"
+
+namespace rungproof {
+
+/// An organization block, where `condition` holds: nothing of the registers outlives it, and what they hold at its
+/// start is any value.
+template <class D, class Hooks>
+void Scan<D, Hooks>::organizationBlock(int number, Bool condition) {
+  const Flow* flow = m_.plan.block(blockNumber(BlockType::Ob, number));
+  if (flow == nullptr) return;
+  m_.when(condition, [&] {
+    const Step7Registers<D> saved = m_.step7;
+    Step7Registers<D>& s = m_.step7;
+    s = Step7Registers<D>(m_.d);
+    std::uint32_t index = 0;
+    const auto any = [&](int width) { return m_.external(External::RegisterAtStart, index++, width); };
+    for (Bool* bit : {&s.br, &s.cc1, &s.cc0, &s.ov, &s.os, &s.orBit, &s.sta, &s.rlo}) *bit = m_.d.bit(any(1), 0);
+    for (std::size_t i = 0; i < s.accu.size(); ++i) s.accu[i] = any(32);
+    for (Bits& ar : s.ar) ar = any(32);
+    s.db = any(16);
+    s.di = any(16);
+    Activation<D> activation;
+    activation.pou = flow->pou;
+    activation.localBase = saved.running == nullptr ? 0 : saved.running->localBase + saved.running->pou->localBytes;
+    activation.callerDb = activation.callerDi = m_.d.literal(0, 16);
+    activation.callerAr2 = m_.d.literal(0, 32);
+    freshBytes(activation.localBase, flow->pou->localBytes);
+    startInformation(activation.localBase, number);
+    s.running = &activation;
+    walk(*flow);
+    const Bool error = s.syncError;
+    m_.step7 = saved;
+    m_.step7.syncError = m_.d.lor(saved.syncError, error);
+  });
+}
+
+/// OB121 where the instruction has met a synchronous error; the program goes on behind it (002:1278-1290).
+template <class D, class Hooks>
+void Scan<D, Hooks>::serveError() {
+  const Bool due = m_.step7.syncError;
+  if (const auto known = m_.d.truth(due); known && !*known) return;
+  m_.step7.syncError = m_.d.constant(false);
+  const Instruction* current = m_.current;
+  organizationBlock(numberOfBlock(errorBlock), due);
+  m_.current = current;
+}
+
+/// The first bytes of its local memory: event class, what started it, priority, number (002:2000-2011); the others
+/// stay any value.
+template <class D, class Hooks>
+void Scan<D, Hooks>::startInformation(std::uint32_t base, int number) {
+  const bool isStartUp = number >= 100 && number <= 102;
+  const auto save = [&](std::uint32_t byte, Bits value) {
+    m_.store.save(Area::L, (base + byte) * 8, 8, value, m_.guard);
+  };
+  if (m_.step7.running == nullptr && m_.plan.block(blockNumber(BlockType::Ob, number))->pou->localBytes < 4) return;
+  save(0, m_.d.literal(0x11, 8));
+  if (number == 1) save(1, m_.d.select(m_.getBit(Reg::FirstScan), m_.d.literal(1, 8), m_.d.literal(3, 8), 8));
+  save(2, m_.d.literal(isStartUp ? 27 : 1, 8));
+  save(3, m_.d.literal(static_cast<std::uint64_t>(number), 8));
+}
+
+template <class D, class Hooks>
+void Scan<D, Hooks>::freshBytes(std::uint32_t base, std::uint32_t count) {
+  for (std::uint32_t byte = 0; byte < count; ++byte) hooks_.freshLocal(*this, base, byte);
+}
+
+/// The start-up block sees cleared images and runs once before the first scan (002:1367-1375).
+template <class D, class Hooks>
+void Scan<D, Hooks>::step7Program() {
+  m_.isStartUp = true;
+  organizationBlock(100, m_.getBit(Reg::FirstScan));
+  m_.isStartUp = false;
+  organizationBlock(1, m_.d.constant(true));
+}
+
+template <class D, class Hooks>
+void Scan<D, Hooks>::step7Control(Walk& w, std::uint32_t at) {
+  const FlowStep& step = w.flow.steps[at];
+  const Instruction& instruction = *step.instruction;
+  Step7Registers<D>& s = m_.step7;
+  dispatch_[instruction.desc->opcode](m_, instruction);
+  switch (instruction.desc->control) {
+    case Control::Branch:
+      if (step.partner != noPartner) branch(w, s.jumps, step.partner);
+      break;
+    case Control::Distributor: distribute(w, at); break;
+    case Control::BlockEnd: branch(w, s.jumps, static_cast<std::uint32_t>(w.flow.steps.size())); break;
+    case Control::BlockCall: m_.when(s.jumps, [&] { step7Call(instruction); }); break;
+    default: break;
+  }
+}
+
+/// JL: the unconditional jumps that follow it are the list.
+template <class D, class Hooks>
+void Scan<D, Hooks>::distribute(Walk& w, std::uint32_t at) {
+  const auto isEntry = [&](std::uint32_t i) {
+    return i < w.flow.steps.size() && w.flow.steps[i].instruction->desc->execution == Execution::Control;
+  };
+  const Bits chosen = m_.d.extract(m_.step7.accu[0], 7, 0);
+  Bool inList = m_.d.constant(false);
+  for (std::uint32_t k = 0; k < 255 && isEntry(at + 1 + k); ++k) {
+    const Bool isThis = m_.d.equal(chosen, m_.d.literal(k, 8), 8);
+    inList = m_.d.lor(inList, isThis);
+    branch(w, isThis, at + 1 + k);
+  }
+  const std::uint32_t beyond = w.flow.steps[at].partner;
+  if (beyond != noPartner) branch(w, m_.d.lnot(inList), beyond);
+}
+
+template <class D, class Hooks>
+void Scan<D, Hooks>::step7Call(const Instruction& instruction) {
+  const Operand& block = instruction.operands[0];
+  if (block.kind == OperandKind::Constant) {
+    const Flow* callee = m_.plan.block(static_cast<int>(block.value));
+    const BlockType type = blockTypeOf(static_cast<int>(block.value));
+    const bool isSystem = type == BlockType::Sfc || type == BlockType::Sfb;
+    constexpr int stop = 46;
+    if (block.value == blockNumber(BlockType::Sfc, stop)) return m_.stopCpu();
+    if (callee == nullptr && !isSystem) return m_.error(Hazard::S7BlockMissing, m_.d.constant(true));
+    if (callee == nullptr || callee->pou->protectedBlock) return hooks_.callWithoutBody(*this, instruction);
+    return enterBlock(*callee, instruction);
+  }
+  const BlockType type = block.text.starts_with("FB") ? BlockType::Fb : BlockType::Fc;
+  const Bits number = Step7Places<D>(m_).blockNumberOf(block);
+  Bool exists = m_.d.constant(false);
+  const Bool guard = m_.guard;
+  for (const Flow& flow : m_.plan.flows) {
+    if (flow.pou->type != type) continue;
+    const Bool isThis =
+        m_.d.equal(number, m_.d.literal(static_cast<std::uint64_t>(numberOfBlock(flow.pou->number)), 16), 16);
+    exists = m_.d.lor(exists, isThis);
+    m_.when(isThis, [&] { enterBlock(flow, instruction); });
+  }
+  m_.guard = m_.d.land(guard, m_.d.lnot(m_.halted));
+  m_.error(Hazard::S7BlockMissing, m_.d.lnot(exists));
+}
+
+/// Parameters that are handed over as values: those of an FB, except numbers of timers, counters and blocks and whole
+/// structures that are read and written in place.
+inline bool isCopied(const LocalVariable& parameter) {
+  return parameter.address.reach != nullptr && parameter.address.reach->way == Way::Instance;
+}
+
+inline bool hasInstance(const Pou& pou) { return pou.type == BlockType::Fb || pou.type == BlockType::Sfb; }
+
+template <class D, class Hooks>
+void Scan<D, Hooks>::enterBlock(const Flow& callee, const Instruction& instruction) {
+  Step7Registers<D>& s = m_.step7;
+  Step7Places<D> places(m_);
+  const Pou& pou = *callee.pou;
+  const Activation<D>* caller = s.running;
+  const int level = caller->level + 1;
+  if (level > step7Row(m_.target.cpu).nesting) return m_.error(Hazard::S7Nesting, m_.d.constant(true));
+
+  Activation<D> activation{&pou,  &instruction, caller, caller->localBase + caller->pou->localBytes,
+                           level, s.db,         s.di,   s.ar[1]};
+  const bool isFb = hasInstance(pou) && instruction.operands.size() > 1;
+  const std::size_t first = isFb ? 2 : 1;
+  std::vector<const LocalVariable*> parameters;
+  for (const LocalVariable& local : pou.locals) {
+    if (local.section != VarSection::Temp && local.section != VarSection::Static) parameters.push_back(&local);
+  }
+  const auto given = [&](std::size_t i) -> const Operand* {
+    if (first + i >= instruction.operands.size()) return nullptr;
+    const Operand& operand = instruction.operands[first + i];
+    return operand.kind == OperandKind::Missing ? nullptr : &operand;
+  };
+  const auto widthAt = [](const LocalVariable& local, std::uint32_t byte) {
+    if (local.size == 0) return Width::Bit;
+    const std::uint32_t left = local.size - byte;
+    return left >= 4 ? Width::DWord : left >= 2 ? Width::Word : Width::Byte;
+  };
+  /// Calls visit(actual, formal, width) for the pieces of every parameter of the sections that is copied.
+  const auto eachPiece = [&](VarSection section, auto&& visit) {
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      const LocalVariable& formal = *parameters[i];
+      const bool isWanted = formal.section == section || formal.section == VarSection::InOut;
+      if (!isWanted || !isCopied(formal) || given(i) == nullptr) continue;
+      std::uint32_t byte = 0;
+      do {
+        const Width width = widthAt(formal, byte);
+        Operand actual = *given(i), place = formal.address;
+        if (actual.kind != OperandKind::Constant) actual.offset += byte;
+        place.offset += byte;
+        visit(actual, place, width);
+        byte += static_cast<std::uint32_t>(bytes(width));
+      } while (byte < formal.size);
+    }
+  };
+
+  std::vector<Bits> values;
+  Bits instanceBlock = s.di, instancePointer = s.ar[1];
+  if (isFb) {
+    eachPiece(VarSection::Input, [&](const Operand& actual, const Operand&, Width width) {
+      values.push_back(places.load(places.find(actual, width), width));
+    });
+    const Operand& instance = instruction.operands[1];
+    if (instance.kind == OperandKind::Direct) {
+      instanceBlock = m_.d.literal(blockOfByte(instance.offset), 16);
+      instancePointer = m_.d.literal(0x85000000U | byteInBlock(instance.offset) * 8, 32);
+    } else {
+      instanceBlock = s.di;
+      instancePointer = m_.d.add(s.ar[1], m_.d.literal(instance.offset * 8, 32), 32);
+    }
+  }
+  const auto useInstance = [&] {
+    m_.put(s.di, instanceBlock, 16);
+    m_.put(s.ar[1], instancePointer, 32);
+  };
+  const auto save = [&](const Operand& place, Width width, Bits value) {
+    places.save(places.find(place, width), width, width == Width::Bit ? m_.d.extract(value, 0, 0) : value);
+  };
+  if (isFb) {
+    useInstance();
+    std::size_t next = 0;
+    eachPiece(VarSection::Input,
+              [&](const Operand&, const Operand& place, Width width) { save(place, width, values[next++]); });
+  }
+  const auto mcrActive = s.mcrActive;
+  const auto mcr = s.mcr;
+  m_.put(s.mcrActive, m_.d.constant(false));
+  for (Bool& level7 : s.mcr) m_.put(level7, m_.d.constant(true));
+  freshBytes(activation.localBase, pou.localBytes);
+  const Instruction* current = m_.current;
+  s.running = &activation;
+  walk(callee);
+  s.running = caller;
+  m_.current = current;
+
+  m_.put(s.os, m_.d.constant(false));
+  m_.put(s.orBit, m_.d.constant(false));
+  m_.put(s.sta, m_.d.constant(true));
+  m_.put(s.firstCheck, m_.d.constant(false));
+  m_.put(s.mcrActive, mcrActive);
+  for (std::size_t i = 0; i < mcr.size(); ++i) m_.put(s.mcr[i], mcr[i]);
+  values.clear();
+  if (isFb) {
+    useInstance();
+    eachPiece(VarSection::Output, [&](const Operand&, const Operand& place, Width width) {
+      values.push_back(places.load(places.find(place, width), width));
+    });
+    m_.put(s.ar[1], activation.callerAr2, 32);
+  }
+  m_.put(s.db, activation.callerDb, 16);
+  m_.put(s.di, activation.callerDi, 16);
+  std::size_t next = 0;
+  if (isFb)
+    eachPiece(VarSection::Output,
+              [&](const Operand& actual, const Operand&, Width width) { save(actual, width, values[next++]); });
+}
+
+}  // namespace rungproof

@@ -1,0 +1,31 @@
+// The declarations of a program by name: what "Motor".list[2].x and DB10.list are in its data blocks, and what blocks
+// declare. Hung onto a program, so that properties, stimuli and reports can use the names.
+// Tested by tests/step7/project_test.cpp.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "ir/operand.hpp"
+#include "ir/s7300/declaration.hpp"
+
+namespace rungproof::s7300 {
+
+struct Declarations {
+  std::map<std::uint32_t, std::shared_ptr<const Structure>> dataBlocks;  ///< by number
+  std::map<std::string, std::uint32_t> dataBlockNames;                   ///< by foldedName() of the symbol
+  std::map<int, std::shared_ptr<const Structure>> parameters;            ///< by Pou::number; of an FB its instance
+  std::map<int, std::shared_ptr<const Structure>> temporary;             ///< by Pou::number
+
+  /// The place that parts of a data block's name mean; nothing if there is none that one access reaches.
+  std::optional<Operand> place(std::uint32_t dataBlock, std::span<const PathStep> path) const;
+};
+
+/// Width of an access to a value of that type; nothing for types of other sizes than 1 to 4 bytes.
+std::optional<Width> accessWidth(const Type& type);
+
+}  // namespace rungproof::s7300

@@ -1,0 +1,30 @@
+// Blocks of the CPU and of the standard libraries (002:2328-2651): their numbers, usual names and parameters. A
+// program's own block of the same number is meant before them. Tested by tests/step7/library_test.cpp.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "ir/program.hpp"
+#include "ir/s7300/declaration.hpp"
+
+namespace rungproof::s7300 {
+
+struct LibraryBlock {
+  BlockType type;  ///< Sfb, Sfc, Fc
+  std::uint16_t number;
+  std::string_view name;
+  /// "IN:BOOL PT:TIME|Q:BOOL ET:TIME||STATE:BYTE": inputs, outputs, in-outs, static data. RET_VAL stands first among
+  /// the outputs.
+  std::string_view parameters;
+};
+
+std::span<const LibraryBlock> libraryBlocks();
+const LibraryBlock* libraryBlock(BlockType type, std::uint32_t number);
+/// By its usual name, in any case of letters.
+const LibraryBlock* libraryBlockNamed(std::string_view name);
+/// Parameters and static data, laid out as the instance of an SFB.
+std::shared_ptr<const Structure> interfaceOf(const LibraryBlock& block);
+
+}  // namespace rungproof::s7300

@@ -1,0 +1,375 @@
+// Operands of an S7-300/400 made ready for an access: direct ones, those that lie in open blocks and instances, formal
+// parameters, and pointers (002:1622-1711). A place that depends on registers is written as one number of area, block
+// and bit address; the domain lists the numbers it can be. What no access may reach is a synchronous error
+// (002:1284-1290).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "ir/block_map.hpp"
+#include "ir/s7200/machine.hpp"
+
+namespace rungproof {
+
+/// Codes of areas in pointers (002:1698-1707).
+enum class PointerArea : std::uint8_t { P, I, Q, M, Db, Di, L, V };
+
+/// A place or several, or a value.
+template <class D>
+struct Spot {
+  using Bits = typename D::Bits;
+  bool isValue = false;
+  bool isUnresolved = false;  ///< a pointer whose targets are not known: reads give anything
+  bool isPlace = false;
+  Bits value{};  ///< 32 bits
+  Area area = Area::M;
+  std::uint32_t offset = 0;  ///< byte; L: counted from the beginning of all local memory
+  std::uint32_t bit = 0;
+  typename D::Targets targets{};
+};
+
+template <class D>
+class Step7Places {
+ public:
+  using Bool = typename D::Bool;
+  using Bits = typename D::Bits;
+
+  explicit Step7Places(Machine<D>& machine) : m_(machine), d_(machine.d) {}
+
+  /// Finds the operand as the running block sees it; errors are met on the way.
+  Spot<D> find(const Operand& o, Width width) { return find(o, width, here(), 0, 0, true); }
+  /// The same as the block sees it that called the running one.
+  Spot<D> findAsCaller(const Operand& o, Width width) { return find(o, width, callerOf(here()), 0, 0, false); }
+  /// Value of a place, zero-extended to 32 bits.
+  Bits load(const Spot<D>& spot, Width width);
+  Bool loadBit(const Spot<D>& spot) { return d_.bit(load(spot, Width::Bit), 0); }
+  /// Bit of any operand, timers and counters by number included.
+  Bool bitOf(const Operand& o);
+  void save(const Spot<D>& spot, Width width, Bits value);
+  void saveBit(const Spot<D>& spot, Bool value) { save(spot, Width::Bit, d_.fromBool(value, 1)); }
+
+  /// Calls visit(number) under the condition that the operand, a timer or counter, is that number.
+  template <class Visit>
+  void eachNumber(const Operand& o, Visit&& visit);
+  /// Number of a block that an operand names: a constant, a parameter, or the word in memory. 16 bits.
+  Bits blockNumberOf(const Operand& o);
+  /// The pointer to an operand (P##name): area code and bit address, 32 bits.
+  Bits addressOf(const Operand& o);
+
+ private:
+  /// What the operands of a block depend on.
+  struct Context {
+    const Activation<D>* running;
+    Bits db, di, ar2;
+  };
+  Context here() const { return {m_.step7.running, m_.step7.db, m_.step7.di, m_.step7.ar[1]}; }
+  Context callerOf(const Context& c) const {
+    return {c.running->caller, c.running->callerDb, c.running->callerDi, c.running->callerAr2};
+  }
+  /// What the call gives for a formal parameter, or nullptr.
+  static const Operand* actual(const Context& c, std::uint32_t parameter) {
+    if (c.running == nullptr || c.running->call == nullptr) return nullptr;
+    const std::vector<Operand>& operands = c.running->call->operands;
+    const BlockType type = c.running->pou->type;
+    const std::size_t first = type == BlockType::Fb || type == BlockType::Sfb ? 2 : 1;
+    return first + parameter < operands.size() ? &operands[first + parameter] : nullptr;
+  }
+
+  /// A place as a number: area in bits 47-40, block in bits 39-24, bit address below.
+  static constexpr int locationBits = 48;
+  Bits location(Bits area, Bits block, Bits address) {
+    return d_.concat(area, 8, d_.concat(block, 16, address, 24), 40);
+  }
+  Bits number(std::uint64_t value, int width) { return d_.literal(value, width); }
+  Bits address(Bits pointer) { return d_.zext(d_.extract(pointer, 18, 0), 19, 24); }
+  /// `offset` bytes and `bit` bits beyond what a register or a pointer says.
+  Bits beyond(Bits start, std::uint32_t offset, std::uint32_t bit) {
+    return d_.add(start, number(offset * 8 + bit, 24), 24);
+  }
+
+  Spot<D> find(const Operand& o, Width width, const Context& c, std::uint32_t moreBytes, std::uint32_t moreBits,
+               bool opens);
+  Spot<D> direct(const Operand& o, Width width, const Context& c, std::uint32_t moreBytes, std::uint32_t moreBits,
+                 bool opens);
+  Spot<D> at(Bits location, Width width);
+  Bits crossing(Bits pointer, std::uint32_t offset, std::uint32_t bit, const Context& c);
+  Bits pointerValue(const Operand& o, const Context& c);
+  /// Decodes a location; false if no access of that width may reach it, with the error.
+  bool decode(std::uint64_t location, Width width, Area& area, std::uint32_t& offset, std::uint32_t& bit,
+              Hazard& error) const;
+  Bits loadPlace(Area area, std::uint32_t offset, std::uint32_t bit, Width width);
+  void savePlace(Area area, std::uint32_t offset, std::uint32_t bit, Width width, Bits value);
+
+  Machine<D>& m_;
+  D& d_;
+};
+
+template <class D>
+Spot<D> Step7Places<D>::find(const Operand& o, Width width, const Context& c, std::uint32_t moreBytes,
+                             std::uint32_t moreBits, bool opens) {
+  switch (o.kind) {
+    case OperandKind::Constant: {
+      Spot<D> spot;
+      spot.isValue = true;
+      spot.value = number(static_cast<std::uint64_t>(o.value) & 0xFFFFFFFF, 32);
+      return spot;
+    }
+    case OperandKind::Direct: return direct(o, width, c, moreBytes, moreBits, opens);
+    case OperandKind::Address: {
+      Spot<D> spot;
+      spot.isValue = true;
+      spot.value = addressOf(o);
+      return spot;
+    }
+    case OperandKind::Indirect: break;
+    default: return {.isValue = true, .value = number(0, 32)};
+  }
+  CHECK(o.reach != nullptr, "an indirect operand of an S7-300 says how it finds its place");
+  const Reach& reach = *o.reach;
+  const std::uint32_t offset = o.offset + moreBytes, bit = o.bit + moreBits;
+  // Pointers within the area count local memory from the block's own; crossing() knows by itself.
+  const std::uint32_t own = o.area == Area::L && c.running != nullptr ? c.running->localBase : 0;
+  const Bits area = number(static_cast<std::uint64_t>(o.area), 8);
+  const Bits block = o.area == Area::DB ? (reach.inDi ? c.di : c.db) : number(0, 16);
+  switch (reach.way) {
+    case Way::OpenBlock: return at(location(area, block, number(offset * 8 + bit, 24)), width);
+    case Way::Instance: return at(location(area, c.di, beyond(address(c.ar2), offset, bit)), width);
+    case Way::Parameter: {
+      const Operand* given = actual(c, reach.parameter);
+      if (given == nullptr || given->kind == OperandKind::Missing) return {.isValue = true, .value = number(0, 32)};
+      return find(*given, width, callerOf(c), offset, bit, false);
+    }
+    case Way::Pointer:
+      return at(location(area, block, beyond(address(pointerValue(reach.pointer, c)), offset + own, bit)), width);
+    case Way::Register: {
+      const Bits start = address(reach.byAr2 ? c.ar2 : m_.step7.ar[0]);
+      return at(location(area, block, beyond(start, offset + own, bit)), width);
+    }
+    case Way::Crossing: return at(crossing(reach.byAr2 ? c.ar2 : m_.step7.ar[0], offset, bit, c), width);
+  }
+  return {};
+}
+
+template <class D>
+Spot<D> Step7Places<D>::direct(const Operand& o, Width width, const Context& c, std::uint32_t moreBytes,
+                               std::uint32_t moreBits, bool opens) {
+  Spot<D> spot;
+  const std::uint32_t bits = o.bit + moreBits;
+  spot.area = o.area;
+  spot.offset = o.offset + moreBytes + bits / 8;
+  spot.bit = bits % 8;
+  spot.isPlace = true;
+  if (o.area == Area::L) {
+    spot.offset += c.running == nullptr ? 0 : c.running->localBase;
+  } else if (o.area == Area::DB) {
+    const std::uint32_t block = blockOfByte(o.offset);
+    if (opens) m_.put(m_.step7.db, number(block, 16), 16);
+    const std::uint32_t length = m_.plan.blocks->length(block);
+    const std::uint32_t end = byteInBlock(spot.offset) + static_cast<std::uint32_t>(bytes(width));
+    if (end <= length) return spot;
+    m_.error(length == 0 ? Hazard::S7BlockMissing : Hazard::S7AreaLength, d_.constant(true));
+    return {.isValue = true, .value = number(0, 32)};
+  } else if (!hasBitAndWord(o.area) && spot.offset + static_cast<std::uint32_t>(bytes(width)) > m_.areaSize(o.area)) {
+    m_.error(Hazard::S7AreaLength, d_.constant(true));
+    return {.isValue = true, .value = number(0, 32)};
+  }
+  return spot;
+}
+
+/// The pointer that stands in memory; a word is a number, a double word a bit address.
+template <class D>
+typename D::Bits Step7Places<D>::pointerValue(const Operand& o, const Context& c) {
+  return load(find(o, o.width, c, 0, 0, false), o.width);
+}
+
+template <class D>
+typename D::Bits Step7Places<D>::crossing(Bits pointer, std::uint32_t offset, std::uint32_t bit, const Context& c) {
+  const Bits code = d_.extract(pointer, 26, 24);
+  const auto isCode = [&](PointerArea area) { return d_.equal(code, number(static_cast<std::uint64_t>(area), 3), 3); };
+  Bits area = number(255, 8), block = number(0, 16);
+  const std::pair<PointerArea, Area> areas[] = {
+      {PointerArea::P, Area::PI},  {PointerArea::I, Area::I},   {PointerArea::Q, Area::Q}, {PointerArea::M, Area::M},
+      {PointerArea::Db, Area::DB}, {PointerArea::Di, Area::DB}, {PointerArea::L, Area::L}, {PointerArea::V, Area::L}};
+  for (const auto& [from, to] : areas)
+    area = d_.select(isCode(from), number(static_cast<std::uint64_t>(to), 8), area, 8);
+  area = d_.select(d_.bit(pointer, 31), area, number(255, 8), 8);
+  block = d_.select(isCode(PointerArea::Db), c.db, block, 16);
+  block = d_.select(isCode(PointerArea::Di), c.di, block, 16);
+  const std::uint32_t own = c.running == nullptr ? 0 : c.running->localBase;
+  const std::uint32_t callers = c.running == nullptr || c.running->caller == nullptr ? 0 : c.running->caller->localBase;
+  Bits start = beyond(address(pointer), offset, bit);
+  start = d_.select(isCode(PointerArea::L), d_.add(start, number(own * 8, 24), 24), start, 24);
+  start = d_.select(isCode(PointerArea::V), d_.add(start, number(callers * 8, 24), 24), start, 24);
+  return location(area, block, start);
+}
+
+template <class D>
+bool Step7Places<D>::decode(std::uint64_t location, Width width, Area& area, std::uint32_t& offset, std::uint32_t& bit,
+                            Hazard& error) const {
+  const auto code = static_cast<std::uint32_t>(location >> 40);
+  const auto block = static_cast<std::uint32_t>(location >> 24 & 0xFFFF);
+  const auto address = static_cast<std::uint32_t>(location & 0xFFFFFF);
+  if (code >= areaCount) {
+    error = Hazard::S7AreaUnknown;
+    return false;
+  }
+  area = static_cast<Area>(code);
+  offset = address / 8;
+  bit = address % 8;
+  if (width != Width::Bit && bit != 0) {
+    error = Hazard::S7Alignment;
+    return false;
+  }
+  const std::uint32_t end = offset + static_cast<std::uint32_t>(bytes(width));
+  const std::uint32_t length = area == Area::DB  ? m_.plan.blocks->length(block)
+                               : area == Area::L ? m_.plan.localBytes
+                                                 : m_.areaSize(area);
+  if (area == Area::DB) offset = dataByte(block, offset);
+  error = area == Area::DB && length == 0 ? Hazard::S7BlockMissing : Hazard::S7AreaLength;
+  return end <= length;
+}
+
+template <class D>
+Spot<D> Step7Places<D>::at(Bits location, Width width) {
+  Spot<D> spot;
+  Hazard error{};
+  if (const auto known = d_.known(location)) {
+    if (decode(*known, width, spot.area, spot.offset, spot.bit, error)) {
+      spot.isPlace = true;
+      return spot;
+    }
+    m_.error(error, d_.constant(true));
+    return {.isValue = true, .value = number(0, 32)};
+  }
+  if constexpr (!std::same_as<Bool, bool>) {
+    const std::optional<std::vector<std::uint64_t>> values = d_.locations(m_, location);
+    if (!values) {
+      spot.isUnresolved = true;
+      return spot;
+    }
+    for (const std::uint64_t value : *values) {
+      const Bool isValue = d_.equal(location, number(value, locationBits), locationBits);
+      PointerTarget<D> target{isValue, Area::M, 0};
+      if (decode(value, width, target.area, target.offset, target.bit, error))
+        spot.targets.push_back(target);
+      else
+        m_.error(error, isValue);
+    }
+    if (spot.targets.empty()) return {.isValue = true, .value = number(0, 32)};
+  }
+  return spot;
+}
+
+template <class D>
+typename D::Bits Step7Places<D>::loadPlace(Area area, std::uint32_t offset, std::uint32_t bit, Width width) {
+  if (area == Area::I && m_.isStartUp) return number(0, bits(width));
+  if (area != Area::PI) return m_.store.load(area, offset * 8 + bit, bits(width));
+  // A module is read at once; its words are samples of their own.
+  if (width == Width::DWord)
+    return d_.concat(m_.external(External::AnalogInput, offset, 16), 16,
+                     m_.external(External::AnalogInput, offset + 2, 16), 16);
+  const Bits word = m_.external(External::AnalogInput, offset, 16);
+  return width == Width::Word ? word : d_.extract(word, 15, 8);
+}
+
+template <class D>
+typename D::Bits Step7Places<D>::load(const Spot<D>& spot, Width width) {
+  const int w = bits(width);
+  const auto wide = [&](Bits value) { return w == 32 ? value : d_.zext(value, w, 32); };
+  if (spot.isValue) return w == 32 ? spot.value : wide(d_.extract(spot.value, w - 1, 0));
+  if (spot.isUnresolved) return wide(d_.unresolved(m_, w));
+  if (spot.isPlace) return wide(loadPlace(spot.area, spot.offset, spot.bit, width));
+  Bits result = number(0, w);
+  for (const PointerTarget<D>& t : spot.targets)
+    result = d_.select(t.condition, loadPlace(t.area, t.offset, t.bit, width), result, w);
+  return wide(result);
+}
+
+template <class D>
+void Step7Places<D>::savePlace(Area area, std::uint32_t offset, std::uint32_t bit, Width width, Bits value) {
+  if (area == Area::I && m_.isStartUp) return;  // gone when the inputs are read
+  if (area == Area::PI) area = Area::PQ;        // P in pointers: what is written goes out
+  m_.store.save(area, offset * 8 + bit, bits(width), value, m_.guard);
+  if (area != Area::PQ) return;
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(bytes(width)); ++i) {  // the image follows
+    if (offset + i >= m_.areaSize(Area::Q)) return;
+    m_.store.save(Area::Q, (offset + i) * 8, 8, m_.store.load(Area::PQ, (offset + i) * 8, 8), m_.guard);
+  }
+}
+
+/// `value`: at least the width of the access.
+template <class D>
+void Step7Places<D>::save(const Spot<D>& spot, Width width, Bits value) {
+  if (spot.isUnresolved) return d_.havoc(m_);
+  const int w = bits(width);
+  const Bits cut = width == Width::Bit || width == Width::DWord ? value : d_.extract(value, w - 1, 0);
+  if (spot.isPlace) return savePlace(spot.area, spot.offset, spot.bit, width, cut);
+  for (const PointerTarget<D>& t : spot.targets)
+    m_.when(t.condition, [&] { savePlace(t.area, t.offset, t.bit, width, cut); });
+}
+
+template <class D>
+template <class Visit>
+void Step7Places<D>::eachNumber(const Operand& o, Visit&& visit) {
+  const Operand* operand = &o;
+  Context c = here();
+  while (operand != nullptr && operand->reach != nullptr && operand->reach->way == Way::Parameter) {
+    operand = actual(c, operand->reach->parameter);
+    c = callerOf(c);
+  }
+  if (operand == nullptr || operand->kind == OperandKind::Missing) return;
+  const bool isTimer = o.area == Area::T;
+  const std::uint32_t count = m_.areaSize(isTimer ? Area::T : Area::C);
+  const Hazard error = isTimer ? Hazard::S7TimerNumber : Hazard::S7CounterNumber;
+  if (operand->kind == OperandKind::Direct) {
+    if (operand->offset < count) return visit(operand->offset);
+    return m_.error(error, d_.constant(true));
+  }
+  const Bits word = d_.extract(pointerValue(operand->reach->pointer, c), 15, 0);
+  const Bool exists = d_.ult(word, number(count, 16), 16);
+  m_.error(error, d_.lnot(exists));
+  if (const auto known = d_.known(word)) {
+    if (*known < count) visit(static_cast<std::uint32_t>(*known));
+    return;
+  }
+  for (std::uint32_t i = 0; i < count; ++i) m_.when(d_.equal(word, number(i, 16), 16), [&] { visit(i); });
+}
+
+template <class D>
+typename D::Bool Step7Places<D>::bitOf(const Operand& o) {
+  if (!hasBitAndWord(o.area) || !o.isMemory()) return loadBit(find(o, Width::Bit));
+  Bool result = d_.constant(false);
+  eachNumber(o, [&](std::uint32_t number) {
+    const Bool bit = m_.getBit(o.area == Area::T ? Reg::TimerBit : Reg::CounterBit, number);
+    result = d_.select(m_.guard, bit, result);
+  });
+  return result;
+}
+
+template <class D>
+typename D::Bits Step7Places<D>::blockNumberOf(const Operand& o) {
+  const Operand* operand = &o;
+  Context c = here();
+  while (operand != nullptr && operand->reach != nullptr && operand->reach->way == Way::Parameter) {
+    operand = actual(c, operand->reach->parameter);
+    c = callerOf(c);
+  }
+  if (operand == nullptr || operand->kind == OperandKind::Missing) return number(0, 16);
+  if (operand->kind == OperandKind::Constant) return number(static_cast<std::uint64_t>(operand->value) & 0xFFFF, 16);
+  if (operand->kind == OperandKind::Direct) return number(blockOfByte(operand->offset), 16);
+  return d_.extract(pointerValue(operand->reach->pointer, c), 15, 0);
+}
+
+template <class D>
+typename D::Bits Step7Places<D>::addressOf(const Operand& o) {
+  const auto pointer = [&](PointerArea area, Bits address) {
+    return d_.bor(number(0x80000000U | static_cast<std::uint64_t>(area) << 24, 32), d_.zext(address, 24, 32), 32);
+  };
+  if (o.reach != nullptr && o.reach->way == Way::Instance)
+    return pointer(PointerArea::Di, beyond(address(m_.step7.ar[1]), o.offset, o.bit));
+  if (o.reach == nullptr && o.area == Area::L) return pointer(PointerArea::L, number(o.offset * 8 + o.bit, 24));
+  return pointer(PointerArea::V, number(o.offset * 8 + o.bit, 24));
+}
+
+}  // namespace rungproof

@@ -1,0 +1,20 @@
+// All instruction meanings compiled for the blurred domain of the bench.
+#include "blurred.hpp"
+#include "ir/s7200/dispatch.hpp"
+#include "ir/s7200/isa_list.hpp"
+
+namespace rungproof {
+
+template <>
+std::span<const Execute<manual::Blurred>> dispatchTable<manual::Blurred>() {
+  static constexpr auto table = isa::makeDispatch<manual::Blurred>(isa::AllInstructions{});
+  return table;
+}
+
+/// Programs of the S7-300/400 do not run on it.
+template <>
+std::span<const Execute<manual::Blurred>> step7DispatchTable<manual::Blurred>() {
+  return {};
+}
+
+}  // namespace rungproof

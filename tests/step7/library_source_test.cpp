@@ -1,0 +1,112 @@
+// Blocks of the CPU and the libraries, run from their statement lists. Expected values follow from the behaviour of the
+// IEC blocks (002:2516-2532); the time of a scan reaches a timer when the next
+// scan begins, so that a time of three scans is up in the third scan after the one that started it.
+#include <gtest/gtest.h>
+
+#include "engine/simulator.hpp"
+#include "tests/step7/read7.hpp"
+
+namespace rungproof {
+namespace {
+
+constexpr std::uint32_t scanUs = 100000;
+
+struct LibraryRun {
+  explicit LibraryRun(const std::string& text) : program(read7(text)), simulator(program) {
+    EXPECT_EQ(findings7(program), "");
+  }
+  void scan(bool input) {
+    simulator.write(direct(Area::I, Width::Bit, 0, 0), input ? 1 : 0);
+    simulator.scan({.lengthUs = scanUs});
+    EXPECT_TRUE(simulator.isRunning());
+  }
+  bool q() const { return simulator.read(direct(Area::Q, Width::Bit, 0, 0)) != 0; }
+  std::uint64_t number(Width width, std::uint32_t byte) const { return simulator.read(direct(Area::M, width, byte)); }
+
+  Program program;
+  Simulator simulator;
+};
+
+std::string timerOf(int number) {
+  return fmt::format(
+      "DATA_BLOCK DB 4\nSFB {0}\nBEGIN\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n"
+      "CALL SFB {0}, DB 4 (IN := I 0.0, PT := T#300MS, Q := Q 0.0, ET := MD 0);\nEND_ORGANIZATION_BLOCK\n",
+      number);
+}
+
+struct TimerStep {
+  bool input, q;
+  std::uint64_t elapsed;  ///< ms
+};
+
+void expectTimer(int number, const std::vector<TimerStep>& steps) {
+  LibraryRun run(timerOf(number));
+  int scan = 0;
+  for (const TimerStep& step : steps) {
+    run.scan(step.input);
+    ++scan;
+    EXPECT_EQ(run.q(), step.q) << "SFB " << number << ", scan " << scan;
+    EXPECT_EQ(run.number(Width::DWord, 0), step.elapsed) << "SFB " << number << ", scan " << scan;
+  }
+}
+
+TEST(LibrarySource, OnDelay) {
+  expectTimer(4, {{false, false, 0},
+                  {true, false, 0},
+                  {true, false, 100},
+                  {true, false, 200},
+                  {true, true, 300},
+                  {true, true, 300},
+                  {false, false, 0},
+                  {true, false, 0}});
+}
+
+TEST(LibrarySource, PulseIsNotStartedAgainWhileItRuns) {
+  expectTimer(3, {{true, true, 0},
+                  {false, true, 100},
+                  {true, true, 200},
+                  {true, false, 300},
+                  {true, false, 300},
+                  {false, false, 0},
+                  {true, true, 0}});
+}
+
+TEST(LibrarySource, OffDelay) {
+  expectTimer(5, {{false, false, 0},
+                  {true, true, 0},
+                  {true, true, 0},
+                  {false, true, 0},
+                  {false, true, 100},
+                  {false, true, 200},
+                  {false, false, 300},
+                  {true, true, 0}});
+}
+
+TEST(LibrarySource, CounterCountsRisingInputs) {
+  LibraryRun run(
+      "DATA_BLOCK DB 4\nSFB 0\nBEGIN\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n"
+      "CALL SFB 0, DB 4 (CU := I 0.0, R := I 0.1, PV := 2, Q := Q 0.0, CV := MW 0);\nEND_ORGANIZATION_BLOCK\n");
+  const bool inputs[] = {true, true, false, true, false};
+  const std::uint64_t counts[] = {1, 1, 1, 2, 2};
+  for (int i = 0; i < 5; ++i) {
+    run.scan(inputs[i]);
+    EXPECT_EQ(run.number(Width::Word, 0), counts[i]) << i;
+    EXPECT_EQ(run.q(), counts[i] >= 2) << i;
+  }
+  run.simulator.write(direct(Area::I, Width::Bit, 0, 1), 1);
+  run.scan(false);
+  EXPECT_EQ(run.number(Width::Word, 0), 0U);
+}
+
+TEST(LibrarySource, StopEndsTheRun) {
+  const Program program = readOb1("A I 0.0; JCN on; CALL SFC 46; on: SET; = Q 0.0;");
+  Simulator simulator(program);
+  simulator.scan();
+  EXPECT_TRUE(simulator.isRunning());
+  simulator.write(direct(Area::I, Width::Bit, 0, 0), 1);
+  simulator.scan();
+  EXPECT_FALSE(simulator.isRunning());
+}
+
+}  // namespace
+}  // namespace rungproof

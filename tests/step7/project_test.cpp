@@ -1,0 +1,172 @@
+// Whole projects: several files in any order, every form of symbol table, both mnemonic sets, code pages and UTF-8.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "frontend/input/program_input.hpp"
+#include "ir/block_map.hpp"
+#include "ir/s7300/block.hpp"
+#include "ir/s7300/cpu.hpp"
+#include "tests/step7/read7.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace rungproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path projects = fs::path(RUNGPROOF_SOURCE_DIR) / "tests/data/s7300_projects";
+
+std::vector<std::string> filesOf(const std::string& project) {
+  std::vector<std::string> files;
+  for (const auto& entry : fs::directory_iterator(projects / project)) files.push_back(entry.path().string());
+  std::ranges::sort(files);
+  return files;
+}
+
+struct Project {
+  const char* folder;
+  std::size_t codeBlocks, dataBlocks, instructions;
+};
+
+// Blocks, data blocks and instructions as they stand in the sources, labels counted as instructions.
+const Project all[] = {{"asc_press", 2, 0, 17}, {"conveyors", 3, 1, 19}, {"copy_area", 3, 2, 55},
+                       {"dif_fan", 2, 0, 8},    {"iec_timers", 2, 1, 4}, {"mischer", 2, 0, 29},
+                       {"recipes", 2, 2, 13},   {"seq_tanks", 2, 2, 6},  {"step_chain", 4, 1, 57},
+                       {"tia_motor", 2, 1, 16}};
+
+TEST(Projects, AreReadWithoutAFalseError) {
+  for (const Project& project : all) {
+    const Program program = readProgram(filesOf(project.folder));
+    for (const Finding& finding : program.findings) {
+      EXPECT_NE(finding.severity, Severity::Error) << project.folder << ": " << finding.message;
+      EXPECT_EQ(finding.rule, "SYN052") << project.folder << ": " << finding.message;
+    }
+    const std::span own(program.pous.data(),
+                        std::min(program.pous.size(), project.codeBlocks));  // the libraries' follow
+    EXPECT_EQ(own.size(), project.codeBlocks) << project.folder;
+    std::size_t instructions = 0;
+    for (const Pou& pou : own) {
+      for (const Network& network : pou.networks) instructions += network.instructions.size();
+    }
+    EXPECT_EQ(program.dataBlocks.size(), project.dataBlocks) << project.folder;
+    EXPECT_EQ(instructions, project.instructions) << project.folder;
+    EXPECT_TRUE(isStep7(program.target)) << project.folder;
+    ASSERT_NE(program.main(), nullptr) << project.folder;
+  }
+}
+
+TEST(Projects, TheOrderOfTheFilesDoesNotMatter) {
+  for (const Project& project : all) {
+    std::vector<std::string> files = filesOf(project.folder);
+    const Program forwards = readProgram(files);
+    std::ranges::reverse(files);
+    const Program backwards = readProgram(files);
+    // Blocks stand in the order of the files; each is the same.
+    for (const Pou& pou : forwards.pous) {
+      const auto twin = std::ranges::find(backwards.pous, pou.name, &Pou::name);
+      ASSERT_NE(twin, backwards.pous.end()) << project.folder;
+      EXPECT_EQ(show7(*twin), show7(pou)) << project.folder;
+    }
+    ASSERT_EQ(forwards.dataBlocks.size(), backwards.dataBlocks.size());
+    for (std::size_t i = 0; i < forwards.dataBlocks.size(); ++i)
+      EXPECT_EQ(forwards.dataBlocks[i].bytes, backwards.dataBlocks[i].bytes) << project.folder;
+  }
+}
+
+TEST(Projects, AFolderIsAProjectWithItsTables) {
+  const std::vector<std::string> files = expandFolders({(projects / "conveyors").string()});
+  EXPECT_EQ(files.size(), 4u);
+  const Program program = readProgram(files);
+  EXPECT_EQ(findings7(program), "");
+  EXPECT_EQ(show7(*program.main()),
+            fmt::format("CALL Line={} DBB2:0 I0.0 I0.1 Q4.0 Q4.1", blockNumber(BlockType::Fb, 2)));
+}
+
+TEST(Projects, NamesOfDataForProperties) {
+  const Program program = readProgram(filesOf("recipes"));
+  const OperandLookup lookup = lookupIn(program);
+  const auto placeOf = [&](std::string_view name) {
+    const std::optional<Operand> operand = lookup(name);
+    return operand ? show7(*operand) : "nothing";
+  };
+  // A recipe: three INT, the oven of 6 bytes (INT, S5TIME, BOOL), a text of 16: 28 bytes. List begins at 2.
+  EXPECT_EQ(placeOf("\"Book\".List[2].Eggs"), "DBW20:34");
+  EXPECT_EQ(placeOf("Book.List[1].Oven.FromBelow"), "DB20:12.0");
+  EXPECT_EQ(placeOf("\"Order\".Grams"), "DBD21:32");
+  EXPECT_EQ(placeOf("DB20.DBW2"), "DBW20:2");
+  EXPECT_EQ(placeOf("\"Book\".Missing"), "nothing");
+  EXPECT_EQ(placeOf("I0.0"), "I0.0");
+  EXPECT_EQ(placeOf("T5"), "T5");
+  EXPECT_EQ(placeOf("PIW256"), "PIW256");
+}
+
+TEST(Projects, ActualValuesStandOverInitialOnes) {
+  const Program program = readProgram(filesOf("recipes"));
+  ASSERT_EQ(program.dataBlocks.size(), 2u);
+  const std::vector<std::uint8_t>& book = program.dataBlocks[0].bytes;
+  const auto word = [&](std::size_t at) { return book.at(at) << 8 | book.at(at + 1); };
+  EXPECT_EQ(word(0), 3);
+  EXPECT_EQ(word(2), 250);   // List[1].Butter: of the type
+  EXPECT_EQ(word(30), 300);  // List[2].Butter: assigned
+  EXPECT_EQ(word(62), 6);    // List[3].Eggs
+  EXPECT_EQ(word(86), 50);   // Factors[1]
+  EXPECT_EQ(word(92), 150);  // Factors[4]: the second of 2 (150)
+  EXPECT_TRUE(program.dataBlocks[0].readOnly);
+  EXPECT_EQ(program.dataBlocks[0].name, "Book");
+}
+
+TEST(Projects, BlocksTwiceHaveBothPlaces) {
+  const test::TemporaryFolder folder;
+  const std::string block = "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\nSET;\nEND_FUNCTION\n";
+  const std::string first = folder.file("a.awl", block), second = folder.file("b.awl", "// b\n" + block);
+  const Program program = readProgram({first, second});
+  EXPECT_EQ(findings7(program), "SYN022 2:1 FC1 is there twice: only the first one is read");
+  ASSERT_EQ(program.findings[0].related.size(), 1u);
+  EXPECT_EQ(program.sources->file(program.findings[0].related[0].span.file).name(), first);
+}
+
+TEST(Projects, BothFamiliesInOneProgramAreRefused) {
+  const test::TemporaryFolder folder;
+  const Program program =
+      readProgram({folder.file("a.awl", "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\nSET;\nEND_FUNCTION\n"),
+                   folder.file("b.awl", "Network 1\nLD I0.0\n= Q0.0\n")});
+  ASSERT_FALSE(program.findings.empty());
+  EXPECT_EQ(program.findings[0].rule, "SYN050");
+}
+
+TEST(Projects, EncodingsOfEachFile) {
+  const test::TemporaryFolder folder;
+  const std::string source = folder.file(
+      "a.awl",
+      "\xEF\xBB\xBF"
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nA \"T\xC3\xBCr\";\n= \"L\xC3\xA4mpchen\";\nEND_ORGANIZATION_BLOCK\n");
+  const std::string table = folder.file("t.sdf",
+                                        "\"T\xFCr                     \",\"I       0.0 \",\"BOOL      \",\"\"\r\n"
+                                        "\"L\xE4mpchen                \",\"Q       0.0 \",\"BOOL      \",\"\"\r\n");
+  const Program program = readProgram({source, table});
+  EXPECT_EQ(findings7(program), "");
+  EXPECT_EQ(show7(program.pous.at(0)), "A I0.0; = Q0.0");
+}
+
+TEST(Projects, TheDialectMayBeNamed) {
+  ReadOptions options;
+  options.dialect = "s7-300";
+  const Program program = readText("x.awl", "A I 0.0\n= Q 0.0\n", options);
+  EXPECT_EQ(findings7(program), "");
+  EXPECT_EQ(show7(program.pous.at(0)), "A I0.0; = Q0.0");
+  options.dialect = "s7-400";
+  EXPECT_EQ(cpuName(readText("x.awl", "A I 0.0\n= Q 0.0\n", options).target.cpu), "417");
+}
+
+TEST(Projects, APlainDirectiveKeepsItsPlace) {
+  const Program program = readProgram(filesOf("dif_fan"));
+  ASSERT_EQ(program.directives.size(), 1u);
+  EXPECT_EQ(program.directives[0].text, "prove an open door stops the fan: never Q5.0 and not I1.0");
+  EXPECT_EQ(program.directives[0].pou, 0);
+  EXPECT_EQ(program.directives[0].network, 1);
+}
+
+}  // namespace
+}  // namespace rungproof
