@@ -90,6 +90,7 @@ extern constexpr Rule ari001_division_by_zero = {
     .good = "Network 1\nLDW<> VW4, 0\nMOVW VW0, VW2\n/I VW4, VW2\n",
     .falsePositives = "a divisor whose range is known from elsewhere: the prover drops it",
     .peers = "SA0040",
+    .dialects = dialect::S7200,
     .check = checkAri001,
     .ask = {.in = asked::Builtin, .turn = 30, .cost = 1, .hazards = ari001Hazards},
 };

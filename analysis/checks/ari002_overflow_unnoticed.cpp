@@ -89,6 +89,7 @@ extern constexpr Rule ari002_overflow_unnoticed = {
     .bad = "Network 1\nLD SM0.0\nMOVW AIW0, VW0\n*I VW2, VW0\n",
     .good = "Network 1\nLD SM0.0\nMOVW AIW0, VW0\n*I VW2, VW0\nAENO\nNOT\n= M0.0\n",
     .falsePositives = "values whose range is known from elsewhere: the prover drops them",
+    .dialects = dialect::S7200,
     .check = checkAri002,
     .ask = {.in = asked::Builtin, .turn = 30, .cost = 4, .hazards = ari002Hazards},
 };

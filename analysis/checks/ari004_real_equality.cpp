@@ -3,6 +3,7 @@
 
 #include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
+#include "ir/s7300/statement_role.hpp"
 
 namespace rungproof {
 
@@ -12,6 +13,11 @@ void checkAri004(const Facts& facts, FindingSink& sink) {
   for (const InstructionPlace& place : facts.instructions()) {
     const Instruction& instruction = *place.instruction;
     const Desc& desc = *instruction.desc;
+    if (statementRole(instruction) == StatementRole::CompareRealEqual) {
+      Finding& finding = sink.report(instruction.span, fmt::format("{} compares real numbers for equality", desc.stl));
+      finding.help = "results are rounded to about six digits; compare with a lower and an upper limit";
+      continue;
+    }
     if (desc.execution != Execution::Compare || desc.operandCount == 0 || desc.operands[0].type != Type::Real) continue;
     if (desc.relation != Relation::Equal && desc.relation != Relation::NotEqual) continue;
     Finding& finding =

@@ -21,6 +21,7 @@ bool isStructure(const Instruction& instruction) {
     case Control::Return:
     case Control::InterruptReturn:
     case Control::MainEnd:
+    case Control::BlockEnd:
     case Control::SubroutineHead:
     case Control::InterruptHead: return true;
     default: return false;
@@ -29,6 +30,8 @@ bool isStructure(const Instruction& instruction) {
 
 void checkCtl005(const Facts& facts, FindingSink& sink) {
   for (const Flow& flow : facts.plan().flows) {
+    // S7-300/400: labels lead on behind BEU and JU, and an unreadable line may have been a jump to one.
+    if (flow.pou->type != BlockType::None && facts.hasUnreadCode(*flow.pou)) continue;
     const Instruction* first = nullptr;
     std::size_t count = 0;
     const auto report = [&] {
@@ -56,7 +59,7 @@ void checkCtl005(const Facts& facts, FindingSink& sink) {
 bool isMarkOrEnd(const Instruction& instruction) {
   const Control control = instruction.desc->control;
   return control == Control::LabelMark || control == Control::Return || control == Control::InterruptReturn ||
-         control == Control::MainEnd;
+         control == Control::MainEnd || control == Control::BlockEnd;
 }
 
 /// Networks at their first instruction; the body of a loop is CTL003's.
@@ -92,12 +95,11 @@ extern constexpr Rule ctl005_unreachable_code = {
     .needs = Needs::FlowThenSolver,
     .detects = "instructions that no path reaches",
     .why = "dead code is downloaded and trusted",
-    .manual = "001:5782-5801, 001:6735",
+    .manual = "001:5782-5801, 001:6735, 002:2790-2824",
     .bad = "Network 1\nLD SM0.0\nJMP 1\nNetwork 2\nLD I0.0\n= Q0.0\nNetwork 3\nLBL 1\n",
     .good = "Network 1\nLD I0.1\nJMP 1\nNetwork 2\nLD I0.0\n= Q0.0\nNetwork 3\nLBL 1\n",
     .falsePositives = "code switched off for a time by a jump on SM0.0",
     .peers = "SA0001; CP2; iec-checker CP2",
-    .dialects = dialect::S7200,
     .surplus = true,
     .check = checkCtl005,
     .ask = {.in = asked::Lint, .turn = 83, .cost = 4, .wantsYes = true, .program = askCtl005},

@@ -11,12 +11,19 @@ namespace rungproof {
 
 namespace {
 
+/// S7-300/400: UC FC[MW10] may call any block.
+bool callsByNumber(const Facts& facts) {
+  return std::ranges::any_of(facts.calls().sites(), [](const CallSite& site) {
+    return !site.instruction->operands.empty() && site.instruction->operands[0].kind == OperandKind::Indirect;
+  });
+}
+
 void checkCtl007(const Facts& facts, FindingSink& sink) {
-  if (facts.hasHiddenCode() || facts.program().main() == nullptr) return;
+  if (facts.hasHiddenCode() || facts.program().main() == nullptr || callsByNumber(facts)) return;
   for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block) {
     const Pou& pou = facts.program().pous[block];
     const Flow& flow = facts.plan().flows[block];
-    if (pou.kind == PouKind::Main || flow.steps.empty()) continue;
+    if (pou.kind == PouKind::Main || pou.type == BlockType::Ob || flow.steps.empty()) continue;
     const bool isInterrupt = pou.kind == PouKind::Interrupt;
     const std::span<const std::uint32_t> calls = facts.calls().callsOf(block);
     const bool isCalled = std::any_of(calls.begin(), calls.end(),
@@ -35,7 +42,7 @@ extern constexpr Rule ctl007_routine_never_used = {
     .title = "Routine never used",
     .severity = Severity::Note,
     .needs = Needs::Text,
-    .detects = "a subroutine without a CALL, an interrupt routine without an ATCH",
+    .detects = "a subroutine, FC or FB without a call, an interrupt routine without an ATCH",
     .why = "a dead routine, or a forgotten call",
     .manual = "001:2062, 001:2078",
     .bad =
@@ -47,7 +54,6 @@ extern constexpr Rule ctl007_routine_never_used = {
         "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\n= Q0.1\nEND_SUBROUTINE_BLOCK\n",
     .falsePositives = "routines kept for another variant of the machine",
     .peers = "SA0031; CP2; plceye S0003/S0004",
-    .dialects = dialect::S7200,
     .check = checkCtl007,
 };
 

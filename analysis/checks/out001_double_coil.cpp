@@ -8,6 +8,7 @@
 
 #include "analysis/asking/asking.hpp"
 #include "analysis/flow/facts.hpp"
+#include "analysis/flow/step7_blocks.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -22,6 +23,16 @@ bool runsAlways(const Facts& facts, std::uint32_t id) {
   return point.isReachable && point.skippedBy == nullptr && facts.execution().runs(facts.blockOf(id)) == Runs::Once;
 }
 
+/// Whether jumps and block ends let a scan run one of them at most.
+bool excludeEachOther(const Facts& facts, std::span<const std::uint32_t> coils) {
+  for (std::size_t i = 0; i < std::min(coils.size(), mostRelated); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (mayRunInOneScan(facts, coils[i], coils[k])) return false;
+    }
+  }
+  return coils.size() <= mostRelated;
+}
+
 void checkOut001(const Facts& facts, FindingSink& sink) {
   std::vector<std::uint32_t> coils;
   for (std::uint32_t key = 0; key < facts.bits().size(); ++key) {
@@ -34,13 +45,13 @@ void checkOut001(const Facts& facts, FindingSink& sink) {
       if (access.area != Area::L && isCoil(roleOf(facts.instruction(access.instruction))) && !isDead)
         coils.push_back(access.instruction);
     }
-    if (coils.size() < 2) continue;
+    if (coils.size() < 2 || (facts.plan().isStep7() && excludeEachOther(facts, coils))) continue;
     const Instruction& second = facts.instruction(coils[1]);
     const std::string bit = facts.bitName(key);
     Finding& finding = sink.report(
         second.span, fmt::format("{} is driven by {} coils; the last one that runs in a scan wins", bit, coils.size()));
     finding.address = toString(second.operands[0]);
-    finding.help = "join the conditions with OLD in one network, or use S and R";
+    finding.help = "join the conditions in front of one coil, or use S and R";
     for (std::size_t i = 0; i < std::min(coils.size(), mostRelated + 1); ++i) {
       if (i == 1) continue;
       finding.related.push_back({facts.instruction(coils[i]).span,

@@ -91,6 +91,7 @@ extern constexpr Rule out005_block_covers_foreign_bit = {
         "a general switch-off over outputs that coils drive later in the scan: put it behind all of them, where it is "
         "no finding, or into their conditions",
     .peers = "SA0028 (nearest)",
+    .dialects = dialect::S7200,
     .check = checkOut005,
 };
 

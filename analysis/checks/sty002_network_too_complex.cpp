@@ -59,6 +59,7 @@ extern constexpr Rule sty002_network_too_complex = {
     .bad = "Network 1\nLD I0.0\nLD I0.1\nLD I0.2\nLD I0.3\nLD I0.4\nLD I0.5\nALD\nOLD\nALD\nOLD\nALD\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\nA I0.1\nLD I0.2\nA I0.3\nOLD\n= Q0.0\n",
     .peers = "L3; L6; CP9; SA0178; SA0150",
+    .dialects = dialect::S7200,
     .enabledByDefault = false,
     .standsAlone = true,
     .options = options,

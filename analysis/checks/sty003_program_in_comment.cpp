@@ -112,6 +112,7 @@ extern constexpr Rule sty003_program_in_comment = {
     .good = "Network 1\nLD I0.0\n= Q0.0\n// lamp test\nLD I0.3\n= Q0.5\n",
     .falsePositives = "instructions that a comment describes: write them in quotes or behind a colon",
     .peers = "SA0140; C4",
+    .dialects = dialect::S7200,
     .standsAlone = true,
     .check = checkSty003,
 };

@@ -45,7 +45,7 @@ void checkSub001(const Facts& facts, FindingSink& sink) {
     reported.insert(block);
     Finding& finding = sink.report(call.instruction->span,
                                    fmt::format("{} calls itself: {}", facts.program().pous[block].name, names));
-    finding.help = "use a loop; local memory and the eight levels of nesting are limited (001:6744-6746)";
+    finding.help = "use a loop; local memory and the levels of nesting are limited";
   }
 }
 
@@ -58,8 +58,8 @@ extern constexpr Rule sub001_recursion = {
     .needs = Needs::Text,
     .detects = "a subroutine that reaches itself by any chain of calls",
     .why =
-        "allowed \"with care\", but each call takes a level of nesting and its own local memory, and there are eight "
-        "levels",
+        "allowed \"with care\", but each call takes a level of nesting and its own local memory, of which there is "
+        "little: eight levels on the S7-200",
     .manual = "001:6744-6746",
     .bad =
         "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\nCALL SBR0\nEND_ORGANIZATION_BLOCK\n"
@@ -68,7 +68,6 @@ extern constexpr Rule sub001_recursion = {
         "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD I0.0\nCALL SBR0\nEND_ORGANIZATION_BLOCK\n"
         "SUBROUTINE_BLOCK SBR_0:SBR0\nBEGIN\nNetwork 1\nLD I0.1\n= Q0.1\nEND_SUBROUTINE_BLOCK\n",
     .peers = "SA0160; CP13; ironplc P4005; iec-checker CP13 (direct calls only)",
-    .dialects = dialect::S7200,
     .check = checkSub001,
 };
 

@@ -30,13 +30,20 @@ void checkFrom(const Facts& facts, FindingSink& sink, std::uint32_t root, int al
       call->instruction->span,
       fmt::format("{} is call level {} below {}; {} {} allowed: {}", Facts::text(*call->instruction), allowed + 1,
                   facts.program().pous[root].name, allowed, allowed == 1 ? "is" : "are", names));
-  finding.help = "call from a higher level; at run time the call ends with error 0008 (001:13956)";
+  finding.help = isStep7(facts.target())
+                     ? "call from a higher level; at run time the CPU goes to STOP"
+                     : "call from a higher level; at run time the call ends with error 0008 (001:13956)";
 }
 
 void checkSub002(const Facts& facts, FindingSink& sink) {
   std::vector<std::uint8_t> reported(facts.program().pous.size(), 0);
   for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block) {
     const PouKind kind = facts.program().pous[block].kind;
+    if (isStep7(facts.target())) {
+      const int allowed = step7Row(facts.target().cpu).nesting;
+      if (facts.program().pous[block].type == BlockType::Ob) checkFrom(facts, sink, block, allowed, reported);
+      continue;
+    }
     if (kind == PouKind::Main) checkFrom(facts, sink, block, static_cast<int>(mainNesting), reported);
     if (kind == PouKind::Interrupt)
       checkFrom(facts, sink, block, cpuFeatures(facts.target()).interruptNesting, reported);
@@ -54,8 +61,8 @@ extern constexpr Rule sub002_nesting_too_deep = {
     .needs = Needs::Text,
     .detects =
         "calls nested more than 8 levels below the main program, or more than 1 (S7-200 SMART: 4) below an interrupt "
-        "routine",
-    .why = "the ninth call is not executed and gives run-time error 0008",
+        "routine; S7-300/400: more blocks in a row than the CPU allows for one OB",
+    .why = "the ninth call is not executed and gives run-time error 0008; an S7-300/400 goes to STOP",
     .manual = "001:5444, 001:6744-6746, 001:13956",
     .bad =
         "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.1\nATCH INT0, 0\nENI\nEND_ORGANIZATION_BLOCK\n"
@@ -68,7 +75,6 @@ extern constexpr Rule sub002_nesting_too_deep = {
         "INTERRUPT_BLOCK INT_0:INT0\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0\nEND_INTERRUPT_BLOCK\n",
     .falsePositives = "a chain of conditional calls that never runs to its end",
     .peers = "Omron illegal nesting",
-    .dialects = dialect::S7200,
     .check = checkSub002,
     .ask = {.in = asked::Builtin,
             .turn = 30,

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "analysis/flow/dataflow_locals.hpp"
+#include "analysis/flow/step7_blocks.hpp"
+#include "analysis/flow/step7_locals.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -32,7 +34,23 @@ const Instruction* conditionalWriter(const Facts& facts, const Flow& flow, const
   return writers == 1 || isLatchesOnly ? first : nullptr;
 }
 
+void checkOutputs(const Facts& facts, FindingSink& sink) {
+  eachOwnBlock(facts, [&](std::uint32_t block, const Flow& flow) {
+    for (const OutputGap& gap : unwrittenOutputs(facts, block)) {
+      Finding& finding = sink.report(
+          gap.output->span.length > 0 ? gap.output->span : flow.steps.front().instruction->span,
+          gap.isNeverWritten ? fmt::format("output {} of {} is never written", gap.output->name, flow.pou->name)
+                             : fmt::format("output {} of {} is not written on every path through it", gap.output->name,
+                                           flow.pou->name));
+      finding.address = "#" + gap.output->name;
+      if (gap.exit != nullptr) finding.related.push_back({gap.exit->span, "the block can be left here"});
+      finding.help = "write the output before the first jump; without that the caller keeps its old value, or gets any";
+    }
+  });
+}
+
 void checkSub004(const Facts& facts, FindingSink& sink) {
+  if (facts.plan().isStep7()) return checkOutputs(facts, sink);
   for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block) {
     const Pou& pou = facts.program().pous[block];
     const Flow& flow = facts.plan().flows[block];
@@ -73,11 +91,11 @@ extern constexpr Rule sub004_output_not_written = {
     .needs = Needs::Flow,
     .detects =
         "a path through the routine that leaves an OUT parameter untouched; an OUT parameter written only by S and R, "
-        "or by one box with an enable",
+        "or by one box with an enable; S7-300/400: an output or the return value of an FC that a path leaves out",
     .why =
         "the caller gets whatever local memory held: outputs keep nothing between calls, and S and R write only with "
         "power flow",
-    .manual = "001:1373, 001:6782-6784",
+    .manual = "001:1373, 001:6782-6784, 002:154-159",
     .bad =
         "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\nNetwork 1\nLD SM0.0\nCALL SBR0, I0.0, Q0.0\nEND_ORGANIZATION_BLOCK\n"
         "SUBROUTINE_BLOCK SBR_0:SBR0\nVAR_INPUT\nStart:BOOL;\nEND_VAR\nVAR_OUTPUT\nRun:BOOL;\nEND_VAR\nBEGIN\nNetwork "
@@ -87,7 +105,6 @@ extern constexpr Rule sub004_output_not_written = {
         "SUBROUTINE_BLOCK SBR_0:SBR0\nVAR_INPUT\nStart:BOOL;\nEND_VAR\nVAR_OUTPUT\nRun:BOOL;\nEND_VAR\nBEGIN\nNetwork "
         "1\nLD L0.0\n= L0.1\nEND_SUBROUTINE_BLOCK\n",
     .peers = "SA0022",
-    .dialects = dialect::S7200,
     .check = checkSub004,
 };
 

@@ -3,13 +3,30 @@
 #include <fmt/format.h>
 
 #include "analysis/flow/dataflow_locals.hpp"
+#include "analysis/flow/step7_blocks.hpp"
+#include "analysis/flow/step7_locals.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
 
 namespace {
 
+void checkTemps(const Facts& facts, FindingSink& sink) {
+  eachOwnBlock(facts, [&](std::uint32_t block, const Flow& flow) {
+    for (const TempRead& read : unwrittenTemps(facts, block)) {
+      Finding& finding =
+          sink.report(read.operand->span,
+                      fmt::format("{} reads {} before {} has written it{}", Facts::text(*read.instruction),
+                                  toString(*read.operand), flow.pou->name, read.isOnEveryPath ? "" : " on every path"));
+      if (!read.isOnEveryPath) finding.severity = Severity::Note;
+      finding.address = toString(*read.operand);
+      finding.help = "temporary data is any value when a block starts; write it first, or declare it in VAR";
+    }
+  });
+}
+
 void checkSub005(const Facts& facts, FindingSink& sink) {
+  if (facts.plan().isStep7()) return checkTemps(facts, sink);
   for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block) {
     if (facts.program().pous[block].protectedBlock || facts.hasUnreadCode(block)) continue;
     for (const LocalRead& read : localFlow(facts, block).unwritten) {
@@ -33,13 +50,13 @@ extern constexpr Rule sub005_local_read_before_written = {
     .title = "Local memory read before written",
     .severity = Severity::Warning,
     .needs = Needs::Flow,
-    .detects = "L memory or a TEMP variable that some path reads first",
+    .detects =
+        "L memory or a TEMP variable that some path reads first; S7-300/400: a note where other paths have written it",
     .why = "local memory is not initialised: any value may be read, also one of another block",
-    .manual = "001:1371-1373",
+    .manual = "001:1371-1373, 002:200-204",
     .bad = "Network 1\nLD I0.0\nINCW LW0\nMOVW LW0, VW0\n",
     .good = "Network 1\nLD SM0.0\nMOVW VW0, LW0\nINCW LW0\nMOVW LW0, VW0\n",
     .peers = "CP3",
-    .dialects = dialect::S7200,
     .check = checkSub005,
 };
 

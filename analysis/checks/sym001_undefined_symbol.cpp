@@ -59,6 +59,7 @@ extern constexpr Rule sym001_undefined_symbol = {
     .good = "Network 1\nLD I0.0\n= Q0.0\n",
     .falsePositives = "the symbol table was not given: name it with --symbols",
     .peers = "ironplc P4007; plceye S0002",
+    .dialects = dialect::S7200,
     .refuses = true,
     .check = checkSym001,
 };

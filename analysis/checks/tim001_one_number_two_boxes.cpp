@@ -47,6 +47,7 @@ extern constexpr Rule tim001_one_number_two_boxes = {
     .good = "Network 1\nLD I0.0\nTON T37, +10\nNetwork 2\nLD I0.1\nTON T38, +20\nNetwork 3\nLD T37\nO T38\n= Q0.0\n",
     .falsePositives = "boxes in code of which only one part runs per scan",
     .peers = "Omron duplicate timers/counters; SA0105; CP20",
+    .dialects = dialect::S7200,
     .check = checkTim001,
 };
 

@@ -108,6 +108,7 @@ extern constexpr Rule tim007_preset_out_of_range = {
     .bad = "Network 1\nLD I0.0\nTON T37, +0\nNetwork 2\nLD T37\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\nTON T37, +10\nNetwork 2\nLD T37\n= Q0.0\n",
     .peers = "SA0056 (constants only)",
+    .dialects = dialect::S7200,
     .check = checkTim007,
     .ask = {.in = asked::Builtin, .turn = 50, .cost = 3, .program = askTim007},
 };

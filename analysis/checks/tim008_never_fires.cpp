@@ -47,6 +47,7 @@ extern constexpr Rule tim008_never_fires = {
     .bad = "Network 1\nLD I0.0\nEU\nTON T37, +10\nNetwork 2\nLD T37\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\nTON T37, +10\nNetwork 2\nLD T37\n= Q0.0\n",
     .falsePositives = "a timer that is only used through its current value",
+    .dialects = dialect::S7200,
     .ask = {.in = asked::Builtin, .turn = 40, .cost = 3, .wantsYes = true, .box = askTim008},
     .tell = {.advice = "look at the input and the preset"},
 };

@@ -53,6 +53,7 @@ extern constexpr Rule tim010_equality_on_running_value = {
     .good = "Network 1\nLD I0.0\nTON T33, +100\nNetwork 2\nLDW>= T33, +40\n= Q0.0\n",
     .falsePositives = "a counter whose box runs in every scan moves by one at a time: reported as a note",
     .peers = "CP28; Frama-PLC E2.1",
+    .dialects = dialect::S7200,
     .check = checkTim010,
 };
 

@@ -91,6 +91,7 @@ extern constexpr Rule tim012_counter_cannot_work = {
     .manual = "001:3994-4005",
     .bad = "Network 1\nLD I0.0\nLD SM0.0\nCTU C1, +10\nNetwork 2\nLD C1\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\nLD I0.1\nCTU C1, +10\nNetwork 2\nLD C1\n= Q0.0\n",
+    .dialects = dialect::S7200,
     .check = checkTim012,
     .ask = {.in = asked::Lint, .turn = 84, .cost = 3, .wantsYes = true, .program = askTim012},
     .tell = {.advice = "the last load before the box is the reset or load input (001:3994-4004)"},

@@ -1,16 +1,19 @@
-// TIM014: EU or ED in code that is left out in some scans. The detector remembers the value of its last run, not of the
-// last scan: a change that comes while the code is left out is seen late, or not at all. One finding for each jump,
-// step or block, at its first detector. Tested by its examples and tests/rules/timer_rules_test.cpp.
+// TIM014: EU or ED, FP or FN in code that is left out in some scans. The detector remembers the value of its last run,
+// not of the last scan: a change that comes while the code is left out is seen late, or not at all. One finding for
+// each jump, step or block, at its first detector. Tested by its examples and tests/rules/timer_rules_test.cpp.
 #include <fmt/format.h>
 
 #include "analysis/flow/skipped_code.hpp"
 #include "analysis/rule.hpp"
+#include "ir/s7300/statement_role.hpp"
 
 namespace rungproof {
 
 namespace {
 
-bool isEdgeDetector(const Instruction& instruction) { return isEdge(roleOf(instruction)); }
+bool isEdgeDetector(const Instruction& instruction) {
+  return isEdge(roleOf(instruction)) || statementRole(instruction) == StatementRole::Edge;
+}
 
 void checkTim014(const Facts& facts, FindingSink& sink) {
   for (const SkippedCode& edges : skippedCode(facts, isEdgeDetector)) {
@@ -37,7 +40,8 @@ extern constexpr Rule tim014_edge_while_skipped = {
     .severity = Severity::Note,
     .needs = Needs::Flow,
     .detects =
-        "EU or ED inside a range that a jump may skip, in a subroutine called on a condition, behind a conditional "
+        "EU, ED, FP or FN inside a range that a jump may skip, in a subroutine called on a condition, behind a "
+        "conditional "
         "return, or in an SCR segment",
     .why =
         "the detector compares with the value of its last run: what changes while it is left out counts as an edge "

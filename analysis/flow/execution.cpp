@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "analysis/flow/statement_paths.hpp"
+#include "ir/s7300/block.hpp"
+
 namespace rungproof {
 
 namespace {
@@ -12,6 +15,11 @@ bool isAlways(const StackRun& stack, const Instruction& instruction) {
 }
 bool isNever(const StackRun& stack, const Instruction& instruction) {
   return (stack.at(instruction.id).flow & condition::Never) != 0;
+}
+/// OB100 to OB102 run once, before the first scan (002:1367-1415).
+bool isStartUpBlock(const Pou& pou) {
+  const int number = numberOfBlock(pou.number);
+  return pou.type == BlockType::Ob && number >= 100 && number <= 102;
 }
 
 }  // namespace
@@ -46,6 +54,12 @@ void ExecutionTable::reach(const Flow& flow, const StackRun& stack) {
     const Instruction& instruction = *step.instruction;
     bool goesOn = true;
     switch (instruction.desc->control) {
+      case Control::Branch:
+      case Control::Distributor:
+      case Control::BlockEnd:
+        eachNext(flow, at, go);
+        goesOn = false;
+        break;
       case Control::Jump:
         if (step.partner != noPartner && !isNever(stack, instruction)) go(step.partner);
         if (step.partner != noPartner && isAlways(stack, instruction)) goesOn = false;
@@ -85,7 +99,10 @@ void ExecutionTable::sweep(const Flow& flow, const StackRun& stack) {
       skipper = &instruction;
     };
     switch (instruction.desc->control) {
+      case Control::BlockEnd: skipTo(end); break;
       case Control::Jump:
+      case Control::Branch:
+      case Control::Distributor:
         if (step.partner == noPartner || isNever(stack, instruction)) break;
         if (step.partner > i) {
           skipTo(step.partner);
@@ -163,6 +180,8 @@ void ExecutionTable::count(const Program& program, const CallGraph& calls, const
   };
   for (std::uint32_t b = 0; b < blocks; ++b) {
     if (program.pous[b].kind == PouKind::Main) certain[b] = possible[b] = 1;
+    if (program.pous[b].type == BlockType::Ob) possible[b] = 1;
+    if (isStartUpBlock(program.pous[b])) conditions_[b] = condition::FirstScan;
     if (isLive(b) && missing[b] == 0) close(b);
   }
   const auto propagate = [&](std::uint32_t block) {
@@ -178,7 +197,9 @@ void ExecutionTable::count(const Program& program, const CallGraph& calls, const
       if (point.isReachable && (flow & condition::Never) == 0) {
         const int times = point.inLoop ? 2 : 1;
         possible[site.callee] = std::min(possible[site.callee] + times * possible[block], 1000);
-        if ((flow & condition::Always) != 0 && point.skippedBy == nullptr) certain[site.callee] += certain[block];
+        const bool isAlwaysCalled =
+            (flow & condition::Always) != 0 || statementRole(*site.instruction) == StatementRole::Call;
+        if (isAlwaysCalled && point.skippedBy == nullptr) certain[site.callee] += certain[block];
         Condition known = flow | point.within | conditions_[block];
         known &= condition::FirstScan | condition::Pulse;
         conditions_[site.callee] =

@@ -1,6 +1,10 @@
 // Running rules over a program.
 #include "analysis/lint/lint.hpp"
 
+#include <algorithm>
+
+#include "analysis/flow/step7_blocks.hpp"
+
 namespace rungproof {
 
 namespace {
@@ -33,7 +37,16 @@ std::vector<Finding> runRules(const Facts& facts, const RuleSelection& selection
     sink.begin(*rule);
     rule->check(facts, sink);
   }
-  return sink.take();
+  std::vector<Finding> findings = sink.take();
+  // What is to be said about the texts of library blocks is not the program's business.
+  std::vector<bool> isLibraryFile(facts.program().sources->size(), false);
+  for (const Pou& pou : facts.program().pous) {
+    if (isLibraryText(facts.program(), pou)) isLibraryFile[pou.span.file] = true;
+  }
+  std::erase_if(findings, [&](const Finding& finding) {
+    return finding.span.file < isLibraryFile.size() && isLibraryFile[finding.span.file];
+  });
+  return findings;
 }
 
 }  // namespace rungproof

@@ -39,11 +39,11 @@ struct Linted {
     for (const Finding& finding : of(id)) result.push_back(finding.message);
     return result;
   }
-  /// Findings of all rules that are on by default, as "ADR001 line: message".
+  /// Findings of all rules that are on by default and know the dialect, as "ADR001 line: message".
   std::vector<std::string> all(Severity atLeast = Severity::Note) const {
     std::vector<std::string> result;
     for (const Rule* rule : allRules()) {
-      if (rule->check == nullptr || !rule->enabledByDefault) continue;
+      if (rule->check == nullptr || !rule->enabledByDefault || !knows(*rule, program.target)) continue;
       for (const Finding& finding : of(rule->id)) {
         if (finding.severity < atLeast) continue;
         result.push_back(finding.rule + " " + std::to_string(program.sources->position(finding.span).line) + ": " +

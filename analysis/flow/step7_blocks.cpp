@@ -1,0 +1,80 @@
+// Tells blocks by where their text stands and by who calls them.
+#include "analysis/flow/step7_blocks.hpp"
+
+#include <fmt/format.h>
+
+#include "analysis/flow/statement_paths.hpp"
+#include "ir/s7300/block.hpp"
+
+namespace rungproof {
+
+bool isLibraryText(const Program& program, const Pou& pou) {
+  if (pou.type == BlockType::None || pou.type == BlockType::Ob) return false;
+  return pou.name.starts_with(blockName(pou.number) + " ") && program.sources->file(pou.span.file).name() == pou.name;
+}
+
+bool isStartUpOnly(const Facts& facts, std::uint32_t block) {
+  std::vector<std::uint8_t> seen(facts.program().pous.size(), 0);
+  std::vector<std::uint32_t> open{block};
+  seen[block] = 1;
+  bool isCalled = false;
+  while (!open.empty()) {
+    const std::uint32_t at = open.back();
+    open.pop_back();
+    const Pou& pou = facts.program().pous[at];
+    const int number = numberOfBlock(pou.number);
+    if (pou.type == BlockType::Ob && (number < 100 || number > 102)) return false;
+    isCalled = isCalled || pou.type == BlockType::Ob;
+    for (const std::uint32_t site : facts.calls().callsOf(at)) {
+      const std::uint32_t caller = facts.calls().sites()[site].caller;
+      if (seen[caller] != 0) continue;
+      seen[caller] = 1;
+      open.push_back(caller);
+    }
+  }
+  return isCalled;
+}
+
+bool mayRunInOneScan(const Facts& facts, std::uint32_t a, std::uint32_t b) {
+  if (facts.blockOf(a) != facts.blockOf(b)) return true;
+  return mayRunBoth(facts.flowOf(a), facts.place(a).step, facts.place(b).step);
+}
+
+bool mayRunTwice(const Facts& facts, std::uint32_t block) {
+  std::vector<std::uint8_t> seen(facts.program().pous.size(), 0);
+  std::vector<std::uint32_t> open{block};
+  seen[block] = 1;
+  while (!open.empty()) {
+    const std::uint32_t at = open.back();
+    open.pop_back();
+    std::vector<std::uint32_t> calls;
+    for (const std::uint32_t site : facts.calls().callsOf(at)) {
+      const CallSite& call = facts.calls().sites()[site];
+      if (!facts.calls().reachedFromMain(call.caller) || isStartUpOnly(facts, call.caller)) continue;
+      if (facts.execution().at(call.instruction->id).inLoop) return true;
+      for (const std::uint32_t other : calls) {
+        if (mayRunInOneScan(facts, other, call.instruction->id)) return true;
+      }
+      calls.push_back(call.instruction->id);
+      if (seen[call.caller] != 0) continue;
+      seen[call.caller] = 1;
+      open.push_back(call.caller);
+    }
+  }
+  return false;
+}
+
+std::string placeKey(const Facts& facts, std::uint32_t block, const Operand& operand) {
+  if (operand.kind == OperandKind::Direct && operand.area != Area::L)
+    return addressName(operand.area, operand.width, operand.offset, operand.bit);
+  const bool isInstance = operand.reach != nullptr && operand.reach->way == Way::Instance;
+  if (!isInstance && operand.area != Area::L) return {};
+  return fmt::format("{}: {} {}.{}", facts.program().pous[block].name, isInstance ? "#" : "L", operand.offset,
+                     operand.bit);
+}
+
+std::string networkText(const Facts& facts, std::uint32_t instruction) {
+  return fmt::format("network {} of {}", facts.networkOf(instruction).number, facts.pouOf(instruction).name);
+}
+
+}  // namespace rungproof

@@ -1,0 +1,80 @@
+// What an instruction of the S7-300/400 is for, in the words of those who follow a block statement by statement: which
+// ones join the RLO, which use it, which move registers. The meanings stand in ir/s7300/isa; here only their kinds.
+// Tested by tests/ir/step7_role_test.cpp.
+#pragma once
+
+#include <cstdint>
+
+#include "ir/program.hpp"
+
+namespace rungproof {
+
+enum class StatementRole : std::uint8_t {
+  Other,
+  AndScan,
+  OrScan,
+  XorScan,   ///< A, O, X and their negations, with an operand
+  OrOfAnds,  ///< O without operand
+  Open,
+  Close,             ///< A( and its kind; )
+  Edge,              ///< FP, FN
+  Compare,           ///< ==I and its kind: a new RLO
+  CompareRealEqual,  ///< ==R, <>R: the same
+  Negate,
+  SetRlo,
+  ClearRlo,
+  Save,    ///< RLO into BR
+  Assign,  ///< =
+  Latch,   ///< S and R of a bit
+  StartTimer,
+  ResetTimer,
+  FreeTimer,
+  CountUp,
+  CountDown,
+  SetCounter,
+  ResetCounter,
+  FreeCounter,
+  JumpAlways,
+  JumpByRlo,       ///< JC, JCN
+  JumpKeepingRlo,  ///< JCB, JNB: RLO into BR
+  JumpByBr,
+  JumpByResult,  ///< by OV, OS, CC1 and CC0
+  Loop,
+  Distributor,
+  End,  ///< BE, BEU
+  EndByRlo,
+  Call,  ///< CALL, UC
+  CallByRlo,
+  OpenRelay,  ///< MCR(
+  Relay,      ///< )MCR, MCRA, MCRD
+  Load,
+  Transfer,
+  TransferStatus,
+  LoadAr1,
+  LoadAr2,
+  StoreAr1,
+  StoreAr2,
+  Ar2ToAr1,
+  Ar1ToAr2,
+  ExchangeAr,
+  MoveAr1,
+  MoveAr2,  ///< +AR1, +AR2
+  OpenBlock,
+  ExchangeBlocks,
+  FromBcd,
+  IntegerMath,  ///< a binary number in ACCU1
+  Nothing       ///< NOP, BLD
+};
+
+constexpr bool isComparison(StatementRole role) {
+  return role == StatementRole::Compare || role == StatementRole::CompareRealEqual;
+}
+/// Other for what no one asks about, and for every instruction of another family.
+StatementRole statementRole(const Instruction& instruction);
+/// Whether it starts a timer, or moves or sets a counter, when its RLO rises or falls.
+constexpr bool remembersRlo(StatementRole role) {
+  return role == StatementRole::StartTimer || role == StatementRole::CountUp || role == StatementRole::CountDown ||
+         role == StatementRole::SetCounter;
+}
+
+}  // namespace rungproof

@@ -1,0 +1,49 @@
+// Kinds of the statements of the S7-300/400: named ones, and that no instruction of another family has one.
+#include <gtest/gtest.h>
+
+#include "ir/s7200/isa.hpp"
+#include "ir/s7300/isa.hpp"
+#include "ir/s7300/statement_role.hpp"
+
+namespace rungproof {
+namespace {
+
+StatementRole roleNamed(std::string_view mnemonic) {
+  Instruction instruction;
+  instruction.desc = s7300Instructions().named(mnemonic);
+  return statementRole(instruction);
+}
+
+TEST(StatementRole, TellsWhatSharesAnOperandOrALetterApart) {
+  EXPECT_EQ(roleNamed("A"), StatementRole::AndScan);
+  EXPECT_EQ(roleNamed("AW"), StatementRole::Other);  // a word operation
+  EXPECT_EQ(roleNamed("S"), StatementRole::Latch);
+  EXPECT_EQ(roleNamed("S C"), StatementRole::SetCounter);
+  EXPECT_EQ(roleNamed("SE"), StatementRole::StartTimer);
+  EXPECT_EQ(roleNamed("SET"), StatementRole::SetRlo);
+  EXPECT_EQ(roleNamed("LAR1 AR2"), StatementRole::Ar2ToAr1);
+  EXPECT_EQ(roleNamed("JNB"), StatementRole::JumpKeepingRlo);
+  EXPECT_EQ(roleNamed("JNBI"), StatementRole::JumpByBr);
+  EXPECT_EQ(roleNamed("L DBNO"), StatementRole::Other);
+}
+
+TEST(StatementRole, EveryJumpCallAndEndHasOne) {
+  for (const Desc& desc : s7300Instructions().all()) {
+    const bool moves = desc.control == Control::Branch || desc.control == Control::Distributor ||
+                       desc.control == Control::BlockEnd || desc.control == Control::BlockCall;
+    Instruction instruction;
+    instruction.desc = &desc;
+    EXPECT_TRUE(!moves || statementRole(instruction) != StatementRole::Other) << desc.stl;
+  }
+}
+
+TEST(StatementRole, NoneOfTheOtherFamily) {
+  for (const Desc& desc : s7200Instructions().all()) {
+    Instruction instruction;
+    instruction.desc = &desc;
+    EXPECT_EQ(statementRole(instruction), StatementRole::Other) << desc.stl;
+  }
+}
+
+}  // namespace
+}  // namespace rungproof
