@@ -41,7 +41,8 @@ void checkOut001(const Facts& facts, FindingSink& sink) {
     for (const std::uint32_t i : facts.bits().at(key)) {
       const Access& access = facts.access(i);
       const bool isDead = !facts.execution().at(access.instruction).isReachable ||
-                          facts.execution().runs(facts.blockOf(access.instruction)) == Runs::Never;
+                          facts.execution().runs(facts.blockOf(access.instruction)) == Runs::Never ||
+                          isStartUpOnly(facts, facts.blockOf(access.instruction));
       if (access.area != Area::L && isCoil(roleOf(facts.instruction(access.instruction))) && !isDead)
         coils.push_back(access.instruction);
     }

@@ -37,6 +37,7 @@ class Lexer {
 
  private:
   Token next() {
+    if (text_[at_] == '%' && at_ + 1 < text_.size() && isWordStart(text_[at_ + 1])) ++at_;  // %Q0.0, as TIA writes
     const std::size_t start = at_;
     if (isDigit(text_[at_])) return number(start);
     if (isWordStart(text_[at_])) {

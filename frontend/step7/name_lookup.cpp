@@ -56,8 +56,11 @@ std::optional<rungproof::Operand> placeNamed(const Program& program, std::string
       if (const Symbol* symbol = program.symbolNamed(read.operand.name)) return symbol->address;
     }
     // Motor.Speed: a data block's name without its marks, DB10.Speed.
-    if (read.operand.form == OperandForm::Local && read.operand.path.size() > 1 && !text.starts_with('#'))
-      return placeOfParts(program, read.operand.path[0].name, std::span(read.operand.path).subspan(1), text);
+    const bool isPath =
+        read.operand.form == OperandForm::Local && read.operand.path.size() > 1 && !text.starts_with('#');
+    if (!isPath) continue;
+    const auto parts = std::span(read.operand.path).subspan(1);
+    if (auto place = placeOfParts(program, read.operand.path[0].name, parts, text)) return place;
   }
   return std::nullopt;
 }

@@ -157,6 +157,7 @@ class StatementParser {
       cursor_.skipBlanks();
     }
     if (cursor_.peek() == ';') return;
+    skipAttributes();
     const std::uint32_t back = cursor_.at();
     std::vector<Span> between;
     cursor_.skipSpace(between);
@@ -167,6 +168,15 @@ class StatementParser {
     }
     cursor_.to(back);
     if (cursor_.atLineEnd()) listing();
+  }
+
+  /// { time_type := 'Time' }, which TIA writes behind the block of a call.
+  void skipAttributes() {
+    const std::uint32_t back = cursor_.at();
+    std::vector<Span> between;
+    cursor_.skipSpace(between);
+    const std::size_t close = cursor_.peek() == '{' ? cursor_.text().find('}', cursor_.at()) : std::string_view::npos;
+    cursor_.to(close == std::string_view::npos ? back : static_cast<std::uint32_t>(close) + 1);
   }
 
   /// One NAME := actual at the cursor, which begins a name.

@@ -57,7 +57,7 @@ inline std::size_t readAndLint(const std::string& text) {
   const RuleSettings settings;
   FindingSink sink(program, settings);
   for (const Rule* rule : allRules()) {
-    if (rule->check == nullptr) continue;
+    if (rule->check == nullptr || !knows(*rule, program.target)) continue;
     sink.begin(*rule);
     rule->check(facts, sink);
   }

@@ -14,6 +14,9 @@ TEST(CarriedRules, CoilsAndLatches) {
        {"a bit of a data block", 1, db(1, "X : BOOL;") + ob1("A I 0.0;\n= DB1.DBX 0.0;\nA I 0.1;\n= DB1.DBX 0.0;")},
        {"one coil", 0, ob1("A I 0.0;\nO I 0.1;\n= Q 0.0;")},
        {"either here or there", 0, ob1("A I 0.0;\nJC m;\nA I 0.1;\n= Q 0.0;\nBEU;\nm: A I 0.2;\n= Q 0.0;")},
+       {"given a first value in the start-up", 0,
+        "ORGANIZATION_BLOCK OB 100\nBEGIN\nNETWORK\nCLR;\n= Q 0.0;\nEND_ORGANIZATION_BLOCK\n" +
+            ob1("A I 0.0;\n= Q 0.0;")},
        {"two outputs of one string", 0, ob1("A I 0.0;\n= Q 0.0;\n= Q 0.1;")},
        {"the compiler's bits of parameters", 0, ob1("A I 0.0;\n= L 20.0;\nA L 20.0;\n= Q 0.0;\nA I 0.1;\n= L 20.0;")}});
   expectFindings("OUT002", {{"= and S", 1, ob1("A I 0.0;\n= Q 0.0;\nA I 0.1;\nS Q 0.0;")},

@@ -198,6 +198,15 @@ TEST(Bind, ActualParameters) {
                                         " MW2 T4 'P#M 6.0 WORD 1' DBB1:0 DBW1:0 DB1:0.1");
 }
 
+TEST(Bind, AttributesOfACallSayNothingAboutItsParameters) {
+  const Program program = read7(
+      "DATA_BLOCK DB 1\nSFB 4\nBEGIN\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nCALL SFB 4, DB 1\n"
+      "{ time_type := 'Time' }\n( IN := I 0.0 ,\n PT := T#1s\n);\nEND_ORGANIZATION_BLOCK\n");
+  EXPECT_EQ(findings7(program), "");
+  EXPECT_EQ(show7(*program.main()),
+            "CALL SFB4=" + std::to_string(blockNumber(BlockType::Sfb, 4)) + " DBB1:0 I0.0 T#1S=1000 - -");
+}
+
 TEST(Bind, AListWithoutHeadIsOb1) {
   const Program program = read7("      L     MW    10\n      T     MW    12\n      CLR\n      =     Q 0.0\n");
   EXPECT_EQ(findings7(program), "");

@@ -98,6 +98,8 @@ TEST(Projects, NamesOfDataForProperties) {
   EXPECT_EQ(placeOf("DB20.DBW2"), "DBW20:2");
   EXPECT_EQ(placeOf("\"Book\".Missing"), "nothing");
   EXPECT_EQ(placeOf("I0.0"), "I0.0");
+  EXPECT_EQ(placeOf("A16.1"), "Q16.1");  // German: no data block is called A16
+  EXPECT_EQ(placeOf("EW2"), "IW2");
   EXPECT_EQ(placeOf("T5"), "T5");
   EXPECT_EQ(placeOf("PIW256"), "PIW256");
 }
