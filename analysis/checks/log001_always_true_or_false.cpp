@@ -82,6 +82,7 @@ extern constexpr Rule log001_always_true_or_false = {
     .good = "Network 1\nLD I0.0\nLPS\nA I0.1\n= M0.0\nLPP\nAN I0.1\n= M0.1\nNetwork 2\nLD M0.0\nO M0.1\n= Q0.0\n",
     .falsePositives = "a rung that waits for memory which a panel or the network writes: declare it with //@ external",
     .peers = "SA0059; SA0062; Frama-PLC E4.1",
+    .dialects = dialect::S7200,
     .ask = {.in = asked::Lint, .turn = 60, .cost = 4, .wantsYes = true, .program = askLog001},
     .tell = {.advice = "a contact is missing, of the wrong kind, or at the wrong address"},
     .explainedBy = log001Explained,

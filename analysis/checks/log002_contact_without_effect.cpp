@@ -46,6 +46,7 @@ extern constexpr Rule log002_contact_without_effect = {
     .good = "Network 1\nLD I0.0\nA I0.1\nA I0.2\n= Q0.0\n",
     .falsePositives = "an interlock that other networks happen to guarantee, and that is kept in case they change",
     .peers = "Rockwell \"shorted branch\"",
+    .dialects = dialect::S7200,
     .ask = {.in = asked::Lint, .turn = 71, .cost = 5, .wantsYes = true, .program = askLog002},
     .tell = {.advice = "remove it, or put it where it is needed"},
     .explainedBy = log002Explained,

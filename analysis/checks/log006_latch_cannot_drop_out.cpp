@@ -133,6 +133,7 @@ extern constexpr Rule log006_latch_cannot_drop_out = {
     .bad = "Network 1\nLD I0.0\nO Q0.0\n= Q0.0\n",
     .good = "Network 1\nLD I0.0\nO Q0.0\nAN I0.1\n= Q0.0\n",
     .falsePositives = "a fault memory that is meant to last until the next start",
+    .dialects = dialect::S7200,
     .ask = {.in = asked::Lint, .turn = 61, .cost = 3, .wantsYes = true, .program = askLog006},
     .tell = {.advice = "put the contact that ends it in series behind the holding contact, or mend the reset"},
     .explainedBy = log006Explained,

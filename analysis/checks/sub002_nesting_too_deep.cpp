@@ -50,7 +50,7 @@ void checkSub002(const Facts& facts, FindingSink& sink) {
   }
 }
 
-constexpr Hazard sub002Hazards[] = {Hazard::NestingTooDeep};
+constexpr Hazard sub002Hazards[] = {Hazard::NestingTooDeep, Hazard::S7Nesting};
 
 }  // namespace
 
