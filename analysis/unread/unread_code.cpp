@@ -10,10 +10,15 @@
 #include "analysis/lint/lint.hpp"
 #include "ir/s7200/call_contract.hpp"
 #include "ir/s7300/block.hpp"
+#include "ir/s7300/coverage.hpp"
+#include "ir/s7300/organization_block.hpp"
 
 namespace rungproof {
 
 namespace {
+
+using s7300::Gap;
+using s7300::gapReason;
 
 constexpr std::string_view uncoveredBody = "SYN037";  // frontend/stl/syntax_message.hpp
 constexpr std::string_view symbolRow = "SYN029";      // a name that is missed is reported where it is used
@@ -186,10 +191,11 @@ class UnreadCode::Collector {
   /// S7-300/400: blocks that the system starts, blocks without text, and what is read but not modelled. Registers are
   /// handed on over networks, so that whatever is left out may have an effect on everything.
   void ofStep7() {
-    const auto isModelled = [](int number) { return number == 1 || number == 100 || number == 121; };
     for (const Pou& pou : program_.pous) {
-      if (pou.type != BlockType::Ob || isModelled(numberOfBlock(pou.number))) continue;
-      add(blockName(pou.number), "what starts it is not modelled", pou.span).isUnlimited = true;
+      if (pou.type != BlockType::Ob) continue;
+      const s7300::OrganizationBlock* row = s7300::organizationBlock(numberOfBlock(pou.number));
+      if (row != nullptr && row->isModelled) continue;
+      add(blockName(pou.number), std::string(gapReason(Gap::OrganizationBlock)), pou.span).isUnlimited = true;
     }
     for (const InstructionPlace& place : facts_.instructions()) {
       const Instruction& instruction = *place.instruction;
@@ -206,16 +212,16 @@ class UnreadCode::Collector {
   /// What of an instruction is not modelled; empty: nothing.
   std::string step7Gap(const Instruction& instruction) const {
     for (const Operand& operand : instruction.operands) {
-      if (operand.kind == OperandKind::Text) return "POINTER and ANY as parameters are not modelled";
+      if (operand.kind == OperandKind::Text) return std::string(gapReason(Gap::PointerParameter));
       if (operand.kind == OperandKind::Address && operand.reach != nullptr && operand.reach->way == Way::Parameter)
-        return "the address of a parameter is not modelled";
+        return std::string(gapReason(Gap::ParameterAddress));
     }
     if (instruction.desc->control != Control::BlockCall || instruction.operands.empty()) return {};
     const Operand& block = instruction.operands[0];
     if (block.kind != OperandKind::Constant || block.value == blockNumber(BlockType::Sfc, 46)) return {};
     const Pou* callee = program_.subroutine(static_cast<int>(block.value));
-    if (callee == nullptr) return fmt::format("{} is in no file", blockName(static_cast<int>(block.value)));
-    return callee->protectedBlock ? "its statements are in no file" : "";
+    if (callee == nullptr) return std::string(gapReason(Gap::MissingBlock));
+    return callee->protectedBlock ? std::string(gapReason(Gap::ProtectedBlock)) : "";
   }
 
   /// Blocks without text: who calls or attaches them runs something that nobody has read. A contract says what it may

@@ -8,6 +8,7 @@
 #include "frontend/explain/idea_page.hpp"
 #include "frontend/explain/instruction_page.hpp"
 #include "frontend/explain/rule_page.hpp"
+#include "frontend/explain/step7_page.hpp"
 #include "frontend/files/closest_word.hpp"
 #include "frontend/files/json.hpp"
 #include "frontend/settings/code_list.hpp"
@@ -17,6 +18,7 @@
 #include "ir/manual.hpp"
 #include "ir/s7200/isa.hpp"
 #include "ir/s7200/special_memory.hpp"
+#include "ir/s7300/cpu.hpp"
 
 namespace rungproof {
 
@@ -160,11 +162,29 @@ std::string wrapped(std::string_view text) {
   return result + "  " + line + "\n";
 }
 
+std::optional<Page> familyPage(const std::string& word, const Settings& settings, const Paint& paint) {
+  const std::string& set = settings.text(Opt::Mnemonics);
+  const Mnemonics mnemonics = set == "german"          ? Mnemonics::German
+                              : set == "international" ? Mnemonics::International
+                                                       : Mnemonics::Auto;
+  const auto page = step7Page(word, mnemonics, paint);
+  return page ? std::optional(Page{page->text, page->json}) : std::nullopt;
+}
+
+/// --dialect or --cpu names the S7-300/400.
+bool asksForStep7(const Settings& settings) {
+  return settings.text(Opt::Dialect).starts_with("s7-3") || settings.text(Opt::Dialect).starts_with("s7-4") ||
+         isStep7(settings.target());
+}
+
 std::optional<Page> pageOf(const std::string& word, const Settings& settings, const Paint& paint) {
   std::string upper = word;
   std::transform(upper.begin(), upper.end(), upper.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   if (const Rule* rule = ruleNamed(word)) return Page{rulePage(*rule, paint), ruleJson(*rule)};
+  if (asksForStep7(settings)) {
+    if (auto page = familyPage(upper, settings, paint)) return page;
+  }
   if (word == "hazards") return hazardsPage(paint);
   if (word == "choices") return choicesPage(paint, settings);
   if (upper == "SM") return specialMemoryPage(settings.target(), paint);
@@ -191,8 +211,14 @@ std::optional<Page> pageOf(const std::string& word, const Settings& settings, co
   const Desc* desc = s7200Instructions().named(upper);
   if (desc == nullptr) desc = s7200Instructions().alias(upper);
   if (desc == nullptr) desc = s7200Instructions().namedGerman(upper);
-  if (desc != nullptr) return Page{instructionPage(*desc, paint), instructionJson(*desc)};
-  return std::nullopt;
+  if (desc == nullptr) return familyPage(upper, settings, paint);
+  Page page{instructionPage(*desc, paint), instructionJson(*desc)};
+  if (isStep7Instruction(upper)) {
+    page.text +=
+        fmt::format("\n  Not the same in the S7-300 and S7-400: rungproof explain '{}' --dialect s7-300\n", word);
+    page.json["alsoIn"] = "s7-300";
+  }
+  return page;
 }
 
 Failure unknown(const std::string& word) {

@@ -1,0 +1,271 @@
+// Pages from the tables of the family.
+#include "frontend/explain/step7_page.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "frontend/explain/instruction_page.hpp"
+#include "frontend/step7/library_source.hpp"
+#include "frontend/text/columns.hpp"
+#include "ir/manual.hpp"
+#include "ir/s7300/block.hpp"
+#include "ir/s7300/coverage.hpp"
+#include "ir/s7300/fbd_box.hpp"
+#include "ir/s7300/isa.hpp"
+#include "ir/s7300/library.hpp"
+#include "ir/s7300/organization_block.hpp"
+#include "ir/s7300/status_effect.hpp"
+
+namespace rungproof {
+
+namespace {
+
+using s7300::FbdBox;
+using s7300::LibraryBlock;
+using s7300::OrganizationBlock;
+
+/// As it is written: the table calls an O without operand OR, and L of a timer L T.
+std::string writtenName(const Desc& desc, bool german) {
+  const std::string_view name = german && !desc.german.empty() ? desc.german : desc.stl;
+  return std::string(desc.drawn == "O" ? desc.drawn : name);
+}
+
+std::string statusLine(const Desc& desc) {
+  const std::string_view bits = s7300::statusEffect(desc);
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < bits.size(); ++i) {
+    if (bits[i] == '-') continue;
+    parts.push_back(bits[i] == 'x' ? std::string(s7300::statusBitNames[i])
+                                   : fmt::format("{} = {}", s7300::statusBitNames[i], bits[i]));
+  }
+  return parts.empty() ? "no bit of the status word" : fmt::format("{}", fmt::join(parts, ", "));
+}
+
+Step7Page pageOfInstruction(const Desc& desc, const Paint& paint) {
+  const std::string name = writtenName(desc, false), german = writtenName(desc, true);
+  Step7Page page;
+  page.text = fmt::format("{}: {}\n\n", paint.bold(name), desc.meaning);
+  std::vector<TextRow> rows;
+  if (german != name) rows.push_back({"German", german});
+  rows.push_back({"Group", std::string(desc.group)});
+  rows.push_back({"Family", "S7-300 and S7-400"});
+  rows.push_back({"Writes", statusLine(desc)});
+  if (!desc.manual.empty()) rows.push_back({"Manual", manualPlace(desc.manual)});
+  appendRows(page.text, rows, 16);
+  page.json = {{"stl", name},           {"german", german},      {"meaning", desc.meaning},
+               {"group", desc.group},   {"manual", desc.manual}, {"status", s7300::statusEffect(desc)},
+               {"family", "S7-300/400"}};
+  page.json["operands"] = Json::array();
+  if (desc.operandCount == 0) return page;
+  page.text += fmt::format("\n  {}\n", paint.bold("Operands"));
+  for (int i = 0; i < desc.operandCount; ++i) {
+    const OperandDesc& operand = desc.operand(i);
+    const std::string forms = operand.type == Type::Parameter ? "as the block declares them" : formsText(operand.forms);
+    appendParagraph(page.text,
+                    fmt::format("{}{}: {}", operand.name, operand.optional ? " (may be left out)" : "", forms), 4);
+    page.json["operands"].push_back({{"name", operand.name}, {"forms", forms}});
+  }
+  return page;
+}
+
+Step7Page pageOfBox(const FbdBox& box, const Paint& paint) {
+  const std::string expansion = expansionOf(box);
+  Step7Page page;
+  page.text = fmt::format("{}: {}\n\n", paint.bold(std::string(box.name)), box.title);
+  std::vector<TextRow> rows;
+  if (!box.german.empty()) rows.push_back({"German", std::string(box.german)});
+  rows.push_back({"Drawn in", "LAD and FBD of the S7-300 and S7-400"});
+  if (const auto pins = pinsOf(box); !pins.empty()) rows.push_back({"Pins", fmt::format("{}", fmt::join(pins, ", "))});
+  rows.push_back({"Same as", expansion});
+  rows.push_back({"Manual", manualPlace(box.manual)});
+  appendRows(page.text, rows, 16);
+  page.json = {{"box", box.name},         {"german", box.german}, {"meaning", box.title},
+               {"statements", expansion}, {"pins", pinsOf(box)},  {"manual", box.manual}};
+  return page;
+}
+
+std::string numbersOf(const OrganizationBlock& row) {
+  return row.first == row.last ? fmt::format("OB{}", row.first) : fmt::format("OB{} to OB{}", row.first, row.last);
+}
+
+Step7Page pageOfOb(int number, const OrganizationBlock& row, const Paint& paint) {
+  const std::string name = fmt::format("OB{}", number);
+  const std::string_view covered = row.isModelled ? "modelled" : "NOT COVERED";
+  Step7Page page;
+  page.text = fmt::format("{}: {}\n\n", paint.bold(name), row.kind);
+  appendRows(page.text,
+             {{"Started by", std::string(row.event)},
+              {"Kind", numbersOf(row)},
+              {"Model", row.isModelled ? std::string(covered)
+                                       : fmt::format("{}: {}", covered, gapReason(s7300::Gap::OrganizationBlock))},
+              {"Manual", manualPlace(row.manual)}},
+             16);
+  page.json = {{"block", name}, {"kind", row.kind}, {"event", row.event}, {"model", covered}, {"manual", row.manual}};
+  return page;
+}
+
+std::string nameOfBlock(const LibraryBlock& block) { return blockName(blockNumber(block.type, block.number)); }
+
+/// modelled, or how far the model goes.
+std::string_view modelOf(const LibraryBlock& block) {
+  return step7::isModelled(block) ? "modelled: its statements are known" : "NOT COVERED: only its parameters are known";
+}
+
+Step7Page pageOfLibraryBlock(const LibraryBlock& block, const Paint& paint) {
+  const std::string name = nameOfBlock(block);
+  Step7Page page;
+  page.text = fmt::format("{}: {}, a block of {}\n\n", paint.bold(name), block.name,
+                          block.type == BlockType::Fc ? "the standard libraries" : "the CPU");
+  page.json = {{"block", name}, {"name", block.name}, {"model", modelOf(block)}};
+  page.json["parameters"] = Json::array();
+  appendRows(page.text, {{"Model", std::string(modelOf(block))}}, 16);
+  static constexpr std::string_view sections[] = {"input", "output", "in and out"};
+  const auto structure = interfaceOf(block);
+  std::vector<TextRow> rows;
+  for (const s7300::Field& field : structure->fields) {
+    if (field.section > s7300::Section::InOut) continue;
+    const std::string_view section = sections[static_cast<std::size_t>(field.section)];
+    rows.push_back({field.name, fmt::format("{}, {}", section, s7300::toString(field.type))});
+    page.json["parameters"].push_back(
+        {{"name", field.name}, {"section", section}, {"type", s7300::toString(field.type)}});
+  }
+  if (rows.empty()) return page;
+  page.text += fmt::format("\n  {}\n", paint.bold("Parameters"));
+  for (TextRow& row : rows) row.left = "  " + row.left;
+  appendRows(page.text, rows, 22);
+  return page;
+}
+
+/// "SFC 20", "OB35": kind and number.
+std::optional<std::pair<std::string_view, int>> blockWord(std::string_view word) {
+  for (const std::string_view kind : {"SFC", "SFB", "OB", "FC"}) {
+    if (!word.starts_with(kind)) continue;
+    std::string_view digits = word.substr(kind.size());
+    while (digits.starts_with(' ')) digits.remove_prefix(1);
+    int number = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (error != std::errc() || end != digits.data() + digits.size()) continue;
+    return std::pair(kind, number);
+  }
+  return std::nullopt;
+}
+
+std::optional<Step7Page> pageOfBlock(std::string_view word, const Paint& paint) {
+  if (const LibraryBlock* block = s7300::libraryBlockNamed(word)) return pageOfLibraryBlock(*block, paint);
+  const auto named = blockWord(word);
+  if (!named) return std::nullopt;
+  const auto [kind, number] = *named;
+  if (kind == "OB") {
+    const OrganizationBlock* row = s7300::organizationBlock(number);
+    return row == nullptr ? std::nullopt : std::optional(pageOfOb(number, *row, paint));
+  }
+  const BlockType type = kind == "SFC" ? BlockType::Sfc : kind == "SFB" ? BlockType::Sfb : BlockType::Fc;
+  const LibraryBlock* block = s7300::libraryBlock(type, static_cast<std::uint32_t>(number));
+  return block == nullptr ? std::nullopt : std::optional(pageOfLibraryBlock(*block, paint));
+}
+
+/// "SFB 0 to 5, SFC 41, 42" of numbers in order.
+std::string numberText(std::string_view kind, const std::vector<int>& numbers) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < numbers.size();) {
+    std::size_t end = i;
+    while (end + 1 < numbers.size() && numbers[end + 1] == numbers[end] + 1) ++end;
+    const bool isRange = end > i + 2;
+    for (std::size_t k = i; !isRange && k <= end; ++k) parts.push_back(fmt::format("{}", numbers[k]));
+    if (isRange) parts.push_back(fmt::format("{} to {}", numbers[i], numbers[end]));
+    i = end + 1;
+  }
+  return fmt::format("{} {}", kind, fmt::join(parts, ", "));
+}
+
+std::string joinedWithAnd(std::vector<std::string> parts) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  return text;
+}
+
+std::string modelledBlocks() {
+  std::vector<std::string> parts;
+  for (const auto& [type, kind] : {std::pair(BlockType::Sfb, "SFB"), {BlockType::Sfc, "SFC"}, {BlockType::Fc, "FC"}}) {
+    std::vector<int> numbers;
+    for (const LibraryBlock& block : s7300::libraryBlocks()) {
+      if (block.type == type && step7::isModelled(block)) numbers.push_back(block.number);
+    }
+    if (!numbers.empty()) parts.push_back(numberText(kind, numbers));
+  }
+  return joinedWithAnd(std::move(parts));
+}
+
+std::string modelledObs() {
+  std::vector<std::string> parts;
+  for (const OrganizationBlock& row : s7300::organizationBlocks()) {
+    if (row.isModelled) parts.push_back(numbersOf(row));
+  }
+  return joinedWithAnd(std::move(parts));
+}
+
+Step7Page coveragePage(const Paint& paint) {
+  Step7Page page{paint.bold("Not covered of the S7-300 and S7-400") +
+                     "\n\nNothing is proved beside code that holds one of these:\n\n",
+                 Json::array()};
+  for (const std::string& line : step7NotCovered()) {
+    appendParagraph(page.text, "- " + line, 2);
+    page.json.push_back(line);
+  }
+  return page;
+}
+
+}  // namespace
+
+std::vector<std::string> step7NotCovered() {
+  std::vector<std::string> lines;
+  for (const s7300::GapRow& row : s7300::gapRows()) {
+    std::string line(row.subject);
+    if (row.gap == s7300::Gap::OrganizationBlock) line += " " + modelledObs();
+    if (row.gap == s7300::Gap::LibraryBlock) line += " " + modelledBlocks();
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+bool isStep7Instruction(std::string_view word) {
+  return s7300Instructions().named(word) != nullptr || s7300Instructions().namedGerman(word) != nullptr;
+}
+
+std::optional<Step7Page> step7Page(std::string_view word, Mnemonics mnemonics, const Paint& paint) {
+  if (word == "COVERAGE") return coveragePage(paint);
+  std::vector<Step7Page> pages;
+  std::vector<const Desc*> found;
+  const auto take = [&](const Desc& desc) {
+    if (desc.stl == "LABEL" || std::ranges::find(found, &desc) != found.end()) return;
+    found.push_back(&desc);
+    pages.push_back(pageOfInstruction(desc, paint));
+  };
+  for (const Desc& desc : s7300Instructions().all()) {
+    const std::string international = writtenName(desc, false), german = writtenName(desc, true);
+    const bool isNamed = (mnemonics != Mnemonics::German && international == word) ||
+                         (mnemonics != Mnemonics::International && german == word);
+    if (isNamed) take(desc);
+  }
+  // L alone loads what L T, L C and L STW do not.
+  for (const Desc& desc : s7300Instructions().all()) {
+    if (!found.empty() && desc.stl.starts_with(fmt::format("{} ", word))) take(desc);
+  }
+  for (const FbdBox* box : s7300::fbdBoxesNamed(word)) {
+    if (found.empty()) pages.push_back(pageOfBox(*box, paint));
+  }
+  if (pages.empty()) return pageOfBlock(word, paint);
+  Step7Page all = std::move(pages.front());
+  for (std::size_t i = 1; i < pages.size(); ++i) {
+    if (i == 1) all.json = Json::array({all.json});
+    all.text += "\n" + pages[i].text;
+    all.json.push_back(pages[i].json);
+  }
+  return all;
+}
+
+}  // namespace rungproof

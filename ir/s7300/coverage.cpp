@@ -1,0 +1,25 @@
+// The rows, in the order of README.
+#include "ir/s7300/coverage.hpp"
+
+#include <array>
+
+namespace rungproof::s7300 {
+
+namespace {
+
+constexpr auto gapTable = std::to_array<GapRow>({
+    {Gap::OrganizationBlock, "organization blocks other than", "what starts it is not modelled"},
+    {Gap::PointerParameter, "POINTER and ANY as actual parameters", "POINTER and ANY as parameters are not modelled"},
+    {Gap::ParameterAddress, "`P##` of a parameter of an FC", "the address of a parameter is not modelled"},
+    {Gap::LibraryBlock, "blocks of the system but", "what it does is not modelled"},
+    {Gap::MissingBlock, "blocks that no file defines", "it is in no file"},
+    {Gap::ProtectedBlock, "protected blocks", "its statements are in no file"},
+    {Gap::HighDataBlock, "data blocks above DB8191", "its number is too high"},
+});
+
+}  // namespace
+
+std::span<const GapRow> gapRows() { return gapTable; }
+std::string_view gapReason(Gap gap) { return gapTable[static_cast<std::size_t>(gap)].reason; }
+
+}  // namespace rungproof::s7300

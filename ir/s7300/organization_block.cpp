@@ -1,0 +1,46 @@
+// One row for each kind.
+#include "ir/s7300/organization_block.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace rungproof::s7300 {
+
+namespace {
+
+constexpr auto organizationRows = std::to_array<OrganizationBlock>({
+    {1, 1, "main program", "the free cycle, over and over", "002:799", true},
+    {10, 17, "time-of-day interrupt", "a date and time, once or periodically; SFC 28 to 31", "002:1154", false},
+    {20, 23, "time-delay interrupt", "the end of a delay of 1 to 60000 ms that SFC 32 has started", "002:1190", false},
+    {30, 38, "cyclic interrupt", "its period", "002:1102", false},
+    {40, 47, "hardware interrupt", "a signal of a module", "002:1220", false},
+    {60, 60, "multicomputing interrupt", "SFC 35 in one of the CPUs", "002:812", false},
+    {80, 80, "time error", "the cycle monitoring, or a clock set past a time-of-day interrupt", "002:1296", false},
+    {81, 81, "power supply error", "a fault of a power supply or battery", "002:1299", false},
+    {82, 82, "diagnostic interrupt", "a module that reports a fault or its end", "002:1330", false},
+    {83, 83, "insert or remove module", "a module that is pulled or plugged", "002:1301", false},
+    {84, 84, "CPU hardware fault", "a fault of an interface of the CPU", "002:1302", false},
+    {85, 85, "program execution error", "a missing OB, or an access error while the images are moved", "002:1338",
+     false},
+    {86, 86, "rack failure", "the loss of a rack, subnet or station", "002:1347", false},
+    {87, 87, "communication error", "a fault of the communication", "002:1305", false},
+    {90, 90, "background", "the time that the minimum cycle leaves over", "002:813", false},
+    {100, 100, "warm restart", "the start of the CPU, once before OB1", "002:1367", true},
+    {101, 101, "hot restart", "the start of an S7-400 at the place where it was interrupted", "002:1389", false},
+    {102, 102, "cold restart", "the start of the CPU with all memory as loaded", "002:1383", false},
+    {121, 121, "programming error", "a synchronous error of an instruction; without it the CPU stops", "002:1282",
+     true},
+    {122, 122, "I/O access error", "a direct access to a module that is not there", "002:1292", false},
+});
+
+}  // namespace
+
+std::span<const OrganizationBlock> organizationBlocks() { return organizationRows; }
+
+const OrganizationBlock* organizationBlock(int number) {
+  const auto row = std::ranges::find_if(
+      organizationRows, [&](const OrganizationBlock& each) { return each.first <= number && number <= each.last; });
+  return row == organizationRows.end() ? nullptr : &*row;
+}
+
+}  // namespace rungproof::s7300
