@@ -17,9 +17,6 @@ namespace rungproof {
 
 namespace {
 
-using s7300::Gap;
-using s7300::gapReason;
-
 constexpr std::string_view uncoveredBody = "SYN037";  // frontend/stl/syntax_message.hpp
 constexpr std::string_view symbolRow = "SYN029";      // a name that is missed is reported where it is used
 constexpr std::size_t mostTexts = 20;                 ///< lines about unread parts in a report
@@ -195,7 +192,8 @@ class UnreadCode::Collector {
       if (pou.type != BlockType::Ob) continue;
       const s7300::OrganizationBlock* row = s7300::organizationBlock(numberOfBlock(pou.number));
       if (row != nullptr && row->isModelled) continue;
-      add(blockName(pou.number), std::string(gapReason(Gap::OrganizationBlock)), pou.span).isUnlimited = true;
+      add(blockName(pou.number), std::string(s7300::gapReason(s7300::Gap::OrganizationBlock)), pou.span).isUnlimited =
+          true;
     }
     for (const InstructionPlace& place : facts_.instructions()) {
       const Instruction& instruction = *place.instruction;
@@ -212,16 +210,16 @@ class UnreadCode::Collector {
   /// What of an instruction is not modelled; empty: nothing.
   std::string step7Gap(const Instruction& instruction) const {
     for (const Operand& operand : instruction.operands) {
-      if (operand.kind == OperandKind::Text) return std::string(gapReason(Gap::PointerParameter));
+      if (operand.kind == OperandKind::Text) return std::string(s7300::gapReason(s7300::Gap::PointerParameter));
       if (operand.kind == OperandKind::Address && operand.reach != nullptr && operand.reach->way == Way::Parameter)
-        return std::string(gapReason(Gap::ParameterAddress));
+        return std::string(s7300::gapReason(s7300::Gap::ParameterAddress));
     }
     if (instruction.desc->control != Control::BlockCall || instruction.operands.empty()) return {};
     const Operand& block = instruction.operands[0];
     if (block.kind != OperandKind::Constant || block.value == blockNumber(BlockType::Sfc, 46)) return {};
     const Pou* callee = program_.subroutine(static_cast<int>(block.value));
-    if (callee == nullptr) return std::string(gapReason(Gap::MissingBlock));
-    return callee->protectedBlock ? std::string(gapReason(Gap::ProtectedBlock)) : "";
+    if (callee == nullptr) return std::string(s7300::gapReason(s7300::Gap::MissingBlock));
+    return callee->protectedBlock ? std::string(s7300::gapReason(s7300::Gap::ProtectedBlock)) : "";
   }
 
   /// Blocks without text: who calls or attaches them runs something that nobody has read. A contract says what it may

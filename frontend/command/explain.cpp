@@ -163,7 +163,7 @@ std::string wrapped(std::string_view text) {
 }
 
 std::optional<Page> familyPage(const std::string& word, const Settings& settings, const Paint& paint) {
-  const std::string& set = settings.text(Opt::Mnemonics);
+  const std::string_view set = settings.text(Opt::Mnemonics);
   const Mnemonics mnemonics = set == "german"          ? Mnemonics::German
                               : set == "international" ? Mnemonics::International
                                                        : Mnemonics::Auto;

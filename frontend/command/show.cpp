@@ -15,7 +15,10 @@
 #include "frontend/picture/network_view.hpp"
 #include "frontend/simulation/stimulus_reader.hpp"
 #include "frontend/simulation/trace_file.hpp"
+#include "frontend/step7/source_writer.hpp"
 #include "frontend/stl/stl_lexer.hpp"
+#include "ir/s7300/block.hpp"
+#include "ir/s7300/cpu.hpp"
 
 namespace rungproof {
 
@@ -98,7 +101,10 @@ class Show {
 
  private:
   void readArguments() {
-    options_.form = arguments_.form == "fbd" ? Form::Fbd : arguments_.form == "stl" ? Form::Stl : Form::Ladder;
+    options_.form = arguments_.form == "fbd"                               ? Form::Fbd
+                    : arguments_.form == "stl" || arguments_.form == "awl" ? Form::Stl
+                                                                           : Form::Ladder;
+    if (arguments_.form == "awl") options_.mnemonics = step7::MnemonicSet::German;
     options_.width = arguments_.width;
     isSvg_ = arguments_.svg || context_.outputs.front().name == "svg" || arguments_.output.ends_with(".svg");
     if (isSvg_ && arguments_.ascii) failures_.push_back({"--ascii is a form of text, not of SVG"});
@@ -131,9 +137,15 @@ class Show {
     for (const Finding& finding : report.findings) {
       if (finding.severity >= context_.settings.level()) options.findings.push_back(&finding);
     }
+    if (arguments_.form == "awl" && !isStep7(program.target)) {
+      failures_.push_back({"--as awl prints programs of the S7-300 and S7-400 only", files.front(), "write --as stl"});
+      return;
+    }
     for (const Pou& pou : program.pous) {
-      if (!isWanted(pou)) continue;
+      if (!isWanted(pou) || step7::isLibraryBlock(program, pou)) continue;
       BlockView block{blockHeading(pou), {}};
+      if (options.form == Form::Stl && pou.type != BlockType::None)
+        block.declarations = step7::declarationLines(program, pou);
       for (const Network& network : pou.networks) {
         if (isWanted(network)) block.networks.push_back(networkView(program, pou, network, options));
       }
@@ -144,7 +156,8 @@ class Show {
 
   bool isWanted(const Pou& pou) {
     return arguments_.pous.empty() || std::ranges::any_of(arguments_.pous, [&](const std::string& name) {
-             return equalsIgnoringCase(name, pou.name);
+             return equalsIgnoringCase(name, pou.name) ||
+                    (pou.type != BlockType::None && equalsIgnoringCase(name, blockName(pou.number)));
            });
   }
   bool isWanted(const Network& network) const {
@@ -212,8 +225,8 @@ class Show {
 Action setup(ArgumentTable& table) {
   auto arguments = std::make_shared<Arguments>();
   table.arguments("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input");
-  table.word("--as", arguments->form, {"lad", "ladder", "fbd", "stl"}, "lad|fbd|stl",
-             "draw as ladder, function block diagram or statement list (lad)");
+  table.word("--as", arguments->form, {"lad", "ladder", "fbd", "stl", "awl"}, "lad|fbd|stl|awl",
+             "draw as ladder, function block diagram or statement list (lad); awl: a list in SIMATIC mnemonics");
   table.flag("--svg", arguments->svg, "one SVG document instead of text");
   table.flag("--ascii", arguments->ascii, "text without box-drawing characters");
   table.list("--network", arguments->networks, "N", "only these networks, such as 3 or 2-5; may be repeated");
@@ -229,7 +242,7 @@ Action setup(ArgumentTable& table) {
 
 extern constexpr Command showCommand = {
     .name = "show",
-    .usage = "FILE... [--as lad|fbd|stl] [--svg] [--at TRACE:SCAN]",
+    .usage = "FILE... [--as lad|fbd|stl|awl] [--svg] [--at TRACE:SCAN]",
     .summary = "draw networks as ladder, FBD or STL",
     .details =
         "A network that has no picture in the wanted form is shown as STL with the reason. Findings of lint are\n"

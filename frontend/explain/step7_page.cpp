@@ -23,16 +23,6 @@ namespace rungproof {
 
 namespace {
 
-using s7300::FbdBox;
-using s7300::LibraryBlock;
-using s7300::OrganizationBlock;
-
-/// As it is written: the table calls an O without operand OR, and L of a timer L T.
-std::string writtenName(const Desc& desc, bool german) {
-  const std::string_view name = german && !desc.german.empty() ? desc.german : desc.stl;
-  return std::string(desc.drawn == "O" ? desc.drawn : name);
-}
-
 std::string statusLine(const Desc& desc) {
   const std::string_view bits = s7300::statusEffect(desc);
   std::vector<std::string> parts;
@@ -45,7 +35,7 @@ std::string statusLine(const Desc& desc) {
 }
 
 Step7Page pageOfInstruction(const Desc& desc, const Paint& paint) {
-  const std::string name = writtenName(desc, false), german = writtenName(desc, true);
+  const std::string name(writtenMnemonic(desc, false)), german(writtenMnemonic(desc, true));
   Step7Page page;
   page.text = fmt::format("{}: {}\n\n", paint.bold(name), desc.meaning);
   std::vector<TextRow> rows;
@@ -71,7 +61,7 @@ Step7Page pageOfInstruction(const Desc& desc, const Paint& paint) {
   return page;
 }
 
-Step7Page pageOfBox(const FbdBox& box, const Paint& paint) {
+Step7Page pageOfBox(const s7300::FbdBox& box, const Paint& paint) {
   const std::string expansion = expansionOf(box);
   Step7Page page;
   page.text = fmt::format("{}: {}\n\n", paint.bold(std::string(box.name)), box.title);
@@ -87,11 +77,11 @@ Step7Page pageOfBox(const FbdBox& box, const Paint& paint) {
   return page;
 }
 
-std::string numbersOf(const OrganizationBlock& row) {
+std::string numbersOf(const s7300::OrganizationBlock& row) {
   return row.first == row.last ? fmt::format("OB{}", row.first) : fmt::format("OB{} to OB{}", row.first, row.last);
 }
 
-Step7Page pageOfOb(int number, const OrganizationBlock& row, const Paint& paint) {
+Step7Page pageOfOb(int number, const s7300::OrganizationBlock& row, const Paint& paint) {
   const std::string name = fmt::format("OB{}", number);
   const std::string_view covered = row.isModelled ? "modelled" : "NOT COVERED";
   Step7Page page;
@@ -107,14 +97,14 @@ Step7Page pageOfOb(int number, const OrganizationBlock& row, const Paint& paint)
   return page;
 }
 
-std::string nameOfBlock(const LibraryBlock& block) { return blockName(blockNumber(block.type, block.number)); }
+std::string nameOfBlock(const s7300::LibraryBlock& block) { return blockName(blockNumber(block.type, block.number)); }
 
 /// modelled, or how far the model goes.
-std::string_view modelOf(const LibraryBlock& block) {
+std::string_view modelOf(const s7300::LibraryBlock& block) {
   return step7::isModelled(block) ? "modelled: its statements are known" : "NOT COVERED: only its parameters are known";
 }
 
-Step7Page pageOfLibraryBlock(const LibraryBlock& block, const Paint& paint) {
+Step7Page pageOfLibraryBlock(const s7300::LibraryBlock& block, const Paint& paint) {
   const std::string name = nameOfBlock(block);
   Step7Page page;
   page.text = fmt::format("{}: {}, a block of {}\n\n", paint.bold(name), block.name,
@@ -154,16 +144,16 @@ std::optional<std::pair<std::string_view, int>> blockWord(std::string_view word)
 }
 
 std::optional<Step7Page> pageOfBlock(std::string_view word, const Paint& paint) {
-  if (const LibraryBlock* block = s7300::libraryBlockNamed(word)) return pageOfLibraryBlock(*block, paint);
+  if (const s7300::LibraryBlock* block = s7300::libraryBlockNamed(word)) return pageOfLibraryBlock(*block, paint);
   const auto named = blockWord(word);
   if (!named) return std::nullopt;
   const auto [kind, number] = *named;
   if (kind == "OB") {
-    const OrganizationBlock* row = s7300::organizationBlock(number);
+    const s7300::OrganizationBlock* row = s7300::organizationBlock(number);
     return row == nullptr ? std::nullopt : std::optional(pageOfOb(number, *row, paint));
   }
   const BlockType type = kind == "SFC" ? BlockType::Sfc : kind == "SFB" ? BlockType::Sfb : BlockType::Fc;
-  const LibraryBlock* block = s7300::libraryBlock(type, static_cast<std::uint32_t>(number));
+  const s7300::LibraryBlock* block = s7300::libraryBlock(type, static_cast<std::uint32_t>(number));
   return block == nullptr ? std::nullopt : std::optional(pageOfLibraryBlock(*block, paint));
 }
 
@@ -192,7 +182,7 @@ std::string modelledBlocks() {
   std::vector<std::string> parts;
   for (const auto& [type, kind] : {std::pair(BlockType::Sfb, "SFB"), {BlockType::Sfc, "SFC"}, {BlockType::Fc, "FC"}}) {
     std::vector<int> numbers;
-    for (const LibraryBlock& block : s7300::libraryBlocks()) {
+    for (const s7300::LibraryBlock& block : s7300::libraryBlocks()) {
       if (block.type == type && step7::isModelled(block)) numbers.push_back(block.number);
     }
     if (!numbers.empty()) parts.push_back(numberText(kind, numbers));
@@ -202,7 +192,7 @@ std::string modelledBlocks() {
 
 std::string modelledObs() {
   std::vector<std::string> parts;
-  for (const OrganizationBlock& row : s7300::organizationBlocks()) {
+  for (const s7300::OrganizationBlock& row : s7300::organizationBlocks()) {
     if (row.isModelled) parts.push_back(numbersOf(row));
   }
   return joinedWithAnd(std::move(parts));
@@ -239,23 +229,10 @@ bool isStep7Instruction(std::string_view word) {
 std::optional<Step7Page> step7Page(std::string_view word, Mnemonics mnemonics, const Paint& paint) {
   if (word == "COVERAGE") return coveragePage(paint);
   std::vector<Step7Page> pages;
-  std::vector<const Desc*> found;
-  const auto take = [&](const Desc& desc) {
-    if (desc.stl == "LABEL" || std::ranges::find(found, &desc) != found.end()) return;
-    found.push_back(&desc);
-    pages.push_back(pageOfInstruction(desc, paint));
-  };
-  for (const Desc& desc : s7300Instructions().all()) {
-    const std::string international = writtenName(desc, false), german = writtenName(desc, true);
-    const bool isNamed = (mnemonics != Mnemonics::German && international == word) ||
-                         (mnemonics != Mnemonics::International && german == word);
-    if (isNamed) take(desc);
-  }
-  // L alone loads what L T, L C and L STW do not.
-  for (const Desc& desc : s7300Instructions().all()) {
-    if (!found.empty() && desc.stl.starts_with(fmt::format("{} ", word))) take(desc);
-  }
-  for (const FbdBox* box : s7300::fbdBoxesNamed(word)) {
+  const std::vector<const Desc*> found =
+      instructionsWritten(word, mnemonics != Mnemonics::German, mnemonics != Mnemonics::International);
+  for (const Desc* desc : found) pages.push_back(pageOfInstruction(*desc, paint));
+  for (const s7300::FbdBox* box : s7300::fbdBoxesNamed(word)) {
     if (found.empty()) pages.push_back(pageOfBox(*box, paint));
   }
   if (pages.empty()) return pageOfBlock(word, paint);

@@ -52,7 +52,7 @@ class TokenReader {
   std::uint32_t line_ = 1;
 };
 
-struct Variable {
+struct VcdVariable {
   std::string path;  ///< scopes and name, with points between
   std::string name;  ///< without the scopes
   CsvCell place;     ///< of its name
@@ -153,7 +153,7 @@ class VcdReader {
     const std::optional<double> width = list.size() < 4 ? std::nullopt : numberIn(list[1].text);
     if (!width || *width < 1 || *width > 1e6 || *width != std::floor(*width))
       return fail(begin, "this $var does not name type, width, code and name", "write $var wire 1 ! start $end");
-    Variable variable;
+    VcdVariable variable;
     variable.name = list[3].text.substr(0, list[3].text.find('['));
     if (const auto found = addresses_.find(variable.name); found != addresses_.end()) variable.name = found->second;
     if (variable.name.starts_with("%QX") || variable.name.starts_with("%IX") || variable.name.starts_with("%MX"))
@@ -208,12 +208,12 @@ class VcdReader {
       return fail(code, fmt::format("no variable has the code '{}'", code.text), "declare it with $var");
     if (!hasTime_) hasTime_ = true;  // values before the first time stand at 0
     for (const std::size_t i : found->second) {
-      Variable& variable = variables_[i];
+      VcdVariable& variable = variables_[i];
       variable.now = {cellText(value, text, sign, variable), value.line, value.column};
     }
   }
 
-  std::string cellText(const Token& token, std::string_view text, char sign, const Variable& variable) {
+  std::string cellText(const Token& token, std::string_view text, char sign, const VcdVariable& variable) {
     if (sign == 's' || sign == 'S') return "";
     if (sign == 'r' || sign == 'R') {
       const std::optional<double> number = numberIn(text);
@@ -251,16 +251,16 @@ class VcdReader {
     if ((table_.rows.size() + 1) * (variables_.size() + 1) > mostCells)
       return stop(Token{}, "the dump is too large", "export fewer signals, or a shorter time");
     std::vector<CsvCell> row = {{millisecondsText(timeUs_), timePlace_.line, timePlace_.column}};
-    for (const Variable& variable : variables_) row.push_back(variable.now);
+    for (const VcdVariable& variable : variables_) row.push_back(variable.now);
     table_.rows.push_back(std::move(row));
     times_.push_back(timeUs_);
   }
 
   void nameColumns() {
     std::map<std::string, int> uses;
-    for (const Variable& variable : variables_) ++uses[variable.name];
+    for (const VcdVariable& variable : variables_) ++uses[variable.name];
     table_.heading = {{"time_ms", 1, 1}};
-    for (const Variable& variable : variables_) {
+    for (const VcdVariable& variable : variables_) {
       CsvCell cell = variable.place;
       if (uses[variable.name] > 1 || import_.nameFor(variable.path)) cell.text = variable.path;
       table_.heading.push_back(std::move(cell));
@@ -269,7 +269,7 @@ class VcdReader {
 
   /// What rungproof wrote: the variable `scan` counts them, and a scan lasts until the next one begins.
   void finishScans() {
-    const auto counter = std::ranges::find(variables_, "scan", &Variable::name);
+    const auto counter = std::ranges::find(variables_, "scan", &VcdVariable::name);
     if (!isOwn_ || counter == variables_.end()) return;
     const auto column = static_cast<std::size_t>(counter - variables_.begin()) + 1;
     std::vector<std::vector<CsvCell>> scans;
@@ -297,7 +297,7 @@ class VcdReader {
   std::vector<Failure>& failures_;
   Token token_;
   std::vector<std::string> scopes_;
-  std::vector<Variable> variables_;
+  std::vector<VcdVariable> variables_;
   std::unordered_map<std::string, std::vector<std::size_t>> byCode_;
   std::map<std::string, std::string, std::less<>> addresses_;  ///< of variables that rungproof named
   std::vector<std::uint64_t> times_;                           ///< of the rows, in us

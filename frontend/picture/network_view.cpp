@@ -8,6 +8,7 @@
 #include "analysis/drawing/raise.hpp"
 #include "frontend/picture/placement.hpp"
 #include "frontend/picture/power_flow.hpp"
+#include "frontend/step7/source_writer.hpp"
 #include "frontend/stl/stl_writer.hpp"
 #include "frontend/text/excerpt.hpp"
 
@@ -35,9 +36,8 @@ std::string namesIn(const Program& program, const Instruction& instruction) {
   std::string names;
   for (const Operand& operand : instruction.operands) {
     const Symbol* symbol = program.symbolOf(operand);
-    const std::string name = !operand.text.empty() && operand.kind == OperandKind::Direct ? operand.text
-                             : symbol == nullptr                                          ? ""
-                                                                                          : symbol->name;
+    const bool hasName = !operand.text.empty() && operand.kind == OperandKind::Direct && operand.text[0] != '#';
+    const std::string name = hasName ? operand.text : symbol == nullptr ? "" : symbol->name;
     if (!name.empty()) names += (names.empty() ? "" : ", ") + name;
   }
   return names;
@@ -52,7 +52,8 @@ std::vector<StatementRow> statementRows(const Program& program, const Network& n
   std::vector<StatementRow> rows;
   for (const Instruction& instruction : network.instructions) {
     StatementRow row;
-    row.statement = writeInstruction(instruction);
+    row.statement = isStep7(program.target) ? step7::writeStatement(program, instruction, options.mnemonics)
+                                            : writeInstruction(instruction);
     row.names = namesIn(program, instruction);
     if (options.recorder != nullptr) {
       const InstructionRecord& record = options.recorder->of(instruction);
@@ -155,6 +156,8 @@ NetworkView networkView(const Program& program, const Pou& pou, const Network& n
 }
 
 std::string blockHeading(const Pou& pou) {
+  if (pou.type != BlockType::None)
+    return pou.title.empty() ? step7::blockTitle(pou) : fmt::format("{}  {}", step7::blockTitle(pou), pou.title);
   constexpr std::string_view prefixes[] = {"OB", "SBR", "INT"};
   std::string heading = fmt::format("{} ({}{})", pou.name, prefixes[static_cast<std::size_t>(pou.kind)], pou.number);
   if (!pou.title.empty()) heading += "  " + pou.title;
@@ -185,6 +188,8 @@ std::string viewText(const std::vector<BlockView>& blocks, const TextStyle& styl
   for (const BlockView& block : blocks) {
     if (!text.empty()) text += "\n";
     text += paint.bold(block.heading) + "\n";
+    if (!block.declarations.empty()) text += "\n";
+    for (const std::string& line : block.declarations) text += "  " + line + "\n";
     for (const NetworkView& view : block.networks) {
       text += "\n" + paint.bold(view.heading) + "\n";
       for (const std::string& comment : view.comments) {

@@ -8,6 +8,7 @@
 #include "engine/instruction_recorder.hpp"
 #include "frontend/picture/picture.hpp"
 #include "frontend/picture/text_picture.hpp"
+#include "frontend/step7/constant_parser.hpp"
 #include "ir/finding.hpp"
 #include "ir/program.hpp"
 
@@ -21,6 +22,7 @@ struct ViewOptions {
   int width = 100;                                ///< columns of a page
   std::vector<const Finding*> findings{};         ///< of the whole program; those in the network are taken
   const InstructionRecorder* recorder = nullptr;  ///< a scan to light, or nullptr
+  step7::MnemonicSet mnemonics = step7::MnemonicSet::International;  ///< of statements of the S7-300/400
 };
 
 struct ViewNote {
@@ -44,6 +46,7 @@ NetworkView networkView(const Program& program, const Pou& pou, const Network& n
 struct BlockView {
   std::string heading;  ///< "MAIN (OB1)  Tank filling"
   std::vector<NetworkView> networks;
+  std::vector<std::string> declarations{};  ///< lines above the networks
 };
 std::string blockHeading(const Pou& pou);
 

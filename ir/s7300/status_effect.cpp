@@ -27,7 +27,8 @@ constexpr auto effectRows = std::to_array<EffectRow>({
     {"xxxxxxxxx", ",T STW,"},
     {"-xxxx----", ",+I,-I,*I,/I,+D,-D,*D,/D,MOD,+R,-R,*R,/R,SQR,SQRT,EXP,LN,SIN,COS,TAN,ASIN,ACOS,ATAN,NEGI,NEGD,"},
     {"---xx----", ",ITB,DTB,RND,TRUNC,RND+,RND-,"},
-    {"-x00-----", ",AW,OW,XOW,AD,OD,XOD,SSI,SSD,SLW,SRW,SLD,SRD,RLD,RRD,RLDA,RRDA,"},
+    {"-x00-----", ",AW,OW,XOW,AD,OD,XOD,RLDA,RRDA,"},
+    {"-xxx-----", ",SSI,SSD,SLW,SRW,SLD,SRD,RLD,RRD,"},  // a count of 0 changes nothing
     {"-xx0-0xx1", ",==I,<>I,>I,<I,>=I,<=I,==D,<>D,>D,<D,>=D,<=D,"},
     {"-xxxx0xx1", ",==R,<>R,>R,<R,>=R,<=R,"},
     {"----0----", ",JOS,"},
