@@ -222,9 +222,7 @@ std::vector<std::string> step7NotCovered() {
   return lines;
 }
 
-bool isStep7Instruction(std::string_view word) {
-  return s7300Instructions().named(word) != nullptr || s7300Instructions().namedGerman(word) != nullptr;
-}
+bool isStep7Instruction(std::string_view word) { return !instructionsWritten(word, true, true).empty(); }
 
 std::optional<Step7Page> step7Page(std::string_view word, Mnemonics mnemonics, const Paint& paint) {
   if (word == "COVERAGE") return coveragePage(paint);
