@@ -38,6 +38,7 @@ CountStart countAt(const Flow& flow, std::uint32_t label, const Instruction*& so
       case StatementRole::OrScan:
       case StatementRole::SetRlo:
       case StatementRole::ClearRlo: break;
+      case StatementRole::IntegerStep:
       case StatementRole::IntegerMath: source = &instruction; return CountStart::MayBeZero;
       default: return CountStart::Known;
     }

@@ -8,15 +8,80 @@
 
 #include "analysis/asking/asking.hpp"
 #include "analysis/flow/facts.hpp"
+#include "analysis/flow/logic_string.hpp"
+#include "analysis/flow/step7_blocks.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
 
 namespace {
 
+/// Coils and latches whose RLO the block itself has fixed by SET or CLR are meant so; those of library blocks are not
+/// the program's.
+std::set<const Instruction*> fixedOutputs(const Plan& plan) {
+  std::set<const Instruction*> fixed;
+  for (const Flow& flow : plan.flows) {
+    if (isLibraryText(*plan.program, *flow.pou)) {
+      for (const FlowStep& step : flow.steps) fixed.insert(step.instruction);
+      continue;
+    }
+    const LogicStates states = logicStates(flow);
+    for (std::size_t at = 0; at < flow.steps.size(); ++at) {
+      if (!states[at] || states[at]->rlo != mayBeAny) fixed.insert(flow.steps[at].instruction);
+    }
+  }
+  return fixed;
+}
+
+/// S7-300/400: the RLO of each coil, and whether that of a latch is ever 1.
+void askCoils(Asking& asking) {
+  Graph& graph = asking.graph();
+  const std::set<const Instruction*> fixed = fixedOutputs(asking.encoding().plan());
+  struct Rlo {
+    Graph::Bool on, off;
+  };
+  std::map<std::uint32_t, std::pair<const Instruction*, Rlo>> outputs;  // by Instruction::id
+  for (const BitWrite& write : asking.encoding().bitWrites()) {
+    const Instruction* output = write.instruction;
+    if (output == nullptr || write.place.area == Area::L || fixed.contains(output)) continue;
+    const bool isOutput = isCoil(roleOf(*output)) || isSet(roleOf(*output)) || isReset(roleOf(*output));
+    if (!isOutput) continue;
+    const Graph::Bool never = graph.constant(false), runs{write.guard}, value{write.value};
+    Rlo& rlo = outputs.try_emplace(output->id, output, Rlo{never, never}).first->second.second;
+    const bool isCoilWrite = isCoil(roleOf(*output));
+    rlo.on = graph.lor(rlo.on, isCoilWrite ? graph.land(runs, value) : runs);
+    if (isCoilWrite) rlo.off = graph.lor(rlo.off, graph.land(runs, graph.lnot(value)));
+  }
+  for (const Instruction* latch : asking.executed()) {  // one whose RLO is plainly 0 has written nothing
+    const bool isLatch = isSet(roleOf(*latch)) || isReset(roleOf(*latch));
+    if (!isLatch || fixed.contains(latch) || latch->operands[0].kind != OperandKind::Direct ||
+        latch->operands[0].area == Area::L)
+      continue;
+    outputs.try_emplace(latch->id, latch, Rlo{graph.constant(false), graph.constant(false)});
+  }
+  for (const auto& [id, output] : outputs) {
+    const auto& [instruction, rlo] = output;
+    const std::string text = Facts::text(*instruction), address = toString(instruction->operands[0]);
+    asking.ask({.name = fmt::format("the RLO of {} can be 1", text),
+                .message = fmt::format("no reachable state brings RLO 1 to {}", text),
+                .address = address,
+                .place = instruction,
+                .bad = rlo.on.node,
+                .aspect = powerReaches});
+    if (!isCoil(roleOf(*instruction))) continue;
+    asking.ask({.name = fmt::format("the RLO of {} can be 0", text),
+                .message = fmt::format("the RLO of {} is 1 in every reachable state", text),
+                .address = address,
+                .place = instruction,
+                .bad = rlo.off.node,
+                .aspect = canBeWithoutPower});
+  }
+}
+
 /// One pair of questions for each condition: outputs behind the same contacts have the same power flow. Each network
 /// that has the condition is a place of its own.
 void askLog001(Asking& asking) {
+  if (asking.encoding().plan().isStep7()) return askCoils(asking);
   struct Condition {
     RuleQuestion reaches, without;
     std::set<const Network*> networks;
@@ -73,7 +138,7 @@ extern constexpr Rule log001_always_true_or_false = {
     .needs = Needs::Solver,
     .detects =
         "an output, box or jump whose rung has power in every reachable state, or in none; rungs of special memory "
-        "alone (SM0.0) are excepted",
+        "alone (SM0.0) are excepted; S7-300/400: a coil or latch whose RLO is so, SET and CLR excepted",
     .why =
         "a dead rung, or an interlock that is none; bytes compare unsigned and words signed, which makes some "
         "comparisons constant",
@@ -82,7 +147,6 @@ extern constexpr Rule log001_always_true_or_false = {
     .good = "Network 1\nLD I0.0\nLPS\nA I0.1\n= M0.0\nLPP\nAN I0.1\n= M0.1\nNetwork 2\nLD M0.0\nO M0.1\n= Q0.0\n",
     .falsePositives = "a rung that waits for memory which a panel or the network writes: declare it with //@ external",
     .peers = "SA0059; SA0062; Frama-PLC E4.1",
-    .dialects = dialect::S7200,
     .ask = {.in = asked::Lint, .turn = 60, .cost = 4, .wantsYes = true, .program = askLog001},
     .tell = {.advice = "a contact is missing, of the wrong kind, or at the wrong address"},
     .explainedBy = log001Explained,

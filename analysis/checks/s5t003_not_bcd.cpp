@@ -22,6 +22,7 @@ const Instruction* makerOfAccu(const Flow& flow, std::uint32_t at) {
     const Instruction& instruction = *flow.steps[at].instruction;
     switch (statementRole(instruction)) {
       case StatementRole::Load:
+      case StatementRole::IntegerStep:
       case StatementRole::IntegerMath: return &instruction;
       case StatementRole::AndScan:
       case StatementRole::OrScan:
@@ -68,6 +69,15 @@ std::string faultOf(const Operand& constant, StatementRole role) {
                      role == StatementRole::StartTimer ? " units" : "");
 }
 
+/// Declared INT, DINT or REAL: a parameter, a static or a temporary variable of the block.
+bool isDeclaredNumber(const Flow& flow, const Operand& operand) {
+  if (!operand.text.starts_with('#')) return false;
+  const auto local = std::ranges::find_if(
+      flow.pou->locals, [&](const LocalVariable& each) { return operand.text.substr(1) == each.name; });
+  return local != flow.pou->locals.end() &&
+         (local->type == DataType::Int || local->type == DataType::DInt || local->type == DataType::Real);
+}
+
 void checkS5t003(const Facts& facts, FindingSink& sink) {
   eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
     for (std::uint32_t at = 0; at < flow.steps.size(); ++at) {
@@ -76,17 +86,21 @@ void checkS5t003(const Facts& facts, FindingSink& sink) {
       if (!readsBcd(role)) continue;
       const Instruction* maker = makerOfAccu(flow, at);
       if (maker == nullptr) continue;
-      const bool isConstant = statementRole(*maker) == StatementRole::Load && !maker->operands.empty() &&
-                              maker->operands[0].kind == OperandKind::Constant;
-      const bool isComputed = statementRole(*maker) == StatementRole::IntegerMath;
+      const StatementRole made = statementRole(*maker);
+      const bool isConstant =
+          made == StatementRole::Load && !maker->operands.empty() && maker->operands[0].kind == OperandKind::Constant;
+      const bool isComputed = made == StatementRole::IntegerMath || made == StatementRole::IntegerStep;
+      const bool isNumber = made == StatementRole::Load && role != StatementRole::FromBcd &&
+                            isDeclaredNumber(flow, maker->operands.at(0));
       const std::string fault = isConstant   ? faultOf(maker->operands[0], role)
                                 : isComputed ? fmt::format("{} leaves a binary number in ACCU1", Facts::text(*maker))
+                                : isNumber   ? fmt::format("{} is declared as a number", toString(maker->operands[0]))
                                              : std::string();
       if (fault.empty()) continue;
       Finding& finding = sink.report(maker->span, fmt::format("{}: {} takes BCD", fault, Facts::text(instruction)));
       finding.related.push_back({instruction.span, "where it is taken"});
       finding.help = role == StatementRole::StartTimer ? "write S5T#... or W#16#... with the base and three digits"
-                     : isComputed                      ? "convert it with ITB before"
+                     : isComputed || isNumber          ? "convert it with ITB before"
                                                        : "write C#... or W#16#... with decimal digits";
     }
   });
@@ -100,8 +114,8 @@ extern constexpr Rule s5t003_not_bcd = {
     .severity = Severity::Warning,
     .needs = Needs::Flow,
     .detects =
-        "a constant with a digit above 9, a decimal number or a computed one in ACCU1 where a timer is started, a "
-        "counter set, or BTI converts",
+        "a constant with a digit above 9, a decimal number, a computed one or one declared as INT in ACCU1 where a "
+        "timer is started, a counter set, or BTI converts",
     .why = "a digit above 9 is a synchronous error: OB121 or STOP; a binary number gives another time or count",
     .manual = "002:1286, 003:1000-1043",
     .bad =

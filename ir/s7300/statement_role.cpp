@@ -73,7 +73,10 @@ constexpr std::array roleRows = {
     RoleRow{StatementRole::ExchangeBlocks, {"CDB"}},
     RoleRow{StatementRole::FromBcd, {"BTI", "BTD"}},
     RoleRow{StatementRole::IntegerMath, {"+I", "-I", "*I", "/I", "+D", "-D", "*D", "/D"}},
-    RoleRow{StatementRole::IntegerMath, {"+", "MOD", "INC", "DEC"}},
+    RoleRow{StatementRole::IntegerMath, {"MOD"}},
+    RoleRow{StatementRole::IntegerStep, {"+", "INC", "DEC"}},
+    RoleRow{StatementRole::RealMath, {"+R", "-R", "*R", "/R"}},
+    RoleRow{StatementRole::MoveAccus, {"TAK", "PUSH", "POP", "ENT", "LEAVE"}},
     RoleRow{StatementRole::Nothing, {"NOP 0", "NOP 1", "BLD"}},
 };
 

@@ -62,7 +62,10 @@ enum class StatementRole : std::uint8_t {
   OpenBlock,
   ExchangeBlocks,
   FromBcd,
-  IntegerMath,  ///< a binary number in ACCU1
+  IntegerMath,  ///< ACCU2 with ACCU1: a binary number
+  IntegerStep,  ///< ACCU1 with a constant: the same
+  RealMath,     ///< ACCU2 with ACCU1
+  MoveAccus,    ///< TAK, PUSH, POP, ENT, LEAVE
   Nothing       ///< NOP, BLD
 };
 

@@ -57,6 +57,20 @@ TEST(Step7SolverRules, CallsThatNestTooDeep) {
   EXPECT_EQ(provedFindings("UC FC 1;", itself), (Said{"SUB001", "SUB002"}));
 }
 
+TEST(Step7SolverRules, CoilsThatNeverChange) {
+  EXPECT_EQ(provedFindings("A I 0.0;\nAN I 0.0;\n= Q 0.0;"), Said{"LOG001 Q0.0"});
+  EXPECT_EQ(provedFindings("A I 0.0;\nON I 0.0;\n= Q 0.0;"), Said{"LOG001 Q0.0"});
+  EXPECT_EQ(provedFindings("A I 0.0;\n= M 0.0;\nAN I 0.0;\n= M 0.1;\nA M 0.0;\nA M 0.1;\n= Q 0.0;"),
+            Said{"LOG001 Q0.0"});
+  // 300 does not fit into a byte.
+  EXPECT_EQ(provedFindings("L IB 0;\nL 300;\n>I;\nS Q 0.0;\nA I 1.0;\nR Q 0.0;"), Said{"LOG001 Q0.0"});
+  EXPECT_EQ(provedFindings("L IB 0;\nL 200;\n>I;\n= Q 0.0;"), Said());
+  EXPECT_EQ(provedFindings("A I 0.0;\nO I 0.1;\n= Q 0.0;"), Said());
+  EXPECT_EQ(provedFindings("SET;\n= Q 0.0;\nCLR;\n= Q 0.1;"), Said());
+  EXPECT_EQ(provedFindings("A I 0.0;\nL S5T#1S;\nSD T 1;\nA T 1;\n= Q 0.0;"), Said());
+  EXPECT_EQ(provedFindings("A M 0.0;\nFP M 0.1;\n= Q 0.0;\nAN M 0.0;\n= M 0.0;"), Said());
+}
+
 TEST(Step7SolverRules, PropertiesThatDoNotHold) {
   EXPECT_EQ(provedFindings("//@ prove apart: never Q0.0 and Q0.1\nA I 0.0;\n= Q 0.0;\nA I 0.1;\n= Q 0.1;"),
             Said{"SAF003"});

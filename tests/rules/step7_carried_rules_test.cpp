@@ -41,6 +41,20 @@ TEST(CarriedRules, NumbersAndNames) {
                             {"==D", 0, ob1("L MD 0;\nL L#5;\n==D;\n= Q 0.0;")}});
 }
 
+TEST(CarriedRules, ResultsThatTwoLoadsPushOut) {
+  expectFindings(
+      "ARI007",
+      {{"the program of 002:1454-1476", 1, ob1("L MD 0;\nL MD 4;\n+D;\nL MD 8;\nL MD 12;\n-D;\n*D;\nT MD 16;")},
+       {"reals", 1, ob1("L MD 0;\nL 2.0;\n/R;\nL MD 8;\nL MD 12;\n-R;\n*R;\nT MD 16;")},
+       {"NOP between", 1, ob1("L MD 0;\nL MD 4;\n+D;\nL MD 8;\nL MD 12;\n-D;\nNOP 0;\n*D;\nT MD 16;")},
+       {"one value after the other", 0, ob1("L MD 0;\nL MD 4;\n+D;\nL MD 8;\n-D;\nL MD 12;\n*D;\nT MD 16;")},
+       {"stored in between", 0,
+        ob1("L MD 0;\nL MD 4;\n+D;\nT MD 20;\nL MD 8;\nL MD 12;\n-D;\nL MD 20;\n*D;\nT MD 16;")},
+       {"with ENT", 0, ob1("L MD 0;\nL MD 4;\n+D;\nL MD 8;\nENT;\nL MD 12;\n-D;\n*D;\nT MD 16;")},
+       {"the same operand twice, with no earlier result: 2 a - b is meant", 0,
+        ob1("L MD 8;\nL MD 12;\n-D;\n+D;\nT MD 16;")}});
+}
+
 TEST(CarriedRules, CommentsOfNetworks) {
   expectFindings("STY001", {{"none", 1, ob1("A I 0.0;\n= Q 0.0;")},
                             {"a title", 0, ob1("TITLE = motor\nA I 0.0;\n= Q 0.0;")},

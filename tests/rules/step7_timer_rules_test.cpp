@@ -45,19 +45,24 @@ TEST(S5Rules, AStartSeesBothValuesOfItsRlo) {
 }
 
 TEST(S5Rules, TimesAndCountsAreBcd) {
-  expectFindings("S5T003", {{"digit A", 1, ob1("A I 0.0;\nL W#16#00FA;\nSD T 1;")},
-                            {"digit above 9 for a counter", 1, ob1("A I 0.0;\nL W#16#001B;\nS C 1;")},
-                            {"a decimal number for a counter: 100 is 16#0064", 1, ob1("A I 0.0;\nL 100;\nS C 1;")},
-                            {"a decimal number for a timer", 1, ob1("A I 0.0;\nL 2000;\nSP T 1;")},
-                            {"a computed number", 1, ob1("L MW 0;\nL 5;\n+I;\nA I 0.0;\nS C 1;")},
-                            {"BTI", 1, ob1("L W#16#0A00;\nBTI;\nT MW 0;")},
-                            {"S5T#", 0, ob1("A I 0.0;\nL S5T#2S500MS;\nSD T 1;")},
-                            {"W#16# with base and digits: 127 at 1 s", 0, ob1("A I 0.0;\nL W#16#2127;\nSD T 1;")},
-                            {"C#", 0, ob1("A I 0.0;\nL C#100;\nS C 1;")},
-                            {"one digit is the same number", 0, ob1("A I 0.0;\nL 5;\nS C 1;")},
-                            {"from memory", 0, ob1("A I 0.0;\nL MW 10;\nSD T 1;")},
-                            {"converted", 0, ob1("L MW 0;\nL 5;\n+I;\nITB;\nA I 0.0;\nS C 1;")},
-                            {"BTI of digits", 0, ob1("L W#16#0123;\nBTI;\nT MW 0;")}});
+  expectFindings(
+      "S5T003",
+      {{"digit A", 1, ob1("A I 0.0;\nL W#16#00FA;\nSD T 1;")},
+       {"digit above 9 for a counter", 1, ob1("A I 0.0;\nL W#16#001B;\nS C 1;")},
+       {"a decimal number for a counter: 100 is 16#0064", 1, ob1("A I 0.0;\nL 100;\nS C 1;")},
+       {"a decimal number for a timer", 1, ob1("A I 0.0;\nL 2000;\nSP T 1;")},
+       {"a computed number", 1, ob1("L MW 0;\nL 5;\n+I;\nA I 0.0;\nS C 1;")},
+       {"an INT of the block", 1, fc(1, "A I 0.0;\nL #N;\nS C 1;", "VAR_INPUT\nN : INT;\nEND_VAR\n")},
+       {"a WORD of the block", 0, fc(1, "A I 0.0;\nL #N;\nS C 1;", "VAR_INPUT\nN : WORD;\nEND_VAR\n")},
+       {"an S5TIME of the block", 0, fb(1, "A I 0.0;\nL #N;\nSD T 1;", "VAR_INPUT\nN : S5TIME := S5T#1S;\nEND_VAR\n")},
+       {"BTI", 1, ob1("L W#16#0A00;\nBTI;\nT MW 0;")},
+       {"S5T#", 0, ob1("A I 0.0;\nL S5T#2S500MS;\nSD T 1;")},
+       {"W#16# with base and digits: 127 at 1 s", 0, ob1("A I 0.0;\nL W#16#2127;\nSD T 1;")},
+       {"C#", 0, ob1("A I 0.0;\nL C#100;\nS C 1;")},
+       {"one digit is the same number", 0, ob1("A I 0.0;\nL 5;\nS C 1;")},
+       {"from memory", 0, ob1("A I 0.0;\nL MW 10;\nSD T 1;")},
+       {"converted", 0, ob1("L MW 0;\nL 5;\n+I;\nITB;\nA I 0.0;\nS C 1;")},
+       {"BTI of digits", 0, ob1("L W#16#0123;\nBTI;\nT MW 0;")}});
 }
 
 TEST(S5Rules, IecTimersAreCalledInEveryScan) {
