@@ -64,6 +64,19 @@ TEST(AllowsOf, TakesItsScopeFromItsPlace) {
   EXPECT_EQ(allows[3].line, 8u);
 }
 
+TEST(AllowsOf, SpeaksForStatementsOfTheS7300) {
+  const Program program = readText("a.awl",
+                                   "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n      A I 0.0;\n"
+                                   "      = Q 0.0; // rungproof: allow OUT001 two hands on purpose\n"
+                                   "// rungproof: allow OUT003 reset wins\n      A I 0.1;\nEND_ORGANIZATION_BLOCK\n");
+  const std::vector<Allow> allows = allowsOf(program);
+  ASSERT_EQ(allows.size(), 2u);
+  EXPECT_EQ(allows[0].scope, AllowScope::Line);
+  EXPECT_EQ(allows[0].line, 5u);
+  EXPECT_EQ(allows[1].line, 7u);
+  EXPECT_EQ(allows[1].ids, std::vector<std::string>{"OUT003"});
+}
+
 TEST(ApplySuppressions, SilencesOnlyWhereItSpeaks) {
   const Program program = programOf(
       "Network 1\n"
