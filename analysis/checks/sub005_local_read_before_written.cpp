@@ -14,12 +14,12 @@ namespace {
 void checkTemps(const Facts& facts, FindingSink& sink) {
   eachOwnBlock(facts, [&](std::uint32_t block, const Flow& flow) {
     for (const TempRead& read : unwrittenTemps(facts, block)) {
-      Finding& finding =
-          sink.report(read.operand->span,
-                      fmt::format("{} reads {} before {} has written it{}", Facts::text(*read.instruction),
-                                  toString(*read.operand), flow.pou->name, read.isOnEveryPath ? "" : " on every path"));
+      const std::string name = read.operand->text.empty() ? toString(*read.operand) : read.operand->text;
+      Finding& finding = sink.report(
+          read.operand->span, fmt::format("{} reads {} before {} has written it{}", read.instruction->desc->stl, name,
+                                          flow.pou->name, read.isOnEveryPath ? "" : " on every path"));
       if (!read.isOnEveryPath) finding.severity = Severity::Note;
-      finding.address = toString(*read.operand);
+      finding.address = name;
       finding.help = "temporary data is any value when a block starts; write it first, or declare it in VAR";
     }
   });
