@@ -9,9 +9,11 @@
 #include "analysis/drawing/branches.hpp"
 #include "analysis/drawing/code.hpp"
 #include "analysis/drawing/levels.hpp"
+#include "analysis/drawing/raise_step7.hpp"
 #include "analysis/flow/stack_depth.hpp"
 #include "ir/s7200/cpu.hpp"
 #include "ir/s7200/isa.hpp"
+#include "ir/s7300/cpu.hpp"
 
 namespace rungproof {
 
@@ -406,6 +408,8 @@ class Raising {
 
 }  // namespace
 
-Raised raise(const Network& network, Form form, const Target& target) { return Raising(network, form, target).run(); }
+Raised raise(const Network& network, Form form, const Target& target) {
+  return isStep7(target) ? raiseStep7(network, form) : Raising(network, form, target).run();
+}
 
 }  // namespace rungproof

@@ -57,7 +57,7 @@ std::vector<StatementRow> statementRows(const Program& program, const Network& n
     row.names = namesIn(program, instruction);
     if (options.recorder != nullptr) {
       const InstructionRecord& record = options.recorder->of(instruction);
-      row.top = record.executions == 0 ? "-" : record.after[0] ? "1" : "0";
+      if (!isStep7(program.target)) row.top = record.executions == 0 ? "-" : record.after[0] ? "1" : "0";
       if (record.executions > 0) {
         const std::vector<std::string> values = valueTexts(instruction, record);
         for (std::size_t i = 0; i < values.size(); ++i) {
@@ -94,7 +94,8 @@ std::vector<std::string> statementLines(const Program& program, const Network& n
   std::vector<std::string> lines;
   for (const StatementRow& row : rows) {
     std::string line = padded(row.statement, statement);
-    if (options.recorder != nullptr) line += "  " + row.top + "  " + padded(row.values, values);
+    if (options.recorder != nullptr)
+      line += (row.top.empty() ? "" : "  " + row.top) + "  " + padded(row.values, values);
     if (!row.names.empty()) line += "  // " + row.names;
     if (!row.marks.empty()) line += "  " + row.marks;
     line.erase(line.find_last_not_of(' ') + 1);
@@ -104,7 +105,11 @@ std::vector<std::string> statementLines(const Program& program, const Network& n
 }
 
 /// The drawing of a network in that form, or why there is none.
-Raised drawingOf(const Network& network, Form form, const Target& target) {
+Raised drawingOf(const Network& network, const ViewOptions& options, const Target& target) {
+  const Form form = options.form;
+  // The recorder follows the logic stack, which that family does not have.
+  if (options.recorder != nullptr && isStep7(target))
+    return {std::nullopt, "the power flow of an S7-300 or S7-400 is not drawn", nullptr};
   if (network.drawing != nullptr && network.form == form) return {*network.drawing, {}, nullptr};
   Raised raised = raise(network, form, target);
   // A ladder whose values pass through memory in STL is drawn from the ladder itself.
@@ -131,7 +136,7 @@ NetworkView networkView(const Program& program, const Pou& pou, const Network& n
       options.recorder != nullptr && !network.instructions.empty() && !wasExecuted(network, *options.recorder);
   if (!network.complete) view.reason = "a line of the network could not be read";
   if (options.form != Form::Stl && network.complete && !network.instructions.empty()) {
-    const Raised raised = drawingOf(network, options.form, program.target);
+    const Raised raised = drawingOf(network, options, program.target);
     view.reason = raised.reason;
     if (raised.drawing) {
       ElementTexts texts(&program, &pou, *raised.drawing);

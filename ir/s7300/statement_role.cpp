@@ -103,4 +103,12 @@ StatementRole statementRole(const Instruction& instruction) {
   return isOurs ? roles[desc->opcode] : StatementRole::Other;
 }
 
+ScanJoin scanJoin(const Instruction& instruction) {
+  const std::string_view name = instruction.desc->stl;
+  const StatementRole role = name.starts_with('A')   ? StatementRole::AndScan
+                             : name.starts_with('O') ? StatementRole::OrScan
+                                                     : StatementRole::XorScan;
+  return {role, name.size() > 1 && name[1] == 'N'};
+}
+
 }  // namespace rungproof

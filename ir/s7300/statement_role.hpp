@@ -74,6 +74,12 @@ constexpr bool isComparison(StatementRole role) {
 }
 /// Other for what no one asks about, and for every instruction of another family.
 StatementRole statementRole(const Instruction& instruction);
+/// How a scan or an opening parenthesis joins what stands before it: AndScan, OrScan or XorScan.
+struct ScanJoin {
+  StatementRole role = StatementRole::AndScan;
+  bool negated = false;
+};
+ScanJoin scanJoin(const Instruction& instruction);
 /// Whether it starts a timer, or moves or sets a counter, when its RLO rises or falls.
 constexpr bool remembersRlo(StatementRole role) {
   return role == StatementRole::StartTimer || role == StatementRole::CountUp || role == StatementRole::CountDown ||

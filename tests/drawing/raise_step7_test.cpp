@@ -1,0 +1,90 @@
+// Networks of the S7-300/400 as drawings: expected shapes are written out from what the statements mean (003:1213).
+#include "analysis/drawing/raise_step7.hpp"
+
+#include <gtest/gtest.h>
+
+#include "frontend/input/project.hpp"
+
+namespace rungproof {
+namespace {
+
+std::string shapeOf7(const Drawing& drawing, std::uint32_t i) {
+  const Element& element = drawing.elements[i];
+  std::string inside;
+  for (const Wire& wire : element.inputs) {
+    if (wire.from != 0) inside += (inside.empty() ? "" : ", ") + shapeOf7(drawing, wire.from);
+  }
+  std::string operands;
+  for (const Operand& operand : element.operands) operands += (operands.empty() ? "" : " ") + toString(operand);
+  switch (element.shape) {
+    case Shape::And: return "and(" + inside + ")";
+    case Shape::Or: return "or(" + inside + ")";
+    case Shape::Coil: return std::string(element.desc->stl) + " " + operands + " <- " + inside;
+    default: break;
+  }
+  if (element.desc->role == Role::Not) return "not(" + inside + ")";
+  if (!inside.empty()) return std::string(element.desc->stl) + " " + operands + "(" + inside + ")";
+  if (element.operands.size() == 2) return std::string(element.desc->stl) + " " + operands;
+  return (element.desc->negated ? "!" : "") + operands;
+}
+
+/// Coils with what feeds them, or the reason why there is no drawing.
+std::string drawn7(const std::string& statements, Form form = Form::Ladder) {
+  const Program program =
+      readText("x.awl", "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n" + statements + "\nEND_ORGANIZATION_BLOCK\n");
+  const Raised raised = raise(program.pous.at(0).networks.at(0), form, program.target);
+  if (!raised.drawing) return "- " + raised.reason;
+  std::string text;
+  for (std::uint32_t i = 0; i < raised.drawing->elements.size(); ++i) {
+    if (raised.drawing->elements[i].shape == Shape::Coil)
+      text += (text.empty() ? "" : "; ") + shapeOf7(*raised.drawing, i);
+  }
+  return text;
+}
+
+TEST(RaiseStep7, SeriesAndBranches) {
+  EXPECT_EQ(drawn7("A I 0.0; AN I 0.1; = Q 4.0;"), "= Q4.0 <- and(I0.0, !I0.1)");
+  EXPECT_EQ(drawn7("O I 0.0; O I 0.1; AN I 0.2; S M 0.0;"), "S M0.0 <- and(or(I0.0, I0.1), !I0.2)");
+  EXPECT_EQ(drawn7("A I 0.0; A I 0.1; O; A I 0.2; A I 0.3; = Q 4.0;"),
+            "= Q4.0 <- or(and(I0.0, I0.1), and(I0.2, I0.3))");
+  EXPECT_EQ(drawn7("A I 0.0; O; A I 0.1; O I 0.2; = Q 4.0;"), "= Q4.0 <- or(or(I0.0, I0.1), I0.2)");
+}
+
+TEST(RaiseStep7, Parentheses) {
+  EXPECT_EQ(drawn7("A(; O I 0.0; O Q 4.0; ); AN I 0.1; = Q 4.0;"), "= Q4.0 <- and(or(I0.0, Q4.0), !I0.1)");
+  EXPECT_EQ(drawn7("A I 0.0; A(; O I 0.1; O I 0.2; ); = Q 4.0;"), "= Q4.0 <- and(I0.0, or(I0.1, I0.2))");
+  EXPECT_EQ(drawn7("O(; A I 0.0; A I 0.1; ); O I 0.2; NOT; = Q 4.0;"), "= Q4.0 <- not(or(and(I0.0, I0.1), I0.2))");
+  EXPECT_EQ(drawn7("A I 0.0; AN(; O I 0.1; O I 0.2; ); = Q 4.0;"), "= Q4.0 <- and(I0.0, not(or(I0.1, I0.2)))");
+}
+
+TEST(RaiseStep7, ComparisonsEdgesTimersCounters) {
+  EXPECT_EQ(drawn7("A I 0.0; A(; L MW 2; L 5; >=I; ); = Q 4.0;"), "= Q4.0 <- and(I0.0, >=I MW2 5)");
+  EXPECT_EQ(drawn7("A I 0.0; FP M 1.0; A I 0.1; S Q 4.0;"), "S Q4.0 <- and(FP M1.0(I0.0), I0.1)");
+  EXPECT_EQ(drawn7("A I 0.0; L S5T#2S; SD T 1; NOP 0;"), "SD T1 S5T#2S <- I0.0");
+  EXPECT_EQ(drawn7("A I 0.0; CU C 1; "), "CU C1 <- I0.0");
+}
+
+TEST(RaiseStep7, BranchesOfTheCompiler) {
+  EXPECT_EQ(drawn7("A I 0.0; = L 20.0; A L 20.0; A I 0.1; = Q 4.0; A L 20.0; AN I 0.2; = Q 4.1;"),
+            "= Q4.0 <- and(I0.0, I0.1); = Q4.1 <- and(I0.0, !I0.2)");
+  EXPECT_EQ(drawn7("A I 0.0; = Q 4.0; = Q 4.1;"), "= Q4.0 <- I0.0; = Q4.1 <- I0.0");
+}
+
+TEST(RaiseStep7, WhatHasNoPicture) {
+  EXPECT_EQ(drawn7("A I 0.0; = Q 4.0; A I 0.1; = Q 4.1;"), "- A I0.1 begins a second rung in the network");
+  EXPECT_EQ(drawn7("X I 0.0; X I 0.1; = Q 4.0;"), "- X I0.0 has no picture in LAD or FBD");
+  EXPECT_EQ(drawn7("A I 0.0;"), "- A I0.0 ends without a coil");
+  EXPECT_EQ(drawn7("= Q 4.0;"), "- = Q4.0 has no logic in this network");
+  EXPECT_EQ(drawn7("A I 0.0; FP M 1.0; = Q 4.0;", Form::Fbd), "- FP M1.0 has no picture here");
+  EXPECT_EQ(drawn7("L MW 2; T MW 4;"), "- T MW4 stands where a comparison or a timer takes what was loaded");
+  EXPECT_EQ(drawn7("A I 0.0; L MW 2; L 5; >=I; = Q 4.0;"), "- >=I has no picture here");
+  EXPECT_EQ(drawn7("A I 0.0; = L 20.0; A I 0.1; = Q 4.1;"), "- A I0.1 begins a second rung in the network");
+  EXPECT_EQ(drawn7("A I 0.0; = Q 4.0; = L 20.0; BLD 103;"),
+            "- BLD 103 leaves an intermediate result to other networks");
+  EXPECT_EQ(drawn7("A I 0.0; = L 20.0; A L 20.0; A I 0.1; A L 20.0; = Q 4.1;"),
+            "- A L20.0 is an intermediate result in the middle of logic");
+  EXPECT_EQ(drawn7("A OV; = Q 4.0;"), "- A OV has no picture in LAD or FBD");
+}
+
+}  // namespace
+}  // namespace rungproof
