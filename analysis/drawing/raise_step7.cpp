@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ir/s7200/isa.hpp"
+#include "ir/s7300/box_match.hpp"
 #include "ir/s7300/statement_role.hpp"
 
 namespace rungproof {
@@ -105,6 +106,7 @@ class RaisingStep7 {
       case StatementRole::ResetCounter: return coil({});
       case StatementRole::StartTimer:
       case StatementRole::SetCounter: return start();
+      case StatementRole::JumpKeepingRlo: return box();
       default: return refuse("has no picture in LAD or FBD");
     }
   }
@@ -218,6 +220,18 @@ class RaisingStep7 {
     const std::uint32_t from = ended();
     add(Shape::Coil, current().desc, {from}, std::move(operands));
     isOpenEnded_ = false;
+  }
+
+  void box() {
+    const std::optional<s7300::MatchedBox> match = s7300::boxAt(network_, at_);
+    if (!match) return refuse("has no picture in LAD or FBD");
+    if (levels_.size() > 1) return refuse("stands inside of parentheses");
+    if (level().isFresh && !hasCoil_) return refuse("has no logic in this network");
+    const std::uint32_t from = ended();
+    const std::uint32_t element = add(Shape::Box, match->desc, {from}, match->operands);
+    at_ += match->length - 1;
+    isOpenEnded_ = match->passesOn;
+    if (match->passesOn) level() = LogicLevel{element, 0, false, false, {}};
   }
 
   /// The RLO at a coil; the next check begins a new string.

@@ -35,8 +35,10 @@ std::string drawn7(const std::string& statements, Form form = Form::Ladder) {
   const Raised raised = raise(program.pous.at(0).networks.at(0), form, program.target);
   if (!raised.drawing) return "- " + raised.reason;
   std::string text;
-  for (std::uint32_t i = 0; i < raised.drawing->elements.size(); ++i) {
-    if (raised.drawing->elements[i].shape == Shape::Coil)
+  const std::vector<Element>& elements = raised.drawing->elements;
+  for (std::uint32_t i = 0; i < elements.size(); ++i) {
+    const bool isLastBox = elements[i].shape == Shape::Box && i + 1 == elements.size();
+    if (elements[i].shape == Shape::Coil || isLastBox)
       text += (text.empty() ? "" : "; ") + shapeOf7(*raised.drawing, i);
   }
   return text;
@@ -68,6 +70,19 @@ TEST(RaiseStep7, BranchesOfTheCompiler) {
   EXPECT_EQ(drawn7("A I 0.0; = L 20.0; A L 20.0; A I 0.1; = Q 4.0; A L 20.0; AN I 0.2; = Q 4.1;"),
             "= Q4.0 <- and(I0.0, I0.1); = Q4.1 <- and(I0.0, !I0.2)");
   EXPECT_EQ(drawn7("A I 0.0; = Q 4.0; = Q 4.1;"), "= Q4.0 <- I0.0; = Q4.1 <- I0.0");
+}
+
+TEST(RaiseStep7, BoxesWithEnAndEno) {
+  const std::string add = "A I 0.0; JNB _001; L MW 2; L MW 4; +I; T MW 6; AN OV; SAVE; CLR; _001: A BR; ";
+  EXPECT_EQ(drawn7(add + "= Q 4.0;"), "= Q4.0 <- ADD_I MW2 MW4 MW6(I0.0)");
+  EXPECT_EQ(drawn7(add + "JNB _002; L MW 6; T MW 8; SET; SAVE; CLR; _002: A BR; A I 0.1; = Q 4.0;"),
+            "= Q4.0 <- and(MOVE MW6 MW8(ADD_I MW2 MW4 MW6(I0.0)), I0.1)");
+  // ENO is open: no bit is saved, and nothing goes on.
+  EXPECT_EQ(drawn7("A I 0.0; JNB _001; L 5; T MW 8; _001: NOP 0;"), "MOVE 5 MW8(I0.0)");
+  // An addition whose ENO does not look at the overflow is none of the compiler's boxes.
+  EXPECT_EQ(drawn7("A I 0.0; JNB _001; L MW 2; L MW 4; +I; T MW 6; SET; SAVE; CLR; _001: A BR; = Q 4.0;"),
+            "- JNB _001 has no picture in LAD or FBD");
+  EXPECT_EQ(drawn7("A I 0.0; JCB _001; L 5; T MW 8; _001: NOP 0;"), "- JCB _001 has no picture in LAD or FBD");
 }
 
 TEST(RaiseStep7, WhatHasNoPicture) {
