@@ -185,6 +185,7 @@ class RaisingStep7 {
   // ---- Values ---------------------------------------------------------------------------------------
 
   void load() {
+    if (loaded_.empty() && s7300::boxAt(network_, at_)) return box();
     if (loaded_.size() == 2) return refuse("has no picture in LAD or FBD");
     loaded_.push_back(current().operands[0]);
   }

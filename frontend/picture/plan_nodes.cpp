@@ -77,7 +77,9 @@ PlanNode boxNode(const ElementTexts& texts, const Element& element, int index, b
       if (isOutputUsed && pin.name == node.outputPin) node.outputPin.clear();
       (pin.side == PinSide::Left ? node.left : node.right).push_back({pin.name, text.whole(), text.isConstant});
     }
-    const bool isTimer = pin.operand < desc.operandCount && desc.operands[pin.operand].type == Type::Timer;
+    const bool hasResolution = desc.execution != Execution::Always;  // a timer of the S7-300 has it from its value
+    const bool isTimer =
+        hasResolution && pin.operand < desc.operandCount && desc.operands[pin.operand].type == Type::Timer;
     if (pin.side == PinSide::Above && isTimer && operand.kind == OperandKind::Direct) {
       node.note = std::to_string(timerResolution(static_cast<int>(operand.offset))) + " ms";
     }

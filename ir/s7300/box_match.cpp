@@ -37,6 +37,37 @@ BoxPattern patternOf(const FbdBox& box) {
   return pattern;
 }
 
+/// The box of a timer whose reset is open.
+Desc timerBoxOf(const FbdBox& box) {
+  Desc desc;
+  desc.stl = box.name;
+  desc.meaning = box.title;
+  desc.flowPins = {"S"};
+  desc.drawingOnly = true;
+  desc.execution = Execution::Always;
+  desc.manual = box.manual;
+  return withOperands(desc, {inout("T", Type::Timer, 0), in("TV", Type::Value, 0), optional(out("BI", Type::Value, 0)),
+                             optional(out("BCD", Type::Value, 0))});
+}
+
+struct TimerPattern {
+  std::string_view start;  ///< SD
+  Desc drawn;
+};
+
+const std::vector<TimerPattern>& timerPatterns() {
+  static const std::vector<TimerPattern> all = [] {
+    std::vector<TimerPattern> list;
+    for (const FbdBox& box : fbdBoxes()) {
+      if (box.frame != BoxFrame::Timer) continue;
+      const std::string_view start = box.statements.substr(box.statements.rfind("; ") + 2);
+      list.push_back({start.substr(0, start.find(' ')), timerBoxOf(box)});
+    }
+    return list;
+  }();
+  return all;
+}
+
 const std::vector<BoxPattern>& patterns() {
   static const std::vector<BoxPattern> all = [] {
     std::vector<BoxPattern> list;
@@ -73,7 +104,37 @@ class BoxMatch {
     return match;
   }
 
+  std::optional<MatchedBox> of(const TimerPattern& pattern, std::size_t begin) {
+    at_ = begin;
+    MatchedBox match;
+    match.desc = &pattern.drawn;
+    const Instruction* value = take("L");
+    const Instruction* start = value == nullptr ? nullptr : take(pattern.start);
+    if (start == nullptr || take("NOP 0") == nullptr) return std::nullopt;
+    const Operand& timer = start->operands[0];
+    match.operands = {timer, value->operands[0]};
+    for (const std::string_view load : {"L T", "LC T"}) {
+      Operand& rest = match.operands.emplace_back();
+      if (take("NOP 0") != nullptr) continue;
+      const Instruction* loaded = take(load);
+      const Instruction* stored = loaded == nullptr ? nullptr : take("T");
+      if (stored == nullptr || !isSameNumber(loaded->operands[0], timer)) return std::nullopt;
+      rest = stored->operands[0];
+    }
+    const std::size_t back = at_;
+    const Instruction* scan = take("A");
+    match.passesOn = scan != nullptr && isSameNumber(scan->operands[0], timer);
+    if (!match.passesOn) at_ = back;
+    if (!match.passesOn && take("NOP 0") == nullptr) return std::nullopt;
+    match.length = at_ - begin;
+    return match;
+  }
+
  private:
+  static bool isSameNumber(const Operand& a, const Operand& b) {
+    return a.kind == OperandKind::Direct && b.kind == OperandKind::Direct && a.area == b.area && a.offset == b.offset;
+  }
+
   const Instruction* take(std::string_view mnemonic) {
     const bool isHere = at_ < network_.instructions.size() && network_.instructions[at_].desc->stl == mnemonic;
     return isHere ? &network_.instructions[at_++] : nullptr;
@@ -115,6 +176,9 @@ std::optional<MatchedBox> boxAt(const Network& network, std::size_t at) {
   for (const BoxPattern& pattern : patterns()) {
     std::optional<MatchedBox> match = BoxMatch(network).of(pattern, at);
     if (match) return isLabelShared(network, at) ? std::nullopt : match;
+  }
+  for (const TimerPattern& pattern : timerPatterns()) {
+    if (std::optional<MatchedBox> match = BoxMatch(network).of(pattern, at)) return match;
   }
   return std::nullopt;
 }

@@ -15,7 +15,8 @@ std::string shapeOf7(const Drawing& drawing, std::uint32_t i) {
     if (wire.from != 0) inside += (inside.empty() ? "" : ", ") + shapeOf7(drawing, wire.from);
   }
   std::string operands;
-  for (const Operand& operand : element.operands) operands += (operands.empty() ? "" : " ") + toString(operand);
+  for (const Operand& operand : element.operands)
+    operands += (operands.empty() ? "" : " ") + (operand.kind == OperandKind::Missing ? "-" : toString(operand));
   switch (element.shape) {
     case Shape::And: return "and(" + inside + ")";
     case Shape::Or: return "or(" + inside + ")";
@@ -83,6 +84,15 @@ TEST(RaiseStep7, BoxesWithEnAndEno) {
   EXPECT_EQ(drawn7("A I 0.0; JNB _001; L MW 2; L MW 4; +I; T MW 6; SET; SAVE; CLR; _001: A BR; = Q 4.0;"),
             "- JNB _001 has no picture in LAD or FBD");
   EXPECT_EQ(drawn7("A I 0.0; JCB _001; L 5; T MW 8; _001: NOP 0;"), "- JCB _001 has no picture in LAD or FBD");
+}
+
+TEST(RaiseStep7, BoxesOfTimersWithoutReset) {
+  const std::string timer = "A I 0.0; L S5T#2S; SD T 1; NOP 0; ";
+  EXPECT_EQ(drawn7(timer + "NOP 0; NOP 0; A T 1; = Q 4.0;"), "= Q4.0 <- S_ODT T1 S5T#2S - -(I0.0)");
+  EXPECT_EQ(drawn7(timer + "L T 1; T MW 2; NOP 0; A T 1; AN I 0.1; = Q 4.0;"),
+            "= Q4.0 <- and(S_ODT T1 S5T#2S MW2 -(I0.0), !I0.1)");
+  EXPECT_EQ(drawn7(timer + "NOP 0; NOP 0; NOP 0;"), "S_ODT T1 S5T#2S - -(I0.0)");
+  EXPECT_EQ(drawn7(timer + "NOP 0; NOP 0; A T 2; = Q 4.0;"), "- A T2 begins a second rung in the network");
 }
 
 TEST(RaiseStep7, WhatHasNoPicture) {
