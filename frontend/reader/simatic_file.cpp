@@ -1,6 +1,9 @@
 // Reader of SimaticML.
 #include "frontend/files/file_reader.hpp"
 #include "frontend/simatic/simatic_reader.hpp"
+#include "frontend/stl/syntax_sink.hpp"
+#include "ir/s7200/dialect.hpp"
+#include "ir/s7300/coverage.hpp"
 
 namespace rungproof {
 
@@ -15,7 +18,15 @@ int rate(const SourceFile& file, const InputText& input, const ReadOptions&) {
   return input.isSymbolFile ? sureness::Certain + 1 : sureness::Certain;
 }
 
-void read(Program& program, const InputText& input, const ReadOptions&) { readSimatic(program, input, *input.drawn); }
+/// Drawn blocks mean what those of an S7-200 mean; for the other family nothing may rest on that.
+void read(Program& program, const InputText& input, const ReadOptions& options) {
+  const SourceFile& file = program.sources->file(input.file);
+  const bool isForStep7 = input.isStep7Project || !options.allows(s7200Dialect);
+  if (!isForStep7 || file.text().find("<SW.Blocks.") == std::string_view::npos)
+    return readSimatic(program, input, *input.drawn);
+  SyntaxSink(program, input.file)
+      .report(Syntax::BodyNotCovered, {input.file, 0, 0}, std::string(gapReason(s7300::Gap::Drawing)));
+}
 
 bool holdsTagsOnly(const SourceFile& file) { return file.text().find("<SW.Blocks.") == std::string_view::npos; }
 

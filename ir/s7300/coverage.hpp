@@ -17,7 +17,8 @@ enum class Gap : std::uint8_t {
   LibraryBlock,
   MissingBlock,
   ProtectedBlock,
-  HighDataBlock
+  HighDataBlock,
+  Drawing
 };
 
 struct GapRow {

@@ -170,5 +170,13 @@ TEST(Projects, APlainDirectiveKeepsItsPlace) {
   EXPECT_EQ(program.directives[0].network, 1);
 }
 
+TEST(Project7, DrawingsOfTheFamilyAreNotTakenForThoseOfAnS7200) {
+  ReadOptions options;
+  options.dialect = "s7-300";
+  const Program program = readProgram({RUNGPROOF_SOURCE_DIR "/corpus/defects/tank_levels_exchanged.xml"}, options);
+  EXPECT_EQ(program.instructionCount(), 0U);
+  EXPECT_NE(findings7(program).find("SYN037"), std::string::npos) << findings7(program);
+}
+
 }  // namespace
 }  // namespace rungproof
