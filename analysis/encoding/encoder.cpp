@@ -150,6 +150,11 @@ const Plan& EncodedScan::plan() const { return impl_->plan; }
 TimeModel& EncodedScan::time() const { return impl_->scan->time; }
 const EncoderOptions& EncodedScan::options() const { return impl_->options; }
 
+bool EncodedScan::holds(const Place& place) const {
+  if (place.isRegister) return place.at < registerCount(regInfo(place.reg), impl_->plan);
+  return impl_->layout.holds(place.area, place.byte(), (place.width + 7U) / 8U);
+}
+
 Node EncodedScan::atEnd(const Place& place) { return impl_->scan->value(place); }
 
 Node EncodedScan::atEnd(const Operand& operand, int width) {

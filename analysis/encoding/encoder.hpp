@@ -133,6 +133,8 @@ class EncodedScan {
   TimeModel& time() const;
   const EncoderOptions& options() const;
 
+  /// Whether the CPU and its blocks have that place; the others do not ask for places that it does not have.
+  bool holds(const Place& place) const;
   /// Value of a direct operand at the end of the scan, `width` bits; T and C by width. AI: the
   /// sample.
   Node atEnd(const Operand& operand, int width);

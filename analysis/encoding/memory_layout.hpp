@@ -30,6 +30,10 @@ class MemoryLayout {
   std::uint32_t size(Area area) const {
     return static_cast<std::uint32_t>(cuts_[static_cast<std::size_t>(area)].size());
   }
+  /// Whether the program has `bytes` bytes from `byte` on.
+  bool holds(Area area, std::uint32_t byte, std::uint32_t bytes) const {
+    return inRow(area, byte) + bytes <= size(area);
+  }
   bool isSingleBits(Area area, std::uint32_t byte) const { return cut(area, byte).isSingleBits; }
   /// First byte and number of bytes of the word that holds `byte`; at most four.
   struct Word {

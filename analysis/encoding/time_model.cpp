@@ -27,11 +27,10 @@ Node TimeModel::state(const char* name, int width, Node next) {
   return node;
 }
 
-/// The digit that a state of four bits means; its next value is set later.
-Node TimeModel::digit(const char* name, bool startsAnywhere) {
+/// The digit that a state of four bits means, which starts anywhere; its next value is set later.
+Node TimeModel::digit(const char* name) {
   const Node raw = graph_.variable(name, 4, true);
-  states_.push_back({raw, startsAnywhere ? noNode : number(0, 4), noNode});
-  if (!startsAnywhere) return raw;
+  states_.push_back({raw, noNode, noNode});
   const Node isOver = graph_.make(Op::Ule, 1, number(10, 4), raw);
   return graph_.make(Op::Ite, 4, isOver, graph_.make(Op::Sub, 4, raw, number(10, 4)), raw);
 }
@@ -50,9 +49,9 @@ void TimeModel::free() {
   hundredsNow_ = n;
   tensNow_ = d;
   onesNow_ = u;
-  ten_ = digit("time.tens.start", true);
+  ten_ = digit("time.tens.start");
   states_.back().next = d;
-  one_ = digit("time.ones.start", true);
+  one_ = digit("time.ones.start");
   states_.back().next = u;
   const auto signedDigit = [&](Node n) { return graph_.make(Op::Zext, 5, n); };
   step_ = state("time.tens.step", 5, graph_.make(Op::Sub, 5, signedDigit(d), signedDigit(ten_)));
@@ -73,10 +72,9 @@ void TimeModel::fixed(std::uint32_t length) {
   const std::uint32_t most = length / 100 + 1;
   const int w = std::bit_width(most);
   // Where a digit never carries, its start tells nothing.
-  ten_ = digit("time.tens.start", length % 100 != 0);
-  one_ = digit("time.ones.start", length % 10 != 0);
-  step_ = state("time.tens.step", 5, noNode);
-  hundreds_ = state("time.hundreds.start", w, noNode);
+  const bool tensMove = length % 100 != 0, onesMove = length % 10 != 0;
+  ten_ = tensMove ? digit("time.tens.start") : number(0, 4);
+  one_ = onesMove ? digit("time.ones.start") : number(0, 4);
   struct Digit {
     Node value, carry;
   };
@@ -90,12 +88,12 @@ void TimeModel::fixed(std::uint32_t length) {
   };
   const Digit one = add(one_, length % 10, number(0, 1));
   const Digit ten = add(ten_, length / 10 % 10, one.carry);
-  states_[0].next = ten.value;
-  states_[1].next = one.value;
+  if (tensMove) states_.front().next = ten.value;
+  if (onesMove) states_.back().next = one.value;
   const auto signedDigit = [&](Node n) { return graph_.make(Op::Zext, 5, n); };
-  states_[2].next = graph_.make(Op::Sub, 5, signedDigit(ten.value), signedDigit(ten_));
-  states_[3].next = graph_.make(Op::Add, w, number(length / 100, w), graph_.make(Op::Zext, w, ten.carry));
-  hundredsNow_ = states_[3].next;
+  step_ = state("time.tens.step", 5, graph_.make(Op::Sub, 5, signedDigit(ten.value), signedDigit(ten_)));
+  hundredsNow_ = graph_.make(Op::Add, w, number(length / 100, w), graph_.make(Op::Zext, w, ten.carry));
+  hundreds_ = state("time.hundreds.start", w, hundredsNow_);
   tensNow_ = ten.value;
   onesNow_ = one.value;
 }

@@ -61,7 +61,7 @@ class TimeModel {
   void fixed(std::uint32_t length);
   Node number(std::uint64_t value, int width) { return graph_.constantNode(value, width); }
   Node state(const char* name, int width, Node next);
-  Node digit(const char* name, bool startsAnywhere);
+  Node digit(const char* name);
   Graph& graph_;
   std::uint32_t low_, high_;
   bool relaxed_;

@@ -2,6 +2,8 @@
 #include "analysis/equivalence/correspondence.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <ranges>
 
 #include "analysis/graph/evaluate.hpp"
 
@@ -13,6 +15,8 @@ constexpr double pairSeconds = 2;            ///< for a pair of states that is n
 constexpr std::size_t mostConditions = 400;  ///< under which states may correspond
 constexpr int pairScans = 8;                 ///< of a run that shows that states do not correspond
 
+constexpr std::size_t allRelations = ~std::size_t{0};  ///< in place of a state or condition: what holds for all
+
 class CorrespondenceSearch {
  public:
   CorrespondenceSearch(ProgramProduct& product, bool withConditions, const Ask& ask,
@@ -21,6 +25,8 @@ class CorrespondenceSearch {
 
   Correspondence find() {
     for (std::size_t i = 0; i < product_.newStateCount(); ++i) found_.isMerged.push_back(product_.isMergeable(i));
+    found_.conditions = product_.relationConditions();
+    dropLooseRelations();
     while (left_() > 0) {
       const JoinedSystem merged = product_.merged(found_.isMerged, true, found_.conditions);
       TransitionSystem system = merged.system;
@@ -32,29 +38,63 @@ class CorrespondenceSearch {
         system.questions.push_back({"what stands for " + name + " differs", differs});
       };
       for (std::size_t i = 0; i < found_.isMerged.size(); ++i) ask(i, merged.nextDiffers[i], nameOfState(i));
-      for (std::size_t i = 0; i < found_.conditions.size(); ++i)
-        ask(found_.isMerged.size() + i, merged.conditionBreaks[i], found_.conditions[i].state);
+      Graph::Bool anyRelation = system.graph->constant(false);
+      for (std::size_t i = 0; i < found_.conditions.size(); ++i) {
+        if (asksTogether_ && found_.conditions[i].condition.empty())
+          anyRelation = system.graph->lor(anyRelation, {merged.conditionBreaks[i]});
+        else
+          ask(found_.isMerged.size() + i, merged.conditionBreaks[i], found_.conditions[i].state);
+      }
+      ask(allRelations, anyRelation.node, "some relation");
       if (open.empty()) return std::move(found_);
       std::vector<std::size_t> dropped;
-      for (const std::size_t i : withConditions_ ? brokenSoon(system) : brokenOrOpen(system))
+      for (const std::size_t i : withConditions_ ? brokenSoon(system, pairScans) : brokenOrOpen(system))
         dropped.push_back(open[i]);
       if (dropped.empty() && withConditions_) {
         for (const std::size_t i : brokenOrOpen(system)) dropped.push_back(open[i]);
       }
       if (dropped.empty()) return std::move(found_);
+      if (std::erase(dropped, allRelations) > 0) asksTogether_ = false;
       drop(dropped);
     }
     return {std::vector<bool>(found_.isMerged.size(), false), {}};  // not settled: nothing is known to correspond
   }
 
  private:
+  /// Relations that some scan does not keep, from whatever memory in which all of them hold.
+  void dropLooseRelations() {
+    if (found_.conditions.empty()) return;
+    const JoinedSystem merged = product_.merged(found_.isMerged, true, found_.conditions);
+    TransitionSystem system = merged.system;
+    for (StateVariable& state : system.states) state.init = noNode;
+    std::vector<std::size_t> kept(found_.conditions.size());
+    std::iota(kept.begin(), kept.end(), std::size_t{0});
+    for (bool isSettled = false; !isSettled && !kept.empty() && left_() > 0;) {
+      system.constraints = merged.system.constraints;
+      std::erase_if(system.constraints, [&](Node c) { return std::ranges::count(merged.conditionStarts, c) > 0; });
+      system.questions.clear();
+      for (const std::size_t i : kept) {
+        if (merged.conditionStarts[i] != noNode) system.constraints.push_back(merged.conditionStarts[i]);
+        system.questions.push_back({found_.conditions[i].state, merged.conditionBreaks[i]});
+      }
+      const std::vector<std::size_t> broken = brokenSoon(system, 1);
+      for (const std::size_t i : std::views::reverse(broken)) kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(i));
+      isSettled = broken.empty();
+    }
+    std::vector<PairCondition> conditions;
+    for (const std::size_t i : kept) conditions.push_back(found_.conditions[i]);
+    found_.conditions = std::move(conditions);
+  }
+  static Node anyOf(const TransitionSystem& system) {
+    Graph::Bool any = system.graph->constant(false);
+    for (const Question& question : system.questions) any = system.graph->lor(any, {question.bad});
+    return any.node;
+  }
   /// Questions that a short run answers with yes: all that are so in one run.
-  std::vector<std::size_t> brokenSoon(const TransitionSystem& system) const {
+  std::vector<std::size_t> brokenSoon(const TransitionSystem& system, int scans) const {
     TransitionSystem asked = system;
-    Graph::Bool any = asked.graph->constant(false);
-    for (const Question& question : system.questions) any = asked.graph->lor(any, {question.bad});
-    asked.questions = {{"something differs", any.node}};
-    const auto trace = shallowSearch(asked, pairScans, std::min(pairSeconds, left_()));
+    asked.questions = {{"something differs", anyOf(system)}};
+    const auto trace = shallowSearch(asked, scans, std::min(pairSeconds, left_()));
     return trace ? brokenIn(system, *trace) : std::vector<std::size_t>{};
   }
   static std::vector<std::size_t> brokenIn(const TransitionSystem& system, const WordTrace& trace) {
@@ -115,6 +155,7 @@ class CorrespondenceSearch {
   const bool withConditions_;
   const Ask& ask_;
   const std::function<double()>& left_;
+  bool asksTogether_ = true;  ///< whether all relations hold, in one question
   Correspondence found_;
 };
 

@@ -67,9 +67,11 @@ void EqualityProof::writeMemory(const JoinedSystem& joined, const std::vector<st
   }
   for (std::size_t i = 0; i < joined.conditionBreaks.size(); ++i) {
     const PairCondition& condition = conditions_[i];
-    questions.push_back({"what stands for " + condition.state + " ends a scan with another value and " +
-                             condition.condition + (condition.when ? " 1" : " 0"),
-                         joined.conditionBreaks[i]});
+    const std::string what = condition.condition.empty()
+                                 ? condition.state + " does not hold at the end of a scan"
+                                 : "what stands for " + condition.state + " ends a scan with another value and " +
+                                       condition.condition + (condition.when ? " 1" : " 0");
+    questions.push_back({what, joined.conditionBreaks[i]});
   }
   std::vector<Question> open;
   for (const RealScope scope : {RealScope::Comparisons, RealScope::All}) {

@@ -23,10 +23,12 @@ bool isOfTheCpu(Reg reg) { return reg == Reg::Reading || reg == Reg::PhaseSecond
 bool isEdge(Reg reg) { return reg == Reg::EdgeMemory || reg == Reg::EdgeSeen; }
 bool isOfTimer(Reg reg) {
   return reg == Reg::TimerCurrent || reg == Reg::TimerBit || reg == Reg::TimerRunning || reg == Reg::TimerPreset ||
-         reg == Reg::TimerInput;
+         reg == Reg::TimerInput || reg == Reg::S5Rest || reg == Reg::S5Base || reg == Reg::S5AtEnd ||
+         reg == Reg::S5Free;
 }
 bool isOfCounter(Reg reg) {
-  return reg == Reg::CounterCurrent || reg == Reg::CounterBit || reg == Reg::CounterUp || reg == Reg::CounterDown;
+  return reg == Reg::CounterCurrent || reg == Reg::CounterBit || reg == Reg::CounterUp || reg == Reg::CounterDown ||
+         reg == Reg::S7Set || reg == Reg::S7Free;
 }
 bool isOfFastCounter(Reg reg) {
   return reg == Reg::HscCurrent || reg == Reg::HscPreset || reg == Reg::HscMode || reg == Reg::HscEnabled ||
@@ -98,9 +100,16 @@ ProgramProduct::ProgramProduct(const Side& before, const Side& after, const Prog
       old_(*before.program, before.set, {},
            shaped(options.encoder, *before.program, *after.program, &options.pairs, options.trailBefore, oldRequests_)),
       new_(*after.program, after.set, {},
-           shaped(options.encoder, *after.program, *before.program, nullptr, options.trailAfter, newRequests_)) {
+           shaped(options.encoder, *after.program, *before.program, nullptr, options.trailAfter, newRequests_)),
+      relations_(old_.encoding(), new_.encoding()) {
   isSame_ = isSameProgram(before, after);
   pulseForms_ = {pulseForm(before.program->target), pulseForm(after.program->target)};
+  for (const Cell& cell : old_.encoding().cells()) {
+    for (std::uint32_t i = 0; !cell.place.isRegister && i < cell.place.width; ++i) {
+      const Address bit = bitOf(cell.place, i);
+      oldBits_.emplace(bit.area, bit.index);
+    }
+  }
   collectOutputs();
   addPulses();
   findClocks();
@@ -116,7 +125,9 @@ ProgramProduct::ProgramProduct(const Side& before, const Side& after, const Prog
     }
   }
   for (const std::uint32_t port : usedPorts()) {
-    for (AskedProperties* side : {&old_, &new_}) side->encoding().atEnd(portPlace(port));
+    for (AskedProperties* side : {&old_, &new_}) {
+      if (side->encoding().holds(portPlace(port))) side->encoding().atEnd(portPlace(port));
+    }
   }
   newSystem_ = new_.system();
   for (const KeptCell& cell : new_.encoding().keptCells()) kept_.insert(cell.node);
@@ -153,7 +164,9 @@ void ProgramProduct::addOutput(std::set<std::pair<Area, std::uint32_t>>& known, 
   output.bits = range.bits;
   output.oldValue = old_.encoding().atEnd(observedPlace(range));
   output.after = options_.pairs.after(range.first);
-  if (output.after) output.newValue = new_.encoding().atEnd(observedPlace({*output.after, range.bits}));
+  if (!output.after) return;
+  const Place after = observedPlace({*output.after, range.bits});
+  if (new_.encoding().holds(after)) output.newValue = new_.encoding().atEnd(after);
 }
 
 /// Outputs of OLD and what stands for them in NEW; then outputs of NEW without partner.
@@ -178,7 +191,8 @@ void ProgramProduct::collectOutputs() {
   for (const Address& address : bitsOf(old_.encoding())) addOutput(known, address);
   std::set<std::pair<Area, std::uint32_t>> alone;
   for (const Address& address : bitsOf(new_.encoding())) {
-    if (const std::optional<Address> before = options_.pairs.before(address)) {
+    const std::optional<Address> before = options_.pairs.before(address);
+    if (before && old_.encoding().holds(bitPlace(*before))) {
       addOutput(known, *before);
       continue;
     }
@@ -209,6 +223,7 @@ std::optional<Place> ProgramProduct::oldRegister(const Place& place) {
     if (!number || number->area != *area) return std::nullopt;
     there.at = number->index;
   }
+  if (!old_.encoding().holds(there)) return std::nullopt;
   return there;
 }
 
@@ -223,7 +238,7 @@ Node ProgramProduct::oldValue(const Place& place, bool atEnd) {
   std::vector<Address> bits;
   for (std::uint32_t i = 0; i < place.width; ++i) {
     const auto bit = options_.pairs.before(bitOf(place, i));
-    if (!bit || isWholeValue(bit->area)) return noNode;
+    if (!bit || isWholeValue(bit->area) || !encoding.holds(bitPlace(*bit))) return noNode;
     bits.push_back(*bit);
   }
   const Place first = bitPlace(bits.front());
@@ -238,6 +253,18 @@ Node ProgramProduct::oldValue(const Place& place, bool atEnd) {
   for (std::uint32_t i = 1; i < place.width; ++i)
     value = graph.make(Op::Concat, static_cast<int>(i) + 1, value, at(bitPlace(bits[i])));
   return value;
+}
+
+/// Of two families: what OLD has there is its own only where it uses it, and timers and counters are not alike.
+bool ProgramProduct::isSharedPlace(const Place& newPlace) {
+  if (old_.encoding().plan().isStep7() == new_.encoding().plan().isStep7()) return true;
+  if (newPlace.isRegister)
+    return !isOfTimer(newPlace.reg) && !isOfCounter(newPlace.reg) && newPlace.reg != Reg::LastScan;
+  for (std::uint32_t i = 0; i < newPlace.width; ++i) {
+    const auto bit = options_.pairs.before(bitOf(newPlace, i));
+    if (!bit || !oldBits_.contains({bit->area, bit->index})) return false;
+  }
+  return true;
 }
 
 bool ProgramProduct::startsAlike(Node oldStart, const StateVariable& newState) const {
@@ -269,6 +296,7 @@ void ProgramProduct::findPartners() {
     const auto place = places.find(newSystem_.states[i].node);
     if (place == places.end() || kept_.contains(place->first)) continue;
     const bool isWorld = place->second.isRegister && isOfTheCpu(place->second.reg);
+    if (!isWorld && !isSharedPlace(place->second)) continue;
     partners_[i] = {oldValue(place->second, false), oldValue(place->second, true), isWorld};
   }
   oldSystem_ = old_.system();  // with all cells that the partners have touched
@@ -394,15 +422,65 @@ std::vector<std::string> ProgramProduct::oldBitNames() const {
   return names;
 }
 
+std::vector<PairCondition> ProgramProduct::relationConditions() const {
+  std::vector<PairCondition> conditions;
+  for (std::string& name : relations_.names()) conditions.push_back({std::move(name), {}, true});
+  return conditions;
+}
+
+/// Whether OLD's memory begins with it.
+bool ProgramProduct::isTrueAtFirst(Node relation) const {
+  const Graph& graph = *oldSystem_.graph;
+  const Node roots[] = {relation};
+  Evaluator evaluator(graph, roots);
+  for (const Node n : coneOf(graph, roots)) {
+    if (graph[n].op != Op::Variable) continue;
+    const auto state = std::ranges::find(oldSystem_.states, n, &StateVariable::node);
+    if (state == oldSystem_.states.end() || state->init == noNode) return false;
+    evaluator.set(n, graph[state->init].value);
+  }
+  evaluator.run();
+  return evaluator[relation] != 0;
+}
+
+void ProgramProduct::addRelations(JoinedSystem& result, const std::vector<PairCondition>& conditions) {
+  if (std::ranges::none_of(conditions, [](const PairCondition& c) { return c.condition.empty(); })) return;
+  Graph& graph = old_.encoding().graph();
+  SideCopy first(graph, new_.encoding().graph(), " (new, before the first scan)");
+  for (const StateVariable& state : newSystem_.states) {
+    if (state.init != noNode) first.replace(state.node, (*result.copy)(state.init));
+  }
+  std::map<std::string, MemoryRelation> relations;
+  for (MemoryRelation& relation :
+       relations_.relations({[&](Node n) { return (*result.copy)(n); }, [&](Node n) { return first(n); }}))
+    relations.emplace(relation.name, relation);
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    if (!conditions[i].condition.empty()) continue;
+    const MemoryRelation& relation = relations.at(conditions[i].state);
+    if (!isTrueAtFirst(relation.first)) {
+      result.conditionBreaks[i] = graph.constantNode(1, 1);
+      continue;
+    }
+    result.starts.push_back(relation.first);
+    result.conditionStarts[i] = relation.start;
+    result.conditionBreaks[i] = graph.lnot({relation.end}).node;
+  }
+}
+
 void ProgramProduct::addConditions(JoinedSystem& result, const std::vector<PairCondition>& conditions) {
   if (conditions.empty()) return;
+  result.conditionStarts.assign(conditions.size(), noNode);
+  result.conditionBreaks.assign(conditions.size(), noNode);
+  addRelations(result, conditions);
   Graph& graph = old_.encoding().graph();
   const std::vector<std::string> own = newStateNames();
   std::map<std::string, std::size_t> newStates, oldStates;
   for (std::size_t i = 0; i < own.size(); ++i) newStates.emplace(own[i], i);
   for (std::size_t i = 0; i < oldSystem_.states.size(); ++i)
     oldStates.emplace(graph.variables()[graph[oldSystem_.states[i].node].value].name, i);
-  for (const PairCondition& condition : conditions) {
+  for (std::size_t k = 0; k < conditions.size(); ++k) {
+    const PairCondition& condition = conditions[k];
+    if (condition.condition.empty()) continue;
     const std::size_t i = newStates.at(condition.state);
     const StateVariable& bit = oldSystem_.states[oldStates.at(condition.condition)];
     const auto breaks = [&](Node guard, Node before, Node after) {
@@ -410,9 +488,11 @@ void ProgramProduct::addConditions(JoinedSystem& result, const std::vector<PairC
       return graph.land(condition.when ? Graph::Bool{guard} : graph.lnot({guard}), differs);
     };
     const StateVariable& state = newSystem_.states[i];
-    result.system.constraints.push_back(
-        graph.lnot(breaks(bit.node, partners_[i].start, (*result.copy)(state.node))).node);
-    result.conditionBreaks.push_back(breaks(bit.next, partners_[i].next, (*result.copy)(state.next)).node);
+    result.conditionStarts[k] = graph.lnot(breaks(bit.node, partners_[i].start, (*result.copy)(state.node))).node;
+    result.conditionBreaks[k] = breaks(bit.next, partners_[i].next, (*result.copy)(state.next)).node;
+  }
+  for (const Node start : result.conditionStarts) {
+    if (start != noNode) result.system.constraints.push_back(start);
   }
 }
 

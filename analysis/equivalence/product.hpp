@@ -16,6 +16,7 @@
 #include "analysis/bits/bit_blast.hpp"
 #include "analysis/encoding/asked_properties.hpp"
 #include "analysis/equivalence/device_requests.hpp"
+#include "analysis/equivalence/memory_relations.hpp"
 #include "analysis/equivalence/network_match.hpp"
 #include "analysis/equivalence/pulse_drive.hpp"
 #include "analysis/equivalence/side_copy.hpp"
@@ -82,8 +83,8 @@ struct ObservedBit {
   std::uint32_t bits = 1;               ///< from the addresses on
 };
 
-/// A state of NEW equals its partner wherever a bit of OLD's state is `when`, at the starts of scans. By names of
-/// states.
+/// A state of NEW equals its partner wherever a bit of OLD's state is `when`, at the starts of scans; by names of
+/// states. Without `condition`: the relation of the name `state` holds.
 struct PairCondition {
   std::string state, condition;
   bool when = true;
@@ -113,6 +114,7 @@ struct JoinedSystem {
   Node stopDiffers = noNode;      ///< one program is stopped at the end of the scan, the other is not
   std::vector<Node> nextDiffers;  ///< by state of NEW: a merged one gets another value than OLD's; else noNode
   Node usesEstimates = noNode;    ///< 1 in scans that have no counterpart on the machine for certain; noNode: in none
+  std::vector<Node> conditionStarts;        ///< by condition: it holds at the start of the scan, one of the constraints
   std::vector<Node> conditionBreaks;        ///< by condition: it does not hold at the end of the scan
   std::vector<RequestDifference> requests;  ///< without those that cannot be
   std::vector<Node> timeStates;             ///< they only measure time
@@ -142,6 +144,8 @@ class ProgramProduct {
   std::vector<bool> dependsOnDevices(const JoinedSystem& joined);
   /// States of OLD that are one bit.
   std::vector<std::string> oldBitNames() const;
+  /// Relations that may hold between the memories of two families.
+  std::vector<PairCondition> relationConditions() const;
 
   /// What a run of `asked`, made from a merged system, is for one of the two programs.
   WordTrace oldTrace(const TransitionSystem& asked, const WordTrace& trace);
@@ -173,6 +177,8 @@ class ProgramProduct {
   void replaceExternals(SideCopy& copy);
   void replaceSites(SideCopy& copy);
   void addConditions(JoinedSystem& result, const std::vector<PairCondition>& conditions);
+  void addRelations(JoinedSystem& result, const std::vector<PairCondition>& conditions);
+  bool isTrueAtFirst(Node relation) const;
   void startAlike(JoinedSystem& result, Node before, Node after);
   bool isSameProgram(const Side& before, const Side& after) const;
   void replaceEstimates(SideCopy& copy, const std::vector<bool>& isMerged);
@@ -191,6 +197,7 @@ class ProgramProduct {
   Node oldValue(const Place& newPlace, bool atEnd);
   bool isStatusOfOld(const Place& newPlace) const;
   bool isOldInput(const Place& newPlace);
+  bool isSharedPlace(const Place& newPlace);
   bool startsAlike(Node oldStart, const StateVariable& newState) const;
   static WordTrace sideTrace(const std::vector<Node>& states, const std::vector<Node>& inputs,
                              const TransitionSystem& asked, const WordTrace& trace);
@@ -200,11 +207,13 @@ class ProgramProduct {
   RequestRecord oldRequests_, newRequests_;  ///< the encodings tell them
   AskedProperties old_, new_;
   TransitionSystem oldSystem_, newSystem_;
+  RelationCandidates relations_;
   std::vector<Output> outputs_;
-  std::vector<std::pair<Node, Node>> clocks_;  ///< inputs of OLD's graph that show what NEW has in SMB0
-  bool isSame_ = false;                        ///< the same instructions in the same order
-  std::array<PulseForm, 2> pulseForms_{};      ///< of OLD and of NEW
-  std::set<Node> kept_;                        ///< states of NEW that keep their value
+  std::vector<std::pair<Node, Node>> clocks_;         ///< inputs of OLD's graph that show what NEW has in SMB0
+  bool isSame_ = false;                               ///< the same instructions in the same order
+  std::array<PulseForm, 2> pulseForms_{};             ///< of OLD and of NEW
+  std::set<std::pair<Area, std::uint32_t>> oldBits_;  ///< bits of memory that OLD's scan touches
+  std::set<Node> kept_;                               ///< states of NEW that keep their value
   Node firstScan_ = noNode;
   Node oldRuns_ = noNode, newRuns_ = noNode;  ///< in RUN at the end of the scan
   std::vector<Partner> partners_;             ///< by state of NEW

@@ -16,9 +16,20 @@ bool isOfTheWorld(External kind) {
     case External::AnalogInput:
     case External::ClockByte:
     case External::IntervalClock:
+    case External::TimerPhase:
     case External::ReceivedByte:
     case External::StationAddress: return true;
     default: return false;
+  }
+}
+
+/// The area whose addresses number such values; nothing where no address does.
+std::optional<Area> areaOf(External kind) {
+  switch (kind) {
+    case External::ImmediateInput: return Area::I;
+    case External::AnalogInput: return Area::AI;
+    case External::TimerPhase: return Area::T;
+    default: return std::nullopt;
   }
 }
 
@@ -92,11 +103,9 @@ void ProgramProduct::replaceExternals(SideCopy& copy) {
     const std::size_t k = count[{e.site.kind, e.site.index, isBetween(e) ? noPartner : e.site.instruction}]++;
     if (e.node == noNode || copy.isReplaced(e.node)) continue;
     std::uint32_t index = e.site.index;
-    const bool isAddress = e.site.kind == External::ImmediateInput || e.site.kind == External::AnalogInput;
-    if (isAddress) {
-      const Area area = e.site.kind == External::ImmediateInput ? Area::I : Area::AI;
-      const auto before = options_.pairs.before(Address{area, index});
-      if (!before || before->area != area) continue;
+    if (const auto area = areaOf(e.site.kind)) {
+      const auto before = options_.pairs.before(Address{*area, index});
+      if (!before || before->area != *area) continue;
       index = before->index;
     }
     const std::uint32_t instruction = isBetween(e) ? noPartner : match_.beforeOf[e.site.instruction];
@@ -159,16 +168,15 @@ void ProgramProduct::holdInputs(JoinedSystem& result) {
     const Node same = graph.equal({sample}, {value}, graph[value].width).node;
     if (graph.truth({same}) != true) result.system.constraints.push_back(same);
   };
-  const auto areaOf = [](External kind) { return kind == External::ImmediateInput ? Area::I : Area::AI; };
   const auto isRead = [](const ExternalInput& e) {
     return e.node != noNode && (e.site.kind == External::ImmediateInput || e.site.kind == External::AnalogInput);
   };
   for (const ExternalInput& e : old_.encoding().externals()) {
-    if (isRead(e)) hold({areaOf(e.site.kind), e.site.index}, e.node);
+    if (isRead(e)) hold({*areaOf(e.site.kind), e.site.index}, e.node);
   }
   for (const ExternalInput& e : new_.encoding().externals()) {
     if (!isRead(e)) continue;
-    if (const auto before = options_.pairs.before(Address{areaOf(e.site.kind), e.site.index}))
+    if (const auto before = options_.pairs.before(Address{*areaOf(e.site.kind), e.site.index}))
       hold(*before, (*result.copy)(e.node));
   }
 }

@@ -117,6 +117,10 @@ void ProgramProduct::compareRequests(JoinedSystem& result) {
     }
   }
   for (const std::uint32_t port : usedPorts()) {
+    if (!old_.encoding().holds(portPlace(port)) || !new_.encoding().holds(portPlace(port))) {
+      add({nullptr, nullptr, static_cast<int>(port), graph.constant(true).node});
+      continue;
+    }
     const Node mine = old_.encoding().atEnd(portPlace(port));
     const Node theirs = (*result.copy)(new_.encoding().atEnd(portPlace(port)));
     add({nullptr, nullptr, static_cast<int>(port), graph.lnot(graph.equal({mine}, {theirs}, 8)).node});

@@ -1,0 +1,89 @@
+// Starters and interlocks that stand in the corpus for both families: each pair drives the same outputs, and a slip in
+// the S7-300 program is found. Scans last 100 ms, whole ticks of every timer, and S5 timers end between scans: with
+// scans of any length the timers of the two families end at different moments, and DIFFERENT would be the truth.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/equivalence/pair.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace rungproof::test {
+namespace {
+
+constexpr std::uint32_t wholeTicks = 100;  ///< ms
+
+/// A change that an engineer makes by mistake, as text of the S7-300 program.
+struct Slip {
+  const char* program;
+  const char* right;
+  const char* wrong;
+  Equality truth = Equality::Equal;
+};
+
+const Slip slips[] = {
+    {"guard_door", "      AN    Q 0.1;", "      A     Q 0.1;"},
+    {"guard_locking", "S5T#3S", "S5T#2S"},
+    {"hoist", "      AN    Q 0.0;\n      =     Q 0.1;", "      =     Q 0.1;"},
+    {"muting_limit", "      AN    T 7;\n", ""},
+    {"notaus", "      X     I 0.1;", "      O     I 0.1;"},
+    // T32 counts single milliseconds in the middle of a scan, an S5 timer does not.
+    {"press_two_hand", "      ON    I 0.2;\n", "", Equality::Different},
+    {"press_two_hand_faulty", "      ON    I 0.3;", "      O     I 0.3;"},
+    {"pump_alternation", "      FN    M 1.0;", "      FP    M 1.0;"},
+    {"reversing", "      AN    Q 0.1;\n      =     Q 0.0;", "      =     Q 0.0;"},
+    {"reversing_faulty", "      A     I 0.2;\n", ""},
+    {"star_delta", "      AN    Q 0.1;\n      =     Q 0.2;", "      =     Q 0.2;\n      =     Q 0.1;"},
+    {"star_delta_dead_time", "S5T#60MS", "S5T#200MS"},
+    {"two_speed", "      R     Q 0.1;\n", ""},
+    {"wound_rotor", "      A     M 0.3;", "      A     M 0.2;"},
+};
+
+std::string textOf(const std::string& folder, const std::string& program) {
+  return fileText(std::filesystem::path(RUNGPROOF_SOURCE_DIR) / "corpus" / folder / (program + ".awl"));
+}
+
+Equivalence compared(const std::string& before, const std::string& after) {
+  const ProgramInput old = pairSide("old.awl", before, ""), now = pairSide("new.awl", after, "");
+  EXPECT_FALSE(isStep7(old.program.target));
+  EXPECT_TRUE(isStep7(now.program.target));
+  EquivalenceOptions options;
+  options.prover.time = {wholeTicks, wholeTicks};
+  options.prover.timeout = 60;
+  options.prover.choices.set(Choice::S5Time, "synchronous");
+  return compareBehaviour({&old.program, old.properties, nullptr}, {&now.program, now.properties, nullptr}, options);
+}
+
+class BothFamilies : public ::testing::TestWithParam<Slip> {};
+
+TEST_P(BothFamilies, DriveTheSameOutputs) {
+  const Slip& slip = GetParam();
+  const std::string old = textOf("interlocks", slip.program), now = textOf("s7300", slip.program);
+  EXPECT_EQ(compared(old, now).equality, slip.truth);
+}
+
+TEST_P(BothFamilies, ASlipIsFound) {
+  const Slip& slip = GetParam();
+  std::string wrong = textOf("s7300", slip.program);
+  const std::size_t at = wrong.find(slip.right);
+  ASSERT_NE(at, std::string::npos);
+  wrong.replace(at, std::string_view(slip.right).size(), slip.wrong);
+  EXPECT_EQ(compared(textOf("interlocks", slip.program), wrong).equality, Equality::Different);
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, BothFamilies, ::testing::ValuesIn(slips),
+                         [](const auto& info) { return std::string(info.param.program); });
+
+TEST(BothFamiliesPaired, EveryInterlockOfTheCorpusIsThere) {
+  std::size_t count = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(RUNGPROOF_SOURCE_DIR) / "corpus" / "interlocks")) {
+    ++count;
+    EXPECT_TRUE(std::ranges::any_of(slips, [&](const Slip& s) { return entry.path().stem() == s.program; }))
+        << entry.path();
+  }
+  EXPECT_EQ(count, std::size(slips));
+}
+
+}  // namespace
+}  // namespace rungproof::test
