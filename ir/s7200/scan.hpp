@@ -132,6 +132,7 @@ class Scan : private FlowWalk<Scan<D, Hooks>, Machine<D>, Hooks> {
   void distribute(Walk& w, std::uint32_t at);
   void step7Call(const Instruction& instruction);
   void enterBlock(const Flow& callee, const Instruction& instruction);
+  void openActuals(const Instruction& call);
   void serveError();
 
   std::span<const Execute<D>> dispatch_;

@@ -256,6 +256,22 @@ void Scan<D, Hooks>::enterBlock(const Flow& callee, const Instruction& instructi
   if (isFb)
     eachPiece(VarSection::Output,
               [&](const Operand& actual, const Operand&, Width width) { save(actual, width, values[next++]); });
+  m_.put(s.db, activation.callerDb, 16);
+  openActuals(instruction);
+}
+
+/// Whether the statements that hand over `DB50.DBD22` leave that block open in the caller is not stated (general
+/// knowledge: code behind a CALL must not rely on its DB register): either.
+template <class D, class Hooks>
+void Scan<D, Hooks>::openActuals(const Instruction& call) {
+  constexpr std::uint32_t firstIndex = 0x100;  // beside what instructions leave open
+  for (std::size_t i = 1; i < call.operands.size(); ++i) {
+    const Operand& actual = call.operands[i];
+    const bool isInstance = i == 1 && blockTypeOf(static_cast<int>(call.operands[0].value)) != BlockType::Fc;
+    if (actual.kind != OperandKind::Direct || actual.area != Area::DB || isInstance) continue;
+    const Bits opened = m_.external(External::UnknownResult, firstIndex + static_cast<std::uint32_t>(i), 1);
+    m_.when(m_.d.bit(opened, 0), [&] { m_.put(m_.step7.db, m_.d.literal(blockOfByte(actual.offset), 16), 16); });
+  }
 }
 
 }  // namespace rungproof

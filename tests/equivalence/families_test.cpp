@@ -4,9 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "tests/equivalence/pair.hpp"
-#include "tests/temporary_folder.hpp"
 
 namespace rungproof::test {
 namespace {
@@ -40,7 +41,12 @@ const Slip slips[] = {
 };
 
 std::string textOf(const std::string& folder, const std::string& program) {
-  return fileText(std::filesystem::path(RUNGPROOF_SOURCE_DIR) / "corpus" / folder / (program + ".awl"));
+  std::ifstream stream(std::filesystem::path(RUNGPROOF_SOURCE_DIR) / "corpus" / folder / (program + ".awl"),
+                       std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  EXPECT_FALSE(text.view().empty()) << program;
+  return text.str();
 }
 
 Equivalence compared(const std::string& before, const std::string& after) {
@@ -50,7 +56,7 @@ Equivalence compared(const std::string& before, const std::string& after) {
   EquivalenceOptions options;
   options.prover.time = {wholeTicks, wholeTicks};
   options.prover.timeout = 60;
-  options.prover.choices.set(Choice::S5Time, "synchronous");
+  EXPECT_TRUE(options.prover.choices.set("s5-time", "synchronous"));
   return compareBehaviour({&old.program, old.properties, nullptr}, {&now.program, now.properties, nullptr}, options);
 }
 
