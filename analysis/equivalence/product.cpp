@@ -44,7 +44,7 @@ bool isPulseTableAddress(const Place& place) {
   return false;
 }
 /// The area whose addresses number a register; nothing for registers that no address names.
-std::optional<Area> areaOf(Reg reg) {
+std::optional<Area> areaOfRegister(Reg reg) {
   if (isOfTimer(reg)) return Area::T;
   if (isOfCounter(reg)) return Area::C;
   if (isOfFastCounter(reg)) return Area::HC;
@@ -218,7 +218,7 @@ std::optional<Place> ProgramProduct::oldRegister(const Place& place) {
     const std::optional<int> event = options_.pairs.eventBefore(static_cast<int>(place.at));
     if (!event) return std::nullopt;
     there.at = static_cast<std::uint32_t>(*event);
-  } else if (const std::optional<Area> area = areaOf(place.reg)) {
+  } else if (const std::optional<Area> area = areaOfRegister(place.reg)) {
     const auto number = options_.pairs.before(Address{*area, place.at});
     if (!number || number->area != *area) return std::nullopt;
     there.at = number->index;
@@ -413,60 +413,6 @@ bool ProgramProduct::pulsesCorrespond(const std::vector<bool>& isMerged) {
          commands.empty();
 }
 
-std::vector<std::string> ProgramProduct::oldBitNames() const {
-  std::vector<std::string> names;
-  const Graph& graph = *oldSystem_.graph;
-  for (const StateVariable& state : oldSystem_.states) {
-    if (graph[state.node].width == 1) names.push_back(graph.variables()[graph[state.node].value].name);
-  }
-  return names;
-}
-
-std::vector<PairCondition> ProgramProduct::relationConditions() const {
-  std::vector<PairCondition> conditions;
-  for (std::string& name : relations_.names()) conditions.push_back({std::move(name), {}, true});
-  return conditions;
-}
-
-/// Whether OLD's memory begins with it.
-bool ProgramProduct::isTrueAtFirst(Node relation) const {
-  const Graph& graph = *oldSystem_.graph;
-  const Node roots[] = {relation};
-  Evaluator evaluator(graph, roots);
-  for (const Node n : coneOf(graph, roots)) {
-    if (graph[n].op != Op::Variable) continue;
-    const auto state = std::ranges::find(oldSystem_.states, n, &StateVariable::node);
-    if (state == oldSystem_.states.end() || state->init == noNode) return false;
-    evaluator.set(n, graph[state->init].value);
-  }
-  evaluator.run();
-  return evaluator[relation] != 0;
-}
-
-void ProgramProduct::addRelations(JoinedSystem& result, const std::vector<PairCondition>& conditions) {
-  if (std::ranges::none_of(conditions, [](const PairCondition& c) { return c.condition.empty(); })) return;
-  Graph& graph = old_.encoding().graph();
-  SideCopy first(graph, new_.encoding().graph(), " (new, before the first scan)");
-  for (const StateVariable& state : newSystem_.states) {
-    if (state.init != noNode) first.replace(state.node, (*result.copy)(state.init));
-  }
-  std::map<std::string, MemoryRelation> relations;
-  for (MemoryRelation& relation :
-       relations_.relations({[&](Node n) { return (*result.copy)(n); }, [&](Node n) { return first(n); }}))
-    relations.emplace(relation.name, relation);
-  for (std::size_t i = 0; i < conditions.size(); ++i) {
-    if (!conditions[i].condition.empty()) continue;
-    const MemoryRelation& relation = relations.at(conditions[i].state);
-    if (!isTrueAtFirst(relation.first)) {
-      result.conditionBreaks[i] = graph.constantNode(1, 1);
-      continue;
-    }
-    result.starts.push_back(relation.first);
-    result.conditionStarts[i] = relation.start;
-    result.conditionBreaks[i] = graph.lnot({relation.end}).node;
-  }
-}
-
 void ProgramProduct::addConditions(JoinedSystem& result, const std::vector<PairCondition>& conditions) {
   if (conditions.empty()) return;
   result.conditionStarts.assign(conditions.size(), noNode);
@@ -494,15 +440,6 @@ void ProgramProduct::addConditions(JoinedSystem& result, const std::vector<PairC
   for (const Node start : result.conditionStarts) {
     if (start != noNode) result.system.constraints.push_back(start);
   }
-}
-
-/// What starts with any value starts with the same where it is paired, whatever becomes of it later.
-void ProgramProduct::startAlike(JoinedSystem& result, Node before, Node after) {
-  Graph& graph = old_.encoding().graph();
-  const Graph::Bool later = graph.lnot({firstScan_});
-  const Node alike = graph.lor(later, graph.equal({before}, {after}, graph[after].width)).node;
-  result.system.constraints.push_back(alike);
-  result.system.totalConstraints.push_back(alike);
 }
 
 /// The value of an address in an assumption about both; without `copy` it is only touched.

@@ -24,7 +24,7 @@ bool isOfTheWorld(External kind) {
 }
 
 /// The area whose addresses number such values; nothing where no address does.
-std::optional<Area> areaOf(External kind) {
+std::optional<Area> areaOfExternal(External kind) {
   switch (kind) {
     case External::ImmediateInput: return Area::I;
     case External::AnalogInput: return Area::AI;
@@ -103,7 +103,7 @@ void ProgramProduct::replaceExternals(SideCopy& copy) {
     const std::size_t k = count[{e.site.kind, e.site.index, isBetween(e) ? noPartner : e.site.instruction}]++;
     if (e.node == noNode || copy.isReplaced(e.node)) continue;
     std::uint32_t index = e.site.index;
-    if (const auto area = areaOf(e.site.kind)) {
+    if (const auto area = areaOfExternal(e.site.kind)) {
       const auto before = options_.pairs.before(Address{*area, index});
       if (!before || before->area != *area) continue;
       index = before->index;
@@ -172,11 +172,11 @@ void ProgramProduct::holdInputs(JoinedSystem& result) {
     return e.node != noNode && (e.site.kind == External::ImmediateInput || e.site.kind == External::AnalogInput);
   };
   for (const ExternalInput& e : old_.encoding().externals()) {
-    if (isRead(e)) hold({*areaOf(e.site.kind), e.site.index}, e.node);
+    if (isRead(e)) hold({*areaOfExternal(e.site.kind), e.site.index}, e.node);
   }
   for (const ExternalInput& e : new_.encoding().externals()) {
     if (!isRead(e)) continue;
-    if (const auto before = options_.pairs.before(Address{*areaOf(e.site.kind), e.site.index}))
+    if (const auto before = options_.pairs.before(Address{*areaOfExternal(e.site.kind), e.site.index}))
       hold(*before, (*result.copy)(e.node));
   }
 }

@@ -25,7 +25,7 @@ struct Slip {
 const Slip slips[] = {
     {"guard_door", "      AN    Q 0.1;", "      A     Q 0.1;"},
     {"guard_locking", "S5T#3S", "S5T#2S"},
-    {"hoist", "      AN    Q 0.0;\n      =     Q 0.1;", "      =     Q 0.1;"},
+    {"hoist", "      A     I 0.3;\n", ""},
     {"muting_limit", "      AN    T 7;\n", ""},
     {"notaus", "      X     I 0.1;", "      O     I 0.1;"},
     // T32 counts single milliseconds in the middle of a scan, an S5 timer does not.

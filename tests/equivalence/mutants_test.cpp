@@ -142,6 +142,7 @@ TEST(FaultsOfTheCorpus, AreDifferentOrDoNothing) {
   for (const auto& entry :
        std::filesystem::recursive_directory_iterator(std::string(RUNGPROOF_SOURCE_DIR) + "/corpus")) {
     const std::string name = entry.path().filename().string();
+    if (entry.path().parent_path().filename() == "s7300") continue;  // the faults are those of S7-200 instructions
     const bool isWanted = isFull ? (wanted == "all" || wanted == name) && entry.path().extension() == ".awl"
                                  : std::ranges::find(few, name) != few.end();
     if (isWanted) files.insert(entry.path());

@@ -20,7 +20,7 @@ TEST(Scale, LintingIsLinear) {
   RecordProperty("milliseconds_10000", static_cast<int>(small * 1000));
   RecordProperty("milliseconds_100000", static_cast<int>(large * 1000));
   std::printf("10,000 instructions: %.0f ms; 100,000 instructions: %.0f ms\n", small * 1000, large * 1000);
-  EXPECT_LT(large, std::max(12 * small, 0.35));
+  EXPECT_LT(large, 15 * small);  // quadratic would be 100; ten times the text leaves the caches
   EXPECT_LT(large, 0.5);
 }
 

@@ -44,13 +44,21 @@ std::set<std::string> places(const Linted& linted) {
   return result;
 }
 
+/// A source of the S7-300 holds its blocks together by words. Where one of them is lost, what stood in its frame is
+/// told as unread: a title without a network, statements without a block, a block without its end.
+bool isOfLostFrame(const std::string& place, const std::string& spoilt) {
+  const bool isFrame = spoilt.starts_with("NETWORK") || spoilt.starts_with("ORGANIZATION_BLOCK") ||
+                       spoilt.starts_with("END_ORGANIZATION_BLOCK");
+  return isFrame && (place.starts_with("SYN020") || place.starts_with("SYN021") || place.starts_with("SYN044"));
+}
+
 class UnreadProgram : public ::testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(UnreadProgram, SetsOffNothingElsewhere) {
   const char* const wish = std::getenv("RUNGPROOF_UNREAD");
   const std::size_t step = wish != nullptr && std::string(wish) == "all" ? 1 : stride;
-  const bool isSmart = GetParam().string().find("/smart/") != std::string::npos;
-  const Cpu cpu = *cpuNamed(isSmart ? "ST40" : "226");
+  const std::string folder = GetParam().parent_path().filename().string();
+  const Cpu cpu = *cpuNamed(folder == "smart" ? "ST40" : folder == "s7300" ? "319-3" : "226");
   const Target target{cpu, usualEdition(cpu)};
   std::ifstream stream(GetParam(), std::ios::binary);
   std::ostringstream bytes;
@@ -72,7 +80,7 @@ TEST_P(UnreadProgram, SetsOffNothingElsewhere) {
     EXPECT_TRUE(std::ranges::any_of(linted.program.findings, isProgramReadError)) << own;
     for (const std::string& place : places(linted)) {
       const bool isRead = (place.starts_with("SYN") || place.starts_with("GRF")) && place.ends_with(own);
-      EXPECT_TRUE(isRead || intact.contains(place))
+      EXPECT_TRUE(isRead || intact.contains(place) || isOfLostFrame(place, lines[at]))
           << place << " once '" << lines[at] << "' (" << own << ") cannot be read";
     }
   }
