@@ -37,6 +37,10 @@ class Devices {
     return found == library_.end() ? 0 : found->second;
   }
 
+  /// Nothing happens at the ticks of the 1 ms clock to come until the program asks for something.
+  bool areIdle(const Concrete::Store& store) const {
+    return counters.areIdle(store) && pulses.areIdle() && ports.areIdle(store);
+  }
   /// One tick of the 1 ms clock.
   void passMillisecond(Concrete::Store& store, const RaiseEvent& raise) {
     counters.passMillisecond(store, pulses.passMillisecond(store, raise), raise);

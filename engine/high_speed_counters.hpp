@@ -35,6 +35,12 @@ class HighSpeedCounters {
   /// One ms of the scan. `ptoPulses`: pulses of PTO0 and PTO1 in it, for mode 12.
   void passMillisecond(Concrete::Store& store, const PulseCounts& ptoPulses, const RaiseEvent& raise);
   void reset();
+  /// No counter has a mode.
+  bool areIdle(const Concrete::Store& store) const {
+    std::uint64_t modes = 0;
+    for (std::uint32_t counter = 0; counter < count; ++counter) modes |= store.get(Reg::HscMode, counter);
+    return modes == 0;
+  }
 
  private:
   struct Lines {

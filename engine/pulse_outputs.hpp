@@ -3,6 +3,7 @@
 // Covered by tests/engine/device_test.cpp.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -20,6 +21,8 @@ class PulseOutputs {
   /// One ms; gives the pulses that each output made in it.
   PulseCounts passMillisecond(Concrete::Store& store, const RaiseEvent& raise);
   void reset() { trains_ = {}; }
+  /// No train is running.
+  bool areIdle() const { return std::ranges::none_of(trains_, &Train::isRunning); }
 
  private:
   /// `count` pulses, the first `cycleUs` long, each longer than the one before by `changeUs`.

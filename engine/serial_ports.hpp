@@ -27,6 +27,13 @@ class SerialPorts {
   void receiveEnded(std::uint32_t port, const RaiseEvent& raise);
   void passMillisecond(Concrete::Store& store, const RaiseEvent& raise);
   void reset();
+  /// Nothing is on its way.
+  bool areIdle(const Concrete::Store& store) const {
+    for (std::uint32_t port = 0; port < lines_.size(); ++port) {
+      if (store.get(Reg::PortBusy, port) != 0 || !lines_[port].incoming.empty()) return false;
+    }
+    return true;
+  }
 
  private:
   struct Line {

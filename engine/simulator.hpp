@@ -160,6 +160,7 @@ class Simulator final : private Outside {
   void serveInterrupts(Runner& runner);
   void runRoutine(Runner& runner, const InterruptQueue::Waiting& waiting);
   void passRest(Runner& runner, std::uint32_t lengthUs);
+  bool isQuietUntil(std::uint64_t position) const;
   void finishScan(std::uint32_t lengthUs);
 
   Plan plan_;

@@ -12,6 +12,8 @@ namespace {
 constexpr std::uint32_t idleTime = 100;      // 1 us without power flow (001:14522)
 constexpr std::uint32_t pointerTime = 1400;  // per indirect operand (001:14528)
 constexpr std::uint32_t unlistedTime = 100;  // instructions whose time the text has lost
+/// Timed interrupts, and the timers of 1 ms that reach their preset.
+constexpr std::array eventsOfTheClock = {10, 11, 21, 22};
 
 }  // namespace
 
@@ -111,7 +113,17 @@ void Simulator::checkWatchdog() {
                   position_ - watchdogFrom_ > static_cast<std::uint64_t>(options_.choices.watchdogMs()) * Cost::perMs);
 }
 
-/// The rest of the scan after the program, tick by tick.
+/// Whether up to there the ticks of the 1 ms clock let timers count and do nothing else.
+bool Simulator::isQuietUntil(std::uint64_t position) const {
+  const auto isAttached = [&](int event) {
+    return store_.get(Reg::EventRoutine, static_cast<std::uint32_t>(event)) != 0;
+  };
+  return queue_.empty() && observer_ == nullptr && std::ranges::none_of(eventsOfTheClock, isAttached) &&
+         devices_.areIdle(store_) &&
+         position - watchdogFrom_ <= static_cast<std::uint64_t>(options_.choices.watchdogMs()) * Cost::perMs;
+}
+
+/// The rest of the scan after the program, tick by tick, or at once where no tick makes a difference.
 void Simulator::passRest(Runner& runner, std::uint32_t lengthUs) {
   position_ += pending_;
   pending_ = 0;
@@ -124,6 +136,15 @@ void Simulator::passRest(Runner& runner, std::uint32_t lengthUs) {
   }
   const std::uint64_t asked = static_cast<std::uint64_t>(lengthUs) * Cost::perUs;
   const auto end = [&] { return std::max(asked, (position_ + Cost::perUs - 1) / Cost::perUs * Cost::perUs); };
+  if (machine_.guard && nextMs_ <= end() && isQuietUntil(end())) {
+    const std::uint64_t ticks = (end() - nextMs_) / Cost::perMs + 1;
+    position_ = std::max(position_, nextMs_ + (ticks - 1) * Cost::perMs);
+    nextMs_ += ticks * Cost::perMs;
+    moment_ += ticks;
+    clockMs_ += ticks;
+    for (std::uint64_t left = ticks; left > 0; left -= std::min<std::uint64_t>(left, longestStep))
+      refreshTimers(machine_, 1, std::min<std::uint64_t>(left, longestStep));
+  }
   while (machine_.guard && nextMs_ <= end()) {
     position_ = std::max(position_, nextMs_);
     boundary(runner, nullptr);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <tuple>
 
@@ -180,13 +181,30 @@ std::uint64_t valueOf(double number, SignalType type, int width) {
 }
 
 std::string numberText(double number, SignalType type) {
-  if (type == SignalType::Real) return fmt::format("{}", static_cast<float>(number));
-  return fmt::format("{}", number);
+  std::string text;
+  appendNumber(number, type, text);
+  return text;
 }
 
-std::vector<std::optional<double>> sampleValues(const Concrete::Store& store, const std::vector<TraceSignal>& signals) {
+void appendNumber(double number, SignalType type, std::string& text) {
+  constexpr double mostDigits = 1e15;  // all integers up to here are exact, and written without an exponent
+  const bool isInteger = std::abs(number) < mostDigits && std::trunc(number) == number && !std::signbit(number);
+  if (type == SignalType::Real) {
+    fmt::format_to(std::back_inserter(text), "{}", static_cast<float>(number));
+  } else if (isInteger) {
+    const fmt::format_int digits(static_cast<std::int64_t>(number));
+    text.append(digits.data(), digits.size());
+  } else {
+    fmt::format_to(std::back_inserter(text), "{}", number);
+  }
+}
+
+namespace {
+
+void sampleInto(const Concrete::Store& store, const std::vector<TraceSignal>& signals,
+                std::vector<std::optional<double>>& values) {
   const bool isRunning = store.get(Reg::Running, 0) != 0;
-  std::vector<std::optional<double>> values;
+  values.clear();
   values.reserve(signals.size());
   for (const TraceSignal& signal : signals) {
     const Operand& o = signal.operand;
@@ -203,11 +221,27 @@ std::vector<std::optional<double>> sampleValues(const Concrete::Store& store, co
     }
     values.emplace_back(numberOf(value, signal.type, signal.width()));
   }
+}
+
+}  // namespace
+
+std::vector<std::optional<double>> sampleValues(const Concrete::Store& store, const std::vector<TraceSignal>& signals) {
+  std::vector<std::optional<double>> values;
+  sampleInto(store, signals, values);
   return values;
 }
 
 TraceRow sampleRow(const Simulator& simulator, const std::vector<TraceSignal>& signals) {
-  return {simulator.scanCount(), simulator.timeUs(), simulator.lastScanUs(), sampleValues(simulator.store(), signals)};
+  TraceRow row;
+  sampleRow(simulator, signals, row);
+  return row;
+}
+
+void sampleRow(const Simulator& simulator, const std::vector<TraceSignal>& signals, TraceRow& row) {
+  row.scan = simulator.scanCount();
+  row.timeUs = simulator.timeUs();
+  row.scanUs = simulator.lastScanUs();
+  sampleInto(simulator.store(), signals, row.values);
 }
 
 }  // namespace rungproof

@@ -75,10 +75,13 @@ double numberOf(std::uint64_t value, SignalType type, int width);
 std::uint64_t valueOf(double number, SignalType type, int width);
 /// "1", "-20", "1.5": shortest text that reads back as the same number.
 std::string numberText(double number, SignalType type);
+void appendNumber(double number, SignalType type, std::string& text);
 
 /// Values of the signals in a state at the end of a scan. In STOP, Q shows the physical outputs.
 std::vector<std::optional<double>> sampleValues(const Concrete::Store& store, const std::vector<TraceSignal>& signals);
 /// The same with number, time and length of the simulator's last scan.
 TraceRow sampleRow(const Simulator& simulator, const std::vector<TraceSignal>& signals);
+/// The same into a row that is there.
+void sampleRow(const Simulator& simulator, const std::vector<TraceSignal>& signals, TraceRow& row);
 
 }  // namespace rungproof

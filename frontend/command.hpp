@@ -59,6 +59,7 @@ struct Context {
   Exit fail(const Failure& failure) const;
   /// Writes the text of one output: to `out`, or to a file (disk_file.hpp). Prints the reason if it cannot.
   bool write(const OutputRequest& output, std::string_view text, InputFile input = InputFile::Refuse) const;
+  bool write(const OutputRequest& output, const PiecewiseText& text, InputFile input = InputFile::Refuse) const;
 };
 
 /// Drops findings below --level, sorts, writes the report in every requested form, and gives the exit code.

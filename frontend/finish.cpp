@@ -15,14 +15,17 @@ Exit Context::fail(const Failure& failure) const {
 }
 
 bool Context::write(const OutputRequest& output, std::string_view text, InputFile input) const {
-  if (output.file.empty() || output.file == "-") {
-    out << text;
-    return static_cast<bool>(out);
-  }
+  return write(
+      output, [text](const TakePiece& take) { return take(text); }, input);
+}
+
+bool Context::write(const OutputRequest& output, const PiecewiseText& text, InputFile input) const {
+  if (output.file.empty() || output.file == "-")
+    return text([&](std::string_view piece) { return static_cast<bool>(out << piece); });
   out.flush();
   const std::optional<Failure> failure = writeOutputFile(output.file, text, input);
   if (!failure) return true;
-  print(err, *failure);
+  if (!failure->message.empty()) print(err, *failure);
   hasLostOutput = true;
   return false;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <ostream>
 #include <utility>
@@ -20,6 +21,7 @@
 #include "frontend/simulation/stimulus_column.hpp"
 #include "frontend/simulation/stimulus_reader.hpp"
 #include "frontend/simulation/trace_file.hpp"
+#include "frontend/trace_format.hpp"
 
 namespace rungproof {
 
@@ -55,8 +57,9 @@ struct Job {
   std::uint64_t scans = 0;       ///< run at least so many scans
   std::uint64_t durationUs = 0;  ///< and until a scan has begun at this time or later
   ScanTime scanTime{};
-  bool keepsTrace = true;    ///< somebody looks at the trace afterwards
-  std::uint64_t memory = 0;  ///< bytes that the trace may take
+  bool keepsTrace = true;               ///< somebody looks at the trace afterwards
+  std::optional<std::string> stream{};  ///< file to which rows go while the run goes on; "-": standard output
+  std::uint64_t memory = 0;             ///< bytes that the trace may take
 };
 
 class Preparation {
@@ -74,7 +77,8 @@ class Preparation {
     for (const std::string& name : arguments_.traces) {
       if (auto failure = checkTraceName(name)) failures.push_back(*failure);
     }
-    job.keepsTrace = !arguments_.traces.empty() || job.expected || isResult();
+    job.stream = streamed(job);
+    job.keepsTrace = !job.stream && (!arguments_.traces.empty() || job.expected || isResult());
     job.memory = context_.settings.memory().value_or(mostTraceBytes);
     if (failures.empty()) checkLength(job);
     return job;
@@ -89,6 +93,15 @@ class Preparation {
   std::vector<Failure> failures;
 
  private:
+  /// One trace that nobody else looks at needs no memory, where its form takes row by row.
+  std::optional<std::string> streamed(const Job& job) const {
+    if (job.expected || arguments_.traces.size() > 1) return std::nullopt;
+    const bool isLengthGiven = arguments_.scans != 0 || !arguments_.duration.empty();
+    if (arguments_.traces.empty()) return isResult() && isLengthGiven ? std::optional<std::string>("-") : std::nullopt;
+    const TraceFormat* format = traceFormatFor(arguments_.traces.front());
+    return format != nullptr && format->appendRow != nullptr ? std::optional(arguments_.traces.front()) : std::nullopt;
+  }
+
   /// What is too long even with the longest scans need not be begun.
   void checkLength(const Job& job) {
     auto longest = static_cast<std::uint64_t>(job.scanTime.high.count());
@@ -223,28 +236,67 @@ class ScanLengths {
   std::uint64_t state_;
 };
 
-/// `drawings`: networks to be drawn for every scan, or nullptr. The failure of a run that turns out too long.
-std::optional<Failure> record(Simulator& simulator, const Job& job, std::uint64_t seed, const Context& context,
-                              ScanDrawings* drawings, Trace& trace) {
-  trace.signals = job.signals;
+/// After each scan; false: the run ends here.
+using AfterScan = std::function<bool()>;
+
+/// The failure of a run that turns out too long.
+std::optional<Failure> play(Simulator& simulator, const Job& job, std::uint64_t seed, const Context& context,
+                            const AfterScan& afterScan) {
   StimulusPlayer player(simulator, job.stimulus);
   ScanLengths lengths(job.scanTime, seed);
   Progress progress(context);
-  if (drawings != nullptr) simulator.observe(&drawings->recorder());
   std::optional<Failure> failure;
   while (simulator.scanCount() < job.scans || simulator.timeUs() < job.durationUs) {
-    failure = refusedRun(simulator.scanCount() + 1, job.keepsTrace ? trace.signals.size() : 0, job.memory);
+    failure = refusedRun(simulator.scanCount() + 1, job.keepsTrace ? job.signals.size() : 0, job.memory);
     if (failure) break;
     ScanRequest request = player.next();
     if (request.lengthUs == 0) request.lengthUs = lengths.next();
     simulator.scan(request);
-    if (job.keepsTrace) trace.rows.push_back(sampleRow(simulator, trace.signals));
-    if (drawings != nullptr) drawings->add();
+    if (!afterScan()) break;
     progress.show(simulator.scanCount(), simulator.timeUs());
     if (!simulator.isRunning() && !job.expected) break;
   }
   progress.clear();
   return failure;
+}
+
+/// `drawings`: networks to be drawn for every scan, or nullptr.
+std::optional<Failure> record(Simulator& simulator, const Job& job, std::uint64_t seed, const Context& context,
+                              ScanDrawings* drawings, Trace& trace) {
+  trace.signals = job.signals;
+  if (drawings != nullptr) simulator.observe(&drawings->recorder());
+  return play(simulator, job, seed, context, [&] {
+    if (job.keepsTrace) trace.rows.push_back(sampleRow(simulator, trace.signals));
+    if (drawings != nullptr) drawings->add();
+    return true;
+  });
+}
+
+/// Writes the trace while the run goes on. False: it could not be written, or the run was too long; the reason is said.
+bool stream(Simulator& simulator, const Job& job, std::uint64_t seed, const Context& context, SignalNames names) {
+  constexpr std::size_t piece = 1 << 16;  // bytes
+  const TraceFormat& format = *traceFormatFor(*job.stream);
+  Trace head;
+  head.signals = job.signals;
+  head = named(std::move(head), names);
+  std::optional<Failure> failure;
+  const bool isWritten = context.write({std::string(format.ending), *job.stream}, [&](const TakePiece& take) {
+    std::string text;
+    TraceRow row;
+    bool isTaken = true;
+    format.appendHead(head, text);
+    failure = play(simulator, job, seed, context, [&] {
+      sampleRow(simulator, head.signals, row);
+      format.appendRow(head, row, text);
+      if (text.size() < piece) return true;
+      isTaken = take(text);
+      text.clear();
+      return isTaken;
+    });
+    return isTaken && !failure && take(text);
+  });
+  if (failure) context.fail(*failure);
+  return isWritten;
 }
 
 Exit run(const Arguments& arguments, Context& context) {
@@ -281,11 +333,13 @@ Exit run(const Arguments& arguments, Context& context) {
   std::optional<ScanDrawings> drawings;
   if (std::ranges::any_of(arguments.traces, isPage)) drawings.emplace(program);
   Trace trace;
-  if (auto failure = record(simulator, job, options.seed, context, drawings ? &*drawings : nullptr, trace))
+  if (job.stream) {
+    if (!stream(simulator, job, options.seed, context, arguments.signalNames())) return Exit::Failed;
+  } else if (auto failure = record(simulator, job, options.seed, context, drawings ? &*drawings : nullptr, trace))
     return context.fail(*failure);
   const TraceDrawings drawn = drawings ? drawings->take() : TraceDrawings{};
 
-  for (const std::string& name : arguments.traces) {
+  for (const std::string& name : job.stream ? std::vector<std::string>() : arguments.traces) {
     const std::string& title = program.sources->file(0).name();
     const bool isDrawn = job.expected && (isPage(name) || name.ends_with(".svg"));
     TraceBeside shown = isDrawn ? besideExpected(*job.expected, trace, job.compare) : TraceBeside{};
@@ -298,14 +352,15 @@ Exit run(const Arguments& arguments, Context& context) {
   }
   describeRun(report, simulator, job.scanTime);
   if (const std::string text = stopText(simulator); !text.empty() && !context.settings.flag(Opt::Quiet))
-    context.err << fmt::format("rungproof: {} in scan {}\n", text, trace.rows.empty() ? 0 : trace.rows.back().scan);
+    context.err << fmt::format("rungproof: {} in scan {}\n", text, simulator.scanCount());
   if (job.expected) {
     report.failLevel = Severity::Error;  // a warning is said beside the comparison
     report.comparison = comparisonOf(*job.expected, trace, firstDifference(*job.expected, trace, job.compare));
   }
   if (!preparation.isResult()) return finish(context, std::move(report));
   // Nothing else was asked for: the trace itself is the result, and what there is to say goes beside it.
-  if (!writeTrace(context, "-", named(std::move(trace), arguments.signalNames()), "")) return Exit::Failed;
+  if (!job.stream && !writeTrace(context, "-", named(std::move(trace), arguments.signalNames()), ""))
+    return Exit::Failed;
   if (report.findings.empty() && report.coverage.leftOut.empty()) return Exit::Clean;
   Context beside{context.settings, context.in, context.err, context.err, false, context.progress, context.outputs};
   return finish(beside, std::move(report));

@@ -89,7 +89,7 @@ Failure failureOf(const std::string& name, const char* reason, std::string help 
 }
 
 /// All bytes, also where the system takes them in pieces; errno tells why not.
-bool writeAll(int file, std::string_view text) {
+bool writePiece(int file, std::string_view text) {
   while (!text.empty()) {
     const ssize_t count = ::write(file, text.data(), text.size());
     if (count < 0 && errno == EINTR) continue;
@@ -99,8 +99,21 @@ bool writeAll(int file, std::string_view text) {
   return true;
 }
 
+/// Everything that `text` gives; errno tells why not, 0: it gave up.
+bool writeAll(int file, const PiecewiseText& text) {
+  bool isTaken = true;
+  const bool isWhole = text([&](std::string_view piece) { return isTaken = writePiece(file, piece); });
+  if (isTaken && !isWhole) errno = 0;
+  return isTaken && isWhole;
+}
+
+/// Why writeAll() did not; without a message where the text gave up: whoever gives it knows why.
+Failure failureOf(const std::string& name, int reason) {
+  return reason == 0 ? Failure{} : failureOf(name, std::strerror(reason));
+}
+
 /// Into what stands there, without replacing it. A pipe without a reader is an error, not the end of the program.
-std::optional<Failure> writeDirectly(const std::string& name, std::string_view text, bool isRegular) {
+std::optional<Failure> writeDirectly(const std::string& name, const PiecewiseText& text, bool isRegular) {
   const int file = ::open(name.c_str(), O_WRONLY | O_CLOEXEC | (isRegular ? O_TRUNC : 0));
   if (file < 0) return failureOf(name, std::strerror(errno));
   const auto before = std::signal(SIGPIPE, SIG_IGN);
@@ -108,11 +121,11 @@ std::optional<Failure> writeDirectly(const std::string& name, std::string_view t
   const int reason = errno;
   std::signal(SIGPIPE, before);
   if (::close(file) == 0 && isWritten) return std::nullopt;
-  return failureOf(name, std::strerror(isWritten ? errno : reason));
+  return failureOf(name, isWritten ? errno : reason);
 }
 
 /// Beside the target, then in its place. `old`: what stands there now, or nullptr.
-std::optional<Failure> replaceWhole(const std::string& name, const fs::path& target, std::string_view text,
+std::optional<Failure> replaceWhole(const std::string& name, const fs::path& target, const PiecewiseText& text,
                                     const struct stat* old) {
   const std::string part = target.string() + fmt::format(".{}.part", ::getpid());
   const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -132,7 +145,7 @@ std::optional<Failure> replaceWhole(const std::string& name, const fs::path& tar
     }
   }
   isDone = writeAll(file, text);
-  int reason = errno;
+  int reason = isDone ? 0 : errno;
   if (::close(file) != 0 && isDone) {
     isDone = false;
     reason = errno;
@@ -143,7 +156,7 @@ std::optional<Failure> replaceWhole(const std::string& name, const fs::path& tar
   }
   if (isDone) return std::nullopt;
   ::unlink(part.c_str());
-  return failureOf(name, std::strerror(reason));
+  return failureOf(name, reason);
 }
 
 }  // namespace
@@ -221,6 +234,11 @@ fs::path behindLinks(const fs::path& name) {
 }
 
 std::optional<Failure> writeOutputFile(const std::string& name, std::string_view text, InputFile input) {
+  return writeOutputFile(
+      name, [text](const TakePiece& take) { return take(text); }, input);
+}
+
+std::optional<Failure> writeOutputFile(const std::string& name, const PiecewiseText& text, InputFile input) {
   struct stat old {};
   if (::stat(name.c_str(), &old) != 0) {
     if (errno != ENOENT) return failureOf(name, std::strerror(errno));
@@ -237,7 +255,7 @@ std::optional<Failure> writeOutputFile(const std::string& name, std::string_view
   for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
     struct stat open {};
     if (::fstat(stream, &open) == 0 && identityOf(open) == identityOf(old))  // /dev/stdout, led into a file
-      return writeAll(stream, text) ? std::nullopt : std::optional(failureOf(name, std::strerror(errno)));
+      return writeAll(stream, text) ? std::nullopt : std::optional(failureOf(name, errno));
   }
   if (old.st_nlink > 1) return writeDirectly(name, text, true);  // all its names stay the same file
   const fs::path target = behindLinks(name);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -56,6 +57,15 @@ enum class InputFile : bool { Refuse, Replace };  ///< Replace: the input itself
 /// the place that links lead to; anything else (device, pipe, standard output by its name) is written to directly. What
 /// no mode bit permits to write is refused, whoever asks.
 std::optional<Failure> writeOutputFile(const std::string& name, std::string_view text,
+                                       InputFile input = InputFile::Refuse);
+
+/// Takes the next piece of a text; false: it cannot be written, no other piece is wanted.
+using TakePiece = std::function<bool(std::string_view piece)>;
+/// Gives a text piece by piece. False: it gives up; a regular file is left as it was.
+using PiecewiseText = std::function<bool(const TakePiece&)>;
+/// The same for a text that is never whole in memory. It is asked for once everything that can be refused has been;
+/// where it gives up, the failure has no message.
+std::optional<Failure> writeOutputFile(const std::string& name, const PiecewiseText& text,
                                        InputFile input = InputFile::Refuse);
 
 }  // namespace rungproof

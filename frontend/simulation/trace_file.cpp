@@ -37,7 +37,7 @@ std::optional<std::string> readFile(const Context& context, const std::string& n
 }
 
 std::optional<Failure> checkTraceName(const std::string& name) {
-  if (name == "-" || traceFormatOf(name) != nullptr) return std::nullopt;
+  if (traceFormatFor(name) != nullptr) return std::nullopt;
   std::string endings;
   for (const TraceFormat* format : allTraceFormats())
     endings += fmt::format("{}{} ({})", endings.empty() ? "" : ", ", format->ending, format->summary);
@@ -45,7 +45,7 @@ std::optional<Failure> checkTraceName(const std::string& name) {
 }
 
 bool writeTrace(const Context& context, const std::string& name, const Trace& trace, std::string_view title) {
-  const TraceFormat* format = name == "-" ? traceFormatOf("-.csv") : traceFormatOf(name);
+  const TraceFormat* format = traceFormatFor(name);
   std::ostringstream text;
   format->write(trace, title, text);
   return context.write({std::string(format->ending), name}, text.view());

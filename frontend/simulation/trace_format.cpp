@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
+
 namespace rungproof {
 
 const TraceFormat* traceFormatOf(std::string_view fileName) {
@@ -12,11 +14,22 @@ const TraceFormat* traceFormatOf(std::string_view fileName) {
   return nullptr;
 }
 
+const TraceFormat* traceFormatFor(std::string_view outputName) {
+  return traceFormatOf(outputName == "-" ? "-.csv" : outputName);
+}
+
 std::string millisecondsText(std::uint64_t us) {
-  if (us % 1000 == 0) return fmt::format("{}", us / 1000);
-  std::string text = fmt::format("{}.{:03}", us / 1000, us % 1000);
-  text.erase(text.find_last_not_of('0') + 1);
+  std::string text;
+  appendMilliseconds(us, text);
   return text;
+}
+
+void appendMilliseconds(std::uint64_t us, std::string& text) {
+  const fmt::format_int whole(us / 1000);
+  text.append(whole.data(), whole.size());
+  if (us % 1000 == 0) return;
+  fmt::format_to(std::back_inserter(text), ".{:03}", us % 1000);
+  text.erase(text.find_last_not_of('0') + 1);
 }
 
 }  // namespace rungproof

@@ -2,6 +2,8 @@
 // new.event where they come at different places of two programs), device if
 // devices do only what stands there, then one column per signal. The file is a stimulus as well: having time_ms behind
 // scan, it is known as a recording (frontend/simulation/stimulus_reader.hpp). Tested by tests/trace/csv_test.cpp.
+#include <fmt/format.h>
+
 #include <ostream>
 
 #include "frontend/trace_format.hpp"
@@ -17,37 +19,61 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-void write(const Trace& trace, std::string_view, std::ostream& out) {
-  const bool hasEvents = !trace.isByTime && trace.hasEvents();
-  const bool hasDevices = !trace.isByTime && trace.hasDevices;
-  out << (trace.isByTime ? "time_ms" : "scan,time_ms,scan_ms")
-      << (!hasEvents           ? ""
-          : trace.hasTwoEvents ? ",old.event,new.event"
-                               : ",event")
-      << (hasDevices ? ",device" : "");
-  for (const auto& [name, value] : trace.start) out << ',' << name;
-  for (const TraceSignal& signal : trace.signals) out << ',' << quoted(signal.name);
-  out << '\n';
-  for (const TraceRow& row : trace.rows) {
-    if (!trace.isByTime) out << row.scan << ',';
-    out << millisecondsText(row.timeUs);
-    if (!trace.isByTime) out << ',' << millisecondsText(row.scanUs);
-    if (hasEvents) out << ',' << quoted(row.events);
-    if (hasEvents && trace.hasTwoEvents) out << ',' << quoted(row.newEvents);
-    if (hasDevices) out << ',' << quoted(row.devices);
-    for (const auto& [name, value] : trace.start)
-      out << ',' << (&row == trace.rows.data() ? std::to_string(value) : "");
-    for (std::size_t i = 0; i < trace.signals.size(); ++i) {
-      out << ',';
-      if (row.values[i]) out << numberText(*row.values[i], trace.signals[i].type);
-    }
-    out << '\n';
+void appendHead(const Trace& trace, std::string& text) {
+  text += trace.isByTime ? "time_ms" : "scan,time_ms,scan_ms";
+  if (!trace.isByTime && trace.hasEvents()) text += trace.hasTwoEvents ? ",old.event,new.event" : ",event";
+  if (!trace.isByTime && trace.hasDevices) text += ",device";
+  for (const auto& [name, value] : trace.start) text += ',' + name;
+  for (const TraceSignal& signal : trace.signals) text += ',' + quoted(signal.name);
+  text += '\n';
+}
+
+/// What a run alone tells stands between the times and the signals.
+struct BesideSignals {
+  bool hasEvents = false, hasDevices = false, isFirst = false;
+};
+
+void appendRow(const Trace& trace, const TraceRow& row, const BesideSignals& beside, std::string& text) {
+  if (!trace.isByTime) {
+    const fmt::format_int scan(row.scan);
+    text.append(scan.data(), scan.size()) += ',';
   }
+  appendMilliseconds(row.timeUs, text);
+  if (!trace.isByTime) appendMilliseconds(row.scanUs, text += ',');
+  if (beside.hasEvents) text += ',' + quoted(row.events);
+  if (beside.hasEvents && trace.hasTwoEvents) text += ',' + quoted(row.newEvents);
+  if (beside.hasDevices) text += ',' + quoted(row.devices);
+  for (const auto& [name, value] : trace.start) text += ',' + (beside.isFirst ? std::to_string(value) : "");
+  for (std::size_t i = 0; i < trace.signals.size(); ++i) {
+    text += ',';
+    if (row.values[i]) appendNumber(*row.values[i], trace.signals[i].type, text);
+  }
+  text += '\n';
+}
+
+void appendPlainRow(const Trace& trace, const TraceRow& row, std::string& text) {
+  appendRow(trace, row, {.isFirst = row.scan == 1}, text);
+}
+
+void write(const Trace& trace, std::string_view, std::ostream& out) {
+  BesideSignals beside{!trace.isByTime && trace.hasEvents(), !trace.isByTime && trace.hasDevices};
+  std::string text;
+  appendHead(trace, text);
+  for (const TraceRow& row : trace.rows) {
+    beside.isFirst = &row == trace.rows.data();
+    appendRow(trace, row, beside, text);
+    out << text;
+    text.clear();
+  }
+  out << text;
 }
 
 }  // namespace
 
-extern constexpr TraceFormat csvTrace = {
-    .ending = ".csv", .summary = "comma-separated values, also a stimulus", .write = write};
+extern constexpr TraceFormat csvTrace = {.ending = ".csv",
+                                         .summary = "comma-separated values, also a stimulus",
+                                         .write = write,
+                                         .appendHead = appendHead,
+                                         .appendRow = appendPlainRow};
 
 }  // namespace rungproof

@@ -135,11 +135,20 @@ void refreshSpecialMemory(Machine<D>& m, typename D::Bits elapsed) {
 template <class D>
 void writeOutputs(Machine<D>& m) {
   const auto running = m.getBit(Reg::Running);
-  for (std::uint32_t bit = 0; bit < m.terminals(); ++bit) {
-    const auto image = m.d.land(running, m.loadBit(Area::Q, bit / 8, bit % 8));
-    const std::optional<std::uint32_t> generator = generatorOf(bit);
-    const auto owned = generator ? m.d.land(running, m.getBit(Reg::PulseBusy, *generator)) : m.d.constant(false);
+  const auto write = [&](std::uint32_t bit, typename D::Bool value) {
+    const auto image = m.d.land(running, value);
+    const std::optional<std::uint32_t> generator = bit < 8 ? generatorOf(bit) : std::nullopt;
+    if (!generator) return m.setBit(Reg::PhysicalOutput, bit, image);
+    const auto owned = m.d.land(running, m.getBit(Reg::PulseBusy, *generator));
     m.setBit(Reg::PhysicalOutput, bit, m.d.select(owned, m.getBit(Reg::PhysicalOutput, bit), image));
+  };
+  for (std::uint32_t byte = 0; byte < m.terminals() / 8; ++byte) {
+    if constexpr (std::same_as<typename D::Bool, bool>) {  // the same, byte by byte
+      const auto value = m.load(Area::Q, byte, Width::Byte);
+      for (std::uint32_t bit = 0; bit < 8; ++bit) write(byte * 8 + bit, (value >> bit & 1) != 0);
+    } else {
+      for (std::uint32_t bit = 0; bit < 8; ++bit) write(byte * 8 + bit, m.loadBit(Area::Q, byte, bit));
+    }
   }
 }
 

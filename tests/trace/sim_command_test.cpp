@@ -265,7 +265,7 @@ TEST_F(SimCommand, LengthsOnTheCommandLineHaveTheSameLimits) {
     EXPECT_NE(err_, "");
   }
   // The trace of 40,000 scans with 6 signals is more than a megabyte; what nobody looks at is not kept.
-  EXPECT_EQ(run({"sim", program, "--scans", "40000", "--memory", "1MB", "--trace", path("t.csv")}), 2);
+  EXPECT_EQ(run({"sim", program, "--scans", "40000", "--memory", "1MB", "--trace", path("t.vcd")}), 2);
   EXPECT_NE(err_.find("does not fit into 1 MB"), std::string::npos) << err_;
   EXPECT_EQ(run({"sim", program, "--scans", "40000", "--memory", "1MB", "--format", "json"}), 0) << err_;
 }
@@ -273,8 +273,39 @@ TEST_F(SimCommand, LengthsOnTheCommandLineHaveTheSameLimits) {
 /// A stimulus that makes the scans shorter as it goes is stopped while it runs.
 TEST_F(SimCommand, ARunThatTurnsOutTooLongEnds) {
   write("shorter.csv", "time_ms,scan_ms,I0.0\n0,300,1\n300,0.001,0\n10000,,1\n");
-  EXPECT_EQ(run({"sim", path("start.awl"), "--stimulus", path("shorter.csv"), "--memory", "1MB", "--trace", "-"}), 2);
+  EXPECT_EQ(
+      run({"sim", path("start.awl"), "--stimulus", path("shorter.csv"), "--memory", "1MB", "--trace", path("t.vcd")}),
+      2);
   EXPECT_NE(err_.find("does not fit into 1 MB"), std::string::npos) << err_;
+}
+
+// One trace is written while the run goes on, several when it has ended.
+TEST_F(SimCommand, ATraceIsTheSameWhetherItIsKeptOrNot) {
+  const std::vector<std::string> one = {"sim",         path("start.awl"), "--stimulus", path("start.csv"),
+                                        "--scan-time", "7ms..12ms"};
+  std::vector<std::string> alone = one, beside = one;
+  alone.insert(alone.end(), {"--trace", path("alone.csv"), "--names", "both"});
+  beside.insert(beside.end(), {"--trace", path("kept.csv"), "--trace", path("kept.json"), "--names", "both"});
+  ASSERT_EQ(run(alone), 0) << err_;
+  ASSERT_EQ(run(beside), 0) << err_;
+  EXPECT_EQ(content("alone.csv"), content("kept.csv"));
+  EXPECT_GT(content("alone.csv").size(), 1000U);
+  for (const std::vector<std::string>& length : {std::vector<std::string>(), {"--scans", "50"}}) {
+    std::vector<std::string> shown = one;
+    shown.insert(shown.end(), {"--names", "both"});
+    shown.insert(shown.end(), length.begin(), length.end());
+    ASSERT_EQ(run(shown), 0);
+    EXPECT_EQ(out_, content("alone.csv"));
+  }
+}
+
+TEST_F(SimCommand, ARunThatCannotEndLeavesTheOldTrace) {
+  write("run.csv", "as it was");
+  EXPECT_EQ(run({"sim", path("start.awl"), "--duration", "2000h", "--scan-time", "1ms", "--trace", path("run.csv")}),
+            2);
+  EXPECT_EQ(content("run.csv"), "as it was");
+  EXPECT_EQ(run({"sim", path("start.awl"), "--stimulus", path("start.csv"), "--trace", path("start.csv")}), 2);
+  EXPECT_NE(err_.find("has been read as input"), std::string::npos) << err_;
 }
 
 }  // namespace
