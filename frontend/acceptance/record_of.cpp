@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "analysis/read_errors.hpp"
-#include "frontend/explain/certificate_head.hpp"
 #include "frontend/files/disk_file.hpp"
+#include "frontend/files/sha256.hpp"
 #include "frontend/linting/lint_run.hpp"
 #include "frontend/picture/network_view.hpp"
 #include "frontend/picture/timing_diagram.hpp"

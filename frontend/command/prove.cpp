@@ -1,5 +1,6 @@
 // `rungproof prove`: declared properties and built-in checks, each with a verdict and its evidence.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <atomic>
@@ -7,6 +8,7 @@
 #include <filesystem>
 #include <set>
 #include <sstream>
+#include <streambuf>
 
 #include "analysis/proof/proof_networks.hpp"
 #include "analysis/proof/rule_answers.hpp"
@@ -15,7 +17,9 @@
 #include "frontend/acceptance/record_of.hpp"
 #include "frontend/command.hpp"
 #include "frontend/explain/certificate_head.hpp"
+#include "frontend/files/sha256.hpp"
 #include "frontend/input/proof_input.hpp"
+#include "frontend/result_cache.hpp"
 #include "frontend/simulation/witness_drawing.hpp"
 #include "frontend/simulation/witness_report.hpp"
 #include "frontend/text/excerpt.hpp"
@@ -257,7 +261,16 @@ std::set<std::string> keepOnly(const std::vector<std::string>& only, PropertySet
   return met;
 }
 
-Exit run(const Arguments& arguments, Context& context) {
+/// Whether another run with more time could say more.
+bool isFinal(const Report& report) {
+  return !interrupted && report.defects.empty() &&
+         std::ranges::none_of(report.properties, [](const PropertyResult& property) {
+           return property.verdict == Outcome::Unknown || property.verdict == Outcome::HoldsToBound;
+         });
+}
+
+/// `isSettled` becomes whether the result is final.
+Exit runAnew(const Arguments& arguments, Context& context, bool& isSettled) {
   ReportMerger merger;
   EvidenceNames names;
   std::set<std::string> met;
@@ -302,7 +315,76 @@ Exit run(const Arguments& arguments, Context& context) {
   report.reasons.insert(report.reasons.end(), unmet.begin(), unmet.end());
   if (report.properties.empty() && report.reasons.empty())
     report.reasons.push_back({Exit::Failed, "nothing was checked"});
+  isSettled = isFinal(report);
   return finish(context, std::move(report));
+}
+
+/// Gives everything on to a stream and keeps a copy.
+class CopyingBuffer final : public std::streambuf {
+ public:
+  explicit CopyingBuffer(std::ostream& stream) : stream_(stream) {}
+  const std::string& copy() const { return copy_; }
+
+ private:
+  int overflow(int c) override {
+    if (c == traits_type::eof()) return 0;
+    const char letter = static_cast<char>(c);
+    return xsputn(&letter, 1) == 1 ? c : traits_type::eof();
+  }
+  std::streamsize xsputn(const char* text, std::streamsize count) override {
+    copy_.append(text, static_cast<std::size_t>(count));
+    return stream_.write(text, count) ? count : 0;
+  }
+  int sync() override { return stream_.flush() ? 0 : -1; }
+
+  std::ostream& stream_;
+  std::string copy_;
+};
+
+/// Everything that was asked for, in words.
+std::string questionOf(const Arguments& arguments, const Context& context) {
+  std::vector<std::string> parts = {"prove", arguments.show};
+  for (const bool flag : {arguments.asDownloaded, arguments.builtin, arguments.selfCheck, context.color})
+    parts.push_back(flag ? "1" : "0");
+  for (const std::vector<std::string>* list :
+       {&arguments.files, &arguments.properties, &arguments.only, &context.given}) {
+    parts.push_back(fmt::format("{}:", list->size()));
+    parts.insert(parts.end(), list->begin(), list->end());
+  }
+  return fmt::format("{}", fmt::join(parts, "\n"));
+}
+
+/// Files that a run writes are not kept, and standard input is read once.
+bool mayBeKept(const Arguments& arguments, const Context& context) {
+  const auto isInput = [](const std::string& name) { return name == "-"; };
+  const bool hasInput =
+      std::ranges::any_of(arguments.files, isInput) || std::ranges::any_of(arguments.properties, isInput);
+  const bool writesFiles = !arguments.certificates.empty() || !arguments.traces.empty() ||
+                           std::ranges::any_of(context.outputs, [](const OutputRequest& o) { return !o.file.empty(); });
+  return !hasInput && !writesFiles;
+}
+
+Exit run(const Arguments& arguments, Context& context) {
+  const std::string folder(mayBeKept(arguments, context) ? context.settings.text(Opt::Cache) : "");
+  bool isSettled = false;
+  if (folder.empty()) return runAnew(arguments, context, isSettled);
+  const ResultCache cache(folder, questionOf(arguments, context), arguments.files);
+  if (const std::optional<KeptResult> kept = cache.find()) {
+    context.out << kept->out;
+    context.err << kept->err;
+    return kept->exit;
+  }
+  CopyingBuffer outCopy(context.out), errCopy(context.err);
+  std::ostream out(&outCopy), err(&errCopy);
+  Context copied{context.settings, context.in, out, err, context.color, context.progress, context.outputs};
+  copied.settingsNear = context.settingsNear;
+  copied.readSettings = context.readSettings;
+  copied.given = context.given;
+  const Exit exit = runAnew(arguments, copied, isSettled);
+  context.hasLostOutput = copied.hasLostOutput;
+  const bool isDone = exit == Exit::Clean || exit == Exit::Found;
+  if (isDone && isSettled && !copied.hasLostOutput) cache.keep({outCopy.copy(), withoutProgress(errCopy.copy()), exit});
+  return exit;
 }
 
 Action setup(ArgumentTable& table) {

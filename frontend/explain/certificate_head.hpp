@@ -10,9 +10,6 @@
 
 namespace rungproof {
 
-/// SHA-256 of the bytes as 64 hexadecimal digits, as sha256sum prints it.
-std::string sha256(std::string_view bytes);
-
 /// What a certificate says.
 struct CertifiedStatement {
   std::string kind;  ///< "property"

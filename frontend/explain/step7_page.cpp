@@ -101,6 +101,7 @@ std::string nameOfBlock(const s7300::LibraryBlock& block) { return blockName(blo
 
 /// modelled, or how far the model goes.
 std::string_view modelOf(const s7300::LibraryBlock& block) {
+  if (step7::isContractOnly(block)) return "contract only: every output is any value after each call";
   return step7::isModelled(block) ? "modelled: its statements are known" : "NOT COVERED: only its parameters are known";
 }
 

@@ -186,6 +186,8 @@ void holdText(const std::string& name, HeldText text) { heldTexts()[heldKey(name
 
 void releaseText(const std::string& name) { heldTexts().erase(heldKey(name)); }
 
+bool holdsTexts() { return !heldTexts().empty(); }
+
 const HeldText* heldText(const std::string& name) {
   if (heldTexts().empty()) return nullptr;
   const auto found = heldTexts().find(heldKey(name));

@@ -36,6 +36,7 @@ struct HeldText {
 };
 void holdText(const std::string& name, HeldText text);
 void releaseText(const std::string& name);
+bool holdsTexts();
 /// nullptr: the file on the disk counts. Valid until that name is held anew or released.
 const HeldText* heldText(const std::string& name);
 

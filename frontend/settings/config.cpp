@@ -70,7 +70,7 @@ class Reader {
     if (auto failure = readTexts(*info, node, texts)) return failure;
     for (std::string& text : texts) {
       if (auto failure = checkValue(*info, text)) return at(node.source(), *failure);
-      if (info->value == "FILE") text = placed(text);
+      if (info->value == "FILE" || info->value == "DIR") text = placed(text);
       if (info->id != Opt::Format) continue;
       if (auto failure = placeOutput(text)) return at(node.source(), *failure);
     }

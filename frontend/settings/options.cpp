@@ -53,6 +53,7 @@ constexpr std::array table = {
     OptionInfo{Opt::Memory, Running, Arity::One, "memory", "SIZE", "", "memory limit, as 500MB or 2GB (three quarters of the machine; lint --prove: 2GB)"},
     OptionInfo{Opt::Bound, Running, Arity::One, "bound", "N", "", "look at no more than N scans"},
     OptionInfo{Opt::Jobs, Running, Arity::One, "jobs", "N", "", "threads to use (all processors)"},
+    OptionInfo{Opt::Cache, Proving, Arity::One, "cache", "DIR", "", "prove: keep results in this folder, and repeat them while nothing that they depend on has changed"},
     OptionInfo{Opt::Seed, Running, Arity::One, "seed", "N", "1", "seed of everything random"},
     OptionInfo{Opt::Without, Hidden, Arity::List, "without", "NAME", "", "technique that the prover does without", false},
     OptionInfo{Opt::ChoiceOf, Running, Arity::List, "choice", "KEY=VALUE", "", "reading of a point that the manual leaves open; see 'rungproof explain choices'", false},

@@ -42,6 +42,7 @@ enum class Opt : std::uint8_t {
   Memory,
   Bound,
   Jobs,
+  Cache,
   Seed,
   Without,
   ChoiceOf,

@@ -2,8 +2,11 @@
 // Behaviour of the IEC blocks beyond 002:2516-2532: general knowledge.
 #include "frontend/step7/library_source.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace rungproof::step7 {
 
@@ -112,7 +115,72 @@ over: L 0; T #STATE; L #PT; T #ET;
 idle: CLR; = #Q;
 end:  SET; SAVE; BEU;)";
 
+// The ms since some moment, which come round to 0 (002:2494): any number of them.
+constexpr std::string_view systemTime = R"(
+VAR_TEMP
+  any : DWORD;
+END_VAR
+BEGIN
+NETWORK
+      L #any; L DW#16#7FFFFFFF; AD; T #RET_VAL;
+      SET; SAVE; BEU;)";
+
+// ((IN - k1) / (27648 - k1)) * (HI_LIM - LO_LIM) + LO_LIM, each step a REAL, with k1 = -27648 or 0 (002:2625-2647).
+// General knowledge: beyond the range OUT is the limit, RET_VAL W#16#8 and ENO 0.
+constexpr std::string_view scale = R"(
+VAR_TEMP
+  k1 : REAL;
+  span : REAL;
+  x : REAL;
+END_VAR
+BEGIN
+NETWORK
+      A #BIPOLAR; JC both;
+      L 0.0; T #k1; JU go;
+both: L -2.7648e+004; T #k1;
+go:   L 2.7648e+004; L #k1; -R; T #span;
+      L #IN; ITD; DTR; T #x;
+      L 2.7648e+004; >R; JC high;
+      L #x; L #k1; <R; JC low;
+      L #x; L #k1; -R; L #span; /R; T #x;
+      L #HI_LIM; L #LO_LIM; -R; L #x; *R; L #LO_LIM; +R; T #OUT;
+      L 0; T #RET_VAL;
+      SET; SAVE; BEU;
+high: L #HI_LIM; T #OUT; JU out;
+low:  L #LO_LIM; T #OUT;
+out:  L 8; T #RET_VAL;
+      CLR; SAVE; BEU;)";
+
 using enum BlockType;
+
+/// Blocks whose outputs depend on what no program tells: they are any value (temporary data that nobody has written).
+/// What they do besides - they set, start, end or lock interrupts - means nothing without organization blocks for
+/// interrupts, which are not covered. How FC 106 rounds is not stated.
+constexpr auto contractRows = std::to_array<std::pair<BlockType, std::uint16_t>>({
+    {Sfc, 28},
+    {Sfc, 29},
+    {Sfc, 30},
+    {Sfc, 31},
+    {Sfc, 32},
+    {Sfc, 33},
+    {Sfc, 34},
+    {Sfc, 39},
+    {Sfc, 40},
+    {Fc, 106},
+});
+
+/// Statements that give every output, ENO and the registers a value of temporary data that nobody has written.
+std::string anyOutputs(const s7300::LibraryBlock& block) {
+  std::string data = "VAR_TEMP\n  eno : BOOL;\n  accu1 : DWORD;\n  accu2 : DWORD;\n  ar1 : DWORD;\n", statements;
+  const auto parameters = s7300::interfaceOf(block);
+  for (const s7300::Field& field : parameters->fields) {
+    if (field.section != s7300::Section::Output) continue;
+    const bool isBit = field.type.kind == s7300::TypeKind::Bool;
+    data += fmt::format("  any_{} : {};\n", field.name, s7300::toString(field.type));
+    statements += fmt::format("{0} #any_{1}; {2} #{1};\n", isBit ? "A" : "L", field.name, isBit ? "=" : "T");
+  }
+  return data + "END_VAR\nBEGIN\nNETWORK\n" + statements + "L #ar1; LAR1; L #accu2; L #accu1; A #eno; SAVE; BEU;";
+}
 
 constexpr auto sourceRows = std::to_array<SourceRow>({
     {Sfb, 0, countUp},
@@ -125,6 +193,8 @@ constexpr auto sourceRows = std::to_array<SourceRow>({
     {Sfc, 42, returnsZero},
     {Sfc, 43, nothing},
     {Sfc, 47, nothing},
+    {Sfc, 64, systemTime},
+    {Fc, 105, scale},
 });
 
 }  // namespace
@@ -132,9 +202,13 @@ constexpr auto sourceRows = std::to_array<SourceRow>({
 std::string librarySource(const s7300::LibraryBlock& block) {
   const auto row = std::ranges::find_if(
       sourceRows, [&](const SourceRow& r) { return r.type == block.type && r.number == block.number; });
-  if (row == sourceRows.end()) return {};
+  if (row == sourceRows.end()) return isContractOnly(block) ? anyOutputs(block) : std::string();
   const bool hasSection = row->text.find("BEGIN") != std::string_view::npos;
   return std::string(hasSection ? "" : "BEGIN\nNETWORK\n").append(row->head).append(row->text);
+}
+
+bool isContractOnly(const s7300::LibraryBlock& block) {
+  return std::ranges::find(contractRows, std::pair(block.type, block.number)) != contractRows.end();
 }
 
 bool isModelled(const s7300::LibraryBlock& block) {

@@ -9,10 +9,12 @@
 
 namespace rungproof::step7 {
 
-/// What follows the interface of a block in a source: temporary data where it needs some, BEGIN, the statements; empty:
-/// only its contract is known, its outputs are any value. Whether calls of the block are modelled: by its statements,
-/// or as SFC 46, which stops the CPU.
+/// Whether calls of the block are modelled: by its statements, by its contract, or as SFC 46, which stops the CPU.
 bool isModelled(const s7300::LibraryBlock& block);
+/// Whether only its contract is modelled: every output is any value after each call.
+bool isContractOnly(const s7300::LibraryBlock& block);
+/// What follows the interface of a block in a source: temporary data where it needs some, BEGIN, the statements; empty:
+/// calls of it are not covered.
 std::string librarySource(const s7300::LibraryBlock& block);
 
 }  // namespace rungproof::step7

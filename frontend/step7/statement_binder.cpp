@@ -218,11 +218,11 @@ bool StatementBinder::operandFits(const Desc& desc, const Statement& statement, 
   if (operand.kind == OperandKind::Constant || operand.kind == OperandKind::Address) {
     if ((wanted.forms & form::Const) == 0)
       return refuse(Syntax::Operand7, span, fmt::format("{} takes no constant", mnemonic));
-    if (wanted.type == Type::Bool && operand.width != Width::Bit)
+    if (wanted.type == rungproof::Type::Bool && operand.width != Width::Bit)
       return refuse(Syntax::Operand7, span, fmt::format("{} takes a bit", mnemonic));
     if (bound.constant && bound.constant->kind == s7300::ConstantKind::Text && bound.constant->text.size() > 4)
       return refuse(Syntax::Operand7, span, "at most four characters fit into an accumulator");
-    const bool isWordOnly = wanted.type == Type::Word;
+    const bool isWordOnly = wanted.type == rungproof::Type::Word;
     if (isWordOnly && operand.width == Width::DWord)
       return refuse(Syntax::Operand7, span, fmt::format("{} takes a constant of 16 bits", mnemonic));
     for (const ValueRange& range : wanted.ranges) {
@@ -233,13 +233,13 @@ bool StatementBinder::operandFits(const Desc& desc, const Statement& statement, 
     }
     return true;
   }
-  if (bound.type && s7300::isComplex(*bound.type) && desc.operands[0].type != Type::Block)
+  if (bound.type && s7300::isComplex(*bound.type) && desc.operands[0].type != rungproof::Type::Block)
     return refuse(Syntax::Operand7, span,
                   fmt::format("{} is {}: name one of its parts", operand.text, s7300::toString(*bound.type)));
   if (bound.type && !s7300::isComplex(*bound.type) &&
       (bound.type->kind == TypeKind::Any || bound.type->kind == TypeKind::Pointer))
     return refuse(Syntax::Operand7, span, fmt::format("{} is reached through P#{} only", operand.text, operand.text));
-  if (desc.operands[0].type == Type::Block) {
+  if (desc.operands[0].type == rungproof::Type::Block) {
     const bool isDataBlock =
         (bound.block && bound.block->kind == BlockKind::Db) || (bound.type && bound.type->kind == TypeKind::BlockDb);
     if (!isDataBlock) return refuse(Syntax::Operand7, span, fmt::format("{} takes a data block", mnemonic));
@@ -259,12 +259,12 @@ bool StatementBinder::operandFits(const Desc& desc, const Statement& statement, 
                   fmt::format("{} takes a {}, not a {}", mnemonic, widthWord(width), widthWord(operand.width)));
   };
   switch (wanted.type) {
-    case Type::Bool:
-    case Type::Timer:
-    case Type::Counter: return needs(Width::Bit);
-    case Type::DWord:
-    case Type::DInt: return needs(Width::DWord);
-    case Type::Value:
+    case rungproof::Type::Bool:
+    case rungproof::Type::Timer:
+    case rungproof::Type::Counter: return needs(Width::Bit);
+    case rungproof::Type::DWord:
+    case rungproof::Type::DInt: return needs(Width::DWord);
+    case rungproof::Type::Value:
       return operand.width != Width::Bit ||
              refuse(Syntax::Operand7, span, fmt::format("{} takes a byte, word or double word, not a bit", mnemonic));
     default: return true;

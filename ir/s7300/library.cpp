@@ -123,7 +123,7 @@ std::shared_ptr<const Structure> interfaceOf(const LibraryBlock& block) {
     field.section = static_cast<Section>(section);
     structure->fields.push_back(std::move(field));
   }
-  layOutInstance(*structure);
+  if (block.type == Sfb) layOutInstance(*structure);  // parameters of functions stand where the call says
   return structure;
 }
 

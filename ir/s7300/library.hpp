@@ -24,7 +24,7 @@ std::span<const LibraryBlock> libraryBlocks();
 const LibraryBlock* libraryBlock(BlockType type, std::uint32_t number);
 /// By its usual name, in any case of letters.
 const LibraryBlock* libraryBlockNamed(std::string_view name);
-/// Parameters and static data, laid out as the instance of an SFB.
+/// Parameters and static data; those of an SFB laid out as its instance.
 std::shared_ptr<const Structure> interfaceOf(const LibraryBlock& block);
 
 }  // namespace rungproof::s7300

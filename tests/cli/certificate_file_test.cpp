@@ -3,6 +3,7 @@
 
 #include "frontend/cli/cli.hpp"
 #include "frontend/explain/certificate_head.hpp"
+#include "frontend/files/sha256.hpp"
 #include "program_run.hpp"
 
 namespace rungproof::test {

@@ -7,7 +7,7 @@
 #include <regex>
 #include <set>
 
-#include "frontend/explain/certificate_head.hpp"
+#include "frontend/files/sha256.hpp"
 #include "page_run.hpp"
 #include "tests/temporary_folder.hpp"
 

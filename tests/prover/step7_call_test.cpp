@@ -1,4 +1,8 @@
 // What a CALL leaves in the registers of its caller (spec of the B stack, 002:222, and general knowledge).
+#include <fmt/format.h>
+
+#include "frontend/step7/library_source.hpp"
+#include "ir/s7300/block.hpp"
 #include "proved_text.hpp"
 
 namespace rungproof::test {
@@ -30,6 +34,60 @@ TEST(Step7Call, FullAddressesMayOpenTheirBlockInTheCaller) {
   EXPECT_EQ(outcomeBehind("CALL FC 1 (x := DB2.DBW 2);"), Outcome::Violated);
   EXPECT_EQ(outcomeBehind("CALL FB 1, DB 3 (y := MW 10);"), Outcome::Proved);
   EXPECT_EQ(outcomeBehind("CALL FB 1, DB 3 (y := DB2.DBW 2);"), Outcome::Violated);
+}
+
+/// The verdicts of the properties a, b, c of an OB1 with these directives and statements.
+std::vector<Outcome> outcomesOf(const std::string& directives, const std::string& statements) {
+  ProgramInput input;
+  input.program =
+      readText("test.awl", "ORGANIZATION_BLOCK OB 1\n" + directives +
+                               "VAR_TEMP\n  start : ARRAY [0 .. 19] OF BYTE;\n  date : DATE_AND_TIME;\nEND_VAR\n"
+                               "BEGIN\nNETWORK\n" +
+                               statements + "\nEND_ORGANIZATION_BLOCK\n");
+  input.properties = readProperties(input.program, {}, lookupIn(input.program));
+  for (const Finding& finding : input.program.findings) EXPECT_NE(finding.severity, Severity::Error) << finding.message;
+  const ProofRun run = prove(input.program, input.properties, usualOptions());
+  std::vector<Outcome> outcomes;
+  for (const char* name : {"a", "b", "c"}) outcomes.push_back(outcomeOf(run, name));
+  return outcomes;
+}
+
+// Blocks of which only the contract is known: every output may be anything, what was not handed over stays.
+TEST(Step7Call, AContractGivesAnyOutputsAndNothingElse) {
+  int contracts = 0;
+  for (const s7300::LibraryBlock& block : s7300::libraryBlocks()) {
+    if (!step7::isContractOnly(block)) continue;
+    ++contracts;
+    std::string actuals;
+    int byte = 40;
+    const auto parameters = s7300::interfaceOf(block);
+    for (const s7300::Field& field : parameters->fields) {
+      const std::string type = s7300::toString(field.type);
+      const bool isResult = field.name == "RET_VAL";
+      const std::string place = type == "BOOL"                    ? fmt::format("M {}.0", byte)
+                                : type == "BYTE"                  ? fmt::format("MB {}", byte)
+                                : type == "INT" || type == "WORD" ? fmt::format("MW {}", isResult ? 10 : byte)
+                                : type == "DATE_AND_TIME"         ? std::string("#date")
+                                                                  : fmt::format("MD {}", byte);
+      actuals += fmt::format("{}{} := {}", actuals.empty() ? "" : ", ", field.name, place);
+      byte += 4;
+    }
+    const std::string call = fmt::format("CALL {} ({});", blockName(blockNumber(block.type, block.number)), actuals);
+    const std::vector<Outcome> expected = {Outcome::Proved, Outcome::Violated, Outcome::Reachable};
+    EXPECT_EQ(outcomesOf("//@ prove a: Q0.0\n//@ prove b: not Q0.1\n//@ reach c: not Q0.1 and not first_scan\n",
+                         "SET; = M 0.0; " + call + " A M 0.0; = Q 0.0; L MW 10; L 5; ==I; = Q 0.1;"),
+              expected)
+        << call;
+  }
+  EXPECT_EQ(contracts, 10);
+}
+
+// The time of the system is no negative number (002:2494), and tells nothing else.
+TEST(Step7Call, TheSystemTimeIsAnyNumberOfMilliseconds) {
+  const std::vector<Outcome> expected = {Outcome::Proved, Outcome::Violated, Outcome::Reachable};
+  EXPECT_EQ(outcomesOf("//@ prove a: not Q0.0\n//@ prove b: not Q0.1\n//@ reach c: not Q0.1\n",
+                       "CALL SFC 64 (RET_VAL := MD 0); L MD 0; L L#0; <D; = Q 0.0; L MD 0; L L#77; ==D; = Q 0.1;"),
+            expected);
 }
 
 }  // namespace

@@ -108,5 +108,32 @@ TEST(LibrarySource, StopEndsTheRun) {
   EXPECT_FALSE(simulator.isRunning());
 }
 
+// (IN - k1) / (27648 - k1) * (HI_LIM - LO_LIM) + LO_LIM with powers of two, so that every step is exact (002:2625).
+TEST(LibrarySource, ScaleIsALine) {
+  struct Case {
+    int in;
+    const char* high;
+    const char* low;
+    bool isBipolar;
+    float out;
+    unsigned result;
+  };
+  for (const Case& c : {Case{0, "100.0", "0.0", false, 0.0F, 0}, Case{27648, "100.0", "0.0", false, 100.0F, 0},
+                        Case{13824, "100.0", "0.0", false, 50.0F, 0}, Case{6912, "64.0", "-64.0", false, -32.0F, 0},
+                        Case{0, "64.0", "-64.0", true, 0.0F, 0}, Case{-27648, "64.0", "-64.0", true, -64.0F, 0},
+                        Case{13824, "64.0", "-64.0", true, 32.0F, 0}, Case{27649, "64.0", "8.0", false, 64.0F, 8},
+                        Case{-1, "64.0", "8.0", false, 8.0F, 8}, Case{-27649, "64.0", "8.0", true, 8.0F, 8}}) {
+    LibraryRun run(
+        fmt::format("ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n{} M 20.0;\n"
+                    "CALL FC 105 (IN := {}, HI_LIM := {}, LO_LIM := {}, BIPOLAR := M 20.0, "
+                    "RET_VAL := MW 10, OUT := MD 4);\nA BR; = Q 0.0;\nEND_ORGANIZATION_BLOCK\n",
+                    c.isBipolar ? "SET; =" : "CLR; =", c.in, c.high, c.low));
+    run.scan(false);
+    EXPECT_EQ(run.number(Width::DWord, 4), Concrete::pattern(c.out)) << c.in;
+    EXPECT_EQ(run.number(Width::Word, 10), c.result) << c.in;
+    EXPECT_EQ(run.q(), c.result == 0) << c.in;
+  }
+}
+
 }  // namespace
 }  // namespace rungproof

@@ -1,0 +1,240 @@
+// Entries are files of their own, named by the hash of the question.
+#include "frontend/result_cache.hpp"
+
+#include <elf.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <link.h>
+#include <sys/random.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "frontend/files/disk_file.hpp"
+#include "frontend/files/sha256.hpp"
+#include "frontend/settings/config.hpp"
+
+namespace rungproof {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view entryForm = "rungproof result 1";
+constexpr std::string_view absent = "absent";
+constexpr std::size_t keyBytes = 32;
+
+/// The identity that the linker gave this executable; empty if it gave none.
+std::string buildId() {
+  std::string id;
+  dl_iterate_phdr(
+      [](dl_phdr_info* info, std::size_t, void* data) {
+        auto& result = *static_cast<std::string*>(data);
+        for (int i = 0; i < info->dlpi_phnum; ++i) {
+          const ElfW(Phdr)& segment = info->dlpi_phdr[i];
+          if (segment.p_type != PT_NOTE) continue;
+          const char* at = reinterpret_cast<const char*>(info->dlpi_addr + segment.p_vaddr);
+          const char* const end = at + segment.p_memsz;
+          while (at + sizeof(ElfW(Nhdr)) <= end) {
+            const auto& note = *reinterpret_cast<const ElfW(Nhdr)*>(at);
+            const char* const name = at + sizeof(note);
+            const char* const content = name + (note.n_namesz + 3U) / 4 * 4;
+            if (note.n_type == NT_GNU_BUILD_ID && note.n_namesz == 4 && std::memcmp(name, "GNU", 4) == 0) {
+              for (std::uint32_t k = 0; k < note.n_descsz; ++k)
+                result += fmt::format("{:02x}", static_cast<unsigned char>(content[k]));
+            }
+            at = content + (note.n_descsz + 3U) / 4 * 4;
+          }
+        }
+        return 1;  // the first object is the executable itself
+      },
+      &id);
+  return id;
+}
+
+std::optional<std::string> bytesOf(const fs::path& name) {
+  std::error_code error;
+  if (!fs::is_regular_file(name, error)) return std::nullopt;
+  std::ifstream stream(name, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  return stream.good() || stream.eof() ? std::optional(std::move(bytes)) : std::nullopt;
+}
+
+/// The key of this user, made when it is first asked for; empty if there is no place for it.
+std::string userKey() {
+  const char* const state = std::getenv("XDG_STATE_HOME");
+  const char* const home = std::getenv("HOME");
+  const bool hasState = state != nullptr && *state != '\0';
+  if (!hasState && (home == nullptr || *home == '\0')) return {};
+  const fs::path folder = (hasState ? fs::path(state) : fs::path(home) / ".local" / "state") / "rungproof";
+  const fs::path file = folder / "result-key";
+  if (const auto key = bytesOf(file)) return key->size() == keyBytes ? *key : std::string();
+  std::error_code error;
+  fs::create_directories(folder, error);
+  std::string key(keyBytes, '\0');
+  if (::getrandom(key.data(), key.size(), 0) != static_cast<ssize_t>(keyBytes)) return {};
+  const std::string part = file.string() + fmt::format(".{}.part", ::getpid());
+  const int opened = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (opened < 0) return {};
+  const bool isWritten = ::write(opened, key.data(), key.size()) == static_cast<ssize_t>(keyBytes);
+  ::close(opened);
+  const bool isOurs = isWritten && ::link(part.c_str(), file.c_str()) == 0;
+  ::unlink(part.c_str());
+  if (isOurs) return key;
+  const auto other = bytesOf(file);  // of a run at the same time
+  return other && other->size() == keyBytes ? *other : std::string();
+}
+
+std::string signatureOf(const std::string& key, std::string_view body) {
+  return sha256(key + sha256(key + std::string(body)));
+}
+
+std::string fingerprint(const std::string& name) {
+  const std::optional<std::string> bytes = bytesOf(name);
+  return bytes ? sha256(*bytes) : std::string(absent);
+}
+
+std::int64_t nanosecondsOf(const timespec& time) { return time.tv_sec * 1'000'000'000LL + time.tv_nsec; }
+
+/// Whether the file may have changed since that moment; times of files come from a clock that ticks every few ms.
+bool mayHaveChangedSince(const std::string& name, std::int64_t moment) {
+  constexpr std::int64_t tick = 20'000'000;  // ns
+  struct stat status {};
+  return ::stat(name.c_str(), &status) == 0 && nanosecondsOf(status.st_ctim) > moment - tick;
+}
+
+/// Names below a folder, and the configuration that counts there: whatever comes or goes is another question.
+std::string surroundingsOf(const std::string& given) {
+  std::error_code error;
+  const fs::path place(given);
+  const bool isFolder = fs::is_directory(place, error);
+  std::string text = given + '\n' + findConfig(isFolder ? place : place.parent_path()).string() + '\n';
+  if (!isFolder) return text;
+  std::vector<std::string> names;
+  for (fs::recursive_directory_iterator entry(place, fs::directory_options::skip_permission_denied, error), end;
+       !error && entry != end; entry.increment(error))
+    names.push_back(entry->path().string());
+  std::ranges::sort(names);
+  for (const std::string& name : names) text += name + '\n';
+  return text;
+}
+
+/// Takes the parts of an entry one after the other.
+class EntryParts {
+ public:
+  explicit EntryParts(std::string_view text) : rest_(text) {}
+  bool isWhole() const { return isWhole_; }
+  std::string_view line() {
+    const std::size_t end = rest_.find('\n');
+    if (end == std::string_view::npos) {
+      isWhole_ = false;
+      return {};
+    }
+    const std::string_view result = rest_.substr(0, end);
+    rest_.remove_prefix(end + 1);
+    return result;
+  }
+  std::size_t number() {
+    const std::string_view digits = line();
+    std::size_t value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error != std::errc() || end != digits.data() + digits.size()) isWhole_ = false;
+    return value;
+  }
+  std::string text() {
+    const std::size_t length = number();
+    if (!isWhole_ || length > rest_.size()) {
+      isWhole_ = false;
+      return {};
+    }
+    std::string result(rest_.substr(0, length));
+    rest_.remove_prefix(length);
+    return result;
+  }
+  std::string_view rest() const { return rest_; }
+
+ private:
+  std::string_view rest_;
+  bool isWhole_ = true;
+};
+
+void append(std::string& body, std::string_view text) { body += fmt::format("{}\n{}", text.size(), text); }
+
+}  // namespace
+
+ResultCache::ResultCache(std::string folder, std::string question, const std::vector<std::string>& given) {
+  if (folder.empty() || holdsTexts()) return;
+  timespec now{};
+  ::clock_gettime(CLOCK_REALTIME, &now);
+  begin_ = nanosecondsOf(now);
+  const std::string build = buildId();
+  key_ = userKey();
+  std::error_code error;
+  const fs::path here = fs::current_path(error);
+  if (build.empty() || key_.empty() || error) return;
+  question_ = build + '\n' + here.string() + '\n' + std::move(question) + '\n';
+  for (const std::string& name : given) question_ += surroundingsOf(name);
+  fs::create_directories(folder, error);
+  file_ = (fs::path(folder) / sha256(question_)).string();
+}
+
+std::optional<KeptResult> ResultCache::find() const {
+  if (file_.empty()) return std::nullopt;
+  const std::optional<std::string> entry = bytesOf(file_);
+  if (!entry) return std::nullopt;
+  EntryParts parts(*entry);
+  if (parts.line() != entryForm) return std::nullopt;
+  const std::string_view signature = parts.line();
+  if (!parts.isWhole() || signature != signatureOf(key_, parts.rest())) return std::nullopt;
+  if (parts.text() != question_) return std::nullopt;
+  for (std::size_t left = parts.number(); left > 0 && parts.isWhole(); --left) {
+    const std::string print(parts.line()), name = parts.text();
+    if (print != fingerprint(name)) return std::nullopt;
+  }
+  KeptResult result;
+  result.exit = static_cast<Exit>(parts.number());
+  result.out = parts.text();
+  result.err = parts.text();
+  return parts.isWhole() && parts.rest().empty() ? std::optional(std::move(result)) : std::nullopt;
+}
+
+void ResultCache::keep(const KeptResult& result) const {
+  if (file_.empty()) return;
+  const std::vector<std::string> inputs = inputNames();
+  if (std::ranges::any_of(inputs, [&](const std::string& name) { return mayHaveChangedSince(name, begin_); })) return;
+  std::string body;
+  append(body, question_);
+  body += fmt::format("{}\n", inputs.size());
+  for (const std::string& name : inputs) {
+    body += fingerprint(name) + '\n';
+    append(body, name);
+  }
+  body += fmt::format("{}\n", static_cast<int>(result.exit));
+  append(body, result.out);
+  append(body, result.err);
+  // A cache that cannot be written is none: the result has been printed.
+  static_cast<void>(writeOutputFile(file_, fmt::format("{}\n{}\n{}", entryForm, signatureOf(key_, body), body)));
+}
+
+std::string withoutProgress(std::string_view text) {
+  constexpr std::string_view endOfLine = "\x1B[K";
+  std::string result;
+  while (true) {
+    const std::size_t begin = text.find('\r');
+    result += text.substr(0, begin);
+    if (begin == std::string_view::npos) return result;
+    const std::size_t end = text.find(endOfLine, begin);
+    if (end == std::string_view::npos) return result;
+    text.remove_prefix(end + endOfLine.size());
+  }
+}
+
+}  // namespace rungproof
