@@ -53,19 +53,19 @@ void Scan<D, Hooks>::serveError() {
   m_.current = current;
 }
 
-/// The first bytes of its local memory: event class, what started it, priority, number (002:2000-2011); the others
-/// stay any value.
+/// Of its 20 bytes (002:2000-2015) the number is known, and of OB1 event class, kind of scan and priority. All others
+/// stay any value: classes of other events stand nowhere in the manual, and OB121 has the priority of the block that it
+/// interrupts (002:1282).
 template <class D, class Hooks>
 void Scan<D, Hooks>::startInformation(std::uint32_t base, int number) {
-  const bool isStartUp = number >= 100 && number <= 102;
   const auto save = [&](std::uint32_t byte, Bits value) {
     m_.store.save(Area::L, (base + byte) * 8, 8, value, m_.guard);
   };
-  if (m_.step7.running == nullptr && m_.plan.block(blockNumber(BlockType::Ob, number))->pou->localBytes < 4) return;
-  save(0, m_.d.literal(0x11, 8));
-  if (number == 1) save(1, m_.d.select(m_.getBit(Reg::FirstScan), m_.d.literal(1, 8), m_.d.literal(3, 8), 8));
-  save(2, m_.d.literal(isStartUp ? 27 : 1, 8));
   save(3, m_.d.literal(static_cast<std::uint64_t>(number), 8));
+  if (number != 1) return;
+  save(0, m_.d.literal(0x11, 8));
+  save(1, m_.d.select(m_.getBit(Reg::FirstScan), m_.d.literal(1, 8), m_.d.literal(3, 8), 8));
+  save(2, m_.d.literal(1, 8));
 }
 
 template <class D, class Hooks>

@@ -39,8 +39,6 @@ class Step7Places {
 
   /// Finds the operand as the running block sees it; errors are met on the way.
   Spot<D> find(const Operand& o, Width width) { return find(o, width, here(), 0, 0, true); }
-  /// The same as the block sees it that called the running one.
-  Spot<D> findAsCaller(const Operand& o, Width width) { return find(o, width, callerOf(here()), 0, 0, false); }
   /// Value of a place, zero-extended to 32 bits.
   Bits load(const Spot<D>& spot, Width width);
   Bool loadBit(const Spot<D>& spot) { return d_.bit(load(spot, Width::Bit), 0); }
