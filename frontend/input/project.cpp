@@ -124,7 +124,7 @@ class ProjectReader {
     program_.number();
     const bool isProtected =
         std::any_of(program_.pous.begin(), program_.pous.end(), [](const Pou& pou) { return pou.protectedBlock; });
-    if (program_.instructionCount() == 0 && !isProtected && !hasReadErrors(program_)) {
+    if (program_.instructionCount() == 0 && !isProtected && !hasUnreadNetworks() && !hasReadErrors(program_)) {
       if (program_.sources->size() == 0) program_.sources->add("", "");
       SyntaxSink(program_, 0).report(Syntax::NoInstruction, {0, 0, 0}, "no instruction found");
     }
@@ -132,6 +132,12 @@ class ProjectReader {
   }
 
  private:
+  bool hasUnreadNetworks() const {
+    return std::ranges::any_of(program_.pous, [](const Pou& pou) {
+      return std::ranges::any_of(pou.networks, [](const Network& network) { return !network.complete; });
+    });
+  }
+
   void reportForeign(std::uint32_t file, const ForeignFamily& family) {
     SyntaxSink(program_, file)
         .report(Syntax::FileUnknown, {file, 0, 0},

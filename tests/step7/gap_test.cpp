@@ -1,0 +1,82 @@
+// What is read but not modelled: for each row of the coverage table a program that holds it. An output that may depend
+// on it is never PROVED, and the program is never EQUAL to a variant of itself.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "frontend/cli/cli.hpp"
+#include "ir/s7300/coverage.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace rungproof {
+namespace {
+
+struct GapCase {
+  s7300::Gap gap;
+  std::string blocks, statements;
+  std::string file = "more.awl", content{};  ///< another file of the project
+};
+
+std::vector<GapCase> gapCases() {
+  using enum s7300::Gap;
+  return {
+      {OrganizationBlock, "ORGANIZATION_BLOCK OB 35\nBEGIN\nNETWORK\nSET;\n= Q 0.0;\nEND_ORGANIZATION_BLOCK\n",
+       "NOP 0;"},
+      {PointerParameter,
+       "FUNCTION FC 5 : VOID\nVAR_INPUT\n  p : ANY;\nEND_VAR\nBEGIN\nNETWORK\nSET;\n= Q 0.0;\nEND_FUNCTION\n",
+       "CALL FC 5 (p := P#M 0.0 BYTE 2);"},
+      {ParameterAddress,
+       "FUNCTION FC 5 : VOID\nVAR_INPUT\n  x : INT;\nEND_VAR\nBEGIN\nNETWORK\nL P##x;\nLAR1;\nL W [AR1,P#0.0];\nT QW "
+       "0;\n"
+       "END_FUNCTION\n",
+       "CALL FC 5 (x := MW 4);"},
+      {LibraryBlock, "", "CALL SFC 44 (VAL := MD 4, RET_VAL := QW 0);"},
+      {MissingBlock, "", "CALL FC 99;"},
+      {ProtectedBlock, "FUNCTION FC 5 : VOID\nKNOW_HOW_PROTECT\nVAR_OUTPUT\n  y : BOOL;\nEND_VAR\nEND_FUNCTION\n",
+       "CALL FC 5 (y := Q 0.0);"},
+      {HighDataBlock, "DATA_BLOCK DB 9000\nSTRUCT\n  a : WORD;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n",
+       "L DB9000.DBW 0;\nT QW 0;"},
+      {Drawing, "", "CALL FC 5;", "drawn.xml",
+       "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Document><Engineering version=\"V15\"/><SW.Blocks.FC ID=\"0\">"
+       "<AttributeList><Name>Drawn</Name><Number>5</Number><ProgrammingLanguage>LAD</ProgrammingLanguage>"
+       "</AttributeList></SW.Blocks.FC></Document>\n"},
+  };
+}
+
+std::string outputOf(const std::vector<std::string>& arguments) {
+  std::istringstream in;
+  std::ostringstream out, err;
+  const int exit = runProgram(arguments, {in, out, err});
+  EXPECT_TRUE(exit == 2 || exit == 3) << out.str() << err.str();
+  return out.str();
+}
+
+TEST(Gaps, NothingThatDependsOnOneIsProvedOrEqual) {
+  std::size_t rows = 0;
+  for (const GapCase& c : gapCases()) {
+    SCOPED_TRACE(s7300::gapRows()[static_cast<std::size_t>(c.gap)].subject);
+    EXPECT_EQ(static_cast<std::size_t>(c.gap), rows++) << "a case for each row, in their order";
+    const test::TemporaryFolder folder;
+    const auto ob1 = [&](const std::string& last) {
+      return c.blocks + "ORGANIZATION_BLOCK OB 1\n//@ prove off: not Q0.0\n//@ prove on: Q0.0\nBEGIN\nNETWORK\n" +
+             c.statements + "\nA I 0.0;\n= Q 4.0;\n" + last + "END_ORGANIZATION_BLOCK\n";
+    };
+    folder.file("main.awl", ob1(""));
+    folder.file("other.awl", ob1("NETWORK\nNOP 0;\n"));
+    if (!c.content.empty()) folder.file(c.file, c.content);
+    std::vector<std::string> prove = {"prove", folder.path("main.awl")};
+    if (!c.content.empty()) prove.push_back(folder.path(c.file));
+    prove.insert(prove.end(), {"--isolated", "--dialect", "s7-300"});
+    const std::string proof = outputOf(prove);
+    EXPECT_EQ(proof.find("PROVED"), std::string::npos) << proof;
+    EXPECT_NE(proof.find("NOT COVERED  off"), std::string::npos) << proof;
+    EXPECT_NE(proof.find("NOT COVERED  on"), std::string::npos) << proof;
+    const std::string equality =
+        outputOf({"equiv", folder.path("main.awl"), folder.path("other.awl"), "--isolated", "--dialect", "s7-300"});
+    EXPECT_EQ(equality.find("EQUAL"), std::string::npos) << equality;
+  }
+  EXPECT_EQ(rows, s7300::gapRows().size());
+}
+
+}  // namespace
+}  // namespace rungproof
