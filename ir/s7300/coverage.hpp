@@ -1,7 +1,7 @@
 // What of a program of the S7-300/400 is read but not modelled, so that nothing is proved beside it: one row each. The
 // rows are what `rungproof explain coverage` prints, what the report of a program says
-// (analysis/unread/unread_code.cpp) and what the list in README is compared with (tests/step7/explain_test.cpp); a program
-// for each: tests/step7/gap_test.cpp.
+// (analysis/unread/unread_code.cpp) and what the list in README is compared with (tests/step7/explain_test.cpp). A
+// program for each: tests/step7/gap_test.cpp.
 #pragma once
 
 #include <cstdint>
