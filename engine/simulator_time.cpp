@@ -12,8 +12,6 @@ namespace {
 constexpr std::uint32_t idleTime = 100;      // 1 us without power flow (001:14522)
 constexpr std::uint32_t pointerTime = 1400;  // per indirect operand (001:14528)
 constexpr std::uint32_t unlistedTime = 100;  // instructions whose time the text has lost
-/// Timed interrupts, and the timers of 1 ms that reach their preset.
-constexpr std::array eventsOfTheClock = {10, 11, 21, 22};
 
 }  // namespace
 
@@ -116,10 +114,14 @@ void Simulator::checkWatchdog() {
 /// Whether up to there the ticks of the 1 ms clock let timers count and do nothing else.
 bool Simulator::isQuietUntil(std::uint64_t position) const {
   const auto isAttached = [&](int event) {
-    return store_.get(Reg::EventRoutine, static_cast<std::uint32_t>(event)) != 0;
+    return event >= 0 && store_.get(Reg::EventRoutine, static_cast<std::uint32_t>(event)) != 0;
   };
-  return queue_.empty() && observer_ == nullptr && std::ranges::none_of(eventsOfTheClock, isAttached) &&
-         devices_.areIdle(store_) &&
+  for (std::uint32_t i = 0; i < timedEventCount; ++i) {
+    if (isAttached(static_cast<int>(firstTimedEvent + i))) return false;
+  }
+  const bool raisesEvents =
+      std::ranges::any_of(plan_.timers, [&](const TimerUse& use) { return isAttached(eventOfTimer(use.number)); });
+  return !raisesEvents && queue_.empty() && observer_ == nullptr && devices_.areIdle(store_) &&
          position - watchdogFrom_ <= static_cast<std::uint64_t>(options_.choices.watchdogMs()) * Cost::perMs;
 }
 

@@ -17,6 +17,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <ostream>
+#include <streambuf>
 
 #include "frontend/files/disk_file.hpp"
 #include "frontend/files/sha256.hpp"
@@ -166,6 +168,28 @@ class EntryParts {
   bool isWhole_ = true;
 };
 
+/// Gives everything on to a stream and keeps a copy.
+class CopyingBuffer final : public std::streambuf {
+ public:
+  explicit CopyingBuffer(std::ostream& stream) : stream_(stream) {}
+  const std::string& copy() const { return copy_; }
+
+ private:
+  int overflow(int c) override {
+    if (c == traits_type::eof()) return 0;
+    const char letter = static_cast<char>(c);
+    return xsputn(&letter, 1) == 1 ? c : traits_type::eof();
+  }
+  std::streamsize xsputn(const char* text, std::streamsize count) override {
+    copy_.append(text, static_cast<std::size_t>(count));
+    return stream_.write(text, count) ? count : 0;
+  }
+  int sync() override { return stream_.flush() ? 0 : -1; }
+
+  std::ostream& stream_;
+  std::string copy_;
+};
+
 void append(std::string& body, std::string_view text) { body += fmt::format("{}\n{}", text.size(), text); }
 
 }  // namespace
@@ -235,6 +259,26 @@ std::string withoutProgress(std::string_view text) {
     if (end == std::string_view::npos) return result;
     text.remove_prefix(end + endOfLine.size());
   }
+}
+
+Exit repeatOrRun(const ResultCache& cache, Context& context, const KeptWork& work) {
+  if (const std::optional<KeptResult> kept = cache.find()) {
+    context.out << kept->out;
+    context.err << kept->err;
+    return kept->exit;
+  }
+  CopyingBuffer outCopy(context.out), errCopy(context.err);
+  std::ostream out(&outCopy), err(&errCopy);
+  Context copied{context.settings, context.in, out, err, context.color, context.progress, context.outputs};
+  copied.settingsNear = context.settingsNear;
+  copied.readSettings = context.readSettings;
+  copied.given = context.given;
+  bool isFinal = false;
+  const Exit exit = work(copied, isFinal);
+  context.hasLostOutput = copied.hasLostOutput;
+  const bool isDone = exit == Exit::Clean || exit == Exit::Found;
+  if (isDone && isFinal && !copied.hasLostOutput) cache.keep({outCopy.copy(), withoutProgress(errCopy.copy()), exit});
+  return exit;
 }
 
 }  // namespace rungproof

@@ -5,12 +5,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "frontend/files/exit.hpp"
+#include "frontend/command.hpp"
 
 namespace rungproof {
 
@@ -37,6 +38,11 @@ class ResultCache {
   std::string key_;
   std::int64_t begin_ = 0;  ///< of the run, ns since 1970
 };
+
+/// A run that prints to its context; it says whether more time could say more.
+using KeptWork = std::function<Exit(Context& context, bool& isFinal)>;
+/// Repeats what is kept, or makes the run and keeps it if it is final and its exit code 0 or 1.
+Exit repeatOrRun(const ResultCache& cache, Context& context, const KeptWork& work);
 
 /// What a stream gets, as progress on a terminal overwrites itself: without it.
 std::string withoutProgress(std::string_view text);

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <set>
 #include <sstream>
-#include <streambuf>
 
 #include "analysis/proof/proof_networks.hpp"
 #include "analysis/proof/rule_answers.hpp"
@@ -319,28 +318,6 @@ Exit runAnew(const Arguments& arguments, Context& context, bool& isSettled) {
   return finish(context, std::move(report));
 }
 
-/// Gives everything on to a stream and keeps a copy.
-class CopyingBuffer final : public std::streambuf {
- public:
-  explicit CopyingBuffer(std::ostream& stream) : stream_(stream) {}
-  const std::string& copy() const { return copy_; }
-
- private:
-  int overflow(int c) override {
-    if (c == traits_type::eof()) return 0;
-    const char letter = static_cast<char>(c);
-    return xsputn(&letter, 1) == 1 ? c : traits_type::eof();
-  }
-  std::streamsize xsputn(const char* text, std::streamsize count) override {
-    copy_.append(text, static_cast<std::size_t>(count));
-    return stream_.write(text, count) ? count : 0;
-  }
-  int sync() override { return stream_.flush() ? 0 : -1; }
-
-  std::ostream& stream_;
-  std::string copy_;
-};
-
 /// Everything that was asked for, in words.
 std::string questionOf(const Arguments& arguments, const Context& context) {
   std::vector<std::string> parts = {"prove", arguments.show};
@@ -369,22 +346,8 @@ Exit run(const Arguments& arguments, Context& context) {
   bool isSettled = false;
   if (folder.empty()) return runAnew(arguments, context, isSettled);
   const ResultCache cache(folder, questionOf(arguments, context), arguments.files);
-  if (const std::optional<KeptResult> kept = cache.find()) {
-    context.out << kept->out;
-    context.err << kept->err;
-    return kept->exit;
-  }
-  CopyingBuffer outCopy(context.out), errCopy(context.err);
-  std::ostream out(&outCopy), err(&errCopy);
-  Context copied{context.settings, context.in, out, err, context.color, context.progress, context.outputs};
-  copied.settingsNear = context.settingsNear;
-  copied.readSettings = context.readSettings;
-  copied.given = context.given;
-  const Exit exit = runAnew(arguments, copied, isSettled);
-  context.hasLostOutput = copied.hasLostOutput;
-  const bool isDone = exit == Exit::Clean || exit == Exit::Found;
-  if (isDone && isSettled && !copied.hasLostOutput) cache.keep({outCopy.copy(), withoutProgress(errCopy.copy()), exit});
-  return exit;
+  return repeatOrRun(cache, context,
+                     [&](Context& copied, bool& isFinal) { return runAnew(arguments, copied, isFinal); });
 }
 
 Action setup(ArgumentTable& table) {

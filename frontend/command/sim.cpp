@@ -339,7 +339,8 @@ Exit run(const Arguments& arguments, Context& context) {
     return context.fail(*failure);
   const TraceDrawings drawn = drawings ? drawings->take() : TraceDrawings{};
 
-  for (const std::string& name : job.stream ? std::vector<std::string>() : arguments.traces) {
+  const std::vector<std::string> keptTraces = job.stream ? std::vector<std::string>() : arguments.traces;
+  for (const std::string& name : keptTraces) {
     const std::string& title = program.sources->file(0).name();
     const bool isDrawn = job.expected && (isPage(name) || name.ends_with(".svg"));
     TraceBeside shown = isDrawn ? besideExpected(*job.expected, trace, job.compare) : TraceBeside{};

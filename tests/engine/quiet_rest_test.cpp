@@ -18,9 +18,10 @@ class Nobody final : public InstructionObserver {
 };
 
 /// Scans of 0.3 ms to `longestMs`; gives how many were made in RUN.
-int compareRuns(const std::string& text, std::uint32_t longestMs) {
+int compareRuns(const std::string& text, std::uint32_t longestMs, const SimulatorOptions& options = {}) {
   const Program program = readText("quiet.awl", text);
-  Simulator atOnce(program), byTicks(program);
+  EXPECT_TRUE(program.findings.empty()) << program.findings.front().message;
+  Simulator atOnce(program, options), byTicks(program, options);
   Nobody nobody;
   byTicks.observe(&nobody);
   constexpr std::uint32_t seed = 20261;
@@ -60,6 +61,19 @@ TEST(QuietRest, InterruptsOfTheClockTakeEveryTick) {
                         "END_INTERRUPT_BLOCK\n",
                         60),
             400);
+}
+
+TEST(QuietRest, S5TimersCountTheSameInBothReadings) {
+  for (const char* reading : {"synchronous", "any"}) {
+    SimulatorOptions options;
+    options.choices.set("s5-time", reading);
+    EXPECT_EQ(compareRuns("ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nA I 0.0;\nL S5T#300MS;\nSD T 1;\nA I 0.0;\n"
+                          "L S5T#70MS;\nSF T 2;\nAN T 1;\nL S5T#2S;\nSP T 3;\nA T 1;\n= Q 0.0;\nA T 2;\n= Q 0.1;\n"
+                          "A T 3;\n= Q 0.2;\nEND_ORGANIZATION_BLOCK\n",
+                          60, options),
+              400)
+        << reading;
+  }
 }
 
 TEST(QuietRest, TheWatchdogStrikesInTheSameScan) {

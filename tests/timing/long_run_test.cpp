@@ -1,5 +1,4 @@
 // A long run with a trace: the rows go to the file while the run goes on, so that memory does not grow with it.
-#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -15,7 +14,7 @@ namespace {
 
 constexpr const char* scans = "1000000";
 constexpr rlim_t mostBytes = 50'000'000;  ///< of data, as the system counts and limits them
-constexpr double mostForTheRun = 2.3;     ///< of the processor; it was 5.1 with all rows kept and every tick taken
+constexpr double mostForTheRun = 2.3;     ///< by the wall; it was 5.1 with all rows kept and every tick taken
 
 TEST(LongRun, AMillionScansWithATraceStayBelowFiftyMegabytes) {
   const TemporaryFolder folder;
