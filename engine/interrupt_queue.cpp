@@ -14,12 +14,12 @@ InterruptQueue::InterruptQueue(const Target& target) {
 }
 
 bool InterruptQueue::add(int event, std::uint64_t moment, int routine) {
-  CHECK(event >= 0 && event < eventCount, "events are numbered 0 to 44");
-  const EventInfo& info = eventInfo(event);
+  CHECK(event >= 0 && event < blockEventEnd, "no such event");
+  const EventInfo info = eventInfo(event);
   std::vector<Entry>& entries = queue(info.group);
   if (entries.size() >= depth_[static_cast<std::size_t>(info.group)]) return false;
   const auto later = std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) {
-    return entry.moment == moment && eventInfo(entry.event).rank > info.rank;
+    return (entry.moment == moment || isBlockEvent(event)) && eventInfo(entry.event).rank > info.rank;
   });
   entries.insert(later, {event, moment, routine});
   return true;
@@ -39,6 +39,13 @@ std::optional<InterruptQueue::Waiting> InterruptQueue::take(int event) {
   const Waiting waiting{event, first->routine};
   entries.erase(first);
   return waiting;
+}
+
+std::optional<int> InterruptQueue::next() const {
+  for (const std::vector<Entry>& entries : queues_) {
+    if (!entries.empty()) return entries.front().event;
+  }
+  return std::nullopt;
 }
 
 void InterruptQueue::drop(int event) {

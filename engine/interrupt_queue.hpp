@@ -1,7 +1,8 @@
 // The three interrupt queues of the CPU: communication, I/O, timed (001:5480-5500). An attached event enters the queue
 // of its group; a full queue loses it. The highest group that is not empty is served first, inside a group in order of
 // arrival; events that arrive at the same moment stand in the order of their rank (table 6-50, the manual leaves
-// the combination open). Covered by tests/engine/interrupt_test.cpp.
+// the combination open). Organization blocks of an S7-300/400 go by their priority, and by arrival where it is the
+// same. Covered by tests/engine/interrupt_test.cpp.
 #pragma once
 
 #include <array>
@@ -27,6 +28,8 @@ class InterruptQueue {
   /// Takes event 0..44 that occurred at `moment` (any unit that does not decrease). False: the queue is full, the event
   /// is lost.
   bool add(int event, std::uint64_t moment, int routine = 0);
+  /// The event to be served next; nothing: none waits.
+  std::optional<int> next() const;
   /// What is to be served next, removed from its queue.
   std::optional<Waiting> take();
   /// One entry of that event, removed out of its turn; nothing: none waits.

@@ -49,7 +49,7 @@ void Simulator::powerCycle() {
 
 void Simulator::run() {
   if (isRunning()) return;
-  enterRun(store_, options_.choices, *options_.retentive);
+  enterRun(plan_, store_, options_.choices, *options_.retentive);
   queue_.clear();
   errors_.clear();
   devices_.reset();

@@ -144,6 +144,9 @@ class Simulator final : private Outside {
   void raise(int event);
   void raiseTimer(const TimerUse& use, bool reached);
   void attachTimed(std::uint32_t event);
+  std::uint64_t periodOf(std::uint32_t timer) const;
+  std::uint64_t elapsedOf(std::uint32_t timer) const;
+  bool runsTimed(std::uint32_t timer) const;
   bool mayBeDue(int event) const;
   bool hasCause(int event);
   void occur(int event);
@@ -157,6 +160,7 @@ class Simulator final : private Outside {
   void checkWatchdog();
   void setClock();
   void passMillisecond(Runner& runner);
+  bool mayServe() const;
   void serveInterrupts(Runner& runner);
   void runRoutine(Runner& runner, const InterruptQueue::Waiting& waiting);
   void passRest(Runner& runner, std::uint32_t lengthUs);
@@ -194,13 +198,14 @@ class Simulator final : private Outside {
   const Instruction* stoppedBy_ = nullptr;
   const std::string* calledBlock_ = nullptr;  ///< library block whose outputs are being asked for
   std::set<int> withoutCause_;
+  int priority_ = 0;  ///< of the organization block that has interrupted OB1
   std::uint64_t random_;
   std::uint32_t edgeInputs_ = 0;  ///< the inputs of edge events as these saw them last
   const ScanScript* script_ = nullptr;
   std::vector<std::uint32_t> visits_;  ///< executions of each instruction in this scan, under a script only
   std::uint32_t scriptedTicks_ = 0;
   std::uint32_t scriptedMs_ = 0;                          ///< length of the scan
-  std::array<std::uint32_t, timedEventCount> timedMs_{};  ///< since event 10 or 11 at the end of the scan
+  std::array<std::uint32_t, timedEventCount> timedMs_{};  ///< since a timed event at the end of the scan
   std::uint32_t passedMs_ = 0;                            ///< of the scan, at least, at the place reached
   std::array<int, edgeInputCount> lastEdge_{};            ///< 0: not known, 1: rising, 2: falling
 };

@@ -1,6 +1,7 @@
 // Interrupt events of a run: edges of inputs, those of a stimulus and of a script, the queue they wait in, and the
 // routines that run when interrupts are enabled (001:5327-5547).
 #include <algorithm>
+#include <utility>
 
 #include "engine/simulator_hooks.hpp"
 #include "ir/s7200/event_cause.hpp"
@@ -18,18 +19,19 @@ void Simulator::raiseInputEdges() {
 
 /// An attached event enters its queue; a full queue loses it.
 void Simulator::raise(int event) {
-  if (!isRunning() || event < 0 || event >= eventCount) return;
+  if (!isRunning() || event < 0 || event >= blockEventEnd) return;
   const auto routine = static_cast<int>(store_.get(Reg::EventRoutine, static_cast<std::uint32_t>(event)));
   if (routine == 0) return;
   attention_ = true;
   if (queue_.add(event, moment_, routine - 1)) return;
+  if (plan_.isStep7()) return;  // no bit tells of it
   store_.save(Area::SM, 4 * 8 + static_cast<std::uint32_t>(eventInfo(event).group), 1, 1, true);
   report(Hazard::QueueOverflow, nullptr);
 }
 
 /// An event that somebody's stimulus names comes as it is; that nothing causes it is said.
 void Simulator::raiseByStimulus(int event) {
-  if (event < 0 || event >= eventCount) return;
+  if (event < 0 || event >= blockEventEnd) return;
   if (!eventHasCause(machine_, event)) withoutCause_.insert(event);
   raise(event);
 }
@@ -43,16 +45,15 @@ void Simulator::beginScript(std::uint32_t lengthMs) {
   visits_.assign(costs_.size(), 0);
   scriptedMs_ = lengthMs;
   passedMs_ = 0;
-  for (std::uint32_t timer = 0; timer < timedEventCount; ++timer)
-    timedMs_[timer] = static_cast<std::uint32_t>(store_.get(Reg::TimedElapsed, timer)) + lengthMs;
+  for (const std::uint32_t timer : plan_.timedEvents)
+    timedMs_[timer] = static_cast<std::uint32_t>(elapsedOf(timer)) + lengthMs;
 }
 
 void Simulator::endScript() {
   if (!isRunning()) return;
-  for (std::uint32_t timer = 0; timer < timedEventCount; ++timer) {
-    const std::uint64_t period = store_.get(Reg::TimedPeriod, timer);
-    if (period != 0 && store_.get(Reg::EventRoutine, firstTimedEvent + timer) != 0)
-      store_.set(Reg::TimedElapsed, timer, timedMs_[timer] % period, true);
+  for (const std::uint32_t timer : plan_.timedEvents) {
+    const TimedRegisters registers = timedRegisters(timer);
+    if (runsTimed(timer)) store_.set(registers.elapsed, registers.at, timedMs_[timer] % periodOf(timer), true);
   }
   scriptedMs_ = passedMs_ = 0;
 }
@@ -61,19 +62,29 @@ void Simulator::endScript() {
 void Simulator::attachTimed(std::uint32_t event) {
   const std::uint64_t now = external({External::AsyncTicks, event, machine_.current->id}, 32);
   if (now > passedMs_ && now <= scriptedMs_) passedMs_ = static_cast<std::uint32_t>(now);
-  timedMs_[event - firstTimedEvent] = scriptedMs_ - passedMs_;
+  timedMs_[static_cast<std::size_t>(timerOfEvent(static_cast<int>(event)))] = scriptedMs_ - passedMs_;
 }
 
-/// Whether event 10 or 11 is due by the end of the scan, and before the other one.
+std::uint64_t Simulator::periodOf(std::uint32_t timer) const {
+  return store_.get(timedRegisters(timer).period, timedRegisters(timer).at);
+}
+std::uint64_t Simulator::elapsedOf(std::uint32_t timer) const {
+  return store_.get(timedRegisters(timer).elapsed, timedRegisters(timer).at);
+}
+/// Whether the time of that event is counted.
+bool Simulator::runsTimed(std::uint32_t timer) const {
+  return periodOf(timer) != 0 && store_.get(Reg::EventRoutine, static_cast<std::uint32_t>(eventOfTimed(timer))) != 0;
+}
+
+/// Whether a timed event is due by the end of the scan, and before the others.
 bool Simulator::mayBeDue(int event) const {
-  const auto timer = static_cast<std::uint32_t>(event) - firstTimedEvent, other = 1 - timer;
-  const auto isDue = [&](std::uint32_t t) {
-    const std::uint64_t period = store_.get(Reg::TimedPeriod, t);
-    return period != 0 && store_.get(Reg::EventRoutine, firstTimedEvent + t) != 0 && timedMs_[t] >= period;
-  };
-  const auto dueFor = [&](std::uint32_t t) { return timedMs_[t] - store_.get(Reg::TimedPeriod, t); };
-  if (!isDue(timer)) return false;
-  return !isDue(other) || dueFor(timer) > dueFor(other) || (dueFor(timer) == dueFor(other) && timer < other);
+  const auto timer = static_cast<std::uint32_t>(timerOfEvent(event));
+  const auto isDue = [&](std::uint32_t t) { return runsTimed(t) && timedMs_[t] >= periodOf(t); };
+  const auto dueFor = [&](std::uint32_t t) { return timedMs_[t] - periodOf(t); };
+  return isDue(timer) && std::ranges::all_of(plan_.timedEvents, [&](std::uint32_t other) {
+           if (other == timer || !isDue(other) || dueFor(timer) > dueFor(other)) return true;
+           return dueFor(timer) == dueFor(other) && eventInfo(event).rank < eventInfo(eventOfTimed(other)).rank;
+         });
 }
 
 bool Simulator::hasCause(int event) {
@@ -94,8 +105,8 @@ void Simulator::occur(int event) {
     return;
   }
   if (isTimedEvent(event)) {
-    const auto timer = static_cast<std::size_t>(event) - firstTimedEvent;
-    timedMs_[timer] -= static_cast<std::uint32_t>(store_.get(Reg::TimedPeriod, static_cast<std::uint32_t>(timer)));
+    const auto timer = static_cast<std::uint32_t>(timerOfEvent(event));
+    timedMs_[timer] -= static_cast<std::uint32_t>(periodOf(timer));
     passedMs_ = std::max(passedMs_, scriptedMs_ - std::min(scriptedMs_, timedMs_[timer]));
   }
   if (isEdgeEvent(event)) lastEdge_[static_cast<std::size_t>(edgeInputOf(event))] = edgeKind(event);
@@ -141,27 +152,32 @@ void Simulator::scripted(Runner& runner, ScanPlace place) {
   }
   serveInterrupts(runner);
   if (!isEnd || machine_.inInterrupt) return;
-  for (int event = firstTimedEvent; event < static_cast<int>(firstTimedEvent + timedEventCount);) {
-    if (!machine_.guard || !isRunning()) return;
-    if (!mayBeDue(event)) {
-      ++event;
-      continue;
-    }
-    occur(event);
+  while (machine_.guard && isRunning()) {
+    const auto due =
+        std::ranges::find_if(plan_.timedEvents, [&](std::uint32_t t) { return mayBeDue(eventOfTimed(t)); });
+    if (due == plan_.timedEvents.end()) return;
+    occur(eventOfTimed(*due));
     serveInterrupts(runner);
-    event = firstTimedEvent;
   }
 }
 
 /// Runs the routine of an event that waits: where several came at one place, the script says in which order they run.
 void Simulator::serveEvent(Runner& runner, int event) {
-  if (machine_.inInterrupt || !machine_.guard || !isRunning() || store_.get(Reg::InterruptsEnabled, 0) == 0) return;
+  if (!mayServe() || !machine_.guard || !isRunning() || store_.get(Reg::InterruptsEnabled, 0) == 0) return;
   if (const auto waiting = queue_.take(event)) runRoutine(runner, *waiting);
 }
 
+/// A routine of an S7-200 is not interrupted (001:5426), an organization block by higher priority (002:817) and never
+/// the start-up. What a script names stands where nothing runs.
+bool Simulator::mayServe() const {
+  if (machine_.isStartUp) return false;
+  if (!machine_.inInterrupt) return true;
+  return plan_.isStep7() && script_ == nullptr && !queue_.empty() && priorityOf(*queue_.next()) > priority_;
+}
+
 void Simulator::serveInterrupts(Runner& runner) {
-  if (machine_.inInterrupt) return;
-  while (!queue_.empty() && machine_.guard && isRunning() && store_.get(Reg::InterruptsEnabled, 0) != 0) {
+  if (!mayServe()) return;
+  while (!queue_.empty() && mayServe() && machine_.guard && isRunning() && store_.get(Reg::InterruptsEnabled, 0) != 0) {
     runRoutine(runner, *queue_.take());
   }
   if (queue_.empty() && (store_.load(Area::SM, 4 * 8, 8) & 7U) != 0) {  // no S7-300/400 has SM
@@ -173,7 +189,9 @@ void Simulator::serveInterrupts(Runner& runner) {
 /// Runs the routine that the event has now, or had when it was queued (Choice::DetachedEvents).
 void Simulator::runRoutine(Runner& runner, const InterruptQueue::Waiting& waiting) {
   const auto now = static_cast<int>(store_.get(Reg::EventRoutine, static_cast<std::uint32_t>(waiting.event)));
+  const int interrupted = std::exchange(priority_, isBlockEvent(waiting.event) ? priorityOf(waiting.event) : 0);
   runner.interrupt(now != 0 ? now - 1 : waiting.routine, true);
+  priority_ = interrupted;
   position_ += pending_;
   pending_ = 0;
   if (!isRunning()) queue_.clear();  // STOP in the routine (001:5695)

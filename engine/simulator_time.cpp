@@ -92,12 +92,12 @@ void Simulator::passMillisecond(Runner& runner) {
   ++moment_;
   ++clockMs_;
   refreshTimers(machine_, 1, 1, [&](const TimerUse& use, bool reached) { raiseTimer(use, reached); });
-  for (std::uint32_t timer = 0; timer < timedEventCount; ++timer) {
-    const std::uint64_t period = store_.get(Reg::TimedPeriod, timer);
-    if (period == 0 || store_.get(Reg::EventRoutine, firstTimedEvent + timer) == 0) continue;
-    const std::uint64_t elapsed = store_.get(Reg::TimedElapsed, timer) + 1;
-    store_.set(Reg::TimedElapsed, timer, elapsed < period ? elapsed : 0, true);
-    if (elapsed >= period) raise(static_cast<int>(firstTimedEvent + timer));
+  for (const std::uint32_t timer : plan_.timedEvents) {
+    if (!runsTimed(timer)) continue;
+    const TimedRegisters registers = timedRegisters(timer);
+    const std::uint64_t period = periodOf(timer), elapsed = elapsedOf(timer) + 1;
+    store_.set(registers.elapsed, registers.at, elapsed < period ? elapsed : 0, true);
+    if (elapsed >= period) raise(eventOfTimed(timer));
   }
   devices_.passMillisecond(store_, [this, &runner](int event) {
     raise(event);
@@ -116,9 +116,8 @@ bool Simulator::isQuietUntil(std::uint64_t position) const {
   const auto isAttached = [&](int event) {
     return event >= 0 && store_.get(Reg::EventRoutine, static_cast<std::uint32_t>(event)) != 0;
   };
-  for (std::uint32_t i = 0; i < timedEventCount; ++i) {
-    if (isAttached(static_cast<int>(firstTimedEvent + i))) return false;
-  }
+  if (std::ranges::any_of(plan_.timedEvents, [&](std::uint32_t t) { return isAttached(eventOfTimed(t)); }))
+    return false;
   const bool raisesEvents =
       std::ranges::any_of(plan_.timers, [&](const TimerUse& use) { return isAttached(eventOfTimer(use.number)); });
   return !raisesEvents && queue_.empty() && observer_ == nullptr && devices_.areIdle(store_) &&

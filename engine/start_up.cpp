@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ir/s7200/special_memory.hpp"
+#include "ir/s7300/block.hpp"
 
 namespace rungproof {
 
@@ -32,10 +33,11 @@ void prepareRun(Concrete::Store& store, const Choices& choices) {
     setSm(store, status, 6, false);  // 001:4651
     setSm(store, status, 7, true);
   }
-  for (const Reg reg : {Reg::EdgeMemory, Reg::EdgeSeen, Reg::EventRoutine, Reg::InterruptsEnabled, Reg::TimedPeriod,
-                        Reg::TimedElapsed, Reg::HscMode, Reg::HscEnabled, Reg::PulseBusy, Reg::PulsePending,
-                        Reg::PortBusy, Reg::NetActive, Reg::TimerRunning, Reg::TimerInput, Reg::CounterUp,
-                        Reg::CounterDown, Reg::PhaseTen, Reg::PhaseHundred, Reg::Fault}) {
+  for (const Reg reg :
+       {Reg::EdgeMemory,   Reg::EdgeSeen,      Reg::EventRoutine, Reg::InterruptsEnabled, Reg::TimedPeriod,
+        Reg::TimedElapsed, Reg::CyclicElapsed, Reg::HscMode,      Reg::HscEnabled,        Reg::PulseBusy,
+        Reg::PulsePending, Reg::PortBusy,      Reg::NetActive,    Reg::TimerRunning,      Reg::TimerInput,
+        Reg::CounterUp,    Reg::CounterDown,   Reg::PhaseTen,     Reg::PhaseHundred,      Reg::Fault}) {
     fill(store, reg, 0);
   }
   fill(store, Reg::PhaseSecond, clockStartsOn ? 500 : 0);
@@ -43,6 +45,19 @@ void prepareRun(Concrete::Store& store, const Choices& choices) {
   fill(store, Reg::PidHistory, 1);  // 001:5295
   fill(store, Reg::FirstScan, 1);
   fill(store, Reg::Running, 1);
+}
+
+/// The organization blocks that something beside the program starts are attached for good.
+void attachBlocks(const Plan& plan, Concrete::Store& store) {
+  if (!plan.isStep7()) return;
+  for (int event = firstBlockEvent; event < blockEventEnd; ++event) {
+    const int block = blockOfEvent(event);
+    if (plan.block(blockNumber(BlockType::Ob, block)) == nullptr) continue;
+    store.set(Reg::EventRoutine, static_cast<std::uint32_t>(event), static_cast<std::uint64_t>(block) + 1, true);
+  }
+  store.set(Reg::InterruptsEnabled, 0, 1, true);
+  for (std::uint32_t i = 0; i < cyclicBlockCount; ++i)
+    store.set(Reg::CyclicPeriod, i, plan.program->cyclicPeriods[i], true);
 }
 
 void loadDataBlock(const Program& program, Concrete::Store& store) {
@@ -83,6 +98,7 @@ Concrete::Store powerUpState(const Plan& plan, const Choices& choices, bool data
   prepareRun(store, choices);
   setSm(store, 0, 2, dataLost);
   setSm(store, 0, 3, true);
+  attachBlocks(plan, store);
   if (plan.isStep7()) return store;
   store.area(Area::SM)[6] = cpuRow(plan.program->target.cpu).identifier.value_or(0x20);  // 224XP: that of the 224
   return store;
@@ -108,7 +124,8 @@ Concrete::Store powerCycledState(const Plan& plan, const Choices& choices, const
   return store;
 }
 
-void enterRun(Concrete::Store& store, const Choices& choices, const std::vector<RetentiveRange>& ranges) {
+void enterRun(const Plan& plan, Concrete::Store& store, const Choices& choices,
+              const std::vector<RetentiveRange>& ranges) {
   for (std::uint32_t i = 0; i < store.count(Reg::TimerBit); ++i) {
     store.set(Reg::TimerBit, i, 0, true);
     if (!isRetentive(ranges, Area::T, i)) store.set(Reg::TimerCurrent, i, 0, true);
@@ -119,6 +136,7 @@ void enterRun(Concrete::Store& store, const Choices& choices, const std::vector<
   }
   const auto phase = static_cast<std::uint32_t>(store.get(Reg::PhaseHundred, 0));
   prepareRun(store, choices);
+  attachBlocks(plan, store);
   setTickPhase(store, phase);
   setSm(store, 0, 2, false);
   setSm(store, 0, 3, false);

@@ -34,7 +34,8 @@ Concrete::Store powerCycledState(const Plan& plan, const Choices& choices, const
 /// Entering RUN without loss of power: V, M and retentive current values stay; edges, devices and interrupts start
 /// anew; the time bases run on. What is cleared is not in the manual text except for interrupts (001:5333) and HDEF
 /// (001:4360).
-void enterRun(Concrete::Store& store, const Choices& choices, const std::vector<RetentiveRange>& ranges);
+void enterRun(const Plan& plan, Concrete::Store& store, const Choices& choices,
+              const std::vector<RetentiveRange>& ranges);
 
 /// Whether V, M, T or C cell `index` (byte or number) is in one of the ranges.
 bool isRetentive(const std::vector<RetentiveRange>& ranges, Area area, std::uint32_t index);

@@ -2,6 +2,7 @@
 // encoder and printers consume it. Operands keep the place where they were written.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "ir/block_event.hpp"
 #include "ir/desc.hpp"
 #include "ir/finding.hpp"
 #include "ir/operand.hpp"
@@ -132,6 +134,8 @@ struct Program {
   std::vector<Directive> directives;
   std::shared_ptr<const s7300::Declarations> declarations;  ///< S7-300/400: names of data; nullptr elsewhere
   std::vector<LibraryMemory> libraryMemory;
+  /// S7-300/400: ms from one start of OB30 and those that follow to the next.
+  std::array<std::uint16_t, cyclicBlockCount> cyclicPeriods = usualPeriods;
   std::vector<Finding> findings;  ///< of the readers
   bool olderDialect = false;      ///< one-text dialect of the S7-212/214 time (MEND, SBR n)
 

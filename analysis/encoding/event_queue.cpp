@@ -68,7 +68,7 @@ void ScanEncoding::noteAttachment(const Instruction& instruction) {
     externals.push_back({site, any.node, w, here(runs).node});
     const Graph::Bool fits = graph.land(graph.ule(before, any, w), graph.ule(any, dt, w));
     const Graph::Bits now = graph.select(fits, any, before, w);
-    become(s.sinceLast[static_cast<std::uint32_t>(event) - firstTimedEvent], here(runs), graph.sub(dt, now, w).node);
+    become(s.sinceLast.at(static_cast<std::uint32_t>(timerOfEvent(event))), here(runs), graph.sub(dt, now, w).node);
     become(s.passed, here(runs), now.node);
   }
   if (role == Role::Dtch && left != s.left.end()) {

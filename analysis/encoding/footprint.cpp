@@ -66,7 +66,10 @@ void addCauseKeys(int event, Footprint& footprint) {
     addKeys(place, footprint.reads);
     addKeys(place, footprint.writes);
   };
-  if (isTimedEvent(event)) reads(registerPlace(Reg::TimedPeriod, static_cast<std::uint32_t>(event) - firstTimedEvent));
+  if (isTimedEvent(event)) {
+    const TimedRegisters registers = timedRegisters(static_cast<std::uint32_t>(timerOfEvent(event)));
+    reads(registerPlace(registers.period, registers.at));
+  }
   if (const auto counter = counterEvent(event)) {
     reads(registerPlace(Reg::HscMode, counter->counter));
     reads(registerPlace(Reg::HscEnabled, counter->counter));

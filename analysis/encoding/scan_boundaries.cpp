@@ -10,11 +10,16 @@
 
 #include "analysis/encoding/scan_encoding.hpp"
 #include "ir/s7200/timer_refresh.hpp"
+#include "ir/s7300/block.hpp"
 
 namespace rungproof {
 
 Attachments attachmentsOf(const Plan& plan) {
   Attachments result;
+  for (int event = firstBlockEvent; plan.isStep7() && event < blockEventEnd; ++event) {
+    const int block = blockOfEvent(event);
+    if (plan.block(blockNumber(BlockType::Ob, block)) != nullptr) result[event].insert(block);
+  }
   for (const Flow& flow : plan.flows) {
     for (const FlowStep& step : flow.steps) {
       const Instruction& instruction = *step.instruction;
@@ -96,7 +101,7 @@ bool ScanEncoding::mayInterrupt(int event, std::uint32_t instruction) const {
 void ScanEncoding::boundary(Runner& runner, std::uint32_t instruction) {
   bool hasTicks = needsTicks(instruction), hasEvents = false;
   visit_.reset();
-  if (!machine_.inInterrupt) {
+  if (!machine_.inInterrupt && !machine_.isStartUp) {
     for (const int event : events_) {
       if (!mayInterrupt(event, instruction)) continue;
       hasEvents = true;

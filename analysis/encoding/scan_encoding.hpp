@@ -38,9 +38,10 @@ constexpr int queueBits = 5;  ///< width of a count of entries in a queue, at mo
 
 /// What of the interrupt queue, the timed events and the edges of inputs lies outside the machine, as it is now.
 struct EventStates {
-  std::array<Node, timedEventCount> sinceLast{noNode, noNode};  ///< ms since event 10 or 11 at the end of the scan
-  Node passed = noNode;                                         ///< ms of the scan at least, at this place
-  std::map<int, Node> waiting;                                  ///< entries of 10, 11, 21, 22 in the queue
+  /// By timed event: ms since it came last, at the end of the scan. Not there: it cannot come.
+  std::map<std::uint32_t, Node> sinceLast;
+  Node passed = noNode;            ///< ms of the scan at least, at this place
+  std::map<int, Node> waiting;     ///< entries of timed events, 21 and 22 in the queue
   std::map<int, Node> left;        ///< routine + 1 of an entry whose event was detached (Choice::DetachedEvents)
   std::map<int, Node> lastEdge;    ///< by input of which both edges are attached; 0: not known, 1: rising, 2: falling
   std::set<int> overflowBits;      ///< bits of SM4 that the program can see
@@ -122,6 +123,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   bool mayInterrupt(int event, std::uint32_t instruction) const;
   std::uint32_t visitOf(std::uint32_t instruction);
   // scan_interrupts.cpp
+  void leaveOutNesting();
   void beginEvents();
   void endEvents();
   void interrupts(Runner& runner, std::uint32_t instruction);

@@ -9,9 +9,10 @@
 // again is the same to the program, so nothing is kept of them - except an entry whose event was detached meanwhile,
 // and the overflow bits.
 //
-// Events that follow from the time are counted: 10 and 11 come as often as their period has passed, by the end of the
-// scan at the latest and the one that is due for longer first; 21 and 22 come when their timer reaches its preset.
-// Those that meet disabled interrupts wait, as many as the queue holds, and run at the first place where they can.
+// Events that follow from the time are counted: 10 and 11, and cyclic interrupts of an S7-300/400, come as often as
+// their period has passed, by the end of the scan at the latest and the one that is due for longer first; 21 and 22
+// come when their timer reaches its preset. Those that meet disabled interrupts wait, as many as the queue holds, and
+// run at the first place where they can.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -65,8 +66,25 @@ Node ScanEncoding::state(std::string name, int width) {
   return node;
 }
 
+/// A block of higher priority interrupts one of lower priority as well (002:817). Where both touch the same memory,
+/// what that leaves is not followed; otherwise it is as if one ran before the other.
+void ScanEncoding::leaveOutNesting() {
+  const auto& footprints = knowledge_.footprints.ofRoutine;
+  for (const int low : events_) {
+    for (const int high : events_) {
+      if (!isBlockEvent(low) || !isBlockEvent(high) || priorityOf(low) >= priorityOf(high)) continue;
+      const auto its = footprints.find(blockOfEvent(low)), other = footprints.find(blockOfEvent(high));
+      if (its == footprints.end() || other == footprints.end() || !its->second.conflictsWith(other->second)) continue;
+      approximate(nullptr, fmt::format("OB{} inside OB{}, which use the same memory, is not followed",
+                                       blockOfEvent(high), blockOfEvent(low)))
+          .leftOut = graph.constant(true).node;
+    }
+  }
+}
+
 void ScanEncoding::beginEvents() {
   if (attachments_.empty()) return;
+  leaveOutNesting();
   std::set<int> detached;
   for (const Flow& flow : plan_.flows) {
     for (const FlowStep& step : flow.steps) {
@@ -75,13 +93,17 @@ void ScanEncoding::beginEvents() {
     }
   }
   EventStates& s = eventStates_;
-  const int w = std::max(time.width(), 8) + 2;
+  int periodWidth = regInfo(Reg::TimedPeriod).width;
+  for (const std::uint32_t timer : plan_.timedEvents)
+    periodWidth = std::max(periodWidth, static_cast<int>(regInfo(timedRegisters(timer).period).width));
+  const int w = std::max(time.width(), periodWidth) + 2;
   s.passed = graph.constantNode(0, w);
   const Node dt = graph.make(Op::Zext, w, time.dt());
   for (const int event : events_) {
     if (isTimedEvent(event)) {
-      const std::uint32_t timer = static_cast<std::uint32_t>(event) - firstTimedEvent;
-      const Node elapsed = graph.make(Op::Zext, w, machine_.get(Reg::TimedElapsed, timer).node);
+      const auto timer = static_cast<std::uint32_t>(timerOfEvent(event));
+      const TimedRegisters registers = timedRegisters(timer);
+      const Node elapsed = graph.make(Op::Zext, w, machine_.get(registers.elapsed, registers.at).node);
       s.sinceLast[timer] = graph.make(Op::Add, w, elapsed, dt);
     }
     if (isLimited(event) || isOfRequest(event))
@@ -117,15 +139,15 @@ void ScanEncoding::endEvents() {
   EventStates& s = eventStates_;
   if (attachments_.empty()) return;
   machine_.guard = graph.constant(true);
-  for (std::uint32_t timer = 0; timer < timedEventCount; ++timer) {
-    if (s.sinceLast[timer] == noNode) continue;
+  for (const auto& [timer, since] : s.sinceLast) {
+    const TimedRegisters registers = timedRegisters(timer);
+    const int width = regInfo(registers.period).width;
     const Graph::Bool isPeriodic =
-        graph.lnot(graph.equal(machine_.get(Reg::TimedPeriod, timer), graph.literal(0, 8), 8));
+        graph.lnot(graph.equal(machine_.get(registers.period, registers.at), graph.literal(0, width), width));
     const Graph::Bool goesOn = graph.land(machine_.getBit(Reg::Running), graph.lnot(machine_.halted));
-    const Graph::Bool counts =
-        graph.land(goesOn, graph.land(isPeriodic, hasRoutine(static_cast<int>(firstTimedEvent + timer))));
+    const Graph::Bool counts = graph.land(goesOn, graph.land(isPeriodic, hasRoutine(eventOfTimed(timer))));
     machine_.when(counts,
-                  [&] { machine_.set(Reg::TimedElapsed, timer, {graph.make(Op::Extract, 8, s.sinceLast[timer])}); });
+                  [&] { machine_.set(registers.elapsed, registers.at, {graph.make(Op::Extract, width, since)}); });
   }
   for (StateVariable& variable : s.all) variable.next = variable.node;
   const auto setNext = [&](Node now, const std::string& name) {
@@ -160,29 +182,33 @@ Graph::Bool ScanEncoding::isReady(int event) { return graph.land(interruptsEnabl
 
 Graph::Bits ScanEncoding::periodOf(std::uint32_t timer) {
   const int w = graph[eventStates_.passed].width;
-  return {graph.make(Op::Zext, w, machine_.get(Reg::TimedPeriod, timer).node)};
+  const TimedRegisters registers = timedRegisters(timer);
+  return {graph.make(Op::Zext, w, machine_.get(registers.period, registers.at).node)};
 }
 
-/// Whether event 10 or 11 is due by the end of the scan.
+/// Whether a timed event is due by the end of the scan.
 Graph::Bool ScanEncoding::isDue(std::uint32_t timer) {
-  const int event = static_cast<int>(firstTimedEvent + timer);
-  if (eventStates_.sinceLast[timer] == noNode) return graph.constant(false);
+  const int event = eventOfTimed(timer);
+  if (!eventStates_.sinceLast.contains(timer)) return graph.constant(false);
   const int w = graph[eventStates_.passed].width;
   const Graph::Bits period = periodOf(timer);
   return graph.land(hasRoutine(event), graph.land(graph.lnot(graph.equal(period, graph.literal(0, w), w)),
                                                   graph.ule(period, {eventStates_.sinceLast[timer]}, w)));
 }
 
-/// Due, and not after the other one.
+/// Due, and not after another one.
 Graph::Bool ScanEncoding::isNextDue(std::uint32_t timer) {
-  const std::uint32_t other = 1 - timer;
-  const Graph::Bool due = isDue(timer);
-  if (eventStates_.sinceLast[other] == noNode) return due;
+  Graph::Bool isNext = isDue(timer);
   const int w = graph[eventStates_.passed].width;
-  const Graph::Bits mine = graph.sub({eventStates_.sinceLast[timer]}, periodOf(timer), w);
-  const Graph::Bits its = graph.sub({eventStates_.sinceLast[other]}, periodOf(other), w);
-  const Graph::Bool first = timer < other ? graph.ule(its, mine, w) : graph.ult(its, mine, w);
-  return graph.land(due, graph.lor(graph.lnot(isDue(other)), first));
+  for (const auto& [other, since] : eventStates_.sinceLast) {
+    if (other == timer) continue;
+    const Graph::Bits mine = graph.sub({eventStates_.sinceLast.at(timer)}, periodOf(timer), w);
+    const Graph::Bits its = graph.sub({since}, periodOf(other), w);
+    const bool hasRank = eventInfo(eventOfTimed(timer)).rank < eventInfo(eventOfTimed(other)).rank;
+    const Graph::Bool first = hasRank ? graph.ule(its, mine, w) : graph.ult(its, mine, w);
+    isNext = graph.land(isNext, graph.lor(graph.lnot(isDue(other)), first));
+  }
+  return isNext;
 }
 
 /// Whether the event comes at this point, nothing waiting.
@@ -190,7 +216,7 @@ Graph::Bool ScanEncoding::occurs(Round& round, int event) {
   const auto input = [&] { return Graph::Bool{siteInput(event, round.where.instruction, 1)}; };
   if (isTimerEvent(event)) return graph.constant(false);
   if (isTimedEvent(event)) {
-    const Graph::Bool due = isNextDue(static_cast<std::uint32_t>(event) - firstTimedEvent);
+    const Graph::Bool due = isNextDue(static_cast<std::uint32_t>(timerOfEvent(event)));
     return round.isEnd || graph.truth(due) == false ? due : graph.land(due, input());
   }
   Graph::Bool possible = graph.land(hasRoutine(event), eventHasCause(machine_, event));
@@ -292,7 +318,7 @@ void ScanEncoding::runEvent(Runner& runner, Round& round, int event) {
     become(waits->second, here(waited),
            graph.make(Op::Sub, queueBits, waits->second, graph.constantNode(1, queueBits)));
   if (isTimedEvent(event)) {
-    const std::uint32_t timer = static_cast<std::uint32_t>(event) - firstTimedEvent;
+    const auto timer = static_cast<std::uint32_t>(timerOfEvent(event));
     const int w = graph[s.passed].width;
     const Node since = graph.sub({s.sinceLast[timer]}, periodOf(timer), w).node;
     become(s.sinceLast[timer], here(comes), since);
@@ -366,7 +392,7 @@ void ScanEncoding::passTime(Round& round) {
   };
   for (const int event : round.events) {
     if (isTimedEvent(event) && round.isEnd) {
-      const std::uint32_t timer = static_cast<std::uint32_t>(event) - firstTimedEvent;
+      const auto timer = static_cast<std::uint32_t>(timerOfEvent(event));
       const Graph::Bool due = isDue(timer);
       if (graph.truth(here(due)) == false) continue;
       round.mustGoOn = graph.lor(round.mustGoOn, graph.land(enabled, due));
@@ -400,8 +426,8 @@ void ScanEncoding::moreRuns(Runner& runner, Round& round) {
   Graph::Bool comesStill = graph.constant(false);
   for (const int event : round.events) {
     if (isTimerEvent(event)) continue;
-    const Graph::Bool may = isTimedEvent(event) ? isDue(static_cast<std::uint32_t>(event) - firstTimedEvent)
-                                                : eventHasCause(machine_, event);
+    const Graph::Bool may =
+        isTimedEvent(event) ? isDue(static_cast<std::uint32_t>(timerOfEvent(event))) : eventHasCause(machine_, event);
     comesStill = graph.lor(comesStill, graph.land(may, isReady(event)));
   }
   const Graph::Bool optional =

@@ -217,7 +217,14 @@ class UnreadCode::Collector {
     if (instruction.desc->control != Control::BlockCall || instruction.operands.empty()) return {};
     const Operand& block = instruction.operands[0];
     if (block.kind != OperandKind::Constant || block.value == blockNumber(BlockType::Sfc, 46)) return {};
-    const Pou* callee = program_.subroutine(static_cast<int>(block.value));
+    const int number = static_cast<int>(block.value);
+    const bool isControl =
+        blockTypeOf(number) == BlockType::Sfc && numberOfBlock(number) >= 39 && numberOfBlock(number) <= 42;
+    const bool isInterrupted = std::ranges::any_of(program_.pous, [](const Pou& pou) {
+      return pou.type == BlockType::Ob && eventOfBlock(numberOfBlock(pou.number)) >= 0;
+    });
+    if (isControl && isInterrupted) return std::string(s7300::gapReason(s7300::Gap::InterruptControl));
+    const Pou* callee = program_.subroutine(number);
     if (callee == nullptr) return std::string(s7300::gapReason(s7300::Gap::MissingBlock));
     return callee->protectedBlock ? std::string(s7300::gapReason(s7300::Gap::ProtectedBlock)) : "";
   }

@@ -85,6 +85,7 @@ Program readFilesBy(const Context& context, const Settings& settings, const std:
   Program program = readProgram(expandFolders(files, settings), readOptionsOf(settings));
   guessCpu(context, settings, program);
   program.libraryMemory = settings.libraryMemory();
+  program.cyclicPeriods = settings.cyclicPeriods();
   return program;
 }
 

@@ -47,6 +47,15 @@ constexpr std::array table = {
     OptionInfo{Opt::StdinFilename, Reading, Arity::One, "stdin-filename", "NAME", "", "name for standard input, which is read where FILE is '-'", false},
     OptionInfo{Opt::Retentive, Running, Arity::List, "retentive", "RANGE", "", "what keeps its value without power, as VB0..VB99, MB0..MB13, T0..T31 or C0..C255 (S7-200: all of V, MB14..MB31, T0..T31, T64..T95, C0..C255; S7-200 SMART: nothing)"},
     OptionInfo{Opt::LibraryMemory, Running, Arity::List, "library-memory", "RANGE", "", "V memory of the libraries, as VB1000..VB1285, or of one block, as RCP0_READ=VB100..VB119"},
+    OptionInfo{Opt::Ob30, Hidden, Arity::One, "ob30", "TIME", "5s", "period of OB30"},
+    OptionInfo{Opt::Ob31, Hidden, Arity::One, "ob31", "TIME", "2s", "period of OB31"},
+    OptionInfo{Opt::Ob32, Hidden, Arity::One, "ob32", "TIME", "1s", "period of OB32"},
+    OptionInfo{Opt::Ob33, Hidden, Arity::One, "ob33", "TIME", "500ms", "period of OB33"},
+    OptionInfo{Opt::Ob34, Hidden, Arity::One, "ob34", "TIME", "200ms", "period of OB34"},
+    OptionInfo{Opt::Ob35, Running, Arity::One, "ob35", "TIME", "100ms", "S7-300/400: period of the cyclic interrupt OB35, 1ms to 60s; --ob30 to --ob38 likewise (5s, 2s, 1s, 500ms, 200ms, 100ms, 50ms, 20ms, 10ms)"},
+    OptionInfo{Opt::Ob36, Hidden, Arity::One, "ob36", "TIME", "50ms", "period of OB36"},
+    OptionInfo{Opt::Ob37, Hidden, Arity::One, "ob37", "TIME", "20ms", "period of OB37"},
+    OptionInfo{Opt::Ob38, Hidden, Arity::One, "ob38", "TIME", "10ms", "period of OB38"},
     OptionInfo{Opt::ScanTime, Running, Arity::One, "scan-time", "MIN..MAX", "", "length of a scan, as 5ms..20ms or one value (sim: 10ms; prove: 1ms up to the watchdog)"},
     OptionInfo{Opt::Phase, Running, Arity::One, "phase", "TIME", "0ms", "time since the last tick of the 10 ms and 100 ms timers when RUN begins (sim; proofs cover any)"},
     OptionInfo{Opt::Timeout, Running, Arity::One, "timeout", "TIME", "30s", "time limit for each property"},
@@ -119,6 +128,14 @@ std::optional<Failure> checkForm(const OptionInfo& info, std::string_view text) 
   if ((info.id == Opt::Timeout || info.id == Opt::Budget || info.id == Opt::Phase) && !durationNamed(text)) {
     return Failure{
         fmt::format("'{}' is no time", text), {}, "write a number with its unit, such as 30s, 500ms or 2min"};
+  }
+  if (info.id >= Opt::Ob30 && info.id <= Opt::Ob38) {
+    const auto period = durationNamed(text);
+    if (period && period->count() % 1000 == 0 && *period >= Duration(1000) && *period <= Duration(60'000'000))
+      return std::nullopt;
+    return Failure{fmt::format("'{}' is no period of a cyclic interrupt", text),
+                   {},
+                   "write whole milliseconds, from 1ms to 60s"};
   }
   if (info.id == Opt::Memory && !memoryNamed(text)) {
     return Failure{fmt::format("'{}' is no amount of memory", text),

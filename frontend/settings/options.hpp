@@ -36,6 +36,15 @@ enum class Opt : std::uint8_t {
   StdinFilename,
   Retentive,
   LibraryMemory,
+  Ob30,
+  Ob31,
+  Ob32,
+  Ob33,
+  Ob34,
+  Ob35,
+  Ob36,
+  Ob37,
+  Ob38,
   ScanTime,
   Phase,
   Timeout,
@@ -74,7 +83,7 @@ namespace option_group {
 inline constexpr OptionGroups Reading = 1, Running = 2, Rules = 4, Output = 8, Configuration = 16, Proving = 32;
 inline constexpr OptionGroups All = 63;
 inline constexpr OptionGroups Traces = 128;  ///< of files that loggers and simulators wrote
-inline constexpr OptionGroups Hidden = 64;   ///< in no help: for whoever works on rungproof itself
+inline constexpr OptionGroups Hidden = 64;   ///< in no help of its own
 }  // namespace option_group
 
 enum class Arity : std::uint8_t { Flag, One, List };  ///< List: may be repeated, values are separated by commas
@@ -144,6 +153,8 @@ class Settings {
   std::optional<std::vector<RetentiveRange>> retentive() const;
   std::vector<LibraryMemory> libraryMemory() const;
   std::optional<ScanTime> scanTime() const;
+  /// Periods of OB30 to OB38 in ms.
+  std::array<std::uint16_t, cyclicBlockCount> cyclicPeriods() const;
   std::optional<Duration> timeout() const;
   /// Time since the last tick of the time bases when RUN begins, in ms.
   std::uint32_t phaseMs() const;

@@ -107,6 +107,14 @@ std::optional<std::vector<RetentiveRange>> Settings::retentive() const {
   for (const std::string& text : list(Opt::Retentive)) ranges.push_back(*retentiveRangeNamed(text));
   return ranges;
 }
+std::array<std::uint16_t, cyclicBlockCount> Settings::cyclicPeriods() const {
+  std::array<std::uint16_t, cyclicBlockCount> periods{};
+  for (std::size_t i = 0; i < periods.size(); ++i) {
+    const auto option = static_cast<Opt>(static_cast<std::size_t>(Opt::Ob30) + i);
+    periods[i] = static_cast<std::uint16_t>(durationNamed(text(option))->count() / 1000);
+  }
+  return periods;
+}
 std::optional<ScanTime> Settings::scanTime() const { return scanTimeNamed(text(Opt::ScanTime)); }
 std::uint32_t Settings::phaseMs() const {
   return static_cast<std::uint32_t>(durationNamed(text(Opt::Phase)).value_or(Duration(0)).count() / 1000 % 100);

@@ -97,7 +97,7 @@ std::string eventsText(const Program& program, const std::vector<ScanScript::Eve
     }
     if (!text.empty()) text += ' ';
     if (together > 1) text += fmt::format("{}x", std::exchange(together, 1));
-    text += fmt::format("{}{}", event.event, placeText(program, event.place));
+    text += fmt::format("{}{}", shownEvent(event.event), placeText(program, event.place));
   }
   return text;
 }

@@ -79,8 +79,8 @@ void describeRun(Report& report, const Simulator& simulator, const ScanTime& sca
     Finding finding;
     finding.rule = "RUN004";
     finding.severity = Severity::Note;
-    finding.message = fmt::format("event {} ({}) came from the stimulus although nothing could cause it then", event,
-                                  eventInfo(event).text);
+    finding.message = fmt::format("event {} ({}) came from the stimulus although nothing could cause it then",
+                                  shownEvent(event), eventInfo(event).text);
     finding.help = "see 001:5378 of the manual for what causes each event";
     report.findings.push_back(std::move(finding));
   }

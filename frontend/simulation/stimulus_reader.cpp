@@ -125,6 +125,14 @@ class TableReader {
     return 0;
   }
 
+  /// An event by its number, of an S7-300/400 by that of the organization block that it starts.
+  static std::optional<int> eventNamed(std::optional<double> number, const Target& target) {
+    if (!number || *number != std::floor(*number) || *number < 0 || *number > 255) return std::nullopt;
+    const int named = static_cast<int>(*number), event = isStep7(target) ? eventOfBlock(named) : named;
+    const bool exists = isStep7(target) ? event >= 0 : event < eventCount && eventExists(target, event);
+    return exists ? std::optional(event) : std::nullopt;
+  }
+
   /// Interrupts at the start of the scan, and those that stand at a place in it ("10@17").
   void events(const CsvCell& cell, const Program& program, StimulusRow& row) {
     std::string text = cell.text;
@@ -146,17 +154,19 @@ class TableReader {
       }
       const std::size_t mark = word.find('@');
       const std::optional<double> number = numberIn(std::string_view(word).substr(0, mark));
-      if (!number || *number != std::floor(*number) || *number < 0 || *number >= eventCount ||
-          !eventExists(program.target, static_cast<int>(*number))) {
-        fail(
-            cell, fmt::format("'{}' is no interrupt event of CPU {}", word, cpuName(program.target.cpu)),
-            fmt::format("events are numbers from 0 to {}; several are separated by blanks", lastEvent(program.target)));
+      const std::optional<int> event = eventNamed(number, program.target);
+      if (!event) {
+        fail(cell, fmt::format("'{}' is no interrupt event of CPU {}", word, cpuName(program.target.cpu)),
+             isStep7(program.target) ? "events are the numbers of organization blocks such as 40; several are "
+                                       "separated by blanks"
+                                     : fmt::format("events are numbers from 0 to {}; several are separated by blanks",
+                                                   lastEvent(program.target)));
         continue;
       }
       if (mark == std::string::npos) {
-        row.events.insert(row.events.end(), count, static_cast<int>(*number));
+        row.events.insert(row.events.end(), count, *event);
       } else if (const auto place = scanPlaceNamed(program, std::string_view(word).substr(mark + 1))) {
-        row.placed.insert(row.placed.end(), count, {*place, static_cast<int>(*number), true});
+        row.placed.insert(row.placed.end(), count, {*place, *event, true});
         row.placed.back().isWithNext = false;
       } else {
         fail(cell, fmt::format("no instruction stands at '{}'", word.substr(mark + 1)),

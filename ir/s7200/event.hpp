@@ -1,12 +1,15 @@
 // Interrupt events: cause, priority group and rank (tables 6-46 and 6-50, 001:5378-5415, 001:5504-5538). Which CPU
-// has which event is in cpu.hpp. Covered by tests/engine/interrupt_test.cpp.
+// has which event is in cpu.hpp. Those of an S7-300/400 are in ir/block_event.hpp. Covered by
+// tests/engine/interrupt_test.cpp.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <string_view>
 
+#include "ir/block_event.hpp"
 #include "ir/s7200/cpu.hpp"
+#include "ir/s7200/register.hpp"
 
 namespace rungproof {
 
@@ -72,8 +75,30 @@ inline constexpr std::array<EventInfo, 45> eventTable = {{
 inline constexpr int eventCount = static_cast<int>(eventTable.size());
 
 /// Events 10 and 11, whose period in ms stands in SMB34 and SMB35 (001:5470).
-inline constexpr std::uint32_t firstTimedEvent = 10, timedEventCount = 2, timedPeriodByte = 34;
-constexpr bool isTimedEvent(int event) { return event == 10 || event == 11; }
+inline constexpr std::uint32_t firstTimedEvent = 10, timedPeriodByte = 34;
+
+/// Timed events are counted through: 0 and 1 are 10 and 11, those that follow the cyclic interrupts of an S7-300/400.
+inline constexpr std::uint32_t attachedTimers = 2, timedEventCount = attachedTimers + cyclicBlockCount;
+inline constexpr int noTimer = -1;
+constexpr int timerOfEvent(int event) {
+  if (event == 10 || event == 11) return event - static_cast<int>(firstTimedEvent);
+  return isCyclicEvent(event) ? static_cast<int>(attachedTimers) + event - firstCyclicEvent : noTimer;
+}
+constexpr int eventOfTimed(std::uint32_t timer) {
+  return timer < attachedTimers ? static_cast<int>(firstTimedEvent + timer)
+                                : firstCyclicEvent + static_cast<int>(timer - attachedTimers);
+}
+constexpr bool isTimedEvent(int event) { return timerOfEvent(event) != noTimer; }
+
+/// Registers of a timed event: the period in ms (0: none), and the ms since it came last.
+struct TimedRegisters {
+  Reg period, elapsed;
+  std::uint32_t at;
+};
+constexpr TimedRegisters timedRegisters(std::uint32_t timer) {
+  if (timer < attachedTimers) return {Reg::TimedPeriod, Reg::TimedElapsed, timer};
+  return {Reg::CyclicPeriod, Reg::CyclicElapsed, timer - attachedTimers};
+}
 
 /// Events 21 and 22 belong to the timers T32 and T96 (001:5476); -1: another timer, which has none.
 constexpr int eventOfTimer(std::uint32_t number) { return number == 32 ? 21 : number == 96 ? 22 : -1; }
@@ -108,7 +133,12 @@ constexpr int lastEvent(const Target& target) {
   return event;
 }
 
-constexpr const EventInfo& eventInfo(int event) { return eventTable[static_cast<std::size_t>(event)]; }
+/// Of an event of either family.
+constexpr EventInfo eventInfo(int event) {
+  if (event < eventCount) return eventTable[static_cast<std::size_t>(event)];
+  const BlockEventRow& row = *blockEventRow(blockOfEvent(event));
+  return {event, EventGroup::InputOutput, static_cast<std::uint8_t>(highestPriority - priorityOf(event)), row.cause};
+}
 
 /// Whether two events come from the same cause, be it at different inputs, counters, ports or timers: their texts are
 /// the same but for numbers.

@@ -7,6 +7,7 @@
 
 #include "ir/check.hpp"
 #include "ir/s7200/cpu.hpp"
+#include "ir/s7200/event.hpp"
 #include "ir/s7200/frame.hpp"
 #include "ir/s7300/block.hpp"
 
@@ -54,6 +55,7 @@ Plan::Plan(const Program& source, const std::vector<bool>& isLeftOut)
       if (!isKnown) timers.push_back(use);
     }
   }
+  for (std::uint32_t timer = 0; timer < attachedTimers && !isStep7_; ++timer) timedEvents.push_back(timer);
   if (isStep7_) planStep7();
 }
 
@@ -136,6 +138,10 @@ void Plan::planStep7() {
   });
   for (const DataBlock& block : program->dataBlocks)
     addIecTimers(*program, block.instanceOf, dataByte(block.number, 0), cpu.nesting, iecTimers);
+  for (std::uint32_t timer = attachedTimers; timer < timedEventCount; ++timer) {
+    const bool isThere = block(blockNumber(BlockType::Ob, blockOfEvent(eventOfTimed(timer)))) != nullptr;
+    if (isThere) timedEvents.push_back(timer);
+  }
   std::map<std::pair<int, int>, std::uint32_t> known;
   localBytes = 0;
   for (const Flow& flow : flows) {
@@ -156,6 +162,7 @@ std::uint32_t registerCount(const RegInfo& info, const Plan& plan) {
     case perCounter: return plan.counterCount;
     case perS5Timer: return plan.isStep7() ? plan.timerCount : 0;
     case perS7Counter: return plan.isStep7() ? plan.counterCount : 0;
+    case perCyclicBlock: return plan.isStep7() ? cyclicBlockCount : 0;
     default: return info.count;
   }
 }

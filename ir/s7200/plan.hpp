@@ -41,7 +41,9 @@ struct Plan {
   std::shared_ptr<const BlockMap> blocks;              ///< S7-300/400: data blocks; never nullptr
   std::uint32_t localBytes = 0;                        ///< of L memory of all levels of calls
   std::vector<std::uint32_t> iecTimers;  ///< S7-300/400: instances of SFB 3, 4 and 5 by their first byte (dataByte)
-  std::vector<const Operand*> texts;     ///< string constants given to subroutines; pointers name them by their index
+  /// Timed events that can come (ir/s7200/event.hpp): 10 and 11, of an S7-300/400 the cyclic blocks that it has.
+  std::vector<std::uint32_t> timedEvents;
+  std::vector<const Operand*> texts;  ///< string constants given to subroutines; pointers name them by their index
 
   /// First use of a timer number, or nullptr. It decides how the number counts.
   const TimerUse* timer(std::uint32_t number) const;

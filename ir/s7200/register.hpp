@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "ir/area.hpp"
+#include "ir/block_event.hpp"
 #include "ir/s7200/choices.hpp"
 
 namespace rungproof {
@@ -30,6 +31,8 @@ enum class Reg : std::uint8_t {
   InterruptsEnabled,
   TimedPeriod,
   TimedElapsed,
+  CyclicPeriod,
+  CyclicElapsed,
   HscCurrent,
   HscPreset,
   HscMode,
@@ -84,9 +87,9 @@ struct RegInfo {
   std::uint8_t width;   ///< bits
   std::uint32_t count;  ///< or one of the numbers below, which registerCount() (ir/s7200/plan.hpp) understands
 };
-/// One per EU and ED; one per timer or counter; one per timer or counter of an S7-300/400.
-inline constexpr std::uint32_t perEdge = 0, perTimer = 0xFFFFFFFC, perCounter = 0xFFFFFFFD, perS5Timer = 0xFFFFFFFE,
-                               perS7Counter = 0xFFFFFFFF;
+/// One per EU and ED; one per timer or counter; one per timer, counter or cyclic interrupt of an S7-300/400.
+inline constexpr std::uint32_t perEdge = 0, perTimer = 0xFFFFFFFB, perCounter = 0xFFFFFFFC, perS5Timer = 0xFFFFFFFD,
+                               perS7Counter = 0xFFFFFFFE, perCyclicBlock = 0xFFFFFFFF;
 
 inline constexpr std::array<RegInfo, static_cast<std::size_t>(Reg::count)> regTable = {{
     {Reg::Accumulator, "AC", 32, 4},
@@ -103,10 +106,12 @@ inline constexpr std::array<RegInfo, static_cast<std::size_t>(Reg::count)> regTa
     {Reg::EdgeSeen, "edge.seen", 1, perEdge},
     {Reg::PhysicalInput, "input", 1, 256},
     {Reg::PhysicalOutput, "output", 1, 256},
-    {Reg::EventRoutine, "event", 8, 45},  // 0: detached, else interrupt number + 1
+    {Reg::EventRoutine, "event", 8, blockEventEnd},  // 0: detached, else number of the routine or block + 1
     {Reg::InterruptsEnabled, "interrupts", 1, 1},
     {Reg::TimedPeriod, "timed.period", 8, 2},    // ms between events 10 or 11 as ATCH found it (001:5472); 0: none
     {Reg::TimedElapsed, "timed.elapsed", 8, 2},  // ms since ATCH or the last of them, less than the period
+    {Reg::CyclicPeriod, "cyclic.period", 16, perCyclicBlock},    // ms between two starts of OB30 and those that follow
+    {Reg::CyclicElapsed, "cyclic.elapsed", 16, perCyclicBlock},  // ms since the last, less than the period
     {Reg::HscCurrent, "HC", 32, 6},
     {Reg::HscPreset, "HC.preset", 32, 6},
     {Reg::HscMode, "HC.mode", 8, 6},  // 0: no HDEF yet, else mode + 1

@@ -49,6 +49,7 @@ class Scan : private FlowWalk<Scan<D, Hooks>, Machine<D>, Hooks> {
   /// Runs interrupt routine `number` where `condition` holds: stack, accumulators, SM1 and ENO are saved around it
   /// (001:5430). Its stack starts as Choice::InterruptStack says.
   void interrupt(int number, Bool condition) {
+    if (m_.plan.isStep7()) return interruptBlock(number, condition);
     const Flow* routine = m_.plan.interrupt(number);
     if (routine == nullptr) return;
     m_.when(condition, [&] {
@@ -126,6 +127,7 @@ class Scan : private FlowWalk<Scan<D, Hooks>, Machine<D>, Hooks> {
   // ir/s7300/control.hpp
   void step7Program();
   void organizationBlock(int number, Bool condition);
+  void interruptBlock(int number, Bool condition);
   void startInformation(std::uint32_t base, int number);
   void freshBytes(std::uint32_t base, std::uint32_t count);
   void step7Control(Walk& w, std::uint32_t at);

@@ -5,6 +5,8 @@
 // Part of ir/s7200/scan.hpp: members of Scan.
 #pragma once
 
+#include <utility>
+
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/place.hpp"
 
@@ -40,6 +42,17 @@ void Scan<D, Hooks>::organizationBlock(int number, Bool condition) {
     m_.step7 = saved;
     m_.step7.syncError = m_.d.lor(saved.syncError, error);
   });
+}
+
+/// An organization block that interrupts another one, or comes behind OB1: that one goes on as if nothing had been,
+/// but for what it finds in memory.
+template <class D, class Hooks>
+void Scan<D, Hooks>::interruptBlock(int number, Bool condition) {
+  const Instruction* current = m_.current;
+  const bool isNested = std::exchange(m_.inInterrupt, true);
+  organizationBlock(number, condition);
+  m_.inInterrupt = isNested;
+  m_.current = current;
 }
 
 /// OB121 where the instruction has met a synchronous error; the program goes on behind it (002:1278-1290).

@@ -12,6 +12,8 @@ constexpr auto gapTable = std::to_array<GapRow>({
     {Gap::PointerParameter, "POINTER and ANY as actual parameters", "POINTER and ANY as parameters are not modelled"},
     {Gap::ParameterAddress, "`P##` of a parameter of an FC", "the address of a parameter is not modelled"},
     {Gap::LibraryBlock, "blocks of the system but", "what it does is not modelled"},
+    {Gap::InterruptControl, "SFC 39 to 42 beside organization blocks that interrupt OB1",
+     "interrupts that are held back are not modelled"},
     {Gap::MissingBlock, "blocks that no file defines", "it is in no file"},
     {Gap::ProtectedBlock, "protected blocks", "its statements are in no file"},
     {Gap::HighDataBlock, "data blocks above DB8191", "its number is too high"},

@@ -4,26 +4,28 @@
 #include <algorithm>
 #include <array>
 
+#include "ir/block_event.hpp"
+
 namespace rungproof::s7300 {
 
 namespace {
 
 constexpr auto organizationRows = std::to_array<OrganizationBlock>({
     {1, 1, "main program", "the free cycle, over and over", "002:799", true},
-    {10, 17, "time-of-day interrupt", "a date and time, once or periodically; SFC 28 to 31", "002:1154", false},
+    {10, 17, "time-of-day interrupt", "a date and time, once or periodically; SFC 28 to 31", "002:1154", true},
     {20, 23, "time-delay interrupt", "the end of a delay of 1 to 60000 ms that SFC 32 has started", "002:1190", false},
-    {30, 38, "cyclic interrupt", "its period", "002:1102", false},
-    {40, 47, "hardware interrupt", "a signal of a module", "002:1220", false},
+    {30, 38, "cyclic interrupt", "its period", "002:1102", true},
+    {40, 47, "hardware interrupt", "a signal of a module", "002:1220", true},
     {60, 60, "multicomputing interrupt", "SFC 35 in one of the CPUs", "002:812", false},
-    {80, 80, "time error", "the cycle monitoring, or a clock set past a time-of-day interrupt", "002:1296", false},
-    {81, 81, "power supply error", "a fault of a power supply or battery", "002:1299", false},
-    {82, 82, "diagnostic interrupt", "a module that reports a fault or its end", "002:1330", false},
-    {83, 83, "insert or remove module", "a module that is pulled or plugged", "002:1301", false},
-    {84, 84, "CPU hardware fault", "a fault of an interface of the CPU", "002:1302", false},
+    {80, 80, "time error", "the cycle monitoring, or a clock set past a time-of-day interrupt", "002:1296", true},
+    {81, 81, "power supply error", "a fault of a power supply or battery", "002:1299", true},
+    {82, 82, "diagnostic interrupt", "a module that reports a fault or its end", "002:1330", true},
+    {83, 83, "insert or remove module", "a module that is pulled or plugged", "002:1301", true},
+    {84, 84, "CPU hardware fault", "a fault of an interface of the CPU", "002:1302", true},
     {85, 85, "program execution error", "a missing OB, or an access error while the images are moved", "002:1338",
-     false},
-    {86, 86, "rack failure", "the loss of a rack, subnet or station", "002:1347", false},
-    {87, 87, "communication error", "a fault of the communication", "002:1305", false},
+     true},
+    {86, 86, "rack failure", "the loss of a rack, subnet or station", "002:1347", true},
+    {87, 87, "communication error", "a fault of the communication", "002:1305", true},
     {90, 90, "background", "the time that the minimum cycle leaves over", "002:813", false},
     {100, 100, "warm restart", "the start of the CPU, once before OB1", "002:1367", true},
     {101, 101, "hot restart", "the start of an S7-400 at the place where it was interrupted", "002:1389", false},
@@ -32,6 +34,13 @@ constexpr auto organizationRows = std::to_array<OrganizationBlock>({
      true},
     {122, 122, "I/O access error", "a direct access to a module that is not there", "002:1292", false},
 });
+static_assert(std::ranges::all_of(organizationRows,
+                                  [](const OrganizationBlock& row) {
+                                    const bool hasEvent = eventOfBlock(row.first) >= 0 && eventOfBlock(row.last) >= 0;
+                                    const bool isOfRun = row.first == 1 || row.first == 100 || row.first == 121;
+                                    return row.isModelled == (hasEvent || isOfRun);
+                                  }),
+              "engine and prover start OB1, OB100, OB121 and the blocks of events");
 
 }  // namespace
 

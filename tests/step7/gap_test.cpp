@@ -20,7 +20,7 @@ struct GapCase {
 std::vector<GapCase> gapCases() {
   using enum s7300::Gap;
   return {
-      {OrganizationBlock, "ORGANIZATION_BLOCK OB 35\nBEGIN\nNETWORK\nSET;\n= Q 0.0;\nEND_ORGANIZATION_BLOCK\n",
+      {OrganizationBlock, "ORGANIZATION_BLOCK OB 20\nBEGIN\nNETWORK\nSET;\n= Q 0.0;\nEND_ORGANIZATION_BLOCK\n",
        "NOP 0;"},
       {PointerParameter,
        "FUNCTION FC 5 : VOID\nVAR_INPUT\n  p : ANY;\nEND_VAR\nBEGIN\nNETWORK\nSET;\n= Q 0.0;\nEND_FUNCTION\n",
@@ -31,6 +31,8 @@ std::vector<GapCase> gapCases() {
        "END_FUNCTION\n",
        "CALL FC 5 (x := MW 4);"},
       {LibraryBlock, "", "CALL SFC 44 (VAL := MD 4, RET_VAL := QW 0);"},
+      {InterruptControl, "ORGANIZATION_BLOCK OB 35\nBEGIN\nNETWORK\nA I 0.0;\n= Q 0.0;\nEND_ORGANIZATION_BLOCK\n",
+       "CALL SFC 41 (RET_VAL := MW 4);"},
       {MissingBlock, "", "CALL FC 99;"},
       {ProtectedBlock, "FUNCTION FC 5 : VOID\nKNOW_HOW_PROTECT\nVAR_OUTPUT\n  y : BOOL;\nEND_VAR\nEND_FUNCTION\n",
        "CALL FC 5 (y := Q 0.0);"},

@@ -66,7 +66,7 @@ struct Attach {
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     const std::uint32_t event = a.number(1);
-    if (event >= regInfo(Reg::EventRoutine).count) return;
+    if (event >= eventCount) return;
     auto taken = m.d.constant(false);
     if (isEdgeEvent(static_cast<int>(event)))
       taken = hscUses(m, static_cast<int>(edgeInputFor(static_cast<int>(event)).bit));
@@ -74,7 +74,7 @@ struct Attach {
     m.when(m.d.lnot(taken), [&] {
       m.set(Reg::EventRoutine, event, m.number(a.number(0) + 1, 8));
       if (isTimedEvent(static_cast<int>(event))) {
-        const std::uint32_t timer = event - firstTimedEvent;
+        const auto timer = static_cast<std::uint32_t>(timerOfEvent(static_cast<int>(event)));
         m.set(Reg::TimedPeriod, timer, m.load(Area::SM, timedPeriodByte + timer, Width::Byte));
         m.set(Reg::TimedElapsed, timer, m.number(0, 8));
       }
@@ -113,7 +113,7 @@ struct Detach {
   template <class D>
   static void run(Machine<D>& m, Args<D>& a) {
     const std::uint32_t event = a.number(0);
-    if (event >= regInfo(Reg::EventRoutine).count) return;
+    if (event >= eventCount) return;
     m.set(Reg::EventRoutine, event, m.number(0, 8));
     m.signal(Signal::EventDetached, event);
   }
