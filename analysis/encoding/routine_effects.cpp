@@ -41,8 +41,10 @@ class RoutineEffects::Trial final : private CellSource, private Graph::Listener 
     Machine<Graph> machine(graph, *store, plan_);
     store->follow(&machine);
     // A queue may overflow between two runs: SM4.0 to SM4.2 change.
-    store->observe([this](const Touch& touch) {
+    store->observe([this, &written = *store](const Touch& touch) {
       const Place& p = touch.place;
+      // What is written without a look at it needs a cell as well: another run may leave something else there.
+      if (touch.isWrite && (p.isRegister || p.area != Area::L)) written.value(p);
       const bool isOverflow = !p.isRegister && p.area == Area::SM && p.byte() <= 4 && p.at + p.width > 4 * 8 + 5;
       readsOverflow = readsOverflow || (isOverflow && !touch.isWrite);
     });

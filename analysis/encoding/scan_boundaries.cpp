@@ -101,13 +101,15 @@ bool ScanEncoding::mayInterrupt(int event, std::uint32_t instruction) const {
 void ScanEncoding::boundary(Runner& runner, std::uint32_t instruction) {
   bool hasTicks = needsTicks(instruction), hasEvents = false;
   visit_.reset();
-  if (!machine_.inInterrupt && !machine_.isStartUp) {
-    for (const int event : events_) {
-      if (!mayInterrupt(event, instruction)) continue;
-      hasEvents = true;
-      hasTicks = hasTicks || (isTimerEvent(event) && !tickKeys_.empty());
-    }
+  const bool isUninterrupted = machine_.inInterrupt || machine_.isStartUp;
+  for (const int event : events_) {
+    if (!mayInterrupt(event, instruction)) continue;
+    hasEvents = true;
+    hasTicks = hasTicks || (!isUninterrupted && isTimerEvent(event) && !tickKeys_.empty());
   }
+  // A routine may run what has places elsewhere: its executions count as well.
+  if (hasEvents && isUninterrupted) visitOf(instruction);
+  hasEvents = hasEvents && !isUninterrupted;
   if (!hasTicks && !hasEvents) return;
   widening_.block();
   const bool wasRecording = isRecording_;

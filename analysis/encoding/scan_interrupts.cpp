@@ -216,8 +216,20 @@ Graph::Bool ScanEncoding::occurs(Round& round, int event) {
   const auto input = [&] { return Graph::Bool{siteInput(event, round.where.instruction, 1)}; };
   if (isTimerEvent(event)) return graph.constant(false);
   if (isTimedEvent(event)) {
-    const Graph::Bool due = isNextDue(static_cast<std::uint32_t>(timerOfEvent(event)));
-    return round.isEnd || graph.truth(due) == false ? due : graph.land(due, input());
+    const auto timer = static_cast<std::uint32_t>(timerOfEvent(event));
+    const Graph::Bool next = isNextDue(timer);
+    if (!effects_->isOnePassEnough())
+      return round.isEnd || graph.truth(next) == false ? next : graph.land(next, input());
+    // One run of each stands for all: those that are due for longer come at the end in any case; at another place they
+    // may have come before in any number, which no run can name.
+    const Graph::Bool due = isDue(timer);
+    if (round.isEnd || graph.truth(due) == false) return due;
+    const Graph::Bool comes = graph.land(due, input()), early = graph.land(comes, graph.lnot(next));
+    if (graph.truth(here(early)) != false) {
+      anyOf("a timed event before its turn", 1);
+      useEstimate(early);
+    }
+    return comes;
   }
   Graph::Bool possible = graph.land(hasRoutine(event), eventHasCause(machine_, event));
   if (const auto last = eventStates_.lastEdge.find(edgeInputOf(event)); last != eventStates_.lastEdge.end()) {

@@ -285,7 +285,9 @@ Pou pouOf(const naive7::Program& program, const naive7::Block& block, std::strin
   pou.name = block.name;
   pou.number = numberOfName(block.name);
   pou.type = blockTypeOf(pou.number);
-  pou.kind = pou.type == BlockType::Ob ? PouKind::Main : PouKind::Subroutine;
+  pou.kind = pou.type != BlockType::Ob        ? PouKind::Subroutine
+             : numberOfBlock(pou.number) == 1 ? PouKind::Main
+                                              : PouKind::Interrupt;
   pou.localBytes = pou.type == BlockType::Ob ? 64 : 0;
   pou.instanceBytes = block.instanceBytes;
   Binder binder{program, block, Binder::parametersOf(block), {}, &faults};

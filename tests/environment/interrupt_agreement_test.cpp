@@ -25,7 +25,7 @@ class InterruptProgram {
     const std::size_t rungs = 2 + random_.below(4);
     for (std::size_t i = 0; i < rungs; ++i) main += ";" + mainRung();
     for (std::size_t i = 0; i < events_.size(); ++i) {
-      std::string routine = rung();
+      std::string routine = random_.chance(15) ? edge() : rung();
       if (random_.chance(40)) routine += ";" + rung();
       routines.push_back(routine);
     }
@@ -58,6 +58,11 @@ class InterruptProgram {
     }
   }
   std::string rung() { return contact() + ";" + action(); }
+  /// A rising edge, kept by two coils.
+  std::string edge() {
+    const std::string seen = bit(), now = bit();
+    return "LD " + now + ";AN " + seen + ";= " + bit() + ";LD " + now + ";= " + seen;
+  }
   std::string mainRung() {
     const std::string event = std::to_string(events_[random_.below(static_cast<std::uint32_t>(events_.size()))]);
     switch (random_.below(9)) {

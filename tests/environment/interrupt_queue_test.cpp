@@ -21,6 +21,15 @@ TEST(InterruptQueueProof, EventsComeMoreThanOnceInAScan) {
       Outcome::Reachable);
 }
 
+// The second of two events at one place finds M1.0 on and clears M0.1, which nothing in the routine looks at before.
+TEST(InterruptQueueProof, WhatIsWrittenUnreadMayChangeAgain) {
+  const std::string main = "LD SM0.1;ATCH INT_0,0;ENI;LD I0.5;= M0.0";
+  const std::vector<std::string> edge = {"LD M0.0;AN M1.0;= M0.1;LD M0.0;= M1.0;LD M0.1;S M0.3,1"};
+  EXPECT_EQ(verdict("prove kept: not (first_scan and M1.0 and not M0.1 and M0.3)", main, edge), Outcome::Violated);
+  const std::vector<std::string> word = {"LD M0.0;MOVW VW10,VW12;MOVW 5,VW10;LDW= VW12,0;S M0.3,1"};
+  EXPECT_EQ(verdict("prove kept: not (first_scan and VW12 = 5 and M0.3)", main, word), Outcome::Violated);
+}
+
 TEST(InterruptQueueProof, EventsWaitWhileInterruptsAreDisabled) {
   // Both that waited run between ENI and the move (001:5372).
   EXPECT_EQ(verdict("reach two: MB2 = 2", "LD SM0.1;ATCH INT_0,0;ENI;LD SM0.0;DISI;MOVB 0,MB1;ENI;MOVB MB1,MB2",

@@ -90,6 +90,15 @@ TEST(InterruptBlocks, CyclicOnesKeepTheirPeriod) {
   EXPECT_TRUE(slower.has("VIOLATED  within")) << slower.text;
 }
 
+// In a scan of 30 ms OB34 (20 ms) is due for longer than OB35 (30 ms). Both can come behind OB1, in that order,
+// although OB35 has the higher priority.
+TEST(InterruptBlocks, ThatAreDueTogetherAllCome) {
+  const std::string blocks = block(1, "CLR;= M 0.0;= M 0.1") + block(34, "SET;= M 0.1") + block(35, "SET;= M 0.0");
+  const Output output = proofOf("reach both: first_scan and M0.0 and M0.1\n", blocks,
+                                {"--scan-time", "30ms", "--ob34", "20ms", "--ob35", "30ms"});
+  EXPECT_TRUE(output.has("REACHABLE  both") && !output.has("UNREACHABLE")) << output.text;
+}
+
 // 1 s at 10 ms a scan: OB35 comes every 100 ms, the last time at the very end; OB34 every 200 ms; as set.
 TEST(InterruptBlocks, RunWithTheirPeriod) {
   const std::string blocks = block(1, "NOP 0") + block(35, countUp) + block(34, "L MW 14;L 1;+I;T MW 14");
