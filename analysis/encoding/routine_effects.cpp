@@ -231,9 +231,9 @@ void RoutineEffects::findBounds(Trial& trial) {
       for (const auto& [index, after] : run) {
         Written& w = all[index];
         const bool isRead = std::ranges::find(variables, w.now) != variables.end();
-        const Node from = graph.constantNode(isRead ? evaluator[w.now] : 0, w.place.width);
+        const std::uint64_t unread = random() & Graph::maskOf(w.place.width);
+        const Node from = graph.constantNode(isRead ? evaluator[w.now] : unread, w.place.width);
         const Node to = graph.constantNode(evaluator[after], w.place.width);
-        if (!isRead) continue;
         std::erase_if(w.bounds, [&](const Bound& b) { return graph[b.holds(graph, from, to)].value == 0; });
       }
     }
