@@ -226,7 +226,17 @@ class UnreadCode::Collector {
     if (isControl && isInterrupted) return std::string(s7300::gapReason(s7300::Gap::InterruptControl));
     const Pou* callee = program_.subroutine(number);
     if (callee == nullptr) return std::string(s7300::gapReason(s7300::Gap::MissingBlock));
-    return callee->protectedBlock ? std::string(s7300::gapReason(s7300::Gap::ProtectedBlock)) : "";
+    if (callee->protectedBlock) return std::string(s7300::gapReason(s7300::Gap::ProtectedBlock));
+    std::size_t actual = callee->type == BlockType::Fb || callee->type == BlockType::Sfb ? 2 : 1;
+    for (const LocalVariable& local : callee->locals) {
+      if (local.section == VarSection::Temp || local.section == VarSection::Static) continue;
+      const bool isGiven =
+          actual < instruction.operands.size() && instruction.operands[actual].kind != OperandKind::Missing;
+      ++actual;
+      if (isGiven && (local.type == DataType::Any || local.type == DataType::Pointer))
+        return std::string(s7300::gapReason(s7300::Gap::PointerParameter));
+    }
+    return {};
   }
 
   /// Blocks without text: who calls or attaches them runs something that nobody has read. A contract says what it may

@@ -53,6 +53,25 @@ std::string outputOf(const std::vector<std::string>& arguments) {
   return out.str();
 }
 
+// A variable of the caller's own for an ANY: what stands in it is no pointer, and nothing is made of it.
+TEST(Gaps, OwnVariablesAsPointers) {
+  for (const char* actual : {"#own", "#list"}) {
+    const test::TemporaryFolder folder;
+    folder.file("main.awl",
+                std::string("FUNCTION_BLOCK FB 1\nVAR_INPUT\n  p : ANY;\nEND_VAR\nBEGIN\nNETWORK\nL P##p;\nLAR1;\n"
+                            "L W [AR1,P#4.0];\nL 0;\n==I;\n= Q 0.0;\nEND_FUNCTION_BLOCK\n"
+                            "FUNCTION_BLOCK FB 2\nVAR\n  list : ARRAY [0..9] OF BYTE;\n  inner : FB 1;\nEND_VAR\n"
+                            "VAR_TEMP\n  own : INT;\nEND_VAR\nBEGIN\nNETWORK\nCALL #inner (p := ") +
+                    actual +
+                    ");\nEND_FUNCTION_BLOCK\nDATA_BLOCK DB 2\nFB 2\nBEGIN\nEND_DATA_BLOCK\n"
+                    "ORGANIZATION_BLOCK OB 1\n//@ prove on: Q0.0\n//@ prove off: not Q0.0\nBEGIN\nNETWORK\n"
+                    "CALL FB 2, DB 2;\nEND_ORGANIZATION_BLOCK\n");
+    const std::string proof = outputOf({"prove", folder.path("main.awl"), "--isolated", "--dialect", "s7-300"});
+    EXPECT_EQ(proof.find("PROVED"), std::string::npos) << proof;
+    EXPECT_NE(proof.find("NOT COVERED  on"), std::string::npos) << proof;
+  }
+}
+
 TEST(Gaps, NothingThatDependsOnOneIsProvedOrEqual) {
   std::size_t rows = 0;
   for (const GapCase& c : gapCases()) {
