@@ -1,4 +1,5 @@
-// How long the comparison of programs of ordinary size takes, by the wall clock at the pace of a quiet machine.
+// How long the comparison of programs of ordinary size takes, by the wall clock at the pace of a quiet machine. Stands
+// here because both cores work on it: another test beside it would take one.
 #include "frontend/sides/program_difference.hpp"
 #include "tests/equivalence/pair.hpp"
 #include "tests/machine_pace.hpp"
