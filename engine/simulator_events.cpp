@@ -125,7 +125,8 @@ void Simulator::forgetEdges() {
   }
 }
 
-/// What the script says of a place: ticks, then events. After the program the rest of the scan's time passes.
+/// What the script says of a place: ticks, no more of them than the scan has ms, then events. After the program the
+/// rest of the scan's time passes.
 void Simulator::scripted(Runner& runner, ScanPlace place) {
   const auto isHere = [&](const ScanPlace& other) { return other == place; };
   const auto pass = [&](std::uint32_t ticks) {
@@ -135,7 +136,7 @@ void Simulator::scripted(Runner& runner, ScanPlace place) {
   };
   const bool isEnd = place.instruction == ScanPlace::afterProgram;
   for (const ScanScript::Tick& tick : script_->ticks1) {
-    if (!isEnd && isHere(tick.place)) pass(tick.ticks);
+    if (!isEnd && isHere(tick.place)) pass(std::min(tick.ticks, scriptedMs_ - std::min(scriptedMs_, scriptedTicks_)));
   }
   if (isEnd && scriptedMs_ > scriptedTicks_) pass(scriptedMs_ - scriptedTicks_);
   scriptedWrites(place);

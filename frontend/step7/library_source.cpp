@@ -62,8 +62,15 @@ out:  A #CU; = #CUO;
       L #CV; L 0; <=I; = #QD;
       SET; SAVE; BEU;)";
 
-// PT = 0 resets the block and its IN; PT < 0 does the same and is an error. STATE: 1 the time runs, 2 it is up.
+// PT = 0 resets the block and its IN; PT < 0 does the same and is an error. STATE: 1 the time runs, 2 it is up. The
+// time is read once in a call.
 constexpr std::string_view iecHead = R"(
+VAR_TEMP
+  now : TIME;
+END_VAR
+BEGIN
+NETWORK
+      L #ATIME; T #now;
       L #PT; L L#0; >D; JC go;
       CLR; = #Q; = #IN;
       L L#0; T #ET; T #ATIME;
@@ -77,10 +84,10 @@ go:   A #IN; JC on;
       L L#0; T #ET; T #ATIME;
       L 0; T #STATE; JU end;
 on:   L #STATE; L 0; ==I; JCN run;
-      L 1; T #STATE; L L#0; T #ATIME;
+      L 1; T #STATE; L L#0; T #ATIME; T #now;
 run:  L #STATE; L 2; ==I; JC done;
-      L #ATIME; L #PT; >=D; JC over;
-      L #ATIME; T #ET; CLR; = #Q; JU end;
+      L #now; L #PT; >=D; JC over;
+      L #now; T #ET; CLR; = #Q; JU end;
 over: L 2; T #STATE; L #PT; T #ET;
 done: SET; = #Q;
 end:  SET; SAVE; BEU;)";
@@ -88,10 +95,10 @@ end:  SET; SAVE; BEU;)";
 constexpr std::string_view pulse = R"(
 go:   L #STATE; L 0; ==I; JCN act;
       A #IN; JCN idle;
-      L 1; T #STATE; L L#0; T #ATIME;
+      L 1; T #STATE; L L#0; T #ATIME; T #now;
 act:  L #STATE; L 1; ==I; JCN post;
-      L #ATIME; L #PT; >=D; JC over;
-      L #ATIME; T #ET; SET; = #Q; JU end;
+      L #now; L #PT; >=D; JC over;
+      L #now; T #ET; SET; = #Q; JU end;
 over: L 2; T #STATE; L #PT; T #ET;
 post: CLR; = #Q;
       A #IN; JC end;
@@ -107,10 +114,10 @@ go:   A #IN; JCN off;
       L L#0; T #ET; T #ATIME;
       SET; = #Q; JU end;
 off:  L #STATE; L 3; ==I; JCN run;
-      L 1; T #STATE; L L#0; T #ATIME;
+      L 1; T #STATE; L L#0; T #ATIME; T #now;
 run:  L #STATE; L 1; ==I; JCN idle;
-      L #ATIME; L #PT; >=D; JC over;
-      L #ATIME; T #ET; SET; = #Q; JU end;
+      L #now; L #PT; >=D; JC over;
+      L #now; T #ET; SET; = #Q; JU end;
 over: L 0; T #STATE; L #PT; T #ET;
 idle: CLR; = #Q;
 end:  SET; SAVE; BEU;)";
@@ -203,8 +210,8 @@ std::string librarySource(const s7300::LibraryBlock& block) {
   const auto row = std::ranges::find_if(
       sourceRows, [&](const SourceRow& r) { return r.type == block.type && r.number == block.number; });
   if (row == sourceRows.end()) return isContractOnly(block) ? anyOutputs(block) : std::string();
-  const bool hasSection = row->text.find("BEGIN") != std::string_view::npos;
-  return std::string(hasSection ? "" : "BEGIN\nNETWORK\n").append(row->head).append(row->text);
+  const std::string text = std::string(row->head).append(row->text);
+  return text.find("BEGIN") != std::string::npos ? text : "BEGIN\nNETWORK\n" + text;
 }
 
 bool isContractOnly(const s7300::LibraryBlock& block) {

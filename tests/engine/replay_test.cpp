@@ -60,6 +60,15 @@ TEST(Replay, OneMillisecondTicksComeInFrontOfTheirInstruction) {
   EXPECT_EQ(result.states[0].get(Reg::TimerCurrent, 32), 10U);  // the other seven after the program
 }
 
+TEST(Replay, AScanHasNoMoreTicksThanMilliseconds) {
+  Rig rig("LD SM0.0\nTON T32, +30000\nLD SM0.0\nMOVW T32, VW0\n");
+  std::vector<ReplayScan> scans(1);
+  scans[0].script.ticks1 = {{{idOf(rig.program, "LD", 1), 0}, 7}, {{idOf(rig.program, "MOVW"), 0}, 300}};
+  const ReplayResult result = replay(rig.program, Choices{}, scans);  // of 10 ms
+  EXPECT_EQ(word(result.states[0], Area::V, 0), 10U);
+  EXPECT_EQ(result.states[0].get(Reg::TimerCurrent, 32), 10U);
+}
+
 TEST(Replay, InterruptsComeInFrontOfTheirInstructionAndVisit) {
   Rig rig(
       "LD SM0.1\nATCH 0, 2\nENI\nLD SM0.0\nFOR VW0, +1, +5\nLD SM0.0\nMOVW VW4, VW6\nNEXT\nLD M0.0\n= Q0.0\nMEND\n"

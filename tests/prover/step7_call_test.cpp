@@ -52,6 +52,25 @@ std::vector<Outcome> outcomesOf(const std::string& directives, const std::string
   return outcomes;
 }
 
+// An IEC timer reads the time once in a call, whenever the time passes: ET never goes beyond PT, and in the call that
+// starts it no time has passed.
+TEST(Step7Call, IecTimersReadTheTimeOnce) {
+  for (const int timer : {3, 4, 5}) {
+    ProgramInput input;
+    input.program = readText(
+        "test.awl", fmt::format("DATA_BLOCK DB 2\nSFB {}\nBEGIN\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB 1\n"
+                                "//@ prove a: MD4 <= 300\n//@ prove b: not prev(I0.0) and I0.0 implies MD4 = 0\n"
+                                "BEGIN\nNETWORK\nCALL SFB {}, DB 2 (IN := I 0.0, PT := T#300MS, Q := Q 0.0, "
+                                "ET := MD 4);\nEND_ORGANIZATION_BLOCK\n",
+                                timer, timer));
+    input.properties = readProperties(input.program, {}, lookupIn(input.program));
+    const ProofRun run = prove(input.program, input.properties, usualOptions());
+    EXPECT_EQ(outcomeOf(run, "a"), Outcome::Proved) << timer;
+    // A pulse that runs is not started again: its time goes on when IN rises once more.
+    EXPECT_EQ(outcomeOf(run, "b"), timer == 3 ? Outcome::Violated : Outcome::Proved) << timer;
+  }
+}
+
 // Blocks of which only the contract is known: every output may be anything, what was not handed over stays.
 TEST(Step7Call, AContractGivesAnyOutputsAndNothingElse) {
   int contracts = 0;

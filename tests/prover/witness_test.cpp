@@ -45,6 +45,18 @@ TEST(Witness, TableHidesIdleInputs) {
   EXPECT_EQ(signals[3].name, "Q0.1");
 }
 
+// T32 counts inside the scan that enables it: 300 ms need a scan that lasts as long.
+TEST(Witness, AScanLastsAsLongAsTheTimeThatPassesInIt) {
+  const ProgramInput input = inputOf("//@ prove late: Q0.0 implies held(I0.0, 200ms)\n",
+                                     "Network 1\nLD I0.0\nTON T32, 300\nNetwork 2\nLD T32\n= Q0.0\n");
+  const ProofRun run = prove(input.program, input.properties, usualOptions());
+  const ProofResult* result = resultNamed(run, "late");
+  ASSERT_TRUE(result != nullptr && result->witness);
+  std::uint32_t length = 0;
+  for (const ReplayScan& scan : result->witness->scans) length += scan.repeats * scan.lengthMs;
+  EXPECT_GE(length, 300U);
+}
+
 // With the input filter an analog input is sampled once a scan (001:1812), so both comparisons see the same value;
 // without it the input may rise between them.
 TEST(Witness, AnalogInputsAreSampledOnceAScan) {
