@@ -153,6 +153,9 @@ class AccessCollector {
     if (o.reach->way == Way::Pointer && o.reach->pointer.kind == OperandKind::Direct)
       add(access.operand, o.reach->pointer, o.reach->pointer.width, {}, false);
     access.viaPointer = true;
+    access.pointed = o.reach->way == Way::Crossing    ? Pointed::Anywhere
+                     : o.reach->way == Way::Parameter ? Pointed::OfCall
+                                                      : Pointed::InArea;
     access.write = write;
     accesses_.push_back(access);
   }

@@ -19,6 +19,13 @@ namespace rungproof {
 /// Access::operand of an effect that no operand shows.
 inline constexpr std::uint8_t impliedOperand = 0xFF;
 
+/// Where a place lies that only the running program knows.
+enum class Pointed : std::uint8_t {
+  Anywhere,  ///< wherever a pointer can lead
+  InArea,    ///< S7-300/400: in Access::area: [AR1,P#0.0] with an area, the open data block, static data
+  OfCall     ///< S7-300/400: what a call gives for a formal parameter; an access of that call
+};
+
 /// A row of elements of one width that an instruction reads or writes.
 struct Access {
   std::uint32_t instruction = 0;  ///< Instruction::id
@@ -26,12 +33,13 @@ struct Access {
   std::uint16_t count = 1;        ///< elements that are touched for certain; bits for S, R and SHRB
   std::uint16_t most = 1;         ///< elements that may be touched (N from memory, strings, tables)
   std::uint8_t operand = 0;       ///< index in Instruction::operands, or impliedOperand
-  Area area = Area::V;            ///< through a pointer: the area that holds the pointer
+  Area area = Area::V;            ///< through a pointer: the area that holds the pointer, or see `pointed`
   Width width = Width::Bit;       ///< T and C: Bit is the timer or counter bit, Word its current value
   std::uint8_t bit = 0;           ///< first bit
   bool write = false;
   bool conditional = false;  ///< only with power flow; otherwise in every execution
   bool viaPointer = false;   ///< the place is what the pointer at area/offset points to
+  Pointed pointed = Pointed::Anywhere;
   bool isBox = false;        ///< the number of a timer or counter box
   bool maybe = false;        ///< the direction is not known (parameter of a block without text)
 

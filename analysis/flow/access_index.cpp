@@ -114,14 +114,21 @@ void AccessIndex::cover(const AccessTable& table, std::span<const std::uint32_t>
 }
 
 /// A pointer made with & walks upwards from its address, so cells from there to the end of the area may be reached.
-/// Pointers that no & explains may reach everything that a pointer can name (001:1461).
+/// Pointers that no & explains may reach everything that a pointer can name (001:1461), those of an S7-300/400 data
+/// blocks too.
 void AccessIndex::coverPointers(const Program& program, const AccessTable& table) {
-  bool reads = false, writes = false;
+  struct Reach {
+    bool reads = false, writes = false;
+    void add(const Access& a) { (a.write ? writes : reads) = true; }
+  };
+  Reach anywhere;
+  std::array<Reach, areaCount> within{};
   for (const std::uint32_t i : wide_) {
     const Access& a = table.all()[i];
-    if (!a.viaPointer) continue;
-    (a.write ? writes : reads) = true;
+    if (!a.viaPointer || a.pointed == Pointed::OfCall) continue;
+    (a.pointed == Pointed::Anywhere ? anywhere : within[static_cast<std::size_t>(a.area)]).add(a);
   }
+  const bool areNumbers = isStep7(program.target);  // pointers need no &
   std::array<std::uint32_t, areaCount> from{};
   from.fill(~0U);
   bool anyAddress = false, anyUnknownCall = false;
@@ -139,16 +146,19 @@ void AccessIndex::coverPointers(const Program& program, const AccessTable& table
       for (const Instruction& instruction : network.instructions) note(instruction);
     }
   }
-  if (anyUnknownCall) reads = writes = true;
-  if (!reads && !writes) return;
+  if (anyUnknownCall) anywhere = {true, true};
   for (std::uint32_t c = 0; c < cells_.size(); ++c) {
     const Area area = cells_.areaOf(c);
-    if (!rungproof::mayBePointedTo(area)) continue;
-    const bool reached = anyAddress ? cells_.offsetOf(c) >= from[static_cast<std::size_t>(area)] : true;
-    if (!reached) continue;
-    pointed_[c] = 1;
-    if (reads) read_[c] = readAtLarge_[c] = 1;
-    if (writes) written_[c] = writtenAtLarge_[c] = 1;
+    Reach reach = within[static_cast<std::size_t>(area)];
+    const bool isPointable = rungproof::mayBePointedTo(area) || (areNumbers && area == Area::DB);
+    const bool isExplained = anyAddress && !areNumbers;
+    if (isPointable && (!isExplained || cells_.offsetOf(c) >= from[static_cast<std::size_t>(area)])) {
+      reach.reads |= anywhere.reads;
+      reach.writes |= anywhere.writes;
+    }
+    pointed_[c] = reach.reads || reach.writes;
+    if (reach.reads) read_[c] = readAtLarge_[c] = 1;
+    if (reach.writes) written_[c] = writtenAtLarge_[c] = 1;
   }
 }
 

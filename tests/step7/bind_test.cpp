@@ -1,6 +1,7 @@
 // From sources to the IR: operands of every form, calls with their parameters, data blocks with their bytes.
 #include <gtest/gtest.h>
 
+#include "analysis/flow/facts.hpp"
 #include "ir/s7300/block.hpp"
 #include "tests/step7/read7.hpp"
 
@@ -213,6 +214,14 @@ TEST(Bind, AListWithoutHeadIsOb1) {
   ASSERT_NE(program.main(), nullptr);
   EXPECT_EQ(program.main()->number, blockNumber(BlockType::Ob, 1));
   EXPECT_EQ(show7(*program.main()), "L MW10; T MW12; CLR; = Q0.0");
+}
+
+TEST(Bind, CallsAreToldByTheirBlockTheirInstanceAndWhatTheyGive) {
+  const Program program = read7(
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nCALL SFB 4, DB 3 (IN := I 0.0, Q := Q 0.1);\nEND_ORGANIZATION_BLOCK\n"
+      "DATA_BLOCK DB 3 SFB 4\nBEGIN\nEND_DATA_BLOCK\n");
+  ASSERT_NE(program.main(), nullptr);
+  EXPECT_EQ(Facts::text(program.main()->networks[0].instructions[0]), "CALL SFB4, DB3, I0.0, Q0.1");
 }
 
 TEST(Bind, AProtectedBlockIsAnInterface) {
