@@ -77,7 +77,6 @@ AskedProperties::AskedProperties(const Program& program, const PropertySet& set,
   };
 
   encoding_ = std::make_unique<EncodedScan>(program, options);
-  approximations_ = encoding_->approximations();
   ends.emplace_back(last, encoding_->graph().size());
   for (std::size_t i = 1; i < ends.size(); ++i) approximateReals(ends[i].first, ends[i - 1].second, ends[i].second);
   const std::size_t ofProgram = encoding_->graph().size();
@@ -99,6 +98,9 @@ AskedProperties::AskedProperties(const Program& program, const PropertySet& set,
     assumptions_.back().answer = encoding_->graph().lor({assumptions_.back().answer}, {encoding_->faulted()}).node;
   }
   approximateReals(nullptr, ofProgram, encoding_->graph().size());
+  // Last: cells that only a property asks for have had their carriers added now.
+  approximations_.insert(approximations_.begin(), encoding_->approximations().begin(),
+                         encoding_->approximations().end());
 }
 
 /// REAL operations among the nodes from `first` to `end`, made by that instruction.

@@ -5,6 +5,7 @@
 
 #include "analysis/encoding/pointer_walk.hpp"
 #include "analysis/graph/evaluate.hpp"
+#include "analysis/graph/substitution.hpp"
 
 namespace rungproof {
 
@@ -23,6 +24,31 @@ std::vector<Node> variablesOf(const Graph& graph, Node root) {
     if (graph[n].op == Op::Variable) result.push_back(n);
   }
   return result;
+}
+
+Assumed assuming(Graph& graph, Node node, Node guard) {
+  std::vector<Node> parts, open{guard};
+  while (!open.empty()) {
+    const Node n = open.back();
+    open.pop_back();
+    if (graph[n].op == Op::And && graph[n].width == 1)
+      open.insert(open.end(), {graph[n].child[0], graph[n].child[1]});
+    else if (graph[n].op != Op::Constant)
+      parts.push_back(n);
+  }
+  const auto truths = [&](std::size_t without) {
+    std::unordered_map<std::uint32_t, Node> known;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (i == without) continue;
+      const bool isNegated = graph[parts[i]].op == Op::Not;
+      known[indexOf(isNegated ? graph[parts[i]].child[0] : parts[i])] = graph.constantNode(isNegated ? 0 : 1, 1);
+    }
+    return known;
+  };
+  Node together = graph.constantNode(1, 1);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    together = graph.make(Op::And, 1, together, Substitution(graph, truths(i))(parts[i]));
+  return {Substitution(graph, truths(parts.size()))(node), together};
 }
 
 ValueSet ValueEvaluator::evaluate(Node n, std::size_t limit) {
@@ -260,6 +286,53 @@ void ValueEvaluator::collectBounds(Node guard) {
     const auto [whole, isNew] = unsigned_.try_emplace(slice.child[0], Bounds{0, Graph::maskOf(slice.width + 1)});
     const std::uint64_t base = isNegative ? half : 0;
     whole->second = {std::max(whole->second.low, base + bounds.low), std::min(whole->second.high, base + bounds.high)};
+  }
+  boundParts();
+}
+
+/// What bounds a number bounds the parts that it is joined from: below 10, a word's high byte is 0 and its low byte is
+/// below 10.
+void ValueEvaluator::boundParts() {
+  std::vector<Node> open;
+  for (const auto* table : {&unsigned_, &signed_}) {
+    for (const auto& [n, bounds] : *table) open.push_back(n);
+  }
+  const auto boundsOf = [&](Node n) {
+    const std::uint64_t half = (Graph::maskOf(graph_[n].width) >> 1) + 1;
+    Bounds result{0, Graph::maskOf(graph_[n].width)};
+    if (const auto known = unsigned_.find(n); known != unsigned_.end()) result = known->second;
+    const auto known = signed_.find(n);
+    if (known != signed_.end() && known->second.low >= half)
+      result = {std::max(result.low, known->second.low - half), std::min(result.high, known->second.high - half)};
+    return result;
+  };
+  while (!open.empty()) {
+    const Node n = open.back();
+    open.pop_back();
+    const NodeData node = graph_[n];
+    if (node.op != Op::Concat) continue;
+    const Node high = node.child[0], low = node.child[1];
+    const int lowWidth = graph_[low].width;
+    const std::uint64_t half = (Graph::maskOf(node.width) >> 1) + 1;
+    Bounds whole = boundsOf(n);
+    const auto order = signed_.find(n);
+    const bool isPositive = boundsOf(high).high <= Graph::maskOf(graph_[high].width) >> 1;
+    if (order != signed_.end() && isPositive && order->second.high >= half)
+      whole = {std::max(whole.low, std::max(order->second.low, half) - half),
+               std::min(whole.high, order->second.high - half)};
+    if (whole.low > whole.high) continue;
+    const Bounds above{std::max(boundsOf(high).low, whole.low >> lowWidth),
+                       std::min(boundsOf(high).high, whole.high >> lowWidth)};
+    if (above.low > above.high) continue;
+    unsigned_[high] = above;
+    open.push_back(high);
+    if (above.low != above.high) continue;
+    const std::uint64_t base = above.low << lowWidth;
+    const Bounds below{std::max(boundsOf(low).low, whole.low > base ? whole.low - base : 0),
+                       std::min(boundsOf(low).high, whole.high - base)};
+    if (below.low > below.high) continue;
+    unsigned_[low] = below;
+    open.push_back(low);
   }
 }
 

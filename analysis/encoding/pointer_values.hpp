@@ -56,6 +56,7 @@ class ValueEvaluator {
   std::optional<Limit> limitOf(Node n, bool isTrue = true) const;
   std::optional<Limit> limitOfAny(std::span<const Node> alternatives) const;
   void collectBounds(Node guard);
+  void boundParts();
   ValueSet evaluate(Node n, std::size_t limit);
   Bounded boundedBy(Node subject, Node condition, bool isTrue, Bounded bounds) const;
   ValueSet choice(Node n, const Bounded& bounds, std::size_t limit, int depth) const;
@@ -80,6 +81,13 @@ std::vector<Node> firstScansOf(const TransitionSystem& system);
 /// firstScansOf. `interruption`, if set, is called now and then and may throw.
 void closeValues(const TransitionSystem& system, const std::set<Node>& pointerCells, VariableValues& values,
                  VariableValues& later, const std::function<void()>& interruption = {});
+
+/// A node and the condition under which it is asked for, simplified by each other: what the parts of the condition
+/// choose between is chosen, in the node and in the other parts. Adds nodes to the graph.
+struct Assumed {
+  Node node, guard;
+};
+Assumed assuming(Graph& graph, Node node, Node guard);
 
 /// The variables that a node depends on.
 std::vector<Node> variablesOf(const Graph& graph, Node root);

@@ -391,9 +391,17 @@ std::optional<std::vector<std::uint64_t>> ScanEncoding::targetsOf(Node pointer, 
       if (graph.variables()[graph[n].value].isState) pointerCells_.insert(n);
     }
     if (!knowledge_.followsPointers) return std::nullopt;
-    ValueSet values = pointerValues(pointer, guard);
-    // A short range is as good as a list.
-    values.restrict(values.facts().low, values.facts().high, pointerValueLimit);
+    const auto valuesOf = [&](Node node, Node condition) {
+      ValueSet values = pointerValues(node, condition);
+      // A short range is as good as a list.
+      values.restrict(values.facts().low, values.facts().high, pointerValueLimit);
+      return values;
+    };
+    ValueSet values = valuesOf(pointer, guard);
+    if (!values.isListed()) {
+      const Assumed here = assuming(graph, pointer, guard);
+      values = valuesOf(here.node, here.guard);
+    }
     if (!values.isListed()) return std::nullopt;
     return values.values();
   });

@@ -82,6 +82,34 @@ TEST(PointerValues, ScaledIndexIsResolvedWhereComparisonsBoundIt) {
   }
 }
 
+TEST(PointerValues, BoundsOfANumberBoundTheBytesThatItIsJoinedFrom) {
+  // Signed 0 <= ab and ab <= 9 leave a = 0 and b = 0 to 9.
+  Graph g;
+  const Node a = g.variable("a", 8, false), b = g.variable("b", 8, false);
+  const Node ab = g.make(Op::Concat, 16, a, b);
+  const Node guard = g.make(Op::And, 1, g.make(Op::Not, 1, g.make(Op::Slt, 1, ab, g.constantNode(0, 16))),
+                            g.make(Op::Sle, 1, ab, g.constantNode(9, 16)));
+  const VariableValues none;
+  const Node scaled =
+      g.make(Op::Concat, 20, g.make(Op::Concat, 15, g.make(Op::Extract, 7, a), b), g.constantNode(0, 5));
+  const ValueSet values = ValueEvaluator(g, none).valuesOf(scaled, guard, pointerValueLimit);
+  ASSERT_TRUE(values.isListed());
+  EXPECT_EQ(values.values(), (std::vector<std::uint64_t>{0, 32, 64, 96, 128, 160, 192, 224, 256, 288}));
+}
+
+TEST(PointerValues, WhatTheGuardDecidesIsChosenInItsOtherParts) {
+  // The second comparison is of a copy that the first one lets in: c and (c ? i : j) < 4, then the copy again.
+  Graph g;
+  const Node c = g.variable("c", 1, false), i = g.variable("i", 16, false), j = g.variable("j", 16, false);
+  const Node copy = g.make(Op::Ite, 16, c, i, j);
+  const Node guard = g.make(Op::And, 1, c, g.make(Op::Ult, 1, copy, g.constantNode(4, 16)));
+  const VariableValues none;
+  const Assumed here = assuming(g, g.make(Op::Add, 16, copy, g.constantNode(100, 16)), guard);
+  const ValueSet values = ValueEvaluator(g, none).valuesOf(here.node, here.guard, pointerValueLimit);
+  ASSERT_TRUE(values.isListed());
+  EXPECT_EQ(values.values(), (std::vector<std::uint64_t>{100, 101, 102, 103}));
+}
+
 TEST(PointerValues, RingThatTheFirstScanStartsIsResolved) {
   // Without the first scan the pointer would go on from 0: 2, 4, 6 ... and never come to the end of the ring.
   const Program program = programOf(

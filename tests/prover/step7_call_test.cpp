@@ -71,6 +71,31 @@ TEST(Step7Call, IecTimersReadTheTimeOnce) {
   }
 }
 
+// An index from outside that two comparisons bound, and the places of an array in the instance behind it: no other word
+// is written. What no comparison bounds leads beyond the block for some values: the property is not covered, and no
+// disagreement of prover and engine.
+TEST(Step7Call, APointerIntoTheInstanceIsBoundedByComparisons) {
+  const auto outcome = [](const std::string& bounds) {
+    ProgramInput input;
+    input.program = readText(
+        "test.awl",
+        "FUNCTION_BLOCK FB 10\nVAR_INPUT n : INT; END_VAR\nVAR cnt : INT; arr : ARRAY [0..9] OF INT; last : INT; "
+        "END_VAR\nBEGIN\nNETWORK\n" +
+            bounds +
+            "L #n; SLD 4; L P##arr; +D; LAR1; L 5; T DIW [AR1,P#0.0];\nerr: NOP 0;\nEND_FUNCTION_BLOCK\n"
+            "DATA_BLOCK DB 10 FB 10\nBEGIN\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB 1\n"
+            "//@ prove a: DB10.DBW2 = 0 and DB10.DBW24 = 0\nBEGIN\nNETWORK\nCALL FB 10, DB 10 (n := IW 4);\n"
+            "END_ORGANIZATION_BLOCK\n");
+    input.properties = readProperties(input.program, {}, lookupIn(input.program));
+    const ProofRun run = prove(input.program, input.properties, usualOptions(5));
+    EXPECT_TRUE(run.disagreements.empty());
+    return outcomeOf(run, "a");
+  };
+  EXPECT_EQ(outcome("L #n; L 0; <I; JC err; L #n; L 9; >I; JC err;\n"), Outcome::Proved);
+  EXPECT_EQ(outcome("L #n; L 0; <I; JC err; L #n; L 10; >I; JC err;\n"), Outcome::Violated);  // arr[10] is `last`
+  EXPECT_NE(outcome(""), Outcome::Proved);
+}
+
 // Blocks of which only the contract is known: every output may be anything, what was not handed over stays.
 TEST(Step7Call, AContractGivesAnyOutputsAndNothingElse) {
   int contracts = 0;
