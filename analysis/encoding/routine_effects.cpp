@@ -91,6 +91,9 @@ class RoutineEffects::Trial final : private CellSource, private Graph::Listener 
     return graph.constant(false);
   }
   std::optional<std::vector<std::uint64_t>> locations(Machine<Graph>&, Graph::Bits) override { return std::nullopt; }
+  std::optional<std::vector<std::uint64_t>> locationsInBlock(Machine<Graph>&, Graph::Bits, Width) override {
+    return std::nullopt;
+  }
   Graph::Bits unresolved(Machine<Graph>&, int width) override {
     isComplete = false;
     return {graph.variable("unresolved", width, false)};

@@ -13,6 +13,7 @@
 #include "ir/s7200/isa/comm.hpp"
 #include "ir/s7200/special_memory.hpp"
 #include "ir/s7200/timer_refresh.hpp"
+#include "ir/s7300/place.hpp"
 
 namespace rungproof {
 
@@ -384,6 +385,20 @@ ValueSet ScanEncoding::pointerValues(Node pointer, Node guard) {
   return values;
 }
 
+/// The same after what the guard decides has been chosen, where that is needed to list them.
+ValueSet ScanEncoding::listedOrBounded(Node pointer, Node guard) {
+  const auto valuesOf = [&](Node node, Node condition) {
+    ValueSet values = pointerValues(node, condition);
+    // A short range is as good as a list.
+    values.restrict(values.facts().low, values.facts().high, pointerValueLimit);
+    return values;
+  };
+  const ValueSet values = valuesOf(pointer, guard);
+  if (values.isListed()) return values;
+  const Assumed here = assuming(graph, pointer, guard);
+  return valuesOf(here.node, here.guard);
+}
+
 /// All values that the pointer can have here; nothing if they are too many.
 std::optional<std::vector<std::uint64_t>> ScanEncoding::targetsOf(Node pointer, Node guard) {
   return graph.listed([&]() -> std::optional<std::vector<std::uint64_t>> {
@@ -391,17 +406,7 @@ std::optional<std::vector<std::uint64_t>> ScanEncoding::targetsOf(Node pointer, 
       if (graph.variables()[graph[n].value].isState) pointerCells_.insert(n);
     }
     if (!knowledge_.followsPointers) return std::nullopt;
-    const auto valuesOf = [&](Node node, Node condition) {
-      ValueSet values = pointerValues(node, condition);
-      // A short range is as good as a list.
-      values.restrict(values.facts().low, values.facts().high, pointerValueLimit);
-      return values;
-    };
-    ValueSet values = valuesOf(pointer, guard);
-    if (!values.isListed()) {
-      const Assumed here = assuming(graph, pointer, guard);
-      values = valuesOf(here.node, here.guard);
-    }
+    const ValueSet values = listedOrBounded(pointer, guard);
     if (!values.isListed()) return std::nullopt;
     return values.values();
   });
@@ -441,6 +446,22 @@ Graph::Bool ScanEncoding::targets(Machine<Graph>& machine, Graph::Bits pointer, 
 
 std::optional<std::vector<std::uint64_t>> ScanEncoding::locations(Machine<Graph>& machine, Graph::Bits location) {
   return targetsOf(location.node, machine.guard.node);
+}
+
+std::optional<std::vector<std::uint64_t>> ScanEncoding::locationsInBlock(Machine<Graph>& machine, Graph::Bits location,
+                                                                         Width width) {
+  return graph.listed([&]() -> std::optional<std::vector<std::uint64_t>> {
+    if (!knowledge_.followsPointers) return std::nullopt;
+    const Graph::Facts facts = listedOrBounded(location.node, machine.guard.node).facts();
+    const std::optional<std::uint32_t> block = blockOfLocation(facts.ones, facts.zeros | facts.ones);
+    if (!block) return std::nullopt;
+    const std::uint32_t length = plan_.blocks->length(*block), own = static_cast<std::uint32_t>(bytes(width));
+    const std::uint32_t step = width == Width::Bit ? 1 : 8, count = length < own ? 0 : (length - own + 1) * 8 / step;
+    if (count > pointerValueLimit) return std::nullopt;
+    std::vector<std::uint64_t> places;
+    for (std::uint32_t i = 0; i < count; ++i) places.push_back(locationInBlock(*block, i * step));
+    return places;
+  });
 }
 
 Graph::Bits ScanEncoding::unresolved(Machine<Graph>& machine, int width) {

@@ -109,8 +109,11 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   Graph::Bits external(const ExternalSite& site, int width) override;
   void report(Hazard hazard, Graph::Bool condition, const Instruction* place) override;
   ValueSet pointerValues(Node pointer, Node guard);
+  ValueSet listedOrBounded(Node pointer, Node guard);
   Graph::Bool targets(Machine<Graph>& machine, Graph::Bits pointer, Width width, Ref<Graph>& ref) override;
   std::optional<std::vector<std::uint64_t>> locations(Machine<Graph>& machine, Graph::Bits location) override;
+  std::optional<std::vector<std::uint64_t>> locationsInBlock(Machine<Graph>& machine, Graph::Bits location,
+                                                             Width width) override;
   Graph::Bits unresolved(Machine<Graph>& machine, int width) override;
   void havoc(Machine<Graph>& machine) override;
   void havocBy(const Machine<Graph>& machine, const Approximation& cause);

@@ -277,6 +277,10 @@ std::optional<std::vector<std::uint64_t>> Graph::locations(Machine<Graph>& machi
   CHECK(listener_ != nullptr, "a pointer needs a listener");
   return listener_->locations(machine, location);
 }
+std::optional<std::vector<std::uint64_t>> Graph::locationsInBlock(Machine<Graph>& machine, Bits location, Width width) {
+  CHECK(listener_ != nullptr, "a pointer needs a listener");
+  return listener_->locationsInBlock(machine, location, width);
+}
 Graph::Bits Graph::unresolved(Machine<Graph>& machine, int width) {
   CHECK(listener_ != nullptr, "an unresolved pointer needs a listener");
   return listener_->unresolved(machine, width);

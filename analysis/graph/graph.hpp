@@ -196,6 +196,9 @@ class Graph {
   Bool targets(Machine<Graph>& machine, Bits pointer, Width width, Ref<Graph>& ref);
   /// All values that a place's number can have here, from the value analysis; nothing if they are too many.
   std::optional<std::vector<std::uint64_t>> locations(Machine<Graph>& machine, Bits location);
+  /// All places in the one data block that the place's number can lie in, for accesses of that width; nothing if it may
+  /// lie elsewhere or they are too many. Any other number leads beyond the block.
+  std::optional<std::vector<std::uint64_t>> locationsInBlock(Machine<Graph>& machine, Bits location, Width width);
   Bits unresolved(Machine<Graph>& machine, int width);
   void havoc(Machine<Graph>& machine);
 
@@ -207,6 +210,8 @@ class Graph {
     virtual void report(Hazard hazard, Bool condition, const Instruction* place) = 0;
     virtual Bool targets(Machine<Graph>& machine, Bits pointer, Width width, Ref<Graph>& ref) = 0;
     virtual std::optional<std::vector<std::uint64_t>> locations(Machine<Graph>& machine, Bits location) = 0;
+    virtual std::optional<std::vector<std::uint64_t>> locationsInBlock(Machine<Graph>& machine, Bits location,
+                                                                       Width width) = 0;
     virtual Bits unresolved(Machine<Graph>& machine, int width) = 0;
     virtual void havoc(Machine<Graph>& machine) = 0;
   };

@@ -15,6 +15,16 @@ namespace rungproof {
 /// Codes of areas in pointers (002:1698-1707).
 enum class PointerArea : std::uint8_t { P, I, Q, M, Db, Di, L, V };
 
+/// The number of a place in a data block: area, block and bit address, from the top.
+constexpr std::uint64_t locationInBlock(std::uint32_t block, std::uint32_t bitAddress) {
+  return static_cast<std::uint64_t>(Area::DB) << 40 | static_cast<std::uint64_t>(block) << 24 | bitAddress;
+}
+/// The data block in which a place lies of whose number some bits are known; nothing if it may lie elsewhere.
+constexpr std::optional<std::uint32_t> blockOfLocation(std::uint64_t value, std::uint64_t known) {
+  if ((known >> 24 & 0xFFFFFF) != 0xFFFFFF || value >> 40 != static_cast<std::uint64_t>(Area::DB)) return std::nullopt;
+  return static_cast<std::uint32_t>(value >> 24 & 0xFFFF);
+}
+
 /// A place or several, or a value.
 template <class D>
 struct Spot {
@@ -241,18 +251,28 @@ Spot<D> Step7Places<D>::at(Bits location, Width width) {
     return {.isValue = true, .value = number(0, 32)};
   }
   if constexpr (!std::same_as<Bool, bool>) {
-    const std::optional<std::vector<std::uint64_t>> values = d_.locations(m_, location);
+    std::optional<std::vector<std::uint64_t>> values = d_.locations(m_, location);
+    const bool isComplete = values.has_value();
+    if (!isComplete) values = d_.locationsInBlock(m_, location, width);
     if (!values) {
       spot.isUnresolved = true;
       return spot;
     }
+    Bool isAmong = d_.constant(isComplete);
     for (const std::uint64_t value : *values) {
       const Bool isValue = d_.equal(location, number(value, locationBits), locationBits);
+      isAmong = d_.lor(isAmong, isValue);
       PointerTarget<D> target{isValue, Area::M, 0};
       if (decode(value, width, target.area, target.offset, target.bit, error))
         spot.targets.push_back(target);
       else
         m_.error(error, isValue);
+    }
+    if (!isComplete) {
+      const Bool isBeyond = d_.lnot(isAmong), isBit = d_.constant(width == Width::Bit);
+      const Bool isWhole = d_.lor(isBit, d_.equal(d_.extract(location, 2, 0), number(0, 3), 3));
+      m_.error(Hazard::S7Alignment, d_.land(isBeyond, d_.lnot(isWhole)));
+      m_.error(Hazard::S7AreaLength, d_.land(isBeyond, isWhole));
     }
     if (spot.targets.empty()) return {.isValue = true, .value = number(0, 32)};
   }

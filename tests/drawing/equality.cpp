@@ -47,6 +47,9 @@ class World final : public CellSource, public Graph::Listener {
     return graph.constant(true);
   }
   std::optional<std::vector<std::uint64_t>> locations(Machine<Graph>&, Graph::Bits) override { return std::nullopt; }
+  std::optional<std::vector<std::uint64_t>> locationsInBlock(Machine<Graph>&, Graph::Bits, Width) override {
+    return std::nullopt;
+  }
   Graph::Bits unresolved(Machine<Graph>&, int width) override { return graph.literal(0, width); }
   void havoc(Machine<Graph>&) override { hasPointers = true; }
 

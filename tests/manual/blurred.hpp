@@ -118,6 +118,7 @@ class Blurred {
     return {legal};
   }
   std::optional<std::vector<std::uint64_t>> locations(Machine<Blurred>&, Bits) { return std::nullopt; }
+  std::optional<std::vector<std::uint64_t>> locationsInBlock(Machine<Blurred>&, Bits, Width) { return std::nullopt; }
   Bits unresolved(Machine<Blurred>&, int width) { return {0, width}; }
   void havoc(Machine<Blurred>&) {}
 
