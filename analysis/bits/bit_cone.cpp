@@ -210,4 +210,14 @@ std::optional<BitTrace> completeTrace(const BitSystem& system, const BitCone& co
   return result;
 }
 
+std::vector<bool> constrainedVariables(const BitSystem& system) {
+  std::vector<bool> isConstrained(system.variableCount(), false);
+  for (const Lit l : system.constraints) isConstrained[variableOf(l)] = true;
+  for (std::size_t i = system.gates.size(); i-- > 0;) {
+    if (!isConstrained[system.gateVariables[i]]) continue;
+    isConstrained[variableOf(system.gates[i].left)] = isConstrained[variableOf(system.gates[i].right)] = true;
+  }
+  return isConstrained;
+}
+
 }  // namespace rungproof

@@ -34,4 +34,7 @@ BitCone makeCone(const BitSystem& system, const std::vector<Lit>& bads, const st
 /// that total constraints hold. Empty if the constraints outside cannot be met, which isTotal promises never happens.
 std::optional<BitTrace> completeTrace(const BitSystem& system, const BitCone& cone, const BitTrace& trace);
 
+/// By variable: do the constraints depend on it within one scan?
+std::vector<bool> constrainedVariables(const BitSystem& system);
+
 }  // namespace rungproof

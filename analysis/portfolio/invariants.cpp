@@ -37,6 +37,9 @@ class Miner {
         cnf_(steps_.graph(), sat_) {}
 
   Invariants run() {
+    for (std::size_t g = 0; g < options_.groups.size(); ++g) {
+      for (const Lit l : options_.groups[g]) groupsOf_[l].push_back(g);
+    }
     sample();
     makeClasses();
     makePairs();
@@ -131,7 +134,9 @@ class Miner {
           const std::uint64_t flipA = (polarity & 1U) != 0 ? ~0ULL : 0, flipB = (polarity & 2U) != 0 ? ~0ULL : 0;
           bool holds = true;
           for (std::size_t w = 0; w < a.size() && holds; ++w) holds = ((a[w] ^ flipA) | (b[w] ^ flipB)) == ~0ULL;
-          if (!holds) continue;
+          if (!holds ||
+              isKnown(watched_[representatives[i]] ^ (polarity & 1U), watched_[representatives[j]] ^ (polarity >> 1U)))
+            continue;
           clauses_.push_back(
               {watched_[representatives[i]] ^ (polarity & 1U), watched_[representatives[j]] ^ (polarity >> 1U)});
           if (clauses_.size() >= options_.implicationLimit) return;
@@ -140,6 +145,13 @@ class Miner {
     }
     makePairsOfUnseen(isTruth, representatives);
     if (!options_.pairsOnly) makePairsByReading(representatives);
+  }
+
+  /// A clause of two whose literals are both denied in one group.
+  bool isKnown(Lit a, Lit b) const {
+    const auto first = groupsOf_.find(negate(a)), second = groupsOf_.find(negate(b));
+    if (first == groupsOf_.end() || second == groupsOf_.end()) return false;
+    return std::ranges::find_first_of(first->second, second->second) != first->second.end();
   }
 
   /// Pairs of latches that hold under one value of a latch that keeps any value it starts with, as the readings of open
@@ -188,7 +200,7 @@ class Miner {
     const bool isFew = unseen.size() <= schedule::unseenLimit;
     for (std::size_t i = 0; i < unseen.size(); ++i) {
       for (std::size_t j = i + 1; j < unseen.size(); ++j) {
-        clauses_.push_back({negate(unseen[i]), negate(unseen[j])});
+        if (!isKnown(negate(unseen[i]), negate(unseen[j]))) clauses_.push_back({negate(unseen[i]), negate(unseen[j])});
         if (!isFew) continue;
         clauses_.push_back({unseen[i], negate(unseen[j])});
         clauses_.push_back({negate(unseen[i]), unseen[j]});
@@ -198,7 +210,7 @@ class Miner {
       for (const std::size_t i : seen) {
         if (clauses_.size() + 2 > options_.implicationLimit) return;
         clauses_.push_back({negate(l), watched_[i]});
-        clauses_.push_back({negate(l), negate(watched_[i])});
+        if (!isKnown(negate(l), negate(watched_[i]))) clauses_.push_back({negate(l), negate(watched_[i])});
       }
     }
   }
@@ -271,9 +283,10 @@ class Miner {
   /// slow to see it of thousands. Done when every group has been asked since the last candidate was dropped.
   bool makeInductive() {
     for (const Lit constraint : system_.constraints) sat_.add({cnf_.literal(steps_.at(0, constraint))});
+    for (const Lit known : options_.known) sat_.add({cnf_.literal(steps_.at(0, known))});
     std::mt19937_64 random(options_.seed);
     BitSimulator simulator(system_);
-    findConstrained();
+    isConstrained_ = constrainedVariables(system_);
     blockOf_.resize(clauses_.size());
     for (std::size_t i = 0; i < clauses_.size(); ++i) blockOf_[i] = i / schedule::invariantBlock;
     blocks_.resize(clauses_.size() / schedule::invariantBlock + 1);
@@ -414,20 +427,11 @@ class Miner {
     }
   }
 
-  /// Variables that the constraints depend on within one scan.
-  void findConstrained() {
-    isConstrained_.assign(system_.variableCount(), false);
-    for (const Lit l : system_.constraints) isConstrained_[variableOf(l)] = true;
-    for (std::size_t i = system_.gates.size(); i-- > 0;) {
-      if (!isConstrained_[system_.gateVariables[i]]) continue;
-      isConstrained_[variableOf(system_.gates[i].left)] = isConstrained_[variableOf(system_.gates[i].right)] = true;
-    }
-  }
-
   /// Runs whose state satisfies all candidates and whose inputs meet the constraints.
   std::uint64_t satisfying(const BitSimulator& simulator) const {
     std::uint64_t lanes = ~0ULL;
     for (const Lit constraint : system_.constraints) lanes &= simulator.value(constraint);
+    for (const Lit known : options_.known) lanes &= simulator.value(known);
     for (const Class& c : classes_) {
       for (std::size_t i = 1; i < c.size(); ++i) lanes &= ~(simulator.value(c[0]) ^ simulator.value(c[i]));
     }
@@ -457,6 +461,7 @@ class Miner {
       }
     }
     invariants.clauses.insert(invariants.clauses.end(), clauses_.begin(), clauses_.end());
+    for (const Lit known : options_.known) invariants.clauses.push_back({known});
     return invariants;
   }
 
@@ -469,6 +474,7 @@ class Miner {
   std::vector<Class> classes_;
   std::vector<Lit> unseen_;  ///< pairs only: truths that are 0 in all samples
   std::vector<Clause> clauses_;
+  std::unordered_map<Lit, std::vector<std::size_t>> groupsOf_;  ///< by literal: indices in MiningOptions::groups
   struct Block {
     int on = 0;               ///< switch of the clauses that were added last
     std::size_t clauses = 0;  ///< how many these are

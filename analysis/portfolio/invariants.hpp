@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analysis/bits/bit_cone.hpp"
+#include "analysis/portfolio/invariants_groups.hpp"
 #include "analysis/schedule/schedule.hpp"
 
 namespace rungproof {
@@ -27,6 +28,8 @@ struct MiningOptions {
   std::size_t implicationLimit = schedule::implicationLimit;  ///< candidates of two literals
   /// Only clauses of two truths: for merged systems, whose constants and equal latches are known already.
   bool pairsOnly = false;
+  std::vector<ExclusiveGroup> groups{};  ///< known: their pairs are not looked for
+  std::vector<Lit> known{};              ///< gates over latches, inductive together: they become invariants too
 };
 
 /// `truths`: literals over latches between which equalities and implications are looked for, besides the equalities

@@ -16,6 +16,7 @@
 #include "analysis/portfolio/invariants.hpp"
 #include "analysis/portfolio/invariants_bounds.hpp"
 #include "analysis/portfolio/invariants_covers.hpp"
+#include "analysis/portfolio/invariants_groups.hpp"
 #include "analysis/portfolio/invariants_timers.hpp"
 #include "analysis/portfolio/invariants_words.hpp"
 #include "analysis/portfolio/race.hpp"
@@ -64,11 +65,16 @@ class Stages {
   void answerTogether() {
     begin({});
     if (!open_.empty()) searchTogether(1, true);
-    for (const bool asked : {true, false}) {
-      if (open_.empty() || !options_.check) break;
-      begin({});
-      if (minePairs(asked)) searchTogether(1, false);
-    }
+    if (minePairsAgain(true)) searchTogether(1, false);
+    if (open_.empty() || !options_.check) return;
+    begin({});
+    if (findGroups()) searchTogether(1, false);
+    if (minePairsAgain(false)) searchTogether(1, false);
+  }
+  bool minePairsAgain(bool askedOnly) {
+    if (open_.empty() || !options_.check) return false;
+    begin({});
+    return minePairs(askedOnly);
   }
 
   /// Starts a stage: blasts the open questions. Throws OutOfBudget.
@@ -170,25 +176,74 @@ class Stages {
         truths.push_back(positive(bits.latches[latch].variable));
     }
     if (truths.size() < 2 || truths.size() > schedule::pairedTruths || (askedOnly && isWhole)) return false;
-    MiningOptions mining;
-    mining.seed = options_.seed;
+    MiningOptions mining = takeGroups();
     mining.pairsOnly = true;
     mining.implicationLimit = schedule::pairLimit;
     const double seconds = options_.seconds * static_cast<double>(open_.size());
     const Budget limit = budget(std::min(seconds * schedule::pairsShare, schedule::mostMining));
-    invariants_ = mineInvariants(bits, truths, {}, mining, limit);
+    Invariants mined = mineInvariants(bits, truths, {}, mining, limit);
+    if (!mined.empty()) invariants_ = std::move(mined);
     return !invariants_.empty();
+  }
+
+  /// Groups of truth values of the state of which at most one holds, for all questions at once; false if there are
+  /// none.
+  bool findGroups() {
+    if (!options_.techniques.has(Technique::Groups)) return false;
+    const TechniqueTurn turn(options_.log, Technique::Groups, open_.size());
+    mined_ = Technique::Groups;
+    const BitSystem& bits = blast_->bits();
+    std::vector<Lit> truths;
+    for (std::uint32_t latch = 0; latch < bits.latches.size(); ++latch) {
+      if (isTruth(latch)) truths.push_back(positive(bits.latches[latch].variable));
+    }
+    if (truths.size() > schedule::groupedTruths) return false;
+    groups_.clear();
+    const double seconds = options_.seconds * static_cast<double>(open_.size());
+    const Budget limit = budget(std::min(seconds * schedule::pairsShare, schedule::mostMining));
+    for (const ExclusiveGroup& group : mineGroups(bits, truths, options_.seed, limit)) {
+      std::vector<std::size_t>& states = groups_.emplace_back();
+      for (const Lit l : group) states.push_back(blast_->stateBit(bits.position[variableOf(l)]).state);
+    }
+    takeGroups();
+    return !groups_.empty();
+  }
+  bool isTruth(std::uint32_t latch) const {
+    return (*system_.graph)[system_.states[blast_->stateBit(latch).state].node].width == 1;
+  }
+  /// What is left of the groups in this stage's part of the system is inductive too: its literals depend on nothing
+  /// outside, where all may be off.
+  MiningOptions takeGroups() {
+    MiningOptions mining;
+    mining.seed = options_.seed;
+    BitSystem& bits = blast_->bits();
+    std::map<std::size_t, Lit> literalOf;
+    for (std::uint32_t latch = 0; latch < bits.latches.size() && !groups_.empty(); ++latch) {
+      if (isTruth(latch)) literalOf.emplace(blast_->stateBit(latch).state, positive(bits.latches[latch].variable));
+    }
+    for (const std::vector<std::size_t>& states : groups_) {
+      ExclusiveGroup group;
+      for (const std::size_t state : states) {
+        if (const auto found = literalOf.find(state); found != literalOf.end()) group.push_back(found->second);
+      }
+      if (group.size() < 2) continue;
+      mining.known.push_back(atMostOne(bits, group));
+      mining.groups.push_back(std::move(group));
+    }
+    invariants_.clauses.clear();
+    for (const Lit known : mining.known) invariants_.clauses.push_back({known});
+    return mining;
   }
 
   void mine() {
     mined_ = Technique::Invariants;
     const double seconds = std::min(options_.seconds * schedule::invariantShare, schedule::mostMining);
-    MiningOptions mining;
-    mining.seed = options_.seed;
+    const MiningOptions mining = takeGroups();
     const Budget limit = budget(seconds);
     if (options_.techniques.has(Technique::Invariants)) {
       const TechniqueTurn turn(options_.log, Technique::Invariants, open_.size());
-      invariants_ = mineInvariants(blast_->bits(), truths_, guesses_, mining, limit);
+      Invariants mined = mineInvariants(blast_->bits(), truths_, guesses_, mining, limit);
+      if (!mined.empty()) invariants_ = std::move(mined);
     }
     if (!options_.techniques.has(Technique::Covers)) return;
     const TechniqueTurn turn(options_.log, Technique::Covers, open_.size());
@@ -390,17 +445,18 @@ class Stages {
   const PortfolioOptions options_;
   const Budget whole_ = options_.budget();
   Budget::Clock::time_point stageBegin_{};
-  std::unique_ptr<BitBlast> blast_;              ///< of this stage
-  std::vector<Lit> truths_;                      ///< literals of blast_
-  std::vector<std::vector<Lit>> guesses_;        ///< further candidate invariants, in literals of blast_
-  Invariants invariants_;                        ///< of blast_'s system
-  Technique mined_ = Technique::StatePairs;      ///< where they come from
-  std::unique_ptr<InvariantCores> cores_;        ///< of invariants_
-  std::optional<Certificate> onWholeSystem_;     ///< of the verdict at hand, if it was found on words
-  std::vector<KeptDifference> differences_;      ///< that bounds among invariants_ speak of
-  std::vector<std::vector<Lit>> joinedClauses_;  ///< of blast_'s system
-  std::vector<Node> joined_;                     ///< what they say
-  Questions open_;                               ///< without answer; in a stage, of those that it is about
+  std::unique_ptr<BitBlast> blast_;               ///< of this stage
+  std::vector<Lit> truths_;                       ///< literals of blast_
+  std::vector<std::vector<Lit>> guesses_;         ///< further candidate invariants, in literals of blast_
+  Invariants invariants_;                         ///< of blast_'s system
+  Technique mined_ = Technique::StatePairs;       ///< where they come from
+  std::vector<std::vector<std::size_t>> groups_;  ///< indices of states; of all stages
+  std::unique_ptr<InvariantCores> cores_;         ///< of invariants_
+  std::optional<Certificate> onWholeSystem_;      ///< of the verdict at hand, if it was found on words
+  std::vector<KeptDifference> differences_;       ///< that bounds among invariants_ speak of
+  std::vector<std::vector<Lit>> joinedClauses_;   ///< of blast_'s system
+  std::vector<Node> joined_;                      ///< what they say
+  Questions open_;                                ///< without answer; in a stage, of those that it is about
   std::vector<QuestionAnswer> answers_;
 };
 

@@ -86,6 +86,11 @@
   ROW(double, mostMining, 10, "s", "for each kind of invariant") \
   ROW(std::size_t, truthLimit, 600, "truths", "of the state that invariants speak of") \
   ROW(std::size_t, pairedTruths, 400, "truths", "whose pairs are looked at together") \
+  ROW(std::size_t, groupedTruths, 1000, "truths", "whose groups are looked for") \
+  ROW(std::size_t, leastGroup, 8, "truths", "of a group; the pairs of fewer are as good") \
+  ROW(std::size_t, mostGroups, 64, "groups", "looked at together") \
+  ROW(int, groupScans, 48, "scans", "sampled on 64 runs") \
+  ROW(int, groupRounds, 4, "rounds", "of 64 states that keep all groups, before the solver is asked") \
   ROW(std::size_t, pairLimit, 12000, "pairs", "that are candidates") \
   ROW(std::size_t, implicationLimit, 3000, "pairs", "the same of one group of questions") \
   ROW(double, invariantShare, 0.3, "of a question", "for the invariants of a group of questions") \

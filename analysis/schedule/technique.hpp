@@ -18,6 +18,7 @@ enum class Technique : std::uint8_t {
   Simulation,
   ShortInduction,
   StatePairs,
+  Groups,
   Invariants,
   Covers,
   TimerStates,
