@@ -25,6 +25,9 @@ void accelerate(TransitionSystem& system, Node dt, int width, std::uint32_t long
     same = graph.land(same, graph.equal({before}, {input}, w));
   }
   system.states.insert(system.states.end(), added.begin(), added.end());
+  for (Question& question : system.questions) {
+    if (question.bad != noNode) question.bad = graph.land({question.bad}, graph.lnot(isLong)).node;
+  }
   system.constraints.push_back(graph.lor(graph.lnot(isLong), steady).node);
   system.constraints.push_back(graph.lor(graph.lnot(wasLong), same).node);
 }

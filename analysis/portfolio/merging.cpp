@@ -11,6 +11,7 @@
 
 #include "analysis/bits/bit_blast.hpp"
 #include "analysis/bits/bit_cnf.hpp"
+#include "analysis/bits/bit_cone.hpp"
 #include "analysis/bits/simulation_runs.hpp"
 #include "analysis/graph/substitution.hpp"
 #include "analysis/schedule/schedule.hpp"
@@ -36,7 +37,8 @@ class Merger {
         seed_(seed),
         budget_(budget),
         blast_(given, questions, {}, &budget),
-        bits_(blast_.bits()) {}
+        bits_(blast_.bits()),
+        isConstrained_(constrainedVariables(bits_)) {}
 
   MergedSystem run() {
     collectItems();
@@ -152,6 +154,7 @@ class Merger {
       for (int batch = 0; batch < schedule::mergingBatches; ++batch)
         isRefined = refineNear(simulator, random, state, inputs, batch) || isRefined;
       CHECK(isRefined, "a counterexample breaks a candidate");
+      walk(simulator, random, state, inputs);
     }
   }
 
@@ -174,6 +177,30 @@ class Merger {
     };
     for (std::size_t i = 0; i < state.size(); ++i) simulator.setLatch(i, (state[i] ? ~0ULL : 0) ^ flips());
     for (std::size_t i = 0; i < inputs.size(); ++i) simulator.setInput(i, (inputs[i] ? ~0ULL : 0) ^ flips());
+    std::uint64_t lanes = 0;
+    return refineAfterScan(simulator, lanes);
+  }
+
+  /// On from where the last scans have led, with other inputs in every scan: what a sequence does step by step comes up
+  /// without a question to the solver. What the constraints speak of stays as it is.
+  void walk(BitSimulator& simulator, std::mt19937_64& random, const std::vector<bool>& state,
+            const std::vector<bool>& inputs) {
+    std::uint64_t lanes = 0;
+    for (int idle = 0; idle < schedule::walkPatience && !budget_.isExhausted(); ++idle) {
+      for (std::size_t i = 0; i < state.size(); ++i) {
+        const bool stays = isConstrained_[bits_.latches[i].variable];
+        const std::uint64_t start = state[i] ? ~0ULL : 0;
+        simulator.setLatch(i, stays ? start : (simulator.latch(i) & lanes) | (start & ~lanes));
+      }
+      for (std::size_t i = 0; i < inputs.size(); ++i)
+        simulator.setInput(i, !isConstrained_[bits_.inputs[i]] ? random() : inputs[i] ? ~0ULL : 0);
+      if (refineAfterScan(simulator, lanes)) idle = 0;
+    }
+  }
+
+  /// Splits classes by what one scan makes of states in which their members are equal; `lanes`: runs that meet the
+  /// constraints.
+  bool refineAfterScan(BitSimulator& simulator, std::uint64_t& lanes) {
     forMembers([&](const Item& member, const Item* first) {
       for (std::size_t bit = 0; bit < member.literals.size(); ++bit) {
         const std::uint64_t value = first == nullptr ? 0 : simulator.value(first->literals[bit]);
@@ -181,7 +208,7 @@ class Merger {
       }
     });
     simulator.evaluate();
-    std::uint64_t lanes = ~0ULL;
+    lanes = ~0ULL;
     for (const Lit constraint : bits_.constraints) lanes &= simulator.value(constraint);
     if (lanes == 0) return false;
     simulator.step();
@@ -295,6 +322,7 @@ class Merger {
   const Budget& budget_;
   const BitBlast blast_;
   const BitSystem& bits_;
+  const std::vector<bool> isConstrained_;  ///< by variable
   std::vector<Item> items_;
   std::vector<std::vector<std::size_t>> classes_;  ///< indices in items_
 };
