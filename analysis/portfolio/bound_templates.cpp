@@ -46,7 +46,7 @@ class TemplateSearch {
     for (const std::vector<std::size_t>& group : all) toOneWidth(group);
     // A clock against a timer tells most, two timers least.
     for (const int pending : {1, 0, 2}) {
-      if (scope_ == BoundScope::Few && pending != 1) break;
+      if (isNear() && pending != 1) break;
       for (const std::vector<std::size_t>& group : all) {
         for (const std::size_t x : group) {
           for (const std::size_t y : group) {
@@ -66,7 +66,8 @@ class TemplateSearch {
   }
 
  private:
-  std::size_t clockGuards() const { return scope_ == BoundScope::Few ? schedule::nearGuards : schedule::guardLimit; }
+  bool isNear() const { return scope_ == BoundScope::Few || scope_ == BoundScope::Stops; }
+  std::size_t clockGuards() const { return isNear() ? schedule::nearGuards : schedule::guardLimit; }
   Node word(std::size_t state) const { return system_.states[state].node; }
   int widthOf(Node n) const { return graph_[n].width; }
 
@@ -212,7 +213,7 @@ class TemplateSearch {
     std::vector<Node> result;
     for (const auto& [depth, guard] : byDepth) result.push_back(guard);
     if (result.size() > most) result.resize(most);
-    const std::size_t plain = scope_ == BoundScope::Few ? 0 : result.size();
+    const std::size_t plain = isNear() ? 0 : result.size();
     for (std::size_t i = 0; i < plain; ++i) result.push_back(graph_.make(Op::Not, 1, result[i]));
     for (const std::size_t s : states)
       result.push_back(graph_.make(Op::Ult, 1, graph_.constantNode(0, widthOf(word(s))), word(s)));

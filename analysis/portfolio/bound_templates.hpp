@@ -11,9 +11,9 @@
 namespace rungproof {
 
 /// Few: of clocks against timers, while a condition holds; a chain of steps needs no more, and many would take too
-/// long. Pending: also for timers that have not run out, for steps that their own timers end; it comes last, since the
-/// most bounds are looked for.
-enum class BoundScope : std::uint8_t { Few, All, Pending };
+/// long. Stops: the same until the clock or timer that is subtracted stops. Pending: also for timers that have not run
+/// out, for steps that their own timers end; it comes last, since the most bounds are looked for.
+enum class BoundScope : std::uint8_t { Few, Stops, All, Pending };
 
 /// A state word that counts: what is compared of it is a Summand (certificate.hpp), with the node of the increment.
 struct CountingWord {

@@ -55,7 +55,7 @@ class Stages {
       beginWithCandidates();
       if (options_.check) mine();
       searchTogether(schedule::shortInduction, false);
-      for (const BoundScope scope : {BoundScope::Few, BoundScope::All, BoundScope::Pending}) {
+      for (const BoundScope scope : {BoundScope::Few, BoundScope::Stops, BoundScope::All, BoundScope::Pending}) {
         if (!open_.empty() && options_.check && mineDifferences(scope)) searchTogether(schedule::shortInduction, false);
       }
       if (!open_.empty()) raceApart();
