@@ -4,8 +4,10 @@
 // used up or an answer is there, and goes on where it stopped when called again.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <ctime>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -56,19 +58,38 @@ class Budget {
     return Budget(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(s)), cancel,
                   outer);
   }
+  /// Of the calling thread, which alone may ask: that much of its processor's time, and until the deadline. What is
+  /// worth a moment does not depend on what else the machine does.
+  static Budget ofThread(double s, const Budget& whole) {
+    Budget result = whole;
+    result.threadDeadline_ = threadSeconds() + s;
+    return result;
+  }
   /// The same cancellation, but at most that many seconds from now.
   Budget slice(double s) const {
-    const Budget other = seconds(s, cancel_, outer_);
-    return other.deadline_ < deadline_ ? other : *this;
+    Budget result = *this;
+    result.deadline_ = std::min(deadline_, seconds(s).deadline_);
+    return result;
   }
-  bool isExhausted() const { return isSet(cancel_) || isSet(outer_) || Clock::now() >= deadline_; }
+  bool isExhausted() const {
+    return isSet(cancel_) || isSet(outer_) || Clock::now() >= deadline_ ||
+           (threadDeadline_ > 0 && threadSeconds() >= threadDeadline_);
+  }
 
  private:
   static bool isSet(const std::atomic<bool>* flag) { return flag != nullptr && flag->load(std::memory_order_relaxed); }
 
+  /// s of processor time that the calling thread has taken.
+  static double threadSeconds() {
+    timespec used{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+    return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
+  }
+
   Clock::time_point deadline_;
   const std::atomic<bool>* cancel_;
   const std::atomic<bool>* outer_;
+  double threadDeadline_ = 0;  ///< in processor time of the thread; 0: none
 };
 
 struct EngineOptions {

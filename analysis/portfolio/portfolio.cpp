@@ -219,7 +219,8 @@ class Answers {
 }  // namespace
 
 std::optional<WordTrace> shallowSearch(const TransitionSystem& system, int depth, double seconds) {
-  const Budget budget = Budget::seconds(seconds);
+  // Where others take most of the machine, ten times as long is enough of waiting.
+  const Budget budget = Budget::ofThread(seconds, Budget::seconds(10 * seconds));
   try {
     const BitBlast blast(system, {0}, {}, &budget);
     EngineOptions options;

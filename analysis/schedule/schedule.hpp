@@ -58,7 +58,7 @@
   /* Long scans instead of many */ \
   ROW(int, shallowDepth, 12, "scans", "of a short accelerated run") \
   ROW(double, shallowSeconds, 0.25, "s", "for all of them") \
-  ROW(double, shallowShare, 0.06, "of that time", "for each: most proofs are found sooner, and longer runs have the race") \
+  ROW(double, shallowShare, 0.1, "of that time", "of the processor for each: most proofs are found sooner, and longer runs have the race") \
   /* Before the engines */ \
   ROW(std::size_t, surfaceNodes, 400, "nodes", "of the surface that a proof in one scan looks at") \
   ROW(double, surfaceQuerySeconds, 0.05, "s", "for each look") \
