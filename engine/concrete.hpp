@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "ir/s7200/machine.hpp"
@@ -77,6 +78,11 @@ class Concrete {
     std::uint32_t count(Reg reg) const {
       return first_[static_cast<std::size_t>(reg) + 1] - first_[static_cast<std::size_t>(reg)];
     }
+
+    /// All registers in one row, and where in it one stands.
+    std::span<std::uint32_t> registers() { return registers_; }
+    std::span<const std::uint32_t> registers() const { return registers_; }
+    std::size_t indexOf(Reg reg, std::uint32_t index) const { return first_[static_cast<std::size_t>(reg)] + index; }
 
     const BlockMap& blocks() const { return *blocks_; }
 

@@ -3,6 +3,7 @@
 #include "engine/simulator.hpp"
 
 #include "engine/cell_value.hpp"
+#include "engine/compiled/compiled_program.hpp"
 #include "engine/device_end.hpp"
 #include "engine/simulator_hooks.hpp"
 #include "ir/s7200/special_memory.hpp"
@@ -36,7 +37,11 @@ Simulator::Simulator(const Program& program, SimulatorOptions options, Outside* 
       random_(options_.seed) {
   startClock(Reg::PhaseHundred, options_.phaseMs);
   prepareCosts();
+  hasFineTimers_ = !plan_.iecTimers.empty() ||
+                   std::ranges::any_of(plan_.timers, [](const TimerUse& use) { return use.resolution == 1; });
 }
+
+Simulator::~Simulator() = default;
 
 void Simulator::powerCycle() {
   store_ = powerCycledState(plan_, options_.choices, store_, *options_.retentive);
@@ -115,7 +120,7 @@ void Simulator::scanInRun(const ScanRequest& request, std::uint32_t lengthUs) {
   beginScan(machine_, ticks);
   for (const Area area : {Area::I, Area::AI}) forced_.apply(area, store_);
   for (const int event : request.events) raiseByStimulus(event);
-  runProgram(runner);
+  if (!runCompiled(lengthUs)) runProgram(runner);
   if (observer_ != nullptr) observer_->programEnded(machine_);
   passRest(runner, lengthUs);
   finishScan(lengthUs);

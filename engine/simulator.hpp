@@ -31,8 +31,13 @@
 
 namespace rungproof {
 
+/// What runs the program part of a scan: the reference engine alone, machine code wherever it does the same, or that
+/// from the scan on from which it is worth its making.
+enum class EngineKind : std::uint8_t { Reference, Compiled, Auto };
+
 struct SimulatorOptions {
   Choices choices;
+  EngineKind engine = EngineKind::Auto;
   std::uint32_t phaseMs = 0;     ///< since the last tick of the 10 ms and 100 ms time bases when RUN begins
   std::uint32_t scanUs = 10000;  ///< length of a scan in us for which nothing else is asked
   std::optional<std::vector<RetentiveRange>> retentive{};  ///< those of the system block; nothing: the CPU's default
@@ -45,6 +50,9 @@ template <class D, class Hooks>
 class Scan;
 class CallContracts;
 struct LibraryEffect;
+namespace compiled {
+class CompiledProgram;
+}
 
 /// What is asked of one scan.
 struct ScanRequest {
@@ -58,6 +66,7 @@ class Simulator final : private Outside {
   /// Powers up into RUN after a download. The program must outlive the simulator. `outside`: gives the external values
   /// and hears of errors in place of the simulator's own devices; may be nullptr.
   explicit Simulator(const Program& program, SimulatorOptions options = {}, Outside* outside = nullptr);
+  ~Simulator() override;
 
   /// Power off and on; retentive cells keep their values.
   void powerCycle();
@@ -111,6 +120,8 @@ class Simulator final : private Outside {
   const Plan& plan() const { return plan_; }
   const Target& target() const { return machine_.target; }
   const RunTimeErrors& errors() const { return errors_; }
+  /// Scans of which machine code ran the program.
+  std::uint64_t compiledScans() const { return compiledScans_; }
   /// Events that a stimulus or script named although nothing could cause them then.
   const std::set<int>& eventsWithoutCause() const { return withoutCause_; }
   /// The instruction that executed STOP last, or nullptr.
@@ -138,6 +149,10 @@ class Simulator final : private Outside {
   void scanInRun(const ScanRequest& request, std::uint32_t lengthUs);
   void scanInStop(std::uint32_t lengthUs);
   void boundary(Runner& runner, const FlowStep* step);
+  // simulator_compiled.cpp
+  bool runCompiled(std::uint32_t lengthUs);
+  bool mayRunCompiled();
+  compiled::CompiledProgram* machineCode(bool countsTime);
   // simulator_events.cpp
   void raiseInputEdges();
   void raiseByStimulus(int event);
@@ -208,6 +223,14 @@ class Simulator final : private Outside {
   std::array<std::uint32_t, timedEventCount> timedMs_{};  ///< since a timed event at the end of the scan
   std::uint32_t passedMs_ = 0;                            ///< of the scan, at least, at the place reached
   std::array<int, edgeInputCount> lastEdge_{};            ///< 0: not known, 1: rising, 2: falling
+
+  /// The program as machine code, without and with its time; what was tried and is not there stays nullptr.
+  std::array<std::unique_ptr<compiled::CompiledProgram>, 2> compiled_;
+  std::array<bool, 2> isCompileTried_{};
+  bool hasFineTimers_ = false;  ///< timers that count single ms
+  std::uint64_t compiledScans_ = 0;
+  std::uint64_t referenceUntil_ = 0;  ///< scan up to which machine code, which has given up, is not tried again
+  std::uint32_t givenUp_ = 0;         ///< times in a row
 };
 
 }  // namespace rungproof

@@ -73,6 +73,12 @@ class FlowWalk {
     m_.guard = m_.d.land(entry, m_.d.lnot(m_.halted));
   }
 
+  /// Runs body, which walks another block, where `condition` holds.
+  template <class Body>
+  void inside(Bool condition, Body&& body) {
+    m_.when(condition, body);
+  }
+
   /// Continues at `target` where `condition` holds. The end of the block is target steps.size().
   void branch(Walk& w, Bool condition, std::uint32_t target) {
     if constexpr (isConcrete) {

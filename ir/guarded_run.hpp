@@ -73,6 +73,9 @@ class GuardedRun {
     if (const std::optional<bool> known = d.truth(condition); known && !*known) return;
     const Bool happens = d.land(guard, condition);
     if (const std::optional<bool> known = d.truth(happens); known && !*known) return;
+    if constexpr (requires { d.leavesAt(which); }) {
+      if (d.leavesAt(which)) return d.leave(happens);
+    }
     d.report(which, happens, current);
     const Bool saved = guard;
     guard = happens;

@@ -41,7 +41,7 @@ class Args {
   const Instruction& instruction() const { return instruction_; }
   const Operand& operand(std::size_t i) const { return instruction_.operands[i]; }
   std::size_t size() const { return instruction_.operands.size(); }
-  Ref<D>& ref(std::size_t i) { return refs_[i]; }
+  Ref<D>& ref(std::size_t i) { return placeOf(i); }
 
   /// Value of operand i in the width of its type.
   Bits value(std::size_t i) { return load(refs_[i], 0, width(i)); }
@@ -61,20 +61,20 @@ class Args {
   Bits byteAt(std::size_t i, int k) { return element(i, k, Width::Byte); }
   /// Bit k counted from a bit operand, over byte borders; T and C: bit of the k-th number further on.
   Bool bitAt(std::size_t i, int k) {
-    const Ref<D>& r = refs_[i];
+    const Ref<D>& r = placeOf(i);
     if (hasBitAndWord(r.area))
       return m_.d.bit(m_.load(r.area, r.offset + static_cast<std::uint32_t>(k), Width::Bit), 0);
     return m_.loadBit(r.area, r.offset, static_cast<std::uint32_t>(r.bit + k));
   }
   void storeBitAt(std::size_t i, int k, Bool value) {
-    const Ref<D>& r = refs_[i];
+    const Ref<D>& r = placeOf(i);
     if (hasBitAndWord(r.area))
       return m_.save(r.area, r.offset + static_cast<std::uint32_t>(k), Width::Bit, m_.d.fromBool(value, 1));
     m_.saveBit(r.area, r.offset, static_cast<std::uint32_t>(r.bit + k), value);
   }
   /// How many bits there are from bit operand i to the end of its area.
-  std::uint32_t bitsLeft(std::size_t i) const {
-    const Ref<D>& r = refs_[i];
+  std::uint32_t bitsLeft(std::size_t i) {
+    const Ref<D>& r = placeOf(i);
     const std::uint32_t size = m_.areaSize(r.area);
     if (r.offset >= size) return 0;
     return hasBitAndWord(r.area) ? size - r.offset : (size - r.offset) * 8 - r.bit;
@@ -124,11 +124,11 @@ class Args {
     return !(a.isPlace && b.isPlace && a.area != b.area) && a.text == nullptr && b.text == nullptr;
   }
   /// The largest count that can fit, at most `cap`: how far a loop over the buffer has to look.
-  int room(std::size_t i, Width w, int cap) const;
+  int room(std::size_t i, Width w, int cap);
   /// Calls visit(condition, area, offset) for each place that operand i may be.
   template <class Visit>
   void eachPlace(std::size_t i, Visit&& visit) {
-    const Ref<D>& ref = refs_[i];
+    const Ref<D>& ref = placeOf(i);
     if (ref.isPlace) visit(m_.d.constant(true), ref.area, ref.offset);
     for (const PointerTarget<D>& t : ref.targets) visit(t.condition, t.area, t.offset);
   }
@@ -140,6 +140,13 @@ class Args {
   Width width(std::size_t i) const { return widthOf(desc_.operands[i].type); }
 
  private:
+  /// Operand i, of which not only values are wanted: a domain that follows pointers itself has no answer there.
+  Ref<D>& placeOf(std::size_t i) {
+    if constexpr (requires { m_.d.cannotFollow(1); }) {
+      if (refs_[i].isComputed) m_.d.cannotFollow(1);
+    }
+    return refs_[i];
+  }
   Bool resolveOne(const Operand& o, Width w, Direction direction, Ref<D>& ref);
   Bool followText(Bits address, Ref<D>& ref);
   Bits loadText(const Ref<D>& ref, int element, Width w, Bits otherwise);
@@ -232,6 +239,9 @@ typename D::Bool Args<D>::follow(Bits address, Width w, Ref<D>& ref) {
 template <class D>
 typename D::Bits Args<D>::load(Ref<D>& ref, int element, Width w) {
   if (ref.isPlace) return m_.load(ref.area, advance(ref.area, ref.offset, element, w), w, ref.bit);
+  if constexpr (requires { m_.d.loadAt(ref, element, w); }) {
+    if (ref.isComputed) return m_.d.loadAt(ref, element, w);
+  }
   if (ref.isUnresolved) return m_.d.unresolved(m_, bits(w));
   if (ref.text != nullptr) return loadText(ref, element, w, {});
   if (ref.targets.empty() && !ref.mayBeText) return ref.value;
@@ -246,6 +256,9 @@ typename D::Bits Args<D>::load(Ref<D>& ref, int element, Width w) {
 template <class D>
 void Args<D>::save(Ref<D>& ref, int element, Width w, Bits value) {
   if (ref.isPlace) return m_.save(ref.area, advance(ref.area, ref.offset, element, w), w, value, ref.bit);
+  if constexpr (requires { m_.d.saveAt(ref, element, w, value); }) {
+    if (ref.isComputed) return m_.d.saveAt(ref, element, w, value);
+  }
   if (ref.isUnresolved) return m_.d.havoc(m_);
   for (const PointerTarget<D>& t : ref.targets) {
     const std::uint32_t at = advance(t.area, t.offset, element, w);
@@ -255,7 +268,7 @@ void Args<D>::save(Ref<D>& ref, int element, Width w, Bits value) {
 
 template <class D>
 typename D::Bool Args<D>::fits(std::size_t i, Bits count, Width w) {
-  const Ref<D>& ref = refs_[i];
+  const Ref<D>& ref = placeOf(i);
   const auto enough = [&](Area area, std::uint32_t offset) {
     return m_.d.ule(count, m_.d.literal(std::min<std::uint32_t>(left(area, offset, w), 0xFFFF), 16), 16);
   };
@@ -266,8 +279,8 @@ typename D::Bool Args<D>::fits(std::size_t i, Bits count, Width w) {
 }
 
 template <class D>
-int Args<D>::room(std::size_t i, Width w, int cap) const {
-  const Ref<D>& ref = refs_[i];
+int Args<D>::room(std::size_t i, Width w, int cap) {
+  const Ref<D>& ref = placeOf(i);
   if (ref.isUnresolved) return cap;
   std::size_t longest = ref.text == nullptr ? 0 : ref.text->text.size() + 1;
   for (const Operand* text : m_.plan.texts) longest = std::max(longest, ref.mayBeText ? text->text.size() + 1 : 0);

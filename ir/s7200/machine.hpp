@@ -73,6 +73,7 @@ struct Ref {
   bool mayBeText = false;         ///< pointer that may name a string constant of Plan::texts
   bool isPlace = false;
   bool isUnresolved = false;      ///< pointer whose targets are not known: reads give anything
+  bool isComputed = false;        ///< pointer that the domain itself follows, to the address in `value`
   typename D::Bits value{};       ///< constant; mayBeText: the pointer
   typename D::Targets targets{};  ///< a container of PointerTarget<D>; empty unless a pointer with several targets
 };

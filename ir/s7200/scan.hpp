@@ -17,6 +17,7 @@ class Scan : private FlowWalk<Scan<D, Hooks>, Machine<D>, Hooks> {
   friend Base;
   using Base::branch;
   using Base::hooks_;
+  using Base::inside;
   using Base::m_;
   using Base::walk;
   using typename Base::Walk;
@@ -154,7 +155,7 @@ void Scan<D, Hooks>::control(Walk& w, std::uint32_t at) {
     case Control::Next: nextRound(w, at); break;
     case Control::Call:
       m_.enoAfter(m_.powerFlow());
-      m_.when(m_.powerFlow(), [&] { call(instruction); });
+      inside(m_.powerFlow(), [&] { call(instruction); });
       m_.guard = m_.d.land(m_.guard, m_.d.lnot(ended_));
       break;
     case Control::ReturnConditional:

@@ -120,7 +120,7 @@ template <Role joint, Relation relation>
 struct CompareString {
   /// Characters that can stand behind the length byte of operand i.
   template <class D>
-  static int roomAfterLength(const Args<D>& a, std::size_t i) {
+  static int roomAfterLength(Args<D>& a, std::size_t i) {
     return std::max(a.room(i, Width::Byte, 255) - 1, 0);
   }
 

@@ -1,0 +1,168 @@
+// Code: the program's part of a scan as a list of steps over values, recorded from the instructions' meanings
+// (engine/compiled/recorder.hpp) and translated to machine code (engine/compiled/emitter.hpp). A step makes a value,
+// touches memory or branches; a value is known by the index of its step. Truth values are bytes of eight equal bits, so
+// that a bit of memory joins them without conversion.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ir/area.hpp"
+#include "ir/hazard.hpp"
+#include "ir/program.hpp"
+
+namespace rungproof::compiled {
+
+using ValueId = std::uint32_t;
+
+enum class CodeOp : std::uint8_t {
+  // Truth values.
+  False,
+  True,
+  And,
+  Or,
+  Xor,
+  Not,
+  SelectBit,  // a ? b : c
+  TestBit,    // bit `value` of a
+  Equal,
+  Less,        // unsigned
+  LessSigned,  // both operands have `width` bits
+  RealEqual,
+  RealLess,
+  RealLegal,
+  LoadBit,    // slot `value`
+  LoadState,  // state `value` of the walk, at the beginning of a block
+  // Words of `width` bits, the bits above are 0.
+  Constant,
+  FromBit,
+  Add,
+  Sub,
+  Mul,
+  DivideUnsigned,
+  RemainderUnsigned,
+  DivideSigned,
+  RemainderSigned,
+  BitAnd,
+  BitOr,
+  BitXor,
+  BitNot,
+  ShiftLeft,
+  ShiftRight,
+  Select,   // a ? b : c
+  Signed,   // a of `value` bits, its sign continued
+  Extract,  // `width` bits of a from bit `value`
+  Join,     // a above the `value` bits of b
+  RealAdd,
+  RealSub,
+  RealMul,
+  RealDiv,
+  RealFunction,  // `value`: which
+  RealFromInt,
+  RealToInt,     // `value` 1: rounded
+  LoadMemory,    // `width` bits from byte `value` of `area`
+  LoadSlots,     // the byte whose first slot is `value`
+  LoadRegister,  // `value`: index among all registers
+  LoadTicks,     // 100 ms ticks of this scan
+  LoadAt,        // `width` bits from byte a of `area`
+  // Steps without a value.
+  StoreBit,       // a to slot `value`
+  StoreState,     // a to state `value`
+  StoreMemory,    // a to byte `value` of `area`
+  StoreSlots,     // byte a to eight slots from `value` on
+  StoreRegister,  // a to register `value`
+  StoreAt,        // b to byte a of `area`
+  Leave,          // where a holds, the scan is one for the reference engine
+  Count,          // where a holds, error `value` of Code::sites has happened
+  Mark,           // a block begins: branches to `value` come here
+  Branch,         // to `value`
+  BranchIf,       // to `value` where a holds
+  BranchUnless,
+  AddTime,    // `value`, 10 ns
+  AddTimeIf,  // `value` more where a holds
+  CheckTime   // a scan that has lasted too long is one for the reference engine
+};
+
+constexpr bool isTruth(CodeOp op) { return op <= CodeOp::LoadState; }
+constexpr bool hasValue(CodeOp op) { return op < CodeOp::StoreBit; }
+constexpr bool isBranch(CodeOp op) {
+  return op == CodeOp::Branch || op == CodeOp::BranchIf || op == CodeOp::BranchUnless;
+}
+
+struct Step {
+  CodeOp op;
+  std::uint8_t width = 0;
+  Area area = Area::V;
+  ValueId a = 0, b = 0, c = 0;
+  std::uint64_t value = 0;
+};
+
+/// How many of a, b and c are values.
+constexpr int operandCount(CodeOp op) {
+  switch (op) {
+    case CodeOp::False:
+    case CodeOp::True:
+    case CodeOp::LoadBit:
+    case CodeOp::LoadState:
+    case CodeOp::Constant:
+    case CodeOp::LoadMemory:
+    case CodeOp::LoadSlots:
+    case CodeOp::LoadRegister:
+    case CodeOp::LoadTicks:
+    case CodeOp::Mark:
+    case CodeOp::Branch:
+    case CodeOp::AddTime:
+    case CodeOp::CheckTime: return 0;
+    case CodeOp::SelectBit:
+    case CodeOp::Select: return 3;
+    case CodeOp::Not:
+    case CodeOp::TestBit:
+    case CodeOp::RealLegal:
+    case CodeOp::FromBit:
+    case CodeOp::BitNot:
+    case CodeOp::Signed:
+    case CodeOp::Extract:
+    case CodeOp::RealFunction:
+    case CodeOp::RealFromInt:
+    case CodeOp::RealToInt:
+    case CodeOp::LoadAt:
+    case CodeOp::StoreBit:
+    case CodeOp::StoreState:
+    case CodeOp::StoreMemory:
+    case CodeOp::StoreSlots:
+    case CodeOp::StoreRegister:
+    case CodeOp::Leave:
+    case CodeOp::Count:
+    case CodeOp::BranchIf:
+    case CodeOp::BranchUnless:
+    case CodeOp::AddTimeIf: return 1;
+    default: return 2;
+  }
+}
+
+/// An error that can be reported at an instruction.
+struct ErrorSite {
+  Hazard hazard;
+  const Instruction* place;
+};
+
+/// Bytes of memory of which every bit has a byte of its own while the compiled program runs.
+struct SlotByte {
+  Area area;
+  std::uint32_t byte;
+  friend bool operator==(const SlotByte&, const SlotByte&) = default;
+  friend auto operator<=>(const SlotByte&, const SlotByte&) = default;
+};
+
+struct Code {
+  std::vector<Step> steps;
+  std::vector<SlotByte> slots;  ///< slots 8 * i to 8 * i + 7 are the bits of slots[i]
+  std::vector<ErrorSite> sites;
+  std::uint32_t marks = 0;     ///< numbers of blocks that are in use
+  std::uint64_t mostTime = 0;  ///< of one pass without loops, 10 ns
+  bool hasLoops = false;       ///< or other ways back
+  bool countsTime = false;     ///< AddTime and AddTimeIf are there
+  bool writesByPointer = false;
+};
+
+}  // namespace rungproof::compiled

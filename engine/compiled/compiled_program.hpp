@@ -1,0 +1,60 @@
+// CompiledProgram: the program's part of a scan as machine code, made from the instructions' meanings over the
+// recording domain. It does a scan as the reference engine does, or says that it cannot and leaves the state as it was:
+// errors that are new or fatal, devices, pointers outside V memory and what else has no code. Covered by
+// tests/compiled.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/compiled/emitter.hpp"
+#include "engine/compiled/recording.hpp"
+#include "engine/run_time_error.hpp"
+
+namespace rungproof::compiled {
+
+class CompiledProgram {
+ public:
+  /// nullptr: there is no machine code for this program or this processor.
+  static std::unique_ptr<CompiledProgram> of(const Plan& plan, const Concrete::Store& model,
+                                             const InstructionTimes& times, bool countsTime);
+
+  /// What one pass takes at most, 10 ns; nothing where there are loops.
+  std::optional<std::uint64_t> mostTime() const {
+    return code_.hasLoops ? std::nullopt : std::optional(code_.mostTime);
+  }
+  bool countsTime() const { return code_.countsTime; }
+
+  /// Runs the program on `store`, as in a scan after the first one. `ticks100`: of that scan. `mostTime`: a program
+  /// that takes longer is left. Errors that happened before are counted. Gives the time that the program took, 10 ns (0
+  /// where it is not counted); nothing: it was left, and the store is as before.
+  std::optional<std::uint64_t> run(Concrete::Store& store, std::uint64_t ticks100, std::uint64_t mostTime,
+                                   RunTimeErrors& errors);
+
+ private:
+  /// Bytes of an area, or registers, that the code writes itself.
+  struct Written {
+    Area area;
+    std::uint32_t first, count;
+  };
+  CompiledProgram(Code code, const std::vector<bool>& isNeeded, std::unique_ptr<MachineCode> machineCode,
+                  std::size_t registers);
+  void findWritten(const std::vector<bool>& isNeeded, std::size_t registers);
+  void keep(const Concrete::Store& store);
+  void takeBack(Concrete::Store& store) const;
+  void list(const RunTimeErrors& errors);
+
+  Code code_;
+  std::unique_ptr<MachineCode> machineCode_;
+  Workspace workspace_;
+  std::vector<std::uint8_t> slots_;
+  std::vector<std::uint64_t> counts_;
+  std::vector<std::uint8_t> isListed_;
+  std::size_t listed_ = 0;  ///< errors that isListed_ knows
+  std::vector<Written> writtenBytes_;
+  std::vector<Written> writtenRegisters_;
+  std::vector<std::uint8_t> keptBytes_;
+  std::vector<std::uint32_t> keptRegisters_;
+};
+
+}  // namespace rungproof::compiled

@@ -1,0 +1,360 @@
+// Values of recorded code: simplification, and what leaves the compiled form.
+#include "engine/compiled/recorder.hpp"
+
+#include <algorithm>
+
+#include "ir/check.hpp"
+
+namespace rungproof::compiled {
+
+namespace {
+
+/// Computes with constants; nothing else is asked of it.
+class NoOutside final : public Outside {
+ public:
+  std::uint64_t external(const ExternalSite&, int) override { return 0; }
+  void report(Hazard, const Instruction*) override {}
+};
+
+const Concrete& numbers() {
+  static NoOutside outside;
+  static const Concrete domain(outside);
+  return domain;
+}
+
+std::uint64_t computed(CodeOp op, int w, std::uint64_t a, std::uint64_t b, std::uint64_t value) {
+  const Concrete& d = numbers();
+  switch (op) {
+    case CodeOp::Add: return d.add(a, b, w);
+    case CodeOp::Sub: return d.sub(a, b, w);
+    case CodeOp::Mul: return d.mul(a, b, w);
+    case CodeOp::DivideUnsigned: return d.udiv(a, b, w);
+    case CodeOp::RemainderUnsigned: return d.urem(a, b, w);
+    case CodeOp::DivideSigned: return d.sdiv(a, b, w);
+    case CodeOp::RemainderSigned: return d.srem(a, b, w);
+    case CodeOp::BitAnd: return d.band(a, b, w);
+    case CodeOp::BitOr: return d.bor(a, b, w);
+    case CodeOp::BitXor: return d.bxor(a, b, w);
+    case CodeOp::BitNot: return d.bnot(a, w);
+    case CodeOp::ShiftLeft: return d.shl(a, b, w);
+    case CodeOp::ShiftRight: return d.lshr(a, b, w);
+    case CodeOp::Signed: return d.sext(a, static_cast<int>(value), w);
+    case CodeOp::Extract: return d.extract(a, static_cast<int>(value) + w - 1, static_cast<int>(value));
+    case CodeOp::Join: return d.concat(a, w, b, static_cast<int>(value));
+    case CodeOp::RealAdd: return d.radd(a, b);
+    case CodeOp::RealSub: return d.rsub(a, b);
+    case CodeOp::RealMul: return d.rmul(a, b);
+    case CodeOp::RealDiv: return d.rdiv(a, b);
+    case CodeOp::RealFunction: return d.rfunction(value, a);
+    case CodeOp::RealFromInt: return d.rfromInt(a);
+    case CodeOp::RealToInt: return d.rtoInt(a, value != 0);
+    default: CHECK(false, "no operation on words");
+  }
+  return 0;
+}
+
+bool isTrueOf(CodeOp op, int w, std::uint64_t a, std::uint64_t b) {
+  const Concrete& d = numbers();
+  switch (op) {
+    case CodeOp::Equal: return d.equal(a, b, w);
+    case CodeOp::Less: return d.ult(a, b, w);
+    case CodeOp::LessSigned: return d.slt(a, b, w);
+    case CodeOp::RealEqual: return d.requal(a, b);
+    case CodeOp::RealLess: return d.rless(a, b);
+    case CodeOp::RealLegal: return d.rlegal(a);
+    default: CHECK(false, "no comparison");
+  }
+  return false;
+}
+
+}  // namespace
+
+Recorder::Recorder() { code.steps = {{.op = CodeOp::False}, {.op = CodeOp::True}}; }
+
+std::size_t Recorder::StepHash::operator()(const Step& s) const {
+  std::uint64_t mixed = static_cast<std::uint64_t>(s.op) << 8 | s.width;
+  for (const std::uint64_t part : {std::uint64_t{s.a}, std::uint64_t{s.b}, std::uint64_t{s.c}, s.value})
+    mixed = (mixed ^ part) * 0x9E3779B97F4A7C15ULL, mixed ^= mixed >> 29;
+  return mixed;
+}
+bool Recorder::StepEqual::operator()(const Step& x, const Step& y) const {
+  return x.op == y.op && x.width == y.width && x.a == y.a && x.b == y.b && x.c == y.c && x.value == y.value;
+}
+
+ValueId Recorder::add(const Step& step) {
+  code.steps.push_back(step);
+  return static_cast<ValueId>(code.steps.size() - 1);
+}
+
+ValueId Recorder::make(const Step& step) {
+  const auto [place, isNew] = known_.try_emplace(step, 0);
+  if (isNew) place->second = add(step);
+  return place->second;
+}
+
+void Recorder::takeBack(std::size_t first, std::size_t site) {
+  code.steps.resize(first);
+  code.sites.resize(site);
+  forgetValues();
+  std::erase_if(constants_, [&](const auto& constant) { return constant.second >= first; });
+  store->forget();
+}
+
+void Recorder::leave(Bool condition) {
+  condition.id = resolved(condition.id);
+  if (condition.id == 0) return;
+  add({.op = CodeOp::Leave, .a = condition.id});
+  if (condition.id != 1) replaced_[condition.id] = 0;
+}
+
+std::optional<bool> Recorder::truth(Bool a) const {
+  const ValueId id = resolved(a.id);
+  return id <= 1 ? std::optional(id == 1) : std::nullopt;
+}
+
+Recorder::Bool Recorder::lnot(Bool a) {
+  a.id = resolved(a.id);
+  if (a.id <= 1) return {1 - a.id};
+  if (at(a.id).op == CodeOp::Not) return {resolved(at(a.id).a)};
+  return {make({.op = CodeOp::Not, .a = a.id})};
+}
+
+Recorder::Bool Recorder::land(Bool a, Bool b) {
+  a.id = resolved(a.id);
+  b.id = resolved(b.id);
+  if (a.id > b.id) std::swap(a, b);
+  if (a.id == 0 || a.id == b.id) return a;
+  if (a.id == 1) return b;
+  const auto isOpposite = [&](ValueId x, ValueId y) { return at(x).op == CodeOp::Not && at(x).a == y; };
+  if (isOpposite(a.id, b.id) || isOpposite(b.id, a.id)) return {0};
+  return {make({.op = CodeOp::And, .a = a.id, .b = b.id})};
+}
+
+Recorder::Bool Recorder::lor(Bool a, Bool b) {
+  a.id = resolved(a.id);
+  b.id = resolved(b.id);
+  if (a.id > b.id) std::swap(a, b);
+  if (a.id == 0) return b;
+  if (a.id == 1 || a.id == b.id) return a;
+  const auto isOpposite = [&](ValueId x, ValueId y) { return at(x).op == CodeOp::Not && at(x).a == y; };
+  if (isOpposite(a.id, b.id) || isOpposite(b.id, a.id)) return {1};
+  return {make({.op = CodeOp::Or, .a = a.id, .b = b.id})};
+}
+
+Recorder::Bool Recorder::lxor(Bool a, Bool b) {
+  a.id = resolved(a.id);
+  b.id = resolved(b.id);
+  if (a.id > b.id) std::swap(a, b);
+  if (a.id == 0) return b;
+  if (a.id == b.id) return {0};
+  if (a.id == 1) return lnot(b);
+  return {make({.op = CodeOp::Xor, .a = a.id, .b = b.id})};
+}
+
+Recorder::Bool Recorder::select(Bool c, Bool a, Bool b) {
+  c.id = resolved(c.id);
+  a.id = resolved(a.id);
+  b.id = resolved(b.id);
+  if (c.id == 1 || a.id == b.id) return a;
+  if (c.id == 0) return b;
+  if (a.id == 1 || a.id == c.id) return lor(c, b);
+  if (a.id == 0) return land(lnot(c), b);
+  if (b.id == 0 || b.id == c.id) return land(c, a);
+  if (b.id == 1) return lor(lnot(c), a);
+  return {make({.op = CodeOp::SelectBit, .a = c.id, .b = a.id, .c = b.id})};
+}
+
+Recorder::Bits Recorder::literal(std::uint64_t v, int w) {
+  const std::uint64_t value = v & Concrete::mask(w);
+  const auto [place, isNew] = constants_.try_emplace(value, 0);
+  if (isNew) place->second = add({.op = CodeOp::Constant, .width = static_cast<std::uint8_t>(w), .value = value});
+  return {place->second};
+}
+
+std::optional<std::uint64_t> Recorder::known(Bits a) const {
+  const Step& step = at(a.id);
+  return step.op == CodeOp::Constant ? std::optional(step.value) : std::nullopt;
+}
+
+Recorder::Bits Recorder::word(CodeOp op, int w, Bits a, Bits b, std::uint64_t value) {
+  const bool isUnary = operandCount(op) == 1;
+  if (const auto x = known(a), y = isUnary ? x : known(b); x && y) {
+    const int width = op == CodeOp::Join ? w + static_cast<int>(value) : op == CodeOp::RealToInt ? 64 : w;
+    return literal(computed(op, w, *x, *y, value), width);
+  }
+  return {make({.op = op, .width = static_cast<std::uint8_t>(w), .a = a.id, .b = isUnary ? 0 : b.id, .value = value})};
+}
+
+Recorder::Bool Recorder::compare(CodeOp op, int w, Bits a, Bits b) {
+  const auto x = known(a), y = operandCount(op) == 1 ? x : known(b);
+  if (x && y) return constant(isTrueOf(op, w, *x, *y));
+  return {make({.op = op, .width = static_cast<std::uint8_t>(w), .a = a.id, .b = b.id})};
+}
+
+Recorder::Bits Recorder::add(Bits a, Bits b, int w) {
+  if (known(a) == 0U) return b;
+  if (known(b) == 0U) return a;
+  return word(CodeOp::Add, w, a, b);
+}
+Recorder::Bits Recorder::sub(Bits a, Bits b, int w) { return known(b) == 0U ? a : word(CodeOp::Sub, w, a, b); }
+Recorder::Bits Recorder::mul(Bits a, Bits b, int w) { return word(CodeOp::Mul, w, a, b); }
+Recorder::Bits Recorder::udiv(Bits a, Bits b, int w) { return word(CodeOp::DivideUnsigned, w, a, b); }
+Recorder::Bits Recorder::urem(Bits a, Bits b, int w) { return word(CodeOp::RemainderUnsigned, w, a, b); }
+Recorder::Bits Recorder::sdiv(Bits a, Bits b, int w) { return word(CodeOp::DivideSigned, w, a, b); }
+Recorder::Bits Recorder::srem(Bits a, Bits b, int w) { return word(CodeOp::RemainderSigned, w, a, b); }
+Recorder::Bits Recorder::band(Bits a, Bits b, int w) {
+  if (known(b) == Concrete::mask(w)) return a;
+  if (known(a) == Concrete::mask(w)) return b;
+  if (known(a) == 0U || known(b) == 0U) return literal(0, w);
+  return word(CodeOp::BitAnd, w, a, b);
+}
+Recorder::Bits Recorder::bor(Bits a, Bits b, int w) {
+  if (known(b) == 0U) return a;
+  return known(a) == 0U ? b : word(CodeOp::BitOr, w, a, b);
+}
+Recorder::Bits Recorder::bxor(Bits a, Bits b, int w) { return word(CodeOp::BitXor, w, a, b); }
+Recorder::Bits Recorder::bnot(Bits a, int w) { return word(CodeOp::BitNot, w, a, {}); }
+Recorder::Bits Recorder::shl(Bits a, Bits n, int w) { return known(n) == 0U ? a : word(CodeOp::ShiftLeft, w, a, n); }
+Recorder::Bits Recorder::lshr(Bits a, Bits n, int w) { return known(n) == 0U ? a : word(CodeOp::ShiftRight, w, a, n); }
+
+Recorder::Bool Recorder::equal(Bits a, Bits b, int w) {
+  if (a.id == b.id) return constant(true);
+  if (known(a) && !known(b)) std::swap(a, b);
+  if (at(a.id).op == CodeOp::FromBit && known(b)) {
+    const Bool truth{resolved(at(a.id).a)};
+    return *known(b) == 0 ? lnot(truth) : *known(b) == 1 ? truth : constant(false);
+  }
+  return compare(CodeOp::Equal, w, a, b);
+}
+Recorder::Bool Recorder::ult(Bits a, Bits b, int w) {
+  if (a.id == b.id || known(b) == 0U || known(a) == Concrete::mask(w)) return constant(false);
+  return compare(CodeOp::Less, w, a, b);
+}
+Recorder::Bool Recorder::slt(Bits a, Bits b, int w) {
+  return a.id == b.id ? constant(false) : compare(CodeOp::LessSigned, w, a, b);
+}
+
+Recorder::Bits Recorder::select(Bool c, Bits a, Bits b, int w) {
+  c.id = resolved(c.id);
+  if (c.id == 1 || a.id == b.id) return a;
+  if (c.id == 0) return b;
+  if (w == 1) return fromBool(select(c, bit(a, 0), bit(b, 0)), 1);
+  return {make({.op = CodeOp::Select, .width = static_cast<std::uint8_t>(w), .a = c.id, .b = a.id, .c = b.id})};
+}
+
+Recorder::Bits Recorder::sext(Bits a, int from, int to) {
+  return from == to ? a : word(CodeOp::Signed, to, a, {}, static_cast<std::uint64_t>(from));
+}
+
+Recorder::Bits Recorder::extract(Bits a, int high, int low) {
+  const Step step = at(a.id);
+  const int w = high - low + 1;
+  if (low == 0 && step.op != CodeOp::Constant && step.width != 0 && step.op != CodeOp::Join && step.width <= w)
+    return a;
+  if (step.op == CodeOp::Join) {
+    const int below = static_cast<int>(step.value);
+    if (high < below) return extract({step.b}, high, low);
+    if (low >= below) return extract({step.a}, high - below, low - below);
+  }
+  if (step.op == CodeOp::Extract) {
+    if (low >= step.width) return literal(0, w);
+    const int from = static_cast<int>(step.value);
+    return extract({step.a}, std::min(high, step.width - 1) + from, low + from);
+  }
+  return word(CodeOp::Extract, w, a, {}, static_cast<std::uint64_t>(low));
+}
+
+Recorder::Bits Recorder::concat(Bits high, int highWidth, Bits low, int lowWidth) {
+  if (known(high) == 0U) return low;
+  return word(CodeOp::Join, highWidth, high, low, static_cast<std::uint64_t>(lowWidth));
+}
+
+Recorder::Bool Recorder::bit(Bits a, int i) {
+  const Step step = at(a.id);
+  if (step.op == CodeOp::Constant) return constant((step.value >> i & 1) != 0);
+  if (step.op == CodeOp::FromBit) return i == 0 ? Bool{resolved(step.a)} : constant(false);
+  if (step.op == CodeOp::Extract && i < step.width) return bit({step.a}, i + static_cast<int>(step.value));
+  if (step.op == CodeOp::Join) {
+    const int below = static_cast<int>(step.value);
+    return i < below ? bit({step.b}, i) : bit({step.a}, i - below);
+  }
+  return {make({.op = CodeOp::TestBit, .width = 1, .a = a.id, .value = static_cast<std::uint64_t>(i)})};
+}
+
+Recorder::Bits Recorder::fromBool(Bool a, int w) {
+  a.id = resolved(a.id);
+  if (a.id <= 1) return literal(a.id, w);
+  return {make({.op = CodeOp::FromBit, .width = 1, .a = a.id})};
+}
+
+Recorder::Bits Recorder::radd(Bits a, Bits b) { return word(CodeOp::RealAdd, 32, a, b); }
+Recorder::Bits Recorder::rsub(Bits a, Bits b) { return word(CodeOp::RealSub, 32, a, b); }
+Recorder::Bits Recorder::rmul(Bits a, Bits b) { return word(CodeOp::RealMul, 32, a, b); }
+Recorder::Bits Recorder::rdiv(Bits a, Bits b) { return word(CodeOp::RealDiv, 32, a, b); }
+Recorder::Bits Recorder::rfunction(std::uint64_t f, Bits a) { return word(CodeOp::RealFunction, 32, a, {}, f); }
+Recorder::Bool Recorder::requal(Bits a, Bits b) { return compare(CodeOp::RealEqual, 32, a, b); }
+Recorder::Bool Recorder::rless(Bits a, Bits b) { return compare(CodeOp::RealLess, 32, a, b); }
+Recorder::Bool Recorder::rlegal(Bits a) { return compare(CodeOp::RealLegal, 32, a, {}); }
+Recorder::Bits Recorder::rfromInt(Bits a) { return word(CodeOp::RealFromInt, 32, a, {}); }
+Recorder::Bits Recorder::rtoInt(Bits a, bool round) { return word(CodeOp::RealToInt, 64, a, {}, round ? 1 : 0); }
+
+Recorder::Bits Recorder::external(const ExternalSite& site, int width) {
+  switch (site.kind) {
+    case External::StackBottom:
+    case External::LocalMemory:
+    case External::UnknownStatus:
+    case External::UnknownResult: return literal(0, width);  // by Choice::UnknownBits, or nothing is compiled
+    case External::ImmediateInput: return store->get(Reg::PhysicalInput, site.index);
+    case External::AnalogInput: return store->load(Area::AI, site.index * 8, width);
+    default: return cannotFollow(width);
+  }
+}
+
+void Recorder::report(Hazard hazard, Bool condition, const Instruction* place) {
+  add({.op = CodeOp::Count, .a = resolved(condition.id), .value = code.sites.size()});
+  code.sites.push_back({hazard, place});
+}
+
+Recorder::Bits Recorder::cannotFollow(int width) {
+  leave(*guard);
+  return literal(0, width);
+}
+
+/// Pointers that name V are followed.
+Recorder::Bool Recorder::targets(Machine<Recorder>& machine, Bits pointer, Width width, Ref<Recorder>& ref) {
+  const std::uint32_t size = store->size(Area::V), wide = static_cast<std::uint32_t>(bytes(width));
+  const std::uint32_t first = pointer::encode(Area::V, 0);
+  if (size < wide || machine.areaSize(Area::V) != size) {
+    cannotFollow(32);
+    return constant(false);
+  }
+  const Bits offset = sub(pointer, literal(first, 32), 32);
+  leave(land(*guard, ult(literal(size - wide, 32), offset, 32)));
+  ref.isComputed = true;
+  ref.value = offset;
+  return constant(true);
+}
+
+Recorder::Bits Recorder::loadAt(const Ref<Recorder>& ref, int element, Width width) {
+  if (element != 0) return cannotFollow(bits(width));
+  const Bits safe = select(*guard, ref.value, literal(0, 32), 32);
+  return {add({.op = CodeOp::LoadAt, .width = static_cast<std::uint8_t>(bits(width)), .area = Area::V, .a = safe.id})};
+}
+
+void Recorder::saveAt(const Ref<Recorder>& ref, int element, Width width, Bits value) {
+  if (element != 0) {
+    cannotFollow(1);
+    return;
+  }
+  const Bits written = truth(*guard) == true ? value : select(*guard, value, loadAt(ref, 0, width), bits(width));
+  const Bits safe = select(*guard, ref.value, literal(0, 32), 32);
+  add({.op = CodeOp::StoreAt,
+       .width = static_cast<std::uint8_t>(bits(width)),
+       .area = Area::V,
+       .a = safe.id,
+       .b = written.id});
+  code.writesByPointer = true;
+  store->forget(Area::V);
+}
+
+}  // namespace rungproof::compiled

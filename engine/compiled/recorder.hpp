@@ -1,0 +1,194 @@
+// Recorder: the domain of values that are steps of machine code to come (ir/domain.hpp). Running the meanings of a
+// program's instructions over it records what they do, simplified: constants, values that are known twice, what was
+// stored and is read again.
+//
+// What the compiled form does not do - fatal errors, devices, pointers outside V memory - is a Leave: the scan in which
+// it happens is run by the reference engine from its start.
+#pragma once
+
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "engine/compiled/code.hpp"
+#include "engine/concrete.hpp"
+
+namespace rungproof::compiled {
+
+class Recorder {
+ public:
+  struct Bool {
+    ValueId id = 0;
+  };
+  struct Bits {
+    ValueId id = 0;
+  };
+  using Targets = std::vector<PointerTarget<Recorder>>;  ///< empty: pointers are followed as computed addresses
+  class Store;
+
+  Recorder();
+
+  Code code;
+  const Bool* guard = nullptr;  ///< of the machine that runs over this domain
+  Store* store = nullptr;       ///< its memory
+
+  // ---- Domain interface; laws in ir/domain.hpp -----------------------------------------------------
+  Bool constant(bool v) const { return {v ? 1U : 0U}; }
+  Bool lnot(Bool a);
+  Bool land(Bool a, Bool b);
+  Bool lor(Bool a, Bool b);
+  Bool lxor(Bool a, Bool b);
+  Bool select(Bool c, Bool a, Bool b);
+  std::optional<bool> truth(Bool a) const;
+  Bits literal(std::uint64_t v, int w);
+  std::optional<std::uint64_t> known(Bits a) const;
+  Bits add(Bits a, Bits b, int w);
+  Bits sub(Bits a, Bits b, int w);
+  Bits mul(Bits a, Bits b, int w);
+  Bits udiv(Bits a, Bits b, int w);
+  Bits urem(Bits a, Bits b, int w);
+  Bits sdiv(Bits a, Bits b, int w);
+  Bits srem(Bits a, Bits b, int w);
+  Bits band(Bits a, Bits b, int w);
+  Bits bor(Bits a, Bits b, int w);
+  Bits bxor(Bits a, Bits b, int w);
+  Bits bnot(Bits a, int w);
+  Bits shl(Bits a, Bits n, int w);
+  Bits lshr(Bits a, Bits n, int w);
+  Bool equal(Bits a, Bits b, int w);
+  Bool ult(Bits a, Bits b, int w);
+  Bool ule(Bits a, Bits b, int w) { return lnot(ult(b, a, w)); }
+  Bool slt(Bits a, Bits b, int w);
+  Bool sle(Bits a, Bits b, int w) { return lnot(slt(b, a, w)); }
+  Bits select(Bool c, Bits a, Bits b, int w);
+  Bits zext(Bits a, int, int) { return a; }
+  Bits sext(Bits a, int from, int to);
+  Bits extract(Bits a, int high, int low);
+  Bits concat(Bits high, int highWidth, Bits low, int lowWidth);
+  Bool bit(Bits a, int i);
+  Bits fromBool(Bool a, int w);
+  Bits radd(Bits a, Bits b);
+  Bits rsub(Bits a, Bits b);
+  Bits rmul(Bits a, Bits b);
+  Bits rdiv(Bits a, Bits b);
+  Bits rfunction(std::uint64_t f, Bits a);
+  Bool requal(Bits a, Bits b);
+  Bool rless(Bits a, Bits b);
+  Bool rlegal(Bits a);
+  Bits rfromInt(Bits a);
+  Bits rtoInt(Bits a, bool round);
+
+  // ---- What the machine asks for beyond values ------------------------------------------------------
+  Bits external(const ExternalSite& site, int width);
+  void report(Hazard hazard, Bool condition, const Instruction* place);
+  void signal(Signal, std::uint32_t, Bool condition) { leave(condition); }
+  /// Whether a run that meets this error leaves the compiled code there.
+  bool leavesAt(Hazard hazard) const { return hazardInfo(hazard).kind == HazardClass::Fatal; }
+  Bool targets(Machine<Recorder>& machine, Bits pointer, Width width, Ref<Recorder>& ref);
+  std::optional<std::vector<std::uint64_t>> locations(Machine<Recorder>&, Bits) { return std::nullopt; }
+  Bits unresolved(Machine<Recorder>&, int width) { return cannotFollow(width); }
+  void havoc(Machine<Recorder>&) { cannotFollow(1); }
+  /// Element of what targets() found.
+  Bits loadAt(const Ref<Recorder>& ref, int element, Width width);
+  void saveAt(const Ref<Recorder>& ref, int element, Width width, Bits value);
+  /// The compiled form has no answer; the value is never used.
+  Bits cannotFollow(int width);
+
+  /// Where `condition` holds the scan is one for the reference engine; from here on it is false.
+  void leave(Bool condition);
+
+  // ---- Steps -----------------------------------------------------------------------------------------
+  ValueId add(const Step& step);
+  /// The value of that step, perhaps one that is there already.
+  ValueId make(const Step& step);
+  const Step& at(ValueId id) const { return code.steps[id]; }
+  /// Values are not looked up from here on: a block begins that several ways lead to.
+  void forgetValues() {
+    known_.clear();
+    replaced_.clear();
+  }
+  /// The steps from `first` on, and the error sites from `site` on, have not been recorded.
+  void takeBack(std::size_t first, std::size_t site);
+
+ private:
+  struct StepHash {
+    std::size_t operator()(const Step& s) const;
+  };
+  struct StepEqual {
+    bool operator()(const Step& x, const Step& y) const;
+  };
+  ValueId resolved(ValueId id) const {
+    const auto found = replaced_.find(id);
+    return found == replaced_.end() ? id : found->second;
+  }
+  Bits word(CodeOp op, int w, Bits a, Bits b, std::uint64_t value = 0);
+  Bool compare(CodeOp op, int w, Bits a, Bits b);
+  bool isCondition(ValueId id) const { return isTruth(code.steps[id].op); }
+
+  std::unordered_map<Step, ValueId, StepHash, StepEqual> known_;
+  std::unordered_map<std::uint64_t, ValueId> constants_;
+  std::unordered_map<ValueId, ValueId> replaced_;  ///< conditions that a Leave has made false
+};
+
+/// Which bytes the program touches bit by bit, and which as parts of words.
+struct AccessCount {
+  std::uint32_t bits = 0;
+  std::uint32_t words = 0;
+};
+
+/// The memory as recorded code sees it: the last value of each place is known until somebody else may have written it.
+class Recorder::Store {
+ public:
+  /// `model`: a state of the program, for the sizes and for registers that never change.
+  Store(Recorder& recorder, const Concrete::Store& model, const std::vector<SlotByte>& slots);
+
+  Bits load(Area area, std::uint32_t bitOffset, int width);
+  void save(Area area, std::uint32_t bitOffset, int width, Bits value, Bool guard);
+  Bits get(Reg reg, std::uint32_t index);
+  void set(Reg reg, std::uint32_t index, Bits value, Bool guard);
+
+  /// Bytes of local memory become 0.
+  void clear(Area area, std::uint32_t byte, std::uint32_t count);
+  /// All or one area may have been written by others.
+  void forget();
+  void forget(Area area);
+
+  std::uint32_t size(Area area) const { return static_cast<std::uint32_t>(model_.area(area).size()); }
+  const std::vector<std::vector<AccessCount>>& accesses() const { return accesses_; }
+
+ private:
+  /// A byte of memory that is known to be eight bits of a value.
+  struct Part {
+    std::uint32_t epoch = 0;
+    ValueId value = 0;
+    std::uint8_t low = 0;
+  };
+  struct Known {
+    std::uint32_t epoch = 0;
+    ValueId value = 0;
+  };
+  Part& part(Area area, std::uint32_t byte) { return parts_[static_cast<std::size_t>(area)][byte]; }
+  std::uint32_t epoch(Area area) const { return epochs_[static_cast<std::size_t>(area)]; }
+  std::optional<std::uint32_t> slotOf(Area area, std::uint32_t byte) const;
+  Bits loadByte(Area area, std::uint32_t byte);
+  void saveByte(Area area, std::uint32_t byte, Bits value);
+  Bits loadWhole(Area area, std::uint32_t byte, int count);
+  void saveWhole(Area area, std::uint32_t byte, int count, Bits value);
+  Bool loadSlot(std::uint32_t slot);
+  void saveSlot(std::uint32_t slot, Bool value);
+  void note(Area area, std::uint32_t byte, bool isBit);
+
+  Recorder& d_;
+  const Concrete::Store& model_;
+  std::array<std::vector<std::uint32_t>, areaCount> slotOf_;  ///< by byte: number of its first slot + 1, 0: none
+  std::array<std::vector<Part>, areaCount> parts_;
+  std::array<std::uint32_t, areaCount> epochs_{};
+  std::vector<Known> bits_;       ///< by slot
+  std::vector<Known> registers_;  ///< by index among all registers
+  std::uint32_t epoch_ = 1;
+  std::vector<std::vector<AccessCount>> accesses_;
+};
+
+static_assert(Domain<Recorder>);
+
+}  // namespace rungproof::compiled

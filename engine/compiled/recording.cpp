@@ -1,0 +1,107 @@
+// Records a program twice: the first time to see which bytes are used bit by bit.
+#include "engine/compiled/recording.hpp"
+
+#include "engine/compiled/recorded_walk.hpp"
+#include "ir/s7200/scan.hpp"
+
+namespace rungproof::compiled {
+
+namespace {
+
+/// Steps that one instruction may need; a longer one is left to the reference engine.
+constexpr std::size_t mostOfOne = 1000;
+/// Steps of a whole program, calls in place.
+constexpr std::size_t mostOfAll = 2'000'000;
+
+struct RecordingHooks {
+  Recorder& d;
+  const InstructionTimes& times;
+
+  void before(Machine<Recorder>& m, const FlowStep& step) {
+    const std::array<std::uint32_t, 2>& time = times[step.id];
+    d.code.mostTime += std::max(time[0], time[1]);
+    if (!d.code.countsTime) return;
+    const std::uint32_t least = std::min(time[0], time[1]);
+    addTime(least);
+    if (time[0] != time[1]) d.add({.op = CodeOp::AddTimeIf, .a = m.powerFlow().id, .value = time[1] - least});
+  }
+
+  template <class Body>
+  void run(Machine<Recorder>& m, const FlowStep& step, Body&& body) {
+    const bool isPlain = step.instruction->desc->control == Control::None;
+    if (d.code.steps.size() > mostOfAll) return d.leave(d.constant(true));
+    const std::size_t first = d.code.steps.size(), sites = d.code.sites.size();
+    const auto stack = m.stack;
+    body();
+    if (!isPlain || d.code.steps.size() - first <= mostOfOne) return;
+    d.takeBack(first, sites);
+    m.stack = stack;
+    const Desc& desc = *step.instruction->desc;
+    if (desc.execution != Execution::Conditional) return d.leave(d.constant(true));
+    if (desc.eno) m.when(d.lnot(m.powerFlow()), [&] { m.enoAfter(d.constant(false)); });
+    d.leave(m.powerFlow());
+  }
+
+  template <class Runner>
+  void callWithoutBody(Runner&, const Instruction&) {
+    d.leave(*d.guard);
+  }
+
+  /// Fresh local memory is 0, by Choice::UnknownBits, or nothing is compiled.
+  template <class Runner>
+  void freshLocal(Runner&, std::uint32_t base, std::uint32_t byte) {
+    if (byte == 0) d.store->clear(Area::L, base, frameBytes);
+  }
+
+ private:
+  void addTime(std::uint64_t time) {
+    Step& last = d.code.steps.back();
+    if (last.op == CodeOp::AddTime)
+      last.value += time;
+    else
+      d.add({.op = CodeOp::AddTime, .value = time});
+  }
+};
+
+struct Recording {
+  Code code;
+  std::vector<std::vector<AccessCount>> accesses;
+};
+
+Recording record(const Plan& plan, const Concrete::Store& model, const InstructionTimes& times, bool countsTime,
+                 const std::vector<SlotByte>& slots) {
+  Recorder recorder;
+  recorder.code.countsTime = countsTime;
+  Recorder::Store store(recorder, model, slots);
+  Machine<Recorder> machine(recorder, store, plan);
+  recorder.guard = &machine.guard;
+  machine.ticks100 = {recorder.add({.op = CodeOp::LoadTicks, .width = 16})};
+  RecordingHooks hooks{recorder, times};
+  Scan<Recorder, RecordingHooks> scan(machine, hooks);
+  scan.program();
+  return {std::move(recorder.code), store.accesses()};
+}
+
+/// Bytes that are used bit by bit more than otherwise. A pointer reaches V, which then has none.
+std::vector<SlotByte> slotsFor(const Recording& survey) {
+  const bool usesPointers = std::ranges::any_of(
+      survey.code.steps, [](const Step& s) { return s.op == CodeOp::LoadAt || s.op == CodeOp::StoreAt; });
+  std::vector<SlotByte> slots;
+  for (std::size_t a = 0; a < areaCount; ++a) {
+    if (static_cast<Area>(a) == Area::V && usesPointers) continue;
+    for (std::uint32_t byte = 0; byte < survey.accesses[a].size(); ++byte) {
+      const AccessCount& count = survey.accesses[a][byte];
+      if (count.bits > count.words) slots.push_back({static_cast<Area>(a), byte});
+    }
+  }
+  return slots;
+}
+
+}  // namespace
+
+Code recorded(const Plan& plan, const Concrete::Store& model, const InstructionTimes& times, bool countsTime) {
+  const Recording survey = record(plan, model, times, countsTime, {});
+  return record(plan, model, times, countsTime || survey.code.hasLoops, slotsFor(survey)).code;
+}
+
+}  // namespace rungproof::compiled

@@ -1,0 +1,19 @@
+// One program as code: runs the scan's program over the recording domain.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "engine/compiled/code.hpp"
+#include "engine/concrete.hpp"
+
+namespace rungproof::compiled {
+
+/// Time of an instruction by Instruction::id, 10 ns: without and with power flow.
+using InstructionTimes = std::vector<std::array<std::uint32_t, 2>>;
+
+/// `model`: a state of the program with the readings in force. Programs for an S7-300/400 have no code.
+Code recorded(const Plan& plan, const Concrete::Store& model, const InstructionTimes& times, bool countsTime);
+
+}  // namespace rungproof::compiled

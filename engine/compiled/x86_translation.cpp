@@ -1,0 +1,52 @@
+// Machine code for x86-64, by the assembler library; other processors run the reference engine.
+#include "engine/compiled/emitter.hpp"
+
+#if defined(__x86_64__)
+#include "engine/compiled/x86_emitter.hpp"
+#endif
+
+namespace rungproof::compiled {
+
+#if defined(__x86_64__)
+
+namespace {
+
+asmjit::JitRuntime& runtime() {
+  static asmjit::JitRuntime runtime;
+  return runtime;
+}
+
+class X86Code final : public MachineCode {
+ public:
+  using Function = std::uint64_t (*)(Workspace*);
+  explicit X86Code(Function function) : function_(function) {}
+  ~X86Code() override { runtime().release(function_); }
+  X86Code(const X86Code&) = delete;
+  X86Code& operator=(const X86Code&) = delete;
+  bool run(Workspace& workspace) const override { return function_(&workspace) != 0; }
+
+ private:
+  Function function_;
+};
+
+}  // namespace
+
+bool canTranslate() { return true; }
+
+std::unique_ptr<MachineCode> translated(const Code& code, const std::vector<bool>& isNeeded) {
+  asmjit::CodeHolder holder;
+  if (holder.init(runtime().environment()) != asmjit::kErrorOk) return nullptr;
+  if (!X86Emitter(code, isNeeded, holder).emit()) return nullptr;
+  X86Code::Function function = nullptr;
+  if (runtime().add(&function, &holder) != asmjit::kErrorOk) return nullptr;
+  return std::make_unique<X86Code>(function);
+}
+
+#else
+
+bool canTranslate() { return false; }
+std::unique_ptr<MachineCode> translated(const Code&, const std::vector<bool>&) { return nullptr; }
+
+#endif
+
+}  // namespace rungproof::compiled

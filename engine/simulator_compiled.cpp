@@ -1,0 +1,62 @@
+// When machine code runs the program of a scan: where nothing but the program itself decides what the scan leaves. No
+// event waits, nobody looks, nothing is forced or scripted, and no tick of the 1 ms clock that falls into the program
+// makes a difference there. Whatever else happens, the machine code gives up and the reference engine makes the scan.
+// Covered by tests/compiled.
+#include "engine/compiled/compiled_program.hpp"
+#include "engine/simulator_hooks.hpp"
+
+namespace rungproof {
+
+namespace {
+
+/// Scans after which a run is taken for long enough to pay for machine code.
+constexpr std::uint64_t scansBefore = 100;
+/// After so many doublings the pause behind an attempt that gave up grows no more.
+constexpr std::uint32_t mostDoublings = 10;
+
+}  // namespace
+
+bool Simulator::mayRunCompiled() {
+  if (options_.engine == EngineKind::Reference || plan_.isStep7()) return false;
+  if (script_ != nullptr || observer_ != nullptr || outside_ != nullptr) return false;
+  if (!unknownIsZero_ || !forced_.empty() || !queue_.empty()) return false;
+  if (!isRunning() || store_.get(Reg::FirstScan, 0) != 0 || scanCount_ <= referenceUntil_) return false;
+  return options_.engine == EngineKind::Compiled || scanCount_ > scansBefore;
+}
+
+compiled::CompiledProgram* Simulator::machineCode(bool countsTime) {
+  const std::size_t which = countsTime ? 1 : 0;
+  if (!isCompileTried_[which]) {
+    isCompileTried_[which] = true;
+    compiled::InstructionTimes times;
+    for (const Cost& cost : costs_) times.push_back(cost.time);
+    compiled_[which] = compiled::CompiledProgram::of(plan_, store_, times, countsTime);
+  }
+  return compiled_[which].get();
+}
+
+/// False: nothing has happened.
+bool Simulator::runCompiled(std::uint32_t lengthUs) {
+  if (!mayRunCompiled()) return false;
+  compiled::CompiledProgram* code = machineCode(false);
+  if (code == nullptr) return false;
+  const std::uint64_t asked = static_cast<std::uint64_t>(lengthUs) * Cost::perUs;
+  const auto takesAtMost = [&](std::uint64_t time) { return code->mostTime() && *code->mostTime() <= time; };
+  std::uint64_t most = nextMs_ - 1;  // no tick before the program ends
+  if (!takesAtMost(most) && !hasFineTimers_ && isQuietUntil(0))
+    most = static_cast<std::uint64_t>(options_.choices.watchdogMs()) * Cost::perMs;
+  if (!takesAtMost(std::min(asked, most))) code = machineCode(true);  // its end matters
+  if (code == nullptr) return false;
+  const std::optional<std::uint64_t> time = code->run(store_, machine_.ticks100, most, errors_);
+  if (!time) {
+    referenceUntil_ = scanCount_ + (1ULL << std::min(givenUp_++, mostDoublings)) - 1;
+    return false;
+  }
+  givenUp_ = 0;
+  ++compiledScans_;
+  position_ = *time;
+  pending_ = 0;
+  return true;
+}
+
+}  // namespace rungproof

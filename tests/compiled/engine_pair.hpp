@@ -1,0 +1,26 @@
+// One program on both engines: the same inputs and scan lengths, and after every scan the same state, errors and time.
+#pragma once
+
+#include <string>
+
+#include "engine/simulator.hpp"
+#include "tests/differential/random_source.hpp"
+
+namespace rungproof::test {
+
+struct PairOutcome {
+  std::string difference;  ///< empty: none
+  int scans = 0;
+  std::uint64_t compiled = 0;  ///< scans of which machine code ran the program
+};
+
+struct PairOptions {
+  int scans = 60;
+  std::uint32_t longestUs = 30000;
+  bool writesMemory = true;  ///< somebody writes into V and M between the scans
+  SimulatorOptions engine{};
+};
+
+PairOutcome runBoth(const Program& program, RandomSource& random, const PairOptions& options = {});
+
+}  // namespace rungproof::test
