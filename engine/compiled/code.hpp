@@ -163,6 +163,7 @@ struct Code {
   bool hasLoops = false;       ///< or other ways back
   bool countsTime = false;     ///< AddTime and AddTimeIf are there
   bool writesByPointer = false;
+  bool isStraight = false;  ///< no branches: what is to be left is left at the end, without a branch either
 };
 
 }  // namespace rungproof::compiled

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <new>
 
 #include "engine/compiled/reduce.hpp"
 
@@ -41,15 +42,9 @@ std::unique_ptr<CompiledProgram> CompiledProgram::of(const Plan& plan, const Con
 
 CompiledProgram::CompiledProgram(Code code, const std::vector<bool>& isNeeded, std::unique_ptr<MachineCode> machineCode,
                                  std::size_t registers)
-    : code_(std::move(code)),
-      machineCode_(std::move(machineCode)),
-      slots_(code_.slots.size() * 8),
-      counts_(code_.sites.size()),
-      isListed_(code_.sites.size()) {
+    : code_(std::move(code)), machineCode_(std::move(machineCode)), memory_((machineCode_->layout.size + 7) / 8) {
+  new (memory_.data()) Workspace;
   findWritten(isNeeded, registers);
-  workspace_.slots = slots_.data();
-  workspace_.counts = counts_.data();
-  workspace_.isListed = isListed_.data();
   code_.steps.clear();
   code_.steps.shrink_to_fit();
 }
@@ -60,11 +55,19 @@ void CompiledProgram::findWritten(const std::vector<bool>& isNeeded, std::size_t
   for (std::size_t i = 0; i < code_.steps.size(); ++i) {
     const Step& s = code_.steps[i];
     if (!isNeeded[i]) continue;
+    const auto isWritten = [&](Area area, std::size_t byte) {
+      std::vector<bool>& ofArea = bytes[static_cast<std::size_t>(area)];
+      if (byte >= ofArea.size()) ofArea.resize(byte + 1);
+      ofArea[byte] = true;
+    };
     if (s.op == CodeOp::StoreRegister) isRegisterWritten[s.value] = true;
-    if (s.op != CodeOp::StoreMemory) continue;
-    std::vector<bool>& area = bytes[static_cast<std::size_t>(s.area)];
-    area.resize(std::max<std::size_t>(area.size(), s.value + s.width / 8U));
-    for (std::size_t k = 0; k < s.width / 8U; ++k) area[s.value + k] = true;
+    if (s.op == CodeOp::StoreMemory) {
+      for (std::size_t k = 0; k < s.width / 8U; ++k) isWritten(s.area, s.value + k);
+    }
+    if (s.op == CodeOp::StoreBit || s.op == CodeOp::StoreSlots) {
+      const SlotByte& slots = code_.slots[s.value / 8];
+      isWritten(slots.area, slots.byte);
+    }
   }
   std::size_t kept = 0;
   for (std::size_t a = 0; a < areaCount; ++a) {
@@ -115,33 +118,46 @@ void CompiledProgram::takeBack(Concrete::Store& store) const {
   }
 }
 
-/// Which errors have happened before.
-void CompiledProgram::list(const RunTimeErrors& errors) {
-  std::fill(isListed_.begin(), isListed_.end(), 0);
-  for (std::size_t i = 0; i < code_.sites.size(); ++i)
-    isListed_[i] = errors.has(code_.sites[i].hazard, code_.sites[i].place) ? 1 : 0;
-  listed_ = errors.list().size();
+/// How often the error has happened in this scan.
+std::uint64_t CompiledProgram::timesOf(std::size_t site) const {
+  const std::size_t errors = machineCode_->layout.errors;
+  if (!code_.isStraight) return memory_[errors / 8 + site];
+  return reinterpret_cast<const std::uint8_t*>(memory_.data())[errors + site] & 1U;
+}
+
+/// Whether all errors of this scan have happened before; the first time is told by the reference engine.
+bool CompiledProgram::areKnown(const RunTimeErrors& errors) const {
+  for (std::size_t i = 0; i < code_.sites.size(); ++i) {
+    if (timesOf(i) != 0 && !errors.has(code_.sites[i].hazard, code_.sites[i].place)) return false;
+  }
+  return true;
+}
+
+void CompiledProgram::countErrors(RunTimeErrors& errors) {
+  for (std::size_t i = 0; i < code_.sites.size(); ++i) {
+    if (const std::uint64_t times = timesOf(i); times != 0)
+      errors.repeat(code_.sites[i].hazard, code_.sites[i].place, times);
+  }
 }
 
 std::optional<std::uint64_t> CompiledProgram::run(Concrete::Store& store, std::uint64_t ticks100,
                                                   std::uint64_t mostTime, RunTimeErrors& errors) {
-  if (errors.list().size() != listed_) list(errors);
   keep(store);
-  for (std::size_t a = 0; a < areaCount; ++a) workspace_.area[a] = store.area(static_cast<Area>(a)).data();
-  workspace_.registers = store.registers().data();
-  workspace_.ticks100 = ticks100;
-  workspace_.mostTime = mostTime;
-  workspace_.hasCounted = 0;
-  const bool isDone = machineCode_->run(workspace_);
-  if (!isDone) takeBack(store);
-  if (workspace_.hasCounted != 0) {
-    for (std::size_t i = 0; i < counts_.size(); ++i) {
-      if (isDone && counts_[i] != 0) errors.repeat(code_.sites[i].hazard, code_.sites[i].place, counts_[i]);
-      counts_[i] = 0;
-    }
+  Workspace& w = workspace();
+  for (std::size_t a = 0; a < areaCount; ++a) w.area[a] = store.area(static_cast<Area>(a)).data();
+  w.registers = store.registers().data();
+  w.ticks100 = ticks100;
+  w.mostTime = mostTime;
+  bool isDone = machineCode_->run(w);
+  if (w.hasErrors != 0) {
+    isDone = isDone && areKnown(errors);
+    if (isDone) countErrors(errors);
+    const auto first = memory_.begin() + static_cast<std::ptrdiff_t>(machineCode_->layout.errors / 8);
+    std::fill(first, first + static_cast<std::ptrdiff_t>(code_.isStraight ? 0 : code_.sites.size()), 0);
   }
+  if (!isDone) takeBack(store);
   if (!isDone) return std::nullopt;
-  return code_.countsTime ? workspace_.position : 0;
+  return code_.countsTime ? w.position : 0;
 }
 
 }  // namespace rungproof::compiled

@@ -42,15 +42,14 @@ class CompiledProgram {
   void findWritten(const std::vector<bool>& isNeeded, std::size_t registers);
   void keep(const Concrete::Store& store);
   void takeBack(Concrete::Store& store) const;
-  void list(const RunTimeErrors& errors);
+  Workspace& workspace() { return *reinterpret_cast<Workspace*>(memory_.data()); }
+  std::uint64_t timesOf(std::size_t site) const;
+  bool areKnown(const RunTimeErrors& errors) const;
+  void countErrors(RunTimeErrors& errors);
 
   Code code_;
   std::unique_ptr<MachineCode> machineCode_;
-  Workspace workspace_;
-  std::vector<std::uint8_t> slots_;
-  std::vector<std::uint64_t> counts_;
-  std::vector<std::uint8_t> isListed_;
-  std::size_t listed_ = 0;  ///< errors that isListed_ knows
+  std::vector<std::uint64_t> memory_;  ///< the workspace
   std::vector<Written> writtenBytes_;
   std::vector<Written> writtenRegisters_;
   std::vector<std::uint8_t> keptBytes_;

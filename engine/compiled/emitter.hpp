@@ -9,17 +9,25 @@
 
 namespace rungproof::compiled {
 
-/// What the machine code works on.
+/// The head of what the machine code works on. Behind it stand, at the bytes that Layout gives, a byte for each bit of
+/// Code::slots, a byte for each state of the walk, the errors, and room for values.
 struct Workspace {
   std::array<std::uint8_t*, areaCount> area{};
   std::uint32_t* registers = nullptr;
-  std::uint8_t* slots = nullptr;           ///< a byte for each bit of Code::slots, kept from scan to scan
-  std::uint64_t* counts = nullptr;         ///< by error site: occurrences in this scan
-  const std::uint8_t* isListed = nullptr;  ///< by error site: has happened before, the place and scan are known
-  std::uint64_t hasCounted = 0;
-  std::uint64_t position = 0;  ///< out: time that the program took, 10 ns (Code::countsTime)
-  std::uint64_t mostTime = 0;  ///< a longer program is one for the reference engine
   std::uint64_t ticks100 = 0;
+  std::uint64_t mostTime = 0;   ///< 10 ns; a longer program is one for the reference engine
+  std::uint64_t position = 0;   ///< out: time that the program took (Code::countsTime)
+  std::uint64_t isLeft = 0;     ///< out, straight code: not 0, the scan is one for the reference engine
+  std::uint64_t hasErrors = 0;  ///< out: an error has happened
+};
+
+/// Bytes of the workspace.
+struct Layout {
+  std::size_t slots = 0;  ///< the bits of Code::slots
+  std::size_t states = 0;
+  std::size_t errors = 0;  ///< by error site, of straight code a byte that is not 0 where it has happened in this scan,
+                           ///< of other code 8 bytes: how often
+  std::size_t size = 0;
 };
 
 class MachineCode {
@@ -27,6 +35,7 @@ class MachineCode {
   virtual ~MachineCode() = default;
   /// False: the scan is one for the reference engine, and what was written is to be taken back.
   virtual bool run(Workspace& workspace) const = 0;
+  Layout layout;
 };
 
 /// Whether there is machine code for this processor.

@@ -40,12 +40,13 @@ class FlowWalk<Derived, Machine<compiled::Recorder>, Hooks> {
     }
     for (std::uint32_t at = 0; at < end; ++at) {
       w.at = at;
-      if (const auto mark = w.marks.find(at); mark != w.marks.end()) meet(mark->second);
+      const auto mark = w.marks.find(at);
+      if (mark != w.marks.end() && !m_.d.code.isStraight) meet(mark->second);
       m_.current = flow.steps[at].instruction;
       hooks_.before(m_, flow.steps[at]);
       hooks_.run(m_, flow.steps[at], [&] { static_cast<Derived&>(*this).execute(w, at); });
     }
-    meet(markAt(w, end));
+    if (!m_.d.code.isStraight) meet(markAt(w, end));
   }
 
   template <class Body>

@@ -329,9 +329,10 @@ Recorder::Bool Recorder::targets(Machine<Recorder>& machine, Bits pointer, Width
     return constant(false);
   }
   const Bits offset = sub(pointer, literal(first, 32), 32);
-  leave(land(*guard, ult(literal(size - wide, 32), offset, 32)));
+  const Bool isOutside = ult(literal(size - wide, 32), offset, 32);
   ref.isComputed = true;
-  ref.value = offset;
+  ref.value = code.isStraight ? select(isOutside, literal(0, 32), offset, 32) : offset;
+  leave(land(*guard, isOutside));
   return constant(true);
 }
 

@@ -69,9 +69,10 @@ struct Recording {
 };
 
 Recording record(const Plan& plan, const Concrete::Store& model, const InstructionTimes& times, bool countsTime,
-                 const std::vector<SlotByte>& slots) {
+                 const std::vector<SlotByte>& slots, bool isStraight) {
   Recorder recorder;
   recorder.code.countsTime = countsTime;
+  recorder.code.isStraight = isStraight;
   Recorder::Store store(recorder, model, slots);
   Machine<Recorder> machine(recorder, store, plan);
   recorder.guard = &machine.guard;
@@ -100,8 +101,9 @@ std::vector<SlotByte> slotsFor(const Recording& survey) {
 }  // namespace
 
 Code recorded(const Plan& plan, const Concrete::Store& model, const InstructionTimes& times, bool countsTime) {
-  const Recording survey = record(plan, model, times, countsTime, {});
-  return record(plan, model, times, countsTime || survey.code.hasLoops, slotsFor(survey)).code;
+  const Recording survey = record(plan, model, times, countsTime, {}, false);
+  const bool isStraight = std::ranges::none_of(survey.code.steps, [](const Step& s) { return isBranch(s.op); });
+  return record(plan, model, times, countsTime || survey.code.hasLoops, slotsFor(survey), isStraight).code;
 }
 
 }  // namespace rungproof::compiled

@@ -4,10 +4,11 @@
 #include <cstddef>
 
 #include "ir/check.hpp"
+#include "ir/s7200/frame.hpp"
 
 namespace rungproof::compiled {
 
-using namespace asmjit;
+using namespace asmjit;  // its Operand: by its full name
 
 namespace {
 
@@ -20,98 +21,141 @@ constexpr auto spreadBytes = [] {
   return table;
 }();
 
+/// How far away a comparison may be made from where it is written.
+constexpr ValueId nearBy = 8;
+
+bool isComparison(CodeOp op) {
+  return op == CodeOp::Equal || op == CodeOp::Less || op == CodeOp::LessSigned || op == CodeOp::TestBit;
+}
+std::uint64_t alignedTo8(std::uint64_t size) { return (size + 7) / 8 * 8; }
+
+/// Registers that a function leaves as they were.
+const std::array<x86::Gp, 6> savedRegisters = {x86::rbx, x86::rbp, x86::r12, x86::r13, x86::r14, x86::r15};
+
 }  // namespace
 
-X86Emitter::X86Emitter(const Code& code, const std::vector<bool>& isNeeded, CodeHolder& holder)
-    : code_(code), isNeeded_(isNeeded), cc_(&holder), hasMovbe_(CpuInfo::host().features().x86().hasMOVBE()) {}
-
-bool X86Emitter::emit() {
-  findLifetimes();
-  prologue();
-  for (position_ = 0; position_ < code_.steps.size(); ++position_) {
-    if (isNeeded_[position_]) step(position_);
-  }
-  epilogue();
-  return cc_.finalize() == kErrorOk;
+Layout X86Emitter::layoutOf(const Code& code) {
+  Layout layout;
+  layout.slots = alignedTo8(sizeof(Workspace));
+  layout.states = layout.slots + 8 * code.slots.size();
+  layout.errors = layout.states + alignedTo8(mostStackLevels + 1);
+  layout.size = layout.errors + alignedTo8(code.isStraight ? code.sites.size() : 8 * code.sites.size());
+  return layout;
 }
 
-/// How often and where last each value is used, and which slots still hold it then.
-void X86Emitter::findLifetimes() {
+std::vector<X86Emitter::Gp> X86Emitter::valueRegisters(const Code& code) {
+  std::vector<Gp> list = {x86::rax, x86::rcx, x86::rdx, x86::rbx, x86::rsi,
+                          x86::rdi, x86::r8,  x86::r9,  x86::r10, x86::r11};
+  if (!code.countsTime) list.push_back(x86::r12);
+  if (code.sites.empty()) list.push_back(x86::r15);
+  return list;
+}
+
+/// A comparison of which the only user wants the processor's flags is made there.
+std::vector<ValueId> X86Emitter::emittedAt() const {
   const std::size_t count = code_.steps.size();
-  uses_.assign(count, 0);
-  lastUse_.assign(count, 0);
-  touched_.assign(count, 0);
-  regs_.resize(count);
-  isInMemory_.assign(count, false);
-  isDeferred_.assign(count, false);
-  homeEnd_.assign(count, 0);
-  std::vector<ValueId> lastUser(count, 0);
+  std::vector<ValueId> at(count), uses(count, 0);
   for (ValueId i = 0; i < count; ++i) {
-    if (!isNeeded_[i]) continue;
+    at[i] = i;
     const Step& s = code_.steps[i];
-    const int operands = operandCount(s.op);
-    const std::array<ValueId, 3> all = {s.a, s.b, s.c};
-    for (int k = 0; k < operands; ++k) {
-      ++uses_[all[static_cast<std::size_t>(k)]];
-      lastUse_[all[static_cast<std::size_t>(k)]] = i;
-    }
+    const int operands = isNeeded_[i] ? operandCount(s.op) : 0;
+    if (operands > 0) ++uses[s.a];
+    if (operands > 1) ++uses[s.b];
+    if (operands > 2) ++uses[s.c];
   }
-  std::vector<ValueId> nextStore(code_.slots.size() * 8, static_cast<ValueId>(count));
-  auto nextMark = static_cast<ValueId>(count);
-  for (auto i = static_cast<ValueId>(count); i-- > 0;) {
+  ValueId mark = 0;
+  for (ValueId i = 0; i < count; ++i) {
+    const Step& s = code_.steps[i];
+    if (s.op == CodeOp::Mark) mark = i;
+    const bool wantsFlags = s.op == CodeOp::Select || (s.op == CodeOp::Leave && !code_.isStraight) ||
+                            s.op == CodeOp::BranchIf || s.op == CodeOp::BranchUnless;
+    if (isNeeded_[i] && wantsFlags && uses[s.a] == 1 && isComparison(code_.steps[s.a].op) && s.a >= mark &&
+        i - s.a <= nearBy)
+      at[s.a] = i;
+  }
+  return at;
+}
+
+X86Emitter::X86Emitter(const Code& code, const std::vector<bool>& isNeeded, CodeHolder& holder)
+    : code_(code),
+      isNeeded_(isNeeded),
+      layout_(layoutOf(code)),
+      emittedAt_(emittedAt()),
+      a_(&holder),
+      values_(a_, workspace_, valueRegisters(code), static_cast<std::int32_t>(layout_.size), code, isNeeded,
+              emittedAt_),
+      hasMovbe_(CpuInfo::host().features().x86().hasMOVBE()) {}
+
+std::optional<Layout> X86Emitter::emit() {
+  struct FirstError final : ErrorHandler {
+    void handleError(Error, const char*, BaseEmitter*) override { isThere = true; }
+    bool isThere = false;
+  } error;
+  a_.setErrorHandler(&error);
+  findStores();
+  prologue();
+  for (position_ = 0; position_ < code_.steps.size(); ++position_) {
+    if (!isNeeded_[position_] || emittedAt_[position_] != position_) continue;
+    values_.begin(position_);
+    step(position_);
+  }
+  epilogue();
+  a_.setErrorHandler(nullptr);
+  Layout layout = layout_;
+  layout.size += 8 * values_.placeCount();
+  return error.isThere ? std::nullopt : std::optional(layout);
+}
+
+/// Up to where slots keep what was loaded from or stored to them.
+void X86Emitter::findStores() {
+  const auto count = static_cast<ValueId>(code_.steps.size());
+  standsTo_.assign(count, 0);
+  markBehind_.assign(count, count);
+  std::vector<ValueId> nextBit(code_.slots.size() * 8, count), nextState(mostStackLevels + 1, count);
+  ValueId nextMark = count;
+  for (ValueId i = count; i-- > 0;) {
     if (!isNeeded_[i]) continue;
     const Step& s = code_.steps[i];
-    if (s.op == CodeOp::Mark) nextMark = i;
-    if (s.op == CodeOp::LoadBit) isInMemory_[i] = lastUse_[i] <= std::min(nextStore[s.value], nextMark);
-    if (s.op == CodeOp::StoreBit) {
-      homeEnd_[i] = std::min(nextStore[s.value], nextMark);
-      nextStore[s.value] = i;
-    }
-    if (s.op == CodeOp::StoreSlots) {
-      for (std::uint64_t bit = 0; bit < 8; ++bit) nextStore[s.value + bit] = i;
-    }
-    const bool wantsCondition = s.op == CodeOp::Select || s.op == CodeOp::Leave || s.op == CodeOp::Count ||
-                                s.op == CodeOp::BranchIf || s.op == CodeOp::BranchUnless;
-    if (wantsCondition && uses_[s.a] == 1 && isComparison(s.a) && nextMark > i) {
-      bool isSameBlock = true;
-      for (ValueId k = s.a; k < i; ++k) isSameBlock = isSameBlock && code_.steps[k].op != CodeOp::Mark;
-      isDeferred_[s.a] = isSameBlock;
+    markBehind_[i] = nextMark;
+    switch (s.op) {
+      case CodeOp::Mark: nextMark = i; break;
+      case CodeOp::LoadBit: standsTo_[i] = std::min(nextBit[s.value], nextMark); break;
+      case CodeOp::LoadState: standsTo_[i] = std::min(nextState[s.value], nextMark); break;
+      case CodeOp::StoreBit:
+        standsTo_[i] = std::min(nextBit[s.value], nextMark);
+        nextBit[s.value] = i;
+        break;
+      case CodeOp::StoreState: nextState[s.value] = i; break;
+      case CodeOp::StoreSlots:
+        for (std::uint64_t bit = 0; bit < 8; ++bit) nextBit[s.value + bit] = i;
+        break;
+      default: break;
     }
   }
 }
 
 void X86Emitter::prologue() {
-  FuncNode* function = cc_.addFunc(FuncSignatureT<std::uint64_t, void*>());
-  workspace_ = cc_.newUIntPtr();
-  function->setArg(0, workspace_);
-  leave_ = cc_.newLabel();
-  slots_ = cc_.newUIntPtr();
-  registers_ = cc_.newUIntPtr();
-  cc_.mov(slots_, field(offsetof(Workspace, slots)));
-  cc_.mov(registers_, field(offsetof(Workspace, registers)));
-  for (std::size_t a = 0; a < areaCount; ++a) {
-    const auto isHere = [&](const auto& thing) { return thing.area == static_cast<Area>(a); };
-    bool isUsed = std::any_of(code_.slots.begin(), code_.slots.end(), isHere);
-    for (std::size_t i = 0; i < code_.steps.size() && !isUsed; ++i) {
-      const CodeOp op = code_.steps[i].op;
-      const bool isMemory =
-          op == CodeOp::LoadMemory || op == CodeOp::StoreMemory || op == CodeOp::LoadAt || op == CodeOp::StoreAt;
-      isUsed = isNeeded_[i] && isMemory && isHere(code_.steps[i]);
-    }
-    if (!isUsed) continue;
-    bases_[a] = cc_.newUIntPtr();
-    cc_.mov(bases_[a], field(offsetof(Workspace, area) + 8 * a));
-  }
-  if (code_.countsTime) {
-    time_ = fresh();
-    cc_.xor_(time_.r32(), time_.r32());
-  }
-  const Gp spread = cc_.newUIntPtr(), byte = fresh();
-  if (!code_.slots.empty()) cc_.mov(spread, imm(spreadBytes.data()));
+  leave_ = a_.newLabel();
+  for (const Gp& reg : savedRegisters) a_.push(reg);
+  a_.sub(x86::rsp, 8);  // calls find the stack aligned
+  a_.mov(workspace_, x86::rdi);
+  a_.mov(x86::r14, at(offsetof(Workspace, registers)));
+  a_.mov(x86::r13, at(offsetof(Workspace, area) + 8 * static_cast<std::size_t>(Area::V)));
+  if (code_.countsTime) a_.xor_(x86::r12.r32(), x86::r12.r32());
+  if (!code_.sites.empty()) a_.xor_(x86::r15.r32(), x86::r15.r32());
+  a_.mov(at(offsetof(Workspace, isLeft)), 0);
+  a_.mov(at(offsetof(Workspace, hasErrors)), 0);
+  if (code_.slots.empty()) return;
+  a_.mov(x86::rdx, imm(spreadBytes.data()));
+  std::optional<Area> area;
   for (std::size_t i = 0; i < code_.slots.size(); ++i) {
-    cc_.movzx(byte.r32(), memory(code_.slots[i].area, code_.slots[i].byte, 1));
-    cc_.mov(byte, x86::ptr(spread, byte, 3));
-    cc_.mov(slot(8 * i, 8), byte);
+    if (area != code_.slots[i].area) {
+      area = code_.slots[i].area;
+      a_.mov(x86::rcx, at(offsetof(Workspace, area) + 8 * static_cast<std::size_t>(*area)));
+    }
+    a_.movzx(x86::eax, x86::byte_ptr(x86::rcx, static_cast<std::int32_t>(code_.slots[i].byte)));
+    a_.mov(x86::rax, x86::ptr(x86::rdx, x86::rax, 3));
+    a_.mov(at(layout_.slots + 8 * i), x86::rax);
   }
 }
 
@@ -122,43 +166,58 @@ void X86Emitter::epilogue() {
     if (isNeeded_[i] && (s.op == CodeOp::StoreBit || s.op == CodeOp::StoreSlots)) isWritten[s.value / 8] = true;
   }
   if (code_.countsTime) {
-    cc_.cmp(time_, field(offsetof(Workspace, mostTime)));
-    cc_.ja(leave_);
-    cc_.mov(field(offsetof(Workspace, position)), time_);
+    a_.cmp(x86::r12, at(offsetof(Workspace, mostTime)));
+    a_.ja(leave_);
+    a_.mov(at(offsetof(Workspace, position)), x86::r12);
   }
-  const x86::Xmm bits = cc_.newXmm();
-  const Gp byte = fresh();
+  if (code_.isStraight) {
+    a_.cmp(at(offsetof(Workspace, isLeft), 1), 0);
+    a_.jne(leave_);
+  }
+  std::optional<Area> area;
   for (std::size_t i = 0; i < code_.slots.size(); ++i) {
     if (!isWritten[i]) continue;
-    cc_.movq(bits, slot(8 * i, 8));
-    cc_.pmovmskb(byte.r32(), bits);
-    cc_.mov(memory(code_.slots[i].area, code_.slots[i].byte, 1), byte.r8());
+    if (area != code_.slots[i].area) {
+      area = code_.slots[i].area;
+      a_.mov(x86::rcx, at(offsetof(Workspace, area) + 8 * static_cast<std::size_t>(*area)));
+    }
+    a_.movq(x86::xmm0, at(layout_.slots + 8 * i));
+    a_.pmovmskb(x86::eax, x86::xmm0);
+    a_.mov(x86::byte_ptr(x86::rcx, static_cast<std::int32_t>(code_.slots[i].byte)), x86::al);
   }
-  const Gp result = fresh();
-  cc_.mov(result.r32(), 1);
-  cc_.ret(result);
-  cc_.bind(leave_);
-  const Gp left = fresh();
-  cc_.xor_(left.r32(), left.r32());
-  cc_.ret(left);
-  cc_.endFunc();
+  const Label end = a_.newLabel();
+  a_.mov(x86::eax, 1);
+  a_.bind(end);
+  if (!code_.sites.empty()) a_.mov(at(offsetof(Workspace, hasErrors)), x86::r15);
+  a_.add(x86::rsp, 8);
+  for (std::size_t i = savedRegisters.size(); i-- > 0;) a_.pop(savedRegisters[i]);
+  a_.ret();
+  a_.bind(leave_);
+  a_.xor_(x86::eax, x86::eax);
+  a_.jmp(end);
 }
 
 X86Emitter::Mem X86Emitter::memory(Area area, std::uint64_t byte, std::uint32_t size) {
   return x86::ptr(baseOf(area), static_cast<std::int32_t>(byte), size);
 }
-X86Emitter::Gp X86Emitter::baseOf(Area area) { return bases_[static_cast<std::size_t>(area)]; }
+X86Emitter::Gp X86Emitter::baseOf(Area area) {
+  if (area == Area::V) return x86::r13;
+  const Gp base = values_.fresh();
+  a_.mov(base, at(offsetof(Workspace, area) + 8 * static_cast<std::size_t>(area)));
+  return base;
+}
 
 Label& X86Emitter::label(std::uint64_t mark) {
   const auto [place, isNew] = labels_.try_emplace(mark);
-  if (isNew) place->second = cc_.newLabel();
+  if (isNew) place->second = a_.newLabel();
   return place->second;
 }
 
 void X86Emitter::step(ValueId id) {
   const Step& s = code_.steps[id];
+  if (s.op != CodeOp::Select) flagsOf_ = 0;
   if (hasValue(s.op)) {
-    if (!isInMemory_[id] && !isDeferred_[id]) value(id);
+    value(id);
   } else if (s.op < CodeOp::Leave) {
     store(s);
   } else {
@@ -169,54 +228,55 @@ void X86Emitter::step(ValueId id) {
 void X86Emitter::store(const Step& s) {
   switch (s.op) {
     case CodeOp::StoreBit:
-      if (s.a <= 1) {
-        cc_.mov(slot(s.value), s.a == 0 ? 0 : 0xFF);
+      if (values_.isConstant(s.a)) {
+        a_.mov(at(static_cast<std::size_t>(slotAt(s.value)), 1), s.a == 0 ? 0 : 0xFF);
       } else {
-        cc_.mov(slot(s.value), use(s.a).r8());
-        homes_[s.a] = {s.value, homeEnd_[position_]};
+        a_.mov(at(static_cast<std::size_t>(slotAt(s.value)), 1), values_.use(s.a).r8());
+        values_.stands(s.a, slotAt(s.value), standsTo_[position_]);
       }
       break;
-    case CodeOp::StoreState: {
-      const auto [place, isNew] = states_.try_emplace(s.value);
-      if (isNew) place->second = fresh();
-      cc_.mov(place->second.r32(), use(s.a).r32());
-      break;
-    }
+    case CodeOp::StoreState: a_.mov(at(static_cast<std::size_t>(stateAt(s.value)), 1), values_.use(s.a).r8()); break;
     case CodeOp::StoreSlots: {
-      const Gp byte = take(s.a), spread = cc_.newUIntPtr();
-      cc_.mov(spread, imm(spreadBytes.data()));
-      cc_.mov(byte, x86::ptr(spread, byte, 3));
-      cc_.mov(slot(s.value, 8), byte);
+      const Gp byte = values_.take(s.a), spread = values_.fresh();
+      a_.mov(spread, imm(spreadBytes.data()));
+      a_.mov(byte, x86::ptr(spread, byte, 3));
+      a_.mov(at(static_cast<std::size_t>(slotAt(s.value))), byte);
       break;
     }
     case CodeOp::StoreRegister:
       if (const auto constant = immediate(s.a)) {
-        cc_.mov(registerAt(s.value), *constant);
+        a_.mov(registerAt(s.value), *constant);
       } else {
-        cc_.mov(registerAt(s.value), use(s.a).r32());
+        a_.mov(registerAt(s.value), values_.use(s.a).r32());
       }
       break;
-    case CodeOp::StoreMemory:
-    case CodeOp::StoreAt: {
-      const bool isAt = s.op == CodeOp::StoreAt;
-      const ValueId written = isAt ? s.b : s.a;
-      const std::uint32_t size = s.width / 8U;
-      const Mem to = isAt ? x86::ptr(baseOf(s.area), use(s.a), 0, 0, size) : memory(s.area, s.value, size);
-      if (size == 8) {
-        cc_.mov(to, 0);  // bytes that become 0 together
-      } else if (size == 1) {
-        cc_.mov(to, use(written).r8());
-      } else if (hasMovbe_) {
-        const Gp reg = use(written);
-        size == 2 ? cc_.movbe(to, reg.r16()) : cc_.movbe(to, reg.r32());
-      } else {
-        const Gp turned = take(written);
-        size == 2 ? cc_.rol(turned.r16(), 8) : cc_.bswap(turned.r32());
-        size == 2 ? cc_.mov(to, turned.r16()) : cc_.mov(to, turned.r32());
-      }
-      break;
-    }
-    default: CHECK(false, "no store");
+    default: storeWord(s);
+  }
+}
+
+/// The highest byte first.
+void X86Emitter::storeWord(const Step& s) {
+  const bool isAt = s.op == CodeOp::StoreAt;
+  const ValueId written = isAt ? s.b : s.a;
+  const std::uint32_t size = s.width / 8U;
+  const Mem to = isAt ? x86::ptr(baseOf(s.area), values_.use(s.a), 0, 0, size) : memory(s.area, s.value, size);
+  const auto constant = immediate(written);
+  if (size == 8) {
+    a_.mov(to, 0);  // bytes that become 0 together
+  } else if (constant) {
+    const auto value = static_cast<std::uint32_t>(*constant);
+    a_.mov(to, size == 1   ? value & 0xFF
+               : size == 2 ? (value & 0xFF) << 8 | (value >> 8 & 0xFF)
+                           : __builtin_bswap32(value));
+  } else if (size == 1) {
+    a_.mov(to, values_.use(written).r8());
+  } else if (hasMovbe_) {
+    const Gp reg = values_.use(written);
+    size == 2 ? a_.movbe(to, reg.r16()) : a_.movbe(to, reg.r32());
+  } else {
+    const Gp turned = values_.take(written);
+    size == 2 ? a_.rol(turned.r16(), 8) : a_.bswap(turned.r32());
+    size == 2 ? a_.mov(to, turned.r16()) : a_.mov(to, turned.r32());
   }
 }
 
@@ -224,43 +284,57 @@ void X86Emitter::control(const Step& s) {
   switch (s.op) {
     case CodeOp::Leave:
       if (s.a == 1)
-        cc_.jmp(leave_);
+        a_.jmp(leave_);
+      else if (code_.isStraight)
+        a_.or_(at(offsetof(Workspace, isLeft), 1), values_.use(s.a).r8());
       else
-        cc_.j(condition(s.a), leave_);
+        a_.j(condition(s.a), leave_);
       break;
     case CodeOp::Count: count(s); break;
-    case CodeOp::Mark: cc_.bind(label(s.value)); break;
-    case CodeOp::Branch: cc_.jmp(label(s.value)); break;
-    case CodeOp::BranchIf: cc_.j(condition(s.a), label(s.value)); break;
-    case CodeOp::BranchUnless: cc_.j(x86::negateCond(condition(s.a)), label(s.value)); break;
-    case CodeOp::AddTime: cc_.add(time_, s.value); break;
+    case CodeOp::Mark:
+      values_.settle(position_);
+      values_.forget();
+      a_.bind(label(s.value));
+      break;
+    case CodeOp::Branch:
+      values_.settle(markBehind_[position_]);
+      a_.jmp(label(s.value));
+      break;
+    case CodeOp::BranchIf:
+    case CodeOp::BranchUnless: {
+      values_.settle(markBehind_[position_]);
+      const Cond holds = condition(s.a);
+      a_.j(s.op == CodeOp::BranchIf ? holds : x86::negateCond(holds), label(s.value));
+      break;
+    }
+    case CodeOp::AddTime: a_.add(x86::r12, s.value); break;
     case CodeOp::AddTimeIf: {
-      const Gp more = take(s.a);
-      cc_.movsx(more.r32(), more.r8());
-      cc_.and_(more.r32(), s.value);
-      cc_.add(time_, more);
+      const Gp more = values_.take(s.a);
+      a_.movsx(more.r32(), more.r8());
+      a_.and_(more.r32(), s.value);
+      a_.add(x86::r12, more);
       break;
     }
     case CodeOp::CheckTime:
-      cc_.cmp(time_, field(offsetof(Workspace, mostTime)));
-      cc_.ja(leave_);
+      a_.cmp(x86::r12, at(offsetof(Workspace, mostTime)));
+      a_.ja(leave_);
       break;
     default: CHECK(false, "no branch");
   }
 }
 
-/// An error that is listed is counted; one that is new is for the reference engine, which knows when it happened.
+/// Who runs the code looks at the errors, whether they are new or to be counted.
 void X86Emitter::count(const Step& s) {
-  const Label behind = cc_.newLabel();
-  if (s.a != 1) cc_.j(x86::negateCond(condition(s.a)), behind);
-  const Gp list = cc_.newUIntPtr();
-  cc_.mov(list, field(offsetof(Workspace, isListed)));
-  cc_.cmp(x86::ptr(list, static_cast<std::int32_t>(s.value), 1), 0);
-  cc_.je(leave_);
-  cc_.mov(list, field(offsetof(Workspace, counts)));
-  cc_.inc(x86::ptr(list, static_cast<std::int32_t>(8 * s.value), 8));
-  cc_.mov(field(offsetof(Workspace, hasCounted)), 1);
-  cc_.bind(behind);
+  if (code_.isStraight) {
+    const Gp happens = values_.use(s.a);
+    a_.or_(x86::r15.r8(), happens.r8());
+    a_.mov(at(layout_.errors + s.value, 1), happens.r8());
+    return;
+  }
+  const Gp once = values_.take(s.a);
+  a_.movsx(once, once.r8());
+  a_.or_(x86::r15, once);
+  a_.sub(at(layout_.errors + 8 * s.value), once);
 }
 
 }  // namespace rungproof::compiled

@@ -31,15 +31,18 @@ class X86Code final : public MachineCode {
 
 }  // namespace
 
-bool canTranslate() { return true; }
+bool canTranslate() { return asmjit::CpuInfo::host().features().x86().hasBMI2(); }
 
 std::unique_ptr<MachineCode> translated(const Code& code, const std::vector<bool>& isNeeded) {
   asmjit::CodeHolder holder;
   if (holder.init(runtime().environment()) != asmjit::kErrorOk) return nullptr;
-  if (!X86Emitter(code, isNeeded, holder).emit()) return nullptr;
+  const std::optional<Layout> layout = X86Emitter(code, isNeeded, holder).emit();
+  if (!layout) return nullptr;
   X86Code::Function function = nullptr;
   if (runtime().add(&function, &holder) != asmjit::kErrorOk) return nullptr;
-  return std::make_unique<X86Code>(function);
+  auto made = std::make_unique<X86Code>(function);
+  made->layout = *layout;
+  return made;
 }
 
 #else

@@ -12,9 +12,6 @@ using namespace asmjit;  // its Operand: by its full name
 
 namespace {
 
-/// Steps after which a stored truth value is read from its slot instead of being kept in a register.
-constexpr ValueId keptFor = 24;
-
 class Silent final : public Outside {
  public:
   std::uint64_t external(const ExternalSite&, int) override { return 0; }
@@ -25,9 +22,9 @@ const Concrete& plainNumbers() {
   static const Concrete domain(outside);
   return domain;
 }
-std::uint64_t realFunction(std::uint64_t which, std::uint64_t a) { return plainNumbers().rfunction(which, a); }
-std::uint64_t realToInt(std::uint64_t round, std::uint64_t a) { return plainNumbers().rtoInt(a, round != 0); }
-std::uint64_t divideWide(std::uint64_t op, std::uint64_t a, std::uint64_t b, std::uint64_t w) {
+std::uint64_t realFunction(std::uint64_t a, std::uint64_t which) { return plainNumbers().rfunction(which, a); }
+std::uint64_t realToInt(std::uint64_t a, std::uint64_t round) { return plainNumbers().rtoInt(a, round != 0); }
+std::uint64_t divided(std::uint64_t a, std::uint64_t b, std::uint64_t w, std::uint64_t op) {
   const int width = static_cast<int>(w);
   switch (static_cast<CodeOp>(op)) {
     case CodeOp::DivideUnsigned: return plainNumbers().udiv(a, b, width);
@@ -39,79 +36,24 @@ std::uint64_t divideWide(std::uint64_t op, std::uint64_t a, std::uint64_t b, std
 
 }  // namespace
 
-bool X86Emitter::isComparison(ValueId id) const {
-  const CodeOp op = code_.steps[id].op;
-  return op == CodeOp::Equal || op == CodeOp::Less || op == CodeOp::LessSigned || op == CodeOp::TestBit;
-}
-
 std::optional<std::int32_t> X86Emitter::immediate(ValueId id) const {
   const Step& s = code_.steps[id];
   if (s.op != CodeOp::Constant || s.value > 0x7FFFFFFF) return std::nullopt;
   return static_cast<std::int32_t>(s.value);
 }
 
-std::optional<std::uint64_t> X86Emitter::slotHolding(ValueId id) const {
-  if (isInMemory_[id]) return code_.steps[id].value;
-  const auto home = homes_.find(id);
-  if (home == homes_.end() || position_ > home->second.until || position_ - touched_[id] <= keptFor)
-    return std::nullopt;
-  return home->second.slot;
-}
-
-X86Emitter::Gp X86Emitter::use(ValueId id) {
-  const Step& s = code_.steps[id];
-  if (s.op <= CodeOp::True || s.op == CodeOp::Constant) {
-    const Gp reg = fresh();
-    const std::uint64_t constant = s.op == CodeOp::Constant ? s.value : s.op == CodeOp::True ? 0xFF : 0;
-    if (constant == 0)
-      cc_.xor_(reg.r32(), reg.r32());
-    else
-      cc_.mov(reg, constant);
-    return reg;
-  }
-  --uses_[id];
-  if (const auto held = slotHolding(id)) {
-    const Gp reg = fresh();
-    cc_.movzx(reg.r32(), slot(*held));
-    return reg;
-  }
-  touched_[id] = position_;
-  return regs_[id];
-}
-
-X86Emitter::Gp X86Emitter::take(ValueId id) {
-  const Step& s = code_.steps[id];
-  const bool isOwn = s.op > CodeOp::True && s.op != CodeOp::Constant && uses_[id] > 1 && !slotHolding(id);
-  const Gp reg = use(id);
-  if (!isOwn) return reg;  // its last use, or a register that was made for this one
-  const Gp copy = fresh();
-  if (isTruth(s.op))
-    cc_.mov(copy.r32(), reg.r32());
-  else
-    cc_.mov(copy, reg);
-  return copy;
-}
-
-asmjit::Operand X86Emitter::byteOperand(ValueId id) {
-  if (const auto held = slotHolding(id)) {
-    --uses_[id];
-    return slot(*held);
-  }
-  return use(id).r8();
-}
-
 void X86Emitter::keepWidth(Gp reg, int width) {
   if (width == 8)
-    cc_.movzx(reg.r32(), reg.r8());
+    a_.movzx(reg.r32(), reg.r8());
   else if (width == 16)
-    cc_.movzx(reg.r32(), reg.r16());
+    a_.movzx(reg.r32(), reg.r16());
   else if (width == 32)
-    cc_.mov(reg.r32(), reg.r32());
+    a_.mov(reg.r32(), reg.r32());
   else if (width < 32)
-    cc_.and_(reg.r32(), static_cast<std::uint32_t>(Concrete::mask(width)));
+    a_.and_(reg.r32(), static_cast<std::uint32_t>(Concrete::mask(width)));
   else if (width < 64) {
-    cc_.shl(reg, 64 - width);
-    cc_.shr(reg, 64 - width);
+    a_.shl(reg, 64 - width);
+    a_.shr(reg, 64 - width);
   }
 }
 
@@ -140,7 +82,7 @@ void X86Emitter::value(ValueId id) {
     case CodeOp::DivideUnsigned:
     case CodeOp::RemainderUnsigned:
     case CodeOp::DivideSigned:
-    case CodeOp::RemainderSigned: return division(id, s);
+    case CodeOp::RemainderSigned: return call(id, s);
     case CodeOp::ShiftLeft:
     case CodeOp::ShiftRight: return shift(id, s);
     case CodeOp::RealEqual:
@@ -152,56 +94,66 @@ void X86Emitter::value(ValueId id) {
     case CodeOp::RealDiv:
     case CodeOp::RealFromInt: return real(id, s);
     case CodeOp::RealFunction:
-    case CodeOp::RealToInt: return callReal(id, s);
+    case CodeOp::RealToInt: return call(id, s);
+    case CodeOp::Select: return select(id, s);
     default: return arithmetic(id, s);
   }
 }
 
 void X86Emitter::load(ValueId id, const Step& s) {
-  const Gp reg = fresh();
   switch (s.op) {
-    case CodeOp::LoadBit: cc_.movzx(reg.r32(), slot(s.value)); break;
+    case CodeOp::LoadBit:
     case CodeOp::LoadState: {
-      const auto [place, isNew] = states_.try_emplace(s.value);
-      if (isNew) place->second = fresh();
-      cc_.mov(reg.r32(), place->second.r32());
-      break;
+      const std::int32_t place = s.op == CodeOp::LoadBit ? slotAt(s.value) : stateAt(s.value);
+      values_.stands(id, place, standsTo_[id]);
+      if (standsTo_[id] >= values_.lastUse(id)) return;  // an operand of those that use it
+      const Gp reg = values_.fresh();
+      a_.movzx(reg.r32(), at(static_cast<std::size_t>(place), 1));
+      return values_.define(id, reg);
     }
+    case CodeOp::LoadTicks: return values_.stands(id, offsetof(Workspace, ticks100), ~ValueId{0});
     case CodeOp::LoadSlots: {
-      const x86::Xmm bits = cc_.newXmm();
-      cc_.movq(bits, slot(s.value, 8));
-      cc_.pmovmskb(reg.r32(), bits);
-      break;
+      const Gp reg = values_.fresh();
+      a_.movq(x86::xmm0, at(static_cast<std::size_t>(slotAt(s.value))));
+      a_.pmovmskb(reg.r32(), x86::xmm0);
+      return values_.define(id, reg);
     }
-    case CodeOp::LoadRegister: cc_.mov(reg.r32(), registerAt(s.value)); break;
-    case CodeOp::LoadTicks: cc_.mov(reg, field(offsetof(Workspace, ticks100))); break;
-    default: {
-      const std::uint32_t size = s.width / 8U;
-      const Mem from =
-          s.op == CodeOp::LoadAt ? x86::ptr(baseOf(s.area), use(s.a), 0, 0, size) : memory(s.area, s.value, size);
-      if (size == 1) {
-        cc_.movzx(reg.r32(), from);
-      } else if (size == 2) {
-        cc_.movzx(reg.r32(), from);
-        cc_.rol(reg.r16(), 8);
-      } else if (hasMovbe_) {
-        cc_.movbe(reg.r32(), from);
-      } else {
-        cc_.mov(reg.r32(), from);
-        cc_.bswap(reg.r32());
-      }
+    case CodeOp::LoadRegister: {
+      const Gp reg = values_.fresh();
+      a_.mov(reg.r32(), registerAt(s.value));
+      return values_.define(id, reg);
     }
+    default: return loadMemory(id, s);
   }
-  define(id, reg);
+}
+
+/// The highest byte first.
+void X86Emitter::loadMemory(ValueId id, const Step& s) {
+  const std::uint32_t size = s.width / 8U;
+  const Mem from =
+      s.op == CodeOp::LoadAt ? x86::ptr(baseOf(s.area), values_.use(s.a), 0, 0, size) : memory(s.area, s.value, size);
+  const Gp reg = values_.fresh();
+  if (size == 1) {
+    a_.movzx(reg.r32(), from);
+  } else if (size == 2) {
+    a_.movzx(reg.r32(), from);
+    a_.rol(reg.r16(), 8);
+  } else if (hasMovbe_) {
+    a_.movbe(reg.r32(), from);
+  } else {
+    a_.mov(reg.r32(), from);
+    a_.bswap(reg.r32());
+  }
+  values_.define(id, reg);
 }
 
 X86Emitter::Cond X86Emitter::comparison(const Step& s) {
   if (s.op == CodeOp::TestBit) {
-    const Gp a = use(s.a);
+    const Gp a = values_.use(s.a);
     if (s.value < 31)
-      cc_.test(a.r32(), 1U << s.value);
+      a_.test(a.r32(), 1U << s.value);
     else {
-      cc_.bt(a, s.value);
+      a_.bt(a, s.value);
       return Cond::kC;
     }
     return Cond::kNZ;
@@ -210,231 +162,223 @@ X86Emitter::Cond X86Emitter::comparison(const Step& s) {
   const int shift = isSigned && s.width < 32 ? 32 - s.width : isSigned && s.width > 32 ? 64 - s.width : 0;
   const auto constant = immediate(s.b);
   if (shift == 0) {
-    const Gp a = use(s.a);
+    const Gp a = values_.use(s.a);
     if (constant)
-      s.width <= 32 ? cc_.cmp(a.r32(), *constant) : cc_.cmp(a, *constant);
+      s.width <= 32 ? a_.cmp(a.r32(), *constant) : a_.cmp(a, *constant);
     else
-      s.width <= 32 ? cc_.cmp(a.r32(), use(s.b).r32()) : cc_.cmp(a, use(s.b));
+      s.width <= 32 ? a_.cmp(a.r32(), values_.use(s.b).r32()) : a_.cmp(a, values_.use(s.b));
   } else {
     // Both signs at the top.
-    const Gp a = take(s.a);
-    s.width < 32 ? cc_.shl(a.r32(), shift) : cc_.shl(a, shift);
+    const Gp a = values_.take(s.a);
+    s.width < 32 ? a_.shl(a.r32(), shift) : a_.shl(a, shift);
     if (constant && s.width < 32) {
-      cc_.cmp(a.r32(), static_cast<std::int32_t>(static_cast<std::uint32_t>(*constant) << shift));
+      a_.cmp(a.r32(), static_cast<std::int32_t>(static_cast<std::uint32_t>(*constant) << shift));
     } else {
-      const Gp b = take(s.b);
-      s.width < 32 ? cc_.shl(b.r32(), shift) : cc_.shl(b, shift);
-      s.width < 32 ? cc_.cmp(a.r32(), b.r32()) : cc_.cmp(a, b);
+      const Gp b = values_.take(s.b);
+      s.width < 32 ? a_.shl(b.r32(), shift) : a_.shl(b, shift);
+      s.width < 32 ? a_.cmp(a.r32(), b.r32()) : a_.cmp(a, b);
     }
   }
   return s.op == CodeOp::Equal ? Cond::kE : s.op == CodeOp::Less ? Cond::kB : Cond::kL;
 }
 
 X86Emitter::Cond X86Emitter::condition(ValueId id) {
-  if (isDeferred_[id]) {
-    --uses_[id];
-    return comparison(code_.steps[id]);
-  }
-  if (const auto held = slotHolding(id)) {
-    --uses_[id];
-    cc_.cmp(slot(*held), 0);
-    return Cond::kNZ;
-  }
-  const Gp reg = use(id);
-  cc_.test(reg.r8(), reg.r8());
+  if (emittedAt_[id] != id) return comparison(code_.steps[id]);
+  const asmjit::Operand held = values_.byteOperand(id);
+  if (held.isMem())
+    a_.cmp(held.as<x86::Mem>(), 0);
+  else
+    a_.test(held.as<Gp>(), held.as<Gp>());
   return Cond::kNZ;
 }
 
 void X86Emitter::truth(ValueId id, const Step& s) {
-  if (isComparison(id)) {
+  if (s.op == CodeOp::Equal || s.op == CodeOp::Less || s.op == CodeOp::LessSigned || s.op == CodeOp::TestBit) {
     if (s.op == CodeOp::TestBit && s.value == 0 && code_.steps[s.a].width == 1) {
-      const Gp reg = take(s.a);
-      cc_.neg(reg.r32());
-      return define(id, reg);
+      const Gp reg = values_.take(s.a);
+      a_.neg(reg.r32());
+      return values_.define(id, reg);
     }
     const Cond holds = comparison(s);
-    const Gp reg = fresh();
-    cc_.set(holds, reg.r8());
-    cc_.neg(reg.r8());
-    return define(id, reg);
+    const Gp reg = values_.fresh();
+    a_.set(holds, reg.r8());
+    a_.neg(reg.r8());
+    return values_.define(id, reg);
   }
   if (s.op == CodeOp::Not) {
-    const Gp reg = take(s.a);
-    cc_.not_(reg.r32());
-    return define(id, reg);
+    const Gp reg = values_.take(s.a);
+    a_.not_(reg.r32());
+    return values_.define(id, reg);
   }
   if (s.op == CodeOp::SelectBit) {  // c ^ ((b ^ c) & a)
-    const Gp reg = take(s.b), other = use(s.c);
-    cc_.xor_(reg.r32(), other.r32());
-    cc_.emit(x86::Inst::kIdAnd, reg.r8(), byteOperand(s.a));
-    cc_.xor_(reg.r32(), other.r32());
-    return define(id, reg);
+    const Gp reg = values_.take(s.b), other = values_.use(s.c);
+    a_.xor_(reg.r32(), other.r32());
+    a_.emit(x86::Inst::kIdAnd, reg.r8(), values_.byteOperand(s.a));
+    a_.xor_(reg.r32(), other.r32());
+    return values_.define(id, reg);
   }
   const InstId op = s.op == CodeOp::And ? x86::Inst::kIdAnd : s.op == CodeOp::Or ? x86::Inst::kIdOr : x86::Inst::kIdXor;
-  const bool fromFirst = slotHolding(s.b).has_value() || (uses_[s.a] == 1 && !slotHolding(s.a)) || uses_[s.b] > 1;
+  // The operand that ends here makes room for the result; one in memory stays there.
+  const auto ends = [&](ValueId v) { return values_.isInRegister(v) && values_.lastUse(v) <= position_; };
+  const bool fromFirst = ends(s.a) || (!ends(s.b) && values_.isInRegister(s.a));
   const ValueId kept = fromFirst ? s.a : s.b, joined = fromFirst ? s.b : s.a;
-  const Gp reg = take(kept);
-  cc_.emit(op, reg.r8(), byteOperand(joined));
-  define(id, reg);
+  const Gp reg = values_.take(kept);
+  a_.emit(op, reg.r8(), values_.byteOperand(joined));
+  values_.define(id, reg);
 }
 
 void X86Emitter::arithmetic(ValueId id, const Step& s) {
   const auto both = [&](InstId op) {
-    const Gp reg = take(s.a);
+    const Gp reg = values_.take(s.a);
     if (const auto constant = immediate(s.b))
-      cc_.emit(op, reg, *constant);
+      a_.emit(op, reg, *constant);
     else
-      cc_.emit(op, reg, use(s.b));
+      a_.emit(op, reg, values_.use(s.b));
     return reg;
   };
   Gp reg;
   switch (s.op) {
     case CodeOp::FromBit:
-      reg = take(s.a);
-      cc_.and_(reg.r32(), 1);
+      reg = values_.take(s.a);
+      a_.and_(reg.r32(), 1);
       break;
     case CodeOp::Add: keepWidth(reg = both(x86::Inst::kIdAdd), s.width); break;
     case CodeOp::Sub: keepWidth(reg = both(x86::Inst::kIdSub), s.width); break;
     case CodeOp::Mul:
-      reg = take(s.a);
-      cc_.imul(reg, use(s.b));
+      reg = values_.take(s.a);
+      a_.imul(reg, values_.use(s.b));
       keepWidth(reg, s.width);
       break;
     case CodeOp::BitAnd: reg = both(x86::Inst::kIdAnd); break;
     case CodeOp::BitOr: reg = both(x86::Inst::kIdOr); break;
     case CodeOp::BitXor: reg = both(x86::Inst::kIdXor); break;
     case CodeOp::BitNot:
-      reg = take(s.a);
-      cc_.not_(reg);
+      reg = values_.take(s.a);
+      a_.not_(reg);
       keepWidth(reg, s.width);
       break;
-    case CodeOp::Select: {
-      reg = take(s.c);
-      const Gp chosen = use(s.b);  // before the flags are set
-      cc_.cmov(condition(s.a), reg, chosen);
-      break;
-    }
     case CodeOp::Signed:
-      reg = take(s.a);
+      reg = values_.take(s.a);
       if (s.value == 8)
-        cc_.movsx(reg, reg.r8());
+        a_.movsx(reg, reg.r8());
       else if (s.value == 16)
-        cc_.movsx(reg, reg.r16());
+        a_.movsx(reg, reg.r16());
       else if (s.value == 32)
-        cc_.movsxd(reg, reg.r32());
+        a_.movsxd(reg, reg.r32());
       else {
-        cc_.shl(reg, 64 - static_cast<int>(s.value));
-        cc_.sar(reg, 64 - static_cast<int>(s.value));
+        a_.shl(reg, 64 - static_cast<int>(s.value));
+        a_.sar(reg, 64 - static_cast<int>(s.value));
       }
       keepWidth(reg, s.width);
       break;
     case CodeOp::Extract:
-      reg = take(s.a);
-      if (s.value != 0) cc_.shr(reg, s.value);
+      reg = values_.take(s.a);
+      if (s.value != 0) a_.shr(reg, s.value);
       keepWidth(reg, s.width);
       break;
     case CodeOp::Join:
-      reg = take(s.a);
-      cc_.shl(reg, s.value);
-      cc_.or_(reg, use(s.b));
+      reg = values_.take(s.a);
+      a_.shl(reg, s.value);
+      a_.or_(reg, values_.use(s.b));
       break;
     default: CHECK(false, "no operation on words");
   }
-  define(id, reg);
+  values_.define(id, reg);
 }
 
-/// As the domain says: the divisor 0 gives all ones, signed -x or the dividend.
-void X86Emitter::division(ValueId id, const Step& s) {
-  const Gp a = use(s.a), b = use(s.b), op = fresh(), w = fresh(), result = fresh();
-  cc_.mov(op.r32(), static_cast<std::uint32_t>(s.op));
-  cc_.mov(w.r32(), static_cast<std::uint32_t>(s.width));
-  InvokeNode* call = nullptr;
-  cc_.invoke(&call, imm(reinterpret_cast<std::uintptr_t>(&divideWide)),
-             FuncSignatureT<std::uint64_t, std::uint64_t, std::uint64_t, std::uint64_t, std::uint64_t>());
-  call->setArg(0, op);
-  call->setArg(1, a);
-  call->setArg(2, b);
-  call->setArg(3, w);
-  call->setRet(0, result);
-  define(id, result);
+void X86Emitter::select(ValueId id, const Step& s) {
+  const Gp reg = values_.take(s.c), chosen = values_.use(s.b);  // before the flags are set
+  if (flagsOf_ == s.a) {
+    a_.cmovnz(reg, chosen);
+  } else {
+    a_.cmov(condition(s.a), reg, chosen);
+    flagsOf_ = emittedAt_[s.a] == s.a ? s.a : 0;
+  }
+  values_.define(id, reg);
+}
+
+/// What is worth no instructions of its own: division, where the divisor 0 gives what the domain says, and functions of
+/// REAL numbers.
+void X86Emitter::call(ValueId id, const Step& s) {
+  std::uintptr_t function = 0;
+  if (s.op == CodeOp::RealFunction || s.op == CodeOp::RealToInt) {
+    values_.prepareCall({s.a});
+    a_.mov(x86::rsi, s.value);
+    function = reinterpret_cast<std::uintptr_t>(s.op == CodeOp::RealFunction ? &realFunction : &realToInt);
+  } else {
+    values_.prepareCall({s.a, s.b});
+    a_.mov(x86::edx, s.width);
+    a_.mov(x86::ecx, static_cast<std::uint32_t>(s.op));
+    function = reinterpret_cast<std::uintptr_t>(&divided);
+  }
+  a_.mov(x86::rax, imm(function));
+  a_.call(x86::rax);
+  values_.define(id, x86::rax);
 }
 
 void X86Emitter::shift(ValueId id, const Step& s) {
   const bool isLeft = s.op == CodeOp::ShiftLeft;
-  const Gp reg = take(s.a);
+  const Gp reg = values_.take(s.a);
   if (const auto constant = immediate(s.b); constant && *constant < s.width) {
-    isLeft ? cc_.shl(reg, *constant) : cc_.shr(reg, *constant);
+    isLeft ? a_.shl(reg, *constant) : a_.shr(reg, *constant);
     if (isLeft) keepWidth(reg, s.width);
-    return define(id, reg);
+    return values_.define(id, reg);
   }
-  const Gp count = take(s.b), zero = fresh();
-  cc_.xor_(zero.r32(), zero.r32());
-  cc_.cmp(count, s.width);
-  cc_.cmovae(reg, zero);
-  cc_.cmovae(count, zero);
-  isLeft ? cc_.shl(reg, count.r8()) : cc_.shr(reg, count.r8());
+  const Gp count = values_.take(s.b), zero = values_.fresh();
+  a_.mov(zero, 0);
+  a_.cmp(count, s.width);
+  a_.cmovae(reg, zero);
+  a_.cmovae(count, zero);
+  isLeft ? a_.shlx(reg, reg, count) : a_.shrx(reg, reg, count);
   if (isLeft) keepWidth(reg, s.width);
-  define(id, reg);
+  values_.define(id, reg);
 }
 
 void X86Emitter::real(ValueId id, const Step& s) {
-  const x86::Xmm x = cc_.newXmm(), y = cc_.newXmm();
-  const Gp reg = fresh();
+  const x86::Xmm x = x86::xmm0, y = x86::xmm1;
+  const Gp reg = values_.fresh();
   if (s.op == CodeOp::RealLegal) {  // the exponent is not all ones
-    const Gp pattern = take(s.a);
-    cc_.and_(pattern.r32(), 0x7F800000);
-    cc_.cmp(pattern.r32(), 0x7F800000);
-    cc_.setne(reg.r8());
-    cc_.neg(reg.r8());
-    return define(id, reg);
+    const Gp pattern = values_.take(s.a);
+    a_.and_(pattern.r32(), 0x7F800000);
+    a_.cmp(pattern.r32(), 0x7F800000);
+    a_.setne(reg.r8());
+    a_.neg(reg.r8());
+    return values_.define(id, reg);
   }
   if (s.op == CodeOp::RealFromInt) {
-    cc_.xorps(x, x);
-    cc_.cvtsi2ss(x, use(s.a).r32());
-    cc_.movd(reg.r32(), x);
-    return define(id, reg);
+    a_.xorps(x, x);
+    a_.cvtsi2ss(x, values_.use(s.a).r32());
+    a_.movd(reg.r32(), x);
+    return values_.define(id, reg);
   }
-  cc_.movd(x, use(s.a).r32());
-  cc_.movd(y, use(s.b).r32());
+  a_.movd(x, values_.use(s.a).r32());
+  a_.movd(y, values_.use(s.b).r32());
   if (s.op == CodeOp::RealLess) {  // b above a; unordered is not above
-    cc_.ucomiss(y, x);
-    cc_.seta(reg.r8());
-    cc_.neg(reg.r8());
-    return define(id, reg);
+    a_.ucomiss(y, x);
+    a_.seta(reg.r8());
+    a_.neg(reg.r8());
+    return values_.define(id, reg);
   }
   if (s.op == CodeOp::RealEqual) {
-    const Gp ordered = fresh();
-    cc_.ucomiss(x, y);
-    cc_.setnp(ordered.r8());
-    cc_.sete(reg.r8());
-    cc_.and_(reg.r8(), ordered.r8());
-    cc_.neg(reg.r8());
-    return define(id, reg);
+    const Gp ordered = values_.fresh();
+    a_.ucomiss(x, y);
+    a_.setnp(ordered.r8());
+    a_.sete(reg.r8());
+    a_.and_(reg.r8(), ordered.r8());
+    a_.neg(reg.r8());
+    return values_.define(id, reg);
   }
   const InstId op = s.op == CodeOp::RealAdd   ? x86::Inst::kIdAddss
                     : s.op == CodeOp::RealSub ? x86::Inst::kIdSubss
                     : s.op == CodeOp::RealMul ? x86::Inst::kIdMulss
                                               : x86::Inst::kIdDivss;
-  cc_.emit(op, x, y);
-  const Gp oneNan = fresh();
-  cc_.mov(oneNan.r32(), 0x7FC00000);
-  cc_.movd(reg.r32(), x);
-  cc_.ucomiss(x, x);
-  cc_.cmovp(reg.r32(), oneNan.r32());
-  define(id, reg);
-}
-
-void X86Emitter::callReal(ValueId id, const Step& s) {
-  const Gp which = fresh(), a = use(s.a), result = fresh();
-  cc_.mov(which.r32(), static_cast<std::uint32_t>(s.value));
-  const auto function = s.op == CodeOp::RealFunction ? &realFunction : &realToInt;
-  InvokeNode* call = nullptr;
-  cc_.invoke(&call, imm(reinterpret_cast<std::uintptr_t>(function)),
-             FuncSignatureT<std::uint64_t, std::uint64_t, std::uint64_t>());
-  call->setArg(0, which);
-  call->setArg(1, a);
-  call->setRet(0, result);
-  define(id, result);
+  a_.emit(op, x, y);
+  const Gp oneNan = values_.fresh();
+  a_.mov(oneNan.r32(), 0x7FC00000);
+  a_.movd(reg.r32(), x);
+  a_.ucomiss(x, x);
+  a_.cmovp(reg.r32(), oneNan.r32());
+  values_.define(id, reg);
 }
 
 }  // namespace rungproof::compiled
