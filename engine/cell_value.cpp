@@ -40,11 +40,9 @@ void setCell(Concrete::Store& store, const Operand& operand, std::uint64_t value
         return store.save(Area::I, offset * 8 + (width == 1 ? operand.bit : 0), width, value, true);
       }
       if (width == 1) return store.set(Reg::PhysicalInput, offset * 8 + operand.bit, value & 1, true);
-      for (int i = 0; i < width; ++i) {
-        const auto byte = offset + static_cast<std::uint32_t>(i / 8);
-        store.set(Reg::PhysicalInput, byte * 8 + static_cast<std::uint32_t>(i % 8),
-                  value >> (width - 8 * (i / 8 + 1) + i % 8) & 1, true);
-      }
+      auto& inputs = store.terminals(Reg::PhysicalInput);
+      for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(width) / 8 && offset + i < inputs.size(); ++i)
+        inputs[offset + i] = static_cast<std::uint8_t>(value >> (static_cast<std::uint32_t>(width) - 8 * (i + 1)));
       return;
     }
     case Area::PI: return store.save(Area::AI, offset * 8, bits(operand.width), value, true);

@@ -17,7 +17,7 @@ Concrete::Store::Store(const Plan& plan) {
   std::uint32_t next = 0;
   for (const RegInfo& info : regTable) {
     first_[static_cast<std::size_t>(info.reg)] = next;
-    next += registerCount(info, plan);
+    next += registerCount(info, plan);  // of terminals too, so that they can be counted
   }
   first_.back() = next;
   registers_.assign(next, 0);

@@ -69,17 +69,32 @@ class Concrete {
         if (byte + i < bytes.size()) bytes[byte + i] = static_cast<std::uint8_t>(value >> (8 * (count - 1 - i)));
       }
     }
-    Bits get(Reg reg, std::uint32_t index) const { return registers_[first_[static_cast<std::size_t>(reg)] + index]; }
-    void set(Reg reg, std::uint32_t index, Bits value, Bool guard) {
-      if (guard) registers_[first_[static_cast<std::size_t>(reg)] + index] = static_cast<std::uint32_t>(value);
+    Bits get(Reg reg, std::uint32_t index) const {
+      if (isTerminal(reg)) return terminals(reg)[index / 8] >> (index % 8) & 1U;
+      return registers_[first_[static_cast<std::size_t>(reg)] + index];
     }
+    void set(Reg reg, std::uint32_t index, Bits value, Bool guard) {
+      if (!guard) return;
+      if (isTerminal(reg)) {
+        std::uint8_t& byte = terminals(reg)[index / 8];
+        const auto mask = static_cast<std::uint8_t>(1U << (index % 8));
+        byte = static_cast<std::uint8_t>((value & 1) != 0 ? byte | mask : byte & ~mask);
+        return;
+      }
+      registers_[first_[static_cast<std::size_t>(reg)] + index] = static_cast<std::uint32_t>(value);
+    }
+    /// The terminals of inputs or outputs, eight to a byte as in their images.
+    using Terminals = std::array<std::uint8_t, regInfo(Reg::PhysicalInput).count / 8>;
+    static constexpr bool isTerminal(Reg reg) { return reg == Reg::PhysicalInput || reg == Reg::PhysicalOutput; }
+    Terminals& terminals(Reg reg) { return reg == Reg::PhysicalInput ? inputs_ : outputs_; }
+    const Terminals& terminals(Reg reg) const { return reg == Reg::PhysicalInput ? inputs_ : outputs_; }
     std::vector<std::uint8_t>& area(Area area) { return areas_[static_cast<std::size_t>(area)]; }
     const std::vector<std::uint8_t>& area(Area area) const { return areas_[static_cast<std::size_t>(area)]; }
     std::uint32_t count(Reg reg) const {
       return first_[static_cast<std::size_t>(reg) + 1] - first_[static_cast<std::size_t>(reg)];
     }
 
-    /// All registers in one row, and where in it one stands.
+    /// All registers but the terminals in one row, and where in it one stands.
     std::span<std::uint32_t> registers() { return registers_; }
     std::span<const std::uint32_t> registers() const { return registers_; }
     std::size_t indexOf(Reg reg, std::uint32_t index) const { return first_[static_cast<std::size_t>(reg)] + index; }
@@ -87,13 +102,14 @@ class Concrete {
     const BlockMap& blocks() const { return *blocks_; }
 
     friend bool operator==(const Store& a, const Store& b) {
-      return a.areas_ == b.areas_ && a.registers_ == b.registers_;
+      return a.areas_ == b.areas_ && a.registers_ == b.registers_ && a.inputs_ == b.inputs_ && a.outputs_ == b.outputs_;
     }
 
    private:
     std::array<std::vector<std::uint8_t>, areaCount> areas_;
     std::array<std::uint32_t, static_cast<std::size_t>(Reg::count) + 1> first_{};
     std::vector<std::uint32_t> registers_;
+    Terminals inputs_{}, outputs_{};
     std::shared_ptr<const BlockMap> blocks_;  ///< S7-300/400 only
   };
 

@@ -35,11 +35,18 @@ int quadratureStep(bool a0, bool b0, bool a1, bool b1) {
 
 }  // namespace
 
-void HighSpeedCounters::reset() { lines_ = {}; }
+void HighSpeedCounters::reset() {
+  lines_ = {};
+  hasSeen_ = false;
+}
 
 void HighSpeedCounters::beginScan(Concrete::Store& store, std::uint32_t lengthMs, const RaiseEvent& raise) {
   scanMs_ = lengthMs == 0 ? 1 : lengthMs;
   passed_ = 0;
+  const auto& inputs = store.terminals(Reg::PhysicalInput);
+  if (hasSeen_ && seen_ == inputs && areIdle(store)) return;
+  seen_ = inputs;
+  hasSeen_ = true;
   for (std::uint32_t counter = 0; counter < count; ++counter) takeInputs(store, counter, raise);
 }
 

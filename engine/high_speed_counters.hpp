@@ -57,6 +57,8 @@ class HighSpeedCounters {
   Target target_;
   std::array<std::array<std::uint32_t, 2>, count> pulses_{};
   std::array<Lines, count> lines_{};
+  Concrete::Store::Terminals seen_{};  ///< inputs that lines_ show
+  bool hasSeen_ = false;
   std::uint32_t scanMs_ = 1;
   std::uint32_t passed_ = 0;
 };

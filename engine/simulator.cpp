@@ -37,6 +37,7 @@ Simulator::Simulator(const Program& program, SimulatorOptions options, Outside* 
       random_(options_.seed) {
   startClock(Reg::PhaseHundred, options_.phaseMs);
   prepareCosts();
+  savesMemory_ = savesMemory(target());
   hasFineTimers_ = !plan_.iecTimers.empty() ||
                    std::ranges::any_of(plan_.timers, [](const TimerUse& use) { return use.resolution == 1; });
 }
@@ -161,7 +162,7 @@ void Simulator::writeByDevice(const Operand& operand, std::uint64_t value) {
 
 /// The value has been saved at the end of the scan before (001:1649-1651).
 void Simulator::endSave() {
-  if (savesMemory(target())) store_.save(Area::SM, 31 * 8 + 7, 1, 0, true);
+  if (savesMemory_) store_.save(Area::SM, 31 * 8 + 7, 1, 0, true);
 }
 
 bool Simulator::force(const Operand& operand, std::uint64_t value) { return forced_.set(operand, value); }

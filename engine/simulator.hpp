@@ -228,6 +228,7 @@ class Simulator final : private Outside {
   std::array<std::unique_ptr<compiled::CompiledProgram>, 2> compiled_;
   std::array<bool, 2> isCompileTried_{};
   bool hasFineTimers_ = false;  ///< timers that count single ms
+  bool savesMemory_ = false;    ///< the CPU's SM31.7 starts saving
   std::uint64_t compiledScans_ = 0;
   std::uint64_t referenceUntil_ = 0;  ///< scan up to which machine code, which has given up, is not tried again
   std::uint32_t givenUp_ = 0;         ///< times in a row

@@ -27,6 +27,14 @@ void runsOf(const std::vector<bool>& isWritten, Take&& take) {
   }
 }
 
+/// The bytes of an area as recorded code names it; PI and PQ are the terminals.
+template <class Store>
+auto* bytesOf(Store& store, Area area) {
+  return area == Area::PI   ? store.terminals(Reg::PhysicalInput).data()
+         : area == Area::PQ ? store.terminals(Reg::PhysicalOutput).data()
+                            : store.area(area).data();
+}
+
 }  // namespace
 
 std::unique_ptr<CompiledProgram> CompiledProgram::of(const Plan& plan, const Concrete::Store& model,
@@ -95,7 +103,7 @@ void CompiledProgram::keep(const Concrete::Store& store) {
   }
   std::uint8_t* to = keptBytes_.data();
   for (const Written& w : writtenBytes_) {
-    std::memcpy(to, store.area(w.area).data() + w.first, w.count);
+    std::memcpy(to, bytesOf(store, w.area) + w.first, w.count);
     to += w.count;
   }
   std::uint32_t* next = keptRegisters_.data();
@@ -108,7 +116,7 @@ void CompiledProgram::keep(const Concrete::Store& store) {
 void CompiledProgram::takeBack(Concrete::Store& store) const {
   const std::uint8_t* from = keptBytes_.data();
   for (const Written& w : writtenBytes_) {
-    std::memcpy(store.area(w.area).data() + w.first, from, w.count);
+    std::memcpy(bytesOf(store, w.area) + w.first, from, w.count);
     from += w.count;
   }
   const std::uint32_t* next = keptRegisters_.data();
@@ -144,7 +152,7 @@ std::optional<std::uint64_t> CompiledProgram::run(Concrete::Store& store, std::u
                                                   std::uint64_t mostTime, RunTimeErrors& errors) {
   keep(store);
   Workspace& w = workspace();
-  for (std::size_t a = 0; a < areaCount; ++a) w.area[a] = store.area(static_cast<Area>(a)).data();
+  for (std::size_t a = 0; a < areaCount; ++a) w.area[a] = bytesOf(store, static_cast<Area>(a));
   w.registers = store.registers().data();
   w.ticks100 = ticks100;
   w.mostTime = mostTime;

@@ -153,7 +153,7 @@ class Recorder::Store {
   void forget();
   void forget(Area area);
 
-  std::uint32_t size(Area area) const { return static_cast<std::uint32_t>(model_.area(area).size()); }
+  std::uint32_t size(Area area) const { return sizes_[static_cast<std::size_t>(area)]; }
   const std::vector<std::vector<AccessCount>>& accesses() const { return accesses_; }
 
  private:
@@ -174,12 +174,14 @@ class Recorder::Store {
   void saveByte(Area area, std::uint32_t byte, Bits value);
   Bits loadWhole(Area area, std::uint32_t byte, int count);
   void saveWhole(Area area, std::uint32_t byte, int count, Bits value);
+  void saveBit(Area area, std::uint32_t byte, std::uint32_t bit, Bool value);
   Bool loadSlot(std::uint32_t slot);
   void saveSlot(std::uint32_t slot, Bool value);
   void note(Area area, std::uint32_t byte, bool isBit);
 
   Recorder& d_;
   const Concrete::Store& model_;
+  std::array<std::uint32_t, areaCount> sizes_;
   std::array<std::vector<std::uint32_t>, areaCount> slotOf_;  ///< by byte: number of its first slot + 1, 0: none
   std::array<std::vector<Part>, areaCount> parts_;
   std::array<std::uint32_t, areaCount> epochs_{};

@@ -28,10 +28,26 @@ bool isProgramsOwn(Reg reg) {
   }
 }
 
+std::array<std::uint32_t, areaCount> sizesOf(const Concrete::Store& model) {
+  std::array<std::uint32_t, areaCount> sizes;
+  for (std::size_t a = 0; a < areaCount; ++a)
+    sizes[a] = static_cast<std::uint32_t>(model.area(static_cast<Area>(a)).size());
+  return sizes;
+}
+
+/// Terminals are bytes as areas are; an S7-200 has nothing else in those.
+Area terminalArea(Reg reg) { return reg == Reg::PhysicalInput ? Area::PI : Area::PQ; }
+
 }  // namespace
 
 Recorder::Store::Store(Recorder& recorder, const Concrete::Store& model, const std::vector<SlotByte>& slots)
-    : d_(recorder), model_(model), bits_(slots.size() * 8), registers_(model.registers().size()) {
+    : d_(recorder),
+      model_(model),
+      sizes_(sizesOf(model)),
+      bits_(slots.size() * 8),
+      registers_(model.registers().size()) {
+  sizes_[static_cast<std::size_t>(Area::PI)] = sizes_[static_cast<std::size_t>(Area::PQ)] =
+      static_cast<std::uint32_t>(Concrete::Store::Terminals{}.size());
   accesses_.resize(areaCount);
   for (std::size_t a = 0; a < areaCount; ++a) {
     const std::size_t bytes = size(static_cast<Area>(a));
@@ -116,6 +132,13 @@ void Recorder::Store::saveWhole(Area area, std::uint32_t byte, int count, Bits v
                                                         static_cast<std::uint8_t>(8 * (count - 1 - i))};
 }
 
+/// A bit of a byte that has no slots.
+void Recorder::Store::saveBit(Area area, std::uint32_t byte, std::uint32_t bit, Bool value) {
+  const Bits others = d_.band(loadWhole(area, byte, 1), d_.literal(~(1ULL << bit), 8), 8);
+  const Bits own = d_.shl(d_.fromBool(value, 8), d_.literal(bit, 8), 8);
+  saveWhole(area, byte, 1, d_.bor(others, own, 8));
+}
+
 Recorder::Bits Recorder::Store::load(Area area, std::uint32_t bitOffset, int width) {
   const std::uint32_t byte = bitOffset / 8;
   const int count = width == 1 ? 1 : width / 8;
@@ -154,10 +177,7 @@ void Recorder::Store::save(Area area, std::uint32_t bitOffset, int width, Bits v
     note(area, byte, true);
     const Bool on = d_.bit(value, 0);
     if (const auto slot = slotOf(area, byte)) return saveSlot(*slot + bitOffset % 8, on);
-    const std::uint64_t mask = 1ULL << bitOffset % 8;
-    const Bits others = d_.band(loadWhole(area, byte, 1), d_.literal(~mask, 8), 8);
-    const Bits own = d_.shl(d_.fromBool(on, 8), d_.literal(bitOffset % 8, 8), 8);
-    return saveWhole(area, byte, 1, d_.bor(others, own, 8));
+    return saveBit(area, byte, bitOffset % 8, on);
   }
   bool hasSlots = false;
   for (int i = 0; i < count; ++i) {
@@ -191,6 +211,8 @@ Recorder::Bits Recorder::Store::get(Reg reg, std::uint32_t index) {
   if (reg == Reg::FirstScan) return d_.literal(0, 1);
   const int width = regInfo(reg).width;
   if (index >= model_.count(reg)) return d_.cannotFollow(width);
+  if (Concrete::Store::isTerminal(reg))
+    return d_.fromBool(d_.bit(loadWhole(terminalArea(reg), index / 8, 1), static_cast<int>(index % 8)), 1);
   const std::size_t at = model_.indexOf(reg, index);
   Known& known = registers_[at];
   if (known.epoch != epoch_)
@@ -209,6 +231,7 @@ void Recorder::Store::set(Reg reg, std::uint32_t index, Bits value, Bool guard) 
     value = d_.select(guard, value, old, regInfo(reg).width);
     if (value.id == old.id) return;
   }
+  if (Concrete::Store::isTerminal(reg)) return saveBit(terminalArea(reg), index / 8, index % 8, d_.bit(value, 0));
   const std::size_t at = model_.indexOf(reg, index);
   registers_[at] = {epoch_, value.id};
   d_.add({.op = CodeOp::StoreRegister, .a = value.id, .value = at});

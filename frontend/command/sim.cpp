@@ -42,7 +42,13 @@ struct Arguments {
   std::string duration;
   std::string side = "old";
   std::string names = "address";
+  std::string engine = "auto";
 
+  EngineKind engineKind() const {
+    return engine == "reference"  ? EngineKind::Reference
+           : engine == "compiled" ? EngineKind::Compiled
+                                  : EngineKind::Auto;
+  }
   SignalNames signalNames() const {
     return names == "symbol" ? SignalNames::Symbol : names == "both" ? SignalNames::Both : SignalNames::Address;
   }
@@ -327,6 +333,7 @@ Exit run(const Arguments& arguments, Context& context) {
   options.retentive = context.settings.retentive();
   options.choices = context.settings.choices();
   options.phaseMs = context.settings.phaseMs();
+  options.engine = arguments.engineKind();
   options.seed = static_cast<std::uint64_t>(std::stoull(std::string(context.settings.text(Opt::Seed))));
   Simulator simulator(program, options);
   const auto isPage = [](const std::string& name) { return name.ends_with(".html"); };
@@ -377,6 +384,8 @@ Action setup(ArgumentTable& table) {
   table.list("--signals", arguments->signals, "LIST", "addresses or symbols to trace; all that the program touches");
   table.word("--names", arguments->names, {"address", "symbol", "both"}, "address|symbol|both",
              "what columns of written traces are called [default: address]");
+  table.word("--engine", arguments->engine, {"auto", "reference", "compiled"}, "auto|reference|compiled",
+             "what runs the program; machine code does the same, faster [default: auto]");
   table.number("--scans", arguments->scans, "N", "run so many scans; until stimulus and expected trace end, or 100", 1,
                static_cast<std::int64_t>(mostScans));
   table.option("--duration", arguments->duration, "TIME", "run for this time, such as 30s");

@@ -8,6 +8,8 @@
 // Covered by tests/engine/scan_cycle_test.cpp.
 #pragma once
 
+#include <algorithm>
+
 #include "ir/s7200/scan.hpp"
 #include "ir/s7200/timer_refresh.hpp"
 
@@ -39,11 +41,8 @@ Ticks<D> takeTicks(Machine<D>& m) {
 template <class D>
 void readInputs(Machine<D>& m) {
   if constexpr (std::same_as<typename D::Bool, bool>) {  // the same, byte by byte
-    for (std::uint32_t byte = 0; byte < m.terminals() / 8; ++byte) {
-      typename D::Bits value = 0;
-      for (std::uint32_t bit = 0; bit < 8; ++bit) value |= m.get(Reg::PhysicalInput, byte * 8 + bit) << bit;
-      m.save(Area::I, byte, Width::Byte, value);
-    }
+    const auto& inputs = m.store.terminals(Reg::PhysicalInput);
+    std::copy_n(inputs.begin(), m.terminals() / 8, m.store.area(Area::I).begin());
   } else {
     for (std::uint32_t bit = 0; bit < m.terminals(); ++bit)
       m.saveBit(Area::I, bit / 8, bit % 8, m.getBit(Reg::PhysicalInput, bit));
@@ -142,13 +141,19 @@ void writeOutputs(Machine<D>& m) {
     const auto owned = m.d.land(running, m.getBit(Reg::PulseBusy, *generator));
     m.setBit(Reg::PhysicalOutput, bit, m.d.select(owned, m.getBit(Reg::PhysicalOutput, bit), image));
   };
-  for (std::uint32_t byte = 0; byte < m.terminals() / 8; ++byte) {
-    if constexpr (std::same_as<typename D::Bool, bool>) {  // the same, byte by byte
-      const auto value = m.load(Area::Q, byte, Width::Byte);
-      for (std::uint32_t bit = 0; bit < 8; ++bit) write(byte * 8 + bit, (value >> bit & 1) != 0);
-    } else {
-      for (std::uint32_t bit = 0; bit < 8; ++bit) write(byte * 8 + bit, m.loadBit(Area::Q, byte, bit));
-    }
+  std::uint32_t from = 0;
+  if constexpr (std::same_as<typename D::Bool, bool>) {  // the same, byte by byte where no generator is
+    auto& outputs = m.store.terminals(Reg::PhysicalOutput);
+    const auto count = static_cast<std::ptrdiff_t>(m.terminals() / 8);
+    if (running)
+      std::copy_n(m.store.area(Area::Q).begin() + 1, count - 1, outputs.begin() + 1);
+    else
+      std::fill_n(outputs.begin() + 1, count - 1, std::uint8_t{0});
+    from = 8;
+    for (std::uint32_t bit = 0; bit < 8; ++bit) write(bit, m.loadBit(Area::Q, 0, bit));
+  }
+  for (std::uint32_t bit = from; bit < m.terminals(); ++bit) {
+    if constexpr (!std::same_as<typename D::Bool, bool>) write(bit, m.loadBit(Area::Q, bit / 8, bit % 8));
   }
 }
 
