@@ -1,0 +1,19 @@
+// Programs on which the engine is measured against the same program in C, as statement lists. They are random with a
+// fixed seed; the same number gives the same text.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace rungproof::bench {
+
+struct NativeProgram {
+  std::string name;
+  std::string text;
+  double bar;  ///< least part of the speed of gcc -O2 that the engine shall reach with one trace
+};
+
+std::vector<NativeProgram> nativePrograms(std::uint64_t seed);
+
+}  // namespace rungproof::bench
