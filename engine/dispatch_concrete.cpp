@@ -6,6 +6,7 @@
 #include <array>
 
 #include "ir/s7300/isa_list.hpp"
+#include "ir/s7300/system_block.hpp"
 
 namespace rungproof {
 
@@ -61,6 +62,11 @@ template <>
 std::span<const Execute<Concrete>> step7DispatchTable<Concrete>() {
   static constexpr auto table = isa::step7::makeDispatch<Concrete>(isa::step7::AllInstructions{});
   return table;
+}
+
+template <>
+void runSystemBlock<Concrete>(Machine<Concrete>& machine, const std::function<void()>& between) {
+  runSystemBlockOn(machine, between);
 }
 
 Execute<Concrete> executionOf(const Instruction& instruction) {

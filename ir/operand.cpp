@@ -104,6 +104,8 @@ std::string step7Text(const Operand& operand) {
     case Way::Pointer: return fmt::format("{}[{}]", step7Letters(operand), toString(reach.pointer));
     case Way::Register: return fmt::format("{}[{},{}]", step7Letters(operand), ar, offset);
     case Way::Crossing: return fmt::format("{}[{},{}]", widths[static_cast<int>(operand.width)], ar, offset);
+    case Way::Handed: return fmt::format("#{}", reach.parameter);
+    case Way::PointerTo: return toString(reach.pointer);
   }
   return {};
 }

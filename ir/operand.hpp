@@ -82,14 +82,20 @@ enum class Way : std::uint8_t {
   Parameter,  ///< a formal parameter that the call gives by reference; offset and bit: within an actual of complex type
   Pointer,    ///< I[MD4], DBW[LD8], T[MW2]: the bit address, or the number, stands in memory
   Register,   ///< M[AR1,P#2.1]: the register's bit address plus offset and bit
-  Crossing    ///< [AR1,P#2.1], W[AR2,P#0.0]: the area stands in the register too
+  Crossing,   ///< [AR1,P#2.1], W[AR2,P#0.0]: the area stands in the register too
+  Handed,     ///< the bytes of the pointer that a call has made for a formal parameter (ir/s7300/handed_pointer.hpp)
+  PointerTo   ///< OperandKind::Address as an actual parameter: the pointer to `pointer`, for a POINTER or an ANY
 };
 struct Reach {
   Way way;
   bool inDi = false;            ///< OpenBlock, and area DB of Pointer and Register: DI instead of DB
   bool byAr2 = false;           ///< Register, Crossing: AR2 instead of AR1
-  std::uint32_t parameter = 0;  ///< Parameter: number of the formal one among the block's parameters
-  Operand pointer;              ///< Pointer: where it stands; its width: Word for numbers, DWord for bit addresses
+  std::uint32_t parameter = 0;  ///< Parameter, Handed: number of the formal one among the block's parameters
+  /// Pointer: where it stands; its width: Word for numbers, DWord for bit addresses. PointerTo: the place, or the
+  /// double word of a pointer constant with the number of its data block in Operand::offset.
+  Operand pointer;
+  std::uint8_t anyType = 0;    ///< PointerTo: code of the elements in an ANY (002:2257-2263)
+  std::uint16_t anyCount = 0;  ///< PointerTo: number of elements in an ANY; of a STRING: its bytes
 };
 
 /// "I0.0", "VW10", "T37", "AC1", "*VD10", "&VB10", "16#FF", "sym"; the canonical international spelling.

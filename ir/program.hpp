@@ -38,7 +38,10 @@ struct LocalVariable {
   /// parameters by reference by Way::Parameter.
   Operand address;
   std::uint32_t size = 0;  ///< S7-300/400: bytes; 0 for a bit
-  int instanceOf = 0;      ///< DataType::Instance: Pou::number of the FB
+  /// S7-300/400: byte of the pointer by which a parameter is handed over: of an FC among those of the call, of an FB in
+  /// its instance (ir/s7300/handed_pointer.hpp).
+  std::uint32_t pointerByte = 0;
+  int instanceOf = 0;  ///< DataType::Instance: Pou::number of the FB
   Span span;
 };
 
@@ -80,7 +83,10 @@ struct Pou {
   Span span;
   bool protectedBlock = false;  ///< password-protected: no instruction is visible
   BlockType type = BlockType::None;
+  bool isBuiltIn = false;           ///< S7-300/400: its meaning is that of ir/s7300/system_block.hpp, not its text
   std::uint32_t localBytes = 0;     ///< S7-300/400: L memory, with that of the LAD/FBD compiler; even
+  std::uint32_t pointerBytes = 0;   ///< S7-300/400: the last of them, for pointers that calls hand over
+  bool takesPointers = false;       ///< S7-300/400: whether a parameter is handed over by a pointer
   std::uint32_t instanceBytes = 0;  ///< of an FB
 };
 

@@ -2,6 +2,7 @@
 #include "analysis/encoding/symbolic_store.hpp"
 #include "ir/s7200/dispatch.hpp"
 #include "ir/s7300/isa_list.hpp"
+#include "ir/s7300/system_block.hpp"
 
 namespace rungproof {
 
@@ -15,6 +16,11 @@ template <>
 std::span<const Execute<Graph>> step7DispatchTable<Graph>() {
   static constexpr auto table = isa::step7::makeDispatch<Graph>(isa::step7::AllInstructions{});
   return table;
+}
+
+template <>
+void runSystemBlock<Graph>(Machine<Graph>& machine, const std::function<void()>& between) {
+  runSystemBlockOn(machine, between);
 }
 
 }  // namespace rungproof

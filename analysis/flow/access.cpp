@@ -7,6 +7,7 @@
 #include <map>
 
 #include "ir/s7200/library_block.hpp"
+#include "ir/s7300/pointer_code.hpp"
 
 namespace rungproof {
 
@@ -119,6 +120,20 @@ class AccessCollector {
     }
   }
 
+  /// What a POINTER or an ANY leads to may be read and written by the block that gets it; a block of the library does
+  /// what the section of the parameter says.
+  void pointed(std::size_t i, const Operand& o, VarSection section, bool isLibrary) {
+    Operand place = o.reach->pointer;
+    if (place.kind == OperandKind::Constant) place = direct(o.area, Width::Byte, o.offset, o.bit);
+    const auto type = static_cast<AnyType>(o.reach->anyType);
+    const bool isBits = type == AnyType::Bool;
+    const int elements = static_cast<int>(isBits ? o.reach->anyCount : bytesOfElements(type, o.reach->anyCount));
+    const Extent extent{std::max(elements, 1), std::max(elements, 1)};
+    const Width width = isBits ? Width::Bit : Width::Byte;
+    if (!isLibrary || section != VarSection::Output) add(i, place, width, extent, false, !isLibrary);
+    if (!isLibrary || section != VarSection::Input) add(i, place, width, extent, true, !isLibrary);
+  }
+
   void add(std::size_t i, const Operand& o, Width width, Extent extent, bool write, bool maybe = false) {
     if (o.kind != OperandKind::Direct && o.kind != OperandKind::Indirect) return;
     Access access;
@@ -171,6 +186,11 @@ class AccessCollector {
     if (found != subroutines_.end()) {
       for (const LocalVariable& local : found->second->locals) {
         if (local.section == VarSection::Temp || local.section == VarSection::Static || i >= count) continue;
+        if (op(i).reach != nullptr && op(i).reach->way == Way::PointerTo) {
+          pointed(i, op(i), local.section, found->second->isBuiltIn);
+          ++i;
+          continue;
+        }
         const Width width = local.size == 0 ? Width::Bit : Width::Byte;
         const Extent extent{std::max(static_cast<int>(local.size), 1), std::max(static_cast<int>(local.size), 1)};
         if (local.section != VarSection::Output) add(i, op(i), width, extent, false);

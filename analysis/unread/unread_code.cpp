@@ -210,7 +210,6 @@ class UnreadCode::Collector {
   /// What of an instruction is not modelled; empty: nothing.
   std::string step7Gap(const Instruction& instruction) const {
     for (const Operand& operand : instruction.operands) {
-      if (operand.kind == OperandKind::Text) return std::string(s7300::gapReason(s7300::Gap::PointerParameter));
       if (operand.kind == OperandKind::Address && operand.reach != nullptr && operand.reach->way == Way::Parameter)
         return std::string(s7300::gapReason(s7300::Gap::ParameterAddress));
     }
@@ -227,15 +226,6 @@ class UnreadCode::Collector {
     const Pou* callee = program_.subroutine(number);
     if (callee == nullptr) return std::string(s7300::gapReason(s7300::Gap::MissingBlock));
     if (callee->protectedBlock) return std::string(s7300::gapReason(s7300::Gap::ProtectedBlock));
-    std::size_t actual = callee->type == BlockType::Fb || callee->type == BlockType::Sfb ? 2 : 1;
-    for (const LocalVariable& local : callee->locals) {
-      if (local.section == VarSection::Temp || local.section == VarSection::Static) continue;
-      const bool isGiven =
-          actual < instruction.operands.size() && instruction.operands[actual].kind != OperandKind::Missing;
-      ++actual;
-      if (isGiven && (local.type == DataType::Any || local.type == DataType::Pointer))
-        return std::string(s7300::gapReason(s7300::Gap::PointerParameter));
-    }
     return {};
   }
 

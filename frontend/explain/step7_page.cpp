@@ -99,9 +99,12 @@ Step7Page pageOfOb(int number, const s7300::OrganizationBlock& row, const Paint&
 
 std::string nameOfBlock(const s7300::LibraryBlock& block) { return blockName(blockNumber(block.type, block.number)); }
 
+constexpr std::string_view contractOnly = "contract only: every output is any value after each call";
+
 /// modelled, or how far the model goes.
 std::string_view modelOf(const s7300::LibraryBlock& block) {
-  if (step7::isContractOnly(block)) return "contract only: every output is any value after each call";
+  if (step7::isContractOnly(block)) return contractOnly;
+  if (isBuiltIn(block)) return "modelled";
   return step7::isModelled(block) ? "modelled: its statements are known" : "NOT COVERED: only its parameters are known";
 }
 
@@ -130,6 +133,19 @@ Step7Page pageOfLibraryBlock(const s7300::LibraryBlock& block, const Paint& pain
   return page;
 }
 
+/// A block of the CPU that no table describes: its calls say which parameters it has.
+Step7Page pageOfUndescribed(int number, const Paint& paint) {
+  const std::string name = blockName(blockNumber(BlockType::Sfc, number));
+  Step7Page page;
+  page.text = fmt::format("{}: a block of the CPU\n\n", paint.bold(name));
+  page.json = {{"block", name}, {"model", contractOnly}};
+  appendRows(page.text,
+             {{"Model", std::string(contractOnly)},
+              {"Parameters", "those that its calls name; each place that is given counts as an output"}},
+             16);
+  return page;
+}
+
 /// "SFC 20", "OB35": kind and number.
 std::optional<std::pair<std::string_view, int>> blockWord(std::string_view word) {
   for (const std::string_view kind : {"SFC", "SFB", "OB", "FC"}) {
@@ -155,7 +171,8 @@ std::optional<Step7Page> pageOfBlock(std::string_view word, const Paint& paint) 
   }
   const BlockType type = kind == "SFC" ? BlockType::Sfc : kind == "SFB" ? BlockType::Sfb : BlockType::Fc;
   const s7300::LibraryBlock* block = s7300::libraryBlock(type, static_cast<std::uint32_t>(number));
-  return block == nullptr ? std::nullopt : std::optional(pageOfLibraryBlock(*block, paint));
+  if (block != nullptr) return pageOfLibraryBlock(*block, paint);
+  return type == BlockType::Sfc ? std::optional(pageOfUndescribed(number, paint)) : std::nullopt;
 }
 
 /// "SFB 0 to 5, SFC 41, 42" of numbers in order.
@@ -179,15 +196,17 @@ std::string joinedWithAnd(std::vector<std::string> parts) {
   return text;
 }
 
-std::string modelledBlocks() {
+/// Blocks with a row in the table of which no more than the parameters are known; what has no row is an SFC by
+/// contract, or an SFB, whose instance nobody knows.
+std::string blocksNotModelled() {
   std::vector<std::string> parts;
-  for (const auto& [type, kind] : {std::pair(BlockType::Sfb, "SFB"), {BlockType::Sfc, "SFC"}, {BlockType::Fc, "FC"}}) {
-    std::vector<int> numbers;
-    for (const s7300::LibraryBlock& block : s7300::libraryBlocks()) {
-      if (block.type == type && step7::isModelled(block)) numbers.push_back(block.number);
-    }
-    if (!numbers.empty()) parts.push_back(numberText(kind, numbers));
+  std::vector<int> functions, described;
+  for (const s7300::LibraryBlock& block : s7300::libraryBlocks()) {
+    if (block.type == BlockType::Sfc && !step7::isModelled(block)) functions.push_back(block.number);
+    if (block.type == BlockType::Sfb && step7::isModelled(block)) described.push_back(block.number);
   }
+  if (!functions.empty()) parts.push_back(numberText("SFC", functions));
+  parts.push_back(numberText("all SFB but", described));
   return joinedWithAnd(std::move(parts));
 }
 
@@ -217,7 +236,7 @@ std::vector<std::string> step7NotCovered() {
   for (const s7300::GapRow& row : s7300::gapRows()) {
     std::string line(row.subject);
     if (row.gap == s7300::Gap::OrganizationBlock) line += " " + modelledObs();
-    if (row.gap == s7300::Gap::LibraryBlock) line += " " + modelledBlocks();
+    if (row.gap == s7300::Gap::LibraryBlock) line += " " + blocksNotModelled();
     lines.push_back(std::move(line));
   }
   return lines;

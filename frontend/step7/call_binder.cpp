@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "frontend/step7/constant_spelling.hpp"
 #include "frontend/step7/library_source.hpp"
 #include "frontend/step7/statement_binder.hpp"
 #include "ir/block_map.hpp"
@@ -54,6 +53,32 @@ std::shared_ptr<const Structure> StatementBinder::parametersOf(BlockKey callee) 
   return library != nullptr ? s7300::interfaceOf(*library) : nullptr;
 }
 
+/// An SFC that no table describes: what its calls name are its parameters, each of any type and in either direction.
+bool StatementBinder::isUndescribed(BlockKey callee) const {
+  constexpr std::uint32_t lastFunction = 255;
+  return callee.kind == BlockKind::Sfc && callee.number <= lastFunction && catalogue_.entry(callee) == nullptr &&
+         s7300::libraryBlock(BlockType::Sfc, callee.number) == nullptr;
+}
+
+std::shared_ptr<const Structure> StatementBinder::undescribedInterface(BlockKey callee) const {
+  const auto found = undescribed_.find(callee);
+  return found == undescribed_.end() ? nullptr : found->second;
+}
+
+void StatementBinder::noteParameters(BlockKey callee, const Statement& statement) {
+  std::shared_ptr<Structure>& structure = undescribed_[callee];
+  if (structure == nullptr) structure = std::make_shared<Structure>();
+  for (const Argument& argument : statement.arguments) {
+    if (structure->field(argument.formal.text) != nullptr) continue;
+    Field field;
+    field.name = argument.formal.text;
+    field.type.kind = TypeKind::Any;
+    field.section = Section::InOut;
+    field.span = argument.formal.span;
+    structure->fields.push_back(std::move(field));
+  }
+}
+
 bool StatementBinder::call(const Desc& desc, const Statement& statement) {
   if (statement.operand.form == OperandForm::None)
     return refuse(Syntax::Operand7, statement.mnemonic.span, fmt::format("{} needs a block", statement.mnemonic.text));
@@ -88,7 +113,9 @@ bool StatementBinder::call(const Desc& desc, const Statement& statement) {
       target.block->kind == BlockKind::Udt)
     return refuse(Syntax::Operand7, statement.operand.span, fmt::format("{} takes an FC, FB, SFC or SFB", mnemonic));
   const BlockKey callee = *target.block;
-  const std::shared_ptr<const Structure> parameters = parametersOf(callee);
+  if (isUndescribed(callee)) noteParameters(callee, statement);
+  const std::shared_ptr<const Structure> parameters =
+      isUndescribed(callee) ? undescribedInterface(callee) : parametersOf(callee);
   // The number of a library FC is no library call unless the parameters are those of the library.
   const bool isOtherFc =
       parameters != nullptr && callee.kind == BlockKind::Fc && catalogue_.entry(callee) == nullptr &&
@@ -119,7 +146,7 @@ bool StatementBinder::call(const Desc& desc, const Statement& statement) {
                   fmt::format("{} has no instance data block", toString(callee)));
   }
   if (!arguments(statement, callee, *parameters, instruction)) return false;
-  if (catalogue_.entry(callee) == nullptr && !isModelledBlock(callee))
+  if (catalogue_.entry(callee) == nullptr && !isModelledBlock(callee) && !isUndescribed(callee))
     return refuse(Syntax::LibraryBlock, statement.operand.span,
                   fmt::format("what {} of the library does is not modelled", toString(callee)));
   append(desc, statement, std::move(instruction.operands));
@@ -188,7 +215,7 @@ bool StatementBinder::arguments(const Statement& statement, BlockKey callee, con
       isWhole = refuse(Syntax::CallList, argument.formal.span, fmt::format("{} is given twice", argument.formal.text));
     }
   }
-  const bool needsAll = callee.kind == BlockKind::Fc || callee.kind == BlockKind::Sfc;
+  const bool needsAll = (callee.kind == BlockKind::Fc || callee.kind == BlockKind::Sfc) && !isUndescribed(callee);
   for (const Field& field : parameters.fields) {
     if (!isParameter(field)) continue;
     const auto found = given.find(s7300::foldedName(field.name));
@@ -223,7 +250,7 @@ std::optional<rungproof::Operand> StatementBinder::actual(const Argument& argume
   }
   const Type& type = formal.type;
   const std::string wanted = s7300::toString(type);
-  if (type.kind == TypeKind::Pointer || type.kind == TypeKind::Any) return pointerActual(argument, bound, formal);
+  if (isPointerKind(type.kind)) return pointerActual(argument, bound, formal, isUndescribed(callee));
   if (bound.operand.kind == OperandKind::Address) return fail(fmt::format("{} takes no pointer", formal.name));
   if (isNumberType(type.kind)) {
     const bool fits = [&] {
@@ -254,6 +281,13 @@ std::optional<rungproof::Operand> StatementBinder::actual(const Argument& argume
     if (!bound.type || bound.type->kind != type.kind ||
         (type.kind != TypeKind::String && !s7300::isSameType(*bound.type, type)))
       return fail(fmt::format("{} of {} takes {} of the same shape, by name", formal.name, toString(callee), wanted));
+    const bool isCopied = callee.kind == BlockKind::Fb && !formal.byReference;
+    if (isCopied && type.kind == TypeKind::String && type.length != bound.type->length) {
+      refuse(
+          Syntax::NotModelled, span,
+          fmt::format("{} of {} has another length: how it is copied is not modelled", formal.name, toString(callee)));
+      return std::nullopt;
+    }
     return std::move(bound.operand);
   }
   if (bound.type && s7300::isComplex(*bound.type))
@@ -266,53 +300,6 @@ std::optional<rungproof::Operand> StatementBinder::actual(const Argument& argume
   if (formal.section != Section::Input && bound.operand.area == Area::PI)
     return fail(fmt::format("{} of {} is written, and inputs of modules are not", formal.name, toString(callee)));
   return std::move(bound.operand);
-}
-
-/// POINTER and ANY: constants as text, parts of the caller's own data by their place.
-std::optional<rungproof::Operand> StatementBinder::pointerActual(const Argument& argument, const BoundOperand& bound,
-                                                                 const Field& formal) {
-  using s7300::ConstantKind;
-  const Span span = argument.actual.span;
-  const auto text = [&](const Constant& pointer) {
-    rungproof::Operand operand;
-    operand.kind = OperandKind::Text;
-    operand.text = spellingOf(pointer);
-    operand.span = span;
-    return operand;
-  };
-  if (bound.constant) {
-    const bool isPointer = bound.constant->kind == ConstantKind::Pointer || bound.constant->kind == ConstantKind::Any;
-    if (isPointer && (bound.constant->value & 0x80000000) != 0) return text(*bound.constant);
-    refuse(Syntax::CallList, span, fmt::format("{} takes a pointer such as P#M 10.0 BYTE 4", formal.name));
-    return std::nullopt;
-  }
-  if (bound.block) {
-    refuse(Syntax::CallList, span, fmt::format("{} takes no whole block", formal.name));
-    return std::nullopt;
-  }
-  if (bound.operand.kind != OperandKind::Direct || bound.operand.area == Area::L || bound.operand.area == Area::T ||
-      bound.operand.area == Area::C)
-    return bound.operand;
-  // M40.0, MW 40, "Db".list: the pointer to it, bytes for what is no elementary value (002:2174-2249).
-  Constant pointer;
-  pointer.kind = formal.type.kind == TypeKind::Any ? ConstantKind::Any : ConstantKind::Pointer;
-  const Area area = bound.operand.area;
-  const std::uint32_t code = area == Area::PI || area == Area::PQ ? 0U
-                             : area == Area::I                    ? 1U
-                             : area == Area::Q                    ? 2U
-                             : area == Area::M                    ? 3U
-                                                                  : 4U;
-  std::uint32_t byte = bound.operand.offset;
-  if (area == Area::DB) {
-    pointer.block = static_cast<std::uint16_t>(blockOfByte(byte));
-    byte = byteInBlock(byte);
-  }
-  pointer.value = 0x80000000U | code << 24 | byte << 3 | bound.operand.bit;
-  const bool isWhole = bound.type && s7300::isComplex(*bound.type);
-  constexpr std::uint8_t codes[] = {0x01, 0x02, 0x04, 0x06};
-  pointer.anyType = isWhole ? 0x02 : codes[static_cast<int>(bound.operand.width)];
-  pointer.anyCount = isWhole ? static_cast<std::uint16_t>(s7300::sizeOf(*bound.type)) : 1;
-  return text(pointer);
 }
 
 }  // namespace rungproof::step7

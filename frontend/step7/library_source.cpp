@@ -162,7 +162,8 @@ using enum BlockType;
 
 /// Blocks whose outputs depend on what no program tells: they are any value (temporary data that nobody has written).
 /// What they do besides - they set, start, end or lock interrupts - means nothing without organization blocks for
-/// interrupts, which are not covered. How FC 106 rounds is not stated.
+/// interrupts, which are not covered. How FC 106 rounds is not stated, and neither is which characters numbers have in
+/// a STRING (FC 5, 16, 30, 37 to 39: ir/s7300/system_block.hpp).
 constexpr auto contractRows = std::to_array<std::pair<BlockType, std::uint16_t>>({
     {Sfc, 28},
     {Sfc, 29},
@@ -173,6 +174,12 @@ constexpr auto contractRows = std::to_array<std::pair<BlockType, std::uint16_t>>
     {Sfc, 34},
     {Sfc, 39},
     {Sfc, 40},
+    {Fc, 5},
+    {Fc, 16},
+    {Fc, 30},
+    {Fc, 37},
+    {Fc, 38},
+    {Fc, 39},
     {Fc, 106},
 });
 
@@ -207,6 +214,7 @@ constexpr auto sourceRows = std::to_array<SourceRow>({
 }  // namespace
 
 std::string librarySource(const s7300::LibraryBlock& block) {
+  if (isBuiltIn(block)) return std::string(emptyBody);
   const auto row = std::ranges::find_if(
       sourceRows, [&](const SourceRow& r) { return r.type == block.type && r.number == block.number; });
   if (row == sourceRows.end()) return isContractOnly(block) ? anyOutputs(block) : std::string();

@@ -4,12 +4,17 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "ir/s7300/library.hpp"
 
 namespace rungproof::step7 {
 
-/// Whether calls of the block are modelled: by its statements, by its contract, or as SFC 46, which stops the CPU.
+/// The text of a block whose meaning is no list of statements.
+inline constexpr std::string_view emptyBody = "BEGIN\nNETWORK\n";
+
+/// Whether calls of the block are modelled: by its statements, by ir/s7300/system_block.hpp, by its contract, or as SFC
+/// 46, which stops the CPU.
 bool isModelled(const s7300::LibraryBlock& block);
 /// Whether only its contract is modelled: every output is any value after each call.
 bool isContractOnly(const s7300::LibraryBlock& block);

@@ -89,6 +89,8 @@ int irNumber(BlockKey key) {
   return blockNumber(type(), static_cast<int>(key.number));
 }
 
+bool isPointerKind(TypeKind kind) { return kind == TypeKind::Pointer || kind == TypeKind::Any; }
+
 bool isNumberType(TypeKind kind) {
   return kind == TypeKind::Timer || kind == TypeKind::Counter || kind == TypeKind::BlockDb ||
          kind == TypeKind::BlockSdb || kind == TypeKind::BlockFc || kind == TypeKind::BlockFb;
@@ -210,6 +212,7 @@ BoundOperand OperandBinder::local(const Operand& operand, BlockScope& scope, con
   reach.way = byReference ? Way::Parameter : Way::Instance;
   if (byReference) {
     reach.parameter = static_cast<std::uint32_t>(found.field - scope.parameters->fields.data());
+    if (isPointerKind(found.field->type.kind)) reach.way = Way::Handed;
     if (found.field->type.kind == TypeKind::Timer) result.operand.area = Area::T;
     if (found.field->type.kind == TypeKind::Counter) result.operand.area = Area::C;
     if (isNumberType(found.field->type.kind)) {
@@ -239,13 +242,14 @@ BoundOperand OperandBinder::dataField(const Operand& operand, BlockKey block) {
   result.type = *found.type;
   const std::optional<Width> width = s7300::accessWidth(*found.type);
   result.operand = direct(Area::DB, width.value_or(Width::Byte), dataByte(block.number, found.byte), found.bit);
-  result.operand.text = fmt::format("\"{}\".{}", operand.name, wholePath(operand.path));
+  const std::string_view mark = operand.block ? "" : "\"";  // DB10.speed
+  result.operand.text = fmt::format("{0}{1}{0}.{2}", mark, operand.name, wholePath(operand.path));
   return result;
 }
 
 BoundOperand OperandBinder::symbol(const Operand& operand, BlockScope& scope) {
   const BlockName name{std::nullopt, 0, operand.name, operand.span};
-  const std::optional<BlockKey> key = catalogue_.keyOf(name);
+  const std::optional<BlockKey> key = catalogue_.keyOf(operand.block ? *operand.block : name);
   if (!operand.path.empty()) {
     if (!key || key->kind != BlockKind::Db)
       return refused(Syntax::NameUndefined, operand.span,
@@ -311,7 +315,15 @@ BoundOperand OperandBinder::parameterAddress(const Operand& operand, BlockScope&
   if (!result.fault.empty()) return result;
   result.operand.kind = OperandKind::Address;
   result.operand.text = "P#" + result.operand.text;
-  if (result.operand.reach != nullptr && result.operand.reach->way == Way::Parameter) result.operand.area = Area::V;
+  const bool isReferred = result.operand.reach != nullptr &&
+                          (result.operand.reach->way == Way::Parameter || result.operand.reach->way == Way::Handed);
+  if (isReferred) result.operand.area = Area::V;
+  // Of a complex type the call makes a pointer, which stands for the whole; elementary ones have no address.
+  if (isReferred && operand.path.size() == 1 && operand.path[0].indices.empty() && s7300::isComplex(*result.type)) {
+    Reach reach = *result.operand.reach;
+    reach.way = Way::Handed;
+    result.operand.reach = reachOf(std::move(reach));
+  }
   result.type.reset();
   return result;
 }

@@ -53,6 +53,8 @@ class OperandBinder {
 
 /// The IR's number of an S7-300/400 block.
 int irNumber(BlockKey key);
+/// POINTER, ANY.
+bool isPointerKind(s7300::TypeKind kind);
 /// Whether the field stands for a place that a call hands over by reference: TIMER, COUNTER, BLOCK_xx.
 bool isNumberType(s7300::TypeKind kind);
 

@@ -255,8 +255,17 @@ class OperandParser {
     if (!number || *number > 65535) return "the number of the block is too large";
     operand_.block = BlockName{kind, *number, {}, cursor_.spanFrom(begin)};
     if (kind == BlockKind::Db && cursor_.peek() == '.') {
-      if (!fullAddress()) return "DBX, DBB, DBW or DBD and a number follow the point, as in DB10.DBW 2";
-      return finishAddress();
+      const std::uint32_t point = cursor_.at();
+      if (fullAddress()) return finishAddress();
+      cursor_.to(point);
+      cursor_.skip(1);
+      const PlaceRow* row = placeOfOperand(lettersAt(cursor_), spelling_.set);
+      if ((row != nullptr && row->place == Place::DB) || !isWordByte(cursor_.peek()) || isDecimal(cursor_.peek()))
+        return "DBX, DBB, DBW or DBD and a number follow the point, as in DB10.DBW 2, or the name of a part";
+      cursor_.to(point);
+      operand_.form = OperandForm::Symbol;
+      operand_.name = "DB" + std::to_string(*number);
+      return readParts(cursor_, operand_.path);
     }
     operand_.form = OperandForm::Block;
     return {};

@@ -95,6 +95,7 @@ class OperandWriter {
   /// What Operand::reach describes.
   std::string found(const rungproof::Operand& operand, bool isBlock) const {
     const Reach& reach = *operand.reach;
+    if (reach.way == Way::PointerTo) return pointed(operand);
     if (operand.kind == OperandKind::Address) return "P#" + localText(std::string_view(operand.text).substr(3));
     if (operand.text.starts_with('#')) return localText(std::string_view(operand.text).substr(1));
     const std::string offset = fmt::format("P#{}.{}", operand.offset, operand.bit);
@@ -113,6 +114,12 @@ class OperandWriter {
       case Way::Crossing: return fmt::format("{} [{},{}]", widthLetter(operand.width), ar, offset);
       default: return at(area, operand.offset, operand);
     }
+  }
+
+  /// A pointer constant as it was written, or the place whose pointer it is.
+  std::string pointed(const rungproof::Operand& operand) const {
+    const rungproof::Operand& place = operand.reach->pointer;
+    return place.kind == OperandKind::Constant ? pointer(operand.text) : text(place, false);
   }
 
   std::string constantOf(const rungproof::Operand& operand) const {

@@ -18,6 +18,9 @@ class StatementBinder {
   /// Appends the instructions of a network; Network::complete says whether all of them could be bound.
   void bind(const NetworkSyntax& syntax, MnemonicSet set, BlockScope& scope, Network& network);
 
+  /// The parameters that calls have given an SFC that no table describes; nullptr: no call did.
+  std::shared_ptr<const s7300::Structure> undescribedInterface(BlockKey callee) const;
+
  private:
   bool statement(const Statement& statement);
   const Desc* instruction(const Statement& statement, const BoundOperand& operand);
@@ -31,8 +34,11 @@ class StatementBinder {
   bool arguments(const Statement& statement, BlockKey callee, const s7300::Structure& parameters,
                  Instruction& instruction);
   std::optional<rungproof::Operand> actual(const Argument& argument, const s7300::Field& formal, BlockKey callee);
+  /// `mayBeValue`: the parameter of a block that no table describes, which may be a value as well.
   std::optional<rungproof::Operand> pointerActual(const Argument& argument, const BoundOperand& bound,
-                                                  const s7300::Field& formal);
+                                                  const s7300::Field& formal, bool mayBeValue);
+  bool isUndescribed(BlockKey callee) const;
+  void noteParameters(BlockKey callee, const Statement& statement);
   void append(const Desc& desc, const Statement& statement, std::vector<rungproof::Operand> operands);
   bool refuse(Syntax code, Span span, std::string message);
   bool refuse(const BoundOperand& operand);
@@ -41,6 +47,7 @@ class StatementBinder {
   OperandBinder operands_;
   TypeTable& types_;
   Reports& reports_;
+  std::map<BlockKey, std::shared_ptr<s7300::Structure>> undescribed_;
   MnemonicSet set_ = MnemonicSet::International;
   BlockScope* scope_ = nullptr;
   Network* network_ = nullptr;

@@ -16,6 +16,7 @@
 #include "ir/s7300/cpu.hpp"
 #include "ir/s7300/declarations.hpp"
 #include "ir/s7300/dialect.hpp"
+#include "ir/s7300/pointer_parameter.hpp"
 
 namespace rungproof::step7 {
 
@@ -89,6 +90,7 @@ LocalVariable localVariable(const Field& field, bool isInstance, std::uint32_t p
   local.address = direct(field.section == Section::Temp ? Area::L : Area::DB, width, field.byte, field.bit);
   local.address.span = field.span;
   if (field.section == Section::Temp) return local;
+  local.pointerByte = field.byte;
   local.address.kind = OperandKind::Indirect;
   Reach reach{};
   reach.way = Way::Instance;
@@ -127,6 +129,7 @@ class ProjectBuilder {
       if (kind == BlockKind::Ob || kind == BlockKind::Fc || kind == BlockKind::Fb) codeBlock(entry, statements);
     }
     addLibraryBlocks(statements);
+    placeHandedPointers(program_);
     addDirectivesOutside();
     program_.declarations = declarations_;
   }
@@ -299,38 +302,45 @@ class ProjectBuilder {
       }
     }
     for (const int number : wanted) {
-      const s7300::LibraryBlock* block =
-          s7300::libraryBlock(blockTypeOf(number), static_cast<std::uint32_t>(numberOfBlock(number)));
-      if (block == nullptr || program_.subroutine(number) != nullptr) continue;
-      const std::string text = librarySource(*block);
-      if (!text.empty()) libraryBlock(*block, number, text, statements);
+      if (program_.subroutine(number) != nullptr) continue;
+      const auto in = static_cast<std::uint32_t>(numberOfBlock(number));
+      if (const s7300::LibraryBlock* block = s7300::libraryBlock(blockTypeOf(number), in)) {
+        const std::string text = librarySource(*block);
+        const std::string name = fmt::format("{} {}", blockName(number), block->name);
+        if (!text.empty()) libraryBlock(number, name, interfaceOf(*block), text, isBuiltIn(*block), statements);
+      } else if (const auto parameters = statements.undescribedInterface({BlockKind::Sfc, in});
+                 parameters != nullptr && blockTypeOf(number) == BlockType::Sfc) {
+        libraryBlock(number, blockName(number) + " of the system", parameters, std::string(emptyBody), true,
+                     statements);
+        declarations_->parameters[number] = parameters;
+      }
     }
   }
 
-  void libraryBlock(const s7300::LibraryBlock& block, int number, const std::string& text,
-                    StatementBinder& statements) {
-    const std::string name = fmt::format("{} {}", blockName(number), block.name);
+  void libraryBlock(int number, const std::string& name, std::shared_ptr<const Structure> interface,
+                    const std::string& text, bool isBuiltIn, StatementBinder& statements) {
     const std::uint32_t file =
         program_.sources->add(name, fmt::format("FUNCTION FC 1 : VOID\n{}\nEND_FUNCTION\n", text));
     SyntaxSink sink(program_, file);
     librarySources_.push_back(std::make_unique<SourceSyntax>(
         readSource(program_.sources->file(file).text(), {MnemonicSet::International, TextEncoding::Utf8}, sink)));
     const BlockSyntax& syntax = librarySources_.back()->blocks.at(0);
-    BlockScope scope;
-    scope.key = {block.type == BlockType::Sfb   ? BlockKind::Sfb
-                 : block.type == BlockType::Sfc ? BlockKind::Sfc
-                                                : BlockKind::Fc,
-                 block.number};
-    scope.name = name;
-    scope.parameters = interfaceOf(block);
-    scope.temporary = types_->temporary(syntax);
     Pou pou;
-    pou.type = block.type;
+    pou.type = blockTypeOf(number);
     pou.kind = PouKind::Subroutine;
     pou.number = number;
     pou.name = name;
     pou.span = syntax.span;
-    const bool isInstance = block.type == BlockType::Sfb;
+    pou.isBuiltIn = isBuiltIn;
+    BlockScope scope;
+    scope.key = {pou.type == BlockType::Sfb   ? BlockKind::Sfb
+                 : pou.type == BlockType::Sfc ? BlockKind::Sfc
+                                              : BlockKind::Fc,
+                 static_cast<std::uint32_t>(numberOfBlock(number))};
+    scope.name = name;
+    scope.parameters = std::move(interface);
+    scope.temporary = types_->temporary(syntax);
+    const bool isInstance = pou.type == BlockType::Sfb;
     if (isInstance) pou.instanceBytes = static_cast<std::uint32_t>(scope.parameters->size);
     std::uint32_t index = 0;
     for (const Field& field : scope.parameters->fields) pou.locals.push_back(localVariable(field, isInstance, index++));

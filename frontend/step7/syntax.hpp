@@ -61,7 +61,7 @@ struct Operand {
   Size size = Size::Bit;                   ///< Address, Indirect
   std::uint32_t number = 0;                ///< Address: byte, or number of the timer or counter
   std::uint8_t bit = 0;                    ///< Address: 0 to 7, larger ones are kept
-  std::optional<BlockName> block;          ///< Address: DB10. before it; Block: itself; Indirect: the kind of block
+  std::optional<BlockName> block;  ///< Address, Symbol: DB10. before it; Block: itself; Indirect: the kind of block
   std::string name;                        ///< Symbol: what stands in the quotation marks; Word: itself
   std::vector<PathStep> path;              ///< Local, Parameter: all; Symbol: what follows the name
   Constant constant;                       ///< Constant

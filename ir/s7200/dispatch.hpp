@@ -2,6 +2,7 @@
 // file (engine/dispatch_concrete.cpp, analysis/encoding/dispatch_graph.cpp), because that costs compile time.
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "ir/s7200/machine.hpp"
@@ -17,5 +18,9 @@ std::span<const Execute<D>> dispatchTable();
 /// The same for the instructions of the S7-300/400; what their control instructions decide is in Step7Registers::jumps.
 template <class D>
 std::span<const Execute<D>> step7DispatchTable();
+
+/// Runs the block of the CPU or of a library that the machine has entered (ir/s7300/system_block.hpp).
+template <class D>
+void runSystemBlock(Machine<D>& machine, const std::function<void()>& between);
 
 }  // namespace rungproof

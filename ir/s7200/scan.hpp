@@ -135,6 +135,9 @@ class Scan : private FlowWalk<Scan<D, Hooks>, Machine<D>, Hooks> {
   void distribute(Walk& w, std::uint32_t at);
   void step7Call(const Instruction& instruction);
   void enterBlock(const Flow& callee, const Instruction& instruction);
+  std::vector<std::pair<std::uint32_t, HandedPointer<D>>> pointersOf(const Instruction& call, const Pou& callee,
+                                                                     std::size_t firstActual);
+  void systemBlock(const Instruction& call);
   void openActuals(const Instruction& call);
   void serveError();
 

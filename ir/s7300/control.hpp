@@ -5,10 +5,11 @@
 // Part of ir/s7200/scan.hpp: members of Scan.
 #pragma once
 
+#include <algorithm>
 #include <utility>
 
 #include "ir/s7300/block.hpp"
-#include "ir/s7300/place.hpp"
+#include "ir/s7300/handed_pointer.hpp"
 
 namespace rungproof {
 
@@ -158,12 +159,11 @@ void Scan<D, Hooks>::step7Call(const Instruction& instruction) {
 }
 
 /// Parameters that are handed over as values: those of an FB, except numbers of timers, counters and blocks and whole
-/// structures that are read and written in place.
+/// structures that are read and written in place, and except pointers.
 inline bool isCopied(const LocalVariable& parameter) {
-  return parameter.address.reach != nullptr && parameter.address.reach->way == Way::Instance;
+  return parameter.address.reach != nullptr && parameter.address.reach->way == Way::Instance &&
+         !isPointerType(parameter.type);
 }
-
-inline bool hasInstance(const Pou& pou) { return pou.type == BlockType::Fb || pou.type == BlockType::Sfb; }
 
 template <class D, class Hooks>
 void Scan<D, Hooks>::enterBlock(const Flow& callee, const Instruction& instruction) {
@@ -180,7 +180,7 @@ void Scan<D, Hooks>::enterBlock(const Flow& callee, const Instruction& instructi
   const std::size_t first = isFb ? 2 : 1;
   std::vector<const LocalVariable*> parameters;
   for (const LocalVariable& local : pou.locals) {
-    if (local.section != VarSection::Temp && local.section != VarSection::Static) parameters.push_back(&local);
+    if (isParameter(local)) parameters.push_back(&local);
   }
   const auto given = [&](std::size_t i) -> const Operand* {
     if (first + i >= instruction.operands.size()) return nullptr;
@@ -210,6 +210,7 @@ void Scan<D, Hooks>::enterBlock(const Flow& callee, const Instruction& instructi
     }
   };
 
+  const std::vector<std::pair<std::uint32_t, HandedPointer<D>>> pointers = pointersOf(instruction, pou, first);
   std::vector<Bits> values;
   Bits instanceBlock = s.di, instancePointer = s.ar[1];
   if (isFb) {
@@ -245,7 +246,11 @@ void Scan<D, Hooks>::enterBlock(const Flow& callee, const Instruction& instructi
   freshBytes(activation.localBase, pou.localBytes);
   const Instruction* current = m_.current;
   s.running = &activation;
-  walk(callee);
+  for (const auto& [parameter, pointer] : pointers) places.saveHanded(pointer, parameter);
+  if (pou.isBuiltIn)
+    systemBlock(instruction);
+  else
+    walk(callee);
   s.running = caller;
   m_.current = current;
 
@@ -271,6 +276,44 @@ void Scan<D, Hooks>::enterBlock(const Flow& callee, const Instruction& instructi
               [&](const Operand& actual, const Operand&, Width width) { save(actual, width, values[next++]); });
   m_.put(s.db, activation.callerDb, 16);
   openActuals(instruction);
+}
+
+/// A block whose meaning is no list of statements. Where organization blocks interrupt it, they come as they come in
+/// front of its call.
+template <class D, class Hooks>
+void Scan<D, Hooks>::systemBlock(const Instruction& call) {
+  const FlowStep step{&call, noPartner, 0, call.id};
+  std::function<void()> between;
+  const bool isInterrupted = std::ranges::any_of(m_.plan.flows, [](const Flow& flow) {
+    return flow.pou->type == BlockType::Ob && eventOfBlock(numberOfBlock(flow.pou->number)) >= 0;
+  });
+  if (isInterrupted) between = [this, step] { hooks_.before(*this, step); };
+  runSystemBlock(m_, between);
+}
+
+/// The pointers that the call hands over, by the number of the parameter. The statements that make them work in
+/// accumulators and AR1: what these hold when the block begins is any value (general knowledge).
+template <class D, class Hooks>
+std::vector<std::pair<std::uint32_t, HandedPointer<D>>> Scan<D, Hooks>::pointersOf(const Instruction& call,
+                                                                                   const Pou& callee,
+                                                                                   std::size_t firstActual) {
+  std::vector<std::pair<std::uint32_t, HandedPointer<D>>> pointers;
+  if (!callee.takesPointers) return pointers;
+  Step7Places<D> places(m_);
+  for (std::uint32_t i = 0; i < callee.locals.size() && isParameter(callee.locals[i]); ++i) {
+    const LocalVariable& formal = callee.locals[i];
+    if (firstActual + i >= call.operands.size()) break;
+    const OperandKind kind = call.operands[firstActual + i].kind;
+    const bool isGiven = kind != OperandKind::Missing && kind != OperandKind::Constant;
+    if (isGiven && takesPointer(formal))
+      pointers.emplace_back(i, places.handed(call.operands[firstActual + i], formal.type, i));
+  }
+  if (pointers.empty()) return pointers;
+  constexpr std::uint32_t firstIndex = 0x200;  // beside what instructions leave open
+  std::uint32_t index = firstIndex;
+  for (Bits* bits : {&m_.step7.accu[0], &m_.step7.accu[1], &m_.step7.ar[0]})
+    m_.put(*bits, m_.external(External::UnknownResult, index++, 32), 32);
+  return pointers;
 }
 
 /// Whether the statements that hand over `DB50.DBD22` leave that block open in the caller is not stated (general

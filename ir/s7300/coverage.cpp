@@ -9,9 +9,13 @@ namespace {
 
 constexpr auto gapTable = std::to_array<GapRow>({
     {Gap::OrganizationBlock, "organization blocks other than", "what starts it is not modelled"},
-    {Gap::PointerParameter, "POINTER and ANY as actual parameters", "POINTER and ANY as parameters are not modelled"},
-    {Gap::ParameterAddress, "`P##` of a parameter of an FC", "the address of a parameter is not modelled"},
-    {Gap::LibraryBlock, "blocks of the system but", "what it does is not modelled"},
+    {Gap::PointerParameter,
+     "timers, counters, data of an open block and elementary parameters of an FC as actual parameters of type POINTER "
+     "and ANY",
+     "the pointer to it is not modelled"},
+    {Gap::ParameterAddress, "`P##` of an elementary parameter of an FC, or of a part of a parameter",
+     "the address of a parameter is not modelled"},
+    {Gap::LibraryBlock, "of the blocks of the system", "what it does is not modelled"},
     {Gap::InterruptControl, "SFC 39 to 42 beside organization blocks that interrupt OB1",
      "interrupts that are held back are not modelled"},
     {Gap::MissingBlock, "blocks that no file defines", "it is in no file"},

@@ -103,6 +103,13 @@ const LibraryBlock* libraryBlockNamed(std::string_view name) {
   return row == libraryRows.end() ? nullptr : &*row;
 }
 
+bool isBuiltIn(const LibraryBlock& block) {
+  constexpr int lastOfIec = 40;
+  constexpr std::array<int, 4> functions = {0, 1, 20, 21};  // SET_CLK, READ_CLK, BLKMOV, FILL
+  if (block.type == Fc) return block.number <= lastOfIec;
+  return block.type == Sfc && std::ranges::find(functions, block.number) != functions.end();
+}
+
 std::shared_ptr<const Structure> interfaceOf(const LibraryBlock& block) {
   auto structure = std::make_shared<Structure>();
   auto section = static_cast<int>(Section::Input);

@@ -24,6 +24,8 @@ std::span<const LibraryBlock> libraryBlocks();
 const LibraryBlock* libraryBlock(BlockType type, std::uint32_t number);
 /// By its usual name, in any case of letters.
 const LibraryBlock* libraryBlockNamed(std::string_view name);
+/// Whether its meaning stands in ir/s7300/system_block.hpp.
+bool isBuiltIn(const LibraryBlock& block);
 /// Parameters and static data; those of an SFB laid out as its instance.
 std::shared_ptr<const Structure> interfaceOf(const LibraryBlock& block);
 

@@ -9,11 +9,9 @@
 
 #include "ir/block_map.hpp"
 #include "ir/s7200/machine.hpp"
+#include "ir/s7300/pointer_code.hpp"
 
 namespace rungproof {
-
-/// Codes of areas in pointers (002:1698-1707).
-enum class PointerArea : std::uint8_t { P, I, Q, M, Db, Di, L, V };
 
 /// The number of a place in a data block: area, block and bit address, from the top.
 constexpr std::uint64_t locationInBlock(std::uint32_t block, std::uint32_t bitAddress) {
@@ -38,6 +36,8 @@ struct Spot {
   std::uint32_t bit = 0;
   typename D::Targets targets{};
 };
+
+struct ByteRow;
 
 template <class D>
 class Step7Places {
@@ -64,6 +64,21 @@ class Step7Places {
   Bits blockNumberOf(const Operand& o);
   /// The pointer to an operand (P##name): area code and bit address, 32 bits.
   Bits addressOf(const Operand& o);
+  /// Pointers that calls hand over: ir/s7300/handed_pointer.hpp.
+  HandedPointer<D> handed(const Operand& actual, DataType formal, std::uint32_t index);
+  void saveHanded(const HandedPointer<D>& pointer, std::uint32_t parameter);
+  HandedPointer<D> loadHanded(std::uint32_t parameter);
+  /// Where an ANY of the running block leads, as a number; its bytes there. Tested with ir/s7300/system_args.hpp.
+  Bits locationOf(const HandedPointer<D>& pointer);
+  bool rowAt(std::uint64_t location, std::uint32_t length, bool isBits, ByteRow& row) const;
+  Bits loadFrom(Area area, std::uint32_t offset, std::uint32_t bit, Width width) {
+    return loadPlace(area, offset, bit, width);
+  }
+  void saveTo(Area area, std::uint32_t offset, std::uint32_t bit, Width width, Bits value) {
+    savePlace(area, offset, bit, width, value);
+  }
+  /// A place as a number: area in bits 47-40, block in bits 39-24, bit address below.
+  static constexpr int locationBits = 48;
 
  private:
   /// What the operands of a block depend on.
@@ -84,8 +99,6 @@ class Step7Places {
     return first + parameter < operands.size() ? &operands[first + parameter] : nullptr;
   }
 
-  /// A place as a number: area in bits 47-40, block in bits 39-24, bit address below.
-  static constexpr int locationBits = 48;
   Bits location(Bits area, Bits block, Bits address) {
     return d_.concat(area, 8, d_.concat(block, 16, address, 24), 40);
   }
@@ -102,6 +115,14 @@ class Step7Places {
                  bool opens);
   Spot<D> at(Bits location, Width width);
   Bits crossing(Bits pointer, std::uint32_t offset, std::uint32_t bit, const Context& c);
+  Bits areaPointer(PointerArea area, Bits address) {
+    return d_.bor(number(0x80000000U | static_cast<std::uint64_t>(area) << 24, 32), d_.zext(address, 24, 32), 32);
+  }
+  Spot<D> handedPlace(const Context& c, std::uint32_t parameter, std::uint32_t offset, Width width);
+  static std::uint32_t ownPointers(const Pou& pou);
+  Bits handedAddress(std::uint32_t parameter);
+  HandedPointer<D> pointerTo(const Operand& o, const Context& c, std::uint32_t moreBytes, bool isOwn,
+                             std::uint32_t unknown);
   Bits pointerValue(const Operand& o, const Context& c);
   /// Decodes a location; false if no access of that width may reach it, with the error.
   bool decode(std::uint64_t location, Width width, Area& area, std::uint32_t& offset, std::uint32_t& bit,
@@ -155,6 +176,8 @@ Spot<D> Step7Places<D>::find(const Operand& o, Width width, const Context& c, st
       return at(location(area, block, beyond(start, offset + own, bit)), width);
     }
     case Way::Crossing: return at(crossing(reach.byAr2 ? c.ar2 : m_.step7.ar[0], offset, bit, c), width);
+    case Way::Handed: return handedPlace(c, reach.parameter, offset, width);
+    case Way::PointerTo: break;  // an actual parameter: read by handed()
   }
   return {};
 }
@@ -381,13 +404,11 @@ typename D::Bits Step7Places<D>::blockNumberOf(const Operand& o) {
 
 template <class D>
 typename D::Bits Step7Places<D>::addressOf(const Operand& o) {
-  const auto pointer = [&](PointerArea area, Bits address) {
-    return d_.bor(number(0x80000000U | static_cast<std::uint64_t>(area) << 24, 32), d_.zext(address, 24, 32), 32);
-  };
+  if (o.reach != nullptr && o.reach->way == Way::Handed) return handedAddress(o.reach->parameter);
   if (o.reach != nullptr && o.reach->way == Way::Instance)
-    return pointer(PointerArea::Di, beyond(address(m_.step7.ar[1]), o.offset, o.bit));
-  if (o.reach == nullptr && o.area == Area::L) return pointer(PointerArea::L, number(o.offset * 8 + o.bit, 24));
-  return pointer(PointerArea::V, number(o.offset * 8 + o.bit, 24));
+    return areaPointer(PointerArea::Di, beyond(address(m_.step7.ar[1]), o.offset, o.bit));
+  const PointerArea area = o.reach == nullptr && o.area == Area::L ? PointerArea::L : PointerArea::V;
+  return areaPointer(area, number(o.offset * 8 + o.bit, 24));
 }
 
 }  // namespace rungproof

@@ -29,6 +29,15 @@ struct Activation {
   Bits callerDb{}, callerDi{}, callerAr2{};  ///< registers at the call
 };
 
+/// A pointer as a parameter (ir/s7300/handed_pointer.hpp).
+template <class D>
+struct HandedPointer {
+  using Bits = typename D::Bits;
+  Bits head{};     ///< of an ANY: 16#10, type, number of elements; 32 bits
+  Bits block{};    ///< 16 bits
+  Bits pointer{};  ///< 32 bits
+};
+
 template <class D>
 struct Step7Registers {
   using Bool = typename D::Bool;

@@ -10,6 +10,8 @@
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/cpu.hpp"
 #include "ir/s7300/isa.hpp"
+#include "ir/s7300/library.hpp"
+#include "ir/s7300/pointer_parameter.hpp"
 
 namespace rungproof::agreement7 {
 namespace {
@@ -33,6 +35,7 @@ Operand typed(std::int64_t value, const std::string& text, Width width = Width::
 }
 
 int numberOfName(const std::string& name) {  // "FC5", "FB2", "OB1"
+  if (name.starts_with("SFC")) return blockNumber(BlockType::Sfc, std::atoi(name.c_str() + 3));
   const BlockType type = name.starts_with("FC")   ? BlockType::Fc
                          : name.starts_with("FB") ? BlockType::Fb
                                                   : BlockType::Ob;
@@ -81,7 +84,9 @@ struct Binder {
   bool isFb() const { return block.name.starts_with("FB"); }
 
   Operand ofVariable(const naive7::Variable& v, std::uint32_t index) const {
-    const int count = naive7::widthOfType(v.type);
+    const bool isPointer = v.type == "ANY" || v.type == "POINTER";
+    if (isPointer && !isFb()) return through({Way::Handed, false, false, index, {}}, Area::DB, Width::Byte);
+    const int count = isPointer ? 8 : naive7::widthOfType(v.type);
     const Width width = widthOf(count == 0 ? 1 : count);
     if (v.section == naive7::Section::Temp) return direct(Area::L, width, v.bit / 8, v.bit % 8);
     const bool isNumber = v.type == "TIMER" || v.type == "COUNTER";
@@ -173,6 +178,44 @@ struct Binder {
     return memory(text);
   }
 
+  /// An actual parameter for an ANY or a POINTER.
+  Operand pointer(const std::string& text) const {
+    naive7::AnyText any;
+    Operand place, operand;
+    Reach reach{Way::PointerTo, false, false, 0, {}};
+    if (naive7::readAny(text, any)) {
+      const bool isLocal = (any.address >> 24 & 7) == 6;  // area V for the block that is called
+      place = typed(any.address | (isLocal ? 0x01000000U : 0U), text, Width::DWord);
+      place.offset = static_cast<std::uint32_t>(any.block);
+      reach.anyType = static_cast<std::uint8_t>(any.type);
+      reach.anyCount = static_cast<std::uint16_t>(any.count);
+    } else {
+      place = memory(text);
+      static const std::map<std::string, std::uint8_t> codes = {{"BOOL", 1}, {"BYTE", 2},  {"WORD", 4},
+                                                                {"INT", 5},  {"DWORD", 6}, {"DINT", 7}};
+      static constexpr std::uint8_t byWidth[] = {1, 2, 4, 6};
+      reach.anyType = byWidth[static_cast<std::size_t>(place.width)];
+      reach.anyCount = 1;
+      for (const naive7::Variable& v : block.variables) {
+        if (!text.starts_with("#") || v.name != text.substr(1)) continue;
+        if (v.type == "ANY" || v.type == "POINTER") return place;
+        reach.anyType = codes.at(v.type);
+      }
+    }
+    operand = place;
+    reach.pointer = place;
+    operand.kind = OperandKind::Address;
+    operand.reach = std::make_shared<const Reach>(std::move(reach));
+    return operand;
+  }
+
+  /// P##name.
+  Operand addressOf(const std::string& name) const {
+    Operand operand = local(name);
+    operand.kind = OperandKind::Address;
+    return operand;
+  }
+
   bool isObject(const std::string& operand, const char* type) const {
     if (operand.empty()) return false;
     if (operand[0] != '#') {
@@ -227,10 +270,28 @@ struct Binder {
     if (const auto callee = program.blocks.find(target); callee != program.blocks.end()) {
       for (const naive7::Variable& v : parametersOf(callee->second)) {
         const auto given = std::ranges::find(s.actuals, v.name, [](const auto& pair) { return pair.first; });
-        operands.push_back(given == s.actuals.end() ? Operand{} : value(given->second));
+        const bool isPointer = v.type == "ANY" || v.type == "POINTER";
+        operands.push_back(given == s.actuals.end() ? Operand{}
+                           : isPointer              ? pointer(given->second)
+                                                    : value(given->second));
+      }
+    } else if (const s7300::LibraryBlock* library = libraryOf(numberOfName(target))) {
+      const auto interface = s7300::interfaceOf(*library);
+      for (const s7300::Field& field : interface->fields) {
+        const auto given = std::ranges::find(s.actuals, field.name, [](const auto& pair) { return pair.first; });
+        if (given == s.actuals.end()) {
+          *faults += "no parameter " + field.name + "\n";
+          continue;
+        }
+        const bool isAny = field.type.kind == s7300::TypeKind::Any;
+        operands.push_back(isAny ? pointer(given->second) : value(given->second));
       }
     }
     append(network, s.op, std::move(operands));
+  }
+
+  static const s7300::LibraryBlock* libraryOf(int number) {
+    return s7300::libraryBlock(blockTypeOf(number), static_cast<std::uint32_t>(numberOfBlock(number)));
   }
 
   static std::vector<naive7::Variable> parametersOf(const naive7::Block& block) {
@@ -257,6 +318,7 @@ struct Binder {
     if ((op == "L" || op == "T") && o == "STW") return append(network, op + " STW", {});
     if (op == "L" && (o == "DBNO" || o == "DINO" || o == "DBLG" || o == "DILG")) return append(network, "L " + o, {});
     if ((op == "LAR1" || op == "TAR1") && o == "AR2") return append(network, op + " AR2", {});
+    if (op == "L" && o.starts_with("P##")) return append(network, op, {addressOf(o.substr(3))});
     if (op == "L" || op == "LC" || op == "R" || op == "FR" || op == "S") {
       for (const char* type : {"TIMER", "COUNTER"}) {
         if (isObject(o, type)) return append(network, op + " " + type[0], {memory(o)});
@@ -273,9 +335,11 @@ struct Binder {
 };
 
 DataType typeOf(const std::string& name) {
-  static const std::map<std::string, DataType> types = {
-      {"BOOL", DataType::Bool},   {"BYTE", DataType::Byte}, {"WORD", DataType::Word},   {"INT", DataType::Int},
-      {"DWORD", DataType::DWord}, {"DINT", DataType::DInt}, {"TIMER", DataType::Timer}, {"COUNTER", DataType::Counter}};
+  static const std::map<std::string, DataType> types = {{"BOOL", DataType::Bool},   {"BYTE", DataType::Byte},
+                                                        {"WORD", DataType::Word},   {"INT", DataType::Int},
+                                                        {"DWORD", DataType::DWord}, {"DINT", DataType::DInt},
+                                                        {"TIMER", DataType::Timer}, {"COUNTER", DataType::Counter},
+                                                        {"ANY", DataType::Any},     {"POINTER", DataType::Pointer}};
   const auto found = types.find(name);
   return found == types.end() ? DataType::Instance : found->second;
 }
@@ -306,6 +370,7 @@ Pou pouOf(const naive7::Program& program, const naive7::Block& block, std::strin
     variable.type = typeOf(v.type);
     variable.address = binder.ofVariable(v, index);
     variable.size = static_cast<std::uint32_t>(naive7::widthOfType(v.type)) / 8;
+    variable.pointerByte = v.bit / 8;
     if (v.type.starts_with("FB")) {
       variable.instanceOf = numberOfName(v.type);
       variable.size = program.blocks.at(v.type).instanceBytes;
@@ -327,6 +392,43 @@ Pou pouOf(const naive7::Program& program, const naive7::Block& block, std::strin
   return pou;
 }
 
+/// The built-in blocks that are called.
+void addLibrary(Program& program) {
+  std::vector<Pou> blocks;
+  for (const Pou& pou : program.pous) {
+    for (const Instruction& instruction : pou.networks[0].instructions) {
+      if (instruction.desc->control != Control::BlockCall || instruction.operands[0].kind != OperandKind::Constant)
+        continue;
+      const int number = static_cast<int>(instruction.operands[0].value);
+      const s7300::LibraryBlock* library = Binder::libraryOf(number);
+      const auto isThis = [&](const Pou& other) { return other.number == number; };
+      if (library == nullptr || program.subroutine(number) != nullptr || std::ranges::any_of(blocks, isThis)) continue;
+      Pou& block = blocks.emplace_back();
+      block.kind = PouKind::Subroutine;
+      block.type = library->type;
+      block.number = number;
+      block.name = library->name;
+      block.isBuiltIn = true;
+      block.networks.emplace_back();
+      const auto interface = s7300::interfaceOf(*library);
+      for (const s7300::Field& field : interface->fields) {
+        const std::uint64_t size = s7300::sizeOf(field.type);
+        const Width width = size == 2                                  ? Width::Word
+                            : field.type.kind == s7300::TypeKind::Bool ? Width::Bit
+                                                                       : Width::DWord;
+        LocalVariable& local = block.locals.emplace_back();
+        local.name = field.name;
+        local.section = field.section == s7300::Section::Input ? VarSection::Input : VarSection::Output;
+        local.type = field.type.kind == s7300::TypeKind::Any ? DataType::Any : DataType::Int;
+        local.size = width == Width::Bit ? 0 : static_cast<std::uint32_t>(size);
+        local.address = through({Way::Parameter, false, false, static_cast<std::uint32_t>(block.locals.size() - 1), {}},
+                                Area::DB, width);
+      }
+    }
+  }
+  std::ranges::move(blocks, std::back_inserter(program.pous));
+}
+
 }  // namespace
 
 Program irOf(const naive7::Program& program, bool is400, std::string& faults) {
@@ -343,6 +445,8 @@ Program irOf(const naive7::Program& program, bool is400, std::string& faults) {
     data.bytes = bytes;
     result.dataBlocks.push_back(std::move(data));
   }
+  addLibrary(result);
+  placeHandedPointers(result);
   result.number();
   return result;
 }

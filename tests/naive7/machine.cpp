@@ -92,15 +92,33 @@ void Machine::call(const Statement& s) {
     instance = std::atoi(instanceText.c_str() + 2);
     if (!dataBlocks.contains(instance)) throw Stop{0x3A, "no instance block"};
   }
+  if (systemBlock(target, s)) return;
   const auto found = program_->blocks.find(target);
   if (found == program_->blocks.end()) throw Stop{target.starts_with("FB") ? 0x3E : 0x3C, "no block " + target};
   const Block& block = found->second;
   std::map<std::string, Place> references;
-  std::vector<std::pair<Place, Place>> results;  // from the instance to the actual parameter
+  std::vector<std::pair<Place, std::uint8_t>> handed;  // bytes of pointers, and where they go
+  std::uint32_t nextPointer = 900 * 8;                 // in the local data of this block, behind all that it uses
+  std::vector<std::pair<Place, Place>> results;        // from the instance to the actual parameter
   for (const auto& [name, actual] : s.actuals) {
     for (const Variable& v : block.variables) {
       if (v.name != name) continue;
       Place outside;
+      if (v.type == "ANY" || v.type == "POINTER") {
+        Place inside;
+        inside.area = block.name.starts_with("FB") ? 'D' : 'L';
+        inside.number = inside.area == 'D' ? instance : static_cast<int>(frames_.size()) - 1;
+        inside.bit = inside.area == 'D' ? base + v.bit : nextPointer;
+        nextPointer += 80;
+        inside.width = widthOfType(v.type);
+        if (inside.area == 'L') references[name] = inside;
+        for (std::uint8_t byte : handedBytes(actual, v.type == "ANY")) {
+          inside.width = 8;
+          handed.emplace_back(inside, byte);
+          inside.bit += 8;
+        }
+        continue;
+      }
       if (v.type == "TIMER" || v.type == "COUNTER") {
         outside.isConstant = true;
         outside.value = static_cast<std::uint32_t>(objectNumber(actual, v.type[0]));
@@ -128,6 +146,8 @@ void Machine::call(const Statement& s) {
       if (v.section == Section::Out || v.section == Section::InOut) results.emplace_back(inside, outside);
     }
   }
+  for (const auto& [inside, byte] : handed) write(inside, byte);
+  if (!handed.empty()) accu[0] = accu[1] = ar[0] = 0;  // the statements that make pointers use them
   enter(block, instance, base, references);
   for (const auto& [inside, outside] : results) write(outside, read(inside));
 }
@@ -338,6 +358,7 @@ bool Machine::loadStatement(const Statement& s) {
       }
       return load(value), true;
     }
+    if (o.starts_with("P##")) return load(addressOfParameter(o.substr(3))), true;
     if (o == "DBNO") return load(static_cast<std::uint32_t>(db)), true;
     if (o == "DINO") return load(static_cast<std::uint32_t>(di)), true;
     if (o == "DBLG") return load(static_cast<std::uint32_t>(dataBlocks[db].size())), true;

@@ -133,6 +133,10 @@ class Machine {
   bool blockStatement(const Statement& s);
   bool jump(const Statement& s, std::size_t& next);
   void call(const Statement& s);
+  std::vector<std::uint8_t> handedBytes(const std::string& actual, bool isAny) const;
+  std::uint32_t addressOfParameter(const std::string& name) const;
+  bool systemBlock(const std::string& target, const Statement& s);
+  void leaveSystemBlock(bool isGood);
   void enter(const Block& block, int instance, std::uint32_t base, const std::map<std::string, Place>& references);
   void startTimer(const std::string& kind, Timer& t);
 
@@ -156,6 +160,13 @@ class Machine {
   std::vector<Frame> frames_;
   std::int64_t steps_ = 0;
 };
+
+/// A pointer constant: `P#DB1.DBX 4.0 INT 2`.
+struct AnyText {
+  int block = 0, type = 0, count = 0;
+  std::uint32_t address = 0;
+};
+bool readAny(const std::string& text, AnyText& any);
 
 std::uint32_t constantValue(const std::string& text);  ///< "W#16#1000", "S5T#1S", "P#M40.0", "1.5", "'ab'"
 bool isConstantText(const std::string& text);

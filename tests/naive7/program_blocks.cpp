@@ -139,9 +139,10 @@ std::string ProgramGenerator::program() {
   std::string sources =
       "DATA_BLOCK DB 1\nSTRUCT\n  b : ARRAY [0 .. 99] OF BYTE ;\nEND_STRUCT ;\nBEGIN\nEND_DATA_BLOCK\n"
       "DATA_BLOCK DB 2\nSTRUCT\n  b : ARRAY [0 .. 19] OF BYTE ;\nEND_STRUCT ;\nBEGIN\nEND_DATA_BLOCK\n";
-  sources += fb1() + fb2();
-  sources += "DATA_BLOCK DB 3\nFB 1\nBEGIN\nEND_DATA_BLOCK\nDATA_BLOCK DB 4\nFB 2\nBEGIN\nEND_DATA_BLOCK\n";
-  sources += fc1() + fc2() + fc3() + ob1();
+  sources += fb1() + fb2() + fb3();
+  for (const char* number : {"3\nFB 1", "4\nFB 2", "5\nFB 3"})
+    sources += std::string("DATA_BLOCK DB ") + number + "\nBEGIN\nEND_DATA_BLOCK\n";
+  sources += fc1() + fc2() + fc3() + fc4() + fc5() + ob1();
   return sources;
 }
 

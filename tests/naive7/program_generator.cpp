@@ -394,7 +394,8 @@ void ProgramGenerator::relay() {
 
 /// After a call the registers that the description leaves open get values again.
 void ProgramGenerator::calls() {
-  const std::uint32_t kind = below(7);
+  const std::uint32_t kind = below(11);
+  if (kind > 6) return pointerCalls(kind);
   if (kind == 0) return say(pick({"UC FC 2", "CC FC 2", "CALL FC 2"}));
   if (kind == 1) {
     say("L 2");
@@ -417,17 +418,7 @@ void ProgramGenerator::calls() {
   } else {
     say("CALL FB 2 , DB 4 ( k := " + pick({"MW 22", "7", "IW 0"}) + " , o := MW 24 )");
   }
-  say("OPN DB 1");
-  say("OPN DI 2");
-  say("LAR1 P#1.0");
-  say("LAR2 P#2.0");
-  say("L 5");
-  say("L 6");
-  if (choices_.is400) {
-    say("ENT");
-    say("ENT");
-  }
-  say("CLR");
+  registersAgain();
 }
 
 void ProgramGenerator::error() {

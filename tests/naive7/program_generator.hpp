@@ -22,7 +22,7 @@ class ProgramGenerator {
  public:
   ProgramGenerator(std::uint64_t seed, const GeneratorChoices& choices) : engine_(seed), choices_(choices) {}
 
-  /// DB1 (100 bytes), DB2 (20), DB3 and DB4 (instances), FB1, FB2, FC1 to FC3, OB1; one statement a line.
+  /// DB1 (100 bytes), DB2 (20), DB3, DB4 and DB5 (instances), FB1 to FB3, FC1 to FC5, OB1; one statement a line.
   std::string program();
 
   /// 0 .. limit - 1.
@@ -67,14 +67,19 @@ class ProgramGenerator {
   void status();
   void relay();
   void calls();
+  void pointerCalls(std::uint32_t kind);
+  void registersAgain();
   void error();
   void snippet(int depth);
   void body(int count);
   std::string fc1();
   std::string fc2();
   std::string fc3();
+  std::string fc4();
+  std::string fc5();
   std::string fb1();
   std::string fb2();
+  std::string fb3();
   std::string ob1();
 
   std::mt19937_64 engine_;

@@ -260,6 +260,8 @@ int widthOfType(const std::string& type) {
   if (type == "BYTE" || type == "CHAR") return 8;
   if (type == "WORD" || type == "INT" || type == "S5TIME" || type == "DATE") return 16;
   if (type == "DWORD" || type == "DINT" || type == "REAL" || type == "TIME" || type == "TIME_OF_DAY") return 32;
+  if (type == "POINTER") return 48;
+  if (type == "ANY") return 80;
   return 0;
 }
 

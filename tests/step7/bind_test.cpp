@@ -171,7 +171,7 @@ TEST(Bind, OwnDataOfBlocks) {
   // v, t, p, s, RET_VAL, q: inputs first, then the value of the function.
   EXPECT_EQ(show7(*fc),
             "L DBW0@parameter0; T DBW0@parameter4; A T0@parameter1; L T T0@parameter1; L DBW2@parameter3; L "
-            "&VB0@parameter2; = DB0.0@parameter5");
+            "&VB0@handed2; = DB0.0@parameter5");
   ASSERT_EQ(program.dataBlocks.size(), 2u);
   EXPECT_EQ(program.dataBlocks[0].instanceOf, blockNumber(BlockType::Fb, 2));
   EXPECT_EQ(program.dataBlocks[0].bytes,
@@ -195,8 +195,8 @@ TEST(Bind, ActualParameters) {
   EXPECT_EQ(findings7(program), "");
   ASSERT_NE(program.main(), nullptr);
   const std::string fc1 = "CALL FC1=" + std::to_string(blockNumber(BlockType::Fc, 1));
-  EXPECT_EQ(show7(*program.main()), fc1 + " W#16#7=7 T4 'P#DB1.DBX 0.0 BYTE 4' DBB1:0 MW0 M4.0; " + fc1 +
-                                        " MW2 T4 'P#M 6.0 WORD 1' DBB1:0 DBW1:0 DB1:0.1");
+  EXPECT_EQ(show7(*program.main()), fc1 + " W#16#7=7 T4 &'P#DB1.DBX 0.0 BYTE 4':2x4 DBB1:0 MW0 M4.0; " + fc1 +
+                                        " MW2 T4 &MW6:4x1 DBB1:0 DBW1:0 DB1:0.1");
 }
 
 TEST(Bind, AttributesOfACallSayNothingAboutItsParameters) {

@@ -24,7 +24,7 @@ std::vector<GapCase> gapCases() {
        "NOP 0;"},
       {PointerParameter,
        "FUNCTION FC 5 : VOID\nVAR_INPUT\n  p : ANY;\nEND_VAR\nBEGIN\nNETWORK\nSET;\n= Q 0.0;\nEND_FUNCTION\n",
-       "CALL FC 5 (p := P#M 0.0 BYTE 2);"},
+       "CALL FC 5 (p := T 2);"},
       {ParameterAddress,
        "FUNCTION FC 5 : VOID\nVAR_INPUT\n  x : INT;\nEND_VAR\nBEGIN\nNETWORK\nL P##x;\nLAR1;\nL W [AR1,P#0.0];\nT QW "
        "0;\n"
@@ -53,22 +53,21 @@ std::string outputOf(const std::vector<std::string>& arguments) {
   return out.str();
 }
 
-// A variable of the caller's own for an ANY: what stands in it is no pointer, and nothing is made of it.
-TEST(Gaps, OwnVariablesAsPointers) {
-  for (const char* actual : {"#own", "#list"}) {
+// What no pointer is made of: timers, counters, data of an open block, an elementary parameter of an FC, a pointer of
+// which the block or the type of the elements is not said.
+TEST(Gaps, WhatHasNoPointer) {
+  for (const char* actual : {"T 2", "C 2", "DBW 2", "DIX 0.0", "#x", "P#DBX 0.0 BYTE 2", "P#M 4.0", "MW [MD 4]"}) {
     const test::TemporaryFolder folder;
     folder.file("main.awl",
-                std::string("FUNCTION_BLOCK FB 1\nVAR_INPUT\n  p : ANY;\nEND_VAR\nBEGIN\nNETWORK\nL P##p;\nLAR1;\n"
-                            "L W [AR1,P#4.0];\nL 0;\n==I;\n= Q 0.0;\nEND_FUNCTION_BLOCK\n"
-                            "FUNCTION_BLOCK FB 2\nVAR\n  list : ARRAY [0..9] OF BYTE;\n  inner : FB 1;\nEND_VAR\n"
-                            "VAR_TEMP\n  own : INT;\nEND_VAR\nBEGIN\nNETWORK\nCALL #inner (p := ") +
+                std::string("FUNCTION FC 5 : VOID\nVAR_INPUT\n  p : ANY;\nEND_VAR\nBEGIN\nNETWORK\nSET;\n= Q 0.0;\n"
+                            "END_FUNCTION\nFUNCTION FC 6 : VOID\nVAR_INPUT\n  x : INT;\nEND_VAR\nBEGIN\nNETWORK\n"
+                            "CALL FC 5 (p := ") +
                     actual +
-                    ");\nEND_FUNCTION_BLOCK\nDATA_BLOCK DB 2\nFB 2\nBEGIN\nEND_DATA_BLOCK\n"
-                    "ORGANIZATION_BLOCK OB 1\n//@ prove on: Q0.0\n//@ prove off: not Q0.0\nBEGIN\nNETWORK\n"
-                    "CALL FB 2, DB 2;\nEND_ORGANIZATION_BLOCK\n");
+                    ");\nEND_FUNCTION\nORGANIZATION_BLOCK OB 1\n//@ prove on: Q0.0\n//@ prove off: not Q0.0\nBEGIN\n"
+                    "NETWORK\nCALL FC 6 (x := MW 4);\nEND_ORGANIZATION_BLOCK\n");
     const std::string proof = outputOf({"prove", folder.path("main.awl"), "--isolated", "--dialect", "s7-300"});
-    EXPECT_EQ(proof.find("PROVED"), std::string::npos) << proof;
-    EXPECT_NE(proof.find("NOT COVERED  on"), std::string::npos) << proof;
+    EXPECT_EQ(proof.find("PROVED"), std::string::npos) << actual << proof;
+    EXPECT_NE(proof.find("NOT COVERED  on"), std::string::npos) << actual << proof;
   }
 }
 

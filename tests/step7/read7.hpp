@@ -23,12 +23,17 @@ inline std::string findings7(const Program& program) {
 }
 
 inline std::string show7(const Operand& operand) {
-  static const char* const ways[] = {"open", "instance", "parameter", "pointer", "register", "crossing"};
+  static const char* const ways[] = {"open", "instance", "parameter", "pointer", "register", "crossing", "handed"};
   static const char* const widths[] = {"", "B", "W", "D"};
   if (operand.kind == OperandKind::Missing) return "-";
   if (operand.kind == OperandKind::Text) return "'" + operand.text + "'";
   if (operand.kind == OperandKind::Constant)
     return operand.text.empty() ? fmt::format("{}", operand.value) : fmt::format("{}={}", operand.text, operand.value);
+  if (operand.reach != nullptr && operand.reach->way == Way::PointerTo) {
+    const Operand& place = operand.reach->pointer;
+    return fmt::format("&{}:{:X}x{}", place.kind == OperandKind::Constant ? "'" + operand.text + "'" : show7(place),
+                       operand.reach->anyType, operand.reach->anyCount);
+  }
   const bool isData = operand.area == Area::DB && operand.reach == nullptr;
   const std::string number =
       isData ? fmt::format("{}:{}", operand.offset >> 16, operand.offset & 0xFFFF) : fmt::format("{}", operand.offset);
@@ -38,7 +43,8 @@ inline std::string show7(const Operand& operand) {
   if (isBit) text += fmt::format(".{}", operand.bit);
   if (operand.reach == nullptr) return text;
   text += fmt::format("@{}", ways[static_cast<int>(operand.reach->way)]);
-  if (operand.reach->way == Way::Parameter) text += fmt::format("{}", operand.reach->parameter);
+  if (operand.reach->way == Way::Parameter || operand.reach->way == Way::Handed)
+    text += fmt::format("{}", operand.reach->parameter);
   if (operand.reach->way == Way::Pointer) text += fmt::format("[{}]", show7(operand.reach->pointer));
   if (operand.reach->inDi) text += "/DI";
   if (operand.reach->byAr2) text += "/AR2";

@@ -24,7 +24,8 @@ struct LoadValue {
                                             {in("value", Type::Value, form7::memory | form7::PI | form7::Const)});
   template <class D>
   static void run(Step7Args<D>& a) {
-    const Width width = a.operand().kind == OperandKind::Constant ? Width::DWord : a.operand().width;
+    const bool isMemory = a.operand().isMemory();  // the address of a parameter is a double word, as constants are
+    const Width width = isMemory ? a.operand().width : Width::DWord;
     a.push(a.places.load(a.places.find(a.operand(), width), width));
   }
 };

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ir/s7200/isa/group.hpp"
-#include "ir/s7300/place.hpp"
+#include "ir/s7300/handed_pointer.hpp"
 
 namespace rungproof::isa::step7 {
 

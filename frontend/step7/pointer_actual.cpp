@@ -1,0 +1,170 @@
+// Actual parameters for POINTER and ANY: addresses, names, pointer constants, and pointers that the calling block has
+// itself (002:2174-2288). What no pointer can be made of is refused: its network is not covered.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "frontend/step7/constant_spelling.hpp"
+#include "frontend/step7/statement_binder.hpp"
+#include "ir/block_map.hpp"
+#include "ir/s7300/coverage.hpp"
+#include "ir/s7300/declarations.hpp"
+#include "ir/s7300/pointer_code.hpp"
+
+namespace rungproof::step7 {
+
+using s7300::ConstantKind;
+using s7300::Field;
+using s7300::Type;
+using s7300::TypeKind;
+
+namespace {
+
+struct Elements {
+  AnyType type = AnyType::Void;
+  std::uint64_t count = 1;
+};
+
+AnyType elementaryCode(TypeKind kind) {
+  switch (kind) {
+    case TypeKind::Bool: return AnyType::Bool;
+    case TypeKind::Byte: return AnyType::Byte;
+    case TypeKind::Char: return AnyType::Char;
+    case TypeKind::Word: return AnyType::Word;
+    case TypeKind::Int: return AnyType::Int;
+    case TypeKind::DWord: return AnyType::DWord;
+    case TypeKind::DInt: return AnyType::DInt;
+    case TypeKind::Real: return AnyType::Real;
+    case TypeKind::Date: return AnyType::Date;
+    case TypeKind::TimeOfDay: return AnyType::TimeOfDay;
+    case TypeKind::Time: return AnyType::Time;
+    case TypeKind::S5Time: return AnyType::S5Time;
+    case TypeKind::DateAndTime: return AnyType::DateAndTime;
+    default: return AnyType::Byte;
+  }
+}
+
+/// Bytes of the elements of an array, without what fills it up to an even number.
+std::uint64_t bytesOfArray(const Type& array) {
+  const std::uint64_t last = array.bounds.back().count(), size = s7300::sizeOf(*array.element);
+  std::uint64_t bytes =
+      array.element->kind == TypeKind::Bool ? (last + 7) / 8 : last * (size > 1 ? size + size % 2 : size);
+  for (std::size_t i = 0; i + 1 < array.bounds.size(); ++i) bytes *= array.bounds[i].count();
+  return bytes;
+}
+
+/// Arrays and structures count their bytes, an array of CHAR its characters (002:2249); a STRING its bytes, or itself.
+Elements elementsOf(const Type& type) {
+  if (type.kind == TypeKind::Array && type.element != nullptr) {
+    const bool isText = type.element->kind == TypeKind::Char;
+    return {isText ? AnyType::Char : AnyType::Byte, bytesOfArray(type)};
+  }
+  if (type.kind == TypeKind::Struct) return {AnyType::Byte, s7300::sizeOf(type)};
+  if (type.kind == TypeKind::String) return {AnyType::String, s7300::sizeOf(type)};
+  return {elementaryCode(type.kind), 1};
+}
+
+Elements elementsOf(Width width) {
+  switch (width) {
+    case Width::Bit: return {AnyType::Bool};
+    case Width::Byte: return {AnyType::Byte};
+    case Width::Word: return {AnyType::Word};
+    default: return {AnyType::DWord};
+  }
+}
+
+/// Places that a pointer can be made of when the call is made.
+bool hasAddress(const BoundOperand& bound) {
+  const rungproof::Operand& operand = bound.operand;
+  if (!operand.isMemory() || bound.block || operand.area == Area::T || operand.area == Area::C) return false;
+  if (operand.reach == nullptr) return true;
+  const bool isComplex = bound.type && s7300::isComplex(*bound.type);
+  return operand.reach->way == Way::Instance || (operand.reach->way == Way::Parameter && isComplex);
+}
+
+rungproof::Operand pointerTo(rungproof::Operand place, Elements elements, std::string text) {
+  rungproof::Operand operand = place;
+  Reach reach{};
+  reach.way = Way::PointerTo;
+  reach.pointer = std::move(place);
+  reach.anyType = static_cast<std::uint8_t>(elements.type);
+  reach.anyCount = static_cast<std::uint16_t>(elements.count);
+  operand.kind = OperandKind::Address;
+  operand.text = std::move(text);
+  operand.reach = std::make_shared<const Reach>(std::move(reach));
+  return operand;
+}
+
+/// The place that a pointer constant means, for readers of the program; its double word is what is handed over. Local
+/// data is area V for the block that is called.
+rungproof::Operand ofConstant(const Constant& constant) {
+  const auto bits = static_cast<std::uint32_t>(constant.value);
+  const auto code = static_cast<PointerArea>(bits >> 24 & 7U);
+  const std::uint32_t byte = (bits & 0x7FFFFU) >> 3;
+  static constexpr Area areas[] = {Area::PI, Area::I, Area::Q, Area::M, Area::DB, Area::DB, Area::L, Area::L};
+  rungproof::Operand place = direct(areas[static_cast<std::size_t>(code)], Width::Byte, byte, bits & 7U);
+  if (code == PointerArea::Db) place.offset = dataByte(constant.block, byte);
+  rungproof::Operand pointer = rungproof::constant(bits, ConstantForm::Typed);
+  if (code == PointerArea::L) pointer.value = bits | 0x01000000U;
+  pointer.offset = constant.block;
+  const Elements elements{static_cast<AnyType>(constant.anyType), constant.anyCount};
+  rungproof::Operand operand = pointerTo(place, elements, spellingOf(constant));
+  Reach reach = *operand.reach;
+  reach.pointer = std::move(pointer);
+  operand.reach = std::make_shared<const Reach>(std::move(reach));
+  return operand;
+}
+
+}  // namespace
+
+std::optional<rungproof::Operand> StatementBinder::pointerActual(const Argument& argument, const BoundOperand& bound,
+                                                                 const Field& formal, bool mayBeValue) {
+  const Span span = argument.actual.span;
+  const bool wantsAny = formal.type.kind == TypeKind::Any;
+  const auto fail = [&](Syntax code, std::string message) {
+    refuse(code, span, std::move(message));
+    return std::nullopt;
+  };
+  const auto notCovered = [&] {
+    return fail(Syntax::NotModelled, fmt::format("{} as {}: {}", toString(bound.operand), s7300::toString(formal.type),
+                                                 s7300::gapReason(s7300::Gap::PointerParameter)));
+  };
+  if (bound.constant) {
+    const bool isPointer = bound.constant->kind == ConstantKind::Pointer || bound.constant->kind == ConstantKind::Any;
+    const bool hasArea = isPointer && (bound.constant->value & 0x80000000) != 0;
+    if (mayBeValue && !isPointer) return bound.operand;
+    if (!hasArea || (!wantsAny && bound.constant->kind == ConstantKind::Any))
+      return fail(Syntax::CallList,
+                  fmt::format("{} takes a pointer such as P#M 10.0{}", formal.name, wantsAny ? " BYTE 4" : ""));
+    const auto code = static_cast<PointerArea>(bound.constant->value >> 24 & 7);
+    // Whose block is meant without a number, and how many elements without a type, is not stated.
+    const bool isOpen = (code == PointerArea::Db && bound.constant->block == 0) || code == PointerArea::Di ||
+                        (wantsAny && bound.constant->kind == ConstantKind::Pointer);
+    if (isOpen || bound.constant->block > lastDataBlock) return notCovered();
+    rungproof::Operand operand = ofConstant(*bound.constant);
+    operand.span = span;
+    const auto type = static_cast<AnyType>(bound.constant->anyType);
+    const std::uint32_t length = std::max(1U, bytesOfElements(type, bound.constant->anyCount));
+    if (code == PointerArea::L) scope_->localBytes = std::max(scope_->localBytes, operand.offset + length);
+    return operand;
+  }
+  if (bound.block) return fail(Syntax::CallList, fmt::format("{} takes no whole block", formal.name));
+  if (bound.operand.kind == OperandKind::Address)
+    return fail(Syntax::CallList, fmt::format("{} takes no address of a parameter", formal.name));
+  if (bound.type && isPointerKind(bound.type->kind)) {  // the caller's own pointer is handed on
+    if (bound.type->kind != formal.type.kind)
+      return fail(Syntax::CallList, fmt::format("{} takes {}, not {}", formal.name, s7300::toString(formal.type),
+                                                s7300::toString(*bound.type)));
+    return bound.operand;
+  }
+  const bool isFormal = bound.operand.reach != nullptr && bound.operand.reach->way == Way::Parameter;
+  const bool isNumber = bound.type && isNumberType(bound.type->kind);
+  if (!hasAddress(bound) && !(mayBeValue && isFormal && !isNumber)) return notCovered();
+  const Elements elements = bound.type ? elementsOf(*bound.type) : elementsOf(bound.operand.width);
+  constexpr std::uint64_t mostElements = 65535;
+  if (elements.count > mostElements) return notCovered();
+  std::string text = bound.operand.text;
+  return pointerTo(bound.operand, elements, std::move(text));
+}
+
+}  // namespace rungproof::step7

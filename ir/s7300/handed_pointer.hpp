@@ -1,0 +1,148 @@
+// Pointers that a call hands over: for parameters of type POINTER and ANY, and for the complex types that an FC, or an
+// IN_OUT of an FB, takes by reference (002:2181-2288). A POINTER has six bytes: the number of the data block or 0, and
+// the pointer with its area. An ANY has ten: 16#10, a code of the type and the number of elements before the same six.
+// Those of an FC lie in local data of the caller, behind what the caller itself uses; the FC finds them in area V.
+// Those of an FB lie in its instance. What is local data of the caller is area V in the pointer (16#87). Members of
+// Step7Places. Tested by tests/step7/handed_pointer_test.cpp.
+#pragma once
+
+#include "ir/s7300/place.hpp"
+#include "ir/s7300/pointer_parameter.hpp"
+
+namespace rungproof {
+
+/// First of the values that stand for what of pointers is not known, by parameter (External::UnknownResult).
+inline constexpr std::uint32_t unknownPointer = 0x400;
+
+template <class D>
+Spot<D> Step7Places<D>::handedPlace(const Context& c, std::uint32_t parameter, std::uint32_t offset, Width width) {
+  Spot<D> spot;
+  const LocalVariable& local = c.running->pou->locals[parameter];
+  if (hasInstance(*c.running->pou))
+    return at(location(number(static_cast<std::uint64_t>(Area::DB), 8), c.di,
+                       beyond(address(c.ar2), local.pointerByte + offset, 0)),
+              width);
+  const Activation<D>* caller = c.running->caller;
+  if (caller == nullptr || actual(c, parameter) == nullptr) {  // UC gives no parameters
+    spot.isUnresolved = true;
+    return spot;
+  }
+  spot.isPlace = true;
+  spot.area = Area::L;
+  spot.offset = caller->localBase + ownPointers(*caller->pou) + local.pointerByte + offset;
+  return spot;
+}
+
+/// Where in the local data of a block the pointers begin that its calls hand over.
+template <class D>
+std::uint32_t Step7Places<D>::ownPointers(const Pou& pou) {
+  return pou.localBytes - pou.pointerBytes;
+}
+
+/// P##name of a parameter that is handed over by a pointer: the place of the pointer.
+template <class D>
+typename D::Bits Step7Places<D>::handedAddress(std::uint32_t parameter) {
+  const Activation<D>& running = *m_.step7.running;
+  const LocalVariable& local = running.pou->locals[parameter];
+  if (hasInstance(*running.pou))
+    return areaPointer(PointerArea::Di, beyond(address(m_.step7.ar[1]), local.pointerByte, 0));
+  if (running.caller == nullptr) return m_.external(External::UnknownResult, unknownPointer, 32);
+  return areaPointer(PointerArea::V, number((ownPointers(*running.caller->pou) + local.pointerByte) * 8, 24));
+}
+
+/// The pointer to a place that the block of the context names. `isOwn`: it is the block that calls; local data of other
+/// ones has no pointer, and neither has a constant: any value.
+template <class D>
+HandedPointer<D> Step7Places<D>::pointerTo(const Operand& o, const Context& c, std::uint32_t moreBytes, bool isOwn,
+                                           std::uint32_t unknown) {
+  const std::uint32_t bit = o.bit;
+  const auto fixed = [&](PointerArea area, std::uint32_t block, std::uint32_t byte) {
+    return HandedPointer<D>{{}, number(block, 16), areaPointer(area, number((byte + moreBytes) * 8 + bit, 24))};
+  };
+  if (o.kind == OperandKind::Constant)
+    return {{}, number(o.offset, 16), number(static_cast<std::uint64_t>(o.value), 32)};
+  if (o.kind == OperandKind::Direct) {
+    switch (o.area) {
+      case Area::PI:
+      case Area::PQ: return fixed(PointerArea::P, 0, o.offset);
+      case Area::I: return fixed(PointerArea::I, 0, o.offset);
+      case Area::Q: return fixed(PointerArea::Q, 0, o.offset);
+      case Area::M: return fixed(PointerArea::M, 0, o.offset);
+      case Area::DB: return fixed(PointerArea::Db, blockOfByte(o.offset), byteInBlock(o.offset));
+      case Area::L:
+        if (isOwn) return fixed(PointerArea::V, 0, o.offset);
+        break;
+      default: break;
+    }
+  }
+  if (o.kind == OperandKind::Indirect && o.reach != nullptr) {
+    if (o.reach->way == Way::Instance)
+      return {{}, c.di, areaPointer(PointerArea::Db, beyond(address(c.ar2), o.offset + moreBytes, bit))};
+    const Operand* given = o.reach->way == Way::Parameter ? actual(c, o.reach->parameter) : nullptr;
+    if (given != nullptr && given->isMemory())
+      return pointerTo(*given, callerOf(c), moreBytes + o.offset, false, unknown);
+  }
+  return {{}, m_.external(External::UnknownResult, unknown, 16), m_.external(External::UnknownResult, unknown + 1, 32)};
+}
+
+/// What a call makes of the actual parameter for a formal one of that type, the `index`th.
+template <class D>
+HandedPointer<D> Step7Places<D>::handed(const Operand& actual, DataType formal, std::uint32_t index) {
+  const std::uint32_t unknown = unknownPointer + index * 4;
+  if (!isPointerType(formal)) return pointerTo(actual, here(), 0, true, unknown);
+  if (actual.kind == OperandKind::Address && actual.reach != nullptr) {
+    HandedPointer<D> result = pointerTo(actual.reach->pointer, here(), 0, true, unknown);
+    const auto head = [&](std::uint32_t type, std::uint32_t count) {
+      return number(0x10000000U | type << 16 | count, 32);
+    };
+    const std::uint32_t type = actual.reach->anyType, count = actual.reach->anyCount;
+    result.head = head(type, count);
+    // Whether a STRING is one element or its bytes is not stated: either.
+    if (type == static_cast<std::uint32_t>(AnyType::String) && formal == DataType::Any)
+      result.head = d_.select(d_.bit(m_.external(External::UnknownResult, unknown + 2, 1), 0), head(type, 1),
+                              head(static_cast<std::uint32_t>(AnyType::Byte), count), 32);
+    return result;
+  }
+  const auto part = [&](std::uint32_t byte, Width width) {
+    Operand place = actual;
+    place.offset += byte;
+    return load(find(place, width), width);
+  };
+  const std::uint32_t block = formal == DataType::Any ? 4 : 0;
+  return {formal == DataType::Any ? part(0, Width::DWord) : number(0, 32), d_.extract(part(block, Width::Word), 15, 0),
+          part(block + 2, Width::DWord)};
+}
+
+/// Writes a pointer to where the called block, which runs already, finds it.
+template <class D>
+void Step7Places<D>::saveHanded(const HandedPointer<D>& pointer, std::uint32_t parameter) {
+  const Context c = here();
+  const bool isAny = c.running->pou->locals[parameter].type == DataType::Any;
+  if (isAny) save(handedPlace(c, parameter, 0, Width::DWord), Width::DWord, pointer.head);
+  const std::uint32_t block = isAny ? 4 : 0;
+  save(handedPlace(c, parameter, block, Width::Word), Width::Word, d_.zext(pointer.block, 16, 32));
+  save(handedPlace(c, parameter, block + 2, Width::DWord), Width::DWord, pointer.pointer);
+}
+
+template <class D>
+HandedPointer<D> Step7Places<D>::loadHanded(std::uint32_t parameter) {
+  const Context c = here();
+  const bool isAny = c.running->pou->locals[parameter].type == DataType::Any;
+  const std::uint32_t block = isAny ? 4 : 0;
+  return {isAny ? load(handedPlace(c, parameter, 0, Width::DWord), Width::DWord) : number(0, 32),
+          d_.extract(load(handedPlace(c, parameter, block, Width::Word), Width::Word), 15, 0),
+          load(handedPlace(c, parameter, block + 2, Width::DWord), Width::DWord)};
+}
+
+/// The number of the data block stands in the pointer; in area DI its meaning is not stated.
+template <class D>
+typename D::Bits Step7Places<D>::locationOf(const HandedPointer<D>& pointer) {
+  Context c = here();
+  c.db = pointer.block;
+  const Bits isDi = number(0x85, 8);
+  const Bits found = crossing(pointer.pointer, 0, 0, c);
+  return d_.select(d_.equal(d_.extract(pointer.pointer, 31, 24), isDi, 8),
+                   number(std::uint64_t{255} << 40, locationBits), found, locationBits);
+}
+
+}  // namespace rungproof

@@ -1,0 +1,139 @@
+// Proofs through POINTER and ANY, SFC 20, functions of the library, and what stays open in them.
+#include "proved_text.hpp"
+
+namespace rungproof::test {
+namespace {
+
+/// Verdicts of the properties a, b, ... of an OB1 with these directives and statements.
+std::vector<Outcome> verdictsOf(const std::string& blocks, const std::string& directives, const std::string& statements,
+                                const std::string& locals = {}) {
+  ProgramInput input;
+  input.program = readText("test.awl", blocks + "ORGANIZATION_BLOCK OB 1\n" + directives +
+                                           "VAR_TEMP\n  start : ARRAY [0 .. 19] OF BYTE;\n" + locals +
+                                           "END_VAR\nBEGIN\nNETWORK\n" + statements + "\nEND_ORGANIZATION_BLOCK\n");
+  input.properties = readProperties(input.program, {}, lookupIn(input.program));
+  for (const Finding& finding : input.program.findings) EXPECT_NE(finding.severity, Severity::Error) << finding.message;
+  const ProofRun run = prove(input.program, input.properties, usualOptions());
+  std::vector<Outcome> outcomes;
+  for (const Property& property : input.properties) outcomes.push_back(outcomeOf(run, property.name));
+  return outcomes;
+}
+
+using enum Outcome;
+using Verdicts = std::vector<Outcome>;
+
+/// Writes the byte that its ANY leads to.
+const char* const writer =
+    "FUNCTION FC 1 : VOID\nVAR_INPUT\n  p : ANY;\n  v : BYTE;\nEND_VAR\nVAR_TEMP\n  n : "
+    "WORD;\nEND_VAR\nBEGIN\nNETWORK\n"
+    "L P##p; LAR1; L W [AR1,P#4.0]; T #n; OPN DB [#n]; L D [AR1,P#6.0]; LAR1; L #v; T B [AR1,P#0.0];\nEND_FUNCTION\n";
+const char* const data =
+    "DATA_BLOCK DB 10\nSTRUCT\n  a : ARRAY [0 .. 9] OF BYTE;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n";
+
+TEST(PointerParameter, WhatIsWrittenThroughAnAny) {
+  EXPECT_EQ(
+      verdictsOf(std::string(writer) + data, "//@ prove a: Q0.0 = I0.0\n//@ prove b: not Q1.0\n//@ prove c: not Q0.0\n",
+                 "CALL FC 1 (p := P#Q 0.0 BYTE 1, v := IB 0); CALL FC 1 (p := DB10.a, v := B#16#7); L DB10.DBB 0; "
+                 "L 7; <>I; = Q 1.0;"),
+      (Verdicts{Proved, Proved, Violated}));
+}
+
+// Local data of the caller, and data of its own instance.
+TEST(PointerParameter, LocalAndStaticDataOfTheCaller) {
+  const std::string blocks =
+      std::string(writer) +
+      "FUNCTION_BLOCK FB 2\nVAR\n  k : INT;\n  own : BYTE;\nEND_VAR\nVAR_TEMP\n  t : BYTE;\nEND_VAR\n"
+      "BEGIN\nNETWORK\nCALL FC 1 (p := #own, v := IB 1); CALL FC 1 (p := #t, v := IB 0);\nL #t; T QB 0; "
+      "L #own; T QB 1;\nEND_FUNCTION_BLOCK\nDATA_BLOCK DB 3\nFB 2\nBEGIN\nEND_DATA_BLOCK\n";
+  EXPECT_EQ(verdictsOf(blocks, "//@ prove a: Q0.3 = I0.3\n//@ prove b: Q1.5 = I1.5\n//@ prove c: Q0.3 = I1.3\n",
+                       "CALL FB 2, DB 3;"),
+            (Verdicts{Proved, Proved, Violated}));
+}
+
+// The place of an ANY is computed: each of the four that it can be.
+TEST(PointerParameter, AnyWithAPlaceThatIsComputed) {
+  EXPECT_EQ(
+      verdictsOf(std::string(writer) + data, "//@ prove a: not Q0.0\n//@ prove b: not Q0.1\n",
+                 "L P##many; LAR1; L W#16#1002; T W [AR1,P#0.0]; L 1; T W [AR1,P#2.0]; L 10; T W [AR1,P#4.0];\n"
+                 "L IB 0; L 3; AW; SLD 3; L DW#16#84000000; OD; T D [AR1,P#6.0]; CALL FC 1 (p := #many, v := B#16#1);\n"
+                 "L DB10.DBB 4; L 0; <>I; = Q 0.0; L DB10.DBB 3; L 0; <>I; = Q 0.1;",
+                 "  many : ANY;\n"),
+      (Verdicts{Proved, Violated}));
+}
+
+TEST(PointerParameter, BlkmovCopiesAndWhatOverlapsIsOpen) {
+  const std::string move = "CALL SFC 20 (SRCBLK := %, RET_VAL := MW 90, DSTBLK := $);";
+  const auto moved = [&](const std::string& from, const std::string& to) {
+    std::string text = move;
+    text.replace(text.find('%'), 1, from);
+    return text.replace(text.find('$'), 1, to);
+  };
+  EXPECT_EQ(
+      verdictsOf(data,
+                 "//@ prove a: Q0.0 = I0.0\n//@ prove b: Q1.7 = I1.7\n//@ prove c: not Q2.0\n//@ prove d: MW90 = 0\n",
+                 moved("P#I 0.0 BYTE 4", "P#Q 0.0 BYTE 2")),
+      (Verdicts{Proved, Proved, Proved, Proved}));
+  EXPECT_EQ(verdictsOf(data, "//@ prove a: MB20 = 0\n//@ prove b: MB21 = 0\n//@ prove c: MB24 = 0\n",
+                       moved("P#M 20.0 BYTE 3", "P#M 21.0 BYTE 3")),
+            (Verdicts{Proved, Violated, Proved}));
+}
+
+// A range that leaves its block: an error, and what of the target is written is open.
+TEST(PointerParameter, BlkmovBeyondABlockIsAnError) {
+  EXPECT_EQ(
+      verdictsOf(
+          data, "//@ prove a: not Q0.0\n//@ prove b: MB20 = 0\n//@ prove c: MB22 = 0\n",
+          "CALL SFC 20 (SRCBLK := P#DB10.DBX 8.0 BYTE 4, RET_VAL := MW 90, DSTBLK := P#M 20.0 BYTE 2); A BR; = Q 0.0;"),
+      (Verdicts{Proved, Violated, Proved}));
+}
+
+// How much is copied comes from outside: nothing is proved of what may be written.
+TEST(PointerParameter, ALengthThatIsNotBoundedIsNoGuess) {
+  const Verdicts verdicts = verdictsOf(
+      data, "//@ prove a: MB20 = 0\n//@ prove b: MB200 = 0\n",
+      "L P##many; LAR1; L W#16#1002; T W [AR1,P#0.0]; L IW 0; T W [AR1,P#2.0]; L 0; T W [AR1,P#4.0];\n"
+      "L P#M 20.0; T D [AR1,P#6.0]; CALL SFC 20 (SRCBLK := P#DB10.DBX 0.0 BYTE 10, RET_VAL := MW 90, DSTBLK := #many);",
+      "  many : ANY;\n");
+  for (const Outcome verdict : verdicts) EXPECT_NE(verdict, Proved);
+}
+
+TEST(PointerParameter, LimitMaxAndSel) {
+  const std::string numbers =
+      "DATA_BLOCK DB 5\nSTRUCT\n  low : INT := -5;\n  high : INT := 20;\n  in : INT;\n  out : "
+      "INT;\nEND_STRUCT;\nBEGIN\n"
+      "END_DATA_BLOCK\n";
+  const std::string begin = "L IW 0; T DB5.DBW 4; ", end = " L DB5.DBW 6; T MW 0;";
+  EXPECT_EQ(verdictsOf(numbers, "//@ prove a: MW0 <= 20\n//@ prove b: MW0 >= -5\n//@ prove c: MW0 < 20\n",
+                       begin + "CALL FC 22 (MN := DB5.low, IN := DB5.in, MX := DB5.high, RET_VAL := DB5.out);" + end),
+            (Verdicts{Proved, Proved, Violated}));
+  EXPECT_EQ(
+      verdictsOf(numbers, "//@ prove a: MW0 >= 20\n//@ prove b: MW0 > 20\n",
+                 begin + "CALL FC 25 (IN1 := DB5.low, IN2 := DB5.in, IN3 := DB5.high, RET_VAL := DB5.out);" + end),
+      (Verdicts{Proved, Violated}));
+  // Limits the wrong way round, and words that are no numbers: any result.
+  EXPECT_EQ(verdictsOf(numbers, "//@ prove a: MW0 <= 20\n",
+                       begin + "CALL FC 22 (MN := DB5.high, IN := DB5.in, MX := DB5.low, RET_VAL := DB5.out);" + end),
+            (Verdicts{Violated}));
+  EXPECT_EQ(verdictsOf(numbers, "//@ prove a: MW2 = 0\n//@ prove b: MW4 = 0\n",
+                       "CALL FC 27 (IN1 := MW 6, IN2 := MW 8, IN3 := MW 10, RET_VAL := MW 2);"),
+            (Verdicts{Violated, Proved}));
+}
+
+// A block of the CPU that no table describes: the places that its call names become any value, and nothing else.
+TEST(PointerParameter, SystemBlocksThatNoTableDescribes) {
+  EXPECT_EQ(
+      verdictsOf("", "//@ prove a: MW20 = 0\n//@ prove b: MB30 = 0\n//@ prove c: MW24 = 0\n//@ prove d: MB34 = 0\n",
+                 "CALL SFC 14 (LADDR := W#16#100, RET_VAL := MW 20, RECORD := P#M 30.0 BYTE 4);"),
+      (Verdicts{Violated, Violated, Proved, Proved}));
+}
+
+// A moment is any that there is: its digits are digits, its weekday is that of the date.
+TEST(PointerParameter, TheClockShowsAMoment) {
+  const std::string clock = "DATA_BLOCK DB 5\nSTRUCT\n  t : DATE_AND_TIME;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n";
+  EXPECT_EQ(verdictsOf(clock, "//@ prove a: MB3 <= 16#23\n//@ prove b: MB1 >= 1\n//@ prove c: MB3 <= 16#22\n",
+                       "CALL SFC 1 (RET_VAL := MW 90, CDT := DB5.t); L DB5.DBD 0; T MD 0;"),
+            (Verdicts{Proved, Proved, Violated}));
+}
+
+}  // namespace
+}  // namespace rungproof::test
