@@ -87,6 +87,8 @@ std::vector<std::uint8_t> Machine::handedBytes(const std::string& actual, bool i
       if (isName && v.name == actual.substr(1)) any.type = codeOfType(v.type);
     }
   }
+  // Local data of this block is V for the one that is called.
+  if ((any.address & 0x87000000U) == 0x86000000U) any.address |= 0x01000000U;
   if (isAny) {
     append(bytes, 0x10, 1);
     append(bytes, static_cast<std::uint32_t>(any.type), 1);

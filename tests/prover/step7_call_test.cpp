@@ -39,8 +39,10 @@ TEST(Step7Call, FullAddressesMayOpenTheirBlockInTheCaller) {
 /// The verdicts of the properties a, b, c of an OB1 with these directives and statements.
 std::vector<Outcome> outcomesOf(const std::string& directives, const std::string& statements) {
   ProgramInput input;
-  input.program =
-      readText("test.awl", "ORGANIZATION_BLOCK OB 1\n" + directives +
+  input.program = readText("test.awl",
+                           "DATA_BLOCK DB 1\nSTRUCT\n  text : STRING [4];\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n"
+                           "ORGANIZATION_BLOCK OB 1\n" +
+                               directives +
                                "VAR_TEMP\n  start : ARRAY [0 .. 19] OF BYTE;\n  date : DATE_AND_TIME;\nEND_VAR\n"
                                "BEGIN\nNETWORK\n" +
                                statements + "\nEND_ORGANIZATION_BLOCK\n");
@@ -102,7 +104,7 @@ TEST(Step7Call, AContractGivesAnyOutputsAndNothingElse) {
   for (const s7300::LibraryBlock& block : s7300::libraryBlocks()) {
     if (!step7::isContractOnly(block)) continue;
     ++contracts;
-    std::string actuals;
+    std::string actuals, taken;  // what takes the result out where it is a text
     int byte = 40;
     const auto parameters = s7300::interfaceOf(block);
     for (const s7300::Field& field : parameters->fields) {
@@ -112,18 +114,20 @@ TEST(Step7Call, AContractGivesAnyOutputsAndNothingElse) {
                                 : type == "BYTE"                  ? fmt::format("MB {}", byte)
                                 : type == "INT" || type == "WORD" ? fmt::format("MW {}", isResult ? 10 : byte)
                                 : type == "DATE_AND_TIME"         ? std::string("#date")
-                                                                  : fmt::format("MD {}", byte);
+                                : type.starts_with("STRING")      ? std::string("DB1.text")
+                                                                  : fmt::format("MD {}", isResult ? 10 : byte);
+      if (isResult && type.starts_with("STRING")) taken = "L DB1.DBW 1; T MW 10;";
       actuals += fmt::format("{}{} := {}", actuals.empty() ? "" : ", ", field.name, place);
       byte += 4;
     }
     const std::string call = fmt::format("CALL {} ({});", blockName(blockNumber(block.type, block.number)), actuals);
     const std::vector<Outcome> expected = {Outcome::Proved, Outcome::Violated, Outcome::Reachable};
     EXPECT_EQ(outcomesOf("//@ prove a: Q0.0\n//@ prove b: not Q0.1\n//@ reach c: not Q0.1 and not first_scan\n",
-                         "SET; = M 0.0; " + call + " A M 0.0; = Q 0.0; L MW 10; L 5; ==I; = Q 0.1;"),
+                         "SET; = M 0.0; " + call + taken + " A M 0.0; = Q 0.0; L MW 10; L 5; ==I; = Q 0.1;"),
               expected)
         << call;
   }
-  EXPECT_EQ(contracts, 10);
+  EXPECT_EQ(contracts, 16);
 }
 
 // The time of the system is no negative number (002:2494), and tells nothing else.
