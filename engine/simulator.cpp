@@ -15,9 +15,9 @@ namespace {
 constexpr std::uint64_t defaultStation = 2;  // of a CPU as delivered (not in the manual text)
 
 /// With what the CPU makes of choices that nobody has made.
-SimulatorOptions optionsFor(const Target& target, SimulatorOptions options) {
-  options.choices = choicesFor(target, options.choices);
-  if (!options.retentive) options.retentive = defaultRetentiveRanges(target);
+SimulatorOptions optionsFor(const Program& program, SimulatorOptions options) {
+  options.choices = choicesFor(program.target, options.choices);
+  options.retentive = retentiveRanges(program, options.retentive);
   return options;
 }
 
@@ -26,7 +26,7 @@ SimulatorOptions optionsFor(const Target& target, SimulatorOptions options) {
 Simulator::Simulator(const Program& program, SimulatorOptions options, Outside* outside)
     : plan_(program),
       contracts_(std::make_shared<const CallContracts>(program)),
-      options_(optionsFor(program.target, std::move(options))),
+      options_(optionsFor(program, std::move(options))),
       outside_(outside),
       domain_(*this),
       store_(powerUpState(plan_, options_.choices, options_.dataLost)),
@@ -63,10 +63,11 @@ void Simulator::run() {
   stoppedBy_ = nullptr;
 }
 
-void Simulator::startClock(Reg clock, std::uint32_t ms) {
+void Simulator::startClock(Reg clock, std::uint32_t ms, std::uint32_t bit) {
   if (clock == Reg::PhaseHundred) setTickPhase(store_, ms);
   if (clock == Reg::PhaseSecond) store_.set(clock, 0, ms % 1000, true);
   if (clock == Reg::PhaseMinute) store_.set(clock, 0, ms % 60000, true);
+  if (clock == Reg::ClockPhase) store_.set(clock, bit, ms % clockPeriods[bit], true);
 }
 
 void Simulator::stop() { store_.set(Reg::Running, 0, 0, true); }
@@ -103,6 +104,7 @@ void Simulator::scanInRun(const ScanRequest& request, std::uint32_t lengthUs) {
   ++moment_;
   script_ = request.script;
   position_ = watchdogFrom_ = pending_ = 0;
+  hasTimeError_ = false;
   startMs_ = clockMs_;
   nextMs_ = script_ != nullptr ? 0 : Cost::perMs - sinceTick_;
   scanTicks_ = scriptedTicks_ = 0;

@@ -71,8 +71,8 @@ class Simulator final : private Outside {
   /// Power off and on; retentive cells keep their values.
   void powerCycle();
   /// Puts a clock `ms` into its period before the next scan: Reg::PhaseHundred the time bases of the timers,
-  /// PhaseSecond SM0.5, PhaseMinute SM0.4.
-  void startClock(Reg clock, std::uint32_t ms);
+  /// PhaseSecond SM0.5, PhaseMinute SM0.4, ClockPhase bit `bit` of the clock memory.
+  void startClock(Reg clock, std::uint32_t ms, std::uint32_t bit = 0);
   /// The mode switch.
   void run();
   void stop();
@@ -173,6 +173,7 @@ class Simulator final : private Outside {
   void forgetEdges();
   void serveEvent(Runner& runner, int event);
   void checkWatchdog();
+  bool isInTime(std::uint64_t position) const;
   void setClock();
   void passMillisecond(Runner& runner);
   bool mayServe() const;
@@ -207,6 +208,7 @@ class Simulator final : private Outside {
   std::uint64_t position_ = 0;  ///< within the scan, 10 ns
   std::uint64_t nextMs_ = 0;    ///< position of the next tick of the 1 ms clock
   std::uint64_t watchdogFrom_ = 0;
+  bool hasTimeError_ = false;  ///< OB80 was called in this scan for its length
   std::uint32_t pending_ = 0;  ///< time of the instruction that is running
   bool attention_ = false;     ///< events wait in the queue, or an observer looks
   InstructionObserver* observer_ = nullptr;

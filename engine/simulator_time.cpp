@@ -1,6 +1,7 @@
 // What happens at instruction boundaries: the 1 ms clock, the watchdog, and the devices that instructions set going;
 // interrupts: simulator_events.cpp. Instruction times: Appendix F (001:14522-14646); watchdog: 001:5697-5722.
 #include <algorithm>
+#include <utility>
 
 #include "engine/device_end.hpp"
 #include "engine/simulator_hooks.hpp"
@@ -106,9 +107,20 @@ void Simulator::passMillisecond(Runner& runner) {
   checkWatchdog();
 }
 
+/// The first time in a scan an S7-300/400 calls OB80, if the program has it (002:1296, 002:1314).
 void Simulator::checkWatchdog() {
-  machine_.hazard(Hazard::FatalWatchdog,
-                  position_ - watchdogFrom_ > static_cast<std::uint64_t>(options_.choices.watchdogMs()) * Cost::perMs);
+  if (isInTime(position_)) return;
+  const int event = eventOfBlock(80);
+  const bool isCalled = plan_.isStep7() && store_.get(Reg::EventRoutine, static_cast<std::uint32_t>(event)) != 0;
+  if (script_ != nullptr || !isCalled || std::exchange(hasTimeError_, true))
+    return machine_.hazard(Hazard::FatalWatchdog, true);
+  watchdogFrom_ = position_;
+  raise(event);
+}
+
+bool Simulator::isInTime(std::uint64_t position) const {
+  const int limit = plan_.isStep7() ? plan_.program->cycleMonitoringMs : options_.choices.watchdogMs();
+  return position - watchdogFrom_ <= static_cast<std::uint64_t>(limit) * Cost::perMs;
 }
 
 /// Whether up to there the ticks of the 1 ms clock let timers count and do nothing else.
@@ -120,8 +132,7 @@ bool Simulator::isQuietUntil(std::uint64_t position) const {
     return false;
   const bool raisesEvents =
       std::ranges::any_of(plan_.timers, [&](const TimerUse& use) { return isAttached(eventOfTimer(use.number)); });
-  return !raisesEvents && queue_.empty() && observer_ == nullptr && devices_.areIdle(store_) &&
-         position - watchdogFrom_ <= static_cast<std::uint64_t>(options_.choices.watchdogMs()) * Cost::perMs;
+  return !raisesEvents && queue_.empty() && observer_ == nullptr && devices_.areIdle(store_) && isInTime(position);
 }
 
 /// The rest of the scan after the program, tick by tick, or at once where no tick makes a difference.

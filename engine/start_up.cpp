@@ -77,14 +77,42 @@ void loadDataBlock(const Program& program, Concrete::Store& store) {
 
 std::vector<RetentiveRange> defaultRetentiveRanges(const Target& target) {
   if (isSmart(target)) return {};  // nothing, unless the system block says otherwise
+  if (isStep7(target)) return {{Area::M, 0, 15}, {Area::C, 0, 7}};
   return {{Area::V, 0, 0xFFFFFFFF}, {Area::M, 14, 31}, {Area::T, 0, 31}, {Area::T, 64, 95}, {Area::C, 0, 255}};
 }
 
+std::vector<RetentiveRange> retentiveRanges(const Program& program,
+                                            const std::optional<std::vector<RetentiveRange>>& given) {
+  std::vector<RetentiveRange> ranges = given.value_or(defaultRetentiveRanges(program.target));
+  if (isStep7(program.target)) {
+    const auto isOfBlock = [](const RetentiveRange& range) { return range.area == Area::DB; };
+    if (std::ranges::any_of(ranges, isOfBlock)) return ranges;
+    for (const DataBlock& block : program.dataBlocks) {
+      if (!block.nonRetain) ranges.push_back({Area::DB, dataByte(block.number, 0), dataByte(block.number, 0xFFFF)});
+    }
+    return ranges;
+  }
+  std::vector<RetentiveRange> kept;
+  for (const RetentiveRange& range : ranges) {
+    if (range.area != Area::T) kept.push_back(range);
+    for (std::uint32_t timer = range.first; range.area == Area::T && timer <= std::min(range.last, 255U); ++timer) {
+      if (timerIsRetentive(static_cast<int>(timer))) kept.push_back({Area::T, timer, timer});
+    }
+  }
+  return kept;
+}
+
 bool isRetentive(const std::vector<RetentiveRange>& ranges, Area area, std::uint32_t index) {
-  if (area == Area::T && !timerIsRetentive(static_cast<int>(index))) return false;  // 001:6556
   return std::any_of(ranges.begin(), ranges.end(), [&](const RetentiveRange& range) {
     return range.area == area && range.first <= index && index <= range.last;
   });
+}
+
+std::span<const Reg> retainedRegisters(Area area, bool isStep7) {
+  static constexpr Reg current[] = {Reg::TimerCurrent}, counted[] = {Reg::CounterCurrent, Reg::CounterBit};
+  static constexpr Reg s5[] = {Reg::TimerBit, Reg::TimerRunning, Reg::S5Rest, Reg::S5Base, Reg::S5AtEnd};
+  if (area == Area::T) return isStep7 ? std::span<const Reg>(s5) : std::span<const Reg>(current);
+  return std::span<const Reg>(counted).first(isStep7 ? 2 : 1);
 }
 
 void setTickPhase(Concrete::Store& store, std::uint32_t phase) {
@@ -112,20 +140,29 @@ Concrete::Store powerCycledState(const Plan& plan, const Choices& choices, const
     const Area area = info.area;
     const std::vector<std::uint8_t>& old = before.area(area);
     for (std::uint32_t i = 0; i < old.size(); ++i) {
-      if (isRetentive(ranges, area, i)) store.area(area)[i] = old[i];
+      const std::uint32_t byte = area == Area::DB ? store.blocks().dataByteAt(i) : i;
+      if (isRetentive(ranges, area, byte)) store.area(area)[i] = old[i];
     }
   }
-  for (std::uint32_t i = 0; i < plan.timerCount; ++i) {
-    if (isRetentive(ranges, Area::T, i)) store.set(Reg::TimerCurrent, i, before.get(Reg::TimerCurrent, i), true);
-  }
-  for (std::uint32_t i = 0; i < plan.counterCount; ++i) {
-    if (isRetentive(ranges, Area::C, i)) store.set(Reg::CounterCurrent, i, before.get(Reg::CounterCurrent, i), true);
+  for (const auto& [area, count] : {std::pair{Area::T, plan.timerCount}, std::pair{Area::C, plan.counterCount}}) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (!isRetentive(ranges, area, i)) continue;
+      for (const Reg reg : retainedRegisters(area, plan.isStep7())) store.set(reg, i, before.get(reg, i), true);
+    }
   }
   return store;
 }
 
 void enterRun(const Plan& plan, Concrete::Store& store, const Choices& choices,
               const std::vector<RetentiveRange>& ranges) {
+  if (plan.isStep7()) {
+    const Concrete::Store before = store;
+    store = powerCycledState(plan, choices, before, ranges);
+    for (const Reg clock : {Reg::PhaseTen, Reg::PhaseHundred, Reg::ClockPhase}) {
+      for (std::uint32_t i = 0; i < store.count(clock); ++i) store.set(clock, i, before.get(clock, i), true);
+    }
+    return;
+  }
   for (std::uint32_t i = 0; i < store.count(Reg::TimerBit); ++i) {
     store.set(Reg::TimerBit, i, 0, true);
     if (!isRetentive(ranges, Area::T, i)) store.set(Reg::TimerCurrent, i, 0, true);

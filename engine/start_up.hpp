@@ -3,13 +3,15 @@
 // Covered by tests/engine/mode_test.cpp.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "engine/concrete.hpp"
 
 namespace rungproof {
 
-/// Bytes of V or M, or numbers of T or C, first to last, that keep their values without power (001:1534).
+/// Bytes of V, M or DB, or numbers of T or C, first to last, that keep their values without power (001:1534).
 struct RetentiveRange {
   Area area;
   std::uint32_t first;
@@ -17,7 +19,13 @@ struct RetentiveRange {
 };
 /// The manual gives no default for V, T and C; taken are those that the programming software sets: all of V, MB14-MB31,
 /// the TONR timers, all counters. MB0-MB13 are not retentive (001:1619).
+/// S7-300/400: MB0-MB15, C0-C7 (general knowledge).
 std::vector<RetentiveRange> defaultRetentiveRanges(const Target& target);
+/// What of a program keeps its value: `given` by the project or that of the CPU; of the timers of an S7-200 only TONR
+/// (001:6556). Data blocks of an S7-300/400 do unless they are NON_RETAIN (002:563); where `given` names bytes of data
+/// blocks, these do and no others.
+std::vector<RetentiveRange> retentiveRanges(const Program& program,
+                                            const std::optional<std::vector<RetentiveRange>>& given);
 
 /// Puts the time bases of the 10 ms and 100 ms timers `phase` ms behind a tick of both.
 void setTickPhase(Concrete::Store& store, std::uint32_t phase);
@@ -33,11 +41,14 @@ Concrete::Store powerCycledState(const Plan& plan, const Choices& choices, const
 
 /// Entering RUN without loss of power: V, M and retentive current values stay; edges, devices and interrupts start
 /// anew; the time bases run on. What is cleared is not in the manual text except for interrupts (001:5333) and HDEF
-/// (001:4360).
+/// (001:4360). An S7-300/400 makes a warm restart: what is not retentive is as after a download (002:1367-1375).
 void enterRun(const Plan& plan, Concrete::Store& store, const Choices& choices,
               const std::vector<RetentiveRange>& ranges);
 
-/// Whether V, M, T or C cell `index` (byte or number) is in one of the ranges.
+/// What of a retentive timer or counter is kept: the current value; of an S7-300/400 all but the edges that its
+/// instructions have seen.
+std::span<const Reg> retainedRegisters(Area area, bool isStep7);
+/// Whether V, M, DB, T or C cell `index` (byte or number) is in one of the ranges.
 bool isRetentive(const std::vector<RetentiveRange>& ranges, Area area, std::uint32_t index);
 
 }  // namespace rungproof

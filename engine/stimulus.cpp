@@ -65,6 +65,7 @@ void StimulusPlayer::act(const StimulusColumn& column, std::uint64_t value) {
     case StimulusTarget::TickPhase: simulator_.startClock(Reg::PhaseHundred, number); break;
     case StimulusTarget::SecondPhase: simulator_.startClock(Reg::PhaseSecond, number); break;
     case StimulusTarget::MinutePhase: simulator_.startClock(Reg::PhaseMinute, number); break;
+    case StimulusTarget::ClockBitPhase: simulator_.startClock(Reg::ClockPhase, number, column.position); break;
     case StimulusTarget::NetworkError: devices.network.setError(static_cast<std::uint8_t>(value & 15)); break;
     case StimulusTarget::NetworkHold: devices.network.setHeld(value != 0); break;
     case StimulusTarget::Characters:

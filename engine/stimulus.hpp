@@ -26,6 +26,7 @@ enum class StimulusTarget : std::uint8_t {
   TickPhase,      ///< "CLOCK.tick": ms since the last tick of the 100 ms time base
   SecondPhase,    ///< "CLOCK.second": ms that SM0.5 is into its second, first off, then on
   MinutePhase,    ///< "CLOCK.minute": the same for SM0.4 and its minute
+  ClockBitPhase,  ///< "CLOCK.bit5": the same for a bit of the clock memory of an S7-300/400 and its period
   None            ///< read and passed over: a column of a recorded trace that the program itself computes
 };
 

@@ -142,8 +142,10 @@ struct Program {
   std::vector<LibraryMemory> libraryMemory;
   /// S7-300/400: ms from one start of OB30 and those that follow to the next.
   std::array<std::uint16_t, cyclicBlockCount> cyclicPeriods = usualPeriods;
-  std::vector<Finding> findings;  ///< of the readers
-  bool olderDialect = false;      ///< one-text dialect of the S7-212/214 time (MEND, SBR n)
+  std::optional<std::uint32_t> clockMemory;  ///< S7-300/400: byte of M (ir/s7300/clock_memory.hpp)
+  std::uint16_t cycleMonitoringMs = 150;     ///< S7-300/400: a scan that lasts longer is a time error (002:1296)
+  std::vector<Finding> findings;             ///< of the readers
+  bool olderDialect = false;                 ///< one-text dialect of the S7-212/214 time (MEND, SBR n)
 
   /// Numbers all instructions in program order; call after the last block was added.
   void number();

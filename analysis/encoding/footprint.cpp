@@ -9,10 +9,13 @@ namespace rungproof {
 
 namespace {
 
-bool meet(const std::set<std::uint32_t>& a, const std::set<std::uint32_t>& b) {
-  const std::set<std::uint32_t>& fewer = a.size() < b.size() ? a : b;
-  const std::set<std::uint32_t>& more = a.size() < b.size() ? b : a;
-  return std::any_of(fewer.begin(), fewer.end(), [&](std::uint32_t key) { return more.contains(key); });
+constexpr int kindShift = 32;                // below it a bit of an area, or the number of a register
+constexpr std::uint64_t firstRegister = 32;  // areas come before
+
+bool meet(const FootprintKeys& a, const FootprintKeys& b) {
+  const FootprintKeys& fewer = a.size() < b.size() ? a : b;
+  const FootprintKeys& more = a.size() < b.size() ? b : a;
+  return std::any_of(fewer.begin(), fewer.end(), [&](std::uint64_t key) { return more.contains(key); });
 }
 
 /// Saved at the entry of a routine and restored behind it (001:5430).
@@ -27,21 +30,22 @@ bool Footprint::conflictsWith(const Footprint& other) const {
   return meet(writes, other.writes) || meet(writes, other.reads) || meet(reads, other.writes);
 }
 
-void addKeys(const Place& place, std::set<std::uint32_t>& keys) {
+void addKeys(const Place& place, FootprintKeys& keys) {
   if (place.isRegister) {
-    keys.insert((32U + static_cast<std::uint32_t>(place.reg)) << 24 | place.at);
+    keys.insert((firstRegister + static_cast<std::uint64_t>(place.reg)) << kindShift | place.at);
     return;
   }
   for (std::uint32_t i = 0; i < place.width; ++i)
-    keys.insert(static_cast<std::uint32_t>(place.area) << 24 | (place.at + i));
+    keys.insert(static_cast<std::uint64_t>(place.area) << kindShift | (place.at + i));
 }
 
-std::vector<Place> placesOf(const std::set<std::uint32_t>& keys) {
+std::vector<Place> placesOf(const FootprintKeys& keys) {
   std::vector<Place> places;
-  for (const std::uint32_t key : keys) {
-    const std::uint32_t kind = key >> 24, at = key & 0xFFFFFF;
-    if (kind >= 32) {
-      places.push_back(registerPlace(static_cast<Reg>(kind - 32), at));
+  for (const std::uint64_t key : keys) {
+    const std::uint64_t kind = key >> kindShift;
+    const auto at = static_cast<std::uint32_t>(key);
+    if (kind >= firstRegister) {
+      places.push_back(registerPlace(static_cast<Reg>(kind - firstRegister), at));
       continue;
     }
     const bool isNewByte = places.empty() || places.back().isRegister ||

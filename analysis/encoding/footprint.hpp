@@ -19,9 +19,12 @@
 
 namespace rungproof {
 
+/// Keys of places, ascending: one for each bit of memory, one for each register.
+using FootprintKeys = std::set<std::uint64_t>;
+
 struct Footprint {
-  std::set<std::uint32_t> reads;
-  std::set<std::uint32_t> writes;
+  FootprintKeys reads;
+  FootprintKeys writes;
 
   bool conflictsWith(const Footprint& other) const;
 };
@@ -36,10 +39,9 @@ struct Footprints {
   bool merge(const Footprints& other);
 };
 
-/// Keys of a place in a Footprint: one per bit of memory, one per register.
-void addKeys(const Place& place, std::set<std::uint32_t>& keys);
+void addKeys(const Place& place, FootprintKeys& keys);
 /// The places behind keys: runs of bits inside one byte, and registers.
-std::vector<Place> placesOf(const std::set<std::uint32_t>& keys);
+std::vector<Place> placesOf(const FootprintKeys& keys);
 /// What decides whether an interrupt event can occur, and what its device writes then (ir/s7200/event_cause.hpp).
 void addCauseKeys(int event, Footprint& footprint);
 

@@ -43,6 +43,7 @@ void ScanEncoding::prepareTicks() {
     addKeys(memoryPlace(Area::DB, instance + 12, Width::Byte), tickKeys_);
     addKeys(memoryPlace(Area::DB, instance + 18, Width::DWord), tickKeys_);
   }
+  if (program_.clockMemory) addKeys(memoryPlace(Area::M, *program_.clockMemory, Width::Byte), tickKeys_);
   consumed_ = graph.constantNode(0, time.width());
 }
 

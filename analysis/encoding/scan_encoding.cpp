@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -45,9 +46,9 @@ bool definesCounter(const Plan& plan, std::uint32_t counter) {
 constexpr std::string_view unresolvedReason = "pointer whose targets could not be found";
 
 /// With what the CPU makes of choices that nobody has made.
-EncoderOptions optionsFor(const Target& target, EncoderOptions options) {
-  options.choices = choicesFor(target, options.choices);
-  if (!options.retentive) options.retentive = defaultRetentiveRanges(target);
+EncoderOptions optionsFor(const Program& program, EncoderOptions options) {
+  options.choices = choicesFor(program.target, options.choices);
+  options.retentive = retentiveRanges(program, options.retentive);
   return options;
 }
 
@@ -58,7 +59,7 @@ ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options
     : graph(options.trail && options.trail->isFollowed ? Rewriting::None : Rewriting::Full),
       time(graph, options.time),
       program_(program),
-      options_(optionsFor(program.target, options)),
+      options_(optionsFor(program, options)),
       contracts_(program),
       plan_(plan),
       knowledge_(knowledge),
@@ -214,10 +215,7 @@ Node ScanEncoding::init(const Place& place) const {
     const bool isScanClock = place.reg == Reg::PhaseSecond || place.reg == Reg::PhaseMinute;
     if (isScanClock && !isFixed(Choice::ScanClockStart)) return noNode;
     if (place.reg == Reg::Reading && !isFixed(choiceOfReading(place.at))) return noNode;
-    const bool isTimer = place.reg == Reg::TimerCurrent, isCounter = place.reg == Reg::CounterCurrent;
-    if (options_.initialRetentive && (isTimer || isCounter) &&
-        isRetentive(*options_.retentive, isTimer ? Area::T : Area::C, place.at))
-      return noNode;
+    if (place.reg == Reg::ClockPhase || isRetained(place)) return noNode;
     return g.constantNode(initial_.get(place.reg, place.at), place.width);
   }
   if (options_.initialRetentive && isRetentive(*options_.retentive, place.area, place.byte())) return noNode;
@@ -226,6 +224,44 @@ Node ScanEncoding::init(const Place& place) const {
   for (std::uint32_t i = 0; i < place.width / 8U; ++i)
     value = value << 8 | initial_.load(place.area, (place.byte() + i) * 8, 8);
   return g.constantNode(value, place.width);
+}
+
+/// Whether a register of a timer or counter begins the run with any value.
+bool ScanEncoding::isRetained(const Place& place) const {
+  if (!options_.initialRetentive || !place.isRegister) return false;
+  return std::ranges::any_of(std::array{Area::T, Area::C}, [&](Area area) {
+    const auto registers = retainedRegisters(area, plan_.isStep7());
+    return std::ranges::find(registers, place.reg) != registers.end() &&
+           isRetentive(*options_.retentive, area, place.at);
+  });
+}
+
+/// What holds of a cell that begins the run with any value.
+void ScanEncoding::constrainStart(const Place& place, Node node) {
+  const auto bound = [&](std::uint64_t end) {
+    return graph.make(Op::Ult, 1, node, graph.constantNode(end, place.width));
+  };
+  Node legal = noNode;
+  const bool isStep7Counter = plan_.isStep7() && isRetained(place);
+  switch (place.reg) {
+    case Reg::PhaseSecond: legal = bound(1000); break;
+    case Reg::PhaseMinute: legal = bound(60000); break;
+    case Reg::ClockPhase: legal = bound(clockPeriods[place.at]); break;
+    case Reg::S5Rest: legal = bound(longestS5Time + 1); break;
+    case Reg::CounterCurrent:
+      if (isStep7Counter) legal = bound(1000);
+      break;
+    case Reg::CounterBit: {
+      if (!isStep7Counter) break;
+      const Graph::Bits value{startOfCell(registerPlace(Reg::CounterCurrent, place.at))};
+      legal = graph.lnot(graph.lxor({node}, graph.lnot(graph.equal(value, graph.literal(0, 16), 16)))).node;
+      break;
+    }
+    default: break;
+  }
+  if (legal == noNode) return;
+  constraints_.push_back(legal);
+  totalConstraints_.push_back(legal);
 }
 
 Cell ScanEncoding::cellAt(const Place& place) {
@@ -258,12 +294,7 @@ Cell ScanEncoding::newCell(const Place& place) {
   const auto isOfDevice = [&] { return !place.isRegister && devices_.mayWrite(place); };
   if (isClosed_ && !hasHavoc_ && first != noNode && !isOfDevice()) return keeping(place, graph[first].value);
   const Node node = graph.variable(nameOf(place), place.width, true);
-  if (first == noNode && place.isRegister && (place.reg == Reg::PhaseSecond || place.reg == Reg::PhaseMinute)) {
-    const std::uint64_t period = place.reg == Reg::PhaseSecond ? 1000 : 60000;
-    const Node isPhase = graph.make(Op::Ult, 1, node, graph.constantNode(period, place.width));
-    constraints_.push_back(isPhase);
-    totalConstraints_.push_back(isPhase);
-  }
+  if (first == noNode && place.isRegister) constrainStart(place, node);
   const auto values = knowledge_.values.find(place);
   if (values != knowledge_.values.end())
     known_[node] = values->second;

@@ -166,6 +166,8 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   Cell keeping(const Place& place, std::uint64_t value);
   std::optional<std::vector<std::uint64_t>> targetsOf(Node pointer, Node guard);
   Node init(const Place& place) const;
+  bool isRetained(const Place& place) const;
+  void constrainStart(const Place& place, Node node);
   bool setsClock() const;
   bool isFixed(Choice choice) const { return !options_.coversAllReadings && options_.choices.isFixed(choice); }
   Node input(std::string name, int width);
@@ -192,9 +194,9 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   std::vector<int> events_;  ///< attached ones, by priority
   const RoutineEffects* effects_;
   EventStates eventStates_;
-  bool isAfterEnable_ = false;        ///< ENI stands in front of this place
-  std::set<std::uint32_t> tickKeys_;  ///< footprint keys of all 1 ms timers
-  Footprint watched_;                 ///< read in front of every instruction (EncoderOptions::watched)
+  bool isAfterEnable_ = false;  ///< ENI stands in front of this place
+  FootprintKeys tickKeys_;      ///< of all that the 1 ms clock moves
+  Footprint watched_;           ///< read in front of every instruction (EncoderOptions::watched)
   Footprints footprints_;
   std::uint32_t accesses_ = 0;  ///< since the clock was looked at
   Node consumed_ = noNode;      ///< ms of this scan that have reached the 1 ms timers

@@ -6,6 +6,7 @@
 #include "analysis/witness/state_pool.hpp"
 #include "analysis/witness/witness.hpp"
 #include "ir/s7200/reading.hpp"
+#include "ir/s7300/clock_memory.hpp"
 
 namespace rungproof {
 
@@ -127,6 +128,10 @@ EquivalenceRun BothRuns::plain(EquivalenceRun run) const {
   };
   for (const Reg phase : {Reg::PhaseTen, Reg::PhaseHundred, Reg::PhaseSecond, Reg::PhaseMinute}) {
     if (run.initialBefore->get(phase, 0) != 0) tryWith([&](Concrete::Store& state) { state.set(phase, 0, 0, true); });
+  }
+  for (std::uint32_t bit = 0; bit < clockPeriods.size(); ++bit) {
+    if (run.initialBefore->get(Reg::ClockPhase, bit) != 0)
+      tryWith([&](Concrete::Store& state) { state.set(Reg::ClockPhase, bit, 0, true); });
   }
   for (const ChoiceInfo& info : choiceTable) {
     const std::uint8_t usual = options.prover.choices[info.choice], now = readingIn(*run.initialBefore, info.choice);

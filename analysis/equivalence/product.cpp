@@ -19,7 +19,11 @@ Width widthOf(int width) {
 }
 
 /// What both programs find alike whatever they do: how the CPU reads its open points, and the phases of its clocks.
-bool isOfTheCpu(Reg reg) { return reg == Reg::Reading || reg == Reg::PhaseSecond || reg == Reg::PhaseMinute; }
+/// `hasClocks`: both have clock memory.
+bool isOfTheCpu(Reg reg, bool hasClocks) {
+  return reg == Reg::Reading || reg == Reg::PhaseSecond || reg == Reg::PhaseMinute ||
+         (hasClocks && reg == Reg::ClockPhase);
+}
 bool isEdge(Reg reg) { return reg == Reg::EdgeMemory || reg == Reg::EdgeSeen; }
 bool isOfTimer(Reg reg) {
   return reg == Reg::TimerCurrent || reg == Reg::TimerBit || reg == Reg::TimerRunning || reg == Reg::TimerPreset ||
@@ -292,10 +296,11 @@ void ProgramProduct::findPartners() {
     if (cell.kind == CellKind::State) places.emplace(cell.start, cell.place);
   }
   partners_.resize(newSystem_.states.size());
+  const bool haveClocks = old_.encoding().plan().program->clockMemory && new_.encoding().plan().program->clockMemory;
   for (std::size_t i = 0; i < partners_.size(); ++i) {
     const auto place = places.find(newSystem_.states[i].node);
     if (place == places.end() || kept_.contains(place->first)) continue;
-    const bool isWorld = place->second.isRegister && isOfTheCpu(place->second.reg);
+    const bool isWorld = place->second.isRegister && isOfTheCpu(place->second.reg, haveClocks);
     if (!isWorld && !isSharedPlace(place->second)) continue;
     partners_[i] = {oldValue(place->second, false), oldValue(place->second, true), isWorld};
   }

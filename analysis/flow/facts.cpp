@@ -147,6 +147,10 @@ void Facts::collectExternals() {
         if (const std::uint32_t cell = cells.cell(row.area, byte, 0); cell != cells.size()) external_[cell] = 1;
     }
   }
+  if (program_.clockMemory) {
+    const std::uint32_t cell = cells.cell(Area::M, *program_.clockMemory, 0);
+    if (cell != cells.size()) external_[cell] = 1;
+  }
   for (const ExternalRange& range : externals_) {
     const bool byNumber = hasBitAndWord(range.first.area);
     const std::uint32_t end = range.last.offset + static_cast<std::uint32_t>(byNumber ? 1 : bytes(range.last.width));

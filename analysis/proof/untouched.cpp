@@ -54,6 +54,8 @@ bool isWritten(const Facts& facts, const PropertySet& set, const Operand& operan
     const PlaceRow last = rowOf(range.last);
     return meet(row, {first.area, first.first, last.first + last.count - first.first});
   });
+  const std::optional<std::uint32_t>& clock = facts.program().clockMemory;
+  if (clock && meet(row, {Area::M, *clock * 8, 8})) return true;
   if (isExternal || isInBuffer(facts, row) || isWrittenByCalls(facts, row)) return true;
   for (std::uint32_t bit = row.first; bit < row.first + row.count; ++bit) {
     const std::uint32_t cell = cells.cell(operand.area, bit / 8, 0);

@@ -7,6 +7,7 @@
 
 #include "analysis/schedule/schedule.hpp"
 #include "ir/s7200/special_memory.hpp"
+#include "ir/s7300/clock_memory.hpp"
 
 namespace rungproof {
 
@@ -120,6 +121,16 @@ std::vector<std::string> conditionsOf(const Circumstances& circumstances, const 
       }
       if (decides) add(clockText(phase, period, toString(bit.operand())));
     }
+  }
+  for (std::uint32_t bit = 0; program.clockMemory && bit < clockPeriods.size(); ++bit) {
+    const std::uint64_t phase = start.get(Reg::ClockPhase, bit), half = clockPeriods[bit] / 2U;
+    const auto decides = [&](std::uint64_t other) {
+      return other != phase &&
+             trials.isNeeded(phase == 0, [&](Concrete::Store& s) { s.set(Reg::ClockPhase, bit, other, true); });
+    };
+    if (decides(0) || decides(half))
+      add(fmt::format("{} starts {} ms into its period of {} ms, first off, then on",
+                      addressName(Area::M, Width::Bit, *program.clockMemory, bit), phase, clockPeriods[bit]));
   }
   if (const std::uint64_t phase = start.get(Reg::PhaseHundred, 0); phase != 0)
     add(fmt::format("RUN begins {} ms after a tick of the 100 ms time base (sim: --phase {}ms)", phase, phase));

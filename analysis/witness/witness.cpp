@@ -41,9 +41,11 @@ std::vector<StartCell> startCells(const Program& program, const Choices& choices
       if (initial.area(area)[i] != powerUp.area(area)[i]) cells.push_back({area, i});
     }
   }
-  for (const auto& [area, reg] : {std::pair{Area::T, Reg::TimerCurrent}, std::pair{Area::C, Reg::CounterCurrent}}) {
-    for (std::uint32_t i = 0; i < initial.count(reg); ++i) {
-      if (initial.get(reg, i) != powerUp.get(reg, i)) cells.push_back({area, i});
+  for (const Area area : {Area::T, Area::C}) {
+    const auto registers = retainedRegisters(area, isStep7(program.target));
+    for (std::uint32_t i = 0; i < initial.count(registers[0]); ++i) {
+      const auto isOther = [&](Reg reg) { return initial.get(reg, i) != powerUp.get(reg, i); };
+      if (std::ranges::any_of(registers, isOther)) cells.push_back({area, i});
     }
   }
   return cells;

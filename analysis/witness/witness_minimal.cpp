@@ -8,6 +8,7 @@
 
 #include "analysis/schedule/schedule.hpp"
 #include "engine/start_up.hpp"
+#include "ir/s7300/clock_memory.hpp"
 
 namespace rungproof {
 
@@ -131,10 +132,9 @@ class Minimiser {
       Concrete::Store& initial = *best_.initial;
       switch (cell.area) {
         case Area::T:
-          initial.set(Reg::TimerCurrent, cell.index, powerUp.get(Reg::TimerCurrent, cell.index), true);
-          break;
         case Area::C:
-          initial.set(Reg::CounterCurrent, cell.index, powerUp.get(Reg::CounterCurrent, cell.index), true);
+          for (const Reg reg : retainedRegisters(cell.area, isStep7(judge_.program().target)))
+            initial.set(reg, cell.index, powerUp.get(reg, cell.index), true);
           break;
         default: initial.area(cell.area)[cell.index] = powerUp.area(cell.area)[cell.index];
       }
@@ -158,6 +158,11 @@ class Minimiser {
     for (const auto& [reg, period] : {std::pair{Reg::PhaseSecond, 1000U}, std::pair{Reg::PhaseMinute, 60000U}}) {
       for (const std::uint32_t phase : {period / 2, 0U}) {
         if (!isLate()) tryStart([&](Concrete::Store& s) { s.set(reg, 0, phase, true); });
+      }
+    }
+    for (std::uint32_t bit = 0; bit < clockPeriods.size(); ++bit) {
+      for (const std::uint32_t phase : {clockPeriods[bit] / 2U, 0U}) {
+        if (!isLate()) tryStart([&](Concrete::Store& s) { s.set(Reg::ClockPhase, bit, phase, true); });
       }
     }
   }

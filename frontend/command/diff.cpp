@@ -72,7 +72,7 @@ Exit compare(const Arguments& arguments, Context& context) {
   if (isUnread) return Exit::Failed;
 
   EquivalenceOptions options;
-  options.prover = proverOptionsOf(context.settings);
+  options.prover = proverOptionsOf(context.settings, {&sides.before.program, &sides.after.program});
   options.pairs = sides.pairs;
   options.observed = sides.observed;
   options.assumptions = sides.assumptions;

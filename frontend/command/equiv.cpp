@@ -127,7 +127,7 @@ Exit run(const Arguments& arguments, Context& context) {
   }
 
   EquivalenceOptions options;
-  options.prover = proverOptionsOf(context.settings);
+  options.prover = proverOptionsOf(context.settings, {&sides.before.program, &sides.after.program});
   options.prover.certificates = !arguments.certificates.empty();
   options.prover.cancel = &equivInterrupted;
   options.pairs = sides.pairs;

@@ -66,7 +66,7 @@ Exit run(const Arguments& arguments, Context& context) {
   if (!unread.isWhole()) input.program = unread.executable();
   const std::vector<ExternalRange> byCalls = externalsOfCalls(Facts(input.program));
   input.properties.externals.insert(input.properties.externals.end(), byCalls.begin(), byCalls.end());
-  const ProverOptions options = proverOptionsOf(context.settings);
+  const ProverOptions options = proverOptionsOf(context.settings, {&input.program});
   std::vector<Property> goals;
   for (const Property& property : input.properties.properties) {
     if (property.isGoal()) goals.push_back(property);

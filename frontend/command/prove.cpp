@@ -199,7 +199,7 @@ std::vector<PlantedFault> plantFaults(const Context& context, const Program& pro
 /// Proves what is asked and puts it into the report. `program`: what of the text may be run.
 void proveInto(Report& part, const Context& context, const Settings& settings, const Arguments& arguments,
                EvidenceNames& names, const Program& program, const PropertySet& properties, const UnreadCode& unread) {
-  ProverOptions options = proverOptionsOf(settings);
+  ProverOptions options = proverOptionsOf(settings, {&program});
   options.checks.builtin = arguments.builtin;
   options.certificates = !arguments.certificates.empty();
   options.unread = &unread;

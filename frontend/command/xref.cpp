@@ -246,8 +246,7 @@ Exit run(Context& context, std::vector<std::string> arguments) {
     for (std::size_t i = 0; i < xref.entries.size(); ++i) shown.push_back(i);
   }
   std::vector<TagReport> tags;
-  if (!address)
-    tags = tagReports(facts, context.settings.retentive().value_or(defaultRetentiveRanges(input.program.target)));
+  if (!address) tags = tagReports(facts, retentiveRanges(input.program, context.settings.retentive()));
   const XrefWriter writer(facts, xref, std::move(shown), !address, tags);
   Exit exit = unread.isRefused() ? Exit::Failed : Exit::Clean;
   if (std::ranges::any_of(tags, [](const TagReport& tag) { return !tag.problems.empty(); }))

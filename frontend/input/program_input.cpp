@@ -79,13 +79,24 @@ OperandLookup lookupIn(const Program& program) {
   };
 }
 
+std::optional<std::string> applyProjectSettings(const Settings& settings, Program& program) {
+  program.libraryMemory = settings.libraryMemory();
+  program.cyclicPeriods = settings.cyclicPeriods();
+  program.cycleMonitoringMs = settings.cycleMonitoringMs();
+  const std::optional<std::uint32_t> clock = settings.clockMemory();
+  if (!clock || !isStep7(program.target)) return std::nullopt;
+  std::optional<std::string> missing = missingFrom(program.target, direct(Area::M, Width::Byte, *clock));
+  if (!missing) program.clockMemory = clock;
+  return missing;
+}
+
 namespace {
 
 Program readFilesBy(const Context& context, const Settings& settings, const std::vector<std::string>& files) {
   Program program = readProgram(expandFolders(files, settings), readOptionsOf(settings));
   guessCpu(context, settings, program);
-  program.libraryMemory = settings.libraryMemory();
-  program.cyclicPeriods = settings.cyclicPeriods();
+  const std::optional<std::string> missing = applyProjectSettings(settings, program);
+  if (missing && !settings.flag(Opt::Quiet)) context.err << fmt::format("rungproof: no clock memory: {}\n", *missing);
   return program;
 }
 

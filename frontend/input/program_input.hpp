@@ -35,6 +35,10 @@ ProgramInput readInput(const Context& context, const std::vector<std::string>& f
 ProgramInput readInput(const Context& context, const Settings& settings, const std::vector<std::string>& files,
                        const std::vector<std::string>& propertyFiles = {});
 
+/// Gives the program what the project says of the CPU: memory of libraries, periods of cyclic interrupts, cycle
+/// monitoring, clock memory. Gives why there is no clock memory where the CPU lacks its byte, which no program can
+/// read.
+std::optional<std::string> applyProjectSettings(const Settings& settings, Program& program);
 /// Adds what the options and the configuration say beside the program: panel and network, the CPU to port to.
 void addSurroundings(const Settings& settings, ProgramInput& input);
 

@@ -110,8 +110,8 @@ class ProjectReader {
   }
 
   Program finish() {
-    const bool isStep7 = !step7_.sources.empty();
     readWaiting();
+    const bool isStep7 = step7_.hasBlocks();
     buildDrawnProject(program_, drawn_);
     nameFromFiles(program_, headless_);
     if (isStep7 && !program_.pous.empty()) reportOtherFamily();
@@ -179,7 +179,7 @@ class ProjectReader {
 
   void readWaiting() {
     for (InputText& input : waiting_) {
-      input.isStep7Project = !step7_.sources.empty();
+      input.isStep7Project = step7_.hasBlocks();
       const Rated best = surest(input);
       if (best.reader != nullptr)
         best.reader->read(program_, input, options_);
@@ -209,7 +209,7 @@ class ProjectReader {
   }
 
   void reportOtherFamily() {
-    const std::uint32_t file = step7_.sources.front().file;
+    const std::uint32_t file = step7_.sources.empty() ? step7_.drawn.front().file : step7_.sources.front().file;
     SyntaxSink(program_, file)
         .report(Syntax::FamilyUndecided, {file, 0, 0},
                 fmt::format("{} is for an S7-300 or S7-400, other files of the program are for an S7-200",
@@ -257,7 +257,7 @@ class ProjectReader {
   Program program_;
   DrawnProject drawn_;
   step7::Step7Project step7_;
-  std::vector<InputText> waiting_;  ///< tables
+  std::vector<InputText> waiting_;  ///< tables and drawings
   std::vector<HeadlessBlock> headless_;
 };
 

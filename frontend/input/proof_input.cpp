@@ -4,14 +4,29 @@
 #include <algorithm>
 
 #include "analysis/proof/proof_watch.hpp"
+#include "ir/s7300/block.hpp"
 
 namespace rungproof {
 
-ProverOptions proverOptionsOf(const Settings& settings) {
+namespace {
+
+/// ms after which a scan is a fatal error. With OB80 the first excess of an S7-300/400 is none (002:1314).
+std::uint32_t longestScanMs(const Program& program, const Choices& choices) {
+  if (!isStep7(program.target)) return static_cast<std::uint32_t>(choices.watchdogMs());
+  const bool hasTimeErrorBlock =
+      std::ranges::any_of(program.pous, [](const Pou& pou) { return pou.number == blockNumber(BlockType::Ob, 80); });
+  return program.cycleMonitoringMs * (hasTimeErrorBlock ? 2U : 1U);
+}
+
+}  // namespace
+
+ProverOptions proverOptionsOf(const Settings& settings, std::initializer_list<const Program*> programs) {
   ProverOptions options;
   options.choices = settings.choices();
   options.retentive = settings.retentive();
-  options.time.high = static_cast<std::uint32_t>(options.choices.watchdogMs());
+  options.time.high = 0;
+  for (const Program* program : programs)
+    options.time.high = std::max(options.time.high, longestScanMs(*program, options.choices));
   if (const auto range = settings.scanTime()) {
     options.time.low = static_cast<std::uint32_t>(std::max<std::int64_t>(range->low.count() / 1000, 1));
     options.time.high =
@@ -26,9 +41,9 @@ ProverOptions proverOptionsOf(const Settings& settings) {
   return options;
 }
 
-ProverOptions lintProverOptionsOf(const Settings& settings) {
+ProverOptions lintProverOptionsOf(const Settings& settings, const Program& program) {
   constexpr std::uint64_t usual = 2ULL << 30;
-  ProverOptions options = proverOptionsOf(settings);
+  ProverOptions options = proverOptionsOf(settings, {&program});
   options.explains = false;
   if (!settings.memory()) options.memory = options.memory == 0 ? usual : std::min(options.memory, usual);
   if (const auto budget = settings.budget()) options.total = static_cast<double>(budget->count()) / 1e6;

@@ -58,7 +58,7 @@ Report lintProgram(const Settings& settings, const ProgramInput& input, const st
   std::move(found.begin(), found.end(), std::back_inserter(report.findings));
   if (prove) {
     const UnreadCode unread(program, settings.choices());
-    ProverOptions options = lintProverOptionsOf(settings);
+    ProverOptions options = lintProverOptionsOf(settings, program);
     options.unread = &unread;
     OpenQuestions open;
     if (unread.isWhole())

@@ -1,6 +1,7 @@
 // Reads them.
 #include "frontend/property/external_range.hpp"
 
+#include "frontend/step7/name_lookup.hpp"
 #include "frontend/stl/operand_reader.hpp"
 
 namespace rungproof {
@@ -11,17 +12,29 @@ std::optional<Operand> externalEndNamed(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   Operand operand;
-  if (!readAddress(text, Spelling::International, operand) || !mayBeExternal(operand.area)) return std::nullopt;
-  return operand;
+  if (!readAddress(text, Spelling::International, operand)) {
+    const std::optional<Operand> step7 = step7::addressNamed(text);
+    if (!step7) return std::nullopt;
+    operand = *step7;
+  }
+  return mayBeExternal(operand.area) ? std::optional(operand) : std::nullopt;
 }
 
 }  // namespace
 
+std::string lastOfRange(std::string_view first, std::string_view last) {
+  const bool isShort = last.size() > 3 && last.starts_with("DB") && (last[2] < '0' || last[2] > '9');
+  const std::size_t dot = first.find('.');
+  return std::string(isShort && dot != std::string_view::npos ? first.substr(0, dot + 1) : "") + std::string(last);
+}
+
 std::optional<ExternalRange> externalRangeNamed(std::string_view text) {
   const std::size_t dots = text.find("..");
   const auto first = externalEndNamed(text.substr(0, dots));
-  const auto last = dots == std::string_view::npos ? first : externalEndNamed(text.substr(dots + 2));
-  if (!first || !last || first->area != last->area || first->width != last->width) return std::nullopt;
+  const auto last = dots == std::string_view::npos
+                        ? first
+                        : externalEndNamed(lastOfRange(text.substr(0, dots), text.substr(dots + 2)));
+  if (!first || !last || first->width != last->width || !areOfOneArea(*first, *last)) return std::nullopt;
   const auto place = [](const Operand& o) { return o.offset * 8 + (o.width == Width::Bit ? o.bit : 0U); };
   if (place(*last) < place(*first)) return std::nullopt;
   return ExternalRange{.first = *first, .last = *last};

@@ -196,13 +196,13 @@ class Parser {
       range.span = head.span;
       range.first = range.last = address(take());
       if (accept("..")) range.last = address(take());
-      if (range.first.area != range.last.area || range.first.width != range.last.width) {
-        throw Mistake{typeRule, head.span, "both ends of a range need the same area and width",
+      if (!areOfOneArea(range.first, range.last) || range.first.width != range.last.width) {
+        throw Mistake{typeRule, head.span, "both ends of a range need the same area (or data block) and width",
                       "write for example: external VB100..VB199"};
       }
       if (!mayBeExternal(range.first.area)) {
         throw Mistake{typeRule, head.span,
-                      fmt::format("{} cannot be external: only V, M, S, SM and Q memory is written from outside",
+                      fmt::format("{} cannot be external: only V, M, DB, S, SM and Q memory is written from outside",
                                   toString(range.first)),
                       "inputs have any value anyway; let the panel write V or M memory"};
       }

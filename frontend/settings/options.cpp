@@ -45,8 +45,10 @@ constexpr std::array table = {
     OptionInfo{Opt::External, Reading, Arity::List, "external", "RANGE", "", "what a panel or a network writes in any scan, as VW100 or VB100..VB199"},
     OptionInfo{Opt::Exclude, Reading, Arity::List, "exclude", "PATTERN", "", "files that a folder does not stand for, by their name in the project, such as old/*"},
     OptionInfo{Opt::StdinFilename, Reading, Arity::One, "stdin-filename", "NAME", "", "name for standard input, which is read where FILE is '-'", false},
-    OptionInfo{Opt::Retentive, Running, Arity::List, "retentive", "RANGE", "", "what keeps its value without power, as VB0..VB99, MB0..MB13, T0..T31 or C0..C255 (S7-200: all of V, MB14..MB31, T0..T31, T64..T95, C0..C255; S7-200 SMART: nothing)"},
+    OptionInfo{Opt::Retentive, Running, Arity::List, "retentive", "RANGE", "", "what keeps its value without power, as VB0..VB99, MB0..MB13, T0..T31, C0..C255 or DB10.DBB0..DBB19 (S7-200: all of V, MB14..MB31, T0..T31, T64..T95, C0..C255; S7-200 SMART: nothing; S7-300/400: MB0..MB15, C0..C7, data blocks without NON_RETAIN)"},
     OptionInfo{Opt::LibraryMemory, Running, Arity::List, "library-memory", "RANGE", "", "V memory of the libraries, as VB1000..VB1285, or of one block, as RCP0_READ=VB100..VB119"},
+    OptionInfo{Opt::ClockMemory, Running, Arity::One, "clock-memory", "MB", "", "S7-300/400: byte whose bits the CPU flashes, as MB100: 0.1, 0.2, 0.4, 0.5, 0.8, 1, 1.6 and 2 s from bit 0 to bit 7"},
+    OptionInfo{Opt::CycleMonitoring, Running, Arity::One, "cycle-monitoring", "TIME", "150ms", "S7-300/400: longest scan, 1ms to 6s; a longer one calls OB80 or stops the CPU"},
     OptionInfo{Opt::Ob30, Hidden, Arity::One, "ob30", "TIME", "5s", "period of OB30"},
     OptionInfo{Opt::Ob31, Hidden, Arity::One, "ob31", "TIME", "2s", "period of OB31"},
     OptionInfo{Opt::Ob32, Hidden, Arity::One, "ob32", "TIME", "1s", "period of OB32"},
@@ -133,9 +135,18 @@ std::optional<Failure> checkForm(const OptionInfo& info, std::string_view text) 
     const auto period = durationNamed(text);
     if (period && period->count() % 1000 == 0 && *period >= Duration(1000) && *period <= Duration(60'000'000))
       return std::nullopt;
-    return Failure{fmt::format("'{}' is no period of a cyclic interrupt", text),
-                   {},
-                   "write whole milliseconds, from 1ms to 60s"};
+    return Failure{
+        fmt::format("'{}' is no period of a cyclic interrupt", text), {}, "write whole milliseconds, from 1ms to 60s"};
+  }
+  if (info.id == Opt::CycleMonitoring) {
+    const auto time = durationNamed(text);
+    if (time && time->count() % 1000 == 0 && *time >= Duration(1000) && *time <= Duration(6'000'000))
+      return std::nullopt;
+    return Failure{
+        fmt::format("'{}' is no time of the cycle monitoring", text), {}, "write whole milliseconds, from 1ms to 6s"};
+  }
+  if (info.id == Opt::ClockMemory && !clockMemoryNamed(text)) {
+    return Failure{fmt::format("'{}' is no byte for clock memory", text), {}, "write a byte of M, such as MB100"};
   }
   if (info.id == Opt::Memory && !memoryNamed(text)) {
     return Failure{fmt::format("'{}' is no amount of memory", text),
@@ -145,12 +156,14 @@ std::optional<Failure> checkForm(const OptionInfo& info, std::string_view text) 
   if (info.id == Opt::Retentive && !retentiveRangeNamed(text)) {
     return Failure{fmt::format("'{}' is no retentive range", text),
                    {},
-                   "write bytes of V or M, or numbers of T or C, such as VB0..VB99 or C0..C15"};
+                   "write bytes of V, M or a data block, or numbers of T or C, such as VB0..VB99, C0..C15 or "
+                   "DB10.DBB0..DBB19"};
   }
   if (info.id == Opt::External && !externalRangeNamed(text)) {
-    return Failure{fmt::format("'{}' is nothing that is written from outside", text),
-                   {},
-                   "write an address of V, M, S, SM or Q, or the first and the last, such as VW100 or VB100..VB199"};
+    return Failure{
+        fmt::format("'{}' is nothing that is written from outside", text),
+        {},
+        "write an address of V, M, DB, S, SM or Q, or the first and the last, such as VW100 or VB100..VB199"};
   }
   if (info.id == Opt::LibraryMemory && !libraryMemoryNamed(text)) {
     return Failure{fmt::format("'{}' is no library memory", text),

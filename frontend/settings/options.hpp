@@ -36,6 +36,8 @@ enum class Opt : std::uint8_t {
   StdinFilename,
   Retentive,
   LibraryMemory,
+  ClockMemory,
+  CycleMonitoring,
   Ob30,
   Ob31,
   Ob32,
@@ -155,6 +157,9 @@ class Settings {
   std::optional<ScanTime> scanTime() const;
   /// Periods of OB30 to OB38 in ms.
   std::array<std::uint16_t, cyclicBlockCount> cyclicPeriods() const;
+  /// Byte of M that the CPU flashes; nothing: none.
+  std::optional<std::uint32_t> clockMemory() const;
+  std::uint16_t cycleMonitoringMs() const;
   std::optional<Duration> timeout() const;
   /// Time since the last tick of the time bases when RUN begins, in ms.
   std::uint32_t phaseMs() const;

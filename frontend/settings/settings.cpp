@@ -115,6 +115,10 @@ std::array<std::uint16_t, cyclicBlockCount> Settings::cyclicPeriods() const {
   }
   return periods;
 }
+std::optional<std::uint32_t> Settings::clockMemory() const { return clockMemoryNamed(text(Opt::ClockMemory)); }
+std::uint16_t Settings::cycleMonitoringMs() const {
+  return static_cast<std::uint16_t>(durationNamed(text(Opt::CycleMonitoring))->count() / 1000);
+}
 std::optional<ScanTime> Settings::scanTime() const { return scanTimeNamed(text(Opt::ScanTime)); }
 std::uint32_t Settings::phaseMs() const {
   return static_cast<std::uint32_t>(durationNamed(text(Opt::Phase)).value_or(Duration(0)).count() / 1000 % 100);

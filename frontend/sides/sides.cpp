@@ -162,6 +162,7 @@ void readPairAssumptions(Sides& sides, const std::string& name, const std::strin
 ProgramInput readSide(const Settings& settings, const std::vector<std::string>& files) {
   ProgramInput input;
   input.program = readProgram(files, readOptionsOf(settings));
+  applyProjectSettings(settings, input.program);
   input.properties = readProperties(input.program, {}, lookupIn(input.program));
   addSurroundings(settings, input);
   return input;

@@ -10,6 +10,7 @@
 #include "frontend/files/closest_word.hpp"
 #include "frontend/logger/trace_cell.hpp"
 #include "frontend/simulation/library_columns.hpp"
+#include "frontend/step7/name_lookup.hpp"
 #include "frontend/stl/missing_address.hpp"
 #include "frontend/stl/operand_reader.hpp"
 #include "ir/overlap.hpp"
@@ -83,14 +84,14 @@ std::optional<StimulusColumn> libraryColumn(const Program& program, const std::s
   return std::nullopt;
 }
 
-/// "HSC0.pulses", "HSC0.down", "PORT0.receive", "NET.error", "NET.hold", "CLOCK.tick".
+/// "HSC0.pulses", "HSC0.down", "PORT0.receive", "NET.error", "NET.hold", "CLOCK.tick", "CLOCK.bit5".
 std::optional<StimulusColumn> deviceColumn(const std::string& name) {
   struct DeviceName {
     std::string_view before, after;
     StimulusTarget target;
     std::uint32_t count;  ///< how many there are; 0: no number in the name
   };
-  static constexpr std::array<DeviceName, 8> names = {
+  static constexpr std::array<DeviceName, 9> names = {
       {{"hsc", ".pulses", StimulusTarget::Pulses, HighSpeedCounters::count},
        {"hsc", ".down", StimulusTarget::DownPulses, HighSpeedCounters::count},
        {"port", ".receive", StimulusTarget::Characters, 2},
@@ -98,7 +99,8 @@ std::optional<StimulusColumn> deviceColumn(const std::string& name) {
        {"net.hold", "", StimulusTarget::NetworkHold, 0},
        {"clock.tick", "", StimulusTarget::TickPhase, 0},
        {"clock.second", "", StimulusTarget::SecondPhase, 0},
-       {"clock.minute", "", StimulusTarget::MinutePhase, 0}}};
+       {"clock.minute", "", StimulusTarget::MinutePhase, 0},
+       {"clock.bit", "", StimulusTarget::ClockBitPhase, 8}}};
   const std::string lower = lowered(name);
   for (const DeviceName& device : names) {
     if (!lower.starts_with(device.before) || !lower.ends_with(device.after)) continue;
@@ -140,6 +142,11 @@ std::optional<TraceSignal> signalNamed(const Program& program, std::string_view 
   isKnown = isKnown || readAddress(bare, Spelling::German, operand);
   if (const std::size_t blank = bare.find(' '); !isKnown && blank != std::string_view::npos) {
     isKnown = readAddress(bare.substr(0, blank), Spelling::International, operand);  // "Q0.0 Motor"
+  }
+  if (!isKnown) {
+    const std::optional<Operand> place = step7::placeNamed(program, bare);
+    isKnown = place && place->kind == OperandKind::Direct;
+    if (isKnown) operand = *place;
   }
   if (!isKnown) {
     std::vector<std::string> names;

@@ -9,6 +9,7 @@
 #include "engine/device_end.hpp"
 #include "frontend/simulation/event_place.hpp"
 #include "frontend/simulation/library_columns.hpp"
+#include "ir/s7300/clock_memory.hpp"
 
 namespace rungproof {
 
@@ -52,6 +53,10 @@ Trace traceOf(const Program& program, const Choices& choices, const Witness& wit
         std::pair{Reg::PhaseMinute, "CLOCK.minute"}}) {
     const std::uint64_t phase = witness.initial ? witness.initial->get(reg, 0) : 0;
     if (phase != 0) trace.start.emplace_back(name, phase);
+  }
+  for (std::uint32_t bit = 0; witness.initial && bit < clockPeriods.size(); ++bit) {
+    const std::uint64_t phase = witness.initial->get(Reg::ClockPhase, bit);
+    if (phase != 0) trace.start.emplace_back(fmt::format("CLOCK.bit{}", bit), phase);
   }
   std::uint64_t scan = 0, timeUs = 0;
   const std::uint64_t skipped = witness.scanCount > limit ? witness.scanCount - limit : 0;

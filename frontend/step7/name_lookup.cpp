@@ -9,7 +9,8 @@ namespace rungproof::step7 {
 
 namespace {
 
-std::optional<rungproof::Operand> placeOfAddress(const Program& program, const Operand& operand) {
+/// `declarations`: names of data blocks; nullptr: only numbers are known.
+std::optional<rungproof::Operand> placeOfAddress(const s7300::Declarations* declarations, const Operand& operand) {
   static constexpr Area areas[] = {Area::I, Area::Q,  Area::M,  Area::PI, Area::PQ,
                                    Area::L, Area::DB, Area::DB, Area::T,  Area::C};
   std::uint32_t offset = operand.number;
@@ -17,8 +18,9 @@ std::optional<rungproof::Operand> placeOfAddress(const Program& program, const O
     if (!operand.block || operand.place != Place::DB) return std::nullopt;  // no place without a block that is open
     std::uint32_t block = operand.block->number;
     if (!operand.block->kind) {
-      const auto named = program.declarations->dataBlockNames.find(s7300::foldedName(operand.block->symbol));
-      if (named == program.declarations->dataBlockNames.end()) return std::nullopt;
+      if (declarations == nullptr) return std::nullopt;
+      const auto named = declarations->dataBlockNames.find(s7300::foldedName(operand.block->symbol));
+      if (named == declarations->dataBlockNames.end()) return std::nullopt;
       block = named->second;
     }
     if (block == 0 || block > lastDataBlock) return std::nullopt;
@@ -39,6 +41,16 @@ std::optional<rungproof::Operand> placeOfParts(const Program& program, std::stri
 
 }  // namespace
 
+std::optional<rungproof::Operand> addressNamed(std::string_view text) {
+  for (const MnemonicSet set : {MnemonicSet::International, MnemonicSet::German}) {
+    Cursor cursor(text, 0);
+    const OperandOutcome read = readOperand7(cursor, {set, TextEncoding::Utf8});
+    if (!read.fault.empty() || !cursor.atEnd() || read.operand.form != OperandForm::Address) continue;
+    return placeOfAddress(nullptr, read.operand);
+  }
+  return std::nullopt;
+}
+
 std::optional<rungproof::Operand> placeNamed(const Program& program, std::string_view text) {
   if (program.declarations == nullptr) return std::nullopt;
   if (const Symbol* symbol = program.symbolNamed(text)) {
@@ -50,7 +62,7 @@ std::optional<rungproof::Operand> placeNamed(const Program& program, std::string
     Cursor cursor(text, 0);
     const OperandOutcome read = readOperand7(cursor, {set, TextEncoding::Utf8});
     if (!read.fault.empty() || !cursor.atEnd()) continue;
-    if (read.operand.form == OperandForm::Address) return placeOfAddress(program, read.operand);
+    if (read.operand.form == OperandForm::Address) return placeOfAddress(program.declarations.get(), read.operand);
     if (read.operand.form == OperandForm::Symbol) {
       if (!read.operand.path.empty()) return placeOfParts(program, read.operand.name, read.operand.path, text);
       if (const Symbol* symbol = program.symbolNamed(read.operand.name)) return symbol->address;

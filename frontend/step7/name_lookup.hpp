@@ -9,6 +9,8 @@
 
 namespace rungproof::step7 {
 
+/// An address that no program has to know, in either set of mnemonics: MB100, DB10.DBW2, T5, EW4.
+std::optional<rungproof::Operand> addressNamed(std::string_view text);
 std::optional<rungproof::Operand> placeNamed(const Program& program, std::string_view text);
 
 }  // namespace rungproof::step7

@@ -150,6 +150,11 @@ BoundOperand OperandBinder::blockNamed(BlockKey key, const Operand& operand) {
   return result;
 }
 
+std::uint32_t freeLocalByte(const BlockScope& scope) {
+  const std::uint32_t declared = static_cast<std::uint32_t>(scope.temporary->size + 1) & ~1U;
+  return scope.key.kind == BlockKind::Ob ? std::max(declared, startInformationBytes) : declared;
+}
+
 BoundOperand OperandBinder::address(const Operand& operand, BlockScope& scope) {
   BoundOperand result;
   if (operand.block) {
@@ -169,7 +174,9 @@ BoundOperand OperandBinder::address(const Operand& operand, BlockScope& scope) {
     result.operand = direct(Area::DB, irWidth(operand.size), dataByte(key->number, operand.number), operand.bit);
     return result;
   }
-  result.operand = direct(irArea(operand.place), irWidth(operand.size), operand.number, operand.bit);
+  std::uint32_t number = operand.number;
+  if (operand.isBehindDeclared) number += freeLocalByte(scope);
+  result.operand = direct(irArea(operand.place), irWidth(operand.size), number, operand.bit);
   if (operand.place == Place::DB || operand.place == Place::DI) {
     Reach reach{};
     reach.way = Way::OpenBlock;
@@ -178,7 +185,7 @@ BoundOperand OperandBinder::address(const Operand& operand, BlockScope& scope) {
     result.operand.reach = reachOf(std::move(reach));
   }
   if (operand.place == Place::L) {
-    const std::uint32_t end = operand.number + static_cast<std::uint32_t>(bytes(irWidth(operand.size)));
+    const std::uint32_t end = number + static_cast<std::uint32_t>(bytes(irWidth(operand.size)));
     scope.localBytes = std::max(scope.localBytes, end);
   }
   return result;

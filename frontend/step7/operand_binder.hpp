@@ -22,6 +22,11 @@ struct BlockScope {
   std::uint32_t localBytes = 0;                  ///< highest byte of L that was named, and one
 };
 
+/// Of every OB (002:2015).
+inline constexpr std::uint32_t startInformationBytes = 20;
+/// The first byte of L behind the declared data, and behind the start information.
+std::uint32_t freeLocalByte(const BlockScope& scope);
+
 struct BoundOperand {
   rungproof::Operand operand;
   std::optional<s7300::Type> type{};    ///< of a declared name

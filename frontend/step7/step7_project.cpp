@@ -164,6 +164,8 @@ class ProjectBuilder {
                                                        : readSymbolList(text, setOfTable(text, vote.ofProject()), sink);
       std::ranges::move(rows, std::back_inserter(symbols_));
     }
+    sources_.insert(sources_.end(), project.drawn.begin(), project.drawn.end());
+    symbols_.insert(symbols_.end(), project.drawnSymbols.begin(), project.drawnSymbols.end());
   }
 
   /// Tables are written in the mnemonics of the machine that exported them.
@@ -275,10 +277,10 @@ class ProjectBuilder {
       network.span = each.span;
       for (const Remark& remark : each.remarks) network.comments.push_back({remark.span});
       statements.bind(each, set, scope, network);
+      if (each.isUnread) network.complete = false;
     }
     std::uint32_t local = std::max(static_cast<std::uint32_t>(scope.temporary->size), scope.localBytes);
-    constexpr std::uint32_t startInformation = 20;  // of every OB (002:2015)
-    if (entry.key.kind == BlockKind::Ob) local = std::max(local, startInformation);
+    if (entry.key.kind == BlockKind::Ob) local = std::max(local, startInformationBytes);
     pou.localBytes = local + (local & 1U);
     const int pouIndex = static_cast<int>(program_.pous.size());
     for (const DirectiveSyntax& directive : syntax.directives)

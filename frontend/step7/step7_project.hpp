@@ -6,6 +6,7 @@
 
 #include "frontend/files/file_reader.hpp"
 #include "frontend/step7/constant_parser.hpp"
+#include "frontend/step7/syntax.hpp"
 
 namespace rungproof::step7 {
 
@@ -18,6 +19,10 @@ struct PendingFile {
 struct Step7Project {
   std::vector<PendingFile> sources;
   std::vector<PendingFile> tables;
+  std::vector<SourceSyntax> drawn;      ///< what drawings say, as sources (frontend/flgnet)
+  std::vector<SymbolRow> drawnSymbols;  ///< names of their blocks
+
+  bool hasBlocks() const { return !sources.empty() || !drawn.empty(); }
 };
 
 /// Reads what was collected and appends its blocks, data blocks, symbols and findings to the program.

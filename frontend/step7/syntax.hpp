@@ -57,17 +57,18 @@ enum class OperandForm : std::uint8_t {
 struct Operand {
   OperandForm form = OperandForm::None;
   Span span;
-  Place place = Place::M;                  ///< Address; Indirect that names its area
-  Size size = Size::Bit;                   ///< Address, Indirect
-  std::uint32_t number = 0;                ///< Address: byte, or number of the timer or counter
-  std::uint8_t bit = 0;                    ///< Address: 0 to 7, larger ones are kept
-  std::optional<BlockName> block;  ///< Address, Symbol: DB10. before it; Block: itself; Indirect: the kind of block
-  std::string name;                        ///< Symbol: what stands in the quotation marks; Word: itself
-  std::vector<PathStep> path;              ///< Local, Parameter: all; Symbol: what follows the name
-  Constant constant;                       ///< Constant
-  std::uint8_t addressRegister = 0;        ///< Indirect: 1, 2; 0: `pointer` holds the address
-  std::uint32_t offset = 0;                ///< Indirect by register: the constant P#byte.bit in bits
-  bool crossesAreas = false;               ///< Indirect by register: the area stands in the register
+  Place place = Place::M;            ///< Address; Indirect that names its area
+  Size size = Size::Bit;             ///< Address, Indirect
+  std::uint32_t number = 0;          ///< Address: byte, or number of the timer or counter
+  std::uint8_t bit = 0;              ///< Address: 0 to 7, larger ones are kept
+  bool isBehindDeclared = false;     ///< Address of L: counted from behind the declared data
+  std::optional<BlockName> block;    ///< Address, Symbol: DB10. before it; Block: itself; Indirect: the kind of block
+  std::string name;                  ///< Symbol: what stands in the quotation marks; Word: itself
+  std::vector<PathStep> path;        ///< Local, Parameter: all; Symbol: what follows the name
+  Constant constant;                 ///< Constant
+  std::uint8_t addressRegister = 0;  ///< Indirect: 1, 2; 0: `pointer` holds the address
+  std::uint32_t offset = 0;          ///< Indirect by register: the constant P#byte.bit in bits
+  bool crossesAreas = false;         ///< Indirect by register: the area stands in the register
   std::shared_ptr<const Operand> pointer;  ///< Indirect: where the address lies
 };
 
@@ -100,6 +101,7 @@ struct NetworkSyntax {
   std::vector<Remark> remarks;
   std::vector<Statement> statements;
   Span span;
+  bool isUnread = false;  ///< some of it is not among the statements, and has a finding
 };
 
 struct TypeSyntax;

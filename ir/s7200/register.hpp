@@ -78,6 +78,7 @@ enum class Reg : std::uint8_t {
   S7Set,
   S7Free,
   LastScan,
+  ClockPhase,
   count
 };
 
@@ -159,7 +160,8 @@ inline constexpr std::array<RegInfo, static_cast<std::size_t>(Reg::count)> regTa
     {Reg::S5Free, "T.FR", 1, perS5Timer},     // RLO of the last FR
     {Reg::S7Set, "C.S", 1, perS7Counter},     // RLO of the last S and FR
     {Reg::S7Free, "C.FR", 1, perS7Counter},
-    {Reg::LastScan, "last scan", 16, 1},  // ms from the start of the scan before to that of this one
+    {Reg::LastScan, "last scan", 16, 1},      // ms from the start of the scan before to that of this one
+    {Reg::ClockPhase, "clock phase", 11, 8},  // ms since a bit of clock memory began its period
 }};
 
 constexpr const RegInfo& regInfo(Reg reg) { return regTable[static_cast<std::size_t>(reg)]; }

@@ -3,6 +3,7 @@
 // 001:6693-6706. Tests: tests/manual/timer_test.cpp.
 #pragma once
 
+#include "ir/s7300/clock_memory.hpp"
 #include "ir/s7300/timer.hpp"
 
 namespace rungproof {
@@ -50,6 +51,8 @@ void refreshTimers(Machine<D>& m, int resolution, typename D::Bits ticks, Reache
   }
   if (resolution == 1 && !m.plan.iecTimers.empty())
     m.when(m.reads({Choice::S5Time, "any"}), [&] { advanceIecTimers(m, ticks); });
+  if (resolution == 1 && m.plan.program->clockMemory)
+    m.when(m.reads({Choice::S5Time, "any"}), [&] { advanceClockMemory(m, ticks); });
 }
 /// Lets `ms` (width 16) pass for the IEC timers of an S7-300/400: their instances keep the time since the start in
 /// ATIME, at byte 18, while STATE, at byte 12, is 1 (frontend/step7/library_source.cpp).
@@ -65,15 +68,18 @@ void advanceIecTimers(Machine<D>& m, typename D::Bits ms) {
   }
 }
 
-/// S5 timers by the reading that their time passes between the scans; IEC timers in the same way.
+/// S5 timers by the reading that their time passes between the scans; IEC timers and clock memory in the same way.
 template <class D>
 void refreshS5Timers(Machine<D>& m) {
-  if (!m.plan.isStep7() || (m.plan.timers.empty() && m.plan.iecTimers.empty())) return;
+  const bool hasClock = m.plan.program->clockMemory.has_value();
+  if (!m.plan.isStep7() || (m.plan.timers.empty() && m.plan.iecTimers.empty() && !hasClock)) return;
   const auto passed = m.get(Reg::LastScan);
   m.when(m.reads({Choice::S5Time, "synchronous"}), [&] {
     for (const TimerUse& use : m.plan.timers) advanceS5(m, use.number, passed);
     advanceIecTimers(m, passed);
+    if (hasClock) advanceClockMemory(m, passed);
   });
+  if (hasClock) showClockMemory(m);
 }
 
 template <class D>

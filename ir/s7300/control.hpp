@@ -137,7 +137,8 @@ void Scan<D, Hooks>::step7Call(const Instruction& instruction) {
     const Flow* callee = m_.plan.block(static_cast<int>(block.value));
     const BlockType type = blockTypeOf(static_cast<int>(block.value));
     const bool isSystem = type == BlockType::Sfc || type == BlockType::Sfb;
-    constexpr int stop = 46;
+    constexpr int retrigger = 43, stop = 46;  // 002:2343
+    if (block.value == blockNumber(BlockType::Sfc, retrigger)) m_.signal(Signal::WatchdogRestarted);
     if (block.value == blockNumber(BlockType::Sfc, stop)) return m_.stopCpu();
     if (callee == nullptr && !isSystem) return m_.error(Hazard::S7BlockMissing, m_.d.constant(true));
     if (callee == nullptr || callee->pou->protectedBlock) return hooks_.callWithoutBody(*this, instruction);

@@ -21,7 +21,8 @@ constexpr auto gapTable = std::to_array<GapRow>({
     {Gap::MissingBlock, "blocks that no file defines", "it is in no file"},
     {Gap::ProtectedBlock, "protected blocks", "its statements are in no file"},
     {Gap::HighDataBlock, "data blocks above DB8191", "its number is too high"},
-    {Gap::Drawing, "drawings in SimaticML", "drawn blocks of an S7-300 or S7-400 are not modelled: give them as STL"},
+    {Gap::Drawing, "networks of SimaticML with parts that are not known or in other languages than ladder and FBD",
+     "the network is not read"},
 });
 
 }  // namespace

@@ -7,7 +7,8 @@
 
 namespace rungproof {
 
-inline constexpr int restBits = 24;  ///< holds 999 x 10 s
+inline constexpr int restBits = 24;                        ///< holds 999 x 10 s
+inline constexpr std::uint64_t longestS5Time = 9'990'000;  ///< ms (003:1043)
 
 /// Lets `ms` (width 16) pass for one timer. Gives the condition that its time is up now.
 template <class D>

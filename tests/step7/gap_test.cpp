@@ -40,8 +40,9 @@ std::vector<GapCase> gapCases() {
        "L DB9000.DBW 0;\nT QW 0;"},
       {Drawing, "", "CALL FC 5;", "drawn.xml",
        "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Document><Engineering version=\"V15\"/><SW.Blocks.FC ID=\"0\">"
-       "<AttributeList><Name>Drawn</Name><Number>5</Number><ProgrammingLanguage>LAD</ProgrammingLanguage>"
-       "</AttributeList></SW.Blocks.FC></Document>\n"},
+       "<AttributeList><Name>Drawn</Name><Number>5</Number><ProgrammingLanguage>SCL</ProgrammingLanguage>"
+       "</AttributeList><ObjectList><SW.Blocks.CompileUnit ID=\"1\"><AttributeList><NetworkSource><StructuredText/>"
+       "</NetworkSource></AttributeList></SW.Blocks.CompileUnit></ObjectList></SW.Blocks.FC></Document>\n"},
   };
 }
 

@@ -1,65 +1,12 @@
 // Organization blocks that interrupt OB1: verdicts with and without them, the times at which cyclic ones come, events
 // of a stimulus. Each expectation is reasoned beside it.
-#include <gtest/gtest.h>
-
-#include <fstream>
-#include <sstream>
-
-#include "frontend/cli/cli.hpp"
 #include "ir/block_event.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/step7/run7.hpp"
 
 namespace rungproof {
 namespace {
 
-std::string block(int number, const std::string& statements, const std::string& declarations = "") {
-  std::string text = "ORGANIZATION_BLOCK OB " + std::to_string(number) + "\n" + declarations + "BEGIN\nNETWORK\n";
-  std::istringstream in(statements);
-  for (std::string one; std::getline(in, one, ';');) text += one + ";\n";
-  return text + "END_ORGANIZATION_BLOCK\n";
-}
-
-struct Output {
-  int exit;
-  std::string text;
-  bool has(const std::string& part) const { return text.find(part) != std::string::npos; }
-};
-
-Output run(std::vector<std::string> arguments) {
-  std::istringstream in;
-  std::ostringstream out, err;
-  arguments.insert(arguments.end(), {"--isolated", "--dialect", "s7-300"});
-  const int exit = runProgram(arguments, {in, out, err});
-  return {exit, out.str() + err.str()};
-}
-
-Output proofOf(const std::string& properties, const std::string& blocks, const std::vector<std::string>& more = {}) {
-  const test::TemporaryFolder folder;
-  folder.file("main.awl", blocks);
-  folder.file("main.prop", properties);
-  std::vector<std::string> arguments = {"prove", folder.path("main.awl"), "--props", folder.path("main.prop")};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return run(arguments);
-}
-
-/// The last row of the trace of a run.
-std::string lastRow(const std::string& blocks, const std::string& signals, const std::vector<std::string>& more,
-                    const std::string& stimulus = "") {
-  const test::TemporaryFolder folder;
-  folder.file("main.awl", blocks);
-  std::vector<std::string> arguments = {"sim",  folder.path("main.awl"), "--trace", folder.path("run.csv"), "--signals",
-                                        signals};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  if (!stimulus.empty()) {
-    folder.file("in.csv", stimulus);
-    arguments.insert(arguments.end(), {"--stimulus", folder.path("in.csv")});
-  }
-  const Output output = run(arguments);
-  std::ifstream rows(folder.path("run.csv"));
-  std::string last;
-  for (std::string row; std::getline(rows, row);) last = row;
-  return last.empty() ? output.text : last;
-}
+using test7::block, test7::lastRow, test7::Output, test7::proofOf, test7::run;
 
 const std::string exclusive = "A I 0.0;= M 0.0;A M 0.0;= Q 0.0;AN M 0.0;= Q 0.1";
 const std::string countUp = "L MW 12;L 1;+I;T MW 12";

@@ -1,0 +1,321 @@
+// Accesses, parts, wires.
+#include "frontend/flgnet/circuit_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+
+#include "frontend/flgnet/fragment.hpp"
+#include "frontend/flgnet/part_table.hpp"
+#include "frontend/stl/stl_lexer.hpp"
+#include "frontend/xml/xml_shape.hpp"
+
+namespace rungproof::flgnet {
+
+namespace {
+
+constexpr XmlShape circuitShapes[] = {
+    {"FlgNet", "", "Labels Parts Wires"},
+    {"Labels", "", "LabelDeclaration"},
+    {"LabelDeclaration", "UId", "Label Comment"},
+    {"Label", "Name UId", ""},
+    {"Parts", "", "Access Part Call"},
+    {"Access", "UId Type Scope:LocalVariable|GlobalVariable|LiteralConstant|TypedConstant|Address|Label",
+     "Symbol Constant Address Label Comment"},
+    {"Symbol", "UId", "Component Address"},
+    {"Component", "Name UId AccessModifier:None|Array SimpleAccessModifier:None SliceAccessModifier:undef", "Access"},
+    {"Constant", "UId", "ConstantType ConstantValue StringAttribute"},
+    {"Part", "Name UId Version DisabledENO:b", "TemplateValue Negated Instance AutomaticTyped Invisible Comment"},
+    {"Negated", "Name", ""},
+    {"TemplateValue", "Name Type:Cardinality|Type|Operation|Function|String", ""},
+    {"Instance", "Scope:LocalVariable|GlobalVariable UId", "Component Address"},
+    {"Call", "UId", "CallInfo Comment"},
+    {"CallInfo", "Name UId BlockType:FC|FB", "Instance Parameter IntegerAttribute DateAttribute"},
+    {"Wires", "", "Wire"},
+    {"Wire", "UId Name", "Powerrail IdentCon NameCon OpenCon"},
+    {"Powerrail", "UId", ""},
+    {"IdentCon", "UId", ""},
+    {"NameCon", "UId Name", ""},
+    {"OpenCon", "UId", ""},
+};
+
+std::string small(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return result;
+}
+
+std::optional<std::uint32_t> numberIn(std::string_view text) {
+  std::uint32_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && !text.empty() && end == text.data() + text.size() ? std::optional(value)
+                                                                                   : std::nullopt;
+}
+
+/// <Address Area="DB" BlockNumber="10" Type="Int" BitOffset="16"/> is DB10.DBW2.
+std::string addressText(const pugi::xml_node& node) {
+  struct Letters {
+    std::string_view area, letters;
+  };
+  static constexpr Letters areas[] = {{"Input", "I"},           {"Output", "Q"},           {"Memory", "M"},
+                                      {"PeripheryInput", "PI"}, {"PeripheryOutput", "PQ"}, {"DB", "DB"},
+                                      {"Timer", "T"},           {"Counter", "C"}};
+  const std::string_view area = node.attribute("Area").value(), type = node.attribute("Type").value();
+  const auto row = std::ranges::find(areas, area, &Letters::area);
+  const std::optional<std::uint32_t> bit = numberIn(node.attribute("BitOffset").value());
+  if (row == std::end(areas) || !bit) return "";
+  if (row->letters == "T" || row->letters == "C") return fmt::format("{}{}", row->letters, *bit);
+  std::string text(row->letters);
+  if (row->letters == "DB") {
+    const std::optional<std::uint32_t> block = numberIn(node.attribute("BlockNumber").value());
+    if (!block) return "";
+    text = fmt::format("DB{}.DB", *block);
+  }
+  if (type == "Bool") return fmt::format("{}{}{}.{}", text, row->letters == "DB" ? "X" : "", *bit / 8, *bit % 8);
+  const char width = type == "Byte" || type == "Char"                                        ? 'B'
+                     : type == "Word" || type == "Int" || type == "S5Time" || type == "Date" ? 'W'
+                     : type == "DWord" || type == "DInt" || type == "Real" || type == "Time" || type == "Time_Of_Day"
+                         ? 'D'
+                         : '\0';
+  return width == '\0' || *bit % 8 != 0 ? "" : fmt::format("{}{}{}", text, width, *bit / 8);
+}
+
+class CircuitReader {
+ public:
+  CircuitReader(const XmlText& xml, const XmlText::Part& part, SyntaxSink& sink)
+      : xml_(xml), part_(part), sink_(sink) {}
+
+  std::optional<Circuit> read(const pugi::xml_node& net) {
+    circuit_.span = xml_.span(part_, net);
+    for (const ShapeFault& found : faultsOf(net, circuitShapes)) fault(found.node, found.message);
+    for (const pugi::xml_node& label : childNamed(net, "Labels").children()) {
+      if (localName(label) == "LabelDeclaration")
+        circuit_.labels.push_back({childNamed(label, "Label").attribute("Name").value(), xml_.span(part_, label)});
+    }
+    for (const pugi::xml_node& node : childNamed(net, "Parts").children()) {
+      if (node.type() == pugi::node_element) part(node);
+    }
+    for (const pugi::xml_node& wire : childNamed(net, "Wires").children()) {
+      if (localName(wire) == "Wire") readWire(wire);
+    }
+    return isDamaged_ ? std::nullopt : std::optional(std::move(circuit_));
+  }
+
+ private:
+  void fault(const pugi::xml_node& node, std::string message) {
+    sink_.report(Syntax::XmlStructure, xml_.span(part_, node), std::move(message));
+    isDamaged_ = true;
+  }
+
+  void part(const pugi::xml_node& node) {
+    const std::string_view kind = localName(node);
+    const std::string id = node.attribute("UId").value();
+    if (kind == "Access") {
+      if (std::optional<Operand> operand = access(node)) accesses_.emplace(id, std::move(*operand));
+      return;
+    }
+    Part result;
+    result.span = xml_.span(part_, node);
+    if (kind == "Call")
+      call(node, result);
+    else
+      shape(node, result);
+    index_.emplace(id, circuit_.parts.size());
+    circuit_.parts.push_back(std::move(result));
+  }
+
+  std::optional<Operand> access(const pugi::xml_node& node) {
+    const std::string_view scope = node.attribute("Scope").value();
+    const Span span = xml_.span(part_, node);
+    std::optional<Operand> operand;
+    if (scope == "Label") {
+      operand.emplace();
+      operand->form = step7::OperandForm::Word;
+      operand->name = childNamed(node, "Label").attribute("Name").value();
+      operand->span = span;
+    } else if (scope == "Address") {
+      operand = operandFrom(addressText(childNamed(node, "Address")), span);
+    } else if (const pugi::xml_node constant = childNamed(node, "Constant")) {
+      operand = constantFrom(trimmed(childNamed(constant, "ConstantType").child_value()),
+                             trimmed(childNamed(constant, "ConstantValue").child_value()), span);
+    } else if (const pugi::xml_node symbol = childNamed(node, "Symbol")) {
+      operand = symbolFrom(symbol, scope == "LocalVariable", span);
+    }
+    if (!operand) fault(node, "the operand cannot be read");
+    return operand;
+  }
+
+  void call(const pugi::xml_node& node, Part& result) {
+    const pugi::xml_node info = childNamed(node, "CallInfo");
+    result.callee = step7::BlockName{std::nullopt, 0, info.attribute("Name").value(), result.span};
+    if (result.callee->symbol.empty()) fault(node, "the call names no block");
+    const pugi::xml_node instance = childNamed(info, "Instance");
+    const bool needsInstance = std::string_view(info.attribute("BlockType").value()) == "FB";
+    if (needsInstance != static_cast<bool>(instance))
+      fault(node, "a call of an FB names its instance, one of an FC none");
+    if (instance) setInstance(instance, result);
+  }
+
+  void setInstance(const pugi::xml_node& instance, Part& result) {
+    const bool isLocal = std::string_view(instance.attribute("Scope").value()) == "LocalVariable";
+    const pugi::xml_node address = childNamed(instance, "Address");
+    const Span span = xml_.span(part_, instance);
+    if (std::optional<Operand> operand =
+            address ? operandFrom(addressText(address), span) : symbolFrom(instance, isLocal, span))
+      result.instance = std::move(*operand);
+    else
+      fault(instance, "the instance cannot be read");
+  }
+
+  void shape(const pugi::xml_node& node, Part& result) {
+    result.name = node.attribute("Name").value();
+    std::string from, to;
+    for (const pugi::xml_node& child : node.children()) {
+      const std::string_view kind = localName(child), name = child.attribute("Name").value();
+      if (kind == "Negated") result.negated.push_back(small(name));
+      if (kind == "Instance") setInstance(child, result);
+      if (kind != "TemplateValue") continue;
+      const std::string value(trimmed(child.child_value()));
+      if (name == "Card")
+        result.cardinality = numberIn(value).value_or(0);
+      else if (name == "SrcType")
+        from = value;
+      else if (name == "DestType")
+        to = value;
+      else if (name != "time_type" && name != "value_type")
+        fault(child, fmt::format("{} of part {} is not covered", excerpt(name), excerpt(result.name)));
+    }
+    result.type = to.empty() || to == from ? from : fmt::format("{}>{}", from, to);
+    const bool rounds =
+        result.name == "Round" || result.name == "Trunc" || result.name == "Ceil" || result.name == "Floor";
+    if (rounds && result.type == "Real") result.type = "Real>DInt";
+    const bool isKnown = elementPart(result.name) != nullptr || isBoxPart(result.name) ||
+                         !relationOf(result.name).empty() || !iecBlock(result.name).empty();
+    if (!isKnown) return fault(node, fmt::format("part {} is not covered", excerpt(result.name)));
+    const bool isTyped = (isBoxPart(result.name) && boxOf(result.name, result.type) == nullptr) ||
+                         (!relationOf(result.name).empty() && compareSuffix(result.type).empty());
+    if (isTyped)
+      fault(node, fmt::format("part {} with type {} is not covered", excerpt(result.name),
+                              result.type.empty() ? "none" : excerpt(result.type)));
+  }
+
+  // Wires -----------------------------------------------------------------------------------------------------------
+
+  /// The first end of a wire is where something comes from.
+  void readWire(const pugi::xml_node& wire) {
+    Pin source;
+    source.span = xml_.span(part_, wire);
+    bool isFirst = true;
+    std::size_t outputPart = 0;
+    for (const pugi::xml_node& end : wire.children()) {
+      if (end.type() != pugi::node_element) continue;
+      const std::string_view kind = localName(end);
+      const std::string id = end.attribute("UId").value(), pin = small(end.attribute("Name").value());
+      if (isFirst) {
+        isFirst = false;
+        if (kind == "Powerrail") source.source = Pin::Source::Rail;
+        if (kind == "IdentCon") {
+          const auto found = accesses_.find(id);
+          if (found == accesses_.end()) return missing(end, "access", id);
+          source.source = Pin::Source::Value;
+          source.value = found->second;
+        } else if (kind == "NameCon") {
+          const auto found = index_.find(id);
+          if (found == index_.end()) return missing(end, "part", id);
+          outputPart = found->second;
+          source.source = Pin::Source::Flow;
+          source.part = outputPart;
+          source.from = pin;
+        }
+        continue;
+      }
+      if (kind == "OpenCon" || source.source == Pin::Source::Open) continue;
+      if (kind == "IdentCon") {
+        const auto found = accesses_.find(id);
+        if (found == accesses_.end() || source.source != Pin::Source::Flow) return missing(end, "access", id);
+        outputOf(outputPart, source.from).targets.push_back(found->second);
+        continue;
+      }
+      const auto found = index_.find(id);
+      if (found == index_.end()) return missing(end, "part", id);
+      if (source.source == Pin::Source::Flow) ++outputOf(outputPart, source.from).readers;
+      Part& target = circuit_.parts[found->second];
+      Pin input = source;
+      input.name = pin;
+      if (target.input(pin) != nullptr) fault(end, fmt::format("two wires end at {}", excerpt(pin)));
+      target.inputs.push_back(std::move(input));
+    }
+  }
+
+  void missing(const pugi::xml_node& end, std::string_view what, const std::string& id) {
+    if (!isDamaged_ || what == "part")
+      fault(end, fmt::format("the {} {} of the wire does not exist", what, excerpt(id)));
+  }
+
+  Output& outputOf(std::size_t part, const std::string& pin) {
+    std::vector<Output>& outputs = circuit_.parts[part].outputs;
+    const auto found = std::ranges::find(outputs, pin, &Output::name);
+    if (found != outputs.end()) return *found;
+    return outputs.emplace_back(Output{pin, 0, {}});
+  }
+
+  const XmlText& xml_;
+  const XmlText::Part& part_;
+  SyntaxSink& sink_;
+  Circuit circuit_;
+  std::map<std::string, Operand> accesses_;
+  std::map<std::string, std::size_t> index_;
+  bool isDamaged_ = false;
+};
+
+}  // namespace
+
+const Pin* Part::input(std::string_view pin) const {
+  const auto found = std::ranges::find(inputs, pin, &Pin::name);
+  return found == inputs.end() ? nullptr : &*found;
+}
+const Output* Part::output(std::string_view pin) const {
+  const auto found = std::ranges::find(outputs, pin, &Output::name);
+  return found == outputs.end() ? nullptr : &*found;
+}
+bool Part::isNegated(std::string_view pin) const { return std::ranges::find(negated, pin) != negated.end(); }
+
+std::optional<Operand> symbolFrom(const pugi::xml_node& components, bool isLocal, Span span) {
+  std::vector<step7::PathStep> path;
+  for (const pugi::xml_node& node : components.children()) {
+    if (localName(node) != "Component") continue;
+    step7::PathStep step;
+    step.name = node.attribute("Name").value();
+    step.span = span;
+    for (const pugi::xml_node& index : node.children()) {
+      if (localName(index) != "Access") continue;
+      const std::optional<std::uint32_t> number =
+          numberIn(trimmed(childNamed(childNamed(index, "Constant"), "ConstantValue").child_value()));
+      if (!number) return std::nullopt;
+      step.indices.push_back(*number);
+    }
+    path.push_back(std::move(step));
+  }
+  if (path.empty() || path.front().name.empty()) return std::nullopt;
+  Operand operand;
+  operand.span = span;
+  if (isLocal) {
+    operand.form = step7::OperandForm::Local;
+    operand.path = std::move(path);
+    return operand;
+  }
+  if (!path.front().indices.empty()) return std::nullopt;
+  operand.form = step7::OperandForm::Symbol;
+  operand.name = path.front().name;
+  operand.path.assign(path.begin() + 1, path.end());
+  return operand;
+}
+
+std::optional<Circuit> readCircuit(const XmlText& xml, const XmlText::Part& part, const pugi::xml_node& net,
+                                   SyntaxSink& sink) {
+  return CircuitReader(xml, part, sink).read(net);
+}
+
+}  // namespace rungproof::flgnet
