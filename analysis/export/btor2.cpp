@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "analysis/export/system.hpp"
 #include "analysis/graph/evaluate.hpp"
@@ -81,9 +82,16 @@ class Btor2Text {
         name.begin(), name.end(), [](unsigned char c) { return c <= 32 || c == ';'; }, '_');
     return name;
   }
+  /// With a name that no other variable has.
+  std::size_t declare(const char* kind, int width, const std::string& name) {
+    const std::string plain = symbol(name);
+    std::string unique = plain;
+    for (int k = 2; !given_.insert(unique).second; ++k) unique = fmt::format("{}#{}", plain, k);
+    const std::size_t type = sort(width);
+    return line(fmt::format("{} {} {}", kind, type, unique));
+  }
   void variable(Node n, const char* kind) {
-    const std::size_t type = sort(graph_[n].width);
-    ids_[n] = line(fmt::format("{} {} {}", kind, type, symbol(graph_.variables()[graph_[n].value].name)));
+    ids_[n] = declare(kind, graph_[n].width, graph_.variables()[graph_[n].value].name);
   }
 
   void define(Node n) {
@@ -93,7 +101,7 @@ class Btor2Text {
     if (node.op == Op::Constant) {
       ids_[n] = line(fmt::format("constd {} {}", type, node.value));
     } else if (node.op == Op::Variable || node.op >= Op::RealAdd) {
-      ids_[n] = line(fmt::format("input {} free_{}", type, indexOf(n)));
+      ids_[n] = declare("input", node.width, fmt::format("free_{}", indexOf(n)));
     } else if (node.op == Op::Extract) {
       ids_[n] =
           line(fmt::format("slice {} {} {} {}", type, id(node.child[0]), node.value + node.width - 1, node.value));
@@ -116,6 +124,7 @@ class Btor2Text {
   std::size_t last_ = 0;
   std::map<int, std::size_t> sorts_;
   std::map<Node, std::size_t> ids_;
+  std::set<std::string> given_;  ///< names
 };
 
 }  // namespace

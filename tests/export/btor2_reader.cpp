@@ -1,4 +1,7 @@
-// BTOR2: one numbered line for each sort, variable, operation and mark; operands are numbers of earlier lines.
+// BTOR2: one numbered line for each sort, variable, operation and mark; operands are numbers of earlier lines. One
+// blank between two words, nothing behind the last; constants fit their sort; what a state begins with stands before
+// the state and has no input in it; no two variables have one name.
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -19,9 +22,12 @@ class Btor2 {
 
   void read(const std::string& text) {
     std::istringstream lines(text);
+    if (!text.empty() && text.back() != '\n') fail("the last line has no end");
     for (std::string line; std::getline(lines, line);) {
       if (line.empty() || line[0] == ';') continue;
       line_ = line;
+      expect(line.find("  ") == std::string::npos && line.find('\t') == std::string::npos && line.back() != ' ',
+             "one blank between two words");
       readLine();
     }
     for (const std::size_t state : stateIds_) {
@@ -38,6 +44,8 @@ class Btor2 {
   struct Value {
     int width;
     std::uint64_t value;
+    bool restsOnInput = false;
+    bool isState = false;
   };
   [[noreturn]] void fail(const std::string& what) const { throw std::runtime_error(what + ": " + line_); }
   void expect(bool condition, const char* what) const {
@@ -56,6 +64,8 @@ class Btor2 {
   Value operand(std::istringstream& words) const {
     const auto found = values_.find(number(words));
     expect(found != values_.end(), "operand not defined before its use");
+    lastOperand_ = found->first;
+    restsOnInput_ = restsOnInput_ || found->second.restsOnInput;
     return found->second;
   }
 
@@ -71,6 +81,7 @@ class Btor2 {
       words >> kind;
       expect(kind == "bitvec", "unknown sort");
       sorts_[id] = static_cast<int>(number(words));
+      expect(sorts_[id] > 0, "a sort without bits");
     } else if (tag == "constraint" || tag == "bad") {
       const Value v = operand(words);
       expect(v.width == 1, "must have one bit");
@@ -79,12 +90,22 @@ class Btor2 {
       const int width = sort(words);
       const std::size_t state = number(words);
       const Value v = operand(words);
-      expect(values_.contains(state) && values_[state].width == width && v.width == width, "sorts differ");
+      expect(values_.contains(state) && values_[state].isState, "no state");
+      expect(values_[state].width == width && v.width == width, "sorts differ");
+      expect(tag == "next" || (lastOperand_ < state && !v.restsOnInput), "what a state begins with stands before it");
       expect((tag == "init" ? init_ : next_).emplace(state, v.value).second, "given twice");
     } else {
       const int width = sort(words);
-      values_[id] = {width, result(tag, width, words, id) & mask(width)};
+      restsOnInput_ = tag == "input";
+      const std::uint64_t value = result(tag, width, words, id);
+      expect(tag != "constd" || (value & ~mask(width)) == 0, "a constant does not fit its sort");
+      values_[id] = {width, value & mask(width), restsOnInput_, tag == "state"};
     }
+    const bool mayHaveName = tag != "sort" && tag.rfind("const", 0) != 0;
+    std::string name, rest;
+    if (!(words >> name)) return;
+    expect(mayHaveName && !(words >> rest), "text behind a line");
+    expect((tag != "state" && tag != "input") || names_.insert(name).second, "one name for two variables");
   }
 
   std::uint64_t result(const std::string& tag, int width, std::istringstream& words, std::size_t id) {
@@ -151,6 +172,9 @@ class Btor2 {
   std::map<std::size_t, Value> values_;
   std::map<std::size_t, std::uint64_t> init_, next_;
   std::vector<std::size_t> stateIds_;
+  std::set<std::string> names_;  ///< of states and inputs
+  mutable std::size_t lastOperand_ = 0;
+  mutable bool restsOnInput_ = false;  ///< an operand of this line does
 };
 
 }  // namespace
