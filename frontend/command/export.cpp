@@ -16,6 +16,7 @@ namespace {
 struct Arguments {
   std::vector<std::string> files;
   std::vector<std::string> properties;
+  std::vector<std::string> only;
   bool asDownloaded = false;
   bool builtin = false;
   std::string output;
@@ -55,6 +56,10 @@ std::unique_ptr<QuestionSystem> asWritten(const ProgramInput& input, const std::
 
 Exit run(const Arguments& arguments, Context& context) {
   ProgramInput input = readInput(context, arguments.files, arguments.properties);
+  const std::set<std::string> met = keepOnly(arguments.only, input.properties);
+  for (const std::string& pattern : arguments.only) {
+    if (!met.contains(pattern)) return context.fail(noSuchProperty(pattern));
+  }
   const std::vector<std::string> leftOut =
       arguments.asDownloaded ? leaveOut(input.program) : std::vector<std::string>();
   const UnreadCode unread(input.program, context.settings.choices());
@@ -94,6 +99,7 @@ Action setup(ArgumentTable& table) {
   auto arguments = std::make_shared<Arguments>();
   table.arguments("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input");
   table.option("--props", arguments->properties, "FILE", "property file; may be repeated");
+  table.list("--only", arguments->only, "NAME", "export these properties only; * and ? stand for any characters");
   table.flag("--builtin", arguments->builtin, "also the questions of the built-in checks");
   table.flag("--as-downloaded", arguments->asDownloaded, asDownloadedHelp);
   table.option("-o,--output", arguments->output, "FILE", "write there instead of standard output");

@@ -243,23 +243,6 @@ void proveInto(Report& part, const Context& context, const Settings& settings, c
   }
 }
 
-/// Leaves the properties that --only names; assumptions stay. The names that are met.
-std::set<std::string> keepOnly(const std::vector<std::string>& only, PropertySet& set) {
-  std::set<std::string> met;
-  if (only.empty()) return met;
-  std::erase_if(set.properties, [&](const Property& property) {
-    if (!property.isGoal()) return false;
-    bool isKept = false;
-    for (const std::string& pattern : only) {
-      if (!fitsPattern(property.name, pattern)) continue;
-      met.insert(pattern);
-      isKept = true;
-    }
-    return !isKept;
-  });
-  return met;
-}
-
 /// Whether another run with more time could say more.
 bool isFinal(const Report& report) {
   return !interrupted && report.defects.empty() &&
@@ -306,8 +289,7 @@ Exit runAnew(const Arguments& arguments, Context& context, bool& isSettled) {
   std::vector<ExitReason> unmet;
   for (const std::string& pattern : arguments.only) {
     if (met.contains(pattern)) continue;
-    print(context.err,
-          {fmt::format("no property is called '{}'", pattern), {}, "--only takes the names of properties"});
+    print(context.err, noSuchProperty(pattern));
     unmet.push_back({Exit::Failed, fmt::format("'{}' was not checked", pattern)});
   }
   Report report = merger.take();

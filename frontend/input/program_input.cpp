@@ -252,6 +252,26 @@ std::optional<Failure> folderFailure(const std::vector<std::string>& names) {
   return std::nullopt;
 }
 
+std::set<std::string> keepOnly(const std::vector<std::string>& only, PropertySet& set) {
+  std::set<std::string> met;
+  if (only.empty()) return met;
+  std::erase_if(set.properties, [&](const Property& property) {
+    if (!property.isGoal()) return false;
+    bool isKept = false;
+    for (const std::string& pattern : only) {
+      if (!fitsPattern(property.name, pattern)) continue;
+      met.insert(pattern);
+      isKept = true;
+    }
+    return !isKept;
+  });
+  return met;
+}
+
+Failure noSuchProperty(const std::string& pattern) {
+  return {fmt::format("no property is called '{}'", pattern), {}, "--only takes the names of properties"};
+}
+
 std::vector<std::string> expandFolders(const std::vector<std::string>& names, const Settings& settings) {
   std::vector<std::string> files = expandFolders(names);
   std::erase_if(files, [&](const std::string& file) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -39,6 +40,12 @@ ProgramInput readInput(const Context& context, const Settings& settings, const s
 /// monitoring, clock memory. Gives why there is no clock memory where the CPU lacks its byte, which no program can
 /// read.
 std::optional<std::string> applyProjectSettings(const Settings& settings, Program& program);
+
+/// Leaves the properties that --only names, which may be patterns; assumptions stay. The names that are met.
+std::set<std::string> keepOnly(const std::vector<std::string>& only, PropertySet& set);
+/// What is said of a name of --only that no property has.
+Failure noSuchProperty(const std::string& pattern);
+
 /// Adds what the options and the configuration say beside the program: panel and network, the CPU to port to.
 void addSurroundings(const Settings& settings, ProgramInput& input);
 

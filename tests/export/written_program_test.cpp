@@ -12,10 +12,12 @@
 namespace rungproof::test {
 namespace {
 
-std::string exported(const std::string& file, const std::string& format) {
+std::string exported(const std::string& file, const std::string& format, const std::vector<std::string>& more = {}) {
   std::istringstream in;
   std::ostringstream out, err;
-  EXPECT_EQ(runProgram({"export", "--isolated", file, "--format", format}, {in, out, err}), 0) << err.str();
+  std::vector<std::string> arguments{"export", "--isolated", file, "--format", format};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  EXPECT_EQ(runProgram(arguments, {in, out, err}), 0) << err.str();
   return out.str();
 }
 
@@ -54,6 +56,25 @@ TEST(WrittenProgram, NothingIsBadByConstruction) {
   const std::string smt = exported(file, "smt2");
   EXPECT_EQ(smt.find("(and false"), std::string::npos) << smt;
   EXPECT_NE(smt.find("|M9.0@0|"), std::string::npos) << smt;
+}
+
+TEST(WrittenProgram, OnlyWritesTheNamedProperties) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file(
+      "p.awl",
+      "//@ prove left: Q0.0 implies I0.0\n//@ prove right: never M9.0\n//@ prove lever: always SM0.0\n" + lamp);
+  const auto badsOf = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> names;
+    for (const std::string& line : linesOf(exported(file, "btor2", more))) {
+      std::istringstream words(line);
+      std::string id, kind, node, name;
+      if (words >> id >> kind >> node >> name && kind == "bad") names.push_back(name);
+    }
+    return names;
+  };
+  EXPECT_EQ(badsOf({}), (std::vector<std::string>{"left", "right", "lever"}));
+  EXPECT_EQ(badsOf({"--only", "right"}), std::vector<std::string>{"right"});
+  EXPECT_EQ(badsOf({"--only", "le*"}), (std::vector<std::string>{"left", "lever"}));
 }
 
 TEST(WrittenProgram, NamesOfBitsAreUnique) {
