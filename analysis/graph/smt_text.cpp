@@ -214,23 +214,6 @@ std::string SmtText::term(Node n, int frame) {
   return named(n, frame);
 }
 
-std::unordered_set<std::uint32_t> SmtText::statesUnder(const std::vector<Node>& roots) const {
-  std::unordered_set<std::uint32_t> seen, result;
-  std::vector<Node> stack = roots;
-  while (!stack.empty()) {
-    const Node n = stack.back();
-    stack.pop_back();
-    if (!seen.insert(indexOf(n)).second) continue;
-    const NodeData& node = graph_[n];
-    if (states_.contains(indexOf(n))) result.insert(indexOf(n));
-    if (node.op == Op::Variable || isReal(node.op)) continue;
-    for (const Node child : node.child) {
-      if (child != noNode) stack.push_back(child);
-    }
-  }
-  return result;
-}
-
 std::vector<std::string> SmtText::initialEquations(const std::unordered_set<std::uint32_t>& variables) {
   std::vector<std::string> result;
   for (const StateVariable& state : system_.states) {

@@ -33,8 +33,6 @@ class SmtText {
   /// Declarations, then one define-fun for each definition.
   std::string text() const;
 
-  /// State variables (node indices) that the nodes depend on within one scan.
-  std::unordered_set<std::uint32_t> statesUnder(const std::vector<Node>& roots) const;
   /// "|name@frame|", unique.
   std::string symbol(Node variable, int frame) const;
   /// "Bool" or "(_ BitVec w)".

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "analysis/graph/graph.hpp"
@@ -50,5 +51,8 @@ inline Questions allQuestions(const TransitionSystem& system) {
   for (std::size_t q = 0; q < all.size(); ++q) all[q] = q;
   return all;
 }
+
+/// State variables (node indices) that the nodes depend on within one scan; REAL operations count as inputs.
+std::unordered_set<std::uint32_t> statesUnder(const TransitionSystem& system, const std::vector<Node>& roots);
 
 }  // namespace rungproof

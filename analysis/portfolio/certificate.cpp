@@ -1,138 +1,125 @@
-// Obligations of certificates as text.
+// Obligations of certificates, and their check: step by step first, the rest by Z3.
 #include "analysis/portfolio/certificate.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
-#include <array>
-#include <string_view>
+#include <chrono>
+#include <unordered_map>
+
+#include "analysis/portfolio/certificate_text.hpp"
+#include "analysis/recheck/refutation.hpp"
+#include "analysis/recheck/scan_clauses.hpp"
+#include "analysis/schedule/schedule.hpp"
 
 namespace rungproof {
 
-void CertificateWriter::oblige(const char* name, const Terms& terms) {
-  obligations_.push_back({questions_.size() - 1, name, fmt::format("(and true true {})", fmt::join(terms, " "))});
+namespace {
+
+void addAll(std::vector<Formula>& parts, const std::vector<Node>& nodes, int scan) {
+  for (const Node n : nodes) parts.push_back(truthOf(n, scan));
 }
 
-void CertificateWriter::addAll(Terms& terms, const std::vector<Node>& nodes, int frame) {
-  for (const Node n : nodes) terms.push_back(smt_.term(n, frame));
-}
-
-std::string CertificateWriter::notAll(const std::vector<Node>& nodes, int frame) {
-  Terms terms;
-  addAll(terms, nodes, frame);
-  return fmt::format("(not (and true true {}))", fmt::join(terms, " "));
-}
-
-void CertificateWriter::initiation(const WordCertificate& certificate) {
-  Terms terms = smt_.initialEquations(smt_.statesUnder(certificate.invariant));
-  terms.push_back(notAll(certificate.invariant, 0));
-  oblige("initiation", terms);
-}
-
-void CertificateWriter::consecution(const WordCertificate& certificate) {
-  Terms terms;
-  addAll(terms, certificate.invariant, 0);
-  if (!certificate.invariant.empty()) addAll(terms, system_.constraints, 0);
-  for (const KeptDifference& d : certificate.differences) {
-    theorem(d);
-    terms.push_back(keeps(d));
-  }
-  terms.push_back(notAll(certificate.invariant, 1));
-  oblige("consecution", terms);
+Formula notAll(const std::vector<Node>& nodes, int scan) {
+  std::vector<Formula> parts;
+  addAll(parts, nodes, scan);
+  return notOf(allOf(std::move(parts)));
 }
 
 /// The theorem for the scan from state 0 to state 1.
-std::string CertificateWriter::keeps(const KeptDifference& d) {
-  const auto increment = [&](const Summand& s) { return smt_.term(s.increment, s.isPending ? 1 : 0); };
-  const auto counts = [&](const Summand& s) {
-    return fmt::format("(= {} {})", smt_.term(s.word, 1), smt_.term(s.next, 0));
-  };
-  return fmt::format("(=> (and {} {} (= {} {})) (= {} {}))", counts(d.left), counts(d.right), increment(d.left),
-                     increment(d.right), smt_.term(d.difference, 1), smt_.term(d.difference, 0));
+Formula keeps(const KeptDifference& d) {
+  const auto counts = [](const Summand& s) { return equals({s.word, 1}, {s.next, 0}); };
+  const auto increment = [](const Summand& s) { return ScanNode{s.increment, s.isPending ? 1 : 0}; };
+  return anyOf({notOf(allOf({counts(d.left), counts(d.right), equals(increment(d.left), increment(d.right))})),
+                equals({d.difference, 1}, {d.difference, 0})});
 }
 
-/// The same for any words of that width, once for each form of it.
-void CertificateWriter::theorem(const KeptDifference& d) {
-  const int width = system_.graph->operator[](d.difference).width;
-  const std::string form = fmt::format("{} {} {}", width, d.left.isPending, d.right.isPending);
-  const auto [at, isNew] = proved_.emplace(form, static_cast<int>(proved_.size()));
-  if (!isNew) return;
-  const int k = at->second;
-  // x0, i0 before the step and x1, i1 after it; a pending increment i0 is added by the step, else i1.
-  const auto variable = [&](const char* side, const char* name) {
-    const std::string symbol = fmt::format("theorem{}.{}{}", k, side, name);
-    theorems_ += fmt::format("(declare-fun {} () (_ BitVec {}))\n", symbol, width);
-    return symbol;
-  };
-  const auto formOf = [&](const char* side, bool isPending) {
-    const std::string x0 = variable(side, "x0"), x1 = variable(side, "x1"), i0 = variable(side, "i0"),
-                      i1 = variable(side, "i1");
-    const std::string next = fmt::format("(bvadd {} {})", x0, isPending ? i0 : i1);
-    const std::string later = isPending ? fmt::format("(bvadd {} {})", x1, i1) : x1;
-    return std::array<std::string, 4>{fmt::format("(= {} {})", x1, next), i1, isPending ? next : x0, later};
-  };
-  const auto left = formOf("left.", d.left.isPending), right = formOf("right.", d.right.isPending);
-  oblige("arithmetic", {left[0], right[0], fmt::format("(= {} {})", left[1], right[1]),
-                        fmt::format("(not (= (bvsub {} {}) (bvsub {} {})))", left[3], right[3], left[2], right[2])});
+}  // namespace
+
+void CertificateWriter::oblige(const char* name, Parts parts) {
+  obligations_.push_back({questions_.size() - 1, name, allOf(std::move(parts))});
+}
+
+CertificateWriter::Parts CertificateWriter::initialEquations(const std::unordered_set<std::uint32_t>& variables) const {
+  Parts parts;
+  for (const StateVariable& state : system_.states) {
+    if (state.init != noNode && variables.contains(indexOf(state.node)))
+      parts.push_back(equals({state.node, 0}, {state.init, 0}));
+  }
+  return parts;
+}
+
+void CertificateWriter::initiation(const WordCertificate& certificate) {
+  Parts parts = initialEquations(statesUnder(system_, certificate.invariant));
+  parts.push_back(notAll(certificate.invariant, 0));
+  oblige("initiation", std::move(parts));
+}
+
+void CertificateWriter::consecution(const WordCertificate& certificate) {
+  Parts parts;
+  addAll(parts, certificate.invariant, 0);
+  if (!certificate.invariant.empty()) addAll(parts, system_.constraints, 0);
+  for (const KeptDifference& d : certificate.differences) {
+    if (!consistsOfSums(*system_.graph, d)) continue;
+    obligations_.push_back({questions_.size() - 1, "arithmetic", {}, d});
+    parts.push_back(keeps(d));
+  }
+  parts.push_back(notAll(certificate.invariant, 1));
+  oblige("consecution", std::move(parts));
 }
 
 /// k good scans of states in the invariant, then a bad one; k = 0: one bad scan.
 void CertificateWriter::step(const Question& question, const WordCertificate& certificate) {
-  Terms terms;
-  for (int frame = 0; frame <= certificate.k; ++frame) {
-    addAll(terms, certificate.immediate.empty() ? certificate.invariant : certificate.immediate, frame);
-    addAll(terms, system_.constraints, frame);
-    const std::string bad = smt_.term(question.bad, frame);
-    terms.push_back(frame < certificate.k ? fmt::format("(not {})", bad) : bad);
+  Parts parts;
+  for (int scan = 0; scan <= certificate.k; ++scan) {
+    addAll(parts, certificate.immediate.empty() ? certificate.invariant : certificate.immediate, scan);
+    addAll(parts, system_.constraints, scan);
+    const Formula bad = truthOf(question.bad, scan);
+    parts.push_back(scan < certificate.k ? notOf(bad) : bad);
   }
   for (int later = 1; certificate.simplePath && later <= certificate.k; ++later) {
     for (int earlier = 0; earlier < later; ++earlier) {
-      Terms differences;
-      for (const Node n : certificate.pathBits)
-        differences.push_back(fmt::format("(xor {} {})", smt_.term(n, earlier), smt_.term(n, later)));
-      terms.push_back(fmt::format("(or false false {})", fmt::join(differences, " ")));
+      Parts differences;
+      for (const Node n : certificate.pathBits) differences.push_back(notOf(equals({n, earlier}, {n, later})));
+      parts.push_back(anyOf(std::move(differences)));
     }
   }
-  oblige("safety", terms);
+  oblige("safety", std::move(parts));
 }
 
 /// Some of the first k scans from an initial state is bad.
 void CertificateWriter::base(const Question& question, const WordCertificate& certificate) {
-  Terms bads;
-  std::string legal = "true";
-  for (int frame = 0; frame < certificate.k; ++frame) {
-    for (const Node n : system_.constraints) legal += " " + smt_.term(n, frame);
-    bads.push_back(fmt::format("(and {} {})", smt_.term(question.bad, frame), legal));
+  Parts bads, legal;
+  for (int scan = 0; scan < certificate.k; ++scan) {
+    addAll(legal, system_.constraints, scan);
+    Parts bad{truthOf(question.bad, scan)};
+    bad.insert(bad.end(), legal.begin(), legal.end());
+    bads.push_back(allOf(std::move(bad)));
   }
   std::vector<Node> roots = system_.constraints;
   roots.push_back(question.bad);
   std::unordered_set<std::uint32_t> reached;
-  std::unordered_set<std::uint32_t> frontier = smt_.statesUnder(roots);
-  for (int frame = 0; frame < certificate.k && !frontier.empty(); ++frame) {
+  std::unordered_set<std::uint32_t> frontier = statesUnder(system_, roots);
+  for (int scan = 0; scan < certificate.k && !frontier.empty(); ++scan) {
     std::vector<Node> next;
     for (const StateVariable& state : system_.states) {
       if (frontier.contains(indexOf(state.node)) && reached.insert(indexOf(state.node)).second)
         next.push_back(state.next);
     }
-    frontier = smt_.statesUnder(next);
+    frontier = statesUnder(system_, next);
   }
-  Terms terms = smt_.initialEquations(reached);
-  terms.push_back(fmt::format("(or false false {})", fmt::join(bads, " ")));
-  oblige("base", terms);
+  Parts parts = initialEquations(reached);
+  parts.push_back(anyOf(std::move(bads)));
+  oblige("base", std::move(parts));
 }
 
 /// Bad is impossible in one scan whatever the values of the open nodes; no scan needs to be known but this one, and of
 /// the invariant what it says about this one.
 void CertificateWriter::surface(const Question& question, const WordCertificate& certificate) {
-  std::unordered_set<std::uint32_t> open;
+  std::unordered_set<std::uint32_t>& open = surfaces_.emplace_back();
   for (const Node n : certificate.open) open.insert(indexOf(n));
-  SmtText smt(system_, fmt::format(".{}", questions_.size()), std::move(open));
-  Terms terms{smt.term(question.bad, 0)};
-  for (const Node n : certificate.invariant) terms.push_back(smt.term(n, 0));
-  surfaces_ += smt.declarations();
-  surfaceDefinitions_.insert(surfaceDefinitions_.end(), smt.definitions().begin(), smt.definitions().end());
-  oblige("safety", terms);
+  Parts parts{truthOf(question.bad, 0)};
+  addAll(parts, certificate.invariant, 0);
+  oblige("safety", std::move(parts));
+  obligations_.back().surface = surfaces_.size() - 1;
 }
 
 void CertificateWriter::add(const Question& question, const WordCertificate& certificate) {
@@ -153,48 +140,71 @@ void CertificateWriter::addStart(const std::string& name, const std::vector<Node
   initiation(start);
 }
 
-std::vector<SmtText::Definition> CertificateWriter::definitions() const {
-  std::vector<SmtText::Definition> all = smt_.definitions();
-  all.insert(all.end(), surfaceDefinitions_.begin(), surfaceDefinitions_.end());
-  return all;
-}
-
 std::string CertificateWriter::text() const {
-  std::string text = "(set-logic QF_BV)\n" + theorems_ + smt_.declarations() + surfaces_;
-  const std::vector<SmtText::Definition> all = definitions();
-  for (const Condition& o : obligations_) {
-    std::string name = questions_[o.certificate];
-    std::replace_if(
-        name.begin(), name.end(), [](unsigned char c) { return c < 32; }, ' ');
-    text += fmt::format("; {} of: {}\n(push 1)\n(assert {})\n(check-sat) ; expected: unsat\n(pop 1)\n", o.name, name,
-                        withDefinitions(all, o.formula));
-  }
-  return text;
+  CertificateText text(system_, surfaces_);
+  for (const Obligation& o : obligations_) text.add(o, questions_[o.certificate]);
+  return text.file();
 }
 
-/// Certificates of one system share obligations word for word; each is read and checked once. All are arguments of one
-/// predicate, so that they share their definitions.
-std::vector<CheckResult> CertificateWriter::check(const CheckLimits& limits) const {
-  std::string sorts, arguments = "true";
-  std::unordered_map<std::string_view, std::size_t> index;
-  std::vector<std::size_t> formulaOf, owners;
-  for (const Condition& o : obligations_) {
-    const auto [at, isNew] = index.emplace(o.formula, index.size());
-    formulaOf.push_back(at->second);
-    if (!isNew) continue;
-    owners.push_back(at->second);
-    sorts += " Bool";
-    arguments += " " + o.formula;
+/// Equal formulas have equal literals, and are refuted once.
+std::vector<CheckResult> CertificateWriter::checkStepByStep(const CheckLimits& limits) const {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begin = Clock::now();
+  std::vector<CheckResult> results(obligations_.size(), CheckResult::Unknown);
+  ScanClauses shared(system_);
+  std::unordered_map<int, CheckResult> known;
+  const auto refuted = [&](ScanClauses& clauses, int literal) {
+    if (literal == -GateClauses::yes) return CheckResult::Valid;
+    const double used = std::chrono::duration<double>(Clock::now() - begin).count();
+    return refute(clauses.gates().clausesOf(literal),
+                  {std::min({schedule::stepByStepSeconds, limits.each, limits.total - used}), limits.cancel});
+  };
+  for (std::size_t i = 0; i < obligations_.size(); ++i) {
+    const Obligation& o = obligations_[i];
+    if (o.theorem) {
+      results[i] = CheckResult::Valid;  // only sums are added to the obligations
+    } else if (o.surface) {
+      ScanClauses own(system_, surfaces_[*o.surface]);
+      results[i] = refuted(own, own.literalOf(o.formula));
+    } else {
+      const int literal = shared.literalOf(o.formula);
+      const auto [at, isNew] = known.try_emplace(literal, CheckResult::Unknown);
+      if (isNew) at->second = refuted(shared, literal);
+      results[i] = at->second;
+    }
   }
-  const std::string formulas = theorems_ + smt_.declarations() + surfaces_ +
-                               fmt::format("(declare-fun obligations (Bool{}) Bool)\n(assert {})\n", sorts,
-                                           withDefinitions(definitions(), fmt::format("(obligations {})", arguments)));
-  const std::vector<CheckResult> checked = checkApart(formulas, owners, owners.size(), limits);
+  return results;
+}
+
+/// What is too long for that.
+void CertificateWriter::checkWithZ3(const std::vector<std::size_t>& open, const CheckLimits& limits,
+                                    std::vector<CheckResult>& results) const {
+  CertificateText text(system_, surfaces_);
+  for (const std::size_t i : open) text.add(obligations_[i], questions_[obligations_[i].certificate]);
+  const std::vector<CheckResult> found = text.check(limits);
+  for (std::size_t i = 0; i < open.size(); ++i) results[open[i]] = found[i];
+}
+
+std::vector<CheckResult> CertificateWriter::check(const CheckLimits& limits) const {
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<CheckResult> found = checkStepByStep(limits);
+  std::vector<bool> isRefused(questions_.size(), false);
+  for (std::size_t i = 0; i < obligations_.size(); ++i) {
+    if (found[i] == CheckResult::Invalid) isRefused[obligations_[i].certificate] = true;
+  }
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < obligations_.size(); ++i) {
+    if (found[i] == CheckResult::Unknown && !isRefused[obligations_[i].certificate]) open.push_back(i);
+  }
+  if (!open.empty()) {
+    CheckLimits rest = limits;
+    rest.total -= std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    checkWithZ3(open, rest, found);
+  }
   std::vector<CheckResult> results(questions_.size(), CheckResult::Valid);
   for (std::size_t i = 0; i < obligations_.size(); ++i) {
     CheckResult& result = results[obligations_[i].certificate];
-    const CheckResult one = checked[formulaOf[i]];
-    if (result == CheckResult::Valid || one == CheckResult::Invalid) result = one;
+    if (result == CheckResult::Valid || found[i] == CheckResult::Invalid) result = found[i];
   }
   return results;
 }

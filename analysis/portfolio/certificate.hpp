@@ -1,35 +1,16 @@
 // Certificates over the original transition system: an inductive invariant in its own terms, written as SMT-LIB 2
-// that any solver of QF_BV can check without knowing this program. The check in process reads the same text with
-// Z3, so it is independent of bit-blasting and of the engines. Tested by tests/certificate.
+// that any solver of QF_BV can check without knowing this program. The check in process makes clauses of the same
+// obligations by circuits of its own and follows their refutation step by step; what is too long for that is read by
+// Z3. Neither knows the engines or their circuits. Tested by tests/certificate.
 #pragma once
 
 #include <string>
-#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
-#include "analysis/graph/smt_text.hpp"
-#include "analysis/portfolio/certificate_check.hpp"
+#include "analysis/portfolio/certificate_text.hpp"
 
 namespace rungproof {
-
-/// A word as part of a sum: at a step at which it counts it becomes `next` = word + increment. Nodes of one width over
-/// states and, unless the increment is pending, inputs.
-struct Summand {
-  Node word = noNode;
-  Node increment = noNode;
-  Node next = noNode;
-  /// The increment is known at the start of the scan, because it came about in the scan before.
-  bool isPending = false;
-  /// What two words are compared by: with a pending increment, what the word is about to become.
-  Node progress() const { return isPending ? next : word; }
-};
-
-/// A theorem that spares solvers the reasoning about adders: two words that count on by the same amount keep the
-/// difference of what they are compared by. Holds by modular arithmetic, whatever the words are.
-struct KeptDifference {
-  Summand left, right;
-  Node difference = noNode;  ///< left.progress() - right.progress()
-};
 
 /// With I the conjunction of `invariant` (width-1 nodes over states): I holds initially, I and the constraints keep
 /// I, and: k = 0: I and the constraints exclude bad; k > 0: bad does not occur in the first k scans, and k scans
@@ -57,42 +38,32 @@ struct Claim {
 /// The obligations of one certificate or several, over shared declarations and definitions.
 class CertificateWriter {
  public:
-  explicit CertificateWriter(const TransitionSystem& system) : system_(system), smt_(system) {}
+  explicit CertificateWriter(const TransitionSystem& system) : system_(system) {}
   void add(const Question& question, const WordCertificate& certificate);
   /// Only that these nodes over states are 1 at the start of the first scan.
   void addStart(const std::string& name, const std::vector<Node>& facts);
   /// A self-contained file: each obligation between push and pop, with the expected answer unsat.
   std::string text() const;
-  /// Checks the obligations with Z3, as their text says. By certificate, in the order of add().
+  /// Checks the obligations. By certificate, in the order of add().
   std::vector<CheckResult> check(const CheckLimits& limits) const;
 
  private:
-  struct Condition {
-    std::size_t certificate;
-    std::string name;     ///< "initiation", "consecution", "base", "safety"
-    std::string formula;  ///< must be unsatisfiable
-  };
-  std::vector<SmtText::Definition> definitions() const;
-  using Terms = std::vector<std::string>;
-  void oblige(const char* name, const Terms& terms);
-  std::string notAll(const std::vector<Node>& nodes, int frame);
-  void addAll(Terms& terms, const std::vector<Node>& nodes, int frame);
+  using Parts = std::vector<Formula>;
+  void oblige(const char* name, Parts parts);
   void initiation(const WordCertificate& certificate);
   void consecution(const WordCertificate& certificate);
-  std::string keeps(const KeptDifference& d);
-  void theorem(const KeptDifference& d);
   void step(const Question& question, const WordCertificate& certificate);
   void surface(const Question& question, const WordCertificate& certificate);
   void base(const Question& question, const WordCertificate& certificate);
+  Parts initialEquations(const std::unordered_set<std::uint32_t>& variables) const;
+  std::vector<CheckResult> checkStepByStep(const CheckLimits& limits) const;
+  void checkWithZ3(const std::vector<std::size_t>& open, const CheckLimits& limits,
+                   std::vector<CheckResult>& results) const;
 
   const TransitionSystem& system_;
-  SmtText smt_;
-  std::string surfaces_;  ///< declarations of certificates with open nodes
-  std::vector<SmtText::Definition> surfaceDefinitions_;
   std::vector<std::string> questions_;
-  std::vector<Condition> obligations_;
-  std::string theorems_;                         ///< declarations of their variables
-  std::unordered_map<std::string, int> proved_;  ///< theorems that are obligations already, by their form
+  std::vector<Obligation> obligations_;
+  std::vector<CertificateText::OpenNodes> surfaces_;
 };
 
 /// The file for one certificate.

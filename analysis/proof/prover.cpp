@@ -254,7 +254,7 @@ class Session {
     if (answer.certificate && answer.certificate->k == 0) {
       std::vector<Node> roots = answer.certificate->invariant;
       roots.push_back(search_.exact().system().questions[question].bad);
-      variables = SmtText(search_.exact().system()).statesUnder(roots);
+      variables = statesUnder(search_.exact().system(), roots);
     } else {
       variables = search_.exact().variablesOf(question);
     }

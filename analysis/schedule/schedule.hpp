@@ -179,6 +179,8 @@
   ROW(double, judgeShare, 0.6, "of checking", "for the judge, who has the program as it is written") \
   ROW(double, leastCheck, 0.5, "s", "for checking certificates, whatever the deadline says") \
   ROW(double, leastForCertificate, 10, "s", "that a certificate may take, however short the question was") \
+  ROW(double, stepByStepSeconds, 1, "s", "for an obligation whose refutation is followed step by step, before Z3") \
+  ROW(std::size_t, stepsBetweenLooks, 64, "steps", "of a refutation between two looks at the clock") \
   ROW(double, plainCheckSeconds, 3, "s", "for a plain strategy that starts fast, before Z3's own for QF_BV") \
   ROW(double, jointSeconds, 0.3, "s", "for several formulas at once") \
   ROW(std::size_t, smallFormula, 1000, "numbers", "in the form of a formula that is checked with others") \

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <thread>
 
-#include "analysis/portfolio/certificate_check.hpp"
+#include "analysis/recheck/z3_check.hpp"
 #include "analysis/proof/proof_watch.hpp"
 #include "frontend/cli/cli.hpp"
 #include "tests/machine_pace.hpp"

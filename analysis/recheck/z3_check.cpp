@@ -1,5 +1,5 @@
 // The child writes one byte for each formula; the parent reads them as long as the limits allow, then ends it.
-#include "analysis/portfolio/certificate_check.hpp"
+#include "analysis/recheck/z3_check.hpp"
 
 #include <poll.h>
 #include <sys/resource.h>

@@ -1,0 +1,116 @@
+// The trace is binary DRAT: 'a' or 'd', then each literal as 2 * variable + sign in groups of seven bits, then 0. Only
+// clauses that follow are accepted, none that merely keeps the formula satisfiable.
+#include "analysis/recheck/refutation.hpp"
+
+#include <cadical.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+#include "analysis/recheck/rup_checker.hpp"
+#include "analysis/schedule/schedule.hpp"
+#include "ir/check.hpp"
+
+namespace rungproof {
+
+namespace {
+
+class RefutationEnd final : public CaDiCaL::Terminator {
+ public:
+  explicit RefutationEnd(const RefutationLimits& limits)
+      : end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.seconds))),
+        cancel_(limits.cancel) {}
+  bool terminate() override {
+    return Clock::now() >= end_ || (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed));
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point end_;
+  const std::atomic<bool>* cancel_;
+};
+
+/// What a solver writes, in memory.
+class Trace {
+ public:
+  Trace() : file_(open_memstream(&text_, &size_)) { CHECK(file_ != nullptr, "a stream in memory opens"); }
+  ~Trace() {
+    std::fclose(file_);
+    std::free(text_);
+  }
+  Trace(const Trace&) = delete;
+  Trace& operator=(const Trace&) = delete;
+  std::FILE* file() const { return file_; }
+  std::span<const unsigned char> bytes() const {
+    std::fflush(file_);
+    return {reinterpret_cast<const unsigned char*>(text_), size_};
+  }
+
+ private:
+  char* text_ = nullptr;
+  std::size_t size_ = 0;
+  std::FILE* file_;
+};
+
+/// Follows the trace; false where a step does not hold, or the time is over.
+bool follow(std::span<const unsigned char> trace, int variables, RupChecker& checker, RefutationEnd& end) {
+  std::vector<int> clause;
+  std::size_t steps = 0;
+  for (std::size_t at = 0; at < trace.size() && !checker.isRefuted();) {
+    const unsigned char kind = trace[at++];
+    if (kind != 'a' && kind != 'd') return false;
+    clause.clear();
+    for (bool isOpen = true; isOpen;) {
+      std::uint64_t number = 0;
+      bool goesOn = true;
+      for (unsigned shift = 0; goesOn; shift += 7) {
+        if (at == trace.size() || shift > 28) return false;
+        number |= static_cast<std::uint64_t>(trace[at] & 0x7FU) << shift;
+        goesOn = (trace[at++] & 0x80U) != 0;
+      }
+      isOpen = number != 0;
+      if (!isOpen) break;
+      if (number / 2 == 0 || number / 2 > static_cast<std::uint64_t>(variables)) return false;
+      const int v = static_cast<int>(number / 2);
+      clause.push_back((number & 1U) != 0 ? -v : v);
+    }
+    if (++steps % schedule::stepsBetweenLooks == 0 && end.terminate()) return false;
+    if (kind == 'd')
+      checker.forget(clause);
+    else if (!checker.derive(clause))
+      return false;
+  }
+  return checker.isRefuted();
+}
+
+}  // namespace
+
+CheckResult refute(const GateClauses::Clauses& clauses, const RefutationLimits& limits) {
+  RupChecker checker(clauses.variables);
+  for (std::size_t begin = 0, end = 0; end < clauses.literals.size() && !checker.isRefuted(); begin = ++end) {
+    while (clauses.literals[end] != 0) ++end;
+    checker.add(std::span(clauses.literals).subspan(begin, end - begin));
+  }
+  if (checker.isRefuted()) return CheckResult::Valid;
+  RefutationEnd end(limits);
+  if (end.terminate()) return CheckResult::Unknown;
+  const Trace trace;
+  CaDiCaL::Solver solver;
+  solver.set("quiet", 1);
+  solver.set("lucky", 0);
+  for (const char* technique : {"walk", "probe", "elim", "subsume", "vivify", "ternary", "transred", "decompose",
+                                "condition", "cover", "block", "rephase", "compact"})
+    CHECK(solver.set(technique, 0), "CaDiCaL knows the option");
+  CHECK(solver.trace_proof(trace.file(), "memory"), "CaDiCaL writes a trace");
+  for (const int l : clauses.literals) solver.add(l);
+  solver.connect_terminator(&end);
+  const int result = solver.solve();
+  solver.disconnect_terminator();
+  solver.close_proof_trace();
+  if (result == 10) return CheckResult::Invalid;
+  if (result != 20 || !follow(trace.bytes(), clauses.variables, checker, end)) return CheckResult::Unknown;
+  return CheckResult::Valid;
+}
+
+}  // namespace rungproof
