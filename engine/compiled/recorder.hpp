@@ -86,6 +86,7 @@ class Recorder {
   bool leavesAt(Hazard hazard) const { return hazardInfo(hazard).kind == HazardClass::Fatal; }
   Bool targets(Machine<Recorder>& machine, Bits pointer, Width width, Ref<Recorder>& ref);
   std::optional<std::vector<std::uint64_t>> locations(Machine<Recorder>&, Bits) { return std::nullopt; }
+  std::optional<std::vector<std::uint64_t>> locationsInBlock(Machine<Recorder>&, Bits, Width) { return std::nullopt; }
   Bits unresolved(Machine<Recorder>&, int width) { return cannotFollow(width); }
   void havoc(Machine<Recorder>&) { cannotFollow(1); }
   /// Element of what targets() found.

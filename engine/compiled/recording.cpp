@@ -26,6 +26,12 @@ struct RecordingHooks {
     if (time[0] != time[1]) d.add({.op = CodeOp::AddTimeIf, .a = m.powerFlow().id, .value = time[1] - least});
   }
 
+  /// Within a block of the system that others may interrupt.
+  template <class Runner>
+  void before(Runner&, const FlowStep&) {
+    d.leave(*d.guard);
+  }
+
   template <class Body>
   void run(Machine<Recorder>& m, const FlowStep& step, Body&& body) {
     const bool isPlain = step.instruction->desc->control == Control::None;
