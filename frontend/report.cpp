@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 #include "analysis/read_errors.hpp"
@@ -107,10 +108,19 @@ void sortFindings(Report& report) {
     return std::tuple(f.span.file, f.span.offset, -static_cast<int>(f.severity), std::string_view(f.rule),
                       std::string_view(f.message));
   };
-  std::stable_sort(report.findings.begin(), report.findings.end(),
-                   [&](const Finding& a, const Finding& b) { return key(a) < key(b); });
-  const auto same = [&](const Finding& a, const Finding& b) { return key(a) == key(b); };
-  report.findings.erase(std::unique(report.findings.begin(), report.findings.end(), same), report.findings.end());
+  const auto isAscending = [&](const Finding& a, const Finding& b) { return !(key(a) < key(b)); };
+  if (std::ranges::adjacent_find(report.findings, isAscending) == report.findings.end()) return;  // none twice, too
+  // A finding is large: each is moved once.
+  std::vector<std::uint32_t> order(report.findings.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return key(report.findings[i]); });
+  std::vector<Finding> sorted;
+  sorted.reserve(order.size());
+  for (const std::uint32_t i : order) {
+    if (sorted.empty() || key(sorted.back()) != key(report.findings[i]))
+      sorted.push_back(std::move(report.findings[i]));
+  }
+  report.findings = std::move(sorted);
 }
 
 const Reporter* reporterNamed(std::string_view name) {

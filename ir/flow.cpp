@@ -109,6 +109,9 @@ class Pairing {
 Flow flowOf(const Pou& pou, const std::vector<bool>& isLeftOut) {
   Flow flow;
   flow.pou = &pou;
+  std::size_t count = 0;
+  for (const Network& network : pou.networks) count += network.instructions.size();
+  flow.steps.reserve(count);
   for (std::uint32_t n = 0; n < pou.networks.size(); ++n) {
     for (const Instruction& instruction : pou.networks[n].instructions) {
       if (isLeftOut.empty() || !isLeftOut[instruction.id])

@@ -50,7 +50,7 @@ bool isNeverZero(const Facts& facts, const Access& divisor) {
 }
 
 void checkAri001(const Facts& facts, FindingSink& sink) {
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place : facts.placesOf([](const Desc& desc) { return isDivision(desc.role); })) {
     const Instruction& instruction = *place.instruction;
     if (!isDivision(roleOf(instruction)) || instruction.operands.empty()) continue;
     const Operand& divisor = instruction.operands[0];

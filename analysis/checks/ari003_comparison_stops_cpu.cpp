@@ -31,7 +31,8 @@ const Instruction* integerWriter(const Facts& facts, const Access& real) {
 
 void checkAri003(const Facts& facts, FindingSink& sink) {
   const PointerTable& pointers = facts.pointers();
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place :
+       facts.placesOf([](const Desc& desc) { return desc.execution == Execution::Compare; })) {
     const Instruction& instruction = *place.instruction;
     if (instruction.desc->execution != Execution::Compare) continue;
     for (const Access& access : facts.accesses().of(instruction.id)) {

@@ -17,7 +17,8 @@ std::int64_t labelOf(const Instruction& instruction) {
 
 void checkCtl001(const Facts& facts, FindingSink& sink) {
   std::unordered_map<std::int64_t, const Instruction*> labels;
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place :
+       facts.placesOf([](const Desc& desc) { return desc.control == Control::LabelMark; })) {
     if (place.instruction->desc->control == Control::LabelMark)
       labels.emplace(labelOf(*place.instruction), place.instruction);
   }

@@ -85,7 +85,8 @@ void checkCtl004(const Facts& facts, FindingSink& sink) {
   const Times* times = nullptr;
   std::vector<Times> storage;
   if (hasLoop) times = &storage.emplace_back(facts);
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place :
+       facts.placesOf([](const Desc& desc) { return desc.control == Control::Jump || desc.control == Control::For; })) {
     const Instruction& instruction = *place.instruction;
     const FlowStep& step = facts.plan().flows[place.block].steps[place.step];
     if (!facts.execution().at(instruction.id).isReachable || step.partner == noPartner) continue;

@@ -55,7 +55,8 @@ struct Buffer {
 class TableCheck {
  public:
   TableCheck(const Facts& facts, FindingSink& sink) : facts_(facts), sink_(sink) {
-    for (const InstructionPlace& place : facts.instructions()) {
+    for (const InstructionPlace& place :
+         facts.placesOf([](const Desc& desc) { return desc.role == Role::Get || desc.role == Role::Put; })) {
       const Role role = roleOf(*place.instruction);
       if ((role != Role::Get && role != Role::Put) || place.instruction->operands.empty()) continue;
       const Operand& table = place.instruction->operands[0];

@@ -21,7 +21,8 @@ int counterOf(const Instruction& instruction) {
 
 void checkHsp001(const Facts& facts, FindingSink& sink) {
   std::array<const Instruction*, counters> definition{}, use{};
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place :
+       facts.placesOf([](const Desc& desc) { return desc.role == Role::Hdef || desc.role == Role::Hsc; })) {
     const Instruction& instruction = *place.instruction;
     const Role role = roleOf(instruction);
     if (role != Role::Hdef && role != Role::Hsc) continue;

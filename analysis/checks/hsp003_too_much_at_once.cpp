@@ -19,7 +19,8 @@ bool sharesRung(const Facts& facts, const Instruction& a, const Instruction& b) 
 void checkClock(const Facts& facts, FindingSink& sink) {
   const Instruction* scan = nullptr;
   const Instruction* interrupt = nullptr;
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place :
+       facts.placesOf([](const Desc& desc) { return desc.role == Role::Todr || desc.role == Role::Todw; })) {
     const Role role = roleOf(*place.instruction);
     if (role != Role::Todr && role != Role::Todw) continue;
     if (facts.calls().reachedFromInterrupt(place.block))
@@ -37,7 +38,8 @@ void checkClock(const Facts& facts, FindingSink& sink) {
 
 void checkTransfers(const Facts& facts, FindingSink& sink) {
   int count = 0;
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place :
+       facts.placesOf([](const Desc& desc) { return desc.role == Role::Netr || desc.role == Role::Netw; })) {
     const Instruction& instruction = *place.instruction;
     if (roleOf(instruction) != Role::Netr && roleOf(instruction) != Role::Netw) continue;
     const bool isAlways = (facts.stack().at(instruction.id).flow & condition::Always) != 0;
@@ -54,7 +56,8 @@ void checkHsp003(const Facts& facts, FindingSink& sink) {
   checkTransfers(facts, sink);
   const Instruction* send = nullptr;
   const Instruction* receive = nullptr;
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place :
+       facts.placesOf([](const Desc& desc) { return desc.role == Role::Xmt || desc.role == Role::Rcv; })) {
     const Instruction& instruction = *place.instruction;
     const Role role = roleOf(instruction);
     if ((role != Role::Xmt && role != Role::Rcv) || instruction.operands.size() < 2) continue;

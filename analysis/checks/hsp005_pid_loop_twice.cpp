@@ -12,7 +12,7 @@ namespace {
 
 void checkHsp005(const Facts& facts, FindingSink& sink) {
   std::map<std::int64_t, const Instruction*> loops;
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place : facts.placesOf(Role::Pid)) {
     const Instruction& instruction = *place.instruction;
     if (roleOf(instruction) != Role::Pid || instruction.operands.size() < 2 ||
         instruction.operands[1].kind != OperandKind::Constant)

@@ -15,7 +15,9 @@ void checkInt003(const Facts& facts, FindingSink& sink) {
   if (facts.hasHiddenCode()) return;
   std::vector<const Instruction*> enables, disables, attaches;
   bool hasUnknownCall = false;
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place : facts.placesOf([](const Desc& desc) {
+         return desc.role == Role::Eni || desc.role == Role::Disi || desc.role == Role::Atch;
+       })) {
     const Instruction& instruction = *place.instruction;
     const bool isLive = facts.execution().at(instruction.id).isReachable &&
                         (facts.stack().at(instruction.id).flow & condition::Never) == 0;

@@ -43,7 +43,7 @@ void checkInt005(const Facts& facts, FindingSink& sink) {
     finding.help =
         "use another mode, counter or input: an input serves one purpose (001:4211-4213; errors 0002 and 0003)";
   };
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place : facts.placesOf(Role::Hdef)) {
     const Instruction& instruction = *place.instruction;
     if (roleOf(instruction) != Role::Hdef || instruction.operands.size() < 2) continue;
     if (instruction.operands[0].kind != OperandKind::Constant || instruction.operands[1].kind != OperandKind::Constant)

@@ -47,7 +47,7 @@ Toggle rungOf(const Flow& flow, std::uint32_t at, const Operand& bit) {
 }
 
 void checkLog005(const Facts& facts, FindingSink& sink) {
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place : facts.placesOf(isPlainCoil)) {
     const Instruction& instruction = *place.instruction;
     if (!isPlainCoil(*instruction.desc) || facts.isUnread(instruction.id) || instruction.operands.empty() ||
         instruction.operands[0].kind != OperandKind::Direct)

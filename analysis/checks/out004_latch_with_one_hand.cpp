@@ -86,7 +86,8 @@ void checkOut004(const Facts& facts, FindingSink& sink) {
   if (facts.hasHiddenCode()) return;
   const std::vector<LatchHands> all = allHands(facts);
   std::vector<std::uint8_t> seen(all.size(), 0);
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place :
+       facts.placesOf([](const Desc& desc) { return isSet(desc.role) || isReset(desc.role); })) {
     const Instruction& instruction = *place.instruction;
     const Role role = roleOf(instruction);
     if (!isSet(role) && !isReset(role)) continue;

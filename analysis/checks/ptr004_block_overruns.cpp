@@ -44,7 +44,8 @@ void checkOverlap(FindingSink& sink, const Instruction& instruction, const Acces
 }
 
 void checkPtr004(const Facts& facts, FindingSink& sink) {
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place :
+       facts.placesOf([](const Desc& desc) { return desc.role == Role::BlockMove || desc.role == Role::Fill; })) {
     const Instruction& instruction = *place.instruction;
     const Role role = roleOf(instruction);
     if (role != Role::BlockMove && role != Role::Fill) continue;

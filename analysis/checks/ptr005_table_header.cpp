@@ -89,7 +89,10 @@ void checkSearch(const Facts& facts, FindingSink& sink, const Instruction& instr
 void checkPtr005(const Facts& facts, FindingSink& sink) {
   if (facts.hasHiddenCode()) return;
   std::unordered_map<std::uint32_t, const Instruction*> tables;  // by cell
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place : facts.placesOf([](const Desc& desc) {
+         return desc.role == Role::StringFind || desc.role == Role::Att || desc.role == Role::Fifo ||
+                desc.role == Role::Lifo;
+       })) {
     const Instruction& instruction = *place.instruction;
     const Role role = roleOf(instruction);
     if (role == Role::StringFind) checkSearch(facts, sink, instruction);
@@ -98,7 +101,7 @@ void checkPtr005(const Facts& facts, FindingSink& sink) {
     if (table == nullptr || !tables.emplace(facts.cellOf(*table), &instruction).second) continue;
     if (role == Role::Att) checkLength(facts, sink, instruction, *table);
   }
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place : facts.placesOf(Role::Find)) {
     const Instruction& instruction = *place.instruction;
     if (roleOf(instruction) != Role::Find) continue;
     const Access* table = tableOf(facts, instruction, 0);

@@ -40,7 +40,7 @@ void checkFault(FindingSink& sink, const FlowFault& fault) {
 
 void checkScr001(const Facts& facts, FindingSink& sink) {
   std::unordered_set<std::uint32_t> segments;
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place : facts.placesOf([](const Desc& desc) { return desc.control == Control::Lscr; })) {
     const Instruction& instruction = *place.instruction;
     if (instruction.desc->control != Control::Lscr || instruction.operands.empty()) continue;
     segments.insert(bitKey(Area::S, instruction.operands[0].offset, instruction.operands[0].bit));

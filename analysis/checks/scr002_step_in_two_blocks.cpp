@@ -12,7 +12,8 @@ namespace {
 
 void checkScr002(const Facts& facts, FindingSink& sink) {
   std::unordered_map<std::uint32_t, const Instruction*> first;
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place : facts.placesOf(
+           [](const Desc& desc) { return desc.control == Control::Lscr || desc.control == Control::Scrt; })) {
     const Instruction& instruction = *place.instruction;
     const Control control = instruction.desc->control;
     if ((control != Control::Lscr && control != Control::Scrt) || instruction.operands.empty() ||

@@ -45,7 +45,7 @@ StepHands handsOf(const Facts& facts, std::uint32_t key) {
 
 void checkScr003(const Facts& facts, FindingSink& sink) {
   if (facts.hasHiddenCode()) return;
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place : facts.placesOf([](const Desc& desc) { return desc.control == Control::Lscr; })) {
     const Instruction& instruction = *place.instruction;
     if (instruction.desc->control != Control::Lscr || instruction.operands.empty()) continue;
     const Operand& bit = instruction.operands[0];

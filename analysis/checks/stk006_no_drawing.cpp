@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "analysis/drawing/editor_verdict.hpp"
+#include "analysis/drawing/picture_shapes.hpp"
 #include "analysis/drawing/raise.hpp"
 #include "analysis/flow/facts.hpp"
 #include "analysis/rule.hpp"
@@ -17,13 +18,13 @@ namespace {
 void checkStk006(const Facts& facts, FindingSink& sink) {
   if (facts.program().olderDialect) return;
   const bool isStl = isWrittenAsStl(facts.program());
+  PictureShapes ladders(facts.target());
   for (const Pou& pou : facts.program().pous) {
     std::size_t count = 0;
     std::string reason;
     Span first;
     for (const Network& network : pou.networks) {
-      if (!network.complete || network.drawing != nullptr || raise(network, Form::Ladder, facts.target()).drawing)
-        continue;
+      if (!network.complete || network.drawing != nullptr || ladders.hasLadder(network)) continue;
       const Raised fbd = raise(network, Form::Fbd, facts.target());
       if (fbd.drawing) continue;
       const Span place = fbd.at == nullptr ? network.span : fbd.at->span;

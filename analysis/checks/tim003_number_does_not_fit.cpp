@@ -11,7 +11,7 @@ namespace rungproof {
 namespace {
 
 void checkTim003(const Facts& facts, FindingSink& sink) {
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place : facts.placesOf([](const Desc& desc) { return isTimerBox(desc.role); })) {
     const Instruction& instruction = *place.instruction;
     if (!isTimerBox(roleOf(instruction)) || instruction.operands.empty()) continue;
     const Operand& timer = instruction.operands[0];

@@ -35,7 +35,7 @@ std::string reason(const Facts& facts, const InstructionPlace& place, const Inst
 }
 
 void checkTim004(const Facts& facts, FindingSink& sink) {
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place : facts.placesOf([](const Desc& desc) { return isTimerBox(desc.role); })) {
     const Instruction& instruction = *place.instruction;
     const Role role = roleOf(instruction);
     if (!isTimerBox(role) || instruction.operands.empty() || instruction.operands[0].kind != OperandKind::Direct)

@@ -34,7 +34,8 @@ const Instruction* ownContact(const Flow& flow, std::uint32_t at, std::uint32_t 
 }
 
 void checkTim005(const Facts& facts, FindingSink& sink) {
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place :
+       facts.placesOf([](const Desc& desc) { return desc.role == Role::Ton || desc.role == Role::Tonr; })) {
     const Instruction& instruction = *place.instruction;
     if (roleOf(instruction) != Role::Ton && roleOf(instruction) != Role::Tonr) continue;
     if (facts.isUnread(instruction.id)) continue;

@@ -63,7 +63,8 @@ void checkBox(const Facts& facts, FindingSink& sink, const Instruction& box) {
 }
 
 void checkTim007(const Facts& facts, FindingSink& sink) {
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place :
+       facts.placesOf([](const Desc& desc) { return isTimerBox(desc.role) || isCounterBox(desc.role); })) {
     const Role role = roleOf(*place.instruction);
     if ((isTimerBox(role) || isCounterBox(role)) && place.instruction->operands.size() >= 2)
       checkBox(facts, sink, *place.instruction);

@@ -18,7 +18,7 @@ bool isEquality(const Desc& desc) {
 }
 
 void checkTim010(const Facts& facts, FindingSink& sink) {
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place : facts.placesOf(isEquality)) {
     const Instruction& instruction = *place.instruction;
     if (!isEquality(*instruction.desc)) continue;
     const bool isWithZero = std::any_of(instruction.operands.begin(), instruction.operands.end(), [](const Operand& o) {

@@ -21,7 +21,7 @@ bool hasOwnReset(const Facts& facts, std::uint32_t number) {
 }
 
 void checkTim012(const Facts& facts, FindingSink& sink) {
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place : facts.placesOf([](const Desc& desc) { return isCounterBox(desc.role); })) {
     const Instruction& instruction = *place.instruction;
     const Role role = roleOf(instruction);
     const std::span<const Condition> inputs = facts.stack().inputs(instruction.id);

@@ -13,7 +13,8 @@ void checkTim013(const Facts& facts, FindingSink& sink) {
   int count = 0;
   const Instruction* numbered = nullptr;
   const Instruction* plain = nullptr;
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place :
+       facts.placesOf([](const Desc& desc) { return desc.role == Role::Eu || desc.role == Role::Ed; })) {
     const Instruction& instruction = *place.instruction;
     const Role role = roleOf(instruction);
     if (role != Role::Eu && role != Role::Ed) continue;

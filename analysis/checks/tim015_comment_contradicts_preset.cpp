@@ -51,7 +51,9 @@ bool isDirective(std::string_view text) { return text.starts_with("//@") || text
 class Comparison {
  public:
   Comparison(const Facts& facts, FindingSink& sink) : facts_(facts), sink_(sink) {
-    for (const InstructionPlace& place : facts.instructions()) {
+    for (const InstructionPlace& place : facts.placesOf([](const Desc& desc) {
+           return desc.role == Role::Ton || desc.role == Role::Tof || desc.role == Role::Tonr;
+         })) {
       const Instruction& instruction = *place.instruction;
       const Role role = roleOf(instruction);
       if ((role != Role::Ton && role != Role::Tof && role != Role::Tonr) || instruction.operands.size() < 2) continue;

@@ -40,6 +40,7 @@ class Writer {
     result.circuits = static_cast<std::uint32_t>(tops_.size());
     if (tops_.size() > 1) result.second = elementOf(tops_[1]);
     result.lowered = code_.take();
+    result.comparedAddresses = reads_.comparedAddresses();
     result.lowered.fault = fault_;
     if (fault_) result.lowered.instructions.clear();
     return result;

@@ -14,9 +14,10 @@ enum class PinOrder : std::uint8_t {
 };
 
 struct Branches {
-  Lowered lowered;             ///< its fault tells what the stack cannot follow
-  std::uint32_t circuits = 0;  ///< separate circuits
-  std::uint32_t second = 0;    ///< with several: an element of the second one
+  Lowered lowered;                 ///< its fault tells what the stack cannot follow
+  std::uint32_t circuits = 0;      ///< separate circuits
+  std::uint32_t second = 0;        ///< with several: an element of the second one
+  bool comparedAddresses = false;  ///< ReadOrder::comparedAddresses
 };
 
 Branches lowerAlongBranches(const Drawing& drawing, const Circuit& circuit, PinOrder order, EditorBits taken);

@@ -226,7 +226,9 @@ bool ReadOrder::mayMove(std::uint32_t node, std::uint32_t drawn, std::uint32_t a
     const std::uint32_t other = fixed_[at];
     if (other == node) continue;
     if (isFixed(node) || ++work_ > mostWork) return false;
-    if (circuit_.nodes[other].isEffect() && disturbs(circuit_.nodes[other], moved)) return false;
+    if (!circuit_.nodes[other].isEffect()) continue;
+    comparedAddresses_ = true;
+    if (disturbs(circuit_.nodes[other], moved)) return false;
   }
   return true;
 }

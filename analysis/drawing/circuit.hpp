@@ -64,12 +64,15 @@ class ReadOrder {
   std::uint32_t placeOf(std::uint32_t node) const;
   /// A contact or edge drawn at place `drawn` gives the same at place `actual`. Gives up (false) when asked too much.
   bool mayMove(std::uint32_t node, std::uint32_t drawn, std::uint32_t actual);
+  /// Whether an answer came from comparing the addresses of two nodes.
+  bool comparedAddresses() const { return comparedAddresses_; }
 
  private:
   const Circuit& circuit_;
   std::vector<std::uint32_t> fixed_;
   std::vector<std::uint8_t> isFixed_;  ///< by node
   std::uint64_t work_ = 0;
+  bool comparedAddresses_ = false;
 };
 
 }  // namespace rungproof

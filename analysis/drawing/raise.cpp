@@ -378,6 +378,7 @@ class Raising {
     const Circuit circuit = circuitOf(drawing_);
     if (circuit.fault) return refuse(instructionOf(circuit.fault->element), circuit.fault->message);
     const Branches branches = lowerAlongBranches(drawing_, circuit, PinOrder::AsDrawn, editorBitsUsed(drawing_));
+    result_.comparedAddresses = branches.comparedAddresses;
     if (branches.circuits > 1) {
       const Instruction* second = instructionOf(branches.second);
       return refuse(second, fmt::format("{} begins a second rung in the network", nameOf(*second)));

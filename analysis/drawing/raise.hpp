@@ -22,6 +22,7 @@ struct Raised {
   std::optional<Drawing> drawing;
   std::string reason;  ///< without a drawing: why, as one clause, "LD I0.1 begins a second rung in the network"
   const Instruction* at = nullptr;  ///< the instruction concerned
+  bool comparedAddresses = false;   ///< whether it depends on which addresses of the network overlap
 };
 
 /// Draws a network of STL. `form`: Ladder or Fbd. Does not look at Network::drawing.

@@ -30,7 +30,7 @@ Facts::Facts(const Program& program, std::span<const ExternalRange> externals, S
       surroundings_(std::move(around)),
       externals_(externals.begin(), externals.end()),
       plan_(program),
-      places_(placesOf(program, plan_)),
+      places_(placesIn(program, plan_)),
       accesses_(program, plan_),
       blocks_(blocksOf(places_)),
       index_(program, accesses_, blocks_),
@@ -65,7 +65,7 @@ bool Facts::hasUnreadCode(const Pou& block) const {
          std::ranges::any_of(block.networks, [](const Network& network) { return !network.complete; });
 }
 
-std::vector<InstructionPlace> Facts::placesOf(const Program& program, const Plan& plan) {
+std::vector<InstructionPlace> Facts::placesIn(const Program& program, const Plan& plan) {
   std::vector<InstructionPlace> places;
   places.reserve(program.instructionCount());
   for (std::uint32_t block = 0; block < plan.flows.size(); ++block) {
@@ -123,6 +123,7 @@ void Facts::findPulses() {
 void Facts::collectBoxes() {
   for (const InstructionPlace& place : places_) {
     const Instruction& instruction = *place.instruction;
+    users_[instruction.desc].push_back(instruction.id);
     const Role role = roleOf(instruction);
     if ((!isTimerBox(role) && !isCounterBox(role)) || instruction.operands.empty()) continue;
     const Operand& o = instruction.operands[0];

@@ -3,6 +3,7 @@
 // Tested by tests/rules/facts_test.cpp; cost by tests/rules/scale_test.cpp.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -51,6 +52,23 @@ class Facts {
 
   /// All instructions in program order; the index is Instruction::id.
   std::span<const InstructionPlace> instructions() const { return places_; }
+  /// Those of the instructions whose descriptor fits, in program order, without a look at the others: for rules that
+  /// speak of few.
+  template <class Fits>
+  std::vector<InstructionPlace> placesOf(Fits fits) const {
+    std::vector<std::uint32_t> ids;
+    for (const auto& [desc, users] : users_) {
+      if (fits(*desc)) ids.insert(ids.end(), users.begin(), users.end());
+    }
+    std::sort(ids.begin(), ids.end());
+    std::vector<InstructionPlace> found;
+    found.reserve(ids.size());
+    for (const std::uint32_t id : ids) found.push_back(places_[id]);
+    return found;
+  }
+  std::vector<InstructionPlace> placesOf(Role role) const {
+    return placesOf([role](const Desc& desc) { return desc.role == role; });
+  }
   const Instruction& instruction(std::uint32_t id) const { return *places_[id].instruction; }
   const InstructionPlace& place(std::uint32_t id) const { return places_[id]; }
   const Pou& pouOf(std::uint32_t id) const { return program_.pous[places_[id].block]; }
@@ -115,7 +133,7 @@ class Facts {
   static std::string text(const Instruction& instruction);
 
  private:
-  static std::vector<InstructionPlace> placesOf(const Program& program, const Plan& plan);
+  static std::vector<InstructionPlace> placesIn(const Program& program, const Plan& plan);
   static std::vector<std::uint32_t> blocksOf(std::span<const InstructionPlace> places);
   void findPulses();
   void collectBoxes();
@@ -128,6 +146,7 @@ class Facts {
   std::vector<ExternalRange> externals_;
   Plan plan_;
   std::vector<InstructionPlace> places_;
+  std::unordered_map<const Desc*, std::vector<std::uint32_t>> users_;  ///< ids of the instructions of each descriptor
   AccessTable accesses_;
   std::vector<std::uint32_t> blocks_;  ///< by Instruction::id
   AccessIndex index_;

@@ -4,6 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
+#include <iterator>
+#include <thread>
 
 #include "analysis/lint/lint.hpp"
 #include "analysis/lint/suppress.hpp"
@@ -35,6 +39,36 @@ void ignoreInFiles(const Settings& settings, Report& report) {
   });
 }
 
+/// The programs one after the other, or several at once where each needs a processor only: the prover has threads and a
+/// limit of memory of its own. The reports have the order of the programs.
+std::vector<Report> lintSideBySide(const Context& context, const std::vector<std::vector<std::string>>& programs,
+                                   bool prove) {
+  std::vector<const Settings*> settings;
+  for (const std::vector<std::string>& files : programs) settings.push_back(&context.settingsOf(files));
+  std::vector<Report> reports(programs.size());
+  std::vector<std::exception_ptr> failures(programs.size());
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < programs.size(); i = next++) {
+      try {
+        reports[i] = lintProgram(*settings[i], readInput(context, *settings[i], programs[i]), programs[i], prove);
+      } catch (...) {
+        failures[i] = std::current_exception();
+      }
+    }
+  };
+  const std::int64_t processors = std::max(1U, std::thread::hardware_concurrency());
+  const std::int64_t jobs = prove ? 1 : context.settings.number(Opt::Jobs, processors);
+  std::vector<std::thread> threads;
+  for (std::int64_t i = 1; i < std::min<std::int64_t>(jobs, std::ssize(programs)); ++i) threads.emplace_back(work);
+  work();
+  for (std::thread& thread : threads) thread.join();
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
+  return reports;
+}
+
 }  // namespace
 
 bool isSelected(const Settings& settings, std::string_view id) {
@@ -55,7 +89,9 @@ Report lintProgram(const Settings& settings, const ProgramInput& input, const st
   std::erase_if(report.findings,
                 [&](const Finding& finding) { return !isReadError(finding) && !isSelected(finding.rule); });
   std::vector<Finding> found = runRules(facts, selection, settings.ruleSettings());
-  std::move(found.begin(), found.end(), std::back_inserter(report.findings));
+  found.insert(found.begin(), std::make_move_iterator(report.findings.begin()),
+               std::make_move_iterator(report.findings.end()));
+  report.findings = std::move(found);
   if (prove) {
     const UnreadCode unread(program, settings.choices());
     ProverOptions options = lintProverOptionsOf(settings, program);
@@ -96,10 +132,7 @@ Report lintFiles(const Context& context, const std::vector<std::string>& files, 
     report = lintProgram(settings, readInput(context, settings, groups.front()), groups.front(), prove);
   } else {
     ReportMerger merger;
-    for (const std::vector<std::string>& group : groups) {
-      const Settings& settings = context.settingsOf(group);
-      merger.add(lintProgram(settings, readInput(context, settings, group), group, prove));
-    }
+    for (Report& part : lintSideBySide(context, groups, prove)) merger.add(part);
     report = merger.take();
   }
   for (const std::string& defect : report.defects) context.err << fmt::format("rungproof: {}\n", defect);

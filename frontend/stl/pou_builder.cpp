@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "frontend/stl/directive.hpp"
 #include "frontend/stl/local_layout.hpp"
@@ -66,6 +67,7 @@ void PouBuilder::close(std::uint32_t end) {
   if (!isOpen_) return;
   closeNetwork(end);
   pou_.span.length = end - pou_.span.offset;
+  pou_.networks.shrink_to_fit();
   if (!hasNetworkLines_ && pou_.networks.size() == 1) numberRungs(splitIntoRungs(pou_, text_, damaged_));
   checkProtection();
   program_.pous.push_back(std::move(pou_));
@@ -148,11 +150,14 @@ void PouBuilder::needNetwork(std::uint32_t offset) {
 void PouBuilder::closeNetwork(std::uint32_t end) {
   if (!inNetwork_) return;
   inNetwork_ = false;
-  if (isLeadIn_ && network_.instructions.empty() && network_.complete) {
+  if (isLeadIn_ && instructions_.empty() && network_.complete) {
     pou_.comments.insert(pou_.comments.end(), network_.comments.begin(), network_.comments.end());
     return;
   }
   network_.span.length = end - network_.span.offset;
+  network_.instructions.assign(std::make_move_iterator(instructions_.begin()),
+                               std::make_move_iterator(instructions_.end()));
+  instructions_.clear();
   pou_.networks.push_back(std::move(network_));
 }
 
@@ -186,8 +191,8 @@ void PouBuilder::setTitle(std::string_view title) {
 }
 
 void PouBuilder::releaseTrailingComments() {
-  if (!isOpen_ || !inNetwork_ || network_.instructions.empty()) return;
-  const Span& last = network_.instructions.back().span;
+  if (!isOpen_ || !inNetwork_ || instructions_.empty()) return;
+  const Span& last = instructions_.back().span;
   const std::size_t newline = std::min(text_.find('\n', last.offset + last.length), text_.size());
   std::vector<Comment>& comments = network_.comments;
   const auto first = std::find_if(comments.begin(), comments.end(),

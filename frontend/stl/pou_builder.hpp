@@ -45,7 +45,7 @@ class PouBuilder {
   /// A network for an instruction behind the last one, if none is open.
   void needNetwork(std::uint32_t offset);
 
-  void addInstruction(Instruction&& instruction) { network_.instructions.push_back(std::move(instruction)); }
+  void addInstruction(Instruction&& instruction) { instructions_.push_back(std::move(instruction)); }
   /// The line at `offset` could not be read.
   void addDamage(std::uint32_t offset);
   /// To the open network, the open block, or the block that comes next. Directives are collected as well.
@@ -68,6 +68,7 @@ class PouBuilder {
   SyntaxSink& sink_;
   Pou pou_;
   Network network_;
+  std::vector<Instruction> instructions_;  ///< of network_, which gets them in one piece when it is closed
   Span heading_;
   bool isOpen_ = false;
   bool isFramed_ = false;

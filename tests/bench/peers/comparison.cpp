@@ -136,15 +136,16 @@ std::string textOf(const Figures& figures) {
   return text;
 }
 
-std::string markdownOf(const Figures& figures, const std::string& date, double limit) {
+std::string markdownOf(const Figures& figures, const Conditions& conditions) {
+  const std::string cut = conditions.patience > 0
+                              ? fmt::format(", peers cut at {:g} times our time and charged that", conditions.patience)
+                              : "";
   std::string text = fmt::format(
-      "Measured {}: {} obligations, processor time of whole processes in one run, at most {:g} s each. rungproof "
-      "settles "
-      "{} in {:.1f} s, {} of them alone; a ratio below 1 means that it is quicker.\n\n",
-      date, figures.obligations, limit, figures.settled, figures.seconds, figures.settledAlone);
-  text +=
-      "| berkeley-abc | settles | seconds | ratio of the totals | where both settle | median of the pairs | middle "
-      "half |\n";
+      "Measured {}: {} obligations, processor time of whole processes in one run, at most {:g} s each{}. rungproof "
+      "settles {} in {:.1f} s, {} of them alone; a ratio below 1 means that it is quicker.\n\n",
+      conditions.date, figures.obligations, conditions.limit, cut, figures.settled, figures.seconds,
+      figures.settledAlone);
+  text += "| berkeley-abc | settles | seconds | ratio of the totals | where both settle | median | middle half |\n";
   text += "|---|---|---|---|---|---|---|\n";
   for (const PeerFigures& peer : figures.peers) {
     text +=
@@ -158,16 +159,18 @@ std::string markdownOf(const Figures& figures, const std::string& date, double l
 }
 
 std::string historyHead() {
-  return "version,date,limit,obligations,settled,alone,seconds,best_peer,best_peer_seconds,ratio,ratio_both_settle,"
+  return "version,date,limit,patience,obligations,settled,alone,seconds,best_peer,best_peer_seconds,ratio,ratio_both_"
+         "settle,"
          "median,within,lost,left_open\n";
 }
 
-std::string historyLine(const Figures& figures, const std::string& version, const std::string& date, double limit) {
+std::string historyLine(const Figures& figures, const Conditions& conditions) {
   const PeerFigures& best = figures.peers[figures.bestPeer];
-  return fmt::format("{},{},{:g},{},{},{},{:.2f},{},{:.2f},{:.3f},{:.3f},{:.3f},{:.4f},{},{}\n", version, date, limit,
-                     figures.obligations, figures.settled, figures.settledAlone, figures.seconds, best.name,
-                     best.seconds, best.ratio, best.ratioOfBoth, best.median, figures.withinShare(),
-                     figures.lost.size(), figures.leftOpen.size());
+  return fmt::format("{},{},{:g},{:g},{},{},{},{:.2f},{},{:.2f},{:.3f},{:.3f},{:.3f},{:.4f},{},{}\n",
+                     conditions.version, conditions.date, conditions.limit, conditions.patience, figures.obligations,
+                     figures.settled, figures.settledAlone, figures.seconds, best.name, best.seconds, best.ratio,
+                     best.ratioOfBoth, best.median, figures.withinShare(), figures.lost.size(),
+                     figures.leftOpen.size());
 }
 
 std::string rowsAsCsv(const std::vector<Row>& rows) {

@@ -43,16 +43,23 @@ struct Figures {
   }
 };
 
+/// When and how it was measured.
+struct Conditions {
+  std::string version, date;
+  double limit = 0;     ///< s of processor time
+  double patience = 0;  ///< Measurement::patience
+};
+
 /// The rows must outlive the figures.
 Figures figuresOf(const std::vector<Row>& rows);
 
 /// Ratios, medians, spreads, and the obligations lost and left open, one a line.
 std::string textOf(const Figures& figures);
 /// The table of README, with the date and what it was measured on.
-std::string markdownOf(const Figures& figures, const std::string& date, double limit);
+std::string markdownOf(const Figures& figures, const Conditions& conditions);
 /// One line with the names of the columns, and one of figures.
 std::string historyHead();
-std::string historyLine(const Figures& figures, const std::string& version, const std::string& date, double limit);
+std::string historyLine(const Figures& figures, const Conditions& conditions);
 /// Each obligation with all its times, as comma-separated values.
 std::string rowsAsCsv(const std::vector<Row>& rows);
 

@@ -1,10 +1,5 @@
-// Processes with a limit and their processor time; answers read from what they print.
+// Commands of the provers, and answers read from what they print.
 #include "tests/bench/peers/contender.hpp"
-
-#include <fcntl.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -13,7 +8,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <stdexcept>
 
 namespace rungproof::peers {
 
@@ -26,53 +20,12 @@ constexpr std::array peers = {
     Peer{"bmc3", "bmc3", true},
 };
 
-double secondsOf(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-}
-
-/// In the child: never returns.
-[[noreturn]] void execute(const std::vector<std::string>& command, int output, double limit) {
-  const int nothing = ::open("/dev/null", O_RDONLY);
-  ::dup2(nothing, STDIN_FILENO);
-  ::dup2(output, STDOUT_FILENO);
-  ::dup2(output, STDERR_FILENO);
-  const auto most = static_cast<rlim_t>(std::ceil(limit));
-  const rlimit processor{most, most + 1};
-  ::setrlimit(RLIMIT_CPU, &processor);
-  std::vector<char*> words;
-  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
-  ::execvp(words[0], words.data());
-  ::_exit(127);
-}
-
 std::vector<std::string> withOptions(std::vector<std::string> command, const Obligation& obligation) {
   command.insert(command.end(), obligation.options.begin(), obligation.options.end());
   return command;
 }
 
 }  // namespace
-
-ProcessRun runProcess(const std::vector<std::string>& command, double limit) {
-  FILE* const output = std::tmpfile();
-  if (output == nullptr) throw std::runtime_error("no temporary file can be made");
-  const pid_t child = ::fork();
-  if (child < 0) throw std::runtime_error("no process can be started");
-  if (child == 0) execute(command, ::fileno(output), limit);
-  int status = 0;
-  rusage used{};
-  ::wait4(child, &status, 0, &used);
-  ProcessRun run;
-  run.seconds = secondsOf(used.ru_utime) + secondsOf(used.ru_stime);
-  run.isCut = WIFSIGNALED(status) || run.seconds > limit;
-  std::rewind(output);
-  std::array<char, 4096> buffer{};
-  for (std::size_t n = 0; (n = std::fread(buffer.data(), 1, buffer.size(), output)) > 0;)
-    run.output.append(buffer.data(), n);
-  std::fclose(output);
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 127) throw std::runtime_error(command[0] + " cannot be run");
-  return run;
-}
 
 std::span<const Peer> peerTable() { return peers; }
 

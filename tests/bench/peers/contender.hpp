@@ -7,17 +7,11 @@
 #include <vector>
 
 #include "tests/bench/peers/obligation.hpp"
+#include "tests/measured_process.hpp"
 
 namespace rungproof::peers {
 
-struct ProcessRun {
-  double seconds = 0;  ///< processor time, its children's included
-  bool isCut = false;  ///< ended by the limit
-  std::string output;  ///< standard output and standard error
-};
-
-/// Runs a program, found along PATH, with at most `limit` seconds of processor time (1 s or more).
-ProcessRun runProcess(const std::vector<std::string>& command, double limit);
+using test::ProcessRun, test::runProcess;
 
 /// What a prover says of an obligation. Safe: PROVED, UNREACHABLE or VACUOUS.
 enum class Answer { Open, Safe, Unsafe };

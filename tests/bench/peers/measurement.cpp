@@ -2,6 +2,7 @@
 #include "tests/bench/peers/measurement.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rungproof::peers {
 
@@ -32,7 +33,10 @@ std::optional<Row> measure(const Obligation& obligation, const Measurement& meas
   Row row;
   row.obligation = obligation;
   row.ours = proveObligation(obligation, measurement.rungproof, measurement.limit, row.verdict);
-  for (const Peer& peer : peers) row.peers.push_back(askWithin(peer, exported, row, measurement.limit));
+  double limit = measurement.limit;
+  if (measurement.patience > 0 && row.ours.answer != Answer::Open)
+    limit = std::min(limit, std::max(1.0, std::ceil(measurement.patience * row.ours.seconds)));
+  for (const Peer& peer : peers) row.peers.push_back(askWithin(peer, exported, row, limit));
   for (int round = 1; round < measurement.rounds; ++round) {
     for (std::size_t turn = 0; turn <= peers.size(); ++turn) {
       const std::size_t next = (turn + static_cast<std::size_t>(round)) % (peers.size() + 1);
@@ -41,7 +45,7 @@ std::optional<Row> measure(const Obligation& obligation, const Measurement& meas
       std::string verdict;
       keepBetter(kept, next == peers.size()
                            ? proveObligation(obligation, measurement.rungproof, measurement.limit, verdict)
-                           : askPeer(peers[next], exported, measurement.limit));
+                           : askPeer(peers[next], exported, limit));
     }
   }
   return row;

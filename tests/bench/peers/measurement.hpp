@@ -10,6 +10,9 @@ struct Measurement {
   std::filesystem::path folder;  ///< for exports
   double limit = 20;             ///< s of processor time for each run
   int rounds = 3;                ///< for provers that take little time; the least counts
+  /// Peers are cut at so many times the time in which we have settled the obligation (but not below 1 s), and charged
+  /// that, which favours them; 0: at the limit only.
+  double patience = 0;
 };
 
 /// Nothing if the obligation cannot be exported.

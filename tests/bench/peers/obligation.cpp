@@ -7,7 +7,7 @@
 
 #include "tests/bench/peers/contender.hpp"
 #include "tests/corpus/corpus_program.hpp"
-#include "tests/timing/stl_families.hpp"
+#include "tests/timing/obligation_families.hpp"
 
 namespace rungproof::peers {
 
@@ -37,17 +37,25 @@ struct Generated {
   std::string family;
   int size;
   std::string text;
+  std::string stated = "PROVED";
+  std::vector<std::string> options{};
 };
 
 std::vector<Generated> generatedPrograms() {
   std::vector<Generated> programs;
+  const std::vector<std::string> oneTick{"--scan-time", "100ms"};
   for (const int n : {4, 16, 64}) {
-    programs.push_back({"starter", n, families::starter(n)});
-    programs.push_back({"phase", n, families::phase(n)});
-    programs.push_back({"chain", n, families::chain(n)});
+    programs.push_back({"starter", n, families::starter(n), "PROVED", oneTick});
+    programs.push_back({"phase", n, families::phase(n), "PROVED", oneTick});
+    programs.push_back({"chain", n, families::chain(n), "PROVED", oneTick});
   }
-  for (const int preset : {100, 1000, 30000}) programs.push_back({"timed preset", preset, families::timed(1, preset)});
-  for (const int n : {4, 16}) programs.push_back({"timed", n, families::timed(n, 100)});
+  for (const int preset : {100, 1000, 30000})
+    programs.push_back({"timed preset", preset, families::timed(1, preset), "PROVED", oneTick});
+  for (const int n : {4, 16}) programs.push_back({"timed", n, families::timed(n, 100), "PROVED", oneTick});
+  for (const families::ObligationFamily& family : families::obligationFamilies()) {
+    for (const int n : family.sizes)
+      programs.push_back({std::string(family.name), n, family.program(n), std::string(family.verdict)});
+  }
   return programs;
 }
 
@@ -101,7 +109,7 @@ std::vector<Obligation> familyObligations(const std::filesystem::path& folder) {
     const std::vector<Property> goals = test::goalsOf(test::corpusInput(file).properties);
     std::set<std::size_t> picked{0, goals.size() / 2, goals.size() - 1};
     for (const std::size_t i : picked)
-      obligations.push_back({generated.family, file, goals.at(i).name, {"--scan-time", "100ms"}, "PROVED"});
+      obligations.push_back({generated.family, file, goals.at(i).name, generated.options, generated.stated});
   }
   return obligations;
 }

@@ -27,7 +27,7 @@ std::vector<Obligation> corpusSample(std::size_t count);
 std::vector<Obligation> slowestOfCorpus(std::size_t count, const std::string& rungproof);
 
 /// Programs of the generated families in several sizes, written into `folder`; of a program with many properties the
-/// first, the middle and the last one. All are PROVED.
+/// first, the middle and the last one.
 std::vector<Obligation> familyObligations(const std::filesystem::path& folder);
 
 }  // namespace rungproof::peers
