@@ -7,7 +7,7 @@
 #include <random>
 
 #include "analysis/graph/evaluate.hpp"
-#include "analysis/recheck/refutation.hpp"
+#include "analysis/graph/z3_terms.hpp"
 #include "ir/s7200/scan.hpp"
 
 namespace rungproof {
@@ -19,7 +19,7 @@ constexpr int trialLoops = 40;                  ///< rounds of a loop
 constexpr std::size_t mostRoutinesPaired = 12;  ///< more are not tried in both orders
 constexpr std::size_t mostConstantsTried = 12;
 constexpr int samples = 300;                            ///< random states that weed out bounds
-constexpr double proofSeconds = 1;                      ///< of one proof
+constexpr unsigned proofLimit = 1000;                   ///< ms of one proof
 constexpr std::chrono::milliseconds searchLimit{3000};  ///< for all proofs
 
 bool isKeptAround(const Place& place) {
@@ -265,8 +265,8 @@ void RoutineEffects::findBounds(Trial& trial) {
           std::vector<Node> conditions = assumed;
           conditions.push_back(graph.lnot({bound.holds(graph, w.before, after)}).node);
           if (graph.truth({conditions.back()}) == false) return false;
-          const bool holds = std::chrono::steady_clock::now() < end &&
-                             refute(graph, conditions, {proofSeconds, nullptr}) == CheckResult::Valid;
+          const bool holds =
+              std::chrono::steady_clock::now() < end && satisfiable(graph, conditions, proofLimit) == false;
           isStable = isStable && holds;
           return !holds;
         });

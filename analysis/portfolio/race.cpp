@@ -20,17 +20,16 @@ struct EngineKind {
   Technique technique;
   std::string_view name;
   std::unique_ptr<Engine> (*make)(const BitSystem&, const EngineOptions&);
-  double weight;      ///< share of time relative to the others
-  bool searchesRuns;  ///< its chance falls where it gets no further
+  double weight;  ///< share of time relative to the others
 };
 constexpr std::array engineKinds = {
-    EngineKind{Technique::Ic3, "IC3", makeIc3, schedule::ic3Weight, false},
-    EngineKind{Technique::Bmc, "BMC", makeBmc, schedule::bmcWeight, true},
-    EngineKind{Technique::LongSimulation, "simulation", makeSimulation, schedule::simulationWeight, true},
-    EngineKind{Technique::Explicit, "explicit search", makeExhaustive, schedule::exhaustiveWeight, false},
-    EngineKind{Technique::HeldInputs, "held inputs", makeHeldInputs, schedule::heldInputsWeight, false},
-    EngineKind{Technique::KInduction, "k-induction", makeKInduction, schedule::kInductionWeight, true},
-    EngineKind{Technique::WordIc3, "IC3 on words", nullptr, schedule::wordsWeight, false}};
+    EngineKind{Technique::Ic3, "IC3", makeIc3, schedule::ic3Weight},
+    EngineKind{Technique::Bmc, "BMC", makeBmc, schedule::bmcWeight},
+    EngineKind{Technique::LongSimulation, "simulation", makeSimulation, schedule::simulationWeight},
+    EngineKind{Technique::Explicit, "explicit search", makeExhaustive, schedule::exhaustiveWeight},
+    EngineKind{Technique::HeldInputs, "held inputs", makeHeldInputs, schedule::heldInputsWeight},
+    EngineKind{Technique::KInduction, "k-induction", makeKInduction, schedule::kInductionWeight},
+    EngineKind{Technique::WordIc3, "IC3 on words", nullptr, schedule::wordsWeight}};
 constexpr std::size_t onWords = engineKinds.size() - 1;  ///< made by the caller
 
 struct Runner {
@@ -38,8 +37,6 @@ struct Runner {
   std::unique_ptr<Engine> own;
   double used = 0;
   double slice = schedule::firstSlice;
-  int depth = 0;    ///< of its last turn
-  double idle = 0;  ///< seconds since it got any further
   bool working = false;
   bool ended = false;
   bool hasWon = false;  ///< the answer is this engine's
@@ -90,11 +87,6 @@ class Race {
     std::size_t question, engine;
   };
 
-  /// Weighted time; what goes on without getting any further counts more and more.
-  static double costOf(const Runner& runner, const EngineKind& kind) {
-    return runner.used * (kind.searchesRuns ? 1 + runner.idle / schedule::idlePatience : 1) / kind.weight;
-  }
-
   /// Waits for a task; false when all questions are done. The lock is held.
   bool take(std::unique_lock<std::mutex>& lock, Task& task) {
     for (;;) {
@@ -109,7 +101,7 @@ class Race {
           const Runner& runner = contest.runners[e];
           if (runner.working || runner.ended) continue;
           // Questions with fewer workers and less time first, then engines with less weighted time.
-          const double rank = contest.workers * 1e6 + contest.used * 1e3 + costOf(runner, engineKinds[e]);
+          const double rank = contest.workers * 1e6 + contest.used * 1e3 + runner.used / engineKinds[e].weight;
           if (found && rank >= best) continue;
           found = true;
           best = rank;
@@ -145,8 +137,6 @@ class Race {
       runner.working = false;
       runner.ended = ended || verdict.answer != Answer::Unknown;  // an engine is not asked again after an answer
       runner.used += used;
-      runner.idle = verdict.depth > runner.depth ? 0 : runner.idle + used;
-      runner.depth = std::max(runner.depth, verdict.depth);
       runner.slice = std::min(runner.slice * 2, schedule::longestSlice);
       contest.used += used;
       --contest.workers;

@@ -54,16 +54,11 @@ class Stages {
       begin({});
       beginWithCandidates();
       if (options_.check) mine();
-      hasTimeForBounds_ = true;
       searchTogether(schedule::shortInduction, false);
       for (const BoundScope scope : {BoundScope::Few, BoundScope::Stops, BoundScope::All, BoundScope::Pending}) {
-        // What has a run needs no bounds, and bounds for all questions of a group take longer than for some.
-        if (scope == BoundScope::All && !open_.empty() && options_.check)
-          raceApart(schedule::runsSeconds, thoseThatFindRuns());
-        if (!open_.empty() && options_.check && hasTimeForBounds_ && mineDifferences(scope))
-          searchTogether(schedule::shortInduction, false);
+        if (!open_.empty() && options_.check && mineDifferences(scope)) searchTogether(schedule::shortInduction, false);
       }
-      if (!open_.empty()) raceApart(options_.seconds, options_.techniques);
+      if (!open_.empty()) raceApart();
     }
   }
 
@@ -271,10 +266,9 @@ class Stages {
   bool mineDifferences(BoundScope scope) {
     if (!options_.techniques.has(Technique::Bounds)) return false;
     const TechniqueTurn turn(options_.log, Technique::Bounds, open_.size());
-    const Budget limit = budget(std::min(
-        {options_.seconds * schedule::boundShare, schedule::mostMining, options_.left() * schedule::miningShare}));
-    const MinedBounds mined = mineBounds(system_, *blast_, invariants_, options_.seed, scope, limit);
-    hasTimeForBounds_ = !limit.isExhausted();
+    const MinedBounds mined = mineBounds(system_, *blast_, invariants_, options_.seed, scope,
+                                         budget(std::min({options_.seconds * schedule::boundShare, schedule::mostMining,
+                                                          options_.left() * schedule::miningShare})));
     if (mined.clauses.empty()) return false;
     blast_->add(mined.clauses);
     for (const Node n : mined.clauses) {
@@ -287,15 +281,7 @@ class Stages {
     return true;
   }
 
-  Techniques thoseThatFindRuns() const {
-    Techniques result = options_.techniques;
-    for (const Technique t : {Technique::Ic3, Technique::WordIc3, Technique::KInduction, Technique::Explicit})
-      result.leaveOut(t);
-    return result;
-  }
-
-  /// The engines side by side on the cone of each open question.
-  void raceApart(double seconds, const Techniques& techniques) {
+  void raceApart() {
     std::deque<BitCone> cones;
     std::vector<Lit> wanted;
     for (const std::vector<Lit>& clause : invariants_.clauses)
@@ -309,23 +295,20 @@ class Stages {
       questions[i].invariants = cones[i].translated(invariants_.clauses);
       questions[i].verdict.depth = answers_[open_[i]].depth;
       // Certificates leave REAL operations open.
-      if (!blast_->unmodelled().empty() || !techniques.has(Technique::WordIc3)) continue;
+      if (!blast_->unmodelled().empty() || !options_.techniques.has(Technique::WordIc3)) continue;
       EngineOptions options;
       options.seed = options_.seed;
       words[i] = makeWordEngine(system_, open_[i], options);
       questions[i].words = words[i].get();
     }
-    race(questions, {std::min(seconds, options_.seconds), options_.jobs, options_.seed, options_.bound, options_.cancel,
-                     searchEnd(), techniques, options_.log});
+    race(questions, {options_.seconds, options_.jobs, options_.seed, options_.bound, options_.cancel, searchEnd(),
+                     options_.techniques, options_.log});
     for (std::size_t i = 0; i < open_.size(); ++i) {
       answers_[open_[i]].seconds += questions[i].seconds / std::max(options_.jobs, 1);
       if (questions[i].verdict.answer == Answer::Unknown) questions[i].verdict.method = enginesOf(options_.techniques);
       completeEvidence(questions[i].verdict, words[i].get(), cones[i]);
       take(open_[i], questions[i].verdict, &cones[i]);
     }
-    const std::size_t before = open_.size();
-    std::erase_if(open_, [&](std::size_t q) { return answers_[q].answer != Answer::Unknown; });
-    if (!open_.empty() && open_.size() < before) blast_->ask(open_);
   }
 
   /// What the engine on words has found, on bits: a run of the cone, clauses of the whole system.
@@ -470,7 +453,6 @@ class Stages {
   std::vector<std::vector<std::size_t>> groups_;  ///< indices of states; of all stages
   std::unique_ptr<InvariantCores> cores_;         ///< of invariants_
   std::optional<Certificate> onWholeSystem_;      ///< of the verdict at hand, if it was found on words
-  bool hasTimeForBounds_ = true;                  ///< false: a scope took all its time, and wider ones take more
   std::vector<KeptDifference> differences_;       ///< that bounds among invariants_ speak of
   std::vector<std::vector<Lit>> joinedClauses_;   ///< of blast_'s system
   std::vector<Node> joined_;                      ///< what they say

@@ -343,14 +343,14 @@ void QuestionSearch::answerQuickly(Clock::time_point deadline) {
     const bool maySearch = q < goals_.size() && options_.bound == 0 && secondsSince(start) <= schedule::shallowSeconds;
     if (quick_[q].answer == Answer::Unknown && !(maySearch && searchShallow(q))) open.push_back(q);
   }
+  searchOnEngine([&](std::size_t q) { return !isDeclared(q) || goals_[q].kind == PropertyKind::Reach; },
+                 GuidedLimits{}.instructions);
+  std::erase_if(open, [&](std::size_t q) { return quick_[q].answer != Answer::Unknown; });
   takeExplored();
-  const auto wantsRun = [&](std::size_t q) { return !isDeclared(q) || goals_[q].kind == PropertyKind::Reach; };
-  searchOnEngine(wantsRun, schedule::premiseInstructions);
   std::erase_if(open, [&](std::size_t q) { return quick_[q].answer != Answer::Unknown; });
   PortfolioOptions apart = portfolio(std::min(options_.timeout, schedule::quickSeconds), deadline, &cancel);
   apart.effort = Effort::Apart;
   answerOpen(open, apart);
-  searchOnEngine(wantsRun, GuidedLimits{}.instructions);
   explore(std::min(deadline, Clock::now() + inSeconds(std::min(options_.timeout * schedule::engineShare,
                                                                schedule::exploringSeconds))));
 }
@@ -482,9 +482,6 @@ QuestionSearch::Found QuestionSearch::race(std::size_t question) {
     accelerated = relaxed->accelerated(question, options_.time.high);
     if (isWritten) accelerated = withExactReals(*accelerated, RealScope::All);
     fast = std::thread([&] {
-      const Clock::time_point begin = Clock::now() + inSeconds(schedule::sidePatience);
-      while (!cancelFast && Clock::now() < begin) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      if (cancelFast) return;
       PortfolioOptions options = portfolio(left(), deadline_, &cancelFast);
       options.jobs = 1;
       options.check = false;

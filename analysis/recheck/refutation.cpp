@@ -3,12 +3,12 @@
 #include "analysis/recheck/refutation.hpp"
 
 #include <cadical.hpp>
+
 #include <chrono>
 #include <cstdio>
 #include <memory>
 
 #include "analysis/recheck/rup_checker.hpp"
-#include "analysis/recheck/scan_clauses.hpp"
 #include "analysis/schedule/schedule.hpp"
 #include "ir/check.hpp"
 
@@ -111,14 +111,6 @@ CheckResult refute(const GateClauses::Clauses& clauses, const RefutationLimits& 
   if (result == 10) return CheckResult::Invalid;
   if (result != 20 || !follow(trace.bytes(), clauses.variables, checker, end)) return CheckResult::Unknown;
   return CheckResult::Valid;
-}
-
-CheckResult refute(const Graph& graph, std::span<const Node> conditions, const RefutationLimits& limits) {
-  ScanClauses clauses(graph);
-  std::vector<Formula> parts;
-  for (const Node n : conditions) parts.push_back(truthOf(n, 0));
-  const int literal = clauses.literalOf(allOf(std::move(parts)));
-  return literal == -GateClauses::yes ? CheckResult::Valid : refute(clauses.gates().clausesOf(literal), limits);
 }
 
 }  // namespace rungproof

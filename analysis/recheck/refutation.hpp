@@ -3,9 +3,7 @@
 #pragma once
 
 #include <atomic>
-#include <span>
 
-#include "analysis/graph/graph.hpp"
 #include "analysis/recheck/gate_clauses.hpp"
 #include "analysis/recheck/z3_check.hpp"
 
@@ -18,7 +16,5 @@ struct RefutationLimits {
 
 /// Valid: they contradict each other. Invalid: some values meet them. Unknown: not within the limits.
 CheckResult refute(const GateClauses::Clauses& clauses, const RefutationLimits& limits);
-/// The same of nodes of width 1 that are all 1 in one scan: whether no values meet them.
-CheckResult refute(const Graph& graph, std::span<const Node> conditions, const RefutationLimits& limits);
 
 }  // namespace rungproof

@@ -6,15 +6,15 @@
 namespace rungproof {
 
 ScanClauses::ScanClauses(const TransitionSystem& system, std::unordered_set<std::uint32_t> open)
-    : system_(&system), graph_(*system.graph), open_(std::move(open)) {}
+    : system_(system), graph_(*system.graph), open_(std::move(open)) {}
 
 bool ScanClauses::hasAnyValue(Node n) const {
   return graph_[n].op == Op::Variable || graph_[n].op >= Op::RealAdd || open_.contains(indexOf(n));
 }
 
 const ScanClauses::Word& ScanClauses::wordOf(ScanNode wanted) {
-  if (wanted.scan > 0 && next_.empty() && system_ != nullptr) {
-    for (const StateVariable& state : system_->states) next_.emplace(indexOf(state.node), state.next);
+  if (wanted.scan > 0 && next_.empty()) {
+    for (const StateVariable& state : system_.states) next_.emplace(indexOf(state.node), state.next);
   }
   std::vector<ScanNode> stack{wanted};
   while (!stack.empty()) {

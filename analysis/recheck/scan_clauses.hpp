@@ -14,8 +14,6 @@ class ScanClauses {
  public:
   /// `open` nodes (indices) have any value.
   explicit ScanClauses(const TransitionSystem& system, std::unordered_set<std::uint32_t> open = {});
-  /// For one scan alone, of any state.
-  explicit ScanClauses(const Graph& graph) : graph_(graph) {}
 
   /// The literal that is true where the formula is.
   int literalOf(const Formula& formula);
@@ -28,7 +26,7 @@ class ScanClauses {
   Word made(ScanNode n);
   bool hasAnyValue(Node n) const;
 
-  const TransitionSystem* system_ = nullptr;
+  const TransitionSystem& system_;
   const Graph& graph_;
   const std::unordered_set<std::uint32_t> open_;
   std::unordered_map<std::uint32_t, Node> next_;  ///< of state variables

@@ -56,8 +56,6 @@
   ROW(std::uint64_t, triedScans, 20000, "scans", "longer runs are not repeated under other readings") \
   ROW(double, completionSeconds, 3600, "s", "for inputs outside a cone: they are there, constraints are total") \
   /* Long scans instead of many */ \
-  ROW(double, sidePatience, 1, "s", "that the engines on the exact system have alone") \
-  ROW(double, sideTurn, 0.05, "s", "of an exploration beside them, then it rests as long") \
   ROW(int, shallowDepth, 12, "scans", "of a short accelerated run") \
   ROW(double, shallowSeconds, 0.25, "s", "for all of them") \
   ROW(double, shallowShare, 0.1, "of that time", "of the processor for each: most proofs are found sooner, and longer runs have the race") \
@@ -133,17 +131,15 @@
   ROW(std::size_t, closureLimit, 300, "invariants", "that are needed; where so many rest on each other, most rest on all") \
   ROW(int, coreRounds, 4, "rounds", "of making a core smaller") \
   /* The race: slices double from short to long, so that short proofs do not wait for long searches */ \
-  ROW(double, runsSeconds, 0.1, "s", "for each question, of engines that find runs, before bounds are looked for") \
   ROW(double, firstSlice, 0.005, "s", "of an engine's first turn") \
   ROW(double, longestSlice, 1, "s", "of a turn") \
   ROW(double, leastSlice, 0.001, "s", "of a turn at the end of a question's time") \
-  ROW(double, idlePatience, 0.25, "s", "after which an engine that gets no further has half its share, then a third") \
-  ROW(double, ic3Weight, 6, "parts of the time", "finds most proofs") \
+  ROW(double, ic3Weight, 4, "parts of the time", "finds most proofs") \
   ROW(double, wordsWeight, 3, "parts of the time", "finds those about numbers") \
   ROW(double, bmcWeight, 2, "parts of the time", "finds most runs") \
   ROW(double, simulationWeight, 1, "parts of the time", "finds what waits for timers") \
   ROW(double, exhaustiveWeight, 1, "parts of the time", "settles small systems, and says so when they are too large") \
-  ROW(double, heldInputsWeight, 2, "parts of the time", "finds what waits for long counts, and soon comes to its end") \
+  ROW(double, heldInputsWeight, 1, "parts of the time", "finds what waits for long counts") \
   ROW(double, kInductionWeight, 1, "parts of the time", "finds what follows from the last scans") \
   ROW(int, ctgLimit, 3, "states", "counterexamples to generalisation looked at for one literal") \
   ROW(double, activityGrowth, 1.05, "times", "that a cube counts more than the one before it, on bits and on words") \

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <set>
 
-#include "analysis/schedule/schedule.hpp"
 #include "analysis/witness/follower.hpp"
 #include "analysis/witness/state_pool.hpp"
 #include "engine/simulator.hpp"
@@ -178,19 +177,7 @@ const std::optional<Witness>& Exploration::found(std::size_t goal) const { retur
 ExplorationThread::ExplorationThread(Exploration& exploration, std::size_t goal,
                                      Exploration::Clock::time_point deadline, std::function<void()> found)
     : exploration_(exploration), goal_(goal), thread_([this, deadline, found = std::move(found)] {
-        using namespace std::chrono_literals;
-        const auto turn =
-            std::chrono::duration_cast<Exploration::Clock::duration>(std::chrono::duration<double>(schedule::sideTurn));
-        const auto restUntil = [&](Exploration::Clock::time_point end) {
-          while (!cancel_ && Exploration::Clock::now() < end) std::this_thread::sleep_for(1ms);
-        };
-        restUntil(Exploration::Clock::now() + std::chrono::duration_cast<Exploration::Clock::duration>(
-                                                  std::chrono::duration<double>(schedule::sidePatience)));
-        bool goesOn = true;
-        while (goesOn && !cancel_ && Exploration::Clock::now() < deadline && !exploration_.found(goal_)) {
-          goesOn = exploration_.search(std::min(deadline, Exploration::Clock::now() + turn), cancel_, goal_);
-          if (!exploration_.found(goal_)) restUntil(Exploration::Clock::now() + turn);
-        }
+        exploration_.search(deadline, cancel_, goal_);
         if (exploration_.found(goal_)) found();
       }) {}
 
