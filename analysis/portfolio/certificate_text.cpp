@@ -53,8 +53,8 @@ std::string CertificateText::theorem(const KeptDifference& d) {
     return std::array<std::string, 4>{fmt::format("(= {} {})", x1, next), i1, isPending ? next : x0, later};
   };
   const auto left = formOf("left.", d.left.isPending), right = formOf("right.", d.right.isPending);
-  return fmt::format("(and true true {} {} (= {} {}) (not (= (bvsub {} {}) (bvsub {} {}))))", left[0], right[0], left[1],
-                     right[1], left[3], right[3], left[2], right[2]);
+  return fmt::format("(and true true {} {} (= {} {}) (not (= (bvsub {} {}) (bvsub {} {}))))", left[0], right[0],
+                     left[1], right[1], left[3], right[3], left[2], right[2]);
 }
 
 void CertificateText::add(const Obligation& obligation, const std::string& question) {

@@ -55,10 +55,10 @@ int GateClauses::differ(int a, int b) {
     isInverted = !isInverted;
   }
   if (a > b) std::swap(a, b);
-  const int result = a == b     ? -yes
-                     : a == yes ? -b
-                                : define(Gate::Xor, {a, b, 0},
-                                         {{-own, a, b}, {-own, -a, -b}, {own, -a, b}, {own, a, -b}});
+  const int result = a == b ? -yes
+                     : a == yes
+                         ? -b
+                         : define(Gate::Xor, {a, b, 0}, {{-own, a, b}, {-own, -a, -b}, {own, -a, b}, {own, a, -b}});
   return isInverted ? -result : result;
 }
 
@@ -74,8 +74,12 @@ int GateClauses::choose(int condition, int a, int b) {
   if (b == yes || b == -condition) return either(-condition, a);
   if (b == -yes || b == condition) return both(condition, a);
   return define(Gate::Choose, {condition, a, b},
-                {{-condition, -a, own}, {-condition, a, -own}, {condition, -b, own}, {condition, b, -own},
-                 {-a, -b, own}, {a, b, -own}});
+                {{-condition, -a, own},
+                 {-condition, a, -own},
+                 {condition, -b, own},
+                 {condition, b, -own},
+                 {-a, -b, own},
+                 {a, b, -own}});
 }
 
 int GateClauses::majority(int a, int b, int c) {

@@ -62,8 +62,8 @@ class GateClauses {
     std::size_t operator()(const std::array<int, 4>& key) const;
   };
   std::unordered_map<std::array<int, 4>, int, InputsHash> known_;  ///< by gate and inputs
-  std::vector<int> literals_;                                     ///< of definitions; 0 stands for the gate's own sign
-  std::vector<std::uint32_t> begin_{0, 0, 0};                     ///< by variable, where its definition begins
+  std::vector<int> literals_;                                      ///< of definitions; 0 stands for the gate's own sign
+  std::vector<std::uint32_t> begin_{0, 0, 0};                      ///< by variable, where its definition begins
 };
 
 }  // namespace rungproof

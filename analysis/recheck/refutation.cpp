@@ -3,7 +3,6 @@
 #include "analysis/recheck/refutation.hpp"
 
 #include <cadical.hpp>
-
 #include <chrono>
 #include <cstdio>
 #include <memory>

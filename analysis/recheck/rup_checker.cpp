@@ -104,8 +104,7 @@ bool RupChecker::derive(std::span<const int> clause) {
     if (!follows && !isFalse(l)) assign(-l);
   }
   follows = follows || !propagate();
-  for (std::size_t i = before; i < trail_.size(); ++i)
-    values_[index(trail_[i])] = values_[index(-trail_[i])] = 0;
+  for (std::size_t i = before; i < trail_.size(); ++i) values_[index(trail_[i])] = values_[index(-trail_[i])] = 0;
   trail_.resize(before);
   done_ = before;
   if (!follows) return false;

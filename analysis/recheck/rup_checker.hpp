@@ -42,11 +42,11 @@ class RupChecker {
   bool visit(int falsified);
   Reference take(std::span<const int> clause);
 
-  std::vector<signed char> values_;           ///< by literal: 1 true, -1 false, 0 open
-  std::vector<std::vector<Watch>> watches_;   ///< by literal: clauses to be looked at when it becomes false
-  std::vector<int> clauses_;                  ///< each its length (0: forgotten), then its literals
+  std::vector<signed char> values_;          ///< by literal: 1 true, -1 false, 0 open
+  std::vector<std::vector<Watch>> watches_;  ///< by literal: clauses to be looked at when it becomes false
+  std::vector<int> clauses_;                 ///< each its length (0: forgotten), then its literals
   std::vector<int> trail_;
-  std::size_t done_ = 0;                      ///< literals of the trail that are propagated
+  std::size_t done_ = 0;  ///< literals of the trail that are propagated
   std::unordered_multimap<std::uint64_t, Reference> derived_;
   bool isRefuted_ = false;
 };

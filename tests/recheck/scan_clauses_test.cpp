@@ -20,10 +20,10 @@ struct Operation {
   Op op;
   bool isComparison = false;
 };
-constexpr Operation operations[] = {{Op::And},       {Op::Or},        {Op::Xor},       {Op::Add},       {Op::Sub},
-                                    {Op::Mul},       {Op::Udiv},      {Op::Urem},      {Op::Sdiv},      {Op::Srem},
-                                    {Op::Shl},       {Op::Lshr},      {Op::Equal, true}, {Op::Ult, true}, {Op::Ule, true},
-                                    {Op::Slt, true}, {Op::Sle, true}};
+constexpr Operation operations[] = {
+    {Op::And},         {Op::Or},        {Op::Xor},       {Op::Add},       {Op::Sub},      {Op::Mul},
+    {Op::Udiv},        {Op::Urem},      {Op::Sdiv},      {Op::Srem},      {Op::Shl},      {Op::Lshr},
+    {Op::Equal, true}, {Op::Ult, true}, {Op::Ule, true}, {Op::Slt, true}, {Op::Sle, true}};
 
 CheckResult checkOf(const TransitionSystem& system, const Formula& formula) {
   ScanClauses clauses(system);
@@ -65,8 +65,9 @@ TEST(ScanClauses, EachOperationHasTheValueOfTheEvaluator) {
         const std::uint64_t x = round == 0 ? mask : random() & mask;
         // Zero, one, few and any: what divisions and shifts differ by.
         const std::uint64_t y = (round == 1 ? 0 : round == 2 ? 1 : round == 3 ? random() % 9 : random()) & mask;
-        expectValue(graph, result, {{a, x}, {b, y}},
-                    fmt::format("seed {}: operation {} of {} bits on {} and {}", seed, static_cast<int>(op), width, x, y));
+        expectValue(
+            graph, result, {{a, x}, {b, y}},
+            fmt::format("seed {}: operation {} of {} bits on {} and {}", seed, static_cast<int>(op), width, x, y));
       }
     }
   }
@@ -129,9 +130,7 @@ struct CountingWord {
     system.states = {{count, graph.constantNode(0, 8), next}};
     system.inputs = {input};
   }
-  Formula is(std::uint64_t value, int scan) {
-    return equals({count, scan}, {graph.constantNode(value, 8), 0});
-  }
+  Formula is(std::uint64_t value, int scan) { return equals({count, scan}, {graph.constantNode(value, 8), 0}); }
   Graph graph{Rewriting::None};
   Node count{}, input{}, next{};
   TransitionSystem system;
@@ -195,7 +194,8 @@ TEST(ScanClauses, ARefutationOfManyStepsIsFollowed) {
 
 TEST(KeptDifference, OnlySumsKeepTheirDifference) {
   Graph graph;
-  const Node x = graph.variable("x", 16, true), y = graph.variable("y", 16, true), step = graph.variable("step", 16, false);
+  const Node x = graph.variable("x", 16, true), y = graph.variable("y", 16, true),
+             step = graph.variable("step", 16, false);
   const Node nextX = graph.make(Op::Add, 16, x, step), nextY = graph.make(Op::Add, 16, step, y);
   const Node apart = graph.make(Op::Sub, 16, x, y);
   const KeptDifference kept{{x, step, nextX}, {y, step, nextY}, apart};
