@@ -9,6 +9,7 @@
 #include "frontend/flgnet/circuit_reader.hpp"
 #include "frontend/flgnet/circuit_statements.hpp"
 #include "frontend/flgnet/fragment.hpp"
+#include "frontend/step7/cursor.hpp"
 #include "frontend/stl/directive.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 #include "frontend/xml/xml_text.hpp"
