@@ -16,5 +16,7 @@ template <>
 std::span<const Execute<compiled::Recorder>> step7DispatchTable<compiled::Recorder>() {
   return {};
 }
+template <>
+void runSystemBlock<compiled::Recorder>(Machine<compiled::Recorder>&, const std::function<void()>&) {}
 
 }  // namespace rungproof

@@ -16,5 +16,7 @@ template <>
 std::span<const Execute<manual::Blurred>> step7DispatchTable<manual::Blurred>() {
   return {};
 }
+template <>
+void runSystemBlock<manual::Blurred>(Machine<manual::Blurred>&, const std::function<void()>&) {}
 
 }  // namespace rungproof

@@ -34,5 +34,7 @@ template <>
 std::span<const Execute<Mutated>> step7DispatchTable<Mutated>() {
   return {};
 }
+template <>
+void runSystemBlock<Mutated>(Machine<Mutated>&, const std::function<void()>&) {}
 
 }  // namespace rungproof
