@@ -127,7 +127,9 @@ class AccessCollector {
     if (place.kind == OperandKind::Constant) place = direct(o.area, Width::Byte, o.offset, o.bit);
     const auto type = static_cast<AnyType>(o.reach->anyType);
     const bool isBits = type == AnyType::Bool;
-    const int elements = static_cast<int>(isBits ? o.reach->anyCount : bytesOfElements(type, o.reach->anyCount));
+    constexpr std::uint32_t mostElements = std::numeric_limits<std::uint16_t>::max();
+    const std::uint32_t all = isBits ? o.reach->anyCount : bytesOfElements(type, o.reach->anyCount);
+    const int elements = static_cast<int>(std::min(all, mostElements));
     const Extent extent{std::max(elements, 1), std::max(elements, 1)};
     const Width width = isBits ? Width::Bit : Width::Byte;
     if (!isLibrary || section != VarSection::Output) add(i, place, width, extent, false, !isLibrary);
@@ -191,8 +193,20 @@ class AccessCollector {
           ++i;
           continue;
         }
+        const bool isPointer = local.type == DataType::Any || local.type == DataType::Pointer;
+        if (isPointer && found->second->isBuiltIn && op(i).isMemory()) {  // wherever it leads
+          Access access;
+          access.instruction = instruction_->id;
+          access.operand = static_cast<std::uint8_t>(i);
+          access.viaPointer = true;
+          access.write = local.section != VarSection::Input;
+          accesses_.push_back(access);
+        }
         const Width width = local.size == 0 ? Width::Bit : Width::Byte;
-        const Extent extent{std::max(static_cast<int>(local.size), 1), std::max(static_cast<int>(local.size), 1)};
+        // Of a text, the two bytes before the characters for certain.
+        constexpr int lengthBytes = 2;
+        const int size = std::max(static_cast<int>(local.size), 1);
+        const Extent extent{local.type == DataType::String ? std::min(lengthBytes, size) : size, size};
         if (local.section != VarSection::Output) add(i, op(i), width, extent, false);
         if (local.section != VarSection::Input) add(i, op(i), width, extent, true);
         ++i;

@@ -101,6 +101,8 @@ std::string nameOfBlock(const s7300::LibraryBlock& block) { return blockName(blo
 
 constexpr std::string_view contractOnly = "contract only: every output is any value after each call";
 
+constexpr std::string_view beyondParameters = "NOT COVERED: it changes more than the places that its calls name";
+
 /// modelled, or how far the model goes.
 std::string_view modelOf(const s7300::LibraryBlock& block) {
   if (step7::isContractOnly(block)) return contractOnly;
@@ -136,9 +138,15 @@ Step7Page pageOfLibraryBlock(const s7300::LibraryBlock& block, const Paint& pain
 /// A block of the CPU that no table describes: its calls say which parameters it has.
 Step7Page pageOfUndescribed(int number, const Paint& paint) {
   const std::string name = blockName(blockNumber(BlockType::Sfc, number));
+  const auto beyond = s7300::functionsBeyondParameters();
+  const bool isCovered = std::ranges::find(beyond, number) == beyond.end();
   Step7Page page;
   page.text = fmt::format("{}: a block of the CPU\n\n", paint.bold(name));
-  page.json = {{"block", name}, {"model", contractOnly}};
+  page.json = {{"block", name}, {"model", isCovered ? contractOnly : beyondParameters}};
+  if (!isCovered) {
+    appendRows(page.text, {{"Model", std::string(beyondParameters)}}, 16);
+    return page;
+  }
   appendRows(page.text,
              {{"Model", std::string(contractOnly)},
               {"Parameters", "those that its calls name; each place that is given counts as an output"}},
@@ -205,7 +213,9 @@ std::string blocksNotModelled() {
     if (block.type == BlockType::Sfc && !step7::isModelled(block)) functions.push_back(block.number);
     if (block.type == BlockType::Sfb && step7::isModelled(block)) described.push_back(block.number);
   }
-  if (!functions.empty()) parts.push_back(numberText("SFC", functions));
+  for (const std::uint16_t number : s7300::functionsBeyondParameters()) functions.push_back(number);
+  std::ranges::sort(functions);
+  parts.push_back(numberText("SFC", functions));
   parts.push_back(numberText("all SFB but", described));
   return joinedWithAnd(std::move(parts));
 }

@@ -38,6 +38,11 @@ std::optional<std::int64_t> bitsOfType(const Type& type, const Constant& value) 
   return bits;
 }
 
+bool actsBeyondParameters(BlockKey callee) {
+  const auto numbers = s7300::functionsBeyondParameters();
+  return std::ranges::find(numbers, callee.number) != numbers.end();
+}
+
 bool isModelledBlock(BlockKey callee) {
   const s7300::LibraryBlock* block = s7300::libraryBlock(blockTypeOf(irNumber(callee)), callee.number);
   return block != nullptr && isModelled(*block);
@@ -57,7 +62,7 @@ std::shared_ptr<const Structure> StatementBinder::parametersOf(BlockKey callee) 
 bool StatementBinder::isUndescribed(BlockKey callee) const {
   constexpr std::uint32_t lastFunction = 255;
   return callee.kind == BlockKind::Sfc && callee.number <= lastFunction && catalogue_.entry(callee) == nullptr &&
-         s7300::libraryBlock(BlockType::Sfc, callee.number) == nullptr;
+         s7300::libraryBlock(BlockType::Sfc, callee.number) == nullptr && !actsBeyondParameters(callee);
 }
 
 std::shared_ptr<const Structure> StatementBinder::undescribedInterface(BlockKey callee) const {
@@ -113,6 +118,9 @@ bool StatementBinder::call(const Desc& desc, const Statement& statement) {
       target.block->kind == BlockKind::Udt)
     return refuse(Syntax::Operand7, statement.operand.span, fmt::format("{} takes an FC, FB, SFC or SFB", mnemonic));
   const BlockKey callee = *target.block;
+  if (callee.kind == BlockKind::Sfc && actsBeyondParameters(callee) && catalogue_.entry(callee) == nullptr)
+    return refuse(Syntax::LibraryBlock, statement.operand.span,
+                  fmt::format("what {} does besides its parameters is not modelled", toString(callee)));
   if (isUndescribed(callee)) noteParameters(callee, statement);
   const std::shared_ptr<const Structure> parameters =
       isUndescribed(callee) ? undescribedInterface(callee) : parametersOf(callee);

@@ -32,7 +32,7 @@ class BlockTransfer {
         if (!isUnstated && isError) fails = a_.d.lor(fails, condition);
         a_.m.when(condition, [&] {
           if (isUnstated || isError)
-            spoil(t.row);
+            a_.spoil(t);
           else
             copy(f.row, t.row, repeats);
         });
@@ -71,18 +71,13 @@ class BlockTransfer {
     a_.finish(a_.anyBit());
   }
 
-  void spoil(const ByteRow& row) {
-    if (!row.isWritable) return;
-    for (std::uint32_t k = 0; k < row.length; ++k) a_.save(row, k, Width::Byte, a_.any(8));
-  }
-
   void copy(const ByteRow& from, const ByteRow& to, bool repeats) {
     const std::uint32_t count = repeats ? to.length : std::min(from.length, to.length);
     const std::uint32_t read = std::min(from.length, count);
     const bool meet = from.area == to.area && from.offset < to.offset + count && to.offset < from.offset + read;
     for (std::uint32_t k = 0; k < count; ++k) {
       if (k > 0 && a_.between) a_.between();
-      a_.save(to, k, Width::Byte, meet ? a_.any(8) : a_.load(from, k % from.length, Width::Byte));
+      a_.save(to, k, Width::Byte, meet ? a_.anyAt(to, k, 8) : a_.load(from, k % from.length, Width::Byte));
     }
   }
 

@@ -118,8 +118,9 @@ class DateFunctions {
   /// Any moment: the clock is set from outside, and may be set while the program runs.
   void readClock() {
     const Bits days = a_.any(16), ms = a_.any(32);
-    const Bool isMoment = d_.land(d_.ult(d_.zext(days, 16, 32), n(allDays), 32), d_.ult(ms, n(msOfDay), 32));
-    write(1, d_.select(isMoment, d_.zext(days, 16, 32), n(0), 32), d_.select(isMoment, ms, n(0), 32), a_.yes());
+    const Bits day = d_.zext(days, 16, 32);
+    write(1, d_.select(d_.ult(day, n(allDays), 32), day, n(0), 32), d_.select(d_.ult(ms, n(msOfDay), 32), ms, n(0), 32),
+          a_.yes());
     a_.set(0, a_.any(16));
     a_.finish(a_.anyBit());
   }

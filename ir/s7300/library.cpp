@@ -103,6 +103,14 @@ const LibraryBlock* libraryBlockNamed(std::string_view name) {
   return row == libraryRows.end() ? nullptr : &*row;
 }
 
+std::span<const std::uint16_t> functionsBeyondParameters() {
+  // DPWR_DAT, CREAT_DB, DEL_DB, UPDAT_PI, UPDAT_PO, GD_RCV, SET, RSET, CREA_DBL, READ_DBL, WRIT_DBL, CREA_DB, SYNC_PI,
+  // SYNC_PO (002:2342-2358, general knowledge)
+  static constexpr auto numbers =
+      std::to_array<std::uint16_t>({15, 22, 23, 26, 27, 61, 79, 80, 82, 83, 84, 85, 126, 127});
+  return numbers;
+}
+
 bool isBuiltIn(const LibraryBlock& block) {
   constexpr int lastOfIec = 40;
   constexpr std::array<int, 4> functions = {0, 1, 20, 21};  // SET_CLK, READ_CLK, BLKMOV, FILL

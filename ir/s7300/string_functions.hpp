@@ -86,7 +86,7 @@ class StringFunctions {
   void spoil(std::uint32_t parameter) {
     const Bits most = d_.zext(a_.byteOf(parameter, 0), 8, 16);
     a_.setByte(parameter, 1, a_.any(8));
-    eachByte(parameter, most, [&](std::uint32_t) { return a_.any(8); });
+    eachByte(parameter, most, [&](std::uint32_t k) { return a_.anyOf(k, 8); });
   }
 
  private:
@@ -165,8 +165,8 @@ class StringFunctions {
     }
     a_.setByte(target, 1, a_.orAny(isStated, d_.extract(length, 7, 0), 8));
     eachByte(target, most, [&](std::uint32_t k) {
-      if (k >= result.size()) return a_.any(8);
-      return a_.orAny(d_.land(isStated, d_.ult(n(k), length, 16)), result[k], 8);
+      if (k >= result.size()) return a_.anyOf(k, 8);
+      return a_.orAnyOf(k, d_.land(isStated, d_.ult(n(k), length, 16)), result[k], 8);
     });
     a_.finish(a_.orAny(isStated, a_.yes()));
   }

@@ -1,6 +1,6 @@
 // What blocks of the CPU and of the libraries work on that have no statements: the parameters of the call that runs, by
 // their numbers in the interface (ir/s7300/library.cpp), and the memory that an ANY leads to. What the description of a
-// block leaves open is any value. Tested by tests/step7/system_block_test.cpp.
+// block leaves open is any value. Tested by tests/step7/block_transfer_test.cpp.
 #pragma once
 
 #include <algorithm>
@@ -49,18 +49,18 @@ class SystemArgs {
   Bits number(std::uint64_t value, int width = 32) { return d.literal(value, width); }
   Bool yes() { return d.constant(true); }
   Bool no() { return d.constant(false); }
-  /// A value that nothing determines.
-  Bits any(int width) { return m.external(External::UnknownResult, nextUnknown_++, width); }
+  /// A value that nothing determines. A run and its repetition ask for it under the same number, whatever else they
+  /// skip because it is known to one of them.
+  Bits any(int width) { return ask(nextUnknown_++, width); }
   Bool anyBit() { return d.bit(any(1), 0); }
+  /// The same for the `index`th of a row of values, of which some may be left out.
+  Bits anyOf(std::uint32_t index, int width) { return ask(ofRows | index, width); }
   /// `value` where `isStated` holds, any value elsewhere.
-  Bits orAny(Bool isStated, Bits value, int width) {
-    const auto known = d.truth(isStated);
-    return known && *known ? value : d.select(isStated, value, any(width), width);
+  Bits orAny(Bool isStated, Bits value, int width) { return orElse(nextUnknown_++, isStated, value, width); }
+  Bits orAnyOf(std::uint32_t index, Bool isStated, Bits value, int width) {
+    return orElse(ofRows | index, isStated, value, width);
   }
-  Bool orAny(Bool isStated, Bool value) {
-    const auto known = d.truth(isStated);
-    return known && *known ? value : d.select(isStated, value, anyBit());
-  }
+  Bool orAny(Bool isStated, Bool value) { return d.bit(orAny(isStated, d.fromBool(value, 1), 1), 0); }
 
   /// Whether the call hands a place over.
   bool isGiven(std::uint32_t parameter) const {
@@ -102,8 +102,13 @@ class SystemArgs {
   /// Any value where an ANY leads, as far as it exists.
   void spoil(const AnyTarget<D>& t) {
     if (!t.row.isWritable) return;
-    if (t.type == AnyType::Bool && t.count == 1 && t.row.length == 1) return save(t.row, 0, Width::Bit, any(1));
-    for (std::uint32_t k = 0; k < t.row.length; ++k) save(t.row, k, Width::Byte, any(8));
+    if (t.type == AnyType::Bool && t.count == 1 && t.row.length == 1)
+      return save(t.row, 0, Width::Bit, anyAt(t.row, 0, 1));
+    for (std::uint32_t k = 0; k < t.row.length; ++k) save(t.row, k, Width::Byte, anyAt(t.row, k, 8));
+  }
+  /// Any value for a byte of a row.
+  Bits anyAt(const ByteRow& row, std::uint32_t byte, int width) {
+    return ask(ofPlaces | (static_cast<std::uint32_t>(row.area) & 3U) << 29 | (row.offset + byte), width);
   }
 
   /// The end of the block: BR says whether it met no error; the other registers are any value.
@@ -118,7 +123,13 @@ class SystemArgs {
   std::function<void()> between;
 
  private:
-  static constexpr std::uint32_t firstUnknown = 0x1000;
+  static constexpr std::uint32_t firstUnknown = 0x1000, ofRows = 0x100000, ofPlaces = 0x80000000;
+
+  Bits ask(std::uint32_t index, int width) { return m.external(External::UnknownResult, index, width); }
+  Bits orElse(std::uint32_t index, Bool isStated, Bits value, int width) {
+    const auto known = d.truth(isStated);
+    return known && *known ? value : d.select(isStated, value, ask(index, width), width);
+  }
   static constexpr std::size_t mostTargets = 1024;
 
   Operand formal(std::uint32_t parameter, std::uint32_t byte) const {

@@ -5,8 +5,8 @@ namespace rungproof::test {
 namespace {
 
 /// Verdicts of the properties a, b, ... of an OB1 with these directives and statements.
-std::vector<Outcome> verdictsOf(const std::string& blocks, const std::string& directives, const std::string& statements,
-                                const std::string& locals = {}) {
+std::vector<Outcome> proofsOf(const std::string& blocks, const std::string& directives, const std::string& statements,
+                              const std::string& locals = {}, double timeout = 20) {
   ProgramInput input;
   input.program = readText("test.awl", blocks + "ORGANIZATION_BLOCK OB 1\n" + directives +
                                            "VAR_TEMP\n  start : ARRAY [0 .. 19] OF BYTE;\n" + locals +
@@ -32,9 +32,9 @@ const char* const data =
 
 TEST(PointerParameter, WhatIsWrittenThroughAnAny) {
   EXPECT_EQ(
-      verdictsOf(std::string(writer) + data, "//@ prove a: Q0.0 = I0.0\n//@ prove b: not Q1.0\n//@ prove c: not Q0.0\n",
-                 "CALL FC 1 (p := P#Q 0.0 BYTE 1, v := IB 0); CALL FC 1 (p := DB10.a, v := B#16#7); L DB10.DBB 0; "
-                 "L 7; <>I; = Q 1.0;"),
+      proofsOf(std::string(writer) + data, "//@ prove a: Q0.0 = I0.0\n//@ prove b: not Q1.0\n//@ prove c: not Q0.0\n",
+               "CALL FC 1 (p := P#Q 0.0 BYTE 1, v := IB 0); CALL FC 1 (p := DB10.a, v := B#16#7); L DB10.DBB 0; "
+               "L 7; <>I; = Q 1.0;"),
       (Verdicts{Proved, Proved, Violated}));
 }
 
@@ -45,19 +45,19 @@ TEST(PointerParameter, LocalAndStaticDataOfTheCaller) {
       "FUNCTION_BLOCK FB 2\nVAR\n  k : INT;\n  own : BYTE;\nEND_VAR\nVAR_TEMP\n  t : BYTE;\nEND_VAR\n"
       "BEGIN\nNETWORK\nCALL FC 1 (p := #own, v := IB 1); CALL FC 1 (p := #t, v := IB 0);\nL #t; T QB 0; "
       "L #own; T QB 1;\nEND_FUNCTION_BLOCK\nDATA_BLOCK DB 3\nFB 2\nBEGIN\nEND_DATA_BLOCK\n";
-  EXPECT_EQ(verdictsOf(blocks, "//@ prove a: Q0.3 = I0.3\n//@ prove b: Q1.5 = I1.5\n//@ prove c: Q0.3 = I1.3\n",
-                       "CALL FB 2, DB 3;"),
+  EXPECT_EQ(proofsOf(blocks, "//@ prove a: Q0.3 = I0.3\n//@ prove b: Q1.5 = I1.5\n//@ prove c: Q0.3 = I1.3\n",
+                     "CALL FB 2, DB 3;"),
             (Verdicts{Proved, Proved, Violated}));
 }
 
 // The place of an ANY is computed: each of the four that it can be.
 TEST(PointerParameter, AnyWithAPlaceThatIsComputed) {
   EXPECT_EQ(
-      verdictsOf(std::string(writer) + data, "//@ prove a: not Q0.0\n//@ prove b: not Q0.1\n",
-                 "L P##many; LAR1; L W#16#1002; T W [AR1,P#0.0]; L 1; T W [AR1,P#2.0]; L 10; T W [AR1,P#4.0];\n"
-                 "L IB 0; L 3; AW; SLD 3; L DW#16#84000000; OD; T D [AR1,P#6.0]; CALL FC 1 (p := #many, v := B#16#1);\n"
-                 "L DB10.DBB 4; L 0; <>I; = Q 0.0; L DB10.DBB 3; L 0; <>I; = Q 0.1;",
-                 "  many : ANY;\n"),
+      proofsOf(std::string(writer) + data, "//@ prove a: not Q0.0\n//@ prove b: not Q0.1\n",
+               "L P##many; LAR1; L W#16#1002; T W [AR1,P#0.0]; L 1; T W [AR1,P#2.0]; L 10; T W [AR1,P#4.0];\n"
+               "L IB 0; L 3; AW; SLD 3; L DW#16#84000000; OD; T D [AR1,P#6.0]; CALL FC 1 (p := #many, v := B#16#1);\n"
+               "L DB10.DBB 4; L 0; <>I; = Q 0.0; L DB10.DBB 3; L 0; <>I; = Q 0.1;",
+               "  many : ANY;\n"),
       (Verdicts{Proved, Violated}));
 }
 
@@ -70,19 +70,19 @@ TEST(PointerParameter, BlkmovCopiesAndWhatOverlapsIsOpen) {
     return text.replace(text.find('$'), 1, to);
   };
   EXPECT_EQ(
-      verdictsOf(data,
-                 "//@ prove a: Q0.0 = I0.0\n//@ prove b: Q1.7 = I1.7\n//@ prove c: not Q2.0\n//@ prove d: MW90 = 0\n",
-                 moved("P#I 0.0 BYTE 4", "P#Q 0.0 BYTE 2")),
+      proofsOf(data,
+               "//@ prove a: Q0.0 = I0.0\n//@ prove b: Q1.7 = I1.7\n//@ prove c: not Q2.0\n//@ prove d: MW90 = 0\n",
+               moved("P#I 0.0 BYTE 4", "P#Q 0.0 BYTE 2")),
       (Verdicts{Proved, Proved, Vacuous, Proved}));
-  EXPECT_EQ(verdictsOf(data, "//@ prove a: MB20 = 0\n//@ prove b: MB21 = 0\n//@ prove c: MB24 = 0\n",
-                       moved("P#M 20.0 BYTE 3", "P#M 21.0 BYTE 3")),
+  EXPECT_EQ(proofsOf(data, "//@ prove a: MB20 = 0\n//@ prove b: MB21 = 0\n//@ prove c: MB24 = 0\n",
+                     moved("P#M 20.0 BYTE 3", "P#M 21.0 BYTE 3")),
             (Verdicts{Vacuous, Violated, Vacuous}));
 }
 
 // A range that leaves its block: an error, and what of the target is written is open.
 TEST(PointerParameter, BlkmovBeyondABlockIsAnError) {
   EXPECT_EQ(
-      verdictsOf(
+      proofsOf(
           data, "//@ prove a: not Q0.0\n//@ prove b: MB20 = 0\n//@ prove c: MB22 = 0\n",
           "CALL SFC 20 (SRCBLK := P#DB10.DBX 8.0 BYTE 4, RET_VAL := MW 90, DSTBLK := P#M 20.0 BYTE 2); A BR; = Q 0.0;"),
       (Verdicts{Proved, Violated, Vacuous}));
@@ -90,7 +90,7 @@ TEST(PointerParameter, BlkmovBeyondABlockIsAnError) {
 
 // How much is copied comes from outside: nothing is proved of what may be written.
 TEST(PointerParameter, ALengthThatIsNotBoundedIsNoGuess) {
-  const Verdicts verdicts = verdictsOf(
+  const Verdicts verdicts = proofsOf(
       data, "//@ prove a: MB20 = 0\n//@ prove b: MB200 = 0\n",
       "L P##many; LAR1; L W#16#1002; T W [AR1,P#0.0]; L IW 0; T W [AR1,P#2.0]; L 0; T W [AR1,P#4.0];\n"
       "L P#M 20.0; T D [AR1,P#6.0]; CALL SFC 20 (SRCBLK := P#DB10.DBX 0.0 BYTE 10, RET_VAL := MW 90, DSTBLK := #many);",
@@ -109,8 +109,8 @@ TEST(PointerParameter, AnInterruptMayComeWhileBlkmovWorks) {
     text.replace(text.find('%'), 1, count);
     return text.replace(text.find('%'), 1, count);
   };
-  EXPECT_EQ(verdictsOf(interrupt, "//@ prove a: not Q0.0\n", begin + copied("2")), (Verdicts{Violated}));
-  EXPECT_EQ(verdictsOf(interrupt, "//@ prove a: not Q0.0\n", begin + "L MW 0; T MW 10;"), (Verdicts{Proved}));
+  EXPECT_EQ(proofsOf(interrupt, "//@ prove a: not Q0.0\n", begin + copied("2")), (Verdicts{Violated}));
+  EXPECT_EQ(proofsOf(interrupt, "//@ prove a: not Q0.0\n", begin + "L MW 0; T MW 10;"), (Verdicts{Proved}));
 }
 
 TEST(PointerParameter, LimitMaxAndSel) {
@@ -119,37 +119,36 @@ TEST(PointerParameter, LimitMaxAndSel) {
       "INT;\nEND_STRUCT;\nBEGIN\n"
       "END_DATA_BLOCK\n";
   const std::string begin = "L IW 0; T DB5.DBW 4; ", end = " L DB5.DBW 6; T MW 0;";
-  EXPECT_EQ(verdictsOf(numbers, "//@ prove a: MW0 <= 20\n//@ prove b: MW0 >= -5\n//@ prove c: MW0 < 20\n",
-                       begin + "CALL FC 22 (MN := DB5.low, IN := DB5.in, MX := DB5.high, RET_VAL := DB5.out);" + end),
+  EXPECT_EQ(proofsOf(numbers, "//@ prove a: MW0 <= 20\n//@ prove b: MW0 >= -5\n//@ prove c: MW0 < 20\n",
+                     begin + "CALL FC 22 (MN := DB5.low, IN := DB5.in, MX := DB5.high, RET_VAL := DB5.out);" + end),
             (Verdicts{Proved, Proved, Violated}));
-  EXPECT_EQ(
-      verdictsOf(numbers, "//@ prove a: MW0 >= 20\n//@ prove b: MW0 > 20\n",
-                 begin + "CALL FC 25 (IN1 := DB5.low, IN2 := DB5.in, IN3 := DB5.high, RET_VAL := DB5.out);" + end),
-      (Verdicts{Proved, Violated}));
+  EXPECT_EQ(proofsOf(numbers, "//@ prove a: MW0 >= 20\n//@ prove b: MW0 > 20\n",
+                     begin + "CALL FC 25 (IN1 := DB5.low, IN2 := DB5.in, IN3 := DB5.high, RET_VAL := DB5.out);" + end),
+            (Verdicts{Proved, Violated}));
   // Limits the wrong way round, and words that are no numbers: any result.
-  EXPECT_EQ(verdictsOf(numbers, "//@ prove a: MW0 <= 20\n",
-                       begin + "CALL FC 22 (MN := DB5.high, IN := DB5.in, MX := DB5.low, RET_VAL := DB5.out);" + end),
+  EXPECT_EQ(proofsOf(numbers, "//@ prove a: MW0 <= 20\n",
+                     begin + "CALL FC 22 (MN := DB5.high, IN := DB5.in, MX := DB5.low, RET_VAL := DB5.out);" + end),
             (Verdicts{Violated}));
-  EXPECT_EQ(verdictsOf(numbers, "//@ prove a: MW2 = 0\n//@ prove b: M4.0\n",
-                       "SET; = M 4.0; CALL FC 27 (IN1 := MW 6, IN2 := MW 8, IN3 := MW 10, RET_VAL := MW 2);"),
+  EXPECT_EQ(proofsOf(numbers, "//@ prove a: MW2 = 0\n//@ prove b: M4.0\n",
+                     "SET; = M 4.0; CALL FC 27 (IN1 := MW 6, IN2 := MW 8, IN3 := MW 10, RET_VAL := MW 2);"),
             (Verdicts{Violated, Proved}));
 }
 
 // A block of the CPU that no table describes: the places that its call names become any value, and nothing else.
 TEST(PointerParameter, SystemBlocksThatNoTableDescribes) {
-  EXPECT_EQ(verdictsOf("",
-                       "//@ prove a: MW20 = 0\n//@ prove b: MB30 = 0\n//@ prove c: M24.0\n//@ prove d: M34.0\n"
-                       "//@ reach e: MB33 = 77\n",
-                       "SET; = M 24.0; = M 34.0; L 0; T MD 30; T MW 20; "
-                       "CALL SFC 14 (LADDR := W#16#100, RET_VAL := MW 20, RECORD := P#M 30.0 BYTE 4);"),
+  EXPECT_EQ(proofsOf("",
+                     "//@ prove a: MW20 = 0\n//@ prove b: MB30 = 0\n//@ prove c: M24.0\n//@ prove d: M34.0\n"
+                     "//@ reach e: MB33 = 77\n",
+                     "SET; = M 24.0; = M 34.0; L 0; T MD 30; T MW 20; "
+                     "CALL SFC 14 (LADDR := W#16#100, RET_VAL := MW 20, RECORD := P#M 30.0 BYTE 4);"),
             (Verdicts{Violated, Violated, Proved, Proved, Reachable}));
 }
 
 // A moment is any that there is: its digits are digits, its weekday is that of the date.
 TEST(PointerParameter, TheClockShowsAMoment) {
   const std::string clock = "DATA_BLOCK DB 5\nSTRUCT\n  t : DATE_AND_TIME;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n";
-  EXPECT_EQ(verdictsOf(clock, "//@ prove a: MB3 <= 16#23\n//@ prove b: MB1 >= 1\n//@ prove c: MB3 <= 16#22\n",
-                       "CALL SFC 1 (RET_VAL := MW 90, CDT := DB5.t); L DB5.DBD 0; T MD 0;"),
+  EXPECT_EQ(proofsOf(clock, "//@ prove a: MB3 <= 16#23\n//@ prove b: MB1 >= 1\n//@ prove c: MB3 <= 16#22\n",
+                     "CALL SFC 1 (RET_VAL := MW 90, CDT := DB5.t); L DB5.DBD 0; T MD 0;"),
             (Verdicts{Proved, Proved, Violated}));
 }
 

@@ -72,6 +72,21 @@ TEST(Gaps, WhatHasNoPointer) {
   }
 }
 
+// Blocks of the system that change more than the places that their calls name, and those whose instance nobody knows.
+TEST(Gaps, BlocksOfTheSystem) {
+  for (const char* call : {"CALL SFC 27 (PART := B#16#0, RET_VAL := MW 4, FLADDR := MW 6);",
+                           "CALL SFC 61 (CIRCLE_ID := B#16#1, BLOCK_ID := B#16#1, RET_VAL := MW 4);",
+                           "CALL SFB 14, DB 5 (REQ := M 0.0);"}) {
+    const test::TemporaryFolder folder;
+    folder.file("main.awl", std::string("ORGANIZATION_BLOCK OB 1\n//@ prove off: not Q0.0\n//@ prove on: Q0.0\nBEGIN\n"
+                                        "NETWORK\nSET;\n= Q 0.0;\n") +
+                                call + "\nEND_ORGANIZATION_BLOCK\n");
+    const std::string proof = outputOf({"prove", folder.path("main.awl"), "--isolated", "--dialect", "s7-300"});
+    EXPECT_EQ(proof.find("PROVED"), std::string::npos) << call << proof;
+    EXPECT_NE(proof.find("NOT COVERED  on"), std::string::npos) << call << proof;
+  }
+}
+
 TEST(Gaps, NothingThatDependsOnOneIsProvedOrEqual) {
   std::size_t rows = 0;
   for (const GapCase& c : gapCases()) {
