@@ -142,6 +142,7 @@ void Simulator::finishScan(std::uint32_t lengthUs) {
   std::uint32_t left = scanTicks_;
   for (; left > longestStep; left -= longestStep) advanceClocks(machine_, longestStep);
   advanceClocks(machine_, left);
+  endScanOfTimers(machine_, scanTicks_);
   refreshSpecialMemory(machine_, std::min(lastScanUs_ / 1000, 0xFFFFU));
   writeOutputs(machine_);
   store_.save(Area::SM, 4 * 8 + 7, 1, forced_.empty() ? 0 : 1, true);

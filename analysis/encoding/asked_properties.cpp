@@ -250,8 +250,8 @@ bool AskedProperties::isTimeState(Node variable) const {
     if (cell.start != variable) continue;
     if (cell.place.isRegister) {
       const Reg reg = cell.place.reg;
-      return reg == Reg::TimerCurrent || reg == Reg::PhaseTen || reg == Reg::PhaseHundred || reg == Reg::PhaseSecond ||
-             reg == Reg::PhaseMinute;
+      return reg == Reg::TimerCurrent || reg == Reg::S5Rest || reg == Reg::LastScan || reg == Reg::PhaseTen ||
+             reg == Reg::PhaseHundred || reg == Reg::PhaseSecond || reg == Reg::PhaseMinute;
     }
     return cell.place.area == Area::SM && cell.place.byte() == 0;
   }

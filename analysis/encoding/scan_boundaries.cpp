@@ -32,12 +32,19 @@ Attachments attachmentsOf(const Plan& plan) {
   return result;
 }
 
+namespace {
+
+void addTimerKeys(std::uint32_t timer, std::set<std::uint32_t>& keys) {
+  for (const Reg reg : {Reg::TimerCurrent, Reg::TimerBit, Reg::TimerRunning, Reg::TimerPreset, Reg::S5Rest})
+    addKeys(registerPlace(reg, timer), keys);
+}
+
+}  // namespace
+
 void ScanEncoding::prepareTicks() {
   for (const TimerUse& use : plan_.timers) {
     if (use.resolution != 1) continue;
-    if (use.kind == TimerKind::S5) addKeys(registerPlace(Reg::S5Rest, use.number), tickKeys_);
-    for (const Reg reg : {Reg::TimerCurrent, Reg::TimerBit, Reg::TimerRunning, Reg::TimerPreset})
-      addKeys(registerPlace(reg, use.number), tickKeys_);
+    addTimerKeys(use.number, tickKeys_);
   }
   for (const std::uint32_t instance : plan_.iecTimers) {
     addKeys(memoryPlace(Area::DB, instance + 12, Width::Byte), tickKeys_);
@@ -72,6 +79,17 @@ bool ScanEncoding::needsTicks(std::uint32_t instruction) const {
   if (instruction == ScanPlace::afterProgram || watched_.conflictsWith({tickKeys_, tickKeys_})) return true;
   const auto found = knowledge_.footprints.ofInstruction.find(instruction);
   return found != knowledge_.footprints.ofInstruction.end() && found->second.conflictsWith({tickKeys_, tickKeys_});
+}
+
+/// Whether it matters in front of the instruction that an S5 timer has come to its end: time passes for each of them
+/// alone, so that it can be told to each when somebody asks.
+bool ScanEncoding::touchesTimer(std::uint32_t instruction, std::uint32_t timer) const {
+  if (instruction == ScanPlace::afterProgram) return true;
+  std::set<std::uint32_t> keys;
+  addTimerKeys(timer, keys);
+  const auto found = knowledge_.footprints.ofInstruction.find(instruction);
+  return watched_.conflictsWith({keys, keys}) ||
+         (found != knowledge_.footprints.ofInstruction.end() && found->second.conflictsWith({keys, keys}));
 }
 
 bool ScanEncoding::mayInterrupt(int event, std::uint32_t instruction) const {
@@ -152,10 +170,16 @@ void ScanEncoding::tick(std::uint32_t instruction, std::uint32_t visit) {
     totalConstraints_.push_back(constraint);
   }
   const Node ticks = time.saturated16(graph.make(Op::Sub, w, now, consumed_));
-  const Graph::Bool passes = graph.lnot(graph.equal({ticks}, graph.literal(0, 16), 16));
-  machine_.when(passes, [&] {
-    refreshTimers(machine_, 1, {ticks}, [&](const TimerUse& use, Graph::Bool reached) { timerReached(use, reached); });
-  });
+  if (plan_.isStep7()) {
+    machine_.passedMs = {time.saturated(graph.make(Op::Ite, w, guard, now, consumed_), restBits)};
+    passTimers(machine_, {ticks}, [&](std::uint32_t timer) { return touchesTimer(instruction, timer); });
+  } else {
+    const Graph::Bool passes = graph.lnot(graph.equal({ticks}, graph.literal(0, 16), 16));
+    machine_.when(passes, [&] {
+      refreshTimers(machine_, 1, {ticks},
+                    [&](const TimerUse& use, Graph::Bool reached) { timerReached(use, reached); });
+    });
+  }
   tickSites.push_back({{instruction, visit, guard}, ticks});
   consumed_ = graph.make(Op::Ite, w, guard, now, consumed_);
 }

@@ -45,6 +45,12 @@ bool definesCounter(const Plan& plan, std::uint32_t counter) {
 
 constexpr std::string_view unresolvedReason = "pointer whose targets could not be found";
 
+/// Timers of an S7-300/400 count in ms.
+TimeRange timeOf(const Plan& plan, TimeRange range) {
+  range.hasBases = range.hasBases || !plan.isStep7();
+  return range;
+}
+
 /// With what the CPU makes of choices that nobody has made.
 EncoderOptions optionsFor(const Program& program, EncoderOptions options) {
   options.choices = choicesFor(program.target, options.choices);
@@ -57,7 +63,7 @@ EncoderOptions optionsFor(const Program& program, EncoderOptions options) {
 ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options, const Plan& plan,
                            const MemoryLayout& layout, const Knowledge& knowledge, const RoutineEffects* effects)
     : graph(options.trail && options.trail->isFollowed ? Rewriting::None : Rewriting::Full),
-      time(graph, options.time),
+      time(graph, timeOf(plan, options.time)),
       program_(program),
       options_(optionsFor(program, options)),
       contracts_(program),
@@ -105,9 +111,11 @@ void ScanEncoding::run() {
   store_.value(registerPlace(Reg::Running, 0));  // a cell, even if every scan ends the program without reading it
   devices_.begin(machine_);
   beginStatus(machine_);
-  machine_.ticks100 = {time.ticks100()};
-  refreshTimers(machine_, 10, {time.ticks10()});
-  refreshS5Timers(machine_);
+  if (!plan_.isStep7()) {
+    machine_.ticks100 = {time.ticks100()};
+    refreshTimers(machine_, 10, {time.ticks10()});
+  }
+  beginScanOfTimers(machine_);
   beginEvents();
   isRecording_ = true;
   Runner runner(machine_, *this, options_.loopLimit, options_.stepLimit);
@@ -125,6 +133,7 @@ void ScanEncoding::endOfScan() {
   m.guard = m.halted;
   m.setBit(Reg::Running, 0, graph.constant(false));
   m.guard = graph.constant(true);
+  endScanOfTimers(m, {time.saturated(time.dt(), restBits)});
   const Graph::Bits elapsed{time.dt16()};
   if (time.high() <= longestStep) {
     advanceClocks(m, elapsed);

@@ -122,6 +122,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   void endOfScan();
   void boundary(Runner& runner, std::uint32_t instruction);
   void tick(std::uint32_t instruction, std::uint32_t visit);
+  bool touchesTimer(std::uint32_t instruction, std::uint32_t timer) const;
   bool needsTicks(std::uint32_t instruction) const;
   bool mayInterrupt(int event, std::uint32_t instruction) const;
   std::uint32_t visitOf(std::uint32_t instruction);

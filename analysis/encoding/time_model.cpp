@@ -12,10 +12,12 @@ TimeModel::TimeModel(Graph& graph, const TimeRange& range)
       low_(range.low),
       high_(range.relaxed ? std::max(range.high, relaxedHigh) : range.high),
       relaxed_(range.relaxed),
-      width_(std::bit_width(
-          high_ + 198)) {  // dt as computed from digits lies in -99 .. high + 198 and must not wrap into the range
+      // dt as computed from digits lies in -99 .. high + 198 and must not wrap into the range
+      width_(std::bit_width(range.hasBases ? high_ + 198 : high_)) {
   CHECK(range.low >= 1 && range.low <= range.high && range.high <= 65535, "scan time range");
-  if (low_ == high_)
+  if (!range.hasBases)
+    plain();
+  else if (low_ == high_)
     fixed(low_);
   else
     free();
@@ -33,6 +35,16 @@ Node TimeModel::digit(const char* name) {
   states_.push_back({raw, noNode, noNode});
   const Node isOver = graph_.make(Op::Ule, 1, number(10, 4), raw);
   return graph_.make(Op::Ite, 4, isOver, graph_.make(Op::Sub, 4, raw, number(10, 4)), raw);
+}
+
+void TimeModel::plain() {
+  ten_ = one_ = tensNow_ = onesNow_ = number(0, 4);
+  dt_ = number(low_, width_);
+  if (low_ == high_) return;
+  dt_ = graph_.variable("time.ms", width_, false);
+  inputs_ = {dt_};
+  constraint_ = graph_.make(Op::And, 1, graph_.make(Op::Ule, 1, dt_, number(high_, width_)),
+                            graph_.make(Op::Ule, 1, number(low_, width_), dt_));
 }
 
 void TimeModel::free() {
@@ -98,17 +110,19 @@ void TimeModel::fixed(std::uint32_t length) {
   onesNow_ = one.value;
 }
 
-Node TimeModel::saturated16(Node value) {
+Node TimeModel::saturated(Node value, int width) {
   const int w = graph_[value].width;
-  if (w <= 16) return graph_.make(Op::Zext, 16, value);
-  const Node most = number(0xFFFF, w);
+  if (w == width) return value;
+  if (w < width) return graph_.make(Op::Zext, width, value);
+  const Node most = number(Graph::maskOf(width), w);
   const Node cut = graph_.make(Op::Ite, w, graph_.make(Op::Ult, 1, most, value), most, value);
-  return graph_.make(Op::Extract, 16, cut);
+  return graph_.make(Op::Extract, width, cut);
 }
 
 /// Never negative: the tens digit can fall only by as much as the hundreds have grown.
 Node TimeModel::ticksWithin(int base) {
   if (base == 1) return dt_;
+  CHECK(hundredsNow_ != noNode, "ticks of a base that nobody counts in");
   if (base == 100) return hundredsNow_;
   const int w = graph_[hundredsNow_].width + 4;
   const auto wide = [&](Node n) { return graph_.make(Op::Zext, w, n); };
@@ -116,9 +130,13 @@ Node TimeModel::ticksWithin(int base) {
   return graph_.make(Op::Add, w, tens, graph_.make(Op::Sub, w, wide(tensNow_), wide(ten_)));
 }
 
-Node TimeModel::ticks100() { return saturated16(hundreds_); }
+Node TimeModel::ticks100() {
+  CHECK(hundreds_ != noNode, "ticks of a base that nobody counts in");
+  return saturated16(hundreds_);
+}
 
 Node TimeModel::ticks10() {
+  CHECK(hundreds_ != noNode, "ticks of a base that nobody counts in");
   const int w = std::max(16, graph_[hundreds_].width + 4);
   const auto wide = [&](Node n) { return graph_.make(Op::Zext, w, n); };
   const Node tens = graph_.make(Op::Mul, w, wide(hundreds_), number(10, w));

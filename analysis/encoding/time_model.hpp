@@ -6,6 +6,8 @@
 // d and u start with any value: the time bases run freely, RUN begins anywhere in their intervals (001:6592). Four bits
 // hold a digit; those of 10 to 15 mean it less 10, so every start is one.
 //
+// Where no timer counts in these bases, on an S7-300/400, the length of a scan is one input.
+//
 // The relaxed range lets a scan last up to 2^22 ms. Every real run is a relaxed run, so proofs hold; a relaxed
 // witness must be expanded into real scans before it counts.
 // Covered by tests/encoder/time_model_test.cpp.
@@ -23,6 +25,7 @@ struct TimeRange {
   std::uint32_t low = 1;
   std::uint32_t high = 500;
   bool relaxed = false;
+  bool hasBases = false;  ///< ticks of 10 ms and 100 ms are asked for, or the program is one of an S7-200
 };
 
 class TimeModel {
@@ -37,9 +40,10 @@ class TimeModel {
   std::uint32_t high() const { return high_; }
   /// dt cut to 16 bits with saturation: enough for timers, which stop at 32767.
   Node dt16() { return saturated16(dt_); }
-  /// A number of ms or ticks cut to 16 bits with saturation.
-  Node saturated16(Node value);
-  /// Ticks at the start of this scan, 16 bits, saturated.
+  /// A number of ms or ticks cut to 16 bits, or to `width`, with saturation.
+  Node saturated16(Node value) { return saturated(value, 16); }
+  Node saturated(Node value, int width);
+  /// Ticks at the start of this scan, 16 bits, saturated. These and all that tells of digits: with hasBases only.
   Node ticks10();
   Node ticks100();
   /// Ticks of `base` (1, 10 or 100 ms) that fall into this scan; any width.
@@ -57,6 +61,7 @@ class TimeModel {
   Node constraint() const { return constraint_; }
 
  private:
+  void plain();
   void free();
   void fixed(std::uint32_t length);
   Node number(std::uint64_t value, int width) { return graph_.constantNode(value, width); }

@@ -99,6 +99,7 @@ class ProgramComparison {
   ProductOptions productOptions(bool relaxed) {
     ProductOptions options;
     options.encoder = encoderOptionsOf(options_.prover, relaxed);
+    options.encoder.time.hasBases = true;      // both sides have one time
     options.encoder.followsContracts = false;  // whether both are asked the same is not compared
     options.encoder.interruptsInside = options_.interruptsInside;
     options.encoder.interruption = [this] {

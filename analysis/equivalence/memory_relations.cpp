@@ -45,7 +45,7 @@ RelationCandidates::RelationCandidates(EncodedScan& before, EncodedScan& after)
   EncodedScan& step7 = isStep7New ? after : before;
   addBits(before, after);
   addTimers(isStep7New ? before : after, step7, isStep7New);
-  if (!step7.plan().timers.empty()) addLastScan(step7, isStep7New);
+  if (!step7.plan().timers.empty()) addWholeTicks();
 }
 
 RelationCandidates::Value RelationCandidates::valueOf(EncodedScan& scan, const Place& place, bool isNew) {
@@ -63,6 +63,9 @@ void RelationCandidates::addTimers(EncodedScan& s7200, EncodedScan& step7, bool 
                    .running = of(Reg::TimerRunning),
                    .current = of(Reg::TimerCurrent),
                    .preset = of(Reg::TimerPreset),
+                   .coming = use.resolution == 10    ? ticks10()
+                             : use.resolution == 100 ? ticks100()
+                                                     : Value{},
                    .length = *preset,
                    .unit = static_cast<std::uint64_t>(use.resolution),
                    .isOffDelay = use.kind == TimerKind::OffDelay};
@@ -97,7 +100,11 @@ void RelationCandidates::add(const std::string& name, const TimerPair& p) {
   candidate("time that is left", [=](Graph& g, const Read& r) {
     const int w = std::bit_width(p.length);  // "below the preset" says that no more are needed
     const Graph::Bits passed = g.mul(g.zext(g.extract(r(p.current), w - 1, 0), w, wide), g.literal(p.unit, wide), wide);
-    const Graph::Bits left = g.sub(g.literal(p.length * p.unit, wide), passed, wide);
+    Graph::Bits left = g.sub(g.literal(p.length * p.unit, wide), passed, wide);
+    if (p.coming.start != noNode) {  // an S5 timer has counted them
+      const Graph::Bits coming = g.mul(g.zext(r(p.coming), 16, wide), g.literal(p.unit, wide), wide);
+      left = g.select(g.ult(coming, left, wide), g.sub(left, coming, wide), g.literal(0, wide), wide);
+    }
     return implies(g, truth(r, p.s5Running), g.equal(left, r(p.s5Rest), wide));
   });
   candidate("bit at the end", [=](Graph& g, const Read& r) {
@@ -126,16 +133,11 @@ void RelationCandidates::add(const std::string& name, const TimerPair& p) {
   });
 }
 
-/// Where scans last whole ticks of 10 ms, or of 100 ms.
-void RelationCandidates::addLastScan(EncodedScan& step7, bool isStep7New) {
-  const Value last = valueOf(step7, registerPlace(Reg::LastScan, 0), isStep7New);
-  const Value ticks{time_.ticks10(), time_.saturated16(time_.ticksWithin(10)), false};
-  const Value hundreds{time_.ticks100(), time_.saturated16(time_.ticksWithin(100)), false};
+/// Where scans last whole ticks of 100 ms.
+void RelationCandidates::addWholeTicks() {
+  const Value ticks = ticks10(), hundreds = ticks100();
   candidates_.push_back({"whole ticks of 100 ms", [=](Graph& g, const Read& r) {
                            return g.equal(r(ticks), g.mul(r(hundreds), g.literal(10, 16), 16), 16);
-                         }});
-  candidates_.push_back({"length of the last scan", [=](Graph& g, const Read& r) {
-                           return g.equal(r(last), g.mul(r(ticks), g.literal(10, 16), 16), 16);
                          }});
 }
 

@@ -46,6 +46,7 @@ class RelationCandidates {
   struct TimerPair {
     Value in{}, bit{}, running{}, current{}, preset{};
     Value s5In{}, s5Bit{}, s5Running{}, s5Rest{}, s5AtEnd{};
+    Value coming{};  ///< units that have passed and that the timer of the S7-200 adds in the next scan
     std::uint64_t length = 0;
     std::uint64_t unit = 0;
     bool isOffDelay = false;
@@ -53,7 +54,9 @@ class RelationCandidates {
 
   void addTimers(EncodedScan& s7200, EncodedScan& step7, bool isStep7New);
   void add(const std::string& name, const TimerPair& pair);
-  void addLastScan(EncodedScan& step7, bool isStep7New);
+  void addWholeTicks();
+  Value ticks10() const { return {time_.ticks10(), time_.saturated16(time_.ticksWithin(10)), false}; }
+  Value ticks100() const { return {time_.ticks100(), time_.saturated16(time_.ticksWithin(100)), false}; }
   void addBits(EncodedScan& before, EncodedScan& after);
   void addSeenEdges(EncodedScan& scan, bool isNew);
   static Value valueOf(EncodedScan& scan, const Place& place, bool isNew);

@@ -45,19 +45,19 @@ class TemplateSearch {
     const std::vector<std::vector<std::size_t>> all = groups();
     for (const std::vector<std::size_t>& group : all) toOneWidth(group);
     // A clock against a timer tells most, two timers least.
-    for (const int pending : {1, 0, 2}) {
-      if (isNear() && pending != 1) break;
+    for (const int timers : {1, 0, 2}) {
+      if (isNear() && timers != 1) break;
       for (const std::vector<std::size_t>& group : all) {
         for (const std::size_t x : group) {
           for (const std::size_t y : group) {
-            if (x != y && (words_[x].sum.isPending ? 1 : 0) + (words_[y].sum.isPending ? 1 : 0) == pending)
-              pair(static_cast<int>(x), static_cast<int>(y), pending == 1 ? clockGuards() : schedule::fewGuards);
+            if (x != y && (words_[x].isTimer() ? 1 : 0) + (words_[y].isTimer() ? 1 : 0) == timers)
+              pair(static_cast<int>(x), static_cast<int>(y), timers == 1 ? clockGuards() : schedule::fewGuards);
           }
         }
       }
       for (const std::vector<std::size_t>& group : all) {
         for (const std::size_t x : group) {
-          if (pending == 1 && group.size() > 1) single(words_[x]);
+          if (timers == 1 && group.size() > 1) single(words_[x]);
         }
       }
     }
@@ -90,15 +90,25 @@ class TemplateSearch {
       const NodeData& node = graph_[n];
       if (node.op == Op::Constant && node.value > 1 && node.value <= Graph::maskOf(widthOf(self)))
         constants.insert(node.value);
+      if (node.op == Op::Sub && graph_[node.child[1]].op != Op::Constant && leadsTo(node.child[0], self)) {
+        if (found && !found->countsDown) return;
+        // The last subtraction of a scan: those before it stop the word, which then stands still.
+        found = CountingWord{state, {lowPart(node.child[0], self), node.child[1], n}, {}, Op::Zext, true};
+        continue;
+      }
       if (node.op != Op::Add) continue;
       for (std::size_t side = 0; side < 2; ++side) {
         if (!carries(node.child[side], self) || graph_[node.child[1 - side]].op == Op::Constant) continue;
-        if (found && found->sum.increment != node.child[1 - side]) return;  // increased in several places
-        found = CountingWord{state, {self, node.child[1 - side], n}, {}, graph_[node.child[side]].op};
+        if (found && (found->countsDown || found->sum.increment != node.child[1 - side]))
+          return;  // increased in several places
+        const Node read = lowPart(node.child[side], self);
+        found = CountingWord{
+            state, {read == noNode ? self : read, node.child[1 - side], n}, {}, graph_[node.child[side]].op};
       }
     }
     if (!found || !isBlasted(found->sum.increment)) return;
     found->sum.isPending = dependsOnStatesOnly(found->sum.increment);
+    if (found->countsDown) constants.clear();  // a bit says whether it runs
     found->stops.assign(constants.begin(), constants.end());
     if (found->stops.size() > schedule::stopLimit)
       found->stops.erase(found->stops.begin() + 1, found->stops.end() - (schedule::stopLimit - 1));
@@ -109,15 +119,29 @@ class TemplateSearch {
     while (graph_[n].op == Op::Zext || graph_[n].op == Op::Sext) n = graph_[n].child[0];
     return n;
   }
+  bool isWordOrLowPart(Node n, Node self) const {
+    return n == self || (graph_[n].op == Op::Extract && graph_[n].child[0] == self && graph_[n].value == 0);
+  }
   /// The word itself, or constants where it is set anew.
   bool carries(Node n, Node self, int depth = 8) const {
     n = withoutExtension(n);
-    if (n == self) return true;
+    if (isWordOrLowPart(n, self)) return true;
     if (graph_[n].op != Op::Ite || depth == 0) return false;
     const auto isArm = [&](std::size_t i) {
       return graph_[graph_[n].child[i]].op == Op::Constant || carries(graph_[n].child[i], self, depth - 1);
     };
     return isArm(1) && isArm(2);
+  }
+
+  /// The word itself, or what is chosen between it and anything else.
+  bool leadsTo(Node n, Node self, int depth = 8) const { return lowPart(n, self, depth) != noNode; }
+  /// The word there, or its low part where merging has found its high bits constant; noNode: neither.
+  Node lowPart(Node n, Node self, int depth = 8) const {
+    n = withoutExtension(n);
+    if (isWordOrLowPart(n, self)) return n;
+    if (graph_[n].op != Op::Ite || depth == 0) return noNode;
+    const Node first = lowPart(graph_[n].child[1], self, depth - 1);
+    return first != noNode ? first : lowPart(graph_[n].child[2], self, depth - 1);
   }
 
   /// Words by equal increments: those added at once as they come about, pending ones a scan later.
@@ -162,6 +186,11 @@ class TemplateSearch {
       const Node own = sum.next;
       sum.word = wide(sum.word, width, words_[i].extension);
       sum.increment = wide(withoutExtension(sum.increment), width);
+      if (words_[i].countsDown) {
+        sum.word = graph_.make(Op::Not, width, sum.word);
+        sum.next = graph_.make(Op::Add, width, sum.word, sum.increment);
+        continue;
+      }
       // The program's own adder, so that nobody has to find out that two adders are equal.
       sum.next = sum.isPending || mayWrap(own) || widthOf(own) > width
                      ? graph_.make(Op::Add, width, sum.word, sum.increment)
@@ -248,7 +277,7 @@ class TemplateSearch {
     for (const std::uint32_t state : order_) roots.push_back(system_.states[state].next);
     const std::vector<Node> cone = coneOf(graph_, roots);
     for (const CountingWord& x : words_) {
-      if (!x.sum.isPending) continue;
+      if (!x.sum.isPending || x.countsDown) continue;
       std::vector<std::uint64_t>& ends = ends_[x.state];
       for (const Node n : cone) {
         if (!isComparison(graph_[n].op) || ends.size() == schedule::stopLimit) continue;

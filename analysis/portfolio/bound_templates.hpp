@@ -15,12 +15,15 @@ namespace rungproof {
 /// out, for steps that their own timers end; it comes last, since the most bounds are looked for.
 enum class BoundScope : std::uint8_t { Few, Stops, All, Pending };
 
-/// A state word that counts: what is compared of it is a Summand (certificate.hpp), with the node of the increment.
+/// A state word that counts: what is compared of it is a Summand (certificate.hpp), with the node of the increment. Of
+/// a word that counts down, as the rest of a timer does, it is the complement, which counts up.
 struct CountingWord {
   std::size_t state = 0;  ///< index in TransitionSystem::states
   Summand sum;
   std::vector<std::uint64_t> stops;  ///< values at which it may stop
   Op extension = Op::Zext;           ///< how the program extends it: Sext, or anything else
+  bool countsDown = false;
+  bool isTimer() const { return sum.isPending || countsDown; }
 };
 
 /// "guard implies difference <= bound, unless stopped": what is sought is the bound.

@@ -94,6 +94,12 @@ class BoundSearch {
     if (value > bound.high) bound.high = value;
   }
 
+  /// Words of ms are wider than those that count ticks.
+  bool isHopeless(const Bound& bound) const {
+    const auto range = static_cast<int>(differences_[bound.difference].size()) - schedule::hopelessBits;
+    return bound.high > std::max(schedule::hopelessBound, std::int64_t{1} << std::max(range, 0));
+  }
+
   void sample() {
     SimulationRuns runs(blast_.bits(), seed_);
     std::vector<std::array<std::int64_t, 64>> values(differences_.size());
@@ -115,7 +121,7 @@ class BoundSearch {
       }
       runs.step();
     }
-    for (Bound& bound : bounds_) bound.isDropped = bound.high > schedule::hopelessBound;
+    for (Bound& bound : bounds_) bound.isDropped = isHopeless(bound);
   }
 
   /// difference <= high, in a frame of an unrolling.
@@ -233,7 +239,7 @@ class BoundSearch {
     const std::int64_t widest = (1LL << (difference.size() - 1)) - 1;
     assumed.push_back(cnf.literal(isActive(steps, 1, bound)));
     bool isNarrowing = false;
-    for (std::int64_t step = 1; step > 0 && bound.high <= schedule::hopelessBound;) {
+    for (std::int64_t step = 1; step > 0 && !isHopeless(bound);) {
       Sat::Outcome more = Sat::Outcome::Unsatisfiable;
       if (bound.high + step <= widest) {
         assumed.push_back(-cnf.literal(atMost(steps, 1, difference, bound.high + step - 1)));
@@ -248,7 +254,7 @@ class BoundSearch {
       step = isNarrowing ? step / 2 : step * 2;
     }
     assumed.pop_back();
-    bound.isDropped = bound.high > schedule::hopelessBound || ++bound.raises > schedule::raisesAllowed;
+    bound.isDropped = isHopeless(bound) || ++bound.raises > schedule::raisesAllowed;
     return true;
   }
 

@@ -66,6 +66,8 @@
   ROW(double, mostMerging, 10, "s", "the same for all questions together") \
   ROW(int, mergingScans, 96, "scans", "sampled on 64 runs") \
   ROW(std::size_t, narrowWord, 4, "bits", "of words that are looked at bit by bit") \
+  ROW(std::size_t, longWord, 16, "bits", "more may be narrowed; words of 16, such as timers of an S7-200, count to their end") \
+  ROW(std::size_t, leastNarrowing, 3, "bits", "that a wide word loses, else it stays as it is") \
   ROW(int, mergingBatches, 4, "batches", "of 64 states near a counterexample") \
   ROW(double, uncappedShare, 0.7, "of a question", "for the system with whole words") \
   ROW(double, leastForBoth, 5, "s", "of a question, below which words are not capped") \
@@ -125,6 +127,7 @@
   ROW(std::size_t, stopLimit, 3, "constants", "at which a word stops counting") \
   ROW(std::size_t, templateLimit, 1600, "bounds", "that are looked for") \
   ROW(std::int64_t, hopelessBound, 32000, "", "a bound that the words' own ranges give") \
+  ROW(int, hopelessBits, 4, "bits", "the same for wider words: fewer than they have") \
   ROW(int, boundScans, 160, "scans", "sampled on 64 runs") \
   ROW(int, raisesAllowed, 6, "times", "that a bound may be raised to its largest value") \
   ROW(int, growthPatience, 1, "times", "the same for a difference that can grow on and on") \

@@ -57,6 +57,7 @@ std::uint32_t phaseOf(const TransitionSystem& found, const WordTrace& trace) {
 /// Digits of time that the exact model chooses in a scan that lasts `length` ms and begins at the time `now`.
 std::optional<std::uint64_t> digitOf(const std::string& name, std::uint64_t now, std::uint64_t length) {
   const std::uint64_t then = now + length;
+  if (name == "time.ms") return length;
   if (name == "time.hundreds") return then / 100 - now / 100;
   if (name == "time.tens") return then / 10 % 10;
   if (name == "time.ones") return then % 10;
@@ -72,6 +73,7 @@ std::vector<std::uint32_t> lengthsOf(const TransitionSystem& found, const WordTr
     std::uint64_t hundreds = 0, nextTens = tens, nextOnes = ones;
     for (std::size_t i = 0; i < found.inputs.size(); ++i) {
       const std::string name = nameIn(found, found.inputs[i]);
+      if (name == "time.ms") ones = 0, nextOnes = inputs[i];
       if (name == "time.hundreds") hundreds = inputs[i];
       if (name == "time.tens") nextTens = inputs[i];
       if (name == "time.ones") nextOnes = inputs[i];

@@ -78,6 +78,8 @@ struct Ref {
   typename D::Targets targets{};  ///< a container of PointerTarget<D>; empty unless a pointer with several targets
 };
 
+inline constexpr int restBits = 24;  ///< of a time of an S5 timer in ms: holds 999 x 10 s
+
 /// Pou::number of OB121.
 inline constexpr int errorBlock = static_cast<int>(BlockType::Ob) << 16 | 121;
 
@@ -103,7 +105,8 @@ class Machine : public GuardedRun<D> {
         stackLevels(static_cast<std::size_t>(features.stackLevels)),
         step7(domain),
         scrActive(domain.constant(true)),
-        ticks100(domain.literal(0, 16)) {
+        ticks100(domain.literal(0, 16)),
+        passedMs(domain.literal(0, restBits)) {
     stack.fill(domain.constant(false));
     for (int a = 0; a < areaCount; ++a)
       areaSizes_[static_cast<std::size_t>(a)] = rungproof::areaSize(target, static_cast<Area>(a));
@@ -123,6 +126,7 @@ class Machine : public GuardedRun<D> {
   bool inInterrupt = false;
   bool isStartUp = false;  ///< S7-300/400: the start-up block runs, which sees cleared inputs
   Bits ticks100;           ///< 100 ms ticks between the starts of the previous and of this scan, width 16 (001:6611)
+  Bits passedMs;           ///< S7-300/400: ms of this scan that have passed, width restBits
 
   // ---- Logic stack ------------------------------------------------------------------------------
 

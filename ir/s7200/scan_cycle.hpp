@@ -105,7 +105,7 @@ void beginScan(Machine<D>& m, const Ticks<D>& ticks) {
   readInputs(m);
   m.ticks100 = ticks.hundred;
   refreshTimers(m, 10, ticks.ten);
-  refreshS5Timers(m);
+  beginScanOfTimers(m);
 }
 
 /// Part 2 of the scan: the program, in RUN only (001:1683).
@@ -162,6 +162,7 @@ template <class D>
 void endScan(Machine<D>& m, typename D::Bits elapsed) {
   m.guard = m.d.constant(true);
   advanceClocks(m, elapsed);
+  endScanOfTimers(m, m.d.zext(elapsed, 16, restBits));
   refreshSpecialMemory(m, elapsed);
   writeOutputs(m);
 }

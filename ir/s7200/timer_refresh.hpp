@@ -1,6 +1,6 @@
 // How timers count. 100 ms timers advance inside their instruction, 10 ms timers at the start of a scan, 1 ms timers
 // at any instruction boundary (001:6605-6611); all three come here. Effects: table 6-73 (001:6551-6586), IEC boxes
-// 001:6693-6706. Tests: tests/manual/timer_test.cpp.
+// 001:6693-6706. S5 and IEC timers of an S7-300/400 pass in ms. Tests: tests/manual/timer_test.cpp, tests/agreement7.
 #pragma once
 
 #include "ir/s7300/clock_memory.hpp"
@@ -38,22 +38,6 @@ typename D::Bool advanceTimer(Machine<D>& m, TimerKind kind, std::uint32_t numbe
   return reached;
 }
 
-/// Lets `ticks` pass for all timers of a resolution, 1 or 10 ms: the scan calls it for 10 ms timers at its start, for
-/// 1 ms timers at instruction boundaries. reached(use, condition) is called for each timer.
-template <class D, class Reached>
-void refreshTimers(Machine<D>& m, int resolution, typename D::Bits ticks, Reached&& reached) {
-  for (const TimerUse& use : m.plan.timers) {
-    if (use.resolution != resolution || !use.decides) continue;
-    if (use.kind == TimerKind::S5)
-      m.when(m.reads({Choice::S5Time, "any"}), [&] { advanceS5(m, use.number, ticks); });
-    else
-      reached(use, advanceTimer(m, use.kind, use.number, ticks, m.d.constant(true)));
-  }
-  if (resolution == 1 && !m.plan.iecTimers.empty())
-    m.when(m.reads({Choice::S5Time, "any"}), [&] { advanceIecTimers(m, ticks); });
-  if (resolution == 1 && m.plan.program->clockMemory)
-    m.when(m.reads({Choice::S5Time, "any"}), [&] { advanceClockMemory(m, ticks); });
-}
 /// Lets `ms` (width 16) pass for the IEC timers of an S7-300/400: their instances keep the time since the start in
 /// ATIME, at byte 18, while STATE, at byte 12, is 1 (frontend/step7/library_source.cpp).
 template <class D>
@@ -68,18 +52,61 @@ void advanceIecTimers(Machine<D>& m, typename D::Bits ms) {
   }
 }
 
-/// S5 timers by the reading that their time passes between the scans; IEC timers and clock memory in the same way.
+/// Of an S7-300/400, at the start of a scan: ends of timers by the reading that they are seen there only, and the clock
+/// memory.
 template <class D>
-void refreshS5Timers(Machine<D>& m) {
+void beginScanOfTimers(Machine<D>& m) {
+  if (!m.plan.isStep7()) return;
+  m.passedMs = m.number(0, restBits);
   const bool hasClock = m.plan.program->clockMemory.has_value();
-  if (!m.plan.isStep7() || (m.plan.timers.empty() && m.plan.iecTimers.empty() && !hasClock)) return;
-  const auto passed = m.get(Reg::LastScan);
-  m.when(m.reads({Choice::S5Time, "synchronous"}), [&] {
-    for (const TimerUse& use : m.plan.timers) advanceS5(m, use.number, passed);
-    advanceIecTimers(m, passed);
-    if (hasClock) advanceClockMemory(m, passed);
-  });
+  const auto isSynchronous = m.reads({Choice::S5Time, "synchronous"});
+  if (m.d.truth(isSynchronous) != false) {
+    for (const TimerUse& use : m.plan.timers) endS5(m, use.number, m.passedMs);  // the other reading leaves none
+    if (hasClock || !m.plan.iecTimers.empty()) {
+      const auto passed = m.get(Reg::LastScan);
+      m.when(isSynchronous, [&] {
+        advanceIecTimers(m, passed);
+        if (hasClock) advanceClockMemory(m, passed);
+      });
+    }
+  }
   if (hasClock) showClockMemory(m);
+}
+
+/// The same inside the scan, by the reading that time passes at any instruction: `ticks` ms (width 16) more have
+/// passed, Machine::passedMs in all. isAsked(number): whether it matters now that this S5 timer has come to its end.
+template <class D, class IsAsked>
+void passTimers(Machine<D>& m, typename D::Bits ticks, IsAsked&& isAsked) {
+  m.when(m.reads({Choice::S5Time, "any"}), [&] {
+    for (const TimerUse& use : m.plan.timers) {
+      if (isAsked(use.number)) endS5(m, use.number, m.passedMs);
+    }
+    advanceIecTimers(m, ticks);
+    if (m.plan.program->clockMemory) advanceClockMemory(m, ticks);
+  });
+}
+
+/// The same at the end of a scan of `ms` (width restBits).
+template <class D>
+void endScanOfTimers(Machine<D>& m, typename D::Bits ms) {
+  if (!m.plan.isStep7()) return;
+  for (const TimerUse& use : m.plan.timers) passScanOfS5(m, use.number, ms);
+}
+
+/// Lets `ticks` pass for all timers of a resolution, 1 or 10 ms: the scan calls it for 10 ms timers at its start, for
+/// 1 ms timers at instruction boundaries. reached(use, condition) is called for each timer of an S7-200.
+template <class D, class Reached>
+void refreshTimers(Machine<D>& m, int resolution, typename D::Bits ticks, Reached&& reached) {
+  if (m.plan.isStep7()) {
+    if (resolution != 1) return;
+    m.passedMs = m.d.add(m.passedMs, m.d.zext(ticks, 16, restBits), restBits);
+    passTimers(m, ticks, [](std::uint32_t) { return true; });
+    return;
+  }
+  for (const TimerUse& use : m.plan.timers) {
+    if (use.resolution != resolution || !use.decides) continue;
+    reached(use, advanceTimer(m, use.kind, use.number, ticks, m.d.constant(true)));
+  }
 }
 
 template <class D>

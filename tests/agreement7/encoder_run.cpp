@@ -29,9 +29,10 @@ bool isCompared(const Place& place) {
 }  // namespace
 
 EncoderOutcome compareWithEngine(const Program& program, std::uint64_t seed, int scanCount,
-                                 const std::function<void(const Place&, std::uint64_t)>& seen) {
+                                 const std::function<void(const Place&, std::uint64_t)>& seen, const Choices& choices) {
   EncoderOutcome outcome;
-  const EncoderOptions options;
+  EncoderOptions options;
+  options.choices = choices;
   EncodedScan scan(program, options);
   const TransitionSystem system = scan.system();
   std::vector<Node> estimates;

@@ -18,6 +18,7 @@ struct EncoderOutcome {
 
 /// `seen` hears each place with its value at the end of the first scan; may be empty.
 EncoderOutcome compareWithEngine(const Program& program, std::uint64_t seed, int scans,
-                                 const std::function<void(const Place&, std::uint64_t)>& seen = {});
+                                 const std::function<void(const Place&, std::uint64_t)>& seen = {},
+                                 const Choices& choices = {});
 
 }  // namespace rungproof::agreement7

@@ -9,12 +9,7 @@ bool runOnce(const Program& program, Concrete::Store& store, Around& around, std
   Concrete domain(around);
   setReadings(store, Choices{});
   Machine<Concrete> machine(domain, store, plan);
-  machine.set(Reg::LastScan, 0, ms);
-  refreshS5Timers(machine);
-  MarkHooks hooks{put, take};
-  Scan<Concrete, MarkHooks> scan(machine, hooks, 100000);
-  scan.program();
-  return !machine.halted && !machine.faulted;
+  return runOn(machine, ms, put, take);
 }
 
 }  // namespace rungproof::agreement7

@@ -1,6 +1,7 @@
 // One run of OB1 on the reference engine's machine, with the registers put in at a mark and taken out at the end.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <set>
 
@@ -23,25 +24,61 @@ struct Around final : Outside {
   void report(Hazard hazard, const Instruction*) override { hazards.insert(hazard); }
 };
 
-using Registers = std::function<void(Machine<Concrete>&)>;
+/// What the registers hold, on plain numbers.
+struct RegisterValues {
+  std::array<bool, 9> status{};  ///< BR CC1 CC0 OV OS OR STA RLO /FC
+  std::array<std::uint64_t, 4> accu{};
+  std::array<std::uint64_t, 2> ar{};
+  std::uint64_t db = 0, di = 0;
+};
+using Registers = std::function<void(RegisterValues&)>;
 
+/// Changes the registers where the mark says so, or shows them. D: a domain of plain numbers.
 struct MarkHooks {
   Registers put, take;
   template <class S>
   void before(S& scan, const FlowStep& step) {
+    auto& machine = scan.machine();
+    if constexpr (requires { machine.d.begins(); }) machine.d.begins();
     const Instruction& i = *step.instruction;
     if (i.desc->stl != "BLD" || i.operands.empty()) return;
-    if (i.operands[0].value == putMark && put) put(scan.machine());
-    if (i.operands[0].value == takeMark && take) take(scan.machine());
+    const Registers& use = i.operands[0].value == putMark ? put : take;
+    if (!use || (i.operands[0].value != putMark && i.operands[0].value != takeMark)) return;
+    auto& s = machine.step7;
+    bool* const bits[] = {&s.br, &s.cc1, &s.cc0, &s.ov, &s.os, &s.orBit, &s.sta, &s.rlo, &s.firstCheck};
+    RegisterValues values;
+    for (std::size_t bit = 0; bit < values.status.size(); ++bit) values.status[bit] = *bits[bit];
+    values.accu = s.accu;
+    values.ar = s.ar;
+    values.db = s.db;
+    values.di = s.di;
+    use(values);
+    for (std::size_t bit = 0; bit < values.status.size(); ++bit) *bits[bit] = values.status[bit];
+    s.accu = values.accu;
+    s.ar = values.ar;
+    s.db = values.db;
+    s.di = values.di;
   }
   template <class S>
   void callWithoutBody(S&, const Instruction&) {}
   template <class S>
   void freshLocal(S& scan, std::uint32_t base, std::uint32_t byte) {
-    Machine<Concrete>& m = scan.machine();
+    auto& m = scan.machine();
     m.store.save(Area::L, (base + byte) * 8, 8, 0, m.guard);
   }
 };
+
+/// Lets `ms` pass, then runs OB1 on a machine over a domain of plain numbers. Gives whether the CPU still runs.
+template <class D>
+bool runOn(Machine<D>& machine, std::uint32_t ms, const Registers& put, const Registers& take) {
+  machine.set(Reg::LastScan, 0, ms);
+  endScanOfTimers(machine, ms);
+  beginScanOfTimers(machine);
+  MarkHooks hooks{put, take};
+  Scan<D, MarkHooks> scan(machine, hooks, 100000);
+  scan.program();
+  return !machine.halted && !machine.faulted;
+}
 
 /// Lets `ms` pass, then runs OB1 on `store`. Gives whether the CPU still runs.
 bool runOnce(const Program& program, Concrete::Store& store, Around& around, std::uint32_t ms, const Registers& put,

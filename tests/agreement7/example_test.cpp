@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -293,6 +294,46 @@ TEST(Examples7, AnyInLocalData) {
   EXPECT_EQ(twin.value("MD10"), 0x1002001A);
   EXPECT_EQ(twin.value("MW14"), 60);
   EXPECT_EQ(twin.value("MD16"), 0x84000000);
+}
+
+// 002:595-603, 002:635-653: a full address leaves its block open; the operand that was loaded first stands left of the
+// relation.
+TEST(Examples7, FullAddressesOpenTheirBlock) {
+  Twin twin("OPN DB 2;L DB1.DBD 22;T MD 30;L DBNO;T MW 40;L DB1.DBD 22;L DB2.DBD 12;>=R;= M 50.0;L DBNO;T MW 42");
+  const auto real = [](float value) { return static_cast<std::int64_t>(std::bit_cast<std::uint32_t>(value)); };
+  for (const auto& [left, right, isAtLeast] : {std::tuple{2.5F, 1.5F, 1}, {1.5F, 2.5F, 0}, {-1.0F, -1.0F, 1}}) {
+    twin.put("DB1.DBD22", real(left));
+    twin.put("DB2.DBD12", real(right));
+    twin.scan();
+    EXPECT_EQ(twin.value("MD30"), real(left));
+    EXPECT_EQ(twin.value("MW40"), 1);
+    EXPECT_EQ(twin.value("M50.0"), isAtLeast) << left;
+    EXPECT_EQ(twin.value("MW42"), 2);
+  }
+}
+
+// 002:1454-1476 and 002:1528-1545: with 3, 4, 10, 2 the chain gives 10 * (10 - 2) on two accumulators and
+// (10 - 2) * ACCU4 on four, where ACCU4 is 0; with ENT (3 + 4) * (10 - 2).
+TEST(Examples7, AccumulatorChain) {
+  const std::string chain = "L L#3;L L#4;+D;L L#10;L L#2;-D;*D;T MD 20";
+  Twin two(chain), four("L 0;PUSH;PUSH;PUSH;" + chain, "", true);
+  Twin entered("L L#3;L L#4;+D;L L#10;ENT;L L#2;-D;*D;T MD 20", "", true);
+  two.scan();
+  four.scan();
+  entered.scan();
+  EXPECT_EQ(two.value("MD20"), 80);
+  EXPECT_EQ(four.value("MD20"), 0);
+  EXPECT_EQ(entered.value("MD20"), 56);
+}
+
+// 002:1484-1494: constants are added to the accumulator, INC and DEC count its lowest byte alone.
+TEST(Examples7, ConstantsInTheAccumulator) {
+  Twin twin("L 100;+ -33;T MW 10;L L#65535;+ L#1;T MD 12;L W#16#01FE;INC 5;T MW 16;L W#16#0103;DEC 7;T MW 18");
+  twin.scan();
+  EXPECT_EQ(twin.value("MW10"), 67);
+  EXPECT_EQ(twin.value("MD12"), 65536);
+  EXPECT_EQ(twin.value("MW16"), 0x0103);
+  EXPECT_EQ(twin.value("MW18"), 0x01FC);
 }
 
 /// Mnemonics of the instruction list that the table of instructions has in several forms.

@@ -56,25 +56,26 @@ void follow(const TimeRange& range, const std::vector<std::uint32_t>& lengths, s
 }
 
 TEST(TimeModel, TicksFollowFromTheLengths) {
-  follow({1, 500, false}, {1, 9, 10, 99, 100, 101, 499, 500, 1, 33, 67, 250});
+  follow({.low = 1, .high = 500, .hasBases = true}, {1, 9, 10, 99, 100, 101, 499, 500, 1, 33, 67, 250});
 }
 TEST(TimeModel, FixedLengthNeedsNoInputs) {
-  follow({13, 13, false}, std::vector<std::uint32_t>(40, 13));
-  follow({250, 250, false}, std::vector<std::uint32_t>(12, 250));
+  follow({.low = 13, .high = 13, .hasBases = true}, std::vector<std::uint32_t>(40, 13));
+  follow({.low = 250, .high = 250, .hasBases = true}, std::vector<std::uint32_t>(12, 250));
 }
 // 001:6592: the first interval may be short, so RUN begins anywhere between two ticks.
 TEST(TimeModel, RunBeginsAnywhereBetweenTwoTicks) {
   for (const std::uint32_t phase : {1U, 9U, 10U, 57U, 90U, 99U}) {
-    follow({1, 500, false}, {1, 9, 10, 99, 100, 101, 499, 500, 1, 33, 67, 250}, phase);
-    follow({13, 13, false}, std::vector<std::uint32_t>(40, 13), phase);
+    follow({.low = 1, .high = 500, .hasBases = true}, {1, 9, 10, 99, 100, 101, 499, 500, 1, 33, 67, 250}, phase);
+    follow({.low = 13, .high = 13, .hasBases = true}, std::vector<std::uint32_t>(40, 13), phase);
   }
-  for (const std::uint32_t phase : {10U, 50U, 90U}) follow({10, 10, false}, std::vector<std::uint32_t>(30, 10), phase);
+  for (const std::uint32_t phase : {10U, 50U, 90U})
+    follow({.low = 10, .high = 10, .hasBases = true}, std::vector<std::uint32_t>(30, 10), phase);
 }
 
 // All 16 values of a digit's four bits are starts: 10 to 15 mean 0 to 5.
 TEST(TimeModel, EveryValueOfADigitIsAStart) {
   Graph graph;
-  TimeModel time(graph, {1, 500, false});
+  TimeModel time(graph, {.low = 1, .high = 500, .hasBases = true});
   const Node roots[] = {time.tensBefore(), time.onesBefore()};
   Evaluator value(graph, roots);
   for (std::uint64_t raw = 0; raw < 16; ++raw) {
@@ -84,11 +85,13 @@ TEST(TimeModel, EveryValueOfADigitIsAStart) {
     EXPECT_EQ(value[time.onesBefore()], raw % 10);
   }
 }
-TEST(TimeModel, RelaxedScansMayBeLong) { follow({1, 500, true}, {1, 4000000, 7, 300000, 12}); }
+TEST(TimeModel, RelaxedScansMayBeLong) {
+  follow({.low = 1, .high = 500, .relaxed = true, .hasBases = true}, {1, 4000000, 7, 300000, 12});
+}
 
 TEST(TimeModel, ScansOutsideTheRangeBreakTheConstraint) {
   Graph graph;
-  TimeModel time(graph, {5, 20, false});
+  TimeModel time(graph, {.low = 5, .high = 20, .hasBases = true});
   const Node roots[] = {time.constraint(), time.dt()};
   Evaluator value(graph, roots);
   for (const StateVariable& s : time.states()) value.set(s.node, 0);
@@ -100,6 +103,25 @@ TEST(TimeModel, ScansOutsideTheRangeBreakTheConstraint) {
     value.run();
     EXPECT_EQ(value[time.constraint()], static_cast<std::uint64_t>(isLegal)) << tens << ones;
   }
+}
+
+// On an S7-300/400 timers count in ms: the length is one input without any state.
+TEST(TimeModel, WithoutBasesTheLengthIsOneInput) {
+  Graph graph;
+  TimeModel time(graph, {.low = 5, .high = 20});
+  EXPECT_TRUE(time.states().empty());
+  ASSERT_EQ(time.inputs().size(), 1U);
+  const Node roots[] = {time.constraint(), time.dt()};
+  Evaluator value(graph, roots);
+  for (std::uint64_t length = 0; length < 32; ++length) {
+    value.set(time.inputs()[0], length);
+    value.run();
+    EXPECT_EQ(value[time.dt()], length);
+    EXPECT_EQ(value[time.constraint()], length >= 5 && length <= 20 ? 1U : 0U) << length;
+  }
+  TimeModel fixed(graph, {.low = 13, .high = 13});
+  EXPECT_TRUE(fixed.inputs().empty() && fixed.states().empty() && fixed.constraint() == noNode);
+  EXPECT_EQ(graph[fixed.dt()].value, 13U);
 }
 
 }  // namespace

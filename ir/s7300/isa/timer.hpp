@@ -30,6 +30,31 @@ typename D::Bits unitOf(D& d, typename D::Bits base) {
   return d.select(is(0), d.literal(10, restBits), unit, restBits);
 }
 
+inline constexpr int phaseBits = 14;  ///< of ms within a unit: holds 9,999
+
+/// Any ms below the unit, from any bits: as many of them as the unit needs, less the unit where they are more.
+template <class D>
+typename D::Bits phaseOf(D& d, typename D::Bits base, typename D::Bits any) {
+  const auto below = [&](std::uint64_t unit, int bits) {
+    const auto part = d.zext(d.extract(any, bits - 1, 0), bits, phaseBits), whole = d.literal(unit, phaseBits);
+    return d.select(d.ult(part, whole, phaseBits), part, d.sub(part, whole, phaseBits), phaseBits);
+  };
+  const auto is = [&](std::uint64_t n) { return d.equal(base, d.literal(n, 2), 2); };
+  auto phase = below(10000, 14);
+  phase = d.select(is(2), below(1000, 10), phase, phaseBits);
+  phase = d.select(is(1), below(100, 7), phase, phaseBits);
+  return d.select(is(0), below(10, 4), phase, phaseBits);
+}
+
+/// Stops the timer; what is left of its time stays readable.
+template <class D>
+void stopTimer(Step7Args<D>& a, std::uint32_t number) {
+  a.m.when(a.m.getBit(Reg::TimerRunning, number), [&] {
+    a.m.set(Reg::S5Rest, number, a.d.sub(a.m.get(Reg::S5Rest, number), passedBefore(a.m), restBits));
+    a.m.setBit(Reg::TimerRunning, number, a.no());
+  });
+}
+
 /// Loads the time of ACCU1-L and lets it run; `atEnd`: the bit when it is up, `now`: until then.
 template <class D>
 void startTimer(Step7Args<D>& a, std::uint32_t number, typename D::Bool now, bool atEnd) {
@@ -44,12 +69,13 @@ void startTimer(Step7Args<D>& a, std::uint32_t number, typename D::Bool now, boo
     const auto isAny = a.m.reads({Choice::S5Time, "any"});
     auto less = a.number(0, restBits);
     if (const auto known = d.truth(isAny); !known || *known) {
-      const auto any = d.zext(a.m.external(External::TimerPhase, number, 14), 14, restBits);
-      const auto phase = d.urem(any, unit, restBits);
-      less = d.select(d.land(isAny, d.lnot(isZero)), phase, less, restBits);
+      const auto any = a.m.external(External::TimerPhase, number, phaseBits);
+      less =
+          d.select(d.land(isAny, d.lnot(isZero)), d.zext(phaseOf(d, base, any), phaseBits, restBits), less, restBits);
     }
+    const auto end = d.add(d.sub(length, less, restBits), passedBefore(a.m), restBits);
     a.m.set(Reg::S5Base, number, base);
-    a.m.set(Reg::S5Rest, number, d.sub(length, less, restBits));
+    a.m.set(Reg::S5Rest, number, d.select(isZero, a.number(0, restBits), end, restBits));
     a.m.setBit(Reg::TimerRunning, number, d.lnot(isZero));
     a.m.setBit(Reg::S5AtEnd, number, d.constant(atEnd));
     a.m.setBit(Reg::TimerBit, number, d.select(isZero, d.constant(atEnd), now));
@@ -81,7 +107,7 @@ struct StartTimer {
         a.m.when(rises, [&] { startTimer(a, number, now, !isPulse); });
         if constexpr (kind == S5Kind::Pulse || kind == S5Kind::OnDelay) {
           a.m.when(d.lnot(rlo), [&] {
-            a.m.setBit(Reg::TimerRunning, number, a.no());
+            stopTimer(a, number);
             a.m.setBit(Reg::TimerBit, number, a.no());
           });
         }
@@ -136,7 +162,10 @@ struct LoadTimer {
     a.places.eachNumber(a.operand(), [&](std::uint32_t number) {
       const auto base = a.m.get(Reg::S5Base, number);
       const auto unit = unitOf(d, base);
-      const auto up = d.add(a.m.get(Reg::S5Rest, number), d.sub(unit, a.number(1, restBits), restBits), restBits);
+      const auto running = a.m.getBit(Reg::TimerRunning, number);
+      const auto passed = d.select(running, passedBefore(a.m), a.number(0, restBits), restBits);
+      const auto rest = d.sub(a.m.get(Reg::S5Rest, number), passed, restBits);
+      const auto up = d.add(rest, d.sub(unit, a.number(1, restBits), restBits), restBits);
       const auto units = d.udiv(up, unit, restBits);
       const auto shown =
           bcd ? d.zext(d.concat(base, 2, toBcd(d, units, 3, restBits), 12), 14, 32) : d.zext(units, restBits, 32);
