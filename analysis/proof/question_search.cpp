@@ -337,10 +337,10 @@ void QuestionSearch::answerQuickly(Clock::time_point deadline) {
   if (hasManyPremises) searchOnEngine(isPremise, schedule::premiseInstructions);
   answerOpen(openQuestions([](std::size_t) { return true; }), together);
   if (!hasManyPremises) searchOnEngine(isPremise, schedule::fewInstructions);
-  const auto start = Clock::now();
+  const Budget shallow = Budget::ofThread(schedule::shallowSeconds, Budget(deadline, &cancel));
   std::vector<std::size_t> open;
   for (std::size_t q = 0; q < quick_.size(); ++q) {
-    const bool maySearch = q < goals_.size() && options_.bound == 0 && secondsSince(start) <= schedule::shallowSeconds;
+    const bool maySearch = q < goals_.size() && options_.bound == 0 && !shallow.isExhausted();
     if (quick_[q].answer == Answer::Unknown && !(maySearch && searchShallow(q))) open.push_back(q);
   }
   searchOnEngine([&](std::size_t q) { return !isDeclared(q) || goals_[q].kind == PropertyKind::Reach; },

@@ -32,6 +32,25 @@ TEST(Time, TimerIsNotEarly) {
   EXPECT_NE(outcomeOf(run, "not before"), Outcome::Violated);
 }
 
+// The scan that sees the input counts the ticks of the scan before it, and the last one has not had its own yet, up to
+// five of them: 30,000 ticks of 100 ms may take 3,000,498 ms between scan ends, and no more (tests/timing/
+// obligation_families.hpp counts them). A run that needs a wait of exactly that length is found by its length.
+TEST(Time, WaitThatIsOneTickShortIsFound) {
+  for (const auto& [excess, outcome] :
+       {std::pair("3000400ms", Outcome::Violated), {"3000498ms", Outcome::Violated}, {"3000500ms", Outcome::Proved}}) {
+    const ProgramInput input = inputOf(std::string("//@ prove on: held(I0.0, ") + excess + ") implies T37\n",
+                                       "Network 1\nLD I0.0\nTON T37, 30000\n");
+    const ProofRun run = prove(input.program, input.properties, usualOptions(20));
+    EXPECT_TRUE(run.disagreements.empty());
+    const ProofResult* result = resultNamed(run, "on");
+    ASSERT_NE(result, nullptr);
+    EXPECT_EQ(result->outcome, outcome) << excess;
+    if (outcome != Outcome::Violated) continue;
+    ASSERT_TRUE(result->witness);
+    EXPECT_GE(result->witness->milliseconds, 3'000'400U);
+  }
+}
+
 // A constraint on the moments of 1 ms ticks shares the length of the scan with every question about time, but binds
 // only inputs that such a question does not depend on: neither may be in its accelerated system.
 TEST(Time, AcceleratedSystemKnowsAllItsVariables) {

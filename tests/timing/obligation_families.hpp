@@ -15,6 +15,7 @@ struct ObligationFamily {
   std::string_view name;
   std::string_view verdict;  ///< of every property
   std::vector<int> sizes;    ///< from small to large
+  std::size_t decided;       ///< how many of these sizes are decided today, the smallest first
   std::string (*program)(int n);
 };
 
@@ -73,18 +74,24 @@ inline std::string waits(int count, int preset, int excess) {
   }
   return programOf(properties, networks);
 }
-/// One tick short of the preset: scans whose ticks come late leave the timer running.
-inline std::string shortWait(int preset) { return waits(1, preset, -100); }
-inline std::string fourShortWaits(int preset) { return waits(4, preset, -100); }
-/// The input is seen at the end of a scan of up to 500 ms; the ticks of the scan that enables the timer do not count
-/// (001:6590), those of the last scan come with the next one, and a tick may be short of 100 ms.
-inline std::string longWait(int preset) { return waits(1, preset, 1200); }
-/// The other direction: the timer's bit says that its input has been on, but not for as long as the preset, since ticks
-/// count that began before.
-inline std::string earlyEnd(int preset) {
-  return programOf(property("prove early: Q0.0 implies held(I0.0, " + std::to_string(preset * 100) + "ms)"),
+/// The scan that sees the input first counts the ticks of the scan before, the last one those of the last but one
+/// (001:6590). So the timer of a run of scans e0 .. ek still runs if fewer ticks than the preset fall between the
+/// beginning of scan 0 and the end of scan k - 1, less than preset * 100 ms; the input has then been on since the end
+/// of scan 0, which lasts 1 ms at least, until that of scan k, which lasts 500 ms at most: preset * 100 + 498 ms at
+/// most.
+constexpr int oneTickShort = 400, enough = 500;
+inline std::string shortWait(int preset) { return waits(1, preset, oneTickShort); }
+inline std::string fourShortWaits(int preset) { return waits(4, preset, oneTickShort); }
+inline std::string longWait(int preset) { return waits(1, preset, enough); }
+/// The other direction: the timer's bit says that its input has been on. Its ticks may have begun before: 1 ms more
+/// than (preset - 1) * 100 ms lie between the beginning of scan 0 and the end of scan k - 1, up to 500 ms of them
+/// before the end of scan 0, and scan k lasts 1 ms at least: preset * 100 - 598 ms.
+inline std::string ended(int preset, int lack) {
+  return programOf(property("prove ended: Q0.0 implies held(I0.0, " + std::to_string(preset * 100 - lack) + "ms)"),
                    network(1, "LD I0.0\nTON T37, " + std::to_string(preset) + "\nLD T37\n= Q0.0\n"));
 }
+inline std::string earlyEnd(int preset) { return ended(preset, 500); }
+inline std::string lateEnd(int preset) { return ended(preset, 600); }
 
 /// n steps in a row, each of a minute: started by an edge, each left when its timer has run out.
 inline std::string timedRow(int n, const std::string& properties) {
@@ -227,27 +234,28 @@ inline std::string meanOfTwo(int n) {
 }
 
 inline std::vector<ObligationFamily> obligationFamilies() {
-  return {{"step chain", "PROVED", {50, 100, 200}, stepChain},
-          {"step ring", "PROVED", {50, 100, 200}, stepRing},
-          {"relay chain", "PROVED", {50, 100, 200}, relayChain},
-          {"short wait", "VIOLATED", {50, 3000, 30000}, shortWait},
-          {"four short waits", "VIOLATED", {50, 3000, 30000}, fourShortWaits},
-          {"long wait", "PROVED", {50, 3000, 30000}, longWait},
-          {"early end", "VIOLATED", {50, 3000, 30000}, earlyEnd},
-          {"timed row leads", "PROVED", {1, 2, 4}, timedRowLeads},
-          {"timed row only after", "PROVED", {1, 2, 4}, timedRowOnlyAfter},
-          {"series only after", "PROVED", {1, 2, 3}, seriesOnlyAfter},
-          {"counter lamp", "PROVED", {10, 1000, 32767}, counterLamp},
-          {"queue", "PROVED", {6, 100, 1000}, queue},
-          {"table", "PROVED", {10, 50, 100}, table},
-          {"pointer ring", "PROVED", {10, 50, 100}, pointerRing},
-          {"shift register", "PROVED", {8, 32, 64}, shiftRegister},
-          {"calls", "PROVED", {10, 50, 100}, calls},
-          {"flicker", "PROVED", {50, 3000, 30000}, flicker},
-          {"books", "PROVED", {2, 4, 8}, books},
-          {"ledgers", "PROVED", {2, 4, 8}, ledgers},
-          {"running sum", "PROVED", {2, 4, 8}, runningSum},
-          {"mean of two", "PROVED", {100, 4000, 32000}, meanOfTwo}};
+  return {{"step chain", "PROVED", {50, 100, 200}, 3, stepChain},
+          {"step ring", "PROVED", {50, 100, 200}, 3, stepRing},
+          {"relay chain", "PROVED", {50, 100, 200}, 3, relayChain},
+          {"short wait", "VIOLATED", {50, 3000, 30000}, 3, shortWait},
+          {"four short waits", "VIOLATED", {50, 3000, 30000}, 3, fourShortWaits},
+          {"long wait", "PROVED", {50, 3000, 30000}, 3, longWait},
+          {"early end", "VIOLATED", {50, 3000, 30000}, 3, earlyEnd},
+          {"late end", "PROVED", {50, 3000, 30000}, 3, lateEnd},
+          {"timed row leads", "PROVED", {1, 2, 4}, 2, timedRowLeads},
+          {"timed row only after", "PROVED", {1, 2, 4}, 3, timedRowOnlyAfter},
+          {"series only after", "PROVED", {1, 2, 3}, 3, seriesOnlyAfter},
+          {"counter lamp", "PROVED", {10, 1000, 32767}, 3, counterLamp},
+          {"queue", "PROVED", {6, 100, 1000}, 3, queue},
+          {"table", "PROVED", {10, 50, 100}, 3, table},
+          {"pointer ring", "PROVED", {10, 50, 100}, 3, pointerRing},
+          {"shift register", "PROVED", {8, 32, 64}, 3, shiftRegister},
+          {"calls", "PROVED", {10, 50, 100}, 3, calls},
+          {"flicker", "PROVED", {50, 3000, 30000}, 3, flicker},
+          {"books", "PROVED", {2, 4, 8}, 1, books},
+          {"ledgers", "PROVED", {2, 4, 8}, 2, ledgers},
+          {"running sum", "PROVED", {2, 4, 8}, 1, runningSum},
+          {"mean of two", "PROVED", {100, 4000, 32000}, 3, meanOfTwo}};
 }
 
 }  // namespace rungproof::families
