@@ -34,7 +34,7 @@ Attachments attachmentsOf(const Plan& plan) {
 
 namespace {
 
-void addTimerKeys(std::uint32_t timer, std::set<std::uint32_t>& keys) {
+void addTimerKeys(std::uint32_t timer, FootprintKeys& keys) {
   for (const Reg reg : {Reg::TimerCurrent, Reg::TimerBit, Reg::TimerRunning, Reg::TimerPreset, Reg::S5Rest})
     addKeys(registerPlace(reg, timer), keys);
 }
@@ -85,7 +85,7 @@ bool ScanEncoding::needsTicks(std::uint32_t instruction) const {
 /// alone, so that it can be told to each when somebody asks.
 bool ScanEncoding::touchesTimer(std::uint32_t instruction, std::uint32_t timer) const {
   if (instruction == ScanPlace::afterProgram) return true;
-  std::set<std::uint32_t> keys;
+  FootprintKeys keys;
   addTimerKeys(timer, keys);
   const auto found = knowledge_.footprints.ofInstruction.find(instruction);
   return watched_.conflictsWith({keys, keys}) ||
