@@ -1,5 +1,4 @@
-// Candidates are whole words, the single bits of narrow ones, and of wide ones the highest bits that no sample changes,
-// so that a word becomes as narrow as its values; all in classes of equal samples. A scan from a state in
+// Candidates are whole words, or the single bits of narrow ones, in classes of equal samples. A scan from a state in
 // which all members of a class have one value is built with that value in place of all of them: most of what stays
 // equal is then the same gate, and only the rest is asked of the SAT solver.
 #include "analysis/portfolio/merging.hpp"
@@ -22,8 +21,7 @@ namespace rungproof {
 
 namespace {
 
-/// A word, a bit of one, or the low part of one. Its literals are those of the difference to its initial value, so
-/// every item starts with 0.
+/// A word or a bit of one. Its literals are those of the difference to its initial value, so every item starts with 0.
 struct Item {
   std::size_t state = 0;
   std::uint32_t bit = 0;      ///< lowest of the word
@@ -81,7 +79,6 @@ class Merger {
       }
       runs.step();
     }
-    splitWords(seen);
     std::map<std::vector<std::uint64_t>, std::size_t> index;
     classes_.emplace_back();
     for (std::size_t i = 0; i < items_.size(); ++i) {
@@ -95,39 +92,6 @@ class Merger {
       const auto [at, isNew] = index.emplace(std::move(seen[i]), classes_.size());
       if (isNew) classes_.emplace_back();
       classes_[at->second].push_back(i);
-    }
-  }
-
-  /// The highest bits of wide words, where no sample has changed them but one below: items of their own. `seen`: by
-  /// item all samples of its bits, one after the other in each scan.
-  void splitWords(std::vector<std::vector<std::uint64_t>>& seen) {
-    const std::size_t whole = items_.size();
-    for (std::size_t i = 0; i < whole; ++i) {
-      const std::size_t width = items_[i].literals.size();
-      if (width <= schedule::longWord) continue;
-      std::size_t low = width;
-      const auto isConstant = [&](std::size_t bit) {
-        for (std::size_t at = bit; at < seen[i].size(); at += width) {
-          if (seen[i][at] != 0) return false;
-        }
-        return true;
-      };
-      while (low > 0 && isConstant(low - 1)) --low;
-      if (low <= 1 || width - low < schedule::leastNarrowing) continue;
-      std::vector<std::uint64_t> ofLow;
-      for (std::size_t at = 0; at < seen[i].size(); ++at) {
-        if (at % width < low) ofLow.push_back(seen[i][at]);
-      }
-      const std::vector<std::uint64_t> nothing(seen[i].size() / width, 0);
-      seen[i] = std::move(ofLow);
-      for (std::size_t bit = low; bit < width; ++bit) {
-        const Item& word = items_[i];
-        Item top{word.state, word.bit + static_cast<std::uint32_t>(bit), {word.literals[bit]}, {word.latches[bit]}};
-        items_.push_back(std::move(top));
-        seen.push_back(nothing);
-      }
-      items_[i].literals.resize(low);
-      items_[i].latches.resize(low);
     }
   }
 
@@ -289,9 +253,7 @@ class Merger {
     const auto found = members.find(state);
     if (found == members.end()) return word;
     const int width = widthOf(state);
-    const Item& whole = *found->second[0].first;
-    if (static_cast<std::size_t>(width) > schedule::narrowWord &&
-        whole.literals.size() == static_cast<std::size_t>(width)) {
+    if (static_cast<std::size_t>(width) > schedule::narrowWord) {
       const Item* first = found->second[0].second;
       if (first == nullptr) return graph_.constantNode(initOf(state), width);
       return graph_.make(Op::Xor, width, given_.states[first->state].node,
@@ -300,16 +262,12 @@ class Merger {
     std::vector<Node> bits;
     for (int bit = 0; bit < width; ++bit) bits.push_back(bitOf(state, static_cast<std::uint32_t>(bit)));
     for (const auto& [member, first] : found->second) {
-      for (std::uint32_t i = 0; i < member->literals.size(); ++i) {
-        const std::uint32_t bit = member->bit + i;
-        const std::uint64_t init = initOf(state) >> bit & 1U;
-        if (first == nullptr) {
-          bits[bit] = graph_.constantNode(init, 1);
-        } else {
-          const Node other = bitOf(first->state, first->bit + i);
-          const bool differs = init != (initOf(first->state) >> (first->bit + i) & 1U);
-          bits[bit] = differs ? graph_.make(Op::Not, 1, other) : other;
-        }
+      const std::uint64_t init = initOf(state) >> member->bit & 1U;
+      if (first == nullptr) {
+        bits[member->bit] = graph_.constantNode(init, 1);
+      } else {
+        const Node other = bitOf(first->state, first->bit);
+        bits[member->bit] = init != (initOf(first->state) >> first->bit & 1U) ? graph_.make(Op::Not, 1, other) : other;
       }
     }
     Node result = bits[0];
@@ -332,8 +290,11 @@ class Merger {
         result.facts.push_back({word, other, graph_.make(Op::Equal, 1, word, other)});
         replaced.emplace(indexOf(word), other);
       }
-      std::size_t replacedBits = 0;
-      for (const auto& [member, first] : members[s]) replacedBits += member->literals.size();
+      const std::size_t replacedBits =
+          members.contains(s)
+              ? (static_cast<std::size_t>(widthOf(s)) > schedule::narrowWord ? static_cast<std::size_t>(widthOf(s))
+                                                                             : members[s].size())
+              : 0;
       if (isBlasted[s] && replacedBits < static_cast<std::size_t>(widthOf(s))) result.kept.push_back(s);
     }
     Substitution rewritten(graph_, std::move(replaced));

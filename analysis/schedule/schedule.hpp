@@ -66,8 +66,6 @@
   ROW(double, mostMerging, 10, "s", "the same for all questions together") \
   ROW(int, mergingScans, 96, "scans", "sampled on 64 runs") \
   ROW(std::size_t, narrowWord, 4, "bits", "of words that are looked at bit by bit") \
-  ROW(std::size_t, longWord, 16, "bits", "more may be narrowed; words of 16, such as timers of an S7-200, count to their end") \
-  ROW(std::size_t, leastNarrowing, 3, "bits", "that a wide word loses, else it stays as it is") \
   ROW(int, mergingBatches, 4, "batches", "of 64 states near a counterexample") \
   ROW(double, uncappedShare, 0.7, "of a question", "for the system with whole words") \
   ROW(double, leastForBoth, 5, "s", "of a question, below which words are not capped") \

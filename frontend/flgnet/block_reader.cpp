@@ -9,8 +9,8 @@
 #include "frontend/flgnet/circuit_reader.hpp"
 #include "frontend/flgnet/circuit_statements.hpp"
 #include "frontend/flgnet/fragment.hpp"
-#include "frontend/step7/cursor.hpp"
 #include "frontend/stl/directive.hpp"
+#include "frontend/step7/cursor.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 #include "frontend/xml/xml_text.hpp"
 
@@ -101,7 +101,6 @@ class BlockReader {
     name(list, block);
     sink_.setPlace(block.name.kind ? toString(block.name) : block.name.symbol, 0);
     block.knowHowProtected = std::string_view(childNamed(list, "IsKnowHowProtected").child_value()) == "true";
-    block.nonRetain = std::string_view(childNamed(list, "IsRetainMemResEnabled").child_value()) == "false";
     block.readOnly = std::string_view(childNamed(list, "IsWriteProtectedInAS").child_value()) == "true";
     block.unlinked = std::string_view(childNamed(list, "IsOnlyStoredInLoadMemory").child_value()) == "true";
     if (std::string_view(node.name()) == "SW.Blocks.InstanceDB")

@@ -41,6 +41,7 @@ struct Part {
   std::size_t cardinality = 0;
   Operand instance;  ///< timer, counter, instance of a function block
   std::optional<step7::BlockName> callee;
+  bool hasEno = true;                ///< the editor has not switched it off
   std::vector<std::string> negated;  ///< pins, in small letters
   std::vector<Pin> inputs;
   std::vector<Output> outputs;

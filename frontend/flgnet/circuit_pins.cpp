@@ -75,6 +75,15 @@ std::vector<std::string> CircuitPins::inputPins(std::size_t i) const {
   return pins;
 }
 
+std::vector<std::string_view> CircuitPins::outputPins(std::size_t i) const {
+  const FbdBox* row = box(i);
+  if (row == nullptr) return {flowOutput(i)};
+  if (row->frame == BoxFrame::Timer) return {"q", "bi", "bcd"};
+  if (row->frame == BoxFrame::Counter) return {"q", "cv", "cv_bcd"};
+  const std::string_view result = part(i).name == "Move" ? "out1" : "out";
+  return part(i).hasEno ? std::vector{result, enabledPin} : std::vector{result};
+}
+
 std::vector<std::string> CircuitPins::neededPins(std::size_t i) const {
   const Element element = elementOf(i);
   if (element == Element::Contact) return {"operand"};
@@ -130,7 +139,10 @@ void CircuitPins::check(std::size_t i, std::vector<Fault>& faults) const {
     if (!isFlow) add(fmt::format("a negation stands at {}, which is no input of the flow", excerpt(pin)));
     if (isFlow && input != nullptr && isTrue(*input)) add(fmt::format("the negation at {} is not covered", pin));
   }
+  const std::vector<std::string_view> outputs = outputPins(i);
   for (const Output& output : p.outputs) {
+    if (!isCall(i) && std::ranges::find(outputs, output.name) == outputs.end())
+      add(fmt::format("output {} is not covered", excerpt(output.name)));
     if (output.readers > 0 && !isCall(i) && output.name != flowOutput(i))
       add(fmt::format("the value at {} goes to another part without an operand", excerpt(output.name)));
   }

@@ -34,6 +34,7 @@ class CircuitPins {
 
   /// All that it can have but a call, in their order.
   std::vector<std::string> inputPins(std::size_t i) const;
+  std::vector<std::string_view> outputPins(std::size_t i) const;
   /// An operand stands there, not the flow.
   bool isValuePin(std::size_t i, std::string_view pin) const;
   /// The output that the flow leaves by, of a call the one beside its parameters.

@@ -7,8 +7,8 @@
 #include <charconv>
 #include <map>
 
+#include "frontend/flgnet/circuit_pins.hpp"
 #include "frontend/flgnet/fragment.hpp"
-#include "frontend/flgnet/part_table.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 #include "frontend/xml/xml_shape.hpp"
 
@@ -41,12 +41,6 @@ constexpr XmlShape circuitShapes[] = {
     {"OpenCon", "UId", ""},
 };
 
-std::string small(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return result;
-}
-
 std::optional<std::uint32_t> numberIn(std::string_view text) {
   std::uint32_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -55,7 +49,7 @@ std::optional<std::uint32_t> numberIn(std::string_view text) {
 }
 
 /// <Address Area="DB" BlockNumber="10" Type="Int" BitOffset="16"/> is DB10.DBW2.
-std::string addressText(const pugi::xml_node& node) {
+std::string textOfAddress(const pugi::xml_node& node) {
   struct Letters {
     std::string_view area, letters;
   };
@@ -136,7 +130,7 @@ class CircuitReader {
       operand->name = childNamed(node, "Label").attribute("Name").value();
       operand->span = span;
     } else if (scope == "Address") {
-      operand = operandFrom(addressText(childNamed(node, "Address")), span);
+      operand = operandFrom(textOfAddress(childNamed(node, "Address")), span);
     } else if (const pugi::xml_node constant = childNamed(node, "Constant")) {
       operand = constantFrom(trimmed(childNamed(constant, "ConstantType").child_value()),
                              trimmed(childNamed(constant, "ConstantValue").child_value()), span);
@@ -163,7 +157,7 @@ class CircuitReader {
     const pugi::xml_node address = childNamed(instance, "Address");
     const Span span = xml_.span(part_, instance);
     if (std::optional<Operand> operand =
-            address ? operandFrom(addressText(address), span) : symbolFrom(instance, isLocal, span))
+            address ? operandFrom(textOfAddress(address), span) : symbolFrom(instance, isLocal, span))
       result.instance = std::move(*operand);
     else
       fault(instance, "the instance cannot be read");
@@ -171,10 +165,11 @@ class CircuitReader {
 
   void shape(const pugi::xml_node& node, Part& result) {
     result.name = node.attribute("Name").value();
+    result.hasEno = std::string_view(node.attribute("DisabledENO").value()) != "true";
     std::string from, to;
     for (const pugi::xml_node& child : node.children()) {
       const std::string_view kind = localName(child), name = child.attribute("Name").value();
-      if (kind == "Negated") result.negated.push_back(small(name));
+      if (kind == "Negated") result.negated.push_back(inSmallLetters(name));
       if (kind == "Instance") setInstance(child, result);
       if (kind != "TemplateValue") continue;
       const std::string value(trimmed(child.child_value()));
@@ -212,7 +207,7 @@ class CircuitReader {
     for (const pugi::xml_node& end : wire.children()) {
       if (end.type() != pugi::node_element) continue;
       const std::string_view kind = localName(end);
-      const std::string id = end.attribute("UId").value(), pin = small(end.attribute("Name").value());
+      const std::string id = end.attribute("UId").value(), pin = inSmallLetters(end.attribute("Name").value());
       if (isFirst) {
         isFirst = false;
         if (kind == "Powerrail") source.source = Pin::Source::Rail;

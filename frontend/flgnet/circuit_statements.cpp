@@ -474,6 +474,7 @@ class CircuitWriter : private CircuitPins {
           boxWithEnable(i, *row, writes);
         else
           flow(i, std::string(flowOutput(i)));
+        if (row == nullptr && !writes) emit("=", freshBit());  // ends the string that nobody reads
         if (isElement && writes) emit("A", p.instance);
         if (isElement && !writes) noOperation();
         break;

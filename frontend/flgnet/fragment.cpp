@@ -34,7 +34,7 @@ std::shared_ptr<const TypeSyntax> movedTo(const TypeSyntax& type, Span span) {
 bool isAlike(std::string_view a, std::string_view upperCase) { return step7::equalsWord(a, upperCase); }
 
 /// What stands before the digits of a constant that has no prefix of its own.
-std::string_view prefixOf(std::string_view type, bool isHex) {
+std::string_view constantPrefix(std::string_view type, bool isHex) {
   if (isHex && (isAlike(type, "WORD") || isAlike(type, "INT"))) return "W#";
   if (isHex && (isAlike(type, "DWORD") || isAlike(type, "DINT"))) return "DW#";
   if (isHex && isAlike(type, "BYTE")) return "B#";
@@ -66,7 +66,7 @@ std::optional<Operand> constantFrom(std::string_view type, std::string_view text
   } else {
     const bool isHex = written.starts_with("16#");
     const bool isPlain = written.find('#') == std::string::npos;
-    if (isHex || isPlain) written.insert(0, prefixOf(type, isHex));
+    if (isHex || isPlain) written.insert(0, constantPrefix(type, isHex));
   }
   std::optional<Operand> operand = operandFrom(written, span);
   return operand && operand->form == OperandForm::Constant ? operand : std::nullopt;

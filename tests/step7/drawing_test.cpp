@@ -2,6 +2,8 @@
 // what they show, what is not known is named and nothing rests on it.
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "engine/simulator.hpp"
 #include "frontend/flgnet/part_table.hpp"
 #include "frontend/step7/name_lookup.hpp"
@@ -219,6 +221,89 @@ TEST(Drawing7, GatesNestDeeperThanTheCpu) {
   }
 }
 
+// Random circuits of gates, contacts and negations whose results are read in several places, against their own values.
+TEST(Drawing7, RandomCircuits) {
+  constexpr int circuits = 200, trials = 16, coils = 3;
+  for (unsigned seed = 1; seed <= circuits; ++seed) {
+    std::mt19937 random(seed);
+    const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+    struct Source {
+      int node = -1;  ///< -1: the input bit
+      int bit = 0;
+      bool isNegated = false;
+    };
+    struct Gate {
+      char kind = 'A';  ///< A, O, X; N: Not; C: a contact behind
+      std::vector<Source> from;
+      bool isNegated = false;  ///< of a contact's operand
+      int id = 0;
+    };
+    std::vector<Gate> gates(static_cast<std::size_t>(4 + below(10)));
+    DrawnNet net;
+    std::map<int, std::vector<DrawnNet::End>> readers;  // by node
+    for (std::size_t g = 0; g < gates.size(); ++g) {
+      Gate& gate = gates[g];
+      gate.kind = "AOXNC"[below(5)];
+      const bool isGate = gate.kind == 'A' || gate.kind == 'O' || gate.kind == 'X';
+      for (int i = isGate ? 2 + below(3) : 1; i > 0; --i) {
+        Source source;
+        source.node = g > 0 && below(3) > 0 ? below(static_cast<int>(g)) : -1;
+        source.bit = below(8);
+        source.isNegated = gate.kind != 'C' && below(3) == 0;
+        gate.from.push_back(source);
+      }
+      gate.isNegated = gate.kind == 'C' && below(2) == 0;
+      std::string inner = isGate ? typed("Card", std::to_string(gate.from.size())) : "";
+      const auto pinOf = [&](std::size_t i) { return isGate ? fmt::format("in{}", i + 1) : std::string("in"); };
+      for (std::size_t i = 0; i < gate.from.size(); ++i) inner += gate.from[i].isNegated ? negated(pinOf(i)) : "";
+      if (gate.isNegated) inner += negated("operand");
+      gate.id = net.part(gate.kind == 'N' ? "Not" : gate.kind == 'C' ? "Contact" : std::string(1, gate.kind), inner);
+      for (std::size_t i = 0; i < gate.from.size(); ++i) {
+        if (gate.from[i].node >= 0)
+          readers[gate.from[i].node].emplace_back(gate.id, pinOf(i));
+        else
+          net.in(fmt::format("M0.{}", gate.from[i].bit), gate.id, pinOf(i));
+      }
+      if (gate.kind == 'C') net.in(fmt::format("M0.{}", gate.from[0].bit), gate.id, "operand");
+    }
+    std::vector<int> shown;
+    for (int c = 0; c < coils; ++c) {
+      shown.push_back(below(static_cast<int>(gates.size())));
+      const int coil = net.part("Coil");
+      net.in(fmt::format("Q4.{}", c), coil, "operand");
+      readers[shown.back()].emplace_back(coil, "in");
+    }
+    for (const auto& [node, ends] : readers) net.flow({gates[static_cast<std::size_t>(node)].id, "out"}, ends);
+    const Program program = drawnOb1(net);
+    ASSERT_EQ(findings7(program), "") << "seed " << seed;
+    for (int trial = 0; trial < trials; ++trial) {
+      const int inputs = below(256);
+      const auto bit = [&](int i) { return (inputs >> i & 1) != 0; };
+      std::vector<bool> values;
+      for (const Gate& gate : gates) {
+        std::vector<bool> in;
+        for (const Source& from : gate.from)
+          in.push_back((from.node < 0 ? bit(from.bit) : values[static_cast<std::size_t>(from.node)]) != from.isNegated);
+        const auto ones = std::count(in.begin(), in.end(), true);
+        const bool value = gate.kind == 'A'   ? ones == static_cast<std::ptrdiff_t>(in.size())
+                           : gate.kind == 'O' ? ones > 0
+                           : gate.kind == 'X' ? ones % 2 == 1
+                           : gate.kind == 'N' ? !in[0]
+                                              : in[0] && bit(gate.from[0].bit) != gate.isNegated;
+        values.push_back(value);
+      }
+      Simulator simulator(program);
+      simulator.write(direct(Area::M, Width::Byte, 0), static_cast<std::uint64_t>(inputs));
+      simulator.scan();
+      ASSERT_TRUE(simulator.isRunning()) << "seed " << seed;
+      for (int c = 0; c < coils; ++c)
+        EXPECT_EQ(simulator.read(direct(Area::Q, Width::Bit, 4, static_cast<unsigned>(c))) != 0,
+                  values[static_cast<std::size_t>(shown[static_cast<std::size_t>(c)])])
+            << "seed " << seed << " inputs " << inputs << " coil " << c;
+    }
+  }
+}
+
 // While each result is in range ENO hands 1 to the next box (003:799): the second is not executed after an overflow.
 TEST(Drawing7, BoxesHandTheFlowOn) {
   DrawnNet net;
@@ -390,6 +475,11 @@ TEST(Drawing7, WhatIsNotKnownIsNamed) {
   EXPECT_NE(broken(partNet("Coil", negated("bit"), {"in", "operand"})).find("negation stands at bit"),
             std::string::npos);
   EXPECT_NE(broken(partNet("S_ODT", "", {"s", "tv"})).find("no instance"), std::string::npos);
+  DrawnNet second;
+  const int move = second.part("Move");
+  second.in("MW0", move, "in");
+  second.out(move, "out2", "MW2");
+  EXPECT_NE(broken(second.text()).find("output out2 is not covered"), std::string::npos);
   EXPECT_NE(broken("<FlgNet><Parts/><Wires><Wire Color=\"red\"/></Wires></FlgNet>").find("Color"), std::string::npos);
   EXPECT_NE(broken("<FlgNet><Parts/><Wires><Wire><Powerrail/><NameCon UId=\"7\" Name=\"in\"/></Wire></Wires></FlgNet>")
                 .find("does not exist"),
