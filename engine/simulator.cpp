@@ -3,7 +3,6 @@
 #include "engine/simulator.hpp"
 
 #include "engine/cell_value.hpp"
-#include "engine/compiled/compiled_program.hpp"
 #include "engine/device_end.hpp"
 #include "engine/simulator_hooks.hpp"
 #include "ir/s7200/special_memory.hpp"
@@ -14,35 +13,7 @@ namespace {
 
 constexpr std::uint64_t defaultStation = 2;  // of a CPU as delivered (not in the manual text)
 
-/// With what the CPU makes of choices that nobody has made.
-SimulatorOptions optionsFor(const Program& program, SimulatorOptions options) {
-  options.choices = choicesFor(program.target, options.choices);
-  options.retentive = retentiveRanges(program, options.retentive);
-  return options;
-}
-
 }  // namespace
-
-Simulator::Simulator(const Program& program, SimulatorOptions options, Outside* outside)
-    : plan_(program),
-      contracts_(std::make_shared<const CallContracts>(program)),
-      options_(optionsFor(program, std::move(options))),
-      outside_(outside),
-      domain_(*this),
-      store_(powerUpState(plan_, options_.choices, options_.dataLost)),
-      machine_(domain_, store_, plan_),
-      queue_(program.target),
-      devices_(options_.clock, program.target),
-      unknownIsZero_(outside == nullptr && options_.choices.is(Choice::UnknownBits, "zero")),
-      random_(options_.seed) {
-  startClock(Reg::PhaseHundred, options_.phaseMs);
-  prepareCosts();
-  savesMemory_ = savesMemory(target());
-  hasFineTimers_ = !plan_.iecTimers.empty() ||
-                   std::ranges::any_of(plan_.timers, [](const TimerUse& use) { return use.resolution == 1; });
-}
-
-Simulator::~Simulator() = default;
 
 void Simulator::powerCycle() {
   store_ = powerCycledState(plan_, options_.choices, store_, *options_.retentive);

@@ -149,7 +149,7 @@ class Simulator final : private Outside {
   void scanInRun(const ScanRequest& request, std::uint32_t lengthUs);
   void scanInStop(std::uint32_t lengthUs);
   void boundary(Runner& runner, const FlowStep* step);
-  // simulator_compiled.cpp
+  // compiled/simulator_with_code.cpp
   bool runCompiled(std::uint32_t lengthUs);
   bool mayRunCompiled();
   compiled::CompiledProgram* machineCode(bool countsTime);

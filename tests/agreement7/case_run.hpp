@@ -1,4 +1,4 @@
-// One stated case on the machine that runs programs: the engine's, or the mutated one of tests/mutation7.
+// One stated case on the machine that runs programs.
 #pragma once
 
 #include <string>

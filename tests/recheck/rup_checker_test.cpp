@@ -87,7 +87,7 @@ TEST(RupChecker, RandomClausesAreDerivedOnlyWhereTheyFollow) {
     return clause;
   };
   std::size_t derived = 0, refuted = 0;
-  for (int round = 0; round < 400; ++round) {
+  for (int round = 0; round < 800; ++round) {
     std::vector<Literals> clauses;
     RupChecker checker(variables);
     const int count = 8 + static_cast<int>(random() % 30);

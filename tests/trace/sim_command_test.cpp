@@ -183,8 +183,10 @@ TEST_F(SimCommand, BadTraceOfCompareNamesFileLineColumnAndHelp) {
 
 TEST_F(SimCommand, ProgressStandsOnATerminalOnly) {
   const auto errors = [&](bool isTerminal, std::vector<std::string> more) {
-    std::vector<std::string> arguments = {"sim",     path("start.awl"), "--isolated", "--signals",     "Q0.0",
-                                          "--scans", "400000",          "--trace",    path("long.vcd")};
+    // Long enough to be told of: machine code would be at the end before.
+    std::vector<std::string> arguments = {"sim",      path("start.awl"), "--isolated", "--signals",      "Q0.0",
+                                          "--scans",  "400000",          "--trace",    path("long.vcd"), "--engine",
+                                          "reference"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     std::istringstream in;
     std::ostringstream out, err;

@@ -1,13 +1,21 @@
 // When machine code runs the program of a scan: where nothing but the program itself decides what the scan leaves. No
 // event waits, nobody looks, nothing is forced or scripted, and no tick of the 1 ms clock that falls into the program
 // makes a difference there. Whatever else happens, the machine code gives up and the reference engine makes the scan.
-// Covered by tests/compiled.
+// A simulator owns its machine code, so that it is made and ends here too. Covered by tests/compiled.
 #include "engine/compiled/compiled_program.hpp"
 #include "engine/simulator_hooks.hpp"
+#include "ir/s7200/special_memory.hpp"
 
 namespace rungproof {
 
 namespace {
+
+/// With what the CPU makes of choices that nobody has made.
+SimulatorOptions optionsFor(const Program& program, SimulatorOptions options) {
+  options.choices = choicesFor(program.target, options.choices);
+  options.retentive = retentiveRanges(program, options.retentive);
+  return options;
+}
 
 /// Scans after which a run is taken for long enough to pay for machine code.
 constexpr std::uint64_t scansBefore = 100;
@@ -15,6 +23,27 @@ constexpr std::uint64_t scansBefore = 100;
 constexpr std::uint32_t mostDoublings = 10;
 
 }  // namespace
+
+Simulator::Simulator(const Program& program, SimulatorOptions options, Outside* outside)
+    : plan_(program),
+      contracts_(std::make_shared<const CallContracts>(program)),
+      options_(optionsFor(program, std::move(options))),
+      outside_(outside),
+      domain_(*this),
+      store_(powerUpState(plan_, options_.choices, options_.dataLost)),
+      machine_(domain_, store_, plan_),
+      queue_(program.target),
+      devices_(options_.clock, program.target),
+      unknownIsZero_(outside == nullptr && options_.choices.is(Choice::UnknownBits, "zero")),
+      random_(options_.seed) {
+  startClock(Reg::PhaseHundred, options_.phaseMs);
+  prepareCosts();
+  savesMemory_ = savesMemory(target());
+  hasFineTimers_ = !plan_.iecTimers.empty() ||
+                   std::ranges::any_of(plan_.timers, [](const TimerUse& use) { return use.resolution == 1; });
+}
+
+Simulator::~Simulator() = default;
 
 bool Simulator::mayRunCompiled() {
   if (options_.engine == EngineKind::Reference || plan_.isStep7()) return false;
