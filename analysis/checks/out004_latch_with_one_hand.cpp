@@ -1,5 +1,5 @@
 // OUT004: S without R, or R without S. Coils, moves, block operations, pointers, steps and `external` lines count as
-// the other hand. Tested by its examples and tests/rules/output_rules_test.cpp.
+// the other hand; what a start-up sets is meant to stay on. Tested by its examples and tests/rules/output_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 
 #include "analysis/flow/bit_ranges.hpp"
 #include "analysis/flow/facts.hpp"
+#include "analysis/flow/step7_blocks.hpp"
 #include "analysis/rule.hpp"
 
 namespace rungproof {
@@ -28,6 +29,9 @@ bool isWrittenWhole(const Facts& facts, std::uint32_t cell) {
 /// By bit; bits that no bit instruction writes stay empty.
 std::vector<LatchHands> allHands(const Facts& facts) {
   std::vector<LatchHands> all(facts.bits().size());
+  std::vector<bool> isStartUp;
+  for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block)
+    isStartUp.push_back(isStartUpOnly(facts, block));
   std::uint32_t cell = ~0U;
   bool isOther = false;
   for (std::uint32_t key = 0; key < all.size(); ++key) {
@@ -40,8 +44,9 @@ std::vector<LatchHands> allHands(const Facts& facts) {
     LatchHands& hands = all[key];
     hands.other = isOther;
     for (const std::uint32_t i : writers) {
-      const Role role = roleOf(facts.instruction(facts.access(i).instruction));
-      if (isSet(role))
+      const std::uint32_t id = facts.access(i).instruction;
+      const Role role = roleOf(facts.instruction(id));
+      if (isSet(role) && !isStartUp[facts.blockOf(id)])
         hands.set = true;
       else if (isReset(role))
         hands.reset = true;
