@@ -87,7 +87,7 @@
   ROW(std::size_t, truthLimit, 600, "truths", "of the state that invariants speak of") \
   ROW(std::size_t, pairedTruths, 400, "truths", "whose pairs are looked at together") \
   ROW(std::size_t, groupedTruths, 1000, "truths", "whose groups are looked for") \
-  ROW(std::size_t, leastGroup, 8, "truths", "of a group; the pairs of fewer are as good") \
+  ROW(std::size_t, leastGroup, 24, "truths", "of a group; the pairs of fewer are as good") \
   ROW(std::size_t, mostGroups, 64, "groups", "looked at together") \
   ROW(int, groupScans, 48, "scans", "sampled on 64 runs") \
   ROW(int, groupRounds, 4, "rounds", "of 64 states that keep all groups, before the solver is asked") \

@@ -68,7 +68,9 @@ TEST(Step7SolverRules, CoilsThatNeverChange) {
   EXPECT_EQ(provedFindings("A I 0.0;\nO I 0.1;\n= Q 0.0;"), Said());
   EXPECT_EQ(provedFindings("SET;\n= Q 0.0;\nCLR;\n= Q 0.1;"), Said());
   EXPECT_EQ(provedFindings("A I 0.0;\nL S5T#1S;\nSD T 1;\nA T 1;\n= Q 0.0;"), Said());
-  EXPECT_EQ(provedFindings("A M 0.0;\nFP M 0.1;\n= Q 0.0;\nAN M 0.0;\n= M 0.0;"), Said());
+  EXPECT_EQ(provedFindings("A M 20.0;\nFP M 20.1;\n= Q 0.0;\nAN M 20.0;\n= M 20.0;"), Said());
+  // MB0 to MB15 keep their values without power: the pulse may come in the first scan.
+  EXPECT_EQ(provedFindings("A M 0.0;\nFP M 0.1;\n= Q 0.0;\nAN M 0.0;\n= M 0.0;"), Said{"SAF005 Q0.0"});
 }
 
 TEST(Step7SolverRules, PropertiesThatDoNotHold) {
