@@ -1,5 +1,6 @@
 // OUT004: S without R, or R without S. Coils, moves, block operations, pointers, steps and `external` lines count as
-// the other hand; what a start-up sets is meant to stay on. Tested by its examples and tests/rules/output_rules_test.cpp.
+// the other hand; what a start-up sets is meant to stay on. Tested by its examples and
+// tests/rules/output_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>

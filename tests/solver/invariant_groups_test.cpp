@@ -65,7 +65,7 @@ std::vector<ExclusiveGroup> groupsOf(const Steps& s) {
 }
 
 TEST(Groups, ARingIsOneGroupHoweverLong) {
-  for (const std::size_t n : {std::size_t{8}, std::size_t{50}, std::size_t{300}}) {
+  for (const std::size_t n : {schedule::leastGroup, std::size_t{50}, std::size_t{300}}) {
     const Steps ring = stepsOf(n, {0}, true);
     const std::vector<ExclusiveGroup> groups = groupsOf(ring);
     ASSERT_EQ(groups.size(), 1U);
@@ -92,8 +92,8 @@ TEST(Groups, AFaultAtTheEndOfALongChainLeavesNone) { EXPECT_TRUE(groupsOf(stepsO
 
 /// Two rings that know nothing of each other are two groups.
 TEST(Groups, TwoRingsAreTwoGroups) {
-  Steps s = stepsOf(10, {0}, true);
-  const Steps other = stepsOf(12, {3}, true);
+  Steps s = stepsOf(24, {0}, true);
+  const Steps other = stepsOf(26, {3}, true);
   std::vector<Lit> inputs;
   for (std::size_t i = 0; i < other.steps.size(); ++i) inputs.push_back(s.system.addInput("other"));
   std::vector<Lit> latches;
@@ -107,14 +107,14 @@ TEST(Groups, TwoRingsAreTwoGroups) {
   s.steps.insert(s.steps.end(), latches.begin(), latches.end());
   const std::vector<ExclusiveGroup> groups = groupsOf(s);
   ASSERT_EQ(groups.size(), 2U);
-  EXPECT_EQ(groups[0].size() + groups[1].size(), 22U);
+  EXPECT_EQ(groups[0].size() + groups[1].size(), 50U);
   EXPECT_TRUE(areInductive(s.system, groups));
 }
 
 /// Constraints are kept: an input that puts two on at once may never be on.
 TEST(Groups, ConstraintsAreKept) {
   for (const bool isConstrained : {true, false}) {
-    Steps s = stepsOf(16, {0}, true);
+    Steps s = stepsOf(26, {0}, true);
     const Lit fault = s.system.addInput("fault");
     for (const Lit l : {s.steps[2], s.steps[9]}) {
       const Latch& latch = s.system.latches[s.system.position[variableOf(l)]];
@@ -128,7 +128,7 @@ TEST(Groups, ConstraintsAreKept) {
 
 TEST(Groups, FewTruthsAreLeftToPairsAndNoTimeFindsNothing) {
   EXPECT_TRUE(groupsOf(stepsOf(schedule::leastGroup - 1, {0}, true)).empty());
-  const Steps ring = stepsOf(20, {0}, true);
+  const Steps ring = stepsOf(30, {0}, true);
   EXPECT_TRUE(mineGroups(ring.system, ring.steps, groupSeed, Budget::seconds(0)).empty());
 }
 
