@@ -86,11 +86,15 @@ void passTimers(Machine<D>& m, typename D::Bits ticks, IsAsked&& isAsked) {
   });
 }
 
-/// The same at the end of a scan of `ms` (width restBits).
+/// The same at the end of a scan of `ms` (width restBits), whatever has ended the program: the scan goes on behind it.
 template <class D>
 void endScanOfTimers(Machine<D>& m, typename D::Bits ms) {
   if (!m.plan.isStep7()) return;
-  for (const TimerUse& use : m.plan.timers) passScanOfS5(m, use.number, ms);
+  const auto guard = m.guard;
+  for (const TimerUse& use : m.plan.timers) {
+    passScanOfS5(m, use.number, ms);
+    m.guard = guard;
+  }
 }
 
 /// Lets `ticks` pass for all timers of a resolution, 1 or 10 ms: the scan calls it for 10 ms timers at its start, for

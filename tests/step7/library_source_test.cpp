@@ -135,5 +135,20 @@ TEST(LibrarySource, ScaleIsALine) {
   }
 }
 
+// STOP while an S5 timer runs: the outputs are off and the scan still has its end (002:1278). The timer runs from the
+// first scan on, the program stops in the second.
+TEST(LibrarySource, StopTurnsTheOutputsOffThoughATimerRuns) {
+  LibraryRun run(
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nSET;\n= Q 0.0;\nA I 0.0;\nL S5T#10S;\nSE T 1;\nA I 0.1;\n"
+      "JCN on;\nCALL SFC 46;\non: NOP 0;\nEND_ORGANIZATION_BLOCK\n");
+  run.scan(true);
+  EXPECT_TRUE(run.simulator.physicalOutput(0, 0));
+  run.simulator.write(direct(Area::I, Width::Bit, 0, 1), 1);
+  run.simulator.scan({.lengthUs = scanUs});
+  EXPECT_FALSE(run.simulator.isRunning());
+  EXPECT_FALSE(run.simulator.physicalOutput(0, 0));
+  EXPECT_EQ(run.simulator.store().get(Reg::LastScan, 0), scanUs / 1000);
+}
+
 }  // namespace
 }  // namespace rungproof
