@@ -113,7 +113,8 @@ struct Distributor {
   static void run(Step7Args<D>&) {}
 };
 
-/// BE, BEU.
+/// BE, BEU. What a block leaves behind in the status word is the same whether an instruction or its text ends it:
+/// control.hpp says it.
 template <Name stlName, Name germanName, Name manualLine>
 struct BlockEnd {
   static constexpr Desc desc =
@@ -121,8 +122,6 @@ struct BlockEnd {
   template <class D>
   static void run(Step7Args<D>& a) {
     a.s.jumps = a.yes();
-    a.setBit(a.s.os, a.no());
-    a.endString(a.yes());
   }
 };
 
@@ -131,7 +130,6 @@ struct BlockEndConditional {
   template <class D>
   static void run(Step7Args<D>& a) {
     a.s.jumps = a.s.rlo;
-    a.m.when(a.s.rlo, [&] { a.setBit(a.s.os, a.no()); });
     a.setBit(a.s.rlo, a.yes());
     a.endString(a.yes());
   }

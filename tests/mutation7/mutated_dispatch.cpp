@@ -1,0 +1,46 @@
+// All meanings of the S7-300/400 compiled for the mutated domain, and the changes to an instruction as a whole.
+#include <cstdlib>
+
+#include "ir/s7200/dispatch.hpp"
+#include "ir/s7300/isa_list.hpp"
+#include "tests/mutation/mutated.hpp"
+
+namespace rungproof {
+
+namespace {
+
+using mutation::Mutated;
+
+void executeChanged(Machine<Mutated>& m, const Instruction& instruction) {
+  static constexpr auto table = isa::step7::makeDispatch<Mutated>(isa::step7::AllInstructions{});
+  const int change = mutation::Mutation::instance().changeOfWhole(mutation::Op::Whole, *instruction.desc);
+  if (change != 1) table[instruction.desc->opcode](m, instruction);
+  if (change == 2) m.step7.rlo = !m.step7.rlo;
+}
+
+template <std::size_t... i>
+constexpr std::array<Execute<Mutated>, sizeof...(i)> everyEntry(std::index_sequence<i...>) {
+  return {((void)i, &executeChanged)...};
+}
+
+}  // namespace
+
+/// Programs of the S7-200 are not mutated here.
+template <>
+std::span<const Execute<Mutated>> dispatchTable<Mutated>() {
+  return {};
+}
+
+template <>
+std::span<const Execute<Mutated>> step7DispatchTable<Mutated>() {
+  static constexpr auto table = everyEntry(std::make_index_sequence<isa::step7::instructionTable.size()>{});
+  return table;
+}
+
+/// The stated cases call no block of the system: its bodies have tests of their own (tests/step7).
+template <>
+void runSystemBlock<Mutated>(Machine<Mutated>&, const std::function<void()>&) {
+  std::abort();
+}
+
+}  // namespace rungproof
