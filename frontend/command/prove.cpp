@@ -13,6 +13,7 @@
 #include "analysis/proof/rule_answers.hpp"
 #include "analysis/rule.hpp"
 #include "analysis/selfcheck/self_check.hpp"
+#include "analysis/unread/idle_blocks.hpp"
 #include "frontend/acceptance/record_of.hpp"
 #include "frontend/command.hpp"
 #include "frontend/explain/certificate_head.hpp"
@@ -263,6 +264,7 @@ Exit runAnew(const Arguments& arguments, Context& context, bool& isSettled) {
     ProgramInput input = readInput(context, settings, files, arguments.properties);
     std::vector<std::string> leftOut = arguments.asDownloaded ? leaveOut(input.program) : std::vector<std::string>();
     met.merge(keepOnly(arguments.only, input.properties));
+    leaveOutIdleBlocks(input.program, input.properties);
     Report part = startReport("prove", input.program, files);
     part.coverage.leftOut = std::move(leftOut);
     std::erase_if(part.findings, [](const Finding& finding) { return finding.severity != Severity::Error; });

@@ -201,13 +201,13 @@ std::set<std::string> messages(std::string_view rule, const std::vector<Finding>
   }
   return found;
 }
-using Messages = std::set<std::string>;
+using MessageSet = std::set<std::string>;
 
 TEST(Conflict, NamesEachRangeOnce) {
   EXPECT_EQ(messages("OUT003", findingsOf("Network 1\nLD I0.0\nS Q0.2, 6\nNetwork 2\nLD I0.1\nR Q0.2, 6\nNetwork 3\nLD "
                                           "I0.2\nS M0.0, 4\nNetwork 4\nLD I0.3\nR M0.0, 5\n")),
-            (Messages{"Q0.2: Q0.2 to Q0.7 are set and reset in one scan; R comes last and wins",
-                      "M0.0: M0.0 to M0.3 are set and reset in one scan; R comes last and wins"}));
+            (MessageSet{"Q0.2: Q0.2 to Q0.7 are set and reset in one scan; R comes last and wins",
+                        "M0.0: M0.0 to M0.3 are set and reset in one scan; R comes last and wins"}));
 }
 
 TEST(Conflict, OneBlockAgainstManySingleBits) {
@@ -218,15 +218,15 @@ TEST(Conflict, OneBlockAgainstManySingleBits) {
   }
   const std::string reset = "Network 8\nLD I0.4\nR M0.0, 5\n";
   EXPECT_EQ(messages("OUT003", findingsOf(sets + reset)),
-            Messages{"M0.0: M0.0 to M0.3 are set and reset in one scan; R comes last and wins"});
+            MessageSet{"M0.0: M0.0 to M0.3 are set and reset in one scan; R comes last and wins"});
   EXPECT_EQ(messages("OUT003", findingsOf(reset + sets)),
-            Messages{"M0.0: M0.0 to M0.3 are set and reset in one scan; S comes last and wins"});
+            MessageSet{"M0.0: M0.0 to M0.3 are set and reset in one scan; S comes last and wins"});
   // M0.1 cannot be set while it is reset.
   EXPECT_EQ(
       messages("OUT003", findingsOf("Network 1\nLD I0.0\nS M0.0, 1\nNetwork 2\nLDN I0.4\nS M0.1, 1\nNetwork 3\nLD "
                                     "I0.2\nS M0.2, 1\n" +
                                     reset)),
-      Messages{"M0.0: M0.0 and M0.2 are set and reset in one scan; R comes last and wins"});
+      MessageSet{"M0.0: M0.0 and M0.2 are set and reset in one scan; R comes last and wins"});
 }
 
 TEST(Conflict, SeveralResetsOfOneBitKeepTheirPlaces) {
@@ -242,14 +242,14 @@ TEST(Conflict, ASwitchOffBehindTheCoilsIsMeant) {
   EXPECT_TRUE(isSilent("OUT003", last));
   EXPECT_TRUE(isSilent("OUT005", last));
   EXPECT_EQ(messages("OUT003", findingsOf(off + coils)),
-            Messages{"Q0.1: Q0.1 to Q0.2 are set and reset in one scan; = comes last and wins"});
+            MessageSet{"Q0.1: Q0.1 to Q0.2 are set and reset in one scan; = comes last and wins"});
 }
 
 TEST(PowerUp, NamesARangeOnce) {
   EXPECT_EQ(
       messages("SAF005", findingsOf("Network 1\nLD I0.0\nS M14.0, 1\nNetwork 2\nLD I0.1\nR M14.0, 1\nNetwork "
                                     "3\nLD M14.0\nS Q0.0, 4\nNetwork 4\nLDN M14.0\nR Q0.0, 4\n")),
-      Messages{"Q0.0: Q0.0 to Q0.3 can be on at the end of the first scan because of what retentive memory holds"});
+      MessageSet{"Q0.0: Q0.0 to Q0.3 can be on at the end of the first scan because of what retentive memory holds"});
 }
 
 // ---- Suspicions of the flow analysis --------------------------------------------------------------------
