@@ -15,6 +15,7 @@
 #include "frontend/logger/trace_import.hpp"
 #include "frontend/simulation/comparison.hpp"
 #include "frontend/simulation/expected_lanes.hpp"
+#include "frontend/simulation/first_values.hpp"
 #include "frontend/simulation/run_limits.hpp"
 #include "frontend/simulation/run_report.hpp"
 #include "frontend/simulation/scan_drawings.hpp"
@@ -36,6 +37,7 @@ struct Arguments {
   std::vector<std::string> traces;
   std::vector<std::string> signals;
   std::vector<std::string> tolerances;
+  std::vector<std::string> values;
   bool asDownloaded = false;
   unsigned slack = 0;
   std::uint64_t scans = 0;
@@ -78,6 +80,7 @@ class Preparation {
     readFiles(job);
     chooseSignals(job);
     chooseLength(job);
+    setFirst(job.stimulus, arguments_.values, program_, failures);
     using namespace std::chrono_literals;
     job.scanTime = context_.settings.scanTime().value_or(ScanTime{10ms, 10ms});
     for (const std::string& name : arguments_.traces) {
@@ -378,6 +381,9 @@ Action setup(ArgumentTable& table) {
   auto arguments = std::make_shared<Arguments>();
   table.arguments("FILE", arguments->files, "programs, symbol tables and data blocks; '-' is standard input");
   table.option("--stimulus", arguments->stimulus, "FILE", "what the inputs do, scan by scan or by time (CSV, VCD)");
+  table.option(
+      "--set", arguments->values, "ADDRESS=VALUE",
+      "what an input or memory holds from the first scan on, until a stimulus says otherwise; may be repeated");
   table.option("--expect", arguments->expect, "FILE", "the trace as it should be (CSV, VCD)");
   table.option("--trace", arguments->traces, "FILE",
                "write the trace: .csv .vcd .json .svg .html, or '-'; may be repeated");
@@ -423,6 +429,7 @@ extern constexpr Command simCommand = {
         "Examples:\n"
         "    rungproof sim press.awl --stimulus start.csv --expect start.expected.csv\n"
         "    rungproof sim press.awl --stimulus start.csv --trace start.vcd --trace start.html\n"
+        "    rungproof sim press.awl --set I0.0=1 --set VW100=250 --scans 20 --trace -\n"
         "    rungproof sim press.awl --expect logger.csv --time-column Zeit --time-unit s --rename Pumpe=Q0.1\n"
         "    rungproof sim press.awl --duration 10s --scan-time 5ms --signals I0.0,Q0.0,T37.value --trace -\n",
     .shows = option_group::Reading | option_group::Running | option_group::Traces | option_group::Output |

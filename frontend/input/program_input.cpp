@@ -44,9 +44,16 @@ ReadOptions readOptionsOf(const Settings& settings) {
 
 namespace {
 
-/// Without --cpu, a program with instructions that only the S7-200 SMART has is taken for its largest CPU.
+/// Without --cpu, a program with instructions that only the S7-200 SMART has is taken for its largest CPU. A CPU of
+/// another family than the program's is none for it.
 void guessCpu(const Context& context, const Settings& settings, Program& program) {
-  if (settings.isSet(Opt::Cpu)) return;
+  if (settings.isSet(Opt::Cpu)) {
+    const Cpu named = settings.target().cpu;
+    if (isStep7(named) != isStep7(program.target) && !settings.flag(Opt::Quiet))
+      context.err << fmt::format("rungproof: {} is no CPU of the {}: the program is taken for a CPU {}\n",
+                                 cpuName(named), dialectOf(program.target).title, cpuName(program.target.cpu));
+    return;
+  }
   for (const Pou& pou : program.pous) {
     for (const Network& network : pou.networks) {
       for (const Instruction& instruction : network.instructions) {

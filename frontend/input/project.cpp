@@ -116,6 +116,7 @@ class ProjectReader {
     nameFromFiles(program_, headless_);
     if (isStep7 && !program_.pous.empty()) reportOtherFamily();
     if (isStep7) step7::buildStep7Project(program_, step7_, options_);
+    if (!isStep7 && rungproof::isStep7(program_.target)) program_.target = dialects().front()->usual;
     mainFirst();
     if (!isStep7) {
       reportTwins();

@@ -17,25 +17,28 @@ namespace {
 
 using namespace option_group;
 
-/// The names of all CPUs, as "212|214|...".
+/// The names of CPUs, as "212|214|...": those of the S7-200, or of all families.
 struct CpuNames {
   std::array<char, 256> text{};
   std::size_t length = 0;
 
-  constexpr CpuNames() {
-    for (const CpuRow& row : cpu_rows::rows) {
-      if (length > 0) text[length++] = '|';
-      for (const char c : row.name) text[length++] = c;
-    }
+  constexpr explicit CpuNames(bool all) {
+    for (const CpuRow& row : cpu_rows::rows) add(row.name);
+    if (!all) return;
+    for (const Step7CpuRow& row : cpu_rows::step7) add(row.name);
+  }
+  constexpr void add(std::string_view name) {
+    if (length > 0) text[length++] = '|';
+    for (const char c : name) text[length++] = c;
   }
   constexpr std::string_view view() const { return {text.data(), length}; }
 };
 
 // clang-format off
-constexpr CpuNames cpuNames;
+constexpr CpuNames s7200CpuNames(false), cpuNames(true);
 
 constexpr std::array table = {
-    OptionInfo{Opt::Cpu, Reading, Arity::One, "cpu", cpuNames.view(), "226", "CPU whose limits count"},
+    OptionInfo{Opt::Cpu, Reading, Arity::One, "cpu", cpuNames.view(), "226", "CPU whose limits count; of an S7-300/400 the largest, unless one is named"},
     OptionInfo{Opt::Edition, Reading, Arity::One, "edition", "2003|2004|smart-2.7|smart-2.8", "2004", "edition of the system manual whose tables count, or firmware of an S7-200 SMART"},
     OptionInfo{Opt::Dialect, Reading, Arity::One, "dialect", "auto|s7-200|s7-300|s7-400", "auto", "what the files are written in"},
     OptionInfo{Opt::Mnemonics, Reading, Arity::One, "mnemonics", "auto|international|german", "auto", "which set of mnemonics the files use"},
@@ -70,7 +73,7 @@ constexpr std::array table = {
     OptionInfo{Opt::ChoiceOf, Running, Arity::List, "choice", "KEY=VALUE", "", "reading of a point that the manual leaves open; see 'rungproof explain choices'", false},
     OptionInfo{Opt::Select, Rules, Arity::List, "select", "CODE", "", "rules to run, by id or prefix (ADR001, ADR, ALL); those that are on by default"},
     OptionInfo{Opt::Ignore, Rules, Arity::List, "ignore", "CODE", "", "rules not to run, by id or prefix"},
-    OptionInfo{Opt::PortTo, Rules, Arity::One, "port-to", cpuNames.view(), "", "CPU that the program is to be ported to: PRT001 tells what is not the same there"},
+    OptionInfo{Opt::PortTo, Rules, Arity::One, "port-to", s7200CpuNames.view(), "", "CPU that the program is to be ported to: PRT001 tells what is not the same there"},
     OptionInfo{Opt::Level, Rules, Arity::One, "level", "error|warning|note", "note", "report findings of this severity and above"},
     OptionInfo{Opt::FailLevel, Rules, Arity::One, "fail-level", "error|warning|note", "warning", "findings of this severity and above make the exit code 1 (sim --expect: error)"},
     OptionInfo{Opt::ExitZero, Rules, Arity::Flag, "exit-zero", "", "", "exit with 0 whatever is found; with 2 only if the job could not be done"},
