@@ -57,6 +57,7 @@ enum class Hazard : std::uint8_t {
   S7WriteProtected,
   S7BlockMissing,
   S7Nesting,
+  S7CycleTime,
   S7Stop
 };
 
@@ -147,8 +148,12 @@ inline constexpr std::array hazardTable = {
                "002:1288"},
     HazardInfo{Hazard::S7BlockMissing, "OB121 3A", HazardClass::Fatal, "block is not loaded", "002:1287"},
     HazardInfo{Hazard::S7Nesting, "STOP", HazardClass::Fatal, "blocks nested too deeply", "002:1278"},
+    HazardInfo{Hazard::S7CycleTime, "STOP", HazardClass::Fatal, "the scan outlasts the cycle monitoring", "002:1296"},
     HazardInfo{Hazard::S7Stop, "STOP", HazardClass::Fatal, "SFC 46 stops the CPU", "002:2343"},
 };
+
+/// A scan that lasts too long, by the family of the program.
+constexpr Hazard watchdogHazard(bool isStep7) { return isStep7 ? Hazard::S7CycleTime : Hazard::FatalWatchdog; }
 
 constexpr const HazardInfo& hazardInfo(Hazard hazard) { return hazardTable[static_cast<std::size_t>(hazard)]; }
 

@@ -108,7 +108,7 @@ void checkCtl004(const Facts& facts, FindingSink& sink) {
   }
 }
 
-constexpr Hazard ctl004Hazards[] = {Hazard::LoopBound, Hazard::FatalWatchdog};
+constexpr Hazard ctl004Hazards[] = {Hazard::LoopBound, Hazard::FatalWatchdog, Hazard::S7CycleTime};
 
 }  // namespace
 

@@ -303,7 +303,9 @@ class Session {
         replay(program_, options_.choices, scansOf(encoding, system, trace, options_.time),
                initial ? &*initial : nullptr, [](const Concrete::Store&, std::size_t) { return true; })
             .errors;
-    return std::ranges::any_of(errors, [](const RunTimeError& e) { return e.hazard == Hazard::FatalWatchdog; });
+    return std::ranges::any_of(errors, [](const RunTimeError& e) {
+      return e.hazard == Hazard::FatalWatchdog || e.hazard == Hazard::S7CycleTime;
+    });
   }
 
   /// That the question reads.
