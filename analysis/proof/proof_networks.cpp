@@ -1,5 +1,6 @@
 // A walk backwards from what is read to who writes it. Within a network the logic stack ties everything together, so a
-// network is followed as a whole.
+// network is followed as a whole. Of an S7-300/400 the registers tie networks together too: the open data block,
+// address registers, relays, and what a network takes over from the one before.
 #include "analysis/proof/proof_networks.hpp"
 
 #include <fmt/format.h>
@@ -7,16 +8,70 @@
 #include <algorithm>
 #include <set>
 
+#include "analysis/proof/written_places.hpp"
+#include "analysis/unread/influence.hpp"
+#include "ir/s7300/pointer_parameter.hpp"
+#include "ir/s7300/statement_role.hpp"
+
 namespace rungproof {
 
 namespace {
 
+/// Whether a network may begin with it whatever stands in front: it uses neither the RLO nor accumulators.
+bool beginsAnew(StatementRole role) {
+  switch (role) {
+    case StatementRole::AndScan:
+    case StatementRole::OrScan:
+    case StatementRole::XorScan:
+    case StatementRole::Open:
+    case StatementRole::SetRlo:
+    case StatementRole::ClearRlo:
+    case StatementRole::JumpAlways:
+    case StatementRole::Call:
+    case StatementRole::Load:
+    case StatementRole::LoadAr1:
+    case StatementRole::LoadAr2:
+    case StatementRole::OpenBlock:
+    case StatementRole::End:
+    case StatementRole::Relay:
+    case StatementRole::Nothing: return true;
+    default: return false;
+  }
+}
+
+/// What earlier statements of its block hand on to a network, beside memory.
+enum class Tie : std::uint8_t { None, OpenBlock, AddressRegister, Relay };
+
+Tie tieOf(StatementRole role) {
+  switch (role) {
+    case StatementRole::OpenBlock:
+    case StatementRole::ExchangeBlocks: return Tie::OpenBlock;
+    case StatementRole::LoadAr1:
+    case StatementRole::LoadAr2:
+    case StatementRole::Ar2ToAr1:
+    case StatementRole::Ar1ToAr2:
+    case StatementRole::ExchangeAr:
+    case StatementRole::MoveAr1:
+    case StatementRole::MoveAr2: return Tie::AddressRegister;
+    case StatementRole::OpenRelay:
+    case StatementRole::Relay: return Tie::Relay;
+    default: return Tie::None;
+  }
+}
+
 class UseWalk {
  public:
   UseWalk(const Facts& facts, const EncodedScan& encoding, const std::unordered_set<std::uint32_t>& variables)
-      : facts_(facts) {
+      : facts_(facts), writes_(facts), isStep7_(isStep7(facts.target())) {
     for (const Cell& cell : encoding.cells()) {
       if (cell.kind == CellKind::State && variables.contains(indexOf(cell.start))) kept_.push_back(cell.place);
+    }
+    for (const InstructionPlace& place : facts.instructions()) {
+      if (parts_.empty() || parts_.back().block != place.block || parts_.back().network != place.network)
+        parts_.push_back({place.block, place.network});
+      parts_.back().instructions.push_back(place.instruction->id);
+      partOf_.push_back(parts_.size() - 1);
+      ties_.insert({place.block, tieOf(statementRole(*place.instruction)), parts_.size() - 1});
     }
   }
 
@@ -30,81 +85,113 @@ class UseWalk {
       followWriters(access, noReader, 0);
     }
     while (!open_.empty()) {
-      const auto [block, network] = open_.back();
+      const std::size_t part = open_.back();
       open_.pop_back();
-      enter(block, network);
+      enter(part);
     }
     std::vector<NetworkName> names;
-    for (const auto& [block, network] : seen_)
-      names.emplace_back(facts_.program().pous[block].name, facts_.program().pous[block].networks[network].number);
+    for (const Part& part : parts_) {
+      const Pou& pou = facts_.program().pous[part.block];
+      if (part.isSeen) names.emplace_back(pou.name, pou.networks[part.network].number);
+    }
     return names;
   }
 
  private:
-  using Key = std::pair<std::uint32_t, std::uint32_t>;  ///< block, network
+  /// A network.
+  struct Part {
+    std::uint32_t block = 0, network = 0;
+    std::vector<std::uint32_t> instructions{};  ///< Instruction::id
+    bool isSeen = false;
+  };
   static constexpr std::uint32_t noReader = 0xFFFFFFFF;
 
-  void add(std::uint32_t instruction) {
-    const InstructionPlace& place = facts_.place(instruction);
-    if (seen_.emplace(place.block, place.network).second) open_.emplace_back(place.block, place.network);
+  void addPart(std::size_t part) {
+    if (parts_[part].isSeen) return;
+    parts_[part].isSeen = true;
+    open_.push_back(part);
+  }
+  void add(std::uint32_t instruction) { addPart(partOf_[instruction]); }
+
+  void enter(std::size_t at) {
+    const Part& part = parts_[at];
+    for (const std::uint32_t id : part.instructions) {
+      for (const Access& access : facts_.accesses().of(id)) {
+        if (!access.write || access.maybe) followWriters(access, id, part.block);
+      }
+      if (const Instruction* skipper = facts_.execution().at(id).skippedBy) add(skipper->id);
+    }
+    // A subroutine runs because it is called, and what a call hands back its routine has made.
+    for (const std::uint32_t site : facts_.calls().callsOf(part.block))
+      add(facts_.calls().sites()[site].instruction->id);
+    for (const Attachment& attachment : facts_.calls().attachments()) {
+      if (attachment.routine == part.block) add(attachment.instruction->id);
+    }
+    for (const std::uint32_t site : facts_.calls().callsIn(part.block)) {
+      const CallSite& call = facts_.calls().sites()[site];
+      if (call.callee != noBlock && partOf_[call.instruction->id] == at) addHandedBack(call.callee);
+    }
+    followRegisters(at);
   }
 
-  void enter(std::uint32_t block, std::uint32_t network) {
-    for (const InstructionPlace& place : facts_.instructions()) {
-      if (place.block != block) continue;
-      const std::uint32_t id = place.instruction->id;
-      if (place.network == network) {
-        for (const Access& access : facts_.accesses().of(id)) {
-          if (!access.write || access.maybe) followWriters(access, id, block);
-        }
-        if (const Instruction* skipper = facts_.execution().at(id).skippedBy) add(skipper->id);
+  /// Networks of a block that write what it gives its caller.
+  void addHandedBack(std::uint32_t block) {
+    const Pou& pou = facts_.program().pous[block];
+    const auto isGiven = [&](const Access& access) {
+      if (!access.write) return false;
+      if (access.viaPointer && access.pointed == Pointed::OfCall) return true;
+      const bool isOwn = isStep7_ ? hasInstance(pou) && access.viaPointer && access.area == Area::DB
+                                  : !access.viaPointer && access.area == Area::L;
+      return isOwn && std::ranges::any_of(pou.locals, [&](const LocalVariable& local) {
+               const bool isBack = local.section == VarSection::Output || local.section == VarSection::InOut;
+               const std::uint32_t size = std::max<std::uint32_t>(
+                   isStep7_ ? local.size : static_cast<std::uint32_t>(bytes(widthOf(local.type))), 1);
+               return isBack && access.offset < local.address.offset + size &&
+                      local.address.offset < access.offset + std::max<std::uint32_t>(access.possibleLength(), 1);
+             });
+    };
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      if (parts_[i].block != block || parts_[i].isSeen) continue;
+      for (const std::uint32_t id : parts_[i].instructions) {
+        if (std::ranges::any_of(facts_.accesses().of(id), isGiven)) addPart(i);
       }
     }
-    // A subroutine runs because it is called.
-    if (facts_.program().pous[block].kind == PouKind::Main) return;
-    for (const InstructionPlace& place : facts_.instructions()) {
-      if (place.instruction->desc->control != Control::Call && roleOf(*place.instruction) != Role::Atch) continue;
-      for (const Operand& operand : place.instruction->operands) {
-        const bool isThis = facts_.program().pous[block].number ==
-                            static_cast<int>(operand.kind == OperandKind::Constant ? operand.value : operand.offset);
-        if (isThis) add(place.instruction->id);
+  }
+
+  /// Networks of the same block that leave something in registers which this one uses.
+  void followRegisters(std::size_t at) {
+    const Part& part = parts_[at];
+    const bool hasOneBefore = at > 0 && parts_[at - 1].block == part.block;
+    if (hasOneBefore && takesFromBelow(facts_, part.instructions)) addPart(at - 1);
+    if (!isStep7_) return;
+    if (hasOneBefore && !beginsAnew(statementRole(facts_.instruction(part.instructions.front())))) addPart(at - 1);
+    addTied(part.block, Tie::Relay);
+    for (const std::uint32_t id : part.instructions) {
+      for (const Operand& operand : facts_.instruction(id).operands) {
+        if (operand.reach == nullptr) continue;
+        const Way way = operand.reach->way;
+        if (way == Way::OpenBlock) addTied(part.block, Tie::OpenBlock);
+        if (way == Way::Register || way == Way::Crossing) addTied(part.block, Tie::AddressRegister);
       }
     }
+  }
+  void addTied(std::uint32_t block, Tie tie) {
+    for (auto i = ties_.lower_bound({block, tie, 0}); i != ties_.end() && i->block == block && i->tie == tie; ++i)
+      addPart(i->part);
+    // A block that opens no data block works in that of its caller, which its calls stand for.
+    if (tie != Tie::OpenBlock || !inherited_.insert(block).second) return;
+    for (const std::uint32_t site : facts_.calls().callsOf(block)) addTied(facts_.calls().sites()[site].caller, tie);
   }
 
   void followWriters(const Access& read, std::uint32_t reader, std::uint32_t block) {
     std::vector<std::uint32_t> writers;
-    for (std::uint32_t i = 0; i < std::max<std::uint32_t>(read.possibleLength(), 1); ++i) {
-      const std::uint32_t cell = facts_.index().cells().cell(read.area, read.offset + i, block);
-      if (cell >= facts_.index().cells().size()) continue;
-      for (const std::uint32_t index : facts_.index().at(cell)) {
-        const Access& access = facts_.access(index);
-        if ((access.write || access.maybe || access.isBox) && overlaps(read, access))
-          writers.push_back(access.instruction);
-      }
-    }
-    for (const std::uint32_t index : facts_.index().wide()) {
-      const Access& access = facts_.access(index);
-      if (access.write && (access.viaPointer || overlaps(read, access))) writers.push_back(access.instruction);
-    }
-    const bool isEarlier = reader == noReader || std::any_of(writers.begin(), writers.end(), [&](std::uint32_t w) {
-                             return w < reader || facts_.blockOf(w) != facts_.blockOf(reader);
-                           });
+    writes_.eachWriter(read, block, [&](const Access& write) { writers.push_back(write.instruction); });
+    const bool isEarlier =
+        reader == noReader || read.viaPointer || std::any_of(writers.begin(), writers.end(), [&](std::uint32_t w) {
+          return w < reader || facts_.blockOf(w) != facts_.blockOf(reader);
+        });
     if (!isEarlier && !isKept(read)) return;
     for (const std::uint32_t writer : writers) add(writer);
-  }
-
-  static bool overlaps(const Access& a, const Access& b) {
-    if (a.area != b.area) return false;
-    const auto first = [](const Access& x) {
-      return x.byNumber() ? x.offset * 8 : x.offset * 8 + (x.width == Width::Bit ? x.bit : 0U);
-    };
-    const auto last = [&](const Access& x) {
-      if (x.byNumber()) return (x.offset + std::max<std::uint32_t>(x.most, 1)) * 8;
-      return x.width == Width::Bit ? first(x) + std::max<std::uint32_t>(x.most, 1)
-                                   : (x.offset + x.possibleLength()) * 8;
-    };
-    return first(a) < last(b) && first(b) < last(a);
   }
 
   /// Whether the verdict depends on the value that the place brings from the scan before.
@@ -112,7 +199,7 @@ class UseWalk {
     return std::any_of(kept_.begin(), kept_.end(), [&](const Place& place) {
       if (place.isRegister) {
         const bool isTimer = place.reg == Reg::TimerBit || place.reg == Reg::TimerCurrent ||
-                             place.reg == Reg::TimerRunning || place.reg == Reg::TimerInput;
+                             place.reg == Reg::TimerRunning || place.reg == Reg::TimerInput || place.reg == Reg::S5Rest;
         const bool isCounter = place.reg == Reg::CounterBit || place.reg == Reg::CounterCurrent ||
                                place.reg == Reg::CounterUp || place.reg == Reg::CounterDown;
         const bool isOther = place.reg == Reg::Accumulator;
@@ -125,10 +212,23 @@ class UseWalk {
     });
   }
 
+  /// A network of a block that hands something on in registers.
+  struct Tied {
+    std::uint32_t block;
+    Tie tie;
+    std::size_t part;
+    friend auto operator<=>(const Tied&, const Tied&) = default;
+  };
+
   const Facts& facts_;
+  const WrittenPlaces writes_;
+  bool isStep7_;
   std::vector<Place> kept_;
-  std::set<Key> seen_;
-  std::vector<Key> open_;
+  std::vector<Part> parts_;          ///< in program order
+  std::vector<std::size_t> partOf_;  ///< by Instruction::id
+  std::set<Tied> ties_;
+  std::set<std::uint32_t> inherited_;  ///< blocks whose callers have been asked for the data block they leave open
+  std::vector<std::size_t> open_;
 };
 
 }  // namespace
