@@ -30,6 +30,19 @@ bool Footprint::conflictsWith(const Footprint& other) const {
   return meet(writes, other.writes) || meet(writes, other.reads) || meet(reads, other.writes);
 }
 
+std::set<std::uint32_t> indicesIn(const Footprint& footprint, std::span<const Reg> kinds) {
+  std::set<std::uint32_t> indices;
+  for (const FootprintKeys* keys : {&footprint.reads, &footprint.writes}) {
+    for (const Reg reg : kinds) {
+      const std::uint64_t kind = (firstRegister + static_cast<std::uint64_t>(reg)) << kindShift;
+      const std::uint64_t next = kind + (std::uint64_t{1} << kindShift);
+      for (auto key = keys->lower_bound(kind); key != keys->end() && *key < next; ++key)
+        indices.insert(static_cast<std::uint32_t>(*key - kind));
+    }
+  }
+  return indices;
+}
+
 void addKeys(const Place& place, FootprintKeys& keys) {
   if (place.isRegister) {
     keys.insert((firstRegister + static_cast<std::uint64_t>(place.reg)) << kindShift | place.at);

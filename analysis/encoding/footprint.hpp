@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <map>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "analysis/encoding/symbolic_store.hpp"
@@ -40,6 +41,8 @@ struct Footprints {
 };
 
 void addKeys(const Place& place, FootprintKeys& keys);
+/// Numbers of the registers of these kinds among its keys.
+std::set<std::uint32_t> indicesIn(const Footprint& footprint, std::span<const Reg> kinds);
 /// The places behind keys: runs of bits inside one byte, and registers.
 std::vector<Place> placesOf(const FootprintKeys& keys);
 /// What decides whether an interrupt event can occur, and what its device writes then (ir/s7200/event_cause.hpp).

@@ -34,23 +34,23 @@ Attachments attachmentsOf(const Plan& plan) {
 
 namespace {
 
-void addTimerKeys(std::uint32_t timer, FootprintKeys& keys) {
-  for (const Reg reg : {Reg::TimerCurrent, Reg::TimerBit, Reg::TimerRunning, Reg::TimerPreset, Reg::S5Rest})
-    addKeys(registerPlace(reg, timer), keys);
-}
+/// What a timer is made of.
+constexpr std::array timerRegisters = {Reg::TimerCurrent, Reg::TimerBit, Reg::TimerRunning, Reg::TimerPreset,
+                                       Reg::S5Rest};
 
 }  // namespace
 
 void ScanEncoding::prepareTicks() {
   for (const TimerUse& use : plan_.timers) {
     if (use.resolution != 1) continue;
-    addTimerKeys(use.number, tickKeys_);
+    for (const Reg reg : timerRegisters) addKeys(registerPlace(reg, use.number), tickKeys_.reads);
   }
   for (const std::uint32_t instance : plan_.iecTimers) {
-    addKeys(memoryPlace(Area::DB, instance + 12, Width::Byte), tickKeys_);
-    addKeys(memoryPlace(Area::DB, instance + 18, Width::DWord), tickKeys_);
+    addKeys(memoryPlace(Area::DB, instance + 12, Width::Byte), tickKeys_.reads);
+    addKeys(memoryPlace(Area::DB, instance + 18, Width::DWord), tickKeys_.reads);
   }
-  if (program_.clockMemory) addKeys(memoryPlace(Area::M, *program_.clockMemory, Width::Byte), tickKeys_);
+  if (program_.clockMemory) addKeys(memoryPlace(Area::M, *program_.clockMemory, Width::Byte), tickKeys_.reads);
+  tickKeys_.writes = tickKeys_.reads;
   consumed_ = graph.constantNode(0, time.width());
 }
 
@@ -75,21 +75,19 @@ void ScanEncoding::prepareWatched() {
 }
 
 bool ScanEncoding::needsTicks(std::uint32_t instruction) const {
-  if (tickKeys_.empty()) return false;
-  if (instruction == ScanPlace::afterProgram || watched_.conflictsWith({tickKeys_, tickKeys_})) return true;
+  if (tickKeys_.reads.empty()) return false;
+  if (instruction == ScanPlace::afterProgram || watched_.conflictsWith(tickKeys_)) return true;
   const auto found = knowledge_.footprints.ofInstruction.find(instruction);
-  return found != knowledge_.footprints.ofInstruction.end() && found->second.conflictsWith({tickKeys_, tickKeys_});
+  return found != knowledge_.footprints.ofInstruction.end() && found->second.conflictsWith(tickKeys_);
 }
 
-/// Whether it matters in front of the instruction that an S5 timer has come to its end: time passes for each of them
-/// alone, so that it can be told to each when somebody asks.
-bool ScanEncoding::touchesTimer(std::uint32_t instruction, std::uint32_t timer) const {
-  if (instruction == ScanPlace::afterProgram) return true;
-  FootprintKeys keys;
-  addTimerKeys(timer, keys);
+/// The timers for which it matters in front of the instruction that an S5 timer has come to its end: time passes for
+/// each of them alone, so that it can be told to each when somebody asks.
+std::set<std::uint32_t> ScanEncoding::timersTouchedBy(std::uint32_t instruction) const {
+  std::set<std::uint32_t> timers = indicesIn(watched_, timerRegisters);
   const auto found = knowledge_.footprints.ofInstruction.find(instruction);
-  return watched_.conflictsWith({keys, keys}) ||
-         (found != knowledge_.footprints.ofInstruction.end() && found->second.conflictsWith({keys, keys}));
+  if (found != knowledge_.footprints.ofInstruction.end()) timers.merge(indicesIn(found->second, timerRegisters));
+  return timers;
 }
 
 bool ScanEncoding::mayInterrupt(int event, std::uint32_t instruction) const {
@@ -124,7 +122,7 @@ void ScanEncoding::boundary(Runner& runner, std::uint32_t instruction) {
   for (const int event : events_) {
     if (!mayInterrupt(event, instruction)) continue;
     hasEvents = true;
-    hasTicks = hasTicks || (!isUninterrupted && isTimerEvent(event) && !tickKeys_.empty());
+    hasTicks = hasTicks || (!isUninterrupted && isTimerEvent(event) && !tickKeys_.reads.empty());
   }
   // A routine may run what has places elsewhere: its executions count as well.
   if (hasEvents && isUninterrupted) visitOf(instruction);
@@ -172,7 +170,9 @@ void ScanEncoding::tick(std::uint32_t instruction, std::uint32_t visit) {
   const Node ticks = time.saturated16(graph.make(Op::Sub, w, now, consumed_));
   if (plan_.isStep7()) {
     machine_.passedMs = {time.saturated(graph.make(Op::Ite, w, guard, now, consumed_), restBits)};
-    passTimers(machine_, {ticks}, [&](std::uint32_t timer) { return touchesTimer(instruction, timer); });
+    const bool isAtEnd = instruction == ScanPlace::afterProgram;
+    const std::set<std::uint32_t> touched = timersTouchedBy(instruction);
+    passTimers(machine_, {ticks}, [&](std::uint32_t timer) { return isAtEnd || touched.contains(timer); });
   } else {
     const Graph::Bool passes = graph.lnot(graph.equal({ticks}, graph.literal(0, 16), 16));
     machine_.when(passes, [&] {

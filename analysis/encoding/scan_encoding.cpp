@@ -95,7 +95,7 @@ ScanEncoding::ScanEncoding(const Program& program, const EncoderOptions& options
   });
   prepareTicks();
   prepareWatched();
-  const bool records = !knowledge.isFinal && (!events_.empty() || !tickKeys_.empty());
+  const bool records = !knowledge.isFinal && (!events_.empty() || !tickKeys_.reads.empty());
   store_.observe([this, records](const Touch& touch) {
     if (touch.isWrite) widening_.note(touch.place);
     // Saving and restoring around a routine is not its doing.

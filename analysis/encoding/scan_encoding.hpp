@@ -122,7 +122,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   void endOfScan();
   void boundary(Runner& runner, std::uint32_t instruction);
   void tick(std::uint32_t instruction, std::uint32_t visit);
-  bool touchesTimer(std::uint32_t instruction, std::uint32_t timer) const;
+  std::set<std::uint32_t> timersTouchedBy(std::uint32_t instruction) const;
   bool needsTicks(std::uint32_t instruction) const;
   bool mayInterrupt(int event, std::uint32_t instruction) const;
   std::uint32_t visitOf(std::uint32_t instruction);
@@ -196,7 +196,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   const RoutineEffects* effects_;
   EventStates eventStates_;
   bool isAfterEnable_ = false;  ///< ENI stands in front of this place
-  FootprintKeys tickKeys_;      ///< of all that the 1 ms clock moves
+  Footprint tickKeys_;          ///< of all that the 1 ms clock moves
   Footprint watched_;           ///< read in front of every instruction (EncoderOptions::watched)
   Footprints footprints_;
   std::uint32_t accesses_ = 0;  ///< since the clock was looked at
