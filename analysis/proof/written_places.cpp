@@ -10,10 +10,10 @@ namespace rungproof {
 
 namespace {
 
-std::uint32_t firstBitOf(const Access& access) {
+std::uint32_t firstBitOfAccess(const Access& access) {
   return access.byNumber() || access.width != Width::Bit ? access.offset * 8 : access.offset * 8 + access.bit;
 }
-std::uint32_t bitsOf(const Access& access) {
+std::uint32_t bitsOfAccess(const Access& access) {
   const std::uint32_t elements = std::max<std::uint32_t>(access.most, 1);
   if (access.byNumber()) return elements * 8;
   return access.width == Width::Bit ? elements : access.possibleLength() * 8;
@@ -78,8 +78,8 @@ void WrittenPlaces::findMovedInstances() {
 
 WrittenPlaces::DataPlace WrittenPlaces::dataPlaceOf(const Access& access) const {
   DataPlace place;
-  place.firstBit = firstBitOf(access);
-  place.bits = bitsOf(access);
+  place.firstBit = firstBitOfAccess(access);
+  place.bits = bitsOfAccess(access);
   if (!access.viaPointer) {
     place.kind = DataPlace::Kind::Numbered;
     place.firstBit = byteInBlock(access.offset) * 8 + (access.width == Width::Bit ? access.bit : 0U);
@@ -118,7 +118,8 @@ bool WrittenPlaces::mayMeet(const Access& read, const Access& write) const {
 }
 
 bool WrittenPlaces::overlap(const Access& a, const Access& b) {
-  return a.area == b.area && firstBitOf(a) < firstBitOf(b) + bitsOf(b) && firstBitOf(b) < firstBitOf(a) + bitsOf(a);
+  return a.area == b.area && firstBitOfAccess(a) < firstBitOfAccess(b) + bitsOfAccess(b) &&
+         firstBitOfAccess(b) < firstBitOfAccess(a) + bitsOfAccess(a);
 }
 
 }  // namespace rungproof
