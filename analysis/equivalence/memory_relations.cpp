@@ -1,4 +1,5 @@
-// Every timer of one family with every one of the other, and every bit that only NEW names with every bit of OLD.
+// Every timer of one family with every one of the other, and every bit that only the S7-300/400 names with every bit of
+// the S7-200, whichever of them is OLD.
 #include "analysis/equivalence/memory_relations.hpp"
 
 #include <fmt/format.h>
@@ -43,8 +44,11 @@ RelationCandidates::RelationCandidates(EncodedScan& before, EncodedScan& after)
   const bool isStep7New = after.plan().isStep7();
   if (before.plan().isStep7() == isStep7New) return;
   EncodedScan& step7 = isStep7New ? after : before;
-  addBits(before, after);
-  addTimers(isStep7New ? before : after, step7, isStep7New);
+  EncodedScan& s7200 = isStep7New ? before : after;
+  addSeenEdges(before, false);
+  addSeenEdges(after, true);
+  addBits(s7200, step7, isStep7New);
+  addTimers(s7200, step7, isStep7New);
   if (!step7.plan().timers.empty()) addWholeTicks();
 }
 
@@ -141,23 +145,21 @@ void RelationCandidates::addWholeTicks() {
                          }});
 }
 
-void RelationCandidates::addBits(EncodedScan& before, EncodedScan& after) {
-  std::vector<Place> olds, news;
-  for (const Cell& cell : before.cells()) {
-    if (isBitState(cell)) olds.push_back(cell.place);
+void RelationCandidates::addBits(EncodedScan& s7200, EncodedScan& step7, bool isStep7New) {
+  std::vector<Place> all, own;
+  for (const Cell& cell : s7200.cells()) {
+    if (isBitState(cell)) all.push_back(cell.place);
   }
-  for (const Cell& cell : after.cells()) {
-    const bool isNamed = std::ranges::any_of(before.cells(), [&](const Cell& c) { return c.place == cell.place; });
+  for (const Cell& cell : step7.cells()) {
+    const bool isShared = std::ranges::any_of(s7200.cells(), [&](const Cell& c) { return c.place == cell.place; });
     const bool isTimer = cell.place.isRegister && cell.place.reg == Reg::TimerBit;
-    if (isBitState(cell) && !isNamed && !isTimer) news.push_back(cell.place);
+    if (isBitState(cell) && !isShared && !isTimer) own.push_back(cell.place);
   }
-  addSeenEdges(before, false);
-  addSeenEdges(after, true);
-  if (olds.size() * news.size() > mostBitPairs) return;
-  for (const Place& there : news) {
-    const Value theirs = valueOf(after, there, true);
-    for (const Place& here : olds) {
-      const Value mine = valueOf(before, here, false);
+  if (all.size() * own.size() > mostBitPairs) return;
+  for (const Place& there : own) {
+    const Value theirs = valueOf(step7, there, isStep7New);
+    for (const Place& here : all) {
+      const Value mine = valueOf(s7200, here, !isStep7New);
       candidates_.push_back({fmt::format("{} and {}", nameOf(here), nameOf(there)),
                              [=](Graph& g, const Read& r) { return g.equal(r(mine), r(theirs), 1); }});
     }

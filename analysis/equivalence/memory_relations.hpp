@@ -57,7 +57,7 @@ class RelationCandidates {
   void addWholeTicks();
   Value ticks10() const { return {time_.ticks10(), time_.saturated16(time_.ticksWithin(10)), false}; }
   Value ticks100() const { return {time_.ticks100(), time_.saturated16(time_.ticksWithin(100)), false}; }
-  void addBits(EncodedScan& before, EncodedScan& after);
+  void addBits(EncodedScan& s7200, EncodedScan& step7, bool isStep7New);
   void addSeenEdges(EncodedScan& scan, bool isNew);
   static Value valueOf(EncodedScan& scan, const Place& place, bool isNew);
 

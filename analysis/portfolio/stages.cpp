@@ -55,11 +55,22 @@ class Stages {
       beginWithCandidates();
       if (options_.check) mine();
       searchTogether(schedule::shortInduction, false);
+      if (!open_.empty() && options_.check) runBeforeBounds();
       for (const BoundScope scope : {BoundScope::Few, BoundScope::Stops, BoundScope::All, BoundScope::Pending}) {
         if (!open_.empty() && options_.check && mineDifferences(scope)) searchTogether(schedule::shortInduction, false);
       }
-      if (!open_.empty()) raceApart();
+      if (!open_.empty()) raceApart(options_.techniques, options_.seconds);
     }
+  }
+  /// Bounds prove and show nothing: what waits for a timer and is wrong is often found by a moment's random runs.
+  void runBeforeBounds() {
+    Techniques runs = options_.techniques;
+    for (const TechniqueInfo& info : techniqueTable()) {
+      if (info.id != Technique::LongSimulation) runs.leaveOut(info.id);
+    }
+    if (!runs.has(Technique::LongSimulation) || !options_.techniques.has(Technique::Bounds)) return;
+    raceApart(runs, std::min(options_.seconds, schedule::runsBeforeBounds));
+    std::erase_if(open_, [&](std::size_t q) { return answers_[q].answer != Answer::Unknown; });
   }
 
   void answerTogether() {
@@ -281,7 +292,7 @@ class Stages {
     return true;
   }
 
-  void raceApart() {
+  void raceApart(const Techniques& techniques, double seconds) {
     std::deque<BitCone> cones;
     std::vector<Lit> wanted;
     for (const std::vector<Lit>& clause : invariants_.clauses)
@@ -295,17 +306,17 @@ class Stages {
       questions[i].invariants = cones[i].translated(invariants_.clauses);
       questions[i].verdict.depth = answers_[open_[i]].depth;
       // Certificates leave REAL operations open.
-      if (!blast_->unmodelled().empty() || !options_.techniques.has(Technique::WordIc3)) continue;
+      if (!blast_->unmodelled().empty() || !techniques.has(Technique::WordIc3)) continue;
       EngineOptions options;
       options.seed = options_.seed;
       words[i] = makeWordEngine(system_, open_[i], options);
       questions[i].words = words[i].get();
     }
-    race(questions, {options_.seconds, options_.jobs, options_.seed, options_.bound, options_.cancel, searchEnd(),
-                     options_.techniques, options_.log});
+    race(questions, {seconds, options_.jobs, options_.seed, options_.bound, options_.cancel, searchEnd(), techniques,
+                     options_.log});
     for (std::size_t i = 0; i < open_.size(); ++i) {
       answers_[open_[i]].seconds += questions[i].seconds / std::max(options_.jobs, 1);
-      if (questions[i].verdict.answer == Answer::Unknown) questions[i].verdict.method = enginesOf(options_.techniques);
+      if (questions[i].verdict.answer == Answer::Unknown) questions[i].verdict.method = enginesOf(techniques);
       completeEvidence(questions[i].verdict, words[i].get(), cones[i]);
       take(open_[i], questions[i].verdict, &cones[i]);
     }

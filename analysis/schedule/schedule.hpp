@@ -51,6 +51,7 @@
   ROW(double, minimiseSeconds, 0.25, "s", "for making a witness smaller") \
   ROW(double, leastMinimising, 0.05, "s", "for the same when the time is over: people read it") \
   ROW(std::uint64_t, minimisedScans, 200, "scans", "longer witnesses wait for a timer; they stay as they were found") \
+  ROW(std::size_t, leastJoined, 8, "scans", "of a witness in which alike ones are looked for") \
   ROW(int, minimisingTrials, 48, "tries", "random values of all idle inputs together") \
   ROW(int, replayTrials, 24, "tries", "the same for rules' questions") \
   ROW(std::uint64_t, triedScans, 20000, "scans", "longer runs are not repeated under other readings") \
@@ -113,6 +114,7 @@
   ROW(std::size_t, countingWords, 160, "words", "that count and are looked at") \
   ROW(std::size_t, capLimit, 6, "constants", "for each word") \
   ROW(std::int64_t, widestDifference, 1 << 20, "", "bounds further apart tell nothing") \
+  ROW(double, runsBeforeBounds, 0.01, "s", "of random runs for each question that bounds would be looked for") \
   ROW(double, boundShare, 2, "of a question", "for bounds on differences, which whole groups wait for") \
   ROW(double, miningShare, 0.3, "of what is left", "the same, at most") \
   ROW(int, templateScans, 24, "scans", "of random runs on which increments are compared") \

@@ -1,5 +1,5 @@
-// Greedy removal, larger pieces first; then interrupts; then inputs one by one; then trials of all idle inputs
-// together.
+// What nobody chooses is left at rest, and scans of a long run become alike; then greedy removal, larger pieces first;
+// then interrupts; then inputs one by one; then trials of all idle inputs together.
 #include "analysis/witness/witness_minimal.hpp"
 
 #include <algorithm>
@@ -16,6 +16,19 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Values that nothing in the plant decides: what registers and local data hold by chance, what the manual leaves open.
+bool isChance(const ExternalValue& value) {
+  switch (value.site.kind) {
+    case External::StackBottom:
+    case External::LocalMemory:
+    case External::UnknownStatus:
+    case External::UnknownResult:
+    case External::RegisterAtStart:
+    case External::TimerPhase: return true;
+    default: return false;
+  }
+}
+
 class Minimiser {
  public:
   Minimiser(const Judge& judge, Witness witness, std::uint32_t plainMs, double seconds, std::uint64_t seed)
@@ -26,6 +39,8 @@ class Minimiser {
         random_(seed) {}
 
   Witness run() {
+    dropChance();
+    if (best_.scans.size() >= schedule::leastJoined) joinScans();
     dropScans();
     shortenStretches();
     dropOf(&ScanScript::writes);
@@ -54,6 +69,35 @@ class Minimiser {
     if (!found || found->scanCount >= best_.scanCount) return false;
     best_ = std::move(*found);
     return true;
+  }
+
+  void dropChance() {
+    std::vector<ReplayScan> scans = best_.scans;
+    std::size_t dropped = 0;
+    for (ReplayScan& scan : scans) dropped += std::erase_if(scan.externals, isChance);
+    if (dropped > 0) acceptAsLong(std::move(scans));
+  }
+
+  /// Neighbours that can have the inputs of the first of them become one stretch, which lasts as long.
+  void joinScans() {
+    for (std::size_t piece = best_.scans.size() / 2; piece > 0; piece /= 2) {
+      for (std::size_t from = 0; from + piece < best_.scans.size() && !isLate();) {
+        std::vector<ReplayScan> scans = best_.scans;
+        const auto first = scans.begin() + static_cast<std::ptrdiff_t>(from),
+                   behind = first + static_cast<std::ptrdiff_t>(piece) + 1;
+        std::uint64_t count = 0, milliseconds = 0;
+        for (auto scan = first; scan != behind; ++scan) {
+          count += scan->repeats;
+          milliseconds += std::uint64_t{scan->repeats} * scan->lengthMs;
+        }
+        first->repeats = static_cast<std::uint32_t>(count);
+        first->lengthMs = static_cast<std::uint32_t>((milliseconds + count - 1) / count);
+        first->script = {};
+        first->externals.clear();
+        scans.erase(first + 1, behind);
+        if (!acceptAsLong(std::move(scans))) from += piece;
+      }
+    }
   }
 
   void dropScans() {

@@ -117,6 +117,42 @@ TEST(Witness, LeavesOutInterruptsThatAreNotNeeded) {
   EXPECT_EQ(small.scans[0].script.events[0].event, 0);
 }
 
+// While a timer runs its input stays on and the other inputs do as they like: the scans of the wait are one stretch,
+// as many as 4 s need that last 150 ms each at most; before them the input may rise, behind them is the scan that shows
+// it.
+TEST(Witness, ScansOfAWaitAreAlike) {
+  const ProgramInput input = inputOf("//@ reach late: Q0.0\n",
+                                     "Network 1\nLD I0.0\nTON T37, 40\nNetwork 2\nLD T37\nA I0.1\n= Q0.0\n"
+                                     "Network 3\nLD I0.2\nA I0.3\nO I0.4\n= Q0.1\n");
+  const std::vector<Property> none;
+  const Choices choices;
+  const Judge judge(input.program, choices, none, input.properties.properties[0]);
+  std::mt19937 random(5);
+  std::vector<ReplayScan> scans(40);
+  for (ReplayScan& scan : scans) {
+    scan.lengthMs = 100 + random() % 51;
+    for (std::uint8_t bit = 0; bit < 5; ++bit) {
+      Operand contact;
+      contact.kind = OperandKind::Direct;
+      contact.area = Area::I;
+      contact.width = Width::Bit;
+      contact.bit = bit;
+      scan.inputs.push_back({contact, bit == 0 ? 1U : random() % 2});
+    }
+  }
+  scans.back().inputs[1].value = 1;
+  std::optional<Witness> found = judge.witness(scans, std::nullopt);
+  ASSERT_TRUE(found.has_value());
+  const Witness small = minimised(judge, std::move(*found), 10, 5, 1);
+  EXPECT_LE(small.scans.size(), 3U);
+  EXPECT_GE(small.milliseconds, 4000U);
+  ASSERT_EQ(small.matters.size(), small.scans.size());
+  for (std::size_t scan = 0; scan < small.scans.size(); ++scan) {
+    EXPECT_TRUE(small.matters[scan][0]);
+    for (const std::size_t other : {2U, 3U, 4U}) EXPECT_FALSE(small.matters[scan][other]) << scan << " " << other;
+  }
+}
+
 // In the witnesses of programs with interrupts no event can be left out: without any one of them the run shows nothing.
 TEST(Witness, EveryInterruptOfACorpusWitnessIsNeeded) {
   std::size_t events = 0;
