@@ -174,6 +174,7 @@ class Simulator final : private Outside {
   void serveEvent(Runner& runner, int event);
   void checkWatchdog();
   bool isInTime(std::uint64_t position) const;
+  std::uint64_t watchdogTime() const;
   void setClock();
   void passMillisecond(Runner& runner);
   bool mayServe() const;

@@ -124,9 +124,12 @@ void Simulator::checkWatchdog() {
   raise(event);
 }
 
-bool Simulator::isInTime(std::uint64_t position) const {
+bool Simulator::isInTime(std::uint64_t position) const { return position - watchdogFrom_ <= watchdogTime(); }
+
+/// 10 ns.
+std::uint64_t Simulator::watchdogTime() const {
   const int limit = plan_.isStep7() ? plan_.program->cycleMonitoringMs : options_.choices.watchdogMs();
-  return position - watchdogFrom_ <= static_cast<std::uint64_t>(limit) * Cost::perMs;
+  return static_cast<std::uint64_t>(limit) * Cost::perMs;
 }
 
 /// Whether up to there the ticks of the 1 ms clock let timers count and do nothing else.

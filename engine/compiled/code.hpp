@@ -32,7 +32,7 @@ enum class CodeOp : std::uint8_t {
   RealLess,
   RealLegal,
   LoadBit,    // slot `value`
-  LoadState,  // state `value` of the walk, at the beginning of a block
+  LoadState,  // truth value `value` of those that the walk keeps, at the beginning of a block
   // Words of `width` bits, the bits above are 0.
   Constant,
   FromBit,
@@ -59,24 +59,26 @@ enum class CodeOp : std::uint8_t {
   RealDiv,
   RealFunction,  // `value`: which
   RealFromInt,
-  RealToInt,     // `value` 1: rounded
-  LoadMemory,    // `width` bits from byte `value` of `area`
-  LoadSlots,     // the byte whose first slot is `value`
-  LoadRegister,  // `value`: index among all registers
-  LoadTicks,     // 100 ms ticks of this scan
-  LoadAt,        // `width` bits from byte a of `area`
+  RealToInt,      // `value` 1: rounded
+  LoadMemory,     // `width` bits from byte `value` of `area`
+  LoadSlots,      // the byte whose first slot is `value`
+  LoadRegister,   // `value`: index among all registers
+  LoadTicks,      // 100 ms ticks of this scan
+  LoadAt,         // `width` bits from byte a + `value` of `area`
+  LoadStateWord,  // word `value` of those that the walk keeps, at the beginning of a block
   // Steps without a value.
-  StoreBit,       // a to slot `value`
-  StoreState,     // a to state `value`
-  StoreMemory,    // a to byte `value` of `area`
-  StoreSlots,     // byte a to eight slots from `value` on
-  StoreRegister,  // a to register `value`
-  StoreAt,        // b to byte a of `area`
-  Leave,          // where a holds, the scan is one for the reference engine
-  Count,          // where a holds, error `value` of Code::sites has happened
-  Mark,           // a block begins: branches to `value` come here
-  Branch,         // to `value`
-  BranchIf,       // to `value` where a holds
+  StoreBit,        // a to slot `value`
+  StoreState,      // a to truth value `value` of the walk
+  StoreStateWord,  // a to word `value` of the walk
+  StoreMemory,     // a to byte `value` of `area`
+  StoreSlots,      // byte a to eight slots from `value` on
+  StoreRegister,   // a to register `value`
+  StoreAt,         // b to byte a + `value` of `area`
+  Leave,           // where a holds, the scan is one for the reference engine
+  Count,           // where a holds, error `value` of Code::sites has happened
+  Mark,            // a block begins: branches to `value` come here
+  Branch,          // to `value`
+  BranchIf,        // to `value` where a holds
   BranchUnless,
   AddTime,    // `value`, 10 ns
   AddTimeIf,  // `value` more where a holds
@@ -109,6 +111,7 @@ constexpr int operandCount(CodeOp op) {
     case CodeOp::LoadSlots:
     case CodeOp::LoadRegister:
     case CodeOp::LoadTicks:
+    case CodeOp::LoadStateWord:
     case CodeOp::Mark:
     case CodeOp::Branch:
     case CodeOp::AddTime:
@@ -128,6 +131,7 @@ constexpr int operandCount(CodeOp op) {
     case CodeOp::LoadAt:
     case CodeOp::StoreBit:
     case CodeOp::StoreState:
+    case CodeOp::StoreStateWord:
     case CodeOp::StoreMemory:
     case CodeOp::StoreSlots:
     case CodeOp::StoreRegister:
@@ -154,16 +158,26 @@ struct SlotByte {
   friend auto operator<=>(const SlotByte&, const SlotByte&) = default;
 };
 
+/// Bytes that computed addresses reach: places of memory as the state keeps it.
+struct Reached {
+  Area area;
+  std::uint32_t first, count;
+  bool isWritten;
+  friend bool operator==(const Reached&, const Reached&) = default;
+};
+
 struct Code {
   std::vector<Step> steps;
   std::vector<SlotByte> slots;  ///< slots 8 * i to 8 * i + 7 are the bits of slots[i]
   std::vector<ErrorSite> sites;
+  std::vector<Reached> reached;
   std::uint32_t marks = 0;     ///< numbers of blocks that are in use
+  std::uint32_t states = 0;    ///< values that the walk keeps from block to block
   std::uint64_t mostTime = 0;  ///< of one pass without loops, 10 ns
   bool hasLoops = false;       ///< or other ways back
   bool countsTime = false;     ///< AddTime and AddTimeIf are there
-  bool writesByPointer = false;
-  bool isStraight = false;  ///< no branches: what is to be left is left at the end, without a branch either
+  bool hasTerminals = true;    ///< PI and PQ are the terminals and no areas of the program
+  bool isStraight = false;     ///< no branches: what is to be left is left at the end, without a branch either
 };
 
 }  // namespace rungproof::compiled

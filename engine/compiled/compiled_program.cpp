@@ -27,19 +27,20 @@ void runsOf(const std::vector<bool>& isWritten, Take&& take) {
   }
 }
 
-/// The bytes of an area as recorded code names it; PI and PQ are the terminals.
+/// The bytes of an area as recorded code names it.
 template <class Store>
-auto* bytesOf(Store& store, Area area) {
-  return area == Area::PI   ? store.terminals(Reg::PhysicalInput).data()
-         : area == Area::PQ ? store.terminals(Reg::PhysicalOutput).data()
-                            : store.area(area).data();
+auto* bytesOf(Store& store, Area area, bool hasTerminals) {
+  return hasTerminals && area == Area::PI   ? store.terminals(Reg::PhysicalInput).data()
+         : hasTerminals && area == Area::PQ ? store.terminals(Reg::PhysicalOutput).data()
+                                            : store.area(area).data();
 }
 
 }  // namespace
 
 std::unique_ptr<CompiledProgram> CompiledProgram::of(const Plan& plan, const Concrete::Store& model,
                                                      const InstructionTimes& times, bool countsTime) {
-  if (plan.isStep7() || plan.main() == nullptr || !canTranslate()) return nullptr;
+  const bool hasProgram = plan.isStep7() || plan.main() != nullptr;
+  if (!hasProgram || !canTranslate()) return nullptr;
   Code code = recorded(plan, model, times, countsTime);
   const std::vector<bool> isNeeded = neededSteps(code, model.registers().size());
   std::unique_ptr<MachineCode> machineCode = translated(code, isNeeded);
@@ -77,10 +78,15 @@ void CompiledProgram::findWritten(const std::vector<bool>& isNeeded, std::size_t
       isWritten(slots.area, slots.byte);
     }
   }
+  for (const Reached& r : code_.reached) {
+    if (!r.isWritten) continue;
+    std::vector<bool>& ofArea = bytes[static_cast<std::size_t>(r.area)];
+    if (ofArea.size() < r.first + r.count) ofArea.resize(r.first + r.count);
+    std::fill_n(ofArea.begin() + r.first, r.count, true);
+  }
   std::size_t kept = 0;
   for (std::size_t a = 0; a < areaCount; ++a) {
     const Area area = static_cast<Area>(a);
-    if (area == Area::V && code_.writesByPointer) continue;  // kept whole
     runsOf(bytes[a], [&](std::uint32_t first, std::uint32_t count) {
       writtenBytes_.push_back({area, first, count});
       kept += count;
@@ -96,14 +102,9 @@ void CompiledProgram::findWritten(const std::vector<bool>& isNeeded, std::size_t
 }
 
 void CompiledProgram::keep(const Concrete::Store& store) {
-  if (code_.writesByPointer && keptBytes_.size() < store.area(Area::V).size()) {
-    writtenBytes_.push_back({Area::V, 0, static_cast<std::uint32_t>(store.area(Area::V).size())});
-    keptBytes_.resize(keptBytes_.size() + store.area(Area::V).size());
-    code_.writesByPointer = false;  // among the others from now on
-  }
   std::uint8_t* to = keptBytes_.data();
   for (const Written& w : writtenBytes_) {
-    std::memcpy(to, bytesOf(store, w.area) + w.first, w.count);
+    std::memcpy(to, bytesOf(store, w.area, code_.hasTerminals) + w.first, w.count);
     to += w.count;
   }
   std::uint32_t* next = keptRegisters_.data();
@@ -116,7 +117,7 @@ void CompiledProgram::keep(const Concrete::Store& store) {
 void CompiledProgram::takeBack(Concrete::Store& store) const {
   const std::uint8_t* from = keptBytes_.data();
   for (const Written& w : writtenBytes_) {
-    std::memcpy(bytesOf(store, w.area) + w.first, from, w.count);
+    std::memcpy(bytesOf(store, w.area, code_.hasTerminals) + w.first, from, w.count);
     from += w.count;
   }
   const std::uint32_t* next = keptRegisters_.data();
@@ -152,7 +153,7 @@ std::optional<std::uint64_t> CompiledProgram::run(Concrete::Store& store, std::u
                                                   std::uint64_t mostTime, RunTimeErrors& errors) {
   keep(store);
   Workspace& w = workspace();
-  for (std::size_t a = 0; a < areaCount; ++a) w.area[a] = bytesOf(store, static_cast<Area>(a));
+  for (std::size_t a = 0; a < areaCount; ++a) w.area[a] = bytesOf(store, static_cast<Area>(a), code_.hasTerminals);
   w.registers = store.registers().data();
   w.ticks100 = ticks100;
   w.mostTime = mostTime;

@@ -1,7 +1,8 @@
 // The one place where all instruction meanings are compiled for recorded code.
 #include "engine/compiled/recorder.hpp"
 #include "ir/s7200/dispatch.hpp"
-#include "ir/s7200/isa_list.hpp"
+#include "ir/s7300/isa_list.hpp"
+#include "ir/s7300/system_block.hpp"
 
 namespace rungproof {
 
@@ -11,12 +12,25 @@ std::span<const Execute<compiled::Recorder>> dispatchTable<compiled::Recorder>()
   return table;
 }
 
-/// Programs for the S7-300/400 are not compiled.
 template <>
 std::span<const Execute<compiled::Recorder>> step7DispatchTable<compiled::Recorder>() {
-  return {};
+  static constexpr auto table = isa::step7::makeDispatch<compiled::Recorder>(isa::step7::AllInstructions{});
+  return table;
 }
+
+/// Blocks that would take too many steps, or that others may interrupt, are left to the reference engine.
 template <>
-void runSystemBlock<compiled::Recorder>(Machine<compiled::Recorder>&, const std::function<void()>&) {}
+void runSystemBlock<compiled::Recorder>(Machine<compiled::Recorder>& m, const std::function<void()>& between) {
+  constexpr std::size_t mostSteps = 20'000;
+  compiled::Recorder& d = m.d;
+  if (between) return d.leave(m.guard);
+  const std::size_t first = d.code.steps.size(), sites = d.code.sites.size();
+  const auto registers = m.step7;
+  runSystemBlockOn(m, between);
+  if (d.code.steps.size() - first <= mostSteps) return;
+  d.takeBack(first, sites);
+  m.step7 = registers;
+  d.leave(m.guard);
+}
 
 }  // namespace rungproof

@@ -1,11 +1,14 @@
 // The walk of a program that is recorded as code: where the walk over values with guards follows both ways at once
 // (ir/flow_walk.hpp), this one makes blocks and branches. Calls are recorded in place. What the machine keeps from
-// instruction to instruction - logic stack and SCR - is brought to fixed places where ways meet.
+// instruction to instruction - logic stack and SCR, or the registers of an S7-300/400 - is brought to fixed places
+// where a way ends that others join; a value that all ways have in common stays what it is. Of a loop the way back is
+// not yet known where it begins: what changes on it, an earlier recording has found (LoopFacts).
 #pragma once
 
 #include <set>
 
 #include "engine/compiled/recorder.hpp"
+#include "ir/check.hpp"
 #include "ir/flow_walk.hpp"
 
 namespace rungproof {
@@ -15,9 +18,15 @@ class FlowWalk<Derived, Machine<compiled::Recorder>, Hooks> {
  protected:
   using M = Machine<compiled::Recorder>;
   using Bool = compiled::Recorder::Bool;
+  using Bits = compiled::Recorder::Bits;
   using CodeOp = compiled::CodeOp;
+  using ValueId = compiled::ValueId;
 
-  FlowWalk(M& machine, Hooks& hooks, int, std::size_t) : m_(machine), hooks_(hooks), home_(machine.stackLevels + 1) {}
+  FlowWalk(M& machine, Hooks& hooks, int, std::size_t) : m_(machine), hooks_(hooks) {
+    eachPiece([&](Bool&) { widths_.push_back(0); }, [&](Bits&, int width) { widths_.push_back(width); });
+    home_.assign(widths_.size(), nowhere);
+    m_.d.code.states = static_cast<std::uint32_t>(widths_.size());
+  }
 
   M& m_;
   Hooks& hooks_;
@@ -26,27 +35,33 @@ class FlowWalk<Derived, Machine<compiled::Recorder>, Hooks> {
   struct Walk {
     const Flow& flow;
     std::map<std::uint32_t, std::uint32_t> marks{};  ///< by index of the instruction: number of the block that begins
+    std::set<std::uint32_t> heads{};                 ///< of loops
     std::uint32_t at = 0;
   };
 
   void walk(const Flow& flow) {
     Walk w{flow};
+    path_.push_back(m_.current == nullptr ? 0 : m_.current->id);
+    path_.push_back(static_cast<std::uint32_t>(&flow - m_.plan.flows.data()));
     const auto end = static_cast<std::uint32_t>(flow.steps.size());
     for (std::uint32_t at = 0; at < end; ++at) {
-      const FlowStep& step = flow.steps[at];
-      if (step.instruction->desc->control == Control::None || step.partner == noPartner) continue;
-      markAt(w, step.partner);
-      if (step.partner + 1 <= end) markAt(w, step.partner + 1);
+      const std::uint32_t target = targetOf(flow.steps[at]);
+      if (target <= at) w.heads.insert(target);
     }
     for (std::uint32_t at = 0; at < end; ++at) {
       w.at = at;
-      const auto mark = w.marks.find(at);
-      if (mark != w.marks.end() && !m_.d.code.isStraight) meet(mark->second);
+      if (w.heads.contains(at)) {
+        beginLoop(markAt(w, at), at);
+      } else if (const auto mark = w.marks.find(at); mark != w.marks.end()) {
+        meet(mark->second);
+      }
+      if (!isReached_) continue;
       m_.current = flow.steps[at].instruction;
       hooks_.before(m_, flow.steps[at]);
       hooks_.run(m_, flow.steps[at], [&] { static_cast<Derived&>(*this).execute(w, at); });
     }
-    if (!m_.d.code.isStraight) meet(markAt(w, end));
+    if (const auto mark = w.marks.find(end); mark != w.marks.end()) meet(mark->second);
+    path_.resize(path_.size() - 2);
   }
 
   template <class Body>
@@ -61,8 +76,9 @@ class FlowWalk<Derived, Machine<compiled::Recorder>, Hooks> {
 
   /// Continues at `target` where `condition` holds. The end of the block is target steps.size().
   void branch(Walk& w, Bool condition, std::uint32_t target) {
-    if (m_.d.truth(condition) == false) return;
+    if (m_.d.truth(condition) == false || target == w.at + 1) return;
     if (target <= w.at) {
+      CHECK(w.heads.contains(target), "a way back to where no loop begins");
       m_.d.code.hasLoops = true;
       m_.d.add({.op = CodeOp::CheckTime});
     }
@@ -70,40 +86,130 @@ class FlowWalk<Derived, Machine<compiled::Recorder>, Hooks> {
   }
 
  private:
+  static constexpr ValueId nowhere = ~ValueId{0};
+
+  /// Where an instruction may lead back to.
+  static std::uint32_t targetOf(const FlowStep& step) {
+    if (step.partner == noPartner) return noPartner;
+    switch (step.instruction->desc->control) {
+      case Control::Jump:
+      case Control::Branch:
+      case Control::Distributor: return step.partner;
+      case Control::Next: return step.partner + 1;
+      default: return noPartner;
+    }
+  }
+
   std::uint32_t markAt(Walk& w, std::uint32_t at) {
     const auto [place, isNew] = w.marks.try_emplace(at, m_.d.code.marks);
     if (isNew) ++m_.d.code.marks;
     return place->second;
   }
 
-  Bool& state(std::size_t i) { return i < m_.stackLevels ? m_.stack[i] : m_.scrActive; }
+  // ---- What the machine keeps, in pieces ------------------------------------------------------------
 
-  /// Brings stack and SCR to their places.
-  void bringHome() {
-    for (std::size_t i = 0; i < home_.size(); ++i) {
-      if (home_[i] && home_[i]->id == state(i).id) continue;
-      m_.d.add({.op = CodeOp::StoreState, .a = state(i).id, .value = i});
-      home_[i] = state(i);
+  /// An address register is two of them: the area, which pointer arithmetic keeps, and the address.
+  template <class OnBit, class OnBits>
+  void eachPiece(OnBit&& onBit, OnBits&& onBits) {
+    if (m_.plan.isStep7()) {
+      m_.step7.each(onBit, [&](Bits& bits, int width) {
+        if (&bits != &m_.step7.ar[0] && &bits != &m_.step7.ar[1]) return onBits(bits, width);
+        Bits area = m_.d.extract(bits, 31, 24), address = m_.d.extract(bits, 23, 0);
+        onBits(area, 8);
+        onBits(address, 24);
+        bits = m_.d.concat(area, 8, address, 24);
+      });
+      return;
+    }
+    for (std::size_t i = 0; i < m_.stackLevels; ++i) onBit(m_.stack[i]);
+    onBit(m_.scrActive);
+  }
+  std::vector<ValueId> pieces() {
+    std::vector<ValueId> ids;
+    eachPiece([&](Bool& bit) { ids.push_back(bit.id); }, [&](Bits& bits, int) { ids.push_back(bits.id); });
+    return ids;
+  }
+  void setPieces(const std::vector<ValueId>& ids) {
+    std::size_t i = 0;
+    eachPiece([&](Bool& bit) { bit.id = ids[i++]; }, [&](Bits& bits, int) { bits.id = ids[i++]; });
+  }
+
+  /// Brings those to their places that do not stand there.
+  std::vector<ValueId> bringHome() {
+    std::vector<ValueId> ids = pieces();
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      if (home_[i] == ids[i]) continue;
+      m_.d.add({.op = widths_[i] == 0 ? CodeOp::StoreState : CodeOp::StoreStateWord, .a = ids[i], .value = i});
+      home_[i] = ids[i];
+    }
+    return ids;
+  }
+
+  // ---- Blocks -----------------------------------------------------------------------------------------
+
+  struct Loop {
+    std::vector<std::uint32_t> key;
+    std::vector<ValueId> kept;  ///< by piece; nowhere: read anew
+  };
+
+  void branchWhere(CodeOp op, Bool condition, std::uint32_t mark) {
+    if (!isReached_) return;
+    std::vector<ValueId> ids = bringHome();
+    const bool isAlways = m_.d.truth(condition) == true;
+    m_.d.add({.op = isAlways ? CodeOp::Branch : op, .a = isAlways ? 0 : condition.id, .value = mark});
+    if (isAlways) isReached_ = false;
+    const auto loop = loops_.find(mark);
+    if (loop == loops_.end()) {
+      ways_[mark].push_back(std::move(ids));
+      return;
+    }
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      if (loop->second.kept[i] == nowhere || loop->second.kept[i] == ids[i]) continue;
+      m_.d.loops->changed[loop->second.key].insert(i);
+      m_.d.loops->isComplete = false;
     }
   }
-  void branchWhere(CodeOp op, Bool condition, std::uint32_t mark) {
-    bringHome();
-    const bool isAlways = m_.d.truth(condition) == true;
-    m_.d.add({.op = isAlways ? CodeOp::Branch : op, .a = condition.id, .value = mark});
-  }
-  /// A block begins here; nothing is known of what the ways to it have in common.
+
+  /// A block begins to which those lead that branched to `mark`, and the instruction before.
   void meet(std::uint32_t mark) {
-    bringHome();
+    if (ways_.contains(mark)) begin(mark, {});
+  }
+  void beginLoop(std::uint32_t mark, std::uint32_t at) {
+    Loop loop{path_, {}};
+    loop.key.push_back(at);
+    loop.kept = begin(mark, m_.d.loops->changed[loop.key]);
+    loops_.emplace(mark, std::move(loop));
+  }
+  std::vector<ValueId> begin(std::uint32_t mark, const std::set<std::size_t>& changed) {
+    std::vector<std::vector<ValueId>> ways = std::move(ways_[mark]);
+    ways_.erase(mark);
+    if (isReached_) ways.push_back(bringHome());
     m_.d.add({.op = CodeOp::Mark, .value = mark});
     m_.d.forgetValues();
     m_.d.store->forget();
-    for (std::size_t i = 0; i < home_.size(); ++i) {
-      state(i) = {m_.d.add({.op = CodeOp::LoadState, .width = 1, .value = i})};
-      home_[i] = state(i);
+    std::vector<ValueId> kept(widths_.size(), nowhere), ids;
+    for (std::size_t i = 0; i < widths_.size(); ++i) {
+      const bool isOne =
+          !ways.empty() && std::ranges::all_of(ways, [&](const auto& way) { return way[i] == ways[0][i]; });
+      if (isOne && !changed.contains(i))
+        ids.push_back(kept[i] = ways[0][i]);
+      else
+        ids.push_back(m_.d.add({.op = widths_[i] == 0 ? CodeOp::LoadState : CodeOp::LoadStateWord,
+                                .width = static_cast<std::uint8_t>(std::max(widths_[i], 1)),
+                                .value = i}));
     }
+    setPieces(ids);
+    home_ = pieces();
+    isReached_ = true;
+    return kept;
   }
 
-  std::vector<std::optional<Bool>> home_;
+  std::vector<int> widths_;                                          ///< of the pieces, 0: a truth value
+  std::vector<ValueId> home_;                                        ///< by piece: the value that stands in its place
+  std::map<std::uint32_t, std::vector<std::vector<ValueId>>> ways_;  ///< by mark: the pieces as branches to it had them
+  std::map<std::uint32_t, Loop> loops_;                              ///< by mark, those that have begun
+  std::vector<std::uint32_t> path_;                                  ///< calls on the way
+  bool isReached_ = true;  ///< whether anything leads to what is recorded next
 };
 
 }  // namespace rungproof

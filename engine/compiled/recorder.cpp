@@ -256,8 +256,14 @@ Recorder::Bits Recorder::extract(Bits a, int high, int low) {
     if (high < below) return extract({step.b}, high, low);
     if (low >= below) return extract({step.a}, high - below, low - below);
   }
+  const bool isNarrow = step.op != CodeOp::Join && step.op != CodeOp::Constant && step.width != 0;
+  if (isNarrow && low >= step.width) return literal(0, w);
+  const bool isBitwise = step.op == CodeOp::BitAnd || step.op == CodeOp::BitOr || step.op == CodeOp::BitXor;
+  if (isBitwise && known({step.b})) {
+    const Bits a = extract({step.a}, high, low), b = extract({step.b}, high, low);
+    return step.op == CodeOp::BitAnd ? band(a, b, w) : step.op == CodeOp::BitOr ? bor(a, b, w) : bxor(a, b, w);
+  }
   if (step.op == CodeOp::Extract) {
-    if (low >= step.width) return literal(0, w);
     const int from = static_cast<int>(step.value);
     return extract({step.a}, std::min(high, step.width - 1) + from, low + from);
   }
@@ -303,7 +309,9 @@ Recorder::Bits Recorder::external(const ExternalSite& site, int width) {
     case External::StackBottom:
     case External::LocalMemory:
     case External::UnknownStatus:
-    case External::UnknownResult: return literal(0, width);  // by Choice::UnknownBits, or nothing is compiled
+    case External::UnknownResult:
+    case External::RegisterAtStart:
+    case External::TimerPhase: return literal(0, width);  // by Choice::UnknownBits, or nothing is compiled
     case External::ImmediateInput: return store->get(Reg::PhysicalInput, site.index);
     case External::AnalogInput: return store->load(Area::AI, site.index * 8, width);
     default: return cannotFollow(width);
@@ -318,44 +326,6 @@ void Recorder::report(Hazard hazard, Bool condition, const Instruction* place) {
 Recorder::Bits Recorder::cannotFollow(int width) {
   leave(*guard);
   return literal(0, width);
-}
-
-/// Pointers that name V are followed.
-Recorder::Bool Recorder::targets(Machine<Recorder>& machine, Bits pointer, Width width, Ref<Recorder>& ref) {
-  const std::uint32_t size = store->size(Area::V), wide = static_cast<std::uint32_t>(bytes(width));
-  const std::uint32_t first = pointer::encode(Area::V, 0);
-  if (size < wide || machine.areaSize(Area::V) != size) {
-    cannotFollow(32);
-    return constant(false);
-  }
-  const Bits offset = sub(pointer, literal(first, 32), 32);
-  const Bool isOutside = ult(literal(size - wide, 32), offset, 32);
-  ref.isComputed = true;
-  ref.value = code.isStraight ? select(isOutside, literal(0, 32), offset, 32) : offset;
-  leave(land(*guard, isOutside));
-  return constant(true);
-}
-
-Recorder::Bits Recorder::loadAt(const Ref<Recorder>& ref, int element, Width width) {
-  if (element != 0) return cannotFollow(bits(width));
-  const Bits safe = select(*guard, ref.value, literal(0, 32), 32);
-  return {add({.op = CodeOp::LoadAt, .width = static_cast<std::uint8_t>(bits(width)), .area = Area::V, .a = safe.id})};
-}
-
-void Recorder::saveAt(const Ref<Recorder>& ref, int element, Width width, Bits value) {
-  if (element != 0) {
-    cannotFollow(1);
-    return;
-  }
-  const Bits written = truth(*guard) == true ? value : select(*guard, value, loadAt(ref, 0, width), bits(width));
-  const Bits safe = select(*guard, ref.value, literal(0, 32), 32);
-  add({.op = CodeOp::StoreAt,
-       .width = static_cast<std::uint8_t>(bits(width)),
-       .area = Area::V,
-       .a = safe.id,
-       .b = written.id});
-  code.writesByPointer = true;
-  store->forget(Area::V);
 }
 
 }  // namespace rungproof::compiled

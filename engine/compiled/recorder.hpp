@@ -6,14 +6,28 @@
 // it happens is run by the reference engine from its start.
 #pragma once
 
+#include <map>
 #include <optional>
+#include <set>
 #include <unordered_map>
 #include <vector>
 
 #include "engine/compiled/code.hpp"
 #include "engine/concrete.hpp"
 
+namespace rungproof {
+template <class D>
+struct Spot;
+}
+
 namespace rungproof::compiled {
+
+/// Which values that the walk keeps are other ones at the end of a loop than at its beginning. A recording takes those
+/// for unchanged that it does not find here; where it was wrong about one, the program is recorded anew.
+struct LoopFacts {
+  std::map<std::vector<std::uint32_t>, std::set<std::size_t>> changed;  ///< by calls on the way and place of the loop
+  bool isComplete = true;
+};
 
 class Recorder {
  public:
@@ -31,6 +45,7 @@ class Recorder {
   Code code;
   const Bool* guard = nullptr;  ///< of the machine that runs over this domain
   Store* store = nullptr;       ///< its memory
+  LoopFacts* loops = nullptr;   ///< what earlier recordings of this program have found
 
   // ---- Domain interface; laws in ir/domain.hpp -----------------------------------------------------
   Bool constant(bool v) const { return {v ? 1U : 0U}; }
@@ -92,6 +107,10 @@ class Recorder {
   /// Element of what targets() found.
   Bits loadAt(const Ref<Recorder>& ref, int element, Width width);
   void saveAt(const Ref<Recorder>& ref, int element, Width width, Bits value);
+  /// S7-300/400: whether a place is found by its address; where no access may reach it, the code is left.
+  bool follows(Machine<Recorder>& machine, Bits location, Width width, Spot<Recorder>& spot);
+  Bits loadComputed(const Spot<Recorder>& spot, Width width);
+  void saveComputed(const Spot<Recorder>& spot, Width width, Bits value);
   /// The compiled form has no answer; the value is never used.
   Bits cannotFollow(int width);
 
@@ -112,6 +131,12 @@ class Recorder {
   void takeBack(std::size_t first, std::size_t site);
 
  private:
+  /// Bytes that addresses lead to: the first one in its area, and how many.
+  struct Row {
+    Bits first, count;
+  };
+  std::optional<Row> rowOf(Machine<Recorder>& machine, Area area, Bits block);
+  void reaches(Area area, std::uint32_t first, std::uint32_t count, bool isWritten);
   struct StepHash {
     std::size_t operator()(const Step& s) const;
   };
@@ -148,6 +173,8 @@ class Recorder::Store {
   Bits get(Reg reg, std::uint32_t index);
   void set(Reg reg, std::uint32_t index, Bits value, Bool guard);
 
+  /// The bytes of a data block as they stand in Area::DB.
+  const BlockMap& blocks() const { return model_.blocks(); }
   /// Bytes of local memory become 0.
   void clear(Area area, std::uint32_t byte, std::uint32_t count);
   /// All or one area may have been written by others.
@@ -179,6 +206,8 @@ class Recorder::Store {
   Bool loadSlot(std::uint32_t slot);
   void saveSlot(std::uint32_t slot, Bool value);
   void note(Area area, std::uint32_t byte, bool isBit);
+  bool isHere(Reg reg) const;
+  Bits loadPlace(Area area, std::uint32_t bitOffset, int width);
 
   Recorder& d_;
   const Concrete::Store& model_;

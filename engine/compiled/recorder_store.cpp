@@ -23,6 +23,12 @@ bool isProgramsOwn(Reg reg) {
     case Reg::EdgeSeen:
     case Reg::PhysicalOutput:
     case Reg::PidHistory:
+    case Reg::S5Rest:
+    case Reg::S5Base:
+    case Reg::S5AtEnd:
+    case Reg::S5Free:
+    case Reg::S7Set:
+    case Reg::S7Free:
     case Reg::Eno: return true;
     default: return false;
   }
@@ -35,7 +41,7 @@ std::array<std::uint32_t, areaCount> sizesOf(const Concrete::Store& model) {
   return sizes;
 }
 
-/// Terminals are bytes as areas are; an S7-200 has nothing else in those.
+/// Terminals are bytes as areas are; an S7-200 has nothing else in those (Code::hasTerminals).
 Area terminalArea(Reg reg) { return reg == Reg::PhysicalInput ? Area::PI : Area::PQ; }
 
 }  // namespace
@@ -46,8 +52,9 @@ Recorder::Store::Store(Recorder& recorder, const Concrete::Store& model, const s
       sizes_(sizesOf(model)),
       bits_(slots.size() * 8),
       registers_(model.registers().size()) {
-  sizes_[static_cast<std::size_t>(Area::PI)] = sizes_[static_cast<std::size_t>(Area::PQ)] =
-      static_cast<std::uint32_t>(Concrete::Store::Terminals{}.size());
+  if (recorder.code.hasTerminals)
+    sizes_[static_cast<std::size_t>(Area::PI)] = sizes_[static_cast<std::size_t>(Area::PQ)] =
+        static_cast<std::uint32_t>(Concrete::Store::Terminals{}.size());
   accesses_.resize(areaCount);
   for (std::size_t a = 0; a < areaCount; ++a) {
     const std::size_t bytes = size(static_cast<Area>(a));
@@ -140,6 +147,11 @@ void Recorder::Store::saveBit(Area area, std::uint32_t byte, std::uint32_t bit, 
 }
 
 Recorder::Bits Recorder::Store::load(Area area, std::uint32_t bitOffset, int width) {
+  if (area == Area::DB) bitOffset = model_.blocks().bitPlace(bitOffset);
+  return loadPlace(area, bitOffset, width);
+}
+
+Recorder::Bits Recorder::Store::loadPlace(Area area, std::uint32_t bitOffset, int width) {
   const std::uint32_t byte = bitOffset / 8;
   const int count = width == 1 ? 1 : width / 8;
   if (byte + static_cast<std::uint32_t>(count) > size(area)) return d_.cannotFollow(width);
@@ -162,6 +174,7 @@ Recorder::Bits Recorder::Store::load(Area area, std::uint32_t bitOffset, int wid
 
 void Recorder::Store::save(Area area, std::uint32_t bitOffset, int width, Bits value, Bool guard) {
   if (d_.truth(guard) == false) return;
+  if (area == Area::DB) bitOffset = model_.blocks().bitPlace(bitOffset);
   const std::uint32_t byte = bitOffset / 8;
   const int count = width == 1 ? 1 : width / 8;
   if (byte + static_cast<std::uint32_t>(count) > size(area)) {
@@ -169,7 +182,7 @@ void Recorder::Store::save(Area area, std::uint32_t bitOffset, int width, Bits v
     return;
   }
   if (d_.truth(guard) != true) {
-    const Bits old = load(area, bitOffset, width);
+    const Bits old = loadPlace(area, bitOffset, width);
     value = d_.select(guard, value, old, width);
     if (value.id == old.id) return;
   }
@@ -205,12 +218,15 @@ void Recorder::Store::clear(Area area, std::uint32_t byte, std::uint32_t count) 
   }
 }
 
+/// Terminals whose place an area takes are not.
+bool Recorder::Store::isHere(Reg reg) const { return d_.code.hasTerminals || !Concrete::Store::isTerminal(reg); }
+
 Recorder::Bits Recorder::Store::get(Reg reg, std::uint32_t index) {
   if (reg == Reg::Reading) return d_.literal(model_.get(reg, index), 1);
   if (reg == Reg::Running) return d_.literal(1, 1);  // STOP leaves the compiled code
   if (reg == Reg::FirstScan) return d_.literal(0, 1);
   const int width = regInfo(reg).width;
-  if (index >= model_.count(reg)) return d_.cannotFollow(width);
+  if (index >= model_.count(reg) || !isHere(reg)) return d_.cannotFollow(width);
   if (Concrete::Store::isTerminal(reg))
     return d_.fromBool(d_.bit(loadWhole(terminalArea(reg), index / 8, 1), static_cast<int>(index % 8)), 1);
   const std::size_t at = model_.indexOf(reg, index);
@@ -222,7 +238,7 @@ Recorder::Bits Recorder::Store::get(Reg reg, std::uint32_t index) {
 
 void Recorder::Store::set(Reg reg, std::uint32_t index, Bits value, Bool guard) {
   if (d_.truth(guard) == false) return;
-  if (index >= model_.count(reg) || !isProgramsOwn(reg)) {
+  if (index >= model_.count(reg) || !isProgramsOwn(reg) || !isHere(reg)) {
     d_.leave(guard);
     return;
   }

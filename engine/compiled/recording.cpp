@@ -38,10 +38,12 @@ struct RecordingHooks {
     if (d.code.steps.size() > mostOfAll) return d.leave(d.constant(true));
     const std::size_t first = d.code.steps.size(), sites = d.code.sites.size();
     const auto stack = m.stack;
+    const auto registers = m.step7;
     body();
     if (!isPlain || d.code.steps.size() - first <= mostOfOne) return;
     d.takeBack(first, sites);
     m.stack = stack;
+    m.step7 = registers;
     const Desc& desc = *step.instruction->desc;
     if (desc.execution != Execution::Conditional) return d.leave(d.constant(true));
     if (desc.eno) m.when(d.lnot(m.powerFlow()), [&] { m.enoAfter(d.constant(false)); });
@@ -55,8 +57,8 @@ struct RecordingHooks {
 
   /// Fresh local memory is 0, by Choice::UnknownBits, or nothing is compiled.
   template <class Runner>
-  void freshLocal(Runner&, std::uint32_t base, std::uint32_t byte) {
-    if (byte == 0) d.store->clear(Area::L, base, frameBytes);
+  void freshBytes(Runner&, std::uint32_t base, std::uint32_t count) {
+    d.store->clear(Area::L, base, count);
   }
 
  private:
@@ -74,9 +76,11 @@ struct Recording {
   std::vector<std::vector<AccessCount>> accesses;
 };
 
-Recording record(const Plan& plan, const Concrete::Store& model, const InstructionTimes& times, bool countsTime,
-                 const std::vector<SlotByte>& slots, bool isStraight) {
+Recording recordOnce(const Plan& plan, const Concrete::Store& model, const InstructionTimes& times, bool countsTime,
+                     const std::vector<SlotByte>& slots, bool isStraight, LoopFacts& loops) {
   Recorder recorder;
+  recorder.loops = &loops;
+  recorder.code.hasTerminals = !plan.isStep7();
   recorder.code.countsTime = countsTime;
   recorder.code.isStraight = isStraight;
   Recorder::Store store(recorder, model, slots);
@@ -89,16 +93,27 @@ Recording record(const Plan& plan, const Concrete::Store& model, const Instructi
   return {std::move(recorder.code), store.accesses()};
 }
 
-/// Bytes that are used bit by bit more than otherwise. A pointer reaches V, which then has none.
+Recording record(const Plan& plan, const Concrete::Store& model, const InstructionTimes& times, bool countsTime,
+                 const std::vector<SlotByte>& slots, bool isStraight) {
+  LoopFacts loops;
+  while (true) {
+    loops.isComplete = true;
+    Recording recording = recordOnce(plan, model, times, countsTime, slots, isStraight, loops);
+    if (loops.isComplete) return recording;
+  }
+}
+
+/// Bytes that are used bit by bit more than otherwise. What a computed address reaches has none.
 std::vector<SlotByte> slotsFor(const Recording& survey) {
-  const bool usesPointers = std::ranges::any_of(
-      survey.code.steps, [](const Step& s) { return s.op == CodeOp::LoadAt || s.op == CodeOp::StoreAt; });
   std::vector<SlotByte> slots;
   for (std::size_t a = 0; a < areaCount; ++a) {
-    if (static_cast<Area>(a) == Area::V && usesPointers) continue;
+    std::vector<bool> isReached(survey.accesses[a].size(), false);
+    for (const Reached& r : survey.code.reached) {
+      if (r.area == static_cast<Area>(a)) std::fill_n(isReached.begin() + r.first, r.count, true);
+    }
     for (std::uint32_t byte = 0; byte < survey.accesses[a].size(); ++byte) {
       const AccessCount& count = survey.accesses[a][byte];
-      if (count.bits > count.words) slots.push_back({static_cast<Area>(a), byte});
+      if (count.bits > count.words && !isReached[byte]) slots.push_back({static_cast<Area>(a), byte});
     }
   }
   return slots;

@@ -13,7 +13,7 @@ namespace rungproof::compiled {
 /// Time of an instruction by Instruction::id, 10 ns: without and with power flow.
 using InstructionTimes = std::vector<std::array<std::uint32_t, 2>>;
 
-/// `model`: a state of the program with the readings in force. Programs for an S7-300/400 have no code.
+/// `model`: a state of the program with the readings in force.
 Code recorded(const Plan& plan, const Concrete::Store& model, const InstructionTimes& times, bool countsTime);
 
 }  // namespace rungproof::compiled

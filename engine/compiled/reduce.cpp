@@ -8,6 +8,7 @@ namespace rungproof::compiled {
 
 namespace {
 
+bool isStateStore(CodeOp op) { return op == CodeOp::StoreState || op == CodeOp::StoreStateWord; }
 bool endsBlock(CodeOp op) { return op == CodeOp::Mark || isBranch(op); }
 
 /// Places that are written again further on in the same block. A scan that leaves the code starts anew, so that Leave
@@ -94,7 +95,7 @@ class Needs {
   std::vector<bool> take() {
     for (std::size_t i = 0; i < code_.steps.size(); ++i) {
       const CodeOp op = code_.steps[i].op;
-      if (!hasValue(op) && op != CodeOp::StoreState && !isDropped_[i]) need(static_cast<ValueId>(i));
+      if (!hasValue(op) && !isStateStore(op) && !isDropped_[i]) need(static_cast<ValueId>(i));
     }
     while (!waiting_.empty()) {
       const ValueId id = waiting_.back();
@@ -104,7 +105,7 @@ class Needs {
       if (count > 0) need(step.a);
       if (count > 1) need(step.b);
       if (count > 2) need(step.c);
-      if (step.op == CodeOp::LoadState) needState(blockOf_[id], step.value);
+      if (step.op == CodeOp::LoadState || step.op == CodeOp::LoadStateWord) needState(blockOf_[id], step.value);
     }
     return std::move(isNeeded_);
   }
@@ -133,22 +134,27 @@ class Needs {
       if (step.op == CodeOp::Mark) fallsThrough = true;
       if (isBranch(step.op) && fallsThrough) before_[blockAt[step.value]].push_back({blockOf_[i], i});
       if (step.op == CodeOp::Branch) fallsThrough = false;
-      if (step.op == CodeOp::StoreState) stores_[blockOf_[i]].push_back(i);
+      if (isStateStore(step.op)) stores_[blockOf_[i]].push_back(i);
     }
   }
 
   /// The value that state `number` has where `block` begins.
   void needState(std::uint32_t block, std::uint64_t number) {
-    if (!asked_.insert(static_cast<std::uint64_t>(block) << 16 | number).second) return;
-    for (const Way& way : before_[block]) {
-      bool isFound = false;
-      const std::vector<std::size_t>& stores = stores_[way.block];
-      for (std::size_t k = stores.size(); k-- > 0 && !isFound;) {
-        if (stores[k] > way.from || code_.steps[stores[k]].value != number) continue;
-        need(static_cast<ValueId>(stores[k]));
-        isFound = true;
+    std::vector<std::uint32_t> asking{block};
+    while (!asking.empty()) {
+      const std::uint32_t next = asking.back();
+      asking.pop_back();
+      if (!asked_.insert(static_cast<std::uint64_t>(next) << 16 | number).second) continue;
+      for (const Way& way : before_[next]) {
+        bool isFound = false;
+        const std::vector<std::size_t>& stores = stores_[way.block];
+        for (std::size_t k = stores.size(); k-- > 0 && !isFound;) {
+          if (stores[k] > way.from || code_.steps[stores[k]].value != number) continue;
+          need(static_cast<ValueId>(stores[k]));
+          isFound = true;
+        }
+        if (!isFound) asking.push_back(way.block);
       }
-      if (!isFound) needState(way.block, number);
     }
   }
 

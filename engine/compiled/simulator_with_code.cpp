@@ -39,14 +39,15 @@ Simulator::Simulator(const Program& program, SimulatorOptions options, Outside* 
   startClock(Reg::PhaseHundred, options_.phaseMs);
   prepareCosts();
   savesMemory_ = savesMemory(target());
-  hasFineTimers_ = !plan_.iecTimers.empty() ||
-                   std::ranges::any_of(plan_.timers, [](const TimerUse& use) { return use.resolution == 1; });
+  const bool hasClocks = !plan_.iecTimers.empty() || program.clockMemory ||
+                         std::ranges::any_of(plan_.timers, [](const TimerUse& use) { return use.resolution == 1; });
+  hasFineTimers_ = hasClocks && !(plan_.isStep7() && options_.choices.is(Choice::S5Time, "synchronous"));
 }
 
 Simulator::~Simulator() = default;
 
 bool Simulator::mayRunCompiled() {
-  if (options_.engine == EngineKind::Reference || plan_.isStep7()) return false;
+  if (options_.engine == EngineKind::Reference) return false;
   if (script_ != nullptr || observer_ != nullptr || outside_ != nullptr) return false;
   if (!unknownIsZero_ || !forced_.empty() || !queue_.empty()) return false;
   if (!isRunning() || store_.get(Reg::FirstScan, 0) != 0 || scanCount_ <= referenceUntil_) return false;
@@ -72,8 +73,7 @@ bool Simulator::runCompiled(std::uint32_t lengthUs) {
   const std::uint64_t asked = static_cast<std::uint64_t>(lengthUs) * Cost::perUs;
   const auto takesAtMost = [&](std::uint64_t time) { return code->mostTime() && *code->mostTime() <= time; };
   std::uint64_t most = nextMs_ - 1;  // no tick before the program ends
-  if (!takesAtMost(most) && !hasFineTimers_ && isQuietUntil(0))
-    most = static_cast<std::uint64_t>(options_.choices.watchdogMs()) * Cost::perMs;
+  if (!takesAtMost(most) && !hasFineTimers_ && isQuietUntil(0)) most = watchdogTime();
   if (!takesAtMost(std::min(asked, most))) code = machineCode(true);  // its end matters
   if (code == nullptr) return false;
   const std::optional<std::uint64_t> time = code->run(store_, machine_.ticks100, most, errors_);

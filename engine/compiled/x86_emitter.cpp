@@ -38,7 +38,7 @@ Layout X86Emitter::layoutOf(const Code& code) {
   Layout layout;
   layout.slots = alignedTo8(sizeof(Workspace));
   layout.states = layout.slots + 8 * code.slots.size();
-  layout.errors = layout.states + alignedTo8(mostStackLevels + 1);
+  layout.errors = layout.states + 8 * std::size_t{code.states};
   layout.size = layout.errors + alignedTo8(code.isStraight ? code.sites.size() : 8 * code.sites.size());
   return layout;
 }
@@ -49,6 +49,18 @@ std::vector<X86Emitter::Gp> X86Emitter::valueRegisters(const Code& code) {
   if (!code.countsTime) list.push_back(x86::r12);
   if (code.sites.empty()) list.push_back(x86::r15);
   return list;
+}
+
+/// The one that most steps load from or store to.
+Area X86Emitter::busiestArea(const Code& code, const std::vector<bool>& isNeeded) {
+  std::array<std::size_t, areaCount> uses{};
+  for (std::size_t i = 0; i < code.steps.size(); ++i) {
+    const Step& s = code.steps[i];
+    const bool isAccess =
+        s.op == CodeOp::LoadMemory || s.op == CodeOp::StoreMemory || s.op == CodeOp::LoadAt || s.op == CodeOp::StoreAt;
+    if (isNeeded[i] && isAccess) ++uses[static_cast<std::size_t>(s.area)];
+  }
+  return static_cast<Area>(std::ranges::max_element(uses) - uses.begin());
 }
 
 /// A comparison of which the only user wants the processor's flags is made there.
@@ -80,6 +92,7 @@ X86Emitter::X86Emitter(const Code& code, const std::vector<bool>& isNeeded, Code
     : code_(code),
       isNeeded_(isNeeded),
       layout_(layoutOf(code)),
+      heldArea_(busiestArea(code, isNeeded)),
       emittedAt_(emittedAt()),
       a_(&holder),
       values_(a_, workspace_, valueRegisters(code), static_cast<std::int32_t>(layout_.size), code, isNeeded,
@@ -111,7 +124,7 @@ void X86Emitter::findStores() {
   const auto count = static_cast<ValueId>(code_.steps.size());
   standsTo_.assign(count, 0);
   markBehind_.assign(count, count);
-  std::vector<ValueId> nextBit(code_.slots.size() * 8, count), nextState(mostStackLevels + 1, count);
+  std::vector<ValueId> nextBit(code_.slots.size() * 8, count), nextState(code_.states, count);
   ValueId nextMark = count;
   for (ValueId i = count; i-- > 0;) {
     if (!isNeeded_[i]) continue;
@@ -120,12 +133,14 @@ void X86Emitter::findStores() {
     switch (s.op) {
       case CodeOp::Mark: nextMark = i; break;
       case CodeOp::LoadBit: standsTo_[i] = std::min(nextBit[s.value], nextMark); break;
-      case CodeOp::LoadState: standsTo_[i] = std::min(nextState[s.value], nextMark); break;
+      case CodeOp::LoadState:
+      case CodeOp::LoadStateWord: standsTo_[i] = std::min(nextState[s.value], nextMark); break;
       case CodeOp::StoreBit:
         standsTo_[i] = std::min(nextBit[s.value], nextMark);
         nextBit[s.value] = i;
         break;
-      case CodeOp::StoreState: nextState[s.value] = i; break;
+      case CodeOp::StoreState:
+      case CodeOp::StoreStateWord: nextState[s.value] = i; break;
       case CodeOp::StoreSlots:
         for (std::uint64_t bit = 0; bit < 8; ++bit) nextBit[s.value + bit] = i;
         break;
@@ -140,7 +155,7 @@ void X86Emitter::prologue() {
   a_.sub(x86::rsp, 8);  // calls find the stack aligned
   a_.mov(workspace_, x86::rdi);
   a_.mov(x86::r14, at(offsetof(Workspace, registers)));
-  a_.mov(x86::r13, at(offsetof(Workspace, area) + 8 * static_cast<std::size_t>(Area::V)));
+  a_.mov(x86::r13, at(offsetof(Workspace, area) + 8 * static_cast<std::size_t>(heldArea_)));
   if (code_.countsTime) a_.xor_(x86::r12.r32(), x86::r12.r32());
   if (!code_.sites.empty()) a_.xor_(x86::r15.r32(), x86::r15.r32());
   a_.mov(at(offsetof(Workspace, isLeft)), 0);
@@ -201,7 +216,7 @@ X86Emitter::Mem X86Emitter::memory(Area area, std::uint64_t byte, std::uint32_t 
   return x86::ptr(baseOf(area), static_cast<std::int32_t>(byte), size);
 }
 X86Emitter::Gp X86Emitter::baseOf(Area area) {
-  if (area == Area::V) return x86::r13;
+  if (area == heldArea_) return x86::r13;
   const Gp base = values_.fresh();
   a_.mov(base, at(offsetof(Workspace, area) + 8 * static_cast<std::size_t>(area)));
   return base;
@@ -235,7 +250,19 @@ void X86Emitter::store(const Step& s) {
         values_.stands(s.a, slotAt(s.value), standsTo_[position_]);
       }
       break;
-    case CodeOp::StoreState: a_.mov(at(static_cast<std::size_t>(stateAt(s.value)), 1), values_.use(s.a).r8()); break;
+    case CodeOp::StoreState:
+      if (values_.isConstant(s.a))
+        a_.mov(at(static_cast<std::size_t>(stateAt(s.value)), 1), s.a == 0 ? 0 : 0xFF);
+      else
+        a_.mov(at(static_cast<std::size_t>(stateAt(s.value)), 1), values_.use(s.a).r8());
+      break;
+    case CodeOp::StoreStateWord:
+      if (const auto constant = immediate(s.a)) {
+        a_.mov(at(static_cast<std::size_t>(stateAt(s.value))), *constant);
+      } else {
+        a_.mov(at(static_cast<std::size_t>(stateAt(s.value))), values_.use(s.a));
+      }
+      break;
     case CodeOp::StoreSlots: {
       const Gp byte = values_.take(s.a), spread = values_.fresh();
       a_.mov(spread, imm(spreadBytes.data()));
@@ -259,7 +286,8 @@ void X86Emitter::storeWord(const Step& s) {
   const bool isAt = s.op == CodeOp::StoreAt;
   const ValueId written = isAt ? s.b : s.a;
   const std::uint32_t size = s.width / 8U;
-  const Mem to = isAt ? x86::ptr(baseOf(s.area), values_.use(s.a), 0, 0, size) : memory(s.area, s.value, size);
+  const Mem to = isAt ? x86::ptr(baseOf(s.area), values_.use(s.a), 0, static_cast<std::int32_t>(s.value), size)
+                      : memory(s.area, s.value, size);
   const auto constant = immediate(written);
   if (size == 8) {
     a_.mov(to, 0);  // bytes that become 0 together

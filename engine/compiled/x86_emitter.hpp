@@ -1,6 +1,7 @@
 // Emitter for x86-64: goes through the code once and gives every needed step its machine instructions. A bit in memory
 // is an operand of the instruction that uses it, as long as nothing was stored there since. Fixed registers: rbp the
-// workspace, r14 the machine's registers, r13 V memory, r12 the time, r15 whether an error has happened.
+// workspace, r14 the machine's registers, r13 the area that is used most, r12 the time, r15 whether an error has
+// happened.
 #pragma once
 
 #include <asmjit/x86.h>
@@ -26,6 +27,7 @@ class X86Emitter {
   // x86_emitter.cpp
   static Layout layoutOf(const Code& code);
   static std::vector<Gp> valueRegisters(const Code& code);
+  static Area busiestArea(const Code& code, const std::vector<bool>& isNeeded);
   std::vector<ValueId> emittedAt() const;
   void findStores();
   void prologue();
@@ -37,7 +39,7 @@ class X86Emitter {
   void count(const Step& step);
   Mem memory(Area area, std::uint64_t byte, std::uint32_t size);
   std::int32_t slotAt(std::uint64_t number) const { return static_cast<std::int32_t>(layout_.slots + number); }
-  std::int32_t stateAt(std::uint64_t number) const { return static_cast<std::int32_t>(layout_.states + number); }
+  std::int32_t stateAt(std::uint64_t number) const { return static_cast<std::int32_t>(layout_.states + 8 * number); }
   Mem at(std::size_t offset, std::uint32_t size = 8) {
     return asmjit::x86::ptr(workspace_, static_cast<std::int32_t>(offset), size);
   }
@@ -66,6 +68,7 @@ class X86Emitter {
   const Code& code_;
   const std::vector<bool>& isNeeded_;
   const Layout layout_;
+  const Area heldArea_;                   ///< its address stands in r13
   const std::vector<ValueId> emittedAt_;  ///< by step: itself, or the step that needs the comparison
   asmjit::x86::Assembler a_;
   const Gp workspace_ = asmjit::x86::rbp;

@@ -2,6 +2,7 @@
 #include "engine/compiled/x86_registers.hpp"
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "ir/check.hpp"
 
@@ -38,6 +39,7 @@ X86Registers::X86Registers(x86::Assembler& assembler, Gp workspace, std::vector<
     ++firstUse_[value + 1];
     lastUse_[value] = std::max(lastUse_[value], step);
   });
+  lastUseInLoops();
   for (std::size_t i = 0; i < count; ++i) firstUse_[i + 1] += firstUse_[i];
   cursor_.assign(firstUse_.begin(), firstUse_.end() - 1);
   uses_.resize(firstUse_.back());
@@ -46,6 +48,29 @@ X86Registers::X86Registers(x86::Assembler& assembler, Gp workspace, std::vector<
   for (std::size_t i = 0; i < count; ++i) {
     const auto first = uses_.begin() + firstUse_[i], last = uses_.begin() + firstUse_[i + 1];
     if (!std::is_sorted(first, last)) std::sort(first, last);
+  }
+}
+
+/// A value from before a loop that is used in it is needed until the way back.
+void X86Registers::lastUseInLoops() {
+  struct Loop {
+    ValueId first, last;
+  };
+  std::vector<Loop> loops;  // by where they end
+  std::unordered_map<std::uint64_t, ValueId> marks;
+  for (ValueId i = 0; i < code_.steps.size(); ++i) {
+    const Step& s = code_.steps[i];
+    if (s.op == CodeOp::Mark) marks.emplace(s.value, i);
+    const auto mark = isBranch(s.op) ? marks.find(s.value) : marks.end();
+    if (mark != marks.end()) loops.push_back({mark->second, i});
+  }
+  for (ValueId i = 0; i < code_.steps.size(); ++i) {
+    if (lastUse_[i] == 0) continue;
+    const auto behind =
+        std::ranges::upper_bound(loops, lastUse_[i], std::less<>{}, [](const Loop& l) { return l.last; });
+    for (auto loop = behind; loop != loops.end(); ++loop) {
+      if (i < loop->first && loop->first <= lastUse_[i]) lastUse_[i] = std::max(lastUse_[i], loop->last);
+    }
   }
 }
 

@@ -65,6 +65,7 @@ class X86Registers {
   std::size_t freeOne();
   std::size_t indexOf(Gp reg) const;
   ValueId nextUse(ValueId id);
+  void lastUseInLoops();
 
   asmjit::x86::Assembler& a_;
   Gp workspace_;

@@ -78,7 +78,8 @@ void X86Emitter::value(ValueId id) {
     case CodeOp::LoadSlots:
     case CodeOp::LoadRegister:
     case CodeOp::LoadTicks:
-    case CodeOp::LoadAt: return load(id, s);
+    case CodeOp::LoadAt:
+    case CodeOp::LoadStateWord: return load(id, s);
     case CodeOp::DivideUnsigned:
     case CodeOp::RemainderUnsigned:
     case CodeOp::DivideSigned:
@@ -111,6 +112,14 @@ void X86Emitter::load(ValueId id, const Step& s) {
       a_.movzx(reg.r32(), at(static_cast<std::size_t>(place), 1));
       return values_.define(id, reg);
     }
+    case CodeOp::LoadStateWord: {
+      const std::int32_t place = stateAt(s.value);
+      values_.stands(id, place, standsTo_[id]);
+      if (standsTo_[id] >= values_.lastUse(id)) return;
+      const Gp reg = values_.fresh();
+      a_.mov(reg, at(static_cast<std::size_t>(place)));
+      return values_.define(id, reg);
+    }
     case CodeOp::LoadTicks: return values_.stands(id, offsetof(Workspace, ticks100), ~ValueId{0});
     case CodeOp::LoadSlots: {
       const Gp reg = values_.fresh();
@@ -130,8 +139,9 @@ void X86Emitter::load(ValueId id, const Step& s) {
 /// The highest byte first.
 void X86Emitter::loadMemory(ValueId id, const Step& s) {
   const std::uint32_t size = s.width / 8U;
-  const Mem from =
-      s.op == CodeOp::LoadAt ? x86::ptr(baseOf(s.area), values_.use(s.a), 0, 0, size) : memory(s.area, s.value, size);
+  const Mem from = s.op == CodeOp::LoadAt
+                       ? x86::ptr(baseOf(s.area), values_.use(s.a), 0, static_cast<std::int32_t>(s.value), size)
+                       : memory(s.area, s.value, size);
   const Gp reg = values_.fresh();
   if (size == 1) {
     a_.movzx(reg.r32(), from);

@@ -62,6 +62,7 @@ void Scan<D, Hooks>::serveError() {
   const Bool due = m_.step7.syncError;
   if (const auto known = m_.d.truth(due); known && !*known) return;
   m_.step7.syncError = m_.d.constant(false);
+  if constexpr (requires { m_.d.leave(due); }) return m_.d.leave(due);
   const Instruction* current = m_.current;
   organizationBlock(numberOfBlock(errorBlock), due);
   m_.current = current;
@@ -84,7 +85,11 @@ void Scan<D, Hooks>::startInformation(std::uint32_t base, int number) {
 
 template <class D, class Hooks>
 void Scan<D, Hooks>::freshBytes(std::uint32_t base, std::uint32_t count) {
-  for (std::uint32_t byte = 0; byte < count; ++byte) hooks_.freshLocal(*this, base, byte);
+  if constexpr (requires { hooks_.freshBytes(*this, base, count); }) {
+    hooks_.freshBytes(*this, base, count);
+  } else {
+    for (std::uint32_t byte = 0; byte < count; ++byte) hooks_.freshLocal(*this, base, byte);
+  }
 }
 
 /// The start-up block sees cleared images and runs once before the first scan (002:1367-1375).
@@ -108,7 +113,7 @@ void Scan<D, Hooks>::step7Control(Walk& w, std::uint32_t at) {
       break;
     case Control::Distributor: distribute(w, at); break;
     case Control::BlockEnd: branch(w, s.jumps, static_cast<std::uint32_t>(w.flow.steps.size())); break;
-    case Control::BlockCall: m_.when(s.jumps, [&] { step7Call(instruction); }); break;
+    case Control::BlockCall: inside(s.jumps, [&] { step7Call(instruction); }); break;
     default: break;
   }
 }
@@ -153,7 +158,7 @@ void Scan<D, Hooks>::step7Call(const Instruction& instruction) {
     const Bool isThis =
         m_.d.equal(number, m_.d.literal(static_cast<std::uint64_t>(numberOfBlock(flow.pou->number)), 16), 16);
     exists = m_.d.lor(exists, isThis);
-    m_.when(isThis, [&] { enterBlock(flow, instruction); });
+    inside(isThis, [&] { enterBlock(flow, instruction); });
   }
   m_.guard = m_.d.land(guard, m_.d.lnot(m_.halted));
   m_.error(Hazard::S7BlockMissing, m_.d.lnot(exists));

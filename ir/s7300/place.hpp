@@ -30,7 +30,8 @@ struct Spot {
   bool isValue = false;
   bool isUnresolved = false;  ///< a pointer whose targets are not known: reads give anything
   bool isPlace = false;
-  Bits value{};  ///< 32 bits
+  bool isComputed = false;  ///< a place that the domain itself follows, by the address in `value`
+  Bits value{};             ///< 32 bits
   Area area = Area::M;
   std::uint32_t offset = 0;  ///< byte; L: counted from the beginning of all local memory
   std::uint32_t bit = 0;
@@ -273,6 +274,9 @@ Spot<D> Step7Places<D>::at(Bits location, Width width) {
     m_.error(error, d_.constant(true));
     return {.isValue = true, .value = number(0, 32)};
   }
+  if constexpr (requires { d_.follows(m_, location, width, spot); }) {
+    if (d_.follows(m_, location, width, spot)) return spot;
+  }
   if constexpr (!std::same_as<Bool, bool>) {
     std::optional<std::vector<std::uint64_t>> values = d_.locations(m_, location);
     const bool isComplete = values.has_value();
@@ -320,6 +324,9 @@ typename D::Bits Step7Places<D>::load(const Spot<D>& spot, Width width) {
   const auto wide = [&](Bits value) { return w == 32 ? value : d_.zext(value, w, 32); };
   if (spot.isValue) return w == 32 ? spot.value : wide(d_.extract(spot.value, w - 1, 0));
   if (spot.isUnresolved) return wide(d_.unresolved(m_, w));
+  if constexpr (requires { d_.loadComputed(spot, width); }) {
+    if (spot.isComputed) return wide(d_.loadComputed(spot, width));
+  }
   if (spot.isPlace) return wide(loadPlace(spot.area, spot.offset, spot.bit, width));
   Bits result = number(0, w);
   for (const PointerTarget<D>& t : spot.targets)
@@ -345,6 +352,9 @@ void Step7Places<D>::save(const Spot<D>& spot, Width width, Bits value) {
   if (spot.isUnresolved) return d_.havoc(m_);
   const int w = bits(width);
   const Bits cut = width == Width::Bit || width == Width::DWord ? value : d_.extract(value, w - 1, 0);
+  if constexpr (requires { d_.saveComputed(spot, width, cut); }) {
+    if (spot.isComputed) return d_.saveComputed(spot, width, cut);
+  }
   if (spot.isPlace) return savePlace(spot.area, spot.offset, spot.bit, width, cut);
   for (const PointerTarget<D>& t : spot.targets)
     m_.when(t.condition, [&] { savePlace(t.area, t.offset, t.bit, width, cut); });

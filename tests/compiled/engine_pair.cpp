@@ -54,9 +54,10 @@ PairOutcome runBoth(const Program& program, RandomSource& random, const PairOpti
     for (std::uint32_t byte = 0; byte < 4; ++byte) {
       if (random.chance(40)) write(place(Area::I, Width::Byte, byte), random.below(256));
     }
-    if (random.chance(30)) write(place(Area::AI, Width::Word, 2 * random.below(2)), random.value(16));
+    const std::uint32_t firstAnalog = isStep7(program.target) ? 256 : 0;
+    if (random.chance(30)) write(place(Area::AI, Width::Word, firstAnalog + 2 * random.below(2)), random.value(16));
     if (options.writesMemory && random.chance(20))
-      write(place(Area::V, Width::Word, random.below(64)), random.value(16));
+      write(place(options.words, Width::Word, options.firstByte + random.below(64)), random.value(16));
     if (options.writesMemory && random.chance(20)) write(place(Area::M, Width::Byte, random.below(8)), random.value(8));
     ScanRequest request;
     request.lengthUs = random.chance(50) ? 10000 : 200 + random.below(options.longestUs);

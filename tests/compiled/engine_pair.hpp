@@ -17,7 +17,9 @@ struct PairOutcome {
 struct PairOptions {
   int scans = 60;
   std::uint32_t longestUs = 30000;
-  bool writesMemory = true;  ///< somebody writes into V and M between the scans
+  bool writesMemory = true;  ///< somebody writes into M and these 128 bytes between the scans
+  Area words = Area::V;
+  std::uint32_t firstByte = 0;
   SimulatorOptions engine{};
 };
 
