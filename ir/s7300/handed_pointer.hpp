@@ -45,7 +45,7 @@ typename D::Bits Step7Places<D>::handedAddress(std::uint32_t parameter) {
   const Activation<D>& running = *m_.step7.running;
   const LocalVariable& local = running.pou->locals[parameter];
   if (hasInstance(*running.pou))
-    return areaPointer(PointerArea::Di, beyond(address(m_.step7.ar[1]), local.pointerByte, 0));
+    return areaPointer(PointerArea::Di, number(local.pointerByte * 8, 24));
   if (running.caller == nullptr) return m_.external(External::UnknownResult, unknownPointer, 32);
   return areaPointer(PointerArea::V, number((ownPointers(*running.caller->pou) + local.pointerByte) * 8, 24));
 }

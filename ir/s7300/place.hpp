@@ -63,7 +63,8 @@ class Step7Places {
   void eachNumber(const Operand& o, Visit&& visit);
   /// Number of a block that an operand names: a constant, a parameter, or the word in memory. 16 bits.
   Bits blockNumberOf(const Operand& o);
-  /// The pointer to an operand (P##name): area code and bit address, 32 bits.
+  /// The pointer to an operand (P##name): area code and bit address, 32 bits. In an FB the address counts from where
+  /// its own data begin, so that a multi-instance has to add AR2 (general knowledge).
   Bits addressOf(const Operand& o);
   /// Pointers that calls hand over: ir/s7300/handed_pointer.hpp.
   HandedPointer<D> handed(const Operand& actual, DataType formal, std::uint32_t index);
@@ -416,7 +417,7 @@ template <class D>
 typename D::Bits Step7Places<D>::addressOf(const Operand& o) {
   if (o.reach != nullptr && o.reach->way == Way::Handed) return handedAddress(o.reach->parameter);
   if (o.reach != nullptr && o.reach->way == Way::Instance)
-    return areaPointer(PointerArea::Di, beyond(address(m_.step7.ar[1]), o.offset, o.bit));
+    return areaPointer(PointerArea::Di, number(o.offset * 8 + o.bit, 24));
   const PointerArea area = o.reach == nullptr && o.area == Area::L ? PointerArea::L : PointerArea::V;
   return areaPointer(area, number(o.offset * 8 + o.bit, 24));
 }

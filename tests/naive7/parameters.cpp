@@ -104,9 +104,9 @@ std::uint32_t Machine::addressOfParameter(const std::string& name) const {
   const Frame& f = frames_.back();
   if (const auto found = f.references.find(name); found != f.references.end()) return 0x87000000U | found->second.bit;
   for (const Variable& v : f.block->variables) {
-    if (v.name == name && v.section == Section::Temp) return 0x86000000U | v.bit;
+    if (v.name == name) return (v.section == Section::Temp ? 0x86000000U : 0x85000000U) | v.bit;  // AR2 not counted
   }
-  return 0x85000000U | local(name).bit;
+  throw Stop{0xFF, "no local name: " + name};
 }
 
 namespace {

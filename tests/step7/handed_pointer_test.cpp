@@ -130,6 +130,18 @@ TEST(HandedPointer, AnyOfAFunctionBlockStandsInItsInstance) {
   }
 }
 
+// P## counts from where the data of the FB begin; where they begin in the instance AR2 says, which a multi-instance
+// adds itself. The inner FB's list lies 2 bytes behind its beginning, which lies at byte 2 of DB7: bytes 4 to 7.
+TEST(HandedPointer, AMultiInstanceAddsAr2ToAPointerToItsData) {
+  const PointerRun run(
+      "FUNCTION_BLOCK FB 5\nVAR\n  x : INT;\n  list : ARRAY [0 .. 3] OF BYTE;\nEND_VAR\nBEGIN\nNETWORK\n"
+      "L P##list; T MD 96; LAR1; TAR2; +AR1; L 77; T DIB [AR1,P#1.0]; L B [AR1,P#1.0]; T MB 100;\nEND_FUNCTION_BLOCK\n"
+      "FUNCTION_BLOCK FB 6\nVAR\n  y : INT;\n  inner : FB 5;\nEND_VAR\nBEGIN\nNETWORK\nCALL #inner;\n"
+      "END_FUNCTION_BLOCK\nDATA_BLOCK DB 7\nFB 6\nBEGIN\nEND_DATA_BLOCK\n" +
+      ob1Of("CALL FB 6, DB 7; L DB7.DBB 5; T MB 101;"));
+  EXPECT_EQ(run.bytes(96, 6), "85 00 00 10 4D 4D");
+}
+
 // What a block was given it may hand on: the same bytes.
 TEST(HandedPointer, FormalPointersAreHandedOn) {
   const std::string handing = "VAR_INPUT\n  q : ANY;\nEND_VAR\nBEGIN\nNETWORK\nCALL FC 1 (p := #q);\n";
