@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -37,6 +38,17 @@ class Devices {
     return found == library_.end() ? 0 : found->second;
   }
 
+  /// S7-300/400: a byte of the start information of an organization block, `bits` of it.
+  void setStartInformation(int block, std::uint32_t byte, std::uint8_t value, std::uint8_t bits = 0xFF) {
+    std::uint8_t& given = starts_[{block, byte}];
+    given = static_cast<std::uint8_t>((given & ~bits) | (value & bits));
+  }
+  /// Nothing: no stimulus says it.
+  std::optional<std::uint8_t> startInformation(int block, std::uint32_t byte) const {
+    const auto found = starts_.find({block, byte});
+    return found == starts_.end() ? std::nullopt : std::optional(found->second);
+  }
+
   /// Nothing happens at the ticks of the 1 ms clock to come until the program asks for something.
   bool areIdle(const Concrete::Store& store) const {
     return counters.areIdle(store) && pulses.areIdle() && ports.areIdle(store);
@@ -55,6 +67,7 @@ class Devices {
   }
 
  private:
+  std::map<std::pair<int, std::uint32_t>, std::uint8_t> starts_;
   std::map<std::pair<std::string, std::uint32_t>, std::uint64_t> library_;
 };
 

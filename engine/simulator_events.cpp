@@ -108,6 +108,7 @@ void Simulator::occur(int event) {
     const auto timer = static_cast<std::uint32_t>(timerOfEvent(event));
     timedMs_[timer] -= static_cast<std::uint32_t>(periodOf(timer));
     passedMs_ = std::max(passedMs_, scriptedMs_ - std::min(scriptedMs_, timedMs_[timer]));
+    if (isDelayEvent(event)) store_.set(Reg::DelayPeriod, timedRegisters(timer).at, 0, true);
   }
   if (isEdgeEvent(event)) lastEdge_[static_cast<std::size_t>(edgeInputOf(event))] = edgeKind(event);
   deviceEvent(machine_, event);

@@ -34,8 +34,11 @@ struct Simulator::Hooks {
 
   /// `base`: where the block's local memory begins.
   void freshLocal(Runner& runner, std::uint32_t base, std::uint32_t byte) {
-    const std::uint64_t value =
-        simulator.unknownIsZero_ ? 0 : runner.machine().external(External::LocalMemory, byte, 8);
+    std::uint64_t value = simulator.unknownIsZero_ ? 0 : runner.machine().external(External::LocalMemory, byte, 8);
+    const Activation<Concrete>* running = runner.machine().step7.running;
+    const bool isStart = running != nullptr && running->call == nullptr && running->localBase == base;
+    if (isStart && simulator.outside_ == nullptr)
+      value = simulator.devices_.startInformation(numberOfBlock(running->pou->number), byte).value_or(value);
     simulator.store_.area(Area::L)[base + byte] = static_cast<std::uint8_t>(value);
   }
 };

@@ -104,7 +104,9 @@ void Simulator::passMillisecond(Runner& runner) {
     const TimedRegisters registers = timedRegisters(timer);
     const std::uint64_t period = periodOf(timer), elapsed = elapsedOf(timer) + 1;
     store_.set(registers.elapsed, registers.at, elapsed < period ? elapsed : 0, true);
-    if (elapsed >= period) raise(eventOfTimed(timer));
+    if (elapsed < period) continue;
+    if (isDelayEvent(eventOfTimed(timer))) store_.set(registers.period, registers.at, 0, true);
+    raise(eventOfTimed(timer));
   }
   devices_.passMillisecond(store_, [this, &runner](int event) {
     raise(event);

@@ -84,6 +84,7 @@ std::vector<RetentiveRange> defaultRetentiveRanges(const Target& target) {
 std::vector<RetentiveRange> retentiveRanges(const Program& program,
                                             const std::optional<std::vector<RetentiveRange>>& given) {
   std::vector<RetentiveRange> ranges = given.value_or(defaultRetentiveRanges(program.target));
+  if (program.coldStart) return {};
   if (isStep7(program.target)) {
     const auto isOfBlock = [](const RetentiveRange& range) { return range.area == Area::DB; };
     if (std::ranges::any_of(ranges, isOfBlock)) return ranges;

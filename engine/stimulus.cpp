@@ -66,6 +66,19 @@ void StimulusPlayer::act(const StimulusColumn& column, std::uint64_t value) {
     case StimulusTarget::SecondPhase: simulator_.startClock(Reg::PhaseSecond, number); break;
     case StimulusTarget::MinutePhase: simulator_.startClock(Reg::PhaseMinute, number); break;
     case StimulusTarget::ClockBitPhase: simulator_.startClock(Reg::ClockPhase, number, column.position); break;
+    case StimulusTarget::StartField: {
+      const s7300::StartField& field = column.field;
+      if (field.width == Width::Bit) {
+        const auto bit = static_cast<std::uint8_t>(1U << field.bit);
+        devices.setStartInformation(field.block, field.byte, value != 0 ? bit : 0, bit);
+        break;
+      }
+      const int count = bytes(field.width);
+      for (int i = 0; i < count; ++i)
+        devices.setStartInformation(field.block, field.byte + static_cast<std::uint32_t>(i),
+                                    static_cast<std::uint8_t>(value >> (8 * (count - 1 - i))));
+      break;
+    }
     case StimulusTarget::NetworkError: devices.network.setError(static_cast<std::uint8_t>(value & 15)); break;
     case StimulusTarget::NetworkHold: devices.network.setHeld(value != 0); break;
     case StimulusTarget::Characters:

@@ -10,6 +10,7 @@
 
 #include "engine/simulator.hpp"
 #include "engine/trace.hpp"
+#include "ir/s7300/start_information.hpp"
 
 namespace rungproof {
 
@@ -27,6 +28,7 @@ enum class StimulusTarget : std::uint8_t {
   SecondPhase,    ///< "CLOCK.second": ms that SM0.5 is into its second, first off, then on
   MinutePhase,    ///< "CLOCK.minute": the same for SM0.4 and its minute
   ClockBitPhase,  ///< "CLOCK.bit5": the same for a bit of the clock memory of an S7-300/400 and its period
+  StartField,     ///< "OB40_POINT_ADDR": of the start information of an organization block of an S7-300/400
   None            ///< read and passed over: a column of a recorded trace that the program itself computes
 };
 
@@ -34,6 +36,7 @@ struct StimulusColumn {
   StimulusTarget target = StimulusTarget::None;
   TraceSignal signal;
   std::string block{};         ///< LibraryOutput: name in the call
+  s7300::StartField field{};   ///< StartField
   std::uint32_t position = 0;  ///< LibraryOutput: operand, from 1; Pulses, Characters: number of the counter or port
 };
 

@@ -19,6 +19,7 @@ struct BlockEventRow {
 
 inline constexpr auto blockEventTable = std::to_array<BlockEventRow>({
     {10, 17, 2, false, "time-of-day interrupt"},
+    {20, 23, 3, true, "time-delay interrupt"},
     {30, 38, 7, true, "cyclic interrupt"},
     {40, 47, 16, true, "hardware interrupt"},
     {80, 80, 25, false, "time error"},
@@ -85,6 +86,14 @@ inline constexpr std::array<std::uint16_t, cyclicBlockCount> usualPeriods = {500
 inline constexpr int firstCyclicEvent = eventOfBlock(firstCyclicBlock);
 constexpr bool isCyclicEvent(int event) {
   return event >= firstCyclicEvent && event < firstCyclicEvent + static_cast<int>(cyclicBlockCount);
+}
+
+/// The time-delay interrupts OB20 to OB23, each started by SFC 32 and once (002:1190-1212).
+inline constexpr int firstDelayBlock = 20;
+inline constexpr std::uint32_t delayBlockCount = 4;
+inline constexpr int firstDelayEvent = eventOfBlock(firstDelayBlock);
+constexpr bool isDelayEvent(int event) {
+  return event >= firstDelayEvent && event < firstDelayEvent + static_cast<int>(delayBlockCount);
 }
 
 static_assert(blockOfEvent(eventOfBlock(35)) == 35 && priorityOf(eventOfBlock(35)) == 12);  // 002:1116

@@ -9,7 +9,7 @@ BlockMap::BlockMap(const Program& program) {
   for (const DataBlock& block : program.dataBlocks) {
     if (block.number > lastDataBlock || block.bytes.empty()) continue;
     if (block.number >= rows_.size()) rows_.resize(block.number + 1);
-    rows_[block.number] = {size_, static_cast<std::uint32_t>(block.bytes.size())};
+    rows_[block.number] = {size_, static_cast<std::uint32_t>(block.bytes.size()), block.readOnly, block.unlinked};
     ordered_.push_back(block.number);
     size_ += rows_[block.number].length + room;
   }

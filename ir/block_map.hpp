@@ -26,6 +26,9 @@ class BlockMap {
   std::uint32_t size() const { return size_; }
   /// Length of a block in bytes; 0: there is none of that number.
   std::uint32_t length(std::uint32_t block) const { return block < rows_.size() ? rows_[block].length : 0; }
+  /// Whether it is write-protected (READ_ONLY) or stays in the load memory (UNLINKED), 002:537-563.
+  bool isReadOnly(std::uint32_t block) const { return block < rows_.size() && rows_[block].isReadOnly; }
+  bool isUnlinked(std::uint32_t block) const { return block < rows_.size() && rows_[block].isUnlinked; }
   /// Place of a byte in the row of all blocks; size() if its block does not exist.
   std::uint32_t place(std::uint32_t dataByte) const {
     const std::uint32_t block = blockOfByte(dataByte);
@@ -43,6 +46,7 @@ class BlockMap {
   struct Row {
     std::uint32_t first = 0;
     std::uint32_t length = 0;
+    bool isReadOnly = false, isUnlinked = false;
   };
   std::vector<Row> rows_;               ///< by block number
   std::vector<std::uint32_t> ordered_;  ///< block numbers in the order of the row

@@ -24,6 +24,7 @@ enum class External : std::uint8_t {
   UnknownStatus,    ///< status bits that the manual calls meaningless after an error (001:4814)
   UnknownResult,    ///< result that the manual leaves open after an error
   RegisterAtStart,  ///< S7-300/400: what a register holds when an organization block begins; index = which
+  AccessError,      ///< S7-300/400: whether a module does not answer a direct access; index = byte
   TimerPhase        ///< S7-300/400: by how much the first unit of an S5 timer is short; index = timer
 };
 

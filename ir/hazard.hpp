@@ -58,7 +58,8 @@ enum class Hazard : std::uint8_t {
   S7BlockMissing,
   S7Nesting,
   S7CycleTime,
-  S7Stop
+  S7Stop,
+  S7ErrorTwice
 };
 
 /// How the CPU takes it: a status bit only, a logged non-fatal error with SM4.3, or STOP.
@@ -150,6 +151,8 @@ inline constexpr std::array hazardTable = {
     HazardInfo{Hazard::S7Nesting, "STOP", HazardClass::Fatal, "blocks nested too deeply", "002:1278"},
     HazardInfo{Hazard::S7CycleTime, "STOP", HazardClass::Fatal, "the scan outlasts the cycle monitoring", "002:1296"},
     HazardInfo{Hazard::S7Stop, "STOP", HazardClass::Fatal, "SFC 46 stops the CPU", "002:2343"},
+    HazardInfo{Hazard::S7ErrorTwice, "STOP", HazardClass::Fatal,
+               "synchronous error in the block that takes such errors", "002:1278"},
 };
 
 /// A scan that lasts too long, by the family of the program.
@@ -162,7 +165,7 @@ constexpr bool hazardTableIsInOrder() {
   for (std::size_t i = 0; i < hazardTable.size(); ++i) {
     if (static_cast<std::size_t>(hazardTable[i].hazard) != i) return false;
   }
-  return hazardTable.size() == static_cast<std::size_t>(Hazard::S7Stop) + 1;
+  return hazardTable.size() == static_cast<std::size_t>(Hazard::S7ErrorTwice) + 1;
 }
 static_assert(hazardTableIsInOrder(), "hazardTable must list the hazards in the order of the enumeration");
 }  // namespace detail

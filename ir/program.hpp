@@ -143,6 +143,7 @@ struct Program {
   /// S7-300/400: ms from one start of OB30 and those that follow to the next.
   std::array<std::uint16_t, cyclicBlockCount> cyclicPeriods = usualPeriods;
   std::optional<std::uint32_t> clockMemory;  ///< S7-300/400: byte of M (ir/s7300/clock_memory.hpp)
+  bool coldStart = false;                    ///< S7-300/400: runs begin with OB102 and nothing retained (002:1383)
   std::uint16_t cycleMonitoringMs = 150;     ///< S7-300/400: a scan that lasts longer is a time error (002:1296)
   std::vector<Finding> findings;             ///< of the readers
   bool olderDialect = false;                 ///< one-text dialect of the S7-212/214 time (MEND, SBR n)

@@ -10,7 +10,7 @@ namespace {
 constexpr Hazard obl002Hazards[] = {
     Hazard::S7Bcd,           Hazard::S7AreaLength, Hazard::S7AreaUnknown,    Hazard::S7TimerNumber,
     Hazard::S7CounterNumber, Hazard::S7Alignment,  Hazard::S7WriteProtected, Hazard::S7BlockMissing,
-    Hazard::S7Stop};
+    Hazard::S7Stop,          Hazard::S7ErrorTwice};
 
 }  // namespace
 

@@ -41,6 +41,34 @@ void ScanEncoding::noteEndOfReception(const Instruction& instruction) {
   isRecording_ = wasRecording;
 }
 
+/// The time of an event begins anew, at any time of the scan that is not over yet; the engine asks for it likewise.
+void ScanEncoding::restartTimed(int event, const Instruction& instruction, Graph::Bool runs) {
+  EventStates& s = eventStates_;
+  const int w = graph[s.passed].width;
+  const Graph::Bits dt{graph.make(Op::Zext, w, time.dt())}, before{s.passed};
+  const ExternalSite site{External::AsyncTicks, static_cast<std::uint32_t>(event), instruction.id};
+  const Graph::Bits any{siteInput(SiteInput::ticks, instruction.id, w)};
+  externals.push_back({site, any.node, w, here(runs).node});
+  const Graph::Bool fits = graph.land(graph.ule(before, any, w), graph.ule(any, dt, w));
+  const Graph::Bits now = graph.select(fits, any, before, w);
+  become(s.sinceLast.at(static_cast<std::uint32_t>(timerOfEvent(event))), here(runs), graph.sub(dt, now, w).node);
+  become(s.passed, here(runs), now.node);
+}
+
+/// SFC 32 starts a delay anew, or SFC 33 ends it. Whether that is in time for an interrupt that is due and held back,
+/// by SFC 41 or because another block runs, is not stated.
+void ScanEncoding::signalled(Signal which, std::uint32_t index, Graph::Bool) {
+  const int event = static_cast<int>(index);
+  const bool starts = which == Signal::EventAttached;
+  if ((!starts && which != Signal::EventsCleared) || !isDelayEvent(event) || !attachments_.contains(event)) return;
+  const Graph::Bool isHeldBack = graph.lor(graph.constant(machine_.inInterrupt),
+                                           graph.lnot(graph.equal(machine_.step7.delays, graph.literal(0, 8), 8)));
+  const Graph::Bool isOpen = here(graph.land(isHeldBack, isDue(static_cast<std::uint32_t>(timerOfEvent(event)))));
+  if (graph.truth(isOpen) != false)
+    leaveOut(machine_.current, "a delay interrupt may be due while it is held back", isOpen);
+  if (starts) restartTimed(event, *machine_.current, graph.constant(true));
+}
+
 /// In front of ATCH, DTCH and CEVNT.
 void ScanEncoding::noteAttachment(const Instruction& instruction) {
   const Role role = roleOf(instruction);
@@ -59,18 +87,7 @@ void ScanEncoding::noteAttachment(const Instruction& instruction) {
   const auto waits = s.waiting.find(event);
   const auto left = s.left.find(event);
   const Graph::Bits none = graph.literal(0, queueBits);
-  if (role == Role::Atch && isTimedEvent(event)) {
-    // At any time of the scan that is not over yet; the engine asks for it likewise.
-    const int w = graph[s.passed].width;
-    const Graph::Bits dt{graph.make(Op::Zext, w, time.dt())}, before{s.passed};
-    const ExternalSite site{External::AsyncTicks, static_cast<std::uint32_t>(event), instruction.id};
-    const Graph::Bits any{siteInput(SiteInput::ticks, instruction.id, w)};
-    externals.push_back({site, any.node, w, here(runs).node});
-    const Graph::Bool fits = graph.land(graph.ule(before, any, w), graph.ule(any, dt, w));
-    const Graph::Bits now = graph.select(fits, any, before, w);
-    become(s.sinceLast.at(static_cast<std::uint32_t>(timerOfEvent(event))), here(runs), graph.sub(dt, now, w).node);
-    become(s.passed, here(runs), now.node);
-  }
+  if (role == Role::Atch && isTimedEvent(event)) restartTimed(event, instruction, runs);
   if (role == Role::Dtch && left != s.left.end()) {
     // Entries are in the queue only while interrupts are disabled, or while a routine runs.
     const Graph::Bool maySit =

@@ -86,6 +86,7 @@ void addCauseKeys(int event, Footprint& footprint) {
   if (isTimedEvent(event)) {
     const TimedRegisters registers = timedRegisters(static_cast<std::uint32_t>(timerOfEvent(event)));
     reads(registerPlace(registers.period, registers.at));
+    if (isDelayEvent(event)) changes(registerPlace(registers.period, registers.at));  // it comes once
   }
   if (const auto counter = counterEvent(event)) {
     reads(registerPlace(Reg::HscMode, counter->counter));

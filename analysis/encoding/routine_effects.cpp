@@ -152,6 +152,9 @@ RoutineEffects::RoutineEffects(const Plan& plan, const MemoryLayout& layout, con
     for (const Cell& cell : cells) {
       if (!isKeptAround(cell.place) && once->value(cell.place) != cell.start) written.push_back(cell.place);
     }
+    // Whether the other routine comes at all may depend on it.
+    if (std::ranges::any_of(written, [](const Place& p) { return p.isRegister && p.reg == Reg::DelayPeriod; }))
+      isOnePassEnough_ = false;
     std::ranges::sort(written);
     isOnePassEnough_ =
         isOnePassEnough_ && !trial.mayHalt && !trial.readsOverflow && !differ(*once, *trial.run({routine, routine}));

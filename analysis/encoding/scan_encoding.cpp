@@ -391,13 +391,18 @@ RoundsLeft ScanEncoding::beyondLimit(Graph::Bool condition, bool isFirst) {
 
 void ScanEncoding::report(Hazard hazard, Graph::Bool condition, const Instruction* place) {
   hazards.push_back({hazard, condition.node, place});
-  if (hazard == Hazard::LoopBound) {
-    Approximation& a = approximate(place, "loop that runs longer than it is followed");
-    a.leftOut = a.leftOut == noNode ? condition.node : graph.lor({a.leftOut}, condition).node;
-  }
+  if (hazard == Hazard::LoopBound) leaveOut(place, "loop that runs longer than it is followed", condition);
+  if (hazard == Hazard::S7ErrorTwice)
+    leaveOut(place, "synchronous error in the block that takes such errors", condition);
   // What ends the program keeps later interrupts from running.
   if (place != nullptr && hazardInfo(hazard).kind == HazardClass::Fatal)
     footprints_.record(place->id, routine_, {registerPlace(Reg::Running, 0), true});
+}
+
+/// Runs in which `condition` holds are not followed from there on.
+void ScanEncoding::leaveOut(const Instruction* place, std::string_view reason, Graph::Bool condition) {
+  Approximation& a = approximate(place, reason);
+  a.leftOut = a.leftOut == noNode ? condition.node : graph.lor({a.leftOut}, condition).node;
 }
 
 Approximation& ScanEncoding::approximate(const Instruction* place, std::string_view reason) {

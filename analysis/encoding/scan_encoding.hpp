@@ -116,6 +116,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
                                                              Width width) override;
   Graph::Bits unresolved(Machine<Graph>& machine, int width) override;
   void havoc(Machine<Graph>& machine) override;
+  void signalled(Signal which, std::uint32_t index, Graph::Bool guard) override;
   void havocBy(const Machine<Graph>& machine, const Approximation& cause);
 
   void run();
@@ -132,6 +133,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   void endEvents();
   void interrupts(Runner& runner, std::uint32_t instruction);
   void noteAttachment(const Instruction& instruction);
+  void restartTimed(int event, const Instruction& instruction, Graph::Bool runs);
   void timerReached(const TimerUse& use, Graph::Bool reached);
   void queueOne(int event, Graph::Bool condition);
   void noteEndOfReception(const Instruction& instruction);
@@ -174,6 +176,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   Node input(std::string name, int width);
   Node siteInput(int event, std::uint32_t instruction, int width);
   Approximation& approximate(const Instruction* place, std::string_view reason);
+  void leaveOut(const Instruction* place, std::string_view reason, Graph::Bool condition);
 
   const Program& program_;
   const EncoderOptions options_;

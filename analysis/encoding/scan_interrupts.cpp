@@ -338,6 +338,8 @@ void ScanEncoding::runEvent(Runner& runner, Round& round, int event) {
     const Graph::Bool isInScan = graph.ule({since}, {dt}, w);
     const Node due = graph.make(Op::Ite, w, isInScan.node, graph.sub({dt}, {since}, w).node, graph.constantNode(0, w));
     become(s.passed, here(graph.land(comes, graph.ult({s.passed}, {due}, w))), due);
+    if (isDelayEvent(event))
+      machine_.when(comes, [&] { machine_.set(Reg::DelayPeriod, timedRegisters(timer).at, graph.literal(0, 16)); });
   }
   if (const auto last = s.lastEdge.find(edgeInputOf(event)); last != s.lastEdge.end())
     become(last->second, here(comes), graph.constantNode(static_cast<std::uint64_t>(edgeKind(event)), 2));
@@ -482,6 +484,11 @@ void ScanEncoding::moreRuns(Runner& runner, Round& round) {
     });
   }
   for (auto& [input, last] : eventStates_.lastEdge) become(last, here(more), graph.constantNode(0, 2));
+  for (auto& [timer, since] : eventStates_.sinceLast) {
+    const int event = eventOfTimed(timer);
+    if (isDelayEvent(event))  // their routines may have started it anew
+      become(since, here(more), anyOf(fmt::format("after more event {}", event), graph[since].width));
+  }
   const bool mayHalt =
       !effects_->isComplete() || std::ranges::any_of(round.ran, [&](int r) { return effects_->mayHalt(r); });
   if (mayHalt) machine_.halt(graph.land(more, {anyOf("more interrupts end the program", 1)}));

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "ir/s7200/library_block.hpp"
+#include "ir/s7300/block.hpp"
 #include "ir/s7300/pointer_code.hpp"
 
 namespace rungproof {
@@ -181,10 +182,7 @@ class AccessCollector {
   void blockCall() {
     const std::size_t count = instruction_->operands.size();
     const auto found = count == 0 ? subroutines_.end() : subroutines_.find(static_cast<int>(op(0).value));
-    std::size_t i =
-        found != subroutines_.end() && (found->second->type == BlockType::Fb || found->second->type == BlockType::Sfb)
-            ? 2
-            : 1;
+    std::size_t i = found != subroutines_.end() && hasInstance(*found->second) ? 2 : 1;
     if (found != subroutines_.end()) {
       for (const LocalVariable& local : found->second->locals) {
         if (local.section == VarSection::Temp || local.section == VarSection::Static || i >= count) continue;

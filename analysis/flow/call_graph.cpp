@@ -81,6 +81,12 @@ int numberOf(const Instruction& instruction, std::size_t i) {
   return isConstant ? static_cast<int>(instruction.operands[i].value) : -1;
 }
 
+/// UC FC[MW10], or a block that a parameter names: any of them may be meant.
+bool isCallByNumber(const Instruction& instruction) {
+  return instruction.desc->control == Control::BlockCall && !instruction.operands.empty() &&
+         instruction.operands[0].kind == OperandKind::Indirect;
+}
+
 }  // namespace
 
 CallGraph::CallGraph(const Program& program, const Plan& plan) {
@@ -102,9 +108,11 @@ CallGraph::CallGraph(const Program& program, const Plan& plan) {
     return found == byNumber.end() ? noBlock : found->second;
   };
 
+  bool callsByNumber = false;
   for (std::uint32_t b = 0; b < blocks; ++b) {
     for (const FlowStep& step : plan.flows[b].steps) {
       const Instruction& instruction = *step.instruction;
+      callsByNumber = callsByNumber || isCallByNumber(instruction);
       if (instruction.desc->control == Control::Call || instruction.desc->control == Control::BlockCall) {
         const std::uint32_t callee = find(PouKind::Subroutine, numberOf(instruction, 0));
         const auto site = static_cast<std::uint32_t>(sites_.size());
@@ -133,6 +141,8 @@ CallGraph::CallGraph(const Program& program, const Plan& plan) {
   for (std::uint32_t b = 0; b < blocks; ++b) {
     const bool isOb = program.pous[b].type == BlockType::Ob;
     if (program.pous[b].kind == PouKind::Main || isOb) mark(b, fromMain_);
+    if (callsByNumber && (program.pous[b].type == BlockType::Fc || program.pous[b].type == BlockType::Fb))
+      mark(b, fromMain_);
   }
 }
 

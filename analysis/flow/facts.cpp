@@ -10,6 +10,7 @@
 #include "analysis/read_errors.hpp"
 #include "ir/block_map.hpp"
 #include "ir/s7300/block.hpp"
+#include "ir/s7300/isa.hpp"
 
 namespace rungproof {
 
@@ -20,8 +21,6 @@ std::uint64_t addressKey(const Operand& o) {
   const std::uint64_t shape = byNumber ? 0 : static_cast<std::uint64_t>(o.width) << 4 | o.bit;
   return static_cast<std::uint64_t>(o.area) << 48 | shape << 40 | o.offset;
 }
-
-bool isOfInstances(BlockType type) { return type == BlockType::Fb || type == BlockType::Sfb; }
 
 }  // namespace
 
@@ -191,13 +190,14 @@ std::string Facts::bitName(std::uint32_t key) const {
 }
 
 std::string Facts::text(const Instruction& instruction) {
-  std::string text(instruction.desc->stl);
+  std::string text(writtenMnemonic(*instruction.desc, false));
+  if (!instruction.operands.empty()) text = text.substr(0, text.find(' '));  // L T, S C: the operand says the rest
   const bool isCall = instruction.desc->control == Control::BlockCall;
   for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
     const Operand& operand = instruction.operands[i];
     if (isCall && operand.kind == OperandKind::Missing) continue;  // a parameter that the call leaves as it is
     const bool isInstance = isCall && i == 1 && operand.kind == OperandKind::Direct && operand.area == Area::DB &&
-                            isOfInstances(blockTypeOf(static_cast<int>(instruction.operands[0].value)));
+                            hasInstance(blockTypeOf(static_cast<int>(instruction.operands[0].value)));
     text += (i == 0 ? " " : ", ") + (isInstance ? fmt::format("DB{}", blockOfByte(operand.offset)) : toString(operand));
   }
   return text;

@@ -107,7 +107,7 @@ class Opening {
 OpenStates openStates(const Flow& flow) {
   const Opening opening(flow);
   OpenState entry;
-  const bool isInstance = flow.pou->type == BlockType::Fb || flow.pou->type == BlockType::Sfb;
+  const bool isInstance = hasInstance(*flow.pou);
   if (isInstance) entry.di.by = openedHere;
   return statesOf(flow, entry, [&](OpenState& state, const FlowStep& step) { opening.apply(state, step); });
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analysis/flow/statement_paths.hpp"
+#include "ir/s7300/block.hpp"
 
 namespace rungproof {
 
@@ -45,8 +46,8 @@ void eachDataOperand(const Instruction& instruction, Visit&& visit) {
   const bool isCall = role == StatementRole::Call || role == StatementRole::CallByRlo;
   std::size_t first = isCall ? 1 : 0;
   if (isCall && instruction.operands.size() > 1) {
-    const auto type = static_cast<BlockType>(instruction.operands[0].value >> 16);
-    if (type == BlockType::Fb || type == BlockType::Sfb) first = 2;
+    const auto type = blockTypeOf(static_cast<int>(instruction.operands[0].value));
+    if (hasInstance(type)) first = 2;
   }
   for (std::size_t i = role == StatementRole::OpenBlock ? instruction.operands.size() : first;
        i < instruction.operands.size(); ++i)

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "analysis/flow/statement_paths.hpp"
+#include "ir/s7300/block.hpp"
 
 namespace rungproof {
 
@@ -107,7 +108,7 @@ class Temps {
     if (call.desc->control != Control::BlockCall || operand == 0) return false;
     const Pou* callee = facts_.program().subroutine(static_cast<int>(call.operands[0].value));
     if (callee == nullptr) return true;
-    std::size_t i = callee->type == BlockType::Fb || callee->type == BlockType::Sfb ? 2 : 1;
+    std::size_t i = hasInstance(*callee) ? 2 : 1;
     for (const LocalVariable& local : callee->locals) {
       if (local.section == VarSection::Temp || local.section == VarSection::Static) continue;
       if (i++ == operand) return local.type == DataType::Any || local.type == DataType::Pointer || local.size > 4;

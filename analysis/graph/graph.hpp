@@ -214,7 +214,11 @@ class Graph {
                                                                        Width width) = 0;
     virtual Bits unresolved(Machine<Graph>& machine, int width) = 0;
     virtual void havoc(Machine<Graph>& machine) = 0;
+    virtual void signalled(Signal, std::uint32_t /*index*/, Bool /*guard*/) {}
   };
+  void signal(Signal which, std::uint32_t index, Bool guard) {
+    if (listener_ != nullptr) listener_->signalled(which, index, guard);
+  }
   void listen(Listener* listener) { listener_ = listener; }
 
  private:

@@ -10,6 +10,7 @@
 #include "analysis/encoding/exact_reals.hpp"
 #include "analysis/graph/evaluate.hpp"
 #include "engine/device_end.hpp"
+#include "ir/s7300/block.hpp"
 
 namespace rungproof {
 
@@ -120,6 +121,10 @@ std::vector<std::string> environmentTexts(const Program& program, const Property
                                         : fmt::format("every scan lasts {} to {} ms", time.low, time.high));
   texts.push_back(set.initialRetentive ? "retentive memory starts with any value, the rest with zero"
                                        : "memory starts with zero and the data block");
+  const bool hasColdStart =
+      std::ranges::any_of(program.pous, [](const Pou& pou) { return pou.number == blockNumber(BlockType::Ob, 102); });
+  if (program.coldStart || hasColdStart)
+    texts.push_back(fmt::format("runs begin with a {} restart", program.coldStart ? "cold" : "warm"));
   for (const ExternalRange& range : set.externals)
     texts.push_back(
         fmt::format("{} to {} may be written from outside in any scan", toString(range.first), toString(range.last)));

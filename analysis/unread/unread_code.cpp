@@ -12,6 +12,8 @@
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/coverage.hpp"
 #include "ir/s7300/organization_block.hpp"
+#include "ir/s7300/pointer_parameter.hpp"
+#include "ir/s7300/statement_role.hpp"
 
 namespace rungproof {
 
@@ -81,6 +83,28 @@ class UnreadCode::Collector {
     return part;
   }
 
+  /// Whether that is a declaration, read but without a meaning, in a block of an S7-300/400 that never runs and of
+  /// which there is no instance: it decides nothing else.
+  bool isOfIdleBlock(const Finding& finding) const {
+    constexpr std::string_view ofDeclarations[] = {"SYN042", "SYN043", "SYN051"};  // frontend/stl/syntax_message.cpp
+    if (finding.network != 0 || std::ranges::find(ofDeclarations, finding.rule) == std::end(ofDeclarations))
+      return false;
+    const Span span = finding.span;
+    for (std::uint32_t block = 0; isStep7(program_.target) && block < program_.pous.size(); ++block) {
+      const Pou& pou = program_.pous[block];
+      const bool isWithin = pou.span.file == span.file && pou.span.offset <= span.offset &&
+                            span.offset < pou.span.offset + pou.span.length;
+      if (!isWithin || (pou.type != BlockType::Fc && pou.type != BlockType::Fb)) continue;
+      const auto isInstance = [&](int block7) { return pou.type == BlockType::Fb && block7 == pou.number; };
+      const bool hasData = std::ranges::any_of(program_.dataBlocks, isInstance, &DataBlock::instanceOf);
+      const bool isInside = std::ranges::any_of(program_.pous, [&](const Pou& other) {
+        return std::ranges::any_of(other.locals, isInstance, &LocalVariable::instanceOf);
+      });
+      return !mayRun(block) && !hasData && !isInside;
+    }
+    return false;
+  }
+
   /// The part of a network, new with that reason if it has none yet.
   UnreadPart& partOf(NetworkPlace place, const std::string& reason, Span span) {
     const auto [found, isNew] = parts_.try_emplace({place.block, place.network}, code_.parts_.size());
@@ -110,8 +134,8 @@ class UnreadCode::Collector {
       UnreadPart& part = place != nullptr ? partOf(*place, finding.message, finding.span)
                                           : add(fileOf(finding.span), finding.message, finding.span);
       part.isRefused = true;
-      part.isUnlimited =
-          part.isUnlimited || isFrameReadError(finding) || (place == nullptr && finding.rule != symbolRow);
+      const bool isOfProgram = isFrameReadError(finding) || (place == nullptr && finding.rule != symbolRow);
+      part.isUnlimited = part.isUnlimited || (isOfProgram && !isOfIdleBlock(finding));
     }
     for (const Finding& finding : program_.findings) {
       const NetworkPlace* place = finding.network == 0 ? nullptr : placeOf(finding);
@@ -213,20 +237,65 @@ class UnreadCode::Collector {
       if (operand.kind == OperandKind::Address && operand.reach != nullptr && operand.reach->way == Way::Parameter)
         return std::string(s7300::gapReason(s7300::Gap::ParameterAddress));
     }
+    if (hasOpaqueInstance() && reachesAnyBlock(instruction))
+      return std::string(s7300::gapReason(s7300::Gap::SystemInstance));
     if (instruction.desc->control != Control::BlockCall || instruction.operands.empty()) return {};
     const Operand& block = instruction.operands[0];
     if (block.kind != OperandKind::Constant || block.value == blockNumber(BlockType::Sfc, 46)) return {};
     const int number = static_cast<int>(block.value);
     const bool isControl =
-        blockTypeOf(number) == BlockType::Sfc && numberOfBlock(number) >= 39 && numberOfBlock(number) <= 42;
+        blockTypeOf(number) == BlockType::Sfc && (numberOfBlock(number) == 39 || numberOfBlock(number) == 40);
     const bool isInterrupted = std::ranges::any_of(program_.pous, [](const Pou& pou) {
       return pou.type == BlockType::Ob && eventOfBlock(numberOfBlock(pou.number)) >= 0;
     });
     if (isControl && isInterrupted) return std::string(s7300::gapReason(s7300::Gap::InterruptControl));
     const Pou* callee = program_.subroutine(number);
+    if (number == blockNumber(BlockType::Sfc, 32) && !startsKnownBlock(instruction))
+      return std::string(s7300::gapReason(s7300::Gap::MissingBlock));
     if (callee == nullptr) return std::string(s7300::gapReason(s7300::Gap::MissingBlock));
     if (callee->protectedBlock) return std::string(s7300::gapReason(s7300::Gap::ProtectedBlock));
     return {};
+  }
+
+  /// Whether a data block is the instance of an SFB of which nothing is known.
+  bool hasOpaqueInstance() const {
+    return std::ranges::any_of(program_.dataBlocks, [](const DataBlock& block) {
+      return block.bytes.empty() && blockTypeOf(block.instanceOf) == BlockType::Sfb;
+    });
+  }
+  /// Whether the data block that it uses is known when it runs only.
+  bool reachesAnyBlock(const Instruction& instruction) const {
+    const bool opens = statementRole(instruction) == StatementRole::OpenBlock;
+    for (const Operand& operand : instruction.operands) {
+      if (opens && operand.kind == OperandKind::Indirect) return true;
+      if (operand.reach != nullptr && operand.reach->way == Way::Handed) return true;
+    }
+    if (instruction.desc->control != Control::BlockCall || instruction.operands.empty()) return false;
+    const Pou* callee = instruction.operands[0].kind == OperandKind::Constant
+                            ? program_.subroutine(static_cast<int>(instruction.operands[0].value))
+                            : nullptr;
+    if (callee == nullptr) return false;
+    std::size_t at = hasInstance(*callee) && instruction.operands.size() > 1 ? 2 : 1;
+    for (const LocalVariable& local : callee->locals) {
+      if (!isParameter(local) || at >= instruction.operands.size()) break;
+      const OperandKind kind = instruction.operands[at++].kind;
+      if (isPointerType(local.type) && (kind == OperandKind::Direct || kind == OperandKind::Indirect)) return true;
+    }
+    return false;
+  }
+
+  /// Whether the organization block that SFC 32 starts is there, whichever it is: the end of a delay without one is an
+  /// error of its own.
+  bool startsKnownBlock(const Instruction& call) const {
+    const auto isThere = [&](int block) { return program_.interrupt(blockNumber(BlockType::Ob, block)) != nullptr; };
+    if (call.operands.size() > 1 && call.operands[1].kind == OperandKind::Constant) {
+      const auto block = static_cast<int>(call.operands[1].value);
+      return !isDelayEvent(eventOfBlock(block)) || isThere(block);
+    }
+    for (int i = 0; i < static_cast<int>(delayBlockCount); ++i) {
+      if (!isThere(firstDelayBlock + i)) return false;
+    }
+    return call.operands.size() > 1;
   }
 
   /// Blocks without text: who calls or attaches them runs something that nobody has read. A contract says what it may

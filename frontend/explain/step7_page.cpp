@@ -204,20 +204,11 @@ std::string joinedWithAnd(std::vector<std::string> parts) {
   return text;
 }
 
-/// Blocks with a row in the table of which no more than the parameters are known; what has no row is an SFC by
-/// contract, or an SFB, whose instance nobody knows.
+/// Blocks that do more than their parameters tell; what has no row in the table otherwise is a contract.
 std::string blocksNotModelled() {
-  std::vector<std::string> parts;
-  std::vector<int> functions, described;
-  for (const s7300::LibraryBlock& block : s7300::libraryBlocks()) {
-    if (block.type == BlockType::Sfc && !step7::isModelled(block)) functions.push_back(block.number);
-    if (block.type == BlockType::Sfb && step7::isModelled(block)) described.push_back(block.number);
-  }
-  for (const std::uint16_t number : s7300::functionsBeyondParameters()) functions.push_back(number);
-  std::ranges::sort(functions);
-  parts.push_back(numberText("SFC", functions));
-  parts.push_back(numberText("all SFB but", described));
-  return joinedWithAnd(std::move(parts));
+  const auto functions = s7300::functionsBeyondParameters(), blocks = s7300::blocksBeyondParameters();
+  return joinedWithAnd(
+      {numberText("SFC", {functions.begin(), functions.end()}), numberText("SFB", {blocks.begin(), blocks.end()})});
 }
 
 std::string modelledObs() {

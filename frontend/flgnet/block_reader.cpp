@@ -9,8 +9,8 @@
 #include "frontend/flgnet/circuit_reader.hpp"
 #include "frontend/flgnet/circuit_statements.hpp"
 #include "frontend/flgnet/fragment.hpp"
-#include "frontend/stl/directive.hpp"
 #include "frontend/step7/cursor.hpp"
+#include "frontend/stl/directive.hpp"
 #include "frontend/stl/stl_lexer.hpp"
 #include "frontend/xml/xml_text.hpp"
 
@@ -92,6 +92,18 @@ class BlockReader {
     }
   }
 
+  /// Whether all members are marked so. A block of which some are not keeps its values as a whole.
+  static bool saysNonRetain(const pugi::xml_node& sections) {
+    int members = 0;
+    for (const pugi::xml_node& section : sections.children()) {
+      for (const pugi::xml_node& member : section.children("Member")) {
+        if (std::string_view(member.attribute("Remanence").value()) != "NonRetain") return false;
+        ++members;
+      }
+    }
+    return members > 0;
+  }
+
   void block(const pugi::xml_node& node, BlockKind kind) {
     BlockSyntax& block = result_.source.blocks.emplace_back();
     const pugi::xml_node list = childNamed(node, "AttributeList");
@@ -103,6 +115,7 @@ class BlockReader {
     block.knowHowProtected = std::string_view(childNamed(list, "IsKnowHowProtected").child_value()) == "true";
     block.readOnly = std::string_view(childNamed(list, "IsWriteProtectedInAS").child_value()) == "true";
     block.unlinked = std::string_view(childNamed(list, "IsOnlyStoredInLoadMemory").child_value()) == "true";
+    block.nonRetain = kind == BlockKind::Db && saysNonRetain(childNamed(childNamed(list, "Interface"), "Sections"));
     if (std::string_view(node.name()) == "SW.Blocks.InstanceDB")
       instance(list, block);
     else

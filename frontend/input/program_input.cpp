@@ -89,6 +89,7 @@ OperandLookup lookupIn(const Program& program) {
 std::optional<std::string> applyProjectSettings(const Settings& settings, Program& program) {
   program.libraryMemory = settings.libraryMemory();
   program.cyclicPeriods = settings.cyclicPeriods();
+  program.coldStart = settings.text(Opt::Start) == "cold" && isStep7(program.target);
   program.cycleMonitoringMs = settings.cycleMonitoringMs();
   const std::optional<std::uint32_t> clock = settings.clockMemory();
   if (!clock || !isStep7(program.target)) return std::nullopt;

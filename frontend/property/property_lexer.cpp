@@ -40,8 +40,11 @@ class Lexer {
     if (text_[at_] == '%' && at_ + 1 < text_.size() && isWordStart(text_[at_ + 1])) ++at_;  // %Q0.0, as TIA writes
     const std::size_t start = at_;
     if (isDigit(text_[at_])) return number(start);
-    if (isWordStart(text_[at_])) {
-      while (at_ < text_.size() && isWordPart(text_[at_]) && text_.substr(at_, 2) != "..") ++at_;
+    const bool isQuoted = text_[at_] == '"' && text_.find('"', at_ + 1) != std::string_view::npos;
+    if (isQuoted) at_ = text_.find('"', at_ + 1) + 1;  // "Motor".Speed
+    if (isQuoted || isWordStart(text_[at_])) {
+      while (at_ < text_.size() && (isWordPart(text_[at_]) || isIndex()) && text_.substr(at_, 2) != "..")
+        at_ = text_[at_] == '[' ? text_.find(']', at_) + 1 : at_ + 1;
       while (at_ > start + 1 && text_[at_ - 1] == '.') --at_;
       return token(PropertyToken::Word, start);
     }
@@ -54,6 +57,13 @@ class Lexer {
     }
     ++at_;
     return token(PropertyToken::Punctuation, start);
+  }
+
+  /// [2] or [1,-3] behind the name of an array.
+  bool isIndex() const {
+    const std::size_t end = text_.find(']', at_);
+    return text_[at_] == '[' && end != std::string_view::npos && end > at_ + 1 &&
+           text_.substr(at_ + 1, end - at_ - 1).find_first_not_of("0123456789,- ") == std::string_view::npos;
   }
 
   Token number(std::size_t start) {

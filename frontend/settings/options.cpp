@@ -52,6 +52,7 @@ constexpr std::array table = {
     OptionInfo{Opt::LibraryMemory, Running, Arity::List, "library-memory", "RANGE", "", "V memory of the libraries, as VB1000..VB1285, or of one block, as RCP0_READ=VB100..VB119"},
     OptionInfo{Opt::ClockMemory, Running, Arity::One, "clock-memory", "MB", "", "S7-300/400: byte whose bits the CPU flashes, as MB100: 0.1, 0.2, 0.4, 0.5, 0.8, 1, 1.6 and 2 s from bit 0 to bit 7"},
     OptionInfo{Opt::CycleMonitoring, Running, Arity::One, "cycle-monitoring", "TIME", "150ms", "S7-300/400: longest scan, 1ms to 6s; a longer one calls OB80 or stops the CPU"},
+    OptionInfo{Opt::Start, Running, Arity::One, "start", "warm|cold", "warm", "S7-300/400: restart that a run begins with; cold: OB102 and nothing retained"},
     OptionInfo{Opt::Ob30, Hidden, Arity::One, "ob30", "TIME", "5s", "period of OB30"},
     OptionInfo{Opt::Ob31, Hidden, Arity::One, "ob31", "TIME", "2s", "period of OB31"},
     OptionInfo{Opt::Ob32, Hidden, Arity::One, "ob32", "TIME", "1s", "period of OB32"},

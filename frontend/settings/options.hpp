@@ -38,6 +38,7 @@ enum class Opt : std::uint8_t {
   LibraryMemory,
   ClockMemory,
   CycleMonitoring,
+  Start,
   Ob30,
   Ob31,
   Ob32,

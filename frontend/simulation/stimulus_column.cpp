@@ -84,6 +84,19 @@ std::optional<StimulusColumn> libraryColumn(const Program& program, const std::s
   return std::nullopt;
 }
 
+/// "OB40_POINT_ADDR": a field of the start information of an organization block.
+std::optional<StimulusColumn> startColumn(const std::string& name) {
+  const std::optional<s7300::StartField> field = s7300::startFieldNamed(name);
+  if (!field) return std::nullopt;
+  StimulusColumn column;
+  column.target = StimulusTarget::StartField;
+  column.field = *field;
+  column.signal.name = name;
+  column.signal.operand = direct(Area::L, field->width, field->byte, field->bit);
+  column.signal.type = field->width == Width::Bit ? SignalType::Bool : SignalType::Unsigned;
+  return column;
+}
+
 /// "HSC0.pulses", "HSC0.down", "PORT0.receive", "NET.error", "NET.hold", "CLOCK.tick", "CLOCK.bit5".
 std::optional<StimulusColumn> deviceColumn(const std::string& name) {
   struct DeviceName {
@@ -215,6 +228,7 @@ std::optional<StimulusColumn> stimulusColumn(const Program& program, const std::
                                              Failure& failure) {
   if (auto library = libraryColumn(program, name)) return library;
   if (auto device = deviceColumn(name)) return device;
+  if (auto start = isStep7(program.target) ? startColumn(name) : std::nullopt) return start;
   const std::optional<TraceSignal> signal = signalNamed(program, name, failure);
   if (!signal) return std::nullopt;
   StimulusColumn column;

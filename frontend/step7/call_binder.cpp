@@ -7,6 +7,7 @@
 #include "frontend/step7/statement_binder.hpp"
 #include "ir/block_map.hpp"
 #include "ir/s7300/block.hpp"
+#include "ir/s7300/coverage.hpp"
 #include "ir/s7300/declarations.hpp"
 #include "ir/s7300/library.hpp"
 
@@ -39,8 +40,17 @@ std::optional<std::int64_t> bitsOfType(const Type& type, const Constant& value) 
 }
 
 bool actsBeyondParameters(BlockKey callee) {
-  const auto numbers = s7300::functionsBeyondParameters();
+  if (callee.kind != BlockKind::Sfc && callee.kind != BlockKind::Sfb) return false;
+  const auto numbers =
+      callee.kind == BlockKind::Sfc ? s7300::functionsBeyondParameters() : s7300::blocksBeyondParameters();
   return std::ranges::find(numbers, callee.number) != numbers.end();
+}
+
+/// A pointer, or a variable of complex type: a block that works over many scans may write there in between.
+bool hasMemoryOfItsOwn(const BoundOperand& bound) {
+  if (bound.constant)
+    return bound.constant->kind == s7300::ConstantKind::Pointer || bound.constant->kind == s7300::ConstantKind::Any;
+  return bound.type && (isPointerKind(bound.type->kind) || s7300::isComplex(*bound.type));
 }
 
 bool isModelledBlock(BlockKey callee) {
@@ -58,11 +68,21 @@ std::shared_ptr<const Structure> StatementBinder::parametersOf(BlockKey callee) 
   return library != nullptr ? s7300::interfaceOf(*library) : nullptr;
 }
 
-/// An SFC that no table describes: what its calls name are its parameters, each of any type and in either direction.
+/// An SFC or SFB that no table describes: what its calls name are its parameters, each of any type and in either
+/// direction.
 bool StatementBinder::isUndescribed(BlockKey callee) const {
-  constexpr std::uint32_t lastFunction = 255;
-  return callee.kind == BlockKind::Sfc && callee.number <= lastFunction && catalogue_.entry(callee) == nullptr &&
-         s7300::libraryBlock(BlockType::Sfc, callee.number) == nullptr && !actsBeyondParameters(callee);
+  constexpr std::uint32_t lastNumber = 255;
+  const bool isOfSystem = callee.kind == BlockKind::Sfc || callee.kind == BlockKind::Sfb;
+  return isOfSystem && callee.number <= lastNumber && catalogue_.entry(callee) == nullptr &&
+         s7300::libraryBlock(blockTypeOf(irNumber(callee)), callee.number) == nullptr && !actsBeyondParameters(callee);
+}
+
+/// Data of an instance of which nothing is known.
+bool StatementBinder::refuseOpaque(const BoundOperand& operand, Span span) {
+  if (!operand.block || !types_.isOpaque(*operand.block)) return false;
+  refuse(Syntax::NotModelled, span,
+         fmt::format("{}: {}", toString(*operand.block), s7300::gapReason(s7300::Gap::SystemInstance)));
+  return true;
 }
 
 std::shared_ptr<const Structure> StatementBinder::undescribedInterface(BlockKey callee) const {
@@ -79,6 +99,7 @@ void StatementBinder::noteParameters(BlockKey callee, const Statement& statement
     field.name = argument.formal.text;
     field.type.kind = TypeKind::Any;
     field.section = Section::InOut;
+    field.byReference = callee.kind == BlockKind::Sfb;
     field.span = argument.formal.span;
     structure->fields.push_back(std::move(field));
   }
@@ -118,7 +139,7 @@ bool StatementBinder::call(const Desc& desc, const Statement& statement) {
       target.block->kind == BlockKind::Udt)
     return refuse(Syntax::Operand7, statement.operand.span, fmt::format("{} takes an FC, FB, SFC or SFB", mnemonic));
   const BlockKey callee = *target.block;
-  if (callee.kind == BlockKind::Sfc && actsBeyondParameters(callee) && catalogue_.entry(callee) == nullptr)
+  if (actsBeyondParameters(callee) && catalogue_.entry(callee) == nullptr)
     return refuse(Syntax::LibraryBlock, statement.operand.span,
                   fmt::format("what {} does besides its parameters is not modelled", toString(callee)));
   if (isUndescribed(callee)) noteParameters(callee, statement);
@@ -230,7 +251,8 @@ bool StatementBinder::arguments(const Statement& statement, BlockKey callee, con
     const bool isGiven = found != given.end() && found->second->actual.form != OperandForm::None;
     if (!isGiven) {
       // What an FB is not given stays in its instance; places that it takes by reference have to be given.
-      if (statement.mnemonic.text == "CALL" && (needsAll || field.byReference || isNumberType(field.type.kind))) {
+      const bool isReferred = field.byReference && !isUndescribed(callee);
+      if (statement.mnemonic.text == "CALL" && (needsAll || isReferred || isNumberType(field.type.kind))) {
         isWhole = refuse(Syntax::CallList, statement.operand.span,
                          fmt::format("{} needs a value for {}", toString(callee), field.name));
       }
@@ -258,6 +280,12 @@ std::optional<rungproof::Operand> StatementBinder::actual(const Argument& argume
   }
   const Type& type = formal.type;
   const std::string wanted = s7300::toString(type);
+  if (refuseOpaque(bound, span)) return std::nullopt;
+  if (callee.kind == BlockKind::Sfb && isUndescribed(callee) && hasMemoryOfItsOwn(bound)) {
+    refuse(Syntax::NotModelled, span,
+           fmt::format("{} of {}: {}", formal.name, toString(callee), s7300::gapReason(s7300::Gap::SystemInstance)));
+    return std::nullopt;
+  }
   if (isPointerKind(type.kind)) return pointerActual(argument, bound, formal, isUndescribed(callee));
   if (bound.operand.kind == OperandKind::Address) return fail(fmt::format("{} takes no pointer", formal.name));
   if (isNumberType(type.kind)) {

@@ -19,7 +19,6 @@ struct SourceRow {
   std::string_view head{};  ///< before it
 };
 
-constexpr std::string_view returnsZero = "L 0; T #RET_VAL; SET; SAVE; BEU;";
 constexpr std::string_view nothing = "SET; SAVE; BEU;";
 
 // A rising CU adds 1 unless CV = 32767; R sets it to 0.
@@ -161,26 +160,13 @@ out:  L 8; T #RET_VAL;
 using enum BlockType;
 
 /// Blocks whose outputs depend on what no program tells: they are any value (temporary data that nobody has written).
-/// What they do besides - they set, start, end or lock interrupts - means nothing without organization blocks for
-/// interrupts, which are not covered. How FC 106 rounds is not stated, and neither is which characters numbers have in
-/// a STRING (FC 5, 16, 30, 37 to 39: ir/s7300/system_block.hpp).
+/// What they do besides - start, delay or end interrupts, mask errors or give their result - is ir/s7300/control.hpp's.
+/// How FC 106 rounds is not stated, and neither is which characters numbers have in a STRING (FC 5, 16, 30, 37 to 39:
+/// ir/s7300/system_block.hpp).
 constexpr auto contractRows = std::to_array<std::pair<BlockType, std::uint16_t>>({
-    {Sfc, 28},
-    {Sfc, 29},
-    {Sfc, 30},
-    {Sfc, 31},
-    {Sfc, 32},
-    {Sfc, 33},
-    {Sfc, 34},
-    {Sfc, 39},
-    {Sfc, 40},
-    {Fc, 5},
-    {Fc, 16},
-    {Fc, 30},
-    {Fc, 37},
-    {Fc, 38},
-    {Fc, 39},
-    {Fc, 106},
+    {Sfc, 28}, {Sfc, 29}, {Sfc, 30}, {Sfc, 31}, {Sfc, 32}, {Sfc, 33}, {Sfc, 34}, {Sfc, 36},
+    {Sfc, 37}, {Sfc, 38}, {Sfc, 39}, {Sfc, 40}, {Sfc, 41}, {Sfc, 42}, {Sfc, 44}, {Fc, 5},
+    {Fc, 16},  {Fc, 30},  {Fc, 37},  {Fc, 38},  {Fc, 39},  {Fc, 106},
 });
 
 /// Statements that give every output, ENO and the registers a value of temporary data that nobody has written.
@@ -203,8 +189,6 @@ constexpr auto sourceRows = std::to_array<SourceRow>({
     {Sfb, 3, pulse, iecHead},
     {Sfb, 4, onDelay, iecHead},
     {Sfb, 5, offDelay, iecHead},
-    {Sfc, 41, returnsZero},
-    {Sfc, 42, returnsZero},
     {Sfc, 43, nothing},
     {Sfc, 47, nothing},
     {Sfc, 64, systemTime},

@@ -8,6 +8,7 @@
 #include "frontend/step7/constant_spelling.hpp"
 #include "ir/block_map.hpp"
 #include "ir/s7300/block.hpp"
+#include "ir/s7300/coverage.hpp"
 #include "ir/s7300/declarations.hpp"
 
 namespace rungproof::step7 {
@@ -171,6 +172,9 @@ BoundOperand OperandBinder::address(const Operand& operand, BlockScope& scope) {
     if (key->number > lastDataBlock)
       return refused(Syntax::NotModelled, operand.block->span,
                      fmt::format("{} is above DB{}", toString(*key), lastDataBlock));
+    if (types_.isOpaque(*key))
+      return refused(Syntax::NotModelled, operand.block->span,
+                     fmt::format("{}: {}", toString(*key), s7300::gapReason(s7300::Gap::SystemInstance)));
     result.operand = direct(Area::DB, irWidth(operand.size), dataByte(key->number, operand.number), operand.bit);
     return result;
   }

@@ -141,6 +141,9 @@ std::optional<rungproof::Operand> StatementBinder::pointerActual(const Argument&
     const bool isOpen = (code == PointerArea::Db && bound.constant->block == 0) || code == PointerArea::Di ||
                         (wantsAny && bound.constant->kind == ConstantKind::Pointer);
     if (isOpen || bound.constant->block > lastDataBlock) return notCovered();
+    BoundOperand block;
+    block.block = BlockKey{BlockKind::Db, bound.constant->block};
+    if (refuseOpaque(block, span)) return std::nullopt;
     rungproof::Operand operand = ofConstant(*bound.constant);
     operand.span = span;
     const auto type = static_cast<AnyType>(bound.constant->anyType);

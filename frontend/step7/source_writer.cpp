@@ -156,8 +156,8 @@ std::string callText(const Program& program, const Instruction& call, const Oper
   std::string text = fmt::format("{} {}", blockName(block).substr(0, blockName(block).find_first_of("0123456789")),
                                  numberOfBlock(block));
   std::size_t next = 1;
-  const bool hasInstance = (type == BlockType::Fb || type == BlockType::Sfb) && call.operands.size() > 1;
-  if (hasInstance) {
+  const bool givesInstance = hasInstance(type) && call.operands.size() > 1;
+  if (givesInstance) {
     const rungproof::Operand& instance = call.operands[next++];
     const bool isPart = instance.text.starts_with('#') && instance.kind != OperandKind::Direct;
     text = isPart ? operands.text(instance, false) : fmt::format("{}, {}", text, operands.text(instance, true));

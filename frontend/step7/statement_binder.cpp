@@ -243,6 +243,7 @@ bool StatementBinder::operandFits(const Desc& desc, const Statement& statement, 
     const bool isDataBlock =
         (bound.block && bound.block->kind == BlockKind::Db) || (bound.type && bound.type->kind == TypeKind::BlockDb);
     if (!isDataBlock) return refuse(Syntax::Operand7, span, fmt::format("{} takes a data block", mnemonic));
+    if (refuseOpaque(bound, span)) return false;
     const bool isMissing = bound.block && bound.operand.kind == OperandKind::Direct && bound.block->number != 0 &&
                            catalogue_.entry(*bound.block) == nullptr;
     return !isMissing ||

@@ -18,7 +18,7 @@ class StatementBinder {
   /// Appends the instructions of a network; Network::complete says whether all of them could be bound.
   void bind(const NetworkSyntax& syntax, MnemonicSet set, BlockScope& scope, Network& network);
 
-  /// The parameters that calls have given an SFC that no table describes; nullptr: no call did.
+  /// The parameters that calls have given an SFC or SFB that no table describes; nullptr: no call did.
   std::shared_ptr<const s7300::Structure> undescribedInterface(BlockKey callee) const;
 
  private:
@@ -38,6 +38,7 @@ class StatementBinder {
   std::optional<rungproof::Operand> pointerActual(const Argument& argument, const BoundOperand& bound,
                                                   const s7300::Field& formal, bool mayBeValue);
   bool isUndescribed(BlockKey callee) const;
+  bool refuseOpaque(const BoundOperand& operand, Span span);
   void noteParameters(BlockKey callee, const Statement& statement);
   void append(const Desc& desc, const Statement& statement, std::vector<rungproof::Operand> operands);
   bool refuse(Syntax code, Span span, std::string message);

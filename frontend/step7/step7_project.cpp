@@ -204,7 +204,8 @@ class ProjectBuilder {
     block.number = number;
     if (entry.name != toString(entry.key)) block.name = entry.name;
     block.bytes = s7300::initialBytes(*structure);
-    for (const Assignment& assignment : syntax.assignments) assign(entry, *structure, assignment, block.bytes);
+    if (!types_->isOpaque(entry.key))
+      for (const Assignment& assignment : syntax.assignments) assign(entry, *structure, assignment, block.bytes);
     if (const std::optional<BlockKey> instance = types_->instanceOf(syntax)) block.instanceOf = irNumber(*instance);
     block.readOnly = syntax.readOnly;
     block.unlinked = syntax.unlinked;
@@ -310,8 +311,12 @@ class ProjectBuilder {
         const std::string text = librarySource(*block);
         const std::string name = fmt::format("{} {}", blockName(number), block->name);
         if (!text.empty()) libraryBlock(number, name, interfaceOf(*block), text, isBuiltIn(*block), statements);
-      } else if (const auto parameters = statements.undescribedInterface({BlockKind::Sfc, in});
-                 parameters != nullptr && blockTypeOf(number) == BlockType::Sfc) {
+        continue;
+      }
+      const bool isFunction = blockTypeOf(number) == BlockType::Sfc;
+      if (!isFunction && blockTypeOf(number) != BlockType::Sfb) continue;
+      const BlockKey key{isFunction ? BlockKind::Sfc : BlockKind::Sfb, in};
+      if (const auto parameters = statements.undescribedInterface(key); parameters != nullptr) {
         libraryBlock(number, blockName(number) + " of the system", parameters, std::string(emptyBody), true,
                      statements);
         declarations_->parameters[number] = parameters;

@@ -123,6 +123,12 @@ std::optional<BlockKey> TypeTable::instanceOf(const BlockSyntax& block) const {
   return key && (key->kind == BlockKind::Fb || key->kind == BlockKind::Sfb) ? key : std::nullopt;
 }
 
+bool TypeTable::isOpaque(BlockKey key) const {
+  const CatalogueEntry* entry = key.kind == BlockKind::Db ? catalogue_.entry(key) : nullptr;
+  const std::optional<BlockKey> of = entry != nullptr ? instanceOf(*entry->syntax) : std::nullopt;
+  return of && of->kind == BlockKind::Sfb && s7300::libraryBlock(BlockType::Sfb, of->number) == nullptr;
+}
+
 std::shared_ptr<const Structure> TypeTable::structure(BlockKey key) {
   if (const auto found = made_.find(key); found != made_.end()) return found->second;
   const bool sawBefore = std::exchange(sawUnknown_, false);
@@ -148,6 +154,8 @@ std::shared_ptr<const Structure> TypeTable::make(BlockKey key) {
   if (key.kind == BlockKind::Fb) {
     append(block.declarations, {Section::Input, Section::Output, Section::InOut, Section::Static}, *structure);
     layOutInstance(*structure);
+  } else if (isOpaque(key)) {
+    sawUnknown_ = true;
   } else if (block.type != nullptr) {
     const Type type = resolve(*block.type);
     if (type.kind == TypeKind::Struct && type.structure != nullptr) return type.structure;

@@ -24,6 +24,8 @@ class TypeTable {
   std::shared_ptr<const s7300::Structure> temporary(const BlockSyntax& block);
   /// The FB or SFB of an instance data block.
   std::optional<BlockKey> instanceOf(const BlockSyntax& block) const;
+  /// Whether a data block is the instance of an SFB that no table describes: what stands in it is not known.
+  bool isOpaque(BlockKey key) const;
   /// Whether all types of the structure of that block are known.
   bool isKnown(BlockKey key) const { return !unknown_.contains(key); }
 

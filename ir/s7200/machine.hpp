@@ -82,6 +82,21 @@ inline constexpr int restBits = 24;  ///< of a time of an S5 timer in ms: holds 
 
 /// Pou::number of OB121.
 inline constexpr int errorBlock = static_cast<int>(BlockType::Ob) << 16 | 121;
+inline constexpr int accessErrorBlock = static_cast<int>(BlockType::Ob) << 16 | 122;
+inline constexpr int maskErrors = 36;  ///< SFC 36 (002:2352)
+
+/// OB121_SW_FLT of a synchronous error, of a pair for reading and writing the first; 0: one of several. A pointer with
+/// a wrong bit part or area may be wrong in two ways.
+constexpr std::uint64_t faultCode(Hazard hazard) {
+  switch (hazard) {
+    case Hazard::S7Bcd: return 0x21;
+    case Hazard::S7AreaLength: return 0x22;
+    case Hazard::S7TimerNumber: return 0x26;
+    case Hazard::S7CounterNumber: return 0x27;
+    case Hazard::S7WriteProtected: return 0x30;
+    default: return 0;
+  }
+}
 
 template <class D>
 using LogicStack = std::array<typename D::Bool, mostStackLevels>;
@@ -217,15 +232,32 @@ class Machine : public GuardedRun<D> {
       if (hazardInfo(which).kind == HazardClass::NonFatal) setSm(4, 3, d.constant(true));
     });
   }
-  /// S7-300/400: a synchronous error. Without OB121 the CPU goes to STOP (002:1278); with it, that is due.
+  /// S7-300/400: a synchronous error. Without OB121 the CPU goes to STOP (002:1278); with it, that is due. One that is
+  /// masked does neither (002:2352). How deep errors of the error blocks nest is not stated: the first ends the run.
   void error(Hazard which, Bool condition) {
-    if (!handlesErrors_) return this->meet(which, condition, [] {});
-    step7.syncError = d.lor(step7.syncError, d.land(guard, condition));
+    if (const std::optional<bool> known = d.truth(condition); known && !*known) return;
+    const Bool happens = d.land(guard, condition);
+    if (handlesErrors_ || masksErrors_) step7.failed = d.lor(step7.failed, happens);
+    const Bool isTaken = d.land(condition, d.lnot(isMasked()));
+    if (step7.isErrorBlock) return stop(Hazard::S7ErrorTwice, isTaken);
+    if (!handlesErrors_) return stop(which, isTaken);
+    const Bool isDue = d.land(guard, isTaken);
+    step7.syncError = d.lor(step7.syncError, isDue);
+    step7.fault = d.select(isDue, d.literal(faultCode(which), 8), step7.fault, 8);
   }
-  /// S7-300/400: the program stops the CPU itself (SFC 46).
-  void stopCpu() {
-    this->meet(Hazard::S7Stop, d.constant(true), [] {});
+  /// S7-300/400: a module has not answered, which is due for OB122 (002:1292).
+  void accessError(Bool condition) {
+    const Bool isTaken = d.land(condition, d.lnot(isMasked()));
+    step7.failed = d.lor(step7.failed, d.land(guard, condition));
+    if (step7.isErrorBlock) return stop(Hazard::S7ErrorTwice, isTaken);
+    step7.accessError = d.lor(step7.accessError, d.land(guard, isTaken));
   }
+  /// S7-300/400: the CPU stops, whatever blocks it has.
+  void stop(Hazard which, Bool condition) {
+    this->meet(which, condition, [] {});
+  }
+  /// Whether the program may go on behind a synchronous error.
+  bool survivesErrors() const { return handlesErrors_ || masksErrors_; }
   /// Writes a register of the S7-300/400 where the guard holds.
   void put(Bool& to, Bool value) { to = d.select(guard, value, to); }
   void put(Bits& to, Bits value, int width) { to = d.select(guard, value, to, width); }
@@ -237,7 +269,16 @@ class Machine : public GuardedRun<D> {
   }
 
  private:
+  /// Which bit of a mask stands for which error, and how long it holds, is not stated: once SFC 36 has been called, any
+  /// error may be masked or not. Without another word those of the run of the organization block that called it are.
+  Bool isMasked() {
+    if (!masksErrors_) return d.constant(false);
+    constexpr std::uint32_t index = 0x304;  // beside what instructions leave open
+    return d.land(getBit(Reg::ErrorsMasked), d.lxor(step7.isMasking, externalBit(External::UnknownResult, index)));
+  }
+
   bool handlesErrors_ = plan.block(errorBlock) != nullptr;
+  bool masksErrors_ = plan.systemFunctions.contains(maskErrors);
   std::array<std::uint32_t, areaCount> areaSizes_{};
 
   std::uint32_t addressBits(Area area, std::uint32_t byte) const {

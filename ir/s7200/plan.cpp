@@ -142,6 +142,16 @@ void Plan::planStep7() {
     const bool isThere = block(blockNumber(BlockType::Ob, blockOfEvent(eventOfTimed(timer)))) != nullptr;
     if (isThere) timedEvents.push_back(timer);
   }
+  for (const Flow& flow : flows) {
+    for (const FlowStep& step : flow.steps) {
+      const Instruction& call = *step.instruction;
+      if (call.desc->control != Control::BlockCall || call.operands.empty()) continue;
+      const Operand& callee = call.operands[0];
+      const int number = static_cast<int>(callee.value);
+      if (callee.kind == OperandKind::Constant && blockTypeOf(number) == BlockType::Sfc)
+        systemFunctions.insert(numberOfBlock(number));
+    }
+  }
   std::map<std::pair<int, int>, std::uint32_t> known;
   localBytes = 0;
   for (const Flow& flow : flows) {

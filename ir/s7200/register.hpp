@@ -79,6 +79,10 @@ enum class Reg : std::uint8_t {
   S7Free,
   LastScan,
   ClockPhase,
+  DelayPeriod,
+  DelayElapsed,
+  DelaySign,
+  ErrorsMasked,
   count
 };
 
@@ -160,8 +164,12 @@ inline constexpr std::array<RegInfo, static_cast<std::size_t>(Reg::count)> regTa
     {Reg::S5Free, "T.FR", 1, perS5Timer},     // RLO of the last FR
     {Reg::S7Set, "C.S", 1, perS7Counter},     // RLO of the last S and FR
     {Reg::S7Free, "C.FR", 1, perS7Counter},
-    {Reg::LastScan, "last scan", 16, 1},      // ms from the start of the scan before to that of this one
-    {Reg::ClockPhase, "clock phase", 11, 8},  // ms since a bit of clock memory began its period
+    {Reg::LastScan, "last scan", 16, 1},               // ms from the start of the scan before to that of this one
+    {Reg::ClockPhase, "clock phase", 11, 8},           // ms since a bit of clock memory began its period
+    {Reg::DelayPeriod, "delay", 16, delayBlockCount},  // ms that SFC 32 has given; 0: OB20 to OB23 not started
+    {Reg::DelayElapsed, "delay.elapsed", 16, delayBlockCount},  // ms since
+    {Reg::DelaySign, "delay.sign", 16, delayBlockCount},        // SIGN of that call
+    {Reg::ErrorsMasked, "errors masked", 1, 1},                 // SFC 36 has been called
 }};
 
 constexpr const RegInfo& regInfo(Reg reg) { return regTable[static_cast<std::size_t>(reg)]; }

@@ -129,7 +129,8 @@ class Scan : private FlowWalk<Scan<D, Hooks>, Machine<D>, Hooks> {
   void step7Program();
   void organizationBlock(int number, Bool condition);
   void interruptBlock(int number, Bool condition);
-  void startInformation(std::uint32_t base, int number);
+  void startInformation(std::uint32_t base, int number, const Step7Registers<D>& interrupted);
+  void systemCall(int number, const Instruction& call);
   void freshBytes(std::uint32_t base, std::uint32_t count);
   void step7Control(Walk& w, std::uint32_t at);
   void distribute(Walk& w, std::uint32_t at);

@@ -12,6 +12,9 @@ namespace rungproof {
 constexpr int blockNumber(BlockType type, int number) { return static_cast<int>(type) << 16 | number; }
 constexpr BlockType blockTypeOf(int block) { return static_cast<BlockType>(block >> 16); }
 constexpr int numberOfBlock(int block) { return block & 0xFFFF; }
+/// Whether a call names data of its own for the block.
+constexpr bool hasInstance(BlockType type) { return type == BlockType::Fb || type == BlockType::Sfb; }
+inline bool hasInstance(const Pou& pou) { return hasInstance(pou.type); }
 /// "FC5", "SFB4".
 std::string blockName(int block);
 

@@ -13,6 +13,8 @@
 
 namespace rungproof {
 
+inline constexpr int delayInterrupts = 41;  ///< SFC 41 (002:2353)
+
 /// An organization block, where `condition` holds: nothing of the registers outlives it, and what they hold at its
 /// start is any value.
 template <class D, class Hooks>
@@ -35,13 +37,22 @@ void Scan<D, Hooks>::organizationBlock(int number, Bool condition) {
     activation.localBase = saved.running == nullptr ? 0 : saved.running->localBase + saved.running->pou->localBytes;
     activation.callerDb = activation.callerDi = m_.d.literal(0, 16);
     activation.callerAr2 = m_.d.literal(0, 32);
-    freshBytes(activation.localBase, flow->pou->localBytes);
-    startInformation(activation.localBase, number);
     s.running = &activation;
+    s.isErrorBlock = number == numberOfBlock(errorBlock) || number == numberOfBlock(accessErrorBlock);
+    const bool handlesError = s.isErrorBlock;
+    if (handlesError) s.delays = saved.delays;  // the priority class is that of the block with the error
+    freshBytes(activation.localBase, flow->pou->localBytes);
+    startInformation(activation.localBase, number, saved);
     walk(*flow);
-    const Bool error = s.syncError;
+    const Step7Registers<D> after = s;
     m_.step7 = saved;
-    m_.step7.syncError = m_.d.lor(saved.syncError, error);
+    m_.guard = m_.d.land(m_.guard, m_.d.lnot(m_.halted));
+    if (handlesError) {
+      m_.put(m_.step7.accu[0], m_.d.select(after.isReplaced, after.replacement, saved.accu[0], 32), 32);
+      m_.put(m_.step7.delays, after.delays, 8);
+    } else if (m_.plan.systemFunctions.contains(delayInterrupts)) {
+      m_.setBit(Reg::InterruptsEnabled, 0, m_.d.equal(saved.delays, m_.d.literal(0, 8), 8));
+    }
   });
 }
 
@@ -56,31 +67,115 @@ void Scan<D, Hooks>::interruptBlock(int number, Bool condition) {
   m_.current = current;
 }
 
-/// OB121 where the instruction has met a synchronous error; the program goes on behind it (002:1278-1290).
+/// OB121 where the instruction has met a synchronous error, OB122 where a module has not answered it; the program goes
+/// on behind them (002:1278-1292). What such an instruction leaves in the accumulators is not stated.
 template <class D, class Hooks>
 void Scan<D, Hooks>::serveError() {
-  const Bool due = m_.step7.syncError;
-  if (const auto known = m_.d.truth(due); known && !*known) return;
-  m_.step7.syncError = m_.d.constant(false);
-  if constexpr (requires { m_.d.leave(due); }) return m_.d.leave(due);
-  const Instruction* current = m_.current;
-  organizationBlock(numberOfBlock(errorBlock), due);
-  m_.current = current;
+  const Bool failed = m_.step7.failed;
+  if (const auto known = m_.d.truth(failed); known && !*known) return;
+  m_.step7.failed = m_.d.constant(false);
+  if constexpr (requires { m_.d.leave(failed); }) {
+    m_.step7.syncError = m_.step7.accessError = m_.d.constant(false);
+    return m_.d.leave(failed);
+  }
+  m_.when(failed, [&] {
+    for (std::uint32_t i = 0; i < 2; ++i) {
+      constexpr std::uint32_t firstIndex = 0x306;  // beside what instructions leave open
+      const Bool changes = m_.externalBit(External::UnknownResult, firstIndex + 2 * i);
+      const Bits any = m_.external(External::UnknownResult, firstIndex + 2 * i + 1, 32);
+      m_.put(m_.step7.accu[i], m_.d.select(changes, any, m_.step7.accu[i], 32), 32);
+    }
+  });
+  const auto serve = [&](Bool& due, int block) {
+    if (const auto known = m_.d.truth(due); known && !*known) return;
+    const Bool isDue = std::exchange(due, m_.d.constant(false));
+    const Instruction* current = m_.current;
+    organizationBlock(numberOfBlock(block), isDue);
+    m_.current = current;
+  };
+  serve(m_.step7.syncError, errorBlock);
+  m_.step7.fault = m_.d.literal(0, 8);
+  serve(m_.step7.accessError, accessErrorBlock);
 }
 
-/// Of its 20 bytes (002:2000-2015) the number is known, and of OB1 event class, kind of scan and priority. All others
-/// stay any value: classes of other events stand nowhere in the manual, and OB121 has the priority of the block that it
-/// interrupts (002:1282).
+/// Of its 20 bytes (002:2000-2015) the number is known; of OB1 event class, kind of scan and priority; of OB20 to OB23
+/// SIGN (002:1210); of OB121 the error (general knowledge). All others stay any value: classes of other events stand
+/// nowhere in the manual, OB121 has the priority of the block that it interrupts (002:1282), and not every CPU says
+/// where the error was.
 template <class D, class Hooks>
-void Scan<D, Hooks>::startInformation(std::uint32_t base, int number) {
-  const auto save = [&](std::uint32_t byte, Bits value) {
-    m_.store.save(Area::L, (base + byte) * 8, 8, value, m_.guard);
+void Scan<D, Hooks>::startInformation(std::uint32_t base, int number, const Step7Registers<D>& interrupted) {
+  const auto save = [&](std::uint32_t byte, Bits value, int width = 8) {
+    m_.store.save(Area::L, (base + byte) * 8, width, value, m_.guard);
   };
   save(3, m_.d.literal(static_cast<std::uint64_t>(number), 8));
-  if (number != 1) return;
-  save(0, m_.d.literal(0x11, 8));
-  save(1, m_.d.select(m_.getBit(Reg::FirstScan), m_.d.literal(1, 8), m_.d.literal(3, 8), 8));
-  save(2, m_.d.literal(1, 8));
+  if (number == 1) {
+    const std::uint64_t first = m_.plan.program->coldStart ? 4 : 1;
+    save(0, m_.d.literal(0x11, 8));
+    save(1, m_.d.select(m_.getBit(Reg::FirstScan), m_.d.literal(first, 8), m_.d.literal(3, 8), 8));
+    save(2, m_.d.literal(1, 8));
+  }
+  if (isDelayEvent(eventOfBlock(number)))
+    save(6, m_.get(Reg::DelaySign, static_cast<std::uint32_t>(number - firstDelayBlock)), 16);
+  if (number != numberOfBlock(errorBlock)) return;
+  const Bits fault = interrupted.fault;
+  const auto is = [&](std::uint64_t code) { return m_.d.equal(fault, m_.d.literal(code, 8), 8); };
+  constexpr std::uint32_t index = 0x303;  // reading or writing
+  const Bool isPair = m_.d.lor(is(0x22), is(0x30));
+  const Bool second = m_.d.land(isPair, m_.externalBit(External::UnknownResult, index));
+  m_.when(m_.d.lnot(is(0)), [&] { save(1, m_.d.bor(fault, m_.d.fromBool(second, 8), 8)); });
+}
+
+/// What calls of the CPU's own functions do beside the outputs that their contract leaves open (002:1192-1212,
+/// 002:2342-2353).
+template <class D, class Hooks>
+void Scan<D, Hooks>::systemCall(int number, const Instruction& call) {
+  Step7Registers<D>& s = m_.step7;
+  D& d = m_.d;
+  const Bits db = s.db;
+  const auto value = [&](std::size_t i, Width width) {
+    Step7Places<D> places(m_);
+    const Bits loaded = places.load(places.find(call.operands[i], width), width);
+    s.db = db;
+    return loaded;
+  };
+  constexpr int startDelay = 32, cancelDelay = 33, unmaskErrors = 37, enableInterrupts = 42, retrigger = 43,
+                replace = 44;
+  const bool starts = number == startDelay && call.operands.size() > 3;
+  if (starts || (number == cancelDelay && call.operands.size() > 1)) {
+    const Bits block = d.extract(value(1, Width::Word), 15, 0);
+    const Bits time = starts ? value(2, Width::DWord) : d.literal(0, 32);
+    const Bits sign = starts ? d.extract(value(3, Width::Word), 15, 0) : d.literal(0, 16);
+    const Bool inRange = d.land(d.sle(d.literal(1, 32), time, 32), d.sle(time, d.literal(60000, 32), 32));
+    for (std::uint32_t i = 0; i < delayBlockCount; ++i) {
+      if (m_.plan.block(blockNumber(BlockType::Ob, firstDelayBlock + static_cast<int>(i))) == nullptr) continue;
+      const Bool isThis = d.equal(block, d.literal(static_cast<std::uint64_t>(firstDelayBlock) + i, 16), 16);
+      const auto event = static_cast<std::uint32_t>(firstDelayEvent) + i;
+      m_.when(starts ? d.land(isThis, inRange) : isThis, [&] {
+        m_.signal(starts ? Signal::EventAttached : Signal::EventsCleared, event);
+        m_.set(Reg::DelayPeriod, i, d.extract(time, 15, 0));
+        m_.set(Reg::DelayElapsed, i, d.literal(0, 16));
+        if (starts) m_.set(Reg::DelaySign, i, sign);
+      });
+    }
+  }
+  if (number == delayInterrupts || number == enableInterrupts) {
+    const Bits none = d.literal(0, 8), one = d.literal(1, 8);
+    const Bool isFree = d.equal(s.delays, none, 8);
+    const Bits left =
+        number == delayInterrupts ? d.add(s.delays, one, 8) : d.select(isFree, none, d.sub(s.delays, one, 8), 8);
+    m_.put(s.delays, left, 8);
+    m_.setBit(Reg::InterruptsEnabled, 0, d.equal(left, none, 8));
+  }
+  if (number == maskErrors) {
+    m_.put(s.isMasking, d.constant(true));
+    m_.setBit(Reg::ErrorsMasked, 0, d.constant(true));
+  }
+  if (number == unmaskErrors) m_.put(s.isMasking, d.constant(false));
+  if (number == retrigger) m_.signal(Signal::WatchdogRestarted);
+  if (number == replace && call.operands.size() > 1) {
+    m_.put(s.replacement, value(1, Width::DWord), 32);
+    m_.put(s.isReplaced, d.constant(true));
+  }
 }
 
 template <class D, class Hooks>
@@ -96,7 +191,7 @@ void Scan<D, Hooks>::freshBytes(std::uint32_t base, std::uint32_t count) {
 template <class D, class Hooks>
 void Scan<D, Hooks>::step7Program() {
   m_.isStartUp = true;
-  organizationBlock(100, m_.getBit(Reg::FirstScan));
+  organizationBlock(m_.plan.program->coldStart ? 102 : 100, m_.getBit(Reg::FirstScan));
   m_.isStartUp = false;
   organizationBlock(1, m_.d.constant(true));
 }
@@ -142,9 +237,9 @@ void Scan<D, Hooks>::step7Call(const Instruction& instruction) {
     const Flow* callee = m_.plan.block(static_cast<int>(block.value));
     const BlockType type = blockTypeOf(static_cast<int>(block.value));
     const bool isSystem = type == BlockType::Sfc || type == BlockType::Sfb;
-    constexpr int retrigger = 43, stop = 46;  // 002:2343
-    if (block.value == blockNumber(BlockType::Sfc, retrigger)) m_.signal(Signal::WatchdogRestarted);
-    if (block.value == blockNumber(BlockType::Sfc, stop)) return m_.stopCpu();
+    constexpr int stop = 46;  // 002:2343
+    if (type == BlockType::Sfc) systemCall(numberOfBlock(static_cast<int>(block.value)), instruction);
+    if (block.value == blockNumber(BlockType::Sfc, stop)) return m_.stop(Hazard::S7Stop, m_.d.constant(true));
     if (callee == nullptr && !isSystem) return m_.error(Hazard::S7BlockMissing, m_.d.constant(true));
     if (callee == nullptr || callee->pou->protectedBlock) return hooks_.callWithoutBody(*this, instruction);
     return enterBlock(*callee, instruction);
@@ -178,7 +273,7 @@ void Scan<D, Hooks>::enterBlock(const Flow& callee, const Instruction& instructi
   const Pou& pou = *callee.pou;
   const Activation<D>* caller = s.running;
   const int level = caller->level + 1;
-  if (level > step7Row(m_.target.cpu).nesting) return m_.error(Hazard::S7Nesting, m_.d.constant(true));
+  if (level > step7Row(m_.target.cpu).nesting) return m_.stop(Hazard::S7Nesting, m_.d.constant(true));
 
   Activation<D> activation{&pou,  &instruction, caller, caller->localBase + caller->pou->localBytes,
                            level, s.db,         s.di,   s.ar[1]};
@@ -222,6 +317,7 @@ void Scan<D, Hooks>::enterBlock(const Flow& callee, const Instruction& instructi
   if (isFb) {
     eachPiece(VarSection::Input, [&](const Operand& actual, const Operand&, Width width) {
       values.push_back(places.load(places.find(actual, width), width));
+      serveError();  // each of them is a statement of its own
     });
     const Operand& instance = instruction.operands[1];
     if (instance.kind == OperandKind::Direct) {
@@ -238,6 +334,7 @@ void Scan<D, Hooks>::enterBlock(const Flow& callee, const Instruction& instructi
   };
   const auto save = [&](const Operand& place, Width width, Bits value) {
     places.save(places.find(place, width), width, width == Width::Bit ? m_.d.extract(value, 0, 0) : value);
+    serveError();
   };
   if (isFb) {
     useInstance();

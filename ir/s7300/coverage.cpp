@@ -16,8 +16,13 @@ constexpr auto gapTable = std::to_array<GapRow>({
     {Gap::ParameterAddress, "`P##` of an elementary parameter of an FC, or of a part of a parameter",
      "the address of a parameter is not modelled"},
     {Gap::LibraryBlock, "of the blocks of the system", "what it does is not modelled"},
-    {Gap::InterruptControl, "SFC 39 to 42 beside organization blocks that interrupt OB1",
-     "interrupts that are held back are not modelled"},
+    {Gap::SystemInstance,
+     "of other SFB than 0 to 5 pointers and variables of complex type as parameters, multi-instances, and what stands "
+     "in "
+     "their instances",
+     "what stands there, and when, is not known"},
+    {Gap::InterruptControl, "SFC 39, 40 beside organization blocks that interrupt OB1",
+     "interrupts that are locked are not modelled"},
     {Gap::MissingBlock, "blocks that no file defines", "it is in no file"},
     {Gap::ProtectedBlock, "protected blocks", "its statements are in no file"},
     {Gap::HighDataBlock, "data blocks above DB8191", "its number is too high"},

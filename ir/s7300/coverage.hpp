@@ -16,6 +16,7 @@ enum class Gap : std::uint8_t {
   PointerParameter,
   ParameterAddress,
   LibraryBlock,
+  SystemInstance,
   InterruptControl,
   MissingBlock,
   ProtectedBlock,

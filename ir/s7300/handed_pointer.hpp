@@ -18,7 +18,7 @@ template <class D>
 Spot<D> Step7Places<D>::handedPlace(const Context& c, std::uint32_t parameter, std::uint32_t offset, Width width) {
   Spot<D> spot;
   const LocalVariable& local = c.running->pou->locals[parameter];
-  if (hasInstance(*c.running->pou))
+  if (keepsPointers(*c.running->pou))
     return at(location(number(static_cast<std::uint64_t>(Area::DB), 8), c.di,
                        beyond(address(c.ar2), local.pointerByte + offset, 0)),
               width);
@@ -44,8 +44,7 @@ template <class D>
 typename D::Bits Step7Places<D>::handedAddress(std::uint32_t parameter) {
   const Activation<D>& running = *m_.step7.running;
   const LocalVariable& local = running.pou->locals[parameter];
-  if (hasInstance(*running.pou))
-    return areaPointer(PointerArea::Di, number(local.pointerByte * 8, 24));
+  if (keepsPointers(*running.pou)) return areaPointer(PointerArea::Di, number(local.pointerByte * 8, 24));
   if (running.caller == nullptr) return m_.external(External::UnknownResult, unknownPointer, 32);
   return areaPointer(PointerArea::V, number((ownPointers(*running.caller->pou) + local.pointerByte) * 8, 24));
 }

@@ -111,6 +111,12 @@ std::span<const std::uint16_t> functionsBeyondParameters() {
   return numbers;
 }
 
+std::span<const std::uint16_t> blocksBeyondParameters() {
+  // HS_COUNT, FREQ_MES, HSC_A_B, POS, ANALOG, DIGITAL, COUNT, FREQUENC, PULSE (002:2367, general knowledge)
+  static constexpr auto numbers = std::to_array<std::uint16_t>({29, 30, 38, 39, 44, 46, 47, 48, 49});
+  return numbers;
+}
+
 bool isBuiltIn(const LibraryBlock& block) {
   constexpr int lastOfIec = 40;
   constexpr std::array<int, 4> functions = {0, 1, 20, 21};  // SET_CLK, READ_CLK, BLKMOV, FILL

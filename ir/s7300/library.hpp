@@ -27,6 +27,8 @@ const LibraryBlock* libraryBlockNamed(std::string_view name);
 /// Numbers of SFCs without a row whose calls change more than the places that they name: process images, outputs, data
 /// blocks that are made or deleted, memory of received packets. They cannot be told by their parameters.
 std::span<const std::uint16_t> functionsBeyondParameters();
+/// The same of SFBs: those that work on inputs and outputs of the CPU themselves.
+std::span<const std::uint16_t> blocksBeyondParameters();
 /// Whether its meaning stands in ir/s7300/system_block.hpp.
 bool isBuiltIn(const LibraryBlock& block);
 /// Parameters and static data; those of an SFB laid out as its instance.

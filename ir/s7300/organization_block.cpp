@@ -13,7 +13,7 @@ namespace {
 constexpr auto organizationRows = std::to_array<OrganizationBlock>({
     {1, 1, "main program", "the free cycle, over and over", "002:799", true},
     {10, 17, "time-of-day interrupt", "a date and time, once or periodically; SFC 28 to 31", "002:1154", true},
-    {20, 23, "time-delay interrupt", "the end of a delay of 1 to 60000 ms that SFC 32 has started", "002:1190", false},
+    {20, 23, "time-delay interrupt", "the end of a delay of 1 to 60000 ms that SFC 32 has started", "002:1190", true},
     {30, 38, "cyclic interrupt", "its period", "002:1102", true},
     {40, 47, "hardware interrupt", "a signal of a module", "002:1220", true},
     {60, 60, "multicomputing interrupt", "SFC 35 in one of the CPUs", "002:812", false},
@@ -29,18 +29,19 @@ constexpr auto organizationRows = std::to_array<OrganizationBlock>({
     {90, 90, "background", "the time that the minimum cycle leaves over", "002:813", false},
     {100, 100, "warm restart", "the start of the CPU, once before OB1", "002:1367", true},
     {101, 101, "hot restart", "the start of an S7-400 at the place where it was interrupted", "002:1389", false},
-    {102, 102, "cold restart", "the start of the CPU with all memory as loaded", "002:1383", false},
+    {102, 102, "cold restart", "the start of the CPU with all memory as loaded", "002:1383", true},
     {121, 121, "programming error", "a synchronous error of an instruction; without it the CPU stops", "002:1282",
      true},
-    {122, 122, "I/O access error", "a direct access to a module that is not there", "002:1292", false},
+    {122, 122, "I/O access error", "a direct access to a module that is not there", "002:1292", true},
 });
 static_assert(std::ranges::all_of(organizationRows,
                                   [](const OrganizationBlock& row) {
                                     const bool hasEvent = eventOfBlock(row.first) >= 0 && eventOfBlock(row.last) >= 0;
-                                    const bool isOfRun = row.first == 1 || row.first == 100 || row.first == 121;
+                                    const bool isOfRun = row.first == 1 || row.first == 100 || row.first == 102 ||
+                                                         row.first == 121 || row.first == 122;
                                     return row.isModelled == (hasEvent || isOfRun);
                                   }),
-              "engine and prover start OB1, OB100, OB121 and the blocks of events");
+              "engine and prover start OB1, OB100, OB102, OB121, OB122 and the blocks of events");
 
 }  // namespace
 

@@ -9,6 +9,7 @@
 
 #include "ir/block_map.hpp"
 #include "ir/s7200/machine.hpp"
+#include "ir/s7300/block.hpp"
 #include "ir/s7300/pointer_code.hpp"
 
 namespace rungproof {
@@ -23,7 +24,7 @@ constexpr std::optional<std::uint32_t> blockOfLocation(std::uint64_t value, std:
   return static_cast<std::uint32_t>(value >> 24 & 0xFFFF);
 }
 
-/// A place or several, or a value.
+/// A place or several, or a value; none of them: a place that no access reaches.
 template <class D>
 struct Spot {
   using Bits = typename D::Bits;
@@ -96,8 +97,7 @@ class Step7Places {
   static const Operand* actual(const Context& c, std::uint32_t parameter) {
     if (c.running == nullptr || c.running->call == nullptr) return nullptr;
     const std::vector<Operand>& operands = c.running->call->operands;
-    const BlockType type = c.running->pou->type;
-    const std::size_t first = type == BlockType::Fb || type == BlockType::Sfb ? 2 : 1;
+    const std::size_t first = hasInstance(*c.running->pou) ? 2 : 1;
     return first + parameter < operands.size() ? &operands[first + parameter] : nullptr;
   }
 
@@ -126,11 +126,16 @@ class Step7Places {
   HandedPointer<D> pointerTo(const Operand& o, const Context& c, std::uint32_t moreBytes, bool isOwn,
                              std::uint32_t unknown);
   Bits pointerValue(const Operand& o, const Context& c);
+  /// Of a data block in the work memory; one that stays in the load memory is not loaded (002:537-563).
+  std::uint32_t loadedLength(std::uint32_t block) const {
+    return m_.plan.blocks->isUnlinked(block) ? 0 : m_.plan.blocks->length(block);
+  }
   /// Decodes a location; false if no access of that width may reach it, with the error.
   bool decode(std::uint64_t location, Width width, Area& area, std::uint32_t& offset, std::uint32_t& bit,
               Hazard& error) const;
   Bits loadPlace(Area area, std::uint32_t offset, std::uint32_t bit, Width width);
   void savePlace(Area area, std::uint32_t offset, std::uint32_t bit, Width width, Bits value);
+  Bool answersNot(std::uint32_t offset);
 
   Machine<D>& m_;
   D& d_;
@@ -198,14 +203,14 @@ Spot<D> Step7Places<D>::direct(const Operand& o, Width width, const Context& c, 
   } else if (o.area == Area::DB) {
     const std::uint32_t block = blockOfByte(o.offset);
     if (opens) m_.put(m_.step7.db, number(block, 16), 16);
-    const std::uint32_t length = m_.plan.blocks->length(block);
+    const std::uint32_t length = loadedLength(block);
     const std::uint32_t end = byteInBlock(spot.offset) + static_cast<std::uint32_t>(bytes(width));
     if (end <= length) return spot;
     m_.error(length == 0 ? Hazard::S7BlockMissing : Hazard::S7AreaLength, d_.constant(true));
-    return {.isValue = true, .value = number(0, 32)};
+    return {};
   } else if (!hasBitAndWord(o.area) && spot.offset + static_cast<std::uint32_t>(bytes(width)) > m_.areaSize(o.area)) {
     m_.error(Hazard::S7AreaLength, d_.constant(true));
-    return {.isValue = true, .value = number(0, 32)};
+    return {};
   }
   return spot;
 }
@@ -255,7 +260,7 @@ bool Step7Places<D>::decode(std::uint64_t location, Width width, Area& area, std
     return false;
   }
   const std::uint32_t end = offset + static_cast<std::uint32_t>(bytes(width));
-  const std::uint32_t length = area == Area::DB  ? m_.plan.blocks->length(block)
+  const std::uint32_t length = area == Area::DB  ? loadedLength(block)
                                : area == Area::L ? m_.plan.localBytes
                                                  : m_.areaSize(area);
   if (area == Area::DB) offset = dataByte(block, offset);
@@ -273,7 +278,7 @@ Spot<D> Step7Places<D>::at(Bits location, Width width) {
       return spot;
     }
     m_.error(error, d_.constant(true));
-    return {.isValue = true, .value = number(0, 32)};
+    return {};
   }
   if constexpr (requires { d_.follows(m_, location, width, spot); }) {
     if (d_.follows(m_, location, width, spot)) return spot;
@@ -302,21 +307,36 @@ Spot<D> Step7Places<D>::at(Bits location, Width width) {
       m_.error(Hazard::S7Alignment, d_.land(isBeyond, d_.lnot(isWhole)));
       m_.error(Hazard::S7AreaLength, d_.land(isBeyond, isWhole));
     }
-    if (spot.targets.empty()) return {.isValue = true, .value = number(0, 32)};
   }
   return spot;
+}
+
+/// Whether the module does not answer, which calls OB122 (002:1292). Without OB122 all of them do.
+template <class D>
+typename D::Bool Step7Places<D>::answersNot(std::uint32_t offset) {
+  if (m_.plan.block(accessErrorBlock) == nullptr) return d_.constant(false);
+  const Bool fails = d_.bit(m_.external(External::AccessError, offset, 1), 0);
+  m_.accessError(fails);
+  return fails;
 }
 
 template <class D>
 typename D::Bits Step7Places<D>::loadPlace(Area area, std::uint32_t offset, std::uint32_t bit, Width width) {
   if (area == Area::I && m_.isStartUp) return number(0, bits(width));
   if (area != Area::PI) return m_.store.load(area, offset * 8 + bit, bits(width));
+  const int w = bits(width);
+  const Bool fails = answersNot(offset);
+  const auto unlessFailed = [&](Bits value) {
+    constexpr std::uint32_t index = 0x301;
+    if (m_.plan.block(accessErrorBlock) == nullptr) return value;
+    return d_.select(fails, m_.external(External::UnknownResult, index, w), value, w);
+  };
   // A module is read at once; its words are samples of their own.
   if (width == Width::DWord)
-    return d_.concat(m_.external(External::AnalogInput, offset, 16), 16,
-                     m_.external(External::AnalogInput, offset + 2, 16), 16);
+    return unlessFailed(d_.concat(m_.external(External::AnalogInput, offset, 16), 16,
+                                  m_.external(External::AnalogInput, offset + 2, 16), 16));
   const Bits word = m_.external(External::AnalogInput, offset, 16);
-  return width == Width::Word ? word : d_.extract(word, 15, 8);
+  return unlessFailed(width == Width::Word ? word : d_.extract(word, 15, 8));
 }
 
 template <class D>
@@ -330,8 +350,17 @@ typename D::Bits Step7Places<D>::load(const Spot<D>& spot, Width width) {
   }
   if (spot.isPlace) return wide(loadPlace(spot.area, spot.offset, spot.bit, width));
   Bits result = number(0, w);
-  for (const PointerTarget<D>& t : spot.targets)
-    result = d_.select(t.condition, loadPlace(t.area, t.offset, t.bit, width), result, w);
+  Bool isReached = d_.constant(false);
+  for (const PointerTarget<D>& t : spot.targets) {
+    isReached = d_.lor(isReached, t.condition);
+    m_.when(t.condition,
+            [&] { result = d_.select(t.condition, loadPlace(t.area, t.offset, t.bit, width), result, w); });
+  }
+  // Where the program goes on behind the error, any value.
+  constexpr std::uint32_t index = 0x300;  // beside what instructions leave open
+  if (m_.survivesErrors())
+    m_.when(d_.lnot(isReached),
+            [&] { result = d_.select(isReached, result, m_.external(External::UnknownResult, index, w), w); });
   return wide(result);
 }
 
@@ -339,12 +368,20 @@ template <class D>
 void Step7Places<D>::savePlace(Area area, std::uint32_t offset, std::uint32_t bit, Width width, Bits value) {
   if (area == Area::I && m_.isStartUp) return;  // gone when the inputs are read
   if (area == Area::PI) area = Area::PQ;        // P in pointers: what is written goes out
+  if (area == Area::DB && m_.plan.blocks->isReadOnly(blockOfByte(offset)))
+    return m_.error(Hazard::S7WriteProtected, d_.constant(true));  // 002:1288
+  if (area != Area::PQ) return m_.store.save(area, offset * 8 + bit, bits(width), value, m_.guard);
+  constexpr std::uint32_t index = 0x302;
+  const Bool guard = m_.guard, fails = answersNot(offset);
+  // Whether the image has what the module did not take is not stated: either.
+  if (m_.plan.block(accessErrorBlock) != nullptr)
+    m_.guard = d_.land(guard, d_.lor(d_.lnot(fails), d_.bit(m_.external(External::UnknownResult, index, 1), 0)));
   m_.store.save(area, offset * 8 + bit, bits(width), value, m_.guard);
-  if (area != Area::PQ) return;
   for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(bytes(width)); ++i) {  // the image follows
-    if (offset + i >= m_.areaSize(Area::Q)) return;
+    if (offset + i >= m_.areaSize(Area::Q)) break;
     m_.store.save(Area::Q, (offset + i) * 8, 8, m_.store.load(Area::PQ, (offset + i) * 8, 8), m_.guard);
   }
+  m_.guard = guard;
 }
 
 /// `value`: at least the width of the access.

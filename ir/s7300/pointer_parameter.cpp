@@ -10,7 +10,7 @@ namespace {
 /// Bytes of the pointers that a call of the block needs in the local data of the caller.
 std::uint32_t pointersOfCall(const Pou& callee) {
   std::uint32_t bytes = 0;
-  if (hasInstance(callee)) return bytes;
+  if (keepsPointers(callee)) return bytes;
   for (const LocalVariable& local : callee.locals) {
     if (isParameter(local) && takesPointer(local)) bytes += pointerSize(local.type);
   }
@@ -25,7 +25,7 @@ void placeHandedPointers(Program& program) {
     for (LocalVariable& local : pou.locals) {
       if (!isParameter(local) || !takesPointer(local)) continue;
       pou.takesPointers = true;
-      if (hasInstance(pou)) continue;
+      if (keepsPointers(pou)) continue;
       local.pointerByte = next;
       next += pointerSize(local.type);
     }

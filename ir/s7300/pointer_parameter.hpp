@@ -3,7 +3,7 @@
 // tests/step7/handed_pointer_test.cpp.
 #pragma once
 
-#include "ir/program.hpp"
+#include "ir/s7300/block.hpp"
 
 namespace rungproof {
 
@@ -19,7 +19,9 @@ constexpr std::uint32_t pointerSize(DataType type) { return type == DataType::An
 inline bool isParameter(const LocalVariable& local) {
   return local.section != VarSection::Temp && local.section != VarSection::Static;
 }
-inline bool hasInstance(const Pou& pou) { return pou.type == BlockType::Fb || pou.type == BlockType::Sfb; }
+/// Whether pointers that are handed over stand in its instance. Of the instance of an SFB that no table describes
+/// nothing is known.
+inline bool keepsPointers(const Pou& pou) { return hasInstance(pou) && pou.instanceBytes > 0; }
 
 /// Whether a call hands a pointer over for the parameter.
 inline bool takesPointer(const LocalVariable& parameter) {

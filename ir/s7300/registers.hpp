@@ -59,10 +59,16 @@ struct Step7Registers {
         firstCheck(br),
         mcrActive(br),
         syncError(br),
+        accessError(br),
+        failed(br),
+        isMasking(br),
+        isReplaced(br),
         jumps(br) {
     accu.fill(d.literal(0, 32));
     ar.fill(d.literal(0, 32));
     db = di = d.literal(0, 16);
+    fault = delays = d.literal(0, 8);
+    replacement = d.literal(0, 32);
     nesting.fill({br, br, br, d.literal(0, 3)});
     mcr.fill(d.constant(true));
   }
@@ -76,6 +82,10 @@ struct Step7Registers {
     for (Bits& a : ar) onBits(a, 32);
     onBits(db, 16);
     onBits(di, 16);
+    onBits(delays, 8);
+    onBit(isMasking);
+    onBit(isReplaced);
+    onBits(replacement, 32);
     for (Nesting& n : nesting) {
       onBit(n.rlo);
       onBit(n.orBit);
@@ -93,7 +103,15 @@ struct Step7Registers {
   Bool mcrActive;
   std::array<Bool, mcrLevels> mcr;  ///< [0] was pushed last; levels that nothing was pushed to are 1
   Bool syncError;                   ///< OB121 is due (002:1278)
-  Bool jumps;                       ///< what a branching instruction decided
+  Bits fault;                       ///< of it, 8 bits, as OB121_SW_FLT; 0: not known
+  Bool accessError;                 ///< OB122 is due (002:1292)
+  Bool failed;                      ///< the instruction has met one of both, masked or not
+  Bool isMasking;                   ///< SFC 36 has been called and SFC 37 not since
+  bool isErrorBlock = false;        ///< OB121, OB122 or what they call
+  Bits delays;                      ///< calls of SFC 41 that SFC 42 has not taken back, 8 bits
+  Bool isReplaced;                  ///< SFC 44 has given the error block's result for ACCU1 (002:2342)
+  Bits replacement;
+  Bool jumps;  ///< what a branching instruction decided
   const Activation<D>* running = nullptr;
 };
 

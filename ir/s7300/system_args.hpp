@@ -198,9 +198,7 @@ bool Step7Places<D>::rowAt(std::uint64_t location, std::uint32_t length, bool is
   const std::uint32_t first = address / 8;
   row.length = first < size ? std::min(length, size - first) : 0;
   row.offset = row.area == Area::DB ? dataByte(block, first) : first;
-  if (row.area == Area::DB)
-    row.isWritable = std::ranges::none_of(m_.plan.program->dataBlocks,
-                                          [&](const DataBlock& b) { return b.number == block && b.readOnly; });
+  if (row.area == Area::DB) row.isWritable = !m_.plan.blocks->isReadOnly(block) && !m_.plan.blocks->isUnlinked(block);
   return row.length == length && length > 0;
 }
 

@@ -127,7 +127,7 @@ TEST(Step7Call, AContractGivesAnyOutputsAndNothingElse) {
               expected)
         << call;
   }
-  EXPECT_EQ(contracts, 16);
+  EXPECT_EQ(contracts, 22);
 }
 
 // The time of the system is no negative number (002:2494), and tells nothing else.

@@ -75,8 +75,8 @@ TEST(SyntaxMessages, EveryMessageOccurs) {
   collect(
       readText("x",
                "FUNCTION FC 1 : VOID\nODD line\nVAR_INPUT\n a BOOL ;\n b : NONE ;\n c : INT := 'x' ;\nEND_VAR\nBEGIN\n"
-               "FOO;\nL M 0.0;\nA \"name\";\nCALL FC 1;\nCALL FC 2;\nJC m;\nCALL SFC 43;\nCALL SFC 44 (VAL := MD 4, "
-               "RET_VAL := MW 0);\nEND_FUNCTION\n"
+               "FOO;\nL M 0.0;\nA \"name\";\nCALL FC 1;\nCALL FC 2;\nJC m;\nCALL SFC 43;\nCALL SFC 27 (PART := "
+               "B#16#0);\nEND_FUNCTION\n"
                "DATA_BLOCK DB 9000\nSTRUCT\n a : INT ;\nEND_STRUCT ;\nBEGIN\n a 1 ;\nEND_DATA_BLOCK\n"));
   for (const SyntaxMessage& row : syntaxMessages)
     EXPECT_TRUE(seen.count(std::string(row.id)) > 0) << row.id << ' ' << row.title;

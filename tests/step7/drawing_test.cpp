@@ -434,6 +434,21 @@ TEST(Drawing7, DataBlocksAndTypes) {
   EXPECT_EQ(simulator.read(direct(Area::M, Width::Word, 0)), 3U);
 }
 
+// A block is NON_RETAIN where all its members are marked so; one that is not keeps the whole. Write protection and
+// blocks that stay in the load memory are attributes of the block.
+TEST(Drawing7, AttributesOfDataBlocks) {
+  const std::string lost = "<Member Name=\"a\" Datatype=\"Int\" Remanence=\"NonRetain\"/>";
+  const std::string kept = "<Member Name=\"b\" Datatype=\"Int\" Remanence=\"Retain\"/>", plain = member("c", "Int");
+  const auto blockOf = [](const std::string& members, const std::string& more = "") {
+    return readDrawn(drawnBlock("GlobalDB", "Data", 10, section("Static", members), "", more)).dataBlocks.at(0);
+  };
+  EXPECT_TRUE(blockOf(lost).nonRetain);
+  for (const std::string& members : {kept, plain, lost + kept, lost + plain}) EXPECT_FALSE(blockOf(members).nonRetain);
+  EXPECT_FALSE(blockOf(plain).readOnly || blockOf(plain).unlinked);
+  EXPECT_TRUE(blockOf(plain, "<IsWriteProtectedInAS>true</IsWriteProtectedInAS>").readOnly);
+  EXPECT_TRUE(blockOf(plain, "<IsOnlyStoredInLoadMemory>true</IsOnlyStoredInLoadMemory>").unlinked);
+}
+
 // What several wires leave and a flip-flop inside a gate: the compiler's order of evaluation. M2.0 is read in front of
 // the flip-flop that sets it, as it stands in the first input.
 TEST(Drawing7, FlipFlopsInsideGates) {

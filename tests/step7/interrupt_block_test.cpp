@@ -46,6 +46,18 @@ TEST(InterruptBlocks, ThatAreDueTogetherAllCome) {
   EXPECT_TRUE(output.has("REACHABLE  both") && !output.has("UNREACHABLE")) << output.text;
 }
 
+// Four may come in the first scan, more than are followed one by one: what they leave is not that of two, wherever the
+// word lies. DB40 lies behind where 24 bits of a bit's number end.
+TEST(InterruptBlocks, MoreThanAreFollowedCountInEveryBlock) {
+  for (const char* block40 : {"DB 1", "DB 40", "DB 300"}) {
+    const std::string name(block40), place = "DB" + name.substr(3) + ".DBW 0";
+    const std::string data = "DATA_BLOCK " + name + "\nSTRUCT\n  n : INT;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n";
+    const std::string blocks = data + block(1, "NOP 0") + block(40, "L " + place + ";L 1;+I;T " + place);
+    const Output output = proofOf("prove few: first_scan implies DB" + name.substr(3) + ".DBW0 <= 3\n", blocks);
+    EXPECT_FALSE(output.has("PROVED  few")) << block40 << output.text;
+  }
+}
+
 // 1 s at 10 ms a scan: OB35 comes every 100 ms, the last time at the very end; OB34 every 200 ms; as set.
 TEST(InterruptBlocks, RunWithTheirPeriod) {
   const std::string blocks = block(1, "NOP 0") + block(35, countUp) + block(34, "L MW 14;L 1;+I;T MW 14");

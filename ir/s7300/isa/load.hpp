@@ -249,8 +249,8 @@ struct Nothing {
   static void run(Step7Args<D>&) {}
 };
 
-/// OPN: the number becomes that of the open block, in the DB or the DI register (002:640-641). A block that does not
-/// exist is an error when it is opened.
+/// OPN: the number becomes that of the open block, in the DB or the DI register (002:640-641). A block that is not
+/// loaded is an error when it is opened; whether the one before stays open behind it is not stated.
 struct OpenBlock {
   static constexpr Desc desc = withOperands(accuDesc("OPN", "AUF", "open a data block", "data blocks", "002:2905"),
                                             {in("block", Type::Block, form7::DB)});
@@ -258,11 +258,15 @@ struct OpenBlock {
   static void run(Step7Args<D>& a) {
     const auto number = a.places.blockNumberOf(a.operand());
     auto exists = a.d.equal(number, a.number(0, 16), 16);  // OPN DB0 leaves none open
-    for (const DataBlock& b : a.m.plan.program->dataBlocks)
-      exists = a.d.lor(exists, a.d.equal(number, a.number(b.number, 16), 16));
+    for (const DataBlock& b : a.m.plan.program->dataBlocks) {
+      if (!b.unlinked) exists = a.d.lor(exists, a.d.equal(number, a.number(b.number, 16), 16));
+    }
     a.m.error(Hazard::S7BlockMissing, a.d.lnot(exists));
     const bool inDi = a.operand().reach != nullptr && a.operand().reach->inDi;
-    a.m.put(inDi ? a.s.di : a.s.db, number, 16);
+    auto& open = inDi ? a.s.di : a.s.db;
+    auto opens = exists;
+    if (a.m.survivesErrors()) opens = a.d.lor(exists, a.d.lnot(a.m.externalBit(External::UnknownResult, 0x305)));
+    a.m.put(open, a.d.select(opens, number, open, 16), 16);
   }
 };
 
