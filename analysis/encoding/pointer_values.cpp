@@ -26,6 +26,25 @@ std::vector<Node> variablesOf(const Graph& graph, Node root) {
   return result;
 }
 
+namespace {
+
+/// Which of the roots have one of some nodes below them.
+std::vector<bool> haveBelow(const Graph& graph, const std::vector<Node>& roots,
+                            const std::unordered_map<std::uint32_t, Node>& nodes) {
+  std::unordered_map<std::uint32_t, bool> known;
+  for (const Node n : coneOf(graph, roots)) {
+    bool has = false;
+    for (const Node child : graph[n].child)
+      has = has || (child != noNode && (nodes.contains(indexOf(child)) || known.at(indexOf(child))));
+    known.emplace(indexOf(n), has);
+  }
+  std::vector<bool> result;
+  for (const Node root : roots) result.push_back(known.at(indexOf(root)));
+  return result;
+}
+
+}  // namespace
+
 Assumed assuming(Graph& graph, Node node, Node guard) {
   std::vector<Node> parts, open{guard};
   while (!open.empty()) {
@@ -36,19 +55,25 @@ Assumed assuming(Graph& graph, Node node, Node guard) {
     else if (graph[n].op != Op::Constant)
       parts.push_back(n);
   }
-  const auto truths = [&](std::size_t without) {
-    std::unordered_map<std::uint32_t, Node> known;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (i == without) continue;
-      const bool isNegated = graph[parts[i]].op == Op::Not;
-      known[indexOf(isNegated ? graph[parts[i]].child[0] : parts[i])] = graph.constantNode(isNegated ? 0 : 1, 1);
-    }
-    return known;
-  };
+  std::unordered_map<std::uint32_t, Node> truths;
+  std::vector<Node> bases;
+  for (const Node part : parts) {
+    const bool isNegated = graph[part].op == Op::Not;
+    bases.push_back(isNegated ? graph[part].child[0] : part);
+    truths[indexOf(bases.back())] = graph.constantNode(isNegated ? 0 : 1, 1);
+  }
+  const std::vector<bool> isChanged = haveBelow(graph, bases, truths);
   Node together = graph.constantNode(1, 1);
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    together = graph.make(Op::And, 1, together, Substitution(graph, truths(i))(parts[i]));
-  return {Substitution(graph, truths(parts.size()))(node), together};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Node part = parts[i];
+    if (isChanged[i]) {
+      std::unordered_map<std::uint32_t, Node> others = truths;
+      others.erase(indexOf(bases[i]));
+      part = Substitution(graph, std::move(others))(part);
+    }
+    together = graph.make(Op::And, 1, together, part);
+  }
+  return {Substitution(graph, std::move(truths))(node), together};
 }
 
 ValueSet ValueEvaluator::evaluate(Node n, std::size_t limit) {
