@@ -12,7 +12,9 @@
 
 #include <concepts>
 #include <map>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "ir/flow.hpp"
 #include "ir/hazard.hpp"
@@ -50,6 +52,8 @@ class FlowWalk {
 
   void walk(const Flow& flow) {
     const Bool entry = m_.guard;
+    const bool isEvery = m_.isEveryRun();
+    const std::optional<Bool> outer = m_.everyRun;
     Walk w{flow};
     Derived& derived = static_cast<Derived&>(*this);
     const auto end = static_cast<std::uint32_t>(flow.steps.size());
@@ -67,10 +71,22 @@ class FlowWalk {
       hooks_.before(derived, step);
       if constexpr (isConcrete) {
         if (!m_.guard) break;  // an interrupt routine in front of the instruction has ended the program
+      } else {
+        m_.everyRun = onTheirWay_ == 0 ? std::optional(m_.guard) : std::nullopt;
       }
       derived.execute(w, at);
     }
     m_.guard = m_.d.land(entry, m_.d.lnot(m_.halted));
+    onTheirWay_ -= w.sent.size();
+    m_.everyRun = isEvery ? std::optional(m_.guard) : outer;
+  }
+
+  /// Runs body, which walks blocks with registers of their own.
+  template <class Body>
+  void withOwnRegisters(Body&& body) {
+    const std::size_t outer = std::exchange(onTheirWay_, 0);
+    body();
+    onTheirWay_ = outer;
   }
 
   /// Runs body, which walks another block, where `condition` holds.
@@ -114,10 +130,12 @@ class FlowWalk {
     if (found == w.sent.end()) return;
     m_.guard = m_.d.lor(m_.guard, found->second);
     w.sent.erase(found);
+    --onTheirWay_;
   }
   void send(Walk& w, std::uint32_t target, Bool guard) {
     const auto [place, isNew] = w.sent.emplace(target, guard);
     if (!isNew) place->second = m_.d.lor(place->second, guard);
+    if (isNew) ++onTheirWay_;
   }
 
   /// Whether a loop that has had its rounds goes into another one; `isFirst`: the first one beyond them.
@@ -131,7 +149,8 @@ class FlowWalk {
 
   int loopLimit_;
   std::size_t stepLimit_;
-  std::size_t steps_ = 0;  ///< instructions walked so far
+  std::size_t steps_ = 0;       ///< instructions walked so far
+  std::size_t onTheirWay_ = 0;  ///< guards in Walk::sent of this block and of those that have called it
 };
 
 }  // namespace rungproof

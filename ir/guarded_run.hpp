@@ -29,15 +29,25 @@ class GuardedRun {
   Bool halted;   ///< STOP or a fatal error has ended the program
   Bool faulted;  ///< a fatal error has: the scan has no end (001:13906-13910)
   const Instruction* current = nullptr;
+  /// The guard of all that has not ended, where nothing is on its way to a later instruction: what registers hold
+  /// outside it nobody asks.
+  std::optional<Bool> everyRun{};
 
+  /// Whether the current guard is that one.
+  bool isEveryRun() const {
+    if constexpr (requires(Bool b) { b.node; }) return everyRun && everyRun->node == guard.node;
+    return false;
+  }
   /// Runs body under `condition`. Concrete skips it when false.
   template <class Body>
   void when(Bool condition, Body&& body) {
     if (const std::optional<bool> known = d.truth(condition); known && !*known) return;
     const Bool saved = guard;
+    const bool isEvery = isEveryRun();
     guard = d.land(saved, condition);
     if (const std::optional<bool> known = d.truth(guard); !known || *known) body();
     guard = d.land(saved, d.lnot(halted));
+    if (isEvery) everyRun = guard;
   }
   /// Runs body(k) for k = 0 .. count-1; `count` has width w and at most `limit` rounds are followed.
   template <class Body>
@@ -62,8 +72,10 @@ class GuardedRun {
 
   /// Ends the program under `condition` (STOP in the main program, fatal errors).
   void halt(Bool condition) {
+    const bool isEvery = isEveryRun();
     halted = d.lor(halted, d.land(guard, condition));
     guard = d.land(guard, d.lnot(condition));
+    if (isEvery) everyRun = guard;
   }
 
  protected:

@@ -74,6 +74,11 @@ class FlowWalk<Derived, Machine<compiled::Recorder>, Hooks> {
     meet(behind);
   }
 
+  template <class Body>
+  void withOwnRegisters(Body&& body) {
+    body();
+  }
+
   /// Continues at `target` where `condition` holds. The end of the block is target steps.size().
   void branch(Walk& w, Bool condition, std::uint32_t target) {
     if (m_.d.truth(condition) == false || target == w.at + 1) return;

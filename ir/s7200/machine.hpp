@@ -259,8 +259,8 @@ class Machine : public GuardedRun<D> {
   /// Whether the program may go on behind a synchronous error.
   bool survivesErrors() const { return handlesErrors_ || masksErrors_; }
   /// Writes a register of the S7-300/400 where the guard holds.
-  void put(Bool& to, Bool value) { to = d.select(guard, value, to); }
-  void put(Bits& to, Bits value, int width) { to = d.select(guard, value, to, width); }
+  void put(Bool& to, Bool value) { to = this->isEveryRun() ? value : d.select(guard, value, to); }
+  void put(Bits& to, Bits value, int width) { to = this->isEveryRun() ? value : d.select(guard, value, to, width); }
 
   /// ENO at the start of a box: 1 if it runs (its hazards clear it), otherwise as Choice::SkippedEno says.
   void enoAfter(Bool runs) {

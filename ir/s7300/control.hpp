@@ -43,7 +43,7 @@ void Scan<D, Hooks>::organizationBlock(int number, Bool condition) {
     if (handlesError) s.delays = saved.delays;  // the priority class is that of the block with the error
     freshBytes(activation.localBase, flow->pou->localBytes);
     startInformation(activation.localBase, number, saved);
-    walk(*flow);
+    this->withOwnRegisters([&] { walk(*flow); });
     const Step7Registers<D> after = s;
     m_.step7 = saved;
     m_.guard = m_.d.land(m_.guard, m_.d.lnot(m_.halted));
