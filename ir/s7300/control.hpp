@@ -50,8 +50,9 @@ void Scan<D, Hooks>::organizationBlock(int number, Bool condition) {
     if (handlesError) {
       m_.put(m_.step7.accu[0], m_.d.select(after.isReplaced, after.replacement, saved.accu[0], 32), 32);
       m_.put(m_.step7.delays, after.delays, 8);
-    } else if (m_.plan.systemFunctions.contains(delayInterrupts)) {
-      m_.setBit(Reg::InterruptsEnabled, 0, m_.d.equal(saved.delays, m_.d.literal(0, 8), 8));
+    } else {  // what the block has delayed comes now
+      m_.when(m_.d.lnot(m_.d.equal(after.delays, m_.d.literal(0, 8), 8)),
+              [&] { m_.setBit(Reg::InterruptsEnabled, 0, m_.d.equal(saved.delays, m_.d.literal(0, 8), 8)); });
     }
   });
 }

@@ -39,8 +39,10 @@ EncoderOutcome compareWithEngine(const Program& program, std::uint64_t seed, int
   std::set<Node> kept;
   for (const Approximation& approximation : scan.approximations()) {
     outcome.approximation += approximation.reason + "\n";
-    if (approximation.used == noNode) return outcome.isExact = false, outcome;
-    estimates.push_back(approximation.used);
+    // Runs that use the estimate, or are left out from some place on, are not compared.
+    const Node mark = approximation.used != noNode ? approximation.used : approximation.leftOut;
+    if (mark == noNode) return outcome.isExact = false, outcome;
+    estimates.push_back(mark);
     kept.insert(approximation.carriers.begin(), approximation.carriers.end());
   }
   std::vector<Place> places;
