@@ -30,12 +30,8 @@ class RunTimeErrors {
     }
     list_.push_back({hazard, place, scan, timeUs});
   }
-  /// It has happened `times` more at a place where it is known.
-  void repeat(Hazard hazard, const Instruction* place, std::uint64_t times) {
-    for (RunTimeError& error : list_) {
-      if (error.hazard == hazard && error.place == place) error.count += times;
-    }
-  }
+  /// The one at `at` in the list has happened `times` more.
+  void repeat(std::size_t at, std::uint64_t times) { list_[at].count += times; }
   const std::vector<RunTimeError>& list() const { return list_; }
   /// The error that stopped the CPU, or nullptr.
   const RunTimeError* fatal() const {
@@ -47,12 +43,6 @@ class RunTimeErrors {
   bool has(Hazard hazard) const {
     for (const RunTimeError& error : list_) {
       if (error.hazard == hazard) return true;
-    }
-    return false;
-  }
-  bool has(Hazard hazard, const Instruction* place) const {
-    for (const RunTimeError& error : list_) {
-      if (error.hazard == hazard && error.place == place) return true;
     }
     return false;
   }

@@ -2,8 +2,10 @@
 #include "engine/compiled/compiled_program.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <new>
+#include <utility>
 
 #include "engine/compiled/reduce.hpp"
 
@@ -51,7 +53,10 @@ std::unique_ptr<CompiledProgram> CompiledProgram::of(const Plan& plan, const Con
 
 CompiledProgram::CompiledProgram(Code code, const std::vector<bool>& isNeeded, std::unique_ptr<MachineCode> machineCode,
                                  std::size_t registers)
-    : code_(std::move(code)), machineCode_(std::move(machineCode)), memory_((machineCode_->layout.size + 7) / 8) {
+    : code_(std::move(code)),
+      machineCode_(std::move(machineCode)),
+      memory_((machineCode_->layout.size + 7) / 8),
+      listedAt_(code_.sites.size()) {
   new (memory_.data()) Workspace;
   findWritten(isNeeded, registers);
   code_.steps.clear();
@@ -61,9 +66,14 @@ CompiledProgram::CompiledProgram(Code code, const std::vector<bool>& isNeeded, s
 void CompiledProgram::findWritten(const std::vector<bool>& isNeeded, std::size_t registers) {
   std::array<std::vector<bool>, areaCount> bytes;
   std::vector<bool> isRegisterWritten(registers);
+  std::array<bool, areaCount> isUsed{};
+  for (const SlotByte& slots : code_.slots) isUsed[static_cast<std::size_t>(slots.area)] = true;
   for (std::size_t i = 0; i < code_.steps.size(); ++i) {
     const Step& s = code_.steps[i];
     if (!isNeeded[i]) continue;
+    const bool isAccess =
+        s.op == CodeOp::LoadMemory || s.op == CodeOp::StoreMemory || s.op == CodeOp::LoadAt || s.op == CodeOp::StoreAt;
+    if (isAccess) isUsed[static_cast<std::size_t>(s.area)] = true;
     const auto isWritten = [&](Area area, std::size_t byte) {
       std::vector<bool>& ofArea = bytes[static_cast<std::size_t>(area)];
       if (byte >= ofArea.size()) ofArea.resize(byte + 1);
@@ -77,6 +87,9 @@ void CompiledProgram::findWritten(const std::vector<bool>& isNeeded, std::size_t
       const SlotByte& slots = code_.slots[s.value / 8];
       isWritten(slots.area, slots.byte);
     }
+  }
+  for (std::size_t a = 0; a < areaCount; ++a) {
+    if (isUsed[a]) usedAreas_.push_back(static_cast<Area>(a));
   }
   for (const Reached& r : code_.reached) {
     if (!r.isWritten) continue;
@@ -127,42 +140,52 @@ void CompiledProgram::takeBack(Concrete::Store& store) const {
   }
 }
 
-/// How often the error has happened in this scan.
-std::uint64_t CompiledProgram::timesOf(std::size_t site) const {
-  const std::size_t errors = machineCode_->layout.errors;
-  if (!code_.isStraight) return memory_[errors / 8 + site];
-  return reinterpret_cast<const std::uint8_t*>(memory_.data())[errors + site] & 1U;
+/// Puts the errors of this scan into happened_. Straight code has a byte for each site, other code a number, which is
+/// taken back here.
+void CompiledProgram::findErrors() {
+  happened_.clear();
+  const std::size_t sites = code_.sites.size();
+  std::uint64_t* const first = memory_.data() + machineCode_->layout.errors / 8;
+  if (!code_.isStraight) {
+    for (std::size_t i = 0; i < sites; ++i) {
+      if (first[i] != 0) happened_.emplace_back(i, std::exchange(first[i], 0));
+    }
+    return;
+  }
+  for (std::size_t group = 0; group * 8 < sites; ++group) {
+    constexpr std::uint64_t lowBits = 0x0101010101010101;
+    for (std::uint64_t left = first[group] & lowBits; left != 0; left &= left - 1)
+      happened_.emplace_back(group * 8 + static_cast<std::size_t>(std::countr_zero(left)) / 8, 1);
+  }
 }
 
-/// Whether all errors of this scan have happened before; the first time is told by the reference engine.
-bool CompiledProgram::areKnown(const RunTimeErrors& errors) const {
-  for (std::size_t i = 0; i < code_.sites.size(); ++i) {
-    if (timesOf(i) != 0 && !errors.has(code_.sites[i].hazard, code_.sites[i].place)) return false;
-  }
-  return true;
-}
-
-void CompiledProgram::countErrors(RunTimeErrors& errors) {
-  for (std::size_t i = 0; i < code_.sites.size(); ++i) {
-    if (const std::uint64_t times = timesOf(i); times != 0)
-      errors.repeat(code_.sites[i].hazard, code_.sites[i].place, times);
-  }
+/// Whether the error has happened before; the first time is told by the reference engine.
+bool CompiledProgram::isListed(std::size_t site, const RunTimeErrors& errors) {
+  const std::vector<RunTimeError>& list = errors.list();
+  const auto isIt = [&](const RunTimeError& e) {
+    return e.hazard == code_.sites[site].hazard && e.place == code_.sites[site].place;
+  };
+  std::size_t& at = listedAt_[site];
+  if (at >= list.size() || !isIt(list[at]))
+    at = static_cast<std::size_t>(std::ranges::find_if(list, isIt) - list.begin());
+  return at < list.size();
 }
 
 std::optional<std::uint64_t> CompiledProgram::run(Concrete::Store& store, std::uint64_t ticks100,
                                                   std::uint64_t mostTime, RunTimeErrors& errors) {
   keep(store);
   Workspace& w = workspace();
-  for (std::size_t a = 0; a < areaCount; ++a) w.area[a] = bytesOf(store, static_cast<Area>(a), code_.hasTerminals);
+  for (const Area area : usedAreas_) w.area[static_cast<std::size_t>(area)] = bytesOf(store, area, code_.hasTerminals);
   w.registers = store.registers().data();
   w.ticks100 = ticks100;
   w.mostTime = mostTime;
   bool isDone = machineCode_->run(w);
   if (w.hasErrors != 0) {
-    isDone = isDone && areKnown(errors);
-    if (isDone) countErrors(errors);
-    const auto first = memory_.begin() + static_cast<std::ptrdiff_t>(machineCode_->layout.errors / 8);
-    std::fill(first, first + static_cast<std::ptrdiff_t>(code_.isStraight ? 0 : code_.sites.size()), 0);
+    findErrors();
+    isDone = isDone && std::ranges::all_of(happened_, [&](const auto& e) { return isListed(e.first, errors); });
+    for (const auto& [site, times] : happened_) {
+      if (isDone) errors.repeat(listedAt_[site], times);
+    }
   }
   if (!isDone) takeBack(store);
   if (!isDone) return std::nullopt;

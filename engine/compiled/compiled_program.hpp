@@ -1,7 +1,7 @@
 // CompiledProgram: the program's part of a scan as machine code, made from the instructions' meanings over the
 // recording domain. It does a scan as the reference engine does, or says that it cannot and leaves the state as it was:
-// errors that are new or fatal, devices, pointers outside V memory and what else has no code. Covered by
-// tests/compiled.
+// errors that are new, fatal or for OB121, devices, pointers of which nothing says into which area they lead, and what
+// else has no code. Covered by tests/compiled.
 #pragma once
 
 #include <memory>
@@ -43,13 +43,16 @@ class CompiledProgram {
   void keep(const Concrete::Store& store);
   void takeBack(Concrete::Store& store) const;
   Workspace& workspace() { return *reinterpret_cast<Workspace*>(memory_.data()); }
-  std::uint64_t timesOf(std::size_t site) const;
-  bool areKnown(const RunTimeErrors& errors) const;
-  void countErrors(RunTimeErrors& errors);
+  void findErrors();
+  bool isListed(std::size_t site, const RunTimeErrors& errors);
 
   Code code_;
   std::unique_ptr<MachineCode> machineCode_;
   std::vector<std::uint64_t> memory_;  ///< the workspace
+  /// The errors of the last scan by their sites, and how often they happened.
+  std::vector<std::pair<std::size_t, std::uint64_t>> happened_;
+  std::vector<std::size_t> listedAt_;  ///< by error site: where it stood last among the errors of the run
+  std::vector<Area> usedAreas_;
   std::vector<Written> writtenBytes_;
   std::vector<Written> writtenRegisters_;
   std::vector<std::uint8_t> keptBytes_;

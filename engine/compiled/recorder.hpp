@@ -2,8 +2,8 @@
 // program's instructions over it records what they do, simplified: constants, values that are known twice, what was
 // stored and is read again.
 //
-// What the compiled form does not do - fatal errors, devices, pointers outside V memory - is a Leave: the scan in which
-// it happens is run by the reference engine from its start.
+// What the compiled form does not do - fatal errors and those that OB121 takes, devices, pointers that may lead into any
+// area - is a Leave: the scan in which it happens is run by the reference engine from its start.
 #pragma once
 
 #include <map>

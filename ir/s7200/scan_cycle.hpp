@@ -150,7 +150,10 @@ void writeOutputs(Machine<D>& m) {
     else
       std::fill_n(outputs.begin() + 1, count - 1, std::uint8_t{0});
     from = 8;
-    for (std::uint32_t bit = 0; bit < 8; ++bit) write(bit, m.loadBit(Area::Q, 0, bit));
+    bool isOwned = false;
+    for (std::uint32_t i = 0; i < regInfo(Reg::PulseBusy).count; ++i) isOwned = isOwned || m.getBit(Reg::PulseBusy, i);
+    if (!isOwned) outputs[0] = running ? m.store.area(Area::Q)[0] : std::uint8_t{0};
+    for (std::uint32_t bit = 0; isOwned && bit < from; ++bit) write(bit, m.loadBit(Area::Q, 0, bit));
   }
   for (std::uint32_t bit = from; bit < m.terminals(); ++bit) {
     if constexpr (!std::same_as<typename D::Bool, bool>) write(bit, m.loadBit(Area::Q, bit / 8, bit % 8));

@@ -158,6 +158,20 @@ const Small smallPrograms[] = {
      "2;\n"
      "END_ORGANIZATION_BLOCK\nFUNCTION FC 2 : VOID\nBEGIN\nNETWORK\nL MW 14;\nITD;\nT MD 16;\nEND_FUNCTION\n",
      59},
+    {"a loop that is entered at its end",
+     "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nL 3;\nJU m2;\nm1: T MW 20;\nL MW 22;\nL MW 10;\n+I;\nT MW 22;\n"
+     "L MW 20;\nm2: LOOP m1;\nEND_ORGANIZATION_BLOCK\n",
+     59},
+    {"a loop within a loop, of an instance",
+     "FUNCTION_BLOCK FB 1\nVAR_INPUT\n n : INT;\nEND_VAR\nVAR\n a : INT;\n b : INT;\n s : INT;\nEND_VAR\nBEGIN\n"
+     "NETWORK\nA I 0.0;\nL 4;\nm1: T #a;\nL 3;\nm2: T #b;\nL #s;\nL #n;\n+I;\nT #s;\nL #b;\nLOOP m2;\nL #a;\n"
+     "LOOP m1;\n= M 1.0;\nEND_FUNCTION_BLOCK\nDATA_BLOCK DB 1\nFB 1\nBEGIN\nEND_DATA_BLOCK\n"
+     "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nCALL FB 1 , DB 1 ( n := MW 10 );\nEND_ORGANIZATION_BLOCK\n",
+     59},
+    {"a cyclic interrupt beside machine code",
+     "ORGANIZATION_BLOCK OB 35\nBEGIN\nNETWORK\nL MW 40;\n+ 1;\nT MW 40;\nEND_ORGANIZATION_BLOCK\n"
+     "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nL MW 40;\nT MW 42;\nEND_ORGANIZATION_BLOCK\n",
+     30},
     {"an error that OB121 takes",
      "ORGANIZATION_BLOCK OB 121\nBEGIN\nNETWORK\nL MW 40;\n+ 1;\nT MW 40;\nEND_ORGANIZATION_BLOCK\n"
      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nL MW 10;\nBTI;\nT MW 42;\nA I 0.0;\n= M 1.0;\nEND_ORGANIZATION_BLOCK\n",
