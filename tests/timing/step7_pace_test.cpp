@@ -102,7 +102,9 @@ Rungs callsOf(int calls) {
 void expectSameMemory(const Program& program) {
   Concrete::Store stores[2];
   for (const EngineKind kind : {EngineKind::Reference, EngineKind::Compiled}) {
-    Simulator simulator(program, {.engine = kind});
+    SimulatorOptions options;
+    options.engine = kind;
+    Simulator simulator(program, options);
     for (std::uint64_t scan = 0; scan < 20; ++scan) {
       simulator.write(direct(Area::I, Width::DWord, 0), scan * 0x9E3779B9 & 0xFFFFFFFF);
       simulator.write(direct(Area::I, Width::DWord, 4), scan * 0x85EBCA6B & 0xFFFFFFFF);
