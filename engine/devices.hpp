@@ -43,6 +43,7 @@ class Devices {
     std::uint8_t& given = starts_[{block, byte}];
     given = static_cast<std::uint8_t>((given & ~bits) | (value & bits));
   }
+  bool hasStartInformation() const { return !starts_.empty(); }
   /// Nothing: no stimulus says it.
   std::optional<std::uint8_t> startInformation(int block, std::uint32_t byte) const {
     const auto found = starts_.find({block, byte});

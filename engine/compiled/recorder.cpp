@@ -311,6 +311,7 @@ Recorder::Bits Recorder::external(const ExternalSite& site, int width) {
     case External::UnknownStatus:
     case External::UnknownResult:
     case External::RegisterAtStart:
+    case External::AccessError:
     case External::TimerPhase: return literal(0, width);  // by Choice::UnknownBits, or nothing is compiled
     case External::ImmediateInput: return store->get(Reg::PhysicalInput, site.index);
     case External::AnalogInput: return store->load(Area::AI, site.index * 8, width);

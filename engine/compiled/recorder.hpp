@@ -2,8 +2,8 @@
 // program's instructions over it records what they do, simplified: constants, values that are known twice, what was
 // stored and is read again.
 //
-// What the compiled form does not do - fatal errors and those that OB121 takes, devices, pointers that may lead into any
-// area - is a Leave: the scan in which it happens is run by the reference engine from its start.
+// What the compiled form does not do - fatal errors and those that OB121 or OB122 takes, devices, pointers that may
+// lead into any area - is a Leave: the scan in which it happens is run by the reference engine from its start.
 #pragma once
 
 #include <map>
@@ -151,6 +151,7 @@ class Recorder {
   Bool compare(CodeOp op, int w, Bits a, Bits b);
   bool isCondition(ValueId id) const { return isTruth(code.steps[id].op); }
 
+  bool hasReadOnlyBlocks_ = false;  ///< of which an address may name one
   std::unordered_map<Step, ValueId, StepHash, StepEqual> known_;
   std::unordered_map<std::uint64_t, ValueId> constants_;
   std::unordered_map<ValueId, ValueId> replaced_;  ///< conditions that a Leave has made false

@@ -73,11 +73,12 @@ std::optional<Recorder::Row> Recorder::rowOf(Machine<Recorder>& machine, Area ar
     return Row{literal(0, 32), literal(size, 32)};
   }
   const std::vector<DataBlock>& blocks = machine.plan.program->dataBlocks;
+  hasReadOnlyBlocks_ = std::ranges::any_of(blocks, [](const DataBlock& b) { return b.readOnly; });
   if (!known(block) && blocks.size() > mostBlocks) return std::nullopt;
   Row row{literal(0, 32), literal(0, 32)};
   for (const DataBlock& b : blocks) {
     const std::uint32_t length = store->blocks().length(b.number);
-    if (length == 0) continue;
+    if (length == 0 || store->blocks().isUnlinked(b.number)) continue;
     const Bool isThis = equal(block, literal(b.number, 16), 16);
     if (truth(isThis) == false) continue;
     row.first = select(isThis, literal(store->blocks().place(dataByte(b.number, 0)), 32), row.first, 32);
@@ -121,6 +122,7 @@ Recorder::Bits Recorder::loadComputed(const Spot<Recorder>& spot, Width width) {
 
 void Recorder::saveComputed(const Spot<Recorder>& spot, Width width, Bits value) {
   if (truth(*guard) == false) return;
+  if (spot.area == Area::DB && hasReadOnlyBlocks_) return leave(*guard);
   const int w = width == Width::Bit ? 8 : bits(width);
   const Bits byte = extract(spot.value, 31, 3);
   const bool isMixed = width == Width::Bit || truth(*guard) != true;

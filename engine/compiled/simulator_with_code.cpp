@@ -49,7 +49,7 @@ Simulator::~Simulator() = default;
 bool Simulator::mayRunCompiled() {
   if (options_.engine == EngineKind::Reference) return false;
   if (script_ != nullptr || observer_ != nullptr || outside_ != nullptr) return false;
-  if (!unknownIsZero_ || !forced_.empty() || !queue_.empty()) return false;
+  if (!unknownIsZero_ || !forced_.empty() || !queue_.empty() || devices_.hasStartInformation()) return false;
   if (!isRunning() || store_.get(Reg::FirstScan, 0) != 0 || scanCount_ <= referenceUntil_) return false;
   return options_.engine == EngineKind::Compiled || scanCount_ > scansBefore;
 }
