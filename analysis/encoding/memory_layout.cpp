@@ -35,6 +35,12 @@ void MemoryLayout::add(const Program& program, const Plan& plan) {
         add(access.area, access.width, access.offset + k * static_cast<std::uint32_t>(bytes(access.width)));
     }
   }
+  // The statements of IEC timers reach their instances through registers: IN, Q and the bits of STATE; PT, ET and
+  // ATIME.
+  for (const std::uint32_t instance : plan.iecTimers) {
+    for (const std::uint32_t bit : {0U, 6U, 12U}) add(Area::DB, Width::Bit, instance + bit);
+    for (const std::uint32_t time : {2U, 8U, 18U}) add(Area::DB, Width::DWord, instance + time);
+  }
 }
 
 void MemoryLayout::add(Area area, Width width, std::uint32_t name) {

@@ -2,7 +2,7 @@
 // noticed there, nothing is let in (argument: footprint.hpp).
 //
 // Ticks: how many of the scan's ms have passed at a place is an input, at least as many as at the place before and at
-// most dt; what is left passes after the program.
+// most dt; what is left passes after the program. An IEC timer reads the time once, in front of its call.
 //
 // Interrupts: scan_interrupts.cpp.
 #include <algorithm>
@@ -45,9 +45,13 @@ void ScanEncoding::prepareTicks() {
     if (use.resolution != 1) continue;
     for (const Reg reg : timerRegisters) addKeys(registerPlace(reg, use.number), tickKeys_.reads);
   }
-  for (const std::uint32_t instance : plan_.iecTimers) {
-    addKeys(memoryPlace(Area::DB, instance + 12, Width::Byte), tickKeys_.reads);
-    addKeys(memoryPlace(Area::DB, instance + 18, Width::DWord), tickKeys_.reads);
+  for (const Flow& flow : plan_.flows) {
+    for (const FlowStep& step : flow.steps) {
+      const Instruction& instruction = *step.instruction;
+      const bool isCall = instruction.desc->control == Control::BlockCall && !instruction.operands.empty() &&
+                          instruction.operands[0].kind == OperandKind::Constant;
+      if (isCall && isIecTimer(static_cast<int>(instruction.operands[0].value))) iecCalls_.insert(instruction.id);
+    }
   }
   if (program_.clockMemory) addKeys(memoryPlace(Area::M, *program_.clockMemory, Width::Byte), tickKeys_.reads);
   tickKeys_.writes = tickKeys_.reads;
@@ -75,6 +79,7 @@ void ScanEncoding::prepareWatched() {
 }
 
 bool ScanEncoding::needsTicks(std::uint32_t instruction) const {
+  if (iecCalls_.contains(instruction)) return true;
   if (tickKeys_.reads.empty()) return false;
   if (instruction == ScanPlace::afterProgram || watched_.conflictsWith(tickKeys_)) return true;
   const auto found = knowledge_.footprints.ofInstruction.find(instruction);

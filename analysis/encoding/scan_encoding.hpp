@@ -198,9 +198,10 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   std::vector<int> events_;  ///< attached ones, by priority
   const RoutineEffects* effects_;
   EventStates eventStates_;
-  bool isAfterEnable_ = false;  ///< ENI stands in front of this place
-  Footprint tickKeys_;          ///< of all that the 1 ms clock moves
-  Footprint watched_;           ///< read in front of every instruction (EncoderOptions::watched)
+  bool isAfterEnable_ = false;        ///< ENI stands in front of this place
+  Footprint tickKeys_;                ///< of all that the 1 ms clock moves
+  std::set<std::uint32_t> iecCalls_;  ///< instructions that call an IEC timer
+  Footprint watched_;                 ///< read in front of every instruction (EncoderOptions::watched)
   Footprints footprints_;
   std::uint32_t accesses_ = 0;  ///< since the clock was looked at
   Node consumed_ = noNode;      ///< ms of this scan that have reached the 1 ms timers

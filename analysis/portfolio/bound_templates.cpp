@@ -29,9 +29,10 @@ class TemplateSearch {
         budget_(budget) {}
 
   BoundTemplates run() {
+    const std::set<std::size_t> telling = tellingStates();
     for (std::uint32_t latch = 0; latch < blast_.bits().latches.size(); ++latch) {
       const std::uint32_t state = blast_.stateBit(latch).state;
-      if (inCone_.insert(state).second) order_.push_back(state);
+      if (inCone_.insert(state).second && telling.contains(state)) order_.push_back(state);
     }
     for (const std::uint32_t state : order_) collect(state);
     if (words_.empty()) return {};
@@ -66,18 +67,49 @@ class TemplateSearch {
   }
 
  private:
+  /// What the open questions depend on, in any number of scans. Of constraints those count that may end a run: others,
+  /// such as the range of a clock, tell nothing of the rest.
+  std::set<std::size_t> tellingStates() const {
+    std::unordered_map<std::uint32_t, std::size_t> stateOf;
+    for (std::size_t i = 0; i < system_.states.size(); ++i) stateOf.emplace(indexOf(word(i)), i);
+    std::vector<Node> roots;
+    for (const std::size_t q : blast_.questions()) roots.push_back(system_.questions[q].bad);
+    for (const Node constraint : system_.constraints) {
+      if (std::ranges::find(system_.totalConstraints, constraint) == system_.totalConstraints.end())
+        roots.push_back(constraint);
+    }
+    std::set<std::size_t> found;
+    std::vector<bool> isSeen(graph_.size(), false);
+    while (!roots.empty()) {
+      const Node n = roots.back();
+      roots.pop_back();
+      if (n == noNode || isSeen[indexOf(n)]) continue;
+      isSeen[indexOf(n)] = true;
+      if (graph_[n].op != Op::Variable) {
+        roots.insert(roots.end(), graph_[n].child.begin(), graph_[n].child.end());
+      } else if (const auto state = stateOf.find(indexOf(n)); state != stateOf.end()) {
+        found.insert(state->second);
+        roots.push_back(system_.states[state->second].next);
+      }
+    }
+    return found;
+  }
+
   bool isNear() const { return scope_ == BoundScope::Few || scope_ == BoundScope::Stops; }
   std::size_t clockGuards() const { return isNear() ? schedule::nearGuards : schedule::guardLimit; }
   Node word(std::size_t state) const { return system_.states[state].node; }
   int widthOf(Node n) const { return graph_[n].width; }
 
-  bool dependsOnStatesOnly(Node root) const {
+  /// Whether all variables under a node are states, or all are inputs.
+  bool dependsOnly(bool onStates, Node root) const {
     const Node roots[] = {root};
     for (const Node n : coneOf(graph_, roots)) {
-      if (graph_[n].op == Op::Variable && !graph_.variables()[graph_[n].value].isState) return false;
+      if (graph_[n].op == Op::Variable && graph_.variables()[graph_[n].value].isState != onStates) return false;
     }
     return true;
   }
+  bool dependsOnStatesOnly(Node root) const { return dependsOnly(true, root); }
+  bool dependsOnInputsOnly(Node root) const { return dependsOnly(false, root); }
 
   /// Sums of the word with something that is no constant, and the constants in its next-state function.
   void collect(std::size_t state) {
@@ -98,12 +130,15 @@ class TemplateSearch {
       }
       if (node.op != Op::Add) continue;
       for (std::size_t side = 0; side < 2; ++side) {
-        if (!carries(node.child[side], self) || graph_[node.child[1 - side]].op == Op::Constant) continue;
-        if (found && (found->countsDown || found->sum.increment != node.child[1 - side]))
+        const Node other = node.child[1 - side];
+        if (graph_[other].op == Op::Constant) continue;
+        // What starts within a scan may be set to any moment of it; the length of the scan is added last.
+        const bool isSet = !carries(node.child[side], self);
+        if (isSet && !(leadsTo(node.child[side], self) && dependsOnInputsOnly(other))) continue;
+        if (found && (found->countsDown || (!isSet && found->sum.increment != other)))
           return;  // increased in several places
         const Node read = lowPart(node.child[side], self);
-        found = CountingWord{
-            state, {read == noNode ? self : read, node.child[1 - side], n}, {}, graph_[node.child[side]].op};
+        found = CountingWord{state, {read == noNode ? self : read, other, n}, {}, graph_[node.child[side]].op};
       }
     }
     if (!found || !isBlasted(found->sum.increment)) return;

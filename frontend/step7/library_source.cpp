@@ -1,4 +1,5 @@
-// IEC timers keep the time since their start in ATIME, which runs while STATE is 1 (ir/s7200/timer_refresh.hpp).
+// IEC timers keep the time from their start to the start of the scan in ATIME, which grows by the length of each scan
+// while STATE is 1 (ir/s7200/timer_refresh.hpp); in the scan that starts them it is below 0.
 // Behaviour of the IEC blocks beyond 002:2516-2532: general knowledge.
 #include "frontend/step7/library_source.hpp"
 
@@ -61,15 +62,17 @@ out:  A #CU; = #CUO;
       L #CV; L 0; <=I; = #QD;
       SET; SAVE; BEU;)";
 
-// PT = 0 resets the block and its IN; PT < 0 does the same and is an error. STATE: 1 the time runs, 2 it is up. The
-// time is read once in a call.
+// PT = 0 resets the block and its IN; PT < 0 does the same and is an error. STATE: 1 the time runs, 2 it is up, 3 of an
+// on-delay, whose bit 0 says that IN was 1. The machine gives `passed`, the ms of the scan until the call
+// (ir/s7300/control.hpp); the time is up where ATIME is `due`.
 constexpr std::string_view iecHead = R"(
 VAR_TEMP
-  now : TIME;
+  passed : DINT;
+  due : DINT;
 END_VAR
 BEGIN
 NETWORK
-      L #ATIME; T #now;
+      L #PT; L #passed; -D; T #due;
       L #PT; L L#0; >D; JC go;
       CLR; = #Q; = #IN;
       L L#0; T #ET; T #ATIME;
@@ -83,21 +86,21 @@ go:   A #IN; JC on;
       L L#0; T #ET; T #ATIME;
       L 0; T #STATE; JU end;
 on:   L #STATE; L 0; ==I; JCN run;
-      L 1; T #STATE; L L#0; T #ATIME; T #now;
-run:  L #STATE; L 2; ==I; JC done;
-      L #now; L #PT; >=D; JC over;
-      L #now; T #ET; CLR; = #Q; JU end;
-over: L 2; T #STATE; L #PT; T #ET;
+      L 1; T #STATE; L L#0; L #passed; -D; T #ATIME;
+run:  L #STATE; L 3; ==I; JC done;
+      L #ATIME; L #due; >=D; JC over;
+      L #ATIME; L #passed; +D; T #ET; CLR; = #Q; JU end;
+over: L 3; T #STATE; L #PT; T #ET;
 done: SET; = #Q;
 end:  SET; SAVE; BEU;)";
 
 constexpr std::string_view pulse = R"(
 go:   L #STATE; L 0; ==I; JCN act;
       A #IN; JCN idle;
-      L 1; T #STATE; L L#0; T #ATIME; T #now;
+      L 1; T #STATE; L L#0; L #passed; -D; T #ATIME;
 act:  L #STATE; L 1; ==I; JCN post;
-      L #now; L #PT; >=D; JC over;
-      L #now; T #ET; SET; = #Q; JU end;
+      L #ATIME; L #due; >=D; JC over;
+      L #ATIME; L #passed; +D; T #ET; SET; = #Q; JU end;
 over: L 2; T #STATE; L #PT; T #ET;
 post: CLR; = #Q;
       A #IN; JC end;
@@ -113,10 +116,10 @@ go:   A #IN; JCN off;
       L L#0; T #ET; T #ATIME;
       SET; = #Q; JU end;
 off:  L #STATE; L 3; ==I; JCN run;
-      L 1; T #STATE; L L#0; T #ATIME; T #now;
+      L 1; T #STATE; L L#0; L #passed; -D; T #ATIME;
 run:  L #STATE; L 1; ==I; JCN idle;
-      L #now; L #PT; >=D; JC over;
-      L #now; T #ET; SET; = #Q; JU end;
+      L #ATIME; L #due; >=D; JC over;
+      L #ATIME; L #passed; +D; T #ET; SET; = #Q; JU end;
 over: L 0; T #STATE; L #PT; T #ET;
 idle: CLR; = #Q;
 end:  SET; SAVE; BEU;)";

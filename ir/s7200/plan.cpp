@@ -87,8 +87,7 @@ void eachOperand(const Program& program, Visit&& visit) {
 /// deeply.
 void addIecTimers(const Program& program, int instanceOf, std::uint32_t first, int levels,
                   std::vector<std::uint32_t>& timers) {
-  const bool isTimer =
-      blockTypeOf(instanceOf) == BlockType::Sfb && numberOfBlock(instanceOf) >= 3 && numberOfBlock(instanceOf) <= 5;
+  const bool isTimer = isIecTimer(instanceOf);
   if (isTimer) timers.push_back(first);
   const Pou* pou = levels > 0 && instanceOf != 0 && !isTimer ? program.subroutine(instanceOf) : nullptr;
   if (pou == nullptr) return;

@@ -38,14 +38,15 @@ typename D::Bool advanceTimer(Machine<D>& m, TimerKind kind, std::uint32_t numbe
   return reached;
 }
 
-/// Lets `ms` (width 16) pass for the IEC timers of an S7-300/400: their instances keep the time since the start in
-/// ATIME, at byte 18, while STATE, at byte 12, is 1 (frontend/step7/library_source.cpp).
+/// A scan of `ms` (width restBits) is over for the IEC timers of an S7-300/400: their instances keep the time from
+/// their start to the start of the scan in ATIME, at byte 18, while STATE, at byte 12, is 1
+/// (frontend/step7/library_source.cpp). As S5 timers they add nothing inside the scan.
 template <class D>
-void advanceIecTimers(Machine<D>& m, typename D::Bits ms) {
+void passScanOfIec(Machine<D>& m, typename D::Bits ms) {
   for (const std::uint32_t instance : m.plan.iecTimers) {
     const auto state = m.load(Area::DB, instance + 12, Width::Byte);
     m.when(m.d.equal(state, m.number(1, 8), 8), [&] {
-      const auto passed = m.d.add(m.load(Area::DB, instance + 18, Width::DWord), m.d.zext(ms, 16, 32), 32);
+      const auto passed = m.d.add(m.load(Area::DB, instance + 18, Width::DWord), m.d.zext(ms, restBits, 32), 32);
       m.save(Area::DB, instance + 18, Width::DWord,
              m.d.select(m.d.bit(passed, 31), m.number(0x7FFFFFFF, 32), passed, 32));
     });
@@ -62,12 +63,9 @@ void beginScanOfTimers(Machine<D>& m) {
   const auto isSynchronous = m.reads({Choice::S5Time, "synchronous"});
   if (m.d.truth(isSynchronous) != false) {
     for (const TimerUse& use : m.plan.timers) endS5(m, use.number, m.passedMs);  // the other reading leaves none
-    if (hasClock || !m.plan.iecTimers.empty()) {
+    if (hasClock) {
       const auto passed = m.get(Reg::LastScan);
-      m.when(isSynchronous, [&] {
-        advanceIecTimers(m, passed);
-        if (hasClock) advanceClockMemory(m, passed);
-      });
+      m.when(isSynchronous, [&] { advanceClockMemory(m, passed); });
     }
   }
   if (hasClock) showClockMemory(m);
@@ -81,7 +79,6 @@ void passTimers(Machine<D>& m, typename D::Bits ticks, IsAsked&& isAsked) {
     for (const TimerUse& use : m.plan.timers) {
       if (isAsked(use.number)) endS5(m, use.number, m.passedMs);
     }
-    advanceIecTimers(m, ticks);
     if (m.plan.program->clockMemory) advanceClockMemory(m, ticks);
   });
 }
@@ -95,6 +92,7 @@ void endScanOfTimers(Machine<D>& m, typename D::Bits ms) {
     passScanOfS5(m, use.number, ms);
     m.guard = guard;
   }
+  passScanOfIec(m, ms);
 }
 
 /// Lets `ticks` pass for all timers of a resolution, 1 or 10 ms: the scan calls it for 10 ms timers at its start, for

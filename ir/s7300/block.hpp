@@ -15,6 +15,10 @@ constexpr int numberOfBlock(int block) { return block & 0xFFFF; }
 /// Whether a call names data of its own for the block.
 constexpr bool hasInstance(BlockType type) { return type == BlockType::Fb || type == BlockType::Sfb; }
 inline bool hasInstance(const Pou& pou) { return hasInstance(pou.type); }
+/// TP, TON and TOF: SFB 3 to 5 (002:2516-2532).
+constexpr bool isIecTimer(int block) {
+  return blockTypeOf(block) == BlockType::Sfb && numberOfBlock(block) >= 3 && numberOfBlock(block) <= 5;
+}
 /// "FC5", "SFB4".
 std::string blockName(int block);
 

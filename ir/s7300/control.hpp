@@ -10,6 +10,7 @@
 
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/handed_pointer.hpp"
+#include "ir/s7300/timer.hpp"
 
 namespace rungproof {
 
@@ -348,6 +349,10 @@ void Scan<D, Hooks>::enterBlock(const Flow& callee, const Instruction& instructi
   m_.put(s.mcrActive, m_.d.constant(false));
   for (Bool& level7 : s.mcr) m_.put(level7, m_.d.constant(true));
   freshBytes(activation.localBase, pou.localBytes);
+  if (isIecTimer(pou.number)) {
+    const Bits passed = m_.d.zext(passedBefore(m_), restBits, 32);
+    m_.store.save(Area::L, activation.localBase * 8, 32, passed, m_.guard);
+  }
   const Instruction* current = m_.current;
   s.running = &activation;
   for (const auto& [parameter, pointer] : pointers) places.saveHanded(pointer, parameter);

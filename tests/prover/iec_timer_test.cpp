@@ -1,0 +1,57 @@
+// Time properties of IEC timers: what can be said between ends of scans about a time that is read once in each call.
+// A scan that begins at t and lasts d <= 150 ms calls the timer after p of them, 0 <= p <= d. The timer of PT = 2 s
+// starts in scan k and is up in the first scan n with t(n) + p(n) - t(k) - p(k) >= 2000; held() in scan n measures
+// t(n) + d(n) - t(k) - d(k) from the end of scan k on. Hence every limit below, to the millisecond.
+#include <fmt/format.h>
+
+#include "proved_text.hpp"
+
+namespace rungproof::test {
+namespace {
+
+struct Limit {
+  const char* name;
+  int timer;  ///< SFB
+  const char* form;
+  int most;  ///< ms, the last number for which it holds, or the first
+  int broken;
+};
+
+constexpr Limit limits[] = {
+    // 2000 + d(n) - p(n) - d(k) + p(k) >= 2000 - 150
+    {"OnDelayIsNotEarly", 4, "Q0.0 implies held(I0.0, {}ms)", 1850, 1851},
+    // Q is off in scan n: at most 1999 + d(n) - p(n) - d(k) + p(k) <= 1999 + 150
+    {"OnDelayIsNotLate", 4, "held(I0.0, {}ms) implies Q0.0", 2150, 2149},
+    {"OffDelayIsNotEarly", 5, "falls(Q0.0) implies held(not I0.0, {}ms)", 1850, 1851},
+    {"OffDelayIsNotLate", 5, "held(not I0.0, {}ms) implies not Q0.0", 2150, 2149},
+    {"PulseIsNotLonger", 3, "not held(Q0.0, {}ms)", 2150, 2149},
+    // Up to the end of scan n - 1: 2000 - p(n) - d(k) + p(k) >= 2000 - 2 * 150
+    {"PulseIsNotShorter", 3, "falls(Q0.0) implies prev(held(Q0.0, {}ms))", 1700, 1701},
+};
+
+class IecTimer : public testing::TestWithParam<Limit> {};
+
+TEST_P(IecTimer, HoldsToTheMillisecond) {
+  const Limit& limit = GetParam();
+  ProgramInput input;
+  input.program = readText(
+      "test.awl", fmt::format("DATA_BLOCK DB 4\nSFB {0}\nBEGIN\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB 1\n"
+                              "//@ prove holds: {1}\n//@ prove breaks: {2}\nBEGIN\nNETWORK\n"
+                              "CALL SFB {0}, DB 4 (IN := I 0.0, PT := T#2S, Q := Q 0.0);\nEND_ORGANIZATION_BLOCK\n",
+                              limit.timer, fmt::format(fmt::runtime(limit.form), limit.most),
+                              fmt::format(fmt::runtime(limit.form), limit.broken)));
+  input.properties = readProperties(input.program, {}, lookupIn(input.program));
+  for (const Finding& finding : input.program.findings) EXPECT_NE(finding.severity, Severity::Error) << finding.message;
+  ProverOptions options = usualOptions(30);
+  options.time.high = 150;
+  const ProofRun run = prove(input.program, input.properties, options);
+  EXPECT_TRUE(run.disagreements.empty());
+  EXPECT_EQ(outcomeOf(run, "holds"), Outcome::Proved);
+  EXPECT_EQ(outcomeOf(run, "breaks"), Outcome::Violated);
+}
+
+INSTANTIATE_TEST_SUITE_P(Limits, IecTimer, testing::ValuesIn(limits),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+}  // namespace
+}  // namespace rungproof::test
