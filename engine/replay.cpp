@@ -96,6 +96,7 @@ ReplayResult replay(const Program& program, const Choices& choices, const std::v
   Script script(choices);
   SimulatorOptions options;
   options.choices = choices;
+  options.engine = EngineKind::Reference;  // what it repeats shall count
   Simulator simulator(program, options, &script);
   if (initial != nullptr) simulator.setStore(*initial);
   if (watcher != nullptr) simulator.observe(watcher);

@@ -77,7 +77,7 @@ void Simulator::scanInRun(const ScanRequest& request, std::uint32_t lengthUs) {
   position_ = watchdogFrom_ = pending_ = 0;
   hasTimeError_ = false;
   startMs_ = clockMs_;
-  nextMs_ = script_ != nullptr ? 0 : Cost::perMs - sinceTick_;
+  nextMs_ = script_ == nullptr ? Cost::perMs - sinceTick_ : isScriptQuiet() ? watchdogTime() + 1 : 0;
   scanTicks_ = scriptedTicks_ = 0;
   if (script_ != nullptr) beginScript(lengthUs / 1000);
 

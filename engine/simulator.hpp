@@ -64,7 +64,8 @@ struct ScanRequest {
 class Simulator final : private Outside {
  public:
   /// Powers up into RUN after a download. The program must outlive the simulator. `outside`: gives the external values
-  /// and hears of errors in place of the simulator's own devices; may be nullptr.
+  /// and hears of errors in place of the simulator's own devices (where machine code runs, of each the first time); may
+  /// be nullptr.
   explicit Simulator(const Program& program, SimulatorOptions options = {}, Outside* outside = nullptr);
   ~Simulator() override;
 
@@ -168,6 +169,7 @@ class Simulator final : private Outside {
   void scripted(Runner& runner, ScanPlace place);
   void scriptedWrites(ScanPlace place);
   void endSave();
+  bool isScriptQuiet() const;
   void beginScript(std::uint32_t lengthMs);
   void endScript();
   void forgetEdges();
@@ -207,7 +209,7 @@ class Simulator final : private Outside {
   std::uint32_t lastScanUs_ = 0;
   std::uint64_t moment_ = 0;    ///< grows with every instant at which events may occur together
   std::uint64_t position_ = 0;  ///< within the scan, 10 ns
-  std::uint64_t nextMs_ = 0;    ///< position of the next tick of the 1 ms clock
+  std::uint64_t nextMs_ = 0;    ///< position at which the next boundary is looked at: that of the next 1 ms tick
   std::uint64_t watchdogFrom_ = 0;
   bool hasTimeError_ = false;  ///< OB80 was called in this scan for its length
   std::uint32_t pending_ = 0;  ///< time of the instruction that is running
@@ -230,8 +232,9 @@ class Simulator final : private Outside {
   /// The program as machine code, without and with its time; what was tried and is not there stays nullptr.
   std::array<std::unique_ptr<compiled::CompiledProgram>, 2> compiled_;
   std::array<bool, 2> isCompileTried_{};
-  bool hasFineTimers_ = false;  ///< timers that count single ms
-  bool savesMemory_ = false;    ///< the CPU's SM31.7 starts saving
+  bool hasFineTimers_ = false;     ///< timers that count single ms
+  bool touchesQueueBits_ = false;  ///< an instruction may write SM4.0 to SM4.2
+  bool savesMemory_ = false;       ///< the CPU's SM31.7 starts saving
   std::uint64_t compiledScans_ = 0;
   std::uint64_t referenceUntil_ = 0;  ///< scan up to which machine code, which has given up, is not tried again
   std::uint32_t givenUp_ = 0;         ///< times in a row

@@ -41,6 +41,15 @@ void Simulator::raiseTimer(const TimerUse& use, bool reached) {
   if (reached && eventOfTimer(use.number) >= 0) raise(eventOfTimer(use.number));
 }
 
+/// Whether nothing can come in front of an instruction of this scan: the script names no place, no event waits, no edge
+/// is remembered, and the CPU has no bit to reset there.
+bool Simulator::isScriptQuiet() const {
+  const bool namesNoPlace = script_->events.empty() && script_->ticks1.empty() && script_->writes.empty();
+  const auto isUnknown = [](int edge) { return edge == 0; };
+  if (!namesNoPlace || !queue_.empty() || !std::ranges::all_of(lastEdge_, isUnknown)) return false;
+  return !touchesQueueBits_ && (isStep7(target()) || (store_.load(Area::SM, 4 * 8, 8) & 7U) == 0);
+}
+
 void Simulator::beginScript(std::uint32_t lengthMs) {
   visits_.assign(costs_.size(), 0);
   scriptedMs_ = lengthMs;

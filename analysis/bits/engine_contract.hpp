@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <ctime>
 #include <cstdint>
+#include <ctime>
 #include <memory>
 #include <optional>
 #include <string>
@@ -50,6 +50,12 @@ struct Verdict {
 class Budget {
  public:
   using Clock = std::chrono::steady_clock;
+  /// s of processor time that the calling thread has taken.
+  static double threadSeconds() {
+    timespec used{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+    return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
+  }
   explicit Budget(Clock::time_point deadline, const std::atomic<bool>* cancel = nullptr,
                   const std::atomic<bool>* outer = nullptr)
       : deadline_(deadline), cancel_(cancel), outer_(outer) {}
@@ -65,10 +71,13 @@ class Budget {
     result.threadDeadline_ = threadSeconds() + s;
     return result;
   }
-  /// The same cancellation, but at most that many seconds from now.
+  /// The same cancellation and deadline, but at most that much of the processor's time of the calling thread, which
+  /// alone may ask; and not for ever where others have the processor.
   Budget slice(double s) const {
     Budget result = *this;
-    result.deadline_ = std::min(deadline_, seconds(s).deadline_);
+    const double most = threadSeconds() + s;
+    result.threadDeadline_ = threadDeadline_ > 0 ? std::min(threadDeadline_, most) : most;
+    result.deadline_ = std::min(deadline_, seconds(s * mostWait).deadline_);
     return result;
   }
   bool isExhausted() const {
@@ -77,14 +86,9 @@ class Budget {
   }
 
  private:
-  static bool isSet(const std::atomic<bool>* flag) { return flag != nullptr && flag->load(std::memory_order_relaxed); }
+  static constexpr double mostWait = 5;  ///< seconds for each of the processor's
 
-  /// s of processor time that the calling thread has taken.
-  static double threadSeconds() {
-    timespec used{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
-    return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
-  }
+  static bool isSet(const std::atomic<bool>* flag) { return flag != nullptr && flag->load(std::memory_order_relaxed); }
 
   Clock::time_point deadline_;
   const std::atomic<bool>* cancel_;

@@ -32,6 +32,8 @@ struct BoundTemplate {
   Node stopped = noNode;      ///< width 1: one of the words has reached a value at which it may stop; noNode: never
   Node difference = noNode;   ///< signed
   int left = -1, right = -1;  ///< of a difference of two words: their indices in BoundTemplates::words
+
+  friend bool operator==(const BoundTemplate&, const BoundTemplate&) = default;
 };
 
 struct BoundTemplates {

@@ -42,12 +42,16 @@ class BoundSearch {
         found_(boundTemplates(system, blast, known, seed, scope, budget)),
         templates_(found_.templates) {}
 
-  MinedBounds run() {
-    if (templates_.empty()) return {};
+  MinedBounds run(const std::vector<BoundTemplate>& tried) {
+    MinedBounds mined{templates_, false, {}, {}};
+    if (templates_.empty() || templates_ == tried) return mined;
     prepare();
     sample();
-    if (!holdInitially() || !makeInductive()) return {};
-    MinedBounds mined{result(), {}};
+    if (!holdInitially() || !makeInductive()) {
+      mined.isUnfinished = budget_.isExhausted();
+      return mined;
+    }
+    mined.clauses = result();
     for (const Pair& pair : pairs_) {
       if (graph_[pair.node].op == Op::Sub)
         mined.differences.push_back({summand(pair.left), summand(pair.right), pair.node});
@@ -367,8 +371,8 @@ class BoundSearch {
 }  // namespace
 
 MinedBounds mineBounds(const TransitionSystem& system, BitBlast& blast, const Invariants& known, std::uint64_t seed,
-                       BoundScope scope, const Budget& budget) {
-  return BoundSearch(system, blast, known, seed, scope, budget).run();
+                       BoundScope scope, const Budget& budget, const std::vector<BoundTemplate>& tried) {
+  return BoundSearch(system, blast, known, seed, scope, budget).run(tried);
 }
 
 }  // namespace rungproof

@@ -16,13 +16,16 @@
 namespace rungproof {
 
 struct MinedBounds {
+  std::vector<BoundTemplate> templates;  ///< what was looked for
+  bool isUnfinished = false;             ///< the budget ended
   std::vector<Node> clauses;
   std::vector<KeptDifference> differences;  ///< of two words, for all clauses that bound one
 };
 
 /// Clauses (nodes of width 1 over states) that hold in all reachable states, given `known` ones, which are literals of
-/// `blast`. Adds nodes to its graph and gates to its bits. Nothing if there are no such words or the budget ends.
+/// `blast`. Adds nodes to its graph and gates to its bits. Nothing if there are no such words, if the budget ends, or
+/// if the very `tried` templates would be looked for again.
 MinedBounds mineBounds(const TransitionSystem& system, BitBlast& blast, const Invariants& known, std::uint64_t seed,
-                       BoundScope scope, const Budget& budget);
+                       BoundScope scope, const Budget& budget, const std::vector<BoundTemplate>& tried = {});
 
 }  // namespace rungproof

@@ -1,5 +1,5 @@
 // Workers take the question that has had the least time, and of its engines that are not at work the one with the
-// least weighted time. Slices double.
+// least weighted time. Slices double. Engines that find what they find early get a share that shrinks as they go on.
 #include "analysis/portfolio/race.hpp"
 
 #include <algorithm>
@@ -20,15 +20,18 @@ struct EngineKind {
   Technique technique;
   std::string_view name;
   std::unique_ptr<Engine> (*make)(const BitSystem&, const EngineOptions&);
-  double weight;  ///< share of time relative to the others
+  double weight;                                ///< share of time relative to the others
+  double patience = schedule::tirelessSeconds;  ///< s, after which that share shrinks
 };
 constexpr std::array engineKinds = {
     EngineKind{Technique::Ic3, "IC3", makeIc3, schedule::ic3Weight},
     EngineKind{Technique::Bmc, "BMC", makeBmc, schedule::bmcWeight},
-    EngineKind{Technique::LongSimulation, "simulation", makeSimulation, schedule::simulationWeight},
-    EngineKind{Technique::Explicit, "explicit search", makeExhaustive, schedule::exhaustiveWeight},
-    EngineKind{Technique::HeldInputs, "held inputs", makeHeldInputs, schedule::heldInputsWeight},
-    EngineKind{Technique::KInduction, "k-induction", makeKInduction, schedule::kInductionWeight},
+    EngineKind{Technique::LongSimulation, "simulation", makeSimulation, schedule::simulationWeight,
+               schedule::runPatience},
+    EngineKind{Technique::Explicit, "explicit search", makeExhaustive, schedule::exhaustiveWeight,
+               schedule::runPatience},
+    EngineKind{Technique::HeldInputs, "held inputs", makeHeldInputs, schedule::heldInputsWeight, schedule::runPatience},
+    EngineKind{Technique::KInduction, "k-induction", makeKInduction, schedule::kInductionWeight, schedule::runPatience},
     EngineKind{Technique::WordIc3, "IC3 on words", nullptr, schedule::wordsWeight}};
 constexpr std::size_t onWords = engineKinds.size() - 1;  ///< made by the caller
 
@@ -101,7 +104,8 @@ class Race {
           const Runner& runner = contest.runners[e];
           if (runner.working || runner.ended) continue;
           // Questions with fewer workers and less time first, then engines with less weighted time.
-          const double rank = contest.workers * 1e6 + contest.used * 1e3 + runner.used / engineKinds[e].weight;
+          const double tired = 1 + runner.used / engineKinds[e].patience;
+          const double rank = contest.workers * 1e6 + contest.used * 1e3 + runner.used * tired / engineKinds[e].weight;
           if (found && rank >= best) continue;
           found = true;
           best = rank;
@@ -124,7 +128,7 @@ class Race {
       ++contest.workers;
       const double limit = std::min(runner.slice, std::max(perQuestion_ - contest.used, schedule::leastSlice));
       lock.unlock();
-      const Budget::Clock::time_point begin = Budget::Clock::now();
+      const double begin = Budget::threadSeconds();
       if (runner.engine == nullptr) {
         runner.own = engineKinds[task.engine].make(*questions_[task.question].system, engineOptions(task.question));
         runner.engine = runner.own.get();
@@ -132,7 +136,7 @@ class Race {
       const Verdict verdict =
           runner.engine->advance(Budget(options_.deadline, &contest.cancel, options_.cancel).slice(limit));
       const bool ended = runner.engine->isExhausted();
-      const double used = std::chrono::duration<double>(Budget::Clock::now() - begin).count();
+      const double used = Budget::threadSeconds() - begin;
       lock.lock();
       runner.working = false;
       runner.ended = ended || verdict.answer != Answer::Unknown;  // an engine is not asked again after an answer

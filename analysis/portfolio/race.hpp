@@ -21,7 +21,7 @@ struct RaceQuestion {
 };
 
 struct RaceOptions {
-  double seconds = 30;  ///< wall time for each question
+  double seconds = 30;  ///< for each question and thread, of the processor
   int jobs = 2;
   std::uint64_t seed = 1;
   int bound = 0;  ///< 0: no limit

@@ -56,10 +56,10 @@ class Stages {
       if (options_.check) mine();
       searchTogether(schedule::shortInduction, false);
       if (!open_.empty() && options_.check) runBeforeBounds();
-      for (const BoundScope scope : {BoundScope::Few, BoundScope::Stops, BoundScope::All, BoundScope::Pending}) {
-        if (!open_.empty() && options_.check && mineDifferences(scope)) searchTogether(schedule::shortInduction, false);
-      }
-      if (!open_.empty()) raceApart(options_.techniques, options_.seconds);
+      if (options_.check) searchUnderBounds();
+      const bool isQuick = options_.effort == Effort::Apart;
+      const double each = isQuick ? std::min(options_.seconds, schedule::quickRaceSeconds) : options_.seconds;
+      if (!open_.empty()) raceApart(options_.techniques, each);
     }
   }
   /// Bounds prove and show nothing: what waits for a timer and is wrong is often found by a moment's random runs.
@@ -71,6 +71,16 @@ class Stages {
     if (!runs.has(Technique::LongSimulation) || !options_.techniques.has(Technique::Bounds)) return;
     raceApart(runs, std::min(options_.seconds, schedule::runsBeforeBounds));
     std::erase_if(open_, [&](std::size_t q) { return answers_[q].answer != Answer::Unknown; });
+  }
+
+  /// Each scope looks for more bounds than the one before it: where that has not come to an end, none will.
+  void searchUnderBounds() {
+    tried_.clear();
+    areBoundsUnfinished_ = false;
+    for (const BoundScope scope : {BoundScope::Few, BoundScope::Stops, BoundScope::All, BoundScope::Pending}) {
+      if (open_.empty() || areBoundsUnfinished_) return;
+      if (mineDifferences(scope)) searchTogether(schedule::shortInduction, false);
+    }
   }
 
   void answerTogether() {
@@ -279,7 +289,10 @@ class Stages {
     const TechniqueTurn turn(options_.log, Technique::Bounds, open_.size());
     const MinedBounds mined = mineBounds(system_, *blast_, invariants_, options_.seed, scope,
                                          budget(std::min({options_.seconds * schedule::boundShare, schedule::mostMining,
-                                                          options_.left() * schedule::miningShare})));
+                                                          options_.left() * schedule::miningShare})),
+                                         tried_);
+    tried_ = mined.templates;
+    areBoundsUnfinished_ = mined.isUnfinished;
     if (mined.clauses.empty()) return false;
     blast_->add(mined.clauses);
     for (const Node n : mined.clauses) {
@@ -465,6 +478,8 @@ class Stages {
   std::unique_ptr<InvariantCores> cores_;         ///< of invariants_
   std::optional<Certificate> onWholeSystem_;      ///< of the verdict at hand, if it was found on words
   std::vector<KeptDifference> differences_;       ///< that bounds among invariants_ speak of
+  std::vector<BoundTemplate> tried_;              ///< what bounds were last looked for in this stage
+  bool areBoundsUnfinished_ = false;              ///< the time for them has ended
   std::vector<std::vector<Lit>> joinedClauses_;   ///< of blast_'s system
   std::vector<Node> joined_;                      ///< what they say
   Questions open_;                                ///< without answer; in a stage, of those that it is about

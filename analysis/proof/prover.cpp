@@ -74,7 +74,7 @@ class Session {
       const std::size_t i = order[done];
       const Clock::time_point start = Clock::now();
       // One question may use its own time, and what those before it have left of theirs is not saved up.
-      const bool isOfRule = i >= declared && !isAskedByProve(*checks[i - declared].rule);
+      const bool isOfRule = i >= declared && (options_.checks.lint || !isAskedByProve(*checks[i - declared].rule));
       const double most = isOfRule ? std::min(options_.timeout, options_.ruleTimeout) : options_.timeout;
       ProofResult row;
       if (i < declared)

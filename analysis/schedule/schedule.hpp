@@ -13,10 +13,11 @@
 #define RUNGPROOF_SCHEDULE(ROW) \
   /* A question and its time */ \
   ROW(double, questionSeconds, 60, "s", "for each question, where the caller says nothing") \
-  ROW(double, ruleSeconds, 2, "s", "for a question that only lint asks: there are hundreds of them") \
+  ROW(double, ruleSeconds, 2, "s", "for a question of a rule in lint: there are hundreds of them") \
   ROW(double, rulesShare, 0.75, "of lint --prove", "for all rules but those about power-up, which need a run of their own") \
   ROW(double, premiseSeconds, 5, "s", "for a question that a verdict is checked with, such as its premise") \
   ROW(double, quickSeconds, 0.5, "s", "for each question while all are looked at together") \
+  ROW(double, quickRaceSeconds, 0.12, "s", "of these for the race of the engines, which goes on where the question has its own time") \
   ROW(double, freeRealShare, 0.25, "of a question", "before REAL operations are written out: many proofs hold whatever they give") \
   ROW(std::size_t, writtenReals, 200, "operations", "of a goal that are written out as bits; more do not come to an end") \
   ROW(std::size_t, writtenForChecks, 12, "operations", "of a rule's question: there is one at each REAL operation") \
@@ -144,6 +145,8 @@
   ROW(double, exhaustiveWeight, 1, "parts of the time", "settles small systems, and says so when they are too large") \
   ROW(double, heldInputsWeight, 1, "parts of the time", "finds what waits for long counts") \
   ROW(double, kInductionWeight, 1, "parts of the time", "finds what follows from the last scans") \
+  ROW(double, runPatience, 0.1, "s", "of engines that find soon what they find: their share halves when they have worked so long") \
+  ROW(double, tirelessSeconds, 1e6, "s", "the same for those that get on as long as they work") \
   ROW(int, ctgLimit, 3, "states", "counterexamples to generalisation looked at for one literal") \
   ROW(double, activityGrowth, 1.05, "times", "that a cube counts more than the one before it, on bits and on words") \
   ROW(int, longestEpisode, 1 << 16, "scans", "of a random run") \

@@ -29,6 +29,7 @@ class ExploredProgram {
         domain_(outside_),
         wanted_(std::move(wanted)),
         found_(goals.size()) {
+    simulator_.readUnknownAsZero(true);  // as outside_ says
     for (const Property& property : assumptions_) nowAssumed_.emplace_back(property);
     for (const std::size_t goal : wanted_) nowGoals_.emplace_back(goals_[goal]);
   }

@@ -1,4 +1,5 @@
-// All inputs on, all off, then random ones that stay for 1 to some thousand scans.
+// All inputs on, all off, then random ones that stay for 1 to some thousand scans. Runs are sought on the fastest
+// engine; what they show counts once the reference engine has repeated it.
 #include "analysis/witness/guided_runs.hpp"
 
 #include <algorithm>
@@ -9,6 +10,8 @@
 #include "analysis/encoding/scan_inputs.hpp"
 #include "analysis/schedule/schedule.hpp"
 #include "analysis/witness/follower.hpp"
+#include "analysis/witness/state_pool.hpp"
+#include "engine/simulator.hpp"
 
 namespace rungproof {
 
@@ -18,6 +21,19 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint32_t endless = 1U << 30;
 constexpr std::size_t longestQueue = 16;  ///< of all CPUs (001:5488)
+
+/// What replay() gives where a script gives nothing.
+struct GuidedOutside final : Outside {
+  explicit GuidedOutside(bool ones) : areUnknownOnes(ones) {}
+  std::uint64_t external(const ExternalSite& site, int) override {
+    const bool isUnknown = site.kind == External::StackBottom || site.kind == External::LocalMemory ||
+                           site.kind == External::UnknownStatus;
+    return isUnknown && areUnknownOnes ? ~0ULL : quietExternal(site);
+  }
+  void report(Hazard, const Instruction*) override {}
+
+  const bool areUnknownOnes;
+};
 
 class GuidedSearch {
  public:
@@ -44,7 +60,9 @@ class GuidedSearch {
     std::uint64_t barren = 0;  // random scans
     for (int kind = 0; !isDone() && barren < most && used() < limits_.seconds; ++kind) {
       const double share = kind < schedule::plainRuns ? schedule::plainShare * (kind + 1) : 1;
-      const auto [made, hasShown] = follow(phases(kind), most, share * limits_.seconds);
+      const std::vector<ReplayScan> scans = phases(kind);
+      const auto [made, last] = seek(scans, most, share * limits_.seconds);
+      const bool hasShown = last && confirm(scans, *last);
       if (kind >= schedule::plainRuns) barren = (hasShown ? 0 : barren) + made + 1;
     }
     return std::move(found_);
@@ -97,58 +115,104 @@ class GuidedSearch {
     if (random_() % 2 == 0) scan.repeats = 1 + static_cast<std::uint32_t>(random_() % 3);
   }
 
-  struct Course {
-    std::uint64_t barren;  ///< scans since the last one that showed a goal
-    bool hasShown;
+  /// What is asked, followed along one run.
+  class Course {
+   public:
+    explicit Course(const GuidedSearch& search) : search_(search), domain_(outside_), isShown_(search.goals_.size()) {
+      for (const Property& assumption : search.assumptions_) assumptions_.emplace_back(assumption);
+      for (const Property* goal : search.goals_) goals_.emplace_back(*goal);
+    }
+
+    /// After a scan; false: nothing that comes later counts. `show`: is told of the goals that it shows first.
+    template <class Show>
+    bool look(const Concrete::Store& state, const ReplayScan& scan, Show&& show) {
+      const bool isFirst = count_++ == 0;
+      if (!hasScanEnd(state)) return false;
+      for (Follower& assumption : assumptions_) {
+        if (!assumption.evaluate(domain_, state, scan, isFirst)) return false;
+      }
+      bool isOpen = false;
+      for (std::size_t g = 0; g < goals_.size(); ++g) {
+        if (search_.found_[g] || isShown_[g]) continue;
+        isShown_[g] = goals_[g].evaluate(domain_, state, scan, isFirst);
+        isOpen = isOpen || !isShown_[g];
+        if (isShown_[g]) show(g);
+      }
+      return isOpen;
+    }
+    std::uint64_t count() const { return count_; }
+
+   private:
+    const GuidedSearch& search_;
+    StillOutside outside_;
+    Concrete domain_;
+    std::vector<Follower> assumptions_, goals_;
+    std::vector<bool> isShown_;
+    std::uint64_t count_ = 0;
   };
-  /// Ends after `most` scans in which nothing is shown, or when the search has lasted `seconds`.
-  Course follow(const std::vector<ReplayScan>& scans, std::uint64_t most, double seconds) {
-    struct NoOutside final : Outside {
-      std::uint64_t external(const ExternalSite&, int) override { return 0; }
-      void report(Hazard, const Instruction*) override {}
-    } outside;
-    Concrete domain(outside);
-    std::vector<Follower> assumptions, goals;
-    for (const Property& assumption : assumptions_) assumptions.emplace_back(assumption);
-    for (const Property* goal : goals_) goals.emplace_back(*goal);
-    std::vector<std::optional<std::pair<std::size_t, std::uint32_t>>> hits(
-        goals_.size());  // scan and round that showed it
-    std::uint64_t count = 0, shown = 0;
+
+  struct Sought {
+    std::uint64_t barren;               ///< scans since the last one that showed a goal
+    std::optional<std::uint64_t> last;  ///< the number of that scan, from 1
+  };
+  /// On the fastest engine. Ends after `most` scans in which nothing is shown, or when the search has lasted `seconds`.
+  Sought seek(const std::vector<ReplayScan>& scans, std::uint64_t most, double seconds) const {
+    GuidedOutside outside(choices_.is(Choice::UnknownBits, "one"));
+    Simulator simulator(program_, stillOptions(choices_), &outside);
+    simulator.readUnknownAsZero(!outside.areUnknownOnes);
+    Course course(*this);
+    std::uint64_t shown = 0;
+    const auto goesOn = [&] {
+      const std::uint64_t count = course.count();
+      return count - shown < most && (count % schedule::guidedScansBetweenLooks != 0 || used() < seconds) &&
+             simulator.isRunning();
+    };
+    for (const ReplayScan& scan : scans) {
+      ScanScript script = scan.script;
+      script.needsCauses = true;
+      for (const PresetValue& input : scan.inputs) simulator.write(input.operand, input.value);
+      for (std::uint32_t round = 0; round < scan.repeats; ++round) {
+        simulator.scan({.lengthUs = scan.lengthMs * 1000, .script = &script});
+        const bool isOpen = course.look(simulator.store(), scan, [&](std::size_t) { shown = course.count(); });
+        if (!isOpen || !goesOn()) return {course.count() - shown, shown == 0 ? std::nullopt : std::optional(shown)};
+      }
+    }
+    return {course.count() - shown, shown == 0 ? std::nullopt : std::optional(shown)};
+  }
+
+  /// What the reference engine shows in the first `last` scans; false: nothing.
+  bool confirm(const std::vector<ReplayScan>& scans, std::uint64_t last) {
+    Course course(*this);
     std::size_t step = ~std::size_t{0};
     std::uint32_t round = 0;
+    std::vector<std::optional<Witness>> shown(goals_.size());
     replay(program_, choices_, scans, nullptr, [&](const Concrete::Store& state, std::size_t at) {
       round = at == step ? round + 1 : 0;
       step = at;
-      const bool isFirst = count++ == 0;
-      if (!hasScanEnd(state)) return false;
-      for (Follower& assumption : assumptions) {
-        if (!assumption.evaluate(domain, state, scans[at], isFirst)) return false;
-      }
-      bool isOpen = false;
-      for (std::size_t g = 0; g < goals.size(); ++g) {
-        if (found_[g] || hits[g]) continue;
-        if (!goals[g].evaluate(domain, state, scans[at], isFirst)) {
-          isOpen = true;
-          continue;
-        }
-        hits[g] = {at, round};
-        shown = count;
-      }
-      return isOpen && count - shown < most && (count % schedule::guidedScansBetweenLooks != 0 || used() < seconds);
+      const bool isOpen = course.look(state, scans[at], [&](std::size_t goal) {
+        shown[goal] = witnessOf({scans.begin(), scans.begin() + static_cast<std::ptrdiff_t>(at) + 1}, round + 1);
+      });
+      return isOpen && course.count() < last;
     });
+    bool hasShown = false;
     for (std::size_t g = 0; g < goals_.size(); ++g) {
-      if (!hits[g]) continue;
-      const auto [at, rounds] = *hits[g];
-      std::vector<ReplayScan> way(scans.begin(), scans.begin() + static_cast<std::ptrdiff_t>(at) + 1);
-      way.back().repeats = rounds + 1;
-      Witness& witness = found_[g].emplace();
-      for (const ReplayScan& scan : way) {
-        witness.scanCount += scan.repeats;
-        witness.milliseconds += static_cast<std::uint64_t>(scan.repeats) * scan.lengthMs;
-      }
-      witness.scans = std::move(way);
+      if (!shown[g]) continue;
+      found_[g] = std::move(shown[g]);
+      hasShown = true;
     }
-    return {count - shown, shown != 0};
+    return hasShown;
+  }
+
+  /// `rounds`: of the last scan.
+  static Witness witnessOf(std::vector<ReplayScan> scans, std::uint32_t rounds) {
+    scans.back().repeats = rounds;
+    Witness witness;
+    for (const ReplayScan& scan : scans) {
+      witness.scanCount += scan.repeats;
+      witness.milliseconds += static_cast<std::uint64_t>(scan.repeats) * scan.lengthMs;
+    }
+    witness.scans = std::move(scans);
+    return witness;
   }
 
   const Program& program_;

@@ -177,6 +177,7 @@ struct Code {
   bool hasLoops = false;       ///< or other ways back
   bool countsTime = false;     ///< AddTime and AddTimeIf are there
   bool hasTerminals = true;    ///< PI and PQ are the terminals and no areas of the program
+  bool asksOutside = false;    ///< terminals, analog inputs or what is open at the start are read
   bool isStraight = false;     ///< no branches: what is to be left is left at the end, without a branch either
 };
 

@@ -1,7 +1,8 @@
 // When machine code runs the program of a scan: where nothing but the program itself decides what the scan leaves. No
-// event waits, nobody looks, nothing is forced or scripted, and no tick of the 1 ms clock that falls into the program
-// makes a difference there. Whatever else happens, the machine code gives up and the reference engine makes the scan.
-// A simulator owns its machine code, so that it is made and ends here too. Covered by tests/compiled.
+// event waits, nobody looks, nothing is forced, no script names a place in the scan, and no tick of the 1 ms clock that
+// falls into the program makes a difference there. Whatever else happens, the machine code gives up and the reference
+// engine makes the scan. A simulator owns its machine code, so that it is made and ends here too. Covered by
+// tests/compiled.
 #include "engine/compiled/compiled_program.hpp"
 #include "engine/simulator_hooks.hpp"
 #include "ir/s7200/special_memory.hpp"
@@ -15,6 +16,20 @@ SimulatorOptions optionsFor(const Program& program, SimulatorOptions options) {
   options.choices = choicesFor(program.target, options.choices);
   options.retentive = retentiveRanges(program, options.retentive);
   return options;
+}
+
+/// Whether an instruction may write the bits that tell of full queues, which the CPU resets (001:14113).
+bool touchesQueueBits(const Plan& plan) {
+  constexpr std::uint32_t byte = 4;
+  const auto mayTouch = [](const FlowStep& step) {
+    const std::vector<Operand>& operands = step.instruction->operands;
+    return std::ranges::any_of(operands, [&](const Operand& o) {
+      if (o.kind != OperandKind::Direct || o.area != Area::SM) return false;
+      const bool isRow = operands.size() > 1;
+      return o.offset <= byte && (isRow || o.offset + static_cast<std::uint32_t>(bytes(o.width)) > byte);
+    });
+  };
+  return std::ranges::any_of(plan.flows, [&](const Flow& flow) { return std::ranges::any_of(flow.steps, mayTouch); });
 }
 
 /// Scans after which a run is taken for long enough to pay for machine code.
@@ -36,6 +51,7 @@ Simulator::Simulator(const Program& program, SimulatorOptions options, Outside* 
       devices_(options_.clock, program.target),
       unknownIsZero_(outside == nullptr && options_.choices.is(Choice::UnknownBits, "zero")),
       random_(options_.seed) {
+  touchesQueueBits_ = touchesQueueBits(plan_);
   startClock(Reg::PhaseHundred, options_.phaseMs);
   prepareCosts();
   savesMemory_ = savesMemory(target());
@@ -48,7 +64,7 @@ Simulator::~Simulator() = default;
 
 bool Simulator::mayRunCompiled() {
   if (options_.engine == EngineKind::Reference) return false;
-  if (script_ != nullptr || observer_ != nullptr || outside_ != nullptr) return false;
+  if (observer_ != nullptr || (script_ != nullptr && (plan_.isStep7() || !isScriptQuiet()))) return false;
   if (!unknownIsZero_ || !forced_.empty() || !queue_.empty() || devices_.hasStartInformation()) return false;
   if (!isRunning() || store_.get(Reg::FirstScan, 0) != 0 || scanCount_ <= referenceUntil_) return false;
   return options_.engine == EngineKind::Compiled || scanCount_ > scansBefore;
@@ -71,10 +87,11 @@ bool Simulator::runCompiled(std::uint32_t lengthUs) {
   compiled::CompiledProgram* code = machineCode(false);
   if (code == nullptr) return false;
   const std::uint64_t asked = static_cast<std::uint64_t>(lengthUs) * Cost::perUs;
+  if (outside_ != nullptr && code->asksOutside()) return false;
   const auto takesAtMost = [&](std::uint64_t time) { return code->mostTime() && *code->mostTime() <= time; };
-  std::uint64_t most = nextMs_ - 1;  // no tick before the program ends
-  if (!takesAtMost(most) && !hasFineTimers_ && isQuietUntil(0)) most = watchdogTime();
-  if (!takesAtMost(std::min(asked, most))) code = machineCode(true);  // its end matters
+  std::uint64_t most = nextMs_ - 1;  // nothing before the program ends
+  if (script_ == nullptr && !takesAtMost(most) && !hasFineTimers_ && isQuietUntil(0)) most = watchdogTime();
+  if (!takesAtMost(script_ != nullptr ? most : std::min(asked, most))) code = machineCode(true);  // its end matters
   if (code == nullptr) return false;
   const std::optional<std::uint64_t> time = code->run(store_, machine_.ticks100, most, errors_);
   if (!time) {
