@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "analysis/bits/bit_system.hpp"
+#include "analysis/schedule/schedule.hpp"
 
 namespace rungproof {
 
@@ -77,7 +78,7 @@ class Budget {
     Budget result = *this;
     const double most = threadSeconds() + s;
     result.threadDeadline_ = threadDeadline_ > 0 ? std::min(threadDeadline_, most) : most;
-    result.deadline_ = std::min(deadline_, seconds(s * mostWait).deadline_);
+    result.deadline_ = std::min(deadline_, seconds(s * schedule::mostWait).deadline_);
     return result;
   }
   bool isExhausted() const {
@@ -86,8 +87,6 @@ class Budget {
   }
 
  private:
-  static constexpr double mostWait = 5;  ///< seconds for each of the processor's
-
   static bool isSet(const std::atomic<bool>* flag) { return flag != nullptr && flag->load(std::memory_order_relaxed); }
 
   Clock::time_point deadline_;

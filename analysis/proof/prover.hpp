@@ -25,7 +25,7 @@ struct ProverOptions {
   std::optional<std::vector<RetentiveRange>> retentive{};  ///< nothing: the CPU's default
   double timeout = schedule::questionSeconds;  ///< seconds per question; encoding and checks of certificates count
   double total = 0;                            ///< seconds for everything, encoding included; 0: no limit
-  double ruleTimeout = schedule::ruleSeconds;  ///< at most, for each question of a run with CheckGroups::lint or powerUp
+  double ruleTimeout = schedule::ruleSeconds;  ///< at most, for each question of a rule in lint
   int bound = 0;                               ///< scans that bounded search may look at; 0: no limit
   int jobs = 2;
   std::uint64_t seed = 1;

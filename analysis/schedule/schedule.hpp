@@ -17,6 +17,7 @@
   ROW(double, rulesShare, 0.75, "of lint --prove", "for all rules but those about power-up, which need a run of their own") \
   ROW(double, premiseSeconds, 5, "s", "for a question that a verdict is checked with, such as its premise") \
   ROW(double, quickSeconds, 0.5, "s", "for each question while all are looked at together") \
+  ROW(double, mostWait, 5, "s", "on the clock for each second of the processor, where others have it") \
   ROW(double, quickRaceSeconds, 0.12, "s", "of these for the race of the engines, which goes on where the question has its own time") \
   ROW(double, freeRealShare, 0.25, "of a question", "before REAL operations are written out: many proofs hold whatever they give") \
   ROW(std::size_t, writtenReals, 200, "operations", "of a goal that are written out as bits; more do not come to an end") \
