@@ -37,8 +37,9 @@ bool applies(const Site& site, int change) {
   const std::string& file = Mutation::instance().fileName(site);
   const std::string_view function = Mutation::instance().functionName(site);
   // The frame keeps the books of guards, which are all true where plain numbers run at all.
-  if (file == "guarded_run.hpp" || file == "flow_walk.hpp" || file == "scan.hpp" || file == "control.hpp")
-    return site.op == Op::Whole || function == "run";
+  const bool isFrame = file == "guarded_run.hpp" || file == "flow_walk.hpp" || file == "scan.hpp" ||
+                       file == "control.hpp" || (file == "machine.hpp" && function == "error");
+  if (isFrame) return site.op == Op::Whole || function == "run";
   return site.op != Op::Whole || change <= 2;
 }
 

@@ -96,13 +96,13 @@ struct ApplyFunction {
     D& d = a.d;
     const auto isDenormal = realKind(d, a.accu1()).isSmall;
     const auto x = normal(d, a.accu1());
-    const auto size = d.band(x, a.number(0x7FFFFFFF), 32);
-    const auto isNegative = d.land(d.bit(x, 31), d.lnot(d.equal(size, a.number(0), 32)));
+    const auto size = [&] { return d.band(x, a.number(0x7FFFFFFF), 32); };
+    const auto isZero = [&] { return d.equal(size(), a.number(0), 32); };
     auto isOutside = a.no();
-    if constexpr (function == RealFunction::Sqrt) isOutside = isNegative;
-    if constexpr (function == RealFunction::Ln) isOutside = d.lor(isNegative, d.equal(size, a.number(0), 32));
+    if constexpr (function == RealFunction::Sqrt) isOutside = d.land(d.bit(x, 31), d.lnot(isZero()));
+    if constexpr (function == RealFunction::Ln) isOutside = d.lor(d.bit(x, 31), isZero());
     if constexpr (function == RealFunction::ArcSin || function == RealFunction::ArcCos)
-      isOutside = d.ult(a.number(0x3F800000), size, 32);
+      isOutside = d.ult(a.number(0x3F800000), size(), 32);
     auto vanishes = a.no();
     if constexpr (function == RealFunction::Exp) vanishes = d.lnot(realKind(d, x).isInfinite);
     endReal(a, d.rfunction(static_cast<std::uint64_t>(function), x), isOutside, invalidFunction, vanishes, isDenormal);
