@@ -72,7 +72,7 @@ class FlowWalk {
       if constexpr (isConcrete) {
         if (!m_.guard) break;  // an interrupt routine in front of the instruction has ended the program
       } else {
-        m_.everyRun = onTheirWay_ == 0 ? std::optional(m_.guard) : std::nullopt;
+        m_.everyRun = isEvery && onTheirWay_ == 0 ? std::optional(m_.guard) : std::nullopt;
       }
       derived.execute(w, at);
     }
@@ -85,8 +85,10 @@ class FlowWalk {
   template <class Body>
   void withOwnRegisters(Body&& body) {
     const std::size_t outer = std::exchange(onTheirWay_, 0);
+    const std::optional<Bool> every = std::exchange(m_.everyRun, m_.guard);
     body();
     onTheirWay_ = outer;
+    m_.everyRun = every;
   }
 
   /// Runs body, which walks another block, where `condition` holds.

@@ -57,7 +57,7 @@ std::string smaller(std::string text, std::uint64_t seed, bool is400) {
 
 TEST(Encoder7, AgreesWithTheEngineOnRandomPrograms) {
   const std::uint64_t seed = number("RUNGPROOF_SEED", 40040601);
-  const auto wanted = static_cast<int>(number("RUNGPROOF_ENCODED", 400));
+  const auto wanted = static_cast<int>(number("RUNGPROOF_ENCODED", 15000));
   int scans = 0, programs = 0, exact = 0;
   std::map<std::string, int> reasons;
   for (; scans < wanted && programs < wanted; ++programs) {

@@ -36,6 +36,35 @@ TEST(Step7Call, FullAddressesMayOpenTheirBlockInTheCaller) {
   EXPECT_EQ(outcomeBehind("CALL FB 1, DB 3 (y := DB2.DBW 2);"), Outcome::Violated);
 }
 
+// A call that some runs make and others do not: the registers of the others are what they were. FC1 leaves 7 in ACCU1,
+// FC2 leaves 8, and both open DB1.
+TEST(Step7Call, RunsThatDoNotCallKeepTheirRegisters) {
+  const std::string blocks =
+      "DATA_BLOCK DB 1\nSTRUCT w : WORD; END_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n"
+      "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\nL 7;\nEND_FUNCTION\nFUNCTION FC 2 : VOID\nBEGIN\nNETWORK\nL 8;\n"
+      "END_FUNCTION\n";
+  const auto outcomes = [&](const std::string& properties, const std::string& statements) {
+    ProgramInput input;
+    input.program = readText("test.awl", blocks + "ORGANIZATION_BLOCK OB 1\n" + properties + "BEGIN\nNETWORK\n" +
+                                             statements + "\nEND_ORGANIZATION_BLOCK\n");
+    input.properties = readProperties(input.program, {}, lookupIn(input.program));
+    for (const Finding& finding : input.program.findings)
+      EXPECT_NE(finding.severity, Severity::Error) << finding.message;
+    std::vector<Outcome> found;
+    for (const ProofResult& result : prove(input.program, input.properties, usualOptions()).results)
+      found.push_back(result.outcome);
+    return found;
+  };
+  using enum Outcome;
+  EXPECT_EQ(outcomes("//@ prove a: MW20 = 7\n//@ prove b: MW20 = 3\n//@ prove c: MW20 = 3 or MW20 = 7\n",
+                     "L 3;\nA I 0.0;\nCC FC 1;\nT MW 20;"),
+            (std::vector{Violated, Violated, Proved}));
+  EXPECT_EQ(outcomes("//@ assume known: MW30 = 1 or MW30 = 2\n//@ external MW30..MW30\n//@ prove a: MW20 = 7\n"
+                     "//@ prove b: MW20 = 8\n//@ prove c: MW20 = 7 or MW20 = 8\n",
+                     "L 3;\nUC FC [MW 30];\nT MW 20;"),
+            (std::vector{Violated, Violated, Proved}));
+}
+
 /// The verdicts of the properties a, b, c of an OB1 with these directives and statements.
 std::vector<Outcome> outcomesOf(const std::string& directives, const std::string& statements) {
   ProgramInput input;
