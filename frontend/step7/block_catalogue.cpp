@@ -97,8 +97,10 @@ void BlockCatalogue::addNamed(const std::vector<SourceSyntax>& sources, Reports&
         key = named->second;
       if (!key && block.kind == BlockKind::Ob) key = organizationBlockNamed(block.name.symbol);
       if (!key && block.kind == BlockKind::Ob) {
-        reports.report(Syntax::BlockHeading7, block.name.span,
-                       fmt::format("no symbol table says which OB \"{}\" is", block.name.symbol));
+        reports.report(
+            Syntax::BlockHeading7, block.name.span,
+            fmt::format("nothing says which OB \"{}\" is: add the symbol table, or write its number such as OB 100",
+                        block.name.symbol));
         continue;
       }
       while (!key) {

@@ -167,6 +167,9 @@ class EvidenceReader {
       found_.s7200 += is7200 ? 1 : 0;
       found_.step7 += is7300 ? 1 : 0;
     }
+    // What a call gives its parameters.
+    for (std::size_t at = text.find(":="); isCode_ && at != std::string_view::npos; at = text.find(":=", at + 2))
+      operandOf(lettersInCapitals(trimmed(text.substr(at + 2))), first);
     const bool isGlued = end < text.size() && text[end] == '#' && end > 0 && isWordByte(text[end - 1]);  // W#5
     if (!isGlued) operandOf(lettersInCapitals(rest), first);
   }

@@ -55,6 +55,18 @@ TEST(Likeness, MnemonicsOfEachSource) {
   EXPECT_FALSE(named.isTied(2));
 }
 
+// Statements that both sets have in common, and operands that only one has, given to a block.
+TEST(Likeness, ParametersOfCallsTellTheSet) {
+  const std::vector<std::string_view> texts = {
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nCALL FC 1 (x := EW 10);\nL MW 0;\nEND_ORGANIZATION_BLOCK\n",
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nCALL FC 1 (\n  x := IW 10,\n  y := Q 4.0);\nL MW 0;\n"
+      "END_ORGANIZATION_BLOCK\n"};
+  const MnemonicVote vote(texts, Mnemonics::Auto);
+  EXPECT_EQ(vote.of(0), MnemonicSet::German);
+  EXPECT_EQ(vote.of(1), MnemonicSet::International);
+  EXPECT_FALSE(vote.isTied(0));
+}
+
 TEST(Likeness, ASilentSourceIsWrittenAsTheOthers) {
   const std::vector<std::string_view> texts = {"L MW 0;\nT MW 2;\n", "U E 0.0;\nSPB a;\n"};
   EXPECT_EQ(MnemonicVote(texts, Mnemonics::Auto).of(0), MnemonicSet::German);
