@@ -38,13 +38,28 @@ std::string firstDifference(const Simulator& reference, const Simulator& compile
 
 Operand place(Area area, Width width, std::uint32_t byte) { return direct(area, width, byte, 0); }
 
+/// Gives nothing.
+struct SilentOutside final : Outside {
+  std::uint64_t external(const ExternalSite&, int) override { return 0; }
+  void report(Hazard, const Instruction*) override {}
+};
+
 }  // namespace
 
 PairOutcome runBoth(const Program& program, RandomSource& random, const PairOptions& options) {
   SimulatorOptions forReference = options.engine, forCompiled = options.engine;
   forReference.engine = EngineKind::Reference;
   forCompiled.engine = EngineKind::Compiled;
-  Simulator reference(program, forReference), compiled(program, forCompiled);
+  SilentOutside silent;
+  Outside* outside = options.isScripted ? &silent : nullptr;
+  Simulator reference(program, forReference, outside), compiled(program, forCompiled, outside);
+  if (options.isScripted) {
+    reference.readUnknownAsZero(true);
+    compiled.readUnknownAsZero(true);
+  }
+  const ScanScript quiet;
+  ScanScript watchful;
+  watchful.events.push_back({{ScanPlace::startOfScan - 1, 0}, 0});
   PairOutcome outcome;
   for (; outcome.scans < options.scans; ++outcome.scans) {
     const auto write = [&](const Operand& operand, std::uint64_t value) {
@@ -61,7 +76,10 @@ PairOutcome runBoth(const Program& program, RandomSource& random, const PairOpti
     if (options.writesMemory && random.chance(20)) write(place(Area::M, Width::Byte, random.below(8)), random.value(8));
     ScanRequest request;
     request.lengthUs = random.chance(50) ? 10000 : 200 + random.below(options.longestUs);
+    if (options.isScripted) request.lengthUs = (1 + request.lengthUs / 1000) * 1000;
+    request.script = options.isScripted ? &watchful : nullptr;
     reference.scan(request);
+    if (options.isScripted) request.script = &quiet;
     compiled.scan(request);
     outcome.difference = firstDifference(reference, compiled);
     if (!outcome.difference.empty()) {

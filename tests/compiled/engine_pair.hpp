@@ -17,6 +17,9 @@ struct PairOutcome {
 struct PairOptions {
   int scans = 60;
   std::uint32_t longestUs = 30000;
+  /// Scans follow scripts that name no place in them, as random runs of the prover do; that of the reference engine has
+  /// an event where the program never is, so that it looks in front of every instruction.
+  bool isScripted = false;
   bool writesMemory = true;  ///< somebody writes into M and these 128 bytes between the scans
   Area words = Area::V;
   std::uint32_t firstByte = 0;

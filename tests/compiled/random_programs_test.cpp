@@ -15,17 +15,17 @@ int programCount(int byDefault) {
   return given == nullptr ? byDefault : std::atoi(given);
 }
 
-std::string differenceOf(const RandomProgram& random, std::uint64_t seed) {
+std::string differenceOf(const RandomProgram& random, std::uint64_t seed, const PairOptions& pair) {
   RandomSource inputs(seed);
-  return runBoth(random.program(), inputs).difference;
+  return runBoth(random.program(), inputs, pair).difference;
 }
 
-RandomProgram shrunk(RandomProgram failing, std::uint64_t seed) {
+RandomProgram shrunk(RandomProgram failing, std::uint64_t seed, const PairOptions& pair) {
   for (bool isSmaller = true; isSmaller;) {
     isSmaller = false;
     for (std::size_t i = failing.size(); i-- > 0;) {
       const RandomProgram smaller = failing.without(i);
-      if (differenceOf(smaller, seed).empty()) continue;
+      if (differenceOf(smaller, seed, pair).empty()) continue;
       failing = smaller;
       isSmaller = true;
     }
@@ -35,7 +35,7 @@ RandomProgram shrunk(RandomProgram failing, std::uint64_t seed) {
 
 /// Runs programs made with these options; at least `leastShare` percent of the scans must be compiled ones, or the
 /// test would compare the reference engine with itself.
-void compareAll(const GeneratorOptions& options, int count, int leastShare) {
+void compareAll(const GeneratorOptions& options, int count, int leastShare, const PairOptions& pair = {}) {
   const std::uint64_t seed = testSeed();
   std::uint64_t scans = 0, compiled = 0;
   for (int i = 0; i < count; ++i) {
@@ -43,12 +43,12 @@ void compareAll(const GeneratorOptions& options, int count, int leastShare) {
     RandomSource random(own);
     const RandomProgram program = randomProgram(random, options);
     RandomSource inputs(own);
-    const PairOutcome outcome = runBoth(program.program(), inputs);
+    const PairOutcome outcome = runBoth(program.program(), inputs, pair);
     scans += static_cast<std::uint64_t>(outcome.scans);
     compiled += outcome.compiled;
     if (outcome.difference.empty()) continue;
-    const RandomProgram small = shrunk(program, own);
-    FAIL() << "seed " << own << "\n" << small.text() << differenceOf(small, own);
+    const RandomProgram small = shrunk(program, own, pair);
+    FAIL() << "seed " << own << "\n" << small.text() << differenceOf(small, own, pair);
   }
   std::printf("%d programs, %llu scans, %llu compiled\n", count, static_cast<unsigned long long>(scans),
               static_cast<unsigned long long>(compiled));
@@ -67,6 +67,12 @@ TEST(RandomPrograms, WithLoopsAgree) {
 TEST(RandomPrograms, WithCallsAgree) { compareAll({.rungs = 6}, programCount(300), 20); }
 TEST(RandomPrograms, WithPointersAgree) { compareAll({.rungs = 6, .pointers = true}, programCount(300), 20); }
 TEST(RandomPrograms, WithInterruptsAgree) { compareAll({.rungs = 6, .interrupts = true}, programCount(300), 10); }
+TEST(RandomPrograms, UnderScriptsThatNameNoPlaceAgree) {
+  compareAll({.rungs = 6, .pointers = true}, programCount(300), 20, {.isScripted = true});
+}
+TEST(RandomPrograms, WithInterruptsUnderSuchScriptsAgree) {
+  compareAll({.rungs = 6, .interrupts = true}, programCount(300), 5, {.isScripted = true});
+}
 
 }  // namespace
 }  // namespace rungproof::test
