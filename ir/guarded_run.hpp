@@ -35,7 +35,7 @@ class GuardedRun {
 
   /// Whether the current guard is that one.
   bool isEveryRun() const {
-    if constexpr (requires(Bool b) { b.node; }) return everyRun && everyRun->node == guard.node;
+    if constexpr (requires { d.isSame(guard, guard); }) return everyRun && d.isSame(*everyRun, guard);
     return false;
   }
   /// Runs body under `condition`. Concrete skips it when false.

@@ -138,6 +138,8 @@ class Graph {
   Bool lor(Bool a, Bool b);
   Bool lxor(Bool a, Bool b);
   Bool select(Bool c, Bool a, Bool b);
+  /// Whether two conditions are one node; different nodes may still mean the same.
+  bool isSame(Bool a, Bool b) const { return a.node == b.node; }
   std::optional<bool> truth(Bool a) const;
   Bits literal(std::uint64_t v, int w);
   std::optional<std::uint64_t> known(Bits a) const;

@@ -71,7 +71,8 @@ class UseWalk {
         parts_.push_back({place.block, place.network});
       parts_.back().instructions.push_back(place.instruction->id);
       partOf_.push_back(parts_.size() - 1);
-      ties_.insert({place.block, tieOf(statementRole(*place.instruction)), parts_.size() - 1});
+      const Tie tie = tieOf(statementRole(*place.instruction));
+      if (tie != Tie::None) ties_.insert({place.block, tie, parts_.size() - 1});
     }
   }
 

@@ -1,7 +1,7 @@
 // All instruction meanings compiled for the mutated domain, and the changes to an instruction as a whole.
 #include "ir/s7200/dispatch.hpp"
 #include "ir/s7200/isa_list.hpp"
-#include "tests/mutation/mutated.hpp"
+#include "tests/mutation/every_entry.hpp"
 
 namespace rungproof {
 
@@ -16,16 +16,12 @@ void executeChanged(Machine<Mutated>& m, const Instruction& instruction) {
   if (change > 1) m.stack[static_cast<std::size_t>(change - 2)] = !m.stack[static_cast<std::size_t>(change - 2)];
 }
 
-template <std::size_t... i>
-constexpr std::array<Execute<Mutated>, sizeof...(i)> everyEntry(std::index_sequence<i...>) {
-  return {((void)i, &executeChanged)...};
-}
-
 }  // namespace
 
 template <>
 std::span<const Execute<Mutated>> dispatchTable<Mutated>() {
-  static constexpr auto table = everyEntry(std::make_index_sequence<isa::instructionTable.size()>{});
+  static constexpr auto table =
+      mutation::everyEntry<&executeChanged>(std::make_index_sequence<isa::instructionTable.size()>{});
   return table;
 }
 

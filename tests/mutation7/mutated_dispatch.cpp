@@ -3,7 +3,7 @@
 
 #include "ir/s7200/dispatch.hpp"
 #include "ir/s7300/isa_list.hpp"
-#include "tests/mutation/mutated.hpp"
+#include "tests/mutation/every_entry.hpp"
 
 namespace rungproof {
 
@@ -18,11 +18,6 @@ void executeChanged(Machine<Mutated>& m, const Instruction& instruction) {
   if (change == 2) m.step7.rlo = !m.step7.rlo;
 }
 
-template <std::size_t... i>
-constexpr std::array<Execute<Mutated>, sizeof...(i)> everyEntry(std::index_sequence<i...>) {
-  return {((void)i, &executeChanged)...};
-}
-
 }  // namespace
 
 /// Programs of the S7-200 are not mutated here.
@@ -33,7 +28,8 @@ std::span<const Execute<Mutated>> dispatchTable<Mutated>() {
 
 template <>
 std::span<const Execute<Mutated>> step7DispatchTable<Mutated>() {
-  static constexpr auto table = everyEntry(std::make_index_sequence<isa::step7::instructionTable.size()>{});
+  static constexpr auto table =
+      mutation::everyEntry<&executeChanged>(std::make_index_sequence<isa::step7::instructionTable.size()>{});
   return table;
 }
 
