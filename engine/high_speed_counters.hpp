@@ -32,6 +32,8 @@ class HighSpeedCounters {
 
   /// Start of a scan of `lengthMs`: takes up what the physical inputs did.
   void beginScan(Concrete::Store& store, std::uint32_t lengthMs, const RaiseEvent& raise);
+  /// Whether beginScan() was last called with the physical inputs as they are.
+  bool hasSeen(const Concrete::Store& store) const { return hasSeen_ && seen_ == store.terminals(Reg::PhysicalInput); }
   /// One ms of the scan. `ptoPulses`: pulses of PTO0 and PTO1 in it, for mode 12.
   void passMillisecond(Concrete::Store& store, const PulseCounts& ptoPulses, const RaiseEvent& raise);
   void reset();

@@ -17,6 +17,7 @@ constexpr std::uint64_t defaultStation = 2;  // of a CPU as delivered (not in th
 
 void Simulator::powerCycle() {
   store_ = powerCycledState(plan_, options_.choices, store_, *options_.retentive);
+  isCalm_ = false;
   queue_.clear();
   errors_.clear();
   devices_.reset();
@@ -27,6 +28,7 @@ void Simulator::powerCycle() {
 void Simulator::run() {
   if (isRunning()) return;
   enterRun(plan_, store_, options_.choices, *options_.retentive);
+  isCalm_ = false;
   queue_.clear();
   errors_.clear();
   devices_.reset();
@@ -41,7 +43,19 @@ void Simulator::startClock(Reg clock, std::uint32_t ms, std::uint32_t bit) {
   if (clock == Reg::ClockPhase) store_.set(clock, bit, ms % clockPeriods[bit], true);
 }
 
-void Simulator::stop() { store_.set(Reg::Running, 0, 0, true); }
+void Simulator::goOnFrom(const Concrete::Store& store, const Moment& moment) {
+  setStore(store);
+  scanCount_ = moment.scanCount;
+  now_ = moment.timeUs;
+  clockMs_ = moment.clockMs;
+  sinceTick_ = moment.sinceTick;
+  forgetInputEdges();
+}
+
+void Simulator::stop() {
+  isCalm_ = false;
+  store_.set(Reg::Running, 0, 0, true);
+}
 
 void Simulator::scan(const ScanRequest& request) {
   const std::uint32_t lengthUs = request.lengthUs != 0 ? request.lengthUs : options_.scanUs;
@@ -79,6 +93,16 @@ void Simulator::scanInRun(const ScanRequest& request, std::uint32_t lengthUs) {
   startMs_ = clockMs_;
   nextMs_ = script_ == nullptr ? Cost::perMs - sinceTick_ : isScriptQuiet() ? watchdogTime() + 1 : 0;
   scanTicks_ = scriptedTicks_ = 0;
+  isCalm_ = staysCalm(request, lengthUs);
+  if (isCalm_) {
+    beginCalmly(lengthUs);
+    isCalm_ = runCompiled(lengthUs);
+    if (isCalm_) return endCalmly(lengthUs);
+    lookAtInputs(lengthUs);
+    runProgram(runner);
+    passRest(runner, lengthUs);
+    return finishScan(lengthUs);
+  }
   if (script_ != nullptr) beginScript(lengthUs / 1000);
 
   Ticks<Concrete> ticks = takeTicks(machine_);
@@ -87,17 +111,23 @@ void Simulator::scanInRun(const ScanRequest& request, std::uint32_t lengthUs) {
   machine_.guard = true;
   if (script_ == nullptr) {
     endSave();
-    raiseInputEdges();
-    devices_.counters.beginScan(store_, std::max(lengthUs / 1000, 1U), [this](int event) { raise(event); });
+    lookAtInputs(lengthUs);
   }
   if (script_ != nullptr) scriptedWrites({ScanPlace::startOfScan});
   beginScan(machine_, ticks);
   for (const Area area : {Area::I, Area::AI}) forced_.apply(area, store_);
   for (const int event : request.events) raiseByStimulus(event);
-  if (!runCompiled(lengthUs)) runProgram(runner);
+  const bool isCompiled = runCompiled(lengthUs);
+  if (!isCompiled) runProgram(runner);
   if (observer_ != nullptr) observer_->programEnded(machine_);
   passRest(runner, lengthUs);
   finishScan(lengthUs);
+  isCalm_ = isCompiled && script_ == nullptr && becomesCalm();
+}
+
+void Simulator::lookAtInputs(std::uint32_t lengthUs) {
+  raiseInputEdges();
+  devices_.counters.beginScan(store_, std::max(lengthUs / 1000, 1U), [this](int event) { raise(event); });
 }
 
 void Simulator::finishScan(std::uint32_t lengthUs) {
@@ -128,6 +158,7 @@ std::uint64_t Simulator::read(const Operand& operand) const { return cellValue(s
 void Simulator::write(const Operand& operand, std::uint64_t value) { setCell(store_, operand, value); }
 
 void Simulator::writeByDevice(const Operand& operand, std::uint64_t value) {
+  isCalm_ = false;
   machine_.guard = true;
   setCell(store_, operand, value);
   const std::optional<DeviceEnd> end = endShownBy(machine_, operand, value);

@@ -110,14 +110,34 @@ class Simulator final : private Outside {
   /// In the scans to come, whether bits that the manual calls unknown are 0, without a question to `outside` and unseen
   /// by the observer.
   void readUnknownAsZero(bool isZero) { unknownIsZero_ = isZero; }
+  /// Says that `outside` gives 0 for what an S7-300/400 leaves open: registers at the start of an organization block,
+  /// first units of timers, modules that do not answer. Machine code takes that for granted.
+  void expectFreeZero() { freeIsZero_ = true; }
 
   const Concrete::Store& store() const { return store_; }
   /// Replaces the state, for a replay that starts elsewhere than at power-up.
   void setStore(const Concrete::Store& store) {
     store_ = store;
+    isCalm_ = false;
     queue_.clear();
     lastEdge_ = {};
   }
+  /// Where a run stands in time, beside its state.
+  struct Moment {
+    std::uint64_t scanCount = 0;
+    std::uint64_t timeUs = 0;     ///< since power-up
+    std::uint64_t clockMs = 0;    ///< ticks of the 1 ms clock
+    std::uint32_t sinceTick = 0;  ///< since the last of them, 10 ns
+  };
+  /// The same with the time, for a run that has never called for a device or an interrupt.
+  void goOnFrom(const Concrete::Store& store, const Moment& moment);
+  /// Of a scan of that length which begins `sinceTick` behind a tick of the 1 ms clock: up to this time (10 ns) after
+  /// its start the program may end without anything else having a part in what the scan leaves, as long as no event is
+  /// attached and no device runs. Nothing: the scan is longer than the CPU allows.
+  std::optional<std::uint64_t> quietTime(std::uint32_t lengthUs, std::uint32_t sinceTick) const;
+  /// What each instruction takes at most, 10 ns, by Instruction::id.
+  std::vector<std::uint32_t> longestTimes() const;
+
   const Plan& plan() const { return plan_; }
   const Target& target() const { return machine_.target; }
   const RunTimeErrors& errors() const { return errors_; }
@@ -150,12 +170,19 @@ class Simulator final : private Outside {
   void scanInRun(const ScanRequest& request, std::uint32_t lengthUs);
   void scanInStop(std::uint32_t lengthUs);
   void boundary(Runner& runner, const FlowStep* step);
+  void lookAtInputs(std::uint32_t lengthUs);
+  // calm_scan.cpp
+  bool becomesCalm() const;
+  bool staysCalm(const ScanRequest& request, std::uint32_t lengthUs) const;
+  void beginCalmly(std::uint32_t lengthUs);
+  void endCalmly(std::uint32_t lengthUs);
   // compiled/simulator_with_code.cpp
   bool runCompiled(std::uint32_t lengthUs);
   bool mayRunCompiled();
   compiled::CompiledProgram* machineCode(bool countsTime);
   // simulator_events.cpp
   void raiseInputEdges();
+  void forgetInputEdges();
   void raiseByStimulus(int event);
   void raise(int event);
   void raiseTimer(const TimerUse& use, bool reached);
@@ -198,7 +225,8 @@ class Simulator final : private Outside {
   Devices devices_;
   RunTimeErrors errors_;
   std::vector<Cost> costs_;
-  bool unknownIsZero_;  ///< bits that the manual calls unknown are read as 0
+  bool unknownIsZero_;       ///< bits that the manual calls unknown are read as 0
+  bool freeIsZero_ = false;  ///< `outside` gives 0 for what an S7-300/400 leaves open
 
   std::uint64_t now_ = 0;        ///< us since power-up, at the start of the scan
   std::uint64_t clockMs_ = 0;    ///< ticks of the 1 ms clock since power-up
@@ -232,6 +260,8 @@ class Simulator final : private Outside {
   /// The program as machine code, without and with its time; what was tried and is not there stays nullptr.
   std::array<std::unique_ptr<compiled::CompiledProgram>, 2> compiled_;
   std::array<bool, 2> isCompileTried_{};
+  bool isCalm_ = false;            ///< only the program decides what the next scan leaves (calm_scan.cpp)
+  std::uint64_t longestCalm_ = 0;  ///< 10 ns: longest scan that the CPU allows
   bool hasFineTimers_ = false;     ///< timers that count single ms
   bool touchesQueueBits_ = false;  ///< an instruction may write SM4.0 to SM4.2
   bool savesMemory_ = false;       ///< the CPU's SM31.7 starts saving

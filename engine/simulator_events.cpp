@@ -5,6 +5,7 @@
 
 #include "engine/simulator_hooks.hpp"
 #include "ir/s7200/event_cause.hpp"
+#include "ir/s7300/interrupt_lock.hpp"
 
 namespace rungproof {
 
@@ -17,13 +18,21 @@ void Simulator::raiseInputEdges() {
   }
 }
 
-/// An attached event enters its queue; a full queue loses it.
+/// The inputs are as the last scan has seen them.
+void Simulator::forgetInputEdges() {
+  for (std::size_t input = 0; input < edgeInputs.size(); ++input) {
+    const auto now = static_cast<std::uint32_t>(store_.get(Reg::PhysicalInput, edgeInputs[input].bit));
+    edgeInputs_ = (edgeInputs_ & ~(1U << input)) | now << input;
+  }
+}
+
+/// An attached event enters its queue; a full queue loses it, as does a lock of SFC 39.
 void Simulator::raise(int event) {
   if (!isRunning() || event < 0 || event >= blockEventEnd) return;
-  const auto routine = static_cast<int>(store_.get(Reg::EventRoutine, static_cast<std::uint32_t>(event)));
-  if (routine == 0) return;
+  const std::uint64_t content = store_.get(Reg::EventRoutine, static_cast<std::uint32_t>(event));
+  if (content == 0 || isLocked(event, content)) return;
   attention_ = true;
-  if (queue_.add(event, moment_, routine - 1)) return;
+  if (queue_.add(event, moment_, static_cast<int>(content) - 1)) return;
   if (plan_.isStep7()) return;  // no bit tells of it
   store_.save(Area::SM, 4 * 8 + static_cast<std::uint32_t>(eventInfo(event).group), 1, 1, true);
   report(Hazard::QueueOverflow, nullptr);
@@ -199,7 +208,8 @@ void Simulator::serveInterrupts(Runner& runner) {
 
 /// Runs the routine that the event has now, or had when it was queued (Choice::DetachedEvents).
 void Simulator::runRoutine(Runner& runner, const InterruptQueue::Waiting& waiting) {
-  const auto now = static_cast<int>(store_.get(Reg::EventRoutine, static_cast<std::uint32_t>(waiting.event)));
+  const auto now = static_cast<int>(
+      routineIn(waiting.event, store_.get(Reg::EventRoutine, static_cast<std::uint32_t>(waiting.event))));
   const int interrupted = std::exchange(priority_, isBlockEvent(waiting.event) ? priorityOf(waiting.event) : 0);
   runner.interrupt(now != 0 ? now - 1 : waiting.routine, true);
   priority_ = interrupted;

@@ -37,6 +37,18 @@ void Simulator::prepareCosts() {
   }
 }
 
+std::vector<std::uint32_t> Simulator::longestTimes() const {
+  std::vector<std::uint32_t> times;
+  for (const Cost& cost : costs_) times.push_back(std::max(cost.time[0], cost.time[1]));
+  return times;
+}
+
+std::optional<std::uint64_t> Simulator::quietTime(std::uint32_t lengthUs, std::uint32_t sinceTick) const {
+  const std::uint64_t asked = static_cast<std::uint64_t>(lengthUs) * Cost::perUs;
+  if (asked > watchdogTime()) return std::nullopt;
+  return hasFineTimers_ ? std::min<std::uint64_t>(asked, Cost::perMs - sinceTick - 1) : asked;
+}
+
 void Simulator::boundary(Runner& runner, const FlowStep* step) {
   if (!machine_.guard) return;
   if (script_ != nullptr) {
@@ -70,7 +82,9 @@ void Simulator::signal(Signal which, std::uint32_t index) {
       if (script_ != nullptr && isTimedEvent(static_cast<int>(index))) attachTimed(index);
       break;
     case Signal::EventDetached:
-      if (options_.choices.is(Choice::DetachedEvents, "dropped")) queue_.drop(static_cast<int>(index));
+      if (isBlockEvent(static_cast<int>(index)) ? machine_.isStartUp  // nothing has come before the start
+                                                : options_.choices.is(Choice::DetachedEvents, "dropped"))
+        queue_.drop(static_cast<int>(index));
       break;
     case Signal::EventsCleared: queue_.drop(static_cast<int>(index)); break;
     case Signal::WatchdogRestarted: watchdogFrom_ = position_; break;

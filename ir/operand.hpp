@@ -96,6 +96,8 @@ struct Reach {
   Operand pointer;
   std::uint8_t anyType = 0;    ///< PointerTo: code of the elements in an ANY (002:2257-2263)
   std::uint16_t anyCount = 0;  ///< PointerTo: number of elements in an ANY; of a STRING: its bytes
+  /// PointerTo: the place itself is meant, for a block of which it is not known whether it takes a pointer or a value.
+  bool isPlaceOrValue = false;
 };
 
 /// "I0.0", "VW10", "T37", "AC1", "*VD10", "&VB10", "16#FF", "sym"; the canonical international spelling.

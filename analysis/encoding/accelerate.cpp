@@ -3,10 +3,10 @@
 
 namespace rungproof {
 
-void accelerate(TransitionSystem& system, Node dt, int width, std::uint32_t longest,
+void accelerate(TransitionSystem& system, Node dt, int width, const TimeRange& ordinary,
                 const std::function<bool(Node)>& isTime) {
   Graph& graph = *system.graph;
-  const Graph::Bool isLong = graph.ult(graph.literal(longest, width), {dt}, width);
+  const Graph::Bool isLong = graph.ult(graph.literal(ordinary.high, width), {dt}, width);
   Graph::Bool steady = graph.constant(true);
   for (const StateVariable& state : system.states) {
     if (isTime(state.node)) continue;
@@ -30,6 +30,15 @@ void accelerate(TransitionSystem& system, Node dt, int width, std::uint32_t long
   }
   system.constraints.push_back(graph.lor(graph.lnot(isLong), steady).node);
   system.constraints.push_back(graph.lor(graph.lnot(wasLong), same).node);
+  // From twice the shortest on, every length is that of some scans in a row.
+  if (ordinary.high >= 2 * ordinary.low) return;
+  const Node scans = graph.variable("time.scans", width, false);
+  const auto together = [&](std::uint32_t length) { return graph.mul({scans}, graph.literal(length, width), width); };
+  const std::uint64_t most = Graph::maskOf(width) / ordinary.high;
+  const Graph::Bool fits =
+      graph.land(graph.ule(together(ordinary.low), {dt}, width), graph.ule({dt}, together(ordinary.high), width));
+  system.inputs.push_back(scans);
+  system.constraints.push_back(graph.land(graph.ule({scans}, graph.literal(most, width), width), fits).node);
 }
 
 }  // namespace rungproof

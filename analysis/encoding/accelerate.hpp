@@ -7,13 +7,14 @@
 
 #include <functional>
 
+#include "analysis/encoding/time_model.hpp"
 #include "analysis/graph/transition_system.hpp"
 
 namespace rungproof {
 
-/// Adds to a relaxed system the rule for long scans. `dt` and `width`: length of the scan in ms; `longest`: of an
-/// ordinary scan; isTime: state variables that only measure time.
-void accelerate(TransitionSystem& system, Node dt, int width, std::uint32_t longest,
+/// Adds to a relaxed system the rule for long scans, each as long as some number of ordinary ones can be. `dt` and
+/// `width`: length of the scan in ms; `ordinary`: of an ordinary scan; isTime: state variables that only measure time.
+void accelerate(TransitionSystem& system, Node dt, int width, const TimeRange& ordinary,
                 const std::function<bool(Node)>& isTime);
 
 }  // namespace rungproof

@@ -59,6 +59,7 @@ void ScanEncoding::restartTimed(int event, const Instruction& instruction, Graph
 /// by SFC 41 or because another block runs, is not stated.
 void ScanEncoding::signalled(Signal which, std::uint32_t index, Graph::Bool) {
   const int event = static_cast<int>(index);
+  if (which == Signal::EventDetached) return noteLock(event);
   const bool starts = which == Signal::EventAttached;
   if ((!starts && which != Signal::EventsCleared) || !isDelayEvent(event) || !attachments_.contains(event)) return;
   const Graph::Bool isHeldBack = graph.lor(graph.constant(machine_.inInterrupt),
@@ -67,6 +68,18 @@ void ScanEncoding::signalled(Signal which, std::uint32_t index, Graph::Bool) {
   if (graph.truth(isOpen) != false)
     leaveOut(machine_.current, "a delay interrupt may be due while it is held back", isOpen);
   if (starts) restartTimed(event, *machine_.current, graph.constant(true));
+}
+
+/// SFC 39 locks the event. One that waits, because of SFC 41 or of a block of the same or a higher priority, would
+/// still run afterwards: which those are is not kept.
+void ScanEncoding::noteLock(int event) {
+  if (!isBlockEvent(event) || !attachments_.contains(event) || machine_.isStartUp) return;
+  const int running = eventOfBlock(routine_);
+  const bool isBelow = machine_.inInterrupt && (running < 0 || priorityOf(event) <= priorityOf(running));
+  const Graph::Bool isHeldBack =
+      graph.lor(graph.constant(isBelow), graph.lnot(graph.equal(machine_.step7.delays, graph.literal(0, 8), 8)));
+  const Graph::Bool isOpen = here(graph.land(isHeldBack, graph.lnot(isLockedOut(event))));
+  if (graph.truth(isOpen) != false) leaveOut(machine_.current, "an interrupt may wait while it is locked", isOpen);
 }
 
 /// In front of ATCH, DTCH and CEVNT.

@@ -3,8 +3,31 @@
 
 #include "analysis/flow/access.hpp"
 #include "ir/s7200/special_memory.hpp"
+#include "ir/s7300/declarations.hpp"
 
 namespace rungproof {
+
+namespace {
+
+/// Every value of one to four bytes in what is declared from `byte` on.
+template <class Take>
+void eachValue(const s7300::Type& type, std::uint32_t byte, Take&& take) {
+  if (type.kind == s7300::TypeKind::Struct && type.structure) {
+    for (const s7300::Field& field : type.structure->fields) {
+      if (!field.byReference) eachValue(field.type, byte + field.byte, take);
+    }
+  } else if (type.kind == s7300::TypeKind::Array && type.element) {
+    // Bits of an array lie side by side; of more dimensions each row begins anew, which nothing is said of.
+    const auto size = static_cast<std::uint32_t>(s7300::sizeOf(*type.element));
+    const bool isRow = type.bounds.size() == 1 && size > 1;
+    for (std::uint32_t i = 0; isRow && i < type.bounds[0].count(); ++i)
+      eachValue(*type.element, byte + i * (size + size % 2), take);
+  } else if (const std::optional<Width> width = s7300::accessWidth(type)) {
+    take(byte, *width);
+  }
+}
+
+}  // namespace
 
 MemoryLayout::MemoryLayout(const Plan& plan) : blocks_(plan.blocks) {
   const Target& target = plan.program->target;
@@ -40,6 +63,14 @@ void MemoryLayout::add(const Program& program, const Plan& plan) {
   for (const std::uint32_t instance : plan.iecTimers) {
     for (const std::uint32_t bit : {0U, 6U, 12U}) add(Area::DB, Width::Bit, instance + bit);
     for (const std::uint32_t time : {2U, 8U, 18U}) add(Area::DB, Width::DWord, instance + time);
+  }
+  // An FB reaches the data of its instances through AR2: they are cut as they are declared.
+  for (const DataBlock& block : program.dataBlocks) {
+    if (block.instanceOf == 0 || program.declarations == nullptr) continue;
+    const auto structure = program.declarations->dataBlocks.find(block.number);
+    if (structure == program.declarations->dataBlocks.end()) continue;
+    const s7300::Type type{.kind = s7300::TypeKind::Struct, .structure = structure->second};
+    eachValue(type, 0, [&](std::uint32_t byte, Width width) { add(Area::DB, width, dataByte(block.number, byte)); });
   }
 }
 

@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t companionLimit = 12;  ///< cells that are tried
 constexpr std::size_t tupleLimit = 1024;
+constexpr std::size_t firstTuples = 64;  ///< in the first turn; twice as many in each that follows
 constexpr std::size_t coneLimit = 20000;  ///< nodes of the next-state functions
 constexpr int solverLimit = 4000;         ///< calls of the solver, so that the answer does not depend on the machine
 constexpr double walkSeconds = 10;
@@ -36,11 +37,19 @@ class PointerWalk {
     for (std::size_t i = 0; i < near.size(); ++i) {
       for (std::size_t j = i + 1; j < near.size(); ++j) attempts.push_back({near[i], near[j]});
     }
+    for (std::vector<Node>& others : attempts) others.insert(others.begin(), pointer_);
     const Budget budget = Budget::seconds(walkSeconds);
-    for (std::vector<Node>& others : attempts) {
-      others.insert(others.begin(), pointer_);
-      if (const auto values = follow(others, budget)) return values;
-      if (budget.isExhausted() || calls_ > solverLimit) break;
+    // Those that do not end need not be followed far before the others have had their turn.
+    for (std::size_t most = firstTuples; !attempts.empty(); most *= 2) {
+      most_ = std::min(most, tupleLimit);
+      std::vector<std::vector<Node>> longer;
+      for (const std::vector<Node>& cells : attempts) {
+        isCut_ = false;
+        if (const auto values = follow(cells, budget)) return values;
+        if (budget.isExhausted() || calls_ > solverLimit) return std::nullopt;
+        if (isCut_) longer.push_back(cells);
+      }
+      attempts = std::move(longer);
     }
     return std::nullopt;
   }
@@ -123,7 +132,8 @@ class PointerWalk {
         sat.add(differs);
         values.insert(next[0]);
         if (seen.insert(next).second) open.push_back(std::move(next));
-        if (seen.size() > tupleLimit || values.size() > limit_) return std::nullopt;
+        isCut_ = seen.size() > most_ && most_ < tupleLimit;
+        if (seen.size() > most_ || values.size() > limit_) return std::nullopt;
       }
       sat.add({-round});
     }
@@ -136,7 +146,9 @@ class PointerWalk {
   const std::size_t limit_;
   const std::function<void()>& interruption_;
   std::map<Node, StateVariable> states_;
-  int calls_ = 0;  ///< of the solver, in all attempts
+  std::size_t most_ = tupleLimit;  ///< tuples in this turn
+  bool isCut_ = false;             ///< the last attempt ended for that
+  int calls_ = 0;                  ///< of the solver, in all attempts
 };
 
 }  // namespace

@@ -153,7 +153,10 @@ RoutineEffects::RoutineEffects(const Plan& plan, const MemoryLayout& layout, con
       if (!isKeptAround(cell.place) && once->value(cell.place) != cell.start) written.push_back(cell.place);
     }
     // Whether the other routine comes at all may depend on it.
-    if (std::ranges::any_of(written, [](const Place& p) { return p.isRegister && p.reg == Reg::DelayPeriod; }))
+    if (std::ranges::any_of(written, [](const Place& p) {
+          const bool locks = p.reg == Reg::EventRoutine && isBlockEvent(static_cast<int>(p.at));
+          return p.isRegister && (p.reg == Reg::DelayPeriod || locks);
+        }))
       isOnePassEnough_ = false;
     std::ranges::sort(written);
     isOnePassEnough_ =
@@ -254,26 +257,43 @@ void RoutineEffects::findBounds(Trial& trial) {
     });
   }
   const auto end = std::chrono::steady_clock::now() + searchLimit;
-  // Those that are left are proved together; what one proof refutes is taken out and all is begun anew.
-  for (bool isStable = false; !isStable;) {
-    isStable = true;
-    std::vector<Node> assumed;
+  // Those that are left are proved together: a state in which one run breaks some of them takes these out.
+  for (;;) {
+    std::vector<Node> conditions, kept;
     for (const Written& w : all) {
-      for (const Bound& bound : w.bounds) assumed.push_back(bound.holds(graph, w.before, w.now));
+      for (const Bound& bound : w.bounds) conditions.push_back(bound.holds(graph, w.before, w.now));
     }
+    Graph::Bool isBroken = graph.constant(false);
     for (const auto& run : runs) {
       for (const auto& [index, after] : run) {
-        Written& w = all[index];
-        std::erase_if(w.bounds, [&](const Bound& bound) {
-          std::vector<Node> conditions = assumed;
-          conditions.push_back(graph.lnot({bound.holds(graph, w.before, after)}).node);
-          if (graph.truth({conditions.back()}) == false) return false;
-          const bool holds =
-              std::chrono::steady_clock::now() < end && satisfiable(graph, conditions, proofLimit) == false;
-          isStable = isStable && holds;
-          return !holds;
-        });
+        for (const Bound& bound : all[index].bounds) {
+          kept.push_back(bound.holds(graph, all[index].before, after));
+          isBroken = graph.lor(isBroken, graph.lnot({kept.back()}));
+        }
       }
+    }
+    conditions.push_back(isBroken.node);
+    std::vector<std::uint64_t> values;
+    const std::optional<bool> broken =
+        graph.truth(isBroken) == false ? false : satisfiable(graph, conditions, proofLimit, kept, &values);
+    if (broken == false) break;
+    // What is not decided in time is not claimed.
+    if (!broken || std::chrono::steady_clock::now() >= end) {
+      for (Written& w : all) w.bounds.clear();
+      break;
+    }
+    std::vector<std::set<std::size_t>> refuted(all.size());
+    auto value = values.begin();
+    for (const auto& run : runs) {
+      for (const auto& [index, after] : run) {
+        for (std::size_t i = 0; i < all[index].bounds.size(); ++i) {
+          if (*value++ == 0) refuted[index].insert(i);
+        }
+      }
+    }
+    for (std::size_t index = 0; index < all.size(); ++index) {
+      std::size_t i = 0;
+      std::erase_if(all[index].bounds, [&](const Bound&) { return refuted[index].contains(i++); });
     }
   }
   for (Written& w : all) bounds_[w.place] = std::move(w.bounds);

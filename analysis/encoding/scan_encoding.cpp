@@ -555,6 +555,7 @@ TransitionSystem ScanEncoding::system() {
   ts.states = time.states();
   std::map<std::uint32_t, TimerHint> timers;
   ts.inputs = time.inputs();
+  ts.steadySteps = time.steadySteps();
   ts.constraints = constraints_;
   for (std::size_t i = 0; i < cells().size(); ++i) {
     const Cell cell = cells()[i];
@@ -572,6 +573,7 @@ TransitionSystem ScanEncoding::system() {
     if (cell.place.reg == Reg::TimerBit) timers[cell.place.at].bit = cell.start;
     if (cell.place.reg == Reg::TimerInput) timers[cell.place.at].input = cell.start;
     if (cell.place.reg == Reg::TimerRunning) timers[cell.place.at].running = cell.start;
+    if (cell.place.reg == Reg::S5Rest) timers[cell.place.at].rest = cell.start;
   }
   for (const auto& [number, timer] : timers) ts.timers.push_back(timer);
   ts.states.insert(ts.states.end(), eventStates_.all.begin(), eventStates_.all.end());

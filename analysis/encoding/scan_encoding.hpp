@@ -133,6 +133,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   void endEvents();
   void interrupts(Runner& runner, std::uint32_t instruction);
   void noteAttachment(const Instruction& instruction);
+  void noteLock(int event);
   void restartTimed(int event, const Instruction& instruction, Graph::Bool runs);
   void timerReached(const TimerUse& use, Graph::Bool reached);
   void queueOne(int event, Graph::Bool condition);
@@ -148,6 +149,7 @@ class ScanEncoding final : private CellSource, private Graph::Listener {
   void endOverflow(const Round& round);
   Graph::Bool occurs(Round& round, int event);
   Graph::Bool isReady(int event);
+  Graph::Bool isLockedOut(int event);
   Graph::Bool isDue(std::uint32_t timer);
   Graph::Bool isNextDue(std::uint32_t timer);
   Graph::Bits periodOf(std::uint32_t timer);

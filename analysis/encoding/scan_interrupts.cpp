@@ -12,7 +12,7 @@
 // Events that follow from the time are counted: 10 and 11, and cyclic interrupts of an S7-300/400, come as often as
 // their period has passed, by the end of the scan at the latest and the one that is due for longer first; 21 and 22
 // come when their timer reaches its preset. Those that meet disabled interrupts wait, as many as the queue holds, and
-// run at the first place where they can.
+// run at the first place where they can. Events of a block that SFC 39 has locked pass at their places without a run.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,6 +22,7 @@
 #include "ir/s7200/event_cause.hpp"
 #include "ir/s7200/isa/comm.hpp"
 #include "ir/s7200/timer_refresh.hpp"
+#include "ir/s7300/interrupt_lock.hpp"
 
 namespace rungproof {
 
@@ -163,7 +164,8 @@ void ScanEncoding::endEvents() {
 // ---- Conditions --------------------------------------------------------------------------------------------
 
 Graph::Bool ScanEncoding::isAttached(int event, int routine) {
-  const Graph::Bits now = machine_.get(Reg::EventRoutine, static_cast<std::uint32_t>(event));
+  Graph::Bits now = machine_.get(Reg::EventRoutine, static_cast<std::uint32_t>(event));
+  if (isBlockEvent(event)) now = graph.band(now, graph.literal(lockBit - 1, 8), 8);
   return graph.equal(now, graph.literal(static_cast<std::uint64_t>(routine) + 1, 8), 8);
 }
 
@@ -171,6 +173,12 @@ Graph::Bool ScanEncoding::hasRoutine(int event) {
   Graph::Bool result = graph.constant(false);
   for (const int routine : attachments_.at(event)) result = graph.lor(result, isAttached(event, routine));
   return result;
+}
+
+/// SFC 39 lets the event be lost when it comes.
+Graph::Bool ScanEncoding::isLockedOut(int event) {
+  if (!isBlockEvent(event)) return graph.constant(false);
+  return graph.bit(machine_.get(Reg::EventRoutine, static_cast<std::uint32_t>(event)), 7);
 }
 
 Graph::Bool ScanEncoding::interruptsEnabled() {
@@ -232,6 +240,7 @@ Graph::Bool ScanEncoding::occurs(Round& round, int event) {
     return comes;
   }
   Graph::Bool possible = graph.land(hasRoutine(event), eventHasCause(machine_, event));
+  possible = graph.land(possible, graph.lnot(isLockedOut(event)));
   if (const auto last = eventStates_.lastEdge.find(edgeInputOf(event)); last != eventStates_.lastEdge.end()) {
     const auto same = static_cast<std::uint64_t>(edgeKind(event));
     possible = graph.land(possible, graph.lnot(graph.equal({last->second}, graph.literal(same, 2), 2)));
@@ -311,8 +320,10 @@ void ScanEncoding::interrupts(Runner& runner, std::uint32_t instruction) {
 void ScanEncoding::runEvent(Runner& runner, Round& round, int event) {
   EventStates& s = eventStates_;
   followEdges(event);
+  const Graph::Bool isLost = isLockedOut(event);
   const Graph::Bool ready = isReady(event);
-  if (graph.truth(here(ready)) == false) return;
+  const Graph::Bool mayCome = graph.lor(ready, graph.land(isLost, machine_.getBit(Reg::Running)));
+  if (graph.truth(here(mayCome)) == false) return;
   const auto waits = s.waiting.find(event);
   Graph::Bool waited = graph.constant(false);
   if (waits != s.waiting.end()) {
@@ -322,10 +333,10 @@ void ScanEncoding::runEvent(Runner& runner, Round& round, int event) {
       waited = graph.land(waited, {siteInput(event, round.where.instruction, 1)});
     }
   }
-  const Graph::Bool comes = graph.land(graph.lnot(waited), graph.land(ready, occurs(round, event)));
-  const Graph::Bool fires = graph.lor(waited, comes);
-  if (graph.truth(here(fires)) == false) return;
-  eventSites.push_back({round.where, event, here(fires).node, here(waited).node});
+  const Graph::Bool comes = graph.land(graph.lnot(waited), graph.land(mayCome, occurs(round, event)));
+  const Graph::Bool isNoticed = graph.lor(waited, comes);
+  if (graph.truth(here(isNoticed)) == false) return;
+  eventSites.push_back({round.where, event, here(isNoticed).node, here(waited).node});
   if (waits != s.waiting.end())
     become(waits->second, here(waited),
            graph.make(Op::Sub, queueBits, waits->second, graph.constantNode(1, queueBits)));
@@ -344,7 +355,7 @@ void ScanEncoding::runEvent(Runner& runner, Round& round, int event) {
   if (const auto last = s.lastEdge.find(edgeInputOf(event)); last != s.lastEdge.end())
     become(last->second, here(comes), graph.constantNode(static_cast<std::uint64_t>(edgeKind(event)), 2));
   machine_.when(comes, [&] { deviceEvent(machine_, event); });
-  runRoutines(runner, round, event, fires);
+  runRoutines(runner, round, event, graph.lor(waited, graph.land(comes, graph.lnot(isLost))));
 }
 
 /// The routine that the event has now.
@@ -409,8 +420,9 @@ void ScanEncoding::passTime(Round& round) {
       const auto timer = static_cast<std::uint32_t>(timerOfEvent(event));
       const Graph::Bool due = isDue(timer);
       if (graph.truth(here(due)) == false) continue;
-      round.mustGoOn = graph.lor(round.mustGoOn, graph.land(enabled, due));
-      const Graph::Bool waits = graph.land(due, graph.lnot(enabled));
+      const Graph::Bool runs = graph.land(due, graph.lnot(isLockedOut(event)));
+      round.mustGoOn = graph.lor(round.mustGoOn, graph.land(enabled, runs));
+      const Graph::Bool waits = graph.land(runs, graph.lnot(enabled));
       if (graph.truth(here(waits)) != false) {
         const std::size_t depth = queueDepth(machine_.target, EventGroup::Timed);
         const Graph::Bits many = graph.udiv({s.sinceLast[timer]}, periodOf(timer), w);
@@ -442,7 +454,8 @@ void ScanEncoding::moreRuns(Runner& runner, Round& round) {
     if (isTimerEvent(event)) continue;
     const Graph::Bool may =
         isTimedEvent(event) ? isDue(static_cast<std::uint32_t>(timerOfEvent(event))) : eventHasCause(machine_, event);
-    comesStill = graph.lor(comesStill, graph.land(may, isReady(event)));
+    const Graph::Bool runs = graph.land(isReady(event), graph.lnot(isLockedOut(event)));
+    comesStill = graph.lor(comesStill, graph.land(may, runs));
   }
   const Graph::Bool optional =
       graph.land(graph.lor(graph.land(round.hasChanged, comesStill), round.mayGoOn), graph.lnot(round.mustGoOn));

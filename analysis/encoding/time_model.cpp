@@ -110,6 +110,15 @@ void TimeModel::fixed(std::uint32_t length) {
   onesNow_ = one.value;
 }
 
+std::vector<std::uint64_t> TimeModel::steadySteps() const {
+  std::vector<std::uint64_t> steps;
+  if (low_ != high_) return steps;
+  for (const std::uint32_t base : {1U, 10U, 100U}) {
+    if (low_ % base == 0) steps.push_back(low_ / base);
+  }
+  return steps;
+}
+
 Node TimeModel::saturated(Node value, int width) {
   const int w = graph_[value].width;
   if (w == width) return value;

@@ -57,6 +57,8 @@ class TimeModel {
   /// What the transition system gets: state, inputs, and the constraint, which can always be met.
   const std::vector<StateVariable>& states() const { return states_; }
   const std::vector<Node>& inputs() const { return inputs_; }
+  /// Where the length is fixed: its ms, and its ticks of 10 and 100 ms where they are the same in every scan.
+  std::vector<std::uint64_t> steadySteps() const;
   /// noNode if the length is fixed.
   Node constraint() const { return constraint_; }
 

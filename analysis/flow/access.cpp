@@ -126,6 +126,10 @@ class AccessCollector {
   void pointed(std::size_t i, const Operand& o, VarSection section, bool isLibrary) {
     Operand place = o.reach->pointer;
     if (place.kind == OperandKind::Constant) place = direct(o.area, Width::Byte, o.offset, o.bit);
+    if (place.area == Area::T || place.area == Area::C) {  // a number for the statements of the block
+      add(i, place, Width::Bit, {}, false, true);
+      return add(i, place, Width::Bit, {}, true, true);
+    }
     const auto type = static_cast<AnyType>(o.reach->anyType);
     const bool isBits = type == AnyType::Bool;
     constexpr std::uint32_t mostElements = std::numeric_limits<std::uint16_t>::max();

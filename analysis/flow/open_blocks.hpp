@@ -53,7 +53,9 @@ void eachDataOperand(const Instruction& instruction, Visit&& visit) {
        i < instruction.operands.size(); ++i)
     visit(instruction.operands[i], isCall);
   for (const Operand& operand : instruction.operands) {
-    if (operand.reach != nullptr && operand.reach->way == Way::Pointer) visit(operand.reach->pointer, false);
+    if (operand.reach == nullptr) continue;
+    const bool isPlace = operand.reach->way == Way::PointerTo && operand.reach->pointer.reach != nullptr;
+    if (operand.reach->way == Way::Pointer || isPlace) visit(operand.reach->pointer, false);
   }
 }
 

@@ -63,7 +63,7 @@ enum class CodeOp : std::uint8_t {
   LoadMemory,     // `width` bits from byte `value` of `area`
   LoadSlots,      // the byte whose first slot is `value`
   LoadRegister,   // `value`: index among all registers
-  LoadTicks,      // 100 ms ticks of this scan
+  LoadTicks,      // of this scan, `value`: of 100 ms; where Code::isWholeScan, 1: of 10 ms, 2: of 1 ms
   LoadAt,         // `width` bits from byte a + `value` of `area`
   LoadStateWord,  // word `value` of those that the walk keeps, at the beginning of a block
   // Steps without a value.
@@ -177,7 +177,9 @@ struct Code {
   bool hasLoops = false;       ///< or other ways back
   bool countsTime = false;     ///< AddTime and AddTimeIf are there
   bool hasTerminals = true;    ///< PI and PQ are the terminals and no areas of the program
-  bool asksOutside = false;    ///< terminals, analog inputs or what is open at the start are read
+  bool asksOutside = false;    ///< terminals or analog inputs are read
+  bool takesFree = false;      ///< what an S7-300/400 leaves open is read, as 0
+  bool isWholeScan = false;    ///< with timers around the program; the first scan is one like others
   bool isStraight = false;     ///< no branches: what is to be left is left at the end, without a branch either
 };
 

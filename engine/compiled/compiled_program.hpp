@@ -26,6 +26,8 @@ class CompiledProgram {
   bool countsTime() const { return code_.countsTime; }
   /// Whether it reads inputs at once, which somebody else may give.
   bool asksOutside() const { return code_.asksOutside; }
+  /// Whether it reads what an S7-300/400 leaves open.
+  bool takesFree() const { return code_.takesFree; }
 
   /// Runs the program on `store`, as in a scan after the first one. `ticks100`: of that scan. `mostTime`: a program
   /// that takes longer is left. Errors that happened before are counted. Gives the time that the program took, 10 ns (0

@@ -312,7 +312,7 @@ Recorder::Bits Recorder::external(const ExternalSite& site, int width) {
     case External::UnknownResult: return literal(0, width);  // by Choice::UnknownBits, or nothing is compiled
     case External::RegisterAtStart:
     case External::AccessError:
-    case External::TimerPhase: code.asksOutside = true; return literal(0, width);
+    case External::TimerPhase: code.takesFree = true; return literal(0, width);
     case External::ImmediateInput: code.asksOutside = true; return store->get(Reg::PhysicalInput, site.index);
     case External::AnalogInput: code.asksOutside = true; return store->load(Area::AI, site.index * 8, width);
     default: return cannotFollow(width);

@@ -45,6 +45,7 @@ class Recorder {
   Code code;
   const Bool* guard = nullptr;  ///< of the machine that runs over this domain
   Store* store = nullptr;       ///< its memory
+  bool isAround = false;        ///< what is recorded is no instruction of the program: it may move any register
   LoopFacts* loops = nullptr;   ///< what earlier recordings of this program have found
 
   // ---- Domain interface; laws in ir/domain.hpp -----------------------------------------------------

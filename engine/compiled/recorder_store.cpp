@@ -224,7 +224,7 @@ bool Recorder::Store::isHere(Reg reg) const { return d_.code.hasTerminals || !Co
 Recorder::Bits Recorder::Store::get(Reg reg, std::uint32_t index) {
   if (reg == Reg::Reading) return d_.literal(model_.get(reg, index), 1);
   if (reg == Reg::Running) return d_.literal(1, 1);  // STOP leaves the compiled code
-  if (reg == Reg::FirstScan) return d_.literal(0, 1);
+  if (reg == Reg::FirstScan && !d_.code.isWholeScan) return d_.literal(0, 1);
   const int width = regInfo(reg).width;
   if (index >= model_.count(reg) || !isHere(reg)) return d_.cannotFollow(width);
   if (Concrete::Store::isTerminal(reg))
@@ -238,7 +238,7 @@ Recorder::Bits Recorder::Store::get(Reg reg, std::uint32_t index) {
 
 void Recorder::Store::set(Reg reg, std::uint32_t index, Bits value, Bool guard) {
   if (d_.truth(guard) == false) return;
-  if (index >= model_.count(reg) || !isProgramsOwn(reg) || !isHere(reg)) {
+  if (index >= model_.count(reg) || !(isProgramsOwn(reg) || d_.isAround) || !isHere(reg)) {
     d_.leave(guard);
     return;
   }

@@ -2,7 +2,9 @@
 #include "engine/compiled/recording.hpp"
 
 #include "engine/compiled/recorded_walk.hpp"
-#include "ir/s7200/scan.hpp"
+#include "ir/s7200/pulse_output.hpp"
+#include "ir/s7200/scan_cycle.hpp"
+#include "ir/s7200/special_memory.hpp"
 
 namespace rungproof::compiled {
 
@@ -71,15 +73,40 @@ struct RecordingHooks {
   }
 };
 
+/// What the CPU does to timers before the program of a scan and behind it.
+struct AroundProgram {
+  Machine<Recorder>& m;
+
+  Recorder::Bits ticks(std::uint64_t which) {
+    return {m.d.add({.op = CodeOp::LoadTicks, .width = 16, .value = which})};
+  }
+  void begin() {
+    m.d.isAround = true;
+    if (m.store.size(Area::SM) > 31 && savesMemory(m.target)) m.setSm(31, 7, m.d.constant(false));
+    refreshTimers(m, 10, ticks(1));
+    beginScanOfTimers(m);
+    m.d.isAround = false;
+  }
+  void end() {
+    m.d.isAround = true;
+    m.guard = m.d.constant(true);
+    const Recorder::Bits elapsed = ticks(2);
+    refreshTimers(m, 1, elapsed);
+    endScanOfTimers(m, m.d.zext(elapsed, 16, restBits));
+    m.d.isAround = false;
+  }
+};
+
 struct Recording {
   Code code;
   std::vector<std::vector<AccessCount>> accesses;
 };
 
 Recording recordOnce(const Plan& plan, const Concrete::Store& model, const InstructionTimes& times, bool countsTime,
-                     const std::vector<SlotByte>& slots, bool isStraight, LoopFacts& loops) {
+                     Extent extent, const std::vector<SlotByte>& slots, bool isStraight, LoopFacts& loops) {
   Recorder recorder;
   recorder.loops = &loops;
+  recorder.code.isWholeScan = extent == Extent::WholeScan;
   recorder.code.hasTerminals = !plan.isStep7();
   recorder.code.countsTime = countsTime;
   recorder.code.isStraight = isStraight;
@@ -89,16 +116,18 @@ Recording recordOnce(const Plan& plan, const Concrete::Store& model, const Instr
   machine.ticks100 = {recorder.add({.op = CodeOp::LoadTicks, .width = 16})};
   RecordingHooks hooks{recorder, times};
   Scan<Recorder, RecordingHooks> scan(machine, hooks);
+  if (extent == Extent::WholeScan) AroundProgram{machine}.begin();
   scan.program();
+  if (extent == Extent::WholeScan) AroundProgram{machine}.end();
   return {std::move(recorder.code), store.accesses()};
 }
 
 Recording record(const Plan& plan, const Concrete::Store& model, const InstructionTimes& times, bool countsTime,
-                 const std::vector<SlotByte>& slots, bool isStraight) {
+                 Extent extent, const std::vector<SlotByte>& slots, bool isStraight) {
   LoopFacts loops;
   while (true) {
     loops.isComplete = true;
-    Recording recording = recordOnce(plan, model, times, countsTime, slots, isStraight, loops);
+    Recording recording = recordOnce(plan, model, times, countsTime, extent, slots, isStraight, loops);
     if (loops.isComplete) return recording;
   }
 }
@@ -121,10 +150,11 @@ std::vector<SlotByte> slotsFor(const Recording& survey) {
 
 }  // namespace
 
-Code recorded(const Plan& plan, const Concrete::Store& model, const InstructionTimes& times, bool countsTime) {
-  const Recording survey = record(plan, model, times, countsTime, {}, false);
+Code recorded(const Plan& plan, const Concrete::Store& model, const InstructionTimes& times, bool countsTime,
+              Extent extent) {
+  const Recording survey = record(plan, model, times, countsTime, extent, {}, false);
   const bool isStraight = std::ranges::none_of(survey.code.steps, [](const Step& s) { return isBranch(s.op); });
-  return record(plan, model, times, countsTime || survey.code.hasLoops, slotsFor(survey), isStraight).code;
+  return record(plan, model, times, countsTime || survey.code.hasLoops, extent, slotsFor(survey), isStraight).code;
 }
 
 }  // namespace rungproof::compiled

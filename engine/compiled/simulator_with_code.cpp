@@ -55,6 +55,7 @@ Simulator::Simulator(const Program& program, SimulatorOptions options, Outside* 
   startClock(Reg::PhaseHundred, options_.phaseMs);
   prepareCosts();
   savesMemory_ = savesMemory(target());
+  longestCalm_ = watchdogTime();
   const bool hasClocks = !plan_.iecTimers.empty() || program.clockMemory ||
                          std::ranges::any_of(plan_.timers, [](const TimerUse& use) { return use.resolution == 1; });
   hasFineTimers_ = hasClocks && !(plan_.isStep7() && options_.choices.is(Choice::S5Time, "synchronous"));
@@ -63,8 +64,9 @@ Simulator::Simulator(const Program& program, SimulatorOptions options, Outside* 
 Simulator::~Simulator() = default;
 
 bool Simulator::mayRunCompiled() {
+  if (isCalm_) return true;
   if (options_.engine == EngineKind::Reference) return false;
-  if (observer_ != nullptr || (script_ != nullptr && (plan_.isStep7() || !isScriptQuiet()))) return false;
+  if (observer_ != nullptr || (script_ != nullptr && !isScriptQuiet())) return false;
   if (!unknownIsZero_ || !forced_.empty() || !queue_.empty() || devices_.hasStartInformation()) return false;
   if (!isRunning() || store_.get(Reg::FirstScan, 0) != 0 || scanCount_ <= referenceUntil_) return false;
   return options_.engine == EngineKind::Compiled || scanCount_ > scansBefore;
@@ -87,10 +89,10 @@ bool Simulator::runCompiled(std::uint32_t lengthUs) {
   compiled::CompiledProgram* code = machineCode(false);
   if (code == nullptr) return false;
   const std::uint64_t asked = static_cast<std::uint64_t>(lengthUs) * Cost::perUs;
-  if (outside_ != nullptr && code->asksOutside()) return false;
+  if (outside_ != nullptr && (code->asksOutside() || (code->takesFree() && !freeIsZero_))) return false;
   const auto takesAtMost = [&](std::uint64_t time) { return code->mostTime() && *code->mostTime() <= time; };
   std::uint64_t most = nextMs_ - 1;  // nothing before the program ends
-  if (script_ == nullptr && !takesAtMost(most) && !hasFineTimers_ && isQuietUntil(0)) most = watchdogTime();
+  if (script_ == nullptr && !takesAtMost(most) && !hasFineTimers_ && (isCalm_ || isQuietUntil(0))) most = longestCalm_;
   if (!takesAtMost(script_ != nullptr ? most : std::min(asked, most))) code = machineCode(true);  // its end matters
   if (code == nullptr) return false;
   const std::optional<std::uint64_t> time = code->run(store_, machine_.ticks100, most, errors_);

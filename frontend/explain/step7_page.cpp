@@ -89,8 +89,8 @@ Step7Page pageOfOb(int number, const s7300::OrganizationBlock& row, const Paint&
   appendRows(page.text,
              {{"Started by", std::string(row.event)},
               {"Kind", numbersOf(row)},
-              {"Model", row.isModelled ? std::string(covered)
-                                       : fmt::format("{}: {}", covered, gapReason(s7300::Gap::OrganizationBlock))},
+              {"Exists on", std::string(startedByText(row.startedBy))},
+              {"Model", row.isModelled ? std::string(covered) : fmt::format("{}: {}", covered, gapReasonOf(row))},
               {"Manual", manualPlace(row.manual)}},
              16);
   page.json = {{"block", name}, {"kind", row.kind}, {"event", row.event}, {"model", covered}, {"manual", row.manual}};
@@ -100,12 +100,14 @@ Step7Page pageOfOb(int number, const s7300::OrganizationBlock& row, const Paint&
 std::string nameOfBlock(const s7300::LibraryBlock& block) { return blockName(blockNumber(block.type, block.number)); }
 
 constexpr std::string_view contractOnly = "contract only: every output is any value after each call";
+constexpr std::string_view outputsOnly =
+    "modelled: what it does to interrupts, errors or the watchdog; every output is any value after each call";
 
 constexpr std::string_view beyondParameters = "NOT COVERED: it changes more than the places that its calls name";
 
 /// modelled, or how far the model goes.
 std::string_view modelOf(const s7300::LibraryBlock& block) {
-  if (step7::isContractOnly(block)) return contractOnly;
+  if (step7::isContractOnly(block)) return actsOnCpu(block) ? outputsOnly : contractOnly;
   if (isBuiltIn(block)) return "modelled";
   return step7::isModelled(block) ? "modelled: its statements are known" : "NOT COVERED: only its parameters are known";
 }

@@ -18,6 +18,8 @@
 #include "frontend/stl/operand_reader.hpp"
 #include "frontend/stl/stl_likeness.hpp"
 #include "frontend/stl/syntax_sink.hpp"
+#include "ir/s7300/block.hpp"
+#include "ir/s7300/organization_block.hpp"
 
 namespace rungproof {
 
@@ -44,6 +46,21 @@ ReadOptions readOptionsOf(const Settings& settings) {
 
 namespace {
 
+/// Where nothing says which of both families is meant, organization blocks that only an S7-400 starts do.
+void guessFamily(const Context& context, const Settings& settings, Program& program) {
+  if (settings.text(Opt::Dialect) != "auto" || step7Row(program.target.cpu).is400) return;
+  for (const Pou& pou : program.pous) {
+    if (pou.type != BlockType::Ob) continue;
+    const s7300::OrganizationBlock* row = s7300::organizationBlock(numberOfBlock(pou.number));
+    if (row == nullptr || row->startedBy != s7300::StartedBy::S7400) continue;
+    program.target.cpu = step7Cpu("417");
+    if (!settings.flag(Opt::Quiet))
+      context.err << fmt::format("rungproof: {} exists on the S7-400 only: taken for a CPU 417; --cpu names another\n",
+                                 blockName(pou.number));
+    return;
+  }
+}
+
 /// Without --cpu, a program with instructions that only the S7-200 SMART has is taken for its largest CPU. A CPU of
 /// another family than the program's is none for it.
 void guessCpu(const Context& context, const Settings& settings, Program& program) {
@@ -54,6 +71,7 @@ void guessCpu(const Context& context, const Settings& settings, Program& program
                                  cpuName(named), dialectOf(program.target).title, cpuName(program.target.cpu));
     return;
   }
+  if (isStep7(program.target)) return guessFamily(context, settings, program);
   for (const Pou& pou : program.pous) {
     for (const Network& network : pou.networks) {
       for (const Instruction& instruction : network.instructions) {
@@ -86,10 +104,20 @@ OperandLookup lookupIn(const Program& program) {
   };
 }
 
+namespace {
+
+/// Whether a CPU is named that has no cold restart; the largest CPUs, which stand for any, are not named.
+bool lacksColdStart(const Settings& settings) {
+  const Cpu cpu = settings.target().cpu;
+  return settings.isSet(Opt::Cpu) && isStep7(cpu) && !startsOn(*s7300::organizationBlock(102), cpu);
+}
+
+}  // namespace
+
 std::optional<std::string> applyProjectSettings(const Settings& settings, Program& program) {
   program.libraryMemory = settings.libraryMemory();
   program.cyclicPeriods = settings.cyclicPeriods();
-  program.coldStart = settings.text(Opt::Start) == "cold" && isStep7(program.target);
+  program.coldStart = settings.text(Opt::Start) == "cold" && isStep7(program.target) && !lacksColdStart(settings);
   program.cycleMonitoringMs = settings.cycleMonitoringMs();
   const std::optional<std::uint32_t> clock = settings.clockMemory();
   if (!clock || !isStep7(program.target)) return std::nullopt;
@@ -104,7 +132,11 @@ Program readFilesBy(const Context& context, const Settings& settings, const std:
   Program program = readProgram(expandFolders(files, settings), readOptionsOf(settings));
   guessCpu(context, settings, program);
   const std::optional<std::string> missing = applyProjectSettings(settings, program);
-  if (missing && !settings.flag(Opt::Quiet)) context.err << fmt::format("rungproof: no clock memory: {}\n", *missing);
+  if (settings.flag(Opt::Quiet)) return program;
+  if (missing) context.err << fmt::format("rungproof: no clock memory: {}\n", *missing);
+  if (isStep7(program.target) && settings.text(Opt::Start) == "cold" && !program.coldStart)
+    context.err << fmt::format("rungproof: a CPU {} has no cold restart: runs begin with a warm restart\n",
+                               cpuName(program.target.cpu));
   return program;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "analysis/flow/access_index.hpp"
+#include "analysis/unread/idle_blocks.hpp"
 #include "engine/trace.hpp"
 #include "frontend/sides/map_file.hpp"
 #include "frontend/simulation/trace_file.hpp"
@@ -187,6 +188,22 @@ void keepAssumptions(PropertySet& set) {
   std::erase_if(set.properties, [](const Property& property) { return property.isGoal(); });
 }
 
+/// Data blocks that neither program can open and nothing asks for. A map may pair them with others.
+void leaveOutIdleBlocks(Sides& sides) {
+  if (!sides.pairs.empty()) return;
+  NamedBlocks named;
+  for (const ProgramInput* input : {&sides.before, &sides.after}) {
+    named.addText(input->program);
+    named.addQuestions(input->properties);
+  }
+  for (const Operand& operand : sides.observed) named.add(operand);
+  for (const Property& assumption : sides.assumptions) {
+    for (const Operand* operand : addressesOf(assumption)) named.add(*operand);
+  }
+  leaveOutBlocks(sides.before.program, named);
+  leaveOutBlocks(sides.after.program, named);
+}
+
 }  // namespace
 
 void SideArguments::declare(ArgumentTable& table) {
@@ -251,6 +268,7 @@ Sides readSides(const Context& context, const SideArguments& arguments, std::vec
       return std::ranges::find(sides.leftOutBefore, line) != sides.leftOutBefore.end();
     });
   }
+  leaveOutIdleBlocks(sides);
   sides.unreadBefore = std::make_unique<UnreadCode>(sides.before.program, context.settings.choices());
   sides.unreadAfter = std::make_unique<UnreadCode>(sides.after.program, context.settings.choices());
   const auto whatRuns = [](const Program& program, const UnreadCode& unread) {

@@ -40,6 +40,8 @@ AnyType elementaryCode(TypeKind kind) {
     case TypeKind::Time: return AnyType::Time;
     case TypeKind::S5Time: return AnyType::S5Time;
     case TypeKind::DateAndTime: return AnyType::DateAndTime;
+    case TypeKind::Timer: return AnyType::Timer;
+    case TypeKind::Counter: return AnyType::Counter;
     default: return AnyType::Byte;
   }
 }
@@ -64,8 +66,10 @@ Elements elementsOf(const Type& type) {
   return {elementaryCode(type.kind), 1};
 }
 
-Elements elementsOf(Width width) {
-  switch (width) {
+Elements elementsOf(const rungproof::Operand& operand) {
+  if (operand.area == Area::T) return {AnyType::Timer};
+  if (operand.area == Area::C) return {AnyType::Counter};
+  switch (operand.width) {
     case Width::Bit: return {AnyType::Bool};
     case Width::Byte: return {AnyType::Byte};
     case Width::Word: return {AnyType::Word};
@@ -73,13 +77,24 @@ Elements elementsOf(Width width) {
   }
 }
 
-/// Places that a pointer can be made of when the call is made.
+bool isTimerOrCounter(const BoundOperand& bound) {
+  return bound.operand.area == Area::T || bound.operand.area == Area::C;
+}
+
+/// Places that a pointer can be made of when the call is made; of timers and counters an ANY can.
 bool hasAddress(const BoundOperand& bound) {
   const rungproof::Operand& operand = bound.operand;
-  if (!operand.isMemory() || bound.block || operand.area == Area::T || operand.area == Area::C) return false;
+  if (!operand.isMemory() || bound.block) return false;
   if (operand.reach == nullptr) return true;
-  const bool isComplex = bound.type && s7300::isComplex(*bound.type);
-  return operand.reach->way == Way::Instance || (operand.reach->way == Way::Parameter && isComplex);
+  const bool isBlockNumber = bound.type && isNumberType(bound.type->kind) && !isTimerOrCounter(bound);
+  const Way way = operand.reach->way;
+  return way == Way::Instance || way == Way::OpenBlock || (way == Way::Parameter && !isBlockNumber);
+}
+
+/// The same where the block may take the actual parameter for a value: the place has to be certain.
+bool hasCertainPlace(const BoundOperand& bound) {
+  const bool isOpenBlock = bound.operand.reach != nullptr && bound.operand.reach->way == Way::OpenBlock;
+  return hasAddress(bound) && !isTimerOrCounter(bound) && !isOpenBlock;
 }
 
 rungproof::Operand pointerTo(rungproof::Operand place, Elements elements, std::string text) {
@@ -104,10 +119,18 @@ rungproof::Operand ofConstant(const Constant& constant) {
   static constexpr Area areas[] = {Area::PI, Area::I, Area::Q, Area::M, Area::DB, Area::DB, Area::L, Area::L};
   rungproof::Operand place = direct(areas[static_cast<std::size_t>(code)], Width::Byte, byte, bits & 7U);
   if (code == PointerArea::Db) place.offset = dataByte(constant.block, byte);
+  const Elements elements{static_cast<AnyType>(constant.anyType), constant.anyCount};
+  if ((code == PointerArea::Db && constant.block == 0) || code == PointerArea::Di) {  // in the block that is open
+    place.kind = OperandKind::Indirect;
+    Reach reach{};
+    reach.way = Way::OpenBlock;
+    reach.inDi = code == PointerArea::Di;
+    place.reach = std::make_shared<const Reach>(std::move(reach));
+    return pointerTo(place, elements, spellingOf(constant));
+  }
   rungproof::Operand pointer = rungproof::constant(bits, ConstantForm::Typed);
   if (code == PointerArea::L) pointer.value = bits | 0x01000000U;
   pointer.offset = constant.block;
-  const Elements elements{static_cast<AnyType>(constant.anyType), constant.anyCount};
   rungproof::Operand operand = pointerTo(place, elements, spellingOf(constant));
   Reach reach = *operand.reach;
   reach.pointer = std::move(pointer);
@@ -137,10 +160,10 @@ std::optional<rungproof::Operand> StatementBinder::pointerActual(const Argument&
       return fail(Syntax::CallList,
                   fmt::format("{} takes a pointer such as P#M 10.0{}", formal.name, wantsAny ? " BYTE 4" : ""));
     const auto code = static_cast<PointerArea>(bound.constant->value >> 24 & 7);
-    // Whose block is meant without a number, and how many elements without a type, is not stated.
-    const bool isOpen = (code == PointerArea::Db && bound.constant->block == 0) || code == PointerArea::Di ||
-                        (wantsAny && bound.constant->kind == ConstantKind::Pointer);
-    if (isOpen || bound.constant->block > lastDataBlock) return notCovered();
+    // How many elements are meant without a type is not stated.
+    const bool isOpen = wantsAny && bound.constant->kind == ConstantKind::Pointer;
+    const bool isInOpenBlock = (code == PointerArea::Db && bound.constant->block == 0) || code == PointerArea::Di;
+    if (isOpen || (mayBeValue && isInOpenBlock) || bound.constant->block > lastDataBlock) return notCovered();
     BoundOperand block;
     block.block = BlockKey{BlockKind::Db, bound.constant->block};
     if (refuseOpaque(block, span)) return std::nullopt;
@@ -160,14 +183,21 @@ std::optional<rungproof::Operand> StatementBinder::pointerActual(const Argument&
                                                 s7300::toString(*bound.type)));
     return bound.operand;
   }
-  const bool isFormal = bound.operand.reach != nullptr && bound.operand.reach->way == Way::Parameter;
-  const bool isNumber = bound.type && isNumberType(bound.type->kind);
-  if (!hasAddress(bound) && !(mayBeValue && isFormal && !isNumber)) return notCovered();
-  const Elements elements = bound.type ? elementsOf(*bound.type) : elementsOf(bound.operand.width);
+  if (isTimerOrCounter(bound) && !wantsAny && !bound.block)
+    return fail(Syntax::CallList,
+                fmt::format("{} takes a place in memory: only an ANY can name a timer or a counter", formal.name));
+  if (!(mayBeValue ? hasCertainPlace(bound) : hasAddress(bound))) return notCovered();
+  const Elements elements = bound.type ? elementsOf(*bound.type) : elementsOf(bound.operand);
   constexpr std::uint64_t mostElements = 65535;
   if (elements.count > mostElements) return notCovered();
   std::string text = bound.operand.text;
-  return pointerTo(bound.operand, elements, std::move(text));
+  rungproof::Operand operand = pointerTo(bound.operand, elements, std::move(text));
+  if (mayBeValue) {
+    Reach reach = *operand.reach;
+    reach.isPlaceOrValue = true;
+    operand.reach = std::make_shared<const Reach>(std::move(reach));
+  }
+  return operand;
 }
 
 }  // namespace rungproof::step7

@@ -119,7 +119,7 @@ class OperandWriter {
   /// A pointer constant as it was written, or the place whose pointer it is.
   std::string pointed(const rungproof::Operand& operand) const {
     const rungproof::Operand& place = operand.reach->pointer;
-    return place.kind == OperandKind::Constant ? pointer(operand.text) : text(place, false);
+    return operand.text.starts_with("P#") ? pointer(operand.text) : text(place, false);
   }
 
   std::string constantOf(const rungproof::Operand& operand) const {

@@ -196,6 +196,13 @@ class EvidenceReader {
         view.starts_with("L#") || view.starts_with("P#") || view.starts_with("#") || view.starts_with("%") ||
         view.find("[AR") != std::string_view::npos)
       ++found_.step7;
+    // E 0.0 behind a word of both families: the S7-200 writes letters and number together.
+    const auto known = wordEvidence().find(first);
+    const bool isOfBoth = known != wordEvidence().end() && known->second.isS7200 && known->second.isStep7();
+    const bool isApart = isOfBoth && hasNumber && digit > 0 && view[digit - 1] == ' ';
+    if (isApart && letterIs({"I",  "Q",  "M",  "E",  "A",  "IB", "QB", "MB", "EB", "AB",
+                             "IW", "QW", "MW", "EW", "AW", "ID", "QD", "MD", "ED", "AD"}))
+      ++found_.step7;
     if (letterIs({"V", "VB", "VW", "VD", "SM", "SMB", "SMW", "SMD", "AIW", "AQW", "AC", "HC", "SB", "VX"}) ||
         view.starts_with("*V") || view.starts_with("&V"))
       ++found_.s7200;

@@ -52,11 +52,13 @@ std::size_t behindCharacters(std::string_view text, std::size_t at, std::size_t 
   return at;
 }
 
+constexpr std::size_t columnsBeforeName = 4, nameColumns = 24, addressColumns = 12, typeColumns = 10;
+
 /// `126,` name 24, address 12, type 10, comment.
 ListRow columnRow(std::string_view text, std::size_t begin, std::size_t end) {
   ListRow row;
-  std::size_t at = begin + 4;
-  for (const std::size_t width : {24U, 12U, 10U, 80U}) {
+  std::size_t at = begin + columnsBeforeName;
+  for (const std::size_t width : {nameColumns, addressColumns, typeColumns, std::size_t{80}}) {
     const std::size_t stop = behindCharacters(text, at, end, width);
     row.push_back(tightened(text, at, stop));
     at = stop;
@@ -145,6 +147,56 @@ std::optional<Operand> addressOfRow(std::string_view text, ListCell cell, Mnemon
   return isWhole && isAddress ? std::optional(outcome.operand) : std::nullopt;
 }
 
+/// Where characters of a row of fixed columns stand that are not in their columns, and what is wrong there.
+struct Misalignment {
+  ListCell place;
+  std::string message;
+};
+
+/// Of the words of a line that are an address, whose number may stand apart from its letters, those nearest to `where`.
+std::optional<ListCell> addressNear(std::string_view text, ListCell line, std::size_t where, MnemonicSet set,
+                                    std::uint32_t file) {
+  std::optional<ListCell> nearest;
+  const auto distance = [&](std::size_t at) { return at > where ? at - where : where - at; };
+  const auto isBlankAt = [&](std::uint32_t at) { return at >= line.end || text[at] == ' '; };
+  for (std::uint32_t begin = line.begin; begin < line.end; ++begin) {
+    if (isBlankAt(begin) || (begin > line.begin && !isBlankAt(begin - 1))) continue;
+    std::uint32_t end = begin;
+    for (int words = 0; words < 2 && end < line.end; ++words) {
+      while (end < line.end && isBlankAt(end)) ++end;
+      while (!isBlankAt(end)) ++end;
+      const ListCell cell{begin, end};
+      const bool isNearer = !nearest || distance(begin) < distance(nearest->begin);
+      if (isNearer && addressOfRow(text, cell, set, file)) nearest = cell;
+    }
+  }
+  return nearest;
+}
+
+/// A row that begins with `126,` and has its address elsewhere, or none.
+std::optional<Misalignment> misalignmentOf(std::string_view text, ListCell line, MnemonicSet set, std::uint32_t file) {
+  if (!text.substr(line.begin, line.end - line.begin).starts_with("126,")) return std::nullopt;
+  const std::size_t name = line.begin + columnsBeforeName;
+  const std::size_t address = behindCharacters(text, name, line.end, nameColumns);
+  const std::size_t type = behindCharacters(text, address, line.end, addressColumns);
+  const bool isTorn = type < line.end && type > address && text[type - 1] != ' ' && text[type] != ' ';
+  const ListCell cell = tightened(text, address, type);
+  if (!isTorn && addressOfRow(text, cell, set, file)) return std::nullopt;
+  const auto column = [&](std::size_t at) {
+    return 1 + std::ranges::count_if(text.substr(line.begin, at - line.begin),
+                                     [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80; });
+  };
+  constexpr std::size_t first = columnsBeforeName + nameColumns + 1, last = first + addressColumns - 1;
+  if (const auto found = addressNear(text, {static_cast<std::uint32_t>(name), line.end}, address, set, file)) {
+    const std::string_view written = text.substr(found->begin, found->end - found->begin);
+    return Misalignment{
+        *found, fmt::format("the address \"{}\" stands in columns {} to {}, not between {} and {}", excerpt(written),
+                            column(found->begin), column(found->end) - 1, first, last)};
+  }
+  return Misalignment{cell.begin < cell.end ? cell : line,
+                      fmt::format("no address stands in columns {} to {}", first, last)};
+}
+
 bool isTypeCell(std::string_view cell) {
   return s7300::typeNamed(cell).has_value() || cell.starts_with("FB") || cell.starts_with("UDT") ||
          cell.starts_with("DB") || cell.starts_with("OB") || cell.starts_with("FC") || cell.starts_with("SF");
@@ -214,6 +266,18 @@ bool isMnemonicOfAnyFamily(std::string_view name) {
 
 }  // namespace
 
+namespace {
+
+ListCell lineAround(std::string_view text, ListCell cell) {
+  const std::size_t before = text.substr(0, cell.begin).rfind('\n');
+  const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
+  std::size_t end = std::min(text.find('\n', cell.begin), text.size());
+  while (end > begin && text[end - 1] == '\r') --end;
+  return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+}
+
+}  // namespace
+
 std::vector<SymbolRow> readSymbolList(std::string_view text, MnemonicSet set, SyntaxSink& sink) {
   std::vector<SymbolRow> symbols;
   bool isFirst = true;
@@ -221,7 +285,10 @@ std::vector<SymbolRow> readSymbolList(std::string_view text, MnemonicSet set, Sy
     std::optional<SymbolRow> symbol = symbolOf(text, row, set, sink.file());
     const bool mayBeHeading = isFirst;
     isFirst = false;
-    if (symbol) {
+    if (const auto misaligned = misalignmentOf(text, lineAround(text, row.front()), set, sink.file())) {
+      sink.report(Syntax::SymbolColumns, sink.span(misaligned->place.begin, misaligned->place.end),
+                  misaligned->message);
+    } else if (symbol) {
       symbols.push_back(std::move(*symbol));
     } else if (!isNoSymbol(text, row, mayBeHeading)) {
       const Span span = sink.span(row.front().begin, row.back().end);

@@ -63,6 +63,7 @@ enum class Syntax : std::uint8_t {
   FamilyUndecided,
   NotModelled,
   LibraryBlock,
+  SymbolColumns,
   count
 };
 
@@ -172,6 +173,9 @@ inline constexpr std::array<SyntaxMessage, static_cast<std::size_t>(Syntax::coun
      "data blocks DB 1 to DB 8191 of at most 65535 bytes are modelled"},
     {Syntax::LibraryBlock, "SYN052", "Block of a library without a meaning in the model", Severity::Warning,
      "the network of the call is left out: what depends on it is not covered"},
+    {Syntax::SymbolColumns, "SYN053", "Row of a symbol table with fixed columns is out of line", Severity::Error,
+     "an .asc row has 126, and then 24 columns for the name, 12 for the address, 10 for the type, 80 for the comment; "
+     "export the table again"},
 }};
 
 constexpr const SyntaxMessage& syntaxMessage(Syntax code) { return syntaxMessages[static_cast<std::size_t>(code)]; }

@@ -55,6 +55,9 @@ enum class Choice : std::uint8_t {
   MainStack,
   MissingBlocks,
   S5Time,
+  OpenBlockPointer,
+  ParameterPointer,
+  HotRestart,
   count
 };
 
@@ -287,6 +290,25 @@ inline constexpr std::array<ChoiceInfo, static_cast<std::size_t>(Choice::count)>
      "S7-300/400: when an S5 timer of n units ends: n units after its start, seen when the next scan begins, or at any "
      "instruction, the first unit short by up to one time base",
      "003:1020"},
+    {Choice::OpenBlockPointer,
+     "open-block-pointer",
+     {"number", "zero", ""},
+     "S7-300/400: the data block in a POINTER or ANY for data that is written without its block (DBW 4, P#DBX 4.0 BYTE "
+     "2): the number of the open one, or 0",
+     "002:2193"},
+    {Choice::ParameterPointer,
+     "parameter-pointer",
+     {"actual", "unknown", ""},
+     "S7-300/400: where a POINTER or ANY leads that is made of an elementary parameter of an FC: to what its caller "
+     "gives, or to a place that is not known",
+     "002:2174"},
+    {Choice::HotRestart,
+     "hot-restart",
+     {"possible", "excluded", ""},
+     "S7-400 with OB101: whether the parameters of the CPU let it begin a hot restart; what that leaves is not stated, "
+     "so that nothing is proved beside OB101 unless it is excluded",
+     "002:1389",
+     ChoiceKind::Fact},
 }};
 
 inline constexpr std::size_t choiceCount = static_cast<std::size_t>(Choice::count);

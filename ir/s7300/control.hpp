@@ -10,6 +10,7 @@
 
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/handed_pointer.hpp"
+#include "ir/s7300/interrupt_lock.hpp"
 #include "ir/s7300/timer.hpp"
 
 namespace rungproof {
@@ -160,6 +161,10 @@ void Scan<D, Hooks>::systemCall(int number, const Instruction& call) {
       });
     }
   }
+  if ((number == lockInterrupts || number == unlockInterrupts) && call.operands.size() > 2) {
+    const Bits mode = d.extract(value(1, Width::Byte), 7, 0), block = d.extract(value(2, Width::Word), 15, 0);
+    lockEvents(number == lockInterrupts, mode, block);
+  }
   if (number == delayInterrupts || number == enableInterrupts) {
     const Bits none = d.literal(0, 8), one = d.literal(1, 8);
     const Bool isFree = d.equal(s.delays, none, 8);
@@ -177,6 +182,39 @@ void Scan<D, Hooks>::systemCall(int number, const Instruction& call) {
   if (number == replace && call.operands.size() > 1) {
     m_.put(s.replacement, value(1, Width::DWord), 32);
     m_.put(s.isReplaced, d.constant(true));
+  }
+}
+
+/// SFC 39 and 40: MODE 0 names all events (OB_NR 0), 1 a class by its first block, 2 a block; with 16#80 more nothing
+/// is written into the diagnostic buffer. Calls that say something else may be taken as if they said that, or refused.
+template <class D, class Hooks>
+void Scan<D, Hooks>::lockEvents(bool locks, Bits mode, Bits block) {
+  D& d = m_.d;
+  const auto blockIs = [&](int number) {
+    return d.equal(block, d.literal(static_cast<std::uint64_t>(number), 16), 16);
+  };
+  const auto modeIs = [&](std::uint64_t number) { return d.equal(d.extract(mode, 6, 0), d.literal(number, 7), 7); };
+  Bool isClass = d.constant(false);
+  for (int first = 10; first <= 80; first += 10) isClass = d.lor(isClass, blockIs(first));
+  Bool isPlain = d.lor(d.lnot(modeIs(0)), blockIs(0));
+  isPlain = d.land(isPlain, d.lor(d.lnot(modeIs(1)), isClass));
+  if (!locks) isPlain = d.land(isPlain, d.lnot(d.bit(mode, 7)));
+  constexpr std::uint32_t refusal = 0x30A;  // beside what instructions leave open
+  const Bool isTaken =
+      d.truth(isPlain) == true ? isPlain : d.lor(isPlain, m_.externalBit(External::UnknownResult, refusal));
+  for (int event = firstBlockEvent; event < blockEventEnd; ++event) {
+    const int number = blockOfEvent(event);
+    if (m_.plan.block(blockNumber(BlockType::Ob, number)) == nullptr) continue;
+    const Bool isOfClass = d.lor(blockIs(lockClassOf(number)), d.land(d.lnot(isClass), blockIs(number)));
+    Bool isNamed = d.lor(modeIs(0), d.land(modeIs(1), isOfClass));
+    isNamed = d.land(isTaken, d.lor(isNamed, d.land(modeIs(2), blockIs(number))));
+    const auto at = static_cast<std::uint32_t>(event);
+    m_.when(isNamed, [&] {
+      if (locks) m_.signal(Signal::EventDetached, at);
+      const Bits now = m_.get(Reg::EventRoutine, at);
+      m_.set(Reg::EventRoutine, at,
+             locks ? d.bor(now, d.literal(lockBit, 8), 8) : d.band(now, d.literal(lockBit - 1, 8), 8));
+    });
   }
 }
 

@@ -10,7 +10,7 @@ namespace {
 constexpr auto gapTable = std::to_array<GapRow>({
     {Gap::OrganizationBlock, "organization blocks other than", "what starts it is not modelled"},
     {Gap::PointerParameter,
-     "timers, counters, data of an open block and elementary parameters of an FC as actual parameters of type POINTER "
+     "numbers of blocks, pointers without a type and places that a pointer finds as actual parameters of type POINTER "
      "and ANY",
      "the pointer to it is not modelled"},
     {Gap::ParameterAddress, "`P##` of an elementary parameter of an FC, or of a part of a parameter",
@@ -21,8 +21,6 @@ constexpr auto gapTable = std::to_array<GapRow>({
      "in "
      "their instances",
      "what stands there, and when, is not known"},
-    {Gap::InterruptControl, "SFC 39, 40 beside organization blocks that interrupt OB1",
-     "interrupts that are locked are not modelled"},
     {Gap::MissingBlock, "blocks that no file defines", "it is in no file"},
     {Gap::ProtectedBlock, "protected blocks", "its statements are in no file"},
     {Gap::HighDataBlock, "data blocks above DB8191", "its number is too high"},

@@ -17,7 +17,6 @@ enum class Gap : std::uint8_t {
   ParameterAddress,
   LibraryBlock,
   SystemInstance,
-  InterruptControl,
   MissingBlock,
   ProtectedBlock,
   HighDataBlock,

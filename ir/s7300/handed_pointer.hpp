@@ -12,7 +12,7 @@
 namespace rungproof {
 
 /// First of the values that stand for what of pointers is not known, by parameter (External::UnknownResult).
-inline constexpr std::uint32_t unknownPointer = 0x400;
+inline constexpr std::uint32_t unknownPointer = 0x400, unknownsOfPointer = 8;
 
 template <class D>
 Spot<D> Step7Places<D>::handedPlace(const Context& c, std::uint32_t parameter, std::uint32_t offset, Width width) {
@@ -50,13 +50,14 @@ typename D::Bits Step7Places<D>::handedAddress(std::uint32_t parameter) {
 }
 
 /// The pointer to a place that the block of the context names. `isOwn`: it is the block that calls; local data of other
-/// ones has no pointer, and neither has a constant: any value.
+/// ones has no pointer, and neither has a constant: any value. For a timer or a counter bytes 6 to 9 of the ANY end in
+/// its number; whether byte 6 repeats the code of the type is stated either way (general knowledge).
 template <class D>
-HandedPointer<D> Step7Places<D>::pointerTo(const Operand& o, const Context& c, std::uint32_t moreBytes, bool isOwn,
+HandedPointer<D> Step7Places<D>::pointerTo(const Operand& o, const Context& c, std::uint32_t moreBits, bool isOwn,
                                            std::uint32_t unknown) {
-  const std::uint32_t bit = o.bit;
+  const std::uint32_t bits = o.bit + moreBits;
   const auto fixed = [&](PointerArea area, std::uint32_t block, std::uint32_t byte) {
-    return HandedPointer<D>{{}, number(block, 16), areaPointer(area, number((byte + moreBytes) * 8 + bit, 24))};
+    return HandedPointer<D>{{}, number(block, 16), areaPointer(area, number(byte * 8 + bits, 24))};
   };
   if (o.kind == OperandKind::Constant)
     return {{}, number(o.offset, 16), number(static_cast<std::uint64_t>(o.value), 32)};
@@ -71,26 +72,59 @@ HandedPointer<D> Step7Places<D>::pointerTo(const Operand& o, const Context& c, s
       case Area::L:
         if (isOwn) return fixed(PointerArea::V, 0, o.offset);
         break;
+      case Area::T:
+      case Area::C: {
+        const AnyType type = o.area == Area::T ? AnyType::Timer : AnyType::Counter;
+        const Bool repeats = d_.bit(m_.external(External::UnknownResult, unknown + 3, 1), 0);
+        const Bits code = d_.select(repeats, number(static_cast<std::uint64_t>(type), 8), number(0, 8), 8);
+        return {{}, number(0, 16), d_.concat(code, 8, number(o.offset, 24), 24)};
+      }
       default: break;
     }
   }
   if (o.kind == OperandKind::Indirect && o.reach != nullptr) {
     if (o.reach->way == Way::Instance)
-      return {{}, c.di, areaPointer(PointerArea::Db, beyond(address(c.ar2), o.offset + moreBytes, bit))};
+      return {{}, c.di, areaPointer(PointerArea::Db, beyond(address(c.ar2), o.offset, bits))};
+    if (o.reach->way == Way::OpenBlock) {
+      const Bool isNumber = m_.reads({Choice::OpenBlockPointer, "number"});
+      const HandedPointer<D> zero = fixed(o.reach->inDi ? PointerArea::Di : PointerArea::Db, 0, o.offset);
+      return {{},
+              d_.select(isNumber, o.reach->inDi ? c.di : c.db, zero.block, 16),
+              d_.select(isNumber, fixed(PointerArea::Db, 0, o.offset).pointer, zero.pointer, 32)};
+    }
     const Operand* given = o.reach->way == Way::Parameter ? actual(c, o.reach->parameter) : nullptr;
     if (given != nullptr && given->isMemory())
-      return pointerTo(*given, callerOf(c), moreBytes + o.offset, false, unknown);
+      return pointerTo(*given, callerOf(c), o.offset * 8 + bits, false, unknown);
   }
-  return {{}, m_.external(External::UnknownResult, unknown, 16), m_.external(External::UnknownResult, unknown + 1, 32)};
+  return unknownPlace(unknown);
+}
+
+template <class D>
+HandedPointer<D> Step7Places<D>::unknownPlace(std::uint32_t index) {
+  return {{}, m_.external(External::UnknownResult, index, 16), m_.external(External::UnknownResult, index + 1, 32)};
+}
+
+/// Whether the operand is an elementary parameter that the running block was given by reference. Its place is that of
+/// the actual parameter, whose address the call has handed over; that a pointer is made of it is a choice.
+template <class D>
+bool Step7Places<D>::isElementaryReference(const Operand& o) const {
+  if (o.reach == nullptr || o.reach->way != Way::Parameter || o.area == Area::T || o.area == Area::C) return false;
+  return !isComplexType(m_.step7.running->pou->locals[o.reach->parameter].type);
 }
 
 /// What a call makes of the actual parameter for a formal one of that type, the `index`th.
 template <class D>
 HandedPointer<D> Step7Places<D>::handed(const Operand& actual, DataType formal, std::uint32_t index) {
-  const std::uint32_t unknown = unknownPointer + index * 4;
+  const std::uint32_t unknown = unknownPointer + index * unknownsOfPointer;
   if (!isPointerType(formal)) return pointerTo(actual, here(), 0, true, unknown);
   if (actual.kind == OperandKind::Address && actual.reach != nullptr) {
     HandedPointer<D> result = pointerTo(actual.reach->pointer, here(), 0, true, unknown);
+    if (isElementaryReference(actual.reach->pointer) && !actual.reach->isPlaceOrValue) {
+      const Bool isActual = m_.reads({Choice::ParameterPointer, "actual"});
+      const HandedPointer<D> other = unknownPlace(unknown + 4);
+      result.block = d_.select(isActual, result.block, other.block, 16);
+      result.pointer = d_.select(isActual, result.pointer, other.pointer, 32);
+    }
     const auto head = [&](std::uint32_t type, std::uint32_t count) {
       return number(0x10000000U | type << 16 | count, 32);
     };

@@ -124,6 +124,12 @@ bool isBuiltIn(const LibraryBlock& block) {
   return block.type == Sfc && std::ranges::find(functions, block.number) != functions.end();
 }
 
+bool actsOnCpu(const LibraryBlock& block) {
+  // SRT_DINT, CAN_DINT, MSK_FLT, DMSK_FLT, DIS_IRT, EN_IRT, DIS_AIRT, EN_AIRT, RE_TRIGR, REPL_VAL
+  constexpr std::array<int, 10> functions = {32, 33, 36, 37, 39, 40, 41, 42, 43, 44};
+  return block.type == Sfc && std::ranges::find(functions, block.number) != functions.end();
+}
+
 std::shared_ptr<const Structure> interfaceOf(const LibraryBlock& block) {
   auto structure = std::make_shared<Structure>();
   auto section = static_cast<int>(Section::Input);

@@ -31,6 +31,8 @@ std::span<const std::uint16_t> functionsBeyondParameters();
 std::span<const std::uint16_t> blocksBeyondParameters();
 /// Whether its meaning stands in ir/s7300/system_block.hpp.
 bool isBuiltIn(const LibraryBlock& block);
+/// Whether its calls do something to interrupts, errors or the watchdog of the CPU, which ir/s7300/control.hpp states.
+bool actsOnCpu(const LibraryBlock& block);
 /// Parameters and static data; those of an SFB laid out as its instance.
 std::shared_ptr<const Structure> interfaceOf(const LibraryBlock& block);
 

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "ir/block_event.hpp"
+#include "ir/s7300/coverage.hpp"
 
 namespace rungproof::s7300 {
 
@@ -16,7 +17,7 @@ constexpr auto organizationRows = std::to_array<OrganizationBlock>({
     {20, 23, "time-delay interrupt", "the end of a delay of 1 to 60000 ms that SFC 32 has started", "002:1190", true},
     {30, 38, "cyclic interrupt", "its period", "002:1102", true},
     {40, 47, "hardware interrupt", "a signal of a module", "002:1220", true},
-    {60, 60, "multicomputing interrupt", "SFC 35 in one of the CPUs", "002:812", false},
+    {60, 60, "multicomputing interrupt", "SFC 35 in one of the CPUs", "002:812", false, StartedBy::S7400},
     {80, 80, "time error", "the cycle monitoring, or a clock set past a time-of-day interrupt", "002:1296", true},
     {81, 81, "power supply error", "a fault of a power supply or battery", "002:1299", true},
     {82, 82, "diagnostic interrupt", "a module that reports a fault or its end", "002:1330", true},
@@ -26,10 +27,14 @@ constexpr auto organizationRows = std::to_array<OrganizationBlock>({
      true},
     {86, 86, "rack failure", "the loss of a rack, subnet or station", "002:1347", true},
     {87, 87, "communication error", "a fault of the communication", "002:1305", true},
-    {90, 90, "background", "the time that the minimum cycle leaves over", "002:813", false},
+    {90, 90, "background", "the time that the minimum cycle leaves over", "002:813", false, StartedBy::S7400},
     {100, 100, "warm restart", "the start of the CPU, once before OB1", "002:1367", true},
-    {101, 101, "hot restart", "the start of an S7-400 at the place where it was interrupted", "002:1389", false},
-    {102, 102, "cold restart", "the start of the CPU with all memory as loaded", "002:1383", true},
+    {101, 101, "hot restart", "the start of an S7-400 at the place where it was interrupted", "002:1389", false,
+     StartedBy::S7400,
+     "what a hot restart leaves of images and outputs, and whether timers run on meanwhile, is not stated "
+     "(002:1389-1415)"},
+    {102, 102, "cold restart", "the start of the CPU with all memory as loaded", "002:1383", true,
+     StartedBy::S7400And318},
     {121, 121, "programming error", "a synchronous error of an instruction; without it the CPU stops", "002:1282",
      true},
     {122, 122, "I/O access error", "a direct access to a module that is not there", "002:1292", true},
@@ -51,6 +56,20 @@ const OrganizationBlock* organizationBlock(int number) {
   const auto row = std::ranges::find_if(
       organizationRows, [&](const OrganizationBlock& each) { return each.first <= number && number <= each.last; });
   return row == organizationRows.end() ? nullptr : &*row;
+}
+
+bool startsOn(const OrganizationBlock& block, Cpu cpu) {
+  if (block.startedBy == StartedBy::Every || step7Row(cpu).is400) return true;
+  return block.startedBy == StartedBy::S7400And318 && cpu == step7Cpu("318-2");
+}
+
+std::string_view startedByText(StartedBy cpus) {
+  static constexpr std::string_view texts[] = {"every CPU", "S7-400", "S7-400 and CPU 318-2"};
+  return texts[static_cast<std::size_t>(cpus)];
+}
+
+std::string_view gapReasonOf(const OrganizationBlock& block) {
+  return block.gap.empty() ? gapReason(Gap::OrganizationBlock) : block.gap;
 }
 
 }  // namespace rungproof::s7300

@@ -123,8 +123,10 @@ class Step7Places {
   Spot<D> handedPlace(const Context& c, std::uint32_t parameter, std::uint32_t offset, Width width);
   static std::uint32_t ownPointers(const Pou& pou);
   Bits handedAddress(std::uint32_t parameter);
-  HandedPointer<D> pointerTo(const Operand& o, const Context& c, std::uint32_t moreBytes, bool isOwn,
+  HandedPointer<D> pointerTo(const Operand& o, const Context& c, std::uint32_t moreBits, bool isOwn,
                              std::uint32_t unknown);
+  HandedPointer<D> unknownPlace(std::uint32_t index);
+  bool isElementaryReference(const Operand& o) const;
   Bits pointerValue(const Operand& o, const Context& c);
   /// Of a data block in the work memory; one that stays in the load memory is not loaded (002:537-563).
   std::uint32_t loadedLength(std::uint32_t block) const {

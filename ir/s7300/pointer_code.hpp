@@ -1,4 +1,5 @@
-// The codes in pointers: areas (002:1698-1707), and the elements that an ANY points to (002:2257-2263).
+// The codes in pointers: areas (002:1698-1707), and the elements that an ANY points to (002:2257-2263; those of timers
+// and counters: general knowledge).
 #pragma once
 
 #include <cstdint>
@@ -23,7 +24,9 @@ enum class AnyType : std::uint8_t {
   Time = 0x0B,
   S5Time = 0x0C,
   DateAndTime = 0x0E,
-  String = 0x13
+  String = 0x13,
+  Counter = 0x1C,
+  Timer = 0x1D
 };
 
 /// Bytes of an element; 0: a bit, or a type whose elements have no size of their own.

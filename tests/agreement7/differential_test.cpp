@@ -95,7 +95,9 @@ std::string shrunk(std::string text, std::uint64_t seed, bool is400) {
     smaller = false;
     for (std::size_t begin = 0; begin < text.size();) {
       const std::size_t end = text.find('\n', begin) + 1;
-      if (text[begin] != ' ' || text.find(" : ", begin) < end) {  // only statements are left out
+      // Only statements are left out, and none in front of LOOP, which would then find a count that does not fall.
+      const bool isCountOfLoop = text.substr(end, text.find('\n', end) - end).find("LOOP ") != std::string::npos;
+      if (text[begin] != ' ' || text.find(" : ", begin) < end || isCountOfLoop) {
         begin = end;
         continue;
       }
@@ -129,6 +131,7 @@ TEST(Differential7, EngineAgreesWithTheNaiveInterpreter) {
     const std::string wrong = firstDifference(text, one, choices.is400, scans, stops);
     EXPECT_FALSE(wrong.starts_with("unreadable")) << "seed " << one << " " << wrong;
     if (wrong.empty()) continue;
+    std::printf("seed %llu: %s\n", static_cast<unsigned long long>(one), wrong.c_str());
     const std::string small = shrunk(text, one, choices.is400);
     ADD_FAILURE() << "seed " << one << (choices.is400 ? " S7-400" : " S7-300") << "\n"
                   << small << firstDifference(small, one, choices.is400, scans, stops);

@@ -1,6 +1,8 @@
 // Operands and instructions for the statements of the naive interpreter.
 #include "tests/agreement7/ir_of_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -183,7 +185,13 @@ struct Binder {
     naive7::AnyText any;
     Operand place, operand;
     Reach reach{Way::PointerTo, false, false, 0, {}};
-    if (naive7::readAny(text, any)) {
+    const bool isConstant = naive7::readAny(text, any);
+    const std::uint32_t area = any.address >> 24 & 7, byte = (any.address & 0x7FFFF) >> 3;
+    if (isConstant && any.block == 0 && (area == 4 || area == 5)) {  // in the block that is open
+      place = memory(fmt::format("{}{}", area == 4 ? "DBB" : "DIB", byte));
+      reach.anyType = static_cast<std::uint8_t>(any.type);
+      reach.anyCount = static_cast<std::uint16_t>(any.count);
+    } else if (isConstant) {
       const bool isLocal = (any.address >> 24 & 7) == 6;  // area V for the block that is called
       place = typed(any.address | (isLocal ? 0x01000000U : 0U), text, Width::DWord);
       place.offset = static_cast<std::uint32_t>(any.block);
@@ -191,11 +199,14 @@ struct Binder {
       reach.anyCount = static_cast<std::uint16_t>(any.count);
     } else {
       place = memory(text);
-      static const std::map<std::string, std::uint8_t> codes = {{"BOOL", 1}, {"BYTE", 2},  {"WORD", 4},
-                                                                {"INT", 5},  {"DWORD", 6}, {"DINT", 7}};
+      static const std::map<std::string, std::uint8_t> codes = {{"BOOL", 1},     {"BYTE", 2},      {"WORD", 4},
+                                                                {"INT", 5},      {"DWORD", 6},     {"DINT", 7},
+                                                                {"TIMER", 0x1D}, {"COUNTER", 0x1C}};
       static constexpr std::uint8_t byWidth[] = {1, 2, 4, 6};
       reach.anyType = byWidth[static_cast<std::size_t>(place.width)];
       reach.anyCount = 1;
+      if (place.area == Area::T) reach.anyType = 0x1D;
+      if (place.area == Area::C) reach.anyType = 0x1C;
       for (const naive7::Variable& v : block.variables) {
         if (!text.starts_with("#") || v.name != text.substr(1)) continue;
         if (v.type == "ANY" || v.type == "POINTER") return place;

@@ -7,6 +7,16 @@ namespace rungproof::test {
 
 namespace {
 
+Operand place(Area area, Width width, std::uint32_t byte) { return direct(area, width, byte, 0); }
+
+/// Gives nothing.
+struct SilentOutside final : Outside {
+  std::uint64_t external(const ExternalSite&, int) override { return 0; }
+  void report(Hazard, const Instruction*) override {}
+};
+
+}  // namespace
+
 std::string firstDifference(const Simulator& reference, const Simulator& compiled) {
   const Concrete::Store &a = reference.store(), &b = compiled.store();
   for (int i = 0; i < areaCount; ++i) {
@@ -36,16 +46,6 @@ std::string firstDifference(const Simulator& reference, const Simulator& compile
   return {};
 }
 
-Operand place(Area area, Width width, std::uint32_t byte) { return direct(area, width, byte, 0); }
-
-/// Gives nothing.
-struct SilentOutside final : Outside {
-  std::uint64_t external(const ExternalSite&, int) override { return 0; }
-  void report(Hazard, const Instruction*) override {}
-};
-
-}  // namespace
-
 PairOutcome runBoth(const Program& program, RandomSource& random, const PairOptions& options) {
   SimulatorOptions forReference = options.engine, forCompiled = options.engine;
   forReference.engine = EngineKind::Reference;
@@ -56,6 +56,7 @@ PairOutcome runBoth(const Program& program, RandomSource& random, const PairOpti
   if (options.isScripted) {
     reference.readUnknownAsZero(true);
     compiled.readUnknownAsZero(true);
+    compiled.expectFreeZero();
   }
   const ScanScript quiet;
   ScanScript watchful;

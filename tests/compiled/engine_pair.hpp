@@ -26,6 +26,9 @@ struct PairOptions {
   SimulatorOptions engine{};
 };
 
+/// What two runs differ in: memory, registers, time, errors; empty: in nothing.
+std::string firstDifference(const Simulator& reference, const Simulator& compiled);
+
 PairOutcome runBoth(const Program& program, RandomSource& random, const PairOptions& options = {});
 
 }  // namespace rungproof::test

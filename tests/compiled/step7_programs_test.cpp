@@ -35,9 +35,9 @@ std::uint64_t compare(const Program& program, const std::string& name, PairOptio
   return outcome.compiled;
 }
 
-void compareRandom(bool is400, bool anyTime, bool functions) {
+void compareRandom(bool is400, bool anyTime, bool functions, bool isScripted = false) {
   const char* given = std::getenv("RUNGPROOF_PROGRAMS");
-  const int count = given == nullptr ? 60 : std::atoi(given);
+  const int count = given == nullptr ? (isScripted ? 30 : 60) : std::atoi(given);
   const std::uint64_t seed = testSeed();
   std::uint64_t scans = 0, compiled = 0;
   for (int i = 0; i < count; ++i) {
@@ -54,6 +54,7 @@ void compareRandom(bool is400, bool anyTime, bool functions) {
       ASSERT_TRUE(finding.severity != Severity::Error || isMeant) << "seed " << own << ": " << finding.message;
     }
     PairOptions options = step7Options(anyTime);
+    options.isScripted = isScripted;
     options.words = Area::DB;
     options.firstByte = dataByte(1, 0);
     RandomSource random(own);
@@ -70,6 +71,8 @@ void compareRandom(bool is400, bool anyTime, bool functions) {
 TEST(Step7Compiled, RandomProgramsAgree) { compareRandom(false, false, false); }
 TEST(Step7Compiled, RandomProgramsOfAnS7400Agree) { compareRandom(true, false, true); }
 TEST(Step7Compiled, RandomProgramsAgreeWhereTimePassesAnywhere) { compareRandom(false, true, false); }
+TEST(Step7Compiled, RandomProgramsUnderScriptsThatNameNoPlaceAgree) { compareRandom(false, true, false, true); }
+TEST(Step7Compiled, RandomProgramsOfAnS7400UnderSuchScriptsAgree) { compareRandom(true, false, true, true); }
 
 TEST(Step7Compiled, TheCorpusAgrees) {
   std::size_t count = 0;

@@ -67,6 +67,20 @@ std::vector<std::uint8_t> Machine::handedBytes(const std::string& actual, bool i
   AnyText any;
   if (!readAny(actual, any)) {
     const bool isName = actual.starts_with("#");
+    std::string type;
+    for (const Variable& v : frames_.back().block->variables) {
+      if (isName && v.name == actual.substr(1)) type = v.type;
+    }
+    const bool isNumbered = type == "TIMER" || type == "COUNTER" || actual[0] == 'T' || actual[0] == 'C';
+    if (isNumbered) {  // of the ANY only: the type, one element, the number at the end
+      const char letter = isName ? type[0] : actual[0];
+      append(bytes, 0x10, 1);
+      append(bytes, letter == 'T' ? 0x1D : 0x1C, 1);
+      append(bytes, 1, 2);
+      append(bytes, 0, 2);
+      append(bytes, static_cast<std::uint32_t>(objectNumber(actual, letter)), 4);
+      return bytes;
+    }
     const Place p = place(actual);
     if (isName && p.width > 32) {  // a pointer of its own
       for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(p.width); i += 8) {
@@ -82,10 +96,10 @@ std::vector<std::uint8_t> Machine::handedBytes(const std::string& actual, bool i
     any.block = p.area == 'D' ? p.number : 0;
     any.address = 0x80000000U | static_cast<std::uint32_t>(areas.find(area)) << 24 | p.bit;
     any.count = 1;
-    any.type = codeOfWidth(p.width);
-    for (const Variable& v : frames_.back().block->variables) {
-      if (isName && v.name == actual.substr(1)) any.type = codeOfType(v.type);
-    }
+    any.type = isName ? codeOfType(type) : codeOfWidth(p.width);
+  } else if (const std::uint32_t area = any.address >> 24; any.block == 0 && (area == 0x84 || area == 0x85)) {
+    any.block = area == 0x84 ? db : di;  // in the block that is open
+    any.address = 0x84000000U | (any.address & 0xFFFFFFU);
   }
   // Local data of this block is V for the one that is called.
   if ((any.address & 0x87000000U) == 0x86000000U) any.address |= 0x01000000U;

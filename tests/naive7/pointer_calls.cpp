@@ -33,6 +33,15 @@ std::string ProgramGenerator::fc5() {
          text_ + "END_FUNCTION\n";
 }
 
+/// The ANY of a timer or a counter: its bytes.
+std::string ProgramGenerator::fc6() {
+  text_.clear();
+  for (const char* s :
+       {"L P##p", "LAR1", "L W [AR1,P#0.0]", "T MW 80", "L D [AR1,P#2.0]", "T MD 82", "L D [AR1,P#6.0]", "T MD 86"})
+    say(s);
+  return "FUNCTION FC 6 : VOID\nVAR_INPUT\n  p : ANY ;\nEND_VAR\nBEGIN\nNETWORK\n" + text_ + "END_FUNCTION\n";
+}
+
 std::string ProgramGenerator::fb3() {
   text_.clear();
   for (const char* s : followed) say(s);
@@ -60,8 +69,11 @@ void ProgramGenerator::registersAgain() {
 void ProgramGenerator::pointerCalls(std::uint32_t kind) {
   const std::string any =
       pick({"P#M " + number(40) + ".0 BYTE 4", "P#DB1.DBX " + number(40) + ".0 INT 2", "MW " + number(40),
-            "P#Q " + number(4) + ".0 WORD 1", "DB2.DBD " + number(12), "LW 24", "M 3.0", "P#L 28.0 DINT 1"});
-  if (kind == 7) {
+            "P#Q " + number(4) + ".0 WORD 1", "DB2.DBD " + number(12), "LW 24", "M 3.0", "P#L 28.0 DINT 1",
+            "DBW " + number(18), "DID " + number(16), "P#DBX " + number(16) + ".0 BYTE 2"});
+  if (kind == 7 && choices_.timers && chance(30)) {
+    say("CALL FC 6 ( p := " + pick({"T " + std::to_string(1 + below(5)), "C " + std::to_string(1 + below(2))}) + " )");
+  } else if (kind == 7) {
     say("CALL FC 4 ( p := " + any + " )");
   } else if (kind == 8) {
     if (chance(50)) {

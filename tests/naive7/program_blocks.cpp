@@ -21,6 +21,7 @@ std::string ProgramGenerator::fc1() {
     say("BEC");
     say("INC 3");
   }
+  if (chance(40)) say("CALL FC 4 ( p := " + pick({"#y", "#z", "#q"}) + " )");
   locals_ = {};
   return "FUNCTION FC 1 : VOID\nVAR_INPUT\n  a : INT ;\n  b : BOOL ;\nEND_VAR\nVAR_OUTPUT\n  y : INT ;\n  q : BOOL ;\n"
          "END_VAR\nVAR_IN_OUT\n  z : INT ;\nEND_VAR\nVAR_TEMP\n  tb : BOOL ;\n  tw : WORD ;\n  td : DWORD ;\nEND_VAR\n"
@@ -51,6 +52,7 @@ std::string ProgramGenerator::fc3() {
   say("A #c");
   say("= M 5.5");
   say("R " + pick({"#t", "#c"}));
+  if (chance(40)) say("CALL FC 6 ( p := " + pick({"#t", "#c"}) + " )");
   return "FUNCTION FC 3 : VOID\nVAR_INPUT\n  t : TIMER ;\n  c : COUNTER ;\nEND_VAR\nVAR_OUTPUT\n  y : INT ;\nEND_VAR\n"
          "BEGIN\nNETWORK\n" +
          text_ + "END_FUNCTION\n";
@@ -142,7 +144,7 @@ std::string ProgramGenerator::program() {
   sources += fb1() + fb2() + fb3();
   for (const char* number : {"3\nFB 1", "4\nFB 2", "5\nFB 3"})
     sources += std::string("DATA_BLOCK DB ") + number + "\nBEGIN\nEND_DATA_BLOCK\n";
-  sources += fc1() + fc2() + fc3() + fc4() + fc5() + ob1();
+  sources += fc1() + fc2() + fc3() + fc4() + fc5() + fc6() + ob1();
   return sources;
 }
 

@@ -22,7 +22,7 @@ class ProgramGenerator {
  public:
   ProgramGenerator(std::uint64_t seed, const GeneratorChoices& choices) : engine_(seed), choices_(choices) {}
 
-  /// DB1 (100 bytes), DB2 (20), DB3, DB4 and DB5 (instances), FB1 to FB3, FC1 to FC5, OB1; one statement a line.
+  /// DB1 (100 bytes), DB2 (20), DB3, DB4 and DB5 (instances), FB1 to FB3, FC1 to FC6, OB1; one statement a line.
   std::string program();
 
   /// 0 .. limit - 1.
@@ -77,6 +77,7 @@ class ProgramGenerator {
   std::string fc3();
   std::string fc4();
   std::string fc5();
+  std::string fc6();
   std::string fb1();
   std::string fb2();
   std::string fb3();

@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "frontend/step7/symbol_list.hpp"
 #include "tests/reader/read.hpp"
 
 namespace rungproof {
@@ -78,6 +79,10 @@ TEST(SyntaxMessages, EveryMessageOccurs) {
                "FOO;\nL M 0.0;\nA \"name\";\nCALL FC 1;\nCALL FC 2;\nJC m;\nCALL SFC 43;\nCALL SFC 27 (PART := "
                "B#16#0);\nEND_FUNCTION\n"
                "DATA_BLOCK DB 9000\nSTRUCT\n a : INT ;\nEND_STRUCT ;\nBEGIN\n a 1 ;\nEND_DATA_BLOCK\n"));
+  Program symbols;
+  SyntaxSink sink(symbols, symbols.sources->add("x.asc", "126,Stop                   I       0.1 BOOL      \n"));
+  step7::readSymbolList(symbols.sources->file(sink.file()).text(), step7::MnemonicSet::International, sink);
+  collect(symbols);
   for (const SyntaxMessage& row : syntaxMessages)
     EXPECT_TRUE(seen.count(std::string(row.id)) > 0) << row.id << ' ' << row.title;
 }

@@ -44,6 +44,18 @@ TEST(Step7Control, TheMasterControlRelayIsSaid) {
                             {"none", 0, ob1("A I 0.0;\n= Q 0.0;")}});
 }
 
+// Without a CPU the largest S7-300 is meant, which has one way to start (002:1355).
+TEST(Step7Control, OrganizationBlocksThatNothingStarts) {
+  const auto ob = [](int number) {
+    return "ORGANIZATION_BLOCK OB " + std::to_string(number) +
+           "\nBEGIN\nNETWORK\nSET;\n= M 9.0;\nEND_ORGANIZATION_BLOCK\n";
+  };
+  expectFindings("OBL003", {{"hot restart", 1, ob1("NOP 0;") + ob(101)},
+                            {"cold restart", 1, ob1("NOP 0;") + ob(102)},
+                            {"background", 1, ob1("NOP 0;") + ob(90)},
+                            {"warm restart and interrupts", 0, ob1("NOP 0;") + ob(100) + ob(35) + ob(40) + ob(82)}});
+}
+
 TEST(Step7Control, CodeThatNoPathReaches) {
   expectFindings(
       "CTL005",

@@ -105,6 +105,8 @@ TEST(Explain7, BoxesShowTheirStatements) {
 TEST(Explain7, OrganizationBlocks) {
   EXPECT_NE(pageText7("OB35").find("cyclic interrupt"), std::string::npos);
   EXPECT_NE(pageText7("OB 1").find("modelled"), std::string::npos);
+  EXPECT_NE(pageText7("OB101").find("NOT COVERED: what a hot restart leaves"), std::string::npos);
+  EXPECT_NE(pageText7("OB102").find("S7-400 and CPU 318-2"), std::string::npos);
   EXPECT_TRUE(pageText7("OB2").empty());
   for (const s7300::OrganizationBlock& row : s7300::organizationBlocks())
     EXPECT_FALSE(pageText7("OB" + std::to_string(row.last)).empty()) << row.last;
@@ -117,6 +119,12 @@ TEST(Explain7, LibraryBlocksByNumberAndName) {
     const std::string text = pageText7(blockName(blockNumber(block.type, block.number)));
     EXPECT_EQ(text.find("NOT COVERED") == std::string::npos, step7::isModelled(block)) << block.name;
   }
+}
+
+// SFC 39 locks interrupts (002:2353); SFC 31 asks for the state of one, and its outputs are all that a call changes.
+TEST(Explain7, SystemFunctionsThatActOnTheCpuSaySo) {
+  EXPECT_NE(pageText7("SFC 39").find("modelled: what it does to interrupts"), std::string::npos) << pageText7("SFC 39");
+  EXPECT_NE(pageText7("SFC 31").find("contract only"), std::string::npos) << pageText7("SFC 31");
 }
 
 TEST(Explain7, ReadmeListsWhatIsNotCovered) {

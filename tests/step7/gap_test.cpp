@@ -24,7 +24,7 @@ std::vector<GapCase> gapCases() {
        "NOP 0;"},
       {PointerParameter,
        "FUNCTION FC 5 : VOID\nVAR_INPUT\n  p : ANY;\nEND_VAR\nBEGIN\nNETWORK\nSET;\n= Q 0.0;\nEND_FUNCTION\n",
-       "CALL FC 5 (p := T 2);"},
+       "CALL FC 5 (p := MW [MD 4]);"},
       {ParameterAddress,
        "FUNCTION FC 5 : VOID\nVAR_INPUT\n  x : INT;\nEND_VAR\nBEGIN\nNETWORK\nL P##x;\nLAR1;\nL W [AR1,P#0.0];\nT QW "
        "0;\n"
@@ -34,8 +34,6 @@ std::vector<GapCase> gapCases() {
       {SystemInstance, "DATA_BLOCK DB 14\nSFB 14\nBEGIN\nEND_DATA_BLOCK\n",
        "CALL SFB 14, DB 14 (REQ := M 0.0, ID := W#16#1, NDR := M 0.1, ADDR_1 := P#M 20.0 BYTE 2, RD_1 := P#Q 0.0 BYTE "
        "2);"},
-      {InterruptControl, "ORGANIZATION_BLOCK OB 35\nBEGIN\nNETWORK\nA I 0.0;\n= Q 0.0;\nEND_ORGANIZATION_BLOCK\n",
-       "CALL SFC 39 (MODE := B#16#0, OB_NR := 35, RET_VAL := MW 4);"},
       {MissingBlock, "", "CALL FC 99;"},
       {ProtectedBlock, "FUNCTION FC 5 : VOID\nKNOW_HOW_PROTECT\nVAR_OUTPUT\n  y : BOOL;\nEND_VAR\nEND_FUNCTION\n",
        "CALL FC 5 (y := Q 0.0);"},
@@ -58,18 +56,18 @@ std::string outputOf(const std::vector<std::string>& arguments, int exit = -1) {
   return out.str();
 }
 
-// What no pointer is made of: timers, counters, data of an open block, an elementary parameter of an FC, a pointer of
-// which the block or the type of the elements is not said.
+// What no pointer is made of: a pointer without the type of its elements, the number of a block, what a pointer finds.
 TEST(Gaps, WhatHasNoPointer) {
-  for (const char* actual : {"T 2", "C 2", "DBW 2", "DIX 0.0", "#x", "P#DBX 0.0 BYTE 2", "P#M 4.0", "MW [MD 4]"}) {
+  for (const char* actual : {"P#M 4.0", "#d", "MW [MD 4]", "W [AR1,P#0.0]", "T [MW 4]"}) {
     const test::TemporaryFolder folder;
     folder.file("main.awl",
-                std::string("FUNCTION FC 5 : VOID\nVAR_INPUT\n  p : ANY;\nEND_VAR\nBEGIN\nNETWORK\nSET;\n= Q 0.0;\n"
-                            "END_FUNCTION\nFUNCTION FC 6 : VOID\nVAR_INPUT\n  x : INT;\nEND_VAR\nBEGIN\nNETWORK\n"
+                std::string("DATA_BLOCK DB 1\nSTRUCT\n  a : INT;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n"
+                            "FUNCTION FC 5 : VOID\nVAR_INPUT\n  p : ANY;\nEND_VAR\nBEGIN\nNETWORK\nSET;\n= Q 0.0;\n"
+                            "END_FUNCTION\nFUNCTION FC 6 : VOID\nVAR_INPUT\n  d : BLOCK_DB;\nEND_VAR\nBEGIN\nNETWORK\n"
                             "CALL FC 5 (p := ") +
                     actual +
                     ");\nEND_FUNCTION\nORGANIZATION_BLOCK OB 1\n//@ prove on: Q0.0\n//@ prove off: not Q0.0\nBEGIN\n"
-                    "NETWORK\nCALL FC 6 (x := MW 4);\nEND_ORGANIZATION_BLOCK\n");
+                    "NETWORK\nCALL FC 6 (d := DB 1);\nEND_ORGANIZATION_BLOCK\n");
     const std::string proof = outputOf({"prove", folder.path("main.awl"), "--isolated", "--dialect", "s7-300"});
     EXPECT_EQ(proof.find("PROVED"), std::string::npos) << actual << proof;
     EXPECT_NE(proof.find("NOT COVERED  on"), std::string::npos) << actual << proof;
@@ -179,13 +177,13 @@ TEST(Gaps, NothingThatDependsOnOneIsProvedOrEqual) {
     if (!c.content.empty()) folder.file(c.file, c.content);
     std::vector<std::string> prove = {"prove", folder.path("main.awl")};
     if (!c.content.empty()) prove.push_back(folder.path(c.file));
-    prove.insert(prove.end(), {"--isolated", "--dialect", "s7-300"});
+    prove.insert(prove.end(), {"--isolated", "--dialect", "s7-400"});
     const std::string proof = outputOf(prove);
     EXPECT_EQ(proof.find("PROVED"), std::string::npos) << proof;
     EXPECT_NE(proof.find("NOT COVERED  off"), std::string::npos) << proof;
     EXPECT_NE(proof.find("NOT COVERED  on"), std::string::npos) << proof;
     const std::string equality =
-        outputOf({"equiv", folder.path("main.awl"), folder.path("other.awl"), "--isolated", "--dialect", "s7-300"});
+        outputOf({"equiv", folder.path("main.awl"), folder.path("other.awl"), "--isolated", "--dialect", "s7-400"});
     EXPECT_EQ(equality.find("EQUAL"), std::string::npos) << equality;
   }
   EXPECT_EQ(rows, s7300::gapRows().size());

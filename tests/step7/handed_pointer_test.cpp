@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/simulator.hpp"
+#include "frontend/step7/source_writer.hpp"
 #include "tests/step7/read7.hpp"
 
 namespace rungproof {
@@ -191,15 +192,80 @@ TEST(HandedPointer, ChecksumOverAnAny) {
   EXPECT_EQ(run.word(26), 9U);
 }
 
+// Data of the block that is open: its number (reading `number`), or 0 (reading `zero`).
+TEST(HandedPointer, DataOfTheOpenBlock) {
+  const auto bytesOf = [](const std::string& actual, const char* reading) {
+    const Program program = read7(std::string(motor) + takers + ob1Of("OPN DB 10; CALL FC 1 (p := " + actual + ");"));
+    EXPECT_EQ(findings7(program), "");
+    SimulatorOptions options;
+    EXPECT_TRUE(options.choices.set("open-block-pointer", reading));
+    Simulator simulator(program, options);
+    simulator.scan();
+    std::string text;
+    for (std::uint32_t i = 100; i < 110; ++i)
+      text += fmt::format("{:02X}", simulator.read(direct(Area::M, Width::Byte, i)));
+    return text;
+  };
+  EXPECT_EQ(bytesOf("DBW 4", "number"), "10040001000A84000020");
+  EXPECT_EQ(bytesOf("DBX 1.3", "number"), "10010001000A8400000B");
+  EXPECT_EQ(bytesOf("P#DBX 2.0 BYTE 4", "number"), "10020004000A84000010");
+  EXPECT_EQ(bytesOf("DBW 4", "zero"), "10040001000084000020");
+}
+
+// What was written is what is printed.
+TEST(HandedPointer, APointerOfTheOpenBlockIsPrintedAsItWasWritten) {
+  for (const char* actual : {"P#DBX 2.0 BYTE 4", "DBW4", "DIX1.3", "T5", "C2"}) {
+    const Program program = read7(std::string(motor) + takers + ob1Of("CALL FC 1 (p := " + std::string(actual) + ");"));
+    EXPECT_NE(step7::writeSource(program, step7::MnemonicSet::International).find(actual), std::string::npos) << actual;
+  }
+}
+
+// Timers and counters (general knowledge): the type 16#1D or 16#1C, one element, no data block, the number at the end;
+// whether byte 6 repeats the type is open, here 0. A formal timer is the one that its block was given.
+TEST(HandedPointer, AnyOfATimerOrACounter) {
+  EXPECT_EQ(anyOf("T 5"), "10 1D 00 01 00 00 00 00 00 05");
+  EXPECT_EQ(anyOf("C 2"), "10 1C 00 01 00 00 00 00 00 02");
+  const PointerRun run(std::string(takers) +
+                       "FUNCTION FC 3 : VOID\nVAR_INPUT\n  t : TIMER;\nEND_VAR\nBEGIN\nNETWORK\nCALL FC 1 (p := #t);\n"
+                       "END_FUNCTION\n" +
+                       ob1Of("CALL FC 3 (t := T 7);"));
+  EXPECT_EQ(run.bytes(100, 10), "10 1D 00 01 00 00 00 00 00 07");
+}
+
+// An elementary parameter of an FC leads to what its caller gave, through a second FC too; a bit of a structure to that
+// bit. Local data of the caller's caller has no pointer: any value, here 0.
+TEST(HandedPointer, ElementaryParametersOfAnFc) {
+  const auto bytesOf = [](const std::string& actual) {
+    const PointerRun run(std::string(motor) + takers +
+                         "FUNCTION FC 3 : VOID\nVAR_INPUT\n  x : INT;\nEND_VAR\nBEGIN\nNETWORK\nCALL FC 1 (p := #x);\n"
+                         "END_FUNCTION\nFUNCTION FC 4 : VOID\nVAR_INPUT\n  y : INT;\nEND_VAR\nBEGIN\nNETWORK\n"
+                         "CALL FC 3 (x := #y);\nEND_FUNCTION\n" +
+                         ob1Of("OPN DB 10; CALL FC 4 (y := " + actual + ");"));
+    return run.bytes(100, 10);
+  };
+  EXPECT_EQ(bytesOf("MW 40"), "10 05 00 01 00 00 83 00 01 40");
+  EXPECT_EQ(bytesOf("DB10.speed"), "10 05 00 01 00 0A 84 00 00 20");
+  EXPECT_EQ(bytesOf("DBW 6"), "10 05 00 01 00 0A 84 00 00 30");
+  EXPECT_EQ(bytesOf("#own"), "10 05 00 01 00 00 00 00 00 00");
+  EXPECT_EQ(bytesOf("7"), "10 05 00 01 00 00 00 00 00 00");
+  const PointerRun run(
+      "DATA_BLOCK DB 11\nSTRUCT\n  s : STRUCT\n    a : INT;\n    b : BOOL;\n    c : BOOL;\n  END_STRUCT;\n"
+      "END_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n" +
+      std::string(takers) +
+      "FUNCTION FC 3 : VOID\nVAR_INPUT\n  s : STRUCT\n    a : INT;\n    b : BOOL;\n    c : BOOL;\n"
+      "  END_STRUCT;\nEND_VAR\nBEGIN\nNETWORK\nCALL FC 1 (p := #s.c);\nEND_FUNCTION\n" +
+      ob1Of("CALL FC 3 (s := DB11.s);"));
+  EXPECT_EQ(run.bytes(100, 10), "10 01 00 01 00 0B 84 00 00 11");
+}
+
 TEST(HandedPointer, WhatHasNoPointerIsRefused) {
   const auto findingOf = [](const std::string& statement) {
     return findings7(read7(std::string(takers) + "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n" + statement +
                            "\nEND_ORGANIZATION_BLOCK\n"));
   };
-  EXPECT_NE(findingOf("CALL FC 1 (p := T 5);").find("T5 as ANY"), std::string::npos)
-      << findingOf("CALL FC 1 (p := T 5);");
-  EXPECT_NE(findingOf("CALL FC 1 (p := DBW 2);").find("DBW2 as ANY"), std::string::npos);
-  EXPECT_NE(findingOf("CALL FC 1 (p := P#DBX 2.0 BYTE 4);"), "");
+  EXPECT_NE(findingOf("CALL FC 2 (p := T 5);").find("only an ANY can name a timer or a counter"), std::string::npos)
+      << findingOf("CALL FC 2 (p := T 5);");
+  EXPECT_NE(findingOf("CALL FC 1 (p := MW [MD 4]);").find("as ANY"), std::string::npos);
   EXPECT_NE(findingOf("CALL FC 1 (p := P#M 2.0);"), "");
   EXPECT_NE(findingOf("CALL FC 1 (p := 5);").find("takes a pointer such as P#M 10.0 BYTE 4"), std::string::npos);
   EXPECT_NE(findingOf("CALL FC 2 (p := P#M 2.0 BYTE 4);").find("takes a pointer such as P#M 10.0"), std::string::npos);

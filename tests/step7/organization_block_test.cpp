@@ -186,6 +186,33 @@ TEST(ColdRestart, IsOneOfTheProject) {
   EXPECT_TRUE(proofOf("prove one: M1.0\n", blocks).has("runs begin with a warm restart"));
 }
 
+// The 318-2 and the S7-400 have a cold restart, other CPUs of the S7-300 have not (002:1355, 002:1387).
+TEST(ColdRestart, ExistsOnSomeCpus) {
+  const std::string blocks = block(100, "SET;= M 1.0") + block(102, "SET;= M 1.1") + block(1, "NOP 0");
+  for (const char* cpu : {"318-2", "412"}) {
+    const Output output = proofOf("prove cold: M1.1\n", blocks, {"--start", "cold", "--cpu", cpu});
+    EXPECT_TRUE(output.has("PROVED  cold") && !output.has("has no cold restart")) << cpu << output.text;
+  }
+  const Output output = proofOf("prove warm: M1.0\n", blocks, {"--start", "cold", "--cpu", "315-2"});
+  EXPECT_TRUE(output.has("PROVED  warm") && output.has("a CPU 315-2 has no cold restart")) << output.text;
+}
+
+// Only an S7-400 has a hot restart (002:1391), and what it leaves of images, outputs and timers is not stated
+// (002:1389-1415): beside OB101 nothing is proved there unless it is excluded. On an S7-300 OB101 never runs; without
+// a name of the family OB101 itself says which is meant.
+TEST(HotRestart, IsNotCoveredWhereItMayCome) {
+  const std::string blocks = block(1, "CLR;= Q 0.0") + block(101, "SET;= Q 0.0"), property = "prove off: not Q0.0\n";
+  const Output s7400 = proofOf(property, blocks, {"--dialect", "s7-400"});
+  EXPECT_TRUE(s7400.has("NOT COVERED  off") && s7400.has("whether timers run on")) << s7400.text;
+  EXPECT_FALSE(s7400.has("no hot restart comes")) << s7400.text;
+  const Output excluded = proofOf(property, blocks, {"--dialect", "s7-400", "--choice", "hot-restart=excluded"});
+  EXPECT_TRUE(excluded.has("PROVED  off") && excluded.has("no hot restart comes")) << excluded.text;
+  const Output s7300 = proofOf(property, blocks, {"--cpu", "315-2"});
+  EXPECT_TRUE(s7300.has("PROVED  off")) << s7300.text;
+  const Output open = proofOf(property, blocks, {"--dialect", "auto"});
+  EXPECT_TRUE(open.has("NOT COVERED  off") && open.has("OB101 exists on the S7-400 only")) << open.text;
+}
+
 // Fields of the start information are columns of a stimulus (002:1242).
 TEST(StartInformationColumns, ReachTheBlock) {
   const std::string blocks =

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -30,7 +31,9 @@ struct Output {
 inline Output run(std::vector<std::string> arguments) {
   std::istringstream in;
   std::ostringstream out, err;
-  arguments.insert(arguments.end(), {"--isolated", "--dialect", "s7-300"});
+  arguments.emplace_back("--isolated");
+  if (std::ranges::find(arguments, "--dialect") == arguments.end())
+    arguments.insert(arguments.end(), {"--dialect", "s7-300"});
   const int exit = runProgram(arguments, {in, out, err});
   return {exit, out.str() + err.str()};
 }

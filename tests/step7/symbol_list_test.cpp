@@ -26,6 +26,21 @@ std::string rowsOf(const std::string& text, MnemonicSet set = MnemonicSet::Inter
   return result;
 }
 
+/// Each finding with its place: "line:column of `text`: message".
+std::string findingsOf(const std::string& text) {
+  Program program;
+  const std::uint32_t file = program.sources->add("symbols.asc", text);
+  SyntaxSink sink(program, file);
+  readSymbolList(program.sources->file(file).text(), MnemonicSet::International, sink);
+  std::string result;
+  for (const Finding& finding : program.findings) {
+    const Position position = program.sources->position(finding.span);
+    result += fmt::format("{} {}:{} of `{}`: {}\n", finding.rule, position.line, position.column,
+                          program.sources->text(finding.span), finding.message);
+  }
+  return result;
+}
+
 // Places: 0 I, 1 Q, 2 M, 8 T, 9 C. Sizes: 0 bit, 2 word.
 
 TEST(SymbolLists, SdfOfStep7) {
@@ -43,6 +58,25 @@ TEST(SymbolLists, AscHasFixedColumns) {
                    MnemonicSet::German),
             "[Pumpe ein=0/0/0.0:BOOL:Taster S1] [Zeit=8/0/4.0:TIMER:] [\xC3\x9C"
             "berlauf=1/0/4.7:BOOL:voll]");
+}
+
+// The address has to stand in columns 29 to 40 (126, and 24 columns of the name in front). One blank too few: it begins
+// in column 28; two too many: its last digit is in column 41; none: the row ends behind the name.
+TEST(SymbolLists, AscOutOfLine) {
+  const std::string good = "126,Start                   I       0.0 BOOL      \r\n";
+  EXPECT_EQ(
+      findingsOf(good + "126,Stop                   I       0.1 BOOL      \r\n" + good),
+      "SYN053 2:28 of `I       0.1`: the address \"I       0.1\" stands in columns 28 to 38, not between 29 and 40\n");
+  EXPECT_EQ(findingsOf("126,Delay                     T       14  TIMER     \r\n"), "");
+  EXPECT_EQ(
+      findingsOf("126,Delay                      T       14 TIMER     \r\n"),
+      "SYN053 1:32 of `T       14`: the address \"T       14\" stands in columns 32 to 41, not between 29 and 40\n");
+  EXPECT_EQ(
+      findingsOf("126,\xC3\x9C"
+                 "ber A 1                  I       0.1 BOOL      \r\n"),
+      "SYN053 1:31 of `I       0.1`: the address \"I       0.1\" stands in columns 31 to 41, not between 29 and 40\n");
+  EXPECT_EQ(findingsOf("126,Start                   BOOL      start button\r\n"),
+            "SYN053 1:29 of `BOOL      st`: no address stands in columns 29 to 40\n");
 }
 
 TEST(SymbolLists, DifTuples) {
