@@ -1,5 +1,6 @@
 // The comparison with other provers: that a handful of obligations goes through it with one answer from all, that its
 // figures are computed as they are named, and that README quotes the table which was measured.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -138,6 +139,37 @@ TEST(Peers, ReportsAreWellFormed) {
   const std::vector<std::string> csv = linesOf(rowsAsCsv(rows));
   ASSERT_EQ(csv.size(), 3u);
   EXPECT_EQ(fields(csv[0]), fields(csv[1]));
+}
+
+/// The fields of the history's last line, by the names at its head.
+std::map<std::string, std::string> lastOfHistory() {
+  std::ifstream file(RUNGPROOF_SOURCE_DIR "/tests/bench/history.csv");
+  std::stringstream text;
+  text << file.rdbuf();
+  const std::vector<std::string> lines = linesOf(text.str());
+  std::map<std::string, std::string> fields;
+  if (lines.size() < 2) return fields;
+  std::istringstream head(lines.front()), last(lines.back());
+  for (std::string name, value; std::getline(head, name, ',') && std::getline(last, value, ',');) fields[name] = value;
+  return fields;
+}
+
+TEST(Peers, ReadmeQuotesTheLastMeasurement) {
+  std::map<std::string, std::string> last = lastOfHistory();
+  ASSERT_EQ(last.size(), 16U);
+  std::ifstream file(RUNGPROOF_SOURCE_DIR "/README.md");
+  std::stringstream readme;
+  readme << file.rdbuf();
+  const auto share = fmt::format("{:.1f} %. Lost: {}. Left open where a peer settles: {}.",
+                                 100 * std::stod(last["within"]), last["lost"], last["left_open"]);
+  for (const std::string& quoted : {"Measured " + last["date"] + ": " + last["obligations"] + " obligations", share,
+                                    fmt::format("rungproof settles {} in {:.1f} s, {} of them alone", last["settled"],
+                                                std::stod(last["seconds"]), last["alone"]),
+                                    fmt::format("| `{}` |", last["best_peer"]), "version " + last["version"]})
+    EXPECT_NE(readme.str().find(quoted), std::string::npos) << quoted;
+  EXPECT_GE(std::stoi(last["obligations"]), 300);
+  EXPECT_LE(std::stod(last["ratio"]), 0.5);
+  EXPECT_EQ(last["left_open"], "0");
 }
 
 TEST(Peers, OutputOfAbcIsUnderstood) {

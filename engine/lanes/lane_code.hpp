@@ -1,0 +1,38 @@
+// LaneCode: recorded code of a whole scan (engine/compiled/code.hpp) as machine code for all traces of a group at once.
+#pragma once
+
+#include <memory>
+
+#include "engine/lanes/lane_layout.hpp"
+
+namespace rungproof::lanes {
+
+/// A step that is done trace by trace, by a function.
+struct StepByTrace {
+  Step step;
+  ReachedRows rows{};  ///< LoadAt and StoreAt
+};
+
+class LaneCode {
+ public:
+  LaneCode(const Code& code, const std::vector<bool>& isNeeded, const Concrete::Store& model)
+      : layout(code, isNeeded, model) {}
+  virtual ~LaneCode() = default;
+  /// One scan of a group whose rows begin at `rows`. Traces that leave the code are on in the row left(): what their
+  /// rows hold then is of no use.
+  virtual void run(std::uint8_t* rows) const = 0;
+
+  LaneLayout layout;
+};
+
+/// Whether this processor has the instructions for it.
+bool hasLanes();
+/// nullptr: there is no machine code. `model`: a state of the program.
+std::unique_ptr<LaneCode> translatedForLanes(const Code& code, const std::vector<bool>& isNeeded,
+                                             const Concrete::Store& model);
+
+/// Does a step for all traces that the row active() names: operands and result stand in the scratch rows 0, 1 and 2 in
+/// the form `rep`, of LoadAt and StoreAt the address as Rep::Double.
+void doByTrace(const StepByTrace* step, const LaneLayout* layout, std::uint8_t* rows, std::uint64_t rep);
+
+}  // namespace rungproof::lanes

@@ -1,0 +1,139 @@
+// LaneLayout: where the state of a group of traces stands that run side by side. Every piece of state that the code
+// touches has a row: the same piece of all traces of the group, in the form (Rep) in which vector instructions of 256
+// bits compute with it. A group has 32 traces, with a byte of eight equal bits for each truth value; where the code
+// computes with truth values only, it has 256, with a bit for each. Covered by tests/lanes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "engine/compiled/code.hpp"
+#include "engine/concrete.hpp"
+
+namespace rungproof::lanes {
+
+using compiled::Code;
+using compiled::CodeOp;
+using compiled::Step;
+using compiled::ValueId;
+
+/// A value of all traces of a group: truth values, or numbers of 8, 16, 32 or 64 bits.
+enum class Rep : std::uint8_t { Truth, Byte, Word, Double, Quad };
+
+inline constexpr std::size_t rowBytes = 32;
+inline constexpr std::size_t mostPieces = 8;
+/// Registers of 256 bits that a value takes.
+constexpr std::size_t pieceCount(Rep rep) {
+  return rep <= Rep::Byte ? 1 : std::size_t{1} << (static_cast<int>(rep) - static_cast<int>(Rep::Byte));
+}
+/// The narrowest form that holds so many bits; one bit is a truth value.
+constexpr Rep repFor(int width) {
+  return width <= 1    ? Rep::Truth
+         : width <= 8  ? Rep::Byte
+         : width <= 16 ? Rep::Word
+         : width <= 32 ? Rep::Double
+                       : Rep::Quad;
+}
+constexpr int bitsOf(Rep rep) { return rep == Rep::Truth ? 1 : 4 << static_cast<int>(rep); }
+
+/// Where the number of a trace stands in a row: numbers are widened half by half within 128 bits, as the processor's
+/// instructions for that do, so that no value crosses the middle of a register.
+constexpr std::size_t elementOf(Rep rep, std::size_t lane) {
+  if (rep <= Rep::Byte) return lane;
+  const std::size_t perHalf = 128 / static_cast<std::size_t>(bitsOf(rep));
+  // The element one form narrower, its register, and the place in its half of it.
+  const Rep narrower = static_cast<Rep>(static_cast<int>(rep) - 1);
+  const std::size_t from = elementOf(narrower, lane), halfBefore = 2 * perHalf;
+  const std::size_t piece = from / (2 * halfBefore), half = from / halfBefore % 2, at = from % halfBefore;
+  return (2 * piece + at / perHalf) * 2 * perHalf + half * perHalf + at % perHalf;
+}
+
+/// A row of the state.
+struct Row {
+  std::size_t at = 0;
+  Rep rep = Rep::Truth;
+};
+
+/// Bytes of an area that computed addresses reach: a row for each of them, one behind the other.
+struct ReachedRows {
+  std::uint32_t first = 0, count = 0;
+  std::size_t at = 0;
+};
+
+/// Bits of a value of recorded code.
+constexpr int widthOf(const Step& s) {
+  if (isTruth(s.op)) return 1;
+  return s.op == CodeOp::Join ? s.width + static_cast<int>(s.value) : s.width;
+}
+
+/// Whether a step makes local memory 0, as it is when a block begins: that says nothing of how the bytes are used.
+constexpr bool isClearing(const Step& s, const Code& code) {
+  const Step& given = code.steps[s.a];
+  return s.op == CodeOp::StoreMemory && s.area == Area::L && given.op == CodeOp::Constant && given.value == 0;
+}
+
+class LaneLayout {
+ public:
+  LaneLayout(const Code& code, const std::vector<bool>& isNeeded, const Concrete::Store& model);
+
+  /// What all traces have in common in a scan, in front of the rows.
+  struct Head {
+    std::array<std::uint32_t, 3> ticks{};  ///< by LoadTicks
+    std::uint64_t mostTime = 0;            ///< 10 ns
+  };
+
+  bool isSliced = false;
+  std::size_t lanes = 32;
+  std::size_t stateEnd = 0;  ///< up to here rows hold state; behind them is room for a scan
+  std::size_t size = 0;
+
+  std::size_t slot(std::uint64_t number) const { return slots_ + rowBytes * number; }
+  std::size_t error(std::uint64_t site) const { return errors_ + rowBytes * site; }
+  std::size_t pending(std::uint64_t mark) const { return pending_ + rowBytes * mark; }
+  std::size_t kept(std::size_t number) const { return kept_ + rowBytes * number; }
+  std::size_t active() const { return active_; }  ///< traces that run
+  std::size_t left() const { return active_ + rowBytes; }
+  std::size_t scratch(std::size_t operand) const { return scratch_ + rowBytes * mostPieces * operand; }
+  Row state(std::uint64_t number) const { return states_[number]; }
+  /// Registers of the machine; nothing: the code does not touch it.
+  std::optional<Row> reg(std::size_t index) const { return registers_[index]; }
+  /// The row of just those bytes, or nothing.
+  std::optional<Row> cell(Area area, std::uint32_t byte, int bytes) const;
+  /// Rows of single bytes.
+  const ReachedRows& reached(Area area) const { return reached_[static_cast<std::size_t>(area)]; }
+  /// Room for so many rows that the emitter wants to keep from block to block.
+  void keepRows(std::size_t count);
+
+  struct Cell {
+    Area area;
+    std::uint32_t byte;
+    int bytes;
+    std::size_t at;
+  };
+  const std::vector<Cell>& cells() const { return cells_; }
+  std::size_t registerCount() const { return registers_.size(); }
+
+ private:
+  void placeMemory(const Code& code, const std::vector<bool>& isNeeded);
+  std::size_t rows(std::size_t count) {
+    const std::size_t at = size;
+    size += rowBytes * count;
+    return at;
+  }
+
+  std::size_t slots_ = 0, errors_ = 0, pending_ = 0, kept_ = 0, active_ = 0, scratch_ = 0;
+  std::vector<Row> states_;
+  std::vector<std::optional<Row>> registers_;
+  std::vector<Cell> cells_;
+  std::unordered_map<std::uint64_t, std::size_t> cellAt_;  ///< by area and byte: index in cells_
+  std::array<ReachedRows, areaCount> reached_{};
+};
+
+/// The number of one trace in a row.
+std::uint64_t numberIn(const std::uint8_t* rows, Row row, std::size_t lane, bool isSliced);
+void setNumberIn(std::uint8_t* rows, Row row, std::size_t lane, bool isSliced, std::uint64_t value);
+
+}  // namespace rungproof::lanes

@@ -1,0 +1,277 @@
+// The steps that make values, as vector instructions.
+#include <bit>
+
+#include "engine/lanes/lane_emitter.hpp"
+#include "ir/check.hpp"
+
+namespace rungproof::lanes {
+
+using namespace asmjit;  // its Operand: by its full name
+namespace Inst = x86::Inst;
+
+namespace {
+
+/// One instruction in its forms for bytes, words, double and quad words.
+using Forms = std::array<InstId, 4>;
+constexpr Forms addition = {Inst::kIdVpaddb, Inst::kIdVpaddw, Inst::kIdVpaddd, Inst::kIdVpaddq};
+constexpr Forms subtraction = {Inst::kIdVpsubb, Inst::kIdVpsubw, Inst::kIdVpsubd, Inst::kIdVpsubq};
+constexpr Forms equality = {Inst::kIdVpcmpeqb, Inst::kIdVpcmpeqw, Inst::kIdVpcmpeqd, Inst::kIdVpcmpeqq};
+constexpr Forms greater = {Inst::kIdVpcmpgtb, Inst::kIdVpcmpgtw, Inst::kIdVpcmpgtd, Inst::kIdVpcmpgtq};
+
+InstId formOf(const Forms& forms, Rep rep) { return forms[static_cast<std::size_t>(rep) - 1]; }
+
+int bitsNeeded(const Step& s) {
+  return s.op == CodeOp::Constant ? std::max(1, static_cast<int>(std::bit_width(s.value))) : widthOf(s);
+}
+bool isNumber(Rep rep) { return rep != Rep::Truth; }
+Rep atLeastByte(Rep rep) { return isNumber(rep) ? rep : Rep::Byte; }
+
+}  // namespace
+
+LaneEmitter::Vec LaneEmitter::valueOf(const Step& s) {
+  switch (s.op) {
+    case CodeOp::And:
+    case CodeOp::Or:
+    case CodeOp::Xor:
+    case CodeOp::Not:
+    case CodeOp::SelectBit: return truth(s);
+    case CodeOp::TestBit: return testBit(s);
+    case CodeOp::FromBit: return made(s.a);
+    case CodeOp::Equal:
+    case CodeOp::Less:
+    case CodeOp::LessSigned: return comparison(s);
+    case CodeOp::LoadBit: return loaded({layout_.slot(s.value), Rep::Truth});
+    case CodeOp::LoadState:
+    case CodeOp::LoadStateWord: return loaded(layout_.state(s.value));
+    case CodeOp::LoadRegister: return loaded(*layout_.reg(s.value));
+    case CodeOp::LoadMemory: return loadMemory(s);
+    case CodeOp::LoadSlots: return loadSlots(s);
+    case CodeOp::LoadAt: return loadAt(s);
+    case CodeOp::LoadTicks: {
+      const Ymm all = fresh();
+      c_.vpbroadcastw(all, at(offsetof(LaneLayout::Head, ticks) + 4 * s.value, 2));
+      return {Rep::Word, {all, all}};
+    }
+    case CodeOp::Select: return select(s);
+    case CodeOp::ShiftLeft:
+    case CodeOp::ShiftRight: return shift(s);
+    case CodeOp::Extract: return extract(s);
+    case CodeOp::Join: return join(s);
+    case CodeOp::DivideUnsigned:
+    case CodeOp::RemainderUnsigned:
+    case CodeOp::DivideSigned:
+    case CodeOp::RemainderSigned:
+    case CodeOp::RealFunction:
+    case CodeOp::RealToInt: return byTrace(s);
+    case CodeOp::RealEqual:
+    case CodeOp::RealLess:
+    case CodeOp::RealLegal:
+    case CodeOp::RealAdd:
+    case CodeOp::RealSub:
+    case CodeOp::RealMul:
+    case CodeOp::RealDiv:
+    case CodeOp::RealFromInt: return real(s);
+    default: return arithmetic(s);
+  }
+}
+
+LaneEmitter::Vec LaneEmitter::truth(const Step& s) {
+  const auto bit = [&](ValueId id) { return use(id, Rep::Truth).piece[0]; };
+  switch (s.op) {
+    case CodeOp::And:
+      if (isFolded_[s.a]) return {Rep::Truth, {op(Inst::kIdVpandn, bit(code_.steps[s.a].a), bit(s.b))}};
+      if (isFolded_[s.b]) return {Rep::Truth, {op(Inst::kIdVpandn, bit(code_.steps[s.b].a), bit(s.a))}};
+      return {Rep::Truth, {op(Inst::kIdVpand, bit(s.a), bit(s.b))}};
+    case CodeOp::Or: return {Rep::Truth, {op(Inst::kIdVpor, bit(s.a), bit(s.b))}};
+    case CodeOp::Xor: return {Rep::Truth, {op(Inst::kIdVpxor, bit(s.a), bit(s.b))}};
+    case CodeOp::Not: return {Rep::Truth, {inverted(bit(s.a))}};
+    default: return {Rep::Truth, {chosen(bit(s.a), bit(s.b), bit(s.c))}};
+  }
+}
+
+LaneEmitter::Vec LaneEmitter::testBit(const Step& s) {
+  const Vec a = made(s.a);
+  if (!isNumber(a.rep)) return s.value == 0 ? a : constant(0, Rep::Truth);
+  if (static_cast<int>(s.value) >= bitsOf(a.rep)) return constant(0, Rep::Truth);
+  if (a.rep != Rep::Quad && static_cast<int>(s.value) == bitsOf(a.rep) - 1) {  // packing keeps signs
+    const Ymm sign = toTruth(a).piece[0];
+    return {Rep::Truth, {op(Inst::kIdVpcmpgtb, constant(0, Rep::Truth).piece[0], sign)}};
+  }
+  const Mem own = constantRow(1ULL << s.value, a.rep);
+  return toTruth(each(formOf(equality, a.rep), each(Inst::kIdVpand, a, own), own));
+}
+
+LaneEmitter::Vec LaneEmitter::lessOf(const Step& s, Rep rep) {
+  const auto isBelow = [&](const Vec& a, const Vec& b) { return toTruth(each(formOf(greater, rep), b, a)); };
+  const Vec a = use(s.a, rep), b = use(s.b, rep);
+  const std::uint64_t topBit = 1ULL << (bitsOf(rep) - 1);
+  if (s.op == CodeOp::Less) {
+    const bool fits = bitsNeeded(code_.steps[s.a]) < bitsOf(rep) && bitsNeeded(code_.steps[s.b]) < bitsOf(rep);
+    if (fits) return isBelow(a, b);
+    const Mem top = constantRow(topBit, rep);
+    return isBelow(each(Inst::kIdVpxor, a, top), each(Inst::kIdVpxor, b, top));
+  }
+  if (s.width == bitsOf(rep)) return isBelow(a, b);
+  // (x ^ sign) - sign continues the sign; without the subtraction numbers keep their order.
+  const Mem sign = constantRow(1ULL << (s.width - 1), rep);
+  return isBelow(each(Inst::kIdVpxor, a, sign), each(Inst::kIdVpxor, b, sign));
+}
+
+LaneEmitter::Vec LaneEmitter::comparison(const Step& s) {
+  const int bits = std::max(bitsNeeded(code_.steps[s.a]), bitsNeeded(code_.steps[s.b]));
+  if (s.op == CodeOp::Equal) {
+    const Rep rep = atLeastByte(repFor(bits));
+    return toTruth(each(formOf(equality, rep), use(s.a, rep), use(s.b, rep)));
+  }
+  return lessOf(s, atLeastByte(repFor(std::max(bits, int{s.width}))));
+}
+
+LaneEmitter::Vec LaneEmitter::select(const Step& s) {
+  const Rep rep = repFor(s.width);
+  const Vec mask = use(s.a, rep, true), on = use(s.b, rep), off = use(s.c, rep);
+  Vec to{rep};
+  for (std::size_t i = 0; i < pieceCount(rep); ++i) to.piece[i] = chosen(mask.piece[i], on.piece[i], off.piece[i]);
+  return to;
+}
+
+LaneEmitter::Vec LaneEmitter::arithmetic(const Step& s) {
+  const Rep own = repFor(s.width);
+  const bool isLogic =
+      s.op == CodeOp::BitAnd || s.op == CodeOp::BitOr || s.op == CodeOp::BitXor || s.op == CodeOp::BitNot;
+  const Rep rep = isLogic ? own : atLeastByte(own);
+  const auto both = [&](InstId id) { return each(id, use(s.a, rep), use(s.b, rep)); };
+  Vec result;
+  switch (s.op) {
+    case CodeOp::Add: result = both(formOf(addition, rep)); break;
+    case CodeOp::Sub: result = both(formOf(subtraction, rep)); break;
+    case CodeOp::Mul:
+      if (rep == Rep::Quad) return byTrace(s);
+      if (rep == Rep::Byte) {
+        result = narrowed(cut(each(Inst::kIdVpmullw, use(s.a, Rep::Word), use(s.b, Rep::Word)), 8), false);
+      } else {
+        result = both(rep == Rep::Word ? Inst::kIdVpmullw : Inst::kIdVpmulld);
+      }
+      break;
+    case CodeOp::BitAnd: return both(Inst::kIdVpand);
+    case CodeOp::BitOr: return both(Inst::kIdVpor);
+    case CodeOp::BitXor: return both(Inst::kIdVpxor);
+    case CodeOp::BitNot:
+      return each(Inst::kIdVpxor, use(s.a, rep), constantRow(Concrete::mask(std::max(int{s.width}, 1)), rep));
+    case CodeOp::Signed: {
+      const Mem sign = constantRow(1ULL << (s.value - 1), rep);
+      result = each(Inst::kIdVpxor, use(s.a, rep), sign);
+      result = each(formOf(subtraction, rep), result, sign);
+      break;
+    }
+    default: CHECK(false, "no operation on words");
+  }
+  result = cut(result, s.width);
+  if (own == Rep::Truth) result = toTruth(each(Inst::kIdVpcmpeqb, result, constantRow(1, Rep::Byte)));
+  return result;
+}
+
+LaneEmitter::Vec LaneEmitter::shift(const Step& s) {
+  const bool isLeft = s.op == CodeOp::ShiftLeft;
+  const Rep own = repFor(s.width);
+  const Step& count = code_.steps[s.b];
+  const bool isConstant = count.op == CodeOp::Constant;
+  if (isConstant && count.value >= s.width) return constant(0, own);
+  const Rep rep = std::max(own, isConstant ? Rep::Word : std::max(Rep::Double, repFor(widthOf(count))));
+  Vec result{rep};
+  if (isConstant) {
+    result = shifted(use(s.a, rep), isLeft, static_cast<std::uint32_t>(count.value));
+  } else {
+    const InstId id = rep == Rep::Quad ? (isLeft ? Inst::kIdVpsllvq : Inst::kIdVpsrlvq)
+                                       : (isLeft ? Inst::kIdVpsllvd : Inst::kIdVpsrlvd);
+    result = each(id, use(s.a, rep), use(s.b, rep));
+  }
+  result = cut(result, s.width);
+  if (own == Rep::Truth) return toTruth(each(formOf(equality, rep), result, constantRow(1, rep)));
+  while (result.rep > own) result = narrowed(result, false);
+  return result;
+}
+
+LaneEmitter::Vec LaneEmitter::extract(const Step& s) {
+  const Rep own = repFor(s.width), from = repFor(widthOf(code_.steps[s.a]));
+  if (own == Rep::Truth) {
+    Step bit = s;
+    bit.op = CodeOp::TestBit;
+    return testBit(bit);
+  }
+  if (static_cast<int>(s.value) >= bitsOf(std::max(from, Rep::Word))) return constant(0, own);
+  Vec value = use(s.a, std::max(from, s.value == 0 ? own : std::max(own, Rep::Word)));
+  if (s.value != 0) value = shifted(value, false, static_cast<std::uint32_t>(s.value));
+  value = cut(value, s.width);
+  while (value.rep > own) value = narrowed(value, false);
+  return value;
+}
+
+LaneEmitter::Vec LaneEmitter::join(const Step& s) {
+  const Rep own = repFor(widthOf(s));
+  const Rep part = s.value == 8 ? Rep::Byte : Rep::Word;
+  const bool isUnpacking = (own == Rep::Word && s.value == 8) || (own == Rep::Double && s.value == 16);
+  if (isUnpacking) return together(use(s.a, part), use(s.b, part));
+  const Rep rep = std::max(own, Rep::Word);
+  Vec both = each(Inst::kIdVpor, shifted(use(s.a, rep), true, static_cast<std::uint32_t>(s.value)), use(s.b, rep));
+  while (both.rep > own) both = narrowed(both, false);
+  return both;
+}
+
+LaneEmitter::Vec LaneEmitter::real(const Step& s) {
+  const Vec a = use(s.a, Rep::Double);
+  if (s.op == CodeOp::RealLegal) {  // the exponent is not all ones
+    const Mem exponent = constantRow(0x7F800000, Rep::Double);
+    const Vec isSpecial = toTruth(each(Inst::kIdVpcmpeqd, each(Inst::kIdVpand, a, exponent), exponent));
+    return {Rep::Truth, {inverted(isSpecial.piece[0])}};
+  }
+  if (s.op == CodeOp::RealFromInt) {
+    Vec to{Rep::Double};
+    for (std::size_t i = 0; i < pieceCount(Rep::Double); ++i) {
+      to.piece[i] = fresh();
+      c_.vcvtdq2ps(to.piece[i], a.piece[i]);
+    }
+    return to;
+  }
+  const Vec b = use(s.b, Rep::Double);
+  const auto compared = [&](const Vec& x, const Vec& y, std::uint32_t how) {
+    Vec mask{Rep::Double};
+    for (std::size_t i = 0; i < pieceCount(Rep::Double); ++i) {
+      mask.piece[i] = fresh();
+      c_.vcmpps(mask.piece[i], x.piece[i], y.piece[i], imm(how));
+    }
+    return mask;
+  };
+  constexpr std::uint32_t equalOrdered = 0, lessOrdered = 0x11, unordered = 3;
+  if (s.op == CodeOp::RealEqual) return toTruth(compared(a, b, equalOrdered));
+  if (s.op == CodeOp::RealLess) return toTruth(compared(a, b, lessOrdered));
+  const Vec result = each(s.op == CodeOp::RealAdd   ? Inst::kIdVaddps
+                          : s.op == CodeOp::RealSub ? Inst::kIdVsubps
+                          : s.op == CodeOp::RealMul ? Inst::kIdVmulps
+                                                    : Inst::kIdVdivps,
+                          a, b);
+  const Vec isNan = compared(result, result, unordered), oneNan = constant(0x7FC00000, Rep::Double);
+  Vec to{Rep::Double};
+  for (std::size_t i = 0; i < pieceCount(Rep::Double); ++i)
+    to.piece[i] = chosen(isNan.piece[i], oneNan.piece[i], result.piece[i]);
+  return to;
+}
+
+LaneEmitter::Vec LaneEmitter::byTrace(const Step& s) {
+  const bool isBinary = compiled::operandCount(s.op) == 2;
+  const Step& first = code_.steps[s.a];
+  const int bits = std::max({bitsNeeded(first), isBinary ? bitsNeeded(code_.steps[s.b]) : 1, widthOf(s)});
+  const Rep rep = atLeastByte(repFor(bits)), own = repFor(widthOf(s));
+  const auto give = [&](std::size_t operand, ValueId id) {
+    const Vec given = use(id, rep);
+    for (std::size_t i = 0; i < pieceCount(rep); ++i) save(layout_.scratch(operand) + rowBytes * i, given.piece[i]);
+  };
+  give(0, s.a);
+  if (isBinary) give(1, s.b);
+  callByTrace(byTrace_.emplace_back(StepByTrace{s, {}}), rep);
+  Vec result = loaded({layout_.scratch(2), rep});
+  if (own == Rep::Truth) return toTruth(each(formOf(equality, rep), result, constantRow(1, rep)));
+  while (result.rep > own) result = narrowed(result, false);
+  return result;
+}
+
+}  // namespace rungproof::lanes
