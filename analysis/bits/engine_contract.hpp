@@ -70,6 +70,7 @@ class Budget {
   static Budget ofThread(double s, const Budget& whole) {
     Budget result = whole;
     result.threadDeadline_ = threadSeconds() + s;
+    result.threadLook_ = {};
     return result;
   }
   /// The same cancellation and deadline, but at most that much of the processor's time of the calling thread, which
@@ -78,21 +79,31 @@ class Budget {
     Budget result = *this;
     const double most = threadSeconds() + s;
     result.threadDeadline_ = threadDeadline_ > 0 ? std::min(threadDeadline_, most) : most;
+    result.threadLook_ = {};
     result.deadline_ = std::min(deadline_, seconds(s * schedule::mostWait).deadline_);
     return result;
   }
   bool isExhausted() const {
-    return isSet(cancel_) || isSet(outer_) || Clock::now() >= deadline_ ||
-           (threadDeadline_ > 0 && threadSeconds() >= threadDeadline_);
+    if (isSet(cancel_) || isSet(outer_)) return true;
+    const Clock::time_point now = Clock::now();
+    return now >= deadline_ || (threadDeadline_ > 0 && now >= threadLook_ && isThreadOver(now));
   }
 
  private:
+  /// A thread takes no more of the processor than time passes: until what is left has passed, nobody need look again,
+  /// which asks the system and is dear.
+  bool isThreadOver(Clock::time_point now) const {
+    const std::chrono::duration<double> rest(threadDeadline_ - threadSeconds());
+    threadLook_ = now + std::chrono::duration_cast<Clock::duration>(rest);
+    return rest.count() <= 0;
+  }
   static bool isSet(const std::atomic<bool>* flag) { return flag != nullptr && flag->load(std::memory_order_relaxed); }
 
   Clock::time_point deadline_;
   const std::atomic<bool>* cancel_;
   const std::atomic<bool>* outer_;
-  double threadDeadline_ = 0;  ///< in processor time of the thread; 0: none
+  double threadDeadline_ = 0;             ///< in processor time of the thread; 0: none
+  mutable Clock::time_point threadLook_;  ///< not before that can it be over
 };
 
 struct EngineOptions {

@@ -27,6 +27,7 @@ class BudgetTerminator final : public CaDiCaL::Terminator {
 
 Sat::Sat(Use use) : solver_(std::make_unique<CaDiCaL::Solver>()) {
   solver_->set("quiet", 1);
+  CHECK(solver_->set("profile", 0), "CaDiCaL knows the option");  // it asks for the time at each phase of a search
   solver_->set("lucky", 0);
   if (use == Use::Many) {
     for (const char* technique : {"walk", "probe", "elim", "subsume", "vivify", "ternary", "transred", "decompose",

@@ -116,7 +116,8 @@ class ProgramComparison {
 
   void nameAssumptions() {
     for (const Side* side : {&before_, &after_}) {
-      for (const std::string& text : environmentTexts(*side->program, side->set, options_.prover.time)) {
+      for (const std::string& text :
+           environmentTexts(*side->program, side->set, options_.prover.time, options_.prover.choices)) {
         if (std::ranges::find(result_.assumptions, text) == result_.assumptions.end())
           result_.assumptions.push_back(text);
       }
@@ -372,7 +373,7 @@ class ProgramComparison {
       return nodes;
     }();
     TimeModel& time = relaxed.oldSide().encoding().time();
-    accelerate(asked, time.dt(), time.width(), options_.prover.time.high,
+    accelerate(asked, time.dt(), time.width(), options_.prover.time,
                [&](Node n) { return ofTime.contains(indexOf(n)); });
     const auto trace = shallowSearch(asked, longScans, searchTime());
     return trace && show(relaxed, both, asked, *trace, open);

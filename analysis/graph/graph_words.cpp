@@ -50,6 +50,8 @@ Node Graph::makeAdd(int width, Node a, Node b) {
   }
   if (is(a, Op::Sub) && child(a, 1) == b) return child(a, 0);
   if (is(b, Op::Sub) && child(b, 1) == a) return child(b, 0);
+  if (is(a, Op::Sub) && is(b, Op::Sub) && child(b, 1) == child(a, 0))
+    return make(Op::Sub, width, child(b, 0), child(a, 1));
   if (is(a, Op::Add) && isConstant(child(a, 1)))
     return make(Op::Add, width, make(Op::Add, width, child(a, 0), b), child(a, 1));
   if (is(b, Op::Add) && isConstant(child(b, 1)))

@@ -29,6 +29,7 @@ struct Question {
 /// State variables that belong to one timer, as far as the program has them. A hint: nothing is believed for it.
 struct TimerHint {
   Node bit = noNode, input = noNode, running = noNode;
+  Node rest = noNode;  ///< of its time, where it counts down
 };
 
 /// Questions of a system by their index there, which never changes: who answers a part of them is given a list.
@@ -44,6 +45,8 @@ struct TransitionSystem {
   std::vector<Node> totalConstraints;
   std::vector<Question> questions;
   std::vector<TimerHint> timers;  ///< state variables that were reduced away may still be named
+  /// What clocks and timers count by where every scan lasts as long: its ms, its ticks. A hint, as the timers are.
+  std::vector<std::uint64_t> steadySteps;
 };
 
 inline Questions allQuestions(const TransitionSystem& system) {

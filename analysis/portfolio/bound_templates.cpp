@@ -122,17 +122,23 @@ class TemplateSearch {
       const NodeData& node = graph_[n];
       if (node.op == Op::Constant && node.value > 1 && node.value <= Graph::maskOf(widthOf(self)))
         constants.insert(node.value);
-      if (node.op == Op::Sub && graph_[node.child[1]].op != Op::Constant && leadsTo(node.child[0], self)) {
+      if (const Node taken = takenAway(node); taken != noNode && leadsTo(node.child[0], self)) {
         if (found && !found->countsDown) return;
         // The last subtraction of a scan: those before it stop the word, which then stands still.
-        found = CountingWord{state, {lowPart(node.child[0], self), node.child[1], n}, {}, Op::Zext, true};
+        found = CountingWord{state, {lowPart(node.child[0], self), taken, n}, {}, Op::Zext, true};
         continue;
       }
       if (node.op != Op::Add) continue;
       for (std::size_t side = 0; side < 2; ++side) {
         const Node other = node.child[1 - side];
-        if (graph_[other].op == Op::Constant) continue;
+        if (!isStep(other)) continue;
         // What starts within a scan may be set to any moment of it; the length of the scan is added last.
+        if (found && !found->countsDown && lowPart(node.child[side], found->sum.next, true) != noNode) {
+          found->sum.increment = together(found->sum.increment, other);
+          found->sum.next = n;
+          found->isChained = true;
+          continue;
+        }
         const bool isSet = !carries(node.child[side], self);
         if (isSet && !(leadsTo(node.child[side], self) && dependsOnInputsOnly(other))) continue;
         if (found && (found->countsDown || (!isSet && found->sum.increment != other)))
@@ -149,7 +155,27 @@ class TemplateSearch {
       found->stops.erase(found->stops.begin() + 1, found->stops.end() - (schedule::stopLimit - 1));
     words_.push_back(std::move(*found));
   }
-  bool isBlasted(Node n) const { return blast_.contains(n); }
+  /// What two additions in a row add.
+  Node together(Node first, Node second) {
+    first = withoutExtension(first);
+    second = withoutExtension(second);
+    const int width = std::max(widthOf(first), widthOf(second));
+    return graph_.make(Op::Add, width, wide(first, width), wide(second, width));
+  }
+  /// What something counts by: not the constants of the program, but those that are the length of every scan.
+  bool isStep(Node n) const {
+    return graph_[n].op != Op::Constant ||
+           std::ranges::find(system_.steadySteps, graph_[n].value) != system_.steadySteps.end();
+  }
+  /// What a node takes away of its first operand, if anything counts by that. A constant is taken away by adding it.
+  Node takenAway(const NodeData& node) {
+    if (node.op == Op::Sub) return isStep(node.child[1]) ? node.child[1] : noNode;
+    if (node.op != Op::Add || graph_[node.child[1]].op != Op::Constant) return noNode;
+    const std::uint64_t size = (~graph_[node.child[1]].value + 1) & Graph::maskOf(node.width);
+    if (std::ranges::find(system_.steadySteps, size) == system_.steadySteps.end()) return noNode;
+    return graph_.constantNode(size, node.width);
+  }
+  bool isBlasted(Node n) const { return graph_[n].op == Op::Constant || blast_.contains(n); }
   Node withoutExtension(Node n) const {
     while (graph_[n].op == Op::Zext || graph_[n].op == Op::Sext) n = graph_[n].child[0];
     return n;
@@ -169,14 +195,24 @@ class TemplateSearch {
   }
 
   /// The word itself, or what is chosen between it and anything else.
-  bool leadsTo(Node n, Node self, int depth = 8) const { return lowPart(n, self, depth) != noNode; }
-  /// The word there, or its low part where merging has found its high bits constant; noNode: neither.
-  Node lowPart(Node n, Node self, int depth = 8) const {
-    n = withoutExtension(n);
-    if (isWordOrLowPart(n, self)) return n;
-    if (graph_[n].op != Op::Ite || depth == 0) return noNode;
-    const Node first = lowPart(graph_[n].child[1], self, depth - 1);
-    return first != noNode ? first : lowPart(graph_[n].child[2], self, depth - 1);
+  bool leadsTo(Node n, Node self) const { return lowPart(n, self) != noNode; }
+  /// The word there, or its low part where merging has found its high bits constant; noNode: neither. `isCut`: also
+  /// where only the low part of what is chosen is kept, as of a sum that stops at the largest value.
+  Node lowPart(Node n, Node self, bool isCut = false) const {
+    std::vector<Node> open{n};
+    std::set<std::uint32_t> choices;
+    while (!open.empty()) {
+      const Node at = withoutExtension(open.back());
+      open.pop_back();
+      if (isWordOrLowPart(at, self)) return at;
+      if (isCut && graph_[at].op == Op::Extract && graph_[at].value == 0) open.push_back(graph_[at].child[0]);
+      if (graph_[at].op != Op::Ite || choices.size() == schedule::followedChoices ||
+          !choices.insert(indexOf(at)).second)
+        continue;
+      open.push_back(graph_[at].child[2]);
+      open.push_back(graph_[at].child[1]);
+    }
+    return noNode;
   }
 
   /// Words by equal increments: those added at once as they come about, pending ones a scan later.
@@ -186,19 +222,20 @@ class TemplateSearch {
     int done = 0;
     for (; done < schedule::templateScans && !budget_.isExhausted() && runs.choose(); ++done) {
       for (std::size_t i = 0; i < words_.size(); ++i) {
-        const LitVector& bits = blast_.of(words_[i].sum.increment);
-        for (std::size_t bit = 0; bit < schedule::comparedBits; ++bit)
-          seen[i].push_back(bit < bits.size() ? runs.simulator().value(bits[bit]) : 0);
+        const NodeData& increment = graph_[words_[i].sum.increment];
+        const LitVector bits = increment.op == Op::Constant ? LitVector{} : blast_.of(words_[i].sum.increment);
+        for (std::size_t bit = 0; bit < schedule::comparedBits; ++bit) {
+          const bool isSet = increment.op == Op::Constant && (increment.value >> bit & 1U) != 0;
+          seen[i].push_back(bit < bits.size() ? runs.simulator().value(bits[bit]) : isSet ? ~0ULL : 0);
+        }
       }
       runs.step();
     }
-    for (std::size_t i = 0; i < words_.size() && done > 0; ++i) {
-      // A pending increment of one scan is that of the scan before.
-      if (words_[i].sum.isPending)
-        seen[i].erase(seen[i].begin(), seen[i].begin() + schedule::comparedBits);
-      else
-        seen[i].resize(seen[i].size() - schedule::comparedBits);
-      for (std::uint64_t& lanes : seen[i]) lanes &= runs.live();
+    if (done > 0) {
+      for (std::vector<std::uint64_t>& increments : seen) {
+        for (std::uint64_t& lanes : increments) lanes &= runs.live();
+      }
+      takeAsPending(seen);
     }
     std::map<std::vector<std::uint64_t>, std::vector<std::size_t>> byIncrement;
     for (std::size_t i = 0; i < words_.size(); ++i) byIncrement[seen[i]].push_back(i);
@@ -208,6 +245,26 @@ class TemplateSearch {
       result.push_back(std::move(group));
     }
     return result;
+  }
+
+  /// Leaves of what was seen of each word's increment the scans to compare: a pending one is that of the scan before.
+  /// What depends on states alone is pending, but where every scan lasts as long, the ticks of this scan depend on
+  /// states alone as well: it is added at once if another word adds the same one scan later.
+  void takeAsPending(std::vector<std::vector<std::uint64_t>>& seen) {
+    std::vector<std::vector<std::uint64_t>> later;
+    std::map<std::vector<std::uint64_t>, std::size_t> pending;  // how many
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+      later.emplace_back(seen[i].begin() + schedule::comparedBits, seen[i].end());
+      seen[i].resize(seen[i].size() - schedule::comparedBits);
+      if (words_[i].sum.isPending) ++pending[later[i]];
+    }
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+      Summand& sum = words_[i].sum;
+      if (!sum.isPending) continue;
+      const auto followers = pending.find(seen[i]);
+      sum.isPending = followers == pending.end() || seen[i] == later[i];
+      if (sum.isPending) seen[i] = std::move(later[i]);
+    }
   }
 
   /// Sums and differences of a group never wrap.
@@ -227,7 +284,7 @@ class TemplateSearch {
         continue;
       }
       // The program's own adder, so that nobody has to find out that two adders are equal.
-      sum.next = sum.isPending || mayWrap(own) || widthOf(own) > width
+      sum.next = sum.isPending || words_[i].isChained || mayWrap(own) || widthOf(own) > width
                      ? graph_.make(Op::Add, width, sum.word, sum.increment)
                      : wide(own, width);
     }

@@ -23,6 +23,7 @@ struct CountingWord {
   std::vector<std::uint64_t> stops;  ///< values at which it may stop
   Op extension = Op::Zext;           ///< how the program extends it: Sext, or anything else
   bool countsDown = false;
+  bool isChained = false;  ///< the increment is added in parts
   bool isTimer() const { return sum.isPending || countsDown; }
 };
 

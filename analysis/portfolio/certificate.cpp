@@ -64,6 +64,7 @@ void CertificateWriter::consecution(const WordCertificate& certificate) {
   }
   parts.push_back(notAll(certificate.invariant, 1));
   oblige("consecution", std::move(parts));
+  if (certificate.isChain) addAll(obligations_.back().guide, certificate.invariant, 1);
 }
 
 /// k good scans of states in the invariant, then a bad one; k = 0: one bad scan.
@@ -153,10 +154,12 @@ std::vector<CheckResult> CertificateWriter::checkStepByStep(const CheckLimits& l
   std::vector<CheckResult> results(obligations_.size(), CheckResult::Unknown);
   ScanClauses shared(system_);
   std::unordered_map<int, CheckResult> known;
-  const auto refuted = [&](ScanClauses& clauses, int literal) {
+  const auto refuted = [&](ScanClauses& clauses, int literal, const std::vector<Formula>& guide) {
     if (literal == -GateClauses::yes) return CheckResult::Valid;
     const double used = std::chrono::duration<double>(Clock::now() - begin).count();
-    return refute(clauses.gates().clausesOf(literal),
+    std::vector<int> guiding;
+    for (const Formula& formula : guide) guiding.push_back(clauses.literalOf(formula));
+    return refute(clauses.gates().clausesOf(literal, guiding),
                   {std::min({schedule::stepByStepSeconds, limits.each, limits.total - used}), limits.cancel});
   };
   for (std::size_t i = 0; i < obligations_.size(); ++i) {
@@ -165,11 +168,11 @@ std::vector<CheckResult> CertificateWriter::checkStepByStep(const CheckLimits& l
       results[i] = CheckResult::Valid;  // only sums are added to the obligations
     } else if (o.surface) {
       ScanClauses own(system_, surfaces_[*o.surface]);
-      results[i] = refuted(own, own.literalOf(o.formula));
+      results[i] = refuted(own, own.literalOf(o.formula), o.guide);
     } else {
       const int literal = shared.literalOf(o.formula);
       const auto [at, isNew] = known.try_emplace(literal, CheckResult::Unknown);
-      if (isNew) at->second = refuted(shared, literal);
+      if (isNew) at->second = refuted(shared, literal, o.guide);
       results[i] = at->second;
     }
   }

@@ -23,6 +23,8 @@ struct WordCertificate {
   std::vector<Node> pathBits;
   /// Of the invariant: what excludes bad (in the step case, in every scan); empty: all of it.
   std::vector<Node> immediate;
+  /// Each of the invariant follows after a scan from those before it with little search, presumably.
+  bool isChain = false;
   std::vector<KeptDifference> differences;  ///< used in the step from I to I; each is an obligation of its own
   /// Nodes that may have any value: the proof does not look below them. Only with k = 0; then bad is excluded in every
   /// scan in which the invariant holds, whatever the constraints.

@@ -21,6 +21,7 @@ struct Obligation {
   Formula formula;
   std::optional<KeptDifference> theorem{};  ///< instead of the formula
   std::optional<std::size_t> surface{};     ///< in which open nodes have any value
+  std::vector<Formula> guide{};             ///< what follows on the way to the contradiction, one after the other
 };
 
 class CertificateText {

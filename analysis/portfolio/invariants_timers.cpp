@@ -61,9 +61,11 @@ std::vector<NodeClause> guessTimerStates(const TransitionSystem& system) {
   for (const StateVariable& state : system.states) {
     const auto timer = byRunning.find(state.node);
     if (timer == byRunning.end()) continue;
-    const auto [bit, input, running] = *timer->second;
+    const auto [bit, input, running, rest] = *timer->second;
     if (isState.contains(bit) && isState.contains(input))
       clauses.push_back({graph.make(Op::Not, 1, bit), input, running});
+    if (isState.contains(rest))
+      clauses.push_back({running, graph.make(Op::Equal, 1, rest, graph.constantNode(0, graph[rest].width))});
   }
   guessSeenInputs(system, inputs, clauses);
   return clauses;

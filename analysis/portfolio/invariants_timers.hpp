@@ -8,7 +8,8 @@
 
 namespace rungproof {
 
-/// One clause for each timer of which bit, input and running state are state variables, and those of remembered inputs.
+/// One clause for each timer of which bit, input and running state are state variables, one for each that counts down
+/// (stopped, it has nothing left), and those of remembered inputs.
 std::vector<NodeClause> guessTimerStates(const TransitionSystem& system);
 
 }  // namespace rungproof

@@ -301,6 +301,7 @@ class Merger {
     result.system.graph = given_.graph;
     result.system.inputs = given_.inputs;
     result.system.timers = given_.timers;
+    result.system.steadySteps = given_.steadySteps;
     for (const std::size_t s : result.kept)
       result.system.states.push_back({given_.states[s].node, given_.states[s].init, rewritten(given_.states[s].next)});
     for (const Node n : given_.constraints) {

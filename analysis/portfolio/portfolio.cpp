@@ -29,7 +29,7 @@ class Answers {
     for (const std::size_t q : questions) {
       if (!settleLocally(q, budget)) open.push_back(q);
     }
-    if (!open.empty()) {
+    if (!open.empty() && options_.effort != Effort::Surface) {
       const auto begin = Budget::Clock::now();
       const MergedSystem merged = merge(open, budget);
       const double each =

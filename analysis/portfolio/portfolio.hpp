@@ -18,9 +18,9 @@
 
 namespace rungproof {
 
-/// Together: only what treats all questions at once, within milliseconds. Apart: groups of questions, then each, after
-/// the other has been tried. Full: both.
-enum class Effort : std::uint8_t { Together, Apart, Full };
+/// Surface: only what needs no earlier scan. Together: what treats all questions at once, within milliseconds. Apart:
+/// groups of questions, then each, after the others have been tried. Full: all.
+enum class Effort : std::uint8_t { Surface, Together, Apart, Full };
 
 struct PortfolioOptions {
   Effort effort = Effort::Full;

@@ -22,16 +22,19 @@ struct EngineKind {
   std::unique_ptr<Engine> (*make)(const BitSystem&, const EngineOptions&);
   double weight;                                ///< share of time relative to the others
   double patience = schedule::tirelessSeconds;  ///< s, after which that share shrinks
+  double wait = 0;                              ///< s that count as used at first: who settles most begins
 };
 constexpr std::array engineKinds = {
     EngineKind{Technique::Ic3, "IC3", makeIc3, schedule::ic3Weight},
-    EngineKind{Technique::Bmc, "BMC", makeBmc, schedule::bmcWeight},
+    EngineKind{Technique::Bmc, "BMC", makeBmc, schedule::bmcWeight, schedule::tirelessSeconds, schedule::bmcWait},
     EngineKind{Technique::LongSimulation, "simulation", makeSimulation, schedule::simulationWeight,
-               schedule::runPatience},
+               schedule::runPatience, schedule::seekerWait},
     EngineKind{Technique::Explicit, "explicit search", makeExhaustive, schedule::exhaustiveWeight,
-               schedule::runPatience},
-    EngineKind{Technique::HeldInputs, "held inputs", makeHeldInputs, schedule::heldInputsWeight, schedule::runPatience},
-    EngineKind{Technique::KInduction, "k-induction", makeKInduction, schedule::kInductionWeight, schedule::runPatience},
+               schedule::runPatience, schedule::seekerWait},
+    EngineKind{Technique::HeldInputs, "held inputs", makeHeldInputs, schedule::heldInputsWeight, schedule::runPatience,
+               schedule::seekerWait},
+    EngineKind{Technique::KInduction, "k-induction", makeKInduction, schedule::kInductionWeight, schedule::runPatience,
+               schedule::seekerWait},
     EngineKind{Technique::WordIc3, "IC3 on words", nullptr, schedule::wordsWeight}};
 constexpr std::size_t onWords = engineKinds.size() - 1;  ///< made by the caller
 
@@ -105,7 +108,8 @@ class Race {
           if (runner.working || runner.ended) continue;
           // Questions with fewer workers and less time first, then engines with less weighted time.
           const double tired = 1 + runner.used / engineKinds[e].patience;
-          const double rank = contest.workers * 1e6 + contest.used * 1e3 + runner.used * tired / engineKinds[e].weight;
+          const double own = (runner.used + engineKinds[e].wait) * tired / engineKinds[e].weight;
+          const double rank = contest.workers * 1e6 + contest.used * 1e3 + own;
           if (found && rank >= best) continue;
           found = true;
           best = rank;

@@ -16,6 +16,7 @@
 #include "analysis/portfolio/invariants.hpp"
 #include "analysis/portfolio/invariants_bounds.hpp"
 #include "analysis/portfolio/invariants_covers.hpp"
+#include "analysis/portfolio/invariants_gates.hpp"
 #include "analysis/portfolio/invariants_groups.hpp"
 #include "analysis/portfolio/invariants_timers.hpp"
 #include "analysis/portfolio/invariants_words.hpp"
@@ -57,11 +58,13 @@ class Stages {
       searchTogether(schedule::shortInduction, false);
       if (!open_.empty() && options_.check) runBeforeBounds();
       if (options_.check) searchUnderBounds();
-      const bool isQuick = options_.effort == Effort::Apart;
-      const double each = isQuick ? std::min(options_.seconds, schedule::quickRaceSeconds) : options_.seconds;
+      const double each = isQuick() ? std::min(options_.seconds, schedule::quickRaceSeconds) : options_.seconds;
       if (!open_.empty()) raceApart(options_.techniques, each);
     }
   }
+  /// Whether each open question has its own time later.
+  bool isQuick() const { return options_.effort == Effort::Apart; }
+
   /// Bounds prove and show nothing: what waits for a timer and is wrong is often found by a moment's random runs.
   void runBeforeBounds() {
     Techniques runs = options_.techniques;
@@ -69,16 +72,22 @@ class Stages {
       if (info.id != Technique::LongSimulation) runs.leaveOut(info.id);
     }
     if (!runs.has(Technique::LongSimulation) || !options_.techniques.has(Technique::Bounds)) return;
-    raceApart(runs, std::min(options_.seconds, schedule::runsBeforeBounds));
+    raceBriefly(runs, schedule::runsBeforeBounds);
+  }
+  void raceBriefly(const Techniques& techniques, double seconds) {
+    raceApart(techniques, std::min(options_.seconds, seconds));
     std::erase_if(open_, [&](std::size_t q) { return answers_[q].answer != Answer::Unknown; });
   }
 
-  /// Each scope looks for more bounds than the one before it: where that has not come to an end, none will.
+  /// Each scope looks for more bounds than the one before it: where that has not come to an end, none will. Before
+  /// many are looked for, the engines have a moment under those that there are.
   void searchUnderBounds() {
     tried_.clear();
     areBoundsUnfinished_ = false;
     for (const BoundScope scope : {BoundScope::Few, BoundScope::Stops, BoundScope::All, BoundScope::Pending}) {
       if (open_.empty() || areBoundsUnfinished_) return;
+      if (scope == BoundScope::All) raceBriefly(options_.techniques, schedule::raceBeforeBounds);
+      if (open_.empty()) return;
       if (mineDifferences(scope)) searchTogether(schedule::shortInduction, false);
     }
   }
@@ -91,11 +100,24 @@ class Stages {
     begin({});
     if (findGroups()) searchTogether(1, false);
     if (minePairsAgain(false)) searchTogether(1, false);
+    if (tieGates()) searchTogether(1, false);
   }
   bool minePairsAgain(bool askedOnly) {
     if (open_.empty() || !options_.check) return false;
     begin({});
     return minePairs(askedOnly);
+  }
+
+  /// Gates that are equal in all reachable states; false if there are none.
+  bool tieGates() {
+    if (open_.empty() || !options_.techniques.has(Technique::EqualGates)) return false;
+    const TechniqueTurn turn(options_.log, Technique::EqualGates, open_.size());
+    mined_ = Technique::EqualGates;
+    begin(askedAtStart(system_, open_));
+    const double seconds = options_.seconds * static_cast<double>(open_.size()) * schedule::correspondenceShare;
+    const Budget limit = budget(std::min(seconds, schedule::mostCorrespondence));
+    for (const Lit equal : mineEqualGates(blast_->bits(), options_.seed, limit)) invariants_.clauses.push_back({equal});
+    return !invariants_.clauses.empty();
   }
 
   /// Starts a stage: blasts the open questions. Throws OutOfBudget.
@@ -288,7 +310,9 @@ class Stages {
     if (!options_.techniques.has(Technique::Bounds)) return false;
     const TechniqueTurn turn(options_.log, Technique::Bounds, open_.size());
     const MinedBounds mined = mineBounds(system_, *blast_, invariants_, options_.seed, scope,
-                                         budget(std::min({options_.seconds * schedule::boundShare, schedule::mostMining,
+                                         budget(std::min({options_.seconds * schedule::boundShare,
+                                                          isQuick() && scope >= BoundScope::All ? schedule::quickBounds
+                                                                                                : schedule::mostMining,
                                                           options_.left() * schedule::miningShare})),
                                          tried_);
     tried_ = mined.templates;
@@ -385,6 +409,7 @@ class Stages {
     WordCertificate result;
     result.k = given.k;
     result.simplePath = given.simplePath;
+    result.isChain = mined_ == Technique::EqualGates;
     for (const std::vector<Lit>& clause : whole.clauses) result.invariant.push_back(nodeOf(clause));
     result.immediate = result.invariant;
     append(result.invariant, needed.clauses);

@@ -116,6 +116,7 @@ std::optional<WordCertificate> AsWritten::translated(std::size_t question, bool 
   }
   own.k = certificate.k;
   own.simplePath = certificate.simplePath;
+  own.isChain = certificate.isChain;
   bool isWhole = true;
   const auto copyAll = [&](const std::vector<Node>& nodes) {
     std::vector<Node> result;

@@ -47,7 +47,7 @@ class Session {
 
   ProofRun run(const ProofProgress& progress) {
     ProofRun result;
-    result.assumptions = environmentTexts(program_, set_, options_.time);
+    result.assumptions = environmentTexts(program_, set_, options_.time, options_.choices);
     const std::size_t declared = goalCount(set_);
     try {
       search_.encode(deadlineOf(declared));
@@ -88,7 +88,11 @@ class Session {
       if (!search_.isSettled(question) && (isOver() || search_.watch().isStopped()))
         row.notes.push_back(reasonToStop());
       else
-        settle(question, std::min(start + inSeconds(most), deadlineOf(done + 1)), row, result);
+        settle(question,
+               {.deadline = std::min(start + inSeconds(most), deadlineOf(done + 1)),
+                .processor = isOfRule ? std::min(most, schedule::ruleProcessorSeconds) : most,
+                .isOfMany = isOfRule},
+               row, result);
       row.seconds = secondsSince(start) + search_.quick(question).seconds;
       rows[i] = std::move(row);
       if (progress && !progress(*rows[i], done + 1, total)) break;
@@ -151,8 +155,8 @@ class Session {
     row.witness = witness;
   }
 
-  void settle(std::size_t question, Clock::time_point deadline, ProofResult& row, ProofRun& run) {
-    auto [answer, witness] = search_.answer(question, deadline);
+  void settle(std::size_t question, const QuestionSearch::Time& time, ProofResult& row, ProofRun& run) {
+    auto [answer, witness] = search_.answer(question, time);
     row.method = answer.method;
     row.depth = answer.depth;
     row.notes = row.property.remarks;
@@ -501,7 +505,7 @@ ProofRun proveAll(const Program& program, const PropertySet& set, const ProverOp
     });
     noteUntouched(program, set, options, result.results);
   } else {
-    result.assumptions = environmentTexts(program, set, options.time);
+    result.assumptions = environmentTexts(program, set, options.time, options.choices);
   }
   ProofRun left;
   left.results = std::move(open);

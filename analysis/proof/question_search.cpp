@@ -18,8 +18,6 @@
 
 namespace rungproof {
 
-namespace {}  // namespace
-
 QuestionSearch::QuestionSearch(const Program& program, const PropertySet& set, const ProverOptions& options)
     : program_(program), set_(set), options_(options), goals_(askedGoals(set)), watch_(options.cancel, options.memory) {
   for (const Property& property : set.properties) {
@@ -81,7 +79,8 @@ class QuestionSearch::EarlyRuns {
 void QuestionSearch::encode(Clock::time_point deadline) {
   deadline_ = deadline;
   std::optional<EarlyRuns> runs;
-  if (options_.bound == 0 && options_.techniques.has(Technique::EarlyRuns)) runs.emplace(*this, deadline);
+  if (options_.bound == 0 && !goals_.empty() && options_.techniques.has(Technique::EarlyRuns))
+    runs.emplace(*this, deadline);
   EncoderOptions options = encoding(false);
   if (options_.evidence) options.trail = trail_ = std::make_shared<Trail>();
   exact_ = std::make_unique<QuestionSystem>(program_, set_, goals_, options, options_.checks);
@@ -154,8 +153,10 @@ class QuestionSearch::OwnRuns {
   std::unique_ptr<Exploration> exploration_;
 };
 
-QuestionSearch::Found QuestionSearch::answer(std::size_t question, Clock::time_point deadline) {
-  deadline_ = deadline;
+QuestionSearch::Found QuestionSearch::answer(std::size_t question, const Time& time) {
+  deadline_ = time.deadline;
+  processor_ = time.processor;
+  isOfMany_ = time.isOfMany;
   QuestionAnswer answer = quick_[question];
   std::optional<Witness> witness;
   if (const auto found = found_.find(question); found != found_.end())
@@ -170,7 +171,8 @@ QuestionSearch::Found QuestionSearch::answer(std::size_t question, Clock::time_p
   const bool isOpen = !witness && answer.answer != Answer::Proved;
   if (isOpen && !isTried && mayGoOn()) {
     std::tie(answer, witness) = search(question, answer.answer);
-    isTried = isUnconfirmed() && searchWithoutEstimates(question, answer, witness);
+    const bool isAskedAgain = isUnconfirmed() && isOfMany_ && triedWithoutEstimates_.contains(question);
+    isTried = isUnconfirmed() && !isAskedAgain && searchWithoutEstimates(question, answer, witness);
   }
   if (isUnconfirmed()) witness = own.search(answer, schedule::lastOwnRunsShare);
   const bool isMinimised = options_.evidence && witness && question < goals_.size() &&
@@ -224,25 +226,6 @@ std::optional<Witness> QuestionSearch::OwnRuns::search(QuestionAnswer& answer, d
   return shown(*found, "exploration");
 }
 
-/// A run that rests on estimates: perhaps there is one without. True: the question was asked so and answered.
-bool QuestionSearch::searchWithoutEstimates(std::size_t question, QuestionAnswer& answer,
-                                            std::optional<Witness>& witness) {
-  const bool isWritten = written_.contains(question);
-  TransitionSystem system = isWritten ? written_.at(question) : exact_->only(question);
-  bool hasEstimates = false;
-  for (const Approximation* a : exact_->approximationsOf(question, isWritten)) {
-    if (a->used == noNode) continue;
-    hasEstimates = true;
-    system.constraints.push_back(system.graph->make(Op::Not, 1, a->used));
-  }
-  if (!hasEstimates || !mayGoOn()) return false;
-  QuestionAnswer found = ask(system, left(), deadline_)[0];
-  if (found.answer == Answer::Violated) witness = replayed(*exact_, system, question, *found.trace);
-  const bool isAnswered = found.answer != Answer::Unknown;
-  if (witness) answer = std::move(found);
-  return isAnswered;
-}
-
 Answer QuestionSearch::supporting(std::size_t goal, double seconds) {
   const Answer known = quick_[goal].answer;
   const bool isOpen =
@@ -287,14 +270,15 @@ std::string QuestionSearch::certificate(std::size_t question, const QuestionAnsw
 
 PortfolioOptions QuestionSearch::portfolio(double each, Clock::time_point deadline, const std::atomic<bool>* cancel) {
   PortfolioOptions options;
-  options.seconds = each;
-  options.jobs = options_.jobs;
+  options.seconds = std::min(each, processor_);
+  options.jobs = isOfMany_ ? 1 : options_.jobs;
   options.seed = options_.seed;
   options.bound = options_.bound;
   options.cancel = cancel;
   options.deadline = deadline;
   options.memory = options_.memory;
   options.techniques = options_.techniques;
+  if (isOfMany_) options.techniques.leaveOut(Technique::Bounds);  // which were looked for with all questions together
   options.log = &log_;
   options.check = options_.evidence;
   if (options_.evidence)
@@ -335,37 +319,55 @@ void QuestionSearch::answerQuickly(Clock::time_point deadline) {
   const auto isPremise = [&](std::size_t q) { return !isDeclared(q); };
   const bool hasManyPremises = openQuestions(isPremise).size() > schedule::manyPremises;
   if (hasManyPremises) searchOnEngine(isPremise, schedule::premiseInstructions);
+  PortfolioOptions surface = together;
+  surface.effort = Effort::Surface;
+  answerOpen(openQuestions([](std::size_t) { return true; }), surface);
+  together.techniques.leaveOut(Technique::OneScan);
+  const auto searchFewPremises = [&] {
+    if (!hasManyPremises) searchOnEngine(isPremise, schedule::fewInstructions);
+  };
+  const bool arePremisesLeft = openQuestions([&](std::size_t q) { return !isPremise(q); }).empty();
+  if (arePremisesLeft) {
+    searchFewPremises();
+    together.techniques.leaveOut(Technique::EqualGates);  // most premises are met: there is nothing to prove
+  }
   answerOpen(openQuestions([](std::size_t) { return true; }), together);
-  if (!hasManyPremises) searchOnEngine(isPremise, schedule::fewInstructions);
+  if (!arePremisesLeft) searchFewPremises();
+  explore(deadline, schedule::firstExploring);
   const Budget shallow = Budget::ofThread(schedule::shallowSeconds, Budget(deadline, &cancel));
   std::vector<std::size_t> open;
   for (std::size_t q = 0; q < quick_.size(); ++q) {
     const bool maySearch = q < goals_.size() && options_.bound == 0 && !shallow.isExhausted();
     if (quick_[q].answer == Answer::Unknown && !(maySearch && searchShallow(q))) open.push_back(q);
   }
-  searchOnEngine([&](std::size_t q) { return !isDeclared(q) || goals_[q].kind == PropertyKind::Reach; },
-                 GuidedLimits{}.instructions);
-  std::erase_if(open, [&](std::size_t q) { return quick_[q].answer != Answer::Unknown; });
+  const auto isReached = [&](std::size_t q) { return !isDeclared(q) || goals_[q].kind == PropertyKind::Reach; };
+  searchOnEngine(isReached, arePremisesLeft ? GuidedLimits{}.instructions : schedule::someInstructions);
   takeExplored();
   std::erase_if(open, [&](std::size_t q) { return quick_[q].answer != Answer::Unknown; });
   PortfolioOptions apart = portfolio(std::min(options_.timeout, schedule::quickSeconds), deadline, &cancel);
   apart.effort = Effort::Apart;
   answerOpen(open, apart);
-  explore(std::min(deadline, Clock::now() + inSeconds(std::min(options_.timeout * schedule::engineShare,
-                                                               schedule::exploringSeconds))));
+  if (!arePremisesLeft) searchOnEngine(isReached, GuidedLimits{}.instructions);
+  explore(deadline, schedule::exploringSeconds);
 }
 
-/// What the engine finds from state to state for all open goals.
-void QuestionSearch::explore(Clock::time_point deadline) {
+/// What the engine finds from state to state for all open goals in so much time; goes on where it stopped.
+void QuestionSearch::explore(Clock::time_point deadline, double seconds) {
   const std::vector<std::size_t> open = openQuestions([&](std::size_t q) { return q < goals_.size(); });
   if (open.empty() || options_.bound > 0 || watch_.isStopped()) return;
   if (!options_.techniques.has(Technique::Exploration)) return;
   TechniqueTurn turn(&log_, Technique::Exploration, open.size());
   std::atomic<bool> cancel{false};
   const ProofWatch::Guard guard(watch_, cancel);
-  exploration_ = std::make_unique<Exploration>(program_, runSpaceOf(exact_->askedProperties().encoding()), assumptions_,
-                                               goals_, open, options_.seed);
-  exploration_->search(deadline, cancel);
+  if (!exploration_)
+    exploration_ = std::make_unique<Exploration>(program_, runSpaceOf(exact_->askedProperties().encoding()),
+                                                 assumptions_, goals_, open, options_.seed);
+  else
+    for (std::size_t q = 0; q < goals_.size(); ++q) {
+      if (quick_[q].answer != Answer::Unknown) exploration_->withdraw(q);
+    }
+  const double limit = std::min(options_.timeout * schedule::engineShare, seconds);
+  exploration_->search(std::min(deadline, Clock::now() + inSeconds(limit)), cancel);
   takeExplored();
   turn.settled(open.size() - openQuestions([&](std::size_t q) { return q < goals_.size(); }).size());
 }
@@ -432,7 +434,7 @@ bool QuestionSearch::searchShallow(std::size_t question) {
   TechniqueTurn turn(&log_, Technique::QuickAccelerated, 1);
   QuestionSystem* relaxed = relaxedSide();
   if (relaxed == nullptr) return false;
-  const TransitionSystem accelerated = relaxed->accelerated(question, options_.time.high);
+  const TransitionSystem accelerated = relaxed->accelerated(question, options_.time);
   if (const auto trace =
           shallowSearch(accelerated, schedule::shallowDepth, schedule::shallowSeconds * schedule::shallowShare)) {
     if (auto witness = replayed(*relaxed, accelerated, question, *trace)) {
@@ -468,6 +470,9 @@ QuestionSearch::Found QuestionSearch::race(std::size_t question) {
   const auto written = written_.find(question);
   const bool isWritten = written != written_.end();
   const TransitionSystem exact = isWritten ? written->second : exact_->only(question);
+  if (isOfMany_) {
+    if (std::optional<Found> held = heldRun(question, exact)) return std::move(*held);
+  }
   std::atomic<bool> cancelExact{false}, cancelFast{false};
   const ProofWatch::Guard guardExact(watch_, cancelExact), guardFast(watch_, cancelFast);
   std::optional<Witness> witness;
@@ -479,7 +484,7 @@ QuestionSearch::Found QuestionSearch::race(std::size_t question) {
   QuestionSystem* relaxed =
       mayAccelerate && exact_->dependsOnTime(exact_->variablesOf(question)) ? relaxedSide() : nullptr;
   if (relaxed != nullptr) {
-    accelerated = relaxed->accelerated(question, options_.time.high);
+    accelerated = relaxed->accelerated(question, options_.time);
     if (isWritten) accelerated = withExactReals(*accelerated, RealScope::All);
     fast = std::thread([&] {
       PortfolioOptions options = portfolio(left(), deadline_, &cancelFast);

@@ -17,6 +17,7 @@
 #include "analysis/proof/proof_watch.hpp"
 #include "analysis/proof/prover.hpp"
 #include "analysis/proof/question_system.hpp"
+#include "analysis/schedule/schedule.hpp"
 #include "analysis/witness/exploration.hpp"
 
 namespace rungproof {
@@ -34,6 +35,12 @@ class QuestionSearch {
   using Clock = std::chrono::steady_clock;
   /// An answer, and the run that shows it if it is Violated and the engine repeats it.
   using Found = std::pair<QuestionAnswer, std::optional<Witness>>;
+  /// What a question may take.
+  struct Time {
+    Clock::time_point deadline;
+    double processor;       ///< s of the processor for each search
+    bool isOfMany = false;  ///< one of hundreds that a rule asks: one core, and no bounds a second time
+  };
 
   QuestionSearch(const Program& program, const PropertySet& set, const ProverOptions& options);
 
@@ -59,8 +66,8 @@ class QuestionSearch {
   bool isSettled(std::size_t question) const {
     return quick_[question].answer == Answer::Proved || found_.contains(question);
   }
-  /// The answer to a question, searched for until `deadline` if it is still open.
-  Found answer(std::size_t question, Clock::time_point deadline);
+  /// The answer to a question, searched for if it is still open.
+  Found answer(std::size_t question, const Time& time);
   /// The same for a goal that another verdict rests on, in the time that is left for that one.
   Answer supporting(std::size_t goal, double seconds);
   /// Whether a scan can occur that the encoding does not follow to its end.
@@ -97,13 +104,16 @@ class QuestionSearch {
   template <class Wanted>
   void searchOnEngine(Wanted&& wanted, std::uint64_t instructions);
   bool searchShallow(std::size_t question);
-  void explore(Clock::time_point deadline);
+  void explore(Clock::time_point deadline, double seconds);
   void takeExplored();
   void show(std::size_t question, Witness witness, const char* method);
 
+  std::vector<Node> estimatesOf(std::size_t question);
   bool searchWithoutEstimates(std::size_t question, QuestionAnswer& answer, std::optional<Witness>& witness);
+  void askWithoutEstimates(std::size_t question, const std::vector<Node>& estimates, const TransitionSystem& system);
   Found search(std::size_t question, Answer known);
   Found race(std::size_t question);
+  std::optional<Found> heldRun(std::size_t question, const TransitionSystem& system);
   QuestionSystem* relaxedSide();
   std::optional<Witness> replayed(QuestionSystem& side, const TransitionSystem& system, std::size_t question,
                                   const WordTrace& trace);
@@ -119,15 +129,19 @@ class QuestionSearch {
   std::size_t declared_ = 0;     ///< goals that the user has declared; they come first
   ProofWatch watch_;
   TechniqueLog log_;
-  Clock::time_point deadline_{};  ///< of the question at hand
+  Clock::time_point deadline_{};                  ///< of the question at hand
+  double processor_ = schedule::tirelessSeconds;  ///< s for each search, of the same
+  bool isOfMany_ = false;                         ///< the same is one of hundreds that a rule asks
   std::unique_ptr<QuestionSystem> exact_, relaxed_;
   std::shared_ptr<Trail> trail_;  ///< of exact_
   std::unique_ptr<AsWritten> asWritten_;
   std::set<std::size_t> certifiedWithReals_;  ///< questions whose certificate has REAL operations written out
   std::unique_ptr<Exploration> exploration_;
   std::vector<QuestionAnswer> quick_;
-  std::map<std::size_t, Witness> early_;             ///< by goal: witnesses of runs during the encoding
-  std::map<std::size_t, Witness> found_;             ///< by question: witnesses of answerQuickly()
+  std::map<std::size_t, Witness> early_;                    ///< by goal: witnesses of runs during the encoding
+  std::map<std::size_t, Witness> found_;                    ///< by question: witnesses of answerQuickly()
+  std::map<std::size_t, QuestionAnswer> withoutEstimates_;  ///< by question: what holds of runs that use no estimate
+  std::set<std::size_t> triedWithoutEstimates_;             ///< questions that were asked so
   std::map<std::size_t, TransitionSystem> written_;  ///< by question: its system with REAL operations written out
 };
 

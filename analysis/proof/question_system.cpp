@@ -90,7 +90,7 @@ bool QuestionSystem::dependsOnTime(const std::unordered_set<std::uint32_t>& vari
   });
 }
 
-TransitionSystem QuestionSystem::accelerated(std::size_t question, std::uint32_t longest) {
+TransitionSystem QuestionSystem::accelerated(std::size_t question, const TimeRange& ordinary) {
   TransitionSystem one = only(question);
   const auto variables = variablesOf(question);
   const TimeModel& time = askedProperties_.encoding().time();
@@ -107,11 +107,12 @@ TransitionSystem QuestionSystem::accelerated(std::size_t question, std::uint32_t
     return isTotal && std::ranges::any_of(coneOf(*one.graph, roots),
                                           [&](Node n) { return (*one.graph)[n].op == Op::Variable && isIdle(n); });
   });
-  accelerate(one, time.dt(), time.width(), longest, [&](Node n) { return askedProperties_.isTimeState(n); });
+  accelerate(one, time.dt(), time.width(), ordinary, [&](Node n) { return askedProperties_.isTimeState(n); });
   return one;
 }
 
-std::vector<std::string> environmentTexts(const Program& program, const PropertySet& set, const TimeRange& time) {
+std::vector<std::string> environmentTexts(const Program& program, const PropertySet& set, const TimeRange& time,
+                                          const Choices& choices) {
   std::vector<std::string> texts;
   texts.push_back(
       isSmart(program.target)
@@ -125,6 +126,9 @@ std::vector<std::string> environmentTexts(const Program& program, const Property
       std::ranges::any_of(program.pous, [](const Pou& pou) { return pou.number == blockNumber(BlockType::Ob, 102); });
   if (program.coldStart || hasColdStart)
     texts.push_back(fmt::format("runs begin with a {} restart", program.coldStart ? "cold" : "warm"));
+  const bool hasHotStart =
+      std::ranges::any_of(program.pous, [](const Pou& pou) { return pou.number == blockNumber(BlockType::Ob, 101); });
+  if (hasHotStart && choices.is(Choice::HotRestart, "excluded")) texts.emplace_back("no hot restart comes");
   for (const ExternalRange& range : set.externals)
     texts.push_back(
         fmt::format("{} to {} may be written from outside in any scan", toString(range.first), toString(range.last)));

@@ -36,7 +36,7 @@ class QuestionSystem {
   std::size_t exactReals(std::size_t question) const;
   bool dependsOnTime(const std::unordered_set<std::uint32_t>& variables) const;
   /// Keeps only what the question depends on, so that unrelated changes do not end a stretch of equal scans.
-  TransitionSystem accelerated(std::size_t question, std::uint32_t longest);
+  TransitionSystem accelerated(std::size_t question, const TimeRange& ordinary);
 
  private:
   ExecutionRecord record_;
@@ -47,7 +47,8 @@ class QuestionSystem {
 };
 
 /// CPU, scan time, initial memory, external writers, declared assumptions.
-std::vector<std::string> environmentTexts(const Program& program, const PropertySet& set, const TimeRange& time);
+std::vector<std::string> environmentTexts(const Program& program, const PropertySet& set, const TimeRange& time,
+                                          const Choices& choices);
 /// "PID at press.awl:41".
 std::string placeText(const Program& program, const Instruction& instruction);
 /// "PID at press.awl:41: result is any value".

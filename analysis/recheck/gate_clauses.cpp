@@ -208,7 +208,7 @@ int GateClauses::lessSigned(Word a, Word b, bool orEqual) {
   return less(a, b, orEqual);
 }
 
-GateClauses::Clauses GateClauses::clausesOf(int root) const {
+GateClauses::Clauses GateClauses::clausesOf(int root, std::span<const int> guide) const {
   Clauses result;
   std::vector<int> number(begin_.size(), 0);
   std::vector<int> open;
@@ -232,6 +232,10 @@ GateClauses::Clauses GateClauses::clausesOf(int root) const {
       const int l = literals_[i];
       result.literals.push_back(l == 0 ? 0 : l == own ? named : l == -own ? -named : literal(l));
     }
+  }
+  for (const int l : guide) {
+    if (const int named = number[static_cast<std::size_t>(std::abs(l))]; named != 0)
+      result.guide.push_back(l < 0 ? -named : named);
   }
   return result;
 }

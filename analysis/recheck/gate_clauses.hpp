@@ -50,8 +50,10 @@ class GateClauses {
   struct Clauses {
     std::vector<int> literals;
     int variables = 0;
+    std::vector<int> guide{};  ///< literals that follow from the clauses one after the other, presumably
   };
-  Clauses clausesOf(int root) const;
+  /// `guide`: those that the root rests on become Clauses::guide.
+  Clauses clausesOf(int root, std::span<const int> guide = {}) const;
 
  private:
   enum class Gate : std::uint8_t { And, Xor, Choose, Majority };

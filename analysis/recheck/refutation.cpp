@@ -2,10 +2,12 @@
 // clauses that follow are accepted, none that merely keeps the formula satisfiable.
 #include "analysis/recheck/refutation.hpp"
 
+#include <array>
 #include <cadical.hpp>
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <utility>
 
 #include "analysis/recheck/rup_checker.hpp"
 #include "analysis/schedule/schedule.hpp"
@@ -80,7 +82,7 @@ bool follow(std::span<const unsigned char> trace, int variables, RupChecker& che
     else if (!checker.derive(clause))
       return false;
   }
-  return checker.isRefuted();
+  return true;
 }
 
 }  // namespace
@@ -99,16 +101,30 @@ CheckResult refute(const GateClauses::Clauses& clauses, const RefutationLimits& 
   solver.set("quiet", 1);
   solver.set("lucky", 0);
   for (const char* technique : {"walk", "probe", "elim", "subsume", "vivify", "ternary", "transred", "decompose",
-                                "condition", "cover", "block", "rephase", "compact"})
+                                "condition", "cover", "block", "rephase", "compact", "stabilize", "shrink", "profile"})
     CHECK(solver.set(technique, 0), "CaDiCaL knows the option");
   CHECK(solver.trace_proof(trace.file(), "memory"), "CaDiCaL writes a trace");
   for (const int l : clauses.literals) solver.add(l);
   solver.connect_terminator(&end);
+  std::size_t followed = 0;
+  const auto goesOn = [&] {
+    const std::span<const unsigned char> whole = trace.bytes();
+    return follow(whole.subspan(std::exchange(followed, whole.size())), clauses.variables, checker, end);
+  };
+  for (const int l : clauses.guide) {
+    solver.assume(-l);
+    if (solver.solve() != 20) continue;
+    if (!goesOn()) return CheckResult::Unknown;
+    if (checker.isRefuted()) return CheckResult::Valid;
+    if (!checker.derive(std::array{l})) continue;
+    solver.add(l);
+    solver.add(0);
+  }
   const int result = solver.solve();
   solver.disconnect_terminator();
   solver.close_proof_trace();
   if (result == 10) return CheckResult::Invalid;
-  if (result != 20 || !follow(trace.bytes(), clauses.variables, checker, end)) return CheckResult::Unknown;
+  if (result != 20 || !goesOn() || !checker.isRefuted()) return CheckResult::Unknown;
   return CheckResult::Valid;
 }
 

@@ -14,6 +14,8 @@
   /* A question and its time */ \
   ROW(double, questionSeconds, 60, "s", "for each question, where the caller says nothing") \
   ROW(double, ruleSeconds, 2, "s", "for a question of a rule in lint: there are hundreds of them") \
+  ROW(double, ruleProcessorSeconds, 0.2, "s", "of the processor for each search for such an answer, after all have been looked at together") \
+  ROW(double, ruleHeldSeconds, 0.2, "s", "of these for runs with held inputs, which find what waits for long counts") \
   ROW(double, rulesShare, 0.75, "of lint --prove", "for all rules but those about power-up, which need a run of their own") \
   ROW(double, premiseSeconds, 5, "s", "for a question that a verdict is checked with, such as its premise") \
   ROW(double, quickSeconds, 0.5, "s", "for each question while all are looked at together") \
@@ -30,6 +32,7 @@
   ROW(std::uint64_t, fewInstructions, 20'000, "instructions", "of such runs before questions are looked at one by one") \
   ROW(std::size_t, manyPremises, 8, "questions", "that are not declared: one run serves them all, bits answer each") \
   ROW(std::uint64_t, premiseInstructions, 200'000, "instructions", "of runs for so many, before any proof is tried") \
+  ROW(std::uint64_t, someInstructions, 400'000, "instructions", "of runs for what is to be reached, before engines are asked whether it can be") \
   ROW(std::uint64_t, guidedInstructions, 4'000'000, "instructions", "40,000 scans of 100 instructions, hours of the machine's time") \
   ROW(int, guidedPhases, 400, "phases", "of a random run") \
   ROW(std::uint64_t, guidedScansBetweenLooks, 64, "scans", "between two looks at the clock") \
@@ -38,6 +41,7 @@
   ROW(std::uint64_t, leastInstructions, 50, "instructions", "that a scan counts for, so that empty programs come to an end") \
   ROW(double, ownRunsShare, 0.05, "of a question", "for own runs when the solvers' run was not confirmed") \
   ROW(double, lastOwnRunsShare, 0.3, "of a question", "the same when nothing else is left to be tried") \
+  ROW(double, firstExploring, 0.01, "s", "for all questions before they are looked at one by one: what waits for timers and is wrong is often found there") \
   ROW(double, exploringSeconds, 0.15, "s", "for all questions that are open after the quick looks") \
   ROW(std::size_t, explorationConstants, 200, "constants", "of the program that inputs are set to") \
   ROW(std::size_t, exploredStates, 3000, "states", "kept with their memory") \
@@ -108,6 +112,12 @@
   ROW(int, coverScans, 96, "scans", "sampled on 64 runs") \
   ROW(int, coverTrials, 5000, "members", "tried, in all groups") \
   ROW(int, coverGroups, 12, "groups", "that are asked for by induction") \
+  ROW(std::size_t, correspondingGates, 8000, "gates", "over latches, with these, of which equal ones are looked for") \
+  ROW(int, correspondenceScans, 128, "scans", "sampled on 64 runs") \
+  ROW(std::size_t, askedTogether, 8, "gates", "that one query asks for: few follow from what is equal to begin with") \
+  ROW(int, correspondenceWalk, 4, "scans", "that split nothing, after which a walk from a counterexample ends") \
+  ROW(double, correspondenceShare, 0.5, "of a stage", "for equal gates") \
+  ROW(double, mostCorrespondence, 0.25, "s", "for them: those that prove something are found sooner") \
   ROW(std::size_t, lastingLimit, 4, "bits", "that stay on, such as the cell of once(I0.3)") \
   ROW(std::size_t, timerPairs, 3000, "pairs", "of bits") \
   ROW(int, wordScans, 384, "scans", "sampled") \
@@ -117,6 +127,8 @@
   ROW(std::size_t, capLimit, 6, "constants", "for each word") \
   ROW(std::int64_t, widestDifference, 1 << 20, "", "bounds further apart tell nothing") \
   ROW(double, runsBeforeBounds, 0.01, "s", "of random runs for each question that bounds would be looked for") \
+  ROW(double, raceBeforeBounds, 0.03, "s", "of the race for each question, before bounds under many conditions are looked for") \
+  ROW(double, quickBounds, 0.3, "s", "for bounds under many conditions while all are looked at together: those that prove something are found sooner") \
   ROW(double, boundShare, 2, "of a question", "for bounds on differences, which whole groups wait for") \
   ROW(double, miningShare, 0.3, "of what is left", "the same, at most") \
   ROW(int, templateScans, 24, "scans", "of random runs on which increments are compared") \
@@ -127,6 +139,7 @@
   ROW(std::size_t, fewGuards, 4, "conditions", "the same for words that tell less about each other") \
   ROW(int, smallWidth, 10, "bits", "of words whose range is looked for without condition") \
   ROW(std::size_t, stopLimit, 3, "constants", "at which a word stops counting") \
+  ROW(std::size_t, followedChoices, 64, "choices", "between a word and the sum that counts it on") \
   ROW(std::size_t, templateLimit, 1600, "bounds", "that are looked for") \
   ROW(std::int64_t, hopelessBound, 32000, "", "a bound that the words' own ranges give") \
   ROW(int, hopelessBits, 4, "bits", "the same for wider words: fewer than they have") \
@@ -146,6 +159,8 @@
   ROW(double, exhaustiveWeight, 1, "parts of the time", "settles small systems, and says so when they are too large") \
   ROW(double, heldInputsWeight, 1, "parts of the time", "finds what waits for long counts") \
   ROW(double, kInductionWeight, 1, "parts of the time", "finds what follows from the last scans") \
+  ROW(double, bmcWait, 0.003, "s", "that count as used by it when the race begins") \
+  ROW(double, seekerWait, 0.004, "s", "the same, of engines that seldom settle what is left for the race") \
   ROW(double, runPatience, 0.1, "s", "of engines that find soon what they find: their share halves when they have worked so long") \
   ROW(double, tirelessSeconds, 1e6, "s", "the same for those that get on as long as they work") \
   ROW(int, ctgLimit, 3, "states", "counterexamples to generalisation looked at for one literal") \

@@ -215,9 +215,11 @@ class UnreadCode::Collector {
     for (const Pou& pou : program_.pous) {
       if (pou.type != BlockType::Ob) continue;
       const s7300::OrganizationBlock* row = s7300::organizationBlock(numberOfBlock(pou.number));
-      if (row != nullptr && row->isModelled) continue;
-      add(blockName(pou.number), std::string(s7300::gapReason(s7300::Gap::OrganizationBlock)), pou.span).isUnlimited =
-          true;
+      if (row != nullptr && (row->isModelled || !startsOn(*row, program_.target.cpu))) continue;
+      if (pou.number == blockNumber(BlockType::Ob, 101) && choices_.is(Choice::HotRestart, "excluded")) continue;
+      const std::string_view reason =
+          row != nullptr ? gapReasonOf(*row) : s7300::gapReason(s7300::Gap::OrganizationBlock);
+      add(blockName(pou.number), std::string(reason), pou.span).isUnlimited = true;
     }
     for (const InstructionPlace& place : facts_.instructions()) {
       const Instruction& instruction = *place.instruction;
@@ -243,12 +245,6 @@ class UnreadCode::Collector {
     const Operand& block = instruction.operands[0];
     if (block.kind != OperandKind::Constant || block.value == blockNumber(BlockType::Sfc, 46)) return {};
     const int number = static_cast<int>(block.value);
-    const bool isControl =
-        blockTypeOf(number) == BlockType::Sfc && (numberOfBlock(number) == 39 || numberOfBlock(number) == 40);
-    const bool isInterrupted = std::ranges::any_of(program_.pous, [](const Pou& pou) {
-      return pou.type == BlockType::Ob && eventOfBlock(numberOfBlock(pou.number)) >= 0;
-    });
-    if (isControl && isInterrupted) return std::string(s7300::gapReason(s7300::Gap::InterruptControl));
     const Pou* callee = program_.subroutine(number);
     if (number == blockNumber(BlockType::Sfc, 32) && !startsKnownBlock(instruction))
       return std::string(s7300::gapReason(s7300::Gap::MissingBlock));

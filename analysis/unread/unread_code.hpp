@@ -31,7 +31,8 @@ struct UnreadPart {
 
 class UnreadCode {
  public:
-  /// Runs the rules that refuse, whatever is selected or silenced. Of the choices Choice::MissingBlocks counts.
+  /// Runs the rules that refuse, whatever is selected or silenced. Of the choices Choice::MissingBlocks and
+  /// Choice::HotRestart count.
   explicit UnreadCode(const Program& program, const Choices& choices = {});
   ~UnreadCode();
   UnreadCode(const UnreadCode&) = delete;

@@ -30,6 +30,7 @@ class ExploredProgram {
         wanted_(std::move(wanted)),
         found_(goals.size()) {
     simulator_.readUnknownAsZero(true);  // as outside_ says
+    simulator_.expectFreeZero();
     for (const Property& property : assumptions_) nowAssumed_.emplace_back(property);
     for (const std::size_t goal : wanted_) nowGoals_.emplace_back(goals_[goal]);
   }

@@ -160,6 +160,7 @@ class GuidedSearch {
     GuidedOutside outside(choices_.is(Choice::UnknownBits, "one"));
     Simulator simulator(program_, stillOptions(choices_), &outside);
     simulator.readUnknownAsZero(!outside.areUnknownOnes);
+    simulator.expectFreeZero();
     Course course(*this);
     std::uint64_t shown = 0;
     const auto goesOn = [&] {

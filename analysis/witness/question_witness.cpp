@@ -54,29 +54,47 @@ std::uint32_t phaseOf(const TransitionSystem& found, const WordTrace& trace) {
   return static_cast<std::uint32_t>(phase);
 }
 
-/// Digits of time that the exact model chooses in a scan that lasts `length` ms and begins at the time `now`.
-std::optional<std::uint64_t> digitOf(const std::string& name, std::uint64_t now, std::uint64_t length) {
+/// What a variable tells of the time.
+enum class TimeDigit : std::uint8_t { None, Ms, Hundreds, Tens, Ones };
+
+TimeDigit digitNamed(std::string_view name) {
+  if (name == "time.ms") return TimeDigit::Ms;
+  if (name == "time.hundreds") return TimeDigit::Hundreds;
+  if (name == "time.tens") return TimeDigit::Tens;
+  if (name == "time.ones") return TimeDigit::Ones;
+  return TimeDigit::None;
+}
+
+/// The digit that the exact model chooses in a scan that lasts `length` ms and begins at the time `now`.
+std::uint64_t digitOf(TimeDigit digit, std::uint64_t now, std::uint64_t length) {
   const std::uint64_t then = now + length;
-  if (name == "time.ms") return length;
-  if (name == "time.hundreds") return then / 100 - now / 100;
-  if (name == "time.tens") return then / 10 % 10;
-  if (name == "time.ones") return then % 10;
-  return std::nullopt;
+  switch (digit) {
+    case TimeDigit::Ms: return length;
+    case TimeDigit::Hundreds: return then / 100 - now / 100;
+    case TimeDigit::Tens: return then / 10 % 10;
+    case TimeDigit::Ones: return then % 10;
+    case TimeDigit::None: break;
+  }
+  return 0;
 }
 
 /// ms of each scan of a found run, from its time digits.
 std::vector<std::uint32_t> lengthsOf(const TransitionSystem& found, const WordTrace& trace) {
+  std::vector<TimeDigit> digits;
+  for (const Node input : found.inputs) digits.push_back(digitNamed(nameIn(found, input)));
   std::vector<std::uint32_t> lengths;
   const std::uint32_t phase = phaseOf(found, trace);
   std::uint64_t tens = phase / 10, ones = phase % 10;
   for (const std::vector<std::uint64_t>& inputs : trace.inputs) {
     std::uint64_t hundreds = 0, nextTens = tens, nextOnes = ones;
     for (std::size_t i = 0; i < found.inputs.size(); ++i) {
-      const std::string name = nameIn(found, found.inputs[i]);
-      if (name == "time.ms") ones = 0, nextOnes = inputs[i];
-      if (name == "time.hundreds") hundreds = inputs[i];
-      if (name == "time.tens") nextTens = inputs[i];
-      if (name == "time.ones") nextOnes = inputs[i];
+      switch (digits[i]) {
+        case TimeDigit::Ms: ones = 0, nextOnes = inputs[i]; break;
+        case TimeDigit::Hundreds: hundreds = inputs[i]; break;
+        case TimeDigit::Tens: nextTens = inputs[i]; break;
+        case TimeDigit::Ones: nextOnes = inputs[i]; break;
+        case TimeDigit::None: break;
+      }
     }
     lengths.push_back(static_cast<std::uint32_t>(100 * hundreds + 10 * nextTens + nextOnes - 10 * tens - ones));
     tens = nextTens;
@@ -121,17 +139,25 @@ std::optional<ExactRun> QuestionWitness::runOf(const TransitionSystem& found, co
   const std::vector<Node> watched{bad_};
   ScanRun run(encoding_, system_, watched);
   begin(run, system_, result);
+  struct Source {
+    TimeDigit digit;
+    std::optional<std::size_t> given;  ///< of the found run
+  };
+  std::vector<Source> sources;
+  for (const Node input : system_.inputs)
+    sources.push_back({digitNamed(nameIn(system_, input)), inputs.indexOfSame(input)});
   const std::vector<std::uint32_t> lengths = lengthsOf(found, trace);
   std::uint64_t milliseconds = phaseOf(found, trace);
   for (std::size_t i = 0; i < trace.inputs.size(); ++i) {
     for (const Stretch& part : stretchOf(lengths[i], range)) {
       for (std::uint32_t k = 0; k < part.count; ++k) {
         std::vector<std::uint64_t>& values = result.inputs.emplace_back();
-        for (const Node input : system_.inputs) {
-          const std::string name = nameIn(system_, input);
-          const std::optional<std::size_t> given = inputs.indexOfSame(input);
-          const auto digit = digitOf(name, milliseconds, part.length);
-          values.push_back(digit ? *digit : given ? trace.inputs[i][*given] : 0);
+        values.reserve(sources.size());
+        for (const Source& source : sources) {
+          if (source.digit != TimeDigit::None)
+            values.push_back(digitOf(source.digit, milliseconds, part.length));
+          else
+            values.push_back(source.given ? trace.inputs[i][*source.given] : 0);
         }
         result.lengths.push_back(part.length);
         setInputs(run, system_, values);
@@ -155,6 +181,21 @@ std::optional<Witness> QuestionWitness::witness(const Program& program, const Ch
   const bool isFreeStart = std::any_of(system_.states.begin(), system_.states.end(),
                                        [](const StateVariable& s) { return s.init == noNode; });
   if (isFreeStart) witness.initial = run.initialState();
+  std::map<Node, std::size_t> stateOf;
+  for (std::size_t i = 0; i < system_.states.size(); ++i) stateOf[system_.states[i].node] = i;
+  struct Compared {
+    Place place;
+    Node next;
+  };
+  std::vector<Compared> compared;
+  for (const Cell& cell : encoding_.cells()) {
+    const auto state = stateOf.find(cell.start);
+    // The time model counts ticks by digits of its own; the phases that the engine counts them by mean nothing there.
+    const bool isPhase =
+        cell.place.isRegister && (cell.place.reg == Reg::PhaseTen || cell.place.reg == Reg::PhaseHundred);
+    if (cell.kind == CellKind::State && state != stateOf.end() && !isPhase && cone_.contains(indexOf(cell.start)))
+      compared.push_back({cell.place, system_.states[state->second].next});
+  }
   std::vector<std::vector<std::uint64_t>> predicted;
   for (std::size_t scan = 0; scan < given.inputs.size(); ++scan) {
     setInputs(run, system_, given.inputs[scan]);
@@ -162,27 +203,17 @@ std::optional<Witness> QuestionWitness::witness(const Program& program, const Ch
     witness.scans.push_back(run.script());
     witness.scans.back().lengthMs = given.lengths[scan];
     std::vector<std::uint64_t>& after = predicted.emplace_back();
-    for (const StateVariable& state : system_.states) after.push_back(run[state.next]);
+    for (const Compared& c : compared) after.push_back(run[c.next]);
     if (scan + 1 < given.inputs.size()) run.advance();
     witness.milliseconds += given.lengths[scan];
     ++witness.scanCount;
   }
   if (run[bad_] == 0) return std::nullopt;
-  std::map<Node, std::size_t> stateOf;
-  for (std::size_t i = 0; i < system_.states.size(); ++i) stateOf[system_.states[i].node] = i;
   bool agrees = true;
   replay(program, choices, witness.scans, witness.initial ? &*witness.initial : nullptr,
          [&](const Concrete::Store& state, std::size_t at) {
-           for (const Cell& cell : encoding_.cells()) {
-             const auto place = stateOf.find(cell.start);
-             // The time model counts ticks by digits of its own; the phases that the engine counts them by mean nothing
-             // there.
-             const bool isPhase =
-                 cell.place.isRegister && (cell.place.reg == Reg::PhaseTen || cell.place.reg == Reg::PhaseHundred);
-             if (cell.kind != CellKind::State || place == stateOf.end() || isPhase) continue;
-             if (!cone_.contains(indexOf(cell.start))) continue;
-             agrees = agrees && valueAt(cell.place, state) == predicted[at][place->second];
-           }
+           for (std::size_t i = 0; i < compared.size() && agrees; ++i)
+             agrees = valueAt(compared[i].place, state) == predicted[at][i];
            return agrees;
          });
   if (!agrees) return std::nullopt;

@@ -33,7 +33,7 @@ std::string textOf(const std::string& format, const TransitionSystem& system, in
 /// What the reader of the file must know to read its answers as ours.
 ExportRemarks remarksOf(const ProgramInput& input, QuestionSystem& side, const ProverOptions& options) {
   ExportRemarks remarks;
-  for (const std::string& text : environmentTexts(input.program, input.properties, options.time))
+  for (const std::string& text : environmentTexts(input.program, input.properties, options.time, options.choices))
     remarks.push_back("assumes: " + text);
   for (const std::string& text : approximationTexts(input.program, side.askedProperties()))
     remarks.push_back("approximated: " + text);

@@ -7,10 +7,12 @@
 #include <atomic>
 #include <exception>
 #include <iterator>
+#include <optional>
 #include <thread>
 
 #include "analysis/lint/lint.hpp"
 #include "analysis/lint/suppress.hpp"
+#include "analysis/unread/idle_blocks.hpp"
 #include "frontend/input/proof_input.hpp"
 #include "frontend/linting/baseline.hpp"
 #include "frontend/linting/solver_rules.hpp"
@@ -69,6 +71,21 @@ std::vector<Report> lintSideBySide(const Context& context, const std::vector<std
   return reports;
 }
 
+/// For proofs: the program without data blocks that nothing opens, if there are any. Rules look at instances among them
+/// only, and at those of panel words.
+std::optional<ProgramInput> withoutIdleBlocks(const ProgramInput& input) {
+  if (!isStep7(input.program.target)) return std::nullopt;
+  NamedBlocks named;
+  named.addText(input.program);
+  named.addQuestions(input.properties);
+  for (const PanelTag& tag : input.surroundings.tags) named.add(tag.address);
+  const auto isIdle = [&](const DataBlock& block) { return block.instanceOf == 0 && !named.mayOpen(block.number); };
+  if (std::ranges::none_of(input.program.dataBlocks, isIdle)) return std::nullopt;
+  ProgramInput smaller = input;
+  std::erase_if(smaller.program.dataBlocks, isIdle);
+  return smaller;
+}
+
 }  // namespace
 
 bool isSelected(const Settings& settings, std::string_view id) {
@@ -77,8 +94,10 @@ bool isSelected(const Settings& settings, std::string_view id) {
   return !code || selection.includes(id, code->onByDefault);
 }
 
-Report lintProgram(const Settings& settings, const ProgramInput& input, const std::vector<std::string>& files,
+Report lintProgram(const Settings& settings, const ProgramInput& given, const std::vector<std::string>& files,
                    bool prove) {
+  const std::optional<ProgramInput> smaller = prove ? withoutIdleBlocks(given) : std::nullopt;
+  const ProgramInput& input = smaller ? *smaller : given;
   const Program& program = input.program;
   const RuleSelection selection(settings.list(Opt::Select), settings.list(Opt::Ignore));
   const Facts facts(program, input.properties.externals, input.surroundings);

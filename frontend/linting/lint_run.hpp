@@ -14,7 +14,7 @@ bool isSelected(const Settings& settings, std::string_view id);
 
 /// Findings of the readers and of all selected rules, allow-comments applied unless --no-suppress. `prove`: candidates
 /// are confirmed or dropped by the prover, and its own findings added.
-Report lintProgram(const Settings& settings, const ProgramInput& input, const std::vector<std::string>& files,
+Report lintProgram(const Settings& settings, const ProgramInput& given, const std::vector<std::string>& files,
                    bool prove = false);
 
 /// The same for the files of a command line, which may hold several programs.

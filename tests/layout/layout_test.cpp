@@ -306,11 +306,11 @@ TEST(Layout, ARuleIsOneFileAndNobodyElseKnowsItsId) {
 /// A share, limit or patience of the prover that stands outside the table of its schedule: a constant with a number.
 /// What a program or the controller gives, patterns and marks are no schedule.
 bool isOfNoSchedule(const std::string& name) {
-  static const std::set<std::string> names = {
-      "depths",         "everyScan", "none",         "noInput",       "noReader",
-      "prime",          "endless",   "longestQueue", "longestTable",  "shownScans",
-      "shownAddresses", "onWords",   "unreached",    "largestPreset", "mostHalves",
-      "noClause",       "own",       "yes"};
+  static const std::set<std::string> names = {"depths",       "everyScan",     "none",           "noInput",
+                                              "noReader",     "prime",         "endless",        "longestQueue",
+                                              "longestTable", "shownScans",    "shownAddresses", "onWords",
+                                              "unreached",    "largestPreset", "mostHalves",     "noClause",
+                                              "own",          "yes",           "givenInputs",    "joined"};
   return names.contains(name);
 }
 std::string scheduledElsewhere(const std::string& line) {

@@ -69,5 +69,23 @@ TEST(IdleBlocks, APointerThatABlockOfTheSystemFollowsKeepsThemAll) {
   EXPECT_EQ(kept("CALL SFC 20 (SRCBLK := #record, RET_VAL := MW 10, DSTBLK := P#M 20.0 BYTE 4);\n"), all);
 }
 
+// Of two programs side by side, what one of them opens stays in both.
+TEST(IdleBlocks, OfTwoProgramsAreIdleInBoth) {
+  const auto programOf = [](const std::string& statements) {
+    return readText("side.awl", blockOf(1) + blockOf(2) + blockOf(3) + "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n" +
+                                    statements + "END_ORGANIZATION_BLOCK\n");
+  };
+  Program before = programOf("OPN DB 1;\nL DBW 0;\nT MW 10;\n"), after = programOf("L DB2.DBW 0;\nT MW 10;\n");
+  NamedBlocks named;
+  named.addText(before);
+  named.addText(after);
+  for (Program* program : {&before, &after}) {
+    leaveOutBlocks(*program, named);
+    ASSERT_EQ(program->dataBlocks.size(), 2U);
+    EXPECT_EQ(program->dataBlocks[0].number, 1U);
+    EXPECT_EQ(program->dataBlocks[1].number, 2U);
+  }
+}
+
 }  // namespace
 }  // namespace rungproof::test

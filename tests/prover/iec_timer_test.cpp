@@ -53,5 +53,31 @@ TEST_P(IecTimer, HoldsToTheMillisecond) {
 INSTANTIATE_TEST_SUITE_P(Limits, IecTimer, testing::ValuesIn(limits),
                          [](const auto& info) { return std::string(info.param.name); });
 
+// A monitoring time in a block with two instances: a motor whose contactor does not answer is off in the scan in which
+// the time of 3 s is up. In scan n it is still on: at most 2999 + d(n) - p(n) - d(k) + p(k) <= 2999 + 150, as above.
+TEST(IecTimers, MonitoringTimesOfTwoInstances) {
+  ProgramInput input;
+  input.program = readText(
+      "test.awl",
+      "FUNCTION_BLOCK FB 1\nVAR_INPUT\n  start : BOOL;\n  stop : BOOL;\n  answer : BOOL;\n  limit : TIME := T#3S;\n"
+      "END_VAR\nVAR_OUTPUT\n  q : BOOL;\n  fault : BOOL;\nEND_VAR\nVAR\n  mon : SFB 4;\nEND_VAR\nVAR_TEMP\n"
+      "  wait : BOOL;\nEND_VAR\nBEGIN\nNETWORK\nA #start; S #q; ON #stop; O #fault; R #q; A #q; AN #answer; = #wait;\n"
+      "CALL #mon (IN := #wait, PT := #limit);\nA #mon.Q; S #fault; R #q;\nEND_FUNCTION_BLOCK\n"
+      "DATA_BLOCK DB 1\nFB 1\nBEGIN\nEND_DATA_BLOCK\nDATA_BLOCK DB 2\nFB 1\nBEGIN\nEND_DATA_BLOCK\n"
+      "ORGANIZATION_BLOCK OB 1\n//@ prove first: not held(Q0.0 and not I0.2, 3150ms)\n"
+      "//@ prove second: not held(Q1.0 and not I1.2, 3150ms)\n//@ prove early: not held(Q1.0 and not I1.2, 3149ms)\n"
+      "BEGIN\nNETWORK\nCALL FB 1, DB 1 (start := I 0.0, stop := I 0.1, answer := I 0.2, q := Q 0.0);\n"
+      "CALL FB 1, DB 2 (start := I 1.0, stop := I 1.1, answer := I 1.2, q := Q 1.0);\nEND_ORGANIZATION_BLOCK\n");
+  input.properties = readProperties(input.program, {}, lookupIn(input.program));
+  for (const Finding& finding : input.program.findings) EXPECT_NE(finding.severity, Severity::Error) << finding.message;
+  ProverOptions options = usualOptions(30);
+  options.time.high = 150;
+  const ProofRun run = prove(input.program, input.properties, options);
+  EXPECT_TRUE(run.disagreements.empty());
+  EXPECT_EQ(outcomeOf(run, "first"), Outcome::Proved);
+  EXPECT_EQ(outcomeOf(run, "second"), Outcome::Proved);
+  EXPECT_EQ(outcomeOf(run, "early"), Outcome::Violated);
+}
+
 }  // namespace
 }  // namespace rungproof::test

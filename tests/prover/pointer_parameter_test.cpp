@@ -6,17 +6,25 @@ namespace {
 
 /// Verdicts of the properties a, b, ... of an OB1 with these directives and statements.
 std::vector<Outcome> proofsOf(const std::string& blocks, const std::string& directives, const std::string& statements,
-                              const std::string& locals = {}, double timeout = 20) {
+                              const std::string& locals = {}, double timeout = 20, const Choices& choices = {}) {
   ProgramInput input;
   input.program = readText("test.awl", blocks + "ORGANIZATION_BLOCK OB 1\n" + directives +
                                            "VAR_TEMP\n  start : ARRAY [0 .. 19] OF BYTE;\n" + locals +
                                            "END_VAR\nBEGIN\nNETWORK\n" + statements + "\nEND_ORGANIZATION_BLOCK\n");
   input.properties = readProperties(input.program, {}, lookupIn(input.program));
   for (const Finding& finding : input.program.findings) EXPECT_NE(finding.severity, Severity::Error) << finding.message;
-  const ProofRun run = prove(input.program, input.properties, usualOptions(timeout));
+  ProverOptions options = usualOptions(timeout);
+  options.choices = choices;
+  const ProofRun run = prove(input.program, input.properties, options);
   std::vector<Outcome> outcomes;
   for (const ProofResult& result : run.results) outcomes.push_back(result.outcome);
   return outcomes;
+}
+
+Choices synchronous() {
+  Choices choices;
+  EXPECT_TRUE(choices.set("s5-time", "synchronous"));
+  return choices;
 }
 
 using enum Outcome;
@@ -48,6 +56,36 @@ TEST(PointerParameter, LocalAndStaticDataOfTheCaller) {
   EXPECT_EQ(proofsOf(blocks, "//@ prove a: Q0.3 = I0.3\n//@ prove b: Q1.5 = I1.5\n//@ prove c: Q0.3 = I1.3\n",
                      "CALL FB 2, DB 3;"),
             (Verdicts{Proved, Proved, Violated}));
+}
+
+// Data of the open block: in the reading that hands 0 over the CPU goes to STOP, where nothing is asked, so that both
+// readings together prove what the other one does. A pointer to an elementary parameter of an FC leads to what its
+// caller gives in one reading and to no known place in the other: only the first proves anything.
+TEST(PointerParameter, DataOfTheOpenBlockAndParametersOfAnFc) {
+  EXPECT_EQ(proofsOf(std::string(writer) + data, "//@ prove a: Q1.0 = I0.0\n//@ prove b: not Q1.0\n",
+                     "OPN DB 10; CALL FC 1 (p := DBB 4, v := IB 0); L DB10.DBB 4; T QB 1;"),
+            (Verdicts{Proved, Violated}));
+  const std::string blocks = std::string(writer) +
+                             "FUNCTION FC 2 : VOID\nVAR_INPUT\n  v : BYTE;\nEND_VAR\nVAR_OUTPUT\n  o : BYTE;\nEND_VAR\n"
+                             "BEGIN\nNETWORK\nCALL FC 1 (p := #o, v := #v);\nEND_FUNCTION\n";
+  const std::string directives = "//@ prove a: Q0.0 = I0.0\n//@ prove b: Q0.0 = I0.1\n",
+                    call = "CALL FC 2 (v := IB 0, o := QB 0);";
+  for (const Outcome outcome : proofsOf(blocks, directives, call, {}, 2)) EXPECT_NE(outcome, Proved);
+  Choices choices;
+  EXPECT_TRUE(choices.set("parameter-pointer", "actual"));
+  EXPECT_EQ(proofsOf(blocks, directives, call, {}, 20, choices), (Verdicts{Proved, Violated}));
+}
+
+// The number of a timer that an ANY carries in its last word: the block starts and asks that timer.
+TEST(PointerParameter, TheTimerOfAnAny) {
+  EXPECT_EQ(
+      proofsOf("FUNCTION FC 3 : VOID\nVAR_INPUT\n  p : ANY;\nEND_VAR\nVAR_TEMP\n  n : WORD;\nEND_VAR\nBEGIN\n"
+               "NETWORK\nL P##p; LAR1; L W [AR1,P#8.0]; T #n; A T [#n]; = Q 0.0;\nEND_FUNCTION\n",
+               "//@ prove a: Q0.0 = Q0.1\n//@ prove b: not Q0.0\n//@ prove c: Q0.0 = Q0.2\n",
+               "A I 0.0; L S5T#1S; SE T 5; A I 0.1; L S5T#1S; SE T 6; CALL FC 3 (p := T 5); A T 5; = Q 0.1; A T 6; "
+               "= Q 0.2;",
+               {}, 20, synchronous()),
+      (Verdicts{Proved, Violated, Violated}));
 }
 
 // The place of an ANY is computed: each of the four that it can be.

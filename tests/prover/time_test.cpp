@@ -51,6 +51,26 @@ TEST(Time, WaitThatIsOneTickShortIsFound) {
   }
 }
 
+// A timer of 1 ms counts on between the instructions (001:6607): it begins at its instruction, which may be the last
+// moment of the scan in which the input has come on, and has counted all ms from there to the end of any later scan. Of
+// scans that all last 10 ms, 500 are the shortest wait that is longer than 4990 ms.
+TEST(Time, WaitsOfOneMillisecondTimersAreDecidedToTheMillisecond) {
+  const auto outcomes = [](const TimeRange& time) {
+    const ProgramInput input = inputOf(
+        "//@ prove shorter: held(I0.0, 4990ms) implies T32\n//@ prove one less: held(I0.0, 4999ms) implies T32\n"
+        "//@ prove whole: held(I0.0, 5s) implies T32\n",
+        "Network 1\nLD I0.0\nTON T32, 5000\n");
+    ProverOptions options = usualOptions(20);
+    options.time = time;
+    const ProofRun run = prove(input.program, input.properties, options);
+    EXPECT_TRUE(run.disagreements.empty());
+    return std::vector{outcomeOf(run, "shorter"), outcomeOf(run, "one less"), outcomeOf(run, "whole")};
+  };
+  using enum Outcome;
+  EXPECT_EQ(outcomes(usualOptions().time), (std::vector{Violated, Violated, Proved}));
+  EXPECT_EQ(outcomes({10, 10}), (std::vector{Violated, Proved, Proved}));
+}
+
 // A constraint on the moments of 1 ms ticks shares the length of the scan with every question about time, but binds
 // only inputs that such a question does not depend on: neither may be in its accelerated system.
 TEST(Time, AcceleratedSystemKnowsAllItsVariables) {
@@ -59,7 +79,7 @@ TEST(Time, AcceleratedSystemKnowsAllItsVariables) {
               "Network 1\nLD I0.0\nTON T37, 50\nNetwork 2\nLD I0.0\nTON T32, 50\nTON T96, 40\n");
   const EncoderOptions options = encoderOptionsOf(usualOptions(), true);
   QuestionSystem side(input.program, input.properties, input.properties.properties, options, {});
-  const TransitionSystem system = side.accelerated(0, 500);
+  const TransitionSystem system = side.accelerated(0, {1, 500});
   std::set<Node> known(system.inputs.begin(), system.inputs.end());
   std::vector<Node> roots = system.constraints;
   for (const StateVariable& state : system.states) {

@@ -213,5 +213,32 @@ TEST(KeptDifference, OnlySumsKeepTheirDifference) {
   EXPECT_TRUE(consistsOfSums(graph, wrong));
 }
 
+/// a + b = a - (0 - b) bit by bit from below, and a guide that does not follow: neither makes anything true or false.
+TEST(ScanClauses, AGuideIsFollowedWhereItHolds) {
+  Graph graph;
+  TransitionSystem system;
+  system.graph = &graph;
+  const Node a = graph.variable("a", 16, false), b = graph.variable("b", 16, false);
+  const Node negative = graph.make(Op::Sub, 16, graph.constantNode(0, 16), b);
+  const ScanNode sum{graph.make(Op::Add, 16, a, b), 0}, other{graph.make(Op::Sub, 16, a, negative), 0};
+  const auto bitOf = [&](ScanNode word, std::uint64_t bit) {
+    return ScanNode{graph.make(Op::Extract, 1, word.node, noNode, noNode, bit), 0};
+  };
+  const auto checkGuided = [&](const Formula& formula, const std::vector<Formula>& guide) {
+    ScanClauses clauses(system);
+    const int root = clauses.literalOf(formula);
+    std::vector<int> literals;
+    for (const Formula& f : guide) literals.push_back(clauses.literalOf(f));
+    return refute(clauses.gates().clausesOf(root, literals), enough);
+  };
+  std::vector<Formula> parts, wrong{truthOf(bitOf(sum, 3).node, 0)};
+  for (std::uint64_t bit = 0; bit < 16; ++bit) parts.push_back(equals(bitOf(sum, bit), bitOf(other, bit)));
+  const Formula differ = notOf(allOf(parts));
+  EXPECT_EQ(checkGuided(differ, parts), CheckResult::Valid);
+  EXPECT_EQ(checkGuided(differ, wrong), CheckResult::Valid);
+  EXPECT_EQ(checkGuided(allOf(parts), parts), CheckResult::Invalid);
+  EXPECT_EQ(checkGuided(allOf(parts), wrong), CheckResult::Invalid);
+}
+
 }  // namespace
 }  // namespace rungproof::test

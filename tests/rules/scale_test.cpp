@@ -1,5 +1,6 @@
 // Cost of linting: reading, facts and all rules over a long program, in processor time at the pace of a quiet machine.
-// Ten times the instructions may cost twelve times the time; 100,000 take half a second.
+// Ten times the instructions leave the caches of a small machine and may cost thirty times the time (what grows with the
+// square of the length costs a hundred times); 100,000 take half a second.
 #include <gtest/gtest.h>
 
 #include "tests/bench/long_program.hpp"
@@ -20,7 +21,7 @@ TEST(Scale, LintingIsLinear) {
   RecordProperty("milliseconds_10000", static_cast<int>(small * 1000));
   RecordProperty("milliseconds_100000", static_cast<int>(large * 1000));
   std::printf("10,000 instructions: %.0f ms; 100,000 instructions: %.0f ms\n", small * 1000, large * 1000);
-  EXPECT_LT(large, 15 * small);  // quadratic would be 100; ten times the text leaves the caches
+  EXPECT_LT(large, 30 * small);
   EXPECT_LT(large, 0.5);
 }
 

@@ -25,7 +25,7 @@ struct Pair {
 std::ostream& operator<<(std::ostream& out, const Pair& pair) { return out << pair.name; }
 
 constexpr Pair pairs[] = {
-    {"guard_door", 1.5},
+    {"guard_door", 2.4},
     {"guard_locking", 1.5},
     {"press_two_hand", 1.5},
     {"reversing", 1.5},
@@ -33,12 +33,12 @@ constexpr Pair pairs[] = {
     {"pump_alternation", 1.5},
     {"two_speed", 1.5},
     {"reversing_faulty", 1.5},
-    {"wound_rotor", 2.6},
+    {"wound_rotor", 7},
     {"star_delta", 3},
     {"notaus", 3.6},
     {"muting_limit", 3.6},
-    {"hoist", 4.6},
-    {"star_delta_dead_time", 4},
+    {"hoist", 4},
+    {"star_delta_dead_time", 8},
 };
 
 std::vector<std::string> linesOf(const char* folder, const std::string& name) {

@@ -99,7 +99,7 @@ TEST(PropertyPace, TwoHundredPropertiesCostLittleMoreThanOne) {
 
 // The programs with words, devices and long times, whose questions run into their limits, are not among them.
 TEST(PropertyPace, LintProveOverInterlocksAndSequences) {
-  constexpr double most = 30;
+  constexpr double most = 24;  // CPU seconds; 12 were measured
   double seconds = 0;
   std::size_t programs = 0;
   for (const std::filesystem::path& file : corpusFiles()) {

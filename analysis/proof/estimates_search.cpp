@@ -1,0 +1,65 @@
+// Runs that rest on estimates of what is not modelled exactly: whether there are some without. The conditions that no
+// estimate is used keep whole programs in the cone of each question, so that questions with the same ones are asked
+// together.
+#include "analysis/proof/question_search.hpp"
+
+namespace rungproof {
+
+/// Conditions of the estimates that the question's cone carries, each of which says that its estimate is used.
+std::vector<Node> QuestionSearch::estimatesOf(std::size_t question) {
+  std::vector<Node> used;
+  for (const Approximation* a : exact_->approximationsOf(question, written_.contains(question))) {
+    if (a->used != noNode) used.push_back(a->used);
+  }
+  return used;
+}
+
+/// A run that rests on estimates: perhaps there is one without. True: the question was asked so and answered.
+bool QuestionSearch::searchWithoutEstimates(std::size_t question, QuestionAnswer& answer,
+                                            std::optional<Witness>& witness) {
+  const bool isWritten = written_.contains(question);
+  const std::vector<Node> estimates = estimatesOf(question);
+  if (estimates.empty() || !mayGoOn()) return false;
+  triedWithoutEstimates_.insert(question);
+  const auto without = [&](TransitionSystem system) {
+    for (const Node used : estimates) system.constraints.push_back(system.graph->make(Op::Not, 1, used));
+    return system;
+  };
+  if (!isWritten && !withoutEstimates_.contains(question))
+    askWithoutEstimates(question, estimates, without(exact_->system()));
+  QuestionAnswer found;
+  const TransitionSystem system = without(isWritten ? written_.at(question) : exact_->only(question));
+  if (const auto known = withoutEstimates_.find(question); !isWritten && known != withoutEstimates_.end())
+    found = known->second;
+  else
+    found = ask(system, left(), deadline_)[0];
+  if (found.answer == Answer::Violated) witness = replayed(*exact_, system, question, *found.trace);
+  const bool isAnswered = found.answer != Answer::Unknown;
+  if (witness) answer = std::move(found);
+  return isAnswered;
+}
+
+/// Together with all others whose run rests on the same estimates and is not repeated.
+void QuestionSearch::askWithoutEstimates(std::size_t question, const std::vector<Node>& estimates,
+                                         const TransitionSystem& system) {
+  Questions alike;
+  for (std::size_t q = 0; q < quick_.size(); ++q) {
+    const bool isOpen = quick_[q].answer == Answer::Violated && !found_.contains(q) && !written_.contains(q);
+    if (!isOpen || (q != question && estimatesOf(q) != estimates)) continue;
+    std::optional<Witness> witness = q == question ? std::nullopt : confirmed(q, *quick_[q].trace);
+    if (witness)
+      found_.emplace(q, std::move(*witness));
+    else
+      alike.push_back(q);
+  }
+  std::atomic<bool> cancel{false};
+  const ProofWatch::Guard guard(watch_, cancel);
+  PortfolioOptions together = portfolio(left(), deadline_, &cancel);
+  together.effort = Effort::Together;
+  std::vector<QuestionAnswer> answers = answerQuestions(system, alike, together);
+  for (const std::size_t q : alike) {
+    if (answers[q].answer != Answer::Unknown) withoutEstimates_.emplace(q, std::move(answers[q]));
+  }
+}
+
+}  // namespace rungproof
