@@ -15,15 +15,14 @@ class BitWrites {
   BitWrites(const AccessTable& table, const CellMap& cells, std::span<const std::uint32_t> blockOf);
 
   /// Number of bits: eight for each cell; bit `key` is bit key % 8 of cell key / 8.
-  std::uint32_t size() const { return static_cast<std::uint32_t>(first_.size() - 1); }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(first_.size() - 1) * 8; }
   /// Indices in AccessTable::all() of the bit accesses that write the bit, in program order.
-  std::span<const std::uint32_t> at(std::uint32_t key) const {
-    return std::span(entries_).subspan(first_[key], first_[key + 1] - first_[key]);
-  }
+  std::span<const std::uint32_t> at(std::uint32_t key) const;
 
  private:
-  std::vector<std::uint32_t> entries_;
-  std::vector<std::uint32_t> first_;
+  std::vector<std::uint32_t> entries_;  ///< by cell, then by bit
+  std::vector<std::uint8_t> bits_;      ///< of the entries, 0 to 7
+  std::vector<std::uint32_t> first_;    ///< entry of each cell
 };
 
 }  // namespace rungproof

@@ -1,4 +1,4 @@
-// Builds the lists in two passes (count, fill) and the coverage marks.
+// Builds the lists in two passes (count, fill from the last access to the first) and the coverage marks.
 #include "analysis/flow/access_index.hpp"
 
 #include <algorithm>
@@ -65,20 +65,20 @@ AccessIndex::AccessIndex(const Program& program, const AccessTable& table, std::
   const std::span<const Access> all = table.all();
   for (const Access& a : all) {
     if (isNarrow(a))
-      eachCell(cells_, a, blockOf[a.instruction], a.certainLength(), [&](std::uint32_t cell) { ++first_[cell + 1]; });
+      eachCell(cells_, a, blockOf[a.instruction], a.certainLength(), [&](std::uint32_t cell) { ++first_[cell]; });
   }
   for (std::uint32_t c = 0; c < cells_.size(); ++c) first_[c + 1] += first_[c];
   entries_.resize(first_.back());
-  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (std::uint32_t i = 0; i < all.size(); ++i) {
+  for (std::uint32_t i = static_cast<std::uint32_t>(all.size()); i-- > 0;) {
     const Access& a = all[i];
     if (isNarrow(a)) {
       eachCell(cells_, a, blockOf[a.instruction], a.certainLength(),
-               [&](std::uint32_t cell) { entries_[next[cell]++] = i; });
+               [&](std::uint32_t cell) { entries_[--first_[cell]] = i; });
     } else {
       wide_.push_back(i);
     }
   }
+  std::ranges::reverse(wide_);
   for (std::vector<std::uint8_t>* marks : {&written_, &read_, &writtenAtLarge_, &readAtLarge_, &pointed_})
     marks->assign(cells_.size(), 0);
   cover(table, blockOf, true, {&written_, &writtenAtLarge_});
@@ -147,6 +147,8 @@ void AccessIndex::coverPointers(const Program& program, const AccessTable& table
     }
   }
   if (anyUnknownCall) anywhere = {true, true};
+  const auto isAny = [](const Reach& reach) { return reach.reads || reach.writes; };
+  if (!isAny(anywhere) && std::ranges::none_of(within, isAny)) return;
   for (std::uint32_t c = 0; c < cells_.size(); ++c) {
     const Area area = cells_.areaOf(c);
     Reach reach = within[static_cast<std::size_t>(area)];
@@ -156,7 +158,7 @@ void AccessIndex::coverPointers(const Program& program, const AccessTable& table
       reach.reads |= anywhere.reads;
       reach.writes |= anywhere.writes;
     }
-    pointed_[c] = reach.reads || reach.writes;
+    pointed_[c] = isAny(reach);
     if (reach.reads) read_[c] = readAtLarge_[c] = 1;
     if (reach.writes) written_[c] = writtenAtLarge_[c] = 1;
   }
