@@ -1,4 +1,5 @@
-// Counts by cell, then fills from the last access to the first; the few entries of a cell are put in order of their bits.
+// Counts by cell, then fills from the last access to the first; the few entries of a cell are put in order of their
+// bits.
 #include "analysis/flow/access_bits.hpp"
 
 #include <algorithm>
