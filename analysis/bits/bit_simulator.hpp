@@ -1,6 +1,7 @@
 // Evaluates a BitSystem on 64 runs at once, one in each bit of a word. Tested by tests/solver/bit_system_test.cpp.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "analysis/bits/bit_system.hpp"
@@ -18,9 +19,11 @@ class BitSimulator {
   std::uint64_t input(std::size_t index) const { return values_[system_.inputs[index]]; }
   /// Computes all gates from the current latches and inputs.
   void evaluate() {
-    for (std::size_t i = 0; i < system_.gates.size(); ++i) {
-      values_[system_.gateVariables[i]] = value(system_.gates[i].left) & value(system_.gates[i].right);
-    }
+    for (std::size_t i = 0; i < system_.gates.size(); ++i) evaluate(i);
+  }
+  /// Computes these gates only, each after those that it depends on.
+  void evaluate(std::span<const std::uint32_t> gates) {
+    for (const std::uint32_t gate : gates) evaluate(gate);
   }
   /// Moves the latches to their next values; evaluate() must have been called.
   void step() {
@@ -30,6 +33,10 @@ class BitSimulator {
   std::uint64_t value(Lit l) const { return values_[variableOf(l)] ^ (isNegative(l) ? ~0ULL : 0); }
 
  private:
+  void evaluate(std::size_t gate) {
+    values_[system_.gateVariables[gate]] = value(system_.gates[gate].left) & value(system_.gates[gate].right);
+  }
+
   const BitSystem& system_;
   std::vector<std::uint64_t> values_;  ///< by variable
   std::vector<std::uint64_t> next_;

@@ -2,6 +2,7 @@
 // samples found by the SAT solver are tried.
 #include "analysis/bits/simulation_runs.hpp"
 
+#include "analysis/bits/bit_cone.hpp"
 #include "analysis/bits/bit_unrolling.hpp"
 #include "analysis/schedule/schedule.hpp"
 
@@ -14,6 +15,9 @@ constexpr std::uint64_t everyScan = 0x1111111111111111ULL;  ///< lanes that chan
 SimulationRuns::SimulationRuns(const BitSystem& system, std::uint64_t seed)
     : system_(system), simulator_(system), random_(seed) {
   if (!system.constraints.empty()) collectSamples();
+  const std::vector<bool> isConstrained = constrainedVariables(system);
+  for (std::uint32_t gate = 0; gate < system.gates.size(); ++gate)
+    (isConstrained[system.gateVariables[gate]] ? ofConstraints_ : others_).push_back(gate);
   restart();
 }
 
@@ -48,31 +52,38 @@ bool SimulationRuns::choose() {
                                               (everyScan << 3U & sparse(10));
     simulator_.setInput(i, (before[i] & ~change) | (random_() & change));
   }
-  simulator_.evaluate();
-  std::uint64_t wrong = violating();
+  const auto judge = [&] {
+    simulator_.evaluate(ofConstraints_);
+    return violating();
+  };
+  std::uint64_t wrong = judge();
   for (int attempt = 0; wrong != 0 && attempt < schedule::redraws + 1; ++attempt) {
-    const bool keep = attempt == schedule::redraws;
-    for (std::size_t i = 0; i < before.size(); ++i) {
-      simulator_.setInput(i, (simulator_.input(i) & ~wrong) | ((keep ? before[i] : random_()) & wrong));
-    }
-    simulator_.evaluate();
-    wrong = violating();
+    redraw(wrong, before, attempt == schedule::redraws);
+    wrong = judge();
   }
   for (std::size_t attempt = 0; wrong != 0 && attempt < samples_.size(); ++attempt) {
-    for (std::size_t lane = 0; lane < 64; ++lane) {
-      if ((wrong >> lane & 1U) == 0) continue;
-      const std::vector<bool>& sample = samples_[(lane + attempt) % samples_.size()];
-      const std::uint64_t bit = 1ULL << lane;
-      for (std::size_t i = 0; i < before.size(); ++i) {
-        simulator_.setInput(i, (simulator_.input(i) & ~bit) | (sample[i] ? bit : 0));
-      }
-    }
-    simulator_.evaluate();
-    wrong = violating();
+    takeSamples(wrong, attempt);
+    wrong = judge();
   }
+  simulator_.evaluate(others_);
   live_ &= ~wrong;
   fresh_ = false;
   return live_ != 0;
+}
+
+void SimulationRuns::redraw(std::uint64_t wrong, const std::vector<std::uint64_t>& before, bool keep) {
+  for (std::size_t i = 0; i < before.size(); ++i)
+    simulator_.setInput(i, (simulator_.input(i) & ~wrong) | ((keep ? before[i] : random_()) & wrong));
+}
+
+void SimulationRuns::takeSamples(std::uint64_t wrong, std::size_t attempt) {
+  for (std::size_t lane = 0; lane < 64; ++lane) {
+    if ((wrong >> lane & 1U) == 0) continue;
+    const std::vector<bool>& sample = samples_[(lane + attempt) % samples_.size()];
+    const std::uint64_t bit = 1ULL << lane;
+    for (std::size_t i = 0; i < sample.size(); ++i)
+      simulator_.setInput(i, (simulator_.input(i) & ~bit) | (sample[i] ? bit : 0));
+  }
 }
 
 void SimulationRuns::collectSamples() {
