@@ -25,11 +25,11 @@ struct EngineKind {
   double wait = 0;                              ///< s that count as used at first: who settles most begins
 };
 constexpr std::array engineKinds = {
+    EngineKind{Technique::Explicit, "explicit search", makeExhaustive, schedule::exhaustiveWeight,
+               schedule::runPatience},
     EngineKind{Technique::Ic3, "IC3", makeIc3, schedule::ic3Weight},
     EngineKind{Technique::Bmc, "BMC", makeBmc, schedule::bmcWeight, schedule::tirelessSeconds, schedule::bmcWait},
     EngineKind{Technique::LongSimulation, "simulation", makeSimulation, schedule::simulationWeight,
-               schedule::runPatience, schedule::seekerWait},
-    EngineKind{Technique::Explicit, "explicit search", makeExhaustive, schedule::exhaustiveWeight,
                schedule::runPatience, schedule::seekerWait},
     EngineKind{Technique::HeldInputs, "held inputs", makeHeldInputs, schedule::heldInputsWeight, schedule::runPatience,
                schedule::seekerWait},
