@@ -38,6 +38,8 @@
   ROW(std::uint64_t, guidedScansBetweenLooks, 64, "scans", "between two looks at the clock") \
   ROW(double, plainShare, 0.25, "of these runs", "for each plain one") \
   ROW(int, plainRuns, 2, "runs", "all inputs on, all off") \
+  ROW(std::size_t, steadyInputs, 12, "inputs", "of which each is on alone for long, and on in every other scan") \
+  ROW(std::uint64_t, scansUntilRest, 128, "scans", "after which a run whose memory is as it was is at its end") \
   ROW(std::uint64_t, leastInstructions, 50, "instructions", "that a scan counts for, so that empty programs come to an end") \
   ROW(double, ownRunsShare, 0.05, "of a question", "for own runs when the solvers' run was not confirmed") \
   ROW(double, lastOwnRunsShare, 0.3, "of a question", "the same when nothing else is left to be tried") \
@@ -65,7 +67,7 @@
   /* Long scans instead of many */ \
   ROW(int, shallowDepth, 12, "scans", "of a short accelerated run") \
   ROW(double, shallowSeconds, 0.25, "s", "for all of them") \
-  ROW(double, shallowShare, 0.1, "of that time", "of the processor for each: most proofs are found sooner, and longer runs have the race") \
+  ROW(double, shallowShare, 0.18, "of that time", "of the processor for each: most proofs are found sooner, and longer runs have the race") \
   /* Before the engines */ \
   ROW(std::size_t, surfaceNodes, 400, "nodes", "of the surface that a proof in one scan looks at") \
   ROW(double, surfaceQuerySeconds, 0.05, "s", "for each look") \

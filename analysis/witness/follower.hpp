@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "analysis/property.hpp"
@@ -16,6 +17,8 @@ class Follower {
 
   /// The monitor's answer (Monitor::evaluate) at the end of `scan`, which left `state`.
   bool evaluate(Concrete& domain, const Concrete::Store& state, const ReplayScan& scan, bool isFirst);
+  /// What the monitor remembers from scan to scan.
+  std::span<const std::uint64_t> cells() const { return cells_; }
 
  private:
   std::uint64_t leaf(const Concrete::Store& state, const ReplayScan& scan, const Operand& operand, int width) const;

@@ -1,10 +1,13 @@
-// All inputs on, all off, then random ones that stay for 1 to some thousand scans. Runs are sought on the fastest
-// engine; what they show counts once the reference engine has repeated it.
+// All inputs on, all off; one on alone or on in every other scan, which brings what counts to its end; then random ones
+// that stay for 1 to some thousand scans. Runs are sought on the fastest engine; what they show counts once the
+// reference engine has repeated it.
 #include "analysis/witness/guided_runs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <random>
+#include <span>
 
 #include "analysis/encoding/scan_encoding.hpp"
 #include "analysis/encoding/scan_inputs.hpp"
@@ -35,6 +38,30 @@ struct GuidedOutside final : Outside {
   const bool areUnknownOnes;
 };
 
+/// What a program and its properties remember from scan to scan, without what the CPU counts by itself.
+class Remembered {
+ public:
+  /// Whether it is as it was at the call before this one.
+  bool isAsBefore(const Concrete::Store& state, std::vector<std::uint64_t> cells) {
+    std::vector<std::uint64_t> now = std::move(cells);
+    for (const Area area : {Area::Q, Area::V, Area::M, Area::S, Area::DB})
+      now.insert(now.end(), state.area(area).begin(), state.area(area).end());
+    for (std::size_t r = 0; r < static_cast<std::size_t>(Reg::count); ++r) {
+      const Reg reg = static_cast<Reg>(r);
+      if (Concrete::Store::isTerminal(reg) || std::ranges::find(clocks, reg) != clocks.end()) continue;
+      const auto values = state.registers().subspan(state.indexOf(reg, 0), state.count(reg));
+      now.insert(now.end(), values.begin(), values.end());
+    }
+    std::swap(now, before_);
+    return now == before_;
+  }
+
+ private:
+  static constexpr std::array clocks = {Reg::TimedElapsed, Reg::CyclicElapsed, Reg::PhaseTen,   Reg::PhaseHundred,
+                                        Reg::PhaseSecond,  Reg::PhaseMinute,   Reg::ClockPhase, Reg::LastScan};
+  std::vector<std::uint64_t> before_;
+};
+
 class GuidedSearch {
  public:
   GuidedSearch(const Program& program, const EncodedScan& encoding, const std::vector<Property>& assumptions,
@@ -57,13 +84,16 @@ class GuidedSearch {
   std::vector<std::optional<Witness>> run() {
     const std::uint64_t most =
         limits_.instructions / std::max<std::uint64_t>(program_.instructionCount(), schedule::leastInstructions);
-    std::uint64_t barren = 0;  // random scans
-    for (int kind = 0; !isDone() && barren < most && used() < limits_.seconds; ++kind) {
-      const double share = kind < schedule::plainRuns ? schedule::plainShare * (kind + 1) : 1;
-      const std::vector<ReplayScan> scans = phases(kind);
-      const auto [made, last] = seek(scans, most, share * limits_.seconds);
-      const bool hasShown = last && confirm(scans, *last);
-      if (kind >= schedule::plainRuns) barren = (hasShown ? 0 : barren) + made + 1;
+    const auto goesOn = [&] { return !isDone() && used() < limits_.seconds; };
+    for (int kind = 0; kind < schedule::plainRuns && goesOn(); ++kind)
+      make(plain(kind == 0), most, schedule::plainShare * (kind + 1));
+    std::uint64_t barren = 0;
+    for (std::size_t i = 0; i < 2 * steadyInputs() && barren < most && goesOn(); ++i)
+      barren += make(steady(i / 2, i % 2 == 0), most - barren, 3 * schedule::plainShare).barren;
+    barren = 0;
+    while (goesOn() && barren < most) {
+      const Made made = make(random(), most, 1);
+      barren = (made.hasShown ? 0 : barren) + made.barren + 1;
     }
     return std::move(found_);
   }
@@ -74,25 +104,58 @@ class GuidedSearch {
     return std::all_of(found_.begin(), found_.end(), [](const auto& f) { return f.has_value(); });
   }
 
-  std::vector<ReplayScan> phases(int kind) {
+  /// Scans from the first to the last, which are made once or, if `comesAgain`, over and over.
+  struct Run {
     std::vector<ReplayScan> scans;
+    bool comesAgain = false;
+  };
+  ReplayScan quietScan() const {
     ReplayScan scan;
     scan.lengthMs = lengthMs_;
     scan.inputs = inputs_;
-    if (kind < schedule::plainRuns) {
-      for (PresetValue& input : scan.inputs) input.value = kind == 0 ? Graph::maskOf(bits(input.operand.width)) : 0;
-      scan.repeats = endless;
-      return {scan};
+    return scan;
+  }
+  Run plain(bool isOn) const {
+    Run run{{quietScan()}, true};
+    for (PresetValue& input : run.scans[0].inputs) input.value = isOn ? Graph::maskOf(bits(input.operand.width)) : 0;
+    return run;
+  }
+  std::size_t steadyInputs() const {
+    const auto count =
+        std::ranges::count_if(inputs_, [](const PresetValue& i) { return i.operand.width == Width::Bit; });
+    return std::min(static_cast<std::size_t>(count), schedule::steadyInputs);
+  }
+  /// The input on alone: in every other scan, or in all.
+  Run steady(std::size_t input, bool alternates) const {
+    Run run{{quietScan()}, true};
+    for (PresetValue& value : run.scans[0].inputs) {
+      if (value.operand.width == Width::Bit && input-- == 0) value.value = 1;
     }
+    if (alternates) run.scans.push_back(quietScan());
+    return run;
+  }
+  Run random() {
+    Run run;
+    ReplayScan scan = quietScan();
     for (int i = 0; i < schedule::guidedPhases; ++i) {
       for (PresetValue& input : scan.inputs) {
         if (i == 0 || random_() % 2 == 0) input.value = random_() & Graph::maskOf(bits(input.operand.width));
       }
       scan.repeats = 1 + static_cast<std::uint32_t>(random_() % (1ULL << (random_() % 12)));
       if (!events_.empty()) interrupt(scan);
-      scans.push_back(scan);
+      run.scans.push_back(scan);
     }
-    return scans;
+    return run;
+  }
+
+  struct Made {
+    std::uint64_t barren;  ///< scans since the last one that showed a goal
+    bool hasShown;
+  };
+  /// Ends after `most` scans in which nothing is shown, or when the search has lasted that share of its time.
+  Made make(const Run& run, std::uint64_t most, double share) {
+    const Sought sought = seek(run, most, share * limits_.seconds);
+    return {sought.barren, sought.last && confirm(run, *sought.last)};
   }
 
   /// Interrupts at one place: none, a few, or more of one event at once than a queue holds.
@@ -141,6 +204,14 @@ class GuidedSearch {
       return isOpen;
     }
     std::uint64_t count() const { return count_; }
+    std::vector<std::uint64_t> cells() const {
+      std::vector<std::uint64_t> all;
+      for (const std::vector<Follower>* followers : {&assumptions_, &goals_}) {
+        for (const Follower& follower : *followers)
+          all.insert(all.end(), follower.cells().begin(), follower.cells().end());
+      }
+      return all;
+    }
 
    private:
     const GuidedSearch& search_;
@@ -155,20 +226,26 @@ class GuidedSearch {
     std::uint64_t barren;               ///< scans since the last one that showed a goal
     std::optional<std::uint64_t> last;  ///< the number of that scan, from 1
   };
-  /// On the fastest engine. Ends after `most` scans in which nothing is shown, or when the search has lasted `seconds`.
-  Sought seek(const std::vector<ReplayScan>& scans, std::uint64_t most, double seconds) const {
+  /// On the fastest engine.
+  Sought seek(const Run& run, std::uint64_t most, double seconds) const {
     GuidedOutside outside(choices_.is(Choice::UnknownBits, "one"));
     Simulator simulator(program_, stillOptions(choices_), &outside);
     simulator.readUnknownAsZero(!outside.areUnknownOnes);
     simulator.expectFreeZero();
     Course course(*this);
     std::uint64_t shown = 0;
+    Remembered remembered;
+    const auto isAtRest = [&] {
+      return run.comesAgain && course.count() % schedule::scansUntilRest == 0 &&
+             remembered.isAsBefore(simulator.store(), course.cells());
+    };
     const auto goesOn = [&] {
       const std::uint64_t count = course.count();
       return count - shown < most && (count % schedule::guidedScansBetweenLooks != 0 || used() < seconds) &&
-             simulator.isRunning();
+             simulator.isRunning() && !isAtRest();
     };
-    for (const ReplayScan& scan : scans) {
+    for (std::size_t at = 0; at < run.scans.size(); at = run.comesAgain ? (at + 1) % run.scans.size() : at + 1) {
+      const ReplayScan& scan = run.scans[at];
       ScanScript script = scan.script;
       script.needsCauses = true;
       for (const PresetValue& input : scan.inputs) simulator.write(input.operand, input.value);
@@ -182,7 +259,10 @@ class GuidedSearch {
   }
 
   /// What the reference engine shows in the first `last` scans; false: nothing.
-  bool confirm(const std::vector<ReplayScan>& scans, std::uint64_t last) {
+  bool confirm(const Run& run, std::uint64_t last) {
+    std::vector<ReplayScan> scans = run.scans;
+    if (run.comesAgain && scans.size() == 1) scans[0].repeats = endless;
+    while (run.comesAgain && scans.size() > 1 && scans.size() < last) scans.push_back(scans[scans.size() - 2]);
     Course course(*this);
     std::size_t step = ~std::size_t{0};
     std::uint32_t round = 0;

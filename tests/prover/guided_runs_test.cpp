@@ -55,6 +55,25 @@ TEST(GuidedRuns, InputsThatMustBeOffAndWordsThatMatter) {
   EXPECT_TRUE(s.isRepeated(1, *found[1]));
 }
 
+TEST(GuidedRuns, CountersThatNeedEveryEdgeOfOneInput) {
+  Setting s("//@ reach full: C5\n", "Network 1\nLD I0.0\nLD I0.1\nCTU C5, 32767\n");
+  const std::vector<std::optional<Witness>> found = s.search();
+  ASSERT_TRUE(found[0].has_value());
+  EXPECT_TRUE(s.isRepeated(0, *found[0]));
+  EXPECT_EQ(found[0]->scanCount, 65535U);  // on in the first scan is no edge; then one in every other scan
+}
+
+TEST(GuidedRuns, HoursThatOneInputAloneBringsAbout) {
+  // Seconds by a timer that starts itself, minutes and an hour by counters; the second input holds the hours at 0.
+  Setting s("//@ reach hour: C2\n",
+            "Network 1\nLD I0.0\nAN T37\nTON T37, 10\nNetwork 2\nLD T37\nLD C1\nCTU C1, 60\n"
+            "Network 3\nLD C1\nLD I0.1\nCTU C2, 60\n");
+  const std::vector<std::optional<Witness>> found = s.search();
+  ASSERT_TRUE(found[0].has_value());
+  EXPECT_TRUE(s.isRepeated(0, *found[0]));
+  EXPECT_GE(found[0]->milliseconds, 3'600'000U);
+}
+
 TEST(GuidedRuns, WhatCannotBeIsNotFoundAndAssumptionsHold) {
   Setting s("//@ assume never both: not (I0.0 and I0.1)\n//@ reach both: Q0.0\n//@ reach never: Q0.1\n",
             "Network 1\nLD I0.0\nA I0.1\n= Q0.0\nNetwork 2\nLD SM0.0\nR Q0.1, 1\n");

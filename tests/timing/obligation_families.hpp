@@ -93,6 +93,18 @@ inline std::string ended(int preset, int lack) {
 inline std::string earlyEnd(int preset) { return ended(preset, 500); }
 inline std::string lateEnd(int preset) { return ended(preset, 600); }
 
+/// The same with a timer of 10 ms, whose bit may come almost half a second before its input has been on for the preset,
+/// since the ticks of a long first scan count: two ticks less are asked for.
+inline std::string fineEnd(int preset) {
+  return programOf(property("prove ended: Q0.0 implies held(I0.0, " + std::to_string(preset * 10 - 20) + "ms)"),
+                   network(1, "LD I0.0\nTON T33, " + std::to_string(preset) + "\nLD T33\n= Q0.0\n"));
+}
+/// A premise that needs as many edges of one input as the counter counts.
+inline std::string counterReached(int preset) {
+  return programOf(property("prove counted: Q0.0 implies C5.value >= " + std::to_string(preset)),
+                   network(1, "LD I0.0\nLD I0.1\nCTU C5, " + std::to_string(preset) + "\nLD C5\n= Q0.0\n"));
+}
+
 /// n steps in a row, each of a minute: started by an edge, each left when its timer has run out.
 inline std::string timedRow(int n, const std::string& properties) {
   std::string networks = network(1, "LD I0.0\nEU\nLD M0.0\n");
@@ -241,11 +253,13 @@ inline std::vector<ObligationFamily> obligationFamilies() {
           {"four short waits", "VIOLATED", {50, 3000, 30000}, 3, fourShortWaits},
           {"long wait", "PROVED", {50, 3000, 30000}, 3, longWait},
           {"early end", "VIOLATED", {50, 3000, 30000}, 3, earlyEnd},
+          {"fine end", "VIOLATED", {50, 3000, 30000}, 3, fineEnd},
           {"late end", "PROVED", {50, 3000, 30000}, 3, lateEnd},
           {"timed row leads", "PROVED", {1, 2, 4}, 2, timedRowLeads},
           {"timed row only after", "PROVED", {1, 2, 4}, 3, timedRowOnlyAfter},
           {"series only after", "PROVED", {1, 2, 3}, 3, seriesOnlyAfter},
           {"counter lamp", "PROVED", {10, 1000, 32767}, 3, counterLamp},
+          {"counter reached", "PROVED", {10, 1000, 32767}, 3, counterReached},
           {"queue", "PROVED", {6, 100, 1000}, 3, queue},
           {"table", "PROVED", {10, 50, 100}, 3, table},
           {"pointer ring", "PROVED", {10, 50, 100}, 3, pointerRing},

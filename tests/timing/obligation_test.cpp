@@ -66,9 +66,12 @@ constexpr double mostForPresets = 1.5, presetAllowance = 0.1;
 TEST(ObligationGrowth, ShortWait) { expectGrowth("short wait", mostForPresets, presetAllowance); }
 TEST(ObligationGrowth, LongWait) { expectGrowth("long wait", mostForPresets, presetAllowance); }
 TEST(ObligationGrowth, EarlyEnd) { expectGrowth("early end", mostForPresets, presetAllowance); }
+TEST(ObligationGrowth, FineEnd) { expectGrowth("fine end", mostForPresets, presetAllowance); }
 TEST(ObligationGrowth, LateEnd) { expectGrowth("late end", mostForPresets, presetAllowance); }
 
 TEST(ObligationGrowth, CounterLamp) { expectGrowth("counter lamp", 1.5, 0.01); }
+/// The allowance is for a run of 65,535 scans, found once and repeated once.
+TEST(ObligationGrowth, CounterReached) { expectGrowth("counter reached", 1.5, presetAllowance); }
 
 }  // namespace
 }  // namespace rungproof
