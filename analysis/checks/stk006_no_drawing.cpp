@@ -18,17 +18,17 @@ namespace {
 void checkStk006(const Facts& facts, FindingSink& sink) {
   if (facts.program().olderDialect) return;
   const bool isStl = isWrittenAsStl(facts.program());
-  PictureShapes ladders(facts.target());
+  PictureShapes pictures(facts.target());
   for (const Pou& pou : facts.program().pous) {
     std::size_t count = 0;
     std::string reason;
     Span first;
     for (const Network& network : pou.networks) {
-      if (!network.complete || network.drawing != nullptr || ladders.hasLadder(network)) continue;
+      if (!network.complete || network.drawing != nullptr || pictures.canBeDrawn(network)) continue;
+      if (++count > 1 && isStl) continue;
       const Raised fbd = raise(network, Form::Fbd, facts.target());
-      if (fbd.drawing) continue;
       const Span place = fbd.at == nullptr ? network.span : fbd.at->span;
-      if (++count == 1) {
+      if (count == 1) {
         first = place;
         reason = fbd.reason;
       }

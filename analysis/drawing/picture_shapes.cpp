@@ -36,14 +36,20 @@ bool PictureShapes::makeKey(const Network& network) {
   return true;
 }
 
-bool PictureShapes::hasLadder(const Network& network) {
+bool PictureShapes::canBeDrawn(const Network& network) {
   const bool hasKey = makeKey(network);
   if (hasKey) {
     if (const auto known = known_.find(key_); known != known_.end()) return known->second;
   }
-  const Raised raised = raise(network, Form::Ladder, target_);
-  if (hasKey && !raised.comparedAddresses) known_.emplace(key_, raised.drawing.has_value());
-  return raised.drawing.has_value();
+  bool isDrawn = false, comparedAddresses = false;
+  for (const Form form : {Form::Ladder, Form::Fbd}) {
+    if (isDrawn) break;
+    const Raised raised = raise(network, form, target_);
+    isDrawn = raised.drawing.has_value();
+    comparedAddresses = comparedAddresses || raised.comparedAddresses;
+  }
+  if (hasKey && !comparedAddresses) known_.emplace(key_, isDrawn);
+  return isDrawn;
 }
 
 }  // namespace rungproof

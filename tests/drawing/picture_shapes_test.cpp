@@ -11,19 +11,23 @@
 namespace rungproof {
 namespace {
 
+/// By drawing it.
+bool isDrawn(const Network& network, const Target& target) {
+  return raise(network, Form::Ladder, target).drawing || raise(network, Form::Fbd, target).drawing;
+}
+
 TEST(PictureShapes, SayOfTheCorpusWhatDrawingEachNetworkSays) {
   std::size_t networks = 0, drawn = 0, shapes = 0;
-  std::map<std::string, PictureShapes> ladders;  // of all programs for one CPU
   for (const std::filesystem::path& file : test::corpusFiles()) {
     const Program program = test::corpusInput(file).program;
     PictureShapes own(program.target);
     for (const Pou& pou : program.pous) {
       for (const Network& network : pou.networks) {
-        const bool hasLadder = raise(network, Form::Ladder, program.target).drawing.has_value();
-        EXPECT_EQ(own.hasLadder(network), hasLadder) << file << ", " << pou.name << ", network " << network.number;
-        EXPECT_EQ(own.hasLadder(network), hasLadder) << "asked again";
+        const bool isPicture = isDrawn(network, program.target);
+        EXPECT_EQ(own.canBeDrawn(network), isPicture) << file << ", " << pou.name << ", network " << network.number;
+        EXPECT_EQ(own.canBeDrawn(network), isPicture) << "asked again";
         ++networks;
-        drawn += hasLadder ? 1 : 0;
+        drawn += isPicture ? 1 : 0;
       }
     }
     shapes += own.size();
@@ -34,22 +38,22 @@ TEST(PictureShapes, SayOfTheCorpusWhatDrawingEachNetworkSays) {
 }
 
 /// One set of shapes asked about all these networks, in this order.
-std::vector<bool> laddersOf(const std::vector<std::string>& networks) {
+std::vector<bool> picturesOf(const std::vector<std::string>& networks) {
   std::string text = "ORGANIZATION_BLOCK MAIN:OB1\nBEGIN\n";
   for (std::size_t i = 0; i < networks.size(); ++i) text += "Network " + std::to_string(i + 1) + "\n" + networks[i];
   const Program program = readText("shapes.awl", text + "END_ORGANIZATION_BLOCK\n");
   PictureShapes shapes(program.target);
   std::vector<bool> answers;
   for (const Network& network : program.pous.at(0).networks) {
-    answers.push_back(shapes.hasLadder(network));
-    EXPECT_EQ(answers.back(), raise(network, Form::Ladder, program.target).drawing.has_value()) << network.number;
+    answers.push_back(shapes.canBeDrawn(network));
+    EXPECT_EQ(answers.back(), isDrawn(network, program.target)) << network.number;
   }
   return answers;
 }
 
 TEST(PictureShapes, OneShapeWithOtherAddresses) {
-  EXPECT_EQ(laddersOf({"LD I0.0\n= Q0.0\n", "LD M3.1\n= V7.2\n", "LD I0.0\n= Q0.0\nLD I0.1\n= Q0.1\n",
-                       "LD M0.0\n= M0.0\nLD M0.0\n= M0.0\n"}),
+  EXPECT_EQ(picturesOf({"LD I0.0\n= Q0.0\n", "LD M3.1\n= V7.2\n", "LD I0.0\n= Q0.0\nLD I0.1\n= Q0.1\n",
+                        "LD M0.0\n= M0.0\nLD M0.0\n= M0.0\n"}),
             (std::vector<bool>{true, true, false, false}));
 }
 
@@ -60,14 +64,14 @@ TEST(PictureShapes, AddressesDecideWhereACoilStandsBetween) {
   const std::string own = "LD I0.0\nLPS\nA I0.1\n= Q0.0\nLPP\nA Q0.0\n= Q0.1\n";
   const std::string late = "LD I0.0\nLD I0.1\n= Q0.0\nALD\n= Q0.1\n";
   const std::string lateOwn = "LD Q0.0\nLD I0.1\n= Q0.0\nALD\n= Q0.1\n";
-  laddersOf({apart, own, apart, late, lateOwn, late, lateOwn, late});
-  laddersOf({own, apart, own, lateOwn, late, lateOwn});
+  picturesOf({apart, own, apart, late, lateOwn, late, lateOwn, late});
+  picturesOf({own, apart, own, lateOwn, late, lateOwn});
 }
 
 // The same contacts and boxes, but the editor's own bits hold the flow inputs of a call.
 TEST(PictureShapes, LocalMemoryAndCallsAreDrawnOneByOne) {
-  laddersOf({"LD I0.0\n= L60.0\nLD L60.0\nCALL SBR0\n", "LD I0.0\n= M60.0\nLD M60.0\nCALL SBR0\n",
-             "LD I0.0\n= L60.0\nLD L60.0\n= Q0.0\n"});
+  picturesOf({"LD I0.0\n= L60.0\nLD L60.0\nCALL SBR0\n", "LD I0.0\n= M60.0\nLD M60.0\nCALL SBR0\n",
+              "LD I0.0\n= L60.0\nLD L60.0\n= Q0.0\n"});
 }
 
 }  // namespace
