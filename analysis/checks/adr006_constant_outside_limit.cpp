@@ -60,8 +60,8 @@ void checkConstant(const Facts& facts, FindingSink& sink, const Instruction& ins
 }
 
 void checkAdr006(const Facts& facts, FindingSink& sink) {
-  for (const InstructionPlace& place : facts.instructions()) {
-    const Instruction& instruction = *place.instruction;
+  for (const std::uint32_t id : facts.withOperand(OperandKind::Constant)) {
+    const Instruction& instruction = facts.instruction(id);
     const std::size_t count = std::min<std::size_t>(instruction.operands.size(), instruction.desc->operandCount);
     for (std::size_t i = 0; i < count; ++i) checkConstant(facts, sink, instruction, i);
   }

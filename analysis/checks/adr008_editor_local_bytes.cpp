@@ -28,31 +28,26 @@ bool isEditorForm(const Facts& facts, const Access& access) {
 }
 
 void checkAdr008(const Facts& facts, FindingSink& sink) {
-  std::array<std::uint32_t, 32> storedIn{};  // by bit: network (position in the program, from 1) of the last =
-  std::uint32_t position = 0;
-  const Network* network = nullptr;
-  for (const InstructionPlace& place : facts.instructions()) {
-    const Network* here = &facts.networkOf(place.instruction->id);
-    if (here != network) ++position;
-    network = here;
-    if (here->drawing != nullptr && editorBitsUsed(*here->drawing) == 0) continue;  // what stands there was lowered
-    for (const Access& access : facts.accesses().of(place.instruction->id)) {
-      if (!isReserved(access)) continue;
-      const bool isBit =
-          access.width == Width::Bit && access.offset >= firstReserved && access.offset < 64 && access.bit < 8;
-      std::uint32_t* stored = isBit ? &storedIn[(access.offset - firstReserved) * 8 + access.bit] : nullptr;
-      const bool isEditors = stored != nullptr && isEditorForm(facts, access) && (access.write || *stored == position);
-      if (stored != nullptr && access.write) *stored = position;
-      if (isEditors) continue;
-      const Operand& operand = place.instruction->operands[access.operand];
-      Finding& finding =
-          sink.report(operand.span,
-                      fmt::format("{} uses {}; LB60 to LB63 belong to Micro/WIN when a program is shown as LAD or FBD",
-                                  Facts::text(*place.instruction), toString(operand)));
-      finding.address = toString(operand);
-      finding.help = "use LB0 to LB59 (001:1364, 001:2672)";
-      break;
-    }
+  std::array<const Network*, 32> storedIn{};  // by bit: network of the last =
+  std::uint32_t reported = ~0U;
+  for (const Access& access : facts.accesses().all()) {
+    if (!isReserved(access) || access.instruction == reported) continue;
+    const Network& here = facts.networkOf(access.instruction);
+    if (here.drawing != nullptr && editorBitsUsed(*here.drawing) == 0) continue;  // what stands there was lowered
+    const bool isBit =
+        access.width == Width::Bit && access.offset >= firstReserved && access.offset < 64 && access.bit < 8;
+    const Network** stored = isBit ? &storedIn[(access.offset - firstReserved) * 8 + access.bit] : nullptr;
+    const bool isEditors = stored != nullptr && isEditorForm(facts, access) && (access.write || *stored == &here);
+    if (stored != nullptr && access.write) *stored = &here;
+    if (isEditors) continue;
+    const Instruction& instruction = facts.instruction(access.instruction);
+    const Operand& operand = instruction.operands[access.operand];
+    Finding& finding = sink.report(
+        operand.span, fmt::format("{} uses {}; LB60 to LB63 belong to Micro/WIN when a program is shown as LAD or FBD",
+                                  Facts::text(instruction), toString(operand)));
+    finding.address = toString(operand);
+    finding.help = "use LB0 to LB59 (001:1364, 001:2672)";
+    reported = access.instruction;
   }
   for (const Pou& pou : facts.program().pous) {
     for (const LocalVariable& local : pou.locals) {

@@ -45,10 +45,11 @@ bool growsForEver(const Facts& facts, const Access& target) {
 
 void checkAri002(const Facts& facts, FindingSink& sink) {
   if (facts.hasUnreadCode()) return;
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place :
+       facts.placesOf([](const Desc& desc) { return isProduct(desc) || isGrowth(desc); })) {
     const Instruction& instruction = *place.instruction;
     const Desc& desc = *instruction.desc;
-    if ((!isProduct(desc) && !isGrowth(desc)) || !facts.execution().at(instruction.id).isReachable) continue;
+    if (!facts.execution().at(instruction.id).isReachable) continue;
     const Access* target = nullptr;
     for (const Access& access : facts.accesses().of(instruction.id)) {
       if (access.write && !access.viaPointer) target = &access;

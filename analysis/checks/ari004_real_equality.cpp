@@ -10,7 +10,9 @@ namespace rungproof {
 namespace {
 
 void checkAri004(const Facts& facts, FindingSink& sink) {
-  for (const InstructionPlace& place : facts.instructions()) {
+  const bool isStep7 = facts.plan().isStep7();
+  const auto mayCompare = [&](const Desc& desc) { return isStep7 || desc.execution == Execution::Compare; };
+  for (const InstructionPlace& place : facts.placesOf(mayCompare)) {
     const Instruction& instruction = *place.instruction;
     const Desc& desc = *instruction.desc;
     if (statementRole(instruction) == StatementRole::CompareRealEqual) {

@@ -99,6 +99,7 @@ void checkAccumulators(const Facts& facts, FindingSink& sink, const Flow& flow) 
 void checkAri006(const Facts& facts, FindingSink& sink) {
   if (facts.hasUnreadCode()) return;
   checkMemory(facts, sink);
+  if (!facts.usesAccumulators()) return;
   for (const Flow& flow : facts.plan().flows) checkAccumulators(facts, sink, flow);
 }
 

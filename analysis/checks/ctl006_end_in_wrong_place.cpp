@@ -74,7 +74,8 @@ void checkEnds(const Facts& facts, FindingSink& sink) {
 }
 
 void checkCtl006(const Facts& facts, FindingSink& sink) {
-  for (const InstructionPlace& place : facts.instructions()) checkPlace(facts, sink, place);
+  const auto isControl = [](const Desc& desc) { return desc.control != Control::None; };
+  for (const InstructionPlace& place : facts.placesOf(isControl)) checkPlace(facts, sink, place);
   checkEnds(facts, sink);
 }
 

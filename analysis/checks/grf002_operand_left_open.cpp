@@ -8,9 +8,9 @@ namespace rungproof {
 namespace {
 
 void checkGrf002(const Facts& facts, FindingSink& sink) {
-  for (const InstructionPlace& place : facts.instructions()) {
-    const Instruction& instruction = *place.instruction;
-    if (facts.isUnread(instruction.id)) continue;
+  for (const std::uint32_t id : facts.withOperand(OperandKind::Missing)) {
+    const Instruction& instruction = facts.instruction(id);
+    if (facts.isUnread(id)) continue;
     for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
       if (instruction.operands[i].kind != OperandKind::Missing) continue;
       if (instruction.desc->control == Control::BlockCall) continue;  // a parameter of an FB need not be given

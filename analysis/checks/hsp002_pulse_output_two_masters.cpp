@@ -33,7 +33,8 @@ bool clears(const Instruction& instruction) {
 
 void checkHsp002(const Facts& facts, FindingSink& sink) {
   std::array<const Instruction*, pulseOutputCount> generator{};
-  for (const InstructionPlace& place : facts.instructions()) {
+  const auto mayPulse = [](const Desc& desc) { return desc.role == Role::Pls || desc.control == Control::Call; };
+  for (const InstructionPlace& place : facts.placesOf(mayPulse)) {
     const int output = pulseOutput(*place.instruction);
     if (output >= 0 && generator[static_cast<std::size_t>(output)] == nullptr)
       generator[static_cast<std::size_t>(output)] = place.instruction;

@@ -42,8 +42,8 @@ std::string_view harmOf(const Instruction& instruction) {
   }
 }
 
-bool isOnce(const Instruction& instruction) {
-  switch (roleOf(instruction)) {
+bool isMeantOnce(Role role) {
+  switch (role) {
     case Role::Att:
     case Role::Lifo:
     case Role::Fifo:
@@ -51,9 +51,11 @@ bool isOnce(const Instruction& instruction) {
     case Role::Netw:
     case Role::Hdef:
     case Role::Pls: return true;
-    default: return savesToEeprom(instruction);
+    default: return false;
   }
 }
+
+bool maySave(const Desc& desc) { return isSet(desc.role) || isMoveOf(desc, Type::Byte); }
 
 /// Whether the network itself ends the condition: it resets a bit that it reads, or asks the table's own status bits.
 bool endsItself(const Facts& facts, const InstructionPlace& place) {
@@ -86,9 +88,11 @@ bool endsItself(const Facts& facts, const InstructionPlace& place) {
 }
 
 void checkHsp004(const Facts& facts, FindingSink& sink) {
-  for (const InstructionPlace& place : facts.instructions()) {
+  const auto mayBeOnce = [](const Desc& desc) { return isMeantOnce(desc.role) || maySave(desc); };
+  for (const InstructionPlace& place : facts.placesOf(mayBeOnce)) {
     const Instruction& instruction = *place.instruction;
-    if (!isOnce(instruction) || !facts.execution().at(instruction.id).isReachable) continue;
+    if (!isMeantOnce(roleOf(instruction)) && !savesToEeprom(instruction)) continue;
+    if (!facts.execution().at(instruction.id).isReachable) continue;
     const Condition known = facts.conditionOf(instruction.id);
     if ((known & (condition::Pulse | condition::FirstScan | condition::Never)) != 0) continue;
     if (facts.calls().reachedFromInterrupt(place.block) && !facts.calls().reachedFromMain(place.block)) continue;

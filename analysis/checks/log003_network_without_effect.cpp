@@ -3,6 +3,8 @@
 // and tests/rules/output_rules_test.cpp.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <unordered_map>
 
 #include "analysis/flow/facts.hpp"
@@ -12,17 +14,18 @@ namespace rungproof {
 
 namespace {
 
-/// By bit: the instruction that will overwrite it.
-using Overwrites = std::unordered_map<std::uint32_t, const Instruction*>;
+/// By cell: the instructions that will overwrite its bits.
+using Overwrites = std::unordered_map<std::uint32_t, std::array<const Instruction*, 8>>;
 
+/// The cells of an access, each with its first bit and the one behind its last.
 template <class Visit>
-void eachBit(const Facts& facts, const Access& access, Visit visit) {
+void eachCell(const Facts& facts, const Access& access, Visit visit) {
   const std::uint32_t cell = facts.cellOf(access);
   if (cell == facts.index().cells().size()) return;
   const bool isBits = access.width == Width::Bit && !access.byNumber();
-  const std::uint32_t from = cell * 8 + (isBits ? access.bit : 0U);
-  const std::uint32_t count = isBits ? access.count : access.certainLength() * 8;
-  for (std::uint32_t k = 0; k < count; ++k) visit(from + k);
+  std::uint32_t from = cell * 8 + (isBits ? access.bit : 0U);
+  const std::uint32_t end = from + (isBits ? access.count : access.certainLength() * 8);
+  for (; from < end; from = (from / 8 + 1) * 8) visit(from / 8, from % 8, std::min(end - from / 8 * 8, 8U));
 }
 
 bool isMemory(const Access& access) {
@@ -43,12 +46,13 @@ const Instruction* overwriter(const Facts& facts, const Instruction& instruction
     if (!access.write) continue;
     if (!isMemory(access)) return nullptr;
     bool isDead = true;
-    eachBit(facts, access, [&](std::uint32_t key) {
-      const auto found = later.find(key);
-      if (found == later.end())
-        isDead = false;
-      else
-        by = found->second;
+    eachCell(facts, access, [&](std::uint32_t cell, std::uint32_t bit, std::uint32_t end) {
+      const auto found = later.find(cell);
+      if (found == later.end()) isDead = false;
+      for (; isDead && bit < end; ++bit) {
+        by = found->second[bit];
+        isDead = by != nullptr;
+      }
     });
     if (!isDead) return nullptr;
   }
@@ -59,13 +63,18 @@ void remember(const Facts& facts, const Instruction& instruction, Overwrites& la
   const bool isAlways = (facts.stack().at(instruction.id).flow & condition::Always) != 0;
   for (const Access& access : facts.accesses().of(instruction.id)) {
     if (!access.write || !isMemory(access) || (access.conditional && !isAlways)) continue;
-    eachBit(facts, access, [&](std::uint32_t key) { later[key] = &instruction; });
+    eachCell(facts, access, [&](std::uint32_t cell, std::uint32_t bit, std::uint32_t end) {
+      for (auto& bits = later[cell]; bit < end; ++bit) bits[bit] = &instruction;
+    });
   }
   for (const Access& access : facts.accesses().of(instruction.id)) {
     if (access.viaPointer || access.certainLength() != access.possibleLength() || access.certainLength() > 40)
       later.clear();
     else if (!access.write)
-      eachBit(facts, access, [&](std::uint32_t key) { later.erase(key); });
+      eachCell(facts, access, [&](std::uint32_t cell, std::uint32_t bit, std::uint32_t end) {
+        const auto found = later.find(cell);
+        for (; found != later.end() && bit < end; ++bit) found->second[bit] = nullptr;
+      });
   }
 }
 

@@ -34,17 +34,19 @@ bool excludeEachOther(const Facts& facts, std::span<const std::uint32_t> coils) 
 }
 
 void checkOut001(const Facts& facts, FindingSink& sink) {
+  std::vector<bool> isIdle;  // by block
+  for (std::uint32_t block = 0; block < facts.program().pous.size(); ++block)
+    isIdle.push_back(facts.execution().runs(block) == Runs::Never || isStartUpOnly(facts, block));
   std::vector<std::uint32_t> coils;
   for (std::uint32_t key = 0; key < facts.bits().size(); ++key) {
     if (facts.bits().at(key).size() < 2) continue;
     coils.clear();
     for (const std::uint32_t i : facts.bits().at(key)) {
       const Access& access = facts.access(i);
-      const bool isDead = !facts.execution().at(access.instruction).isReachable ||
-                          facts.execution().runs(facts.blockOf(access.instruction)) == Runs::Never ||
-                          isStartUpOnly(facts, facts.blockOf(access.instruction));
-      if (access.area != Area::L && isCoil(roleOf(facts.instruction(access.instruction))) && !isDead)
-        coils.push_back(access.instruction);
+      const std::uint32_t id = access.instruction;
+      if (access.area != Area::L && isCoil(facts.roleAt(id)) && !isIdle[facts.blockOf(id)] &&
+          facts.execution().at(id).isReachable)
+        coils.push_back(id);
     }
     if (coils.size() < 2 || (facts.plan().isStep7() && excludeEachOther(facts, coils))) continue;
     const Instruction& second = facts.instruction(coils[1]);

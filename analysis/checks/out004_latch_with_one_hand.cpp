@@ -46,7 +46,7 @@ std::vector<LatchHands> allHands(const Facts& facts) {
     hands.other = isOther;
     for (const std::uint32_t i : writers) {
       const std::uint32_t id = facts.access(i).instruction;
-      const Role role = roleOf(facts.instruction(id));
+      const Role role = facts.roleAt(id);
       if (isSet(role) && !isStartUp[facts.blockOf(id)])
         hands.set = true;
       else if (isReset(role))

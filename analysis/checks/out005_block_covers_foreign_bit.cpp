@@ -63,10 +63,9 @@ void checkBlock(const Facts& facts, FindingSink& sink, const Instruction& block,
 }
 
 void checkOut005(const Facts& facts, FindingSink& sink) {
-  for (const InstructionPlace& place : facts.instructions()) {
+  for (const InstructionPlace& place :
+       facts.placesOf([](const Desc& desc) { return isSet(desc.role) || isReset(desc.role); })) {
     const Instruction& instruction = *place.instruction;
-    const Role role = roleOf(instruction);
-    if (!isSet(role) && !isReset(role)) continue;
     if ((facts.conditionOf(instruction.id) & condition::FirstScan) != 0 || facts.isUnread(instruction.id)) continue;
     for (const Access& access : facts.accesses().of(instruction.id)) {
       if (access.write && access.width == Width::Bit && !access.byNumber() && access.count >= 2 && access.bit <= 7)

@@ -43,8 +43,13 @@ void checkUnset(const Facts& facts, FindingSink& sink, const Pointer& pointer) {
 }
 
 void checkPtr002(const Facts& facts, FindingSink& sink) {
-  for (const InstructionPlace& place : facts.instructions()) {
-    for (const Operand& operand : place.instruction->operands) checkUse(sink, *place.instruction, operand);
+  for (const OperandKind kind : {OperandKind::Indirect, OperandKind::Address}) {
+    for (const std::uint32_t id : facts.withOperand(kind)) {
+      const Instruction& instruction = facts.instruction(id);
+      for (const Operand& operand : instruction.operands) {
+        if (operand.kind == kind) checkUse(sink, instruction, operand);
+      }
+    }
   }
   if (facts.hasHiddenCode()) return;
   const PointerTable& pointers = facts.pointers();

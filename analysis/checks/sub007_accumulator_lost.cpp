@@ -89,6 +89,7 @@ void checkAccumulatorsOf(const Facts& facts, FindingSink& sink, std::uint32_t bl
 }
 
 void checkSub007(const Facts& facts, FindingSink& sink) {
+  if (!facts.usesAccumulators()) return;
   std::vector<Summary> known(facts.program().pous.size());
   for (std::uint32_t block = 0; block < known.size(); ++block) checkAccumulatorsOf(facts, sink, block, known);
 }

@@ -23,11 +23,12 @@ bool standsInUnreadRow(const Program& program, std::string_view name) {
 void checkSym001(const Facts& facts, FindingSink& sink) {
   std::unordered_map<std::string_view, std::size_t> places;  // name to the number of its uses
   std::vector<const Operand*> first;
-  for (const InstructionPlace& place : facts.instructions()) {
-    const bool isCall = place.instruction->desc->control == Control::Call;
-    for (const Operand& operand : place.instruction->operands) {
-      const bool isCallee = isCall && &operand == &place.instruction->operands[0];
-      const CallContract* contract = isCallee ? facts.contracts().of(*place.instruction) : nullptr;
+  for (const std::uint32_t id : facts.withOperand(OperandKind::Symbol)) {
+    const Instruction& instruction = facts.instruction(id);
+    const bool isCall = instruction.desc->control == Control::Call;
+    for (const Operand& operand : instruction.operands) {
+      const bool isCallee = isCall && &operand == &instruction.operands[0];
+      const CallContract* contract = isCallee ? facts.contracts().of(instruction) : nullptr;
       if (contract != nullptr && !contract->isUndefined) continue;  // SUB008 speaks where the manual does not know it
       if (operand.kind == OperandKind::Symbol && ++places[operand.text] == 1) first.push_back(&operand);
     }

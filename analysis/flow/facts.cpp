@@ -119,11 +119,32 @@ void Facts::findPulses() {
   }
 }
 
+bool Facts::usesAccumulators() const {
+  for (std::uint32_t number = 0; number < 4; ++number) {
+    const std::uint32_t cell = index_.cells().cell(Area::AC, number, 0);
+    if (cell != index_.cells().size() && !index_.at(cell).empty()) return true;
+  }
+  return false;
+}
+
+void Facts::noteOperand(std::uint32_t id, OperandKind kind) {
+  std::vector<std::uint32_t>& ids = withOperand_[static_cast<std::size_t>(kind)];
+  if (kind != OperandKind::Direct && (ids.empty() || ids.back() != id)) ids.push_back(id);
+}
+
 void Facts::collectBoxes() {
+  roles_.resize(places_.size());
+  const Desc* desc = nullptr;
+  std::vector<std::uint32_t>* users = nullptr;  // of that descriptor
   for (const InstructionPlace& place : places_) {
     const Instruction& instruction = *place.instruction;
-    users_[instruction.desc].push_back(instruction.id);
-    const Role role = roleOf(instruction);
+    if (instruction.desc != desc) {
+      desc = instruction.desc;
+      users = &users_[desc];
+    }
+    users->push_back(instruction.id);
+    for (const Operand& operand : instruction.operands) noteOperand(instruction.id, operand.kind);
+    const Role role = roles_[instruction.id] = roleOf(instruction);
     if ((!isTimerBox(role) && !isCounterBox(role)) || instruction.operands.empty()) continue;
     const Operand& o = instruction.operands[0];
     if (o.kind != OperandKind::Direct || o.offset >= 256) continue;

@@ -69,7 +69,13 @@ class Facts {
   std::vector<InstructionPlace> placesOf(Role role) const {
     return placesOf([role](const Desc& desc) { return desc.role == role; });
   }
+  /// Ids of the instructions with an operand of that kind, in program order; not kept for direct ones, which most are.
+  std::span<const std::uint32_t> withOperand(OperandKind kind) const {
+    return withOperand_[static_cast<std::size_t>(kind)];
+  }
   const Instruction& instruction(std::uint32_t id) const { return *places_[id].instruction; }
+  /// Without a look at the instruction.
+  Role roleAt(std::uint32_t id) const { return roles_[id]; }
   const InstructionPlace& place(std::uint32_t id) const { return places_[id]; }
   const Pou& pouOf(std::uint32_t id) const { return program_.pous[places_[id].block]; }
   const Network& networkOf(std::uint32_t id) const { return pouOf(id).networks[places_[id].network]; }
@@ -99,6 +105,9 @@ class Facts {
   /// Whether a heading, a declaration, a Network line or a whole file could not be read: only rules that stand alone
   /// speak then (Rule::standsAlone).
   bool hasUnreadFrame() const { return hasUnreadFrame_; }
+
+  /// Whether an instruction names an accumulator of the S7-200.
+  bool usesAccumulators() const;
 
   /// Ids of the boxes with that timer or counter number, in program order.
   std::span<const std::uint32_t> timerBoxes(std::uint32_t number) const {
@@ -137,6 +146,7 @@ class Facts {
   static std::vector<std::uint32_t> blocksOf(std::span<const InstructionPlace> places);
   void findPulses();
   void collectBoxes();
+  void noteOperand(std::uint32_t id, OperandKind kind);
   void collectSymbols();
   void collectExternals();
   void countUses();
@@ -147,6 +157,8 @@ class Facts {
   Plan plan_;
   std::vector<InstructionPlace> places_;
   std::unordered_map<const Desc*, std::vector<std::uint32_t>> users_;  ///< ids of the instructions of each descriptor
+  std::array<std::vector<std::uint32_t>, 7> withOperand_;              ///< by OperandKind
+  std::vector<Role> roles_;                                            ///< by Instruction::id
   AccessTable accesses_;
   std::vector<std::uint32_t> blocks_;  ///< by Instruction::id
   AccessIndex index_;
