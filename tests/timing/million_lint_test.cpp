@@ -10,7 +10,7 @@
 namespace rungproof::test {
 namespace {
 
-/// Processor seconds at the pace of a quiet machine; 1.6 measured beside other work, a fifth of it for 200,000 findings.
+/// Processor seconds at the pace of a quiet machine; 1.6 measured beside other work, a fifth for 200,000 findings.
 constexpr double mostSeconds = 6;
 /// 491 MiB measured: half of them are the instructions with their operands, and the text.
 constexpr std::uint64_t mostBytes = 560ULL << 20U;
