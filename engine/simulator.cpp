@@ -139,6 +139,7 @@ void Simulator::finishScan(std::uint32_t lengthUs) {
   machine_.guard = true;
   if (machine_.halted) store_.set(Reg::Running, 0, 0, true);
   store_.set(Reg::Fault, 0, machine_.faulted ? 1 : 0, true);
+  std::ranges::fill(store_.area(Area::L), std::uint8_t{0});  // no block runs: local memory holds nothing (001:1373)
   for (const Area area : {Area::V, Area::M, Area::Q, Area::AQ}) forced_.apply(area, store_);
   std::uint32_t left = scanTicks_;
   for (; left > longestStep; left -= longestStep) advanceClocks(machine_, longestStep);

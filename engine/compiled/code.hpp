@@ -26,8 +26,10 @@ enum class CodeOp : std::uint8_t {
   SelectBit,  // a ? b : c
   TestBit,    // bit `value` of a
   Equal,
-  Less,        // unsigned
-  LessSigned,  // both operands have `width` bits
+  Less,          // unsigned
+  LessSigned,    // both operands have `width` bits
+  AddOverflows,  // a + b as numbers with sign of `width` bits, 16 or 32
+  SubOverflows,
   RealEqual,
   RealLess,
   RealLegal,
@@ -86,6 +88,11 @@ enum class CodeOp : std::uint8_t {
 };
 
 constexpr bool isTruth(CodeOp op) { return op <= CodeOp::LoadState; }
+/// Whether one comparison of integers makes it.
+constexpr bool isComparison(CodeOp op) {
+  return op == CodeOp::TestBit || op == CodeOp::Equal || op == CodeOp::Less || op == CodeOp::LessSigned ||
+         op == CodeOp::AddOverflows || op == CodeOp::SubOverflows;
+}
 constexpr bool hasValue(CodeOp op) { return op < CodeOp::StoreBit; }
 constexpr bool isBranch(CodeOp op) {
   return op == CodeOp::Branch || op == CodeOp::BranchIf || op == CodeOp::BranchUnless;
@@ -171,16 +178,17 @@ struct Code {
   std::vector<SlotByte> slots;  ///< slots 8 * i to 8 * i + 7 are the bits of slots[i]
   std::vector<ErrorSite> sites;
   std::vector<Reached> reached;
-  std::uint32_t marks = 0;     ///< numbers of blocks that are in use
-  std::uint32_t states = 0;    ///< values that the walk keeps from block to block
-  std::uint64_t mostTime = 0;  ///< of one pass without loops, 10 ns
-  bool hasLoops = false;       ///< or other ways back
-  bool countsTime = false;     ///< AddTime and AddTimeIf are there
-  bool hasTerminals = true;    ///< PI and PQ are the terminals and no areas of the program
-  bool asksOutside = false;    ///< terminals or analog inputs are read
-  bool takesFree = false;      ///< what an S7-300/400 leaves open is read, as 0
-  bool isWholeScan = false;    ///< with timers around the program; the first scan is one like others
-  bool isStraight = false;     ///< no branches: what is to be left is left at the end, without a branch either
+  std::uint32_t marks = 0;       ///< numbers of blocks that are in use
+  std::uint32_t states = 0;      ///< values that the walk keeps from block to block
+  std::uint64_t mostTime = 0;    ///< of one pass without loops, 10 ns
+  bool hasLoops = false;         ///< or other ways back
+  bool countsTime = false;       ///< AddTime and AddTimeIf are there
+  bool hasTerminals = true;      ///< PI and PQ are the terminals and no areas of the program
+  bool asksOutside = false;      ///< terminals or analog inputs are read
+  bool expectsAlwaysOn = false;  ///< SM0.0 is on, and stays on
+  bool takesFree = false;        ///< what an S7-300/400 leaves open is read, as 0
+  bool isWholeScan = false;      ///< with timers around the program; the first scan is one like others
+  bool isStraight = false;       ///< no branches: what is to be left is left at the end, without a branch either
 };
 
 }  // namespace rungproof::compiled

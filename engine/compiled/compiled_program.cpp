@@ -140,6 +140,13 @@ void CompiledProgram::takeBack(Concrete::Store& store) const {
   }
 }
 
+/// Local memory holds nothing between scans.
+void CompiledProgram::clearLocal(Concrete::Store& store) const {
+  for (const Written& w : writtenBytes_) {
+    if (w.area == Area::L) std::memset(store.area(Area::L).data() + w.first, 0, w.count);
+  }
+}
+
 /// Puts the errors of this scan into happened_. Straight code has a byte for each site, other code a number, which is
 /// taken back here.
 void CompiledProgram::findErrors() {
@@ -173,6 +180,7 @@ bool CompiledProgram::isListed(std::size_t site, const RunTimeErrors& errors) {
 
 std::optional<std::uint64_t> CompiledProgram::run(Concrete::Store& store, std::uint64_t ticks100,
                                                   std::uint64_t mostTime, RunTimeErrors& errors) {
+  if (code_.expectsAlwaysOn && (store.area(Area::SM)[0] & 1U) == 0) return std::nullopt;
   keep(store);
   Workspace& w = workspace();
   for (const Area area : usedAreas_) w.area[static_cast<std::size_t>(area)] = bytesOf(store, area, code_.hasTerminals);
@@ -189,6 +197,7 @@ std::optional<std::uint64_t> CompiledProgram::run(Concrete::Store& store, std::u
   }
   if (!isDone) takeBack(store);
   if (!isDone) return std::nullopt;
+  clearLocal(store);
   return code_.countsTime ? w.position : 0;
 }
 

@@ -46,6 +46,7 @@ class CompiledProgram {
   void findWritten(const std::vector<bool>& isNeeded, std::size_t registers);
   void keep(const Concrete::Store& store);
   void takeBack(Concrete::Store& store) const;
+  void clearLocal(Concrete::Store& store) const;
   Workspace& workspace() { return *reinterpret_cast<Workspace*>(memory_.data()); }
   void findErrors();
   bool isListed(std::size_t site, const RunTimeErrors& errors);

@@ -50,6 +50,7 @@ class FlowWalk<Derived, Machine<compiled::Recorder>, Hooks> {
     }
     for (std::uint32_t at = 0; at < end; ++at) {
       w.at = at;
+      if (at == boxesEnd_) endBoxes();
       if (w.heads.contains(at)) {
         beginLoop(markAt(w, at), at);
       } else if (const auto mark = w.marks.find(at); mark != w.marks.end()) {
@@ -57,9 +58,11 @@ class FlowWalk<Derived, Machine<compiled::Recorder>, Hooks> {
       }
       if (!isReached_) continue;
       m_.current = flow.steps[at].instruction;
+      if (!boxes_) beginBoxes(w);
       hooks_.before(m_, flow.steps[at]);
       hooks_.run(m_, flow.steps[at], [&] { static_cast<Derived&>(*this).execute(w, at); });
     }
+    if (end == boxesEnd_) endBoxes();
     if (const auto mark = w.marks.find(end); mark != w.marks.end()) meet(mark->second);
     path_.resize(path_.size() - 2);
   }
@@ -109,6 +112,44 @@ class FlowWalk<Derived, Machine<compiled::Recorder>, Hooks> {
     const auto [place, isNew] = w.marks.try_emplace(at, m_.d.code.marks);
     if (isNew) ++m_.d.code.marks;
     return place->second;
+  }
+
+  // ---- Boxes behind the same power flow -------------------------------------------------------------
+
+  static bool isConditional(const FlowStep& step) {
+    const Desc& desc = *step.instruction->desc;
+    return desc.execution == Execution::Conditional && desc.control == Control::None;
+  }
+
+  /// What is done sooner than branched around.
+  static bool isShort(const FlowStep& step) {
+    const Role role = step.instruction->desc->role;
+    return role == Role::Set || role == Role::Reset;
+  }
+
+  /// Boxes that run or do not run together are a part of their own. They leave logic stack and SCR alone.
+  void beginBoxes(const Walk& w) {
+    const FlowStep& first = w.flow.steps[w.at];
+    if (!m_.d.hasParts || !isConditional(first) || !first.instruction->desc->eno) return;
+    const Bool runs = m_.powerFlow();
+    if (m_.d.truth(runs)) return;
+    std::uint32_t end = w.at + 1;
+    const auto isInside = [&] {
+      return end < w.flow.steps.size() && isConditional(w.flow.steps[end]) && !w.marks.contains(end) &&
+             !w.heads.contains(end);
+    };
+    while (isInside()) ++end;
+    const auto boxes = std::span(w.flow.steps).subspan(w.at, end - w.at);
+    if (std::ranges::all_of(boxes, isShort)) return;
+    m_.enoAfter(m_.d.constant(false));  // of those that go past it; the first box sets that of the others
+    hooks_.skip(boxes);
+    boxes_ = m_.d.beginPart(runs);
+    boxesEnd_ = end;
+  }
+  void endBoxes() {
+    m_.d.endPart(*std::exchange(boxes_, std::nullopt));
+    hooks_.goOn();
+    boxesEnd_ = noPartner;
   }
 
   // ---- What the machine keeps, in pieces ------------------------------------------------------------
@@ -163,6 +204,7 @@ class FlowWalk<Derived, Machine<compiled::Recorder>, Hooks> {
     const bool isAlways = m_.d.truth(condition) == true;
     m_.d.add({.op = isAlways ? CodeOp::Branch : op, .a = isAlways ? 0 : condition.id, .value = mark});
     if (isAlways) isReached_ = false;
+    if (!isAlways) m_.d.assume(condition, op == CodeOp::BranchUnless);
     const auto loop = loops_.find(mark);
     if (loop == loops_.end()) {
       ways_[mark].push_back(std::move(ids));
@@ -214,6 +256,8 @@ class FlowWalk<Derived, Machine<compiled::Recorder>, Hooks> {
   std::map<std::uint32_t, std::vector<std::vector<ValueId>>> ways_;  ///< by mark: the pieces as branches to it had them
   std::map<std::uint32_t, Loop> loops_;                              ///< by mark, those that have begun
   std::vector<std::uint32_t> path_;                                  ///< calls on the way
+  std::optional<compiled::Recorder::Part> boxes_;                    ///< that is being recorded
+  std::uint32_t boxesEnd_ = noPartner;                               ///< index of the instruction behind it
   bool isReached_ = true;  ///< whether anything leads to what is recorded next
 };
 

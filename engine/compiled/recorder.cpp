@@ -59,6 +59,8 @@ bool isTrueOf(CodeOp op, int w, std::uint64_t a, std::uint64_t b) {
     case CodeOp::Equal: return d.equal(a, b, w);
     case CodeOp::Less: return d.ult(a, b, w);
     case CodeOp::LessSigned: return d.slt(a, b, w);
+    case CodeOp::AddOverflows: return d.sext(d.add(a, b, w), w, 64) != d.add(d.sext(a, w, 64), d.sext(b, w, 64), 64);
+    case CodeOp::SubOverflows: return d.sext(d.sub(a, b, w), w, 64) != d.sub(d.sext(a, w, 64), d.sext(b, w, 64), 64);
     case CodeOp::RealEqual: return d.requal(a, b);
     case CodeOp::RealLess: return d.rless(a, b);
     case CodeOp::RealLegal: return d.rlegal(a);
@@ -83,6 +85,7 @@ bool Recorder::StepEqual::operator()(const Step& x, const Step& y) const {
 
 ValueId Recorder::add(const Step& step) {
   code.steps.push_back(step);
+  if (isBranch(step.op) || step.op == CodeOp::Mark || step.op == CodeOp::CheckTime) blockAt_ = code.steps.size();
   return static_cast<ValueId>(code.steps.size() - 1);
 }
 
@@ -100,68 +103,24 @@ void Recorder::takeBack(std::size_t first, std::size_t site) {
   store->forget();
 }
 
+Recorder::Part Recorder::beginPart(Bool condition) {
+  Part part{code.steps.size(), replaced_, code.marks++};
+  add({.op = CodeOp::BranchUnless, .a = condition.id, .value = part.mark});
+  assume(condition, true);
+  return part;
+}
+void Recorder::endPart(Part part) {
+  add({.op = CodeOp::Mark, .value = part.mark});
+  known_.clear();
+  replaced_ = std::move(part.replaced);
+  store->forgetSince(part.first);
+}
+
 void Recorder::leave(Bool condition) {
   condition.id = resolved(condition.id);
   if (condition.id == 0) return;
   add({.op = CodeOp::Leave, .a = condition.id});
-  if (condition.id != 1) replaced_[condition.id] = 0;
-}
-
-std::optional<bool> Recorder::truth(Bool a) const {
-  const ValueId id = resolved(a.id);
-  return id <= 1 ? std::optional(id == 1) : std::nullopt;
-}
-
-Recorder::Bool Recorder::lnot(Bool a) {
-  a.id = resolved(a.id);
-  if (a.id <= 1) return {1 - a.id};
-  if (at(a.id).op == CodeOp::Not) return {resolved(at(a.id).a)};
-  return {make({.op = CodeOp::Not, .a = a.id})};
-}
-
-Recorder::Bool Recorder::land(Bool a, Bool b) {
-  a.id = resolved(a.id);
-  b.id = resolved(b.id);
-  if (a.id > b.id) std::swap(a, b);
-  if (a.id == 0 || a.id == b.id) return a;
-  if (a.id == 1) return b;
-  const auto isOpposite = [&](ValueId x, ValueId y) { return at(x).op == CodeOp::Not && at(x).a == y; };
-  if (isOpposite(a.id, b.id) || isOpposite(b.id, a.id)) return {0};
-  return {make({.op = CodeOp::And, .a = a.id, .b = b.id})};
-}
-
-Recorder::Bool Recorder::lor(Bool a, Bool b) {
-  a.id = resolved(a.id);
-  b.id = resolved(b.id);
-  if (a.id > b.id) std::swap(a, b);
-  if (a.id == 0) return b;
-  if (a.id == 1 || a.id == b.id) return a;
-  const auto isOpposite = [&](ValueId x, ValueId y) { return at(x).op == CodeOp::Not && at(x).a == y; };
-  if (isOpposite(a.id, b.id) || isOpposite(b.id, a.id)) return {1};
-  return {make({.op = CodeOp::Or, .a = a.id, .b = b.id})};
-}
-
-Recorder::Bool Recorder::lxor(Bool a, Bool b) {
-  a.id = resolved(a.id);
-  b.id = resolved(b.id);
-  if (a.id > b.id) std::swap(a, b);
-  if (a.id == 0) return b;
-  if (a.id == b.id) return {0};
-  if (a.id == 1) return lnot(b);
-  return {make({.op = CodeOp::Xor, .a = a.id, .b = b.id})};
-}
-
-Recorder::Bool Recorder::select(Bool c, Bool a, Bool b) {
-  c.id = resolved(c.id);
-  a.id = resolved(a.id);
-  b.id = resolved(b.id);
-  if (c.id == 1 || a.id == b.id) return a;
-  if (c.id == 0) return b;
-  if (a.id == 1 || a.id == c.id) return lor(c, b);
-  if (a.id == 0) return land(lnot(c), b);
-  if (b.id == 0 || b.id == c.id) return land(c, a);
-  if (b.id == 1) return lor(lnot(c), a);
-  return {make({.op = CodeOp::SelectBit, .a = c.id, .b = a.id, .c = b.id})};
+  assume(condition, false);
 }
 
 Recorder::Bits Recorder::literal(std::uint64_t v, int w) {
@@ -217,8 +176,42 @@ Recorder::Bits Recorder::bnot(Bits a, int w) { return word(CodeOp::BitNot, w, a,
 Recorder::Bits Recorder::shl(Bits a, Bits n, int w) { return known(n) == 0U ? a : word(CodeOp::ShiftLeft, w, a, n); }
 Recorder::Bits Recorder::lshr(Bits a, Bits n, int w) { return known(n) == 0U ? a : word(CodeOp::ShiftRight, w, a, n); }
 
+/// A sum or difference of numbers of half its width or less, of which the signs are continued.
+std::optional<Recorder::NarrowSum> Recorder::narrowSum(Bits wide) {
+  const Step step = at(wide.id);
+  if (step.op != CodeOp::Add && step.op != CodeOp::Sub) return std::nullopt;
+  const auto widthOf = [&](ValueId id) { return at(id).op == CodeOp::Signed ? static_cast<int>(at(id).value) : 0; };
+  const int width = std::max(widthOf(step.a), widthOf(step.b));
+  if (width < 2 || 2 * width > step.width) return std::nullopt;
+  const auto narrow = [&](ValueId id) -> std::optional<Bits> {
+    if (widthOf(id) == width) return Bits{at(id).a};
+    const auto value = known({id});
+    if (!value) return std::nullopt;
+    const std::uint64_t low = *value & Concrete::mask(width);
+    if (numbers().sext(low, width, step.width) != *value) return std::nullopt;
+    return literal(low, width);
+  };
+  const auto x = narrow(step.a), y = narrow(step.b);
+  if (!x || !y) return std::nullopt;
+  return NarrowSum{*x, *y, width};
+}
+
+/// Whether `continued` is the low half of the sum `exact` with its sign, which differ where the low half overflows.
+std::optional<Recorder::Bool> Recorder::fits(Bits continued, Bits exact) {
+  const Step sign = at(continued.id), step = at(exact.id);
+  if (sign.op != CodeOp::Signed || sign.width != step.width) return std::nullopt;
+  const auto sum = narrowSum(exact);
+  if (!sum || sum->width != static_cast<int>(sign.value) || (sum->width != 16 && sum->width != 32)) return std::nullopt;
+  if (word(step.op, sum->width, sum->a, sum->b).id != sign.a) return std::nullopt;
+  const CodeOp op = step.op == CodeOp::Add ? CodeOp::AddOverflows : CodeOp::SubOverflows;
+  return lnot(compare(op, sum->width, sum->a, sum->b));
+}
+
 Recorder::Bool Recorder::equal(Bits a, Bits b, int w) {
   if (a.id == b.id) return constant(true);
+  if (w == at(b.id).width) {
+    if (const auto fitting = fits(a, b)) return *fitting;
+  }
   if (known(a) && !known(b)) std::swap(a, b);
   if (at(a.id).op == CodeOp::FromBit && known(b)) {
     const Bool truth{resolved(at(a.id).a)};
@@ -239,6 +232,15 @@ Recorder::Bits Recorder::select(Bool c, Bits a, Bits b, int w) {
   if (c.id == 1 || a.id == b.id) return a;
   if (c.id == 0) return b;
   if (w == 1) return fromBool(select(c, bit(a, 0), bit(b, 0)), 1);
+  if (at(c.id).op == CodeOp::Not) return select({at(c.id).a}, b, a, w);
+  if (at(a.id).op == CodeOp::Select && at(a.id).a == c.id) return select(c, {at(a.id).b}, b, w);
+  if (const Step below = at(b.id); below.op == CodeOp::Select) {
+    if (below.a == c.id) return select(c, a, {below.c}, w);
+    const Step both = at(c.id);
+    const bool isWithin = both.op == CodeOp::And && (both.a == below.a || both.b == below.a);
+    const Bool rest{both.a == below.a ? both.b : both.a};
+    if (isWithin) return select({below.a}, select(rest, a, {below.b}, w), {below.c}, w);
+  }
   return {make({.op = CodeOp::Select, .width = static_cast<std::uint8_t>(w), .a = c.id, .b = a.id, .c = b.id})};
 }
 
@@ -263,6 +265,9 @@ Recorder::Bits Recorder::extract(Bits a, int high, int low) {
     const Bits a = extract({step.a}, high, low), b = extract({step.b}, high, low);
     return step.op == CodeOp::BitAnd ? band(a, b, w) : step.op == CodeOp::BitOr ? bor(a, b, w) : bxor(a, b, w);
   }
+  if (step.op == CodeOp::Signed && high < static_cast<int>(step.value)) return extract({step.a}, high, low);
+  if (const auto sum = narrowSum(a); sum && low == 0 && w <= sum->width)
+    return extract(word(step.op, sum->width, sum->a, sum->b), high, low);
   if (step.op == CodeOp::Extract) {
     const int from = static_cast<int>(step.value);
     return extract({step.a}, std::min(high, step.width - 1) + from, low + from);
@@ -284,6 +289,7 @@ Recorder::Bool Recorder::bit(Bits a, int i) {
     const int below = static_cast<int>(step.value);
     return i < below ? bit({step.b}, i) : bit({step.a}, i - below);
   }
+  if (const auto sum = narrowSum(a); sum && i < sum->width) return bit(word(step.op, sum->width, sum->a, sum->b), i);
   return {make({.op = CodeOp::TestBit, .width = 1, .a = a.id, .value = static_cast<std::uint64_t>(i)})};
 }
 

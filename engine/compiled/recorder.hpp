@@ -45,6 +45,8 @@ class Recorder {
   Code code;
   const Bool* guard = nullptr;  ///< of the machine that runs over this domain
   Store* store = nullptr;       ///< its memory
+  bool hasParts = false;        ///< instructions that only some runs execute are branched around
+  bool isAlwaysOn = false;      ///< the program leaves SM0.0 alone
   bool isAround = false;        ///< what is recorded is no instruction of the program: it may move any register
   LoopFacts* loops = nullptr;   ///< what earlier recordings of this program have found
 
@@ -117,17 +119,29 @@ class Recorder {
 
   /// Where `condition` holds the scan is one for the reference engine; from here on it is false.
   void leave(Bool condition);
+  /// What is recorded next runs only where `condition` is `value`.
+  void assume(Bool condition, bool value);
 
   // ---- Steps -----------------------------------------------------------------------------------------
   ValueId add(const Step& step);
   /// The value of that step, perhaps one that is there already.
   ValueId make(const Step& step);
   const Step& at(ValueId id) const { return code.steps[id]; }
+  /// Where the block began that is being recorded, or where the time was looked at.
+  std::size_t blockAt() const { return blockAt_; }
   /// Values are not looked up from here on: a block begins that several ways lead to.
   void forgetValues() {
     known_.clear();
     replaced_.clear();
   }
+  /// A part begins that only runs with `condition` take; gives what ends it.
+  struct Part {
+    std::size_t first;
+    std::unordered_map<ValueId, ValueId> replaced;
+    std::uint64_t mark;
+  };
+  Part beginPart(Bool condition);
+  void endPart(Part part);
   /// The steps from `first` on, and the error sites from `site` on, have not been recorded.
   void takeBack(std::size_t first, std::size_t site);
 
@@ -136,6 +150,13 @@ class Recorder {
   struct Row {
     Bits first, count;
   };
+  /// `a` and `b` of `width` bits, of which a wider sum is made.
+  struct NarrowSum {
+    Bits a, b;
+    int width;
+  };
+  std::optional<NarrowSum> narrowSum(Bits wide);
+  std::optional<Bool> fits(Bits continued, Bits exact);
   std::optional<Row> rowOf(Machine<Recorder>& machine, Area area, Bits block);
   void reaches(Area area, std::uint32_t first, std::uint32_t count, bool isWritten);
   struct StepHash {
@@ -150,12 +171,18 @@ class Recorder {
   }
   Bits word(CodeOp op, int w, Bits a, Bits b, std::uint64_t value = 0);
   Bool compare(CodeOp op, int w, Bits a, Bits b);
-  bool isCondition(ValueId id) const { return isTruth(code.steps[id].op); }
+  bool isOpposite(ValueId a, ValueId b) const {
+    return (at(a).op == CodeOp::Not && at(a).a == b) || (at(b).op == CodeOp::Not && at(b).a == a);
+  }
+  std::optional<Bool> absorbed(CodeOp op, ValueId a, ValueId b);
+  std::optional<Bool> orderOf(ValueId a, ValueId b);
+  Bool under(Bool value, ValueId condition, bool isTrue, int depth);
 
+  std::size_t blockAt_ = 0;
   bool hasReadOnlyBlocks_ = false;  ///< of which an address may name one
   std::unordered_map<Step, ValueId, StepHash, StepEqual> known_;
   std::unordered_map<std::uint64_t, ValueId> constants_;
-  std::unordered_map<ValueId, ValueId> replaced_;  ///< conditions that a Leave has made false
+  std::unordered_map<ValueId, ValueId> replaced_;  ///< conditions that are known where the code is
 };
 
 /// Which bytes the program touches bit by bit, and which as parts of words.
@@ -181,6 +208,9 @@ class Recorder::Store {
   void clear(Area area, std::uint32_t byte, std::uint32_t count);
   /// All or one area may have been written by others.
   void forget();
+  /// Only some runs have done the steps from `first` on. Bits that they do not touch and that stand in memory stay
+  /// known.
+  void forgetSince(std::size_t first);
   void forget(Area area);
 
   std::uint32_t size(Area area) const { return sizes_[static_cast<std::size_t>(area)]; }
@@ -206,7 +236,9 @@ class Recorder::Store {
   void saveWhole(Area area, std::uint32_t byte, int count, Bits value);
   void saveBit(Area area, std::uint32_t byte, std::uint32_t bit, Bool value);
   Bool loadSlot(std::uint32_t slot);
+  void forgetSlots(std::uint32_t first);
   void saveSlot(std::uint32_t slot, Bool value);
+  bool isFixed(Area area, std::uint32_t bitOffset) const { return d_.isAlwaysOn && area == Area::SM && bitOffset == 0; }
   void note(Area area, std::uint32_t byte, bool isBit);
   bool isHere(Reg reg) const;
   Bits loadPlace(Area area, std::uint32_t bitOffset, int width);
@@ -217,9 +249,11 @@ class Recorder::Store {
   std::array<std::vector<std::uint32_t>, areaCount> slotOf_;  ///< by byte: number of its first slot + 1, 0: none
   std::array<std::vector<Part>, areaCount> parts_;
   std::array<std::uint32_t, areaCount> epochs_{};
-  std::vector<Known> bits_;       ///< by slot
+  std::vector<Known> bits_;  ///< by slot
+  std::uint32_t bitEpoch_ = 1;
   std::vector<Known> registers_;  ///< by index among all registers
   std::uint32_t epoch_ = 1;
+  ValueId loadedSince_ = 0;  ///< of bits that are known by earlier steps, only those are that stand in memory
   std::vector<std::vector<AccessCount>> accesses_;
 };
 

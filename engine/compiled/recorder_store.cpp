@@ -81,18 +81,34 @@ void Recorder::Store::note(Area area, std::uint32_t byte, bool isBit) {
 
 void Recorder::Store::forget() {
   ++epoch_;
+  ++bitEpoch_;
   for (std::uint32_t& epoch : epochs_) ++epoch;
+}
+void Recorder::Store::forgetSince(std::size_t first) {
+  ++epoch_;
+  for (std::uint32_t& epoch : epochs_) ++epoch;
+  loadedSince_ = static_cast<ValueId>(d_.code.steps.size());
+  for (std::size_t i = first; i < loadedSince_; ++i) {
+    const Step& s = d_.code.steps[i];
+    if (s.op == CodeOp::LoadBit || s.op == CodeOp::StoreBit) bits_[s.value].epoch = 0;
+    if (s.op == CodeOp::StoreSlots) forgetSlots(static_cast<std::uint32_t>(s.value));
+  }
+}
+void Recorder::Store::forgetSlots(std::uint32_t first) {
+  for (std::uint32_t bit = 0; bit < 8; ++bit) bits_[first + bit].epoch = 0;
 }
 void Recorder::Store::forget(Area area) { ++epochs_[static_cast<std::size_t>(area)]; }
 
 Recorder::Bool Recorder::Store::loadSlot(std::uint32_t slot) {
   Known& known = bits_[slot];
-  if (known.epoch != epoch_) known = {epoch_, d_.add({.op = CodeOp::LoadBit, .width = 1, .value = slot})};
+  const bool isThere = known.value >= loadedSince_ || known.value <= 1 || d_.at(known.value).op == CodeOp::LoadBit;
+  if (known.epoch != bitEpoch_ || !isThere)
+    known = {bitEpoch_, d_.add({.op = CodeOp::LoadBit, .width = 1, .value = slot})};
   return {known.value};
 }
 
 void Recorder::Store::saveSlot(std::uint32_t slot, Bool value) {
-  bits_[slot] = {epoch_, value.id};
+  bits_[slot] = {bitEpoch_, value.id};
   d_.add({.op = CodeOp::StoreBit, .a = value.id, .value = slot});
 }
 
@@ -104,7 +120,7 @@ Recorder::Bits Recorder::Store::loadByte(Area area, std::uint32_t byte) {
 void Recorder::Store::saveByte(Area area, std::uint32_t byte, Bits value) {
   const std::optional<std::uint32_t> slot = slotOf(area, byte);
   if (!slot) return saveWhole(area, byte, 1, value);
-  for (std::uint32_t bit = 0; bit < 8; ++bit) bits_[*slot + bit].epoch = 0;
+  forgetSlots(*slot);
   d_.add({.op = CodeOp::StoreSlots, .a = value.id, .value = *slot});
 }
 
@@ -156,6 +172,7 @@ Recorder::Bits Recorder::Store::loadPlace(Area area, std::uint32_t bitOffset, in
   const int count = width == 1 ? 1 : width / 8;
   if (byte + static_cast<std::uint32_t>(count) > size(area)) return d_.cannotFollow(width);
   if (width == 1) {
+    if (isFixed(area, bitOffset)) return d_.literal(1, 1);
     note(area, byte, true);
     if (const auto slot = slotOf(area, byte)) return d_.fromBool(loadSlot(*slot + bitOffset % 8), 1);
     return d_.fromBool(d_.bit(loadWhole(area, byte, 1), static_cast<int>(bitOffset % 8)), 1);

@@ -18,15 +18,26 @@ constexpr std::size_t mostOfAll = 2'000'000;
 struct RecordingHooks {
   Recorder& d;
   const InstructionTimes& times;
+  bool isInPart = false;
+  std::size_t timeAt = 0;  ///< last step that adds time
 
   void before(Machine<Recorder>& m, const FlowStep& step) {
     const std::array<std::uint32_t, 2>& time = times[step.id];
     d.code.mostTime += std::max(time[0], time[1]);
     if (!d.code.countsTime) return;
     const std::uint32_t least = std::min(time[0], time[1]);
-    addTime(least);
-    if (time[0] != time[1]) d.add({.op = CodeOp::AddTimeIf, .a = m.powerFlow().id, .value = time[1] - least});
+    if (!isInPart) addTime(least);
+    if (time[0] == time[1]) return;
+    const Recorder::Bool runs = m.powerFlow();
+    if (d.truth(runs) == true) return addTime(time[1] - least);
+    d.add({.op = CodeOp::AddTimeIf, .a = runs.id, .value = time[1] - least});
   }
+  /// A part begins that only some runs go through: all of them take the time that its instructions take without power.
+  void skip(std::span<const FlowStep> part) {
+    for (const FlowStep& step : part) addTime(std::min(times[step.id][0], times[step.id][1]));
+    isInPart = true;
+  }
+  void goOn() { isInPart = false; }
 
   /// Within a block of the system that others may interrupt.
   template <class Runner>
@@ -64,12 +75,14 @@ struct RecordingHooks {
   }
 
  private:
+  /// To what this block has added.
   void addTime(std::uint64_t time) {
-    Step& last = d.code.steps.back();
-    if (last.op == CodeOp::AddTime)
-      last.value += time;
-    else
-      d.add({.op = CodeOp::AddTime, .value = time});
+    if (!d.code.countsTime || time == 0) return;
+    if (timeAt >= d.blockAt() && timeAt < d.code.steps.size() && d.code.steps[timeAt].op == CodeOp::AddTime) {
+      d.code.steps[timeAt].value += time;
+      return;
+    }
+    timeAt = d.add({.op = CodeOp::AddTime, .value = time});
   }
 };
 
@@ -103,8 +116,11 @@ struct Recording {
 };
 
 Recording recordOnce(const Plan& plan, const Concrete::Store& model, const InstructionTimes& times, bool countsTime,
-                     Extent extent, const std::vector<SlotByte>& slots, bool isStraight, LoopFacts& loops) {
+                     Extent extent, const std::vector<SlotByte>& slots, bool isStraight, bool isAlwaysOn,
+                     LoopFacts& loops) {
   Recorder recorder;
+  recorder.hasParts = extent == Extent::Program && !plan.isStep7();
+  recorder.isAlwaysOn = recorder.code.expectsAlwaysOn = isAlwaysOn;
   recorder.loops = &loops;
   recorder.code.isWholeScan = extent == Extent::WholeScan;
   recorder.code.hasTerminals = !plan.isStep7();
@@ -123,11 +139,11 @@ Recording recordOnce(const Plan& plan, const Concrete::Store& model, const Instr
 }
 
 Recording record(const Plan& plan, const Concrete::Store& model, const InstructionTimes& times, bool countsTime,
-                 Extent extent, const std::vector<SlotByte>& slots, bool isStraight) {
+                 Extent extent, const std::vector<SlotByte>& slots, bool isStraight, bool isAlwaysOn) {
   LoopFacts loops;
   while (true) {
     loops.isComplete = true;
-    Recording recording = recordOnce(plan, model, times, countsTime, extent, slots, isStraight, loops);
+    Recording recording = recordOnce(plan, model, times, countsTime, extent, slots, isStraight, isAlwaysOn, loops);
     if (loops.isComplete) return recording;
   }
 }
@@ -152,9 +168,13 @@ std::vector<SlotByte> slotsFor(const Recording& survey) {
 
 Code recorded(const Plan& plan, const Concrete::Store& model, const InstructionTimes& times, bool countsTime,
               Extent extent) {
-  const Recording survey = record(plan, model, times, countsTime, extent, {}, false);
+  const Recording survey = record(plan, model, times, countsTime, extent, {}, false, false);
   const bool isStraight = std::ranges::none_of(survey.code.steps, [](const Step& s) { return isBranch(s.op); });
-  return record(plan, model, times, countsTime || survey.code.hasLoops, extent, slotsFor(survey), isStraight).code;
+  const auto isStatus = [](const Step& s) { return s.op == CodeOp::StoreMemory && s.area == Area::SM && s.value == 0; };
+  const bool isAlwaysOn = !plan.isStep7() && std::ranges::none_of(survey.code.steps, isStatus);
+  return record(plan, model, times, countsTime || survey.code.hasLoops, extent, slotsFor(survey), isStraight,
+                isAlwaysOn)
+      .code;
 }
 
 }  // namespace rungproof::compiled

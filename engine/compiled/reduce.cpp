@@ -9,79 +9,133 @@ namespace rungproof::compiled {
 namespace {
 
 bool isStateStore(CodeOp op) { return op == CodeOp::StoreState || op == CodeOp::StoreStateWord; }
-bool endsBlock(CodeOp op) { return op == CodeOp::Mark || isBranch(op); }
 
-/// Places that are written again further on in the same block. A scan that leaves the code starts anew, so that Leave
-/// needs nothing of what was stored.
-class Overwritten {
+class PlaceSet {
  public:
-  Overwritten(const Code& code, std::size_t registers) : slots_(code.slots.size() * 8), registers_(registers) {}
-
-  void forget() { ++epoch_; }
-  bool isRegister(std::uint64_t at) const { return registers_[at] == epoch_; }
-  void registerIs(std::uint64_t at, bool isWritten) { registers_[at] = isWritten ? epoch_ : 0; }
-  bool isSlot(std::uint64_t first, int count) const {
-    for (int i = 0; i < count; ++i) {
-      if (slots_[first + static_cast<std::uint64_t>(i)] != epoch_) return false;
-    }
-    return true;
+  explicit PlaceSet(std::size_t count) : words_((count + 63) / 64) {}
+  bool contains(std::size_t place) const { return (words_[place / 64] >> (place % 64) & 1) != 0; }
+  void add(std::size_t place) { words_[place / 64] |= std::uint64_t{1} << (place % 64); }
+  void remove(std::size_t place) { words_[place / 64] &= ~(std::uint64_t{1} << (place % 64)); }
+  void clear() { words_.assign(words_.size(), 0); }
+  void keepOnly(const PlaceSet& other) {
+    for (std::size_t i = 0; i < words_.size(); ++i) words_[i] &= other.words_[i];
   }
-  void slotIs(std::uint64_t first, int count, bool isWritten) {
-    for (int i = 0; i < count; ++i) slots_[first + static_cast<std::uint64_t>(i)] = isWritten ? epoch_ : 0;
-  }
-  bool isMemory(const Step& step) const {
-    for (int i = 0; i < step.width / 8; ++i) {
-      const auto found = memory_.find(key(step, i));
-      if (found == memory_.end() || found->second != epoch_) return false;
-    }
-    return true;
-  }
-  void memoryIs(const Step& step, bool isWritten) {
-    for (int i = 0; i < step.width / 8; ++i) memory_[key(step, i)] = isWritten ? epoch_ : 0;
-  }
-  void forgetMemory() { memory_.clear(); }
 
  private:
-  static std::uint64_t key(const Step& step, int i) {
-    return static_cast<std::uint64_t>(step.area) << 32 | (step.value + static_cast<std::uint64_t>(i));
-  }
-  std::uint32_t epoch_ = 1;
-  std::vector<std::uint32_t> slots_, registers_;
-  std::unordered_map<std::uint64_t, std::uint32_t> memory_;
+  std::vector<std::uint64_t> words_;
 };
 
-/// Marks stores that are overwritten as not needed; everything else may be.
-void dropOverwritten(const Code& code, std::size_t registers, std::vector<bool>& isDropped) {
-  Overwritten later(code, registers);
-  for (std::size_t i = code.steps.size(); i-- > 0;) {
-    const Step& step = code.steps[i];
-    if (endsBlock(step.op)) later.forget();
-    switch (step.op) {
-      case CodeOp::StoreRegister:
-        isDropped[i] = later.isRegister(step.value);
-        later.registerIs(step.value, true);
-        break;
-      case CodeOp::LoadRegister: later.registerIs(step.value, false); break;
-      case CodeOp::StoreBit:
-        isDropped[i] = later.isSlot(step.value, 1);
-        later.slotIs(step.value, 1, true);
-        break;
-      case CodeOp::LoadBit: later.slotIs(step.value, 1, false); break;
-      case CodeOp::StoreSlots:
-        isDropped[i] = later.isSlot(step.value, 8);
-        later.slotIs(step.value, 8, true);
-        break;
-      case CodeOp::LoadSlots: later.slotIs(step.value, 8, false); break;
-      case CodeOp::StoreMemory:
-        isDropped[i] = later.isMemory(step);
-        later.memoryIs(step, true);
-        break;
-      case CodeOp::LoadMemory: later.memoryIs(step, false); break;
-      case CodeOp::LoadAt: later.forgetMemory(); break;
-      default: break;
+/// Everything that stores write, numbered: registers, bits that have slots, bytes.
+class Places {
+ public:
+  Places(const Code& code, std::size_t registers) : slots_(registers), count_(slots_ + 8 * code.slots.size()) {
+    for (const Step& step : code.steps) {
+      const bool isAccess = step.op == CodeOp::StoreMemory || step.op == CodeOp::LoadMemory;
+      for (std::uint64_t i = 0; isAccess && i < step.width / 8U; ++i) {
+        if (bytes_.try_emplace(key(step.area, step.value + i), count_).second) ++count_;
+      }
     }
   }
-}
+
+  std::size_t count() const { return count_; }
+  /// take(place) for each that the step stores or loads.
+  template <class Take>
+  void of(const Step& step, Take&& take) const {
+    switch (step.op) {
+      case CodeOp::LoadRegister:
+      case CodeOp::StoreRegister: return take(step.value);
+      case CodeOp::LoadBit:
+      case CodeOp::StoreBit: return take(slots_ + step.value);
+      case CodeOp::LoadSlots:
+      case CodeOp::StoreSlots:
+        for (std::uint64_t bit = 0; bit < 8; ++bit) take(slots_ + step.value + bit);
+        return;
+      case CodeOp::LoadMemory:
+      case CodeOp::StoreMemory:
+        for (std::uint64_t i = 0; i < step.width / 8U; ++i) take(bytes_.at(key(step.area, step.value + i)));
+        return;
+      default: return;
+    }
+  }
+  template <class Take>
+  void ofArea(const Code& code, Area area, Take&& take) const {
+    for (const auto& [at, place] : bytes_) {
+      if (at >> 32 == static_cast<std::uint64_t>(area)) take(place);
+    }
+    for (std::size_t i = 0; i < code.slots.size(); ++i) {
+      for (std::size_t bit = 0; code.slots[i].area == area && bit < 8; ++bit) take(slots_ + 8 * i + bit);
+    }
+  }
+
+ private:
+  static std::uint64_t key(Area area, std::uint64_t byte) { return static_cast<std::uint64_t>(area) << 32 | byte; }
+  std::size_t slots_, count_;  ///< number of the first slot; of all
+  std::unordered_map<std::uint64_t, std::size_t> bytes_;
+};
+
+/// Backwards over the code: places that every run writes from there on before it reads them. A scan that leaves the
+/// code starts anew, so that Leave needs nothing of what was stored. Local memory is nobody's when the program has
+/// ended.
+class Overwritten {
+ public:
+  Overwritten(const Code& code, const Places& places) : code_(code), places_(places), later_(places.count()) {
+    for (const Step& step : code.steps) {
+      if (isBranch(step.op)) ++branches_[step.value];
+    }
+    places.ofArea(code, Area::L, [&](std::size_t place) { later_.add(place); });
+  }
+
+  /// Stores that nobody reads become dropped. Of loads only those count that are needed.
+  void drop(const std::vector<bool>& isNeeded, std::vector<bool>& isDropped) {
+    for (std::size_t i = code_.steps.size(); i-- > 0;) {
+      const Step& step = code_.steps[i];
+      switch (step.op) {
+        case CodeOp::StoreRegister:
+        case CodeOp::StoreBit:
+        case CodeOp::StoreSlots:
+        case CodeOp::StoreMemory: {
+          bool isRead = false;
+          places_.of(step, [&](std::size_t place) { isRead = isRead || !later_.contains(place); });
+          isDropped[i] = !isRead;
+          places_.of(step, [&](std::size_t place) { later_.add(place); });
+          break;
+        }
+        case CodeOp::LoadAt:
+          if (isNeeded[i]) places_.ofArea(code_, step.area, [&](std::size_t place) { later_.remove(place); });
+          break;
+        case CodeOp::Mark:
+          if (branches_.contains(step.value)) atMark_.insert_or_assign(step.value, later_);
+          break;
+        case CodeOp::Branch:
+        case CodeOp::BranchIf:
+        case CodeOp::BranchUnless: branch(step); break;
+        default:
+          if (isNeeded[i]) places_.of(step, [&](std::size_t place) { later_.remove(place); });
+      }
+    }
+  }
+
+ private:
+  void branch(const Step& step) {
+    const auto target = atMark_.find(step.value);
+    if (target == atMark_.end()) {  // back, where everything may be read
+      later_.clear();
+      return;
+    }
+    const bool isLast = --branches_[step.value] == 0;
+    if (step.op == CodeOp::Branch)
+      later_ = target->second;
+    else
+      later_.keepOnly(target->second);
+    if (isLast) atMark_.erase(target);
+  }
+
+  const Code& code_;
+  const Places& places_;
+  PlaceSet later_;
+  std::unordered_map<std::uint64_t, PlaceSet> atMark_;       ///< of marks to which branches are still to come
+  std::unordered_map<std::uint64_t, std::size_t> branches_;  ///< by mark: to it, not yet seen
+};
 
 /// Follows values back from the steps that do something. What a block finds in a state place comes from all blocks
 /// before it.
@@ -175,9 +229,15 @@ class Needs {
 }  // namespace
 
 std::vector<bool> neededSteps(const Code& code, std::size_t registers) {
+  constexpr int rounds = 3;  // each drops what only dropped stores have read
+  const Places places(code, registers);
   std::vector<bool> isDropped(code.steps.size(), false);
-  dropOverwritten(code, registers, isDropped);
-  return Needs(code, isDropped).take();
+  std::vector<bool> isNeeded = Needs(code, isDropped).take();
+  for (int round = 0; round < rounds; ++round) {
+    Overwritten(code, places).drop(isNeeded, isDropped);
+    isNeeded = Needs(code, isDropped).take();
+  }
+  return isNeeded;
 }
 
 }  // namespace rungproof::compiled

@@ -24,9 +24,6 @@ constexpr auto spreadBytes = [] {
 /// How far away a comparison may be made from where it is written.
 constexpr ValueId nearBy = 8;
 
-bool isComparison(CodeOp op) {
-  return op == CodeOp::Equal || op == CodeOp::Less || op == CodeOp::LessSigned || op == CodeOp::TestBit;
-}
 std::uint64_t alignedTo8(std::uint64_t size) { return (size + 7) / 8 * 8; }
 
 /// Registers that a function leaves as they were.
@@ -178,7 +175,8 @@ void X86Emitter::epilogue() {
   std::vector<bool> isWritten(code_.slots.size(), false);
   for (std::size_t i = 0; i < code_.steps.size(); ++i) {
     const Step& s = code_.steps[i];
-    if (isNeeded_[i] && (s.op == CodeOp::StoreBit || s.op == CodeOp::StoreSlots)) isWritten[s.value / 8] = true;
+    const bool isStore = isNeeded_[i] && (s.op == CodeOp::StoreBit || s.op == CodeOp::StoreSlots);
+    if (isStore && code_.slots[s.value / 8].area != Area::L) isWritten[s.value / 8] = true;
   }
   if (code_.countsTime) {
     a_.cmp(x86::r12, at(offsetof(Workspace, mostTime)));

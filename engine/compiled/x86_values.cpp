@@ -71,7 +71,9 @@ void X86Emitter::value(ValueId id) {
     case CodeOp::TestBit:
     case CodeOp::Equal:
     case CodeOp::Less:
-    case CodeOp::LessSigned: return truth(id, s);
+    case CodeOp::LessSigned:
+    case CodeOp::AddOverflows:
+    case CodeOp::SubOverflows: return truth(id, s);
     case CodeOp::LoadBit:
     case CodeOp::LoadState:
     case CodeOp::LoadMemory:
@@ -168,6 +170,16 @@ X86Emitter::Cond X86Emitter::comparison(const Step& s) {
     }
     return Cond::kNZ;
   }
+  if (s.op == CodeOp::AddOverflows || s.op == CodeOp::SubOverflows) {
+    const InstId id = s.op == CodeOp::AddOverflows ? x86::Inst::kIdAdd : x86::Inst::kIdSub;
+    const Gp sum = values_.take(s.a);
+    const auto sized = [&](Gp reg) { return s.width == 16 ? Gp(reg.r16()) : Gp(reg.r32()); };
+    if (const auto constant = immediate(s.b))
+      a_.emit(id, sized(sum), s.width == 16 ? static_cast<std::int16_t>(*constant) : *constant);
+    else
+      a_.emit(id, sized(sum), sized(values_.use(s.b)));
+    return Cond::kO;
+  }
   const bool isSigned = s.op == CodeOp::LessSigned;
   const int shift = isSigned && s.width < 32 ? 32 - s.width : isSigned && s.width > 32 ? 64 - s.width : 0;
   const auto constant = immediate(s.b);
@@ -203,7 +215,7 @@ X86Emitter::Cond X86Emitter::condition(ValueId id) {
 }
 
 void X86Emitter::truth(ValueId id, const Step& s) {
-  if (s.op == CodeOp::Equal || s.op == CodeOp::Less || s.op == CodeOp::LessSigned || s.op == CodeOp::TestBit) {
+  if (isComparison(s.op)) {
     if (s.op == CodeOp::TestBit && s.value == 0 && code_.steps[s.a].width == 1) {
       const Gp reg = values_.take(s.a);
       a_.neg(reg.r32());

@@ -54,6 +54,8 @@ class LaneEmitter {
   Vec truth(const Step& s);
   Vec testBit(const Step& s);
   Vec comparison(const Step& s);
+  Vec overflow(const Step& s);
+  Vec signOf(const Vec& number);
   Vec lessOf(const Step& s, Rep rep);
   Vec arithmetic(const Step& s);
   Vec select(const Step& s);

@@ -145,7 +145,7 @@ Concrete::Store LaneGroups::storeOf(std::size_t trace, const Concrete::Store& co
   }
   for (const auto& [operand, value] : view.others[trace]) setCell(store, operand, value);
   eachRow([&](Row row, Area area, std::uint32_t byte, int bytes, int bit) {
-    if (isCommon(area, byte) || (hasTerminals_ && (area == Area::PI || area == Area::PQ))) return;
+    if (isCommon(area, byte) || area == Area::L || (hasTerminals_ && (area == Area::PI || area == Area::PQ))) return;
     const std::uint64_t value = numberIn(view.rows, row, lane, layout_.isSliced);
     if (bytes == 0) {
       std::uint8_t& to = store.area(area)[byte];

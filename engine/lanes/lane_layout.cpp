@@ -18,6 +18,8 @@ bool isBitwise(const Step& s, const Code& code) {
     case CodeOp::Equal:
     case CodeOp::Less:
     case CodeOp::LessSigned:
+    case CodeOp::AddOverflows:
+    case CodeOp::SubOverflows:
     case CodeOp::RealEqual:
     case CodeOp::RealLess:
     case CodeOp::RealLegal:

@@ -40,6 +40,8 @@ LaneEmitter::Vec LaneEmitter::valueOf(const Step& s) {
     case CodeOp::Equal:
     case CodeOp::Less:
     case CodeOp::LessSigned: return comparison(s);
+    case CodeOp::AddOverflows:
+    case CodeOp::SubOverflows: return overflow(s);
     case CodeOp::LoadBit: return loaded({layout_.slot(s.value), Rep::Truth});
     case CodeOp::LoadState:
     case CodeOp::LoadStateWord: return loaded(layout_.state(s.value));
@@ -89,14 +91,17 @@ LaneEmitter::Vec LaneEmitter::truth(const Step& s) {
   }
 }
 
+/// Packing keeps signs.
+LaneEmitter::Vec LaneEmitter::signOf(const Vec& number) {
+  const Ymm sign = toTruth(number).piece[0];
+  return {Rep::Truth, {op(Inst::kIdVpcmpgtb, constant(0, Rep::Truth).piece[0], sign)}};
+}
+
 LaneEmitter::Vec LaneEmitter::testBit(const Step& s) {
   const Vec a = made(s.a);
   if (!isNumber(a.rep)) return s.value == 0 ? a : constant(0, Rep::Truth);
   if (static_cast<int>(s.value) >= bitsOf(a.rep)) return constant(0, Rep::Truth);
-  if (a.rep != Rep::Quad && static_cast<int>(s.value) == bitsOf(a.rep) - 1) {  // packing keeps signs
-    const Ymm sign = toTruth(a).piece[0];
-    return {Rep::Truth, {op(Inst::kIdVpcmpgtb, constant(0, Rep::Truth).piece[0], sign)}};
-  }
+  if (a.rep != Rep::Quad && static_cast<int>(s.value) == bitsOf(a.rep) - 1) return signOf(a);
   const Mem own = constantRow(1ULL << s.value, a.rep);
   return toTruth(each(formOf(equality, a.rep), each(Inst::kIdVpand, a, own), own));
 }
@@ -124,6 +129,21 @@ LaneEmitter::Vec LaneEmitter::comparison(const Step& s) {
     return toTruth(each(formOf(equality, rep), use(s.a, rep), use(s.b, rep)));
   }
   return lessOf(s, atLeastByte(repFor(std::max(bits, int{s.width}))));
+}
+
+/// A sum of words that is not the one that stops at the ends overflows. Of double words it is one whose sign is none of
+/// those of its parts, a difference where both parts differ in sign and it has not that of the first.
+LaneEmitter::Vec LaneEmitter::overflow(const Step& s) {
+  const bool isSum = s.op == CodeOp::AddOverflows;
+  const Rep rep = repFor(s.width);
+  const Vec a = use(s.a, rep), b = use(s.b, rep);
+  const Vec result = each(formOf(isSum ? addition : subtraction, rep), a, b);
+  if (rep == Rep::Word) {
+    const Vec bounded = each(isSum ? Inst::kIdVpaddsw : Inst::kIdVpsubsw, a, b);
+    return {Rep::Truth, {inverted(toTruth(each(Inst::kIdVpcmpeqw, result, bounded)).piece[0])}};
+  }
+  const Vec one = each(Inst::kIdVpxor, a, isSum ? result : b), other = each(Inst::kIdVpxor, isSum ? b : a, result);
+  return signOf(each(Inst::kIdVpand, one, other));
 }
 
 LaneEmitter::Vec LaneEmitter::select(const Step& s) {

@@ -8,7 +8,6 @@
 #include "engine/cell_value.hpp"
 #include "engine/compiled/recording.hpp"
 #include "engine/compiled/reduce.hpp"
-#include "engine/lanes/narrowing.hpp"
 #include "ir/check.hpp"
 #include "ir/s7200/event.hpp"
 #include "ir/s7200/pulse_output.hpp"
@@ -73,9 +72,11 @@ ManyTraces::ManyTraces(const Program& program, const SimulatorOptions& options, 
     const Plan& plan = lead_.plan();
     compiled::InstructionTimes times;
     for (const std::uint32_t time : lead_.longestTimes()) times.push_back({time, time});
-    recorded_ = lanes::narrowedSums(compiled::recorded(plan, common_, times, false, compiled::Extent::WholeScan));
+    recorded_ = compiled::recorded(plan, common_, times, false, compiled::Extent::WholeScan);
     const std::vector<bool> isNeeded = compiled::neededSteps(recorded_, common_.registers().size());
-    if (writesCommon(recorded_, isNeeded, common_)) {
+    if (recorded_.expectsAlwaysOn && common_.load(Area::SM, 0, 1) == 0) {
+      hindrance_ = "SM0.0 is off";
+    } else if (writesCommon(recorded_, isNeeded, common_)) {
       hindrance_ = "the program writes what belongs to the CPU";
     } else if (code_ = lanes::translatedForLanes(recorded_, isNeeded, common_); code_ == nullptr) {
       hindrance_ = "there is no vector code for it";

@@ -1,0 +1,142 @@
+// Truth values of recorded code, simplified by what is known of their parts. Instructions write status bits and ENO
+// under their conditions one after the other; of what one writes, the next one with the same condition leaves nothing.
+#include "engine/compiled/recorder.hpp"
+
+namespace rungproof::compiled {
+
+namespace {
+
+/// How far a value is looked into for a condition that decides it.
+constexpr int deepest = 4;
+
+bool isJoin(CodeOp op) { return op == CodeOp::And || op == CodeOp::Or; }
+
+}  // namespace
+
+std::optional<bool> Recorder::truth(Bool a) const {
+  const ValueId id = resolved(a.id);
+  return id <= 1 ? std::optional(id == 1) : std::nullopt;
+}
+
+void Recorder::assume(Bool condition, bool value) {
+  const ValueId id = resolved(condition.id);
+  if (id <= 1) return;
+  replaced_[id] = value ? 1 : 0;
+  const Step step = at(id);
+  if (step.op == CodeOp::Not) assume({step.a}, !value);
+  if (step.op != (value ? CodeOp::And : CodeOp::Or)) return;
+  assume({step.a}, value);
+  assume({step.b}, value);
+}
+
+Recorder::Bool Recorder::lnot(Bool a) {
+  a.id = resolved(a.id);
+  if (a.id <= 1) return {1 - a.id};
+  if (at(a.id).op == CodeOp::Not) return {resolved(at(a.id).a)};
+  return {make({.op = CodeOp::Not, .a = a.id})};
+}
+
+/// `a` joined by `op` with `b`, which joins others: where one of these is `a` or its opposite. By example of And:
+/// a(ax) = ax, a(a + x) = a, a(-a + x) = ax, a(-ax) = 0.
+std::optional<Recorder::Bool> Recorder::absorbed(CodeOp op, ValueId a, ValueId b) {
+  const Step inner = at(b);
+  if (!isJoin(inner.op)) return std::nullopt;
+  for (const auto& [one, other] : {std::pair(inner.a, inner.b), std::pair(inner.b, inner.a)}) {
+    if (one == a) return Bool{inner.op == op ? b : a};
+    if (!isOpposite(one, a)) continue;
+    if (inner.op == op) return constant(op == CodeOp::Or);
+    return op == CodeOp::And ? land({a}, {other}) : lor({a}, {other});
+  }
+  return std::nullopt;
+}
+
+Recorder::Bool Recorder::land(Bool a, Bool b) {
+  a.id = resolved(a.id);
+  b.id = resolved(b.id);
+  if (a.id > b.id) std::swap(a, b);
+  if (a.id == 0 || a.id == b.id) return a;
+  if (a.id == 1) return b;
+  if (isOpposite(a.id, b.id)) return {0};
+  if (const auto simple = absorbed(CodeOp::And, a.id, b.id)) return *simple;
+  if (const auto simple = absorbed(CodeOp::And, b.id, a.id)) return *simple;
+  return {make({.op = CodeOp::And, .a = a.id, .b = b.id})};
+}
+
+/// Equal or less is not greater.
+std::optional<Recorder::Bool> Recorder::orderOf(ValueId a, ValueId b) {
+  const Step equal = at(a), less = at(b);
+  const bool isLess = less.op == CodeOp::LessSigned || less.op == CodeOp::Less;
+  if (equal.op != CodeOp::Equal || !isLess || equal.width != less.width) return std::nullopt;
+  const bool isSame = (equal.a == less.a && equal.b == less.b) || (equal.a == less.b && equal.b == less.a);
+  if (!isSame) return std::nullopt;
+  return lnot(compare(less.op, less.width, {less.b}, {less.a}));
+}
+
+Recorder::Bool Recorder::lor(Bool a, Bool b) {
+  a.id = resolved(a.id);
+  b.id = resolved(b.id);
+  if (a.id > b.id) std::swap(a, b);
+  if (a.id == 0) return b;
+  if (a.id == 1 || a.id == b.id) return a;
+  if (isOpposite(a.id, b.id)) return {1};
+  if (const auto simple = absorbed(CodeOp::Or, a.id, b.id)) return *simple;
+  if (const auto simple = absorbed(CodeOp::Or, b.id, a.id)) return *simple;
+  if (const auto order = orderOf(a.id, b.id)) return *order;
+  if (const auto order = orderOf(b.id, a.id)) return *order;
+  return {make({.op = CodeOp::Or, .a = a.id, .b = b.id})};
+}
+
+Recorder::Bool Recorder::lxor(Bool a, Bool b) {
+  a.id = resolved(a.id);
+  b.id = resolved(b.id);
+  if (a.id > b.id) std::swap(a, b);
+  if (a.id == 0) return b;
+  if (a.id == b.id) return {0};
+  if (a.id == 1) return lnot(b);
+  return {make({.op = CodeOp::Xor, .a = a.id, .b = b.id})};
+}
+
+/// A value where `condition` is known; the same value where that says nothing about it.
+Recorder::Bool Recorder::under(Bool value, ValueId condition, bool isTrue, int depth) {
+  value.id = resolved(value.id);
+  if (value.id == condition) return constant(isTrue);
+  if (value.id <= 1 || depth == 0) return value;
+  const Step step = at(value.id);
+  const auto part = [&](ValueId id) { return under({id}, condition, isTrue, depth - 1); };
+  if (step.op == CodeOp::Not) {
+    const Bool a = part(step.a);
+    return a.id == resolved(step.a) ? value : lnot(a);
+  }
+  if (isJoin(step.op)) {
+    const Bool a = part(step.a), b = part(step.b);
+    if (a.id == resolved(step.a) && b.id == resolved(step.b)) return value;
+    return step.op == CodeOp::And ? land(a, b) : lor(a, b);
+  }
+  if (step.op == CodeOp::SelectBit && step.a == condition) return part(isTrue ? step.b : step.c);
+  return value;
+}
+
+Recorder::Bool Recorder::select(Bool c, Bool a, Bool b) {
+  c.id = resolved(c.id);
+  if (c.id == 1) return {resolved(a.id)};
+  if (c.id == 0) return {resolved(b.id)};
+  if (at(c.id).op == CodeOp::Not) return select({at(c.id).a}, b, a);
+  a = under(a, c.id, true, deepest);
+  b = under(b, c.id, false, deepest);
+  if (a.id == b.id) return a;
+  if (const Step both = at(c.id); both.op == CodeOp::And) {
+    // What an instruction writes where it succeeds, over what it writes where it fails: its own condition decides.
+    for (const auto& [outer, inner] : {std::pair(both.a, both.b), std::pair(both.b, both.a)}) {
+      const Bool without = under(b, outer, false, deepest);
+      if (without.id == b.id) continue;
+      return select({outer}, select({inner}, a, under(b, outer, true, deepest)), without);
+    }
+  }
+  if (a.id == 1) return lor(c, b);
+  if (a.id == 0) return land(lnot(c), b);
+  if (b.id == 0) return land(c, a);
+  if (b.id == 1) return lor(lnot(c), a);
+  return {make({.op = CodeOp::SelectBit, .a = c.id, .b = a.id, .c = b.id})};
+}
+
+}  // namespace rungproof::compiled
