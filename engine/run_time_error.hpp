@@ -46,9 +46,15 @@ class RunTimeErrors {
     }
     return false;
   }
-  void clear() { list_.clear(); }
+  void clear() {
+    list_.clear();
+    ++clearings_;
+  }
+  /// How often the list has been cleared.
+  std::uint64_t clearings() const { return clearings_; }
 
  private:
+  std::uint64_t clearings_ = 0;
   std::vector<RunTimeError> list_;
 };
 

@@ -140,7 +140,7 @@ class Simulator final : private Outside {
 
   const Plan& plan() const { return plan_; }
   const Target& target() const { return machine_.target; }
-  const RunTimeErrors& errors() const { return errors_; }
+  const RunTimeErrors& errors() const;
   /// Scans of which machine code ran the program.
   std::uint64_t compiledScans() const { return compiledScans_; }
   /// Events that a stimulus or script named although nothing could cause them then.
@@ -223,7 +223,7 @@ class Simulator final : private Outside {
   InterruptQueue queue_;
   ForceTable forced_;
   Devices devices_;
-  RunTimeErrors errors_;
+  mutable RunTimeErrors errors_;  ///< without what machine code has counted since somebody asked
   std::vector<Cost> costs_;
   bool unknownIsZero_;       ///< bits that the manual calls unknown are read as 0
   bool freeIsZero_ = false;  ///< `outside` gives 0 for what an S7-300/400 leaves open

@@ -2,7 +2,6 @@
 #include "engine/compiled/compiled_program.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 #include <new>
 #include <utility>
@@ -14,7 +13,7 @@ namespace rungproof::compiled {
 namespace {
 
 /// Runs of written places that are kept as one if no more lies between them.
-constexpr std::uint32_t nearby = 32;
+constexpr std::uint32_t nearby = 128;
 
 /// The numbers for which `isWritten` holds as runs.
 template <class Take>
@@ -56,8 +55,14 @@ CompiledProgram::CompiledProgram(Code code, const std::vector<bool>& isNeeded, s
     : code_(std::move(code)),
       machineCode_(std::move(machineCode)),
       memory_((machineCode_->layout.size + 7) / 8),
-      listedAt_(code_.sites.size()) {
+      listedAt_(code_.sites.size()),
+      keptCounts_(code_.sites.size()) {
   new (memory_.data()) Workspace;
+  for (std::size_t i = 0; i < code_.steps.size(); ++i) {
+    const CodeOp op = code_.steps[i].op;
+    canLeave_ = canLeave_ || (isNeeded[i] && (op == CodeOp::Leave || op == CodeOp::Count || op == CodeOp::CheckTime));
+  }
+  canLeave_ = canLeave_ || code_.countsTime;
   findWritten(isNeeded, registers);
   code_.steps.clear();
   code_.steps.shrink_to_fit();
@@ -115,6 +120,8 @@ void CompiledProgram::findWritten(const std::vector<bool>& isNeeded, std::size_t
 }
 
 void CompiledProgram::keep(const Concrete::Store& store) {
+  if (std::exchange(workspace().hasCounted, 0) != 0)
+    std::memcpy(keptCounts_.data(), errorCounts(), keptCounts_.size() * sizeof(std::uint64_t));
   std::uint8_t* to = keptBytes_.data();
   for (const Written& w : writtenBytes_) {
     std::memcpy(to, bytesOf(store, w.area, code_.hasTerminals) + w.first, w.count);
@@ -127,7 +134,8 @@ void CompiledProgram::keep(const Concrete::Store& store) {
   }
 }
 
-void CompiledProgram::takeBack(Concrete::Store& store) const {
+void CompiledProgram::takeBack(Concrete::Store& store) {
+  std::memcpy(errorCounts(), keptCounts_.data(), keptCounts_.size() * sizeof(std::uint64_t));
   const std::uint8_t* from = keptBytes_.data();
   for (const Written& w : writtenBytes_) {
     std::memcpy(bytesOf(store, w.area, code_.hasTerminals) + w.first, from, w.count);
@@ -147,54 +155,49 @@ void CompiledProgram::clearLocal(Concrete::Store& store) const {
   }
 }
 
-/// Puts the errors of this scan into happened_. Straight code has a byte for each site, other code a number, which is
-/// taken back here.
-void CompiledProgram::findErrors() {
-  happened_.clear();
-  const std::size_t sites = code_.sites.size();
-  std::uint64_t* const first = memory_.data() + machineCode_->layout.errors / 8;
-  if (!code_.isStraight) {
-    for (std::size_t i = 0; i < sites; ++i) {
-      if (first[i] != 0) happened_.emplace_back(i, std::exchange(first[i], 0));
-    }
-    return;
-  }
-  for (std::size_t group = 0; group * 8 < sites; ++group) {
-    constexpr std::uint64_t lowBits = 0x0101010101010101;
-    for (std::uint64_t left = first[group] & lowBits; left != 0; left &= left - 1)
-      happened_.emplace_back(group * 8 + static_cast<std::size_t>(std::countr_zero(left)) / 8, 1);
-  }
+/// Nothing of a new list is known.
+void CompiledProgram::startErrors(const RunTimeErrors& errors) {
+  if (std::exchange(clearings_, errors.clearings()) == errors.clearings()) return;
+  workspace().hasCounted = 1;  // other counts than those that are kept
+  std::fill_n(errorCounts(), code_.sites.size(), 0);
+  std::fill_n(news(), code_.sites.size(), std::uint8_t{1});
 }
 
-/// Whether the error has happened before; the first time is told by the reference engine.
-bool CompiledProgram::isListed(std::size_t site, const RunTimeErrors& errors) {
+/// Whether all errors of this scan have happened before; the first time is told by the reference engine.
+bool CompiledProgram::areListed(const RunTimeErrors& errors) {
   const std::vector<RunTimeError>& list = errors.list();
-  const auto isIt = [&](const RunTimeError& e) {
-    return e.hazard == code_.sites[site].hazard && e.place == code_.sites[site].place;
-  };
-  std::size_t& at = listedAt_[site];
-  if (at >= list.size() || !isIt(list[at]))
-    at = static_cast<std::size_t>(std::ranges::find_if(list, isIt) - list.begin());
-  return at < list.size();
+  for (std::size_t site = 0; site < code_.sites.size(); ++site) {
+    if (news()[site] == 0 || errorCounts()[site] == keptCounts_[site]) continue;
+    const auto found = std::ranges::find_if(list, [&](const RunTimeError& e) {
+      return e.hazard == code_.sites[site].hazard && e.place == code_.sites[site].place;
+    });
+    if (found == list.end()) return false;
+    listedAt_[site] = static_cast<std::size_t>(found - list.begin());
+    news()[site] = 0;
+  }
+  return true;
+}
+
+void CompiledProgram::tellErrors(RunTimeErrors& errors) {
+  startErrors(errors);
+  workspace().hasCounted = 1;
+  for (std::size_t site = 0; site < code_.sites.size(); ++site) {
+    if (const std::uint64_t times = std::exchange(errorCounts()[site], 0); times != 0)
+      errors.repeat(listedAt_[site], times);
+  }
 }
 
 std::optional<std::uint64_t> CompiledProgram::run(Concrete::Store& store, std::uint64_t ticks100,
-                                                  std::uint64_t mostTime, RunTimeErrors& errors) {
+                                                  std::uint64_t mostTime, const RunTimeErrors& errors) {
   if (code_.expectsAlwaysOn && (store.area(Area::SM)[0] & 1U) == 0) return std::nullopt;
-  keep(store);
+  startErrors(errors);
+  if (canLeave_) keep(store);
   Workspace& w = workspace();
   for (const Area area : usedAreas_) w.area[static_cast<std::size_t>(area)] = bytesOf(store, area, code_.hasTerminals);
   w.registers = store.registers().data();
   w.ticks100 = ticks100;
   w.mostTime = mostTime;
-  bool isDone = machineCode_->run(w);
-  if (w.hasErrors != 0) {
-    findErrors();
-    isDone = isDone && std::ranges::all_of(happened_, [&](const auto& e) { return isListed(e.first, errors); });
-    for (const auto& [site, times] : happened_) {
-      if (isDone) errors.repeat(listedAt_[site], times);
-    }
-  }
+  const bool isDone = machineCode_->run(w) && (w.hasErrors == 0 || areListed(errors));
   if (!isDone) takeBack(store);
   if (!isDone) return std::nullopt;
   clearLocal(store);

@@ -30,10 +30,12 @@ class CompiledProgram {
   bool takesFree() const { return code_.takesFree; }
 
   /// Runs the program on `store`, as in a scan after the first one. `ticks100`: of that scan. `mostTime`: a program
-  /// that takes longer is left. Errors that happened before are counted. Gives the time that the program took, 10 ns (0
-  /// where it is not counted); nothing: it was left, and the store is as before.
+  /// that takes longer is left. Errors that happened before are counted, and told later. Gives the time that the
+  /// program took, 10 ns (0 where it is not counted); nothing: it was left, and the store is as before.
   std::optional<std::uint64_t> run(Concrete::Store& store, std::uint64_t ticks100, std::uint64_t mostTime,
-                                   RunTimeErrors& errors);
+                                   const RunTimeErrors& errors);
+  /// Tells how often errors of `errors` have happened in the scans since the last time.
+  void tellErrors(RunTimeErrors& errors);
 
  private:
   /// Bytes of an area, or registers, that the code writes itself.
@@ -45,18 +47,21 @@ class CompiledProgram {
                   std::size_t registers);
   void findWritten(const std::vector<bool>& isNeeded, std::size_t registers);
   void keep(const Concrete::Store& store);
-  void takeBack(Concrete::Store& store) const;
+  void takeBack(Concrete::Store& store);
   void clearLocal(Concrete::Store& store) const;
   Workspace& workspace() { return *reinterpret_cast<Workspace*>(memory_.data()); }
-  void findErrors();
-  bool isListed(std::size_t site, const RunTimeErrors& errors);
+  std::uint64_t* errorCounts() { return memory_.data() + machineCode_->layout.errors / 8; }
+  std::uint8_t* news() { return reinterpret_cast<std::uint8_t*>(memory_.data()) + machineCode_->layout.news; }
+  void startErrors(const RunTimeErrors& errors);
+  bool areListed(const RunTimeErrors& errors);
 
   Code code_;
   std::unique_ptr<MachineCode> machineCode_;
   std::vector<std::uint64_t> memory_;  ///< the workspace
-  /// The errors of the last scan by their sites, and how often they happened.
-  std::vector<std::pair<std::size_t, std::uint64_t>> happened_;
-  std::vector<std::size_t> listedAt_;  ///< by error site: where it stood last among the errors of the run
+  bool canLeave_ = false;
+  std::vector<std::size_t> listedAt_;            ///< by error site that is no news: where it stands among the errors
+  std::vector<std::uint64_t> keptCounts_;        ///< of errors, before the scan
+  std::uint64_t clearings_ = ~std::uint64_t{0};  ///< of the list to which the counts belong
   std::vector<Area> usedAreas_;
   std::vector<Written> writtenBytes_;
   std::vector<Written> writtenRegisters_;

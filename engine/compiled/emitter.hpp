@@ -10,23 +10,25 @@
 namespace rungproof::compiled {
 
 /// The head of what the machine code works on. Behind it stand, at the bytes that Layout gives, a byte for each bit of
-/// Code::slots, a byte for each state of the walk, the errors, and room for values.
+/// Code::slots, eight for each state of the walk, the errors, and room for values.
 struct Workspace {
   std::array<std::uint8_t*, areaCount> area{};
   std::uint32_t* registers = nullptr;
   std::uint64_t ticks100 = 0;
-  std::uint64_t mostTime = 0;   ///< 10 ns; a longer program is one for the reference engine
-  std::uint64_t position = 0;   ///< out: time that the program took (Code::countsTime)
-  std::uint64_t isLeft = 0;     ///< out, straight code: not 0, the scan is one for the reference engine
-  std::uint64_t hasErrors = 0;  ///< out: an error has happened
+  std::uint64_t mostTime = 0;    ///< 10 ns; a longer program is one for the reference engine
+  std::uint64_t position = 0;    ///< out: time that the program took (Code::countsTime)
+  std::uint64_t isLeft = 0;      ///< out, straight code: not 0, the scan is one for the reference engine
+  std::uint64_t hasErrors = 0;   ///< out: an error has happened that is new (Layout::news)
+  std::uint64_t hasCounted = 1;  ///< out: not 0, an error has happened, new or not
+  std::uint64_t allOnes = ~std::uint64_t{0};
 };
 
 /// Bytes of the workspace.
 struct Layout {
   std::size_t slots = 0;  ///< the bits of Code::slots
   std::size_t states = 0;
-  std::size_t errors = 0;  ///< by error site, of straight code a byte that is not 0 where it has happened in this scan,
-                           ///< of other code 8 bytes: how often
+  std::size_t errors = 0;  ///< by error site 8 bytes: how often it has happened, added up over the scans
+  std::size_t news = 0;    ///< by error site a byte, 1: it has not yet been told
   std::size_t size = 0;
 };
 

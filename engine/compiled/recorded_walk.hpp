@@ -202,9 +202,11 @@ class FlowWalk<Derived, Machine<compiled::Recorder>, Hooks> {
     if (!isReached_) return;
     std::vector<ValueId> ids = bringHome();
     const bool isAlways = m_.d.truth(condition) == true;
-    m_.d.add({.op = isAlways ? CodeOp::Branch : op, .a = isAlways ? 0 : condition.id, .value = mark});
+    if (isAlways)
+      m_.d.add({.op = CodeOp::Branch, .value = mark});
+    else
+      m_.d.branch(op, condition, mark);
     if (isAlways) isReached_ = false;
-    if (!isAlways) m_.d.assume(condition, op == CodeOp::BranchUnless);
     const auto loop = loops_.find(mark);
     if (loop == loops_.end()) {
       ways_[mark].push_back(std::move(ids));

@@ -103,10 +103,16 @@ void Recorder::takeBack(std::size_t first, std::size_t site) {
   store->forget();
 }
 
+void Recorder::branch(CodeOp op, Bool condition, std::uint64_t mark) {
+  const bool isNot = at(condition.id).op == CodeOp::Not;
+  const CodeOp opposite = op == CodeOp::BranchIf ? CodeOp::BranchUnless : CodeOp::BranchIf;
+  add({.op = isNot ? opposite : op, .a = isNot ? at(condition.id).a : condition.id, .value = mark});
+  assume(condition, op == CodeOp::BranchUnless);
+}
+
 Recorder::Part Recorder::beginPart(Bool condition) {
   Part part{code.steps.size(), replaced_, code.marks++};
-  add({.op = CodeOp::BranchUnless, .a = condition.id, .value = part.mark});
-  assume(condition, true);
+  branch(CodeOp::BranchUnless, condition, part.mark);
   return part;
 }
 void Recorder::endPart(Part part) {

@@ -134,6 +134,9 @@ class Recorder {
     known_.clear();
     replaced_.clear();
   }
+  /// Branches to `mark` where a condition that is not yet known holds (BranchIf) or not; what follows is recorded for
+  /// the others.
+  void branch(CodeOp op, Bool condition, std::uint64_t mark);
   /// A part begins that only runs with `condition` take; gives what ends it.
   struct Part {
     std::size_t first;

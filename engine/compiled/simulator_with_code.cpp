@@ -63,6 +63,13 @@ Simulator::Simulator(const Program& program, SimulatorOptions options, Outside* 
 
 Simulator::~Simulator() = default;
 
+const RunTimeErrors& Simulator::errors() const {
+  for (const std::unique_ptr<compiled::CompiledProgram>& code : compiled_) {
+    if (code != nullptr) code->tellErrors(errors_);
+  }
+  return errors_;
+}
+
 bool Simulator::mayRunCompiled() {
   if (isCalm_) return true;
   if (options_.engine == EngineKind::Reference) return false;

@@ -2,6 +2,7 @@
 #include "engine/compiled/x86_emitter.hpp"
 
 #include <cstddef>
+#include <unordered_set>
 
 #include "ir/check.hpp"
 #include "ir/s7200/frame.hpp"
@@ -11,18 +12,6 @@ namespace rungproof::compiled {
 using namespace asmjit;  // its Operand: by its full name
 
 namespace {
-
-/// By value of a byte: its bits as eight bytes of 0 or 255, the lowest first.
-constexpr auto spreadBytes = [] {
-  std::array<std::uint64_t, 256> table{};
-  for (std::size_t byte = 0; byte < table.size(); ++byte) {
-    for (std::size_t bit = 0; bit < 8; ++bit) table[byte] |= (byte >> bit & 1) != 0 ? 0xFFULL << 8 * bit : 0;
-  }
-  return table;
-}();
-
-/// How far away a comparison may be made from where it is written.
-constexpr ValueId nearBy = 8;
 
 std::uint64_t alignedTo8(std::uint64_t size) { return (size + 7) / 8 * 8; }
 
@@ -36,7 +25,8 @@ Layout X86Emitter::layoutOf(const Code& code) {
   layout.slots = alignedTo8(sizeof(Workspace));
   layout.states = layout.slots + 8 * code.slots.size();
   layout.errors = layout.states + 8 * std::size_t{code.states};
-  layout.size = layout.errors + alignedTo8(code.isStraight ? code.sites.size() : 8 * code.sites.size());
+  layout.news = layout.errors + 8 * code.sites.size();
+  layout.size = layout.news + alignedTo8(code.sites.size());
   return layout;
 }
 
@@ -60,41 +50,16 @@ Area X86Emitter::busiestArea(const Code& code, const std::vector<bool>& isNeeded
   return static_cast<Area>(std::ranges::max_element(uses) - uses.begin());
 }
 
-/// A comparison of which the only user wants the processor's flags is made there.
-std::vector<ValueId> X86Emitter::emittedAt() const {
-  const std::size_t count = code_.steps.size();
-  std::vector<ValueId> at(count), uses(count, 0);
-  for (ValueId i = 0; i < count; ++i) {
-    at[i] = i;
-    const Step& s = code_.steps[i];
-    const int operands = isNeeded_[i] ? operandCount(s.op) : 0;
-    if (operands > 0) ++uses[s.a];
-    if (operands > 1) ++uses[s.b];
-    if (operands > 2) ++uses[s.c];
-  }
-  ValueId mark = 0;
-  for (ValueId i = 0; i < count; ++i) {
-    const Step& s = code_.steps[i];
-    if (s.op == CodeOp::Mark) mark = i;
-    const bool wantsFlags = s.op == CodeOp::Select || (s.op == CodeOp::Leave && !code_.isStraight) ||
-                            s.op == CodeOp::BranchIf || s.op == CodeOp::BranchUnless;
-    if (isNeeded_[i] && wantsFlags && uses[s.a] == 1 && isComparison(code_.steps[s.a].op) && s.a >= mark &&
-        i - s.a <= nearBy)
-      at[s.a] = i;
-  }
-  return at;
-}
-
 X86Emitter::X86Emitter(const Code& code, const std::vector<bool>& isNeeded, CodeHolder& holder)
     : code_(code),
       isNeeded_(isNeeded),
       layout_(layoutOf(code)),
       heldArea_(busiestArea(code, isNeeded)),
+      hasMovbe_(CpuInfo::host().features().x86().hasMOVBE()),
       emittedAt_(emittedAt()),
       a_(&holder),
       values_(a_, workspace_, valueRegisters(code), static_cast<std::int32_t>(layout_.size), code, isNeeded,
-              emittedAt_),
-      hasMovbe_(CpuInfo::host().features().x86().hasMOVBE()) {}
+              emittedAt_) {}
 
 std::optional<Layout> X86Emitter::emit() {
   struct FirstError final : ErrorHandler {
@@ -116,20 +81,29 @@ std::optional<Layout> X86Emitter::emit() {
   return error.isThere ? std::nullopt : std::optional(layout);
 }
 
-/// Up to where slots keep what was loaded from or stored to them.
+/// Up to where slots keep what was loaded from or stored to them. What was loaded is used where only ways lead that
+/// have loaded it, and between load and use stand all stores on these ways but those of another round of a loop.
 void X86Emitter::findStores() {
   const auto count = static_cast<ValueId>(code_.steps.size());
   standsTo_.assign(count, 0);
   markBehind_.assign(count, count);
   std::vector<ValueId> nextBit(code_.slots.size() * 8, count), nextState(code_.states, count);
-  ValueId nextMark = count;
+  ValueId nextMark = count, nextLoop = count;
+  std::unordered_set<std::uint64_t> begun, loops;
+  for (const Step& s : code_.steps) {
+    if (s.op == CodeOp::Mark) begun.insert(s.value);
+    if (isBranch(s.op) && begun.contains(s.value)) loops.insert(s.value);
+  }
   for (ValueId i = count; i-- > 0;) {
     if (!isNeeded_[i]) continue;
     const Step& s = code_.steps[i];
     markBehind_[i] = nextMark;
     switch (s.op) {
-      case CodeOp::Mark: nextMark = i; break;
-      case CodeOp::LoadBit: standsTo_[i] = std::min(nextBit[s.value], nextMark); break;
+      case CodeOp::Mark:
+        nextMark = i;
+        if (loops.contains(s.value)) nextLoop = i;
+        break;
+      case CodeOp::LoadBit: standsTo_[i] = std::min(nextBit[s.value], nextLoop); break;
       case CodeOp::LoadState:
       case CodeOp::LoadStateWord: standsTo_[i] = std::min(nextState[s.value], nextMark); break;
       case CodeOp::StoreBit:
@@ -157,27 +131,10 @@ void X86Emitter::prologue() {
   if (!code_.sites.empty()) a_.xor_(x86::r15.r32(), x86::r15.r32());
   a_.mov(at(offsetof(Workspace, isLeft)), 0);
   a_.mov(at(offsetof(Workspace, hasErrors)), 0);
-  if (code_.slots.empty()) return;
-  a_.mov(x86::rdx, imm(spreadBytes.data()));
-  std::optional<Area> area;
-  for (std::size_t i = 0; i < code_.slots.size(); ++i) {
-    if (area != code_.slots[i].area) {
-      area = code_.slots[i].area;
-      a_.mov(x86::rcx, at(offsetof(Workspace, area) + 8 * static_cast<std::size_t>(*area)));
-    }
-    a_.movzx(x86::eax, x86::byte_ptr(x86::rcx, static_cast<std::int32_t>(code_.slots[i].byte)));
-    a_.mov(x86::rax, x86::ptr(x86::rdx, x86::rax, 3));
-    a_.mov(at(layout_.slots + 8 * i), x86::rax);
-  }
+  loadSlots();
 }
 
 void X86Emitter::epilogue() {
-  std::vector<bool> isWritten(code_.slots.size(), false);
-  for (std::size_t i = 0; i < code_.steps.size(); ++i) {
-    const Step& s = code_.steps[i];
-    const bool isStore = isNeeded_[i] && (s.op == CodeOp::StoreBit || s.op == CodeOp::StoreSlots);
-    if (isStore && code_.slots[s.value / 8].area != Area::L) isWritten[s.value / 8] = true;
-  }
   if (code_.countsTime) {
     a_.cmp(x86::r12, at(offsetof(Workspace, mostTime)));
     a_.ja(leave_);
@@ -187,17 +144,7 @@ void X86Emitter::epilogue() {
     a_.cmp(at(offsetof(Workspace, isLeft), 1), 0);
     a_.jne(leave_);
   }
-  std::optional<Area> area;
-  for (std::size_t i = 0; i < code_.slots.size(); ++i) {
-    if (!isWritten[i]) continue;
-    if (area != code_.slots[i].area) {
-      area = code_.slots[i].area;
-      a_.mov(x86::rcx, at(offsetof(Workspace, area) + 8 * static_cast<std::size_t>(*area)));
-    }
-    a_.movq(x86::xmm0, at(layout_.slots + 8 * i));
-    a_.pmovmskb(x86::eax, x86::xmm0);
-    a_.mov(x86::byte_ptr(x86::rcx, static_cast<std::int32_t>(code_.slots[i].byte)), x86::al);
-  }
+  saveSlots();
   const Label end = a_.newLabel();
   a_.mov(x86::eax, 1);
   a_.bind(end);
@@ -208,6 +155,7 @@ void X86Emitter::epilogue() {
   a_.bind(leave_);
   a_.xor_(x86::eax, x86::eax);
   a_.jmp(end);
+  countErrors();
 }
 
 X86Emitter::Mem X86Emitter::memory(Area area, std::uint64_t byte, std::uint32_t size) {
@@ -228,7 +176,7 @@ Label& X86Emitter::label(std::uint64_t mark) {
 
 void X86Emitter::step(ValueId id) {
   const Step& s = code_.steps[id];
-  if (s.op != CodeOp::Select) flagsOf_ = 0;
+  if (!keepsFlags(s)) flagsOf_ = 0;
   if (hasValue(s.op)) {
     value(id);
   } else if (s.op < CodeOp::Leave) {
@@ -261,13 +209,7 @@ void X86Emitter::store(const Step& s) {
         a_.mov(at(static_cast<std::size_t>(stateAt(s.value))), values_.use(s.a));
       }
       break;
-    case CodeOp::StoreSlots: {
-      const Gp byte = values_.take(s.a), spread = values_.fresh();
-      a_.mov(spread, imm(spreadBytes.data()));
-      a_.mov(byte, x86::ptr(spread, byte, 3));
-      a_.mov(at(static_cast<std::size_t>(slotAt(s.value))), byte);
-      break;
-    }
+    case CodeOp::StoreSlots: storeSlots(s); break;
     case CodeOp::StoreRegister:
       if (const auto constant = immediate(s.a)) {
         a_.mov(registerAt(s.value), *constant);
@@ -349,18 +291,27 @@ void X86Emitter::control(const Step& s) {
   }
 }
 
-/// Who runs the code looks at the errors, whether they are new or to be counted.
+/// Who runs the code looks at those that are new.
 void X86Emitter::count(const Step& s) {
-  if (code_.isStraight) {
-    const Gp happens = values_.use(s.a);
-    a_.or_(x86::r15.r8(), happens.r8());
-    a_.mov(at(layout_.errors + s.value, 1), happens.r8());
-    return;
+  const Happened& here = happened_.emplace_back(Happened{s.value, a_.newLabel(), a_.newLabel()});
+  a_.j(condition(s.a), here.from);
+  a_.bind(here.back);
+}
+
+/// The flags stay as they are.
+void X86Emitter::countErrors() {
+  for (const Happened& here : happened_) {
+    a_.bind(here.from);
+    a_.push(x86::rax);
+    a_.mov(x86::rax, at(layout_.errors + 8 * here.site));
+    a_.lea(x86::rax, x86::ptr(x86::rax, 1));
+    a_.mov(at(layout_.errors + 8 * here.site), x86::rax);
+    a_.movzx(x86::eax, at(layout_.news + here.site, 1));
+    a_.lea(x86::r15, x86::ptr(x86::r15, x86::rax));
+    a_.mov(at(offsetof(Workspace, hasCounted), 1), 1);
+    a_.pop(x86::rax);
+    a_.jmp(here.back);
   }
-  const Gp once = values_.take(s.a);
-  a_.movsx(once, once.r8());
-  a_.or_(x86::r15, once);
-  a_.sub(at(layout_.errors + 8 * s.value), once);
 }
 
 }  // namespace rungproof::compiled

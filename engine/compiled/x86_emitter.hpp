@@ -1,7 +1,7 @@
 // Emitter for x86-64: goes through the code once and gives every needed step its machine instructions. A bit in memory
 // is an operand of the instruction that uses it, as long as nothing was stored there since. Fixed registers: rbp the
 // workspace, r14 the machine's registers, r13 the area that is used most, r12 the time, r15 whether an error has
-// happened.
+// happened that nobody has been told.
 #pragma once
 
 #include <asmjit/x86.h>
@@ -28,7 +28,6 @@ class X86Emitter {
   static Layout layoutOf(const Code& code);
   static std::vector<Gp> valueRegisters(const Code& code);
   static Area busiestArea(const Code& code, const std::vector<bool>& isNeeded);
-  std::vector<ValueId> emittedAt() const;
   void findStores();
   void prologue();
   void epilogue();
@@ -37,6 +36,7 @@ class X86Emitter {
   void storeWord(const Step& step);
   void control(const Step& step);
   void count(const Step& step);
+  void countErrors();
   Mem memory(Area area, std::uint64_t byte, std::uint32_t size);
   std::int32_t slotAt(std::uint64_t number) const { return static_cast<std::int32_t>(layout_.slots + number); }
   std::int32_t stateAt(std::uint64_t number) const { return static_cast<std::int32_t>(layout_.states + 8 * number); }
@@ -49,6 +49,11 @@ class X86Emitter {
   Gp baseOf(Area area);
   asmjit::Label& label(std::uint64_t mark);
 
+  // x86_slots.cpp
+  void loadSlots();
+  void saveSlots();
+  void storeSlots(const Step& step);
+
   // x86_values.cpp
   void value(ValueId id);
   void truth(ValueId id, const Step& step);
@@ -60,24 +65,45 @@ class X86Emitter {
   void load(ValueId id, const Step& step);
   void loadMemory(ValueId id, const Step& step);
   void keepWidth(Gp reg, int width);
+  std::optional<std::int32_t> immediate(ValueId id) const;
+
+  // x86_flags.cpp
+  std::vector<ValueId> emittedAt();
+  void findSums(const std::vector<ValueId>& uses);
+  bool keepsFlags(const Step& step) const;
+  void sum(ValueId id, const Step& step);
+  void addTo(Gp reg, const Step& step);
+  static Gp sized(Gp reg, int width);
+  std::optional<std::int32_t> signedConstant(ValueId id, int width) const;
   /// Sets the flags and says under which condition the value holds.
   Cond condition(ValueId id);
   Cond comparison(const Step& step);
-  std::optional<std::int32_t> immediate(ValueId id) const;
+  void truthMade(ValueId id) {
+    flagsOf_ = id;
+    flagsHold_ = Cond::kNZ;
+  }
 
   const Code& code_;
   const std::vector<bool>& isNeeded_;
   const Layout layout_;
-  const Area heldArea_;                   ///< its address stands in r13
+  const Area heldArea_;  ///< its address stands in r13
+  const bool hasMovbe_;
+  std::vector<ValueId> overflowOf_;       ///< by sum: whether it overflows, 0: nobody asks
+  std::vector<bool> isFlagOnly_;          ///< by overflow of a sum: the processor's flags are enough
   const std::vector<ValueId> emittedAt_;  ///< by step: itself, or the step that needs the comparison
   asmjit::x86::Assembler a_;
   const Gp workspace_ = asmjit::x86::rbp;
   X86Registers values_;
-  bool hasMovbe_;
   std::unordered_map<std::uint64_t, asmjit::Label> labels_;
   asmjit::Label leave_;
-  ValueId position_ = 0;             ///< step that is being emitted
-  ValueId flagsOf_ = 0;              ///< truth value whose test the processor's flags hold, or 0
+  ValueId position_ = 0;        ///< step that is being emitted
+  ValueId flagsOf_ = 0;         ///< truth value whose test the processor's flags hold, or 0
+  Cond flagsHold_ = Cond::kNZ;  ///< where it is on
+  struct Happened {             ///< code out of the way, which counts an error
+    std::uint64_t site;
+    asmjit::Label from, back;
+  };
+  std::vector<Happened> happened_;
   std::vector<ValueId> standsTo_;    ///< by step that loads or stores a bit: up to where its slot keeps the value
   std::vector<ValueId> markBehind_;  ///< by branch: the next Mark
 };

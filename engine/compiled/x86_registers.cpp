@@ -27,7 +27,7 @@ X86Registers::X86Registers(x86::Assembler& assembler, Gp workspace, std::vector<
   lastUse_.assign(count, 0);
   const auto eachUse = [&](auto&& take) {
     for (ValueId i = 0; i < count; ++i) {
-      if (!isNeeded[i]) continue;
+      if (!isNeeded[i] || emittedAt[i] < i) continue;  // or made by an earlier step with the same operands
       const Step& s = code.steps[i];
       const int operands = operandCount(s.op);
       if (operands > 0) take(s.a, emittedAt[i]);

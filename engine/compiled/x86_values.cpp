@@ -159,61 +159,6 @@ void X86Emitter::loadMemory(ValueId id, const Step& s) {
   values_.define(id, reg);
 }
 
-X86Emitter::Cond X86Emitter::comparison(const Step& s) {
-  if (s.op == CodeOp::TestBit) {
-    const Gp a = values_.use(s.a);
-    if (s.value < 31)
-      a_.test(a.r32(), 1U << s.value);
-    else {
-      a_.bt(a, s.value);
-      return Cond::kC;
-    }
-    return Cond::kNZ;
-  }
-  if (s.op == CodeOp::AddOverflows || s.op == CodeOp::SubOverflows) {
-    const InstId id = s.op == CodeOp::AddOverflows ? x86::Inst::kIdAdd : x86::Inst::kIdSub;
-    const Gp sum = values_.take(s.a);
-    const auto sized = [&](Gp reg) { return s.width == 16 ? Gp(reg.r16()) : Gp(reg.r32()); };
-    if (const auto constant = immediate(s.b))
-      a_.emit(id, sized(sum), s.width == 16 ? static_cast<std::int16_t>(*constant) : *constant);
-    else
-      a_.emit(id, sized(sum), sized(values_.use(s.b)));
-    return Cond::kO;
-  }
-  const bool isSigned = s.op == CodeOp::LessSigned;
-  const int shift = isSigned && s.width < 32 ? 32 - s.width : isSigned && s.width > 32 ? 64 - s.width : 0;
-  const auto constant = immediate(s.b);
-  if (shift == 0) {
-    const Gp a = values_.use(s.a);
-    if (constant)
-      s.width <= 32 ? a_.cmp(a.r32(), *constant) : a_.cmp(a, *constant);
-    else
-      s.width <= 32 ? a_.cmp(a.r32(), values_.use(s.b).r32()) : a_.cmp(a, values_.use(s.b));
-  } else {
-    // Both signs at the top.
-    const Gp a = values_.take(s.a);
-    s.width < 32 ? a_.shl(a.r32(), shift) : a_.shl(a, shift);
-    if (constant && s.width < 32) {
-      a_.cmp(a.r32(), static_cast<std::int32_t>(static_cast<std::uint32_t>(*constant) << shift));
-    } else {
-      const Gp b = values_.take(s.b);
-      s.width < 32 ? a_.shl(b.r32(), shift) : a_.shl(b, shift);
-      s.width < 32 ? a_.cmp(a.r32(), b.r32()) : a_.cmp(a, b);
-    }
-  }
-  return s.op == CodeOp::Equal ? Cond::kE : s.op == CodeOp::Less ? Cond::kB : Cond::kL;
-}
-
-X86Emitter::Cond X86Emitter::condition(ValueId id) {
-  if (emittedAt_[id] != id) return comparison(code_.steps[id]);
-  const asmjit::Operand held = values_.byteOperand(id);
-  if (held.isMem())
-    a_.cmp(held.as<x86::Mem>(), 0);
-  else
-    a_.test(held.as<Gp>(), held.as<Gp>());
-  return Cond::kNZ;
-}
-
 void X86Emitter::truth(ValueId id, const Step& s) {
   if (isComparison(s.op)) {
     if (s.op == CodeOp::TestBit && s.value == 0 && code_.steps[s.a].width == 1) {
@@ -225,6 +170,7 @@ void X86Emitter::truth(ValueId id, const Step& s) {
     const Gp reg = values_.fresh();
     a_.set(holds, reg.r8());
     a_.neg(reg.r8());
+    truthMade(id);
     return values_.define(id, reg);
   }
   if (s.op == CodeOp::Not) {
@@ -236,7 +182,8 @@ void X86Emitter::truth(ValueId id, const Step& s) {
     const Gp reg = values_.take(s.b), other = values_.use(s.c);
     a_.xor_(reg.r32(), other.r32());
     a_.emit(x86::Inst::kIdAnd, reg.r8(), values_.byteOperand(s.a));
-    a_.xor_(reg.r32(), other.r32());
+    a_.xor_(reg.r8(), other.r8());
+    truthMade(id);
     return values_.define(id, reg);
   }
   const InstId op = s.op == CodeOp::And ? x86::Inst::kIdAnd : s.op == CodeOp::Or ? x86::Inst::kIdOr : x86::Inst::kIdXor;
@@ -246,10 +193,13 @@ void X86Emitter::truth(ValueId id, const Step& s) {
   const ValueId kept = fromFirst ? s.a : s.b, joined = fromFirst ? s.b : s.a;
   const Gp reg = values_.take(kept);
   a_.emit(op, reg.r8(), values_.byteOperand(joined));
+  truthMade(id);
   values_.define(id, reg);
 }
 
 void X86Emitter::arithmetic(ValueId id, const Step& s) {
+  const bool isSum = s.op == CodeOp::Add || s.op == CodeOp::Sub;
+  if (isSum && (s.width == 16 || s.width == 32)) return sum(id, s);
   const auto both = [&](InstId op) {
     const Gp reg = values_.take(s.a);
     if (const auto constant = immediate(s.b))
@@ -310,12 +260,7 @@ void X86Emitter::arithmetic(ValueId id, const Step& s) {
 
 void X86Emitter::select(ValueId id, const Step& s) {
   const Gp reg = values_.take(s.c), chosen = values_.use(s.b);  // before the flags are set
-  if (flagsOf_ == s.a) {
-    a_.cmovnz(reg, chosen);
-  } else {
-    a_.cmov(condition(s.a), reg, chosen);
-    flagsOf_ = emittedAt_[s.a] == s.a ? s.a : 0;
-  }
+  a_.cmov(condition(s.a), reg, chosen);
   values_.define(id, reg);
 }
 
