@@ -13,6 +13,7 @@
 #include "engine/cell_value.hpp"
 #include "engine/simulator.hpp"
 #include "ir/desc.hpp"
+#include "ir/s7300/block_operand.hpp"
 
 namespace rungproof {
 
@@ -41,9 +42,10 @@ void forEachOperand(const Program& program, Visit&& visit) {
       for (const Instruction& instruction : network.instructions) {
         for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
           const Operand& operand = instruction.operands[i];
-          if (!isTraced(operand)) continue;
+          if (!isTraced(operand) || isBlockOperand(program, instruction, i)) continue;
           const bool listed = i < instruction.desc->operandCount;
-          visit(instruction, i, operand, listed ? instruction.desc->operands[i].type : Type::Parameter);
+          const Type type = listed ? instruction.desc->operands[i].type : Type::Parameter;
+          if (type != Type::Block) visit(instruction, i, operand, type);
         }
       }
     }

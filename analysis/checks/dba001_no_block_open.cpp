@@ -27,12 +27,12 @@ void reportUnopened(const Facts& facts, FindingSink& sink, const Instruction& in
 
 void checkDba001(const Facts& facts, FindingSink& sink) {
   eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
-    const OpenStates states = openStates(flow);
+    const OpenStates states = openStates(facts.program(), flow);
     Openers told[2] = {0, 0};  // one finding for each register and reason
     for (std::uint32_t at = 0; at < flow.steps.size(); ++at) {
       if (!states[at]) continue;
       const Instruction& instruction = *flow.steps[at].instruction;
-      eachDataOperand(instruction, [&](const Operand& operand, bool) {
+      eachDataOperand(facts.program(), instruction, [&](const Operand& operand, bool) {
         for (const bool inDi : {false, true}) {
           const OpenBlock& block = inDi ? states[at]->di : states[at]->db;
           const auto foreign = static_cast<Openers>(block.by & ~openedHere & ~told[inDi ? 1 : 0]);

@@ -14,11 +14,11 @@ namespace {
 void checkDba002(const Facts& facts, FindingSink& sink) {
   const BlockMap& blocks = *facts.plan().blocks;
   eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
-    const OpenStates states = openStates(flow);
+    const OpenStates states = openStates(facts.program(), flow);
     for (std::uint32_t at = 0; at < flow.steps.size(); ++at) {
       if (!states[at]) continue;
       const Instruction& instruction = *flow.steps[at].instruction;
-      eachDataOperand(instruction, [&](const Operand& operand, bool isParameter) {
+      eachDataOperand(facts.program(), instruction, [&](const Operand& operand, bool isParameter) {
         const bool inOpen = operand.reach != nullptr && operand.reach->way == Way::OpenBlock;
         if (!isFullAddress(operand) && !inOpen) return;
         const OpenBlock& open = inOpen && operand.reach->inDi ? states[at]->di : states[at]->db;

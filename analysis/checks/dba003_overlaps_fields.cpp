@@ -83,11 +83,11 @@ void checkDba003(const Facts& facts, FindingSink& sink) {
   const s7300::Declarations* declarations = facts.program().declarations.get();
   if (declarations == nullptr) return;
   eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
-    const OpenStates states = openStates(flow);
+    const OpenStates states = openStates(facts.program(), flow);
     for (std::uint32_t at = 0; at < flow.steps.size(); ++at) {
       if (!states[at]) continue;
       const Instruction& instruction = *flow.steps[at].instruction;
-      eachDataOperand(instruction, [&](const Operand& operand, bool) {
+      eachDataOperand(facts.program(), instruction, [&](const Operand& operand, bool) {
         const bool inOpen = operand.reach != nullptr && operand.reach->way == Way::OpenBlock;
         if ((!isFullAddress(operand) || !operand.text.empty()) && !inOpen) return;
         const OpenBlock& open = inOpen && operand.reach->inDi ? states[at]->di : states[at]->db;

@@ -28,7 +28,7 @@ const Operand* ownData(const Instruction& instruction) {
 void checkDba004(const Facts& facts, FindingSink& sink) {
   eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
     if (flow.pou->type != BlockType::Fb) return;
-    const OpenStates states = openStates(flow);
+    const OpenStates states = openStates(facts.program(), flow);
     for (std::uint32_t at = 0; at < flow.steps.size(); ++at) {
       if (!states[at] || (!states[at]->isAr2Moved && !states[at]->isDiMoved)) continue;
       const Instruction& instruction = *flow.steps[at].instruction;

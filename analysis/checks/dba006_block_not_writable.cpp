@@ -20,7 +20,7 @@ void checkDba006(const Facts& facts, FindingSink& sink) {
   }
   if (guarded.empty()) return;
   eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
-    const OpenStates states = openStates(flow);
+    const OpenStates states = openStates(facts.program(), flow);
     for (std::uint32_t at = 0; at < flow.steps.size(); ++at) {
       if (!states[at]) continue;
       const Instruction& instruction = *flow.steps[at].instruction;

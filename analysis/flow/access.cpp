@@ -114,11 +114,17 @@ class AccessCollector {
 
   /// The box of a timer or counter owns its bit and its value.
   void box(std::size_t i, const Operand& o) {
-    if (o.kind != OperandKind::Direct) return;
+    if (o.kind != OperandKind::Direct) return add(i, o, Width::Bit, {}, true);
     for (const Width width : {Width::Bit, Width::Word}) {
       add(i, o, width, {}, true);
       if (!accesses_.empty()) accesses_.back().isBox = true;
     }
+  }
+
+  /// A timer or counter as a parameter: the statements of the block may do with it whatever they do.
+  void element(std::size_t i) {
+    add(i, op(i), Width::Bit, {}, false, true);
+    add(i, op(i), Width::Bit, {}, true, true);
   }
 
   /// What a POINTER or an ANY leads to may be read and written by the block that gets it; a block of the library does
@@ -193,6 +199,14 @@ class AccessCollector {
         if (op(i).reach != nullptr && op(i).reach->way == Way::PointerTo) {
           pointed(i, op(i), local.section, found->second->isBuiltIn);
           ++i;
+          continue;
+        }
+        if (local.type == DataType::BlockDb) {
+          ++i;
+          continue;
+        }
+        if (local.type == DataType::Timer || local.type == DataType::Counter) {
+          element(i++);
           continue;
         }
         const bool isPointer = local.type == DataType::Any || local.type == DataType::Pointer;

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "ir/block_map.hpp"
+#include "ir/s7300/block.hpp"
 
 namespace rungproof {
 
@@ -36,7 +37,7 @@ namespace {
 /// Follows one block. Places into which AR2 was saved stay known over the whole text: a restore may stand anywhere.
 class Opening {
  public:
-  explicit Opening(const Flow& flow) : first_(flow.steps.data()) {
+  Opening(const Program& program, const Flow& flow) : program_(program), first_(flow.steps.data()) {
     for (std::size_t at = 0; at < flow.steps.size(); ++at) {
       const Instruction& instruction = *flow.steps[at].instruction;
       if (statementRole(instruction) != StatementRole::StoreAr2) continue;
@@ -51,7 +52,7 @@ class Opening {
 
   void apply(OpenState& state, const FlowStep& step) const {
     const Instruction& instruction = *step.instruction;
-    eachDataOperand(instruction, [&](const Operand& operand, bool isParameter) {
+    eachDataOperand(program_, instruction, [&](const Operand& operand, bool isParameter) {
       if (!isFullAddress(operand)) return;
       if (isParameter) {
         state.db = {static_cast<Openers>(state.db.by | openedByCall), 0};
@@ -98,14 +99,15 @@ class Opening {
     return statementRole(before) == StatementRole::Load && saved_.contains(toString(before.operands.at(0)));
   }
 
+  const Program& program_;
   const FlowStep* first_;
   std::set<std::string> saved_;
 };
 
 }  // namespace
 
-OpenStates openStates(const Flow& flow) {
-  const Opening opening(flow);
+OpenStates openStates(const Program& program, const Flow& flow) {
+  const Opening opening(program, flow);
   OpenState entry;
   const bool isInstance = hasInstance(*flow.pou);
   if (isInstance) entry.di.by = openedHere;

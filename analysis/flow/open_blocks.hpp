@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "analysis/flow/statement_paths.hpp"
-#include "ir/s7300/block.hpp"
+#include "ir/s7300/block_operand.hpp"
 
 namespace rungproof {
 
@@ -36,22 +36,20 @@ struct OpenState {
 
 using OpenStates = std::vector<std::optional<OpenState>>;
 /// By step of the flow; one more at the end.
-OpenStates openStates(const Flow& flow);
+OpenStates openStates(const Program& program, const Flow& flow);
 
 /// Calls visit(operand, isParameter) for the operands of a statement and those that hold their pointers. The instance
-/// of a call and the block of OPN are none of them.
+/// of a call, blocks that it gives as parameters and the block of OPN are none of them.
 template <class Visit>
-void eachDataOperand(const Instruction& instruction, Visit&& visit) {
+void eachDataOperand(const Program& program, const Instruction& instruction, Visit&& visit) {
   const StatementRole role = statementRole(instruction);
   const bool isCall = role == StatementRole::Call || role == StatementRole::CallByRlo;
-  std::size_t first = isCall ? 1 : 0;
-  if (isCall && instruction.operands.size() > 1) {
-    const auto type = blockTypeOf(static_cast<int>(instruction.operands[0].value));
-    if (hasInstance(type)) first = 2;
+  for (std::size_t i = role == StatementRole::OpenBlock ? instruction.operands.size()
+                       : isCall                         ? 1
+                                                        : 0;
+       i < instruction.operands.size(); ++i) {
+    if (!isBlockOperand(program, instruction, i)) visit(instruction.operands[i], isCall);
   }
-  for (std::size_t i = role == StatementRole::OpenBlock ? instruction.operands.size() : first;
-       i < instruction.operands.size(); ++i)
-    visit(instruction.operands[i], isCall);
   for (const Operand& operand : instruction.operands) {
     if (operand.reach == nullptr) continue;
     const bool isPlace = operand.reach->way == Way::PointerTo && operand.reach->pointer.reach != nullptr;

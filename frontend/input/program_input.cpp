@@ -337,6 +337,12 @@ std::vector<std::vector<std::string>> groupByProgram(const Context& context, con
     else
       (holdsMain(alone, file, files) ? mains : others).push_back(file);
   }
+  // A symbol table of STEP 7 may look like a program of the S7-200: INT in its type column is a heading there.
+  if (!ofOneProject.empty()) {
+    const auto isTable = [](const std::string& file) { return isTableOfProject(file, true); };
+    std::ranges::copy_if(mains, std::back_inserter(ofOneProject), isTable);
+    std::erase_if(mains, isTable);
+  }
   if (mains.empty() || (mains.size() < 2 && ofOneProject.empty())) return {files};
   std::vector<std::vector<std::string>> groups;
   for (const std::string& file : mains) {

@@ -163,16 +163,16 @@ class ProjectReader {
   void read(const InputText& input) {
     const SourceFile& source = program_.sources->file(input.file);
     const Rated best = surest(input);
-    if (best.sureness < sureness::Certain && !input.isSymbolFile) {
-      if (const auto family = foreignText(source.text())) return reportForeign(input.file, *family);
-      if (isUndecided(source)) return reportUndecided(input.file);
-    }
     const auto waits = [&](const Rated& rated) {
       return rated.reader != nullptr && rated.reader->waits != nullptr && rated.reader->waits(source);
     };
     InputText asTable = input;
     asTable.isStep7Project = true;
     const bool mayBeTable = best.sureness < sureness::Certain && waits(surest(asTable));
+    if (best.sureness < sureness::Certain && !input.isSymbolFile) {
+      if (const auto family = foreignText(source.text())) return reportForeign(input.file, *family);
+      if (!mayBeTable && isUndecided(source)) return reportUndecided(input.file);
+    }
     if (waits(best) || mayBeTable) return waiting_.push_back(input);
     if (best.reader != nullptr) return best.reader->read(program_, input, options_);
     reportUnknown(input.file);

@@ -43,8 +43,11 @@ class Lexer {
     const bool isQuoted = text_[at_] == '"' && text_.find('"', at_ + 1) != std::string_view::npos;
     if (isQuoted) at_ = text_.find('"', at_ + 1) + 1;  // "Motor".Speed
     if (isQuoted || isWordStart(text_[at_])) {
-      while (at_ < text_.size() && (isWordPart(text_[at_]) || isIndex()) && text_.substr(at_, 2) != "..")
-        at_ = text_[at_] == '[' ? text_.find(']', at_) + 1 : at_ + 1;
+      while (at_ < text_.size() && (isWordPart(text_[at_]) || isIndex() || isQuotedPart()) &&
+             text_.substr(at_, 2) != "..") {
+        const char closing = text_[at_] == '[' ? ']' : text_[at_] == '"' ? '"' : '\0';
+        at_ = closing == '\0' ? at_ + 1 : text_.find(closing, at_ + 1) + 1;
+      }
       while (at_ > start + 1 && text_[at_ - 1] == '.') --at_;
       return token(PropertyToken::Word, start);
     }
@@ -64,6 +67,11 @@ class Lexer {
     const std::size_t end = text_.find(']', at_);
     return text_[at_] == '[' && end != std::string_view::npos && end > at_ + 1 &&
            text_.substr(at_ + 1, end - at_ - 1).find_first_not_of("0123456789,- ") == std::string_view::npos;
+  }
+
+  /// ."stop nc" behind the name of a data block or a part.
+  bool isQuotedPart() const {
+    return text_[at_] == '"' && text_[at_ - 1] == '.' && text_.find('"', at_ + 1) != std::string_view::npos;
   }
 
   Token number(std::size_t start) {

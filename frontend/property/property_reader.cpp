@@ -11,6 +11,7 @@
 #include "frontend/property/property_lexer.hpp"
 #include "frontend/property/property_message.hpp"
 #include "frontend/property/property_types.hpp"
+#include "frontend/step7/name_lookup.hpp"
 #include "frontend/stl/missing_address.hpp"
 #include "ir/desc.hpp"
 #include "ir/s7300/cpu.hpp"
@@ -412,9 +413,7 @@ class Parser {
     Token bare = t;
     bare.text = text;
     ExprNode node{.op = ExprOp::Address, .operand = address(bare), .span = t.span};
-    // Of an S5 timer the value is the ms that are left.
-    if (asValue && node.operand.area == Area::T && target_ != nullptr && isStep7(*target_))
-      node.operand.width = Width::DWord;
+    if (asValue) meansValue(node.operand);
     const Operand& o = node.operand;
     const bool hasBit = hasBitAndWord(o.area);
     if (asValue && !hasBit)
@@ -425,10 +424,19 @@ class Parser {
     node.width = signedWidth(o);
     return add(e, std::move(node));
   }
+  /// The value of a timer or counter instead of its bit; of an S5 timer the ms that are left.
+  void meansValue(Operand& operand) const {
+    if (operand.area == Area::T && target_ != nullptr && isStep7(*target_)) operand.width = Width::DWord;
+  }
   Operand address(const Token& t) {
     const std::optional<Operand> operand = t.kind == PropertyToken::Word ? lookup_(t.text) : std::nullopt;
     if (!operand && isKeyword(lower(t.text)))
       throw Mistake{syntaxRule, t.span, fmt::format("'{}' does not belong here", t.text), formsHelp};
+    const bool isUnknown = !operand && target_ != nullptr && isStep7(*target_);
+    if (const std::optional<Operand> place = isUnknown ? step7::addressNamed(t.text) : std::nullopt;
+        place && place->area == Area::DB)
+      throw Mistake{addressRule, t.span, fmt::format("'{}' is in no data block of the program", t.text),
+                    "add the source of the data block, or correct the address"};
     if (!operand || operand->kind != OperandKind::Direct) {
       throw Mistake{addressRule, t.span, fmt::format("'{}' is no address and no known symbol", t.text),
                     "give the symbol table with --symbols, or write the address"};
@@ -459,7 +467,8 @@ class Parser {
     if (n.type != ExprType::Truth) return;
     if (n.op == ExprOp::Address && hasBitAndWord(n.operand.area)) {
       n.type = ExprType::Number;
-      n.width = 16;
+      meansValue(n.operand);
+      n.width = signedWidth(n.operand);
       return;
     }
     throw Mistake{typeRule, n.span.length != 0 ? n.span : at, "a number is needed here, this is a condition",

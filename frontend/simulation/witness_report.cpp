@@ -101,7 +101,8 @@ std::vector<TraceSignal> signalsThatMatter(const Program& program, const ProofRe
     for (const ExprNode& node : expr->nodes) {
       if (node.op != ExprOp::Address) continue;
       Operand operand = node.operand;
-      if (hasBitAndWord(operand.area) && node.type == ExprType::Number) operand.width = Width::Word;
+      if (hasBitAndWord(operand.area) && node.type == ExprType::Number && operand.width == Width::Bit)
+        operand.width = Width::Word;
       add(operand);
     }
   }

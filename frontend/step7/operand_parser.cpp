@@ -260,7 +260,8 @@ class OperandParser {
       cursor_.to(point);
       cursor_.skip(1);
       const PlaceRow* row = placeOfOperand(lettersAt(cursor_), spelling_.set);
-      if ((row != nullptr && row->place == Place::DB) || !isWordByte(cursor_.peek()) || isDecimal(cursor_.peek()))
+      const bool isName = cursor_.peek() == '"' || (isWordByte(cursor_.peek()) && !isDecimal(cursor_.peek()));
+      if ((row != nullptr && row->place == Place::DB) || !isName)
         return "DBX, DBB, DBW or DBD and a number follow the point, as in DB10.DBW 2, or the name of a part";
       cursor_.to(point);
       operand_.form = OperandForm::Symbol;

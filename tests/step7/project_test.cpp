@@ -10,6 +10,7 @@
 #include "ir/s7300/cpu.hpp"
 #include "ir/s7300/isa.hpp"
 #include "tests/step7/read7.hpp"
+#include "tests/step7/run7.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rungproof {
@@ -85,6 +86,21 @@ TEST(Projects, AFolderIsAProjectWithItsTables) {
             fmt::format("CALL Line={} DBB2:0 I0.0 I0.1 Q4.0 Q4.1", blockNumber(BlockType::Fb, 2)));
 }
 
+// Without a comment the last word of a row is its type, and INT alone on the end of a line is a heading of an S7-200.
+// Blanks in addresses make of "I 0.0" two words of a statement.
+TEST(Projects, TablesThatLookLikeAnotherFamily) {
+  const test::TemporaryFolder folder;
+  folder.file("main.awl", test7::block(1, "L \"Level\";T MW 0;A \"On\";= Q 0.0"));
+  folder.file("short.csv", "Symbol;Operand;Datentyp;Kommentar\nOn;E 0.0;BOOL;\nLevel;EW 4;INT;\n");
+  folder.file("long.csv", "Symbol;Adresse;Datentyp;Kommentar\nLevel;IW 4;INT;x\nOn;I 0.0;BOOL;x\nOut;Q 0.0;BOOL;x\n");
+  folder.file("main.prop", "prove copy: MW0 = Level\nprove on: Q0.0 = On\n");
+  for (const char* table : {"short.csv", "long.csv"}) {
+    const test7::Output proof = test7::run({"prove", folder.path(table), folder.path("main.awl"), "--props",
+                                            folder.path("main.prop"), "--dialect", "auto"});
+    EXPECT_TRUE(proof.has("PROVED  copy") && proof.has("PROVED  on")) << table << "\n" << proof.text;
+  }
+}
+
 TEST(Projects, NamesOfDataForProperties) {
   const Program program = readProgram(filesOf("recipes"));
   const OperandLookup lookup = lookupIn(program);
@@ -97,6 +113,10 @@ TEST(Projects, NamesOfDataForProperties) {
   EXPECT_EQ(placeOf("Book.List[1].Oven.FromBelow"), "DB20:12.0");
   EXPECT_EQ(placeOf("\"Order\".Grams"), "DBD21:32");
   EXPECT_EQ(placeOf("DB20.DBW2"), "DBW20:2");
+  EXPECT_EQ(placeOf("DB20.List[2].Eggs"), "DBW20:34");
+  EXPECT_EQ(placeOf("DB20.Missing"), "nothing");
+  EXPECT_EQ(placeOf("DB99.DBW0"), "nothing");      // no such block
+  EXPECT_EQ(placeOf("DB20.DBW65000"), "nothing");  // the block ends before
   EXPECT_EQ(placeOf("\"Book\".Missing"), "nothing");
   EXPECT_EQ(placeOf("I0.0"), "I0.0");
   EXPECT_EQ(placeOf("A16.1"), "Q16.1");  // German: no data block is called A16
