@@ -1,12 +1,15 @@
 // CTL004: a loop that may take longer than the watchdog: a jump back, or a FOR whose largest number of rounds times the
-// execution time of its body (Appendix F) reaches 500 ms. Limits from memory count as their largest value, 32767.
-// Tested by its examples and tests/rules/control_rules_test.cpp.
+// execution time of its body (Appendix F) reaches 500 ms. Limits from memory count as their largest value, 32767. Of
+// the S7-300/400, whose statements have no times: a jump back over statements of which none counts; LOOP is CTL008's.
+// Tested by its examples, tests/rules/control_rules_test.cpp and tests/rules/step7_control_rules_test.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <vector>
 
 #include "analysis/flow/facts.hpp"
+#include "analysis/flow/statement_paths.hpp"
+#include "analysis/flow/step7_blocks.hpp"
 #include "analysis/rule.hpp"
 #include "ir/s7200/choices.hpp"
 
@@ -77,7 +80,42 @@ class Times {
   std::vector<double> rounds_;
 };
 
+/// Whether the statement may bring a loop nearer to its end: it counts, moves a pointer, or leaves it to another block.
+bool mayCount(const Instruction& instruction) {
+  switch (statementRole(instruction)) {
+    case StatementRole::IntegerMath:
+    case StatementRole::IntegerStep:
+    case StatementRole::RealMath:
+    case StatementRole::MoveAr1:
+    case StatementRole::MoveAr2:
+    case StatementRole::Loop:
+    case StatementRole::Call:
+    case StatementRole::CallByRlo: return true;
+    default: return false;
+  }
+}
+
+void checkStep7Jumps(const Facts& facts, FindingSink& sink) {
+  eachOwnBlock(facts, [&](std::uint32_t, const Flow& flow) {
+    for (std::uint32_t at = 0; at < flow.steps.size(); ++at) {
+      const FlowStep& step = flow.steps[at];
+      const Instruction& instruction = *step.instruction;
+      const bool isBack = instruction.desc->control == Control::Branch && step.partner <= at;
+      if (!isBack || !facts.execution().at(instruction.id).isReachable) continue;
+      const auto counts = [](const FlowStep& other) { return mayCount(*other.instruction); };
+      if (std::any_of(flow.steps.begin() + step.partner, flow.steps.begin() + at + 1, counts)) continue;
+      Finding& finding = sink.report(
+          instruction.span, fmt::format("{} jumps back, and nothing between counts the rounds: inputs do not change "
+                                        "within a scan",
+                                        Facts::text(instruction)));
+      finding.related.push_back({flow.steps[step.partner].instruction->span, "the loop begins here"});
+      finding.help = "wait by leaving the block and asking again in the next scan (002:1296)";
+    }
+  });
+}
+
 void checkCtl004(const Facts& facts, FindingSink& sink) {
+  if (isStep7(facts.target())) return checkStep7Jumps(facts, sink);
   const double watchdog = Choices().watchdogMs() * 1000.0;
   const bool hasLoop =
       std::any_of(facts.instructions().begin(), facts.instructions().end(),
@@ -119,13 +157,14 @@ extern constexpr Rule ctl004_loop_may_outlast_watchdog = {
     .needs = Needs::FlowThenSolver,
     .detects =
         "a backward jump, or a FOR whose rounds may take longer than the watchdog time by the execution times of "
-        "Appendix F",
-    .why = "a scan of more than 500 ms is the fatal error 0003: the CPU stops and switches its outputs off",
-    .manual = "001:5718, 001:13920, 001:14522-14660",
+        "Appendix F; S7-300/400: a backward jump over statements of which none counts",
+    .why =
+        "a scan of more than 500 ms is the fatal error 0003, on an S7-300/400 one longer than its monitoring time "
+        "calls OB80: the CPU stops and switches its outputs off",
+    .manual = "001:5718, 001:13920, 001:14522-14660, 002:1296",
     .bad = "Network 1\nLBL 1\nNetwork 2\nLD SM0.0\nINCW VW0\nNetwork 3\nLDN I0.0\nJMP 1\n",
     .good = "Network 1\nLD SM0.0\nFOR VW0, +1, +10\nNetwork 2\nLD SM0.0\nINCW VW2\nNetwork 3\nNEXT\n",
     .falsePositives = "a loop whose exit condition comes soon, or that runs WDR: the prover drops what it can bound",
-    .dialects = dialect::S7200,
     .check = checkCtl004,
     .ask = {.in = asked::Builtin, .turn = 30, .cost = 1, .hazards = ctl004Hazards},
 };

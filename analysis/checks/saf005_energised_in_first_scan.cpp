@@ -54,7 +54,8 @@ extern constexpr Rule saf005_energised_in_first_scan = {
     .good = "Network 1\nLD I0.0\nS V0.0, 1\nNetwork 2\nLDN I0.1\nO SM0.1\nR V0.0, 1\nNetwork 3\nLD V0.0\n= Q0.0\n",
     .falsePositives = "lamps and other outputs that are meant to show what was",
     .ask = {.in = asked::PowerUp, .cost = 2, .program = askSaf005},
-    .tell = {.advice = "reset the bit that holds it with SM0.1", .bits = powerUpMessage},
+    .tell = {.advice = "reset the bit that holds it in the first scan (SM0.1), on an S7-300/400 in OB100",
+             .bits = powerUpMessage},
 };
 
 }  // namespace rungproof

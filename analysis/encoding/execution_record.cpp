@@ -67,7 +67,7 @@ void ExecutionRecord::at(Machine<Graph>& machine, const Instruction& instruction
   }
   visits_.push_back(visit);
   for (const Operand& o : instruction.operands) {
-    if (o.kind != OperandKind::Direct || !hasBitAndWord(o.area)) continue;
+    if (o.kind != OperandKind::Direct || !hasBitAndWord(o.area) || o.offset >= machine.areaSize(o.area)) continue;
     Node& seen = seenOn_.try_emplace({o.area, o.offset}, machine.d.constant(false).node).first->second;
     seen =
         machine.d

@@ -198,6 +198,16 @@ std::optional<rungproof::Operand> StatementBinder::condition(const Statement& st
   return operand;
 }
 
+namespace {
+
+/// Eight bytes of a date and time, ten of an ANY; a pointer's six where it names its data block.
+bool isTooWide(const s7300::Constant& constant) {
+  using enum s7300::ConstantKind;
+  return constant.kind == DateAndTime || constant.kind == Any || (constant.kind == Pointer && constant.block != 0);
+}
+
+}  // namespace
+
 bool StatementBinder::operandFits(const Desc& desc, const Statement& statement, const BoundOperand& bound) {
   const std::string& mnemonic = statement.mnemonic.text;
   const rungproof::Operand& operand = bound.operand;
@@ -222,6 +232,8 @@ bool StatementBinder::operandFits(const Desc& desc, const Statement& statement, 
       return refuse(Syntax::Operand7, span, fmt::format("{} takes a bit", mnemonic));
     if (bound.constant && bound.constant->kind == s7300::ConstantKind::Text && bound.constant->text.size() > 4)
       return refuse(Syntax::Operand7, span, "at most four characters fit into an accumulator");
+    if (bound.constant && isTooWide(*bound.constant))
+      return refuse(Syntax::Operand7, span, "the constant is wider than an accumulator");
     const bool isWordOnly = wanted.type == rungproof::Type::Word;
     if (isWordOnly && operand.width == Width::DWord)
       return refuse(Syntax::Operand7, span, fmt::format("{} takes a constant of 16 bits", mnemonic));

@@ -21,6 +21,21 @@ TEST(Step7Control, LoopsAskForTheirCount) {
                   {"no loop", 0, ob1("L MW 10;\nT MW 12;")}});
 }
 
+// Inputs stay as they are for the whole scan: a loop that waits for one waits for ever.
+TEST(Step7Control, LoopsThatNothingCounts) {
+  expectFindings(
+      "CTL004",
+      {{"for ever", 1, ob1("m: JU m;")},
+       {"waits for an input", 1, ob1("m: A I 0.0;\nJCN m;")},
+       {"with a way out", 1, ob1("m: A I 0.0;\nJC e;\nJU m;\ne: NOP 0;")},
+       {"in an FC", 1, fc(1, "m: L IW 0;\nL 5;\n>I;\nJC m;") + ob1("UC FC 1;")},
+       {"counts", 0, ob1("L 0;\nT MW 0;\nm: L MW 0;\n+ 1;\nT MW 0;\nL 10;\n<I;\nJC m;")},
+       {"a pointer walks", 0, ob1("LAR1 P#0.0;\nm: +AR1 P#2.0;\nTAR1 MD 0;\nL L#160;\nL MD 0;\n>D;\nJC m;")},
+       {"LOOP", 0, ob1("L 5;\nm: T MW 0;\nA I 0.0;\nJC n;\nn: L MW 0;\nLOOP m;")},
+       {"a called block counts", 0, fc(1, "L MW 0;\n+ 1;\nT MW 0;") + ob1("m: UC FC 1;\nL MW 0;\nL 9;\n<I;\nJC m;")},
+       {"forwards", 0, ob1("A I 0.0;\nJC m;\nA I 0.1;\n= Q 0.0;\nm: NOP 0;")}});
+}
+
 TEST(Step7Control, ListsOfJumpsHaveNoHoles) {
   const std::string targets = "e: BEU;\na: SET;\n= Q 0.0;\nBEU;\nb: SET;\n= Q 0.1;";
   expectFindings("CTL009",
