@@ -8,6 +8,7 @@
 #include "frontend/explain/idea_page.hpp"
 #include "frontend/explain/instruction_page.hpp"
 #include "frontend/explain/rule_page.hpp"
+#include "frontend/explain/step7_address_page.hpp"
 #include "frontend/explain/step7_page.hpp"
 #include "frontend/files/closest_word.hpp"
 #include "frontend/files/json.hpp"
@@ -19,6 +20,7 @@
 #include "ir/s7200/isa.hpp"
 #include "ir/s7200/special_memory.hpp"
 #include "ir/s7300/cpu.hpp"
+#include "ir/s7300/dialect.hpp"
 
 namespace rungproof {
 
@@ -177,19 +179,27 @@ bool asksForStep7(const Settings& settings) {
          isStep7(settings.target());
 }
 
+/// The CPU that is named, or the largest of the family that --dialect names.
+Target step7TargetOf(const Settings& settings) {
+  if (isStep7(settings.target())) return settings.target();
+  return (settings.text(Opt::Dialect) == s7400Dialect.name ? s7400Dialect : s7300Dialect).usual;
+}
+
 std::optional<Page> pageOf(const std::string& word, const Settings& settings, const Paint& paint) {
   std::string upper = word;
   std::transform(upper.begin(), upper.end(), upper.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   if (const Rule* rule = ruleNamed(word)) return Page{rulePage(*rule, paint), ruleJson(*rule)};
-  if (asksForStep7(settings)) {
+  const Target target = asksForStep7(settings) ? step7TargetOf(settings) : settings.target();
+  if (isStep7(target)) {
     if (auto page = familyPage(upper, settings, paint)) return page;
+    if (auto page = step7AddressPage(target, upper, paint)) return Page{page->text, page->json};
   }
   if (word == "hazards") return hazardsPage(paint);
   if (word == "choices") return choicesPage(paint, settings);
   if (upper == "SM") return specialMemoryPage(settings.target(), paint);
   if (auto page = specialBitPage(settings.target(), upper, paint)) return page;
-  if (auto page = addressPage(settings.target(), upper, paint)) return Page{page->text, page->json};
+  if (auto page = addressPage(target, upper, paint)) return Page{page->text, page->json};
   if (const Idea* idea = ideaNamed(word))
     return Page{fmt::format("{}\n\n{}", paint.bold(std::string(idea->name)), wrapped(idea->text)),
                 {{"name", idea->name}, {"text", idea->text}}};

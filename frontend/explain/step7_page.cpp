@@ -138,9 +138,9 @@ Step7Page pageOfLibraryBlock(const s7300::LibraryBlock& block, const Paint& pain
 }
 
 /// A block of the CPU that no table describes: its calls say which parameters it has.
-Step7Page pageOfUndescribed(int number, const Paint& paint) {
-  const std::string name = blockName(blockNumber(BlockType::Sfc, number));
-  const auto beyond = s7300::functionsBeyondParameters();
+Step7Page pageOfUndescribed(BlockType type, int number, const Paint& paint) {
+  const std::string name = blockName(blockNumber(type, number));
+  const auto beyond = type == BlockType::Sfc ? s7300::functionsBeyondParameters() : s7300::blocksBeyondParameters();
   const bool isCovered = std::ranges::find(beyond, number) == beyond.end();
   Step7Page page;
   page.text = fmt::format("{}: a block of the CPU\n\n", paint.bold(name));
@@ -182,7 +182,8 @@ std::optional<Step7Page> pageOfBlock(std::string_view word, const Paint& paint) 
   const BlockType type = kind == "SFC" ? BlockType::Sfc : kind == "SFB" ? BlockType::Sfb : BlockType::Fc;
   const s7300::LibraryBlock* block = s7300::libraryBlock(type, static_cast<std::uint32_t>(number));
   if (block != nullptr) return pageOfLibraryBlock(*block, paint);
-  return type == BlockType::Sfc ? std::optional(pageOfUndescribed(number, paint)) : std::nullopt;
+  const bool isOfSystem = type == BlockType::Sfc || type == BlockType::Sfb;
+  return isOfSystem ? std::optional(pageOfUndescribed(type, number, paint)) : std::nullopt;
 }
 
 /// "SFB 0 to 5, SFC 41, 42" of numbers in order.

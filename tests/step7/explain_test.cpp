@@ -6,8 +6,10 @@
 #include <regex>
 #include <sstream>
 
+#include "frontend/explain/step7_address_page.hpp"
 #include "frontend/explain/step7_page.hpp"
 #include "frontend/step7/library_source.hpp"
+#include "ir/dialect.hpp"
 #include "ir/s7300/block.hpp"
 #include "ir/s7300/fbd_box.hpp"
 #include "ir/s7300/isa.hpp"
@@ -100,6 +102,31 @@ TEST(Explain7, BoxesShowTheirStatements) {
   for (const s7300::FbdBox& box : s7300::fbdBoxes()) {
     EXPECT_EQ(pageText7(std::string(box.name)).empty(), box.name.empty()) << box.name;
   }
+}
+
+std::string addressText7(const std::string& word, const char* cpu = "319-3") {
+  const auto page = step7AddressPage({*cpuNamed(cpu), usualEdition(*cpuNamed(cpu))}, word, Paint{false});
+  return page ? page->text : "";
+}
+
+// Not the pages of the S7-200, where T5 has a base of 100 ms and M ends at MB31.
+TEST(Explain7, AddressesOfTheFamily) {
+  EXPECT_TRUE(addressText7("T5").starts_with("T5: S5 timer")) << addressText7("T5");
+  EXPECT_EQ(addressText7("T5").find("100 ms"), std::string::npos);
+  EXPECT_TRUE(addressText7("Z3").starts_with("C3: counter"));
+  EXPECT_NE(addressText7("C3").find("keeps its value"), std::string::npos);
+  EXPECT_NE(addressText7("MW16").find("CPU 319-3: up to MW8190"), std::string::npos) << addressText7("MW16");
+  EXPECT_EQ(addressText7("MW16").find("keeps its value"), std::string::npos);
+  EXPECT_NE(addressText7("M300.0", "314").find("the last one is M255.7"), std::string::npos);
+  EXPECT_NE(addressText7("DB10.DBW2").find("DB10.DBB2 is the most significant"), std::string::npos);
+  EXPECT_TRUE(addressText7("PEW256").starts_with("PIW256: input of a module"));
+  EXPECT_TRUE(addressText7("DBW2").empty());
+}
+
+TEST(Explain7, BlocksOfTheSystemThatNoTableDescribes) {
+  EXPECT_NE(pageText7("SFC 14").find("contract only"), std::string::npos);
+  EXPECT_NE(pageText7("SFB 14").find("contract only"), std::string::npos);
+  EXPECT_NE(pageText7("SFB 38").find("NOT COVERED"), std::string::npos);
 }
 
 TEST(Explain7, OrganizationBlocks) {
