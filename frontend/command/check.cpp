@@ -12,6 +12,7 @@
 #include "frontend/stl/stl_likeness.hpp"
 #include "frontend/text/excerpt.hpp"
 #include "frontend/watch.hpp"
+#include "ir/s7300/cpu.hpp"
 
 namespace rungproof {
 
@@ -54,8 +55,10 @@ struct Checked {
 Checked checked(const Context& context, const CheckArguments& arguments) {
   Checked result;
   result.program = readInput(context, arguments.files).program;
-  result.isGuessed = arguments.language.empty();
-  result.isStl = result.isGuessed ? isWrittenAsStl(result.program) : arguments.language == "stl";
+  // The rule of one rung a network is an editor's of the S7-200 SMART.
+  const bool isOtherEditor = isStep7(result.program.target);
+  result.isGuessed = arguments.language.empty() && !isOtherEditor;
+  result.isStl = isOtherEditor || (result.isGuessed ? isWrittenAsStl(result.program) : arguments.language == "stl");
   const UnreadCode unread(result.program);
   result.verdicts = editorVerdicts(result.program, unread, result.isStl ? EditorLanguage::Stl : EditorLanguage::Ladder);
   for (const MissingBlock& block : missingBlocks(unread.facts()))
@@ -157,6 +160,7 @@ extern constexpr Command checkCommand = {
     .details =
         "An editor of the S7-200 SMART leaves an invalid network out of the download without an error: an unknown\n"
         "mnemonic or symbol, a wrong operand, no load at the start, a second rung, FOR and NEXT together.\n"
+        "Networks of an S7-300/400 are judged as statement lists: what cannot be read is invalid.\n"
         "Exit code 0: all networks are valid; 1: some are not; 2: the files could not be read.\n"
         "\n"
         "Examples:\n"

@@ -274,9 +274,16 @@ Exit runAnew(const Arguments& arguments, Context& context, bool& isSettled) {
     addUnread(part, input.program, unread);
     if (unread.hinderRuns()) part.reasons.push_back({Exit::Undecided, "a part of the program was not read"});
     const Program program = unread.isWhole() ? Program{} : unread.executable();
-    proveInto(part, context, settings, arguments, names, unread.isWhole() ? input.program : program, input.properties,
-              unread);
-    if (part.properties.empty() && !arguments.builtin) {
+    const bool hasMain = !unread.isWhole() || input.program.main() != nullptr;
+    if (hasMain) {
+      proveInto(part, context, settings, arguments, names, unread.isWhole() ? input.program : program, input.properties,
+                unread);
+    } else {  // nothing runs, and whatever is said of it holds
+      print(context.err,
+            {"there is no main program to prove", files.front(), "give the file that holds the main program"});
+      part.reasons.push_back({Exit::Failed, "there is no main program"});
+    }
+    if (hasMain && part.properties.empty() && !arguments.builtin) {
       context.err << fmt::format(
           "rungproof: no property is declared in {}; see 'rungproof prove --help', or give --builtin\n", files.front());
     }

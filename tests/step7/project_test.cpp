@@ -101,6 +101,25 @@ TEST(Projects, TablesThatLookLikeAnotherFamily) {
   }
 }
 
+// Nothing runs the block of a project without OB1: it writes no output, which is no proof about the machine.
+TEST(Projects, WithoutAMainProgramNothingIsProved) {
+  const std::string block = "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\nA I 0.0;\n= Q 0.0;\nEND_FUNCTION\n";
+  const test7::Output proof = test7::proofOf("prove off: never Q0.0\n", block);
+  EXPECT_EQ(proof.exit, 2);
+  EXPECT_TRUE(proof.has("no main program")) << proof.text;
+  EXPECT_FALSE(proof.has("PROVED")) << proof.text;
+  EXPECT_TRUE(test7::proofOf("prove off: never Q0.0\n", block + test7::block(1, "NOP 0")).has("PROVED"));
+}
+
+// A rung that begins with a load is a rule of the S7-200.
+TEST(Projects, TheEditorTakesStatementsOfEachForm) {
+  const test::TemporaryFolder folder;
+  folder.file("main.awl", test7::block(1, "A I 0.0;= Q 0.0;L MW 0;T MW 2;A I 0.1;= Q 0.1"));
+  const test7::Output verdict = test7::run({"check", folder.path("main.awl")});
+  EXPECT_EQ(verdict.exit, 0) << verdict.text;
+  EXPECT_TRUE(verdict.has("1 network: 1 valid, 0 invalid")) << verdict.text;
+}
+
 TEST(Projects, NamesOfDataForProperties) {
   const Program program = readProgram(filesOf("recipes"));
   const OperandLookup lookup = lookupIn(program);
