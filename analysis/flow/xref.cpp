@@ -90,6 +90,7 @@ Xref crossReference(const Facts& facts) {
            std::vector<const Access*>>
       byPlace;
   for (const Access& access : facts.accesses().all()) {
+    if (access.viaPointer && access.pointed == Pointed::OfCall) continue;  // the call has it
     if (access.viaPointer) {
       xref.throughPointers.push_back(&access);
       continue;

@@ -69,6 +69,9 @@ Exit run(const Arguments& arguments, Context& context) {
     return Exit::Failed;
   }
   if (!unread.isWhole()) input.program = unread.executable();
+  if (input.program.main() == nullptr)
+    return context.fail(
+        {"there is no main program to export", arguments.files.front(), "give the file that holds the main program"});
   const std::vector<ExternalRange> byCalls = externalsOfCalls(Facts(input.program));
   input.properties.externals.insert(input.properties.externals.end(), byCalls.begin(), byCalls.end());
   const ProverOptions options = proverOptionsOf(context.settings, {&input.program});

@@ -238,9 +238,12 @@ Exit run(Context& context, std::vector<std::string> arguments) {
   // The list may be wrong where the program was not understood, so the places are shown beside it.
   if (!unread.empty()) printUnread(context, "xref", input.program, unread, arguments);
   const Facts facts(input.program, input.properties.externals, input.surroundings);
-  const Xref xref = crossReference(facts);
+  Xref xref = crossReference(facts);
   std::vector<std::size_t> shown;
   if (address) {
+    std::erase_if(xref.throughPointers, [&](const Access* access) {
+      return access->pointed == Pointed::InArea && access->area != address->area;
+    });
     shown = entriesTouching(xref, *address);
   } else {
     for (std::size_t i = 0; i < xref.entries.size(); ++i) shown.push_back(i);

@@ -36,6 +36,18 @@ TEST(ParameterKinds, ATimerNeedsOneNumber) {
   EXPECT_FALSE(list.has("T6")) << list.text;
 }
 
+// Formal parameters stand in the list as what the calls give, and M[AR1,P#0.0] leads to no timer.
+TEST(ParameterKinds, PointersThatLeadElsewhereAreNotListed) {
+  const test::TemporaryFolder folder;
+  folder.file("main.awl", delay + block(1,
+                                        "CALL FC 1 (on := I 0.0, t := T 5, c := C 6);LAR1 P#0.0;L MW [AR1,P#0.0];"
+                                        "T MW 20"));
+  EXPECT_FALSE(run({"xref", folder.path("main.awl"), "T5"}).has("Through pointers"));
+  const Output list = run({"xref", folder.path("main.awl"), "MW10"});
+  EXPECT_TRUE(list.has("Through pointers") && list.has("L MW[AR1,P#0.0]")) << list.text;
+  EXPECT_FALSE(list.has("#on")) << list.text;
+}
+
 const std::string reader =
     "DATA_BLOCK DB 3\nSTRUCT\n  a : INT := 33;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n"
     "FUNCTION FC 2 : VOID\nVAR_INPUT\n  d : BLOCK_DB;\nEND_VAR\nVAR_OUTPUT\n  v : INT;\nEND_VAR\nBEGIN\nNETWORK\n"
