@@ -181,7 +181,11 @@ class Recorder {
   std::optional<Bool> orderOf(ValueId a, ValueId b);
   Bool under(Bool value, ValueId condition, bool isTrue, int depth);
 
+  Bits loadPlace(Area area, Bits address, int width);
+  void savePlace(Area area, Bits address, int width, Bits value);
+
   std::size_t blockAt_ = 0;
+  std::optional<Step> place_;       ///< last access to a computed address `a` of `area` where `b` stands
   bool hasReadOnlyBlocks_ = false;  ///< of which an address may name one
   std::unordered_map<Step, ValueId, StepHash, StepEqual> known_;
   std::unordered_map<std::uint64_t, ValueId> constants_;

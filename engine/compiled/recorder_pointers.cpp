@@ -25,6 +25,24 @@ void Recorder::reaches(Area area, std::uint32_t first, std::uint32_t count, bool
   if (std::ranges::find(code.reached, reached) == code.reached.end()) code.reached.push_back(reached);
 }
 
+/// What was stored or loaded there last is still there.
+Recorder::Bits Recorder::loadPlace(Area area, Bits address, int width) {
+  const bool isKnown = place_ && place_->area == area && place_->a == address.id && int{place_->width} == width;
+  if (isKnown) return extract({place_->b}, width - 1, 0);
+  const Step load{.op = CodeOp::LoadAt, .width = static_cast<std::uint8_t>(width), .area = area, .a = address.id};
+  place_ = load;
+  place_->b = add(load);
+  return {place_->b};
+}
+
+void Recorder::savePlace(Area area, Bits address, int width, Bits value) {
+  const Step step{
+      .op = CodeOp::StoreAt, .width = static_cast<std::uint8_t>(width), .area = area, .a = address.id, .b = value.id};
+  add(step);
+  store->forget(area);
+  place_ = step;
+}
+
 /// Pointers that name V are followed.
 Recorder::Bool Recorder::targets(Machine<Recorder>& machine, Bits pointer, Width width, Ref<Recorder>& ref) {
   const std::uint32_t size = store->size(Area::V), wide = static_cast<std::uint32_t>(bytes(width));
@@ -44,8 +62,7 @@ Recorder::Bool Recorder::targets(Machine<Recorder>& machine, Bits pointer, Width
 
 Recorder::Bits Recorder::loadAt(const Ref<Recorder>& ref, int element, Width width) {
   if (element != 0) return cannotFollow(bits(width));
-  const Bits safe = select(*guard, ref.value, literal(0, 32), 32);
-  return {add({.op = CodeOp::LoadAt, .width = static_cast<std::uint8_t>(bits(width)), .area = Area::V, .a = safe.id})};
+  return loadPlace(Area::V, select(*guard, ref.value, literal(0, 32), 32), bits(width));
 }
 
 void Recorder::saveAt(const Ref<Recorder>& ref, int element, Width width, Bits value) {
@@ -55,13 +72,8 @@ void Recorder::saveAt(const Ref<Recorder>& ref, int element, Width width, Bits v
   }
   const Bits written = truth(*guard) == true ? value : select(*guard, value, loadAt(ref, 0, width), bits(width));
   const Bits safe = select(*guard, ref.value, literal(0, 32), 32);
-  add({.op = CodeOp::StoreAt,
-       .width = static_cast<std::uint8_t>(bits(width)),
-       .area = Area::V,
-       .a = safe.id,
-       .b = written.id});
+  savePlace(Area::V, safe, bits(width), written);
   reaches(Area::V, 0, store->size(Area::V), true);
-  store->forget(Area::V);
 }
 
 /// The bytes of an area, or of the data block of that number; none where they cannot be told, or do not exist.
@@ -114,8 +126,7 @@ bool Recorder::follows(Machine<Recorder>& machine, Bits location, Width width, S
 Recorder::Bits Recorder::loadComputed(const Spot<Recorder>& spot, Width width) {
   const int w = width == Width::Bit ? 8 : bits(width);
   const Bits byte = extract(spot.value, 31, 3);
-  const Bits loaded{
-      add({.op = CodeOp::LoadAt, .width = static_cast<std::uint8_t>(w), .area = spot.area, .a = byte.id})};
+  const Bits loaded = loadPlace(spot.area, byte, w);
   if (width != Width::Bit) return loaded;
   return extract(lshr(loaded, extract(spot.value, 2, 0), 8), 0, 0);
 }
@@ -132,12 +143,11 @@ void Recorder::saveComputed(const Spot<Recorder>& spot, Width width, Bits value)
     value = select(bit(value, 0), bor(old, mask, 8), band(old, bnot(mask, 8), 8), 8);
   }
   const Bits written = select(*guard, value, old, w);
-  add({.op = CodeOp::StoreAt, .width = static_cast<std::uint8_t>(w), .area = spot.area, .a = byte.id, .b = written.id});
+  savePlace(spot.area, byte, w, written);
   for (std::size_t i = code.reached.size(); i-- > 0;) {
     const Reached r = code.reached[i];
     if (r.area == spot.area) reaches(r.area, r.first, r.count, true);
   }
-  store->forget(spot.area);
 }
 
 }  // namespace rungproof::compiled

@@ -1,6 +1,7 @@
 // Backwards through the code: first which stores are overwritten, then which values lead to something that stays.
 #include "engine/compiled/reduce.hpp"
 
+#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -100,15 +101,26 @@ class Overwritten {
           places_.of(step, [&](std::size_t place) { later_.add(place); });
           break;
         }
+        case CodeOp::StoreAt:
+          isDropped[i] =
+              at_ && at_->area == step.area && at_->a == step.a && at_->value == step.value && at_->width == step.width;
+          at_ = step;
+          break;
         case CodeOp::LoadAt:
-          if (isNeeded[i]) places_.ofArea(code_, step.area, [&](std::size_t place) { later_.remove(place); });
+          if (!isNeeded[i]) break;
+          places_.ofArea(code_, step.area, [&](std::size_t place) { later_.remove(place); });
+          forgetAt(step.area);
           break;
         case CodeOp::Mark:
+          at_.reset();
           if (branches_.contains(step.value)) atMark_.insert_or_assign(step.value, later_);
           break;
         case CodeOp::Branch:
         case CodeOp::BranchIf:
         case CodeOp::BranchUnless: branch(step); break;
+        case CodeOp::LoadMemory:
+          if (isNeeded[i]) forgetAt(step.area);
+          [[fallthrough]];
         default:
           if (isNeeded[i]) places_.of(step, [&](std::size_t place) { later_.remove(place); });
       }
@@ -116,7 +128,11 @@ class Overwritten {
   }
 
  private:
+  void forgetAt(Area area) {
+    if (at_ && at_->area == area) at_.reset();
+  }
   void branch(const Step& step) {
+    at_.reset();
     const auto target = atMark_.find(step.value);
     if (target == atMark_.end()) {  // back, where everything may be read
       later_.clear();
@@ -133,6 +149,7 @@ class Overwritten {
   const Code& code_;
   const Places& places_;
   PlaceSet later_;
+  std::optional<Step> at_;  ///< the next store to a computed address of this block, before which nobody reads its area
   std::unordered_map<std::uint64_t, PlaceSet> atMark_;       ///< of marks to which branches are still to come
   std::unordered_map<std::uint64_t, std::size_t> branches_;  ///< by mark: to it, not yet seen
 };
