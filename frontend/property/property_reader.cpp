@@ -441,6 +441,11 @@ class Parser {
       throw Mistake{addressRule, t.span, fmt::format("'{}' is no address and no known symbol", t.text),
                     "give the symbol table with --symbols, or write the address"};
     }
+    if (operand->area == Area::L) {
+      throw Mistake{addressRule, t.span,
+                    fmt::format("'{}' has no value between scans: local memory belongs to one call (001:1367)", t.text),
+                    "let the program copy it to M or another memory that stays, and ask for that"};
+    }
     if (target_ != nullptr) {
       if (const std::optional<std::string> reason = missingFrom(*target_, *operand))
         throw Mistake{addressRule, t.span, *reason, "correct the address, or choose the CPU with --cpu"};

@@ -17,6 +17,7 @@ std::optional<Operand> lookUp(std::string_view name) {
                                    : Area::M,
                   Width::Bit, number(name.substr(1, 1)), number(name.substr(3)));
   }
+  if (name == "L0.0") return direct(Area::L, Width::Bit, 0, 0);
   if (name.substr(0, 2) == "VB") return direct(Area::V, Width::Byte, number(name.substr(2)));
   if (name.substr(0, 2) == "VW") return direct(Area::V, Width::Word, number(name.substr(2)));
   if (name.substr(0, 2) == "VD") return direct(Area::V, Width::DWord, number(name.substr(2)));
@@ -115,6 +116,8 @@ TEST(PropertyLanguage, MistakesSayWhatIsMissing) {
   EXPECT_EQ(messageOf("VW0 / 2 > 5"), "'/' does not belong here");
   EXPECT_EQ(messageOf("Q0.0 or or Q0.1"), "'or' does not belong here");
   EXPECT_EQ(messageOf("always never Q0.0"), "'never' does not belong here");
+  EXPECT_EQ(messageOf("Q0.0 implies L0.0"),
+            "'L0.0' has no value between scans: local memory belongs to one call (001:1367)");
   EXPECT_EQ(messageOf("Q0.0 held 500MS implies Q0.1"), "") << "units in capitals";
 }
 
